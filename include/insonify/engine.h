@@ -1,0 +1,93 @@
+// engine.h -- the one question a simulator asks of the hardware: what comes back of this ping?
+
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "insonify/echo_grid.h"
+#include "insonify/geometry.h"
+#include "insonify/paper_model.h"
+#include "insonify/scene.h"
+#include "insonify/sonar_config.h"
+#include "insonify/water.h"
+
+namespace insonify {
+
+/// Which hits send a ray on, in search of a second surface.
+enum class SecondaryEchoes {
+  kNone,
+  kSelective,  ///< Those that can give an echo worth having; the others by chance, weighted so that sums stay unbiased.
+  kAll
+};
+
+/// Where a ray first meets the scene.
+struct Hit {
+  double distance = 0;                 ///< From the ray's origin [m]; infinite for a miss.
+  Vec3 normal = Vec3::Zero();          ///< Unit shading normal on the side of the ray, world frame.
+  std::uint16_t instance = kNoLabel;   ///< Index into Scene::instances, kNoLabel for a miss.
+  std::uint16_t material = kNoLabel;   ///< Index into Scene::materials.
+};
+
+/// Everything about one sonar that does not change from ping to ping, worked out once.
+class PingPlan;
+
+/// What a plan is made from.
+struct PingPlanSettings {
+  SonarConfig sonar;
+  Water water;
+  PaperModel paper;
+  SecondaryEchoes secondary = SecondaryEchoes::kSelective;
+  std::uint64_t seed = 1;
+};
+[[nodiscard]] std::shared_ptr<const PingPlan> make_ping_plan(const PingPlanSettings& settings);
+
+/// Rays that one ping sent.
+struct RayCounts {
+  std::uint64_t primary = 0;
+  std::uint64_t secondary = 0;
+  std::uint64_t return_legs = 0;
+};
+
+/// Finds the echoes of a ping on one kind of hardware.
+///
+/// All engines answer alike: tests/engines/ runs the same cases on each and compares the answers with those of the
+/// `reference` engine. An object is used by one thread at a time.
+class Engine {
+ public:
+  virtual ~Engine() = default;
+
+  /// Lower-case name, as given to make_engine() and on the command line.
+  [[nodiscard]] virtual std::string_view name() const = 0;
+
+  /// Takes in the scene. Positions are kept relative to the middle of its bounds, so that survey coordinates do not cost
+  /// precision. The scene must outlive the engine or the next call.
+  virtual void set_scene(const Scene& scene) = 0;
+
+  /// Puts an instance with `moving` set somewhere else; what stands still is not rebuilt.
+  virtual void move_instance(int instance, const Pose& world_from_mesh) = 0;
+
+  /// Fills the grid with the echoes of one ping. The grid has the plan's beams and bins; it is cleared first. The result
+  /// depends on plan, pose and ping number alone, not on threads.
+  /// @param world_from_sonar  Pose of the transducer: the head, turned, for a scanning sonar.
+  virtual void insonify(const PingPlan& plan, const Pose& world_from_sonar, std::uint64_t ping, EchoGrid& grid) = 0;
+
+  /// Finds the first surface along every ray. `hits` has the length of `rays`.
+  virtual void trace(std::span<const Ray> rays, std::span<Hit> hits) = 0;
+
+  /// Of the last ping.
+  [[nodiscard]] virtual RayCounts ray_counts() const = 0;
+};
+
+/// Names of the engines built in, fastest first.
+[[nodiscard]] std::vector<std::string_view> engine_names();
+
+/// Makes an engine by name, "cpu" or "reference".
+/// @param threads  Worker threads, 0 for as many as there are processors. `reference` uses them too.
+/// @throws Error if there is no such engine; the message lists those there are.
+[[nodiscard]] std::unique_ptr<Engine> make_engine(std::string_view name, int threads = 0);
+
+}  // namespace insonify

@@ -1,0 +1,93 @@
+// field.h -- how a configuration describes its own fields, so that each is written down once.
+
+#pragma once
+
+#include <limits>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace insonify {
+
+/// The values a number may take. NaN is never allowed; infinity only where no limit is given.
+struct Limits {
+  double least = -std::numeric_limits<double>::infinity();
+  double most = std::numeric_limits<double>::infinity();
+  bool least_allowed = true;  ///< False: the value must be greater than `least`.
+  bool most_allowed = true;   ///< False: the value must be less than `most`.
+
+  [[nodiscard]] bool allow(double value) const;
+
+  /// In words: "greater than 0", "at least 1", "from 7.7 to 8.3", "any finite number".
+  /// `scale` multiplies the limits, for a field that is shown in another unit than it is kept in.
+  [[nodiscard]] std::string text(double scale = 1) const;
+};
+
+constexpr Limits any_number() { return {}; }
+constexpr Limits at_least(double least) { return {.least = least}; }
+constexpr Limits greater_than(double least) { return {.least = least, .least_allowed = false}; }
+constexpr Limits from_to(double least, double most) { return {.least = least, .most = most}; }
+constexpr Limits above_to(double least, double most) { return {.least = least, .most = most, .least_allowed = false}; }
+
+/// One field of a configuration: what a reader, the command line and the manual need to know of it.
+///
+/// Every configuration struct has `template <class Self, class Visit> static void visit_fields(Self&, Visit&&)` that
+/// calls `visit(Field, member)` on each member in order. The YAML reader, `--set`, `insonify describe` and validate()
+/// are made from that list, so a field added there appears everywhere.
+struct Field {
+  std::string_view name;       ///< As in code. In files a field in "rad" is written in degrees, as `<name>_deg`.
+  std::string_view unit;       ///< "m", "Hz", "rad", "s", "" (a count, a ratio or a word) ...
+  Limits limits;               ///< Of a number, or of each element of a list; ignored for words.
+  std::string_view help;       ///< One sentence, from a capital letter to a full stop.
+};
+
+/// Name of the field as users write it: `azimuth_aperture_deg` for an angle, the plain name otherwise.
+[[nodiscard]] std::string file_name_of(const Field& field);
+
+/// What one stored unit is in the unit of the file: 180/pi for an angle, else 1.
+[[nodiscard]] double file_scale_of(const Field& field);
+
+/// Unit as users read it: "deg" for an angle, else the field's own.
+[[nodiscard]] std::string_view file_unit_of(const Field& field);
+
+/// Checks one number.
+/// @param object  What the field belongs to, as the user knows it: "sonars[0]", "water".
+/// @throws Error "sonars[0].max_range = -2 m must be greater than 0 m"
+void check_field(std::string_view object, const Field& field, double value);
+
+/// Checks the members that are numbers, optional numbers or lists of numbers, in order; words are left alone.
+template <typename Config>
+void check_fields(std::string_view object, const Config& config);
+
+// ---------------------------------------------------------------------------------------------------------------------
+
+namespace detail {
+
+template <typename T>
+void check_member(std::string_view object, const Field& field, const T& member) {
+  if constexpr (std::is_same_v<T, bool>) {
+    return;
+  } else if constexpr (std::is_arithmetic_v<T>) {
+    check_field(object, field, static_cast<double>(member));
+  } else if constexpr (requires { typename T::value_type; member.has_value(); }) {
+    if (member.has_value()) {
+      check_member(object, field, *member);
+    }
+  } else if constexpr (std::is_same_v<T, std::vector<double>>) {
+    for (const double value : member) {
+      check_field(object, field, value);
+    }
+  }
+}
+
+}  // namespace detail
+
+template <typename Config>
+void check_fields(std::string_view object, const Config& config) {
+  Config::visit_fields(config, [&](const Field& field, const auto& member) {
+    detail::check_member(object, field, member);
+  });
+}
+
+}  // namespace insonify

@@ -1,0 +1,90 @@
+// files.h -- from files to values and back: scenes, scenarios, presets, recordings and pictures.
+
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "insonify/log.h"
+#include "insonify/mesh.h"
+#include "insonify/picture.h"
+#include "insonify/ping.h"
+#include "insonify/scenario.h"
+#include "insonify/scene.h"
+
+namespace insonify {
+
+/// Reads a mesh file (OBJ, STL, DAE, PLY, glTF, GLB by ending), cleaned (clean_mesh) and in metres, z up: DAE units are
+/// applied and its up axis left alone as Gazebo does; glTF is turned from y up. What was dropped is told to `log`.
+/// @throws Error with the path for a file that is missing, unreadable, empty or of an unknown kind.
+[[nodiscard]] Mesh load_mesh(const std::filesystem::path& path, const Log& log = {});
+
+/// Reads heights: 16- or 8-bit grey PNG (0..1 over its full scale, spacing 1 m), ESRI ASCII grid (.asc) or BAG (.bag, depths as
+/// negative heights). Geographic spacing (degrees) becomes metres at the grid's own latitude.
+/// @throws Error with the path, and for text the line.
+[[nodiscard]] HeightGrid load_height_grid(const std::filesystem::path& path, const Log& log = {});
+
+/// Reads what a scenario calls its world: an SDF world or model (.sdf, .world, .xml), a mesh file, or a height grid.
+/// Materials are not assigned yet.
+/// @param collisions  Take collision shapes instead of visuals (SDF only).
+[[nodiscard]] Scene load_scene(const std::filesystem::path& path, bool collisions = false, const Log& log = {});
+
+/// Reads a scenario. Relative paths are from its own folder; presets are looked up by name (load_preset).
+/// @param settings  "key=value" as on the command line, applied in order: "pings=3", "sonars[0].max_range=30",
+///                  "sonars.fls.max_range=30", "max_range=30" (a sonar's field alone means every sonar's).
+/// @throws Error "path:line:column: ..." for whatever is wrong; an unknown key names the nearest known one.
+[[nodiscard]] Scenario load_scenario(const std::filesystem::path& path, std::span<const std::string> settings = {});
+
+/// Reads the scene of a scenario and assigns its materials.
+[[nodiscard]] Scene load_scene(const Scenario& scenario, const Log& log = {});
+
+/// One number of a preset: where it comes from and how far to trust it.
+struct PresetFact {
+  std::string field;        ///< As in the file.
+  std::string value;
+  std::string confidence;   ///< A (read in the source), B (data-sheet knowledge, cross-checked) or C (uncertain).
+  std::string source;
+};
+struct Preset {
+  std::string name;                  ///< "tritech-gemini-720i"; a mode is chosen with "preset: NAME" and "mode: MODE".
+  std::string title;                 ///< "Tritech Gemini 720i"
+  std::string default_mode;
+  std::vector<std::string> modes;    ///< At least one.
+  std::filesystem::path file;
+  std::vector<PresetFact> facts;     ///< Of the mode it was loaded in.
+  SonarConfig sonar;                 ///< In that mode.
+};
+/// Names of all presets, in order. They are read from INSONIFY_PRESETS (a folder) if set, else from the installed or source
+/// tree's `presets`.
+[[nodiscard]] std::vector<std::string> preset_names();
+/// @param mode  "" for the default.  @throws Error naming the nearest preset or the modes there are.
+[[nodiscard]] Preset load_preset(const std::string& name, const std::string& mode = "");
+
+/// Writes one sonar's pings to one HDF5 file, ping by ping: at any moment the file on disk is whole up to the last ping,
+/// so that a killed run leaves one that opens as usual. docs/reference/recording.md lists what it holds.
+class Recording {
+ public:
+  /// @param simulated  For the file's attributes and names: scenario, scene, sonar.
+  /// @param capacity   Pings it is made for, >= 1.
+  /// @throws Error when the file cannot be made or the disk is full.
+  Recording(const std::filesystem::path& path, const Scenario& scenario, const Scene& scene, const SonarConfig& sonar,
+            std::uint64_t capacity);
+  ~Recording();
+  Recording(Recording&&) noexcept;
+  Recording& operator=(Recording&&) noexcept;
+
+  /// @throws Error when the disk is full; what was written before stays readable.
+  void add(const Ping& ping);
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+/// Writes a PNG, 8 bits a channel.  @throws Error with the path.
+void write_png(const std::filesystem::path& path, const Picture& picture);
+
+}  // namespace insonify

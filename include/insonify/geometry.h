@@ -1,0 +1,57 @@
+// geometry.h -- points, directions, poses and rays, and the two frames they are told in.
+
+#pragma once
+
+#include <Eigen/Geometry>
+#include <numbers>
+
+namespace insonify {
+
+// World frame: right-handed, z up. Sonar frame: right-handed, x along the acoustic axis, y to port, z up (REP 103).
+// Azimuth turns from +x to +y (to port), elevation from +x to +z (up).
+using Vec3 = Eigen::Vector3d;
+using Vec3f = Eigen::Vector3f;
+
+/// A rigid transform, named after both frames, result first: `p_world = world_from_sonar * p_sonar`.
+struct Pose {
+  Vec3 position = Vec3::Zero();                                   ///< [m]
+  Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();  ///< Unit quaternion.
+
+  [[nodiscard]] Vec3 operator*(const Vec3& point) const { return position + orientation * point; }
+  [[nodiscard]] Pose operator*(const Pose& inner) const {
+    return {position + orientation * inner.position, (orientation * inner.orientation).normalized()};
+  }
+  [[nodiscard]] Pose inverse() const {
+    const Eigen::Quaterniond back = orientation.conjugate();
+    return {-(back * position), back};
+  }
+};
+
+/// Orientation from roll about x, then pitch about y, then yaw about z, all about fixed axes, as in SDF [rad].
+/// Positive pitch looks down.
+[[nodiscard]] Eigen::Quaterniond orientation_from_rpy(double roll, double pitch, double yaw);
+
+/// A point as a sonar sees it.
+struct Spherical {
+  double range = 0;      ///< Distance from the sonar [m].
+  double azimuth = 0;    ///< Angle in the fan, positive to port [rad], -pi..pi.
+  double elevation = 0;  ///< Angle across the fan, positive up [rad], -pi/2..pi/2.
+};
+
+/// Sonar-frame Cartesian to spherical; elevation is measured from the x-y plane (the paper's eq. for it is the polar
+/// angle from +z and jumps at z = 0). The origin maps to zeros.
+[[nodiscard]] Spherical spherical_from_point(const Vec3& point);
+[[nodiscard]] Vec3 point_from_spherical(const Spherical& spherical);
+
+[[nodiscard]] constexpr double radians_from_degrees(double degrees) { return degrees / 180.0 * std::numbers::pi; }
+[[nodiscard]] constexpr double degrees_from_radians(double radians) { return radians / std::numbers::pi * 180.0; }
+
+/// Half a line, with the stretch of it that counts.
+struct Ray {
+  Vec3 origin = Vec3::Zero();        ///< World frame [m].
+  Vec3 direction = Vec3::UnitX();    ///< Unit vector, world frame.
+  double min_distance = 0;           ///< [m], >= 0
+  double max_distance = 1e30;        ///< [m]
+};
+
+}  // namespace insonify

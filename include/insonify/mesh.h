@@ -1,0 +1,74 @@
+// mesh.h -- a surface made of triangles, and the primitive shapes that are tessellated into one.
+
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "insonify/geometry.h"
+
+namespace insonify {
+
+/// Triangles in a frame of their own. Both sides of a triangle echo.
+struct Mesh {
+  std::string name;
+  std::vector<Vec3f> vertices;                          ///< Mesh frame [m].
+  std::vector<Vec3f> normals;                           ///< Unit shading normal, one a vertex.
+  std::vector<std::array<std::uint32_t, 3>> triangles;  ///< Indices into `vertices`.
+  std::vector<std::uint16_t> material_slots;            ///< One a triangle, into `material_names`; empty: all slot 0.
+  std::vector<std::string> material_names{""};          ///< As the file calls them, at least one; "" where it does not.
+
+  [[nodiscard]] std::uint16_t slot_of(std::size_t triangle) const {
+    return material_slots.empty() ? std::uint16_t{0} : material_slots[triangle];
+  }
+};
+
+/// What cleaning took out of a mesh.
+struct MeshReport {
+  std::size_t triangles_read = 0;
+  std::size_t zero_area = 0;        ///< Dropped: the corners lie on a line.
+  std::size_t not_finite = 0;       ///< Dropped: a corner is NaN or infinite.
+  std::size_t bad_index = 0;        ///< Dropped: a corner that does not exist.
+  bool normals_computed = false;    ///< The file had none, or some that were unusable.
+  std::size_t normals_flipped = 0;  ///< Vertex normals that pointed against their triangles' winding.
+
+  [[nodiscard]] std::size_t dropped() const { return zero_area + not_finite + bad_index; }
+};
+
+/// Drops triangles that cannot be traced, gives every vertex a unit normal and says what was done. Where normals are
+/// missing they are averaged over the triangles that meet at an edge flatter than `crease_angle` [rad]; vertices are
+/// split along sharper edges.
+/// @throws Error when no triangle is left; the message names the mesh and what was dropped.
+[[nodiscard]] MeshReport clean_mesh(Mesh& mesh, double crease_angle = 0.7853981633974483);
+
+// The SDF primitives, centred on the origin with smooth normals where the shape is smooth. Vertices lie on the surface;
+// `max_edge_angle` [rad] bounds the angle between neighbouring normals. Sizes are full lengths [m], > 0.
+
+[[nodiscard]] Mesh make_box(const Vec3& size);
+[[nodiscard]] Mesh make_sphere(double radius, double max_edge_angle = 0.05);
+[[nodiscard]] Mesh make_ellipsoid(const Vec3& radii, double max_edge_angle = 0.05);
+/// Axis along z.
+[[nodiscard]] Mesh make_cylinder(double radius, double length, double max_edge_angle = 0.05);
+/// Axis along z; `length` is that of the cylindrical part.
+[[nodiscard]] Mesh make_capsule(double radius, double length, double max_edge_angle = 0.05);
+/// Axis along z, base at -length/2, tip at +length/2.
+[[nodiscard]] Mesh make_cone(double radius, double length, double max_edge_angle = 0.05);
+/// A rectangle through the origin across `normal`. SDF's infinite plane is `size` with a large side.
+[[nodiscard]] Mesh make_plane(const Vec3& normal, double size_x, double size_y);
+
+/// A grid of heights: rows run along -y from the north-west corner, columns along +x, as pictures and survey grids do.
+struct HeightGrid {
+  int columns = 0, rows = 0;     ///< >= 2 each.
+  double spacing_x = 1;          ///< [m], > 0.
+  double spacing_y = 1;          ///< [m], > 0.
+  std::vector<float> heights;    ///< rows x columns [m]; NaN where there is no data.
+  Vec3 origin = Vec3::Zero();    ///< Of the grid's centre in the survey's own coordinates [m]; informative.
+};
+
+/// Two triangles for each cell whose four corners have data, three corners one; smooth normals, centred in x and y.
+[[nodiscard]] Mesh make_height_field(const HeightGrid& grid);
+
+}  // namespace insonify

@@ -1,0 +1,47 @@
+// paper_model.h -- the settings of the `paper` model: Cerqueira et al., "A rasterized ray-tracer pipeline for
+// real-time, multi-device sonar simulation", section 3, with its slips mended (docs/concepts/paper-model.md).
+
+#pragma once
+
+#include "insonify/field.h"
+
+namespace insonify {
+
+/// Shape of S in the paper's eq. (energy_norm), which turns an echo's strength 0..1 into displayed intensity 0..1.
+enum class Sigmoid {
+  kLogistic,  ///< A logistic with `sigmoid_midpoint` and `sigmoid_slope`, scaled so that S(0) = 0 and S(1) = 1.
+  kAuthors,   ///< The authors' code: 0.5 tanh(9 (x - 2/3)) + 0.5, unscaled: a logistic of midpoint 2/3 and slope 18.
+  kNone       ///< S(x) = x.
+};
+
+struct PaperModel {
+  Sigmoid sigmoid = Sigmoid::kLogistic;
+  double sigmoid_midpoint = 0.35;  ///< Strength that is drawn at half (before scaling), 0..1.
+  double sigmoid_slope = 7.0;      ///< Steepness at the midpoint, times 4, > 0.
+
+  // Noise of eq. (noise): intensity x multiplicative + additive, each Gaussian and drawn anew for every ping and cell.
+  double multiplicative_mean = 1.0;        ///< >= 0. The authors' code has 0.4.
+  double multiplicative_deviation = 0.25;  ///< >= 0. The authors' code has 0.15.
+  double additive_deviation = 0.01;        ///< >= 0, about a zero mean. The authors' code has none.
+
+  /// S(strength), for strength in 0..1.
+  [[nodiscard]] double shape(double strength) const;
+
+  void validate() const { check_fields("paper", *this); }
+
+  template <typename Self, typename Visit>
+  static void visit_fields(Self& self, Visit&& visit) {
+    visit(Field{"sigmoid", "", {}, "logistic, authors (their code's) or none."}, self.sigmoid);
+    visit(Field{"sigmoid_midpoint", "", from_to(0, 1), "Echo strength that is drawn at half (logistic)."},
+          self.sigmoid_midpoint);
+    visit(Field{"sigmoid_slope", "", greater_than(0), "Steepness of the sigmoid, four times its slope at the midpoint (logistic)."},
+          self.sigmoid_slope);
+    visit(Field{"multiplicative_mean", "", at_least(0), "Mean of the multiplicative noise."}, self.multiplicative_mean);
+    visit(Field{"multiplicative_deviation", "", at_least(0), "Standard deviation of the multiplicative noise."},
+          self.multiplicative_deviation);
+    visit(Field{"additive_deviation", "", at_least(0), "Standard deviation of the additive noise, whose mean is 0."},
+          self.additive_deviation);
+  }
+};
+
+}  // namespace insonify

@@ -1,0 +1,69 @@
+// picture.h -- pings as a sonar operator knows them, drawn into plain RGB pixels.
+
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "insonify/ping.h"
+#include "insonify/sonar_config.h"
+
+namespace insonify {
+
+/// Pixels, three bytes each (red, green, blue), rows from the top.
+struct Picture {
+  int width = 0, height = 0;   ///< [pixels]
+  std::vector<std::uint8_t> rgb;
+  [[nodiscard]] std::uint8_t* at(int x, int y) { return &rgb[3 * (static_cast<std::size_t>(y) * width + x)]; }
+  [[nodiscard]] const std::uint8_t* at(int x, int y) const {
+    return &rgb[3 * (static_cast<std::size_t>(y) * width + x)];
+  }
+};
+
+enum class ColourMap { kInferno, kCopper, kGrey, kBlue };
+enum class Scale { kLinear, kDecibel };
+
+/// How intensities become colours, and what stands around them.
+struct Display {
+  ColourMap colour_map = ColourMap::kInferno;
+  Scale scale = Scale::kLinear;
+  double floor_db = -50;    ///< Darkest level on a decibel scale [dB re full scale], < 0.
+  double full_scale = 1.0;  ///< Intensity drawn brightest, > 0.
+  int height = 720;         ///< Of the whole picture [pixels], 240..8192; the width follows from the shape of the fan.
+  bool annotations = true;  ///< Title, rings, radials, axes and colour bar.
+};
+
+/// Colour of `value` in 0..1 (clamped; NaN is drawn as 0).
+struct Rgb {
+  std::uint8_t red, green, blue;
+};
+[[nodiscard]] Rgb colour(ColourMap map, double value);
+/// @throws Error listing the names there are.
+[[nodiscard]] ColourMap colour_map_from_name(std::string_view name);
+
+/// The raw table: beams across (port to the left, azimuth in degrees), range upwards in metres.
+[[nodiscard]] Picture draw_polar(const Ping& ping, const SonarConfig& sonar, const Display& display = {});
+
+/// The fan as seen from above, acoustic axis up, port to the left: rings labelled in metres, radials in degrees. Bilinear
+/// between cells; apertures up to 360 degrees.
+[[nodiscard]] Picture draw_fan(const Ping& ping, const SonarConfig& sonar, const Display& display = {});
+
+/// A scanning sonar's view, filling as the head turns: each ping fills its own step about the housing's x axis (up); a
+/// later ping covers an earlier one.
+class ScanView {
+ public:
+  explicit ScanView(const SonarConfig& sonar);
+  void add(const Ping& ping);   ///< Of one beam.
+  [[nodiscard]] Picture draw(const Display& display = {}) const;
+  /// The waterfall so far: head angle across, range upwards.
+  [[nodiscard]] Picture draw_polar(const Display& display = {}) const;
+
+ private:
+  SonarConfig sonar_;
+  std::vector<double> head_angles_;
+  std::vector<std::vector<float>> profiles_;
+};
+
+}  // namespace insonify

@@ -1,0 +1,98 @@
+// scenario.h -- what to simulate: a world, the water, the sonars, how they move and how often they ping.
+
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "insonify/engine.h"
+#include "insonify/scene.h"
+#include "insonify/sonar_config.h"
+#include "insonify/water.h"
+
+namespace insonify {
+
+/// Where something is at a time.
+struct Waypoint {
+  double time = 0;                 ///< [s]
+  Vec3 position = Vec3::Zero();    ///< [m]
+  Vec3 orientation = Vec3::Zero(); ///< Roll, pitch, yaw [rad].
+
+  template <typename Self, typename Visit>
+  static void visit_fields(Self& self, Visit&& visit) {
+    visit(Field{"time", "s", any_number(), "When it is there; rising from waypoint to waypoint."}, self.time);
+    visit(Field{"position", "m", any_number(), "[x, y, z] in the world."}, self.position);
+    visit(Field{"orientation", "rad", any_number(), "[roll, pitch, yaw] as in SDF."}, self.orientation);
+  }
+};
+
+/// Waypoints in order of time. Between two, position moves on a straight line and orientation turns the shorter way at a
+/// constant rate; before the first and after the last it stands still. Empty: the world's origin.
+struct Trajectory {
+  std::vector<Waypoint> waypoints;
+  [[nodiscard]] Pose at(double time) const;
+  /// @throws Error unless times rise.
+  void validate(std::string_view object) const;
+};
+
+/// Something in the world that moves by itself.
+struct Motion {
+  std::string object;      ///< A model, link or visual by its scoped name.
+  Trajectory trajectory;   ///< Where the object's own frame is; its parts move with it.
+  std::string where;       ///< "path:line:column: " for messages.
+};
+
+/// What the receiver adds, in either model.
+struct ReceiverConfig {
+  bool noise = true;   ///< Whether noise is drawn at all.
+
+  template <typename Self, typename Visit>
+  static void visit_fields(Self& self, Visit&& visit) {
+    visit(Field{"noise", "", {}, "Whether noise is drawn."}, self.noise);
+  }
+};
+
+/// A camera for a look at the scene beside the ping.
+struct ViewConfig {
+  Vec3 position = Vec3::Zero();   ///< Of the camera, in the world [m].
+  Vec3 look_at = Vec3::UnitX();   ///< [m]
+  double field_of_view = 0.87;    ///< Horizontal [rad], in (0, 170 deg].
+
+  template <typename Self, typename Visit>
+  static void visit_fields(Self& self, Visit&& visit) {
+    visit(Field{"position", "m", any_number(), "Of the camera: [x, y, z]."}, self.position);
+    visit(Field{"look_at", "m", any_number(), "Where it looks: [x, y, z]."}, self.look_at);
+    visit(Field{"field_of_view", "rad", above_to(0, radians_from_degrees(170)), "Width of the view."}, self.field_of_view);
+  }
+};
+
+struct Scenario {
+  std::filesystem::path file;      ///< It was read from; empty when made in code.
+  std::string text;                ///< The file as read with --set applied, kept for the recording.
+
+  std::filesystem::path world;     ///< SDF world or model, or mesh file; absolute.
+  std::string world_where;         ///< "path:line:column: " of that entry, for messages.
+  bool collisions = false;         ///< Insonify the world's collision shapes instead of its visuals.
+  std::string model = "paper";     ///< Model of the echo.
+  std::string engine = "cpu";
+  SecondaryEchoes secondary = SecondaryEchoes::kSelective;
+  std::uint64_t seed = 1;
+  int pings = 1;                   ///< >= 1; of each sonar.
+
+  Water water;
+  PaperModel paper;
+  ReceiverConfig receiver;
+  MaterialRules materials;
+  std::vector<SonarConfig> sonars;
+  Trajectory trajectory;           ///< Of the vehicle.
+  std::vector<Motion> motions;
+  std::optional<ViewConfig> view;  ///< Chosen to show the first sonar's field when absent.
+
+  /// Checks every part and the rules between them: at least one sonar, names that differ, periods long enough.
+  /// @throws Error on the first fault.
+  void validate() const;
+};
+
+}  // namespace insonify

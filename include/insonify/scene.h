@@ -1,0 +1,62 @@
+// scene.h -- what there is to insonify: meshes placed in the world, each made of something.
+
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "insonify/log.h"
+#include "insonify/material.h"
+#include "insonify/mesh.h"
+
+namespace insonify {
+
+/// One mesh at one place.
+struct Instance {
+  std::string name;                  ///< Scoped as in SDF: "ship::hull::visual"; the file's stem for a bare mesh.
+  std::shared_ptr<const Mesh> mesh;  ///< Never null.
+  Pose world_from_mesh;
+  std::string user_material;         ///< Set by the user for the whole instance, "" when not; must resolve.
+  std::vector<std::uint16_t> materials;  ///< Index into Scene::materials for each of the mesh's slots.
+  bool moving = false;               ///< Its pose may change between pings; engines keep it apart from what stands still.
+};
+
+/// What a scenario says of one material: a library name, changed properties, or both.
+struct MaterialOverride {
+  std::string like;                  ///< Name of a library material to start from; "" for the one of this name, else the default.
+  std::optional<double> density;       ///< [kg/m^3]
+  std::optional<double> sound_speed;   ///< [m/s]
+  std::optional<double> reflectivity;  ///< 0..1
+  std::string where;                 ///< "path:line:column: " of the entry for messages, may be "".
+};
+
+/// Which material each surface is made of. Keys match a visual's name (whole or its last part), else a material's name.
+struct MaterialRules {
+  std::map<std::string, MaterialOverride> overrides;
+  std::string default_material = "sand";   ///< For a mesh's own names that match nothing.
+};
+
+struct Box3 {
+  Vec3 low, high;   ///< [m]; low > high when empty.
+};
+
+struct Scene {
+  std::vector<Material> materials;   ///< Those in use. At most 65535.
+  std::vector<Instance> instances;   ///< At most 65535.
+
+  [[nodiscard]] std::size_t triangle_count() const;
+  [[nodiscard]] Box3 bounds() const;
+
+  /// Index of the instance of that whole name, or of the only one whose name starts with `name::`; -1 when there is none.
+  [[nodiscard]] int find_instance(std::string_view name) const;
+};
+
+/// Gives every slot of every instance its material, in this order: an override of the visual's name; the instance's
+/// user_material; an override of the slot's own name; the library's material of that name; the default. Names of meshes
+/// that took the default are told to `log` in one line.
+/// @throws Error for a name the user wrote (an override's key or `like`, a user_material, the default) that matches nothing.
+void assign_materials(Scene& scene, const MaterialRules& rules, const Log& log = {});
+
+}  // namespace insonify

@@ -1,0 +1,48 @@
+// simulator.h -- from a scenario to pings.
+
+#pragma once
+
+#include <memory>
+
+#include "insonify/engine.h"
+#include "insonify/ping.h"
+#include "insonify/scenario.h"
+#include "insonify/scene.h"
+
+namespace insonify {
+
+/// Runs the sonars of a scenario in a scene.
+///
+/// Pings of one sonar follow each other at its period; ping n is the same whether or not ping n - 1 was asked for.
+class Simulator {
+ public:
+  /// @param scene    Instances that the scenario's motions name are made moving. Materials must be assigned.
+  /// @param threads  0 for as many as there are processors; pings do not depend on it.
+  /// @throws Error for what Scenario::validate() refuses, and for a motion of an object that is not there.
+  Simulator(Scenario scenario, Scene scene, int threads = 0);
+  ~Simulator();
+  Simulator(Simulator&&) noexcept;
+  Simulator& operator=(Simulator&&) noexcept;
+
+  [[nodiscard]] const Scenario& scenario() const;
+  [[nodiscard]] const Scene& scene() const;
+
+  /// Settings of one sonar with everything filled in: assumed sound speed, ping period.
+  [[nodiscard]] const SonarConfig& sonar(int sonar) const;
+
+  /// Makes ping `number` of sonar `sonar`. Allocates nothing once `ping` has been used with this sonar before.
+  void make_ping(int sonar, std::uint64_t number, Ping& ping);
+  [[nodiscard]] Ping make_ping(int sonar, std::uint64_t number);
+
+  /// Pose of the transducer (head turned) at a time [s].
+  [[nodiscard]] Pose world_from_head(int sonar, std::uint64_t number) const;
+
+  /// The engine, with everything that moves placed as at the last ping: for camera views and counts.
+  [[nodiscard]] Engine& engine();
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace insonify

@@ -1,0 +1,150 @@
+// sonar_config.h -- what the instrument is: its beams, its range bins, its head and where it is mounted.
+
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "insonify/field.h"
+#include "insonify/geometry.h"
+
+namespace insonify {
+
+/// How finely the insonified sector is sampled. More samples cost time, never change levels.
+struct Sampling {
+  int columns_per_beam = 4;  ///< Azimuths sampled in each beam, 1..256.
+  int rows = 200;            ///< Elevations sampled in each column, 2..8192; staggered between columns.
+
+  template <typename Self, typename Visit>
+  static void visit_fields(Self& self, Visit&& visit) {
+    visit(Field{"columns_per_beam", "", from_to(1, 256), "Azimuths sampled in each beam."}, self.columns_per_beam);
+    visit(Field{"rows", "", from_to(2, 8192), "Elevations sampled in each column, staggered between columns."},
+          self.rows);
+  }
+};
+
+/// Forward-looking: one ping insonifies the whole fan. Mechanically scanned: one beam, turned by a step each ping.
+enum class SonarType { kForwardLooking, kMechanicallyScanned };
+
+/// Which way a scanning head turns: about the housing's z (a plan view) or, rolled on its side, about its y.
+enum class Mounting { kHorizontal, kVertical };
+
+/// An imaging sonar seen as a fan of beams cut into range bins.
+///
+/// One ping insonifies the whole fan at once. Each beam collects the echoes of its own slice of azimuth over the full
+/// elevation aperture and sorts them by range into bins.
+///
+///       azimuth > 0 (port)
+///             \   |   /          Sonar frame, right-handed: x along the acoustic axis,
+///              \  |  /           y to port, z up.
+///        beam 0 \ | / beam N-1   Beam 0 is the one furthest to port.
+struct SonarConfig {
+  std::string name = "sonar";  ///< Used in messages and file names.
+  std::string model;           ///< Make and model the numbers describe, for titles; may be empty.
+  SonarType type = SonarType::kForwardLooking;
+
+  double frequency = 720e3;  ///< Carrier frequency [Hz], > 0.
+
+  // Fan of beams.
+  int beam_count = 256;               ///< Beams across the azimuth aperture, 1..4096.
+  double azimuth_aperture = 2.0944;   ///< Full width of the fan [rad], in (0, 2 pi].
+  std::vector<double> beam_azimuths;  ///< Explicit centres, falling from port to starboard [rad]; even in angle when empty.
+  double elevation_aperture = 0.349;  ///< Full height of every beam [rad], in (0, 170 deg].
+  double elevation_center = 0;        ///< Middle of the elevation aperture [rad].
+
+  // Range window.
+  int bin_count = 500;       ///< Range bins per beam, 1..65536.
+  double min_range = 0.2;    ///< Near edge of bin 0 [m], >= 0. Nearer echoes are dropped.
+  double max_range = 50.0;   ///< Far edge of the last bin [m], > min_range.
+  double blanking_range = 0; ///< Near field: echoes read low from min_range, rising to full level here [m], >= 0.
+  double gain = 1.0;         ///< Multiplies the displayed intensity before it is clipped to 1, > 0.
+
+  // Time.
+  std::optional<double> assumed_sound_speed;  ///< By which it turns time into range [m/s]; the water's own when absent.
+  std::optional<double> ping_period;          ///< Between pings [s], >= 2 max_range / c; that, when absent.
+
+  // Scanning head (MSIS only).
+  double step = 0.015708;             ///< Turn of the head between pings, positive to port [rad], not 0.
+  double sector_center = 0;           ///< Middle of the scanned sector [rad].
+  double sector_width = 6.283185307179586;  ///< Full circle: turns on and on; less: sweeps to and fro [rad], in (0, 2 pi].
+  Mounting mounting = Mounting::kHorizontal;
+
+  // Place on the vehicle, or in the world where there is no trajectory.
+  Vec3 position = Vec3::Zero();     ///< [m]
+  Vec3 orientation = Vec3::Zero();  ///< Roll, pitch, yaw as in SDF: positive pitch looks down [rad].
+
+  Sampling sampling;
+
+  [[nodiscard]] double bin_length() const { return (max_range - min_range) / bin_count; }      ///< [m]
+  [[nodiscard]] double bin_range(int bin) const { return min_range + (bin + 0.5) * bin_length(); }  ///< Centre [m].
+
+  /// Azimuth of the centre of beam `beam` [rad]; falls from port (beam 0) to starboard.
+  [[nodiscard]] double beam_azimuth(int beam) const;
+
+  /// Azimuths between the beams, beam_count + 1 of them, falling: beam b covers edges b to b + 1 [rad]. Midway between
+  /// centres; the outermost beams are as wide outwards as inwards. Even beams fill the aperture exactly.
+  [[nodiscard]] std::vector<double> beam_edges() const;
+
+  /// The mounting pose, housing to vehicle; includes the roll of a vertical mounting.
+  [[nodiscard]] Pose vehicle_from_sonar() const;
+
+  /// Angle of the head at a ping, 0 for a forward-looking sonar [rad]. A full circle starts at sector_center and goes on;
+  /// a sector starts at its edge (the one `step` leads away from) and turns back at the last whole step inside it.
+  [[nodiscard]] double head_angle(int ping) const;
+
+  /// Shortest time between pings: sound must come back from max_range first [s].
+  /// @param sound_speed  The one the sonar assumes [m/s].
+  [[nodiscard]] double shortest_ping_period(double sound_speed) const { return 2 * max_range / sound_speed; }
+
+  /// Checks every field against the limits written beside it, and the rules between fields.
+  /// @param object  How messages call this sonar.
+  /// @throws Error on the first field out of limits; the message carries its name, value and limit.
+  void validate(std::string_view object = "sonar") const;
+
+  /// Calls visit(Field, member) on every field, in order; enums and names included, `sampling` not (it visits its own).
+  template <typename Self, typename Visit>
+  static void visit_fields(Self& self, Visit&& visit);
+};
+
+// ---------------------------------------------------------------------------------------------------------------------
+
+template <typename Self, typename Visit>
+void SonarConfig::visit_fields(Self& self, Visit&& visit) {
+  constexpr double kPi = std::numbers::pi;
+  visit(Field{"name", "", {}, "Used in messages and file names."}, self.name);
+  visit(Field{"model", "", {}, "Make and model, for titles."}, self.model);
+  visit(Field{"type", "", {}, "fls (the whole fan at once) or msis (one beam, turned by a step each ping)."}, self.type);
+  visit(Field{"frequency", "Hz", greater_than(0), "Carrier frequency."}, self.frequency);
+  visit(Field{"beam_count", "", from_to(1, 4096), "Beams across the azimuth aperture."}, self.beam_count);
+  visit(Field{"azimuth_aperture", "rad", above_to(0, 2 * kPi), "Full width of the fan."}, self.azimuth_aperture);
+  visit(Field{"beam_azimuths", "rad", from_to(-kPi, kPi),
+              "Explicit beam centres, falling from port to starboard; even in angle when absent."},
+        self.beam_azimuths);
+  visit(Field{"elevation_aperture", "rad", above_to(0, radians_from_degrees(170)), "Full height of every beam."},
+        self.elevation_aperture);
+  visit(Field{"elevation_center", "rad", from_to(radians_from_degrees(-85), radians_from_degrees(85)), "Middle of the elevation aperture."},
+        self.elevation_center);
+  visit(Field{"bin_count", "", from_to(1, 65536), "Range bins per beam."}, self.bin_count);
+  visit(Field{"min_range", "m", at_least(0), "Near edge of bin 0; nearer echoes are dropped."}, self.min_range);
+  visit(Field{"max_range", "m", greater_than(0), "Far edge of the last bin."}, self.max_range);
+  visit(Field{"blanking_range", "m", at_least(0), "Near field: echoes read low from min_range, rising to full level here."},
+        self.blanking_range);
+  visit(Field{"gain", "", greater_than(0), "Multiplies the intensity before it is clipped to 1 (paper model)."}, self.gain);
+  visit(Field{"assumed_sound_speed", "m/s", from_to(1300, 1700),
+              "By which the sonar turns time into range; the water's own when absent."},
+        self.assumed_sound_speed);
+  visit(Field{"ping_period", "s", greater_than(0), "Time between pings; 2 max_range / c when absent, and never less."},
+        self.ping_period);
+  visit(Field{"step", "rad", from_to(-kPi, kPi), "Turn of a scanning head between pings, positive to port."}, self.step);
+  visit(Field{"sector_center", "rad", from_to(-kPi, kPi), "Middle of the scanned sector."}, self.sector_center);
+  visit(Field{"sector_width", "rad", above_to(0, 2 * kPi), "Scanned sector; 360 turns on and on, less sweeps to and fro."},
+        self.sector_width);
+  visit(Field{"mounting", "", {}, "horizontal (a plan view) or vertical (a slice) scanning head."}, self.mounting);
+  visit(Field{"position", "m", any_number(), "On the vehicle, or in the world where there is no trajectory: [x, y, z]."},
+        self.position);
+  visit(Field{"orientation", "rad", any_number(), "[roll, pitch, yaw] as in SDF: positive pitch looks down."},
+        self.orientation);
+}
+
+}  // namespace insonify

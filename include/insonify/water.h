@@ -1,0 +1,44 @@
+// water.h -- the medium the sound travels through.
+
+#pragma once
+
+#include <optional>
+
+#include "insonify/field.h"
+
+namespace insonify {
+
+/// A homogeneous body of water. Limits are those of the absorption formula (absorption.h) and, for salinity 0, of the
+/// sound-speed formula (sound_speed.h).
+struct Water {
+  double temperature_c = 10.0;           ///< Temperature [degC], -6..35.
+  double salinity = 35.0;                ///< Practical salinity [PSU], 0..50. Zero is fresh water.
+  double ph = 8.0;                       ///< Acidity [pH], 6.5..8.5 (the formula was fitted from 7.7 to 8.3).
+  double depth = 0.0;                    ///< Depth of the sonar below the surface [m], 0..7000.
+  std::optional<double> sound_speed;     ///< True sound speed [m/s], 1300..1700; from the above when absent.
+  bool absorption = true;                ///< Whether the water absorbs sound at all.
+
+  /// The given sound speed, else that of Chen and Millero at this temperature, salinity and depth [m/s].
+  [[nodiscard]] double true_sound_speed() const;
+
+  /// One-way absorption after Ainslie and McColm, 0 when switched off [dB/m].
+  /// @param frequency [Hz], > 0.
+  [[nodiscard]] double absorption_db_per_m_at(double frequency) const;
+
+  /// @throws Error on the first field out of limits.
+  void validate() const { check_fields("water", *this); }
+
+  template <typename Self, typename Visit>
+  static void visit_fields(Self& self, Visit&& visit) {
+    visit(Field{"temperature_c", "degC", from_to(-6, 35), "Water temperature."}, self.temperature_c);
+    visit(Field{"salinity", "PSU", from_to(0, 50), "Practical salinity; 0 is fresh water."}, self.salinity);
+    visit(Field{"ph", "pH", from_to(6.5, 8.5), "Acidity."}, self.ph);
+    visit(Field{"depth", "m", from_to(0, 7000), "Depth of the sonar below the surface."}, self.depth);
+    visit(Field{"sound_speed", "m/s", from_to(1300, 1700),
+                "True sound speed; from temperature, salinity and depth when absent."},
+          self.sound_speed);
+    visit(Field{"absorption", "", {}, "Whether the water absorbs sound."}, self.absorption);
+  }
+};
+
+}  // namespace insonify

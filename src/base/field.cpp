@@ -1,0 +1,64 @@
+// field.cpp -- limits in words, and the message for a value that breaks them.
+
+#include "insonify/field.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "insonify/error.h"
+
+namespace insonify {
+namespace {
+
+// Ten digits: enough to tell any two values a user would write apart, short enough to hide binary rounding.
+std::string number(double value) { return fmt::format("{:.10g}", value); }
+
+std::string with_unit(std::string text, std::string_view unit) {
+  return unit.empty() ? text : fmt::format("{} {}", text, unit);
+}
+
+}  // namespace
+
+bool Limits::allow(double value) const {
+  return std::isfinite(value) && (value > least || (least_allowed && value == least)) &&
+         (value < most || (most_allowed && value == most));
+}
+
+std::string Limits::text(double scale) const {
+  const bool has_least = std::isfinite(least);
+  const bool has_most = std::isfinite(most);
+  if (has_least && has_most) {
+    return least_allowed ? fmt::format("from {} to {}", number(least * scale), number(most * scale))
+                         : fmt::format("greater than {}, at most {}", number(least * scale), number(most * scale));
+  }
+  if (has_least) {
+    return fmt::format("{} {}", least_allowed ? "at least" : "greater than", number(least * scale));
+  }
+  if (has_most) {
+    return fmt::format("{} {}", most_allowed ? "at most" : "less than", number(most * scale));
+  }
+  return "any finite number";
+}
+
+std::string file_name_of(const Field& field) {
+  return field.unit == "rad" ? fmt::format("{}_deg", field.name) : std::string(field.name);
+}
+
+double file_scale_of(const Field& field) { return field.unit == "rad" ? 180 / std::numbers::pi : 1; }
+
+std::string_view file_unit_of(const Field& field) { return field.unit == "rad" ? "deg" : field.unit; }
+
+void check_field(std::string_view object, const Field& field, double value) {
+  if (field.limits.allow(value)) {
+    return;
+  }
+  const double scale = file_scale_of(field);
+  const std::string limits = field.limits.text(scale);
+  const std::string must = limits == "any finite number" ? "a finite number" : with_unit(limits, file_unit_of(field));
+  throw Error(fmt::format("{}.{} = {} must be {}", object, file_name_of(field),
+                          with_unit(number(value * scale), file_unit_of(field)), must));
+}
+
+}  // namespace insonify

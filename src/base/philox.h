@@ -1,0 +1,39 @@
+// philox.h -- random numbers that depend on what they are for, not on when they are drawn.
+
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+namespace insonify {
+
+/// What a random number is drawn for; keeps streams of one ping apart.
+enum class RandomPurpose : std::uint32_t { kPaperNoise = 1, kSecondarySelection = 2 };
+
+using PhiloxCounter = std::array<std::uint32_t, 4>;
+using PhiloxKey = std::array<std::uint32_t, 2>;
+
+/// Philox 4x32-10: Salmon, Moraes, Dror and Shaw, "Parallel random numbers: as easy as 1, 2, 3", SC11 (2011).
+/// Every counter gives four independent words; equal counters and keys give equal words on every machine.
+constexpr PhiloxCounter philox(PhiloxCounter counter, PhiloxKey key) {
+  for (int round = 0; round < 10; ++round) {
+    const std::uint64_t a = std::uint64_t{0xD2511F53} * counter[0];
+    const std::uint64_t b = std::uint64_t{0xCD9E8D57} * counter[2];
+    counter = {static_cast<std::uint32_t>(b >> 32) ^ counter[1] ^ key[0], static_cast<std::uint32_t>(b),
+               static_cast<std::uint32_t>(a >> 32) ^ counter[3] ^ key[1], static_cast<std::uint32_t>(a)};
+    key = {key[0] + 0x9E3779B9U, key[1] + 0xBB67AE85U};
+  }
+  return counter;
+}
+
+/// The key of a seed.
+constexpr PhiloxKey philox_key(std::uint64_t seed) {
+  return {static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32)};
+}
+
+/// Uniform in (0, 1): never 0, so that its logarithm is finite.
+constexpr float uniform_open(std::uint32_t word) {
+  return (static_cast<float>(word >> 9) + 0.5F) * (1.0F / 8388608.0F);
+}
+
+}  // namespace insonify

@@ -1,0 +1,91 @@
+#!/usr/bin/env python3
+"""Checks that includes point upstream only, so that data can flow one way.
+
+    tools/check_includes.py            # from the repository root; exit status 1 on a violation
+
+The chain below is the architecture. A file may include its own module and any module to its left.
+"""
+
+import pathlib
+import re
+import sys
+
+CHAIN = ["base", "acoustics", "scene", "sonar", "echo", "receiver", "image", "simulator"]
+
+# Modules at the edge: which internal headers they may include, and that nothing in the chain may include them. Public
+# headers are open to all of them.
+EDGE = {"io": CHAIN, "apps": [], "python": [], "ros": [], "web": [], "bench": []}
+
+# Public headers live flat in include/insonify/; this is the module each of them speaks for.
+PUBLIC = {
+    "error.h": "base",
+    "field.h": "base",
+    "geometry.h": "base",
+    "log.h": "base",
+    "version.h": "base",
+    "absorption.h": "acoustics",
+    "sound_speed.h": "acoustics",
+    "water.h": "acoustics",
+    "material.h": "scene",
+    "mesh.h": "scene",
+    "scene.h": "scene",
+    "sonar_config.h": "sonar",
+    "echo_grid.h": "echo",
+    "engine.h": "echo",
+    "paper_model.h": "echo",
+    "ping.h": "receiver",
+    "picture.h": "image",
+    "scenario.h": "simulator",
+    "scene_view.h": "simulator",
+    "simulator.h": "simulator",
+    "files.h": "io",
+}
+
+INCLUDE = re.compile(r'^\s*#include "([^"]+)"')
+
+
+def module_of(path):
+    """Module of a source path relative to the root; None if it belongs to none (src/simulator.cpp is the simulator's)."""
+    parts = pathlib.PurePosixPath(path).parts
+    if parts[0] == "include":
+        return PUBLIC[parts[-1].removesuffix(".in")]
+    if parts[0] == "src":
+        return pathlib.PurePosixPath(parts[1]).stem
+    return parts[0]
+
+
+def violation(module, include):
+    """Why `module` may not include the quoted path, or None if it may."""
+    parts = pathlib.PurePosixPath(include).parts
+    if parts[0] == "insonify":
+        if parts[1] not in PUBLIC:
+            return "is not a known public header"
+        if module in EDGE:
+            return None
+        target = PUBLIC[parts[1]]
+    elif parts[0] in CHAIN or parts[0] in EDGE:
+        target = parts[0]
+    else:
+        return None
+    if target == module:
+        return None
+    allowed = EDGE[module] if module in EDGE else CHAIN[: CHAIN.index(module)]
+    return None if target in allowed else f"belongs to {target}"
+
+
+def main():
+    violations = 0
+    folders = [d for d in ("include", "src", "apps", "python", "ros", "web", "bench") if pathlib.Path(d).is_dir()]
+    for file in sorted(p for d in folders for p in pathlib.Path(d).rglob("*.[hc]*") if p.suffix in (".h", ".cpp")):
+        module = module_of(file.as_posix())
+        for number, line in enumerate(file.read_text().splitlines(), start=1):
+            match = INCLUDE.match(line)
+            reason = match and violation(module, match.group(1))
+            if reason:
+                print(f"{file}:{number}: {module} may not include {match.group(1)}, which {reason}")
+                violations += 1
+    return 1 if violations else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
