@@ -1,0 +1,89 @@
+// hdf5.h -- HDF5 identifiers that close themselves, and HDF5's failures as Errors.
+
+#pragma once
+
+#include <hdf5.h>
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "insonify/error.h"
+
+namespace insonify {
+
+/// Owns an HDF5 identifier: a file, a dataset, a dataspace ...
+class H5Handle {
+ public:
+  using Close = herr_t (*)(hid_t);
+
+  H5Handle() = default;
+  H5Handle(hid_t id, Close close) : id_(id), close_(close) {}
+  ~H5Handle() { reset(); }
+  H5Handle(H5Handle&& other) noexcept : id_(other.release()), close_(other.close_) {}
+  H5Handle& operator=(H5Handle&& other) noexcept {
+    if (this != &other) {
+      reset();
+      id_ = other.release();
+      close_ = other.close_;
+    }
+    return *this;
+  }
+
+  [[nodiscard]] hid_t get() const { return id_; }
+  [[nodiscard]] explicit operator bool() const { return id_ >= 0; }
+
+  /// Closes it now.
+  void reset() {
+    if (id_ >= 0) {
+      close_(release());
+    }
+  }
+
+  /// Gives it up unclosed, for a caller that must know whether closing succeeded.
+  [[nodiscard]] hid_t release() { return std::exchange(id_, hid_t{H5I_INVALID_HID}); }
+
+ private:
+  hid_t id_ = H5I_INVALID_HID;
+  Close close_ = nullptr;
+};
+
+/// While one of these lives HDF5 prints nothing to standard error by itself. Its former ways come back afterwards,
+/// since a program that links this library may use HDF5 too.
+class H5Quiet {
+ public:
+  H5Quiet() {
+    H5Eget_auto2(H5E_DEFAULT, &function_, &data_);
+    H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+  }
+  ~H5Quiet() { H5Eset_auto2(H5E_DEFAULT, function_, data_); }
+  H5Quiet(const H5Quiet&) = delete;
+  H5Quiet& operator=(const H5Quiet&) = delete;
+
+ private:
+  H5E_auto2_t function_ = nullptr;
+  void* data_ = nullptr;
+};
+
+/// Why the last HDF5 call failed, one line: the innermost entry of its error stack, or the system's own reason where
+/// there is one ("No space left on device").
+[[nodiscard]] std::string h5_failure();
+
+/// Passes on what an HDF5 function returned.
+/// @throws Error "PATH: cannot DOING: REASON" when it is negative.
+template <typename Result>
+Result h5_check(Result result, const std::filesystem::path& path, std::string_view doing) {
+  if (result < 0) {
+    throw Error(path.string() + ": cannot " + std::string(doing) + ": " + h5_failure());
+  }
+  return result;
+}
+
+/// As h5_check, for a function that returns an identifier: `h5_own(H5Dopen2(...), H5Dclose, path, "open /elevation")`.
+[[nodiscard]] inline H5Handle h5_own(hid_t id, H5Handle::Close close, const std::filesystem::path& path,
+                                     std::string_view doing) {
+  return {h5_check(id, path, doing), close};
+}
+
+}  // namespace insonify
