@@ -2,11 +2,12 @@
 
 #pragma once
 
+#include <concepts>
 #include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
-#include <vector>
+#include <type_traits>
 
 namespace insonify {
 
@@ -56,7 +57,7 @@ struct Field {
 /// @throws Error "sonars[0].max_range = -2 m must be greater than 0 m"
 void check_field(std::string_view object, const Field& field, double value);
 
-/// Checks the members that are numbers, optional numbers or lists of numbers, in order; words are left alone.
+/// Checks the members that are numbers, optional numbers or lists or vectors of numbers, in order; words are left alone.
 template <typename Config>
 void check_fields(std::string_view object, const Config& config);
 
@@ -74,7 +75,7 @@ void check_member(std::string_view object, const Field& field, const T& member) 
     if (member.has_value()) {
       check_member(object, field, *member);
     }
-  } else if constexpr (std::is_same_v<T, std::vector<double>>) {
+  } else if constexpr (requires { { *member.begin() } -> std::same_as<const double&>; }) {
     for (const double value : member) {
       check_field(object, field, value);
     }

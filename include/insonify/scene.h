@@ -19,6 +19,7 @@ struct Instance {
   std::shared_ptr<const Mesh> mesh;  ///< Never null.
   Pose world_from_mesh;
   std::string user_material;         ///< Set by the user for the whole instance, "" when not; must resolve.
+  std::string where;                 ///< "path:line:column: " of what set user_material, for messages; may be "".
   std::vector<std::uint16_t> materials;  ///< Index into Scene::materials for each of the mesh's slots.
   bool moving = false;               ///< Its pose may change between pings; engines keep it apart from what stands still.
 };
@@ -36,6 +37,7 @@ struct MaterialOverride {
 struct MaterialRules {
   std::map<std::string, MaterialOverride> overrides;
   std::string default_material = "sand";   ///< For a mesh's own names that match nothing.
+  std::string default_where;               ///< "path:line:column: " of it for messages, may be "".
 };
 
 struct Box3 {
@@ -54,9 +56,11 @@ struct Scene {
 };
 
 /// Gives every slot of every instance its material, in this order: an override of the visual's name; the instance's
-/// user_material; an override of the slot's own name; the library's material of that name; the default. Names of meshes
+/// user_material; an override of the slot's own name; the library's material of that name; the default. A user_material
+/// and the default may name an override too. Each override is a material of its own, called by its key. Names of meshes
 /// that took the default are told to `log` in one line.
-/// @throws Error for a name the user wrote (an override's key or `like`, a user_material, the default) that matches nothing.
+/// @throws Error for a name the user wrote (an override's key or `like`, a user_material, the default) that matches nothing, and
+/// for a property out of its limits.
 void assign_materials(Scene& scene, const MaterialRules& rules, const Log& log = {});
 
 }  // namespace insonify

@@ -2,6 +2,7 @@
 
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -86,12 +87,14 @@ struct SonarConfig {
   /// centres; the outermost beams are as wide outwards as inwards. Even beams fill the aperture exactly.
   [[nodiscard]] std::vector<double> beam_edges() const;
 
-  /// The mounting pose, housing to vehicle; includes the roll of a vertical mounting.
+  /// The mounting pose, housing to vehicle. A vertical mounting first rolls the housing by +90 deg about its x, which
+  /// takes its y, towards which the head turns, from port to up: positive head angles look up.
   [[nodiscard]] Pose vehicle_from_sonar() const;
 
   /// Angle of the head at a ping, 0 for a forward-looking sonar [rad]. A full circle starts at sector_center and goes on;
   /// a sector starts at its edge (the one `step` leads away from) and turns back at the last whole step inside it.
-  [[nodiscard]] double head_angle(int ping) const;
+  /// Not wrapped: ever larger on a full circle.
+  [[nodiscard]] double head_angle(std::uint64_t ping) const;
 
   /// Shortest time between pings: sound must come back from max_range first [s].
   /// @param sound_speed  The one the sonar assumes [m/s].

@@ -13,7 +13,9 @@ namespace insonify {
 namespace {
 
 // Ten digits: enough to tell any two values a user would write apart, short enough to hide binary rounding.
-std::string number(double value) { return fmt::format("{:.10g}", value); }
+std::string number(double value) {
+  return fmt::format("{:.10g}", value);
+}
 
 std::string with_unit(std::string text, std::string_view unit) {
   return unit.empty() ? text : fmt::format("{} {}", text, unit);
@@ -30,8 +32,11 @@ std::string Limits::text(double scale) const {
   const bool has_least = std::isfinite(least);
   const bool has_most = std::isfinite(most);
   if (has_least && has_most) {
-    return least_allowed ? fmt::format("from {} to {}", number(least * scale), number(most * scale))
-                         : fmt::format("greater than {}, at most {}", number(least * scale), number(most * scale));
+    if (least_allowed && most_allowed) {
+      return fmt::format("from {} to {}", number(least * scale), number(most * scale));
+    }
+    return fmt::format("{} {}, {} {}", least_allowed ? "at least" : "greater than", number(least * scale),
+                       most_allowed ? "at most" : "less than", number(most * scale));
   }
   if (has_least) {
     return fmt::format("{} {}", least_allowed ? "at least" : "greater than", number(least * scale));
@@ -46,9 +51,13 @@ std::string file_name_of(const Field& field) {
   return field.unit == "rad" ? fmt::format("{}_deg", field.name) : std::string(field.name);
 }
 
-double file_scale_of(const Field& field) { return field.unit == "rad" ? 180 / std::numbers::pi : 1; }
+double file_scale_of(const Field& field) {
+  return field.unit == "rad" ? 180 / std::numbers::pi : 1;
+}
 
-std::string_view file_unit_of(const Field& field) { return field.unit == "rad" ? "deg" : field.unit; }
+std::string_view file_unit_of(const Field& field) {
+  return field.unit == "rad" ? "deg" : field.unit;
+}
 
 void check_field(std::string_view object, const Field& field, double value) {
   if (field.limits.allow(value)) {

@@ -1,0 +1,18 @@
+// water.cpp -- what a body of water does to sound, from what is in it.
+
+#include "insonify/water.h"
+
+#include "insonify/absorption.h"
+#include "insonify/sound_speed.h"
+
+namespace insonify {
+
+double Water::true_sound_speed() const {
+  return sound_speed ? *sound_speed : chen_millero_sound_speed(temperature_c, salinity, depth);
+}
+
+double Water::absorption_db_per_m_at(double frequency) const {
+  return absorption ? absorption_db_per_m(frequency, *this) : 0;
+}
+
+}  // namespace insonify

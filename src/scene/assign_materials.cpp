@@ -1,0 +1,192 @@
+// assign_materials.cpp -- which material each surface is made of, from what the user, the mesh and the library say.
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <set>
+
+#include "base/nearest_name.h"
+#include "insonify/error.h"
+#include "insonify/scene.h"
+#include "scene/material_library.h"
+
+namespace insonify {
+namespace {
+
+constexpr std::size_t kMostLabels = 65535;  // Labels are 16 bits wide; the last value means "nothing".
+
+// Materials that the scenario defines, by canonical name.
+using Defined = std::map<std::string, Material>;
+
+std::string meaning_of(std::string_view name) {
+  return resolve_alias(canonical_material_name(name));
+}
+
+std::string_view last_part(std::string_view scoped_name) {
+  const std::size_t colons = scoped_name.rfind("::");
+  return colons == std::string_view::npos ? scoped_name : scoped_name.substr(colons + 2);
+}
+
+// The error for a material's name that the user wrote and nobody knows.
+Error unknown_material(std::string_view subject, std::string_view name, const Defined& defined) {
+  std::vector<std::string> names = known_material_names();
+  for (const auto& [meaning, material] : defined) {
+    names.push_back(material.name);
+  }
+  return Error(
+      fmt::format("{} = {} is not a known material; the nearest name is {}", subject, name, nearest_name(name, names)));
+}
+
+const Material* find_by_name(std::string_view name, const Defined& defined) {
+  const auto found = defined.find(meaning_of(name));
+  return found == defined.end() ? find_material(name) : &found->second;
+}
+
+// ---------------------------------------------------------------- What the scenario defines
+
+// The library's material that an override changes; null when it starts from the default.
+const Material* named_base(const std::string& key, const MaterialOverride& change) {
+  if (change.like.empty()) {
+    return find_material(key);
+  }
+  if (const Material* like = find_material(change.like)) {
+    return like;
+  }
+  throw unknown_material(fmt::format("{}materials.{}.like", change.where, key), change.like, {});
+}
+
+Material changed(Material base, const std::string& key, const MaterialOverride& change) {
+  base.name = key;
+  base.source = "scenario";
+  base.density = change.density.value_or(base.density);
+  base.sound_speed = change.sound_speed.value_or(base.sound_speed);
+  base.reflectivity = change.reflectivity;
+  check_fields(fmt::format("{}materials.{}", change.where, key), base);
+  return base;
+}
+
+void define(Defined& defined, Material material, const MaterialOverride& change) {
+  const auto [entry, is_new] = defined.emplace(meaning_of(material.name), material);
+  if (!is_new) {
+    throw Error(
+        fmt::format("{}materials.{} means the same as materials.{}", change.where, material.name, entry->second.name));
+  }
+}
+
+// First those that start from a material of the library, for the default may be one of them; then the others.
+Defined define_materials(const MaterialRules& rules) {
+  Defined defined;
+  for (const auto& [key, change] : rules.overrides) {
+    if (const Material* base = named_base(key, change)) {
+      define(defined, changed(*base, key, change), change);
+    }
+  }
+  const Material* default_material = find_by_name(rules.default_material, defined);
+  if (!default_material) {
+    throw unknown_material(rules.default_where + "default_material", rules.default_material, defined);
+  }
+  const Material base = *default_material;
+  for (const auto& [key, change] : rules.overrides) {
+    if (!named_base(key, change)) {
+      define(defined, changed(base, key, change), change);
+    }
+  }
+  return defined;
+}
+
+// ---------------------------------------------------------------- Whether each override is for something
+
+bool is_for(const std::string& key, const Instance& instance) {
+  const auto means_key = [&](const std::string& name) { return meaning_of(name) == meaning_of(key); };
+  return key == instance.name || key == last_part(instance.name) || means_key(instance.user_material) ||
+         std::ranges::any_of(instance.mesh->material_names, means_key);
+}
+
+std::vector<std::string> names_to_override(const Scene& scene) {
+  std::vector<std::string> names;
+  for (const Instance& instance : scene.instances) {
+    names.emplace_back(last_part(instance.name));
+    names.push_back(instance.name);
+    names.insert(names.end(), instance.mesh->material_names.begin(), instance.mesh->material_names.end());
+  }
+  names.insert(names.end(), known_material_names().begin(), known_material_names().end());
+  std::erase(names, "");
+  return names;
+}
+
+void check_keys(const Scene& scene, const MaterialRules& rules) {
+  for (const auto& [key, change] : rules.overrides) {
+    const bool is_used = find_material(key) || meaning_of(key) == meaning_of(rules.default_material) ||
+                         std::ranges::any_of(scene.instances, [&](const Instance& i) { return is_for(key, i); });
+    if (!is_used) {
+      throw Error(fmt::format("{}materials.{} matches no visual and no material; the nearest name is {}", change.where,
+                              key, nearest_name(key, names_to_override(scene))));
+    }
+  }
+}
+
+// ---------------------------------------------------------------- Giving them out
+
+const Material* override_of_visual(const std::string& name, const MaterialRules& rules, const Defined& defined) {
+  for (const std::string& key : {name, std::string(last_part(name))}) {
+    if (rules.overrides.contains(key)) {
+      return &defined.at(meaning_of(key));
+    }
+  }
+  return nullptr;
+}
+
+// The material of a whole instance; null when its slots decide.
+const Material* material_of(const Instance& instance, const MaterialRules& rules, const Defined& defined) {
+  if (const Material* of_visual = override_of_visual(instance.name, rules, defined)) {
+    return of_visual;
+  }
+  if (instance.user_material.empty()) {
+    return nullptr;
+  }
+  if (const Material* of_user = find_by_name(instance.user_material, defined)) {
+    return of_user;
+  }
+  throw unknown_material(fmt::format("{}{}: material", instance.where, instance.name), instance.user_material, defined);
+}
+
+std::uint16_t index_of(const Material& material, std::vector<Material>& in_use) {
+  const auto same = std::ranges::find(in_use, material.name, &Material::name);
+  const auto index = static_cast<std::size_t>(same - in_use.begin());
+  if (same == in_use.end()) {
+    in_use.push_back(material);
+  }
+  return static_cast<std::uint16_t>(index);
+}
+
+}  // namespace
+
+void assign_materials(Scene& scene, const MaterialRules& rules, const Log& log) {
+  if (scene.instances.size() > kMostLabels) {
+    throw Error(fmt::format("the scene has {} objects, must be at most {}", scene.instances.size(), kMostLabels));
+  }
+  const Defined defined = define_materials(rules);
+  check_keys(scene, rules);
+
+  scene.materials.clear();
+  std::set<std::string> took_default;
+  for (Instance& instance : scene.instances) {
+    const Material* whole = material_of(instance, rules, defined);
+    instance.materials.clear();
+    for (const std::string& name : instance.mesh->material_names) {
+      const Material* material = whole ? whole : find_by_name(name, defined);
+      if (!material) {
+        material = find_by_name(rules.default_material, defined);
+        took_default.insert(name.empty() ? "(unnamed)" : name);
+      }
+      instance.materials.push_back(index_of(*material, scene.materials));
+    }
+  }
+  if (log && !took_default.empty()) {
+    log(Severity::kInfo, fmt::format("took {} for the materials that meshes call {}", rules.default_material,
+                                     fmt::join(took_default, ", ")));
+  }
+}
+
+}  // namespace insonify

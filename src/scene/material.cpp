@@ -1,0 +1,29 @@
+// material.cpp -- how much of a sound wave a surface turns back, and finding materials by name.
+
+#include "insonify/material.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "scene/material_library.h"
+
+namespace insonify {
+
+double Material::reflection_coefficient(double water_impedance) const {
+  const double impedance = density * sound_speed;
+  return (impedance - water_impedance) / (impedance + water_impedance);
+}
+
+double Material::effective_reflectivity() const {
+  return reflectivity ? *reflectivity : std::abs(reflection_coefficient(kSeaWaterImpedance));
+}
+
+const Material* find_material(std::string_view name) {
+  const std::string wanted = canonical_material_name(name);
+  const std::string& own_name = resolve_alias(wanted);
+  const std::span<const Material> library = material_library();
+  const auto found = std::ranges::lower_bound(library, own_name, {}, &Material::name);
+  return found != library.end() && found->name == own_name ? &*found : nullptr;
+}
+
+}  // namespace insonify

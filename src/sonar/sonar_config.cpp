@@ -1,0 +1,160 @@
+// sonar_config.cpp -- where a sonar's beams and head point, and whether its numbers fit together.
+
+#include "insonify/sonar_config.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+
+#include "insonify/error.h"
+
+namespace insonify {
+namespace {
+
+constexpr double kFullCircle = 2 * std::numbers::pi;
+// Angles that are written in degrees are off by rounding; a thousandth of a thousandth of a degree is none.
+constexpr double kAngleSlack = radians_from_degrees(1e-6);
+
+[[noreturn]] void fail(std::string_view object, std::string_view fault) {
+  throw Error(fmt::format("{}.{}", object, fault));
+}
+
+std::string degrees(double radians) {
+  return fmt::format("{:.10g} deg", degrees_from_radians(radians));
+}
+
+// The name becomes part of a file's name.
+void check_name(std::string_view object, const std::string& name) {
+  const bool is_plain = std::ranges::none_of(name, [](char letter) {
+    return letter == '/' || letter == '\\' || std::iscntrl(static_cast<unsigned char>(letter)) != 0;
+  });
+  if (name.empty() || name.front() == '.' || !is_plain) {
+    fail(object, "name must not be empty, start with '.' or hold a slash, a backslash or a control character");
+  }
+}
+
+void check_ranges(std::string_view object, const SonarConfig& sonar) {
+  if (!(sonar.max_range > sonar.min_range)) {
+    fail(object, fmt::format("max_range = {:.10g} m must be greater than min_range = {:.10g} m", sonar.max_range,
+                             sonar.min_range));
+  }
+  if (sonar.blanking_range > sonar.max_range) {
+    fail(object, fmt::format("blanking_range = {:.10g} m must be at most max_range = {:.10g} m", sonar.blanking_range,
+                             sonar.max_range));
+  }
+}
+
+void check_beam_azimuths(std::string_view object, const SonarConfig& sonar) {
+  const std::vector<double>& azimuths = sonar.beam_azimuths;
+  if (azimuths.empty()) {
+    return;
+  }
+  if (azimuths.size() != static_cast<std::size_t>(sonar.beam_count)) {
+    fail(object, fmt::format("beam_azimuths_deg has {} angles, must have one for each of beam_count = {}",
+                             azimuths.size(), sonar.beam_count));
+  }
+  for (std::size_t beam = 1; beam < azimuths.size(); ++beam) {
+    if (!(azimuths[beam] < azimuths[beam - 1])) {
+      fail(object,
+           fmt::format("beam_azimuths_deg[{}] = {} must be less than beam_azimuths_deg[{}] = {}: beams run from "
+                       "port to starboard",
+                       beam, degrees(azimuths[beam]), beam - 1, degrees(azimuths[beam - 1])));
+    }
+  }
+  const std::vector<double> edges = sonar.beam_edges();
+  if (edges.front() - edges.back() > kFullCircle + kAngleSlack) {
+    fail(object, fmt::format("beam_azimuths_deg make a fan of {}, must be at most 360 deg",
+                             degrees(edges.front() - edges.back())));
+  }
+}
+
+// Elevations are sampled evenly in their tangent, which has no value straight up.
+void check_elevations(std::string_view object, const SonarConfig& sonar) {
+  constexpr double kSteepest = radians_from_degrees(89);
+  const double steepest = std::abs(sonar.elevation_center) + sonar.elevation_aperture / 2;
+  if (steepest > kSteepest + kAngleSlack) {
+    fail(object, fmt::format("elevation_center_deg = {} with elevation_aperture_deg = {} reaches {}, must stay within "
+                             "89 deg of level",
+                             degrees(sonar.elevation_center), degrees(sonar.elevation_aperture), degrees(steepest)));
+  }
+}
+
+void check_head(std::string_view object, const SonarConfig& sonar) {
+  if (sonar.type != SonarType::kMechanicallyScanned) {
+    return;
+  }
+  if (sonar.beam_count != 1) {
+    fail(object,
+         fmt::format("beam_count = {} must be 1 for type msis, whose head turns a single beam", sonar.beam_count));
+  }
+  if (sonar.step == 0) {
+    fail(object, "step_deg = 0 deg must not be 0 for type msis");
+  }
+  if (sonar.sector_width < std::abs(sonar.step) - kAngleSlack) {
+    fail(object, fmt::format("sector_width_deg = {} must be at least one step_deg = {}", degrees(sonar.sector_width),
+                             degrees(sonar.step)));
+  }
+}
+
+}  // namespace
+
+double SonarConfig::beam_azimuth(int beam) const {
+  if (!beam_azimuths.empty()) {
+    return beam_azimuths[static_cast<std::size_t>(beam)];
+  }
+  return azimuth_aperture * (0.5 - (beam + 0.5) / beam_count);
+}
+
+std::vector<double> SonarConfig::beam_edges() const {
+  std::vector<double> edges(static_cast<std::size_t>(beam_count) + 1);
+  if (beam_azimuths.size() < 2) {
+    const double middle = beam_azimuths.empty() ? 0 : beam_azimuths.front();
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+      edges[i] = middle + azimuth_aperture * (0.5 - static_cast<double>(i) / beam_count);
+    }
+    return edges;
+  }
+  for (std::size_t i = 1; i + 1 < edges.size(); ++i) {
+    edges[i] = (beam_azimuths[i - 1] + beam_azimuths[i]) / 2;
+  }
+  edges.front() = 2 * beam_azimuths.front() - edges[1];
+  edges.back() = 2 * beam_azimuths.back() - edges[edges.size() - 2];
+  return edges;
+}
+
+Pose SonarConfig::vehicle_from_sonar() const {
+  Pose pose{position, orientation_from_rpy(orientation.x(), orientation.y(), orientation.z())};
+  if (mounting == Mounting::kVertical) {
+    pose.orientation = pose.orientation * Eigen::AngleAxisd(std::numbers::pi / 2, Vec3::UnitX());
+  }
+  return pose;
+}
+
+double SonarConfig::head_angle(std::uint64_t ping) const {
+  if (type != SonarType::kMechanicallyScanned) {
+    return 0;
+  }
+  if (sector_width > kFullCircle - kAngleSlack) {
+    return sector_center + static_cast<double>(ping) * step;
+  }
+  // To and fro over `steps` steps: 0 1 2 .. steps .. 2 1 0 1 ..
+  const auto steps = static_cast<std::uint64_t>((sector_width + kAngleSlack) / std::abs(step));
+  const std::uint64_t phase = ping % (2 * steps);
+  const std::uint64_t position_in_sector = std::min(phase, 2 * steps - phase);
+  const double start = sector_center - std::copysign(sector_width / 2, step);
+  return start + static_cast<double>(position_in_sector) * step;
+}
+
+void SonarConfig::validate(std::string_view object) const {
+  check_fields(object, *this);
+  check_fields(fmt::format("{}.sampling", object), sampling);
+  check_name(object, name);
+  check_ranges(object, *this);
+  check_beam_azimuths(object, *this);
+  check_elevations(object, *this);
+  check_head(object, *this);
+}
+
+}  // namespace insonify
