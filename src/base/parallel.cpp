@@ -1,0 +1,44 @@
+// parallel.cpp -- worker threads on oneTBB.
+
+#include "base/parallel.h"
+
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <thread>
+
+namespace insonify {
+
+struct Workers::Arena {
+  explicit Arena(int threads) : arena(threads) {}
+  tbb::task_arena arena;
+};
+
+Workers::Workers(int threads)
+    : count_(threads > 0 ? threads : std::max(1, static_cast<int>(std::thread::hardware_concurrency()))) {
+  arena_ = std::make_unique<Arena>(count_);
+}
+
+Workers::~Workers() = default;
+
+void Workers::call(int tasks, Function function, void* body) {
+  if (count_ == 1 || tasks == 1) {
+    for (int task = 0; task < tasks; ++task) {
+      function(body, task, 0);
+    }
+    return;
+  }
+  arena_->arena.execute([&] {
+    tbb::parallel_for(
+        tbb::blocked_range<int>(0, tasks, 1),
+        [&](const tbb::blocked_range<int>& range) {
+          const int worker = tbb::this_task_arena::current_thread_index();
+          for (int task = range.begin(); task != range.end(); ++task) {
+            function(body, task, worker);
+          }
+        },
+        tbb::simple_partitioner());
+  });
+}
+
+}  // namespace insonify

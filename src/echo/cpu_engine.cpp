@@ -1,0 +1,110 @@
+// cpu_engine.cpp -- a ping cut into tasks.
+
+#include "echo/cpu_engine.h"
+
+#include <chrono>
+#include <limits>
+
+namespace insonify {
+namespace {
+
+constexpr int kRaysPerTask = 1024;
+
+int task_count(int items, int per_task) { return (items + per_task - 1) / per_task; }
+
+}  // namespace
+
+CpuEngine::CpuEngine(int threads) : workers_(threads) {
+  for (int worker = 0; worker < workers_.count(); ++worker) {
+    scratch_.push_back(std::make_unique<BeamTask>(scene_));
+  }
+}
+
+template <typename Work>
+void CpuEngine::for_each_task(const PingPlan& plan, Work&& work) {
+  for (const auto& scratch : scratch_) {
+    scratch->prepare(plan);
+  }
+  const int beams = beams_per_task(plan.lattice);
+  workers_.for_each(task_count(plan.sonar.beam_count, beams), [&](int task, int worker) {
+    const DenormalsOff denormals_off;
+    work(*scratch_[worker], task * beams, std::min((task + 1) * beams, plan.sonar.beam_count), task);
+  });
+}
+
+void CpuEngine::insonify(const PingPlan& plan, const Pose& world_from_sonar, std::uint64_t, EchoGrid& grid) {
+  scene_.commit_moves();
+  for_each_task(plan, [&](BeamTask& scratch, int first_beam, int last_beam, int) {
+    scratch.run(world_from_sonar, first_beam, last_beam, grid);
+  });
+  counts_ = {};
+  for (const auto& scratch : scratch_) {
+    counts_.primary += scratch->counts().primary;
+    counts_.secondary += scratch->counts().secondary;
+    counts_.return_legs += scratch->counts().return_legs;
+  }
+}
+
+std::vector<double> CpuEngine::time_traversal(const PingPlan& plan, const Pose& world_from_sonar, int repetitions) {
+  std::vector<BeamTask::Log> logs(task_count(plan.sonar.beam_count, beams_per_task(plan.lattice)));
+  EchoGrid grid(plan.sonar.beam_count, plan.sonar.bin_count, kPathOrders);
+  for_each_task(plan, [&](BeamTask& scratch, int first_beam, int last_beam, int task) {
+    scratch.run(world_from_sonar, first_beam, last_beam, grid, &logs[task]);
+  });
+
+  std::vector<double> seconds;
+  for (int repetition = 0; repetition < repetitions; ++repetition) {
+    const auto start = std::chrono::steady_clock::now();
+    for_each_task(plan, [&](BeamTask& scratch, int first_beam, int last_beam, int task) {
+      scratch.trace_only(world_from_sonar, first_beam, last_beam);
+      for (const RayPacket& logged : logs[task].onward) {
+        RayPacket packet = logged;
+        packet.intersect(scene_.handle(), plan.true_max_range);
+      }
+      for (const RayPacket& logged : logs[task].back) {
+        RayPacket packet = logged;
+        packet.occlude(scene_.handle());
+      }
+    });
+    seconds.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+  }
+  return seconds;
+}
+
+void CpuEngine::trace(std::span<const Ray> rays, std::span<Hit> hits) {
+  scene_.commit_moves();
+  workers_.for_each(task_count(static_cast<int>(rays.size()), kRaysPerTask), [&](int task, int) {
+    const DenormalsOff denormals_off;
+    const std::size_t end = std::min(rays.size(), static_cast<std::size_t>(task + 1) * kRaysPerTask);
+    RayPacket packet;
+    for (std::size_t first = static_cast<std::size_t>(task) * kRaysPerTask; first < end; first += kPacketSize) {
+      const int count = static_cast<int>(std::min<std::size_t>(kPacketSize, end - first));
+      packet.set_count(count);
+      float reach = 0;
+      for (int lane = 0; lane < count; ++lane) {
+        const Ray& ray = rays[first + lane];
+        packet.set_origin(lane, (ray.origin - scene_.origin()).cast<float>());
+        packet.set_direction(lane, ray.direction.cast<float>());
+        packet.rays.ray.tnear[lane] = static_cast<float>(ray.min_distance);
+        reach = std::max(reach, static_cast<float>(ray.max_distance));
+      }
+      packet.intersect(scene_.handle(), reach);
+      for (int lane = 0; lane < count; ++lane) {
+        const Ray& ray = rays[first + lane];
+        const double distance = static_cast<double>(packet.rays.ray.tfar[lane]);
+        Hit& hit = hits[first + lane];
+        hit = {.distance = std::numeric_limits<double>::infinity()};
+        if (packet.hit(lane) && distance <= ray.max_distance) {
+          const RTCHit16& found = packet.rays.hit;
+          const CpuScene::Shading shading = scene_.shade(found.geomID[lane], found.instID[0][lane], found.primID[lane],
+                                                         found.u[lane], found.v[lane]);
+          const Vec3 normal = shading.normal.cast<double>().normalized();
+          hit = {distance, normal.dot(ray.direction) > 0 ? Vec3(-normal) : normal, instance_of(shading.surface),
+                 material_of(shading.surface)};
+        }
+      }
+    }
+  });
+}
+
+}  // namespace insonify

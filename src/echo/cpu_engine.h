@@ -1,0 +1,45 @@
+// cpu_engine.h -- the engine for machines without a GPU: Embree packets on all processors.
+
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "base/parallel.h"
+#include "echo/beam_task.h"
+#include "echo/cpu_scene.h"
+#include "insonify/engine.h"
+
+namespace insonify {
+
+/// Tasks of a few beams: primaries in coherent 16-wide packets of 4 columns by 4 rows, shading a column at a time,
+/// secondaries and return legs packed in the same order. A task writes its own beams of the grid and nothing else.
+class CpuEngine final : public Engine {
+ public:
+  explicit CpuEngine(int threads);
+
+  [[nodiscard]] std::string_view name() const override { return "cpu"; }
+  void set_scene(const Scene& scene) override { scene_.set(scene); }
+  void move_instance(int instance, const Pose& world_from_mesh) override { scene_.move(instance, world_from_mesh); }
+  void insonify(const PingPlan& plan, const Pose& world_from_sonar, std::uint64_t ping, EchoGrid& grid) override;
+  void trace(std::span<const Ray> rays, std::span<Hit> hits) override;
+  [[nodiscard]] RayCounts ray_counts() const override { return counts_; }
+
+  /// Seconds that the rays of one ping take Embree alone, packets set up but nothing shaded or deposited: the same
+  /// primary lattice, and the onward rays and return legs that insonify() really sends. One value a repetition.
+  [[nodiscard]] std::vector<double> time_traversal(const PingPlan& plan, const Pose& world_from_sonar, int repetitions);
+
+  [[nodiscard]] const CpuScene& scene() const { return scene_; }
+
+ private:
+  // Calls work(scratch, first_beam, last_beam, task) for every task of a plan.
+  template <typename Work>
+  void for_each_task(const PingPlan& plan, Work&& work);
+
+  Workers workers_;
+  CpuScene scene_;
+  std::vector<std::unique_ptr<BeamTask>> scratch_;  // One a worker.
+  RayCounts counts_;
+};
+
+}  // namespace insonify

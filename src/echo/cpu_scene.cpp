@@ -1,0 +1,161 @@
+// cpu_scene.cpp -- building and updating the Embree scene.
+
+#include "echo/cpu_scene.h"
+
+#include <fmt/format.h>
+
+#include "insonify/error.h"
+
+namespace insonify {
+namespace {
+
+void place(RTCGeometry geometry, const Pose& world_from_mesh, const Vec3& origin) {
+  const Eigen::Matrix3f rotation = world_from_mesh.orientation.toRotationMatrix().cast<float>();
+  const Vec3f offset = (world_from_mesh.position - origin).cast<float>();
+  Eigen::Matrix<float, 3, 4> transform;  // Column-major, as Embree's FLOAT3X4_COLUMN_MAJOR.
+  transform << rotation, offset;
+  rtcSetGeometryTransform(geometry, 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR, transform.data());
+  rtcCommitGeometry(geometry);
+}
+
+}  // namespace
+
+CpuScene::CpuScene() {
+  device_ = rtcNewDevice(nullptr);  // Naming a thread count here would limit every other user of oneTBB in the process.
+  if (device_ == nullptr) {
+    throw Error(fmt::format("Embree cannot start (error {})", static_cast<int>(rtcGetDeviceError(nullptr))));
+  }
+}
+
+CpuScene::~CpuScene() {
+  clear();
+  rtcReleaseDevice(device_);
+}
+
+void CpuScene::clear() {
+  for (const Part& part : parts_) {
+    if (part.placed != nullptr) {
+      rtcReleaseGeometry(part.placed);
+      rtcReleaseScene(part.own_scene);
+    }
+  }
+  parts_.clear();
+  if (scene_ != nullptr) {
+    rtcReleaseScene(scene_);
+    scene_ = nullptr;
+  }
+}
+
+void CpuScene::set(const Scene& scene) {
+  clear();
+  const Box3 bounds = scene.bounds();
+  origin_ = scene.instances.empty() ? Vec3::Zero() : Vec3(0.5 * (bounds.low + bounds.high));
+  reflectivity_.clear();
+  for (const Material& material : scene.materials) {
+    reflectivity_.push_back(static_cast<float>(material.effective_reflectivity()));
+  }
+
+  // Two levels that can be rebuilt apart: a cheap top over geometries that are each built well.
+  scene_ = rtcNewScene(device_);
+  rtcSetSceneFlags(scene_, RTC_SCENE_FLAG_DYNAMIC);
+  rtcSetSceneBuildQuality(scene_, RTC_BUILD_QUALITY_LOW);
+  parts_.resize(scene.instances.size());
+  for (std::size_t i = 0; i < scene.instances.size(); ++i) {
+    const Instance& instance = scene.instances[i];
+    Part& part = parts_[i];
+    part.triangles = instance.mesh->triangles.data();
+    part.slots = instance.mesh->material_slots.empty() ? nullptr : instance.mesh->material_slots.data();
+    for (const std::uint16_t material : instance.materials) {
+      part.surfaces.push_back(surface_label(static_cast<std::uint16_t>(i), material));
+    }
+    if (instance.moving) {
+      add_moving(instance, static_cast<unsigned>(i));
+    } else {
+      add_still(instance, static_cast<unsigned>(i));
+    }
+  }
+  rtcCommitScene(scene_);
+  if (const RTCError error = rtcGetDeviceError(device_); error != RTC_ERROR_NONE) {
+    throw Error(fmt::format("Embree cannot build the scene of {} triangles (error {}: out of memory?)",
+                            scene.triangle_count(), static_cast<int>(error)));
+  }
+}
+
+RTCGeometry CpuScene::make_triangles(const Mesh& mesh, const std::vector<Vec3f>& vertices) {
+  RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE);
+  rtcSetGeometryBuildQuality(geometry, RTC_BUILD_QUALITY_MEDIUM);
+  rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, vertices.data(), 0, sizeof(Vec3f),
+                             vertices.size() - 1);
+  rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, mesh.triangles.data(), 0,
+                             sizeof(mesh.triangles[0]), mesh.triangles.size());
+  rtcCommitGeometry(geometry);
+  return geometry;
+}
+
+void CpuScene::add_still(const Instance& instance, unsigned id) {
+  const Mesh& mesh = *instance.mesh;
+  Part& part = parts_[id];
+  part.own_vertices.reserve(mesh.vertices.size() + 1);
+  for (const Vec3f& vertex : mesh.vertices) {
+    part.own_vertices.push_back((instance.world_from_mesh * vertex.cast<double>().eval() - origin_).cast<float>());
+  }
+  part.own_vertices.emplace_back(Vec3f::Zero());  // Embree reads 16 bytes at the last vertex.
+
+  // Normals only turn; where nothing turns the mesh's own serve.
+  if (instance.world_from_mesh.orientation.isApprox(Eigen::Quaterniond::Identity())) {
+    part.normals = mesh.normals.data();
+  } else {
+    const Eigen::Matrix3f rotation = instance.world_from_mesh.orientation.toRotationMatrix().cast<float>();
+    part.own_normals.reserve(mesh.normals.size());
+    for (const Vec3f& normal : mesh.normals) {
+      part.own_normals.emplace_back(rotation * normal);
+    }
+    part.normals = part.own_normals.data();
+  }
+  RTCGeometry geometry = make_triangles(mesh, part.own_vertices);
+  rtcAttachGeometryByID(scene_, geometry, id);
+  rtcReleaseGeometry(geometry);
+}
+
+void CpuScene::add_moving(const Instance& instance, unsigned id) {
+  const Mesh& mesh = *instance.mesh;
+  Part& part = parts_[id];
+  part.normals = mesh.normals.data();
+  part.own_vertices.assign(mesh.vertices.begin(), mesh.vertices.end());
+  part.own_vertices.emplace_back(Vec3f::Zero());
+  part.own_scene = rtcNewScene(device_);
+  RTCGeometry geometry = make_triangles(mesh, part.own_vertices);
+  rtcAttachGeometry(part.own_scene, geometry);
+  rtcReleaseGeometry(geometry);
+  rtcCommitScene(part.own_scene);
+
+  part.placed = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_INSTANCE);
+  rtcSetGeometryInstancedScene(part.placed, part.own_scene);
+  part.rotation = instance.world_from_mesh.orientation.toRotationMatrix().cast<float>();
+  place(part.placed, instance.world_from_mesh, origin_);
+  rtcAttachGeometryByID(scene_, part.placed, id);
+}
+
+void CpuScene::move(int instance, const Pose& world_from_mesh) {
+  Part& part = parts_[instance];
+  part.rotation = world_from_mesh.orientation.toRotationMatrix().cast<float>();
+  place(part.placed, world_from_mesh, origin_);
+  moved_ = true;
+}
+
+void CpuScene::commit_moves() {
+  if (moved_) {
+    rtcCommitScene(scene_);
+    moved_ = false;
+  }
+}
+
+std::size_t CpuScene::bytes() const {
+  std::size_t sum = 0;
+  for (const Part& part : parts_) {
+    sum += part.own_vertices.capacity() * sizeof(Vec3f) + part.own_normals.capacity() * sizeof(Vec3f);
+  }
+  return sum;
+}
+
+}  // namespace insonify

@@ -1,0 +1,28 @@
+// make_engine.cpp -- engines by name.
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "echo/cpu_engine.h"
+#include "echo/reference_engine.h"
+#include "insonify/engine.h"
+#include "insonify/error.h"
+
+namespace insonify {
+
+std::vector<std::string_view> engine_names() { return {"cpu", "reference"}; }
+
+std::unique_ptr<Engine> make_engine(std::string_view name, int threads) {
+  if (threads < 0 || threads > 1024) {
+    throw Error(fmt::format("threads = {} must be from 0 to 1024", threads));
+  }
+  if (name == "cpu") {
+    return std::make_unique<CpuEngine>(threads);
+  }
+  if (name == "reference") {
+    return std::make_unique<ReferenceEngine>(threads);
+  }
+  throw Error(fmt::format("engine \"{}\" is unknown; there are {}", name, fmt::join(engine_names(), ", ")));
+}
+
+}  // namespace insonify

@@ -1,0 +1,39 @@
+// ping_plan.cpp -- settings turned into the constants of the inner loops.
+
+#include "echo/ping_plan.h"
+
+#include <algorithm>
+
+#include "base/philox.h"
+#include "insonify/absorption.h"
+
+namespace insonify {
+
+PingPlan::PingPlan(const PingPlanSettings& settings)
+    : sonar(settings.sonar), lattice(settings.sonar), shape(settings.paper), secondary(settings.secondary) {
+  const double true_speed = settings.water.true_sound_speed();
+  const double scale = sonar.assumed_sound_speed.value_or(true_speed) / true_speed;
+  neper_per_metre =
+      static_cast<float>(kNeperPerDecibel * settings.water.absorption_db_per_m_at(sonar.frequency));
+  range_per_metre = static_cast<float>(scale);
+  true_max_range = static_cast<float>(sonar.max_range / scale);
+  bins_per_metre = static_cast<float>(scale / sonar.bin_length());
+  first_bin_at = static_cast<float>(sonar.min_range / scale);
+  const auto purpose = static_cast<std::uint32_t>(RandomPurpose::kSecondarySelection);
+  stagger = philox({0, 0, 0, purpose}, philox_key(settings.seed))[0];
+  for (const double edge : sonar.beam_edges()) {
+    beam_edges_.push_back(static_cast<float>(edge));
+  }
+}
+
+int PingPlan::beam_of(float azimuth) const {
+  const auto after = std::ranges::lower_bound(beam_edges_, azimuth, std::greater<>());
+  const auto beam = static_cast<int>(after - beam_edges_.begin()) - 1;
+  return beam < sonar.beam_count ? beam : -1;
+}
+
+std::shared_ptr<const PingPlan> make_ping_plan(const PingPlanSettings& settings) {
+  return std::make_shared<const PingPlan>(settings);
+}
+
+}  // namespace insonify

@@ -1,0 +1,34 @@
+// ping_plan.h -- everything about one sonar that does not change from ping to ping, as the engines need it.
+
+#pragma once
+
+#include "echo/paper_shape.h"
+#include "insonify/engine.h"
+#include "sonar/lattice.h"
+
+namespace insonify {
+
+class PingPlan {
+ public:
+  explicit PingPlan(const PingPlanSettings& settings);
+
+  SonarConfig sonar;
+  Lattice lattice;
+  PaperShape shape;
+  SecondaryEchoes secondary;
+
+  float neper_per_metre = 0;     ///< Absorption of pressure amplitude [Np/m].
+  float range_per_metre = 1;     ///< Reported range over true range: assumed over true sound speed.
+  float true_max_range = 0;      ///< True distance of the far edge of the last bin [m].
+  float bins_per_metre = 0;      ///< Bins over true distance [1/m].
+  float first_bin_at = 0;        ///< True distance of the near edge of bin 0 [m].
+  std::uint32_t stagger = 0;     ///< Turns the selection of secondary rays, from the seed.
+
+  /// Beam whose edges hold an azimuth; -1 outside the fan.
+  [[nodiscard]] int beam_of(float azimuth) const;
+
+ private:
+  std::vector<float> beam_edges_;  // Falling [rad].
+};
+
+}  // namespace insonify

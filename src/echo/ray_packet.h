@@ -1,0 +1,91 @@
+// ray_packet.h -- sixteen rays for Embree at a time.
+
+#pragma once
+
+#include <embree3/rtcore.h>
+#include <xmmintrin.h>
+
+#include "insonify/geometry.h"
+
+namespace insonify {
+
+inline constexpr int kPacketSize = 16;
+
+/// Switches denormal numbers off in this thread while it lives, as Embree wants it.
+class DenormalsOff {
+ public:
+  DenormalsOff() : saved_(_mm_getcsr()) { _mm_setcsr(saved_ | kFlushToZero | kDenormalsAreZero); }
+  ~DenormalsOff() { _mm_setcsr(saved_); }
+  DenormalsOff(const DenormalsOff&) = delete;
+  DenormalsOff& operator=(const DenormalsOff&) = delete;
+
+ private:
+  static constexpr unsigned kFlushToZero = 0x8000, kDenormalsAreZero = 0x0040;
+  unsigned saved_;
+};
+
+/// Rays that lie close together: Embree then walks them through the tree as one.
+struct alignas(64) RayPacket {
+  RTCRayHit16 rays;
+  int valid[kPacketSize];
+
+  RayPacket() {
+    for (int lane = 0; lane < kPacketSize; ++lane) {
+      rays.ray.time[lane] = 0;
+      rays.ray.mask[lane] = ~0U;
+      rays.ray.flags[lane] = 0;
+      rays.ray.id[lane] = static_cast<unsigned>(lane);
+      rays.ray.tnear[lane] = 0;
+      valid[lane] = -1;
+    }
+  }
+
+  void set_origin(int lane, const Vec3f& origin) {
+    rays.ray.org_x[lane] = origin.x();
+    rays.ray.org_y[lane] = origin.y();
+    rays.ray.org_z[lane] = origin.z();
+  }
+  void set_direction(int lane, const Vec3f& direction) {
+    rays.ray.dir_x[lane] = direction.x();
+    rays.ray.dir_y[lane] = direction.y();
+    rays.ray.dir_z[lane] = direction.z();
+  }
+  [[nodiscard]] Vec3f origin(int lane) const {
+    return {rays.ray.org_x[lane], rays.ray.org_y[lane], rays.ray.org_z[lane]};
+  }
+  [[nodiscard]] Vec3f direction(int lane) const {
+    return {rays.ray.dir_x[lane], rays.ray.dir_y[lane], rays.ray.dir_z[lane]};
+  }
+  [[nodiscard]] bool hit(int lane) const { return rays.hit.geomID[lane] != RTC_INVALID_GEOMETRY_ID; }
+
+  /// The first `count` lanes are rays, the others are not.
+  void set_count(int count) {
+    for (int lane = 0; lane < kPacketSize; ++lane) {
+      valid[lane] = lane < count ? -1 : 0;
+    }
+  }
+
+  /// Finds what each ray meets within `reach` [m]; lanes that meet nothing have no hit().
+  void intersect(RTCScene scene, float reach) {
+    for (int lane = 0; lane < kPacketSize; ++lane) {
+      rays.ray.tfar[lane] = reach;
+      rays.hit.geomID[lane] = RTC_INVALID_GEOMETRY_ID;
+      rays.hit.instID[0][lane] = RTC_INVALID_GEOMETRY_ID;
+    }
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+    rtcIntersect16(valid, scene, &context, &rays);
+  }
+
+  /// Finds whether anything is met within each ray's own tfar; afterwards blocked() tells.
+  void occlude(RTCScene scene) {
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+    rtcOccluded16(valid, scene, &context, &rays.ray);
+  }
+  [[nodiscard]] bool blocked(int lane) const { return rays.ray.tfar[lane] < 0; }
+};
+
+}  // namespace insonify

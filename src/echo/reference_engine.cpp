@@ -1,0 +1,203 @@
+// reference_engine.cpp -- brute force, written to be obviously right.
+
+#include "echo/reference_engine.h"
+
+#include <cmath>
+#include <limits>
+
+#include "echo/paper_echoes.h"
+#include "echo/ray_limits.h"
+
+namespace insonify {
+namespace {
+
+constexpr double kFar = std::numeric_limits<double>::infinity();
+
+// Where a ray meets a triangle: distance and the weights of its second and third corner.
+struct Crossing {
+  double distance = kFar, u = 0, v = 0;
+};
+
+// Moeller and Trumbore, "Fast, minimum storage ray-triangle intersection" (1997); both sides count.
+Crossing cross_triangle(const Ray& ray, const Vec3& corner, const Vec3& edge1, const Vec3& edge2) {
+  const Vec3 p = ray.direction.cross(edge2);
+  const double determinant = edge1.dot(p);
+  if (determinant == 0) {
+    return {};
+  }
+  const Vec3 from_corner = ray.origin - corner;
+  const double u = from_corner.dot(p) / determinant;
+  const Vec3 q = from_corner.cross(edge1);
+  const double v = ray.direction.dot(q) / determinant;
+  const double distance = edge2.dot(q) / determinant;
+  const bool inside = u >= 0 && v >= 0 && u + v <= 1;
+  return inside && distance > ray.min_distance && distance < ray.max_distance ? Crossing{distance, u, v} : Crossing{};
+}
+
+}  // namespace
+
+void ReferenceEngine::set_scene(const Scene& scene) {
+  scene_ = &scene;
+  triangles_.clear();
+  first_triangle_.clear();
+  reflectivity_.clear();
+  for (const Material& material : scene.materials) {
+    reflectivity_.push_back(static_cast<float>(material.effective_reflectivity()));
+  }
+  for (std::size_t i = 0; i < scene.instances.size(); ++i) {
+    first_triangle_.push_back(triangles_.size());
+    triangles_.resize(triangles_.size() + scene.instances[i].mesh->triangles.size());
+    place_instance(static_cast<int>(i), scene.instances[i].world_from_mesh);
+  }
+}
+
+void ReferenceEngine::move_instance(int instance, const Pose& world_from_mesh) {
+  place_instance(instance, world_from_mesh);
+}
+
+void ReferenceEngine::place_instance(int index, const Pose& world_from_mesh) {
+  const Instance& instance = scene_->instances[index];
+  const Mesh& mesh = *instance.mesh;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const auto& corners = mesh.triangles[t];
+    const auto corner = [&](int k) { return world_from_mesh * mesh.vertices[corners[k]].cast<double>().eval(); };
+    Triangle& triangle = triangles_[first_triangle_[index] + t];
+    triangle.corner = corner(0);
+    triangle.edge1 = corner(1) - triangle.corner;
+    triangle.edge2 = corner(2) - triangle.corner;
+    for (int k = 0; k < 3; ++k) {
+      triangle.normal[k] = world_from_mesh.orientation * mesh.normals[corners[k]].cast<double>();
+    }
+    triangle.instance = static_cast<std::uint16_t>(index);
+    triangle.material = instance.materials[mesh.slot_of(t)];
+  }
+}
+
+Hit ReferenceEngine::nearest(const Ray& ray) const {
+  Crossing best;
+  const Triangle* hit = nullptr;
+  for (const Triangle& triangle : triangles_) {
+    const Crossing crossing = cross_triangle(ray, triangle.corner, triangle.edge1, triangle.edge2);
+    if (crossing.distance < best.distance) {
+      best = crossing;
+      hit = &triangle;
+    }
+  }
+  if (hit == nullptr) {
+    return {.distance = kFar};
+  }
+  const Vec3 normal =
+      ((1 - best.u - best.v) * hit->normal[0] + best.u * hit->normal[1] + best.v * hit->normal[2]).normalized();
+  return {best.distance, normal.dot(ray.direction) > 0 ? Vec3(-normal) : normal, hit->instance, hit->material};
+}
+
+bool ReferenceEngine::blocked(const Ray& ray) const {
+  for (const Triangle& triangle : triangles_) {
+    if (cross_triangle(ray, triangle.corner, triangle.edge1, triangle.edge2).distance < kFar) {
+      return true;
+    }
+  }
+  return false;
+}
+
+void ReferenceEngine::trace(std::span<const Ray> rays, std::span<Hit> hits) {
+  workers_.for_each(static_cast<int>(rays.size()), [&](int i, int) { hits[i] = nearest(rays[i]); });
+}
+
+void ReferenceEngine::insonify(const PingPlan& plan, const Pose& world_from_sonar, std::uint64_t, EchoGrid& grid) {
+  const int per_beam = plan.lattice.columns_per_beam;
+  std::vector<RayCounts> counts(plan.sonar.beam_count);
+  workers_.for_each(plan.sonar.beam_count, [&](int beam, int) {
+    grid.clear(beam, beam + 1);
+    for (int column = beam * per_beam; column < (beam + 1) * per_beam; ++column) {
+      insonify_column(plan, column, world_from_sonar, grid, counts[beam]);
+    }
+  });
+  counts_ = {};
+  for (const RayCounts& of_beam : counts) {
+    counts_.primary += of_beam.primary;
+    counts_.secondary += of_beam.secondary;
+    counts_.return_legs += of_beam.return_legs;
+  }
+}
+
+void ReferenceEngine::insonify_column(const PingPlan& plan, int column, const Pose& world_from_sonar, EchoGrid& grid,
+                                      RayCounts& counts) const {
+  const Lattice& lattice = plan.lattice;
+  const int rows = lattice.rows;
+  const Vec3 along_local(lattice.cos_azimuth[column], lattice.sin_azimuth[column], 0);
+  const Vec3 along = world_from_sonar.orientation * along_local;
+  const Vec3 up = world_from_sonar.orientation * Vec3::UnitZ();
+
+  // Out: what does each row meet first?
+  std::vector<Hit> first(rows);
+  std::vector<Ray> rays(rows);
+  std::vector<float> range(rows), normal_along(rows), normal_up(rows), power(rows);
+  std::vector<SurfaceLabel> surface(rows, kNoSurface);
+  for (int row = 0; row < rows; ++row) {
+    const Vec3 direction =
+        along * double{lattice.cos_elevations(column)[row]} + up * double{lattice.sin_elevations(column)[row]};
+    rays[row] = {world_from_sonar.position, direction.normalized(), 0, plan.true_max_range};
+    first[row] = nearest(rays[row]);
+    if (first[row].instance != kNoLabel) {
+      range[row] = static_cast<float>(first[row].distance);
+      normal_along[row] = static_cast<float>(first[row].normal.dot(along));
+      normal_up[row] = static_cast<float>(first[row].normal.dot(up));
+      surface[row] = surface_label(first[row].instance, first[row].material);
+    }
+  }
+  counts.primary += rows;
+
+  // Straight back.
+  HitColumn hits{rows, range.data(), normal_along.data(), normal_up.data(), power.data(), surface.data()};
+  shade_column(plan, column, reflectivity_, hits);
+  deposit_column(plan, column, hits, grid);
+  if (plan.secondary == SecondaryEchoes::kNone) {
+    return;
+  }
+
+  // On to a second surface in the mirror direction, and from there straight back, if nothing is in the way.
+  for (int row = 0; row < rows; ++row) {
+    if (surface[row] == kNoSurface) {
+      continue;
+    }
+    const float onward = onward_strength(plan, incidence(lattice, column, hits, row),
+                                         reflectivity_[first[row].material], range[row]);
+    const float selected = selection_weight(plan, column, row, onward);
+    if (selected == 0) {
+      continue;
+    }
+    const Vec3 point = rays[row].origin + rays[row].direction * first[row].distance;
+    const Vec3& normal = first[row].normal;
+    const Vec3 mirrored = rays[row].direction - 2 * rays[row].direction.dot(normal) * normal;
+    const Ray across{point, mirrored.normalized(), kRayClearance, plan.true_max_range};
+    const Hit second = nearest(across);
+    ++counts.secondary;
+    if (second.instance == kNoLabel) {
+      continue;
+    }
+    const Vec3 second_point = across.origin + across.direction * second.distance;
+    const Vec3 back = world_from_sonar.position - second_point;
+    const auto path_length = static_cast<float>(first[row].distance + second.distance + back.norm());
+    if (0.5F * path_length >= plan.true_max_range) {
+      continue;
+    }
+    ++counts.return_legs;
+    if (blocked({second_point, back.normalized(), kRayClearance, back.norm() - kRayClearance})) {
+      continue;
+    }
+    const auto second_incidence = static_cast<float>(std::abs(second.normal.dot(across.direction)));
+    deposit(plan,
+            {.azimuth = lattice.azimuth[column],
+             .elevation = lattice.elevations(column)[row],
+             .path_length = path_length,
+             .power = secondary_power(plan, onward, second_incidence, reflectivity_[second.material], range[row],
+                                      path_length),
+             .weight = sample_weight(lattice, column, row) * selected,
+             .order = 2,
+             .surface = surface_label(second.instance, second.material)},
+            grid);
+  }
+}
+
+}  // namespace insonify

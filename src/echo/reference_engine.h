@@ -1,0 +1,45 @@
+// reference_engine.h -- every ray against every triangle, in double precision: the oracle for the other engines.
+
+#pragma once
+
+#include <memory>
+
+#include "base/parallel.h"
+#include "echo/deposit.h"
+#include "insonify/engine.h"
+
+namespace insonify {
+
+class ReferenceEngine final : public Engine {
+ public:
+  explicit ReferenceEngine(int threads) : workers_(threads) {}
+
+  [[nodiscard]] std::string_view name() const override { return "reference"; }
+  void set_scene(const Scene& scene) override;
+  void move_instance(int instance, const Pose& world_from_mesh) override;
+  void insonify(const PingPlan& plan, const Pose& world_from_sonar, std::uint64_t ping, EchoGrid& grid) override;
+  void trace(std::span<const Ray> rays, std::span<Hit> hits) override;
+  [[nodiscard]] RayCounts ray_counts() const override { return counts_; }
+
+ private:
+  // One triangle in the world, edges from its first corner.
+  struct Triangle {
+    Vec3 corner, edge1, edge2;
+    Vec3 normal[3];
+    std::uint16_t instance, material;
+  };
+
+  void place_instance(int instance, const Pose& world_from_mesh);
+  [[nodiscard]] Hit nearest(const Ray& ray) const;
+  [[nodiscard]] bool blocked(const Ray& ray) const;
+  void insonify_column(const PingPlan& plan, int column, const Pose& world_from_sonar, EchoGrid& grid, RayCounts& counts) const;
+
+  Workers workers_;
+  const Scene* scene_ = nullptr;
+  std::vector<Triangle> triangles_;
+  std::vector<std::size_t> first_triangle_;  // Of each instance.
+  std::vector<float> reflectivity_;          // Of each material.
+  RayCounts counts_;
+};
+
+}  // namespace insonify

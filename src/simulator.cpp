@@ -1,0 +1,95 @@
+// simulator.cpp -- the whole simulator on one page: every step is a call into one module, in the order of the data.
+
+#include "insonify/simulator.h"
+
+#include <fmt/format.h>
+
+#include "base/parallel.h"
+#include "insonify/error.h"
+#include "receiver/paper_receiver.h"
+#include "simulator/motion.h"
+
+namespace insonify {
+
+struct Simulator::State {
+  State(Scenario the_scenario, Scene the_scene, int threads)
+      : scenario(std::move(the_scenario)),
+        scene(std::move(the_scene)),
+        workers(threads),
+        engine(make_engine(scenario.engine, threads)) {}
+
+  Scenario scenario;
+  Scene scene;
+  std::vector<MovingPart> moving;
+  Workers workers;
+  std::unique_ptr<Engine> engine;
+
+  // Of each sonar, kept between pings so that a ping allocates nothing.
+  std::vector<std::shared_ptr<const PingPlan>> plans;
+  std::vector<EchoGrid> grids;
+};
+
+Simulator::Simulator(Scenario scenario, Scene scene, int threads) {
+  scenario.validate();
+  state_ = std::make_unique<State>(std::move(scenario), std::move(scene), threads);
+  state_->moving = find_moving_parts(state_->scenario, state_->scene);
+  const double sound_speed = state_->scenario.water.true_sound_speed();
+  for (SonarConfig& sonar : state_->scenario.sonars) {
+    sonar.assumed_sound_speed = sonar.assumed_sound_speed.value_or(sound_speed);
+    sonar.ping_period = sonar.ping_period.value_or(sonar.shortest_ping_period(*sonar.assumed_sound_speed));
+    state_->plans.push_back(make_ping_plan({.sonar = sonar,
+                                            .water = state_->scenario.water,
+                                            .paper = state_->scenario.paper,
+                                            .secondary = state_->scenario.secondary,
+                                            .seed = state_->scenario.seed}));
+    state_->grids.emplace_back(sonar.beam_count, sonar.bin_count, kPathOrders);
+  }
+  state_->engine->set_scene(state_->scene);
+}
+
+Simulator::~Simulator() = default;
+Simulator::Simulator(Simulator&&) noexcept = default;
+Simulator& Simulator::operator=(Simulator&&) noexcept = default;
+
+const Scenario& Simulator::scenario() const { return state_->scenario; }
+const Scene& Simulator::scene() const { return state_->scene; }
+const SonarConfig& Simulator::sonar(int sonar) const { return state_->scenario.sonars.at(sonar); }
+Engine& Simulator::engine() { return *state_->engine; }
+
+Pose Simulator::world_from_head(int index, std::uint64_t number) const {
+  const SonarConfig& config = sonar(index);
+  const double time = static_cast<double>(number) * *config.ping_period;
+  const Pose head{Vec3::Zero(), orientation_from_rpy(0, 0, config.head_angle(static_cast<int>(number)))};
+  return state_->scenario.trajectory.at(time) * config.vehicle_from_sonar() * head;
+}
+
+void Simulator::make_ping(int index, std::uint64_t number, Ping& ping) {
+  State& state = *state_;
+  const SonarConfig& config = sonar(index);
+
+  // When and where: the vehicle on its trajectory, the head on its step, and what moves in the world.
+  ping.number = number;
+  ping.time = static_cast<double>(number) * *config.ping_period;
+  ping.world_from_sonar = state.scenario.trajectory.at(ping.time) * config.vehicle_from_sonar();
+  ping.head_angle = config.head_angle(static_cast<int>(number));
+  for (const MovingPart& part : state.moving) {
+    state.engine->move_instance(part.instance, part.world_from_mesh(state.scenario, ping.time));
+  }
+
+  // What comes back: echoes sorted by beam and range.
+  EchoGrid& grid = state.grids[index];
+  state.engine->insonify(*state.plans[index], world_from_head(index, number), number, grid);
+
+  // What the receiver makes of it.
+  receive_paper(grid, config,
+                {.model = state.scenario.paper, .noise = state.scenario.receiver.noise, .seed = state.scenario.seed},
+                state.workers, ping);
+}
+
+Ping Simulator::make_ping(int sonar, std::uint64_t number) {
+  Ping ping;
+  make_ping(sonar, number, ping);
+  return ping;
+}
+
+}  // namespace insonify
