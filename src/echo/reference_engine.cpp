@@ -183,7 +183,7 @@ void ReferenceEngine::insonify_column(const PingPlan& plan, int column, const Po
       continue;
     }
     ++counts.return_legs;
-    if (blocked({second_point, back.normalized(), kRayClearance, back.norm() - kRayClearance})) {
+    if (blocked({second_point, back.normalized(), kRayClearance, back.norm() - double{kRayClearance}})) {
       continue;
     }
     const auto second_incidence = static_cast<float>(std::abs(second.normal.dot(across.direction)));

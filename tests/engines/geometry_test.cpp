@@ -1,0 +1,226 @@
+// Ranges and bearings of surfaces that can be worked out by hand, on every engine. T numbers are those of the project's
+// table of acceptance tests.
+
+#include "engines/test_scenes.h"
+
+namespace insonify {
+namespace {
+
+using namespace testing_scenes;
+
+class EngineGeometryTest : public testing::TestWithParam<const char*> {
+ protected:
+  EchoGrid echoes(const Scene& scene, const SonarConfig& sonar, const Pose& pose = {},
+                  SecondaryEchoes secondary = SecondaryEchoes::kNone) const {
+    return echoes_of(GetParam(), scene, {.sonar = sonar, .water = {.absorption = false}, .secondary = secondary}, pose);
+  }
+};
+
+SonarConfig wall_sonar() {
+  SonarConfig sonar;
+  sonar.beam_count = 128;
+  sonar.azimuth_aperture = 120 * kDegree;
+  sonar.elevation_aperture = 2 * kDegree;
+  sonar.min_range = 0;
+  sonar.max_range = 60;
+  sonar.bin_count = 1200;  // 0.05 m.
+  sonar.sampling = {.columns_per_beam = 4, .rows = 12};
+  return sonar;
+}
+
+// T1. A wall x = d is met at d / cos(azimuth): the echo of a beam fills exactly the bins between its two edges. Two
+// degrees of elevation add less than 0.02 %.
+TEST_P(EngineGeometryTest, WallLiesAtItsSlantRangeInEveryBeam) {
+  for (const double distance : {3.217, 10.01, 24.983}) {
+    const SceneMaker maker = SceneMaker().add_wall(distance);
+    const SonarConfig sonar = wall_sonar();
+    const EchoGrid grid = echoes(maker.scene(), sonar);
+    const std::vector<double> edges = sonar.beam_edges();
+    for (int beam = 0; beam < sonar.beam_count; ++beam) {
+      const double a = distance / std::cos(edges[beam]);
+      const double b = distance / std::cos(edges[beam + 1]);
+      const auto energy = grid.energy(1, beam);
+      int first = -1, last = -1;
+      for (int bin = 0; bin < sonar.bin_count; ++bin) {
+        if (energy[bin] > 0) {
+          first = first < 0 ? bin : first;
+          last = bin;
+        }
+      }
+      const double near_bin = std::min(a, b) / sonar.bin_length();
+      const double far_bin = std::max(a, b) / std::cos(1 * kDegree) / sonar.bin_length();
+      ASSERT_GE(first, near_bin - 1) << "beam " << beam << " at " << distance;
+      ASSERT_LE(first, near_bin + 1.5) << "beam " << beam << " at " << distance;
+      ASSERT_LE(last, far_bin) << "beam " << beam << " at " << distance;
+      ASSERT_GE(last, far_bin - 1.5) << "beam " << beam << " at " << distance;
+      // Mean of d / cos over the slice, by Simpson's rule: exact to 1e-6 of a bin here.
+      const double middle = distance / std::cos(0.5 * (edges[beam] + edges[beam + 1]));
+      const double mean_bin = (a + 4 * middle + b) / 6 / sonar.bin_length();
+      ASSERT_NEAR(centroid_bin(energy), mean_bin, 0.5) << "beam " << beam << " at " << distance;
+    }
+  }
+}
+
+// T8. A small sphere's echo is strongest in the beam that looks at it; beam centres are at F (1/2 - (i + 1/2) / N).
+TEST_P(EngineGeometryTest, PointTargetsAppearAtTheirAzimuth) {
+  SonarConfig sonar;
+  sonar.beam_count = 256;
+  sonar.azimuth_aperture = 120 * kDegree;
+  sonar.elevation_aperture = 2 * kDegree;
+  sonar.max_range = 20;
+  sonar.bin_count = 200;
+  sonar.sampling = {.columns_per_beam = 8, .rows = 64};
+  for (const double azimuth : {-50.0, -30.0, 0.0, 25.3, 50.0}) {
+    const Vec3 centre = point_from_spherical({.range = 15, .azimuth = azimuth * kDegree, .elevation = 0});
+    const EchoGrid grid = echoes(SceneMaker().add_sphere(centre, 0.02).scene(), sonar);
+    double sum = 0, moment = 0;
+    for (int beam = 0; beam < sonar.beam_count; ++beam) {
+      for (const float energy : grid.energy(1, beam)) {
+        sum += energy;
+        moment += energy * sonar.beam_azimuth(beam) / kDegree;
+      }
+    }
+    ASSERT_GT(sum, 0) << azimuth;
+    EXPECT_NEAR(moment / sum, azimuth, 0.5 * 120.0 / 256) << azimuth;
+  }
+}
+
+// T16. A plate 1 m high at x = 10 m, sonar 3 m above the bed: the top of the plate is at slant 10.198 m, its foot at
+// 10.440 m, and its shadow ends at x h / (h - 1) = 15 m, slant 15.297 m.
+TEST_P(EngineGeometryTest, ShadowReachesToWhereTheRayOverThePlateMeetsTheBed) {
+  SonarConfig sonar;
+  sonar.beam_count = 1;
+  sonar.azimuth_aperture = 2 * kDegree;
+  sonar.elevation_aperture = 30 * kDegree;
+  sonar.elevation_center = -15 * kDegree;
+  sonar.min_range = 0;
+  sonar.max_range = 25;
+  sonar.bin_count = 500;
+  sonar.sampling = {.columns_per_beam = 4, .rows = 800};
+  const SceneMaker maker =
+      SceneMaker().add_floor(-3).add("plate", make_box({0.01, 4, 1}), {.position = {10.005, 0, -2.5}});
+  const EchoGrid grid = echoes(maker.scene(), sonar);
+  const auto energy = grid.energy(1, 0);
+  // Between the plate's foot and the end of the shadow, one bin and the beam's own curvature (r (1/cos 1 deg - 1) = 2 mm) aside.
+  const int dark_from = static_cast<int>(10.4403 / sonar.bin_length()) + 2;
+  const int dark_to = static_cast<int>(15.2971 / sonar.bin_length()) - 1;
+  for (int bin = dark_from; bin <= dark_to; ++bin) {
+    EXPECT_EQ(energy[bin], 0) << "bin " << bin;
+  }
+  EXPECT_GT(energy[dark_to + 2], 0);
+  EXPECT_GT(energy[static_cast<int>(10.2 / sonar.bin_length())], 0);
+}
+
+// The lowest ray of a level sonar h above a flat floor meets it at h / sin(half aperture) whatever its azimuth: the near
+// edge of the floor is an arc, the same range in every beam.
+TEST_P(EngineGeometryTest, NearEdgeOfAFlatFloorIsAnArc) {
+  SonarConfig sonar;
+  sonar.beam_count = 64;
+  sonar.azimuth_aperture = 120 * kDegree;
+  sonar.elevation_aperture = 20 * kDegree;
+  sonar.min_range = 0;
+  sonar.max_range = 40;
+  sonar.bin_count = 800;
+  sonar.sampling = {.columns_per_beam = 2, .rows = 100};
+  const EchoGrid grid = echoes(SceneMaker().add_floor(-2.5).scene(), sonar);
+  const double near_edge = 2.5 / std::sin(10 * kDegree);  // 14.397 m.
+  for (int beam = 0; beam < sonar.beam_count; ++beam) {
+    const auto energy = grid.energy(1, beam);
+    const auto first = std::find_if(energy.begin(), energy.end(), [](float e) { return e > 0; }) - energy.begin();
+    EXPECT_EQ(first, static_cast<int>(near_edge / sonar.bin_length())) << "beam " << beam;
+  }
+}
+
+// T10 in small. Two walls at right angles, x = 8 and y = 6: the least double bounce runs to their edge and back, 10.000 m
+// at azimuth 36.870 degrees; nothing of the secondary layer lies nearer.
+TEST_P(EngineGeometryTest, DoubleBounceOfAVerticalDihedralStartsAtItsEdge) {
+  SonarConfig sonar;
+  sonar.beam_count = 128;
+  sonar.azimuth_aperture = 120 * kDegree;
+  sonar.elevation_aperture = 6 * kDegree;
+  sonar.min_range = 0;
+  sonar.max_range = 15;
+  sonar.bin_count = 600;
+  sonar.sampling = {.columns_per_beam = 4, .rows = 24};
+  const SceneMaker maker = SceneMaker()
+                               .add("front", make_plane(Vec3::UnitX(), 40, 40), {.position = {8, 6 - 20, 0}})
+                               .add("side", make_plane(Vec3::UnitY(), 40, 40), {.position = {8 - 20, 6, 0}});
+  const EchoGrid grid = echoes(maker.scene(), sonar, {}, SecondaryEchoes::kAll);
+  int first = sonar.bin_count;
+  int first_beam = -1;
+  for (int beam = 0; beam < sonar.beam_count; ++beam) {
+    for (int bin = 0; bin < first; ++bin) {
+      if (grid.weight(2, beam)[bin] > 0) {
+        first = bin;
+        first_beam = beam;
+      }
+    }
+  }
+  ASSERT_GE(first_beam, 0);
+  EXPECT_NEAR((first + 0.5) * sonar.bin_length(), 10.0, sonar.bin_length());
+  EXPECT_NEAR(sonar.beam_azimuth(first_beam) / kDegree, 36.870, 2 * 120.0 / 128);
+  EXPECT_EQ(total(echoes(maker.scene(), sonar), 2), 0);
+}
+
+// A wall between the second surface and the sonar stops the return leg.
+TEST_P(EngineGeometryTest, ObstructedReturnLegGivesNoEcho) {
+  // A mirror at 45 degrees at x = 5 sends a level ray to port, where a plate at y = 5 would send it back to the sonar along
+  // a straight line through (2.5, 2.5).
+  SonarConfig sonar;
+  sonar.beam_count = 1;
+  sonar.azimuth_aperture = 2 * kDegree;
+  sonar.elevation_aperture = 2 * kDegree;
+  sonar.min_range = 0;
+  sonar.max_range = 15;
+  sonar.bin_count = 300;
+  sonar.sampling = {.columns_per_beam = 8, .rows = 16};
+  const auto scene = [](bool blocked) {
+    SceneMaker maker;
+    maker.add("mirror", make_plane(Vec3(-1, 1, 0).normalized(), 1, 1), {.position = {5, 0, 0}});
+    maker.add("plate", make_plane(Vec3::UnitY(), 1, 1), {.position = {5, 5, 0}});
+    if (blocked) {
+      maker.add("screen", make_plane(Vec3(1, 1, 0).normalized(), 1, 1), {.position = {2.5, 2.5, 0}});
+    }
+    return maker;
+  };
+  const EchoGrid open = echoes(scene(false).scene(), sonar, {}, SecondaryEchoes::kAll);
+  // (5 + 5 + sqrt(50)) / 2 = 8.536 m.
+  EXPECT_NEAR(centroid_bin(open.energy(2, 0)) * sonar.bin_length(), (10 + std::sqrt(50.0)) / 2, sonar.bin_length());
+  EXPECT_EQ(total(echoes(scene(true).scene(), sonar, {}, SecondaryEchoes::kAll), 2), 0);
+}
+
+TEST_P(EngineGeometryTest, EchoesNearerThanTheFirstBinAreDropped) {
+  SonarConfig sonar = wall_sonar();
+  sonar.min_range = 4;
+  const EchoGrid grid = echoes(SceneMaker().add_wall(3.217).scene(), sonar);
+  const int ahead = sonar.beam_count / 2;
+  EXPECT_TRUE(std::ranges::all_of(grid.energy(1, ahead), [](float e) { return e == 0; }));
+}
+
+TEST_P(EngineGeometryTest, EmptyWaterGivesNothing) {
+  const EchoGrid grid = echoes(Scene{}, wall_sonar(), {}, SecondaryEchoes::kAll);
+  EXPECT_EQ(total(grid, 1), 0);
+  EXPECT_EQ(total(grid, 2), 0);
+  EXPECT_EQ(grid.labels(3)[10].instance, kNoLabel);
+}
+
+// Every stretch of the aperture is deposited once: the weights of a wall that fills it add up to its solid angle,
+// azimuth aperture x 2 sin(half the elevation aperture).
+TEST_P(EngineGeometryTest, WeightsAddUpToTheSolidAngle) {
+  const SonarConfig sonar = wall_sonar();
+  const EchoGrid grid = echoes(SceneMaker().add_wall(10.01).scene(), sonar);
+  double sum = 0;
+  for (int beam = 0; beam < sonar.beam_count; ++beam) {
+    for (const float weight : grid.weight(1, beam)) {
+      sum += weight;
+    }
+  }
+  const double solid_angle = sonar.azimuth_aperture * 2 * std::sin(sonar.elevation_aperture / 2);
+  EXPECT_NEAR(sum, solid_angle, 1e-5 * solid_angle);  // Single-precision sums.
+}
+
+INSTANTIATE_TEST_SUITE_P(Engines, EngineGeometryTest, testing::Values("cpu", "reference"),
+                         [](const auto& test) { return test.param; });
+
+}  // namespace
+}  // namespace insonify

@@ -1,0 +1,114 @@
+// test_scenes.h -- scenes and sonars small enough to be worked out by hand, shared by the tests of all engines.
+
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+#include <string>
+
+#include "insonify/engine.h"
+#include "insonify/mesh.h"
+#include "insonify/scene.h"
+#include "insonify/simulator.h"
+
+namespace insonify::testing_scenes {
+
+inline constexpr double kDegree = EIGEN_PI / 180;
+
+/// A scene whose surfaces all have the given reflectivity, one material an instance.
+class SceneMaker {
+ public:
+  SceneMaker& add(std::string name, Mesh mesh, const Pose& world_from_mesh = {}, double reflectivity = 0.8) {
+    Material material;
+    material.name = name;
+    material.reflectivity = reflectivity;
+    Instance instance;
+    instance.name = std::move(name);
+    instance.mesh = std::make_shared<const Mesh>(std::move(mesh));
+    instance.world_from_mesh = world_from_mesh;
+    instance.materials.assign(instance.mesh->material_names.size(), static_cast<std::uint16_t>(scene_.materials.size()));
+    scene_.materials.push_back(material);
+    scene_.instances.push_back(std::move(instance));
+    return *this;
+  }
+
+  /// A wall across +x at a distance, wide and high enough to fill any fan used here.
+  SceneMaker& add_wall(double distance, double reflectivity = 0.8, double half_size = 200) {
+    return add("wall", make_plane(Vec3::UnitX(), 2 * half_size, 2 * half_size), {.position = {distance, 0, 0}}, reflectivity);
+  }
+
+  /// A horizontal floor at a height.
+  SceneMaker& add_floor(double height, double reflectivity = 0.8, double half_size = 200) {
+    return add("floor", make_plane(Vec3::UnitZ(), 2 * half_size, 2 * half_size), {.position = {0, 0, height}}, reflectivity);
+  }
+
+  SceneMaker& add_sphere(const Vec3& centre, double radius, double reflectivity = 0.8) {
+    return add("sphere" + std::to_string(scene_.instances.size()), make_sphere(radius), {.position = centre}, reflectivity);
+  }
+
+  [[nodiscard]] const Scene& scene() const { return scene_; }
+
+ private:
+  Scene scene_;
+};
+
+/// Echoes of one ping on one engine, without receiver.
+inline EchoGrid echoes_of(Engine& engine, const PingPlanSettings& settings, const Pose& world_from_sonar = {}) {
+  EchoGrid grid(settings.sonar.beam_count, settings.sonar.bin_count, kPathOrders);
+  engine.insonify(*make_ping_plan(settings), world_from_sonar, 0, grid);
+  return grid;
+}
+
+inline EchoGrid echoes_of(const std::string& engine_name, const Scene& scene, const PingPlanSettings& settings,
+                          const Pose& world_from_sonar = {}, int threads = 2) {
+  const auto engine = make_engine(engine_name, threads);
+  engine->set_scene(scene);
+  return echoes_of(*engine, settings, world_from_sonar);
+}
+
+/// A scenario of one sonar without noise or absorption: what is left is geometry.
+inline Scenario quiet_scenario(const SonarConfig& sonar) {
+  Scenario scenario;
+  scenario.sonars = {sonar};
+  scenario.water.absorption = false;
+  scenario.receiver.noise = false;
+  scenario.secondary = SecondaryEchoes::kNone;
+  return scenario;
+}
+
+/// Range of the energy's centroid in one beam, in bins; NaN where there is none.
+inline double centroid_bin(std::span<const float> energy) {
+  double sum = 0, moment = 0;
+  for (std::size_t bin = 0; bin < energy.size(); ++bin) {
+    sum += energy[bin];
+    moment += (static_cast<double>(bin) + 0.5) * energy[bin];
+  }
+  return moment / sum;
+}
+
+/// Sum of one layer.
+inline double total(const EchoGrid& grid, int order) {
+  double sum = 0;
+  for (int beam = 0; beam < grid.beam_count(); ++beam) {
+    for (const float value : grid.energy(order, beam)) {
+      sum += value;
+    }
+  }
+  return sum;
+}
+
+/// Sum |a - b| over sum a of one layer.
+inline double difference(const EchoGrid& a, const EchoGrid& b, int order) {
+  double apart = 0;
+  for (int beam = 0; beam < a.beam_count(); ++beam) {
+    for (int bin = 0; bin < a.bin_count(); ++bin) {
+      apart += std::abs(double{a.energy(order, beam)[bin]} - double{b.energy(order, beam)[bin]});
+    }
+  }
+  const double sum = total(a, order);
+  return sum > 0 ? apart / sum : apart;
+}
+
+}  // namespace insonify::testing_scenes
