@@ -13,11 +13,11 @@ namespace insonify {
 
 /// Acoustic properties of a surface.
 struct Material {
-  std::string name;                    ///< Lower case, as written in scenes.
+  std::string name = {};               ///< Lower case, as written in scenes.
   double density = 2500;               ///< [kg/m^3], > 0.
   double sound_speed = 3000;           ///< Of compressional waves [m/s], > 0.
-  std::optional<double> reflectivity;  ///< Share of the echo amplitude that the `paper` model keeps, 0..1; |R| when absent.
-  std::string source;                  ///< Where the numbers come from.
+  std::optional<double> reflectivity = {};  ///< Share of the echo amplitude that the `paper` model keeps, 0..1; |R| when absent.
+  std::string source = {};             ///< Where the numbers come from.
 
   /// Pressure reflection coefficient at normal incidence against water of the given impedance [kg/(m^2 s)], -1..1:
   /// (Z2 - Z1)/(Z2 + Z1).

@@ -15,29 +15,29 @@ namespace insonify {
 
 /// One mesh at one place.
 struct Instance {
-  std::string name;                  ///< Scoped as in SDF: "ship::hull::visual"; the file's stem for a bare mesh.
-  std::shared_ptr<const Mesh> mesh;  ///< Never null.
-  Pose world_from_mesh;
-  std::string user_material;         ///< Set by the user for the whole instance, "" when not; must resolve.
-  std::string where;                 ///< "path:line:column: " of what set user_material, for messages; may be "".
-  std::vector<std::uint16_t> materials;  ///< Index into Scene::materials for each of the mesh's slots.
+  std::string name = {};             ///< Scoped as in SDF: "ship::hull::visual"; the file's stem for a bare mesh.
+  std::shared_ptr<const Mesh> mesh = {};  ///< Never null.
+  Pose world_from_mesh = {};
+  std::string user_material = {};    ///< Set by the user for the whole instance, "" when not; must resolve.
+  std::string where = {};            ///< "path:line:column: " of what set user_material, for messages; may be "".
+  std::vector<std::uint16_t> materials = {};  ///< Index into Scene::materials for each of the mesh's slots.
   bool moving = false;               ///< Its pose may change between pings; engines keep it apart from what stands still.
 };
 
 /// What a scenario says of one material: a library name, changed properties, or both.
 struct MaterialOverride {
-  std::string like;                  ///< Name of a library material to start from; "" for the one of this name, else the default.
-  std::optional<double> density;       ///< [kg/m^3]
-  std::optional<double> sound_speed;   ///< [m/s]
-  std::optional<double> reflectivity;  ///< 0..1
-  std::string where;                 ///< "path:line:column: " of the entry for messages, may be "".
+  std::string like = {};               ///< Name of a library material to start from; "" for the one of this name, else the default.
+  std::optional<double> density = {};      ///< [kg/m^3]
+  std::optional<double> sound_speed = {};  ///< [m/s]
+  std::optional<double> reflectivity = {}; ///< 0..1
+  std::string where = {};              ///< "path:line:column: " of the entry for messages, may be "".
 };
 
 /// Which material each surface is made of. Keys match a visual's name (whole or its last part), else a material's name.
 struct MaterialRules {
-  std::map<std::string, MaterialOverride> overrides;
+  std::map<std::string, MaterialOverride> overrides = {};
   std::string default_material = "sand";   ///< For a mesh's own names that match nothing.
-  std::string default_where;               ///< "path:line:column: " of it for messages, may be "".
+  std::string default_where = {};          ///< "path:line:column: " of it for messages, may be "".
 };
 
 struct Box3 {

@@ -74,6 +74,20 @@ void define(Defined& defined, Material material, const MaterialOverride& change)
   }
 }
 
+// What overrides start from that name nothing else.
+Material default_base(const MaterialRules& rules, const Defined& defined) {
+  if (const Material* material = find_by_name(rules.default_material, defined)) {
+    return *material;
+  }
+  for (const auto& [key, change] : rules.overrides) {
+    if (meaning_of(key) == meaning_of(rules.default_material)) {
+      throw Error(fmt::format("{}default_material = {} starts from no known material: materials.{}.like is missing",
+                              rules.default_where, rules.default_material, key));
+    }
+  }
+  throw unknown_material(rules.default_where + "default_material", rules.default_material, defined);
+}
+
 // First those that start from a material of the library, for the default may be one of them; then the others.
 Defined define_materials(const MaterialRules& rules) {
   Defined defined;
@@ -82,11 +96,7 @@ Defined define_materials(const MaterialRules& rules) {
       define(defined, changed(*base, key, change), change);
     }
   }
-  const Material* default_material = find_by_name(rules.default_material, defined);
-  if (!default_material) {
-    throw unknown_material(rules.default_where + "default_material", rules.default_material, defined);
-  }
-  const Material base = *default_material;
+  const Material base = default_base(rules, defined);
   for (const auto& [key, change] : rules.overrides) {
     if (!named_base(key, change)) {
       define(defined, changed(base, key, change), change);

@@ -12,14 +12,14 @@ namespace insonify {
 namespace {
 
 constexpr const char* kSelfridge = "Selfridge, IEEE Trans. Sonics Ultrason. SU-32(3), 381 (1985)";
-constexpr const char* kKayeLaby = "Kaye and Laby, Tables of Physical and Chemical Constants, 16th ed. (1995)";
+constexpr const char* kHandbook = "CRC Handbook of Chemistry and Physics, Speed of sound in various media";
 constexpr const char* kJensen = "Jensen et al., Computational Ocean Acoustics, table 1.3";
 constexpr const char* kSediments =
     "APL-UW High-Frequency Ocean Environmental Acoustic Models Handbook TR 9407 (1994), table 2";
 constexpr const char* kTypical = "typical value";
 
 Material material(const char* name, double density, double sound_speed, const char* source) {
-  return {.name = name, .density = density, .sound_speed = sound_speed, .reflectivity = {}, .source = source};
+  return {.name = name, .density = density, .sound_speed = sound_speed, .source = source};
 }
 
 // TR 9407 gives ratios to the water above, taken here as kSeaWaterImpedance's: 1026 kg/m^3 and 1500 m/s.
@@ -30,15 +30,15 @@ Material sediment(const char* name, double density_ratio, double speed_ratio) {
 std::vector<Material> make_library() {
   std::vector<Material> library = {
       // Gas and metals.
-      material("air", 1.204, 343.2, kKayeLaby),
+      material("air", 1.204, 343.2, kHandbook),
       material("steel", 7850, 5900, kSelfridge),
-      material("stainless_steel", 7890, 5790, kSelfridge),
-      material("cast_iron", 7200, 4600, kKayeLaby),
-      material("aluminium", 2700, 6420, kSelfridge),
-      material("titanium", 4500, 6070, kSelfridge),
-      material("copper", 8930, 5010, kSelfridge),
-      material("brass", 8600, 4700, kSelfridge),
-      material("lead", 11340, 2160, kKayeLaby),
+      material("stainless_steel", 7890, 5790, kHandbook),
+      material("cast_iron", 7200, 4600, kSelfridge),
+      material("aluminium", 2700, 6420, kHandbook),
+      material("titanium", 4500, 6070, kHandbook),
+      material("copper", 8930, 5010, kHandbook),
+      material("brass", 8600, 4700, kHandbook),
+      material("lead", 11340, 2160, kHandbook),
       // Stone and the like.
       material("glass", 2500, 5660, kSelfridge),
       material("concrete", 2400, 3700, kTypical),
@@ -57,15 +57,15 @@ std::vector<Material> make_library() {
       material("polystyrene", 1050, 2400, kSelfridge),
       material("polyurethane", 1040, 1500, kSelfridge),
       material("grp", 1800, 2900, kTypical),
-      material("rubber", 950, 1550, kKayeLaby),
+      material("rubber", 950, 1550, kHandbook),
       material("neoprene", 1310, 1600, kSelfridge),
       material("silicone", 1180, 1050, kSelfridge),
       material("neoprene_foam", 200, 500, kTypical),
       material("syntactic_foam", 600, 2500, kTypical),
       // Grown things and ice.
       material("wood", 1100, 1600, kTypical),
-      material("dry_wood", 720, 1500, kKayeLaby),
-      material("ice", 917, 3840, kKayeLaby),
+      material("dry_wood", 720, 1500, kTypical),
+      material("ice", 917, 3840, kTypical),
       material("tissue", 1060, 1540, kTypical),
       material("bone", 1900, 3500, kTypical),
       // Bottoms, coarse to fine.

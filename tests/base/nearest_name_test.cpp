@@ -1,0 +1,37 @@
+#include "base/nearest_name.h"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+namespace insonify {
+namespace {
+
+const std::vector<std::string> kKeys = {"max_range", "min_range", "beam_count", "bin_count", "step_deg"};
+
+TEST(NearestNameTest, UndoesEachKindOfSlip) {
+  EXPECT_EQ(nearest_name("max_rnge", kKeys), "max_range");      // Left out.
+  EXPECT_EQ(nearest_name("beam_couunt", kKeys), "beam_count");  // Put in.
+  EXPECT_EQ(nearest_name("bun_count", kKeys), "bin_count");     // Replaced.
+  EXPECT_EQ(nearest_name("setp_deg", kKeys), "step_deg");       // Swapped.
+}
+
+TEST(NearestNameTest, LooksPastCapitals) {
+  EXPECT_EQ(nearest_name("STEP_DEG", kKeys), "step_deg");
+}
+
+// "mxn_range" is one replacement from "min_range" and two from "max_range".
+TEST(NearestNameTest, TakesTheFewestSlips) {
+  EXPECT_EQ(nearest_name("mxn_range", kKeys), "min_range");
+}
+
+TEST(NearestNameTest, TakesTheFirstOfEquals) {
+  EXPECT_EQ(nearest_name("mxx_range", std::vector<std::string>{"min_range", "mid_range"}), "min_range");
+}
+
+TEST(NearestNameTest, KnowsNothingOfNoCandidates) {
+  EXPECT_EQ(nearest_name("step", {}), "");
+}
+
+}  // namespace
+}  // namespace insonify

@@ -1,0 +1,210 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "insonify/scene.h"
+#include "support/message_of.h"
+
+namespace insonify {
+namespace {
+
+using testing::ElementsAre;
+
+// An instance whose mesh calls its materials `slots`.
+Instance instance(std::string name, std::vector<std::string> slots = {""}) {
+  Mesh mesh;
+  mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  mesh.triangles = {{0, 1, 2}};
+  mesh.material_names = std::move(slots);
+  return {.name = std::move(name), .mesh = std::make_shared<Mesh>(std::move(mesh))};
+}
+
+Scene scene_with(std::vector<Instance> instances) {
+  Scene scene;
+  scene.instances = std::move(instances);
+  return scene;
+}
+
+// Names of the materials of an instance's slots.
+std::vector<std::string> names_of(const Scene& scene, std::size_t instance = 0) {
+  std::vector<std::string> names;
+  for (const std::uint16_t material : scene.instances[instance].materials) {
+    names.push_back(scene.materials[material].name);
+  }
+  return names;
+}
+
+std::string fault(Scene scene, const MaterialRules& rules) {
+  return message_of([&] { assign_materials(scene, rules); });
+}
+
+TEST(AssignMaterialsTest, TheLibrarysMaterialGoesByTheMeshsOwnName) {
+  Scene scene = scene_with({instance("ship", {"Steel", "wood"}), instance("rock", {"granite", "steel"})});
+  assign_materials(scene, {});
+  EXPECT_THAT(names_of(scene, 0), ElementsAre("steel", "wood"));
+  EXPECT_THAT(names_of(scene, 1), ElementsAre("granite", "steel"));
+  EXPECT_EQ(scene.materials.size(), 3U);
+}
+
+TEST(AssignMaterialsTest, AnUnknownNameTakesTheDefault) {
+  Scene scene = scene_with({instance("ship", {"paint_7", "steel", ""})});
+  assign_materials(scene, {.default_material = "Mud"});
+  EXPECT_THAT(names_of(scene), ElementsAre("mud", "steel", "mud"));
+}
+
+TEST(AssignMaterialsTest, ThoseThatTookTheDefaultAreToldInOneLine) {
+  Scene scene = scene_with({instance("ship", {"paint_7", "steel", ""}), instance("rock", {"moss", "paint_7"})});
+  std::vector<std::string> told;
+  assign_materials(scene, {.default_material = "clay"}, [&](Severity severity, const std::string& line) {
+    EXPECT_EQ(severity, Severity::kInfo);
+    told.push_back(line);
+  });
+  EXPECT_THAT(told, ElementsAre("took clay for the materials that meshes call (unnamed), moss, paint_7"));
+}
+
+TEST(AssignMaterialsTest, SaysNothingWhenAllAreKnown) {
+  Scene scene = scene_with({instance("ship", {"steel"})});
+  assign_materials(scene, {}, [](Severity, const std::string& line) { ADD_FAILURE() << line; });
+}
+
+TEST(AssignMaterialsTest, AnOverrideChangesTheLibrarysMaterialOfItsName) {
+  Scene scene = scene_with({instance("ship", {"steel"})});
+  assign_materials(scene, {.overrides = {{"steel", {.reflectivity = 0.4}}}});
+  ASSERT_THAT(names_of(scene), ElementsAre("steel"));
+  EXPECT_EQ(scene.materials[0].reflectivity, 0.4);
+  EXPECT_EQ(scene.materials[0].density, 7850);
+  EXPECT_EQ(scene.materials[0].sound_speed, 5900);
+  EXPECT_EQ(scene.materials[0].source, "scenario");
+}
+
+TEST(AssignMaterialsTest, AnOverrideStartsFromWhatItIsLike) {
+  Scene scene = scene_with({instance("ship", {"paint_7"})});
+  assign_materials(scene, {.overrides = {{"paint_7", {.like = "aluminum", .density = 2800}}}});
+  ASSERT_THAT(names_of(scene), ElementsAre("paint_7"));
+  EXPECT_EQ(scene.materials[0].density, 2800);
+  EXPECT_EQ(scene.materials[0].sound_speed, 6420);
+}
+
+TEST(AssignMaterialsTest, AnOverrideOfAnUnknownNameStartsFromTheDefault) {
+  Scene scene = scene_with({instance("ship", {"paint_7"})});
+  assign_materials(scene, {.overrides = {{"paint_7", {.reflectivity = 0.9}}}, .default_material = "concrete"});
+  EXPECT_EQ(scene.materials[0].name, "paint_7");
+  EXPECT_EQ(scene.materials[0].density, 2400);
+  EXPECT_EQ(scene.materials[0].reflectivity, 0.9);
+}
+
+TEST(AssignMaterialsTest, TheDefaultMayBeAnOverride) {
+  Scene scene = scene_with({instance("ship", {"paint_7", "rust"})});
+  assign_materials(scene, {.overrides = {{"bottom", {.like = "mud", .density = 1200}}, {"rust", {.reflectivity = 0.5}}},
+                           .default_material = "bottom"});
+  ASSERT_THAT(names_of(scene), ElementsAre("bottom", "rust"));
+  EXPECT_EQ(scene.materials[0].density, 1200);
+  EXPECT_EQ(scene.materials[1].density, 1200);
+}
+
+TEST(AssignMaterialsTest, AUsersMaterialMayBeAnOverride) {
+  Scene scene = scene_with({instance("ship", {"steel", "wood"})});
+  scene.instances[0].user_material = "Hull Plate";
+  assign_materials(scene, {.overrides = {{"hull_plate", {.like = "steel", .reflectivity = 0.7}}}});
+  EXPECT_THAT(names_of(scene), ElementsAre("hull_plate", "hull_plate"));
+}
+
+// Each rule is taken away in turn, and the next one decides.
+TEST(AssignMaterialsTest, FiveRulesDecideInOrder) {
+  Scene scene = scene_with({instance("ship::hull::skin", {"steel"}), instance("rock", {"moss"})});
+  Instance& ship = scene.instances[0];
+  ship.user_material = "pvc";
+  MaterialRules rules{.overrides = {{"ship::hull::skin", {.like = "copper"}},
+                                    {"skin", {.like = "lead"}},
+                                    {"steel", {.like = "titanium"}}},
+                      .default_material = "ice"};
+  const auto densities = [&] {
+    assign_materials(scene, rules);
+    return scene.materials[ship.materials[0]].density;
+  };
+  EXPECT_EQ(densities(), find_material("copper")->density);  // The visual's whole name.
+  rules.overrides.erase("ship::hull::skin");
+  EXPECT_EQ(densities(), find_material("lead")->density);  // Its last part.
+  rules.overrides.erase("skin");
+  EXPECT_EQ(densities(), find_material("pvc")->density);  // The instance's user_material.
+  ship.user_material.clear();
+  EXPECT_EQ(densities(), find_material("titanium")->density);  // The slot's own name, overridden.
+  rules.overrides.erase("steel");
+  EXPECT_EQ(densities(), find_material("steel")->density);  // The slot's own name in the library.
+  EXPECT_THAT(names_of(scene, 1), ElementsAre("ice"));      // The default.
+}
+
+TEST(AssignMaterialsTest, AnOverrideOfALibrarysNameMayGoUnused) {
+  EXPECT_EQ(fault(scene_with({instance("ship", {"steel"})}), {.overrides = {{"Aluminum", {.density = 2750}}}}),
+            "no error");
+}
+
+TEST(AssignMaterialsTest, AssigningAgainStartsAfresh) {
+  Scene scene = scene_with({instance("ship", {"steel"})});
+  assign_materials(scene, {});
+  assign_materials(scene, {.overrides = {{"ship", {.like = "wood"}}}});
+  EXPECT_EQ(scene.materials.size(), 1U);
+  EXPECT_THAT(names_of(scene), ElementsAre("ship"));
+}
+
+// ---------------------------------------------------------------- Names that nobody knows
+
+TEST(AssignMaterialsMessagesTest, NamesTheNearestVisualOrMaterialOfAKey) {
+  const Scene scene = scene_with({instance("ship::hull", {"red_paint"})});
+  EXPECT_EQ(fault(scene, {.overrides = {{"hul", {.reflectivity = 0.9, .where = "scene.yaml:4:3: "}}}}),
+            "scene.yaml:4:3: materials.hul matches no visual and no material; the nearest name is hull");
+  EXPECT_EQ(fault(scene, {.overrides = {{"ship::hall", {.reflectivity = 0.9}}}}),
+            "materials.ship::hall matches no visual and no material; the nearest name is ship::hull");
+  EXPECT_EQ(fault(scene, {.overrides = {{"red_pant", {.reflectivity = 0.9}}}}),
+            "materials.red_pant matches no visual and no material; the nearest name is red_paint");
+  EXPECT_EQ(fault(scene, {.overrides = {{"concret", {.reflectivity = 0.9}}}}),
+            "materials.concret matches no visual and no material; the nearest name is concrete");
+}
+
+TEST(AssignMaterialsMessagesTest, NamesTheNearestMaterialToBeLike) {
+  EXPECT_EQ(
+      fault(scene_with({instance("hull")}), {.overrides = {{"hull", {.like = "steal", .where = "a.yaml:2:9: "}}}}),
+      "a.yaml:2:9: materials.hull.like = steal is not a known material; the nearest name is steel");
+}
+
+TEST(AssignMaterialsMessagesTest, NamesTheNearestMaterialToAUsers) {
+  Scene scene = scene_with({instance("ship::hull", {"steel"})});
+  scene.instances[0].user_material = "titanum";
+  scene.instances[0].where = "ship.sdf:12: ";
+  EXPECT_EQ(fault(scene, {.overrides = {{"steel", {.density = 7700}}, {"ship::hull", {.density = 7700}}}}), "no error");
+  EXPECT_EQ(fault(scene, {}),
+            "ship.sdf:12: ship::hull: material = titanum is not a known material; the nearest name is titanium");
+}
+
+TEST(AssignMaterialsMessagesTest, NamesTheNearestMaterialToTheDefault) {
+  const Scene scene = scene_with({instance("hull", {"steel"})});
+  EXPECT_EQ(fault(scene, {.default_material = "snad", .default_where = "a.yaml:3:1: "}),
+            "a.yaml:3:1: default_material = snad is not a known material; the nearest name is sand");
+  EXPECT_EQ(fault(scene, {.overrides = {{"hull", {.like = "pvc"}}}, .default_material = "hul"}),
+            "default_material = hul is not a known material; the nearest name is hull");
+}
+
+// It would have to start from itself.
+TEST(AssignMaterialsMessagesTest, RefusesADefaultThatStartsFromNothing) {
+  EXPECT_EQ(fault(scene_with({instance("hull")}),
+                  {.overrides = {{"bottom", {.density = 1300}}}, .default_material = "bottom"}),
+            "default_material = bottom starts from no known material: materials.bottom.like is missing");
+}
+
+TEST(AssignMaterialsMessagesTest, RefusesTwoOverridesThatMeanTheSame) {
+  EXPECT_EQ(fault(scene_with({instance("hull")}), {.overrides = {{"aluminium", {.density = 2600}},
+                                                                 {"aluminum", {.density = 2800, .where = "b:3:1: "}}}}),
+            "b:3:1: materials.aluminum means the same as materials.aluminium");
+}
+
+TEST(AssignMaterialsMessagesTest, NamesThePropertyOutOfItsLimits) {
+  const Scene scene = scene_with({instance("hull")});
+  EXPECT_EQ(fault(scene, {.overrides = {{"hull", {.density = 0, .where = "a.yaml:2:3: "}}}}),
+            "a.yaml:2:3: materials.hull.density = 0 kg/m^3 must be greater than 0 kg/m^3");
+  EXPECT_EQ(fault(scene, {.overrides = {{"hull", {.sound_speed = -3}}}}),
+            "materials.hull.sound_speed = -3 m/s must be greater than 0 m/s");
+  EXPECT_EQ(fault(scene, {.overrides = {{"hull", {.reflectivity = 1.01}}}}),
+            "materials.hull.reflectivity = 1.01 must be from 0 to 1");
+}
+
+}  // namespace
+}  // namespace insonify

@@ -1,0 +1,142 @@
+#include "insonify/material.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "support/message_of.h"
+#include "support/relative.h"
+
+namespace insonify {
+namespace {
+
+struct Known {
+  const char* name;
+  double coefficient;  // Against sea water.
+};
+
+// (Z - Zw)/(Z + Zw) with Zw = 1.539e6, computed apart from this code from the same densities and sound speeds.
+constexpr Known kSolids[] = {
+    {"air", -0.9994631554457708},
+    {"steel", 0.9356793580473941},
+    {"stainless_steel", 0.9348186548247537},
+    {"cast_iron", 0.9111918982082576},
+    {"aluminium", 0.8369098712446352},
+    {"titanium", 0.8933250155957579},
+    {"copper", 0.9334893459785688},
+    {"brass", 0.9266426749922544},
+    {"lead", 0.8817672682016179},
+    {"glass", 0.8038115877366308},
+    {"concrete", 0.7045781744889145},
+    {"granite", 0.8089859749286334},
+    {"basalt", 0.8041237113402062},
+    {"limestone", 0.6477857878475798},
+    {"chalk", 0.548614166300044},
+    {"moraine", 0.4536741214057508},
+    {"pvc", 0.3618609279761164},
+    {"acrylic", 0.36028265613634003},
+    {"hdpe", 0.20502092050209206},
+    {"ldpe", 0.07650765076507651},
+    {"abs", 0.21107266435986158},
+    {"nylon", 0.3084700067400584},
+    {"polystyrene", 0.24168514412416853},
+    {"polyurethane", 0.006776379477250726},
+    {"grp", 0.5446071904127829},
+    {"rubber", -0.022082018927444796},
+    {"neoprene", 0.153232462173315},
+    {"silicone", -0.1079913606911447},
+    {"neoprene_foam", -0.8779743746186699},
+    {"syntactic_foam", -0.012833168805528134},
+    {"dry_wood", -0.17525773195876287},
+    {"wood", 0.06698999696877841},
+    {"ice", 0.3917332637719652},
+    {"tissue", 0.029450715772214163},
+    {"bone", 0.6241299303944315},
+};
+
+class MaterialTest : public testing::TestWithParam<Known> {};
+
+TEST_P(MaterialTest, ReflectsAsItsImpedanceSays) {
+  const Material* material = find_material(GetParam().name);
+  ASSERT_NE(material, nullptr);
+  EXPECT_THAT(material->reflection_coefficient(kSeaWaterImpedance), RelativelyNear(GetParam().coefficient));
+  EXPECT_THAT(material->effective_reflectivity(), RelativelyNear(std::abs(GetParam().coefficient)));
+}
+
+INSTANTIATE_TEST_SUITE_P(Solids, MaterialTest, testing::ValuesIn(kSolids));
+
+// |R| at normal incidence from TR 9407's table 2, which also counts the sediment's losses: they change it by less than
+// 1e-4 of itself, except for the two that are nearly as heavy and as fast as water.
+constexpr Known kSediments[] = {
+    {"rock", 0.7241391105624475},         {"gravel", 0.6363665541679098},
+    {"sandy_gravel", 0.538336503019882},  {"very_coarse_sand", 0.5166359979904891},
+    {"coarse_sand", 0.47213898143852856}, {"sand", 0.3697748698040563},
+    {"fine_sand", 0.2328593125701292},    {"very_fine_sand", 0.14538717418179833},
+    {"clayey_sand", 0.1185738882276691},  {"silt", 0.09802256270413189},
+    {"sandy_silt", 0.0780598783499639},   {"sandy_mud", 0.06287763487452573},
+    {"sandy_clay", 0.06107076346597977},  {"mud", 0.05926964802802353},
+    {"clay", 0.05746935206456267},
+};
+
+class SedimentTest : public testing::TestWithParam<Known> {};
+
+TEST_P(SedimentTest, ReflectsAsTheHandbookSays) {
+  constexpr double kLosses = 0.01;
+  const Material* material = find_material(GetParam().name);
+  ASSERT_NE(material, nullptr);
+  EXPECT_NEAR(material->effective_reflectivity(), GetParam().coefficient, kLosses * GetParam().coefficient);
+}
+
+INSTANTIATE_TEST_SUITE_P(Sediments, SedimentTest, testing::ValuesIn(kSediments));
+
+// By hand: 1000 x 3000 = 3e6 against 1e6: (3 - 1)/(3 + 1).
+TEST(MaterialRuleTest, CoefficientIsTheDifferenceOfImpedancesOverTheirSum) {
+  const Material material{.density = 1000, .sound_speed = 3000};
+  EXPECT_DOUBLE_EQ(material.reflection_coefficient(1e6), 0.5);
+  EXPECT_DOUBLE_EQ(material.reflection_coefficient(9e6), -0.5);
+  EXPECT_EQ(material.reflection_coefficient(3e6), 0);
+}
+
+TEST(MaterialRuleTest, AGivenReflectivityOverrulesTheImpedance) {
+  const Material material{.density = 7850, .sound_speed = 5900, .reflectivity = 0.25};
+  EXPECT_EQ(material.effective_reflectivity(), 0.25);
+}
+
+TEST(MaterialLibraryTest, IsInAlphabeticalOrderWithoutRepeats) {
+  EXPECT_TRUE(std::ranges::is_sorted(material_library(), std::ranges::less_equal{}, &Material::name));
+}
+
+TEST(MaterialLibraryTest, EveryEntryIsCheckedAboveAndNamesItsSource) {
+  EXPECT_EQ(material_library().size(), std::size(kSolids) + std::size(kSediments));
+  for (const Material& material : material_library()) {
+    EXPECT_NO_THROW(check_fields(material.name, material)) << material.name;
+    EXPECT_FALSE(material.source.empty()) << material.name;
+    EXPECT_EQ(material.reflectivity, std::nullopt) << material.name;
+    EXPECT_EQ(find_material(material.name), &material);
+  }
+}
+
+TEST(FindMaterialTest, CaseAndGapsDoNotMatter) {
+  const Material* fine_sand = find_material("fine_sand");
+  ASSERT_NE(fine_sand, nullptr);
+  for (const char* name : {"fine-sand", "fine sand", "Fine_Sand", "FINE SAND"}) {
+    EXPECT_EQ(find_material(name), fine_sand) << name;
+  }
+}
+
+TEST(FindMaterialTest, KnowsOtherCommonNames) {
+  EXPECT_EQ(find_material("Aluminum"), find_material("aluminium"));
+  EXPECT_EQ(find_material("silty-clay"), find_material("mud"));
+  EXPECT_EQ(find_material("medium sand"), find_material("sand"));
+  EXPECT_EQ(find_material("plexiglass"), find_material("acrylic"));
+}
+
+TEST(FindMaterialTest, DoesNotGuess) {
+  EXPECT_EQ(find_material("stel"), nullptr);
+  EXPECT_EQ(find_material("finesand"), nullptr);
+  EXPECT_EQ(find_material(""), nullptr);
+}
+
+}  // namespace
+}  // namespace insonify

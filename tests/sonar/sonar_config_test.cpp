@@ -1,0 +1,320 @@
+#include "insonify/sonar_config.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "support/message_of.h"
+#include "support/relative.h"
+
+namespace insonify {
+namespace {
+
+constexpr double kRounding = 1e-14;  // [rad], [m]: a few operations on numbers below 100.
+
+double deg(double degrees) {
+  return radians_from_degrees(degrees);
+}
+
+SonarConfig fan(int beam_count, double aperture_deg) {
+  SonarConfig sonar;
+  sonar.beam_count = beam_count;
+  sonar.azimuth_aperture = deg(aperture_deg);
+  return sonar;
+}
+
+SonarConfig scanner(double step_deg, double sector_deg = 360, double center_deg = 0) {
+  SonarConfig sonar = fan(1, 3);
+  sonar.type = SonarType::kMechanicallyScanned;
+  sonar.step = deg(step_deg);
+  sonar.sector_width = deg(sector_deg);
+  sonar.sector_center = deg(center_deg);
+  return sonar;
+}
+
+// ---------------------------------------------------------------- Beams
+
+// 256 beams over 120 degrees are 0.46875 degrees wide: the outermost centre is half of that inside the edge.
+TEST(SonarBeamsTest, AreEvenInAngleFromPortToStarboard) {
+  const SonarConfig sonar = fan(256, 120);
+  EXPECT_THAT(degrees_from_radians(sonar.beam_azimuth(0)), RelativelyNear(59.765625));
+  EXPECT_THAT(degrees_from_radians(sonar.beam_azimuth(127)), RelativelyNear(0.234375));
+  EXPECT_THAT(degrees_from_radians(sonar.beam_azimuth(128)), RelativelyNear(-0.234375));
+  EXPECT_THAT(degrees_from_radians(sonar.beam_azimuth(255)), RelativelyNear(-59.765625));
+}
+
+TEST(SonarBeamsTest, EvenBeamsFillTheApertureExactly) {
+  const SonarConfig sonar = fan(3, 60);
+  const std::vector<double> edges = sonar.beam_edges();
+  ASSERT_EQ(edges.size(), 4U);
+  EXPECT_EQ(edges.front(), sonar.azimuth_aperture / 2);
+  EXPECT_EQ(edges.back(), -sonar.azimuth_aperture / 2);
+  EXPECT_NEAR(edges[1], deg(10), kRounding);
+  EXPECT_NEAR(edges[2], deg(-10), kRounding);
+}
+
+TEST(SonarBeamsTest, CentresLieMidwayBetweenEdges) {
+  const SonarConfig sonar = fan(97, 130);
+  const std::vector<double> edges = sonar.beam_edges();
+  for (int beam = 0; beam < sonar.beam_count; ++beam) {
+    const auto b = static_cast<std::size_t>(beam);
+    EXPECT_NEAR(sonar.beam_azimuth(beam), (edges[b] + edges[b + 1]) / 2, kRounding);
+    EXPECT_GT(edges[b], edges[b + 1]);
+  }
+}
+
+// Centres at 20, 5, 0 and -20 degrees. Edges midway: 12.5, 2.5, -10; outwards as wide as inwards: 20 + 7.5, -20 - 10.
+TEST(SonarBeamsTest, ExplicitCentresAreKeptAndEdgesLieBetween) {
+  SonarConfig sonar = fan(4, 60);
+  sonar.beam_azimuths = {deg(20), deg(5), deg(0), deg(-20)};
+  EXPECT_EQ(sonar.beam_azimuth(1), deg(5));
+  const std::vector<double> edges = sonar.beam_edges();
+  ASSERT_EQ(edges.size(), 5U);
+  const double expected_deg[] = {27.5, 12.5, 2.5, -10, -30};
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    EXPECT_NEAR(degrees_from_radians(edges[i]), expected_deg[i], 100 * kRounding) << "edge " << i;
+  }
+}
+
+TEST(SonarBeamsTest, ASingleExplicitBeamIsAsWideAsTheAperture) {
+  SonarConfig sonar = fan(1, 8);
+  sonar.beam_azimuths = {deg(15)};
+  const std::vector<double> edges = sonar.beam_edges();
+  EXPECT_NEAR(edges[0], deg(19), kRounding);
+  EXPECT_NEAR(edges[1], deg(11), kRounding);
+}
+
+// ---------------------------------------------------------------- Bins and time
+
+// (20 - 2) m in 36 bins: half a metre each.
+TEST(SonarBinsTest, DivideTheRangeWindowEvenly) {
+  SonarConfig sonar;
+  sonar.min_range = 2;
+  sonar.max_range = 20;
+  sonar.bin_count = 36;
+  EXPECT_EQ(sonar.bin_length(), 0.5);
+  EXPECT_EQ(sonar.bin_range(0), 2.25);
+  EXPECT_EQ(sonar.bin_range(35), 19.75);
+}
+
+// At 1500 m/s: 75 pings a second to 10 m, 15 to 50 m, 10 to 75 m, 6.25 to 120 m.
+TEST(SonarTimeTest, SoundMustComeBackFromTheFarthestBin) {
+  SonarConfig sonar;
+  const auto rate = [&](double max_range) {
+    sonar.max_range = max_range;
+    return 1 / sonar.shortest_ping_period(1500);
+  };
+  EXPECT_THAT(rate(2), RelativelyNear(375.0));
+  EXPECT_THAT(rate(10), RelativelyNear(75.0));
+  EXPECT_THAT(rate(50), RelativelyNear(15.0));
+  EXPECT_THAT(rate(75), RelativelyNear(10.0));
+  EXPECT_THAT(rate(120), RelativelyNear(6.25));
+}
+
+// A turn of 400 pings of a gradian each, at the shortest period for 10 m and 50 m.
+TEST(SonarTimeTest, AFullTurnTakesAsLongAsItsPings) {
+  SonarConfig sonar = scanner(0.9);
+  sonar.max_range = 10;
+  EXPECT_THAT(400 * sonar.shortest_ping_period(1500), RelativelyNear(5.333333333333334));
+  sonar.max_range = 50;
+  EXPECT_THAT(400 * sonar.shortest_ping_period(1500), RelativelyNear(26.666666666666668));
+}
+
+// ---------------------------------------------------------------- Head
+
+TEST(SonarHeadTest, AForwardLookingSonarHasNone) {
+  SonarConfig sonar = scanner(0.9, 360, 45);
+  sonar.type = SonarType::kForwardLooking;
+  EXPECT_EQ(sonar.head_angle(17), 0);
+}
+
+// Steps of 4, 8, 16 and 32 sixteenths of a gradian: 0.225, 0.45, 0.9 and 1.8 degrees; 400, 200 pings a turn.
+TEST(SonarHeadTest, TurnsByItsStepEachPing) {
+  EXPECT_THAT(degrees_from_radians(scanner(0.225).head_angle(100)), RelativelyNear(22.5));
+  EXPECT_THAT(degrees_from_radians(scanner(0.45).head_angle(100)), RelativelyNear(45.0));
+  EXPECT_THAT(degrees_from_radians(scanner(0.9).head_angle(114)), RelativelyNear(102.6));
+  EXPECT_THAT(degrees_from_radians(scanner(0.9).head_angle(269)), RelativelyNear(242.1));
+  EXPECT_THAT(degrees_from_radians(scanner(-1.8).head_angle(100)), RelativelyNear(-180.0));
+}
+
+TEST(SonarHeadTest, AFullCircleStartsAtItsMiddleAndGoesOn) {
+  const SonarConfig sonar = scanner(0.9, 360, -30);
+  EXPECT_EQ(sonar.head_angle(0), deg(-30));
+  EXPECT_THAT(degrees_from_radians(sonar.head_angle(1000)), RelativelyNear(870.0));
+}
+
+// 40 degrees about 10 in steps of 15: two whole steps fit, from -10 to 20.
+TEST(SonarHeadTest, ASectorIsSweptToAndFro) {
+  const SonarConfig sonar = scanner(15, 40, 10);
+  const double expected_deg[] = {-10, 5, 20, 5, -10, 5, 20};
+  for (std::uint64_t ping = 0; ping < std::size(expected_deg); ++ping) {
+    EXPECT_NEAR(degrees_from_radians(sonar.head_angle(ping)), expected_deg[ping], 100 * kRounding) << "ping " << ping;
+  }
+}
+
+TEST(SonarHeadTest, ANegativeStepLeadsAwayFromTheOtherEdge) {
+  const SonarConfig sonar = scanner(-15, 40, 10);
+  const double expected_deg[] = {30, 15, 0, 15, 30, 15, 0};
+  for (std::uint64_t ping = 0; ping < std::size(expected_deg); ++ping) {
+    EXPECT_NEAR(degrees_from_radians(sonar.head_angle(ping)), expected_deg[ping], 100 * kRounding) << "ping " << ping;
+  }
+}
+
+// 90 / 0.9 is 100 steps, whatever rounding makes of it: ping 100 is at the far edge, ping 200 back at the near one.
+TEST(SonarHeadTest, AWholeNumberOfStepsReachesTheFarEdge) {
+  const SonarConfig sonar = scanner(0.9, 90);
+  EXPECT_NEAR(degrees_from_radians(sonar.head_angle(0)), -45, 100 * kRounding);
+  EXPECT_NEAR(degrees_from_radians(sonar.head_angle(100)), 45, 100 * kRounding);
+  EXPECT_NEAR(degrees_from_radians(sonar.head_angle(200)), -45, 100 * kRounding);
+}
+
+// ---------------------------------------------------------------- Mounting
+
+TEST(SonarMountingTest, IsPlacedAndTurnedOnTheVehicle) {
+  SonarConfig sonar;
+  sonar.position = {1, 2, 3};
+  sonar.orientation = {0, deg(30), deg(90)};
+  const Pose pose = sonar.vehicle_from_sonar();
+  // Pitched 30 degrees down, then turned to port.
+  EXPECT_LE((pose * Vec3(2, 0, 0) - Vec3(1, 2 + 2 * std::cos(deg(30)), 3 - 2 * 0.5)).norm(), kRounding);
+}
+
+// Rolled by +90 degrees: the housing's y is the vehicle's z, so a head turned to "port" looks up.
+TEST(SonarMountingTest, AVerticalHeadTurnsUpwards) {
+  SonarConfig sonar = scanner(0.9);
+  sonar.mounting = Mounting::kVertical;
+  const Pose pose = sonar.vehicle_from_sonar();
+  EXPECT_LE((pose.orientation * Vec3::UnitX() - Vec3::UnitX()).norm(), kRounding);
+  EXPECT_LE((pose.orientation * Vec3::UnitY() - Vec3::UnitZ()).norm(), kRounding);
+  EXPECT_LE((pose.orientation * Vec3::UnitZ() + Vec3::UnitY()).norm(), kRounding);
+}
+
+TEST(SonarMountingTest, RollComesBeforeTheMountingsOwnAngles) {
+  SonarConfig sonar = scanner(0.9);
+  sonar.mounting = Mounting::kVertical;
+  sonar.orientation = {0, 0, deg(90)};
+  const Pose pose = sonar.vehicle_from_sonar();
+  EXPECT_LE((pose.orientation * Vec3::UnitX() - Vec3::UnitY()).norm(), kRounding);
+  EXPECT_LE((pose.orientation * Vec3::UnitY() - Vec3::UnitZ()).norm(), kRounding);
+}
+
+// ---------------------------------------------------------------- Validation
+
+std::string fault(const SonarConfig& sonar) {
+  return message_of([&] { sonar.validate("sonars[1]"); });
+}
+
+// The message for a forward-looking sonar, or a scanning one, after one change.
+template <typename Change>
+std::string fls(Change&& change) {
+  SonarConfig sonar;
+  change(sonar);
+  return fault(sonar);
+}
+
+template <typename Change>
+std::string msis(Change&& change) {
+  SonarConfig sonar = scanner(0.9);
+  change(sonar);
+  return fault(sonar);
+}
+
+TEST(SonarValidateTest, DefaultsAreValid) {
+  EXPECT_EQ(fault(SonarConfig{}), "no error");
+  EXPECT_EQ(fault(scanner(0.9)), "no error");
+}
+
+TEST(SonarValidateTest, NamesTheFieldOutOfItsLimits) {
+  EXPECT_EQ(fls([](auto& s) { s.frequency = 0; }), "sonars[1].frequency = 0 Hz must be greater than 0 Hz");
+  EXPECT_EQ(fls([](auto& s) { s.frequency = NAN; }), "sonars[1].frequency = nan Hz must be greater than 0 Hz");
+  EXPECT_EQ(fls([](auto& s) { s.beam_count = 0; }), "sonars[1].beam_count = 0 must be from 1 to 4096");
+  EXPECT_EQ(fls([](auto& s) { s.azimuth_aperture = deg(361); }),
+            "sonars[1].azimuth_aperture_deg = 361 deg must be greater than 0, at most 360 deg");
+  EXPECT_EQ(fls([](auto& s) { s.elevation_aperture = deg(171); }),
+            "sonars[1].elevation_aperture_deg = 171 deg must be greater than 0, at most 170 deg");
+  EXPECT_EQ(fls([](auto& s) { s.elevation_center = deg(-86); }),
+            "sonars[1].elevation_center_deg = -86 deg must be from -85 to 85 deg");
+  EXPECT_EQ(fls([](auto& s) { s.bin_count = 65537; }), "sonars[1].bin_count = 65537 must be from 1 to 65536");
+  EXPECT_EQ(fls([](auto& s) { s.min_range = -1; }), "sonars[1].min_range = -1 m must be at least 0 m");
+  EXPECT_EQ(fls([](auto& s) { s.max_range = 0; }), "sonars[1].max_range = 0 m must be greater than 0 m");
+  EXPECT_EQ(fls([](auto& s) { s.blanking_range = -2; }), "sonars[1].blanking_range = -2 m must be at least 0 m");
+  EXPECT_EQ(fls([](auto& s) { s.gain = 0; }), "sonars[1].gain = 0 must be greater than 0");
+  EXPECT_EQ(fls([](auto& s) { s.assumed_sound_speed = 150; }),
+            "sonars[1].assumed_sound_speed = 150 m/s must be from 1300 to 1700 m/s");
+  EXPECT_EQ(fls([](auto& s) { s.ping_period = 0; }), "sonars[1].ping_period = 0 s must be greater than 0 s");
+  EXPECT_EQ(fls([](auto& s) { s.step = deg(181); }), "sonars[1].step_deg = 181 deg must be from -180 to 180 deg");
+  EXPECT_EQ(fls([](auto& s) { s.sector_center = deg(181); }),
+            "sonars[1].sector_center_deg = 181 deg must be from -180 to 180 deg");
+  EXPECT_EQ(fls([](auto& s) { s.sector_width = 0; }),
+            "sonars[1].sector_width_deg = 0 deg must be greater than 0, at most 360 deg");
+  EXPECT_EQ(fls([](auto& s) { s.position.y() = NAN; }), "sonars[1].position = nan m must be a finite number");
+  EXPECT_EQ(fls([](auto& s) { s.orientation.z() = INFINITY; }),
+            "sonars[1].orientation_deg = inf deg must be a finite number");
+  EXPECT_EQ(fls([](auto& s) { s.sampling.columns_per_beam = 0; }),
+            "sonars[1].sampling.columns_per_beam = 0 must be from 1 to 256");
+  EXPECT_EQ(fls([](auto& s) { s.sampling.rows = 1; }), "sonars[1].sampling.rows = 1 must be from 2 to 8192");
+}
+
+TEST(SonarValidateTest, TheNameMustMakeAFileName) {
+  const std::string expected =
+      "sonars[1].name must not be empty, start with '.' or hold a slash, a backslash or a control character";
+  EXPECT_EQ(fls([](auto& s) { s.name = ""; }), expected);
+  EXPECT_EQ(fls([](auto& s) { s.name = "../fls"; }), expected);
+  EXPECT_EQ(fls([](auto& s) { s.name = "a/b"; }), expected);
+  EXPECT_EQ(fls([](auto& s) { s.name = "a\nb"; }), expected);
+  EXPECT_EQ(fls([](auto& s) { s.name = "Vorwärts 2.1"; }), "no error");
+}
+
+TEST(SonarValidateTest, RangesMustFollowEachOther) {
+  EXPECT_EQ(fls([](auto& s) { s.min_range = 5, s.max_range = 2; }),
+            "sonars[1].max_range = 2 m must be greater than min_range = 5 m");
+  EXPECT_EQ(fls([](auto& s) { s.min_range = 5, s.max_range = 5; }),
+            "sonars[1].max_range = 5 m must be greater than min_range = 5 m");
+  EXPECT_EQ(fls([](auto& s) { s.blanking_range = 60, s.max_range = 40; }),
+            "sonars[1].blanking_range = 60 m must be at most max_range = 40 m");
+  EXPECT_EQ(fls([](auto& s) { s.blanking_range = 40, s.max_range = 40; }), "no error");
+}
+
+TEST(SonarValidateTest, BeamAzimuthsMustFallOneForEachBeam) {
+  EXPECT_EQ(fls([](auto& s) {
+              s.beam_count = 3, s.beam_azimuths = {deg(10), deg(0)};
+            }),
+            "sonars[1].beam_azimuths_deg has 2 angles, must have one for each of beam_count = 3");
+  EXPECT_EQ(fls([](auto& s) {
+              s.beam_count = 3, s.beam_azimuths = {deg(10), deg(-5), deg(-5)};
+            }),
+            "sonars[1].beam_azimuths_deg[2] = -5 deg must be less than beam_azimuths_deg[1] = -5 deg: beams run from "
+            "port to starboard");
+  EXPECT_EQ(fls([](auto& s) {
+              s.beam_count = 2, s.beam_azimuths = {deg(10), deg(200)};
+            }),
+            "sonars[1].beam_azimuths_deg = 200 deg must be from -180 to 180 deg");
+  EXPECT_EQ(fls([](auto& s) {
+              s.beam_count = 3, s.beam_azimuths = {deg(170), deg(0), deg(-170)};
+            }),
+            "sonars[1].beam_azimuths_deg make a fan of 510 deg, must be at most 360 deg");
+  EXPECT_EQ(fls([](auto& s) { s.beam_count = 3, s.beam_azimuths = {deg(120), deg(0), deg(-120)}; }), "no error");
+}
+
+TEST(SonarValidateTest, ElevationsMustStayOffTheVertical) {
+  EXPECT_EQ(fls([](auto& s) { s.elevation_center = deg(-80), s.elevation_aperture = deg(40); }),
+            "sonars[1].elevation_center_deg = -80 deg with elevation_aperture_deg = 40 deg reaches 100 deg, must stay "
+            "within 89 deg of level");
+  EXPECT_EQ(fls([](auto& s) { s.elevation_center = deg(69), s.elevation_aperture = deg(40); }), "no error");
+}
+
+TEST(SonarValidateTest, AScanningHeadMustTurnASingleBeam) {
+  EXPECT_EQ(msis([](auto& s) { s.beam_count = 4; }),
+            "sonars[1].beam_count = 4 must be 1 for type msis, whose head turns a single beam");
+  EXPECT_EQ(msis([](auto& s) { s.step = 0; }), "sonars[1].step_deg = 0 deg must not be 0 for type msis");
+  EXPECT_EQ(msis([](auto& s) { s.step = deg(-2), s.sector_width = deg(1.5); }),
+            "sonars[1].sector_width_deg = 1.5 deg must be at least one step_deg = -2 deg");
+  EXPECT_EQ(msis([](auto& s) { s.step = deg(-2), s.sector_width = deg(2); }), "no error");
+}
+
+TEST(SonarValidateTest, AHeadsSettingsAreOfNoConcernToAFan) {
+  EXPECT_EQ(fls([](auto& s) { s.step = 0; }), "no error");
+}
+
+}  // namespace
+}  // namespace insonify
