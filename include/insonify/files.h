@@ -79,6 +79,10 @@ class Recording {
   /// @throws Error when the disk is full; what was written before stays readable.
   void add(const Ping& ping);
 
+  /// Has the system put everything on the disk; nothing more can be added. The destructor does the same in silence.
+  /// @throws Error when the system could not.
+  void close();
+
  private:
   struct State;
   std::unique_ptr<State> state_;

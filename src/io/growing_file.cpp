@@ -1,0 +1,268 @@
+// growing_file.cpp -- makes the file with HDF5, then adds rows by plain writes.
+
+#include "io/growing_file.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <bit>
+#include <cassert>
+#include <cerrno>
+#include <cstring>
+#include <system_error>
+#include <utility>
+
+namespace insonify {
+namespace {
+
+static_assert(std::endian::native == std::endian::little, "rows are written as they lie in memory");
+
+// The smallest page that Linux has. A write inside one page cannot be cut in two by a signal: the kernel looks for
+// signals between pages only.
+constexpr std::uint64_t kPage = 4096;
+
+// Where HDF5 keeps its own structures it keeps them together, in blocks of this size [bytes]; the first block holds all
+// that has to share a page.
+constexpr hsize_t kMetadataBlock = 65536;
+
+std::string system_reason() {
+  return std::generic_category().message(errno);
+}
+
+[[noreturn]] void fail(const std::filesystem::path& path, const std::string& what) {
+  throw Error(fmt::format("{}: {}", path.string(), what));
+}
+
+// Bytes of all rows of all datasets.
+std::uint64_t total_bytes(const std::filesystem::path& path, std::span<const GrowingDataset> datasets,
+                          std::uint64_t capacity) {
+  // Half of what an off_t holds: room for HDF5's own.
+  constexpr std::uint64_t kMost = std::uint64_t{1} << 62;
+  std::uint64_t row = 0;
+  for (const GrowingDataset& dataset : datasets) {
+    row += dataset.row_bytes();
+  }
+  if (capacity > kMost / row) {
+    fail(path, fmt::format("cannot hold {} pings of {} bytes, at most {}", capacity, row, kMost / row));
+  }
+  return capacity * row;
+}
+
+// Before HDF5 does, because the system's own words say best what is wrong with a path or a size.
+void try_to_create(const std::filesystem::path& path, const std::filesystem::path& at, std::uint64_t bytes) {
+  const int file = open(at.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  if (file < 0) {
+    fail(path, "cannot create: " + system_reason());
+  }
+  const bool fits = ftruncate(file, static_cast<off_t>(bytes)) == 0;
+  const std::string reason = fits ? "" : system_reason();
+  ::close(file);
+  if (!fits) {
+    fail(path, fmt::format("cannot make room for {} bytes: {}", bytes, reason));
+  }
+}
+
+// Contiguous and allocated at once, so that it stays where it is; never filled, so that it takes no space until
+// written.
+H5Handle growing_layout(const std::filesystem::path& path) {
+  H5Handle layout = h5_own(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, path, "create");
+  h5_check(H5Pset_layout(layout.get(), H5D_CONTIGUOUS), path, "create");
+  h5_check(H5Pset_alloc_time(layout.get(), H5D_ALLOC_TIME_EARLY), path, "create");
+  h5_check(H5Pset_fill_time(layout.get(), H5D_FILL_TIME_NEVER), path, "create");
+  h5_check(H5Pset_obj_track_times(layout.get(), false), path, "create");
+  return layout;
+}
+
+H5Handle create_dataset(hid_t file, const GrowingDataset& dataset, std::uint64_t capacity, hid_t layout,
+                        const std::filesystem::path& path) {
+  std::vector<hsize_t> shape{capacity};
+  shape.insert(shape.end(), dataset.row.begin(), dataset.row.end());
+  const H5Handle space =
+      h5_own(H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr), H5Sclose, path, "create");
+  return h5_own(H5Dcreate2(file, dataset.name.c_str(), dataset.type, space.get(), H5P_DEFAULT, layout, H5P_DEFAULT),
+                H5Dclose, path, "create /" + dataset.name);
+}
+
+}  // namespace
+
+std::uint64_t GrowingDataset::row_bytes() const {
+  std::uint64_t bytes = H5Tget_size(type);
+  for (const hsize_t length : row) {
+    bytes *= length;
+  }
+  return bytes;
+}
+
+GrowingFile::GrowingFile(std::filesystem::path path, std::vector<GrowingDataset> datasets, std::uint64_t capacity,
+                         const std::function<void(hid_t file)>& describe)
+    : path_(std::move(path)), datasets_(std::move(datasets)), capacity_(capacity) {
+  assert(capacity >= 1 && !datasets_.empty());
+  std::error_code ignored;
+  if (std::filesystem::exists(path_, ignored) && !std::filesystem::is_regular_file(path_, ignored)) {
+    fail(path_, "cannot create: it is there and is no regular file");
+  }
+  std::filesystem::path unfinished = path_;
+  unfinished += ".new";
+  const std::uint64_t bytes = total_bytes(path_, datasets_, capacity_);
+  try {
+    try_to_create(path_, unfinished, bytes);
+    make_file(unfinished, describe);
+    file_ = open(unfinished.c_str(), O_RDWR | O_CLOEXEC);
+    if (file_ < 0) {
+      fail(path_, "cannot open: " + system_reason());
+    }
+    find_fields();
+    write_count(0);
+    std::filesystem::rename(unfinished, path_, ignored);
+    if (ignored) {
+      fail(path_, "cannot create: " + ignored.message());
+    }
+  } catch (...) {
+    if (file_ >= 0) {
+      ::close(file_);
+    }
+    std::filesystem::remove(unfinished, ignored);
+    throw;
+  }
+}
+
+GrowingFile::~GrowingFile() {
+  if (file_ >= 0) {
+    fsync(file_);
+    ::close(file_);
+  }
+}
+
+GrowingFile::GrowingFile(GrowingFile&& other) noexcept
+    : path_(std::move(other.path_)),
+      datasets_(std::move(other.datasets_)),
+      capacity_(other.capacity_),
+      count_(other.count_),
+      file_(std::exchange(other.file_, -1)),
+      addresses_(std::move(other.addresses_)),
+      data_(std::move(other.data_)),
+      fields_(std::move(other.fields_)),
+      fields_begin_(other.fields_begin_),
+      fields_bytes_(std::move(other.fields_bytes_)) {}
+
+// Has HDF5 make the whole file as if all rows were there.
+void GrowingFile::make_file(const std::filesystem::path& at, const std::function<void(hid_t file)>& describe) {
+  const H5Quiet quiet;
+  // The earliest formats: no checksums over what is to change, and what every program reads.
+  const H5Handle access = h5_own(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, path_, "create");
+  h5_check(H5Pset_libver_bounds(access.get(), H5F_LIBVER_EARLIEST, H5F_LIBVER_LATEST), path_, "create");
+  h5_check(H5Pset_meta_block_size(access.get(), kMetadataBlock), path_, "create");
+  h5_check(H5Pset_fclose_degree(access.get(), H5F_CLOSE_STRONG), path_, "create");
+  H5Handle file = h5_own(H5Fcreate(at.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access.get()), H5Fclose, path_, "create");
+  const H5Handle layout = growing_layout(path_);
+  for (const GrowingDataset& dataset : datasets_) {
+    const H5Handle made = create_dataset(file.get(), dataset, capacity_, layout.get(), path_);
+    H5O_info_t info;
+    h5_check(H5Oget_info1(made.get(), &info), path_, "create /" + dataset.name);
+    addresses_.push_back(info.addr);
+    data_.push_back(H5Dget_offset(made.get()));
+  }
+  describe(file.get());
+  h5_check(H5Fclose(file.release()), path_, "create");
+}
+
+// Finds what tells the length of each dataset, and makes sure that it is what we take it for and lies in one page.
+void GrowingFile::find_fields() {
+  std::uint64_t first = ~std::uint64_t{0};
+  std::uint64_t last = 0;
+  for (const std::uint64_t address : addresses_) {
+    const GrowthFields& fields = fields_.emplace_back(find_growth_fields(file_, address));
+    for (const std::uint64_t field : {fields.dimension, fields.maximum, fields.address, fields.size}) {
+      first = std::min(first, field);
+      last = std::max(last, field + sizeof(std::uint64_t) - 1);
+    }
+  }
+  bool as_expected = first != 0 && first / kPage == last / kPage;
+  if (as_expected) {
+    fields_begin_ = first;
+    fields_bytes_.resize(last + 1 - first);
+    const auto got = pread(file_, fields_bytes_.data(), fields_bytes_.size(), static_cast<off_t>(first));
+    as_expected = got == static_cast<ssize_t>(fields_bytes_.size());
+  }
+  for (std::size_t i = 0; as_expected && i < datasets_.size(); ++i) {
+    const auto value_at = [this](std::uint64_t position) {
+      std::uint64_t value = 0;
+      std::memcpy(&value, &fields_bytes_[position - fields_begin_], sizeof value);
+      return value;
+    };
+    as_expected = value_at(fields_[i].dimension) == capacity_ && value_at(fields_[i].maximum) == capacity_ &&
+                  value_at(fields_[i].address) == data_[i] &&
+                  value_at(fields_[i].size) == capacity_ * datasets_[i].row_bytes();
+  }
+  if (!as_expected) {
+    unsigned major = 0;
+    unsigned minor = 0;
+    unsigned release = 0;
+    H5get_libversion(&major, &minor, &release);
+    fail(path_,
+         fmt::format("cannot create: HDF5 {}.{}.{} arranges its files in an unknown way", major, minor, release));
+  }
+}
+
+// Makes every dataset `count` rows long, in one write.
+void GrowingFile::write_count(std::uint64_t count) {
+  const auto set = [this](std::uint64_t position, std::uint64_t value) {
+    std::memcpy(&fields_bytes_[position - fields_begin_], &value, sizeof value);
+  };
+  for (std::size_t i = 0; i < datasets_.size(); ++i) {
+    set(fields_[i].dimension, count);
+    set(fields_[i].maximum, count);
+    // HDF5 2.0 takes an empty dataset that has an address for a damaged one.
+    set(fields_[i].address, count > 0 ? data_[i] : HADDR_UNDEF);
+    set(fields_[i].size, count * datasets_[i].row_bytes());
+  }
+  write_at(fields_begin_, fields_bytes_);
+  count_ = count;
+}
+
+void GrowingFile::write_at(std::uint64_t offset, std::span<const std::byte> bytes) const {
+  while (!bytes.empty()) {
+    const ssize_t written = pwrite(file_, bytes.data(), bytes.size(), static_cast<off_t>(offset));
+    if (written < 0 && errno == EINTR) {
+      continue;
+    }
+    if (written <= 0) {
+      const std::string reason = written < 0 ? system_reason() : "nothing was written";
+      fail(path_, fmt::format("cannot write ping {}: {}; those before it stay readable", count_, reason));
+    }
+    bytes = bytes.subspan(static_cast<std::size_t>(written));
+    offset += static_cast<std::uint64_t>(written);
+  }
+}
+
+void GrowingFile::append(std::span<const std::span<const std::byte>> rows) {
+  assert(rows.size() == datasets_.size());
+  if (file_ < 0) {
+    fail(path_, "cannot write: it is closed");
+  }
+  if (count_ == capacity_) {
+    fail(path_, fmt::format("cannot write ping {}: the file was made for {}", count_, capacity_));
+  }
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    assert(rows[i].size() == datasets_[i].row_bytes());
+    write_at(data_[i] + count_ * rows[i].size(), rows[i]);
+  }
+  write_count(count_ + 1);
+}
+
+void GrowingFile::close() {
+  const int file = std::exchange(file_, -1);
+  if (file < 0) {
+    return;
+  }
+  const bool stored = fsync(file) == 0;
+  const std::string reason = stored ? "" : system_reason();
+  ::close(file);
+  if (!stored) {
+    fail(path_, "cannot write: " + reason);
+  }
+}
+
+}  // namespace insonify

@@ -1,0 +1,68 @@
+// hdf5_header.cpp -- walks the messages of a version 1 object header.
+
+#include "io/hdf5_header.h"
+
+#include <unistd.h>
+
+#include <array>
+#include <cstddef>
+#include <cstring>
+#include <vector>
+
+namespace insonify {
+namespace {
+
+// Numbers are little-endian in the file, as on every machine this is built for.
+template <typename Number>
+Number number_at(std::span<const std::byte> bytes, std::size_t offset) {
+  Number number{};
+  if (offset + sizeof number <= bytes.size()) {
+    std::memcpy(&number, bytes.data() + offset, sizeof number);
+  }
+  return number;
+}
+
+std::vector<std::byte> read_at(int file, std::uint64_t offset, std::size_t length) {
+  std::vector<std::byte> bytes(length);
+  const ssize_t got = pread(file, bytes.data(), length, static_cast<off_t>(offset));
+  bytes.resize(got > 0 ? static_cast<std::size_t>(got) : 0);
+  return bytes;
+}
+
+constexpr std::size_t kPrefix = 16;        // Version, message count, reference count, header size, padding.
+constexpr std::size_t kMessagePrefix = 8;  // Type, size, flags, reserved.
+constexpr std::uint16_t kDataspace = 0x0001, kLayout = 0x0008;
+
+}  // namespace
+
+GrowthFields find_growth_fields(int file, std::uint64_t address) {
+  const std::vector<std::byte> prefix = read_at(file, address, kPrefix);
+  if (number_at<std::uint8_t>(prefix, 0) != 1) {
+    return {};
+  }
+  const std::vector<std::byte> messages = read_at(file, address + kPrefix, number_at<std::uint32_t>(prefix, 8));
+  GrowthFields fields;
+  for (std::size_t at = 0; at + kMessagePrefix <= messages.size();) {
+    const auto type = number_at<std::uint16_t>(messages, at);
+    const auto size = number_at<std::uint16_t>(messages, at + 2);
+    const std::size_t body = at + kMessagePrefix;
+    const std::uint64_t where = address + kPrefix + body;
+    const auto version = number_at<std::uint8_t>(messages, body);
+    if (type == kDataspace && version == 1) {
+      // Version, rank, flags (bit 0: maxima follow the dimensions), 5 reserved bytes, dimensions, maxima.
+      const auto rank = number_at<std::uint8_t>(messages, body + 1);
+      const bool has_maxima = (number_at<std::uint8_t>(messages, body + 2) & 1) != 0;
+      fields.dimension = where + 8;
+      fields.maximum = has_maxima ? where + 8 + 8U * rank : 0;
+    } else if (type == kLayout && version == 3 && number_at<std::uint8_t>(messages, body + 1) == 1) {
+      // Version, class (1: contiguous), address, size.
+      fields.address = where + 2;
+      fields.size = where + 10;
+    }
+    at = body + size;
+  }
+  const bool complete = fields.dimension != 0 && fields.maximum != 0 && fields.address != 0;
+  return complete ? fields : GrowthFields{};
+}
+
+}  // namespace insonify

@@ -1,0 +1,25 @@
+// hdf5_header.h -- where an HDF5 file keeps the length of a dataset.
+
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+namespace insonify {
+
+/// Positions in the file of the four 8-byte numbers that say how many rows a contiguous dataset has [bytes].
+struct GrowthFields {
+  std::uint64_t dimension = 0;  ///< First dimension,
+  std::uint64_t maximum = 0;    ///< what it may grow to,
+  std::uint64_t address = 0;    ///< where the data begin (all ones where there are none) and
+  std::uint64_t size = 0;       ///< how many bytes of them there are.
+};
+
+/// Finds them in a version 1 object header: "HDF5 File Format Specification Version 2.0", sections IV.A.1.a (version 1
+/// object header prefix), IV.A.2.b (dataspace message, version 1) and IV.A.2.i (data layout message, version 3).
+/// @param file     An open file descriptor.
+/// @param address  Of the object header [bytes].
+/// @return         Zeros where the header is of another kind.
+[[nodiscard]] GrowthFields find_growth_fields(int file, std::uint64_t address);
+
+}  // namespace insonify

@@ -1,0 +1,219 @@
+// recording.cpp -- which values of a run and of its pings go where in the HDF5 file.
+
+#include <fmt/format.h>
+
+#include <array>
+#include <type_traits>
+#include <utility>
+
+#include "insonify/files.h"
+#include "insonify/version.h"
+#include "io/growing_file.h"
+#include "io/hdf5_writer.h"
+#include "io/yaml_words.h"
+
+namespace insonify {
+namespace {
+
+// Raised when a reader of older files would misunderstand newer ones.
+constexpr std::uint64_t kFormat = 1;
+
+// x y z, then the quaternion with its scalar first.
+using StoredPose = std::array<double, 7>;
+
+StoredPose stored_pose(const Pose& pose) {
+  const Vec3& p = pose.position;
+  const Eigen::Quaterniond& q = pose.orientation;
+  return {p.x(), p.y(), p.z(), q.w(), q.x(), q.y(), q.z()};
+}
+
+// In the order in which Recording::add hands over the values.
+std::vector<GrowingDataset> growing_datasets(const SonarConfig& sonar) {
+  const auto bins = static_cast<hsize_t>(sonar.bin_count);
+  const auto beams = static_cast<hsize_t>(sonar.beam_count);
+  std::vector<GrowingDataset> datasets{{"intensity", H5T_IEEE_F32LE, {bins, beams}},
+                                       {"instance", H5T_STD_U16LE, {bins, beams}},
+                                       {"material", H5T_STD_U16LE, {bins, beams}},
+                                       {"elevation", H5T_IEEE_F32LE, {bins, beams}},
+                                       {"time", H5T_IEEE_F64LE, {}},
+                                       {"world_from_sonar", H5T_IEEE_F64LE, {StoredPose{}.size()}}};
+  if (sonar.type == SonarType::kMechanicallyScanned) {
+    datasets.push_back({"head_angle", H5T_IEEE_F64LE, {}});
+  }
+  return datasets;
+}
+
+void describe_datasets(const H5Writer& writer, const SonarConfig& sonar) {
+  const auto describe = [&writer](const std::string& name, std::string_view axes, const H5Note& note) {
+    writer.annotate(name, note);
+    writer.attribute(name, "axes", axes);
+  };
+  const std::string_view cells = "ping bin beam";
+  describe("intensity", cells, {"1", "Echo intensity."});
+  describe("instance", cells, {"1", "Row of instance_names that gave most of the echo; 65535 where nothing echoed."});
+  describe("material", cells, {"1", "Row of material_names of the same; 65535 where nothing echoed."});
+  describe("elevation", cells, {"rad", "Mean elevation of the same, positive up; NaN where nothing echoed."});
+  describe("time", "ping", {"s", "Time of transmission."});
+  describe("world_from_sonar", "ping pose",
+           {"m m m 1 1 1 1", "Pose of the housing: x y z, then the quaternion qw qx qy qz; sonar to world."});
+  if (sonar.type == SonarType::kMechanicallyScanned) {
+    describe("head_angle", "ping", {"rad", "Turn of the head in its housing, positive to port."});
+  }
+  for (const char* labels : {"instance", "material"}) {
+    writer.attribute(labels, "none", std::uint64_t{kNoLabel});
+  }
+}
+
+void put_axes(const H5Writer& writer, const SonarConfig& sonar) {
+  std::vector<double> azimuths;
+  for (int beam = 0; beam < sonar.beam_count; ++beam) {
+    azimuths.push_back(sonar.beam_azimuth(beam));
+  }
+  std::vector<double> ranges;
+  for (int bin = 0; bin < sonar.bin_count; ++bin) {
+    ranges.push_back(sonar.bin_range(bin));
+  }
+  writer.put("azimuth", azimuths, {"rad", "Centre of each beam, positive to port."});
+  writer.put("azimuth_edges", sonar.beam_edges(), {"rad", "Beam b covers edges b to b + 1."});
+  writer.put("range", ranges, {"m", "Centre of each bin."});
+}
+
+void put_scene(const H5Writer& writer, const Scene& scene) {
+  std::vector<std::string> names;
+  for (const Instance& instance : scene.instances) {
+    names.push_back(instance.name);
+  }
+  writer.put("instance_names", names, {"", "Scoped name of each instance of the scene."});
+  names.clear();
+  std::array<std::vector<double>, 3> properties;
+  for (const Material& material : scene.materials) {
+    names.push_back(material.name);
+    properties[0].push_back(material.density);
+    properties[1].push_back(material.sound_speed);
+    properties[2].push_back(material.effective_reflectivity());
+  }
+  writer.put("material_names", names, {"", "Name of each material of the scene."});
+  writer.put("settings/materials/density", properties[0], {"kg/m^3", "Of each row of material_names."});
+  writer.put("settings/materials/sound_speed", properties[1], {"m/s", "Of each row of material_names."});
+  writer.put("settings/materials/reflectivity", properties[2], {"1", "Of each row of material_names."});
+}
+
+// One member of a configuration, whatever its type. Absent members are left out.
+template <typename Member>
+void put_member(const H5Writer& writer, const std::string& name, const Member& member, const H5Note& note) {
+  if constexpr (std::is_enum_v<Member>) {
+    for (const auto& [word, value] : words_of<Member>()) {
+      if (value == member) {
+        writer.put(name, std::string(word), {"", note.description});
+      }
+    }
+  } else if constexpr (std::is_same_v<Member, std::string>) {
+    writer.put(name, member, {"", note.description});
+  } else if constexpr (std::is_same_v<Member, bool>) {
+    writer.put(name, member, {"", note.description});
+  } else if constexpr (std::is_integral_v<Member>) {
+    writer.put(name, std::int64_t{member}, note);
+  } else if constexpr (std::is_same_v<Member, double>) {
+    writer.put(name, member, note);
+  } else if constexpr (requires { member.has_value(); }) {
+    if (member.has_value()) {
+      put_member(writer, name, *member, note);
+    }
+  } else if (member.size() > 0) {
+    writer.put(name, std::span<const double>(member.data(), static_cast<std::size_t>(member.size())), note);
+  }
+}
+
+template <typename Config>
+void put_settings(const H5Writer& writer, const std::string& group, const Config& config) {
+  Config::visit_fields(config, [&](const Field& field, const auto& member) {
+    put_member(writer, fmt::format("settings/{}/{}", group, field.name), member,
+               {field.unit.empty() ? "1" : field.unit, field.help});
+  });
+}
+
+void put_run(const H5Writer& writer, const Scenario& scenario, const SonarConfig& sonar) {
+  const std::string root = "/";
+  writer.attribute(root, "format", kFormat);
+  writer.attribute(root, "version", kVersion);
+  writer.attribute(root, "model", scenario.model);
+  writer.attribute(root, "engine", scenario.engine);
+  writer.attribute(root, "seed", scenario.seed);
+  writer.attribute(root, "scenario", scenario.text);
+  writer.attribute(root, "sonar", sonar.name);
+  writer.attribute(root, "sonar_model", sonar.model);
+  writer.attribute(root, "frequency", sonar.frequency);
+  writer.attribute(root, "sound_speed", scenario.water.true_sound_speed());
+  writer.attribute(root, "absorption_db_per_m", scenario.water.absorption_db_per_m_at(sonar.frequency));
+  put_settings(writer, "sonar", sonar);
+  put_settings(writer, "sonar/sampling", sonar.sampling);
+  put_settings(writer, "water", scenario.water);
+  put_settings(writer, "paper", scenario.paper);
+  put_settings(writer, "receiver", scenario.receiver);
+  put_member(writer, "settings/secondary", scenario.secondary, {"", "Which hits send a ray on for secondary echoes."});
+}
+
+template <typename Value>
+std::span<const std::byte> bytes_of(const Value& value) {
+  return std::as_bytes(std::span(&value, 1));
+}
+
+template <typename Value>
+std::span<const std::byte> bytes_of(const std::vector<Value>& values) {
+  return std::as_bytes(std::span(values));
+}
+
+}  // namespace
+
+struct Recording::State {
+  GrowingFile file;
+  int bin_count = 0, beam_count = 0;
+  bool has_head = false;
+};
+
+Recording::Recording(const std::filesystem::path& path, const Scenario& scenario, const Scene& scene,
+                     const SonarConfig& sonar, std::uint64_t capacity) {
+  if (capacity < 1) {
+    throw Error(fmt::format("{}: capacity = {} must be at least 1", path.string(), capacity));
+  }
+  const auto describe = [&](hid_t file) {
+    const H5Writer writer(file, path);
+    describe_datasets(writer, sonar);
+    put_axes(writer, sonar);
+    put_scene(writer, scene);
+    put_run(writer, scenario, sonar);
+  };
+  state_ =
+      std::make_unique<State>(State{GrowingFile(path, growing_datasets(sonar), capacity, describe), sonar.bin_count,
+                                    sonar.beam_count, sonar.type == SonarType::kMechanicallyScanned});
+}
+
+Recording::~Recording() = default;
+Recording::Recording(Recording&&) noexcept = default;
+Recording& Recording::operator=(Recording&&) noexcept = default;
+
+void Recording::add(const Ping& ping) {
+  const std::filesystem::path& path = state_->file.path();
+  if (ping.bin_count != state_->bin_count || ping.beam_count != state_->beam_count) {
+    throw Error(fmt::format("{}: ping {} has {} bins x {} beams, the recording {} x {}", path.string(), ping.number,
+                            ping.bin_count, ping.beam_count, state_->bin_count, state_->beam_count));
+  }
+  const std::size_t cells = static_cast<std::size_t>(ping.bin_count) * static_cast<std::size_t>(ping.beam_count);
+  if (ping.intensity.size() != cells || ping.instance.size() != cells || ping.material.size() != cells ||
+      ping.elevation.size() != cells) {
+    throw Error(fmt::format(
+        "{}: ping {} holds {} intensities, {} instances, {} materials and {} elevations, not {} each", path.string(),
+        ping.number, ping.intensity.size(), ping.instance.size(), ping.material.size(), ping.elevation.size(), cells));
+  }
+  const StoredPose pose = stored_pose(ping.world_from_sonar);
+  const std::array rows = {bytes_of(ping.intensity), bytes_of(ping.instance), bytes_of(ping.material),
+                           bytes_of(ping.elevation), bytes_of(ping.time),     bytes_of(pose),
+                           bytes_of(ping.head_angle)};
+  state_->file.append(std::span(rows).first(state_->has_head ? rows.size() : rows.size() - 1));
+}
+
+void Recording::close() {
+  state_->file.close();
+}
+
+}  // namespace insonify

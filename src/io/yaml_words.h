@@ -1,0 +1,44 @@
+// yaml_words.h -- how files spell the values that are words.
+
+#pragma once
+
+#include <array>
+#include <string_view>
+#include <utility>
+
+#include "insonify/engine.h"
+#include "insonify/paper_model.h"
+#include "insonify/sonar_config.h"
+
+namespace insonify {
+
+template <typename Enum, std::size_t count>
+using Words = std::array<std::pair<std::string_view, Enum>, count>;
+
+/// The words of an enumeration, in the order in which messages list them.
+template <typename Enum>
+constexpr auto words_of();
+
+template <>
+constexpr auto words_of<SonarType>() {
+  return Words<SonarType, 2>{{{"fls", SonarType::kForwardLooking}, {"msis", SonarType::kMechanicallyScanned}}};
+}
+
+template <>
+constexpr auto words_of<Mounting>() {
+  return Words<Mounting, 2>{{{"horizontal", Mounting::kHorizontal}, {"vertical", Mounting::kVertical}}};
+}
+
+template <>
+constexpr auto words_of<Sigmoid>() {
+  return Words<Sigmoid, 3>{
+      {{"logistic", Sigmoid::kLogistic}, {"authors", Sigmoid::kAuthors}, {"none", Sigmoid::kNone}}};
+}
+
+template <>
+constexpr auto words_of<SecondaryEchoes>() {
+  return Words<SecondaryEchoes, 3>{
+      {{"none", SecondaryEchoes::kNone}, {"selective", SecondaryEchoes::kSelective}, {"all", SecondaryEchoes::kAll}}};
+}
+
+}  // namespace insonify
