@@ -36,12 +36,16 @@ struct MeshReport {
   std::size_t normals_flipped = 0;  ///< Vertex normals that pointed against their triangles' winding.
 
   [[nodiscard]] std::size_t dropped() const { return zero_area + not_finite + bad_index; }
+
+  /// "12 of 8358 triangles dropped (10 of zero area, 2 with NaN corners)"; "" when nothing was.
+  [[nodiscard]] std::string text() const;
 };
 
-/// Drops triangles that cannot be traced, gives every vertex a unit normal and says what was done. Where normals are
-/// missing they are averaged over the triangles that meet at an edge flatter than `crease_angle` [rad]; vertices are
-/// split along sharper edges.
-/// @throws Error when no triangle is left; the message names the mesh and what was dropped.
+/// Drops triangles that cannot be traced, joins vertices that are the same, gives every vertex a unit normal on the side
+/// its triangles wind to and says what was done. Where normals are missing they are averaged over the triangles that meet
+/// at an edge flatter than `crease_angle` [rad], whichever way these wind; vertices are split along sharper edges.
+/// @throws Error when no triangle is left; the message names the mesh and what was dropped. Also for material slots that
+///         do not fit the triangles or the names.
 [[nodiscard]] MeshReport clean_mesh(Mesh& mesh, double crease_angle = 0.7853981633974483);
 
 // The SDF primitives, centred on the origin with smooth normals where the shape is smooth. Vertices lie on the surface;

@@ -1,0 +1,274 @@
+// crease_normals.cpp -- groups the triangles around each vertex into smooth fans.
+
+#include "scene/crease_normals.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <span>
+
+namespace insonify {
+namespace {
+
+constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+
+using Triangle = std::array<std::uint32_t, 3>;
+
+// Corners in the order of their vertex: those of vertex v are corners[first[v]] up to corners[first[v + 1]]. A corner
+// is 3 * triangle + 0, 1 or 2.
+struct CornerLists {
+  std::vector<std::size_t> first;
+  std::vector<std::size_t> corners;
+};
+
+CornerLists corners_by_vertex(const Mesh& mesh) {
+  CornerLists lists;
+  lists.first.resize(mesh.vertices.size() + 1);
+  for (const Triangle& triangle : mesh.triangles) {
+    for (const std::uint32_t vertex : triangle) {
+      ++lists.first[vertex + 1];
+    }
+  }
+  std::partial_sum(lists.first.begin(), lists.first.end(), lists.first.begin());
+
+  lists.corners.resize(3 * mesh.triangles.size());
+  std::vector<std::size_t> next(lists.first.begin(), lists.first.end() - 1);
+  for (std::size_t corner = 0; corner < lists.corners.size(); ++corner) {
+    lists.corners[next[mesh.triangles[corner / 3][corner % 3]]++] = corner;
+  }
+  return lists;
+}
+
+// Groups of triangles around one vertex, as a forest whose links remember whether the two ends wind alike.
+class Groups {
+ public:
+  struct Member {
+    std::uint32_t root;
+    bool turned;  // Winds against its root.
+  };
+
+  void reset(std::size_t size) {
+    parent_.resize(size);
+    std::iota(parent_.begin(), parent_.end(), 0U);
+    turned_.assign(size, false);
+  }
+
+  Member find(std::uint32_t member) {
+    bool turned = false;
+    while (parent_[member] != member) {
+      // Point at the grandparent, so that paths stay short.
+      const std::uint32_t up = parent_[member];
+      turned_[member] = turned_[member] != turned_[up];
+      parent_[member] = parent_[up];
+      turned = turned != turned_[member];
+      member = parent_[member];
+    }
+    return {member, turned};
+  }
+
+  // Where a chain of triangles comes back turned over (a Moebius strip), the first way round stands.
+  void join(std::uint32_t a, std::uint32_t b, bool turned) {
+    const Member first = find(a);
+    const Member second = find(b);
+    if (first.root != second.root) {
+      parent_[second.root] = first.root;
+      turned_[second.root] = (first.turned != second.turned) != turned;
+    }
+  }
+
+ private:
+  std::vector<std::uint32_t> parent_;
+  std::vector<bool> turned_;
+};
+
+double angle_at_corner(const Mesh& mesh, std::size_t corner) {
+  const Triangle& triangle = mesh.triangles[corner / 3];
+  const Vec3 tip = mesh.vertices[triangle[corner % 3]].cast<double>();
+  const Vec3 one = mesh.vertices[triangle[(corner % 3 + 1) % 3]].cast<double>() - tip;
+  const Vec3 two = mesh.vertices[triangle[(corner % 3 + 2) % 3]].cast<double>() - tip;
+  return std::atan2(one.cross(two).norm(), one.dot(two));
+}
+
+// Works on one vertex at a time; its lists are kept from vertex to vertex.
+class FanSmoother {
+ public:
+  FanSmoother(Mesh& mesh, double crease_angle)
+      : mesh_(mesh), vertex_count_(mesh.vertices.size()), least_cosine_(static_cast<float>(std::cos(crease_angle))) {
+    face_normals_.reserve(mesh.triangles.size());
+    for (const Triangle& triangle : mesh.triangles) {
+      face_normals_.push_back(face_normal(mesh, triangle));
+    }
+  }
+
+  void smooth(std::span<const std::size_t> corners) {
+    groups_.reset(corners.size());
+    join_over_flat_edges(corners);
+    sum_normals(corners);
+    give_vertices(corners);
+  }
+
+ private:
+  // An edge that leaves the vertex, as one of its triangles sees it.
+  struct Spoke {
+    std::uint32_t end;     // Vertex at its far end, before any was split.
+    std::uint32_t member;  // Index into `corners`.
+    bool outgoing;         // Whether the triangle runs along it away from the vertex.
+  };
+
+  void join_over_flat_edges(std::span<const std::size_t> corners) {
+    spokes_.clear();
+    for (std::uint32_t member = 0; member < corners.size(); ++member) {
+      const Triangle& triangle = mesh_.triangles[corners[member] / 3];
+      const std::size_t tip = corners[member] % 3;
+      spokes_.push_back({before_split(triangle[(tip + 1) % 3]), member, true});
+      spokes_.push_back({before_split(triangle[(tip + 2) % 3]), member, false});
+    }
+    std::sort(spokes_.begin(), spokes_.end(),
+              [](const Spoke& a, const Spoke& b) { return a.end != b.end ? a.end < b.end : a.member < b.member; });
+
+    // Most edges have two triangles. Where many meet, each is compared with the next few only, to stay linear.
+    constexpr std::size_t kMostCompared = 4;
+    for (std::size_t i = 0; i < spokes_.size(); ++i) {
+      for (std::size_t j = i + 1; j < std::min(i + 1 + kMostCompared, spokes_.size()); ++j) {
+        if (spokes_[i].end == spokes_[j].end) {
+          join_if_flat(corners, spokes_[i], spokes_[j]);
+        }
+      }
+    }
+  }
+
+  [[nodiscard]] std::uint32_t before_split(std::uint32_t vertex) const {
+    return vertex < vertex_count_ ? vertex : split_from_[vertex - vertex_count_];
+  }
+
+  // Neighbours that wind alike run along their common edge in opposite directions.
+  void join_if_flat(std::span<const std::size_t> corners, const Spoke& a, const Spoke& b) {
+    const bool turned = a.outgoing == b.outgoing;
+    const float cosine = face_normals_[corners[a.member] / 3].dot(face_normals_[corners[b.member] / 3]);
+    if ((turned ? -cosine : cosine) >= least_cosine_) {
+      groups_.join(a.member, b.member, turned);
+    }
+  }
+
+  void sum_normals(std::span<const std::size_t> corners) {
+    sums_.assign(corners.size(), Vec3::Zero());
+    for (std::uint32_t member = 0; member < corners.size(); ++member) {
+      const Groups::Member group = groups_.find(member);
+      const double weight = angle_at_corner(mesh_, corners[member]);
+      sums_[group.root] += (group.turned ? -weight : weight) * face_normals_[corners[member] / 3].cast<double>();
+    }
+  }
+
+  // One vertex for each group and side: the first takes the old one's place, the others are appended.
+  void give_vertices(std::span<const std::size_t> corners) {
+    const std::uint32_t original = mesh_.triangles[corners[0] / 3][corners[0] % 3];
+    bool original_taken = false;
+    const auto new_vertex = [&](const Vec3f& normal) {
+      if (!original_taken) {
+        original_taken = true;
+        mesh_.normals[original] = normal;
+        return original;
+      }
+      mesh_.vertices.push_back(Vec3f(mesh_.vertices[original]));
+      mesh_.normals.push_back(normal);
+      split_from_.push_back(original);
+      return static_cast<std::uint32_t>(mesh_.vertices.size() - 1);
+    };
+
+    given_.assign(2 * corners.size(), kNone);
+    for (std::uint32_t member = 0; member < corners.size(); ++member) {
+      const Groups::Member group = groups_.find(member);
+      const Vec3f& own = face_normals_[corners[member] / 3];
+      const Vec3f mean = ((group.turned ? -1.0 : 1.0) * sums_[group.root].normalized()).cast<float>();
+      std::uint32_t& vertex = mesh_.triangles[corners[member] / 3][corners[member] % 3];
+      if (!(mean.dot(own) > 0)) {
+        vertex = new_vertex(own);  // A fan that curls over itself; its mean is no normal of this triangle.
+        continue;
+      }
+      std::uint32_t& shared = given_[2 * group.root + (group.turned ? 1 : 0)];
+      if (shared == kNone) {
+        shared = new_vertex(mean);
+      }
+      vertex = shared;
+    }
+  }
+
+  Mesh& mesh_;
+  std::size_t vertex_count_;               // Before any was split.
+  std::vector<std::uint32_t> split_from_;  // For each vertex appended, the one it was split from.
+  float least_cosine_;
+  std::vector<Vec3f> face_normals_;
+  Groups groups_;
+  std::vector<Spoke> spokes_;
+  std::vector<Vec3> sums_;
+  std::vector<std::uint32_t> given_;
+};
+
+}  // namespace
+
+Vec3f face_normal(const Mesh& mesh, const Triangle& triangle) {
+  const Vec3 a = mesh.vertices[triangle[0]].cast<double>();
+  const Vec3 b = mesh.vertices[triangle[1]].cast<double>();
+  const Vec3 c = mesh.vertices[triangle[2]].cast<double>();
+  return (b - a).cross(c - a).normalized().cast<float>();
+}
+
+void fill_normals(Mesh& mesh, double crease_angle) {
+  const CornerLists lists = corners_by_vertex(mesh);
+  FanSmoother smoother(mesh, crease_angle);
+  for (std::size_t vertex = 0; vertex + 1 < lists.first.size(); ++vertex) {
+    const std::size_t first = lists.first[vertex];
+    const std::size_t count = lists.first[vertex + 1] - first;
+    if (count > 0 && mesh.normals[vertex].isZero(0)) {
+      smoother.smooth(std::span(lists.corners).subspan(first, count));
+    }
+  }
+}
+
+std::size_t turn_normals_to_winding(Mesh& mesh) {
+  // Less than this is a normal that lies in its triangle but for rounding.
+  constexpr float kOpposes = -1e-3F;
+
+  // First what each vertex is asked for: its normal as it is, turned, or both.
+  constexpr std::uint8_t kKept = 1;
+  constexpr std::uint8_t kTurned = 2;
+  const std::size_t vertex_count = mesh.vertices.size();
+  std::vector<std::uint8_t> asked(vertex_count);
+  for (const Triangle& triangle : mesh.triangles) {
+    const Vec3f face = face_normal(mesh, triangle);
+    for (const std::uint32_t vertex : triangle) {
+      asked[vertex] |= mesh.normals[vertex].dot(face) < kOpposes ? kTurned : kKept;
+    }
+  }
+
+  // Then a turned copy where both are asked for.
+  std::size_t turned = 0;
+  std::vector<std::uint32_t> copy_of;
+  for (std::size_t vertex = 0; vertex < vertex_count; ++vertex) {
+    if (asked[vertex] == kTurned) {
+      mesh.normals[vertex] = -mesh.normals[vertex];
+      ++turned;
+    } else if (asked[vertex] == (kKept | kTurned)) {
+      copy_of.resize(vertex_count, kNone);
+      copy_of[vertex] = static_cast<std::uint32_t>(mesh.vertices.size());
+      mesh.vertices.push_back(Vec3f(mesh.vertices[vertex]));
+      mesh.normals.push_back(-mesh.normals[vertex]);
+      ++turned;
+    }
+  }
+
+  if (!copy_of.empty()) {
+    for (Triangle& triangle : mesh.triangles) {
+      const Vec3f face = face_normal(mesh, triangle);
+      for (std::uint32_t& vertex : triangle) {
+        if (copy_of[vertex] != kNone && mesh.normals[vertex].dot(face) < kOpposes) {
+          vertex = copy_of[vertex];
+        }
+      }
+    }
+  }
+  return turned;
+}
+
+}  // namespace insonify
