@@ -1,0 +1,31 @@
+# Tests that are no GoogleTest programs.
+
+# Data flows one way: a file includes its own module and those to its left.
+add_test(NAME include_directions
+  COMMAND Python3::Interpreter tools/check_includes.py WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
+
+# Each public header can be included first.
+set_target_properties(insonify PROPERTIES VERIFY_INTERFACE_HEADER_SETS ON)
+add_test(NAME headers_stand_alone
+  COMMAND ${CMAKE_COMMAND} --build ${PROJECT_BINARY_DIR} --target insonify_verify_interface_header_sets)
+
+# What the documentation shows is what happens: every code block runs (tools/run_doc_blocks.py).
+if(BUILD_SHARED_LIBS)
+  string(JOIN " " compile ${CMAKE_CXX_COMPILER} -std=c++20
+    "-I$<JOIN:$<TARGET_PROPERTY:insonify,INTERFACE_INCLUDE_DIRECTORIES>, -I>"
+    "-isystem $<JOIN:$<TARGET_PROPERTY:Eigen3::Eigen,INTERFACE_INCLUDE_DIRECTORIES>, -isystem >")
+  string(JOIN " " link $<TARGET_FILE:insonify> -Wl,-rpath,$<TARGET_FILE_DIR:insonify>)
+  if(INSONIFY_SANITIZE)
+    string(APPEND compile " -fsanitize=${INSONIFY_SANITIZE}")
+  endif()
+  file(GLOB documents CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/README.md
+    ${PROJECT_SOURCE_DIR}/CONTRIBUTING.md ${PROJECT_SOURCE_DIR}/docs/*.md ${PROJECT_SOURCE_DIR}/docs/*/*.md)
+  foreach(document IN LISTS documents)
+    add_test(NAME documentation.${document}
+      COMMAND Python3::Interpreter tools/run_doc_blocks.py --build ${PROJECT_BINARY_DIR} --compile=${compile}
+              --link=${link} ${document}
+      WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
+  endforeach()
+endif()
+add_test(NAME run_doc_blocks
+  COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/tools/run_doc_blocks_test.py)

@@ -1,0 +1,75 @@
+"""The runner of documentation blocks runs what it should, and notices what fails."""
+
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+RUNNER = pathlib.Path(__file__).resolve().parents[2] / "tools/run_doc_blocks.py"
+
+
+def run(text):
+    """Exit status and output of the runner on a document, with the document's name taken out."""
+    with tempfile.TemporaryDirectory() as folder:
+        document = pathlib.Path(folder) / "page.md"
+        document.write_text(text, encoding="utf-8")
+        done = subprocess.run([sys.executable, RUNNER, "--build", folder, document], stdout=subprocess.PIPE,
+                              stderr=subprocess.STDOUT, check=False)
+        return done.returncode, done.stdout.decode().replace(f"{folder}/", "")
+
+
+def block(language, text, marker=""):
+    return f"{marker}\n```{language}\n{text}\n```\n\n"
+
+
+class RunDocBlocksTest(unittest.TestCase):
+    def test_blocks_of_a_page_share_a_folder_and_run_in_order(self):
+        page = block("bash", "echo 7 > number") + block("python", "assert open('number').read() == '7\\n'")
+        self.assertEqual(run(page), (0, "page.md: 2 blocks ran\n"))
+
+    def test_a_file_block_is_written_and_not_run(self):
+        page = block("yaml", "depth: 3", "<!-- file: a/b.yaml -->") + block("bash", "grep -x 'depth: 3' a/b.yaml")
+        self.assertEqual(run(page), (0, "page.md: 1 blocks ran\n"))
+
+    def test_a_bash_block_stops_at_its_first_failure(self):
+        status, output = run("Text.\n" + block("bash", "false\ntrue"))
+        self.assertEqual(status, 1)
+        self.assertIn("page.md:3: the block failed with status 1\n", output)
+
+    def test_a_program_is_compiled_and_run(self):
+        self.assertEqual(run(block("cpp", "int main() {}")), (0, "page.md: 1 blocks ran\n"))
+        self.assertEqual(run(block("cpp", "int main() { return 3; }"))[0], 1)
+        self.assertEqual(run(block("cpp", "no C++"))[0], 1)
+
+    def test_a_block_that_must_fail_must_fail(self):
+        self.assertEqual(run(block("bash", "exit 2", "<!-- run: fails -->"))[0], 0)
+        status, output = run(block("bash", "true", "<!-- run: fails -->"))
+        self.assertEqual(status, 1)
+        self.assertIn("page.md:2: the block should have failed\n", output)
+
+    def test_other_languages_and_skipped_blocks_are_shown_only(self):
+        page = block("", "./no-such-thing") + block("json", "{") + block("bash", "exit 2", "<!-- run: no (a test) -->")
+        self.assertEqual(run(page), (0, "page.md: 0 blocks ran\n"))
+
+    def test_skipping_needs_a_reason(self):
+        status, output = run(block("bash", "exit 2", "<!-- run: no -->"))
+        self.assertEqual(status, 1)
+        self.assertIn("run: no must tell why", output)
+
+    def test_a_marker_without_a_block_is_a_fault(self):
+        status, output = run("<!-- run: fails -->\nText.\n")
+        self.assertEqual((status, output), (1, "page.md:2: a marker must stand right before its block\n"))
+
+    def test_a_block_without_end_is_a_fault(self):
+        self.assertEqual(run("```bash\ntrue\n"), (1, "page.md:1: the block does not end\n"))
+
+    def test_a_block_may_show_blocks(self):
+        self.assertEqual(run("````text\n" + block("bash", "exit 2") + "````\n"), (0, "page.md: 0 blocks ran\n"))
+
+    def test_indented_blocks_lose_their_indent(self):
+        self.assertEqual(run("1. Item\n\n   ```python\n   x = 1\n   ```\n"), (0, "page.md: 1 blocks ran\n"))
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,155 @@
+#!/usr/bin/python3
+"""Runs the code blocks of Markdown files, so that what the documentation shows is what happens.
+
+    tools/run_doc_blocks.py --build build/dev README.md docs/tutorial.md    # exit status 1 where a block fails
+
+The blocks of a file run from top to bottom in one scratch folder of their own, which has the source tree's `scenes`,
+`presets` and `examples` in it, the build as `build/release`, and the command line as `insonify` on the path.
+
+    ```bash      run by bash, stopping at the first command that fails
+    ```python    run by python3
+    ```cpp       a whole program: compiled against the library and run, in the scratch folder
+
+Other blocks are only shown. A comment before a block says otherwise:
+
+    <!-- file: NAME -->          the block is the file NAME: written, not run (but a cpp program is compiled and run too)
+    <!-- run: no (REASON) -->    the block is not run; REASON tells a reader of the source why
+    <!-- run: fails -->          the block must fail: the exit status is not 0
+"""
+
+import argparse
+import dataclasses
+import os
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+
+SECONDS_PER_BLOCK = 300
+MARKER = re.compile(r"^\s*<!--\s*(file|run):\s*(.*?)\s*-->\s*$")
+FENCE = re.compile(r"^(\s*)(`{3,})(\w*)[^`]*$")
+
+
+@dataclasses.dataclass
+class Block:
+    line: int
+    language: str
+    text: str
+    file: str | None = None
+    run: str | None = None
+
+
+class Fault(Exception):
+    """A block that does not do what it should, or a marker that makes no sense."""
+
+
+def blocks_of(path):
+    """Code blocks of a Markdown file, each with the markers before it."""
+    blocks, markers, inside = [], {}, None
+    indent = ticks = ""
+    for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), start=1):
+        fence = FENCE.match(line)
+        marker = MARKER.match(line)
+        if inside is not None:
+            if fence and not fence.group(3) and len(fence.group(2)) >= len(ticks):
+                blocks.append(inside)
+                inside = None
+            else:
+                inside.text += line.removeprefix(indent) + "\n"
+        elif fence:
+            indent, ticks = fence.group(1), fence.group(2)
+            inside = Block(number, fence.group(3), "", markers.get("file"), markers.get("run"))
+            markers = {}
+        elif marker:
+            markers[marker.group(1)] = marker.group(2)
+        elif line.strip() and markers:
+            raise Fault(f"{path}:{number}: a marker must stand right before its block")
+    if inside is not None:
+        raise Fault(f"{path}:{inside.line}: the block does not end")
+    return blocks
+
+
+def execute(command, folder, environment):
+    """Exit status and output; no input, and nothing outlives its time."""
+    try:
+        done = subprocess.run(command, cwd=folder, env=environment, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+                              stderr=subprocess.STDOUT, timeout=SECONDS_PER_BLOCK, check=False)
+        return done.returncode, done.stdout.decode(errors="replace")
+    except subprocess.TimeoutExpired:
+        return 124, f"took longer than {SECONDS_PER_BLOCK} s"
+
+
+def run_block(block, folder, arguments, environment):
+    """Runs one block. Returns its exit status and output, or None where it is only shown."""
+    if block.run is not None and block.run.startswith("no"):
+        if not re.fullmatch(r"no \(.+\)", block.run):
+            raise Fault("run: no must tell why, as in <!-- run: no (needs a network) -->")
+        return None
+    if block.run not in (None, "fails"):
+        raise Fault(f"run: {block.run} must be no (REASON) or fails")
+    if block.file is not None:
+        file = folder / block.file
+        file.parent.mkdir(parents=True, exist_ok=True)
+        file.write_text(block.text, encoding="utf-8")
+    if block.language == "cpp":
+        source = folder / (block.file or f"block_{block.line}.cpp")
+        source.write_text(block.text, encoding="utf-8")
+        program = source.with_suffix("")
+        status, output = execute([*arguments.compile.split(), "-o", program, source, *arguments.link.split()], folder,
+                                 environment)
+        return (status, output) if status != 0 else execute([program], folder, environment)
+    if block.file is not None:
+        return None
+    if block.language == "bash":
+        return execute(["bash", "-euo", "pipefail", "-c", block.text], folder, environment)
+    if block.language == "python":
+        return execute([sys.executable, "-c", block.text], folder, environment)
+    return None
+
+
+def run_document(path, arguments):
+    """Runs all blocks of one file; returns how many ran."""
+    root = pathlib.Path(__file__).resolve().parent.parent
+    build = pathlib.Path(arguments.build).resolve()
+    count = 0
+    with tempfile.TemporaryDirectory(prefix="insonify_docs_") as name:
+        folder = pathlib.Path(name)
+        for shared in ("scenes", "presets", "examples"):
+            (folder / shared).symlink_to(root / shared)
+        (folder / "build").mkdir()
+        (folder / "build/release").symlink_to(build)
+        environment = dict(os.environ, PATH=f"{build}:{os.environ['PATH']}", TMPDIR=name)
+        for block in blocks_of(path):
+            try:
+                result = run_block(block, folder, arguments, environment)
+            except Fault as fault:
+                raise Fault(f"{path}:{block.line}: {fault}") from fault
+            if result is None:
+                continue
+            count += 1
+            status, output = result
+            if (status != 0) != (block.run == "fails"):
+                wanted = "should have failed" if status == 0 else f"failed with status {status}"
+                raise Fault(f"{path}:{block.line}: the block {wanted}\n{block.text}\n{output}")
+    return count
+
+
+def main():
+    parser = argparse.ArgumentParser(description="Runs the code blocks of Markdown files.")
+    parser.add_argument("--build", required=True, help="build folder with the command line in it")
+    parser.add_argument("--compile", default="c++ -std=c++20", help="compiles a program, with what finds the headers")
+    parser.add_argument("--link", default="", help="what a program is linked with")
+    parser.add_argument("files", nargs="+", type=pathlib.Path)
+    arguments = parser.parse_args()
+    try:
+        for path in arguments.files:
+            print(f"{path}: {run_document(path, arguments)} blocks ran")
+    except Fault as fault:
+        print(fault)
+        return 1
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
