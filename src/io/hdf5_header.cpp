@@ -53,7 +53,7 @@ GrowthFields find_growth_fields(int file, std::uint64_t address) {
       const auto rank = number_at<std::uint8_t>(messages, body + 1);
       const bool has_maxima = (number_at<std::uint8_t>(messages, body + 2) & 1) != 0;
       fields.dimension = where + 8;
-      fields.maximum = has_maxima ? where + 8 + 8U * rank : 0;
+      fields.maximum = has_maxima ? where + 8 + std::uint64_t{8} * rank : 0;
     } else if (type == kLayout && version == 3 && number_at<std::uint8_t>(messages, body + 1) == 1) {
       // Version, class (1: contiguous), address, size.
       fields.address = where + 2;

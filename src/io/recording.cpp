@@ -65,13 +65,13 @@ void describe_datasets(const H5Writer& writer, const SonarConfig& sonar) {
 }
 
 void put_axes(const H5Writer& writer, const SonarConfig& sonar) {
-  std::vector<double> azimuths;
+  std::vector<double> azimuths(static_cast<std::size_t>(sonar.beam_count));
   for (int beam = 0; beam < sonar.beam_count; ++beam) {
-    azimuths.push_back(sonar.beam_azimuth(beam));
+    azimuths[static_cast<std::size_t>(beam)] = sonar.beam_azimuth(beam);
   }
-  std::vector<double> ranges;
+  std::vector<double> ranges(static_cast<std::size_t>(sonar.bin_count));
   for (int bin = 0; bin < sonar.bin_count; ++bin) {
-    ranges.push_back(sonar.bin_range(bin));
+    ranges[static_cast<std::size_t>(bin)] = sonar.bin_range(bin);
   }
   writer.put("azimuth", azimuths, {"rad", "Centre of each beam, positive to port."});
   writer.put("azimuth_edges", sonar.beam_edges(), {"rad", "Beam b covers edges b to b + 1."});
@@ -107,9 +107,7 @@ void put_member(const H5Writer& writer, const std::string& name, const Member& m
         writer.put(name, std::string(word), {"", note.description});
       }
     }
-  } else if constexpr (std::is_same_v<Member, std::string>) {
-    writer.put(name, member, {"", note.description});
-  } else if constexpr (std::is_same_v<Member, bool>) {
+  } else if constexpr (std::is_same_v<Member, std::string> || std::is_same_v<Member, bool>) {
     writer.put(name, member, {"", note.description});
   } else if constexpr (std::is_integral_v<Member>) {
     writer.put(name, std::int64_t{member}, note);
