@@ -38,6 +38,7 @@ PUBLIC = {
     "scenario.h": "simulator",
     "scene_view.h": "simulator",
     "simulator.h": "simulator",
+    "describe.h": "io",
     "files.h": "io",
 }
 

@@ -53,9 +53,10 @@ struct Field {
 [[nodiscard]] std::string_view file_unit_of(const Field& field);
 
 /// Checks one number.
-/// @param object  What the field belongs to, as the user knows it: "sonars[0]", "water".
+/// @param object  What the field belongs to, as the user knows it: "sonars[0]", "water"; "" for the scenario itself.
+/// @param index   Place in a list, negative for a single number.
 /// @throws Error "sonars[0].max_range = -2 m must be greater than 0 m"
-void check_field(std::string_view object, const Field& field, double value);
+void check_field(std::string_view object, const Field& field, double value, int index = -1);
 
 /// Checks the members that are numbers, optional numbers or lists or vectors of numbers, in order; words are left alone.
 template <typename Config>
@@ -76,8 +77,9 @@ void check_member(std::string_view object, const Field& field, const T& member) 
       check_member(object, field, *member);
     }
   } else if constexpr (requires { { *member.begin() } -> std::same_as<const double&>; }) {
+    int index = 0;
     for (const double value : member) {
-      check_field(object, field, value);
+      check_field(object, field, value, index++);
     }
   }
 }

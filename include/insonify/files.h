@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -44,10 +45,26 @@ namespace insonify {
 /// One number of a preset: where it comes from and how far to trust it.
 struct PresetFact {
   std::string field;        ///< As in the file.
-  std::string value;
+  std::string value;        ///< As in the file.
+  std::string unit;         ///< Of that value; may be "".
   std::string confidence;   ///< A (read in the source), B (data-sheet knowledge, cross-checked) or C (uncertain).
   std::string source;
 };
+/// What is known of an instrument beside its SonarConfig.
+struct Instrument {
+  std::optional<double> azimuth_resolution;  ///< Width of a beam between half-power points [rad].
+  std::optional<double> range_resolution;    ///< Shortest bin [m].
+  int bin_limit = 1000;                      ///< Most bins in a beam.
+  std::optional<double> ping_rate_limit;     ///< Most pings a second [Hz].
+  std::optional<double> bandwidth;           ///< [Hz]
+  std::optional<double> dynamic_range_db;    ///< [dB]
+  std::vector<double> bit_depths;            ///< Bits a sample that it can deliver.
+  std::vector<double> steps;                 ///< Steps its head can make [rad].
+
+  template <typename Self, typename Visit>
+  static void visit_fields(Self& self, Visit&& visit);
+};
+
 struct Preset {
   std::string name;                  ///< "tritech-gemini-720i"; a mode is chosen with "preset: NAME" and "mode: MODE".
   std::string title;                 ///< "Tritech Gemini 720i"
@@ -55,12 +72,21 @@ struct Preset {
   std::vector<std::string> modes;    ///< At least one.
   std::filesystem::path file;
   std::vector<PresetFact> facts;     ///< Of the mode it was loaded in.
-  SonarConfig sonar;                 ///< In that mode.
+  Instrument instrument;             ///< In that mode.
+  SonarConfig sonar;                 ///< In that mode, over its longest range, in water of 1500 m/s.
+
+  /// Gives a sonar the bins and the ping period that the instrument has over its range window: bins of
+  /// `range_resolution` as far as `bin_limit` allows, else `bin_limit` longer ones; pings at `ping_rate_limit` as far as
+  /// the range allows.
+  /// @param sound_speed  The one the sonar assumes [m/s].
+  void fit_to_range(SonarConfig& sonar, double sound_speed) const;
 };
 /// Names of all presets, in order. They are read from INSONIFY_PRESETS (a folder) if set, else from the installed or source
 /// tree's `presets`.
 [[nodiscard]] std::vector<std::string> preset_names();
-/// @param mode  "" for the default.  @throws Error naming the nearest preset or the modes there are.
+
+/// @param mode  "" for the default.
+/// @throws Error naming the nearest preset or the modes there are; "path:line:column: ..." for a file that is wrong.
 [[nodiscard]] Preset load_preset(const std::string& name, const std::string& mode = "");
 
 /// Writes one sonar's pings to one HDF5 file, ping by ping: at any moment the file on disk is whole up to the last ping,
@@ -90,5 +116,20 @@ class Recording {
 
 /// Writes a PNG, 8 bits a channel.  @throws Error with the path.
 void write_png(const std::filesystem::path& path, const Picture& picture);
+
+// ---------------------------------------------------------------------------------------------------------------------
+
+template <typename Self, typename Visit>
+void Instrument::visit_fields(Self& self, Visit&& visit) {
+  visit(Field{"azimuth_resolution", "rad", greater_than(0), "Width of a beam between half-power points."},
+        self.azimuth_resolution);
+  visit(Field{"range_resolution", "m", greater_than(0), "Shortest bin."}, self.range_resolution);
+  visit(Field{"bin_limit", "", from_to(1, 65536), "Most bins in a beam."}, self.bin_limit);
+  visit(Field{"ping_rate_limit", "Hz", greater_than(0), "Most pings a second."}, self.ping_rate_limit);
+  visit(Field{"bandwidth", "Hz", greater_than(0), "Bandwidth of the pulse."}, self.bandwidth);
+  visit(Field{"dynamic_range_db", "dB", greater_than(0), "Dynamic range of the receiver."}, self.dynamic_range_db);
+  visit(Field{"bit_depths", "", from_to(1, 64), "Bits a sample that it can deliver."}, self.bit_depths);
+  visit(Field{"steps", "rad", greater_than(0), "Steps its head can make."}, self.steps);
+}
 
 }  // namespace insonify

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -42,6 +43,11 @@ struct Motion {
   std::string object;      ///< A model, link or visual by its scoped name.
   Trajectory trajectory;   ///< Where the object's own frame is; its parts move with it.
   std::string where;       ///< "path:line:column: " for messages.
+
+  template <typename Self, typename Visit>
+  static void visit_fields(Self& self, Visit&& visit) {
+    visit(Field{"object", "", {}, "Model, link or visual of the world that moves, by its scoped name."}, self.object);
+  }
 };
 
 /// What the receiver adds, in either model.
@@ -93,6 +99,20 @@ struct Scenario {
   /// Checks every part and the rules between them: at least one sonar, names that differ, periods long enough.
   /// @throws Error on the first fault.
   void validate() const;
+
+  /// Visits the members that are plain values; the parts (water, sonars ...) visit their own.
+  template <typename Self, typename Visit>
+  static void visit_fields(Self& self, Visit&& visit) {
+    visit(Field{"world", "", {}, "SDF world or model, mesh or height grid; relative paths are from the scenario's folder."},
+          self.world);
+    visit(Field{"collisions", "", {}, "Insonify the world's collision shapes instead of its visuals (SDF)."},
+          self.collisions);
+    visit(Field{"model", "", {}, "Model of the echo: paper."}, self.model);
+    visit(Field{"engine", "", {}, "What computes the echoes: cpu, or reference (slow, for checks)."}, self.engine);
+    visit(Field{"secondary", "", {}, "Which hits send a ray on in search of a second surface."}, self.secondary);
+    visit(Field{"seed", "", at_least(0), "Start of the random numbers; the same seed gives the same pings."}, self.seed);
+    visit(Field{"pings", "", from_to(1, 1e9), "Pings of each sonar."}, self.pings);
+  }
 };
 
 }  // namespace insonify

@@ -4,9 +4,11 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "insonify/field.h"
 #include "insonify/log.h"
 #include "insonify/material.h"
 #include "insonify/mesh.h"
@@ -31,6 +33,16 @@ struct MaterialOverride {
   std::optional<double> sound_speed = {};  ///< [m/s]
   std::optional<double> reflectivity = {}; ///< 0..1
   std::string where = {};              ///< "path:line:column: " of the entry for messages, may be "".
+
+  template <typename Self, typename Visit>
+  static void visit_fields(Self& self, Visit&& visit) {
+    visit(Field{"like", "", {}, "Material of the library to start from; the one of this name when absent."}, self.like);
+    visit(Field{"density", "kg/m^3", greater_than(0), "Density."}, self.density);
+    visit(Field{"sound_speed", "m/s", greater_than(0), "Speed of compressional waves."}, self.sound_speed);
+    visit(Field{"reflectivity", "", from_to(0, 1),
+                "Share of the echo amplitude that the paper model keeps; from the impedance when absent."},
+          self.reflectivity);
+  }
 };
 
 /// Which material each surface is made of. Keys match a visual's name (whole or its last part), else a material's name.
@@ -38,6 +50,12 @@ struct MaterialRules {
   std::map<std::string, MaterialOverride> overrides = {};
   std::string default_material = "sand";   ///< For a mesh's own names that match nothing.
   std::string default_where = {};          ///< "path:line:column: " of it for messages, may be "".
+
+  template <typename Self, typename Visit>
+  static void visit_fields(Self& self, Visit&& visit) {
+    visit(Field{"default_material", "", {}, "What a surface is made of whose own material name matches nothing."},
+          self.default_material);
+  }
 };
 
 struct Box3 {

@@ -59,15 +59,18 @@ std::string_view file_unit_of(const Field& field) {
   return field.unit == "rad" ? "deg" : field.unit;
 }
 
-void check_field(std::string_view object, const Field& field, double value) {
+void check_field(std::string_view object, const Field& field, double value, int index) {
   if (field.limits.allow(value)) {
     return;
   }
   const double scale = file_scale_of(field);
   const std::string limits = field.limits.text(scale);
-  const std::string must = limits == "any finite number" ? "a finite number" : with_unit(limits, file_unit_of(field));
-  throw Error(fmt::format("{}.{} = {} must be {}", object, file_name_of(field),
-                          with_unit(number(value * scale), file_unit_of(field)), must));
+  const std::string must = limits == "any finite number"
+                               ? "a finite number"
+                               : (std::isinf(value) ? "finite and " : "") + with_unit(limits, file_unit_of(field));
+  const std::string name = (object.empty() ? "" : std::string(object) + ".") + file_name_of(field) +
+                           (index < 0 ? "" : fmt::format("[{}]", index));
+  throw Error(fmt::format("{} = {} must be {}", name, with_unit(number(value * scale), file_unit_of(field)), must));
 }
 
 }  // namespace insonify

@@ -1,0 +1,29 @@
+// describe.h -- the keys of a scenario file in words: what `insonify describe` and the manual are made from.
+
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace insonify {
+
+/// One key, all of it as users write and read it.
+struct KeyDescription {
+  std::string key;            ///< "azimuth_aperture_deg"
+  std::string unit;           ///< "deg"; may be "".
+  std::string allowed;        ///< "greater than 0, at most 360", "fls, msis", "text" ...
+  std::string default_value;  ///< "120"; "-" where there is none.
+  std::string help;           ///< One sentence.
+};
+
+/// One part of a scenario.
+struct SectionDescription {
+  std::string name;  ///< "scenario" for the top level, else the part's key: "water", "sonars" ...
+  std::string help;  ///< One or two sentences.
+  std::vector<KeyDescription> keys;
+};
+
+/// Every part of a scenario, in the order of the manual; made from the lists of fields the configurations give.
+[[nodiscard]] std::vector<SectionDescription> describe_scenario();
+
+}  // namespace insonify

@@ -1,0 +1,284 @@
+// load_scenario.cpp -- a scenario from its YAML file and the settings of the command line.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <sstream>
+
+#include "insonify/files.h"
+#include "io/preset_file.h"
+#include "io/read_text.h"
+#include "io/yaml_read.h"
+#include "io/yaml_settings.h"
+
+namespace insonify {
+namespace {
+
+using Kind = YamlValue::Kind;
+
+// Keys that stand for a part of the scenario instead of a plain value.
+constexpr std::array kPartKeys = {"water",  "materials",  "sonars",  "receiver", "paper",
+                                  "points", "trajectory", "motions", "view"};
+
+std::vector<std::string> scenario_keys() {
+  std::vector<std::string> keys = keys_of<Scenario>();
+  keys.push_back(keys_of<MaterialRules>().front());
+  keys.insert(keys.end(), kPartKeys.begin(), kPartKeys.end());
+  return keys;
+}
+
+std::vector<std::string> sonar_keys() {
+  std::vector<std::string> keys = keys_of<SonarConfig>();
+  keys.insert(keys.end(), {"preset", "mode", "sampling"});
+  return keys;
+}
+
+// What someone probably wants who gives us a world where a scenario is due.
+void refuse_worlds(const std::filesystem::path& path) {
+  constexpr std::array meshes = {".obj", ".stl", ".dae", ".ply", ".gltf", ".glb"};
+  constexpr std::array worlds = {".sdf", ".world", ".xml"};
+  constexpr std::array grids = {".asc", ".bag", ".png"};
+  std::string ending = path.extension().string();
+  std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return std::tolower(c); });
+  const auto is_one_of = [&](const auto& endings) { return std::ranges::find(endings, ending) != endings.end(); };
+  const char* kind = is_one_of(meshes)   ? "a mesh"
+                     : is_one_of(worlds) ? "an SDF world"
+                     : is_one_of(grids)  ? "a height grid"
+                                         : nullptr;
+  if (kind != nullptr) {
+    throw Error(fmt::format("{}: is {}, not a scenario; write a YAML file that says world: {} and lists sonars",
+                            path.string(), kind, path.filename().string()));
+  }
+}
+
+// Reads the tree into a scenario and keeps where everything stood.
+class ScenarioReader {
+ public:
+  ScenarioReader(const YamlValue& tree, const std::filesystem::path& path) : tree_(tree), path_(path) {}
+
+  Scenario read() {
+    require_map(tree_, path_.filename().string(), "a map of keys such as world and sonars");
+    refuse_misplaced_keys();
+    check_keys(tree_, "", scenario_keys());
+    scenario_.file = path_;
+    read_fields(tree_, "", scenario_, places_);
+    read_fields(tree_, "", scenario_.materials, places_);
+    scenario_.materials.default_where = place_of("default_material ");
+    read_world();
+    if_given("water", [&](const YamlValue& part) { read_section(part, "water", scenario_.water, places_); });
+    if_given("paper", [&](const YamlValue& part) { read_section(part, "paper", scenario_.paper, places_); });
+    if_given("receiver", [&](const YamlValue& part) { read_section(part, "receiver", scenario_.receiver, places_); });
+    if_given("materials", [&](const YamlValue& part) { read_materials(part); });
+    if_given("sonars", [&](const YamlValue& part) { read_sonars(part); });
+    if_given("trajectory", [&](const YamlValue& part) { read_trajectory(part, "trajectory", scenario_.trajectory); });
+    if_given("motions", [&](const YamlValue& part) { read_motions(part); });
+    if_given("view", [&](const YamlValue& part) { read_section(part, "view", scenario_.view.emplace(), places_); });
+    validate();
+    return std::move(scenario_);
+  }
+
+ private:
+  template <typename Read>
+  void if_given(const std::string& key, Read&& read) {
+    if (const YamlValue* part = tree_.find(key)) {
+      places_[key] = part->where;
+      read(*part);
+    }
+  }
+
+  void refuse_misplaced_keys() const {
+    if (const YamlValue* points = tree_.find("points")) {
+      throw Error(points->where + "points belong to the calibrated model, which is not in this version");
+    }
+    const std::vector<std::string> of_scenario = scenario_keys();
+    const std::vector<std::string> of_sonar = sonar_keys();
+    for (const auto& [key, value] : tree_.entries) {
+      if (std::ranges::find(of_scenario, key) == of_scenario.end() &&
+          std::ranges::find(of_sonar, key) != of_sonar.end()) {
+        throw Error(
+            fmt::format("{}{} is a key of a sonar, not of the scenario; write it under sonars", value.where, key));
+      }
+    }
+  }
+
+  void read_world() {
+    const YamlValue* given = tree_.find("world");
+    if (given == nullptr) {
+      return;
+    }
+    scenario_.world_where = given->where;
+    scenario_.world = std::filesystem::absolute(path_.parent_path() / scenario_.world).lexically_normal();
+    std::error_code ignored;
+    if (!std::filesystem::exists(scenario_.world, ignored)) {
+      throw Error(
+          fmt::format("{}world = {} is not there: no file {}", given->where, given->shown(), scenario_.world.string()));
+    }
+  }
+
+  void read_materials(const YamlValue& part) {
+    require_map(part, "materials", "a map of material or visual names");
+    for (const auto& [name, value] : part.entries) {
+      const std::string object = member_name("materials", name);
+      MaterialOverride& changes = scenario_.materials.overrides[name];
+      if (value.kind == Kind::kScalar) {
+        places_[object] = value.where;
+        changes.like = value.scalar;
+      } else {
+        read_section(value, object, changes, places_);
+      }
+      changes.where = value.where;
+    }
+  }
+
+  void read_sonars(const YamlValue& part) {
+    require_list(part, "sonars", "a list of sonars");
+    for (std::size_t i = 0; i < part.items.size(); ++i) {
+      scenario_.sonars.push_back(read_sonar(part.items[i], fmt::format("sonars[{}]", i)));
+    }
+  }
+
+  SonarConfig read_sonar(const YamlValue& value, const std::string& object) {
+    require_map(value, object, "a map of keys such as preset and max_range");
+    places_[object] = value.where;
+    check_keys(value, object, sonar_keys());
+    const std::optional<Preset> preset = preset_of(value, object);
+    SonarConfig sonar = preset ? preset->sonar : SonarConfig();
+    read_fields(value, object, sonar, places_);
+    if (const YamlValue* sampling = value.find("sampling")) {
+      read_section(*sampling, object + ".sampling", sonar.sampling, places_);
+    }
+    refuse_head_keys(value, object, sonar);
+    if (preset) {
+      fit_to_range(value, *preset, sonar);
+    }
+    return sonar;
+  }
+
+  static std::optional<Preset> preset_of(const YamlValue& value, const std::string& object) {
+    std::string name, mode;
+    const YamlValue* given_name = value.find("preset");
+    const YamlValue* given_mode = value.find("mode");
+    if (given_name == nullptr) {
+      if (given_mode != nullptr) {
+        throw Error(fmt::format("{}{}.mode belongs to a preset, and none is named", given_mode->where, object));
+      }
+      return std::nullopt;
+    }
+    read_member(*given_name, object, Field{"preset", "", {}, ""}, name);
+    with_place(fmt::format("{}{}.preset = ", given_name->where, object), [&] { check_preset_name(name); });
+    if (given_mode != nullptr) {
+      read_member(*given_mode, object, Field{"mode", "", {}, ""}, mode);
+      with_place(fmt::format("{}{}.mode = ", given_mode->where, object), [&] { check_preset_mode(name, mode); });
+    }
+    return load_preset(name, mode);
+  }
+
+  // A key that would have no effect is a mistake.
+  static void refuse_head_keys(const YamlValue& value, const std::string& object, const SonarConfig& sonar) {
+    if (sonar.type == SonarType::kMechanicallyScanned) {
+      return;
+    }
+    for (const char* key : {"step_deg", "sector_center_deg", "sector_width_deg", "mounting"}) {
+      if (const YamlValue* given = value.find(key)) {
+        throw Error(
+            fmt::format("{}{}.{} belongs to a scanning sonar; this one's type is fls", given->where, object, key));
+      }
+    }
+  }
+
+  // Bins and period follow the range window unless they are given.
+  void fit_to_range(const YamlValue& value, const Preset& preset, SonarConfig& sonar) const {
+    SonarConfig fitted = sonar;
+    preset.fit_to_range(fitted, sonar.assumed_sound_speed.value_or(scenario_.water.true_sound_speed()));
+    if (value.find("bin_count") == nullptr) {
+      sonar.bin_count = fitted.bin_count;
+    }
+    if (value.find("ping_period") == nullptr) {
+      sonar.ping_period = fitted.ping_period;
+    }
+  }
+
+  void read_trajectory(const YamlValue& part, const std::string& object, Trajectory& trajectory) {
+    require_list(part, object, "a list of waypoints");
+    for (std::size_t i = 0; i < part.items.size(); ++i) {
+      read_section(part.items[i], fmt::format("{}[{}]", object, i), trajectory.waypoints.emplace_back(), places_);
+    }
+  }
+
+  void read_motions(const YamlValue& part) {
+    require_list(part, "motions", "a list of motions");
+    for (std::size_t i = 0; i < part.items.size(); ++i) {
+      const std::string object = fmt::format("motions[{}]", i);
+      const YamlValue& value = part.items[i];
+      require_map(value, object, "a map of the keys object and trajectory");
+      check_keys(value, object, std::vector<std::string>{"object", "trajectory"});
+      places_[object] = value.where;
+      Motion motion;
+      motion.where = value.where;
+      read_fields(value, object, motion, places_);
+      if (const YamlValue* trajectory = value.find("trajectory")) {
+        places_[object + ".trajectory"] = trajectory->where;
+        read_trajectory(*trajectory, object + ".trajectory", motion.trajectory);
+      }
+      scenario_.motions.push_back(std::move(motion));
+    }
+  }
+
+  // Messages begin with the name of what is wrong. Its place goes before it; where it has none, being a default, the
+  // place of another key of the same object that the message names; else that of the object.
+  std::string place_of(std::string_view message) const {
+    std::string_view name = message.substr(0, message.find(' '));
+    if (const auto place = places_.find(std::string(name)); place != places_.end()) {
+      return place->second;
+    }
+    const std::string_view object = name.substr(0, std::min(name.rfind('.'), name.size()));
+    std::istringstream words{std::string(message)};
+    for (std::string word; words >> word;) {
+      if (const auto place = places_.find(member_name(object, word)); place != places_.end()) {
+        return place->second;
+      }
+    }
+    while (!name.empty()) {
+      if (const auto place = places_.find(std::string(name)); place != places_.end()) {
+        return place->second;
+      }
+      const std::size_t end = name.find_last_of(".[");
+      name = name.substr(0, end == std::string_view::npos ? 0 : end);
+    }
+    return tree_.where;
+  }
+
+  void validate() const {
+    try {
+      scenario_.validate();
+    } catch (const Error& error) {
+      throw Error(place_of(error.what()) + error.what());
+    }
+  }
+
+  const YamlValue& tree_;
+  const std::filesystem::path& path_;
+  Scenario scenario_;
+  Places places_;
+};
+
+}  // namespace
+
+Scenario load_scenario(const std::filesystem::path& path, std::span<const std::string> settings) {
+  refuse_worlds(path);
+  const std::string text = read_text(path);
+  YamlValue tree = parse_yaml(text, path.string());
+  if (tree.kind == Kind::kNothing) {
+    throw Error(tree.where + "the file is empty; a scenario names a world and its sonars");
+  }
+  for (const std::string& setting : settings) {
+    apply_setting(tree, setting, scenario_keys(), sonar_keys());
+  }
+  Scenario scenario = ScenarioReader(tree, path).read();
+  scenario.text = settings.empty() ? text : write_yaml(tree);
+  return scenario;
+}
+
+}  // namespace insonify

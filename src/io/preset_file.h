@@ -1,0 +1,16 @@
+// preset_file.h -- preset files by name, for those who check a name before they load it.
+
+#pragma once
+
+#include <string>
+
+namespace insonify {
+
+/// @throws Error '"gemini" is not a preset; did you mean tritech-gemini-720i?'
+void check_preset_name(const std::string& name);
+
+/// @param name  Of a preset that exists.
+/// @throws Error '"hgh" is not a mode of blueprint-oculus-m750d, which has low and high'
+void check_preset_mode(const std::string& name, const std::string& mode);
+
+}  // namespace insonify

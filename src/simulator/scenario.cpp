@@ -1,0 +1,137 @@
+// scenario.cpp -- the rules between the parts of a scenario, and where things are along a trajectory.
+
+#include "insonify/scenario.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "insonify/error.h"
+
+namespace insonify {
+namespace {
+
+Pose pose_of(const Waypoint& waypoint) {
+  const Vec3& rpy = waypoint.orientation;
+  return {waypoint.position, orientation_from_rpy(rpy.x(), rpy.y(), rpy.z())};
+}
+
+// Three digits, rounded up: a limit in a message must itself be allowed.
+double rounded_up(double value) {
+  const double digit = std::pow(10, std::floor(std::log10(value)) - 2);
+  return std::ceil(value / digit) * digit;
+}
+
+void check_ping_period(const std::string& object, const SonarConfig& sonar, const Water& water) {
+  const double least = sonar.shortest_ping_period(sonar.assumed_sound_speed.value_or(water.true_sound_speed()));
+  if (sonar.ping_period.has_value() && *sonar.ping_period < least) {
+    throw Error(fmt::format(
+        "{}.ping_period = {:.10g} s must be at least {:.10g} s, the time sound takes to max_range = {:.10g} m "
+        "and back",
+        object, *sonar.ping_period, rounded_up(least), sonar.max_range));
+  }
+}
+
+void check_sonars(const std::vector<SonarConfig>& sonars, const Water& water) {
+  if (sonars.empty()) {
+    throw Error("sonars must have at least one entry");
+  }
+  for (std::size_t i = 0; i < sonars.size(); ++i) {
+    const std::string object = fmt::format("sonars[{}]", i);
+    const auto same = std::ranges::find(sonars.begin(), sonars.begin() + i, sonars[i].name, &SonarConfig::name);
+    if (same != sonars.begin() + i) {
+      throw Error(fmt::format("{}.name = \"{}\" must differ from that of sonars[{}]", object, sonars[i].name,
+                              same - sonars.begin()));
+    }
+    sonars[i].validate(object);
+    check_ping_period(object, sonars[i], water);
+  }
+}
+
+void check_engine(const std::string& engine) {
+  const std::vector<std::string_view> names = engine_names();
+  if (std::ranges::find(names, engine) == names.end()) {
+    throw Error(fmt::format("engine = \"{}\" must be {}", engine, fmt::join(names, " or ")));
+  }
+}
+
+void check_materials(const MaterialRules& rules) {
+  for (const auto& [name, changes] : rules.overrides) {
+    check_fields("materials." + name, changes);
+  }
+}
+
+void check_motions(const std::vector<Motion>& motions) {
+  for (std::size_t i = 0; i < motions.size(); ++i) {
+    const std::string object = fmt::format("motions[{}]", i);
+    if (motions[i].object.empty()) {
+      throw Error(object + ".object is missing: the name of what moves");
+    }
+    if (motions[i].trajectory.waypoints.empty()) {
+      throw Error(object + ".trajectory must have at least one waypoint");
+    }
+    motions[i].trajectory.validate(object + ".trajectory");
+  }
+}
+
+void check_view(const ViewConfig& view) {
+  check_fields("view", view);
+  if (view.position == view.look_at) {
+    throw Error("view.look_at must differ from view.position");
+  }
+}
+
+}  // namespace
+
+Pose Trajectory::at(double time) const {
+  if (waypoints.empty()) {
+    return {};
+  }
+  const auto after = std::ranges::upper_bound(waypoints, time, {}, &Waypoint::time);
+  if (after == waypoints.begin()) {
+    return pose_of(waypoints.front());
+  }
+  if (after == waypoints.end()) {
+    return pose_of(waypoints.back());
+  }
+  const Waypoint& before = *(after - 1);
+  const double share = (time - before.time) / (after->time - before.time);
+  const Pose from = pose_of(before);
+  const Pose to = pose_of(*after);
+  // Eigen's slerp turns the shorter way.
+  return {from.position + share * (to.position - from.position), from.orientation.slerp(share, to.orientation)};
+}
+
+void Trajectory::validate(std::string_view object) const {
+  for (std::size_t i = 0; i < waypoints.size(); ++i) {
+    check_fields(fmt::format("{}[{}]", object, i), waypoints[i]);
+    if (i > 0 && waypoints[i].time <= waypoints[i - 1].time) {
+      throw Error(fmt::format("{0}[{1}].time = {2:.10g} s must be greater than {0}[{3}].time = {4:.10g} s", object, i,
+                              waypoints[i].time, i - 1, waypoints[i - 1].time));
+    }
+  }
+}
+
+void Scenario::validate() const {
+  check_fields("", *this);
+  if (world.empty()) {
+    throw Error("world is missing: the SDF file or mesh to insonify");
+  }
+  if (model != "paper") {
+    throw Error(model == "calibrated" ? "model = \"calibrated\" is not in this version; the model there is: paper"
+                                      : fmt::format("model = \"{}\" must be paper", model));
+  }
+  check_engine(engine);
+  water.validate();
+  paper.validate();
+  check_materials(materials);
+  check_sonars(sonars, water);
+  trajectory.validate("trajectory");
+  check_motions(motions);
+  if (view.has_value()) {
+    check_view(*view);
+  }
+}
+
+}  // namespace insonify

@@ -1,0 +1,304 @@
+// bad_input_test.cpp -- whatever is wrong with a scenario is told in one line: where, what, and what would be right.
+
+#include <gtest/gtest.h>
+
+#include "insonify/files.h"
+#include "support/message_of.h"
+#include "support/scratch_folder.h"
+
+namespace insonify {
+namespace {
+
+struct Case {
+  const char* name;
+  const char* yaml;
+  const char* message;
+  std::vector<std::string> settings = {};
+};
+
+void PrintTo(const Case& bad, std::ostream* out) {
+  *out << bad.name;
+}
+
+class BadInputTest : public testing::TestWithParam<Case> {
+ protected:
+  BadInputTest() { folder.write("floor.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"); }
+
+  ScratchFolder folder;
+};
+
+TEST_P(BadInputTest, IsToldInOneLine) {
+  folder.write("scenario.yaml", GetParam().yaml);
+  std::string message = GetParam().message;
+  if (const std::size_t place = message.find("FOLDER"); place != std::string::npos) {
+    message.replace(place, 6, folder.path().string());
+  }
+  EXPECT_EQ(message_of([&] { (void)load_scenario("scenario.yaml", GetParam().settings); }), message);
+}
+
+constexpr const char* kGood =
+    "world: floor.obj\nsonars:\n  - name: fls\n  - name: dst\n    preset: tritech-micron-dst\n";
+
+const Case kCases[] = {
+    // The text itself.
+    {"EmptyFile", "", "scenario.yaml:1:1: the file is empty; a scenario names a world and its sonars"},
+    {"OnlyComments", "# nothing yet\n",
+     "scenario.yaml:1:1: the file is empty; a scenario names a world and its sonars"},
+    {"NotAMap", "- world\n- sonars\n",
+     "scenario.yaml:1:1: scenario.yaml = [\"world\", \"sonars\"] must be a map of keys such as world and sonars"},
+    {"AWord", "wreck\n", "scenario.yaml:1:1: scenario.yaml = \"wreck\" must be a map of keys such as world and sonars"},
+    {"UnfinishedList", "world: floor.obj\nsonars: [\n",
+     "scenario.yaml:3:1: not valid YAML: end of sequence flow not found"},
+    {"Tab", "world: floor.obj\nwater:\n\tdepth: 3\n",
+     "scenario.yaml:3:7: not valid YAML: indent with spaces, not with tabs"},
+    {"SecondDocument", "world: floor.obj\n---\nworld: floor.obj\n",
+     "scenario.yaml:3:1: a second document starts here; one file holds one"},
+    {"KeyTwice", "world: floor.obj\nwater:\n  depth: 3\n  depth: 4\n", "scenario.yaml:4:3: water.depth is given twice"},
+    {"KeyIsAList", "world: floor.obj\n[a, b]: 3\n", "scenario.yaml:2:1: a key must be a word"},
+    {"UnknownAnchor", "world: floor.obj\nwater: *sea\n",
+     "scenario.yaml:2:8: not valid YAML: the referenced anchor is not defined"},
+    {"EndlessNesting", "world: floor.obj\nwater: &sea\n  depth: *sea\n",
+     "scenario.yaml:2:8: nested too deeply, or unfolds into too many values"},
+
+    // Keys.
+    {"UnknownKey", "wrold: floor.obj\n", "scenario.yaml:1:1: wrold is not a known key; did you mean world?"},
+    {"UnknownKeyInWater", "world: floor.obj\nwater: {salinty: 3}\n",
+     "scenario.yaml:2:9: water.salinty is not a known key; did you mean salinity?"},
+    {"UnknownKeyInSonar", "world: floor.obj\nsonars:\n  - name: fls\n    max_rnage: 30\n",
+     "scenario.yaml:4:5: sonars[0].max_rnage is not a known key; did you mean max_range?"},
+    {"UnknownKeyInSampling", "world: floor.obj\nsonars:\n  - sampling: {row: 30}\n",
+     "scenario.yaml:3:16: sonars[0].sampling.row is not a known key; did you mean rows?"},
+    {"UnknownKeyWithALineBreak", "world: floor.obj\n\"a\\nb\": 3\n",
+     "scenario.yaml:2:1: a\\nb is not a known key; did you mean seed?"},
+    {"AngleWithoutItsUnit", "world: floor.obj\nsonars:\n  - azimuth_aperture: 120\n",
+     "scenario.yaml:3:5: sonars[0].azimuth_aperture must be written azimuth_aperture_deg, in degrees"},
+    {"AngleInRadians", "world: floor.obj\nsonars:\n  - step_rad: 0.01\n",
+     "scenario.yaml:3:5: sonars[0].step_rad must be written step_deg, in degrees"},
+    {"SonarKeyOutsideSonars", "world: floor.obj\nmax_range: 30\nsonars: [{name: fls}]\n",
+     "scenario.yaml:2:1: max_range is a key of a sonar, not of the scenario; write it under sonars"},
+    {"Points", "world: floor.obj\npoints: [{position: [9, 0, -5], target_strength_db: -20}]\n",
+     "scenario.yaml:2:1: points belong to the calibrated model, which is not in this version"},
+    {"HeadKeyOfAFan", "world: floor.obj\nsonars:\n  - type: fls\n    step_deg: 0.9\n",
+     "scenario.yaml:4:5: sonars[0].step_deg belongs to a scanning sonar; this one's type is fls"},
+
+    // What must be there.
+    {"NoWorld", "seed: 3\nsonars: [{name: fls}]\n",
+     "scenario.yaml:1:1: world is missing: the SDF file or mesh to insonify"},
+    {"WorldIsNotThere", "world: wreck.sdf\nsonars: [{name: fls}]\n",
+     "scenario.yaml:1:1: world = \"wreck.sdf\" is not there: no file FOLDER/wreck.sdf"},
+    {"WorldWithoutAName", "world:\nsonars: [{name: fls}]\n",
+     "scenario.yaml:1:1: world has no value; it must be a file"},
+    {"WorldIsEmptyText", "world: \"\"\nsonars: [{name: fls}]\n", "scenario.yaml:1:1: world = \"\" must be a file"},
+    {"NoSonars", "world: floor.obj\n", "scenario.yaml:1:1: sonars must have at least one entry"},
+    {"EmptySonars", "world: floor.obj\nsonars: []\n", "scenario.yaml:2:1: sonars must have at least one entry"},
+    {"SonarsIsAMap", "world: floor.obj\nsonars: {name: fls}\n",
+     "scenario.yaml:2:1: sonars = {...} must be a list of sonars"},
+    {"SonarIsAWord", "world: floor.obj\nsonars: [tritech-gemini-720i]\n",
+     "scenario.yaml:2:10: sonars[0] = \"tritech-gemini-720i\" must be a map of keys such as preset and max_range"},
+
+    // Types.
+    {"WordForANumber", "world: floor.obj\nsonars:\n  - max_range: far\n",
+     "scenario.yaml:3:5: sonars[0].max_range = \"far\" must be a number, greater than 0 m"},
+    {"UnitInANumber", "world: floor.obj\nsonars:\n  - max_range: 20 m\n",
+     "scenario.yaml:3:5: sonars[0].max_range = \"20 m\" must be a number, greater than 0 m"},
+    {"QuotedNumber", "world: floor.obj\nwater: {depth: \"3\"}\n",
+     "scenario.yaml:2:9: water.depth = \"3\" must be a number, from 0 to 7000 m"},
+    {"NoNumber", "world: floor.obj\nwater: {depth: }\n",
+     "scenario.yaml:2:9: water.depth has no value; it must be a number, from 0 to 7000 m"},
+    {"ListForANumber", "world: floor.obj\nwater: {depth: [1, 2]}\n",
+     "scenario.yaml:2:9: water.depth = [1, 2] must be a number, from 0 to 7000 m"},
+    {"MapForANumber", "world: floor.obj\nwater: {depth: {m: 3}}\n",
+     "scenario.yaml:2:9: water.depth = {...} must be a number, from 0 to 7000 m"},
+    {"FractionOfAPing", "world: floor.obj\npings: 2.5\nsonars: [{name: fls}]\n",
+     "scenario.yaml:2:1: pings = 2.5 must be a whole number, from 1 to 1000000000"},
+    {"HugeCount", "world: floor.obj\npings: 3e9\nsonars: [{name: fls}]\n",
+     "scenario.yaml:2:1: pings = 3000000000 must be from 1 to 1000000000"},
+    {"NegativeSeed", "world: floor.obj\nseed: -1\nsonars: [{name: fls}]\n",
+     "scenario.yaml:2:1: seed = -1 must be a whole number, from 0 to 18446744073709551615"},
+    {"HugeSeed", "world: floor.obj\nseed: 18446744073709551616\nsonars: [{name: fls}]\n",
+     "scenario.yaml:2:1: seed = 18446744073709551616 must be a whole number, from 0 to 18446744073709551615"},
+    {"YesForTrue", "world: floor.obj\ncollisions: yes\nsonars: [{name: fls}]\n",
+     "scenario.yaml:2:1: collisions = \"yes\" must be true or false"},
+    {"TwoCoordinates", "world: floor.obj\nsonars:\n  - position: [1, 2]\n",
+     "scenario.yaml:3:5: sonars[0].position = [1, 2] must be a list of three numbers"},
+    {"WordForACoordinate", "world: floor.obj\nsonars:\n  - position: [1, up, 2]\n",
+     "scenario.yaml:3:19: sonars[0].position[1] = \"up\" must be a number [m]"},
+    {"NumberForAPosition", "world: floor.obj\nsonars:\n  - position: 5\n",
+     "scenario.yaml:3:5: sonars[0].position = 5 must be a list of three numbers"},
+    {"WordForAnAngle", "world: floor.obj\nsonars:\n  - orientation_deg: [0, down, 0]\n",
+     "scenario.yaml:3:26: sonars[0].orientation_deg[1] = \"down\" must be a number [deg]"},
+    {"TrajectoryIsAMap", "world: floor.obj\ntrajectory: {time: 0}\nsonars: [{name: fls}]\n",
+     "scenario.yaml:2:1: trajectory = {...} must be a list of waypoints"},
+    {"WaterIsANumber", "world: floor.obj\nwater: 1500\nsonars: [{name: fls}]\n",
+     "scenario.yaml:2:1: water = 1500 must be a map of keys such as temperature_c"},
+
+    // Words.
+    {"UnknownType", "world: floor.obj\nsonars:\n  - type: sss\n",
+     "scenario.yaml:3:5: sonars[0].type = \"sss\" must be fls or msis"},
+    {"UnknownMounting", "world: floor.obj\nsonars:\n  - type: msis\n    mounting: sideways\n",
+     "scenario.yaml:4:5: sonars[0].mounting = \"sideways\" must be horizontal or vertical"},
+    {"UnknownSigmoid", "world: floor.obj\npaper: {sigmoid: tanh}\nsonars: [{name: fls}]\n",
+     "scenario.yaml:2:9: paper.sigmoid = \"tanh\" must be logistic, authors or none"},
+    {"UnknownSecondary", "world: floor.obj\nsecondary: some\nsonars: [{name: fls}]\n",
+     "scenario.yaml:2:1: secondary = \"some\" must be none, selective or all"},
+    {"UnknownEngine", "world: floor.obj\nengine: gpu\nsonars: [{name: fls}]\n",
+     "scenario.yaml:2:1: engine = \"gpu\" must be cpu or reference"},
+    {"UnknownModel", "world: floor.obj\nmodel: papre\nsonars: [{name: fls}]\n",
+     "scenario.yaml:2:1: model = \"papre\" must be paper"},
+    {"CalibratedModel", "world: floor.obj\nmodel: calibrated\nsonars: [{name: fls}]\n",
+     "scenario.yaml:2:1: model = \"calibrated\" is not in this version; the model there is: paper"},
+    {"UnknownPreset", "world: floor.obj\nsonars:\n  - preset: gemini-720i\n",
+     "scenario.yaml:3:5: sonars[0].preset = \"gemini-720i\" is not a preset; did you mean tritech-gemini-720i?"},
+    {"UnknownMode", "world: floor.obj\nsonars:\n  - preset: blueprint-oculus-m750d\n    mode: hihg\n",
+     "scenario.yaml:4:5: sonars[0].mode = \"hihg\" is not a mode of blueprint-oculus-m750d, which has low and high"},
+    {"ModeWithoutPreset", "world: floor.obj\nsonars:\n  - mode: high\n",
+     "scenario.yaml:3:5: sonars[0].mode belongs to a preset, and none is named"},
+
+    // Limits.
+    {"NotANumber", "world: floor.obj\nsonars:\n  - max_range: .nan\n",
+     "scenario.yaml:3:5: sonars[0].max_range = nan m must be greater than 0 m"},
+    {"Infinite", "world: floor.obj\nsonars:\n  - position: [0, .inf, 0]\n",
+     "scenario.yaml:3:19: sonars[0].position[1] = inf m must be a finite number"},
+    {"BeyondADouble", "world: floor.obj\nsonars:\n  - max_range: 1e999\n",
+     "scenario.yaml:3:5: sonars[0].max_range = inf m must be finite and greater than 0 m"},
+    {"NegativeRange", "world: floor.obj\nsonars:\n  - max_range: -2\n",
+     "scenario.yaml:3:5: sonars[0].max_range = -2 m must be greater than 0 m"},
+    {"NoPings", "world: floor.obj\npings: 0\nsonars: [{name: fls}]\n",
+     "scenario.yaml:2:1: pings = 0 must be from 1 to 1000000000"},
+    {"BeamsOutOfLimits", "world: floor.obj\nsonars:\n  - beam_count: 5000\n",
+     "scenario.yaml:3:5: sonars[0].beam_count = 5000 must be from 1 to 4096"},
+    {"WideFan", "world: floor.obj\nsonars:\n  - azimuth_aperture_deg: 400\n",
+     "scenario.yaml:3:5: sonars[0].azimuth_aperture_deg = 400 deg must be greater than 0, at most 360 deg"},
+    {"WarmWater", "world: floor.obj\nwater: {temperature_c: 60}\n",
+     "scenario.yaml:2:9: water.temperature_c = 60 degC must be from -6 to 35 degC"},
+    {"SlowSound", "world: floor.obj\nwater: {sound_speed: 340}\n",
+     "scenario.yaml:2:9: water.sound_speed = 340 m/s must be from 1300 to 1700 m/s"},
+    {"Reflectivity", "world: floor.obj\nmaterials:\n  hull: {reflectivity: 1.2}\nsonars: [{name: fls}]\n",
+     "scenario.yaml:3:10: materials.hull.reflectivity = 1.2 must be from 0 to 1"},
+    {"BeamAzimuth", "world: floor.obj\nsonars:\n  - beam_count: 2\n    beam_azimuths_deg: [200, 0]\n",
+     "scenario.yaml:4:25: sonars[0].beam_azimuths_deg[0] = 200 deg must be from -180 to 180 deg"},
+    {"SamplingRows", "world: floor.obj\nsonars:\n  - sampling: {rows: 1}\n",
+     "scenario.yaml:3:16: sonars[0].sampling.rows = 1 must be from 2 to 8192"},
+    {"ViewAngle", "world: floor.obj\nview: {field_of_view_deg: 175}\nsonars: [{name: fls}]\n",
+     "scenario.yaml:2:8: view.field_of_view_deg = 175 deg must be greater than 0, at most 170 deg"},
+
+    // Rules between values.
+    {"RangesCross", "world: floor.obj\nsonars:\n  - max_range: 2\n    min_range: 5\n",
+     "scenario.yaml:3:5: sonars[0].max_range = 2 m must be greater than min_range = 5 m"},
+    {"BlankingBeyondRange", "world: floor.obj\nsonars:\n  - max_range: 2\n    blanking_range: 5\n",
+     "scenario.yaml:4:5: sonars[0].blanking_range = 5 m must be at most max_range = 2 m"},
+    {"HastyPings", "world: floor.obj\nwater: {sound_speed: 1500}\nsonars:\n  - ping_period: 0.01\n",
+     "scenario.yaml:4:5: sonars[0].ping_period = 0.01 s must be at least 0.0667 s, the time sound takes to max_range = "
+     "50 m and back"},
+    {"SameNames", "world: floor.obj\nsonars:\n  - name: fls\n  - max_range: 20\n    name: fls\n",
+     "scenario.yaml:5:5: sonars[1].name = \"fls\" must differ from that of sonars[0]"},
+    {"TwoSonarsWithoutNames", "world: floor.obj\nsonars:\n  - max_range: 30\n  - max_range: 20\n",
+     "scenario.yaml:4:5: sonars[1].name = \"sonar\" must differ from that of sonars[0]"},
+    {"NameWithASlash", "world: floor.obj\nsonars:\n  - name: a/b\n",
+     "scenario.yaml:3:5: sonars[0].name must not be empty, start with '.' or hold a slash, a backslash or a control "
+     "character"},
+    {"TooFewBeamAzimuths", "world: floor.obj\nsonars:\n  - beam_azimuths_deg: [20, 0, -20]\n",
+     "scenario.yaml:3:5: sonars[0].beam_azimuths_deg has 3 angles, must have one for each of beam_count = 256"},
+    {"FanThatTurns", "world: floor.obj\nsonars:\n  - type: msis\n",
+     "scenario.yaml:3:5: sonars[0].beam_count = 256 must be 1 for type msis, whose head turns a single beam"},
+    {"TimeStandsStill",
+     "world: floor.obj\nsonars: [{name: fls}]\ntrajectory:\n  - {time: 0}\n  - {time: 2}\n  - time: 2\n",
+     "scenario.yaml:6:5: trajectory[2].time = 2 s must be greater than trajectory[1].time = 2 s"},
+    {"MotionOfNothing", "world: floor.obj\nsonars: [{name: fls}]\nmotions:\n  - trajectory: [{time: 0}]\n",
+     "scenario.yaml:4:5: motions[0].object is missing: the name of what moves"},
+    {"MotionWithoutTrajectory", "world: floor.obj\nsonars: [{name: fls}]\nmotions:\n  - object: ship\n",
+     "scenario.yaml:4:5: motions[0].trajectory must have at least one waypoint"},
+    {"MotionBackInTime",
+     "world: floor.obj\nsonars: [{name: fls}]\nmotions:\n  - object: ship\n    trajectory:\n      - {time: 5}\n      - "
+     "{time: 4}\n",
+     "scenario.yaml:7:10: motions[0].trajectory[1].time = 4 s must be greater than motions[0].trajectory[0].time = 5 "
+     "s"},
+    {"ViewOfItself", "world: floor.obj\nsonars: [{name: fls}]\nview: {position: [1, 2, 3], look_at: [1, 2, 3]}\n",
+     "scenario.yaml:3:29: view.look_at must differ from view.position"},
+
+    // Settings of the command line.
+    {"SettingWithoutValue", kGood, "--set pings: must be key=value, such as pings=3", {"pings"}},
+    {"SettingWithoutKey", kGood, "--set =3: must be key=value, such as pings=3", {"=3"}},
+    {"SettingOfNothing",
+     kGood,
+     "--set pings=: pings has no value; it must be a whole number, from 1 to 1000000000",
+     {"pings="}},
+    {"SettingOfAnUnknownKey", kGood, "--set pigns=3: pigns is not a known key; did you mean pings?", {"pigns=3"}},
+    {"SettingOfAnAngle",
+     kGood,
+     "--set azimuth_aperture=90: azimuth_aperture must be written azimuth_aperture_deg, in degrees",
+     {"azimuth_aperture=90"}},
+    {"SettingOutOfLimits",
+     kGood,
+     "--set sonars[0].max_range=-3: sonars[0].max_range = -3 m must be greater than 0 m",
+     {"sonars[0].max_range=-3"}},
+    {"SettingOfEverySonar",
+     kGood,
+     "--set max_range=-3: sonars[0].max_range = -3 m must be greater than 0 m",
+     {"max_range=-3"}},
+    {"SettingOfASonarThatIsNotThere",
+     kGood,
+     "--set sonars[2].max_range=3: there is no sonars[2]; sonars has 2",
+     {"sonars[2].max_range=3"}},
+    {"SettingOfANameThatIsNotThere",
+     kGood,
+     "--set sonars.gemini.max_range=3: sonars has no entry called gemini; it has fls, dst",
+     {"sonars.gemini.max_range=3"}},
+    {"SettingOfAnUnknownPart",
+     kGood,
+     "--set water.dept=3: water.dept is not a known key; did you mean depth?",
+     {"water.dept=3"}},
+    {"SettingInsideANumber",
+     kGood,
+     "--set seed.depth=3: seed = {...} must be a whole number, from 0 to 18446744073709551615",
+     {"seed.depth=3"}},
+    {"SettingInsideAText", kGood, "--set world.depth=3: world is not a map of keys", {"world.depth=3"}},
+    {"SettingWithABadKey",
+     kGood,
+     "--set sonars[x].max_range=3: \"sonars[x].max_range\" is not a key such as water.depth or sonars[0].max_range",
+     {"sonars[x].max_range=3"}},
+    {"SettingThatIsNotYaml",
+     kGood,
+     "--set water={depth: 3: not valid YAML: end of map flow not found",
+     {"water={depth: 3"}},
+    {"SettingThatBreaksARule",
+     kGood,
+     "--set sonars.fls.min_range=60: sonars[0].max_range = 50 m must be greater than min_range = 60 m",
+     {"sonars.fls.min_range=60"}},
+    {"SettingOfAWorldThatIsNotThere",
+     kGood,
+     "--set world=wreck.sdf: world = \"wreck.sdf\" is not there: no file FOLDER/wreck.sdf",
+     {"world=wreck.sdf"}},
+};
+
+INSTANTIATE_TEST_SUITE_P(Scenario, BadInputTest, testing::ValuesIn(kCases),
+                         [](const auto& bad) { return std::string(bad.param.name); });
+
+class WrongFileTest : public testing::Test {
+ protected:
+  ScratchFolder folder;
+};
+
+TEST_F(WrongFileTest, MissingScenario) {
+  EXPECT_EQ(message_of([] { (void)load_scenario("wreck.yaml"); }),
+            "wreck.yaml: cannot be read: No such file or directory");
+}
+
+TEST_F(WrongFileTest, Folder) {
+  folder.write("scenes/floor.obj", "");
+  EXPECT_EQ(message_of([] { (void)load_scenario("scenes"); }), "scenes: is a folder, not a file");
+}
+
+TEST_F(WrongFileTest, MeshInsteadOfAScenario) {
+  EXPECT_EQ(
+      message_of([] { (void)load_scenario("scenes/Wreck.OBJ"); }),
+      "scenes/Wreck.OBJ: is a mesh, not a scenario; write a YAML file that says world: Wreck.OBJ and lists sonars");
+}
+
+TEST_F(WrongFileTest, WorldInsteadOfAScenario) {
+  EXPECT_EQ(message_of([] { (void)load_scenario("tank.sdf"); }),
+            "tank.sdf: is an SDF world, not a scenario; write a YAML file that says world: tank.sdf and lists sonars");
+}
+
+}  // namespace
+}  // namespace insonify

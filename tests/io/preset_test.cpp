@@ -1,0 +1,277 @@
+// preset_test.cpp -- every preset loads in every mode, says where its numbers come from, and has those of its data
+// sheet.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "insonify/files.h"
+#include "support/message_of.h"
+#include "support/scratch_folder.h"
+
+namespace insonify {
+namespace {
+
+using testing::AnyOf;
+using testing::Contains;
+using testing::ElementsAre;
+using testing::Not;
+
+// One more digit than the data sheets give.
+constexpr double kSheetTolerance = 1e-9;
+
+TEST(PresetTest, EveryInstrumentOfTheListIsThere) {
+  EXPECT_THAT(preset_names(),
+              ElementsAre("blueprint-oculus-m1200d", "blueprint-oculus-m3000d", "blueprint-oculus-m370s",
+                          "blueprint-oculus-m750d", "bluerobotics-ping360", "imagenex-881a", "kongsberg-m3",
+                          "soundmetrics-aris-explorer-1800", "soundmetrics-aris-explorer-3000", "soundmetrics-didson",
+                          "teledyne-blueview-m900-2250", "teledyne-blueview-p900-130", "teledyne-blueview-p900-45",
+                          "tritech-gemini-1200ik", "tritech-gemini-720i", "tritech-gemini-720im",
+                          "tritech-gemini-720is", "tritech-micron-dst", "tritech-super-seaking"));
+}
+
+TEST(PresetTest, EveryPresetLoadsInEveryMode) {
+  for (const std::string& name : preset_names()) {
+    for (const std::string& mode : load_preset(name).modes) {
+      SCOPED_TRACE(name + " " + mode);
+      const Preset preset = load_preset(name, mode);
+      EXPECT_EQ(preset.name, name);
+      EXPECT_THAT(preset.modes, Contains(preset.default_mode));
+      EXPECT_NO_THROW(preset.sonar.validate());
+      EXPECT_LE(preset.sonar.bin_count, preset.instrument.bin_limit);
+      // A gap between beams much wider than a beam would be a slip of the pen. The DIDSON's are one and a half apart.
+      const double spacing = preset.sonar.azimuth_aperture / preset.sonar.beam_count;
+      EXPECT_LT(spacing, 1.6 * preset.instrument.azimuth_resolution.value());
+    }
+  }
+}
+
+TEST(PresetTest, EveryFactHasItsConfidenceAndItsSource) {
+  for (const std::string& name : preset_names()) {
+    for (const std::string& mode : load_preset(name).modes) {
+      for (const PresetFact& fact : load_preset(name, mode).facts) {
+        SCOPED_TRACE(name + " " + mode + " " + fact.field);
+        EXPECT_THAT(fact.confidence, AnyOf("A", "B", "C"));
+        EXPECT_GT(fact.source.size(), 10U);
+        EXPECT_FALSE(fact.value.empty());
+      }
+    }
+  }
+}
+
+TEST(PresetTest, EveryPresetGivesWhatItsInstrumentNeeds) {
+  for (const std::string& name : preset_names()) {
+    for (const std::string& mode : load_preset(name).modes) {
+      const Preset preset = load_preset(name, mode);
+      std::vector<std::string> fields;
+      for (const PresetFact& fact : preset.facts) {
+        fields.push_back(fact.field);
+      }
+      for (const char* needed : {"type", "frequency", "beam_count", "azimuth_aperture_deg", "elevation_aperture_deg",
+                                 "azimuth_resolution_deg", "min_range", "max_range", "bin_limit", "bit_depths"}) {
+        EXPECT_THAT(fields, Contains(needed)) << name << " " << mode;
+      }
+    }
+  }
+}
+
+// ---------------------------------------------------------------- Data sheets
+
+struct Sheet {
+  const char* name;
+  const char* mode;
+  double frequency;  // [Hz]
+  int beams;
+  double azimuth, elevation;  // Full apertures [deg].
+  double near, far;           // [m]
+};
+
+// The table of instruments the presets were made from, row by row; Oculus M1200d and ARIS as their manuals have them.
+constexpr Sheet kSheets[] = {
+    {"tritech-gemini-720i", "", 720e3, 256, 120, 20, .2, 120},
+    {"tritech-gemini-720is", "", 720e3, 512, 120, 20, .2, 120},
+    {"tritech-gemini-720im", "", 720e3, 128, 90, 20, .2, 50},
+    {"tritech-gemini-1200ik", "low", 720e3, 512, 120, 20, .1, 120},
+    {"tritech-gemini-1200ik", "high", 1200e3, 512, 120, 12, .1, 50},
+    {"blueprint-oculus-m370s", "", 375e3, 256, 130, 20, .2, 200},
+    {"blueprint-oculus-m750d", "low", 750e3, 512, 130, 20, .1, 120},
+    {"blueprint-oculus-m750d", "high", 1200e3, 512, 70, 12, .1, 40},
+    {"blueprint-oculus-m1200d", "low", 1200e3, 512, 130, 20, .1, 40},
+    {"blueprint-oculus-m1200d", "high", 2100e3, 512, 60, 12, .1, 10},
+    {"blueprint-oculus-m3000d", "low", 1200e3, 512, 130, 20, .1, 30},
+    {"blueprint-oculus-m3000d", "high", 3000e3, 512, 40, 20, .1, 5},
+    {"teledyne-blueview-p900-45", "", 900e3, 256, 45, 20, .4, 100},
+    {"teledyne-blueview-p900-130", "", 900e3, 768, 130, 20, .4, 100},
+    {"teledyne-blueview-m900-2250", "low", 900e3, 768, 130, 20, 1, 100},
+    {"teledyne-blueview-m900-2250", "high", 2250e3, 768, 130, 20, .5, 10},
+    {"soundmetrics-aris-explorer-3000", "high", 3000e3, 128, 30, 15, .7, 5},
+    {"soundmetrics-aris-explorer-3000", "low", 1800e3, 64, 30, 15, .7, 15},
+    {"soundmetrics-aris-explorer-1800", "high", 1800e3, 96, 28, 14, .7, 15},
+    {"soundmetrics-aris-explorer-1800", "low", 1100e3, 48, 28, 14, .7, 35},
+    {"soundmetrics-didson", "high", 1800e3, 96, 29, 14, 1, 12},
+    {"soundmetrics-didson", "low", 1100e3, 48, 29, 14, 1, 40},
+    {"kongsberg-m3", "imaging", 500e3, 256, 120, 30, .2, 150},
+    {"kongsberg-m3", "enhanced", 500e3, 256, 140, 30, .2, 150},
+    {"kongsberg-m3", "profiling", 500e3, 256, 120, 3, .2, 150},
+    {"tritech-micron-dst", "", 700e3, 1, 3, 35, .3, 75},
+    {"tritech-super-seaking", "low", 325e3, 1, 3, 20, .4, 300},
+    {"tritech-super-seaking", "high", 675e3, 1, 1.5, 40, .4, 100},
+    {"bluerobotics-ping360", "", 750e3, 1, 2, 25, .75, 50},
+    {"imagenex-881a", "310khz", 310e3, 1, 4, 40, .15, 200},
+    {"imagenex-881a", "675khz", 675e3, 1, 1.8, 20, .15, 200},
+    {"imagenex-881a", "1000khz", 1000e3, 1, .9, 10, .15, 200},
+};
+
+class SheetTest : public testing::TestWithParam<Sheet> {};
+
+TEST_P(SheetTest, PresetHasItsNumbers) {
+  const Sheet& sheet = GetParam();
+  const SonarConfig sonar = load_preset(sheet.name, sheet.mode).sonar;
+  EXPECT_NEAR(sonar.frequency, sheet.frequency, kSheetTolerance);
+  EXPECT_EQ(sonar.beam_count, sheet.beams);
+  EXPECT_NEAR(degrees_from_radians(sonar.azimuth_aperture), sheet.azimuth, kSheetTolerance);
+  EXPECT_NEAR(degrees_from_radians(sonar.elevation_aperture), sheet.elevation, kSheetTolerance);
+  EXPECT_NEAR(sonar.min_range, sheet.near, kSheetTolerance);
+  EXPECT_NEAR(sonar.max_range, sheet.far, kSheetTolerance);
+  EXPECT_EQ(sonar.type, sheet.beams == 1 ? SonarType::kMechanicallyScanned : SonarType::kForwardLooking);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, SheetTest, testing::ValuesIn(kSheets), [](const auto& sheet) {
+  std::string name = std::string(sheet.param.name) + "_" + sheet.param.mode;
+  std::ranges::replace(name, '-', '_');
+  return name;
+});
+
+TEST(PresetTest, TheGemini720isLooksDown) {
+  EXPECT_NEAR(degrees_from_radians(load_preset("tritech-gemini-720is").sonar.elevation_center), -10, kSheetTolerance);
+}
+
+// A gradian is 0.9 degrees; the Micron's unit is a sixteenth of one, 0.05625 degrees, of which 0.9 degrees are 16.
+TEST(PresetTest, HeadsTurnBySteps) {
+  EXPECT_NEAR(degrees_from_radians(load_preset("bluerobotics-ping360").sonar.step), 0.9, kSheetTolerance);
+  const Preset micron = load_preset("tritech-micron-dst");
+  EXPECT_NEAR(degrees_from_radians(micron.sonar.step), 0.9, kSheetTolerance);
+  EXPECT_NEAR(degrees_from_radians(micron.sonar.sector_width), 360, kSheetTolerance);
+  ASSERT_EQ(micron.instrument.steps.size(), 4U);
+  EXPECT_NEAR(degrees_from_radians(micron.instrument.steps[3]), 3.6, kSheetTolerance);
+}
+
+TEST(PresetTest, FactsAreThoseOfTheMode) {
+  const Preset preset = load_preset("blueprint-oculus-m750d", "high");
+  const auto fact = std::ranges::find(preset.facts, "azimuth_aperture_deg", &PresetFact::field);
+  ASSERT_NE(fact, preset.facts.end());
+  EXPECT_EQ(fact->value, "70");
+  EXPECT_EQ(fact->unit, "deg");
+  EXPECT_EQ(fact->confidence, "B");
+  EXPECT_EQ(fact->source, "Blueprint Subsea data sheet, recalled");
+}
+
+// ---------------------------------------------------------------- Range and rate
+
+TEST(PresetTest, BinsFollowFromTheRange) {
+  const Preset aris = load_preset("soundmetrics-aris-explorer-3000");
+  SonarConfig sonar = aris.sonar;
+  sonar.max_range = 2.2;  // 1.5 m in bins of 3 mm.
+  aris.fit_to_range(sonar, 1500);
+  EXPECT_EQ(sonar.bin_count, 500);
+  sonar.max_range = 2.201;  // A third of a bin more takes a whole one.
+  aris.fit_to_range(sonar, 1500);
+  EXPECT_EQ(sonar.bin_count, 501);
+  sonar.max_range = 15;
+  aris.fit_to_range(sonar, 1500);
+  EXPECT_EQ(sonar.bin_count, 1000);
+}
+
+TEST(PresetTest, TheDidsonHas512BinsOverAnyRange) {
+  const Preset didson = load_preset("soundmetrics-didson");
+  SonarConfig sonar = didson.sonar;
+  sonar.max_range = 3.7;
+  didson.fit_to_range(sonar, 1500);
+  EXPECT_EQ(sonar.bin_count, 512);
+}
+
+TEST(PresetTest, PingsComeAtTheInstrumentsRateOrTheSounds) {
+  const Preset gemini = load_preset("tritech-gemini-720i");
+  SonarConfig sonar = gemini.sonar;
+  EXPECT_FALSE(sonar.ping_period.has_value());  // 120 m and back take longer than 1/30 s.
+  sonar.max_range = 10;
+  gemini.fit_to_range(sonar, 1500);
+  EXPECT_EQ(sonar.ping_period, 1.0 / 30);
+  sonar.max_range = 50;
+  gemini.fit_to_range(sonar, 1500);
+  EXPECT_FALSE(sonar.ping_period.has_value());
+}
+
+// ---------------------------------------------------------------- Mistakes
+
+class OwnPresetTest : public testing::Test {
+ protected:
+  OwnPresetTest() { setenv("INSONIFY_PRESETS", folder.path().c_str(), 1); }
+  ~OwnPresetTest() override { unsetenv("INSONIFY_PRESETS"); }
+
+  std::string message(const std::string& yaml) const {
+    folder.write("mine.yaml", yaml);
+    std::string text = message_of([] { (void)load_preset("mine"); });
+    const std::string path = folder.path().string() + "/";
+    return text.starts_with(path) ? text.substr(path.size()) : text;
+  }
+
+  ScratchFolder folder;
+};
+
+constexpr const char* kHead = "title: Mine\ndefault_mode: wide\nsources: {sheet: My own data sheet}\n";
+
+TEST_F(OwnPresetTest, IsReadFromTheFolderOfTheEnvironment) {
+  folder.write("mine.yaml",
+               std::string(kHead) + "modes:\n  wide:\n    beam_count: {value: 99, confidence: C, source: sheet}\n");
+  EXPECT_THAT(preset_names(), ElementsAre("mine"));
+  EXPECT_EQ(load_preset("mine").sonar.beam_count, 99);
+  EXPECT_EQ(load_preset("mine").sonar.model, "Mine");
+  EXPECT_EQ(load_preset("mine").facts.at(0).source, "My own data sheet");
+}
+
+TEST_F(OwnPresetTest, NeedsItsParts) {
+  EXPECT_EQ(message("default_mode: wide\n"), "mine.yaml:1:1: title is missing");
+  EXPECT_EQ(message("title: Mine\ndefault_mode: wide\n"), "mine.yaml:1:1: modes is missing");
+  EXPECT_EQ(message("title: Mine\ndefault_mode: wdie\nsources: {}\nmodes: {wide: {}}\n"),
+            "mine.yaml:2:1: \"wdie\" is not a mode of mine, which has wide");
+}
+
+TEST_F(OwnPresetTest, EveryFactNeedsItsConfidenceAndASourceThatIsTold) {
+  EXPECT_EQ(message(std::string(kHead) + "modes:\n  wide:\n    beam_count: 99\n"),
+            "mine.yaml:6:5: modes.wide.beam_count = 99 must be a map of the keys value, confidence and source");
+  EXPECT_EQ(message(std::string(kHead) + "modes:\n  wide:\n    beam_count: {value: 99, source: sheet}\n"),
+            "mine.yaml:6:5: modes.wide.beam_count.confidence is missing");
+  EXPECT_EQ(
+      message(std::string(kHead) + "modes:\n  wide:\n    beam_count: {value: 99, confidence: D, source: sheet}\n"),
+      "mine.yaml:6:5: modes.wide.beam_count.confidence = \"D\" must be A, B or C");
+  EXPECT_EQ(
+      message(std::string(kHead) + "modes:\n  wide:\n    beam_count: {value: 99, confidence: C, source: shete}\n"),
+      "mine.yaml:6:5: modes.wide.beam_count.source = \"shete\" is not one of the sources; did you mean sheet?");
+}
+
+TEST_F(OwnPresetTest, RefusesWhatASonarRefuses) {
+  EXPECT_EQ(message(std::string(kHead) + "modes:\n  wide:\n    beam_count: {value: 0, confidence: C, source: sheet}\n"),
+            "mine.yaml:6:5: beam_count = 0 must be from 1 to 4096");
+  EXPECT_EQ(message(std::string(kHead) + "modes:\n  wide:\n    beam_cont: {value: 9, confidence: C, source: sheet}\n"),
+            "mine.yaml:6:5: modes.wide.beam_cont is not a known key; did you mean beam_count?");
+  EXPECT_EQ(
+      message(std::string(kHead) + "modes:\n  wide:\n    max_range: {value: 0.1, confidence: C, source: sheet}\n"),
+      "mine.yaml:1:1: mine.max_range = 0.1 m must be greater than min_range = 0.2 m");
+}
+
+TEST(PresetNameTest, TheNearestIsNamed) {
+  EXPECT_EQ(message_of([] { (void)load_preset("tritech-micron"); }),
+            "\"tritech-micron\" is not a preset; did you mean tritech-micron-dst?");
+  EXPECT_EQ(message_of([] { (void)load_preset("tritech-micron-dst", "fast"); }),
+            "\"fast\" is not a mode of tritech-micron-dst, which has standard");
+  EXPECT_THAT(preset_names(), Not(Contains("tritech-micron")));
+}
+
+TEST(PresetNameTest, AFolderWithoutPresetsIsNamed) {
+  setenv("INSONIFY_PRESETS", "/nowhere", 1);
+  EXPECT_EQ(message_of([] { (void)preset_names(); }), "INSONIFY_PRESETS = \"/nowhere\" must be a folder of presets");
+  unsetenv("INSONIFY_PRESETS");
+}
+
+}  // namespace
+}  // namespace insonify

@@ -1,0 +1,366 @@
+// scenario_test.cpp -- a scenario file becomes the values it says, and trajectories lead where they should.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "insonify/files.h"
+#include "support/message_of.h"
+#include "support/scratch_folder.h"
+
+namespace insonify {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+// An angle goes from degrees to radians by one division and one multiplication: a few units in the last place.
+constexpr double kAngleTolerance = 1e-15;
+constexpr double kPoseTolerance = 1e-12;
+
+constexpr const char* kEverything = R"(# Every key there is.
+world: worlds/floor.obj
+collisions: true
+model: paper
+engine: reference
+secondary: all
+seed: 18446744073709551615
+pings: 7
+default_material: mud
+water: {temperature_c: 4.5, salinity: 0, ph: 7.8, depth: 12, sound_speed: 1480, absorption: false}
+materials:
+  hull: {like: steel, reflectivity: 0.9}
+  deck: wood
+  tar: {density: 1200, sound_speed: 1400}
+sonars:
+  - name: ahead
+    model: Own
+    type: fls
+    frequency: 900e3
+    beam_count: 3
+    azimuth_aperture_deg: 90
+    beam_azimuths_deg: [40, 0.5, -41]
+    elevation_aperture_deg: 15
+    elevation_center_deg: -12
+    bin_count: 321
+    min_range: 0.5
+    max_range: 31
+    blanking_range: 1.5
+    gain: 2.5
+    assumed_sound_speed: 1500
+    ping_period: 0.25
+    position: [1, 2, -3]
+    orientation_deg: [10, 20, 30]
+    sampling: {columns_per_beam: 6, rows: 77}
+  - name: around
+    type: msis
+    beam_count: 1
+    step_deg: -1.8
+    sector_center_deg: 45
+    sector_width_deg: 90
+    mounting: vertical
+receiver: {noise: false}
+paper: {sigmoid: authors, sigmoid_midpoint: 0.4, sigmoid_slope: 9, multiplicative_mean: 0.8,
+        multiplicative_deviation: 0.1, additive_deviation: 0.02}
+trajectory:
+  - {time: 0, position: [0, 0, -2]}
+  - {time: 4, position: [2, 0, -2], orientation_deg: [0, 0, 90]}
+motions:
+  - object: ship::hull
+    trajectory: [{time: 1, position: [5, 0, 0]}]
+view: {position: [-4, 0, 3], look_at: [9, 0, 0], field_of_view_deg: 45}
+)";
+
+class ScenarioTest : public testing::Test {
+ protected:
+  ScenarioTest() { folder.write("scenes/worlds/floor.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"); }
+
+  Scenario load(const std::string& yaml, const std::vector<std::string>& settings = {}) const {
+    folder.write("scenes/scenario.yaml", yaml);
+    return load_scenario("scenes/scenario.yaml", settings);
+  }
+
+  ScratchFolder folder;
+};
+
+TEST_F(ScenarioTest, TakesPlainValues) {
+  const Scenario scenario = load(kEverything);
+  EXPECT_EQ(scenario.file, "scenes/scenario.yaml");
+  EXPECT_EQ(scenario.text, kEverything);
+  EXPECT_TRUE(scenario.collisions);
+  EXPECT_EQ(scenario.model, "paper");
+  EXPECT_EQ(scenario.engine, "reference");
+  EXPECT_EQ(scenario.secondary, SecondaryEchoes::kAll);
+  EXPECT_EQ(scenario.seed, 18446744073709551615U);
+  EXPECT_EQ(scenario.pings, 7);
+  EXPECT_FALSE(scenario.receiver.noise);
+}
+
+TEST_F(ScenarioTest, FindsTheWorldFromItsOwnFolder) {
+  const Scenario scenario = load(kEverything);
+  EXPECT_EQ(scenario.world, folder.path() / "scenes/worlds/floor.obj");
+  EXPECT_EQ(scenario.world_where, "scenes/scenario.yaml:2:1: ");
+}
+
+TEST_F(ScenarioTest, TakesTheWater) {
+  const Water water = load(kEverything).water;
+  EXPECT_EQ(water.temperature_c, 4.5);
+  EXPECT_EQ(water.salinity, 0);
+  EXPECT_EQ(water.ph, 7.8);
+  EXPECT_EQ(water.depth, 12);
+  EXPECT_EQ(water.sound_speed, 1480);
+  EXPECT_FALSE(water.absorption);
+}
+
+TEST_F(ScenarioTest, TakesMaterialsByNameOrByTheirProperties) {
+  const MaterialRules rules = load(kEverything).materials;
+  EXPECT_EQ(rules.default_material, "mud");
+  EXPECT_EQ(rules.default_where, "scenes/scenario.yaml:9:1: ");
+  EXPECT_EQ(rules.overrides.at("hull").like, "steel");
+  EXPECT_EQ(rules.overrides.at("hull").reflectivity, 0.9);
+  EXPECT_EQ(rules.overrides.at("hull").where, "scenes/scenario.yaml:12:3: ");
+  EXPECT_EQ(rules.overrides.at("deck").like, "wood");
+  EXPECT_EQ(rules.overrides.at("tar").like, "");
+  EXPECT_EQ(rules.overrides.at("tar").density, 1200);
+  EXPECT_EQ(rules.overrides.at("tar").sound_speed, 1400);
+  EXPECT_FALSE(rules.overrides.at("tar").reflectivity.has_value());
+}
+
+TEST_F(ScenarioTest, TakesAFan) {
+  const SonarConfig sonar = load(kEverything).sonars.at(0);
+  EXPECT_EQ(sonar.name, "ahead");
+  EXPECT_EQ(sonar.model, "Own");
+  EXPECT_EQ(sonar.type, SonarType::kForwardLooking);
+  EXPECT_EQ(sonar.frequency, 900e3);
+  EXPECT_EQ(sonar.beam_count, 3);
+  EXPECT_NEAR(sonar.azimuth_aperture, std::numbers::pi / 2, kAngleTolerance);
+  EXPECT_THAT(sonar.beam_azimuths,
+              ElementsAre(radians_from_degrees(40), radians_from_degrees(0.5), radians_from_degrees(-41)));
+  EXPECT_NEAR(sonar.elevation_aperture, std::numbers::pi / 12, kAngleTolerance);
+  EXPECT_NEAR(sonar.elevation_center, -std::numbers::pi / 15, kAngleTolerance);
+  EXPECT_EQ(sonar.bin_count, 321);
+  EXPECT_EQ(sonar.min_range, 0.5);
+  EXPECT_EQ(sonar.max_range, 31);
+  EXPECT_EQ(sonar.blanking_range, 1.5);
+  EXPECT_EQ(sonar.gain, 2.5);
+  EXPECT_EQ(sonar.assumed_sound_speed, 1500);
+  EXPECT_EQ(sonar.ping_period, 0.25);
+  EXPECT_EQ(sonar.position, Vec3(1, 2, -3));
+  EXPECT_NEAR(sonar.orientation.y(), std::numbers::pi / 9, kAngleTolerance);
+  EXPECT_EQ(sonar.sampling.columns_per_beam, 6);
+  EXPECT_EQ(sonar.sampling.rows, 77);
+}
+
+TEST_F(ScenarioTest, TakesAScanningHead) {
+  const SonarConfig sonar = load(kEverything).sonars.at(1);
+  EXPECT_EQ(sonar.type, SonarType::kMechanicallyScanned);
+  EXPECT_NEAR(sonar.step, -std::numbers::pi / 100, kAngleTolerance);
+  EXPECT_NEAR(sonar.sector_center, std::numbers::pi / 4, kAngleTolerance);
+  EXPECT_NEAR(sonar.sector_width, std::numbers::pi / 2, kAngleTolerance);
+  EXPECT_EQ(sonar.mounting, Mounting::kVertical);
+}
+
+TEST_F(ScenarioTest, TakesThePaperModel) {
+  const PaperModel paper = load(kEverything).paper;
+  EXPECT_EQ(paper.sigmoid, Sigmoid::kAuthors);
+  EXPECT_EQ(paper.sigmoid_midpoint, 0.4);
+  EXPECT_EQ(paper.sigmoid_slope, 9);
+  EXPECT_EQ(paper.multiplicative_mean, 0.8);
+  EXPECT_EQ(paper.multiplicative_deviation, 0.1);
+  EXPECT_EQ(paper.additive_deviation, 0.02);
+}
+
+TEST_F(ScenarioTest, TakesMotionsAndView) {
+  const Scenario scenario = load(kEverything);
+  ASSERT_EQ(scenario.trajectory.waypoints.size(), 2U);
+  EXPECT_EQ(scenario.trajectory.waypoints[1].time, 4);
+  ASSERT_EQ(scenario.motions.size(), 1U);
+  EXPECT_EQ(scenario.motions[0].object, "ship::hull");
+  EXPECT_EQ(scenario.motions[0].trajectory.at(0).position, Vec3(5, 0, 0));
+  EXPECT_EQ(scenario.motions[0].where, "scenes/scenario.yaml:49:5: ");
+  ASSERT_TRUE(scenario.view.has_value());
+  EXPECT_EQ(scenario.view->position, Vec3(-4, 0, 3));
+  EXPECT_EQ(scenario.view->look_at, Vec3(9, 0, 0));
+  EXPECT_NEAR(scenario.view->field_of_view, std::numbers::pi / 4, kAngleTolerance);
+}
+
+TEST_F(ScenarioTest, LeavesWhatIsNotThereAtItsDefault) {
+  const Scenario scenario = load("world: worlds/floor.obj\nsonars: [{}]\n");
+  EXPECT_EQ(scenario.pings, Scenario().pings);
+  EXPECT_EQ(scenario.water.temperature_c, Water().temperature_c);
+  EXPECT_EQ(scenario.sonars.at(0).max_range, SonarConfig().max_range);
+  EXPECT_FALSE(scenario.view.has_value());
+}
+
+// ---------------------------------------------------------------- Presets in a scenario
+
+TEST_F(ScenarioTest, StartsASonarFromItsPreset) {
+  const SonarConfig sonar =
+      load("world: worlds/floor.obj\nsonars: [{preset: blueprint-oculus-m750d, mode: high}]\n").sonars.at(0);
+  EXPECT_EQ(sonar.name, "sonar");
+  EXPECT_EQ(sonar.model, "Blueprint Oculus M750d, 1200 kHz");
+  EXPECT_EQ(sonar.frequency, 1200e3);
+  EXPECT_EQ(sonar.beam_count, 512);
+}
+
+TEST_F(ScenarioTest, PutsItsOwnFieldsOverThePreset) {
+  const SonarConfig sonar =
+      load("world: worlds/floor.obj\nsonars: [{beam_count: 64, preset: tritech-gemini-720i, gain: 3}]\n").sonars.at(0);
+  EXPECT_EQ(sonar.beam_count, 64);
+  EXPECT_EQ(sonar.gain, 3);
+  EXPECT_EQ(sonar.frequency, 720e3);
+}
+
+// The Gemini 720i: bins of 8 mm, at most 1000 of them, at most 30 pings a second.
+TEST_F(ScenarioTest, FitsBinsAndPeriodOfAPresetToTheRange) {
+  const auto sonar = [&](const std::string& fields) {
+    return load("world: worlds/floor.obj\nwater: {sound_speed: 1500}\nsonars: [{preset: tritech-gemini-720i, " +
+                fields + "}]\n")
+        .sonars.at(0);
+  };
+  // 4.2 - 0.2 m in 8 mm: 500 bins. There and back in 5.6 ms: the limit of 30 Hz rules.
+  EXPECT_EQ(sonar("max_range: 4.2").bin_count, 500);
+  EXPECT_EQ(sonar("max_range: 4.2").ping_period, 1 / 30.0);
+  // 39.8 m in 8 mm would be 4975 bins. There and back in 53 ms: the range rules.
+  EXPECT_EQ(sonar("max_range: 40").bin_count, 1000);
+  EXPECT_FALSE(sonar("max_range: 40").ping_period.has_value());
+  EXPECT_EQ(sonar("max_range: 40, bin_count: 77").bin_count, 77);
+  EXPECT_EQ(sonar("max_range: 40, ping_period: 0.5").ping_period, 0.5);
+}
+
+// ---------------------------------------------------------------- Settings
+
+constexpr const char* kTwoSonars =
+    "world: worlds/floor.obj  # A floor.\nsonars:\n  - name: fls\n    max_range: 20\n  - name: dst\n    preset: "
+    "tritech-micron-dst\n";
+
+TEST_F(ScenarioTest, SettingsOverrideTheFile) {
+  const Scenario scenario = load(kTwoSonars, {"pings=3", "water.depth=4", "sonars[0].max_range=30",
+                                              "sonars.dst.max_range=12", "view={position: [1, 2, 3]}"});
+  EXPECT_EQ(scenario.pings, 3);
+  EXPECT_EQ(scenario.water.depth, 4);
+  EXPECT_EQ(scenario.sonars.at(0).max_range, 30);
+  EXPECT_EQ(scenario.sonars.at(1).max_range, 12);
+  EXPECT_EQ(scenario.view->position, Vec3(1, 2, 3));
+}
+
+TEST_F(ScenarioTest, ALaterSettingWins) {
+  EXPECT_EQ(load(kTwoSonars, {"pings=3", "pings=4"}).pings, 4);
+}
+
+TEST_F(ScenarioTest, ASonarsKeyAloneSetsEverySonar) {
+  const Scenario scenario = load(kTwoSonars, {"max_range=8", "sampling.rows=33", "elevation_aperture_deg=9"});
+  for (const SonarConfig& sonar : scenario.sonars) {
+    EXPECT_EQ(sonar.max_range, 8);
+    EXPECT_EQ(sonar.sampling.rows, 33);
+    EXPECT_NEAR(sonar.elevation_aperture, std::numbers::pi / 20, kAngleTolerance);
+  }
+}
+
+TEST_F(ScenarioTest, KeepsTheTextWithItsSettings) {
+  const Scenario scenario = load(kTwoSonars, {"sonars.fls.max_range=30", "materials.hull.reflectivity=.5", "seed=5"});
+  EXPECT_THAT(scenario.text, HasSubstr("max_range: 30"));
+  // What is kept is itself a scenario, and the same one.
+  const Scenario again = load(scenario.text);
+  EXPECT_EQ(again.sonars.at(0).max_range, 30);
+  EXPECT_EQ(again.sonars.at(1).model, "Tritech Micron DST");
+  EXPECT_EQ(again.materials.overrides.at("hull").reflectivity, 0.5);
+  EXPECT_EQ(again.seed, 5U);
+  EXPECT_EQ(again.text, scenario.text);
+}
+
+TEST_F(ScenarioTest, KeepsQuotedTextQuoted) {
+  const Scenario scenario = load("world: worlds/floor.obj\nsonars: [{name: \"007\"}]\n", {"pings=2"});
+  EXPECT_EQ(scenario.sonars.at(0).name, "007");
+  EXPECT_THAT(scenario.text, HasSubstr("name: \"007\""));
+}
+
+TEST_F(ScenarioTest, FileErrorsOfADefaultNameTheSonar) {
+  // max_range is at its default: the place told is that of the key that conflicts with it.
+  EXPECT_THAT(message_of([&] { (void)load("world: worlds/floor.obj\nsonars:\n  - name: a\n    min_range: 60\n"); }),
+              StartsWith("scenes/scenario.yaml:4:5: sonars[0].max_range = 50 m"));
+}
+
+// ---------------------------------------------------------------- Scenarios made in code
+
+TEST(ScenarioRulesTest, MessagesHaveNoPlaceWithoutAFile) {
+  Scenario scenario;
+  scenario.world = "wreck.sdf";
+  EXPECT_EQ(message_of([&] { scenario.validate(); }), "sonars must have at least one entry");
+  scenario.sonars.resize(1);
+  EXPECT_EQ(message_of([&] { scenario.validate(); }), "no error");
+  scenario.sonars[0].ping_period = 0.05;
+  scenario.sonars[0].assumed_sound_speed = 1500;
+  EXPECT_EQ(
+      message_of([&] { scenario.validate(); }),
+      "sonars[0].ping_period = 0.05 s must be at least 0.0667 s, the time sound takes to max_range = 50 m and back");
+  scenario.sonars[0].ping_period = 0.0667;  // What the message allows is allowed.
+  EXPECT_EQ(message_of([&] { scenario.validate(); }), "no error");
+}
+
+TEST(ScenarioRulesTest, TheSonarsOwnSoundSpeedRulesItsPeriod) {
+  Scenario scenario;
+  scenario.world = "wreck.sdf";
+  scenario.water.sound_speed = 1400;
+  scenario.sonars.resize(1);
+  scenario.sonars[0].ping_period = 0.068;  // 100 m take 0.0714 s at 1400 m/s, 0.0667 s at 1500 m/s.
+  EXPECT_EQ(
+      message_of([&] { scenario.validate(); }),
+      "sonars[0].ping_period = 0.068 s must be at least 0.0715 s, the time sound takes to max_range = 50 m and back");
+  scenario.sonars[0].assumed_sound_speed = 1500;
+  EXPECT_EQ(message_of([&] { scenario.validate(); }), "no error");
+}
+
+// ---------------------------------------------------------------- Trajectories
+
+Waypoint waypoint(double time, Vec3 position, double yaw_deg) {
+  return {time, position, {0, 0, radians_from_degrees(yaw_deg)}};
+}
+
+double yaw_deg(const Pose& pose) {
+  const Vec3 ahead = pose.orientation * Vec3::UnitX();
+  return degrees_from_radians(std::atan2(ahead.y(), ahead.x()));
+}
+
+TEST(TrajectoryTest, WithoutWaypointsStandsAtTheOrigin) {
+  EXPECT_EQ(Trajectory().at(3).position, Vec3::Zero());
+  EXPECT_EQ(yaw_deg(Trajectory().at(3)), 0);
+}
+
+TEST(TrajectoryTest, MovesStraightAndTurnsEvenly) {
+  const Trajectory trajectory{{waypoint(2, {0, 4, 0}, 0), waypoint(6, {8, 4, -2}, 80)}};
+  // A quarter of the way: 1 s of 4 s.
+  EXPECT_LT((trajectory.at(3).position - Vec3(2, 4, -0.5)).norm(), kPoseTolerance);
+  EXPECT_NEAR(yaw_deg(trajectory.at(3)), 20, 1e-10);
+  EXPECT_NEAR(yaw_deg(trajectory.at(5)), 60, 1e-10);
+}
+
+TEST(TrajectoryTest, TurnsTheShorterWay) {
+  const Trajectory trajectory{{waypoint(0, {0, 0, 0}, 170), waypoint(1, {0, 0, 0}, -170)}};
+  EXPECT_NEAR(std::abs(yaw_deg(trajectory.at(0.5))), 180, 1e-10);
+  EXPECT_NEAR(yaw_deg(trajectory.at(0.25)), 175, 1e-10);
+}
+
+TEST(TrajectoryTest, StandsStillOutsideItsTimes) {
+  const Trajectory trajectory{{waypoint(2, {1, 0, 0}, 10), waypoint(3, {2, 0, 0}, 20)}};
+  EXPECT_EQ(trajectory.at(-5).position, Vec3(1, 0, 0));
+  EXPECT_EQ(trajectory.at(2).position, Vec3(1, 0, 0));
+  EXPECT_EQ(trajectory.at(3).position, Vec3(2, 0, 0));
+  EXPECT_EQ(trajectory.at(99).position, Vec3(2, 0, 0));
+  EXPECT_NEAR(yaw_deg(trajectory.at(99)), 20, 1e-10);
+}
+
+TEST(TrajectoryTest, RefusesTimesThatDoNotRise) {
+  const Trajectory trajectory{{waypoint(2, {0, 0, 0}, 0), waypoint(1.5, {0, 0, 0}, 0)}};
+  EXPECT_EQ(message_of([&] { trajectory.validate("trajectory"); }),
+            "trajectory[1].time = 1.5 s must be greater than trajectory[0].time = 2 s");
+}
+
+TEST(TrajectoryTest, RefusesANotANumber) {
+  const Trajectory trajectory{{waypoint(0, {0, NAN, 0}, 0)}};
+  EXPECT_EQ(message_of([&] { trajectory.validate("motions[1].trajectory"); }),
+            "motions[1].trajectory[0].position[1] = nan m must be a finite number");
+}
+
+}  // namespace
+}  // namespace insonify
