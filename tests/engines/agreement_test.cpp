@@ -1,0 +1,196 @@
+// The `cpu` engine against the oracle: every ray against every triangle, on random scenes.
+
+#include <random>
+
+#include "engines/test_scenes.h"
+
+namespace insonify {
+namespace {
+
+using namespace testing_scenes;
+
+constexpr int kScenes = 200;
+
+// Engines agree to this share of the energy (DESIGN): what single precision moves between neighbouring bins.
+constexpr double kEnergyTolerance = 1e-4;
+
+// At most this share of the samples may hit another surface: rays through a shared edge, where either is right.
+constexpr double kOtherSurface = 1e-5;
+
+class Dice {
+ public:
+  explicit Dice(int seed) : generator_(seed) {}
+  double between(double low, double high) { return std::uniform_real_distribution<>(low, high)(generator_); }
+  int below(int count) { return std::uniform_int_distribution<>(0, count - 1)(generator_); }
+
+ private:
+  std::mt19937 generator_;
+};
+
+Mesh random_shape(Dice& dice) {
+  const double size = dice.between(0.2, 1.5);
+  switch (dice.below(5)) {
+    case 0:
+      return make_box({size, dice.between(0.2, 1.5), dice.between(0.2, 1.5)});
+    case 1:
+      return make_sphere(size, 0.4);
+    case 2:
+      return make_cylinder(0.5 * size, 2 * size, 0.4);
+    case 3:
+      return make_cone(size, 1.5 * size, 0.4);
+    default:
+      return make_capsule(0.4 * size, size, 0.4);
+  }
+}
+
+// Some objects around a sonar far from the world's origin, over a floor, some of them moving.
+struct RandomScene {
+  Scene scene;
+  SonarConfig sonar;
+  Pose pose;
+  std::vector<Pose> moved;
+
+  explicit RandomScene(int seed) {
+    Dice dice(seed);
+    const Vec3 centre(dice.between(-500, 500), dice.between(-500, 500), dice.between(-50, 0));
+    SceneMaker maker;
+    const int objects = 2 + dice.below(5);
+    for (int i = 0; i < objects; ++i) {
+      const Vec3 offset(dice.between(-1, 12), dice.between(-8, 8), dice.between(-3, 3));
+      const Pose pose_i{centre + offset, orientation_from_rpy(dice.between(-3, 3), dice.between(-1, 1), dice.between(-3, 3))};
+      maker.add("object" + std::to_string(i), random_shape(dice), pose_i, dice.between(0.1, 1));
+    }
+    maker.add("floor", make_plane(Vec3::UnitZ(), 60, 60), {.position = centre + Vec3(0, 0, dice.between(-5, -2))},
+              dice.between(0.1, 1));
+    scene = maker.scene();
+    for (Instance& instance : scene.instances) {
+      instance.moving = dice.below(3) == 0;
+    }
+    sonar.beam_count = 16 + dice.below(17);
+    sonar.azimuth_aperture = dice.between(20, 180) * kDegree;
+    sonar.elevation_aperture = dice.between(5, 60) * kDegree;
+    sonar.elevation_center = dice.between(-15, 15) * kDegree;
+    sonar.max_range = dice.between(8, 20);
+    sonar.bin_count = 100 + dice.below(200);
+    sonar.sampling = {.columns_per_beam = 1 + dice.below(4), .rows = 20 + dice.below(30)};
+    pose = {centre, orientation_from_rpy(dice.between(-1, 1), dice.between(-0.5, 0.8), dice.between(-0.3, 0.3))};
+  }
+
+  [[nodiscard]] double samples() const {
+    return double{1} * sonar.beam_count * sonar.sampling.columns_per_beam * sonar.sampling.rows;
+  }
+};
+
+// Rays of the lattice through Engine::trace, to compare hit by hit.
+std::vector<Ray> lattice_rays(const RandomScene& random) {
+  std::vector<Ray> rays;
+  for (int column = 0; column < random.sonar.beam_count * random.sonar.sampling.columns_per_beam; ++column) {
+    for (int row = 0; row < random.sonar.sampling.rows; ++row) {
+      const double azimuth = random.sonar.azimuth_aperture * (0.5 - (column + 0.5) / (random.sonar.beam_count * random.sonar.sampling.columns_per_beam));
+      const double elevation = random.sonar.elevation_center +
+                               random.sonar.elevation_aperture * ((row + 0.5) / random.sonar.sampling.rows - 0.5);
+      rays.push_back({random.pose.position,
+                      random.pose.orientation * point_from_spherical({1, azimuth, elevation}), 0, random.sonar.max_range});
+    }
+  }
+  return rays;
+}
+
+TEST(EngineAgreementTest, CpuHitsTheSurfacesThatTheReferenceHits) {
+  double samples = 0, other = 0, range_apart = 0, hits_compared = 0;
+  for (int seed = 0; seed < kScenes; ++seed) {
+    const RandomScene random(seed);
+    const auto cpu = make_engine("cpu", 2);
+    const auto reference = make_engine("reference", 2);
+    cpu->set_scene(random.scene);
+    reference->set_scene(random.scene);
+    const std::vector<Ray> rays = lattice_rays(random);
+    std::vector<Hit> a(rays.size()), b(rays.size());
+    cpu->trace(rays, a);
+    reference->trace(rays, b);
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+      ++samples;
+      if (a[i].instance != b[i].instance) {
+        ++other;
+      } else if (a[i].instance != kNoLabel) {
+        ++hits_compared;
+        range_apart += std::abs(a[i].distance - b[i].distance);
+      }
+    }
+  }
+  EXPECT_GT(hits_compared, 0.3 * samples);
+  EXPECT_LE(other, kOtherSurface * samples);
+  EXPECT_LE(range_apart / hits_compared, 1e-5);
+}
+
+TEST(EngineAgreementTest, CpuAndReferenceGiveTheSameEchoes) {
+  for (int seed = 0; seed < kScenes; ++seed) {
+    const RandomScene random(seed);
+    const PingPlanSettings settings{.sonar = random.sonar,
+                                    .secondary = seed % 2 == 0 ? SecondaryEchoes::kAll : SecondaryEchoes::kSelective,
+                                    .seed = static_cast<std::uint64_t>(seed)};
+    const EchoGrid cpu = echoes_of("cpu", random.scene, settings, random.pose);
+    const EchoGrid reference = echoes_of("reference", random.scene, settings, random.pose);
+    EXPECT_LE(difference(reference, cpu, 1), kEnergyTolerance) << "primary, seed " << seed;
+    EXPECT_LE(difference(reference, cpu, 2), kEnergyTolerance) << "secondary, seed " << seed;
+  }
+}
+
+TEST(EngineAgreementTest, BothEnginesMoveInstancesAlike) {
+  for (int seed = 0; seed < 20; ++seed) {
+    const RandomScene random(seed);
+    const PingPlanSettings settings{.sonar = random.sonar, .secondary = SecondaryEchoes::kAll};
+    const auto cpu = make_engine("cpu", 2);
+    const auto reference = make_engine("reference", 2);
+    for (Engine* engine : {cpu.get(), reference.get()}) {
+      engine->set_scene(random.scene);
+      for (std::size_t i = 0; i < random.scene.instances.size(); ++i) {
+        if (random.scene.instances[i].moving) {
+          Pose pose = random.scene.instances[i].world_from_mesh;
+          pose.position += Vec3(0.5, -0.3, 0.2);
+          pose.orientation = orientation_from_rpy(0.3, 0.2, 0.1) * pose.orientation;
+          engine->move_instance(static_cast<int>(i), pose);
+        }
+      }
+    }
+    const EchoGrid a = echoes_of(*reference, settings, random.pose);
+    EXPECT_LE(difference(a, echoes_of(*cpu, settings, random.pose), 1), kEnergyTolerance) << "seed " << seed;
+  }
+}
+
+// The lots of `selective` are drawn so that the sums of both layers are those of `all` in the mean.
+TEST(SecondarySelectionTest, KeepsTheSumsOfEnergyAndWeight) {
+  double energy_all = 0, energy_selective = 0, weight_all = 0, weight_selective = 0;
+  RayCounts rays_all, rays_selective;
+  for (int seed = 0; seed < 60; ++seed) {
+    const RandomScene random(seed);
+    const auto engine = make_engine("cpu", 2);
+    engine->set_scene(random.scene);
+    PingPlanSettings settings{.sonar = random.sonar, .secondary = SecondaryEchoes::kAll, .seed = 7ULL + seed};
+    settings.sonar.sampling = {4, 100};
+    const auto weight = [](const EchoGrid& grid) {
+      double sum = 0;
+      for (int beam = 0; beam < grid.beam_count(); ++beam) {
+        for (const float value : grid.weight(2, beam)) {
+          sum += value;
+        }
+      }
+      return sum;
+    };
+    const EchoGrid all = echoes_of(*engine, settings, random.pose);
+    rays_all.secondary += engine->ray_counts().secondary;
+    settings.secondary = SecondaryEchoes::kSelective;
+    const EchoGrid selective = echoes_of(*engine, settings, random.pose);
+    rays_selective.secondary += engine->ray_counts().secondary;
+    energy_all += total(all, 2);
+    energy_selective += total(selective, 2);
+    weight_all += weight(all);
+    weight_selective += weight(selective);
+  }
+  EXPECT_LT(rays_selective.secondary, rays_all.secondary);
+  EXPECT_NEAR(energy_selective / energy_all, 1, 0.005);
+  EXPECT_NEAR(weight_selective / weight_all, 1, 0.02);
+}
+
+}  // namespace
+}  // namespace insonify

@@ -1,0 +1,135 @@
+// The receiver of the `paper` model, fed with grids made by hand.
+
+#include "receiver/paper_receiver.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace insonify {
+namespace {
+
+// A grid whose every cell has these sums.
+EchoGrid filled_grid(int beams, int bins, float energy1, float weight1, float energy2, float weight2) {
+  EchoGrid grid(beams, bins, kPathOrders);
+  for (int beam = 0; beam < beams; ++beam) {
+    std::ranges::fill(grid.energy(1, beam), energy1);
+    std::ranges::fill(grid.weight(1, beam), weight1);
+    std::ranges::fill(grid.energy(2, beam), energy2);
+    std::ranges::fill(grid.weight(2, beam), weight2);
+  }
+  return grid;
+}
+
+SonarConfig sonar_of(int beams, int bins) {
+  SonarConfig sonar;
+  sonar.beam_count = beams;
+  sonar.bin_count = bins;
+  sonar.min_range = 0;
+  sonar.max_range = bins * 0.1;
+  return sonar;
+}
+
+Ping receive(const EchoGrid& grid, const SonarConfig& sonar, const PaperReceiverSettings& settings,
+             std::uint64_t number = 0) {
+  Workers workers(2);
+  Ping ping;
+  ping.number = number;
+  receive_paper(grid, sonar, settings, workers, ping);
+  return ping;
+}
+
+TEST(PaperReceiverTest, CellIsMeanOfPrimariesPlusMeanOfSecondaries) {
+  const Ping ping = receive(filled_grid(3, 5, 0.6F, 2, 0.1F, 0.5F), sonar_of(3, 5), {.noise = false});
+  for (const float value : ping.intensity) {
+    EXPECT_FLOAT_EQ(value, 0.6F / 2 + 0.1F / 0.5F);
+  }
+}
+
+TEST(PaperReceiverTest, CellIsClippedAtFullScale) {
+  const Ping ping = receive(filled_grid(1, 1, 0.9F, 1, 0.8F, 1), sonar_of(1, 1), {.noise = false});
+  EXPECT_EQ(ping.intensity[0], 1.0F);
+}
+
+TEST(PaperReceiverTest, GainMultipliesAfterTheSum) {
+  SonarConfig sonar = sonar_of(1, 1);
+  sonar.gain = 1.5;
+  EXPECT_FLOAT_EQ(receive(filled_grid(1, 1, 0.4F, 1, 0, 0), sonar, {.noise = false}).intensity[0], 0.6F);
+}
+
+// The near field rises in a straight line from min_range to blanking_range: bins of 0.1 m from 1 m, full at 2 m.
+TEST(PaperReceiverTest, NearFieldRisesToFullLevelAtBlankingRange) {
+  SonarConfig sonar = sonar_of(1, 20);
+  sonar.min_range = 1;
+  sonar.max_range = 3;
+  sonar.blanking_range = 2;
+  const Ping ping = receive(filled_grid(1, 20, 1, 1, 0, 0), sonar, {.noise = false});
+  EXPECT_NEAR(ping.intensity[0], 0.05, 1e-6);
+  EXPECT_NEAR(ping.intensity[4], 0.45, 1e-6);
+  EXPECT_EQ(ping.intensity[10], 1);
+}
+
+struct Moments {
+  double mean = 0, deviation = 0;
+};
+
+Moments moments(const std::vector<float>& values) {
+  double sum = 0, squares = 0;
+  for (const float value : values) {
+    sum += value;
+    squares += double{value} * value;
+  }
+  const double mean = sum / static_cast<double>(values.size());
+  return {mean, std::sqrt(squares / static_cast<double>(values.size()) - mean * mean)};
+}
+
+// physics.json, speckle.gauss: I x N(m, s) + N(0, a) clipped at 0; mean and standard deviation by quadrature. 400 x 1000
+// independent cells: the sampling error of the mean is deviation / 632, of the deviation about the same.
+TEST(PaperReceiverTest, NoiseHasTheReferenceMoments) {
+  struct Case {
+    float intensity;
+    double multiplicative, additive, mean, deviation;
+  };
+  for (const Case& c : {Case{0.5F, 0.2, 0.05, 0.5000000889236312, 0.11180298357746926},
+                        Case{0.0F, 0.2, 0.05, 0.019947114020071637, 0.02919096850517745},
+                        Case{0.1F, 0.5, 0.1, 0.11134368551568563, 0.09443314401117761}}) {
+    const PaperReceiverSettings settings{
+        .model = {.multiplicative_deviation = c.multiplicative, .additive_deviation = c.additive}, .seed = 5};
+    const Moments found =
+        moments(receive(filled_grid(400, 1000, c.intensity, 1, 0, 0), sonar_of(400, 1000), settings).intensity);
+    EXPECT_NEAR(found.mean, c.mean, 4 * c.deviation / 632) << c.intensity;
+    EXPECT_NEAR(found.deviation, c.deviation, 4 * c.deviation / 632) << c.intensity;
+  }
+}
+
+// Neighbouring bins, beams and pings are uncorrelated: |correlation| of n = 1e5 pairs stays under 4 / sqrt(n) = 0.013.
+TEST(PaperReceiverTest, NoiseIsIndependentBetweenBinsBeamsAndPings) {
+  const int beams = 200, bins = 500;
+  const EchoGrid grid = filled_grid(beams, bins, 0.5F, 1, 0, 0);
+  const PaperReceiverSettings settings{.model = {.multiplicative_deviation = 0.1, .additive_deviation = 0}, .seed = 9};
+  const Ping a = receive(grid, sonar_of(beams, bins), settings, 0);
+  const Ping b = receive(grid, sonar_of(beams, bins), settings, 1);
+  const auto correlation = [&](const Ping& x, int shift, const Ping& y) {
+    double sum = 0, count = 0;
+    for (std::size_t i = 0; i + shift < x.intensity.size(); ++i) {
+      sum += (x.intensity[i] - 0.5) * (y.intensity[i + shift] - 0.5);
+      ++count;
+    }
+    return sum / count / (0.05 * 0.05);
+  };
+  EXPECT_NEAR(correlation(a, 0, a), 1, 0.03);
+  EXPECT_NEAR(correlation(a, 1, a), 0, 0.013);
+  EXPECT_NEAR(correlation(a, beams, a), 0, 0.013);
+  EXPECT_NEAR(correlation(a, 2 * beams, a), 0, 0.013);
+  EXPECT_NEAR(correlation(a, 0, b), 0, 0.013);
+}
+
+TEST(PaperReceiverTest, EmptyCellsHaveNoLabelAndNoElevation) {
+  const Ping ping = receive(EchoGrid(2, 2, kPathOrders), sonar_of(2, 2), {.noise = false});
+  EXPECT_EQ(ping.instance[3], kNoLabel);
+  EXPECT_EQ(ping.material[3], kNoLabel);
+  EXPECT_TRUE(std::isnan(ping.elevation[3]));
+}
+
+}  // namespace
+}  // namespace insonify
