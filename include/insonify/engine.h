@@ -37,9 +37,9 @@ class PingPlan;
 
 /// What a plan is made from.
 struct PingPlanSettings {
-  SonarConfig sonar;
-  Water water;
-  PaperModel paper;
+  SonarConfig sonar = {};
+  Water water = {};
+  PaperModel paper = {};
   SecondaryEchoes secondary = SecondaryEchoes::kSelective;
   std::uint64_t seed = 1;
 };

@@ -15,7 +15,7 @@
 
 namespace insonify::testing_scenes {
 
-inline constexpr double kDegree = EIGEN_PI / 180;
+inline constexpr double kDegree = 3.14159265358979323846 / 180;
 
 /// A scene whose surfaces all have the given reflectivity, one material an instance.
 class SceneMaker {
