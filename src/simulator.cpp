@@ -51,10 +51,18 @@ Simulator::~Simulator() = default;
 Simulator::Simulator(Simulator&&) noexcept = default;
 Simulator& Simulator::operator=(Simulator&&) noexcept = default;
 
-const Scenario& Simulator::scenario() const { return state_->scenario; }
-const Scene& Simulator::scene() const { return state_->scene; }
-const SonarConfig& Simulator::sonar(int sonar) const { return state_->scenario.sonars.at(sonar); }
-Engine& Simulator::engine() { return *state_->engine; }
+const Scenario& Simulator::scenario() const {
+  return state_->scenario;
+}
+const Scene& Simulator::scene() const {
+  return state_->scene;
+}
+const SonarConfig& Simulator::sonar(int sonar) const {
+  return state_->scenario.sonars.at(sonar);
+}
+Engine& Simulator::engine() {
+  return *state_->engine;
+}
 
 Pose Simulator::world_from_head(int index, std::uint64_t number) const {
   const SonarConfig& config = sonar(index);

@@ -22,8 +22,9 @@ class Workers {
   template <typename Run>
   void for_each(int tasks, Run&& run) {
     using Body = std::remove_reference_t<Run>;
-    call(tasks, [](void* body, int task, int worker) { (*static_cast<Body*>(body))(task, worker); },
-         const_cast<void*>(static_cast<const void*>(&run)));
+    call(
+        tasks, [](void* body, int task, int worker) { (*static_cast<Body*>(body))(task, worker); },
+        const_cast<void*>(static_cast<const void*>(&run)));
   }
 
  private:

@@ -16,7 +16,9 @@ constexpr int kTile = 4;  // Columns and rows of a packet: the shape in which si
 
 }  // namespace
 
-int beams_per_task(const Lattice& lattice) { return std::max(1, kColumnsPerTask / lattice.columns_per_beam); }
+int beams_per_task(const Lattice& lattice) {
+  return std::max(1, kColumnsPerTask / lattice.columns_per_beam);
+}
 
 void BeamTask::prepare(const PingPlan& plan) {
   plan_ = &plan;
@@ -24,7 +26,8 @@ void BeamTask::prepare(const PingPlan& plan) {
   const int columns = beams_per_task(plan.lattice) * plan.lattice.columns_per_beam;
   const std::size_t samples = static_cast<std::size_t>(columns) * plan.lattice.rows;
   along_.resize(std::max<std::size_t>(along_.size(), columns));
-  for (auto* values : {&range_, &normal_x_, &normal_y_, &normal_z_, &normal_along_, &normal_up_, &power_}) {
+  for (auto* values : {&range_, &normal_x_, &normal_y_, &normal_z_, &normal_along_, &normal_across_, &normal_up_,
+                       &facing_, &reach_, &power_}) {
     values->resize(std::max(values->size(), samples));
   }
   surface_.resize(std::max(surface_.size(), samples));
@@ -104,8 +107,10 @@ HitColumn BeamTask::column_hits(int column) {
   float* const y = &normal_y_[start];
   float* const z = &normal_z_[start];
   float* const along = &normal_along_[start];
+  float* const across = &normal_across_[start];
   float* const up = &normal_up_[start];
   const Vec3f to = along_[column];
+  const Vec3f side = up_.cross(to);
   const Vec3f up_axis = up_;
   for (int row = 0; row < rows; ++row) {
     const float scale = 1 / std::sqrt(x[row] * x[row] + y[row] * y[row] + z[row] * z[row] + 1e-20F);
@@ -113,9 +118,10 @@ HitColumn BeamTask::column_hits(int column) {
     y[row] *= scale;
     z[row] *= scale;
     along[row] = x[row] * to.x() + y[row] * to.y() + z[row] * to.z();
+    across[row] = x[row] * side.x() + y[row] * side.y() + z[row] * side.z();
     up[row] = x[row] * up_axis.x() + y[row] * up_axis.y() + z[row] * up_axis.z();
   }
-  return {rows, &range_[start], along, up, &power_[start], &surface_[start]};
+  return {rows, &range_[start], &surface_[start], along, across, up, &facing_[start], &reach_[start], &power_[start]};
 }
 
 // Follows the selected hits, in the order of the tiles so that packets stay together.
@@ -137,7 +143,7 @@ void BeamTask::send_onward(EchoGrid& grid, Log* log) {
         const int lattice_column = first_column_ + column;
         const float cos_el = lattice.cos_elevations(lattice_column)[row];
         const float sin_el = lattice.sin_elevations(lattice_column)[row];
-        const float facing = normal_along_[sample] * cos_el + normal_up_[sample] * sin_el;
+        const float facing = facing_[sample];
         const float onward = onward_strength(*plan_, std::abs(facing),
                                              scene_.reflectivity()[material_of(surface_[sample])], range_[sample]);
         const float selected = selection_weight(*plan_, lattice_column, row, onward);
@@ -197,8 +203,8 @@ void BeamTask::finish_onward(int count, EchoGrid& grid, Log* log) {
         .azimuth = plan_->lattice.azimuth[origin.column],
         .elevation = plan_->lattice.elevations(origin.column)[origin.row],
         .path_length = path_length,
-        .power = secondary_power(*plan_, origin.onward, incidence,
-                                 scene_.reflectivity()[material_of(shading.surface)], origin.range, path_length),
+        .power = secondary_power(*plan_, origin.onward, incidence, scene_.reflectivity()[material_of(shading.surface)],
+                                 origin.range, path_length),
         .weight = origin.weight,
         .order = 2,
         .surface = shading.surface};
@@ -240,7 +246,8 @@ void BeamTask::run(const Pose& world_from_sonar, int first_beam, int last_beam, 
   trace_primaries();
   for (int column = 0; column < columns_; ++column) {
     HitColumn hits = column_hits(column);
-    shade_column(*plan_, first_column_ + column, scene_.reflectivity(), hits);
+    measure_column(*plan_, first_column_ + column, hits);
+    shade_column(*plan_, scene_.reflectivity(), hits);
     deposit_column(*plan_, first_column_ + column, hits, grid);
   }
   if (plan_->secondary != SecondaryEchoes::kNone) {

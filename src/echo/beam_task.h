@@ -51,12 +51,13 @@ struct BeamTask {
 
   const CpuScene& scene_;
   const PingPlan* plan_ = nullptr;
-  int first_column_ = 0, columns_ = 0;   // Of the lattice; columns below count from first_column_.
-  Vec3f sonar_, up_;                     // Position and z axis of the sonar in the scene's coordinates.
-  std::vector<Vec3f> along_;             // Horizontal direction of each column.
+  int first_column_ = 0, columns_ = 0;  // Of the lattice; columns below count from first_column_.
+  Vec3f sonar_, up_;                    // Position and z axis of the sonar in the scene's coordinates.
+  std::vector<Vec3f> along_;            // Horizontal direction of each column.
 
   // Of each sample, column by column.
-  std::vector<float> range_, normal_x_, normal_y_, normal_z_, normal_along_, normal_up_, power_;
+  std::vector<float> range_, normal_x_, normal_y_, normal_z_, normal_along_, normal_across_, normal_up_, facing_,
+      reach_, power_;
   std::vector<SurfaceLabel> surface_;
 
   RayPacket primary_, onward_, back_;

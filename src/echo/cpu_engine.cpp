@@ -10,7 +10,9 @@ namespace {
 
 constexpr int kRaysPerTask = 1024;
 
-int task_count(int items, int per_task) { return (items + per_task - 1) / per_task; }
+int task_count(int items, int per_task) {
+  return (items + per_task - 1) / per_task;
+}
 
 }  // namespace
 
@@ -96,8 +98,8 @@ void CpuEngine::trace(std::span<const Ray> rays, std::span<Hit> hits) {
         hit = {.distance = std::numeric_limits<double>::infinity()};
         if (packet.hit(lane) && distance <= ray.max_distance) {
           const RTCHit16& found = packet.rays.hit;
-          const CpuScene::Shading shading = scene_.shade(found.geomID[lane], found.instID[0][lane], found.primID[lane],
-                                                         found.u[lane], found.v[lane]);
+          const CpuScene::Shading shading =
+              scene_.shade(found.geomID[lane], found.instID[0][lane], found.primID[lane], found.u[lane], found.v[lane]);
           const Vec3 normal = shading.normal.cast<double>().normalized();
           hit = {distance, normal.dot(ray.direction) > 0 ? Vec3(-normal) : normal, instance_of(shading.surface),
                  material_of(shading.surface)};

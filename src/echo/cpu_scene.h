@@ -11,8 +11,8 @@
 
 namespace insonify {
 
-/// What stands still is one Embree geometry an instance, its vertices already in place; what moves is an Embree instance
-/// of a scene of its own, so that moving it rebuilds nothing but the top of the tree.
+/// What stands still is one Embree geometry an instance, its vertices already in place; what moves is an Embree
+/// instance of a scene of its own, so that moving it rebuilds nothing but the top of the tree.
 class CpuScene {
  public:
   CpuScene();
@@ -45,8 +45,8 @@ class CpuScene {
     const bool moves = instance != RTC_INVALID_GEOMETRY_ID;
     const Part& part = parts_[moves ? instance : geometry];
     const auto& corners = part.triangles[triangle];
-    const Vec3f normal = (1 - u - v) * part.normals[corners[0]] + u * part.normals[corners[1]] +
-                         v * part.normals[corners[2]];
+    const Vec3f normal =
+        (1 - u - v) * part.normals[corners[0]] + u * part.normals[corners[1]] + v * part.normals[corners[2]];
     const std::uint16_t slot = part.slots == nullptr ? std::uint16_t{0} : part.slots[triangle];
     return {moves ? Vec3f(part.rotation * normal) : normal, part.surfaces[slot]};
   }
@@ -55,13 +55,13 @@ class CpuScene {
   // One instance of the scene.
   struct Part {
     const std::array<std::uint32_t, 3>* triangles = nullptr;
-    const Vec3f* normals = nullptr;          // In the world; of a moving part in its own frame.
+    const Vec3f* normals = nullptr;  // In the world; of a moving part in its own frame.
     const std::uint16_t* slots = nullptr;
-    std::vector<SurfaceLabel> surfaces;      // Of each slot.
+    std::vector<SurfaceLabel> surfaces;                      // Of each slot.
     Eigen::Matrix3f rotation = Eigen::Matrix3f::Identity();  // Of a moving part.
     std::vector<Vec3f> own_vertices, own_normals;
     RTCScene own_scene = nullptr;
-    RTCGeometry placed = nullptr;            // The Embree instance of a moving part.
+    RTCGeometry placed = nullptr;  // The Embree instance of a moving part.
   };
 
   void clear();

@@ -12,6 +12,12 @@ namespace {
 // share of the distance between them: curved surfaces pass, edges and shadows do not.
 constexpr float kBend = 0.3F;
 
+// Added to the cosine of incidence before it divides: bounds the reach of surfaces that are only grazed.
+constexpr float kLeastFacing = 0.1F;
+
+// How much farther a surface may go on past its last sample than between the last two.
+constexpr float kMostStretch = 1.5F;
+
 // The cells of one beam, ready for adding. Positions are in bins, from the near edge of bin 0.
 struct BeamCells {
   float* energy;
@@ -25,7 +31,8 @@ struct BeamCells {
         labels(grid.labels(beam).data()),
         bins(grid.bin_count()) {}
 
-  // Boyer and Moore's majority vote (1981), weighted by energy: whoever holds more than half of a cell leads it in the end.
+  // Boyer and Moore's majority vote (1981), weighted by energy: whoever holds more than half of a cell leads it in the
+  // end.
   void vote(int bin, float added, SurfaceLabel surface, float elevation) {
     EchoGrid::Label& label = labels[bin];
     if (surface_label(label.instance, label.material) == surface) {
@@ -53,12 +60,14 @@ struct BeamCells {
   }
 
   // Spreads a stretch of surface evenly over the positions between its ends; power changes linearly along it.
-  void add_stretch(float from, float to, float power_from, float power_to, float weight_added, SurfaceLabel surface,
-                   float elevation) {
+  void add_stretch(float from, float to, float reach, float power_from, float power_to, float weight_added,
+                   SurfaceLabel surface, float elevation) {
     if (from > to) {
       std::swap(from, to);
       std::swap(power_from, power_to);
     }
+    from -= reach;
+    to += reach;
     if (to < 0 || from >= static_cast<float>(bins)) {
       return;
     }
@@ -80,13 +89,26 @@ struct BeamCells {
 };
 
 // Where the tangent plane of a hit is met in another direction of its column [m]; negative or huge when it is not.
-float plane_range(const HitColumn& hits, int row, float cos_own, float sin_own, float cos_other, float sin_other) {
-  const float own = hits.normal_along[row] * cos_own + hits.normal_up[row] * sin_own;
+float plane_range(const HitColumn& hits, int row, float cos_other, float sin_other) {
   const float other = hits.normal_along[row] * cos_other + hits.normal_up[row] * sin_other;
-  return hits.range[row] * own / other;
+  return hits.range[row] * hits.facing[row] / other;
 }
 
 }  // namespace
+
+void measure_column(const PingPlan& plan, int column, HitColumn& hits) {
+  const Lattice& lattice = plan.lattice;
+  const float* cos_el = lattice.cos_elevations(column);
+  const float* sin_el = lattice.sin_elevations(column);
+  const float half_width = 0.5F * lattice.column_width[column];
+  for (int row = 0; row < hits.rows; ++row) {
+    const float facing = hits.normal_along[row] * cos_el[row] + hits.normal_up[row] * sin_el[row];
+    // On the tangent plane d(range)/d(azimuth) = -range (normal . d(direction)/d(azimuth)) / (normal . direction).
+    const float slope = std::abs(hits.normal_across[row]) * cos_el[row] / (std::abs(facing) + kLeastFacing);
+    hits.facing[row] = facing;
+    hits.reach[row] = half_width * hits.range[row] * slope;
+  }
+}
 
 void deposit_column(const PingPlan& plan, int column, const HitColumn& hits, EchoGrid& grid) {
   const Lattice& lattice = plan.lattice;
@@ -104,40 +126,41 @@ void deposit_column(const PingPlan& plan, int column, const HitColumn& hits, Ech
       return true;
     }
     const float tolerance = bin_length + kBend * apart;
-    const float b_seen_from_a = plane_range(hits, a, cos_el[a], sin_el[a], cos_el[b], sin_el[b]);
-    const float a_seen_from_b = plane_range(hits, b, cos_el[b], sin_el[b], cos_el[a], sin_el[a]);
+    const float b_seen_from_a = plane_range(hits, a, cos_el[b], sin_el[b]);
+    const float a_seen_from_b = plane_range(hits, b, cos_el[a], sin_el[a]);
     return std::abs(b_seen_from_a - hits.range[b]) < tolerance && std::abs(a_seen_from_b - hits.range[a]) < tolerance;
   };
-  const auto add_half = [&](int row, float weight) {
-    if (hits.surface[row] != kNoSurface) {
-      cells.add_point(position(hits.range[row]), hits.power[row], 0.5F * weight, hits.surface[row], elevation[row]);
-    }
-  };
-  // From a sample at the end of the column to the aperture's own edge, along the sample's tangent plane.
-  const auto add_end = [&](int row, float cos_edge, float sin_edge, float weight) {
+  // Part of a sample's stretch that ends alone: from the sample along its tangent plane to another direction, if the
+  // neighbour on the other side shows that the surface goes on like that.
+  const auto add_alone = [&](int row, int behind, float cos_end, float sin_end, float weight) {
     if (hits.surface[row] == kNoSurface) {
       return;
     }
-    const float at_edge = plane_range(hits, row, cos_el[row], sin_el[row], cos_edge, sin_edge);
-    const bool met = at_edge > 0.5F * hits.range[row] && at_edge < 2 * hits.range[row];
-    const float here = position(hits.range[row]);
-    cells.add_stretch(here, met ? position(at_edge) : here, hits.power[row], hits.power[row], weight,
-                      hits.surface[row], elevation[row]);
+    float end = hits.range[row];
+    if (behind >= 0 && behind < hits.rows && hits.surface[behind] == hits.surface[row] && unbroken(row, behind)) {
+      const float most = kMostStretch * std::abs(hits.range[row] - hits.range[behind]);
+      end = std::clamp(plane_range(hits, row, cos_end, sin_end), end - most, end + most);
+    }
+    cells.add_stretch(position(hits.range[row]), position(end), hits.reach[row] * plan.bins_per_metre, hits.power[row],
+                      hits.power[row], weight, hits.surface[row], elevation[row]);
   };
 
-  add_end(0, lattice.cos_low, lattice.sin_low, interval[0] * width);
+  add_alone(0, 1, lattice.cos_low, lattice.sin_low, interval[0] * width);
   for (int row = 0; row + 1 < hits.rows; ++row) {
     const int next = row + 1;
     const float weight = interval[next] * width;
     if (hits.surface[row] == hits.surface[next] && hits.surface[row] != kNoSurface && unbroken(row, next)) {
-      cells.add_stretch(position(hits.range[row]), position(hits.range[next]), hits.power[row], hits.power[next],
+      const float reach = 0.5F * (hits.reach[row] + hits.reach[next]) * plan.bins_per_metre;
+      cells.add_stretch(position(hits.range[row]), position(hits.range[next]), reach, hits.power[row], hits.power[next],
                         weight, hits.surface[row], 0.5F * (elevation[row] + elevation[next]));
     } else {
-      add_half(row, weight);
-      add_half(next, weight);
+      const float cos_middle = 0.5F * (cos_el[row] + cos_el[next]);
+      const float sin_middle = 0.5F * (sin_el[row] + sin_el[next]);
+      add_alone(row, row - 1, cos_middle, sin_middle, 0.5F * weight);
+      add_alone(next, next + 1, cos_middle, sin_middle, 0.5F * weight);
     }
   }
-  add_end(hits.rows - 1, lattice.cos_high, lattice.sin_high, interval[hits.rows] * width);
+  add_alone(hits.rows - 1, hits.rows - 2, lattice.cos_high, lattice.sin_high, interval[hits.rows] * width);
 }
 
 void deposit(const PingPlan& plan, const Echo& echo, EchoGrid& grid) {

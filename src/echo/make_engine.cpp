@@ -10,7 +10,9 @@
 
 namespace insonify {
 
-std::vector<std::string_view> engine_names() { return {"cpu", "reference"}; }
+std::vector<std::string_view> engine_names() {
+  return {"cpu", "reference"};
+}
 
 std::unique_ptr<Engine> make_engine(std::string_view name, int threads) {
   if (threads < 0 || threads > 1024) {

@@ -15,20 +15,16 @@ constexpr float kLeastShare = 1.0F / 16;
 
 }  // namespace
 
-void shade_column(const PingPlan& plan, int column, std::span<const float> reflectivity, HitColumn& hits) {
+void shade_column(const PingPlan& plan, std::span<const float> reflectivity, HitColumn& hits) {
   using Row = Eigen::Map<Eigen::ArrayXf>;
-  using ConstRow = Eigen::Map<const Eigen::ArrayXf>;
   const int rows = hits.rows;
   Row power(hits.power, rows);
   for (int row = 0; row < rows; ++row) {
     power[row] = hits.surface[row] == kNoSurface ? 0.0F : reflectivity[material_of(hits.surface[row])];
   }
-  const ConstRow cos_el(plan.lattice.cos_elevations(column), rows);
-  const ConstRow sin_el(plan.lattice.sin_elevations(column), rows);
-  const Row along(hits.normal_along, rows);
-  const Row up(hits.normal_up, rows);
+  const Row facing(hits.facing, rows);
   const Row range(hits.range, rows);
-  power *= (along * cos_el + up * sin_el).abs() * (-2 * plan.neper_per_metre * range).exp();
+  power *= facing.abs() * (-2 * plan.neper_per_metre * range).exp();
   plan.shape.apply(power);
 }
 
@@ -42,8 +38,8 @@ float selection_weight(const PingPlan& plan, int column, int row, float onward) 
   }
   const float share = std::max(onward / kWorthFollowing, kLeastShare);
   // Fractional parts of multiples of 1/g and 1/g^2, g the plastic number, in 32-bit turns.
-  const std::uint32_t turn = static_cast<std::uint32_t>(column) * 3242174889U +
-                             static_cast<std::uint32_t>(row) * 2447445414U + plan.stagger;
+  const std::uint32_t turn =
+      static_cast<std::uint32_t>(column) * 3242174889U + static_cast<std::uint32_t>(row) * 2447445414U + plan.stagger;
   const float lot = static_cast<float>(turn >> 8) * (1.0F / 16777216.0F);
   return lot < share ? 1 / share : 0;
 }

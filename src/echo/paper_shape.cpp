@@ -7,7 +7,9 @@
 namespace insonify {
 namespace {
 
-double logistic(double x, double midpoint, double slope) { return 1 / (1 + std::exp(-slope * (x - midpoint))); }
+double logistic(double x, double midpoint, double slope) {
+  return 1 / (1 + std::exp(-slope * (x - midpoint)));
+}
 
 // 0.5 tanh(9 (x - 2/3)) + 0.5, as the authors' code has it, is the logistic of twice the slope.
 constexpr double kAuthorsMidpoint = 2.0 / 3.0;

@@ -13,8 +13,7 @@ PingPlan::PingPlan(const PingPlanSettings& settings)
     : sonar(settings.sonar), lattice(settings.sonar), shape(settings.paper), secondary(settings.secondary) {
   const double true_speed = settings.water.true_sound_speed();
   const double scale = sonar.assumed_sound_speed.value_or(true_speed) / true_speed;
-  neper_per_metre =
-      static_cast<float>(kNeperPerDecibel * settings.water.absorption_db_per_m_at(sonar.frequency));
+  neper_per_metre = static_cast<float>(kNeperPerDecibel * settings.water.absorption_db_per_m_at(sonar.frequency));
   range_per_metre = static_cast<float>(scale);
   true_max_range = static_cast<float>(sonar.max_range / scale);
   bins_per_metre = static_cast<float>(scale / sonar.bin_length());

@@ -17,12 +17,12 @@ class PingPlan {
   PaperShape shape;
   SecondaryEchoes secondary;
 
-  float neper_per_metre = 0;     ///< Absorption of pressure amplitude [Np/m].
-  float range_per_metre = 1;     ///< Reported range over true range: assumed over true sound speed.
-  float true_max_range = 0;      ///< True distance of the far edge of the last bin [m].
-  float bins_per_metre = 0;      ///< Bins over true distance [1/m].
-  float first_bin_at = 0;        ///< True distance of the near edge of bin 0 [m].
-  std::uint32_t stagger = 0;     ///< Turns the selection of secondary rays, from the seed.
+  float neper_per_metre = 0;  ///< Absorption of pressure amplitude [Np/m].
+  float range_per_metre = 1;  ///< Reported range over true range: assumed over true sound speed.
+  float true_max_range = 0;   ///< True distance of the far edge of the last bin [m].
+  float bins_per_metre = 0;   ///< Bins over true distance [1/m].
+  float first_bin_at = 0;     ///< True distance of the near edge of bin 0 [m].
+  std::uint32_t stagger = 0;  ///< Turns the selection of secondary rays, from the seed.
 
   /// Beam whose edges hold an azimuth; -1 outside the fan.
   [[nodiscard]] int beam_of(float azimuth) const;

@@ -128,11 +128,13 @@ void ReferenceEngine::insonify_column(const PingPlan& plan, int column, const Po
   const Vec3 along_local(lattice.cos_azimuth[column], lattice.sin_azimuth[column], 0);
   const Vec3 along = world_from_sonar.orientation * along_local;
   const Vec3 up = world_from_sonar.orientation * Vec3::UnitZ();
+  const Vec3 across = up.cross(along);
 
   // Out: what does each row meet first?
   std::vector<Hit> first(rows);
   std::vector<Ray> rays(rows);
-  std::vector<float> range(rows), normal_along(rows), normal_up(rows), power(rows);
+  std::vector<float> range(rows), normal_along(rows), normal_across(rows), normal_up(rows);
+  std::vector<float> facing(rows), reach(rows), power(rows);
   std::vector<SurfaceLabel> surface(rows, kNoSurface);
   for (int row = 0; row < rows; ++row) {
     const Vec3 direction =
@@ -142,6 +144,7 @@ void ReferenceEngine::insonify_column(const PingPlan& plan, int column, const Po
     if (first[row].instance != kNoLabel) {
       range[row] = static_cast<float>(first[row].distance);
       normal_along[row] = static_cast<float>(first[row].normal.dot(along));
+      normal_across[row] = static_cast<float>(first[row].normal.dot(across));
       normal_up[row] = static_cast<float>(first[row].normal.dot(up));
       surface[row] = surface_label(first[row].instance, first[row].material);
     }
@@ -149,8 +152,11 @@ void ReferenceEngine::insonify_column(const PingPlan& plan, int column, const Po
   counts.primary += rows;
 
   // Straight back.
-  HitColumn hits{rows, range.data(), normal_along.data(), normal_up.data(), power.data(), surface.data()};
-  shade_column(plan, column, reflectivity_, hits);
+  HitColumn hits{
+      rows,          range.data(), surface.data(), normal_along.data(), normal_across.data(), normal_up.data(),
+      facing.data(), reach.data(), power.data()};
+  measure_column(plan, column, hits);
+  shade_column(plan, reflectivity_, hits);
   deposit_column(plan, column, hits, grid);
   if (plan.secondary == SecondaryEchoes::kNone) {
     return;
@@ -161,8 +167,7 @@ void ReferenceEngine::insonify_column(const PingPlan& plan, int column, const Po
     if (surface[row] == kNoSurface) {
       continue;
     }
-    const float onward = onward_strength(plan, incidence(lattice, column, hits, row),
-                                         reflectivity_[first[row].material], range[row]);
+    const float onward = onward_strength(plan, std::abs(facing[row]), reflectivity_[first[row].material], range[row]);
     const float selected = selection_weight(plan, column, row, onward);
     if (selected == 0) {
       continue;
@@ -170,13 +175,13 @@ void ReferenceEngine::insonify_column(const PingPlan& plan, int column, const Po
     const Vec3 point = rays[row].origin + rays[row].direction * first[row].distance;
     const Vec3& normal = first[row].normal;
     const Vec3 mirrored = rays[row].direction - 2 * rays[row].direction.dot(normal) * normal;
-    const Ray across{point, mirrored.normalized(), kRayClearance, plan.true_max_range};
-    const Hit second = nearest(across);
+    const Ray onward_ray{point, mirrored.normalized(), kRayClearance, plan.true_max_range};
+    const Hit second = nearest(onward_ray);
     ++counts.secondary;
     if (second.instance == kNoLabel) {
       continue;
     }
-    const Vec3 second_point = across.origin + across.direction * second.distance;
+    const Vec3 second_point = onward_ray.origin + onward_ray.direction * second.distance;
     const Vec3 back = world_from_sonar.position - second_point;
     const auto path_length = static_cast<float>(first[row].distance + second.distance + back.norm());
     if (0.5F * path_length >= plan.true_max_range) {
@@ -186,7 +191,7 @@ void ReferenceEngine::insonify_column(const PingPlan& plan, int column, const Po
     if (blocked({second_point, back.normalized(), kRayClearance, back.norm() - double{kRayClearance}})) {
       continue;
     }
-    const auto second_incidence = static_cast<float>(std::abs(second.normal.dot(across.direction)));
+    const auto second_incidence = static_cast<float>(std::abs(second.normal.dot(onward_ray.direction)));
     deposit(plan,
             {.azimuth = lattice.azimuth[column],
              .elevation = lattice.elevations(column)[row],

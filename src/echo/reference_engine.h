@@ -32,7 +32,8 @@ class ReferenceEngine final : public Engine {
   void place_instance(int instance, const Pose& world_from_mesh);
   [[nodiscard]] Hit nearest(const Ray& ray) const;
   [[nodiscard]] bool blocked(const Ray& ray) const;
-  void insonify_column(const PingPlan& plan, int column, const Pose& world_from_sonar, EchoGrid& grid, RayCounts& counts) const;
+  void insonify_column(const PingPlan& plan, int column, const Pose& world_from_sonar, EchoGrid& grid,
+                       RayCounts& counts) const;
 
   Workers workers_;
   const Scene* scene_ = nullptr;

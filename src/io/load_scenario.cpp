@@ -106,7 +106,7 @@ class ScenarioReader {
   void read_world() {
     const YamlValue* given = tree_.find("world");
     if (given == nullptr) {
-      return;
+      throw Error(tree_.where + "world is missing: the SDF file or mesh to insonify");
     }
     scenario_.world_where = given->where;
     scenario_.world = std::filesystem::absolute(path_.parent_path() / scenario_.world).lexically_normal();

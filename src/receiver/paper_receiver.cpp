@@ -14,7 +14,7 @@
 namespace insonify {
 namespace {
 
-constexpr int kBeamsPerTask = 16;   // One cache line of a row of the ping.
+constexpr int kBeamsPerTask = 16;  // One cache line of a row of the ping.
 constexpr int kBinsPerBlock = 64;
 
 using Block = Eigen::Array<float, kBinsPerBlock, 1>;
@@ -56,7 +56,9 @@ float near_field(const SonarConfig& sonar, int bin) {
   return static_cast<float>(std::clamp(along, 0.0, 1.0));
 }
 
-float mean_over(float energy, float weight) { return weight > 0 ? energy / weight : 0.0F; }
+float mean_over(float energy, float weight) {
+  return weight > 0 ? energy / weight : 0.0F;
+}
 
 }  // namespace
 

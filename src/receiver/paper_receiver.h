@@ -11,7 +11,7 @@
 namespace insonify {
 
 struct PaperReceiverSettings {
-  PaperModel model;
+  PaperModel model = {};
   bool noise = true;
   std::uint64_t seed = 1;
 };

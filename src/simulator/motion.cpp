@@ -42,8 +42,8 @@ std::vector<MovingPart> find_moving_parts(const Scenario& scenario, Scene& scene
                                 instance.name));
       }
       instance.moving = true;
-      parts.push_back({static_cast<int>(i), static_cast<int>(m),
-                       motion.trajectory.at(0).inverse() * instance.world_from_mesh});
+      parts.push_back(
+          {static_cast<int>(i), static_cast<int>(m), motion.trajectory.at(0).inverse() * instance.world_from_mesh});
     }
     if (parts.size() == before) {
       throw Error(fmt::format("{}motions[{}].object = {} is not in the world; there are {}", motion.where, m,

@@ -115,9 +115,6 @@ void Trajectory::validate(std::string_view object) const {
 
 void Scenario::validate() const {
   check_fields("", *this);
-  if (world.empty()) {
-    throw Error("world is missing: the SDF file or mesh to insonify");
-  }
   if (model != "paper") {
     throw Error(model == "calibrated" ? "model = \"calibrated\" is not in this version; the model there is: paper"
                                       : fmt::format("model = \"{}\" must be paper", model));

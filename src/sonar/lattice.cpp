@@ -18,7 +18,9 @@ int stagger_stride(int phases) {
   return stride;
 }
 
-float to_float(double value) { return static_cast<float>(value); }
+float to_float(double value) {
+  return static_cast<float>(value);
+}
 
 void lay_columns(const SonarConfig& sonar, Lattice& lattice) {
   const std::vector<double> edges = sonar.beam_edges();

@@ -20,17 +20,18 @@ struct Lattice {
   int columns = 0, rows = 0, columns_per_beam = 0;
 
   // One a column.
-  std::vector<float> azimuth;              ///< [rad]
+  std::vector<float> azimuth;  ///< [rad]
   std::vector<float> cos_azimuth, sin_azimuth;
-  std::vector<float> column_width;         ///< Azimuth it stands for [rad].
-  std::vector<std::uint16_t> phase;        ///< Which of the staggered sets of rows it has.
+  std::vector<float> column_width;   ///< Azimuth it stands for [rad].
+  std::vector<std::uint16_t> phase;  ///< Which of the staggered sets of rows it has.
 
   // One a row and phase, at [phase * rows + row].
-  std::vector<float> elevation;            ///< [rad]
+  std::vector<float> elevation;  ///< [rad]
   std::vector<float> cos_elevation, sin_elevation;
 
-  /// Solid angle per radian of azimuth between row - 1 and row, at [phase * (rows + 1) + row]. The first is from the lower
-  /// edge of the aperture to row 0, the last from the last row to the upper edge: together they fill the aperture.
+  /// Solid angle per radian of azimuth between row - 1 and row, at [phase * (rows + 1) + row]. The first is from the
+  /// lower edge of the aperture to row 0, the last from the last row to the upper edge: together they fill the
+  /// aperture.
   std::vector<float> interval;
 
   // Directions of the aperture's lower and upper edge.

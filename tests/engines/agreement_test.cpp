@@ -57,7 +57,8 @@ struct RandomScene {
     const int objects = 2 + dice.below(5);
     for (int i = 0; i < objects; ++i) {
       const Vec3 offset(dice.between(-1, 12), dice.between(-8, 8), dice.between(-3, 3));
-      const Pose pose_i{centre + offset, orientation_from_rpy(dice.between(-3, 3), dice.between(-1, 1), dice.between(-3, 3))};
+      const Pose pose_i{centre + offset,
+                        orientation_from_rpy(dice.between(-3, 3), dice.between(-1, 1), dice.between(-3, 3))};
       maker.add("object" + std::to_string(i), random_shape(dice), pose_i, dice.between(0.1, 1));
     }
     maker.add("floor", make_plane(Vec3::UnitZ(), 60, 60), {.position = centre + Vec3(0, 0, dice.between(-5, -2))},
@@ -86,11 +87,13 @@ std::vector<Ray> lattice_rays(const RandomScene& random) {
   std::vector<Ray> rays;
   for (int column = 0; column < random.sonar.beam_count * random.sonar.sampling.columns_per_beam; ++column) {
     for (int row = 0; row < random.sonar.sampling.rows; ++row) {
-      const double azimuth = random.sonar.azimuth_aperture * (0.5 - (column + 0.5) / (random.sonar.beam_count * random.sonar.sampling.columns_per_beam));
+      const double azimuth =
+          random.sonar.azimuth_aperture *
+          (0.5 - (column + 0.5) / (random.sonar.beam_count * random.sonar.sampling.columns_per_beam));
       const double elevation = random.sonar.elevation_center +
                                random.sonar.elevation_aperture * ((row + 0.5) / random.sonar.sampling.rows - 0.5);
-      rays.push_back({random.pose.position,
-                      random.pose.orientation * point_from_spherical({1, azimuth, elevation}), 0, random.sonar.max_range});
+      rays.push_back({random.pose.position, random.pose.orientation * point_from_spherical({1, azimuth, elevation}), 0,
+                      random.sonar.max_range});
     }
   }
   return rays;

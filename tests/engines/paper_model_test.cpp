@@ -29,7 +29,8 @@ TEST(PaperModelTest, LogisticRunsFromZeroToOneThroughItsMidpoint) {
 }
 
 TEST(PaperModelTest, FastShapeIsTheExactOne) {
-  for (const PaperModel& model : {PaperModel{}, PaperModel{.sigmoid = Sigmoid::kAuthors}, PaperModel{.sigmoid = Sigmoid::kNone}}) {
+  for (const PaperModel& model :
+       {PaperModel{}, PaperModel{.sigmoid = Sigmoid::kAuthors}, PaperModel{.sigmoid = Sigmoid::kNone}}) {
     const PaperShape shape(model);
     Eigen::ArrayXf many = Eigen::ArrayXf::LinSpaced(101, 0, 1);
     shape.apply(many);
@@ -77,10 +78,11 @@ INSTANTIATE_TEST_SUITE_P(Engines, PaperStrengthTest, testing::Values("cpu", "ref
 TEST_P(PaperStrengthTest, IsCosineOfIncidenceTimesReflectivity) {
   const ThinBeam beam;
   for (const double tilt : {0.0, 30.0, 60.0}) {
-    const Scene scene = SceneMaker()
-                            .add("plate", make_plane(Vec3::UnitX(), 50, 50),
-                                 {.position = {10, 0, 0}, .orientation = orientation_from_rpy(0, tilt * kDegree, 0)}, 0.7)
-                            .scene();
+    const Scene scene =
+        SceneMaker()
+            .add("plate", make_plane(Vec3::UnitX(), 50, 50),
+                 {.position = {10, 0, 0}, .orientation = orientation_from_rpy(0, tilt * kDegree, 0)}, 0.7)
+            .scene();
     EXPECT_NEAR(beam.strength(GetParam(), scene), 0.7 * std::cos(tilt * kDegree), 1e-3) << tilt;
   }
 }
@@ -104,8 +106,8 @@ TEST_P(PaperStrengthTest, BothSidesOfASurfaceEcho) {
   }
 }
 
-// Out to a mirror at 45 degrees (strength cos 45 x 0.9), across to a plate met squarely (x 0.8), straight back over sqrt 50 m:
-// path 5 + 5 + 7.071 m, absorption e^(-gamma path).
+// Out to a mirror at 45 degrees (strength cos 45 x 0.9), across to a plate met squarely (x 0.8), straight back over
+// sqrt 50 m: path 5 + 5 + 7.071 m, absorption e^(-gamma path).
 TEST_P(PaperStrengthTest, SecondaryEchoesMultiplyBothSurfacesAndTheWholePath) {
   ThinBeam beam;
   beam.settings.water = {};

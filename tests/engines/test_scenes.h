@@ -28,7 +28,8 @@ class SceneMaker {
     instance.name = std::move(name);
     instance.mesh = std::make_shared<const Mesh>(std::move(mesh));
     instance.world_from_mesh = world_from_mesh;
-    instance.materials.assign(instance.mesh->material_names.size(), static_cast<std::uint16_t>(scene_.materials.size()));
+    instance.materials.assign(instance.mesh->material_names.size(),
+                              static_cast<std::uint16_t>(scene_.materials.size()));
     scene_.materials.push_back(material);
     scene_.instances.push_back(std::move(instance));
     return *this;
@@ -36,16 +37,19 @@ class SceneMaker {
 
   /// A wall across +x at a distance, wide and high enough to fill any fan used here.
   SceneMaker& add_wall(double distance, double reflectivity = 0.8, double half_size = 200) {
-    return add("wall", make_plane(Vec3::UnitX(), 2 * half_size, 2 * half_size), {.position = {distance, 0, 0}}, reflectivity);
+    return add("wall", make_plane(Vec3::UnitX(), 2 * half_size, 2 * half_size), {.position = {distance, 0, 0}},
+               reflectivity);
   }
 
   /// A horizontal floor at a height.
   SceneMaker& add_floor(double height, double reflectivity = 0.8, double half_size = 200) {
-    return add("floor", make_plane(Vec3::UnitZ(), 2 * half_size, 2 * half_size), {.position = {0, 0, height}}, reflectivity);
+    return add("floor", make_plane(Vec3::UnitZ(), 2 * half_size, 2 * half_size), {.position = {0, 0, height}},
+               reflectivity);
   }
 
-  SceneMaker& add_sphere(const Vec3& centre, double radius, double reflectivity = 0.8) {
-    return add("sphere" + std::to_string(scene_.instances.size()), make_sphere(radius), {.position = centre}, reflectivity);
+  SceneMaker& add_sphere(const Vec3& centre, double radius, double reflectivity = 0.8, double max_edge_angle = 0.2) {
+    return add("sphere" + std::to_string(scene_.instances.size()), make_sphere(radius, max_edge_angle),
+               {.position = centre}, reflectivity);
   }
 
   [[nodiscard]] const Scene& scene() const { return scene_; }

@@ -83,8 +83,8 @@ Moments moments(const std::vector<float>& values) {
   return {mean, std::sqrt(squares / static_cast<double>(values.size()) - mean * mean)};
 }
 
-// physics.json, speckle.gauss: I x N(m, s) + N(0, a) clipped at 0; mean and standard deviation by quadrature. 400 x 1000
-// independent cells: the sampling error of the mean is deviation / 632, of the deviation about the same.
+// physics.json, speckle.gauss: I x N(m, s) + N(0, a) clipped at 0; mean and standard deviation by quadrature. 400 x
+// 1000 independent cells: the sampling error of the mean is deviation / 632, of the deviation about the same.
 TEST(PaperReceiverTest, NoiseHasTheReferenceMoments) {
   struct Case {
     float intensity;

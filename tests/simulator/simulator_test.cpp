@@ -79,8 +79,8 @@ TEST_P(SimulatorTest, StillSceneGivesTheSamePingTwice) {
   EXPECT_EQ(simulator.make_ping(0, 0).intensity, simulator.make_ping(0, 1).intensity);
 }
 
-// T20. A sonar that assumes 1500 m/s in fresh water of 20 degC, where sound travels at 1482.441 m/s, shows a plate at 10 m
-// at 10 * 1500 / 1482.441 = 10.118 m.
+// T20. A sonar that assumes 1500 m/s in fresh water of 20 degC, where sound travels at 1482.441 m/s, shows a plate at
+// 10 m at 10 * 1500 / 1482.441 = 10.118 m.
 TEST_P(SimulatorTest, WrongSoundSpeedShiftsRange) {
   SonarConfig sonar;
   sonar.beam_count = 1;
@@ -158,7 +158,8 @@ TEST_P(SimulatorTest, EmptyWaterIsSilent) {
 }
 
 // T15. One pose a ping, head angle ping x step; v = 0.5 m/s along +x, step 0.9 degrees, period 2 x 30 / 1500 = 0.04 s.
-// A target abeam at (0, 10) is heard when the head has reached it: ping 114 (102.6 degrees) at 10.257 m; the one astern at
+// A target abeam at (0, 10) is heard when the head has reached it: ping 114 (102.6 degrees) at 10.257 m; the one astern
+// at
 // (-10, 0) at ping 200 (180.0 degrees) at 14.000 m; that at (0, -10) at ping 269 (242.1 degrees) at 11.355 m.
 TEST_P(SimulatorTest, MovingScanningSonarShearsItsPicture) {
   SonarConfig sonar;
@@ -217,11 +218,11 @@ TEST(SimulatorErrorTest, RefusesToPingBeforeSoundIsBack) {
   Scenario scenario = quiet_scenario(sonar);
   scenario.water.sound_speed = 1500;
   EXPECT_THAT([&] { Simulator(scenario, Scene{}, 1); },
-              ThrowsMessage<Error>("sonars[0].ping_period = 0.05 s must be at least 0.06666666667 s, the time sound takes to "
+              ThrowsMessage<Error>("sonars[0].ping_period = 0.05 s must be at least 0.0667 s, the time sound takes to "
                                    "max_range = 50 m and back"));
 }
 
-TEST(SimulatorTest2, PingPeriodIsTheTimeSoundTakesWhenNoneIsGiven) {
+TEST(SimulatorPeriodTest, PingPeriodIsTheTimeSoundTakesWhenNoneIsGiven) {
   Scenario scenario = quiet_scenario(small_fan());
   scenario.water.sound_speed = 1600;
   const Simulator simulator(scenario, Scene{}, 1);
@@ -231,7 +232,8 @@ TEST(SimulatorTest2, PingPeriodIsTheTimeSoundTakesWhenNoneIsGiven) {
 TEST(SimulatorMotionTest, ObjectsMoveBetweenPings) {
   Scenario scenario = quiet_scenario(small_fan());
   scenario.sonars[0].ping_period = 1;
-  scenario.motions = {{.object = "ball", .trajectory = {{{.time = 0}, {.time = 10, .position = {5, 0, 0}}}}, .where = ""}};
+  scenario.motions = {
+      {.object = "ball", .trajectory = {{{.time = 0}, {.time = 10, .position = {5, 0, 0}}}}, .where = ""}};
   const Scene scene = SceneMaker().add("ball", make_sphere(0.3), {.position = {5, 0, 0}}).scene();
   Simulator simulator(scenario, scene, 1);
   const auto nearest_range = [&](int number) {
@@ -252,9 +254,10 @@ TEST(SimulatorMotionTest, ObjectsMoveBetweenPings) {
 
 TEST(SimulatorMotionTest, NamesTheObjectsThereAreWhenOneIsMissing) {
   Scenario scenario = quiet_scenario(small_fan());
-  scenario.motions = {{.object = "whale", .trajectory = {}, .where = "s.yaml:3:5: "}};
+  scenario.motions = {{.object = "whale", .trajectory = {{{.time = 0}}}, .where = "s.yaml:3:5: "}};
   EXPECT_THAT([&] { Simulator(scenario, busy_scene().scene(), 1); },
-              ThrowsMessage<Error>("s.yaml:3:5: motions[0].object = whale is not in the world; there are box, floor, sphere2, wall"));
+              ThrowsMessage<Error>(
+                  "s.yaml:3:5: motions[0].object = whale is not in the world; there are box, floor, sphere2, wall"));
 }
 
 }  // namespace
