@@ -2,6 +2,7 @@
 
 #include "base/parallel.h"
 
+#include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
@@ -10,7 +11,12 @@
 namespace insonify {
 
 struct Workers::Arena {
-  explicit Arena(int threads) : arena(threads) {}
+  explicit Arena(int threads)
+      : allowance(tbb::global_control::max_allowed_parallelism,
+                  std::max<std::size_t>(threads, std::thread::hardware_concurrency())),
+        arena(threads) {}
+
+  tbb::global_control allowance;  // More threads than processors, when asked for.
   tbb::task_arena arena;
 };
 
