@@ -1,0 +1,16 @@
+// obj.h -- a shape as a Wavefront OBJ file with its materials beside it.
+
+#pragma once
+
+#include <filesystem>
+
+#include "shape.h"
+
+namespace modelling {
+
+/// Writes FOLDER/NAME.obj and FOLDER/NAME.mtl in metres, z up, rounded to whole millimetres: equal shapes give equal
+/// bytes. Triangles that have no area once rounded are left out. Each file appears whole or not at all.
+/// @throws std::runtime_error when a file cannot be written or a vertex is not finite.
+void write_obj(const std::filesystem::path& folder, const std::string& name, const Shape& shape);
+
+}  // namespace modelling

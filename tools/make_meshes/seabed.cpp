@@ -1,0 +1,82 @@
+// seabed.cpp -- a grid over the bed, and stones.
+
+#include "seabed.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "curve.h"
+#include "kit.h"
+#include "noise.h"
+#include "site.h"
+
+namespace modelling {
+namespace {
+
+// Grid lines at `step` between `fine_low` and `fine_high`, further and further apart towards `low` and `high`.
+std::vector<double> graded(double low, double fine_low, double fine_high, double high, double step) {
+  constexpr double kGrowth = 1.12;
+  constexpr double kCoarsest = 1.5;  // [m]
+  std::vector<double> lines = stepped(fine_low, fine_high, step);
+  for (const double end : {low, high}) {
+    const double sign = end == low ? -1 : 1;
+    double spacing = step;
+    for (double x = end == low ? fine_low : fine_high; sign * (end - x) > 0.7 * spacing;) {
+      spacing = std::min(spacing * kGrowth, kCoarsest);
+      x += sign * std::min(spacing, sign * (end - x));
+      lines.push_back(x);
+    }
+  }
+  std::ranges::sort(lines);
+  lines.front() = low;
+  lines.back() = high;
+  return lines;
+}
+
+// A ball pushed in and out: squashed, faceted by a few large planes, rough at every scale.
+Shape make_boulder(const Boulder& boulder, std::uint32_t seed) {
+  Shape stone = icosphere("rock", boulder.radius > 0.6 ? 4 : boulder.radius > 0.3 ? 3 : 2);
+  const Vec3 stretch(1 + 0.3 * chance(seed, 1), 0.75 + 0.3 * chance(seed, 2), 0.6 + 0.3 * chance(seed, 3));
+  stone.deform([&](const Vec3& p) -> Vec3 {
+    double radius = 1;
+    for (int k = 0; k < 6; ++k) {  // Broken faces: whatever stands out beyond a plane is gone.
+      const Vec3 normal =
+          Vec3(chance(seed, 10, k) - 0.5, chance(seed, 11, k) - 0.5, chance(seed, 12, k) - 0.5).normalized();
+      const double reach = p.dot(normal);
+      const double plane = 0.72 + 0.2 * chance(seed, 13, k);
+      if (reach > plane) {
+        radius = std::min(radius, plane / reach);
+      }
+    }
+    radius += 0.16 * fractal_noise(p * 1.7 + Vec3::Constant(0.37 * seed), seed, 4, 0.55);
+    return boulder.radius * radius * p.cwiseProduct(stretch);
+  });
+  const double sunk = boulder.radius * stretch.z() * (0.15 + 0.35 * chance(seed, 4));
+  return placed(stone, at({boulder.x, boulder.y, bed_height(boulder.x, boulder.y) + sunk}, 20 * chance(seed, 5) - 10,
+                          20 * chance(seed, 6) - 10, 360 * chance(seed, 7)));
+}
+
+}  // namespace
+
+Shape make_seabed() {
+  const double low_x = kBedMiddleX - kBedHalfWidth;
+  const double high_x = kBedMiddleX + kBedHalfWidth;
+  return sheet(
+      "sand",
+      [](double x, double y) -> Vec3 {
+        return {x, y, bed_height(x, y)};
+      },
+      graded(low_x, 5, 45, high_x, 0.1), graded(-kBedHalfWidth, -36, 36, kBedHalfWidth, 0.3));
+}
+
+Shape make_boulders() {
+  Shape shape;
+  std::uint32_t seed = 100;
+  for (const Boulder& boulder : boulders()) {
+    shape.add(make_boulder(boulder, ++seed));
+  }
+  return shape;
+}
+
+}  // namespace modelling

@@ -1,0 +1,32 @@
+// site.h -- the sea bed that the ferry lies on: its shape, and where things are on it.
+
+#pragma once
+
+#include <vector>
+
+#include "shape.h"
+
+namespace modelling {
+
+/// Where the wreck came to rest, as in scenes/ferry.sdf: listing to starboard, down by the stern, its starboard bow
+/// towards the origin. The ferry's own frame is that of ferry.h; the world's z = 0 is the mean level of the bed.
+inline const Vec3 kWreckPosition{39.0, 24.0, -0.9};
+inline constexpr double kWreckRollDeg = 17;
+inline constexpr double kWreckPitchDeg = -2.2;
+inline constexpr double kWreckYawDeg = -106;
+[[nodiscard]] Pose world_from_wreck();
+
+/// The bed covers this far in each direction from its middle [m].
+inline constexpr double kBedHalfWidth = 60;
+inline constexpr double kBedMiddleX = 30;
+
+struct Boulder {
+  double x, y;    ///< [m]
+  double radius;  ///< [m]
+};
+[[nodiscard]] const std::vector<Boulder>& boulders();
+
+/// Height of the sand: undulation, ripples and scour [m].
+[[nodiscard]] double bed_height(double x, double y);
+
+}  // namespace modelling
