@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "echo/paper_echoes.h"
+#include "echo/deposit.h"
 #include "echo/ray_limits.h"
 
 namespace insonify {
@@ -24,13 +24,15 @@ void BeamTask::prepare(const PingPlan& plan) {
   plan_ = &plan;
   counts_ = {};
   const int columns = beams_per_task(plan.lattice) * plan.lattice.columns_per_beam;
-  const std::size_t samples = static_cast<std::size_t>(columns) * plan.lattice.rows;
-  along_.resize(std::max<std::size_t>(along_.size(), columns));
-  for (auto* values : {&range_, &normal_x_, &normal_y_, &normal_z_, &normal_along_, &normal_across_, &normal_up_,
-                       &facing_, &reach_, &power_}) {
-    values->resize(std::max(values->size(), samples));
+  if (along_.size() < static_cast<std::size_t>(columns)) {
+    along_.resize(columns);
+    hits_.resize(columns);
   }
-  surface_.resize(std::max(surface_.size(), samples));
+  for (HitColumn& hits : hits_) {
+    if (hits.range.size() < static_cast<std::size_t>(plan.lattice.rows)) {
+      hits.resize(plan.lattice.rows);
+    }
+  }
 }
 
 void BeamTask::aim(const Pose& world_from_sonar, int first_beam, int last_beam) {
@@ -79,49 +81,26 @@ void BeamTask::trace_primaries() {
         if (primary_.valid[lane] == 0) {
           continue;
         }
-        const int sample = at(column + lane / kTile, row + lane % kTile);
-        const RTCHit16& hit = primary_.rays.hit;
+        HitColumn& hits = hits_[column + lane / kTile];
+        const int sample = row + lane % kTile;
         if (!primary_.hit(lane)) {
-          range_[sample] = 0;
-          normal_x_[sample] = normal_y_[sample] = normal_z_[sample] = 1;
-          surface_[sample] = kNoSurface;
+          hits.surface[sample] = kNoSurface;
+          hits.range[sample] = 0;
+          hits.reflectivity[sample] = 0;
           continue;
         }
+        const RTCHit16& hit = primary_.rays.hit;
         const CpuScene::Shading shading =
             scene_.shade(hit.geomID[lane], hit.instID[0][lane], hit.primID[lane], hit.u[lane], hit.v[lane]);
-        range_[sample] = primary_.rays.ray.tfar[lane];
-        normal_x_[sample] = shading.normal.x();
-        normal_y_[sample] = shading.normal.y();
-        normal_z_[sample] = shading.normal.z();
-        surface_[sample] = shading.surface;
+        hits.surface[sample] = shading.surface;
+        hits.range[sample] = primary_.rays.ray.tfar[lane];
+        hits.normal_x[sample] = shading.normal.x();
+        hits.normal_y[sample] = shading.normal.y();
+        hits.normal_z[sample] = shading.normal.z();
+        hits.reflectivity[sample] = scene_.reflectivity()[material_of(shading.surface)];
       }
     }
   }
-}
-
-// The hits of a column, their normals made unit and turned into the column's own axes.
-HitColumn BeamTask::column_hits(int column) {
-  const int rows = plan_->lattice.rows;
-  const int start = at(column, 0);
-  float* const x = &normal_x_[start];
-  float* const y = &normal_y_[start];
-  float* const z = &normal_z_[start];
-  float* const along = &normal_along_[start];
-  float* const across = &normal_across_[start];
-  float* const up = &normal_up_[start];
-  const Vec3f to = along_[column];
-  const Vec3f side = up_.cross(to);
-  const Vec3f up_axis = up_;
-  for (int row = 0; row < rows; ++row) {
-    const float scale = 1 / std::sqrt(x[row] * x[row] + y[row] * y[row] + z[row] * z[row] + 1e-20F);
-    x[row] *= scale;
-    y[row] *= scale;
-    z[row] *= scale;
-    along[row] = x[row] * to.x() + y[row] * to.y() + z[row] * to.z();
-    across[row] = x[row] * side.x() + y[row] * side.y() + z[row] * side.z();
-    up[row] = x[row] * up_axis.x() + y[row] * up_axis.y() + z[row] * up_axis.z();
-  }
-  return {rows, &range_[start], &surface_[start], along, across, up, &facing_[start], &reach_[start], &power_[start]};
 }
 
 // Follows the selected hits, in the order of the tiles so that packets stay together.
@@ -136,26 +115,17 @@ void BeamTask::send_onward(EchoGrid& grid, Log* log) {
         if (column >= columns_ || row >= lattice.rows) {
           continue;
         }
-        const int sample = at(column, row);
-        if (surface_[sample] == kNoSurface) {
+        const HitColumn& hits = hits_[column];
+        if (hits.surface[row] == kNoSurface || hits.selected[row] == 0) {
           continue;
         }
         const int lattice_column = first_column_ + column;
-        const float cos_el = lattice.cos_elevations(lattice_column)[row];
-        const float sin_el = lattice.sin_elevations(lattice_column)[row];
-        const float facing = facing_[sample];
-        const float onward = onward_strength(*plan_, std::abs(facing),
-                                             scene_.reflectivity()[material_of(surface_[sample])], range_[sample]);
-        const float selected = selection_weight(*plan_, lattice_column, row, onward);
-        if (selected == 0) {
-          continue;
-        }
-        const Vec3f direction = along_[column] * cos_el + up_ * sin_el;
-        const Vec3f normal(normal_x_[sample], normal_y_[sample], normal_z_[sample]);
-        onward_.set_origin(count, sonar_ + direction * range_[sample]);
-        onward_.set_direction(count, direction - 2 * facing * normal);
-        origins_[count] = {lattice_column, row, onward, range_[sample],
-                           selected * sample_weight(lattice, lattice_column, row)};
+        const Vec3f direction = along_[column] * lattice.cos_elevations(lattice_column)[row] +
+                                up_ * lattice.sin_elevations(lattice_column)[row];
+        const Vec3f normal(hits.normal_x[row], hits.normal_y[row], hits.normal_z[row]);
+        onward_.set_origin(count, sonar_ + direction * hits.range[row]);
+        onward_.set_direction(count, direction - 2 * hits.facing[row] * normal);
+        origins_[count] = {lattice_column, row, hits.range[row], hits.strength[row], hits.selected[row]};
         if (++count == kPacketSize) {
           finish_onward(count, grid, log);
           count = 0;
@@ -183,7 +153,7 @@ void BeamTask::finish_onward(int count, EchoGrid& grid, Log* log) {
     if (!onward_.hit(lane)) {
       continue;
     }
-    const Origin& origin = origins_[lane];
+    const OnwardOrigin& origin = origins_[lane];
     const float across = onward_.rays.ray.tfar[lane];
     const Vec3f point = onward_.origin(lane) + onward_.direction(lane) * across;
     const Vec3f back = sonar_ - point;
@@ -199,15 +169,8 @@ void BeamTask::finish_onward(int count, EchoGrid& grid, Log* log) {
     back_.set_origin(returning, point);
     back_.set_direction(returning, back / distance);
     back_.rays.ray.tfar[returning] = distance - kRayClearance;
-    echoes[returning] = {
-        .azimuth = plan_->lattice.azimuth[origin.column],
-        .elevation = plan_->lattice.elevations(origin.column)[origin.row],
-        .path_length = path_length,
-        .power = secondary_power(*plan_, origin.onward, incidence, scene_.reflectivity()[material_of(shading.surface)],
-                                 origin.range, path_length),
-        .weight = origin.weight,
-        .order = 2,
-        .surface = shading.surface};
+    const float strength = incidence * scene_.reflectivity()[material_of(shading.surface)];
+    echoes[returning] = secondary_echo(*plan_, origin, strength, path_length, shading.surface);
     ++returning;
   }
   if (returning == 0) {
@@ -245,10 +208,9 @@ void BeamTask::run(const Pose& world_from_sonar, int first_beam, int last_beam, 
 
   trace_primaries();
   for (int column = 0; column < columns_; ++column) {
-    HitColumn hits = column_hits(column);
-    measure_column(*plan_, first_column_ + column, hits);
-    shade_column(*plan_, scene_.reflectivity(), hits);
-    deposit_column(*plan_, first_column_ + column, hits, grid);
+    const Vec3f& along = along_[column];
+    evaluate_column(*plan_, first_column_ + column, {along, up_.cross(along), up_}, hits_[column]);
+    deposit_column(*plan_, first_column_ + column, hits_[column], grid);
   }
   if (plan_->secondary != SecondaryEchoes::kNone) {
     send_onward(grid, log);

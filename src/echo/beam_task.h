@@ -5,9 +5,10 @@
 #include <vector>
 
 #include "echo/cpu_scene.h"
-#include "echo/deposit.h"
+#include "echo/hit_column.h"
 #include "echo/ping_plan.h"
 #include "echo/ray_packet.h"
+#include "echo/secondary_echo.h"
 
 namespace insonify {
 
@@ -35,33 +36,21 @@ struct BeamTask {
   [[nodiscard]] const RayCounts& counts() const { return counts_; }
 
  private:
-  // What an onward ray remembers of the hit it left.
-  struct Origin {
-    int column, row;
-    float onward, range, weight;
-  };
-
   void aim(const Pose& world_from_sonar, int first_beam, int last_beam);
   int load_tile(int first_column, int first_row);
   void trace_primaries();
   void send_onward(EchoGrid& grid, Log* log);
   void finish_onward(int count, EchoGrid& grid, Log* log);
-  [[nodiscard]] HitColumn column_hits(int column);
-  [[nodiscard]] int at(int column, int row) const { return column * plan_->lattice.rows + row; }
 
   const CpuScene& scene_;
   const PingPlan* plan_ = nullptr;
   int first_column_ = 0, columns_ = 0;  // Of the lattice; columns below count from first_column_.
   Vec3f sonar_, up_;                    // Position and z axis of the sonar in the scene's coordinates.
   std::vector<Vec3f> along_;            // Horizontal direction of each column.
-
-  // Of each sample, column by column.
-  std::vector<float> range_, normal_x_, normal_y_, normal_z_, normal_along_, normal_across_, normal_up_, facing_,
-      reach_, power_;
-  std::vector<SurfaceLabel> surface_;
+  std::vector<HitColumn> hits_;         // Of each column.
 
   RayPacket primary_, onward_, back_;
-  Origin origins_[kPacketSize];
+  OnwardOrigin origins_[kPacketSize];
   RayCounts counts_;
 };
 

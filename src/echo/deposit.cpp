@@ -8,13 +8,6 @@
 namespace insonify {
 namespace {
 
-// Neighbours lie on one unbroken surface when each is where the other's tangent plane says, give or take a bin and this
-// share of the distance between them: curved surfaces pass, edges and shadows do not.
-constexpr float kBend = 0.3F;
-
-// Added to the cosine of incidence before it divides: bounds the reach of surfaces that are only grazed.
-constexpr float kLeastFacing = 0.1F;
-
 // How much farther a surface may go on past its last sample than between the last two.
 constexpr float kMostStretch = 1.5F;
 
@@ -88,27 +81,7 @@ struct BeamCells {
   }
 };
 
-// Where the tangent plane of a hit is met in another direction of its column [m]; negative or huge when it is not.
-float plane_range(const HitColumn& hits, int row, float cos_other, float sin_other) {
-  const float other = hits.normal_along[row] * cos_other + hits.normal_up[row] * sin_other;
-  return hits.range[row] * hits.facing[row] / other;
-}
-
 }  // namespace
-
-void measure_column(const PingPlan& plan, int column, HitColumn& hits) {
-  const Lattice& lattice = plan.lattice;
-  const float* cos_el = lattice.cos_elevations(column);
-  const float* sin_el = lattice.sin_elevations(column);
-  const float half_width = 0.5F * lattice.column_width[column];
-  for (int row = 0; row < hits.rows; ++row) {
-    const float facing = hits.normal_along[row] * cos_el[row] + hits.normal_up[row] * sin_el[row];
-    // On the tangent plane d(range)/d(azimuth) = -range (normal . d(direction)/d(azimuth)) / (normal . direction).
-    const float slope = std::abs(hits.normal_across[row]) * cos_el[row] / (std::abs(facing) + kLeastFacing);
-    hits.facing[row] = facing;
-    hits.reach[row] = half_width * hits.range[row] * slope;
-  }
-}
 
 void deposit_column(const PingPlan& plan, int column, const HitColumn& hits, EchoGrid& grid) {
   const Lattice& lattice = plan.lattice;
@@ -117,42 +90,34 @@ void deposit_column(const PingPlan& plan, int column, const HitColumn& hits, Ech
   const float* elevation = lattice.elevations(column);
   const float* interval = lattice.intervals(column);
   const float width = lattice.column_width[column];
-  const float bin_length = 1 / plan.bins_per_metre;
+  const int rows = lattice.rows;
   BeamCells cells(grid, 1, column / lattice.columns_per_beam);
-  const auto position = [&](float range) { return (range - plan.first_bin_at) * plan.bins_per_metre; };
-  const auto unbroken = [&](int a, int b) {
-    const float apart = std::abs(hits.range[a] - hits.range[b]);
-    if (apart < bin_length) {
-      return true;
-    }
-    const float tolerance = bin_length + kBend * apart;
-    const float b_seen_from_a = plane_range(hits, a, cos_el[b], sin_el[b]);
-    const float a_seen_from_b = plane_range(hits, b, cos_el[a], sin_el[a]);
-    return std::abs(b_seen_from_a - hits.range[b]) < tolerance && std::abs(a_seen_from_b - hits.range[a]) < tolerance;
-  };
   // Part of a sample's stretch that ends alone: from the sample along its tangent plane to another direction, if the
   // neighbour on the other side shows that the surface goes on like that.
   const auto add_alone = [&](int row, int behind, float cos_end, float sin_end, float weight) {
     if (hits.surface[row] == kNoSurface) {
       return;
     }
-    float end = hits.range[row];
-    if (behind >= 0 && behind < hits.rows && hits.surface[behind] == hits.surface[row] && unbroken(row, behind)) {
-      const float most = kMostStretch * std::abs(hits.range[row] - hits.range[behind]);
-      end = std::clamp(plane_range(hits, row, cos_end, sin_end), end - most, end + most);
+    const float here = hits.position[row];
+    float end = here;
+    if (behind >= 0 && behind < rows && hits.joined[std::min(row, behind)] != 0) {
+      const float facing_end = hits.normal_along[row] * cos_end + hits.normal_up[row] * sin_end;
+      const float range_end = hits.range[row] * hits.facing[row] / facing_end;
+      const float most = kMostStretch * std::abs(here - hits.position[behind]);
+      end = std::clamp((range_end - plan.first_bin_at) * plan.bins_per_metre, here - most, here + most);
     }
-    cells.add_stretch(position(hits.range[row]), position(end), hits.reach[row] * plan.bins_per_metre, hits.power[row],
-                      hits.power[row], weight, hits.surface[row], elevation[row]);
+    cells.add_stretch(here, end, hits.reach[row], hits.power[row], hits.power[row], weight, hits.surface[row],
+                      elevation[row]);
   };
 
   add_alone(0, 1, lattice.cos_low, lattice.sin_low, interval[0] * width);
-  for (int row = 0; row + 1 < hits.rows; ++row) {
+  for (int row = 0; row + 1 < rows; ++row) {
     const int next = row + 1;
     const float weight = interval[next] * width;
-    if (hits.surface[row] == hits.surface[next] && hits.surface[row] != kNoSurface && unbroken(row, next)) {
-      const float reach = 0.5F * (hits.reach[row] + hits.reach[next]) * plan.bins_per_metre;
-      cells.add_stretch(position(hits.range[row]), position(hits.range[next]), reach, hits.power[row], hits.power[next],
-                        weight, hits.surface[row], 0.5F * (elevation[row] + elevation[next]));
+    if (hits.joined[row] != 0) {
+      cells.add_stretch(hits.position[row], hits.position[next], 0.5F * (hits.reach[row] + hits.reach[next]),
+                        hits.power[row], hits.power[next], weight, hits.surface[row],
+                        0.5F * (elevation[row] + elevation[next]));
     } else {
       const float cos_middle = 0.5F * (cos_el[row] + cos_el[next]);
       const float sin_middle = 0.5F * (sin_el[row] + sin_el[next]);
@@ -160,7 +125,7 @@ void deposit_column(const PingPlan& plan, int column, const HitColumn& hits, Ech
       add_alone(next, next + 1, cos_middle, sin_middle, 0.5F * weight);
     }
   }
-  add_alone(hits.rows - 1, hits.rows - 2, lattice.cos_high, lattice.sin_high, interval[hits.rows] * width);
+  add_alone(rows - 1, rows - 2, lattice.cos_high, lattice.sin_high, interval[rows] * width);
 }
 
 void deposit(const PingPlan& plan, const Echo& echo, EchoGrid& grid) {

@@ -2,7 +2,10 @@
 
 #include "echo/paper_shape.h"
 
+#include <algorithm>
 #include <cmath>
+
+#include "base/vector_math.h"
 
 namespace insonify {
 namespace {
@@ -14,6 +17,15 @@ double logistic(double x, double midpoint, double slope) {
 // 0.5 tanh(9 (x - 2/3)) + 0.5, as the authors' code has it, is the logistic of twice the slope.
 constexpr double kAuthorsMidpoint = 2.0 / 3.0;
 constexpr double kAuthorsSlope = 18;
+
+INSONIFY_VECTOR_CLONES
+void apply_logistic(int count, float slope, float midpoint, float scale, float offset,
+                    const float* __restrict__ strength, float* __restrict__ power) {
+  for (int i = 0; i < count; ++i) {
+    const float shaped = scale / (1 + fast_exp(-slope * (strength[i] - midpoint))) + offset;
+    power[i] = shaped > 0 ? shaped : 0.0F;
+  }
+}
 
 }  // namespace
 
@@ -47,12 +59,14 @@ PaperShape::PaperShape(const PaperModel& model) : linear_(model.sigmoid == Sigmo
 }
 
 float PaperShape::operator()(float strength) const {
-  return linear_ ? strength : std::max(0.0F, scale_ / (1 + std::exp(-slope_ * (strength - midpoint_))) + offset_);
+  return linear_ ? strength : std::max(0.0F, scale_ / (1 + fast_exp(-slope_ * (strength - midpoint_))) + offset_);
 }
 
-void PaperShape::apply(Eigen::Ref<Eigen::ArrayXf> strengths) const {
-  if (!linear_) {
-    strengths = (scale_ / (1 + (-slope_ * (strengths - midpoint_)).exp()) + offset_).max(0.0F);
+void PaperShape::apply(int count, const float* strength, float* power) const {
+  if (linear_) {
+    std::copy_n(strength, count, power);
+  } else {
+    apply_logistic(count, slope_, midpoint_, scale_, offset_, strength, power);
   }
 }
 

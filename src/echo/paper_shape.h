@@ -2,8 +2,6 @@
 
 #pragma once
 
-#include <Eigen/Core>
-
 #include "insonify/paper_model.h"
 
 namespace insonify {
@@ -16,11 +14,11 @@ class PaperShape {
   /// S of one strength, 0..1.
   [[nodiscard]] float operator()(float strength) const;
 
-  /// S of many, in place.
-  void apply(Eigen::Ref<Eigen::ArrayXf> strengths) const;
+  /// S of `count` strengths.
+  void apply(int count, const float* strength, float* power) const;
 
  private:
-  bool linear_;
+  bool linear_;  // S(x) = x
   float slope_ = 0, midpoint_ = 0, scale_ = 1, offset_ = 0;
 };
 

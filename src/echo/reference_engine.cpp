@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
-#include "echo/paper_echoes.h"
 #include "echo/ray_limits.h"
+#include "echo/secondary_echo.h"
 
 namespace insonify {
 namespace {
@@ -128,35 +128,29 @@ void ReferenceEngine::insonify_column(const PingPlan& plan, int column, const Po
   const Vec3 along_local(lattice.cos_azimuth[column], lattice.sin_azimuth[column], 0);
   const Vec3 along = world_from_sonar.orientation * along_local;
   const Vec3 up = world_from_sonar.orientation * Vec3::UnitZ();
-  const Vec3 across = up.cross(along);
 
   // Out: what does each row meet first?
   std::vector<Hit> first(rows);
   std::vector<Ray> rays(rows);
-  std::vector<float> range(rows), normal_along(rows), normal_across(rows), normal_up(rows);
-  std::vector<float> facing(rows), reach(rows), power(rows);
-  std::vector<SurfaceLabel> surface(rows, kNoSurface);
+  HitColumn hits(rows);
   for (int row = 0; row < rows; ++row) {
     const Vec3 direction =
         along * double{lattice.cos_elevations(column)[row]} + up * double{lattice.sin_elevations(column)[row]};
     rays[row] = {world_from_sonar.position, direction.normalized(), 0, plan.true_max_range};
     first[row] = nearest(rays[row]);
     if (first[row].instance != kNoLabel) {
-      range[row] = static_cast<float>(first[row].distance);
-      normal_along[row] = static_cast<float>(first[row].normal.dot(along));
-      normal_across[row] = static_cast<float>(first[row].normal.dot(across));
-      normal_up[row] = static_cast<float>(first[row].normal.dot(up));
-      surface[row] = surface_label(first[row].instance, first[row].material);
+      hits.surface[row] = surface_label(first[row].instance, first[row].material);
+      hits.range[row] = static_cast<float>(first[row].distance);
+      hits.normal_x[row] = static_cast<float>(first[row].normal.x());
+      hits.normal_y[row] = static_cast<float>(first[row].normal.y());
+      hits.normal_z[row] = static_cast<float>(first[row].normal.z());
+      hits.reflectivity[row] = reflectivity_[first[row].material];
     }
   }
   counts.primary += rows;
 
   // Straight back.
-  HitColumn hits{
-      rows,          range.data(), surface.data(), normal_along.data(), normal_across.data(), normal_up.data(),
-      facing.data(), reach.data(), power.data()};
-  measure_column(plan, column, hits);
-  shade_column(plan, reflectivity_, hits);
+  evaluate_column(plan, column, {along.cast<float>(), up.cross(along).cast<float>(), up.cast<float>()}, hits);
   deposit_column(plan, column, hits, grid);
   if (plan.secondary == SecondaryEchoes::kNone) {
     return;
@@ -164,24 +158,19 @@ void ReferenceEngine::insonify_column(const PingPlan& plan, int column, const Po
 
   // On to a second surface in the mirror direction, and from there straight back, if nothing is in the way.
   for (int row = 0; row < rows; ++row) {
-    if (surface[row] == kNoSurface) {
-      continue;
-    }
-    const float onward = onward_strength(plan, std::abs(facing[row]), reflectivity_[first[row].material], range[row]);
-    const float selected = selection_weight(plan, column, row, onward);
-    if (selected == 0) {
+    if (hits.surface[row] == kNoSurface || hits.selected[row] == 0) {
       continue;
     }
     const Vec3 point = rays[row].origin + rays[row].direction * first[row].distance;
     const Vec3& normal = first[row].normal;
     const Vec3 mirrored = rays[row].direction - 2 * rays[row].direction.dot(normal) * normal;
-    const Ray onward_ray{point, mirrored.normalized(), kRayClearance, plan.true_max_range};
-    const Hit second = nearest(onward_ray);
+    const Ray across{point, mirrored.normalized(), kRayClearance, plan.true_max_range};
+    const Hit second = nearest(across);
     ++counts.secondary;
     if (second.instance == kNoLabel) {
       continue;
     }
-    const Vec3 second_point = onward_ray.origin + onward_ray.direction * second.distance;
+    const Vec3 second_point = across.origin + across.direction * second.distance;
     const Vec3 back = world_from_sonar.position - second_point;
     const auto path_length = static_cast<float>(first[row].distance + second.distance + back.norm());
     if (0.5F * path_length >= plan.true_max_range) {
@@ -191,16 +180,11 @@ void ReferenceEngine::insonify_column(const PingPlan& plan, int column, const Po
     if (blocked({second_point, back.normalized(), kRayClearance, back.norm() - double{kRayClearance}})) {
       continue;
     }
-    const auto second_incidence = static_cast<float>(std::abs(second.normal.dot(onward_ray.direction)));
+    const auto incidence = static_cast<float>(std::abs(second.normal.dot(across.direction)));
+    const OnwardOrigin origin{column, row, hits.range[row], hits.strength[row], hits.selected[row]};
     deposit(plan,
-            {.azimuth = lattice.azimuth[column],
-             .elevation = lattice.elevations(column)[row],
-             .path_length = path_length,
-             .power = secondary_power(plan, onward, second_incidence, reflectivity_[second.material], range[row],
-                                      path_length),
-             .weight = sample_weight(lattice, column, row) * selected,
-             .order = 2,
-             .surface = surface_label(second.instance, second.material)},
+            secondary_echo(plan, origin, incidence * reflectivity_[second.material], path_length,
+                           surface_label(second.instance, second.material)),
             grid);
   }
 }

@@ -2,14 +2,12 @@
 
 #include "receiver/paper_receiver.h"
 
-#include <Eigen/Core>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "base/philox.h"
+#include "base/vector_math.h"
 
 namespace insonify {
 namespace {
@@ -17,34 +15,53 @@ namespace {
 constexpr int kBeamsPerTask = 16;  // One cache line of a row of the ping.
 constexpr int kBinsPerBlock = 64;
 
-using Block = Eigen::Array<float, kBinsPerBlock, 1>;
-
-// Two independent standard normal numbers for each bin of a block. One Philox call serves two neighbouring bins.
+// Two independent standard normal numbers for each bin of a block: Box and Muller (1958). One Philox call serves two
+// bins, the first half of the block and the second half, so that its four words stay in their vector lanes.
 struct NormalPairs {
-  Block first, second;
+  float first[kBinsPerBlock], second[kBinsPerBlock];
 };
 
-NormalPairs draw_normals(int beam, int first_bin, std::uint64_t ping, std::uint64_t seed) {
-  std::array<std::uint32_t, kBinsPerBlock> word1, word2;
-  for (int i = 0; i < kBinsPerBlock / 2; ++i) {
+INSONIFY_VECTOR_CLONES
+void draw_normals(PhiloxCounter counter, PhiloxKey key, NormalPairs& pairs) {
+  constexpr int kHalf = kBinsPerBlock / 2;
+  for (int i = 0; i < kHalf; ++i) {
     const PhiloxCounter words =
-        philox({static_cast<std::uint32_t>(first_bin / 2 + i), static_cast<std::uint32_t>(beam),
-                static_cast<std::uint32_t>(ping),
-                static_cast<std::uint32_t>(RandomPurpose::kPaperNoise) ^ static_cast<std::uint32_t>(ping >> 32) << 8},
-               philox_key(seed));
-    word1[2 * i] = words[0];
-    word2[2 * i] = words[1];
-    word1[2 * i + 1] = words[2];
-    word2[2 * i + 1] = words[3];
+        philox({counter[0] + static_cast<std::uint32_t>(i), counter[1], counter[2], counter[3]}, key);
+    const float radius1 = std::sqrt(-2 * fast_log(uniform_open(words[0])));
+    const float radius2 = std::sqrt(-2 * fast_log(uniform_open(words[2])));
+    const SineCosine angle1 = fast_sine_cosine(uniform_open(words[1]));
+    const SineCosine angle2 = fast_sine_cosine(uniform_open(words[3]));
+    pairs.first[i] = radius1 * angle1.cosine;
+    pairs.second[i] = radius1 * angle1.sine;
+    pairs.first[i + kHalf] = radius2 * angle2.cosine;
+    pairs.second[i + kHalf] = radius2 * angle2.sine;
   }
-  // Box and Muller (1958).
-  Block radius, angle;
-  for (int i = 0; i < kBinsPerBlock; ++i) {
-    radius[i] = uniform_open(word1[i]);
-    angle[i] = 2 * std::numbers::pi_v<float> * uniform_open(word2[i]);
+}
+
+// Counter of the first bin of a block: 32 calls a block, so blocks start at multiples of 32.
+PhiloxCounter noise_counter(int block, int beam, std::uint64_t ping) {
+  const auto purpose = static_cast<std::uint32_t>(RandomPurpose::kPaperNoise);
+  return {static_cast<std::uint32_t>(block * kBinsPerBlock / 2), static_cast<std::uint32_t>(beam),
+          static_cast<std::uint32_t>(ping), purpose ^ static_cast<std::uint32_t>(ping >> 32) << 8};
+}
+
+// One beam's stretch of bins, from sums to what is heard; `level` is the near field's ramp times the gain.
+INSONIFY_VECTOR_CLONES
+void hear(int count, const float* __restrict__ level, float mean, float spread, float floor,
+          const float* __restrict__ multiplicative, const float* __restrict__ additive, float* __restrict__ value) {
+  for (int i = 0; i < count; ++i) {
+    const float clipped = value[i] < 1 ? value[i] : 1.0F;
+    const float heard = (clipped * (mean + spread * multiplicative[i]) + floor * additive[i]) * level[i];
+    value[i] = heard < 0 ? 0.0F : heard < 1 ? heard : 1.0F;
   }
-  radius = (-2 * radius.log()).sqrt();
-  return {radius * angle.cos(), radius * angle.sin()};
+}
+
+INSONIFY_VECTOR_CLONES
+void add_means(int count, const float* __restrict__ energy, const float* __restrict__ weight,
+               float* __restrict__ value) {
+  for (int i = 0; i < count; ++i) {
+    value[i] += weight[i] > 0 ? energy[i] / weight[i] : 0.0F;
+  }
 }
 
 // How much of an echo is heard at the range of a bin: 0 at min_range, rising in a straight line to 1 at blanking_range.
@@ -54,10 +71,6 @@ float near_field(const SonarConfig& sonar, int bin) {
   }
   const double along = (sonar.bin_range(bin) - sonar.min_range) / (sonar.blanking_range - sonar.min_range);
   return static_cast<float>(std::clamp(along, 0.0, 1.0));
-}
-
-float mean_over(float energy, float weight) {
-  return weight > 0 ? energy / weight : 0.0F;
 }
 
 }  // namespace
@@ -74,37 +87,45 @@ void receive_paper(const EchoGrid& grid, const SonarConfig& sonar, const PaperRe
   ping.material.resize(cells);
   ping.elevation.resize(cells);
 
-  const auto spread = static_cast<float>(settings.model.multiplicative_deviation);
-  const auto mean = static_cast<float>(settings.model.multiplicative_mean);
-  const auto floor = static_cast<float>(settings.model.additive_deviation);
+  const bool noisy = settings.noise;
+  const float mean = noisy ? static_cast<float>(settings.model.multiplicative_mean) : 1.0F;
+  const float spread = noisy ? static_cast<float>(settings.model.multiplicative_deviation) : 0.0F;
+  const float floor = noisy ? static_cast<float>(settings.model.additive_deviation) : 0.0F;
   const auto gain = static_cast<float>(sonar.gain);
   workers.for_each((beams + kBeamsPerTask - 1) / kBeamsPerTask, [&](int task, int) {
     const int first_beam = task * kBeamsPerTask;
-    const int last_beam = std::min(first_beam + kBeamsPerTask, beams);
-    for (int first_bin = 0; first_bin < bins; first_bin += kBinsPerBlock) {
+    const int count_beams = std::min(kBeamsPerTask, beams - first_beam);
+    for (int block = 0; block * kBinsPerBlock < bins; ++block) {
+      const int first_bin = block * kBinsPerBlock;
       const int count = std::min(kBinsPerBlock, bins - first_bin);
-      for (int beam = first_beam; beam < last_beam; ++beam) {
-        NormalPairs noise;
-        if (settings.noise) {
-          noise = draw_normals(beam, first_bin, ping.number, settings.seed);
+      float level[kBinsPerBlock];
+      for (int i = 0; i < count; ++i) {
+        level[i] = gain * near_field(sonar, first_bin + i);
+      }
+
+      // A beam at a time, as the grid lies.
+      float values[kBeamsPerTask][kBinsPerBlock] = {};
+      NormalPairs noise = {};
+      for (int b = 0; b < count_beams; ++b) {
+        const int beam = first_beam + b;
+        for (int order = 1; order <= grid.order_count(); ++order) {
+          add_means(count, &grid.energy(order, beam)[first_bin], &grid.weight(order, beam)[first_bin], values[b]);
         }
-        const auto labels = grid.labels(beam);
-        for (int i = 0; i < count; ++i) {
-          const int bin = first_bin + i;
-          float value = 0;
-          for (int order = 1; order <= grid.order_count(); ++order) {
-            value += mean_over(grid.energy(order, beam)[bin], grid.weight(order, beam)[bin]);
-          }
-          value = std::min(value, 1.0F);
-          if (settings.noise) {
-            value = value * (mean + spread * noise.first[i]) + floor * noise.second[i];
-          }
-          const std::size_t cell = ping.index(bin, beam);
-          ping.intensity[cell] = std::clamp(value * gain * near_field(sonar, bin), 0.0F, 1.0F);
-          const EchoGrid::Label& label = labels[bin];
-          ping.instance[cell] = label.instance;
-          ping.material[cell] = label.material;
-          ping.elevation[cell] =
+        if (noisy) {
+          draw_normals(noise_counter(block, beam, ping.number), philox_key(settings.seed), noise);
+        }
+        hear(count, level, mean, spread, floor, noise.first, noise.second, values[b]);
+      }
+
+      // A range at a time, as the ping lies.
+      for (int i = 0; i < count; ++i) {
+        const std::size_t row = ping.index(first_bin + i, first_beam);
+        for (int b = 0; b < count_beams; ++b) {
+          const EchoGrid::Label& label = grid.labels(first_beam + b)[first_bin + i];
+          ping.intensity[row + b] = values[b][i];
+          ping.instance[row + b] = label.instance;
+          ping.material[row + b] = label.material;
+          ping.elevation[row + b] =
               label.instance == kNoLabel ? std::numeric_limits<float>::quiet_NaN() : label.elevation();
         }
       }

@@ -32,8 +32,11 @@ TEST(PaperModelTest, FastShapeIsTheExactOne) {
   for (const PaperModel& model :
        {PaperModel{}, PaperModel{.sigmoid = Sigmoid::kAuthors}, PaperModel{.sigmoid = Sigmoid::kNone}}) {
     const PaperShape shape(model);
-    Eigen::ArrayXf many = Eigen::ArrayXf::LinSpaced(101, 0, 1);
-    shape.apply(many);
+    std::vector<float> strengths, many(101);
+    for (int i = 0; i <= 100; ++i) {
+      strengths.push_back(0.01F * static_cast<float>(i));
+    }
+    shape.apply(101, strengths.data(), many.data());
     for (int i = 0; i <= 100; ++i) {
       EXPECT_NEAR(many[i], model.shape(0.01 * i), 2e-6) << i;
       EXPECT_NEAR(shape(0.01F * static_cast<float>(i)), model.shape(0.01 * i), 2e-6) << i;

@@ -1,0 +1,40 @@
+// The fast elementary functions against the C library in double precision, over their whole ranges.
+
+#include "base/vector_math.h"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+namespace insonify {
+namespace {
+
+TEST(VectorMathTest, ExponentialKeepsSixDigits) {
+  for (double x = -86.9; x < 87.9; x += 0.00137) {
+    const double exact = std::exp(static_cast<double>(static_cast<float>(x)));
+    EXPECT_NEAR(fast_exp(static_cast<float>(x)) / exact, 1, 2e-7) << x;
+  }
+  EXPECT_EQ(fast_exp(0), 1.0F);
+  EXPECT_LT(fast_exp(-1000), 1e-37F);
+}
+
+TEST(VectorMathTest, LogarithmKeepsSixDigits) {
+  for (double x = 1e-7; x < 1; x *= 1.0007) {
+    const auto stored = static_cast<float>(x);
+    const double exact = std::log(static_cast<double>(stored));
+    EXPECT_NEAR(fast_log(stored), exact, 3e-7 * std::max(1.0, -exact)) << x;
+  }
+}
+
+TEST(VectorMathTest, SineAndCosineKeepSixDigitsThroughEveryQuadrant) {
+  for (int i = 0; i < 100000; ++i) {
+    const float turns = static_cast<float>(i) / 100000;
+    const double angle = 2 * std::numbers::pi * turns;
+    const SineCosine found = fast_sine_cosine(turns);
+    EXPECT_NEAR(found.sine, std::sin(angle), 3e-7) << turns;
+    EXPECT_NEAR(found.cosine, std::cos(angle), 3e-7) << turns;
+  }
+}
+
+}  // namespace
+}  // namespace insonify
