@@ -94,7 +94,10 @@ double angle_at_corner(const Mesh& mesh, std::size_t corner) {
 class FanSmoother {
  public:
   FanSmoother(Mesh& mesh, double crease_angle)
-      : mesh_(mesh), vertex_count_(mesh.vertices.size()), least_cosine_(static_cast<float>(std::cos(crease_angle))) {
+      : mesh_(mesh),
+        vertex_count_(mesh.vertices.size()),
+        least_cosine_(static_cast<float>(std::cos(crease_angle))),
+        half_way_cosine_(static_cast<float>(std::cos(crease_angle / 2))) {
     face_normals_.reserve(mesh.triangles.size());
     for (const Triangle& triangle : mesh.triangles) {
       face_normals_.push_back(face_normal(mesh, triangle));
@@ -103,7 +106,11 @@ class FanSmoother {
 
   void smooth(std::span<const std::size_t> corners) {
     groups_.reset(corners.size());
-    join_over_flat_edges(corners);
+    if (are_all_alike(corners)) {
+      join_all(corners);
+    } else {
+      join_over_flat_edges(corners);
+    }
     sum_normals(corners);
     give_vertices(corners);
   }
@@ -115,6 +122,20 @@ class FanSmoother {
     std::uint32_t member;  // Index into `corners`.
     bool outgoing;         // Whether the triangle runs along it away from the vertex.
   };
+
+  // Most vertices lie where the surface is flat all round: no two of their triangles can then meet sharper than
+  // allowed.
+  [[nodiscard]] bool are_all_alike(std::span<const std::size_t> corners) const {
+    const Vec3f& first = face_normals_[corners[0] / 3];
+    return std::ranges::all_of(
+        corners, [&](std::size_t corner) { return first.dot(face_normals_[corner / 3]) >= half_way_cosine_; });
+  }
+
+  void join_all(std::span<const std::size_t> corners) {
+    for (std::uint32_t member = 1; member < corners.size(); ++member) {
+      groups_.join(0, member, false);
+    }
+  }
 
   void join_over_flat_edges(std::span<const std::size_t> corners) {
     spokes_.clear();
@@ -198,6 +219,7 @@ class FanSmoother {
   std::size_t vertex_count_;               // Before any was split.
   std::vector<std::uint32_t> split_from_;  // For each vertex appended, the one it was split from.
   float least_cosine_;
+  float half_way_cosine_;  // Of half the crease angle.
   std::vector<Vec3f> face_normals_;
   Groups groups_;
   std::vector<Spoke> spokes_;
