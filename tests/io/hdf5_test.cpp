@@ -6,20 +6,13 @@
 
 #include <fstream>
 
+#include "support/message_of.h"
+
 namespace insonify {
 namespace {
 
 std::filesystem::path scratch(const std::string& name) {
   return std::filesystem::path(testing::TempDir()) / name;
-}
-
-std::string message_of(const std::function<void()>& act) {
-  try {
-    act();
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "no Error";
 }
 
 void open_to_read(const std::filesystem::path& path) {

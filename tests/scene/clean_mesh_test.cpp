@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "insonify/error.h"
 #include "scene/mesh_checks.h"
+#include "support/message_of.h"
 
 namespace insonify {
 namespace {
@@ -13,13 +13,8 @@ constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 // Rounding of a unit normal in floats.
 constexpr double kFloat = 5e-7;
 
-std::string message_of(Mesh mesh) {
-  try {
-    (void)clean_mesh(mesh);
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "no Error";
+std::string message_for(Mesh mesh) {
+  return message_of([&] { (void)clean_mesh(mesh); });
 }
 
 // Every triangle with three vertices of its own, as STL has them.
@@ -92,20 +87,20 @@ TEST(CleanMeshTest, ZeroAreaIsJudgedAgainstTheTrianglesOwnSize) {
 TEST(CleanMeshTest, AMeshWithNothingLeftIsAnError) {
   Mesh mesh;
   mesh.name = "wreck.obj";
-  EXPECT_EQ(message_of(mesh), "wreck.obj: no triangles");
+  EXPECT_EQ(message_for(mesh), "wreck.obj: no triangles");
   mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {kNan, 1, 0}};
   mesh.triangles = {{0, 1, 1}, {0, 1, 2}, {1, 0, 2}};
-  EXPECT_EQ(message_of(mesh),
+  EXPECT_EQ(message_for(mesh),
             "wreck.obj: no triangles left: 3 of 3 triangles dropped (1 of zero area, 2 with NaN corners)");
 }
 
 TEST(CleanMeshTest, SlotsMustFit) {
   Mesh mesh = make_box({1, 1, 1});
   mesh.material_slots = {0, 0};
-  EXPECT_EQ(message_of(mesh), "mesh: 2 material slots for 12 triangles");
+  EXPECT_EQ(message_for(mesh), "mesh: 2 material slots for 12 triangles");
   mesh.material_slots.assign(12, 0);
   mesh.material_slots[7] = 1;
-  EXPECT_EQ(message_of(mesh), "mesh: material slot 1 must be less than 1, the number of material names");
+  EXPECT_EQ(message_for(mesh), "mesh: material slot 1 must be less than 1, the number of material names");
 }
 
 TEST(CleanMeshTest, SmoothsAShapeWithoutNormals) {

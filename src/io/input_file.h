@@ -1,0 +1,23 @@
+// input_file.h -- what all readers ask of a path before they open it.
+
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace insonify {
+
+/// @throws Error "PATH: no such file", "PATH: is a folder, not a file", "PATH: cannot be opened: REASON" or
+///         "PATH: the file is empty".
+void check_input_file(const std::filesystem::path& path);
+
+/// The whole file. Checks it first.
+[[nodiscard]] std::string read_text(const std::filesystem::path& path);
+
+/// The path's ending in lower case, with its dot.
+[[nodiscard]] std::string ending_of(const std::filesystem::path& path);
+
+/// A foreign message as the end of one of ours: one line, no full stop.
+[[nodiscard]] std::string one_line(std::string message);
+
+}  // namespace insonify
