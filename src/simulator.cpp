@@ -42,7 +42,8 @@ Simulator::Simulator(Scenario scenario, Scene scene, int threads) {
                                             .paper = state_->scenario.paper,
                                             .secondary = state_->scenario.secondary,
                                             .seed = state_->scenario.seed}));
-    state_->grids.emplace_back(sonar.beam_count, sonar.bin_count, kPathOrders);
+    state_->grids.emplace_back(sonar.beam_count, sonar.bin_count,
+                               state_->scenario.secondary == SecondaryEchoes::kNone ? 1 : 2);
   }
   state_->engine->set_scene(state_->scene);
 }

@@ -21,13 +21,6 @@ inline constexpr std::uint16_t kNoLabel = 0xffff;
 /// layers tell what each cell's energy came from: the instance and material that hold the majority of it, and the
 /// energy-weighted mean elevation of that majority.
 class EchoGrid {
- private:
-  template <typename Vector>
-  auto row(Vector& layer, int order, int beam) const {
-    const std::size_t start = (static_cast<std::size_t>(order - 1) * beam_count_ + beam) * bin_count_;
-    return std::span(layer).subspan(start, bin_count_);
-  }
-
  public:
   EchoGrid() = default;
   EchoGrid(int beam_count, int bin_count, int order_count);
@@ -37,32 +30,48 @@ class EchoGrid {
   [[nodiscard]] int order_count() const { return order_count_; }
 
   /// One beam of one layer: bin_count values. `order` counts from 1.
-  [[nodiscard]] std::span<float> energy(int order, int beam) { return row(energy_, order, beam); }
-  [[nodiscard]] std::span<float> weight(int order, int beam) { return row(weight_, order, beam); }
-  [[nodiscard]] std::span<const float> energy(int order, int beam) const { return row(energy_, order, beam); }
-  [[nodiscard]] std::span<const float> weight(int order, int beam) const { return row(weight_, order, beam); }
+  [[nodiscard]] std::span<float> energy(int order, int beam) { return {&energy_[start(order, beam)], length()}; }
+  [[nodiscard]] std::span<float> weight(int order, int beam) { return {&weight_[start(order, beam)], length()}; }
+  [[nodiscard]] std::span<const float> energy(int order, int beam) const {
+    return {&energy_[start(order, beam)], length()};
+  }
+  [[nodiscard]] std::span<const float> weight(int order, int beam) const {
+    return {&weight_[start(order, beam)], length()};
+  }
 
   /// What a cell's energy came from.
   struct Label {
     std::uint16_t instance = kNoLabel;  ///< Index into Scene::instances.
     std::uint16_t material = kNoLabel;  ///< Index into Scene::materials.
-    float lead = 0;                     ///< Energy by which this label leads all others together (majority vote).
-    float energy = 0;                   ///< Energy deposited while this label led.
-    float elevation_moment = 0;         ///< Sum of energy x elevation over that [rad].
-
-    [[nodiscard]] float elevation() const { return energy > 0 ? elevation_moment / energy : 0.0F; }  ///< [rad]
+    float elevation = 0;                ///< Mean over the energy of that label [rad].
   };
-  [[nodiscard]] std::span<Label> labels(int beam);
-  [[nodiscard]] std::span<const Label> labels(int beam) const;
+  [[nodiscard]] Label label(int beam, int bin) const;
+
+  /// The label layers of one beam as they are added to: a majority vote weighted by energy. Like those of energy() and
+  /// weight(), these rows may be written up to kPadding values beyond their end; what is written there is never read.
+  struct LabelRows {
+    std::uint32_t* surface;   ///< Instance and material, see echo/echo.h; all ones where nothing echoed.
+    float* lead;              ///< Energy by which the label leads all others together.
+    float* energy;            ///< Energy deposited while it led.
+    float* elevation_moment;  ///< Sum of energy x elevation over that [rad].
+  };
+  [[nodiscard]] LabelRows label_rows(int beam);
+  static constexpr int kPadding = 4;
 
   /// Sets the cells of beams [first, last) to nothing. Each task clears its own.
   void clear(int first_beam, int last_beam);
   void clear() { clear(0, beam_count_); }
 
  private:
+  [[nodiscard]] std::size_t length() const { return static_cast<std::size_t>(bin_count_); }
+  [[nodiscard]] std::size_t start(int order, int beam) const {
+    return (static_cast<std::size_t>(order - 1) * beam_count_ + beam) * (bin_count_ + kPadding);
+  }
+
   int beam_count_ = 0, bin_count_ = 0, order_count_ = 0;
-  std::vector<float> energy_, weight_;  // [order][beam][bin]
-  std::vector<Label> labels_;           // [beam][bin]
+  std::vector<float> energy_, weight_;                    // [order][beam][bin and padding]
+  std::vector<std::uint32_t> surface_;                    // [beam][bin and padding]
+  std::vector<float> lead_, label_energy_, elevation_moment_;
 };
 
 }  // namespace insonify

@@ -105,41 +105,46 @@ void BeamTask::trace_primaries() {
 
 // Follows the selected hits, in the order of the tiles so that packets stay together.
 void BeamTask::send_onward(EchoGrid& grid, Log* log) {
-  const Lattice& lattice = plan_->lattice;
-  int count = 0;
+  int waiting = 0;
   for (int column0 = 0; column0 < columns_; column0 += kTile) {
-    for (int row0 = 0; row0 < lattice.rows; row0 += kTile) {
-      for (int lane = 0; lane < kPacketSize; ++lane) {
-        const int column = column0 + lane / kTile;
-        const int row = row0 + lane % kTile;
-        if (column >= columns_ || row >= lattice.rows) {
-          continue;
+    const int column_end = std::min(column0 + kTile, columns_);
+    for (int row0 = 0; row0 < plan_->lattice.rows; row0 += kTile) {
+      const int row_end = std::min(row0 + kTile, plan_->lattice.rows);
+      for (int column = column0; column < column_end; ++column) {
+        const float* selected = hits_[column].selected.data();
+        for (int row = row0; row < row_end; ++row) {
+          waiting_[waiting] = {column, row};  // Kept or overwritten: no branch to mispredict.
+          waiting += selected[row] > 0 ? 1 : 0;
         }
-        const HitColumn& hits = hits_[column];
-        if (hits.surface[row] == kNoSurface || hits.selected[row] == 0) {
-          continue;
-        }
-        const int lattice_column = first_column_ + column;
-        const Vec3f direction = along_[column] * lattice.cos_elevations(lattice_column)[row] +
-                                up_ * lattice.sin_elevations(lattice_column)[row];
-        const Vec3f normal(hits.normal_x[row], hits.normal_y[row], hits.normal_z[row]);
-        onward_.set_origin(count, sonar_ + direction * hits.range[row]);
-        onward_.set_direction(count, direction - 2 * hits.facing[row] * normal);
-        origins_[count] = {lattice_column, row, hits.range[row], hits.strength[row], hits.selected[row]};
-        if (++count == kPacketSize) {
-          finish_onward(count, grid, log);
-          count = 0;
-        }
+      }
+      if (waiting >= kPacketSize) {
+        trace_onward(kPacketSize, grid, log);
+        std::copy(waiting_ + kPacketSize, waiting_ + waiting, waiting_);
+        waiting -= kPacketSize;
       }
     }
   }
-  if (count > 0) {
-    finish_onward(count, grid, log);
+  if (waiting > 0) {
+    trace_onward(waiting, grid, log);
   }
+  finish_returns(grid, log);
 }
 
-// Traces a packet of onward rays and the return legs from what they meet, and deposits the echoes that arrive.
-void BeamTask::finish_onward(int count, EchoGrid& grid, Log* log) {
+// Sends the first `count` waiting samples on in their mirror directions, and readies the return legs of what they meet.
+void BeamTask::trace_onward(int count, EchoGrid& grid, Log* log) {
+  const Lattice& lattice = plan_->lattice;
+  OnwardOrigin origins[kPacketSize];
+  for (int lane = 0; lane < count; ++lane) {
+    const auto [column, row] = waiting_[lane];
+    const HitColumn& hits = hits_[column];
+    const int lattice_column = first_column_ + column;
+    const Vec3f direction = along_[column] * lattice.cos_elevations(lattice_column)[row] +
+                            up_ * lattice.sin_elevations(lattice_column)[row];
+    const Vec3f normal(hits.normal_x[row], hits.normal_y[row], hits.normal_z[row]);
+    onward_.set_origin(lane, sonar_ + direction * hits.range[row]);
+    onward_.set_direction(lane, direction - 2 * hits.facing[row] * normal);
+    origins[lane] = {lattice_column, row, hits.range[row], hits.strength[row], hits.selected[row]};
+  }
   onward_.set_count(count);
   if (log != nullptr) {
     log->onward.push_back(onward_);
@@ -147,18 +152,15 @@ void BeamTask::finish_onward(int count, EchoGrid& grid, Log* log) {
   onward_.intersect(scene_.handle(), plan_->true_max_range);
   counts_.secondary += count;
 
-  Echo echoes[kPacketSize];
-  int returning = 0;
   for (int lane = 0; lane < count; ++lane) {
     if (!onward_.hit(lane)) {
       continue;
     }
-    const OnwardOrigin& origin = origins_[lane];
     const float across = onward_.rays.ray.tfar[lane];
     const Vec3f point = onward_.origin(lane) + onward_.direction(lane) * across;
     const Vec3f back = sonar_ - point;
     const float distance = back.norm();
-    const float path_length = origin.range + across + distance;
+    const float path_length = origins[lane].range + across + distance;
     if (0.5F * path_length >= plan_->true_max_range) {
       continue;
     }
@@ -166,27 +168,34 @@ void BeamTask::finish_onward(int count, EchoGrid& grid, Log* log) {
     const CpuScene::Shading shading =
         scene_.shade(hit.geomID[lane], hit.instID[0][lane], hit.primID[lane], hit.u[lane], hit.v[lane]);
     const float incidence = std::abs(shading.normal.dot(onward_.direction(lane))) / shading.normal.norm();
-    back_.set_origin(returning, point);
-    back_.set_direction(returning, back / distance);
-    back_.rays.ray.tfar[returning] = distance - kRayClearance;
     const float strength = incidence * scene_.reflectivity()[material_of(shading.surface)];
-    echoes[returning] = secondary_echo(*plan_, origin, strength, path_length, shading.surface);
-    ++returning;
+    returning_[returning_count_] = secondary_echo(*plan_, origins[lane], strength, path_length, shading.surface);
+    back_.set_origin(returning_count_, point);
+    back_.set_direction(returning_count_, back / distance);
+    back_.rays.ray.tfar[returning_count_] = distance - kRayClearance;
+    if (++returning_count_ == kPacketSize) {
+      finish_returns(grid, log);
+    }
   }
-  if (returning == 0) {
+}
+
+// Deposits those of the returning echoes whose way back is clear.
+void BeamTask::finish_returns(EchoGrid& grid, Log* log) {
+  if (returning_count_ == 0) {
     return;
   }
-  counts_.return_legs += returning;
-  back_.set_count(returning);
+  back_.set_count(returning_count_);
   if (log != nullptr) {
     log->back.push_back(back_);
   }
   back_.occlude(scene_.handle());
-  for (int lane = 0; lane < returning; ++lane) {
+  counts_.return_legs += returning_count_;
+  for (int lane = 0; lane < returning_count_; ++lane) {
     if (!back_.blocked(lane)) {
-      deposit(*plan_, echoes[lane], grid);
+      deposit(*plan_, returning_[lane], grid);
     }
   }
+  returning_count_ = 0;
 }
 
 void BeamTask::trace_only(const Pose& world_from_sonar, int first_beam, int last_beam) {

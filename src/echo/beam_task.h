@@ -40,7 +40,8 @@ struct BeamTask {
   int load_tile(int first_column, int first_row);
   void trace_primaries();
   void send_onward(EchoGrid& grid, Log* log);
-  void finish_onward(int count, EchoGrid& grid, Log* log);
+  void trace_onward(int count, EchoGrid& grid, Log* log);
+  void finish_returns(EchoGrid& grid, Log* log);
 
   const CpuScene& scene_;
   const PingPlan* plan_ = nullptr;
@@ -50,7 +51,12 @@ struct BeamTask {
   std::vector<HitColumn> hits_;         // Of each column.
 
   RayPacket primary_, onward_, back_;
-  OnwardOrigin origins_[kPacketSize];
+  struct Sample {
+    int column, row;
+  };
+  Sample waiting_[2 * kPacketSize];  // Selected, not yet sent on.
+  Echo returning_[kPacketSize];      // Met a second surface; their return legs are in back_.
+  int returning_count_ = 0;
   RayCounts counts_;
 };
 

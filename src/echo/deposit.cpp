@@ -5,81 +5,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "echo/beam_cells.h"
+
 namespace insonify {
 namespace {
 
 // How much farther a surface may go on past its last sample than between the last two.
 constexpr float kMostStretch = 1.5F;
-
-// The cells of one beam, ready for adding. Positions are in bins, from the near edge of bin 0.
-struct BeamCells {
-  float* energy;
-  float* weight;
-  EchoGrid::Label* labels;
-  int bins;
-
-  BeamCells(EchoGrid& grid, int order, int beam)
-      : energy(grid.energy(order, beam).data()),
-        weight(grid.weight(order, beam).data()),
-        labels(grid.labels(beam).data()),
-        bins(grid.bin_count()) {}
-
-  // Boyer and Moore's majority vote (1981), weighted by energy: whoever holds more than half of a cell leads it in the
-  // end.
-  void vote(int bin, float added, SurfaceLabel surface, float elevation) {
-    EchoGrid::Label& label = labels[bin];
-    if (surface_label(label.instance, label.material) == surface) {
-      label.lead += added;
-    } else if (label.lead > added) {
-      label.lead -= added;
-      return;
-    } else {
-      label = {instance_of(surface), material_of(surface), added - label.lead, 0, 0};
-    }
-    label.energy += added;
-    label.elevation_moment += added * elevation;
-  }
-
-  void add(int bin, float energy_added, float weight_added, SurfaceLabel surface, float elevation) {
-    energy[bin] += energy_added;
-    weight[bin] += weight_added;
-    vote(bin, energy_added, surface, elevation);
-  }
-
-  void add_point(float position, float power, float weight_added, SurfaceLabel surface, float elevation) {
-    if (position >= 0 && position < static_cast<float>(bins)) {
-      add(static_cast<int>(position), power * weight_added, weight_added, surface, elevation);
-    }
-  }
-
-  // Spreads a stretch of surface evenly over the positions between its ends; power changes linearly along it.
-  void add_stretch(float from, float to, float reach, float power_from, float power_to, float weight_added,
-                   SurfaceLabel surface, float elevation) {
-    if (from > to) {
-      std::swap(from, to);
-      std::swap(power_from, power_to);
-    }
-    from -= reach;
-    to += reach;
-    if (to < 0 || from >= static_cast<float>(bins)) {
-      return;
-    }
-    const int first = static_cast<int>(std::max(from, 0.0F));
-    const int last = std::min(static_cast<int>(to), bins - 1);
-    if (first == last && from >= 0 && to < static_cast<float>(bins)) {
-      add(first, 0.5F * (power_from + power_to) * weight_added, weight_added, surface, elevation);
-      return;
-    }
-    const float per_bin = 1 / (to - from);
-    for (int bin = first; bin <= last; ++bin) {
-      const float low = std::max(from, static_cast<float>(bin));
-      const float high = std::min(to, static_cast<float>(bin + 1));
-      const float share = (high - low) * per_bin * weight_added;
-      const float along = (0.5F * (low + high) - from) * per_bin;
-      add(bin, share * (power_from + (power_to - power_from) * along), share, surface, elevation);
-    }
-  }
-};
 
 }  // namespace
 
@@ -104,7 +36,8 @@ void deposit_column(const PingPlan& plan, int column, const HitColumn& hits, Ech
       const float facing_end = hits.normal_along[row] * cos_end + hits.normal_up[row] * sin_end;
       const float range_end = hits.range[row] * hits.facing[row] / facing_end;
       const float most = kMostStretch * std::abs(here - hits.position[behind]);
-      end = std::clamp((range_end - plan.first_bin_at) * plan.bins_per_metre, here - most, here + most);
+      const float wished = (range_end - plan.first_bin_at) * plan.bins_per_metre;
+      end = wished > here - most ? std::min(wished, here + most) : here - most;  // Also where facing_end is 0.
     }
     cells.add_stretch(here, end, hits.reach[row], hits.power[row], hits.power[row], weight, hits.surface[row],
                       elevation[row]);

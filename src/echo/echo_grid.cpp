@@ -4,32 +4,46 @@
 
 #include <algorithm>
 
+#include "echo/echo.h"
+
 namespace insonify {
 
 EchoGrid::EchoGrid(int beam_count, int bin_count, int order_count)
     : beam_count_(beam_count),
       bin_count_(bin_count),
       order_count_(order_count),
-      energy_(static_cast<std::size_t>(order_count) * beam_count * bin_count),
+      energy_(static_cast<std::size_t>(order_count) * beam_count * (bin_count + kPadding)),
       weight_(energy_.size()),
-      labels_(static_cast<std::size_t>(beam_count) * bin_count) {}
+      surface_(static_cast<std::size_t>(beam_count) * (bin_count + kPadding), kNoSurface),
+      lead_(surface_.size()),
+      label_energy_(surface_.size()),
+      elevation_moment_(surface_.size()) {}
 
-std::span<EchoGrid::Label> EchoGrid::labels(int beam) {
-  return std::span(labels_).subspan(static_cast<std::size_t>(beam) * bin_count_, bin_count_);
+EchoGrid::Label EchoGrid::label(int beam, int bin) const {
+  const std::size_t cell = start(1, beam) + bin;
+  const float energy = label_energy_[cell];
+  return {instance_of(surface_[cell]), material_of(surface_[cell]),
+          energy > 0 ? elevation_moment_[cell] / energy : 0.0F};
 }
 
-std::span<const EchoGrid::Label> EchoGrid::labels(int beam) const {
-  return std::span(labels_).subspan(static_cast<std::size_t>(beam) * bin_count_, bin_count_);
+EchoGrid::LabelRows EchoGrid::label_rows(int beam) {
+  const std::size_t cell = start(1, beam);
+  return {&surface_[cell], &lead_[cell], &label_energy_[cell], &elevation_moment_[cell]};
 }
 
 void EchoGrid::clear(int first_beam, int last_beam) {
-  for (int beam = first_beam; beam < last_beam; ++beam) {
-    for (int order = 1; order <= order_count_; ++order) {
-      std::ranges::fill(energy(order, beam), 0.0F);
-      std::ranges::fill(weight(order, beam), 0.0F);
-    }
-    std::ranges::fill(labels(beam), Label{});
+  const auto fill = [&](auto& layer, int order, auto value) {
+    std::fill(layer.begin() + static_cast<std::ptrdiff_t>(start(order, first_beam)),
+              layer.begin() + static_cast<std::ptrdiff_t>(start(order, last_beam)), value);
+  };
+  for (int order = 1; order <= order_count_; ++order) {
+    fill(energy_, order, 0.0F);
+    fill(weight_, order, 0.0F);
   }
+  fill(surface_, 1, kNoSurface);
+  fill(lead_, 1, 0.0F);
+  fill(label_energy_, 1, 0.0F);
+  fill(elevation_moment_, 1, 0.0F);
 }
 
 }  // namespace insonify

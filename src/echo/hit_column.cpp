@@ -62,14 +62,15 @@ void shade(int rows, float neper_per_metre, const float* __restrict__ range, con
 }
 
 INSONIFY_VECTOR_CLONES
-void select(int rows, std::uint32_t turn, const float* __restrict__ strength, float* __restrict__ selected) {
+void select(int rows, std::uint32_t turn, const float* __restrict__ range, const float* __restrict__ strength,
+            float* __restrict__ selected) {
   // Multiples of 1/g and 1/g^2, g the plastic number, in 32-bit turns; the column's is in `turn`.
   for (int row = 0; row < rows; ++row) {
     const std::uint32_t turned = turn + static_cast<std::uint32_t>(row) * 2447445414U;
     const float lot = static_cast<float>(static_cast<std::int32_t>(turned >> 8)) * (1.0F / 16777216.0F);
     const float wish = strength[row] * (1 / kWorthFollowing);
     const float share = wish < kLeastShare ? kLeastShare : wish > 1 ? 1.0F : wish;
-    selected[row] = lot < share ? 1 / share : 0.0F;
+    selected[row] = (lot < share) & (range[row] > 0) ? 1 / share : 0.0F;
   }
 }
 
@@ -117,10 +118,12 @@ void evaluate_column(const PingPlan& plan, int column, const ColumnAxes& axes, H
   join(rows, 1 / plan.bins_per_metre, hits.range.data(), hits.normal_along.data(), hits.normal_up.data(),
        hits.facing.data(), hits.surface.data(), hits.joined.data());
   if (plan.secondary == SecondaryEchoes::kAll) {
-    std::fill_n(hits.selected.begin(), rows.count, 1.0F);
+    for (int row = 0; row < rows.count; ++row) {
+      hits.selected[row] = hits.surface[row] == kNoSurface ? 0.0F : 1.0F;
+    }
   } else if (plan.secondary == SecondaryEchoes::kSelective) {
-    select(rows.count, static_cast<std::uint32_t>(column) * 3242174889U + plan.stagger, hits.strength.data(),
-           hits.selected.data());
+    select(rows.count, static_cast<std::uint32_t>(column) * 3242174889U + plan.stagger, hits.range.data(),
+           hits.strength.data(), hits.selected.data());
   }
 }
 

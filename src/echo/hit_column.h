@@ -28,8 +28,9 @@ struct HitColumn {
   std::vector<float> strength;                 ///< `paper`: |facing| x reflectivity x absorption there and back, 0..1.
   std::vector<float> power;                    ///< What is deposited per unit of weight. `paper`: S(strength).
   std::vector<float> position;                 ///< In bins from the near edge of bin 0.
-  std::vector<float> reach;          ///< By how much the position changes from the middle of the column to its edge.
-  std::vector<float> selected;       ///< How many hits the onward ray stands for; 0 when none is sent.
+  std::vector<float> reach;  ///< By how much the position changes from the middle of the column to its edge.
+  std::vector<float>
+      selected;  ///< How many hits the onward ray stands for; 0 when none is sent, as where nothing was hit.
   std::vector<std::uint8_t> joined;  ///< Whether a sample and the next lie on one unbroken surface.
 };
 

@@ -29,6 +29,7 @@ class PingPlan {
 
  private:
   std::vector<float> beam_edges_;  // Falling [rad].
+  float beams_per_radian_ = 0;     // On average.
 };
 
 }  // namespace insonify

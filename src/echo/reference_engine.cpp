@@ -158,7 +158,7 @@ void ReferenceEngine::insonify_column(const PingPlan& plan, int column, const Po
 
   // On to a second surface in the mirror direction, and from there straight back, if nothing is in the way.
   for (int row = 0; row < rows; ++row) {
-    if (hits.surface[row] == kNoSurface || hits.selected[row] == 0) {
+    if (hits.selected[row] == 0) {
       continue;
     }
     const Vec3 point = rays[row].origin + rays[row].direction * first[row].distance;

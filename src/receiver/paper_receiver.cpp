@@ -121,12 +121,12 @@ void receive_paper(const EchoGrid& grid, const SonarConfig& sonar, const PaperRe
       for (int i = 0; i < count; ++i) {
         const std::size_t row = ping.index(first_bin + i, first_beam);
         for (int b = 0; b < count_beams; ++b) {
-          const EchoGrid::Label& label = grid.labels(first_beam + b)[first_bin + i];
+          const EchoGrid::Label label = grid.label(first_beam + b, first_bin + i);
           ping.intensity[row + b] = values[b][i];
           ping.instance[row + b] = label.instance;
           ping.material[row + b] = label.material;
           ping.elevation[row + b] =
-              label.instance == kNoLabel ? std::numeric_limits<float>::quiet_NaN() : label.elevation();
+              label.instance == kNoLabel ? std::numeric_limits<float>::quiet_NaN() : label.elevation;
         }
       }
     }

@@ -207,7 +207,7 @@ TEST_P(EngineGeometryTest, EmptyWaterGivesNothing) {
   const EchoGrid grid = echoes(Scene{}, wall_sonar(), {}, SecondaryEchoes::kAll);
   EXPECT_EQ(total(grid, 1), 0);
   EXPECT_EQ(total(grid, 2), 0);
-  EXPECT_EQ(grid.labels(3)[10].instance, kNoLabel);
+  EXPECT_EQ(grid.label(3, 10).instance, kNoLabel);
 }
 
 // Every stretch of the aperture is deposited once: the weights of a wall that fills it add up to its solid angle,
