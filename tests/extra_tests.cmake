@@ -9,6 +9,18 @@ set_target_properties(insonify PROPERTIES VERIFY_INTERFACE_HEADER_SETS ON)
 add_test(NAME headers_stand_alone
   COMMAND ${CMAKE_COMMAND} --build ${PROJECT_BINARY_DIR} --target insonify_verify_interface_header_sets)
 
+# A project outside this build can find and use an installed copy ...
+add_test(NAME install_and_use
+  COMMAND ${CMAKE_COMMAND} -DBUILD_DIR=${PROJECT_BINARY_DIR} -DCOMPILER=${CMAKE_CXX_COMPILER}
+          -DWORK_DIR=${CMAKE_CURRENT_BINARY_DIR}/install -P ${CMAKE_CURRENT_SOURCE_DIR}/install/run.cmake)
+# ... of the static library too. That one has to be built anew, so it is tried in the release build only.
+if(CMAKE_BUILD_TYPE STREQUAL Release AND NOT INSONIFY_SANITIZE)
+  add_test(NAME install_and_use_static
+    COMMAND ${CMAKE_COMMAND} -DSOURCE_DIR=${PROJECT_SOURCE_DIR} -DCOMPILER=${CMAKE_CXX_COMPILER}
+            -DWORK_DIR=${CMAKE_CURRENT_BINARY_DIR}/install_static -P ${CMAKE_CURRENT_SOURCE_DIR}/install/run.cmake)
+  set_tests_properties(install_and_use_static PROPERTIES TIMEOUT 1800 COST 1000)
+endif()
+
 # What the documentation shows is what happens: every code block runs (tools/run_doc_blocks.py).
 if(BUILD_SHARED_LIBS)
   string(JOIN " " compile ${CMAKE_CXX_COMPILER} -std=c++20

@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 
 #include "base/nearest_name.h"
 #include "insonify/files.h"
 #include "io/preset_file.h"
+#include "io/preset_folder.h"
 #include "io/read_text.h"
 #include "io/yaml_read.h"
 
@@ -18,16 +18,6 @@ namespace {
 using Kind = YamlValue::Kind;
 
 constexpr double kReferenceSoundSpeed = 1500;  // [m/s], that the presets' own ranges and rates are told for.
-
-std::filesystem::path preset_folder() {
-  if (const char* chosen = std::getenv("INSONIFY_PRESETS")) {
-    if (!std::filesystem::is_directory(chosen)) {
-      throw Error(fmt::format("INSONIFY_PRESETS = {} must be a folder of presets", quoted_text(chosen)));
-    }
-    return chosen;
-  }
-  return std::filesystem::is_directory(INSONIFY_SOURCE_PRESETS) ? INSONIFY_SOURCE_PRESETS : INSONIFY_INSTALLED_PRESETS;
-}
 
 YamlValue preset_tree(const std::filesystem::path& file) {
   YamlValue tree = parse_yaml(read_text(file), file.string());
