@@ -56,6 +56,12 @@ class EchoGrid {
     float* elevation_moment;  ///< Sum of energy x elevation over that [rad].
   };
   [[nodiscard]] LabelRows label_rows(int beam);
+  struct ConstLabelRows {
+    const std::uint32_t* surface;
+    const float* energy;
+    const float* elevation_moment;
+  };
+  [[nodiscard]] ConstLabelRows label_rows(int beam) const;
   static constexpr int kPadding = 4;
 
   /// Sets the cells of beams [first, last) to nothing. Each task clears its own.

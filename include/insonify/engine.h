@@ -52,6 +52,12 @@ struct RayCounts {
   std::uint64_t return_legs = 0;
 };
 
+/// What an engine keeps in memory for a scene, besides the meshes themselves.
+struct EngineMemory {
+  std::size_t own = 0;      ///< Vertices, normals and tables [bytes].
+  std::size_t library = 0;  ///< What the ray-tracing library took [bytes].
+};
+
 /// Finds the echoes of a ping on one kind of hardware.
 ///
 /// All engines answer alike: tests/engines/ runs the same cases on each and compares the answers with those of the
@@ -80,6 +86,8 @@ class Engine {
 
   /// Of the last ping.
   [[nodiscard]] virtual RayCounts ray_counts() const = 0;
+
+  [[nodiscard]] virtual EngineMemory memory() const = 0;
 };
 
 /// Names of the engines built in, fastest first.
@@ -89,5 +97,12 @@ class Engine {
 /// @param threads  Worker threads, 0 for as many as there are processors. `reference` uses them too.
 /// @throws Error if there is no such engine; the message lists those there are.
 [[nodiscard]] std::unique_ptr<Engine> make_engine(std::string_view name, int threads = 0);
+
+/// The floor a ping stands on: seconds that its rays take the ray-tracing library alone, packets set up but nothing shaded or
+/// deposited; the same primary lattice, and the onward rays and return legs that insonify() really sends.
+/// @return One value a repetition [s].
+/// @throws Error for an engine that has no such library ("reference").
+[[nodiscard]] std::vector<double> time_traversal(Engine& engine, const PingPlan& plan, const Pose& world_from_sonar,
+                                                 int repetitions);
 
 }  // namespace insonify

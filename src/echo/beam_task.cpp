@@ -168,8 +168,10 @@ void BeamTask::trace_onward(int count, EchoGrid& grid, Log* log) {
     const CpuScene::Shading shading =
         scene_.shade(hit.geomID[lane], hit.instID[0][lane], hit.primID[lane], hit.u[lane], hit.v[lane]);
     const float incidence = std::abs(shading.normal.dot(onward_.direction(lane))) / shading.normal.norm();
-    const float strength = incidence * scene_.reflectivity()[material_of(shading.surface)];
-    returning_[returning_count_] = secondary_echo(*plan_, origins[lane], strength, path_length, shading.surface);
+    returning_[returning_count_] = secondary_echo(*plan_, origins[lane], path_length, shading.surface);
+    returning_strength_[returning_count_] =
+        origins[lane].strength * incidence * scene_.reflectivity()[material_of(shading.surface)];
+    returning_rest_[returning_count_] = path_length - 2 * origins[lane].range;
     back_.set_origin(returning_count_, point);
     back_.set_direction(returning_count_, back / distance);
     back_.rays.ray.tfar[returning_count_] = distance - kRayClearance;
@@ -190,8 +192,11 @@ void BeamTask::finish_returns(EchoGrid& grid, Log* log) {
   }
   back_.occlude(scene_.handle());
   counts_.return_legs += returning_count_;
+  float power[kPacketSize];
+  secondary_powers(*plan_, returning_count_, returning_strength_, returning_rest_, power);
   for (int lane = 0; lane < returning_count_; ++lane) {
     if (!back_.blocked(lane)) {
+      returning_[lane].power = power[lane];
       deposit(*plan_, returning_[lane], grid);
     }
   }

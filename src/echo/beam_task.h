@@ -56,6 +56,7 @@ struct BeamTask {
   };
   Sample waiting_[2 * kPacketSize];  // Selected, not yet sent on.
   Echo returning_[kPacketSize];      // Met a second surface; their return legs are in back_.
+  float returning_strength_[kPacketSize], returning_rest_[kPacketSize];  // See secondary_powers().
   int returning_count_ = 0;
   RayCounts counts_;
 };

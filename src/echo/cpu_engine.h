@@ -25,11 +25,10 @@ class CpuEngine final : public Engine {
   void trace(std::span<const Ray> rays, std::span<Hit> hits) override;
   [[nodiscard]] RayCounts ray_counts() const override { return counts_; }
 
-  /// Seconds that the rays of one ping take Embree alone, packets set up but nothing shaded or deposited: the same
-  /// primary lattice, and the onward rays and return legs that insonify() really sends. One value a repetition.
-  [[nodiscard]] std::vector<double> time_traversal(const PingPlan& plan, const Pose& world_from_sonar, int repetitions);
+  [[nodiscard]] EngineMemory memory() const override { return {scene_.bytes(), scene_.embree_bytes()}; }
 
-  [[nodiscard]] const CpuScene& scene() const { return scene_; }
+  /// See insonify::time_traversal().
+  [[nodiscard]] std::vector<double> time_traversal(const PingPlan& plan, const Pose& world_from_sonar, int repetitions);
 
  private:
   // Calls work(scratch, first_beam, last_beam, task) for every task of a plan.

@@ -25,6 +25,13 @@ CpuScene::CpuScene() {
   if (device_ == nullptr) {
     throw Error(fmt::format("Embree cannot start (error {})", static_cast<int>(rtcGetDeviceError(nullptr))));
   }
+  rtcSetDeviceMemoryMonitorFunction(
+      device_,
+      [](void* sum, ssize_t bytes, bool) {
+        *static_cast<std::atomic<std::ptrdiff_t>*>(sum) += bytes;
+        return true;
+      },
+      &embree_bytes_);
 }
 
 CpuScene::~CpuScene() {

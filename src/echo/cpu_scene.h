@@ -4,6 +4,7 @@
 
 #include <embree3/rtcore.h>
 
+#include <atomic>
 #include <vector>
 
 #include "echo/echo.h"
@@ -35,6 +36,7 @@ class CpuScene {
 
   /// Bytes kept beside the meshes themselves and what Embree allocates.
   [[nodiscard]] std::size_t bytes() const;
+  [[nodiscard]] std::size_t embree_bytes() const { return static_cast<std::size_t>(embree_bytes_.load()); }
 
   /// A hit's surface and its shading normal, neither of unit length nor on any particular side.
   struct Shading {
@@ -69,6 +71,7 @@ class CpuScene {
   void add_moving(const Instance& instance, unsigned id);
   RTCGeometry make_triangles(const Mesh& mesh, const std::vector<Vec3f>& vertices);
 
+  std::atomic<std::ptrdiff_t> embree_bytes_ = 0;
   RTCDevice device_ = nullptr;
   RTCScene scene_ = nullptr;
   std::vector<Part> parts_;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/vector_math.h"
 #include "echo/beam_cells.h"
 
 namespace insonify {
@@ -15,7 +16,8 @@ constexpr float kMostStretch = 1.5F;
 
 }  // namespace
 
-void deposit_column(const PingPlan& plan, int column, const HitColumn& hits, EchoGrid& grid) {
+INSONIFY_VECTOR_CLONES [[gnu::flatten]] void deposit_column(const PingPlan& plan, int column, const HitColumn& hits,
+                                                            EchoGrid& grid) {
   const Lattice& lattice = plan.lattice;
   const float* cos_el = lattice.cos_elevations(column);
   const float* sin_el = lattice.sin_elevations(column);

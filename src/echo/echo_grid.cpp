@@ -31,6 +31,11 @@ EchoGrid::LabelRows EchoGrid::label_rows(int beam) {
   return {&surface_[cell], &lead_[cell], &label_energy_[cell], &elevation_moment_[cell]};
 }
 
+EchoGrid::ConstLabelRows EchoGrid::label_rows(int beam) const {
+  const std::size_t cell = start(1, beam);
+  return {&surface_[cell], &label_energy_[cell], &elevation_moment_[cell]};
+}
+
 void EchoGrid::clear(int first_beam, int last_beam) {
   const auto fill = [&](auto& layer, int order, auto value) {
     std::fill(layer.begin() + static_cast<std::ptrdiff_t>(start(order, first_beam)),

@@ -27,4 +27,12 @@ std::unique_ptr<Engine> make_engine(std::string_view name, int threads) {
   throw Error(fmt::format("engine \"{}\" is unknown; there are {}", name, fmt::join(engine_names(), ", ")));
 }
 
+std::vector<double> time_traversal(Engine& engine, const PingPlan& plan, const Pose& world_from_sonar,
+                                   int repetitions) {
+  if (auto* cpu = dynamic_cast<CpuEngine*>(&engine)) {
+    return cpu->time_traversal(plan, world_from_sonar, repetitions);
+  }
+  throw Error(fmt::format("engine \"{}\" traces its rays itself: there is no bare traversal to time", engine.name()));
+}
+
 }  // namespace insonify

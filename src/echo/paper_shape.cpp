@@ -19,8 +19,8 @@ constexpr double kAuthorsMidpoint = 2.0 / 3.0;
 constexpr double kAuthorsSlope = 18;
 
 INSONIFY_VECTOR_CLONES
-void apply_logistic(int count, float slope, float midpoint, float scale, float offset,
-                    const float* __restrict__ strength, float* __restrict__ power) {
+void apply_logistic(int count, float slope, float midpoint, float scale, float offset, const float* strength,
+                    float* power) {
   for (int i = 0; i < count; ++i) {
     const float shaped = scale / (1 + fast_exp(-slope * (strength[i] - midpoint))) + offset;
     power[i] = shaped > 0 ? shaped : 0.0F;

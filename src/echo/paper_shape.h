@@ -14,7 +14,7 @@ class PaperShape {
   /// S of one strength, 0..1.
   [[nodiscard]] float operator()(float strength) const;
 
-  /// S of `count` strengths.
+  /// S of `count` strengths; may be done in place.
   void apply(int count, const float* strength, float* power) const;
 
  private:

@@ -182,10 +182,11 @@ void ReferenceEngine::insonify_column(const PingPlan& plan, int column, const Po
     }
     const auto incidence = static_cast<float>(std::abs(second.normal.dot(across.direction)));
     const OnwardOrigin origin{column, row, hits.range[row], hits.strength[row], hits.selected[row]};
-    deposit(plan,
-            secondary_echo(plan, origin, incidence * reflectivity_[second.material], path_length,
-                           surface_label(second.instance, second.material)),
-            grid);
+    Echo echo = secondary_echo(plan, origin, path_length, surface_label(second.instance, second.material));
+    const float strength = origin.strength * incidence * reflectivity_[second.material];
+    const float rest = path_length - 2 * origin.range;
+    secondary_powers(plan, 1, &strength, &rest, &echo.power);
+    deposit(plan, echo, grid);
   }
 }
 

@@ -20,6 +20,7 @@ class ReferenceEngine final : public Engine {
   void insonify(const PingPlan& plan, const Pose& world_from_sonar, std::uint64_t ping, EchoGrid& grid) override;
   void trace(std::span<const Ray> rays, std::span<Hit> hits) override;
   [[nodiscard]] RayCounts ray_counts() const override { return counts_; }
+  [[nodiscard]] EngineMemory memory() const override { return {triangles_.capacity() * sizeof(Triangle), 0}; }
 
  private:
   // One triangle in the world, edges from its first corner.

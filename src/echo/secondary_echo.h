@@ -2,7 +2,6 @@
 
 #pragma once
 
-#include "base/vector_math.h"
 #include "echo/echo.h"
 #include "echo/hit_column.h"
 #include "echo/ping_plan.h"
@@ -26,22 +25,22 @@ inline float sample_weight(const Lattice& lattice, int column, int row) {
   return (below + above) * lattice.column_width[column];
 }
 
-/// The secondary echo of the `paper` model: both surfaces' |cos| x reflectivity, and the absorption of pressure along
-/// the whole path, shaped by S; heard in the beam it was launched in, as its reciprocal path is (DESIGN, "the return
-/// leg").
-/// @param strength     |cos| of incidence x reflectivity of the second surface.
+/// The secondary echo of the `paper` model, all but its power: heard in the beam it was launched in, as its reciprocal
+/// path is (DESIGN, "the return leg").
 /// @param path_length  Out, across and back [m].
-inline Echo secondary_echo(const PingPlan& plan, const OnwardOrigin& origin, float strength, float path_length,
-                           SurfaceLabel surface) {
-  // The first hit's strength holds the loss of twice its range already; the rest of the path costs the rest.
-  const float loss = fast_exp(-plan.neper_per_metre * (path_length - 2 * origin.range));
+inline Echo secondary_echo(const PingPlan& plan, const OnwardOrigin& origin, float path_length, SurfaceLabel surface) {
   return {.azimuth = plan.lattice.azimuth[origin.column],
           .elevation = plan.lattice.elevations(origin.column)[origin.row],
           .path_length = path_length,
-          .power = plan.shape(origin.strength * strength * loss),
           .weight = sample_weight(plan.lattice, origin.column, origin.row) * origin.selected,
           .order = 2,
           .surface = surface};
 }
+
+/// Powers of many secondary echoes: S of both surfaces' |cos| x reflectivity and of the absorption of pressure along
+/// the whole path.
+/// @param strength  The product of both surfaces' strengths; the first holds the loss of twice its range already.
+/// @param rest      The rest of the path, that has still to be paid for [m].
+void secondary_powers(const PingPlan& plan, int count, const float* strength, const float* rest, float* power);
 
 }  // namespace insonify

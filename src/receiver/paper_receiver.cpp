@@ -8,6 +8,7 @@
 
 #include "base/philox.h"
 #include "base/vector_math.h"
+#include "echo/echo.h"
 
 namespace insonify {
 namespace {
@@ -64,6 +65,15 @@ void add_means(int count, const float* __restrict__ energy, const float* __restr
   }
 }
 
+// Mean elevation of each cell's label; NaN where nothing echoed.
+INSONIFY_VECTOR_CLONES
+void divide_or_nan(int count, const float* __restrict__ moment, const float* __restrict__ energy,
+                   float* __restrict__ mean) {
+  for (int i = 0; i < count; ++i) {
+    mean[i] = energy[i] > 0 ? moment[i] / energy[i] : std::numeric_limits<float>::quiet_NaN();
+  }
+}
+
 // How much of an echo is heard at the range of a bin: 0 at min_range, rising in a straight line to 1 at blanking_range.
 float near_field(const SonarConfig& sonar, int bin) {
   if (sonar.blanking_range <= sonar.min_range) {
@@ -105,6 +115,8 @@ void receive_paper(const EchoGrid& grid, const SonarConfig& sonar, const PaperRe
 
       // A beam at a time, as the grid lies.
       float values[kBeamsPerTask][kBinsPerBlock] = {};
+      float elevations[kBeamsPerTask][kBinsPerBlock];
+      const std::uint32_t* surfaces[kBeamsPerTask];
       NormalPairs noise = {};
       for (int b = 0; b < count_beams; ++b) {
         const int beam = first_beam + b;
@@ -115,18 +127,19 @@ void receive_paper(const EchoGrid& grid, const SonarConfig& sonar, const PaperRe
           draw_normals(noise_counter(block, beam, ping.number), philox_key(settings.seed), noise);
         }
         hear(count, level, mean, spread, floor, noise.first, noise.second, values[b]);
+        const EchoGrid::ConstLabelRows labels = grid.label_rows(beam);
+        surfaces[b] = labels.surface + first_bin;
+        divide_or_nan(count, labels.elevation_moment + first_bin, labels.energy + first_bin, elevations[b]);
       }
 
       // A range at a time, as the ping lies.
       for (int i = 0; i < count; ++i) {
         const std::size_t row = ping.index(first_bin + i, first_beam);
         for (int b = 0; b < count_beams; ++b) {
-          const EchoGrid::Label label = grid.label(first_beam + b, first_bin + i);
           ping.intensity[row + b] = values[b][i];
-          ping.instance[row + b] = label.instance;
-          ping.material[row + b] = label.material;
-          ping.elevation[row + b] =
-              label.instance == kNoLabel ? std::numeric_limits<float>::quiet_NaN() : label.elevation;
+          ping.instance[row + b] = instance_of(surfaces[b][i]);
+          ping.material[row + b] = material_of(surfaces[b][i]);
+          ping.elevation[row + b] = elevations[b][i];
         }
       }
     }

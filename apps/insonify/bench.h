@@ -1,0 +1,20 @@
+// bench.h -- timings, made by the program itself so that anyone can repeat them.
+
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+namespace insonify {
+
+struct BenchOptions {
+  std::vector<int> triangles = {1'000, 100'000, 1'000'000};
+  std::vector<int> threads = {1, 2};
+  int repetitions = 31;         ///< Timed pings of each row, after a warm-up.
+  std::filesystem::path json;   ///< Where the rows are written too; empty for nowhere.
+};
+
+/// insonify bench engine: a ping, and the bare traversal of its rays, on scenes of growing size.
+int bench_engine(const BenchOptions& options);
+
+}  // namespace insonify
