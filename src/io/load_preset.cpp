@@ -9,7 +9,7 @@
 #include "insonify/files.h"
 #include "io/preset_file.h"
 #include "io/preset_folder.h"
-#include "io/read_text.h"
+#include "io/input_file.h"
 #include "io/yaml_read.h"
 
 namespace insonify {

@@ -8,8 +8,8 @@
 #include <sstream>
 
 #include "insonify/files.h"
+#include "io/input_file.h"
 #include "io/preset_file.h"
-#include "io/read_text.h"
 #include "io/yaml_read.h"
 #include "io/yaml_settings.h"
 
