@@ -25,6 +25,11 @@ TEST(NearestNameTest, TakesTheFewestSlips) {
   EXPECT_EQ(nearest_name("mxn_range", kKeys), "min_range");
 }
 
+// One swap leads to "step_deg"; "set_dog" takes a letter left out and one replaced.
+TEST(NearestNameTest, ASwapOfNeighboursIsOneSlip) {
+  EXPECT_EQ(nearest_name("setp_deg", std::vector<std::string>{"set_dog", "step_deg"}), "step_deg");
+}
+
 TEST(NearestNameTest, TakesTheFirstOfEquals) {
   EXPECT_EQ(nearest_name("mxx_range", std::vector<std::string>{"min_range", "mid_range"}), "min_range");
 }

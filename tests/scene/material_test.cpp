@@ -4,6 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
+#include <regex>
+#include <sstream>
 
 #include "support/message_of.h"
 #include "support/relative.h"
@@ -115,6 +118,30 @@ TEST(MaterialLibraryTest, EveryEntryIsCheckedAboveAndNamesItsSource) {
     EXPECT_EQ(material.reflectivity, std::nullopt) << material.name;
     EXPECT_EQ(find_material(material.name), &material);
   }
+}
+
+// Rows of the tables in the documentation: "| steel | 7850 | 5900 | 0.936 | 1 | mild_steel |".
+TEST(MaterialLibraryTest, IsWhatTheDocumentationShows) {
+  std::ifstream page(INSONIFY_SOURCE_DIR "/docs/concepts/materials.md");
+  ASSERT_TRUE(page.is_open());
+  const std::regex row(R"(\| (\w+) \| ([\d.]+) \| (\d+) \| ([\d.]+) \| . \| (.*) \|)");
+  std::size_t rows = 0;
+  std::smatch cells;
+  for (std::string line; std::getline(page, line);) {
+    if (std::regex_match(line, cells, row)) {
+      ++rows;
+      const Material* material = find_material(cells[1].str());
+      ASSERT_NE(material, nullptr) << line;
+      EXPECT_NEAR(material->density, std::stod(cells[2]), 0.5) << line;
+      EXPECT_NEAR(material->sound_speed, std::stod(cells[3]), 0.5) << line;
+      EXPECT_NEAR(material->effective_reflectivity(), std::stod(cells[4]), 0.0005) << line;
+      std::istringstream aliases(cells[5]);
+      for (std::string alias; std::getline(aliases >> std::ws, alias, ',');) {
+        EXPECT_EQ(find_material(alias), material) << line;
+      }
+    }
+  }
+  EXPECT_EQ(rows, material_library().size());
 }
 
 TEST(FindMaterialTest, CaseAndGapsDoNotMatter) {
