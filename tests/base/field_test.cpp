@@ -111,13 +111,17 @@ TEST(CheckFieldsTest, NamesObjectFieldValueAndLimit) {
   EXPECT_EQ(message({.count = 10}), "thing.count = 10 must be from 1 to 9");
   EXPECT_EQ(message({.extra = 1.5}), "thing.extra = 1.5 s must be at least 2 s");
   EXPECT_EQ(message({.extra = NAN}), "thing.extra = nan s must be at least 2 s");
-  EXPECT_EQ(message({.list = {3, 0.5}}), "thing.list = 0.5 must be at least 1");
-  EXPECT_EQ(message({.place = {1, 2, kInfinity}}), "thing.place = inf m must be a finite number");
+  EXPECT_EQ(message({.list = {3, 0.5}}), "thing.list[1] = 0.5 must be at least 1");
+  EXPECT_EQ(message({.place = {1, 2, kInfinity}}), "thing.place[2] = inf m must be a finite number");
 }
 
 // 1 rad = 57.29577951308232 deg.
 TEST(CheckFieldsTest, SpeaksOfAnglesInDegrees) {
   EXPECT_EQ(message({.turn = -2}), "thing.turn_deg = -114.591559 deg must be from -57.29577951 to 57.29577951 deg");
+}
+
+TEST(CheckFieldsTest, LeavesOutAnObjectWithoutAName) {
+  EXPECT_EQ(message_of([] { check_fields("", Config{.count = 0}); }), "count = 0 must be from 1 to 9");
 }
 
 TEST(CheckFieldsTest, StopsAtTheFirstFault) {

@@ -247,9 +247,9 @@ TEST(SonarValidateTest, NamesTheFieldOutOfItsLimits) {
             "sonars[1].sector_center_deg = 181 deg must be from -180 to 180 deg");
   EXPECT_EQ(fls([](auto& s) { s.sector_width = 0; }),
             "sonars[1].sector_width_deg = 0 deg must be greater than 0, at most 360 deg");
-  EXPECT_EQ(fls([](auto& s) { s.position.y() = NAN; }), "sonars[1].position = nan m must be a finite number");
+  EXPECT_EQ(fls([](auto& s) { s.position.y() = NAN; }), "sonars[1].position[1] = nan m must be a finite number");
   EXPECT_EQ(fls([](auto& s) { s.orientation.z() = INFINITY; }),
-            "sonars[1].orientation_deg = inf deg must be a finite number");
+            "sonars[1].orientation_deg[2] = inf deg must be a finite number");
   EXPECT_EQ(fls([](auto& s) { s.sampling.columns_per_beam = 0; }),
             "sonars[1].sampling.columns_per_beam = 0 must be from 1 to 256");
   EXPECT_EQ(fls([](auto& s) { s.sampling.rows = 1; }), "sonars[1].sampling.rows = 1 must be from 2 to 8192");
@@ -288,7 +288,7 @@ TEST(SonarValidateTest, BeamAzimuthsMustFallOneForEachBeam) {
   EXPECT_EQ(fls([](auto& s) {
               s.beam_count = 2, s.beam_azimuths = {deg(10), deg(200)};
             }),
-            "sonars[1].beam_azimuths_deg = 200 deg must be from -180 to 180 deg");
+            "sonars[1].beam_azimuths_deg[1] = 200 deg must be from -180 to 180 deg");
   EXPECT_EQ(fls([](auto& s) {
               s.beam_count = 3, s.beam_azimuths = {deg(170), deg(0), deg(-170)};
             }),
