@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "insonify/field.h"
 #include "insonify/ping.h"
 #include "insonify/sonar_config.h"
 
@@ -14,7 +15,7 @@ namespace insonify {
 
 /// Pixels, three bytes each (red, green, blue), rows from the top.
 struct Picture {
-  int width = 0, height = 0;   ///< [pixels]
+  int width = 0, height = 0;  ///< [pixels]
   std::vector<std::uint8_t> rgb;
   [[nodiscard]] std::uint8_t* at(int x, int y) { return &rgb[3 * (static_cast<std::size_t>(y) * width + x)]; }
   [[nodiscard]] const std::uint8_t* at(int x, int y) const {
@@ -33,6 +34,18 @@ struct Display {
   double full_scale = 1.0;  ///< Intensity drawn brightest, > 0.
   int height = 720;         ///< Of the whole picture [pixels], 240..8192; the width follows from the shape of the fan.
   bool annotations = true;  ///< Title, rings, radials, axes and colour bar.
+
+  /// @throws Error on the first field out of limits.
+  void validate() const { check_fields("display", *this); }
+
+  template <typename Self, typename Visit>
+  static void visit_fields(Self& self, Visit&& visit) {
+    visit(Field{"floor_db", "dB", {.most = 0, .most_allowed = false}, "Darkest level on a decibel scale."},
+          self.floor_db);
+    visit(Field{"full_scale", "", greater_than(0), "Intensity drawn brightest."}, self.full_scale);
+    visit(Field{"height", "pixels", from_to(240, 8192), "Height of the whole picture."}, self.height);
+    visit(Field{"annotations", "", {}, "Draw title, rings, radials, axes and colour bar."}, self.annotations);
+  }
 };
 
 /// Colour of `value` in 0..1 (clamped; NaN is drawn as 0).
@@ -43,25 +56,36 @@ struct Rgb {
 /// @throws Error listing the names there are.
 [[nodiscard]] ColourMap colour_map_from_name(std::string_view name);
 
+// Azimuths are written as bearings: "30° P" to port, "30° S" to starboard, for a vertical mounting "30° up" and "30°
+// down". Drawing throws Error for a display out of limits and for a ping that has not the sonar's beams and bins. NaN
+// is drawn as silence.
+
 /// The raw table: beams across (port to the left, azimuth in degrees), range upwards in metres.
 [[nodiscard]] Picture draw_polar(const Ping& ping, const SonarConfig& sonar, const Display& display = {});
 
-/// The fan as seen from above, acoustic axis up, port to the left: rings labelled in metres, radials in degrees. Bilinear
-/// between cells; apertures up to 360 degrees.
+/// The fan as seen from above, acoustic axis up, port to the left: rings labelled in metres, radials in degrees.
+/// Bilinear between cells; apertures up to 360 degrees.
 [[nodiscard]] Picture draw_fan(const Ping& ping, const SonarConfig& sonar, const Display& display = {});
 
-/// A scanning sonar's view, filling as the head turns: each ping fills its own step about the housing's x axis (up); a
-/// later ping covers an earlier one.
+/// A scanning sonar's view, filling as the head turns: each ping fills its own step, a later ping covers an earlier
+/// one, and what the head has not looked at yet stays blank.
+///
+/// The housing's x axis points up and port is left, as in a fan. For a vertical mounting the view is from starboard: up
+/// is up and the x axis points right.
 class ScanView {
  public:
+  /// @throws Error unless the sonar has a single beam and turns it.
   explicit ScanView(const SonarConfig& sonar);
-  void add(const Ping& ping);   ///< Of one beam.
+  /// @throws Error for a ping of another shape than the sonar's, or without a head angle.
+  void add(const Ping& ping);
+  /// Around the head, with a line where it looks now.
   [[nodiscard]] Picture draw(const Display& display = {}) const;
-  /// The waterfall so far: head angle across, range upwards.
+  /// Side by side: head angle across (port to the left), range upwards.
   [[nodiscard]] Picture draw_polar(const Display& display = {}) const;
 
  private:
   SonarConfig sonar_;
+  double last_time_ = 0;
   std::vector<double> head_angles_;
   std::vector<std::vector<float>> profiles_;
 };

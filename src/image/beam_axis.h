@@ -1,0 +1,40 @@
+// beam_axis.h -- from azimuths to beams, for even fans and for tables.
+
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include "insonify/sonar_config.h"
+
+namespace insonify {
+
+/// The beams of a sonar as an axis: b at the centre of beam b, linear between centres and out to the outer edges, which
+/// are at -0.5 and beam_count - 0.5.
+class BeamAxis {
+ public:
+  explicit BeamAxis(const SonarConfig& sonar);
+
+  [[nodiscard]] double port_edge() const { return knots_.front().azimuth; }      ///< [rad]
+  [[nodiscard]] double starboard_edge() const { return knots_.back().azimuth; }  ///< [rad]
+
+  /// Place of an azimuth [rad] on the axis; beyond an edge that of the edge.
+  [[nodiscard]] double beam_at(double azimuth) const {
+    const double step = (port_edge() - azimuth) * steps_per_radian_;
+    int i = first_[static_cast<int>(std::clamp(step, 0.0, last_step_))];
+    while (i + 2 < static_cast<int>(knots_.size()) && knots_[i + 1].azimuth > azimuth) {
+      ++i;
+    }
+    return std::clamp(knots_[i].beam + (knots_[i].azimuth - azimuth) * knots_[i].beams_per_radian, -0.5, last_);
+  }
+
+ private:
+  struct Knot {
+    double azimuth, beam, beams_per_radian;  // The last holds up to the next knot.
+  };
+  std::vector<Knot> knots_;  // The port edge, the centres and the starboard edge.
+  std::vector<int> first_;   // Knot before each of many equal steps from the port edge.
+  double steps_per_radian_ = 0, last_step_ = 0, last_ = 0;
+};
+
+}  // namespace insonify

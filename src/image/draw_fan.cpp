@@ -1,0 +1,86 @@
+// draw_fan.cpp -- one ping as a fan seen from above.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "image/beam_axis.h"
+#include "image/fan_frame.h"
+#include "image/fan_paint.h"
+#include "image/ping_table.h"
+
+namespace insonify {
+namespace {
+
+// A ping's table, bilinear between the centres of its cells.
+class FanTable {
+ public:
+  FanTable(const Ping& ping, const SonarConfig& sonar, const FanShape& shape)
+      : axis_(sonar),
+        table_(clean_intensities(ping)),
+        beams_(ping.beam_count),
+        bins_(ping.bin_count),
+        min_range_(sonar.min_range),
+        bins_per_metre_(1 / sonar.bin_length()),
+        middle_(shape.middle()),
+        wraps_(shape.full_circle()) {}
+
+  double operator()(double range, double azimuth) const {
+    const double beam = axis_.beam_at(middle_ + near_zero(azimuth - middle_));
+    const double bin = std::clamp((range - min_range_) * bins_per_metre_ - 0.5, 0.0, bins_ - 1.0);
+    const int bin0 = static_cast<int>(bin);
+    const int bin1 = std::min(bin0 + 1, bins_ - 1);
+    const int beam0 = static_cast<int>(beam + 1) - 1;  // Rounds down from -0.5 on.
+    const double across = beam - beam0;
+    const double along = bin - bin0;
+    const int left = column(beam0);
+    const int right = column(beam0 + 1);
+    const double near = (1 - across) * at(bin0, left) + across * at(bin0, right);
+    const double far = (1 - across) * at(bin1, left) + across * at(bin1, right);
+    return (1 - along) * near + along * far;
+  }
+
+ private:
+  // Beyond the outermost beam: itself, or the one at the other edge where they meet.
+  [[nodiscard]] int column(int beam) const {
+    return wraps_ ? (beam + beams_) % beams_ : std::clamp(beam, 0, beams_ - 1);
+  }
+  [[nodiscard]] double at(int bin, int beam) const {
+    return static_cast<double>(
+        table_[static_cast<std::size_t>(bin) * static_cast<std::size_t>(beams_) + static_cast<std::size_t>(beam)]);
+  }
+
+  BeamAxis axis_;
+  std::vector<float> table_;
+  int beams_, bins_;
+  double min_range_, bins_per_metre_, middle_;
+  bool wraps_;
+};
+
+}  // namespace
+
+Picture draw_fan(const Ping& ping, const SonarConfig& sonar, const Display& display) {
+  display.validate();
+  check_ping(ping, sonar);
+  const std::vector<double> edges = sonar.beam_edges();
+  const FanShape shape{edges.back(), edges.front(), sonar.min_range, sonar.max_range, 0};
+  const FanTable table(ping, sonar, shape);
+  const FanCells cells{sonar.bin_length(), shape.aperture() / sonar.beam_count};
+  const Tone tone(display);
+  if (!display.annotations) {
+    const BareFan fan = bare_fan(shape, display.height);
+    Picture picture = blank_picture(fan.width, fan.height, palette::kBackground);
+    paint_fan(picture, fan.geometry, shape, cells, tone, table);
+    return picture;
+  }
+  Page page(display, heading_of(sonar, fmt::format("ping {}", ping.number), ping.time));
+  const FanMarks marks = marks_of(shape, shape.low, shape.high, Mounting::kHorizontal);
+  const FanLayout layout = lay_out_fan(shape, marks, page, display.height);
+  Picture picture = blank_picture(layout.width, layout.height, palette::kBackground);
+  paint_fan(picture, layout.geometry, shape, cells, tone, table);
+  draw_fan_frame(picture, layout, shape, marks, page);
+  return picture;
+}
+
+}  // namespace insonify

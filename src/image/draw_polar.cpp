@@ -1,0 +1,65 @@
+// draw_polar.cpp -- one ping as the table that it is: beams across, bins upwards.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "image/beam_axis.h"
+#include "image/palette.h"
+#include "image/ping_table.h"
+#include "image/plot.h"
+#include "image/scales.h"
+
+namespace insonify {
+namespace {
+
+std::vector<AxisTick> azimuth_ticks(const SonarConfig& sonar) {
+  const BeamAxis axis(sonar);
+  const double aperture = axis.port_edge() - axis.starboard_edge();
+  std::vector<AxisTick> ticks;
+  for (const double azimuth : multiples_within(axis.starboard_edge(), axis.port_edge(), radial_step(aperture))) {
+    ticks.push_back({(axis.beam_at(azimuth) + 0.5) / sonar.beam_count, bearing_text(azimuth)});
+  }
+  std::reverse(ticks.begin(), ticks.end());  // From port, which is left.
+  return ticks;
+}
+
+// Mean over the beams from..to in every bin, fractions of the first and last counted as such.
+void average_beams(const std::vector<float>& table, int beam_count, double from, double to,
+                   std::vector<float>& profile) {
+  std::fill(profile.begin(), profile.end(), 0.0F);
+  const int last = std::min(beam_count, static_cast<int>(std::ceil(to)));
+  for (int beam = static_cast<int>(from); beam < last; ++beam) {
+    const auto share = static_cast<float>((std::min(to, beam + 1.0) - std::max(from, beam * 1.0)) / (to - from));
+    for (std::size_t bin = 0; bin < profile.size(); ++bin) {
+      profile[bin] += share * table[bin * static_cast<std::size_t>(beam_count) + static_cast<std::size_t>(beam)];
+    }
+  }
+}
+
+}  // namespace
+
+Picture draw_polar(const Ping& ping, const SonarConfig& sonar, const Display& display) {
+  display.validate();
+  check_ping(ping, sonar);
+  Page page(display, heading_of(sonar, fmt::format("ping {}", ping.number), ping.time));
+  const PlotAxes axes{azimuth_ticks(sonar), range_ticks(sonar), "azimuth", "range (m)"};
+  const PlotLayout plot = display.annotations ? lay_out_plot(axes, page, display.height) : bare_plot(display.height);
+  Picture picture = blank_picture(plot.width, plot.height, palette::kBackground);
+
+  const Tone tone(display);
+  const std::vector<float> table = clean_intensities(ping);
+  std::vector<float> profile(static_cast<std::size_t>(ping.bin_count));
+  const double step = static_cast<double>(ping.beam_count) / (plot.right - plot.left);
+  for (int x = plot.left; x < plot.right; ++x) {
+    average_beams(table, ping.beam_count, (x - plot.left) * step, (x + 1 - plot.left) * step, profile);
+    paint_column(picture, plot, x, profile, tone);
+  }
+  if (display.annotations) {
+    draw_plot_frame(picture, plot, axes, page);
+  }
+  return picture;
+}
+
+}  // namespace insonify

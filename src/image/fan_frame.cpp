@@ -1,0 +1,236 @@
+// fan_frame.cpp -- labels placed outside of the fan, and the lines over it.
+
+#include "image/fan_frame.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "image/palette.h"
+#include "image/scales.h"
+
+namespace insonify {
+namespace {
+
+constexpr double kLabelGap = 0.45;  // Between a fan and its labels [em].
+constexpr double kBarGap = 1.5;     // Between the fan with its labels and the colour bar [em].
+constexpr double kWidestFan = 2;    // In heights of the picture.
+constexpr double kLeastBar = 10;    // Height of the colour bar beside a flat sector [em].
+// A fan that leaves less than this free has no room for labels beside its edges.
+constexpr double kOpenFan = radians_from_degrees(300);
+// Where rings are labelled then: between two radials.
+constexpr double kRingLabelAzimuth = radians_from_degrees(-45);
+
+struct Box {
+  double left = 0, top = 0, right = 0, bottom = 0;
+  void include(const Box& other) {
+    left = std::min(left, other.left);
+    top = std::min(top, other.top);
+    right = std::max(right, other.right);
+    bottom = std::max(bottom, other.bottom);
+  }
+  [[nodiscard]] bool touches(const Box& other, double gap) const {
+    return left < other.right + gap && other.left < right + gap && top < other.bottom + gap && other.top < bottom + gap;
+  }
+};
+
+Box box_of(const FanLabel& label) {
+  return {label.middle.x - label.width / 2, label.middle.y - label.height / 2, label.middle.x + label.width / 2,
+          label.middle.y + label.height / 2};
+}
+
+// The fan itself, `pixels` for max_range, its apex at the origin.
+Box box_of(const FanExtent& extent, double pixels) {
+  return {extent.left * pixels, -extent.top * pixels, extent.right * pixels, -extent.bottom * pixels};
+}
+
+// Collects the labels that do not touch earlier ones.
+class LabelPlacer {
+ public:
+  explicit LabelPlacer(const Page& page) : page_(page) {}
+
+  // Centres a text on a point.
+  void put(Point middle, const std::string& text, bool over_echoes) {
+    const FanLabel label{middle, text, page_.lettering().width(text), page_.lettering().height(), over_echoes};
+    const auto touches = [&](const FanLabel& other) { return box_of(other).touches(box_of(label), 0.5 * page_.em()); };
+    if (std::none_of(labels_.begin(), labels_.end(), touches)) {
+      labels_.push_back(label);
+    }
+  }
+
+  // Puts a text beside a point, clear of it in a direction given as a unit vector.
+  void put_beside(Point point, Point away, const std::string& text) {
+    const double reach = kLabelGap * page_.em() + std::abs(away.x) * page_.lettering().width(text) / 2 +
+                         std::abs(away.y) * page_.lettering().height() / 2;
+    put({point.x + reach * away.x, point.y + reach * away.y}, text, false);
+  }
+
+  std::vector<FanLabel> take() { return std::move(labels_); }
+
+ private:
+  const Page& page_;
+  std::vector<FanLabel> labels_;
+};
+
+std::vector<FanLabel> labels_of(const FanShape& shape, const FanMarks& marks, const FanGeometry& geometry,
+                                const Page& page) {
+  LabelPlacer placer(page);
+  const auto label_radial = [&](const Radial& radial) {
+    const double turn = radial.azimuth - shape.up;
+    placer.put_beside(geometry.point_at(shape.max_range, radial.azimuth), {-std::sin(turn), -std::cos(turn)},
+                      bearing_text(radial.azimuth, marks.mounting));
+  };
+  const auto label_ring = [&](double range) {
+    const std::string text = number_text(range) + " m";
+    if (shape.aperture() > kOpenFan) {
+      placer.put(geometry.point_at(range, shape.up + kRingLabelAzimuth), text, true);
+    } else {
+      const double turn = shape.high - shape.up;
+      placer.put_beside(geometry.point_at(range, shape.high), {-std::cos(turn), std::sin(turn)}, text);
+    }
+  };
+  // The most telling first: they keep their place.
+  for (const bool edge : {false, true}) {
+    for (const Radial& radial : marks.radials) {
+      if (radial.edge == edge && (edge || radial.azimuth == 0)) {
+        label_radial(radial);
+      }
+    }
+  }
+  for (auto ring = marks.rings.rbegin(); ring != marks.rings.rend(); ++ring) {
+    label_ring(*ring);
+  }
+  for (const Radial& radial : marks.radials) {
+    if (!radial.edge && radial.azimuth != 0) {
+      label_radial(radial);
+    }
+  }
+  return placer.take();
+}
+
+// The fan with its labels for a scale that makes both together as high as `room`; the apex is at the origin.
+FanLayout fit_height(const FanShape& shape, const FanMarks& marks, const Page& page, double room, Box& box) {
+  const FanExtent extent = extent_of(shape);
+  const double along = extent.top - extent.bottom;
+  const double widest = kWidestFan * room / (extent.right - extent.left);
+  FanLayout layout;
+  double around = 0;  // Height that the labels add.
+  for (int pass = 0; pass < 3; ++pass) {
+    const double pixels = std::max(1.0, std::min((room - around) / along, widest));
+    layout.geometry = {{0, 0}, shape.max_range / pixels, shape.up};
+    layout.labels = labels_of(shape, marks, layout.geometry, page);
+    box = box_of(extent, pixels);
+    for (const FanLabel& label : layout.labels) {
+      box.include(box_of(label));
+    }
+    around = box.bottom - box.top - along * pixels;
+  }
+  return layout;
+}
+
+}  // namespace
+
+FanMarks marks_of(const FanShape& shape, double low_edge, double high_edge, Mounting mounting) {
+  FanMarks marks;
+  marks.mounting = mounting;
+  const double ring = ring_step(shape.max_range);
+  for (const double range : multiples_within(ring, shape.max_range, ring)) {
+    if (range > shape.min_range && range < shape.max_range - 0.3 * ring) {
+      marks.rings.push_back(range);
+    }
+  }
+  marks.rings.push_back(shape.max_range);
+
+  const double step = radial_step(high_edge - low_edge);
+  const bool whole = shape.full_circle();
+  const double clearance = whole ? 0 : 0.35 * step;
+  for (const double azimuth : multiples_within(low_edge, high_edge, step)) {
+    if (azimuth >= low_edge + clearance && azimuth <= high_edge - clearance &&
+        !(whole && azimuth <= high_edge - 2 * std::numbers::pi + 1e-6)) {
+      marks.radials.push_back({azimuth, false});
+    }
+  }
+  if (!whole) {
+    marks.radials.push_back({low_edge, true});
+    marks.radials.push_back({high_edge, true});
+  }
+  return marks;
+}
+
+FanLayout lay_out_fan(const FanShape& shape, const FanMarks& marks, Page& page, int height) {
+  FanLayout layout;
+  Box box;
+  double width = 0;
+  const double beside = page.margin() + kBarGap * page.em() + page.bar_width();
+  double top = 0;
+  double room = 0;
+  for (int pass = 0; pass < 2; ++pass) {  // The second for a title that turned out to need two lines.
+    top = page.title_height() + page.margin();
+    room = height - page.margin() - top;
+    layout = fit_height(shape, marks, page, room, box);
+    width = box.right - box.left + beside;
+    if (pass == 0) {
+      page.fit_title(width);
+    }
+  }
+  layout.height = height;
+  layout.width = static_cast<int>(std::ceil(std::max(width, page.least_width())));
+  const Point shift{page.margin() + (layout.width - width) / 2 - box.left,
+                    top + (room - (box.bottom - box.top)) / 2 - box.top};
+  layout.geometry.apex = shift;
+  for (FanLabel& label : layout.labels) {
+    label.middle = {label.middle.x + shift.x, label.middle.y + shift.y};
+  }
+  return layout;
+}
+
+void draw_fan_frame(Picture& picture, const FanLayout& layout, const FanShape& shape, const FanMarks& marks,
+                    const Page& page) {
+  const FanGeometry& geometry = layout.geometry;
+  const double line = page.hairline();
+  const double low = shape.low - shape.up;
+  const double high = shape.high - shape.up;
+  // Lines over echoes are light ones on dark ones, so that they show on bright echoes and on dark.
+  const auto draw_grid = [&](const auto& draw, bool outline) {
+    draw(3 * line, palette::kGridRim);
+    draw(line, outline ? palette::kOutline : palette::kGridLine);
+  };
+  for (const double range : marks.rings) {
+    draw_grid(
+        [&](double width, const Ink& ink) {
+          draw_arc(picture, geometry.apex, range / geometry.metres_per_pixel, low, high, width, ink);
+        },
+        range == shape.max_range);
+  }
+  // Inner radials start at some distance: close to the apex they would run into each other.
+  const double start = std::max(shape.min_range, marks.rings.front() / 2);
+  for (const Radial& radial : marks.radials) {
+    draw_grid(
+        [&](double width, const Ink& ink) {
+          draw_line(picture, geometry.point_at(radial.edge ? shape.min_range : start, radial.azimuth),
+                    geometry.point_at(shape.max_range, radial.azimuth), width, ink);
+        },
+        radial.edge);
+  }
+  if (shape.min_range / geometry.metres_per_pixel > 2) {
+    draw_arc(picture, geometry.apex, shape.min_range / geometry.metres_per_pixel, low, high, line, palette::kOutline);
+  }
+  for (const FanLabel& label : layout.labels) {
+    if (label.over_echoes) {
+      page.lettering().draw_rimmed(picture, label.middle, label.text, palette::kGridText);
+    } else {
+      page.lettering().draw(picture, label.middle, label.text, palette::kText);
+    }
+  }
+  const FanExtent extent = extent_of(shape);
+  const double pixels = shape.max_range / geometry.metres_per_pixel;
+  double top = geometry.apex.y - extent.top * pixels;
+  double bottom = geometry.apex.y - extent.bottom * pixels;
+  const double lacking = std::max(0.0, kLeastBar * page.em() - (bottom - top));
+  top -= lacking / 2;
+  bottom += lacking / 2;
+  page.draw_bar(picture, top, bottom);
+  page.draw_title(picture);
+}
+
+}  // namespace insonify

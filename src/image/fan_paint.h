@@ -1,0 +1,89 @@
+// fan_paint.h -- colours the pixels of a fan.
+
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/parallel.h"
+#include "image/fan_geometry.h"
+#include "image/palette.h"
+#include "image/tone.h"
+
+namespace insonify {
+
+/// Size of a fan's cells: where they are smaller than pixels, a pixel shows the mean of several.
+struct FanCells {
+  double length = 1;  ///< Of a bin [m].
+  double angle = 1;   ///< Of a beam [rad].
+};
+
+/// Share of the pixel at a place that the fan covers, from the distances of its middle to the borders.
+[[nodiscard]] inline double fan_coverage(const FanShape& shape, const FanGeometry::Place& place, double pixel) {
+  constexpr double kHalfPi = std::numbers::pi / 2;
+  double inside = std::min(shape.max_range - place.range, place.range - shape.min_range) / pixel;
+  const double angle = shape.inside_by(place.azimuth);
+  if (angle * place.range < pixel && !shape.full_circle()) {
+    inside = std::min(inside, place.range / pixel * std::sin(std::clamp(angle, -kHalfPi, kHalfPi)));
+  }
+  return std::clamp(inside + 0.5, 0.0, 1.0);
+}
+
+/// First and last pixel of a row that the fan may touch; none where first > last.
+struct Columns {
+  int first = 0, last = -1;
+};
+[[nodiscard]] Columns columns_of_row(const FanShape& shape, const FanGeometry& geometry, int y, int width);
+
+/// Paints the fan: each pixel with the mean of up to 4 x 4 samples over it, one where cells are larger than pixels.
+/// @param sample  double(double range, double azimuth): intensity there, NaN where nothing was looked at.
+template <typename Sample>
+void paint_fan(Picture& picture, const FanGeometry& geometry, const FanShape& shape, FanCells cells, const Tone& tone,
+               const Sample& sample) {
+  const auto samples_for = [](double cells_in_pixel) {
+    return cells_in_pixel > 1.5 ? std::min(4, static_cast<int>(std::ceil(cells_in_pixel - 0.5))) : 1;
+  };
+  const double pixel = geometry.metres_per_pixel;
+  const int along = samples_for(pixel / cells.length);
+
+  const auto paint = [&](int x, int y) {
+    const FanGeometry::Place place = geometry.place_at(x, y);
+    const double coverage = fan_coverage(shape, place, pixel);
+    if (coverage <= 0) {
+      return;
+    }
+    const double spread = place.range > pixel ? pixel / place.range : 1;  // Angle that the pixel subtends [rad].
+    const int across = samples_for(spread / cells.angle);
+    if (coverage >= 1 && along * across == 1) {  // Most pixels.
+      const double value = sample(place.range, place.azimuth);
+      put(picture, x, y, std::isnan(value) ? palette::kNotYetSeen : tone(value));
+      return;
+    }
+    double sum = 0;
+    int seen = 0;
+    for (int i = 0; i < along; ++i) {
+      for (int j = 0; j < across; ++j) {
+        const double value = sample(place.range + ((i + 0.5) / along - 0.5) * pixel,
+                                    place.azimuth + ((j + 0.5) / across - 0.5) * spread);
+        if (!std::isnan(value)) {
+          sum += value;
+          ++seen;
+        }
+      }
+    }
+    blend(picture, x, y, {palette::kNotYetSeen, 1}, coverage);
+    if (seen > 0) {
+      blend(picture, x, y, {tone(sum / seen), 1}, coverage * seen / (along * across));
+    }
+  };
+
+  Workers workers(0);
+  workers.for_each(picture.height, [&](int y, int) {
+    const auto [first, last] = columns_of_row(shape, geometry, y, picture.width);
+    for (int x = first; x <= last; ++x) {
+      paint(x, y);
+    }
+  });
+}
+
+}  // namespace insonify

@@ -1,0 +1,124 @@
+// page.cpp -- title and colour bar.
+
+#include "image/page.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "image/palette.h"
+#include "image/scales.h"
+
+namespace insonify {
+namespace {
+
+// A fifty-second of the picture's height, and never too small to read.
+int letter_size(int picture_height) {
+  return std::max(10, static_cast<int>(std::lround(picture_height / 50.0)));
+}
+
+// Widest a title may make a picture, in heights of the picture: longer names are cut short.
+constexpr double kWidestTitle = 1.2;
+
+constexpr double kLineSpacing = 1.5;  // [em]
+constexpr double kTitleGap = 1.0;     // Between name and details [em].
+constexpr double kBarThickness = 0.9;
+constexpr double kTickLength = 0.3;
+constexpr double kTextGap = 0.35;
+
+}  // namespace
+
+Heading heading_of(const SonarConfig& sonar, const std::string& what, double time) {
+  return {sonar.model.empty() ? sonar.name : sonar.model,
+          fmt::format("{}   {} m   {}   t = {:.2f} s", frequency_text(sonar.frequency), number_text(sonar.max_range),
+                      what, time)};
+}
+
+Page::Page(const Display& display, Heading heading)
+    : display_(display), lettering_(letter_size(display.height)), heading_(std::move(heading)) {
+  const double widest = kWidestTitle * display.height;
+  heading_ = {lettering_.shortened(heading_.name, widest), lettering_.shortened(heading_.details, widest)};
+}
+
+double Page::hairline() const {
+  return std::max(1.0, em() / 14);
+}
+
+void Page::fit_title(double width) {
+  const double one_line = lettering_.width(heading_.name) + kTitleGap * em() + lettering_.width(heading_.details);
+  two_lines_ = one_line + 2 * margin() > width;
+}
+
+double Page::least_width() const {
+  const double name = lettering_.width(heading_.name);
+  const double details = lettering_.width(heading_.details);
+  return 2 * margin() + (two_lines_ ? std::max(name, details) : name + kTitleGap * em() + details);
+}
+
+double Page::title_height() const {
+  return margin() + em() * (two_lines_ ? 1 + kLineSpacing : 1);
+}
+
+void Page::draw_title(Picture& picture) const {
+  Point place{margin(), margin() + em() / 2};
+  lettering_.draw(picture, place, heading_.name, palette::kTitle, Anchor::kStart);
+  if (two_lines_) {
+    place.y += kLineSpacing * em();
+  } else {
+    place.x += lettering_.width(heading_.name) + kTitleGap * em();
+  }
+  lettering_.draw(picture, place, heading_.details, palette::kText, Anchor::kStart);
+}
+
+std::vector<Page::Tick> Page::bar_ticks(int most_parts) const {
+  const bool linear = display_.scale == Scale::kLinear;
+  const double low = linear ? 0 : display_.floor_db;
+  const double high = linear ? display_.full_scale : 0;
+  std::vector<Tick> ticks;
+  for (const double value : multiples_within(low, high, nice_step(high - low, most_parts))) {
+    ticks.push_back({(value - low) / (high - low), number_text(value)});
+  }
+  return ticks;
+}
+
+std::string Page::bar_caption() const {
+  return display_.scale == Scale::kLinear ? fmt::format("echo intensity (0 to {})", number_text(display_.full_scale))
+                                          : "dB re full scale";
+}
+
+double Page::bar_width() const {
+  double widest = 0;
+  for (const Tick& tick : bar_ticks(5)) {
+    widest = std::max(widest, lettering_.width(tick.text));
+  }
+  return (kBarThickness + kTickLength + kTextGap) * em() + widest + 0.8 * em() + lettering_.height() + margin();
+}
+
+void Page::draw_bar(Picture& picture, double top, double bottom) const {
+  const double left = std::round(picture.width - bar_width());
+  const double right = std::round(left + kBarThickness * em());
+  top = std::round(top);
+  bottom = std::round(bottom);
+  for (int y = static_cast<int>(top); y < static_cast<int>(bottom); ++y) {
+    const double level = (bottom - y - 0.5) / (bottom - top);
+    fill_rectangle(picture, {left, y * 1.0}, {right, y + 1.0}, {colour(display_.colour_map, level), 1});
+  }
+  const double line = hairline();
+  const double half = line / 2;
+  draw_line(picture, {left - half, top - line}, {left - half, bottom + line}, line, palette::kOutline);
+  draw_line(picture, {right + half, top - line}, {right + half, bottom + line}, line, palette::kOutline);
+  draw_line(picture, {left, top - half}, {right, top - half}, line, palette::kOutline);
+  draw_line(picture, {left, bottom + half}, {right, bottom + half}, line, palette::kOutline);
+
+  for (const Tick& tick : bar_ticks(5)) {
+    const double y = std::clamp(std::floor(bottom - tick.level * (bottom - top)) + 0.5, top + half, bottom - half);
+    draw_line(picture, {right + line, y}, {right + kTickLength * em(), y}, line, palette::kText);
+    lettering_.draw(picture, {right + (kTickLength + kTextGap) * em(), y}, tick.text, palette::kText, Anchor::kStart);
+  }
+  const std::string caption = lettering_.shortened(bar_caption(), bottom - top);
+  lettering_.draw_upwards(picture, {picture.width - margin() - lettering_.height() / 2, (top + bottom) / 2}, caption,
+                          palette::kText);
+}
+
+}  // namespace insonify

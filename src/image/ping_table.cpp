@@ -1,0 +1,33 @@
+// ping_table.cpp -- does a ping belong to a sonar?
+
+#include "image/ping_table.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "insonify/error.h"
+
+namespace insonify {
+
+void check_ping(const Ping& ping, const SonarConfig& sonar) {
+  if (ping.beam_count != sonar.beam_count || ping.bin_count != sonar.bin_count) {
+    throw Error(fmt::format("ping {} of {} has {} beams x {} bins, must have {} x {}", ping.number, sonar.name,
+                            ping.beam_count, ping.bin_count, sonar.beam_count, sonar.bin_count));
+  }
+  const std::size_t cells = static_cast<std::size_t>(ping.beam_count) * static_cast<std::size_t>(ping.bin_count);
+  if (ping.intensity.size() != cells) {
+    throw Error(fmt::format("ping {} of {} has {} intensities, must have {}", ping.number, sonar.name,
+                            ping.intensity.size(), cells));
+  }
+}
+
+std::vector<float> clean_intensities(const Ping& ping) {
+  std::vector<float> table = ping.intensity;
+  std::replace_if(
+      table.begin(), table.end(), [](float value) { return std::isnan(value); }, 0.0F);
+  return table;
+}
+
+}  // namespace insonify

@@ -1,0 +1,121 @@
+// plot.cpp -- columns of bins, and the axes around them.
+
+#include "image/plot.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "image/palette.h"
+#include "image/scales.h"
+
+namespace insonify {
+namespace {
+
+constexpr double kShape = 4.0 / 3.0;  // Width of the picture to its height.
+constexpr double kTickLength = 0.3;   // [em]
+constexpr double kTextGap = 0.35;
+constexpr double kCaptionGap = 0.7;
+constexpr double kBarGap = 1.5;
+
+double widest_text(const Lettering& lettering, const std::vector<AxisTick>& ticks) {
+  double widest = 0;
+  for (const AxisTick& tick : ticks) {
+    widest = std::max(widest, lettering.width(tick.text));
+  }
+  return widest;
+}
+
+// Mean of cells from..to, fractions of the first and last counted as such.
+double mean_within(std::span<const float> cells, double from, double to) {
+  double sum = 0;
+  const auto last = std::min(cells.size(), static_cast<std::size_t>(std::ceil(to)));
+  for (auto i = static_cast<std::size_t>(from); i < last; ++i) {
+    const auto cell = static_cast<double>(i);
+    sum += static_cast<double>(cells[i]) * (std::min(to, cell + 1) - std::max(from, cell));
+  }
+  return sum / (to - from);
+}
+
+}  // namespace
+
+std::vector<AxisTick> range_ticks(const SonarConfig& sonar) {
+  std::vector<AxisTick> ticks;
+  for (const double range : multiples_within(sonar.min_range, sonar.max_range, ring_step(sonar.max_range))) {
+    ticks.push_back({(range - sonar.min_range) / (sonar.max_range - sonar.min_range), number_text(range)});
+  }
+  return ticks;
+}
+
+PlotLayout lay_out_plot(const PlotAxes& axes, Page& page, int height) {
+  const Lettering& lettering = page.lettering();
+  const double em = page.em();
+  const double beside = (kTickLength + kTextGap) * em;
+  PlotLayout plot{static_cast<int>(std::lround(kShape * height)), height, 0, 0, 0, 0};
+  page.fit_title(plot.width);
+  plot.width = std::max(plot.width, static_cast<int>(std::ceil(page.least_width())));
+  plot.left = static_cast<int>(
+      std::ceil(page.margin() + lettering.height() + kCaptionGap * em + widest_text(lettering, axes.up) + beside));
+  plot.right = plot.width - static_cast<int>(std::ceil(page.bar_width() + kBarGap * em));
+  plot.top = static_cast<int>(std::ceil(page.title_height() + 1.2 * page.margin()));
+  plot.bottom =
+      height - static_cast<int>(std::ceil(page.margin() + 2 * lettering.height() + kCaptionGap * em + beside));
+  return plot;
+}
+
+PlotLayout bare_plot(int height) {
+  const int width = static_cast<int>(std::lround(kShape * height));
+  return {width, height, 0, 0, width, height};
+}
+
+void paint_column(Picture& picture, const PlotLayout& plot, int x, std::span<const float> profile, const Tone& tone) {
+  const int rows = plot.bottom - plot.top;
+  const double step = static_cast<double>(profile.size()) / rows;
+  for (int row = 0; row < rows; ++row) {
+    const Rgb shown = profile.empty() ? palette::kNotYetSeen : tone(mean_within(profile, row * step, (row + 1) * step));
+    put(picture, x, plot.bottom - 1 - row, shown);
+  }
+}
+
+void draw_plot_frame(Picture& picture, const PlotLayout& plot, const PlotAxes& axes, const Page& page) {
+  const Lettering& lettering = page.lettering();
+  const double em = page.em();
+  const double line = page.hairline();
+  const double half = line / 2;
+  const double tick_length = kTickLength * em;
+  const auto between = [&](double low, double high, double place) {
+    return std::clamp(std::floor(low + place * (high - low)) + 0.5, std::min(low, high) + half,
+                      std::max(low, high) - half);
+  };
+  double last_end = -1e9;
+  for (const AxisTick& tick : axes.across) {
+    const double x = between(plot.left, plot.right, tick.place);
+    const double reach = lettering.width(tick.text) / 2;
+    draw_line(picture, {x, plot.bottom + line}, {x, plot.bottom + tick_length}, line, palette::kText);
+    if (x - reach > last_end + 0.6 * em) {
+      const double y = plot.bottom + tick_length + kTextGap * em + lettering.height() / 2;
+      lettering.draw(picture, {x, y}, tick.text, palette::kText);
+      last_end = x + reach;
+    }
+  }
+  for (const AxisTick& tick : axes.up) {
+    const double y = between(plot.bottom, plot.top, tick.place);
+    draw_line(picture, {plot.left - tick_length, y}, {plot.left - line, y}, line, palette::kText);
+    lettering.draw(picture, {plot.left - tick_length - kTextGap * em, y}, tick.text, palette::kText, Anchor::kEnd);
+  }
+  const double left = plot.left - half;
+  const double right = plot.right + half;
+  draw_line(picture, {left, plot.top - line}, {left, plot.bottom + line}, line, palette::kOutline);
+  draw_line(picture, {right, plot.top - line}, {right, plot.bottom + line}, line, palette::kOutline);
+  draw_line(picture, {plot.left * 1.0, plot.top - half}, {plot.right * 1.0, plot.top - half}, line, palette::kOutline);
+  draw_line(picture, {plot.left * 1.0, plot.bottom + half}, {plot.right * 1.0, plot.bottom + half}, line,
+            palette::kOutline);
+
+  lettering.draw_upwards(picture, {page.margin() + lettering.height() / 2, (plot.top + plot.bottom) / 2.0},
+                         axes.up_caption, palette::kText);
+  lettering.draw(picture, {(plot.left + plot.right) / 2.0, picture.height - page.margin() - lettering.height() / 2},
+                 axes.across_caption, palette::kText);
+  page.draw_bar(picture, plot.top, plot.bottom);
+  page.draw_title(picture);
+}
+
+}  // namespace insonify

@@ -1,0 +1,70 @@
+// scales.cpp -- ticks at round numbers, and numbers as people write them.
+
+#include "image/scales.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace insonify {
+namespace {
+
+constexpr double kRounding = 1e-9;  // Relative; keeps ticks at the ends that arithmetic put just outside.
+
+}  // namespace
+
+double nice_step(double length, int most_parts) {
+  const double least = length / most_parts * (1 - kRounding);
+  const double power = std::pow(10, std::floor(std::log10(least)));
+  for (const double factor : {1.0, 2.0, 2.5, 5.0}) {
+    if (factor * power >= least) {
+      return factor * power;
+    }
+  }
+  return 10 * power;
+}
+
+std::vector<double> multiples_within(double low, double high, double step) {
+  std::vector<double> values;
+  const double slack = kRounding * (std::abs(low) + std::abs(high));
+  for (double n = std::ceil((low - slack) / step); n * step <= high + slack; ++n) {
+    values.push_back(n * step);
+  }
+  return values;
+}
+
+double ring_step(double max_range) {
+  return nice_step(max_range, 6);
+}
+
+double radial_step(double aperture) {
+  const double degrees = degrees_from_radians(aperture);
+  return radians_from_degrees(degrees <= 30 ? 5 : degrees <= 75 ? 10 : degrees <= 180 ? 20 : 30);
+}
+
+std::string number_text(double value) {
+  std::string text = fmt::format("{:.4g}", std::abs(value));
+  return value < 0 && text != "0" ? "−" + text : text;
+}
+
+std::string frequency_text(double frequency) {
+  return frequency >= 1e6   ? number_text(frequency / 1e6) + " MHz"
+         : frequency >= 1e3 ? number_text(frequency / 1e3) + " kHz"
+                            : number_text(frequency) + " Hz";
+}
+
+std::string bearing_text(double azimuth, Mounting mounting) {
+  const double tenths = std::round(10 * degrees_from_radians(std::remainder(azimuth, 2 * std::numbers::pi)));
+  const std::string angle = number_text(std::abs(tenths) / 10) + "°";
+  if (mounting == Mounting::kVertical) {
+    return tenths == 0                ? "ahead"
+           : std::abs(tenths) == 1800 ? "astern"
+           : std::abs(tenths) == 900  ? (tenths > 0 ? "up" : "down")
+                                      : angle + (tenths > 0 ? " up" : " down");
+  }
+  const bool has_side = tenths != 0 && std::abs(tenths) != 1800;
+  return has_side ? angle + (tenths > 0 ? " P" : " S") : angle;
+}
+
+}  // namespace insonify

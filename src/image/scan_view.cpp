@@ -1,0 +1,127 @@
+// scan_view.cpp -- a scanning sonar's pings around its head, and side by side.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "image/fan_frame.h"
+#include "image/fan_paint.h"
+#include "image/ping_table.h"
+#include "image/plot.h"
+#include "image/scales.h"
+#include "image/scan_slots.h"
+#include "insonify/error.h"
+
+namespace insonify {
+namespace {
+
+constexpr double kTwoPi = 2 * std::numbers::pi;
+
+// The scanned sector with the half step that its outermost pings cover beyond it.
+FanShape shape_of(const SonarConfig& sonar) {
+  const double width = std::min(kTwoPi, sonar.sector_width + std::abs(sonar.step));
+  const bool whole = sonar.sector_width > kTwoPi - 1e-6;
+  // A vertical mounting turns the head's port side up: there, up is drawn up and ahead to the right.
+  const double up = sonar.mounting == Mounting::kVertical ? std::numbers::pi / 2 : 0;
+  const double half = whole ? std::numbers::pi : width / 2;
+  return {sonar.sector_center - half, sonar.sector_center + half, sonar.min_range, sonar.max_range, up};
+}
+
+FanMarks scan_marks(const SonarConfig& sonar, const FanShape& shape) {
+  const double half = shape.full_circle() ? std::numbers::pi : sonar.sector_width / 2;
+  return marks_of(shape, sonar.sector_center - half, sonar.sector_center + half, sonar.mounting);
+}
+
+std::string count_text(std::size_t pings) {
+  return fmt::format("{} {}", pings, pings == 1 ? "ping" : "pings");
+}
+
+}  // namespace
+
+ScanView::ScanView(const SonarConfig& sonar) : sonar_(sonar) {
+  if (sonar.beam_count != 1 || sonar.step == 0) {
+    throw Error(fmt::format("{} turns {} beams by {} deg: a scan view must have one beam that turns", sonar.name,
+                            sonar.beam_count, degrees_from_radians(sonar.step)));
+  }
+}
+
+void ScanView::add(const Ping& ping) {
+  check_ping(ping, sonar_);
+  if (!std::isfinite(ping.head_angle)) {
+    throw Error(fmt::format("ping {} of {} has head_angle = {} rad, must be a finite number", ping.number, sonar_.name,
+                            ping.head_angle));
+  }
+  head_angles_.push_back(ping.head_angle);
+  profiles_.push_back(clean_intensities(ping));
+  last_time_ = ping.time;
+}
+
+Picture ScanView::draw(const Display& display) const {
+  display.validate();
+  const FanShape shape = shape_of(sonar_);
+  const ScanSlots slots(head_angles_, sonar_.step);
+  // Linear along the beam, and across to the ping before or after.
+  const auto intensity = [&](int ping, double bin) {
+    const std::vector<float>& profile = profiles_[ping];
+    const auto bin0 = static_cast<std::size_t>(bin);
+    const double far = static_cast<double>(profile[std::min(bin0 + 1, profile.size() - 1)]);
+    const double near = static_cast<double>(profile[bin0]);
+    return near + (bin - static_cast<double>(bin0)) * (far - near);
+  };
+  const auto sample = [&](double range, double azimuth) {
+    const ScanSlots::Mix mix = slots.at(azimuth);
+    if (mix.ping < 0) {
+      return std::numeric_limits<double>::quiet_NaN();
+    }
+    const double bin = std::clamp((range - sonar_.min_range) / sonar_.bin_length() - 0.5, 0.0, sonar_.bin_count - 1.0);
+    return (1 - mix.share) * intensity(mix.ping, bin) + mix.share * intensity(mix.neighbour, bin);
+  };
+  const FanCells cells{sonar_.bin_length(), std::abs(sonar_.step)};
+  const Tone tone(display);
+  if (!display.annotations) {
+    const BareFan fan = bare_fan(shape, display.height);
+    Picture picture = blank_picture(fan.width, fan.height, palette::kBackground);
+    paint_fan(picture, fan.geometry, shape, cells, tone, sample);
+    return picture;
+  }
+  Page page(display, heading_of(sonar_, count_text(head_angles_.size()), last_time_));
+  const FanMarks marks = scan_marks(sonar_, shape);
+  const FanLayout layout = lay_out_fan(shape, marks, page, display.height);
+  Picture picture = blank_picture(layout.width, layout.height, palette::kBackground);
+  paint_fan(picture, layout.geometry, shape, cells, tone, sample);
+  if (!head_angles_.empty() && shape.inside_by(head_angles_.back()) > 0) {
+    draw_line(picture, layout.geometry.point_at(sonar_.min_range, head_angles_.back()),
+              layout.geometry.point_at(sonar_.max_range, head_angles_.back()), 1.5 * page.hairline(), palette::kHead);
+  }
+  draw_fan_frame(picture, layout, shape, marks, page);
+  return picture;
+}
+
+Picture ScanView::draw_polar(const Display& display) const {
+  display.validate();
+  const FanShape shape = shape_of(sonar_);
+  PlotAxes axes{{}, range_ticks(sonar_), "head angle", "range (m)"};
+  const std::vector<double> azimuths = multiples_within(shape.low, shape.high, radial_step(shape.aperture()));
+  for (auto azimuth = azimuths.rbegin(); azimuth != azimuths.rend(); ++azimuth) {  // From port, which is left.
+    axes.across.push_back({(shape.high - *azimuth) / shape.aperture(), bearing_text(*azimuth, sonar_.mounting)});
+  }
+  Page page(display, heading_of(sonar_, count_text(head_angles_.size()), last_time_));
+  const PlotLayout plot = display.annotations ? lay_out_plot(axes, page, display.height) : bare_plot(display.height);
+  Picture picture = blank_picture(plot.width, plot.height, palette::kBackground);
+
+  const Tone tone(display);
+  const ScanSlots slots(head_angles_, sonar_.step);
+  for (int x = plot.left; x < plot.right; ++x) {
+    const double azimuth = shape.high - (x + 0.5 - plot.left) / (plot.right - plot.left) * shape.aperture();
+    const int ping = slots.at(azimuth).ping;
+    paint_column(picture, plot, x, ping < 0 ? std::span<const float>() : profiles_[ping], tone);
+  }
+  if (display.annotations) {
+    draw_plot_frame(picture, plot, axes, page);
+  }
+  return picture;
+}
+
+}  // namespace insonify
