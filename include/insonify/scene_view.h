@@ -3,6 +3,7 @@
 #pragma once
 
 #include "insonify/engine.h"
+#include "insonify/field.h"
 #include "insonify/picture.h"
 #include "insonify/scenario.h"
 
@@ -10,8 +11,16 @@ namespace insonify {
 
 /// Size of the view and what is drawn over it.
 struct ViewOptions {
-  int width = 960, height = 720;   ///< [pixels]
-  bool sonar_outline = true;       ///< Draw the sonar's housing and the edges of its insonified sector.
+  int width = 960, height = 720;  ///< [pixels], 16..8192 each.
+  bool sonar_outline = true;  ///< Draw the sonar's housing and the edges of its sector, and tint what it insonifies.
+
+  template <typename Self, typename Visit>
+  static void visit_fields(Self& self, Visit&& visit) {
+    visit(Field{"width", "pixels", from_to(16, 8192), "Width of the picture."}, self.width);
+    visit(Field{"height", "pixels", from_to(16, 8192), "Height of the picture."}, self.height);
+    visit(Field{"sonar_outline", "", {}, "Draw the sonar and its sector, and tint what it insonifies."},
+          self.sonar_outline);
+  }
 };
 
 /// A viewpoint behind and above the sonar from which its insonified sector and what stands in it can be seen, clear of
@@ -19,8 +28,10 @@ struct ViewOptions {
 [[nodiscard]] ViewConfig fitting_view(Engine& engine, const Scene& scene, const SonarConfig& sonar,
                                       const Pose& world_from_sonar);
 
-/// Renders with the engine's own ray tracer: Lambert shading from a light over the camera's shoulder, one tint a material, haze
-/// with distance.
+/// Renders with the engine's own ray tracer: Lambert shading from a light over the camera's shoulder, one tint a
+/// material, haze with distance. What the sonar insonifies is tinted yellow: its acoustic shadows are not.
+/// @param world_from_sonar  Pose of the housing. Of a scanning sonar the whole swept sector is shown.
+/// @throws Error for a view or options out of limits.
 [[nodiscard]] Picture draw_scene(Engine& engine, const Scene& scene, const ViewConfig& view, const SonarConfig& sonar,
                                  const Pose& world_from_sonar, const ViewOptions& options = {});
 

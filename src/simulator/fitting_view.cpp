@@ -1,0 +1,244 @@
+// fitting_view.cpp -- tries cameras around what the sonar sees and takes the one that shows most of it.
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "insonify/scene_view.h"
+#include "simulator/camera.h"
+#include "simulator/insonified_sector.h"
+
+namespace insonify {
+namespace {
+
+// The view is judged in these proportions.
+constexpr int kWidth = 4, kHeight = 3;
+constexpr double kInFrame = 0.95;  // Share of the half picture within which something counts as shown.
+constexpr double kMargin =
+    0.80;  // The same for what the camera is placed by: things are larger than the points seen of them.
+constexpr double kSonarMargin = 0.74;
+constexpr double kMostShown = 0.95;  // Share of what is seen that decides how far off the camera stands.
+constexpr double kClearance = 1e-3;  // Share of its length that a line of sight may lack.
+
+// A surface point that the sonar sees.
+struct SeenPoint {
+  Vec3 place, normal;
+  std::uint16_t instance;
+  double weight;
+};
+
+struct Candidate {
+  ViewConfig view;
+  double merit = 0;  // What speaks for the direction alone.
+};
+
+// Sends rays through the sector, no more than the eye needs to tell what is there.
+std::vector<SeenPoint> look_around(Engine& engine, const InsonifiedSector& sector) {
+  constexpr int kAcross = 48, kAlong = 12;
+  const Vec3& sonar = sector.world_from_sonar().position;
+  std::vector<Ray> rays;
+  for (int i = 0; i < kAcross; ++i) {
+    for (int j = 0; j < kAlong; ++j) {
+      const Vec3 far = sector.point_at(sector.max_range(), (i + 0.5) / kAcross, (j + 0.5) / kAlong);
+      rays.push_back({sonar, (far - sonar).normalized(), 0, sector.max_range()});
+    }
+  }
+  std::vector<Hit> hits(rays.size());
+  engine.trace(rays, hits);
+  std::vector<SeenPoint> points;
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    if (std::isfinite(hits[i].distance)) {
+      points.push_back({sonar + hits[i].distance * rays[i].direction, hits[i].normal, hits[i].instance, 1});
+    }
+  }
+  // In open water: the far end of the sector, to be seen from anywhere.
+  for (std::size_t i = 0; points.empty() && i < rays.size(); i += 7) {
+    points.push_back({sonar + sector.max_range() * rays[i].direction, Vec3::Zero(), kNoLabel, 1});
+  }
+  // A small thing on a wide floor counts for more than the few rays that meet it.
+  std::vector<int> rays_on(1 << 16);
+  for (const SeenPoint& point : points) {
+    ++rays_on[point.instance];
+  }
+  for (SeenPoint& point : points) {
+    point.weight = 1 / std::pow(rays_on[point.instance], 0.6);
+  }
+  return points;
+}
+
+// The least value that is at least `values` for a share kMostShown of the weights.
+double most_of(std::vector<std::pair<double, double>>& values) {
+  std::sort(values.begin(), values.end());
+  double total = 0;
+  for (const auto& [value, weight] : values) {
+    total += weight;
+  }
+  double shown = 0;
+  for (const auto& [value, weight] : values) {
+    shown += weight;
+    if (shown >= kMostShown * total) {
+      return value;
+    }
+  }
+  return values.back().first;
+}
+
+// The camera that looks against `towards` and has most points and the sonar in its frame, no farther off than need be.
+//
+// In its own axes, x right, y up and z towards it, a point is in the frame when |x - cx| <= a (cz - z), with a half the
+// frame's width at distance 1. So a cz must be half the sum of the greatest x + a z and -x + a z, and cx half their
+// difference; the same holds for y.
+Candidate fit(const std::vector<SeenPoint>& points, const Vec3& sonar, const Vec3& towards, double field_of_view) {
+  const Camera axes({.position = towards, .look_at = Vec3::Zero(), .field_of_view = field_of_view}, kWidth, kHeight);
+  const double half_width = axes.width_at_one() / 2;
+  struct Fit {
+    double middle, distance;
+  };
+  const auto fit_along = [&](const Vec3& axis, double half) {
+    const auto bound_of_points = [&](double side) {
+      std::vector<std::pair<double, double>> values;
+      for (const SeenPoint& point : points) {
+        values.emplace_back(side * point.place.dot(axis) + kMargin * half * point.place.dot(towards), point.weight);
+      }
+      return most_of(values);
+    };
+    const double points_high = bound_of_points(1);
+    const double points_low = bound_of_points(-1);
+    Fit fit{0, (points_high + points_low) / 2 / (kMargin * half)};
+    // The sonar is drawn with a size that follows from the distance: as if its place were that much wider.
+    for (int pass = 0; pass < 8; ++pass) {
+      const double depth = std::max(0.0, fit.distance - sonar.dot(towards));
+      const double reach = kMargin * half * sonar.dot(towards) + (kMargin - kSonarMargin) * half * depth;
+      const double high = std::max(points_high, sonar.dot(axis) + reach);
+      const double low = std::max(points_low, -sonar.dot(axis) + reach);
+      fit = {(high - low) / 2, (high + low) / 2 / (kMargin * half)};
+    }
+    return fit;
+  };
+  const Fit across = fit_along(axes.right(), half_width);
+  const Fit along = fit_along(axes.up(), half_width * kHeight / kWidth);
+  const Vec3 middle = across.middle * axes.right() + along.middle * axes.up();
+  const double distance = std::max(across.distance, along.distance);
+  // Looks at a point about as far off as the sonar: any in front of the camera would do.
+  const ViewConfig view{
+      .position = middle + distance * towards,
+      .look_at = middle + std::min(sonar.dot(towards), distance - kClearance * std::abs(distance)) * towards,
+      .field_of_view = field_of_view};
+  // What fills the frame both ways shows best.
+  return {view, 0.22 * std::min(across.distance, along.distance) / distance};
+}
+
+// Cameras all around at several heights and with two lenses; the merit prefers the usual look over the sonar's
+// shoulder.
+std::vector<Candidate> candidates_around(Engine& engine, const std::vector<SeenPoint>& points, const Pose& sonar) {
+  Vec3 ahead = Vec3::Zero();
+  for (const SeenPoint& point : points) {
+    ahead += point.weight * (point.place - sonar.position);
+  }
+  const double length = ahead.norm();
+  ahead.z() = 0;
+  if (ahead.norm() < 0.05 * length) {  // It looks down, or all around.
+    ahead = sonar.orientation * Vec3::UnitX();
+    ahead.z() = 0;
+  }
+  ahead = ahead.norm() > 1e-6 ? ahead.normalized() : Vec3(Vec3::UnitX());
+
+  std::vector<Candidate> candidates;
+  std::vector<Ray> rays;
+  for (const double turn_deg : {18, -18, 0, 45, -45, 80, -80, 120, -120, 150, -150, 180}) {
+    for (const double height_deg : {32, 20, 45, 60, -15}) {
+      for (const double lens_deg : {50, 80}) {
+        const double turn = radians_from_degrees(turn_deg);
+        const double height = radians_from_degrees(height_deg);
+        const Vec3 level = Eigen::AngleAxisd(turn, Vec3::UnitZ()) * -ahead;
+        const Vec3 towards = std::cos(height) * level + std::sin(height) * Vec3::UnitZ();
+        const double lens = radians_from_degrees(lens_deg);
+        Candidate candidate = fit(points, sonar.position, towards, lens);
+        const double oblique = std::abs(std::abs(turn_deg) - 18) / 180;
+        candidate.merit += -0.5 * oblique - 0.4 * std::abs(height_deg - 32) / 90 - (lens_deg > 60 ? 0.08 : 0);
+        candidates.push_back(candidate);
+        const Vec3 way = candidate.view.position - sonar.position;
+        rays.push_back({sonar.position, way.normalized(), 0, 1.1 * way.norm()});
+      }
+    }
+  }
+  // A camera behind a wall comes back to the sonar's side of it, and to some distance from it.
+  std::vector<Hit> hits(rays.size());
+  engine.trace(rays, hits);
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    if (std::isfinite(hits[i].distance)) {
+      candidates[i].view.position = sonar.position + 0.88 * hits[i].distance * rays[i].direction;
+      candidates[i].merit -= 0.05;
+    }
+  }
+  return candidates;
+}
+
+bool in_frame(const Camera& camera, const Vec3& place) {
+  const Camera::Image image = camera.image_of(place);
+  return image.depth > 0 && std::abs(2 * image.x / kWidth - 1) < kInFrame &&
+         std::abs(2 * image.y / kHeight - 1) < kInFrame;
+}
+
+// Share of what the sonar sees that the camera sees too, from the same side; half as much again for the sonar itself;
+// less for a camera whose nose touches something.
+double worth_of(Engine& engine, const ViewConfig& view, const std::vector<SeenPoint>& points, const Vec3& sonar) {
+  const Camera camera(view, kWidth, kHeight);
+  std::vector<Ray> rays;
+  std::vector<double> weights;
+  double total = 0;
+  const auto look_at = [&](const Vec3& place, double weight) {
+    const Vec3 way = place - view.position;
+    rays.push_back({view.position, way.normalized(), 0, way.norm() * (1 - kClearance)});
+    weights.push_back(weight);
+  };
+  for (const SeenPoint& point : points) {
+    total += point.weight;
+    const bool from_front = point.normal.isZero() || point.normal.dot(view.position - point.place) > 0;
+    if (from_front && in_frame(camera, point.place)) {
+      look_at(point.place, point.weight);
+    }
+  }
+  if (in_frame(camera, sonar)) {
+    look_at(sonar, 0.5 * total);
+  }
+  const std::size_t lines_of_sight = rays.size();
+  const double near = 0.15 * (view.look_at - view.position).norm();
+  for (const double x : {0.0, kWidth / 2.0, kWidth * 1.0}) {
+    for (const double y : {0.0, kHeight / 2.0, kHeight * 1.0}) {
+      rays.push_back({view.position, camera.direction(x, y), 0, near});
+    }
+  }
+  std::vector<Hit> hits(rays.size());
+  engine.trace(rays, hits);
+  double worth = 0;
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    const bool free = !std::isfinite(hits[i].distance);
+    if (i < lines_of_sight) {
+      worth += free ? weights[i] / total : 0;
+    } else {
+      worth -= free ? 0 : 0.08;
+    }
+  }
+  return worth;
+}
+
+}  // namespace
+
+ViewConfig fitting_view(Engine& engine, const Scene& /*scene*/, const SonarConfig& sonar,
+                        const Pose& world_from_sonar) {
+  const InsonifiedSector sector(sonar, world_from_sonar);
+  const std::vector<SeenPoint> points = look_around(engine, sector);
+  ViewConfig best;
+  double best_worth = -std::numeric_limits<double>::infinity();
+  for (const Candidate& candidate : candidates_around(engine, points, world_from_sonar)) {
+    const double worth = candidate.merit + worth_of(engine, candidate.view, points, world_from_sonar.position);
+    if (worth > best_worth) {
+      best = candidate.view;
+      best_worth = worth;
+    }
+  }
+  return best;
+}
+
+}  // namespace insonify
