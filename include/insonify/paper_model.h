@@ -16,8 +16,8 @@ enum class Sigmoid {
 
 struct PaperModel {
   Sigmoid sigmoid = Sigmoid::kLogistic;
-  double sigmoid_midpoint = 0.35;  ///< Strength that is drawn at half (before scaling), 0..1.
-  double sigmoid_slope = 7.0;      ///< Steepness at the midpoint, times 4, > 0.
+  double sigmoid_midpoint = 0.1;  ///< Strength that is drawn at half (before scaling), 0..1.
+  double sigmoid_slope = 12;      ///< Steepness at the midpoint, times 4, > 0.
 
   // Noise of eq. (noise): intensity x multiplicative + additive, each Gaussian and drawn anew for every ping and cell.
   double multiplicative_mean = 1.0;        ///< >= 0. The authors' code has 0.4.
@@ -34,7 +34,8 @@ struct PaperModel {
     visit(Field{"sigmoid", "", {}, "logistic, authors (their code's) or none."}, self.sigmoid);
     visit(Field{"sigmoid_midpoint", "", from_to(0, 1), "Echo strength that is drawn at half (logistic)."},
           self.sigmoid_midpoint);
-    visit(Field{"sigmoid_slope", "", greater_than(0), "Steepness of the sigmoid, four times its slope at the midpoint (logistic)."},
+    visit(Field{"sigmoid_slope", "", greater_than(0),
+                "Steepness of the sigmoid, four times its slope at the midpoint (logistic)."},
           self.sigmoid_slope);
     visit(Field{"multiplicative_mean", "", at_least(0), "Mean of the multiplicative noise."}, self.multiplicative_mean);
     visit(Field{"multiplicative_deviation", "", at_least(0), "Standard deviation of the multiplicative noise."},

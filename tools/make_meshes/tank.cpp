@@ -115,27 +115,23 @@ Shape make_vehicle_box() {
   constexpr double kHeight = 1.8;
   Shape vehicle;
 
-  // Side panels between posts, float block on top with rounded edges, closed ends.
-  vehicle.add(box("aluminium", {kLength - 0.1, kWidth - 0.06, kHeight - 0.7}), at({0, 0, -0.1}));
-  const Surface float_block = [](double s, double angle) -> Vec3 {
-    // A superellipse drawn in a little at both ends.
-    const double drawn_in = 1 - 0.1 * std::pow(2 * std::abs(s), 8);
-    const auto power = [](double v) { return std::copysign(std::pow(std::abs(v), 0.35), v); };
-    return {s * kLength, kWidth / 2 * drawn_in * power(std::cos(angle)),
-            0.64 + 0.26 * drawn_in * power(std::sin(angle))};
-  };
-  vehicle.add(sheet("pvc", float_block, spaced(-0.5, 0.5, 13), spaced(0, 2 * std::numbers::pi, 33)));
-  for (const double x : {-kLength / 2, kLength / 2}) {
-    vehicle.add(box("pvc", {0.02, 0.88 * kWidth, 0.44}), at({x * 0.99, 0, 0.64}));
-  }
+  // Closed side panels, flat posts between them, and a float block with bevelled edges on top.
+  vehicle.add(box("aluminium", {kLength - 0.1, kWidth - 0.06, kHeight - 0.72}), at({0, 0, -0.08}));
   for (const double x : {-kLength / 2 + 0.05, 0.0, kLength / 2 - 0.05}) {
-    for (const double y : {-kWidth / 2 + 0.05, kWidth / 2 - 0.05}) {
-      vehicle.add(tube("steel", {{x, y, -kHeight / 2 + 0.08}, {x, y, 0.4}}, 0.05, 10));
-    }
+    vehicle.add(box("aluminium", {0.1, kWidth, kHeight - 0.6}), at({x, 0, -0.14}));
   }
-  // Skids, a lifting eye and two thrusters aft.
+  const double half = kWidth / 2;
+  const Shape float_block =
+      plate("pvc", {{-half, 0}, {half, 0}, {half, 0.36}, {half - 0.12, 0.48}, {-half + 0.12, 0.48}, {-half, 0.36}}, {},
+            kLength);
+  // Its outline stands across the vehicle.
+  Pose lengthwise;
+  lengthwise.position = {-kLength / 2, 0, kHeight / 2 - 0.48};
+  lengthwise.orientation = Eigen::Quaterniond((Eigen::Matrix3d() << 0, 0, 1, 1, 0, 0, 0, 1, 0).finished());
+  vehicle.add(placed(float_block, lengthwise));
+  // Runners, a lifting eye and two thrusters aft.
   for (const double y : {-0.5, 0.5}) {
-    vehicle.add(tube("steel", {{-1.1, y, -0.82}, {1.0, y, -0.82}, {1.17, y, -0.7}}, 0.08, 10));
+    vehicle.add(box("aluminium", {2.3, 0.1, 0.16}), at({0, y, -0.82}));
   }
   std::vector<Vec3> eye;
   for (const Vec2& p : ring(Vec2::Zero(), 0.12, 0.12, 10)) {

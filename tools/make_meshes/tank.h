@@ -15,7 +15,7 @@ inline constexpr double kTankRim = 0.45;     ///< Of the walls above the surface
 /// Basin with walls 0.4 m thick, ladders, pipe inlet, overflow gutter, floor drain, window and rails of a gantry.
 [[nodiscard]] Shape make_tank();
 
-/// A vehicle's frame about its centre, 2.4 x 1.3 x 1.8 m: skids, tubes, thrusters, closed panels and a float block.
+/// A vehicle's frame about its centre, 2.4 x 1.3 x 1.8 m: runners, posts, closed panels, thrusters and a float block.
 [[nodiscard]] Shape make_vehicle_box();
 
 }  // namespace modelling
