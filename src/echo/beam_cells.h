@@ -10,6 +10,9 @@
 
 namespace insonify {
 
+/// Half the least length of a stretch [bins]: keeps its density finite.
+inline constexpr float kShortestStretch = 5e-5F;
+
 /// The cells of one beam and path order. Positions are in bins, from the near edge of bin 0.
 class BeamCells {
  public:
@@ -19,30 +22,23 @@ class BeamCells {
         labels_(grid.label_rows(beam)),
         bins_(static_cast<float>(grid.bin_count())) {}
 
-  /// Spreads a stretch of surface evenly over the positions between its ends, `reach` beyond both; power changes
-  /// linearly along it. What lies outside the bins is dropped.
-  void add_stretch(float from, float to, float reach, float power_from, float power_to, float weight,
-                   SurfaceLabel surface, float elevation) {
-    if (from > to) {
-      std::swap(from, to);
-      std::swap(power_from, power_to);
-    }
-    from -= reach + kShortest;
-    to += reach + kShortest;
-    const float end = std::min(to, bins_);
-    if (!(to > 0 && from < bins_)) {
+  /// Spreads a stretch of surface evenly over the positions from `low` to `high`, which differ; the power rises
+  /// linearly from `power_low`. What lies outside the bins is dropped.
+  /// @param rise     Change of power per bin.  @param density  Weight per bin.
+  void add_stretch(float low, float high, float power_low, float rise, float density, SurfaceLabel surface,
+                   float elevation) {
+    const float end = std::min(high, bins_);
+    if (!(high > 0 && low < bins_)) {
       return;
     }
-    const float per_bin = 1 / (to - from);
-    const float rise = (power_to - power_from) * per_bin;
-    int bin = static_cast<int>(std::max(from, 0.0F));
+    int bin = static_cast<int>(std::max(low, 0.0F));
     do {
       const Floats low_edge = static_cast<float>(bin) + Floats{0, 1, 2, 3};
       const Floats high_edge = low_edge + 1;
-      const Floats low = low_edge > from ? low_edge : from + Floats{};
-      const Floats high = high_edge < end ? high_edge : end + Floats{};
-      const Floats length = high > low ? high - low : Floats{};
-      add(bin, length * (per_bin * weight), power_from + (0.5F * (low + high) - from) * rise, surface, elevation);
+      const Floats from = low_edge > low ? low_edge : low + Floats{};
+      const Floats to = high_edge < end ? high_edge : end + Floats{};
+      const Floats length = to > from ? to - from : Floats{};
+      add(bin, length * density, power_low + (0.5F * (from + to) - low) * rise, surface, elevation);
       bin += kLanes;
     } while (static_cast<float>(bin) < end);
   }
@@ -59,8 +55,6 @@ class BeamCells {
   static_assert(kLanes <= EchoGrid::kPadding);
   using Floats = float __attribute__((vector_size(16)));
   using Words = std::uint32_t __attribute__((vector_size(16)));
-
-  static constexpr float kShortest = 5e-5F;  // Half the least length of a stretch [bins]: keeps its density finite.
 
   template <typename Lanes, typename Value>
   static Lanes load(const Value* from) {

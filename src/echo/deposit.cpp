@@ -41,21 +41,22 @@ INSONIFY_VECTOR_CLONES [[gnu::flatten]] void deposit_column(const PingPlan& plan
       const float wished = (range_end - plan.first_bin_at) * plan.bins_per_metre;
       end = wished > here - most ? std::min(wished, here + most) : here - most;  // Also where facing_end is 0.
     }
-    cells.add_stretch(here, end, hits.reach[row], hits.power[row], hits.power[row], weight, hits.surface[row],
-                      elevation[row]);
+    const float beyond = hits.reach[row] + kShortestStretch;
+    const float low = std::min(here, end) - beyond;
+    const float high = std::max(here, end) + beyond;
+    cells.add_stretch(low, high, hits.power[row], 0, weight / (high - low), hits.surface[row], elevation[row]);
   };
 
   add_alone(0, 1, lattice.cos_low, lattice.sin_low, interval[0] * width);
   for (int row = 0; row + 1 < rows; ++row) {
     const int next = row + 1;
-    const float weight = interval[next] * width;
     if (hits.joined[row] != 0) {
-      cells.add_stretch(hits.position[row], hits.position[next], 0.5F * (hits.reach[row] + hits.reach[next]),
-                        hits.power[row], hits.power[next], weight, hits.surface[row],
-                        0.5F * (elevation[row] + elevation[next]));
+      cells.add_stretch(hits.low[row], hits.high[row], hits.power_low[row], hits.rise[row], hits.density[row],
+                        hits.surface[row], 0.5F * (elevation[row] + elevation[next]));
     } else {
       const float cos_middle = 0.5F * (cos_el[row] + cos_el[next]);
       const float sin_middle = 0.5F * (sin_el[row] + sin_el[next]);
+      const float weight = interval[next] * width;
       add_alone(row, row - 1, cos_middle, sin_middle, 0.5F * weight);
       add_alone(next, next + 1, cos_middle, sin_middle, 0.5F * weight);
     }

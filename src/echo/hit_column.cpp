@@ -3,6 +3,7 @@
 #include "echo/hit_column.h"
 
 #include "base/vector_math.h"
+#include "echo/beam_cells.h"
 
 namespace insonify {
 namespace {
@@ -94,11 +95,30 @@ void join(Rows rows, float bin_length, const float* __restrict__ range, const fl
   }
 }
 
+// The stretches between neighbours. Power changes linearly along each.
+INSONIFY_VECTOR_CLONES
+void stretch(int rows, const float* __restrict__ interval, float width, const float* __restrict__ position,
+             const float* __restrict__ reach, const float* __restrict__ power, float* __restrict__ low,
+             float* __restrict__ high, float* __restrict__ power_low, float* __restrict__ rise,
+             float* __restrict__ density) {
+  for (int a = 0; a + 1 < rows; ++a) {
+    const int b = a + 1;
+    const bool rising = position[a] < position[b];
+    const float beyond = 0.5F * (reach[a] + reach[b]) + kShortestStretch;
+    low[a] = (rising ? position[a] : position[b]) - beyond;
+    high[a] = (rising ? position[b] : position[a]) + beyond;
+    const float per_bin = 1 / (high[a] - low[a]);
+    power_low[a] = rising ? power[a] : power[b];
+    rise[a] = ((rising ? power[b] : power[a]) - power_low[a]) * per_bin;
+    density[a] = interval[b] * width * per_bin;
+  }
+}
+
 }  // namespace
 
 void HitColumn::resize(int rows) {
   for (auto* values : {&range, &normal_x, &normal_y, &normal_z, &reflectivity, &normal_along, &normal_up, &facing,
-                       &strength, &power, &position, &reach, &selected}) {
+                       &strength, &power, &position, &reach, &selected, &low, &high, &power_low, &rise, &density}) {
     values->resize(rows);
   }
   surface.resize(rows, kNoSurface);
@@ -117,6 +137,9 @@ void evaluate_column(const PingPlan& plan, int column, const ColumnAxes& axes, H
   plan.shape.apply(rows.count, hits.strength.data(), hits.power.data());
   join(rows, 1 / plan.bins_per_metre, hits.range.data(), hits.normal_along.data(), hits.normal_up.data(),
        hits.facing.data(), hits.surface.data(), hits.joined.data());
+  stretch(rows.count, lattice.intervals(column), lattice.column_width[column], hits.position.data(), hits.reach.data(),
+          hits.power.data(), hits.low.data(), hits.high.data(), hits.power_low.data(), hits.rise.data(),
+          hits.density.data());
   if (plan.secondary == SecondaryEchoes::kAll) {
     for (int row = 0; row < rows.count; ++row) {
       hits.selected[row] = hits.surface[row] == kNoSurface ? 0.0F : 1.0F;

@@ -32,6 +32,12 @@ struct HitColumn {
   std::vector<float>
       selected;  ///< How many hits the onward ray stands for; 0 when none is sent, as where nothing was hit.
   std::vector<std::uint8_t> joined;  ///< Whether a sample and the next lie on one unbroken surface.
+
+  // The stretch from a sample to the next, where they are joined; see BeamCells::add_stretch().
+  std::vector<float> low, high;  ///< Its ends, reach included [bins].
+  std::vector<float> power_low;  ///< Power at the lower end.
+  std::vector<float> rise;       ///< Change of power per bin.
+  std::vector<float> density;    ///< Weight per bin [sr].
 };
 
 /// A column's directions, in the frame the normals are given in: `along` is (cos az, sin az, 0) of the sonar frame,
