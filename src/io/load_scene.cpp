@@ -1,0 +1,51 @@
+// load_scene.cpp -- what a scenario calls its world: an SDF file, a mesh or a grid of heights, told apart by ending.
+
+#include <fmt/format.h>
+
+#include <set>
+
+#include "insonify/error.h"
+#include "insonify/files.h"
+#include "io/input_file.h"
+#include "io/mesh_file.h"
+#include "io/sdf_scene.h"
+
+namespace insonify {
+namespace {
+
+Scene scene_of(const std::string& name, Mesh mesh) {
+  Instance instance;
+  instance.name = name;
+  instance.mesh = std::make_shared<const Mesh>(std::move(mesh));
+  Scene scene;
+  scene.instances.push_back(std::move(instance));
+  return scene;
+}
+
+}  // namespace
+
+Scene load_scene(const std::filesystem::path& path, bool collisions, const Log& log) {
+  static const std::set<std::string> kSdf = {".sdf", ".world", ".xml"};
+  static const std::set<std::string> kHeights = {".asc", ".bag", ".png"};
+  const std::string ending = ending_of(path);
+  if (kSdf.contains(ending)) {
+    return load_sdf_scene(path, collisions, log);
+  }
+  if (kHeights.contains(ending)) {
+    return scene_of(path.stem().string(), make_height_field(load_height_grid(path, log)));
+  }
+  if (is_mesh_file(path)) {
+    return scene_of(path.stem().string(), load_mesh(path, log));
+  }
+  throw Error(
+      fmt::format("{}: is not a world: SDF ends in .sdf, .world or .xml, a mesh in {}, heights in .asc, .bag or .png",
+                  path.string(), mesh_file_endings()));
+}
+
+Scene load_scene(const Scenario& scenario, const Log& log) {
+  Scene scene = load_scene(scenario.world, scenario.collisions, log);
+  assign_materials(scene, scenario.materials, log);
+  return scene;
+}
+
+}  // namespace insonify

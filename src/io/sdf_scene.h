@@ -1,0 +1,17 @@
+// sdf_scene.h -- from an SDF world or model to a scene.
+
+#pragma once
+
+#include <filesystem>
+
+#include "insonify/log.h"
+#include "insonify/scene.h"
+
+namespace insonify {
+
+/// Reads all worlds and models of a file: every visual, or every collision, becomes an instance named
+/// "model::link::visual". docs/reference/sdf.md lists what is read and what is not.
+/// @throws Error "path:line: ..." for whatever is wrong, and where there is nothing to insonify.
+[[nodiscard]] Scene load_sdf_scene(const std::filesystem::path& path, bool collisions, const Log& log);
+
+}  // namespace insonify

@@ -1,0 +1,135 @@
+// sdf_error_test.cpp -- what is wrong with an SDF file is said in one line, with its place.
+
+#include "io/sdf_files.h"
+
+namespace insonify {
+namespace {
+
+using SdfErrorTest = SdfTest;
+
+TEST_F(SdfErrorTest, NamesMissingAndUnreadableFiles) {
+  EXPECT_EQ(error_of_file((folder / "nothing.sdf").string()), "nothing.sdf: no such file");
+  std::filesystem::create_directory(folder / "folder.sdf");
+  EXPECT_EQ(error_of_file((folder / "folder.sdf").string()), "folder.sdf: is a folder, not a file");
+}
+
+TEST_F(SdfErrorTest, RefusesWhatIsNotSdf) {
+  EXPECT_EQ(error_of(""), "scene.sdf: the file is empty");
+  EXPECT_EQ(error_of("<sdf version='1.9'>\n<model name='a'>\n</sdf>"),
+            "scene.sdf:3: </sdf> stands where <model> of line 2 should be closed");
+  EXPECT_EQ(error_of("<?xml version='1.0'?>\n<launch/>"), "scene.sdf:2: the root element is <launch>, not <sdf>");
+  EXPECT_EQ(error_of("<robot name='r'/>"),
+            "scene.sdf:1: the root element is <robot>, not <sdf>; 'gz sdf -p' or 'ign sdf -p' turns URDF into SDF");
+  EXPECT_EQ(error_of("<sdf/>"), "scene.sdf:1: <sdf> has no version, 1.5 to 1.9 are read");
+  EXPECT_EQ(error_of("<sdf version='new'/>"), "scene.sdf:1: SDF version 'new' is not two numbers, 1.5 to 1.9 are read");
+  EXPECT_EQ(error_of("<sdf version='1.9b'/>"),
+            "scene.sdf:1: SDF version '1.9b' is not two numbers, 1.5 to 1.9 are read");
+}
+
+TEST_F(SdfErrorTest, NamesIncludesThatAreNotThere) {
+  const auto world = [](const std::string& uri) {
+    return "<sdf version='1.9'><world name='w'>\n<include>\n<uri>" + uri + "</uri></include></world></sdf>";
+  };
+  EXPECT_EQ(error_of(world("model://ship")),
+            "scene.sdf:3: include 'model://ship' not found beside this file, in the folders above it or in those of "
+            "INSONIFY_MODEL_PATH, SDF_PATH, GZ_SIM_RESOURCE_PATH, IGN_GAZEBO_RESOURCE_PATH, GAZEBO_MODEL_PATH");
+  EXPECT_EQ(error_of(world("/nowhere/ship.sdf")), "scene.sdf:3: include '/nowhere/ship.sdf' does not exist");
+  EXPECT_EQ(error_of(world("")), "scene.sdf:3: include '' names nothing");
+  EXPECT_EQ(error_of(world("https://fuel.gazebosim.org/1.0/a/models/ship")),
+            "scene.sdf:3: include 'https://fuel.gazebosim.org/1.0/a/models/ship' is not on this machine: fetch it and "
+            "name its folder");
+}
+
+TEST_F(SdfErrorTest, NamesModelFoldersWithoutModel) {
+  std::filesystem::create_directory(folder / "empty");
+  write("gone/model.config", "<model><name>gone</name><sdf version='1.9'>gone.sdf</sdf></model>");
+  const std::string world = "<sdf version='1.9'><world name='w'><include><uri>model://{}</uri></include></world></sdf>";
+  EXPECT_EQ(
+      error_of(fmt::format(fmt::runtime(world), "empty")),
+      "scene.sdf:1: include 'model://empty': empty holds no model.sdf, nor a model.config that names a file in it");
+  EXPECT_EQ(error_of(fmt::format(fmt::runtime(world), "gone")),
+            "scene.sdf:1: include 'model://gone': gone holds no model.sdf, nor a model.config that names a file in it");
+}
+
+TEST_F(SdfErrorTest, RefusesEmptyPartsOfAnInclude) {
+  EXPECT_EQ(
+      error_of("<sdf version='1.9'><world name='w'><include>\n<name> </name><uri>a</uri></include></world></sdf>"),
+      "scene.sdf:2: <name> of an include is empty");
+}
+
+TEST_F(SdfErrorTest, RefusesIncludesThatGoRoundInCircles) {
+  const std::string model = "<sdf version='1.9'><model name='m'>\n<include><uri>{}</uri></include></model></sdf>";
+  write("b.sdf", fmt::format(fmt::runtime(model), "scene.sdf"));
+  EXPECT_EQ(error_of(fmt::format(fmt::runtime(model), "b.sdf")), "b.sdf:2: include 'scene.sdf' includes itself");
+  EXPECT_EQ(error_of(fmt::format(fmt::runtime(model), "scene.sdf")),
+            "scene.sdf:2: include 'scene.sdf' includes itself");
+}
+
+TEST_F(SdfErrorTest, TellsFaultsInsideIncludedFilesWithTheirOwnLine) {
+  write("bell.sdf",
+        "<sdf version='1.9'><model name='bell'>\n<link name='l'>\n<pose>1 2 x 0 0 0</pose></link></model></sdf>");
+  write("ship.sdf", "<sdf version='1.9'><model name='ship'>\n<include><uri>bell.sdf</uri></include></model></sdf>");
+  EXPECT_EQ(error_of("<sdf version='1.9'><world name='w'><include><uri>ship.sdf</uri></include></world></sdf>"),
+            "bell.sdf:3: Invalid argument. Unable to set value [1 2 x 0 0 0] for key [pose]");
+  // ship.sdf is read from a copy with bell.sdf's path written out and its inertia left out; messages name the file
+  // itself and lines stay where they are.
+  write("bell.sdf", "<sdf version='1.9'><model name='bell'><static>true</static></model></sdf>");
+  write(
+      "ship.sdf",
+      "<sdf version='1.9'><model name='ship'>\n<include><uri>\nbell.sdf\n</uri></include><link name='l'>\n<inertial>\n"
+      "</inertial></link>\n<link/></model></sdf>");
+  EXPECT_EQ(error_of("<sdf version='1.9'><world name='w'><include><uri>ship.sdf</uri></include></world></sdf>"),
+            "ship.sdf:7: Required attribute[name] in element[link] is not specified in SDF");
+}
+
+TEST_F(SdfErrorTest, RefusesNumbersThatAreNone) {
+  EXPECT_EQ(error_of("<sdf version='1.9'><model name='m'>\n<pose>nan 0 0 0 0 0</pose><link name='l'/></model></sdf>"),
+            "scene.sdf:2: Pose values must be finite");
+  EXPECT_EQ(error_of(sdf_of("<box><size>1 two 3</size></box>")),
+            "scene.sdf:4: Unknown error. Unable to set value [1 two 3 ] for key[size]");
+}
+
+TEST_F(SdfErrorTest, GivesTheFirstOfSeveralFaultsAndCountsTheRest) {
+  EXPECT_EQ(
+      error_of("<sdf version='1.9'><model name='m'><link name='l'>\n<pose relative_to='mast'/></link></model></sdf>"),
+      "scene.sdf: relative_to name[mast] specified by link with name[l] does not match a nested model, link, joint, "
+      "or frame name in model with name[m] (and 2 more errors)");
+  EXPECT_EQ(
+      error_of("<sdf version='1.9'><model name='m'><frame name='f'><pose relative_to='g'/></frame><frame name='g'>"
+               "<pose relative_to='f'/></frame><link name='l'/></model></sdf>"),
+      "scene.sdf: PoseRelativeToGraph cycle detected, already visited vertex [m::f] (and 1 more error)");
+  EXPECT_EQ(error_of("<sdf version='1.9'><model name='m'><link name='l'/><link name='l'/></model></sdf>"),
+            "scene.sdf: link with name[l] already exists");
+  EXPECT_EQ(error_of("<sdf version='1.9'><world name='w'><model name='m'/></world></sdf>"),
+            "scene.sdf: A model must have at least one link");
+}
+
+TEST_F(SdfErrorTest, SaysWhenThereIsNothingToInsonify) {
+  const std::string shell = "<collision name='c'><geometry><box><size>1 2 3</size></box></geometry></collision>";
+  const std::string plate = "<visual name='v'><geometry><box><size>1 2 3</size></box></geometry></visual>";
+  const std::string image = "<visual name='i'><geometry><image><uri>a.png</uri></image></geometry></visual>";
+  const auto model = [](const std::string& parts) {
+    return "<sdf version='1.9'><model name='m'><link name='l'>" + parts + "</link></model></sdf>";
+  };
+  EXPECT_EQ(error_of(model(shell)),
+            "scene.sdf: there is no visual to insonify, but 1 collision shape (collisions: true)");
+  EXPECT_EQ(error_of(model(plate + image), true),
+            "scene.sdf: there is no collision shape to insonify, but 2 visuals (collisions: false)");
+  EXPECT_EQ(error_of(model("")), "scene.sdf: there is no visual to insonify, and no collision shape");
+  EXPECT_EQ(error_of(model(image)), "scene.sdf: there is no visual to insonify, 1 left out, and no collision shape");
+  EXPECT_EQ(error_of(model(image + shell)),
+            "scene.sdf: there is no visual to insonify, 1 left out, but 1 collision shape (collisions: true)");
+  EXPECT_EQ(error_of("<sdf version='1.9'/>"), "scene.sdf: there is no visual to insonify, and no collision shape");
+}
+
+TEST_F(SdfErrorTest, RefusesTwoPartsOfOneName) {
+  const std::string world =
+      "<world name='{}'><model name='m'><link name='l'>\n<visual name='v'><geometry><box>"
+      "<size>1 2 3</size></box></geometry></visual></link></model></world>";
+  EXPECT_EQ(error_of("<sdf version='1.9'>" + fmt::format(fmt::runtime(world), "one") +
+                     fmt::format(fmt::runtime(world), "two") + "</sdf>"),
+            "scene.sdf:3: visual 'm::l::v' has the name of another one");
+}
+
+}  // namespace
+}  // namespace insonify

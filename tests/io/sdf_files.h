@@ -1,0 +1,96 @@
+// sdf_files.h -- what the tests of SDF files share: a folder to write them in, loading, and what was said meanwhile.
+
+#pragma once
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "insonify/files.h"
+#include "support/message_of.h"
+#include "support/test_files.h"
+
+namespace insonify {
+
+// Poses are read from text and multiplied in double precision.
+inline constexpr double kPoseError = 1e-9;
+
+// Vertices are kept in single precision: a few units in the last place of metres.
+inline constexpr double kVertexError = 1e-5;
+
+class SdfTest : public testing::Test {
+ protected:
+  SdfTest() {
+    for (const char* list :
+         {"INSONIFY_MODEL_PATH", "SDF_PATH", "GZ_SIM_RESOURCE_PATH", "IGN_GAZEBO_RESOURCE_PATH", "GAZEBO_MODEL_PATH"}) {
+      unsetenv(list);
+    }
+  }
+
+  std::string write(const std::string& name, const std::string& text) const { return scratch.write(name, text); }
+
+  /// Writes and loads an SDF file; `said` receives what the log was told, with the test's folder cut off.
+  Scene load(const std::string& text, bool collisions = false) {
+    return load_file(write("scene.sdf", text), collisions);
+  }
+  Scene load_file(const std::string& path, bool collisions = false) {
+    said.clear();
+    return load_scene(path, collisions,
+                      [&](Severity, const std::string& line) { said.push_back(without_folder(line)); });
+  }
+
+  /// The message that loading fails with, with the test's folder cut off.
+  std::string error_of(const std::string& text, bool collisions = false) {
+    return error_of_file(write("scene.sdf", text), collisions);
+  }
+  std::string error_of_file(const std::string& path, bool collisions = false) {
+    return without_folder(message_of([&] { load_file(path, collisions); }));
+  }
+
+  [[nodiscard]] std::string without_folder(std::string text) const {
+    const std::string prefix = folder.string() + "/";
+    for (std::size_t at = text.find(prefix); at != std::string::npos; at = text.find(prefix)) {
+      text.erase(at, prefix.size());
+    }
+    return text;
+  }
+
+  ScratchFolder scratch;
+  const std::filesystem::path& folder = scratch.path();
+  std::vector<std::string> said;
+};
+
+/// An SDF file of one model "ship" with one link "hull" with one visual "plate", of the given geometry.
+inline std::string sdf_of(const std::string& geometry, const std::string& more_in_visual = "") {
+  return fmt::format(R"(<sdf version="1.9" xmlns:insonify="https://insonify.org/sdf">
+<model name="ship"><static>true</static>
+<link name="hull">
+<visual name="plate"><geometry>{}</geometry>{}</visual>
+</link></model></sdf>)",
+                     geometry, more_in_visual);
+}
+
+/// Corners of everything in an instance, in the world.
+inline Box3 world_bounds(const Instance& instance) {
+  Box3 box{Vec3::Constant(1e300), Vec3::Constant(-1e300)};
+  for (const Vec3f& vertex : instance.mesh->vertices) {
+    const Vec3 point = instance.world_from_mesh * vertex.cast<double>();
+    box.low = box.low.cwiseMin(point);
+    box.high = box.high.cwiseMax(point);
+  }
+  return box;
+}
+
+MATCHER_P2(Near3, expected, tolerance,
+           "within " + testing::PrintToString(tolerance) + " of " +
+               fmt::format("({}, {}, {})", expected.x(), expected.y(), expected.z())) {
+  *result_listener << fmt::format("which is ({}, {}, {})", arg.x(), arg.y(), arg.z());
+  return (arg - expected).cwiseAbs().maxCoeff() <= tolerance;
+}
+
+}  // namespace insonify

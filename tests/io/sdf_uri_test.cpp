@@ -1,0 +1,74 @@
+// sdf_uri_test.cpp -- which file a URI means, and in which order folders are tried.
+
+#include "io/sdf_uri.h"
+
+#include "io/sdf_files.h"
+
+namespace insonify {
+namespace {
+
+class SdfUriTest : public SdfTest {
+ protected:
+  [[nodiscard]] std::string find(const std::string& uri, const std::string& base) const {
+    const auto found = find_sdf_uri(uri, folder / base);
+    return found ? without_folder(found->string()) : "nothing";
+  }
+};
+
+TEST_F(SdfUriTest, FindsRelativePathsBesideTheFileBeforeFoldersAbove) {
+  write("ship/hull.obj", "");
+  write("hull.obj", "");
+  write("common/plate.obj", "");
+  EXPECT_EQ(find("hull.obj", "ship/model.sdf"), "ship/hull.obj");
+  EXPECT_EQ(find("../hull.obj", "ship/model.sdf"), "hull.obj");
+  EXPECT_EQ(find("common/plate.obj", "ship/deep/model.sdf"), "common/plate.obj");
+}
+
+TEST_F(SdfUriTest, FindsModelsBesideTheirOwnFolderAndInFoldersCalledModels) {
+  write("fleet/ship/model.config", "");
+  write("fleet/ship/meshes/hull.obj", "");
+  write("models/buoy/model.sdf", "");
+  EXPECT_EQ(find("model://ship/meshes/hull.obj", "fleet/ship/model.sdf"), "fleet/ship/meshes/hull.obj");
+  EXPECT_EQ(find("package://ship/meshes/hull.obj", "fleet/ship/model.sdf"), "fleet/ship/meshes/hull.obj");
+  EXPECT_EQ(find("model://buoy", "worlds/harbour.world"), "models/buoy");
+  EXPECT_EQ(find("buoy", "worlds/harbour.world"), "nothing");
+}
+
+TEST_F(SdfUriTest, TakesNothingAfterAModelSchemeForAbsolute) {
+  write("ship/hull.obj", "");
+  EXPECT_EQ(find("model:///ship/hull.obj", "world.sdf"), "ship/hull.obj");
+}
+
+TEST_F(SdfUriTest, TakesFileUrisForPaths) {
+  const std::string path = write("ship/hull.obj", "");
+  EXPECT_EQ(find("file://" + path, "other/model.sdf"), "ship/hull.obj");
+  EXPECT_EQ(find(path, "other/model.sdf"), "ship/hull.obj");
+  EXPECT_EQ(find("file://ship/hull.obj", "world.sdf"), "ship/hull.obj");
+}
+
+TEST_F(SdfUriTest, SearchesThePathListsInOrder) {
+  const std::vector<const char*> lists = {"GAZEBO_MODEL_PATH", "IGN_GAZEBO_RESOURCE_PATH", "GZ_SIM_RESOURCE_PATH",
+                                          "SDF_PATH", "INSONIFY_MODEL_PATH"};
+  EXPECT_EQ(find("model://ship", "world.sdf"), "nothing");
+  for (const char* list : lists) {  // each is tried before those set so far
+    write(fmt::format("{}/ship/model.sdf", list), "");
+    setenv(list, fmt::format("/nowhere::{}", (folder / list).string()).c_str(), 1);
+    EXPECT_EQ(find("model://ship", "world.sdf"), fmt::format("{}/ship", list));
+  }
+  write("ship/model.sdf", "");
+  EXPECT_EQ(find("model://ship", "world.sdf"), "ship");
+}
+
+TEST_F(SdfUriTest, SaysWhyNothingWasFound) {
+  EXPECT_EQ(find("https://fuel.gazebosim.org/1.0/ship", "world.sdf"), "nothing");
+  EXPECT_EQ(sdf_uri_not_found("https://fuel.gazebosim.org/1.0/ship"),
+            "is not on this machine: fetch it and name its folder");
+  EXPECT_EQ(sdf_uri_not_found("model://"), "names nothing");
+  EXPECT_EQ(sdf_uri_not_found("/no/such/file"), "does not exist");
+  EXPECT_EQ(sdf_uri_not_found("model://ship"),
+            "not found beside this file, in the folders above it or in those of INSONIFY_MODEL_PATH, SDF_PATH, "
+            "GZ_SIM_RESOURCE_PATH, IGN_GAZEBO_RESOURCE_PATH, GAZEBO_MODEL_PATH");
+}
+
+}  // namespace
+}  // namespace insonify
