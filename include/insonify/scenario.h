@@ -64,7 +64,7 @@ struct ReceiverConfig {
 struct ViewConfig {
   Vec3 position = Vec3::Zero();   ///< Of the camera, in the world [m].
   Vec3 look_at = Vec3::UnitX();   ///< [m]
-  double field_of_view = 0.87;    ///< Horizontal [rad], in (0, 170 deg].
+  double field_of_view = radians_from_degrees(50);    ///< Horizontal [rad], in (0, 170 deg].
 
   template <typename Self, typename Visit>
   static void visit_fields(Self& self, Visit&& visit) {

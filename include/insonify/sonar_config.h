@@ -49,9 +49,9 @@ struct SonarConfig {
 
   // Fan of beams.
   int beam_count = 256;               ///< Beams across the azimuth aperture, 1..4096.
-  double azimuth_aperture = 2.0944;   ///< Full width of the fan [rad], in (0, 2 pi].
+  double azimuth_aperture = radians_from_degrees(120);  ///< Full width of the fan [rad], in (0, 2 pi].
   std::vector<double> beam_azimuths;  ///< Explicit centres, falling from port to starboard [rad]; even in angle when empty.
-  double elevation_aperture = 0.349;  ///< Full height of every beam [rad], in (0, 170 deg].
+  double elevation_aperture = radians_from_degrees(20);  ///< Full height of every beam [rad], in (0, 170 deg].
   double elevation_center = 0;        ///< Middle of the elevation aperture [rad].
 
   // Range window.
@@ -66,9 +66,9 @@ struct SonarConfig {
   std::optional<double> ping_period;          ///< Between pings [s], >= 2 max_range / c; that, when absent.
 
   // Scanning head (MSIS only).
-  double step = 0.015708;             ///< Turn of the head between pings, positive to port [rad], not 0.
+  double step = radians_from_degrees(0.9);  ///< Turn of the head between pings, positive to port [rad], not 0.
   double sector_center = 0;           ///< Middle of the scanned sector [rad].
-  double sector_width = 6.283185307179586;  ///< Full circle: turns on and on; less: sweeps to and fro [rad], in (0, 2 pi].
+  double sector_width = 2 * std::numbers::pi;  ///< Full circle: turns on and on; less: sweeps to and fro [rad], in (0, 2 pi].
   Mounting mounting = Mounting::kHorizontal;
 
   // Place on the vehicle, or in the world where there is no trajectory.

@@ -192,7 +192,7 @@ void draw_fan_frame(Picture& picture, const FanLayout& layout, const FanShape& s
   const double high = shape.high - shape.up;
   // Lines over echoes are light ones on dark ones, so that they show on bright echoes and on dark.
   const auto draw_grid = [&](const auto& draw, bool outline) {
-    draw(2.4 * line, palette::kGridRim);
+    draw(3 * line, palette::kGridRim);
     draw(line, outline ? palette::kOutline : palette::kGridLine);
   };
   for (const double range : marks.rings) {

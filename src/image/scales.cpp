@@ -40,12 +40,7 @@ double ring_step(double max_range) {
 
 double radial_step(double aperture) {
   const double degrees = degrees_from_radians(aperture);
-  return radians_from_degrees(degrees <= 5     ? 1
-                              : degrees <= 12  ? 2
-                              : degrees <= 30  ? 5
-                              : degrees <= 75  ? 10
-                              : degrees <= 180 ? 20
-                                               : 30);
+  return radians_from_degrees(degrees <= 30 ? 5 : degrees <= 75 ? 10 : degrees <= 180 ? 20 : 30);
 }
 
 std::string number_text(double value) {

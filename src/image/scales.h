@@ -18,7 +18,7 @@ namespace insonify {
 /// Distance of the range rings: 3 to 6 of them fit into `max_range` [m].
 [[nodiscard]] double ring_step(double max_range);
 
-/// Angle between the radials of a fan: 1, 2, 5, 10, 20 or 30 degrees, by its aperture [rad].
+/// Angle between the radials of a fan: 5, 10, 20 or 30 degrees, by its aperture [rad].
 [[nodiscard]] double radial_step(double aperture);
 
 /// "20", "2.5", "-0.25", with a true minus sign.

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "insonify/describe.h"
 #include "insonify/scenario.h"
 #include "io/yaml_words.h"
@@ -84,6 +86,9 @@ KeyDescription part(const std::string& key, const std::string& allowed, const st
 SectionDescription scenario_section() {
   auto section =
       section_of("scenario", "The keys of the file itself. Only `world` and `sonars` must be there.", Scenario());
+  std::ranges::find(section.keys, "model", &KeyDescription::key)->allowed = "paper";
+  std::ranges::find(section.keys, "engine", &KeyDescription::key)->allowed =
+      fmt::format("{}", fmt::join(engine_names(), ", "));
   add_keys(section, MaterialRules());
   section.keys.push_back(part("water", "map", "The water: see `water`."));
   section.keys.push_back(part("materials", "map of names", "What surfaces are made of: see `materials`."));

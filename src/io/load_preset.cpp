@@ -161,7 +161,13 @@ void check_preset_name(const std::string& name) {
     throw Error(fmt::format("{} is not a preset; there are none in {}", quoted_text(name), preset_folder().string()));
   }
   if (!std::ranges::binary_search(names, name)) {
-    throw Error(fmt::format("{} is not a preset; did you mean {}?", quoted_text(name), nearest_name(name, names)));
+    // "gemini" is far from "tritech-gemini-720i" by letters, but part of it.
+    std::vector<std::string> nearest = names;
+    if (std::erase_if(nearest, [&](const auto& known) { return known.find(name) == std::string::npos; }) ==
+        names.size()) {
+      nearest = names;
+    }
+    throw Error(fmt::format("{} is not a preset; did you mean {}?", quoted_text(name), nearest_name(name, nearest)));
   }
 }
 

@@ -22,9 +22,9 @@ constexpr std::size_t kRaysAtOnce = 1 << 16;
 constexpr double kClearance = 1e-4;     // Share of its length that a ray keeps away from the surfaces at its ends.
 constexpr double kHousingSize = 0.011;  // Radius, in widths of the picture.
 constexpr double kHazyAt = 2.7;         // Distance at which the view turns hazy, in median distances of what is seen.
-constexpr double kGrainSize = 0.02;     // Of the coarsest grain, in median distances.
+constexpr double kGrainSize = 0.03;     // Of the coarsest grain, in median distances.
 constexpr float kEdgeContrast = 14;     // Difference of neighbours [0..255] that calls for more samples.
-const Vec3f kLightColour{0.70F, 0.88F, 0.86F};
+const Vec3f kLightColour{0.98F, 1.06F, 0.98F};
 constexpr unsigned kSonarYellow = 0xffc530;
 
 // What a ray ends at, and how far off.
@@ -195,7 +195,7 @@ class Renderer {
       light += static_cast<float>(spot.lit) * kLightColour;
     }
     // Grain fades where it would be finer than pixels.
-    const auto grain = static_cast<float>(0.2 / (1 + hit.distance / haze_)) * grain_at(spot.point, grain_);
+    const auto grain = static_cast<float>(0.13 / (1 + hit.distance / haze_)) * grain_at(spot.point, grain_);
     Vec3f colour = (1 + grain) * tint(hit).cwiseProduct(light);
     // The sea shines on edges that are seen flat.
     const auto flat = static_cast<float>(1 - std::min(1.0, -hit.normal.dot(ray.direction)));
@@ -204,7 +204,7 @@ class Renderer {
       const Vec3 from_sonar = (spot.point - sector_.world_from_sonar().position).normalized();
       const auto facing = static_cast<float>(std::abs(hit.normal.dot(from_sonar)));
       const auto within = static_cast<float>(std::min(1.0, spot.inside_by / radians_from_degrees(0.4)));
-      colour += within * (0.10F + 0.36F * std::sqrt(facing)) * (1 + grain) * linear_colour(kSonarYellow);
+      colour += within * (0.06F + 0.30F * std::sqrt(facing)) * (1 + grain) * linear_colour(kSonarYellow);
     }
     const Vec3f passed = transmission(hit.distance / haze_);
     colour = colour.cwiseProduct(passed) + water.cwiseProduct(Vec3f::Ones() - passed);

@@ -64,15 +64,15 @@ Vec3f water_colour(const Vec3& direction) {
 }
 
 Vec3f ambient_light(const Vec3& normal) {
-  static const Vec3f kFromBelow{0.02F, 0.06F, 0.09F};
-  static const Vec3f kFromAbove{0.06F, 0.17F, 0.26F};
+  static const Vec3f kFromBelow{0.03F, 0.07F, 0.10F};
+  static const Vec3f kFromAbove{0.09F, 0.20F, 0.28F};
   const auto share = static_cast<float>(0.5 + 0.5 * normal.z());
   return kFromBelow + share * (kFromAbove - kFromBelow);
 }
 
 Vec3f transmission(double distance) {
   const auto d = static_cast<float>(distance);
-  return {std::exp(-1.7F * d), std::exp(-0.9F * d), std::exp(-0.75F * d)};
+  return {std::exp(-1.5F * d), std::exp(-0.95F * d), std::exp(-0.85F * d)};
 }
 
 Vec3f screen_colour(const Vec3f& linear) {

@@ -1,0 +1,53 @@
+// commands.h -- what each command is told, and where it is done. main.cpp fills these in from the command line.
+
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "insonify/error.h"
+
+namespace insonify {
+
+// What the program ends with.
+inline constexpr int kDone = 0;
+inline constexpr int kFailed = 1;      ///< Something went wrong while running, or the run was stopped.
+inline constexpr int kWrongInput = 2;  ///< What was asked for makes no sense.
+
+/// Wrong input, as against a failure while running.
+class InputError : public Error {
+ public:
+  using Error::Error;
+};
+
+struct RunOptions {
+  std::filesystem::path scenario;
+  std::filesystem::path folder;       ///< Empty: the scenario's name with "_pings" after it.
+  int threads = 0;                    ///< 0: as many as there are processors.
+  std::vector<std::string> settings;  ///< "key=value", in order.
+
+  std::string pictures = "20";  ///< "all", "last", "none" or how many pings of a fan at most.
+  std::string colour_map = "inferno";
+  std::string scale = "linear";
+  double floor_db = -50;  ///< [dB]
+  int height = 720;       ///< [pixels]
+  bool view = true;       ///< Draw the scene itself.
+  bool quiet = false;     ///< Say nothing but errors.
+};
+
+/// insonify run: pings of a scenario into recordings and pictures.
+int run(const RunOptions& options);
+
+/// insonify sonars: a table of all presets, or all that is known of one.
+int sonars(const std::string& name, const std::string& mode);
+
+/// insonify describe: every key of a scenario, of one section or all.
+int describe(const std::string& section, bool markdown);
+
+/// insonify version.
+int version();
+
+}  // namespace insonify

@@ -1,0 +1,52 @@
+// pictures.h -- which pictures a run draws of its pings, and the files they go to.
+
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "insonify/picture.h"
+
+namespace insonify {
+
+/// How many pings of a run are drawn.
+struct PictureChoice {
+  std::uint64_t most = 20;  ///< Evenly spread; the last ping is always among them.
+
+  /// "all", "none", "last" or a number.  @throws InputError
+  static PictureChoice parse(const std::string& text);
+
+  /// @param total  Pings of the run.
+  [[nodiscard]] bool takes(std::uint64_t ping, std::uint64_t total) const;
+};
+
+/// Draws one sonar's pings into a folder: of a fan NAME_polar_0000.png and NAME_fan_0000.png; of a scanning sonar, at
+/// the end, NAME_scan.png and the waterfall NAME_polar.png.
+class PingPictures {
+ public:
+  PingPictures(std::filesystem::path folder, const SonarConfig& sonar, Display display, PictureChoice choice,
+               std::uint64_t total);
+
+  void add(const Ping& ping);
+
+  /// Draws what only the whole run shows.
+  void finish();
+
+  /// Files written so far, in order.
+  [[nodiscard]] const std::vector<std::filesystem::path>& files() const { return files_; }
+
+ private:
+  void write(const std::string& name, const Picture& picture);
+
+  std::filesystem::path folder_;
+  SonarConfig sonar_;
+  Display display_;
+  PictureChoice choice_;
+  std::uint64_t total_ = 0;
+  std::unique_ptr<ScanView> scan_;  // Of a scanning sonar.
+  std::vector<std::filesystem::path> files_;
+};
+
+}  // namespace insonify

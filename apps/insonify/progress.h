@@ -1,0 +1,35 @@
+// progress.h -- how far a run is, on a terminal or in a pipe.
+
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+
+namespace insonify {
+
+/// On a terminal one line that is redrawn, with rate and time left; in a pipe a plain line at most every two seconds.
+class Progress {
+ public:
+  /// @param total  Pings of all sonars together.
+  Progress(std::uint64_t total, bool quiet);
+  ~Progress();
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+
+  /// One more ping is done.
+  void advance();
+
+  /// Takes the bar off the terminal, so that other lines can follow.
+  void finish();
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  void draw();
+
+  std::uint64_t total_ = 0, done_ = 0;
+  bool quiet_ = false, terminal_ = false, drawn_ = false;
+  Clock::time_point start_, last_;
+};
+
+}  // namespace insonify

@@ -1,0 +1,197 @@
+// run.cpp -- insonify run: pings of a scenario into recordings and pictures.
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <csignal>
+#include <cstdio>
+
+#include "commands.h"
+#include "insonify/files.h"
+#include "insonify/scene_view.h"
+#include "insonify/simulator.h"
+#include "pictures.h"
+#include "progress.h"
+
+namespace insonify {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+// Ctrl-C asks for a clean end; a second one ends at once.
+volatile std::sig_atomic_t stop_asked = 0;
+
+void ask_to_stop(int signal) {
+  stop_asked = 1;
+  std::signal(signal, SIG_DFL);
+}
+
+Log log_to_user(bool quiet) {
+  return [quiet](Severity severity, const std::string& message) {
+    if (severity == Severity::kWarning) {
+      fmt::print(stderr, "insonify: warning: {}\n", message);
+    } else if (!quiet) {
+      fmt::print("{}\n", message);
+    }
+  };
+}
+
+Display display_of(const RunOptions& options) {
+  Display display;
+  display.colour_map = colour_map_from_name(options.colour_map);
+  display.scale = options.scale == "db" ? Scale::kDecibel : Scale::kLinear;
+  display.floor_db = options.floor_db;
+  display.height = options.height;
+  display.validate();
+  return display;
+}
+
+// All that can only be wrong because the input is.
+Simulator prepare(const RunOptions& options, Display& display) {
+  try {
+    display = display_of(options);
+    Scenario scenario = load_scenario(options.scenario, options.settings);
+    Scene scene = load_scene(scenario, log_to_user(options.quiet));
+    return Simulator(std::move(scenario), std::move(scene), options.threads);
+  } catch (const Error& error) {
+    throw InputError(error.what());
+  }
+}
+
+std::filesystem::path make_folder(const RunOptions& options) {
+  const std::filesystem::path folder =
+      options.folder.empty() ? std::filesystem::path(options.scenario.stem().string() + "_pings") : options.folder;
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error || !std::filesystem::is_directory(folder)) {
+    throw Error(fmt::format("{}: cannot make this folder: {}", folder.string(),
+                            error ? error.message() : "something else has its name"));
+  }
+  return folder;
+}
+
+// One sonar's part of a run.
+struct Track {
+  std::filesystem::path file;
+  Recording recording;
+  PingPictures pictures;
+  Ping ping;
+  std::uint64_t made = 0;
+};
+
+std::vector<Track> start_tracks(const Simulator& simulator, const std::filesystem::path& folder, const Display& display,
+                                const PictureChoice& choice) {
+  const Scenario& scenario = simulator.scenario();
+  const auto pings = static_cast<std::uint64_t>(scenario.pings);
+  std::vector<Track> tracks;
+  for (std::size_t i = 0; i < scenario.sonars.size(); ++i) {
+    const SonarConfig& sonar = simulator.sonar(static_cast<int>(i));
+    const std::filesystem::path file = folder / (sonar.name + ".h5");
+    tracks.push_back({file, Recording(file, scenario, simulator.scene(), sonar, pings),
+                      PingPictures(folder, sonar, display, choice, pings), Ping(), 0});
+  }
+  return tracks;
+}
+
+// Where each sonar is at its first ping, and what is around it.
+std::vector<std::filesystem::path> draw_views(Simulator& simulator, const std::filesystem::path& folder) {
+  std::vector<std::filesystem::path> files;
+  for (int i = 0; i < static_cast<int>(simulator.scenario().sonars.size()); ++i) {
+    const SonarConfig& sonar = simulator.sonar(i);
+    const Pose world_from_sonar = simulator.world_from_head(i, 0);
+    Engine& engine = simulator.engine();
+    const std::optional<ViewConfig>& given = simulator.scenario().view;
+    const ViewConfig view =
+        given.has_value() ? *given : fitting_view(engine, simulator.scene(), sonar, world_from_sonar);
+    files.push_back(folder / (sonar.name + "_view.png"));
+    write_png(files.back(), draw_scene(engine, simulator.scene(), view, sonar, world_from_sonar));
+  }
+  return files;
+}
+
+// Makes the pings, in turn for each sonar, until all are there or a stop is asked for.
+// @return  Seconds that computing them took, without recording and drawing.
+double make_pings(Simulator& simulator, std::vector<Track>& tracks, bool quiet) {
+  const auto pings = static_cast<std::uint64_t>(simulator.scenario().pings);
+  Progress progress(pings * tracks.size(), quiet);
+  double computing = 0;
+  for (std::uint64_t number = 0; number < pings && stop_asked == 0; ++number) {
+    for (std::size_t i = 0; i < tracks.size() && stop_asked == 0; ++i) {
+      Track& track = tracks[i];
+      const Clock::time_point start = Clock::now();
+      simulator.make_ping(static_cast<int>(i), number, track.ping);
+      computing += seconds_since(start);
+      track.recording.add(track.ping);
+      track.pictures.add(track.ping);
+      ++track.made;
+      progress.advance();
+    }
+  }
+  return computing;
+}
+
+std::string listed(const std::vector<std::filesystem::path>& files) {
+  if (files.size() <= 2) {
+    return files.empty() ? "" : files.front().string() + (files.size() == 2 ? ", " + files.back().string() : "");
+  }
+  return fmt::format("{} ... {} ({} pictures)", files.front().string(), files.back().string(), files.size());
+}
+
+void print_track(const Track& track, const SonarConfig& sonar) {
+  fmt::print("{}: {} pings of {} x {} bins to {:.4g} m\n  {}\n", sonar.name, track.made,
+             sonar.beam_count == 1 ? "1 beam" : fmt::format("{} beams", sonar.beam_count), sonar.bin_count,
+             sonar.max_range, track.file.string());
+  if (!track.pictures.files().empty()) {
+    fmt::print("  {}\n", listed(track.pictures.files()));
+  }
+}
+
+}  // namespace
+
+int run(const RunOptions& options) {
+  std::signal(SIGINT, ask_to_stop);
+  std::signal(SIGTERM, ask_to_stop);
+  const PictureChoice choice = PictureChoice::parse(options.pictures);
+  Display display;
+  Simulator simulator = prepare(options, display);
+  const std::filesystem::path folder = make_folder(options);
+  std::vector<Track> tracks = start_tracks(simulator, folder, display, choice);
+
+  const Clock::time_point start = Clock::now();
+  std::vector<std::filesystem::path> views;
+  if (options.view) {
+    views = draw_views(simulator, folder);
+  }
+  const double computing = make_pings(simulator, tracks, options.quiet);
+  std::uint64_t made = 0;
+  for (Track& track : tracks) {
+    track.recording.close();
+    if (track.made > 0) {
+      track.pictures.finish();
+    }
+    made += track.made;
+  }
+
+  if (!options.quiet) {
+    for (std::size_t i = 0; i < tracks.size(); ++i) {
+      print_track(tracks[i], simulator.sonar(static_cast<int>(i)));
+    }
+    if (!views.empty()) {
+      fmt::print("scene: {}\n", listed(views));
+    }
+    const double all = seconds_since(start);
+    fmt::print("{} pings in {:.2f} s: {:.1f} pings/s to compute, {:.1f} pings/s with files and pictures\n", made, all,
+               static_cast<double>(made) / computing, static_cast<double>(made) / all);
+  }
+  if (stop_asked != 0) {
+    throw Error(fmt::format("stopped after {} of {} pings; they are kept", made,
+                            tracks.size() * static_cast<std::size_t>(simulator.scenario().pings)));
+  }
+  return kDone;
+}
+
+}  // namespace insonify

@@ -1,0 +1,88 @@
+// sonars.cpp -- insonify sonars: the instruments there are, and all that is known of one.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "commands.h"
+#include "insonify/files.h"
+
+namespace insonify {
+namespace {
+
+using Row = std::vector<std::string>;
+
+// Rows with columns as wide as their widest cell; the last column is left as it is.
+void print_table(const std::vector<Row>& rows) {
+  std::vector<std::size_t> widths(rows.front().size());
+  for (const Row& row : rows) {
+    for (std::size_t column = 0; column + 1 < row.size(); ++column) {
+      widths[column] = std::max(widths[column], row[column].size());
+    }
+  }
+  for (const Row& row : rows) {
+    std::string line;
+    for (std::size_t column = 0; column < row.size(); ++column) {
+      line += fmt::format("{:<{}}  ", row[column], widths[column]);
+    }
+    fmt::print("{}\n", line.substr(0, line.find_last_not_of(' ') + 1));
+  }
+}
+
+Row table_row(const Preset& preset, const std::string& mode, bool first) {
+  const SonarConfig& sonar = preset.sonar;
+  const bool scans = sonar.type == SonarType::kMechanicallyScanned;
+  return {first ? preset.name : "",
+          mode + (mode == preset.default_mode && preset.modes.size() > 1 ? " *" : ""),
+          scans ? "msis" : "fls",
+          fmt::format("{:.10g}", sonar.frequency / 1000),
+          fmt::to_string(sonar.beam_count),
+          fmt::format("{:.4g} x {:.4g}", degrees_from_radians(sonar.azimuth_aperture),
+                      degrees_from_radians(sonar.elevation_aperture)),
+          fmt::format("{:.4g} - {:.4g}", sonar.min_range, sonar.max_range)};
+}
+
+int list_all() {
+  std::vector<Row> rows = {{"preset", "mode", "type", "kHz", "beams", "degrees", "range m"}};
+  for (const std::string& name : preset_names()) {
+    const std::vector<std::string> modes = load_preset(name).modes;
+    for (const std::string& mode : modes) {
+      rows.push_back(table_row(load_preset(name, mode), mode, mode == modes.front()));
+    }
+  }
+  print_table(rows);
+  fmt::print(
+      "\n* mode when none is named. msis: one beam, turned; fls: the whole fan at once.\n"
+      "insonify sonars PRESET tells where each number comes from.\n");
+  return kDone;
+}
+
+int tell_one(const std::string& name, const std::string& mode) {
+  const Preset preset = load_preset(name, mode);
+  fmt::print("{}: {}, mode {} (modes: {})\n{}\n\n", preset.name, preset.title,
+             mode.empty() ? preset.default_mode : mode, fmt::join(preset.modes, ", "), preset.file.string());
+  std::vector<Row> rows = {{"field", "value", "unit", "confidence", "source"}};
+  for (const PresetFact& fact : preset.facts) {
+    rows.push_back({fact.field, fact.value, fact.unit, fact.confidence, fact.source});
+  }
+  print_table(rows);
+  const SonarConfig& sonar = preset.sonar;
+  fmt::print(
+      "\nOver the whole range this gives {} bins of {:.4g} m and a ping every {:.4g} s; over a shorter one, finer "
+      "bins\nand faster pings, until range_resolution and ping_rate_limit stop them.\n"
+      "Confidence: A read in the source, B recalled from it and cross-checked, C uncertain.\n",
+      sonar.bin_count, sonar.bin_length(), sonar.ping_period.value_or(sonar.shortest_ping_period(1500)));
+  return kDone;
+}
+
+}  // namespace
+
+int sonars(const std::string& name, const std::string& mode) {
+  try {
+    return name.empty() ? list_all() : tell_one(name, mode);
+  } catch (const Error& error) {
+    throw InputError(error.what());
+  }
+}
+
+}  // namespace insonify

@@ -1,0 +1,18 @@
+// version.cpp -- insonify version.
+
+#include "insonify/version.h"
+
+#include <fmt/format.h>
+
+#include "commands.h"
+#include "insonify/engine.h"
+
+namespace insonify {
+
+int version() {
+  const auto engines = engine_names();
+  fmt::print("insonify {}\nengines: {}\n", kVersion, fmt::join(engines, ", "));
+  return kDone;
+}
+
+}  // namespace insonify
