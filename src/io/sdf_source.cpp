@@ -12,6 +12,7 @@
 
 #include "insonify/error.h"
 #include "io/input_file.h"
+#include "io/sdf_console.h"
 #include "io/sdf_uri.h"
 #include "io/xml_scan.h"
 
@@ -63,16 +64,24 @@ void check_root(const XmlTag& root, const std::string& shown, const Log& log) {
   }
 }
 
+// What a model.config lists for the newest version that is known; nothing where it makes no sense.
+fs::path listed_file(const fs::path& folder) {
+  const SdfConsole quiet;
+  try {
+    return sdf::getModelFilePath(folder.string());
+  } catch (const std::exception&) {  // of a version that is no number
+    return {};
+  }
+}
+
 // The file that an include names: a model's folder stands for the file that its model.config lists, or its model.sdf.
 std::optional<fs::path> file_of_model(const fs::path& found) {
   if (!fs::is_directory(found)) {
     return found;
   }
-  if (fs::exists(found / "model.config") || fs::exists(found / "manifest.xml")) {
-    const fs::path listed = sdf::getModelFilePath(found.string());
-    return fs::is_regular_file(listed) ? std::optional(listed.lexically_normal()) : std::nullopt;
-  }
-  return fs::exists(found / "model.sdf") ? std::optional(found / "model.sdf") : std::nullopt;
+  const bool is_listed = fs::exists(found / "model.config") || fs::exists(found / "manifest.xml");
+  const fs::path file = is_listed ? listed_file(found) : found / "model.sdf";
+  return fs::is_regular_file(file) ? std::optional(file.lexically_normal()) : std::nullopt;
 }
 
 std::string content_of(const XmlTag& tag, const std::string& text) {
@@ -148,9 +157,11 @@ std::string SdfSource::shown(const std::string& path) const {
 
 std::string SdfSource::write_copy(const std::string& text, const std::string& original) {
   if (scratch_.empty()) {
-    std::string name = fs::temp_directory_path() / "insonify-sdf-XXXXXX";
-    if (mkdtemp(name.data()) == nullptr) {
-      throw Error(fmt::format("{}: no folder can be made there for copies of SDF files", name));
+    std::error_code failure;
+    const fs::path folder = fs::temp_directory_path(failure);
+    std::string name = folder / "insonify-sdf-XXXXXX";
+    if (failure || mkdtemp(name.data()) == nullptr) {
+      throw Error(fmt::format("{}: cannot be read: TMPDIR, or /tmp, is no folder to put a copy in", shown(original)));
     }
     scratch_ = name;
   }

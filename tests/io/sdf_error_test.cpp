@@ -43,12 +43,15 @@ TEST_F(SdfErrorTest, NamesIncludesThatAreNotThere) {
 TEST_F(SdfErrorTest, NamesModelFoldersWithoutModel) {
   std::filesystem::create_directory(folder / "empty");
   write("gone/model.config", "<model><name>gone</name><sdf version='1.9'>gone.sdf</sdf></model>");
+  write("odd/model.config", "<model><name>odd</name><sdf version='odd'>model.sdf</sdf></model>");
   const std::string world = "<sdf version='1.9'><world name='w'><include><uri>model://{}</uri></include></world></sdf>";
   EXPECT_EQ(
       error_of(fmt::format(fmt::runtime(world), "empty")),
       "scene.sdf:1: include 'model://empty': empty holds no model.sdf, nor a model.config that names a file in it");
   EXPECT_EQ(error_of(fmt::format(fmt::runtime(world), "gone")),
             "scene.sdf:1: include 'model://gone': gone holds no model.sdf, nor a model.config that names a file in it");
+  EXPECT_EQ(error_of(fmt::format(fmt::runtime(world), "odd")),
+            "scene.sdf:1: include 'model://odd': odd holds no model.sdf, nor a model.config that names a file in it");
 }
 
 TEST_F(SdfErrorTest, RefusesEmptyPartsOfAnInclude) {
@@ -102,6 +105,14 @@ TEST_F(SdfErrorTest, GivesTheFirstOfSeveralFaultsAndCountsTheRest) {
             "scene.sdf: link with name[l] already exists");
   EXPECT_EQ(error_of("<sdf version='1.9'><world name='w'><model name='m'/></world></sdf>"),
             "scene.sdf: A model must have at least one link");
+}
+
+TEST_F(SdfErrorTest, SaysWhenThereIsNoPlaceForCopies) {
+  setenv("TMPDIR", "/no/such/folder", 1);
+  const std::string message =
+      error_of("<sdf version='1.9'><world name='w'><light name='l' type='point'/></world></sdf>");
+  unsetenv("TMPDIR");
+  EXPECT_EQ(message, "scene.sdf: cannot be read: TMPDIR, or /tmp, is no folder to put a copy in");
 }
 
 TEST_F(SdfErrorTest, SaysWhenThereIsNothingToInsonify) {

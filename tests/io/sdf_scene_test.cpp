@@ -80,12 +80,14 @@ TEST_F(SdfSceneTest, ReadsPosesInDegreesAndQuaternions) {
 }
 
 TEST_F(SdfSceneTest, ScopesNestedModels) {
-  const Scene scene = load(R"(<sdf version="1.9"><world name="sea"><model name="ship"><pose>1 0 0 0 0 0</pose>
-<model name="boat"><pose>0 1 0 0 0 0</pose><model name="oar"><pose>0 0 1 0 0 0</pose><link name="blade">
-<visual name="v"><geometry><box><size>1 2 3</size></box></geometry></visual></link></model></model></model></world></sdf>)");
+  const Scene scene = load(fmt::format(R"(<sdf version="1.9"><world name="sea"><model name="ship"><pose>1 0 0 {0}</pose>
+<model name="boat"><pose>2 5 0 {0}</pose><model name="oar"><pose>3 0 1 0 0 0</pose><link name="blade">
+<visual name="v"><geometry><box><size>1 2 3</size></box></geometry></visual></link></model></model></model></world></sdf>)",
+                                       kQuarterTurn));
   ASSERT_EQ(scene.instances.size(), 1);
   EXPECT_EQ(scene.instances[0].name, "ship::boat::oar::blade::v");
-  EXPECT_THAT(scene.instances[0].world_from_mesh.position, Near3(Vec3(1, 1, 1), kPoseError));
+  // The boat's (2, 5) in the turned ship is (1 - 5, 2) in the world; the oar's 3 m are along the world's -x.
+  EXPECT_THAT(scene.instances[0].world_from_mesh.position, Near3(Vec3(-7, 2, 1), kPoseError));
 }
 
 // world -> fleet (by model://, in another folder) -> ship (by a relative path, beside fleet) -> bell (SDF 1.6,
@@ -239,6 +241,11 @@ TEST_F(SdfSceneTest, PrintsNothing) {
   testing::internal::CaptureStdout();
   load(R"(<sdf version="1.9"><world name="w"><include><uri>ship.sdf</uri></include></world></sdf>)");
   error_of(R"(<sdf version="1.9"><model name="ship"><link name="hull"><pose>one</pose></link></model></sdf>)");
+  write("ship/model.config",
+        "<model><name>ship</name><sdf version='1.11'>new.sdf</sdf><sdf version='1.6'>old.sdf</sdf></model>");
+  error_of(R"(<sdf version="1.9"><world name="w"><include><uri>ship</uri></include></world></sdf>)");
+  write("ship/model.config", "<model><name>ship</name>");
+  error_of(R"(<sdf version="1.9"><world name="w"><include><uri>ship</uri></include></world></sdf>)");
   write("ship.sdf", "<sdf version='1.9'><model name='ship'><link/></model></sdf>");
   error_of(R"(<sdf version="1.9"><world name="w"><include><uri>ship.sdf</uri></include></world></sdf>)");
   EXPECT_EQ(testing::internal::GetCapturedStdout(), "");
