@@ -47,8 +47,7 @@ class EchoGrid {
   };
   [[nodiscard]] Label label(int beam, int bin) const;
 
-  /// The label layers of one beam as they are added to: a majority vote weighted by energy. Like those of energy() and
-  /// weight(), these rows may be written up to kPadding values beyond their end; what is written there is never read.
+  /// The label layers of one beam as they are added to: a majority vote weighted by energy.
   struct LabelRows {
     std::uint32_t* surface;   ///< Instance and material, see echo/echo.h; all ones where nothing echoed.
     float* lead;              ///< Energy by which the label leads all others together.
@@ -62,7 +61,6 @@ class EchoGrid {
     const float* elevation_moment;
   };
   [[nodiscard]] ConstLabelRows label_rows(int beam) const;
-  static constexpr int kPadding = 4;
 
   /// Sets the cells of beams [first, last) to nothing. Each task clears its own.
   void clear(int first_beam, int last_beam);
@@ -71,12 +69,12 @@ class EchoGrid {
  private:
   [[nodiscard]] std::size_t length() const { return static_cast<std::size_t>(bin_count_); }
   [[nodiscard]] std::size_t start(int order, int beam) const {
-    return (static_cast<std::size_t>(order - 1) * beam_count_ + beam) * (bin_count_ + kPadding);
+    return (static_cast<std::size_t>(order - 1) * beam_count_ + beam) * bin_count_;
   }
 
   int beam_count_ = 0, bin_count_ = 0, order_count_ = 0;
-  std::vector<float> energy_, weight_;                    // [order][beam][bin and padding]
-  std::vector<std::uint32_t> surface_;                    // [beam][bin and padding]
+  std::vector<float> energy_, weight_;                    // [order][beam][bin]
+  std::vector<std::uint32_t> surface_;                    // [beam][bin]
   std::vector<float> lead_, label_energy_, elevation_moment_;
 };
 

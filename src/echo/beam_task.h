@@ -9,6 +9,7 @@
 #include "echo/ping_plan.h"
 #include "echo/ray_packet.h"
 #include "echo/secondary_echo.h"
+#include "echo/surface_run.h"
 
 namespace insonify {
 
@@ -36,11 +37,19 @@ struct BeamTask {
   [[nodiscard]] const RayCounts& counts() const { return counts_; }
 
  private:
+  static constexpr int kTile = 4;  // Columns and rows of a packet: the shape in which sixteen neighbours spread least.
+
+  // One sample that is to be followed beyond its surface.
+  struct Sample {
+    int column, row;  // Of the strip.
+  };
+
   void aim(const Pose& world_from_sonar, int first_beam, int last_beam);
   int load_tile(int first_column, int first_row);
-  void trace_primaries();
-  void send_onward(EchoGrid& grid, Log* log);
-  void trace_onward(int count, EchoGrid& grid, Log* log);
+  void read_tile(int first_column, int first_row);
+  void trace_strip(int first_column);
+  void send_onward(int first_column, EchoGrid& grid, Log* log);
+  void trace_onward(EchoGrid& grid, Log* log);
   void finish_returns(EchoGrid& grid, Log* log);
 
   const CpuScene& scene_;
@@ -48,14 +57,14 @@ struct BeamTask {
   int first_column_ = 0, columns_ = 0;  // Of the lattice; columns below count from first_column_.
   Vec3f sonar_, up_;                    // Position and z axis of the sonar in the scene's coordinates.
   std::vector<Vec3f> along_;            // Horizontal direction of each column.
-  std::vector<HitColumn> hits_;         // Of each column.
+  HitColumn hits_[kTile];               // Of one strip of tiles: little enough to stay in the nearest cache.
+  Stretches stretches_;
+  SurfaceRun run_;
 
   RayPacket primary_, onward_, back_;
-  struct Sample {
-    int column, row;
-  };
-  Sample waiting_[2 * kPacketSize];  // Selected, not yet sent on.
-  Echo returning_[kPacketSize];      // Met a second surface; their return legs are in back_.
+  OnwardOrigin origins_[kPacketSize];  // Of the rays in onward_.
+  int onward_count_ = 0;
+  Echo returning_[kPacketSize];  // Met a second surface; their return legs are in back_.
   float returning_strength_[kPacketSize], returning_rest_[kPacketSize];  // See secondary_powers().
   int returning_count_ = 0;
   RayCounts counts_;

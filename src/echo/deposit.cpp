@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "base/vector_math.h"
-#include "echo/beam_cells.h"
 
 namespace insonify {
 namespace {
@@ -14,9 +13,71 @@ namespace {
 // How much farther a surface may go on past its last sample than between the last two.
 constexpr float kMostStretch = 1.5F;
 
+// A cell's label. It is a majority vote weighted by energy (Boyer and Moore, 1981): whoever holds more than half of a
+// cell leads it in the end.
+struct Vote {
+  SurfaceLabel surface;
+  float lead, energy, moment;
+};
+
+[[gnu::always_inline]] inline Vote counted(Vote vote, SurfaceLabel surface, float energy, float moment, float weight) {
+  const bool own = vote.surface == surface;
+  const bool taken = !own & !(vote.lead > energy) & (weight > 0);
+  const float apart = vote.lead > energy ? vote.lead - energy : energy - vote.lead;
+  const bool gains = own | taken;
+  return {taken ? surface : vote.surface, own ? vote.lead + energy : apart,
+          (taken ? 0.0F : vote.energy) + (gains ? energy : 0.0F), (taken ? 0.0F : vote.moment) + (gains ? moment : 0.0F)};
+}
+
+// Draws all sets of sums together in the first, and leaves zeros in the others.
+INSONIFY_VECTOR_CLONES
+void draw_together(int count, float* __restrict__ a, float* __restrict__ b, float* __restrict__ c,
+                   float* __restrict__ d) {
+  for (int i = 0; i < count; ++i) {
+    a[i] = (a[i] + b[i]) + (c[i] + d[i]);
+    b[i] = c[i] = d[i] = 0;
+  }
+}
+
+// Adds a run's sums to its cells and leaves zeros behind.
+INSONIFY_VECTOR_CLONES
+void take(int count, SurfaceLabel surface, float* __restrict__ run_energy, float* __restrict__ run_weight,
+          float* __restrict__ run_moment, float* __restrict__ energy, float* __restrict__ weight,
+          SurfaceLabel* __restrict__ leader, float* __restrict__ lead, float* __restrict__ label_energy,
+          float* __restrict__ label_moment) {
+  for (int i = 0; i < count; ++i) {
+    energy[i] += run_energy[i];
+    weight[i] += run_weight[i];
+    const Vote vote = counted({leader[i], lead[i], label_energy[i], label_moment[i]}, surface, run_energy[i],
+                              run_moment[i], run_weight[i]);
+    leader[i] = vote.surface;
+    lead[i] = vote.lead;
+    label_energy[i] = vote.energy;
+    label_moment[i] = vote.moment;
+    run_energy[i] = run_weight[i] = run_moment[i] = 0;
+  }
+}
+
+void finish(SurfaceRun& run, SurfaceLabel surface, int beam, EchoGrid& grid) {
+  const int first = run.first();
+  const int count = run.last() - first;
+  if (count > 0) {
+    static_assert(SurfaceRun::kSets == 4);
+    draw_together(count, run.energy(0) + first, run.energy(1) + first, run.energy(2) + first, run.energy(3) + first);
+    draw_together(count, run.weight(0) + first, run.weight(1) + first, run.weight(2) + first, run.weight(3) + first);
+    draw_together(count, run.moment(0) + first, run.moment(1) + first, run.moment(2) + first, run.moment(3) + first);
+    const EchoGrid::LabelRows labels = grid.label_rows(beam);
+    take(count, surface, run.energy(0) + first, run.weight(0) + first, run.moment(0) + first,
+         grid.energy(1, beam).data() + first, grid.weight(1, beam).data() + first, labels.surface + first,
+         labels.lead + first, labels.energy + first, labels.elevation_moment + first);
+  }
+  run.restart();
+}
+
 }  // namespace
 
 INSONIFY_VECTOR_CLONES [[gnu::flatten]] void deposit_column(const PingPlan& plan, int column, const HitColumn& hits,
+                                                            const Stretches& stretches, SurfaceRun& run,
                                                             EchoGrid& grid) {
   const Lattice& lattice = plan.lattice;
   const float* cos_el = lattice.cos_elevations(column);
@@ -25,51 +86,68 @@ INSONIFY_VECTOR_CLONES [[gnu::flatten]] void deposit_column(const PingPlan& plan
   const float* interval = lattice.intervals(column);
   const float width = lattice.column_width[column];
   const int rows = lattice.rows;
-  BeamCells cells(grid, 1, column / lattice.columns_per_beam);
+  const int beam = column / lattice.columns_per_beam;
   // Part of a sample's stretch that ends alone: from the sample along its tangent plane to another direction, if the
   // neighbour on the other side shows that the surface goes on like that.
   const auto add_alone = [&](int row, int behind, float cos_end, float sin_end, float weight) {
     if (hits.surface[row] == kNoSurface) {
       return;
     }
-    const float here = hits.position[row];
+    const float here = stretches.position[row];
     float end = here;
-    if (behind >= 0 && behind < rows && hits.joined[std::min(row, behind)] != 0) {
-      const float facing_end = hits.normal_along[row] * cos_end + hits.normal_up[row] * sin_end;
+    if (behind >= 0 && behind < rows && stretches.joined[std::min(row, behind)] != 0) {
+      const float facing_end = stretches.normal_along[row] * cos_end + stretches.normal_up[row] * sin_end;
       const float range_end = hits.range[row] * hits.facing[row] / facing_end;
-      const float most = kMostStretch * std::abs(here - hits.position[behind]);
+      const float most = kMostStretch * std::abs(here - stretches.position[behind]);
       const float wished = (range_end - plan.first_bin_at) * plan.bins_per_metre;
       end = wished > here - most ? std::min(wished, here + most) : here - most;  // Also where facing_end is 0.
     }
-    const float beyond = hits.reach[row] + kShortestStretch;
+    const float beyond = stretches.reach[row] + kShortestStretch;
     const float low = std::min(here, end) - beyond;
     const float high = std::max(here, end) + beyond;
-    cells.add_stretch(low, high, hits.power[row], 0, weight / (high - low), hits.surface[row], elevation[row]);
+    run.add_stretch(row, low, high, hits.power[row], 0, weight / (high - low), elevation[row]);
   };
 
+  SurfaceLabel surface = hits.surface[0];
   add_alone(0, 1, lattice.cos_low, lattice.sin_low, interval[0] * width);
   for (int row = 0; row + 1 < rows; ++row) {
     const int next = row + 1;
-    if (hits.joined[row] != 0) {
-      cells.add_stretch(hits.low[row], hits.high[row], hits.power_low[row], hits.rise[row], hits.density[row],
-                        hits.surface[row], 0.5F * (elevation[row] + elevation[next]));
-    } else {
-      const float cos_middle = 0.5F * (cos_el[row] + cos_el[next]);
-      const float sin_middle = 0.5F * (sin_el[row] + sin_el[next]);
-      const float weight = interval[next] * width;
-      add_alone(row, row - 1, cos_middle, sin_middle, 0.5F * weight);
-      add_alone(next, next + 1, cos_middle, sin_middle, 0.5F * weight);
+    if (stretches.joined[row] != 0) {
+      run.add_stretch(row, stretches.low[row], stretches.high[row], stretches.power_low[row], stretches.rise[row],
+                      stretches.density[row], 0.5F * (elevation[row] + elevation[next]));
+      continue;
     }
+    const float cos_middle = 0.5F * (cos_el[row] + cos_el[next]);
+    const float sin_middle = 0.5F * (sin_el[row] + sin_el[next]);
+    const float weight = interval[next] * width;
+    add_alone(row, row - 1, cos_middle, sin_middle, 0.5F * weight);
+    if (hits.surface[next] != surface) {
+      finish(run, surface, beam, grid);
+      surface = hits.surface[next];
+    }
+    add_alone(next, next + 1, cos_middle, sin_middle, 0.5F * weight);
   }
   add_alone(rows - 1, rows - 2, lattice.cos_high, lattice.sin_high, interval[rows] * width);
+  finish(run, surface, beam, grid);
 }
 
 void deposit(const PingPlan& plan, const Echo& echo, EchoGrid& grid) {
   const int beam = plan.beam_of(echo.azimuth);
-  if (beam >= 0) {
-    const float position = (0.5F * echo.path_length - plan.first_bin_at) * plan.bins_per_metre;
-    BeamCells(grid, echo.order, beam).add_point(position, echo.power, echo.weight, echo.surface, echo.elevation);
+  const float position = (0.5F * echo.path_length - plan.first_bin_at) * plan.bins_per_metre;
+  if (beam < 0 || !(position >= 0 && position < static_cast<float>(grid.bin_count()))) {
+    return;
   }
+  const auto bin = static_cast<int>(position);
+  const float energy = echo.weight * echo.power;
+  grid.energy(echo.order, beam)[bin] += energy;
+  grid.weight(echo.order, beam)[bin] += echo.weight;
+  const EchoGrid::LabelRows labels = grid.label_rows(beam);
+  const Vote vote = counted({labels.surface[bin], labels.lead[bin], labels.energy[bin], labels.elevation_moment[bin]},
+                            echo.surface, energy, energy * echo.elevation, echo.weight);
+  labels.surface[bin] = vote.surface;
+  labels.lead[bin] = vote.lead;
+  labels.energy[bin] = vote.energy;
+  labels.elevation_moment[bin] = vote.moment;
 }
 
 }  // namespace insonify

@@ -5,6 +5,7 @@
 #include "echo/echo.h"
 #include "echo/hit_column.h"
 #include "echo/ping_plan.h"
+#include "echo/surface_run.h"
 #include "insonify/echo_grid.h"
 
 namespace insonify {
@@ -13,7 +14,9 @@ namespace insonify {
 /// echo over all bins between their ranges, as their footprint does. Elsewhere a sample's stretch goes on along its own
 /// tangent plane: half-way to the neighbour it does not connect to, or to the edge of the aperture below the first and
 /// above the last sample.
-void deposit_column(const PingPlan& plan, int column, const HitColumn& hits, EchoGrid& grid);
+/// @param run  Scratch, prepared for the grid's bins.
+void deposit_column(const PingPlan& plan, int column, const HitColumn& hits, const Stretches& stretches,
+                    SurfaceRun& run, EchoGrid& grid);
 
 /// Deposits one echo in the bin of half its path, in the beam it arrives in. Outside the fan or the range it is
 /// dropped.

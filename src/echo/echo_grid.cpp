@@ -12,9 +12,9 @@ EchoGrid::EchoGrid(int beam_count, int bin_count, int order_count)
     : beam_count_(beam_count),
       bin_count_(bin_count),
       order_count_(order_count),
-      energy_(static_cast<std::size_t>(order_count) * beam_count * (bin_count + kPadding)),
+      energy_(static_cast<std::size_t>(order_count) * beam_count * bin_count),
       weight_(energy_.size()),
-      surface_(static_cast<std::size_t>(beam_count) * (bin_count + kPadding), kNoSurface),
+      surface_(static_cast<std::size_t>(beam_count) * bin_count, kNoSurface),
       lead_(surface_.size()),
       label_energy_(surface_.size()),
       elevation_moment_(surface_.size()) {}

@@ -3,7 +3,7 @@
 #include "echo/hit_column.h"
 
 #include "base/vector_math.h"
-#include "echo/beam_cells.h"
+#include "echo/surface_run.h"
 
 namespace insonify {
 namespace {
@@ -117,29 +117,35 @@ void stretch(int rows, const float* __restrict__ interval, float width, const fl
 }  // namespace
 
 void HitColumn::resize(int rows) {
-  for (auto* values : {&range, &normal_x, &normal_y, &normal_z, &reflectivity, &normal_along, &normal_up, &facing,
-                       &strength, &power, &position, &reach, &selected, &low, &high, &power_low, &rise, &density}) {
+  for (auto* values :
+       {&range, &normal_x, &normal_y, &normal_z, &reflectivity, &facing, &strength, &power, &selected}) {
+    values->resize(rows + kPadding);
+  }
+  surface.resize(rows + kPadding, kNoSurface);
+}
+
+void Stretches::resize(int rows) {
+  for (auto* values : {&normal_along, &normal_up, &position, &reach, &low, &high, &power_low, &rise, &density}) {
     values->resize(rows);
   }
-  surface.resize(rows, kNoSurface);
   joined.resize(rows);
 }
 
-void evaluate_column(const PingPlan& plan, int column, const ColumnAxes& axes, HitColumn& hits) {
+void evaluate_column(const PingPlan& plan, int column, const ColumnAxes& axes, HitColumn& hits, Stretches& stretches) {
   const Lattice& lattice = plan.lattice;
   const Rows rows{lattice.rows, lattice.cos_elevations(column), lattice.sin_elevations(column),
                   0.5F * lattice.column_width[column]};
   measure(rows, axes.along, axes.across, axes.up, plan.bins_per_metre, plan.first_bin_at, hits.normal_x.data(),
-          hits.normal_y.data(), hits.normal_z.data(), hits.range.data(), hits.normal_along.data(),
-          hits.normal_up.data(), hits.facing.data(), hits.position.data(), hits.reach.data());
+          hits.normal_y.data(), hits.normal_z.data(), hits.range.data(), stretches.normal_along.data(),
+          stretches.normal_up.data(), hits.facing.data(), stretches.position.data(), stretches.reach.data());
   shade(rows.count, plan.neper_per_metre, hits.range.data(), hits.facing.data(), hits.reflectivity.data(),
         hits.strength.data());
   plan.shape.apply(rows.count, hits.strength.data(), hits.power.data());
-  join(rows, 1 / plan.bins_per_metre, hits.range.data(), hits.normal_along.data(), hits.normal_up.data(),
-       hits.facing.data(), hits.surface.data(), hits.joined.data());
-  stretch(rows.count, lattice.intervals(column), lattice.column_width[column], hits.position.data(), hits.reach.data(),
-          hits.power.data(), hits.low.data(), hits.high.data(), hits.power_low.data(), hits.rise.data(),
-          hits.density.data());
+  join(rows, 1 / plan.bins_per_metre, hits.range.data(), stretches.normal_along.data(), stretches.normal_up.data(),
+       hits.facing.data(), hits.surface.data(), stretches.joined.data());
+  stretch(rows.count, lattice.intervals(column), lattice.column_width[column], stretches.position.data(),
+          stretches.reach.data(), hits.power.data(), stretches.low.data(), stretches.high.data(),
+          stretches.power_low.data(), stretches.rise.data(), stretches.density.data());
   if (plan.secondary == SecondaryEchoes::kAll) {
     for (int row = 0; row < rows.count; ++row) {
       hits.selected[row] = hits.surface[row] == kNoSurface ? 0.0F : 1.0F;

@@ -133,6 +133,9 @@ void ReferenceEngine::insonify_column(const PingPlan& plan, int column, const Po
   std::vector<Hit> first(rows);
   std::vector<Ray> rays(rows);
   HitColumn hits(rows);
+  Stretches stretches(rows);
+  SurfaceRun run;
+  run.prepare(plan.sonar.bin_count);
   for (int row = 0; row < rows; ++row) {
     const Vec3 direction =
         along * double{lattice.cos_elevations(column)[row]} + up * double{lattice.sin_elevations(column)[row]};
@@ -150,8 +153,9 @@ void ReferenceEngine::insonify_column(const PingPlan& plan, int column, const Po
   counts.primary += rows;
 
   // Straight back.
-  evaluate_column(plan, column, {along.cast<float>(), up.cross(along).cast<float>(), up.cast<float>()}, hits);
-  deposit_column(plan, column, hits, grid);
+  evaluate_column(plan, column, {along.cast<float>(), up.cross(along).cast<float>(), up.cast<float>()}, hits,
+                  stretches);
+  deposit_column(plan, column, hits, stretches, run, grid);
   if (plan.secondary == SecondaryEchoes::kNone) {
     return;
   }

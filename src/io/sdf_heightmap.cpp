@@ -3,6 +3,7 @@
 #include "io/sdf_heightmap.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace insonify {
@@ -26,6 +27,22 @@ float mix(float a, float b, float weight_of_b) {
   return weight_of_b >= 1 ? b : a + weight_of_b * (b - a);
 }
 
+// Height between the corners of a cell. Where one has no data, the other three span a triangle, as in make_height_field();
+// beyond it there is none.
+float height_within(std::array<std::array<float, 2>, 2> corners, float x, float y) {
+  for (int j = 0; j < 2; ++j) {
+    for (int i = 0; i < 2; ++i) {
+      const float plane = corners[j][1 - i] + corners[1 - j][i] - corners[1 - j][1 - i];
+      const float towards = (i == 0 ? 1 - x : x) + (j == 0 ? 1 - y : y);
+      if (std::isnan(corners[j][i]) && !std::isnan(plane) && towards <= 1) {
+        corners[j][i] = plane;
+        return mix(mix(corners[0][0], corners[0][1], x), mix(corners[1][0], corners[1][1], x), y);
+      }
+    }
+  }
+  return mix(mix(corners[0][0], corners[0][1], x), mix(corners[1][0], corners[1][1], x), y);
+}
+
 HeightGrid resample(const HeightGrid& grid, int sampling) {
   HeightGrid fine = grid;
   fine.columns = (grid.columns - 1) * sampling + 1;
@@ -34,16 +51,14 @@ HeightGrid resample(const HeightGrid& grid, int sampling) {
   fine.spacing_y = grid.spacing_y / sampling;
   fine.heights.clear();
   fine.heights.reserve(static_cast<std::size_t>(fine.columns) * fine.rows);
-  const auto height = [&](int row, int column) {
-    return grid.heights[static_cast<std::size_t>(row) * grid.columns + column];
-  };
   for (int row = 0; row < fine.rows; ++row) {
     const Between y = between(row, sampling, grid.rows);
+    const float* above = &grid.heights[static_cast<std::size_t>(y.first) * grid.columns];
+    const float* below = above + grid.columns;
     for (int column = 0; column < fine.columns; ++column) {
-      const Between x = between(column, sampling, grid.columns);
-      const float upper = mix(height(y.first, x.first), height(y.first, x.first + 1), x.weight);
-      const float lower = mix(height(y.first + 1, x.first), height(y.first + 1, x.first + 1), x.weight);
-      fine.heights.push_back(mix(upper, lower, y.weight));
+      const auto [first, weight] = between(column, sampling, grid.columns);
+      fine.heights.push_back(
+          height_within({{{above[first], above[first + 1]}, {below[first], below[first + 1]}}}, weight, y.weight));
     }
   }
   return fine;

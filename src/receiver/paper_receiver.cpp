@@ -9,22 +9,20 @@
 #include "base/philox.h"
 #include "base/vector_math.h"
 #include "echo/echo.h"
+#include "receiver/turn_tile.h"
 
 namespace insonify {
 namespace {
 
-constexpr int kBeamsPerTask = 16;  // One cache line of a row of the ping.
-constexpr int kBinsPerBlock = 64;
-
 // Two independent standard normal numbers for each bin of a block: Box and Muller (1958). One Philox call serves two
 // bins, the first half of the block and the second half, so that its four words stay in their vector lanes.
 struct NormalPairs {
-  float first[kBinsPerBlock], second[kBinsPerBlock];
+  float first[kTileBins], second[kTileBins];
 };
 
 INSONIFY_VECTOR_CLONES
 void draw_normals(PhiloxCounter counter, PhiloxKey key, NormalPairs& pairs) {
-  constexpr int kHalf = kBinsPerBlock / 2;
+  constexpr int kHalf = kTileBins / 2;
   for (int i = 0; i < kHalf; ++i) {
     const PhiloxCounter words =
         philox({counter[0] + static_cast<std::uint32_t>(i), counter[1], counter[2], counter[3]}, key);
@@ -42,7 +40,7 @@ void draw_normals(PhiloxCounter counter, PhiloxKey key, NormalPairs& pairs) {
 // Counter of the first bin of a block: 32 calls a block, so blocks start at multiples of 32.
 PhiloxCounter noise_counter(int block, int beam, std::uint64_t ping) {
   const auto purpose = static_cast<std::uint32_t>(RandomPurpose::kPaperNoise);
-  return {static_cast<std::uint32_t>(block * kBinsPerBlock / 2), static_cast<std::uint32_t>(beam),
+  return {static_cast<std::uint32_t>(block * kTileBins / 2), static_cast<std::uint32_t>(beam),
           static_cast<std::uint32_t>(ping), purpose ^ static_cast<std::uint32_t>(ping >> 32) << 8};
 }
 
@@ -74,6 +72,34 @@ void divide_or_nan(int count, const float* __restrict__ moment, const float* __r
   }
 }
 
+// What becomes of some beams and bins, a beam at a time as the grid lies.
+struct HeardTile {
+  BeamTile<float> intensity, elevation;
+  BeamTile<std::uint32_t> surface;
+};
+
+// Writes a tile into the ping, a range at a time.
+INSONIFY_VECTOR_CLONES
+void write_tile(const HeardTile& tile, int first_bin, int bin_count, int first_beam, int beam_count, Ping& ping) {
+  BinTile<float> intensity, elevation;
+  BinTile<std::uint32_t> surface;
+  turn_tile(tile.intensity, intensity);
+  turn_tile(tile.elevation, elevation);
+  turn_tile(tile.surface, surface);
+  for (int i = 0; i < bin_count; ++i) {
+    std::uint16_t instance[kTileBeams], material[kTileBeams];
+    for (int b = 0; b < kTileBeams; ++b) {
+      instance[b] = instance_of(surface[i][b]);
+      material[b] = material_of(surface[i][b]);
+    }
+    const std::size_t row = ping.index(first_bin + i, first_beam);
+    std::copy_n(intensity[i], beam_count, &ping.intensity[row]);
+    std::copy_n(instance, beam_count, &ping.instance[row]);
+    std::copy_n(material, beam_count, &ping.material[row]);
+    std::copy_n(elevation[i], beam_count, &ping.elevation[row]);
+  }
+}
+
 // How much of an echo is heard at the range of a bin: 0 at min_range, rising in a straight line to 1 at blanking_range.
 float near_field(const SonarConfig& sonar, int bin) {
   if (sonar.blanking_range <= sonar.min_range) {
@@ -102,46 +128,34 @@ void receive_paper(const EchoGrid& grid, const SonarConfig& sonar, const PaperRe
   const float spread = noisy ? static_cast<float>(settings.model.multiplicative_deviation) : 0.0F;
   const float floor = noisy ? static_cast<float>(settings.model.additive_deviation) : 0.0F;
   const auto gain = static_cast<float>(sonar.gain);
-  workers.for_each((beams + kBeamsPerTask - 1) / kBeamsPerTask, [&](int task, int) {
-    const int first_beam = task * kBeamsPerTask;
-    const int count_beams = std::min(kBeamsPerTask, beams - first_beam);
-    for (int block = 0; block * kBinsPerBlock < bins; ++block) {
-      const int first_bin = block * kBinsPerBlock;
-      const int count = std::min(kBinsPerBlock, bins - first_bin);
-      float level[kBinsPerBlock];
+  workers.for_each((beams + kTileBeams - 1) / kTileBeams, [&](int task, int) {
+    const int first_beam = task * kTileBeams;
+    const int count_beams = std::min(kTileBeams, beams - first_beam);
+    for (int block = 0; block * kTileBins < bins; ++block) {
+      const int first_bin = block * kTileBins;
+      const int count = std::min(kTileBins, bins - first_bin);
+      float level[kTileBins];
       for (int i = 0; i < count; ++i) {
         level[i] = gain * near_field(sonar, first_bin + i);
       }
 
-      // A beam at a time, as the grid lies.
-      float values[kBeamsPerTask][kBinsPerBlock] = {};
-      float elevations[kBeamsPerTask][kBinsPerBlock];
-      const std::uint32_t* surfaces[kBeamsPerTask];
+      HeardTile tile = {};
       NormalPairs noise = {};
       for (int b = 0; b < count_beams; ++b) {
         const int beam = first_beam + b;
+        float* values = tile.intensity[b];
         for (int order = 1; order <= grid.order_count(); ++order) {
-          add_means(count, &grid.energy(order, beam)[first_bin], &grid.weight(order, beam)[first_bin], values[b]);
+          add_means(count, &grid.energy(order, beam)[first_bin], &grid.weight(order, beam)[first_bin], values);
         }
         if (noisy) {
           draw_normals(noise_counter(block, beam, ping.number), philox_key(settings.seed), noise);
         }
-        hear(count, level, mean, spread, floor, noise.first, noise.second, values[b]);
+        hear(count, level, mean, spread, floor, noise.first, noise.second, values);
         const EchoGrid::ConstLabelRows labels = grid.label_rows(beam);
-        surfaces[b] = labels.surface + first_bin;
-        divide_or_nan(count, labels.elevation_moment + first_bin, labels.energy + first_bin, elevations[b]);
+        std::copy_n(labels.surface + first_bin, count, tile.surface[b]);
+        divide_or_nan(count, labels.elevation_moment + first_bin, labels.energy + first_bin, tile.elevation[b]);
       }
-
-      // A range at a time, as the ping lies.
-      for (int i = 0; i < count; ++i) {
-        const std::size_t row = ping.index(first_bin + i, first_beam);
-        for (int b = 0; b < count_beams; ++b) {
-          ping.intensity[row + b] = values[b][i];
-          ping.instance[row + b] = instance_of(surfaces[b][i]);
-          ping.material[row + b] = material_of(surfaces[b][i]);
-          ping.elevation[row + b] = elevations[b][i];
-        }
-      }
+      write_tile(tile, first_bin, count, first_beam, count_beams, ping);
     }
   });
 }

@@ -223,6 +223,35 @@ double worth_of(Engine& engine, const ViewConfig& view, const std::vector<SeenPo
   return worth;
 }
 
+// Turns a camera up or down until what it shows is in the middle of its frame: what is near takes more room below than
+// what is far takes above. Points far outside of the frame do not count.
+ViewConfig aimed(ViewConfig view, const std::vector<SeenPoint>& points, const Vec3& sonar) {
+  const Camera camera(view, kWidth, kHeight);
+  const double half = camera.width_at_one() / 2;
+  // Upwards from the optical axis, at distance 1.
+  const auto height_of = [&](const Vec3& place) {
+    const Vec3 way = place - view.position;
+    return way.dot(camera.up()) / way.dot(camera.forward());
+  };
+  std::vector<std::pair<double, double>> high;
+  std::vector<std::pair<double, double>> low;
+  for (const SeenPoint& point : points) {
+    const Vec3 way = point.place - view.position;
+    if (way.dot(camera.forward()) > 0 && std::abs(way.dot(camera.right())) < half * way.dot(camera.forward()) &&
+        std::abs(height_of(point.place)) < half) {
+      high.emplace_back(height_of(point.place), point.weight);
+      low.emplace_back(-height_of(point.place), point.weight);
+    }
+  }
+  const double sonar_height = height_of(sonar);
+  if (high.empty() || std::abs(sonar_height) > half) {
+    return view;
+  }
+  const double middle = (std::max(most_of(high), sonar_height) - std::max(most_of(low), -sonar_height)) / 2;
+  view.look_at += (view.look_at - view.position).norm() * middle * camera.up();
+  return view;
+}
+
 }  // namespace
 
 ViewConfig fitting_view(Engine& engine, const Scene& /*scene*/, const SonarConfig& sonar,
@@ -232,9 +261,10 @@ ViewConfig fitting_view(Engine& engine, const Scene& /*scene*/, const SonarConfi
   ViewConfig best;
   double best_worth = -std::numeric_limits<double>::infinity();
   for (const Candidate& candidate : candidates_around(engine, points, world_from_sonar)) {
-    const double worth = candidate.merit + worth_of(engine, candidate.view, points, world_from_sonar.position);
+    const ViewConfig view = aimed(candidate.view, points, world_from_sonar.position);
+    const double worth = candidate.merit + worth_of(engine, view, points, world_from_sonar.position);
     if (worth > best_worth) {
-      best = candidate.view;
+      best = view;
       best_worth = worth;
     }
   }

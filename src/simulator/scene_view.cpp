@@ -25,7 +25,9 @@ constexpr double kHazyAt = 2.7;         // Distance at which the view turns hazy
 constexpr double kGrainSize = 0.03;     // Of the coarsest grain, in median distances.
 constexpr float kEdgeContrast = 14;     // Difference of neighbours [0..255] that calls for more samples.
 const Vec3f kLightColour{0.98F, 1.06F, 0.98F};
-constexpr unsigned kSonarYellow = 0xffc530;
+constexpr unsigned kHousingColour = 0xffc530;
+constexpr unsigned kTransducerColour = 0x2a2f36;
+constexpr unsigned kInsonifiedColour = 0xffb545;
 
 // What a ray ends at, and how far off.
 struct Sample {
@@ -48,7 +50,7 @@ class Renderer {
            const Housing* housing)
       : engine_(engine), camera_(camera), sector_(sector), housing_(housing) {
     for (const Material& material : scene.materials) {
-      tints_.push_back(tint_of(material.name));
+      tints_.push_back(tint_of(material));
     }
     place_light();
   }
@@ -180,7 +182,7 @@ class Renderer {
     if (housing_ != nullptr) {
       const Housing::Cut cut = housing_->cut(ray);
       if (cut.distance < hit.distance) {
-        const Vec3f tint = cut.transducer ? linear_colour(0x2a2f36) : linear_colour(kSonarYellow);
+        const Vec3f tint = linear_colour(cut.transducer ? kTransducerColour : kHousingColour);
         const auto lit = static_cast<float>(std::max(0.0, cut.normal.dot(to_light_)));
         return {screen_colour(tint.cwiseProduct(1.3F * ambient_light(cut.normal) + Vec3f::Constant(0.75F * lit))),
                 static_cast<float>(cut.distance)};
@@ -204,7 +206,7 @@ class Renderer {
       const Vec3 from_sonar = (spot.point - sector_.world_from_sonar().position).normalized();
       const auto facing = static_cast<float>(std::abs(hit.normal.dot(from_sonar)));
       const auto within = static_cast<float>(std::min(1.0, spot.inside_by / radians_from_degrees(0.4)));
-      colour += within * (0.06F + 0.30F * std::sqrt(facing)) * (1 + grain) * linear_colour(kSonarYellow);
+      colour += within * (0.06F + 0.30F * std::sqrt(facing)) * (1 + grain) * linear_colour(kInsonifiedColour);
     }
     const Vec3f passed = transmission(hit.distance / haze_);
     colour = colour.cwiseProduct(passed) + water.cwiseProduct(Vec3f::Ones() - passed);

@@ -5,7 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
+#include <cstdint>
+#include <string_view>
 
 namespace insonify {
 namespace {
@@ -26,7 +27,23 @@ constexpr std::array kTints = {
     Tint{"pvc", 0xc8cdd0},       Tint{"glass", 0x9fc4bd},     Tint{"acrylic", 0xb4cfd4},  Tint{"ice", 0xd6e8ee},
     Tint{"grp", 0xd5d2c4},       Tint{"bone", 0xd9d2bd},      Tint{"tissue", 0xc08a7c}};
 
-constexpr std::array kQuietTints = {0xb0a48eU, 0x93a3a8U, 0xa8917dU, 0x98a58aU, 0xa79cb0U, 0xb3ab7fU};
+// For other names: by the density up to which a tint holds [kg/m^3].
+struct DensityTint {
+  double density;
+  unsigned rgb;
+};
+constexpr std::array kDensityTints = {
+    DensityTint{800, 0xcbb27a},  DensityTint{1150, 0x5d646b}, DensityTint{1500, 0xb9c0c4}, DensityTint{2250, 0xb5a789},
+    DensityTint{2650, 0xa5a49c}, DensityTint{4800, 0xadb3b6}, DensityTint{1e9, 0x9c6b48}};
+
+// FNV-1a, so that a name has the same hash on every machine.
+std::uint32_t hash_of(std::string_view name) {
+  std::uint32_t hash = 2166136261U;
+  for (const char letter : name) {
+    hash = (hash ^ static_cast<unsigned char>(letter)) * 16777619U;
+  }
+  return hash;
+}
 
 }  // namespace
 
@@ -37,18 +54,17 @@ Vec3f linear_colour(unsigned rgb) {
   return {channel(16), channel(8), channel(0)};
 }
 
-Vec3f tint_of(std::string_view material) {
+Vec3f tint_of(const Material& material) {
   for (const Tint& tint : kTints) {
-    if (material.find(tint.part) != std::string_view::npos) {
+    if (material.name.find(tint.part) != std::string::npos) {
       return linear_colour(tint.rgb);
     }
   }
-  // FNV-1a, so that a name has the same tint on every machine.
-  std::uint32_t hash = 2166136261U;
-  for (const char letter : material) {
-    hash = (hash ^ static_cast<unsigned char>(letter)) * 16777619U;
-  }
-  return linear_colour(kQuietTints[(hash >> 8U) % kQuietTints.size()]);
+  const auto* tint = std::find_if(kDensityTints.begin(), kDensityTints.end() - 1,
+                                  [&](const DensityTint& entry) { return material.density <= entry.density; });
+  const std::uint32_t hash = hash_of(material.name);
+  const auto vary = [&](unsigned shift) { return 0.8F + 0.4F * static_cast<float>((hash >> shift) & 0xffU) / 255.0F; };
+  return vary(16) * linear_colour(tint->rgb).cwiseProduct(Vec3f(vary(8), 1, vary(0)));
 }
 
 Vec3f water_colour(const Vec3& direction) {

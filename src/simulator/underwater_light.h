@@ -2,10 +2,8 @@
 
 #pragma once
 
-#include <cstdint>
-#include <string_view>
-
 #include "insonify/geometry.h"
+#include "insonify/material.h"
 
 namespace insonify {
 
@@ -14,9 +12,9 @@ namespace insonify {
 /// A colour from 0xRRGGBB as written for screens.
 [[nodiscard]] Vec3f linear_colour(unsigned rgb);
 
-/// What a surface of that material looks like in white light. Names that tell nothing get one of a few quiet tints,
-/// always the same for the same name.
-[[nodiscard]] Vec3f tint_of(std::string_view material);
+/// What a surface of that material looks like in white light. A name that tells nothing gets a tint of its own, near that
+/// of other things as dense.
+[[nodiscard]] Vec3f tint_of(const Material& material);
 
 /// The open water seen in a direction: brighter towards the surface.
 [[nodiscard]] Vec3f water_colour(const Vec3& direction);

@@ -157,7 +157,10 @@ TEST_F(SdfShapeTest, SamplingPutsHeightsBetweenThoseGiven) {
   };
   EXPECT_NEAR(height_at(-7.5F, 2.5F), 0.5, kVertexError);
   EXPECT_NEAR(height_at(0, -5), 8, kVertexError);
-  EXPECT_TRUE(std::isnan(height_at(5, 0)));        // inside it
+  // One corner has no data: the other three span a triangle, and there is nothing beyond it.
+  EXPECT_NEAR(height_at(2.5F, -2.5F), 4, kVertexError);
+  EXPECT_NEAR(height_at(5, -5), 4, kVertexError);
+  EXPECT_TRUE(std::isnan(height_at(7.5F, 2.5F)));
 }
 
 TEST_F(SdfShapeTest, KeepsWhatIsAlikeOnce) {

@@ -173,10 +173,14 @@ TEST(HousingTest, RaysMeetItsFrontItsBackAndItsSide) {
 }
 
 TEST(UnderwaterLightTest, MaterialsLookDifferent) {
-  EXPECT_FALSE(tint_of("sand").isApprox(tint_of("steel"), 0.05F));
-  EXPECT_TRUE(tint_of("very_coarse_sand").isApprox(tint_of("sand")));
-  EXPECT_TRUE(tint_of("sandy_gravel").isApprox(tint_of("gravel")));
-  EXPECT_TRUE(tint_of("hull of my boat").isApprox(tint_of("hull of my boat")));
+  const auto tint = [](const char* name, double density = 2500) { return tint_of({.name = name, .density = density}); };
+  EXPECT_FALSE(tint("sand").isApprox(tint("steel"), 0.05F));
+  EXPECT_TRUE(tint("very_coarse_sand").isApprox(tint("sand")));
+  EXPECT_TRUE(tint("sandy_gravel").isApprox(tint("gravel")));
+  // Names that tell nothing: always the same, different from each other, and dense things darker than aluminium.
+  EXPECT_TRUE(tint("hull", 7850).isApprox(tint("hull", 7850)));
+  EXPECT_FALSE(tint("hull", 7850).isApprox(tint("deck", 7850), 0.02F));
+  EXPECT_LT(tint("hull", 7850).sum(), tint("hull", 2700).sum());
 }
 
 TEST(UnderwaterLightTest, WaterIsBrighterTowardsTheSurface) {
