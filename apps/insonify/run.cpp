@@ -50,13 +50,31 @@ Display display_of(const RunOptions& options) {
   return display;
 }
 
+std::string counted(std::uint64_t count, const char* what) {
+  return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+}
+
+void print_world(const Scene& scene, double seconds) {
+  std::size_t triangles = 0;
+  for (const Instance& instance : scene.instances) {
+    triangles += instance.mesh->triangles.size();
+  }
+  fmt::print("world: {} of {} triangles, ready in {:.2f} s\n", counted(scene.instances.size(), "object"), triangles,
+             seconds);
+}
+
 // All that can only be wrong because the input is.
 Simulator prepare(const RunOptions& options, Display& display) {
   try {
+    const Clock::time_point start = Clock::now();
     display = display_of(options);
     Scenario scenario = load_scenario(options.scenario, options.settings);
     Scene scene = load_scene(scenario, log_to_user(options.quiet));
-    return Simulator(std::move(scenario), std::move(scene), options.threads);
+    Simulator simulator(std::move(scenario), std::move(scene), options.threads);
+    if (!options.quiet) {
+      print_world(simulator.scene(), seconds_since(start));
+    }
+    return simulator;
   } catch (const Error& error) {
     throw InputError(error.what());
   }
@@ -142,9 +160,9 @@ std::string listed(const std::vector<std::filesystem::path>& files) {
 }
 
 void print_track(const Track& track, const SonarConfig& sonar) {
-  fmt::print("{}: {} pings of {} x {} bins to {:.4g} m\n  {}\n", sonar.name, track.made,
-             sonar.beam_count == 1 ? "1 beam" : fmt::format("{} beams", sonar.beam_count), sonar.bin_count,
-             sonar.max_range, track.file.string());
+  fmt::print("{}: {} of {} x {} to {:.4g} m\n  {}\n", sonar.name, counted(track.made, "ping"),
+             counted(static_cast<std::uint64_t>(sonar.beam_count), "beam"),
+             counted(static_cast<std::uint64_t>(sonar.bin_count), "bin"), sonar.max_range, track.file.string());
   if (!track.pictures.files().empty()) {
     fmt::print("  {}\n", listed(track.pictures.files()));
   }
@@ -184,8 +202,8 @@ int run(const RunOptions& options) {
       fmt::print("scene: {}\n", listed(views));
     }
     const double all = seconds_since(start);
-    fmt::print("{} pings in {:.2f} s: {:.1f} pings/s to compute, {:.1f} pings/s with files and pictures\n", made, all,
-               static_cast<double>(made) / computing, static_cast<double>(made) / all);
+    fmt::print("{} in {:.2f} s: {:.1f} pings/s to compute, {:.1f} pings/s with files and pictures\n",
+               counted(made, "ping"), all, static_cast<double>(made) / computing, static_cast<double>(made) / all);
   }
   if (stop_asked != 0) {
     throw Error(fmt::format("stopped after {} of {} pings; they are kept", made,

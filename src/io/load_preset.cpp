@@ -136,11 +136,6 @@ class FactReader {
   const YamlValue& sources_;
 };
 
-std::string model_of(const Preset& preset) {
-  return preset.modes.size() == 1 ? preset.title
-                                  : fmt::format("{}, {:.10g} kHz", preset.title, preset.sonar.frequency / 1000);
-}
-
 }  // namespace
 
 std::vector<std::string> preset_names() {
@@ -213,7 +208,7 @@ Preset load_preset(const std::string& name, const std::string& mode) {
   if (const YamlValue* sampling = tree.find("sampling")) {
     read_section(*sampling, "sampling", preset.sonar.sampling, places);
   }
-  preset.sonar.model = model_of(preset);
+  preset.sonar.model = preset.title;  // Not its mode: the frequency stands beside it.
   preset.fit_to_range(preset.sonar, kReferenceSoundSpeed);
   with_place(preset.file.string() + ":1:1: ", [&] { preset.sonar.validate(name); });
   return preset;

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <map>
 #include <mutex>
 #include <sdf/Collision.hh>
 #include <sdf/Link.hh>
@@ -26,24 +27,49 @@ struct MaterialName {
   std::string name, where;
 };
 
+Pose pose_of(const ignition::math::Pose3d& pose) {
+  const auto& p = pose.Pos();
+  const auto& q = pose.Rot();
+  return {{p.X(), p.Y(), p.Z()}, Eigen::Quaterniond(q.W(), q.X(), q.Y(), q.Z()).normalized()};
+}
+
+// Where Gazebo had moved models to when it saved the world, by their names: poses in the world. Of several states the
+// first counts, as in Gazebo.
+std::map<std::string, Pose> saved_poses(const sdf::World& world) {
+  std::map<std::string, Pose> poses;
+  if (!world.Element()->HasElement("state")) {
+    return poses;
+  }
+  const sdf::ElementPtr state = world.Element()->GetElement("state");
+  if (state->Get<std::string>("world_name") != world.Name()) {
+    return poses;
+  }
+  for (sdf::ElementPtr model = state->HasElement("model") ? state->GetElement("model") : nullptr; model != nullptr;
+       model = model->GetNextElement("model")) {
+    if (model->HasElement("pose")) {
+      poses[model->Get<std::string>("name")] = pose_of(model->Get<ignition::math::Pose3d>("pose"));
+    }
+  }
+  return poses;
+}
+
 class SceneBuilder {
  public:
   SceneBuilder(const SdfSource& source, bool collisions, const Log& log)
       : source_(source), collisions_(collisions), log_(log), shapes_(source, log) {}
 
-  // `material` holds for all parts that name none themselves.
-  void add_model(const sdf::Model& model, const std::string& scope, const Pose& world_from_parent,
-                 MaterialName material) {
-    const std::string name = scope + model.Name();
-    const std::string where = what("model", name, *model.Element());
-    const Pose world_from_model = world_from_parent * resolve(model, where);
-    material = own_or(material, model.Element(), where);
-    for (std::uint64_t i = 0; i < model.LinkCount(); ++i) {
-      add_link(*model.LinkByIndex(i), name + "::", world_from_model, material);
+  void add_world(const sdf::World& world) {
+    const std::map<std::string, Pose> saved = saved_poses(world);
+    for (std::uint64_t i = 0; i < world.ModelCount(); ++i) {
+      const sdf::Model& model = *world.ModelByIndex(i);
+      const Pose own = resolve(model, what("model", model.Name(), *model.Element()));
+      const auto found = saved.find(model.Name());
+      add_model(model, "", found == saved.end() ? own : found->second, {});
     }
-    for (std::uint64_t i = 0; i < model.ModelCount(); ++i) {
-      add_model(*model.ModelByIndex(i), name + "::", world_from_model, material);
-    }
+  }
+
+  void add_model(const sdf::Model& model) {
+    add_model(model, "", resolve(model, what("model", model.Name(), *model.Element())), {});
   }
 
   // The scene, which must not be empty.
@@ -55,6 +81,21 @@ class SceneBuilder {
   }
 
  private:
+  // `material` holds for all parts that name none themselves.
+  void add_model(const sdf::Model& model, const std::string& scope, const Pose& world_from_model,
+                 MaterialName material) {
+    const std::string name = scope + model.Name();
+    material = own_or(material, model.Element(), what("model", name, *model.Element()));
+    for (std::uint64_t i = 0; i < model.LinkCount(); ++i) {
+      add_link(*model.LinkByIndex(i), name + "::", world_from_model, material);
+    }
+    for (std::uint64_t i = 0; i < model.ModelCount(); ++i) {
+      const sdf::Model& inner = *model.ModelByIndex(i);
+      const Pose model_from_inner = resolve(inner, what("model", name + "::" + inner.Name(), *inner.Element()));
+      add_model(inner, name + "::", world_from_model * model_from_inner, material);
+    }
+  }
+
   // "path:line: "
   [[nodiscard]] std::string place(const sdf::Element& element) const {
     const std::string path = source_.shown(element.FilePath());
@@ -74,9 +115,7 @@ class SceneBuilder {
     if (!errors.empty()) {
       throw Error(where + ": its pose cannot be worked out: " + errors.front().Message());
     }
-    const auto& p = pose.Pos();
-    const auto& q = pose.Rot();
-    return {{p.X(), p.Y(), p.Z()}, Eigen::Quaterniond(q.W(), q.X(), q.Y(), q.Z()).normalized()};
+    return pose_of(pose);
   }
 
   [[nodiscard]] MaterialName own_or(const MaterialName& inherited, const sdf::ElementPtr& element,
@@ -157,13 +196,10 @@ Scene load_sdf_scene(const std::filesystem::path& path, bool collisions, const L
 
   SceneBuilder builder(source, collisions, log);
   for (std::uint64_t w = 0; w < root.WorldCount(); ++w) {
-    const sdf::World& world = *root.WorldByIndex(w);
-    for (std::uint64_t i = 0; i < world.ModelCount(); ++i) {
-      builder.add_model(*world.ModelByIndex(i), "", Pose{}, {});
-    }
+    builder.add_world(*root.WorldByIndex(w));
   }
   if (root.Model() != nullptr) {
-    builder.add_model(*root.Model(), "", Pose{}, {});
+    builder.add_model(*root.Model());
   }
   return builder.finish(path.string());
 }

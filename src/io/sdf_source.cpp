@@ -94,8 +94,9 @@ bool is_beside_the_point(const XmlTag& tag, const XmlTag& parent) {
       {"visual", "material"}, {"collision", "surface"}, {"link", "inertial"},
       {"link", "sensor"},     {"link", "light"},        {"link", "particle_emitter"},
       {"joint", "sensor"},    {"world", "light"},       {"world", "physics"},
-      {"world", "gui"},       {"world", "scene"},       {"world", "state"},
-      {"world", "actor"},     {"sdf", "light"},         {"sdf", "actor"}};
+      {"world", "gui"},       {"world", "scene"},       {"world", "actor"},
+      {"state", "light"},     {"state", "insertions"},  {"state", "deletions"},
+      {"sdf", "light"},       {"sdf", "actor"}};
   return kLeftOut.contains({parent.name, tag.name});
 }
 

@@ -170,6 +170,19 @@ std::uint16_t index_of(const Material& material, std::vector<Material>& in_use) 
   return static_cast<std::uint16_t>(index);
 }
 
+// One line on what took the default: by the names that meshes have for it; the empty name is that of no name.
+std::string told_of_default(const std::string& material, std::set<std::string> names) {
+  const bool nameless = names.erase("") > 0;
+  std::string text = fmt::format("took {} for ", material);
+  if (!names.empty()) {
+    text += fmt::format("the materials that meshes call {}", fmt::join(names, ", "));
+  }
+  if (nameless) {
+    text += names.empty() ? "surfaces that name no material" : ", and for surfaces that name none";
+  }
+  return text;
+}
+
 }  // namespace
 
 void assign_materials(Scene& scene, const MaterialRules& rules, const Log& log) {
@@ -188,14 +201,13 @@ void assign_materials(Scene& scene, const MaterialRules& rules, const Log& log) 
       const Material* material = whole ? whole : find_by_name(name, defined);
       if (!material) {
         material = find_by_name(rules.default_material, defined);
-        took_default.insert(name.empty() ? "(unnamed)" : name);
+        took_default.insert(name);
       }
       instance.materials.push_back(index_of(*material, scene.materials));
     }
   }
   if (log && !took_default.empty()) {
-    log(Severity::kInfo, fmt::format("took {} for the materials that meshes call {}", rules.default_material,
-                                     fmt::join(took_default, ", ")));
+    log(Severity::kInfo, told_of_default(rules.default_material, took_default));
   }
 }
 

@@ -18,6 +18,7 @@ constexpr double kMargin =
     0.80;  // The same for what the camera is placed by: things are larger than the points seen of them.
 constexpr double kSonarMargin = 0.74;
 constexpr double kMostShown = 0.95;  // Share of what is seen that decides how far off the camera stands.
+constexpr double kNearest = 0.1;     // Of the camera to the sonar, in mean distances of what the sonar sees.
 constexpr double kClearance = 1e-3;  // Share of its length that a line of sight may lack.
 
 // A surface point that the sonar sees.
@@ -83,6 +84,14 @@ double most_of(std::vector<std::pair<double, double>>& values) {
   return values.back().first;
 }
 
+double mean_distance(const std::vector<SeenPoint>& points, const Vec3& from) {
+  double sum = 0;
+  for (const SeenPoint& point : points) {
+    sum += (point.place - from).norm();
+  }
+  return sum / static_cast<double>(points.size());
+}
+
 // The camera that looks against `towards` and has most points and the sonar in its frame, no farther off than need be.
 //
 // In its own axes, x right, y up and z towards it, a point is in the frame when |x - cx| <= a (cz - z), with a half the
@@ -94,11 +103,13 @@ Candidate fit(const std::vector<SeenPoint>& points, const Vec3& sonar, const Vec
   struct Fit {
     double middle, distance;
   };
+  // Places are counted from the sonar on, so that it does not matter how far off the world's origin is.
   const auto fit_along = [&](const Vec3& axis, double half) {
     const auto bound_of_points = [&](double side) {
       std::vector<std::pair<double, double>> values;
       for (const SeenPoint& point : points) {
-        values.emplace_back(side * point.place.dot(axis) + kMargin * half * point.place.dot(towards), point.weight);
+        const Vec3 place = point.place - sonar;
+        values.emplace_back(side * place.dot(axis) + kMargin * half * place.dot(towards), point.weight);
       }
       return most_of(values);
     };
@@ -107,23 +118,19 @@ Candidate fit(const std::vector<SeenPoint>& points, const Vec3& sonar, const Vec
     Fit fit{0, (points_high + points_low) / 2 / (kMargin * half)};
     // The sonar is drawn with a size that follows from the distance: as if its place were that much wider.
     for (int pass = 0; pass < 8; ++pass) {
-      const double depth = std::max(0.0, fit.distance - sonar.dot(towards));
-      const double reach = kMargin * half * sonar.dot(towards) + (kMargin - kSonarMargin) * half * depth;
-      const double high = std::max(points_high, sonar.dot(axis) + reach);
-      const double low = std::max(points_low, -sonar.dot(axis) + reach);
+      const double reach = (kMargin - kSonarMargin) * half * std::max(0.0, fit.distance);
+      const double high = std::max(points_high, reach);
+      const double low = std::max(points_low, reach);
       fit = {(high - low) / 2, (high + low) / 2 / (kMargin * half)};
     }
     return fit;
   };
   const Fit across = fit_along(axes.right(), half_width);
   const Fit along = fit_along(axes.up(), half_width * kHeight / kWidth);
-  const Vec3 middle = across.middle * axes.right() + along.middle * axes.up();
-  const double distance = std::max(across.distance, along.distance);
+  const Vec3 middle = sonar + across.middle * axes.right() + along.middle * axes.up();
+  const double distance = std::max({across.distance, along.distance, kNearest * mean_distance(points, sonar)});
   // Looks at a point about as far off as the sonar: any in front of the camera would do.
-  const ViewConfig view{
-      .position = middle + distance * towards,
-      .look_at = middle + std::min(sonar.dot(towards), distance - kClearance * std::abs(distance)) * towards,
-      .field_of_view = field_of_view};
+  const ViewConfig view{.position = middle + distance * towards, .look_at = middle, .field_of_view = field_of_view};
   // What fills the frame both ways shows best.
   return {view, 0.22 * std::min(across.distance, along.distance) / distance};
 }

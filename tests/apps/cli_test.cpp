@@ -80,6 +80,7 @@ TEST_F(CliTest, RunWritesRecordingAndPictures) {
   EXPECT_THAT(files("out/deep"),
               ElementsAre("ahead.h5", "ahead_fan_0000.png", "ahead_fan_0001.png", "ahead_fan_0002.png",
                           "ahead_polar_0000.png", "ahead_polar_0001.png", "ahead_polar_0002.png", "ahead_view.png"));
+  EXPECT_THAT(outcome.out, ContainsRegex("world: 1 object of [0-9]+ triangles, ready in [0-9.]+ s\n"));
   EXPECT_THAT(outcome.out, HasSubstr("ahead: 3 pings of 16 beams x 40 bins to 12 m\n  out/deep/ahead.h5\n"));
   EXPECT_THAT(outcome.out,
               ContainsRegex("3 pings in [0-9.]+ s: [0-9.]+ pings/s to compute, [0-9.]+ pings/s with files"));

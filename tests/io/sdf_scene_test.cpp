@@ -39,6 +39,28 @@ TEST_F(SdfSceneTest, PutsAVisualAtModelTimesLinkTimesVisual) {
   EXPECT_TRUE(said.empty());
 }
 
+// What Gazebo saves: the poses that models began with, and in <state> those that they had come to, in the world.
+TEST_F(SdfSceneTest, TakesModelsToWhereASavedStateHasThem) {
+  const Scene scene = load(fmt::format(R"(<sdf version="1.6"><world name="sea">
+<model name="wreck"><static>1</static><pose frame="">1 2 3 0 0 0</pose><link name="hull"><pose>1 0 0 0 0 0</pose>
+<visual name="plate"><geometry><box><size>1 2 3</size></box></geometry></visual></link></model>
+<model name="buoy"><static>1</static><pose frame="">5 6 7 0 0 0</pose><link name="hull">
+<visual name="plate"><geometry><box><size>1 2 3</size></box></geometry></visual></link></model>
+<state world_name="sea"><sim_time>360 764000000</sim_time>
+<model name="wreck"><pose frame="">10 20 -90 {0}</pose><scale>1 1 1</scale>
+<link name="hull"><pose frame="">10 21 -90 {0}</pose></link></model>
+<model name="gone"><pose frame="">0 0 0 0 0 0</pose></model></state>
+<state world_name="sea"><model name="wreck"><pose frame="">7 7 7 0 0 0</pose></model></state>
+</world></sdf>)",
+                                       kQuarterTurn));
+  ASSERT_EQ(scene.instances.size(), 2);
+  // The link's (1, 0, 0) in the turned model.
+  EXPECT_THAT(scene.instances[0].world_from_mesh.position, Near3(Vec3(10, 21, -90), kPoseError));
+  EXPECT_THAT(scene.instances[0].world_from_mesh.orientation * Vec3::UnitX(), Near3(Vec3::UnitY(), kPoseError));
+  EXPECT_THAT(scene.instances[1].world_from_mesh.position, Near3(Vec3(5, 6, 7), kPoseError));
+  EXPECT_TRUE(said.empty());
+}
+
 TEST_F(SdfSceneTest, FollowsFramesAndChainsOfRelativeTo) {
   const Scene scene = load(fmt::format(R"(<sdf version="1.9"><world name="sea">
 <frame name="harbour"><pose>100 0 0 {0}</pose></frame>
@@ -197,7 +219,8 @@ TEST_F(SdfSceneTest, DoesNotMindFaultsInWhatHasNoShape) {
   const Scene scene = load(R"(<sdf version="1.9"><world name="sea">
 <light name="sun" type="no such type"/>
 <physics><real_time_factor>fast</real_time_factor></physics>
-<gui><camera/></gui><state world_name="other"><model name="ship"><pose>lost</pose></model></state>
+<gui><camera/></gui><state world_name="other"><model name="ship"><pose>1 1 1 0 0 0</pose></model>
+<insertions><model name="odd"/></insertions></state>
 <model name="ship"><link name="hull">
 <inertial><mass>heavy</mass></inertial><sensor name="eye"><camera/></sensor>
 <visual name="plate"><geometry><box><size>1 2 3</size></box></geometry></visual></link></model></world></sdf>)");

@@ -58,7 +58,16 @@ TEST(AssignMaterialsTest, ThoseThatTookTheDefaultAreToldInOneLine) {
     EXPECT_EQ(severity, Severity::kInfo);
     told.push_back(line);
   });
-  EXPECT_THAT(told, ElementsAre("took clay for the materials that meshes call (unnamed), moss, paint_7"));
+  EXPECT_THAT(
+      told, ElementsAre("took clay for the materials that meshes call moss, paint_7, and for surfaces that name none"));
+}
+
+// As those of a height grid or an STL.
+TEST(AssignMaterialsTest, SurfacesWithoutANameAreToldAsSuch) {
+  Scene scene = scene_with({instance("seabed", {""})});
+  std::vector<std::string> told;
+  assign_materials(scene, {}, [&](Severity, const std::string& line) { told.push_back(line); });
+  EXPECT_THAT(told, ElementsAre("took sand for surfaces that name no material"));
 }
 
 TEST(AssignMaterialsTest, SaysNothingWhenAllAreKnown) {

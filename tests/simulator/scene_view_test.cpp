@@ -349,6 +349,25 @@ TEST(FittingViewTest, DoesNotDependOnScale) {
   }
 }
 
+// Moving the scene and the sonar together moves the camera with them, and no more.
+TEST(FittingViewTest, DoesNotDependOnTheOrigin) {
+  const auto fit = [](const Vec3& shift) {
+    Stage stage;
+    stage.add("sand", make_plane(Vec3::UnitZ(), 400, 400), shift);
+    stage.add("steel", make_box({1, 2, 3}), shift + Vec3(9, -2, 1.5));
+    stage.pose.position += shift;
+    return stage.fit();
+  };
+  const ViewConfig view = fit(Vec3::Zero());
+  for (const Vec3& shift : {Vec3(-20, 0, -90), Vec3(0, 70, -5), Vec3(-600, 800, -2000), Vec3(9, -3, 11)}) {
+    const ViewConfig other = fit(shift);
+    // Floats round the ends of rays, which moves the camera a little.
+    EXPECT_LT((other.position - shift - view.position).norm(), 0.1) << shift.transpose();
+    EXPECT_LT((other.look_at - shift - view.look_at).norm(), 0.1) << shift.transpose();
+    EXPECT_EQ(other.field_of_view, view.field_of_view);
+  }
+}
+
 TEST(FittingViewTest, WorksWhereThereIsNothing) {
   Stage stage;
   stage.add("steel", make_sphere(1), {5000, 0, 0});
