@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numeric>
 
 #include "insonify/scene_view.h"
@@ -17,15 +18,22 @@ constexpr double kInFrame = 0.95;  // Share of the half picture within which som
 constexpr double kMargin =
     0.80;  // The same for what the camera is placed by: things are larger than the points seen of them.
 constexpr double kSonarMargin = 0.74;
-constexpr double kMostShown = 0.95;  // Share of what is seen that decides how far off the camera stands.
-constexpr double kNearest = 0.1;     // Of the camera to the sonar, in mean distances of what the sonar sees.
-constexpr double kClearance = 1e-3;  // Share of its length that a line of sight may lack.
+constexpr double kMostShown = 0.95;    // Share of what is seen that decides how far off the camera stands.
+constexpr double kNearest = 0.1;       // Of the camera to the sonar, in mean distances of what the sonar sees.
+constexpr double kLargestWhole = 1.5;  // Of a thing that is shown whole, in distances of what the sonar sees of it.
+constexpr double kClearance = 1e-3;    // Share of its length that a line of sight may lack.
 
 // A surface point that the sonar sees.
 struct SeenPoint {
   Vec3 place, normal;
   std::uint16_t instance;
   double weight;
+};
+
+// What a picture is to show.
+struct Subject {
+  std::vector<SeenPoint> points;
+  std::vector<Vec3> tips;  // Of things that are seen in part and not too large to be shown whole.
 };
 
 struct Candidate {
@@ -67,6 +75,48 @@ std::vector<SeenPoint> look_around(Engine& engine, const InsonifiedSector& secto
   return points;
 }
 
+// The outermost of a thing's vertices in many directions, in the world.
+std::vector<Vec3> tips_of(const Instance& thing) {
+  std::vector<Vec3> tips;
+  for (int x = -1; x <= 1; ++x) {
+    for (int y = -1; y <= 1; ++y) {
+      for (int z = -1; z <= 1; ++z) {
+        const Vec3f outwards = (thing.world_from_mesh.orientation.conjugate() * Vec3(x, y, z)).cast<float>();
+        const auto tip = std::ranges::max_element(thing.mesh->vertices, {},
+                                                  [&](const Vec3f& vertex) { return vertex.dot(outwards); });
+        tips.push_back(thing.world_from_mesh * tip->cast<double>());
+      }
+    }
+  }
+  return tips;
+}
+
+// The tips of all that is seen and small enough. What has moved since the scene was loaded is left out.
+std::vector<Vec3> tips_of(const Scene& scene, const std::vector<SeenPoint>& points, const Vec3& sonar) {
+  std::map<std::uint16_t, std::vector<Vec3>> seen;
+  for (const SeenPoint& point : points) {
+    if (point.instance < scene.instances.size()) {
+      seen[point.instance].push_back(point.place);
+    }
+  }
+  std::vector<Vec3> all;
+  for (const auto& [instance, places] : seen) {
+    const std::vector<Vec3> tips = tips_of(scene.instances[instance]);
+    Box3 box{tips.front(), tips.front()};
+    for (const Vec3& tip : tips) {
+      box = {box.low.cwiseMin(tip), box.high.cwiseMax(tip)};
+    }
+    const Vec3& place = places.front();
+    const double size = (box.high - box.low).norm();
+    const bool is_there =
+        ((place - box.low).array() > -0.01 * size).all() && ((box.high - place).array() > -0.01 * size).all();
+    if (is_there && size < kLargestWhole * (place - sonar).norm()) {
+      all.insert(all.end(), tips.begin(), tips.end());
+    }
+  }
+  return all;
+}
+
 // The least value that is at least `values` for a share kMostShown of the weights.
 double most_of(std::vector<std::pair<double, double>>& values) {
   std::sort(values.begin(), values.end());
@@ -97,7 +147,7 @@ double mean_distance(const std::vector<SeenPoint>& points, const Vec3& from) {
 // In its own axes, x right, y up and z towards it, a point is in the frame when |x - cx| <= a (cz - z), with a half the
 // frame's width at distance 1. So a cz must be half the sum of the greatest x + a z and -x + a z, and cx half their
 // difference; the same holds for y.
-Candidate fit(const std::vector<SeenPoint>& points, const Vec3& sonar, const Vec3& towards, double field_of_view) {
+Candidate fit(const Subject& subject, const Vec3& sonar, const Vec3& towards, double field_of_view) {
   const Camera axes({.position = towards, .look_at = Vec3::Zero(), .field_of_view = field_of_view}, kWidth, kHeight);
   const double half_width = axes.width_at_one() / 2;
   struct Fit {
@@ -106,12 +156,19 @@ Candidate fit(const std::vector<SeenPoint>& points, const Vec3& sonar, const Vec
   // Places are counted from the sonar on, so that it does not matter how far off the world's origin is.
   const auto fit_along = [&](const Vec3& axis, double half) {
     const auto bound_of_points = [&](double side) {
+      const auto bound_of = [&](const Vec3& point) {
+        const Vec3 place = point - sonar;
+        return side * place.dot(axis) + kMargin * half * place.dot(towards);
+      };
       std::vector<std::pair<double, double>> values;
-      for (const SeenPoint& point : points) {
-        const Vec3 place = point.place - sonar;
-        values.emplace_back(side * place.dot(axis) + kMargin * half * place.dot(towards), point.weight);
+      for (const SeenPoint& point : subject.points) {
+        values.emplace_back(bound_of(point.place), point.weight);
       }
-      return most_of(values);
+      double bound = most_of(values);
+      for (const Vec3& tip : subject.tips) {
+        bound = std::max(bound, bound_of(tip));
+      }
+      return bound;
     };
     const double points_high = bound_of_points(1);
     const double points_low = bound_of_points(-1);
@@ -128,7 +185,7 @@ Candidate fit(const std::vector<SeenPoint>& points, const Vec3& sonar, const Vec
   const Fit across = fit_along(axes.right(), half_width);
   const Fit along = fit_along(axes.up(), half_width * kHeight / kWidth);
   const Vec3 middle = sonar + across.middle * axes.right() + along.middle * axes.up();
-  const double distance = std::max({across.distance, along.distance, kNearest * mean_distance(points, sonar)});
+  const double distance = std::max({across.distance, along.distance, kNearest * mean_distance(subject.points, sonar)});
   // Looks at a point about as far off as the sonar: any in front of the camera would do.
   const ViewConfig view{.position = middle + distance * towards, .look_at = middle, .field_of_view = field_of_view};
   // What fills the frame both ways shows best.
@@ -137,9 +194,9 @@ Candidate fit(const std::vector<SeenPoint>& points, const Vec3& sonar, const Vec
 
 // Cameras all around at several heights and with two lenses; the merit prefers the usual look over the sonar's
 // shoulder.
-std::vector<Candidate> candidates_around(Engine& engine, const std::vector<SeenPoint>& points, const Pose& sonar) {
+std::vector<Candidate> candidates_around(Engine& engine, const Subject& subject, const Pose& sonar) {
   Vec3 ahead = Vec3::Zero();
-  for (const SeenPoint& point : points) {
+  for (const SeenPoint& point : subject.points) {
     ahead += point.weight * (point.place - sonar.position);
   }
   const double length = ahead.norm();
@@ -160,7 +217,7 @@ std::vector<Candidate> candidates_around(Engine& engine, const std::vector<SeenP
         const Vec3 level = Eigen::AngleAxisd(turn, Vec3::UnitZ()) * -ahead;
         const Vec3 towards = std::cos(height) * level + std::sin(height) * Vec3::UnitZ();
         const double lens = radians_from_degrees(lens_deg);
-        Candidate candidate = fit(points, sonar.position, towards, lens);
+        Candidate candidate = fit(subject, sonar.position, towards, lens);
         const double oblique = std::abs(std::abs(turn_deg) - 18) / 180;
         candidate.merit += -0.5 * oblique - 0.4 * std::abs(height_deg - 32) / 90 - (lens_deg > 60 ? 0.08 : 0);
         candidates.push_back(candidate);
@@ -232,7 +289,7 @@ double worth_of(Engine& engine, const ViewConfig& view, const std::vector<SeenPo
 
 // Turns a camera up or down until what it shows is in the middle of its frame: what is near takes more room below than
 // what is far takes above. Points far outside of the frame do not count.
-ViewConfig aimed(ViewConfig view, const std::vector<SeenPoint>& points, const Vec3& sonar) {
+ViewConfig aimed(ViewConfig view, const Subject& subject, const Vec3& sonar) {
   const Camera camera(view, kWidth, kHeight);
   const double half = camera.width_at_one() / 2;
   // Upwards from the optical axis, at distance 1.
@@ -240,36 +297,47 @@ ViewConfig aimed(ViewConfig view, const std::vector<SeenPoint>& points, const Ve
     const Vec3 way = place - view.position;
     return way.dot(camera.up()) / way.dot(camera.forward());
   };
-  std::vector<std::pair<double, double>> high;
-  std::vector<std::pair<double, double>> low;
-  for (const SeenPoint& point : points) {
-    const Vec3 way = point.place - view.position;
-    if (way.dot(camera.forward()) > 0 && std::abs(way.dot(camera.right())) < half * way.dot(camera.forward()) &&
-        std::abs(height_of(point.place)) < half) {
-      high.emplace_back(height_of(point.place), point.weight);
-      low.emplace_back(-height_of(point.place), point.weight);
+  const auto is_near_frame = [&](const Vec3& place) {
+    const Vec3 way = place - view.position;
+    return way.dot(camera.forward()) > 0 && std::abs(way.dot(camera.right())) < half * way.dot(camera.forward()) &&
+           std::abs(height_of(place)) < half;
+  };
+  std::vector<std::pair<double, double>> highs;
+  std::vector<std::pair<double, double>> lows;
+  for (const SeenPoint& point : subject.points) {
+    if (is_near_frame(point.place)) {
+      highs.emplace_back(height_of(point.place), point.weight);
+      lows.emplace_back(-height_of(point.place), point.weight);
     }
   }
   const double sonar_height = height_of(sonar);
-  if (high.empty() || std::abs(sonar_height) > half) {
+  if (highs.empty() || std::abs(sonar_height) > half) {
     return view;
   }
-  const double middle = (std::max(most_of(high), sonar_height) - std::max(most_of(low), -sonar_height)) / 2;
+  double high = std::max(most_of(highs), sonar_height);
+  double low = std::max(most_of(lows), -sonar_height);
+  for (const Vec3& tip : subject.tips) {
+    if (is_near_frame(tip)) {
+      high = std::max(high, height_of(tip));
+      low = std::max(low, -height_of(tip));
+    }
+  }
+  const double middle = (high - low) / 2;
   view.look_at += (view.look_at - view.position).norm() * middle * camera.up();
   return view;
 }
 
 }  // namespace
 
-ViewConfig fitting_view(Engine& engine, const Scene& /*scene*/, const SonarConfig& sonar,
-                        const Pose& world_from_sonar) {
+ViewConfig fitting_view(Engine& engine, const Scene& scene, const SonarConfig& sonar, const Pose& world_from_sonar) {
   const InsonifiedSector sector(sonar, world_from_sonar);
-  const std::vector<SeenPoint> points = look_around(engine, sector);
+  Subject subject{look_around(engine, sector), {}};
+  subject.tips = tips_of(scene, subject.points, world_from_sonar.position);
   ViewConfig best;
   double best_worth = -std::numeric_limits<double>::infinity();
-  for (const Candidate& candidate : candidates_around(engine, points, world_from_sonar)) {
-    const ViewConfig view = aimed(candidate.view, points, world_from_sonar.position);
-    const double worth = candidate.merit + worth_of(engine, view, points, world_from_sonar.position);
+  for (const Candidate& candidate : candidates_around(engine, subject, world_from_sonar)) {
+    const ViewConfig view = aimed(candidate.view, subject, world_from_sonar.position);
+    const double worth = candidate.merit + worth_of(engine, view, subject.points, world_from_sonar.position);
     if (worth > best_worth) {
       best = view;
       best_worth = worth;
