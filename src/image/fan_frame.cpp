@@ -178,7 +178,7 @@ FanMarks marks_of(const FanShape& shape, double low_edge, double high_edge, Moun
   }
   marks.rings.push_back(shape.max_range);
 
-  const double step = radial_step(high_edge - low_edge);
+  const double step = radial_step(high_edge - low_edge, mounting);
   const bool whole = high_edge - low_edge > kNearlyWhole;
   if (whole) {
     const double low = (low_edge + high_edge) / 2 - std::numbers::pi + 1e-6;  // Its other end is the same radial.

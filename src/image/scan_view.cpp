@@ -115,7 +115,8 @@ Picture ScanView::draw_polar(const Display& display) const {
   display.validate();
   const FanShape shape = shape_of(sonar_);
   PlotAxes axes{{}, range_ticks(sonar_), "head angle", "range (m)"};
-  const std::vector<double> azimuths = multiples_within(shape.low, shape.high, radial_step(shape.aperture()));
+  const std::vector<double> azimuths =
+      multiples_within(shape.low, shape.high, radial_step(shape.aperture(), sonar_.mounting));
   for (auto azimuth = azimuths.rbegin(); azimuth != azimuths.rend(); ++azimuth) {  // From port, which is left.
     axes.across.push_back(
         {(shape.high - *azimuth) / shape.aperture(), bearing_text(*azimuth, sonar_.mounting), *azimuth == 0});

@@ -79,6 +79,10 @@ TEST(ScalesTest, RadialsAreEveryOneToThirtyDegrees) {
   EXPECT_EQ(step(45), 10);
   EXPECT_EQ(step(120), 20);
   EXPECT_EQ(step(360), 30);
+  for (const double aperture : {30, 60, 90, 120, 180, 360}) {
+    EXPECT_EQ(90 % std::lround(degrees_from_radians(radial_step(radians_from_degrees(aperture), Mounting::kVertical))),
+              0);
+  }
 }
 
 }  // namespace
