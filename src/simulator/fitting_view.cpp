@@ -91,26 +91,22 @@ std::vector<Vec3> tips_of(const Instance& thing) {
   return tips;
 }
 
-// The tips of all that is seen and small enough. What has moved since the scene was loaded is left out.
+// The tips of all that is seen and small enough. The scene does not know where moving things are: they are left out.
 std::vector<Vec3> tips_of(const Scene& scene, const std::vector<SeenPoint>& points, const Vec3& sonar) {
-  std::map<std::uint16_t, std::vector<Vec3>> seen;
+  std::map<std::uint16_t, Vec3> seen;
   for (const SeenPoint& point : points) {
-    if (point.instance < scene.instances.size()) {
-      seen[point.instance].push_back(point.place);
+    if (point.instance < scene.instances.size() && !scene.instances[point.instance].moving) {
+      seen.emplace(point.instance, point.place);
     }
   }
   std::vector<Vec3> all;
-  for (const auto& [instance, places] : seen) {
+  for (const auto& [instance, place] : seen) {
     const std::vector<Vec3> tips = tips_of(scene.instances[instance]);
     Box3 box{tips.front(), tips.front()};
     for (const Vec3& tip : tips) {
       box = {box.low.cwiseMin(tip), box.high.cwiseMax(tip)};
     }
-    const Vec3& place = places.front();
-    const double size = (box.high - box.low).norm();
-    const bool is_there =
-        ((place - box.low).array() > -0.01 * size).all() && ((box.high - place).array() > -0.01 * size).all();
-    if (is_there && size < kLargestWhole * (place - sonar).norm()) {
+    if ((box.high - box.low).norm() < kLargestWhole * (place - sonar).norm()) {
       all.insert(all.end(), tips.begin(), tips.end());
     }
   }
