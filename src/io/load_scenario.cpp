@@ -10,6 +10,7 @@
 #include "insonify/files.h"
 #include "io/input_file.h"
 #include "io/preset_file.h"
+#include "io/scenario_keys.h"
 #include "io/yaml_read.h"
 #include "io/yaml_settings.h"
 
@@ -17,37 +18,6 @@ namespace insonify {
 namespace {
 
 using Kind = YamlValue::Kind;
-
-// Keys that stand for a part of the scenario instead of a plain value.
-constexpr std::array kPartKeys = {"water",  "materials",  "sonars",  "receiver", "paper",
-                                  "points", "trajectory", "motions", "view"};
-
-std::vector<std::string> scenario_keys() {
-  std::vector<std::string> keys = keys_of<Scenario>();
-  keys.push_back(keys_of<MaterialRules>().front());
-  keys.insert(keys.end(), kPartKeys.begin(), kPartKeys.end());
-  return keys;
-}
-
-std::vector<std::string> sonar_keys() {
-  std::vector<std::string> keys = keys_of<SonarConfig>();
-  keys.insert(keys.end(), {"preset", "mode", "sampling"});
-  return keys;
-}
-
-// Keys of the parts of a scenario and of its sonars, as paths: "water.depth", "sampling.rows".
-std::vector<std::string> part_keys(const char* sampling = "sampling") {
-  std::vector<std::string> all;
-  for (const auto& [part, keys] :
-       {std::pair{"water", keys_of<Water>()}, std::pair{"receiver", keys_of<ReceiverConfig>()},
-        std::pair{"paper", keys_of<PaperModel>()}, std::pair{"view", keys_of<ViewConfig>()},
-        std::pair{sampling, keys_of<Sampling>()}}) {
-    for (const std::string& key : keys) {
-      all.push_back(member_name(part, key));
-    }
-  }
-  return all;
-}
 
 // What someone probably wants who gives us a world where a scenario is due.
 void refuse_worlds(const std::filesystem::path& path) {

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <numeric>
 
 #include "insonify/scene_view.h"
 #include "simulator/camera.h"
 #include "simulator/insonified_sector.h"
+#include "simulator/view_subject.h"
 
 namespace insonify {
 namespace {
@@ -18,100 +18,14 @@ constexpr double kInFrame = 0.95;  // Share of the half picture within which som
 constexpr double kMargin =
     0.80;  // The same for what the camera is placed by: things are larger than the points seen of them.
 constexpr double kSonarMargin = 0.74;
-constexpr double kMostShown = 0.95;    // Share of what is seen that decides how far off the camera stands.
-constexpr double kNearest = 0.1;       // Of the camera to the sonar, in mean distances of what the sonar sees.
-constexpr double kLargestWhole = 1.5;  // Of a thing that is shown whole, in distances of what the sonar sees of it.
-constexpr double kClearance = 1e-3;    // Share of its length that a line of sight may lack.
-
-// A surface point that the sonar sees.
-struct SeenPoint {
-  Vec3 place, normal;
-  std::uint16_t instance;
-  double weight;
-};
-
-// What a picture is to show.
-struct Subject {
-  std::vector<SeenPoint> points;
-  std::vector<Vec3> tips;  // Of things that are seen in part and not too large to be shown whole.
-};
+constexpr double kMostShown = 0.95;  // Share of what is seen that decides how far off the camera stands.
+constexpr double kNearest = 0.1;     // Of the camera to the sonar, in mean distances of what the sonar sees.
+constexpr double kClearance = 1e-3;  // Share of its length that a line of sight may lack.
 
 struct Candidate {
   ViewConfig view;
   double merit = 0;  // What speaks for the direction alone.
 };
-
-// Sends rays through the sector, no more than the eye needs to tell what is there.
-std::vector<SeenPoint> look_around(Engine& engine, const InsonifiedSector& sector) {
-  constexpr int kAcross = 48, kAlong = 12;
-  const Vec3& sonar = sector.world_from_sonar().position;
-  std::vector<Ray> rays;
-  for (int i = 0; i < kAcross; ++i) {
-    for (int j = 0; j < kAlong; ++j) {
-      const Vec3 far = sector.point_at(sector.max_range(), (i + 0.5) / kAcross, (j + 0.5) / kAlong);
-      rays.push_back({sonar, (far - sonar).normalized(), 0, sector.max_range()});
-    }
-  }
-  std::vector<Hit> hits(rays.size());
-  engine.trace(rays, hits);
-  std::vector<SeenPoint> points;
-  for (std::size_t i = 0; i < rays.size(); ++i) {
-    if (std::isfinite(hits[i].distance)) {
-      points.push_back({sonar + hits[i].distance * rays[i].direction, hits[i].normal, hits[i].instance, 1});
-    }
-  }
-  // In open water: the far end of the sector, to be seen from anywhere.
-  for (std::size_t i = 0; points.empty() && i < rays.size(); i += 7) {
-    points.push_back({sonar + sector.max_range() * rays[i].direction, Vec3::Zero(), kNoLabel, 1});
-  }
-  // A small thing on a wide floor counts for more than the few rays that meet it.
-  std::vector<int> rays_on(1 << 16);
-  for (const SeenPoint& point : points) {
-    ++rays_on[point.instance];
-  }
-  for (SeenPoint& point : points) {
-    point.weight = 1 / std::pow(rays_on[point.instance], 0.6);
-  }
-  return points;
-}
-
-// The outermost of a thing's vertices in many directions, in the world.
-std::vector<Vec3> tips_of(const Instance& thing) {
-  std::vector<Vec3> tips;
-  for (int x = -1; x <= 1; ++x) {
-    for (int y = -1; y <= 1; ++y) {
-      for (int z = -1; z <= 1; ++z) {
-        const Vec3f outwards = (thing.world_from_mesh.orientation.conjugate() * Vec3(x, y, z)).cast<float>();
-        const auto tip = std::ranges::max_element(thing.mesh->vertices, {},
-                                                  [&](const Vec3f& vertex) { return vertex.dot(outwards); });
-        tips.push_back(thing.world_from_mesh * tip->cast<double>());
-      }
-    }
-  }
-  return tips;
-}
-
-// The tips of all that is seen and small enough. The scene does not know where moving things are: they are left out.
-std::vector<Vec3> tips_of(const Scene& scene, const std::vector<SeenPoint>& points, const Vec3& sonar) {
-  std::map<std::uint16_t, Vec3> seen;
-  for (const SeenPoint& point : points) {
-    if (point.instance < scene.instances.size() && !scene.instances[point.instance].moving) {
-      seen.emplace(point.instance, point.place);
-    }
-  }
-  std::vector<Vec3> all;
-  for (const auto& [instance, place] : seen) {
-    const std::vector<Vec3> tips = tips_of(scene.instances[instance]);
-    Box3 box{tips.front(), tips.front()};
-    for (const Vec3& tip : tips) {
-      box = {box.low.cwiseMin(tip), box.high.cwiseMax(tip)};
-    }
-    if ((box.high - box.low).norm() < kLargestWhole * (place - sonar).norm()) {
-      all.insert(all.end(), tips.begin(), tips.end());
-    }
-  }
-  return all;
-}
 
 // The least value that is at least `values` for a share kMostShown of the weights.
 double most_of(std::vector<std::pair<double, double>>& values) {
@@ -143,7 +57,7 @@ double mean_distance(const std::vector<SeenPoint>& points, const Vec3& from) {
 // In its own axes, x right, y up and z towards it, a point is in the frame when |x - cx| <= a (cz - z), with a half the
 // frame's width at distance 1. So a cz must be half the sum of the greatest x + a z and -x + a z, and cx half their
 // difference; the same holds for y.
-Candidate fit(const Subject& subject, const Vec3& sonar, const Vec3& towards, double field_of_view) {
+Candidate fit(const ViewSubject& subject, const Vec3& sonar, const Vec3& towards, double field_of_view) {
   const Camera axes({.position = towards, .look_at = Vec3::Zero(), .field_of_view = field_of_view}, kWidth, kHeight);
   const double half_width = axes.width_at_one() / 2;
   struct Fit {
@@ -190,7 +104,7 @@ Candidate fit(const Subject& subject, const Vec3& sonar, const Vec3& towards, do
 
 // Cameras all around at several heights and with two lenses; the merit prefers the usual look over the sonar's
 // shoulder.
-std::vector<Candidate> candidates_around(Engine& engine, const Subject& subject, const Pose& sonar) {
+std::vector<Candidate> candidates_around(Engine& engine, const ViewSubject& subject, const Pose& sonar) {
   Vec3 ahead = Vec3::Zero();
   for (const SeenPoint& point : subject.points) {
     ahead += point.weight * (point.place - sonar.position);
@@ -285,7 +199,7 @@ double worth_of(Engine& engine, const ViewConfig& view, const std::vector<SeenPo
 
 // Turns a camera up or down until what it shows is in the middle of its frame: what is near takes more room below than
 // what is far takes above. Points far outside of the frame do not count.
-ViewConfig aimed(ViewConfig view, const Subject& subject, const Vec3& sonar) {
+ViewConfig aimed(ViewConfig view, const ViewSubject& subject, const Vec3& sonar) {
   const Camera camera(view, kWidth, kHeight);
   const double half = camera.width_at_one() / 2;
   // Upwards from the optical axis, at distance 1.
@@ -326,9 +240,7 @@ ViewConfig aimed(ViewConfig view, const Subject& subject, const Vec3& sonar) {
 }  // namespace
 
 ViewConfig fitting_view(Engine& engine, const Scene& scene, const SonarConfig& sonar, const Pose& world_from_sonar) {
-  const InsonifiedSector sector(sonar, world_from_sonar);
-  Subject subject{look_around(engine, sector), {}};
-  subject.tips = tips_of(scene, subject.points, world_from_sonar.position);
+  const ViewSubject subject = view_subject(engine, scene, InsonifiedSector(sonar, world_from_sonar));
   ViewConfig best;
   double best_worth = -std::numeric_limits<double>::infinity();
   for (const Candidate& candidate : candidates_around(engine, subject, world_from_sonar)) {
