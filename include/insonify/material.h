@@ -14,8 +14,8 @@ namespace insonify {
 /// Acoustic properties of a surface.
 struct Material {
   std::string name = {};               ///< Lower case, as written in scenes.
-  double density = 2500;               ///< [kg/m^3], > 0.
-  double sound_speed = 3000;           ///< Of compressional waves [m/s], > 0.
+  double density = 2500;               ///< [kg/m^3], in (0, 1e5].
+  double sound_speed = 3000;           ///< Of compressional waves [m/s], in (0, 1e5].
   std::optional<double> reflectivity = {};  ///< Share of the echo amplitude that the `paper` model keeps, 0..1; |R| when absent.
   std::string source = {};             ///< Where the numbers come from.
 
@@ -28,8 +28,8 @@ struct Material {
 
   template <typename Self, typename Visit>
   static void visit_fields(Self& self, Visit&& visit) {
-    visit(Field{"density", "kg/m^3", greater_than(0), "Density."}, self.density);
-    visit(Field{"sound_speed", "m/s", greater_than(0), "Speed of compressional waves."}, self.sound_speed);
+    visit(Field{"density", "kg/m^3", above_to(0, 1e5), "Density."}, self.density);
+    visit(Field{"sound_speed", "m/s", above_to(0, 1e5), "Speed of compressional waves."}, self.sound_speed);
     visit(Field{"reflectivity", "", from_to(0, 1),
                 "Share of the echo amplitude that the paper model keeps; from the impedance when absent."},
           self.reflectivity);

@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "insonify/field.h"
@@ -26,19 +27,24 @@ struct Instance {
   bool moving = false;               ///< Its pose may change between pings; engines keep it apart from what stands still.
 };
 
+/// Checks that every vertex of an instance is at a coordinate() of the world.
+/// @param what  How the message calls it, place included.
+/// @throws Error "PATH:LINE: visual 'buoy' reaches x = 1e+18 m, must be from -10000000 to 10000000 m".
+void check_reach(const Instance& instance, std::string_view what);
+
 /// What a scenario says of one material: a library name, changed properties, or both.
 struct MaterialOverride {
   std::string like = {};               ///< Name of a library material to start from; "" for the one of this name, else the default.
-  std::optional<double> density = {};      ///< [kg/m^3]
-  std::optional<double> sound_speed = {};  ///< [m/s]
+  std::optional<double> density = {};      ///< [kg/m^3], in (0, 1e5].
+  std::optional<double> sound_speed = {};  ///< [m/s], in (0, 1e5].
   std::optional<double> reflectivity = {}; ///< 0..1
   std::string where = {};              ///< "path:line:column: " of the entry for messages, may be "".
 
   template <typename Self, typename Visit>
   static void visit_fields(Self& self, Visit&& visit) {
     visit(Field{"like", "", {}, "Material of the library to start from; the one of this name when absent."}, self.like);
-    visit(Field{"density", "kg/m^3", greater_than(0), "Density."}, self.density);
-    visit(Field{"sound_speed", "m/s", greater_than(0), "Speed of compressional waves."}, self.sound_speed);
+    visit(Field{"density", "kg/m^3", above_to(0, 1e5), "Density."}, self.density);
+    visit(Field{"sound_speed", "m/s", above_to(0, 1e5), "Speed of compressional waves."}, self.sound_speed);
     visit(Field{"reflectivity", "", from_to(0, 1),
                 "Share of the echo amplitude that the paper model keeps; from the impedance when absent."},
           self.reflectivity);

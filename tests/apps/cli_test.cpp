@@ -176,7 +176,7 @@ constexpr Mistake kMistakes[] = {
     {"WrongScenario", "insonify run wrong.yaml", 2,
      "insonify: wrong.yaml:4:5: sonars[0].max_rnage is not a known key; did you mean max_range?"},
     {"WrongSetting", "insonify run fan.yaml --set max_range=-3", 2,
-     "insonify: --set max_range=-3: sonars[0].max_range = -3 m must be greater than 0 m"},
+     "insonify: --set max_range=-3: sonars[0].max_range = -3 m must be greater than 0, at most 100000 m"},
     {"NoPings", "insonify run fan.yaml --pings 0", 2,
      "insonify: --pings: 0 must be a whole number, from 1 to 1000000000 (insonify run --help)"},
     {"UnknownEngine", "insonify run fan.yaml --engine gpu", 2,

@@ -208,9 +208,9 @@ TEST(AssignMaterialsMessagesTest, RefusesTwoOverridesThatMeanTheSame) {
 TEST(AssignMaterialsMessagesTest, NamesThePropertyOutOfItsLimits) {
   const Scene scene = scene_with({instance("hull")});
   EXPECT_EQ(fault(scene, {.overrides = {{"hull", {.density = 0, .where = "a.yaml:2:3: "}}}}),
-            "a.yaml:2:3: materials.hull.density = 0 kg/m^3 must be greater than 0 kg/m^3");
+            "a.yaml:2:3: materials.hull.density = 0 kg/m^3 must be greater than 0, at most 100000 kg/m^3");
   EXPECT_EQ(fault(scene, {.overrides = {{"hull", {.sound_speed = -3}}}}),
-            "materials.hull.sound_speed = -3 m/s must be greater than 0 m/s");
+            "materials.hull.sound_speed = -3 m/s must be greater than 0, at most 100000 m/s");
   EXPECT_EQ(fault(scene, {.overrides = {{"hull", {.reflectivity = 1.01}}}}),
             "materials.hull.reflectivity = 1.01 must be from 0 to 1");
 }
