@@ -45,12 +45,16 @@ void say_text(std::string_view text) {
   check_output(std::fwrite(text.data(), 1, text.size(), stdout) == text.size());
 }
 
+void flush_output() {
+  check_output(std::fflush(stdout) == 0);
+}
+
 void complain(std::string message) {
   std::ranges::replace(message, '\n', ' ');
   clear_status();
   std::fflush(stdout);
-  message = "insonify: " + message + "\n";
-  std::fwrite(message.data(), 1, message.size(), stderr);
+  const std::string line = fmt::format("insonify: {}\n", message);
+  std::fwrite(line.data(), 1, line.size(), stderr);
 }
 
 bool can_redraw() {
@@ -72,9 +76,9 @@ void show_status(std::string_view line) {
     return;
   }
   // A character in the last column makes some terminals go on to the next line.
-  const std::string text = "\r" + std::string(line.substr(0, terminal_width() - 1)) + "\x1b[K";
+  const std::string text = fmt::format("\r{}\x1b[K", line.substr(0, terminal_width() - 1));
   std::fwrite(text.data(), 1, text.size(), stdout);
-  check_output(std::fflush(stdout) == 0);
+  flush_output();
   status_shown = 1;
 }
 
@@ -89,7 +93,7 @@ void clear_status() {
 
 int finish_output(int status) {
   clear_status();
-  check_output(std::fflush(stdout) == 0);
+  flush_output();
   if (output_error == 0) {
     return status;
   }

@@ -19,6 +19,9 @@ void say(fmt::format_string<Args...> format, Args&&... args) {
   say_text(fmt::format(format, std::forward<Args>(args)...));
 }
 
+/// Sends what was said on its way.
+void flush_output();
+
 /// Says "insonify: MESSAGE" in one line on the standard error output. Where that is gone nobody can be told.
 void complain(std::string message);
 
