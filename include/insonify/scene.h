@@ -39,6 +39,7 @@ struct MaterialOverride {
   std::optional<double> sound_speed = {};  ///< [m/s], in (0, 1e5].
   std::optional<double> reflectivity = {}; ///< 0..1
   std::string where = {};              ///< "path:line:column: " of the entry for messages, may be "".
+  std::string like_where = {};         ///< Of `like`, where that has a place of its own.
 
   template <typename Self, typename Visit>
   static void visit_fields(Self& self, Visit&& visit) {

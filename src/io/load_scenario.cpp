@@ -133,8 +133,10 @@ class ScenarioReader {
       } else {
         read_section(value, object, changes, places_);
       }
-      const YamlValue* like = value.find("like");
-      changes.where = like != nullptr ? like->where : value.where;
+      changes.where = value.where;
+      if (const YamlValue* like = value.find("like")) {
+        changes.like_where = like->where;
+      }
     }
   }
 

@@ -249,7 +249,7 @@ TEST(SonarValidateTest, NamesTheFieldOutOfItsLimits) {
             "sonars[1].sector_width_deg = 0 deg must be greater than 0, at most 360 deg");
   EXPECT_EQ(fls([](auto& s) { s.position.y() = NAN; }), "sonars[1].position[1] = nan m must be a finite number");
   EXPECT_EQ(fls([](auto& s) { s.orientation.z() = INFINITY; }),
-            "sonars[1].orientation_deg[2] = inf deg must be a finite number");
+            "sonars[1].orientation_deg[2] = inf deg must be finite and from -1000000 to 1000000 deg");
   EXPECT_EQ(fls([](auto& s) { s.sampling.columns_per_beam = 0; }),
             "sonars[1].sampling.columns_per_beam = 0 must be from 1 to 256");
   EXPECT_EQ(fls([](auto& s) { s.sampling.rows = 1; }), "sonars[1].sampling.rows = 1 must be from 2 to 8192");
