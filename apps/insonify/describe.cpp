@@ -54,7 +54,7 @@ void print_markdown(const SectionDescription& section) {
   say("| Key | Unit | Allowed | Default | Meaning |\n| --- | --- | --- | --- | --- |\n");
   for (const KeyDescription& key : section.keys) {
     say("| `{}` | {} | {} | {} | {} |\n", key.key, key.unit, key.allowed,
-               key.default_value == "-" ? "" : "`" + key.default_value + "`", key.help);
+        key.default_value == "-" ? "" : "`" + key.default_value + "`", key.help);
   }
 }
 

@@ -40,9 +40,9 @@ std::string silence_text(const Simulator& simulator, int sonar) {
 std::string dimness_text(const Loudness& loudness, const SonarConfig& sonar) {
   return fmt::format("the loudest echo of {} is {:.2g} % of full scale, nearly black: --scale db shows it, or raise {}",
                      sonar.name, 100 * loudness.loudest(),
-                     loudness.loudest() > 0
-                         ? fmt::format("its gain: --set sonars.{}.gain={:.2g}", sonar.name, sonar.gain / loudness.loudest())
-                         : "its gain");
+                     loudness.loudest() > 0 ? fmt::format("its gain: --set sonars.{}.gain={:.2g}", sonar.name,
+                                                          sonar.gain / loudness.loudest())
+                                            : "its gain");
 }
 
 }  // namespace insonify

@@ -12,8 +12,8 @@ class Loudness {
  public:
   void add(const Ping& ping);
 
-  [[nodiscard]] bool heard() const { return loudest_ >= 0; }      ///< Whether anything echoed.
-  [[nodiscard]] double loudest() const { return loudest_; }       ///< Intensity of the loudest echo; -1 for silence.
+  [[nodiscard]] bool heard() const { return loudest_ >= 0; }  ///< Whether anything echoed.
+  [[nodiscard]] double loudest() const { return loudest_; }   ///< Intensity of the loudest echo; -1 for silence.
   [[nodiscard]] bool dim() const { return heard() && loudest_ < 0.02; }
 
  private:

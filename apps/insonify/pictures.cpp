@@ -41,8 +41,8 @@ std::size_t remove_old_pictures(const std::filesystem::path& folder, const std::
     std::error_code error;
     std::filesystem::remove(picture, error);
     if (error) {
-      throw Error(fmt::format("{}: cannot remove this picture of an earlier run: {}", picture.string(),
-                              error.message()));
+      throw Error(
+          fmt::format("{}: cannot remove this picture of an earlier run: {}", picture.string(), error.message()));
     }
   }
   return old.size();

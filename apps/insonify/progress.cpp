@@ -65,8 +65,8 @@ void Progress::draw() {
   const std::string left = duration(static_cast<double>(total_ - done_) / pings_per_s) + " left";
   if (can_redraw()) {
     const std::string count = fmt::format("{}/{} pings", done_, total_);
-    show_status(bar_line(static_cast<double>(done_) / static_cast<double>(total_), count, rate, left,
-                         terminal_width() - 1));
+    show_status(
+        bar_line(static_cast<double>(done_) / static_cast<double>(total_), count, rate, left, terminal_width() - 1));
   } else {
     say("{} of {} pings, {}, {}\n", done_, total_, rate, left);
     flush_output();

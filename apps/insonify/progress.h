@@ -7,8 +7,8 @@
 
 namespace insonify {
 
-/// On a terminal one line that is redrawn, with rate and time left, as far as they fit its width; in a pipe a plain line
-/// at most every two seconds.
+/// On a terminal one line that is redrawn, with rate and time left, as far as they fit its width; in a pipe a plain
+/// line at most every two seconds.
 class Progress {
  public:
   /// @param total  Pings of all sonars together.

@@ -50,8 +50,8 @@ void print_world(const Scene& scene, double seconds) {
   for (const Instance& instance : scene.instances) {
     triangles += instance.mesh->triangles.size();
   }
-  say("world: {} of {}, ready in {:.2f} s\n", counted(scene.instances.size(), "object"),
-      counted(triangles, "triangle"), seconds);
+  say("world: {} of {}, ready in {:.2f} s\n", counted(scene.instances.size(), "object"), counted(triangles, "triangle"),
+      seconds);
 }
 
 // Reading can take long: a world is large, or nobody writes into a pipe.
@@ -191,8 +191,8 @@ std::string listed(const std::vector<std::filesystem::path>& files) {
 
 void print_track(const Track& track, const SonarConfig& sonar) {
   say("{}: {} of {} x {} to {:.4g} m\n  {}\n", sonar.name, counted(track.made, "ping"),
-             counted(static_cast<std::uint64_t>(sonar.beam_count), "beam"),
-             counted(static_cast<std::uint64_t>(sonar.bin_count), "bin"), sonar.max_range, track.file.string());
+      counted(static_cast<std::uint64_t>(sonar.beam_count), "beam"),
+      counted(static_cast<std::uint64_t>(sonar.bin_count), "bin"), sonar.max_range, track.file.string());
   if (!track.pictures.files().empty()) {
     say("  {}\n", listed(track.pictures.files()));
   }

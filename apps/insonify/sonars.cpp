@@ -56,27 +56,26 @@ int list_all() {
     }
   }
   print_table(rows);
-  say(
-      "\n* mode when none is named. msis: one beam, turned; fls: the whole fan at once.\n"
+  say("\n* mode when none is named. msis: one beam, turned; fls: the whole fan at once.\n"
       "insonify sonars PRESET tells where each number comes from.\n");
   return kDone;
 }
 
 int tell_one(const std::string& name, const std::string& mode) {
   const Preset preset = load_preset(name, mode);
-  say("{}: {}, mode {} (modes: {})\n{}\n\n", preset.name, preset.title,
-             mode.empty() ? preset.default_mode : mode, fmt::join(preset.modes, ", "), preset.file.string());
+  say("{}: {}, mode {} (modes: {})\n{}\n\n", preset.name, preset.title, mode.empty() ? preset.default_mode : mode,
+      fmt::join(preset.modes, ", "), preset.file.string());
   std::vector<Row> rows = {{"field", "value", "unit", "confidence", "source"}};
   for (const PresetFact& fact : preset.facts) {
     rows.push_back({fact.field, fact.value, fact.unit, fact.confidence, fact.source});
   }
   print_table(rows);
   const SonarConfig& sonar = preset.sonar;
-  say(
-      "\nOver the whole range this gives {} bin{} of {:.4g} m and a ping every {:.4g} s; over a shorter one, finer "
+  say("\nOver the whole range this gives {} bin{} of {:.4g} m and a ping every {:.4g} s; over a shorter one, finer "
       "bins\nand faster pings, until range_resolution and ping_rate_limit stop them.\n"
       "Confidence: A read in the source, B recalled from it and cross-checked, C uncertain.\n",
-      sonar.bin_count, sonar.bin_count == 1 ? "" : "s", sonar.bin_length(), sonar.ping_period.value_or(sonar.shortest_ping_period(1500)));
+      sonar.bin_count, sonar.bin_count == 1 ? "" : "s", sonar.bin_length(),
+      sonar.ping_period.value_or(sonar.shortest_ping_period(1500)));
   return kDone;
 }
 

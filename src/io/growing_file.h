@@ -25,9 +25,9 @@ struct GrowingDataset {
 };
 
 /// Datasets of one length in one file; a row of each is a ping. HDF5 makes the file in memory, with room for all rows.
-/// From then on plain writes do: of that file, of rows, and of a few bytes that make each new row a part of every dataset
-/// at once. So a process that is killed at any moment leaves a file that opens as usual and holds every row whose append()
-/// had returned, and no half rows (docs/design/recording.md).
+/// From then on plain writes do: of that file, of rows, and of a few bytes that make each new row a part of every
+/// dataset at once. So a process that is killed at any moment leaves a file that opens as usual and holds every row
+/// whose append() had returned, and no half rows (docs/design/recording.md).
 ///
 /// The file takes space on the disk only as rows come, but its size is that of all rows from the start.
 class GrowingFile {

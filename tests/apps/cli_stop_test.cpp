@@ -58,9 +58,9 @@ TEST_F(CliStopTest, CtrlCWhileLoadingEndsAtOnce) {
 
 // As for a job in a shell's background.
 TEST_F(CliStopTest, CtrlCThatWasIgnoredStaysSo) {
-  const Outcome outcome = shell(
-      "mkfifo pipe; (trap '' INT; exec bash -c 'exec \"$0\" run pipe -o out --no-pictures' " INSONIFY_CLI
-      ") & sleep 0.3; kill -INT $!; cat fan.yaml > pipe; wait $!");
+  const Outcome outcome =
+      shell("mkfifo pipe; (trap '' INT; exec bash -c 'exec \"$0\" run pipe -o out --no-pictures' " INSONIFY_CLI
+            ") & sleep 0.3; kill -INT $!; cat fan.yaml > pipe; wait $!");
   EXPECT_EQ(outcome.status, 0) << outcome.err;
 }
 

@@ -41,7 +41,8 @@ TEST_F(CliStreamsTest, AReaderThatHasGoneIsNoError) {
 TEST_F(CliStreamsTest, AnErrorThatCannotBeToldStillIsAnExitStatus) {
   EXPECT_EQ(shell("insonify run nowhere.yaml 2> /dev/full").status, 2);
   EXPECT_EQ(shell("insonify run nowhere.yaml 2>&-").status, 2);
-  EXPECT_EQ(shell("insonify run fan.yaml -o a -q --no-pictures --set orientation_deg=[0,-90,0] 2> /dev/full").status, 0);
+  EXPECT_EQ(shell("insonify run fan.yaml -o a -q --no-pictures --set orientation_deg=[0,-90,0] 2> /dev/full").status,
+            0);
 }
 
 TEST_F(CliStreamsTest, AFileThatMayNotGrowIsOneLine) {

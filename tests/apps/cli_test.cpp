@@ -72,8 +72,9 @@ TEST_F(CliTest, SilenceIsToldWithWhereTheWorldIs) {
 
 TEST_F(CliTest, PicturesThatAreNearlyBlackAreToldWithTheKeyToChange) {
   const Outcome outcome = shell("insonify run fan.yaml -o out --no-view --set gain=0.001");
-  EXPECT_THAT(outcome.out, ContainsRegex("\nhint: the loudest echo of ahead is 0\\.[0-9]+ % of full scale, nearly black: "
-                                         "--scale db shows it, or raise its gain: --set sonars.ahead.gain=[0-9.]+\n"));
+  EXPECT_THAT(outcome.out,
+              ContainsRegex("\nhint: the loudest echo of ahead is 0\\.[0-9]+ % of full scale, nearly black: "
+                            "--scale db shows it, or raise its gain: --set sonars.ahead.gain=[0-9.]+\n"));
   EXPECT_THAT(shell("insonify run fan.yaml -o out --no-view").out, Not(HasSubstr("hint")));
 }
 
@@ -102,9 +103,8 @@ TEST_F(CliTest, InAPipeThereAreOnlyPlainLines) {
 }
 
 TEST_F(CliTest, OnATerminalABarTellsRateAndTimeLeft) {
-  const Outcome outcome = shell(
-      fmt::format("TERM=xterm script -qec \"'{}' run fan.yaml -o out --no-pictures --set pings=3000\" /dev/null",
-                  INSONIFY_CLI));
+  const Outcome outcome = shell(fmt::format(
+      "TERM=xterm script -qec \"'{}' run fan.yaml -o out --no-pictures --set pings=3000\" /dev/null", INSONIFY_CLI));
   EXPECT_EQ(outcome.status, 0);
   EXPECT_THAT(outcome.out, ContainsRegex("\r\\[#*\\.*\\] [0-9]+/3000 pings  [0-9.]+ pings/s  [0-9]+ s left"));
 }
@@ -125,8 +125,8 @@ TEST_F(CliTest, ANarrowTerminalGetsWhatFitsIt) {
 }
 
 TEST_F(CliTest, ADumbTerminalGetsPlainLines) {
-  const Outcome outcome = shell(
-      fmt::format("TERM=dumb script -qec \"'{}' run fan.yaml -o out --no-pictures\" /dev/null", INSONIFY_CLI));
+  const Outcome outcome =
+      shell(fmt::format("TERM=dumb script -qec \"'{}' run fan.yaml -o out --no-pictures\" /dev/null", INSONIFY_CLI));
   EXPECT_EQ(outcome.status, 0);
   EXPECT_THAT(outcome.out, Not(HasSubstr("\x1b")));
 }
@@ -157,13 +157,11 @@ constexpr Mistake kMistakes[] = {
      "insonify: name a command; the commands are run, sonars, describe, bench, version (insonify --help)"},
     {"UnknownCommand", "insonify rnu fan.yaml", 2,
      "insonify: there is no command rnu; the commands are run, sonars, describe, bench, version (insonify --help)"},
-    {"UnknownOption", "insonify run fan.yaml --frob", 2,
-     "insonify: not understood: --frob (insonify run --help)"},
+    {"UnknownOption", "insonify run fan.yaml --frob", 2, "insonify: not understood: --frob (insonify run --help)"},
     {"UnknownOptionBeforeTheCommand", "insonify --frob", 2,
      "insonify: there is no option --frob; the commands are run, sonars, describe, bench, version (insonify --help)"},
     {"NoScenario", "insonify run", 2, "insonify: SCENARIO is required (insonify run --help)"},
-    {"TwoScenarios", "insonify run fan.yaml scan.yaml", 2,
-     "insonify: not understood: scan.yaml (insonify run --help)"},
+    {"TwoScenarios", "insonify run fan.yaml scan.yaml", 2, "insonify: not understood: scan.yaml (insonify run --help)"},
     {"MissingScenario", "insonify run nowhere.yaml", 2, "insonify: nowhere.yaml: no such file"},
     {"MeshForAScenario", "insonify run floor.obj", 2,
      "insonify: floor.obj: is a mesh, not a scenario; write a YAML file that says world: floor.obj and lists sonars"},

@@ -256,11 +256,13 @@ TEST(GrowingFileTest, SaysWhenThereIsNoSpaceForAnEmptyFile) {
       const hsize_t length = 10'000;
       const std::vector<double> values(length, 1.5);
       const H5Handle space(H5Screate_simple(1, &length, nullptr), H5Sclose);
-      const H5Handle set(
-          H5Dcreate2(file, "aside", H5T_IEEE_F64LE, space.get(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Dclose);
+      const H5Handle set(H5Dcreate2(file, "aside", H5T_IEEE_F64LE, space.get(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
+                         H5Dclose);
       H5Dwrite(set.get(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data());
     };
-    EXPECT_EQ(message_of([&] { GrowingFile(path, {{"time", H5T_IEEE_F64LE, {}}}, 100, describe); }),
+    EXPECT_EQ(message_of([&] {
+                GrowingFile(path, {{"time", H5T_IEEE_F64LE, {}}}, 100, describe);
+              }),
               path.string() + ": cannot create: No space left on device");
     EXPECT_TRUE(std::filesystem::is_empty(folder)) << size;
     EXPECT_EQ(H5Fget_obj_count(H5F_OBJ_ALL, H5F_OBJ_ALL), 0) << "HDF5 would fail at the end of the program";
