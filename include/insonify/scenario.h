@@ -62,14 +62,15 @@ struct ReceiverConfig {
 
 /// A camera for a look at the scene beside the ping.
 struct ViewConfig {
-  Vec3 position = Vec3::Zero();   ///< Of the camera, in the world [m], within 1e7.
-  Vec3 look_at = Vec3::UnitX();   ///< [m], within 1e7.
+  Vec3 position = Vec3::Zero();   ///< Of the camera, in the world [m], within 1e8.
+  Vec3 look_at = Vec3::UnitX();   ///< [m], within 1e8.
   double field_of_view = radians_from_degrees(50);    ///< Horizontal [rad], in (0, 170 deg].
 
   template <typename Self, typename Visit>
   static void visit_fields(Self& self, Visit&& visit) {
-    visit(Field{"position", "m", coordinate(), "Of the camera: [x, y, z]."}, self.position);
-    visit(Field{"look_at", "m", coordinate(), "Where it looks: [x, y, z]."}, self.look_at);
+    constexpr Limits kReach = from_to(-1e8, 1e8);  // Room around a sonar at the edge of the world.
+    visit(Field{"position", "m", kReach, "Of the camera: [x, y, z]."}, self.position);
+    visit(Field{"look_at", "m", kReach, "Where it looks: [x, y, z]."}, self.look_at);
     visit(Field{"field_of_view", "rad", above_to(0, radians_from_degrees(170)), "Width of the view."}, self.field_of_view);
   }
 };

@@ -247,7 +247,7 @@ TEST(SonarValidateTest, NamesTheFieldOutOfItsLimits) {
             "sonars[1].sector_center_deg = 181 deg must be from -180 to 180 deg");
   EXPECT_EQ(fls([](auto& s) { s.sector_width = 0; }),
             "sonars[1].sector_width_deg = 0 deg must be greater than 0, at most 360 deg");
-  EXPECT_EQ(fls([](auto& s) { s.position.y() = NAN; }), "sonars[1].position[1] = nan m must be a finite number");
+  EXPECT_EQ(fls([](auto& s) { s.position.y() = NAN; }), "sonars[1].position[1] = nan m must be from -10000000 to 10000000 m");
   EXPECT_EQ(fls([](auto& s) { s.orientation.z() = INFINITY; }),
             "sonars[1].orientation_deg[2] = inf deg must be finite and from -1000000 to 1000000 deg");
   EXPECT_EQ(fls([](auto& s) { s.sampling.columns_per_beam = 0; }),
