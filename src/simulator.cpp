@@ -4,7 +4,6 @@
 
 #include <fmt/format.h>
 
-#include "base/parallel.h"
 #include "insonify/error.h"
 #include "receiver/paper_receiver.h"
 #include "simulator/motion.h"
@@ -13,15 +12,11 @@ namespace insonify {
 
 struct Simulator::State {
   State(Scenario the_scenario, Scene the_scene, int threads)
-      : scenario(std::move(the_scenario)),
-        scene(std::move(the_scene)),
-        workers(threads),
-        engine(make_engine(scenario.engine, threads)) {}
+      : scenario(std::move(the_scenario)), scene(std::move(the_scene)), engine(make_engine(scenario.engine, threads)) {}
 
   Scenario scenario;
   Scene scene;
   std::vector<MovingPart> moving;
-  Workers workers;
   std::unique_ptr<Engine> engine;
 
   // Of each sonar, kept between pings so that a ping allocates nothing.
@@ -88,14 +83,12 @@ void Simulator::make_ping(int index, std::uint64_t number, Ping& ping) {
     state.engine->move_instance(part.instance, part.world_from_mesh(state.scenario, ping.time));
   }
 
-  // What comes back: echoes sorted by beam and range.
+  // What comes back, sorted by beam and range, and what the receiver makes of it.
   EchoGrid& grid = state.grids[index];
-  state.engine->insonify(*state.plans[index], world_from_head(index, number), number, grid);
-
-  // What the receiver makes of it.
-  receive_paper(grid, config,
-                {.model = state.scenario.paper, .noise = state.scenario.receiver.noise, .seed = state.scenario.seed},
-                state.workers, ping);
+  PaperReceiver receiver(
+      grid, config,
+      {.model = state.scenario.paper, .noise = state.scenario.receiver.noise, .seed = state.scenario.seed}, ping);
+  state.engine->insonify(*state.plans[index], world_from_head(index, number), number, grid, &receiver);
 }
 
 Ping Simulator::make_ping(int sonar, std::uint64_t number) {

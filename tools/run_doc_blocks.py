@@ -3,8 +3,8 @@
 
     tools/run_doc_blocks.py --build build/dev README.md docs/tutorial.md    # exit status 1 where a block fails
 
-The blocks of a file run from top to bottom in one scratch folder of their own, which has the source tree's `scenes`,
-`presets` and `examples` in it, the build as `build/release`, and the command line as `insonify` on the path.
+The blocks of a file run from top to bottom in one scratch folder of their own, which has the source tree's `scenes`
+and `presets` in it, the build as `build/release`, and the command line as `insonify` on the path.
 
     ```bash      run by bash, stopping at the first command that fails
     ```python    run by python3
@@ -115,7 +115,7 @@ def run_document(path, arguments):
     count = 0
     with tempfile.TemporaryDirectory(prefix="insonify_docs_") as name:
         folder = pathlib.Path(name)
-        for shared in ("scenes", "presets", "examples"):
+        for shared in ("scenes", "presets"):
             (folder / shared).symlink_to(root / shared)
         (folder / "build").mkdir()
         (folder / "build/release").symlink_to(build)

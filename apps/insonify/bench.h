@@ -10,7 +10,7 @@ namespace insonify {
 struct BenchOptions {
   std::vector<int> triangles = {1'000, 100'000, 1'000'000};
   std::vector<int> threads = {1, 2};
-  int repetitions = 31;         ///< Timed pings of each row, after a warm-up.
+  int repetitions = 40;         ///< Timed pings of each row, after a warm-up.
   std::filesystem::path json;   ///< Where the rows are written too; empty for nowhere.
 };
 

@@ -15,7 +15,8 @@
 namespace insonify {
 namespace {
 
-constexpr int kWarmUp = 3;
+constexpr int kWarmUp = 2;
+constexpr int kBlock = 8;  // Pings or floors in a row.
 constexpr double kMilliseconds = 1e3;
 
 struct Row {
@@ -24,9 +25,9 @@ struct Row {
   const char* secondary = "";
   RayCounts rays = {};
   double setup_ms = 0;
-  double ping_ms = 0, ping_least_ms = 0;    // Median and least.
+  double ping_ms = 0, ping_least_ms = 0;  // Median and least.
   double floor_ms = 0, floor_least_ms = 0;
-  double ratio = 0;                         // Median of ping over floor, pair by pair.
+  double ratio = 0;                         // Median of ping over floor, block by block.
   double own_bytes = 0, library_bytes = 0;  // A triangle.
 };
 
@@ -39,7 +40,8 @@ double milliseconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() * kMilliseconds;
 }
 
-// Pings and floors in turn, so that both meet the same weather on a shared machine.
+// Blocks of pings and blocks of floors in turn: both meet the same weather on a shared machine, and neither finds the
+// other's data in its caches.
 Row time_row(const Scene& scene, int threads, SecondaryEchoes secondary, const char* name, int repetitions) {
   Scenario scenario;
   scenario.sonars = {bench_sonar()};
@@ -55,19 +57,26 @@ Row time_row(const Scene& scene, int threads, SecondaryEchoes secondary, const c
                                     .secondary = secondary,
                                     .seed = scenario.seed});
   Ping ping;
+  std::uint64_t number = 0;
   std::vector<double> pings, floors, ratios;
-  for (int i = -kWarmUp; i < repetitions; ++i) {
-    const auto start = std::chrono::steady_clock::now();
-    simulator.make_ping(0, static_cast<std::uint64_t>(i + kWarmUp), ping);
-    const double ping_ms = milliseconds_since(start);
-    row.rays = simulator.engine().ray_counts();
-    const double floor_ms =
-        time_traversal(simulator.engine(), *plan, simulator.world_from_head(0, 0), 1).front() * kMilliseconds;
-    if (i >= 0) {
-      pings.push_back(ping_ms);
-      floors.push_back(floor_ms);
-      ratios.push_back(ping_ms / floor_ms);
+  for (int done = 0; done < repetitions; done += kBlock) {
+    std::vector<double> block_pings, block_floors;
+    for (int i = -kWarmUp; i < kBlock; ++i) {
+      const auto start = std::chrono::steady_clock::now();
+      simulator.make_ping(0, number++, ping);
+      if (i >= 0) {
+        block_pings.push_back(milliseconds_since(start));
+      }
     }
+    row.rays = simulator.engine().ray_counts();
+    for (const double seconds :
+         time_traversal(simulator.engine(), *plan, simulator.world_from_head(0, 0), kWarmUp + kBlock)) {
+      block_floors.push_back(seconds * kMilliseconds);
+    }
+    block_floors.erase(block_floors.begin(), block_floors.begin() + kWarmUp);
+    ratios.push_back(median(block_pings) / median(block_floors));
+    pings.insert(pings.end(), block_pings.begin(), block_pings.end());
+    floors.insert(floors.end(), block_floors.begin(), block_floors.end());
   }
   row.ping_ms = median(pings);
   row.ping_least_ms = std::ranges::min(pings);
@@ -78,7 +87,8 @@ Row time_row(const Scene& scene, int threads, SecondaryEchoes secondary, const c
   std::size_t mesh_bytes = 0;
   for (const Instance& instance : scene.instances) {
     const Mesh& mesh = *instance.mesh;
-    mesh_bytes += mesh.vertices.capacity() * sizeof(mesh.vertices[0]) + mesh.normals.capacity() * sizeof(mesh.normals[0]) +
+    mesh_bytes += mesh.vertices.capacity() * sizeof(mesh.vertices[0]) +
+                  mesh.normals.capacity() * sizeof(mesh.normals[0]) +
                   mesh.triangles.capacity() * sizeof(mesh.triangles[0]) +
                   mesh.material_slots.capacity() * sizeof(mesh.material_slots[0]);
   }
@@ -117,11 +127,12 @@ void write_json(const std::filesystem::path& path, const nlohmann::json& rows) {
 }  // namespace
 
 int bench_engine(const BenchOptions& options) {
-  fmt::print("256 beams x 500 bins, 120 x 20 degrees, 20 m, 4 x 200 samples a beam; medians of {} pings, all effects on.\n"
-             "floor: Embree alone on the same rays, packets set up; ratio: ping over floor, pair by pair.\n\n"
-             "{:>9} {:>7} {:>9} {:>8} {:>8} {:>8} | {:>8} {:>8} {:>8} {:>6} | {:>8} {:>7} {:>9}\n",
-             options.repetitions, "triangles", "threads", "secondary", "rays", "onward", "return", "setup ms", "ping ms",
-             "floor ms", "ratio", "pings/s", "B/tri", "Embree B");
+  fmt::print(
+      "256 beams x 500 bins, 120 x 20 degrees, 20 m, 4 x 200 samples a beam; medians of {} pings, all effects on.\n"
+      "floor: Embree alone on the same rays, packets set up; ratio: ping over floor, block by block.\n\n"
+      "{:>9} {:>7} {:>9} {:>8} {:>8} {:>8} | {:>8} {:>8} {:>8} {:>6} | {:>8} {:>7} {:>9}\n",
+      options.repetitions, "triangles", "threads", "secondary", "rays", "onward", "return", "setup ms", "ping ms",
+      "floor ms", "ratio", "pings/s", "B/tri", "Embree B");
   nlohmann::json rows = nlohmann::json::array();
   for (const int count : options.triangles) {
     const Scene scene = make_bench_scene(count);
@@ -130,10 +141,11 @@ int bench_engine(const BenchOptions& options) {
           std::pair{SecondaryEchoes::kAll, "all"}}) {
       for (const int threads : options.threads) {
         const Row row = time_row(scene, threads, secondary, name, options.repetitions);
-        fmt::print("{:>9} {:>7} {:>9} {:>8} {:>8} {:>8} | {:>8.2f} {:>8.2f} {:>8.2f} {:>6.2f} | {:>8.1f} {:>7.0f} {:>9.0f}\n",
-                   row.triangles, row.threads, row.secondary, row.rays.primary, row.rays.secondary,
-                   row.rays.return_legs, row.setup_ms, row.ping_ms, row.floor_ms, row.ratio,
-                   kMilliseconds / row.ping_ms, row.own_bytes, row.library_bytes);
+        fmt::print(
+            "{:>9} {:>7} {:>9} {:>8} {:>8} {:>8} | {:>8.2f} {:>8.2f} {:>8.2f} {:>6.2f} | {:>8.1f} {:>7.0f} {:>9.0f}\n",
+            row.triangles, row.threads, row.secondary, row.rays.primary, row.rays.secondary, row.rays.return_legs,
+            row.setup_ms, row.ping_ms, row.floor_ms, row.ratio, kMilliseconds / row.ping_ms, row.own_bytes,
+            row.library_bytes);
         rows.push_back(to_json(row));
       }
     }

@@ -192,7 +192,7 @@ void add_bench(CLI::App& app, Request& request) {
   engine->add_option("--threads", options.threads, "Worker threads [1 2]")
       ->check(whole_number(1, 1024))
       ->type_name("N ...");
-  engine->add_option("--repetitions", options.repetitions, "Timed pings of each row [31]")
+  engine->add_option("--repetitions", options.repetitions, "Timed pings of each row [40]")
       ->check(whole_number(1, 1'000'000))
       ->type_name("N");
   engine->add_option("--json", options.json, "Write the rows to this file too")->type_name("FILE");

@@ -47,20 +47,27 @@ class EchoGrid {
   };
   [[nodiscard]] Label label(int beam, int bin) const;
 
-  /// The label layers of one beam as they are added to: a majority vote weighted by energy.
+  /// The label layers of one beam as they are added to: a majority vote weighted by energy. Where nothing echoed, only
+  /// `surface` means anything.
   struct LabelRows {
     std::uint32_t* surface;   ///< Instance and material, see echo/echo.h; all ones where nothing echoed.
     float* lead;              ///< Energy by which the label leads all others together.
     float* energy;            ///< Energy deposited while it led.
     float* elevation_moment;  ///< Sum of energy x elevation over that [rad].
   };
-  [[nodiscard]] LabelRows label_rows(int beam);
+  [[nodiscard]] LabelRows label_rows(int beam) {
+    const std::size_t cell = start(1, beam);
+    return {&surface_[cell], &lead_[cell], &label_energy_[cell], &elevation_moment_[cell]};
+  }
   struct ConstLabelRows {
     const std::uint32_t* surface;
     const float* energy;
     const float* elevation_moment;
   };
-  [[nodiscard]] ConstLabelRows label_rows(int beam) const;
+  [[nodiscard]] ConstLabelRows label_rows(int beam) const {
+    const std::size_t cell = start(1, beam);
+    return {&surface_[cell], &label_energy_[cell], &elevation_moment_[cell]};
+  }
 
   /// Sets the cells of beams [first, last) to nothing. Each task clears its own.
   void clear(int first_beam, int last_beam);
@@ -73,9 +80,18 @@ class EchoGrid {
   }
 
   int beam_count_ = 0, bin_count_ = 0, order_count_ = 0;
-  std::vector<float> energy_, weight_;                    // [order][beam][bin]
-  std::vector<std::uint32_t> surface_;                    // [beam][bin]
+  std::vector<float> energy_, weight_;  // [order][beam][bin]
+  std::vector<std::uint32_t> surface_;  // [beam][bin]
   std::vector<float> lead_, label_energy_, elevation_moment_;
+};
+
+/// Takes the beams of a grid as they are completed, while their cells are still in the nearest memory.
+class BeamSink {
+ public:
+  virtual ~BeamSink() = default;
+
+  /// Beams [first, last) are complete. Called once for every beam of a ping, by several threads at a time.
+  virtual void take(int first_beam, int last_beam) = 0;
 };
 
 }  // namespace insonify

@@ -26,10 +26,10 @@ enum class SecondaryEchoes {
 
 /// Where a ray first meets the scene.
 struct Hit {
-  double distance = 0;                 ///< From the ray's origin [m]; infinite for a miss.
-  Vec3 normal = Vec3::Zero();          ///< Unit shading normal on the side of the ray, world frame.
-  std::uint16_t instance = kNoLabel;   ///< Index into Scene::instances, kNoLabel for a miss.
-  std::uint16_t material = kNoLabel;   ///< Index into Scene::materials.
+  double distance = 0;                ///< From the ray's origin [m]; infinite for a miss.
+  Vec3 normal = Vec3::Zero();         ///< Unit shading normal on the side of the ray, world frame.
+  std::uint16_t instance = kNoLabel;  ///< Index into Scene::instances, kNoLabel for a miss.
+  std::uint16_t material = kNoLabel;  ///< Index into Scene::materials.
 };
 
 /// Everything about one sonar that does not change from ping to ping, worked out once.
@@ -69,17 +69,19 @@ class Engine {
   /// Lower-case name, as given to make_engine() and on the command line.
   [[nodiscard]] virtual std::string_view name() const = 0;
 
-  /// Takes in the scene. Positions are kept relative to the middle of its bounds, so that survey coordinates do not cost
-  /// precision. The scene must outlive the engine or the next call.
+  /// Takes in the scene. Positions are kept relative to the middle of its bounds, so that survey coordinates do not
+  /// cost precision. The scene must outlive the engine or the next call.
   virtual void set_scene(const Scene& scene) = 0;
 
   /// Puts an instance with `moving` set somewhere else; what stands still is not rebuilt.
   virtual void move_instance(int instance, const Pose& world_from_mesh) = 0;
 
-  /// Fills the grid with the echoes of one ping. The grid has the plan's beams and bins; it is cleared first. The result
-  /// depends on plan, pose and ping number alone, not on threads.
+  /// Fills the grid with the echoes of one ping. The grid has the plan's beams and bins; it is cleared first. The
+  /// result depends on plan, pose and ping number alone, not on threads.
   /// @param world_from_sonar  Pose of the transducer: the head, turned, for a scanning sonar.
-  virtual void insonify(const PingPlan& plan, const Pose& world_from_sonar, std::uint64_t ping, EchoGrid& grid) = 0;
+  /// @param sink              Told of every beam as soon as it is complete; none when null.
+  virtual void insonify(const PingPlan& plan, const Pose& world_from_sonar, std::uint64_t ping, EchoGrid& grid,
+                        BeamSink* sink) = 0;
 
   /// Finds the first surface along every ray. `hits` has the length of `rays`.
   virtual void trace(std::span<const Ray> rays, std::span<Hit> hits) = 0;
@@ -98,8 +100,8 @@ class Engine {
 /// @throws Error if there is no such engine; the message lists those there are.
 [[nodiscard]] std::unique_ptr<Engine> make_engine(std::string_view name, int threads = 0);
 
-/// The floor a ping stands on: seconds that its rays take the ray-tracing library alone, packets set up but nothing shaded or
-/// deposited; the same primary lattice, and the onward rays and return legs that insonify() really sends.
+/// The floor a ping stands on: seconds that its rays take the ray-tracing library alone, packets set up but nothing
+/// shaded or deposited; the same primary lattice, and the onward rays and return legs that insonify() really sends.
 /// @return One value a repetition [s].
 /// @throws Error for an engine that has no such library ("reference").
 [[nodiscard]] std::vector<double> time_traversal(Engine& engine, const PingPlan& plan, const Pose& world_from_sonar,

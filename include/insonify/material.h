@@ -11,13 +11,18 @@
 
 namespace insonify {
 
+/// Somewhat above osmium [kg/m^3] and diamond [m/s]: what is beyond is a slip in units.
+inline constexpr double kGreatestDensity = 30000;
+inline constexpr double kGreatestSoundSpeed = 20000;
+
 /// Acoustic properties of a surface.
 struct Material {
-  std::string name = {};               ///< Lower case, as written in scenes.
-  double density = 2500;               ///< [kg/m^3], in (0, 1e5].
-  double sound_speed = 3000;           ///< Of compressional waves [m/s], in (0, 1e5].
-  std::optional<double> reflectivity = {};  ///< Share of the echo amplitude that the `paper` model keeps, 0..1; |R| when absent.
-  std::string source = {};             ///< Where the numbers come from.
+  std::string name = {};      ///< Lower case, as written in scenes.
+  double density = 2500;      ///< [kg/m^3], in (0, 30000].
+  double sound_speed = 3000;  ///< Of compressional waves [m/s], in (0, 20000].
+  std::optional<double> reflectivity =
+      {};                   ///< Share of the echo amplitude that the `paper` model keeps, 0..1; |R| when absent.
+  std::string source = {};  ///< Where the numbers come from.
 
   /// Pressure reflection coefficient at normal incidence against water of the given impedance [kg/(m^2 s)], -1..1:
   /// (Z2 - Z1)/(Z2 + Z1).
@@ -28,8 +33,9 @@ struct Material {
 
   template <typename Self, typename Visit>
   static void visit_fields(Self& self, Visit&& visit) {
-    visit(Field{"density", "kg/m^3", above_to(0, 1e5), "Density."}, self.density);
-    visit(Field{"sound_speed", "m/s", above_to(0, 1e5), "Speed of compressional waves."}, self.sound_speed);
+    visit(Field{"density", "kg/m^3", above_to(0, kGreatestDensity), "Density."}, self.density);
+    visit(Field{"sound_speed", "m/s", above_to(0, kGreatestSoundSpeed), "Speed of compressional waves."},
+          self.sound_speed);
     visit(Field{"reflectivity", "", from_to(0, 1),
                 "Share of the echo amplitude that the paper model keeps; from the impedance when absent."},
           self.reflectivity);

@@ -41,10 +41,12 @@ struct MeshReport {
   [[nodiscard]] std::string text() const;
 };
 
-/// Drops triangles that cannot be traced, joins vertices that are the same, gives every vertex a unit normal on the side
-/// its triangles wind to and says what was done. Where normals are missing they are averaged over the triangles that meet
-/// at an edge flatter than `crease_angle` [rad], whichever way these wind; vertices are split along sharper edges.
-/// @throws Error when no triangle is left; the message names the mesh and what was dropped. Also for material slots that
+/// Drops triangles that cannot be traced, joins vertices that are the same, gives every vertex a unit normal on the
+/// side its triangles wind to and says what was done. Where normals are missing they are averaged over the triangles
+/// that meet at an edge flatter than `crease_angle` [rad], whichever way these wind; vertices are split along sharper
+/// edges.
+/// @throws Error when no triangle is left; the message names the mesh and what was dropped. Also for material slots
+/// that
 ///         do not fit the triangles or the names.
 [[nodiscard]] MeshReport clean_mesh(Mesh& mesh, double crease_angle = 0.7853981633974483);
 
@@ -65,11 +67,12 @@ struct MeshReport {
 
 /// A grid of heights: rows run along -y from the north-west corner, columns along +x, as pictures and survey grids do.
 struct HeightGrid {
-  int columns = 0, rows = 0;     ///< >= 2 each.
-  double spacing_x = 1;          ///< [m], > 0.
-  double spacing_y = 1;          ///< [m], > 0.
-  std::vector<float> heights;    ///< rows x columns [m]; NaN where there is no data.
-  Vec3 origin = Vec3::Zero();    ///< Of the grid's centre in the survey's own coordinates [m]; informative.
+  int columns = 0, rows = 0;         ///< >= 2 each.
+  double spacing_x = 1;              ///< [m], > 0.
+  double spacing_y = 1;              ///< [m], > 0.
+  std::vector<float> heights;        ///< rows x columns [m]; NaN where there is no data.
+  Vec3 origin = Vec3::Zero();        ///< Of the grid's centre in the survey's own coordinates [m]; informative.
+  std::string name = "height grid";  ///< In messages: the file it comes from.
 };
 
 /// Two triangles for each cell whose four corners have data, three corners one; smooth normals, centred in x and y.

@@ -68,7 +68,8 @@ struct Rgb {
 [[nodiscard]] Picture draw_fan(const Ping& ping, const SonarConfig& sonar, const Display& display = {});
 
 /// A scanning sonar's view, filling as the head turns: each ping fills its own step, a later ping covers an earlier
-/// one, and what the head has not looked at yet stays blank.
+/// one, and what the head has not looked at yet stays blank. Between steps longer than three beam widths, too, it
+/// stays blank: there a ping fills no more than its beam.
 ///
 /// The housing's x axis points up and port is left, as in a fan. For a vertical mounting the view is from starboard: up
 /// is up and the x axis points right.

@@ -18,13 +18,13 @@ namespace insonify {
 
 /// One mesh at one place.
 struct Instance {
-  std::string name = {};             ///< Scoped as in SDF: "ship::hull::visual"; the file's stem for a bare mesh.
+  std::string name = {};                  ///< Scoped as in SDF: "ship::hull::visual"; the file's stem for a bare mesh.
   std::shared_ptr<const Mesh> mesh = {};  ///< Never null.
   Pose world_from_mesh = {};
-  std::string user_material = {};    ///< Set by the user for the whole instance, "" when not; must resolve.
-  std::string where = {};            ///< "path:line:column: " of what set user_material, for messages; may be "".
+  std::string user_material = {};  ///< Set by the user for the whole instance, "" when not; must resolve.
+  std::string where = {};          ///< "path:line:column: " of what set user_material, for messages; may be "".
   std::vector<std::uint16_t> materials = {};  ///< Index into Scene::materials for each of the mesh's slots.
-  bool moving = false;               ///< Its pose may change between pings; engines keep it apart from what stands still.
+  bool moving = false;  ///< Its pose may change between pings; engines keep it apart from what stands still.
 };
 
 /// Checks that every vertex of an instance is at a coordinate() of the world.
@@ -34,18 +34,19 @@ void check_reach(const Instance& instance, std::string_view what);
 
 /// What a scenario says of one material: a library name, changed properties, or both.
 struct MaterialOverride {
-  std::string like = {};               ///< Name of a library material to start from; "" for the one of this name, else the default.
-  std::optional<double> density = {};      ///< [kg/m^3], in (0, 1e5].
-  std::optional<double> sound_speed = {};  ///< [m/s], in (0, 1e5].
-  std::optional<double> reflectivity = {}; ///< 0..1
-  std::string where = {};              ///< "path:line:column: " of the entry for messages, may be "".
-  std::string like_where = {};         ///< Of `like`, where that has a place of its own.
+  std::string like = {};  ///< Name of a library material to start from; "" for the one of this name, else the default.
+  std::optional<double> density = {};       ///< [kg/m^3]
+  std::optional<double> sound_speed = {};   ///< [m/s]
+  std::optional<double> reflectivity = {};  ///< 0..1
+  std::string where = {};                   ///< "path:line:column: " of the entry for messages, may be "".
+  std::string like_where = {};              ///< Of `like`, where that has a place of its own.
 
   template <typename Self, typename Visit>
   static void visit_fields(Self& self, Visit&& visit) {
     visit(Field{"like", "", {}, "Material of the library to start from; the one of this name when absent."}, self.like);
-    visit(Field{"density", "kg/m^3", above_to(0, 1e5), "Density."}, self.density);
-    visit(Field{"sound_speed", "m/s", above_to(0, 1e5), "Speed of compressional waves."}, self.sound_speed);
+    visit(Field{"density", "kg/m^3", above_to(0, kGreatestDensity), "Density."}, self.density);
+    visit(Field{"sound_speed", "m/s", above_to(0, kGreatestSoundSpeed), "Speed of compressional waves."},
+          self.sound_speed);
     visit(Field{"reflectivity", "", from_to(0, 1),
                 "Share of the echo amplitude that the paper model keeps; from the impedance when absent."},
           self.reflectivity);
@@ -55,8 +56,8 @@ struct MaterialOverride {
 /// Which material each surface is made of. Keys match a visual's name (whole or its last part), else a material's name.
 struct MaterialRules {
   std::map<std::string, MaterialOverride> overrides = {};
-  std::string default_material = "sand";   ///< For a mesh's own names that match nothing.
-  std::string default_where = {};          ///< "path:line:column: " of it for messages, may be "".
+  std::string default_material = "sand";  ///< For a mesh's own names that match nothing.
+  std::string default_where = {};         ///< "path:line:column: " of it for messages, may be "".
 
   template <typename Self, typename Visit>
   static void visit_fields(Self& self, Visit&& visit) {
@@ -66,17 +67,18 @@ struct MaterialRules {
 };
 
 struct Box3 {
-  Vec3 low, high;   ///< [m]; low > high when empty.
+  Vec3 low, high;  ///< [m]; low > high when empty.
 };
 
 struct Scene {
-  std::vector<Material> materials;   ///< Those in use. At most 65535.
-  std::vector<Instance> instances;   ///< At most 65535.
+  std::vector<Material> materials;  ///< Those in use. At most 65535.
+  std::vector<Instance> instances;  ///< At most 65535.
 
   [[nodiscard]] std::size_t triangle_count() const;
   [[nodiscard]] Box3 bounds() const;
 
-  /// Index of the instance of that whole name, or of the only one whose name starts with `name::`; -1 when there is none.
+  /// Index of the instance of that whole name, or of the only one whose name starts with `name::`; -1 when there is
+  /// none.
   [[nodiscard]] int find_instance(std::string_view name) const;
 };
 
@@ -84,8 +86,8 @@ struct Scene {
 /// user_material; an override of the slot's own name; the library's material of that name; the default. A user_material
 /// and the default may name an override too. Each override is a material of its own, called by its key. Names of meshes
 /// that took the default are told to `log` in one line.
-/// @throws Error for a name the user wrote (an override's key or `like`, a user_material, the default) that matches nothing, and
-/// for a property out of its limits.
+/// @throws Error for a name the user wrote (an override's key or `like`, a user_material, the default) that matches
+/// nothing, and for a property out of its limits.
 void assign_materials(Scene& scene, const MaterialRules& rules, const Log& log = {});
 
 }  // namespace insonify

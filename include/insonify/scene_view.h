@@ -24,7 +24,7 @@ struct ViewOptions {
 };
 
 /// A viewpoint behind and above the sonar from which its insonified sector and what stands in it can be seen, clear of
-/// the scene's surfaces.
+/// the scene's surfaces. Things that are seen in part are shown whole unless they are large.
 [[nodiscard]] ViewConfig fitting_view(Engine& engine, const Scene& scene, const SonarConfig& sonar,
                                       const Pose& world_from_sonar);
 

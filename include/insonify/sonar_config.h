@@ -48,27 +48,29 @@ struct SonarConfig {
   double frequency = 720e3;  ///< Carrier frequency [Hz], in (0, 1e8].
 
   // Fan of beams.
-  int beam_count = 256;               ///< Beams across the azimuth aperture, 1..4096.
+  int beam_count = 256;                                 ///< Beams across the azimuth aperture, 1..4096.
   double azimuth_aperture = radians_from_degrees(120);  ///< Full width of the fan [rad], in (0, 2 pi].
-  std::vector<double> beam_azimuths;  ///< Explicit centres, falling from port to starboard [rad]; even in angle when empty.
+  std::vector<double>
+      beam_azimuths;  ///< Explicit centres, falling from port to starboard [rad]; even in angle when empty.
   double elevation_aperture = radians_from_degrees(20);  ///< Full height of every beam [rad], in (0, 170 deg].
-  double elevation_center = 0;        ///< Middle of the elevation aperture [rad].
+  double elevation_center = 0;                           ///< Middle of the elevation aperture [rad].
 
   // Range window.
-  int bin_count = 500;       ///< Range bins per beam, 1..65536.
-  double min_range = 0.2;    ///< Near edge of bin 0 [m], 0..1e5. Nearer echoes are dropped.
-  double max_range = 50.0;   ///< Far edge of the last bin [m], > min_range, <= 1e5.
-  double blanking_range = 0; ///< Near field: echoes read low from min_range, rising to full level here [m], 0..1e5.
-  double gain = 1.0;         ///< Multiplies the displayed intensity before it is clipped to 1, in (0, 1e9].
+  int bin_count = 500;        ///< Range bins per beam, 1..65536.
+  double min_range = 0.2;     ///< Near edge of bin 0 [m], 0..1e5. Nearer echoes are dropped.
+  double max_range = 50.0;    ///< Far edge of the last bin [m], > min_range, <= 1e5.
+  double blanking_range = 0;  ///< Near field: echoes read low from min_range, rising to full level here [m], 0..1e5.
+  double gain = 1.0;          ///< Multiplies the displayed intensity before it is clipped to 1, in (0, 1e9].
 
   // Time.
   std::optional<double> assumed_sound_speed;  ///< By which it turns time into range [m/s]; the water's own when absent.
-  std::optional<double> ping_period;          ///< Between pings [s], from 2 max_range / c to 1e6; the former, when absent.
+  std::optional<double> ping_period;          ///< Between pings [s], 2 max_range / c (when absent) to 1e6.
 
   // Scanning head (MSIS only).
   double step = radians_from_degrees(0.9);  ///< Turn of the head between pings, positive to port [rad], not 0.
-  double sector_center = 0;           ///< Middle of the scanned sector [rad].
-  double sector_width = 2 * std::numbers::pi;  ///< Full circle: turns on and on; less: sweeps to and fro [rad], in (0, 2 pi].
+  double sector_center = 0;                 ///< Middle of the scanned sector [rad].
+  double sector_width =
+      2 * std::numbers::pi;  ///< Full circle: turns on and on; less: sweeps to and fro [rad], in (0, 2 pi].
   Mounting mounting = Mounting::kHorizontal;
 
   // Place on the vehicle, or in the world where there is no trajectory.
@@ -77,7 +79,7 @@ struct SonarConfig {
 
   Sampling sampling;
 
-  [[nodiscard]] double bin_length() const { return (max_range - min_range) / bin_count; }      ///< [m]
+  [[nodiscard]] double bin_length() const { return (max_range - min_range) / bin_count; }           ///< [m]
   [[nodiscard]] double bin_range(int bin) const { return min_range + (bin + 0.5) * bin_length(); }  ///< Centre [m].
 
   /// Azimuth of the centre of beam `beam` [rad]; falls from port (beam 0) to starboard.
@@ -91,8 +93,8 @@ struct SonarConfig {
   /// takes its y, towards which the head turns, from port to up: positive head angles look up.
   [[nodiscard]] Pose vehicle_from_sonar() const;
 
-  /// Angle of the head at a ping, 0 for a forward-looking sonar [rad]. A full circle starts at sector_center and goes on;
-  /// a sector starts at its edge (the one `step` leads away from) and turns back at the last whole step inside it.
+  /// Angle of the head at a ping, 0 for a forward-looking sonar [rad]. A full circle starts at sector_center and goes
+  /// on; a sector starts at its edge (the one `step` leads away from) and turns back at the last whole step inside it.
   /// Not wrapped: ever larger on a full circle.
   [[nodiscard]] double head_angle(std::uint64_t ping) const;
 
@@ -117,35 +119,43 @@ void SonarConfig::visit_fields(Self& self, Visit&& visit) {
   constexpr double kPi = std::numbers::pi;
   visit(Field{"name", "", {}, "Used in messages and file names."}, self.name);
   visit(Field{"model", "", {}, "Make and model, for titles."}, self.model);
-  visit(Field{"type", "", {}, "fls (the whole fan at once) or msis (one beam, turned by a step each ping)."}, self.type);
+  visit(Field{"type", "", {}, "fls (the whole fan at once) or msis (one beam, turned by a step each ping)."},
+        self.type);
   visit(Field{"frequency", "Hz", above_to(0, 1e8), "Carrier frequency."}, self.frequency);
   visit(Field{"beam_count", "", from_to(1, 4096), "Beams across the azimuth aperture."}, self.beam_count);
   visit(Field{"azimuth_aperture", "rad", above_to(0, 2 * kPi), "Full width of the fan."}, self.azimuth_aperture);
   visit(Field{"beam_azimuths", "rad", from_to(-kPi, kPi),
-              "Explicit beam centres, falling from port to starboard; even in angle when absent."},
+              "Explicit beam centres, falling from port to starboard: beam_count and azimuth_aperture follow from "
+              "them. Even in angle when absent."},
         self.beam_azimuths);
   visit(Field{"elevation_aperture", "rad", above_to(0, radians_from_degrees(170)), "Full height of every beam."},
         self.elevation_aperture);
-  visit(Field{"elevation_center", "rad", from_to(radians_from_degrees(-85), radians_from_degrees(85)), "Middle of the elevation aperture."},
+  visit(Field{"elevation_center", "rad", from_to(radians_from_degrees(-85), radians_from_degrees(85)),
+              "Middle of the elevation aperture."},
         self.elevation_center);
   visit(Field{"bin_count", "", from_to(1, 65536), "Range bins per beam."}, self.bin_count);
   visit(Field{"min_range", "m", from_to(0, 1e5), "Near edge of bin 0; nearer echoes are dropped."}, self.min_range);
   visit(Field{"max_range", "m", above_to(0, 1e5), "Far edge of the last bin."}, self.max_range);
-  visit(Field{"blanking_range", "m", from_to(0, 1e5), "Near field: echoes read low from min_range, rising to full level here."},
+  visit(Field{"blanking_range", "m", from_to(0, 1e5),
+              "Near field: echoes read low from min_range, rising to full level here."},
         self.blanking_range);
-  visit(Field{"gain", "", above_to(0, 1e9), "Multiplies the intensity before it is clipped to 1 (paper model)."}, self.gain);
+  visit(Field{"gain", "", above_to(0, 1e9), "Multiplies the intensity before it is clipped to 1 (paper model)."},
+        self.gain);
   visit(Field{"assumed_sound_speed", "m/s", from_to(1300, 1700),
               "By which the sonar turns time into range; the water's own when absent."},
         self.assumed_sound_speed);
   visit(Field{"ping_period", "s", above_to(0, 1e6), "Time between pings; 2 max_range / c when absent, and never less."},
         self.ping_period);
-  visit(Field{"step", "rad", from_to(-kPi, kPi), "Turn of a scanning head between pings, positive to port."}, self.step);
+  visit(Field{"step", "rad", from_to(-kPi, kPi), "Turn of a scanning head between pings, positive to port."},
+        self.step);
   visit(Field{"sector_center", "rad", from_to(-kPi, kPi), "Middle of the scanned sector."}, self.sector_center);
-  visit(Field{"sector_width", "rad", above_to(0, 2 * kPi), "Scanned sector; 360 turns on and on, less sweeps to and fro."},
+  visit(Field{"sector_width", "rad", above_to(0, 2 * kPi),
+              "Scanned sector; 360 turns on and on, less sweeps to and fro."},
         self.sector_width);
   visit(Field{"mounting", "", {}, "horizontal (a plan view) or vertical (a slice) scanning head."}, self.mounting);
-  visit(Field{"position", "m", coordinate(), "On the vehicle, or in the world where there is no trajectory: [x, y, z]."},
-        self.position);
+  visit(
+      Field{"position", "m", coordinate(), "On the vehicle, or in the world where there is no trajectory: [x, y, z]."},
+      self.position);
   visit(Field{"orientation", "rad", turn(), "[roll, pitch, yaw] as in SDF: positive pitch looks down."},
         self.orientation);
 }

@@ -37,9 +37,17 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 }  // namespace
 
 std::string nearest_name(std::string_view name, std::span<const std::string> candidates) {
-  const auto nearest = std::ranges::min_element(
-      candidates, {}, [&](const std::string& candidate) { return edit_distance(name, candidate); });
-  return nearest == candidates.end() ? "" : *nearest;
+  // Fewer slips than letters: else nothing of the name is left.
+  const std::size_t most_slips =
+      std::min(std::max<std::size_t>(2, name.size() / 3), name.size() - (name.empty() ? 0 : 1));
+  const auto slips = [&](const std::string& candidate) { return edit_distance(name, candidate); };
+  const auto nearest = std::ranges::min_element(candidates, {}, slips);
+  return nearest == candidates.end() || slips(*nearest) > most_slips ? "" : *nearest;
+}
+
+std::string suggestion(std::string_view name, std::span<const std::string> candidates) {
+  const std::string nearest = nearest_name(name, candidates);
+  return nearest.empty() ? "" : "; did you mean " + nearest + "?";
 }
 
 }  // namespace insonify

@@ -13,8 +13,8 @@
 
 namespace insonify {
 
-/// Beams that one task takes: about sixteen columns of the lattice, so that packets fill and tasks are many.
-[[nodiscard]] int beams_per_task(const Lattice& lattice);
+/// Most beams that one task takes: a ping is written by ranges, and sixteen beams fill a cache line of it.
+inline constexpr int kMostBeamsTogether = 16;
 
 struct BeamTask {
   /// Onward rays and return legs as they were sent, when somebody wants to send them again.
@@ -36,17 +36,19 @@ struct BeamTask {
   /// Since prepare().
   [[nodiscard]] const RayCounts& counts() const { return counts_; }
 
+  /// Where a packet of onward rays left the first surface.
+  struct Origins {
+    int column[kPacketSize], row[kPacketSize];  // Of the lattice.
+    float range[kPacketSize], strength[kPacketSize], selected[kPacketSize];
+  };
+
  private:
   static constexpr int kTile = 4;  // Columns and rows of a packet: the shape in which sixteen neighbours spread least.
 
-  // One sample that is to be followed beyond its surface.
-  struct Sample {
-    int column, row;  // Of the strip.
-  };
-
   void aim(const Pose& world_from_sonar, int first_beam, int last_beam);
+  void aim_strip(int first_column);
   int load_tile(int first_column, int first_row);
-  void read_tile(int first_column, int first_row);
+  bool read_tile(int first_row);
   void trace_strip(int first_column);
   void send_onward(int first_column, EchoGrid& grid, Log* log);
   void trace_onward(EchoGrid& grid, Log* log);
@@ -55,14 +57,17 @@ struct BeamTask {
   const CpuScene& scene_;
   const PingPlan* plan_ = nullptr;
   int first_column_ = 0, columns_ = 0;  // Of the lattice; columns below count from first_column_.
-  Vec3f sonar_, up_;                    // Position and z axis of the sonar in the scene's coordinates.
-  std::vector<Vec3f> along_;            // Horizontal direction of each column.
-  HitColumn hits_[kTile];               // Of one strip of tiles: little enough to stay in the nearest cache.
+  Vec3f sonar_;                         // Position in the scene's coordinates.
+  std::vector<ColumnAxes> axes_;        // Of each column.
+  HitStrip strip_{kTile, 0};            // Of tiles.
+  HitColumn hits_[kTile] = {};          // Of the strip.
   Stretches stretches_;
-  SurfaceRun run_;
+  SurfaceSums sums_;
 
   RayPacket primary_, onward_, back_;
-  OnwardOrigin origins_[kPacketSize];  // Of the rays in onward_.
+  CpuScene::Shading shading_;
+  int place_[kPacketSize];  // In the strip, of the hits that are followed.
+  Origins origins_;         // Of the rays in onward_.
   int onward_count_ = 0;
   Echo returning_[kPacketSize];  // Met a second surface; their return legs are in back_.
   float returning_strength_[kPacketSize], returning_rest_[kPacketSize];  // See secondary_powers().

@@ -14,6 +14,14 @@ int task_count(int items, int per_task) {
   return (items + per_task - 1) / per_task;
 }
 
+// As many beams as belong together, but enough tasks to go round evenly.
+int beams_per_task(const PingPlan& plan, int workers) {
+  constexpr int kTasksAWorker = 4;
+  constexpr int kLeast = 4;
+  const bool many = task_count(plan.sonar.beam_count, kMostBeamsTogether) >= kTasksAWorker * workers;
+  return many ? kMostBeamsTogether : kLeast;
+}
+
 }  // namespace
 
 CpuEngine::CpuEngine(int threads) : workers_(threads) {
@@ -27,17 +35,21 @@ void CpuEngine::for_each_task(const PingPlan& plan, Work&& work) {
   for (const auto& scratch : scratch_) {
     scratch->prepare(plan);
   }
-  const int beams = beams_per_task(plan.lattice);
+  const int beams = beams_per_task(plan, workers_.count());
   workers_.for_each(task_count(plan.sonar.beam_count, beams), [&](int task, int worker) {
     const DenormalsOff denormals_off;
     work(*scratch_[worker], task * beams, std::min((task + 1) * beams, plan.sonar.beam_count), task);
   });
 }
 
-void CpuEngine::insonify(const PingPlan& plan, const Pose& world_from_sonar, std::uint64_t, EchoGrid& grid) {
+void CpuEngine::insonify(const PingPlan& plan, const Pose& world_from_sonar, std::uint64_t, EchoGrid& grid,
+                         BeamSink* sink) {
   scene_.commit_moves();
   for_each_task(plan, [&](BeamTask& scratch, int first_beam, int last_beam, int) {
     scratch.run(world_from_sonar, first_beam, last_beam, grid);
+    if (sink != nullptr) {
+      sink->take(first_beam, last_beam);
+    }
   });
   counts_ = {};
   for (const auto& scratch : scratch_) {
@@ -48,7 +60,7 @@ void CpuEngine::insonify(const PingPlan& plan, const Pose& world_from_sonar, std
 }
 
 std::vector<double> CpuEngine::time_traversal(const PingPlan& plan, const Pose& world_from_sonar, int repetitions) {
-  std::vector<BeamTask::Log> logs(task_count(plan.sonar.beam_count, beams_per_task(plan.lattice)));
+  std::vector<BeamTask::Log> logs(task_count(plan.sonar.beam_count, beams_per_task(plan, workers_.count())));
   EchoGrid grid(plan.sonar.beam_count, plan.sonar.bin_count, kPathOrders);
   for_each_task(plan, [&](BeamTask& scratch, int first_beam, int last_beam, int task) {
     scratch.run(world_from_sonar, first_beam, last_beam, grid, &logs[task]);
@@ -91,18 +103,17 @@ void CpuEngine::trace(std::span<const Ray> rays, std::span<Hit> hits) {
         reach = std::max(reach, static_cast<float>(ray.max_distance));
       }
       packet.intersect(scene_.handle(), reach);
+      CpuScene::Shading shading;
+      scene_.shade(packet.rays.hit, shading);
       for (int lane = 0; lane < count; ++lane) {
         const Ray& ray = rays[first + lane];
         const double distance = static_cast<double>(packet.rays.ray.tfar[lane]);
         Hit& hit = hits[first + lane];
         hit = {.distance = std::numeric_limits<double>::infinity()};
         if (packet.hit(lane) && distance <= ray.max_distance) {
-          const RTCHit16& found = packet.rays.hit;
-          const CpuScene::Shading shading =
-              scene_.shade(found.geomID[lane], found.instID[0][lane], found.primID[lane], found.u[lane], found.v[lane]);
-          const Vec3 normal = shading.normal.cast<double>().normalized();
-          hit = {distance, normal.dot(ray.direction) > 0 ? Vec3(-normal) : normal, instance_of(shading.surface),
-                 material_of(shading.surface)};
+          const Vec3 normal = Vec3(shading.normal_x[lane], shading.normal_y[lane], shading.normal_z[lane]).normalized();
+          hit = {distance, normal.dot(ray.direction) > 0 ? Vec3(-normal) : normal, instance_of(shading.surface[lane]),
+                 material_of(shading.surface[lane])};
         }
       }
     }

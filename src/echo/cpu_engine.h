@@ -21,7 +21,8 @@ class CpuEngine final : public Engine {
   [[nodiscard]] std::string_view name() const override { return "cpu"; }
   void set_scene(const Scene& scene) override { scene_.set(scene); }
   void move_instance(int instance, const Pose& world_from_mesh) override { scene_.move(instance, world_from_mesh); }
-  void insonify(const PingPlan& plan, const Pose& world_from_sonar, std::uint64_t ping, EchoGrid& grid) override;
+  void insonify(const PingPlan& plan, const Pose& world_from_sonar, std::uint64_t ping, EchoGrid& grid,
+                BeamSink* sink) override;
   void trace(std::span<const Ray> rays, std::span<Hit> hits) override;
   [[nodiscard]] RayCounts ray_counts() const override { return counts_; }
 

@@ -4,8 +4,10 @@
 
 #include <fmt/format.h>
 
+#include <bit>
 #include <new>
 
+#include "base/vector_math.h"
 #include "insonify/error.h"
 
 namespace insonify {
@@ -25,6 +27,38 @@ void place(RTCGeometry geometry, const Pose& world_from_mesh, const Vec3& origin
   transform << rotation, offset;
   rtcSetGeometryTransform(geometry, 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR, transform.data());
   rtcCommitGeometry(geometry);
+}
+
+// What a triangle gives to the rays that met it.
+struct Facet {
+  Vec3f normals[3];
+  float reflectivity;
+  SurfaceLabel surface;
+};
+
+// Shades those lanes that met the same triangle as lane `first`, and no longer counts them as open.
+[[gnu::always_inline]] inline void shade_facet(const Facet& facet, const RTCHit16& __restrict__ hits, int first,
+                                               float* __restrict__ open, CpuScene::Shading& __restrict__ shading) {
+  const unsigned geometry = hits.geomID[first], instance = hits.instID[0][first], triangle = hits.primID[first];
+  const float x0 = facet.normals[0].x(), x1 = facet.normals[1].x(), x2 = facet.normals[2].x();
+  const float y0 = facet.normals[0].y(), y1 = facet.normals[1].y(), y2 = facet.normals[2].y();
+  const float z0 = facet.normals[0].z(), z1 = facet.normals[1].z(), z2 = facet.normals[2].z();
+  const float reflectivity = facet.reflectivity;
+  const SurfaceLabel surface = facet.surface;
+  for (int lane = 0; lane < kPacketSize; ++lane) {
+    const bool met =
+        (hits.geomID[lane] == geometry) & (hits.primID[lane] == triangle) & (hits.instID[0][lane] == instance);
+    const float u = hits.u[lane], v = hits.v[lane], w = 1 - u - v;
+    const float x = w * x0 + u * x1 + v * x2;
+    const float y = w * y0 + u * y1 + v * y2;
+    const float z = w * z0 + u * z1 + v * z2;
+    shading.normal_x[lane] = met ? x : shading.normal_x[lane];
+    shading.normal_y[lane] = met ? y : shading.normal_y[lane];
+    shading.normal_z[lane] = met ? z : shading.normal_z[lane];
+    shading.reflectivity[lane] = met ? reflectivity : shading.reflectivity[lane];
+    shading.surface[lane] = met ? surface : shading.surface[lane];
+    open[lane] = met ? 0.0F : open[lane];
+  }
 }
 
 }  // namespace
@@ -149,6 +183,30 @@ void CpuScene::add_moving(const Instance& instance, unsigned id) {
   part.rotation = instance.world_from_mesh.orientation.toRotationMatrix().cast<float>();
   place(part.placed, instance.world_from_mesh, origin_);
   rtcAttachGeometryByID(scene_, part.placed, id);
+}
+
+// Neighbouring rays mostly meet the same few triangles: each is looked up once and shades all its lanes together.
+INSONIFY_VECTOR_CLONES
+void CpuScene::shade(const RTCHit16& hits, Shading& shading) const {
+  float open[kPacketSize];
+  for (int lane = 0; lane < kPacketSize; ++lane) {
+    open[lane] = hits.geomID[lane] == RTC_INVALID_GEOMETRY_ID ? 0.0F : 1.0F;
+    shading.normal_x[lane] = shading.normal_y[lane] = shading.normal_z[lane] = shading.reflectivity[lane] = 0;
+    shading.surface[lane] = kNoSurface;
+  }
+  while (const unsigned lanes = positive_of_packet(open)) {
+    const int lane = std::countr_zero(lanes);
+    const bool moves = hits.instID[0][lane] != RTC_INVALID_GEOMETRY_ID;
+    const Part& part = parts_[moves ? hits.instID[0][lane] : hits.geomID[lane]];
+    const unsigned triangle = hits.primID[lane];
+    const SurfaceLabel surface = part.surfaces[part.slots == nullptr ? 0 : part.slots[triangle]];
+    Facet facet{{}, reflectivity_[material_of(surface)], surface};
+    for (int corner = 0; corner < 3; ++corner) {
+      const Vec3f& normal = part.normals[part.triangles[triangle][corner]];
+      facet.normals[corner] = moves ? Vec3f(part.rotation * normal) : normal;
+    }
+    shade_facet(facet, hits, lane, open, shading);
+  }
 }
 
 void CpuScene::move(int instance, const Pose& world_from_mesh) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "echo/echo.h"
+#include "echo/ray_packet.h"
 #include "insonify/scene.h"
 
 namespace insonify {
@@ -32,26 +33,17 @@ class CpuScene {
   /// World position that Embree's coordinates are relative to: single precision goes to where the scene is.
   [[nodiscard]] const Vec3& origin() const { return origin_; }
 
-  [[nodiscard]] const std::vector<float>& reflectivity() const { return reflectivity_; }
-
   /// Bytes kept beside the meshes themselves and what Embree allocates.
   [[nodiscard]] std::size_t bytes() const;
   [[nodiscard]] std::size_t embree_bytes() const { return static_cast<std::size_t>(embree_bytes_.load()); }
 
-  /// A hit's surface and its shading normal, neither of unit length nor on any particular side.
-  struct Shading {
-    Vec3f normal;
-    SurfaceLabel surface;
+  /// What sixteen rays met. Normals are neither of unit length nor on any particular side.
+  struct alignas(64) Shading {
+    float normal_x[kPacketSize], normal_y[kPacketSize], normal_z[kPacketSize];
+    float reflectivity[kPacketSize];    ///< 0 where nothing was met.
+    SurfaceLabel surface[kPacketSize];  ///< kNoSurface where nothing was met.
   };
-  [[nodiscard]] Shading shade(unsigned geometry, unsigned instance, unsigned triangle, float u, float v) const {
-    const bool moves = instance != RTC_INVALID_GEOMETRY_ID;
-    const Part& part = parts_[moves ? instance : geometry];
-    const auto& corners = part.triangles[triangle];
-    const Vec3f normal =
-        (1 - u - v) * part.normals[corners[0]] + u * part.normals[corners[1]] + v * part.normals[corners[2]];
-    const std::uint16_t slot = part.slots == nullptr ? std::uint16_t{0} : part.slots[triangle];
-    return {moves ? Vec3f(part.rotation * normal) : normal, part.surfaces[slot]};
-  }
+  void shade(const RTCHit16& hits, Shading& shading) const;
 
  private:
   // One instance of the scene.

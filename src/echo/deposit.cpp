@@ -21,22 +21,14 @@ struct Vote {
 };
 
 [[gnu::always_inline]] inline Vote counted(Vote vote, SurfaceLabel surface, float energy, float moment, float weight) {
+  const float lead = vote.surface == kNoSurface ? 0.0F : vote.lead;
   const bool own = vote.surface == surface;
-  const bool taken = !own & !(vote.lead > energy) & (weight > 0);
-  const float apart = vote.lead > energy ? vote.lead - energy : energy - vote.lead;
+  const bool taken = !own & !(lead > energy) & (weight > 0);
+  const float apart = lead > energy ? lead - energy : energy - lead;
   const bool gains = own | taken;
-  return {taken ? surface : vote.surface, own ? vote.lead + energy : apart,
-          (taken ? 0.0F : vote.energy) + (gains ? energy : 0.0F), (taken ? 0.0F : vote.moment) + (gains ? moment : 0.0F)};
-}
-
-// Draws all sets of sums together in the first, and leaves zeros in the others.
-INSONIFY_VECTOR_CLONES
-void draw_together(int count, float* __restrict__ a, float* __restrict__ b, float* __restrict__ c,
-                   float* __restrict__ d) {
-  for (int i = 0; i < count; ++i) {
-    a[i] = (a[i] + b[i]) + (c[i] + d[i]);
-    b[i] = c[i] = d[i] = 0;
-  }
+  return {taken ? surface : vote.surface, own ? lead + energy : apart,
+          (taken ? 0.0F : vote.energy) + (gains ? energy : 0.0F),
+          (taken ? 0.0F : vote.moment) + (gains ? moment : 0.0F)};
 }
 
 // Adds a run's sums to its cells and leaves zeros behind.
@@ -58,63 +50,73 @@ void take(int count, SurfaceLabel surface, float* __restrict__ run_energy, float
   }
 }
 
-void finish(SurfaceRun& run, SurfaceLabel surface, int beam, EchoGrid& grid) {
+void finish(SurfaceRun& run, SurfaceSums& sums, SurfaceLabel surface, int beam, EchoGrid& grid) {
   const int first = run.first();
-  const int count = run.last() - first;
+  const int count = std::min(run.last(), grid.bin_count()) - first;
   if (count > 0) {
-    static_assert(SurfaceRun::kSets == 4);
-    draw_together(count, run.energy(0) + first, run.energy(1) + first, run.energy(2) + first, run.energy(3) + first);
-    draw_together(count, run.weight(0) + first, run.weight(1) + first, run.weight(2) + first, run.weight(3) + first);
-    draw_together(count, run.moment(0) + first, run.moment(1) + first, run.moment(2) + first, run.moment(3) + first);
     const EchoGrid::LabelRows labels = grid.label_rows(beam);
-    take(count, surface, run.energy(0) + first, run.weight(0) + first, run.moment(0) + first,
+    take(count, surface, &sums.energy[first], &sums.weight[first], &sums.moment[first],
          grid.energy(1, beam).data() + first, grid.weight(1, beam).data() + first, labels.surface + first,
          labels.lead + first, labels.energy + first, labels.elevation_moment + first);
   }
   run.restart();
 }
 
+// Where a sample's stretch goes that ends alone: from the sample along its tangent plane to the direction
+// (cos_end, sin_end), if the neighbour on the other side shows that the surface goes on like that.
+Stretch lone_stretch(const PingPlan& plan, const HitColumn& hits, const Stretches& stretches, int row, int behind,
+                     float cos_end, float sin_end, float weight) {
+  const float here = stretches.position[row];
+  float end = here;
+  if (behind >= 0 && behind < plan.lattice.rows && stretches.joined[std::min(row, behind)] != 0) {
+    const float facing_end = stretches.normal_along[row] * cos_end + stretches.normal_up[row] * sin_end;
+    const float range_end = hits.range[row] * hits.facing[row] / facing_end;
+    const float most = kMostStretch * std::abs(here - stretches.position[behind]);
+    const float wished = (range_end - plan.first_bin_at) * plan.bins_per_metre;
+    end = wished > here - most ? std::min(wished, here + most) : here - most;  // Also where facing_end is 0.
+  }
+  const float beyond = stretches.reach[row] + kShortestStretch;
+  const float low = std::min(here, end) - beyond;
+  const float high = std::max(here, end) + beyond;
+  const auto bins = static_cast<float>(plan.sonar.bin_count);
+  return {std::clamp(low, 0.0F, bins), std::min(high, bins), hits.power[row], 0, weight / (high - low), 0};
+}
+
 }  // namespace
 
-INSONIFY_VECTOR_CLONES [[gnu::flatten]] void deposit_column(const PingPlan& plan, int column, const HitColumn& hits,
-                                                            const Stretches& stretches, SurfaceRun& run,
-                                                            EchoGrid& grid) {
+INSONIFY_VECTOR_CLONES
+void deposit_column(const PingPlan& plan, int column, const HitColumn& hits, const Stretches& stretches,
+                    SurfaceSums& sums, EchoGrid& grid) {
   const Lattice& lattice = plan.lattice;
   const float* cos_el = lattice.cos_elevations(column);
   const float* sin_el = lattice.sin_elevations(column);
   const float* elevation = lattice.elevations(column);
   const float* interval = lattice.intervals(column);
   const float width = lattice.column_width[column];
-  const int rows = lattice.rows;
   const int beam = column / lattice.columns_per_beam;
-  // Part of a sample's stretch that ends alone: from the sample along its tangent plane to another direction, if the
-  // neighbour on the other side shows that the surface goes on like that.
+  const int last_row = std::min(hits.rows, lattice.rows - 1);
+  SurfaceRun run(sums);
   const auto add_alone = [&](int row, int behind, float cos_end, float sin_end, float weight) {
-    if (hits.surface[row] == kNoSurface) {
-      return;
+    if (hits.surface[row] != kNoSurface) {
+      Stretch stretch = lone_stretch(plan, hits, stretches, row, behind, cos_end, sin_end, weight);
+      stretch.elevation = elevation[row];
+      run.add(stretch);
     }
-    const float here = stretches.position[row];
-    float end = here;
-    if (behind >= 0 && behind < rows && stretches.joined[std::min(row, behind)] != 0) {
-      const float facing_end = stretches.normal_along[row] * cos_end + stretches.normal_up[row] * sin_end;
-      const float range_end = hits.range[row] * hits.facing[row] / facing_end;
-      const float most = kMostStretch * std::abs(here - stretches.position[behind]);
-      const float wished = (range_end - plan.first_bin_at) * plan.bins_per_metre;
-      end = wished > here - most ? std::min(wished, here + most) : here - most;  // Also where facing_end is 0.
-    }
-    const float beyond = stretches.reach[row] + kShortestStretch;
-    const float low = std::min(here, end) - beyond;
-    const float high = std::max(here, end) + beyond;
-    run.add_stretch(row, low, high, hits.power[row], 0, weight / (high - low), elevation[row]);
   };
 
+  const float *low = stretches.low.data(), *high = stretches.high.data(), *power = stretches.power.data(),
+              *half_rise = stretches.half_rise.data(), *density = stretches.density.data(),
+              *middle = stretches.elevation.data();
+  const std::uint8_t* joined = stretches.joined.data();
   SurfaceLabel surface = hits.surface[0];
   add_alone(0, 1, lattice.cos_low, lattice.sin_low, interval[0] * width);
-  for (int row = 0; row + 1 < rows; ++row) {
+  for (int row = 0; row < last_row; ++row) {
+    if (joined[row] != 0) {
+      run.add({low[row], high[row], power[row], half_rise[row], density[row], middle[row]});
+      continue;
+    }
     const int next = row + 1;
-    if (stretches.joined[row] != 0) {
-      run.add_stretch(row, stretches.low[row], stretches.high[row], stretches.power_low[row], stretches.rise[row],
-                      stretches.density[row], 0.5F * (elevation[row] + elevation[next]));
+    if (hits.surface[row] == kNoSurface && hits.surface[next] == kNoSurface) {
       continue;
     }
     const float cos_middle = 0.5F * (cos_el[row] + cos_el[next]);
@@ -122,13 +124,13 @@ INSONIFY_VECTOR_CLONES [[gnu::flatten]] void deposit_column(const PingPlan& plan
     const float weight = interval[next] * width;
     add_alone(row, row - 1, cos_middle, sin_middle, 0.5F * weight);
     if (hits.surface[next] != surface) {
-      finish(run, surface, beam, grid);
+      finish(run, sums, surface, beam, grid);
       surface = hits.surface[next];
     }
     add_alone(next, next + 1, cos_middle, sin_middle, 0.5F * weight);
   }
-  add_alone(rows - 1, rows - 2, lattice.cos_high, lattice.sin_high, interval[rows] * width);
-  finish(run, surface, beam, grid);
+  add_alone(last_row, last_row - 1, lattice.cos_high, lattice.sin_high, interval[lattice.rows] * width);
+  finish(run, sums, surface, beam, grid);
 }
 
 void deposit(const PingPlan& plan, const Echo& echo, EchoGrid& grid) {

@@ -14,9 +14,9 @@ namespace insonify {
 /// echo over all bins between their ranges, as their footprint does. Elsewhere a sample's stretch goes on along its own
 /// tangent plane: half-way to the neighbour it does not connect to, or to the edge of the aperture below the first and
 /// above the last sample.
-/// @param run  Scratch, prepared for the grid's bins.
+/// @param sums  Scratch, prepared for the grid's bins.
 void deposit_column(const PingPlan& plan, int column, const HitColumn& hits, const Stretches& stretches,
-                    SurfaceRun& run, EchoGrid& grid);
+                    SurfaceSums& sums, EchoGrid& grid);
 
 /// Deposits one echo in the bin of half its path, in the beam it arrives in. Outside the fan or the range it is
 /// dropped.

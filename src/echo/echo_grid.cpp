@@ -21,19 +21,9 @@ EchoGrid::EchoGrid(int beam_count, int bin_count, int order_count)
 
 EchoGrid::Label EchoGrid::label(int beam, int bin) const {
   const std::size_t cell = start(1, beam) + bin;
-  const float energy = label_energy_[cell];
+  const float energy = surface_[cell] == kNoSurface ? 0.0F : label_energy_[cell];
   return {instance_of(surface_[cell]), material_of(surface_[cell]),
           energy > 0 ? elevation_moment_[cell] / energy : 0.0F};
-}
-
-EchoGrid::LabelRows EchoGrid::label_rows(int beam) {
-  const std::size_t cell = start(1, beam);
-  return {&surface_[cell], &lead_[cell], &label_energy_[cell], &elevation_moment_[cell]};
-}
-
-EchoGrid::ConstLabelRows EchoGrid::label_rows(int beam) const {
-  const std::size_t cell = start(1, beam);
-  return {&surface_[cell], &label_energy_[cell], &elevation_moment_[cell]};
 }
 
 void EchoGrid::clear(int first_beam, int last_beam) {
@@ -45,10 +35,7 @@ void EchoGrid::clear(int first_beam, int last_beam) {
     fill(energy_, order, 0.0F);
     fill(weight_, order, 0.0F);
   }
-  fill(surface_, 1, kNoSurface);
-  fill(lead_, 1, 0.0F);
-  fill(label_energy_, 1, 0.0F);
-  fill(elevation_moment_, 1, 0.0F);
+  fill(surface_, 1, kNoSurface);  // Where nothing leads, the rest of the label means nothing.
 }
 
 }  // namespace insonify

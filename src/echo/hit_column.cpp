@@ -2,6 +2,8 @@
 
 #include "echo/hit_column.h"
 
+#include <algorithm>
+
 #include "base/vector_math.h"
 #include "echo/surface_run.h"
 
@@ -23,6 +25,11 @@ constexpr float kLeastFacing = 0.1F;
 // Keeps what divides from being zero.
 constexpr float kTiny = 1e-20F;
 
+constexpr float* HitColumn::*kFields[] = {&HitColumn::direction_x, &HitColumn::direction_y,  &HitColumn::direction_z,
+                                          &HitColumn::range,       &HitColumn::normal_x,     &HitColumn::normal_y,
+                                          &HitColumn::normal_z,    &HitColumn::reflectivity, &HitColumn::facing,
+                                          &HitColumn::strength,    &HitColumn::power,        &HitColumn::selected};
+
 // Everything the loops read, as bare numbers and pointers that the compiler knows to be apart.
 struct Rows {
   int count;
@@ -30,6 +37,17 @@ struct Rows {
   const float* __restrict__ sin_el;
   float half_width;
 };
+
+INSONIFY_VECTOR_CLONES
+void aim(Rows rows, Vec3f along, Vec3f up, float* __restrict__ x, float* __restrict__ y, float* __restrict__ z) {
+  const float ax = along[0], ay = along[1], az = along[2];
+  const float ux = up[0], uy = up[1], uz = up[2];
+  for (int row = 0; row < rows.count; ++row) {
+    x[row] = ax * rows.cos_el[row] + ux * rows.sin_el[row];
+    y[row] = ay * rows.cos_el[row] + uy * rows.sin_el[row];
+    z[row] = az * rows.cos_el[row] + uz * rows.sin_el[row];
+  }
+}
 
 INSONIFY_VECTOR_CLONES
 void measure(Rows rows, Vec3f along, Vec3f across, Vec3f up, float bins_per_metre, float first_bin_at,
@@ -97,62 +115,88 @@ void join(Rows rows, float bin_length, const float* __restrict__ range, const fl
 
 // The stretches between neighbours. Power changes linearly along each.
 INSONIFY_VECTOR_CLONES
-void stretch(int rows, const float* __restrict__ interval, float width, const float* __restrict__ position,
-             const float* __restrict__ reach, const float* __restrict__ power, float* __restrict__ low,
-             float* __restrict__ high, float* __restrict__ power_low, float* __restrict__ rise,
-             float* __restrict__ density) {
+void stretch(int rows, float bins, const float* __restrict__ interval, float width,
+             const float* __restrict__ sample_elevation, const float* __restrict__ position,
+             const float* __restrict__ reach, const float* __restrict__ sample_power, float* __restrict__ low,
+             float* __restrict__ high, float* __restrict__ power, float* __restrict__ half_rise,
+             float* __restrict__ density, float* __restrict__ elevation) {
   for (int a = 0; a + 1 < rows; ++a) {
     const int b = a + 1;
     const bool rising = position[a] < position[b];
     const float beyond = 0.5F * (reach[a] + reach[b]) + kShortestStretch;
-    low[a] = (rising ? position[a] : position[b]) - beyond;
-    high[a] = (rising ? position[b] : position[a]) + beyond;
-    const float per_bin = 1 / (high[a] - low[a]);
-    power_low[a] = rising ? power[a] : power[b];
-    rise[a] = ((rising ? power[b] : power[a]) - power_low[a]) * per_bin;
+    const float near = (rising ? position[a] : position[b]) - beyond;
+    const float far = (rising ? position[b] : position[a]) + beyond;
+    const float per_bin = 1 / (far - near);
+    const float near_power = rising ? sample_power[a] : sample_power[b];
+    const float rise = ((rising ? sample_power[b] : sample_power[a]) - near_power) * per_bin;
+    low[a] = near < 0 ? 0.0F : near < bins ? near : bins;
+    high[a] = far < bins ? far : bins;
+    power[a] = near_power - near * rise;
+    half_rise[a] = 0.5F * rise;
     density[a] = interval[b] * width * per_bin;
+    elevation[a] = 0.5F * (sample_elevation[a] + sample_elevation[b]);
   }
+}
+
+Rows rows_of(const Lattice& lattice, int column) {
+  return {lattice.rows, lattice.cos_elevations(column), lattice.sin_elevations(column),
+          0.5F * lattice.column_width[column]};
 }
 
 }  // namespace
 
-void HitColumn::resize(int rows) {
-  for (auto* values :
-       {&range, &normal_x, &normal_y, &normal_z, &reflectivity, &facing, &strength, &power, &selected}) {
-    values->resize(rows + kPadding);
+void HitStrip::resize(int columns, int rows) {
+  columns_ = columns;
+  stride_ = rows + kPadding;
+  surface_.assign(static_cast<std::size_t>(columns_) * stride_, kNoSurface);
+  values_.assign(std::size(kFields) * surface_.size(), 0.0F);
+}
+
+HitColumn HitStrip::column(int column) {
+  HitColumn hits{};
+  const std::size_t start = static_cast<std::size_t>(column) * stride_;
+  hits.surface = &surface_[start];
+  for (std::size_t field = 0; field < std::size(kFields); ++field) {
+    hits.*kFields[field] = &values_[field * surface_.size() + start];
   }
-  surface.resize(rows + kPadding, kNoSurface);
+  return hits;
 }
 
 void Stretches::resize(int rows) {
-  for (auto* values : {&normal_along, &normal_up, &position, &reach, &low, &high, &power_low, &rise, &density}) {
+  for (auto* values :
+       {&normal_along, &normal_up, &position, &reach, &low, &high, &power, &half_rise, &density, &elevation}) {
     values->resize(rows);
   }
   joined.resize(rows);
 }
 
-void evaluate_column(const PingPlan& plan, int column, const ColumnAxes& axes, HitColumn& hits, Stretches& stretches) {
+void aim_column(const Lattice& lattice, int column, const ColumnAxes& axes, const HitColumn& hits) {
+  aim(rows_of(lattice, column), axes.along, axes.up, hits.direction_x, hits.direction_y, hits.direction_z);
+}
+
+void evaluate_column(const PingPlan& plan, int column, const ColumnAxes& axes, const HitColumn& hits,
+                     Stretches& stretches) {
   const Lattice& lattice = plan.lattice;
-  const Rows rows{lattice.rows, lattice.cos_elevations(column), lattice.sin_elevations(column),
-                  0.5F * lattice.column_width[column]};
-  measure(rows, axes.along, axes.across, axes.up, plan.bins_per_metre, plan.first_bin_at, hits.normal_x.data(),
-          hits.normal_y.data(), hits.normal_z.data(), hits.range.data(), stretches.normal_along.data(),
-          stretches.normal_up.data(), hits.facing.data(), stretches.position.data(), stretches.reach.data());
-  shade(rows.count, plan.neper_per_metre, hits.range.data(), hits.facing.data(), hits.reflectivity.data(),
-        hits.strength.data());
-  plan.shape.apply(rows.count, hits.strength.data(), hits.power.data());
-  join(rows, 1 / plan.bins_per_metre, hits.range.data(), stretches.normal_along.data(), stretches.normal_up.data(),
-       hits.facing.data(), hits.surface.data(), stretches.joined.data());
-  stretch(rows.count, lattice.intervals(column), lattice.column_width[column], stretches.position.data(),
-          stretches.reach.data(), hits.power.data(), stretches.low.data(), stretches.high.data(),
-          stretches.power_low.data(), stretches.rise.data(), stretches.density.data());
+  Rows rows = rows_of(lattice, column);
+  rows.count = std::min(hits.rows + 1, lattice.rows);
+  measure(rows, axes.along, axes.across, axes.up, plan.bins_per_metre, plan.first_bin_at, hits.normal_x, hits.normal_y,
+          hits.normal_z, hits.range, stretches.normal_along.data(), stretches.normal_up.data(), hits.facing,
+          stretches.position.data(), stretches.reach.data());
+  shade(rows.count, plan.neper_per_metre, hits.range, hits.facing, hits.reflectivity, hits.strength);
+  plan.shape.apply(rows.count, hits.strength, hits.power);
+  join(rows, 1 / plan.bins_per_metre, hits.range, stretches.normal_along.data(), stretches.normal_up.data(),
+       hits.facing, hits.surface, stretches.joined.data());
+  stretch(rows.count, static_cast<float>(plan.sonar.bin_count), lattice.intervals(column), lattice.column_width[column],
+          lattice.elevations(column), stretches.position.data(), stretches.reach.data(), hits.power,
+          stretches.low.data(), stretches.high.data(), stretches.power.data(), stretches.half_rise.data(),
+          stretches.density.data(), stretches.elevation.data());
   if (plan.secondary == SecondaryEchoes::kAll) {
     for (int row = 0; row < rows.count; ++row) {
       hits.selected[row] = hits.surface[row] == kNoSurface ? 0.0F : 1.0F;
     }
   } else if (plan.secondary == SecondaryEchoes::kSelective) {
-    select(rows.count, static_cast<std::uint32_t>(column) * 3242174889U + plan.stagger, hits.range.data(),
-           hits.strength.data(), hits.selected.data());
+    select(rows.count, static_cast<std::uint32_t>(column) * 3242174889U + plan.stagger, hits.range, hits.strength,
+           hits.selected);
   }
 }
 

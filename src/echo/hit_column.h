@@ -9,26 +9,43 @@
 
 namespace insonify {
 
-/// One lattice column, row by row from the lower edge of the aperture up. An engine fills in the first group; a sample
-/// without a hit has kNoSurface, range 0, reflectivity 0 and any normal. evaluate_column() works out the second.
+/// One lattice column, row by row from the lower edge of the aperture up; lies in a HitStrip. An engine fills in the
+/// first group; a sample without a hit has kNoSurface, range 0, reflectivity 0 and any normal. evaluate_column() works
+/// out the second.
 struct HitColumn {
-  explicit HitColumn(int rows = 0) { resize(rows); }
-
-  /// Every row may be written up to kPadding values beyond its end; what is written there is never read.
-  void resize(int rows);
-  static constexpr int kPadding = 4;
+  int rows;  ///< Nothing is met in this row and beyond, except where it ends the lattice; the rest is not looked at.
 
   // From the engine.
-  std::vector<SurfaceLabel> surface;
-  std::vector<float> range;                         ///< True distance [m].
-  std::vector<float> normal_x, normal_y, normal_z;  ///< Of any length, in the frame of the ColumnAxes.
-  std::vector<float> reflectivity;                  ///< Of the surface's material.
+  SurfaceLabel* surface;
+  float *direction_x, *direction_y, *direction_z;  ///< Of the rays, see aim_column().
+  float* range;                                    ///< True distance [m].
+  float *normal_x, *normal_y, *normal_z;           ///< Of any length, in the frame of the ColumnAxes.
+  float* reflectivity;                             ///< Of the surface's material.
 
   // Worked out.
-  std::vector<float> facing;    ///< Of ray and unit normal: the cosine of incidence, of either sign.
-  std::vector<float> strength;  ///< `paper`: |facing| x reflectivity x absorption there and back, 0..1.
-  std::vector<float> power;     ///< What is deposited per unit of weight. `paper`: S(strength).
-  std::vector<float> selected;  ///< How many hits the onward ray stands for; 0 when none is sent or nothing was hit.
+  float* facing;    ///< Of ray and unit normal: the cosine of incidence, of either sign.
+  float* strength;  ///< `paper`: |facing| x reflectivity x absorption there and back, 0..1.
+  float* power;     ///< What is deposited per unit of weight. `paper`: S(strength).
+  float* selected;  ///< How many hits the onward ray stands for; 0 when none is sent or nothing was hit.
+};
+
+/// The memory of neighbouring columns: little enough to stay in the nearest cache.
+class HitStrip {
+ public:
+  HitStrip(int columns, int rows) { resize(columns, rows); }
+  void resize(int columns, int rows);
+
+  [[nodiscard]] HitColumn column(int column);
+
+  /// The same sample of the next column is so many values further. Every row may be written up to kPadding values
+  /// beyond its end; what is written there is never read.
+  [[nodiscard]] int stride() const { return stride_; }
+  static constexpr int kPadding = 4;
+
+ private:
+  int columns_ = 0, stride_ = 0;
+  std::vector<SurfaceLabel> surface_;
+  std::vector<float> values_;  // [field][column][row]
 };
 
 /// How the samples of a column hang together: what lies between each and the next.
@@ -41,12 +58,10 @@ struct Stretches {
   std::vector<float> position;                 ///< In bins from the near edge of bin 0.
   std::vector<float> reach;  ///< By how much the position changes from the middle of the column to its edge.
 
-  // From each sample to the next, where both lie on one unbroken surface; see SurfaceRun::add_stretch().
+  // From each sample to the next, where both lie on one unbroken surface; see Stretch.
   std::vector<std::uint8_t> joined;  ///< Whether they do.
-  std::vector<float> low, high;      ///< Ends, reach included [bins].
-  std::vector<float> power_low;      ///< Power at the lower end.
-  std::vector<float> rise;           ///< Change of power per bin.
-  std::vector<float> density;        ///< Weight per bin [sr].
+  std::vector<float> low, high;      ///< Ends, reach included, within the bins.
+  std::vector<float> power, half_rise, density, elevation;
 };
 
 /// A column's directions, in the frame the normals are given in: `along` is (cos az, sin az, 0) of the sonar frame,
@@ -54,6 +69,9 @@ struct Stretches {
 struct ColumnAxes {
   Vec3f along, across, up;
 };
+
+/// Fills in the directions of a column's rays.
+void aim_column(const Lattice& lattice, int column, const ColumnAxes& axes, const HitColumn& hits);
 
 /// Works out everything above for column `column` of the lattice; normals are made unit length.
 ///
@@ -64,7 +82,7 @@ struct ColumnAxes {
 /// proportion, and then counts for all of its kind, so that the sums of energy and weight stay unbiased. The lots are
 /// drawn from a low-discrepancy lattice (Roberts' R2 sequence) turned by the seed, so that they lie evenly over a
 /// surface and a still scene gives the same ping twice.
-void evaluate_column(const PingPlan& plan, int column, const ColumnAxes& axes, HitColumn& hits,
+void evaluate_column(const PingPlan& plan, int column, const ColumnAxes& axes, const HitColumn& hits,
                      Stretches& stretches);
 
 }  // namespace insonify

@@ -2,8 +2,6 @@
 
 #include "echo/ping_plan.h"
 
-#include <algorithm>
-
 #include "base/philox.h"
 #include "insonify/absorption.h"
 
@@ -24,19 +22,6 @@ PingPlan::PingPlan(const PingPlanSettings& settings)
     beam_edges_.push_back(static_cast<float>(edge));
   }
   beams_per_radian_ = static_cast<float>(sonar.beam_count) / (beam_edges_.front() - beam_edges_.back());
-}
-
-int PingPlan::beam_of(float azimuth) const {
-  // Where beams are even this guess is right but for rounding at the edges; elsewhere it is where the search begins.
-  const float across = (beam_edges_.front() - azimuth) * beams_per_radian_;
-  int beam = std::clamp(static_cast<int>(across), 0, sonar.beam_count - 1);
-  while (beam > 0 && azimuth > beam_edges_[beam]) {
-    --beam;
-  }
-  while (beam + 1 < sonar.beam_count && azimuth <= beam_edges_[beam + 1]) {
-    ++beam;
-  }
-  return azimuth <= beam_edges_[beam] && azimuth > beam_edges_[beam + 1] ? beam : -1;
 }
 
 std::shared_ptr<const PingPlan> make_ping_plan(const PingPlanSettings& settings) {

@@ -2,6 +2,8 @@
 
 #pragma once
 
+#include <algorithm>
+
 #include "echo/paper_shape.h"
 #include "insonify/engine.h"
 #include "sonar/lattice.h"
@@ -31,5 +33,18 @@ class PingPlan {
   std::vector<float> beam_edges_;  // Falling [rad].
   float beams_per_radian_ = 0;     // On average.
 };
+
+inline int PingPlan::beam_of(float azimuth) const {
+  // Where beams are even this guess is right but for rounding at the edges; elsewhere it is where the search begins.
+  const float across = (beam_edges_.front() - azimuth) * beams_per_radian_;
+  int beam = std::clamp(static_cast<int>(across), 0, sonar.beam_count - 1);
+  while (beam > 0 && azimuth > beam_edges_[beam]) {
+    --beam;
+  }
+  while (beam + 1 < sonar.beam_count && azimuth <= beam_edges_[beam + 1]) {
+    ++beam;
+  }
+  return azimuth <= beam_edges_[beam] && azimuth > beam_edges_[beam + 1] ? beam : -1;
+}
 
 }  // namespace insonify

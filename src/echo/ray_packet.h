@@ -24,6 +24,15 @@ class DenormalsOff {
   unsigned saved_;
 };
 
+/// One bit a value, set where it is above zero.
+inline unsigned positive_of_four(const float* values) {
+  return static_cast<unsigned>(_mm_movemask_ps(_mm_cmpgt_ps(_mm_loadu_ps(values), _mm_setzero_ps())));
+}
+inline unsigned positive_of_packet(const float* values) {
+  return positive_of_four(values) | positive_of_four(values + 4) << 4 | positive_of_four(values + 8) << 8 |
+         positive_of_four(values + 12) << 12;
+}
+
 /// Rays that lie close together: Embree then walks them through the tree as one.
 struct alignas(64) RayPacket {
   RTCRayHit16 rays;
@@ -57,6 +66,14 @@ struct alignas(64) RayPacket {
     return {rays.ray.dir_x[lane], rays.ray.dir_y[lane], rays.ray.dir_z[lane]};
   }
   [[nodiscard]] bool hit(int lane) const { return rays.hit.geomID[lane] != RTC_INVALID_GEOMETRY_ID; }
+
+  [[nodiscard]] bool nothing_hit() const {
+    unsigned all = RTC_INVALID_GEOMETRY_ID;
+    for (const unsigned geometry : rays.hit.geomID) {
+      all &= geometry;
+    }
+    return all == RTC_INVALID_GEOMETRY_ID;
+  }
 
   /// The first `count` lanes are rays, the others are not.
   void set_count(int count) {

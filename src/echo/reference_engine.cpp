@@ -104,7 +104,8 @@ void ReferenceEngine::trace(std::span<const Ray> rays, std::span<Hit> hits) {
   workers_.for_each(static_cast<int>(rays.size()), [&](int i, int) { hits[i] = nearest(rays[i]); });
 }
 
-void ReferenceEngine::insonify(const PingPlan& plan, const Pose& world_from_sonar, std::uint64_t, EchoGrid& grid) {
+void ReferenceEngine::insonify(const PingPlan& plan, const Pose& world_from_sonar, std::uint64_t, EchoGrid& grid,
+                               BeamSink* sink) {
   const int per_beam = plan.lattice.columns_per_beam;
   std::vector<RayCounts> counts(plan.sonar.beam_count);
   workers_.for_each(plan.sonar.beam_count, [&](int beam, int) {
@@ -119,6 +120,9 @@ void ReferenceEngine::insonify(const PingPlan& plan, const Pose& world_from_sona
     counts_.secondary += of_beam.secondary;
     counts_.return_legs += of_beam.return_legs;
   }
+  if (sink != nullptr) {
+    sink->take(0, plan.sonar.beam_count);
+  }
 }
 
 void ReferenceEngine::insonify_column(const PingPlan& plan, int column, const Pose& world_from_sonar, EchoGrid& grid,
@@ -132,10 +136,12 @@ void ReferenceEngine::insonify_column(const PingPlan& plan, int column, const Po
   // Out: what does each row meet first?
   std::vector<Hit> first(rows);
   std::vector<Ray> rays(rows);
-  HitColumn hits(rows);
+  HitStrip strip(1, rows);
+  HitColumn hits = strip.column(0);
+  hits.rows = rows;
   Stretches stretches(rows);
-  SurfaceRun run;
-  run.prepare(plan.sonar.bin_count);
+  SurfaceSums sums;
+  sums.prepare(plan.sonar.bin_count);
   for (int row = 0; row < rows; ++row) {
     const Vec3 direction =
         along * double{lattice.cos_elevations(column)[row]} + up * double{lattice.sin_elevations(column)[row]};
@@ -155,7 +161,7 @@ void ReferenceEngine::insonify_column(const PingPlan& plan, int column, const Po
   // Straight back.
   evaluate_column(plan, column, {along.cast<float>(), up.cross(along).cast<float>(), up.cast<float>()}, hits,
                   stretches);
-  deposit_column(plan, column, hits, stretches, run, grid);
+  deposit_column(plan, column, hits, stretches, sums, grid);
   if (plan.secondary == SecondaryEchoes::kNone) {
     return;
   }
@@ -185,10 +191,10 @@ void ReferenceEngine::insonify_column(const PingPlan& plan, int column, const Po
       continue;
     }
     const auto incidence = static_cast<float>(std::abs(second.normal.dot(across.direction)));
-    const OnwardOrigin origin{column, row, hits.range[row], hits.strength[row], hits.selected[row]};
-    Echo echo = secondary_echo(plan, origin, path_length, surface_label(second.instance, second.material));
-    const float strength = origin.strength * incidence * reflectivity_[second.material];
-    const float rest = path_length - 2 * origin.range;
+    Echo echo = secondary_echo(plan, column, row, hits.selected[row], path_length,
+                               surface_label(second.instance, second.material));
+    const float strength = hits.strength[row] * incidence * reflectivity_[second.material];
+    const float rest = path_length - 2 * hits.range[row];
     secondary_powers(plan, 1, &strength, &rest, &echo.power);
     deposit(plan, echo, grid);
   }

@@ -17,7 +17,8 @@ class ReferenceEngine final : public Engine {
   [[nodiscard]] std::string_view name() const override { return "reference"; }
   void set_scene(const Scene& scene) override;
   void move_instance(int instance, const Pose& world_from_mesh) override;
-  void insonify(const PingPlan& plan, const Pose& world_from_sonar, std::uint64_t ping, EchoGrid& grid) override;
+  void insonify(const PingPlan& plan, const Pose& world_from_sonar, std::uint64_t ping, EchoGrid& grid,
+                BeamSink* sink) override;
   void trace(std::span<const Ray> rays, std::span<Hit> hits) override;
   [[nodiscard]] RayCounts ray_counts() const override { return counts_; }
   [[nodiscard]] EngineMemory memory() const override { return {triangles_.capacity() * sizeof(Triangle), 0}; }

@@ -8,31 +8,19 @@
 
 namespace insonify {
 
-/// Where an onward ray left the first surface.
-struct OnwardOrigin {
-  int column = 0, row = 0;  ///< Of the lattice.
-  float range = 0;          ///< True distance of the first hit [m].
-  float strength = 0;       ///< Of the first hit, see HitColumn.
-  float selected = 0;       ///< How many hits the onward ray stands for.
-};
-
-/// Solid angle that a sample of the lattice stands for: half of the intervals on both sides [sr].
-inline float sample_weight(const Lattice& lattice, int column, int row) {
-  const float* interval = lattice.intervals(column);
-  const int rows = lattice.rows;
-  const float below = row == 0 ? interval[0] : 0.5F * interval[row];
-  const float above = row + 1 == rows ? interval[rows] : 0.5F * interval[row + 1];
-  return (below + above) * lattice.column_width[column];
-}
-
 /// The secondary echo of the `paper` model, all but its power: heard in the beam it was launched in, as its reciprocal
 /// path is (DESIGN, "the return leg").
+/// @param column, row  Of the lattice: the sample whose hit was followed.
+/// @param selected     How many hits the onward ray stands for.
 /// @param path_length  Out, across and back [m].
-inline Echo secondary_echo(const PingPlan& plan, const OnwardOrigin& origin, float path_length, SurfaceLabel surface) {
-  return {.azimuth = plan.lattice.azimuth[origin.column],
-          .elevation = plan.lattice.elevations(origin.column)[origin.row],
+/// @param surface      The second.
+inline Echo secondary_echo(const PingPlan& plan, int column, int row, float selected, float path_length,
+                           SurfaceLabel surface) {
+  const Lattice& lattice = plan.lattice;
+  return {.azimuth = lattice.azimuth[column],
+          .elevation = lattice.elevations(column)[row],
           .path_length = path_length,
-          .weight = sample_weight(plan.lattice, origin.column, origin.row) * origin.selected,
+          .weight = lattice.shares(column)[row] * lattice.column_width[column] * selected,
           .order = 2,
           .surface = surface};
 }

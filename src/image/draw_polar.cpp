@@ -19,7 +19,7 @@ std::vector<AxisTick> azimuth_ticks(const SonarConfig& sonar) {
   const double aperture = axis.port_edge() - axis.starboard_edge();
   std::vector<AxisTick> ticks;
   for (const double azimuth : multiples_within(axis.starboard_edge(), axis.port_edge(), radial_step(aperture))) {
-    ticks.push_back({(axis.beam_at(azimuth) + 0.5) / sonar.beam_count, bearing_text(azimuth)});
+    ticks.push_back({(axis.beam_at(azimuth) + 0.5) / sonar.beam_count, bearing_text(azimuth), azimuth == 0});
   }
   std::reverse(ticks.begin(), ticks.end());  // From port, which is left.
   return ticks;

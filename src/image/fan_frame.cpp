@@ -18,6 +18,11 @@ constexpr double kWidestFan = 2;    // In heights of the picture.
 constexpr double kLeastBar = 10;    // Height of the colour bar beside a flat sector [em].
 // A fan that leaves less than this free has no room for labels beside its edges.
 constexpr double kOpenFan = radians_from_degrees(300);
+// One that leaves less than this free is marked as a full circle: its edges are as good as one.
+constexpr double kNearlyWhole = radians_from_degrees(354);
+// How far a label may slide to be clear of others, and in which steps [em].
+constexpr double kFarthestSlide = 4;
+constexpr double kSlide = 0.25;
 // Where rings are labelled then: between two radials.
 constexpr double kRingLabelAzimuth = radians_from_degrees(-45);
 
@@ -44,25 +49,34 @@ Box box_of(const FanExtent& extent, double pixels) {
   return {extent.left * pixels, -extent.top * pixels, extent.right * pixels, -extent.bottom * pixels};
 }
 
-// Collects the labels that do not touch earlier ones.
+// Collects the labels that do not touch earlier ones; each tells whether it was taken.
 class LabelPlacer {
  public:
   explicit LabelPlacer(const Page& page) : page_(page) {}
 
   // Centres a text on a point.
-  void put(Point middle, const std::string& text, bool over_echoes) {
+  bool put(Point middle, const std::string& text, bool over_echoes) {
     const FanLabel label{middle, text, page_.lettering().width(text), page_.lettering().height(), over_echoes};
     const auto touches = [&](const FanLabel& other) { return box_of(other).touches(box_of(label), 0.5 * page_.em()); };
-    if (std::none_of(labels_.begin(), labels_.end(), touches)) {
+    const bool is_free = std::none_of(labels_.begin(), labels_.end(), touches);
+    if (is_free) {
       labels_.push_back(label);
     }
+    return is_free;
   }
 
   // Puts a text beside a point, clear of it in a direction given as a unit vector.
-  void put_beside(Point point, Point away, const std::string& text) {
+  bool put_beside(Point point, Point away, const std::string& text) {
     const double reach = kLabelGap * page_.em() + std::abs(away.x) * page_.lettering().width(text) / 2 +
                          std::abs(away.y) * page_.lettering().height() / 2;
-    put({point.x + reach * away.x, point.y + reach * away.y}, text, false);
+    return put({point.x + reach * away.x, point.y + reach * away.y}, text, false);
+  }
+
+  // Calls put_at(slide [pixels]) with ever larger slides until the label is taken.
+  template <typename PutAt>
+  void slide(PutAt&& put_at) const {
+    for (double slide = 0; slide <= kFarthestSlide && !put_at(slide * page_.em()); slide += kSlide) {
+    }
   }
 
   std::vector<FanLabel> take() { return std::move(labels_); }
@@ -75,26 +89,46 @@ class LabelPlacer {
 std::vector<FanLabel> labels_of(const FanShape& shape, const FanMarks& marks, const FanGeometry& geometry,
                                 const Page& page) {
   LabelPlacer placer(page);
-  const auto label_radial = [&](const Radial& radial) {
-    const double turn = radial.azimuth - shape.up;
-    placer.put_beside(geometry.point_at(shape.max_range, radial.azimuth), {-std::sin(turn), -std::cos(turn)},
-                      bearing_text(radial.azimuth, marks.mounting));
+  const auto put_beside_arc = [&](double azimuth, const std::string& text) {
+    const double turn = azimuth - shape.up;
+    return placer.put_beside(geometry.point_at(shape.max_range, azimuth), {-std::sin(turn), -std::cos(turn)}, text);
   };
+  const auto label_radial = [&](const Radial& radial) {
+    put_beside_arc(radial.azimuth, bearing_text(radial.azimuth, marks.mounting));
+  };
+  // Those of a narrow fan give way outwards, those of a wide one, where they would run into each other, inwards.
+  const auto label_edge = [&](const Radial& radial) {
+    const bool outwards = shape.aperture() < std::numbers::pi;
+    const double sense = (radial.azimuth > shape.middle()) == outwards ? 1 : -1;
+    const double radians_per_pixel = geometry.metres_per_pixel / shape.max_range;
+    placer.slide([&](double slide) {
+      return put_beside_arc(radial.azimuth + sense * slide * radians_per_pixel,
+                            bearing_text(radial.azimuth, marks.mounting));
+    });
+  };
+  // Along the port edge; those of the borders, of which no other ring reminds, give way to the labels of the edges.
   const auto label_ring = [&](double range) {
     const std::string text = number_text(range) + " m";
     if (shape.aperture() > kOpenFan) {
       placer.put(geometry.point_at(range, shape.up + kRingLabelAzimuth), text, true);
-    } else {
-      const double turn = shape.high - shape.up;
-      placer.put_beside(geometry.point_at(range, shape.high), {-std::cos(turn), std::sin(turn)}, text);
+      return;
     }
+    const double turn = shape.high - shape.up;
+    const bool gives_way = range == shape.max_range || range == shape.min_range;
+    placer.slide([&](double slide) {
+      const Point point = geometry.point_at(range - slide * geometry.metres_per_pixel, shape.high);
+      return placer.put_beside(point, {-std::cos(turn), std::sin(turn)}, text) || !gives_way;
+    });
   };
   // The most telling first: they keep their place.
-  for (const bool edge : {false, true}) {
-    for (const Radial& radial : marks.radials) {
-      if (radial.edge == edge && (edge || radial.azimuth == 0)) {
-        label_radial(radial);
-      }
+  for (const Radial& radial : marks.radials) {
+    if (!radial.edge && radial.azimuth == 0) {
+      label_radial(radial);
+    }
+  }
+  for (const Radial& radial : marks.radials) {
+    if (radial.edge) {
+      label_edge(radial);
     }
   }
   for (auto ring = marks.rings.rbegin(); ring != marks.rings.rend(); ++ring) {
@@ -133,24 +167,29 @@ FanLayout fit_height(const FanShape& shape, const FanMarks& marks, const Page& p
 FanMarks marks_of(const FanShape& shape, double low_edge, double high_edge, Mounting mounting) {
   FanMarks marks;
   marks.mounting = mounting;
-  const double ring = ring_step(shape.max_range);
+  const double ring = ring_step(shape.max_range - shape.min_range);
+  if (shape.min_range > 0.5 * ring) {
+    marks.rings.push_back(shape.min_range);
+  }
   for (const double range : multiples_within(ring, shape.max_range, ring)) {
-    if (range > shape.min_range && range < shape.max_range - 0.3 * ring) {
+    if (range > shape.min_range + 0.3 * ring && range < shape.max_range - 0.3 * ring) {
       marks.rings.push_back(range);
     }
   }
   marks.rings.push_back(shape.max_range);
 
-  const double step = radial_step(high_edge - low_edge);
-  const bool whole = shape.full_circle();
-  const double clearance = whole ? 0 : 0.35 * step;
-  for (const double azimuth : multiples_within(low_edge, high_edge, step)) {
-    if (azimuth >= low_edge + clearance && azimuth <= high_edge - clearance &&
-        !(whole && azimuth <= high_edge - 2 * std::numbers::pi + 1e-6)) {
+  const double step = radial_step(high_edge - low_edge, mounting);
+  const bool whole = high_edge - low_edge > kNearlyWhole;
+  if (whole) {
+    const double low = (low_edge + high_edge) / 2 - std::numbers::pi + 1e-6;  // Its other end is the same radial.
+    for (const double azimuth : multiples_within(low, low + 2 * std::numbers::pi, step)) {
       marks.radials.push_back({azimuth, false});
     }
-  }
-  if (!whole) {
+  } else {
+    const double clearance = 0.35 * step;
+    for (const double azimuth : multiples_within(low_edge + clearance, high_edge - clearance, step)) {
+      marks.radials.push_back({azimuth, false});
+    }
     marks.radials.push_back({low_edge, true});
     marks.radials.push_back({high_edge, true});
   }
@@ -200,7 +239,7 @@ void draw_fan_frame(Picture& picture, const FanLayout& layout, const FanShape& s
         [&](double width, const Ink& ink) {
           draw_arc(picture, geometry.apex, range / geometry.metres_per_pixel, low, high, width, ink);
         },
-        range == shape.max_range);
+        range == shape.max_range || range == shape.min_range);
   }
   // Inner radials start at some distance: close to the apex they would run into each other.
   const double start = std::max(shape.min_range, marks.rings.front() / 2);

@@ -44,7 +44,7 @@ std::u32string code_points(std::string_view text) {
 
 struct Lettering::Face {
   struct Glyph {
-    FT_UInt index = 0;   // 0 for a sign that the font lacks: it has a box for those.
+    FT_UInt index = 0;
     double advance = 0;  // [pixels]
   };
 
@@ -72,7 +72,8 @@ struct Lettering::Face {
   const Glyph& glyph_of(char32_t point) {
     const auto [place, is_new] = glyphs.try_emplace(point);
     if (is_new) {
-      place->second.index = FT_Get_Char_Index(face, point);
+      const FT_UInt own = FT_Get_Char_Index(face, point);
+      place->second.index = own != 0 ? own : FT_Get_Char_Index(face, '?');
       if (load(place->second.index)) {
         place->second.advance = static_cast<double>(face->glyph->linearHoriAdvance) / 65536;
       }
@@ -165,7 +166,7 @@ void Lettering::draw_upwards(Picture& picture, Point place, std::string_view tex
 }
 
 void Lettering::draw_rimmed(Picture& picture, Point place, std::string_view text, const Ink& ink, Anchor anchor) const {
-  const double reach = std::max(1.0, size_ / 12.0);
+  const double reach = std::max(1.0, size_ / 9.0);
   for (int direction = 0; direction < 8; ++direction) {
     const double angle = direction * 0.78539816339744831;
     draw(picture, {place.x + reach * std::cos(angle), place.y + std::round(reach * std::sin(angle))}, text,

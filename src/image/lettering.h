@@ -13,7 +13,7 @@ namespace insonify {
 /// Which point of a text is put where one says.
 enum class Anchor { kStart, kMiddle, kEnd };
 
-/// DejaVu Sans in one size.
+/// DejaVu Sans in one size. A letter that it lacks, as it does those of Chinese, is shown as a question mark.
 class Lettering {
  public:
   /// @param size  Of the em square [pixels], >= 1.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "image/palette.h"
 #include "image/scales.h"
@@ -16,6 +17,7 @@ constexpr double kTickLength = 0.3;   // [em]
 constexpr double kTextGap = 0.35;
 constexpr double kCaptionGap = 0.7;
 constexpr double kBarGap = 1.5;
+constexpr double kLabelGap = 0.6;  // Between labels side by side.
 
 double widest_text(const Lettering& lettering, const std::vector<AxisTick>& ticks) {
   double widest = 0;
@@ -23,6 +25,27 @@ double widest_text(const Lettering& lettering, const std::vector<AxisTick>& tick
     widest = std::max(widest, lettering.width(tick.text));
   }
   return widest;
+}
+
+// The least n for which the texts of every n-th tick, counted from the main one, keep clear of each other.
+int stride_of_labels(const std::vector<AxisTick>& ticks, int main, const Lettering& lettering, double length) {
+  const auto fits = [&](int stride) {
+    double last_end = -std::numeric_limits<double>::infinity();
+    for (int i = main % stride; i < static_cast<int>(ticks.size()); i += stride) {
+      const double reach = lettering.width(ticks[i].text) / 2;
+      const double middle = ticks[i].place * length;
+      if (middle - reach < last_end + kLabelGap * lettering.size()) {
+        return false;
+      }
+      last_end = middle + reach;
+    }
+    return true;
+  };
+  int stride = 1;
+  while (!fits(stride)) {
+    ++stride;
+  }
+  return stride;
 }
 
 // Mean of cells from..to, fractions of the first and last counted as such.
@@ -40,8 +63,9 @@ double mean_within(std::span<const float> cells, double from, double to) {
 
 std::vector<AxisTick> range_ticks(const SonarConfig& sonar) {
   std::vector<AxisTick> ticks;
-  for (const double range : multiples_within(sonar.min_range, sonar.max_range, ring_step(sonar.max_range))) {
-    ticks.push_back({(range - sonar.min_range) / (sonar.max_range - sonar.min_range), number_text(range)});
+  const double window = sonar.max_range - sonar.min_range;
+  for (const double range : multiples_within(sonar.min_range, sonar.max_range, ring_step(window))) {
+    ticks.push_back({(range - sonar.min_range) / window, number_text(range)});
   }
   return ticks;
 }
@@ -86,15 +110,14 @@ void draw_plot_frame(Picture& picture, const PlotLayout& plot, const PlotAxes& a
     return std::clamp(std::floor(low + place * (high - low)) + 0.5, std::min(low, high) + half,
                       std::max(low, high) - half);
   };
-  double last_end = -1e9;
-  for (const AxisTick& tick : axes.across) {
-    const double x = between(plot.left, plot.right, tick.place);
-    const double reach = lettering.width(tick.text) / 2;
+  const auto main = static_cast<int>(std::ranges::find(axes.across, true, &AxisTick::main) - axes.across.begin());
+  const int stride = stride_of_labels(axes.across, main, lettering, plot.right - plot.left);
+  for (int i = 0; i < static_cast<int>(axes.across.size()); ++i) {
+    const double x = between(plot.left, plot.right, axes.across[i].place);
     draw_line(picture, {x, plot.bottom + line}, {x, plot.bottom + tick_length}, line, palette::kText);
-    if (x - reach > last_end + 0.6 * em) {
+    if (i % stride == main % stride) {
       const double y = plot.bottom + tick_length + kTextGap * em + lettering.height() / 2;
-      lettering.draw(picture, {x, y}, tick.text, palette::kText);
-      last_end = x + reach;
+      lettering.draw(picture, {x, y}, axes.across[i].text, palette::kText);
     }
   }
   for (const AxisTick& tick : axes.up) {

@@ -15,6 +15,7 @@ namespace insonify {
 struct AxisTick {
   double place = 0;  ///< Along the axis, 0..1 from the left or from below.
   std::string text;
+  bool main = false;  ///< Keeps its text where there is not room for all.
 };
 
 struct PlotAxes {

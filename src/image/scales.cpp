@@ -34,13 +34,20 @@ std::vector<double> multiples_within(double low, double high, double step) {
   return values;
 }
 
-double ring_step(double max_range) {
-  return nice_step(max_range, 6);
+double ring_step(double window) {
+  return nice_step(window, 6);
 }
 
-double radial_step(double aperture) {
+double radial_step(double aperture, Mounting mounting) {
   const double degrees = degrees_from_radians(aperture);
-  return radians_from_degrees(degrees <= 30 ? 5 : degrees <= 75 ? 10 : degrees <= 180 ? 20 : 30);
+  const double widest_of_tens = mounting == Mounting::kVertical ? 90 : 75;
+  const double widest_of_twenties = mounting == Mounting::kVertical ? 0 : 180;
+  return radians_from_degrees(degrees <= 5                    ? 1
+                              : degrees <= 12                 ? 2
+                              : degrees <= 30                 ? 5
+                              : degrees <= widest_of_tens     ? 10
+                              : degrees <= widest_of_twenties ? 20
+                                                              : 30);
 }
 
 std::string number_text(double value) {

@@ -15,11 +15,12 @@ namespace insonify {
 /// The multiples of `step` in low..high, ends included (give or take rounding).
 [[nodiscard]] std::vector<double> multiples_within(double low, double high, double step);
 
-/// Distance of the range rings: 3 to 6 of them fit into `max_range` [m].
-[[nodiscard]] double ring_step(double max_range);
+/// Distance of the range rings: 3 to 6 of them fit into a window of ranges that is so long [m].
+[[nodiscard]] double ring_step(double window);
 
-/// Angle between the radials of a fan: 5, 10, 20 or 30 degrees, by its aperture [rad].
-[[nodiscard]] double radial_step(double aperture);
+/// Angle between the radials of a fan: 1, 2, 5, 10, 20 or 30 degrees, by its aperture [rad]. A vertical one has no
+/// steps of 20 degrees: they miss straight up and down.
+[[nodiscard]] double radial_step(double aperture, Mounting mounting = Mounting::kHorizontal);
 
 /// "20", "2.5", "-0.25", with a true minus sign.
 [[nodiscard]] std::string number_text(double value);

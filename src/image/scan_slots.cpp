@@ -28,10 +28,11 @@ std::size_t slot_at(double azimuth) {
 
 }  // namespace
 
-ScanSlots::ScanSlots(const std::vector<double>& head_angles, double step) : slots_(kSlots) {
-  const double half = std::abs(step) / 2;
+ScanSlots::ScanSlots(const std::vector<double>& head_angles, double step, double width) : slots_(kSlots) {
+  step = std::abs(step);
+  const double half = width / 2;
   for (int ping = 0; ping < static_cast<int>(head_angles.size()); ++ping) {
-    // All slots whose middle lies in the step, and at least the one that the head points at.
+    // All slots whose middle lies in what it covers, and at least the one that the head points at.
     const double head = std::remainder(head_angles[ping], kTwoPi);
     const int first = static_cast<int>(std::ceil((head - half) * kSlotsPerRadian - 0.5));
     const int last = static_cast<int>(std::floor((head + half) * kSlotsPerRadian - 0.5));
@@ -48,11 +49,11 @@ ScanSlots::ScanSlots(const std::vector<double>& head_angles, double step) : slot
     slot.neighbour = slot.ping;
     const double head = head_angles[slot.ping];
     const double off = std::remainder(slot_azimuth(i) - head, kTwoPi);
-    const int beside = slots_[slot_at(head + std::copysign(2 * half, off))].ping;
-    // Only the ping before or after is known to have seen the same scene.
-    if (beside >= 0 && std::abs(beside - slot.ping) == 1) {
+    const int beside = slots_[slot_at(head + std::copysign(step, off))].ping;
+    // Only the ping before or after is known to have seen the same scene, and only where the two meet.
+    if (beside >= 0 && std::abs(beside - slot.ping) == 1 && width >= step) {
       slot.neighbour = beside;
-      slot.share = std::min(0.5, std::abs(off) / (2 * half));
+      slot.share = std::min(0.5, std::abs(off) / step);
     }
   }
 }

@@ -18,7 +18,8 @@ class ScanSlots {
 
   /// @param head_angles  Of all pings, in order [rad].
   /// @param step         Of the head [rad]; its sign does not matter.
-  ScanSlots(const std::vector<double>& head_angles, double step);
+  /// @param width        What each ping covers, at most a step [rad].
+  ScanSlots(const std::vector<double>& head_angles, double step, double width);
 
   [[nodiscard]] Mix at(double azimuth) const;
 

@@ -19,9 +19,19 @@ namespace {
 
 constexpr double kTwoPi = 2 * std::numbers::pi;
 
-// The scanned sector with the half step that its outermost pings cover beyond it.
+// A step of up to so many beam widths is filled by its ping, as the coarse modes of scanning sonars are on their own
+// displays. Where steps are longer, most of the circle was not looked at: each ping is drawn as wide as its beam.
+constexpr double kWidestFill = 3;
+
+// Angle that a ping is drawn over [rad].
+double ping_width(const SonarConfig& sonar) {
+  const double step = std::abs(sonar.step);
+  return step <= kWidestFill * sonar.azimuth_aperture ? step : sonar.azimuth_aperture;
+}
+
+// The scanned sector with what its outermost pings cover beyond it.
 FanShape shape_of(const SonarConfig& sonar) {
-  const double width = std::min(kTwoPi, sonar.sector_width + std::abs(sonar.step));
+  const double width = std::min(kTwoPi, sonar.sector_width + ping_width(sonar));
   const bool whole = sonar.sector_width > kTwoPi - 1e-6;
   // A vertical mounting turns the head's port side up: there, up is drawn up and ahead to the right.
   const double up = sonar.mounting == Mounting::kVertical ? std::numbers::pi / 2 : 0;
@@ -61,7 +71,7 @@ void ScanView::add(const Ping& ping) {
 Picture ScanView::draw(const Display& display) const {
   display.validate();
   const FanShape shape = shape_of(sonar_);
-  const ScanSlots slots(head_angles_, sonar_.step);
+  const ScanSlots slots(head_angles_, sonar_.step, ping_width(sonar_));
   // Linear along the beam, and across to the ping before or after.
   const auto intensity = [&](int ping, double bin) {
     const std::vector<float>& profile = profiles_[ping];
@@ -78,7 +88,7 @@ Picture ScanView::draw(const Display& display) const {
     const double bin = std::clamp((range - sonar_.min_range) / sonar_.bin_length() - 0.5, 0.0, sonar_.bin_count - 1.0);
     return (1 - mix.share) * intensity(mix.ping, bin) + mix.share * intensity(mix.neighbour, bin);
   };
-  const FanCells cells{sonar_.bin_length(), std::abs(sonar_.step)};
+  const FanCells cells{sonar_.bin_length(), ping_width(sonar_)};
   const Tone tone(display);
   if (!display.annotations) {
     const BareFan fan = bare_fan(shape, display.height);
@@ -92,8 +102,10 @@ Picture ScanView::draw(const Display& display) const {
   Picture picture = blank_picture(layout.width, layout.height, palette::kBackground);
   paint_fan(picture, layout.geometry, shape, cells, tone, sample);
   if (!head_angles_.empty() && shape.inside_by(head_angles_.back()) > 0) {
-    draw_line(picture, layout.geometry.point_at(sonar_.min_range, head_angles_.back()),
-              layout.geometry.point_at(sonar_.max_range, head_angles_.back()), 1.5 * page.hairline(), palette::kHead);
+    const Point near = layout.geometry.point_at(sonar_.min_range, head_angles_.back());
+    const Point far = layout.geometry.point_at(sonar_.max_range, head_angles_.back());
+    draw_line(picture, near, far, 3.5 * page.hairline(), palette::kGridRim);
+    draw_line(picture, near, far, 1.5 * page.hairline(), palette::kHead);
   }
   draw_fan_frame(picture, layout, shape, marks, page);
   return picture;
@@ -103,16 +115,18 @@ Picture ScanView::draw_polar(const Display& display) const {
   display.validate();
   const FanShape shape = shape_of(sonar_);
   PlotAxes axes{{}, range_ticks(sonar_), "head angle", "range (m)"};
-  const std::vector<double> azimuths = multiples_within(shape.low, shape.high, radial_step(shape.aperture()));
+  const std::vector<double> azimuths =
+      multiples_within(shape.low, shape.high, radial_step(shape.aperture(), sonar_.mounting));
   for (auto azimuth = azimuths.rbegin(); azimuth != azimuths.rend(); ++azimuth) {  // From port, which is left.
-    axes.across.push_back({(shape.high - *azimuth) / shape.aperture(), bearing_text(*azimuth, sonar_.mounting)});
+    axes.across.push_back(
+        {(shape.high - *azimuth) / shape.aperture(), bearing_text(*azimuth, sonar_.mounting), *azimuth == 0});
   }
   Page page(display, heading_of(sonar_, count_text(head_angles_.size()), last_time_));
   const PlotLayout plot = display.annotations ? lay_out_plot(axes, page, display.height) : bare_plot(display.height);
   Picture picture = blank_picture(plot.width, plot.height, palette::kBackground);
 
   const Tone tone(display);
-  const ScanSlots slots(head_angles_, sonar_.step);
+  const ScanSlots slots(head_angles_, sonar_.step, ping_width(sonar_));
   for (int x = plot.left; x < plot.right; ++x) {
     const double azimuth = shape.high - (x + 0.5 - plot.left) / (plot.right - plot.left) * shape.aperture();
     const int ping = slots.at(azimuth).ping;

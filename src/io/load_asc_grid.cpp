@@ -70,25 +70,31 @@ class Words {
   int line_ = 1;
 };
 
+// A number of the header and the line it stands in.
+struct Entry {
+  double number;
+  int line;
+};
+
 struct Header {
-  std::optional<double> ncols, nrows;
-  std::optional<double> xllcorner, xllcenter, yllcorner, yllcenter;
-  std::optional<double> cellsize, dx, dy;
-  std::optional<double> nodata_value;
+  std::optional<Entry> ncols, nrows;
+  std::optional<Entry> xllcorner, xllcenter, yllcorner, yllcenter;
+  std::optional<Entry> cellsize, dx, dy;
+  std::optional<Entry> nodata_value;
   int last_line = 1;
 
-  std::optional<double>* find(const std::string& key) {
-    const std::pair<std::string_view, std::optional<double>*> fields[]{{"ncols", &ncols},
-                                                                       {"nrows", &nrows},
-                                                                       {"xllcorner", &xllcorner},
-                                                                       {"xllcenter", &xllcenter},
-                                                                       {"yllcorner", &yllcorner},
-                                                                       {"yllcenter", &yllcenter},
-                                                                       {"cellsize", &cellsize},
-                                                                       {"dx", &dx},
-                                                                       {"dy", &dy},
-                                                                       {"nodata_value", &nodata_value},
-                                                                       {"nodata", &nodata_value}};
+  std::optional<Entry>* find(const std::string& key) {
+    const std::pair<std::string_view, std::optional<Entry>*> fields[]{{"ncols", &ncols},
+                                                                      {"nrows", &nrows},
+                                                                      {"xllcorner", &xllcorner},
+                                                                      {"xllcenter", &xllcenter},
+                                                                      {"yllcorner", &yllcorner},
+                                                                      {"yllcenter", &yllcenter},
+                                                                      {"cellsize", &cellsize},
+                                                                      {"dx", &dx},
+                                                                      {"dy", &dy},
+                                                                      {"nodata_value", &nodata_value},
+                                                                      {"nodata", &nodata_value}};
     for (const auto& [name, field] : fields) {
       if (name == key) {
         return field;
@@ -103,7 +109,7 @@ Header read_header(Words& words) {
   Header header;
   while (!words.word().empty() && !words.number()) {
     const std::string key(words.word());
-    std::optional<double>* field = header.find(in_lower_case(key));
+    std::optional<Entry>* field = header.find(in_lower_case(key));
     if (field == nullptr) {
       words.fail(
           fmt::format("\"{}\" is neither a number nor a key of an ESRI ASCII grid; keys: ncols, nrows, xllcorner, "
@@ -115,49 +121,52 @@ Header read_header(Words& words) {
     }
     header.last_line = words.line();
     words.next();
-    *field = words.number();
-    if (!field->has_value() || words.line() != header.last_line) {
+    const std::optional<double> number = words.number();
+    if (!number || words.line() != header.last_line) {
       words.fail(header.last_line, fmt::format("{} needs a number", key));
     }
+    *field = {*number, header.last_line};
     words.next();
   }
   return header;
 }
 
-int read_count(const Words& words, const Header& header, std::string_view key, std::optional<double> value) {
-  if (!value) {
+int read_count(const Words& words, const Header& header, std::string_view key, const std::optional<Entry>& entry) {
+  if (!entry) {
     words.fail(header.last_line, fmt::format("the header has no {}", key));
   }
   constexpr double kMost = 1e6;
-  if (!(*value >= 2 && *value <= kMost && *value == std::floor(*value))) {
-    words.fail(header.last_line, fmt::format("{} = {} must be a whole number from 2 to 1000000", key, *value));
+  const double count = entry->number;
+  if (!(count >= 2 && count <= kMost && count == std::floor(count))) {
+    words.fail(entry->line, fmt::format("{} = {} must be a whole number from 2 to 1000000", key, count));
   }
-  return static_cast<int>(*value);
+  return static_cast<int>(count);
 }
 
-double read_spacing(const Words& words, const Header& header, std::string_view key, std::optional<double> value) {
-  const std::optional<double> spacing = value ? value : header.cellsize;
-  if (!spacing) {
+double read_spacing(const Words& words, const Header& header, std::string_view key, const std::optional<Entry>& own) {
+  const std::optional<Entry>& entry = own ? own : header.cellsize;
+  if (!entry) {
     words.fail(header.last_line, fmt::format("the header has neither cellsize nor {}", key));
   }
-  if (!(*spacing > 0 && std::isfinite(*spacing))) {
-    words.fail(header.last_line, fmt::format("{} = {} must be greater than 0", value ? key : "cellsize", *spacing));
+  const double spacing = entry->number;
+  if (!(spacing > 0 && std::isfinite(spacing))) {
+    words.fail(entry->line, fmt::format("{} = {} must be greater than 0", own ? key : "cellsize", spacing));
   }
-  return *spacing;
+  return spacing;
 }
 
 // From the lower left cell's corner or its middle to the middle of the grid; 0 where neither is given.
-double middle(std::optional<double> corner, std::optional<double> center, int count, double spacing) {
+double middle(const std::optional<Entry>& corner, const std::optional<Entry>& center, int count, double spacing) {
   if (corner) {
-    return *corner + count * spacing / 2;
+    return corner->number + count * spacing / 2;
   }
-  return center ? *center + (count - 1) * spacing / 2 : 0;
+  return center ? center->number + (count - 1) * spacing / 2 : 0;
 }
 
 void read_heights(Words& words, const Header& header, HeightGrid& grid) {
   const std::size_t needed = static_cast<std::size_t>(grid.columns) * static_cast<std::size_t>(grid.rows);
   // What is no data is often written with fewer digits than in the header, or more: compared as the float it becomes.
-  const auto hole = header.nodata_value ? static_cast<float>(*header.nodata_value) : -9999.0F;
+  const auto hole = header.nodata_value ? static_cast<float>(header.nodata_value->number) : -9999.0F;
   grid.heights.reserve(std::min(needed, words.size() / 2 + 1));  // The header may promise anything.
   int line = words.line();
   for (; !words.word().empty() && grid.heights.size() < needed; words.next()) {

@@ -17,6 +17,21 @@ namespace {
 
 constexpr std::array<std::string_view, 3> kEndings{".png", ".asc", ".bag"};
 
+HeightGrid load_by_ending(const std::filesystem::path& path, const Log& log) {
+  const std::string ending = ending_of(path);
+  if (ending == ".png") {
+    return load_png_grid(path);
+  }
+  if (ending == ".asc") {
+    return load_asc_grid(path, log);
+  }
+  if (ending == ".bag") {
+    return load_bag_grid(path, log);
+  }
+  throw Error(fmt::format("{}: \"{}\" is no known ending of a height grid; known: {}", path.string(),
+                          path.extension().string(), height_grid_file_endings()));
+}
+
 }  // namespace
 
 bool is_height_grid_file(const std::filesystem::path& path) {
@@ -69,18 +84,9 @@ void turn_degrees_into_metres(HeightGrid& grid, const std::filesystem::path& pat
 
 HeightGrid load_height_grid(const std::filesystem::path& path, const Log& log) {
   check_input_file(path);
-  const std::string ending = ending_of(path);
-  if (ending == ".png") {
-    return load_png_grid(path);
-  }
-  if (ending == ".asc") {
-    return load_asc_grid(path, log);
-  }
-  if (ending == ".bag") {
-    return load_bag_grid(path, log);
-  }
-  throw Error(fmt::format("{}: \"{}\" is no known ending of a height grid; known: {}", path.string(),
-                          path.extension().string(), height_grid_file_endings()));
+  HeightGrid grid = load_by_ending(path, log);
+  grid.name = path.string();
+  return grid;
 }
 
 }  // namespace insonify

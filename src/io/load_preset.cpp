@@ -7,9 +7,9 @@
 
 #include "base/nearest_name.h"
 #include "insonify/files.h"
+#include "io/input_file.h"
 #include "io/preset_file.h"
 #include "io/preset_folder.h"
-#include "io/input_file.h"
 #include "io/yaml_read.h"
 
 namespace insonify {
@@ -106,8 +106,8 @@ class FactReader {
       known.push_back(known_name);
     }
     if (sources_.find(short_name) == nullptr) {
-      throw Error(fmt::format("{}{}.source = {} is not one of the sources; did you mean {}?", fact.where, name,
-                              quoted_text(short_name), nearest_name(short_name, known)));
+      throw Error(fmt::format("{}{}.source = {} is not one of the sources{}", fact.where, name, quoted_text(short_name),
+                              suggestion(short_name, known)));
     }
     const std::string text = required_text(sources_, "sources", short_name);
     return fact.find("note") == nullptr ? text : fmt::format("{}: {}", text, required_text(fact, name, "note"));
@@ -157,12 +157,14 @@ void check_preset_name(const std::string& name) {
   }
   if (!std::ranges::binary_search(names, name)) {
     // "gemini" is far from "tritech-gemini-720i" by letters, but part of it.
-    std::vector<std::string> nearest = names;
-    if (std::erase_if(nearest, [&](const auto& known) { return known.find(name) == std::string::npos; }) ==
-        names.size()) {
-      nearest = names;
-    }
-    throw Error(fmt::format("{} is not a preset; did you mean {}?", quoted_text(name), nearest_name(name, nearest)));
+    std::vector<std::string> holding_it = names;
+    std::erase_if(holding_it,
+                  [&](const auto& known) { return name.size() < 3 || known.find(name) == std::string::npos; });
+    const std::string hint =
+        holding_it.empty() ? suggestion(name, names)
+                           : "; did you mean " + *std::ranges::min_element(holding_it, {}, &std::string::size) + "?";
+    throw Error(fmt::format("{} is not a preset{}", quoted_text(name),
+                            hint.empty() ? fmt::format("; there are {}", fmt::join(names, ", ")) : hint));
   }
 }
 

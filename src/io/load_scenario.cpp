@@ -10,6 +10,7 @@
 #include "insonify/files.h"
 #include "io/input_file.h"
 #include "io/preset_file.h"
+#include "io/scenario_keys.h"
 #include "io/yaml_read.h"
 #include "io/yaml_settings.h"
 
@@ -17,23 +18,6 @@ namespace insonify {
 namespace {
 
 using Kind = YamlValue::Kind;
-
-// Keys that stand for a part of the scenario instead of a plain value.
-constexpr std::array kPartKeys = {"water",  "materials",  "sonars",  "receiver", "paper",
-                                  "points", "trajectory", "motions", "view"};
-
-std::vector<std::string> scenario_keys() {
-  std::vector<std::string> keys = keys_of<Scenario>();
-  keys.push_back(keys_of<MaterialRules>().front());
-  keys.insert(keys.end(), kPartKeys.begin(), kPartKeys.end());
-  return keys;
-}
-
-std::vector<std::string> sonar_keys() {
-  std::vector<std::string> keys = keys_of<SonarConfig>();
-  keys.insert(keys.end(), {"preset", "mode", "sampling"});
-  return keys;
-}
 
 // What someone probably wants who gives us a world where a scenario is due.
 void refuse_worlds(const std::filesystem::path& path) {
@@ -61,10 +45,11 @@ class ScenarioReader {
   Scenario read() {
     require_map(tree_, path_.filename().string(), "a map of keys such as world and sonars");
     refuse_misplaced_keys();
-    check_keys(tree_, "", scenario_keys());
+    check_keys(tree_, "", scenario_keys(), part_keys("sonars[0].sampling"));
     scenario_.file = path_;
     read_fields(tree_, "", scenario_, places_);
     read_fields(tree_, "", scenario_.materials, places_);
+    if_given("default_material", [&](const YamlValue& value) { (void)material_name(value, "default_material"); });
     scenario_.materials.default_where = place_of("default_material ");
     read_world();
     if_given("water", [&](const YamlValue& part) { read_section(part, "water", scenario_.water, places_); });
@@ -122,21 +107,32 @@ class ScenarioReader {
     }
   }
 
+  static std::string material_name(const YamlValue& value, const std::string& object) {
+    if (value.scalar.empty()) {
+      throw Error(fmt::format("{}{} must name a material", value.where, object));
+    }
+    return value.scalar;
+  }
+
   void read_materials(const YamlValue& part) {
     require_map(part, "materials", "a map of material or visual names");
     for (const auto& [name, value] : part.entries) {
       const std::string object = member_name("materials", name);
+      if (name.empty()) {
+        throw Error(value.where + "materials has an entry without a name");
+      }
       MaterialOverride& changes = scenario_.materials.overrides[name];
       if (value.kind == Kind::kScalar) {
         places_[object] = value.where;
-        changes.like = value.scalar;
+        changes.like = material_name(value, object);
       } else {
         read_section(value, object, changes, places_);
+        if (const YamlValue* like = value.find("like")) {
+          changes.like = material_name(*like, object + ".like");
+          changes.like_where = like->where;
+        }
       }
       changes.where = value.where;
-      if (const YamlValue* like = value.find("like")) {
-        changes.like_where = like->where;
-      }
     }
   }
 
@@ -150,13 +146,14 @@ class ScenarioReader {
   SonarConfig read_sonar(const YamlValue& value, const std::string& object) {
     require_map(value, object, "a map of keys such as preset and max_range");
     places_[object] = value.where;
-    check_keys(value, object, sonar_keys());
+    check_keys(value, object, sonar_keys(), part_keys());
     const std::optional<Preset> preset = preset_of(value, object);
     SonarConfig sonar = preset ? preset->sonar : SonarConfig();
     read_fields(value, object, sonar, places_);
     if (const YamlValue* sampling = value.find("sampling")) {
       read_section(*sampling, object + ".sampling", sonar.sampling, places_);
     }
+    fit_to_beam_azimuths(value, object, sonar);
     refuse_head_keys(value, object, sonar);
     if (preset) {
       fit_to_range(value, *preset, sonar);
@@ -181,6 +178,28 @@ class ScenarioReader {
       with_place(fmt::format("{}{}.mode = ", given_mode->where, object), [&] { check_preset_mode(name, mode); });
     }
     return load_preset(name, mode);
+  }
+
+  // A table of beams says how many there are and, from two on, how wide the fan is.
+  static void fit_to_beam_azimuths(const YamlValue& value, const std::string& object, SonarConfig& sonar) {
+    if (sonar.beam_azimuths.empty()) {
+      return;
+    }
+    if (value.find("beam_count") == nullptr) {
+      sonar.beam_count = static_cast<int>(sonar.beam_azimuths.size());
+    }
+    if (sonar.beam_azimuths.size() < 2) {
+      return;
+    }
+    if (const YamlValue* given = value.find("azimuth_aperture_deg")) {
+      throw Error(
+          fmt::format("{}{}.azimuth_aperture_deg follows from beam_azimuths_deg; leave it out", given->where, object));
+    }
+    if (static_cast<int>(sonar.beam_azimuths.size()) == sonar.beam_count) {
+      const std::vector<double> edges = sonar.beam_edges();
+      // Of a table that is in order; others are refused later, with the reason.
+      sonar.azimuth_aperture = edges.front() > edges.back() ? edges.front() - edges.back() : sonar.azimuth_aperture;
+    }
   }
 
   // A key that would have no effect is a mistake.
@@ -282,7 +301,7 @@ Scenario load_scenario(const std::filesystem::path& path, std::span<const std::s
     throw Error(tree.where + "the file is empty; a scenario names a world and its sonars");
   }
   for (const std::string& setting : settings) {
-    apply_setting(tree, setting, scenario_keys(), sonar_keys());
+    apply_setting(tree, setting, scenario_keys(), sonar_keys(), part_keys());
   }
   Scenario scenario = ScenarioReader(tree, path).read();
   scenario.text = settings.empty() ? text : write_yaml(tree);

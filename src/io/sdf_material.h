@@ -10,7 +10,7 @@ namespace insonify {
 
 /// Material named by <insonify:material>steel</insonify:material>, or by <material>steel</material> in
 /// <plugin name="insonify" filename="...">, directly inside `element`; "" when there is none.
-/// @param what  "path:line: visual 'a::b'", for messages.
+/// @param what  "path:line:column: visual 'a::b'", for messages.
 /// @throws Error for two names, an empty one, and for elements of ours that do not exist.
 [[nodiscard]] std::string sdf_material(const sdf::ElementPtr& element, const std::string& what);
 

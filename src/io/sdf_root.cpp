@@ -22,10 +22,29 @@ bool is_echo(const sdf::Error& error) {
          text.starts_with("Failed to load a world");
 }
 
-// "path:line: "
+// "/sdf/model[@name="ship"]/link[@name="hull"]" gives "link".
+std::string element_of(const std::string& xml_path) {
+  const std::string last = xml_path.substr(xml_path.rfind('/') + 1);
+  return last.substr(0, last.find('['));
+}
+
+// "path:line:column: ". Errors without a line give names in brackets, "link with name[ship::hull]": the first that an
+// element has tells the place.
 std::string where(const sdf::Error& error, const std::string& file, const SdfSource& source) {
-  const std::string path = source.shown(error.FilePath().value_or(file));
-  return error.LineNumber() ? fmt::format("{}:{}: ", path, *error.LineNumber()) : path + ": ";
+  const std::string path = error.FilePath().value_or(file);
+  if (error.LineNumber()) {
+    return source.place(path, *error.LineNumber(), element_of(error.XmlPath().value_or("")));
+  }
+  const std::string text = error.Message();
+  for (std::size_t open = text.find('['); open != std::string::npos; open = text.find('[', open + 1)) {
+    const std::string scoped = text.substr(open + 1, text.find(']', open) - open - 1);
+    const std::size_t colons = scoped.rfind("::");
+    const std::string place = source.place_of_name(colons == std::string::npos ? scoped : scoped.substr(colons + 2));
+    if (!place.empty()) {
+      return place;
+    }
+  }
+  return source.shown(path) + ": ";
 }
 
 // One line for all errors. Where libsdformat says only which element it could not read, the reason is on the console.

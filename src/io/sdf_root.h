@@ -10,7 +10,7 @@
 namespace insonify {
 
 /// Lets libsdformat read what `source` prepared. Nothing is printed.
-/// @throws Error "path:line: ..." of the first fault; the message ends with how many more there are.
+/// @throws Error "path:line:column: ..." of the first fault; the message ends with how many more there are.
 [[nodiscard]] sdf::Root read_sdf_root(const SdfSource& source, const Log& log);
 
 }  // namespace insonify

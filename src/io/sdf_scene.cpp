@@ -96,14 +96,17 @@ class SceneBuilder {
     }
   }
 
-  // "path:line: "
-  [[nodiscard]] std::string place(const sdf::Element& element) const {
-    const std::string path = source_.shown(element.FilePath());
-    return element.LineNumber() ? fmt::format("{}:{}: ", path, *element.LineNumber()) : path + ": ";
+  // "path:line:column: "
+  [[nodiscard]] std::string place(sdf::Element& element) const {
+    if (!element.LineNumber()) {
+      return source_.shown(element.FilePath()) + ": ";
+    }
+    const std::string name = element.HasAttribute("name") ? element.GetAttribute("name")->GetAsString() : "";
+    return source_.place(element.FilePath(), *element.LineNumber(), element.GetName(), name);
   }
 
-  // "path:line: visual 'a::b::c'"
-  [[nodiscard]] std::string what(const char* kind, const std::string& name, const sdf::Element& element) const {
+  // "path:line:column: visual 'a::b::c'"
+  [[nodiscard]] std::string what(const char* kind, const std::string& name, sdf::Element& element) const {
     return fmt::format("{}{} '{}'", place(element), kind, name);
   }
 

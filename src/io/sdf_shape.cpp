@@ -48,19 +48,15 @@ Vec3 positive(const Vec3& value, const std::string& what, const char* element) {
   return value;
 }
 
-// Reads a number from an element that libsdformat has no type for.
-double number(const sdf::ElementPtr& parent, const char* element, double otherwise, const std::string& what) {
+// Reads a number from an element that libsdformat has no type for; check_sdf_tag() has seen that it is one.
+double number(const sdf::ElementPtr& parent, const char* element, double otherwise) {
   if (!parent->HasElement(element)) {
     return otherwise;
   }
-  const sdf::ParamPtr value = parent->GetElement(element)->GetValue();
-  const std::string text = value == nullptr ? "" : xml_decode(value->GetAsString());
-  std::istringstream stream(text);
+  std::istringstream stream(xml_decode(parent->GetElement(element)->GetValue()->GetAsString()));
   stream.imbue(std::locale::classic());
-  double read = 0;
-  if (!(stream >> read) || !stream.eof()) {
-    throw Error(fmt::format("{}: <{}> = '{}' is not a number", what, element, text));
-  }
+  double read = otherwise;
+  stream >> read;
   return read;
 }
 
@@ -77,6 +73,16 @@ void scale_mesh(Mesh& mesh, const Vec3& scale) {
     for (auto& triangle : mesh.triangles) {
       std::swap(triangle[1], triangle[2]);
     }
+  }
+}
+
+// Calls a function that reads a file; puts `what` before the message of an Error it throws.
+template <typename Read>
+auto read_for(const std::string& what, Read&& read) {
+  try {
+    return read();
+  } catch (const Error& error) {
+    throw Error(what + ": " + error.what());
   }
 }
 
@@ -120,7 +126,7 @@ SdfShape SdfShapes::mesh(const sdf::Mesh& mesh, const std::string& what) {
   }
   const std::string key = fmt::format("mesh '{}' '{}' {}", path, mesh.Submesh(), mesh.CenterSubmesh());
   const std::shared_ptr<const Mesh> plain = shared(key, [&] {
-    return load_mesh_file(path, {mesh.Submesh(), mesh.CenterSubmesh()}, log_);
+    return read_for(what, [&] { return load_mesh_file(path, {mesh.Submesh(), mesh.CenterSubmesh()}, log_); });
   });
   if (scale == Vec3::Ones()) {
     return {plain};
@@ -146,21 +152,20 @@ SdfShape SdfShapes::heightmap(const sdf::Heightmap& heightmap, const std::string
   const Vec3 stretch = size.value_or(Vec3::Zero());
   const std::string key =
       fmt::format("heightmap {} {} {} {} '{}'", stretch.x(), stretch.y(), stretch.z(), sampling, path);
-  return {shared(key,
-                 [&] {
-                   HeightGrid grid = load_height_grid(path, log_);
-                   fit_heightmap(grid, size, picture, static_cast<int>(sampling));
-                   return make_height_field(grid);
-                 }),
-          vec3(heightmap.Position())};
+  const auto make = [&] {
+    HeightGrid grid = load_height_grid(path, log_);
+    fit_heightmap(grid, size, picture, static_cast<int>(sampling));
+    return make_height_field(grid);
+  };
+  return {shared(key, [&] { return read_for(what, make); }), vec3(heightmap.Position())};
 }
 
 // What libsdformat 12 does not know. The cone came with SDF 1.12.
 std::optional<SdfShape> SdfShapes::unknown_shape(const sdf::Geometry& geometry, const std::string& what) {
   const sdf::ElementPtr element = geometry.Element() ? geometry.Element()->GetFirstElement() : nullptr;
   if (element && element->GetName() == "cone") {
-    const double radius = positive(number(element, "radius", 0.5, what), what, "radius");
-    const double length = positive(number(element, "length", 1, what), what, "length");
+    const double radius = positive(number(element, "radius", 0.5), what, "radius");
+    const double length = positive(number(element, "length", 1), what, "length");
     return SdfShape{shared(fmt::format("cone {} {}", radius, length), [&] { return make_cone(radius, length); })};
   }
   if (log_) {

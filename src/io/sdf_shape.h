@@ -31,7 +31,7 @@ class SdfShapes {
   /// Both must outlive this.
   SdfShapes(const SdfSource& source, const Log& log) : source_(source), log_(log) {}
 
-  /// @param what       "path:line: visual 'a::b::c'", for messages.
+  /// @param what       "path:line:column: visual 'a::b::c'", for messages.
   /// @param collision  Planes are infinite whatever their size, as physics engines take them.
   /// @return           Nothing for a shape that cannot be read; `log` has been told.
   /// @throws Error for sizes out of limits and for files that are missing or wrong.

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <stdlib.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <fstream>
 #include <sdf/parser.hh>
@@ -12,6 +13,7 @@
 
 #include "insonify/error.h"
 #include "io/input_file.h"
+#include "io/sdf_check.h"
 #include "io/sdf_console.h"
 #include "io/sdf_uri.h"
 #include "io/xml_scan.h"
@@ -21,7 +23,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kNewestMinor = 9;  // SDF 1.9 is what libsdformat 12 knows
+// What libsdformat 12 is made for.
+constexpr std::pair kOldest{1, 5}, kNewest{1, 9};
 
 // A stretch of text and what to put in its place.
 struct Edit {
@@ -42,25 +45,29 @@ std::string apply_edits(const std::string& text, const std::vector<Edit>& edits)
 }
 
 void check_root(const XmlTag& root, const std::string& shown, const Log& log) {
+  const std::string where = root.where(shown);
   if (root.name != "sdf") {
-    throw Error(fmt::format("{}:{}: the root element is <{}>, not <sdf>{}", shown, root.line, root.name,
+    throw Error(fmt::format("{}the root element is <{}>, not <sdf>{}", where, root.name,
                             root.name == "robot" ? "; 'gz sdf -p' or 'ign sdf -p' turns URDF into SDF" : ""));
   }
-  const auto version = root.attributes.find("version");
-  if (version == root.attributes.end()) {
-    throw Error(fmt::format("{}:{}: <sdf> has no version, 1.5 to 1.9 are read", shown, root.line));
+  if (!root.attributes.contains("version")) {
+    throw Error(where + "<sdf> has no version, 1.5 to 1.9 are read");
   }
+  const std::string version = root.attribute("version");
   int major = 0, minor = 0, length = 0;
-  if (std::sscanf(version->second.c_str(), "%d.%d%n", &major, &minor, &length) != 2 ||
-      length != static_cast<int>(version->second.size())) {
-    throw Error(fmt::format("{}:{}: SDF version '{}' is not two numbers, 1.5 to 1.9 are read", shown, root.line,
-                            version->second));
+  if (std::sscanf(version.c_str(), "%d.%d%n", &major, &minor, &length) != 2 ||
+      length != static_cast<int>(version.size())) {
+    throw Error(fmt::format("{}SDF version '{}' is not two numbers, 1.5 to 1.9 are read", where, version));
   }
-  if (log && (major > 1 || minor > kNewestMinor)) {
+  const auto number = std::pair(major, minor);
+  if (log && number < kOldest) {
     log(Severity::kWarning,
-        fmt::format("{}:{}: SDF version {} is newer than 1.{} and read as that; what is new in it is "
-                    "left out",
-                    shown, root.line, version->second, kNewestMinor));
+        fmt::format("{}SDF version {} is older than {}.{}, the oldest that is known to be read right", where, version,
+                    kOldest.first, kOldest.second));
+  } else if (log && number > kNewest) {
+    log(Severity::kWarning, fmt::format("{}SDF version {} is newer than {}.{} and read as that; what is new in it is "
+                                        "left out",
+                                        where, version, kNewest.first, kNewest.second));
   }
 }
 
@@ -84,10 +91,6 @@ std::optional<fs::path> file_of_model(const fs::path& found) {
   return fs::is_regular_file(file) ? std::optional(file.lexically_normal()) : std::nullopt;
 }
 
-std::string content_of(const XmlTag& tag, const std::string& text) {
-  return xml_decode(text.substr(tag.content_begin, tag.content_end - tag.content_begin));
-}
-
 // Whether an element says nothing about shapes and places.
 bool is_beside_the_point(const XmlTag& tag, const XmlTag& parent) {
   static const std::set<std::pair<std::string, std::string>> kLeftOut = {
@@ -108,14 +111,6 @@ bool is_include_uri(const std::vector<XmlTag>& tags, const XmlTag& tag) {
   }
   const int place = tags[tag.parent].parent;
   return place >= 0 && kParents.contains(tags[place].name);
-}
-
-// libsdformat crashes on these.
-void check_include_part(const XmlTag& tag, const XmlTag& parent, const std::string& text, const std::string& shown) {
-  static const std::set<std::string> kParts = {"name", "static", "placement_frame"};
-  if (parent.name == "include" && kParts.contains(tag.name) && content_of(tag, text).empty()) {
-    throw Error(fmt::format("{}:{}: <{}> of an include is empty", shown, tag.line, tag.name));
-  }
 }
 
 // libsdformat keeps one model of a file's root; a world keeps all.
@@ -156,6 +151,35 @@ std::string SdfSource::shown(const std::string& path) const {
   return whole == fs::absolute(file_).lexically_normal() ? file_.string() : whole;
 }
 
+std::string SdfSource::place(const std::string& path, int line, const std::string& element,
+                             const std::string& name) const {
+  const auto file = tags_.find(original(path));
+  const XmlTag* found = nullptr;
+  int candidates = 0;
+  if (file != tags_.end()) {
+    for (const XmlTag& tag : file->second) {
+      if (tag.line == line && tag.name == element) {
+        const bool is_better = found == nullptr || (found->attribute("name") != name && tag.attribute("name") == name);
+        found = is_better ? &tag : found;
+        ++candidates;
+      }
+    }
+  }
+  const bool is_certain = candidates == 1 || (found != nullptr && found->attribute("name") == name);
+  return is_certain ? found->where(shown(path)) : fmt::format("{}:{}: ", shown(path), line);
+}
+
+std::string SdfSource::place_of_name(const std::string& name) const {
+  for (auto file = files_.rbegin(); file != files_.rend(); ++file) {
+    for (const XmlTag& tag : tags_.at(original(*file))) {
+      if (std::ranges::any_of(tag.attributes, [&](const auto& attribute) { return attribute.second == name; })) {
+        return tag.where(shown(*file));
+      }
+    }
+  }
+  return "";
+}
+
 std::string SdfSource::write_copy(const std::string& text, const std::string& original) {
   if (scratch_.empty()) {
     std::error_code failure;
@@ -177,8 +201,9 @@ std::string SdfSource::write_copy(const std::string& text, const std::string& or
 }
 
 // Gives the path that is to stand in an <include>.
-std::string SdfSource::resolve_include(const std::string& uri, const fs::path& file, int line, const Log& log) {
-  const std::string where = fmt::format("{}:{}: include '{}'", shown(file.string()), line, uri);
+std::string SdfSource::resolve_include(const std::string& uri, const fs::path& file, const XmlTag& tag,
+                                       const Log& log) {
+  const std::string where = fmt::format("{}include '{}'", tag.where(shown(file.string())), uri);
   const std::optional<fs::path> found = find_sdf_uri(uri, file);
   if (!found) {
     throw Error(where + " " + sdf_uri_not_found(uri));
@@ -202,26 +227,27 @@ std::string SdfSource::resolve_include(const std::string& uri, const fs::path& f
 std::string SdfSource::prepare(const fs::path& file, const Log& log) {
   const std::string name = file.string();
   const std::string text = read_text(shown(name));
-  const std::vector<XmlTag> tags = scan_xml(text, shown(name));
+  const std::vector<XmlTag>& tags = tags_[name] = scan_xml(text, shown(name));
   check_root(tags[0], shown(name), log);
   ready_[name] = std::nullopt;
 
   std::vector<Edit> edits = world_around_models(tags);
   std::size_t left_out_to = 0;
-  for (const XmlTag& tag : tags) {
-    if (tag.parent < 0 || tag.begin < left_out_to) {
+  for (std::size_t i = 1; i < tags.size(); ++i) {
+    const XmlTag& tag = tags[i];
+    if (tag.begin < left_out_to) {
       continue;
     }
-    check_include_part(tag, tags[tag.parent], text, shown(name));
+    check_sdf_tag(tags, i, text, shown(name));
     if (is_beside_the_point(tag, tags[tag.parent])) {
       left_out_to = tag.end;
       edits.push_back({tag.begin, tag.end, ""});
       if (log && tag.name == "actor") {
-        log(Severity::kWarning, fmt::format("{}:{}: an actor is left out", shown(name), tag.line));
+        log(Severity::kWarning, tag.where(shown(name)) + "an actor is left out");
       }
     } else if (is_include_uri(tags, tag)) {
       const std::string uri = content_of(tag, text);
-      const std::string path = resolve_include(uri, file, tag.line, log);
+      const std::string path = resolve_include(uri, file, tag, log);
       if (path != uri) {
         edits.push_back({tag.content_begin, tag.content_end, xml_encode(path)});
       }

@@ -23,7 +23,8 @@ namespace insonify {
 class SdfSource {
  public:
   /// @param log  Told of versions newer than 1.9 and of actors, which are left out.
-  /// @throws Error for files that are missing, not XML, not SDF or include themselves.
+  /// @throws Error for files that are missing, not XML, not SDF or include themselves, and for what check_sdf_tag()
+  /// finds.
   SdfSource(const std::filesystem::path& file, const Log& log);
   ~SdfSource();
   SdfSource(const SdfSource&) = delete;
@@ -38,15 +39,26 @@ class SdfSource {
   /// The same as the user knows it, for messages.
   [[nodiscard]] std::string shown(const std::string& path) const;
 
+  /// "path:line:column: " of an element in one of files(), as far as its line, its kind and its name tell it from
+  /// others; else "path:line: ".
+  [[nodiscard]] std::string place(const std::string& path, int line, const std::string& element,
+                                  const std::string& name = "") const;
+
+  /// "path:line:column: " of the first element of which an attribute says `name`, the file itself before its includes;
+  /// "" when there is none.
+  [[nodiscard]] std::string place_of_name(const std::string& name) const;
+
  private:
   std::string prepare(const std::filesystem::path& file, const Log& log);
-  std::string resolve_include(const std::string& uri, const std::filesystem::path& file, int line, const Log& log);
+  std::string resolve_include(const std::string& uri, const std::filesystem::path& file, const XmlTag& tag,
+                              const Log& log);
   std::string write_copy(const std::string& text, const std::string& original);
 
   std::filesystem::path file_;
   std::filesystem::path scratch_;
   std::vector<std::string> files_;
   std::map<std::string, std::string> originals_;             // copy -> original
+  std::map<std::string, std::vector<XmlTag>> tags_;          // by original
   std::map<std::string, std::optional<std::string>> ready_;  // original -> what to read; nothing while it is prepared
 };
 

@@ -27,6 +27,12 @@ constexpr std::array<Skipped, 4> kSkipped = {{{"<!--", "-->", "comment"},
 constexpr std::array<std::pair<std::string_view, char>, 5> kEntities = {
     {{"&lt;", '<'}, {"&gt;", '>'}, {"&quot;", '"'}, {"&apos;", '\''}, {"&amp;", '&'}}};
 
+constexpr std::size_t kDeepest = 200;  // Elements inside each other; a scene needs a dozen.
+
+std::string place(const std::string& path, int line, int column) {
+  return fmt::format("{}:{}:{}: ", path, line, column);
+}
+
 class Scanner {
  public:
   Scanner(std::string_view text, const std::string& path) : text_(text), path_(path) {}
@@ -43,24 +49,28 @@ class Scanner {
       }
     }
     if (!open_.empty()) {
-      fail(tags_[open_.back()].line, fmt::format("<{}> is never closed", tags_[open_.back()].name));
+      fail(tags_[open_.back()], fmt::format("<{}> is never closed", tags_[open_.back()].name));
     }
     if (tags_.empty()) {
-      fail(line_, "there is no XML element in this file");
+      fail("there is no XML element in this file");
     }
     return std::move(tags_);
   }
 
  private:
-  [[noreturn]] void fail(int line, const std::string& what) const {
-    throw Error(fmt::format("{}:{}: {}", path_, line, what));
-  }
+  [[noreturn]] void fail(const XmlTag& tag, const std::string& what) const { throw Error(tag.where(path_) + what); }
+  [[noreturn]] void fail(const std::string& what) const { throw Error(place(path_, line_, column()) + what); }
+
+  [[nodiscard]] int column() const { return static_cast<int>(at_ - line_start_) + 1; }
 
   // Goes on to an offset, counting lines. False at the end of the text.
   bool move_to(std::size_t offset) {
     const std::size_t target = std::min(offset, text_.size());
     for (; at_ < target; ++at_) {
-      line_ += text_[at_] == '\n' ? 1 : 0;
+      if (text_[at_] == '\n') {
+        ++line_;
+        line_start_ = at_ + 1;
+      }
     }
     return offset != std::string_view::npos;
   }
@@ -70,7 +80,7 @@ class Scanner {
       if (text_.substr(at_, skipped.open.size()) == skipped.open) {
         const std::size_t end = text_.find(skipped.close, at_ + skipped.open.size());
         if (end == std::string_view::npos) {
-          fail(line_, fmt::format("this {} is never closed", skipped.name));
+          fail(fmt::format("this {} is never closed", skipped.name));
         }
         move_to(end + skipped.close.size());
         return true;
@@ -83,14 +93,14 @@ class Scanner {
     const std::size_t end = text_.find('>', at_);
     const std::string_view name = text_.substr(at_ + 2, text_.find_first_of(kEndOfName, at_ + 2) - at_ - 2);
     if (end == std::string_view::npos) {
-      fail(line_, fmt::format("</{} is never closed", name));
+      fail(fmt::format("</{} is never closed", name));
     }
     if (open_.empty()) {
-      fail(line_, fmt::format("</{}> closes nothing", name));
+      fail(fmt::format("</{}> closes nothing", name));
     }
     XmlTag& tag = tags_[open_.back()];
     if (tag.name != name) {
-      fail(line_, fmt::format("</{}> stands where <{}> of line {} should be closed", name, tag.name, tag.line));
+      fail(fmt::format("</{}> stands where <{}> of line {} should be closed", name, tag.name, tag.line));
     }
     tag.content_end = at_;
     tag.end = end + 1;
@@ -101,18 +111,22 @@ class Scanner {
   void open_element() {
     XmlTag tag;
     tag.line = line_;
+    tag.column = column();
     tag.begin = at_;
     tag.parent = open_.empty() ? -1 : open_.back();
     std::size_t at = std::min(text_.find_first_of(kEndOfName, at_), text_.size());
     tag.name = text_.substr(at_ + 1, at - at_ - 1);
+    if (open_.size() >= kDeepest) {
+      fail(fmt::format("<{}> is nested too deeply: more than {} elements are open", tag.name, kDeepest));
+    }
     if (tag.parent < 0 && !tags_.empty()) {
-      fail(line_, fmt::format("<{}> stands behind the end of <{}>", tag.name, tags_[0].name));
+      fail(fmt::format("<{}> stands behind the end of <{}>", tag.name, tags_[0].name));
     }
     bool closed = false;
     while (true) {
       at = text_.find_first_not_of(kSpace, at);
       if (at == std::string_view::npos) {
-        fail(tag.line, fmt::format("the tag <{}> is never closed", tag.name));
+        fail(tag, fmt::format("the tag <{}> is never closed", tag.name));
       }
       if (text_[at] == '>') {
         break;
@@ -142,7 +156,7 @@ class Scanner {
     const bool quoted = quote != std::string_view::npos && (text_[quote] == '"' || text_[quote] == '\'');
     const std::size_t end = quoted ? text_.find(text_[quote], quote + 1) : std::string_view::npos;
     if (end == std::string_view::npos) {
-      fail(tag.line, fmt::format("the tag <{}> has an attribute without a quoted value", tag.name));
+      fail(tag, fmt::format("the tag <{}> has an attribute without a quoted value", tag.name));
     }
     tag.attributes[std::string(text_.substr(at, name_end - at))] = xml_decode(text_.substr(quote + 1, end - quote - 1));
     return end + 1;
@@ -150,13 +164,22 @@ class Scanner {
 
   std::string_view text_;
   const std::string& path_;
-  std::size_t at_ = 0;
+  std::size_t at_ = 0, line_start_ = 0;
   int line_ = 1;
   std::vector<XmlTag> tags_;
   std::vector<int> open_;
 };
 
 }  // namespace
+
+std::string XmlTag::where(const std::string& path) const {
+  return place(path, line, column);
+}
+
+std::string XmlTag::attribute(const std::string& key) const {
+  const auto found = attributes.find(key);
+  return found == attributes.end() ? "" : found->second;
+}
 
 std::vector<XmlTag> scan_xml(std::string_view text, const std::string& path) {
   return Scanner(text, path).run();

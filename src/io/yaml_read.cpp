@@ -109,7 +109,15 @@ void require_list(const YamlValue& value, std::string_view object, std::string_v
   }
 }
 
-void check_keys(const YamlValue& map, std::string_view object, std::span<const std::string> known) {
+std::string key_suggestion(std::string_view key, std::span<const std::string> known,
+                           std::span<const std::string> elsewhere) {
+  const auto path = std::ranges::find_if(
+      elsewhere, [&](std::string_view candidate) { return candidate.substr(candidate.rfind('.') + 1) == key; });
+  return path == elsewhere.end() ? suggestion(key, known) : "; did you mean " + *path + "?";
+}
+
+void check_keys(const YamlValue& map, std::string_view object, std::span<const std::string> known,
+                std::span<const std::string> elsewhere) {
   for (const auto& [key, value] : map.entries) {
     if (std::ranges::find(known, key) != known.end()) {
       continue;
@@ -118,7 +126,7 @@ void check_keys(const YamlValue& map, std::string_view object, std::span<const s
     if (const auto in_degrees = misspelt_angle(key, known)) {
       throw Error(fmt::format("{}{} must be written {}, in degrees", value.where, name, *in_degrees));
     }
-    throw Error(fmt::format("{}{} is not a known key; did you mean {}?", value.where, name, nearest_name(key, known)));
+    throw Error(fmt::format("{}{} is not a known key{}", value.where, name, key_suggestion(key, known, elsewhere)));
   }
 }
 

@@ -29,7 +29,13 @@ void require_map(const YamlValue& value, std::string_view object, std::string_vi
 void require_list(const YamlValue& value, std::string_view object, std::string_view expected);
 
 /// @throws Error for the first key that is not known; it names the nearest one that is.
-void check_keys(const YamlValue& map, std::string_view object, std::span<const std::string> known);
+/// @param elsewhere  Keys of other parts, as paths such as "water.depth": named to who wrote just the last word.
+void check_keys(const YamlValue& map, std::string_view object, std::span<const std::string> known,
+                std::span<const std::string> elsewhere = {});
+
+/// The end of a message on an unknown key: "; did you mean water.depth?", or nothing.
+[[nodiscard]] std::string key_suggestion(std::string_view key, std::span<const std::string> known,
+                                         std::span<const std::string> elsewhere);
 
 /// Calls a function and puts `where` before the message of an Error it throws.
 template <typename Function>

@@ -8,8 +8,8 @@
 #include <charconv>
 #include <vector>
 
-#include "base/nearest_name.h"
 #include "insonify/error.h"
+#include "io/yaml_read.h"
 
 namespace insonify {
 namespace {
@@ -77,8 +77,7 @@ Setting parse_setting(const std::string& text) {
 YamlValue& item_of(YamlValue& list, const Step& step, const std::string& name, const std::string& where) {
   if (step.is_index()) {
     if (step.index >= static_cast<int>(list.items.size())) {
-      throw Error(
-          fmt::format("{0}there is no {1}[{2}]; {1} has {3}", where, name, step.index, list.items.size()));
+      throw Error(fmt::format("{0}there is no {1}[{2}]; {1} has {3}", where, name, step.index, list.items.size()));
     }
     return list.items[step.index];
   }
@@ -130,7 +129,7 @@ bool contains(std::span<const std::string> keys, const std::string& key) {
 }  // namespace
 
 void apply_setting(YamlValue& scenario, const std::string& text, std::span<const std::string> scenario_keys,
-                   std::span<const std::string> sonar_keys) {
+                   std::span<const std::string> sonar_keys, std::span<const std::string> part_keys) {
   const Setting setting = parse_setting(text);
   const std::string& first = setting.steps.front().name;
   if (contains(scenario_keys, first)) {
@@ -141,9 +140,9 @@ void apply_setting(YamlValue& scenario, const std::string& text, std::span<const
     std::vector<std::string> keys(scenario_keys.begin(), scenario_keys.end());
     keys.insert(keys.end(), sonar_keys.begin(), sonar_keys.end());
     const bool angle = contains(keys, first + "_deg");
-    throw Error(angle ? fmt::format("{}{} must be written {}_deg, in degrees", setting.where, first, first)
-                      : fmt::format("{}{} is not a known key; did you mean {}?", setting.where, first,
-                                    nearest_name(first, keys)));
+    throw Error(
+        angle ? fmt::format("{}{} must be written {}_deg, in degrees", setting.where, first, first)
+              : fmt::format("{}{} is not a known key{}", setting.where, first, key_suggestion(first, keys, part_keys)));
   }
   YamlValue* sonars = scenario.find("sonars");
   if (sonars == nullptr || sonars->kind != Kind::kList) {

@@ -13,8 +13,9 @@ namespace insonify {
 /// field alone, which means every sonar's. What it puts in says `--set key=value: ` where it stands.
 /// @param scenario_keys  Keys of a scenario.
 /// @param sonar_keys     Keys of a sonar.
+/// @param part_keys      Those of their parts, as paths such as "water.depth".
 /// @throws Error "--set key=value: ..." for a key that leads nowhere; an unknown one names the nearest known one.
 void apply_setting(YamlValue& scenario, const std::string& setting, std::span<const std::string> scenario_keys,
-                   std::span<const std::string> sonar_keys);
+                   std::span<const std::string> sonar_keys, std::span<const std::string> part_keys);
 
 }  // namespace insonify

@@ -55,6 +55,7 @@ class Converter {
 
  private:
   void convert_entries(const YAML::Node& node, const std::string& name, int depth, YamlValue& map) {
+    std::vector<YamlValue> bases;  // Maps that `<<` takes keys from.
     for (const auto& entry : node) {
       const YAML::Node& key = entry.first;
       const std::string where_key = where(key.Mark());
@@ -62,13 +63,34 @@ class Converter {
         throw Error(where_key + "a key must be a word");
       }
       const std::string entry_name = name.empty() ? key.Scalar() : fmt::format("{}.{}", name, key.Scalar());
-      if (map.find(key.Scalar()) != nullptr) {
+      const bool merges = key.Scalar() == "<<" && key.Tag() != "!";  // Not in quotes.
+      if (merges ? !bases.empty() : map.find(key.Scalar()) != nullptr) {
         throw Error(fmt::format("{}{} is given twice", where_key, entry_name));
+      }
+      if (merges) {
+        bases = bases_in(convert(entry.second, name, depth + 1), where_key);
+        continue;
       }
       YamlValue value = convert(entry.second, entry_name, depth + 1);
       value.where = where_key;
       map.entries.push_back(Entry{key.Scalar(), std::move(value)});
     }
+    for (YamlValue& base : bases) {
+      for (Entry& entry : base.entries) {
+        if (map.find(entry.key) == nullptr) {
+          map.entries.push_back(std::move(entry));
+        }
+      }
+    }
+  }
+
+  static std::vector<YamlValue> bases_in(YamlValue value, const std::string& where_key) {
+    std::vector<YamlValue> bases = value.kind == Kind::kList ? std::move(value.items) : std::vector{std::move(value)};
+    const auto is_map = [](const YamlValue& base) { return base.kind == Kind::kMap; };
+    if (bases.empty() || !std::ranges::all_of(bases, is_map)) {
+      throw Error(where_key + "<< must be a map of keys to take over, such as *name, or a list of such maps");
+    }
+    return bases;
   }
 
   std::string path_, settings_where_;

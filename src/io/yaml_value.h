@@ -33,7 +33,7 @@ struct YamlValue::Entry {
   YamlValue value;
 };
 
-/// Reads one YAML document.
+/// Reads one YAML document, merge keys (`<<: *name`) included.
 /// @param path  As messages name the file.
 /// @throws Error "path:line:column: ..." for text that is not YAML, a key given twice, or more than one document.
 [[nodiscard]] YamlValue parse_yaml(const std::string& text, const std::string& path);

@@ -2,7 +2,6 @@
 
 #pragma once
 
-#include "base/parallel.h"
 #include "insonify/echo_grid.h"
 #include "insonify/paper_model.h"
 #include "insonify/ping.h"
@@ -18,8 +17,21 @@ struct PaperReceiverSettings {
 
 /// Paper, section "Generating the sonar image on CPU". Each cell reads min(1, mean S over primary echoes + mean S over
 /// secondary echoes); then noise, I x eta_m + eta_a, drawn anew for each ping and cell; then the sonar's gain and the
-/// ramp of its near field; clipped to 0..1. Tables of `ping` are resized once and then reused; its number is read.
-void receive_paper(const EchoGrid& grid, const SonarConfig& sonar, const PaperReceiverSettings& settings,
-                   Workers& workers, Ping& ping);
+/// ramp of its near field; clipped to 0..1.
+class PaperReceiver final : public BeamSink {
+ public:
+  /// Sizes the tables of `ping`, which are then reused; its number is read. All must outlive the receiver.
+  PaperReceiver(const EchoGrid& grid, const SonarConfig& sonar, const PaperReceiverSettings& settings, Ping& ping);
+
+  void take(int first_beam, int last_beam) override;
+
+ private:
+  void hear_tile(int first_beam, int beam_count, int first_bin, int bin_count);
+
+  const EchoGrid& grid_;
+  const SonarConfig& sonar_;
+  PaperReceiverSettings settings_;
+  Ping& ping_;
+};
 
 }  // namespace insonify

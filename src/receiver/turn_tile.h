@@ -31,10 +31,9 @@ template <typename Value>
       const Lanes high01 = __builtin_shufflevector(row[0], row[1], 2, 6, 3, 7);
       const Lanes low23 = __builtin_shufflevector(row[2], row[3], 0, 4, 1, 5);
       const Lanes high23 = __builtin_shufflevector(row[2], row[3], 2, 6, 3, 7);
-      const Lanes turned[4] = {__builtin_shufflevector(low01, low23, 0, 1, 4, 5),
-                               __builtin_shufflevector(low01, low23, 2, 3, 6, 7),
-                               __builtin_shufflevector(high01, high23, 0, 1, 4, 5),
-                               __builtin_shufflevector(high01, high23, 2, 3, 6, 7)};
+      const Lanes turned[4] = {
+          __builtin_shufflevector(low01, low23, 0, 1, 4, 5), __builtin_shufflevector(low01, low23, 2, 3, 6, 7),
+          __builtin_shufflevector(high01, high23, 0, 1, 4, 5), __builtin_shufflevector(high01, high23, 2, 3, 6, 7)};
       for (int i = 0; i < 4; ++i) {
         std::memcpy(&bins[bin + i][beam], &turned[i], sizeof turned[i]);
       }

@@ -34,8 +34,7 @@ Error unknown_material(std::string_view subject, std::string_view name, const De
   for (const auto& [meaning, material] : defined) {
     names.push_back(material.name);
   }
-  return Error(
-      fmt::format("{} = {} is not a known material; the nearest name is {}", subject, name, nearest_name(name, names)));
+  return Error(fmt::format("{} = {} is not a known material{}", subject, name, suggestion(name, names)));
 }
 
 const Material* find_by_name(std::string_view name, const Defined& defined) {
@@ -131,8 +130,8 @@ void check_keys(const Scene& scene, const MaterialRules& rules) {
     const bool is_used = find_material(key) || meaning_of(key) == meaning_of(rules.default_material) ||
                          std::ranges::any_of(scene.instances, [&](const Instance& i) { return is_for(key, i); });
     if (!is_used) {
-      throw Error(fmt::format("{}materials.{} matches no visual and no material; the nearest name is {}", change.where,
-                              key, nearest_name(key, names_to_override(scene))));
+      throw Error(fmt::format("{}materials.{} matches no visual and no material{}", change.where, key,
+                              suggestion(key, names_to_override(scene))));
     }
   }
 }

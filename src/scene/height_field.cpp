@@ -15,23 +15,23 @@ namespace {
 constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
 void check(const HeightGrid& grid) {
-  check_field("height grid", {"columns", "", at_least(2), ""}, grid.columns);
-  check_field("height grid", {"rows", "", at_least(2), ""}, grid.rows);
-  check_field("height grid", {"spacing_x", "m", greater_than(0), ""}, grid.spacing_x);
-  check_field("height grid", {"spacing_y", "m", greater_than(0), ""}, grid.spacing_y);
+  check_field(grid.name, {"columns", "", at_least(2), ""}, grid.columns);
+  check_field(grid.name, {"rows", "", at_least(2), ""}, grid.rows);
+  check_field(grid.name, {"spacing_x", "m", greater_than(0), ""}, grid.spacing_x);
+  check_field(grid.name, {"spacing_y", "m", greater_than(0), ""}, grid.spacing_y);
   const std::size_t cells = static_cast<std::size_t>(grid.columns) * grid.rows;
   if (grid.heights.size() != cells) {
-    throw Error(fmt::format("height grid: {} heights, {} columns x {} rows need {}", grid.heights.size(), grid.columns,
-                            grid.rows, cells));
+    throw Error(fmt::format("{}: {} heights, {} columns x {} rows need {}", grid.name, grid.heights.size(),
+                            grid.columns, grid.rows, cells));
   }
   if (cells >= kNone) {
     throw Error(
-        fmt::format("height grid: {} columns x {} rows must be less than 2^32 points", grid.columns, grid.rows));
+        fmt::format("{}: {} columns x {} rows must be less than 2^32 points", grid.name, grid.columns, grid.rows));
   }
   for (std::size_t i = 0; i < cells; ++i) {
     if (std::isinf(grid.heights[i])) {
-      throw Error(fmt::format("height grid: heights[{}] = {} must be a finite number, or NaN where there is no data", i,
-                              grid.heights[i]));
+      throw Error(fmt::format("{}: heights[{}] = {} must be a finite number, or NaN where there is no data", grid.name,
+                              i, grid.heights[i]));
     }
   }
 }
@@ -164,7 +164,7 @@ Mesh make_height_field(const HeightGrid& grid) {
   check(grid);
   const std::size_t count = count_triangles(grid);
   if (count == 0) {
-    throw Error("height grid: no triangles, as no three neighbouring points have data");
+    throw Error(grid.name + ": no triangles, as no three neighbouring points have data");
   }
 
   Mesh mesh;

@@ -7,6 +7,7 @@
 #include "insonify/scene_view.h"
 #include "simulator/camera.h"
 #include "simulator/insonified_sector.h"
+#include "simulator/view_subject.h"
 
 namespace insonify {
 namespace {
@@ -21,51 +22,10 @@ constexpr double kMostShown = 0.95;  // Share of what is seen that decides how f
 constexpr double kNearest = 0.1;     // Of the camera to the sonar, in mean distances of what the sonar sees.
 constexpr double kClearance = 1e-3;  // Share of its length that a line of sight may lack.
 
-// A surface point that the sonar sees.
-struct SeenPoint {
-  Vec3 place, normal;
-  std::uint16_t instance;
-  double weight;
-};
-
 struct Candidate {
   ViewConfig view;
   double merit = 0;  // What speaks for the direction alone.
 };
-
-// Sends rays through the sector, no more than the eye needs to tell what is there.
-std::vector<SeenPoint> look_around(Engine& engine, const InsonifiedSector& sector) {
-  constexpr int kAcross = 48, kAlong = 12;
-  const Vec3& sonar = sector.world_from_sonar().position;
-  std::vector<Ray> rays;
-  for (int i = 0; i < kAcross; ++i) {
-    for (int j = 0; j < kAlong; ++j) {
-      const Vec3 far = sector.point_at(sector.max_range(), (i + 0.5) / kAcross, (j + 0.5) / kAlong);
-      rays.push_back({sonar, (far - sonar).normalized(), 0, sector.max_range()});
-    }
-  }
-  std::vector<Hit> hits(rays.size());
-  engine.trace(rays, hits);
-  std::vector<SeenPoint> points;
-  for (std::size_t i = 0; i < rays.size(); ++i) {
-    if (std::isfinite(hits[i].distance)) {
-      points.push_back({sonar + hits[i].distance * rays[i].direction, hits[i].normal, hits[i].instance, 1});
-    }
-  }
-  // In open water: the far end of the sector, to be seen from anywhere.
-  for (std::size_t i = 0; points.empty() && i < rays.size(); i += 7) {
-    points.push_back({sonar + sector.max_range() * rays[i].direction, Vec3::Zero(), kNoLabel, 1});
-  }
-  // A small thing on a wide floor counts for more than the few rays that meet it.
-  std::vector<int> rays_on(1 << 16);
-  for (const SeenPoint& point : points) {
-    ++rays_on[point.instance];
-  }
-  for (SeenPoint& point : points) {
-    point.weight = 1 / std::pow(rays_on[point.instance], 0.6);
-  }
-  return points;
-}
 
 // The least value that is at least `values` for a share kMostShown of the weights.
 double most_of(std::vector<std::pair<double, double>>& values) {
@@ -97,7 +57,7 @@ double mean_distance(const std::vector<SeenPoint>& points, const Vec3& from) {
 // In its own axes, x right, y up and z towards it, a point is in the frame when |x - cx| <= a (cz - z), with a half the
 // frame's width at distance 1. So a cz must be half the sum of the greatest x + a z and -x + a z, and cx half their
 // difference; the same holds for y.
-Candidate fit(const std::vector<SeenPoint>& points, const Vec3& sonar, const Vec3& towards, double field_of_view) {
+Candidate fit(const ViewSubject& subject, const Vec3& sonar, const Vec3& towards, double field_of_view) {
   const Camera axes({.position = towards, .look_at = Vec3::Zero(), .field_of_view = field_of_view}, kWidth, kHeight);
   const double half_width = axes.width_at_one() / 2;
   struct Fit {
@@ -106,12 +66,19 @@ Candidate fit(const std::vector<SeenPoint>& points, const Vec3& sonar, const Vec
   // Places are counted from the sonar on, so that it does not matter how far off the world's origin is.
   const auto fit_along = [&](const Vec3& axis, double half) {
     const auto bound_of_points = [&](double side) {
+      const auto bound_of = [&](const Vec3& point) {
+        const Vec3 place = point - sonar;
+        return side * place.dot(axis) + kMargin * half * place.dot(towards);
+      };
       std::vector<std::pair<double, double>> values;
-      for (const SeenPoint& point : points) {
-        const Vec3 place = point.place - sonar;
-        values.emplace_back(side * place.dot(axis) + kMargin * half * place.dot(towards), point.weight);
+      for (const SeenPoint& point : subject.points) {
+        values.emplace_back(bound_of(point.place), point.weight);
       }
-      return most_of(values);
+      double bound = most_of(values);
+      for (const Vec3& tip : subject.tips) {
+        bound = std::max(bound, bound_of(tip));
+      }
+      return bound;
     };
     const double points_high = bound_of_points(1);
     const double points_low = bound_of_points(-1);
@@ -128,7 +95,7 @@ Candidate fit(const std::vector<SeenPoint>& points, const Vec3& sonar, const Vec
   const Fit across = fit_along(axes.right(), half_width);
   const Fit along = fit_along(axes.up(), half_width * kHeight / kWidth);
   const Vec3 middle = sonar + across.middle * axes.right() + along.middle * axes.up();
-  const double distance = std::max({across.distance, along.distance, kNearest * mean_distance(points, sonar)});
+  const double distance = std::max({across.distance, along.distance, kNearest * mean_distance(subject.points, sonar)});
   // Looks at a point about as far off as the sonar: any in front of the camera would do.
   const ViewConfig view{.position = middle + distance * towards, .look_at = middle, .field_of_view = field_of_view};
   // What fills the frame both ways shows best.
@@ -137,9 +104,9 @@ Candidate fit(const std::vector<SeenPoint>& points, const Vec3& sonar, const Vec
 
 // Cameras all around at several heights and with two lenses; the merit prefers the usual look over the sonar's
 // shoulder.
-std::vector<Candidate> candidates_around(Engine& engine, const std::vector<SeenPoint>& points, const Pose& sonar) {
+std::vector<Candidate> candidates_around(Engine& engine, const ViewSubject& subject, const Pose& sonar) {
   Vec3 ahead = Vec3::Zero();
-  for (const SeenPoint& point : points) {
+  for (const SeenPoint& point : subject.points) {
     ahead += point.weight * (point.place - sonar.position);
   }
   const double length = ahead.norm();
@@ -160,7 +127,7 @@ std::vector<Candidate> candidates_around(Engine& engine, const std::vector<SeenP
         const Vec3 level = Eigen::AngleAxisd(turn, Vec3::UnitZ()) * -ahead;
         const Vec3 towards = std::cos(height) * level + std::sin(height) * Vec3::UnitZ();
         const double lens = radians_from_degrees(lens_deg);
-        Candidate candidate = fit(points, sonar.position, towards, lens);
+        Candidate candidate = fit(subject, sonar.position, towards, lens);
         const double oblique = std::abs(std::abs(turn_deg) - 18) / 180;
         candidate.merit += -0.5 * oblique - 0.4 * std::abs(height_deg - 32) / 90 - (lens_deg > 60 ? 0.08 : 0);
         candidates.push_back(candidate);
@@ -232,7 +199,7 @@ double worth_of(Engine& engine, const ViewConfig& view, const std::vector<SeenPo
 
 // Turns a camera up or down until what it shows is in the middle of its frame: what is near takes more room below than
 // what is far takes above. Points far outside of the frame do not count.
-ViewConfig aimed(ViewConfig view, const std::vector<SeenPoint>& points, const Vec3& sonar) {
+ViewConfig aimed(ViewConfig view, const ViewSubject& subject, const Vec3& sonar) {
   const Camera camera(view, kWidth, kHeight);
   const double half = camera.width_at_one() / 2;
   // Upwards from the optical axis, at distance 1.
@@ -240,36 +207,45 @@ ViewConfig aimed(ViewConfig view, const std::vector<SeenPoint>& points, const Ve
     const Vec3 way = place - view.position;
     return way.dot(camera.up()) / way.dot(camera.forward());
   };
-  std::vector<std::pair<double, double>> high;
-  std::vector<std::pair<double, double>> low;
-  for (const SeenPoint& point : points) {
-    const Vec3 way = point.place - view.position;
-    if (way.dot(camera.forward()) > 0 && std::abs(way.dot(camera.right())) < half * way.dot(camera.forward()) &&
-        std::abs(height_of(point.place)) < half) {
-      high.emplace_back(height_of(point.place), point.weight);
-      low.emplace_back(-height_of(point.place), point.weight);
+  const auto is_near_frame = [&](const Vec3& place) {
+    const Vec3 way = place - view.position;
+    return way.dot(camera.forward()) > 0 && std::abs(way.dot(camera.right())) < half * way.dot(camera.forward()) &&
+           std::abs(height_of(place)) < half;
+  };
+  std::vector<std::pair<double, double>> highs;
+  std::vector<std::pair<double, double>> lows;
+  for (const SeenPoint& point : subject.points) {
+    if (is_near_frame(point.place)) {
+      highs.emplace_back(height_of(point.place), point.weight);
+      lows.emplace_back(-height_of(point.place), point.weight);
     }
   }
   const double sonar_height = height_of(sonar);
-  if (high.empty() || std::abs(sonar_height) > half) {
+  if (highs.empty() || std::abs(sonar_height) > half) {
     return view;
   }
-  const double middle = (std::max(most_of(high), sonar_height) - std::max(most_of(low), -sonar_height)) / 2;
+  double high = std::max(most_of(highs), sonar_height);
+  double low = std::max(most_of(lows), -sonar_height);
+  for (const Vec3& tip : subject.tips) {
+    if (is_near_frame(tip)) {
+      high = std::max(high, height_of(tip));
+      low = std::max(low, -height_of(tip));
+    }
+  }
+  const double middle = (high - low) / 2;
   view.look_at += (view.look_at - view.position).norm() * middle * camera.up();
   return view;
 }
 
 }  // namespace
 
-ViewConfig fitting_view(Engine& engine, const Scene& /*scene*/, const SonarConfig& sonar,
-                        const Pose& world_from_sonar) {
-  const InsonifiedSector sector(sonar, world_from_sonar);
-  const std::vector<SeenPoint> points = look_around(engine, sector);
+ViewConfig fitting_view(Engine& engine, const Scene& scene, const SonarConfig& sonar, const Pose& world_from_sonar) {
+  const ViewSubject subject = view_subject(engine, scene, InsonifiedSector(sonar, world_from_sonar));
   ViewConfig best;
   double best_worth = -std::numeric_limits<double>::infinity();
-  for (const Candidate& candidate : candidates_around(engine, points, world_from_sonar)) {
-    const ViewConfig view = aimed(candidate.view, points, world_from_sonar.position);
-    const double worth = candidate.merit + worth_of(engine, view, points, world_from_sonar.position);
+  for (const Candidate& candidate : candidates_around(engine, subject, world_from_sonar)) {
+    const ViewConfig view = aimed(candidate.view, subject, world_from_sonar.position);
+    const double worth = candidate.merit + worth_of(engine, view, subject.points, world_from_sonar.position);
     if (worth > best_worth) {
       best = view;
       best_worth = worth;

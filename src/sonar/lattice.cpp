@@ -54,6 +54,13 @@ void lay_rows(double low, double high, Lattice& lattice) {
       below = std::sin(elevation);
     }
     lattice.interval.push_back(to_float(std::sin(high) - below));
+
+    const float* interval = &lattice.interval[static_cast<std::size_t>(phase) * (lattice.rows + 1)];
+    for (int row = 0; row < lattice.rows; ++row) {
+      const float below_row = row == 0 ? interval[0] : 0.5F * interval[row];
+      const float above_row = row + 1 == lattice.rows ? interval[row + 1] : 0.5F * interval[row + 1];
+      lattice.share.push_back(below_row + above_row);
+    }
   }
 }
 

@@ -34,12 +34,17 @@ struct Lattice {
   /// aperture.
   std::vector<float> interval;
 
+  /// Solid angle that a sample stands for, per radian of azimuth: half of the intervals on both sides, and all of the
+  /// first and the last. At [phase * rows + row].
+  std::vector<float> share;
+
   // Directions of the aperture's lower and upper edge.
   float cos_low = 1, sin_low = 0, cos_high = 1, sin_high = 0;
 
   [[nodiscard]] const float* elevations(int column) const { return &elevation[phase[column] * rows]; }
   [[nodiscard]] const float* cos_elevations(int column) const { return &cos_elevation[phase[column] * rows]; }
   [[nodiscard]] const float* sin_elevations(int column) const { return &sin_elevation[phase[column] * rows]; }
+  [[nodiscard]] const float* shares(int column) const { return &share[phase[column] * rows]; }
   [[nodiscard]] const float* intervals(int column) const { return &interval[phase[column] * (rows + 1)]; }
 };
 

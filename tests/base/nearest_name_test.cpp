@@ -34,6 +34,22 @@ TEST(NearestNameTest, TakesTheFirstOfEquals) {
   EXPECT_EQ(nearest_name("mxx_range", std::vector<std::string>{"min_range", "mid_range"}), "min_range");
 }
 
+// Two slips at most, or a third of the letters; "step_dge_rd" of 11 letters may have 3.
+TEST(NearestNameTest, IsSilentWhereNothingIsNear) {
+  EXPECT_EQ(nearest_name("noise", kKeys), "");
+  EXPECT_EQ(nearest_name("rows", kKeys), "");
+  EXPECT_EQ(nearest_name("maxrang", kKeys), "max_range");
+  EXPECT_EQ(nearest_name("step_dge_rd", kKeys), "");
+  EXPECT_EQ(nearest_name("step_dge_r", kKeys), "step_deg");
+  EXPECT_EQ(nearest_name("ab", std::vector<std::string>{"xy"}), "");
+  EXPECT_EQ(nearest_name("", kKeys), "");
+}
+
+TEST(NearestNameTest, MakesTheEndOfAMessage) {
+  EXPECT_EQ(suggestion("max_rnage", kKeys), "; did you mean max_range?");
+  EXPECT_EQ(suggestion("colour", kKeys), "");
+}
+
 TEST(NearestNameTest, KnowsNothingOfNoCandidates) {
   EXPECT_EQ(nearest_name("step", {}), "");
 }

@@ -94,5 +94,10 @@ TEST(LetteringTest, TextThatLeavesThePictureIsCutOff) {
   EXPECT_EQ(picture.rgb.size(), 900U);
 }
 
+TEST(LetteringTest, LettersThatTheFontLacksBecomeQuestionMarks) {
+  const Lettering lettering(20);
+  EXPECT_DOUBLE_EQ(lettering.width("声纳 A"), lettering.width("?? A"));
+}
+
 }  // namespace
 }  // namespace insonify

@@ -1,18 +1,22 @@
 // Nothing that is written on a picture touches something else or is cut off, whatever the sonar and the size.
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "image/fan_frame.h"
 #include "image/palette.h"
+#include "image/plot.h"
+#include "image/scales.h"
 #include "insonify/picture.h"
 
 namespace insonify {
 namespace {
 
 constexpr int kHeights[] = {240, 321, 480, 720, 1100, 2000};
-constexpr double kApertures[] = {3, 14.4, 30, 45, 60, 90, 120, 130, 179, 180, 200, 270, 310, 350, 360};  // [deg]
+constexpr double kApertures[] = {3, 14.4, 30, 45, 60, 90, 120, 130, 179, 180, 200, 270, 310, 350, 359, 360};  // [deg]
 
 SonarConfig sonar_of(double aperture_deg, double max_range) {
   SonarConfig sonar;
@@ -92,27 +96,95 @@ TEST(PictureLayoutTest, LabelsTouchNeitherEachOtherNorTheFanNorTheBorder) {
   }
 }
 
+std::vector<std::string> labels_of(const SonarConfig& sonar, int height = 720) {
+  const FanShape shape = shape_of(sonar);
+  const FanMarks marks = marks_of(shape, shape.low, shape.high, Mounting::kHorizontal);
+  Page page({.height = height}, heading_of(sonar, "ping 3", 0.2));
+  std::vector<std::string> found;
+  for (const FanLabel& label : lay_out_fan(shape, marks, page, height).labels) {
+    found.push_back(label.text);
+  }
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
 TEST(PictureLayoutTest, FansHaveTheirMostTellingLabels) {
-  const auto texts = [](double aperture_deg, double max_range) {
-    const SonarConfig sonar = sonar_of(aperture_deg, max_range);
-    const FanShape shape = shape_of(sonar);
-    const FanMarks marks = marks_of(shape, shape.low, shape.high, Mounting::kHorizontal);
-    Page page({}, heading_of(sonar, "ping 3", 0.2));
-    std::vector<std::string> found;
-    for (const FanLabel& label : lay_out_fan(shape, marks, page, 720).labels) {
-      found.push_back(label.text);
-    }
-    std::sort(found.begin(), found.end());
-    return found;
-  };
   using Texts = std::vector<std::string>;
-  EXPECT_EQ(texts(120, 50), (Texts{"0°", "10 m", "20 m", "20° P", "20° S", "30 m", "40 m", "40° P", "40° S", "50 m",
-                                   "60° P", "60° S"}));
-  EXPECT_EQ(texts(30, 10),
+  EXPECT_EQ(labels_of(sonar_of(120, 50)), (Texts{"0°", "10 m", "20 m", "20° P", "20° S", "30 m", "40 m", "40° P",
+                                                 "40° S", "50 m", "60° P", "60° S"}));
+  EXPECT_EQ(labels_of(sonar_of(30, 10)),
             (Texts{"0°", "10 m", "10° P", "10° S", "15° P", "15° S", "2 m", "4 m", "5° P", "5° S", "6 m", "8 m"}));
-  EXPECT_EQ(texts(45, 75), (Texts{"0°", "10° P", "10° S", "20 m", "22.5° P", "22.5° S", "40 m", "60 m", "75 m"}));
-  EXPECT_EQ(texts(360, 20), (Texts{"0°", "10 m", "120° P", "120° S", "15 m", "150° P", "150° S", "180°", "20 m",
-                                   "30° P", "30° S", "5 m", "60° P", "60° S", "90° P", "90° S"}));
+  EXPECT_EQ(labels_of(sonar_of(45, 75)),
+            (Texts{"0°", "10° P", "10° S", "20 m", "22.5° P", "22.5° S", "40 m", "60 m", "75 m"}));
+  EXPECT_EQ(labels_of(sonar_of(360, 20)), (Texts{"0°", "10 m", "120° P", "120° S", "15 m", "150° P", "150° S", "180°",
+                                                 "20 m", "30° P", "30° S", "5 m", "60° P", "60° S", "90° P", "90° S"}));
+}
+
+TEST(PictureLayoutTest, EveryFanTellsWhereItEnds) {
+  for (const int height : kHeights) {
+    for (const double aperture : kApertures) {
+      const std::vector<std::string> labels = labels_of(sonar_of(aperture, 35), height);
+      EXPECT_THAT(labels, testing::IsSupersetOf({"0°", "35 m"})) << height << ' ' << aperture;
+      if (aperture < 354) {
+        const double edge = radians_from_degrees(aperture / 2);
+        EXPECT_THAT(labels, testing::IsSupersetOf({bearing_text(edge), bearing_text(-edge)}))
+            << height << ' ' << aperture;
+      } else {
+        EXPECT_THAT(labels, testing::Contains("180°")) << height << ' ' << aperture;
+      }
+    }
+  }
+}
+
+// A window of 10 m has rings every 2 m, wherever it begins; there is room for the names of some.
+TEST(PictureLayoutTest, RingsFollowTheWindowOfRanges) {
+  SonarConfig sonar = sonar_of(60, 100);
+  sonar.min_range = 90;
+  EXPECT_THAT(labels_of(sonar), testing::IsSupersetOf({"90 m", "92 m", "96 m", "100 m"}));
+}
+
+// Between full scale, which is nearly white, and silence, which is nearly black.
+TEST(PictureLayoutTest, RingsShowOnAnyEchoes) {
+  const SonarConfig sonar = sonar_of(120, 50);
+  const FanShape shape = shape_of(sonar);
+  const FanMarks marks = marks_of(shape, shape.low, shape.high, Mounting::kHorizontal);
+  Page page({}, heading_of(sonar, "ping 12345", 2469.13));
+  const FanGeometry geometry = lay_out_fan(shape, marks, page, 720).geometry;
+  for (const float intensity : {0.0F, 0.3F, 0.6F, 1.0F}) {
+    Ping ping = ping_of(sonar);
+    std::ranges::fill(ping.intensity, intensity);
+    const Picture picture = draw_fan(ping, sonar);
+    const Point ring = geometry.point_at(30, radians_from_degrees(10));
+    int darkest = 3 * 255, brightest = 0;
+    for (int y = -4; y <= 4; ++y) {
+      const std::uint8_t* pixel = picture.at(static_cast<int>(ring.x), static_cast<int>(ring.y) + y);
+      const int light = pixel[0] + pixel[1] + pixel[2];
+      darkest = std::min(darkest, light);
+      brightest = std::max(brightest, light);
+    }
+    EXPECT_GE(brightest - darkest, 3 * 25) << intensity;  // A tenth of what there is.
+  }
+}
+
+// The 0 in the middle of the axis is written where only every third angle has room.
+TEST(PictureLayoutTest, AxesKeepTheirZero) {
+  SonarConfig sonar = sonar_of(3, 20);
+  sonar.type = SonarType::kMechanicallyScanned;
+  sonar.beam_count = 1;
+  sonar.step = radians_from_degrees(1.8);
+  ScanView view(sonar);
+  view.add(ping_of(sonar));
+  const Picture picture = view.draw_polar({.height = 240});
+  Page page({.height = 240}, heading_of(sonar, "1 ping", 2469.13));
+  const PlotAxes axes{{}, range_ticks(sonar), "head angle", "range (m)"};
+  const PlotLayout plot = lay_out_plot(axes, page, 240);
+  int bright = 0;
+  for (int y = plot.bottom + 6; y < plot.bottom + 14; ++y) {
+    for (int x = (plot.left + plot.right) / 2 - 4; x < (plot.left + plot.right) / 2 + 4; ++x) {
+      bright += picture.at(x, y)[0] > 100 ? 1 : 0;
+    }
+  }
+  EXPECT_GT(bright, 8);
 }
 
 TEST(PictureLayoutTest, NothingIsCutOffAtTheBorders) {

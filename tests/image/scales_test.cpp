@@ -69,14 +69,20 @@ TEST(ScalesTest, BearingsSayWhichSide) {
   EXPECT_EQ(bearing_text(radians_from_degrees(180), Mounting::kVertical), "astern");
 }
 
-TEST(ScalesTest, RadialsAreEveryFiveToThirtyDegrees) {
+TEST(ScalesTest, RadialsAreEveryOneToThirtyDegrees) {
   const auto step = [](double aperture) {
     return std::lround(degrees_from_radians(radial_step(radians_from_degrees(aperture))));
   };
+  EXPECT_EQ(step(3), 1);
+  EXPECT_EQ(step(10), 2);
   EXPECT_EQ(step(14), 5);
   EXPECT_EQ(step(45), 10);
   EXPECT_EQ(step(120), 20);
   EXPECT_EQ(step(360), 30);
+  for (const double aperture : {30, 60, 90, 120, 180, 360}) {
+    EXPECT_EQ(90 % std::lround(degrees_from_radians(radial_step(radians_from_degrees(aperture), Mounting::kVertical))),
+              0);
+  }
 }
 
 }  // namespace

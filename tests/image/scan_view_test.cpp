@@ -20,7 +20,7 @@ SonarConfig scanner(double step_deg) {
   sonar.type = SonarType::kMechanicallyScanned;
   sonar.beam_count = 1;
   sonar.bin_count = 50;
-  sonar.azimuth_aperture = radians_from_degrees(3);
+  sonar.azimuth_aperture = radians_from_degrees(4);
   sonar.min_range = 0;
   sonar.max_range = 10;
   sonar.step = radians_from_degrees(step_deg);
@@ -85,6 +85,23 @@ TEST(ScanViewTest, APingFillsItsOwnStep) {
   }
 }
 
+// A beam of 4 degrees fills steps of up to 12.
+TEST(ScanViewTest, BetweenLongStepsThereAreGaps) {
+  ScanView view(scanner(45));
+  view.add(ping_at(0, 1));
+  view.add(ping_at(45, 1));
+  const Picture picture = view.draw(bare());
+  for (const double azimuth : {-1.5, 0.0, 1.5, 43.5, 45.0, 46.5}) {
+    EXPECT_EQ(seen_at(picture, azimuth)[0], 255) << azimuth;
+  }
+  for (const double azimuth : {-3.0, 3.0, 22.5, 42.0, 48.0}) {
+    EXPECT_TRUE(is_blank(seen_at(picture, azimuth))) << azimuth;
+  }
+  ScanView filled(scanner(12));
+  filled.add(ping_at(0, 1));
+  EXPECT_EQ(seen_at(filled.draw(bare()), 5.5)[0], 255);
+}
+
 TEST(ScanViewTest, ALaterPingCoversAnEarlierOne) {
   ScanView view(scanner(-10));
   for (int ping = 0; ping < 36; ++ping) {
@@ -100,7 +117,8 @@ TEST(ScanViewTest, ALaterPingCoversAnEarlierOne) {
 
 // In 2 degrees off the middle of a step of 10, the next ping has a share of 0.2.
 TEST(ScanViewTest, NeighboursInTimeAreBlended) {
-  const ScanSlots slots({0, radians_from_degrees(10), radians_from_degrees(20)}, radians_from_degrees(10));
+  const ScanSlots slots({0, radians_from_degrees(10), radians_from_degrees(20)}, radians_from_degrees(10),
+                        radians_from_degrees(10));
   const ScanSlots::Mix mix = slots.at(radians_from_degrees(12));
   EXPECT_EQ(mix.ping, 1);
   EXPECT_EQ(mix.neighbour, 2);
@@ -116,7 +134,7 @@ TEST(ScanViewTest, TurnsAreNotBlended) {
   for (int ping = 0; ping <= 36; ++ping) {
     heads.push_back(radians_from_degrees(10 * ping));
   }
-  const ScanSlots slots(heads, radians_from_degrees(10));
+  const ScanSlots slots(heads, radians_from_degrees(10), radians_from_degrees(10));
   const ScanSlots::Mix mix = slots.at(radians_from_degrees(4));
   EXPECT_EQ(mix.ping, 36);
   EXPECT_EQ(mix.neighbour, 36);
@@ -128,7 +146,7 @@ TEST(ScanViewTest, NoStepLeavesGaps) {
     for (double head = 0; head < 360; head += step_deg) {
       heads.push_back(radians_from_degrees(head));
     }
-    const ScanSlots slots(heads, radians_from_degrees(step_deg));
+    const ScanSlots slots(heads, radians_from_degrees(step_deg), radians_from_degrees(step_deg));
     for (double azimuth = -180; azimuth < 180; azimuth += 0.0171) {
       EXPECT_GE(slots.at(radians_from_degrees(azimuth)).ping, 0) << step_deg << ' ' << azimuth;
     }

@@ -1,5 +1,7 @@
 // bad_input_test.cpp -- whatever is wrong with a scenario is told in one line: where, what, and what would be right.
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <gtest/gtest.h>
 
 #include "insonify/files.h"
@@ -33,6 +35,9 @@ TEST_P(BadInputTest, IsToldInOneLine) {
   if (const std::size_t place = message.find("FOLDER"); place != std::string::npos) {
     message.replace(place, 6, folder.path().string());
   }
+  if (const std::size_t place = message.find("PRESETS"); place != std::string::npos) {
+    message.replace(place, 7, fmt::format("{}", fmt::join(preset_names(), ", ")));
+  }
   EXPECT_EQ(message_of([&] { (void)load_scenario("scenario.yaml", GetParam().settings); }), message);
 }
 
@@ -57,6 +62,10 @@ const Case kCases[] = {
     {"KeyIsAList", "world: floor.obj\n[a, b]: 3\n", "scenario.yaml:2:1: a key must be a word"},
     {"UnknownAnchor", "world: floor.obj\nwater: *sea\n",
      "scenario.yaml:2:8: not valid YAML: the referenced anchor is not defined"},
+    {"MergeOfAWord", "world: floor.obj\nwater:\n  <<: sea\n",
+     "scenario.yaml:3:3: << must be a map of keys to take over, such as *name, or a list of such maps"},
+    {"MergeTwice", "world: floor.obj\nwater:\n  <<: {depth: 3}\n  <<: {depth: 4}\n",
+     "scenario.yaml:4:3: water.<< is given twice"},
     {"EndlessNesting", "world: floor.obj\nwater: &sea\n  depth: *sea\n",
      "scenario.yaml:2:8: nested too deeply, or unfolds into too many values"},
 
@@ -68,8 +77,16 @@ const Case kCases[] = {
      "scenario.yaml:4:5: sonars[0].max_rnage is not a known key; did you mean max_range?"},
     {"UnknownKeyInSampling", "world: floor.obj\nsonars:\n  - sampling: {row: 30}\n",
      "scenario.yaml:3:16: sonars[0].sampling.row is not a known key; did you mean rows?"},
-    {"UnknownKeyWithALineBreak", "world: floor.obj\n\"a\\nb\": 3\n",
-     "scenario.yaml:2:1: a\\nb is not a known key; did you mean seed?"},
+    {"UnknownKeyWithALineBreak", "world: floor.obj\n\"a\\nb\": 3\n", "scenario.yaml:2:1: a\\nb is not a known key"},
+    {"UnknownKeyLikeNoOther", "world: floor.obj\nbanana: 3\n", "scenario.yaml:2:1: banana is not a known key"},
+    {"KeyOfTheReceiver", "world: floor.obj\nnoise: false\n",
+     "scenario.yaml:2:1: noise is not a known key; did you mean receiver.noise?"},
+    {"KeyOfTheWater", "world: floor.obj\nsonars:\n  - depth: 3\n",
+     "scenario.yaml:3:5: sonars[0].depth is not a known key; did you mean water.depth?"},
+    {"KeyOfTheSampling", "world: floor.obj\nrows: 3\n",
+     "scenario.yaml:2:1: rows is not a known key; did you mean sonars[0].sampling.rows?"},
+    {"KeyOfTheSamplingInASonar", "world: floor.obj\nsonars:\n  - rows: 3\n",
+     "scenario.yaml:3:5: sonars[0].rows is not a known key; did you mean sampling.rows?"},
     {"AngleWithoutItsUnit", "world: floor.obj\nsonars:\n  - azimuth_aperture: 120\n",
      "scenario.yaml:3:5: sonars[0].azimuth_aperture must be written azimuth_aperture_deg, in degrees"},
     {"AngleInRadians", "world: floor.obj\nsonars:\n  - step_rad: 0.01\n",
@@ -147,6 +164,8 @@ const Case kCases[] = {
      "scenario.yaml:2:1: model = \"papre\" must be paper"},
     {"CalibratedModel", "world: floor.obj\nmodel: calibrated\nsonars: [{name: fls}]\n",
      "scenario.yaml:2:1: model = \"calibrated\" is not in this version; the model there is: paper"},
+    {"PresetLikeNoOther", "world: floor.obj\nsonars:\n  - preset: x\n",
+     "scenario.yaml:3:5: sonars[0].preset = \"x\" is not a preset; there are PRESETS"},
     {"UnknownPreset", "world: floor.obj\nsonars:\n  - preset: gemini-720i\n",
      "scenario.yaml:3:5: sonars[0].preset = \"gemini-720i\" is not a preset; did you mean tritech-gemini-720i?"},
     {"UnknownMode", "world: floor.obj\nsonars:\n  - preset: blueprint-oculus-m750d\n    mode: hihg\n",
@@ -188,6 +207,16 @@ const Case kCases[] = {
      "scenario.yaml:2:9: water.sound_speed = 340 m/s must be from 1300 to 1700 m/s"},
     {"Reflectivity", "world: floor.obj\nmaterials:\n  hull: {reflectivity: 1.2}\nsonars: [{name: fls}]\n",
      "scenario.yaml:3:10: materials.hull.reflectivity = 1.2 must be from 0 to 1"},
+    {"ImpossibleDensity", "world: floor.obj\nmaterials:\n  hull: {density: 1e300}\nsonars: [{name: fls}]\n",
+     "scenario.yaml:3:10: materials.hull.density = 1e+300 kg/m^3 must be greater than 0, at most 30000 kg/m^3"},
+    {"MaterialWithoutAName", "world: floor.obj\nmaterials:\n  \"\": steel\n",
+     "scenario.yaml:3:3: materials has an entry without a name"},
+    {"MaterialOfNoName", "world: floor.obj\nmaterials:\n  hull: \"\"\n",
+     "scenario.yaml:3:3: materials.hull must name a material"},
+    {"MaterialLikeNone", "world: floor.obj\nmaterials:\n  hull: {like: \"\"}\n",
+     "scenario.yaml:3:10: materials.hull.like must name a material"},
+    {"NoDefaultMaterial", "world: floor.obj\ndefault_material: \"\"\n",
+     "scenario.yaml:2:1: default_material must name a material"},
     {"BeamAzimuth", "world: floor.obj\nsonars:\n  - beam_count: 2\n    beam_azimuths_deg: [200, 0]\n",
      "scenario.yaml:4:25: sonars[0].beam_azimuths_deg[0] = 200 deg must be from -180 to 180 deg"},
     {"SamplingRows", "world: floor.obj\nsonars:\n  - sampling: {rows: 1}\n",
@@ -210,8 +239,15 @@ const Case kCases[] = {
     {"NameWithASlash", "world: floor.obj\nsonars:\n  - name: a/b\n",
      "scenario.yaml:3:5: sonars[0].name must not be empty, start with '.' or hold a slash, a backslash or a control "
      "character"},
-    {"TooFewBeamAzimuths", "world: floor.obj\nsonars:\n  - beam_azimuths_deg: [20, 0, -20]\n",
+    {"TooFewBeamAzimuths", "world: floor.obj\nsonars:\n  - beam_azimuths_deg: [20, 0, -20]\n    beam_count: 256\n",
      "scenario.yaml:3:5: sonars[0].beam_azimuths_deg has 3 angles, must have one for each of beam_count = 256"},
+    {"BeamAzimuthsFromStarboard", "world: floor.obj\nsonars:\n  - beam_azimuths_deg: [-20, 0, 20]\n",
+     "scenario.yaml:3:5: sonars[0].beam_azimuths_deg[1] = 0 deg must be less than beam_azimuths_deg[0] = -20 deg: "
+     "beams "
+     "run from port to starboard"},
+    {"ApertureBesideBeamAzimuths",
+     "world: floor.obj\nsonars:\n  - beam_azimuths_deg: [20, 0, -20]\n    azimuth_aperture_deg: 90\n",
+     "scenario.yaml:4:5: sonars[0].azimuth_aperture_deg follows from beam_azimuths_deg; leave it out"},
     {"FanThatTurns", "world: floor.obj\nsonars:\n  - type: msis\n",
      "scenario.yaml:3:5: sonars[0].beam_count = 256 must be 1 for type msis, whose head turns a single beam"},
     {"TimeStandsStill",
@@ -237,6 +273,10 @@ const Case kCases[] = {
      "--set pings=: pings has no value; it must be a whole number, from 1 to 1000000000",
      {"pings="}},
     {"SettingOfAnUnknownKey", kGood, "--set pigns=3: pigns is not a known key; did you mean pings?", {"pigns=3"}},
+    {"SettingOfAKeyOfTheWater",
+     kGood,
+     "--set depth=3: depth is not a known key; did you mean water.depth?",
+     {"depth=3"}},
     {"SettingOfAnAngle",
      kGood,
      "--set azimuth_aperture=90: azimuth_aperture must be written azimuth_aperture_deg, in degrees",
@@ -293,8 +333,7 @@ class WrongFileTest : public testing::Test {
 };
 
 TEST_F(WrongFileTest, MissingScenario) {
-  EXPECT_EQ(message_of([] { (void)load_scenario("wreck.yaml"); }),
-            "wreck.yaml: no such file");
+  EXPECT_EQ(message_of([] { (void)load_scenario("wreck.yaml"); }), "wreck.yaml: no such file");
 }
 
 TEST_F(WrongFileTest, Folder) {

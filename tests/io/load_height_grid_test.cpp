@@ -242,8 +242,10 @@ TEST(AscGridErrorTest, TellsTheLineAndTheReason) {
       {"ncols 2\ncellsize 1\n1 2\n", ":2: the header has no nrows"},
       {"ncols 2\nnrows 2\ndx 1\n1 2 3 4\n", ":3: the header has neither cellsize nor dy"},
       {"ncols 2\nnrows 2\ncellsize -1\n1 2 3 4\n", ":3: cellsize = -1 must be greater than 0"},
-      {"ncols 2\nnrows 2\ndx nan\ndy 1\n1 2 3 4\n", ":4: dx = nan must be greater than 0"},
-      {"ncols 1.5\nnrows 2\ncellsize 1\n1 2 3 4\n", ":3: ncols = 1.5 must be a whole number from 2 to 1000000"},
+      {"ncols 2\nnrows 2\ndx nan\ndy 1\n1 2 3 4\n", ":3: dx = nan must be greater than 0"},
+      {"ncols 1.5\nnrows 2\ncellsize 1\n1 2 3 4\n", ":1: ncols = 1.5 must be a whole number from 2 to 1000000"},
+      {"ncols -2\nnrows 2\nxllcorner 0\ncellsize 1\n1 2 3 4\n",
+       ":1: ncols = -2 must be a whole number from 2 to 1000000"},
       {"ncols 2\nncols 3\n", ":2: ncols is given twice"},
       {"ncols 2\nnrows\n2 cellsize 1\n1 2 3 4\n", ":2: nrows needs a number"},
       {"ncols 2\nncows 2\n",
@@ -258,6 +260,14 @@ TEST(AscGridErrorTest, TellsTheLineAndTheReason) {
     const std::filesystem::path path = folder.write("a.asc", file.text);
     EXPECT_EQ(message_of([&] { (void)load_height_grid(path); }), path.string() + file.message);
   }
+}
+
+TEST(LoadAscGridTest, AGridWithoutDataIsToldWithItsFile) {
+  const ScratchFolder folder;
+  const std::filesystem::path path =
+      folder.write("a.asc", "ncols 2\nnrows 2\ncellsize 1\nNODATA_value -1\n-1 -1\n-1 3\n");
+  EXPECT_EQ(message_of([&] { (void)make_height_field(load_height_grid(path)); }),
+            path.string() + ": no triangles, as no three neighbouring points have data");
 }
 
 // --------------------------------------------------------------------------------------------------------------- BAG

@@ -38,7 +38,6 @@ sonars:
     type: fls
     frequency: 900e3
     beam_count: 3
-    azimuth_aperture_deg: 90
     beam_azimuths_deg: [40, 0.5, -41]
     elevation_aperture_deg: 15
     elevation_center_deg: -12
@@ -55,6 +54,7 @@ sonars:
   - name: around
     type: msis
     beam_count: 1
+    azimuth_aperture_deg: 3
     step_deg: -1.8
     sector_center_deg: 45
     sector_width_deg: 90
@@ -133,7 +133,6 @@ TEST_F(ScenarioTest, TakesAFan) {
   EXPECT_EQ(sonar.type, SonarType::kForwardLooking);
   EXPECT_EQ(sonar.frequency, 900e3);
   EXPECT_EQ(sonar.beam_count, 3);
-  EXPECT_NEAR(sonar.azimuth_aperture, std::numbers::pi / 2, kAngleTolerance);
   EXPECT_THAT(sonar.beam_azimuths,
               ElementsAre(radians_from_degrees(40), radians_from_degrees(0.5), radians_from_degrees(-41)));
   EXPECT_NEAR(sonar.elevation_aperture, std::numbers::pi / 12, kAngleTolerance);
@@ -154,6 +153,7 @@ TEST_F(ScenarioTest, TakesAFan) {
 TEST_F(ScenarioTest, TakesAScanningHead) {
   const SonarConfig sonar = load(kEverything).sonars.at(1);
   EXPECT_EQ(sonar.type, SonarType::kMechanicallyScanned);
+  EXPECT_NEAR(sonar.azimuth_aperture, std::numbers::pi / 60, kAngleTolerance);
   EXPECT_NEAR(sonar.step, -std::numbers::pi / 100, kAngleTolerance);
   EXPECT_NEAR(sonar.sector_center, std::numbers::pi / 4, kAngleTolerance);
   EXPECT_NEAR(sonar.sector_width, std::numbers::pi / 2, kAngleTolerance);
@@ -190,6 +190,36 @@ TEST_F(ScenarioTest, LeavesWhatIsNotThereAtItsDefault) {
   EXPECT_EQ(scenario.water.temperature_c, Water().temperature_c);
   EXPECT_EQ(scenario.sonars.at(0).max_range, SonarConfig().max_range);
   EXPECT_FALSE(scenario.view.has_value());
+}
+
+// Midway between 40, 0.5 and -41 lie 20.25 and -20.25; the outer beams reach as far out as in: to 59.75 and -61.75.
+TEST_F(ScenarioTest, ATableOfBeamsSaysHowManyThereAreAndHowWideTheFanIs) {
+  for (const char* base : {"", "preset: tritech-gemini-720i, "}) {
+    const SonarConfig sonar =
+        load("world: worlds/floor.obj\nsonars: [{" + std::string(base) + "beam_azimuths_deg: [40, 0.5, -41]}]\n")
+            .sonars.at(0);
+    EXPECT_EQ(sonar.beam_count, 3);
+    EXPECT_NEAR(sonar.azimuth_aperture, radians_from_degrees(121.5), 4 * kAngleTolerance);
+  }
+  // A single azimuth says nothing of the width.
+  const SonarConfig sonar =
+      load("world: worlds/floor.obj\nsonars: [{azimuth_aperture_deg: 3, beam_azimuths_deg: [10]}]\n").sonars.at(0);
+  EXPECT_EQ(sonar.beam_count, 1);
+  EXPECT_NEAR(sonar.azimuth_aperture, radians_from_degrees(3), kAngleTolerance);
+}
+
+TEST_F(ScenarioTest, TakesOverTheKeysOfAnAnchor) {
+  const Scenario scenario = load(
+      "world: worlds/floor.obj\nsonars:\n  - &port {name: port, max_range: 20, gain: 2, orientation_deg: [0, 0, 40]}\n"
+      "  - {<<: *port, name: starboard, orientation_deg: [0, 0, -40]}\n"
+      "  - <<: [{name: down, gain: 5}, *port]\n    max_range: 9\n");
+  EXPECT_EQ(scenario.sonars.at(1).name, "starboard");
+  EXPECT_EQ(scenario.sonars.at(1).max_range, 20);
+  EXPECT_LT(scenario.sonars.at(1).orientation.z(), 0);
+  EXPECT_EQ(scenario.sonars.at(2).name, "down");
+  EXPECT_EQ(scenario.sonars.at(2).max_range, 9);
+  EXPECT_EQ(scenario.sonars.at(2).gain, 5);  // Of several maps the first that has a key gives it.
+  EXPECT_GT(scenario.sonars.at(2).orientation.z(), 0);
 }
 
 // ---------------------------------------------------------------- Presets in a scenario

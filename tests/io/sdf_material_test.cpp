@@ -60,14 +60,14 @@ TEST_F(SdfMaterialTest, GivesAnIncludedModelTheMaterialOfItsInclude) {
 
 TEST_F(SdfMaterialTest, NamesThePlaceOfAMaterialThatDoesNotExist) {
   Scene scene = load(sdf_of(kBox, "<insonify:material>unobtainium</insonify:material>"));
-  EXPECT_EQ(without_folder(scene.instances.at(0).where), "scene.sdf:4: ");
+  EXPECT_EQ(without_folder(scene.instances.at(0).where), "scene.sdf:4:1: ");
   const std::string message = without_folder(message_of([&] { assign_materials(scene, {}); }));
-  EXPECT_THAT(message, testing::StartsWith("scene.sdf:4: "));
+  EXPECT_THAT(message, testing::StartsWith("scene.sdf:4:1: "));
   EXPECT_THAT(message, testing::HasSubstr("unobtainium"));
 }
 
 TEST_F(SdfMaterialTest, RefusesWhatItDoesNotKnow) {
-  const std::string where = "scene.sdf:4: visual 'ship::hull::plate'";
+  const std::string where = "scene.sdf:4:1: visual 'ship::hull::plate'";
   EXPECT_EQ(error_of(sdf_of(kBox, "<insonify:materail>steel</insonify:materail>")),
             where + ": <insonify:materail> is unknown, insonify knows <material>");
   EXPECT_EQ(error_of(sdf_of(kBox, "<plugin name='insonify' filename='x'><colour>red</colour></plugin>")),

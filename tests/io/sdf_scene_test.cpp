@@ -246,8 +246,19 @@ TEST_F(SdfSceneTest, ReadsNewerVersionsWithAWarning) {
   EXPECT_EQ(scene.instances.at(0).name, "new::body::box");
   EXPECT_THAT(said,
               testing::ElementsAre(
-                  "scene.sdf:1: SDF version 1.11 is newer than 1.9 and read as that; what is new in it is left out",
-                  "new.sdf:1: SDF version 1.12 is newer than 1.9 and read as that; what is new in it is left out"));
+                  "scene.sdf:1:1: SDF version 1.11 is newer than 1.9 and read as that; what is new in it is left out",
+                  "new.sdf:1:1: SDF version 1.12 is newer than 1.9 and read as that; what is new in it is left out"));
+}
+
+TEST_F(SdfSceneTest, WarnsOfVersionsThatAreTooOld) {
+  for (const char* version : {"1.4", "0.1"}) {
+    const Scene scene = load(model_sdf("old", "", version));
+    EXPECT_EQ(scene.instances.at(0).name, "old::body::box");
+    EXPECT_THAT(said,
+                testing::Contains(fmt::format("scene.sdf:1:1: SDF version {} is older than 1.5, the oldest that is "
+                                              "known to be read right",
+                                              version)));
+  }
 }
 
 TEST_F(SdfSceneTest, WarnsOfActors) {
@@ -255,7 +266,7 @@ TEST_F(SdfSceneTest, WarnsOfActors) {
 <size>1 2 3</size></box></geometry></visual></link></model><actor name="diver"><skin><filename>diver.dae</filename></skin>
 <animation name="swim"><filename>diver.dae</filename></animation><script><trajectory id="0" type="swim"><waypoint>
 <time>0</time><pose>0 0 0 0 0 0</pose></waypoint></trajectory></script></actor></world></sdf>)");
-  EXPECT_THAT(said, testing::ElementsAre("scene.sdf:2: an actor is left out"));
+  EXPECT_THAT(said, testing::ElementsAre("scene.sdf:2:60: an actor is left out"));
 }
 
 TEST_F(SdfSceneTest, PrintsNothing) {

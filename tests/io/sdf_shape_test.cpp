@@ -34,7 +34,7 @@ class SdfShapeTest : public SdfTest {
   }
   std::string error_with(const std::string& geometry) { return error_of(sdf_of(geometry)); }
 
-  const std::string where = "scene.sdf:4: visual 'ship::hull::plate'";
+  const std::string where = "scene.sdf:4:1: visual 'ship::hull::plate'";
 };
 
 // Volume enclosed, by the divergence theorem; negative when the triangles wind inwards.
@@ -187,28 +187,30 @@ TEST_F(SdfShapeTest, LeavesOutShapesItDoesNotKnowAndSaysSo) {
 <visual name="d"/>
 <visual name="e"><geometry><box><size>1 2 3</size></box></geometry></visual></link></model></sdf>)");
   EXPECT_EQ(scene.instances.size(), 1);
-  EXPECT_THAT(said, testing::ElementsAre("scene.sdf:2: visual 'm::l::a' is left out: insonify has no shape <polyline>",
-                                         "scene.sdf:4: visual 'm::l::b' is left out: insonify has no shape <image>",
-                                         "scene.sdf:5: visual 'm::l::c' is left out: it has no shape",
-                                         "scene.sdf:6: visual 'm::l::d' is left out: it has no shape"));
+  EXPECT_THAT(said,
+              testing::ElementsAre("scene.sdf:2:1: visual 'm::l::a' is left out: insonify has no shape <polyline>",
+                                   "scene.sdf:4:1: visual 'm::l::b' is left out: insonify has no shape <image>",
+                                   "scene.sdf:5:1: visual 'm::l::c' is left out: it has no shape",
+                                   "scene.sdf:6:1: visual 'm::l::d' is left out: it has no shape"));
 }
 
 TEST_F(SdfShapeTest, RefusesSizesOutOfLimits) {
   EXPECT_EQ(error_with("<box><size>1 -2 3</size></box>"),
             where + ": <size> = 1 -2 3 m must be greater than 0 m in each direction");
   EXPECT_EQ(error_with("<sphere><radius>0</radius></sphere>"), where + ": <radius> = 0 m must be greater than 0 m");
-  EXPECT_EQ(error_with("<sphere><radius>nan</radius></sphere>"), where + ": <radius> = nan m must be greater than 0 m");
+  EXPECT_EQ(error_with("<sphere><radius>nan</radius></sphere>"),
+            "scene.sdf:4:40: <radius> = 'nan' must be a finite number");
   EXPECT_EQ(error_with("<cylinder><radius>1</radius><length>-1</length></cylinder>"),
             where + ": <length> = -1 m must be greater than 0 m");
   EXPECT_EQ(error_with("<capsule><radius>1</radius><length>inf</length></capsule>"),
-            where + ": <length> = inf m must be greater than 0 m");
+            "scene.sdf:4:59: <length> = 'inf' must be a finite number");
   EXPECT_EQ(error_with("<ellipsoid><radii>0 1 1</radii></ellipsoid>"),
             where + ": <radii> = 0 1 1 m must be greater than 0 m in each direction");
   EXPECT_EQ(error_with("<cone><radius>-1</radius><length>1</length></cone>"),
             where + ": <radius> = -1 m must be greater than 0 m");
   EXPECT_EQ(error_with("<cone><radius>1</radius><length>1 m</length></cone>"),
-            where + ": <length> = '1 m' is not a number");
-  EXPECT_EQ(error_with("<cone><radius/></cone>"), where + ": <radius> = '' is not a number");
+            "scene.sdf:4:56: <length> = '1 m' must be a finite number");
+  EXPECT_EQ(error_with("<cone><radius/></cone>"), "scene.sdf:4:38: <radius> = '' must be a finite number");
   EXPECT_EQ(error_with("<plane><normal>0 0 1</normal><size>0 3</size></plane>"),
             where + ": <size> = 0 m must be greater than 0 m");
   EXPECT_EQ(error_with("<plane><normal>0 0 0</normal><size>3 3</size></plane>"),

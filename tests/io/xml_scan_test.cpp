@@ -49,20 +49,20 @@ TEST(XmlScanTest, DecodesContentWithoutCommentsAndOuterSpace) {
 }
 
 TEST(XmlScanTest, TellsWhatIsBrokenAndWhere) {
-  EXPECT_EQ(fault_of("<a>\n<b>\n</a>"), "a.sdf:3: </a> stands where <b> of line 2 should be closed");
-  EXPECT_EQ(fault_of("<a>\n<b>\n</b>"), "a.sdf:1: <a> is never closed");
-  EXPECT_EQ(fault_of("<a/>\n</b>"), "a.sdf:2: </b> closes nothing");
-  EXPECT_EQ(fault_of("<a/>\n<b/>"), "a.sdf:2: <b> stands behind the end of <a>");
-  EXPECT_EQ(fault_of("<a>\n<!-- "), "a.sdf:2: this comment is never closed");
-  EXPECT_EQ(fault_of("<a>\n<![CDATA[ ]"), "a.sdf:2: this CDATA section is never closed");
-  EXPECT_EQ(fault_of("\n<?xml "), "a.sdf:2: this declaration is never closed");
-  EXPECT_EQ(fault_of("<a\nx='1'"), "a.sdf:1: the tag <a> is never closed");
-  EXPECT_EQ(fault_of("<a>\n</a"), "a.sdf:2: </a is never closed");
-  EXPECT_EQ(fault_of("<a x=1>"), "a.sdf:1: the tag <a> has an attribute without a quoted value");
-  EXPECT_EQ(fault_of("<a x>"), "a.sdf:1: the tag <a> has an attribute without a quoted value");
-  EXPECT_EQ(fault_of("<a x='1>"), "a.sdf:1: the tag <a> has an attribute without a quoted value");
-  EXPECT_EQ(fault_of("words\n"), "a.sdf:2: there is no XML element in this file");
-  EXPECT_EQ(fault_of(""), "a.sdf:1: there is no XML element in this file");
+  EXPECT_EQ(fault_of("<a>\n<b>\n</a>"), "a.sdf:3:1: </a> stands where <b> of line 2 should be closed");
+  EXPECT_EQ(fault_of("<a>\n<b>\n</b>"), "a.sdf:1:1: <a> is never closed");
+  EXPECT_EQ(fault_of("<a/>\n</b>"), "a.sdf:2:1: </b> closes nothing");
+  EXPECT_EQ(fault_of("<a/>\n<b/>"), "a.sdf:2:1: <b> stands behind the end of <a>");
+  EXPECT_EQ(fault_of("<a>\n<!-- "), "a.sdf:2:1: this comment is never closed");
+  EXPECT_EQ(fault_of("<a>\n<![CDATA[ ]"), "a.sdf:2:1: this CDATA section is never closed");
+  EXPECT_EQ(fault_of("\n<?xml "), "a.sdf:2:1: this declaration is never closed");
+  EXPECT_EQ(fault_of("<a\nx='1'"), "a.sdf:1:1: the tag <a> is never closed");
+  EXPECT_EQ(fault_of("<a>\n</a"), "a.sdf:2:1: </a is never closed");
+  EXPECT_EQ(fault_of("<a x=1>"), "a.sdf:1:1: the tag <a> has an attribute without a quoted value");
+  EXPECT_EQ(fault_of("<a x>"), "a.sdf:1:1: the tag <a> has an attribute without a quoted value");
+  EXPECT_EQ(fault_of("<a x='1>"), "a.sdf:1:1: the tag <a> has an attribute without a quoted value");
+  EXPECT_EQ(fault_of("words\n"), "a.sdf:2:1: there is no XML element in this file");
+  EXPECT_EQ(fault_of(""), "a.sdf:1:1: there is no XML element in this file");
 }
 
 }  // namespace

@@ -32,10 +32,9 @@ SonarConfig sonar_of(int beams, int bins) {
 
 Ping receive(const EchoGrid& grid, const SonarConfig& sonar, const PaperReceiverSettings& settings,
              std::uint64_t number = 0) {
-  Workers workers(2);
   Ping ping;
   ping.number = number;
-  receive_paper(grid, sonar, settings, workers, ping);
+  PaperReceiver(grid, sonar, settings, ping).take(0, grid.beam_count());
   return ping;
 }
 

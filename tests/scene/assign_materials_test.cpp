@@ -160,19 +160,19 @@ TEST(AssignMaterialsTest, AssigningAgainStartsAfresh) {
 TEST(AssignMaterialsMessagesTest, NamesTheNearestVisualOrMaterialOfAKey) {
   const Scene scene = scene_with({instance("ship::hull", {"red_paint"})});
   EXPECT_EQ(fault(scene, {.overrides = {{"hul", {.reflectivity = 0.9, .where = "scene.yaml:4:3: "}}}}),
-            "scene.yaml:4:3: materials.hul matches no visual and no material; the nearest name is hull");
+            "scene.yaml:4:3: materials.hul matches no visual and no material; did you mean hull?");
   EXPECT_EQ(fault(scene, {.overrides = {{"ship::hall", {.reflectivity = 0.9}}}}),
-            "materials.ship::hall matches no visual and no material; the nearest name is ship::hull");
+            "materials.ship::hall matches no visual and no material; did you mean ship::hull?");
   EXPECT_EQ(fault(scene, {.overrides = {{"red_pant", {.reflectivity = 0.9}}}}),
-            "materials.red_pant matches no visual and no material; the nearest name is red_paint");
+            "materials.red_pant matches no visual and no material; did you mean red_paint?");
   EXPECT_EQ(fault(scene, {.overrides = {{"concret", {.reflectivity = 0.9}}}}),
-            "materials.concret matches no visual and no material; the nearest name is concrete");
+            "materials.concret matches no visual and no material; did you mean concrete?");
 }
 
 TEST(AssignMaterialsMessagesTest, NamesTheNearestMaterialToBeLike) {
   EXPECT_EQ(
       fault(scene_with({instance("hull")}), {.overrides = {{"hull", {.like = "steal", .where = "a.yaml:2:9: "}}}}),
-      "a.yaml:2:9: materials.hull.like = steal is not a known material; the nearest name is steel");
+      "a.yaml:2:9: materials.hull.like = steal is not a known material; did you mean steel?");
 }
 
 TEST(AssignMaterialsMessagesTest, NamesTheNearestMaterialToAUsers) {
@@ -181,15 +181,15 @@ TEST(AssignMaterialsMessagesTest, NamesTheNearestMaterialToAUsers) {
   scene.instances[0].where = "ship.sdf:12: ";
   EXPECT_EQ(fault(scene, {.overrides = {{"steel", {.density = 7700}}, {"ship::hull", {.density = 7700}}}}), "no error");
   EXPECT_EQ(fault(scene, {}),
-            "ship.sdf:12: ship::hull: material = titanum is not a known material; the nearest name is titanium");
+            "ship.sdf:12: ship::hull: material = titanum is not a known material; did you mean titanium?");
 }
 
 TEST(AssignMaterialsMessagesTest, NamesTheNearestMaterialToTheDefault) {
   const Scene scene = scene_with({instance("hull", {"steel"})});
   EXPECT_EQ(fault(scene, {.default_material = "snad", .default_where = "a.yaml:3:1: "}),
-            "a.yaml:3:1: default_material = snad is not a known material; the nearest name is sand");
+            "a.yaml:3:1: default_material = snad is not a known material; did you mean sand?");
   EXPECT_EQ(fault(scene, {.overrides = {{"hull", {.like = "pvc"}}}, .default_material = "hul"}),
-            "default_material = hul is not a known material; the nearest name is hull");
+            "default_material = hul is not a known material; did you mean hull?");
 }
 
 // It would have to start from itself.
@@ -208,9 +208,9 @@ TEST(AssignMaterialsMessagesTest, RefusesTwoOverridesThatMeanTheSame) {
 TEST(AssignMaterialsMessagesTest, NamesThePropertyOutOfItsLimits) {
   const Scene scene = scene_with({instance("hull")});
   EXPECT_EQ(fault(scene, {.overrides = {{"hull", {.density = 0, .where = "a.yaml:2:3: "}}}}),
-            "a.yaml:2:3: materials.hull.density = 0 kg/m^3 must be greater than 0, at most 100000 kg/m^3");
+            "a.yaml:2:3: materials.hull.density = 0 kg/m^3 must be greater than 0, at most 30000 kg/m^3");
   EXPECT_EQ(fault(scene, {.overrides = {{"hull", {.sound_speed = -3}}}}),
-            "materials.hull.sound_speed = -3 m/s must be greater than 0, at most 100000 m/s");
+            "materials.hull.sound_speed = -3 m/s must be greater than 0, at most 20000 m/s");
   EXPECT_EQ(fault(scene, {.overrides = {{"hull", {.reflectivity = 1.01}}}}),
             "materials.hull.reflectivity = 1.01 must be from 0 to 1");
 }

@@ -319,6 +319,15 @@ TEST(FittingViewTest, ShowsTheSonarAndWhatItSees) {
   EXPECT_TRUE(stage.sees(view.position, ball - 1.01 * to_ball));
 }
 
+// The beams, which reach 5 degrees up, end at 3.8 m of its 8.
+TEST(FittingViewTest, ShowsTheTipOfWhatIsSeenInPart) {
+  Stage stage;
+  stage.add_floor().add("steel", make_cone(2, 8), {9, 0, 4});
+  const ViewConfig view = stage.fit();
+  EXPECT_TRUE(frames(view, {9, 0, 8}));
+  EXPECT_TRUE(frames(view, stage.pose.position));
+}
+
 TEST(FittingViewTest, StaysInsideAClosedTank) {
   Stage stage;
   const Vec3 size(12, 8, 5);

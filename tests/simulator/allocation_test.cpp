@@ -1,0 +1,127 @@
+// allocation_test.cpp -- after its first pings a simulator asks the system for no more memory.
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cerrno>
+
+#include "engines/test_scenes.h"
+#include "insonify/simulator.h"
+
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__) || !defined(__GLIBC__)
+#define INSONIFY_COUNTS_ALLOCATIONS 0  // Sanitizers bring their own allocator.
+#else
+#define INSONIFY_COUNTS_ALLOCATIONS 1
+#endif
+
+namespace {
+
+std::atomic<int> allocations = 0;
+
+}  // namespace
+
+#if INSONIFY_COUNTS_ALLOCATIONS
+
+// What every library of this process allocates with, operator new included.
+extern "C" {
+void* __libc_malloc(std::size_t size);
+void* __libc_calloc(std::size_t count, std::size_t size);
+void* __libc_realloc(void* memory, std::size_t size);
+void* __libc_memalign(std::size_t alignment, std::size_t size);
+
+void* malloc(std::size_t size) {
+  ++allocations;
+  return __libc_malloc(size);
+}
+void* calloc(std::size_t count, std::size_t size) {
+  ++allocations;
+  return __libc_calloc(count, size);
+}
+void* realloc(void* memory, std::size_t size) {
+  ++allocations;
+  return __libc_realloc(memory, size);
+}
+void* aligned_alloc(std::size_t alignment, std::size_t size) {
+  ++allocations;
+  return __libc_memalign(alignment, size);
+}
+void* memalign(std::size_t alignment, std::size_t size) {
+  ++allocations;
+  return __libc_memalign(alignment, size);
+}
+int posix_memalign(void** memory, std::size_t alignment, std::size_t size) {
+  ++allocations;
+  *memory = __libc_memalign(alignment, size);
+  return *memory == nullptr ? ENOMEM : 0;
+}
+}
+
+#endif
+
+namespace insonify {
+namespace {
+
+using testing_scenes::quiet_scenario;
+using testing_scenes::SceneMaker;
+
+Scenario busy_scenario(int beams) {
+  SonarConfig sonar;
+  sonar.beam_count = beams;
+  sonar.azimuth_aperture = radians_from_degrees(beams > 1 ? 60 : 3);
+  sonar.elevation_aperture = radians_from_degrees(20);
+  sonar.bin_count = 200;
+  sonar.max_range = 10;
+  Scenario scenario = quiet_scenario(sonar);
+  scenario.receiver.noise = true;
+  scenario.secondary = SecondaryEchoes::kAll;
+  return scenario;
+}
+
+int allocations_of_pings(const Scenario& scenario, int threads) {
+  SceneMaker maker;
+  maker.add_floor(-2);
+  maker.add_wall(8);
+  maker.add_sphere({5, 0.3, -1}, 0.6, 0.8, 0.2);
+  Simulator simulator(scenario, maker.scene(), threads);
+  Ping ping;
+  std::uint64_t number = 0;
+  // Worker threads may first wake up some pings later, and then set themselves up.
+  for (; number < 100; ++number) {
+    simulator.make_ping(0, number, ping);
+  }
+  const int before = allocations;
+  for (; number < 120; ++number) {
+    simulator.make_ping(0, number, ping);
+  }
+  const int after = allocations;
+  EXPECT_GT(simulator.engine().ray_counts().return_legs, 0U);
+  return after - before;
+}
+
+TEST(AllocationTest, PingsOfAFanAllocateNothing) {
+  if (INSONIFY_COUNTS_ALLOCATIONS == 0) {
+    GTEST_SKIP() << "allocations cannot be counted here";
+  }
+  EXPECT_EQ(allocations_of_pings(busy_scenario(64), 1), 0);
+  EXPECT_EQ(allocations_of_pings(busy_scenario(64), 2), 0);
+}
+
+TEST(AllocationTest, PingsOfASingleBeamAllocateNothing) {
+  if (INSONIFY_COUNTS_ALLOCATIONS == 0) {
+    GTEST_SKIP() << "allocations cannot be counted here";
+  }
+  EXPECT_EQ(allocations_of_pings(busy_scenario(1), 1), 0);
+}
+
+// That a count of zero means something.
+TEST(AllocationTest, WhatIsAllocatedIsCounted) {
+  if (INSONIFY_COUNTS_ALLOCATIONS == 0) {
+    GTEST_SKIP() << "allocations cannot be counted here";
+  }
+  const int before = allocations;
+  Simulator simulator(busy_scenario(64), SceneMaker().add_wall(8).scene(), 1);
+  EXPECT_GT(allocations - before, 10);
+}
+
+}  // namespace
+}  // namespace insonify
