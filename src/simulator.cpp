@@ -26,6 +26,9 @@ struct Simulator::State {
 
 Simulator::Simulator(Scenario scenario, Scene scene, int threads) {
   scenario.validate();
+  for (const Instance& instance : scene.instances) {
+    check_reach(instance, instance.name);
+  }
   state_ = std::make_unique<State>(std::move(scenario), std::move(scene), threads);
   state_->moving = find_moving_parts(state_->scenario, state_->scene);
   const double sound_speed = state_->scenario.water.true_sound_speed();

@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "commands.h"
+#include "console.h"
 
 namespace insonify {
 namespace {
@@ -38,22 +39,22 @@ std::string plain(std::string text) {
 }
 
 void print_text(const SectionDescription& section) {
-  fmt::print("{}: {}\n", section.name, plain(section.help));
+  say("{}: {}\n", section.name, plain(section.help));
   for (const KeyDescription& key : section.keys) {
     const bool has_default = key.default_value != "-";
     const std::string unit = key.unit.empty() ? "" : has_default ? " " + key.unit : " [" + key.unit + "]";
     const std::string named = fmt::format("  {}{}{}", key.key, has_default ? " = " + key.default_value : "", unit);
-    fmt::print("{:<44}  {}\n      {}\n", named, key.allowed, plain(key.help));
+    say("{:<44}  {}\n      {}\n", named, key.allowed, plain(key.help));
   }
-  fmt::print("\n");
+  say("\n");
 }
 
 void print_markdown(const SectionDescription& section) {
-  fmt::print("\n## {}\n\n{}\n\n", section.name, section.help);
-  fmt::print("| Key | Unit | Allowed | Default | Meaning |\n| --- | --- | --- | --- | --- |\n");
+  say("\n## {}\n\n{}\n\n", section.name, section.help);
+  say("| Key | Unit | Allowed | Default | Meaning |\n| --- | --- | --- | --- | --- |\n");
   for (const KeyDescription& key : section.keys) {
-    fmt::print("| `{}` | {} | {} | {} | {} |\n", key.key, key.unit, key.allowed,
-               key.default_value == "-" ? "" : "`" + key.default_value + "`", key.help);
+    say("| `{}` | {} | {} | {} | {} |\n", key.key, key.unit, key.allowed,
+        key.default_value == "-" ? "" : "`" + key.default_value + "`", key.help);
   }
 }
 
@@ -71,7 +72,7 @@ int describe(const std::string& wanted, bool markdown) {
       throw InputError(fmt::format("there is no section {}; there are {}", wanted, names));
     }
   } else if (markdown) {
-    fmt::print("{}", kMarkdownHead);
+    say_text(kMarkdownHead);
   }
   for (const SectionDescription& section : sections) {
     markdown ? print_markdown(section) : print_text(section);

@@ -5,23 +5,17 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <charconv>
+#include <csignal>
 #include <functional>
 #include <limits>
 
 #include "bench.h"
 #include "commands.h"
+#include "console.h"
 #include "insonify/engine.h"
 
 namespace insonify {
 namespace {
-
-// Says in one line what went wrong.
-int complain(const std::string& message, int exit_code) {
-  std::string line = message;
-  std::ranges::replace(line, '\n', ' ');
-  fmt::print(stderr, "insonify: {}\n", line);
-  return exit_code;
-}
 
 // What the words on the command line asked for; `act` does it.
 struct Request {
@@ -48,6 +42,23 @@ CLI::Validator whole_number(std::uint64_t least, std::uint64_t most) {
   return CLI::Validator(check, "");
 }
 
+CLI::Validator number_within(const Limits& limits) {
+  const auto check = [=](const std::string& text) {
+    double number = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    const bool good = error == std::errc() && end == text.data() + text.size() && limits.allow(number);
+    return good ? std::string() : fmt::format("{} must be a number, {}", text, limits.text());
+  };
+  return CLI::Validator(check, "");
+}
+
+CLI::Validator not_empty(const char* example) {
+  const auto check = [=](const std::string& text) {
+    return text.empty() ? fmt::format("must not be empty: name {}", example) : std::string();
+  };
+  return CLI::Validator(check, "");
+}
+
 CLI::Validator one_of(std::vector<std::string> words) {
   const auto check = [words = std::move(words)](const std::string& text) {
     const bool good = std::ranges::find(words, text) != words.end();
@@ -68,6 +79,7 @@ void add_run(CLI::App& app, Request& request) {
   command
       ->add_option("-o,--output", options.folder,
                    "Folder for what is written, made if missing [SCENARIO's name + _pings]")
+      ->check(not_empty("a folder, or . for this one"))
       ->type_name("DIR");
 
   auto* pings = command->add_option("--pings", request.pings, "Pings of each sonar")
@@ -89,7 +101,7 @@ void add_run(CLI::App& app, Request& request) {
   command->add_flag("-q,--quiet", options.quiet, "Say nothing but warnings and errors");
 
   const std::string pictures = "Pictures";
-  command->add_option("--pictures", options.pictures, "Pings of a fan to draw: all, last, none or how many [20]")
+  command->add_option("--pictures", options.pictures, "Pings to draw: all, last, none or how many [20]")
       ->type_name("N")
       ->group(pictures);
   command->add_flag("--no-pictures", request.no_pictures, "The same as --pictures none --no-view")->group(pictures);
@@ -106,9 +118,11 @@ void add_run(CLI::App& app, Request& request) {
       ->type_name("NAME")
       ->group(pictures);
   command->add_option("--floor-db", options.floor_db, "Darkest level on a decibel scale [-50]")
+      ->check(number_within({.least = -300, .most = 0, .most_allowed = false}))
       ->type_name("DB")
       ->group(pictures);
   command->add_option("--height", options.height, "Height of each picture in pixels, 240 to 8192 [720]")
+      ->check(whole_number(240, 8192))
       ->type_name("N")
       ->group(pictures);
 
@@ -116,8 +130,10 @@ void add_run(CLI::App& app, Request& request) {
       "Writes, for each sonar NAME:\n"
       "  DIR/NAME.h5              the recording (HDF5): intensity [ping, bin, beam] and ground truth\n"
       "  DIR/NAME_fan_0000.png    each ping as seen from above; NAME_polar_0000.png as a table\n"
-      "  DIR/NAME_scan.png        a scanning sonar's turn instead; NAME_polar.png its waterfall\n"
-      "  DIR/NAME_view.png        the scene, with the sonar and its field\n\n"
+      "  DIR/NAME_scan_0000.png   what a scanning sonar has seen up to a ping, instead\n"
+      "  DIR/NAME_scan.png        the same at the end; NAME_polar.png its waterfall\n"
+      "  DIR/NAME_view.png        the scene, with the sonar and its field\n"
+      "Pictures of these names that an earlier run left are removed first.\n\n"
       "Keys of --set: pings, water.depth, sonars[0].max_range, sonars.NAME.max_range, or max_range for every sonar;\n"
       "insonify describe tells them all.\n\n"
       "Examples:\n"
@@ -167,6 +183,7 @@ void add_describe(CLI::App& app, Request& request) {
 void add_bench(CLI::App& app, Request& request) {
   CLI::App* command = app.add_subcommand("bench", "Measure how fast this machine is");
   command->require_subcommand(1);
+  command->footer("Help on it: insonify bench engine --help");
   CLI::App* engine = command->add_subcommand("engine", "Whole pings against the bare traversal of their rays");
   BenchOptions& options = request.bench;
   engine->add_option("--triangles", options.triangles, "Sizes of the scenes [1000 100000 1000000]")
@@ -184,9 +201,9 @@ void add_bench(CLI::App& app, Request& request) {
 }
 
 void add_version(CLI::App& app, Request& request) {
-  app.add_subcommand("version", "Tell the version and the engines built in")->callback([&request] {
-    request.act = version;
-  });
+  CLI::App* command = app.add_subcommand("version", "Tell the version and the engines built in");
+  command->footer("Example:\n  insonify version");
+  command->callback([&request] { request.act = version; });
 }
 
 // What CLI11 did not understand, in one line with a way out.
@@ -196,6 +213,9 @@ std::string explained(const CLI::App& app, const CLI::ParseError& error, const s
     commands.push_back(command->get_name());
   }
   if (std::ranges::find(commands, first) != commands.end()) {
+    if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr) {
+      return fmt::format("not understood: {} (insonify {} --help)", fmt::join(app.remaining(true), " "), first);
+    }
     return fmt::format("{} (insonify {} --help)", error.what(), first);
   }
   const std::string unknown = first.empty()
@@ -226,25 +246,37 @@ int run_program(int argc, char** argv) {
   add_version(app, request);
   try {
     app.parse(argc, argv);
-  } catch (const CLI::Success& wanted) {
-    return app.exit(wanted);  // Help or version.
+  } catch (const CLI::CallForHelp&) {
+    say_text(app.help());
+    return kDone;
+  } catch (const CLI::Success&) {
+    return kDone;  // Version.
   } catch (const CLI::ParseError& error) {
-    return complain(explained(app, error, argc > 1 ? argv[1] : ""), kWrongInput);
+    throw InputError(explained(app, error, argc > 1 ? argv[1] : ""));
   }
   return request.act();
+}
+
+// What went wrong, in one line and an exit status.
+int run_guarded(int argc, char** argv) {
+  try {
+    return run_program(argc, argv);
+  } catch (const InputError& error) {
+    complain(error.what());
+    return kWrongInput;
+  } catch (const std::bad_alloc&) {
+    complain("out of memory");
+  } catch (const std::exception& error) {
+    complain(error.what());
+  }
+  return kFailed;
 }
 
 }  // namespace
 }  // namespace insonify
 
 int main(int argc, char** argv) {
-  try {
-    return insonify::run_program(argc, argv);
-  } catch (const insonify::InputError& error) {
-    return insonify::complain(error.what(), insonify::kWrongInput);
-  } catch (const std::bad_alloc&) {
-    return insonify::complain("out of memory", insonify::kFailed);
-  } catch (const std::exception& error) {
-    return insonify::complain(error.what(), insonify::kFailed);
-  }
+  insonify::open_standard_streams();
+  std::signal(SIGXFSZ, SIG_IGN);  // A file that may not grow is an error like any other.
+  return insonify::finish_output(insonify::run_guarded(argc, argv));
 }

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <limits>
 
@@ -11,6 +12,41 @@
 #include "insonify/files.h"
 
 namespace insonify {
+namespace {
+
+// Whether a run would call a picture so. The number has four digits or more.
+bool is_picture_of(const std::string& name, std::string_view file) {
+  if (!file.starts_with(name + "_") || !file.ends_with(".png")) {
+    return false;
+  }
+  std::string_view kind = file.substr(name.size() + 1, file.size() - name.size() - 5);
+  if (kind == "view" || kind == "scan" || kind == "polar") {
+    return true;
+  }
+  const std::size_t digits = kind.size() - std::min(kind.find_last_not_of("0123456789") + 1, kind.size());
+  kind.remove_suffix(digits);
+  return digits >= 4 && (kind == "fan_" || kind == "scan_" || kind == "polar_");
+}
+
+}  // namespace
+
+std::size_t remove_old_pictures(const std::filesystem::path& folder, const std::string& name) {
+  std::vector<std::filesystem::path> old;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    if (entry.is_regular_file() && is_picture_of(name, entry.path().filename().string())) {
+      old.push_back(entry.path());
+    }
+  }
+  for (const std::filesystem::path& picture : old) {
+    std::error_code error;
+    std::filesystem::remove(picture, error);
+    if (error) {
+      throw Error(
+          fmt::format("{}: cannot remove this picture of an earlier run: {}", picture.string(), error.message()));
+    }
+  }
+  return old.size();
+}
 
 PictureChoice PictureChoice::parse(const std::string& text) {
   if (text == "all") {
@@ -44,19 +80,32 @@ PingPictures::PingPictures(std::filesystem::path folder, const SonarConfig& sona
 }
 
 void PingPictures::add(const Ping& ping) {
+  const bool due = choice_.takes(ping.number, total_);
   if (scan_ != nullptr) {
     scan_->add(ping);
-  } else if (sonar_.type == SonarType::kForwardLooking && choice_.takes(ping.number, total_)) {
-    write(fmt::format("polar_{:04}", ping.number), draw_polar(ping, sonar_, display_));
-    write(fmt::format("fan_{:04}", ping.number), draw_fan(ping, sonar_, display_));
+    if (due && ping.number + 1 < total_) {  // finish() draws the last.
+      write(fmt::format("scan_{:04}", ping.number), scan_->draw(display_));
+    }
+  } else if (sonar_.type == SonarType::kForwardLooking) {
+    last_drawn_ = due || choice_.most == 0;
+    if (due) {
+      draw_fan_of(ping);
+    }
   }
 }
 
-void PingPictures::finish() {
+void PingPictures::finish(const Ping& last) {
   if (scan_ != nullptr) {
     write("scan", scan_->draw(display_));
     write("polar", scan_->draw_polar(display_));
+  } else if (!last_drawn_) {
+    draw_fan_of(last);
   }
+}
+
+void PingPictures::draw_fan_of(const Ping& ping) {
+  write(fmt::format("polar_{:04}", ping.number), draw_polar(ping, sonar_, display_));
+  write(fmt::format("fan_{:04}", ping.number), draw_fan(ping, sonar_, display_));
 }
 
 void PingPictures::write(const std::string& name, const Picture& picture) {

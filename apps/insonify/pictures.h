@@ -22,8 +22,12 @@ struct PictureChoice {
   [[nodiscard]] bool takes(std::uint64_t ping, std::uint64_t total) const;
 };
 
-/// Draws one sonar's pings into a folder: of a fan NAME_polar_0000.png and NAME_fan_0000.png; of a scanning sonar, at
-/// the end, NAME_scan.png and the waterfall NAME_polar.png.
+/// Removes NAME_fan_0000.png and the like of an earlier run, so that they are not taken for this one's.
+/// @return  How many.
+std::size_t remove_old_pictures(const std::filesystem::path& folder, const std::string& name);
+
+/// Draws one sonar's pings into a folder: of a fan NAME_polar_0000.png and NAME_fan_0000.png; of a scanning sonar
+/// NAME_scan_0000.png, what it has seen up to a ping, and at the end NAME_scan.png and the waterfall NAME_polar.png.
 class PingPictures {
  public:
   PingPictures(std::filesystem::path folder, const SonarConfig& sonar, Display display, PictureChoice choice,
@@ -31,13 +35,14 @@ class PingPictures {
 
   void add(const Ping& ping);
 
-  /// Draws what only the whole run shows.
-  void finish();
+  /// Draws what only the whole run shows, and the last ping that was added if a stopped run has left it out.
+  void finish(const Ping& last);
 
   /// Files written so far, in order.
   [[nodiscard]] const std::vector<std::filesystem::path>& files() const { return files_; }
 
  private:
+  void draw_fan_of(const Ping& ping);
   void write(const std::string& name, const Picture& picture);
 
   std::filesystem::path folder_;
@@ -46,6 +51,7 @@ class PingPictures {
   PictureChoice choice_;
   std::uint64_t total_ = 0;
   std::unique_ptr<ScanView> scan_;  // Of a scanning sonar.
+  bool last_drawn_ = true;
   std::vector<std::filesystem::path> files_;
 };
 

@@ -7,7 +7,8 @@
 
 namespace insonify {
 
-/// On a terminal one line that is redrawn, with rate and time left; in a pipe a plain line at most every two seconds.
+/// On a terminal one line that is redrawn, with rate and time left, as far as they fit its width; in a pipe a plain
+/// line at most every two seconds.
 class Progress {
  public:
   /// @param total  Pings of all sonars together.
@@ -19,16 +20,13 @@ class Progress {
   /// One more ping is done.
   void advance();
 
-  /// Takes the bar off the terminal, so that other lines can follow.
-  void finish();
-
  private:
   using Clock = std::chrono::steady_clock;
 
   void draw();
 
   std::uint64_t total_ = 0, done_ = 0;
-  bool quiet_ = false, terminal_ = false, drawn_ = false;
+  bool quiet_ = false;
   Clock::time_point start_, last_;
 };
 

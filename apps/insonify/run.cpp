@@ -1,17 +1,16 @@
 // run.cpp -- insonify run: pings of a scenario into recordings and pictures.
 
-#include <fmt/format.h>
-
 #include <chrono>
-#include <csignal>
-#include <cstdio>
 
 #include "commands.h"
+#include "console.h"
+#include "hints.h"
 #include "insonify/files.h"
 #include "insonify/scene_view.h"
 #include "insonify/simulator.h"
 #include "pictures.h"
 #include "progress.h"
+#include "stop.h"
 
 namespace insonify {
 namespace {
@@ -22,20 +21,12 @@ double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-// Ctrl-C asks for a clean end; a second one ends at once.
-volatile std::sig_atomic_t stop_asked = 0;
-
-void ask_to_stop(int signal) {
-  stop_asked = 1;
-  std::signal(signal, SIG_DFL);
-}
-
 Log log_to_user(bool quiet) {
   return [quiet](Severity severity, const std::string& message) {
     if (severity == Severity::kWarning) {
-      fmt::print(stderr, "insonify: warning: {}\n", message);
+      complain("warning: " + message);
     } else if (!quiet) {
-      fmt::print("{}\n", message);
+      say("{}\n", message);
     }
   };
 }
@@ -59,8 +50,21 @@ void print_world(const Scene& scene, double seconds) {
   for (const Instance& instance : scene.instances) {
     triangles += instance.mesh->triangles.size();
   }
-  fmt::print("world: {} of {} triangles, ready in {:.2f} s\n", counted(scene.instances.size(), "object"), triangles,
-             seconds);
+  say("world: {} of {}, ready in {:.2f} s\n", counted(scene.instances.size(), "object"), counted(triangles, "triangle"),
+      seconds);
+}
+
+// Reading can take long: a world is large, or nobody writes into a pipe.
+void tell_of_reading(const RunOptions& options) {
+  std::error_code ignored;
+  if (options.quiet) {
+    return;
+  }
+  if (std::filesystem::is_fifo(options.scenario, ignored)) {
+    say("reading the scenario from {}, a pipe\n", options.scenario.string());
+    flush_output();
+  }
+  show_status(fmt::format("Loading {} ...", options.scenario.string()));
 }
 
 // All that can only be wrong because the input is.
@@ -68,6 +72,7 @@ Simulator prepare(const RunOptions& options, Display& display) {
   try {
     const Clock::time_point start = Clock::now();
     display = display_of(options);
+    tell_of_reading(options);
     Scenario scenario = load_scenario(options.scenario, options.settings);
     Scene scene = load_scene(scenario, log_to_user(options.quiet));
     Simulator simulator(std::move(scenario), std::move(scene), options.threads);
@@ -97,8 +102,9 @@ struct Track {
   std::filesystem::path file;
   Recording recording;
   PingPictures pictures;
-  Ping ping;
+  Ping ping = {};
   std::uint64_t made = 0;
+  Loudness loudness = {};
 };
 
 std::vector<Track> start_tracks(const Simulator& simulator, const std::filesystem::path& folder, const Display& display,
@@ -110,23 +116,46 @@ std::vector<Track> start_tracks(const Simulator& simulator, const std::filesyste
     const SonarConfig& sonar = simulator.sonar(static_cast<int>(i));
     const std::filesystem::path file = folder / (sonar.name + ".h5");
     tracks.push_back({file, Recording(file, scenario, simulator.scene(), sonar, pings),
-                      PingPictures(folder, sonar, display, choice, pings), Ping(), 0});
+                      PingPictures(folder, sonar, display, choice, pings)});
   }
   return tracks;
 }
 
+// Done once the new recordings are there.
+void clear_old_pictures(const std::filesystem::path& folder, const std::vector<Track>& tracks, bool quiet) {
+  std::size_t count = 0;
+  for (const Track& track : tracks) {
+    count += remove_old_pictures(folder, track.file.stem().string());
+  }
+  if (count > 0 && !quiet) {
+    say("removed {} of an earlier run from {}\n", counted(count, "picture"), folder.string());
+  }
+}
+
 // Where each sonar is at its first ping, and what is around it.
-std::vector<std::filesystem::path> draw_views(Simulator& simulator, const std::filesystem::path& folder) {
-  std::vector<std::filesystem::path> files;
-  for (int i = 0; i < static_cast<int>(simulator.scenario().sonars.size()); ++i) {
+std::vector<Picture> draw_views(Simulator& simulator, bool quiet) {
+  std::vector<Picture> views;
+  if (!quiet) {
+    show_status("Drawing the scene ...");
+  }
+  for (int i = 0; i < static_cast<int>(simulator.scenario().sonars.size()) && !stop_asked(); ++i) {
     const SonarConfig& sonar = simulator.sonar(i);
     const Pose world_from_sonar = simulator.world_from_head(i, 0);
     Engine& engine = simulator.engine();
     const std::optional<ViewConfig>& given = simulator.scenario().view;
     const ViewConfig view =
         given.has_value() ? *given : fitting_view(engine, simulator.scene(), sonar, world_from_sonar);
-    files.push_back(folder / (sonar.name + "_view.png"));
-    write_png(files.back(), draw_scene(engine, simulator.scene(), view, sonar, world_from_sonar));
+    views.push_back(draw_scene(engine, simulator.scene(), view, sonar, world_from_sonar));
+  }
+  return views;
+}
+
+std::vector<std::filesystem::path> write_views(const std::vector<Picture>& views, const std::vector<Track>& tracks) {
+  std::vector<std::filesystem::path> files;
+  for (std::size_t i = 0; i < views.size(); ++i) {
+    const std::filesystem::path& recording = tracks[i].file;
+    files.push_back(recording.parent_path() / (recording.stem().string() + "_view.png"));
+    write_png(files.back(), views[i]);
   }
   return files;
 }
@@ -137,14 +166,15 @@ double make_pings(Simulator& simulator, std::vector<Track>& tracks, bool quiet) 
   const auto pings = static_cast<std::uint64_t>(simulator.scenario().pings);
   Progress progress(pings * tracks.size(), quiet);
   double computing = 0;
-  for (std::uint64_t number = 0; number < pings && stop_asked == 0; ++number) {
-    for (std::size_t i = 0; i < tracks.size() && stop_asked == 0; ++i) {
+  for (std::uint64_t number = 0; number < pings && !stop_asked(); ++number) {
+    for (std::size_t i = 0; i < tracks.size() && !stop_asked(); ++i) {
       Track& track = tracks[i];
       const Clock::time_point start = Clock::now();
       simulator.make_ping(static_cast<int>(i), number, track.ping);
       computing += seconds_since(start);
       track.recording.add(track.ping);
       track.pictures.add(track.ping);
+      track.loudness.add(track.ping);
       ++track.made;
       progress.advance();
     }
@@ -160,54 +190,74 @@ std::string listed(const std::vector<std::filesystem::path>& files) {
 }
 
 void print_track(const Track& track, const SonarConfig& sonar) {
-  fmt::print("{}: {} of {} x {} to {:.4g} m\n  {}\n", sonar.name, counted(track.made, "ping"),
-             counted(static_cast<std::uint64_t>(sonar.beam_count), "beam"),
-             counted(static_cast<std::uint64_t>(sonar.bin_count), "bin"), sonar.max_range, track.file.string());
+  say("{}: {} of {} x {} to {:.4g} m\n  {}\n", sonar.name, counted(track.made, "ping"),
+      counted(static_cast<std::uint64_t>(sonar.beam_count), "beam"),
+      counted(static_cast<std::uint64_t>(sonar.bin_count), "bin"), sonar.max_range, track.file.string());
   if (!track.pictures.files().empty()) {
-    fmt::print("  {}\n", listed(track.pictures.files()));
+    say("  {}\n", listed(track.pictures.files()));
+  }
+}
+
+// What the user can do about a sonar that heard little.
+void print_hints(const Simulator& simulator, const std::vector<Track>& tracks, const Display& display, bool quiet) {
+  for (std::size_t i = 0; i < tracks.size(); ++i) {
+    const Loudness& loudness = tracks[i].loudness;
+    const int sonar = static_cast<int>(i);
+    if (tracks[i].made > 0 && !loudness.heard()) {
+      complain("warning: " + silence_text(simulator, sonar));
+    } else if (loudness.dim() && display.scale == Scale::kLinear && !tracks[i].pictures.files().empty() && !quiet) {
+      say("hint: {}\n", dimness_text(loudness, simulator.sonar(sonar)));
+    }
   }
 }
 
 }  // namespace
 
 int run(const RunOptions& options) {
-  std::signal(SIGINT, ask_to_stop);
-  std::signal(SIGTERM, ask_to_stop);
+  end_when_asked();
   const PictureChoice choice = PictureChoice::parse(options.pictures);
   Display display;
   Simulator simulator = prepare(options, display);
   const std::filesystem::path folder = make_folder(options);
-  std::vector<Track> tracks = start_tracks(simulator, folder, display, choice);
 
+  note_when_asked();
   const Clock::time_point start = Clock::now();
-  std::vector<std::filesystem::path> views;
-  if (options.view) {
-    views = draw_views(simulator, folder);
+  const std::vector<Picture> views = options.view ? draw_views(simulator, options.quiet) : std::vector<Picture>();
+  if (stop_asked()) {
+    throw Error("interrupted before the first ping");
   }
+  std::vector<Track> tracks = start_tracks(simulator, folder, display, choice);
+  clear_old_pictures(folder, tracks, options.quiet);
+  const std::vector<std::filesystem::path> view_files = write_views(views, tracks);
+
   const double computing = make_pings(simulator, tracks, options.quiet);
   std::uint64_t made = 0;
   for (Track& track : tracks) {
     track.recording.close();
     if (track.made > 0) {
-      track.pictures.finish();
+      track.pictures.finish(track.ping);
     }
     made += track.made;
+  }
+  if (made == 0) {
+    throw Error("interrupted before the first ping");
   }
 
   if (!options.quiet) {
     for (std::size_t i = 0; i < tracks.size(); ++i) {
       print_track(tracks[i], simulator.sonar(static_cast<int>(i)));
     }
-    if (!views.empty()) {
-      fmt::print("scene: {}\n", listed(views));
+    if (!view_files.empty()) {
+      say("scene: {}\n", listed(view_files));
     }
     const double all = seconds_since(start);
-    fmt::print("{} in {:.2f} s: {:.1f} pings/s to compute, {:.1f} pings/s with files and pictures\n",
-               counted(made, "ping"), all, static_cast<double>(made) / computing, static_cast<double>(made) / all);
+    say("{} in {:.2f} s: {:.1f} pings/s to compute, {:.1f} pings/s with files and pictures\n", counted(made, "ping"),
+        all, static_cast<double>(made) / computing, static_cast<double>(made) / all);
   }
-  if (stop_asked != 0) {
-    throw Error(fmt::format("stopped after {} of {} pings; they are kept", made,
-                            tracks.size() * static_cast<std::size_t>(simulator.scenario().pings)));
+  print_hints(simulator, tracks, display, options.quiet);
+  if (stop_asked()) {
+    throw Error(fmt::format("stopped after {} of {}; they are kept", made,
+                            counted(tracks.size() * static_cast<std::size_t>(simulator.scenario().pings), "ping")));
   }
   return kDone;
 }

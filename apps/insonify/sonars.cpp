@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "commands.h"
+#include "console.h"
 #include "insonify/files.h"
 
 namespace insonify {
@@ -25,7 +26,7 @@ void print_table(const std::vector<Row>& rows) {
     for (std::size_t column = 0; column < row.size(); ++column) {
       line += fmt::format("{:<{}}  ", row[column], widths[column]);
     }
-    fmt::print("{}\n", line.substr(0, line.find_last_not_of(' ') + 1));
+    say("{}\n", line.substr(0, line.find_last_not_of(' ') + 1));
   }
 }
 
@@ -44,34 +45,37 @@ Row table_row(const Preset& preset, const std::string& mode, bool first) {
 
 int list_all() {
   std::vector<Row> rows = {{"preset", "mode", "type", "kHz", "beams", "degrees", "range m"}};
-  for (const std::string& name : preset_names()) {
+  const std::vector<std::string> names = preset_names();
+  if (names.empty()) {
+    throw Error("there is no preset in the folder of presets; INSONIFY_PRESETS names it");
+  }
+  for (const std::string& name : names) {
     const std::vector<std::string> modes = load_preset(name).modes;
     for (const std::string& mode : modes) {
       rows.push_back(table_row(load_preset(name, mode), mode, mode == modes.front()));
     }
   }
   print_table(rows);
-  fmt::print(
-      "\n* mode when none is named. msis: one beam, turned; fls: the whole fan at once.\n"
+  say("\n* mode when none is named. msis: one beam, turned; fls: the whole fan at once.\n"
       "insonify sonars PRESET tells where each number comes from.\n");
   return kDone;
 }
 
 int tell_one(const std::string& name, const std::string& mode) {
   const Preset preset = load_preset(name, mode);
-  fmt::print("{}: {}, mode {} (modes: {})\n{}\n\n", preset.name, preset.title,
-             mode.empty() ? preset.default_mode : mode, fmt::join(preset.modes, ", "), preset.file.string());
+  say("{}: {}, mode {} (modes: {})\n{}\n\n", preset.name, preset.title, mode.empty() ? preset.default_mode : mode,
+      fmt::join(preset.modes, ", "), preset.file.string());
   std::vector<Row> rows = {{"field", "value", "unit", "confidence", "source"}};
   for (const PresetFact& fact : preset.facts) {
     rows.push_back({fact.field, fact.value, fact.unit, fact.confidence, fact.source});
   }
   print_table(rows);
   const SonarConfig& sonar = preset.sonar;
-  fmt::print(
-      "\nOver the whole range this gives {} bins of {:.4g} m and a ping every {:.4g} s; over a shorter one, finer "
+  say("\nOver the whole range this gives {} bin{} of {:.4g} m and a ping every {:.4g} s; over a shorter one, finer "
       "bins\nand faster pings, until range_resolution and ping_rate_limit stop them.\n"
       "Confidence: A read in the source, B recalled from it and cross-checked, C uncertain.\n",
-      sonar.bin_count, sonar.bin_length(), sonar.ping_period.value_or(sonar.shortest_ping_period(1500)));
+      sonar.bin_count, sonar.bin_count == 1 ? "" : "s", sonar.bin_length(),
+      sonar.ping_period.value_or(sonar.shortest_ping_period(1500)));
   return kDone;
 }
 
@@ -79,6 +83,9 @@ int tell_one(const std::string& name, const std::string& mode) {
 
 int sonars(const std::string& name, const std::string& mode) {
   try {
+    if (name.empty() && !mode.empty()) {
+      throw Error(fmt::format("--mode {} belongs to a preset, and none is named", mode));
+    }
     return name.empty() ? list_all() : tell_one(name, mode);
   } catch (const Error& error) {
     throw InputError(error.what());

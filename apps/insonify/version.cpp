@@ -5,13 +5,14 @@
 #include <fmt/format.h>
 
 #include "commands.h"
+#include "console.h"
 #include "insonify/engine.h"
 
 namespace insonify {
 
 int version() {
   const auto engines = engine_names();
-  fmt::print("insonify {}\nengines: {}\n", kVersion, fmt::join(engines, ", "));
+  say("insonify {}\nengines: {}\n", kVersion, fmt::join(engines, ", "));
   return kDone;
 }
 

@@ -4,6 +4,7 @@
 
 #include <concepts>
 #include <limits>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -30,6 +31,11 @@ constexpr Limits at_least(double least) { return {.least = least}; }
 constexpr Limits greater_than(double least) { return {.least = least, .least_allowed = false}; }
 constexpr Limits from_to(double least, double most) { return {.least = least, .most = most}; }
 constexpr Limits above_to(double least, double most) { return {.least = least, .most = most, .least_allowed = false}; }
+
+/// Of a place in the world [m]: wide enough for any map's eastings and northings, far from where squares overflow.
+constexpr Limits coordinate() { return from_to(-1e7, 1e7); }
+/// Of a turn [rad]: +-1e6 degrees, for a heading that is counted on and on.
+constexpr Limits turn() { return from_to(-1e6 * std::numbers::pi / 180, 1e6 * std::numbers::pi / 180); }
 
 /// One field of a configuration: what a reader, the command line and the manual need to know of it.
 ///

@@ -17,12 +17,12 @@ enum class Sigmoid {
 struct PaperModel {
   Sigmoid sigmoid = Sigmoid::kLogistic;
   double sigmoid_midpoint = 0.1;  ///< Strength that is drawn at half (before scaling), 0..1.
-  double sigmoid_slope = 12;      ///< Steepness at the midpoint, times 4, > 0.
+  double sigmoid_slope = 12;      ///< Steepness at the midpoint, times 4, in (0, 1e6].
 
   // Noise of eq. (noise): intensity x multiplicative + additive, each Gaussian and drawn anew for every ping and cell.
-  double multiplicative_mean = 1.0;        ///< >= 0. The authors' code has 0.4.
-  double multiplicative_deviation = 0.25;  ///< >= 0. The authors' code has 0.15.
-  double additive_deviation = 0.01;        ///< >= 0, about a zero mean. The authors' code has none.
+  double multiplicative_mean = 1.0;        ///< 0..1e6. The authors' code has 0.4.
+  double multiplicative_deviation = 0.25;  ///< 0..1e6. The authors' code has 0.15.
+  double additive_deviation = 0.01;        ///< 0..1e6, about a zero mean. The authors' code has none.
 
   /// S(strength), for strength in 0..1.
   [[nodiscard]] double shape(double strength) const;
@@ -34,13 +34,13 @@ struct PaperModel {
     visit(Field{"sigmoid", "", {}, "logistic, authors (their code's) or none."}, self.sigmoid);
     visit(Field{"sigmoid_midpoint", "", from_to(0, 1), "Echo strength that is drawn at half (logistic)."},
           self.sigmoid_midpoint);
-    visit(Field{"sigmoid_slope", "", greater_than(0),
+    visit(Field{"sigmoid_slope", "", above_to(0, 1e6),
                 "Steepness of the sigmoid, four times its slope at the midpoint (logistic)."},
           self.sigmoid_slope);
-    visit(Field{"multiplicative_mean", "", at_least(0), "Mean of the multiplicative noise."}, self.multiplicative_mean);
-    visit(Field{"multiplicative_deviation", "", at_least(0), "Standard deviation of the multiplicative noise."},
+    visit(Field{"multiplicative_mean", "", from_to(0, 1e6), "Mean of the multiplicative noise."}, self.multiplicative_mean);
+    visit(Field{"multiplicative_deviation", "", from_to(0, 1e6), "Standard deviation of the multiplicative noise."},
           self.multiplicative_deviation);
-    visit(Field{"additive_deviation", "", at_least(0), "Standard deviation of the additive noise, whose mean is 0."},
+    visit(Field{"additive_deviation", "", from_to(0, 1e6), "Standard deviation of the additive noise, whose mean is 0."},
           self.additive_deviation);
   }
 };

@@ -17,15 +17,15 @@ namespace insonify {
 
 /// Where something is at a time.
 struct Waypoint {
-  double time = 0;                 ///< [s]
-  Vec3 position = Vec3::Zero();    ///< [m]
-  Vec3 orientation = Vec3::Zero(); ///< Roll, pitch, yaw [rad].
+  double time = 0;                 ///< [s], within 1e10.
+  Vec3 position = Vec3::Zero();    ///< [m], within 1e7.
+  Vec3 orientation = Vec3::Zero(); ///< Roll, pitch, yaw [rad], within 1e6 deg.
 
   template <typename Self, typename Visit>
   static void visit_fields(Self& self, Visit&& visit) {
-    visit(Field{"time", "s", any_number(), "When it is there; rising from waypoint to waypoint."}, self.time);
-    visit(Field{"position", "m", any_number(), "[x, y, z] in the world."}, self.position);
-    visit(Field{"orientation", "rad", any_number(), "[roll, pitch, yaw] as in SDF."}, self.orientation);
+    visit(Field{"time", "s", from_to(-1e10, 1e10), "When it is there; rising from waypoint to waypoint."}, self.time);
+    visit(Field{"position", "m", coordinate(), "[x, y, z] in the world."}, self.position);
+    visit(Field{"orientation", "rad", turn(), "[roll, pitch, yaw] as in SDF."}, self.orientation);
   }
 };
 
@@ -62,14 +62,15 @@ struct ReceiverConfig {
 
 /// A camera for a look at the scene beside the ping.
 struct ViewConfig {
-  Vec3 position = Vec3::Zero();   ///< Of the camera, in the world [m].
-  Vec3 look_at = Vec3::UnitX();   ///< [m]
+  Vec3 position = Vec3::Zero();   ///< Of the camera, in the world [m], within 1e8.
+  Vec3 look_at = Vec3::UnitX();   ///< [m], within 1e8.
   double field_of_view = radians_from_degrees(50);    ///< Horizontal [rad], in (0, 170 deg].
 
   template <typename Self, typename Visit>
   static void visit_fields(Self& self, Visit&& visit) {
-    visit(Field{"position", "m", any_number(), "Of the camera: [x, y, z]."}, self.position);
-    visit(Field{"look_at", "m", any_number(), "Where it looks: [x, y, z]."}, self.look_at);
+    constexpr Limits kReach = from_to(-1e8, 1e8);  // Room around a sonar at the edge of the world.
+    visit(Field{"position", "m", kReach, "Of the camera: [x, y, z]."}, self.position);
+    visit(Field{"look_at", "m", kReach, "Where it looks: [x, y, z]."}, self.look_at);
     visit(Field{"field_of_view", "rad", above_to(0, radians_from_degrees(170)), "Width of the view."}, self.field_of_view);
   }
 };

@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "insonify/field.h"
@@ -26,6 +27,11 @@ struct Instance {
   bool moving = false;  ///< Its pose may change between pings; engines keep it apart from what stands still.
 };
 
+/// Checks that every vertex of an instance is at a coordinate() of the world.
+/// @param what  How the message calls it, place included.
+/// @throws Error "PATH:LINE: visual 'buoy' reaches x = 1e+18 m, must be from -10000000 to 10000000 m".
+void check_reach(const Instance& instance, std::string_view what);
+
 /// What a scenario says of one material: a library name, changed properties, or both.
 struct MaterialOverride {
   std::string like = {};  ///< Name of a library material to start from; "" for the one of this name, else the default.
@@ -33,6 +39,7 @@ struct MaterialOverride {
   std::optional<double> sound_speed = {};   ///< [m/s]
   std::optional<double> reflectivity = {};  ///< 0..1
   std::string where = {};                   ///< "path:line:column: " of the entry for messages, may be "".
+  std::string like_where = {};              ///< Of `like`, where that has a place of its own.
 
   template <typename Self, typename Visit>
   static void visit_fields(Self& self, Visit&& visit) {

@@ -45,7 +45,7 @@ struct SonarConfig {
   std::string model;           ///< Make and model the numbers describe, for titles; may be empty.
   SonarType type = SonarType::kForwardLooking;
 
-  double frequency = 720e3;  ///< Carrier frequency [Hz], > 0.
+  double frequency = 720e3;  ///< Carrier frequency [Hz], in (0, 1e8].
 
   // Fan of beams.
   int beam_count = 256;                                 ///< Beams across the azimuth aperture, 1..4096.
@@ -57,14 +57,14 @@ struct SonarConfig {
 
   // Range window.
   int bin_count = 500;        ///< Range bins per beam, 1..65536.
-  double min_range = 0.2;     ///< Near edge of bin 0 [m], >= 0. Nearer echoes are dropped.
-  double max_range = 50.0;    ///< Far edge of the last bin [m], > min_range.
-  double blanking_range = 0;  ///< Near field: echoes read low from min_range, rising to full level here [m], >= 0.
-  double gain = 1.0;          ///< Multiplies the displayed intensity before it is clipped to 1, > 0.
+  double min_range = 0.2;     ///< Near edge of bin 0 [m], 0..1e5. Nearer echoes are dropped.
+  double max_range = 50.0;    ///< Far edge of the last bin [m], > min_range, <= 1e5.
+  double blanking_range = 0;  ///< Near field: echoes read low from min_range, rising to full level here [m], 0..1e5.
+  double gain = 1.0;          ///< Multiplies the displayed intensity before it is clipped to 1, in (0, 1e9].
 
   // Time.
   std::optional<double> assumed_sound_speed;  ///< By which it turns time into range [m/s]; the water's own when absent.
-  std::optional<double> ping_period;          ///< Between pings [s], >= 2 max_range / c; that, when absent.
+  std::optional<double> ping_period;          ///< Between pings [s], 2 max_range / c (when absent) to 1e6.
 
   // Scanning head (MSIS only).
   double step = radians_from_degrees(0.9);  ///< Turn of the head between pings, positive to port [rad], not 0.
@@ -74,8 +74,8 @@ struct SonarConfig {
   Mounting mounting = Mounting::kHorizontal;
 
   // Place on the vehicle, or in the world where there is no trajectory.
-  Vec3 position = Vec3::Zero();     ///< [m]
-  Vec3 orientation = Vec3::Zero();  ///< Roll, pitch, yaw as in SDF: positive pitch looks down [rad].
+  Vec3 position = Vec3::Zero();     ///< [m], within 1e7.
+  Vec3 orientation = Vec3::Zero();  ///< Roll, pitch, yaw as in SDF: positive pitch looks down [rad], within 1e6 deg.
 
   Sampling sampling;
 
@@ -121,7 +121,7 @@ void SonarConfig::visit_fields(Self& self, Visit&& visit) {
   visit(Field{"model", "", {}, "Make and model, for titles."}, self.model);
   visit(Field{"type", "", {}, "fls (the whole fan at once) or msis (one beam, turned by a step each ping)."},
         self.type);
-  visit(Field{"frequency", "Hz", greater_than(0), "Carrier frequency."}, self.frequency);
+  visit(Field{"frequency", "Hz", above_to(0, 1e8), "Carrier frequency."}, self.frequency);
   visit(Field{"beam_count", "", from_to(1, 4096), "Beams across the azimuth aperture."}, self.beam_count);
   visit(Field{"azimuth_aperture", "rad", above_to(0, 2 * kPi), "Full width of the fan."}, self.azimuth_aperture);
   visit(Field{"beam_azimuths", "rad", from_to(-kPi, kPi),
@@ -134,17 +134,17 @@ void SonarConfig::visit_fields(Self& self, Visit&& visit) {
               "Middle of the elevation aperture."},
         self.elevation_center);
   visit(Field{"bin_count", "", from_to(1, 65536), "Range bins per beam."}, self.bin_count);
-  visit(Field{"min_range", "m", at_least(0), "Near edge of bin 0; nearer echoes are dropped."}, self.min_range);
-  visit(Field{"max_range", "m", greater_than(0), "Far edge of the last bin."}, self.max_range);
-  visit(Field{"blanking_range", "m", at_least(0),
+  visit(Field{"min_range", "m", from_to(0, 1e5), "Near edge of bin 0; nearer echoes are dropped."}, self.min_range);
+  visit(Field{"max_range", "m", above_to(0, 1e5), "Far edge of the last bin."}, self.max_range);
+  visit(Field{"blanking_range", "m", from_to(0, 1e5),
               "Near field: echoes read low from min_range, rising to full level here."},
         self.blanking_range);
-  visit(Field{"gain", "", greater_than(0), "Multiplies the intensity before it is clipped to 1 (paper model)."},
+  visit(Field{"gain", "", above_to(0, 1e9), "Multiplies the intensity before it is clipped to 1 (paper model)."},
         self.gain);
   visit(Field{"assumed_sound_speed", "m/s", from_to(1300, 1700),
               "By which the sonar turns time into range; the water's own when absent."},
         self.assumed_sound_speed);
-  visit(Field{"ping_period", "s", greater_than(0), "Time between pings; 2 max_range / c when absent, and never less."},
+  visit(Field{"ping_period", "s", above_to(0, 1e6), "Time between pings; 2 max_range / c when absent, and never less."},
         self.ping_period);
   visit(Field{"step", "rad", from_to(-kPi, kPi), "Turn of a scanning head between pings, positive to port."},
         self.step);
@@ -154,9 +154,9 @@ void SonarConfig::visit_fields(Self& self, Visit&& visit) {
         self.sector_width);
   visit(Field{"mounting", "", {}, "horizontal (a plan view) or vertical (a slice) scanning head."}, self.mounting);
   visit(
-      Field{"position", "m", any_number(), "On the vehicle, or in the world where there is no trajectory: [x, y, z]."},
+      Field{"position", "m", coordinate(), "On the vehicle, or in the world where there is no trajectory: [x, y, z]."},
       self.position);
-  visit(Field{"orientation", "rad", any_number(), "[roll, pitch, yaw] as in SDF: positive pitch looks down."},
+  visit(Field{"orientation", "rad", turn(), "[roll, pitch, yaw] as in SDF: positive pitch looks down."},
         self.orientation);
 }
 

@@ -5,12 +5,20 @@
 #include <fmt/format.h>
 
 #include <bit>
+#include <new>
 
 #include "base/vector_math.h"
 #include "insonify/error.h"
 
 namespace insonify {
 namespace {
+
+[[noreturn]] void fail(const std::string& what, RTCError error) {
+  if (error == RTC_ERROR_OUT_OF_MEMORY) {
+    throw std::bad_alloc();
+  }
+  throw Error(fmt::format("Embree {} (error {})", what, static_cast<int>(error)));
+}
 
 void place(RTCGeometry geometry, const Pose& world_from_mesh, const Vec3& origin) {
   const Eigen::Matrix3f rotation = world_from_mesh.orientation.toRotationMatrix().cast<float>();
@@ -58,7 +66,7 @@ struct Facet {
 CpuScene::CpuScene() {
   device_ = rtcNewDevice(nullptr);  // Naming a thread count here would limit every other user of oneTBB in the process.
   if (device_ == nullptr) {
-    throw Error(fmt::format("Embree cannot start (error {})", static_cast<int>(rtcGetDeviceError(nullptr))));
+    fail("cannot start", rtcGetDeviceError(nullptr));
   }
   rtcSetDeviceMemoryMonitorFunction(
       device_,
@@ -118,8 +126,7 @@ void CpuScene::set(const Scene& scene) {
   }
   rtcCommitScene(scene_);
   if (const RTCError error = rtcGetDeviceError(device_); error != RTC_ERROR_NONE) {
-    throw Error(fmt::format("Embree cannot build the scene of {} triangles (error {}: out of memory?)",
-                            scene.triangle_count(), static_cast<int>(error)));
+    fail(fmt::format("cannot build the scene of {} triangles", scene.triangle_count()), error);
   }
 }
 

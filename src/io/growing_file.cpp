@@ -1,4 +1,4 @@
-// growing_file.cpp -- makes the file with HDF5, then adds rows by plain writes.
+// growing_file.cpp -- has HDF5 make the file in memory, writes it out and adds rows, both by plain writes.
 
 #include "io/growing_file.h"
 
@@ -24,8 +24,14 @@ static_assert(std::endian::native == std::endian::little, "rows are written as t
 constexpr std::uint64_t kPage = 4096;
 
 // Where HDF5 keeps its own structures it keeps them together, in blocks of this size [bytes]; the first block holds all
-// that has to share a page.
+// that has to share a page. Memory for the file grows by as much.
 constexpr hsize_t kMetadataBlock = 65536;
+
+// In a superblock of version 0, the end of the file: what lies before it is in use.
+constexpr std::size_t kEndOfFileField = 40;
+
+// Rows begin at multiples of this, so that a program that maps the file may read them in place.
+constexpr std::uint64_t kAlignment = 64;
 
 std::string system_reason() {
   return std::generic_category().message(errno);
@@ -50,26 +56,11 @@ std::uint64_t total_bytes(const std::filesystem::path& path, std::span<const Gro
   return capacity * row;
 }
 
-// Before HDF5 does, because the system's own words say best what is wrong with a path or a size.
-void try_to_create(const std::filesystem::path& path, const std::filesystem::path& at, std::uint64_t bytes) {
-  const int file = open(at.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
-  if (file < 0) {
-    fail(path, "cannot create: " + system_reason());
-  }
-  const bool fits = ftruncate(file, static_cast<off_t>(bytes)) == 0;
-  const std::string reason = fits ? "" : system_reason();
-  ::close(file);
-  if (!fits) {
-    fail(path, fmt::format("cannot make room for {} bytes: {}", bytes, reason));
-  }
-}
-
-// Contiguous and allocated at once, so that it stays where it is; never filled, so that it takes no space until
-// written.
+// Contiguous, and without a place until written to: its place is ours to choose.
 H5Handle growing_layout(const std::filesystem::path& path) {
   H5Handle layout = h5_own(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, path, "create");
   h5_check(H5Pset_layout(layout.get(), H5D_CONTIGUOUS), path, "create");
-  h5_check(H5Pset_alloc_time(layout.get(), H5D_ALLOC_TIME_EARLY), path, "create");
+  h5_check(H5Pset_alloc_time(layout.get(), H5D_ALLOC_TIME_LATE), path, "create");
   h5_check(H5Pset_fill_time(layout.get(), H5D_FILL_TIME_NEVER), path, "create");
   h5_check(H5Pset_obj_track_times(layout.get(), false), path, "create");
   return layout;
@@ -107,14 +98,21 @@ GrowingFile::GrowingFile(std::filesystem::path path, std::vector<GrowingDataset>
   unfinished += ".new";
   const std::uint64_t bytes = total_bytes(path_, datasets_, capacity_);
   try {
-    try_to_create(path_, unfinished, bytes);
-    make_file(unfinished, describe);
-    file_ = open(unfinished.c_str(), O_RDWR | O_CLOEXEC);
+    file_ = open(unfinished.c_str(), O_RDWR | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
     if (file_ < 0) {
-      fail(path_, "cannot open: " + system_reason());
+      fail(path_, "cannot create: " + system_reason());
     }
-    find_fields();
-    write_count(0);
+    std::vector<std::byte> image = make_image(describe);
+    find_fields(image);
+    const std::uint64_t end = place_rows(image);
+    if (ftruncate(file_, static_cast<off_t>(end)) != 0) {
+      fail(path_, fmt::format("cannot make room for {} bytes: {}", bytes, system_reason()));
+    }
+    set_count(0);
+    std::ranges::copy(fields_bytes_, image.begin() + static_cast<std::ptrdiff_t>(fields_begin_));
+    if (!write_at(0, image)) {
+      fail(path_, "cannot create: " + system_reason());
+    }
     std::filesystem::rename(unfinished, path_, ignored);
     if (ignored) {
       fail(path_, "cannot create: " + ignored.message());
@@ -147,53 +145,58 @@ GrowingFile::GrowingFile(GrowingFile&& other) noexcept
       fields_begin_(other.fields_begin_),
       fields_bytes_(std::move(other.fields_bytes_)) {}
 
-// Has HDF5 make the whole file as if all rows were there.
-void GrowingFile::make_file(const std::filesystem::path& at, const std::function<void(hid_t file)>& describe) {
+// Has HDF5 make the whole file but the rows, in memory: a disk that fills up could leave it with handles that it can
+// never close, and then it fails when the program ends.
+std::vector<std::byte> GrowingFile::make_image(const std::function<void(hid_t file)>& describe) {
   const H5Quiet quiet;
   // The earliest formats: no checksums over what is to change, and what every program reads.
   const H5Handle access = h5_own(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, path_, "create");
   h5_check(H5Pset_libver_bounds(access.get(), H5F_LIBVER_EARLIEST, H5F_LIBVER_LATEST), path_, "create");
   h5_check(H5Pset_meta_block_size(access.get(), kMetadataBlock), path_, "create");
   h5_check(H5Pset_fclose_degree(access.get(), H5F_CLOSE_STRONG), path_, "create");
-  H5Handle file = h5_own(H5Fcreate(at.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access.get()), H5Fclose, path_, "create");
+  constexpr bool kOnDisk = false;
+  h5_check(H5Pset_fapl_core(access.get(), kMetadataBlock, kOnDisk), path_, "create");
+  // No file can have this name: one that has is read whole, even to be made anew.
+  constexpr const char* kNowhere = "/dev/null/recording";
+  const H5Handle file =
+      h5_own(H5Fcreate(kNowhere, H5F_ACC_TRUNC, H5P_DEFAULT, access.get()), H5Fclose, path_, "create");
   const H5Handle layout = growing_layout(path_);
   for (const GrowingDataset& dataset : datasets_) {
     const H5Handle made = create_dataset(file.get(), dataset, capacity_, layout.get(), path_);
     H5O_info_t info;
     h5_check(H5Oget_info1(made.get(), &info), path_, "create /" + dataset.name);
     addresses_.push_back(info.addr);
-    data_.push_back(H5Dget_offset(made.get()));
   }
   describe(file.get());
-  h5_check(H5Fclose(file.release()), path_, "create");
+  h5_check(H5Fflush(file.get(), H5F_SCOPE_LOCAL), path_, "create");
+  std::vector<std::byte> image(
+      static_cast<std::size_t>(h5_check(H5Fget_file_image(file.get(), nullptr, 0), path_, "create")));
+  h5_check(H5Fget_file_image(file.get(), image.data(), image.size()), path_, "create");
+  return image;
 }
 
-// Finds what tells the length of each dataset, and makes sure that it is what we take it for and lies in one page.
-void GrowingFile::find_fields() {
+// Finds what tells the length and place of each dataset, and makes sure that it is what we take it for and lies in one
+// page.
+void GrowingFile::find_fields(std::span<const std::byte> image) {
   std::uint64_t first = ~std::uint64_t{0};
   std::uint64_t last = 0;
   for (const std::uint64_t address : addresses_) {
-    const GrowthFields& fields = fields_.emplace_back(find_growth_fields(file_, address));
+    const GrowthFields& fields = fields_.emplace_back(find_growth_fields(image, address));
     for (const std::uint64_t field : {fields.dimension, fields.maximum, fields.address, fields.size}) {
       first = std::min(first, field);
       last = std::max(last, field + sizeof(std::uint64_t) - 1);
     }
   }
-  bool as_expected = first != 0 && first / kPage == last / kPage;
-  if (as_expected) {
-    fields_begin_ = first;
-    fields_bytes_.resize(last + 1 - first);
-    const auto got = pread(file_, fields_bytes_.data(), fields_bytes_.size(), static_cast<off_t>(first));
-    as_expected = got == static_cast<ssize_t>(fields_bytes_.size());
-  }
+  const auto value_at = [image](std::uint64_t position) {
+    std::uint64_t value = 0;
+    std::memcpy(&value, &image[position], sizeof value);
+    return value;
+  };
+  bool as_expected =
+      first != 0 && first / kPage == last / kPage && last < image.size() && value_at(kEndOfFileField) == image.size();
   for (std::size_t i = 0; as_expected && i < datasets_.size(); ++i) {
-    const auto value_at = [this](std::uint64_t position) {
-      std::uint64_t value = 0;
-      std::memcpy(&value, &fields_bytes_[position - fields_begin_], sizeof value);
-      return value;
-    };
     as_expected = value_at(fields_[i].dimension) == capacity_ && value_at(fields_[i].maximum) == capacity_ &&
-                  value_at(fields_[i].address) == data_[i] &&
+                  value_at(fields_[i].address) == HADDR_UNDEF &&
                   value_at(fields_[i].size) == capacity_ * datasets_[i].row_bytes();
   }
   if (!as_expected) {
@@ -204,10 +207,25 @@ void GrowingFile::find_fields() {
     fail(path_,
          fmt::format("cannot create: HDF5 {}.{}.{} arranges its files in an unknown way", major, minor, release));
   }
+  fields_begin_ = first;
+  fields_bytes_.assign(image.begin() + static_cast<std::ptrdiff_t>(first),
+                       image.begin() + static_cast<std::ptrdiff_t>(last + 1));
 }
 
-// Makes every dataset `count` rows long, in one write.
-void GrowingFile::write_count(std::uint64_t count) {
+// Puts the rows behind what HDF5 made, dataset after dataset, and tells HDF5 where the file ends.
+// @return  Where that is [bytes].
+std::uint64_t GrowingFile::place_rows(std::span<std::byte> image) {
+  std::uint64_t end = image.size();
+  for (const GrowingDataset& dataset : datasets_) {
+    data_.push_back((end + kAlignment - 1) / kAlignment * kAlignment);
+    end = data_.back() + capacity_ * dataset.row_bytes();
+  }
+  std::memcpy(&image[kEndOfFileField], &end, sizeof end);
+  return end;
+}
+
+// Makes every dataset `count` rows long, in memory.
+void GrowingFile::set_count(std::uint64_t count) {
   const auto set = [this](std::uint64_t position, std::uint64_t value) {
     std::memcpy(&fields_bytes_[position - fields_begin_], &value, sizeof value);
   };
@@ -218,23 +236,19 @@ void GrowingFile::write_count(std::uint64_t count) {
     set(fields_[i].address, count > 0 ? data_[i] : HADDR_UNDEF);
     set(fields_[i].size, count * datasets_[i].row_bytes());
   }
-  write_at(fields_begin_, fields_bytes_);
-  count_ = count;
 }
 
-void GrowingFile::write_at(std::uint64_t offset, std::span<const std::byte> bytes) const {
+// @return  Whether all went well; else errno tells why not.
+bool GrowingFile::write_at(std::uint64_t offset, std::span<const std::byte> bytes) const {
   while (!bytes.empty()) {
     const ssize_t written = pwrite(file_, bytes.data(), bytes.size(), static_cast<off_t>(offset));
-    if (written < 0 && errno == EINTR) {
-      continue;
+    if (written < 0 && errno != EINTR) {
+      return false;
     }
-    if (written <= 0) {
-      const std::string reason = written < 0 ? system_reason() : "nothing was written";
-      fail(path_, fmt::format("cannot write ping {}: {}; those before it stay readable", count_, reason));
-    }
-    bytes = bytes.subspan(static_cast<std::size_t>(written));
-    offset += static_cast<std::uint64_t>(written);
+    bytes = bytes.subspan(static_cast<std::size_t>(std::max(written, ssize_t{0})));
+    offset += static_cast<std::uint64_t>(std::max(written, ssize_t{0}));
   }
+  return true;
 }
 
 void GrowingFile::append(std::span<const std::span<const std::byte>> rows) {
@@ -245,11 +259,17 @@ void GrowingFile::append(std::span<const std::span<const std::byte>> rows) {
   if (count_ == capacity_) {
     fail(path_, fmt::format("cannot write ping {}: the file was made for {}", count_, capacity_));
   }
-  for (std::size_t i = 0; i < rows.size(); ++i) {
+  bool written = true;
+  for (std::size_t i = 0; written && i < rows.size(); ++i) {
     assert(rows[i].size() == datasets_[i].row_bytes());
-    write_at(data_[i] + count_ * rows[i].size(), rows[i]);
+    written = write_at(data_[i] + count_ * rows[i].size(), rows[i]);
   }
-  write_count(count_ + 1);
+  // One write makes the row a part of every dataset.
+  set_count(count_ + 1);
+  if (!written || !write_at(fields_begin_, fields_bytes_)) {
+    fail(path_, fmt::format("cannot write ping {}: {}; those before it stay readable", count_, system_reason()));
+  }
+  ++count_;
 }
 
 void GrowingFile::close() {

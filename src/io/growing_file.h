@@ -24,10 +24,10 @@ struct GrowingDataset {
   [[nodiscard]] std::uint64_t row_bytes() const;
 };
 
-/// Datasets of one length in one file; a row of each is a ping. HDF5 makes the file, with room for all rows; after that
-/// rows are written past HDF5, and one write of a few bytes makes each new row a part of every dataset at once. So a
-/// process that is killed at any moment leaves a file that opens as usual and holds every row whose append() had
-/// returned, and no half rows (docs/design/recording.md).
+/// Datasets of one length in one file; a row of each is a ping. HDF5 makes the file in memory, with room for all rows.
+/// From then on plain writes do: of that file, of rows, and of a few bytes that make each new row a part of every
+/// dataset at once. So a process that is killed at any moment leaves a file that opens as usual and holds every row
+/// whose append() had returned, and no half rows (docs/design/recording.md).
 ///
 /// The file takes space on the disk only as rows come, but its size is that of all rows from the start.
 class GrowingFile {
@@ -57,10 +57,11 @@ class GrowingFile {
   void close();
 
  private:
-  void make_file(const std::filesystem::path& at, const std::function<void(hid_t file)>& describe);
-  void find_fields();
-  void write_count(std::uint64_t count);
-  void write_at(std::uint64_t offset, std::span<const std::byte> bytes) const;
+  std::vector<std::byte> make_image(const std::function<void(hid_t file)>& describe);
+  void find_fields(std::span<const std::byte> image);
+  std::uint64_t place_rows(std::span<std::byte> image);
+  void set_count(std::uint64_t count);
+  [[nodiscard]] bool write_at(std::uint64_t offset, std::span<const std::byte> bytes) const;
 
   std::filesystem::path path_;
   std::vector<GrowingDataset> datasets_;

@@ -2,12 +2,8 @@
 
 #include "io/hdf5_header.h"
 
-#include <unistd.h>
-
-#include <array>
-#include <cstddef>
+#include <algorithm>
 #include <cstring>
-#include <vector>
 
 namespace insonify {
 namespace {
@@ -22,11 +18,9 @@ Number number_at(std::span<const std::byte> bytes, std::size_t offset) {
   return number;
 }
 
-std::vector<std::byte> read_at(int file, std::uint64_t offset, std::size_t length) {
-  std::vector<std::byte> bytes(length);
-  const ssize_t got = pread(file, bytes.data(), length, static_cast<off_t>(offset));
-  bytes.resize(got > 0 ? static_cast<std::size_t>(got) : 0);
-  return bytes;
+std::span<const std::byte> part_of(std::span<const std::byte> file, std::uint64_t offset, std::size_t length) {
+  const std::size_t start = std::min<std::uint64_t>(offset, file.size());
+  return file.subspan(start, std::min(length, file.size() - start));
 }
 
 constexpr std::size_t kPrefix = 16;        // Version, message count, reference count, header size, padding.
@@ -35,12 +29,12 @@ constexpr std::uint16_t kDataspace = 0x0001, kLayout = 0x0008;
 
 }  // namespace
 
-GrowthFields find_growth_fields(int file, std::uint64_t address) {
-  const std::vector<std::byte> prefix = read_at(file, address, kPrefix);
+GrowthFields find_growth_fields(std::span<const std::byte> file, std::uint64_t address) {
+  const std::span<const std::byte> prefix = part_of(file, address, kPrefix);
   if (number_at<std::uint8_t>(prefix, 0) != 1) {
     return {};
   }
-  const std::vector<std::byte> messages = read_at(file, address + kPrefix, number_at<std::uint32_t>(prefix, 8));
+  const std::span<const std::byte> messages = part_of(file, address + kPrefix, number_at<std::uint32_t>(prefix, 8));
   GrowthFields fields;
   for (std::size_t at = 0; at + kMessagePrefix <= messages.size();) {
     const auto type = number_at<std::uint16_t>(messages, at);

@@ -2,6 +2,7 @@
 
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 
@@ -17,9 +18,9 @@ struct GrowthFields {
 
 /// Finds them in a version 1 object header: "HDF5 File Format Specification Version 2.0", sections IV.A.1.a (version 1
 /// object header prefix), IV.A.2.b (dataspace message, version 1) and IV.A.2.i (data layout message, version 3).
-/// @param file     An open file descriptor.
+/// @param file     The bytes of the file from its start.
 /// @param address  Of the object header [bytes].
 /// @return         Zeros where the header is of another kind.
-[[nodiscard]] GrowthFields find_growth_fields(int file, std::uint64_t address);
+[[nodiscard]] GrowthFields find_growth_fields(std::span<const std::byte> file, std::uint64_t address);
 
 }  // namespace insonify

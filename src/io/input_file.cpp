@@ -3,6 +3,7 @@
 #include "io/input_file.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cerrno>
 #include <fstream>
@@ -17,7 +18,18 @@ namespace {
   throw Error(path.string() + ": cannot be read: " + std::generic_category().message(reason));
 }
 
+constexpr std::size_t kLongestStream = std::size_t{1} << 28;  // [bytes]
+
 }  // namespace
+
+bool is_stream(const std::filesystem::path& path) {
+  std::error_code failure;
+  const std::filesystem::file_status status = std::filesystem::status(path, failure);
+  const bool is_special = std::filesystem::exists(status) && !std::filesystem::is_directory(status) &&
+                          !std::filesystem::is_regular_file(status);
+  const std::string name = path.string();
+  return is_special || name == "/dev/stdin" || name.starts_with("/dev/fd/") || name.starts_with("/proc/");
+}
 
 void check_input_file(const std::filesystem::path& path) {
   std::error_code failure;
@@ -42,13 +54,25 @@ void check_input_file(const std::filesystem::path& path) {
 }
 
 std::string read_text(const std::filesystem::path& path) {
-  check_input_file(path);
-  std::ifstream file(path, std::ios::binary | std::ios::ate);
-  std::string text(static_cast<std::size_t>(std::max<std::streamoff>(file.tellg(), 0)), '\0');
-  file.seekg(0);
+  if (!is_stream(path)) {
+    check_input_file(path);
+  }
+  // Once and from the front, as a pipe has to be.
   errno = 0;
-  if (!file.read(text.data(), static_cast<std::streamsize>(text.size()))) {
-    throw_unreadable(path, errno);
+  std::ifstream file(path, std::ios::binary);
+  std::string text;
+  std::array<char, 65536> part;
+  while (file.read(part.data(), part.size()) || file.gcount() > 0) {
+    text.append(part.data(), static_cast<std::size_t>(file.gcount()));
+    if (text.size() > kLongestStream && is_stream(path)) {
+      throw Error(path.string() + ": is no file and does not end");
+    }
+  }
+  if (!file.eof()) {
+    throw_unreadable(path, errno != 0 ? errno : EIO);
+  }
+  if (text.empty()) {
+    throw Error(path.string() + ": the file is empty");
   }
   return text;
 }

@@ -7,6 +7,10 @@
 
 namespace insonify {
 
+/// Whether a path leads to what can be read once only, such as a pipe or the standard input: it has no folder of its
+/// own.
+[[nodiscard]] bool is_stream(const std::filesystem::path& path);
+
 /// @throws Error "PATH: no such file", "PATH: is a folder, not a file", "PATH: cannot be opened: REASON" or
 ///         "PATH: the file is empty".
 void check_input_file(const std::filesystem::path& path);

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <assimp/Importer.hpp>
 #include <limits>
+#include <new>
 
 #include "insonify/error.h"
 #include "insonify/files.h"
@@ -55,6 +56,9 @@ const aiScene& import(Assimp::Importer& importer, const std::filesystem::path& p
   const aiScene* scene = importer.GetScene();
   if (scene == nullptr || scene->mRootNode == nullptr) {
     const std::string reason = one_line(importer.GetErrorString());
+    if (reason == std::bad_alloc().what()) {
+      throw std::bad_alloc();
+    }
     throw Error(
         fmt::format("{}: cannot be read: {}", path.string(),
                     reason.starts_with("No suitable reader") ? "what it holds is not " + ending.substr(1) : reason));

@@ -59,7 +59,11 @@ class ScenarioReader {
     if_given("sonars", [&](const YamlValue& part) { read_sonars(part); });
     if_given("trajectory", [&](const YamlValue& part) { read_trajectory(part, "trajectory", scenario_.trajectory); });
     if_given("motions", [&](const YamlValue& part) { read_motions(part); });
-    if_given("view", [&](const YamlValue& part) { read_section(part, "view", scenario_.view.emplace(), places_); });
+    if_given("view", [&](const YamlValue& part) {
+      if (part.kind != Kind::kNothing) {  // `--set view=null` takes it away.
+        read_section(part, "view", scenario_.view.emplace(), places_);
+      }
+    });
     validate();
     return std::move(scenario_);
   }
@@ -94,7 +98,8 @@ class ScenarioReader {
       throw Error(tree_.where + "world is missing: the SDF file or mesh to insonify");
     }
     scenario_.world_where = given->where;
-    scenario_.world = std::filesystem::absolute(path_.parent_path() / scenario_.world).lexically_normal();
+    const std::filesystem::path folder = is_stream(path_) ? std::filesystem::path() : path_.parent_path();
+    scenario_.world = std::filesystem::absolute(folder / scenario_.world).lexically_normal();
     std::error_code ignored;
     if (!std::filesystem::exists(scenario_.world, ignored)) {
       throw Error(
@@ -124,6 +129,7 @@ class ScenarioReader {
         read_section(value, object, changes, places_);
         if (const YamlValue* like = value.find("like")) {
           changes.like = material_name(*like, object + ".like");
+          changes.like_where = like->where;
         }
       }
       changes.where = value.where;

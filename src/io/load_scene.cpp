@@ -13,10 +13,11 @@
 namespace insonify {
 namespace {
 
-Scene scene_of(const std::string& name, Mesh mesh) {
+Scene scene_of(const std::filesystem::path& path, Mesh mesh) {
   Instance instance;
-  instance.name = name;
+  instance.name = path.stem().string();
   instance.mesh = std::make_shared<const Mesh>(std::move(mesh));
+  check_reach(instance, path.string());
   Scene scene;
   scene.instances.push_back(std::move(instance));
   return scene;
@@ -32,10 +33,10 @@ Scene load_scene(const std::filesystem::path& path, bool collisions, const Log& 
     return load_sdf_scene(path, collisions, log);
   }
   if (kHeights.contains(ending)) {
-    return scene_of(path.stem().string(), make_height_field(load_height_grid(path, log)));
+    return scene_of(path, make_height_field(load_height_grid(path, log)));
   }
   if (is_mesh_file(path)) {
-    return scene_of(path.stem().string(), load_mesh(path, log));
+    return scene_of(path, load_mesh(path, log));
   }
   throw Error(
       fmt::format("{}: is not a world: SDF ends in .sdf, .world or .xml, a mesh in {}, heights in .asc, .bag or .png",

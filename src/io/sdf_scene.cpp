@@ -118,6 +118,13 @@ class SceneBuilder {
     if (!errors.empty()) {
       throw Error(where + ": its pose cannot be worked out: " + errors.front().Message());
     }
+    const ignition::math::Vector3d& position = pose.Pos();
+    for (const double value : {position.X(), position.Y(), position.Z()}) {
+      if (!coordinate().allow(value)) {
+        throw Error(fmt::format("{}: <pose> = {} {} {} m must be {} m in each direction", where, position.X(),
+                                position.Y(), position.Z(), coordinate().text()));
+      }
+    }
     return pose_of(pose);
   }
 
@@ -158,6 +165,7 @@ class SceneBuilder {
     instance.name = name;
     instance.mesh = shape->mesh;
     instance.world_from_mesh = world_from_link * resolve(part, where) * Pose{shape->offset};
+    check_reach(instance, where);
     const MaterialName own = own_or(material, part.Element(), where);
     instance.user_material = own.name;
     instance.where = own.where;

@@ -52,7 +52,8 @@ const Material* named_base(const std::string& key, const MaterialOverride& chang
   if (const Material* like = find_material(change.like)) {
     return like;
   }
-  throw unknown_material(fmt::format("{}materials.{}.like", change.where, key), change.like, {});
+  const std::string& where = change.like_where.empty() ? change.where : change.like_where;
+  throw unknown_material(fmt::format("{}materials.{}.like", where, key), change.like, {});
 }
 
 Material changed(Material base, const std::string& key, const MaterialOverride& change) {

@@ -2,9 +2,26 @@
 
 #include "insonify/scene.h"
 
+#include <fmt/format.h>
+
 #include <limits>
 
+#include "insonify/error.h"
+
 namespace insonify {
+
+void check_reach(const Instance& instance, std::string_view what) {
+  constexpr const char* kAxes = "xyz";
+  for (const Vec3f& vertex : instance.mesh->vertices) {
+    const Vec3 point = instance.world_from_mesh * vertex.cast<double>();
+    for (int axis = 0; axis < 3; ++axis) {
+      if (!coordinate().allow(point[axis])) {
+        throw Error(fmt::format("{} reaches {} = {:.10g} m, must be {} m", what, kAxes[axis], point[axis],
+                                coordinate().text()));
+      }
+    }
+  }
+}
 
 std::size_t Scene::triangle_count() const {
   std::size_t count = 0;

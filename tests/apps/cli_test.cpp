@@ -1,75 +1,14 @@
 // cli_test.cpp -- the command line as a user meets it: exit codes, messages, files made.
 
-#include <fmt/format.h>
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-#include <sys/wait.h>
-
-#include <array>
-#include <set>
-#include <sstream>
-
-#include "support/scratch_folder.h"
+#include "apps/cli.h"
 
 namespace insonify {
 namespace {
 
 using testing::ContainsRegex;
 using testing::ElementsAre;
-using testing::EndsWith;
 using testing::HasSubstr;
-using testing::IsEmpty;
 using testing::Not;
-using testing::StartsWith;
-
-struct Outcome {
-  int status = -1;
-  std::string out, err;
-};
-
-// Runs a line of shell in the current folder; `insonify` in it is ours.
-Outcome shell(const std::string& line) {
-  const std::string script = fmt::format("insonify() {{ '{}' \"$@\"; }}\n{}", INSONIFY_CLI, line);
-  std::ofstream("script.sh") << script;
-  FILE* pipe = popen("bash script.sh 2> script.err < /dev/null", "r");
-  Outcome outcome;
-  std::array<char, 4096> buffer;
-  for (std::size_t count = 0; (count = fread(buffer.data(), 1, buffer.size(), pipe)) > 0;) {
-    outcome.out.append(buffer.data(), count);
-  }
-  outcome.status = WEXITSTATUS(pclose(pipe));
-  std::ostringstream err;
-  err << std::ifstream("script.err").rdbuf();
-  outcome.err = err.str();
-  std::filesystem::remove("script.sh");
-  std::filesystem::remove("script.err");
-  return outcome;
-}
-
-class CliTest : public testing::Test {
- protected:
-  CliTest() {
-    // A floor of 40 x 40 m, 2 m below the sonar.
-    folder.write("floor.obj", "v -20 -20 -2\nv 20 -20 -2\nv 20 20 -2\nv -20 20 -2\nf 1 2 3\nf 1 3 4\n");
-    folder.write("fan.yaml",
-                 "world: floor.obj\npings: 3\nsonars:\n  - name: ahead\n    beam_count: 16\n    bin_count: 40\n"
-                 "    max_range: 12\n    orientation_deg: [0, 20, 0]\n    sampling: {columns_per_beam: 2, rows: 20}\n");
-    folder.write(
-        "scan.yaml",
-        "world: floor.obj\npings: 20\nsonars:\n  - name: around\n    preset: tritech-micron-dst\n"
-        "    bin_count: 40\n    max_range: 12\n    step_deg: 18\n    sampling: {columns_per_beam: 2, rows: 20}\n");
-  }
-
-  std::set<std::string> files(const std::filesystem::path& in) const {
-    std::set<std::string> names;
-    for (const auto& entry : std::filesystem::directory_iterator(folder.path() / in)) {
-      names.insert(entry.path().filename().string());
-    }
-    return names;
-  }
-
-  ScratchFolder folder;
-};
 
 // ---------------------------------------------------------------- run
 
@@ -86,10 +25,11 @@ TEST_F(CliTest, RunWritesRecordingAndPictures) {
               ContainsRegex("3 pings in [0-9.]+ s: [0-9.]+ pings/s to compute, [0-9.]+ pings/s with files"));
 }
 
-TEST_F(CliTest, RunOfAScanningSonarDrawsItsTurnAtTheEnd) {
-  const Outcome outcome = shell("insonify run scan.yaml -o out --no-view");
+TEST_F(CliTest, RunOfAScanningSonarDrawsItsTurnAsItGoesOn) {
+  const Outcome outcome = shell("insonify run scan.yaml -o out --no-view --pictures 4");
   EXPECT_EQ(outcome.status, 0) << outcome.err;
-  EXPECT_THAT(files("out"), ElementsAre("around.h5", "around_polar.png", "around_scan.png"));
+  EXPECT_THAT(files("out"), ElementsAre("around.h5", "around_polar.png", "around_scan.png", "around_scan_0004.png",
+                                        "around_scan_0009.png", "around_scan_0014.png"));
   EXPECT_THAT(outcome.out, HasSubstr("around: 20 pings of 1 beam x 40 bins to 12 m\n"));
 }
 
@@ -109,6 +49,37 @@ TEST_F(CliTest, RunDrawsAsManyPingsAsAreAskedFor) {
                                         "ahead_polar_0009.png"));
   EXPECT_EQ(shell("insonify run fan.yaml -o last --pings 4 --pictures last --no-view").status, 0);
   EXPECT_THAT(files("last"), ElementsAre("ahead.h5", "ahead_fan_0003.png", "ahead_polar_0003.png"));
+}
+
+TEST_F(CliTest, PicturesOfAnEarlierRunAreRemoved) {
+  ASSERT_EQ(shell("insonify run fan.yaml -o out -q").status, 0);
+  for (const char* other : {"ahead_fan_12.png", "ahead_notes_0001.png", "behind_fan_0001.png", "ahead_fan_0001.jpg"}) {
+    folder.write(std::filesystem::path("out") / other, "mine");
+  }
+  const Outcome outcome = shell("insonify run fan.yaml -o out --pings 1 --no-view");
+  EXPECT_THAT(outcome.out, HasSubstr("\nremoved 7 pictures of an earlier run from out\n"));
+  EXPECT_THAT(files("out"), ElementsAre("ahead.h5", "ahead_fan_0000.png", "ahead_fan_0001.jpg", "ahead_fan_12.png",
+                                        "ahead_notes_0001.png", "ahead_polar_0000.png", "behind_fan_0001.png"));
+}
+
+TEST_F(CliTest, SilenceIsToldWithWhereTheWorldIs) {
+  const Outcome outcome = shell("insonify run fan.yaml -o out -q --no-pictures --set orientation_deg=[0,-90,0]");
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_EQ(outcome.err,
+            "insonify: warning: nothing was heard in any ping of ahead: the world reaches from (-20, -20, -2) to (20, "
+            "20, -2) m, the sonar was at (0, 0, 0) m at first, looking along (0, 0, 1), and hears from 0.2 to 12 m\n");
+}
+
+TEST_F(CliTest, PicturesThatAreNearlyBlackAreToldWithTheKeyToChange) {
+  const Outcome outcome = shell("insonify run fan.yaml -o out --no-view --set gain=0.001");
+  EXPECT_THAT(outcome.out,
+              ContainsRegex("\nhint: the loudest echo of ahead is 0\\.[0-9]+ % of full scale, nearly black: "
+                            "--scale db shows it, or raise its gain: --set sonars.ahead.gain=[0-9.]+\n"));
+  EXPECT_THAT(shell("insonify run fan.yaml -o out --no-view").out, Not(HasSubstr("hint")));
+}
+
+TEST_F(CliTest, ASettingTakesTheViewAway) {
+  EXPECT_EQ(shell("insonify run fan.yaml -q --no-pictures --set view=null").status, 0);
 }
 
 TEST_F(CliTest, OptionsAndSettingsOverrideTheScenario) {
@@ -132,10 +103,32 @@ TEST_F(CliTest, InAPipeThereAreOnlyPlainLines) {
 }
 
 TEST_F(CliTest, OnATerminalABarTellsRateAndTimeLeft) {
-  const Outcome outcome = shell(
-      fmt::format("script -qec \"'{}' run fan.yaml -o out --no-pictures --set pings=3000\" /dev/null", INSONIFY_CLI));
+  const Outcome outcome = shell(fmt::format(
+      "TERM=xterm script -qec \"'{}' run fan.yaml -o out --no-pictures --set pings=3000\" /dev/null", INSONIFY_CLI));
   EXPECT_EQ(outcome.status, 0);
   EXPECT_THAT(outcome.out, ContainsRegex("\r\\[#*\\.*\\] [0-9]+/3000 pings  [0-9.]+ pings/s  [0-9]+ s left"));
+}
+
+TEST_F(CliTest, ANarrowTerminalGetsWhatFitsIt) {
+  const Outcome outcome = shell(fmt::format(
+      "TERM=xterm script -qec \"stty cols 40; '{}' run fan.yaml -o out --no-pictures --pings 3000\" /dev/null",
+      INSONIFY_CLI));
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_THAT(outcome.out, HasSubstr("\rLoading fan.yaml ...\x1b[K"));
+  EXPECT_THAT(outcome.out, ContainsRegex("\r\\[#*\\.*\\] [0-9]+/3000 pings  [0-9]+ s left"));
+  std::istringstream drawn(outcome.out);
+  for (std::string line; std::getline(drawn, line, '\r');) {
+    if (const std::size_t end = line.find("\x1b[K"); end != std::string::npos) {
+      EXPECT_LT(end, 40U) << line;
+    }
+  }
+}
+
+TEST_F(CliTest, ADumbTerminalGetsPlainLines) {
+  const Outcome outcome =
+      shell(fmt::format("TERM=dumb script -qec \"'{}' run fan.yaml -o out --no-pictures\" /dev/null", INSONIFY_CLI));
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_THAT(outcome.out, Not(HasSubstr("\x1b")));
 }
 
 // ---------------------------------------------------------------- What goes wrong
@@ -151,6 +144,7 @@ class MistakeTest : public CliTest, public testing::WithParamInterface<Mistake> 
 
 TEST_P(MistakeTest, IsOneLineAndAnExitStatus) {
   folder.write("wrong.yaml", "world: floor.obj\nsonars:\n  - name: ahead\n    max_rnage: 12\n");
+  folder.write("likeness.yaml", "world: floor.obj\nmaterials:\n  post: {density: 3000}\nsonars: [{name: ahead}]\n");
   folder.write("taken", "");
   const Outcome outcome = shell(GetParam().line);
   EXPECT_EQ(outcome.err, GetParam().message + std::string("\n"));
@@ -163,20 +157,18 @@ constexpr Mistake kMistakes[] = {
      "insonify: name a command; the commands are run, sonars, describe, bench, version (insonify --help)"},
     {"UnknownCommand", "insonify rnu fan.yaml", 2,
      "insonify: there is no command rnu; the commands are run, sonars, describe, bench, version (insonify --help)"},
-    {"UnknownOption", "insonify run fan.yaml --frob", 2,
-     "insonify: The following argument was not expected: --frob (insonify run --help)"},
+    {"UnknownOption", "insonify run fan.yaml --frob", 2, "insonify: not understood: --frob (insonify run --help)"},
     {"UnknownOptionBeforeTheCommand", "insonify --frob", 2,
      "insonify: there is no option --frob; the commands are run, sonars, describe, bench, version (insonify --help)"},
     {"NoScenario", "insonify run", 2, "insonify: SCENARIO is required (insonify run --help)"},
-    {"TwoScenarios", "insonify run fan.yaml scan.yaml", 2,
-     "insonify: The following argument was not expected: scan.yaml (insonify run --help)"},
+    {"TwoScenarios", "insonify run fan.yaml scan.yaml", 2, "insonify: not understood: scan.yaml (insonify run --help)"},
     {"MissingScenario", "insonify run nowhere.yaml", 2, "insonify: nowhere.yaml: no such file"},
     {"MeshForAScenario", "insonify run floor.obj", 2,
      "insonify: floor.obj: is a mesh, not a scenario; write a YAML file that says world: floor.obj and lists sonars"},
     {"WrongScenario", "insonify run wrong.yaml", 2,
      "insonify: wrong.yaml:4:5: sonars[0].max_rnage is not a known key; did you mean max_range?"},
     {"WrongSetting", "insonify run fan.yaml --set max_range=-3", 2,
-     "insonify: --set max_range=-3: sonars[0].max_range = -3 m must be greater than 0 m"},
+     "insonify: --set max_range=-3: sonars[0].max_range = -3 m must be greater than 0, at most 100000 m"},
     {"NoPings", "insonify run fan.yaml --pings 0", 2,
      "insonify: --pings: 0 must be a whole number, from 1 to 1000000000 (insonify run --help)"},
     {"UnknownEngine", "insonify run fan.yaml --engine gpu", 2,
@@ -192,9 +184,19 @@ constexpr Mistake kMistakes[] = {
     {"UnknownScale", "insonify run fan.yaml --scale log", 2,
      "insonify: --scale: log must be linear or db (insonify run --help)"},
     {"FloorAboveZero", "insonify run fan.yaml --scale db --floor-db 3", 2,
-     "insonify: display.floor_db = 3 dB must be less than 0 dB"},
+     "insonify: --floor-db: 3 must be a number, at least -300, less than 0 (insonify run --help)"},
     {"TinyPicture", "insonify run fan.yaml --height 3", 2,
-     "insonify: display.height = 3 pixels must be from 240 to 8192 pixels"},
+     "insonify: --height: 3 must be a whole number, from 240 to 8192 (insonify run --help)"},
+    {"SeveralWords", "insonify run fan.yaml a b c", 2, "insonify: not understood: a b c (insonify run --help)"},
+    {"NoFolder", "insonify run fan.yaml -o ''", 2,
+     "insonify: --output: must not be empty: name a folder, or . for this one (insonify run --help)"},
+    {"FarSonar", "insonify run fan.yaml --set position=[0,1e18,0]", 2,
+     "insonify: --set position=[0,1e18,0]: sonars[0].position[1] = 1e+18 m must be from -10000000 to 10000000 m"},
+    {"UnknownLikeness", "insonify run likeness.yaml -q --set materials.post.like=stele", 2,
+     "insonify: --set materials.post.like=stele: materials.post.like = stele is not a known material; the nearest name "
+     "is steel"},
+    {"EndlessStream", "insonify run /dev/zero -q", 2, "insonify: /dev/zero: is no file and does not end"},
+    {"EmptyStream", "insonify run /dev/null -q", 2, "insonify: /dev/null: the file is empty"},
     {"FolderThatIsAFile", "insonify run fan.yaml -q -o taken", 1,
      "insonify: taken: cannot make this folder: Not a directory"},
     {"FolderInAFile", "insonify run fan.yaml -q -o taken/out", 1,
@@ -203,6 +205,10 @@ constexpr Mistake kMistakes[] = {
      "insonify: \"gemini\" is not a preset; did you mean tritech-gemini-720i?"},
     {"UnknownMode", "insonify sonars soundmetrics-didson --mode medium", 2,
      "insonify: \"medium\" is not a mode of soundmetrics-didson, which has high and low"},
+    {"ModeOfNoPreset", "insonify sonars --mode high", 2,
+     "insonify: --mode high belongs to a preset, and none is named"},
+    {"FolderWithoutPresets", "mkdir none; INSONIFY_PRESETS=none insonify sonars", 2,
+     "insonify: there is no preset in the folder of presets; INSONIFY_PRESETS names it"},
     {"UnknownSection", "insonify describe sea", 2,
      "insonify: there is no section sea; there are scenario, water, materials, sonars, sampling, receiver, paper, "
      "trajectory, motions, view"},
@@ -249,9 +255,7 @@ TEST_F(CliTest, DescribeTellsUnitLimitsDefaultAndMeaning) {
 }
 
 TEST_F(CliTest, TheReferencePageIsUpToDate) {
-  std::ostringstream page;
-  page << std::ifstream(INSONIFY_SOURCE_DIR "/docs/reference/scenario.md").rdbuf();
-  EXPECT_EQ(shell("insonify describe --markdown").out, page.str())
+  EXPECT_EQ(shell("insonify describe --markdown").out, text_of(INSONIFY_SOURCE_DIR "/docs/reference/scenario.md"))
       << "docs/reference/scenario.md: made by insonify describe --markdown; make it again";
 }
 

@@ -243,6 +243,33 @@ TEST(GrowingFileTest, SaysWhenTheDiskIsFullAndKeepsWhatWasWritten) {
   umount2(folder.c_str(), MNT_DETACH);
 }
 
+TEST(GrowingFileTest, SaysWhenThereIsNoSpaceForAnEmptyFile) {
+  const auto folder = scratch("small_disk").parent_path();
+  for (const char* size : {"size=4k", "size=8k", "size=20k", "size=40k"}) {
+    if (unshare(CLONE_NEWNS) != 0 || mount(nullptr, "/", nullptr, MS_REC | MS_PRIVATE, nullptr) != 0 ||
+        mount("none", folder.c_str(), "tmpfs", 0, size) != 0) {
+      GTEST_SKIP() << "a small disk can only be made by root";
+    }
+    const auto path = folder / "fls.h5";
+    // 10 000 doubles, 80 kB, beside the rows.
+    const auto describe = [](hid_t file) {
+      const hsize_t length = 10'000;
+      const std::vector<double> values(length, 1.5);
+      const H5Handle space(H5Screate_simple(1, &length, nullptr), H5Sclose);
+      const H5Handle set(H5Dcreate2(file, "aside", H5T_IEEE_F64LE, space.get(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
+                         H5Dclose);
+      H5Dwrite(set.get(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data());
+    };
+    EXPECT_EQ(message_of([&] {
+                GrowingFile(path, {{"time", H5T_IEEE_F64LE, {}}}, 100, describe);
+              }),
+              path.string() + ": cannot create: No space left on device");
+    EXPECT_TRUE(std::filesystem::is_empty(folder)) << size;
+    EXPECT_EQ(H5Fget_obj_count(H5F_OBJ_ALL, H5F_OBJ_ALL), 0) << "HDF5 would fail at the end of the program";
+    umount2(folder.c_str(), MNT_DETACH);
+  }
+}
+
 // ---- Made, or not --------------------------------------------------------------------------------------------------
 
 std::vector<std::string> files_beside(const std::filesystem::path& path) {

@@ -389,7 +389,7 @@ TEST(TrajectoryTest, RefusesTimesThatDoNotRise) {
 TEST(TrajectoryTest, RefusesANotANumber) {
   const Trajectory trajectory{{waypoint(0, {0, NAN, 0}, 0)}};
   EXPECT_EQ(message_of([&] { trajectory.validate("motions[1].trajectory"); }),
-            "motions[1].trajectory[0].position[1] = nan m must be a finite number");
+            "motions[1].trajectory[0].position[1] = nan m must be from -10000000 to 10000000 m");
 }
 
 }  // namespace

@@ -40,12 +40,16 @@ TEST(WritePngTest, SaysWhichFileCannotBeWrittenAndWhy) {
             "/no/such/folder/a.png: cannot write the picture: No such file or directory");
   const ScratchFolder folder;
   EXPECT_EQ(message_of([&] { write_png(folder.path(), gradient(2, 2)); }),
-            folder.path().string() + ": cannot write the picture: Is a directory");
+            folder.path().string() + ": cannot write the picture: it is there and is no regular file");
+  EXPECT_TRUE(std::filesystem::is_directory(folder.path()));
+  EXPECT_EQ(message_of([] { write_png("/dev/full", gradient(2, 2)); }),
+            "/dev/full: cannot write the picture: it is there and is no regular file");
 }
 
 // A limit on the size of files stands in for a full disk.
-TEST(WritePngTest, AFullDiskIsAnErrorAndLeavesNoHalfFile) {
+TEST(WritePngTest, AFullDiskIsAnErrorAndLeavesWhatWasThere) {
   const ScratchFolder folder;
+  folder.write("a.png", "an older picture");
   rlimit before{};
   ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &before), 0);
   const auto handler = std::signal(SIGXFSZ, SIG_IGN);
@@ -55,7 +59,8 @@ TEST(WritePngTest, AFullDiskIsAnErrorAndLeavesNoHalfFile) {
   ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &before), 0);
   std::signal(SIGXFSZ, handler);
   EXPECT_EQ(message, "a.png: cannot write the picture: File too large");
-  EXPECT_FALSE(std::filesystem::exists("a.png"));
+  EXPECT_FALSE(std::filesystem::exists("a.png.new"));
+  EXPECT_EQ(std::filesystem::file_size("a.png"), std::string("an older picture").size());
 }
 
 TEST(WritePngTest, RefusesPicturesThatAreNotWhole) {

@@ -1,0 +1,48 @@
+// hints.cpp -- looks for echoes in pings, and says where they might have come from.
+
+#include "hints.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace insonify {
+namespace {
+
+std::string point_text(const Vec3& point) {
+  // Adding zero turns -0 into 0.
+  const auto rounded = [](double value) { return std::round(value * 100) / 100 + 0; };
+  return fmt::format("({:.7g}, {:.7g}, {:.7g})", rounded(point.x()), rounded(point.y()), rounded(point.z()));
+}
+
+}  // namespace
+
+void Loudness::add(const Ping& ping) {
+  for (std::size_t i = 0; i < ping.intensity.size(); ++i) {
+    if (ping.instance[i] != kNoLabel) {
+      loudest_ = std::max(loudest_, static_cast<double>(ping.intensity[i]));
+    }
+  }
+}
+
+std::string silence_text(const Simulator& simulator, int sonar) {
+  const Box3 world = simulator.scene().bounds();
+  const Pose world_from_head = simulator.world_from_head(sonar, 0);
+  const SonarConfig& config = simulator.sonar(sonar);
+  return fmt::format(
+      "nothing was heard in any ping of {}: the world reaches from {} to {} m, the sonar was at {} m at first, looking "
+      "along {}, and hears from {:.4g} to {:.4g} m",
+      config.name, point_text(world.low), point_text(world.high), point_text(world_from_head.position),
+      point_text(world_from_head.orientation * Vec3::UnitX()), config.min_range, config.max_range);
+}
+
+std::string dimness_text(const Loudness& loudness, const SonarConfig& sonar) {
+  return fmt::format("the loudest echo of {} is {:.2g} % of full scale, nearly black: --scale db shows it, or raise {}",
+                     sonar.name, 100 * loudness.loudest(),
+                     loudness.loudest() > 0 ? fmt::format("its gain: --set sonars.{}.gain={:.2g}", sonar.name,
+                                                          sonar.gain / loudness.loudest())
+                                            : "its gain");
+}
+
+}  // namespace insonify

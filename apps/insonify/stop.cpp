@@ -1,0 +1,52 @@
+// stop.cpp -- signal handlers. What they call is async-signal-safe.
+
+#include "stop.h"
+
+#include <unistd.h>
+
+#include <csignal>
+#include <string_view>
+
+#include "commands.h"
+#include "console.h"
+
+namespace insonify {
+namespace {
+
+volatile std::sig_atomic_t asked = 0;
+
+void end_now(int) {
+  constexpr std::string_view kMessage = "insonify: interrupted before the first ping\n";
+  clear_status();
+  [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, kMessage.data(), kMessage.size());
+  _exit(kFailed);
+}
+
+void note(int signal) {
+  asked = 1;
+  std::signal(signal, SIG_DFL);
+}
+
+void handle_with(void (*handler)(int)) {
+  for (const int signal : {SIGINT, SIGTERM}) {
+    if (std::signal(signal, handler) == SIG_IGN) {
+      std::signal(signal, SIG_IGN);
+    }
+  }
+}
+
+}  // namespace
+
+void end_when_asked() {
+  handle_with(end_now);
+}
+
+void note_when_asked() {
+  handle_with(note);
+}
+
+bool stop_asked() {
+  return asked != 0;
+}
+
+}  // namespace insonify

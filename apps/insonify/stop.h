@@ -1,0 +1,17 @@
+// stop.h -- Ctrl-C, and what else asks a run to end.
+
+#pragma once
+
+namespace insonify {
+
+/// From here on SIGINT and SIGTERM end the program at once, with one line: there is nothing to keep yet. A SIGINT that
+/// was ignored from the start, as for a job in a shell's background, stays ignored.
+void end_when_asked();
+
+/// From here on they are noted; a second one ends the program.
+void note_when_asked();
+
+/// Whether one was noted.
+[[nodiscard]] bool stop_asked();
+
+}  // namespace insonify

@@ -1,0 +1,102 @@
+// cli_stop_test.cpp -- runs that are stopped or killed keep what they have.
+
+#include <sys/stat.h>
+
+#include <random>
+
+#include "apps/cli.h"
+#include "io/h5_read.h"
+
+namespace insonify {
+namespace {
+
+using testing::ElementsAre;
+
+class CliStopTest : public CliTest {
+ protected:
+  static std::uint64_t recorded(const std::filesystem::path& file) { return H5Reader(file).shape("time").at(0); }
+
+  static void wait_for_pings(const std::filesystem::path& file) {
+    Process::wait_until([&] { return std::filesystem::exists(file) && recorded(file) > 0; });
+  }
+};
+
+TEST_F(CliStopTest, CtrlCEndsARunAndDrawsTheLastPing) {
+  const Process process({"run", "fan.yaml", "-o", "out", "--pings", "100000", "--pictures", "1", "--no-view"});
+  wait_for_pings("out/ahead.h5");
+  process.send(SIGINT);
+  const Outcome outcome = process.end();
+  EXPECT_EQ(outcome.status, 1);
+  const std::uint64_t pings = recorded("out/ahead.h5");
+  EXPECT_EQ(outcome.err, fmt::format("insonify: stopped after {} of 100000 pings; they are kept\n", pings));
+  EXPECT_THAT(files("out"), ElementsAre("ahead.h5", fmt::format("ahead_fan_{:04}.png", pings - 1),
+                                        fmt::format("ahead_polar_{:04}.png", pings - 1)));
+}
+
+TEST_F(CliStopTest, CtrlCLeavesWhatAHeadHasSeen) {
+  const Process process({"run", "scan.yaml", "-o", "out", "--pings", "100000", "--pictures", "1", "--no-view"});
+  wait_for_pings("out/around.h5");
+  process.send(SIGINT);
+  EXPECT_EQ(process.end().status, 1);
+  EXPECT_THAT(files("out"), ElementsAre("around.h5", "around_polar.png", "around_scan.png"));
+}
+
+// A pipe that nobody writes to stands in for a world that takes long to load.
+TEST_F(CliStopTest, CtrlCWhileLoadingEndsAtOnce) {
+  for (const int signal : {SIGINT, SIGTERM}) {
+    std::filesystem::remove("pipe");
+    ASSERT_EQ(mkfifo("pipe", 0600), 0);
+    const Process process({"run", "pipe", "-o", "out"});
+    Process::wait_until([] { return text_of("process.out") == "reading the scenario from pipe, a pipe\n"; });
+    process.send(signal);
+    const Outcome outcome = process.end();
+    EXPECT_EQ(outcome.status, 1);
+    EXPECT_EQ(outcome.err, "insonify: interrupted before the first ping\n");
+    EXPECT_FALSE(std::filesystem::exists("out"));
+  }
+}
+
+// As for a job in a shell's background.
+TEST_F(CliStopTest, CtrlCThatWasIgnoredStaysSo) {
+  const Outcome outcome =
+      shell("mkfifo pipe; (trap '' INT; exec bash -c 'exec \"$0\" run pipe -o out --no-pictures' " INSONIFY_CLI
+            ") & sleep 0.3; kill -INT $!; cat fan.yaml > pipe; wait $!");
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+}
+
+TEST_F(CliStopTest, ARunThatIsKilledAtAnyMomentLeavesARecordingThatOpens) {
+  std::mt19937 random(20250117);
+  const std::filesystem::path recording = "out/ahead.h5";
+  for (int i = 0; i < 30; ++i) {
+    // Kills while a recording is made, over an earlier one or none, and kills while it grows.
+    const bool grows = i % 3 != 0;
+    if (grows) {
+      std::filesystem::remove(recording);
+    }
+    const Process process({"run", "fan.yaml", "-q", "-o", "out", "--no-pictures", "--pings", "100000"});
+    if (grows) {
+      wait_for_pings(recording);
+    }
+    usleep(static_cast<useconds_t>(random() % 60'000));
+    process.send(SIGKILL);
+    EXPECT_EQ(process.end().status, -1);
+    if (!std::filesystem::exists(recording)) {
+      EXPECT_FALSE(grows);
+      continue;
+    }
+    const H5Reader file(recording);
+    const std::uint64_t pings = file.shape("time").at(0);
+    EXPECT_GE(pings, grows ? 1U : 0U);
+    EXPECT_EQ(file.shape("intensity"), (std::vector<hsize_t>{pings, 40, 16}));
+    EXPECT_EQ(file.shape("instance"), (std::vector<hsize_t>{pings, 40, 16}));
+    EXPECT_EQ(file.shape("world_from_sonar"), (std::vector<hsize_t>{pings, 7}));
+    if (pings > 0) {
+      // The last ping is whole: the floor fills the same bins each time.
+      EXPECT_EQ(file.row<std::uint16_t>("instance", pings - 1), file.row<std::uint16_t>("instance", 0));
+      EXPECT_EQ(file.row<double>("world_from_sonar", pings - 1), file.row<double>("world_from_sonar", 0));
+    }
+  }
+}
+
+}  // namespace
+}  // namespace insonify

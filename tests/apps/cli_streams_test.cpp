@@ -1,0 +1,98 @@
+// cli_streams_test.cpp -- streams that are closed or full, disks that are, and scenarios that come through a pipe.
+
+#include "apps/cli.h"
+
+namespace insonify {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::StartsWith;
+
+using CliStreamsTest = CliTest;
+
+TEST_F(CliStreamsTest, ARecordingDoesNotTakeThePlaceOfAClosedStream) {
+  ASSERT_EQ(shell("insonify run fan.yaml --no-pictures -o a").status, 0);
+  for (const char* closed : {">&-", "2>&-", "<&-", "<&- >&- 2>&-"}) {
+    const Outcome outcome =
+        shell(fmt::format("insonify run fan.yaml --no-pictures -o b {} && cmp a/ahead.h5 b/ahead.h5", closed));
+    EXPECT_EQ(outcome.status, 0) << closed << outcome.out;
+  }
+}
+
+TEST_F(CliStreamsTest, WhatCannotBeSaidIsAnError) {
+  constexpr const char* kFull = "insonify: standard output: cannot write: No space left on device\n";
+  for (const char* command : {"describe", "sonars", "sonars tritech-micron-dst", "version", "--version", "--help",
+                              "run --help", "run fan.yaml --no-pictures"}) {
+    const Outcome outcome = shell(fmt::format("insonify {} > /dev/full", command));
+    EXPECT_EQ(outcome.status, 1) << command;
+    EXPECT_EQ(outcome.err, kFull) << command;
+  }
+  EXPECT_EQ(files("fan_pings"), std::set<std::string>{"ahead.h5"});
+}
+
+TEST_F(CliStreamsTest, AReaderThatHasGoneIsNoError) {
+  EXPECT_EQ(shell("insonify describe | head -n 1 > first").err, "");
+  // As Python's children have it: the write fails instead of ending the program.
+  EXPECT_EQ(shell("(trap '' PIPE; insonify describe) | true").err, "");
+}
+
+TEST_F(CliStreamsTest, AnErrorThatCannotBeToldStillIsAnExitStatus) {
+  EXPECT_EQ(shell("insonify run nowhere.yaml 2> /dev/full").status, 2);
+  EXPECT_EQ(shell("insonify run nowhere.yaml 2>&-").status, 2);
+  EXPECT_EQ(shell("insonify run fan.yaml -o a -q --no-pictures --set orientation_deg=[0,-90,0] 2> /dev/full").status,
+            0);
+}
+
+TEST_F(CliStreamsTest, AFileThatMayNotGrowIsOneLine) {
+  const Outcome outcome = shell("ulimit -f 8; insonify run fan.yaml -q -o out --no-pictures");
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_EQ(outcome.err, "insonify: out/ahead.h5: cannot make room for 23232 bytes: File too large\n");
+  EXPECT_THAT(files("out"), IsEmpty());
+}
+
+TEST_F(CliStreamsTest, AFullDiskIsOneLineAndKeepsWhatWasRecorded) {
+  const char* with_disk =
+      "mkdir small && unshare -m bash -c 'mount -t tmpfs -o size={}k none small || exit 77; \"{}\" run fan.yaml -q -o "
+      "small --no-pictures --pings 1000; status=$?; cp small/* . 2> /dev/null; exit $status'; status=$?; rmdir small; "
+      "exit $status";
+  for (const int kilobytes : {4, 8, 16, 40, 64}) {
+    const Outcome outcome = shell(fmt::format(fmt::runtime(with_disk), kilobytes, INSONIFY_CLI));
+    if (outcome.status == 77 || outcome.err.find("unshare") != std::string::npos) {
+      GTEST_SKIP() << "a small disk can only be made by root";
+    }
+    EXPECT_EQ(outcome.status, 1) << kilobytes;
+    EXPECT_EQ(outcome.err, "insonify: small/ahead.h5: cannot create: No space left on device\n") << kilobytes;
+  }
+  const Outcome outcome = shell(fmt::format(fmt::runtime(with_disk), 400, INSONIFY_CLI));
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_THAT(outcome.err, testing::MatchesRegex("insonify: small/ahead.h5: cannot write ping [0-9]+: No space left on "
+                                                 "device; those before it stay readable\n"));
+  EXPECT_EQ(shell("h5ls ahead.h5 > listing || true").status, 0);
+}
+
+TEST_F(CliStreamsTest, APictureLeavesAFolderOfItsNameAlone) {
+  folder.write("out/ahead_fan_0001.png/mine", "");
+  const Outcome outcome = shell("insonify run fan.yaml -q -o out --no-view");
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_EQ(outcome.err,
+            "insonify: out/ahead_fan_0001.png: cannot write the picture: it is there and is no regular file\n");
+  EXPECT_THAT(files("out/ahead_fan_0001.png"), ElementsAre("mine"));
+}
+
+TEST_F(CliStreamsTest, AScenarioMayComeThroughAPipe) {
+  for (const char* line : {"insonify run /dev/stdin -o out --no-pictures < fan.yaml",
+                           "cat fan.yaml | insonify run /dev/stdin -o out --no-pictures",
+                           "insonify run <(cat fan.yaml) -o out --no-pictures",
+                           "mkfifo pipe; cat fan.yaml > pipe & insonify run pipe -o out --no-pictures"}) {
+    const Outcome outcome = shell(line);
+    EXPECT_EQ(outcome.status, 0) << line << outcome.err;
+    EXPECT_THAT(outcome.out, HasSubstr("ahead: 3 pings of 16 beams")) << line;
+  }
+  EXPECT_THAT(shell("insonify run <(cat fan.yaml) -o out --no-pictures").out,
+              StartsWith("reading the scenario from /dev/fd/"));
+}
+
+}  // namespace
+}  // namespace insonify
