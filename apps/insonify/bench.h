@@ -10,8 +10,8 @@ namespace insonify {
 struct BenchOptions {
   std::vector<int> triangles = {1'000, 100'000, 1'000'000};
   std::vector<int> threads = {1, 2};
-  int repetitions = 40;         ///< Timed pings of each row, after a warm-up.
-  std::filesystem::path json;   ///< Where the rows are written too; empty for nowhere.
+  int repetitions = 40;        ///< Timed pings of each row, after a warm-up.
+  std::filesystem::path json;  ///< Where the rows are written too; empty for nowhere.
 };
 
 /// insonify bench engine: a ping, and the bare traversal of its rays, on scenes of growing size.

@@ -8,15 +8,16 @@ namespace insonify {
 
 /// Absorption after Ainslie and McColm, J. Acoust. Soc. Am. 103(3), 1671 (1998); the default.
 ///
-/// Sums the relaxation of boric acid, the relaxation of magnesium sulphate and the viscosity of the water itself. Within
-/// 10 % of Francois and Garrison from 100 Hz to 1 MHz; above 1 MHz only viscosity matters and the formula is
+/// Sums the relaxation of boric acid, the relaxation of magnesium sulphate and the viscosity of the water itself.
+/// Within 10 % of Francois and Garrison from 100 Hz to 1 MHz; above 1 MHz only viscosity matters and the formula is
 /// extrapolated. Salinity 0 leaves viscosity alone.
 ///
 /// @param frequency  [Hz], >= 0.
 /// @return           Loss per metre travelled, one way [dB/m].
 [[nodiscard]] double absorption_db_per_m(double frequency, const Water& water);
 
-/// Absorption after Francois and Garrison, J. Acoust. Soc. Am. 72(3), 896 and 72(6), 1879 (1982). 200 Hz to 1 MHz, +-5 %.
+/// Absorption after Francois and Garrison, J. Acoust. Soc. Am. 72(3), 896 and 72(6), 1879 (1982). 200 Hz to 1 MHz, +-5
+/// %.
 [[nodiscard]] double francois_garrison_db_per_m(double frequency, const Water& water);
 
 /// 1 dB = ln(10)/20 Np. (The paper prints 0.0115: ten times too small.)

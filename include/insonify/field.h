@@ -26,16 +26,30 @@ struct Limits {
   [[nodiscard]] std::string text(double scale = 1) const;
 };
 
-constexpr Limits any_number() { return {}; }
-constexpr Limits at_least(double least) { return {.least = least}; }
-constexpr Limits greater_than(double least) { return {.least = least, .least_allowed = false}; }
-constexpr Limits from_to(double least, double most) { return {.least = least, .most = most}; }
-constexpr Limits above_to(double least, double most) { return {.least = least, .most = most, .least_allowed = false}; }
+constexpr Limits any_number() {
+  return {};
+}
+constexpr Limits at_least(double least) {
+  return {.least = least};
+}
+constexpr Limits greater_than(double least) {
+  return {.least = least, .least_allowed = false};
+}
+constexpr Limits from_to(double least, double most) {
+  return {.least = least, .most = most};
+}
+constexpr Limits above_to(double least, double most) {
+  return {.least = least, .most = most, .least_allowed = false};
+}
 
 /// Of a place in the world [m]: wide enough for any map's eastings and northings, far from where squares overflow.
-constexpr Limits coordinate() { return from_to(-1e7, 1e7); }
+constexpr Limits coordinate() {
+  return from_to(-1e7, 1e7);
+}
 /// Of a turn [rad]: +-1e6 degrees, for a heading that is counted on and on.
-constexpr Limits turn() { return from_to(-1e6 * std::numbers::pi / 180, 1e6 * std::numbers::pi / 180); }
+constexpr Limits turn() {
+  return from_to(-1e6 * std::numbers::pi / 180, 1e6 * std::numbers::pi / 180);
+}
 
 /// One field of a configuration: what a reader, the command line and the manual need to know of it.
 ///
@@ -43,10 +57,10 @@ constexpr Limits turn() { return from_to(-1e6 * std::numbers::pi / 180, 1e6 * st
 /// calls `visit(Field, member)` on each member in order. The YAML reader, `--set`, `insonify describe` and validate()
 /// are made from that list, so a field added there appears everywhere.
 struct Field {
-  std::string_view name;       ///< As in code. In files a field in "rad" is written in degrees, as `<name>_deg`.
-  std::string_view unit;       ///< "m", "Hz", "rad", "s", "" (a count, a ratio or a word) ...
-  Limits limits;               ///< Of a number, or of each element of a list; ignored for words.
-  std::string_view help;       ///< One sentence, from a capital letter to a full stop.
+  std::string_view name;  ///< As in code. In files a field in "rad" is written in degrees, as `<name>_deg`.
+  std::string_view unit;  ///< "m", "Hz", "rad", "s", "" (a count, a ratio or a word) ...
+  Limits limits;          ///< Of a number, or of each element of a list; ignored for words.
+  std::string_view help;  ///< One sentence, from a capital letter to a full stop.
 };
 
 /// Name of the field as users write it: `azimuth_aperture_deg` for an angle, the plain name otherwise.
@@ -64,7 +78,8 @@ struct Field {
 /// @throws Error "sonars[0].max_range = -2 m must be greater than 0 m"
 void check_field(std::string_view object, const Field& field, double value, int index = -1);
 
-/// Checks the members that are numbers, optional numbers or lists or vectors of numbers, in order; words are left alone.
+/// Checks the members that are numbers, optional numbers or lists or vectors of numbers, in order; words are left
+/// alone.
 template <typename Config>
 void check_fields(std::string_view object, const Config& config);
 
@@ -78,11 +93,16 @@ void check_member(std::string_view object, const Field& field, const T& member) 
     return;
   } else if constexpr (std::is_arithmetic_v<T>) {
     check_field(object, field, static_cast<double>(member));
-  } else if constexpr (requires { typename T::value_type; member.has_value(); }) {
+  } else if constexpr (requires {
+                         typename T::value_type;
+                         member.has_value();
+                       }) {
     if (member.has_value()) {
       check_member(object, field, *member);
     }
-  } else if constexpr (requires { { *member.begin() } -> std::same_as<const double&>; }) {
+  } else if constexpr (requires {
+                         { *member.begin() } -> std::same_as<const double&>;
+                       }) {
     int index = 0;
     for (const double value : member) {
       check_field(object, field, value, index++);
@@ -94,9 +114,8 @@ void check_member(std::string_view object, const Field& field, const T& member) 
 
 template <typename Config>
 void check_fields(std::string_view object, const Config& config) {
-  Config::visit_fields(config, [&](const Field& field, const auto& member) {
-    detail::check_member(object, field, member);
-  });
+  Config::visit_fields(config,
+                       [&](const Field& field, const auto& member) { detail::check_member(object, field, member); });
 }
 
 }  // namespace insonify

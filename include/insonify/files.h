@@ -23,8 +23,8 @@ namespace insonify {
 /// @throws Error with the path for a file that is missing, unreadable, empty or of an unknown kind.
 [[nodiscard]] Mesh load_mesh(const std::filesystem::path& path, const Log& log = {});
 
-/// Reads heights: 16- or 8-bit grey PNG (0..1 over its full scale, spacing 1 m), ESRI ASCII grid (.asc) or BAG (.bag, depths as
-/// negative heights). Geographic spacing (degrees) becomes metres at the grid's own latitude.
+/// Reads heights: 16- or 8-bit grey PNG (0..1 over its full scale, spacing 1 m), ESRI ASCII grid (.asc) or BAG (.bag,
+/// depths as negative heights). Geographic spacing (degrees) becomes metres at the grid's own latitude.
 /// @throws Error with the path, and for text the line.
 [[nodiscard]] HeightGrid load_height_grid(const std::filesystem::path& path, const Log& log = {});
 
@@ -44,10 +44,10 @@ namespace insonify {
 
 /// One number of a preset: where it comes from and how far to trust it.
 struct PresetFact {
-  std::string field;        ///< As in the file.
-  std::string value;        ///< As in the file.
-  std::string unit;         ///< Of that value; may be "".
-  std::string confidence;   ///< A (read in the source), B (data-sheet knowledge, cross-checked) or C (uncertain).
+  std::string field;       ///< As in the file.
+  std::string value;       ///< As in the file.
+  std::string unit;        ///< Of that value; may be "".
+  std::string confidence;  ///< A (read in the source), B (data-sheet knowledge, cross-checked) or C (uncertain).
   std::string source;
 };
 /// What is known of an instrument beside its SonarConfig.
@@ -66,31 +66,31 @@ struct Instrument {
 };
 
 struct Preset {
-  std::string name;                  ///< "tritech-gemini-720i"; a mode is chosen with "preset: NAME" and "mode: MODE".
-  std::string title;                 ///< "Tritech Gemini 720i"
+  std::string name;   ///< "tritech-gemini-720i"; a mode is chosen with "preset: NAME" and "mode: MODE".
+  std::string title;  ///< "Tritech Gemini 720i"
   std::string default_mode;
-  std::vector<std::string> modes;    ///< At least one.
+  std::vector<std::string> modes;  ///< At least one.
   std::filesystem::path file;
-  std::vector<PresetFact> facts;     ///< Of the mode it was loaded in.
-  Instrument instrument;             ///< In that mode.
-  SonarConfig sonar;                 ///< In that mode, over its longest range, in water of 1500 m/s.
+  std::vector<PresetFact> facts;  ///< Of the mode it was loaded in.
+  Instrument instrument;          ///< In that mode.
+  SonarConfig sonar;              ///< In that mode, over its longest range, in water of 1500 m/s.
 
   /// Gives a sonar the bins and the ping period that the instrument has over its range window: bins of
-  /// `range_resolution` as far as `bin_limit` allows, else `bin_limit` longer ones; pings at `ping_rate_limit` as far as
-  /// the range allows.
+  /// `range_resolution` as far as `bin_limit` allows, else `bin_limit` longer ones; pings at `ping_rate_limit` as far
+  /// as the range allows.
   /// @param sound_speed  The one the sonar assumes [m/s].
   void fit_to_range(SonarConfig& sonar, double sound_speed) const;
 };
-/// Names of all presets, in order. They are read from INSONIFY_PRESETS (a folder) if set, else from the installed or source
-/// tree's `presets`.
+/// Names of all presets, in order. They are read from INSONIFY_PRESETS (a folder) if set, else from the installed or
+/// source tree's `presets`.
 [[nodiscard]] std::vector<std::string> preset_names();
 
 /// @param mode  "" for the default.
 /// @throws Error naming the nearest preset or the modes there are; "path:line:column: ..." for a file that is wrong.
 [[nodiscard]] Preset load_preset(const std::string& name, const std::string& mode = "");
 
-/// Writes one sonar's pings to one HDF5 file, ping by ping: at any moment the file on disk is whole up to the last ping,
-/// so that a killed run leaves one that opens as usual. docs/reference/recording.md lists what it holds.
+/// Writes one sonar's pings to one HDF5 file, ping by ping: at any moment the file on disk is whole up to the last
+/// ping, so that a killed run leaves one that opens as usual. docs/reference/recording.md lists what it holds.
 class Recording {
  public:
   /// @param simulated  For the file's attributes and names: scenario, scene, sonar.

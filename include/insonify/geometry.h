@@ -14,7 +14,7 @@ using Vec3f = Eigen::Vector3f;
 
 /// A rigid transform, named after both frames, result first: `p_world = world_from_sonar * p_sonar`.
 struct Pose {
-  Vec3 position = Vec3::Zero();                                   ///< [m]
+  Vec3 position = Vec3::Zero();                                     ///< [m]
   Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();  ///< Unit quaternion.
 
   [[nodiscard]] Vec3 operator*(const Vec3& point) const { return position + orientation * point; }
@@ -43,15 +43,19 @@ struct Spherical {
 [[nodiscard]] Spherical spherical_from_point(const Vec3& point);
 [[nodiscard]] Vec3 point_from_spherical(const Spherical& spherical);
 
-[[nodiscard]] constexpr double radians_from_degrees(double degrees) { return degrees / 180.0 * std::numbers::pi; }
-[[nodiscard]] constexpr double degrees_from_radians(double radians) { return radians / std::numbers::pi * 180.0; }
+[[nodiscard]] constexpr double radians_from_degrees(double degrees) {
+  return degrees / 180.0 * std::numbers::pi;
+}
+[[nodiscard]] constexpr double degrees_from_radians(double radians) {
+  return radians / std::numbers::pi * 180.0;
+}
 
 /// Half a line, with the stretch of it that counts.
 struct Ray {
-  Vec3 origin = Vec3::Zero();        ///< World frame [m].
-  Vec3 direction = Vec3::UnitX();    ///< Unit vector, world frame.
-  double min_distance = 0;           ///< [m], >= 0
-  double max_distance = 1e30;        ///< [m]
+  Vec3 origin = Vec3::Zero();      ///< World frame [m].
+  Vec3 direction = Vec3::UnitX();  ///< Unit vector, world frame.
+  double min_distance = 0;         ///< [m], >= 0
+  double max_distance = 1e30;      ///< [m]
 };
 
 }  // namespace insonify

@@ -37,11 +37,13 @@ struct PaperModel {
     visit(Field{"sigmoid_slope", "", above_to(0, 1e6),
                 "Steepness of the sigmoid, four times its slope at the midpoint (logistic)."},
           self.sigmoid_slope);
-    visit(Field{"multiplicative_mean", "", from_to(0, 1e6), "Mean of the multiplicative noise."}, self.multiplicative_mean);
+    visit(Field{"multiplicative_mean", "", from_to(0, 1e6), "Mean of the multiplicative noise."},
+          self.multiplicative_mean);
     visit(Field{"multiplicative_deviation", "", from_to(0, 1e6), "Standard deviation of the multiplicative noise."},
           self.multiplicative_deviation);
-    visit(Field{"additive_deviation", "", from_to(0, 1e6), "Standard deviation of the additive noise, whose mean is 0."},
-          self.additive_deviation);
+    visit(
+        Field{"additive_deviation", "", from_to(0, 1e6), "Standard deviation of the additive noise, whose mean is 0."},
+        self.additive_deviation);
   }
 };
 

@@ -12,19 +12,20 @@ namespace insonify {
 
 /// One ping. Tables are bin-major: the value of bin i in beam j is at [i * beam_count + j], so that a row is one range.
 struct Ping {
-  std::uint64_t number = 0;   ///< From 0.
-  double time = 0;            ///< Of transmission [s].
-  Pose world_from_sonar;      ///< Of the housing.
-  double head_angle = 0;      ///< Of a scanning head in the housing, positive to port [rad]; else 0.
+  std::uint64_t number = 0;  ///< From 0.
+  double time = 0;           ///< Of transmission [s].
+  Pose world_from_sonar;     ///< Of the housing.
+  double head_angle = 0;     ///< Of a scanning head in the housing, positive to port [rad]; else 0.
 
   int bin_count = 0;
   int beam_count = 0;
-  std::vector<float> intensity;          ///< Echo intensity; 0..1 in the `paper` model.
+  std::vector<float> intensity;  ///< Echo intensity; 0..1 in the `paper` model.
 
   // Ground truth, from the same deposit.
-  std::vector<std::uint16_t> instance;   ///< Index into Scene::instances of the strongest; kNoLabel where nothing echoed.
-  std::vector<std::uint16_t> material;   ///< Index into Scene::materials of the same.
-  std::vector<float> elevation;          ///< Mean elevation of the same in the sonar frame [rad]; NaN where nothing echoed.
+  std::vector<std::uint16_t>
+      instance;  ///< Index into Scene::instances of the strongest; kNoLabel where nothing echoed.
+  std::vector<std::uint16_t> material;  ///< Index into Scene::materials of the same.
+  std::vector<float> elevation;  ///< Mean elevation of the same in the sonar frame [rad]; NaN where nothing echoed.
 
   [[nodiscard]] std::size_t index(int bin, int beam) const { return static_cast<std::size_t>(bin) * beam_count + beam; }
 };

@@ -17,9 +17,9 @@ namespace insonify {
 
 /// Where something is at a time.
 struct Waypoint {
-  double time = 0;                 ///< [s], within 1e10.
-  Vec3 position = Vec3::Zero();    ///< [m], within 1e7.
-  Vec3 orientation = Vec3::Zero(); ///< Roll, pitch, yaw [rad], within 1e6 deg.
+  double time = 0;                  ///< [s], within 1e10.
+  Vec3 position = Vec3::Zero();     ///< [m], within 1e7.
+  Vec3 orientation = Vec3::Zero();  ///< Roll, pitch, yaw [rad], within 1e6 deg.
 
   template <typename Self, typename Visit>
   static void visit_fields(Self& self, Visit&& visit) {
@@ -29,8 +29,8 @@ struct Waypoint {
   }
 };
 
-/// Waypoints in order of time. Between two, position moves on a straight line and orientation turns the shorter way at a
-/// constant rate; before the first and after the last it stands still. Empty: the world's origin.
+/// Waypoints in order of time. Between two, position moves on a straight line and orientation turns the shorter way at
+/// a constant rate; before the first and after the last it stands still. Empty: the world's origin.
 struct Trajectory {
   std::vector<Waypoint> waypoints;
   [[nodiscard]] Pose at(double time) const;
@@ -40,9 +40,9 @@ struct Trajectory {
 
 /// Something in the world that moves by itself.
 struct Motion {
-  std::string object;      ///< A model, link or visual by its scoped name.
-  Trajectory trajectory;   ///< Where the object's own frame is; its parts move with it.
-  std::string where;       ///< "path:line:column: " for messages.
+  std::string object;     ///< A model, link or visual by its scoped name.
+  Trajectory trajectory;  ///< Where the object's own frame is; its parts move with it.
+  std::string where;      ///< "path:line:column: " for messages.
 
   template <typename Self, typename Visit>
   static void visit_fields(Self& self, Visit&& visit) {
@@ -52,7 +52,7 @@ struct Motion {
 
 /// What the receiver adds, in either model.
 struct ReceiverConfig {
-  bool noise = true;   ///< Whether noise is drawn at all.
+  bool noise = true;  ///< Whether noise is drawn at all.
 
   template <typename Self, typename Visit>
   static void visit_fields(Self& self, Visit&& visit) {
@@ -62,38 +62,39 @@ struct ReceiverConfig {
 
 /// A camera for a look at the scene beside the ping.
 struct ViewConfig {
-  Vec3 position = Vec3::Zero();   ///< Of the camera, in the world [m], within 1e8.
-  Vec3 look_at = Vec3::UnitX();   ///< [m], within 1e8.
-  double field_of_view = radians_from_degrees(50);    ///< Horizontal [rad], in (0, 170 deg].
+  Vec3 position = Vec3::Zero();                     ///< Of the camera, in the world [m], within 1e8.
+  Vec3 look_at = Vec3::UnitX();                     ///< [m], within 1e8.
+  double field_of_view = radians_from_degrees(50);  ///< Horizontal [rad], in (0, 170 deg].
 
   template <typename Self, typename Visit>
   static void visit_fields(Self& self, Visit&& visit) {
     constexpr Limits kReach = from_to(-1e8, 1e8);  // Room around a sonar at the edge of the world.
     visit(Field{"position", "m", kReach, "Of the camera: [x, y, z]."}, self.position);
     visit(Field{"look_at", "m", kReach, "Where it looks: [x, y, z]."}, self.look_at);
-    visit(Field{"field_of_view", "rad", above_to(0, radians_from_degrees(170)), "Width of the view."}, self.field_of_view);
+    visit(Field{"field_of_view", "rad", above_to(0, radians_from_degrees(170)), "Width of the view."},
+          self.field_of_view);
   }
 };
 
 struct Scenario {
-  std::filesystem::path file;      ///< It was read from; empty when made in code.
-  std::string text;                ///< The file as read with --set applied, kept for the recording.
+  std::filesystem::path file;  ///< It was read from; empty when made in code.
+  std::string text;            ///< The file as read with --set applied, kept for the recording.
 
-  std::filesystem::path world;     ///< SDF world or model, or mesh file; absolute.
-  std::string world_where;         ///< "path:line:column: " of that entry, for messages.
-  bool collisions = false;         ///< Insonify the world's collision shapes instead of its visuals.
-  std::string model = "paper";     ///< Model of the echo.
+  std::filesystem::path world;  ///< SDF world or model, or mesh file; absolute.
+  std::string world_where;      ///< "path:line:column: " of that entry, for messages.
+  bool collisions = false;      ///< Insonify the world's collision shapes instead of its visuals.
+  std::string model = "paper";  ///< Model of the echo.
   std::string engine = "cpu";
   SecondaryEchoes secondary = SecondaryEchoes::kSelective;
   std::uint64_t seed = 1;
-  int pings = 1;                   ///< >= 1; of each sonar.
+  int pings = 1;  ///< >= 1; of each sonar.
 
   Water water;
   PaperModel paper;
   ReceiverConfig receiver;
   MaterialRules materials;
   std::vector<SonarConfig> sonars;
-  Trajectory trajectory;           ///< Of the vehicle.
+  Trajectory trajectory;  ///< Of the vehicle.
   std::vector<Motion> motions;
   std::optional<ViewConfig> view;  ///< Chosen to show the first sonar's field when absent.
 
@@ -104,14 +105,17 @@ struct Scenario {
   /// Visits the members that are plain values; the parts (water, sonars ...) visit their own.
   template <typename Self, typename Visit>
   static void visit_fields(Self& self, Visit&& visit) {
-    visit(Field{"world", "", {}, "SDF world or model, mesh or height grid; relative paths are from the scenario's folder."},
-          self.world);
+    visit(
+        Field{
+            "world", "", {}, "SDF world or model, mesh or height grid; relative paths are from the scenario's folder."},
+        self.world);
     visit(Field{"collisions", "", {}, "Insonify the world's collision shapes instead of its visuals (SDF)."},
           self.collisions);
     visit(Field{"model", "", {}, "Model of the echo: paper."}, self.model);
     visit(Field{"engine", "", {}, "What computes the echoes: cpu, or reference (slow, for checks)."}, self.engine);
     visit(Field{"secondary", "", {}, "Which hits send a ray on in search of a second surface."}, self.secondary);
-    visit(Field{"seed", "", at_least(0), "Start of the random numbers; the same seed gives the same pings."}, self.seed);
+    visit(Field{"seed", "", at_least(0), "Start of the random numbers; the same seed gives the same pings."},
+          self.seed);
     visit(Field{"pings", "", from_to(1, 1e9), "Pings of each sonar."}, self.pings);
   }
 };

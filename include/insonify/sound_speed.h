@@ -11,7 +11,8 @@ namespace insonify {
 // Each takes temperature_c [degC], salinity [PSU], depth [m] and returns the sound speed [m/s].
 
 /// UNESCO equation of Chen and Millero (1977) with the coefficients of Wong and Zhu (1995): 0..40 degC, 0..40 PSU,
-/// 0..1000 bar. The only one here that holds in fresh water; the default. Latitude [rad] only turns depth into pressure.
+/// 0..1000 bar. The only one here that holds in fresh water; the default. Latitude [rad] only turns depth into
+/// pressure.
 [[nodiscard]] double chen_millero_sound_speed(double temperature_c, double salinity, double depth,
                                               double latitude = 0.7853981633974483);
 /// Del Grosso (1974) with the coefficients of Wong and Zhu (1995): 0..30 degC, 30..40 PSU.

@@ -11,12 +11,12 @@ namespace insonify {
 /// A homogeneous body of water. Limits are those of the absorption formula (absorption.h) and, for salinity 0, of the
 /// sound-speed formula (sound_speed.h).
 struct Water {
-  double temperature_c = 10.0;           ///< Temperature [degC], -6..35.
-  double salinity = 35.0;                ///< Practical salinity [PSU], 0..50. Zero is fresh water.
-  double ph = 8.0;                       ///< Acidity [pH], 6.5..8.5 (the formula was fitted from 7.7 to 8.3).
-  double depth = 0.0;                    ///< Depth of the sonar below the surface [m], 0..7000.
-  std::optional<double> sound_speed = {}; ///< True sound speed [m/s], 1300..1700; from the above when absent.
-  bool absorption = true;                ///< Whether the water absorbs sound at all.
+  double temperature_c = 10.0;             ///< Temperature [degC], -6..35.
+  double salinity = 35.0;                  ///< Practical salinity [PSU], 0..50. Zero is fresh water.
+  double ph = 8.0;                         ///< Acidity [pH], 6.5..8.5 (the formula was fitted from 7.7 to 8.3).
+  double depth = 0.0;                      ///< Depth of the sonar below the surface [m], 0..7000.
+  std::optional<double> sound_speed = {};  ///< True sound speed [m/s], 1300..1700; from the above when absent.
+  bool absorption = true;                  ///< Whether the water absorbs sound at all.
 
   /// The given sound speed, else that of Chen and Millero at this temperature, salinity and depth [m/s].
   [[nodiscard]] double true_sound_speed() const;

@@ -12,8 +12,8 @@ namespace insonify {
 /// A colour from 0xRRGGBB as written for screens.
 [[nodiscard]] Vec3f linear_colour(unsigned rgb);
 
-/// What a surface of that material looks like in white light. A name that tells nothing gets a tint of its own, near that
-/// of other things as dense.
+/// What a surface of that material looks like in white light. A name that tells nothing gets a tint of its own, near
+/// that of other things as dense.
 [[nodiscard]] Vec3f tint_of(const Material& material);
 
 /// The open water seen in a direction: brighter towards the surface.

@@ -1,9 +1,8 @@
-#include "insonify/geometry.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "insonify/geometry.h"
 #include "support/relative.h"
 
 namespace insonify {

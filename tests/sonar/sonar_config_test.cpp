@@ -225,8 +225,10 @@ TEST(SonarValidateTest, DefaultsAreValid) {
 }
 
 TEST(SonarValidateTest, NamesTheFieldOutOfItsLimits) {
-  EXPECT_EQ(fls([](auto& s) { s.frequency = 0; }), "sonars[1].frequency = 0 Hz must be greater than 0, at most 100000000 Hz");
-  EXPECT_EQ(fls([](auto& s) { s.frequency = NAN; }), "sonars[1].frequency = nan Hz must be greater than 0, at most 100000000 Hz");
+  EXPECT_EQ(fls([](auto& s) { s.frequency = 0; }),
+            "sonars[1].frequency = 0 Hz must be greater than 0, at most 100000000 Hz");
+  EXPECT_EQ(fls([](auto& s) { s.frequency = NAN; }),
+            "sonars[1].frequency = nan Hz must be greater than 0, at most 100000000 Hz");
   EXPECT_EQ(fls([](auto& s) { s.beam_count = 0; }), "sonars[1].beam_count = 0 must be from 1 to 4096");
   EXPECT_EQ(fls([](auto& s) { s.azimuth_aperture = deg(361); }),
             "sonars[1].azimuth_aperture_deg = 361 deg must be greater than 0, at most 360 deg");
@@ -236,18 +238,21 @@ TEST(SonarValidateTest, NamesTheFieldOutOfItsLimits) {
             "sonars[1].elevation_center_deg = -86 deg must be from -85 to 85 deg");
   EXPECT_EQ(fls([](auto& s) { s.bin_count = 65537; }), "sonars[1].bin_count = 65537 must be from 1 to 65536");
   EXPECT_EQ(fls([](auto& s) { s.min_range = -1; }), "sonars[1].min_range = -1 m must be from 0 to 100000 m");
-  EXPECT_EQ(fls([](auto& s) { s.max_range = 0; }), "sonars[1].max_range = 0 m must be greater than 0, at most 100000 m");
+  EXPECT_EQ(fls([](auto& s) { s.max_range = 0; }),
+            "sonars[1].max_range = 0 m must be greater than 0, at most 100000 m");
   EXPECT_EQ(fls([](auto& s) { s.blanking_range = -2; }), "sonars[1].blanking_range = -2 m must be from 0 to 100000 m");
   EXPECT_EQ(fls([](auto& s) { s.gain = 0; }), "sonars[1].gain = 0 must be greater than 0, at most 1000000000");
   EXPECT_EQ(fls([](auto& s) { s.assumed_sound_speed = 150; }),
             "sonars[1].assumed_sound_speed = 150 m/s must be from 1300 to 1700 m/s");
-  EXPECT_EQ(fls([](auto& s) { s.ping_period = 0; }), "sonars[1].ping_period = 0 s must be greater than 0, at most 1000000 s");
+  EXPECT_EQ(fls([](auto& s) { s.ping_period = 0; }),
+            "sonars[1].ping_period = 0 s must be greater than 0, at most 1000000 s");
   EXPECT_EQ(fls([](auto& s) { s.step = deg(181); }), "sonars[1].step_deg = 181 deg must be from -180 to 180 deg");
   EXPECT_EQ(fls([](auto& s) { s.sector_center = deg(181); }),
             "sonars[1].sector_center_deg = 181 deg must be from -180 to 180 deg");
   EXPECT_EQ(fls([](auto& s) { s.sector_width = 0; }),
             "sonars[1].sector_width_deg = 0 deg must be greater than 0, at most 360 deg");
-  EXPECT_EQ(fls([](auto& s) { s.position.y() = NAN; }), "sonars[1].position[1] = nan m must be from -10000000 to 10000000 m");
+  EXPECT_EQ(fls([](auto& s) { s.position.y() = NAN; }),
+            "sonars[1].position[1] = nan m must be from -10000000 to 10000000 m");
   EXPECT_EQ(fls([](auto& s) { s.orientation.z() = INFINITY; }),
             "sonars[1].orientation_deg[2] = inf deg must be finite and from -1000000 to 1000000 deg");
   EXPECT_EQ(fls([](auto& s) { s.sampling.columns_per_beam = 0; }),
