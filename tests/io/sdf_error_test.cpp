@@ -134,9 +134,9 @@ TEST_F(SdfErrorTest, ColumnsAreThoseOfTheElementAtFault) {
 
 TEST_F(SdfErrorTest, RefusesPlacesBeyondTheWorld) {
   EXPECT_EQ(error_of("<sdf version='1.9'>\n<model name='m'><pose>0 1e18 0 0 0 0</pose><link name='l'/></model></sdf>"),
-            "scene.sdf:2: model 'm': <pose> = 0 1e+18 0 m must be from -10000000 to 10000000 m in each direction");
+            "scene.sdf:2:1: model 'm': <pose> = 0 1e+18 0 m must be from -10000000 to 10000000 m in each direction");
   EXPECT_EQ(error_of(sdf_of("<box><size>1 4e7 3</size></box>")),
-            "scene.sdf:4: visual 'ship::hull::plate' reaches y = -20000000 m, must be from -10000000 to 10000000 m");
+            "scene.sdf:4:1: visual 'ship::hull::plate' reaches y = -20000000 m, must be from -10000000 to 10000000 m");
 }
 
 TEST_F(SdfErrorTest, GivesTheFirstOfSeveralFaultsAndCountsTheRest) {
