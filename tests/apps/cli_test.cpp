@@ -193,8 +193,8 @@ constexpr Mistake kMistakes[] = {
     {"FarSonar", "insonify run fan.yaml --set position=[0,1e18,0]", 2,
      "insonify: --set position=[0,1e18,0]: sonars[0].position[1] = 1e+18 m must be from -10000000 to 10000000 m"},
     {"UnknownLikeness", "insonify run likeness.yaml -q --set materials.post.like=stele", 2,
-     "insonify: --set materials.post.like=stele: materials.post.like = stele is not a known material; the nearest name "
-     "is steel"},
+     "insonify: --set materials.post.like=stele: materials.post.like = stele is not a known material; did you mean "
+     "steel?"},
     {"EndlessStream", "insonify run /dev/zero -q", 2, "insonify: /dev/zero: is no file and does not end"},
     {"EmptyStream", "insonify run /dev/null -q", 2, "insonify: /dev/null: the file is empty"},
     {"FolderThatIsAFile", "insonify run fan.yaml -q -o taken", 1,
