@@ -38,6 +38,7 @@ Simulator::Simulator(Scenario scenario, Scene scene, int threads) {
     state_->plans.push_back(make_ping_plan({.sonar = sonar,
                                             .water = state_->scenario.water,
                                             .paper = state_->scenario.paper,
+                                            .primary = state_->scenario.primary,
                                             .secondary = state_->scenario.secondary,
                                             .seed = state_->scenario.seed}));
     state_->grids.emplace_back(sonar.beam_count, sonar.bin_count,

@@ -17,6 +17,13 @@
 
 namespace insonify {
 
+/// How the nearest surface in each direction is found; the echoes are the same.
+enum class PrimaryEchoes {
+  kAuto,  ///< Whichever is likely to be faster.
+  kRays,
+  kRaster  ///< Triangles drawn into the fan's own columns and rows. `reference` traces rays all the same.
+};
+
 /// Which hits send a ray on, in search of a second surface.
 enum class SecondaryEchoes {
   kNone,
@@ -40,6 +47,7 @@ struct PingPlanSettings {
   SonarConfig sonar = {};
   Water water = {};
   PaperModel paper = {};
+  PrimaryEchoes primary = PrimaryEchoes::kAuto;
   SecondaryEchoes secondary = SecondaryEchoes::kSelective;
   std::uint64_t seed = 1;
 };

@@ -85,6 +85,7 @@ struct Scenario {
   bool collisions = false;      ///< Insonify the world's collision shapes instead of its visuals.
   std::string model = "paper";  ///< Model of the echo.
   std::string engine = "cpu";
+  PrimaryEchoes primary = PrimaryEchoes::kAuto;
   SecondaryEchoes secondary = SecondaryEchoes::kSelective;
   std::uint64_t seed = 1;
   int pings = 1;  ///< >= 1; of each sonar.
@@ -113,6 +114,8 @@ struct Scenario {
           self.collisions);
     visit(Field{"model", "", {}, "Model of the echo: paper."}, self.model);
     visit(Field{"engine", "", {}, "What computes the echoes: cpu, or reference (slow, for checks)."}, self.engine);
+    visit(Field{"primary", "", {}, "How the nearest surface in each direction is found; the echoes are the same."},
+          self.primary);
     visit(Field{"secondary", "", {}, "Which hits send a ray on in search of a second surface."}, self.secondary);
     visit(Field{"seed", "", at_least(0), "Start of the random numbers; the same seed gives the same pings."},
           self.seed);

@@ -191,6 +191,18 @@ void BeamTask::trace_strip(int first_column) {
   }
 }
 
+// The same strip from the raster.
+void BeamTask::read_strip(int first_column) {
+  aim_strip(first_column);
+  int rows_met = 0;
+  for (int column = first_column; column < std::min(first_column + kTile, columns_); ++column) {
+    rows_met = std::max(rows_met, raster_.read(first_column_ + column, hits_[column - first_column]));
+  }
+  for (HitColumn& hits : hits_) {
+    hits.rows = rows_met;
+  }
+}
+
 // Follows the selected hits of a strip, in the order of its tiles so that packets stay together.
 void BeamTask::send_onward(int first_column, EchoGrid& grid, Log* log) {
   const int columns = std::min(kTile, columns_ - first_column);
@@ -280,15 +292,23 @@ void BeamTask::trace_only(const Pose& world_from_sonar, int first_beam, int last
   }
 }
 
-void BeamTask::run(const Pose& world_from_sonar, int first_beam, int last_beam, EchoGrid& grid, Log* log) {
+void BeamTask::run(const Pose& world_from_sonar, int first_beam, int last_beam, const FanView* view, EchoGrid& grid,
+                   Log* log) {
   grid.clear(first_beam, last_beam);
   aim(world_from_sonar, first_beam, last_beam);
+  if (view != nullptr) {
+    raster_.draw(raster_scene_, *view, *plan_, first_column_, first_column_ + columns_);
+  }
   for (int lane = 0; lane < kPacketSize; ++lane) {
     onward_.rays.ray.tnear[lane] = back_.rays.ray.tnear[lane] = kRayClearance;
   }
 
   for (int first_column = 0; first_column < columns_; first_column += kTile) {
-    trace_strip(first_column);
+    if (view != nullptr) {
+      read_strip(first_column);
+    } else {
+      trace_strip(first_column);
+    }
     for (int column = first_column; column < std::min(first_column + kTile, columns_); ++column) {
       const HitColumn& hits = hits_[column - first_column];
       evaluate_column(*plan_, first_column_ + column, axes_[column], hits, stretches_);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "echo/cpu_scene.h"
+#include "echo/fan_raster.h"
 #include "echo/hit_column.h"
 #include "echo/ping_plan.h"
 #include "echo/ray_packet.h"
@@ -22,13 +23,15 @@ struct BeamTask {
     std::vector<RayPacket> onward, back;
   };
 
-  explicit BeamTask(const CpuScene& scene) : scene_(scene) {}
+  BeamTask(const CpuScene& scene, const RasterScene& raster_scene) : scene_(scene), raster_scene_(raster_scene) {}
 
   /// Gets ready for a plan; allocates only when it needs more memory than any before.
   void prepare(const PingPlan& plan);
 
   /// Fills the beams [first_beam, last_beam) of the grid.
-  void run(const Pose& world_from_sonar, int first_beam, int last_beam, EchoGrid& grid, Log* log = nullptr);
+  /// @param view  What the ping sees of the raster scene, to draw the primaries; null to trace them.
+  void run(const Pose& world_from_sonar, int first_beam, int last_beam, const FanView* view, EchoGrid& grid,
+           Log* log = nullptr);
 
   /// Only traces the beams' primary rays: the floor that run() stands on.
   void trace_only(const Pose& world_from_sonar, int first_beam, int last_beam);
@@ -50,11 +53,14 @@ struct BeamTask {
   int load_tile(int first_column, int first_row);
   bool read_tile(int first_row);
   void trace_strip(int first_column);
+  void read_strip(int first_column);
   void send_onward(int first_column, EchoGrid& grid, Log* log);
   void trace_onward(EchoGrid& grid, Log* log);
   void finish_returns(EchoGrid& grid, Log* log);
 
   const CpuScene& scene_;
+  const RasterScene& raster_scene_;
+  FanRaster raster_;
   const PingPlan* plan_ = nullptr;
   int first_column_ = 0, columns_ = 0;  // Of the lattice; columns below count from first_column_.
   Vec3f sonar_;                         // Position in the scene's coordinates.

@@ -26,8 +26,26 @@ int beams_per_task(const PingPlan& plan, int workers) {
 
 CpuEngine::CpuEngine(int threads) : workers_(threads) {
   for (int worker = 0; worker < workers_.count(); ++worker) {
-    scratch_.push_back(std::make_unique<BeamTask>(scene_));
+    scratch_.push_back(std::make_unique<BeamTask>(scene_, raster_scene_));
   }
+}
+
+void CpuEngine::set_scene(const Scene& scene) {
+  scene_.set(scene);
+  raster_scene_.set(scene);
+}
+
+void CpuEngine::move_instance(int instance, const Pose& world_from_mesh) {
+  scene_.move(instance, world_from_mesh);
+  raster_scene_.move(instance, world_from_mesh);
+}
+
+const FanView* CpuEngine::look(const PingPlan& plan, const Pose& world_from_sonar) {
+  if (plan.primary != PrimaryEchoes::kRaster) {
+    return nullptr;
+  }
+  view_.look(raster_scene_, plan, {world_from_sonar.position - raster_scene_.origin(), world_from_sonar.orientation});
+  return &view_;
 }
 
 template <typename Work>
@@ -45,8 +63,9 @@ void CpuEngine::for_each_task(const PingPlan& plan, Work&& work) {
 void CpuEngine::insonify(const PingPlan& plan, const Pose& world_from_sonar, std::uint64_t, EchoGrid& grid,
                          BeamSink* sink) {
   scene_.commit_moves();
+  const FanView* view = look(plan, world_from_sonar);
   for_each_task(plan, [&](BeamTask& scratch, int first_beam, int last_beam, int) {
-    scratch.run(world_from_sonar, first_beam, last_beam, grid);
+    scratch.run(world_from_sonar, first_beam, last_beam, view, grid);
     if (sink != nullptr) {
       sink->take(first_beam, last_beam);
     }
@@ -63,7 +82,7 @@ std::vector<double> CpuEngine::time_traversal(const PingPlan& plan, const Pose& 
   std::vector<BeamTask::Log> logs(task_count(plan.sonar.beam_count, beams_per_task(plan, workers_.count())));
   EchoGrid grid(plan.sonar.beam_count, plan.sonar.bin_count, kPathOrders);
   for_each_task(plan, [&](BeamTask& scratch, int first_beam, int last_beam, int task) {
-    scratch.run(world_from_sonar, first_beam, last_beam, grid, &logs[task]);
+    scratch.run(world_from_sonar, first_beam, last_beam, nullptr, grid, &logs[task]);
   });
 
   std::vector<double> seconds;

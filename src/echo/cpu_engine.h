@@ -19,8 +19,8 @@ class CpuEngine final : public Engine {
   explicit CpuEngine(int threads);
 
   [[nodiscard]] std::string_view name() const override { return "cpu"; }
-  void set_scene(const Scene& scene) override { scene_.set(scene); }
-  void move_instance(int instance, const Pose& world_from_mesh) override { scene_.move(instance, world_from_mesh); }
+  void set_scene(const Scene& scene) override;
+  void move_instance(int instance, const Pose& world_from_mesh) override;
   void insonify(const PingPlan& plan, const Pose& world_from_sonar, std::uint64_t ping, EchoGrid& grid,
                 BeamSink* sink) override;
   void trace(std::span<const Ray> rays, std::span<Hit> hits) override;
@@ -37,7 +37,12 @@ class CpuEngine final : public Engine {
   void for_each_task(const PingPlan& plan, Work&& work);
 
   Workers workers_;
+  // What the ping sees of the raster scene when its primaries are to be drawn, else null.
+  const FanView* look(const PingPlan& plan, const Pose& world_from_sonar);
+
   CpuScene scene_;
+  RasterScene raster_scene_;
+  FanView view_;
   std::vector<std::unique_ptr<BeamTask>> scratch_;  // One a worker.
   RayCounts counts_;
 };

@@ -8,7 +8,9 @@
 namespace insonify {
 
 PingPlan::PingPlan(const PingPlanSettings& settings)
-    : sonar(settings.sonar), lattice(settings.sonar), shape(settings.paper), secondary(settings.secondary) {
+    : sonar(settings.sonar), lattice(settings.sonar), shape(settings.paper),
+      primary(settings.primary),
+      secondary(settings.secondary) {
   const double true_speed = settings.water.true_sound_speed();
   const double scale = sonar.assumed_sound_speed.value_or(true_speed) / true_speed;
   neper_per_metre = static_cast<float>(kNeperPerDecibel * settings.water.absorption_db_per_m_at(sonar.frequency));

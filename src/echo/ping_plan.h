@@ -17,6 +17,7 @@ class PingPlan {
   SonarConfig sonar;
   Lattice lattice;
   PaperShape shape;
+  PrimaryEchoes primary;
   SecondaryEchoes secondary;
 
   float neper_per_metre = 0;  ///< Absorption of pressure amplitude [Np/m].

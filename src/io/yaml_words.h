@@ -36,6 +36,11 @@ constexpr auto words_of<Sigmoid>() {
 }
 
 template <>
+constexpr auto words_of<PrimaryEchoes>() {
+  return Words<PrimaryEchoes, 3>{
+      {{"auto", PrimaryEchoes::kAuto}, {"rays", PrimaryEchoes::kRays}, {"raster", PrimaryEchoes::kRaster}}};
+}
+template <>
 constexpr auto words_of<SecondaryEchoes>() {
   return Words<SecondaryEchoes, 3>{
       {{"none", SecondaryEchoes::kNone}, {"selective", SecondaryEchoes::kSelective}, {"all", SecondaryEchoes::kAll}}};

@@ -43,7 +43,9 @@ void lay_rows(double low, double high, Lattice& lattice) {
   const int phases = lattice.columns_per_beam;
   const double first = std::tan(low);
   const double step = (std::tan(high) - first) / lattice.rows;
+  lattice.tan_step = to_float(step);
   for (int phase = 0; phase < phases; ++phase) {
+    lattice.first_tans.push_back(to_float(first + step * (phase + 0.5) / phases));
     double below = std::sin(low);
     for (int row = 0; row < lattice.rows; ++row) {
       const double elevation = std::atan(first + step * (row + (phase + 0.5) / phases));

@@ -38,6 +38,10 @@ struct Lattice {
   /// first and the last. At [phase * rows + row].
   std::vector<float> share;
 
+  float tan_step = 0;  ///< From row to row, of tan(elevation).
+  [[nodiscard]] float first_tan(int column) const { return first_tans[phase[column]]; }  ///< Of row 0.
+  std::vector<float> first_tans;                                                         // One a phase.
+
   // Directions of the aperture's lower and upper edge.
   float cos_low = 1, sin_low = 0, cos_high = 1, sin_high = 0;
 

@@ -1,0 +1,83 @@
+// fan_view.cpp -- what of a scene lies in a fan, cluster by cluster.
+
+#include <algorithm>
+#include <cmath>
+
+#include "echo/fan_raster.h"
+
+namespace insonify {
+
+void ColumnFinder::prepare(const Lattice& lattice) {
+  constexpr int kStepsAColumn = 2;
+  const int steps = kStepsAColumn * lattice.columns;
+  columns_ = lattice.columns;
+  port_ = lattice.azimuth.front();
+  const float span = std::max(port_ - lattice.azimuth.back(), 1e-6F);
+  steps_per_radian_ = static_cast<float>(steps) / span;
+  first_.resize(static_cast<std::size_t>(steps) + 2);
+  int column = 0;
+  for (int step = 0; step < steps + 2; ++step) {
+    // A step early, for rounding.
+    const float edge = port_ - static_cast<float>(step - 1) / steps_per_radian_;
+    while (column < lattice.columns && lattice.azimuth[column] > edge) {
+      ++column;
+    }
+    first_[step] = column;
+  }
+}
+
+ColumnFinder::Columns ColumnFinder::between(float low, float high) const {
+  const auto last_step = static_cast<float>(first_.size() - 1);
+  const float from = (port_ - high) * steps_per_radian_;
+  const float to = (port_ - low) * steps_per_radian_ + 3;
+  if (to < 0 || from > last_step) {
+    return {0, 0};
+  }
+  const int first = from <= 0 ? 0 : first_[static_cast<int>(from)];
+  const int last = to >= last_step ? columns_ : first_[static_cast<int>(to)];
+  return {first, last};
+}
+
+void FanView::look(const RasterScene& scene, const PingPlan& plan, const Pose& scene_from_sonar) {
+  const Lattice& lattice = plan.lattice;
+  finder_.prepare(lattice);
+  placements_.resize(scene.parts().size());
+  for (std::size_t i = 0; i < placements_.size(); ++i) {
+    const Pose part_from_sonar = scene.parts()[i].scene_from_part.inverse() * scene_from_sonar;
+    placements_[i] = {part_from_sonar.orientation.conjugate().toRotationMatrix().cast<float>(),
+                      part_from_sonar.position.cast<float>()};
+  }
+  visible_.clear();
+  visible_.reserve(scene.clusters().size());
+  const float tan_low = lattice.sin_low / lattice.cos_low, tan_high = lattice.sin_high / lattice.cos_high;
+  for (std::uint32_t i = 0; i < scene.clusters().size(); ++i) {
+    const TriangleCluster& cluster = scene.clusters()[i];
+    const Placement& placement = placements_[cluster.instance];
+    const Vec3f centre = placement.sonar_from_part * (cluster.centre - placement.sonar);
+    const float radius = cluster.radius;
+    if (centre.norm() > plan.true_max_range + radius) {
+      continue;
+    }
+    // In the half-plane of its azimuth a centre is so far above the upper edge of the fan, and below the lower.
+    const float across = std::hypot(centre.x(), centre.y());
+    if ((centre.z() - across * tan_high) * lattice.cos_high > radius ||
+        (across * tan_low - centre.z()) * lattice.cos_low > radius) {
+      continue;
+    }
+    ColumnFinder::Columns columns{0, lattice.columns};
+    if (across > 1.001F * radius) {
+      constexpr float kMargin = 1e-4F;
+      const float azimuth = std::atan2(centre.y(), centre.x());
+      const float half = std::asin(radius / across) + kMargin;
+      constexpr float kPi = 3.14159265F;
+      if (azimuth + half < kPi && azimuth - half > -kPi) {
+        columns = finder_.between(azimuth - half, azimuth + half);
+      }
+    }
+    if (columns.first < columns.last) {
+      visible_.push_back({i, columns.first, columns.last});
+    }
+  }
+}
+
+}  // namespace insonify
