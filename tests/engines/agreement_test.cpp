@@ -161,6 +161,33 @@ TEST(EngineAgreementTest, BothEnginesMoveInstancesAlike) {
   }
 }
 
+TEST(RasterAgreementTest, RasterAndRaysGiveTheSameEchoes) {
+  for (int seed = 0; seed < kScenes; ++seed) {
+    const RandomScene random(seed);
+    PingPlanSettings settings{.sonar = random.sonar, .secondary = SecondaryEchoes::kNone};
+    if (seed % 4 == 3) {
+      settings.sonar.azimuth_aperture = radians_from_degrees(360);  // Triangles behind the sonar and around it.
+    }
+    const auto engine = make_engine("cpu", 2);
+    engine->set_scene(random.scene);
+    for (std::size_t i = 0; i < random.scene.instances.size(); ++i) {
+      if (random.scene.instances[i].moving) {
+        Pose pose = random.scene.instances[i].world_from_mesh;
+        pose.position += Vec3(0.5, -0.3, 0.2);
+        pose.orientation = orientation_from_rpy(0.3, 0.2, 0.1) * pose.orientation;
+        engine->move_instance(static_cast<int>(i), pose);
+      }
+    }
+    settings.primary = PrimaryEchoes::kRays;
+    const EchoGrid rays = echoes_of(*engine, settings, random.pose);
+    EXPECT_GT(engine->ray_counts().primary, 0U);
+    settings.primary = PrimaryEchoes::kRaster;
+    const EchoGrid raster = echoes_of(*engine, settings, random.pose);
+    EXPECT_EQ(engine->ray_counts().primary, 0U);
+    EXPECT_LE(difference(rays, raster, 1), kEnergyTolerance) << "seed " << seed;
+  }
+}
+
 // The lots of `selective` are drawn so that the sums of both layers are those of `all` in the mean.
 TEST(SecondarySelectionTest, KeepsTheSumsOfEnergyAndWeight) {
   double energy_all = 0, energy_selective = 0, weight_all = 0, weight_selective = 0;
