@@ -42,7 +42,7 @@ struct Corner {
 // Normal of the plane through the origin and two corners, seen from whichever of them comes first: a triangle on the
 // other side of the edge gets the same numbers, negated.
 [[gnu::always_inline]] inline Corner edge_between(Corner a, Corner b) {
-  const bool swapped = a.x != b.x ? a.x > b.x : a.y != b.y ? a.y > b.y : a.z > b.z;
+  const bool swapped = (a.x > b.x) | ((a.x == b.x) & ((a.y > b.y) | ((a.y == b.y) & (a.z > b.z))));
   const Corner p{swapped ? b.x : a.x, swapped ? b.y : a.y, swapped ? b.z : a.z};
   const Corner q{swapped ? a.x : b.x, swapped ? a.y : b.y, swapped ? a.z : b.z};
   const float dx = q.x - p.x, dy = q.y - p.y, dz = q.z - p.z;
@@ -58,12 +58,16 @@ void set_up(const TriangleBlock& __restrict__ block, const FanView::Placement& p
               yz = turn[7], zz = turn[8];
   const float sonar_x = placement.sonar.x(), sonar_y = placement.sonar.y(), sonar_z = placement.sonar.z();
   const bool may_be_above = tan_high >= 0, may_be_below = tan_low <= 0;
+  const float *x0 = block.x[0], *x1 = block.x[1], *x2 = block.x[2];
+  const float *y0 = block.y[0], *y1 = block.y[1], *y2 = block.y[2];
+  const float *z0 = block.z[0], *z1 = block.z[1], *z2 = block.z[2];
+  const auto corner = [=](float x, float y, float z) __attribute__((always_inline)) {
+    return Corner{xx * x + xy * y + xz * z, yx * x + yy * y + yz * z, zx * x + zy * y + zz * z};
+  };
   for (int lane = 0; lane < kBlockSize; ++lane) {
-    const auto corner = [&](int k) __attribute__((always_inline)) {
-      const float x = block.x[k][lane] - sonar_x, y = block.y[k][lane] - sonar_y, z = block.z[k][lane] - sonar_z;
-      return Corner{xx * x + xy * y + xz * z, yx * x + yy * y + yz * z, zx * x + zy * y + zz * z};
-    };
-    const Corner a = corner(0), b = corner(1), c = corner(2);
+    const Corner a = corner(x0[lane] - sonar_x, y0[lane] - sonar_y, z0[lane] - sonar_z);
+    const Corner b = corner(x1[lane] - sonar_x, y1[lane] - sonar_y, z1[lane] - sonar_z);
+    const Corner c = corner(x2[lane] - sonar_x, y2[lane] - sonar_y, z2[lane] - sonar_z);
 
     // From differences: products of whole coordinates would lose the plane of a small triangle far away.
     const float ux = b.x - a.x, uy = b.y - a.y, uz = b.z - a.z, vx = c.x - a.x, vy = c.y - a.y, vz = c.z - a.z;

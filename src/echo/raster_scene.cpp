@@ -94,7 +94,8 @@ void RasterScene::add(const Instance& instance, int index) {
   const std::vector<std::uint32_t> order = near_order(mesh, vertices);
   for (std::size_t first = 0; first < order.size(); first += kClusterSize) {
     const std::size_t last = std::min(order.size(), first + kClusterSize);
-    TriangleCluster cluster{.centre = {}, .instance = index,
+    TriangleCluster cluster{.centre = {},
+                            .instance = index,
                             .first_block = static_cast<std::uint32_t>(blocks_.size()),
                             .triangle_count = static_cast<std::uint32_t>(last - first)};
     Vec3f low = vertices[mesh.triangles[order[first]][0]], high = low;

@@ -14,7 +14,7 @@ inline constexpr int kBlockSize = 16;
 
 /// Corners of sixteen triangles, coordinate by coordinate. The last block of a cluster is filled up with its last
 /// triangle.
-struct alignas(64) TriangleBlock {
+struct TriangleBlock {
   float x[3][kBlockSize], y[3][kBlockSize], z[3][kBlockSize];
 };
 
