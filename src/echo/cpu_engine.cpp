@@ -10,6 +10,10 @@ namespace {
 
 constexpr int kRaysPerTask = 1024;
 
+// Drawing costs by the triangle, rays by the sample: from so many samples a triangle on drawing is faster. Measured
+// where the scene fills the fan.
+constexpr std::size_t kSamplesATriangle = 16;
+
 int task_count(int items, int per_task) {
   return (items + per_task - 1) / per_task;
 }
@@ -32,17 +36,38 @@ CpuEngine::CpuEngine(int threads) : workers_(threads) {
 
 void CpuEngine::set_scene(const Scene& scene) {
   scene_.set(scene);
-  raster_scene_.set(scene);
+  raster_source_ = &scene;
+  raster_scene_ = {};
+  triangle_count_ = scene.triangle_count();
+  poses_.clear();
+  for (const Instance& instance : scene.instances) {
+    poses_.push_back(instance.world_from_mesh);
+  }
 }
 
 void CpuEngine::move_instance(int instance, const Pose& world_from_mesh) {
   scene_.move(instance, world_from_mesh);
-  raster_scene_.move(instance, world_from_mesh);
+  poses_[instance] = world_from_mesh;
+  if (raster_source_ == nullptr) {
+    raster_scene_.move(instance, world_from_mesh);
+  }
 }
 
 const FanView* CpuEngine::look(const PingPlan& plan, const Pose& world_from_sonar) {
-  if (plan.primary != PrimaryEchoes::kRaster) {
+  const std::size_t samples = static_cast<std::size_t>(plan.lattice.columns) * plan.lattice.rows;
+  const bool drawn = plan.primary == PrimaryEchoes::kRaster ||
+                     (plan.primary == PrimaryEchoes::kAuto && triangle_count_ * kSamplesATriangle <= samples);
+  if (!drawn) {
     return nullptr;
+  }
+  if (raster_source_ != nullptr) {
+    raster_scene_.set(*raster_source_);
+    for (std::size_t i = 0; i < poses_.size(); ++i) {
+      if (raster_source_->instances[i].moving) {
+        raster_scene_.move(static_cast<int>(i), poses_[i]);
+      }
+    }
+    raster_source_ = nullptr;
   }
   view_.look(raster_scene_, plan, {world_from_sonar.position - raster_scene_.origin(), world_from_sonar.orientation});
   return &view_;

@@ -26,7 +26,9 @@ class CpuEngine final : public Engine {
   void trace(std::span<const Ray> rays, std::span<Hit> hits) override;
   [[nodiscard]] RayCounts ray_counts() const override { return counts_; }
 
-  [[nodiscard]] EngineMemory memory() const override { return {scene_.bytes(), scene_.embree_bytes()}; }
+  [[nodiscard]] EngineMemory memory() const override {
+    return {scene_.bytes() + raster_scene_.bytes(), scene_.embree_bytes()};
+  }
 
   /// See insonify::time_traversal().
   [[nodiscard]] std::vector<double> time_traversal(const PingPlan& plan, const Pose& world_from_sonar, int repetitions);
@@ -41,6 +43,10 @@ class CpuEngine final : public Engine {
   const FanView* look(const PingPlan& plan, const Pose& world_from_sonar);
 
   CpuScene scene_;
+  const Scene* raster_source_ =
+      nullptr;  // What raster_scene_ is still to be made from, by the first ping that needs it.
+  std::size_t triangle_count_ = 0;
+  std::vector<Pose> poses_;  // Of the instances.
   RasterScene raster_scene_;
   FanView view_;
   std::vector<std::unique_ptr<BeamTask>> scratch_;  // One a worker.

@@ -188,6 +188,20 @@ TEST(RasterAgreementTest, RasterAndRaysGiveTheSameEchoes) {
   }
 }
 
+TEST(RasterAgreementTest, AutoDrawsFewTrianglesAndTracesMany) {
+  const RandomScene random(1);
+  PingPlanSettings settings{.sonar = random.sonar};
+  const auto engine = make_engine("cpu", 2);
+  engine->set_scene(random.scene);
+  settings.sonar.sampling = {16, 400};
+  static_cast<void>(echoes_of(*engine, settings, random.pose));
+  EXPECT_EQ(engine->ray_counts().primary, 0U);
+  settings.sonar.beam_count = 1;
+  settings.sonar.sampling = {1, 2};
+  static_cast<void>(echoes_of(*engine, settings, random.pose));
+  EXPECT_EQ(engine->ray_counts().primary, 2U);
+}
+
 // The lots of `selective` are drawn so that the sums of both layers are those of `all` in the mean.
 TEST(SecondarySelectionTest, KeepsTheSumsOfEnergyAndWeight) {
   double energy_all = 0, energy_selective = 0, weight_all = 0, weight_selective = 0;
