@@ -29,7 +29,7 @@ struct Instance {
 
 /// Checks that every vertex of an instance is at a coordinate() of the world.
 /// @param what  How the message calls it, place included.
-/// @throws Error "PATH:LINE: visual 'buoy' reaches x = 1e+18 m, must be from -10000000 to 10000000 m".
+/// @throws Error "PATH:LINE:COLUMN: visual 'buoy' reaches x = 1e+18 m, must be from -10000000 to 10000000 m".
 void check_reach(const Instance& instance, std::string_view what);
 
 /// What a scenario says of one material: a library name, changed properties, or both.
