@@ -40,6 +40,7 @@ PUBLIC = {
     "simulator.h": "simulator",
     "describe.h": "io",
     "files.h": "io",
+    "recorded_pings.h": "io",
     "similarity.h": "similarity",
 }
 

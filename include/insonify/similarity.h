@@ -83,10 +83,14 @@ void check_comparable(const GreyPicture& picture, const SimilarityOptions& optio
 
 /// A similarity told from 0 (none) to 1 (equal), so that larger is better for each.
 struct NormalisedSimilarity {
-  double mse = 0;      ///< 1 - mse.
-  double psnr = 0;     ///< PSNR over that of the least step of 8 bits, 20 log10(255) = 48.13 dB, at most 1.
-  double ssim = 0;     ///< As it is, at least 0.
-  double ms_ssim = 0;  ///< As it is; NaN where it was left out.
+  double mse = 0;
+  double psnr = 0;
+  double ssim = 0;
+  double ms_ssim = 0;  ///< NaN where it was left out.
+
+  /// As Similarity::visit_fields.
+  template <typename Self, typename Visit>
+  static void visit_fields(Self& self, Visit&& visit);
 };
 [[nodiscard]] NormalisedSimilarity normalised(const Similarity& similarity);
 
@@ -118,6 +122,14 @@ void Similarity::visit_fields(Self& self, Visit&& visit) {
   visit(Field{"ms_ssim", "", from_to(0, 1), "Structure at five scales."}, self.ms_ssim);
   visit(Field{"correlation", "", from_to(-1, 1), "Rise and fall together."}, self.correlation);
   visit(Field{"ks_distance", "", from_to(0, 1), "Difference of histograms."}, self.ks_distance);
+}
+
+template <typename Self, typename Visit>
+void NormalisedSimilarity::visit_fields(Self& self, Visit&& visit) {
+  visit(Field{"mse", "", from_to(0, 1), "1 - mse."}, self.mse);
+  visit(Field{"psnr", "", from_to(0, 1), "PSNR over that of one step of 8 bits, 48.13 dB, at most 1."}, self.psnr);
+  visit(Field{"ssim", "", from_to(0, 1), "SSIM, at least 0."}, self.ssim);
+  visit(Field{"ms_ssim", "", from_to(0, 1), "MS-SSIM."}, self.ms_ssim);
 }
 
 }  // namespace insonify

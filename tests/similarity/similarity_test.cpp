@@ -176,6 +176,16 @@ TEST(KsDistanceTest, IsTheSameOnEveryScale) {
                    ks_distance(changed(a, decibels).values, changed(b, decibels).values));
 }
 
+// 8 bits read from a picture are double precision; from a recording, single.
+TEST(KsDistanceTest, LevelsStoredInOtherPrecisionAreTheSame) {
+  GreyPicture a{"a", 255, 255, {}};
+  for (int i = 0; i < 255 * 255; ++i) {
+    a.values.push_back(i % 253 / 255.0);
+  }
+  const GreyPicture b = changed(a, [](double value, double) { return static_cast<float>(value); });
+  EXPECT_EQ(compare_pictures(a, b).ks_distance, 0);
+}
+
 TEST(KsDistanceTest, RefusesNothingAndNaN) {
   EXPECT_EQ(message_of([] { (void)ks_distance({}, std::vector{1.0}); }),
             "a sample of 0 values must have at least one and no NaN");
