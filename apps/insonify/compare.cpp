@@ -79,6 +79,7 @@ class Tally {
   Tally(Comparison& comparison, bool ms_ssim) : comparison_(comparison), options_{.ms_ssim = ms_ssim} {}
 
   void add(const GreyPicture& a, const GreyPicture& b) {
+    check_side(a);
     const Similarity found = compare_pictures(a, b, options_);
     const ControlSimilarities controls = compare_controls(a, options_);
     comparison_.columns = a.columns;
@@ -97,6 +98,15 @@ class Tally {
   }
 
  private:
+  // Where nothing but MS-SSIM is in the way, says how to go on.
+  void check_side(const GreyPicture& picture) const {
+    const int side = std::min(picture.columns, picture.rows);
+    if (options_.ms_ssim && side >= kSsimSide && side < kMsSsimSide) {
+      throw Error(fmt::format("{}: {} columns x {} rows; MS-SSIM needs at least {} x {} (--no-ms-ssim leaves it out)",
+                              picture.name, picture.columns, picture.rows, kMsSsimSide, kMsSsimSide));
+    }
+  }
+
   Comparison& comparison_;
   SimilarityOptions options_;
   std::vector<NormalisedSimilarity> normalised_;

@@ -54,7 +54,7 @@ void check_comparable(const GreyPicture& picture, const SimilarityOptions& optio
   check_levels(picture);
   check_side(picture, kSsimSide, "SSIM");
   if (options.ms_ssim) {
-    check_side(picture, kMsSsimSide, "MS-SSIM, which can be left out,");
+    check_side(picture, kMsSsimSide, "MS-SSIM");
   }
   const auto [least, most] = std::ranges::minmax(picture.values);
   if (least == most) {
