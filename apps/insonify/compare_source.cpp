@@ -45,6 +45,9 @@ std::string ping_name(const std::string& file, std::uint64_t ping) {
 
 CompareSource::CompareSource(std::filesystem::path path, const std::string& sonar, const Display& levels)
     : path_(std::filesystem::is_directory(path) ? find_recording(path, sonar) : std::move(path)), levels_(levels) {
+  if (!std::filesystem::exists(path_)) {
+    throw Error(fmt::format("{}: no such file or folder", name()));
+  }
   const std::filesystem::path ending = path_.extension();
   if (ending == ".png" || ending == ".PNG") {
     picture_ = load_grey_picture(path_);

@@ -253,7 +253,7 @@ TEST_P(CompareRefusalTest, IsOneLineAndStatusTwo) {
 
 constexpr Refusal kRefusals[] = {
     {"OneFile", "a.png", "B is required (insonify compare --help)"},
-    {"Missing", "a.png b.png", "b.png: no such file"},
+    {"Missing", "a.png b.png", "b.png: no such file or folder"},
     {"OfAnotherShape", "a.png small.png", "small.png: 64 columns x 64 rows, but a.png has 176 columns x 176 rows"},
     {"TooSmallForFiveScales", "small.png small.png",
      "small.png: 64 columns x 64 rows; MS-SSIM needs at least 176 x 176 (--no-ms-ssim leaves it out)"},
