@@ -41,6 +41,20 @@ struct RunOptions {
 /// insonify run: pings of a scenario into recordings and pictures.
 int run(const RunOptions& options);
 
+struct CompareOptions {
+  std::filesystem::path a, b;        ///< Recordings, folders of them, or pictures.
+  std::string sonar;                 ///< Which recording of a folder; "" where there is one.
+  std::vector<std::uint64_t> pings;  ///< Numbers from 0; none for all that both have.
+  std::string scale = "linear";
+  double floor_db = -50;  ///< [dB]
+  double full_scale = 1;
+  bool ms_ssim = true;
+  bool json = false;
+};
+
+/// insonify compare: how alike two recordings or pictures are.
+int compare(const CompareOptions& options);
+
 /// insonify sonars: a table of all presets, or all that is known of one.
 int sonars(const std::string& name, const std::string& mode);
 

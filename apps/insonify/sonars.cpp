@@ -2,33 +2,13 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "commands.h"
 #include "console.h"
 #include "insonify/files.h"
+#include "table.h"
 
 namespace insonify {
 namespace {
-
-using Row = std::vector<std::string>;
-
-// Rows with columns as wide as their widest cell; the last column is left as it is.
-void print_table(const std::vector<Row>& rows) {
-  std::vector<std::size_t> widths(rows.front().size());
-  for (const Row& row : rows) {
-    for (std::size_t column = 0; column + 1 < row.size(); ++column) {
-      widths[column] = std::max(widths[column], row[column].size());
-    }
-  }
-  for (const Row& row : rows) {
-    std::string line;
-    for (std::size_t column = 0; column < row.size(); ++column) {
-      line += fmt::format("{:<{}}  ", row[column], widths[column]);
-    }
-    say("{}\n", line.substr(0, line.find_last_not_of(' ') + 1));
-  }
-}
 
 Row table_row(const Preset& preset, const std::string& mode, bool first) {
   const SonarConfig& sonar = preset.sonar;

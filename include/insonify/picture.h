@@ -2,6 +2,7 @@
 
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -47,6 +48,17 @@ struct Display {
     visit(Field{"annotations", "", {}, "Draw title, rings, radials, axes and colour bar."}, self.annotations);
   }
 };
+
+/// Level at which a display shows an intensity, from 0 (darkest) to 1 (brightest); 0 for NaN and for what is not
+/// positive.
+[[nodiscard]] inline double shown_level(const Display& display, double intensity) {
+  const double ratio = intensity / display.full_scale;
+  if (!(ratio > 0)) {
+    return 0;
+  }
+  const double level = display.scale == Scale::kLinear ? ratio : 1 - 10 * std::log10(ratio) / display.floor_db;
+  return level < 0 ? 0 : level > 1 ? 1 : level;
+}
 
 /// Colour of `value` in 0..1 (clamped; NaN is drawn as 0).
 struct Rgb {

@@ -1,0 +1,158 @@
+// compare.cpp -- insonify compare: how alike two recordings or two pictures are.
+
+#include "compare.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numeric>
+
+#include "commands.h"
+#include "compare_source.h"
+
+namespace insonify {
+namespace {
+
+Display levels_of(const CompareOptions& options) {
+  Display display;
+  display.scale = options.scale == "db" ? Scale::kDecibel : Scale::kLinear;
+  display.floor_db = options.floor_db;
+  display.full_scale = options.full_scale;
+  display.validate();
+  return display;
+}
+
+// The pings that were asked for, or all that both have.
+std::vector<std::uint64_t> chosen_pings(const CompareSource& a, const CompareSource& b,
+                                        const std::vector<std::uint64_t>& wanted) {
+  std::uint64_t common = std::numeric_limits<std::uint64_t>::max();
+  for (const CompareSource* source : {&a, &b}) {
+    if (!source->is_recording()) {
+      continue;
+    }
+    common = std::min(common, source->ping_count());
+    for (const std::uint64_t ping : wanted) {
+      if (ping >= source->ping_count()) {
+        throw Error(fmt::format("{}: there is no ping {}; it has {}, counted from 0", source->name(), ping,
+                                source->ping_count()));
+      }
+    }
+    if (source->ping_count() == 0) {
+      throw Error(fmt::format("{}: there are no pings in it", source->name()));
+    }
+  }
+  if (!wanted.empty()) {
+    return wanted;
+  }
+  std::vector<std::uint64_t> all(common);
+  std::iota(all.begin(), all.end(), std::uint64_t{0});
+  return all;
+}
+
+std::string unmatched(const CompareSource& a, const CompareSource& b) {
+  if (!a.is_recording() || !b.is_recording() || a.ping_count() == b.ping_count()) {
+    return "";
+  }
+  const CompareSource& longer = a.ping_count() > b.ping_count() ? a : b;
+  return fmt::format("{} has {}", longer.name(), longer.ping_count());
+}
+
+// Measure by measure.
+template <typename Measures>
+Measures mean(const std::vector<Measures>& all) {
+  Measures result = all.front();
+  std::vector<double*> sums;
+  Measures::visit_fields(result, [&](const Field&, double& sum) { sums.push_back(&sum); });
+  for (auto one = all.begin() + 1; one != all.end(); ++one) {
+    auto sum = sums.begin();
+    Measures::visit_fields(*one, [&](const Field&, double value) { **sum++ += value; });
+  }
+  for (double* sum : sums) {
+    *sum /= static_cast<double>(all.size());
+  }
+  return result;
+}
+
+// Adds what one picture of each is like to what the others were.
+class Tally {
+ public:
+  Tally(Comparison& comparison, bool ms_ssim) : comparison_(comparison), options_{.ms_ssim = ms_ssim} {}
+
+  void add(const GreyPicture& a, const GreyPicture& b) {
+    check_side(a);
+    const Similarity found = compare_pictures(a, b, options_);
+    const ControlSimilarities controls = compare_controls(a, options_);
+    comparison_.columns = a.columns;
+    comparison_.rows = a.rows;
+    comparison_.each.push_back(found);
+    normalised_.push_back(normalised(found));
+    flat_grey_.push_back(controls.flat_grey);
+    range_profile_.push_back(controls.range_profile);
+    pixel_shuffle_.push_back(controls.pixel_shuffle);
+  }
+
+  void finish() {
+    comparison_.similarity = mean(comparison_.each);
+    comparison_.normalised = mean(normalised_);
+    comparison_.controls = {mean(flat_grey_), mean(range_profile_), mean(pixel_shuffle_)};
+  }
+
+ private:
+  // Where nothing but MS-SSIM is in the way, says how to go on.
+  void check_side(const GreyPicture& picture) const {
+    const int side = std::min(picture.columns, picture.rows);
+    if (options_.ms_ssim && side >= kSsimSide && side < kMsSsimSide) {
+      throw Error(fmt::format("{}: {} columns x {} rows; MS-SSIM needs at least {} x {} (--no-ms-ssim leaves it out)",
+                              picture.name, picture.columns, picture.rows, kMsSsimSide, kMsSsimSide));
+    }
+  }
+
+  Comparison& comparison_;
+  SimilarityOptions options_;
+  std::vector<NormalisedSimilarity> normalised_;
+  std::vector<Similarity> flat_grey_, range_profile_, pixel_shuffle_;
+};
+
+Comparison compared(const CompareOptions& options) {
+  const Display levels = levels_of(options);
+  const CompareSource a(options.a, options.sonar, levels);
+  const CompareSource b(options.b, options.sonar, levels);
+  Comparison comparison;
+  comparison.a = a.name();
+  comparison.b = b.name();
+  comparison.sonar = a.sonar().empty() ? b.sonar() : a.sonar();
+  Tally tally(comparison, options.ms_ssim);
+  if (!a.is_recording() && !b.is_recording()) {
+    if (!options.sonar.empty() || !options.pings.empty()) {
+      throw Error(fmt::format("{} and {} are pictures; --sonar and --ping choose from recordings", a.name(), b.name()));
+    }
+    tally.add(a.picture(0), b.picture(0));
+  } else {
+    comparison.pings = chosen_pings(a, b, options.pings);
+    comparison.unmatched = options.pings.empty() ? unmatched(a, b) : "";
+    comparison.is_scan = a.is_scan() || b.is_scan();
+    if (comparison.is_scan) {
+      tally.add(a.scan(comparison.pings), b.scan(comparison.pings));
+    } else {
+      for (const std::uint64_t ping : comparison.pings) {
+        tally.add(a.picture(ping), b.picture(ping));
+      }
+    }
+  }
+  tally.finish();
+  return comparison;
+}
+
+}  // namespace
+
+int compare(const CompareOptions& options) {
+  try {
+    const Comparison comparison = compared(options);
+    options.json ? print_comparison_json(comparison) : print_comparison(comparison);
+    return kDone;
+  } catch (const Error& error) {
+    throw InputError(error.what());
+  }
+}
+
+}  // namespace insonify

@@ -1,0 +1,118 @@
+// recorded_pings_test.cpp -- what was recorded is read back as it was, or refused with the reason.
+
+#include "insonify/recorded_pings.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "insonify/files.h"
+#include "support/message_of.h"
+#include "support/picture_files.h"
+#include "support/scratch_folder.h"
+
+namespace insonify {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+// ---------------------------------------------------------------- Recordings
+
+TEST(RecordedPingsTest, GiveBackWhatARecordingWasGiven) {
+  const ScratchFolder folder;
+  Scenario scenario;
+  SonarConfig sonar;
+  sonar.name = "ahead";
+  sonar.beam_count = 2;
+  sonar.bin_count = 3;
+  {
+    Recording recording("a.h5", scenario, Scene(), sonar, 5);
+    for (int number = 0; number < 2; ++number) {
+      Ping ping;
+      ping.number = number;
+      ping.bin_count = 3;
+      ping.beam_count = 2;
+      ping.intensity = {0, 0.25F, 0.5F, 0.75F, 1, number / 2.0F};
+      ping.instance.resize(6);
+      ping.material.resize(6);
+      ping.elevation.resize(6);
+      recording.add(ping);
+    }
+  }
+  const RecordedPings pings("a.h5");
+  EXPECT_EQ(pings.ping_count(), 2U);
+  EXPECT_EQ(pings.bin_count(), 3);
+  EXPECT_EQ(pings.beam_count(), 2);
+  EXPECT_EQ(pings.sonar(), "ahead");
+  EXPECT_EQ(pings.full_scale(), 1);
+  EXPECT_THAT(pings.intensity(0), ElementsAre(0, 0.25, 0.5, 0.75, 1, 0));
+  EXPECT_THAT(pings.intensity(1), ElementsAre(0, 0.25, 0.5, 0.75, 1, 0.5));
+}
+
+TEST(RecordedPingsTest, MayBeWholeNumbersOfAnyone) {
+  const ScratchFolder folder;
+  write_intensity("bytes.h5", {1, 1, 3}, H5T_STD_U8LE, {0, 100, 255}, "oculus");
+  const RecordedPings bytes("bytes.h5");
+  EXPECT_EQ(bytes.full_scale(), 255);
+  EXPECT_EQ(bytes.sonar(), "oculus");
+  EXPECT_THAT(bytes.intensity(0), ElementsAre(0, 100, 255));
+  write_intensity("words.h5", {1, 1, 1}, H5T_STD_U16BE, {1});
+  EXPECT_EQ(RecordedPings("words.h5").full_scale(), 65535);
+  write_intensity("signed.h5", {1, 1, 1}, H5T_STD_I16LE, {1});
+  EXPECT_EQ(RecordedPings("signed.h5").full_scale(), 32767);
+  EXPECT_EQ(RecordedPings("signed.h5").sonar(), "");
+}
+
+TEST(RecordedPingsTest, WhatIsNoRecordingIsToldWhy) {
+  const ScratchFolder folder;
+  const auto refusal = [](const char* path) { return message_of([=] { RecordedPings pings(path); }); };
+  EXPECT_EQ(refusal("none.h5"), "none.h5: no such file");
+  folder.write("text.h5", "intensity");
+  EXPECT_THAT(refusal("text.h5"), StartsWith("text.h5: cannot open it as HDF5: "));
+  write_intensity("flat.h5", {2, 3}, H5T_IEEE_F32LE, std::vector<double>(6));
+  EXPECT_EQ(refusal("flat.h5"), "flat.h5: intensity has 2 axes; a recording has three: ping, bin, beam");
+  write_intensity("empty.h5", {2, 0, 3}, H5T_IEEE_F32LE, {});
+  EXPECT_EQ(refusal("empty.h5"),
+            "empty.h5: intensity has 0 bins and 3 beams; a recording has from 1 to 1000000 of each");
+  H5Fclose(H5Fcreate("bare.h5", H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT));
+  EXPECT_EQ(refusal("bare.h5"), "bare.h5: is no recording: it has no dataset intensity");
+}
+
+// ---------------------------------------------------------------- Pictures
+
+TEST(GreyPictureTest, LevelsAreFractionsOfFullScale) {
+  const ScratchFolder folder;
+  write_levels<std::uint8_t>("bytes.png", 3, 2, {0, 51, 255, 102, 153, 204});
+  const GreyPicture bytes = load_grey_picture("bytes.png");
+  EXPECT_EQ(bytes.name, "bytes.png");
+  EXPECT_EQ(bytes.columns, 3);
+  EXPECT_EQ(bytes.rows, 2);
+  EXPECT_THAT(bytes.values, ElementsAre(0, 51 / 255.0, 1, 102 / 255.0, 153 / 255.0, 204 / 255.0));
+  write_levels<std::uint16_t>("words.png", 2, 1, {258, 65535});
+  EXPECT_THAT(load_grey_picture("words.png").values, ElementsAre(258 / 65535.0, 1));
+}
+
+TEST(GreyPictureTest, AGreyPictureMayBeStoredAsAColouredOne) {
+  const ScratchFolder folder;
+  write_levels<std::uint8_t>("rgb.png", 2, 1, {9, 9, 9, 51, 51, 51}, 3);
+  EXPECT_THAT(load_grey_picture("rgb.png").values, ElementsAre(9 / 255.0, 51 / 255.0));
+  write_levels<std::uint8_t>("alpha.png", 1, 1, {51, 255}, 2);
+  EXPECT_THAT(load_grey_picture("alpha.png").values, ElementsAre(51 / 255.0));
+}
+
+TEST(GreyPictureTest, ColourAndTransparencyAreRefused) {
+  const ScratchFolder folder;
+  write_levels<std::uint8_t>("rgb.png", 2, 1, {9, 9, 9, 9, 9, 8}, 3);
+  EXPECT_EQ(message_of([] { (void)load_grey_picture("rgb.png"); }),
+            "rgb.png: the pixel in column 1, row 0 is coloured; a comparison needs a grey picture");
+  write_levels<std::uint8_t>("alpha.png", 1, 2, {9, 255, 9, 254}, 2);
+  EXPECT_EQ(message_of([] { (void)load_grey_picture("alpha.png"); }),
+            "alpha.png: the pixel in column 0, row 1 is transparent; a comparison needs an opaque picture");
+  folder.write("text.png", "hello, this is no picture");
+  EXPECT_EQ(message_of([] { (void)load_grey_picture("text.png"); }), "text.png: cannot be read: Not a PNG file");
+  EXPECT_EQ(message_of([] { (void)load_grey_picture("none.png"); }), "none.png: no such file");
+}
+
+}  // namespace
+}  // namespace insonify
