@@ -8,7 +8,9 @@
 namespace insonify {
 
 PingPlan::PingPlan(const PingPlanSettings& settings)
-    : sonar(settings.sonar), lattice(settings.sonar), shape(settings.paper),
+    : sonar(settings.sonar),
+      lattice(settings.sonar),
+      shape(settings.paper),
       primary(settings.primary),
       secondary(settings.secondary) {
   const double true_speed = settings.water.true_sound_speed();
