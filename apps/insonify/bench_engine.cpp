@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <chrono>
 #include <fstream>
+#include <functional>
 #include <nlohmann/json.hpp>
 
 #include "bench.h"
 #include "bench_scene.h"
+#include "console.h"
 #include "insonify/error.h"
 #include "insonify/simulator.h"
 
@@ -27,8 +29,9 @@ struct Row {
   double setup_ms = 0;
   double ping_ms = 0, ping_least_ms = 0;  // Median and least.
   double floor_ms = 0, floor_least_ms = 0;
-  double ratio = 0;                         // Median of ping over floor, block by block.
-  double own_bytes = 0, library_bytes = 0;  // A triangle.
+  double ratio = 0;                            // Median of ping over floor, block by block.
+  double ping_speedup = 0, floor_speedup = 0;  // Over the first number of threads, likewise.
+  double own_bytes = 0, library_bytes = 0;     // A triangle.
 };
 
 double median(std::vector<double> values) {
@@ -36,65 +39,117 @@ double median(std::vector<double> values) {
   return values[values.size() / 2];
 }
 
+// Element by element.
+double median_ratio(const std::vector<double>& above, const std::vector<double>& below) {
+  std::vector<double> ratios(above.size());
+  std::ranges::transform(above, below, ratios.begin(), std::divides());
+  return median(std::move(ratios));
+}
+
 double milliseconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() * kMilliseconds;
 }
 
-// Blocks of pings and blocks of floors in turn: both meet the same weather on a shared machine, and neither finds the
-// other's data in its caches.
-Row time_row(const Scene& scene, int threads, SecondaryEchoes secondary, const char* name, int repetitions) {
-  Scenario scenario;
-  scenario.sonars = {bench_sonar()};
-  scenario.secondary = secondary;
-  Row row{.threads = threads, .triangles = scene.triangle_count(), .secondary = name};
-  const auto setup_start = std::chrono::steady_clock::now();
-  Simulator simulator(scenario, scene, threads);
-  row.setup_ms = milliseconds_since(setup_start);
+// One number of threads on one scene, timed block by block.
+class Runner {
+ public:
+  Runner(const Scenario& scenario, const Scene& scene, int threads)
+      : threads_(threads), start_(std::chrono::steady_clock::now()), simulator_(scenario, scene, threads) {
+    setup_ms_ = milliseconds_since(start_);
+    plan_ = make_ping_plan({.sonar = simulator_.sonar(0),
+                            .water = scenario.water,
+                            .paper = scenario.paper,
+                            .secondary = scenario.secondary,
+                            .seed = scenario.seed});
+  }
 
-  const auto plan = make_ping_plan({.sonar = simulator.sonar(0),
-                                    .water = scenario.water,
-                                    .paper = scenario.paper,
-                                    .secondary = secondary,
-                                    .seed = scenario.seed});
-  Ping ping;
-  std::uint64_t number = 0;
-  std::vector<double> pings, floors, ratios;
-  for (int done = 0; done < repetitions; done += kBlock) {
+  // Pings, then floors: neither finds the other's data in its caches.
+  void time_block() {
     std::vector<double> block_pings, block_floors;
     for (int i = -kWarmUp; i < kBlock; ++i) {
       const auto start = std::chrono::steady_clock::now();
-      simulator.make_ping(0, number++, ping);
+      simulator_.make_ping(0, number_++, ping_);
       if (i >= 0) {
         block_pings.push_back(milliseconds_since(start));
       }
     }
-    row.rays = simulator.engine().ray_counts();
+    rays_ = simulator_.engine().ray_counts();
     for (const double seconds :
-         time_traversal(simulator.engine(), *plan, simulator.world_from_head(0, 0), kWarmUp + kBlock)) {
+         time_traversal(simulator_.engine(), *plan_, simulator_.world_from_head(0, 0), kWarmUp + kBlock)) {
       block_floors.push_back(seconds * kMilliseconds);
     }
     block_floors.erase(block_floors.begin(), block_floors.begin() + kWarmUp);
-    ratios.push_back(median(block_pings) / median(block_floors));
-    pings.insert(pings.end(), block_pings.begin(), block_pings.end());
-    floors.insert(floors.end(), block_floors.begin(), block_floors.end());
+    ping_blocks_.push_back(median(block_pings));
+    floor_blocks_.push_back(median(block_floors));
+    pings_.insert(pings_.end(), block_pings.begin(), block_pings.end());
+    floors_.insert(floors_.end(), block_floors.begin(), block_floors.end());
   }
-  row.ping_ms = median(pings);
-  row.ping_least_ms = std::ranges::min(pings);
-  row.floor_ms = median(floors);
-  row.floor_least_ms = std::ranges::min(floors);
-  row.ratio = median(ratios);
-  const EngineMemory memory = simulator.engine().memory();
-  std::size_t mesh_bytes = 0;
-  for (const Instance& instance : scene.instances) {
-    const Mesh& mesh = *instance.mesh;
-    mesh_bytes += mesh.vertices.capacity() * sizeof(mesh.vertices[0]) +
-                  mesh.normals.capacity() * sizeof(mesh.normals[0]) +
-                  mesh.triangles.capacity() * sizeof(mesh.triangles[0]) +
-                  mesh.material_slots.capacity() * sizeof(mesh.material_slots[0]);
+
+  // @param first  Of the first number of threads.
+  [[nodiscard]] Row row(const Runner& first, const char* secondary) {
+    const Scene& scene = simulator_.scene();
+    const auto triangles = static_cast<double>(scene.triangle_count());
+    const EngineMemory memory = simulator_.engine().memory();
+    return {.threads = threads_,
+            .triangles = scene.triangle_count(),
+            .secondary = secondary,
+            .rays = rays_,
+            .setup_ms = setup_ms_,
+            .ping_ms = median(pings_),
+            .ping_least_ms = std::ranges::min(pings_),
+            .floor_ms = median(floors_),
+            .floor_least_ms = std::ranges::min(floors_),
+            .ratio = median_ratio(ping_blocks_, floor_blocks_),
+            .ping_speedup = median_ratio(first.ping_blocks_, ping_blocks_),
+            .floor_speedup = median_ratio(first.floor_blocks_, floor_blocks_),
+            .own_bytes = static_cast<double>(mesh_bytes(scene) + memory.own) / triangles,
+            .library_bytes = static_cast<double>(memory.library) / triangles};
   }
-  row.own_bytes = static_cast<double>(mesh_bytes + memory.own) / static_cast<double>(row.triangles);
-  row.library_bytes = static_cast<double>(memory.library) / static_cast<double>(row.triangles);
-  return row;
+
+ private:
+  static std::size_t mesh_bytes(const Scene& scene) {
+    std::size_t bytes = 0;
+    for (const Instance& instance : scene.instances) {
+      const Mesh& mesh = *instance.mesh;
+      bytes += mesh.vertices.capacity() * sizeof(mesh.vertices[0]) + mesh.normals.capacity() * sizeof(mesh.normals[0]) +
+               mesh.triangles.capacity() * sizeof(mesh.triangles[0]) +
+               mesh.material_slots.capacity() * sizeof(mesh.material_slots[0]);
+    }
+    return bytes;
+  }
+
+  int threads_;
+  std::chrono::steady_clock::time_point start_;
+  Simulator simulator_;
+  double setup_ms_ = 0;
+  std::shared_ptr<const PingPlan> plan_;
+  Ping ping_;
+  std::uint64_t number_ = 0;
+  RayCounts rays_;
+  std::vector<double> pings_, floors_;              // Every one [ms].
+  std::vector<double> ping_blocks_, floor_blocks_;  // Median of each block [ms].
+};
+
+// All numbers of threads in turn, block by block: they meet the same weather on a shared machine.
+std::vector<Row> time_rows(const Scene& scene, SecondaryEchoes secondary, const char* name,
+                           const BenchOptions& options) {
+  Scenario scenario;
+  scenario.sonars = {bench_sonar()};
+  scenario.secondary = secondary;
+  std::vector<std::unique_ptr<Runner>> runners;
+  for (const int threads : options.threads) {
+    runners.push_back(std::make_unique<Runner>(scenario, scene, threads));
+  }
+  for (int done = 0; done < options.repetitions; done += kBlock) {
+    for (const auto& runner : runners) {
+      runner->time_block();
+    }
+  }
+  std::vector<Row> rows;
+  for (const auto& runner : runners) {
+    rows.push_back(runner->row(*runners.front(), name));
+  }
+  return rows;
 }
 
 nlohmann::json to_json(const Row& row) {
@@ -111,6 +166,8 @@ nlohmann::json to_json(const Row& row) {
           {"floor_ms", row.floor_ms},
           {"floor_least_ms", row.floor_least_ms},
           {"ratio", row.ratio},
+          {"ping_speedup", row.ping_speedup},
+          {"floor_speedup", row.floor_speedup},
           {"bytes_per_triangle", row.own_bytes},
           {"library_bytes_per_triangle", row.library_bytes}};
 }
@@ -127,25 +184,27 @@ void write_json(const std::filesystem::path& path, const nlohmann::json& rows) {
 }  // namespace
 
 int bench_engine(const BenchOptions& options) {
-  fmt::print(
-      "256 beams x 500 bins, 120 x 20 degrees, 20 m, 4 x 200 samples a beam; medians of {} pings, all effects on.\n"
-      "floor: Embree alone on the same rays, packets set up; ratio: ping over floor, block by block.\n\n"
-      "{:>9} {:>7} {:>9} {:>8} {:>8} {:>8} | {:>8} {:>8} {:>8} {:>6} | {:>8} {:>7} {:>9}\n",
-      options.repetitions, "triangles", "threads", "secondary", "rays", "onward", "return", "setup ms", "ping ms",
-      "floor ms", "ratio", "pings/s", "B/tri", "Embree B");
+  say("256 beams x 500 bins, 120 x 20 degrees, 20 m, 4 x 200 samples a beam; medians of {} pings, all effects on.\n"
+      "floor: Embree alone on the lattice's rays and those really sent on, packets set up; ratio: ping over floor.\n"
+      "Where triangles are few the ping draws its primaries (rays 0); the floor traces them all the same.\n"
+      "x: times the rate of {} {}, of the ping and of the floor. Blocks of pings and of floors are timed in turn.\n\n"
+      "{:>9} {:>7} {:>9} {:>8} {:>8} {:>8} | {:>8} {:>8} {:>8} {:>6} | {:>8} {:>6} {:>7} | {:>6} {:>8}\n",
+      options.repetitions, options.threads.front(), options.threads.front() == 1 ? "thread" : "threads", "triangles",
+      "threads", "secondary", "rays", "onward", "return", "setup ms", "ping ms", "floor ms", "ratio", "pings/s",
+      "ping x", "floor x", "B/tri", "Embree B");
   nlohmann::json rows = nlohmann::json::array();
   for (const int count : options.triangles) {
     const Scene scene = make_bench_scene(count);
     for (const auto& [secondary, name] :
          {std::pair{SecondaryEchoes::kNone, "none"}, std::pair{SecondaryEchoes::kSelective, "selective"},
           std::pair{SecondaryEchoes::kAll, "all"}}) {
-      for (const int threads : options.threads) {
-        const Row row = time_row(scene, threads, secondary, name, options.repetitions);
-        fmt::print(
-            "{:>9} {:>7} {:>9} {:>8} {:>8} {:>8} | {:>8.2f} {:>8.2f} {:>8.2f} {:>6.2f} | {:>8.1f} {:>7.0f} {:>9.0f}\n",
+      for (const Row& row : time_rows(scene, secondary, name, options)) {
+        say("{:>9} {:>7} {:>9} {:>8} {:>8} {:>8} | {:>8.2f} {:>8.2f} {:>8.2f} {:>6.2f} | {:>8.1f} {:>6.2f} {:>7.2f} | "
+            "{:>6.0f} {:>8.0f}\n",
             row.triangles, row.threads, row.secondary, row.rays.primary, row.rays.secondary, row.rays.return_legs,
-            row.setup_ms, row.ping_ms, row.floor_ms, row.ratio, kMilliseconds / row.ping_ms, row.own_bytes,
-            row.library_bytes);
+            row.setup_ms, row.ping_ms, row.floor_ms, row.ratio, kMilliseconds / row.ping_ms, row.ping_speedup,
+            row.floor_speedup, row.own_bytes, row.library_bytes);
+        flush_output();
         rows.push_back(to_json(row));
       }
     }

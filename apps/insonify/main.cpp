@@ -220,7 +220,7 @@ void add_bench(CLI::App& app, Request& request) {
   command->footer("Help on it: insonify bench engine --help");
   CLI::App* engine = command->add_subcommand("engine", "Whole pings against the bare traversal of their rays");
   BenchOptions& options = request.bench;
-  engine->add_option("--triangles", options.triangles, "Sizes of the scenes [1000 100000 1000000]")
+  engine->add_option("--triangles", options.triangles, "About how many triangles each scene has [1000 100000 1000000]")
       ->check(whole_number(1, 100'000'000))
       ->type_name("N ...");
   engine->add_option("--threads", options.threads, "Worker threads [1 2]")

@@ -8,6 +8,7 @@
 #include "insonify/files.h"
 #include "insonify/scene_view.h"
 #include "insonify/simulator.h"
+#include "output_folder.h"
 #include "pictures.h"
 #include "progress.h"
 #include "stop.h"
@@ -85,18 +86,6 @@ Simulator prepare(const RunOptions& options, Display& display) {
   }
 }
 
-std::filesystem::path make_folder(const RunOptions& options) {
-  const std::filesystem::path folder =
-      options.folder.empty() ? std::filesystem::path(options.scenario.stem().string() + "_pings") : options.folder;
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error || !std::filesystem::is_directory(folder)) {
-    throw Error(fmt::format("{}: cannot make this folder: {}", folder.string(),
-                            error ? error.message() : "something else has its name"));
-  }
-  return folder;
-}
-
 // One sonar's part of a run.
 struct Track {
   std::filesystem::path file;
@@ -138,7 +127,7 @@ std::vector<Picture> draw_views(Simulator& simulator, bool quiet) {
   if (!quiet) {
     show_status("Drawing the scene ...");
   }
-  for (int i = 0; i < static_cast<int>(simulator.scenario().sonars.size()) && !stop_asked(); ++i) {
+  for (int i = 0; i < static_cast<int>(simulator.scenario().sonars.size()); ++i) {
     const SonarConfig& sonar = simulator.sonar(i);
     const Pose world_from_sonar = simulator.world_from_head(i, 0);
     Engine& engine = simulator.engine();
@@ -217,15 +206,13 @@ int run(const RunOptions& options) {
   end_when_asked();
   const PictureChoice choice = PictureChoice::parse(options.pictures);
   Display display;
+  const std::filesystem::path folder = output_folder(options.folder, options.scenario);
   Simulator simulator = prepare(options, display);
-  const std::filesystem::path folder = make_folder(options);
+  make_output_folder(folder);
 
-  note_when_asked();
   const Clock::time_point start = Clock::now();
   const std::vector<Picture> views = options.view ? draw_views(simulator, options.quiet) : std::vector<Picture>();
-  if (stop_asked()) {
-    throw Error("interrupted before the first ping");
-  }
+  note_when_asked();
   std::vector<Track> tracks = start_tracks(simulator, folder, display, choice);
   clear_old_pictures(folder, tracks, options.quiet);
   const std::vector<std::filesystem::path> view_files = write_views(views, tracks);

@@ -68,9 +68,9 @@ struct Rgb {
 /// @throws Error listing the names there are.
 [[nodiscard]] ColourMap colour_map_from_name(std::string_view name);
 
-// Azimuths are written as bearings: "30° P" to port, "30° S" to starboard, for a vertical mounting "30° up" and "30°
-// down". Drawing throws Error for a display out of limits and for a ping that has not the sonar's beams and bins. NaN
-// is drawn as silence.
+// Azimuths are written as bearings: "30° P" to port, "30° S" to starboard, for a vertical mounting as
+// slopes, "30° up" and "30° down". Drawing throws Error for a display out of limits and for a ping that has not the
+// sonar's beams and bins. NaN is drawn as silence.
 
 /// The raw table: beams across (port to the left, azimuth in degrees), range upwards in metres.
 [[nodiscard]] Picture draw_polar(const Ping& ping, const SonarConfig& sonar, const Display& display = {});
@@ -83,8 +83,8 @@ struct Rgb {
 /// one, and what the head has not looked at yet stays blank. Between steps longer than three beam widths, too, it
 /// stays blank: there a ping fills no more than its beam.
 ///
-/// The housing's x axis points up and port is left, as in a fan. For a vertical mounting the view is from starboard: up
-/// is up and the x axis points right.
+/// The housing's x axis points up and port is left, as in a fan. For a vertical mounting the view is from its starboard
+/// side: up is up, and the x axis, its "front", points right.
 class ScanView {
  public:
   /// @throws Error unless the sonar has a single beam and turns it.

@@ -97,14 +97,15 @@ void CpuEngine::insonify(const PingPlan& plan, const Pose& world_from_sonar, std
   });
   counts_ = {};
   for (const auto& scratch : scratch_) {
-    counts_.primary += scratch->counts().primary;
-    counts_.secondary += scratch->counts().secondary;
-    counts_.return_legs += scratch->counts().return_legs;
+    const RayCounts counts = scratch->counts();
+    counts_.primary += counts.primary;
+    counts_.secondary += counts.secondary;
+    counts_.return_legs += counts.return_legs;
   }
 }
 
 std::vector<double> CpuEngine::time_traversal(const PingPlan& plan, const Pose& world_from_sonar, int repetitions) {
-  std::vector<BeamTask::Log> logs(task_count(plan.sonar.beam_count, beams_per_task(plan, workers_.count())));
+  std::vector<OnwardTask::Log> logs(task_count(plan.sonar.beam_count, beams_per_task(plan, workers_.count())));
   EchoGrid grid(plan.sonar.beam_count, plan.sonar.bin_count, kPathOrders);
   for_each_task(plan, [&](BeamTask& scratch, int first_beam, int last_beam, int task) {
     scratch.run(world_from_sonar, first_beam, last_beam, nullptr, grid, &logs[task]);

@@ -11,6 +11,9 @@ namespace insonify {
 
 inline constexpr int kPacketSize = 16;
 
+/// Columns and rows of a packet: the shape in which sixteen neighbours spread least.
+inline constexpr int kTile = 4;
+
 /// Switches denormal numbers off in this thread while it lives, as Embree wants it.
 class DenormalsOff {
  public:

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -63,13 +64,14 @@ std::string frequency_text(double frequency) {
 
 std::string bearing_text(double azimuth, Mounting mounting) {
   const double tenths = std::round(10 * degrees_from_radians(std::remainder(azimuth, 2 * std::numbers::pi)));
-  const std::string angle = number_text(std::abs(tenths) / 10) + "°";
   if (mounting == Mounting::kVertical) {
-    return tenths == 0                ? "ahead"
-           : std::abs(tenths) == 1800 ? "astern"
-           : std::abs(tenths) == 900  ? (tenths > 0 ? "up" : "down")
-                                      : angle + (tenths > 0 ? " up" : " down");
+    const double slope = std::min(std::abs(tenths), 1800 - std::abs(tenths));  // From the level, on either side.
+    return tenths == 0                ? "front"
+           : std::abs(tenths) == 1800 ? "back"
+           : slope == 900             ? (tenths > 0 ? "up" : "down")
+                                      : number_text(slope / 10) + (tenths > 0 ? "° up" : "° down");
   }
+  const std::string angle = number_text(std::abs(tenths) / 10) + "°";
   const bool has_side = tenths != 0 && std::abs(tenths) != 1800;
   return has_side ? angle + (tenths > 0 ? " P" : " S") : angle;
 }

@@ -29,7 +29,8 @@ namespace insonify {
 [[nodiscard]] std::string frequency_text(double frequency);
 
 /// An azimuth as an operator says it: "30° P" (to port), "30° S" (to starboard), "0°", "180°"; for a vertical mounting
-/// "30° up", "30° down", "ahead", "up", "astern", "down". Tenths of a degree where there are any.
+/// its slope on either side, "30° up" or "30° down", and "up", "down", "front" and "back", the last two of the housing.
+/// Tenths of a degree where there are any.
 [[nodiscard]] std::string bearing_text(double azimuth, Mounting mounting = Mounting::kHorizontal);
 
 }  // namespace insonify

@@ -14,6 +14,8 @@
 #include <system_error>
 #include <utility>
 
+#include "io/file_lock.h"
+
 namespace insonify {
 namespace {
 
@@ -32,6 +34,8 @@ constexpr std::size_t kEndOfFileField = 40;
 
 // Rows begin at multiples of this, so that a program that maps the file may read them in place.
 constexpr std::uint64_t kAlignment = 64;
+
+constexpr const char* kBeingWritten = "cannot create: another run is writing it; choose another folder";
 
 std::string system_reason() {
   return std::generic_category().message(errno);
@@ -97,9 +101,20 @@ GrowingFile::GrowingFile(std::filesystem::path path, std::vector<GrowingDataset>
   std::filesystem::path unfinished = path_;
   unfinished += ".new";
   const std::uint64_t bytes = total_bytes(path_, datasets_, capacity_);
+  file_ = open(unfinished.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+  if (file_ < 0) {
+    fail(path_, "cannot create: " + system_reason());
+  }
+  // First the one beside it, then the file itself: of two that begin at once one sees the other.
+  if (!lock_for_writing(file_)) {
+    ::close(file_);
+    fail(path_, kBeingWritten);
+  }
   try {
-    file_ = open(unfinished.c_str(), O_RDWR | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
-    if (file_ < 0) {
+    if (is_being_written(path_)) {
+      fail(path_, kBeingWritten);
+    }
+    if (ftruncate(file_, 0) != 0) {
       fail(path_, "cannot create: " + system_reason());
     }
     std::vector<std::byte> image = make_image(describe);
@@ -118,10 +133,8 @@ GrowingFile::GrowingFile(std::filesystem::path path, std::vector<GrowingDataset>
       fail(path_, "cannot create: " + ignored.message());
     }
   } catch (...) {
-    if (file_ >= 0) {
-      ::close(file_);
-    }
     std::filesystem::remove(unfinished, ignored);
+    ::close(file_);
     throw;
   }
 }

@@ -33,7 +33,7 @@ struct GrowingDataset {
 class GrowingFile {
  public:
   /// Makes the file beside `path` and puts it there once it is complete: a file of that name is replaced whole or not
-  /// at all.
+  /// at all. Until it is closed nobody else can: see file_lock.h.
   /// @param capacity  Rows it has room for, >= 1.
   /// @param describe  Called with the open file to add whatever does not grow.
   /// @throws Error with the path when the file cannot be made.

@@ -46,6 +46,16 @@ void check_ranges(std::string_view object, const SonarConfig& sonar) {
   }
 }
 
+// A ping keeps some twenty bytes a cell in memory, and writes them.
+void check_cells(std::string_view object, const SonarConfig& sonar) {
+  constexpr std::int64_t kMost = 1 << 25;
+  const std::int64_t cells = std::int64_t{sonar.beam_count} * sonar.bin_count;
+  if (cells > kMost) {
+    fail(object, fmt::format("bin_count = {} makes {} cells with beam_count = {}, must be at most {}", sonar.bin_count,
+                             cells, sonar.beam_count, kMost));
+  }
+}
+
 void check_beam_azimuths(std::string_view object, const SonarConfig& sonar) {
   const std::vector<double>& azimuths = sonar.beam_azimuths;
   if (azimuths.empty()) {
@@ -152,6 +162,7 @@ void SonarConfig::validate(std::string_view object) const {
   check_fields(fmt::format("{}.sampling", object), sampling);
   check_name(object, name);
   check_ranges(object, *this);
+  check_cells(object, *this);
   check_beam_azimuths(object, *this);
   check_elevations(object, *this);
   check_head(object, *this);

@@ -56,6 +56,39 @@ TEST_F(CliStopTest, CtrlCWhileLoadingEndsAtOnce) {
   }
 }
 
+// Half a million triangles the size of the scene, each behind others: a view of them takes minutes.
+TEST_F(CliStopTest, CtrlCWhileTheSceneIsDrawnEndsAtOnce) {
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> place(-20, 20);
+  std::string mesh;
+  for (int i = 0; i < 60'000; ++i) {
+    mesh += fmt::format("v {:.3f} {:.3f} {:.3f}\n", place(random), place(random), place(random));
+  }
+  for (int i = 1; i < 60'000; i += 3) {
+    mesh += fmt::format("f {} {} {}\n", i, i + 1, i + 2);
+  }
+  folder.write("dense.obj", mesh);
+  const Process process({"run", "fan.yaml", "-o", "out", "--set", "world=dense.obj", "--height", "8192"});
+  Process::wait_until([] { return std::filesystem::exists("out"); });
+  process.send(SIGINT);
+  const Outcome outcome = process.end();
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_EQ(outcome.err, "insonify: interrupted before the first ping\n");
+  EXPECT_TRUE(std::filesystem::is_empty("out"));
+}
+
+TEST_F(CliStopTest, ASecondRunIntoTheSameFolderIsRefused) {
+  const Process first({"run", "fan.yaml", "-o", "out", "--pings", "100000", "--no-pictures"});
+  wait_for_pings("out/ahead.h5");
+  const Outcome second = shell("insonify run fan.yaml -o out");
+  EXPECT_EQ(second.status, 1);
+  EXPECT_EQ(second.err, "insonify: out/ahead.h5: cannot create: another run is writing it; choose another folder\n");
+  first.send(SIGINT);
+  EXPECT_EQ(first.end().status, 1);
+  EXPECT_THAT(files("out"), ElementsAre("ahead.h5"));
+  EXPECT_EQ(shell("insonify run fan.yaml -o out -q").status, 0);
+}
+
 // As for a job in a shell's background.
 TEST_F(CliStopTest, CtrlCThatWasIgnoredStaysSo) {
   const Outcome outcome =

@@ -63,10 +63,12 @@ TEST(ScalesTest, BearingsSayWhichSide) {
   EXPECT_EQ(bearing_text(radians_from_degrees(210)), "150° S");
   EXPECT_EQ(bearing_text(radians_from_degrees(30), Mounting::kVertical), "30° up");
   EXPECT_EQ(bearing_text(radians_from_degrees(-30), Mounting::kVertical), "30° down");
-  EXPECT_EQ(bearing_text(0, Mounting::kVertical), "ahead");
+  EXPECT_EQ(bearing_text(0, Mounting::kVertical), "front");
+  EXPECT_EQ(bearing_text(radians_from_degrees(150), Mounting::kVertical), "30° up");
+  EXPECT_EQ(bearing_text(radians_from_degrees(-127.5), Mounting::kVertical), "52.5° down");
   EXPECT_EQ(bearing_text(radians_from_degrees(90), Mounting::kVertical), "up");
   EXPECT_EQ(bearing_text(radians_from_degrees(-90), Mounting::kVertical), "down");
-  EXPECT_EQ(bearing_text(radians_from_degrees(180), Mounting::kVertical), "astern");
+  EXPECT_EQ(bearing_text(radians_from_degrees(180), Mounting::kVertical), "back");
 }
 
 TEST(ScalesTest, RadialsAreEveryOneToThirtyDegrees) {

@@ -237,6 +237,8 @@ TEST(SonarValidateTest, NamesTheFieldOutOfItsLimits) {
   EXPECT_EQ(fls([](auto& s) { s.elevation_center = deg(-86); }),
             "sonars[1].elevation_center_deg = -86 deg must be from -85 to 85 deg");
   EXPECT_EQ(fls([](auto& s) { s.bin_count = 65537; }), "sonars[1].bin_count = 65537 must be from 1 to 65536");
+  EXPECT_EQ(fls([](auto& s) { s.beam_count = 4096, s.bin_count = 8193; }),
+            "sonars[1].bin_count = 8193 makes 33558528 cells with beam_count = 4096, must be at most 33554432");
   EXPECT_EQ(fls([](auto& s) { s.min_range = -1; }), "sonars[1].min_range = -1 m must be from 0 to 100000 m");
   EXPECT_EQ(fls([](auto& s) { s.max_range = 0; }),
             "sonars[1].max_range = 0 m must be greater than 0, at most 100000 m");

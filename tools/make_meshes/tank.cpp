@@ -118,7 +118,7 @@ Shape make_vehicle_box() {
   // Closed side panels, flat posts between them, and a float block with bevelled edges on top.
   vehicle.add(box("aluminium", {kLength - 0.1, kWidth - 0.06, kHeight - 0.72}), at({0, 0, -0.08}));
   for (const double x : {-kLength / 2 + 0.05, 0.0, kLength / 2 - 0.05}) {
-    vehicle.add(box("aluminium", {0.1, kWidth, kHeight - 0.6}), at({x, 0, -0.14}));
+    vehicle.add(box("aluminium", {0.1, kWidth, kHeight - 0.64}), at({x, 0, -0.16}));
   }
   const double half = kWidth / 2;
   const Shape float_block =

@@ -1,0 +1,185 @@
+// onward_task.cpp -- on to a second surface, and back from there.
+
+#include "echo/onward_task.h"
+
+#include <bit>
+#include <cmath>
+
+#include "base/vector_math.h"
+#include "echo/deposit.h"
+#include "echo/ray_limits.h"
+
+namespace insonify {
+namespace {
+
+// Where the hits of a packet of onward rays lie, how far it is back from there, and what is to come of it.
+struct Returns {
+  float x[kPacketSize], y[kPacketSize], z[kPacketSize];                 // Second surface.
+  float back_x[kPacketSize], back_y[kPacketSize], back_z[kPacketSize];  // Unit vector from there to the sonar.
+  float distance[kPacketSize];                                          // Of the way back.
+  float path_length[kPacketSize];                                       // Out, across and back.
+  float strength[kPacketSize];                                          // See secondary_powers().
+  float within[kPacketSize];                                            // 1 where the echo is from within the range.
+};
+
+// Readies lanes [first, last) of a packet: on from the hits at the given places of a strip, in the mirror direction.
+INSONIFY_VECTOR_CLONES
+void mirror(const HitColumn& strip, const int* __restrict__ place, int first, int last, Vec3f sonar,
+            RTCRay16& __restrict__ rays, OnwardTask::Origins& __restrict__ origins) {
+  const float* __restrict__ direction_x = strip.direction_x;
+  const float* __restrict__ direction_y = strip.direction_y;
+  const float* __restrict__ direction_z = strip.direction_z;
+  const float* __restrict__ normal_x = strip.normal_x;
+  const float* __restrict__ normal_y = strip.normal_y;
+  const float* __restrict__ normal_z = strip.normal_z;
+  const float* __restrict__ facing = strip.facing;
+  const float* __restrict__ strength = strip.strength;
+  const float* __restrict__ range = strip.range;
+  const float* __restrict__ selected = strip.selected;
+  const float sonar_x = sonar[0], sonar_y = sonar[1], sonar_z = sonar[2];
+  for (int lane = first; lane < last; ++lane) {
+    const int at = place[lane];
+    const float x = direction_x[at], y = direction_y[at], z = direction_z[at];
+    const float out = range[at], turn = 2 * facing[at];
+    rays.org_x[lane] = sonar_x + x * out;
+    rays.org_y[lane] = sonar_y + y * out;
+    rays.org_z[lane] = sonar_z + z * out;
+    rays.dir_x[lane] = x - turn * normal_x[at];
+    rays.dir_y[lane] = y - turn * normal_y[at];
+    rays.dir_z[lane] = z - turn * normal_z[at];
+    origins.range[lane] = out;
+    origins.strength[lane] = strength[at];
+    origins.selected[lane] = selected[at];
+  }
+}
+
+INSONIFY_VECTOR_CLONES
+void measure_returns(const RTCRay16& __restrict__ rays, const CpuScene::Shading& __restrict__ met,
+                     const OnwardTask::Origins& __restrict__ origins, Vec3f sonar, float max_range,
+                     Returns& __restrict__ returns) {
+  const float sonar_x = sonar[0], sonar_y = sonar[1], sonar_z = sonar[2];
+  for (int lane = 0; lane < kPacketSize; ++lane) {
+    const float across = rays.tfar[lane];
+    const float x = rays.org_x[lane] + rays.dir_x[lane] * across;
+    const float y = rays.org_y[lane] + rays.dir_y[lane] * across;
+    const float z = rays.org_z[lane] + rays.dir_z[lane] * across;
+    const float dx = sonar_x - x, dy = sonar_y - y, dz = sonar_z - z;
+    const float distance = std::sqrt(dx * dx + dy * dy + dz * dz);
+    const float scale = 1 / distance;
+    returns.x[lane] = x;
+    returns.y[lane] = y;
+    returns.z[lane] = z;
+    returns.back_x[lane] = dx * scale;
+    returns.back_y[lane] = dy * scale;
+    returns.back_z[lane] = dz * scale;
+    returns.distance[lane] = distance;
+    const float path_length = origins.range[lane] + across + distance;
+    returns.path_length[lane] = path_length;
+    returns.within[lane] = (met.surface[lane] != kNoSurface) & (0.5F * path_length < max_range) ? 1.0F : 0.0F;
+    const float nx = met.normal_x[lane], ny = met.normal_y[lane], nz = met.normal_z[lane];
+    const float facing = nx * rays.dir_x[lane] + ny * rays.dir_y[lane] + nz * rays.dir_z[lane];
+    const float incidence = std::abs(facing) / std::sqrt(nx * nx + ny * ny + nz * nz);
+    returns.strength[lane] = origins.strength[lane] * incidence * met.reflectivity[lane];
+  }
+}
+
+}  // namespace
+
+OnwardTask::OnwardTask(const CpuScene& scene) : scene_(scene) {
+  for (int lane = 0; lane < kPacketSize; ++lane) {
+    onward_.rays.ray.tnear[lane] = back_.rays.ray.tnear[lane] = kRayClearance;
+  }
+}
+
+void OnwardTask::start(const PingPlan& plan, const Vec3f& sonar, EchoGrid& grid, Log* log) {
+  plan_ = &plan;
+  sonar_ = sonar;
+  grid_ = &grid;
+  log_ = log;
+}
+
+void OnwardTask::follow(const HitColumn& strip, int stride, int first_column, int columns) {
+  const int rows = strip.rows;
+  const float* selected = strip.selected;
+  int loaded = onward_count_;  // Lanes whose rays are in the packet already.
+  for (int row0 = 0; row0 < rows; row0 += kTile) {
+    const unsigned in_lattice = (1U << std::min(kTile, rows - row0)) - 1;
+    unsigned samples = 0;
+    for (int column = 0; column < columns; ++column) {
+      samples |= (positive_of_four(&selected[column * stride + row0]) & in_lattice) << (column * kTile);
+    }
+    for (; samples != 0; samples &= samples - 1) {
+      const int sample = std::countr_zero(samples);
+      const int column = sample / kTile, row = row0 + sample % kTile;
+      place_[onward_count_] = column * stride + row;
+      origins_.column[onward_count_] = first_column + column;
+      origins_.row[onward_count_] = row;
+      if (++onward_count_ == kPacketSize) {
+        mirror(strip, place_, loaded, kPacketSize, sonar_, onward_.rays.ray, origins_);
+        trace_onward();
+        loaded = 0;
+      }
+    }
+  }
+  mirror(strip, place_, loaded, onward_count_, sonar_, onward_.rays.ray, origins_);
+}
+
+// Traces the onward rays in the mirror directions, and readies the return legs of what they meet.
+void OnwardTask::trace_onward() {
+  const int count = onward_count_;
+  onward_count_ = 0;
+  onward_.set_count(count);
+  if (log_ != nullptr) {
+    log_->onward.push_back(onward_);
+  }
+  onward_.intersect(scene_.handle(), plan_->true_max_range);
+  sent_ += count;
+
+  scene_.shade(onward_.rays.hit, shading_);
+  Returns returns;
+  measure_returns(onward_.rays.ray, shading_, origins_, sonar_, plan_->true_max_range, returns);
+  for (unsigned lanes = positive_of_packet(returns.within) & ((1U << count) - 1); lanes != 0; lanes &= lanes - 1) {
+    const int lane = std::countr_zero(lanes);
+    const int slot = returning_count_;
+    returning_[slot] = secondary_echo(*plan_, origins_.column[lane], origins_.row[lane], origins_.selected[lane],
+                                      returns.path_length[lane], shading_.surface[lane]);
+    returning_strength_[slot] = returns.strength[lane];
+    returning_rest_[slot] = returns.path_length[lane] - 2 * origins_.range[lane];
+    back_.set_origin(slot, {returns.x[lane], returns.y[lane], returns.z[lane]});
+    back_.set_direction(slot, {returns.back_x[lane], returns.back_y[lane], returns.back_z[lane]});
+    back_.rays.ray.tfar[slot] = returns.distance[lane] - kRayClearance;
+    if (++returning_count_ == kPacketSize) {
+      finish_returns();
+    }
+  }
+}
+
+// Deposits those of the returning echoes whose way back is clear.
+void OnwardTask::finish_returns() {
+  back_.set_count(returning_count_);
+  if (log_ != nullptr) {
+    log_->back.push_back(back_);
+  }
+  back_.occlude(scene_.handle());
+  returned_ += returning_count_;
+  float power[kPacketSize];
+  secondary_powers(*plan_, returning_count_, returning_strength_, returning_rest_, power);
+  for (int lane = 0; lane < returning_count_; ++lane) {
+    if (!back_.blocked(lane)) {
+      returning_[lane].power = power[lane];
+      deposit(*plan_, returning_[lane], *grid_);
+    }
+  }
+  returning_count_ = 0;
+}
+
+void OnwardTask::finish() {
+  if (onward_count_ > 0) {
+    trace_onward();
+  }
+  if (returning_count_ > 0) {
+    finish_returns();
+  }
+}
+
+}  // namespace insonify

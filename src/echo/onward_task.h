@@ -1,0 +1,68 @@
+// onward_task.h -- the secondary echoes of a few neighbouring beams, sixteen rays at a time.
+
+#pragma once
+
+#include <vector>
+
+#include "echo/cpu_scene.h"
+#include "echo/hit_column.h"
+#include "echo/ping_plan.h"
+#include "echo/ray_packet.h"
+#include "echo/secondary_echo.h"
+
+namespace insonify {
+
+/// Sends rays on from selected hits in the mirror direction, and back from what they meet to the sonar.
+class OnwardTask {
+ public:
+  /// Onward rays and return legs as they were sent, when somebody wants to send them again.
+  struct Log {
+    std::vector<RayPacket> onward, back;
+  };
+
+  /// Where a packet of onward rays left the first surface.
+  struct Origins {
+    int column[kPacketSize], row[kPacketSize];  // Of the lattice.
+    float range[kPacketSize], strength[kPacketSize], selected[kPacketSize];
+  };
+
+  explicit OnwardTask(const CpuScene& scene);
+
+  /// @param sonar  Position in the scene's coordinates.
+  void start(const PingPlan& plan, const Vec3f& sonar, EchoGrid& grid, Log* log);
+
+  /// Follows the selected hits of a strip, in the order of its tiles so that packets stay together. Echoes are
+  /// deposited as packets fill.
+  /// @param strip         Its first column; the same sample of the next is `stride` values further.
+  /// @param first_column  Of the lattice.
+  void follow(const HitColumn& strip, int stride, int first_column, int columns);
+
+  /// Deposits what is still on its way.
+  void finish();
+
+  void reset_counts() { sent_ = returned_ = 0; }
+  [[nodiscard]] std::uint64_t sent() const { return sent_; }          ///< Onward rays.
+  [[nodiscard]] std::uint64_t returned() const { return returned_; }  ///< Return legs.
+
+ private:
+  void trace_onward();
+  void finish_returns();
+
+  const CpuScene& scene_;
+  const PingPlan* plan_ = nullptr;
+  Vec3f sonar_;
+  EchoGrid* grid_ = nullptr;
+  Log* log_ = nullptr;
+
+  RayPacket onward_, back_;
+  CpuScene::Shading shading_;
+  int place_[kPacketSize];  // In the strip, of the hits that are followed.
+  Origins origins_;         // Of the rays in onward_.
+  int onward_count_ = 0;
+  Echo returning_[kPacketSize];  // Met a second surface; their return legs are in back_.
+  float returning_strength_[kPacketSize], returning_rest_[kPacketSize];  // See secondary_powers().
+  int returning_count_ = 0;
+  std::uint64_t sent_ = 0, returned_ = 0;
+};
+
+}  // namespace insonify
