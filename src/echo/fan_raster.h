@@ -4,53 +4,10 @@
 
 #include <vector>
 
+#include "echo/fan_view.h"
 #include "echo/hit_column.h"
-#include "echo/raster_scene.h"
 
 namespace insonify {
-
-/// Which columns of a lattice an interval of azimuths may touch.
-class ColumnFinder {
- public:
-  /// Allocates only when it needs more memory than any before.
-  void prepare(const Lattice& lattice);
-
-  /// Columns [first, last) that hold every column with low <= azimuth <= high, perhaps a few more.
-  struct Columns {
-    int first, last;
-  };
-  [[nodiscard]] Columns between(float low, float high) const;
-
- private:
-  int columns_ = 0;
-  std::vector<int> first_;  // [step]: first column whose azimuth is not above that of the step's upper edge.
-  float port_ = 0;          // Azimuth of the first column [rad].
-  float steps_per_radian_ = 0;
-};
-
-/// What one ping sees of a RasterScene: how its parts lie around the sonar, and which clusters are in reach.
-class FanView {
- public:
-  /// Allocates only when it needs more memory than any before.
-  void look(const RasterScene& scene, const PingPlan& plan, const Pose& scene_from_sonar);
-
-  struct Placement {
-    Eigen::Matrix3f sonar_from_part;
-    Vec3f sonar;  // In the part's coordinates: taken away before turning, so that far-off scenes lose no precision.
-  };
-  struct Visible {
-    std::uint32_t cluster;
-    int first_column, last_column;  // Of the lattice, [first, last).
-  };
-  [[nodiscard]] const Placement& placement(int instance) const { return placements_[instance]; }
-  [[nodiscard]] const std::vector<Visible>& visible() const { return visible_; }
-  [[nodiscard]] const ColumnFinder& finder() const { return finder_; }
-
- private:
-  ColumnFinder finder_;
-  std::vector<Placement> placements_;
-  std::vector<Visible> visible_;
-};
 
 /// Draws neighbouring columns of a lattice: for every column and row the nearest triangle, exactly where a ray would
 /// meet it. Rows are uniform in tan(elevation), along which the edges of a triangle are straight for any one azimuth,
@@ -63,23 +20,48 @@ class FanRaster {
 
   /// Takes one of these columns over into `hits`, the group that engines fill in except directions.
   /// @return Rows up to the last that met something.
-  int read(int column, const HitColumn& hits) const;
+  int read(int column, const HitColumn& hits);
 
  private:
+  static constexpr int kTogether = 16;  // Columns, and rows, worked on side by side.
+  static constexpr std::size_t kShadings = 256;
+  static constexpr std::uint32_t kNothing = 0xffffffff;
+
   // Of one triangle: its normal at d is the sum of d's components times these, of any length.
   struct Shading {
-    Vec3f edges[3];
+    std::uint32_t triangle = kNothing;  // As in nearest_.
     SurfaceLabel surface = kNoSurface;
+    float reflectivity = 0;
+    Vec3f edges[3] = {Vec3f::Zero(), Vec3f::Zero(), Vec3f::Zero()};
   };
-  [[nodiscard]] Shading shading_of(std::uint32_t place) const;
+
+  // The columns that are drawn, filled up to a multiple of kTogether.
+  struct Columns {
+    int count = 0;
+    std::vector<float> cos_azimuth, sin_azimuth, first_tan;
+    void set(const Lattice& lattice, int first, int last);
+  };
+
+  // How far a triangle reaches in some columns.
+  struct Reach {
+    int first_row[kTogether], last_row[kTogether];
+    float nearness[kTogether];  // At row 0.
+  };
+
+  void clear(float max_range);
   void draw_cluster(const TriangleCluster& cluster, int first_column, int last_column);
+  [[nodiscard]] Shading shading_of(std::uint32_t triangle) const;
+  const Shading& known_shading(std::uint32_t triangle);
 
   const RasterScene* scene_ = nullptr;
   const FanView* view_ = nullptr;
   const PingPlan* plan_ = nullptr;
   int first_column_ = 0, stride_ = 0;
+  Columns columns_;
   std::vector<float> nearness_;  // [column][row]: 1 over the distance along the column's axis, which is what is linear.
   std::vector<std::uint32_t> nearest_;  // [column][row]: block and lane.
+  std::vector<Shading> shadings_;       // Of triangles read last, each at the place that its number ends with.
+  Shading no_shading_;
 };
 
 }  // namespace insonify

@@ -1,9 +1,9 @@
 // fan_view.cpp -- what of a scene lies in a fan, cluster by cluster.
 
+#include "echo/fan_view.h"
+
 #include <algorithm>
 #include <cmath>
-
-#include "echo/fan_raster.h"
 
 namespace insonify {
 

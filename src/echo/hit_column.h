@@ -40,7 +40,7 @@ class HitStrip {
   /// The same sample of the next column is so many values further. Every row may be written up to kPadding values
   /// beyond its end; what is written there is never read.
   [[nodiscard]] int stride() const { return stride_; }
-  static constexpr int kPadding = 4;
+  static constexpr int kPadding = 16;
 
  private:
   int columns_ = 0, stride_ = 0;

@@ -1,86 +1,17 @@
 // The `cpu` engine against the oracle: every ray against every triangle, on random scenes.
 
-#include <random>
-
-#include "engines/test_scenes.h"
+#include "engines/random_scene.h"
 
 namespace insonify {
 namespace {
 
 using namespace testing_scenes;
 
-constexpr int kScenes = 200;
-
 // Engines agree to this share of the energy (DESIGN): what single precision moves between neighbouring bins.
 constexpr double kEnergyTolerance = 1e-4;
 
 // At most this share of the samples may hit another surface: rays through a shared edge, where either is right.
 constexpr double kOtherSurface = 1e-5;
-
-class Dice {
- public:
-  explicit Dice(int seed) : generator_(seed) {}
-  double between(double low, double high) { return std::uniform_real_distribution<>(low, high)(generator_); }
-  int below(int count) { return std::uniform_int_distribution<>(0, count - 1)(generator_); }
-
- private:
-  std::mt19937 generator_;
-};
-
-Mesh random_shape(Dice& dice) {
-  const double size = dice.between(0.2, 1.5);
-  switch (dice.below(5)) {
-    case 0:
-      return make_box({size, dice.between(0.2, 1.5), dice.between(0.2, 1.5)});
-    case 1:
-      return make_sphere(size, 0.4);
-    case 2:
-      return make_cylinder(0.5 * size, 2 * size, 0.4);
-    case 3:
-      return make_cone(size, 1.5 * size, 0.4);
-    default:
-      return make_capsule(0.4 * size, size, 0.4);
-  }
-}
-
-// Some objects around a sonar far from the world's origin, over a floor, some of them moving.
-struct RandomScene {
-  Scene scene;
-  SonarConfig sonar;
-  Pose pose;
-  std::vector<Pose> moved;
-
-  explicit RandomScene(int seed) {
-    Dice dice(seed);
-    const Vec3 centre(dice.between(-500, 500), dice.between(-500, 500), dice.between(-50, 0));
-    SceneMaker maker;
-    const int objects = 2 + dice.below(5);
-    for (int i = 0; i < objects; ++i) {
-      const Vec3 offset(dice.between(-1, 12), dice.between(-8, 8), dice.between(-3, 3));
-      const Pose pose_i{centre + offset,
-                        orientation_from_rpy(dice.between(-3, 3), dice.between(-1, 1), dice.between(-3, 3))};
-      maker.add("object" + std::to_string(i), random_shape(dice), pose_i, dice.between(0.1, 1));
-    }
-    maker.add("floor", make_plane(Vec3::UnitZ(), 60, 60), {.position = centre + Vec3(0, 0, dice.between(-5, -2))},
-              dice.between(0.1, 1));
-    scene = maker.scene();
-    for (Instance& instance : scene.instances) {
-      instance.moving = dice.below(3) == 0;
-    }
-    sonar.beam_count = 16 + dice.below(17);
-    sonar.azimuth_aperture = dice.between(20, 180) * kDegree;
-    sonar.elevation_aperture = dice.between(5, 60) * kDegree;
-    sonar.elevation_center = dice.between(-15, 15) * kDegree;
-    sonar.max_range = dice.between(8, 20);
-    sonar.bin_count = 100 + dice.below(200);
-    sonar.sampling = {.columns_per_beam = 1 + dice.below(4), .rows = 20 + dice.below(30)};
-    pose = {centre, orientation_from_rpy(dice.between(-1, 1), dice.between(-0.5, 0.8), dice.between(-0.3, 0.3))};
-  }
-
-  [[nodiscard]] double samples() const {
-    return double{1} * sonar.beam_count * sonar.sampling.columns_per_beam * sonar.sampling.rows;
-  }
-};
 
 // Rays of the lattice through Engine::trace, to compare hit by hit.
 std::vector<Ray> lattice_rays(const RandomScene& random) {
@@ -147,14 +78,7 @@ TEST(EngineAgreementTest, BothEnginesMoveInstancesAlike) {
     const auto reference = make_engine("reference", 2);
     for (Engine* engine : {cpu.get(), reference.get()}) {
       engine->set_scene(random.scene);
-      for (std::size_t i = 0; i < random.scene.instances.size(); ++i) {
-        if (random.scene.instances[i].moving) {
-          Pose pose = random.scene.instances[i].world_from_mesh;
-          pose.position += Vec3(0.5, -0.3, 0.2);
-          pose.orientation = orientation_from_rpy(0.3, 0.2, 0.1) * pose.orientation;
-          engine->move_instance(static_cast<int>(i), pose);
-        }
-      }
+      random.move_all([&](int instance, const Pose& pose) { engine->move_instance(instance, pose); });
     }
     const EchoGrid a = echoes_of(*reference, settings, random.pose);
     EXPECT_LE(difference(a, echoes_of(*cpu, settings, random.pose), 1), kEnergyTolerance) << "seed " << seed;
@@ -170,14 +94,7 @@ TEST(RasterAgreementTest, RasterAndRaysGiveTheSameEchoes) {
     }
     const auto engine = make_engine("cpu", 2);
     engine->set_scene(random.scene);
-    for (std::size_t i = 0; i < random.scene.instances.size(); ++i) {
-      if (random.scene.instances[i].moving) {
-        Pose pose = random.scene.instances[i].world_from_mesh;
-        pose.position += Vec3(0.5, -0.3, 0.2);
-        pose.orientation = orientation_from_rpy(0.3, 0.2, 0.1) * pose.orientation;
-        engine->move_instance(static_cast<int>(i), pose);
-      }
-    }
+    random.move_all([&](int instance, const Pose& pose) { engine->move_instance(instance, pose); });
     settings.primary = PrimaryEchoes::kRays;
     const EchoGrid rays = echoes_of(*engine, settings, random.pose);
     EXPECT_GT(engine->ray_counts().primary, 0U);

@@ -1,0 +1,91 @@
+// random_scene.h -- scenes drawn by lot, the same for a seed on every machine.
+
+#pragma once
+
+#include <random>
+
+#include "engines/test_scenes.h"
+
+namespace insonify::testing_scenes {
+
+inline constexpr int kScenes = 200;
+
+class Dice {
+ public:
+  explicit Dice(int seed) : generator_(seed) {}
+  double between(double low, double high) { return std::uniform_real_distribution<>(low, high)(generator_); }
+  int below(int count) { return std::uniform_int_distribution<>(0, count - 1)(generator_); }
+
+ private:
+  std::mt19937 generator_;
+};
+
+inline Mesh random_shape(Dice& dice) {
+  const double size = dice.between(0.2, 1.5);
+  switch (dice.below(5)) {
+    case 0:
+      return make_box({size, dice.between(0.2, 1.5), dice.between(0.2, 1.5)});
+    case 1:
+      return make_sphere(size, 0.4);
+    case 2:
+      return make_cylinder(0.5 * size, 2 * size, 0.4);
+    case 3:
+      return make_cone(size, 1.5 * size, 0.4);
+    default:
+      return make_capsule(0.4 * size, size, 0.4);
+  }
+}
+
+// Some objects around a sonar far from the world's origin, over a floor, some of them moving.
+struct RandomScene {
+  Scene scene;
+  SonarConfig sonar;
+  Pose pose;
+
+  explicit RandomScene(int seed) {
+    Dice dice(seed);
+    const Vec3 centre(dice.between(-500, 500), dice.between(-500, 500), dice.between(-50, 0));
+    SceneMaker maker;
+    const int objects = 2 + dice.below(5);
+    for (int i = 0; i < objects; ++i) {
+      const Vec3 offset(dice.between(-1, 12), dice.between(-8, 8), dice.between(-3, 3));
+      const Pose pose_i{centre + offset,
+                        orientation_from_rpy(dice.between(-3, 3), dice.between(-1, 1), dice.between(-3, 3))};
+      maker.add("object" + std::to_string(i), random_shape(dice), pose_i, dice.between(0.1, 1));
+    }
+    maker.add("floor", make_plane(Vec3::UnitZ(), 60, 60), {.position = centre + Vec3(0, 0, dice.between(-5, -2))},
+              dice.between(0.1, 1));
+    scene = maker.scene();
+    for (Instance& instance : scene.instances) {
+      instance.moving = dice.below(3) == 0;
+    }
+    sonar.beam_count = 16 + dice.below(17);
+    sonar.azimuth_aperture = dice.between(20, 180) * kDegree;
+    sonar.elevation_aperture = dice.between(5, 60) * kDegree;
+    sonar.elevation_center = dice.between(-15, 15) * kDegree;
+    sonar.max_range = dice.between(8, 20);
+    sonar.bin_count = 100 + dice.below(200);
+    sonar.sampling = {.columns_per_beam = 1 + dice.below(4), .rows = 20 + dice.below(30)};
+    pose = {centre, orientation_from_rpy(dice.between(-1, 1), dice.between(-0.5, 0.8), dice.between(-0.3, 0.3))};
+  }
+
+  // Where a moving instance is taken from where it began.
+  [[nodiscard]] Pose moved_pose(std::size_t instance) const {
+    Pose pose = scene.instances[instance].world_from_mesh;
+    pose.position += Vec3(0.5, -0.3, 0.2);
+    pose.orientation = orientation_from_rpy(0.3, 0.2, 0.1) * pose.orientation;
+    return pose;
+  }
+
+  // Calls move(instance, pose) for all that move.
+  template <typename Move>
+  void move_all(const Move& move) const {
+    for (std::size_t i = 0; i < scene.instances.size(); ++i) {
+      if (scene.instances[i].moving) {
+        move(static_cast<int>(i), moved_pose(i));
+      }
+    }
+  }
+};
+
+}  // namespace insonify::testing_scenes
