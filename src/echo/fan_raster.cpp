@@ -11,6 +11,65 @@
 namespace insonify {
 namespace {
 
+constexpr int kTogether = FanRaster::kTogether;
+
+// Triangles reach beyond their edges by this share of a row, so that no sample falls between those that meet in one
+// corner: more than single precision loses, far less than shows.
+constexpr float kOverlap = 3e-5F;
+
+// Rows by tan(elevation).
+struct RowScale {
+  float tan_step, rows_per_tan, last_row;
+};
+
+// How far a triangle reaches in sixteen columns.
+struct Reach {
+  int first_row[kTogether], last_row[kTogether];
+  float nearness[kTogether];  // At row 0.
+  float per_row;
+};
+
+[[gnu::always_inline]] inline void find_reach(const Facets& facets, int lane, const float* __restrict__ cos_az,
+                                              const float* __restrict__ sin_az, const float* __restrict__ first_tan,
+                                              RowScale scale, Reach& __restrict__ reach) {
+  reach.per_row = facets.plane_z[lane] * scale.tan_step;
+#pragma GCC unroll 1
+#pragma GCC ivdep
+  for (int i = 0; i < kTogether; ++i) {
+    const float x = cos_az[i], y = sin_az[i], t0 = first_tan[i];
+    float low = 0, high = scale.last_row;
+    for (int k = 0; k < 3; ++k) {
+      const float at =
+          (facets.edge_x[k][lane] * x + facets.edge_y[k][lane] * y + facets.edge_0[k][lane] - t0) * scale.rows_per_tan;
+      const bool upper = facets.upper[k][lane] > 0;
+      low = !upper & (at > low) ? at : low;
+      high = upper & (at < high) ? at : high;
+    }
+    low = (low < scale.last_row + 1 ? low : scale.last_row + 1) - kOverlap;
+    high = (high > -1 ? high : -1) + kOverlap;
+    const int first_row = static_cast<int>(low);
+    reach.first_row[i] = first_row + (static_cast<float>(first_row) < low ? 1 : 0);
+    reach.last_row[i] = static_cast<int>(high + 1) - 1;
+    reach.nearness[i] = facets.plane_x[lane] * x + facets.plane_y[lane] * y + facets.plane_z[lane] * t0;
+  }
+}
+
+// Sixteen rows from first_row on, or fewer up to last_row.
+[[gnu::always_inline]] inline void draw_rows(std::uint32_t triangle, float at_row_0, float per_row, int first_row,
+                                             int last_row, float* __restrict__ nearness,
+                                             std::uint32_t* __restrict__ nearest) {
+  const int last = last_row - first_row;
+  const float at_first = at_row_0 + per_row * static_cast<float>(first_row);
+#pragma GCC unroll 1
+#pragma GCC ivdep
+  for (int i = 0; i < kTogether; ++i) {
+    const float near = at_first + per_row * static_cast<float>(i);
+    const bool nearer = (near > nearness[i]) & (i <= last);
+    nearness[i] = nearer ? near : nearness[i];
+    nearest[i] = nearer ? triangle : nearest[i];
+  }
+}
+
 INSONIFY_VECTOR_CLONES
 void fill_nearness(int rows, float max_range, const float* __restrict__ cos_el, float* __restrict__ nearness) {
   for (int row = 0; row < rows; ++row) {
@@ -73,11 +132,7 @@ INSONIFY_VECTOR_CLONES
 void FanRaster::draw_cluster(const TriangleCluster& cluster, int first_column, int last_column) {
   const Lattice& lattice = plan_->lattice;
   const float tan_low = lattice.sin_low / lattice.cos_low, tan_high = lattice.sin_high / lattice.cos_high;
-  const float tan_step = lattice.tan_step, rows_per_tan = 1 / lattice.tan_step;
-  const auto last_row = static_cast<float>(lattice.rows - 1);
-  const float* __restrict__ cos_az = columns_.cos_azimuth.data();
-  const float* __restrict__ sin_az = columns_.sin_azimuth.data();
-  const float* __restrict__ first_tan = columns_.first_tan.data();
+  const RowScale scale{lattice.tan_step, 1 / lattice.tan_step, static_cast<float>(lattice.rows - 1)};
   Facets facets;
   Reach reach;
   for (std::uint32_t done = 0; done < cluster.triangle_count; done += kBlockSize) {
@@ -91,42 +146,14 @@ void FanRaster::draw_cluster(const TriangleCluster& cluster, int first_column, i
       const auto [first, last] = view_->finder().between(facets.low[lane], facets.high[lane]);
       const int end = std::min(last - first_column_, last_column);
       const std::uint32_t triangle = block * kBlockSize + static_cast<std::uint32_t>(lane);
-      const float per_row = facets.plane_z[lane] * tan_step;
       for (int begin = std::max(first - first_column_, first_column); begin < end; begin += kTogether) {
-#pragma GCC unroll 1
-#pragma GCC ivdep
-        for (int i = 0; i < kTogether; ++i) {
-          const float x = cos_az[begin + i], y = sin_az[begin + i], t0 = first_tan[begin + i];
-          float low = 0, high = last_row;
-          for (int k = 0; k < 3; ++k) {
-            const float at =
-                (facets.edge_x[k][lane] * x + facets.edge_y[k][lane] * y + facets.edge_0[k][lane] - t0) * rows_per_tan;
-            const bool upper = facets.upper[k][lane] > 0;
-            low = !upper & (at > low) ? at : low;
-            high = upper & (at < high) ? at : high;
-          }
-          low = low < last_row + 1 ? low : last_row + 1;
-          high = high > -1 ? high : -1;
-          const int first_row = static_cast<int>(low);
-          reach.first_row[i] = first_row + (static_cast<float>(first_row) < low ? 1 : 0);
-          reach.last_row[i] = static_cast<int>(high + 1) - 1;
-          reach.nearness[i] = facets.plane_x[lane] * x + facets.plane_y[lane] * y + facets.plane_z[lane] * t0;
-        }
+        find_reach(facets, lane, &columns_.cos_azimuth[begin], &columns_.sin_azimuth[begin], &columns_.first_tan[begin],
+                   scale, reach);
         for (int i = 0; i < std::min(kTogether, end - begin); ++i) {
           const std::size_t column = static_cast<std::size_t>(begin + i) * stride_;
-          for (int row0 = reach.first_row[i]; row0 <= reach.last_row[i]; row0 += kTogether) {
-            float* __restrict__ nearness = &nearness_[column + row0];
-            std::uint32_t* __restrict__ nearest = &nearest_[column + row0];
-            const int rows = reach.last_row[i] - row0;
-            const float at_row0 = reach.nearness[i] + per_row * static_cast<float>(row0);
-#pragma GCC unroll 1
-#pragma GCC ivdep
-            for (int row = 0; row < kTogether; ++row) {
-              const float near = at_row0 + per_row * static_cast<float>(row);
-              const bool nearer = (near > nearness[row]) & (row <= rows);
-              nearness[row] = nearer ? near : nearness[row];
-              nearest[row] = nearer ? triangle : nearest[row];
-            }
+          for (int row = reach.first_row[i]; row <= reach.last_row[i]; row += kTogether) {
+            draw_rows(triangle, reach.nearness[i], reach.per_row, row, reach.last_row[i], &nearness_[column + row],
+                      &nearest_[column + row]);
           }
         }
       }

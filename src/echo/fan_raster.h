@@ -15,6 +15,8 @@ namespace insonify {
 /// out from the same end, so that no sample falls between them.
 class FanRaster {
  public:
+  static constexpr int kTogether = 16;  ///< Columns, and rows, worked on side by side.
+
   /// Draws columns [first, last).
   void draw(const RasterScene& scene, const FanView& view, const PingPlan& plan, int first_column, int last_column);
 
@@ -23,7 +25,6 @@ class FanRaster {
   int read(int column, const HitColumn& hits);
 
  private:
-  static constexpr int kTogether = 16;  // Columns, and rows, worked on side by side.
   static constexpr std::size_t kShadings = 256;
   static constexpr std::uint32_t kNothing = 0xffffffff;
 
@@ -40,12 +41,6 @@ class FanRaster {
     int count = 0;
     std::vector<float> cos_azimuth, sin_azimuth, first_tan;
     void set(const Lattice& lattice, int first, int last);
-  };
-
-  // How far a triangle reaches in some columns.
-  struct Reach {
-    int first_row[kTogether], last_row[kTogether];
-    float nearness[kTogether];  // At row 0.
   };
 
   void clear(float max_range);
