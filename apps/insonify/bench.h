@@ -17,4 +17,7 @@ struct BenchOptions {
 /// insonify bench engine: a ping, and the bare traversal of its rays, on scenes of growing size.
 int bench_engine(const BenchOptions& options);
 
+/// insonify bench primary: primaries traced and drawn, and the choice of `primary: auto`; on one thread.
+int bench_primary(const BenchOptions& options);
+
 }  // namespace insonify

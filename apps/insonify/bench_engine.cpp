@@ -1,17 +1,14 @@
 // bench_engine.cpp -- how long a ping takes, and how far that is from its floor: Embree alone on the same rays.
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <chrono>
-#include <fstream>
 #include <functional>
 #include <nlohmann/json.hpp>
 
 #include "bench.h"
 #include "bench_scene.h"
+#include "bench_timing.h"
 #include "console.h"
-#include "insonify/error.h"
 #include "insonify/simulator.h"
 
 namespace insonify {
@@ -19,7 +16,6 @@ namespace {
 
 constexpr int kWarmUp = 2;
 constexpr int kBlock = 8;  // Pings or floors in a row.
-constexpr double kMilliseconds = 1e3;
 
 struct Row {
   int threads = 0;
@@ -34,20 +30,11 @@ struct Row {
   double own_bytes = 0, library_bytes = 0;     // A triangle.
 };
 
-double median(std::vector<double> values) {
-  std::ranges::nth_element(values, values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2));
-  return values[values.size() / 2];
-}
-
 // Element by element.
 double median_ratio(const std::vector<double>& above, const std::vector<double>& below) {
   std::vector<double> ratios(above.size());
   std::ranges::transform(above, below, ratios.begin(), std::divides());
   return median(std::move(ratios));
-}
-
-double milliseconds_since(std::chrono::steady_clock::time_point start) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() * kMilliseconds;
 }
 
 // One number of threads on one scene, timed block by block.
@@ -172,15 +159,6 @@ nlohmann::json to_json(const Row& row) {
           {"library_bytes_per_triangle", row.library_bytes}};
 }
 
-void write_json(const std::filesystem::path& path, const nlohmann::json& rows) {
-  std::ofstream file(path);
-  file << rows.dump(2) << '\n';
-  file.flush();
-  if (!file) {
-    throw Error(fmt::format("{}: cannot be written", path.string()));
-  }
-}
-
 }  // namespace
 
 int bench_engine(const BenchOptions& options) {
@@ -210,7 +188,7 @@ int bench_engine(const BenchOptions& options) {
     }
   }
   if (!options.json.empty()) {
-    write_json(options.json, rows);
+    write_rows(options.json, rows);
   }
   return 0;
 }

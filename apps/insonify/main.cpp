@@ -232,6 +232,15 @@ void add_bench(CLI::App& app, Request& request) {
   engine->add_option("--json", options.json, "Write the rows to this file too")->type_name("FILE");
   engine->footer("Example:\n  insonify bench engine --triangles 1000 100000 --threads 1 --json rows.json");
   engine->callback([&request, &options] { request.act = [&options] { return bench_engine(options); }; });
+  CLI::App* primary = command->add_subcommand("primary", "Primary echoes traced by rays against drawn ones");
+  primary->add_option("--triangles", options.triangles, "About how many triangles each scene has [1000 100000 1000000]")
+      ->check(whole_number(1, 100'000'000))
+      ->type_name("N ...");
+  primary->add_option("--repetitions", options.repetitions, "Timed pings of each row [40]")
+      ->check(whole_number(1, 1'000'000))
+      ->type_name("N");
+  primary->add_option("--json", options.json, "Write the rows to this file too")->type_name("FILE");
+  primary->callback([&request, &options] { request.act = [&options] { return bench_primary(options); }; });
 }
 
 void add_version(CLI::App& app, Request& request) {

@@ -1,0 +1,33 @@
+// bench_timing.cpp -- see bench_timing.h.
+
+#include "bench_timing.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "insonify/error.h"
+
+namespace insonify {
+
+double median(std::vector<double> values) {
+  std::ranges::nth_element(values, values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2));
+  return values[values.size() / 2];
+}
+
+double milliseconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() * kMilliseconds;
+}
+
+void write_rows(const std::filesystem::path& path, const nlohmann::json& rows) {
+  std::ofstream file(path);
+  file << rows.dump(2) << '\n';
+  file.flush();
+  if (!file) {
+    throw Error(fmt::format("{}: cannot be written", path.string()));
+  }
+}
+
+}  // namespace insonify
