@@ -38,44 +38,51 @@ ColumnFinder::Columns ColumnFinder::between(float low, float high) const {
   return {first, last};
 }
 
-void FanView::look(const RasterScene& scene, const PingPlan& plan, const Pose& scene_from_sonar) {
+// Columns that a sphere around the sonar may touch; none where it lies outside the range or the elevation aperture.
+ColumnFinder::Columns FanView::columns_of(const Sphere& sphere, const Placement& placement,
+                                          const PingPlan& plan) const {
   const Lattice& lattice = plan.lattice;
-  finder_.prepare(lattice);
-  placements_.resize(scene.parts().size());
-  for (std::size_t i = 0; i < placements_.size(); ++i) {
-    const Pose part_from_sonar = scene.parts()[i].scene_from_part.inverse() * scene_from_sonar;
-    placements_[i] = {part_from_sonar.orientation.conjugate().toRotationMatrix().cast<float>(),
-                      part_from_sonar.position.cast<float>()};
+  const Vec3f centre = placement.sonar_from_part * (sphere.centre - placement.sonar);
+  const float radius = sphere.radius;
+  if (centre.norm() > plan.true_max_range + radius) {
+    return {0, 0};
   }
+  // In the half-plane of its azimuth a centre is so far above the upper edge of the fan, and below the lower.
+  const float across = std::hypot(centre.x(), centre.y());
+  if (centre.z() * lattice.cos_high - across * lattice.sin_high > radius ||
+      across * lattice.sin_low - centre.z() * lattice.cos_low > radius) {
+    return {0, 0};
+  }
+  if (across > 1.001F * radius) {
+    constexpr float kMargin = 1e-4F, kPi = 3.14159265F;
+    const float azimuth = std::atan2(centre.y(), centre.x());
+    const float half = std::asin(radius / across) + kMargin;
+    if (azimuth + half < kPi && azimuth - half > -kPi) {
+      return finder_.between(azimuth - half, azimuth + half);
+    }
+  }
+  return {0, lattice.columns};
+}
+
+void FanView::look(const RasterScene& scene, const PingPlan& plan, const Pose& scene_from_sonar) {
+  finder_.prepare(plan.lattice);
+  placements_.resize(scene.parts().size());
   visible_.clear();
   visible_.reserve(scene.clusters().size());
-  const float tan_low = lattice.sin_low / lattice.cos_low, tan_high = lattice.sin_high / lattice.cos_high;
-  for (std::uint32_t i = 0; i < scene.clusters().size(); ++i) {
-    const TriangleCluster& cluster = scene.clusters()[i];
-    const Placement& placement = placements_[cluster.instance];
-    const Vec3f centre = placement.sonar_from_part * (cluster.centre - placement.sonar);
-    const float radius = cluster.radius;
-    if (centre.norm() > plan.true_max_range + radius) {
+  for (std::size_t i = 0; i < placements_.size(); ++i) {
+    const RasterScene::Part& part = scene.parts()[i];
+    const Pose part_from_sonar = part.scene_from_part.inverse() * scene_from_sonar;
+    placements_[i] = {part_from_sonar.orientation.conjugate().toRotationMatrix().cast<float>(),
+                      part_from_sonar.position.cast<float>()};
+    const ColumnFinder::Columns all = columns_of(part.sphere, placements_[i], plan);
+    if (all.first >= all.last) {
       continue;
     }
-    // In the half-plane of its azimuth a centre is so far above the upper edge of the fan, and below the lower.
-    const float across = std::hypot(centre.x(), centre.y());
-    if ((centre.z() - across * tan_high) * lattice.cos_high > radius ||
-        (across * tan_low - centre.z()) * lattice.cos_low > radius) {
-      continue;
-    }
-    ColumnFinder::Columns columns{0, lattice.columns};
-    if (across > 1.001F * radius) {
-      constexpr float kMargin = 1e-4F;
-      const float azimuth = std::atan2(centre.y(), centre.x());
-      const float half = std::asin(radius / across) + kMargin;
-      constexpr float kPi = 3.14159265F;
-      if (azimuth + half < kPi && azimuth - half > -kPi) {
-        columns = finder_.between(azimuth - half, azimuth + half);
+    for (std::uint32_t cluster = part.first_cluster; cluster < part.last_cluster; ++cluster) {
+      const auto [first, last] = columns_of(scene.clusters()[cluster].sphere, placements_[i], plan);
+      if (first < last) {
+        visible_.push_back({cluster, first, last});
       }
-    }
-    if (columns.first < columns.last) {
-      visible_.push_back({i, columns.first, columns.last});
     }
   }
 }

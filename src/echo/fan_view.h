@@ -47,6 +47,9 @@ class FanView {
   [[nodiscard]] const ColumnFinder& finder() const { return finder_; }
 
  private:
+  [[nodiscard]] ColumnFinder::Columns columns_of(const Sphere& sphere, const Placement& placement,
+                                                 const PingPlan& plan) const;
+
   ColumnFinder finder_;
   std::vector<Placement> placements_;
   std::vector<Visible> visible_;

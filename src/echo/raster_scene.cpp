@@ -92,10 +92,11 @@ void RasterScene::add(const Instance& instance, int index) {
         instance.moving ? vertex : (instance.world_from_mesh * vertex.cast<double>().eval() - origin_).cast<float>());
   }
   const std::vector<std::uint32_t> order = near_order(mesh, vertices);
+  Vec3f part_low = vertices.front(), part_high = part_low;
+  part.first_cluster = static_cast<std::uint32_t>(clusters_.size());
   for (std::size_t first = 0; first < order.size(); first += kClusterSize) {
     const std::size_t last = std::min(order.size(), first + kClusterSize);
-    TriangleCluster cluster{.centre = {},
-                            .instance = index,
+    TriangleCluster cluster{.instance = index,
                             .first_block = static_cast<std::uint32_t>(blocks_.size()),
                             .triangle_count = static_cast<std::uint32_t>(last - first)};
     Vec3f low = vertices[mesh.triangles[order[first]][0]], high = low;
@@ -115,10 +116,13 @@ void RasterScene::add(const Instance& instance, int index) {
         }
       }
     }
-    cluster.centre = 0.5F * (low + high);
-    cluster.radius = 0.5F * (high - low).norm() * 1.0001F;  // Rounding of the centre included.
+    cluster.sphere = Sphere::around(low, high);
     clusters_.push_back(cluster);
+    part_low = part_low.cwiseMin(low);
+    part_high = part_high.cwiseMax(high);
   }
+  part.last_cluster = static_cast<std::uint32_t>(clusters_.size());
+  part.sphere = Sphere::around(part_low, part_high);
 }
 
 void RasterScene::move(int instance, const Pose& world_from_mesh) {

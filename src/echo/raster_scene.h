@@ -18,10 +18,20 @@ struct TriangleBlock {
   float x[3][kBlockSize], y[3][kBlockSize], z[3][kBlockSize];
 };
 
-/// A few neighbouring triangles of one instance, and a sphere around them.
-struct TriangleCluster {
-  Vec3f centre;
+/// Holds things, in the coordinates that they have.
+struct Sphere {
+  Vec3f centre = Vec3f::Zero();
   float radius = 0;
+
+  /// Around a box, rounding included.
+  static Sphere around(const Vec3f& low, const Vec3f& high) {
+    return {0.5F * (low + high), 0.5F * (high - low).norm() * 1.0001F};
+  }
+};
+
+/// A few neighbouring triangles of one instance.
+struct TriangleCluster {
+  Sphere sphere;
   int instance = 0;
   std::uint32_t first_block = 0;
   std::uint32_t triangle_count = 0;
@@ -51,6 +61,8 @@ class RasterScene {
     Eigen::Matrix3f turn;                // Of the mesh's normals into the scene's frame.
     std::vector<SurfaceLabel> surfaces;  // Of each slot.
     bool moving = false;
+    Sphere sphere;                                      // Around all of it.
+    std::uint32_t first_cluster = 0, last_cluster = 0;  // [first, last)
   };
   [[nodiscard]] const std::vector<Part>& parts() const { return parts_; }
   [[nodiscard]] float reflectivity(SurfaceLabel surface) const { return reflectivity_[material_of(surface)]; }
