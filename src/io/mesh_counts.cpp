@@ -48,12 +48,15 @@ void check_ply_counts(const std::filesystem::path& path) {
   std::vector<Element> elements;
   bool is_text = false;
   int line = 0;
+  std::uint64_t header_bytes = 0;
   std::string text, key;
   do {
     if (!std::getline(file, text)) {
       return;  // No end of the header: assimp says so.
     }
     ++line;
+    header_bytes += text.size() + 1;
+    key.clear();
     std::istringstream words(text);
     std::string type, name;
     words >> key >> type;
@@ -70,8 +73,8 @@ void check_ply_counts(const std::filesystem::path& path) {
     }
   } while (key != "end_header");
 
-  // Nothing need part the last number from the end.
-  std::uint64_t room = std::filesystem::file_size(path) - static_cast<std::uint64_t>(file.tellg()) + (is_text ? 1 : 0);
+  const std::uint64_t size = std::filesystem::file_size(path) + (is_text ? 1 : 0);  // The last number needs no space.
+  std::uint64_t room = size - std::min(size, header_bytes);
   for (const Element& element : elements) {
     const std::uint64_t most = room / std::max<std::uint64_t>(element.bytes, 1);
     if (element.count > most) {

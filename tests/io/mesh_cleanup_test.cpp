@@ -84,6 +84,12 @@ TEST(MeshCleanupTest, NumbersMayBeginWithTheirPoint) {
   EXPECT_EQ(load(folder.path() / "a.obj", {.name = ".5"}).mesh.triangles.size(), 1U) << "names keep theirs";
 }
 
+TEST(MeshCleanupTest, NumbersMayHaveADecimalComma) {
+  const ScratchFolder folder;
+  expect_bounds(load_mesh(folder.write("a.obj", "v 0 0 0\nv 1,5 ,25 0\nv 0 2,0e0 -0,5\nf 1 2 3\n")), {0, 0, -0.5},
+                {1.5, 2, 0});
+}
+
 TEST(MeshCleanupTest, SaysInOneLineWhatItDropped) {
   const ScratchFolder folder;
   const Loaded loaded = load(folder.write("wreck.obj",

@@ -152,6 +152,8 @@ TEST(LoadMeshErrorTest, CountsThatTheFileCannotHoldAreTold) {
        ":3: element vertex 4000000000: the file can hold 4 at most"},
       {"a.ply", ply(3, 4'000'000'000, "ascii") + body, ":7: element face 4000000000: the file can hold 4 at most"},
       {"a.ply", ply(2, 4'000'000'000, binary) + body, ":7: element face 4000000000: the file can hold 2 at most"},
+      {"a.ply", "ply\n\nformat ascii 1.0\nelement vertex 3\nproperty float x\nend_header",
+       ":4: element vertex 3: the file can hold 0 at most"},
       {"a.ply", odd, ":3: \"-3\" is not a number of elements"},
       {"a.stl", many,
        ": is no STL: a text would begin with \"solid\"; binary, with a triangle count of 4000000000, would take "
