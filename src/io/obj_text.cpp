@@ -14,6 +14,13 @@ namespace {
 
 constexpr std::string_view kSpace = " \t\r\n";
 
+// What a message quotes of a text.
+std::string shown(std::string_view text) {
+  constexpr std::size_t kLongest = 60;
+  const bool is_long = text.size() > kLongest && text.find_first_not_of(kSpace, kLongest) != std::string_view::npos;
+  return one_line(std::string(text.substr(0, kLongest))) + (is_long ? " ..." : "");
+}
+
 // A line, or several where a backslash ends all but the last; and its words up to a comment.
 struct Statement {
   std::string_view text;    // With its line break.
@@ -50,12 +57,8 @@ class Statements {
   [[nodiscard]] const Statement& now() const { return now_; }
 
   [[noreturn]] void fail(const std::string& reason) const {
-    constexpr std::size_t kLongest = 60;
-    std::string shown = one_line(std::string(now_.text.substr(now_.text.find_first_not_of(kSpace))));
-    if (shown.size() > kLongest) {
-      shown = shown.substr(0, kLongest) + " ...";
-    }
-    throw Error(fmt::format("{}:{}: {}: {}", path_.string(), now_.line, shown, reason));
+    const std::string_view text = now_.text.substr(now_.text.find_first_not_of(kSpace));
+    throw Error(fmt::format("{}:{}: {}: {}", path_.string(), now_.line, shown(text), reason));
   }
 
  private:
@@ -125,7 +128,7 @@ void check_numbers(const Statements& statements) {
   const auto& words = statements.now().words;
   for (std::size_t i = 1; i < words.size(); ++i) {
     if (!is_number(words[i])) {
-      statements.fail(fmt::format("{} is not a number", words[i]));
+      statements.fail(fmt::format("{} is not a number", shown(words[i])));
     }
   }
 }
@@ -157,17 +160,17 @@ void check_index(const Statements& statements, std::string_view word, long verti
   const std::string_view rest(end, static_cast<std::size_t>(word.data() + word.size() - end));
   if (failure == std::errc::invalid_argument || (!rest.empty() && rest[0] != '/') ||
       rest.find_first_not_of("/-0123456789") != std::string_view::npos) {
-    statements.fail(fmt::format("{} is not a number of a vertex", word));
+    statements.fail(fmt::format("{} is not a number of a vertex", shown(word)));
   }
   const std::string_view number = word.substr(0, word.size() - rest.size());
   if (failure == std::errc() && index == 0) {
     statements.fail("there is no vertex 0, they count from 1");
   }
   if (number[0] == '-' && (failure != std::errc() || -index > vertices_before)) {
-    statements.fail(fmt::format("there is no vertex {}, {} stand before this", number, vertices_before));
+    statements.fail(fmt::format("there is no vertex {}, {} stand before this", shown(number), vertices_before));
   }
   if (number[0] != '-' && (failure != std::errc() || index > vertices)) {
-    statements.fail(fmt::format("there is no vertex {}, the file has {}", number, vertices));
+    statements.fail(fmt::format("there is no vertex {}, the file has {}", shown(number), vertices));
   }
 }
 

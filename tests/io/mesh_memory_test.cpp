@@ -22,6 +22,9 @@ std::size_t largest = std::numeric_limits<std::size_t>::max();
   }
   return memory;
 }
+[[gnu::noinline]] void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
+  return size <= largest ? std::malloc(size > 0 ? size : 1) : nullptr;
+}
 [[gnu::noinline]] void* operator new[](std::size_t size) {
   return operator new(size);
 }
