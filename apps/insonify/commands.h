@@ -1,4 +1,4 @@
-// commands.h -- what each command is told, and where it is done. main.cpp fills these in from the command line.
+// commands.h -- what each command is told, and where it is done. request_*.cpp fill these in from its words.
 
 #pragma once
 

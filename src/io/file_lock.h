@@ -6,12 +6,11 @@
 
 namespace insonify {
 
-/// Marks the open file as being written until it is closed; programs that only read are not kept out. Where the file
-/// system knows no locks nothing happens.
-/// @return  Whether nobody else had marked it.
-[[nodiscard]] bool lock_for_writing(int file);
-
-/// Whether somebody is writing the file at `path`, which need not exist.
-[[nodiscard]] bool is_being_written(const std::filesystem::path& path);
+/// Opens the file `beside`, made if it is missing, that is to become `path`. Until it is closed it is marked as being
+/// written, also once it has become `path`; programs that only read are not kept out. Where the file system knows no
+/// locks nothing is marked.
+/// @return  The open file.
+/// @throws Error when it cannot be opened, or when somebody else is writing either.
+[[nodiscard]] int open_for_writing(const std::filesystem::path& path, const std::filesystem::path& beside);
 
 }  // namespace insonify

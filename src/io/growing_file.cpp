@@ -35,8 +35,6 @@ constexpr std::size_t kEndOfFileField = 40;
 // Rows begin at multiples of this, so that a program that maps the file may read them in place.
 constexpr std::uint64_t kAlignment = 64;
 
-constexpr const char* kBeingWritten = "cannot create: another run is writing it; choose another folder";
-
 std::string system_reason() {
   return std::generic_category().message(errno);
 }
@@ -101,19 +99,8 @@ GrowingFile::GrowingFile(std::filesystem::path path, std::vector<GrowingDataset>
   std::filesystem::path unfinished = path_;
   unfinished += ".new";
   const std::uint64_t bytes = total_bytes(path_, datasets_, capacity_);
-  file_ = open(unfinished.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
-  if (file_ < 0) {
-    fail(path_, "cannot create: " + system_reason());
-  }
-  // First the one beside it, then the file itself: of two that begin at once one sees the other.
-  if (!lock_for_writing(file_)) {
-    ::close(file_);
-    fail(path_, kBeingWritten);
-  }
+  file_ = open_for_writing(path_, unfinished);
   try {
-    if (is_being_written(path_)) {
-      fail(path_, kBeingWritten);
-    }
     if (ftruncate(file_, 0) != 0) {
       fail(path_, "cannot create: " + system_reason());
     }

@@ -1,17 +1,16 @@
 // load_mesh.cpp -- mesh files through assimp, flattened into one mesh in metres with z up.
 
-#include <assimp/config.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <assimp/Importer.hpp>
 #include <limits>
 #include <new>
 
 #include "insonify/error.h"
 #include "insonify/files.h"
 #include "io/flatten_scene.h"
+#include "io/import_scene.h"
 #include "io/input_file.h"
 #include "io/mesh_file.h"
 
@@ -20,57 +19,11 @@ namespace {
 
 constexpr std::array<std::string_view, 6> kEndings{".obj", ".stl", ".dae", ".ply", ".gltf", ".glb"};
 
-// assimp skips a vertex, and so scrambles all that follow, if one of its numbers begins with its point.
-std::string with_leading_zeros(const std::string& obj) {
-  const auto is_vertex_line = [&](std::size_t at) {
-    const std::size_t line_break = obj.rfind('\n', at);
-    const std::size_t start = obj.find_first_not_of(" \t", line_break == std::string::npos ? 0 : line_break + 1);
-    return obj[start] == 'v';
-  };
-  std::string mended;
-  std::size_t copied = 0;
-  for (std::size_t at = obj.find('.'); at != std::string::npos; at = obj.find('.', at + 1)) {
-    if (at > 0 && (obj[at - 1] == ' ' || obj[at - 1] == '\t') && is_vertex_line(at)) {
-      mended.append(obj, copied, at - copied).append("0");
-      copied = at;
-    }
-  }
-  return mended.append(obj, copied);
-}
-
-// Parses the file and no more. clean_mesh joins vertices and makes normals in linear time, and assimp cuts a concave
-// polygon with a corner on a diagonal, such as a plain L, into triangles that overlap.
-const aiScene& import(Assimp::Importer& importer, const std::filesystem::path& path, const std::string& ending) {
-  constexpr unsigned kNoSteps = 0;
-  importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, true);
-  importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_USE_COLLADA_NAMES, true);
-  importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
-  if (ending == ".obj") {
-    // From memory its material library is not found, which does not matter: materials keep their names.
-    const std::string text = with_leading_zeros(read_text(path));
-    importer.ReadFileFromMemory(text.data(), text.size(), kNoSteps, "obj");
-  } else {
-    importer.ReadFile(path.string(), kNoSteps);
-  }
-
-  const aiScene* scene = importer.GetScene();
-  if (scene == nullptr || scene->mRootNode == nullptr) {
-    const std::string reason = one_line(importer.GetErrorString());
-    if (reason == std::bad_alloc().what()) {
-      throw std::bad_alloc();
-    }
-    throw Error(
-        fmt::format("{}: cannot be read: {}", path.string(),
-                    reason.starts_with("No suitable reader") ? "what it holds is not " + ending.substr(1) : reason));
-  }
-  return *scene;
-}
-
 // Everything of the file that was asked for, as it is there.
 FlattenedScene read(const std::filesystem::path& path, const std::string& submesh) {
   const std::string ending = ending_of(path);
   Assimp::Importer importer;
-  const aiScene& scene = import(importer, path, ending);
+  const aiScene& scene = import_scene(importer, path);
 
   FlattenSettings settings{.path = path, .submesh = submesh};
   // STL has one normal a triangle, whatever was smooth before it was written.
@@ -128,23 +81,7 @@ void tell(const MeshReport& report, std::size_t lines_and_points, const std::str
   }
 }
 
-}  // namespace
-
-bool is_mesh_file(const std::filesystem::path& path) {
-  return std::ranges::count(kEndings, ending_of(path)) > 0;
-}
-
-std::string mesh_file_endings() {
-  return fmt::format("{}", fmt::join(kEndings, ", "));
-}
-
-Mesh load_mesh_file(const std::filesystem::path& path, const Submesh& submesh, const Log& log) {
-  check_input_file(path);
-  if (!is_mesh_file(path)) {
-    throw Error(fmt::format("{}: \"{}\" is no known ending of a mesh file; known: {}", path.string(),
-                            path.extension().string(), mesh_file_endings()));
-  }
-
+Mesh load_and_clean(const std::filesystem::path& path, const Submesh& submesh, const Log& log) {
   auto [mesh, lines_and_points] = read(path, submesh.name);
   if (mesh.triangles.empty()) {
     throw Error(fmt::format(
@@ -163,6 +100,30 @@ Mesh load_mesh_file(const std::filesystem::path& path, const Submesh& submesh, c
     warn_of_rounding(mesh, path.filename().string(), log);
   }
   return mesh;
+}
+
+}  // namespace
+
+bool is_mesh_file(const std::filesystem::path& path) {
+  return std::ranges::count(kEndings, ending_of(path)) > 0;
+}
+
+std::string mesh_file_endings() {
+  return fmt::format("{}", fmt::join(kEndings, ", "));
+}
+
+Mesh load_mesh_file(const std::filesystem::path& path, const Submesh& submesh, const Log& log) {
+  check_input_file(path);
+  if (!is_mesh_file(path)) {
+    throw Error(fmt::format("{}: \"{}\" is no known ending of a mesh file; known: {}", path.string(),
+                            path.extension().string(), mesh_file_endings()));
+  }
+
+  try {
+    return load_and_clean(path, submesh, log);
+  } catch (const std::bad_alloc&) {
+    throw Error(path.string() + ": takes more memory than there is");
+  }
 }
 
 Mesh load_mesh(const std::filesystem::path& path, const Log& log) {

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "insonify/files.h"
-#include "io/mesh_file.h"
+#include "io/loaded_mesh.h"
 #include "io/mesh_texts.h"
 #include "scene/mesh_checks.h"
 #include "support/message_of.h"
@@ -14,29 +14,6 @@ namespace {
 
 using testing::ElementsAre;
 using testing::IsEmpty;
-
-// Rounding of floats in sums and products of a few of them.
-constexpr double kFloat = 1e-5;
-
-// Loads a file and what was said about it.
-struct Loaded {
-  Mesh mesh;
-  std::vector<std::string> notes;
-};
-
-Loaded load(const std::filesystem::path& path, const Submesh& submesh = {}) {
-  Loaded loaded;
-  loaded.mesh = load_mesh_file(path, submesh, [&](Severity severity, const std::string& note) {
-    loaded.notes.push_back((severity == Severity::kWarning ? "warning: " : "info: ") + note);
-  });
-  return loaded;
-}
-
-void expect_bounds(const Mesh& mesh, const Vec3& low, const Vec3& high) {
-  const Box3 box = bounds_of(mesh);
-  EXPECT_LT((box.low - low).cwiseAbs().maxCoeff(), kFloat) << box.low.transpose();
-  EXPECT_LT((box.high - high).cwiseAbs().maxCoeff(), kFloat) << box.high.transpose();
-}
 
 // ---------------------------------------------------------------------------------------------------------------------
 
@@ -49,6 +26,9 @@ struct Format {
 void PrintTo(const Format& format, std::ostream* out) {
   *out << format.name;
 }
+
+// As some editors put it before UTF-8.
+const std::string kByteOrderMark = "\xef\xbb\xbf";
 
 class MeshFormatTest : public testing::TestWithParam<Format> {};
 
@@ -76,12 +56,25 @@ INSTANTIATE_TEST_SUITE_P(
                            "corner.OBJ",
                            "v 0 0 0\r\nv 2 0 0\r\nv 0 3 0\r\nv 0 0 5\r\nf 1 3 2\r\nf 1 2 4\r\nf 1 4 3\r\nf 2 3 4\r\n",
                            {""}},
+                    Format{"ObjWithByteOrderMark", "corner.obj", kByteOrderMark + obj_text(), {""}},
+                    Format{"ObjWithCommentsBehindNumbers",
+                           "corner.obj",
+                           "v 0 0 0 # o\nv 2 0 0\nv 0 3 0\nv 0 0 5\nf 1 3 2 # below\r\nf 1 2 4\nf 1 4 3\nf 2 3 4 #",
+                           {""}},
+                    Format{"ObjWithStatementsOnSeveralLines",
+                           "corner.obj",
+                           "v 0 0 0\nv 2 \\\n 0 0\nv 0 3 0\nv 0 0 \\\r\n5\nf 1 3 \\\n2\nf 1 2 4\nf 1 4 3\nf 2 3 4",
+                           {""}},
                     Format{"AsciiStl", "corner.stl", ascii_stl_text(), {""}},
+                    Format{"AsciiStlWithByteOrderMark", "corner.stl", kByteOrderMark + ascii_stl_text(), {""}},
                     Format{"BinaryStl", "corner.stl", binary_stl_text(), {""}},
                     Format{"AsciiPly", "corner.ply", ascii_ply_text(), {""}},
+                    Format{"AsciiPlyWithByteOrderMark", "corner.ply", kByteOrderMark + ascii_ply_text(), {""}},
                     Format{"BinaryPly", "corner.ply", binary_ply_text(), {""}},
                     Format{"Dae", "corner.dae", dae_text(), {""}},
+                    Format{"DaeWithByteOrderMark", "corner.dae", kByteOrderMark + dae_text(), {""}},
                     Format{"Gltf", "corner.gltf", gltf_text("corner.bin"), {"hull"}},
+                    Format{"GltfWithByteOrderMark", "corner.gltf", kByteOrderMark + gltf_text("corner.bin"), {"hull"}},
                     Format{"Glb", "corner.glb", glb_text(), {"hull"}}),
     [](const auto& format) { return format.param.name; });
 
@@ -216,174 +209,6 @@ TEST(SubmeshTest, UnknownNamesAreAnsweredWithTheKnown) {
   const std::filesystem::path path = folder.write("ship.obj", two_object_text());
   EXPECT_EQ(message_of([&] { (void)load(path, {.name = "keel"}); }),
             path.string() + ": no submesh \"keel\"; there are: hull, mast");
-}
-
-// ---------------------------------------------------------------------------------------------------------------------
-
-std::string text_of(const Mesh& mesh) {
-  std::string text;
-  for (const Vec3f& vertex : mesh.vertices) {
-    text += fmt::format("v {} {} {}\n", vertex.x(), vertex.y(), vertex.z());
-  }
-  for (const auto& [a, b, c] : mesh.triangles) {
-    text += fmt::format("f {} {} {}\n", a + 1, b + 1, c + 1);
-  }
-  return text;
-}
-
-std::string stl_of(const Mesh& mesh) {
-  std::vector<std::array<Vec3f, 3>> triangles;
-  for (const auto& [a, b, c] : mesh.triangles) {
-    triangles.push_back({mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]});
-  }
-  return binary_stl(triangles);
-}
-
-TEST(LoadMeshTest, ARoundShapeWithoutNormalsIsSmooth) {
-  const Mesh sphere = make_sphere(2, 0.2);
-  const ScratchFolder folder;
-  for (const auto& path : {folder.write("a.obj", text_of(sphere)), folder.write("a.stl", stl_of(sphere)),
-                           folder.write("a.ply", binary_ply(sphere.vertices, sphere.triangles))}) {
-    const Mesh mesh = load_mesh(path);
-    EXPECT_EQ(mesh.vertices.size(), sphere.vertices.size()) << path;
-    for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
-      // The mean of the faces round a vertex errs by much less than the 0.2 rad between faces.
-      ASSERT_GT(mesh.normals[i].dot(mesh.vertices[i].normalized()), std::cos(0.05)) << path;
-    }
-  }
-}
-
-TEST(LoadMeshTest, NormalsOfTheFileAreKept) {
-  const ScratchFolder folder;
-  const Mesh mesh = load_mesh(
-      folder.write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0.6 0 0.8\nvn 0 0 7\nvn 0 0.6 0.8\nf 1//1 2//2 3//3\n"));
-  ASSERT_EQ(mesh.normals.size(), 3U);
-  EXPECT_LT((mesh.normals[0] - Vec3f(0.6F, 0, 0.8F)).norm(), kFloat);
-  EXPECT_LT((mesh.normals[1] - Vec3f(0, 0, 1)).norm(), kFloat);
-}
-
-// STL stores one normal a triangle and it is often wrong; here it points sideways.
-TEST(LoadMeshTest, NormalsOfStlAreNot) {
-  std::string text = binary_stl({{Vec3f(0, 0, 0), Vec3f(1, 0, 0), Vec3f(0, 1, 0)}});
-  text.replace(84, 4, bytes_of(1.0F));
-  const ScratchFolder folder;
-  const Mesh mesh = load_mesh(folder.write("a.stl", text));
-  EXPECT_EQ(mesh.normals[0], Vec3f(0, 0, 1));
-}
-
-TEST(LoadMeshTest, PolygonsAreCutIntoTriangles) {
-  const ScratchFolder folder;
-  // An L: the square of side 2 without its quarter, 3 m^2; its second corner is concave.
-  const Mesh mesh =
-      load_mesh(folder.write("a.obj", "v 0 0 0\nv 2 0 0\nv 2 1 0\nv 1 1 0\nv 1 2 0\nv 0 2 0\nf 1 2 3 4 5 6\n"));
-  EXPECT_EQ(mesh.triangles.size(), 4U);
-  EXPECT_NEAR(area_of(mesh), 3, kFloat);
-  EXPECT_GT(least_agreement(mesh), 1 - kFloat);
-  EXPECT_EQ(mesh.normals[0].z(), 1);
-}
-
-TEST(LoadMeshTest, NumbersMayBeginWithTheirPoint) {
-  const ScratchFolder folder;
-  const Mesh mesh = load_mesh(folder.write("a.obj", "o .5\nv 1 .5 2\nv\t.25 -.5 0\nv 0 1 .125\nf 1 2 3\n"));
-  expect_bounds(mesh, {0, -0.5, 0}, {1, 1, 2});
-  EXPECT_EQ(load(folder.path() / "a.obj", {.name = ".5"}).mesh.triangles.size(), 1U) << "names keep theirs";
-}
-
-TEST(LoadMeshTest, SaysInOneLineWhatItDropped) {
-  const ScratchFolder folder;
-  const Loaded loaded = load(folder.write("wreck.obj",
-                                          "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 2 0 0\nv nan 0 0\nv 0 0 1e99\n"
-                                          "f 1 2 3\nf 1 2 4\nf 1 2 2\nf 1 2 5\nf 1 2 6\nl 1 2\n"));
-  EXPECT_THAT(loaded.notes, ElementsAre("warning: wreck.obj: 4 of 5 triangles dropped (2 of zero area, 2 with NaN "
-                                        "corners); 1 line or point dropped"));
-  EXPECT_EQ(loaded.mesh.triangles.size(), 1U);
-  EXPECT_EQ(loaded.mesh.vertices.size(), 3U);
-}
-
-TEST(LoadMeshTest, SaysWhichNormalsItTurned) {
-  const ScratchFolder folder;
-  const Loaded loaded = load(folder.write(
-      "wreck.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 1\nvn 0 0 -1\nf 1//1 2//1 3//1\nf 1//1 3//1 2//1\n"));
-  EXPECT_THAT(loaded.notes, ElementsAre("info: wreck.obj: 3 normals turned to the side of their winding"));
-}
-
-TEST(LoadMeshTest, CornersThatDoNotExistAreDropped) {
-  const ScratchFolder folder;
-  const Loaded loaded =
-      load(folder.write("a.ply", ply_header("ascii", 3, 2) + "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n3 0 1 9\n"));
-  EXPECT_THAT(loaded.notes, ElementsAre("warning: a.ply: 1 of 2 triangles dropped (1 with corners that do not exist)"));
-}
-
-// 2^23 m away a float resolves 1 m.
-TEST(LoadMeshTest, WarnsOfCoordinatesTooFarForTheirDetail) {
-  const ScratchFolder folder;
-  const Loaded loaded = load(folder.write("a.obj", "v 8388608 0 0\nv 8388618 0 0\nv 8388608 5 0\nf 1 2 3\n"));
-  EXPECT_THAT(loaded.notes,
-              ElementsAre("warning: a.obj: coordinates as far as 8388618 m from the origin are rounded to "
-                          "1 m; move the mesh nearer to it"));
-}
-
-TEST(LoadMeshTest, BigMeshesKeepTo26BytesATriangle) {
-  std::vector<float> heights(300 * 300);
-  for (std::size_t i = 0; i < heights.size(); ++i) {
-    heights[i] = static_cast<float>(std::sin(0.1 * static_cast<double>(i)));
-  }
-  const Mesh field = make_height_field({300, 300, 4, 4, heights, {}});
-  const ScratchFolder folder;
-  const Mesh mesh = load_mesh(folder.write("a.stl", stl_of(field)));
-  EXPECT_EQ(mesh.triangles.size(), field.triangles.size());
-  const std::size_t bytes = (mesh.vertices.capacity() + mesh.normals.capacity()) * sizeof(Vec3f) +
-                            mesh.triangles.capacity() * sizeof(mesh.triangles[0]) + mesh.material_slots.capacity() * 2;
-  EXPECT_LT(static_cast<double>(bytes) / static_cast<double>(mesh.triangles.size()), 26);
-}
-
-// ---------------------------------------------------------------------------------------------------------------------
-
-struct BadFile {
-  std::string name;
-  std::string text;
-  std::string message;  // After the path.
-};
-
-TEST(LoadMeshErrorTest, TellsThePathAndTheReason) {
-  const std::string known = "; known: .obj, .stl, .dae, .ply, .gltf, .glb";
-  const std::vector<BadFile> files{
-      {"a.fbx", "x", ": \".fbx\" is no known ending of a mesh file" + known},
-      {"a", "x", ": \"\" is no known ending of a mesh file" + known},
-      {"a.obj", "", ": the file is empty"},
-      {"a.obj", "# only a comment\n", ": no triangles"},
-      {"a.obj", "v 0 0 0\nv 1 0 0\nl 1 2\np 1\n", ": no triangles, only 2 lines or points"},
-      {"a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 7\n", ": cannot be read: OBJ: vertex index out of range"},
-      {"a.obj", "v 0 0 0\nv 1 0 0\nv nan 1 0\nf 1 2 2\nf 1 2 3\n",
-       ": no triangles left: 2 of 2 triangles dropped (1 of zero area, 1 with NaN corners)"},
-      {"a.stl", std::string(200, 'x'), ": cannot be read: Failed to determine STL storage representation for {path}"},
-      {"a.stl", std::string(84, '\0'), ": cannot be read: STL: file is empty. There are no facets defined"},
-      {"a.ply", "plumb", ": cannot be read: Invalid .ply file: Incorrect magic number (expected 'ply' or 'PLY')"},
-      {"a.dae", "<COLLADA><asset>", ": cannot be read: Unable to read file, malformed XML"},
-      {"a.dae", dae_text({.positions = "0 0 0 2 0 0"}),
-       ": cannot be read: Invalid data index (2/2) in primitive specification"},
-      {"a.gltf", "{\"asset\":", ": cannot be read: what it holds is not gltf"},
-      {"a.glb", "glTF", ": cannot be read: what it holds is not glb"},
-      {"a.gltf", gltf_text("gone.bin"), ": cannot be read: GLTF: could not open referenced file \"gone.bin\""},
-  };
-  for (const BadFile& file : files) {
-    const ScratchFolder folder;
-    const std::string path = folder.write(file.name, file.text).string();
-    std::string expected = path + file.message;
-    if (const std::size_t at = expected.find("{path}"); at != std::string::npos) {
-      expected.replace(at, 6, path);
-    }
-    EXPECT_EQ(message_of([&] { (void)load_mesh(path); }), expected);
-  }
-}
-
-TEST(LoadMeshErrorTest, TellsWhatIsNoFile) {
-  const ScratchFolder folder;
-  std::filesystem::create_directory(folder.path() / "a.obj");
-  EXPECT_EQ(message_of([&] { (void)load_mesh(folder.path() / "a.obj"); }),
-            (folder.path() / "a.obj").string() + ": is a folder, not a file");
-  EXPECT_EQ(message_of([&] { (void)load_mesh(folder.path() / "b.obj"); }),
-            (folder.path() / "b.obj").string() + ": no such file");
 }
 
 // ---------------------------------------------------------------------------------------------------------------------

@@ -1,0 +1,37 @@
+// request.h -- from the words on the command line to what is to be done: what each command takes.
+
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <functional>
+
+#include "bench.h"
+#include "commands.h"
+
+namespace insonify {
+
+/// What the words on the command line asked for; `act` does it.
+struct Request {
+  RunOptions run;
+  CompareOptions compare;
+  int pings = 1;
+  std::uint64_t seed = 1;
+  std::string engine;
+  std::string preset, mode;
+  std::string section;
+  BenchOptions bench;
+  bool markdown = false;
+  bool no_pictures = false, no_view = false, no_ms_ssim = false;
+  std::function<int()> act;
+};
+
+/// Each adds one command to the program; once it is parsed, the request's `act` does it. The request must outlive the
+/// app.
+void add_run(CLI::App& app, Request& request);
+void add_sonars(CLI::App& app, Request& request);
+void add_describe(CLI::App& app, Request& request);
+void add_compare(CLI::App& app, Request& request);
+void add_bench(CLI::App& app, Request& request);
+void add_version(CLI::App& app, Request& request);
+
+}  // namespace insonify

@@ -1,0 +1,42 @@
+// request_bench.cpp -- what `insonify bench` takes.
+
+#include "request.h"
+#include "validators.h"
+
+namespace insonify {
+namespace {
+
+// What all benches take.
+void add_common(CLI::App& command, BenchOptions& options) {
+  command.add_option("--triangles", options.triangles, "About how many triangles each scene has [1000 100000 1000000]")
+      ->check(whole_number(1, 100'000'000))
+      ->type_name("N ...");
+  command.add_option("--repetitions", options.repetitions, "Timed pings of each row [40]")
+      ->check(whole_number(1, 1'000'000))
+      ->type_name("N");
+  command.add_option("--json", options.json, "Write the rows to this file too")->type_name("FILE");
+}
+
+}  // namespace
+
+void add_bench(CLI::App& app, Request& request) {
+  CLI::App* command = app.add_subcommand("bench", "Measure how fast this machine is");
+  command->require_subcommand(1);
+  command->footer("Help on one: insonify bench engine --help");
+  BenchOptions& options = request.bench;
+
+  CLI::App* engine = command->add_subcommand("engine", "Whole pings against the bare traversal of their rays");
+  add_common(*engine, options);
+  engine->add_option("--threads", options.threads, "Worker threads [1 2]")
+      ->check(whole_number(1, 1024))
+      ->type_name("N ...");
+  engine->footer("Example:\n  insonify bench engine --triangles 1000 100000 --threads 1 --json rows.json");
+  engine->callback([&request, &options] { request.act = [&options] { return bench_engine(options); }; });
+
+  CLI::App* primary = command->add_subcommand("primary", "Primary echoes that rays trace against drawn ones");
+  add_common(*primary, options);
+  primary->footer("Example:\n  insonify bench primary --triangles 1000 10000 100000");
+  primary->callback([&request, &options] { request.act = [&options] { return bench_primary(options); }; });
+}
+
+}  // namespace insonify

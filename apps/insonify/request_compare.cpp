@@ -1,0 +1,43 @@
+// request_compare.cpp -- what `insonify compare` takes.
+
+#include <limits>
+
+#include "request.h"
+#include "validators.h"
+
+namespace insonify {
+
+void add_compare(CLI::App& app, Request& request) {
+  CLI::App* command = app.add_subcommand("compare", "Tell how alike two recordings or two grey pictures are");
+  CompareOptions& options = request.compare;
+  command->add_option("A", options.a, "Recording (.h5), folder of recordings, or grey picture (.png)")->required();
+  command->add_option("B", options.b, "The same, of the same shape: what is judged against A")->required();
+  command->add_option("--sonar", options.sonar, "Which recording of a folder")->type_name("NAME");
+  command->add_option("--ping", options.pings, "Ping to compare, from 0; may be repeated [all that both have]")
+      ->check(whole_number(0, std::numeric_limits<std::uint64_t>::max()))
+      ->type_name("N")
+      ->expected(1)
+      ->take_all();
+  command->add_option("--full-scale", options.full_scale, "Intensity that counts as 1, in recordings of fractions [1]")
+      ->type_name("X");
+  command->add_option("--scale", options.scale, "How intensities count: linear or db [linear]")
+      ->check(one_of({"linear", "db"}))
+      ->type_name("NAME");
+  command->add_option("--floor-db", options.floor_db, "Level that counts as 0 on a decibel scale [-50]")
+      ->type_name("DB");
+  command->add_flag("--no-ms-ssim", request.no_ms_ssim, "Leave out MS-SSIM, which needs 176 x 176");
+  command->add_flag("--json", options.json, "As JSON, with the numbers of each ping");
+  command->footer(
+      "Tells MSE, PSNR, SSIM, MS-SSIM, correlation and the distance of the histograms, as means over the pings; below\n"
+      "them what worthless pictures score against A: a flat grey, A's mean range profile, A's pixels shuffled.\n\n"
+      "Examples:\n"
+      "  insonify compare real.h5 simulated.h5 --ping 0 --ping 5\n"
+      "  insonify compare out_a out_b --sonar fls --json\n"
+      "  insonify compare real.png simulated.png");
+  command->callback([&request, &options] {
+    options.ms_ssim = !request.no_ms_ssim;
+    request.act = [&options] { return compare(options); };
+  });
+}
+
+}  // namespace insonify

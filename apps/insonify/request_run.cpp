@@ -1,0 +1,109 @@
+// request_run.cpp -- what `insonify run` takes.
+
+#include <fmt/format.h>
+
+#include <limits>
+
+#include "insonify/engine.h"
+#include "request.h"
+#include "validators.h"
+
+namespace insonify {
+namespace {
+
+std::vector<std::string> engines() {
+  const auto names = engine_names();
+  return {names.begin(), names.end()};
+}
+
+}  // namespace
+
+void add_run(CLI::App& app, Request& request) {
+  CLI::App* command = app.add_subcommand("run", "Simulate a scenario: pings into recordings and pictures");
+  RunOptions& options = request.run;
+  command->add_option("SCENARIO", options.scenario, "Scenario file (YAML)")->required();
+  command
+      ->add_option("-o,--output", options.folder,
+                   "Folder for what is written, made if missing [SCENARIO's name + _pings]")
+      ->check(not_empty("a folder, or . for this one"))
+      ->type_name("DIR");
+
+  auto* pings = command->add_option("--pings", request.pings, "Pings of each sonar")
+                    ->check(whole_number(1, 1'000'000'000))
+                    ->type_name("N");
+  auto* engine = command->add_option("--engine", request.engine, "What computes the echoes: cpu, or reference (slow)")
+                     ->check(one_of(engines()))
+                     ->type_name("NAME");
+  auto* seed = command->add_option("--seed", request.seed, "Start of the random numbers")
+                   ->check(whole_number(0, std::numeric_limits<std::uint64_t>::max()))
+                   ->type_name("N");
+  command->add_option("--threads", options.threads, "Worker threads; 0 for as many as there are processors [0]")
+      ->check(whole_number(0, 1024))
+      ->type_name("N");
+  command->add_option("--set", options.settings, "Change a key of the scenario, such as max_range=20; may be repeated")
+      ->type_name("KEY=VALUE")
+      ->expected(1)
+      ->take_all();
+  command->add_flag("-q,--quiet", options.quiet, "Say nothing but warnings and errors");
+
+  const std::string pictures = "Pictures";
+  command->add_option("--pictures", options.pictures, "Pings to draw: all, last, none or how many [20]")
+      ->type_name("N")
+      ->group(pictures);
+  command->add_flag("--no-pictures", request.no_pictures, "The same as --pictures none --no-view")->group(pictures);
+  command
+      ->add_flag_function(
+          "--view", [](std::int64_t) {}, "Draw the scene as a camera sees it: the default")
+      ->group(pictures);
+  command->add_flag("--no-view", request.no_view, "Do not draw the scene")->group(pictures);
+  command->add_option("--colour-map", options.colour_map, "inferno, copper, grey or blue [inferno]")
+      ->type_name("NAME")
+      ->group(pictures);
+  command->add_option("--scale", options.scale, "linear or db [linear]")
+      ->check(one_of({"linear", "db"}))
+      ->type_name("NAME")
+      ->group(pictures);
+  command->add_option("--floor-db", options.floor_db, "Darkest level on a decibel scale [-50]")
+      ->check(number_within({.least = -300, .most = 0, .most_allowed = false}))
+      ->type_name("DB")
+      ->group(pictures);
+  command->add_option("--height", options.height, "Height of each picture in pixels, 240 to 8192 [720]")
+      ->check(whole_number(240, 8192))
+      ->type_name("N")
+      ->group(pictures);
+
+  command->footer(
+      "Writes, for each sonar NAME:\n"
+      "  DIR/NAME.h5              the recording (HDF5): intensity [ping, bin, beam] and ground truth\n"
+      "  DIR/NAME_fan_0000.png    each ping as seen from above; NAME_polar_0000.png as a table\n"
+      "  DIR/NAME_scan_0000.png   what a scanning sonar has seen up to a ping, instead\n"
+      "  DIR/NAME_scan.png        the same at the end; NAME_polar.png its waterfall\n"
+      "  DIR/NAME_view.png        the scene, with the sonar and its field\n"
+      "Pictures of these names that an earlier run left are removed first.\n\n"
+      "Keys of --set: pings, water.depth, sonars[0].max_range, sonars.NAME.max_range, or max_range for every sonar;\n"
+      "insonify describe tells them all.\n\n"
+      "Examples:\n"
+      "  insonify run scenes/sphere.yaml\n"
+      "  insonify run scenes/ferry.yaml -o out --pings 3 --set max_range=30\n"
+      "  insonify run scenes/tank.yaml -o out --scale db --floor-db -40 --colour-map copper\n\n"
+      "Ctrl-C ends a run and keeps the pings made so far.\n"
+      "Exit status: 0 done, 1 failed while running or stopped, 2 wrong input.");
+  command->callback([&request, &options, pings, engine, seed] {
+    if (*pings) {
+      options.settings.push_back(fmt::format("pings={}", request.pings));
+    }
+    if (*engine) {
+      options.settings.push_back("engine=" + request.engine);
+    }
+    if (*seed) {
+      options.settings.push_back(fmt::format("seed={}", request.seed));
+    }
+    if (request.no_pictures) {
+      options.pictures = "none";
+    }
+    options.view = !request.no_view && !request.no_pictures;
+    request.act = [&options] { return run(options); };
+  });
+}
+
+}  // namespace insonify

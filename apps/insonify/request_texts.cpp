@@ -1,0 +1,33 @@
+// request_texts.cpp -- what the commands take that only tell something: sonars, describe and version.
+
+#include "request.h"
+
+namespace insonify {
+
+void add_sonars(CLI::App& app, Request& request) {
+  CLI::App* command = app.add_subcommand("sonars", "List the instruments there are presets of, or tell all of one");
+  command->add_option("PRESET", request.preset, "Instrument to tell of, with the source of each number");
+  command->add_option("--mode", request.mode, "Mode of it, such as low or high")->type_name("MODE");
+  command->footer(
+      "Examples:\n"
+      "  insonify sonars\n"
+      "  insonify sonars blueprint-oculus-m750d --mode high\n\n"
+      "Presets are read from the folder INSONIFY_PRESETS where that is set.");
+  command->callback([&request] { request.act = [&request] { return sonars(request.preset, request.mode); }; });
+}
+
+void add_describe(CLI::App& app, Request& request) {
+  CLI::App* command = app.add_subcommand("describe", "Tell every key of a scenario: unit, limits, default, meaning");
+  command->add_option("SECTION", request.section, "One section alone: water, sonars, paper ...");
+  command->add_flag("--markdown", request.markdown, "As a page of the manual");
+  command->footer("Examples:\n  insonify describe\n  insonify describe sonars");
+  command->callback([&request] { request.act = [&request] { return describe(request.section, request.markdown); }; });
+}
+
+void add_version(CLI::App& app, Request& request) {
+  CLI::App* command = app.add_subcommand("version", "Tell the version and the engines built in");
+  command->footer("Example:\n  insonify version");
+  command->callback([&request] { request.act = version; });
+}
+
+}  // namespace insonify

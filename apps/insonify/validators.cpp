@@ -1,0 +1,48 @@
+// validators.cpp -- each gives "" for what is good, or what would be right.
+
+#include "validators.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <charconv>
+
+namespace insonify {
+
+CLI::Validator whole_number(std::uint64_t least, std::uint64_t most) {
+  const auto check = [=](const std::string& text) {
+    std::uint64_t number = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    const bool good = error == std::errc() && end == text.data() + text.size() && number >= least && number <= most;
+    return good ? std::string() : fmt::format("{} must be a whole number, from {} to {}", text, least, most);
+  };
+  return CLI::Validator(check, "");
+}
+
+CLI::Validator number_within(const Limits& limits) {
+  const auto check = [=](const std::string& text) {
+    double number = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    const bool good = error == std::errc() && end == text.data() + text.size() && limits.allow(number);
+    return good ? std::string() : fmt::format("{} must be a number, {}", text, limits.text());
+  };
+  return CLI::Validator(check, "");
+}
+
+CLI::Validator not_empty(const char* example) {
+  const auto check = [=](const std::string& text) {
+    return text.empty() ? fmt::format("must not be empty: name {}", example) : std::string();
+  };
+  return CLI::Validator(check, "");
+}
+
+CLI::Validator one_of(std::vector<std::string> words) {
+  const auto check = [words = std::move(words)](const std::string& text) {
+    const bool good = std::ranges::find(words, text) != words.end();
+    return good ? std::string() : fmt::format("{} must be {}", text, fmt::join(words, " or "));
+  };
+  return CLI::Validator(check, "");
+}
+
+}  // namespace insonify

@@ -1,0 +1,24 @@
+// validators.h -- checks of values on the command line. CLI11's own say "Value 0 not in range 1 to 9"; these speak as
+// the library does.
+
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "insonify/field.h"
+
+namespace insonify {
+
+[[nodiscard]] CLI::Validator whole_number(std::uint64_t least, std::uint64_t most);
+
+[[nodiscard]] CLI::Validator number_within(const Limits& limits);
+
+/// @param example  Of what is to be named, for the message.
+[[nodiscard]] CLI::Validator not_empty(const char* example);
+
+[[nodiscard]] CLI::Validator one_of(std::vector<std::string> words);
+
+}  // namespace insonify

@@ -1,0 +1,44 @@
+// loaded_grid.h -- a height grid as tests load it, with what was said about it.
+
+#pragma once
+
+#include <cmath>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "insonify/files.h"
+
+namespace insonify {
+
+/// A grid and what was said about its file.
+struct Loaded {
+  HeightGrid grid;
+  std::vector<std::string> notes;
+};
+
+inline Loaded load(const std::filesystem::path& path) {
+  Loaded loaded;
+  loaded.grid = load_height_grid(path, [&](Severity severity, const std::string& note) {
+    loaded.notes.push_back((severity == Severity::kWarning ? "warning: " : "info: ") + note);
+  });
+  return loaded;
+}
+
+/// Lowest and highest height, and how many there are.
+struct Extent {
+  float low = INFINITY, high = -INFINITY;
+  std::size_t count = 0;
+};
+
+inline Extent extent_of(const HeightGrid& grid) {
+  Extent extent;
+  for (const float height : grid.heights) {
+    if (!std::isnan(height)) {
+      extent = {std::min(extent.low, height), std::max(extent.high, height), extent.count + 1};
+    }
+  }
+  return extent;
+}
+
+}  // namespace insonify

@@ -1,0 +1,39 @@
+// loaded_mesh.h -- a mesh file as tests load it, with what was said about it.
+
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "io/mesh_file.h"
+#include "scene/mesh_checks.h"
+
+namespace insonify {
+
+/// Rounding of floats in sums and products of a few of them.
+inline constexpr double kFloat = 1e-5;
+
+/// A mesh and what was said about its file.
+struct Loaded {
+  Mesh mesh;
+  std::vector<std::string> notes;
+};
+
+inline Loaded load(const std::filesystem::path& path, const Submesh& submesh = {}) {
+  Loaded loaded;
+  loaded.mesh = load_mesh_file(path, submesh, [&](Severity severity, const std::string& note) {
+    loaded.notes.push_back((severity == Severity::kWarning ? "warning: " : "info: ") + note);
+  });
+  return loaded;
+}
+
+inline void expect_bounds(const Mesh& mesh, const Vec3& low, const Vec3& high) {
+  const Box3 box = bounds_of(mesh);
+  EXPECT_LT((box.low - low).cwiseAbs().maxCoeff(), kFloat) << box.low.transpose();
+  EXPECT_LT((box.high - high).cwiseAbs().maxCoeff(), kFloat) << box.high.transpose();
+}
+
+}  // namespace insonify
