@@ -96,7 +96,8 @@ void RasterScene::add(const Instance& instance, int index) {
   part.first_cluster = static_cast<std::uint32_t>(clusters_.size());
   for (std::size_t first = 0; first < order.size(); first += kClusterSize) {
     const std::size_t last = std::min(order.size(), first + kClusterSize);
-    TriangleCluster cluster{.instance = index,
+    TriangleCluster cluster{.sphere = {},
+                            .instance = index,
                             .first_block = static_cast<std::uint32_t>(blocks_.size()),
                             .triangle_count = static_cast<std::uint32_t>(last - first)};
     Vec3f low = vertices[mesh.triangles[order[first]][0]], high = low;

@@ -71,10 +71,8 @@ struct RandomScene {
 
   // Where a moving instance is taken from where it began.
   [[nodiscard]] Pose moved_pose(std::size_t instance) const {
-    Pose pose = scene.instances[instance].world_from_mesh;
-    pose.position += Vec3(0.5, -0.3, 0.2);
-    pose.orientation = orientation_from_rpy(0.3, 0.2, 0.1) * pose.orientation;
-    return pose;
+    const Pose& from = scene.instances[instance].world_from_mesh;
+    return {from.position + Vec3(0.5, -0.3, 0.2), orientation_from_rpy(0.3, 0.2, 0.1) * from.orientation};
   }
 
   // Calls move(instance, pose) for all that move.
