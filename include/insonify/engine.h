@@ -24,6 +24,11 @@ enum class PrimaryEchoes {
   kRaster  ///< Triangles drawn into the fan's own columns and rows. `reference` traces rays all the same.
 };
 
+/// What an engine takes: kRays or kRaster. kAuto comes to whichever a cost model of triangles, samples and the azimuth
+/// aperture holds for faster (bench/README.md), the same for a scenario on every machine.
+[[nodiscard]] PrimaryEchoes primary_echoes(PrimaryEchoes asked, const SonarConfig& sonar, std::size_t triangle_count,
+                                           std::string_view engine);
+
 /// Which hits send a ray on, in search of a second surface.
 enum class SecondaryEchoes {
   kNone,

@@ -10,10 +10,6 @@ namespace {
 
 constexpr int kRaysPerTask = 1024;
 
-// Drawing costs by the triangle, rays by the sample: from so many samples a triangle on drawing is faster. Measured
-// where the scene fills the fan.
-constexpr std::size_t kSamplesATriangle = 16;
-
 int task_count(int items, int per_task) {
   return (items + per_task - 1) / per_task;
 }
@@ -54,10 +50,7 @@ void CpuEngine::move_instance(int instance, const Pose& world_from_mesh) {
 }
 
 const FanView* CpuEngine::look(const PingPlan& plan, const Pose& world_from_sonar) {
-  const std::size_t samples = static_cast<std::size_t>(plan.lattice.columns) * plan.lattice.rows;
-  const bool drawn = plan.primary == PrimaryEchoes::kRaster ||
-                     (plan.primary == PrimaryEchoes::kAuto && triangle_count_ * kSamplesATriangle <= samples);
-  if (!drawn) {
+  if (primary_echoes(plan.primary, plan.sonar, triangle_count_, name()) == PrimaryEchoes::kRays) {
     return nullptr;
   }
   if (raster_source_ != nullptr) {

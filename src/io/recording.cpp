@@ -130,12 +130,14 @@ void put_settings(const H5Writer& writer, const std::string& group, const Config
   });
 }
 
-void put_run(const H5Writer& writer, const Scenario& scenario, const SonarConfig& sonar) {
+void put_run(const H5Writer& writer, const Scenario& scenario, const Scene& scene, const SonarConfig& sonar) {
   const std::string root = "/";
   writer.attribute(root, "format", kFormat);
   writer.attribute(root, "version", kVersion);
   writer.attribute(root, "model", scenario.model);
   writer.attribute(root, "engine", scenario.engine);
+  const PrimaryEchoes primary = primary_echoes(scenario.primary, sonar, scene.triangle_count(), scenario.engine);
+  writer.attribute(root, "primary", primary == PrimaryEchoes::kRays ? "rays" : "raster");
   writer.attribute(root, "seed", scenario.seed);
   writer.attribute(root, "scenario", scenario.text);
   writer.attribute(root, "sonar", sonar.name);
@@ -179,7 +181,7 @@ Recording::Recording(const std::filesystem::path& path, const Scenario& scenario
     describe_datasets(writer, sonar);
     put_axes(writer, sonar);
     put_scene(writer, scene);
-    put_run(writer, scenario, sonar);
+    put_run(writer, scenario, scene, sonar);
   };
   state_ =
       std::make_unique<State>(State{GrowingFile(path, growing_datasets(sonar), capacity, describe), sonar.bin_count,

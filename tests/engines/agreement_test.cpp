@@ -106,17 +106,37 @@ TEST(RasterAgreementTest, RasterAndRaysGiveTheSameEchoes) {
 }
 
 TEST(RasterAgreementTest, AutoDrawsFewTrianglesAndTracesMany) {
+  const auto chosen = [](SonarConfig sonar, double azimuth_deg, int beams, std::size_t triangles) {
+    sonar.azimuth_aperture = azimuth_deg * kDegree;
+    sonar.beam_count = beams;
+    sonar.sampling = {4, 200};
+    return primary_echoes(PrimaryEchoes::kAuto, sonar, triangles, "cpu");
+  };
+  const SonarConfig sonar;
+  EXPECT_EQ(chosen(sonar, 120, 256, 1'000), PrimaryEchoes::kRaster);
+  EXPECT_EQ(chosen(sonar, 120, 256, 20'000), PrimaryEchoes::kRaster);
+  EXPECT_EQ(chosen(sonar, 120, 256, 100'000), PrimaryEchoes::kRays);
+  EXPECT_EQ(chosen(sonar, 120, 16, 20'000), PrimaryEchoes::kRays);  // Fewer samples.
+  EXPECT_EQ(chosen(sonar, 3, 1, 1'000), PrimaryEchoes::kRaster);    // A narrow beam culls nearly all.
+  EXPECT_EQ(chosen(sonar, 120, 1, 1'000), PrimaryEchoes::kRays);
+  EXPECT_EQ(primary_echoes(PrimaryEchoes::kAuto, sonar, 10, "reference"), PrimaryEchoes::kRays);
+  EXPECT_EQ(primary_echoes(PrimaryEchoes::kRaster, sonar, 100'000'000, "cpu"), PrimaryEchoes::kRaster);
+  EXPECT_EQ(primary_echoes(PrimaryEchoes::kRays, sonar, 10, "cpu"), PrimaryEchoes::kRays);
+}
+
+TEST(RasterAgreementTest, TheEngineTakesWhatWasChosen) {
   const RandomScene random(1);
-  PingPlanSettings settings{.sonar = random.sonar};
   const auto engine = make_engine("cpu", 2);
   engine->set_scene(random.scene);
-  settings.sonar.sampling = {16, 400};
-  static_cast<void>(echoes_of(*engine, settings, random.pose));
-  EXPECT_EQ(engine->ray_counts().primary, 0U);
-  settings.sonar.beam_count = 1;
-  settings.sonar.sampling = {1, 2};
-  static_cast<void>(echoes_of(*engine, settings, random.pose));
-  EXPECT_EQ(engine->ray_counts().primary, 2U);
+  for (const int rows : {2, 400}) {
+    PingPlanSettings settings{.sonar = random.sonar};
+    settings.sonar.sampling = {1, rows};
+    static_cast<void>(echoes_of(*engine, settings, random.pose));
+    const bool drawn = primary_echoes(PrimaryEchoes::kAuto, settings.sonar, random.scene.triangle_count(), "cpu") ==
+                       PrimaryEchoes::kRaster;
+    EXPECT_EQ(engine->ray_counts().primary == 0, drawn) << rows;
+    EXPECT_EQ(drawn, rows == 400);
+  }
 }
 
 // The lots of `selective` are drawn so that the sums of both layers are those of `all` in the mean.

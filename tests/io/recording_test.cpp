@@ -81,6 +81,7 @@ Scene scene() {
   for (const char* name : {"ship::hull", "seabed"}) {
     scene.instances.emplace_back();
     scene.instances.back().name = name;
+    scene.instances.back().mesh = std::make_shared<const Mesh>();
   }
   scene.materials.push_back(
       {.name = "steel", .density = 7700, .sound_speed = 5900, .reflectivity = 0.875, .source = ""});
@@ -215,6 +216,7 @@ TEST(RecordingTest, HoldsTheRun) {
   EXPECT_EQ(file.attribute<std::uint64_t>("/", "format"), 1U);
   EXPECT_EQ(file.attribute<std::string>("/", "model"), "paper");
   EXPECT_EQ(file.attribute<std::string>("/", "engine"), "reference");
+  EXPECT_EQ(file.attribute<std::string>("/", "primary"), "rays");
   EXPECT_EQ(file.attribute<std::string>("/", "version"), "0.1.0");
   EXPECT_EQ(file.attribute<std::uint64_t>("/", "seed"), 18'446'744'073'709'551'615U);
   EXPECT_EQ(file.attribute<std::string>("/", "scenario"), "world: wreck.sdf\nmodel: paper\n");

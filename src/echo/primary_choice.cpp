@@ -1,0 +1,40 @@
+// primary_choice.cpp -- what drawing and tracing cost, fitted to `insonify bench primary` (bench/README.md).
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "insonify/engine.h"
+
+namespace insonify {
+namespace {
+
+// Both above what a sample costs either way [ns].
+double drawing_costs(double triangles, double azimuth_aperture) {
+  constexpr double kLookedAt = 8;  // Each triangle, to find out whether it lies in the field.
+  constexpr double kDrawn = 280;   // Each triangle there.
+  const double in_field = std::min(1.0, azimuth_aperture / std::numbers::pi);  // Things stand before a sonar.
+  return triangles * (kLookedAt + kDrawn * in_field);
+}
+
+double tracing_costs(double triangles, double samples) {
+  return samples * (20 + 0.13 * std::sqrt(triangles));
+}
+
+}  // namespace
+
+PrimaryEchoes primary_echoes(PrimaryEchoes asked, const SonarConfig& sonar, std::size_t triangle_count,
+                             std::string_view engine) {
+  if (engine != "cpu") {
+    return PrimaryEchoes::kRays;
+  }
+  if (asked != PrimaryEchoes::kAuto) {
+    return asked;
+  }
+  const double samples = double{1} * sonar.beam_count * sonar.sampling.columns_per_beam * sonar.sampling.rows;
+  const auto triangles = static_cast<double>(triangle_count);
+  return drawing_costs(triangles, sonar.azimuth_aperture) <= tracing_costs(triangles, samples) ? PrimaryEchoes::kRaster
+                                                                                               : PrimaryEchoes::kRays;
+}
+
+}  // namespace insonify
