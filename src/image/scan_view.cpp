@@ -44,6 +44,12 @@ FanMarks scan_marks(const SonarConfig& sonar, const FanShape& shape) {
   return marks_of(shape, sonar.sector_center - half, sonar.sector_center + half, sonar.mounting);
 }
 
+// Where slopes are written, whose names are long, all the way round has room for few of them.
+double head_angle_step(const SonarConfig& sonar, const FanShape& shape) {
+  const double step = radial_step(shape.aperture(), sonar.mounting);
+  return sonar.mounting == Mounting::kVertical && shape.aperture() > std::numbers::pi ? std::numbers::pi / 4 : step;
+}
+
 std::string count_text(std::size_t pings) {
   return fmt::format("{} {}", pings, pings == 1 ? "ping" : "pings");
 }
@@ -115,8 +121,7 @@ Picture ScanView::draw_polar(const Display& display) const {
   display.validate();
   const FanShape shape = shape_of(sonar_);
   PlotAxes axes{{}, range_ticks(sonar_), "head angle", "range (m)"};
-  const std::vector<double> azimuths =
-      multiples_within(shape.low, shape.high, radial_step(shape.aperture(), sonar_.mounting));
+  const std::vector<double> azimuths = multiples_within(shape.low, shape.high, head_angle_step(sonar_, shape));
   for (auto azimuth = azimuths.rbegin(); azimuth != azimuths.rend(); ++azimuth) {  // From port, which is left.
     axes.across.push_back(
         {(shape.high - *azimuth) / shape.aperture(), bearing_text(*azimuth, sonar_.mounting), *azimuth == 0});

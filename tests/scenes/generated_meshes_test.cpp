@@ -1,5 +1,6 @@
 // generated_meshes_test.cpp -- the shipped scenes' meshes have the measures that their descriptions promise.
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -63,7 +64,7 @@ class Probe {
 TEST(MakeMeshesTest, WritesTheSameBytesEveryTime) {
   const auto folder = std::filesystem::temp_directory_path() / ("make_meshes_test_" + std::to_string(::getpid()));
   const auto program = std::filesystem::path(INSONIFY_CLI).parent_path() / "make_meshes";
-  ASSERT_EQ(std::system(("'" + program.string() + "' '" + folder.string() + "' > /dev/null").c_str()), 0);
+  ASSERT_EQ(std::system(fmt::format("'{}' '{}' > /dev/null", program.string(), folder.string()).c_str()), 0);
   for (const std::string& name : kNames) {
     for (const char* ending : {".obj", ".mtl"}) {
       const std::string bytes = bytes_of(folder / (name + ending));
