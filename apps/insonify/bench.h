@@ -17,6 +17,16 @@ struct BenchOptions {
 /// insonify bench engine: a ping, and the bare traversal of its rays, on scenes of growing size.
 int bench_engine(const BenchOptions& options);
 
+struct PaperBenchOptions {
+  int samples = 500;  ///< Scenes of each row.
+  int threads = 2;
+  bool filled = false;                   ///< The scene that fills the fan, instead of random ones.
+  std::filesystem::path json, markdown;  ///< Where the rows are written too; empty for nowhere.
+};
+
+/// insonify bench paper: the paper's tables of computing times, on its workload.
+int bench_paper(const PaperBenchOptions& options);
+
 /// insonify bench primary: primaries traced and drawn, and the choice of `primary: auto`; on one thread.
 int bench_primary(const BenchOptions& options);
 

@@ -21,13 +21,17 @@ double milliseconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() * kMilliseconds;
 }
 
-void write_rows(const std::filesystem::path& path, const nlohmann::json& rows) {
+void write_text(const std::filesystem::path& path, const std::string& text) {
   std::ofstream file(path);
-  file << rows.dump(2) << '\n';
+  file << text;
   file.flush();
   if (!file) {
     throw Error(fmt::format("{}: cannot be written", path.string()));
   }
+}
+
+void write_rows(const std::filesystem::path& path, const nlohmann::json& rows) {
+  write_text(path, rows.dump(2) + '\n');
 }
 
 }  // namespace insonify

@@ -20,6 +20,8 @@ struct Request {
   std::string preset, mode;
   std::string section;
   BenchOptions bench;
+  PaperBenchOptions paper_bench;
+  std::string bench_scene;
   bool markdown = false;
   bool no_pictures = false, no_view = false, no_ms_ssim = false;
   std::function<int()> act;
