@@ -109,7 +109,8 @@ void BeamTask::trace_strip(int first_column) {
   int rows_met = 0;
   for (int row = 0; row < plan_->lattice.rows; row += kTile) {
     primary_count_ += load_tile(first_column, row);
-    primary_.intersect(scene_.handle(), plan_->true_max_range);
+    primary_.set_reach(plan_->true_max_range);
+    primary_.intersect(scene_.handle());
     rows_met = read_tile(row) ? row + kTile : rows_met;
   }
   for (HitColumn& hits : hits_) {
@@ -135,7 +136,8 @@ void BeamTask::trace_only(const Pose& world_from_sonar, int first_beam, int last
     aim_strip(column);
     for (int row = 0; row < plan_->lattice.rows; row += kTile) {
       load_tile(column, row);
-      primary_.intersect(scene_.handle(), plan_->true_max_range);
+      primary_.set_reach(plan_->true_max_range);
+      primary_.intersect(scene_.handle());
     }
   }
 }

@@ -111,7 +111,7 @@ std::vector<double> CpuEngine::time_traversal(const PingPlan& plan, const Pose& 
       scratch.trace_only(world_from_sonar, first_beam, last_beam);
       for (const RayPacket& logged : logs[task].onward) {
         RayPacket packet = logged;
-        packet.intersect(scene_.handle(), plan.true_max_range);
+        packet.intersect(scene_.handle());
       }
       for (const RayPacket& logged : logs[task].back) {
         RayPacket packet = logged;
@@ -140,7 +140,8 @@ void CpuEngine::trace(std::span<const Ray> rays, std::span<Hit> hits) {
         packet.rays.ray.tnear[lane] = static_cast<float>(ray.min_distance);
         reach = std::max(reach, static_cast<float>(ray.max_distance));
       }
-      packet.intersect(scene_.handle(), reach);
+      packet.set_reach(reach);
+      packet.intersect(scene_.handle());
       CpuScene::Shading shading;
       scene_.shade(packet.rays.hit, shading);
       for (int lane = 0; lane < count; ++lane) {

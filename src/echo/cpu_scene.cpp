@@ -100,6 +100,7 @@ void CpuScene::set(const Scene& scene) {
   clear();
   const Box3 bounds = scene.bounds();
   origin_ = scene.instances.empty() ? Vec3::Zero() : Vec3(0.5 * (bounds.low + bounds.high));
+  boxes_.set(scene, origin_);
   reflectivity_.clear();
   for (const Material& material : scene.materials) {
     reflectivity_.push_back(static_cast<float>(material.effective_reflectivity()));
@@ -213,6 +214,7 @@ void CpuScene::move(int instance, const Pose& world_from_mesh) {
   Part& part = parts_[instance];
   part.rotation = world_from_mesh.orientation.toRotationMatrix().cast<float>();
   place(part.placed, world_from_mesh, origin_);
+  boxes_.move(instance, {world_from_mesh.position - origin_, world_from_mesh.orientation});
   moved_ = true;
 }
 

@@ -7,6 +7,7 @@
 #include <atomic>
 #include <vector>
 
+#include "echo/box_cut.h"
 #include "echo/echo.h"
 #include "echo/ray_packet.h"
 #include "insonify/scene.h"
@@ -29,6 +30,9 @@ class CpuScene {
   void commit_moves();
 
   [[nodiscard]] RTCScene handle() const { return scene_; }
+
+  /// Around all that is there.
+  [[nodiscard]] const BoxCut& boxes() const { return boxes_; }
 
   /// World position that Embree's coordinates are relative to: single precision goes to where the scene is.
   [[nodiscard]] const Vec3& origin() const { return origin_; }
@@ -67,6 +71,7 @@ class CpuScene {
   RTCDevice device_ = nullptr;
   RTCScene scene_ = nullptr;
   std::vector<Part> parts_;
+  BoxCut boxes_;
   std::vector<float> reflectivity_;
   Vec3 origin_ = Vec3::Zero();
   bool moved_ = false;

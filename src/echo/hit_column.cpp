@@ -10,10 +10,11 @@
 namespace insonify {
 namespace {
 
-// Hits that could give a secondary echo of at least this strength are always followed; weaker ones in proportion, but
-// at least one in sixteen.
-constexpr float kWorthFollowing = 0.25F;
-constexpr float kLeastShare = 1.0F / 16;
+// Of what is heard head on with this share of the sound reflected, or better, the greatest share of hits is followed;
+// of weaker ones in proportion, but at least one in sixteen. Fitted to scenes where half the rays of `all` give what
+// its own sampling gives (docs/concepts/paper-model.md).
+constexpr float kWorthFollowing = 0.46F;
+constexpr float kLeastShare = 1.0F / 16, kMostShare = 0.7F;
 
 // Neighbours lie on one unbroken surface when each is where the other's tangent plane says, give or take a bin and this
 // share of the distance between them: curved surfaces pass, edges and shadows do not.
@@ -81,14 +82,14 @@ void shade(int rows, float neper_per_metre, const float* __restrict__ range, con
 }
 
 INSONIFY_VECTOR_CLONES
-void select(int rows, std::uint32_t turn, const float* __restrict__ range, const float* __restrict__ strength,
-            float* __restrict__ selected) {
+void select(int rows, std::uint32_t turn, const float* __restrict__ range, const float* __restrict__ facing,
+            const float* __restrict__ reflectivity, float* __restrict__ selected) {
   // Multiples of 1/g and 1/g^2, g the plastic number, in 32-bit turns; the column's is in `turn`.
   for (int row = 0; row < rows; ++row) {
     const std::uint32_t turned = turn + static_cast<std::uint32_t>(row) * 2447445414U;
     const float lot = static_cast<float>(static_cast<std::int32_t>(turned >> 8)) * (1.0F / 16777216.0F);
-    const float wish = strength[row] * (1 / kWorthFollowing);
-    const float share = wish < kLeastShare ? kLeastShare : wish > 1 ? 1.0F : wish;
+    const float wish = std::abs(facing[row]) * reflectivity[row] * (1 / kWorthFollowing);
+    const float share = wish < kLeastShare ? kLeastShare : wish > kMostShare ? kMostShare : wish;
     selected[row] = (lot < share) & (range[row] > 0) ? 1 / share : 0.0F;
   }
 }
@@ -195,8 +196,8 @@ void evaluate_column(const PingPlan& plan, int column, const ColumnAxes& axes, c
       hits.selected[row] = hits.surface[row] == kNoSurface ? 0.0F : 1.0F;
     }
   } else if (plan.secondary == SecondaryEchoes::kSelective) {
-    select(rows.count, static_cast<std::uint32_t>(column) * 3242174889U + plan.stagger, hits.range, hits.strength,
-           hits.selected);
+    select(rows.count, static_cast<std::uint32_t>(column) * 3242174889U + plan.stagger, hits.range, hits.facing,
+           hits.reflectivity, hits.selected);
   }
 }
 

@@ -78,8 +78,8 @@ void aim_column(const Lattice& lattice, int column, const ColumnAxes& axes, cons
 /// Strength: paper, sections "Rasterized reflections" and "Unified reflections"; e^(-2 gamma r) is the two-way loss of
 /// a pressure amplitude (PHYSICS 1.4).
 ///
-/// Selection: a hit whose secondary echo can be strong is always followed, a weaker one with a probability in
-/// proportion, and then counts for all of its kind, so that the sums of energy and weight stay unbiased. The lots are
+/// Selection: a hit is followed with a probability in proportion to |facing| x reflectivity, within limits, and then
+/// counts for all of its kind, so that the sums of energy and weight stay unbiased. The lots are
 /// drawn from a low-discrepancy lattice (Roberts' R2 sequence) turned by the seed, so that they lie evenly over a
 /// surface and a still scene gives the same ping twice.
 void evaluate_column(const PingPlan& plan, int column, const ColumnAxes& axes, const HitColumn& hits,

@@ -22,9 +22,9 @@ struct Returns {
   float within[kPacketSize];                                            // 1 where the echo is from within the range.
 };
 
-// Readies lanes [first, last) of a packet: on from the hits at the given places of a strip, in the mirror direction.
+// Readies the first lanes of a packet: on from the hits at the given places of a strip, in the mirror direction.
 INSONIFY_VECTOR_CLONES
-void mirror(const HitColumn& strip, const int* __restrict__ place, int first, int last, Vec3f sonar,
+void mirror(const HitColumn& strip, const int* __restrict__ place, int count, Vec3f sonar, float max_range,
             RTCRay16& __restrict__ rays, OnwardTask::Origins& __restrict__ origins) {
   const float* __restrict__ direction_x = strip.direction_x;
   const float* __restrict__ direction_y = strip.direction_y;
@@ -37,10 +37,14 @@ void mirror(const HitColumn& strip, const int* __restrict__ place, int first, in
   const float* __restrict__ range = strip.range;
   const float* __restrict__ selected = strip.selected;
   const float sonar_x = sonar[0], sonar_y = sonar[1], sonar_z = sonar[2];
-  for (int lane = first; lane < last; ++lane) {
+  for (int lane = 0; lane < count; ++lane) {
     const int at = place[lane];
     const float x = direction_x[at], y = direction_y[at], z = direction_z[at];
     const float out = range[at], turn = 2 * facing[at];
+    // The path out, across and back is within twice the range while the second surface lies in an ellipsoid about the
+    // sonar and the first; a little is added for rounding.
+    const float bent = 1 - turn * facing[at];
+    rays.tfar[lane] = 1.0001F * 2 * max_range * (max_range - out) / (2 * max_range - out + out * bent);
     rays.org_x[lane] = sonar_x + x * out;
     rays.org_y[lane] = sonar_y + y * out;
     rays.org_z[lane] = sonar_z + z * out;
@@ -87,7 +91,9 @@ void measure_returns(const RTCRay16& __restrict__ rays, const CpuScene::Shading&
 
 OnwardTask::OnwardTask(const CpuScene& scene) : scene_(scene) {
   for (int lane = 0; lane < kPacketSize; ++lane) {
-    onward_.rays.ray.tnear[lane] = back_.rays.ray.tnear[lane] = kRayClearance;
+    candidates_.rays.ray.tnear[lane] = onward_.rays.ray.tnear[lane] = back_.rays.ray.tnear[lane] = kRayClearance;
+    candidates_.set_origin(lane, Vec3f::Zero());
+    candidates_.set_direction(lane, Vec3f::UnitX());
   }
 }
 
@@ -101,7 +107,6 @@ void OnwardTask::start(const PingPlan& plan, const Vec3f& sonar, EchoGrid& grid,
 void OnwardTask::follow(const HitColumn& strip, int stride, int first_column, int columns) {
   const int rows = strip.rows;
   const float* selected = strip.selected;
-  int loaded = onward_count_;  // Lanes whose rays are in the packet already.
   for (int row0 = 0; row0 < rows; row0 += kTile) {
     const unsigned in_lattice = (1U << std::min(kTile, rows - row0)) - 1;
     unsigned samples = 0;
@@ -111,17 +116,46 @@ void OnwardTask::follow(const HitColumn& strip, int stride, int first_column, in
     for (; samples != 0; samples &= samples - 1) {
       const int sample = std::countr_zero(samples);
       const int column = sample / kTile, row = row0 + sample % kTile;
-      place_[onward_count_] = column * stride + row;
-      origins_.column[onward_count_] = first_column + column;
-      origins_.row[onward_count_] = row;
-      if (++onward_count_ == kPacketSize) {
-        mirror(strip, place_, loaded, kPacketSize, sonar_, onward_.rays.ray, origins_);
-        trace_onward();
-        loaded = 0;
+      place_[candidate_count_] = column * stride + row;
+      candidate_origins_.column[candidate_count_] = first_column + column;
+      candidate_origins_.row[candidate_count_] = row;
+      if (++candidate_count_ == kPacketSize) {
+        sift(strip);
       }
     }
   }
-  mirror(strip, place_, loaded, onward_count_, sonar_, onward_.rays.ray, origins_);
+  sift(strip);
+}
+
+// Takes over those of the candidates that may meet something in time. The others would give no echo.
+void OnwardTask::sift(const HitColumn& strip) {
+  const int count = candidate_count_;
+  candidate_count_ = 0;
+  mirror(strip, place_, count, sonar_, plan_->true_max_range, candidates_.rays.ray, candidate_origins_);
+  unsigned lanes = (1U << count) - 1;
+  if (plan_->secondary == SecondaryEchoes::kSelective) {
+    lanes &= scene_.boxes().may_meet(candidates_.rays.ray);
+  }
+  const RTCRay16& from = candidates_.rays.ray;
+  RTCRay16& rays = onward_.rays.ray;
+  for (; lanes != 0; lanes &= lanes - 1) {
+    const int lane = std::countr_zero(lanes), to = onward_count_;
+    rays.org_x[to] = from.org_x[lane];
+    rays.org_y[to] = from.org_y[lane];
+    rays.org_z[to] = from.org_z[lane];
+    rays.dir_x[to] = from.dir_x[lane];
+    rays.dir_y[to] = from.dir_y[lane];
+    rays.dir_z[to] = from.dir_z[lane];
+    rays.tfar[to] = from.tfar[lane];
+    origins_.column[to] = candidate_origins_.column[lane];
+    origins_.row[to] = candidate_origins_.row[lane];
+    origins_.range[to] = candidate_origins_.range[lane];
+    origins_.strength[to] = candidate_origins_.strength[lane];
+    origins_.selected[to] = candidate_origins_.selected[lane];
+    if (++onward_count_ == kPacketSize) {
+      trace_onward();
+    }
+  }
 }
 
 // Traces the onward rays in the mirror directions, and readies the return legs of what they meet.
@@ -132,7 +166,7 @@ void OnwardTask::trace_onward() {
   if (log_ != nullptr) {
     log_->onward.push_back(onward_);
   }
-  onward_.intersect(scene_.handle(), plan_->true_max_range);
+  onward_.intersect(scene_.handle());
   sent_ += count;
 
   scene_.shade(onward_.rays.hit, shading_);

@@ -45,6 +45,7 @@ class OnwardTask {
   [[nodiscard]] std::uint64_t returned() const { return returned_; }  ///< Return legs.
 
  private:
+  void sift(const HitColumn& strip);
   void trace_onward();
   void finish_returns();
 
@@ -54,11 +55,11 @@ class OnwardTask {
   EchoGrid* grid_ = nullptr;
   Log* log_ = nullptr;
 
-  RayPacket onward_, back_;
+  RayPacket candidates_, onward_, back_;
   CpuScene::Shading shading_;
   int place_[kPacketSize];  // In the strip, of the hits that are followed.
-  Origins origins_;         // Of the rays in onward_.
-  int onward_count_ = 0;
+  Origins candidate_origins_, origins_;
+  int candidate_count_ = 0, onward_count_ = 0;
   Echo returning_[kPacketSize];  // Met a second surface; their return legs are in back_.
   float returning_strength_[kPacketSize], returning_rest_[kPacketSize];  // See secondary_powers().
   int returning_count_ = 0;

@@ -85,10 +85,15 @@ struct alignas(64) RayPacket {
     }
   }
 
-  /// Finds what each ray meets within `reach` [m]; lanes that meet nothing have no hit().
-  void intersect(RTCScene scene, float reach) {
+  void set_reach(float reach) {
     for (int lane = 0; lane < kPacketSize; ++lane) {
       rays.ray.tfar[lane] = reach;
+    }
+  }
+
+  /// Finds what each ray meets within its own tfar; lanes that meet nothing have no hit().
+  void intersect(RTCScene scene) {
+    for (int lane = 0; lane < kPacketSize; ++lane) {
       rays.hit.geomID[lane] = RTC_INVALID_GEOMETRY_ID;
       rays.hit.instID[0][lane] = RTC_INVALID_GEOMETRY_ID;
     }

@@ -1,0 +1,229 @@
+// box_cut.cpp -- the box that encloses most is parted until there are enough of them.
+
+#include "echo/box_cut.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/vector_math.h"
+#include "echo/ray_packet.h"
+
+namespace insonify {
+namespace {
+
+// Of what stands still. Each costs a dozen instructions for sixteen rays.
+constexpr std::size_t kMostBoxes = 64;
+
+// Of what is sorted into boxes: in larger scenes neighbouring triangles go together.
+constexpr std::size_t kMostPieces = 1 << 14;
+
+// Less than the clearance of a ray at its start: rays that leave a flat wall leave its box.
+constexpr float kMargin = 1e-4F;
+
+struct Box {
+  Vec3f low = Vec3f::Constant(1e30F), high = Vec3f::Constant(-1e30F);
+
+  void add(const Vec3f& point) {
+    low = low.cwiseMin(point);
+    high = high.cwiseMax(point);
+  }
+  void add(const Box& other) {
+    low = low.cwiseMin(other.low);
+    high = high.cwiseMax(other.high);
+  }
+  [[nodiscard]] float area() const {
+    const Vec3f size = high - low;
+    return size.x() * size.y() + size.y() * size.z() + size.z() * size.x();
+  }
+  [[nodiscard]] float volume() const { return (high - low).prod(); }
+};
+
+// Pieces [first, last), and how they are best parted: by where along an axis their middles lie.
+struct Node {
+  std::size_t first, last;
+  Box box = {};
+  float area = std::numeric_limits<float>::infinity();  // Of both parts; infinite where it cannot be parted.
+  int axis = 0, parting = 0;
+};
+
+constexpr int kBins = 16;
+
+// Bin of a piece's middle, of those that its node's box is cut into along an axis.
+int bin_of(const Box& piece, const Box& all, int axis) {
+  const float middle = 0.5F * (piece.low[axis] + piece.high[axis]);
+  const float share = (middle - all.low[axis]) / (all.high[axis] - all.low[axis]);
+  return std::clamp(static_cast<int>(share * kBins), 0, kBins - 1);
+}
+
+std::vector<Box> pieces_of(const Instance& instance, const Vec3& origin, std::size_t together) {
+  const Mesh& mesh = *instance.mesh;
+  std::vector<Box> pieces;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    if (t % together == 0) {
+      pieces.emplace_back();
+    }
+    for (const std::uint32_t corner : mesh.triangles[t]) {
+      const Vec3 place = instance.world_from_mesh * mesh.vertices[corner].cast<double>();
+      pieces.back().add((place - origin).cast<float>());
+    }
+  }
+  return pieces;
+}
+
+// Looks for the parting that leaves the least area, as the surface area heuristic does (Goldsmith and Salmon, 1987).
+Node make_node(const std::vector<Box>& pieces, std::size_t first, std::size_t last) {
+  Node node{first, last};
+  for (std::size_t i = first; i < last; ++i) {
+    node.box.add(pieces[i]);
+  }
+  for (int axis = 0; axis < 3; ++axis) {
+    if (!(node.box.high[axis] > node.box.low[axis])) {
+      continue;
+    }
+    Box bins[kBins], upper[kBins + 1];
+    bool filled[kBins] = {};
+    for (std::size_t i = first; i < last; ++i) {
+      const int bin = bin_of(pieces[i], node.box, axis);
+      bins[bin].add(pieces[i]);
+      filled[bin] = true;
+    }
+    for (int bin = kBins - 1; bin > 0; --bin) {
+      upper[bin] = upper[bin + 1];
+      upper[bin].add(bins[bin]);
+    }
+    Box lower;
+    bool any_lower = false, any_upper = false;
+    for (int parting = 1; parting < kBins; ++parting) {
+      lower.add(bins[parting - 1]);
+      any_lower |= filled[parting - 1];
+      any_upper = std::any_of(filled + parting, filled + kBins, [](bool there) { return there; });
+      if (any_lower && any_upper) {
+        const float area = lower.area() + upper[parting].area();
+        if (area < node.area) {
+          node.area = area;
+          node.axis = axis;
+          node.parting = parting;
+        }
+      }
+    }
+  }
+  return node;
+}
+
+std::vector<Node> cut(std::vector<Box>& pieces) {
+  std::vector<Node> nodes = {make_node(pieces, 0, pieces.size())};
+  while (nodes.size() < kMostBoxes) {
+    const auto enclosed = [](const Node& node) { return std::isfinite(node.area) ? node.box.volume() : -1; };
+    Node& best = *std::ranges::max_element(nodes, {}, enclosed);
+    if (enclosed(best) < 0) {
+      break;
+    }
+    const Node node = best;
+    const auto at = [&](std::size_t i) { return pieces.begin() + static_cast<std::ptrdiff_t>(i); };
+    const auto middle = std::partition(at(node.first), at(node.last), [&](const Box& piece) {
+      return bin_of(piece, node.box, node.axis) < node.parting;
+    });
+    const auto parted = static_cast<std::size_t>(middle - pieces.begin());
+    best = make_node(pieces, node.first, parted);
+    nodes.push_back(make_node(pieces, parted, node.last));
+  }
+  return nodes;
+}
+
+}  // namespace
+
+void BoxCut::resize(std::size_t boxes) {
+  for (int axis = 0; axis < 3; ++axis) {
+    low_[axis].resize(boxes);
+    high_[axis].resize(boxes);
+  }
+}
+
+void BoxCut::put(std::size_t box, const Vec3f& low, const Vec3f& high) {
+  for (int axis = 0; axis < 3; ++axis) {
+    const float margin = kMargin + 1e-6F * std::max(std::abs(low[axis]), std::abs(high[axis]));
+    low_[axis][box] = low[axis] - margin;
+    high_[axis][box] = high[axis] + margin;
+  }
+}
+
+void BoxCut::set(const Scene& scene, const Vec3& origin) {
+  std::vector<Box> pieces;
+  moving_.clear();
+  const std::size_t together = scene.triangle_count() / kMostPieces + 1;
+  for (std::size_t i = 0; i < scene.instances.size(); ++i) {
+    const Instance& instance = scene.instances[i];
+    if (instance.moving) {
+      Moving& moving = moving_.emplace_back();
+      moving.instance = static_cast<int>(i);
+      Box box;
+      for (const Vec3f& vertex : instance.mesh->vertices) {
+        box.add(vertex);
+      }
+      moving.low = box.low;
+      moving.high = box.high;
+    } else {
+      const std::vector<Box> more = pieces_of(instance, origin, together);
+      pieces.insert(pieces.end(), more.begin(), more.end());
+    }
+  }
+  const std::vector<Node> nodes = pieces.empty() ? std::vector<Node>() : cut(pieces);
+  resize(nodes.size() + moving_.size());
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    put(i, nodes[i].box.low, nodes[i].box.high);
+  }
+  for (std::size_t i = 0; i < moving_.size(); ++i) {
+    moving_[i].box = nodes.size() + i;
+    Pose pose = scene.instances[moving_[i].instance].world_from_mesh;
+    pose.position -= origin;
+    move(moving_[i].instance, pose);
+  }
+}
+
+void BoxCut::move(int instance, const Pose& scene_from_mesh) {
+  const auto moving = std::ranges::find(moving_, instance, &Moving::instance);
+  Box box;
+  for (int corner = 0; corner < 8; ++corner) {
+    const Vec3f place((corner & 1) != 0 ? moving->high.x() : moving->low.x(),
+                      (corner & 2) != 0 ? moving->high.y() : moving->low.y(),
+                      (corner & 4) != 0 ? moving->high.z() : moving->low.z());
+    box.add((scene_from_mesh * place.cast<double>()).cast<float>());
+  }
+  put(moving->box, box.low, box.high);
+}
+
+INSONIFY_VECTOR_CLONES
+unsigned BoxCut::may_meet(const RTCRay16& rays) const {
+  float inverse_x[kPacketSize], inverse_y[kPacketSize], inverse_z[kPacketSize], met[kPacketSize];
+  for (int lane = 0; lane < kPacketSize; ++lane) {
+    // Next to nothing, instead of nothing: 0 x infinity would be no number.
+    constexpr float kTiny = 1e-20F;
+    const float x = rays.dir_x[lane], y = rays.dir_y[lane], z = rays.dir_z[lane];
+    inverse_x[lane] = 1 / (std::abs(x) < kTiny ? kTiny : x);
+    inverse_y[lane] = 1 / (std::abs(y) < kTiny ? kTiny : y);
+    inverse_z[lane] = 1 / (std::abs(z) < kTiny ? kTiny : z);
+    met[lane] = 0;
+  }
+  const std::size_t boxes = size();
+  for (std::size_t box = 0; box < boxes; ++box) {
+    const float low_x = low_[0][box], low_y = low_[1][box], low_z = low_[2][box];
+    const float high_x = high_[0][box], high_y = high_[1][box], high_z = high_[2][box];
+#pragma GCC unroll 1
+#pragma GCC ivdep
+    for (int lane = 0; lane < kPacketSize; ++lane) {
+      const float ax = (low_x - rays.org_x[lane]) * inverse_x[lane], bx = (high_x - rays.org_x[lane]) * inverse_x[lane];
+      const float ay = (low_y - rays.org_y[lane]) * inverse_y[lane], by = (high_y - rays.org_y[lane]) * inverse_y[lane];
+      const float az = (low_z - rays.org_z[lane]) * inverse_z[lane], bz = (high_z - rays.org_z[lane]) * inverse_z[lane];
+      const float near_x = ax < bx ? ax : bx, near_y = ay < by ? ay : by, near_z = az < bz ? az : bz;
+      const float far_x = ax < bx ? bx : ax, far_y = ay < by ? by : ay, far_z = az < bz ? bz : az;
+      const float near_xy = near_x > near_y ? near_x : near_y, near = near_xy > near_z ? near_xy : near_z;
+      const float far_xy = far_x < far_y ? far_x : far_y, far = far_xy < far_z ? far_xy : far_z;
+      const bool meets = (near <= far) & (near <= rays.tfar[lane]) & (far >= rays.tnear[lane]);
+      met[lane] = meets ? 1.0F : met[lane];
+    }
+  }
+  return positive_of_packet(met);
+}
+
+}  // namespace insonify
