@@ -205,8 +205,13 @@ unsigned BoxCut::may_meet(const RTCRay16& rays) const {
     inverse_z[lane] = 1 / (std::abs(z) < kTiny ? kTiny : z);
     met[lane] = 0;
   }
+  constexpr unsigned kAll = (1U << kPacketSize) - 1;
+  constexpr std::size_t kBetweenLooks = 8;
   const std::size_t boxes = size();
   for (std::size_t box = 0; box < boxes; ++box) {
+    if (box % kBetweenLooks == 0 && positive_of_packet(met) == kAll) {
+      return kAll;
+    }
     const float low_x = low_[0][box], low_y = low_[1][box], low_z = low_[2][box];
     const float high_x = high_[0][box], high_y = high_[1][box], high_z = high_[2][box];
 #pragma GCC unroll 1

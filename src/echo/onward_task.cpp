@@ -12,6 +12,9 @@
 namespace insonify {
 namespace {
 
+// So many of sixteen fill a packet well enough.
+constexpr int kMany = 12;
+
 // Where the hits of a packet of onward rays lie, how far it is back from there, and what is to come of it.
 struct Returns {
   float x[kPacketSize], y[kPacketSize], z[kPacketSize];                 // Second surface.
@@ -127,7 +130,8 @@ void OnwardTask::follow(const HitColumn& strip, int stride, int first_column, in
   sift(strip);
 }
 
-// Takes over those of the candidates that may meet something in time. The others would give no echo.
+// Sends those of the candidates that may meet something in time: at once where they are many, else in packets with
+// others. The rest would give no echo.
 void OnwardTask::sift(const HitColumn& strip) {
   const int count = candidate_count_;
   candidate_count_ = 0;
@@ -135,6 +139,10 @@ void OnwardTask::sift(const HitColumn& strip) {
   unsigned lanes = (1U << count) - 1;
   if (plan_->secondary == SecondaryEchoes::kSelective) {
     lanes &= scene_.boxes().may_meet(candidates_.rays.ray);
+  }
+  if (std::popcount(lanes) >= kMany) {
+    trace(candidates_, candidate_origins_, lanes);
+    return;
   }
   const RTCRay16& from = candidates_.rays.ray;
   RTCRay16& rays = onward_.rays.ray;
@@ -153,32 +161,36 @@ void OnwardTask::sift(const HitColumn& strip) {
     origins_.strength[to] = candidate_origins_.strength[lane];
     origins_.selected[to] = candidate_origins_.selected[lane];
     if (++onward_count_ == kPacketSize) {
-      trace_onward();
+      trace_collected();
     }
   }
 }
 
-// Traces the onward rays in the mirror directions, and readies the return legs of what they meet.
-void OnwardTask::trace_onward() {
-  const int count = onward_count_;
+void OnwardTask::trace_collected() {
+  const unsigned lanes = (1U << onward_count_) - 1;
   onward_count_ = 0;
-  onward_.set_count(count);
-  if (log_ != nullptr) {
-    log_->onward.push_back(onward_);
-  }
-  onward_.intersect(scene_.handle());
-  sent_ += count;
+  trace(onward_, origins_, lanes);
+}
 
-  scene_.shade(onward_.rays.hit, shading_);
+// Traces onward rays in the mirror directions, and readies the return legs of what they meet.
+void OnwardTask::trace(RayPacket& packet, const Origins& origins, unsigned lanes) {
+  packet.set_lanes(lanes);
+  if (log_ != nullptr) {
+    log_->onward.push_back(packet);
+  }
+  packet.intersect(scene_.handle());
+  sent_ += static_cast<std::uint64_t>(std::popcount(lanes));
+
+  scene_.shade(packet.rays.hit, shading_);
   Returns returns;
-  measure_returns(onward_.rays.ray, shading_, origins_, sonar_, plan_->true_max_range, returns);
-  for (unsigned lanes = positive_of_packet(returns.within) & ((1U << count) - 1); lanes != 0; lanes &= lanes - 1) {
+  measure_returns(packet.rays.ray, shading_, origins, sonar_, plan_->true_max_range, returns);
+  for (lanes &= positive_of_packet(returns.within); lanes != 0; lanes &= lanes - 1) {
     const int lane = std::countr_zero(lanes);
     const int slot = returning_count_;
-    returning_[slot] = secondary_echo(*plan_, origins_.column[lane], origins_.row[lane], origins_.selected[lane],
+    returning_[slot] = secondary_echo(*plan_, origins.column[lane], origins.row[lane], origins.selected[lane],
                                       returns.path_length[lane], shading_.surface[lane]);
     returning_strength_[slot] = returns.strength[lane];
-    returning_rest_[slot] = returns.path_length[lane] - 2 * origins_.range[lane];
+    returning_rest_[slot] = returns.path_length[lane] - 2 * origins.range[lane];
     back_.set_origin(slot, {returns.x[lane], returns.y[lane], returns.z[lane]});
     back_.set_direction(slot, {returns.back_x[lane], returns.back_y[lane], returns.back_z[lane]});
     back_.rays.ray.tfar[slot] = returns.distance[lane] - kRayClearance;
@@ -209,7 +221,7 @@ void OnwardTask::finish_returns() {
 
 void OnwardTask::finish() {
   if (onward_count_ > 0) {
-    trace_onward();
+    trace_collected();
   }
   if (returning_count_ > 0) {
     finish_returns();

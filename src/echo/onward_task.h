@@ -46,7 +46,8 @@ class OnwardTask {
 
  private:
   void sift(const HitColumn& strip);
-  void trace_onward();
+  void trace_collected();
+  void trace(RayPacket& packet, const Origins& origins, unsigned lanes);
   void finish_returns();
 
   const CpuScene& scene_;

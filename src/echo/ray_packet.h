@@ -91,6 +91,13 @@ struct alignas(64) RayPacket {
     }
   }
 
+  /// One bit a lane: those set are rays, the others are not.
+  void set_lanes(unsigned lanes) {
+    for (int lane = 0; lane < kPacketSize; ++lane) {
+      valid[lane] = (lanes >> lane & 1U) != 0 ? -1 : 0;
+    }
+  }
+
   /// Finds what each ray meets within its own tfar; lanes that meet nothing have no hit().
   void intersect(RTCScene scene) {
     for (int lane = 0; lane < kPacketSize; ++lane) {
