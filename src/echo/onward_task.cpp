@@ -15,6 +15,9 @@ namespace {
 // So many of sixteen fill a packet well enough.
 constexpr int kMany = 12;
 
+// After a packet that passed the boxes whole, as many of its strip are let through without a look.
+constexpr int kUnsifted = 2;
+
 // Where the hits of a packet of onward rays lie, how far it is back from there, and what is to come of it.
 struct Returns {
   float x[kPacketSize], y[kPacketSize], z[kPacketSize];                 // Second surface.
@@ -110,6 +113,7 @@ void OnwardTask::start(const PingPlan& plan, const Vec3f& sonar, EchoGrid& grid,
 void OnwardTask::follow(const HitColumn& strip, int stride, int first_column, int columns) {
   const int rows = strip.rows;
   const float* selected = strip.selected;
+  unsifted_ = 0;
   for (int row0 = 0; row0 < rows; row0 += kTile) {
     const unsigned in_lattice = (1U << std::min(kTile, rows - row0)) - 1;
     unsigned samples = 0;
@@ -137,8 +141,10 @@ void OnwardTask::sift(const HitColumn& strip) {
   candidate_count_ = 0;
   mirror(strip, place_, count, sonar_, plan_->true_max_range, candidates_.rays.ray, candidate_origins_);
   unsigned lanes = (1U << count) - 1;
-  if (plan_->secondary == SecondaryEchoes::kSelective) {
+  if (plan_->secondary == SecondaryEchoes::kSelective && --unsifted_ < 0) {
+    const unsigned candidates = lanes;
     lanes &= scene_.boxes().may_meet(candidates_.rays.ray);
+    unsifted_ = lanes == candidates ? kUnsifted : 0;
   }
   if (std::popcount(lanes) >= kMany) {
     trace(candidates_, candidate_origins_, lanes);

@@ -61,6 +61,7 @@ class OnwardTask {
   int place_[kPacketSize];  // In the strip, of the hits that are followed.
   Origins candidate_origins_, origins_;
   int candidate_count_ = 0, onward_count_ = 0;
+  int unsifted_ = 0;             // Packets that are yet to be let through without a look.
   Echo returning_[kPacketSize];  // Met a second surface; their return legs are in back_.
   float returning_strength_[kPacketSize], returning_rest_[kPacketSize];  // See secondary_powers().
   int returning_count_ = 0;
