@@ -64,11 +64,15 @@ Engine& Simulator::engine() {
   return *state_->engine;
 }
 
-Pose Simulator::world_from_head(int index, std::uint64_t number) const {
+Pose Simulator::world_from_housing(int index, std::uint64_t number) const {
   const SonarConfig& config = sonar(index);
   const double time = static_cast<double>(number) * *config.ping_period;
-  const Pose head{Vec3::Zero(), orientation_from_rpy(0, 0, config.head_angle(static_cast<int>(number)))};
-  return state_->scenario.trajectory.at(time) * config.vehicle_from_sonar() * head;
+  return state_->scenario.trajectory.at(time) * config.vehicle_from_sonar();
+}
+
+Pose Simulator::world_from_head(int index, std::uint64_t number) const {
+  const Pose head{Vec3::Zero(), orientation_from_rpy(0, 0, sonar(index).head_angle(number))};
+  return world_from_housing(index, number) * head;
 }
 
 void Simulator::make_ping(int index, std::uint64_t number, Ping& ping) {

@@ -129,7 +129,7 @@ std::vector<Picture> draw_views(Simulator& simulator, bool quiet) {
   }
   for (int i = 0; i < static_cast<int>(simulator.scenario().sonars.size()); ++i) {
     const SonarConfig& sonar = simulator.sonar(i);
-    const Pose world_from_sonar = simulator.world_from_head(i, 0);
+    const Pose world_from_sonar = simulator.world_from_housing(i, 0);
     Engine& engine = simulator.engine();
     const std::optional<ViewConfig>& given = simulator.scenario().view;
     const ViewConfig view =

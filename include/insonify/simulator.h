@@ -34,7 +34,8 @@ class Simulator {
   void make_ping(int sonar, std::uint64_t number, Ping& ping);
   [[nodiscard]] Ping make_ping(int sonar, std::uint64_t number);
 
-  /// Pose of the transducer (head turned) at a time [s].
+  /// Pose of the housing at a ping, and of the transducer: of a scanning sonar the housing with its head turned.
+  [[nodiscard]] Pose world_from_housing(int sonar, std::uint64_t number) const;
   [[nodiscard]] Pose world_from_head(int sonar, std::uint64_t number) const;
 
   /// The engine, with everything that moves placed as at the last ping: for camera views and counts.

@@ -110,7 +110,9 @@ const aiScene& import_scene(Assimp::Importer& importer, const std::filesystem::p
 
   const aiScene* scene = importer.GetScene();
   if (scene == nullptr || scene->mRootNode == nullptr) {
-    tell_refusal(one_line(importer.GetErrorString()), path, ending, text);
+    // Its messages may quote all that is left of a file.
+    const std::string message = importer.GetErrorString();
+    tell_refusal(one_line(message.substr(0, message.find('\n'))), path, ending, text);
   }
   return *scene;
 }

@@ -46,13 +46,16 @@ std::uint64_t read_count(const std::string& word, const std::string& where) {
 void check_ply_counts(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);
   std::vector<Element> elements;
-  bool is_text = false;
+  bool is_text = false, is_ply = false;
   int line = 0;
   std::uint64_t header_bytes = 0;
   std::string text, key;
   do {
     if (!std::getline(file, text)) {
-      return;  // No end of the header: assimp says so.
+      if (!is_ply) {
+        return;  // assimp says so.
+      }
+      throw Error(fmt::format("{}: its header does not end: no line says end_header", path.string()));
     }
     ++line;
     header_bytes += text.size() + 1;
@@ -60,6 +63,7 @@ void check_ply_counts(const std::filesystem::path& path) {
     std::istringstream words(text);
     std::string type, name;
     words >> key >> type;
+    is_ply |= line == 1 && (key.ends_with("ply") || key.ends_with("PLY"));  // After a byte order mark, perhaps.
     if (key == "format") {
       is_text = type == "ascii";
     } else if (key == "element") {

@@ -35,6 +35,9 @@ std::optional<Preset> preset_of(const YamlValue& value, const std::string& objec
 // A table of beams says how many there are and, from two on, how wide the fan is.
 void fit_to_beam_azimuths(const YamlValue& value, const std::string& object, SonarConfig& sonar) {
   if (sonar.beam_azimuths.empty()) {
+    if (const YamlValue* given = value.find("beam_azimuths_deg")) {
+      throw Error(fmt::format("{}{}.beam_azimuths_deg must have at least one angle", given->where, object));
+    }
     return;
   }
   if (value.find("beam_count") == nullptr) {

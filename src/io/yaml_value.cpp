@@ -3,6 +3,7 @@
 #include "io/yaml_value.h"
 
 #include <fmt/format.h>
+#include <yaml-cpp/depthguard.h>
 #include <yaml-cpp/yaml.h>
 
 #include <algorithm>
@@ -120,8 +121,11 @@ YamlValue parse(const std::string& text, const std::string& path, const std::str
     return value;
   } catch (const YAML::Exception& error) {
     const YAML::Mark mark = error.mark.is_null() ? YAML::Mark() : error.mark;
+    const bool too_deep = dynamic_cast<const YAML::DeepRecursion*>(&error) != nullptr;
     throw Error(fmt::format("{}not valid YAML: {}", converter.where(mark),
-                            tab_indents(text, mark.line) ? "indent with spaces, not with tabs" : error.msg));
+                            tab_indents(text, mark.line) ? "indent with spaces, not with tabs"
+                            : too_deep                   ? "nested too deeply"
+                                                         : error.msg));
   }
 }
 

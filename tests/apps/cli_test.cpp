@@ -219,6 +219,15 @@ constexpr Mistake kMistakes[] = {
 INSTANTIATE_TEST_SUITE_P(All, MistakeTest, testing::ValuesIn(kMistakes),
                          [](const auto& mistake) { return std::string(mistake.param.name); });
 
+// The view shows the whole sector, from whichever edge the head sets out.
+TEST_F(CliTest, TheViewOfAScanIsThatOfItsSector) {
+  const std::string sector = "insonify run scan.yaml -q --pings 1 --set sector_width_deg=90 --set sector_center_deg=30";
+  EXPECT_EQ(shell(sector + " -o forth && " + sector + " -o back --set step_deg=-18").status, 0);
+  EXPECT_EQ(shell("cmp forth/around_view.png back/around_view.png").status, 0);
+  EXPECT_EQ(shell(sector + " -o aside --set sector_center_deg=-30").status, 0);
+  EXPECT_NE(shell("cmp -s forth/around_view.png aside/around_view.png").status, 0);
+}
+
 // ---------------------------------------------------------------- The other commands
 
 TEST_F(CliTest, VersionNamesTheEngines) {

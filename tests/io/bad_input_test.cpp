@@ -217,6 +217,8 @@ const Case kCases[] = {
      "scenario.yaml:3:10: materials.hull.like must name a material"},
     {"NoDefaultMaterial", "world: floor.obj\ndefault_material: \"\"\n",
      "scenario.yaml:2:1: default_material must name a material"},
+    {"NoBeamAzimuths", "world: floor.obj\nsonars:\n  - beam_azimuths_deg: []\n",
+     "scenario.yaml:3:5: sonars[0].beam_azimuths_deg must have at least one angle"},
     {"BeamAzimuth", "world: floor.obj\nsonars:\n  - beam_count: 2\n    beam_azimuths_deg: [200, 0]\n",
      "scenario.yaml:4:25: sonars[0].beam_azimuths_deg[0] = 200 deg must be from -180 to 180 deg"},
     {"SamplingRows", "world: floor.obj\nsonars:\n  - sampling: {rows: 1}\n",

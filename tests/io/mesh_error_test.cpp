@@ -31,6 +31,9 @@ TEST(LoadMeshErrorTest, TellsThePathAndTheReason) {
        ": is no STL: a text would begin with \"solid\"; binary, with a triangle count of 2021161080, would take "
        "101058054084 bytes, not 200"},
       {"a.stl", std::string(84, '\0'), ": cannot be read: STL: file is empty. There are no facets defined"},
+      {"a.ply", "ply\nformat ascii 1.0\n", ": its header does not end: no line says end_header"},
+      {"a.ply", "ply\nformat binary_little_endian 1.0\nelement vertex 3\nproperty float x\nend_hea",
+       ": its header does not end: no line says end_header"},
       {"a.ply", "plumb", ": cannot be read: Invalid .ply file: Incorrect magic number (expected 'ply' or 'PLY')"},
       {"a.dae", "<COLLADA><asset>", ":1:10: <asset> is never closed"},
       {"a.dae", dae_text({.positions = "0 0 0 2 0 0"}),
