@@ -20,8 +20,7 @@ namespace {
 }  // namespace
 
 std::filesystem::path output_folder(const std::filesystem::path& chosen, const std::filesystem::path& scenario) {
-  const std::filesystem::path folder =
-      chosen.empty() ? std::filesystem::path(scenario.stem().string() + "_pings") : chosen;
+  std::filesystem::path folder = chosen.empty() ? std::filesystem::path(scenario.stem().string() + "_pings") : chosen;
   std::filesystem::path there = std::filesystem::absolute(folder);
   std::error_code error;
   while (std::filesystem::status(there, error).type() == std::filesystem::file_type::not_found) {

@@ -81,7 +81,7 @@ void fill_nearness(int rows, float max_range, const float* __restrict__ cos_el, 
 
 void FanRaster::Columns::set(const Lattice& lattice, int first, int last) {
   count = last - first;
-  const auto padded = static_cast<std::size_t>((count + kTogether - 1) / kTogether * kTogether);
+  const std::size_t padded = (static_cast<std::size_t>(count) + kTogether - 1) / kTogether * kTogether;
   if (cos_azimuth.size() < padded + kTogether) {
     for (std::vector<float>* values : {&cos_azimuth, &sin_azimuth, &first_tan}) {
       values->resize(padded + kTogether);

@@ -2,6 +2,7 @@
 
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "echo/fan_view.h"
@@ -33,7 +34,7 @@ class FanRaster {
     std::uint32_t triangle = kNothing;  // As in nearest_.
     SurfaceLabel surface = kNoSurface;
     float reflectivity = 0;
-    Vec3f edges[3] = {Vec3f::Zero(), Vec3f::Zero(), Vec3f::Zero()};
+    std::array<Vec3f, 3> edges = {Vec3f::Zero(), Vec3f::Zero(), Vec3f::Zero()};
   };
 
   // The columns that are drawn, filled up to a multiple of kTogether.

@@ -32,7 +32,7 @@ struct SurfaceSums {
   /// Gets ready for so many bins; allocates only when it needs more memory than any before.
   void prepare(int bins) {
     for (auto* sums : {&energy, &weight, &moment}) {
-      sums->resize(std::max(sums->size(), static_cast<std::size_t>(bins) + 2 * kLanes), 0.0F);
+      sums->resize(std::max(sums->size(), static_cast<std::size_t>(bins) + std::size_t{2} * kLanes), 0.0F);
     }
   }
   static constexpr int kLanes = 4;  ///< Neighbouring bins that are added to at a time.

@@ -45,11 +45,17 @@ struct Lattice {
   // Directions of the aperture's lower and upper edge.
   float cos_low = 1, sin_low = 0, cos_high = 1, sin_high = 0;
 
-  [[nodiscard]] const float* elevations(int column) const { return &elevation[phase[column] * rows]; }
-  [[nodiscard]] const float* cos_elevations(int column) const { return &cos_elevation[phase[column] * rows]; }
-  [[nodiscard]] const float* sin_elevations(int column) const { return &sin_elevation[phase[column] * rows]; }
-  [[nodiscard]] const float* shares(int column) const { return &share[phase[column] * rows]; }
-  [[nodiscard]] const float* intervals(int column) const { return &interval[phase[column] * (rows + 1)]; }
+  [[nodiscard]] const float* elevations(int column) const { return &elevation[first_of(column, rows)]; }
+  [[nodiscard]] const float* cos_elevations(int column) const { return &cos_elevation[first_of(column, rows)]; }
+  [[nodiscard]] const float* sin_elevations(int column) const { return &sin_elevation[first_of(column, rows)]; }
+  [[nodiscard]] const float* shares(int column) const { return &share[first_of(column, rows)]; }
+  [[nodiscard]] const float* intervals(int column) const { return &interval[first_of(column, rows + 1)]; }
+
+ private:
+  // Of a column's phase in a table with so many values each.
+  [[nodiscard]] std::size_t first_of(int column, int each) const {
+    return phase[column] * static_cast<std::size_t>(each);
+  }
 };
 
 }  // namespace insonify
