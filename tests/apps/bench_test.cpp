@@ -1,0 +1,66 @@
+// bench_test.cpp -- what the benches write; how fast they find the machine is no test.
+
+#include <nlohmann/json.hpp>
+
+#include "apps/cli.h"
+
+namespace insonify {
+namespace {
+
+using nlohmann::json;
+
+class BenchTest : public CliTest {};
+
+TEST_F(BenchTest, ThePapersTablesHaveThreeRowsASonar) {
+  ASSERT_EQ(shell("insonify bench paper --samples 1 --json rows.json --markdown rows.md").status, 0);
+  const json rows = json::parse(text_of("rows.json"));
+  ASSERT_EQ(rows.size(), 36U);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const json& row = rows[i];
+    EXPECT_EQ(row.at("mode"), (std::vector<std::string>{"primary", "hybrid", "full"}[i % 3]));
+    for (const char* key : {"mean_ms", "setup_ms", "pings_per_s", "floor_ms"}) {
+      EXPECT_GT(row.at(key).get<double>(), 0) << key << i;
+    }
+    EXPECT_EQ(row.at("std_ms"), 0);  // Of a single sample.
+    const double samples = row.at("beams").get<double>() * 4 * 200;
+    EXPECT_EQ(row.at("rays_primary"), row.at("mode") == "full" || row.at("beams") == 1 ? samples : 0) << i;
+  }
+  EXPECT_EQ(rows[6].at("beams"), 256);
+  EXPECT_EQ(rows[6].at("bins"), 500);
+  EXPECT_EQ(rows[6].at("azimuth_deg"), 120);
+  EXPECT_EQ(rows[6].at("elevation_deg"), 20);
+  EXPECT_THAT(text_of("rows.md"), testing::HasSubstr("| 256 x 500 | 120 x 20 | hybrid | "));
+}
+
+TEST_F(BenchTest, AFilledFanTakesHalfTheRaysOfAllOrFewer) {
+  ASSERT_EQ(shell("insonify bench paper --samples 1 --scene filled --json rows.json").status, 0);
+  const json rows = json::parse(text_of("rows.json"));
+  for (std::size_t i = 0; i < rows.size(); i += 3) {
+    const auto rays = [&](std::size_t row) { return rows[row].at("rays_secondary").get<double>(); };
+    EXPECT_EQ(rays(i), 0);
+    EXPECT_GT(rays(i + 1), 0);
+    if (rows[i].at("beams") > 1) {
+      EXPECT_LE(rays(i + 1), 0.5 * rays(i + 2)) << i;
+    }
+  }
+}
+
+TEST_F(BenchTest, TellsWhatTheChoiceOfPrimariesCosts) {
+  ASSERT_EQ(shell("insonify bench primary --triangles 300 --repetitions 1 --json rows.json").status, 0);
+  const json rows = json::parse(text_of("rows.json"));
+  ASSERT_EQ(rows.size(), 4U);
+  for (const json& row : rows) {
+    const double rays = row.at("rays_ms"), raster = row.at("raster_ms");
+    const double chosen = row.at("auto") == "rays" ? rays : raster;
+    EXPECT_NEAR(row.at("regret"), chosen / std::min(rays, raster) - 1, 1e-12);
+  }
+}
+
+TEST_F(BenchTest, RowsThatCannotBeWrittenAreAnError) {
+  const Outcome outcome = shell("insonify bench primary --triangles 300 --repetitions 1 --json none/rows.json");
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_EQ(outcome.err, "insonify: none/rows.json: cannot be written\n");
+}
+
+}  // namespace
+}  // namespace insonify
