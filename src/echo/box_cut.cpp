@@ -32,6 +32,7 @@ struct Box {
     low = low.cwiseMin(other.low);
     high = high.cwiseMax(other.high);
   }
+  [[nodiscard]] bool empty() const { return low.x() > high.x(); }
   [[nodiscard]] float area() const {
     const Vec3f size = high - low;
     return size.x() * size.y() + size.y() * size.z() + size.z() * size.x();
@@ -81,30 +82,23 @@ Node make_node(const std::vector<Box>& pieces, std::size_t first, std::size_t la
     if (!(node.box.high[axis] > node.box.low[axis])) {
       continue;
     }
-    Box bins[kBins], upper[kBins + 1];
-    bool filled[kBins] = {};
+    Box bins[kBins], above[kBins];  // Of each bin, and of all from it on.
     for (std::size_t i = first; i < last; ++i) {
-      const int bin = bin_of(pieces[i], node.box, axis);
-      bins[bin].add(pieces[i]);
-      filled[bin] = true;
+      bins[bin_of(pieces[i], node.box, axis)].add(pieces[i]);
     }
-    for (int bin = kBins - 1; bin > 0; --bin) {
-      upper[bin] = upper[bin + 1];
-      upper[bin].add(bins[bin]);
+    above[kBins - 1] = bins[kBins - 1];
+    for (int bin = kBins - 2; bin > 0; --bin) {
+      above[bin] = bins[bin];
+      above[bin].add(above[bin + 1]);
     }
-    Box lower;
-    bool any_lower = false, any_upper = false;
+    Box below;
     for (int parting = 1; parting < kBins; ++parting) {
-      lower.add(bins[parting - 1]);
-      any_lower |= filled[parting - 1];
-      any_upper = std::any_of(filled + parting, filled + kBins, [](bool there) { return there; });
-      if (any_lower && any_upper) {
-        const float area = lower.area() + upper[parting].area();
-        if (area < node.area) {
-          node.area = area;
-          node.axis = axis;
-          node.parting = parting;
-        }
+      below.add(bins[parting - 1]);
+      const float area = below.area() + above[parting].area();
+      if (!below.empty() && !above[parting].empty() && area < node.area) {
+        node.area = area;
+        node.axis = axis;
+        node.parting = parting;
       }
     }
   }

@@ -43,8 +43,8 @@ class CpuEngine final : public Engine {
   const FanView* look(const PingPlan& plan, const Pose& world_from_sonar);
 
   CpuScene scene_;
-  const Scene* raster_source_ =
-      nullptr;  // What raster_scene_ is still to be made from, by the first ping that needs it.
+  // What raster_scene_ is still to be made from, by the first ping that needs it.
+  const Scene* raster_source_ = nullptr;
   std::size_t triangle_count_ = 0;
   std::vector<Pose> poses_;  // Of the instances.
   RasterScene raster_scene_;

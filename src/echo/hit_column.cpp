@@ -14,7 +14,7 @@ namespace {
 // of weaker ones in proportion, but at least one in sixteen. Fitted to scenes where half the rays of `all` give what
 // its own sampling gives (docs/concepts/paper-model.md).
 constexpr float kWorthFollowing = 0.46F;
-constexpr float kLeastShare = 1.0F / 16, kMostShare = 0.7F;
+constexpr float kLeastShare = 1.0F / 16, kMostShare = 0.68F;
 
 // Neighbours lie on one unbroken surface when each is where the other's tangent plane says, give or take a bin and this
 // share of the distance between them: curved surfaces pass, edges and shadows do not.

@@ -2,6 +2,7 @@
 
 #include "echo/onward_task.h"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 
@@ -17,6 +18,9 @@ constexpr int kMany = 12;
 
 // After a packet that passed the boxes whole, as many of its strip are let through without a look.
 constexpr int kUnsifted = 2;
+
+constexpr float kForRounding = 1.0001F;
+constexpr float kLeastDivisor = 1e-6F;  // [m]; a hit at the very range, met head on, would divide zero by zero.
 
 // Where the hits of a packet of onward rays lie, how far it is back from there, and what is to come of it.
 struct Returns {
@@ -47,10 +51,11 @@ void mirror(const HitColumn& strip, const int* __restrict__ place, int count, Ve
     const int at = place[lane];
     const float x = direction_x[at], y = direction_y[at], z = direction_z[at];
     const float out = range[at], turn = 2 * facing[at];
-    // The path out, across and back is within twice the range while the second surface lies in an ellipsoid about the
-    // sonar and the first; a little is added for rounding.
-    const float bent = 1 - turn * facing[at];
-    rays.tfar[lane] = 1.0001F * 2 * max_range * (max_range - out) / (2 * max_range - out + out * bent);
+    // The path out, across and back is within twice the range while the second surface lies in an ellipsoid with the
+    // sonar in one focus and the first surface in the other.
+    const float bent = 1 - turn * facing[at];  // Cosine between the way out and the way on.
+    rays.tfar[lane] =
+        kForRounding * 2 * max_range * (max_range - out) / (2 * max_range - out + out * bent + kLeastDivisor);
     rays.org_x[lane] = sonar_x + x * out;
     rays.org_y[lane] = sonar_y + y * out;
     rays.org_z[lane] = sonar_z + z * out;

@@ -1,0 +1,91 @@
+// selection_test.cpp -- what `secondary: selective` saves on the shipped scenes, and what that costs.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+#include "insonify/files.h"
+#include "insonify/simulator.h"
+
+namespace insonify {
+namespace {
+
+// Secondary echoes of a scene's first sonar over some of its pings.
+struct Tally {
+  double rays = 0;  // Onward rays and return legs.
+  double energy = 0;
+  double difference = 0;  // Of single cells from those of `all`.
+};
+
+class Scan {
+ public:
+  explicit Scan(const std::string& name)
+      : simulator_([&] {
+          Scenario scenario = load_scenario(INSONIFY_SOURCE_DIR "/scenes/" + name + ".yaml");
+          Scene scene = load_scene(scenario);
+          return Simulator(std::move(scenario), std::move(scene), 2);
+        }()) {}
+
+  // @param more_rows  Of the lattice.
+  Tally tally(SecondaryEchoes secondary, int more_rows) {
+    const Scenario& scenario = simulator_.scenario();
+    const auto plan_of = [&](SecondaryEchoes of, int rows) {
+      PingPlanSettings settings{.sonar = simulator_.sonar(0),
+                                .water = scenario.water,
+                                .paper = scenario.paper,
+                                .secondary = of,
+                                .seed = scenario.seed};
+      settings.sonar.sampling.rows += rows;
+      return make_ping_plan(settings);
+    };
+    const auto reference = plan_of(SecondaryEchoes::kAll, 0), plan = plan_of(secondary, more_rows);
+    const SonarConfig& sonar = simulator_.sonar(0);
+    const std::uint64_t step = sonar.beam_count == 1 ? 10 : 1;  // Of a scanning head's turn every tenth ping.
+    Tally tally;
+    EchoGrid all(sonar.beam_count, sonar.bin_count, kPathOrders), grid = all;
+    for (std::uint64_t ping = 0; ping < static_cast<std::uint64_t>(scenario.pings); ping += step) {
+      const Pose pose = simulator_.world_from_head(0, ping);
+      simulator_.engine().insonify(*reference, pose, ping, all, nullptr);
+      simulator_.engine().insonify(*plan, pose, ping, grid, nullptr);
+      const RayCounts counts = simulator_.engine().ray_counts();
+      tally.rays += static_cast<double>(counts.secondary + counts.return_legs);
+      for (int beam = 0; beam < sonar.beam_count; ++beam) {
+        for (int bin = 0; bin < sonar.bin_count; ++bin) {
+          const double energy = grid.energy(2, beam)[bin];
+          tally.energy += energy;
+          tally.difference += std::abs(energy - static_cast<double>(all.energy(2, beam)[bin]));
+        }
+      }
+    }
+    return tally;
+  }
+
+ private:
+  Simulator simulator_;
+};
+
+class SelectionTest : public testing::TestWithParam<std::string> {};
+
+// No more than half the rays of `all`; the same sums; and cells that differ from those of `all` by little more than
+// those of `all` with another row of samples do, a tenth of what is lost without any secondary echoes or not much more.
+TEST_P(SelectionTest, HalfTheRaysGiveTheSameEchoes) {
+  Scan scan(GetParam());
+  const Tally all = scan.tally(SecondaryEchoes::kAll, 0);
+  const Tally resampled = scan.tally(SecondaryEchoes::kAll, 1);
+  const Tally selective = scan.tally(SecondaryEchoes::kSelective, 0);
+  RecordProperty("share_of_rays", std::to_string(selective.rays / all.rays));
+  RecordProperty("difference", std::to_string(selective.difference / all.energy));
+  RecordProperty("difference_of_another_row", std::to_string(resampled.difference / all.energy));
+  ASSERT_GT(all.energy, 0);
+  EXPECT_EQ(all.difference, 0);
+  EXPECT_LE(selective.rays, 0.5 * all.rays);
+  EXPECT_NEAR(selective.energy / all.energy, 1, 0.01);
+  EXPECT_LE(selective.difference, 1.2 * resampled.difference);
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, SelectionTest, testing::Values("sphere", "ferry", "tank"),
+                         [](const auto& test) { return test.param; });
+
+}  // namespace
+}  // namespace insonify
