@@ -28,6 +28,7 @@ PUBLIC = {
     "water.h": "acoustics",
     "material.h": "scene",
     "mesh.h": "scene",
+    "relief.h": "scene",
     "scene.h": "scene",
     "sonar_config.h": "sonar",
     "echo_grid.h": "echo",

@@ -2,12 +2,14 @@
 
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 
 #include "insonify/field.h"
+#include "insonify/relief.h"
 
 namespace insonify {
 
@@ -23,6 +25,7 @@ struct Material {
   std::optional<double> reflectivity =
       {};                   ///< Share of the echo amplitude that the `paper` model keeps, 0..1; |R| when absent.
   std::string source = {};  ///< Where the numbers come from.
+  std::shared_ptr<const Relief> relief = {};  ///< Of every surface made of it; null: that of the mesh, if any.
 
   /// Pressure reflection coefficient at normal incidence against water of the given impedance [kg/(m^2 s)], -1..1:
   /// (Z2 - Z1)/(Z2 + Z1).

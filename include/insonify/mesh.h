@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "insonify/geometry.h"
+#include "insonify/relief.h"
 
 namespace insonify {
 
@@ -20,6 +21,11 @@ struct Mesh {
   std::vector<std::array<std::uint32_t, 3>> triangles;  ///< Indices into `vertices`.
   std::vector<std::uint16_t> material_slots;            ///< One a triangle, into `material_names`; empty: all slot 0.
   std::vector<std::string> material_names{""};          ///< As the file calls them, at least one; "" where it does not.
+
+  /// Of each triangle's corners, 0..1 to the right and up over a picture; empty: none.
+  std::vector<std::array<Eigen::Vector2f, 3>> texture_coordinates;
+  /// Of each material name, null for none; empty: none at all.
+  std::vector<std::shared_ptr<const Relief>> reliefs;
 
   [[nodiscard]] std::uint16_t slot_of(std::size_t triangle) const {
     return material_slots.empty() ? std::uint16_t{0} : material_slots[triangle];

@@ -24,6 +24,7 @@ struct Instance {
   std::string user_material = {};  ///< Set by the user for the whole instance, "" when not; must resolve.
   std::string where = {};          ///< "path:line:column: " of what set user_material, for messages; may be "".
   std::vector<std::uint16_t> materials = {};  ///< Index into Scene::materials for each of the mesh's slots.
+  std::vector<std::shared_ptr<const Relief>> reliefs = {};  ///< Of each slot, null for none; empty: none at all.
   bool moving = false;  ///< Its pose may change between pings; engines keep it apart from what stands still.
 };
 
@@ -38,8 +39,10 @@ struct MaterialOverride {
   std::optional<double> density = {};       ///< [kg/m^3]
   std::optional<double> sound_speed = {};   ///< [m/s]
   std::optional<double> reflectivity = {};  ///< 0..1
-  std::string where = {};                   ///< "path:line:column: " of the entry for messages, may be "".
-  std::string like_where = {};              ///< Of `like`, where that has a place of its own.
+  ReliefConfig relief_config = {};          ///< What `relief` is to be made from, see load_scene().
+  std::shared_ptr<const Relief> relief = {};
+  std::string where = {};       ///< "path:line:column: " of the entry for messages, may be "".
+  std::string like_where = {};  ///< Of `like`, where that has a place of its own.
 
   template <typename Self, typename Visit>
   static void visit_fields(Self& self, Visit&& visit) {
@@ -50,6 +53,7 @@ struct MaterialOverride {
     visit(Field{"reflectivity", "", from_to(0, 1),
                 "Share of the echo amplitude that the paper model keeps; from the impedance when absent."},
           self.reflectivity);
+    ReliefConfig::visit_fields(self.relief_config, visit);
   }
 };
 
@@ -85,7 +89,7 @@ struct Scene {
 /// Gives every slot of every instance its material, in this order: an override of the visual's name; the instance's
 /// user_material; an override of the slot's own name; the library's material of that name; the default. A user_material
 /// and the default may name an override too. Each override is a material of its own, called by its key. Names of meshes
-/// that took the default are told to `log` in one line.
+/// that took the default are told to `log` in one line. A slot's relief is its material's, else its mesh's own.
 /// @throws Error for a name the user wrote (an override's key or `like`, a user_material, the default) that matches
 /// nothing, and for a property out of its limits.
 void assign_materials(Scene& scene, const MaterialRules& rules, const Log& log = {});

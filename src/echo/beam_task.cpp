@@ -16,6 +16,12 @@ void copy_four(const Value* from, Value* to) {
   std::memcpy(to, from, 4 * sizeof(Value));
 }
 
+void set_gradient(const HitColumn& hits, int row, const Vec3f& gradient) {
+  hits.gradient_x[row] = gradient.x();
+  hits.gradient_y[row] = gradient.y();
+  hits.gradient_z[row] = gradient.z();
+}
+
 }  // namespace
 
 void BeamTask::prepare(const PingPlan& plan) {
@@ -82,11 +88,18 @@ bool BeamTask::read_tile(int first_row) {
       for (int row = first_row; row < first_row + kTile; ++row) {
         hits_[i].surface[row] = kNoSurface;
         hits_[i].range[row] = hits_[i].reflectivity[row] = 0;
+        set_gradient(hits_[i], row, Vec3f::Zero());
       }
     }
     return false;
   }
   scene_.shade(primary_.rays.hit, shading_);
+  if (scene_.reliefs().any()) {
+    scene_.add_relief(primary_.rays, shading_, gradients_);
+    for (int lane = 0; lane < kPacketSize; ++lane) {
+      set_gradient(hits_[lane / kTile], first_row + lane % kTile, gradients_[lane]);
+    }
+  }
   float range[kPacketSize];
   for (int lane = 0; lane < kPacketSize; ++lane) {
     range[lane] = shading_.surface[lane] == kNoSurface ? 0.0F : primary_.rays.ray.tfar[lane];
@@ -115,6 +128,7 @@ void BeamTask::trace_strip(int first_column) {
   }
   for (HitColumn& hits : hits_) {
     hits.rows = std::min(rows_met, plan_->lattice.rows);
+    hits.has_relief = scene_.reliefs().any();
   }
 }
 
@@ -127,6 +141,28 @@ void BeamTask::read_strip(int first_column) {
   }
   for (HitColumn& hits : hits_) {
     hits.rows = rows_met;
+    hits.has_relief = scene_.reliefs().any();
+  }
+  if (scene_.reliefs().any()) {
+    for (int column = first_column; column < std::min(first_column + kTile, columns_); ++column) {
+      add_relief(column - first_column, first_column_ + column);
+    }
+  }
+}
+
+// To a column that was read from the raster.
+void BeamTask::add_relief(int strip_column, int column) {
+  const HitColumn& hits = hits_[strip_column];
+  for (int row = 0; row < std::min(hits.rows + 1, plan_->lattice.rows); ++row) {
+    ReliefPoint point;
+    if (hits.surface[row] != kNoSurface) {
+      const Vec3f direction(hits.direction_x[row], hits.direction_y[row], hits.direction_z[row]);
+      const Vec3f normal(hits.normal_x[row], hits.normal_y[row], hits.normal_z[row]);
+      point = scene_.reliefs().at(instance_of(hits.surface[row]), raster_.triangle(column, row),
+                                  sonar_ + hits.range[row] * direction, normal);
+    }
+    set_gradient(hits, row, point.gradient);
+    hits.reflectivity[row] *= point.reflectivity;
   }
 }
 

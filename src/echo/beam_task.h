@@ -42,6 +42,7 @@ struct BeamTask {
   bool read_tile(int first_row);
   void trace_strip(int first_column);
   void read_strip(int first_column);
+  void add_relief(int strip_column, int column);
 
   const CpuScene& scene_;
   const RasterScene& raster_scene_;
@@ -57,6 +58,7 @@ struct BeamTask {
 
   RayPacket primary_;
   CpuScene::Shading shading_;
+  Vec3f gradients_[kPacketSize];  // Of the packet's hits, where there is relief.
   std::uint64_t primary_count_ = 0;
   OnwardTask onward_;
 };

@@ -144,14 +144,19 @@ void CpuEngine::trace(std::span<const Ray> rays, std::span<Hit> hits) {
       packet.intersect(scene_.handle());
       CpuScene::Shading shading;
       scene_.shade(packet.rays.hit, shading);
+      const CpuScene::Shading flat = shading;
+      if (scene_.reliefs().any()) {
+        scene_.bend_normals(packet.rays, shading);
+      }
       for (int lane = 0; lane < count; ++lane) {
         const Ray& ray = rays[first + lane];
         const double distance = static_cast<double>(packet.rays.ray.tfar[lane]);
         Hit& hit = hits[first + lane];
         hit = {.distance = std::numeric_limits<double>::infinity()};
         if (packet.hit(lane) && distance <= ray.max_distance) {
-          const Vec3 normal = Vec3(shading.normal_x[lane], shading.normal_y[lane], shading.normal_z[lane]).normalized();
-          hit = {distance, normal.dot(ray.direction) > 0 ? Vec3(-normal) : normal, instance_of(shading.surface[lane]),
+          const Vec3 normal = shading.normal(lane).cast<double>().normalized();
+          const bool from_behind = flat.normal(lane).cast<double>().dot(ray.direction) > 0;
+          hit = {distance, from_behind ? Vec3(-normal) : normal, instance_of(shading.surface[lane]),
                  material_of(shading.surface[lane])};
         }
       }

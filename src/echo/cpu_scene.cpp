@@ -101,6 +101,7 @@ void CpuScene::set(const Scene& scene) {
   const Box3 bounds = scene.bounds();
   origin_ = scene.instances.empty() ? Vec3::Zero() : Vec3(0.5 * (bounds.low + bounds.high));
   boxes_.set(scene, origin_);
+  reliefs_.set(scene, origin_);
   reflectivity_.clear();
   for (const Material& material : scene.materials) {
     reflectivity_.push_back(static_cast<float>(material.effective_reflectivity()));
@@ -210,10 +211,40 @@ void CpuScene::shade(const RTCHit16& hits, Shading& shading) const {
   }
 }
 
+void CpuScene::add_relief(const RTCRayHit16& rays, Shading& shading, Vec3f* gradients) const {
+  const RTCRay16& ray = rays.ray;
+  for (int lane = 0; lane < kPacketSize; ++lane) {
+    gradients[lane].setZero();
+    if (shading.surface[lane] == kNoSurface) {
+      continue;
+    }
+    const Vec3f origin(ray.org_x[lane], ray.org_y[lane], ray.org_z[lane]);
+    const Vec3f direction(ray.dir_x[lane], ray.dir_y[lane], ray.dir_z[lane]);
+    const ReliefPoint point = reliefs_.at(instance_of(shading.surface[lane]), rays.hit.primID[lane],
+                                          origin + ray.tfar[lane] * direction, shading.normal(lane));
+    gradients[lane] = point.gradient;
+    shading.reflectivity[lane] *= point.reflectivity;
+  }
+}
+
+void CpuScene::bend_normals(const RTCRayHit16& rays, Shading& shading) const {
+  Vec3f gradients[kPacketSize];
+  add_relief(rays, shading, gradients);
+  for (int lane = 0; lane < kPacketSize; ++lane) {
+    if (shading.surface[lane] != kNoSurface) {
+      const Vec3f normal = bent_normal(shading.normal(lane), gradients[lane]);
+      shading.normal_x[lane] = normal.x();
+      shading.normal_y[lane] = normal.y();
+      shading.normal_z[lane] = normal.z();
+    }
+  }
+}
+
 void CpuScene::move(int instance, const Pose& world_from_mesh) {
   Part& part = parts_[instance];
   part.rotation = world_from_mesh.orientation.toRotationMatrix().cast<float>();
   place(part.placed, world_from_mesh, origin_);
+  reliefs_.move(instance, world_from_mesh);
   boxes_.move(instance, {world_from_mesh.position - origin_, world_from_mesh.orientation});
   moved_ = true;
 }

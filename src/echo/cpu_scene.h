@@ -10,6 +10,7 @@
 #include "echo/box_cut.h"
 #include "echo/echo.h"
 #include "echo/ray_packet.h"
+#include "echo/reliefs.h"
 #include "insonify/scene.h"
 
 namespace insonify {
@@ -46,8 +47,20 @@ class CpuScene {
     float normal_x[kPacketSize], normal_y[kPacketSize], normal_z[kPacketSize];
     float reflectivity[kPacketSize];    ///< 0 where nothing was met.
     SurfaceLabel surface[kPacketSize];  ///< kNoSurface where nothing was met.
+
+    [[nodiscard]] Vec3f normal(int lane) const { return {normal_x[lane], normal_y[lane], normal_z[lane]}; }
   };
   void shade(const RTCHit16& hits, Shading& shading) const;
+
+  /// The small shape of the surfaces.
+  [[nodiscard]] const Reliefs& reliefs() const { return reliefs_; }
+
+  /// What relief there is where sixteen rays met something, after shade(): changes reflectivities.
+  /// @param gradients  ReliefPoint::gradient of each ray; zero where nothing was met.
+  void add_relief(const RTCRayHit16& rays, Shading& shading, Vec3f* gradients) const;
+
+  /// The same, and bends the normals.
+  void bend_normals(const RTCRayHit16& rays, Shading& shading) const;
 
  private:
   // One instance of the scene.
@@ -72,6 +85,7 @@ class CpuScene {
   RTCScene scene_ = nullptr;
   std::vector<Part> parts_;
   BoxCut boxes_;
+  Reliefs reliefs_;
   std::vector<float> reflectivity_;
   Vec3 origin_ = Vec3::Zero();
   bool moved_ = false;

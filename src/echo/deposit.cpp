@@ -64,13 +64,15 @@ void finish(SurfaceRun& run, SurfaceSums& sums, SurfaceLabel surface, int beam, 
 
 // Where a sample's stretch goes that ends alone: from the sample along its tangent plane to the direction
 // (cos_end, sin_end), if the neighbour on the other side shows that the surface goes on like that.
-Stretch lone_stretch(const PingPlan& plan, const HitColumn& hits, const Stretches& stretches, int row, int behind,
-                     float cos_end, float sin_end, float weight) {
+Stretch lone_stretch(const PingPlan& plan, int column, const HitColumn& hits, const Stretches& stretches, int row,
+                     int behind, float cos_end, float sin_end, float weight) {
   const float here = stretches.position[row];
+  const float cos_here = plan.lattice.cos_elevations(column)[row], sin_here = plan.lattice.sin_elevations(column)[row];
   float end = here;
   if (behind >= 0 && behind < plan.lattice.rows && stretches.joined[std::min(row, behind)] != 0) {
     const float facing_end = stretches.normal_along[row] * cos_end + stretches.normal_up[row] * sin_end;
-    const float range_end = hits.range[row] * hits.facing[row] / facing_end;
+    const float facing_here = stretches.normal_along[row] * cos_here + stretches.normal_up[row] * sin_here;
+    const float range_end = hits.range[row] * facing_here / facing_end;
     const float most = kMostStretch * std::abs(here - stretches.position[behind]);
     const float wished = (range_end - plan.first_bin_at) * plan.bins_per_metre;
     end = wished > here - most ? std::min(wished, here + most) : here - most;  // Also where facing_end is 0.
@@ -98,7 +100,7 @@ void deposit_column(const PingPlan& plan, int column, const HitColumn& hits, con
   SurfaceRun run(sums);
   const auto add_alone = [&](int row, int behind, float cos_end, float sin_end, float weight) {
     if (hits.surface[row] != kNoSurface) {
-      Stretch stretch = lone_stretch(plan, hits, stretches, row, behind, cos_end, sin_end, weight);
+      Stretch stretch = lone_stretch(plan, column, hits, stretches, row, behind, cos_end, sin_end, weight);
       stretch.elevation = elevation[row];
       run.add(stretch);
     }

@@ -25,11 +25,18 @@ class FanRaster {
   /// @return Rows up to the last that met something.
   int read(int column, const HitColumn& hits);
 
+  /// Which of its instance's mesh a sample met; it must have met one.
+  [[nodiscard]] std::uint32_t triangle(int column, int row) const {
+    const std::uint32_t met = nearest_[static_cast<std::size_t>(column - first_column_) * stride_ + row];
+    return scene_->triangle(met / kBlockSize, static_cast<int>(met % kBlockSize));
+  }
+
  private:
   static constexpr std::size_t kShadings = 256;
   static constexpr std::uint32_t kNothing = 0xffffffff;
 
-  // Of one triangle: its normal at d is the sum of d's components times these, of any length.
+  // Of one triangle: its normal at d, on the side that it winds to, is the sum of d's components times these, of any
+  // length.
   struct Shading {
     std::uint32_t triangle = kNothing;  // As in nearest_.
     SurfaceLabel surface = kNoSurface;

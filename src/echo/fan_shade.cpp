@@ -87,8 +87,10 @@ FanRaster::Shading FanRaster::shading_of(std::uint32_t triangle) const {
     normal[k] = part.turn * part.mesh->normals[corners[k]];
   }
   const Vec3f edge[3] = {at[1].cross(at[2] - at[1]), at[2].cross(at[0] - at[2]), at[0].cross(at[1] - at[0])};
+  // Seen from the side they wind to, the weights are all negative.
+  const float side = at[0].dot((at[1] - at[0]).cross(at[2] - at[0])) < 0 ? -1.0F : 1.0F;
   const float size =
-      1 / (edge[0].cwiseAbs().maxCoeff() + edge[1].cwiseAbs().maxCoeff() + edge[2].cwiseAbs().maxCoeff());
+      side / (edge[0].cwiseAbs().maxCoeff() + edge[1].cwiseAbs().maxCoeff() + edge[2].cwiseAbs().maxCoeff());
   Shading shading;
   shading.triangle = triangle;
   shading.surface = part.surfaces[part.mesh->slot_of(in_mesh)];

@@ -26,10 +26,11 @@ constexpr float kLeastFacing = 0.1F;
 // Keeps what divides from being zero.
 constexpr float kTiny = 1e-20F;
 
-constexpr float* HitColumn::*kFields[] = {&HitColumn::direction_x, &HitColumn::direction_y,  &HitColumn::direction_z,
-                                          &HitColumn::range,       &HitColumn::normal_x,     &HitColumn::normal_y,
-                                          &HitColumn::normal_z,    &HitColumn::reflectivity, &HitColumn::facing,
-                                          &HitColumn::strength,    &HitColumn::power,        &HitColumn::selected};
+constexpr float* HitColumn::*kFields[] = {
+    &HitColumn::direction_x, &HitColumn::direction_y, &HitColumn::direction_z, &HitColumn::range,
+    &HitColumn::normal_x,    &HitColumn::normal_y,    &HitColumn::normal_z,    &HitColumn::reflectivity,
+    &HitColumn::facing,      &HitColumn::strength,    &HitColumn::power,       &HitColumn::selected,
+    &HitColumn::gradient_x,  &HitColumn::gradient_y,  &HitColumn::gradient_z,  &HitColumn::escapes};
 
 // Everything the loops read, as bare numbers and pointers that the compiler knows to be apart.
 struct Rows {
@@ -70,6 +71,31 @@ void measure(Rows rows, Vec3f along, Vec3f across, Vec3f up, float bins_per_metr
     const float sideways = std::abs(x[row] * sx + y[row] * sy + z[row] * sz) * rows.cos_el[row];
     reach[row] = bins_per_metre * rows.half_width * range[row] * sideways / (std::abs(facing[row]) + kLeastFacing);
     position[row] = (range[row] - first_bin_at) * bins_per_metre;
+  }
+}
+
+// Bends unit normals by the relief. A facet that faces away is in its own surface's shadow; a ray that is mirrored into
+// the surface would meet it again at once, in a trough that the triangles do not have.
+INSONIFY_VECTOR_CLONES
+void bend(int rows, const float* __restrict__ direction_x, const float* __restrict__ direction_y,
+          const float* __restrict__ direction_z, const float* __restrict__ gradient_x,
+          const float* __restrict__ gradient_y, const float* __restrict__ gradient_z, float* __restrict__ normal_x,
+          float* __restrict__ normal_y, float* __restrict__ normal_z, float* __restrict__ facing,
+          float* __restrict__ escapes) {
+  for (int row = 0; row < rows; ++row) {
+    const float nx = normal_x[row], ny = normal_y[row], nz = normal_z[row];
+    const float x = nx - gradient_x[row], y = ny - gradient_y[row], z = nz - gradient_z[row];
+    const float scale = 1 / std::sqrt(x * x + y * y + z * z + kTiny);
+    const float bent_x = x * scale, bent_y = y * scale, bent_z = z * scale;
+    const float bent = bent_x * direction_x[row] + bent_y * direction_y[row] + bent_z * direction_z[row];
+    const float flat = facing[row];
+    // Of the mirrored ray and the flat normal: d . n - 2 (d . b) (b . n).
+    const float onward = flat - 2 * bent * (bent_x * nx + bent_y * ny + bent_z * nz);
+    escapes[row] = onward * flat < 0 ? 1.0F : 0.0F;
+    facing[row] = bent * flat > 0 ? bent : 0.0F;
+    normal_x[row] = bent_x;
+    normal_y[row] = bent_y;
+    normal_z[row] = bent_z;
   }
 }
 
@@ -183,10 +209,14 @@ void evaluate_column(const PingPlan& plan, int column, const ColumnAxes& axes, c
   measure(rows, axes.along, axes.across, axes.up, plan.bins_per_metre, plan.first_bin_at, hits.normal_x, hits.normal_y,
           hits.normal_z, hits.range, stretches.normal_along.data(), stretches.normal_up.data(), hits.facing,
           stretches.position.data(), stretches.reach.data());
-  shade(rows.count, plan.neper_per_metre, hits.range, hits.facing, hits.reflectivity, hits.strength);
-  plan.shape.apply(rows.count, hits.strength, hits.power);
   join(rows, 1 / plan.bins_per_metre, hits.range, stretches.normal_along.data(), stretches.normal_up.data(),
        hits.facing, hits.surface, stretches.joined.data());
+  if (hits.has_relief) {
+    bend(rows.count, hits.direction_x, hits.direction_y, hits.direction_z, hits.gradient_x, hits.gradient_y,
+         hits.gradient_z, hits.normal_x, hits.normal_y, hits.normal_z, hits.facing, hits.escapes);
+  }
+  shade(rows.count, plan.neper_per_metre, hits.range, hits.facing, hits.reflectivity, hits.strength);
+  plan.shape.apply(rows.count, hits.strength, hits.power);
   stretch(rows.count, static_cast<float>(plan.sonar.bin_count), lattice.intervals(column), lattice.column_width[column],
           lattice.elevations(column), stretches.position.data(), stretches.reach.data(), hits.power,
           stretches.low.data(), stretches.high.data(), stretches.power.data(), stretches.half_rise.data(),
@@ -198,6 +228,11 @@ void evaluate_column(const PingPlan& plan, int column, const ColumnAxes& axes, c
   } else if (plan.secondary == SecondaryEchoes::kSelective) {
     select(rows.count, static_cast<std::uint32_t>(column) * 3242174889U + plan.stagger, hits.range, hits.facing,
            hits.reflectivity, hits.selected);
+  }
+  if (hits.has_relief && plan.secondary != SecondaryEchoes::kNone) {
+    for (int row = 0; row < rows.count; ++row) {
+      hits.selected[row] *= hits.escapes[row];
+    }
   }
 }
 

@@ -21,12 +21,15 @@ struct HitColumn {
   float* range;                                    ///< True distance [m].
   float *normal_x, *normal_y, *normal_z;           ///< Of any length, in the frame of the ColumnAxes.
   float* reflectivity;                             ///< Of the surface's material.
+  bool has_relief;  ///< The engine filled in gradients; without them evaluate_column() leaves `escapes` alone.
+  float *gradient_x, *gradient_y, *gradient_z;  ///< ReliefPoint::gradient, in the frame of the normals.
 
   // Worked out.
-  float* facing;    ///< Of ray and unit normal: the cosine of incidence, of either sign.
+  float* facing;    ///< Of ray and unit normal: the cosine of incidence, of either sign; 0 where relief turns it away.
   float* strength;  ///< `paper`: |facing| x reflectivity x absorption there and back, 0..1.
   float* power;     ///< What is deposited per unit of weight. `paper`: S(strength).
   float* selected;  ///< How many hits the onward ray stands for; 0 when none is sent or nothing was hit.
+  float* escapes;   ///< 1, or 0 where relief mirrors the ray into the surface: nothing is sent on from there.
 };
 
 /// The memory of neighbouring columns: little enough to stay in the nearest cache.
@@ -73,7 +76,8 @@ struct ColumnAxes {
 /// Fills in the directions of a column's rays.
 void aim_column(const Lattice& lattice, int column, const ColumnAxes& axes, const HitColumn& hits);
 
-/// Works out everything above for column `column` of the lattice; normals are made unit length.
+/// Works out everything above for column `column` of the lattice; normals are made unit length and bent by relief. How
+/// samples hang together is taken from the surface without its relief.
 ///
 /// Strength: paper, sections "Rasterized reflections" and "Unified reflections"; e^(-2 gamma r) is the two-way loss of
 /// a pressure amplitude (PHYSICS 1.4).

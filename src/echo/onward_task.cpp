@@ -193,6 +193,9 @@ void OnwardTask::trace(RayPacket& packet, const Origins& origins, unsigned lanes
   sent_ += static_cast<std::uint64_t>(std::popcount(lanes));
 
   scene_.shade(packet.rays.hit, shading_);
+  if (scene_.reliefs().any()) {
+    scene_.bend_normals(packet.rays, shading_);
+  }
   Returns returns;
   measure_returns(packet.rays.ray, shading_, origins, sonar_, plan_->true_max_range, returns);
   for (lanes &= positive_of_packet(returns.within); lanes != 0; lanes &= lanes - 1) {

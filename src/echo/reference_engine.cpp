@@ -41,6 +41,9 @@ void ReferenceEngine::set_scene(const Scene& scene) {
   triangles_.clear();
   first_triangle_.clear();
   reflectivity_.clear();
+  const Box3 bounds = scene.bounds();
+  origin_ = scene.instances.empty() ? Vec3::Zero() : Vec3(0.5 * (bounds.low + bounds.high));
+  reliefs_.set(scene, origin_);
   for (const Material& material : scene.materials) {
     reflectivity_.push_back(static_cast<float>(material.effective_reflectivity()));
   }
@@ -53,6 +56,7 @@ void ReferenceEngine::set_scene(const Scene& scene) {
 
 void ReferenceEngine::move_instance(int instance, const Pose& world_from_mesh) {
   place_instance(instance, world_from_mesh);
+  reliefs_.move(instance, world_from_mesh);
 }
 
 void ReferenceEngine::place_instance(int index, const Pose& world_from_mesh) {
@@ -73,7 +77,7 @@ void ReferenceEngine::place_instance(int index, const Pose& world_from_mesh) {
   }
 }
 
-Hit ReferenceEngine::nearest(const Ray& ray) const {
+ReferenceEngine::Meeting ReferenceEngine::nearest(const Ray& ray) const {
   Crossing best;
   const Triangle* hit = nullptr;
   for (const Triangle& triangle : triangles_) {
@@ -86,9 +90,19 @@ Hit ReferenceEngine::nearest(const Ray& ray) const {
   if (hit == nullptr) {
     return {.distance = kFar};
   }
+  const auto number = static_cast<std::size_t>(hit - triangles_.data()) - first_triangle_[hit->instance];
   const Vec3 normal =
       ((1 - best.u - best.v) * hit->normal[0] + best.u * hit->normal[1] + best.v * hit->normal[2]).normalized();
-  return {best.distance, normal.dot(ray.direction) > 0 ? Vec3(-normal) : normal, hit->instance, hit->material};
+  const Vec3 point = ray.origin + best.distance * ray.direction;
+  const ReliefPoint relief = reliefs_.at(hit->instance, static_cast<std::uint32_t>(number),
+                                         (point - origin_).cast<float>(), normal.cast<float>());
+  return {best.distance,
+          normal,
+          (normal - relief.gradient.cast<double>()).normalized(),
+          relief.gradient,
+          reflectivity_[hit->material] * relief.reflectivity,
+          hit->instance,
+          hit->material};
 }
 
 bool ReferenceEngine::blocked(const Ray& ray) const {
@@ -101,7 +115,15 @@ bool ReferenceEngine::blocked(const Ray& ray) const {
 }
 
 void ReferenceEngine::trace(std::span<const Ray> rays, std::span<Hit> hits) {
-  workers_.for_each(static_cast<int>(rays.size()), [&](int i, int) { hits[i] = nearest(rays[i]); });
+  workers_.for_each(static_cast<int>(rays.size()), [&](int i, int) {
+    const Meeting meeting = nearest(rays[i]);
+    hits[i] = {.distance = meeting.distance};
+    if (meeting.met()) {
+      const bool from_behind = meeting.normal.dot(rays[i].direction) > 0;
+      hits[i] = {meeting.distance, from_behind ? Vec3(-meeting.bent) : meeting.bent, meeting.instance,
+                 meeting.material};
+    }
+  });
 }
 
 void ReferenceEngine::insonify(const PingPlan& plan, const Pose& world_from_sonar, std::uint64_t, EchoGrid& grid,
@@ -134,11 +156,12 @@ void ReferenceEngine::insonify_column(const PingPlan& plan, int column, const Po
   const Vec3 up = world_from_sonar.orientation * Vec3::UnitZ();
 
   // Out: what does each row meet first?
-  std::vector<Hit> first(rows);
+  std::vector<Meeting> first(rows);
   std::vector<Ray> rays(rows);
   HitStrip strip(1, rows);
   HitColumn hits = strip.column(0);
   hits.rows = rows;
+  hits.has_relief = reliefs_.any();
   Stretches stretches(rows);
   SurfaceSums sums;
   sums.prepare(plan.sonar.bin_count);
@@ -147,13 +170,19 @@ void ReferenceEngine::insonify_column(const PingPlan& plan, int column, const Po
         along * double{lattice.cos_elevations(column)[row]} + up * double{lattice.sin_elevations(column)[row]};
     rays[row] = {world_from_sonar.position, direction.normalized(), 0, plan.true_max_range};
     first[row] = nearest(rays[row]);
-    if (first[row].instance != kNoLabel) {
-      hits.surface[row] = surface_label(first[row].instance, first[row].material);
+    if (first[row].met()) {
+      hits.surface[row] = first[row].surface();
       hits.range[row] = static_cast<float>(first[row].distance);
       hits.normal_x[row] = static_cast<float>(first[row].normal.x());
       hits.normal_y[row] = static_cast<float>(first[row].normal.y());
       hits.normal_z[row] = static_cast<float>(first[row].normal.z());
-      hits.reflectivity[row] = reflectivity_[first[row].material];
+      hits.reflectivity[row] = first[row].reflectivity;
+      hits.gradient_x[row] = first[row].gradient.x();
+      hits.gradient_y[row] = first[row].gradient.y();
+      hits.gradient_z[row] = first[row].gradient.z();
+      hits.direction_x[row] = static_cast<float>(rays[row].direction.x());
+      hits.direction_y[row] = static_cast<float>(rays[row].direction.y());
+      hits.direction_z[row] = static_cast<float>(rays[row].direction.z());
     }
   }
   counts.primary += rows;
@@ -172,12 +201,12 @@ void ReferenceEngine::insonify_column(const PingPlan& plan, int column, const Po
       continue;
     }
     const Vec3 point = rays[row].origin + rays[row].direction * first[row].distance;
-    const Vec3& normal = first[row].normal;
+    const Vec3& normal = first[row].bent;
     const Vec3 mirrored = rays[row].direction - 2 * rays[row].direction.dot(normal) * normal;
     const Ray across{point, mirrored.normalized(), kRayClearance, plan.true_max_range};
-    const Hit second = nearest(across);
+    const Meeting second = nearest(across);
     ++counts.secondary;
-    if (second.instance == kNoLabel) {
+    if (!second.met()) {
       continue;
     }
     const Vec3 second_point = across.origin + across.direction * second.distance;
@@ -190,10 +219,9 @@ void ReferenceEngine::insonify_column(const PingPlan& plan, int column, const Po
     if (blocked({second_point, back.normalized(), kRayClearance, back.norm() - double{kRayClearance}})) {
       continue;
     }
-    const auto incidence = static_cast<float>(std::abs(second.normal.dot(across.direction)));
-    Echo echo = secondary_echo(plan, column, row, hits.selected[row], path_length,
-                               surface_label(second.instance, second.material));
-    const float strength = hits.strength[row] * incidence * reflectivity_[second.material];
+    const auto incidence = static_cast<float>(std::abs(second.bent.dot(across.direction)));
+    Echo echo = secondary_echo(plan, column, row, hits.selected[row], path_length, second.surface());
+    const float strength = hits.strength[row] * incidence * second.reflectivity;
     const float rest = path_length - 2 * hits.range[row];
     secondary_powers(plan, 1, &strength, &rest, &echo.power);
     deposit(plan, echo, grid);

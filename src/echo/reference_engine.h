@@ -6,6 +6,7 @@
 
 #include "base/parallel.h"
 #include "echo/deposit.h"
+#include "echo/reliefs.h"
 #include "insonify/engine.h"
 
 namespace insonify {
@@ -31,8 +32,21 @@ class ReferenceEngine final : public Engine {
     std::uint16_t instance, material;
   };
 
+  // What a ray met.
+  struct Meeting {
+    double distance = 0;             // Infinite where there was nothing.
+    Vec3 normal = Vec3::Zero();      // Of the triangles alone, on the side they wind to.
+    Vec3 bent = Vec3::Zero();        // With relief.
+    Vec3f gradient = Vec3f::Zero();  // Of the relief.
+    float reflectivity = 0;
+    std::uint16_t instance = kNoLabel, material = kNoLabel;
+
+    [[nodiscard]] bool met() const { return instance != kNoLabel; }
+    [[nodiscard]] SurfaceLabel surface() const { return surface_label(instance, material); }
+  };
+
   void place_instance(int instance, const Pose& world_from_mesh);
-  [[nodiscard]] Hit nearest(const Ray& ray) const;
+  [[nodiscard]] Meeting nearest(const Ray& ray) const;
   [[nodiscard]] bool blocked(const Ray& ray) const;
   void insonify_column(const PingPlan& plan, int column, const Pose& world_from_sonar, EchoGrid& grid,
                        RayCounts& counts) const;
@@ -41,7 +55,9 @@ class ReferenceEngine final : public Engine {
   const Scene* scene_ = nullptr;
   std::vector<Triangle> triangles_;
   std::vector<std::size_t> first_triangle_;  // Of each instance.
-  std::vector<float> reflectivity_;          // Of each material.
+  Reliefs reliefs_;
+  Vec3 origin_ = Vec3::Zero();       // What reliefs_ is told positions relative to.
+  std::vector<float> reflectivity_;  // Of each material.
   RayCounts counts_;
 };
 

@@ -14,6 +14,7 @@
 #include <span>
 
 #include "insonify/error.h"
+#include "io/relief_file.h"
 #include "io/triangulate.h"
 
 namespace insonify {
@@ -71,6 +72,10 @@ std::string material_name_of(const aiScene& scene, const aiMesh& mesh) {
   return name.C_Str();
 }
 
+std::array<Eigen::Vector2f, 3> no_texture_coordinates() {
+  return {Eigen::Vector2f::Zero(), Eigen::Vector2f::Zero(), Eigen::Vector2f::Zero()};
+}
+
 // Gathers parts in one mesh.
 class Flattener {
  public:
@@ -98,13 +103,20 @@ class Flattener {
     // A mirror turns the winding over; swapping two corners turns it back.
     add_triangles(*part.mesh, first, part.mesh_from_part.linear().determinant() < 0);
     add_slot(slot_of(material_name_of(scene_, *part.mesh)));
+    add_relief(*part.mesh);
   }
 
   [[nodiscard]] FlattenedScene take() {
     if (mesh_.material_names.empty()) {
       mesh_.material_names.emplace_back();
     }
-    return {std::move(mesh_), lines_and_points_};
+    if (!mesh_.texture_coordinates.empty()) {
+      mesh_.texture_coordinates.resize(mesh_.triangles.size(), no_texture_coordinates());
+    }
+    if (!mesh_.reliefs.empty()) {
+      mesh_.reliefs.resize(mesh_.material_names.size());
+    }
+    return {std::move(mesh_), lines_and_points_, std::move(notes_)};
   }
 
  private:
@@ -140,11 +152,25 @@ class Flattener {
       }
       cut(part, face);
       for (const auto& [a, b, c] : cut_) {
+        if (part.mTextureCoords[0] != nullptr) {
+          const auto at = [&](std::uint32_t corner) { return texture_at(part, face[corner]); };
+          mesh_.texture_coordinates.resize(mesh_.triangles.size(), no_texture_coordinates());
+          mesh_.texture_coordinates.push_back(mirrored ? std::array{at(a), at(c), at(b)}
+                                                       : std::array{at(a), at(b), at(c)});
+        }
         const auto index = [&](std::uint32_t corner) { return index_in_mesh(part, first, face[corner]); };
         mesh_.triangles.push_back(mirrored ? std::array{index(a), index(c), index(b)}
                                            : std::array{index(a), index(b), index(c)});
       }
     }
+  }
+
+  static Eigen::Vector2f texture_at(const aiMesh& part, unsigned index) {
+    if (index >= part.mNumVertices) {
+      return Eigen::Vector2f::Zero();
+    }
+    const aiVector3D& at = part.mTextureCoords[0][index];
+    return std::isfinite(at.x) && std::isfinite(at.y) ? Eigen::Vector2f(at.x, at.y) : Eigen::Vector2f::Zero();
   }
 
   // An index outside its own part must not land in the next one.
@@ -183,10 +209,25 @@ class Flattener {
     slots_added_ = mesh_.triangles.size();
   }
 
+  // Of the slot added last, the first time it comes with texture coordinates.
+  void add_relief(const aiMesh& part) {
+    if (part.mTextureCoords[0] == nullptr || part.mMaterialIndex >= scene_.mNumMaterials ||
+        !seen_.insert(part.mMaterialIndex).second) {
+      return;
+    }
+    const aiMaterial& material = *scene_.mMaterials[part.mMaterialIndex];
+    if (std::shared_ptr<const Relief> relief = mesh_relief(scene_, material, settings_.path, notes_)) {
+      mesh_.reliefs.resize(mesh_.material_names.size());
+      mesh_.reliefs[slots_.at(material_name_of(scene_, part))] = std::move(relief);
+    }
+  }
+
   const aiScene& scene_;
   const FlattenSettings& settings_;
   Mesh mesh_;
   std::map<std::string, std::uint16_t> slots_;  // By material name.
+  std::set<unsigned> seen_;                     // Materials whose maps were looked for.
+  std::vector<std::string> notes_;
   std::size_t slots_added_ = 0;
   std::size_t lines_and_points_ = 0;
   std::vector<Vec3f> corners_;                     // Of the face at hand,

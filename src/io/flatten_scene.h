@@ -22,10 +22,12 @@ struct FlattenSettings {
 struct FlattenedScene {
   Mesh mesh;                         ///< Not cleaned. Normals are zero where there were none.
   std::size_t lines_and_points = 0;  ///< Faces left out, as they are no triangles.
+  std::vector<std::string> notes;    ///< What else could not be taken over.
 };
 
 /// Puts every mesh where its nodes place it, mirrored ones with their winding turned back, and makes slots of the names
-/// of the materials: "" for one that assimp made up.
+/// of the materials: "" for one that assimp made up. Materials bring their normal maps where there are texture
+/// coordinates to lay them by.
 /// @throws Error when there is no such submesh; the message lists those there are.
 [[nodiscard]] FlattenedScene flatten_scene(const aiScene& scene, const FlattenSettings& settings);
 

@@ -28,8 +28,8 @@ bool has_byte_order_mark(const std::filesystem::path& path) {
   return std::string_view(start.data(), start.size()) == kByteOrderMark;
 }
 
-// Gives assimp a text where it opens the mesh file. The files that a glTF names are opened as ever. An OBJ's material
-// library is not: materials keep their names without it.
+// Gives assimp a text where it opens the mesh file. The files that it names, buffers and material libraries, are opened
+// as ever.
 class TextForFile : public Assimp::DefaultIOSystem {
  public:
   TextForFile(std::string path, std::string_view text) : path_(std::move(path)), text_(text) {}
@@ -38,7 +38,7 @@ class TextForFile : public Assimp::DefaultIOSystem {
     if (path_ == file) {
       return new Assimp::MemoryIOStream(reinterpret_cast<const std::uint8_t*>(text_.data()), text_.size());
     }
-    return ending_of(file) == ".mtl" ? nullptr : DefaultIOSystem::Open(file, mode);
+    return DefaultIOSystem::Open(file, mode);
   }
 
  private:

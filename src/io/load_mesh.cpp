@@ -82,7 +82,7 @@ void tell(const MeshReport& report, std::size_t lines_and_points, const std::str
 }
 
 Mesh load_and_clean(const std::filesystem::path& path, const Submesh& submesh, const Log& log) {
-  auto [mesh, lines_and_points] = read(path, submesh.name);
+  auto [mesh, lines_and_points, notes] = read(path, submesh.name);
   if (mesh.triangles.empty()) {
     throw Error(fmt::format(
         "{}: no triangles{}", path.string(),
@@ -98,6 +98,9 @@ Mesh load_and_clean(const std::filesystem::path& path, const Submesh& submesh, c
   if (log) {
     tell(report, lines_and_points, path.filename().string(), log);
     warn_of_rounding(mesh, path.filename().string(), log);
+    for (const std::string& note : notes) {
+      log(Severity::kWarning, fmt::format("{}: {}", path.filename().string(), note));
+    }
   }
   return mesh;
 }

@@ -8,6 +8,7 @@
 #include "insonify/files.h"
 #include "io/input_file.h"
 #include "io/mesh_file.h"
+#include "io/relief_file.h"
 #include "io/sdf_scene.h"
 
 namespace insonify {
@@ -45,7 +46,18 @@ Scene load_scene(const std::filesystem::path& path, bool collisions, const Log& 
 
 Scene load_scene(const Scenario& scenario, const Log& log) {
   Scene scene = load_scene(scenario.world, scenario.collisions, log);
-  assign_materials(scene, scenario.materials, log);
+  MaterialRules rules = scenario.materials;
+  const std::filesystem::path folder = is_stream(scenario.file) ? std::filesystem::path() : scenario.file.parent_path();
+  for (auto& [name, change] : rules.overrides) {
+    try {
+      if (std::shared_ptr<const Relief> relief = load_relief(change.relief_config, folder)) {
+        change.relief = std::move(relief);
+      }
+    } catch (const Error& error) {
+      throw Error(fmt::format("{}materials.{}: {}", change.where, name, error.what()));
+    }
+  }
+  assign_materials(scene, rules, log);
   return scene;
 }
 

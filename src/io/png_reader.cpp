@@ -17,6 +17,16 @@ namespace insonify {
 PngReader::PngReader(std::filesystem::path path) : path_(std::move(path)), file_(nullptr, &std::fclose) {
   check_input_file(path_);
   file_.reset(std::fopen(path_.c_str(), "rb"));
+  open();
+}
+
+PngReader::PngReader(std::string name, std::span<const char> bytes)
+    : path_(std::move(name)), file_(nullptr, &std::fclose) {
+  file_.reset(fmemopen(const_cast<char*>(bytes.data()), bytes.size(), "rb"));  // Only read.
+  open();
+}
+
+void PngReader::open() {
   png_ = png_create_read_struct(PNG_LIBPNG_VER_STRING, this, fail, ignore);
   info_ = png_ != nullptr ? png_create_info_struct(png_) : nullptr;
   try {

@@ -73,6 +73,9 @@ void scale_mesh(Mesh& mesh, const Vec3& scale) {
     for (auto& triangle : mesh.triangles) {
       std::swap(triangle[1], triangle[2]);
     }
+    for (auto& corners : mesh.texture_coordinates) {
+      std::swap(corners[1], corners[2]);
+    }
   }
 }
 

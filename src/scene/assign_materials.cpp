@@ -62,6 +62,7 @@ Material changed(Material base, const std::string& key, const MaterialOverride& 
   base.density = change.density.value_or(base.density);
   base.sound_speed = change.sound_speed.value_or(base.sound_speed);
   base.reflectivity = change.reflectivity;
+  base.relief = change.relief;
   check_fields(fmt::format("{}materials.{}", change.where, key), base);
   return base;
 }
@@ -170,6 +171,16 @@ std::uint16_t index_of(const Material& material, std::vector<Material>& in_use) 
   return static_cast<std::uint16_t>(index);
 }
 
+void give_reliefs(Instance& instance, const std::vector<Material>& materials) {
+  instance.reliefs = instance.mesh->reliefs;
+  for (std::size_t slot = 0; slot < instance.materials.size(); ++slot) {
+    if (const std::shared_ptr<const Relief>& relief = materials[instance.materials[slot]].relief) {
+      instance.reliefs.resize(instance.materials.size());
+      instance.reliefs[slot] = relief;
+    }
+  }
+}
+
 // One line on what took the default: by the names that meshes have for it; the empty name is that of no name.
 std::string told_of_default(const std::string& material, std::set<std::string> names) {
   const bool nameless = names.erase("") > 0;
@@ -205,6 +216,7 @@ void assign_materials(Scene& scene, const MaterialRules& rules, const Log& log) 
       }
       instance.materials.push_back(index_of(*material, scene.materials));
     }
+    give_reliefs(instance, scene.materials);
   }
   if (log && !took_default.empty()) {
     log(Severity::kInfo, told_of_default(rules.default_material, took_default));

@@ -28,6 +28,14 @@ void check_slots(Mesh& mesh) {
     throw Error(fmt::format("{}: {} material slots for {} triangles", name_of(mesh), mesh.material_slots.size(),
                             mesh.triangles.size()));
   }
+  if (!mesh.texture_coordinates.empty() && mesh.texture_coordinates.size() != mesh.triangles.size()) {
+    throw Error(fmt::format("{}: texture coordinates of {} triangles for {}", name_of(mesh),
+                            mesh.texture_coordinates.size(), mesh.triangles.size()));
+  }
+  if (!mesh.reliefs.empty() && mesh.reliefs.size() != mesh.material_names.size()) {
+    throw Error(fmt::format("{}: {} reliefs for {} material names", name_of(mesh), mesh.reliefs.size(),
+                            mesh.material_names.size()));
+  }
   for (const std::uint16_t slot : mesh.material_slots) {
     if (slot >= mesh.material_names.size()) {
       throw Error(fmt::format("{}: material slot {} must be less than {}, the number of material names", name_of(mesh),
@@ -79,11 +87,15 @@ void drop_bad_triangles(Mesh& mesh, MeshReport& report) {
       if (!mesh.material_slots.empty()) {
         mesh.material_slots[kept] = mesh.material_slots[i];
       }
+      if (!mesh.texture_coordinates.empty()) {
+        mesh.texture_coordinates[kept] = mesh.texture_coordinates[i];
+      }
       ++kept;
     }
   }
   mesh.triangles.resize(kept);
   mesh.material_slots.resize(mesh.material_slots.empty() ? 0 : kept);
+  mesh.texture_coordinates.resize(mesh.texture_coordinates.empty() ? 0 : kept);
 }
 
 // Unit length, or zero for one that says nothing of direction.
@@ -148,6 +160,7 @@ MeshReport clean_mesh(Mesh& mesh, double crease_angle) {
   mesh.normals.shrink_to_fit();
   mesh.triangles.shrink_to_fit();
   mesh.material_slots.shrink_to_fit();
+  mesh.texture_coordinates.shrink_to_fit();
   return report;
 }
 

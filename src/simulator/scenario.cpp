@@ -59,6 +59,7 @@ void check_engine(const std::string& engine) {
 void check_materials(const MaterialRules& rules) {
   for (const auto& [name, changes] : rules.overrides) {
     check_fields("materials." + name, changes);
+    changes.relief_config.validate("materials." + name);
   }
 }
 
