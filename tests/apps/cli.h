@@ -14,7 +14,7 @@
 #include <set>
 #include <sstream>
 
-#include "support/scratch_folder.h"
+#include "support/working_folder.h"
 
 namespace insonify {
 
@@ -117,7 +117,7 @@ class CliTest : public testing::Test {
     return names;
   }
 
-  ScratchFolder folder;
+  WorkingFolder folder;
 };
 
 }  // namespace insonify

@@ -6,7 +6,7 @@
 
 #include "insonify/files.h"
 #include "support/message_of.h"
-#include "support/scratch_folder.h"
+#include "support/working_folder.h"
 
 namespace insonify {
 namespace {
@@ -26,7 +26,7 @@ class BadInputTest : public testing::TestWithParam<Case> {
  protected:
   BadInputTest() { folder.write("floor.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"); }
 
-  ScratchFolder folder;
+  WorkingFolder folder;
 };
 
 TEST_P(BadInputTest, IsToldInOneLine) {
@@ -331,7 +331,7 @@ INSTANTIATE_TEST_SUITE_P(Scenario, BadInputTest, testing::ValuesIn(kCases),
 
 class WrongFileTest : public testing::Test {
  protected:
-  ScratchFolder folder;
+  WorkingFolder folder;
 };
 
 TEST_F(WrongFileTest, MissingScenario) {

@@ -6,7 +6,7 @@
 
 #include "insonify/files.h"
 #include "support/message_of.h"
-#include "support/scratch_folder.h"
+#include "support/working_folder.h"
 
 namespace insonify {
 namespace {
@@ -215,7 +215,7 @@ class OwnPresetTest : public testing::Test {
     return text.starts_with(path) ? text.substr(path.size()) : text;
   }
 
-  ScratchFolder folder;
+  WorkingFolder folder;
 };
 
 constexpr const char* kHead = "title: Mine\ndefault_mode: wide\nsources: {sheet: My own data sheet}\n";

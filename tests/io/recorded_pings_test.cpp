@@ -8,7 +8,7 @@
 #include "insonify/files.h"
 #include "support/message_of.h"
 #include "support/picture_files.h"
-#include "support/scratch_folder.h"
+#include "support/working_folder.h"
 
 namespace insonify {
 namespace {
@@ -20,7 +20,7 @@ using testing::StartsWith;
 // ---------------------------------------------------------------- Recordings
 
 TEST(RecordedPingsTest, GiveBackWhatARecordingWasGiven) {
-  const ScratchFolder folder;
+  const WorkingFolder folder;
   Scenario scenario;
   SonarConfig sonar;
   sonar.name = "ahead";
@@ -51,7 +51,7 @@ TEST(RecordedPingsTest, GiveBackWhatARecordingWasGiven) {
 }
 
 TEST(RecordedPingsTest, MayBeWholeNumbersOfAnyone) {
-  const ScratchFolder folder;
+  const WorkingFolder folder;
   write_intensity("bytes.h5", {1, 1, 3}, H5T_STD_U8LE, {0, 100, 255}, "oculus");
   const RecordedPings bytes("bytes.h5");
   EXPECT_EQ(bytes.full_scale(), 255);
@@ -65,7 +65,7 @@ TEST(RecordedPingsTest, MayBeWholeNumbersOfAnyone) {
 }
 
 TEST(RecordedPingsTest, WhatIsNoRecordingIsToldWhy) {
-  const ScratchFolder folder;
+  const WorkingFolder folder;
   const auto refusal = [](const char* path) { return message_of([=] { RecordedPings pings(path); }); };
   EXPECT_EQ(refusal("none.h5"), "none.h5: no such file");
   folder.write("text.h5", "intensity");
@@ -82,7 +82,7 @@ TEST(RecordedPingsTest, WhatIsNoRecordingIsToldWhy) {
 // ---------------------------------------------------------------- Pictures
 
 TEST(GreyPictureTest, LevelsAreFractionsOfFullScale) {
-  const ScratchFolder folder;
+  const WorkingFolder folder;
   write_levels<std::uint8_t>("bytes.png", 3, 2, {0, 51, 255, 102, 153, 204});
   const GreyPicture bytes = load_grey_picture("bytes.png");
   EXPECT_EQ(bytes.name, "bytes.png");
@@ -94,7 +94,7 @@ TEST(GreyPictureTest, LevelsAreFractionsOfFullScale) {
 }
 
 TEST(GreyPictureTest, AGreyPictureMayBeStoredAsAColouredOne) {
-  const ScratchFolder folder;
+  const WorkingFolder folder;
   write_levels<std::uint8_t>("rgb.png", 2, 1, {9, 9, 9, 51, 51, 51}, 3);
   EXPECT_THAT(load_grey_picture("rgb.png").values, ElementsAre(9 / 255.0, 51 / 255.0));
   write_levels<std::uint8_t>("alpha.png", 1, 1, {51, 255}, 2);
@@ -102,7 +102,7 @@ TEST(GreyPictureTest, AGreyPictureMayBeStoredAsAColouredOne) {
 }
 
 TEST(GreyPictureTest, ColourAndTransparencyAreRefused) {
-  const ScratchFolder folder;
+  const WorkingFolder folder;
   write_levels<std::uint8_t>("rgb.png", 2, 1, {9, 9, 9, 9, 9, 8}, 3);
   EXPECT_EQ(message_of([] { (void)load_grey_picture("rgb.png"); }),
             "rgb.png: the pixel in column 1, row 0 is coloured; a comparison needs a grey picture");

@@ -5,7 +5,7 @@
 
 #include "insonify/files.h"
 #include "support/message_of.h"
-#include "support/scratch_folder.h"
+#include "support/working_folder.h"
 
 namespace insonify {
 namespace {
@@ -80,7 +80,7 @@ class ScenarioTest : public testing::Test {
     return load_scenario("scenes/scenario.yaml", settings);
   }
 
-  ScratchFolder folder;
+  WorkingFolder folder;
 };
 
 TEST_F(ScenarioTest, TakesPlainValues) {

@@ -7,7 +7,7 @@
 #include "insonify/error.h"
 #include "insonify/files.h"
 #include "support/message_of.h"
-#include "support/scratch_folder.h"
+#include "support/working_folder.h"
 
 namespace insonify {
 namespace {
@@ -21,7 +21,7 @@ Picture gradient(int width, int height) {
 }
 
 TEST(WritePngTest, TheFileHoldsThePixels) {
-  const ScratchFolder folder;
+  const WorkingFolder folder;
   const Picture picture = gradient(37, 21);
   write_png(folder.path() / "a.png", picture);
   png_image image{};
@@ -38,7 +38,7 @@ TEST(WritePngTest, TheFileHoldsThePixels) {
 TEST(WritePngTest, SaysWhichFileCannotBeWrittenAndWhy) {
   EXPECT_EQ(message_of([] { write_png("/no/such/folder/a.png", gradient(2, 2)); }),
             "/no/such/folder/a.png: cannot write the picture: No such file or directory");
-  const ScratchFolder folder;
+  const WorkingFolder folder;
   EXPECT_EQ(message_of([&] { write_png(folder.path(), gradient(2, 2)); }),
             folder.path().string() + ": cannot write the picture: it is there and is no regular file");
   EXPECT_TRUE(std::filesystem::is_directory(folder.path()));
@@ -48,7 +48,7 @@ TEST(WritePngTest, SaysWhichFileCannotBeWrittenAndWhy) {
 
 // A limit on the size of files stands in for a full disk.
 TEST(WritePngTest, AFullDiskIsAnErrorAndLeavesWhatWasThere) {
-  const ScratchFolder folder;
+  const WorkingFolder folder;
   folder.write("a.png", "an older picture");
   rlimit before{};
   ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &before), 0);

@@ -1,4 +1,4 @@
-// scratch_folder.h -- an empty folder that a test works in and that goes with it.
+// working_folder.h -- an empty folder that a test works in and that goes with it.
 
 #pragma once
 
@@ -11,9 +11,9 @@
 namespace insonify {
 
 /// Makes an empty folder and steps into it, so that messages name files by short relative paths.
-class ScratchFolder {
+class WorkingFolder {
  public:
-  ScratchFolder() : before_(std::filesystem::current_path()) {
+  WorkingFolder() : before_(std::filesystem::current_path()) {
     std::string pattern = (std::filesystem::temp_directory_path() / "insonify-XXXXXX").string();
     if (mkdtemp(pattern.data()) == nullptr) {
       throw std::runtime_error("no scratch folder");
@@ -21,9 +21,9 @@ class ScratchFolder {
     path_ = std::filesystem::canonical(pattern);
     std::filesystem::current_path(path_);
   }
-  ScratchFolder(const ScratchFolder&) = delete;
-  ScratchFolder& operator=(const ScratchFolder&) = delete;
-  ~ScratchFolder() {
+  WorkingFolder(const WorkingFolder&) = delete;
+  WorkingFolder& operator=(const WorkingFolder&) = delete;
+  ~WorkingFolder() {
     std::error_code ignored;
     std::filesystem::current_path(before_, ignored);
     std::filesystem::remove_all(path_, ignored);
