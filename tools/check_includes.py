@@ -36,6 +36,7 @@ PUBLIC = {
     "paper_model.h": "echo",
     "ping.h": "receiver",
     "picture.h": "image",
+    "channels.h": "image",
     "scenario.h": "simulator",
     "scene_view.h": "simulator",
     "simulator.h": "simulator",

@@ -35,6 +35,7 @@ struct RunOptions {
   double floor_db = -50;  ///< [dB]
   int height = 720;       ///< [pixels]
   bool view = true;       ///< Draw the scene itself.
+  bool channels = false;  ///< Draw distance and intensity by direction.
   bool quiet = false;     ///< Say nothing but errors.
 };
 

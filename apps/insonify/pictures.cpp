@@ -20,7 +20,7 @@ bool is_picture_of(const std::string& name, std::string_view file) {
     return false;
   }
   std::string_view kind = file.substr(name.size() + 1, file.size() - name.size() - 5);
-  if (kind == "view" || kind == "scan" || kind == "polar") {
+  if (kind == "view" || kind == "channels" || kind == "scan" || kind == "polar") {
     return true;
   }
   const std::size_t digits = kind.size() - std::min(kind.find_last_not_of("0123456789") + 1, kind.size());

@@ -56,6 +56,10 @@ void add_run(CLI::App& app, Request& request) {
           "--view", [](std::int64_t) {}, "Draw the scene as a camera sees it: the default")
       ->group(pictures);
   command->add_flag("--no-view", request.no_view, "Do not draw the scene")->group(pictures);
+  command
+      ->add_flag("--channels", options.channels,
+                 "Also draw what the fan is made of: distance and intensity by direction, at the first ping")
+      ->group(pictures);
   command->add_option("--colour-map", options.colour_map, "inferno, copper, grey or blue [inferno]")
       ->type_name("NAME")
       ->group(pictures);
@@ -79,6 +83,7 @@ void add_run(CLI::App& app, Request& request) {
       "  DIR/NAME_scan_0000.png   what a scanning sonar has seen up to a ping, instead\n"
       "  DIR/NAME_scan.png        the same at the end; NAME_polar.png its waterfall\n"
       "  DIR/NAME_view.png        the scene, with the sonar and its field\n"
+      "  DIR/NAME_channels.png    distance and intensity by direction, with --channels\n"
       "Pictures of these names that an earlier run left are removed first.\n\n"
       "Keys of --set: pings, water.depth, sonars[0].max_range, sonars.NAME.max_range, or max_range for every sonar;\n"
       "insonify describe tells them all.\n\n"

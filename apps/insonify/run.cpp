@@ -6,12 +6,12 @@
 #include "console.h"
 #include "hints.h"
 #include "insonify/files.h"
-#include "insonify/scene_view.h"
 #include "insonify/simulator.h"
 #include "output_folder.h"
 #include "pictures.h"
 #include "progress.h"
 #include "stop.h"
+#include "views.h"
 
 namespace insonify {
 namespace {
@@ -121,34 +121,6 @@ void clear_old_pictures(const std::filesystem::path& folder, const std::vector<T
   }
 }
 
-// Where each sonar is at its first ping, and what is around it.
-std::vector<Picture> draw_views(Simulator& simulator, bool quiet) {
-  std::vector<Picture> views;
-  if (!quiet) {
-    show_status("Drawing the scene ...");
-  }
-  for (int i = 0; i < static_cast<int>(simulator.scenario().sonars.size()); ++i) {
-    const SonarConfig& sonar = simulator.sonar(i);
-    const Pose world_from_sonar = simulator.world_from_housing(i, 0);
-    Engine& engine = simulator.engine();
-    const std::optional<ViewConfig>& given = simulator.scenario().view;
-    const ViewConfig view =
-        given.has_value() ? *given : fitting_view(engine, simulator.scene(), sonar, world_from_sonar);
-    views.push_back(draw_scene(engine, simulator.scene(), view, sonar, world_from_sonar));
-  }
-  return views;
-}
-
-std::vector<std::filesystem::path> write_views(const std::vector<Picture>& views, const std::vector<Track>& tracks) {
-  std::vector<std::filesystem::path> files;
-  for (std::size_t i = 0; i < views.size(); ++i) {
-    const std::filesystem::path& recording = tracks[i].file;
-    files.push_back(recording.parent_path() / (recording.stem().string() + "_view.png"));
-    write_png(files.back(), views[i]);
-  }
-  return files;
-}
-
 // Makes the pings, in turn for each sonar, until all are there or a stop is asked for.
 // @return  Seconds that computing them took, without recording and drawing.
 double make_pings(Simulator& simulator, std::vector<Track>& tracks, bool quiet) {
@@ -211,11 +183,11 @@ int run(const RunOptions& options) {
   make_output_folder(folder);
 
   const Clock::time_point start = Clock::now();
-  const std::vector<Picture> views = options.view ? draw_views(simulator, options.quiet) : std::vector<Picture>();
+  const std::vector<View> views = draw_views(simulator, options, display, folder);
   note_when_asked();
   std::vector<Track> tracks = start_tracks(simulator, folder, display, choice);
   clear_old_pictures(folder, tracks, options.quiet);
-  const std::vector<std::filesystem::path> view_files = write_views(views, tracks);
+  const std::vector<std::filesystem::path> view_files = write_views(views);
 
   const double computing = make_pings(simulator, tracks, options.quiet);
   std::uint64_t made = 0;

@@ -38,10 +38,11 @@ enum class SecondaryEchoes {
 
 /// Where a ray first meets the scene.
 struct Hit {
-  double distance = 0;                ///< From the ray's origin [m]; infinite for a miss.
-  Vec3 normal = Vec3::Zero();         ///< Unit shading normal on the surface's side of the ray, world frame; with relief.
+  double distance = 0;         ///< From the ray's origin [m]; infinite for a miss.
+  Vec3 normal = Vec3::Zero();  ///< Unit shading normal on the surface's side of the ray, world frame; with relief.
   std::uint16_t instance = kNoLabel;  ///< Index into Scene::instances, kNoLabel for a miss.
   std::uint16_t material = kNoLabel;  ///< Index into Scene::materials.
+  float reflectivity = 0;             ///< Of the surface there: its material's, times that of its relief.
 };
 
 /// Everything about one sonar that does not change from ping to ping, worked out once.

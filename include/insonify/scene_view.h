@@ -2,6 +2,7 @@
 
 #pragma once
 
+#include "insonify/channels.h"
 #include "insonify/engine.h"
 #include "insonify/field.h"
 #include "insonify/picture.h"
@@ -34,5 +35,13 @@ struct ViewOptions {
 /// @throws Error for a view or options out of limits.
 [[nodiscard]] Picture draw_scene(Engine& engine, const Scene& scene, const ViewConfig& view, const SonarConfig& sonar,
                                  const Pose& world_from_sonar, const ViewOptions& options = {});
+
+/// Looks along a fan with the engine's rays. Of a scanning sonar all that its head sweeps over is looked at.
+/// @param world_from_sonar  Pose of the housing.
+/// @param columns           1..8192; there are as many rows as keep the directions square, at least 16 and at most
+/// 8192.
+/// @throws Error for columns out of limits.
+[[nodiscard]] Channels look_along_fan(Engine& engine, const SonarConfig& sonar, const Water& water,
+                                      const Pose& world_from_sonar, int columns = 800);
 
 }  // namespace insonify

@@ -11,17 +11,18 @@ namespace insonify {
 /// A homogeneous body of water. Limits are those of the absorption formula (absorption.h) and, for salinity 0, of the
 /// sound-speed formula (sound_speed.h).
 struct Water {
-  double temperature_c = 10.0;             ///< Temperature [degC], -6..35.
-  double salinity = 35.0;                  ///< Practical salinity [PSU], 0..50. Zero is fresh water.
-  double ph = 8.0;                         ///< Acidity [pH], 6.5..8.5 (the formula was fitted from 7.7 to 8.3).
-  double depth = 0.0;                      ///< Depth of the sonar below the surface [m], 0..7000.
-  std::optional<double> sound_speed = {};  ///< True sound speed [m/s], 1300..1700; from the above when absent.
-  bool absorption = true;                  ///< Whether the water absorbs sound at all.
+  double temperature_c = 10.0;                     ///< Temperature [degC], -6..35.
+  double salinity = 35.0;                          ///< Practical salinity [PSU], 0..50. Zero is fresh water.
+  double ph = 8.0;                                 ///< Acidity [pH], 6.5..8.5 (the formula was fitted from 7.7 to 8.3).
+  double depth = 0.0;                              ///< Depth of the sonar below the surface [m], 0..7000.
+  std::optional<double> sound_speed = {};          ///< True sound speed [m/s], 1300..1700; from the above when absent.
+  bool absorption = true;                          ///< Whether the water absorbs sound at all.
+  std::optional<double> absorption_db_per_m = {};  ///< One way, at every frequency [dB/m], 0..10; else from the above.
 
   /// The given sound speed, else that of Chen and Millero at this temperature, salinity and depth [m/s].
   [[nodiscard]] double true_sound_speed() const;
 
-  /// One-way absorption after Ainslie and McColm, 0 when switched off [dB/m].
+  /// One-way absorption: the given one, else after Ainslie and McColm; 0 when switched off [dB/m].
   /// @param frequency [Hz], > 0.
   [[nodiscard]] double absorption_db_per_m_at(double frequency) const;
 
@@ -38,6 +39,9 @@ struct Water {
                 "True sound speed; from temperature, salinity and depth when absent."},
           self.sound_speed);
     visit(Field{"absorption", "", {}, "Whether the water absorbs sound."}, self.absorption);
+    visit(Field{"absorption_db_per_m", "dB/m", from_to(0, 10),
+                "Absorption one way; by frequency from temperature, salinity, pH and depth when absent."},
+          self.absorption_db_per_m);
   }
 };
 

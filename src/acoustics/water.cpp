@@ -12,7 +12,7 @@ double Water::true_sound_speed() const {
 }
 
 double Water::absorption_db_per_m_at(double frequency) const {
-  return absorption ? absorption_db_per_m(frequency, *this) : 0;
+  return absorption ? absorption_db_per_m.value_or(insonify::absorption_db_per_m(frequency, *this)) : 0;
 }
 
 }  // namespace insonify

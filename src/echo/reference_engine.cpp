@@ -120,8 +120,8 @@ void ReferenceEngine::trace(std::span<const Ray> rays, std::span<Hit> hits) {
     hits[i] = {.distance = meeting.distance};
     if (meeting.met()) {
       const bool from_behind = meeting.normal.dot(rays[i].direction) > 0;
-      hits[i] = {meeting.distance, from_behind ? Vec3(-meeting.bent) : meeting.bent, meeting.instance,
-                 meeting.material};
+      hits[i] = {meeting.distance, from_behind ? Vec3(-meeting.bent) : meeting.bent, meeting.instance, meeting.material,
+                 meeting.reflectivity};
     }
   });
 }

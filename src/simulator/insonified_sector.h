@@ -17,6 +17,12 @@ class InsonifiedSector {
   [[nodiscard]] const Pose& world_from_sonar() const { return world_from_sonar_; }
   [[nodiscard]] double max_range() const { return max_range_; }  ///< [m]
 
+  // Borders [rad]; of a full circle the azimuths are a whole turn apart.
+  [[nodiscard]] double low_azimuth() const { return low_azimuth_; }
+  [[nodiscard]] double high_azimuth() const { return high_azimuth_; }
+  [[nodiscard]] double low_elevation() const { return low_elevation_; }
+  [[nodiscard]] double high_elevation() const { return high_elevation_; }
+
   /// Place in the world of a range [m] and two shares of the apertures: 0 starboard or lower, 1 port or upper.
   [[nodiscard]] Vec3 point_at(double range, double across, double along) const;
 

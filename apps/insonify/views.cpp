@@ -1,0 +1,50 @@
+// views.cpp -- pictures of what a sonar has before it at its first ping.
+
+#include "views.h"
+
+#include "console.h"
+#include "insonify/files.h"
+#include "insonify/scene_view.h"
+
+namespace insonify {
+namespace {
+
+Picture scene_around(Simulator& simulator, const SonarConfig& sonar, const Pose& world_from_sonar) {
+  Engine& engine = simulator.engine();
+  const std::optional<ViewConfig>& given = simulator.scenario().view;
+  const ViewConfig view = given.has_value() ? *given : fitting_view(engine, simulator.scene(), sonar, world_from_sonar);
+  return draw_scene(engine, simulator.scene(), view, sonar, world_from_sonar);
+}
+
+}  // namespace
+
+std::vector<View> draw_views(Simulator& simulator, const RunOptions& options, const Display& display,
+                             const std::filesystem::path& folder) {
+  std::vector<View> views;
+  if (!options.quiet && (options.view || options.channels)) {
+    show_status("Drawing the scene ...");
+  }
+  for (int i = 0; i < static_cast<int>(simulator.scenario().sonars.size()); ++i) {
+    const SonarConfig& sonar = simulator.sonar(i);
+    const Pose world_from_sonar = simulator.world_from_housing(i, 0);
+    if (options.view) {
+      views.push_back({folder / (sonar.name + "_view.png"), scene_around(simulator, sonar, world_from_sonar)});
+    }
+    if (options.channels) {
+      const Channels channels = look_along_fan(simulator.engine(), sonar, simulator.scenario().water, world_from_sonar);
+      views.push_back({folder / (sonar.name + "_channels.png"), draw_channels(channels, sonar, display)});
+    }
+  }
+  return views;
+}
+
+std::vector<std::filesystem::path> write_views(const std::vector<View>& views) {
+  std::vector<std::filesystem::path> files;
+  for (const View& view : views) {
+    write_png(view.file, view.picture);
+    files.push_back(view.file);
+  }
+  return files;
+}
+
+}  // namespace insonify

@@ -1,0 +1,26 @@
+// views.h -- pictures of what a sonar has before it at its first ping.
+
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "commands.h"
+#include "insonify/picture.h"
+#include "insonify/simulator.h"
+
+namespace insonify {
+
+struct View {
+  std::filesystem::path file;
+  Picture picture;
+};
+
+/// Draws for each sonar NAME what was asked for: the scene, NAME_view.png, and NAME_channels.png. Writes nothing yet.
+[[nodiscard]] std::vector<View> draw_views(Simulator& simulator, const RunOptions& options, const Display& display,
+                                           const std::filesystem::path& folder);
+
+/// @return  The files, in order.
+std::vector<std::filesystem::path> write_views(const std::vector<View>& views);
+
+}  // namespace insonify

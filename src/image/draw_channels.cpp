@@ -1,0 +1,153 @@
+// draw_channels.cpp -- three panels over one axis of azimuths.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "image/palette.h"
+#include "image/plot.h"
+#include "image/scales.h"
+#include "insonify/channels.h"
+#include "insonify/error.h"
+
+namespace insonify {
+namespace {
+
+constexpr int kPanels = 3;
+constexpr double kCaptionHeight = 1.9;  // Of the line over a panel [em].
+constexpr double kTickLength = 0.3, kTextGap = 0.35;
+constexpr int kLeastPanel = 40;  // [pixels]
+
+enum class Panel { kDistance, kIntensity, kBoth };
+
+Rgb colour_of(Panel panel, double distance, double intensity) {
+  switch (panel) {
+    case Panel::kDistance:
+      return colour(ColourMap::kBlue, distance);
+    case Panel::kIntensity:
+      return colour(ColourMap::kInferno, intensity);
+    default: {
+      const auto level = [](double value) {
+        return static_cast<std::uint8_t>(std::lround(255 * std::clamp(value, 0.0, 1.0)));
+      };
+      return {0, level(intensity), level(distance)};
+    }
+  }
+}
+
+std::string caption_of(Panel panel, double max_range) {
+  switch (panel) {
+    case Panel::kDistance:
+      return fmt::format("pulse distance, 0 to {} m", number_text(max_range));
+    case Panel::kIntensity:
+      return "echo intensity, 0 to 1";
+    default:
+      return "both: distance blue, intensity green";
+  }
+}
+
+// Where a panel's directions lie on the picture.
+struct Frame {
+  int left, top, width, height;
+};
+
+void paint(Picture& picture, const Frame& frame, Panel panel, const Channels& channels, double max_range) {
+  for (int y = 0; y < frame.height; ++y) {
+    const int row = static_cast<int>((y + 0.5) / frame.height * channels.rows);
+    for (int x = 0; x < frame.width; ++x) {
+      const int column = static_cast<int>((x + 0.5) / frame.width * channels.columns);
+      const std::size_t at = static_cast<std::size_t>(row) * channels.columns + column;
+      const auto distance = static_cast<double>(channels.distance[at]);
+      const Rgb shown = std::isnan(distance)
+                            ? palette::kNotYetSeen
+                            : colour_of(panel, distance / max_range, static_cast<double>(channels.intensity[at]));
+      put(picture, frame.left + x, frame.top + y, shown);
+    }
+  }
+}
+
+std::string degrees_text(double angle) {
+  return number_text(std::round(10 * degrees_from_radians(angle)) / 10) + "°";
+}
+
+void draw_scale(Picture& picture, const Frame& frame, Panel panel, const Page& page) {
+  if (panel == Panel::kBoth) {
+    return;
+  }
+  const int left = frame.left + frame.width + static_cast<int>(std::lround(0.8 * page.em()));
+  const int right = left + static_cast<int>(std::lround(0.7 * page.em()));
+  for (int y = 0; y < frame.height; ++y) {
+    const double level = 1 - (y + 0.5) / frame.height;
+    fill_rectangle(picture, {left * 1.0, frame.top + y * 1.0}, {right * 1.0, frame.top + y + 1.0},
+                   {colour_of(panel, level, level), 1});
+  }
+}
+
+}  // namespace
+
+Picture draw_channels(const Channels& channels, const SonarConfig& sonar, const Display& display) {
+  display.validate();
+  const std::size_t count = static_cast<std::size_t>(channels.columns) * channels.rows;
+  if (count == 0 || channels.distance.size() != count || channels.intensity.size() != count) {
+    throw Error(fmt::format("channels have {} distances and {} intensities for {} columns x {} rows",
+                            channels.distance.size(), channels.intensity.size(), channels.columns, channels.rows));
+  }
+  Page page(display, {sonar.model.empty() ? sonar.name : sonar.model,
+                      fmt::format("{}   {} m   what the fan is made of", frequency_text(sonar.frequency),
+                                  number_text(sonar.max_range))});
+  const Lettering& lettering = page.lettering();
+  const bool axes = display.annotations;
+  const double em = axes ? page.em() : 0;
+  const auto pixels = [](double length) { return static_cast<int>(std::ceil(length)); };
+  const int width = display.height * 4 / 3;
+  page.fit_title(width);
+  const int left = axes ? pixels(page.margin() + lettering.width("-00.0°") + kTextGap * em) : 0;
+  const int right = axes ? width - pixels(page.margin() + 1.6 * em) : width;
+  const int top = axes ? pixels(page.title_height()) : 0;
+  const int below = axes ? pixels(page.margin() + 2 * lettering.height() + 2 * em) : 0;
+  const double natural = (channels.upper_edge - channels.lower_edge) / (channels.port_edge - channels.starboard_edge);
+  const int room = (display.height - top - below) / kPanels - pixels(kCaptionHeight * em);
+  const int panel_height =
+      std::clamp(static_cast<int>(std::lround(natural * (right - left))), kLeastPanel, std::max(room, kLeastPanel));
+  const int step = panel_height + pixels(kCaptionHeight * em);
+
+  Picture picture = blank_picture(width, top + kPanels * step + below, palette::kBackground);
+  for (const Panel panel : {Panel::kDistance, Panel::kIntensity, Panel::kBoth}) {
+    const int index = static_cast<int>(panel);
+    const Frame frame{left, top + index * step + pixels(kCaptionHeight * em), right - left, panel_height};
+    paint(picture, frame, panel, channels, sonar.max_range);
+    if (!axes) {
+      continue;
+    }
+    lettering.draw(picture, {frame.left * 1.0, frame.top - 0.75 * em}, caption_of(panel, sonar.max_range),
+                   palette::kText, Anchor::kStart);
+    draw_scale(picture, frame, panel, page);
+    const double text_right = frame.left - kTextGap * em;
+    lettering.draw(picture, {text_right, frame.top + 0.5 * lettering.height()}, degrees_text(channels.upper_edge),
+                   palette::kText, Anchor::kEnd);
+    lettering.draw(picture, {text_right, frame.top + frame.height - 0.5 * lettering.height()},
+                   degrees_text(channels.lower_edge), palette::kText, Anchor::kEnd);
+  }
+  if (!axes) {
+    return picture;
+  }
+
+  const double bottom = top + kPanels * step;
+  const double aperture = channels.port_edge - channels.starboard_edge;
+  for (const double azimuth :
+       multiples_within(channels.starboard_edge, channels.port_edge, radial_step(aperture, sonar.mounting))) {
+    const double x = left + (channels.port_edge - azimuth) / aperture * (right - left);
+    draw_line(picture, {x, bottom}, {x, bottom + kTickLength * em}, page.hairline(), palette::kText);
+    const std::string text = bearing_text(std::remainder(azimuth, 2 * std::numbers::pi), sonar.mounting);
+    lettering.draw(picture, {x, bottom + (kTickLength + kTextGap) * em + lettering.height() / 2}, text, palette::kText);
+  }
+  lettering.draw(picture, {(left + right) / 2.0, picture.height - page.margin() - lettering.height() / 2},
+                 sonar.mounting == Mounting::kVertical ? "slope across, angle to the plane of the scan upwards"
+                                                       : "azimuth across, elevation upwards",
+                 palette::kText);
+  page.draw_title(picture);
+  return picture;
+}
+
+}  // namespace insonify
