@@ -20,7 +20,8 @@ struct Channels {
   std::vector<float> intensity;  ///< Of its echo, 0..1: |cos| of incidence x reflectivity x absorption there and back.
 };
 
-/// Draws distance, intensity, and both in one as the paper does (distance blue, intensity green), under each other.
+/// Draws distance, intensity, and both in one as the paper does (distance blue, intensity green), under each other:
+/// from nothing to the sonar's max_range, and to a round number at or above the strongest intensity.
 /// @param display  Only `height` and `annotations` count: the height of the whole picture and whether it has axes.
 /// @throws Error for a display out of limits, and for channels without a value.
 [[nodiscard]] Picture draw_channels(const Channels& channels, const SonarConfig& sonar, const Display& display = {});

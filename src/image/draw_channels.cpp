@@ -36,12 +36,21 @@ Rgb colour_of(Panel panel, double distance, double intensity) {
   }
 }
 
-std::string caption_of(Panel panel, double max_range) {
+// What is drawn brightest: the least of 1, 2 and 5 times a power of ten that is as strong as the strongest echo.
+double full_scale_of(const Channels& channels) {
+  double strongest = 1e-6;
+  for (const float intensity : channels.intensity) {
+    strongest = std::max(strongest, std::isnan(intensity) ? 0.0 : static_cast<double>(intensity));
+  }
+  return nice_step(strongest, 1);
+}
+
+std::string caption_of(Panel panel, double max_range, double full_scale) {
   switch (panel) {
     case Panel::kDistance:
       return fmt::format("pulse distance, 0 to {} m", number_text(max_range));
     case Panel::kIntensity:
-      return "echo intensity, 0 to 1";
+      return fmt::format("echo intensity, 0 to {}", number_text(full_scale));
     default:
       return "both: distance blue, intensity green";
   }
@@ -52,16 +61,17 @@ struct Frame {
   int left, top, width, height;
 };
 
-void paint(Picture& picture, const Frame& frame, Panel panel, const Channels& channels, double max_range) {
+void paint(Picture& picture, const Frame& frame, Panel panel, const Channels& channels, double max_range,
+           double full_scale) {
   for (int y = 0; y < frame.height; ++y) {
     const int row = static_cast<int>((y + 0.5) / frame.height * channels.rows);
     for (int x = 0; x < frame.width; ++x) {
       const int column = static_cast<int>((x + 0.5) / frame.width * channels.columns);
       const std::size_t at = static_cast<std::size_t>(row) * channels.columns + column;
       const auto distance = static_cast<double>(channels.distance[at]);
-      const Rgb shown = std::isnan(distance)
-                            ? palette::kNotYetSeen
-                            : colour_of(panel, distance / max_range, static_cast<double>(channels.intensity[at]));
+      const Rgb shown = std::isnan(distance) ? palette::kNotYetSeen
+                                             : colour_of(panel, distance / max_range,
+                                                         static_cast<double>(channels.intensity[at]) / full_scale);
       put(picture, frame.left + x, frame.top + y, shown);
     }
   }
@@ -112,15 +122,16 @@ Picture draw_channels(const Channels& channels, const SonarConfig& sonar, const 
       std::clamp(static_cast<int>(std::lround(natural * (right - left))), kLeastPanel, std::max(room, kLeastPanel));
   const int step = panel_height + pixels(kCaptionHeight * em);
 
+  const double full_scale = full_scale_of(channels);
   Picture picture = blank_picture(width, top + kPanels * step + below, palette::kBackground);
   for (const Panel panel : {Panel::kDistance, Panel::kIntensity, Panel::kBoth}) {
     const int index = static_cast<int>(panel);
     const Frame frame{left, top + index * step + pixels(kCaptionHeight * em), right - left, panel_height};
-    paint(picture, frame, panel, channels, sonar.max_range);
+    paint(picture, frame, panel, channels, sonar.max_range, full_scale);
     if (!axes) {
       continue;
     }
-    lettering.draw(picture, {frame.left * 1.0, frame.top - 0.75 * em}, caption_of(panel, sonar.max_range),
+    lettering.draw(picture, {frame.left * 1.0, frame.top - 0.75 * em}, caption_of(panel, sonar.max_range, full_scale),
                    palette::kText, Anchor::kStart);
     draw_scale(picture, frame, panel, page);
     const double text_right = frame.left - kTextGap * em;

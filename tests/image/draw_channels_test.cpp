@@ -12,12 +12,18 @@ namespace {
 
 constexpr float kNothing = std::numeric_limits<float>::quiet_NaN();
 
-// Left half at 5 of 10 m and half intensity, right half open water.
+// Left half at 5 of 10 m and an intensity of 0.4, right half open water.
 Channels halves() {
-  Channels channels{
-      .columns = 2, .rows = 1, .port_edge = 1, .starboard_edge = -1, .upper_edge = 0.4, .lower_edge = -0.4};
+  Channels channels{.columns = 2,
+                    .rows = 1,
+                    .port_edge = 1,
+                    .starboard_edge = -1,
+                    .upper_edge = 0.4,
+                    .lower_edge = -0.4,
+                    .distance = {},
+                    .intensity = {}};
   channels.distance = {5, kNothing};
-  channels.intensity = {0.5F, kNothing};
+  channels.intensity = {0.4F, kNothing};  // Of 0.5, the next round number.
   return channels;
 }
 
@@ -36,13 +42,13 @@ TEST(DrawChannelsTest, PanelsShowDistanceIntensityAndBoth) {
   const Picture picture = draw_channels(halves(), ten_metres(), {.height = 300, .annotations = false});
   EXPECT_EQ(picture.width, 400);
   EXPECT_EQ(picture.height % 3, 0);
-  const auto shown = [](ColourMap map) {
-    const Rgb rgb = colour(map, 0.5);
+  const auto shown = [](ColourMap map, double level) {
+    const Rgb rgb = colour(map, level);
     return std::array<int, 3>{rgb.red, rgb.green, rgb.blue};
   };
-  EXPECT_EQ(pixel(picture, 0.25, 1.0 / 6), shown(ColourMap::kBlue));
-  EXPECT_EQ(pixel(picture, 0.25, 3.0 / 6), shown(ColourMap::kInferno));
-  EXPECT_EQ(pixel(picture, 0.25, 5.0 / 6), (std::array<int, 3>{0, 128, 128}));
+  EXPECT_EQ(pixel(picture, 0.25, 1.0 / 6), shown(ColourMap::kBlue, 0.5));
+  EXPECT_EQ(pixel(picture, 0.25, 3.0 / 6), shown(ColourMap::kInferno, 0.8));
+  EXPECT_EQ(pixel(picture, 0.25, 5.0 / 6), (std::array<int, 3>{0, 204, 128}));
   for (const double panel : {1.0, 3.0, 5.0}) {
     EXPECT_EQ(pixel(picture, 0.75, panel / 6), pixel(picture, 0.75, 1.0 / 6));  // Nothing: alike in all.
   }

@@ -26,7 +26,7 @@ using testing_scenes::bytes_of;
 using testing_scenes::generated_meshes;
 using testing_scenes::read_obj;
 
-const std::vector<std::string> kNames = {"ferry", "seabed", "boulders", "debris", "tank", "vehicle_box"};
+const std::vector<std::string> kNames = {"ferry", "seabed", "boulders", "debris", "cone", "tank", "vehicle_box"};
 
 // The files keep whole millimetres.
 constexpr double kRounding = 1e-3;

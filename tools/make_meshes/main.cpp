@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <stdexcept>
 
+#include "cone.h"
 #include "debris.h"
 #include "ferry.h"
 #include "obj.h"
@@ -29,6 +30,7 @@ int main(int argc, char** argv) {
     write("seabed", make_seabed());
     write("boulders", make_boulders());
     write("debris", make_debris());
+    write("cone", make_cone());
     write("tank", make_tank());
     write("vehicle_box", make_vehicle_box());
     return 0;

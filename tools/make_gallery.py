@@ -1,0 +1,126 @@
+#!/usr/bin/python3
+"""Collects the pictures of runs in one page that needs nothing beside it.
+
+    tools/make_gallery.py build/demo    # writes build/demo/index.html
+
+Each folder in the one named is a run of `insonify run SCENE --channels -o FOLDER/SCENE`, with what it printed in log.txt
+if that was kept; scenes/SCENE.yaml says in its first comment what it is. The scenes of the paper come first, in its order.
+"""
+
+import base64
+import html
+import pathlib
+import re
+import sys
+
+SCENES = pathlib.Path(__file__).resolve().parent.parent / "scenes"
+
+# Scenes that belong side by side, and what is said over them.
+GROUPS = [
+    ("Wrecked ferry", ["ferry"]),
+    ("Subsea cooler among pipelines", ["cooler"]),
+    ("Destroyed car", ["car"]),
+    ("Subsea Christmas tree", ["christmas_tree"]),
+    ("SSIV mock-up", ["ssiv"]),
+    ("Test tank", ["tank"]),
+    ("Attenuation: one cone, two waters", ["cone_clear", "cone_absorbing"]),
+]
+
+STYLE = """
+:root { color-scheme: dark }
+body { margin: 0 auto; max-width: 1500px; padding: 2rem; background: #16191e; color: #cfd6dd;
+       font: 16px/1.5 system-ui, "DejaVu Sans", sans-serif }
+h1, h2 { color: #f0f3f6; font-weight: 600 } h2 { margin: 3rem 0 .3rem }
+nav a { color: #8fc7ff; margin-right: 1.2em } p { max-width: 75ch; margin: .3rem 0 1rem }
+.scene { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(100%, 560px), 1fr)); gap: 1rem; align-items: start }
+.pair { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(100%, 560px), 1fr)); gap: 1rem }
+.pair .scene { grid-template-columns: 1fr }
+figure { margin: 0 } img { width: 100%; border-radius: 4px } figcaption { color: #97a2ad; font-size: .875rem }
+.run { color: #97a2ad; font-size: .875rem; margin-bottom: .6rem }
+"""
+
+KINDS = [
+    ("view", "The scene as a camera sees it; yellow is what the sonar insonifies"),
+    ("fan", "The ping"),
+    ("scan", "The scan"),
+    ("channels", "The two channels by direction: pulse distance and echo intensity"),
+]
+
+
+def pictures_of(folder):
+    """The picture of each kind, of the last ping where there are several."""
+    found = {}
+    for path in sorted(folder.glob("*.png")):
+        match = re.fullmatch(r".*_(view|fan|scan|channels)(_\d+)?", path.stem)
+        if match and not (match[1] == "scan" and match[2]):
+            found[match[1]] = path
+    return [(found[kind], caption) for kind, caption in KINDS if kind in found]
+
+
+def description_of(name):
+    """The comment that the scene's file begins with."""
+    lines = []
+    path = SCENES / f"{name}.yaml"
+    for line in path.read_text(encoding="utf-8").splitlines() if path.exists() else []:
+        if not line.startswith("#"):
+            break
+        lines.append(line.lstrip("# "))
+    return " ".join(lines)
+
+
+def rate_of(folder):
+    """What the run said of its speed."""
+    log = folder / "log.txt"
+    for line in reversed(log.read_text(encoding="utf-8").splitlines() if log.exists() else []):
+        if "pings/s" in line:
+            return line.strip()
+    return ""
+
+
+def figure(path, caption):
+    data = base64.b64encode(path.read_bytes()).decode("ascii")
+    text = html.escape(caption)
+    return f'<figure><img src="data:image/png;base64,{data}" alt="{text}"><figcaption>{text}</figcaption></figure>'
+
+
+def section(title, folders):
+    columns = []
+    for folder in folders:
+        run = ": ".join(filter(None, [f"scenes/{folder.name}.yaml", rate_of(folder)]))
+        pictures = "".join(figure(*picture) for picture in pictures_of(folder))
+        columns.append(
+            f"<div><p>{html.escape(description_of(folder.name))}</p>"
+            f'<div class="run">{html.escape(run)}</div><div class="scene">{pictures}</div></div>'
+        )
+    inside = "\n".join(columns)
+    if len(columns) > 1:
+        inside = f'<div class="pair">{inside}</div>'
+    return f'<h2 id="{folders[0].name}">{html.escape(title)}</h2>\n{inside}'
+
+
+def page(root):
+    folders = {path.name: path for path in sorted(root.iterdir()) if path.is_dir() and pictures_of(path)}
+    groups = [(title, [folders.pop(name) for name in names if name in folders]) for title, names in GROUPS]
+    groups += [(name.replace("_", " ").capitalize(), [folder]) for name, folder in folders.items()]
+    groups = [(title, members) for title, members in groups if members]
+    links = "".join(f'<a href="#{members[0].name}">{html.escape(title)}</a>' for title, members in groups)
+    body = "\n".join(section(title, members) for title, members in groups)
+    return (
+        '<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8"><title>insonify: scenes</title>'
+        f'<meta name="viewport" content="width=device-width"><style>{STYLE}</style></head>\n<body><h1>insonify: scenes</h1>'
+        "<p>What <code>./dev demo</code> has just computed: the scenes of Cerqueira et al. (2020), rebuilt, each as a camera "
+        "and as its sonar sees it.</p>"
+        f"<nav>{links}</nav>\n{body}\n</body></html>\n"
+    )
+
+
+def main():
+    if len(sys.argv) != 2 or not pathlib.Path(sys.argv[1]).is_dir():
+        sys.exit(__doc__)
+    root = pathlib.Path(sys.argv[1])
+    (root / "index.html").write_text(page(root), encoding="utf-8")
+    print(root / "index.html")
+
+
+if __name__ == "__main__":
+    main()
