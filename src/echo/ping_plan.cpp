@@ -9,7 +9,7 @@ namespace insonify {
 
 PingPlan::PingPlan(const PingPlanSettings& settings)
     : sonar(settings.sonar),
-      lattice(settings.sonar),
+      lattice(settings.sonar, settings.stagger_phase),
       shape(settings.paper),
       primary(settings.primary),
       secondary(settings.secondary) {

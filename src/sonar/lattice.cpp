@@ -22,7 +22,7 @@ float to_float(double value) {
   return static_cast<float>(value);
 }
 
-void lay_columns(const SonarConfig& sonar, Lattice& lattice) {
+void lay_columns(const SonarConfig& sonar, int first_phase, Lattice& lattice) {
   const std::vector<double> edges = sonar.beam_edges();
   const int per_beam = lattice.columns_per_beam;
   const int stride = stagger_stride(per_beam);
@@ -35,7 +35,7 @@ void lay_columns(const SonarConfig& sonar, Lattice& lattice) {
     lattice.cos_azimuth.push_back(to_float(std::cos(azimuth)));
     lattice.sin_azimuth.push_back(to_float(std::sin(azimuth)));
     lattice.column_width.push_back(to_float(width));
-    lattice.phase.push_back(static_cast<std::uint16_t>(mirrored * stride % per_beam));
+    lattice.phase.push_back(static_cast<std::uint16_t>((first_phase + mirrored * stride) % per_beam));
   }
 }
 
@@ -68,7 +68,7 @@ void lay_rows(double low, double high, Lattice& lattice) {
 
 }  // namespace
 
-Lattice::Lattice(const SonarConfig& sonar)
+Lattice::Lattice(const SonarConfig& sonar, int first_phase)
     : columns(sonar.beam_count * sonar.sampling.columns_per_beam),
       rows(sonar.sampling.rows),
       columns_per_beam(sonar.sampling.columns_per_beam) {
@@ -78,7 +78,7 @@ Lattice::Lattice(const SonarConfig& sonar)
   sin_low = to_float(std::sin(low));
   cos_high = to_float(std::cos(high));
   sin_high = to_float(std::sin(high));
-  lay_columns(sonar, *this);
+  lay_columns(sonar, first_phase, *this);
   lay_rows(low, high, *this);
 }
 

@@ -15,7 +15,8 @@ namespace insonify {
 /// aperture to the upper. The rows of neighbouring columns are staggered by fractions of a row, the same fraction in
 /// columns that are mirror images of each other, so that a mirrored scene gives a mirrored ping.
 struct Lattice {
-  explicit Lattice(const SonarConfig& sonar);
+  /// @param first_phase  Of the outermost columns; other phases sample the same fan elsewhere.
+  explicit Lattice(const SonarConfig& sonar, int first_phase = 0);
 
   int columns = 0, rows = 0, columns_per_beam = 0;
 
