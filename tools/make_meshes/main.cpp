@@ -6,6 +6,8 @@
 #include <filesystem>
 #include <stdexcept>
 
+#include "car.h"
+#include "car_site.h"
 #include "debris.h"
 #include "ferry.h"
 #include "obj.h"
@@ -32,6 +34,10 @@ int main(int argc, char** argv) {
     write("debris", make_debris());
     write("tank", make_tank());
     write("vehicle_box", make_vehicle_box());
+    write("car", make_wrecked_car());
+    write("car_debris", make_car_debris());
+    write("car_bed", make_car_bed());
+    write("car_stones", make_car_stones());
     return 0;
   } catch (const std::exception& error) {
     fmt::print(stderr, "make_meshes: {}\n", error.what());
