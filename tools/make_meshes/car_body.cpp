@@ -59,12 +59,12 @@ std::vector<double> girths() {
 std::vector<Opening> seams() {
   const double gap = 0.008;
   std::vector<Opening> slits;
-  for (const DoorCut& door : {kFrontDoor, kRearDoor}) {
-    for (const double x : {door.rear, door.front}) {
-      slits.push_back({x, x + gap, -0.955, -0.42});
-    }
-    slits.push_back({door.rear + gap, door.front, -0.955, -0.945});
+  const double post = (kRearDoor.front + kFrontDoor.rear) / 2;  // Where the two doors meet.
+  for (const double x : {kRearDoor.rear, post, kFrontDoor.front}) {
+    slits.push_back({x, x + gap, -0.955, -0.42});
   }
+  slits.push_back({kRearDoor.rear + gap, post, -0.955, -0.945});
+  slits.push_back({post + gap, kFrontDoor.front, -0.955, -0.945});
   const double lid = 0.265;
   slits.push_back({-1.52, -1.52 + gap, -lid, lid});
   for (const double girth : {-lid - 0.006, lid}) {

@@ -149,7 +149,7 @@ Shape make_cabin() {
   }
   std::vector<Opening> openings = {{0.11, 0.73, -0.43, 0.43}, {-1.37, -1.0, -0.42, 0.42}};
   for (const DoorCut& door : {kFrontDoor, kRearDoor}) {
-    openings.push_back({door.window_rear, door.window_front, 0.60, 0.98});
+    openings.push_back({door.window_rear, door.window_front, 0.60, 1});  // The doors carry the waistline.
     openings.push_back({door.window_rear, door.window_front, -0.98, -0.60});
   }
   Shape cabin = panel("bodywork", cabin_point, stepped(kRearShelf, kCowl, 0.07), merged(girth, {}), kPillar, openings);

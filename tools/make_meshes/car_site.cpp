@@ -16,7 +16,7 @@ namespace {
 constexpr Patch kPatch{-8, 24, -18, 18};
 
 const Ripples& ripples() {
-  static const Ripples all({.wavelength = 0.42, .height = 0.06, .azimuth = 0.30, .forks = 120, .seed = 131}, kPatch);
+  static const Ripples all({.wavelength = 0.42, .height = 0.045, .azimuth = 0.30, .forks = 120, .seed = 131}, kPatch);
   return all;
 }
 
@@ -81,8 +81,8 @@ double car_bed_height(double x, double y) {
 }
 
 Shape make_car_bed() {
-  return make_bed("sand", car_bed_height, graded(kPatch.low_x, 2.5, 13.5, kPatch.high_x, 0.06),
-                  graded(kPatch.low_y, -9, 9, kPatch.high_y, 0.14));
+  return make_bed("sand", car_bed_height, graded(kPatch.low_x, 2.5, 13.5, kPatch.high_x, 0.07),
+                  graded(kPatch.low_y, -9, 9, kPatch.high_y, 0.2));
 }
 
 Shape make_car_stones() {

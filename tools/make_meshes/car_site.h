@@ -9,9 +9,9 @@ namespace modelling {
 
 /// Where the car came to rest, as in scenes/car.sdf: its left side towards the origin, its right rear corner sunk in.
 /// The world's z = 0 is the mean level of the sand.
-inline const Vec3 kCarPosition{6.6, 0.2, -0.14};
+inline const Vec3 kCarPosition{6.6, 0.2, -0.17};
 inline constexpr double kCarRollDeg = 6;
-inline constexpr double kCarPitchDeg = -4.5;
+inline constexpr double kCarPitchDeg = -3;
 inline constexpr double kCarYawDeg = 112;
 [[nodiscard]] Pose world_from_car();
 

@@ -14,6 +14,8 @@
 #include "seabed.h"
 #include "site.h"
 #include "tank.h"
+#include "tree.h"
+#include "tree_site.h"
 
 int main(int argc, char** argv) {
   if (argc != 2) {
@@ -38,6 +40,9 @@ int main(int argc, char** argv) {
     write("car_debris", make_car_debris());
     write("car_bed", make_car_bed());
     write("car_stones", make_car_stones());
+    write("christmas_tree", make_christmas_tree());
+    write("tree_bed", make_tree_bed());
+    write("tree_lines", make_tree_lines());
     return 0;
   } catch (const std::exception& error) {
     fmt::print(stderr, "make_meshes: {}\n", error.what());
