@@ -14,31 +14,38 @@ constexpr double kPi = std::numbers::pi;
 constexpr double kBeamHeight = 0.32;  // Of the permanent base's beams.
 constexpr double kBeamMiddle = 0.74;  // Above the mud line.
 
-// The temporary base: an octagonal ring with pockets for ballast, sunk into the mud.
+// A point of the ground plan in polar coordinates.
+Vec2 at_angle(double radius, double angle) {
+  return {radius * std::cos(angle), radius * std::sin(angle)};
+}
+
+std::vector<Vec2> octagon(double radius) {
+  std::vector<Vec2> corners;
+  for (int i = 0; i < 8; ++i) {
+    corners.push_back(at_angle(radius, (i + 0.5) * kPi / 4));
+  }
+  return corners;
+}
+
+// The temporary base: an octagonal ring with pockets for ballast, sunk into the mud. Rims, webs and floor differ by a
+// few millimetres in height.
 Shape make_temporary_base() {
   constexpr double kOuter = 2.35;
   const double eighth = kPi / 4;
-  const auto at_angle = [](double radius, double angle) -> Vec2 {
-    return {radius * std::cos(angle), radius * std::sin(angle)};
-  };
-  std::vector<Vec2> outline;
-  std::vector<std::vector<Vec2>> pockets = {ring(Vec2::Zero(), 0.72, 0.72, 32)};
+  Shape base = placed(plate("steel", octagon(kOuter), {octagon(kOuter - 0.16)}, 0.40), at({0, 0, -0.12}));
+  base.add(placed(plate("steel", octagon(1.06), {ring(Vec2::Zero(), 0.72, 0.72, 32)}, 0.39), at({0, 0, -0.117})));
+  base.add(
+      placed(plate("steel", octagon(kOuter - 0.05), {ring(Vec2::Zero(), 0.78, 0.78, 32)}, 0.03), at({0, 0, 0.06})));
   for (int i = 0; i < 8; ++i) {
-    const double corner = (i + 0.5) * eighth;
-    outline.push_back(at_angle(kOuter, corner));
-    const double in = 0.09, out = 0.05;  // Half the webs between the pockets, as angles.
-    pockets.push_back({at_angle(1.05, corner + in), at_angle(2.12, corner + out), at_angle(2.12, corner + eighth - out),
-                       at_angle(1.05, corner + eighth - in)});
+    const Vec2 middle = at_angle(1.6, (i + 0.5) * eighth);
+    base.add(box("steel", {1.36, 0.12, 0.37}), at({middle.x(), middle.y(), 0.082}, 0, 0, (i + 0.5) * 45));
   }
-  Shape base = placed(plate("steel", outline, pockets, 0.30), at({0, 0, -0.08}));
-  base.add(placed(plate("steel", outline, {ring(Vec2::Zero(), 0.7, 0.7, 32)}, 0.02),
-                  at({0, 0, -0.05})));  // Floors of the pockets.
-  for (int i = 0; i < 8; i += 2) {      // Lifting eyes.
+  for (int i = 0; i < 8; i += 2) {  // Lifting eyes.
     std::vector<Vec3> eye;
     const Vec2 p = at_angle(2.2, (i + 0.5) * eighth);
     for (const Vec2& q : ring(Vec2::Zero(), 0.08, 0.08, 12)) {
       eye.emplace_back(p.x() + q.x() * std::cos((i + 0.5) * eighth), p.y() + q.x() * std::sin((i + 0.5) * eighth),
-                       0.27 + q.y());
+                       0.31 + q.y());
     }
     base.add(tube("steel", eye, 0.018, 6, true));
   }

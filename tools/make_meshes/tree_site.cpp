@@ -1,4 +1,4 @@
-// tree_site.cpp -- silt that animals have dug over, and cuttings that the well threw up.
+// tree_site.cpp -- fine sand that animals have dug over, and cuttings that the well threw up.
 
 #include "tree_site.h"
 
@@ -45,13 +45,31 @@ double burrow_height(double x, double y) {
   return height;
 }
 
-// Laid over the bed from a hub on the tree: `start` and the points after it in the world; those on the bed follow it.
-std::vector<Vec3> laid_line(const std::vector<Vec3>& hanging, const std::vector<Vec2>& lying, double radius) {
-  std::vector<Vec3> corners = hanging;
+// A line from a hub on the tree down to the bed and over it: `hanging` is its free part, whose last point is where it
+// meets the bed; `lying` are the corners of its way over it.
+Shape laid_line(const std::string& material, const std::vector<Vec3>& hanging, const std::vector<Vec2>& lying,
+                double radius) {
+  const auto on_bed = [&](double x, double y) -> Vec3 { return {x, y, tree_bed_height(x, y) + 0.6 * radius}; };
+  std::vector<Vec3> corners = {{hanging.back().x(), hanging.back().y(), 0}};
   for (const Vec2& p : lying) {
-    corners.emplace_back(p.x(), p.y(), tree_bed_height(p.x(), p.y()) + 0.5 * radius);
+    corners.emplace_back(p.x(), p.y(), 0);
   }
-  return bent_path(corners, 1.2);
+  std::vector<Vec3> path = hanging;
+  path.back() = on_bed(hanging.back().x(), hanging.back().y());
+  path = bent_path(path, 10 * radius);
+  path.pop_back();
+  // As stiff as it is, it rests on the bed's height over some way rather than on every bump.
+  const std::vector<Vec3> plan = bent_path(corners, 2.0);
+  for (std::size_t i = 0; i + 1 < plan.size(); ++i) {
+    const Vec3 piece = plan[i + 1] - plan[i];
+    for (double s = 0; s < piece.norm(); s += 0.35) {
+      const Vec3 p = plan[i] + s * piece.normalized();
+      if ((p - path.back()).head<2>().norm() > 0.3) {
+        path.push_back(on_bed(p.x(), p.y()));
+      }
+    }
+  }
+  return tube(material, path, radius, radius > 0.1 ? 16 : 10);
 }
 
 }  // namespace
@@ -70,7 +88,7 @@ double tree_bed_height(double x, double y) {
 }
 
 Shape make_tree_bed() {
-  return make_bed("silt", tree_bed_height, graded(kPatch.low_x, 0, 22, kPatch.high_x, 0.1),
+  return make_bed("fine_sand", tree_bed_height, graded(kPatch.low_x, 0, 22, kPatch.high_x, 0.1),
                   graded(kPatch.low_y, -4.5, 4.5, kPatch.high_y, 0.1));
 }
 
@@ -78,18 +96,18 @@ Shape make_tree_lines() {
   const Pose tree = world_from_tree();
   const auto from_tree = [&](double x, double y, double z) -> Vec3 { return tree * Vec3(x, y, z); };
   Shape lines;
-  lines.add(tube("stainless_steel",
-                 laid_line({from_tree(-1.9, 0.74, 1.34), from_tree(-2.7, 0.74, 1.36), from_tree(-3.4, 0.76, 0.2)},
-                           {{13.2, -2.6}, {15.5, -3.9}, {19.0, -5.0}, {24.0, -5.4}, {32.0, -5.0}}, 0.12),
-                 0.12, 16));
-  lines.add(tube("stainless_steel",
-                 laid_line({from_tree(-1.9, -0.74, 1.34), from_tree(-2.6, -0.74, 1.35), from_tree(-3.1, -0.8, 0.2)},
-                           {{12.4, -0.4}, {15.0, -2.9}, {19.0, -4.4}, {24.0, -5.0}, {32.0, -4.6}}, 0.06),
-                 0.06, 12));
-  lines.add(tube("polyurethane",
-                 laid_line({from_tree(0.55, -1.83, 2.42), from_tree(0.55, -2.5, 2.4), from_tree(0.5, -2.8, 0.3)},
-                           {{8.8, 3.7}, {10.5, 5.2}, {14.0, 6.1}, {20.0, 6.0}, {30.0, 8.5}}, 0.04),
-                 0.04, 10));
+  lines.add(laid_line(
+      "stainless_steel",
+      {from_tree(-1.9, 0.74, 1.34), from_tree(-2.7, 0.74, 1.36), from_tree(-3.0, 0.75, 0.5), from_tree(-3.8, 0.8, 0)},
+      {{10.6, -3.6}, {12.2, -6.0}, {15.7, -9.0}, {23.7, -12.0}}, 0.12));
+  lines.add(laid_line("stainless_steel",
+                      {from_tree(-1.9, -0.74, 1.34), from_tree(-2.5, -0.74, 1.35), from_tree(-2.8, -0.76, 0.4),
+                       from_tree(-3.3, -0.8, 0)},
+                      {{10.9, -2.4}, {12.6, -4.9}, {15.7, -7.8}, {23.7, -10.8}}, 0.06));
+  lines.add(laid_line(
+      "polyurethane",
+      {from_tree(0.55, -1.83, 2.42), from_tree(0.55, -2.4, 2.4), from_tree(0.52, -2.6, 0.4), from_tree(0.5, -3.0, 0)},
+      {{6.5, 3.9}, {8.2, 5.2}, {11.7, 6.1}, {17.7, 6.0}, {27.7, 8.5}}, 0.04));
   return lines;
 }
 

@@ -1,4 +1,4 @@
-// tree_site.h -- the silt that the Christmas tree's well was drilled in, and the lines that lead away over it.
+// tree_site.h -- the fine sand that the Christmas tree's well was drilled in, and the lines that lead away over it.
 
 #pragma once
 
@@ -8,14 +8,14 @@
 namespace modelling {
 
 /// Where the tree stands, as in scenes/christmas_tree.sdf; the world's z = 0 is the mean level of the bed.
-inline const Vec3 kTreePosition{8.5, 0, 0};
+inline const Vec3 kTreePosition{6.2, 0, 0};
 inline constexpr double kTreeYawDeg = 158;
 [[nodiscard]] Pose world_from_tree();
 
-/// Height of the silt: undulation, burrowers' mounds and pits, the heap of drill cuttings about the well [m].
+/// Height of the bed: undulation, burrowers' mounds and pits, the heap of drill cuttings about the well [m].
 [[nodiscard]] double tree_bed_height(double x, double y);
 
-/// The silt as a grid, finest where the shipped sonar looks.
+/// The bed as a grid, finest where the shipped sonar looks.
 [[nodiscard]] Shape make_tree_bed();
 
 /// Flow line, annulus line and the umbilical's flying lead, from the tree's hubs over the bed; in the world's frame.
