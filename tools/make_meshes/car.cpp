@@ -16,8 +16,8 @@ double bell(double x, double middle, double width) {
 
 // Roof stove in on the right, the left corner of the nose pushed back, sheets buckled.
 Vec3 crushed(const Vec3& p) {
-  const double cabin = smooth_step(0.88, kRoofHeight, p.z());
-  const double stove = 0.42 * cabin * bell(p.x(), -0.35, 0.75) * smooth_step(0.35, -0.6, p.y());
+  const double cabin = smooth_step(0.70, kRoofHeight, p.z());
+  const double stove = 0.40 * cabin * bell(p.x(), -0.35, 0.75) * smooth_step(0.35, -0.6, p.y());
   const double lean = -0.05 * cabin * bell(p.x(), -0.2, 0.9);
   const double nose = 0.22 * smooth_step(1.45, kCarNose, p.x()) * smooth_step(-0.1, 0.75, p.y());
   const double buckle = 0.035 * smooth_step(0.35, 0.7, p.z()) * std::sin(16 * p.x()) * smooth_step(1.3, 1.7, p.x()) *

@@ -38,7 +38,7 @@ struct DoorCut {
   double window_rear, window_front;  ///< x at the waistline [m]
 };
 inline constexpr DoorCut kFrontDoor{-0.27, 0.73, -0.25, 0.55};
-inline constexpr DoorCut kRearDoor{-0.94, -0.35, -0.95, -0.37};
+inline constexpr DoorCut kRearDoor{-0.94, -0.35, -0.95, -0.38};
 
 // Its parts, undamaged.
 [[nodiscard]] Shape make_body();      ///< Wings, sides, boot, nose and tail, floor and bulkheads; both left doors off.

@@ -58,7 +58,7 @@ Shape make_rim() {
   rim.add(plate("aluminium", ring(Vec2::Zero(), 0.176, 0.176, 28), holes, 0.009), at({0, 0, 0.03}));
   rim.add(revolve("aluminium", {{0, 0.02}, {0.052, 0.02}, {0.055, 0.05}, {0.04, 0.062}, {0, 0.066}}, 16));
   for (const Vec2& p : ring(Vec2::Zero(), 0.075, 0.075, 5)) {
-    rim.add(revolve("steel", {{0, 0.03}, {0.011, 0.03}, {0.011, 0.052}, {0, 0.055}}, 6), at({p.x(), p.y(), 0}));
+    rim.add(revolve("steel", {{0, 0.034}, {0.011, 0.034}, {0.011, 0.052}, {0, 0.055}}, 6), at({p.x(), p.y(), 0}));
   }
   return rim;
 }

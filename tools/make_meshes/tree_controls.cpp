@@ -115,7 +115,7 @@ Shape make_pod() {
                    at({0, 0, 0}, 0, 0, 0)),
             at({0.455 * std::cos(angle / 57.29578), 0.455 * std::sin(angle / 57.29578), 0}));
   }
-  pod.add(box("steel", {0.5, 0.22, 0.16}), at({0.42, 0.02, 2.24}));  // Bracket to the block.
+  pod.add(box("steel", {0.5, 0.22, 0.16}), at({0.42, 0.02, 2.25}));  // Bracket to the block.
   return pod;
 }
 

@@ -53,7 +53,7 @@ Shape make_tubing() {
   Shape tubing;
   for (const double side : {-1.0, 1.0}) {
     for (int i = 0; i < 5; ++i) {
-      const double z = 2.24 + 0.05 * i;
+      const double z = 2.235 + 0.05 * i;
       const double end = 0.72 + 0.06 * i;
       tubing.add(bent_pipe("stainless_steel",
                            {{-0.80, side * 0.10 - 0.15, z},

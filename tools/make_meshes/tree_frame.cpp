@@ -97,7 +97,7 @@ Shape make_roof() {
       holes.push_back(ring({1.232 * x, 1.232 * y}, 0.16, 0.16, 16));
     }
     for (const double y : {-0.45, 0.0, 0.45}) {  // Slots that let water and mud through.
-      holes.push_back({{x - 0.04, y - 0.12}, {x + 0.04, y - 0.12}, {x + 0.04, y + 0.12}, {x - 0.04, y + 0.12}});
+      holes.push_back(ring({x, y}, 0.05, 0.13, 14));
     }
   }
   roof.add(plate("grp", outline, holes, 0.035), at({0, 0, kFrameTop + kRailRadius - 0.01}));
@@ -115,7 +115,7 @@ Shape make_frame_anodes() {
   for (const double side : {-1.0, 1.0}) {
     for (const double x : {-0.75, 0.75}) {
       anodes.add(make_anode(0.7), at({x, side * (kW + 0.05), kFrameFoot}, -90 * side));
-      anodes.add(make_anode(0.6), at({x, side * 0.52, 0.90 + 0.02}, 0));
+      anodes.add(make_anode(0.6), at({x, side * 0.52, 0.905}, 0));
     }
     anodes.add(placed(make_anode(0.7), at({0, 0, 0}, -90)), at({-kW - 0.05, side * 0.75, kFrameFoot}, 0, 0, 90));
   }
