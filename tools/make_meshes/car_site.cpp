@@ -91,14 +91,14 @@ Shape make_car_stones() {
 
 Shape make_car_debris() {
   Shape debris;
-  // The missing wheel lies outside up, the door on its trim, the front bumper on its back.
+  // The missing wheel lies outside up, the door on its skin, the front bumper on its back.
   debris.add(placed(make_car_wheel(), at({0, 0, 0}, 90)), on_bed(4.55, 2.35, -0.06, 9, -6, 30));
   const Vec3 middle = (body_point(kFrontDoor.rear, 0.65) + body_point(kFrontDoor.front, 0.65)) / 2;
   Shape door = placed(make_door(kFrontDoor), at(-middle));
   door.deform([](const Vec3& p) -> Vec3 {
     return p + Vec3(0, 0.10 * std::pow(p.x() / 0.5, 2) + 0.02 * noise(p / 0.3, 93), 0);
   });
-  debris.add(placed(door, at({0, 0, 0}, 90)), on_bed(4.3, -1.5, -0.04, 6, 5, 148));
+  debris.add(placed(door, at({0, 0, 0}, -90)), on_bed(4.3, -1.5, -0.01, -3, 2, -25));
   Shape bumper = make_bumper();
   bumper.deform([](const Vec3& p) -> Vec3 {
     return p + Vec3(-0.25 * smooth_step(0.1, 0.9, p.y()), 0, 0.10 * smooth_step(0.2, 0.9, p.y()));
@@ -106,7 +106,7 @@ Shape make_car_debris() {
   debris.add(placed(bumper, at({0, 0, 0}, 0, -70)), on_bed(5.7, 3.75, -0.03, 0, 4, 70));
   // A hub cap, the silencer with its pipe.
   debris.add(revolve("aluminium", {{0, 0}, {0.17, 0}, {0.175, 0.012}, {0.13, 0.03}, {0.05, 0.035}, {0, 0.045}}, 24),
-             on_bed(3.75, 0.75, 0, 12, 8, 0));
+             on_bed(4.75, 0.95, 0, 12, 8, 0));
   Shape pipe = tube("steel", {{-0.9, 0, 0}, {-0.2, 0, 0}, {0.2, 0.1, 0.02}, {0.9, 0.12, 0.05}}, 0.025, 8);
   pipe.add(placed(revolve("steel", {{0, -0.28}, {0.07, -0.28}, {0.1, -0.25}, {0.1, 0.25}, {0.07, 0.28}, {0, 0.28}}, 16),
                   at({-0.4, 0, 0.02}, 0, 90)));

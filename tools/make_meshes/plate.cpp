@@ -51,6 +51,17 @@ bool crosses(const Vec2& a, const Vec2& b, const Outline& outline) {
   return false;
 }
 
+// Whether a slit from corner i of an outline to a point sets out into its inside. Where earlier slits end there are two
+// corners in one place, and only one of them looks that way.
+bool opens_towards(const Outline& outline, std::size_t i, const Vec2& point) {
+  const Vec2& before = outline[(i + outline.size() - 1) % outline.size()];
+  const Vec2& corner = outline[i];
+  const Vec2& after = outline[(i + 1) % outline.size()];
+  const bool left_of_first = turn(before, corner, point) > 0;
+  const bool left_of_second = turn(corner, after, point) > 0;
+  return turn(before, corner, after) > 0 ? left_of_first && left_of_second : left_of_first || left_of_second;
+}
+
 // Cuts a slit from the outline to the first hole, so that both become one outline. The shortest slit that crosses
 // neither outline nor any hole.
 void join_hole(Outline& outline, std::span<const Outline> holes) {
@@ -64,7 +75,7 @@ void join_hole(Outline& outline, std::span<const Outline> holes) {
   for (std::size_t i = 0; i < outline.size(); ++i) {
     for (std::size_t j = 0; j < hole.size(); ++j) {
       const double distance = (outline[i] - hole[j]).squaredNorm();
-      if (distance < best && is_free(outline[i], hole[j])) {
+      if (distance < best && opens_towards(outline, i, hole[j]) && is_free(outline[i], hole[j])) {
         best = distance;
         best_outer = i;
         best_inner = j;

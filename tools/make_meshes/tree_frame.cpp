@@ -91,13 +91,13 @@ Shape make_roof() {
                            (i < 2 ? e - r : r - e) + r * std::sin(angle));
     }
   }
-  std::vector<std::vector<Vec2>> holes = {ring(Vec2::Zero(), 0.66, 0.66, 36)};
+  std::vector<std::vector<Vec2>> holes = {ring(Vec2::Zero(), 0.47, 0.47, 36)};
   for (const double x : {-1.05, 1.05}) {
     for (const double y : {-1.05, 1.05}) {  // Over the post heads.
-      holes.push_back(ring({1.232 * x, 1.232 * y}, 0.16, 0.16, 16));
+      holes.push_back(ring({1.232 * x, 1.232 * y}, 0.09, 0.09, 16));
     }
     for (const double y : {-0.45, 0.0, 0.45}) {  // Slots that let water and mud through.
-      holes.push_back(ring({x, y}, 0.05, 0.13, 14));
+      holes.push_back(ring({x, y}, 0.03, 0.13, 14));
     }
   }
   roof.add(plate("grp", outline, holes, 0.035), at({0, 0, kFrameTop + kRailRadius - 0.01}));
