@@ -133,39 +133,26 @@ Shape make_choke() {
   return choke;
 }
 
-// The cap: a dome locked on the tree's mandrel, four ribs, two torque buckets and the re-entry hub with a bail.
+// The cap: a dome locked on the tree's mandrel, a lid over the roof's hole, and on it four ribs, two torque buckets and
+// the re-entry hub.
 Shape make_cap() {
-  Shape cap = revolve("steel",
-                      {{0, 3.58},
-                       {0.40, 3.58},
-                       {0.47, 3.61},
-                       {0.47, 3.70},
-                       {0.43, 3.72},
-                       {0.43, 4.00},
-                       {0.40, 4.08},
-                       {0.33, 4.17},
-                       {0.22, 4.24},
-                       {0.15, 4.27},
-                       {0.15, 4.52},
-                       {0.21, 4.54},
-                       {0.21, 4.62},
-                       {0.17, 4.64},
-                       {0.12, 4.72},
-                       {0.10, kTreeTop},
-                       {0, kTreeTop}},
+  constexpr double kLid = 4.41;  // Its upper face.
+  Shape cap = revolve("steel", {{0, 3.58},    {0.40, 3.58}, {0.47, 3.61},     {0.47, 3.70}, {0.43, 3.72}, {0.43, 4.00},
+                                {0.40, 4.08}, {0.33, 4.17}, {0.24, 4.235},    {0.24, 4.36}, {0.58, 4.37}, {0.58, 4.39},
+                                {0.55, kLid}, {0.18, kLid}, {0.15, 4.43},     {0.15, 4.56}, {0.21, 4.58}, {0.21, 4.65},
+                                {0.17, 4.67}, {0.12, 4.73}, {0.10, kTreeTop}, {0, kTreeTop}},
                       36);
   cap.add(bolt_circle(0.435, 18, 3.60, 3.745, 0.02));
-  const Shape rib =
-      plate("steel", {{0.10, 4.05}, {0.40, 4.05}, {0.46, 4.02}, {0.46, 4.10}, {0.20, 4.46}, {0.10, 4.46}}, {}, 0.025);
+  const Shape rib = plate("steel", {{0.10, 4.38}, {0.52, 4.38}, {0.50, 4.44}, {0.20, 4.54}, {0.10, 4.54}}, {}, 0.025);
   for (int i = 0; i < 4; ++i) {
     cap.add(placed(placed(rib, at({0, 0.0125, 0}, 90)), at({0, 0, 0}, 0, 0, 90 * i + 45)));
   }
-  for (const double y : {-0.30, 0.30}) {
-    cap.add(placed(
-        revolve("stainless_steel", {{0, 0}, {0.10, 0}, {0.10, 0.24}, {0.09, 0.24}, {0.088, 0.03}, {0, 0.03}}, 20),
-        at({0, y, 4.10})));
-    cap.add(tube("stainless_steel", {{-0.075, y, 4.27}, {0.075, y, 4.27}}, 0.014, 6));
-    cap.add(tube("stainless_steel", {{0, y, 4.11}, {0, y, 4.27}}, 0.016, 6));
+  const Shape bucket =
+      revolve("stainless_steel", {{0, 0}, {0.10, 0}, {0.10, 0.24}, {0.09, 0.24}, {0.088, 0.04}, {0, 0.04}}, 20);
+  for (const double y : {-0.34, 0.34}) {
+    cap.add(bucket, at({0, y, kLid - 0.02}));
+    cap.add(tube("stainless_steel", {{-0.075, y, kLid + 0.15}, {0.075, y, kLid + 0.15}}, 0.014, 6));
+    cap.add(tube("stainless_steel", {{0, y, kLid}, {0, y, kLid + 0.15}}, 0.016, 6));
   }
   return cap;
 }

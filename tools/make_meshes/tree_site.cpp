@@ -88,7 +88,7 @@ double tree_bed_height(double x, double y) {
 }
 
 Shape make_tree_bed() {
-  return make_bed("fine_sand", tree_bed_height, graded(kPatch.low_x, 0, 22, kPatch.high_x, 0.1),
+  return make_bed("sand", tree_bed_height, graded(kPatch.low_x, 0, 22, kPatch.high_x, 0.1),
                   graded(kPatch.low_y, -4.5, 4.5, kPatch.high_y, 0.1));
 }
 

@@ -1,4 +1,4 @@
-// tree_site.h -- the fine sand that the Christmas tree's well was drilled in, and the lines that lead away over it.
+// tree_site.h -- the sand that the Christmas tree's well was drilled in, and the lines that lead away over it.
 
 #pragma once
 
