@@ -152,7 +152,7 @@ Shape make_cap() {
   for (const double y : {-0.34, 0.34}) {
     cap.add(bucket, at({0, y, kLid - 0.02}));
     cap.add(tube("stainless_steel", {{-0.075, y, kLid + 0.15}, {0.075, y, kLid + 0.15}}, 0.014, 6));
-    cap.add(tube("stainless_steel", {{0, y, kLid}, {0, y, kLid + 0.15}}, 0.016, 6));
+    cap.add(tube("stainless_steel", {{0, y, kLid - 0.01}, {0, y, kLid + 0.15}}, 0.016, 6));
   }
   return cap;
 }
