@@ -92,13 +92,8 @@ Shape make_roof() {
     }
   }
   std::vector<std::vector<Vec2>> holes = {ring(Vec2::Zero(), 0.47, 0.47, 36)};
-  for (const double x : {-1.05, 1.05}) {
-    for (const double y : {-1.05, 1.05}) {  // Over the post heads.
-      holes.push_back(ring({1.232 * x, 1.232 * y}, 0.09, 0.09, 16));
-    }
-    for (const double y : {-0.45, 0.0, 0.45}) {  // Slots that let water and mud through.
-      holes.push_back(ring({x, y}, 0.03, 0.13, 14));
-    }
+  for (int corner = 0; corner < 4; ++corner) {  // For the guide lines.
+    holes.push_back(ring(post_place(corner), 0.09, 0.09, 16));
   }
   roof.add(plate("grp", outline, holes, 0.035), at({0, 0, kFrameTop + kRailRadius - 0.01}));
   // Padeyes to lift the tree by.
