@@ -122,7 +122,7 @@ TEST(CarSceneTest, OneSeesTheSeatsThroughTheDoorWays) {
       bins += scan.is_of(ping, bin, "car") && scan.material(ping, bin) == "upholstery" ? 1 : 0;
     }
   }
-  EXPECT_GT(bins, 20);
+  EXPECT_GT(bins, 150);  // From the right, where the doors are shut, it is a few dozen.
 }
 
 }  // namespace
