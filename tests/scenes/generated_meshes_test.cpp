@@ -8,9 +8,13 @@
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
+#include <iterator>
 #include <limits>
+#include <map>
 #include <memory>
+#include <numeric>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "insonify/engine.h"
@@ -26,7 +30,9 @@ using testing_scenes::bytes_of;
 using testing_scenes::generated_meshes;
 using testing_scenes::read_obj;
 
-const std::vector<std::string> kNames = {"ferry", "seabed", "boulders", "debris", "cone", "tank", "vehicle_box"};
+const std::vector<std::string> kNames = {"ferry",      "seabed",         "boulders", "debris",    "cone",
+                                         "tank",       "vehicle_box",    "car",      "car_bed",   "car_debris",
+                                         "car_stones", "christmas_tree", "tree_bed", "tree_lines"};
 
 // The files keep whole millimetres.
 constexpr double kRounding = 1e-3;
@@ -92,10 +98,69 @@ TEST(GeneratedMeshesTest, FerrySceneHasFourHundredThousandTrianglesAtMost) {
   EXPECT_LT(sum, 400'000U);
 }
 
+TEST(GeneratedMeshesTest, CarAndTreeAreMadeOfTenToSixtyThousandTriangles) {
+  for (const char* name : {"car", "christmas_tree"}) {
+    const std::size_t count = read_obj(generated_meshes() / (std::string(name) + ".obj")).triangles.size();
+    EXPECT_GT(count, 10'000U) << name;
+    EXPECT_LT(count, 60'000U) << name;
+  }
+}
+
+// The number of a shape's edges that are not run through as often one way as the other: none where every part is
+// closed and its triangles agree which side is outside.
+std::size_t open_edges(const Mesh& mesh) {
+  std::map<std::pair<std::uint32_t, std::uint32_t>, int> balance;
+  for (const auto& triangle : mesh.triangles) {
+    for (int i = 0; i < 3; ++i) {
+      const std::uint32_t from = triangle[i], to = triangle[(i + 1) % 3];
+      balance[std::minmax(from, to)] += from < to ? 1 : -1;
+    }
+  }
+  return static_cast<std::size_t>(std::ranges::count_if(balance, [](const auto& edge) { return edge.second != 0; }));
+}
+
+// Volumes of a shape's parts, where those that share a vertex are one: positive where triangles wind outwards.
+std::vector<double> volumes(const Mesh& mesh) {
+  std::vector<std::uint32_t> part(mesh.vertices.size());
+  std::iota(part.begin(), part.end(), 0U);
+  const auto root = [&](std::uint32_t v) {
+    while (part[v] != v) {
+      v = part[v] = part[part[v]];
+    }
+    return v;
+  };
+  for (const auto& [a, b, c] : mesh.triangles) {
+    part[root(a)] = root(b);
+    part[root(b)] = root(c);
+  }
+  std::map<std::uint32_t, double> sums;
+  for (const auto& [a, b, c] : mesh.triangles) {
+    const Vec3 p = mesh.vertices[a].cast<double>(), q = mesh.vertices[b].cast<double>();
+    sums[root(a)] += p.cross(q).dot(mesh.vertices[c].cast<double>()) / 6;
+  }
+  std::vector<double> volumes;
+  std::ranges::transform(sums, std::back_inserter(volumes), [](const auto& sum) { return sum.second; });
+  return volumes;
+}
+
+TEST(GeneratedMeshesTest, PartsOfCarAndTreeAreClosedAndFaceOutwards) {
+  for (const char* name : {"car", "car_debris", "car_stones", "christmas_tree", "tree_lines"}) {
+    SCOPED_TRACE(name);
+    const Mesh mesh = read_obj(generated_meshes() / (std::string(name) + ".obj"));
+    EXPECT_EQ(open_edges(mesh), 0U);
+    EXPECT_GT(std::ranges::min(volumes(mesh)), 0);
+  }
+}
+
 TEST(GeneratedMeshesTest, MaterialsAreNamed) {
   EXPECT_EQ(read_obj(generated_meshes() / "ferry.obj").material_names,
             (std::vector<std::string>{"hull", "deck", "superstructure", "steel", "rubber", "wood"}));
   EXPECT_EQ(read_obj(generated_meshes() / "tank.obj").material_names, (std::vector<std::string>{"concrete", "steel"}));
+  EXPECT_EQ(read_obj(generated_meshes() / "car.obj").material_names,
+            (std::vector<std::string>{"bodywork", "glass", "aluminium", "acrylic", "steel", "upholstery", "abs",
+                                      "rubber", "cast_iron", "copper", "brass", "lead", "hdpe"}));
+  EXPECT_EQ(read_obj(generated_meshes() / "christmas_tree.obj").material_names,
+            (std::vector<std::string>{"steel", "stainless_steel", "hdpe", "grp", "aluminium"}));
 }
 
 TEST(TankMeshTest, InsideIsTwentyThreeByEighteenPointEightOneByEight) {
@@ -213,6 +278,72 @@ TEST(SeabedMeshTest, RipplesAreAboutAMetreLongAndTenCentimetresHigh) {
   EXPECT_LT(ripples.length / ripples.count, 1.1);
   EXPECT_GT(ripples.rise / ripples.count, 0.08);
   EXPECT_LT(ripples.rise / ripples.count, 0.12);
+}
+
+// The car's own frame: x forward from midway between the axles, y to its left, z up from the road.
+
+TEST(CarMeshTest, RearWheelsStandOnTheRoadAtTheirPlaces) {
+  // Axle 1.325 m behind the middle, wheels of 0.31 m radius; a ray along the axle from the left meets the cap, whose
+  // dome stands 0.066 m out from the wheel's middle at 0.70 m.
+  Probe car("car");
+  EXPECT_NEAR(5 - car.distance({-1.325, 5, 0.31}, -Vec3::UnitY()), 0.70 + 0.066, kRounding);
+  EXPECT_NEAR(car.distance({-1.325, 0.70, -2}, Vec3::UnitZ()), 2.0, 0.01);  // Its tread has grooves 9 mm deep.
+}
+
+TEST(CarMeshTest, LeftFrontWheelIsMissing) {
+  // Below the brake's disc, of 0.13 m radius about the axle at 0.31 m, the way is free to the right wheel.
+  Probe car("car");
+  const double left_face = 5 - car.distance({1.325, 5, 0.12}, -Vec3::UnitY());
+  EXPECT_LT(left_face, -0.5);
+  EXPECT_GT(left_face, -0.7);
+  EXPECT_GT(5 - car.distance({-1.325, 5, 0.12}, -Vec3::UnitY()), 0.7);
+}
+
+TEST(CarMeshTest, OneLooksInWhereTheLeftDoorWas) {
+  // Over the sill to the seats; behind the rear wheel the side is whole, 0.81 m from the middle of the car.
+  Probe car("car");
+  EXPECT_LT(5 - car.distance({0.15, 5, 0.5}, -Vec3::UnitY()), 0.72);
+  EXPECT_NEAR(5 - car.distance({-2.0, 5, 0.55}, -Vec3::UnitY()), 0.81, 0.04);
+}
+
+TEST(CarMeshTest, RoofIsCrushedOnTheRightAlone) {
+  // Over the seats, 0.5 m to both sides: sound it stands within a few centimetres of 1.4 m.
+  Probe car("car");
+  EXPECT_NEAR(car.height(-0.35, 0.45), 1.38, 0.05);
+  EXPECT_LT(car.height(-0.35, -0.45), 1.15);
+}
+
+// The tree's own frame: x to its ROV panel, y to its production wing, z up from the mud line.
+
+TEST(ChristmasTreeMeshTest, GuidePostsStandOnSixFeet) {
+  // API 17D: four posts on a radius of 1.829 m, here 1.293 m along both axes. Under the roof, above their sleeves, a
+  // ray from outside meets a tube of 8 5/8 in, 0.1095 m in radius.
+  Probe tree("christmas_tree");
+  for (const double side : {-1.0, 1.0}) {
+    EXPECT_NEAR(tree.distance({1.293 + 0.2, side * 1.293, 2.7}, -Vec3::UnitX()), 0.2 - 0.1095, 0.002);
+  }
+}
+
+TEST(ChristmasTreeMeshTest, RoofAndCapHaveTheirHeights) {
+  // Roof: rails' middle at 4.25 m, cover from 4.31 to 4.345 m. Cap: 4.80 m.
+  Probe tree("christmas_tree");
+  EXPECT_NEAR(tree.height(1.2, 0.25), 4.345, kRounding);
+  EXPECT_NEAR(tree.height(0, 0), 4.80, kRounding);
+}
+
+TEST(ChristmasTreeMeshTest, PanelStandsBeforeTheValves) {
+  // Its face at 1.5 m between the buckets, whose rims stand 0.06 m further out, their T bars 0.09 m inside these.
+  Probe tree("christmas_tree");
+  EXPECT_NEAR(5 - tree.distance({5, 0.45, 3.3}, -Vec3::UnitX()), 1.50, kRounding);
+  EXPECT_NEAR(5 - tree.distance({5, 0.21, 3.3 + 0.142}, -Vec3::UnitX()), 1.56, 0.01);
+  EXPECT_NEAR(5 - tree.distance({5, 0.21, 3.3}, -Vec3::UnitX()), 1.56 - 0.09 + 0.017, 0.005);
+}
+
+TEST(TreeBedMeshTest, IsNearlyLevelWithAHeapRoundTheWell) {
+  Probe bed("tree_bed");
+  EXPECT_NEAR(bed.height(0, 0), 0, 0.2);
+  EXPECT_NEAR(bed.height(17, 0), 0, 0.2);
+  EXPECT_GT(bed.height(6.2, 0.4), 0.08);
 }
 
 }  // namespace

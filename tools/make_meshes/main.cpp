@@ -6,12 +6,17 @@
 #include <filesystem>
 #include <stdexcept>
 
+#include "car.h"
+#include "car_site.h"
 #include "cone.h"
 #include "debris.h"
 #include "ferry.h"
 #include "obj.h"
 #include "seabed.h"
+#include "site.h"
 #include "tank.h"
+#include "tree.h"
+#include "tree_site.h"
 
 int main(int argc, char** argv) {
   if (argc != 2) {
@@ -28,11 +33,18 @@ int main(int argc, char** argv) {
     };
     write("ferry", make_ferry());
     write("seabed", make_seabed());
-    write("boulders", make_boulders());
+    write("boulders", make_boulders(boulders(), bed_height, 100));
     write("debris", make_debris());
     write("cone", make_cone());
     write("tank", make_tank());
     write("vehicle_box", make_vehicle_box());
+    write("car", make_wrecked_car());
+    write("car_debris", make_car_debris());
+    write("car_bed", make_car_bed());
+    write("car_stones", make_car_stones());
+    write("christmas_tree", make_christmas_tree());
+    write("tree_bed", make_tree_bed());
+    write("tree_lines", make_tree_lines());
     return 0;
   } catch (const std::exception& error) {
     fmt::print(stderr, "make_meshes: {}\n", error.what());
