@@ -27,12 +27,14 @@ int main(int argc, char** argv) {
     using namespace modelling;
     const std::filesystem::path folder = argv[1];
     std::filesystem::create_directories(folder);
-    const auto write = [&](const std::string& name, const Shape& shape) {
-      write_obj(folder, name, shape);
+    const auto write = [&](const std::string& name, const Shape& shape, const Cover* cover = nullptr) {
+      write_obj(folder, name, shape, cover);
       fmt::print("{}: {} triangles\n", name, shape.faces.size());
     };
     write("ferry", make_ferry());
-    write("seabed", make_seabed());
+    const Cover ripples{"seabed_ripples.png", kBedArea};
+    write_normal_map(folder / ripples.normal_map, bed_ripples, ripples.area, kBedMapTexels);
+    write("seabed", make_seabed(), &ripples);
     write("boulders", make_boulders(boulders(), bed_height, 100));
     write("debris", make_debris());
     write("cone", make_cone());

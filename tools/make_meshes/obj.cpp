@@ -72,7 +72,7 @@ void write_file(const std::filesystem::path& path, const std::string& text) {
 }
 
 // A colour for viewers of the file; sonars take materials by name.
-std::string mtl_text(const std::vector<std::string>& materials) {
+std::string mtl_text(const std::vector<std::string>& materials, const Cover* cover) {
   static const std::map<std::string, std::string> colours = {
       {"hull", "0.45 0.22 0.16"}, {"deck", "0.30 0.38 0.32"},  {"superstructure", "0.80 0.80 0.75"},
       {"sand", "0.78 0.70 0.52"}, {"rock", "0.42 0.42 0.42"},  {"concrete", "0.65 0.65 0.63"},
@@ -81,13 +81,16 @@ std::string mtl_text(const std::vector<std::string>& materials) {
   for (const std::string& name : materials) {
     const auto found = colours.find(name);
     text += fmt::format("newmtl {}\nKd {}\n", name, found == colours.end() ? "0.55 0.57 0.60" : found->second);
+    if (cover != nullptr) {
+      text += fmt::format("norm {}\n", cover->normal_map);
+    }
   }
   return text;
 }
 
 }  // namespace
 
-void write_obj(const std::filesystem::path& folder, const std::string& name, const Shape& shape) {
+void write_obj(const std::filesystem::path& folder, const std::string& name, const Shape& shape, const Cover* cover) {
   std::string text = fmt::format("# {}: metres, z up. Made by make_meshes.\nmtllib {}.mtl\n", name, name);
   text.reserve(20 * shape.vertices.size() + 22 * shape.faces.size());
 
@@ -110,6 +113,13 @@ void write_obj(const std::filesystem::path& folder, const std::string& name, con
         append_metres(text, value);
       }
       text += '\n';
+      if (cover != nullptr) {
+        const auto along = [&](std::int32_t millimetres, double low) {
+          return (millimetres / 1e3 - low) / cover->area.size;
+        };
+        fmt::format_to(std::back_inserter(text), "vt {:.6f} {:.6f}\n", along(position[0], cover->area.low_x),
+                       along(position[1], cover->area.low_y));
+      }
     }
   }
 
@@ -119,12 +129,13 @@ void write_obj(const std::filesystem::path& folder, const std::string& name, con
     for (const Shape::Face& face : shape.faces) {
       const auto [a, b, c] = face.corners;
       if (face.material == slot && has_area(positions[a], positions[b], positions[c])) {
-        fmt::format_to(std::back_inserter(text), "f {} {} {}\n", number_of[a], number_of[b], number_of[c]);
+        const auto line = cover == nullptr ? fmt::runtime("f {} {} {}\n") : fmt::runtime("f {0}/{0} {1}/{1} {2}/{2}\n");
+        fmt::format_to(std::back_inserter(text), line, number_of[a], number_of[b], number_of[c]);
       }
     }
   }
   write_file(folder / (name + ".obj"), text);
-  write_file(folder / (name + ".mtl"), mtl_text(shape.materials));
+  write_file(folder / (name + ".mtl"), mtl_text(shape.materials, cover));
 }
 
 }  // namespace modelling

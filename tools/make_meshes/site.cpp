@@ -69,14 +69,16 @@ const std::vector<Boulder>& boulders() {
 double bed_height(double x, double y) {
   const double undulation = 0.45 * fractal_noise({x / 24, y / 24, 0.5}, 71, 3, 0.4);
   const HullPlan plan = hull_plan(x, y);
-  const double height = undulation + scour(plan, x, y);
-  const double calm = 1 - 0.9 * bump(std::max(plan.distance, 0.0), 2.2);
-  const StoneScour stones = stone_scour(boulders(), x, y);
-  return height - stones.depth + calm * stones.calm * ripples().height(x, y);
+  return undulation + scour(plan, x, y) - stone_scour(boulders(), x, y).depth;
+}
+
+double bed_ripples(double x, double y) {
+  const double calm = 1 - 0.9 * bump(std::max(hull_plan(x, y).distance, 0.0), 2.2);
+  return calm * stone_scour(boulders(), x, y).calm * ripples().height(x, y);
 }
 
 Shape make_seabed() {
-  return make_bed("sand", bed_height, graded(kBedMiddleX - kBedHalfWidth, 5, 45, kBedMiddleX + kBedHalfWidth, 0.1),
+  return make_bed("sand", bed_height, graded(kBedMiddleX - kBedHalfWidth, 5, 45, kBedMiddleX + kBedHalfWidth, 0.25),
                   graded(-kBedHalfWidth, -36, 36, kBedHalfWidth, 0.3));
 }
 

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "normal_map.h"
 #include "seabed.h"
 #include "shape.h"
 
@@ -23,8 +24,13 @@ inline constexpr double kBedMiddleX = 30;
 
 [[nodiscard]] const std::vector<Boulder>& boulders();
 
-/// Height of the sand: undulation, ripples and scour [m].
+/// Height of the sand without its ripples: undulation and scour [m].
 [[nodiscard]] double bed_height(double x, double y);
+
+/// Of its ripples, which calm down beside the wreck and round stones [m]. They lie on the bed as a normal map.
+[[nodiscard]] double bed_ripples(double x, double y);
+inline constexpr MapArea kBedArea{kBedMiddleX - kBedHalfWidth, -kBedHalfWidth, 2 * kBedHalfWidth};
+inline constexpr int kBedMapTexels = 1536;  ///< Twelve a ripple.
 
 /// The bed as a grid, finest where the shipped sonar looks: 0.1 m across the ripples, 0.3 m along them.
 [[nodiscard]] Shape make_seabed();
