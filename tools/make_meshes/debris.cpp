@@ -14,9 +14,8 @@
 namespace modelling {
 namespace {
 
-// On the bed at (x, y), sunk in by `sunk` [m].
 Pose on_bed(double x, double y, double sunk, double roll_deg, double pitch_deg, double yaw_deg) {
-  return at({x, y, bed_height(x, y) - sunk}, roll_deg, pitch_deg, yaw_deg);
+  return on_ground(bed_height, x, y, sunk, roll_deg, pitch_deg, yaw_deg);
 }
 
 // A piece of shell plating, ragged and curled.

@@ -10,6 +10,7 @@
 #include "ferry.h"
 #include "obj.h"
 #include "seabed.h"
+#include "site.h"
 #include "tank.h"
 
 int main(int argc, char** argv) {
@@ -27,7 +28,7 @@ int main(int argc, char** argv) {
     };
     write("ferry", make_ferry());
     write("seabed", make_seabed());
-    write("boulders", make_boulders());
+    write("boulders", make_boulders(boulders(), bed_height, 100));
     write("debris", make_debris());
     write("tank", make_tank());
     write("vehicle_box", make_vehicle_box());

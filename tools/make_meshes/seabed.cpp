@@ -1,4 +1,4 @@
-// seabed.cpp -- a grid over the bed, and stones.
+// seabed.cpp -- a grid over the ground, and stones.
 
 #include "seabed.h"
 
@@ -9,12 +9,9 @@
 #include "curve.h"
 #include "kit.h"
 #include "noise.h"
-#include "site.h"
 
 namespace modelling {
-namespace {
 
-// Grid lines at `step` between `fine_low` and `fine_high`, further and further apart towards `low` and `high`.
 std::vector<double> graded(double low, double fine_low, double fine_high, double high, double step) {
   constexpr double kGrowth = 1.12;
   constexpr double kCoarsest = 1.5;  // [m]
@@ -34,8 +31,10 @@ std::vector<double> graded(double low, double fine_low, double fine_high, double
   return lines;
 }
 
+namespace {
+
 // A ball pushed in and out: squashed, faceted by a few large planes, rough at every scale.
-Shape make_boulder(const Boulder& boulder, std::uint32_t seed) {
+Shape make_boulder(const Boulder& boulder, const Ground& ground, std::uint32_t seed) {
   Shape stone = icosphere("rock", boulder.radius > 0.6 ? 4 : boulder.radius > 0.3 ? 3 : 2);
   const Vec3 stretch(1 + 0.3 * chance(seed, 1), 0.75 + 0.3 * chance(seed, 2), 0.6 + 0.3 * chance(seed, 3));
   stone.deform([&](const Vec3& p) -> Vec3 {
@@ -53,30 +52,44 @@ Shape make_boulder(const Boulder& boulder, std::uint32_t seed) {
     return boulder.radius * radius * p.cwiseProduct(stretch);
   });
   const double sunk = boulder.radius * stretch.z() * (0.15 + 0.35 * chance(seed, 4));
-  return placed(stone, at({boulder.x, boulder.y, bed_height(boulder.x, boulder.y) + sunk}, 20 * chance(seed, 5) - 10,
-                          20 * chance(seed, 6) - 10, 360 * chance(seed, 7)));
+  return placed(stone, on_ground(ground, boulder.x, boulder.y, -sunk, 20 * chance(seed, 5) - 10,
+                                 20 * chance(seed, 6) - 10, 360 * chance(seed, 7)));
 }
 
 }  // namespace
 
-Shape make_seabed() {
-  const double low_x = kBedMiddleX - kBedHalfWidth;
-  const double high_x = kBedMiddleX + kBedHalfWidth;
-  return sheet(
-      "sand",
-      [](double x, double y) -> Vec3 {
-        return {x, y, bed_height(x, y)};
-      },
-      graded(low_x, 5, 45, high_x, 0.1), graded(-kBedHalfWidth, -36, 36, kBedHalfWidth, 0.3));
+Shape make_bed(const std::string& material, const Ground& ground, const std::vector<double>& x,
+               const std::vector<double>& y) {
+  return sheet(material, [&](double s, double t) -> Vec3 { return {s, t, ground(s, t)}; }, x, y);
 }
 
-Shape make_boulders() {
+double bump(double distance, double width) {
+  return std::exp(-(distance / width) * (distance / width));
+}
+
+StoneScour stone_scour(const std::vector<Boulder>& stones, double x, double y) {
+  StoneScour scour{0, 1};
+  for (const Boulder& stone : stones) {
+    const double distance = std::hypot(x - stone.x, y - stone.y);
+    if (distance < 5 * stone.radius) {
+      scour.depth += 0.35 * stone.radius * bump(distance, 1.6 * stone.radius);
+      scour.calm *= 1 - bump(distance, 1.8 * stone.radius);
+    }
+  }
+  return scour;
+}
+
+Shape make_boulders(const std::vector<Boulder>& stones, const Ground& ground, std::uint32_t seed) {
   Shape shape;
-  std::uint32_t seed = 100;
-  for (const Boulder& boulder : boulders()) {
-    shape.add(make_boulder(boulder, ++seed));
+  for (const Boulder& stone : stones) {
+    shape.add(make_boulder(stone, ground, ++seed));
   }
   return shape;
+}
+
+Pose on_ground(const Ground& ground, double x, double y, double sunk, double roll_deg, double pitch_deg,
+               double yaw_deg) {
+  return at({x, y, ground(x, y) - sunk}, roll_deg, pitch_deg, yaw_deg);
 }
 
 }  // namespace modelling

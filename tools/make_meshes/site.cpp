@@ -4,65 +4,20 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "curve.h"
 #include "ferry.h"
 #include "noise.h"
+#include "ripples.h"
 
 namespace modelling {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-
 // Ripples of a current that sets towards azimuth 12 degrees.
-constexpr double kWavelength = 0.95;      // [m]
-constexpr double kRippleHeight = 0.115;   // Trough to crest [m].
-constexpr double kCurrentAzimuth = 0.21;  // [rad]
-
-// Where a crest line begins or ends. Going once round it the phase gains one turn, so that crests fork as they do in
-// sand.
-struct Fork {
-  double x, y;
-  int turn;  // +1 or -1
-};
-
-const std::vector<Fork>& forks() {
-  static const std::vector<Fork> all = [] {
-    std::vector<Fork> made;
-    for (int i = 0; i < 110; ++i) {
-      const double x = kBedMiddleX + kBedHalfWidth * (2 * chance(31, i, 0) - 1);
-      const double y = kBedHalfWidth * (2 * chance(31, i, 1) - 1);
-      made.push_back({x, y, i % 2 == 0 ? 1 : -1});
-    }
-    return made;
-  }();
+const Ripples& ripples() {
+  static const Ripples all({.wavelength = 0.95, .height = 0.115, .azimuth = 0.21, .forks = 110, .seed = 31},
+                           {kBedMiddleX - kBedHalfWidth, kBedMiddleX + kBedHalfWidth, -kBedHalfWidth, kBedHalfWidth});
   return all;
-}
-
-// Height over one wavelength, -1..1: broad troughs, sharp crests, and a lee side steeper than the stoss side.
-double ripple_profile(double phase) {
-  const double leaned = phase - 0.55 * std::sin(phase);
-  const double c = 0.5 + 0.5 * std::cos(leaned + 0.35 * std::sin(leaned + 0.7));
-  return 2 * std::pow(c, 1.35) - 1;
-}
-
-double ripple_height(double x, double y) {
-  const double along = x * std::cos(kCurrentAzimuth) + y * std::sin(kCurrentAzimuth);
-  double phase = 2 * kPi * along / kWavelength + 4.5 * fractal_noise({x / 11, y / 17, 0.5}, 41, 2);
-  double strength = 0.85 + 0.45 * fractal_noise({x / 6, y / 9, 2.5}, 42, 2);
-  for (const Fork& fork : forks()) {
-    const double dx = x - fork.x;
-    const double dy = y - fork.y;
-    phase += fork.turn * std::atan2(dy, dx);
-    const double distance = std::hypot(dx, dy) / 0.6;
-    strength *= 1 - std::exp(-distance * distance);
-  }
-  return kRippleHeight / 2 * std::max(strength, 0.2) * ripple_profile(phase);
-}
-
-double bump(double distance, double width) {
-  return std::exp(-(distance / width) * (distance / width));
 }
 
 // Distance from the plan of the hull, negative inside [m], and where along it.
@@ -114,16 +69,15 @@ const std::vector<Boulder>& boulders() {
 double bed_height(double x, double y) {
   const double undulation = 0.45 * fractal_noise({x / 24, y / 24, 0.5}, 71, 3, 0.4);
   const HullPlan plan = hull_plan(x, y);
-  double height = undulation + scour(plan, x, y);
-  double calm = 1 - 0.9 * bump(std::max(plan.distance, 0.0), 2.2);
-  for (const Boulder& boulder : boulders()) {
-    const double distance = std::hypot(x - boulder.x, y - boulder.y);
-    if (distance < 5 * boulder.radius) {
-      height -= 0.35 * boulder.radius * bump(distance, 1.6 * boulder.radius);
-      calm *= 1 - bump(distance, 1.8 * boulder.radius);
-    }
-  }
-  return height + calm * ripple_height(x, y);
+  const double height = undulation + scour(plan, x, y);
+  const double calm = 1 - 0.9 * bump(std::max(plan.distance, 0.0), 2.2);
+  const StoneScour stones = stone_scour(boulders(), x, y);
+  return height - stones.depth + calm * stones.calm * ripples().height(x, y);
+}
+
+Shape make_seabed() {
+  return make_bed("sand", bed_height, graded(kBedMiddleX - kBedHalfWidth, 5, 45, kBedMiddleX + kBedHalfWidth, 0.1),
+                  graded(-kBedHalfWidth, -36, 36, kBedHalfWidth, 0.3));
 }
 
 }  // namespace modelling

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "seabed.h"
 #include "shape.h"
 
 namespace modelling {
@@ -20,13 +21,12 @@ inline constexpr double kWreckYawDeg = -106;
 inline constexpr double kBedHalfWidth = 60;
 inline constexpr double kBedMiddleX = 30;
 
-struct Boulder {
-  double x, y;    ///< [m]
-  double radius;  ///< [m]
-};
 [[nodiscard]] const std::vector<Boulder>& boulders();
 
 /// Height of the sand: undulation, ripples and scour [m].
 [[nodiscard]] double bed_height(double x, double y);
+
+/// The bed as a grid, finest where the shipped sonar looks: 0.1 m across the ripples, 0.3 m along them.
+[[nodiscard]] Shape make_seabed();
 
 }  // namespace modelling
