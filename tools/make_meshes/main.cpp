@@ -6,9 +6,12 @@
 #include <filesystem>
 #include <stdexcept>
 
+#include "cooler.h"
+#include "cooler_site.h"
 #include "debris.h"
 #include "ferry.h"
 #include "obj.h"
+#include "pipelines.h"
 #include "seabed.h"
 #include "site.h"
 #include "tank.h"
@@ -32,6 +35,10 @@ int main(int argc, char** argv) {
     write("debris", make_debris());
     write("tank", make_tank());
     write("vehicle_box", make_vehicle_box());
+    write("cooler", make_cooler());
+    write("cooler_bed", make_cooler_bed());
+    write("pipelines", make_pipelines());
+    write("pipeline_supports", make_pipeline_supports());
     return 0;
   } catch (const std::exception& error) {
     fmt::print(stderr, "make_meshes: {}\n", error.what());
