@@ -14,6 +14,8 @@
 #include "pipelines.h"
 #include "seabed.h"
 #include "site.h"
+#include "ssiv.h"
+#include "ssiv_site.h"
 #include "tank.h"
 
 int main(int argc, char** argv) {
@@ -39,6 +41,9 @@ int main(int argc, char** argv) {
     write("cooler_bed", make_cooler_bed());
     write("pipelines", make_pipelines());
     write("pipeline_supports", make_pipeline_supports());
+    write("ssiv", make_ssiv());
+    write("ssiv_bed", make_ssiv_bed());
+    write("ssiv_surroundings", make_ssiv_surroundings());
     return 0;
   } catch (const std::exception& error) {
     fmt::print(stderr, "make_meshes: {}\n", error.what());
