@@ -14,7 +14,7 @@ namespace modelling {
 namespace {
 
 constexpr double kHalfPass = kPassLength / 2;
-constexpr double kHeaderX = kHalfPass + 0.45;          // Of both headers' axes [m].
+constexpr double kHeaderX = kHalfPass + 0.45;  // Of both headers' axes [m].
 constexpr double kBanksWidth = (kCoilBanks - 1) * kBankPitch;
 constexpr double kRackX[] = {-3.1, -1.55, 0.0, 1.55, 3.1};  // [m]
 
@@ -24,7 +24,7 @@ double bank_y(int bank) {
 
 // One bank: to and fro between inlet header at the top of one end and outlet header at the foot of the other.
 Path coil_path() {
-  Path corners = {{-kHeaderX, 0, kHighestPass}};
+  Path corners = {{-kHeaderX + 0.03, 0, kHighestPass}};
   double x = kHalfPass + kCoilPitch / 2;
   for (int pass = 0; pass + 1 < kCoilPasses; ++pass) {
     const double z = kHighestPass - pass * kCoilPitch;
@@ -32,7 +32,7 @@ Path coil_path() {
     corners.emplace_back(x, 0, z - kCoilPitch);
     x = -x;
   }
-  corners.emplace_back(kHeaderX, 0, kLowestPass);
+  corners.emplace_back(kHeaderX - 0.03, 0, kLowestPass);
   // A little less than half the pitch, so that two bends that share a corner's straight leave some of it.
   return bent(corners, 0.499 * kCoilPitch, 4);
 }
@@ -42,7 +42,7 @@ Shape make_rack() {
   Shape rack;
   const double post = kBanksWidth / 2 + 0.22;
   for (const double y : {-post, post}) {
-    rack.add(box("steel", {0.12, 0.1, kHighestPass + 0.3}), at({0, y, (kHighestPass + 0.3) / 2 - 0.01}));
+    rack.add(box("steel", {0.12, 0.1, kHighestPass + 0.3}), at({0, y, (kHighestPass + 0.3) / 2 - 0.018}));
   }
   for (int pass = 0; pass < kCoilPasses; ++pass) {
     const double z = kLowestPass + pass * kCoilPitch - kCoilRadius - 0.015;
@@ -73,16 +73,17 @@ Shape make_header(double x, double z) {
   return header;
 }
 
-// From a header through a valve to the flange outside the frame; the valve stands on a saddle on the mudmat.
+// From a header through a valve, whose outer flange is where the spool is bolted on. It stands on a saddle.
 Shape make_branch(const Path& corners) {
   const Vec3& end = corners.back();
   const double out = std::copysign(1.0, end.x());
-  const Vec3 valve = end - out * (gate_valve_half_length(kHeaderRadius) + 0.05) * Vec3::UnitX();
+  const Vec3 valve = end - out * gate_valve_half_length(kHeaderRadius) * Vec3::UnitX();
   const double saddle = end.z() - 0.12;  // Its height [m].
-  Shape branch = tube("steel", bent(corners, 0.28, 6), kHeaderRadius, 20);
+  Path within = corners;
+  within.back() = valve;
+  Shape branch = tube("steel", bent(within, 0.28, 6), kHeaderRadius, 20);
   branch.add(make_gate_valve(kHeaderRadius), at(valve));
-  branch.add(box("steel", {0.5, 0.34, saddle}), at({valve.x(), valve.y(), saddle / 2 - 0.01}));
-  branch.add(make_flange_pair(kHeaderRadius), towards(end, Vec3::UnitX()));
+  branch.add(box("steel", {0.5, 0.34, saddle}), at({valve.x(), valve.y(), saddle / 2 - 0.016}));
   return branch;
 }
 
@@ -90,7 +91,8 @@ Shape make_branch(const Path& corners) {
 Shape make_inlet() {
   const double riser = -kCoolerLength / 2 - 0.4;
   const double y = kCoolerInlet.y();
-  return make_branch({{-kHeaderX, y, kHighestPass}, {riser, y, kHighestPass}, {riser, y, kCoolerInlet.z()}, kCoolerInlet});
+  return make_branch(
+      {{-kHeaderX, y, kHighestPass}, {riser, y, kHighestPass}, {riser, y, kCoolerInlet.z()}, kCoolerInlet});
 }
 
 Shape make_outlet() {
@@ -122,10 +124,14 @@ Shape make_cooler_piping() {
   const Vec3 panel(-2.25, kCoolerWidth / 2 + 0.32, 1.35);
   piping.add(make_rov_panel(1.5, 1.1, 3, 2), at(panel, 0, 0, 180));
   for (const double x : {-0.55, 0.55}) {
-    piping.add(tube("yellow_steel",
-                    {{panel.x() + x, panel.y() - 0.01, panel.z() + 0.15}, {panel.x() + x, kCoolerWidth / 2 - 0.02, 0.2}}, 0.05, 10));
-    piping.add(tube("yellow_steel",
-                    {{panel.x() + x, panel.y() - 0.01, panel.z() + 0.95}, {panel.x() + x, kCoolerWidth / 2 - 0.02, kCoolerHeight}}, 0.05, 10));
+    piping.add(
+        tube("yellow_steel",
+             {{panel.x() + x, panel.y() - 0.01, panel.z() + 0.15}, {panel.x() + x, kCoolerWidth / 2 - 0.02, 0.2}}, 0.05,
+             10));
+    piping.add(tube(
+        "yellow_steel",
+        {{panel.x() + x, panel.y() - 0.01, panel.z() + 0.95}, {panel.x() + x, kCoolerWidth / 2 - 0.02, kCoolerHeight}},
+        0.05, 10));
   }
   return piping;
 }

@@ -10,11 +10,11 @@
 namespace modelling {
 
 // Frame [m]: axes of its members.
-inline constexpr double kCoolerLength = 9.0;         ///< Between the corner columns, along x.
-inline constexpr double kCoolerWidth = 4.4;          ///< Along y.
-inline constexpr double kCoolerHeight = 3.3;         ///< Of the top ring above the mudmat.
-inline constexpr double kColumnRadius = 0.1365;      ///< NPS 10: 273 mm over all (ASME B36.10).
-inline constexpr double kMudmatOverhangX = 1.9;      ///< By which the mudmat stands out beyond the frame's axes.
+inline constexpr double kCoolerLength = 9.0;     ///< Between the corner columns, along x.
+inline constexpr double kCoolerWidth = 4.4;      ///< Along y.
+inline constexpr double kCoolerHeight = 3.3;     ///< Of the top ring above the mudmat.
+inline constexpr double kColumnRadius = 0.1365;  ///< NPS 10: 273 mm over all (ASME B36.10).
+inline constexpr double kMudmatOverhangX = 1.9;  ///< By which the mudmat stands out beyond the frame's axes.
 inline constexpr double kMudmatOverhangY = 0.75;
 
 // Cooling pipes [m].
@@ -30,7 +30,7 @@ inline constexpr double kHighestPass = kLowestPass + (kCoilPasses - 1) * kCoilPi
 // Headers and the piping that the pipelines are bolted to.
 inline constexpr double kHeaderRadius = 0.162;  ///< NPS 12: 323.9 mm over all (ASME B36.10).
 
-/// Where the flanges of the inlet and the outlet stand, in the cooler's frame; the pipe goes on along -x and +x.
+/// Where the piping of the inlet and the outlet ends, just outside their flanges; the spools go on along -x and +x.
 inline const Vec3 kCoolerInlet{-6.95, 0.9, 0.75};
 inline const Vec3 kCoolerOutlet{6.95, -0.9, kLowestPass};
 

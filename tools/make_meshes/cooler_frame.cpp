@@ -24,9 +24,9 @@ void add_columns(Shape& frame) {
   for (const double x : {-kX, 0.0, kX}) {
     for (const double y : {-kY, kY}) {
       frame.add(member({x, y, -0.015}, {x, y, kCoolerHeight + 0.16}, kColumnRadius));
-      frame.add(revolve("yellow_steel", {{0, -0.01}, {0.3, -0.01}, {0.3, 0.035}, {0.16, 0.06}, {0, 0.06}}, 18), at({x, y, 0}));
-      frame.add(revolve("yellow_steel",
-                        {{0, 0}, {0.15, 0}, {0.15, 0.03}, {0.1, 0.055}, {0, 0.06}}, 18),
+      frame.add(revolve("yellow_steel", {{0, -0.01}, {0.3, -0.01}, {0.3, 0.035}, {0.16, 0.06}, {0, 0.06}}, 18),
+                at({x, y, 0}));
+      frame.add(revolve("yellow_steel", {{0, 0}, {0.15, 0}, {0.15, 0.03}, {0.1, 0.055}, {0, 0.06}}, 18),
                 at({x, y, kCoolerHeight + 0.15}));
     }
   }
@@ -36,7 +36,7 @@ void add_rings(Shape& frame) {
   for (const double z : {kSillHeight, kCoolerHeight}) {
     for (const double side : {-1.0, 1.0}) {
       frame.add(member({-kX, side * kY, z}, {kX, side * kY, z}, kRingRadius));
-      frame.add(member({side * kX, -kY, z}, {side * kX, kY, z}, kRingRadius));
+      frame.add(member({side * kX, -kY, z - 0.008}, {side * kX, kY, z - 0.008}, kRingRadius));
     }
   }
   // Across the top: the cover that stops dropped objects, seven bars between the long sides and two along.
@@ -82,7 +82,8 @@ void add_anodes(Shape& frame) {
   }
   for (const double x : {-kX, kX}) {
     for (const double y : {-0.9, 0.9}) {
-      frame.add(make_anode(0.7), at({x + std::copysign(0.09, x), y, kCoolerHeight}, 0, x < 0 ? -90 : 90, 0) * at({0, 0, 0}, 0, 0, 90));
+      frame.add(make_anode(0.7),
+                at({x + std::copysign(0.09, x), y, kCoolerHeight}, 0, x < 0 ? -90 : 90, 0) * at({0, 0, 0}, 0, 0, 90));
     }
   }
 }

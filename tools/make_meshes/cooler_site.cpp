@@ -29,7 +29,8 @@ double burrows(double x, double y) {
   static const std::vector<Burrow> all = [] {
     std::vector<Burrow> made;
     for (int i = 0; i < 420; ++i) {
-      made.push_back({2 + 44 * chance(511, i, 0), 76 * chance(511, i, 1) - 38, 0.35 + 0.55 * std::pow(chance(511, i, 2), 2)});
+      made.push_back(
+          {2 + 44 * chance(511, i, 0), 76 * chance(511, i, 1) - 38, 0.35 + 0.55 * std::pow(chance(511, i, 2), 2)});
     }
     return made;
   }();
@@ -85,34 +86,52 @@ Pose world_from_cooler() {
 }
 
 const Route& inlet_line() {
-  static const Route line = {plan_through({{44, -35, 0}, {36, -30.5, 0}, {29, -24.5, 0}, {24, -18.5, 0}, {20.8, -13.4, 0}, {19.5, -9.9, 0}}),
-                             0.205,
-                             {0, 8, 12, 17, 22, 25, 35, 60},
-                             {-0.03, -0.03, 0.35, 0.62, 0.32, -0.04, -0.04, -0.04}};
+  static const Route line = {
+      plan_through({{44, -35, 0}, {36, -30.5, 0}, {29, -24.5, 0}, {24, -18.5, 0}, {20.8, -13.4, 0}, {19.5, -9.9, 0}}),
+      0.205,
+      {0, 7.5, 13, 16.5, 20, 25.5, 40},
+      {-0.03, -0.03, 0.56, 0.47, 0.52, -0.04, -0.04}};
   return line;
 }
 
 const Route& outlet_line() {
-  static const Route line = {plan_through({beside_cooler({12.5, -0.9, 0}), {27.6, 17, 0}, {26.6, 24, 0}, {22.6, 31, 0}, {18, 38, 0}}),
-                             0.25,
-                             {0, 3.5, 7, 11.2, 15.5, 19, 40},
-                             {-0.04, 0.1, 0.62, 0.74, 0.55, -0.04, -0.06}};
+  static const Route line = {
+      plan_through({beside_cooler({12.5, -0.9, 0}), {27.6, 17, 0}, {26.6, 24, 0}, {22.6, 31, 0}, {18, 38, 0}}),
+      0.25,
+      {0, 2, 5.2, 9.7, 14.2, 19, 40},
+      {0.1, 0.3, 0.76, 0.68, 0.72, -0.04, -0.06}};
   return line;
 }
 
 const Route& gas_line() {
-  static const Route line = {plan_through({{6, -34, 0}, {11, -24, 0}, {14.2, -12, 0}, {14.4, -3, 0}, {14.4, 5, 0}, {18.2, 13.5, 0}, {25, 20.5, 0}, {35, 27.5, 0}, {46, 33, 0}}),
+  static const Route line = {plan_through({{6, -34, 0},
+                                           {11, -24, 0},
+                                           {14.2, -12, 0},
+                                           {14.4, -3, 0},
+                                           {14.4, 5, 0},
+                                           {18.2, 13.5, 0},
+                                           {25, 20.5, 0},
+                                           {35, 27.5, 0},
+                                           {46, 33, 0}}),
                              0.16,
-                             {0, 12, 20, 24, 28, 33.5, 38, 44, 48.5, 53, 60, 90},
-                             {-0.06, -0.04, -0.14, -0.03, 0.3, 0.55, 0.52, 0.42, 0.1, -0.05, -0.1, -0.05}};
+                             {0, 12, 20, 25.5, 30.4, 34.8, 39.2, 42, 44.6, 51, 60, 90},
+                             {-0.06, -0.04, -0.14, -0.05, 0.5, 0.43, 0.5, 0.4, 0.42, -0.05, -0.1, -0.05}};
   return line;
 }
 
 const Route& umbilical() {
-  static const Route line = {plan_through({beside_cooler({-2.25, 3.3, 0}), beside_cooler({-1.6, 4.6, 0}), {17.2, 5.8, 0}, {17.6, 8.4, 0}, {16.3, 11, 0}, {14.2, 14.5, 0}, {15.2, 18.5, 0}, {14, 23, 0}, {11, 29, 0}}),
+  static const Route line = {plan_through({beside_cooler({-2.25, 3.9, 0}),
+                                           beside_cooler({-1.7, 4.9, 0}),
+                                           {17.2, 5.8, 0},
+                                           {17.6, 8.4, 0},
+                                           {16.3, 11, 0},
+                                           {14.2, 14.5, 0},
+                                           {15.2, 18.5, 0},
+                                           {14, 23, 0},
+                                           {11, 29, 0}}),
                              0.065,
-                             {0, 60},
-                             {-0.02, -0.02}};
+                             {0, 1.4, 60},
+                             {0.14, -0.01, -0.01}};
   return line;
 }
 
@@ -139,8 +158,8 @@ double cooler_ground(double x, double y) {
 }
 
 Shape make_cooler_bed() {
-  return make_bed("fine_sand", cooler_ground, graded(kMiddleX - kHalfWidth, 9, 36, kMiddleX + kHalfWidth, 0.3),
-                  graded(-kHalfWidth, -26, 26, kHalfWidth, 0.3));
+  return make_bed("fine_sand", cooler_ground, graded(kMiddleX - kHalfWidth, 9, 36, kMiddleX + kHalfWidth, 0.36),
+                  graded(-kHalfWidth, -26, 26, kHalfWidth, 0.36));
 }
 
 }  // namespace modelling

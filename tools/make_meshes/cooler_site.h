@@ -17,9 +17,9 @@ inline constexpr double kCoolerYawDeg = 62;
 
 /// One of the pipelines, as laid.
 struct Route {
-  Path plan;                ///< At z = 0, from end to end.
-  double radius;            ///< Over its coating [m].
-  std::vector<double> at;   ///< Stations [m] at which its clearance is known ...
+  Path plan;                      ///< At z = 0, from end to end.
+  double radius;                  ///< Over its coating [m].
+  std::vector<double> at;         ///< Stations [m] at which its clearance is known ...
   std::vector<double> clearance;  ///< ... of its underside above the bed [m]; negative where it is sunk in.
 };
 [[nodiscard]] const Route& inlet_line();   ///< Insulated flowline to the cooler, from starboard.

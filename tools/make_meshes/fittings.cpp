@@ -16,8 +16,10 @@ namespace {
 constexpr double kPi = std::numbers::pi;
 
 // An upright rib along the line from `from` to `to`, a bulb flat as ships' plates have.
-Shape make_rib(const Vec3& from, const Vec3& to) {
-  return sweep("steel", {from, to}, {{-0.012, -0.02}, {0.012, -0.02}, {0.012, 0.1}, {0.03, 0.13}, {-0.012, 0.13}},
+Shape make_rib(const Vec3& from, const Vec3& to, double height) {
+  const double foot = -0.15 * height;
+  return sweep("steel", {from, to},
+               {{-0.012, foot}, {0.012, foot}, {0.012, height - 0.03}, {0.03, height}, {-0.012, height}},
                Vec3::UnitZ());
 }
 
@@ -36,8 +38,7 @@ Shape make_mudmat(double length, double width) {
   const int rows = std::max(1, static_cast<int>(width / kSpacing));
   for (int i = 0; i < columns; ++i) {
     for (int j = 0; j < rows; ++j) {
-      holes.push_back(
-          ring({length * ((i + 0.5) / columns - 0.5), width * ((j + 0.5) / rows - 0.5)}, kHole, kHole, 8));
+      holes.push_back(ring({length * ((i + 0.5) / columns - 0.5), width * ((j + 0.5) / rows - 0.5)}, kHole, kHole, 8));
     }
   }
   const double cut = 0.08;  // Corners are cut, so that nothing catches on them.
@@ -55,11 +56,11 @@ Shape make_mudmat(double length, double width) {
   for (const double side : {-1.0, 1.0}) {
     mudmat.add(box("steel", {length - 0.3, 0.025, kSkirt}), at({0, side * (y - 0.05), -0.01 - kSkirt / 2}));
     mudmat.add(box("steel", {0.025, width - 0.3, kSkirt}), at({side * (x - 0.05), 0, -0.01 - kSkirt / 2}));
-    mudmat.add(make_rib({-x + 0.2, side * (y - 0.12), 0}, {x - 0.2, side * (y - 0.12), 0}));
+    mudmat.add(make_rib({-x + 0.2, side * (y - 0.12), 0}, {x - 0.2, side * (y - 0.12), 0}, 0.13));
   }
   for (int i = 1; i < columns; ++i) {
     const double rib = length * (static_cast<double>(i) / columns - 0.5);
-    mudmat.add(make_rib({rib, -y + 0.12, 0}, {rib, y - 0.12, 0}));
+    mudmat.add(make_rib({rib, -y + 0.12, 0}, {rib, y - 0.12, 0}, 0.11));
   }
   return mudmat;
 }
@@ -70,7 +71,8 @@ Shape make_anode(double length, double stand_off) {
                       {{-0.085, -0.07}, {0.085, -0.07}, {0.065, 0.07}, {-0.065, 0.07}}, Vec3::UnitZ());
   for (const double side : {-1.0, 1.0}) {
     const double foot = side * (half + 0.13);
-    anode.add(tube("steel", bent({{0.2 * side, 0, stand_off}, {foot, 0, stand_off}, {foot, 0, -0.02}}, 0.08, 4), 0.022, 8));
+    anode.add(
+        tube("steel", bent({{0.2 * side, 0, stand_off}, {foot, 0, stand_off}, {foot, 0, -0.02}}, 0.08, 4), 0.022, 8));
   }
   return anode;
 }
@@ -96,14 +98,20 @@ Shape make_padeye(double height) {
 }
 
 Shape make_rov_bucket() {
-  constexpr double kOuter = 0.11;
-  constexpr double kInner = 0.09;
-  constexpr double kDepth = 0.2;
-  Shape bucket = revolve(
-      "stainless_steel",
-      {{0, -0.02}, {kOuter, -0.02}, {kOuter, kDepth}, {kOuter + 0.02, kDepth + 0.03}, {kOuter, kDepth + 0.03}, {kInner, kDepth}, {kInner, 0.02}, {0, 0.02}},
-      16);
-  bucket.add(box("stainless_steel", {0.045, 0.045, 0.13}), at({0, 0, 0.08}));  // The stem that the tool turns.
+  constexpr double kOuter = 0.09;
+  constexpr double kInner = 0.077;
+  constexpr double kDepth = 0.15;
+  Shape bucket = revolve("stainless_steel",
+                         {{0, -0.013},
+                          {kOuter, -0.013},
+                          {kOuter, kDepth},
+                          {kOuter + 0.02, kDepth + 0.03},
+                          {kOuter, kDepth + 0.03},
+                          {kInner, kDepth},
+                          {kInner, 0.02},
+                          {0, 0.02}},
+                         16);
+  bucket.add(box("stainless_steel", {0.045, 0.045, 0.1}), at({0, 0, 0.06}));  // The stem that the tool turns.
   return bucket;
 }
 
@@ -129,7 +137,10 @@ Shape make_rov_panel(double width, double height, int columns, int rows) {
   for (const double side : {-1.0, 1.0}) {  // Grab bars.
     const double x = side * (width / 2 + 0.06);
     panel.add(tube("yellow_steel",
-                   bent({{x - side * 0.1, 0.01, 0.08}, {x - side * 0.1, -0.16, 0.08}, {x - side * 0.1, -0.16, height - 0.08}, {x - side * 0.1, 0.01, height - 0.08}},
+                   bent({{x - side * 0.1, 0.01, 0.08},
+                         {x - side * 0.1, -0.16, 0.08},
+                         {x - side * 0.1, -0.16, height - 0.08},
+                         {x - side * 0.1, 0.01, height - 0.08}},
                         0.06, 4),
                    0.021, 8));
   }

@@ -48,6 +48,9 @@ Shape box(const std::string& material, const Vec3& size) {
 
 Shape sweep(const std::string& material, const std::vector<Vec3>& path, const std::vector<Vec2>& profile,
             const Vec3& up, bool closed) {
+  if (signed_area(profile) > 0) {  // Seen along the path its axes are left-handed: outwards is clockwise.
+    return sweep(material, path, {profile.rbegin(), profile.rend()}, up, closed);
+  }
   Shape shape = Shape::of(material);
   const auto sides = static_cast<std::uint32_t>(profile.size());
   const auto points = static_cast<std::uint32_t>(path.size());

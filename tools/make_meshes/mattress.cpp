@@ -12,8 +12,8 @@
 namespace modelling {
 namespace {
 
-constexpr double kBlockPitch = 0.3;  // [m]
-constexpr double kBlockSide = 0.27;  // At its waist, where it is widest [m].
+constexpr double kBlockPitch = 0.3;   // [m]
+constexpr double kBlockSide = 0.27;   // At its waist, where it is widest [m].
 constexpr double kBlockCrown = 0.17;  // At top and bottom [m].
 constexpr double kRopeRadius = 0.011;
 
@@ -23,8 +23,8 @@ Shape make_block() {
     const double half = side / 2;
     return std::vector<Vec2>{{-half, -half}, {half, -half}, {half, half}, {-half, half}};
   };
-  Shape block = sweep("concrete",
-                      {{0, 0, 0}, {0, 0, kMattressThickness / 2}, {0, 0, kMattressThickness}}, square(kBlockSide), Vec3::UnitX());
+  Shape block = sweep("concrete", {{0, 0, 0}, {0, 0, kMattressThickness / 2}, {0, 0, kMattressThickness}},
+                      square(kBlockSide), Vec3::UnitX());
   block.deform([](const Vec3& p) -> Vec3 {
     const double crown = kBlockCrown / kBlockSide;
     const double share = std::abs(p.z() - kMattressThickness / 2) > 0.01 ? crown : 1;
@@ -83,16 +83,30 @@ Shape make_sleeper(double height, double pipe_radius) {
   constexpr double kCrown = 0.42;
   const double sunk = 0.12;
   Shape sleeper = sweep("concrete", {{0, -kLength / 2, 0}, {0, kLength / 2, 0}},
-                        {{-kFoot / 2, -sunk}, {kFoot / 2, -sunk}, {kFoot / 2, 0.1}, {kCrown / 2, height - 0.04}, {kCrown / 2 - 0.04, height}, {-kCrown / 2 + 0.04, height}, {-kCrown / 2, height - 0.04}, {-kFoot / 2, 0.1}},
+                        {{-kFoot / 2, -sunk},
+                         {kFoot / 2, -sunk},
+                         {kFoot / 2, 0.1},
+                         {kCrown / 2, height - 0.04},
+                         {kCrown / 2 - 0.04, height},
+                         {-kCrown / 2 + 0.04, height},
+                         {-kCrown / 2, height - 0.04},
+                         {-kFoot / 2, 0.1}},
                         Vec3::UnitZ());
   for (const double side : {-1.0, 1.0}) {  // Horns of steel, spread so that the pipe finds its way between them.
     const double y = side * (pipe_radius + 0.09);
     sleeper.add(tube("steel",
-                     bent({{0, y, height - 0.1}, {0, y, height + 1.2 * pipe_radius}, {0, y + side * 0.22, height + 1.2 * pipe_radius + 0.3}}, 0.12, 4),
+                     bent({{0, y, height - 0.1},
+                           {0, y, height + 1.2 * pipe_radius},
+                           {0, y + side * 0.22, height + 1.2 * pipe_radius + 0.3}},
+                          0.12, 4),
                      0.045, 10));
   }
   for (const double y : {-0.8, 0.8}) {  // Lifting loops.
-    sleeper.add(tube("steel", bent({{0.1, y, height - 0.08}, {0.1, y, height + 0.13}, {-0.1, y, height + 0.13}, {-0.1, y, height - 0.08}}, 0.06, 4), 0.014, 6));
+    sleeper.add(tube(
+        "steel",
+        bent({{0.1, y, height - 0.08}, {0.1, y, height + 0.13}, {-0.1, y, height + 0.13}, {-0.1, y, height - 0.08}},
+             0.06, 4),
+        0.014, 6));
   }
   return sleeper;
 }
@@ -101,9 +115,9 @@ Shape make_grout_bag(double height, std::uint32_t seed) {
   Shape bag = icosphere("concrete", 3);
   bag.deform([&](const Vec3& p) -> Vec3 {
     // A pillow: squarer than an ellipsoid, flat below, its seam drawn in, and lumpy.
-    const auto square = [](double v) { return std::copysign(std::pow(std::abs(v), 0.7), v); };
+    const auto square = [](double v) { return std::copysign(std::pow(std::abs(v), 0.6), v); };
     const double lumps = 1 + 0.08 * fractal_noise(2.2 * p + Vec3::Constant(0.61 * seed), seed, 3);
-    return {0.6 * lumps * square(p.x()), 0.4 * lumps * square(p.y()), height * (0.44 + 0.56 * lumps * square(p.z()))};
+    return {0.45 * lumps * square(p.x()), 0.75 * lumps * square(p.y()), height * (0.42 + 0.58 * lumps * square(p.z()))};
   });
   return bag;
 }

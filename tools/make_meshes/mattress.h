@@ -20,7 +20,7 @@ inline constexpr double kMattressThickness = 0.3;
 /// round the pipe, whose underside is at `height`.
 [[nodiscard]] Shape make_sleeper(double height, double pipe_radius);
 
-/// A bag of grout, slumped: about 1.1 x 0.7 m, `height` high, foot at z = 0.
+/// A bag of grout, slumped: about 1.5 m along y and 0.9 m along x, `height` high, its foot a little below z = 0.
 [[nodiscard]] Shape make_grout_bag(double height, std::uint32_t seed);
 
 }  // namespace modelling

@@ -56,7 +56,8 @@ Path laid_through(const Path& points, double step) {
     const int count = std::max(1, static_cast<int>(std::lround((to - from).norm() / step)));
     for (int k = 0; k < count; ++k) {
       const double t = static_cast<double>(k) / count;
-      const Vec3 bend = (2 * before - 5 * from + 4 * to - after) * t * t + (3 * from - before - 3 * to + after) * t * t * t;
+      const Vec3 bend =
+          (2 * before - 5 * from + 4 * to - after) * t * t + (3 * from - before - 3 * to + after) * t * t * t;
       path.emplace_back(from + 0.5 * ((to - before) * t + bend));
     }
   }

@@ -25,7 +25,13 @@ Shape make_spool(const Vec3& line_end, const Vec3& line_direction, const Vec3& f
   const Vec3 foot = line_end + 1.9 * line_direction;
   const Vec3 shoulder = flange + 1.9 * flange_direction;
   Shape spool = tube("steel",
-                     bent({line_end, foot, {foot.x(), foot.y(), high}, {shoulder.x(), shoulder.y(), high}, {shoulder.x(), shoulder.y(), flange.z()}, flange}, kBend, 7),
+                     bent({line_end,
+                           foot,
+                           {foot.x(), foot.y(), high},
+                           {shoulder.x(), shoulder.y(), high},
+                           {shoulder.x(), shoulder.y(), flange.z()},
+                           flange - 0.1 * flange_direction},
+                          kBend, 7),
                      kRadius, 18);
   return spool;
 }
@@ -55,7 +61,7 @@ double drape_over(const Path& axis, double radius, double x, double y) {
   for (const Vec3& p : axis) {
     const double distance = std::hypot(x - p.x(), y - p.y());
     if (distance < 3) {
-      height = std::max(height, p.z() + radius - 0.62 * std::max(distance - 0.25, 0.0) - 0.1 * bump(distance, 0.4) + 0.1);
+      height = std::max(height, p.z() + radius - 0.5 * std::max(distance - 0.3, 0.0) - 0.1 * bump(distance, 0.4) + 0.1);
     }
   }
   return height;
@@ -103,24 +109,28 @@ Shape make_pipelines() {
   // Flowline: thick insulation, its joints filled to a sleeve that stands out.
   const Path inlet = axis_of(inlet_line());
   lines.add(make_line("pvc", inlet, inlet_line().radius, 5.0, {0, 0.9, inlet_line().radius + 0.035}));
-  lines.add(make_flange_pair(kHeaderRadius + 0.01), towards(inlet.back() + 0.22 * end_direction(inlet), end_direction(inlet)));
-  lines.add(make_spool(inlet.back() - 0.2 * end_direction(inlet), end_direction(inlet), cooler * kCoolerInlet, cooler.orientation * -Vec3::UnitX()));
+  lines.add(make_flange_pair(kHeaderRadius + 0.01),
+            towards(inlet.back() + 0.22 * end_direction(inlet), end_direction(inlet)));
+  lines.add(make_spool(inlet.back() - 0.2 * end_direction(inlet), end_direction(inlet), cooler * kCoolerInlet,
+                       cooler.orientation * -Vec3::UnitX()));
 
   // Export line: weight coating that stops short of the welds, where the bare joint is thinner.
   const Path outlet = axis_of(outlet_line());
   const Path back = reversed(outlet);
   lines.add(make_line("concrete", outlet, outlet_line().radius, 4.0, {0, 0.75, outlet_line().radius - 0.06}));
-  lines.add(make_flange_pair(kHeaderRadius + 0.01), towards(back.back() + 0.22 * end_direction(back), end_direction(back)));
-  lines.add(make_spool(back.back() - 0.2 * end_direction(back), end_direction(back), cooler * kCoolerOutlet, cooler.orientation * Vec3::UnitX()));
+  lines.add(make_flange_pair(kHeaderRadius + 0.01),
+            towards(back.back() + 0.22 * end_direction(back), end_direction(back)));
+  lines.add(make_spool(back.back() - 0.2 * end_direction(back), end_direction(back), cooler * kCoolerOutlet,
+                       cooler.orientation * Vec3::UnitX()));
 
   lines.add(make_line("steel", axis_of(gas_line()), gas_line().radius, 7.0, {0, 0.6, gas_line().radius + 0.025}));
 
   // The umbilical comes up to the ROV panel in a bend restrictor.
   Path cable = axis_of(umbilical());
   const Vec3 panel = cooler * Vec3(-2.25, kCoolerWidth / 2 + 0.2, 1.5);
-  cable.insert(cable.begin(), {panel, (cooler * Vec3(-2.25, kCoolerWidth / 2 + 0.75, 0.7))});
+  cable.insert(cable.begin(), {panel, cooler * Vec3(-2.25, kCoolerWidth / 2 + 0.75, 0.95)});
   cable = laid_through(cable, 0.3);
-  lines.add(pipe("rubber", cable, umbilical().radius, {{0.15, 1.3, 0.11}}, 10));
+  lines.add(pipe("rubber", cable, umbilical().radius, {{0.1, 0.9, 0.11}}, 10));
   return lines;
 }
 
@@ -134,11 +144,11 @@ Shape make_pipeline_supports() {
   };
   sleeper(inlet_line(), 13);
   sleeper(inlet_line(), 20);
-  sleeper(outlet_line(), 7.4);
-  sleeper(outlet_line(), 14.8);
-  grout_bag(gas_line(), 29.5, 1);
-  grout_bag(gas_line(), 35.5, 2);
-  grout_bag(gas_line(), 42.5, 3);
+  sleeper(outlet_line(), 5.2);
+  sleeper(outlet_line(), 14.2);
+  grout_bag(gas_line(), 30.4, 1);
+  grout_bag(gas_line(), 39.2, 2);
+  grout_bag(gas_line(), 44.6, 3);
 
   supports.add(mattress_over(gas_line(), 20, 3));
   supports.add(mattress_over(gas_line(), station_near(axis_of(gas_line()), 27.2, 22.2), 0));

@@ -15,14 +15,6 @@ double turn(const Vec2& a, const Vec2& b, const Vec2& c) {
   return (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
 }
 
-double signed_area(const Outline& outline) {
-  double sum = 0;
-  for (std::size_t i = 0; i < outline.size(); ++i) {
-    sum += turn(Vec2::Zero(), outline[i], outline[(i + 1) % outline.size()]);
-  }
-  return sum / 2;
-}
-
 void wind(Outline& outline, bool anticlockwise) {
   if ((signed_area(outline) > 0) != anticlockwise) {
     std::ranges::reverse(outline);
@@ -108,6 +100,14 @@ void add_rim(Shape& shape, const Outline& outline, double thickness) {
 }
 
 }  // namespace
+
+double signed_area(const std::vector<Vec2>& outline) {
+  double sum = 0;
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    sum += turn(Vec2::Zero(), outline[i], outline[(i + 1) % outline.size()]);
+  }
+  return sum / 2;
+}
 
 Shape plate(const std::string& material, std::vector<Vec2> outline, std::vector<std::vector<Vec2>> holes,
             double thickness) {

@@ -60,7 +60,12 @@ Shape make_boulder(const Boulder& boulder, const Ground& ground, std::uint32_t s
 
 Shape make_bed(const std::string& material, const Ground& ground, const std::vector<double>& x,
                const std::vector<double>& y) {
-  return sheet(material, [&](double s, double t) -> Vec3 { return {s, t, ground(s, t)}; }, x, y);
+  return sheet(
+      material,
+      [&](double s, double t) -> Vec3 {
+        return {s, t, ground(s, t)};
+      },
+      x, y);
 }
 
 double bump(double distance, double width) {

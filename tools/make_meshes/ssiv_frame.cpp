@@ -24,8 +24,11 @@ Shape member(const Vec3& from, const Vec3& to, double radius) {
 Shape make_leg() {
   Shape leg = make_mudmat(kSsivMudmatSide, kSsivMudmatSide);
   leg.add(member({0, 0, -0.015}, {0, 0, kSsivHeight + 0.1}, kLegRadius));
-  leg.add(revolve("yellow_steel", {{0, 0}, {0.1, 0}, {0.1, 0.02}, {0.06, 0.05}, {0, 0.06}}, 16), at({0, 0, kSsivHeight + 0.085}));
-  const Shape gusset = placed(plate("yellow_steel", {{0.05, -0.01}, {0.33, -0.01}, {0.33, 0.05}, {0.1, 0.3}, {0.05, 0.3}}, {}, 0.02), at({0, 0.01, 0}, 90));
+  leg.add(revolve("yellow_steel", {{0, 0}, {0.1, 0}, {0.1, 0.02}, {0.06, 0.05}, {0, 0.06}}, 16),
+          at({0, 0, kSsivHeight + 0.085}));
+  const Shape gusset =
+      placed(plate("yellow_steel", {{0.05, -0.01}, {0.33, -0.01}, {0.33, 0.05}, {0.1, 0.3}, {0.05, 0.3}}, {}, 0.02),
+             at({0, 0.01, 0}, 90));
   for (const double yaw_deg : {45.0, 135.0, 225.0, 315.0}) {
     leg.add(gusset, at({0, 0, 0}, 0, 0, yaw_deg));
   }
@@ -37,7 +40,7 @@ void add_rings(Shape& frame) {
   for (const double z : {kSillHeight, kSsivHeight}) {
     for (const double side : {-1.0, 1.0}) {
       frame.add(member({-kX, side * kY, z}, {kX, side * kY, z}, kRailRadius));
-      frame.add(member({side * kX, -kY, z}, {side * kX, kY, z}, kRailRadius));
+      frame.add(member({side * kX, -kY, z - 0.008}, {side * kX, kY, z - 0.008}, kRailRadius));
     }
   }
   frame.add(member({-kX, kY, 0.95}, {kX, kY, 0.95}, 0.045));
@@ -88,10 +91,13 @@ Shape make_hatch_leaf(double length, double width) {
     leaf.add(tube("yellow_steel", {{-x, bar, -0.008}, {x, bar, -0.008}}, 0.0125, 8));
   }
   for (const double side : {-0.3, 0.3}) {
-    leaf.add(tube("steel", {{-x - 0.045, side * width - 0.09, 0.01}, {-x - 0.045, side * width + 0.09, 0.01}}, 0.035, 10));
+    leaf.add(
+        tube("steel", {{-x - 0.045, side * width - 0.09, 0.01}, {-x - 0.045, side * width + 0.09, 0.01}}, 0.035, 10));
     leaf.add(box("steel", {0.1, 0.1, 0.016}), at({-x - 0.02, side * width, 0.032}));
   }
-  leaf.add(tube("yellow_steel", bent({{x - 0.1, -0.2, 0}, {x - 0.1, -0.2, 0.13}, {x - 0.1, 0.2, 0.13}, {x - 0.1, 0.2, 0}}, 0.05, 4), 0.014, 8));
+  leaf.add(tube("yellow_steel",
+                bent({{x - 0.1, -0.2, 0}, {x - 0.1, -0.2, 0.13}, {x - 0.1, 0.2, 0.13}, {x - 0.1, 0.2, 0}}, 0.05, 4),
+                0.014, 8));
   return leaf;
 }
 
@@ -99,7 +105,10 @@ Shape make_hatch_leaf(double length, double width) {
 Shape make_sling_leg(const Vec3& eye, const Vec3& link) {
   const Vec3 side = 0.22 * (link - eye).cross(Vec3::UnitZ());
   return tube("steel",
-              laid_through({eye, eye + 0.12 * (link - eye) + Vec3(0, 0, 0.05), eye + 0.45 * (link - eye) + side - Vec3(0, 0, 0.02), link}, 0.06), 0.011, 6);
+              laid_through({eye, eye + 0.12 * (link - eye) + Vec3(0, 0, 0.05),
+                            eye + 0.45 * (link - eye) + side - Vec3(0, 0, 0.02), link},
+                           0.06),
+              0.011, 6);
 }
 
 }  // namespace

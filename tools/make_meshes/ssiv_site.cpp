@@ -34,7 +34,8 @@ const std::vector<Boulder>& stones() {
       const double x = 3.5 + 11 * chance(611, i, 0);
       const double y = 20 * chance(611, i, 1) - 10;
       const double radius = 0.05 * std::pow(1 - 0.97 * chance(611, i, 2), -0.42);
-      if (std::hypot(x - kSsivPosition.x(), y - kSsivPosition.y()) > 2.6 && std::hypot(x - kSinkerX, y - kSinkerY) > 1) {
+      if (std::hypot(x - kSsivPosition.x(), y - kSsivPosition.y()) > 2.6 &&
+          std::hypot(x - kSinkerX, y - kSinkerY) > 1) {
         made.push_back({x, y, radius});
       }
     }
@@ -70,25 +71,28 @@ double ssiv_ground(double x, double y) {
 }
 
 Shape make_ssiv_bed() {
-  return make_bed("sand", ssiv_ground, graded(kMiddleX - kHalfWidth, 4.5, 13, kMiddleX + kHalfWidth, 0.06),
-                  graded(-kHalfWidth, -7.5, 7.5, kHalfWidth, 0.12));
+  return make_bed("sand", ssiv_ground, graded(kMiddleX - kHalfWidth, 4.5, 13, kMiddleX + kHalfWidth, 0.075),
+                  graded(-kHalfWidth, -7.5, 7.5, kHalfWidth, 0.17));
 }
 
 Shape make_ssiv_surroundings() {
   Shape whole = make_boulders(stones(), ssiv_ground, 630);
 
   // A truncated pyramid of concrete with an eye cast in.
-  Shape sinker = sweep("concrete", {{0, 0, -0.15}, {0, 0, 0.4}, {0, 0, 0.44}}, {{-0.4, -0.4}, {0.4, -0.4}, {0.4, 0.4}, {-0.4, 0.4}}, Vec3::UnitX());
+  Shape sinker = sweep("concrete", {{0, 0, -0.15}, {0, 0, 0.4}, {0, 0, 0.44}},
+                       {{-0.4, -0.4}, {0.4, -0.4}, {0.4, 0.4}, {-0.4, 0.4}}, Vec3::UnitX());
   sinker.deform([](const Vec3& p) -> Vec3 {
     const double share = p.z() > 0.42 ? 0.68 : p.z() > 0 ? 0.75 : 1.05;
     return {share * p.x(), share * p.y(), p.z()};
   });
-  sinker.add(tube("steel", bent({{-0.09, 0, 0.4}, {-0.09, 0, 0.6}, {0.09, 0, 0.6}, {0.09, 0, 0.4}}, 0.085, 6), 0.016, 8));
+  sinker.add(
+      tube("steel", bent({{-0.09, 0, 0.4}, {-0.09, 0, 0.6}, {0.09, 0, 0.6}, {0.09, 0, 0.4}}, 0.085, 6), 0.016, 8));
   whole.add(sinker, on_ground(ssiv_ground, kSinkerX, kSinkerY, 0.02, 3, -2, 25));
 
   // Its rope, cut, lying on the sand.
   Path rope = {{kSinkerX, kSinkerY, ssiv_ground(kSinkerX, kSinkerY) + 0.58}};
-  for (const Vec2& p : {Vec2(8.75, 3.75), Vec2(8.3, 3.2), Vec2(8.6, 2.6), Vec2(9.3, 2.7), Vec2(9.5, 3.2), Vec2(10.1, 2.9), Vec2(10.6, 2.0), Vec2(10.3, 1.2), Vec2(10.9, 0.4)}) {
+  for (const Vec2& p : {Vec2(8.75, 3.75), Vec2(8.3, 3.2), Vec2(8.6, 2.6), Vec2(9.3, 2.7), Vec2(9.5, 3.2),
+                        Vec2(10.1, 2.9), Vec2(10.6, 2.0), Vec2(10.3, 1.2), Vec2(10.9, 0.4)}) {
     rope.emplace_back(p.x(), p.y(), ssiv_ground(p.x(), p.y()) + 0.03);
   }
   Path laid = laid_through(rope, 0.08);

@@ -64,7 +64,8 @@ Shape make_top_works(const Gauge& gauge) {
                        {0, gauge.can_foot() + 0.02}},
                       20);
   for (const Vec2& p : ring(Vec2::Zero(), 0.88 * gauge.bonnet, 0.88 * gauge.bonnet, 10)) {
-    top.add(tube("steel", {{p.x(), p.y(), gauge.bonnet_foot() + 0.03}, {p.x(), p.y(), gauge.bonnet_foot() + 0.18}}, 0.022, 6));
+    top.add(tube("steel", {{p.x(), p.y(), gauge.bonnet_foot() + 0.03}, {p.x(), p.y(), gauge.bonnet_foot() + 0.18}},
+                 0.022, 6));
   }
   const double foot = gauge.can_foot();
   const double head = gauge.can_head();
@@ -88,7 +89,10 @@ Shape make_top_works(const Gauge& gauge) {
   for (const double y : {-0.5 * gauge.pipe, 0.5 * gauge.pipe}) {
     const double out = 1.45 * gauge.can;
     top.add(tube("stainless_steel",
-                 bent({{0.8 * gauge.can, y, head - 0.2}, {out, y, head - 0.2}, {out, y, 0.3 * gauge.body}, {0.5 * gauge.body, 0.9 * y, 0.3 * gauge.body}},
+                 bent({{0.8 * gauge.can, y, head - 0.2},
+                       {out, y, head - 0.2},
+                       {out, y, 0.3 * gauge.body},
+                       {0.5 * gauge.body, 0.9 * y, 0.3 * gauge.body}},
                       0.06, 4),
                  0.012, 6));
   }
