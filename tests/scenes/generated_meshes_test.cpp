@@ -9,7 +9,9 @@
 #include <cstdlib>
 #include <filesystem>
 #include <limits>
-#include <memory>
+#include <map>
+#include <numeric>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -17,6 +19,7 @@
 #include "insonify/geometry.h"
 #include "insonify/mesh.h"
 #include "insonify/scene.h"
+#include "scenes/mesh_probe.h"
 #include "scenes/obj_mesh.h"
 
 namespace insonify {
@@ -24,42 +27,18 @@ namespace {
 
 using testing_scenes::bytes_of;
 using testing_scenes::generated_meshes;
+using testing_scenes::Probe;
 using testing_scenes::read_obj;
 
-const std::vector<std::string> kNames = {"ferry", "seabed", "boulders", "debris", "tank", "vehicle_box"};
+const std::vector<std::string> kNames = {
+    "ferry",      "seabed",    "boulders",          "debris", "tank",     "vehicle_box",      "cooler",
+    "cooler_bed", "pipelines", "pipeline_supports", "ssiv",   "ssiv_bed", "ssiv_surroundings"};
+
+// Those made of closed solids alone.
+const std::vector<std::string> kSolids = {"cooler", "pipelines", "pipeline_supports", "ssiv", "ssiv_surroundings"};
 
 // The files keep whole millimetres.
 constexpr double kRounding = 1e-3;
-
-// One generated mesh that rays can be sent at, in its own frame.
-class Probe {
- public:
-  explicit Probe(const std::string& name) {
-    Mesh mesh = read_obj(generated_meshes() / (name + ".obj"));
-    EXPECT_EQ(clean_mesh(mesh).dropped(), 0U);
-    Instance instance{.name = name};
-    instance.materials.assign(mesh.material_names.size(), 0);
-    instance.mesh = std::make_shared<const Mesh>(std::move(mesh));
-    scene_.materials.push_back({.name = "anything"});
-    scene_.instances.push_back(std::move(instance));
-    engine_->set_scene(scene_);
-  }
-
-  // Distance to the first surface; infinite where there is none.
-  double distance(const Vec3& from, const Vec3& direction) {
-    const std::vector<Ray> rays = {{.origin = from, .direction = direction.normalized()}};
-    std::vector<Hit> hits(1);
-    engine_->trace(rays, hits);
-    return hits.front().distance;
-  }
-
-  // Height of the uppermost surface under a point.
-  double height(double x, double y) { return 50 - distance({x, y, 50}, -Vec3::UnitZ()); }
-
- private:
-  Scene scene_;
-  std::unique_ptr<Engine> engine_ = make_engine("cpu", 1);
-};
 
 TEST(MakeMeshesTest, WritesTheSameBytesEveryTime) {
   const auto folder = std::filesystem::temp_directory_path() / ("make_meshes_test_" + std::to_string(::getpid()));
@@ -92,10 +71,82 @@ TEST(GeneratedMeshesTest, FerrySceneHasFourHundredThousandTrianglesAtMost) {
   EXPECT_LT(sum, 400'000U);
 }
 
+// Parts of a mesh that hang together by corners: for each triangle the number of its part.
+std::vector<std::uint32_t> parts_of(const Mesh& mesh) {
+  std::vector<std::uint32_t> parent(mesh.vertices.size());
+  std::iota(parent.begin(), parent.end(), 0U);
+  const auto root = [&](std::uint32_t vertex) {
+    while (parent[vertex] != vertex) {
+      parent[vertex] = parent[parent[vertex]];
+      vertex = parent[vertex];
+    }
+    return vertex;
+  };
+  for (const auto& [a, b, c] : mesh.triangles) {
+    parent[root(b)] = root(a);
+    parent[root(c)] = root(a);
+  }
+  std::vector<std::uint32_t> parts;
+  for (const auto& triangle : mesh.triangles) {
+    parts.push_back(root(triangle[0]));
+  }
+  return parts;
+}
+
+TEST(GeneratedMeshesTest, SolidsAreClosed) {
+  // Round a closed surface every edge is walked as often one way as the other.
+  for (const std::string& name : kSolids) {
+    std::map<std::pair<std::uint32_t, std::uint32_t>, int> balance;
+    for (const auto& [a, b, c] : read_obj(generated_meshes() / (name + ".obj")).triangles) {
+      for (const auto& [from, to] : {std::pair(a, b), std::pair(b, c), std::pair(c, a)}) {
+        balance[std::minmax(from, to)] += from < to ? 1 : -1;
+      }
+    }
+    EXPECT_TRUE(std::ranges::all_of(balance, [](const auto& edge) { return edge.second == 0; })) << name;
+  }
+}
+
+TEST(GeneratedMeshesTest, SolidsWindOutwards) {
+  // The tetrahedra between a fixed point and the triangles of a part add up to its volume, which is positive when its
+  // faces wind anticlockwise as seen from outside.
+  for (const std::string& name : kSolids) {
+    const Mesh mesh = read_obj(generated_meshes() / (name + ".obj"));
+    const std::vector<std::uint32_t> parts = parts_of(mesh);
+    std::map<std::uint32_t, double> volumes;
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+      const Vec3 origin = mesh.vertices[parts[i]].cast<double>();
+      const auto corner = [&](int k) -> Vec3 { return mesh.vertices[mesh.triangles[i][k]].cast<double>() - origin; };
+      volumes[parts[i]] += corner(0).dot(corner(1).cross(corner(2))) / 6;
+    }
+    EXPECT_GT(volumes.size(), 10U) << name;
+    for (const auto& [part, volume] : volumes) {
+      EXPECT_GT(volume, 0) << name << " at " << mesh.vertices[part].transpose();
+    }
+  }
+}
+
+TEST(GeneratedMeshesTest, NoTwoTrianglesShareAllCorners) {
+  for (const std::string& name : kSolids) {
+    std::set<std::array<std::uint32_t, 3>> seen;
+    for (auto triangle : read_obj(generated_meshes() / (name + ".obj")).triangles) {
+      std::ranges::sort(triangle);
+      EXPECT_TRUE(seen.insert(triangle).second) << name;
+    }
+  }
+}
+
 TEST(GeneratedMeshesTest, MaterialsAreNamed) {
   EXPECT_EQ(read_obj(generated_meshes() / "ferry.obj").material_names,
             (std::vector<std::string>{"hull", "deck", "superstructure", "steel", "rubber", "wood"}));
   EXPECT_EQ(read_obj(generated_meshes() / "tank.obj").material_names, (std::vector<std::string>{"concrete", "steel"}));
+  EXPECT_EQ(read_obj(generated_meshes() / "cooler.obj").material_names,
+            (std::vector<std::string>{"steel", "yellow_steel", "aluminium", "stainless_steel"}));
+  EXPECT_EQ(read_obj(generated_meshes() / "pipelines.obj").material_names,
+            (std::vector<std::string>{"pvc", "aluminium", "steel", "concrete", "rubber"}));
+  EXPECT_EQ(read_obj(generated_meshes() / "pipeline_supports.obj").material_names,
+            (std::vector<std::string>{"concrete", "steel", "nylon"}));
+  EXPECT_EQ(read_obj(generated_meshes() / "ssiv.obj").material_names,
+            (std::vector<std::string>{"steel", "yellow_steel", "aluminium", "stainless_steel"}));
 }
 
 TEST(TankMeshTest, InsideIsTwentyThreeByEighteenPointEightOneByEight) {
@@ -213,6 +264,129 @@ TEST(SeabedMeshTest, RipplesAreAboutAMetreLongAndTenCentimetresHigh) {
   EXPECT_LT(ripples.length / ripples.count, 1.1);
   EXPECT_GT(ripples.rise / ripples.count, 0.08);
   EXPECT_LT(ripples.rise / ripples.count, 0.12);
+}
+
+// A round member's facets lie inside its circle by up to this share of its radius: 1 - cos(pi / 12).
+constexpr double kFacet = 0.035;
+
+TEST(CoolerMeshTest, ColumnsStandNineByFourPointFourMetresApart) {
+  Probe cooler("cooler");
+  constexpr double kRadius = 0.1365;
+  const double slack = kFacet * kRadius;
+  for (const double side : {-1.0, 1.0}) {
+    EXPECT_NEAR(20 - cooler.distance({-20 * side, 2.2, 1.25}, {side, 0, 0}), 4.5 + kRadius, slack);
+    EXPECT_NEAR(20 - cooler.distance({4.5 * side, 20, 1.25}, {0, -1, 0}), 2.2 + kRadius, slack);
+    EXPECT_NEAR(20 - cooler.distance({4.5 * side, -20, 1.25}, {0, 1, 0}), 2.2 + kRadius, slack);
+  }
+}
+
+TEST(CoolerMeshTest, NinePassesLieTwelveInchesApart) {
+  // Down through the fourth bank, beside racks and cover: 305 mm between tops, the lowest axis at 0.55 m, 114.3 mm
+  // thick.
+  Probe cooler("cooler");
+  constexpr double kX = 0.7;
+  constexpr double kY = 3 * 0.48 - 1.68;
+  constexpr double kRadius = 0.05715;
+  for (int pass = 0; pass < 9; ++pass) {
+    const double axis = 0.55 + 0.305 * pass;
+    EXPECT_NEAR(0.15 - cooler.distance({kX, kY, axis + 0.15}, -Vec3::UnitZ()), kRadius, 0.06 * kRadius + kRounding)
+        << pass;
+    EXPECT_NEAR(0.15 - cooler.distance({kX, kY, axis - 0.15}, Vec3::UnitZ()), kRadius, 0.06 * kRadius + kRounding)
+        << pass;
+  }
+  EXPECT_LT(0.4 - cooler.distance({kX, kY, 0.4}, -Vec3::UnitZ()), 0.15);  // Nothing more down to the mudmat.
+}
+
+TEST(CoolerMeshTest, MudmatIsTwelvePointEightByFivePointNineMetres) {
+  Probe cooler("cooler");
+  EXPECT_NEAR(20 - cooler.distance({-20, 1.7, -0.015}, Vec3::UnitX()), 6.4, kRounding);
+  EXPECT_NEAR(20 - cooler.distance({20, 1.7, -0.015}, -Vec3::UnitX()), 6.4, kRounding);
+  EXPECT_NEAR(20 - cooler.distance({3, 20, -0.015}, -Vec3::UnitY()), 2.95, kRounding);
+}
+
+TEST(PipelinesMeshTest, GasLineIsThreeHundredAndTwentyMillimetresThick) {
+  // Over x = 13..16 m on y = 0 nothing but the gas line passes.
+  Probe lines("pipelines");
+  double top = -10;
+  double bottom = 10;
+  for (double x = 13; x < 16; x += 0.005) {
+    if (std::isfinite(lines.height(x, 0))) {
+      top = std::max(top, lines.height(x, 0));
+      bottom = std::min(bottom, lines.distance({x, 0, -10}, Vec3::UnitZ()) - 10);
+    }
+  }
+  EXPECT_NEAR(top - bottom, 0.32, kFacet * 0.32);
+}
+
+TEST(PipelinesMeshTest, LinesStayNearTheBed) {
+  // Not sunk in deeper than their coatings are thick, and nowhere higher than a spool's shoulder.
+  const Mesh lines = read_obj(generated_meshes() / "pipelines.obj");
+  Probe bed("cooler_bed");
+  double highest = -10;
+  double lowest = 10;
+  for (const Vec3f& vertex : lines.vertices) {
+    const double above = vertex.z() - bed.height(vertex.x(), vertex.y());
+    highest = std::max(highest, above);
+    lowest = std::min(lowest, above);
+  }
+  EXPECT_LT(highest, 2.6);  // Top of a spool over the cooler's inlet.
+  EXPECT_GT(lowest, -0.35);
+}
+
+TEST(SsivMeshTest, LegsStandTwoPointSixByTwoPointTwoMetresApart) {
+  Probe ssiv("ssiv");
+  constexpr double kRadius = 0.08415;
+  const double slack = kFacet * kRadius;
+  for (const double side : {-1.0, 1.0}) {
+    for (const double y : {-1.1, 1.1}) {
+      EXPECT_NEAR(20 - ssiv.distance({-20 * side, y, 0.6}, {side, 0, 0}), 1.3 + kRadius, slack);
+    }
+    EXPECT_NEAR(20 - ssiv.distance({1.3 * side, -20, 0.6}, {0, 1, 0}), 1.1 + kRadius, slack);
+  }
+}
+
+TEST(SsivMeshTest, PipeIsEightInchAndEndsInBlindFlanges) {
+  Probe ssiv("ssiv");
+  EXPECT_NEAR(ssiv.height(2.25, 0), 0.52 + 0.1095, kFacet * 0.1095);
+  // 2.75 m to the joint's face, seal 12 mm, flange 70 mm, crown 12 mm.
+  EXPECT_NEAR(20 - ssiv.distance({20, 0, 0.52}, -Vec3::UnitX()), 2.75 + 0.012 + 0.07 + 0.012, kRounding);
+  EXPECT_NEAR(20 - ssiv.distance({-20, 0, 0.52}, Vec3::UnitX()), 2.75 + 0.012 + 0.07 + 0.012, kRounding);
+}
+
+TEST(SsivMeshTest, HatchIsAGrid) {
+  // Between bars one looks through to what lies below, above them one does not.
+  Probe ssiv("ssiv");
+  int open = 0;
+  int shut = 0;
+  for (double x = -1.1; x < -0.3; x += 0.02) {
+    for (double y = 0.3; y < 0.9; y += 0.02) {
+      const double height = ssiv.height(x, y);
+      open += height < 1.6 ? 1 : 0;
+      shut += height > 1.74 && height < 1.9 ? 1 : 0;
+    }
+  }
+  EXPECT_GT(open, 3 * shut);
+  EXPECT_GT(shut, 50);
+}
+
+TEST(SsivBedTest, SwellRipplesAreAThirdOfAMetreLong) {
+  // Along azimuth 0.32 rad, clear of the mock-up.
+  Probe bed("ssiv_bed");
+  constexpr double kStep = 0.02;
+  double crests = 0;
+  double length = 0;
+  for (const double y : {-6.5, -5.0, 4.9, 6.2}) {
+    std::vector<double> heights;
+    for (int i = 0; i < 350; ++i) {
+      heights.push_back(bed.height(5 + kStep * i * std::cos(0.32), y + kStep * i * std::sin(0.32)));
+    }
+    for (std::size_t i = 6; i + 6 < heights.size(); ++i) {
+      crests += std::max_element(heights.begin() + i - 6, heights.begin() + i + 7) - heights.begin() ==
+                static_cast<std::ptrdiff_t>(i);
+    }
+    length += kStep * static_cast<double>(heights.size());
+  }
+  EXPECT_NEAR(length / crests, 0.36, 0.08);
 }
 
 }  // namespace

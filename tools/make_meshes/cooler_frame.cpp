@@ -76,13 +76,13 @@ void add_lifting_points(Shape& frame) {
 void add_anodes(Shape& frame) {
   for (const double x : {-2.8, -1.2, 1.2, 2.8}) {
     for (const double side : {-1.0, 1.0}) {
-      frame.add(make_anode(0.8), at({x, side * (kY + 0.09), kSillHeight}, -90 * side));  // Out from the sill.
-      frame.add(make_anode(0.8), at({x, side * (kY + 0.09), kCoolerHeight}, -90 * side));
+      frame.add(make_stand_off_anode(0.8), at({x, side * (kY + 0.09), kSillHeight}, -90 * side));  // Out from the sill.
+      frame.add(make_stand_off_anode(0.8), at({x, side * (kY + 0.09), kCoolerHeight}, -90 * side));
     }
   }
   for (const double x : {-kX, kX}) {
     for (const double y : {-0.9, 0.9}) {
-      frame.add(make_anode(0.7),
+      frame.add(make_stand_off_anode(0.7),
                 at({x + std::copysign(0.09, x), y, kCoolerHeight}, 0, x < 0 ? -90 : 90, 0) * at({0, 0, 0}, 0, 0, 90));
     }
   }

@@ -65,7 +65,7 @@ Shape make_mudmat(double length, double width) {
   return mudmat;
 }
 
-Shape make_anode(double length, double stand_off) {
+Shape make_stand_off_anode(double length, double stand_off) {
   const double half = length / 2;
   Shape anode = sweep("aluminium", {{-half, 0, stand_off}, {half, 0, stand_off}},
                       {{-0.085, -0.07}, {0.085, -0.07}, {0.065, 0.07}, {-0.065, 0.07}}, Vec3::UnitZ());

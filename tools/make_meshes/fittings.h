@@ -12,7 +12,7 @@ namespace modelling {
 
 /// A stand-off anode along x: an alloy bar on two bent steel legs that reach down to z = 0, the bar `stand_off` [m]
 /// above it.
-[[nodiscard]] Shape make_anode(double length, double stand_off = 0.22);
+[[nodiscard]] Shape make_stand_off_anode(double length, double stand_off = 0.22);
 
 /// A plate in x-z with a hole and cheek plates, for a shackle; its foot is 30 mm below z = 0.
 [[nodiscard]] Shape make_padeye(double height = 0.3);

@@ -48,9 +48,6 @@ Shape box(const std::string& material, const Vec3& size) {
 
 Shape sweep(const std::string& material, const std::vector<Vec3>& path, const std::vector<Vec2>& profile,
             const Vec3& up, bool closed) {
-  if (signed_area(profile) > 0) {  // Seen along the path its axes are left-handed: outwards is clockwise.
-    return sweep(material, path, {profile.rbegin(), profile.rend()}, up, closed);
-  }
   Shape shape = Shape::of(material);
   const auto sides = static_cast<std::uint32_t>(profile.size());
   const auto points = static_cast<std::uint32_t>(path.size());
@@ -70,12 +67,12 @@ Shape sweep(const std::string& material, const std::vector<Vec3>& path, const st
     const std::uint32_t next = (i + 1) % points * sides;
     for (std::uint32_t k = 0; k < sides; ++k) {
       const std::uint32_t other = (k + 1) % sides;
-      shape.add_quad(here + k, here + other, next + other, next + k);
+      shape.add_quad(here + k, next + k, next + other, here + other);
     }
   }
   for (std::uint32_t k = 1; !closed && k + 1 < sides; ++k) {
-    shape.add_triangle(0, k + 1, k);
-    shape.add_triangle((points - 1) * sides, (points - 1) * sides + k, (points - 1) * sides + k + 1);
+    shape.add_triangle(0, k, k + 1);
+    shape.add_triangle((points - 1) * sides, (points - 1) * sides + k + 1, (points - 1) * sides + k);
   }
   return shape;
 }

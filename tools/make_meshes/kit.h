@@ -43,12 +43,8 @@ struct Opening {
 /// A box about its centre.
 [[nodiscard]] Shape box(const std::string& material, const Vec3& size);
 
-/// Area of an outline, positive when its points go round anticlockwise [m^2].
-[[nodiscard]] double signed_area(const std::vector<Vec2>& outline);
-
-/// A profile, given either way round, drawn along a path, closed at both ends. The profile's second axis starts towards
-/// `up` and is carried along without twist; its first is path direction x up. `closed` joins the end to the start
-/// instead.
+/// A profile drawn along a path, closed at both ends. The profile's second axis starts towards `up` and is carried
+/// along without twist; its first is path direction x up. `closed` joins the end to the start instead.
 [[nodiscard]] Shape sweep(const std::string& material, const std::vector<Vec3>& path, const std::vector<Vec2>& profile,
                           const Vec3& up, bool closed = false);
 

@@ -1,7 +1,9 @@
 // plate.cpp -- flat plates with holes, cut into triangles by clipping ears.
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <span>
 
 #include "kit.h"
 
@@ -15,16 +17,33 @@ double turn(const Vec2& a, const Vec2& b, const Vec2& c) {
   return (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
 }
 
+double signed_area(const Outline& outline) {
+  double sum = 0;
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    sum += turn(Vec2::Zero(), outline[i], outline[(i + 1) % outline.size()]);
+  }
+  return sum / 2;
+}
+
 void wind(Outline& outline, bool anticlockwise) {
   if ((signed_area(outline) > 0) != anticlockwise) {
     std::ranges::reverse(outline);
   }
 }
 
+// Whether a point lies between a and b on the line through them.
+bool is_between(const Vec2& p, const Vec2& a, const Vec2& b) {
+  return (p - a).dot(p - b) < 0 && std::abs(turn(a, b, p)) < 1e-9;
+}
+
+// Whether a slit from a to b cuts an outline or touches one of its corners on the way.
 bool crosses(const Vec2& a, const Vec2& b, const Outline& outline) {
   for (std::size_t i = 0; i < outline.size(); ++i) {
     const Vec2& c = outline[i];
     const Vec2& d = outline[(i + 1) % outline.size()];
+    if (is_between(c, a, b)) {
+      return true;
+    }
     if (turn(a, b, c) * turn(a, b, d) < 0 && turn(c, d, a) * turn(c, d, b) < 0) {
       return true;
     }
@@ -32,15 +51,31 @@ bool crosses(const Vec2& a, const Vec2& b, const Outline& outline) {
   return false;
 }
 
-// Cuts a slit from the outline to a hole, so that both become one outline. The shortest slit that crosses nothing.
-void join_hole(Outline& outline, const Outline& hole) {
+// Whether a slit from corner i of an outline to a point sets out into its inside. Where earlier slits end there are two
+// corners in one place, and only one of them looks that way.
+bool opens_towards(const Outline& outline, std::size_t i, const Vec2& point) {
+  const Vec2& before = outline[(i + outline.size() - 1) % outline.size()];
+  const Vec2& corner = outline[i];
+  const Vec2& after = outline[(i + 1) % outline.size()];
+  const bool left_of_first = turn(before, corner, point) > 0;
+  const bool left_of_second = turn(corner, after, point) > 0;
+  return turn(before, corner, after) > 0 ? left_of_first && left_of_second : left_of_first || left_of_second;
+}
+
+// Cuts a slit from the outline to the first hole, so that both become one outline. The shortest slit that crosses
+// neither outline nor any hole.
+void join_hole(Outline& outline, std::span<const Outline> holes) {
+  const Outline& hole = holes.front();
+  const auto is_free = [&](const Vec2& a, const Vec2& b) {
+    return !crosses(a, b, outline) && std::ranges::none_of(holes, [&](const Outline& h) { return crosses(a, b, h); });
+  };
   std::size_t best_outer = 0;
   std::size_t best_inner = 0;
   double best = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < outline.size(); ++i) {
     for (std::size_t j = 0; j < hole.size(); ++j) {
       const double distance = (outline[i] - hole[j]).squaredNorm();
-      if (distance < best && !crosses(outline[i], hole[j], outline) && !crosses(outline[i], hole[j], hole)) {
+      if (distance < best && opens_towards(outline, i, hole[j]) && is_free(outline[i], hole[j])) {
         best = distance;
         best_outer = i;
         best_inner = j;
@@ -67,6 +102,21 @@ bool is_ear(const Outline& outline, const std::vector<std::uint32_t>& left, std:
   });
 }
 
+// The corner at which the outline turns least.
+std::size_t flattest(const Outline& outline, const std::vector<std::uint32_t>& left) {
+  std::size_t best = 0;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < left.size(); ++i) {
+    const double bend = std::abs(turn(outline[left[(i + left.size() - 1) % left.size()]], outline[left[i]],
+                                      outline[left[(i + 1) % left.size()]]));
+    if (bend < least) {
+      least = bend;
+      best = i;
+    }
+  }
+  return best;
+}
+
 std::vector<std::array<std::uint32_t, 3>> triangulated(const Outline& outline) {
   std::vector<std::uint32_t> left(outline.size());
   for (std::uint32_t i = 0; i < left.size(); ++i) {
@@ -75,8 +125,11 @@ std::vector<std::array<std::uint32_t, 3>> triangulated(const Outline& outline) {
   std::vector<std::array<std::uint32_t, 3>> triangles;
   while (left.size() > 2) {
     std::size_t ear = 0;
-    while (ear + 1 < left.size() && !is_ear(outline, left, ear)) {
+    while (ear < left.size() && !is_ear(outline, left, ear)) {
       ++ear;
+    }
+    if (ear == left.size()) {  // What is left has no area: three corners in a line.
+      ear = flattest(outline, left);
     }
     triangles.push_back({left[(ear + left.size() - 1) % left.size()], left[ear], left[(ear + 1) % left.size()]});
     left.erase(left.begin() + static_cast<std::ptrdiff_t>(ear));
@@ -101,14 +154,6 @@ void add_rim(Shape& shape, const Outline& outline, double thickness) {
 
 }  // namespace
 
-double signed_area(const std::vector<Vec2>& outline) {
-  double sum = 0;
-  for (std::size_t i = 0; i < outline.size(); ++i) {
-    sum += turn(Vec2::Zero(), outline[i], outline[(i + 1) % outline.size()]);
-  }
-  return sum / 2;
-}
-
 Shape plate(const std::string& material, std::vector<Vec2> outline, std::vector<std::vector<Vec2>> holes,
             double thickness) {
   Shape shape = Shape::of(material);
@@ -117,7 +162,9 @@ Shape plate(const std::string& material, std::vector<Vec2> outline, std::vector<
   for (Outline& hole : holes) {
     wind(hole, false);
     add_rim(shape, hole, thickness);
-    join_hole(outline, hole);
+  }
+  for (std::size_t i = 0; i < holes.size(); ++i) {
+    join_hole(outline, std::span(holes).subspan(i));
   }
 
   // Lower and upper face.

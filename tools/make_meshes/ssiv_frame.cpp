@@ -68,9 +68,10 @@ void add_lifting_points_and_anodes(Shape& frame) {
       // On the roof's long sides next to the legs, leaning towards the hook.
       frame.add(make_padeye(0.26), at({x * (kX - 0.27), y * kY, kSsivHeight + 0.045}, 0, -22 * x));
     }
-    frame.add(make_anode(0.5, 0.16), at({x * (kX + 0.05), 0, kSillHeight}, 0, 90 * x) * at({0, 0, 0}, 0, 0, 90));
-    frame.add(make_anode(0.5, 0.16), at({x * 0.62, kY + 0.05, kSillHeight}, -90));
-    frame.add(make_anode(0.5, 0.16), at({x * 0.72, -kY - 0.05, kSillHeight}, 90));
+    frame.add(make_stand_off_anode(0.5, 0.16),
+              at({x * (kX + 0.05), 0, kSillHeight}, 0, 90 * x) * at({0, 0, 0}, 0, 0, 90));
+    frame.add(make_stand_off_anode(0.5, 0.16), at({x * 0.62, kY + 0.05, kSillHeight}, -90));
+    frame.add(make_stand_off_anode(0.5, 0.16), at({x * 0.72, -kY - 0.05, kSillHeight}, 90));
   }
 }
 

@@ -1,0 +1,147 @@
+// cooler_scene_test.cpp -- the cooler's scene sounds as its geometry says: where its front is, and what it hides.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <string>
+
+#include "insonify/absorption.h"
+#include "scenes/mesh_probe.h"
+#include "scenes/scene_ping.h"
+
+namespace insonify {
+namespace {
+
+using testing_scenes::Probe;
+using testing_scenes::ScenePing;
+
+// Shadows are sought without secondary echoes, which come late and would fall into them.
+const ScenePing& primary_ping() {
+  static const ScenePing ping("cooler", [](Scenario& scenario) { scenario.secondary = SecondaryEchoes::kNone; });
+  return ping;
+}
+
+// scenes/cooler.sdf: 22.5 2 0.16, roll -0.8, pitch 0.6, yaw 62 degrees.
+Vec3 world_from_cooler(const Vec3& p) {
+  const auto about = [](double degrees, const Vec3& axis) {
+    return Eigen::AngleAxisd(radians_from_degrees(degrees), axis);
+  };
+  return Vec3(22.5, 2, 0.16) +
+         about(62, Vec3::UnitZ()) * (about(0.6, Vec3::UnitY()) * (about(-0.8, Vec3::UnitX()) * p));
+}
+
+TEST(CoolerSceneTest, NearestEchoOfTheCoolerIsTheCornerOfItsMudmat) {
+  // 12.8 x 5.9 m, its corners cut by 80 mm; the one at the inlet on the ROV's side is nearest.
+  const ScenePing& ping = primary_ping();
+  const auto corner = ping.sighting(world_from_cooler({-6.4 + 0.04, 2.95 - 0.04, 0}));
+  int nearest_bin = ping.ping().bin_count;
+  int nearest_beam = -1;
+  for (int beam = 0; beam < ping.ping().beam_count; ++beam) {
+    const int bin = ping.first_bin_of("structure", beam);
+    if (bin >= 0 && bin < nearest_bin) {
+      nearest_bin = bin;
+      nearest_beam = beam;
+    }
+  }
+  EXPECT_NEAR(ping.sonar().bin_range(nearest_bin), corner.range, 2 * ping.sonar().bin_length());
+  EXPECT_NEAR(nearest_beam, ping.beam_at(corner.azimuth), 1);
+}
+
+TEST(CoolerSceneTest, RaisedPipeCastsAShadowThatIsDetachedFromIt) {
+  // The gas line crosses straight ahead of the sonar, held up by bags of grout on both sides. Its top and where that is
+  // are measured on the mesh; the rest is trigonometry.
+  const ScenePing& ping = primary_ping();
+  Probe lines("pipelines");
+  Probe bed("cooler_bed");
+  constexpr double kRadius = 0.16;  // [m]
+  const auto crest = [&](double y) {
+    double best = -10;
+    double place = 0;
+    for (double x = 13; x < 16; x += 0.005) {
+      if (const double height = lines.height(x, y); std::isfinite(height) && height > best) {
+        best = height;
+        place = x;
+      }
+    }
+    return Vec3(place, y, best);
+  };
+  const Vec3 top = crest(0);
+  ASSERT_GT(top.z() - bed.height(top.x(), 0), 0.5);  // Raised by more than its diameter.
+  const testing_scenes::StraightPipe pipe{top - kRadius * Vec3::UnitZ(), crest(0.5) - crest(-0.5), kRadius};
+
+  const double bin = ping.sonar().bin_length();
+  const double step = 3 * bin;  // Rows lie 0.05 degrees apart: up to 40 mm on the bed at this slant.
+  for (const int beam : {ping.beam_at(0.004), ping.beam_at(-0.004)}) {
+    const auto shadow = testing_scenes::shadow_of_pipe(ping.world_from_sonar(), ping.sonar().beam_azimuth(beam), pipe,
+                                                       [&](double x, double y) { return bed.height(x, y); });
+    const int echo = ping.first_bin_of("lines", beam);
+    ASSERT_GE(echo, 0);
+    EXPECT_NEAR(ping.sonar().bin_range(echo), shadow.echo, 2 * bin);
+    const auto silence = ping.silence_around((shadow.from + shadow.to) / 2, beam);
+    EXPECT_NEAR(silence.from, shadow.from, step);
+    EXPECT_NEAR(silence.to, shadow.to, step);
+    // Bed between the pipe and its shadow.
+    EXPECT_EQ(ping.visual(ping.bin_at((shadow.echo + shadow.from) / 2), beam), "sand");
+    EXPECT_GT(shadow.from - shadow.echo, 0.5);
+  }
+}
+
+TEST(CoolerSceneTest, CoolerHidesTheBedToTheEndOfTheRange) {
+  // Its pipes reach 3.2 m up, 22 to 26 m away: a ray over them comes down no nearer than 22 * 6 / (6 - 3.2) = 47 m.
+  const ScenePing& ping = primary_ping();
+  const auto degrees = [](double value) { return radians_from_degrees(value); };
+  EXPECT_LT(ping.share_heard(29, 39.5, degrees(2), degrees(8)), 0.03);
+  EXPECT_GT(ping.share_heard(29, 39.5, degrees(-14), degrees(-9)), 0.7);  // Beside it only mounds and spools hide bed.
+}
+
+TEST(CoolerSceneTest, WaterWeakensEveryEchoOfTheBedByItsRange) {
+  const auto ping_with = [](bool absorption) {
+    return ScenePing("cooler", [&](Scenario& scenario) {
+      scenario.water.absorption = absorption;
+      scenario.paper.sigmoid = Sigmoid::kNone;
+      scenario.secondary = SecondaryEchoes::kNone;
+      scenario.sonars[0].gain = 1;
+    });
+  };
+  const ScenePing wet = ping_with(true);
+  const ScenePing clear = ping_with(false);
+  const double loss = kNeperPerDecibel * absorption_db_per_m(720e3, wet.simulator().scenario().water);  // [Np/m]
+  double worst = 0;
+  int count = 0;
+  for (int beam = 0; beam < wet.ping().beam_count; beam += 5) {
+    for (int bin = 0; bin < wet.ping().bin_count; ++bin) {
+      const std::size_t cell = wet.ping().index(bin, beam);
+      if (wet.visual(bin, beam) == "sand" && clear.ping().intensity[cell] > 0.01F) {
+        const double kept = wet.ping().intensity[cell] / clear.ping().intensity[cell];
+        worst = std::max(worst, std::abs(kept / std::exp(-2 * loss * wet.sonar().bin_range(bin)) - 1));
+        ++count;
+      }
+    }
+  }
+  EXPECT_GT(count, 5000);
+  EXPECT_LT(worst, 0.02);  // A cell's samples lie up to some 0.3 m from its middle.
+  EXPECT_LT(std::exp(-2 * loss * (39 - 14)), 0.35);
+}
+
+TEST(CoolerSceneTest, LoudestEchoesComeFromMetal) {
+  const ScenePing ping("cooler", [](Scenario& scenario) {
+    scenario.paper.sigmoid = Sigmoid::kNone;
+    scenario.sonars[0].gain = 1;
+  });
+  const auto& intensity = ping.ping().intensity;
+  std::vector<std::size_t> cells(intensity.size());
+  for (std::size_t cell = 0; cell < cells.size(); ++cell) {
+    cells[cell] = cell;
+  }
+  std::ranges::partial_sort(cells, cells.begin() + 50, std::greater{},
+                            [&](std::size_t cell) { return intensity[cell]; });
+  const std::set<std::string> metals = {"steel", "yellow_steel", "stainless_steel", "aluminium"};
+  for (int i = 0; i < 50; ++i) {
+    EXPECT_TRUE(metals.contains(ping.material(cells[i]))) << ping.material(cells[i]);
+  }
+}
+
+}  // namespace
+}  // namespace insonify
