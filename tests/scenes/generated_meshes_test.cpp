@@ -325,7 +325,8 @@ TEST(PipelinesMeshTest, LinesStayNearTheBed) {
   double highest = -10;
   double lowest = 10;
   for (const Vec3f& vertex : lines.vertices) {
-    const double above = vertex.z() - bed.height(vertex.x(), vertex.y());
+    // A step aside from the bed's grid lines: a ray straight down an edge may pass between its triangles.
+    const double above = vertex.z() - bed.height(vertex.x() + 0.0003, vertex.y() + 0.0004);
     highest = std::max(highest, above);
     lowest = std::min(lowest, above);
   }
@@ -353,20 +354,22 @@ TEST(SsivMeshTest, PipeIsEightInchAndEndsInBlindFlanges) {
   EXPECT_NEAR(20 - ssiv.distance({-20, 0, 0.52}, Vec3::UnitX()), 2.75 + 0.012 + 0.07 + 0.012, kRounding);
 }
 
-TEST(SsivMeshTest, HatchIsAGrid) {
-  // Between bars one looks through to what lies below, above them one does not.
+TEST(SsivMeshTest, HatchIsAGridOfBarsTwentyCentimetresApart) {
+  // The leaf about x = -0.67 is 1.14 x 1.98 m, parted in 6 by 10. Above its bars one does not look down; between them
+  // one does, but where sling, handle and the beam's edge lie.
   Probe ssiv("ssiv");
+  const auto x_at = [](double column) { return -0.67 + 1.14 * (column / 6 - 0.5); };
+  const auto y_at = [](double row) { return 1.98 * (row / 10 - 0.5); };
   int open = 0;
-  int shut = 0;
-  for (double x = -1.1; x < -0.3; x += 0.02) {
-    for (double y = 0.3; y < 0.9; y += 0.02) {
-      const double height = ssiv.height(x, y);
-      open += height < 1.6 ? 1 : 0;
-      shut += height > 1.74 && height < 1.9 ? 1 : 0;
+  for (int column = 0; column < 6; ++column) {
+    for (int row = 0; row < 10; ++row) {
+      open += ssiv.height(x_at(column + 0.5), y_at(row + 0.5)) < 1.7 ? 1 : 0;
+      if (column > 0 && row > 0) {
+        EXPECT_GT(ssiv.height(x_at(column), y_at(row)), 1.75) << column << ", " << row;
+      }
     }
   }
-  EXPECT_GT(open, 3 * shut);
-  EXPECT_GT(shut, 50);
+  EXPECT_GE(open, 50);
 }
 
 TEST(SsivBedTest, SwellRipplesAreAThirdOfAMetreLong) {

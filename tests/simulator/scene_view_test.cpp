@@ -177,6 +177,7 @@ TEST(UnderwaterLightTest, MaterialsLookDifferent) {
   EXPECT_FALSE(tint("sand").isApprox(tint("steel"), 0.05F));
   EXPECT_TRUE(tint("very_coarse_sand").isApprox(tint("sand")));
   EXPECT_TRUE(tint("sandy_gravel").isApprox(tint("gravel")));
+  EXPECT_FALSE(tint("yellow_steel").isApprox(tint("steel"), 0.1F));  // Painted.
   // Names that tell nothing: always the same, different from each other, and dense things darker than aluminium.
   EXPECT_TRUE(tint("hull", 7850).isApprox(tint("hull", 7850)));
   EXPECT_FALSE(tint("hull", 7850).isApprox(tint("deck", 7850), 0.02F));
