@@ -18,6 +18,7 @@ struct Tint {
 
 // The first that a name contains holds: "sandy_gravel" is gravel, "waterlogged_wood" wood.
 constexpr std::array kTints = {
+    Tint{"yellow", 0xd9a21b},  // Paint: subsea structures are yellow, whatever the steel beneath.
     Tint{"gravel", 0xa59a86},    Tint{"sand", 0xc2b394},      Tint{"silt", 0x9c8f73},     Tint{"mud", 0x83745a},
     Tint{"clay", 0x8f7a60},      Tint{"moraine", 0x968a76},   Tint{"basalt", 0x6a6a6e},   Tint{"granite", 0x9a918c},
     Tint{"limestone", 0xc9c2ad}, Tint{"chalk", 0xdedacb},     Tint{"rock", 0x8b867c},     Tint{"concrete", 0xb3b3ad},

@@ -8,19 +8,19 @@
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
-#include <iterator>
 #include <limits>
 #include <map>
-#include <memory>
 #include <numeric>
+#include <set>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "insonify/engine.h"
+#include "insonify/files.h"
 #include "insonify/geometry.h"
 #include "insonify/mesh.h"
 #include "insonify/scene.h"
+#include "scenes/mesh_probe.h"
 #include "scenes/obj_mesh.h"
 
 namespace insonify {
@@ -28,44 +28,22 @@ namespace {
 
 using testing_scenes::bytes_of;
 using testing_scenes::generated_meshes;
+using testing_scenes::Probe;
 using testing_scenes::read_obj;
 
-const std::vector<std::string> kNames = {"ferry",      "seabed",         "boulders", "debris",    "cone",
-                                         "tank",       "vehicle_box",    "car",      "car_bed",   "car_debris",
-                                         "car_stones", "christmas_tree", "tree_bed", "tree_lines"};
+const std::vector<std::string> kNames = {
+    "ferry",       "seabed",     "boulders",         "debris",     "cone",       "tank",
+    "vehicle_box", "car",        "car_bed",          "car_debris", "car_stones", "christmas_tree",
+    "tree_bed",    "tree_lines", "cooler",           "cooler_bed", "pipelines",  "pipeline_supports",
+    "ssiv",        "ssiv_bed",   "ssiv_surroundings"};
+
+// Those made of closed solids alone.
+const std::vector<std::string> kSolids = {
+    "cooler", "pipelines",  "pipeline_supports", "ssiv",           "ssiv_surroundings",
+    "car",    "car_debris", "car_stones",        "christmas_tree", "tree_lines"};
 
 // The files keep whole millimetres.
 constexpr double kRounding = 1e-3;
-
-// One generated mesh that rays can be sent at, in its own frame.
-class Probe {
- public:
-  explicit Probe(const std::string& name) {
-    Mesh mesh = read_obj(generated_meshes() / (name + ".obj"));
-    EXPECT_EQ(clean_mesh(mesh).dropped(), 0U);
-    Instance instance{.name = name};
-    instance.materials.assign(mesh.material_names.size(), 0);
-    instance.mesh = std::make_shared<const Mesh>(std::move(mesh));
-    scene_.materials.push_back({.name = "anything"});
-    scene_.instances.push_back(std::move(instance));
-    engine_->set_scene(scene_);
-  }
-
-  // Distance to the first surface; infinite where there is none.
-  double distance(const Vec3& from, const Vec3& direction) {
-    const std::vector<Ray> rays = {{.origin = from, .direction = direction.normalized()}};
-    std::vector<Hit> hits(1);
-    engine_->trace(rays, hits);
-    return hits.front().distance;
-  }
-
-  // Height of the uppermost surface under a point.
-  double height(double x, double y) { return 50 - distance({x, y, 50}, -Vec3::UnitZ()); }
-
- private:
-  Scene scene_;
-  std::unique_ptr<Engine> engine_ = make_engine("cpu", 1);
-};
 
 TEST(MakeMeshesTest, WritesTheSameBytesEveryTime) {
   const auto folder = std::filesystem::temp_directory_path() / ("make_meshes_test_" + std::to_string(::getpid()));
@@ -78,6 +56,7 @@ TEST(MakeMeshesTest, WritesTheSameBytesEveryTime) {
       EXPECT_TRUE(bytes == bytes_of(generated_meshes() / (name + ending))) << name << ending;
     }
   }
+  EXPECT_TRUE(bytes_of(folder / "seabed_ripples.png") == bytes_of(generated_meshes() / "seabed_ripples.png"));
   std::filesystem::remove_all(folder);
 }
 
@@ -98,57 +77,67 @@ TEST(GeneratedMeshesTest, FerrySceneHasFourHundredThousandTrianglesAtMost) {
   EXPECT_LT(sum, 400'000U);
 }
 
-TEST(GeneratedMeshesTest, CarAndTreeAreMadeOfTenToSixtyThousandTriangles) {
-  for (const char* name : {"car", "christmas_tree"}) {
-    const std::size_t count = read_obj(generated_meshes() / (std::string(name) + ".obj")).triangles.size();
-    EXPECT_GT(count, 10'000U) << name;
-    EXPECT_LT(count, 60'000U) << name;
-  }
-}
-
-// The number of a shape's edges that are not run through as often one way as the other: none where every part is
-// closed and its triangles agree which side is outside.
-std::size_t open_edges(const Mesh& mesh) {
-  std::map<std::pair<std::uint32_t, std::uint32_t>, int> balance;
-  for (const auto& triangle : mesh.triangles) {
-    for (int i = 0; i < 3; ++i) {
-      const std::uint32_t from = triangle[i], to = triangle[(i + 1) % 3];
-      balance[std::minmax(from, to)] += from < to ? 1 : -1;
+// Parts of a mesh that hang together by corners: for each triangle the number of its part.
+std::vector<std::uint32_t> parts_of(const Mesh& mesh) {
+  std::vector<std::uint32_t> parent(mesh.vertices.size());
+  std::iota(parent.begin(), parent.end(), 0U);
+  const auto root = [&](std::uint32_t vertex) {
+    while (parent[vertex] != vertex) {
+      parent[vertex] = parent[parent[vertex]];
+      vertex = parent[vertex];
     }
-  }
-  return static_cast<std::size_t>(std::ranges::count_if(balance, [](const auto& edge) { return edge.second != 0; }));
-}
-
-// Volumes of a shape's parts, where those that share a vertex are one: positive where triangles wind outwards.
-std::vector<double> volumes(const Mesh& mesh) {
-  std::vector<std::uint32_t> part(mesh.vertices.size());
-  std::iota(part.begin(), part.end(), 0U);
-  const auto root = [&](std::uint32_t v) {
-    while (part[v] != v) {
-      v = part[v] = part[part[v]];
-    }
-    return v;
+    return vertex;
   };
   for (const auto& [a, b, c] : mesh.triangles) {
-    part[root(a)] = root(b);
-    part[root(b)] = root(c);
+    parent[root(b)] = root(a);
+    parent[root(c)] = root(a);
   }
-  std::map<std::uint32_t, double> sums;
-  for (const auto& [a, b, c] : mesh.triangles) {
-    const Vec3 p = mesh.vertices[a].cast<double>(), q = mesh.vertices[b].cast<double>();
-    sums[root(a)] += p.cross(q).dot(mesh.vertices[c].cast<double>()) / 6;
+  std::vector<std::uint32_t> parts;
+  for (const auto& triangle : mesh.triangles) {
+    parts.push_back(root(triangle[0]));
   }
-  std::vector<double> volumes;
-  std::ranges::transform(sums, std::back_inserter(volumes), [](const auto& sum) { return sum.second; });
-  return volumes;
+  return parts;
 }
 
-TEST(GeneratedMeshesTest, PartsOfCarAndTreeAreClosedAndFaceOutwards) {
-  for (const char* name : {"car", "car_debris", "car_stones", "christmas_tree", "tree_lines"}) {
-    SCOPED_TRACE(name);
-    const Mesh mesh = read_obj(generated_meshes() / (std::string(name) + ".obj"));
-    EXPECT_EQ(open_edges(mesh), 0U);
-    EXPECT_GT(std::ranges::min(volumes(mesh)), 0);
+TEST(GeneratedMeshesTest, SolidsAreClosed) {
+  // Round a closed surface every edge is walked as often one way as the other.
+  for (const std::string& name : kSolids) {
+    std::map<std::pair<std::uint32_t, std::uint32_t>, int> balance;
+    for (const auto& [a, b, c] : read_obj(generated_meshes() / (name + ".obj")).triangles) {
+      for (const auto& [from, to] : {std::pair(a, b), std::pair(b, c), std::pair(c, a)}) {
+        balance[std::minmax(from, to)] += from < to ? 1 : -1;
+      }
+    }
+    EXPECT_TRUE(std::ranges::all_of(balance, [](const auto& edge) { return edge.second == 0; })) << name;
+  }
+}
+
+TEST(GeneratedMeshesTest, SolidsWindOutwards) {
+  // The tetrahedra between a fixed point and the triangles of a part add up to its volume, which is positive when its
+  // faces wind anticlockwise as seen from outside.
+  for (const std::string& name : kSolids) {
+    const Mesh mesh = read_obj(generated_meshes() / (name + ".obj"));
+    const std::vector<std::uint32_t> parts = parts_of(mesh);
+    std::map<std::uint32_t, double> volumes;
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+      const Vec3 origin = mesh.vertices[parts[i]].cast<double>();
+      const auto corner = [&](int k) -> Vec3 { return mesh.vertices[mesh.triangles[i][k]].cast<double>() - origin; };
+      volumes[parts[i]] += corner(0).dot(corner(1).cross(corner(2))) / 6;
+    }
+    EXPECT_GT(volumes.size(), 10U) << name;
+    for (const auto& [part, volume] : volumes) {
+      EXPECT_GT(volume, 0) << name << " at " << mesh.vertices[part].transpose();
+    }
+  }
+}
+
+TEST(GeneratedMeshesTest, NoTwoTrianglesShareAllCorners) {
+  for (const std::string& name : kSolids) {
+    std::set<std::array<std::uint32_t, 3>> seen;
+    for (auto triangle : read_obj(generated_meshes() / (name + ".obj")).triangles) {
+      std::ranges::sort(triangle);
+      EXPECT_TRUE(seen.insert(triangle).second) << name;
+    }
   }
 }
 
@@ -161,6 +150,14 @@ TEST(GeneratedMeshesTest, MaterialsAreNamed) {
                                       "rubber", "cast_iron", "copper", "brass", "lead", "hdpe"}));
   EXPECT_EQ(read_obj(generated_meshes() / "christmas_tree.obj").material_names,
             (std::vector<std::string>{"steel", "stainless_steel", "hdpe", "grp", "aluminium"}));
+  EXPECT_EQ(read_obj(generated_meshes() / "cooler.obj").material_names,
+            (std::vector<std::string>{"steel", "yellow_steel", "aluminium", "stainless_steel"}));
+  EXPECT_EQ(read_obj(generated_meshes() / "pipelines.obj").material_names,
+            (std::vector<std::string>{"pvc", "aluminium", "steel", "concrete", "rubber"}));
+  EXPECT_EQ(read_obj(generated_meshes() / "pipeline_supports.obj").material_names,
+            (std::vector<std::string>{"concrete", "steel", "nylon"}));
+  EXPECT_EQ(read_obj(generated_meshes() / "ssiv.obj").material_names,
+            (std::vector<std::string>{"steel", "yellow_steel", "aluminium", "stainless_steel"}));
 }
 
 TEST(TankMeshTest, InsideIsTwentyThreeByEighteenPointEightOneByEight) {
@@ -262,88 +259,42 @@ struct Ripples {
 };
 
 TEST(SeabedMeshTest, RipplesAreAboutAMetreLongAndTenCentimetresHigh) {
-  // Along the current (azimuth 0.21 rad), over sand that no wreck disturbs.
-  Probe seabed("seabed");
+  // The normal map that covers the bed, summed up along the current (azimuth 0.21 rad), over sand that no wreck
+  // disturbs.
+  const Mesh seabed = load_mesh(generated_meshes() / "seabed.obj");
+  ASSERT_EQ(seabed.reliefs.size(), 1U);
+  ASSERT_NE(seabed.reliefs[0], nullptr);
+  const Eigen::Vector2d current(std::cos(0.21), std::sin(0.21));
   constexpr double kStep = 0.025;
   Ripples ripples;
   for (const double y : {-34.0, -28.0, 24.0, 30.0}) {
-    std::vector<double> heights;
+    std::vector<double> heights = {0};
     for (int i = 0; i < 800; ++i) {
-      heights.push_back(seabed.height(7 + kStep * i * std::cos(0.21), y + kStep * i * std::sin(0.21)));
+      const Eigen::Vector2d at = Eigen::Vector2d(7, y) + (i + 0.5) * kStep * current;
+      const Eigen::Vector2f texture = ((at - Eigen::Vector2d(-30, -60)) / 120).cast<float>();  // As the bed lies.
+      const Eigen::Vector2f slope = seabed.reliefs[0]->slopes.at(texture.x(), texture.y());
+      heights.push_back(heights.back() + kStep * slope.cast<double>().dot(current));
     }
     ripples.measure(heights, kStep);
   }
   ASSERT_GT(ripples.count, 50);
   EXPECT_GT(ripples.length / ripples.count, 0.8);
   EXPECT_LT(ripples.length / ripples.count, 1.1);
-  EXPECT_GT(ripples.rise / ripples.count, 0.08);
+  EXPECT_GT(ripples.rise / ripples.count, 0.075);
   EXPECT_LT(ripples.rise / ripples.count, 0.12);
 }
 
-// The car's own frame: x forward from midway between the axles, y to its left, z up from the road.
-
-TEST(CarMeshTest, RearWheelsStandOnTheRoadAtTheirPlaces) {
-  // Axle 1.325 m behind the middle, wheels of 0.31 m radius; a ray along the axle from the left meets the cap, whose
-  // dome stands 0.066 m out from the wheel's middle at 0.70 m.
-  Probe car("car");
-  EXPECT_NEAR(5 - car.distance({-1.325, 5, 0.31}, -Vec3::UnitY()), 0.70 + 0.066, kRounding);
-  EXPECT_NEAR(car.distance({-1.325, 0.70, -2}, Vec3::UnitZ()), 2.0, 0.01);  // Its tread has grooves 9 mm deep.
-}
-
-TEST(CarMeshTest, LeftFrontWheelIsMissing) {
-  // Below the brake's disc, of 0.13 m radius about the axle at 0.31 m, the way is free to the right wheel.
-  Probe car("car");
-  const double left_face = 5 - car.distance({1.325, 5, 0.12}, -Vec3::UnitY());
-  EXPECT_LT(left_face, -0.5);
-  EXPECT_GT(left_face, -0.7);
-  EXPECT_GT(5 - car.distance({-1.325, 5, 0.12}, -Vec3::UnitY()), 0.7);
-}
-
-TEST(CarMeshTest, OneLooksInWhereTheLeftDoorWas) {
-  // Over the sill to the seats; behind the rear wheel the side is whole, 0.81 m from the middle of the car.
-  Probe car("car");
-  EXPECT_LT(5 - car.distance({0.15, 5, 0.5}, -Vec3::UnitY()), 0.72);
-  EXPECT_NEAR(5 - car.distance({-2.0, 5, 0.55}, -Vec3::UnitY()), 0.81, 0.04);
-}
-
-TEST(CarMeshTest, RoofIsCrushedOnTheRightAlone) {
-  // Over the seats, 0.5 m to both sides: sound it stands within a few centimetres of 1.4 m.
-  Probe car("car");
-  EXPECT_NEAR(car.height(-0.35, 0.45), 1.38, 0.05);
-  EXPECT_LT(car.height(-0.35, -0.45), 1.15);
-}
-
-// The tree's own frame: x to its ROV panel, y to its production wing, z up from the mud line.
-
-TEST(ChristmasTreeMeshTest, GuidePostsStandOnSixFeet) {
-  // API 17D: four posts on a radius of 1.829 m, here 1.293 m along both axes. Under the roof, above their sleeves, a
-  // ray from outside meets a tube of 8 5/8 in, 0.1095 m in radius.
-  Probe tree("christmas_tree");
-  for (const double side : {-1.0, 1.0}) {
-    EXPECT_NEAR(tree.distance({1.293 + 0.2, side * 1.293, 2.7}, -Vec3::UnitX()), 0.2 - 0.1095, 0.002);
+// Every vertex of the bed has the texture coordinates of its place.
+TEST(SeabedMeshTest, ItsNormalMapLiesWhereItIs) {
+  const Mesh seabed = load_mesh(generated_meshes() / "seabed.obj");
+  ASSERT_EQ(seabed.texture_coordinates.size(), seabed.triangles.size());
+  for (std::size_t t = 0; t < seabed.triangles.size(); t += 1000) {
+    for (int k = 0; k < 3; ++k) {
+      const Vec3f& vertex = seabed.vertices[seabed.triangles[t][k]];
+      EXPECT_NEAR(seabed.texture_coordinates[t][k].x(), (vertex.x() + 30) / 120, 1e-5);
+      EXPECT_NEAR(seabed.texture_coordinates[t][k].y(), (vertex.y() + 60) / 120, 1e-5);
+    }
   }
-}
-
-TEST(ChristmasTreeMeshTest, RoofAndCapHaveTheirHeights) {
-  // Roof: rails' middle at 4.25 m, cover from 4.31 to 4.345 m. Cap: 4.80 m.
-  Probe tree("christmas_tree");
-  EXPECT_NEAR(tree.height(1.2, 0.25), 4.345, kRounding);
-  EXPECT_NEAR(tree.height(0, 0), 4.80, kRounding);
-}
-
-TEST(ChristmasTreeMeshTest, PanelStandsBeforeTheValves) {
-  // Its face at 1.5 m between the buckets, whose rims stand 0.06 m further out, their T bars 0.09 m inside these.
-  Probe tree("christmas_tree");
-  EXPECT_NEAR(5 - tree.distance({5, 0.45, 3.3}, -Vec3::UnitX()), 1.50, kRounding);
-  EXPECT_NEAR(5 - tree.distance({5, 0.21, 3.3 + 0.142}, -Vec3::UnitX()), 1.56, 0.01);
-  EXPECT_NEAR(5 - tree.distance({5, 0.21, 3.3}, -Vec3::UnitX()), 1.56 - 0.09 + 0.017, 0.005);
-}
-
-TEST(TreeBedMeshTest, IsNearlyLevelWithAHeapRoundTheWell) {
-  Probe bed("tree_bed");
-  EXPECT_NEAR(bed.height(0, 0), 0, 0.2);
-  EXPECT_NEAR(bed.height(17, 0), 0, 0.2);
-  EXPECT_GT(bed.height(6.2, 0.4), 0.08);
 }
 
 }  // namespace

@@ -36,7 +36,8 @@ inline Mesh read_obj(const std::filesystem::path& path) {
     std::array<std::uint32_t, 3> corners{};
     if (std::sscanf(line.c_str(), "v %f %f %f", &p.x(), &p.y(), &p.z()) == 3) {
       mesh.vertices.push_back(p);
-    } else if (std::sscanf(line.c_str(), "f %u %u %u", &corners[0], &corners[1], &corners[2]) == 3) {
+    } else if (std::sscanf(line.c_str(), "f %u %u %u", &corners[0], &corners[1], &corners[2]) == 3 ||
+               std::sscanf(line.c_str(), "f %u/%*u %u/%*u %u/%*u", &corners[0], &corners[1], &corners[2]) == 3) {
       std::ranges::for_each(corners, [](std::uint32_t& corner) { --corner; });  // OBJ counts from 1.
       mesh.triangles.push_back(corners);
       mesh.material_slots.push_back(static_cast<std::uint16_t>(mesh.material_names.size() - 1));

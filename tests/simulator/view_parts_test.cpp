@@ -101,6 +101,7 @@ TEST(HousingTest, RaysMeetItsFrontItsBackAndItsSide) {
 TEST(UnderwaterLightTest, MaterialsLookDifferent) {
   const auto tint = [](const char* name, double density = 2500) { return tint_of({.name = name, .density = density}); };
   EXPECT_FALSE(tint("sand").isApprox(tint("steel"), 0.05F));
+  EXPECT_FALSE(tint("yellow_steel").isApprox(tint("steel"), 0.1F));  // Painted.
   EXPECT_TRUE(tint("very_coarse_sand").isApprox(tint("sand")));
   EXPECT_TRUE(tint("sandy_gravel").isApprox(tint("gravel")));
   // Names that tell nothing: always the same, different from each other, and dense things darker than aluminium.

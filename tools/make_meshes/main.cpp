@@ -6,17 +6,22 @@
 #include <filesystem>
 #include <stdexcept>
 
-#include "car.h"
-#include "car_site.h"
-#include "cone.h"
-#include "debris.h"
-#include "ferry.h"
-#include "obj.h"
-#include "seabed.h"
-#include "site.h"
-#include "tank.h"
-#include "tree.h"
-#include "tree_site.h"
+#include "car/car.h"
+#include "car/car_site.h"
+#include "cooler/cooler.h"
+#include "cooler/cooler_site.h"
+#include "cooler/pipelines.h"
+#include "ferry/debris.h"
+#include "ferry/ferry.h"
+#include "ferry/site.h"
+#include "kit/obj.h"
+#include "kit/seabed.h"
+#include "ssiv/ssiv.h"
+#include "ssiv/ssiv_site.h"
+#include "tank/cone.h"
+#include "tank/tank.h"
+#include "tree/tree.h"
+#include "tree/tree_site.h"
 
 int main(int argc, char** argv) {
   if (argc != 2) {
@@ -35,6 +40,7 @@ int main(int argc, char** argv) {
     const Cover ripples{"seabed_ripples.png", kBedArea};
     write_normal_map(folder / ripples.normal_map, bed_ripples, ripples.area, kBedMapTexels);
     write("seabed", make_seabed(), &ripples);
+    write("seabed", make_seabed());
     write("boulders", make_boulders(boulders(), bed_height, 100));
     write("debris", make_debris());
     write("cone", make_cone());
@@ -47,6 +53,13 @@ int main(int argc, char** argv) {
     write("christmas_tree", make_christmas_tree());
     write("tree_bed", make_tree_bed());
     write("tree_lines", make_tree_lines());
+    write("cooler", make_cooler());
+    write("cooler_bed", make_cooler_bed());
+    write("pipelines", make_pipelines());
+    write("pipeline_supports", make_pipeline_supports());
+    write("ssiv", make_ssiv());
+    write("ssiv_bed", make_ssiv_bed());
+    write("ssiv_surroundings", make_ssiv_surroundings());
     return 0;
   } catch (const std::exception& error) {
     fmt::print(stderr, "make_meshes: {}\n", error.what());

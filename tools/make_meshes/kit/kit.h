@@ -1,0 +1,61 @@
+// kit.h -- what a shipyard has: plates, sheets with openings, bars, tubes, turned parts and pebbles.
+
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "kit/shape.h"
+
+namespace modelling {
+
+using Vec2 = Eigen::Vector2d;
+
+/// A surface as a function of two parameters.
+using Surface = std::function<Vec3(double s, double t)>;
+
+/// A rectangle of a surface that is left out: window, door, freeing port, hatch.
+struct Opening {
+  double s0, s1, t0, t1;
+};
+
+/// A surface sampled where `s` and `t` say, and at the edges of its openings. Has no thickness.
+[[nodiscard]] Shape sheet(const std::string& material, const Surface& surface, const std::vector<double>& s,
+                          const std::vector<double>& t, const std::vector<Opening>& openings = {});
+
+/// The same with a second skin `thickness` [m] behind (against ds x dt) and all edges closed.
+[[nodiscard]] Shape panel(const std::string& material, const Surface& surface, const std::vector<double>& s,
+                          const std::vector<double>& t, double thickness, const std::vector<Opening>& openings = {});
+
+/// An upright wall over the line from `from` to `to`; openings are in metres along it and up from its foot. The skin
+/// faces to the right of the walking direction; the thickness goes to the left.
+[[nodiscard]] Shape wall(const std::string& material, const Vec3& from, const Vec3& to, double height, double thickness,
+                         const std::vector<Opening>& openings = {});
+
+/// A flat plate in x-y between z = 0 and z = thickness: an outline with holes, each in order around it (either way),
+/// none touching another.
+[[nodiscard]] Shape plate(const std::string& material, std::vector<Vec2> outline, std::vector<std::vector<Vec2>> holes,
+                          double thickness);
+
+/// `count` points on a circle or ellipse, anticlockwise: an outline or a hole.
+[[nodiscard]] std::vector<Vec2> ring(const Vec2& center, double radius_x, double radius_y, int count);
+
+/// A box about its centre.
+[[nodiscard]] Shape box(const std::string& material, const Vec3& size);
+
+/// A profile drawn along a path, closed at both ends. The profile's second axis starts towards `up` and is carried
+/// along without twist; its first is path direction x up. `closed` joins the end to the start instead.
+[[nodiscard]] Shape sweep(const std::string& material, const std::vector<Vec3>& path, const std::vector<Vec2>& profile,
+                          const Vec3& up, bool closed = false);
+
+/// A round bar along a path.
+[[nodiscard]] Shape tube(const std::string& material, const std::vector<Vec3>& path, double radius, int sides = 8,
+                         bool closed = false);
+
+/// A profile of (radius, height) turned about z.
+[[nodiscard]] Shape revolve(const std::string& material, const std::vector<Vec2>& profile, int sides);
+
+/// A sphere of radius 1 from an icosahedron: 20 x 4^subdivisions nearly equal triangles.
+[[nodiscard]] Shape icosphere(const std::string& material, int subdivisions);
+
+}  // namespace modelling

@@ -1,0 +1,14 @@
+// cone.cpp -- the cone of the paper's figure on attenuation.
+
+#include "tank/cone.h"
+
+#include "kit/kit.h"
+
+namespace modelling {
+
+Shape make_cone() {
+  constexpr int kSides = 96;
+  return revolve("steel", {{0, 0}, {kConeRadius, 0}, {0, kConeHeight}}, kSides);
+}
+
+}  // namespace modelling
