@@ -40,7 +40,6 @@ int main(int argc, char** argv) {
     const Cover ripples{"seabed_ripples.png", kBedArea};
     write_normal_map(folder / ripples.normal_map, bed_ripples, ripples.area, kBedMapTexels);
     write("seabed", make_seabed(), &ripples);
-    write("seabed", make_seabed());
     write("boulders", make_boulders(boulders(), bed_height, 100));
     write("debris", make_debris());
     write("cone", make_cone());

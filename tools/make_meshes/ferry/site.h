@@ -30,7 +30,7 @@ inline constexpr double kBedMiddleX = 30;
 /// Of its ripples, which calm down beside the wreck and round stones [m]. They lie on the bed as a normal map.
 [[nodiscard]] double bed_ripples(double x, double y);
 inline constexpr MapArea kBedArea{kBedMiddleX - kBedHalfWidth, -kBedHalfWidth, 2 * kBedHalfWidth};
-inline constexpr int kBedMapTexels = 1536;  ///< Twelve a ripple.
+inline constexpr int kBedMapTexels = 1024;  ///< Eight a ripple.
 
 /// The bed as a grid, finest where the shipped sonar looks: 0.25 by 0.3 m.
 [[nodiscard]] Shape make_seabed();
