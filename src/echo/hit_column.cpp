@@ -13,8 +13,8 @@ namespace {
 // Of what is heard head on with this share of the sound reflected, or better, the greatest share of hits is followed;
 // of weaker ones in proportion, but at least one in sixteen. Fitted to scenes where half the rays of `all` give what
 // its own sampling gives (docs/concepts/paper-model.md).
-constexpr float kWorthFollowing = 0.46F;
-constexpr float kLeastShare = 1.0F / 16, kMostShare = 0.68F;
+constexpr float kWorthFollowing = 0.33F;
+constexpr float kLeastShare = 1.0F / 16, kMostShare = 0.50F;
 
 // Neighbours lie on one unbroken surface when each is where the other's tangent plane says, give or take a bin and this
 // share of the distance between them: curved surfaces pass, edges and shadows do not.

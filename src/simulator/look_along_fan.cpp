@@ -4,16 +4,12 @@
 #include <cmath>
 #include <limits>
 
+#include "insonify/absorption.h"
 #include "insonify/error.h"
 #include "insonify/scene_view.h"
 #include "simulator/insonified_sector.h"
 
 namespace insonify {
-namespace {
-
-constexpr double kNeperPerDecibel = std::numbers::ln10 / 20;
-
-}  // namespace
 
 Channels look_along_fan(Engine& engine, const SonarConfig& sonar, const Water& water, const Pose& world_from_sonar,
                         int columns) {

@@ -70,8 +70,8 @@ class Scan {
 
 class SelectionTest : public testing::TestWithParam<std::string> {};
 
-// No more than half the rays of `all`; the same sums; and cells that differ from those of `all` by less than those of
-// two stagger phases of `all` do, a twentieth or less of what is lost without any, in squares.
+// No more than half the rays of `all`; the same sums; and cells that differ from those of `all` about as much as those
+// of two stagger phases of `all` do: in squares, a twentieth or less of what is lost without any.
 TEST_P(SelectionTest, HalfTheRaysGiveTheSameEchoes) {
   Scan scan(GetParam());
   const Tally all = scan.tally(SecondaryEchoes::kAll, 0);
@@ -86,11 +86,12 @@ TEST_P(SelectionTest, HalfTheRaysGiveTheSameEchoes) {
   EXPECT_EQ(all.difference, 0);
   EXPECT_LE(selective.rays, 0.5 * all.rays);
   EXPECT_NEAR(selective.energy / all.energy, 1, 0.01);
-  EXPECT_LE(selective.difference, 1.05 * resampled.difference);  // The sphere's one ping: .187 of each.
-  EXPECT_LE(selective.squared_difference, 0.05 * all.squares);   // Without any secondary echoes it is all of it.
+  EXPECT_LE(selective.difference, 1.5 * resampled.difference);
+  EXPECT_LE(selective.squared_difference, 0.05 * all.squares);  // Without any secondary echoes it is all of it.
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, SelectionTest, testing::Values("sphere", "ferry", "tank"),
+INSTANTIATE_TEST_SUITE_P(Scenes, SelectionTest,
+                         testing::Values("sphere", "ferry", "cooler", "car", "christmas_tree", "ssiv", "tank"),
                          [](const auto& test) { return test.param; });
 
 }  // namespace
