@@ -41,6 +41,14 @@ std::uint64_t read_count(const std::string& word, const std::string& where) {
   return failure == std::errc() ? count : std::numeric_limits<std::uint64_t>::max();
 }
 
+// What assimp goes by, after a byte order mark perhaps.
+bool starts_as_ply(std::string_view line) {
+  if (line.starts_with("\xef\xbb\xbf")) {
+    line.remove_prefix(3);
+  }
+  return line.starts_with("ply") || line.starts_with("PLY");
+}
+
 }  // namespace
 
 void check_ply_counts(const std::filesystem::path& path) {
@@ -63,7 +71,7 @@ void check_ply_counts(const std::filesystem::path& path) {
     std::istringstream words(text);
     std::string type, name;
     words >> key >> type;
-    is_ply |= line == 1 && (key.ends_with("ply") || key.ends_with("PLY"));  // After a byte order mark, perhaps.
+    is_ply |= line == 1 && starts_as_ply(text);
     if (key == "format") {
       is_text = type == "ascii";
     } else if (key == "element") {
