@@ -129,7 +129,7 @@ std::vector<std::string> names_to_override(const Scene& scene) {
 void check_keys(const Scene& scene, const MaterialRules& rules) {
   for (const auto& [key, change] : rules.overrides) {
     const bool is_used = find_material(key) || meaning_of(key) == meaning_of(rules.default_material) ||
-                         std::ranges::any_of(scene.instances, [&](const Instance& i) { return is_for(key, i); });
+                         std::ranges::any_of(scene.instances, [&key = key](const Instance& i) { return is_for(key, i); });
     if (!is_used) {
       throw Error(fmt::format("{}materials.{} matches no visual and no material{}", change.where, key,
                               suggestion(key, names_to_override(scene))));
