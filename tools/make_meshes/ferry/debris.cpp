@@ -36,11 +36,7 @@ Shape make_bent_plate(std::uint32_t seed, double length, double width) {
 }
 
 Shape make_tyre() {
-  std::vector<Vec3> path;
-  for (const Vec2& p : ring(Vec2::Zero(), 0.38, 0.38, 16)) {
-    path.emplace_back(p.x(), p.y(), 0);
-  }
-  return tube("rubber", path, 0.14, 8, true);
+  return tube("rubber", hoop(Vec3::Zero(), {0.38, 0, 0}, {0, 0.38, 0}, 16), 0.14, 8, true);
 }
 
 // The cable runs from the bow over the sand in a slack bow to the anchor.

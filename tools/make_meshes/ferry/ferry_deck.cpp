@@ -65,11 +65,7 @@ Shape make_bulwark(int side) {
       continue;
     }
     const Shape stay = plate("hull", {{0, 0}, {0.55, 0}, {0.05, 1.0}, {0, 1.0}}, {}, 0.03);
-    Pose pose;
-    pose.position = deck_edge(x, side) + Vec3(0, -side * 0.02, 0);
-    pose.orientation =
-        Eigen::Quaterniond((Eigen::Matrix3d() << 0, 0, side < 0 ? 1 : -1, -side, 0, 0, 0, 1, 0).finished());
-    bulwark.add(placed(stay, pose));
+    bulwark.add(stay, at(deck_edge(x, side) - Vec3(0, side * 0.02, 0), 90, 0, -90 * side));
   }
   const auto add_rail = [&](double from, double to) {
     std::vector<Vec3> path;

@@ -135,11 +135,7 @@ Shape make_bulkhead(double x) {
   }
   const Shape flat = plate("hull", outline,
                            {{{0.4, 0.7}, {1.2, 0.7}, {1.2, 2.4}, {0.4, 2.4}}, ring({-1.5, 2.6}, 0.25, 0.25, 10)}, 0.02);
-  // Its x-y plane becomes the ship's y-z plane.
-  Pose across;
-  across.position = {x, 0, 0};
-  across.orientation = Eigen::Quaterniond((Eigen::Matrix3d() << 0, 0, 1, 1, 0, 0, 0, 1, 0).finished());
-  return placed(flat, across);
+  return placed(flat, at({x, 0, 0}, 90, 0, 90));  // Its x-y plane becomes the ship's y-z plane.
 }
 
 }  // namespace

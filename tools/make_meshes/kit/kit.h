@@ -1,4 +1,4 @@
-// kit.h -- what a shipyard has: plates, sheets with openings, bars, tubes, turned parts and pebbles.
+// kit.h -- what a shipyard has: plates, sheets with openings, bars, beams, tubes, turned parts and pebbles.
 
 #pragma once
 
@@ -40,6 +40,9 @@ struct Opening {
 /// `count` points on a circle or ellipse, anticlockwise: an outline or a hole.
 [[nodiscard]] std::vector<Vec2> ring(const Vec2& center, double radius_x, double radius_y, int count);
 
+/// An upright rectangle, its four corners cut off at 45 degrees `cut` [m] from where they were.
+[[nodiscard]] std::vector<Vec2> chamfered(const Vec2& center, const Vec2& half_size, double cut);
+
 /// A box about its centre.
 [[nodiscard]] Shape box(const std::string& material, const Vec3& size);
 
@@ -51,6 +54,12 @@ struct Opening {
 /// A round bar along a path.
 [[nodiscard]] Shape tube(const std::string& material, const std::vector<Vec3>& path, double radius, int sides = 8,
                          bool closed = false);
+
+/// `count` points on the circle or ellipse center + cos * first + sin * second: the path of a closed tube.
+[[nodiscard]] std::vector<Vec3> hoop(const Vec3& center, const Vec3& first, const Vec3& second, int count);
+
+/// A rolled I section from one point to another, its web upright (along x where the beam itself is upright).
+[[nodiscard]] Shape i_beam(const std::string& material, const Vec3& from, const Vec3& to, double height, double width);
 
 /// A profile of (radius, height) turned about z.
 [[nodiscard]] Shape revolve(const std::string& material, const std::vector<Vec2>& profile, int sides);

@@ -124,20 +124,12 @@ Shape make_vehicle_box() {
   const Shape float_block =
       plate("pvc", {{-half, 0}, {half, 0}, {half, 0.36}, {half - 0.12, 0.48}, {-half + 0.12, 0.48}, {-half, 0.36}}, {},
             kLength);
-  // Its outline stands across the vehicle.
-  Pose lengthwise;
-  lengthwise.position = {-kLength / 2, 0, kHeight / 2 - 0.48};
-  lengthwise.orientation = Eigen::Quaterniond((Eigen::Matrix3d() << 0, 0, 1, 1, 0, 0, 0, 1, 0).finished());
-  vehicle.add(placed(float_block, lengthwise));
+  vehicle.add(float_block, at({-kLength / 2, 0, kHeight / 2 - 0.48}, 90, 0, 90));  // Its outline across the vehicle.
   // Runners, a lifting eye and two thrusters aft.
   for (const double y : {-0.5, 0.5}) {
     vehicle.add(box("aluminium", {2.3, 0.1, 0.16}), at({0, y, -0.82}));
   }
-  std::vector<Vec3> eye;
-  for (const Vec2& p : ring(Vec2::Zero(), 0.12, 0.12, 10)) {
-    eye.emplace_back(p.x(), 0, 0.9 + p.y());
-  }
-  vehicle.add(tube("steel", eye, 0.025, 6, true));
+  vehicle.add(tube("steel", hoop({0, 0, 0.9}, {0.12, 0, 0}, {0, 0, 0.12}, 10), 0.025, 6, true));
   for (const double y : {-0.35, 0.35}) {
     const Shape duct = revolve("aluminium", {{0.2, -0.1}, {0.22, 0.1}, {0.19, 0.1}, {0.17, -0.1}, {0.2, -0.1}}, 16);
     vehicle.add(duct, at({-kLength / 2 - 0.05, y, -0.1}, 0, 90));
