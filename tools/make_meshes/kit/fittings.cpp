@@ -19,7 +19,7 @@ constexpr double kPi = std::numbers::pi;
 Shape make_rib(const Vec3& from, const Vec3& to, double height) {
   const double foot = -0.15 * height;
   return sweep("steel", {from, to},
-               {{-0.012, foot}, {0.012, foot}, {0.012, height - 0.03}, {0.03, height}, {-0.012, height}},
+               {{0.012, height - 0.03}, {0.03, height}, {-0.012, height}, {-0.012, foot}, {0.012, foot}},
                Vec3::UnitZ());
 }
 

@@ -100,7 +100,13 @@ Shape sweep(const std::string& material, const std::vector<Vec3>& path, const st
 
 Shape tube(const std::string& material, const std::vector<Vec3>& path, double radius, int sides, bool closed) {
   const Vec3 direction = direction_at(path, 0, closed);
-  const Vec3 up = std::abs(direction.z()) < 0.9 ? Vec3::UnitZ() : Vec3::UnitX();
+  Vec3 up = std::abs(direction.z()) < 0.9 ? Vec3::UnitZ() : Vec3::UnitX();
+  if (closed) {  // Across the loop: no turn within it brings the path into that direction.
+    up = Vec3::Zero();
+    for (std::size_t i = 0; i < path.size(); ++i) {
+      up += path[i].cross(path[(i + 1) % path.size()]);
+    }
+  }
   return sweep(material, path, ring(Vec2::Zero(), radius, radius, sides), up, closed);
 }
 

@@ -104,10 +104,10 @@ Shape make_frame_anodes() {
   Shape anodes;
   for (const double side : {-1.0, 1.0}) {
     for (const double x : {-0.75, 0.75}) {
-      anodes.add(make_stand_off_anode(0.7, 0.12), at({x, side * (kW + 0.05), kFrameFoot}, -90 * side));
-      anodes.add(make_stand_off_anode(0.6, 0.12), at({x, side * 0.52, 0.905}, 0));
+      anodes.add(make_stand_off_anode(0.7, 0.13), at({x, side * (kW + 0.05), kFrameFoot}, -90 * side));
+      anodes.add(make_stand_off_anode(0.6, 0.13), at({x, side * 0.52, 0.905}, 0));
     }
-    anodes.add(placed(make_stand_off_anode(0.7, 0.12), at({0, 0, 0}, -90)),
+    anodes.add(placed(make_stand_off_anode(0.7, 0.13), at({0, 0, 0}, -90)),
                at({-kW - 0.05, side * 0.75, kFrameFoot}, 0, 0, 90));
   }
   return anodes;
