@@ -101,9 +101,9 @@ TEST(SsivMeshTest, LegsStandTwoPointSixByTwoPointTwoMetresApart) {
 TEST(SsivMeshTest, PipeIsEightInchAndEndsInBlindFlanges) {
   Probe ssiv("ssiv");
   EXPECT_NEAR(ssiv.height(2.25, 0), 0.52 + 0.1095, kFacet * 0.1095);
-  // 2.75 m to the joint's face, seal 12 mm, flange 70 mm, crown 12 mm.
-  EXPECT_NEAR(20 - ssiv.distance({20, 0, 0.52}, -Vec3::UnitX()), 2.75 + 0.012 + 0.07 + 0.012, kRounding);
-  EXPECT_NEAR(20 - ssiv.distance({-20, 0, 0.52}, Vec3::UnitX()), 2.75 + 0.012 + 0.07 + 0.012, kRounding);
+  // 2.75 m to the joint's face, seal 12 mm, flange 64 mm (8 inches in ASME B16.5 class 900: 63.5 mm), crown 12 mm.
+  EXPECT_NEAR(20 - ssiv.distance({20, 0, 0.52}, -Vec3::UnitX()), 2.75 + 0.012 + 0.064 + 0.012, kRounding);
+  EXPECT_NEAR(20 - ssiv.distance({-20, 0, 0.52}, Vec3::UnitX()), 2.75 + 0.012 + 0.064 + 0.012, kRounding);
 }
 
 TEST(SsivMeshTest, HatchIsAGridOfBarsTwentyCentimetresApart) {

@@ -69,8 +69,8 @@ void add_lifting_points(Shape& frame) {
       frame.add(make_padeye(0.42), at({x + (x < 0 ? 0.42 : -0.42), y, kCoolerHeight + 0.09}, 0, lean));
     }
   }
-  frame.add(make_guide_post(1.5, 0.11), at({-kX, kY, kCoolerHeight + 0.17}));
-  frame.add(make_guide_post(1.5, 0.11), at({kX, -kY, kCoolerHeight + 0.17}));
+  frame.add(make_guide_post("yellow_steel", 1.5, 0.11), at({-kX, kY, kCoolerHeight + 0.17}));
+  frame.add(make_guide_post("yellow_steel", 1.5, 0.11), at({kX, -kY, kCoolerHeight + 0.17}));
 }
 
 void add_anodes(Shape& frame) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kit/fittings.h"
 #include "kit/kit.h"
 #include "kit/noise.h"
 #include "kit/path.h"
@@ -102,11 +103,7 @@ Shape make_sleeper(double height, double pipe_radius) {
                      0.045, 10));
   }
   for (const double y : {-0.8, 0.8}) {  // Lifting loops.
-    sleeper.add(tube(
-        "steel",
-        bent({{0.1, y, height - 0.08}, {0.1, y, height + 0.13}, {-0.1, y, height + 0.13}, {-0.1, y, height - 0.08}},
-             0.06, 4),
-        0.014, 6));
+    sleeper.add(make_handle("steel", {0.1, y, height - 0.08}, {-0.1, y, height - 0.08}, {0, 0, 0.21}, 0.06, 0.014));
   }
   return sleeper;
 }

@@ -41,14 +41,17 @@ double corrugation(double along) {
   return 0.036 * std::clamp(1.5 - 6 * std::abs(phase - 0.5), 0.0, 1.0);
 }
 
+constexpr double kContainerPlate = 0.01;  // Thickness [m].
+
+// Between two corner posts, which hide its ends.
 Shape corrugated_wall(const Vec3& from, const Vec3& to, double height) {
   const double length = (to - from).norm();
   const Vec3 along = (to - from) / length;
   const Vec3 inwards = Vec3::UnitZ().cross(along);
-  return sheet(
+  return panel(
       "steel",
       [&](double s, double t) -> Vec3 { return from + s * along + corrugation(s) * inwards + t * Vec3::UnitZ(); },
-      stepped(0, length, 0.07), {0, height / 2, height});
+      stepped(0.05, length - 0.05, 0.07), {0, height / 2, height}, kContainerPlate);
 }
 
 // One link: a long round in x-z, or lying flat in x-y.
@@ -70,7 +73,7 @@ Shape make_link(double length, bool upright) {
 
 Shape make_car(std::uint32_t seed) {
   const double stretch = 0.95 + 0.15 * chance(seed, 1);
-  const double crush = 0.45 * chance(seed, 2);
+  const double crush = 0.2 * chance(seed, 2);  // More would fold the sides over themselves.
   const double width = 1.72;
   std::vector<Vec2> outline = {{-2.15, 0.32}, {-2.15, 0.86}, {-1.95, 0.98}, {-1.35, 1.0}, {-0.85, 1.4},
                                {0.35, 1.42},  {0.95, 0.98},  {1.95, 0.84},  {2.12, 0.68}, {2.12, 0.32}};
@@ -104,9 +107,9 @@ Shape make_lorry() {
   // The box has lost its roof and its tail.
   const auto body_wall = [&](const Vec3& from, const Vec3& to) { lorry.add(wall("steel", from, to, 2.1, 0.05)); };
   body_wall({-3.2, -1.15, 0.75}, {1.3, -1.15, 0.75});
-  body_wall({1.3, -1.15, 0.75}, {1.3, 1.15, 0.75});
   body_wall({1.3, 1.15, 0.75}, {-3.2, 1.15, 0.75});
-  lorry.add(box("wood", {4.5, 2.3, 0.06}), at({-0.95, 0, 0.76}));
+  lorry.add(wall("steel", {1.29, -1.13, 0.76}, {1.29, 1.13, 0.76}, 2.08, 0.05));
+  lorry.add(box("wood", {4.46, 2.26, 0.06}), at({-0.95, 0, 0.76}));
   for (const double x : {-2.0, 2.3}) {
     for (const double y : {-0.9, 0.9}) {
       lorry.add(make_wheel(0.42, 0.28), at({x, y, 0}));
@@ -125,13 +128,13 @@ Shape make_container() {
   container.add(corrugated_wall({-x, -y, 0.1}, {x, -y, 0.1}, kHeight - 0.2));
   container.add(corrugated_wall({x, y, 0.1}, {-x, y, 0.1}, kHeight - 0.2));
   container.add(corrugated_wall({-x, y, 0.1}, {-x, -y, 0.1}, kHeight - 0.2));
-  container.add(sheet(  // Roof, stove in.
+  container.add(panel(  // Roof, stove in.
       "steel",
       [](double s, double t) -> Vec3 {
         return {s, t, kHeight - 0.05 - 0.5 * std::exp(-(s - 0.8) * (s - 0.8) - t * t)};
       },
-      stepped(-x, x, 0.3), stepped(-y, y, 0.3)));
-  container.add(box("wood", {kLength, kWidth, 0.12}), at({0, 0, 0.12}));
+      stepped(-x + 0.02, x - 0.02, 0.3), stepped(-y + 0.02, y - 0.02, 0.3), kContainerPlate));
+  container.add(box("wood", {kLength - 0.04, kWidth - 0.04, 0.12}), at({0, 0, 0.12}));
 
   // Posts and beams of the frame.
   for (const double side_x : {-x, x}) {
@@ -142,12 +145,12 @@ Shape make_container() {
   for (const double z : {0.08, kHeight - 0.06}) {
     container.add(box("steel", {kLength, 0.1, 0.14}), at({0, -y, z}));
     container.add(box("steel", {kLength, 0.1, 0.14}), at({0, y, z}));
-    container.add(box("steel", {0.1, kWidth, 0.14}), at({-x, 0, z}));
-    container.add(box("steel", {0.1, kWidth, 0.14}), at({x, 0, z}));
+    container.add(box("steel", {0.1, kWidth, 0.14}), at({-x, 0, z + 0.005}));
+    container.add(box("steel", {0.1, kWidth, 0.14}), at({x, 0, z + 0.005}));
   }
   // One door shut, one swung wide.
-  container.add(box("steel", {0.05, kWidth / 2 - 0.05, kHeight - 0.25}), at({x, -y / 2, kHeight / 2}));
-  container.add(box("steel", {0.05, kWidth / 2 - 0.05, kHeight - 0.25}),
+  container.add(box("steel", {0.05, kWidth / 2 - 0.05, kHeight - 0.24}), at({x, -y / 2, kHeight / 2}));
+  container.add(box("steel", {0.05, kWidth / 2 - 0.05, kHeight - 0.24}),
                 at({x + 0.5, y + 0.38, kHeight / 2}, 0, 0, -52));
   return container;
 }

@@ -36,11 +36,7 @@ Shape make_bent_plate(std::uint32_t seed, double length, double width) {
 }
 
 Shape make_tyre() {
-  std::vector<Vec3> path;
-  for (const Vec2& p : ring(Vec2::Zero(), 0.38, 0.38, 16)) {
-    path.emplace_back(p.x(), p.y(), 0);
-  }
-  return tube("rubber", path, 0.14, 8, true);
+  return tube("rubber", hoop(Vec3::Zero(), {0.38, 0, 0}, {0, 0.38, 0}, 16), 0.14, 8, true);
 }
 
 // The cable runs from the bow over the sand in a slack bow to the anchor.
@@ -66,8 +62,8 @@ Shape make_debris() {
   debris.add(make_bent_plate(303, 1.8, 1.3), on_bed(16.2, 5.0, 0.1, 30, 10, -70));
   debris.add(make_car(7), on_bed(24.6, 21.4, 0.2, 96, 3, 150));
 
-  const Shape bollard =
-      revolve("steel", {{0.3, 0}, {0.3, 0.06}, {0.17, 0.08}, {0.17, 0.55}, {0.24, 0.58}, {0.24, 0.66}, {0, 0.72}}, 16);
+  const Shape bollard = revolve(
+      "steel", {{0, 0}, {0.3, 0}, {0.3, 0.06}, {0.17, 0.08}, {0.17, 0.55}, {0.24, 0.58}, {0.24, 0.66}, {0, 0.72}}, 16);
   debris.add(bollard, on_bed(16.8, -2.2, 0.05, 78, 8, 20));
   debris.add(tube("steel", {{-2.4, 0, 0}, {0.3, 0, 0.05}, {2.6, 0.4, 0.2}}, 0.12, 10),
              on_bed(21.5, 6.2, -0.08, 0, 0, 75));

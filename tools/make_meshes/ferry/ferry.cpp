@@ -27,7 +27,7 @@ const std::vector<Curve>& waterlines() {
   return lines;
 }
 
-constexpr double kBottomGirth = 0.22;  // Share of the girth that is flat bottom.
+constexpr double kRampHinge = 53.7;  // Of the bow ramp [m].
 
 }  // namespace
 
@@ -42,6 +42,11 @@ double deck_edge_height(double x) {
 }
 
 double hull_half_breadth(double x, double level) {
+  for (std::size_t i = 0; i < kLevels.size(); ++i) {
+    if (level == kLevels[i]) {  // On a line of the table: much the quickest.
+      return waterlines()[i](x);
+    }
+  }
   std::vector<double> row;
   for (const Curve& line : waterlines()) {
     row.push_back(line(x));
@@ -86,8 +91,11 @@ Shape make_ferry() {
 
   // A broken back, plates dented between the frames, and the side stove in by the quay.
   ferry.deform([](const Vec3& p) -> Vec3 {
-    const double hog = -0.32 * std::pow((p.x() - 24) / 26, 2);
-    const double dents = 0.05 * fractal_noise(p / 2.2, 81, 3);
+    // The ramps at both ends are stiff and stay flat.
+    const double along = std::clamp(p.x(), 0.0, kRampHinge);
+    const double hog = -0.32 * std::pow((along - 24) / 26, 2);
+    const double hull = smooth_step(-0.6, 0, p.x()) * (1 - smooth_step(kRampHinge - 0.6, kRampHinge, p.x()));
+    const double dents = 0.05 * hull * fractal_noise(p / 2.2, 81, 3);
     const double stove =
         p.y() < 0 ? 0.5 * std::exp(-std::pow((p.x() - 12) / 2.5, 2) - std::pow((p.z() - 3.9) / 1.3, 2)) : 0;
     return p + Vec3(0, dents + stove, hog + 0.6 * dents);

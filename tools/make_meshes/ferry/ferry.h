@@ -14,8 +14,9 @@ inline constexpr double kFerryBreadth = 12;  ///< Without fenders and flare [m].
 [[nodiscard]] double deck_edge_height(double x);
 /// @param level  0 at the keel, 1 at the deck edge.
 [[nodiscard]] double hull_half_breadth(double x, double level);
-/// A point of the shell. `girth` runs from 0 at the keel round the bilge to 1 at the deck edge; side is +1 to port, -1
-/// to starboard.
+/// A point of the shell's face. `girth` runs from 0 at the keel round the bilge to 1 at the deck edge; side is +1 to
+/// port, -1 to starboard.
+inline constexpr double kBottomGirth = 0.22;  ///< Share of the girth that is flat bottom.
 [[nodiscard]] Vec3 hull_point(double x, double girth, int side);
 /// Height of the car deck, arched so that water runs off.
 [[nodiscard]] double deck_height(double x, double y);

@@ -10,6 +10,7 @@ namespace modelling {
 namespace {
 
 constexpr double kBulwarkHeight = 1.15;             // [m]
+constexpr double kBite = 0.008;                     // Parts are let into each other by this [m].
 constexpr double kRampHalfWidth = 2.3;              // [m]
 constexpr Opening kHatch{40.2, 43.0, -0.28, 0.28};  // Along x [m], across as a share of the half-breadth.
 
@@ -20,27 +21,29 @@ Vec3 deck_edge(double x, int side) {
 // The bulwark leans out over the bow as the flare below it does.
 Vec3 bulwark_point(double x, double up, int side) {
   const double lean = 0.03 + 0.22 * smooth_step(40, 52, x);
-  return deck_edge(x, side) + up * Vec3(0, side * lean, 1);
+  return deck_edge(x, side) + Vec3(0, -side * kBite, 0) + up * Vec3(0, side * lean, 1);
 }
 
 Shape make_car_deck() {
   const Surface surface = [](double x, double u) -> Vec3 {
-    const double y = u * hull_half_breadth(x, 1);
+    const double y = u * (hull_half_breadth(x, 1) - 2 * kBite);
     const Vec3 edge = deck_edge(x, 1);
     return {edge.x(), y, deck_height(x, y)};
   };
-  return sheet("deck", surface, stepped(0, kFerryLength, 0.8), spaced(-1, 1, 13), {kHatch});
+  return panel("deck", surface, stepped(kBite, kFerryLength - kBite, 0.8), spaced(-1, 1, 13), 0.02, {kHatch});
 }
 
 Shape make_hatch() {
   Shape hatch;
-  const double half = kHatch.t1 * hull_half_breadth(41.6, 1);
+  // The coaming's face stands outside the edge of the opening; its short sides end in the long ones.
+  const double half = kHatch.t1 * hull_half_breadth(41.6, 1) + 0.03;
   const double z = deck_height(41.6, 0) - 0.1;
-  const std::vector<Vec3> corners = {
-      {kHatch.s0, -half, z}, {kHatch.s1, -half, z}, {kHatch.s1, half, z}, {kHatch.s0, half, z}};
-  for (std::size_t i = 0; i < 4; ++i) {
-    hatch.add(wall("deck", corners[i], corners[(i + 1) % 4], 0.75, 0.06));
-  }
+  const double aft = kHatch.s0 - 0.03, fore = kHatch.s1 + 0.05;
+  const double end = half - 2 * kBite;
+  hatch.add(wall("deck", {aft, -half, z}, {fore, -half, z}, 0.75, 0.06));
+  hatch.add(wall("deck", {fore, half, z}, {aft, half, z}, 0.75, 0.06));
+  hatch.add(wall("deck", {fore - kBite, -end, z + kBite}, {fore - kBite, end, z + kBite}, 0.75 - 2 * kBite, 0.06));
+  hatch.add(wall("deck", {aft + kBite, end, z + kBite}, {aft + kBite, -end, z + kBite}, 0.75 - 2 * kBite, 0.06));
   // Its cover came off and leans on the coaming.
   hatch.add(box("deck", {2.9, 3.5, 0.09}), at({39.2, -0.6, z + 0.62}, 4, -24, 12));
   return hatch;
@@ -55,9 +58,9 @@ Shape make_bulwark(int side) {
   if (starboard) {
     openings.push_back({22.3, 25.4, 0.12, kBulwarkHeight});  // Carried away; the stump stands.
   }
-  // The parameters run so that the outside of the plate is its face.
+  // Its foot is let into the shell; its thickness stands outboard.
   const Surface surface = [side](double x, double up) { return bulwark_point(x, up, side); };
-  Shape bulwark = panel("hull", surface, stepped(0.4, kFerryLength, 0.6), {0, 0.1, 0.45, 0.8, kBulwarkHeight},
+  Shape bulwark = panel("hull", surface, stepped(0.4, kFerryLength, 0.6), {-0.02, 0.1, 0.45, 0.8, kBulwarkHeight},
                         side > 0 ? 0.05 : -0.05, openings);
 
   for (double x = 1.6; x < 51; x += 1.2) {  // Stays: triangular brackets behind the plate.
@@ -65,11 +68,7 @@ Shape make_bulwark(int side) {
       continue;
     }
     const Shape stay = plate("hull", {{0, 0}, {0.55, 0}, {0.05, 1.0}, {0, 1.0}}, {}, 0.03);
-    Pose pose;
-    pose.position = deck_edge(x, side) + Vec3(0, -side * 0.02, 0);
-    pose.orientation =
-        Eigen::Quaterniond((Eigen::Matrix3d() << 0, 0, side < 0 ? 1 : -1, -side, 0, 0, 0, 1, 0).finished());
-    bulwark.add(placed(stay, pose));
+    bulwark.add(stay, at(deck_edge(x, side) - Vec3(0, side * 0.02, 0), 90, 0, -90 * side));
   }
   const auto add_rail = [&](double from, double to) {
     std::vector<Vec3> path;
@@ -97,10 +96,10 @@ Shape make_bulwark(int side) {
 Shape make_end_bulwarks() {
   Shape ends;
   for (const double x : {0.4, kFerryLength}) {
-    const Vec3 corner = bulwark_point(x, 0, 1);
+    const Vec3 corner = bulwark_point(x, -0.03, 1) + Vec3(x < 1 ? 0.02 : -0.02, 0, 0);
     const Vec3 post(corner.x(), kRampHalfWidth, corner.z());
-    Shape half = wall("hull", post, corner, kBulwarkHeight, 0.06);
-    half.add(tube("hull", {post, post + Vec3(0, 0, 2.1)}, 0.16, 8));
+    Shape half = wall("hull", post, corner, kBulwarkHeight + 0.03, 0.06);
+    half.add(tube("hull", {post - Vec3(0, 0, 0.03), post + Vec3(0, 0, 2.1)}, 0.16, 8));
     ends.add_both_sides(half);
   }
   return ends;
@@ -112,15 +111,16 @@ Shape make_ramp(double length) {
   ramp.add(box("deck", {length, 2 * kRampHalfWidth - 0.15, 0.05}), at({length / 2, 0, 0}));
   for (const double y : {-1.9, -0.95, 0.0, 0.95, 1.9}) {
     const double depth = std::abs(y) > 1.5 ? 0.42 : 0.3;
-    ramp.add(plate("deck", {{0, 0}, {length, 0}, {length, -0.12}, {0.6 * length, -depth}, {0, -depth}},
-                   {ring({0.3 * length, -0.2}, 0.3, 0.08, 8)}, 0.03),
-             at({0, y, -0.02}, 90));
+    ramp.add(
+        plate("deck", {{0.01, 0}, {length - 0.01, 0}, {length - 0.01, -0.12}, {0.6 * length, -depth}, {0.01, -depth}},
+              {ring({0.3 * length, -0.2}, 0.3, 0.08, 8)}, 0.03),
+        at({0, y, -0.02}, 90));
   }
   for (double x = 0.4; x < length; x += 0.35) {
     ramp.add(box("deck", {0.05, 2 * kRampHalfWidth - 0.5, 0.05}), at({x, 0, 0.045}));
   }
   for (const double y : {-1.0, 1.0}) {
-    ramp.add(plate("deck", {{0, 0}, {length, 0}, {length, 0.18}, {0.5, 0.45}, {0, 0.45}}, {}, 0.04),
+    ramp.add(plate("deck", {{0.01, 0}, {length - 0.01, 0}, {length - 0.01, 0.18}, {0.5, 0.45}, {0.01, 0.45}}, {}, 0.04),
              at({0, y * (kRampHalfWidth - 0.1), 0}, 90));
   }
   return ramp;
@@ -129,7 +129,8 @@ Shape make_ramp(double length) {
 Shape make_bollard() {
   Shape pair;
   for (const double x : {-0.35, 0.35}) {
-    pair.add(revolve("deck", {{0.13, 0}, {0.13, 0.45}, {0.17, 0.47}, {0.17, 0.52}, {0, 0.55}}, 12), at({x, 0, 0}));
+    pair.add(revolve("deck", {{0, 0}, {0.13, 0}, {0.13, 0.45}, {0.17, 0.47}, {0.17, 0.52}, {0, 0.55}}, 12),
+             at({x, 0, 0}));
   }
   pair.add(box("deck", {1.2, 0.4, 0.05}), at({0, 0, 0.02}));
   return pair;

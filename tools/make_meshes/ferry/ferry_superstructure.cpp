@@ -19,6 +19,7 @@ constexpr double kOutboard = 5.7;
 constexpr double kFloor = 3.55;  // Foot of its walls, a little under the deck.
 constexpr double kRoof = 6.45;
 constexpr double kWall = 0.07;
+constexpr double kBack = 0.012;  // Walls that meet others end this far behind their faces.
 const std::string kMaterial = "superstructure";
 
 // Windows of one size along a wall, `pitch` apart from `first` on, as long as they fit before `last`.
@@ -40,10 +41,12 @@ Shape make_house() {
   std::vector<Opening> outboard;
   add_windows(outboard, 1.2, length - 1, 1.55, 0.6, 1.35, 1.95);
   house.add(wall(kMaterial, {kFore, kOutboard, kFloor}, {kAft, kOutboard, kFloor}, height, kWall, outboard));
-  house.add(wall(kMaterial, {kFore, kInboard, kFloor}, {kFore, kOutboard, kFloor}, height, kWall,
+  // The ends stand between the sides and a little back from their edges, so that no two faces coincide.
+  house.add(wall(kMaterial, {kFore - kBack, kInboard + kBack, kFloor + kBack},
+                 {kFore - kBack, kOutboard - kBack, kFloor + kBack}, height - 2 * kBack, kWall,
                  {{0.5, 1.3, 1.2, 2.0}, {1.7, 2.5, 1.2, 2.0}}));
-  house.add(
-      wall(kMaterial, {kAft, kOutboard, kFloor}, {kAft, kInboard, kFloor}, height, kWall, {{1.0, 1.9, 0.25, 2.2}}));
+  house.add(wall(kMaterial, {kAft + kBack, kOutboard - kBack, kFloor + kBack},
+                 {kAft + kBack, kInboard + kBack, kFloor + kBack}, height - 2 * kBack, kWall, {{1.0, 1.9, 0.25, 2.2}}));
   for (const double x : {17.0, 24.0}) {
     house.add(wall(kMaterial, {x, kInboard + 0.1, kFloor}, {x, kOutboard - 0.1, kFloor}, height, kWall,
                    {{1.0, 1.9, 0.25, 2.2}}));
@@ -61,7 +64,7 @@ Shape make_house() {
 
 // Raked front, windows all round, wings open to the weather, standing on the house and on two posts inboard.
 Shape make_wheelhouse() {
-  constexpr double kBack = 27.2;
+  constexpr double kRear = 27.2;
   constexpr double kFront = 31.6;
   constexpr double kLow = -0.6;  // Across [m].
   constexpr double kHigh = 5.0;
@@ -76,25 +79,27 @@ Shape make_wheelhouse() {
       openings.resize(openings.size() - 1);
       openings.push_back({length - 1.0, length - 0.25, 0.1, 2.05});
     }
-    return wall(kMaterial, from, to, kTop - kRoof, 0.06, openings);
+    return wall(kMaterial, from, to, kTop - kRoof - 2 * (from.z() - kRoof), 0.06, openings);
   };
-  wheelhouse.add(side({kBack, kLow, kRoof}, {kFront, kLow, kRoof}, false));
-  wheelhouse.add(side({kFront, kLow, kRoof}, {kFront, kHigh, kRoof}, false));
-  wheelhouse.add(side({kFront, kHigh, kRoof}, {kBack, kHigh, kRoof}, false));
-  wheelhouse.add(side({kBack, kHigh, kRoof}, {kBack, kLow, kRoof}, true));
-  wheelhouse.add(box(kMaterial, {kFront - kBack + 0.2, kHigh - kLow + 0.2, 0.1}),
-                 at({(kBack + kFront) / 2, (kLow + kHigh) / 2, kRoof + 0.02}));
-  wheelhouse.add(box(kMaterial, {kFront - kBack + 0.9, kHigh - kLow + 0.9, 0.08}),
-                 at({(kBack + kFront) / 2, (kLow + kHigh) / 2, kTop}));
+  const double foot = kRoof + 0.006;
+  wheelhouse.add(side({kRear, kLow, foot}, {kFront, kLow, foot}, false));
+  wheelhouse.add(side({kFront, kHigh, foot}, {kRear, kHigh, foot}, false));
+  const double low = kLow + kBack, high = kHigh - kBack, sill = foot + kBack;
+  wheelhouse.add(side({kFront - kBack, low, sill}, {kFront - kBack, high, sill}, false));
+  wheelhouse.add(side({kRear + kBack, high, sill}, {kRear + kBack, low, sill}, true));
+  wheelhouse.add(box(kMaterial, {kFront - kRear + 0.2, kHigh - kLow + 0.2, 0.2}),
+                 at({(kRear + kFront) / 2, (kLow + kHigh) / 2, kRoof + 0.01}));
+  wheelhouse.add(box(kMaterial, {kFront - kRear + 0.9, kHigh - kLow + 0.9, 0.08}),
+                 at({(kRear + kFront) / 2, (kLow + kHigh) / 2, kTop}));
   wheelhouse.deform([](const Vec3& p) -> Vec3 {  // The front leans forward, so that lamps do not mirror in it.
     const double up = (p.z() - kRoof) / (kTop - kRoof);
-    return p + Vec3(0.35 * up * smooth_step(kBack, kFront, p.x()), 0, 0);
+    return p + Vec3(0.35 * up * smooth_step(kRear, kFront, p.x()), 0, 0);
   });
-  for (const double x : {kBack + 0.3, kFront - 0.3}) {
+  for (const double x : {kRear + 0.3, kFront - 0.3}) {
     wheelhouse.add(tube(kMaterial, {{x, kLow + 0.25, kFloor + 0.1}, {x, kLow + 0.25, kRoof}}, 0.13, 8));
   }
   // Console inside.
-  wheelhouse.add(box(kMaterial, {0.7, 2.6, 1.0}), at({kFront - 0.9, 2.2, kRoof + 0.55}));
+  wheelhouse.add(box(kMaterial, {0.7, 2.6, 1.0}), at({kFront - 0.9, 2.2, kRoof + 0.565}));
   return wheelhouse;
 }
 
@@ -107,7 +112,7 @@ Shape make_funnel() {
     return {1.15 * c - 0.5 * t, 0.75 * s, t * (2.7 + 0.35 * c)};
   };
   funnel.add(panel(kMaterial, casing, spaced(0, 2 * std::numbers::pi, 25), {0, 0.3, 0.55, 0.93, 1}, -0.05,
-                   {{1.2, 1.9, 0.3, 0.55}, {4.3, 5.0, 0.3, 0.55}}));
+                   {{1.2, 1.9, 0.3, 0.55}, {4.3, 5.0, 0.3, 0.55}}, true));
   for (const double y : {-0.3, 0.3}) {
     funnel.add(tube("steel", {{-0.1, y, 0.2}, {-0.5, y, 2.7}, {-0.85, y, 3.3}}, 0.16, 8));
   }
@@ -128,30 +133,38 @@ Shape make_mast() {
 
 // A pair of arms swung out over the side; the boat is gone, its falls hang down.
 Shape make_davit() {
-  std::vector<Vec3> arm = {{0, 0, 0}, {0, 0, 1.2}};
+  std::vector<Vec3> arm = {{0, 0, -0.12}, {0, 0, 1.2}};
   for (const double angle : spaced(0, std::numbers::pi * 0.6, 7)) {
     arm.emplace_back(0, 0.8 - 0.8 * std::cos(angle), 1.2 + 0.8 * std::sin(angle));
   }
   Shape davit = tube(kMaterial, arm, 0.08, 8);
   davit.add(
       tube("steel", {arm.back(), arm.back() + Vec3(0.2, 0.15, -1.4), arm.back() + Vec3(0.1, 0.1, -2.4)}, 0.03, 5));
-  davit.add(box(kMaterial, {0.35, 0.35, 0.25}), at({0, 0, 0.12}));
+  davit.add(box(kMaterial, {0.35, 0.35, 0.4}), at({0, 0, 0.045}));
   return davit;
 }
 
-// Posts and two rails along a line.
-Shape make_railing(const Vec3& from, const Vec3& to) {
+// Posts and two rails along a line with corners.
+Shape make_railing(const std::vector<Vec3>& corners) {
   Shape railing;
-  const double length = (to - from).norm();
-  for (const double s : stepped(0, length, 1.5)) {
-    const Vec3 foot = from + s / length * (to - from);
-    railing.add(tube("steel", {foot, foot + Vec3(0, 0, 1.0)}, 0.03, 5));
+  for (std::size_t i = 0; i + 1 < corners.size(); ++i) {
+    const Vec3 way = corners[i + 1] - corners[i];
+    for (const double s : stepped(0, way.norm(), 1.5)) {
+      if (s > 0 || i == 0) {  // One post at a corner.
+        const Vec3 foot = corners[i] + s * way.normalized();
+        railing.add(tube("steel", {foot, foot + Vec3(0, 0, 1.0)}, 0.03, 5));
+      }
+    }
   }
   for (const double height : {0.52, 1.0}) {
+    // Sagging between the corners: it has been walked on by nobody for years, and by an anchor once.
     const Vec3 up(0, 0, height);
-    // Sagging between the ends: it has been walked on by nobody for years, and by an anchor once.
-    const Vec3 sag(0, 0, -0.06);
-    railing.add(tube("steel", {from + up, (from + to) / 2 + up + sag, to + up}, 0.03, 5));
+    std::vector<Vec3> rail = {corners.front() + up};
+    for (std::size_t i = 1; i < corners.size(); ++i) {
+      rail.emplace_back((corners[i - 1] + corners[i]) / 2 + up - Vec3(0, 0, 0.06));
+      rail.emplace_back(corners[i] + up);
+    }
+    railing.add(tube("steel", rail, 0.03, 5));
   }
   return railing;
 }
@@ -181,13 +194,15 @@ Shape make_superstructure() {
   for (const double x : {21.0, 24.2}) {
     top.add(make_davit(), at({x, 4.9, kRoof + 0.05}));
   }
-  top.add(make_railing({kAft, kInboard - 0.2, kRoof}, {27.0, kInboard - 0.2, kRoof}));
-  top.add(make_railing({kAft, kInboard - 0.2, kRoof}, {kAft, kOutboard, kRoof}));
-  top.add(make_railing({kAft, kOutboard, kRoof}, {20.2, kOutboard, kRoof}));
+  constexpr double kFoot = kRoof - 0.01;
+  top.add(make_railing({{27.0, kInboard - 0.2, kFoot},
+                        {kAft, kInboard - 0.2, kFoot},
+                        {kAft, kOutboard, kFoot},
+                        {20.2, kOutboard, kFoot}}));
 
   // Ventilators and life-raft canisters.
   for (const double x : {12.4, 22.6}) {
-    top.add(revolve(kMaterial, {{0.18, 0}, {0.18, 0.6}, {0.42, 0.62}, {0.42, 0.74}, {0, 0.9}}, 12),
+    top.add(revolve(kMaterial, {{0, 0}, {0.18, 0}, {0.18, 0.6}, {0.42, 0.62}, {0.42, 0.74}, {0, 0.9}}, 12),
             at({x, 5.0, kRoof}));
   }
   for (const double x : {25.6, 32.4}) {

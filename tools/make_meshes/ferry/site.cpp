@@ -26,7 +26,8 @@ struct HullPlan {
 };
 
 HullPlan hull_plan(double x, double y) {
-  const Vec3 p = world_from_wreck().inverse() * Vec3(x, y, 1.5);
+  static const Pose wreck_from_world = world_from_wreck().inverse();
+  const Vec3 p = wreck_from_world * Vec3(x, y, 1.5);
   const double half_breadth = hull_half_breadth(std::clamp(p.x(), 0.0, kFerryLength), 0.7);
   const double beyond = std::max({p.x() - kFerryLength, -p.x(), 0.0});
   const double beside = std::abs(p.y()) - half_breadth;

@@ -1,4 +1,4 @@
-// fittings.cpp -- mudmats, anodes, lifting points and ROV receptacles.
+// fittings.cpp -- mudmats, anodes, lifting points, bolts and ROV receptacles.
 
 #include "kit/fittings.h"
 
@@ -19,7 +19,7 @@ constexpr double kPi = std::numbers::pi;
 Shape make_rib(const Vec3& from, const Vec3& to, double height) {
   const double foot = -0.15 * height;
   return sweep("steel", {from, to},
-               {{-0.012, foot}, {0.012, foot}, {0.012, height - 0.03}, {0.03, height}, {-0.012, height}},
+               {{0.012, height - 0.03}, {0.03, height}, {-0.012, height}, {-0.012, foot}, {0.012, foot}},
                Vec3::UnitZ());
 }
 
@@ -42,17 +42,7 @@ Shape make_mudmat(double length, double width) {
     }
   }
   const double cut = 0.08;  // Corners are cut, so that nothing catches on them.
-  Shape mudmat = placed(plate("steel",
-                              {{-x + cut, -y},
-                               {x - cut, -y},
-                               {x, -y + cut},
-                               {x, y - cut},
-                               {x - cut, y},
-                               {-x + cut, y},
-                               {-x, y - cut},
-                               {-x, -y + cut}},
-                              holes, kPlate),
-                        at({0, 0, -kPlate}));
+  Shape mudmat = placed(plate("steel", chamfered(Vec2::Zero(), {x, y}, cut), holes, kPlate), at({0, 0, -kPlate}));
   for (const double side : {-1.0, 1.0}) {
     mudmat.add(box("steel", {length - 0.3, 0.025, kSkirt}), at({0, side * (y - 0.05), -0.01 - kSkirt / 2}));
     mudmat.add(box("steel", {0.025, width - 0.3, kSkirt}), at({side * (x - 0.05), 0, -0.01 - kSkirt / 2}));
@@ -97,6 +87,20 @@ Shape make_padeye(double height) {
   return padeye;
 }
 
+Shape make_bolts(const std::string& material, double circle_radius, int count, double low, double high,
+                 double bolt_radius) {
+  Shape bolts;
+  for (const Vec2& p : ring(Vec2::Zero(), circle_radius, circle_radius, count)) {
+    bolts.add(tube(material, {{p.x(), p.y(), low}, {p.x(), p.y(), high}}, bolt_radius, 6));
+  }
+  return bolts;
+}
+
+Shape make_handle(const std::string& material, const Vec3& from, const Vec3& to, const Vec3& out, double bend_radius,
+                  double bar_radius) {
+  return tube(material, bent({from, from + out, to + out, to}, bend_radius, 4), bar_radius, 8);
+}
+
 Shape make_rov_bucket() {
   constexpr double kOuter = 0.09;
   constexpr double kInner = 0.077;
@@ -117,16 +121,7 @@ Shape make_rov_bucket() {
 
 Shape make_rov_panel(double width, double height, int columns, int rows) {
   constexpr double kPlate = 0.02;  // [m]
-  const Shape board = plate("yellow_steel",
-                            {{-width / 2 + 0.05, 0},
-                             {width / 2 - 0.05, 0},
-                             {width / 2, 0.05},
-                             {width / 2, height - 0.05},
-                             {width / 2 - 0.05, height},
-                             {-width / 2 + 0.05, height},
-                             {-width / 2, height - 0.05},
-                             {-width / 2, 0.05}},
-                            {}, kPlate);
+  const Shape board = plate("yellow_steel", chamfered({0, height / 2}, {width / 2, height / 2}, 0.05), {}, kPlate);
   Shape panel = placed(board, at({0, kPlate, 0}, 90));
   for (int i = 0; i < columns; ++i) {
     for (int j = 0; j < rows; ++j) {
@@ -135,20 +130,14 @@ Shape make_rov_panel(double width, double height, int columns, int rows) {
     }
   }
   for (const double side : {-1.0, 1.0}) {  // Grab bars.
-    const double x = side * (width / 2 + 0.06);
-    panel.add(tube("yellow_steel",
-                   bent({{x - side * 0.1, 0.01, 0.08},
-                         {x - side * 0.1, -0.16, 0.08},
-                         {x - side * 0.1, -0.16, height - 0.08},
-                         {x - side * 0.1, 0.01, height - 0.08}},
-                        0.06, 4),
-                   0.021, 8));
+    const double x = side * (width / 2 - 0.04);
+    panel.add(make_handle("yellow_steel", {x, 0.01, 0.08}, {x, 0.01, height - 0.08}, {0, -0.17, 0}, 0.06, 0.021));
   }
   return panel;
 }
 
-Shape make_guide_post(double height, double radius) {
-  return revolve("yellow_steel",
+Shape make_guide_post(const std::string& material, double height, double radius) {
+  return revolve(material,
                  {{0, 0},
                   {radius, 0},
                   {radius, height - 0.35},

@@ -1,4 +1,5 @@
-// fittings.h -- what every subsea structure carries: mudmats, anodes, lifting points, ROV receptacles, valves.
+// fittings.h -- what every subsea structure carries: mudmats, anodes, lifting points, bolts, ROV
+// receptacles, guide posts, valves.
 
 #pragma once
 
@@ -17,14 +18,22 @@ namespace modelling {
 /// A plate in x-z with a hole and cheek plates, for a shackle; its foot is 30 mm below z = 0.
 [[nodiscard]] Shape make_padeye(double height = 0.3);
 
+/// `count` hexagon bars on a circle about z, the first on +x, from `low` to `high`: bolts, studs, tie rods.
+[[nodiscard]] Shape make_bolts(const std::string& material, double circle_radius, int count, double low, double high,
+                               double bolt_radius);
+
+/// A round bar bent twice: out from `from`, along, and back to `to`: a grab bar, a lifting loop, a bail.
+[[nodiscard]] Shape make_handle(const std::string& material, const Vec3& from, const Vec3& to, const Vec3& out,
+                                double bend_radius, double bar_radius);
+
 /// A torque receptacle for an ROV's tool (ISO 13628-8 has 154 mm square for classes 1 to 4), opening towards +z.
 [[nodiscard]] Shape make_rov_bucket();
 
 /// A panel with receptacles in its front, which faces -y, and a grab bar on either side; foot at z = 0.
 [[nodiscard]] Shape make_rov_panel(double width, double height, int columns, int rows);
 
-/// A post with a conical head onto which a guide wire or funnel is slid.
-[[nodiscard]] Shape make_guide_post(double height, double radius);
+/// A post with a conical head onto which a guide wire or funnel is slid, and a neck for the wire's latch.
+[[nodiscard]] Shape make_guide_post(const std::string& material, double height, double radius);
 
 /// A gate valve: the pipe runs along x between two flange pairs, the stem up along z through bonnet and yoke to a
 /// hydraulic actuator with its ROV override. About the pipe's axis.

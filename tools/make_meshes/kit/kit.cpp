@@ -1,4 +1,4 @@
-// kit.cpp -- bars, tubes, turned parts and pebbles.
+// kit.cpp -- outlines, bars, beams, tubes, turned parts and pebbles.
 
 #include "kit/kit.h"
 
@@ -6,6 +6,8 @@
 #include <map>
 #include <numbers>
 #include <utility>
+
+#include "kit/path.h"
 
 namespace modelling {
 namespace {
@@ -37,6 +39,25 @@ std::vector<Vec2> ring(const Vec2& center, double radius_x, double radius_y, int
     points.emplace_back(center.x() + radius_x * std::cos(angle), center.y() + radius_y * std::sin(angle));
   }
   return points;
+}
+
+std::vector<Vec2> chamfered(const Vec2& center, const Vec2& half_size, double cut) {
+  const double x = half_size.x();
+  const double y = half_size.y();
+  std::vector<Vec2> outline = {{-x + cut, -y}, {x - cut, -y}, {x, -y + cut}, {x, y - cut},
+                               {x - cut, y},   {-x + cut, y}, {-x, y - cut}, {-x, -y + cut}};
+  for (Vec2& corner : outline) {
+    corner += center;
+  }
+  return outline;
+}
+
+std::vector<Vec3> hoop(const Vec3& center, const Vec3& first, const Vec3& second, int count) {
+  std::vector<Vec3> path;
+  for (const Vec2& p : ring(Vec2::Zero(), 1, 1, count)) {
+    path.emplace_back(center + p.x() * first + p.y() * second);
+  }
+  return path;
 }
 
 Shape box(const std::string& material, const Vec3& size) {
@@ -79,8 +100,22 @@ Shape sweep(const std::string& material, const std::vector<Vec3>& path, const st
 
 Shape tube(const std::string& material, const std::vector<Vec3>& path, double radius, int sides, bool closed) {
   const Vec3 direction = direction_at(path, 0, closed);
-  const Vec3 up = std::abs(direction.z()) < 0.9 ? Vec3::UnitZ() : Vec3::UnitX();
+  Vec3 up = std::abs(direction.z()) < 0.9 ? Vec3::UnitZ() : Vec3::UnitX();
+  if (closed) {  // Across the loop: no turn within it brings the path into that direction.
+    up = Vec3::Zero();
+    for (std::size_t i = 0; i < path.size(); ++i) {
+      up += path[i].cross(path[(i + 1) % path.size()]);
+    }
+  }
   return sweep(material, path, ring(Vec2::Zero(), radius, radius, sides), up, closed);
+}
+
+Shape i_beam(const std::string& material, const Vec3& from, const Vec3& to, double height, double width) {
+  const double h = height / 2, w = width / 2, flange = 0.07 * height, web = 0.05 * height;
+  const std::vector<Vec2> section = {
+      {-h, -w}, {-h + flange, -w}, {-h + flange, -web}, {h - flange, -web}, {h - flange, -w}, {h, -w},
+      {h, w},   {h - flange, w},   {h - flange, web},   {-h + flange, web}, {-h + flange, w}, {-h, w}};
+  return placed(plate(material, section, {}, (to - from).norm()), towards(from, to - from));
 }
 
 Shape revolve(const std::string& material, const std::vector<Vec2>& profile, int sides) {

@@ -13,6 +13,7 @@ namespace {
 struct Cells {
   std::vector<double> s, t;
   std::vector<Opening> openings;
+  bool closed = false;  // The last s is the first again.
 
   Cells(std::vector<double> s_values, std::vector<double> t_values, std::vector<Opening> left_out)
       : s(std::move(s_values)), t(std::move(t_values)), openings(std::move(left_out)) {
@@ -23,6 +24,10 @@ struct Cells {
   }
 
   [[nodiscard]] bool there(int i, int j) const {
+    if (closed) {
+      const int columns = static_cast<int>(s.size()) - 1;
+      i = (i + columns) % columns;
+    }
     if (i < 0 || j < 0 || i + 1 >= static_cast<int>(s.size()) || j + 1 >= static_cast<int>(t.size())) {
       return false;
     }
@@ -33,7 +38,10 @@ struct Cells {
     });
   }
 
-  [[nodiscard]] std::uint32_t vertex(int i, int j) const { return static_cast<std::uint32_t>(i * t.size() + j); }
+  [[nodiscard]] std::uint32_t vertex(int i, int j) const {
+    const bool again = closed && i + 1 == static_cast<int>(s.size());
+    return static_cast<std::uint32_t>((again ? 0 : i) * t.size() + j);
+  }
 };
 
 // Calls visit(i, j) for each cell that is there.
@@ -58,11 +66,8 @@ Vec3 normal_at(const Surface& surface, const Cells& cells, double s, double t) {
   return along_s.cross(along_t).normalized();
 }
 
-}  // namespace
-
-Shape sheet(const std::string& material, const Surface& surface, const std::vector<double>& s,
-            const std::vector<double>& t, const std::vector<Opening>& openings) {
-  const Cells cells(s, t, openings);
+// One skin, facing ds x dt.
+Shape skin(const std::string& material, const Surface& surface, const Cells& cells) {
   Shape shape = Shape::of(material);
   for (const double s_value : cells.s) {
     for (const double t_value : cells.t) {
@@ -75,10 +80,18 @@ Shape sheet(const std::string& material, const Surface& surface, const std::vect
   return shape;
 }
 
+}  // namespace
+
+Shape sheet(const std::string& material, const Surface& surface, const std::vector<double>& s,
+            const std::vector<double>& t) {
+  return skin(material, surface, Cells(s, t, {}));
+}
+
 Shape panel(const std::string& material, const Surface& surface, const std::vector<double>& s,
-            const std::vector<double>& t, double thickness, const std::vector<Opening>& openings) {
-  const Cells cells(s, t, openings);
-  Shape shape = sheet(material, surface, s, t, openings);
+            const std::vector<double>& t, double thickness, const std::vector<Opening>& openings, bool closed) {
+  Cells cells(s, t, openings);
+  cells.closed = closed;
+  Shape shape = skin(material, surface, cells);
 
   // The second skin, wound the other way.
   const auto back = static_cast<std::uint32_t>(shape.vertices.size());
@@ -108,6 +121,11 @@ Shape panel(const std::string& material, const Surface& surface, const std::vect
       edge(cells.vertex(i, j + 1), cells.vertex(i, j));
     }
   });
+  if (thickness < 0) {  // The second skin is the one in front.
+    for (Shape::Face& face : shape.faces) {
+      std::swap(face.corners[1], face.corners[2]);
+    }
+  }
   return shape;
 }
 

@@ -11,7 +11,8 @@
 namespace modelling {
 namespace {
 
-// The bend at a corner, from where it leaves the first straight to where it meets the second.
+// The bend at a corner, from where it leaves the first straight to where it meets the second. It takes up no more than
+// half of either, so that two bends never overlap.
 void append_bend(Path& path, const Vec3& before, const Vec3& corner, const Vec3& after, double radius, int pieces) {
   const Vec3 in = (corner - before).normalized();
   const Vec3 out = (after - corner).normalized();
@@ -21,7 +22,9 @@ void append_bend(Path& path, const Vec3& before, const Vec3& corner, const Vec3&
     path.push_back(corner);
     return;
   }
-  const double tangent = radius * std::tan(turn / 2);
+  const double room = 0.4995 * std::min((corner - before).norm(), (after - corner).norm());
+  const double tangent = std::min(radius * std::tan(turn / 2), room);
+  radius = tangent / std::tan(turn / 2);
   const Vec3 inwards = (out - in * in.dot(out)).normalized();
   const Vec3 center = corner - tangent * in + radius * inwards;
   for (const double angle : spaced(0, turn, pieces + 1)) {

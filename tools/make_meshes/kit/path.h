@@ -10,7 +10,8 @@ namespace modelling {
 
 using Path = std::vector<Vec3>;
 
-/// Straight pieces from corner to corner, each corner rounded with a bend of `radius` [m] in `pieces` chords.
+/// Straight pieces from corner to corner, each corner rounded with a bend of `radius` [m] in `pieces` chords. A bend
+/// is tighter where its two straights are too short for it.
 [[nodiscard]] Path bent(const Path& corners, double radius, int pieces = 6);
 
 /// A smooth line through all `points` (a Catmull-Rom spline), in steps of about `step` [m].

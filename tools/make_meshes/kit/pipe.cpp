@@ -6,17 +6,49 @@
 #include <cmath>
 #include <numbers>
 
+#include "kit/fittings.h"
 #include "kit/kit.h"
 
 namespace modelling {
 namespace {
 
-constexpr double kStep = 0.02;         // Over which a collar rises [m].
-constexpr double kThickness = 0.07;    // Of one flange [m].
-constexpr double kGap = 0.006;         // Half of what the seal ring leaves open [m].
-constexpr double kNeck = 0.11;         // Of the taper from flange to pipe [m].
-constexpr double kWeldCap = 0.008;     // The neck stands out from the pipe by this [m].
-constexpr double kBoltRadius = 0.019;  // Nuts of 1 1/2 inch studs stand out more, and are as wide as long [m].
+constexpr double kStep = 0.02;      // Over which a collar rises [m].
+constexpr double kGap = 0.006;      // Half of what a flange's seal ring leaves open [m].
+constexpr double kWeldCap = 0.008;  // A flange's neck stands out from the pipe by this [m].
+
+// A weld-neck flange by the outer radius of its pipe [m]: about those of ASME B16.5 class 900 from 3 to 12 inches,
+// whose rims are 240, 380, 470 and 610 mm over all (3, 6, 8 and 12 inches), whose flanges are 38, 56, 64 and 79 mm
+// thick and whose necks are 64, 84, 98 and 121 mm long.
+struct Flange {
+  double rim, hub, neck;            // Radii.
+  double thickness, taper;          // Of the flange, and of its neck towards the pipe.
+  double bolt_circle, bolt_radius;  // Radii.
+  int bolt_count;
+
+  explicit Flange(double pipe_radius)
+      : rim(flange_radius(pipe_radius)),
+        hub(0.6 * pipe_radius + 0.4 * rim),
+        neck(pipe_radius + kWeldCap),
+        thickness(0.02 + 0.4 * pipe_radius),
+        taper(0.045 + 0.48 * pipe_radius),
+        bolt_circle((hub + rim) / 2 + 0.008),
+        bolt_radius(std::min(0.019, 0.007 + 0.095 * pipe_radius)),
+        bolt_count(pipe_radius < 0.06   ? 8
+                   : pipe_radius < 0.13 ? 12
+                                        : 16) {}
+
+  // Studs with a nut at each end, through flanges between `low` and `high`.
+  [[nodiscard]] Shape studs(double low, double high) const {
+    const double nut = 1.8 * bolt_radius;
+    const auto bolts = [&](double radius, double from, double to) {
+      return make_bolts("steel", bolt_circle, bolt_count, from, to, radius);
+    };
+    Shape all = bolts(bolt_radius, low - nut - 0.02, high + nut + 0.02);
+    all.add(bolts(1.6 * bolt_radius, low - nut, low + 0.01));
+    all.add(bolts(1.6 * bolt_radius, high - 0.01, high + nut));
+    return all;
+  }
+};
 
 // Radius of the pipe at a station.
 double radius_at(double station, double radius, const std::vector<Collar>& collars) {
@@ -26,25 +58,6 @@ double radius_at(double station, double radius, const std::vector<Collar>& colla
     }
   }
   return radius;
-}
-
-// Studs with a nut at each end, through flanges between `low` and `high`.
-Shape make_studs(double circle_radius, int count, double low, double high) {
-  Shape studs;
-  constexpr double kNut = 0.035;
-  for (const Vec2& p : ring(Vec2::Zero(), circle_radius, circle_radius, count)) {
-    const auto hexagon = [&](double radius, double from, double to) {
-      studs.add(tube("steel", {{p.x(), p.y(), from}, {p.x(), p.y(), to}}, radius, 6));
-    };
-    hexagon(kBoltRadius, low - kNut - 0.02, high + kNut + 0.02);
-    hexagon(1.6 * kBoltRadius, low - kNut, low + 0.01);
-    hexagon(1.6 * kBoltRadius, high - 0.01, high + kNut);
-  }
-  return studs;
-}
-
-int bolt_count(double pipe_radius) {
-  return pipe_radius < 0.13 ? 12 : 16;
 }
 
 }  // namespace
@@ -95,47 +108,44 @@ double flange_radius(double pipe_radius) {
 }
 
 Shape make_flange_pair(double pipe_radius) {
-  const double rim = flange_radius(pipe_radius);
-  const double neck = pipe_radius + kWeldCap;
-  const double hub = 0.6 * pipe_radius + 0.4 * rim;
-  const double back = kGap + kThickness;
+  const Flange flange(pipe_radius);
+  const double back = kGap + flange.thickness;
   Shape pair = revolve("steel",
-                       {{0, -back - kNeck},
-                        {neck, -back - kNeck},
-                        {hub, -back},
-                        {rim, -back},
-                        {rim, -kGap},
-                        {hub, -kGap},
-                        {hub, kGap},
-                        {rim, kGap},
-                        {rim, back},
-                        {hub, back},
-                        {neck, back + kNeck},
-                        {0, back + kNeck}},
+                       {{0, -back - flange.taper},
+                        {flange.neck, -back - flange.taper},
+                        {flange.hub, -back},
+                        {flange.rim, -back},
+                        {flange.rim, -kGap},
+                        {flange.hub, -kGap},
+                        {flange.hub, kGap},
+                        {flange.rim, kGap},
+                        {flange.rim, back},
+                        {flange.hub, back},
+                        {flange.neck, back + flange.taper},
+                        {0, back + flange.taper}},
                        24);
-  pair.add(make_studs((hub + rim) / 2 + 0.008, bolt_count(pipe_radius), -back, back));
+  pair.add(flange.studs(-back, back));
   return pair;
 }
 
 Shape make_blind_flange(double pipe_radius) {
-  const double rim = flange_radius(pipe_radius);
-  const double hub = 0.6 * pipe_radius + 0.4 * rim;
-  const double front = 2 * kGap + kThickness;
-  Shape flange = revolve("steel",
-                         {{0, -kThickness - kNeck},
-                          {pipe_radius + kWeldCap, -kThickness - kNeck},
-                          {hub, -kThickness},
-                          {rim, -kThickness},
-                          {rim, 0},
-                          {hub, 0},
-                          {hub, 2 * kGap},
-                          {rim, 2 * kGap},
-                          {rim, front},
-                          {0.9 * hub, front + 0.012},
-                          {0, front + 0.012}},
-                         24);
-  flange.add(make_studs((hub + rim) / 2 + 0.008, bolt_count(pipe_radius), -kThickness, front));
-  return flange;
+  const Flange flange(pipe_radius);
+  const double front = 2 * kGap + flange.thickness;
+  Shape blind = revolve("steel",
+                        {{0, -flange.thickness - flange.taper},
+                         {flange.neck, -flange.thickness - flange.taper},
+                         {flange.hub, -flange.thickness},
+                         {flange.rim, -flange.thickness},
+                         {flange.rim, 0},
+                         {flange.hub, 0},
+                         {flange.hub, 2 * kGap},
+                         {flange.rim, 2 * kGap},
+                         {flange.rim, front},
+                         {0.9 * flange.hub, front + 0.012},
+                         {0, front + 0.012}},
+                        24);
+  blind.add(flange.studs(-flange.thickness, front));
+  return blind;
 }
 
 }  // namespace modelling

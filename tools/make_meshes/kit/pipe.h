@@ -33,8 +33,7 @@ struct Collar {
 /// A flange closed by a blind: the pipe ends at z = 0 coming from -z.
 [[nodiscard]] Shape make_blind_flange(double pipe_radius);
 
-/// Outer radius of a flange, by the pipe's: about that of ASME B16.5 class 900 from 8 to 16 inches (8": 470 mm, 12":
-/// 610 mm over all) [m].
+/// Outer radius of a flange, by the pipe's [m].
 [[nodiscard]] double flange_radius(double pipe_radius);
 
 }  // namespace modelling

@@ -33,6 +33,7 @@ Ripples::Ripples(const RippleForm& form, const Patch& patch) : form_(form) {
     const double y = patch.low_y + (patch.high_y - patch.low_y) * chance(form.seed, i, 1);
     forks_.push_back({x, y, i % 2 == 0 ? 1 : -1});
   }
+  scale_ = 0.4 * std::max(patch.high_x - patch.low_x, patch.high_y - patch.low_y);
 }
 
 double Ripples::height(double x, double y) const {
@@ -42,13 +43,23 @@ double Ripples::height(double x, double y) const {
   };
   double phase = 2 * kPi * along / form_.wavelength + 4.5 * slow(kWanderAlong, kWanderAcross, 0.5, form_.seed + 10);
   double strength = 0.85 + 0.45 * slow(kSwellAlong, kSwellAcross, 2.5, form_.seed + 11);
+  // Every fork adds its turn times the angle at which it is seen: the argument of a product of complex numbers, each of
+  // about length 1, so that one arc tangent serves them all.
+  const double radius = kForkRadius * form_.wavelength;
+  constexpr double kFlatWithin = 6.2;  // Radii; beyond it 1 - exp(-distance^2) is 1 in double precision.
+  double re = 1, im = 0;
   for (const Fork& fork : forks_) {
-    const double dx = x - fork.x;
-    const double dy = y - fork.y;
-    phase += fork.turn * std::atan2(dy, dx);
-    const double distance = std::hypot(dx, dy) / (kForkRadius * form_.wavelength);
-    strength *= 1 - std::exp(-distance * distance);
+    const double dx = (x - fork.x) / scale_;
+    const double dy = fork.turn * (y - fork.y) / scale_;
+    const double product = re * dx - im * dy;
+    im = re * dy + im * dx;
+    re = product;
+    const double squared = (dx * dx + dy * dy) * (scale_ / radius) * (scale_ / radius);
+    if (squared < kFlatWithin * kFlatWithin) {
+      strength *= 1 - std::exp(-squared);
+    }
   }
+  phase += std::atan2(im, re);
   return form_.height / 2 * std::max(strength, 0.2) * ripple_profile(phase);
 }
 

@@ -40,6 +40,7 @@ class Ripples {
   };
   RippleForm form_;
   std::vector<Fork> forks_;
+  double scale_;  // How far forks are from a place, more or less [m].
 };
 
 }  // namespace modelling

@@ -75,8 +75,10 @@ double bump(double distance, double width) {
 StoneScour stone_scour(const std::vector<Boulder>& stones, double x, double y) {
   StoneScour scour{0, 1};
   for (const Boulder& stone : stones) {
-    const double distance = std::hypot(x - stone.x, y - stone.y);
-    if (distance < 5 * stone.radius) {
+    const double dx = x - stone.x, dy = y - stone.y;
+    const double reach = 5 * stone.radius;
+    if (dx * dx + dy * dy < reach * reach) {
+      const double distance = std::hypot(dx, dy);
       scour.depth += 0.35 * stone.radius * bump(distance, 1.6 * stone.radius);
       scour.calm *= 1 - bump(distance, 1.8 * stone.radius);
     }

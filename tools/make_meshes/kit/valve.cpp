@@ -33,16 +33,9 @@ Shape make_body(const Gauge& gauge) {
   const double b = 0.72 * gauge.body;
   const double bevel = 0.22 * gauge.body;
   const double length = 1.5 * gauge.body;
-  const auto section = [&](double share) {
-    const double y = share * b;
-    const double z = share * a;
-    const double cut = share * bevel;
-    return std::vector<Vec2>{{-y + cut, -z}, {y - cut, -z}, {y, -z + cut}, {y, z - cut},
-                             {y - cut, z},   {-y + cut, z}, {-y, z - cut}, {-y, -z + cut}};
-  };
   // Swept along the pipe; its ends taper by scaling the section there.
   const Path path = {{-length, 0, 0}, {-length + bevel, 0, 0}, {length - bevel, 0, 0}, {length, 0, 0}};
-  Shape body = sweep("steel", path, section(1), Vec3::UnitZ());
+  Shape body = sweep("steel", path, chamfered(Vec2::Zero(), {b, a}, bevel), Vec3::UnitZ());
   body.deform([&](const Vec3& p) -> Vec3 {
     const double share = std::abs(p.x()) > length - bevel / 2 ? 0.75 : 1.0;
     return {p.x(), share * p.y(), share * p.z()};
@@ -63,10 +56,7 @@ Shape make_top_works(const Gauge& gauge) {
                        {gauge.yoke, gauge.can_foot() + 0.02},
                        {0, gauge.can_foot() + 0.02}},
                       20);
-  for (const Vec2& p : ring(Vec2::Zero(), 0.88 * gauge.bonnet, 0.88 * gauge.bonnet, 10)) {
-    top.add(tube("steel", {{p.x(), p.y(), gauge.bonnet_foot() + 0.03}, {p.x(), p.y(), gauge.bonnet_foot() + 0.18}},
-                 0.022, 6));
-  }
+  top.add(make_bolts("steel", 0.88 * gauge.bonnet, 10, gauge.bonnet_foot() + 0.03, gauge.bonnet_foot() + 0.18, 0.022));
   const double foot = gauge.can_foot();
   const double head = gauge.can_head();
   top.add(revolve("yellow_steel",
@@ -81,9 +71,7 @@ Shape make_top_works(const Gauge& gauge) {
                    {0.85 * gauge.can, head},
                    {0, head}},
                   24));
-  for (const Vec2& p : ring(Vec2::Zero(), 0.96 * gauge.can, 0.96 * gauge.can, 8)) {  // Tie rods.
-    top.add(tube("steel", {{p.x(), p.y(), foot + 0.05}, {p.x(), p.y(), head - 0.05}}, 0.014, 6));
-  }
+  top.add(make_bolts("steel", 0.96 * gauge.can, 8, foot + 0.05, head - 0.05, 0.014));  // Tie rods.
   top.add(make_rov_bucket(), at({0, 0, head}));
   // Hydraulic lines from the can down to the body.
   for (const double y : {-0.5 * gauge.pipe, 0.5 * gauge.pipe}) {

@@ -96,9 +96,7 @@ Shape make_hatch_leaf(double length, double width) {
         tube("steel", {{-x - 0.045, side * width - 0.09, 0.01}, {-x - 0.045, side * width + 0.09, 0.01}}, 0.035, 10));
     leaf.add(box("steel", {0.1, 0.1, 0.016}), at({-x - 0.02, side * width, 0.032}));
   }
-  leaf.add(tube("yellow_steel",
-                bent({{x - 0.1, -0.2, 0}, {x - 0.1, -0.2, 0.13}, {x - 0.1, 0.2, 0.13}, {x - 0.1, 0.2, 0}}, 0.05, 4),
-                0.014, 8));
+  leaf.add(make_handle("yellow_steel", {x - 0.1, -0.2, 0}, {x - 0.1, 0.2, 0}, {0, 0, 0.13}, 0.05, 0.014));
   return leaf;
 }
 
@@ -141,18 +139,10 @@ Shape make_ssiv_roof() {
     for (const double y : {-1.0, 1.0}) {
       const Vec3 eye(x * (kX - 0.34), y * kY, kSsivHeight + 0.2);
       roof.add(make_sling_leg(eye, link + Vec3(0.05 * x, 0.03 * y, 0.01)));
-      Path shackle;
-      for (const Vec2& p : ring(Vec2::Zero(), 0.075, 0.055, 12)) {
-        shackle.push_back(eye + Vec3(0.3 * p.x(), p.y(), p.x()));
-      }
-      roof.add(tube("steel", shackle, 0.016, 8, true));
+      roof.add(tube("steel", hoop(eye, {0.0225, 0, 0.075}, {0, 0.055, 0}, 12), 0.016, 8, true));  // Shackle.
     }
   }
-  Path ring_of_link;
-  for (const Vec2& p : ring(Vec2::Zero(), 0.16, 0.09, 16)) {
-    ring_of_link.push_back(link + Vec3(p.x(), p.y(), 0));
-  }
-  roof.add(tube("steel", ring_of_link, 0.022, 8, true));
+  roof.add(tube("steel", hoop(link, {0.16, 0, 0}, {0, 0.09, 0}, 16), 0.022, 8, true));
   return roof;
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "kit/curve.h"
+#include "kit/fittings.h"
 #include "kit/kit.h"
 #include "kit/noise.h"
 #include "kit/path.h"
@@ -85,8 +86,7 @@ Shape make_ssiv_surroundings() {
     const double share = p.z() > 0.42 ? 0.68 : p.z() > 0 ? 0.75 : 1.05;
     return {share * p.x(), share * p.y(), p.z()};
   });
-  sinker.add(
-      tube("steel", bent({{-0.09, 0, 0.4}, {-0.09, 0, 0.6}, {0.09, 0, 0.6}, {0.09, 0, 0.4}}, 0.085, 6), 0.016, 8));
+  sinker.add(make_handle("steel", {-0.09, 0, 0.4}, {0.09, 0, 0.4}, {0, 0, 0.2}, 0.085, 0.016));
   whole.add(sinker, on_ground(ssiv_ground, kSinkerX, kSinkerY, 0.02, 3, -2, 25));
 
   // Its rope, cut, lying on the sand.

@@ -4,7 +4,8 @@
 #include <numbers>
 
 #include "kit/curve.h"
-#include "kit/piping.h"
+#include "kit/fittings.h"
+#include "kit/kit.h"
 #include "tree/tree.h"
 
 namespace modelling {
@@ -41,31 +42,16 @@ Shape make_temporary_base() {
     base.add(box("steel", {1.36, 0.12, 0.37}), at({middle.x(), middle.y(), 0.082}, 0, 0, (i + 0.5) * 45));
   }
   for (int i = 0; i < 8; i += 2) {  // Lifting eyes.
-    std::vector<Vec3> eye;
     const Vec2 p = at_angle(2.2, (i + 0.5) * eighth);
-    for (const Vec2& q : ring(Vec2::Zero(), 0.08, 0.08, 12)) {
-      eye.emplace_back(p.x() + q.x() * std::cos((i + 0.5) * eighth), p.y() + q.x() * std::sin((i + 0.5) * eighth),
-                       0.31 + q.y());
-    }
-    base.add(tube("steel", eye, 0.018, 6, true));
+    const Vec2 out = at_angle(0.08, (i + 0.5) * eighth);
+    base.add(tube("steel", hoop({p.x(), p.y(), 0.31}, {out.x(), out.y(), 0}, {0, 0, 0.08}, 12), 0.018, 6, true));
   }
   return base;
 }
 
-// A receptacle, the post in it, four gussets about its foot and the post's head with the slot for the guide line.
-Shape make_guide_post() {
-  Shape post = revolve("steel",
-                       {{0, 0.5},
-                        {kPostRadius, 0.5},
-                        {kPostRadius, 3.35},
-                        {0.135, 3.37},
-                        {0.135, 3.44},
-                        {kPostRadius, 3.47},
-                        {kPostRadius, 3.72},
-                        {0.085, 3.86},
-                        {0.045, kPostTop - 0.04},
-                        {0, kPostTop}},
-                       24);
+// A guide post in its receptacle with four gussets about the foot.
+Shape make_base_post() {
+  Shape post = placed(make_guide_post("steel", kPostTop - 0.5, kPostRadius), at({0, 0, 0.5}));
   post.add(revolve("steel",
                    {{0, 0.54}, {0.165, 0.54}, {0.165, 0.98}, {0.2, 0.99}, {0.2, 1.04}, {0.12, 1.06}, {0, 1.06}}, 24));
   for (int i = 0; i < 4; ++i) {
@@ -137,7 +123,7 @@ Shape make_guide_base() {
   base.add(make_wellhead());
   for (int corner = 0; corner < 4; ++corner) {
     const Vec2 p = post_place(corner);
-    base.add(make_guide_post(), at({p.x(), p.y(), 0}));
+    base.add(make_base_post(), at({p.x(), p.y(), 0}));
   }
   return base;
 }

@@ -4,7 +4,10 @@
 #include <numbers>
 
 #include "kit/curve.h"
-#include "kit/piping.h"
+#include "kit/fittings.h"
+#include "kit/kit.h"
+#include "kit/path.h"
+#include "kit/pipe.h"
 #include "tree/tree.h"
 
 namespace modelling {
@@ -14,20 +17,7 @@ constexpr double kPi = std::numbers::pi;
 
 // A prism with chamfered upright edges, from z0 to z1.
 Shape block(const std::string& material, double half_x, double half_y, double z0, double z1, double chamfer) {
-  const double x = half_x, y = half_y, c = chamfer;
-  return placed(
-      plate(material,
-            {{-x + c, -y}, {x - c, -y}, {x, -y + c}, {x, y - c}, {x - c, y}, {-x + c, y}, {-x, y - c}, {-x, -y + c}},
-            {}, z1 - z0),
-      at({0, 0, z0}));
-}
-
-Shape bolt_circle(double radius, int count, double z0, double z1, double bolt_radius) {
-  Shape bolts;
-  for (const Vec2& p : ring(Vec2::Zero(), radius, radius, count)) {
-    bolts.add(tube("stainless_steel", {{p.x(), p.y(), z0}, {p.x(), p.y(), z1}}, bolt_radius, 6));
-  }
-  return bolts;
+  return placed(plate(material, chamfered(Vec2::Zero(), {half_x, half_y}, chamfer), {}, z1 - z0), at({0, 0, z0}));
 }
 
 // A collet connector: funnel, body with its grooves, upper flange, six actuating cylinders.
@@ -55,7 +45,7 @@ Shape make_connector() {
                             40);
   connector.add(
       revolve("steel", {{0.60, 1.36}, {0.72, 1.12}, {0.735, 1.12}, {0.62, 1.40}, {0.60, 1.36}}, 40));  // Skirt.
-  connector.add(bolt_circle(0.51, 20, 2.0, 2.19, 0.018));
+  connector.add(make_bolts("stainless_steel", 0.51, 20, 2.0, 2.19, 0.018));
   for (const Vec2& p : ring(Vec2::Zero(), 0.66, 0.66, 6)) {
     connector.add(revolve("stainless_steel",
                           {{0, 1.46}, {0.055, 1.46}, {0.055, 1.84}, {0.025, 1.85}, {0.025, 2.02}, {0, 2.02}}, 12),
@@ -82,7 +72,7 @@ Shape make_valve(double length, double radius) {
                          {0.36 * radius, length - bucket + 0.02},
                          {0, length - bucket + 0.02}},
                         24);
-  valve.add(bolt_circle(0.86 * radius, 10, 0.04, 0.085, 0.014));
+  valve.add(make_bolts("stainless_steel", 0.86 * radius, 10, 0.04, 0.085, 0.014));
   // The bucket: an open can with a T bar on the stem's end in it.
   const double can = 0.13;
   valve.add(revolve("stainless_steel",
@@ -102,7 +92,7 @@ Shape make_valve(double length, double radius) {
 
 // All valves look at the panel, their buckets' rims a hand's breadth before it.
 Pose facing_panel(double x, const ValvePlace& place) {
-  return along_axis({x, place.y, place.z}, Vec3::UnitX());
+  return towards({x, place.y, place.z}, Vec3::UnitX());
 }
 
 // The wing on one side: its block, its valve, and on the production side the choke behind it.
@@ -110,8 +100,8 @@ Shape make_wing(const ValvePlace& place, double size) {
   Shape wing =
       placed(block("steel", 0.5 * size, 0.6 * size, -0.55 * size, 0.55 * size, 0.05), at({0.02, place.y, place.z}));
   const double side = std::copysign(1.0, place.y);
-  wing.add(make_flange_pair("steel", 0.13 * size / 0.45),
-           along_axis({0.02, side * (kBlockHalfWidth + 0.02), place.z}, Vec3::UnitY()));
+  wing.add(make_flange_pair(0.13 * size / 0.45),
+           towards({0.02, side * (kBlockHalfWidth + 0.02), place.z}, Vec3::UnitY()));
   const double face = 0.02 + 0.5 * size;
   wing.add(make_valve(kPanelX + 0.06 - face, 0.145), facing_panel(face, place));
   return wing;
@@ -124,7 +114,7 @@ Shape make_choke() {
                 {0.22, 0.26}, {0.25, 0.27},  {0.25, 0.33},  {0.17, 0.36}, {0.14, 0.44}, {0.21, 0.47}, {0.21, 0.86},
                 {0.18, 0.91}, {0.10, 0.94},  {0.10, 1.04},  {0.13, 1.05}, {0.13, 1.10}, {0, 1.11}},
       28);
-  choke.add(bolt_circle(0.225, 12, 0.13, 0.36, 0.014));
+  choke.add(make_bolts("stainless_steel", 0.225, 12, 0.13, 0.36, 0.014));
   std::vector<Vec3> handle;
   for (const double angle : spaced(0, kPi, 10)) {
     handle.emplace_back(0.13 * std::cos(angle), 0, 1.08 + 0.14 * std::sin(angle));
@@ -142,17 +132,13 @@ Shape make_cap() {
                                 {0.55, kLid}, {0.18, kLid}, {0.15, 4.43},     {0.15, 4.56}, {0.21, 4.58}, {0.21, 4.65},
                                 {0.17, 4.67}, {0.12, 4.73}, {0.10, kTreeTop}, {0, kTreeTop}},
                       36);
-  cap.add(bolt_circle(0.435, 18, 3.60, 3.745, 0.02));
+  cap.add(make_bolts("stainless_steel", 0.435, 18, 3.60, 3.745, 0.02));
   const Shape rib = plate("steel", {{0.10, 4.38}, {0.52, 4.38}, {0.50, 4.44}, {0.20, 4.54}, {0.10, 4.54}}, {}, 0.025);
   for (int i = 0; i < 4; ++i) {
     cap.add(placed(placed(rib, at({0, 0.0125, 0}, 90)), at({0, 0, 0}, 0, 0, 90 * i + 45)));
   }
-  const Shape bucket =
-      revolve("stainless_steel", {{0, 0}, {0.10, 0}, {0.10, 0.24}, {0.09, 0.24}, {0.088, 0.04}, {0, 0.04}}, 20);
   for (const double y : {-0.34, 0.34}) {
-    cap.add(bucket, at({0, y, kLid - 0.02}));
-    cap.add(tube("stainless_steel", {{-0.075, y, kLid + 0.15}, {0.075, y, kLid + 0.15}}, 0.014, 6));
-    cap.add(tube("stainless_steel", {{0, y, kLid - 0.01}, {0, y, kLid + 0.15}}, 0.016, 6));
+    cap.add(make_rov_bucket(), at({0, y, kLid}));
   }
   return cap;
 }

@@ -4,22 +4,24 @@
 #include <numbers>
 
 #include "kit/curve.h"
-#include "kit/piping.h"
+#include "kit/fittings.h"
+#include "kit/kit.h"
+#include "kit/path.h"
 #include "tree/tree.h"
 
 namespace modelling {
 namespace {
 
-// From a plate's own frame to one that stands across x: its x becomes y, its y becomes z.
-Pose upright(double x) {
-  Pose pose;
-  pose.position = {x, 0, 0};
-  pose.orientation = Eigen::Quaterniond((Eigen::Matrix3d() << 0, 0, 1, 1, 0, 0, 0, 1, 0).finished());
-  return pose;
+// A receptacle for a hot stab, which brings hydraulic pressure from the vehicle; opening towards +z.
+Shape make_hot_stab() {
+  return revolve(
+      "stainless_steel",
+      {{0, -0.05}, {0.07, -0.05}, {0.07, 0.02}, {0.055, 0.03}, {0.055, 0.14}, {0.035, 0.14}, {0.033, 0.03}, {0, 0.03}},
+      18);
 }
 
 // A plate before the valves, their buckets standing through it, with grab bars for the vehicle and a stiffened edge.
-Shape make_rov_panel() {
+Shape make_valve_panel() {
   constexpr double kHalf = 1.16, kFoot = 2.08, kTop = 3.70, kThickness = 0.02;
   std::vector<std::vector<Vec2>> holes;
   const auto hole = [&](const ValvePlace& place) { holes.push_back(ring({place.y, place.z}, 0.175, 0.175, 24)); };
@@ -28,55 +30,23 @@ Shape make_rov_panel() {
     hole(pair[1]);
   }
   hole(kCrossoverValve);
-  Shape panel = placed(plate("grp",
-                             {{-kHalf + 0.15, kFoot},
-                              {kHalf - 0.15, kFoot},
-                              {kHalf, kFoot + 0.15},
-                              {kHalf, kTop - 0.15},
-                              {kHalf - 0.15, kTop},
-                              {-kHalf + 0.15, kTop},
-                              {-kHalf, kTop - 0.15},
-                              {-kHalf, kFoot + 0.15}},
-                             holes, kThickness),
-                       upright(kPanelX - kThickness));
+  Shape panel =
+      placed(plate("grp", chamfered({0, (kFoot + kTop) / 2}, {kHalf, (kTop - kFoot) / 2}, 0.15), holes, kThickness),
+             at({kPanelX - kThickness, 0, 0}, 90, 0, 90));
   // Edge bars behind it, to the frame's legs.
   for (const double z : {kFoot + 0.25, kTop - 0.25}) {
     panel.add(tube("steel", {{kPanelX - 0.05, -kFrameHalfWidth + 0.05, z}, {kPanelX - 0.05, kFrameHalfWidth - 0.05, z}},
                    0.035, 12));
   }
-  // Grab bars above and below, and a class 4 torque bucket and two hot-stab receptacles beside the valves.
+  // Grab bars above and below, and four hot-stab receptacles beside the valves.
   for (const double z : {kFoot + 0.08, kTop - 0.08}) {
-    panel.add(tube("stainless_steel",
-                   bent_path({{kPanelX - 0.01, -0.85, z},
-                              {kPanelX + 0.16, -0.85, z},
-                              {kPanelX + 0.16, 0.85, z},
-                              {kPanelX - 0.01, 0.85, z}},
-                             0.06),
-                   0.019, 8));
+    panel.add(make_handle("stainless_steel", {kPanelX - 0.01, -0.85, z}, {kPanelX - 0.01, 0.85, z}, {0.17, 0, 0}, 0.06,
+                          0.019));
   }
   for (const double z : {2.45, 3.30}) {
-    panel.add(revolve("stainless_steel",
-                      {{0, -0.05},
-                       {0.07, -0.05},
-                       {0.07, 0.02},
-                       {0.055, 0.03},
-                       {0.055, 0.14},
-                       {0.035, 0.14},
-                       {0.033, 0.03},
-                       {0, 0.03}},
-                      18),
-              along_axis({kPanelX, -0.72, z}, Vec3::UnitX()));
-    panel.add(revolve("stainless_steel",
-                      {{0, -0.05},
-                       {0.07, -0.05},
-                       {0.07, 0.02},
-                       {0.055, 0.03},
-                       {0.055, 0.14},
-                       {0.035, 0.14},
-                       {0.033, 0.03},
-                       {0, 0.03}},
-                      18),
-              along_axis({kPanelX, 0.74, z}, Vec3::UnitX()));
+    for (const double y : {-0.72, 0.74}) {
+      panel.add(make_hot_stab(), towards({kPanelX, y, z}, Vec3::UnitX()));
+    }
   }
   return panel;
 }
@@ -111,8 +81,7 @@ Shape make_pod() {
                    {0, 3.71}},
                   24));
   for (const double angle : {45, 225}) {
-    pod.add(placed(revolve("steel", {{0, 2.32}, {0.04, 2.32}, {0.04, 3.50}, {0.02, 3.58}, {0, 3.59}}, 12),
-                   at({0, 0, 0}, 0, 0, 0)),
+    pod.add(revolve("steel", {{0, 2.32}, {0.04, 2.32}, {0.04, 3.50}, {0.02, 3.58}, {0, 3.59}}, 12),
             at({0.455 * std::cos(angle / 57.29578), 0.455 * std::sin(angle / 57.29578), 0}));
   }
   pod.add(box("steel", {0.5, 0.22, 0.16}), at({0.42, 0.02, 2.25}));  // Bracket to the block.
@@ -125,13 +94,11 @@ Shape make_stab_plate() {
   for (const double x : {-0.2, 0.0, 0.2}) {
     for (const double z : {-0.12, 0.12}) {
       stab.add(revolve("stainless_steel", {{0, -0.1}, {0.045, -0.1}, {0.045, 0.06}, {0.03, 0.07}, {0, 0.07}}, 12),
-               along_axis({x, 0, z}, -Vec3::UnitY()));
+               towards({x, 0, z}, -Vec3::UnitY()));
     }
   }
   stab.add(box("stainless_steel", {0.56, 0.05, 0.42}), at({0, -0.10, 0}));
-  stab.add(tube("stainless_steel",
-                bent_path({{-0.2, -0.11, 0.16}, {-0.2, -0.28, 0.16}, {0.2, -0.28, 0.16}, {0.2, -0.11, 0.16}}, 0.05),
-                0.015, 8));
+  stab.add(make_handle("stainless_steel", {-0.2, -0.11, 0.16}, {0.2, -0.11, 0.16}, {0, -0.17, 0}, 0.05, 0.015));
   stab.add(tube("steel", {{0, 0.0, 0.2}, {0, 0.16, 0.42}}, 0.04, 10));
   return stab;
 }
@@ -139,7 +106,7 @@ Shape make_stab_plate() {
 }  // namespace
 
 Shape make_tree_controls() {
-  Shape controls = make_rov_panel();
+  Shape controls = make_valve_panel();
   controls.add(make_pod(), at({-1.0, -0.15, 0}));
   controls.add(make_stab_plate(), at({0.55, -1.72, 2.42}));
   return controls;

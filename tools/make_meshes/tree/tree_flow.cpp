@@ -3,7 +3,9 @@
 #include <cmath>
 
 #include "kit/curve.h"
-#include "kit/piping.h"
+#include "kit/kit.h"
+#include "kit/path.h"
+#include "kit/pipe.h"
 #include "tree/tree.h"
 
 namespace modelling {
@@ -17,9 +19,9 @@ Shape make_loop(double side, double pipe_radius, double top, double low, double 
   const std::vector<Vec3> corners = {{-0.02, side * out, top},         {-0.02, side * out, low},
                                      {-0.78, side * out, low},         {-0.78, side * 0.74, low},
                                      {-0.78, side * 0.74, kHubHeight}, {kHubX - 0.3, side * 0.74, kHubHeight}};
-  Shape loop = bent_pipe("stainless_steel", corners, pipe_radius, 3.2 * pipe_radius, 18);
-  loop.add(make_flange_pair("steel", pipe_radius), at({-0.02, side * out, top - 0.28}));
-  loop.add(make_flange_pair("steel", pipe_radius), along_axis({-0.36, side * out, low}, Vec3::UnitX()));
+  Shape loop = tube("stainless_steel", bent(corners, 3.2 * pipe_radius), pipe_radius, 18);
+  loop.add(make_flange_pair(pipe_radius), at({-0.02, side * out, top - 0.28}));
+  loop.add(make_flange_pair(pipe_radius), towards({-0.36, side * out, low}, Vec3::UnitX()));
   // The hub: a clamp of two halves on a stand, with its screw.
   const double r = pipe_radius;
   loop.add(revolve("steel",
@@ -32,7 +34,7 @@ Shape make_loop(double side, double pipe_radius, double top, double low, double 
                     {1.5 * r, 0.2},
                     {0, 0.2}},
                    28),
-           along_axis({kHubX, side * 0.74, kHubHeight}, Vec3::UnitX()));
+           towards({kHubX, side * 0.74, kHubHeight}, Vec3::UnitX()));
   loop.add(
       tube("stainless_steel",
            {{kHubX, side * 0.74 - 3.6 * r, kHubHeight + 2.2 * r}, {kHubX, side * 0.74 + 3.6 * r, kHubHeight + 2.2 * r}},
@@ -44,8 +46,8 @@ Shape make_loop(double side, double pipe_radius, double top, double low, double 
 // From the production wing round behind the block to the annulus wing.
 Shape make_crossover() {
   const double z = kCrossoverValve.z;
-  return bent_pipe("stainless_steel", {{-0.15, 0.90, z}, {-0.62, 0.90, z}, {-0.62, -0.90, z}, {-0.12, -0.86, z}}, 0.030,
-                   0.16, 12);
+  return tube("stainless_steel", bent({{-0.15, 0.90, z}, {-0.62, 0.90, z}, {-0.62, -0.90, z}, {-0.12, -0.86, z}}, 0.16),
+              0.030, 12);
 }
 
 // Hydraulic tubes from the pod past the block to the actuators, side by side in two bundles.
@@ -55,14 +57,15 @@ Shape make_tubing() {
     for (int i = 0; i < 5; ++i) {
       const double z = 2.235 + 0.05 * i;
       const double end = 0.72 + 0.06 * i;
-      tubing.add(bent_pipe("stainless_steel",
-                           {{-0.80, side * 0.10 - 0.15, z},
+      tubing.add(tube("stainless_steel",
+                      bent({{-0.80, side * 0.10 - 0.15, z},
                             {-0.55, side * (0.40 + 0.02 * i), z},
                             {-0.40, side * 0.505, z},
                             {end, side * 0.505, z},
                             {end, side * 0.505, z + 0.35},
                             {end, side * 0.36, z + 0.42}},
-                           0.011, 0.07, 6));
+                           0.07),
+                      0.011, 6));
     }
     for (const double x : {-0.25, 0.3}) {  // Clamps.
       tubing.add(box("hdpe", {0.05, 0.035, 0.28}), at({x, side * 0.505, 2.34}));

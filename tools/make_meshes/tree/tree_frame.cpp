@@ -4,7 +4,8 @@
 #include <numbers>
 
 #include "kit/curve.h"
-#include "kit/piping.h"
+#include "kit/fittings.h"
+#include "kit/kit.h"
 #include "tree/tree.h"
 
 namespace modelling {
@@ -37,16 +38,25 @@ Shape make_sleeves() {
   return sleeves;
 }
 
-// A rounded square of tube at one height; a leg stands in each corner.
+// A square about the axis with rounded corners, anticlockwise.
+std::vector<Vec2> rounded_square(double half, double radius) {
+  std::vector<Vec2> outline;
+  for (int i = 0; i < 4; ++i) {
+    const double c = half - radius;
+    const Vec2 middle(i == 0 || i == 3 ? c : -c, i < 2 ? c : -c);
+    for (const double turn : spaced(0, std::numbers::pi / 2, 7)) {
+      const double angle = std::numbers::pi / 2 * i + turn;
+      outline.emplace_back(middle + radius * Vec2(std::cos(angle), std::sin(angle)));
+    }
+  }
+  return outline;
+}
+
+// A tube at one height; a leg stands in each corner.
 Shape make_ring_rail(double z, double radius) {
   std::vector<Vec3> path;
-  for (int i = 0; i < 4; ++i) {
-    const double angle = std::numbers::pi / 2 * i;
-    for (const double turn : spaced(0, std::numbers::pi / 2, 7)) {
-      const double c = kW - 0.25;
-      const Vec2 middle(i == 0 || i == 3 ? c : -c, i < 2 ? c : -c);
-      path.emplace_back(middle.x() + 0.25 * std::cos(angle + turn), middle.y() + 0.25 * std::sin(angle + turn), z);
-    }
+  for (const Vec2& p : rounded_square(kW, 0.25)) {
+    path.emplace_back(p.x(), p.y(), z);
   }
   return tube("steel", path, radius, 14, true);
 }
@@ -74,33 +84,18 @@ Shape make_rails() {
 // Roof members, and on them a cover of glass-reinforced plastic with the tree cap standing through it.
 Shape make_roof() {
   Shape roof;
-  std::vector<Vec3> hoop;
-  for (const Vec2& p : ring(Vec2::Zero(), 0.74, 0.74, 36)) {
-    hoop.emplace_back(p.x(), p.y(), kFrameTop);
-  }
-  roof.add(tube("steel", hoop, 0.05, 12, true));
+  roof.add(tube("steel", hoop({0, 0, kFrameTop}, {0.74, 0, 0}, {0, 0.74, 0}, 36), 0.05, 12, true));
   for (int i = 0; i < 4; ++i) {
     roof.add(placed(tube("steel", {{0.74, 0, kFrameTop}, {kW, 0, kFrameTop}}, 0.05, 12), at({0, 0, 0}, 0, 0, 90 * i)));
-  }
-  const double e = kW - 0.10, r = 0.22;
-  std::vector<Vec2> outline;
-  for (int i = 0; i < 4; ++i) {
-    for (const double turn : spaced(0, std::numbers::pi / 2, 6)) {
-      const double angle = std::numbers::pi / 2 * i + turn;
-      outline.emplace_back((i == 0 || i == 3 ? e - r : r - e) + r * std::cos(angle),
-                           (i < 2 ? e - r : r - e) + r * std::sin(angle));
-    }
   }
   std::vector<std::vector<Vec2>> holes = {ring(Vec2::Zero(), 0.47, 0.47, 36)};
   for (int corner = 0; corner < 4; ++corner) {  // For the guide lines.
     holes.push_back(ring(post_place(corner), 0.09, 0.09, 16));
   }
-  roof.add(plate("grp", outline, holes, 0.035), at({0, 0, kFrameTop + kRailRadius - 0.01}));
+  roof.add(plate("grp", rounded_square(kW - 0.10, 0.22), holes, 0.035), at({0, 0, kFrameTop + kRailRadius - 0.01}));
   // Padeyes to lift the tree by.
   for (int i = 0; i < 4; ++i) {
-    const Shape eye = plate("steel", {{-0.1, 0}, {0.1, 0}, {0.1, 0.1}, {0.05, 0.2}, {-0.05, 0.2}, {-0.1, 0.1}},
-                            {ring({0, 0.11}, 0.035, 0.035, 12)}, 0.03);
-    roof.add(placed(placed(eye, at({0.95, 0.015, kFrameTop + 0.02}, 90)), at({0, 0, 0}, 0, 0, 90 * i + 20)));
+    roof.add(placed(make_padeye(0.22), at({0.95, 0, kFrameTop + 0.02})), at({0, 0, 0}, 0, 0, 90 * i + 20));
   }
   return roof;
 }
@@ -109,10 +104,11 @@ Shape make_frame_anodes() {
   Shape anodes;
   for (const double side : {-1.0, 1.0}) {
     for (const double x : {-0.75, 0.75}) {
-      anodes.add(make_anode(0.7), at({x, side * (kW + 0.05), kFrameFoot}, -90 * side));
-      anodes.add(make_anode(0.6), at({x, side * 0.52, 0.905}, 0));
+      anodes.add(make_stand_off_anode(0.7, 0.13), at({x, side * (kW + 0.05), kFrameFoot}, -90 * side));
+      anodes.add(make_stand_off_anode(0.6, 0.13), at({x, side * 0.52, 0.905}, 0));
     }
-    anodes.add(placed(make_anode(0.7), at({0, 0, 0}, -90)), at({-kW - 0.05, side * 0.75, kFrameFoot}, 0, 0, 90));
+    anodes.add(placed(make_stand_off_anode(0.7, 0.13), at({0, 0, 0}, -90)),
+               at({-kW - 0.05, side * 0.75, kFrameFoot}, 0, 0, 90));
   }
   return anodes;
 }

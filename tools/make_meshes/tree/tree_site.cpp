@@ -8,7 +8,7 @@
 #include "kit/curve.h"
 #include "kit/kit.h"
 #include "kit/noise.h"
-#include "kit/piping.h"
+#include "kit/path.h"
 #include "kit/ripples.h"
 
 namespace modelling {
@@ -56,10 +56,10 @@ Shape laid_line(const std::string& material, const std::vector<Vec3>& hanging, c
   }
   std::vector<Vec3> path = hanging;
   path.back() = on_bed(hanging.back().x(), hanging.back().y());
-  path = bent_path(path, 10 * radius);
+  path = bent(path, 10 * radius);
   path.pop_back();
   // As stiff as it is, it rests on the bed's height over some way rather than on every bump.
-  const std::vector<Vec3> plan = bent_path(corners, 2.0);
+  const std::vector<Vec3> plan = bent(corners, 2.0);
   for (std::size_t i = 0; i + 1 < plan.size(); ++i) {
     const Vec3 piece = plan[i + 1] - plan[i];
     for (double s = 0; s < piece.norm(); s += 0.35) {
