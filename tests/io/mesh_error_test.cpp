@@ -34,7 +34,7 @@ TEST(LoadMeshErrorTest, TellsThePathAndTheReason) {
       {"a.ply", "ply\nformat ascii 1.0\n", ": its header does not end: no line says end_header"},
       {"a.ply", "ply\nformat binary_little_endian 1.0\nelement vertex 3\nproperty float x\nend_hea",
        ": its header does not end: no line says end_header"},
-      {"a.ply", "plyx\nformat ascii 1.0\nelement", ": its header does not end: no line says end_header"},
+      {"a.ply", "plyx\nformat ascii 1.0\n", ": its header does not end: no line says end_header"},
       {"a.ply", "plumb", ": cannot be read: Invalid .ply file: Incorrect magic number (expected 'ply' or 'PLY')"},
       {"a.dae", "<COLLADA><asset>", ":1:10: <asset> is never closed"},
       {"a.dae", dae_text({.positions = "0 0 0 2 0 0"}),

@@ -131,7 +131,7 @@ TEST(GeneratedMeshesTest, SolidsWindOutwards) {
       const auto corner = [&](int k) -> Vec3 { return mesh.vertices[mesh.triangles[i][k]].cast<double>() - origin; };
       volumes[parts[i]] += corner(0).dot(corner(1).cross(corner(2))) / 6;
     }
-    EXPECT_GE(volumes.size(), 3U) << name;
+    EXPECT_GE(volumes.size(), 1U) << name;
     for (const auto& [part, volume] : volumes) {
       EXPECT_GT(volume, 0) << name << " at " << mesh.vertices[part].transpose();
     }

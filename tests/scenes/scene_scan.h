@@ -31,7 +31,8 @@ class SceneScan {
   /// The ping whose head looks nearest to an angle [degrees].
   [[nodiscard]] Ping ping_at(double head_angle_deg) {
     const auto off = [&](int number) {
-      return std::abs(degrees_from_radians(sonar().head_angle(static_cast<std::uint64_t>(number))) - head_angle_deg);
+      const double angle = degrees_from_radians(sonar().head_angle(static_cast<std::uint64_t>(number)));
+      return std::abs(std::remainder(angle - head_angle_deg, 360));
     };
     int best = 0;
     for (int number = 1; number < pings(); ++number) {

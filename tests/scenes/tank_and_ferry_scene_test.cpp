@@ -25,9 +25,9 @@ TEST(TankSceneTest, WallsLieAtTheirRangesOnEveryBearing) {
   SceneScan scan("tank");
   for (const double bearing : {14.0, 25.0, 52.0, 98.0, 130.0, 171.0, -172.0, -145.0, -120.0, -80.0}) {
     const Ping ping = scan.ping_at(bearing);
-    double expected = 100;
+    double expected = 4 / std::sin(radians_from_degrees(17.5));  // The floor, 4 m down, at the lower edge of the beam.
     for (double off = -1.5; off <= 1.5; off += 0.1) {
-      expected = std::min(expected, wall_range(radians_from_degrees(bearing + off)));
+      expected = std::min(expected, wall_range(ping.head_angle + radians_from_degrees(off)));
     }
     const auto wall = scan.first_echo(ping, "tank");
     ASSERT_TRUE(wall) << bearing;
