@@ -152,8 +152,8 @@ Scene roughened(const RandomScene& random, int seed) {
   return scene;
 }
 
-// Single precision decides differently now and then, where a slope turns a facet just out of sight or a mirrored ray just
-// past an edge: the engines agree over all scenes, not in each.
+// Single precision decides differently now and then, where a slope turns a facet just out of sight or a mirrored ray
+// just past an edge: the engines agree over all scenes, not in each.
 TEST_P(ReliefEchoTest, AgreesWithTheReference) {
   double apart[3] = {}, sum[3] = {};
   for (int seed = 0; seed < 20; ++seed) {
@@ -185,7 +185,8 @@ TEST_P(ReliefEchoTest, AgreesWithTheReference) {
 TEST_P(ReliefEchoTest, LooksLikeADisplacedMesh) {
   constexpr double kLength = 0.8, kHeight = 0.02;  // From the mean to a crest.
   constexpr int kSteps = 40, kRipples = 8;
-  HeightGrid grid{.columns = kRipples * kSteps + 1, .rows = 2, .spacing_x = kLength / kSteps, .spacing_y = 20, .heights = {}};
+  HeightGrid grid{
+      .columns = kRipples * kSteps + 1, .rows = 2, .spacing_x = kLength / kSteps, .spacing_y = 20, .heights = {}};
   Tile<float> heights{kSteps, 1, {}};
   for (int row = 0; row < 2; ++row) {
     for (int column = 0; column < grid.columns; ++column) {

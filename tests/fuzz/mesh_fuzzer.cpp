@@ -10,8 +10,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (size == 0) {
     return 0;
   }
-  const std::filesystem::path path =
-      file.write(kNames[data[0] % std::size(kNames)], fuzz::text_of(data + 1, size - 1));
+  const std::filesystem::path path = file.write(kNames[data[0] % std::size(kNames)], fuzz::text_of(data + 1, size - 1));
   fuzz::expect_error_or_nothing([&] { static_cast<void>(load_mesh(path)); });
   return 0;
 }
