@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 #include <cmath>
 #include <cstdint>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -42,18 +43,19 @@ struct Relief {
 
 /// How a relief is described in a scenario: pictures, or a shape to be made up.
 struct ReliefConfig {
-  std::string normal_map = {};        ///< Picture of normals; "" for none. Not with what follows, to reflectivity_map.
-  double normal_strength = 1;         ///< Times the slopes of the normal map, >= 0.
-  std::string height_map = {};        ///< Grey picture of heights; "" for none.
-  double height = 0;                  ///< Of white above black [m].
-  double ripple_wavelength = 0;       ///< [m]; 0 for no ripples.
-  double ripple_height = 0;           ///< From trough to crest [m].
-  double ripple_direction = 0;        ///< Across the crests, from x towards y [rad].
-  double roughness_height = 0;        ///< Root mean square [m]; 0 for none.
-  double roughness_exponent = 3.25;   ///< Height spectrum falls with this power of the wave number.
-  std::uint64_t relief_seed = 1;      ///< Of the made-up shape.
-  std::string reflectivity_map = {};  ///< Grey picture: white as reflective as the material, black not at all.
-  double tile_size = 0;               ///< [m]; 0: by texture coordinates where there are some, else a default.
+  std::filesystem::path normal_map = {};  ///< Picture of normals. One shape: these, heights, or ripples and roughness.
+  double normal_strength = 1;             ///< Times the slopes of the normal map, >= 0.
+  std::filesystem::path height_map = {};  ///< Grey picture of heights.
+  double height = 0;                      ///< Of white above black [m].
+  double ripple_wavelength = 0;           ///< [m]; 0 for no ripples.
+  double ripple_height = 0;               ///< From trough to crest [m].
+  double ripple_direction = 0;            ///< Across the crests, from x towards y [rad].
+  double roughness_height = 0;            ///< Root mean square [m]; 0 for none.
+  double roughness_exponent = 3.25;       ///< Height spectrum falls with this power of the wave number.
+  std::uint64_t relief_seed = 1;          ///< Of the made-up shape.
+  std::filesystem::path reflectivity_map =
+      {};                ///< Grey picture: white as reflective as the material, black not at all.
+  double tile_size = 0;  ///< [m]; 0: by texture coordinates where there are some, else a default.
 
   [[nodiscard]] bool has_shape() const { return ripple_wavelength > 0 || roughness_height > 0; }
   [[nodiscard]] bool empty() const {

@@ -36,7 +36,7 @@ Rgb colour_of(Panel panel, double distance, double intensity) {
   }
 }
 
-// What is drawn brightest: the least of 1, 2 and 5 times a power of ten that is as strong as the strongest echo.
+// What is drawn brightest: the least of 1, 2, 2.5 and 5 times a power of ten that is as strong as the strongest echo.
 double full_scale_of(const Channels& channels) {
   double strongest = 1e-6;
   for (const float intensity : channels.intensity) {
@@ -94,6 +94,69 @@ void draw_scale(Picture& picture, const Frame& frame, Panel panel, const Page& p
   }
 }
 
+// Where the panels lie on the picture [pixels]; the same distance apart, all of one size.
+struct Layout {
+  int width, height;
+  Frame first;
+  int step;
+
+  [[nodiscard]] Frame frame(Panel panel) const {
+    return {first.left, first.top + static_cast<int>(panel) * step, first.width, first.height};
+  }
+  [[nodiscard]] int bottom() const { return first.top + (kPanels - 1) * step + first.height; }
+};
+
+int pixels(double length) {
+  return static_cast<int>(std::ceil(length));
+}
+
+// Directions square where there is room for it. Without axes the panels fill the picture.
+Layout lay_out(const Channels& channels, const Page& page, const Display& display) {
+  const Lettering& lettering = page.lettering();
+  const bool axes = display.annotations;
+  const double em = page.em();
+  const int width = display.height * 4 / 3;
+  const int left = axes ? pixels(page.margin() + lettering.width("-00.0°") + kTextGap * em) : 0;
+  const int right = axes ? width - pixels(page.margin() + 1.6 * em) : width;
+  const int top = axes ? pixels(page.title_height()) : 0;
+  const int below = axes ? pixels(page.margin() + 2 * lettering.height() + 2 * em) : 0;
+  const int caption = axes ? pixels(kCaptionHeight * em) : 0;
+  const int room = std::max((display.height - top - below) / kPanels - caption, kLeastPanel);
+  const double shape = (channels.upper_edge - channels.lower_edge) / (channels.port_edge - channels.starboard_edge);
+  const int height = std::clamp(static_cast<int>(std::lround(shape * (right - left))), kLeastPanel, room);
+  return {
+      width, top + kPanels * (height + caption) + below, {left, top + caption, right - left, height}, height + caption};
+}
+
+void label_panel(Picture& picture, const Frame& frame, const std::string& caption, const Channels& channels,
+                 const Page& page) {
+  const Lettering& lettering = page.lettering();
+  lettering.draw(picture, {frame.left * 1.0, frame.top - 0.75 * page.em()}, caption, palette::kText, Anchor::kStart);
+  const double beside = frame.left - kTextGap * page.em(), half_letter = 0.5 * lettering.height();
+  lettering.draw(picture, {beside, frame.top + half_letter}, degrees_text(channels.upper_edge), palette::kText,
+                 Anchor::kEnd);
+  lettering.draw(picture, {beside, frame.top + frame.height - half_letter}, degrees_text(channels.lower_edge),
+                 palette::kText, Anchor::kEnd);
+}
+
+// The axis under the lowest panel, for all of them.
+void draw_axis(Picture& picture, const Layout& layout, const Channels& channels, Mounting mounting, const Page& page) {
+  const Lettering& lettering = page.lettering();
+  const double em = page.em(), bottom = layout.bottom(), aperture = channels.port_edge - channels.starboard_edge;
+  for (const double azimuth :
+       multiples_within(channels.starboard_edge, channels.port_edge, radial_step(aperture, mounting))) {
+    const double x = layout.first.left + (channels.port_edge - azimuth) / aperture * layout.first.width;
+    draw_line(picture, {x, bottom}, {x, bottom + kTickLength * em}, page.hairline(), palette::kText);
+    lettering.draw(picture, {x, bottom + (kTickLength + kTextGap) * em + lettering.height() / 2},
+                   bearing_text(std::remainder(azimuth, 2 * std::numbers::pi), mounting), palette::kText);
+  }
+  lettering.draw(
+      picture, {layout.first.left + layout.first.width / 2.0, picture.height - page.margin() - lettering.height() / 2},
+      mounting == Mounting::kVertical ? "slope across, angle to the plane of the scan upwards"
+                                      : "azimuth across, elevation upwards",
+      palette::kText);
+}
+
 }  // namespace
 
 Picture draw_channels(const Channels& channels, const SonarConfig& sonar, const Display& display) {
@@ -103,61 +166,24 @@ Picture draw_channels(const Channels& channels, const SonarConfig& sonar, const 
     throw Error(fmt::format("channels have {} distances and {} intensities for {} columns x {} rows",
                             channels.distance.size(), channels.intensity.size(), channels.columns, channels.rows));
   }
-  Page page(display, {sonar.model.empty() ? sonar.name : sonar.model,
-                      fmt::format("{}   {} m   what the fan is made of", frequency_text(sonar.frequency),
-                                  number_text(sonar.max_range))});
-  const Lettering& lettering = page.lettering();
-  const bool axes = display.annotations;
-  const double em = axes ? page.em() : 0;
-  const auto pixels = [](double length) { return static_cast<int>(std::ceil(length)); };
-  const int width = display.height * 4 / 3;
-  page.fit_title(width);
-  const int left = axes ? pixels(page.margin() + lettering.width("-00.0°") + kTextGap * em) : 0;
-  const int right = axes ? width - pixels(page.margin() + 1.6 * em) : width;
-  const int top = axes ? pixels(page.title_height()) : 0;
-  const int below = axes ? pixels(page.margin() + 2 * lettering.height() + 2 * em) : 0;
-  const double natural = (channels.upper_edge - channels.lower_edge) / (channels.port_edge - channels.starboard_edge);
-  const int room = (display.height - top - below) / kPanels - pixels(kCaptionHeight * em);
-  const int panel_height =
-      std::clamp(static_cast<int>(std::lround(natural * (right - left))), kLeastPanel, std::max(room, kLeastPanel));
-  const int step = panel_height + pixels(kCaptionHeight * em);
-
+  Page page(display, {name_of(sonar), fmt::format("{}   {} m   what the fan is made of",
+                                                  frequency_text(sonar.frequency), number_text(sonar.max_range))});
+  page.fit_title(display.height * 4 / 3);
+  const Layout layout = lay_out(channels, page, display);
   const double full_scale = full_scale_of(channels);
-  Picture picture = blank_picture(width, top + kPanels * step + below, palette::kBackground);
+  Picture picture = blank_picture(layout.width, layout.height, palette::kBackground);
   for (const Panel panel : {Panel::kDistance, Panel::kIntensity, Panel::kBoth}) {
-    const int index = static_cast<int>(panel);
-    const Frame frame{left, top + index * step + pixels(kCaptionHeight * em), right - left, panel_height};
+    const Frame frame = layout.frame(panel);
     paint(picture, frame, panel, channels, sonar.max_range, full_scale);
-    if (!axes) {
-      continue;
+    if (display.annotations) {
+      label_panel(picture, frame, caption_of(panel, sonar.max_range, full_scale), channels, page);
+      draw_scale(picture, frame, panel, page);
     }
-    lettering.draw(picture, {frame.left * 1.0, frame.top - 0.75 * em}, caption_of(panel, sonar.max_range, full_scale),
-                   palette::kText, Anchor::kStart);
-    draw_scale(picture, frame, panel, page);
-    const double text_right = frame.left - kTextGap * em;
-    lettering.draw(picture, {text_right, frame.top + 0.5 * lettering.height()}, degrees_text(channels.upper_edge),
-                   palette::kText, Anchor::kEnd);
-    lettering.draw(picture, {text_right, frame.top + frame.height - 0.5 * lettering.height()},
-                   degrees_text(channels.lower_edge), palette::kText, Anchor::kEnd);
   }
-  if (!axes) {
-    return picture;
+  if (display.annotations) {
+    draw_axis(picture, layout, channels, sonar.mounting, page);
+    page.draw_title(picture);
   }
-
-  const double bottom = top + kPanels * step;
-  const double aperture = channels.port_edge - channels.starboard_edge;
-  for (const double azimuth :
-       multiples_within(channels.starboard_edge, channels.port_edge, radial_step(aperture, sonar.mounting))) {
-    const double x = left + (channels.port_edge - azimuth) / aperture * (right - left);
-    draw_line(picture, {x, bottom}, {x, bottom + kTickLength * em}, page.hairline(), palette::kText);
-    const std::string text = bearing_text(std::remainder(azimuth, 2 * std::numbers::pi), sonar.mounting);
-    lettering.draw(picture, {x, bottom + (kTickLength + kTextGap) * em + lettering.height() / 2}, text, palette::kText);
-  }
-  lettering.draw(picture, {(left + right) / 2.0, picture.height - page.margin() - lettering.height() / 2},
-                 sonar.mounting == Mounting::kVertical ? "slope across, angle to the plane of the scan upwards"
-                                                       : "azimuth across, elevation upwards",
-                 palette::kText);
-  page.draw_title(picture);
   return picture;
 }
 

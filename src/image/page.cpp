@@ -27,15 +27,14 @@ constexpr double kBarThickness = 0.9;
 constexpr double kTickLength = 0.3;
 constexpr double kTextGap = 0.35;
 
-// The instrument, and which of them where it was given a name.
+}  // namespace
+
 std::string name_of(const SonarConfig& sonar) {
   if (sonar.model.empty()) {
     return sonar.name;
   }
   return sonar.name == SonarConfig().name ? sonar.model : fmt::format("{} ({})", sonar.model, sonar.name);
 }
-
-}  // namespace
 
 Heading heading_of(const SonarConfig& sonar, const std::string& what, double time) {
   return {name_of(sonar), fmt::format("{}   {} m   {}   t = {:.2f} s", frequency_text(sonar.frequency),

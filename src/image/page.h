@@ -14,6 +14,9 @@ struct Heading {
   std::string name;     ///< "Tritech Gemini 720i"
   std::string details;  ///< "720 kHz   20 m   ping 3   t = 0.20 s"
 };
+/// The instrument, and which of them where it was given a name.
+[[nodiscard]] std::string name_of(const SonarConfig& sonar);
+
 /// @param what  "ping 3", "400 pings"
 /// @param time  Of the last transmission [s].
 [[nodiscard]] Heading heading_of(const SonarConfig& sonar, const std::string& what, double time);

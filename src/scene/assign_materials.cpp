@@ -128,6 +128,7 @@ std::vector<std::string> names_to_override(const Scene& scene) {
 
 void check_keys(const Scene& scene, const MaterialRules& rules) {
   for (const auto& [key, change] : rules.overrides) {
+    // Captured by a name of its own: clang before 16 captures no structured bindings.
     const bool is_used =
         find_material(key) || meaning_of(key) == meaning_of(rules.default_material) ||
         std::ranges::any_of(scene.instances, [&key = key](const Instance& i) { return is_for(key, i); });

@@ -11,6 +11,8 @@
 namespace insonify {
 namespace {
 
+constexpr double kLeastLength = 1e-3;  // [m]: finer shape than sound of any sonar can tell.
+
 void require(bool good, const std::string& object, std::string_view key, std::string_view rest) {
   if (!good) {
     throw Error(fmt::format("{}.{} {}", object, key, rest));
@@ -21,6 +23,10 @@ void require(bool good, const std::string& object, std::string_view key, std::st
 
 void ReliefConfig::validate(const std::string& object) const {
   check_fields(object, *this);
+  for (const auto& [key, length] : {std::pair{"ripple_wavelength", ripple_wavelength}, {"tile_size", tile_size}}) {
+    require(length == 0 || length >= kLeastLength, object, key,
+            fmt::format("= {:.10g} m must be 0 or at least {} m", length, kLeastLength));
+  }
   const bool has_normals = !normal_map.empty(), has_heights = !height_map.empty();
   require(!has_normals || !has_heights, object, "height_map", "cannot go with normal_map: one shape a surface");
   require(!has_shape() || !has_normals, object, "normal_map",

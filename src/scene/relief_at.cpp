@@ -25,7 +25,7 @@ TextureFrame texture_frame(const Mesh& mesh, std::uint32_t triangle, const Vec3f
   const float determinant = step1.x() * step2.y() - step2.x() * step1.y();
   // A square picture over less than this share of itself is a smear.
   constexpr float kLeast = 1e-12F;
-  if (!(std::abs(determinant) > kLeast)) {
+  if (!(std::abs(determinant) > kLeast) || !std::isfinite(determinant)) {
     return {{}, {}, {}, false};
   }
   const Vec3f across = edge1.cross(edge2);
@@ -33,8 +33,9 @@ TextureFrame texture_frame(const Mesh& mesh, std::uint32_t triangle, const Vec3f
   const Vec3f from_origin = position - origin;
   const float weight1 = scale * across.dot(from_origin.cross(edge2));
   const float weight2 = scale * across.dot(edge1.cross(from_origin));
-  return {texture[0] + weight1 * step1 + weight2 * step2, (edge1 * step2.y() - edge2 * step1.y()) / determinant,
-          (edge2 * step1.x() - edge1 * step2.x()) / determinant};
+  const Vec2f at = texture[0] + weight1 * step1 + weight2 * step2;
+  return {at, (edge1 * step2.y() - edge2 * step1.y()) / determinant,
+          (edge2 * step1.x() - edge1 * step2.x()) / determinant, at.allFinite()};
 }
 
 Vec3f gradient_in(const TextureFrame& frame, const Relief& relief, const Vec3f& normal) {

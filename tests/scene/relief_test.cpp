@@ -74,6 +74,10 @@ TEST(ReliefConfigTest, RefusesWhatDoesNotGoTogether) {
   EXPECT_EQ(message({.ripple_wavelength = 1}), "materials.sand.ripple_wavelength needs ripple_height");
   EXPECT_EQ(message({.ripple_height = 1}), "materials.sand.ripple_height needs ripple_wavelength");
   EXPECT_EQ(message({.roughness_height = -1}), "materials.sand.roughness_height = -1 m must be from 0 to 100 m");
+  EXPECT_EQ(message({.normal_map = "a.png", .tile_size = 1e-40}),
+            "materials.sand.tile_size = 1e-40 m must be 0 or at least 0.001 m");
+  EXPECT_EQ(message({.ripple_wavelength = 1e-300, .ripple_height = 0.1}),
+            "materials.sand.ripple_wavelength = 1e-300 m must be 0 or at least 0.001 m");
   EXPECT_EQ(message({.ripple_wavelength = 1, .ripple_height = 0.1, .tile_size = 1.5}),
             "materials.sand.tile_size = 1.5 m must hold at least 2 ripples of 1 m, or be 0");
   EXPECT_EQ(message({.ripple_wavelength = 1, .ripple_height = 0.1, .tile_size = 200}),
@@ -155,6 +159,18 @@ TEST(ReliefAtTest, WithoutTexturePositionsCount) {
   EXPECT_NEAR(by_texture, 0.5F, kFloat);
   relief = constant({1, 1}, 0);  // For texture coordinates alone.
   EXPECT_TRUE(relief_at(relief, make_plane(Vec3::UnitZ(), 4, 2), 0, {0, 0, 0}, Vec3f::UnitZ()).gradient.isZero(0));
+}
+
+// Coordinates whose differences no float holds: as if there were none.
+TEST(ReliefAtTest, EndlessTextureSaysNothing) {
+  constexpr float kHuge = 3e38F;
+  const Mesh mesh = rectangle({Vec2f(-kHuge, -kHuge), {kHuge, -kHuge}, {kHuge, kHuge}, {-kHuge, kHuge}});
+  Relief relief;
+  relief.reflectivity = {2, 1, {0, 1}};
+  relief.tile_size = 2;
+  EXPECT_NEAR(relief_at(relief, mesh, 0, {1.5F, -0.5F, 0}, Vec3f::UnitZ()).reflectivity, 1, kFloat);
+  const Mesh far = rectangle({Vec2f(1e30F, 0), {1e30F, 1}, {1e30F, 2}, {-1e30F, 3}});
+  EXPECT_TRUE(std::isfinite(relief_at(relief, far, 1, {-0.5F, 0.5F, 0}, Vec3f::UnitZ()).reflectivity));
 }
 
 // On the faces across the axes the picture lies as it is seen along them; in between gradients stay in the surface and

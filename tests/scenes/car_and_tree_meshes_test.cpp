@@ -12,12 +12,8 @@
 namespace insonify {
 namespace {
 
-using testing_scenes::generated_meshes;
+using testing_scenes::kRounding;
 using testing_scenes::Probe;
-using testing_scenes::read_obj;
-
-// The files keep whole millimetres.
-constexpr double kRounding = 1e-3;
 
 // The car's own frame: x forward from midway between the axles, y to its left, z up from the road. The tree's: x to its
 // ROV panel, y to its production wing, z up from the mud line.

@@ -12,11 +12,9 @@ namespace insonify {
 namespace {
 
 using testing_scenes::generated_meshes;
+using testing_scenes::kRounding;
 using testing_scenes::Probe;
 using testing_scenes::read_obj;
-
-// The files keep whole millimetres.
-constexpr double kRounding = 1e-3;
 
 // A round member's facets lie inside its circle by up to this share of its radius: 1 - cos(pi / 12).
 constexpr double kFacet = 0.035;

@@ -16,6 +16,9 @@
 
 namespace insonify::testing_scenes {
 
+/// The files keep whole millimetres [m].
+inline constexpr double kRounding = 1e-3;
+
 /// One generated mesh that rays can be sent at, in its own frame.
 class Probe {
  public:

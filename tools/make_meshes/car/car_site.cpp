@@ -45,15 +45,9 @@ double scour(const CarPlan& plan, double x, double y) {
 
 const std::vector<Boulder>& stones() {
   static const std::vector<Boulder> all = [] {
-    std::vector<Boulder> made;
-    for (int i = 0; made.size() < 34; ++i) {
-      const double x = 2.5 + 12 * chance(161, i, 0);
-      const double y = 20 * chance(161, i, 1) - 10;
-      const double radius = 0.05 * std::pow(1 - 0.98 * chance(161, i, 2), -0.42);
-      if (car_plan(x, y).distance > 0.7 + radius) {
-        made.push_back({x, y, radius});
-      }
-    }
+    std::vector<Boulder> made =
+        strewn_stones({34, {2.5, 14.5, -10, 10}, 0.05, 0.98, 0.42, 161},
+                      [](const Boulder& stone) { return car_plan(stone.x, stone.y).distance > 0.7 + stone.radius; });
     made.push_back({9.9, -5.4, 0.52});
     made.push_back({10.6, -4.7, 0.34});
     made.push_back({7.1, 6.3, 0.40});

@@ -51,19 +51,9 @@ Pose world_from_wreck() {
 }
 
 const std::vector<Boulder>& boulders() {
-  static const std::vector<Boulder> all = [] {
-    std::vector<Boulder> made;
-    for (int i = 0; made.size() < 44; ++i) {
-      const double x = 8 + 58 * chance(61, i, 0);
-      const double y = 90 * chance(61, i, 1) - 45;
-      // Many small, few large: a power law from 0.18 to 1.1 m.
-      const double radius = 0.18 * std::pow(1 - 0.985 * chance(61, i, 2), -0.43);
-      if (hull_plan(x, y).distance > 1.5 + radius) {
-        made.push_back({x, y, radius});
-      }
-    }
-    return made;
-  }();
+  static const std::vector<Boulder> all =
+      strewn_stones({44, {8, 66, -45, 45}, 0.18, 0.985, 0.43, 61},  // Up to 1.1 m.
+                    [](const Boulder& stone) { return hull_plan(stone.x, stone.y).distance > 1.5 + stone.radius; });
   return all;
 }
 

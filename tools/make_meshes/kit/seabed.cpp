@@ -72,6 +72,20 @@ double bump(double distance, double width) {
   return std::exp(-(distance / width) * (distance / width));
 }
 
+std::vector<Boulder> strewn_stones(const StoneField& field, const std::function<bool(const Boulder&)>& has_room) {
+  const Patch& patch = field.patch;
+  std::vector<Boulder> stones;
+  for (int i = 0; stones.size() < field.count; ++i) {
+    const Boulder stone{patch.low_x + (patch.high_x - patch.low_x) * chance(field.seed, i, 0),
+                        patch.low_y + (patch.high_y - patch.low_y) * chance(field.seed, i, 1),
+                        field.least_radius * std::pow(1 - field.spread * chance(field.seed, i, 2), -field.exponent)};
+    if (has_room(stone)) {
+      stones.push_back(stone);
+    }
+  }
+  return stones;
+}
+
 StoneScour stone_scour(const std::vector<Boulder>& stones, double x, double y) {
   StoneScour scour{0, 1};
   for (const Boulder& stone : stones) {

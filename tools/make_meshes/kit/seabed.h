@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "kit/ripples.h"
 #include "kit/shape.h"
 
 namespace modelling {
@@ -27,6 +28,19 @@ struct Boulder {
   double x, y;    ///< [m]
   double radius;  ///< [m]
 };
+
+/// Stones strewn over a patch, many small and few large: the radius that a share q of them exceeds is
+/// least_radius (1 - spread (1 - q))^-exponent.
+struct StoneField {
+  std::size_t count;
+  Patch patch;
+  double least_radius;      ///< [m]
+  double spread, exponent;  ///< Of the power law.
+  std::uint32_t seed;
+};
+/// @param has_room  Whether a stone may lie where it fell.
+[[nodiscard]] std::vector<Boulder> strewn_stones(const StoneField& field,
+                                                 const std::function<bool(const Boulder&)>& has_room);
 
 /// How the current has dug round stones: deeper by so much [m], and this share of the ripples left.
 struct StoneScour {

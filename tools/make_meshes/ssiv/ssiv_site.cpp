@@ -29,19 +29,11 @@ const Ripples& ripples() {
 }
 
 const std::vector<Boulder>& stones() {
-  static const std::vector<Boulder> all = [] {
-    std::vector<Boulder> made;
-    for (int i = 0; made.size() < 34; ++i) {
-      const double x = 3.5 + 11 * chance(611, i, 0);
-      const double y = 20 * chance(611, i, 1) - 10;
-      const double radius = 0.05 * std::pow(1 - 0.97 * chance(611, i, 2), -0.42);
-      if (std::hypot(x - kSsivPosition.x(), y - kSsivPosition.y()) > 2.6 &&
-          std::hypot(x - kSinkerX, y - kSinkerY) > 1) {
-        made.push_back({x, y, radius});
-      }
-    }
-    return made;
-  }();
+  static const std::vector<Boulder> all =
+      strewn_stones({34, {3.5, 14.5, -10, 10}, 0.05, 0.97, 0.42, 611}, [](const Boulder& stone) {
+        return std::hypot(stone.x - kSsivPosition.x(), stone.y - kSsivPosition.y()) > 2.6 &&
+               std::hypot(stone.x - kSinkerX, stone.y - kSinkerY) > 1;
+      });
   return all;
 }
 
