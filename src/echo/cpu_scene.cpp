@@ -29,35 +29,19 @@ void place(RTCGeometry geometry, const Pose& world_from_mesh, const Vec3& origin
   rtcCommitGeometry(geometry);
 }
 
-// What a triangle gives to the rays that met it.
-struct Facet {
-  Vec3f normals[3];
-  float reflectivity;
-  SurfaceLabel surface;
+// The normals at the corners of the triangles that sixteen rays met.
+struct alignas(64) Corners {
+  float x[3][kPacketSize], y[3][kPacketSize], z[3][kPacketSize];
 };
 
-// Shades those lanes that met the same triangle as lane `first`, and no longer counts them as open.
-[[gnu::always_inline]] inline void shade_facet(const Facet& facet, const RTCHit16& __restrict__ hits, int first,
-                                               float* __restrict__ open, CpuScene::Shading& __restrict__ shading) {
-  const unsigned geometry = hits.geomID[first], instance = hits.instID[0][first], triangle = hits.primID[first];
-  const float x0 = facet.normals[0].x(), x1 = facet.normals[1].x(), x2 = facet.normals[2].x();
-  const float y0 = facet.normals[0].y(), y1 = facet.normals[1].y(), y2 = facet.normals[2].y();
-  const float z0 = facet.normals[0].z(), z1 = facet.normals[1].z(), z2 = facet.normals[2].z();
-  const float reflectivity = facet.reflectivity;
-  const SurfaceLabel surface = facet.surface;
+INSONIFY_VECTOR_CLONES
+void interpolate(const RTCHit16& __restrict__ hits, const Corners& __restrict__ corners,
+                 CpuScene::Shading& __restrict__ shading) {
   for (int lane = 0; lane < kPacketSize; ++lane) {
-    const bool met =
-        (hits.geomID[lane] == geometry) & (hits.primID[lane] == triangle) & (hits.instID[0][lane] == instance);
     const float u = hits.u[lane], v = hits.v[lane], w = 1 - u - v;
-    const float x = w * x0 + u * x1 + v * x2;
-    const float y = w * y0 + u * y1 + v * y2;
-    const float z = w * z0 + u * z1 + v * z2;
-    shading.normal_x[lane] = met ? x : shading.normal_x[lane];
-    shading.normal_y[lane] = met ? y : shading.normal_y[lane];
-    shading.normal_z[lane] = met ? z : shading.normal_z[lane];
-    shading.reflectivity[lane] = met ? reflectivity : shading.reflectivity[lane];
-    shading.surface[lane] = met ? surface : shading.surface[lane];
-    open[lane] = met ? 0.0F : open[lane];
+    shading.normal_x[lane] = w * corners.x[0][lane] + u * corners.x[1][lane] + v * corners.x[2][lane];
+    shading.normal_y[lane] = w * corners.y[0][lane] + u * corners.y[1][lane] + v * corners.y[2][lane];
+    shading.normal_z[lane] = w * corners.z[0][lane] + u * corners.z[1][lane] + v * corners.z[2][lane];
   }
 }
 
@@ -187,28 +171,33 @@ void CpuScene::add_moving(const Instance& instance, unsigned id) {
   rtcAttachGeometryByID(scene_, part.placed, id);
 }
 
-// Neighbouring rays mostly meet the same few triangles: each is looked up once and shades all its lanes together.
-INSONIFY_VECTOR_CLONES
+// First what each ray met is looked up, then all are worked out together.
 void CpuScene::shade(const RTCHit16& hits, Shading& shading) const {
-  float open[kPacketSize];
+  Corners corners;
   for (int lane = 0; lane < kPacketSize; ++lane) {
-    open[lane] = hits.geomID[lane] == RTC_INVALID_GEOMETRY_ID ? 0.0F : 1.0F;
-    shading.normal_x[lane] = shading.normal_y[lane] = shading.normal_z[lane] = shading.reflectivity[lane] = 0;
-    shading.surface[lane] = kNoSurface;
-  }
-  while (const unsigned lanes = positive_of_packet(open)) {
-    const int lane = std::countr_zero(lanes);
+    if (hits.geomID[lane] == RTC_INVALID_GEOMETRY_ID) {
+      shading.surface[lane] = kNoSurface;
+      shading.reflectivity[lane] = 0;
+      for (int corner = 0; corner < 3; ++corner) {
+        corners.x[corner][lane] = corners.y[corner][lane] = corners.z[corner][lane] = 0;
+      }
+      continue;
+    }
     const bool moves = hits.instID[0][lane] != RTC_INVALID_GEOMETRY_ID;
     const Part& part = parts_[moves ? hits.instID[0][lane] : hits.geomID[lane]];
     const unsigned triangle = hits.primID[lane];
     const SurfaceLabel surface = part.surfaces[part.slots == nullptr ? 0 : part.slots[triangle]];
-    Facet facet{{}, reflectivity_[material_of(surface)], surface};
+    shading.surface[lane] = surface;
+    shading.reflectivity[lane] = reflectivity_[material_of(surface)];
     for (int corner = 0; corner < 3; ++corner) {
-      const Vec3f& normal = part.normals[part.triangles[triangle][corner]];
-      facet.normals[corner] = moves ? Vec3f(part.rotation * normal) : normal;
+      const Vec3f& own = part.normals[part.triangles[triangle][corner]];
+      const Vec3f normal = moves ? Vec3f(part.rotation * own) : own;
+      corners.x[corner][lane] = normal.x();
+      corners.y[corner][lane] = normal.y();
+      corners.z[corner][lane] = normal.z();
     }
-    shade_facet(facet, hits, lane, open, shading);
   }
+  interpolate(hits, corners, shading);
 }
 
 void CpuScene::add_relief(const RTCRayHit16& rays, Shading& shading, Vec3f* gradients) const {

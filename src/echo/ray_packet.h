@@ -48,6 +48,7 @@ struct alignas(64) RayPacket {
       rays.ray.flags[lane] = 0;
       rays.ray.id[lane] = static_cast<unsigned>(lane);
       rays.ray.tnear[lane] = 0;
+      rays.hit.u[lane] = rays.hit.v[lane] = 0;  // Read even where nothing was hit.
       valid[lane] = -1;
     }
   }

@@ -150,9 +150,21 @@ void PaperReceiver::hear_tile(int first_beam, int beam_count, int first_bin, int
     level[i] = static_cast<float>(sonar_.gain) * near_field(sonar_, first_bin + i);
   }
 
+  // Asks for the rows of the ping that the tile goes to, some with each beam, so that they are near when it is written.
+  const auto fetch_rows = [&](int beam_of_tile) {
+    constexpr int kRows = kTileBins / kTileBeams;
+    for (int i = beam_of_tile * kRows; i < std::min((beam_of_tile + 1) * kRows, bin_count); ++i) {
+      const std::size_t row = ping_.index(first_bin + i, first_beam);
+      __builtin_prefetch(&ping_.intensity[row], 1);
+      __builtin_prefetch(&ping_.instance[row], 1);
+      __builtin_prefetch(&ping_.material[row], 1);
+      __builtin_prefetch(&ping_.elevation[row], 1);
+    }
+  };
   HeardTile tile = {};
   float noise[kTileBins] = {};
   for (int b = 0; b < beam_count; ++b) {
+    fetch_rows(b);
     const int beam = first_beam + b;
     float* values = tile.intensity[b];
     for (int order = 1; order <= grid_.order_count(); ++order) {
