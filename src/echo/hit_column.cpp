@@ -11,10 +11,16 @@ namespace insonify {
 namespace {
 
 // Of what is heard head on with this share of the sound reflected, or better, the greatest share of hits is followed;
-// of weaker ones in proportion, but at least one in sixteen. Fitted to scenes where half the rays of `all` give what
-// its own sampling gives (docs/concepts/paper-model.md).
+// of weaker ones less, as the square root, but at least one in sixteen. Fitted to scenes where half the rays of `all`
+// give what its own sampling gives (docs/concepts/paper-model.md).
 constexpr float kWorthFollowing = 0.33F;
-constexpr float kLeastShare = 1.0F / 16, kMostShare = 0.50F;
+constexpr float kLeastShare = 1.0F / 16, kMostShare = 0.498F;
+
+// From column to column the selection starts a golden section of a turn farther on: neighbours differ most.
+constexpr std::uint32_t kGoldenTurn = 2654435769U;
+
+// After so many rows a column's selection starts anew, so that what one sample met matters little beyond it.
+constexpr int kSelectionRows = 64;
 
 // Neighbours lie on one unbroken surface when each is where the other's tangent plane says, give or take a bin and this
 // share of the distance between them: curved surfaces pass, edges and shadows do not.
@@ -107,16 +113,29 @@ void shade(int rows, float neper_per_metre, const float* __restrict__ range, con
   }
 }
 
+// The share of each hit's kind that is to be followed; 0 where nothing was hit.
 INSONIFY_VECTOR_CLONES
-void select(int rows, std::uint32_t turn, const float* __restrict__ range, const float* __restrict__ facing,
-            const float* __restrict__ reflectivity, float* __restrict__ selected) {
-  // Multiples of 1/g and 1/g^2, g the plastic number, in 32-bit turns; the column's is in `turn`.
+void share_out(int rows, const float* __restrict__ range, const float* __restrict__ facing,
+               const float* __restrict__ reflectivity, float* __restrict__ share) {
   for (int row = 0; row < rows; ++row) {
-    const std::uint32_t turned = turn + static_cast<std::uint32_t>(row) * 2447445414U;
-    const float lot = static_cast<float>(static_cast<std::int32_t>(turned >> 8)) * (1.0F / 16777216.0F);
-    const float wish = std::abs(facing[row]) * reflectivity[row] * (1 / kWorthFollowing);
-    const float share = wish < kLeastShare ? kLeastShare : wish > kMostShare ? kMostShare : wish;
-    selected[row] = (lot < share) & (range[row] > 0) ? 1 / share : 0.0F;
+    const float wish = std::sqrt(std::abs(facing[row]) * reflectivity[row] * (1 / kWorthFollowing));
+    const float limited = wish < kLeastShare ? kLeastShare : wish > kMostShare ? kMostShare : wish;
+    share[row] = range[row] > 0 ? limited : 0.0F;
+  }
+}
+
+// Shares add up along the column, in 32-bit turns from `start` on, and whoever completes a turn is selected: as many as
+// the shares promise, as evenly as can be.
+void select(int rows, std::uint32_t start, float* __restrict__ share_to_selected) {
+  constexpr float kTurn = 4294967296.0F;
+  for (int first = 0; first < rows; first += kSelectionRows) {
+    std::uint32_t turned = start;
+    for (int row = first; row < std::min(first + kSelectionRows, rows); ++row) {
+      const float share = share_to_selected[row];
+      const std::uint32_t before = turned;
+      turned += static_cast<std::uint32_t>(static_cast<std::int64_t>(share * kTurn));
+      share_to_selected[row] = turned < before ? 1 / share : 0.0F;
+    }
   }
 }
 
@@ -226,8 +245,8 @@ void evaluate_column(const PingPlan& plan, int column, const ColumnAxes& axes, c
       hits.selected[row] = hits.surface[row] == kNoSurface ? 0.0F : 1.0F;
     }
   } else if (plan.secondary == SecondaryEchoes::kSelective) {
-    select(rows.count, static_cast<std::uint32_t>(column) * 3242174889U + plan.stagger, hits.range, hits.facing,
-           hits.reflectivity, hits.selected);
+    share_out(rows.count, hits.range, hits.facing, hits.reflectivity, hits.selected);
+    select(rows.count, static_cast<std::uint32_t>(column) * kGoldenTurn + plan.stagger, hits.selected);
   }
   if (hits.has_relief && plan.secondary != SecondaryEchoes::kNone) {
     for (int row = 0; row < rows.count; ++row) {

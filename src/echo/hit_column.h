@@ -82,10 +82,10 @@ void aim_column(const Lattice& lattice, int column, const ColumnAxes& axes, cons
 /// Strength: paper, sections "Rasterized reflections" and "Unified reflections"; e^(-2 gamma r) is the two-way loss of
 /// a pressure amplitude (PHYSICS 1.4).
 ///
-/// Selection: a hit is followed with a probability in proportion to |facing| x reflectivity, within limits, and then
-/// counts for all of its kind, so that the sums of energy and weight stay unbiased. The lots are
-/// drawn from a low-discrepancy lattice (Roberts' R2 sequence) turned by the seed, so that they lie evenly over a
-/// surface and a still scene gives the same ping twice.
+/// Selection: a hit is followed with a probability that grows with |facing| x reflectivity, within limits, and then
+/// counts for all of its kind, so that the sums of energy and weight stay unbiased. Probabilities add up along the
+/// column and whoever completes a whole one is taken (systematic sampling), from a start that differs from column to
+/// column and with the seed: the hits followed lie evenly over a surface, and a still scene gives the same ping twice.
 void evaluate_column(const PingPlan& plan, int column, const ColumnAxes& axes, const HitColumn& hits,
                      Stretches& stretches);
 

@@ -70,8 +70,9 @@ class Scan {
 
 class SelectionTest : public testing::TestWithParam<std::string> {};
 
-// No more than half the rays of `all`; the same sums; and cells that differ from those of `all` about as much as those
-// of two stagger phases of `all` do: in squares, a twentieth or less of what is lost without any.
+// No more than half the rays of `all`; the same sums; and cells that differ from those of `all` less than those of two
+// stagger phases of `all` do: in squares, a twentieth or less of what is lost without any. The Christmas tree's only
+// beam is sampled so densely that half its samples cannot do as well; there it is a quarter more.
 TEST_P(SelectionTest, HalfTheRaysGiveTheSameEchoes) {
   Scan scan(GetParam());
   const Tally all = scan.tally(SecondaryEchoes::kAll, 0);
@@ -86,7 +87,7 @@ TEST_P(SelectionTest, HalfTheRaysGiveTheSameEchoes) {
   EXPECT_EQ(all.difference, 0);
   EXPECT_LE(selective.rays, 0.5 * all.rays);
   EXPECT_NEAR(selective.energy / all.energy, 1, 0.01);
-  EXPECT_LE(selective.difference, 1.5 * resampled.difference);
+  EXPECT_LE(selective.difference, (GetParam() == "christmas_tree" ? 1.4 : 1) * resampled.difference);
   EXPECT_LE(selective.squared_difference, 0.05 * all.squares);  // Without any secondary echoes it is all of it.
 }
 
