@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "insonify/error.h"
+#include "receiver/calibrated_receiver.h"
 #include "receiver/paper_receiver.h"
 #include "simulator/motion.h"
 
@@ -37,7 +38,9 @@ Simulator::Simulator(Scenario scenario, Scene scene, int threads) {
     sonar.ping_period = sonar.ping_period.value_or(sonar.shortest_ping_period(*sonar.assumed_sound_speed));
     state_->plans.push_back(make_ping_plan({.sonar = sonar,
                                             .water = state_->scenario.water,
+                                            .model = state_->scenario.model,
                                             .paper = state_->scenario.paper,
+                                            .materials = state_->scene.materials,
                                             .primary = state_->scenario.primary,
                                             .secondary = state_->scenario.secondary,
                                             .seed = state_->scenario.seed}));
@@ -90,10 +93,16 @@ void Simulator::make_ping(int index, std::uint64_t number, Ping& ping) {
 
   // What comes back, sorted by beam and range, and what the receiver makes of it.
   EchoGrid& grid = state.grids[index];
-  PaperReceiver receiver(
-      grid, config,
-      {.model = state.scenario.paper, .noise = state.scenario.receiver.noise, .seed = state.scenario.seed}, ping);
-  state.engine->insonify(*state.plans[index], world_from_head(index, number), number, grid, &receiver);
+  const auto receive = [&](BeamSink&& receiver) {
+    state.engine->insonify(*state.plans[index], world_from_head(index, number), number, grid, &receiver);
+  };
+  if (state.scenario.model == EchoModel::kCalibrated) {
+    receive(CalibratedReceiver(grid, config, ping));
+  } else {
+    receive(PaperReceiver(
+        grid, config,
+        {.model = state.scenario.paper, .noise = state.scenario.receiver.noise, .seed = state.scenario.seed}, ping));
+  }
 }
 
 Ping Simulator::make_ping(int sonar, std::uint64_t number) {

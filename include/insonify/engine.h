@@ -45,6 +45,12 @@ struct Hit {
   float reflectivity = 0;             ///< Of the surface there: its material's, times that of its relief.
 };
 
+/// What becomes of sound where it meets a surface and on its way, and what a cell of an EchoGrid holds.
+enum class EchoModel {
+  kPaper,      ///< Sums of shaped strengths 0..1 and of weights, whose ratio is drawn. See paper_model.h.
+  kCalibrated  ///< `energy` is the sum of echo intensities relative to the source's at 1 m: 10 log10 of it is EL - SL.
+};
+
 /// Everything about one sonar that does not change from ping to ping, worked out once.
 class PingPlan;
 
@@ -52,7 +58,9 @@ class PingPlan;
 struct PingPlanSettings {
   SonarConfig sonar = {};
   Water water = {};
+  EchoModel model = EchoModel::kPaper;
   PaperModel paper = {};
+  std::span<const Material> materials = {};  ///< The scene's, for the calibrated model; read only while planning.
   PrimaryEchoes primary = PrimaryEchoes::kAuto;
   SecondaryEchoes secondary = SecondaryEchoes::kSelective;
   std::uint64_t seed = 1;

@@ -17,6 +17,16 @@ namespace insonify {
 inline constexpr double kGreatestDensity = 30000;
 inline constexpr double kGreatestSoundSpeed = 20000;
 
+/// How a surface scatters sound in the `calibrated` model, see backscatter.
+struct Scattering {
+  double lambert = 0;     ///< mu: backscattering strength is mu cos^2 of incidence, plus the lobe's [1/sr].
+  double reflection = 0;  ///< |R| at normal incidence: drives the lobe and what is sent on.
+  double rms_slope = 0;   ///< Of the facets that make the lobe, along each axis.
+};
+
+/// 10 log10(1/pi): a Lambert surface that turns back all that it meets.
+inline constexpr double kGreatestLambertDb = -4.971498726941338;
+
 /// Acoustic properties of a surface.
 struct Material {
   std::string name = {};      ///< Lower case, as written in scenes.
@@ -24,7 +34,10 @@ struct Material {
   double sound_speed = 3000;  ///< Of compressional waves [m/s], in (0, 20000].
   std::optional<double> reflectivity =
       {};                   ///< Share of the echo amplitude that the `paper` model keeps, 0..1; |R| when absent.
-  std::string source = {};  ///< Where the numbers come from.
+  double lambert_db = -20;  ///< 10 log10 of Scattering::lambert, -200 to that of a white surface.
+  std::optional<double> reflection = {};  ///< |R| at normal incidence, 0..1; from density and sound speed when absent.
+  double rms_slope = 0.1;                 ///< Of small facets, along each axis, 0.005..1.
+  std::string source = {};                ///< Where the numbers come from.
   std::shared_ptr<const Relief> relief = {};  ///< Of every surface made of it; null: that of the mesh, if any.
 
   /// Pressure reflection coefficient at normal incidence against water of the given impedance [kg/(m^2 s)], -1..1:
@@ -34,6 +47,9 @@ struct Material {
   /// `reflectivity` if given, else |reflection_coefficient| against sea water.
   [[nodiscard]] double effective_reflectivity() const;
 
+  /// What the `calibrated` model makes of it; `reflection` if given, else |reflection_coefficient| against sea water.
+  [[nodiscard]] Scattering scattering() const;
+
   template <typename Self, typename Visit>
   static void visit_fields(Self& self, Visit&& visit) {
     visit(Field{"density", "kg/m^3", above_to(0, kGreatestDensity), "Density."}, self.density);
@@ -42,6 +58,15 @@ struct Material {
     visit(Field{"reflectivity", "", from_to(0, 1),
                 "Share of the echo amplitude that the paper model keeps; from the impedance when absent."},
           self.reflectivity);
+    visit(Field{"lambert_db", "dB", from_to(-200, kGreatestLambertDb),
+                "Diffuse part: 10 log10 of backscattering strength head on (calibrated model)."},
+          self.lambert_db);
+    visit(Field{"reflection", "", from_to(0, 1),
+                "|R| of sound that meets it head on (calibrated model); from the impedance when absent."},
+          self.reflection);
+    visit(Field{"rms_slope", "", from_to(0.005, 1),
+                "Of its small facets, along each axis: how wide the glint is (calibrated model)."},
+          self.rms_slope);
   }
 };
 

@@ -83,7 +83,7 @@ struct Scenario {
   std::filesystem::path world;  ///< SDF world or model, or mesh file; absolute.
   std::string world_where;      ///< "path:line:column: " of that entry, for messages.
   bool collisions = false;      ///< Insonify the world's collision shapes instead of its visuals.
-  std::string model = "paper";  ///< Model of the echo.
+  EchoModel model = EchoModel::kPaper;
   std::string engine = "cpu";
   PrimaryEchoes primary = PrimaryEchoes::kAuto;
   SecondaryEchoes secondary = SecondaryEchoes::kSelective;
@@ -112,7 +112,11 @@ struct Scenario {
         self.world);
     visit(Field{"collisions", "", {}, "Insonify the world's collision shapes instead of its visuals (SDF)."},
           self.collisions);
-    visit(Field{"model", "", {}, "Model of the echo: paper."}, self.model);
+    visit(Field{"model",
+                "",
+                {},
+                "Model of the echo: paper (shaped strengths) or calibrated (levels after the sonar equation)."},
+          self.model);
     visit(Field{"engine", "", {}, "What computes the echoes: cpu, or reference (slow, for checks)."}, self.engine);
     visit(Field{"primary", "", {}, "How the nearest surface in each direction is found; the echoes are the same."},
           self.primary);

@@ -39,6 +39,9 @@ struct MaterialOverride {
   std::optional<double> density = {};       ///< [kg/m^3]
   std::optional<double> sound_speed = {};   ///< [m/s]
   std::optional<double> reflectivity = {};  ///< 0..1
+  std::optional<double> lambert_db = {};    ///< [dB]
+  std::optional<double> reflection = {};    ///< 0..1
+  std::optional<double> rms_slope = {};     ///< 0.005..1
   ReliefConfig relief_config = {};          ///< What `relief` is to be made from, see load_scene().
   std::shared_ptr<const Relief> relief = {};
   std::string where = {};       ///< "path:line:column: " of the entry for messages, may be "".
@@ -53,6 +56,15 @@ struct MaterialOverride {
     visit(Field{"reflectivity", "", from_to(0, 1),
                 "Share of the echo amplitude that the paper model keeps; from the impedance when absent."},
           self.reflectivity);
+    visit(Field{"lambert_db", "dB", from_to(-200, kGreatestLambertDb),
+                "Diffuse part: 10 log10 of backscattering strength head on (calibrated model)."},
+          self.lambert_db);
+    visit(Field{"reflection", "", from_to(0, 1),
+                "|R| of sound that meets it head on (calibrated model); from the impedance when absent."},
+          self.reflection);
+    visit(Field{"rms_slope", "", from_to(0.005, 1),
+                "Of its small facets, along each axis: how wide the glint is (calibrated model)."},
+          self.rms_slope);
     ReliefConfig::visit_fields(self.relief_config, visit);
   }
 };

@@ -16,10 +16,11 @@ void copy_four(const Value* from, Value* to) {
   std::memcpy(to, from, 4 * sizeof(Value));
 }
 
-void set_gradient(const HitColumn& hits, int row, const Vec3f& gradient) {
-  hits.gradient_x[row] = gradient.x();
-  hits.gradient_y[row] = gradient.y();
-  hits.gradient_z[row] = gradient.z();
+void set_relief(const HitColumn& hits, int row, const ReliefPoint& relief) {
+  hits.gradient_x[row] = relief.gradient.x();
+  hits.gradient_y[row] = relief.gradient.y();
+  hits.gradient_z[row] = relief.gradient.z();
+  hits.texture[row] = relief.reflectivity;
 }
 
 }  // namespace
@@ -88,16 +89,16 @@ bool BeamTask::read_tile(int first_row) {
       for (int row = first_row; row < first_row + kTile; ++row) {
         hits_[i].surface[row] = kNoSurface;
         hits_[i].range[row] = hits_[i].reflectivity[row] = 0;
-        set_gradient(hits_[i], row, Vec3f::Zero());
+        set_relief(hits_[i], row, {});
       }
     }
     return false;
   }
   scene_.shade(primary_.rays.hit, shading_);
   if (scene_.reliefs().any()) {
-    scene_.add_relief(primary_.rays, shading_, gradients_);
+    scene_.add_relief(primary_.rays, shading_, reliefs_);
     for (int lane = 0; lane < kPacketSize; ++lane) {
-      set_gradient(hits_[lane / kTile], first_row + lane % kTile, gradients_[lane]);
+      set_relief(hits_[lane / kTile], first_row + lane % kTile, reliefs_[lane]);
     }
   }
   float range[kPacketSize];
@@ -161,7 +162,7 @@ void BeamTask::add_relief(int strip_column, int column) {
       point = scene_.reliefs().at(instance_of(hits.surface[row]), raster_.triangle(column, row),
                                   sonar_ + hits.range[row] * direction, normal);
     }
-    set_gradient(hits, row, point.gradient);
+    set_relief(hits, row, point);
     hits.reflectivity[row] *= point.reflectivity;
   }
 }

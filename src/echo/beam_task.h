@@ -58,7 +58,7 @@ struct BeamTask {
 
   RayPacket primary_;
   CpuScene::Shading shading_;
-  Vec3f gradients_[kPacketSize];  // Of the packet's hits, where there is relief.
+  ReliefPoint reliefs_[kPacketSize];  // Of the packet's hits, where there is any.
   std::uint64_t primary_count_ = 0;
   OnwardTask onward_;
 };

@@ -200,28 +200,27 @@ void CpuScene::shade(const RTCHit16& hits, Shading& shading) const {
   interpolate(hits, corners, shading);
 }
 
-void CpuScene::add_relief(const RTCRayHit16& rays, Shading& shading, Vec3f* gradients) const {
+void CpuScene::add_relief(const RTCRayHit16& rays, Shading& shading, ReliefPoint* reliefs) const {
   const RTCRay16& ray = rays.ray;
   for (int lane = 0; lane < kPacketSize; ++lane) {
-    gradients[lane].setZero();
+    reliefs[lane] = {};
     if (shading.surface[lane] == kNoSurface) {
       continue;
     }
     const Vec3f origin(ray.org_x[lane], ray.org_y[lane], ray.org_z[lane]);
     const Vec3f direction(ray.dir_x[lane], ray.dir_y[lane], ray.dir_z[lane]);
-    const ReliefPoint point = reliefs_.at(instance_of(shading.surface[lane]), rays.hit.primID[lane],
-                                          origin + ray.tfar[lane] * direction, shading.normal(lane));
-    gradients[lane] = point.gradient;
-    shading.reflectivity[lane] *= point.reflectivity;
+    reliefs[lane] = reliefs_.at(instance_of(shading.surface[lane]), rays.hit.primID[lane],
+                                origin + ray.tfar[lane] * direction, shading.normal(lane));
+    shading.reflectivity[lane] *= reliefs[lane].reflectivity;
   }
 }
 
 void CpuScene::bend_normals(const RTCRayHit16& rays, Shading& shading) const {
-  Vec3f gradients[kPacketSize];
-  add_relief(rays, shading, gradients);
+  ReliefPoint reliefs[kPacketSize];
+  add_relief(rays, shading, reliefs);
   for (int lane = 0; lane < kPacketSize; ++lane) {
     if (shading.surface[lane] != kNoSurface) {
-      const Vec3f normal = bent_normal(shading.normal(lane), gradients[lane]);
+      const Vec3f normal = bent_normal(shading.normal(lane), reliefs[lane].gradient);
       shading.normal_x[lane] = normal.x();
       shading.normal_y[lane] = normal.y();
       shading.normal_z[lane] = normal.z();

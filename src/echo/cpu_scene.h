@@ -56,8 +56,8 @@ class CpuScene {
   [[nodiscard]] const Reliefs& reliefs() const { return reliefs_; }
 
   /// What relief there is where sixteen rays met something, after shade(): changes reflectivities.
-  /// @param gradients  ReliefPoint::gradient of each ray; zero where nothing was met.
-  void add_relief(const RTCRayHit16& rays, Shading& shading, Vec3f* gradients) const;
+  /// @param reliefs  Of each ray; none where nothing was met.
+  void add_relief(const RTCRayHit16& rays, Shading& shading, ReliefPoint* reliefs) const;
 
   /// The same, and bends the normals.
   void bend_normals(const RTCRayHit16& rays, Shading& shading) const;

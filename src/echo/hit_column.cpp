@@ -32,11 +32,12 @@ constexpr float kLeastFacing = 0.1F;
 // Keeps what divides from being zero.
 constexpr float kTiny = 1e-20F;
 
-constexpr float* HitColumn::*kFields[] = {
-    &HitColumn::direction_x, &HitColumn::direction_y, &HitColumn::direction_z, &HitColumn::range,
-    &HitColumn::normal_x,    &HitColumn::normal_y,    &HitColumn::normal_z,    &HitColumn::reflectivity,
-    &HitColumn::facing,      &HitColumn::strength,    &HitColumn::power,       &HitColumn::selected,
-    &HitColumn::gradient_x,  &HitColumn::gradient_y,  &HitColumn::gradient_z,  &HitColumn::escapes};
+constexpr float* HitColumn::*kFields[] = {&HitColumn::direction_x, &HitColumn::direction_y,  &HitColumn::direction_z,
+                                          &HitColumn::range,       &HitColumn::normal_x,     &HitColumn::normal_y,
+                                          &HitColumn::normal_z,    &HitColumn::reflectivity, &HitColumn::facing,
+                                          &HitColumn::strength,    &HitColumn::power,        &HitColumn::selected,
+                                          &HitColumn::gradient_x,  &HitColumn::gradient_y,   &HitColumn::gradient_z,
+                                          &HitColumn::texture,     &HitColumn::escapes};
 
 // Everything the loops read, as bare numbers and pointers that the compiler knows to be apart.
 struct Rows {
@@ -234,8 +235,12 @@ void evaluate_column(const PingPlan& plan, int column, const ColumnAxes& axes, c
     bend(rows.count, hits.direction_x, hits.direction_y, hits.direction_z, hits.gradient_x, hits.gradient_y,
          hits.gradient_z, hits.normal_x, hits.normal_y, hits.normal_z, hits.facing, hits.escapes);
   }
-  shade(rows.count, plan.neper_per_metre, hits.range, hits.facing, hits.reflectivity, hits.strength);
-  plan.shape.apply(rows.count, hits.strength, hits.power);
+  if (plan.model == EchoModel::kCalibrated) {
+    plan.scatter.fill_powers(rows.count, plan.neper_per_metre, hits);
+  } else {
+    shade(rows.count, plan.neper_per_metre, hits.range, hits.facing, hits.reflectivity, hits.strength);
+    plan.shape.apply(rows.count, hits.strength, hits.power);
+  }
   stretch(rows.count, static_cast<float>(plan.sonar.bin_count), lattice.intervals(column), lattice.column_width[column],
           lattice.elevations(column), stretches.position.data(), stretches.reach.data(), hits.power,
           stretches.low.data(), stretches.high.data(), stretches.power.data(), stretches.half_rise.data(),

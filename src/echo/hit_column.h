@@ -23,11 +23,12 @@ struct HitColumn {
   float* reflectivity;                             ///< Of the surface's material.
   bool has_relief;  ///< The engine filled in gradients; without them evaluate_column() leaves `escapes` alone.
   float *gradient_x, *gradient_y, *gradient_z;  ///< ReliefPoint::gradient, in the frame of the normals.
+  float* texture;                               ///< ReliefPoint::reflectivity, which `reflectivity` holds already.
 
   // Worked out.
   float* facing;    ///< Of ray and unit normal: the cosine of incidence, of either sign; 0 where relief turns it away.
   float* strength;  ///< `paper`: |facing| x reflectivity x absorption there and back, 0..1.
-  float* power;     ///< What is deposited per unit of weight. `paper`: S(strength).
+  float* power;     ///< What is deposited per unit of weight. `paper`: S(strength); `calibrated`: see ScatterTable.
   float* selected;  ///< How many hits the onward ray stands for; 0 when none is sent or nothing was hit.
   float* escapes;   ///< 1, or 0 where relief mirrors the ray into the surface: nothing is sent on from there.
 };

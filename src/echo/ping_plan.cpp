@@ -10,7 +10,9 @@ namespace insonify {
 PingPlan::PingPlan(const PingPlanSettings& settings)
     : sonar(settings.sonar),
       lattice(settings.sonar, settings.stagger_phase),
+      model(settings.model),
       shape(settings.paper),
+      scatter(settings.materials),
       primary(settings.primary),
       secondary(settings.secondary) {
   const double true_speed = settings.water.true_sound_speed();

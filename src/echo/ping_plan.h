@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "echo/paper_shape.h"
+#include "echo/scatter_table.h"
 #include "insonify/engine.h"
 #include "sonar/lattice.h"
 
@@ -16,7 +17,9 @@ class PingPlan {
 
   SonarConfig sonar;
   Lattice lattice;
-  PaperShape shape;
+  EchoModel model;
+  PaperShape shape;      ///< `paper`
+  ScatterTable scatter;  ///< `calibrated`
   PrimaryEchoes primary;
   SecondaryEchoes secondary;
 

@@ -101,6 +101,7 @@ ReferenceEngine::Meeting ReferenceEngine::nearest(const Ray& ray) const {
           (normal - relief.gradient.cast<double>()).normalized(),
           relief.gradient,
           reflectivity_[hit->material] * relief.reflectivity,
+          relief.reflectivity,
           hit->instance,
           hit->material};
 }
@@ -180,6 +181,7 @@ void ReferenceEngine::insonify_column(const PingPlan& plan, int column, const Po
       hits.gradient_x[row] = first[row].gradient.x();
       hits.gradient_y[row] = first[row].gradient.y();
       hits.gradient_z[row] = first[row].gradient.z();
+      hits.texture[row] = first[row].texture;
       hits.direction_x[row] = static_cast<float>(rays[row].direction.x());
       hits.direction_y[row] = static_cast<float>(rays[row].direction.y());
       hits.direction_z[row] = static_cast<float>(rays[row].direction.z());

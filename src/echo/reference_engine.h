@@ -39,6 +39,7 @@ class ReferenceEngine final : public Engine {
     Vec3 bent = Vec3::Zero();        // With relief.
     Vec3f gradient = Vec3f::Zero();  // Of the relief.
     float reflectivity = 0;
+    float texture = 1;  // What relief makes of it.
     std::uint16_t instance = kNoLabel, material = kNoLabel;
 
     [[nodiscard]] bool met() const { return instance != kNoLabel; }

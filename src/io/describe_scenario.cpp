@@ -86,7 +86,6 @@ KeyDescription part(const std::string& key, const std::string& allowed, const st
 SectionDescription scenario_section() {
   auto section =
       section_of("scenario", "The keys of the file itself. Only `world` and `sonars` must be there.", Scenario());
-  std::ranges::find(section.keys, "model", &KeyDescription::key)->allowed = "paper";
   std::ranges::find(section.keys, "engine", &KeyDescription::key)->allowed =
       fmt::format("{}", fmt::join(engine_names(), ", "));
   add_keys(section, MaterialRules());

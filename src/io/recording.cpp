@@ -85,28 +85,30 @@ void put_scene(const H5Writer& writer, const Scene& scene) {
   }
   writer.put("instance_names", names, {"", "Scoped name of each instance of the scene."});
   names.clear();
-  std::array<std::vector<double>, 3> properties;
+  std::array<std::vector<double>, 6> properties;
   for (const Material& material : scene.materials) {
     names.push_back(material.name);
     properties[0].push_back(material.density);
     properties[1].push_back(material.sound_speed);
     properties[2].push_back(material.effective_reflectivity());
+    properties[3].push_back(material.lambert_db);
+    properties[4].push_back(material.scattering().reflection);
+    properties[5].push_back(material.rms_slope);
   }
   writer.put("material_names", names, {"", "Name of each material of the scene."});
   writer.put("settings/materials/density", properties[0], {"kg/m^3", "Of each row of material_names."});
   writer.put("settings/materials/sound_speed", properties[1], {"m/s", "Of each row of material_names."});
   writer.put("settings/materials/reflectivity", properties[2], {"1", "Of each row of material_names."});
+  writer.put("settings/materials/lambert_db", properties[3], {"dB", "Of each row of material_names."});
+  writer.put("settings/materials/reflection", properties[4], {"1", "Of each row of material_names."});
+  writer.put("settings/materials/rms_slope", properties[5], {"1", "Of each row of material_names."});
 }
 
 // One member of a configuration, whatever its type. Absent members are left out.
 template <typename Member>
 void put_member(const H5Writer& writer, const std::string& name, const Member& member, const H5Note& note) {
   if constexpr (std::is_enum_v<Member>) {
-    for (const auto& [word, value] : words_of<Member>()) {
-      if (value == member) {
-        writer.put(name, std::string(word), {"", note.description});
-      }
-    }
+    writer.put(name, std::string(word_of(member)), {"", note.description});
   } else if constexpr (std::is_same_v<Member, std::string> || std::is_same_v<Member, bool>) {
     writer.put(name, member, {"", note.description});
   } else if constexpr (std::is_integral_v<Member>) {
@@ -134,7 +136,7 @@ void put_run(const H5Writer& writer, const Scenario& scenario, const Scene& scen
   const std::string root = "/";
   writer.attribute(root, "format", kFormat);
   writer.attribute(root, "version", kVersion);
-  writer.attribute(root, "model", scenario.model);
+  writer.attribute(root, "model", std::string(word_of(scenario.model)));
   writer.attribute(root, "engine", scenario.engine);
   const PrimaryEchoes primary = primary_echoes(scenario.primary, sonar, scene.triangle_count(), scenario.engine);
   writer.attribute(root, "primary", primary == PrimaryEchoes::kRays ? "rays" : "raster");

@@ -41,9 +41,24 @@ constexpr auto words_of<PrimaryEchoes>() {
       {{"auto", PrimaryEchoes::kAuto}, {"rays", PrimaryEchoes::kRays}, {"raster", PrimaryEchoes::kRaster}}};
 }
 template <>
+constexpr auto words_of<EchoModel>() {
+  return Words<EchoModel, 2>{{{"paper", EchoModel::kPaper}, {"calibrated", EchoModel::kCalibrated}}};
+}
+template <>
 constexpr auto words_of<SecondaryEchoes>() {
   return Words<SecondaryEchoes, 3>{
       {{"none", SecondaryEchoes::kNone}, {"selective", SecondaryEchoes::kSelective}, {"all", SecondaryEchoes::kAll}}};
+}
+
+/// How files spell a value.
+template <typename Enum>
+constexpr std::string_view word_of(Enum value) {
+  for (const auto& [word, meaning] : words_of<Enum>()) {
+    if (meaning == value) {
+      return word;
+    }
+  }
+  return {};
 }
 
 }  // namespace insonify

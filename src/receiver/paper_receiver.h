@@ -6,6 +6,7 @@
 #include "insonify/paper_model.h"
 #include "insonify/ping.h"
 #include "insonify/sonar_config.h"
+#include "receiver/heard_tile.h"
 
 namespace insonify {
 
@@ -26,7 +27,7 @@ class PaperReceiver final : public BeamSink {
   void take(int first_beam, int last_beam) override;
 
  private:
-  void hear_tile(int first_beam, int beam_count, int first_bin, int bin_count);
+  void hear_tile(const TilePlace& place);
 
   const EchoGrid& grid_;
   const SonarConfig& sonar_;

@@ -62,6 +62,9 @@ Material changed(Material base, const std::string& key, const MaterialOverride& 
   base.density = change.density.value_or(base.density);
   base.sound_speed = change.sound_speed.value_or(base.sound_speed);
   base.reflectivity = change.reflectivity;
+  base.lambert_db = change.lambert_db.value_or(base.lambert_db);
+  base.reflection = change.reflection;
+  base.rms_slope = change.rms_slope.value_or(base.rms_slope);
   base.relief = change.relief;
   check_fields(fmt::format("{}materials.{}", change.where, key), base);
   return base;

@@ -18,6 +18,12 @@ double Material::effective_reflectivity() const {
   return reflectivity ? *reflectivity : std::abs(reflection_coefficient(kSeaWaterImpedance));
 }
 
+Scattering Material::scattering() const {
+  return {.lambert = std::pow(10.0, lambert_db / 10),
+          .reflection = reflection ? *reflection : std::abs(reflection_coefficient(kSeaWaterImpedance)),
+          .rms_slope = rms_slope};
+}
+
 const Material* find_material(std::string_view name) {
   const std::string wanted = canonical_material_name(name);
   const std::string& own_name = resolve_alias(wanted);

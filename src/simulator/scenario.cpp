@@ -116,9 +116,8 @@ void Trajectory::validate(std::string_view object) const {
 
 void Scenario::validate() const {
   check_fields("", *this);
-  if (model != "paper") {
-    throw Error(model == "calibrated" ? "model = \"calibrated\" is not in this version; the model there is: paper"
-                                      : fmt::format("model = \"{}\" must be paper", model));
+  if (model == EchoModel::kCalibrated && secondary != SecondaryEchoes::kNone) {
+    throw Error("secondary must be none where model = calibrated: its secondary echoes are not in this version");
   }
   check_engine(engine);
   water.validate();

@@ -88,7 +88,7 @@ TEST_F(ScenarioTest, TakesPlainValues) {
   EXPECT_EQ(scenario.file, "scenes/scenario.yaml");
   EXPECT_EQ(scenario.text, kEverything);
   EXPECT_TRUE(scenario.collisions);
-  EXPECT_EQ(scenario.model, "paper");
+  EXPECT_EQ(scenario.model, EchoModel::kPaper);
   EXPECT_EQ(scenario.engine, "reference");
   EXPECT_EQ(scenario.secondary, SecondaryEchoes::kAll);
   EXPECT_EQ(scenario.seed, 18446744073709551615U);

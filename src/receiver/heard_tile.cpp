@@ -1,0 +1,93 @@
+// heard_tile.cpp -- tiles into the tables of a ping.
+
+#include "receiver/heard_tile.h"
+
+#include <cmath>
+#include <limits>
+
+#include "base/vector_math.h"
+#include "echo/echo.h"
+
+namespace insonify {
+namespace {
+
+// Mean elevation of each cell's label; NaN where nothing echoed.
+INSONIFY_VECTOR_CLONES
+void divide_or_nan(int count, const SurfaceLabel* __restrict__ surface, const float* __restrict__ moment,
+                   const float* __restrict__ energy, float* __restrict__ mean) {
+  for (int i = 0; i < count; ++i) {
+    mean[i] =
+        (surface[i] != kNoSurface) & (energy[i] > 0) ? moment[i] / energy[i] : std::numeric_limits<float>::quiet_NaN();
+  }
+}
+
+// Mostly a whole tile's: a length that the compiler knows.
+template <typename Value>
+[[gnu::always_inline]] inline void copy_beams(const Value* from, int count, Value* to) {
+  if (count == kTileBeams) {
+    std::copy_n(from, kTileBeams, to);
+  } else {
+    std::copy_n(from, count, to);
+  }
+}
+
+}  // namespace
+
+void size_tables(const EchoGrid& grid, Ping& ping) {
+  ping.beam_count = grid.beam_count();
+  ping.bin_count = grid.bin_count();
+  const std::size_t cells = static_cast<std::size_t>(grid.beam_count()) * grid.bin_count();
+  ping.intensity.resize(cells);
+  ping.instance.resize(cells);
+  ping.material.resize(cells);
+  ping.elevation.resize(cells);
+}
+
+void fetch_rows(const TilePlace& place, int beam_of_tile, const Ping& ping) {
+  constexpr int kRows = kTileBins / kTileBeams;
+  for (int i = beam_of_tile * kRows; i < std::min((beam_of_tile + 1) * kRows, place.bin_count); ++i) {
+    const std::size_t row = ping.index(place.first_bin + i, place.first_beam);
+    __builtin_prefetch(&ping.intensity[row], 1);
+    __builtin_prefetch(&ping.instance[row], 1);
+    __builtin_prefetch(&ping.material[row], 1);
+    __builtin_prefetch(&ping.elevation[row], 1);
+  }
+}
+
+void take_labels(const EchoGrid& grid, const TilePlace& place, int beam_of_tile, HeardTile& tile) {
+  const EchoGrid::ConstLabelRows labels = grid.label_rows(place.first_beam + beam_of_tile);
+  std::copy_n(labels.surface + place.first_bin, place.bin_count, tile.surface[beam_of_tile]);
+  divide_or_nan(place.bin_count, tile.surface[beam_of_tile], labels.elevation_moment + place.first_bin,
+                labels.energy + place.first_bin, tile.elevation[beam_of_tile]);
+}
+
+INSONIFY_VECTOR_CLONES
+void write_tile(const HeardTile& tile, const TilePlace& place, Ping& ping) {
+  BinTile<float> intensity, elevation;
+  BinTile<std::uint32_t> surface;
+  turn_tile(tile.intensity, intensity);
+  turn_tile(tile.elevation, elevation);
+  turn_tile(tile.surface, surface);
+  for (int i = 0; i < place.bin_count; ++i) {
+    std::uint16_t instance[kTileBeams], material[kTileBeams];
+    for (int b = 0; b < kTileBeams; ++b) {
+      instance[b] = instance_of(surface[i][b]);
+      material[b] = material_of(surface[i][b]);
+    }
+    const std::size_t row = ping.index(place.first_bin + i, place.first_beam);
+    copy_beams(intensity[i], place.beam_count, &ping.intensity[row]);
+    copy_beams(instance, place.beam_count, &ping.instance[row]);
+    copy_beams(material, place.beam_count, &ping.material[row]);
+    copy_beams(elevation[i], place.beam_count, &ping.elevation[row]);
+  }
+}
+
+float near_field(const SonarConfig& sonar, int bin) {
+  if (sonar.blanking_range <= sonar.min_range) {
+    return 1;
+  }
+  const double along = (sonar.bin_range(bin) - sonar.min_range) / (sonar.blanking_range - sonar.min_range);
+  return static_cast<float>(std::clamp(along, 0.0, 1.0));
+}
+
+}  // namespace insonify

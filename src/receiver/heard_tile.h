@@ -1,0 +1,54 @@
+// heard_tile.h -- what is heard, on its way from one beam after another, as grids lie, to one range after another, as
+// pings lie.
+
+#pragma once
+
+#include <algorithm>
+
+#include "insonify/echo_grid.h"
+#include "insonify/ping.h"
+#include "insonify/sonar_config.h"
+#include "receiver/turn_tile.h"
+
+namespace insonify {
+
+/// Some beams and bins: at most kTileBeams by kTileBins.
+struct TilePlace {
+  int first_beam, beam_count;
+  int first_bin, bin_count;
+};
+
+/// What becomes of them, a beam at a time.
+struct HeardTile {
+  BeamTile<float> intensity, elevation;
+  BeamTile<std::uint32_t> surface;
+};
+
+/// Calls visit(place) for the tiles of beams [first, last).
+template <typename Visit>
+void for_each_tile(int first_beam, int last_beam, int bins, Visit&& visit) {
+  for (int beam = first_beam; beam < last_beam; beam += kTileBeams) {
+    for (int bin = 0; bin < bins; bin += kTileBins) {
+      visit(TilePlace{beam, std::min(kTileBeams, last_beam - beam), bin, std::min(kTileBins, bins - bin)});
+    }
+  }
+}
+
+/// Makes room for every cell of the grid; allocates only when it needs more memory than before.
+void size_tables(const EchoGrid& grid, Ping& ping);
+
+/// Asks for the rows of the ping that the tile goes to, some with each of its beams, so that they are near when it is
+/// written.
+void fetch_rows(const TilePlace& place, int beam_of_tile, const Ping& ping);
+
+/// Copies the ground truth of one beam.
+void take_labels(const EchoGrid& grid, const TilePlace& place, int beam_of_tile, HeardTile& tile);
+
+/// Writes a tile into the ping.
+void write_tile(const HeardTile& tile, const TilePlace& place, Ping& ping);
+
+/// How much of an echo is heard at the range of a bin: 0 at min_range, rising in a straight line to 1 at
+/// blanking_range.
+[[nodiscard]] float near_field(const SonarConfig& sonar, int bin);
+
+}  // namespace insonify

@@ -1,0 +1,157 @@
+// level_test.cpp -- levels of the calibrated model against closed forms: targets, tilt, seabed, absorption, materials.
+// Values are PHYSICS 3 and 11 (T2, T3, T4, T6, T7, T19), computed apart from this code in double precision.
+
+#include <numeric>
+
+#include "validation/calibrated_scene.h"
+
+namespace insonify::validation {
+namespace {
+
+class LevelTest : public testing::TestWithParam<Method> {};
+class SphereLevelTest : public testing::TestWithParam<Method> {};
+
+// Narrow and finely sampled, for targets smaller than what the lattice usually is.
+SonarConfig fine_sonar() {
+  SonarConfig sonar;
+  sonar.beam_count = 16;
+  sonar.azimuth_aperture = 8 * kDegree;
+  sonar.elevation_aperture = 20 * kDegree;
+  sonar.min_range = 5;
+  sonar.max_range = 15;
+  sonar.bin_count = 200;
+  sonar.sampling = {32, 800};
+  return sonar;
+}
+
+TEST_P(LevelTest, GrowsWithTheAreaOfTheTarget) {
+  const Scenario scenario = calibrated(fine_sonar(), GetParam());
+  const double small = total_db(ping_of(scenario, plate_at(10, 0.05, diffuse(-10))));
+  const double large = total_db(ping_of(scenario, plate_at(10, 0.1, diffuse(-10))));
+  EXPECT_NEAR(small, -76.02065419979581, 0.3);
+  EXPECT_NEAR(large, -70.00021714253623, 0.3);
+  EXPECT_NEAR(large - small, 6.02, 0.2);
+}
+
+TEST_P(LevelTest, FallsWithTheSquareOfTheCosineOfTilt) {
+  const Scenario scenario = calibrated(fine_sonar(), GetParam());
+  EXPECT_NEAR(total_db(ping_of(scenario, plate_at(10, 0.1, diffuse(-10), 45 * kDegree))), -73.01008282278912, 0.3);
+  EXPECT_NEAR(total_db(ping_of(scenario, plate_at(10, 0.1, diffuse(-10), 60 * kDegree))), -76.02016563309283, 0.3);
+}
+
+// A flat Lambert seabed seen by a level sonar: I = mu h^2 psi (r1^-4 - r2^-4) / 4 in every beam.
+SonarConfig seabed_sonar() {
+  SonarConfig sonar;
+  sonar.beam_count = 128;
+  sonar.elevation_aperture = 20 * kDegree;
+  sonar.elevation_center = -15 * kDegree;
+  sonar.min_range = 0;
+  sonar.max_range = 40;
+  sonar.bin_count = 400;
+  return sonar;
+}
+
+TEST_P(LevelTest, SeabedFallsOffWithTheFifthPowerOfRange) {
+  const Ping ping = ping_of(calibrated(seabed_sonar(), GetParam()), seabed_at(-3, diffuse(-27)));
+  struct {
+    int bin;
+    double level;
+  } constexpr kBins[] = {
+      {80, -90.60804474730088}, {100, -95.4268540696684}, {160, -105.59262956345407}, {240, -114.37474864461319}};
+  for (const auto& [bin, level] : kBins) {
+    for (const int beam : {0, 20, 63, 64, 127}) {
+      EXPECT_NEAR(cell_db(ping, bin, beam), level, 0.2) << bin << ", " << beam;
+    }
+  }
+
+  // 8 to 30 m: -50 dB a decade.
+  double n = 0, x = 0, y = 0, xx = 0, xy = 0;
+  for (int bin = 80; bin < 300; ++bin) {
+    const double decades = std::log10((bin + 0.5) * 0.1), level = cell_db(ping, bin, 64);
+    n += 1, x += decades, y += level, xx += decades * decades, xy += decades * level;
+  }
+  EXPECT_NEAR((n * xy - x * y) / (n * xx - x * x), -50, 0.5);
+
+  // The aperture from 5 to 25 degrees down meets the bottom from 7.0986 to 34.42 m.
+  for (int beam = 0; beam < ping.beam_count; ++beam) {
+    EXPECT_EQ(ping.intensity[ping.index(69, beam)], 0);
+    EXPECT_GT(ping.intensity[ping.index(71, beam)], 0);
+    EXPECT_GT(ping.intensity[ping.index(343, beam)], 0);
+    EXPECT_EQ(ping.intensity[ping.index(345, beam)], 0);
+  }
+}
+
+TEST_P(LevelTest, WaterAbsorbsTwiceTheRangesDecibels) {
+  for (const auto& [distance, loss] : {std::pair{10.01, 4.469220773725542}, {50.01, 22.34610386862771}}) {
+    SonarConfig sonar = fine_sonar();
+    sonar.frequency = 720e3;
+    sonar.max_range = 60;
+    sonar.bin_count = 1100;
+    sonar.sampling = {4, 200};
+    Scenario scenario = calibrated(sonar, GetParam());
+    const Scene scene = plate_at(distance, 100, diffuse(-20));
+    const Ping clear = ping_of(scenario, scene);
+    scenario.water.absorption = true;  // 10 degC, 35 PSU, pH 8, at the surface.
+    const Ping absorbing = ping_of(scenario, scene);
+    const int bin = static_cast<int>((distance - 5) / 0.05);
+    EXPECT_NEAR(cell_db(clear, bin, 8) - cell_db(absorbing, bin, 8),
+                loss * (5 + 0.05 * bin + 0.025) / (distance - 0.01), 0.05);
+  }
+}
+
+// The glint of a large plate is that of a mirror, |R|^2 / (2 r)^2, whatever its facets' slopes; they spread it in
+// range.
+TEST_P(LevelTest, LargePlateIsAMirror) {
+  SonarConfig sonar;
+  sonar.beam_count = 90;
+  sonar.azimuth_aperture = 90 * kDegree;
+  sonar.elevation_aperture = 90 * kDegree;
+  sonar.min_range = 9.5;
+  sonar.max_range = 14.5;
+  sonar.bin_count = 5000;
+  sonar.sampling = {4, 800};
+  const Ping ping = ping_of(calibrated(sonar, GetParam()), plate_at(10, 10, glinting(1, 0.1)));
+  EXPECT_NEAR(total_db(ping), -26.0206, 0.3);
+  const std::vector<double> heard = by_range(ping);
+  const double all = std::accumulate(heard.begin(), heard.end(), 0.0);
+  const auto within = [&](double distance) {
+    return std::accumulate(heard.begin(), heard.begin() + std::lround((0.5 + distance) * 1000), 0.0) / all;
+  };
+  EXPECT_NEAR(within(0), 0, 2e-4);
+  EXPECT_NEAR(within(0.06908), 0.50, 0.01);
+  EXPECT_NEAR(within(0.29522), 0.95, 0.005);
+}
+
+TEST_P(LevelTest, MaterialsDifferByTheirReflectionCoefficients) {
+  SonarConfig sonar = fine_sonar();
+  sonar.sampling = {4, 200};
+  const Scenario scenario = calibrated(sonar, GetParam());
+  const auto level = [&](const char* name) {
+    Material material = *find_material(name);
+    material.lambert_db = -200;
+    material.rms_slope = 0.1;
+    return total_db(ping_of(scenario, plate_at(10, 20, material)));
+  };
+  EXPECT_NEAR(level("steel") - level("pvc"), 8.2517, 0.1);
+  EXPECT_NEAR(level("air") - level("steel"), 0.5728, 0.1);
+}
+
+// Facets of slope 0.1 widen a sphere's highlight a little: +0.04 dB on 10 log10(a^2 / 4).
+TEST_P(SphereLevelTest, SphereHasItsTargetStrength) {
+  const Scenario scenario = calibrated(fine_sonar(), GetParam());
+  EXPECT_NEAR(total_db(ping_of(scenario, sphere_at({10, 0, 0}, 0.5, glinting(1, 0.1)))), -51.557027268314684, 0.3);
+  EXPECT_NEAR(total_db(ping_of(scenario, sphere_at({10, 0, 0}, 0.5, glinting(1, 0.2)))), -51.447063, 0.3);
+  const Ping diffuse_ping = ping_of(scenario, sphere_at({10, 0, 0}, 0.5, diffuse(-27)));
+  EXPECT_NEAR(total_db(diffuse_ping), -69.47014770806686, 0.2);
+
+  const std::vector<double> heard = by_range(diffuse_ping);
+  const auto first = std::ranges::find_if(heard, [](double value) { return value > 0; });
+  EXPECT_EQ(first - heard.begin(), 90);  // 9.5 m on.
+}
+
+constexpr auto kName = [](const auto& test) { return test.param.name; };
+INSTANTIATE_TEST_SUITE_P(Methods, LevelTest, testing::Values(kReference, kRays, kRaster), kName);
+INSTANTIATE_TEST_SUITE_P(Methods, SphereLevelTest, testing::Values(kRays, kRaster), kName);
+
+}  // namespace
+}  // namespace insonify::validation
