@@ -8,8 +8,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "acoustics/argument.h"
 #include "insonify/error.h"
-#include "insonify/field.h"
 #include "insonify/geometry.h"
 
 namespace insonify {
@@ -31,17 +31,14 @@ double polynomial(const std::array<double, N>& coefficients, double x) {
   return sum;
 }
 
-void check(std::string_view name, std::string_view unit, const Limits& limits, double value) {
-  check_field("bent_path", Field{name, unit, limits, ""}, value);
-}
-
 void check_bent_path(double sound_speed, double gradient, double launch_angle, double distance) {
   constexpr double kRightAngle = std::numbers::pi / 2;
-  check("sound_speed", "m/s", greater_than(0), sound_speed);
-  check("gradient", "1/s", any_number(), gradient);
-  check("launch_angle", "rad",
-        {.least = -kRightAngle, .most = kRightAngle, .least_allowed = false, .most_allowed = false}, launch_angle);
-  check("distance", "m", at_least(0), distance);
+  check_argument("bent_path", "sound_speed", "m/s", greater_than(0), sound_speed);
+  check_argument("bent_path", "gradient", "1/s", any_number(), gradient);
+  check_argument("bent_path", "launch_angle", "rad",
+                 {.least = -kRightAngle, .most = kRightAngle, .least_allowed = false, .most_allowed = false},
+                 launch_angle);
+  check_argument("bent_path", "distance", "m", at_least(0), distance);
   if (gradient == 0) {
     throw Error("bent_path.gradient = 0 1/s must not be 0: the path is straight");
   }

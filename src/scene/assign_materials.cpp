@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <set>
 
+#include "base/canonical_name.h"
 #include "base/nearest_name.h"
 #include "insonify/error.h"
 #include "insonify/scene.h"
@@ -20,7 +21,7 @@ constexpr std::size_t kMostLabels = 65535;  // Labels are 16 bits wide; the last
 using Defined = std::map<std::string, Material>;
 
 std::string meaning_of(std::string_view name) {
-  return resolve_alias(canonical_material_name(name));
+  return resolve_alias(canonical_name(name));
 }
 
 std::string_view last_part(std::string_view scoped_name) {

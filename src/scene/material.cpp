@@ -5,13 +5,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/canonical_name.h"
+#include "insonify/reflection.h"
 #include "scene/material_library.h"
 
 namespace insonify {
 
 double Material::reflection_coefficient(double water_impedance) const {
-  const double impedance = density * sound_speed;
-  return (impedance - water_impedance) / (impedance + water_impedance);
+  return insonify::reflection_coefficient(water_impedance, density * sound_speed);
 }
 
 double Material::effective_reflectivity() const {
@@ -25,7 +26,7 @@ Scattering Material::scattering() const {
 }
 
 const Material* find_material(std::string_view name) {
-  const std::string wanted = canonical_material_name(name);
+  const std::string wanted = canonical_name(name);
   const std::string& own_name = resolve_alias(wanted);
   const std::span<const Material> library = material_library();
   const auto found = std::ranges::lower_bound(library, own_name, {}, &Material::name);

@@ -3,7 +3,6 @@
 #include "scene/material_library.h"
 
 #include <algorithm>
-#include <cctype>
 #include <map>
 
 #include "insonify/material.h"
@@ -130,15 +129,6 @@ const std::map<std::string, std::string>& aliases() {
 }
 
 }  // namespace
-
-std::string canonical_material_name(std::string_view name) {
-  std::string canonical(name);
-  for (char& letter : canonical) {
-    const bool gap = letter == '-' || letter == ' ';
-    letter = gap ? '_' : static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
-  }
-  return canonical;
-}
 
 const std::string& resolve_alias(const std::string& name) {
   const auto alias = aliases().find(name);

@@ -1,4 +1,4 @@
-// material_library.h -- how the library of materials compares names.
+// material_library.h -- how the library of materials knows names.
 
 #pragma once
 
@@ -8,11 +8,8 @@
 
 namespace insonify {
 
-/// Lower case, with '_' for each '-' and ' ': equal for names that mean the same.
-[[nodiscard]] std::string canonical_material_name(std::string_view name);
-
 /// The library's name for another common name of a material ("aluminum"); `name` itself when it is none. Takes and
-/// gives canonical names.
+/// gives canonical names (canonical_name.h).
 [[nodiscard]] const std::string& resolve_alias(const std::string& name);
 
 /// Every name that find_material() knows, aliases included.

@@ -1,0 +1,54 @@
+// backscatter.cpp -- the two lobes of a rough surface: diffuse after Lambert, mirror-like after Kirchhoff.
+
+#include "insonify/backscatter.h"
+
+#include <cmath>
+#include <numbers>
+
+#include "acoustics/argument.h"
+
+namespace insonify {
+namespace {
+
+double square(double x) {
+  return x * x;
+}
+
+// 0 for what is seen from the edge or from behind, where the cosine of the nearest double to pi/2 is not quite 0.
+double visible_cosine(double incidence) {
+  return incidence < std::numbers::pi / 2 ? std::cos(incidence) : 0;
+}
+
+}  // namespace
+
+double lambert_scatter(double mu, double incidence_in, double incidence_out) {
+  check_argument("lambert_scatter", "mu", "", at_least(0), mu);
+  return mu * visible_cosine(incidence_in) * visible_cosine(incidence_out);
+}
+
+double lambert_backscatter(double mu, double incidence) {
+  return lambert_scatter(mu, incidence, incidence);
+}
+
+double facet_scatter(double reflection, double rms_slope, double half_tilt) {
+  check_argument("facet_scatter", "reflection", "", from_to(-1, 1), reflection);
+  check_argument("facet_scatter", "rms_slope", "", greater_than(0), rms_slope);
+  const double cosine = visible_cosine(half_tilt);
+  const double density = std::exp(-square(std::tan(half_tilt) / rms_slope) / 2);  // Of facets of this tilt.
+  if (cosine == 0 || density == 0) {
+    return 0;
+  }
+  return square(reflection / (rms_slope * square(cosine))) / (8 * std::numbers::pi) * density;
+}
+
+double facet_backscatter(double reflection, double rms_slope, double incidence) {
+  return facet_scatter(reflection, rms_slope, incidence);
+}
+
+// From sine and cosine, for the arc cosine alone loses half of its digits at small angles.
+double half_vector_tilt(const Vec3& normal, const Vec3& towards_source, const Vec3& towards_receiver) {
+  const Vec3 half = towards_source + towards_receiver;
+  return std::atan2(normal.cross(half).norm(), normal.dot(half));
+}
+
+}  // namespace insonify

@@ -1,0 +1,56 @@
+// fresnel.cpp -- Fresnel's integrals: a power series near zero, a continued fraction beyond.
+
+#include "acoustics/fresnel.h"
+
+#include <cassert>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace insonify {
+namespace {
+
+using Complex = std::complex<double>;
+
+constexpr double kSeriesEnd = 1.6;  // Beyond, the terms of the series grow before they shrink and cost digits.
+constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
+
+// The integral of exp(i pi t^2/2), term by term: Abramowitz and Stegun 7.3.11 and 7.3.13 in one.
+Complex power_series(double x) {
+  const Complex step{0, std::numbers::pi / 2 * x * x};
+  Complex term = x;
+  Complex sum = x;
+  for (int n = 1; std::abs(term) > kEpsilon * std::abs(sum); ++n) {
+    term *= step / static_cast<double>(n);
+    sum += term / static_cast<double>(2 * n + 1);
+  }
+  return sum;
+}
+
+// sqrt(pi) exp(z^2) erfc(z) = 1/(z + (1/2)/(z + 1/(z + (3/2)/(z + ...)))), Abramowitz and Stegun 7.1.14, from the
+// inside out. Sixty steps reach rounding from |z| = 2 on.
+Complex erfc_fraction(Complex z) {
+  constexpr int kSteps = 60;
+  Complex tail = z;
+  for (int n = kSteps; n > 0; --n) {
+    tail = z + n / 2.0 / tail;
+  }
+  return 1.0 / tail;
+}
+
+// Abramowitz and Stegun 7.3.22: C + i S = (1 + i)/2 erf(z), z = sqrt(pi)/2 (1 - i) x, where exp(-z^2) = exp(i pi
+// x^2/2).
+Complex from_error_function(double x) {
+  const Complex z = std::sqrt(std::numbers::pi) / 2 * x * Complex{1, -1};
+  const Complex erfc = std::polar(1 / std::sqrt(std::numbers::pi), std::numbers::pi / 2 * x * x) * erfc_fraction(z);
+  return Complex{0.5, 0.5} * (1.0 - erfc);
+}
+
+}  // namespace
+
+Complex fresnel_integral(double x) {
+  assert(x >= 0);
+  return x < kSeriesEnd ? power_series(x) : from_error_function(x);
+}
+
+}  // namespace insonify
