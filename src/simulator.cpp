@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "base/parallel.h"
+#include "echo/point_echoes.h"
 #include "insonify/error.h"
 #include "receiver/calibrated_receiver.h"
 #include "receiver/paper_receiver.h"
@@ -13,16 +15,23 @@ namespace insonify {
 
 struct Simulator::State {
   State(Scenario the_scenario, Scene the_scene, int threads)
-      : scenario(std::move(the_scenario)), scene(std::move(the_scene)), engine(make_engine(scenario.engine, threads)) {}
+      : scenario(std::move(the_scenario)),
+        scene(std::move(the_scene)),
+        engine(make_engine(scenario.engine, threads)),
+        workers(threads),
+        points(scenario.points) {}
 
   Scenario scenario;
   Scene scene;
   std::vector<MovingPart> moving;
   std::unique_ptr<Engine> engine;
+  Workers workers;  // Of what comes after the engine.
+  PointEchoes points;
 
   // Of each sonar, kept between pings so that a ping allocates nothing.
   std::vector<std::shared_ptr<const PingPlan>> plans;
   std::vector<EchoGrid> grids;
+  std::vector<CalibratedReceiver> receivers;
 };
 
 Simulator::Simulator(Scenario scenario, Scene scene, int threads) {
@@ -46,6 +55,7 @@ Simulator::Simulator(Scenario scenario, Scene scene, int threads) {
                                             .seed = state_->scenario.seed}));
     state_->grids.emplace_back(sonar.beam_count, sonar.bin_count,
                                state_->scenario.secondary == SecondaryEchoes::kNone ? 1 : 2);
+    state_->receivers.emplace_back(sonar, state_->scenario.water, state_->scenario.receiver, state_->scenario.seed);
   }
   state_->engine->set_scene(state_->scene);
 }
@@ -93,15 +103,17 @@ void Simulator::make_ping(int index, std::uint64_t number, Ping& ping) {
 
   // What comes back, sorted by beam and range, and what the receiver makes of it.
   EchoGrid& grid = state.grids[index];
-  const auto receive = [&](BeamSink&& receiver) {
-    state.engine->insonify(*state.plans[index], world_from_head(index, number), number, grid, &receiver);
-  };
+  const PingPlan& plan = *state.plans[index];
+  const Pose world_from_sonar = world_from_head(index, number);
   if (state.scenario.model == EchoModel::kCalibrated) {
-    receive(CalibratedReceiver(grid, config, ping));
+    state.engine->insonify(plan, world_from_sonar, number, grid, nullptr);
+    state.points.add(plan, world_from_sonar, *state.engine, grid);
+    state.receivers[index].hear(grid, state.workers, ping);
   } else {
-    receive(PaperReceiver(
+    PaperReceiver receiver(
         grid, config,
-        {.model = state.scenario.paper, .noise = state.scenario.receiver.noise, .seed = state.scenario.seed}, ping));
+        {.model = state.scenario.paper, .noise = state.scenario.receiver.noise, .seed = state.scenario.seed}, ping);
+    state.engine->insonify(plan, world_from_sonar, number, grid, &receiver);
   }
 }
 

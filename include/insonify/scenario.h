@@ -9,6 +9,8 @@
 #include <vector>
 
 #include "insonify/engine.h"
+#include "insonify/point_target.h"
+#include "insonify/receiver_config.h"
 #include "insonify/scene.h"
 #include "insonify/sonar_config.h"
 #include "insonify/water.h"
@@ -50,16 +52,6 @@ struct Motion {
   }
 };
 
-/// What the receiver adds, in either model.
-struct ReceiverConfig {
-  bool noise = true;  ///< Whether noise is drawn at all.
-
-  template <typename Self, typename Visit>
-  static void visit_fields(Self& self, Visit&& visit) {
-    visit(Field{"noise", "", {}, "Whether noise is drawn."}, self.noise);
-  }
-};
-
 /// A camera for a look at the scene beside the ping.
 struct ViewConfig {
   Vec3 position = Vec3::Zero();                     ///< Of the camera, in the world [m], within 1e8.
@@ -94,6 +86,7 @@ struct Scenario {
   PaperModel paper;
   ReceiverConfig receiver;
   MaterialRules materials;
+  std::vector<PointTarget> points;  ///< Calibrated model only.
   std::vector<SonarConfig> sonars;
   Trajectory trajectory;  ///< Of the vehicle.
   std::vector<Motion> motions;

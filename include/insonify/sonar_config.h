@@ -45,7 +45,9 @@ struct SonarConfig {
   std::string model;           ///< Make and model the numbers describe, for titles; may be empty.
   SonarType type = SonarType::kForwardLooking;
 
-  double frequency = 720e3;  ///< Carrier frequency [Hz], in (0, 1e8].
+  double frequency = 720e3;      ///< Carrier frequency [Hz], in (0, 1e8].
+  double source_level_db = 200;  ///< SL on the acoustic axis [dB re 1 uPa at 1 m], 100..260.
+  double bandwidth = 25e3;       ///< Of the receiver, in which it hears noise [Hz], in (0, 1e8].
 
   // Fan of beams.
   int beam_count = 256;                                 ///< Beams across the azimuth aperture, 1..4096.
@@ -122,6 +124,10 @@ void SonarConfig::visit_fields(Self& self, Visit&& visit) {
   visit(Field{"type", "", {}, "fls (the whole fan at once) or msis (one beam, turned by a step each ping)."},
         self.type);
   visit(Field{"frequency", "Hz", above_to(0, 1e8), "Carrier frequency."}, self.frequency);
+  visit(Field{"source_level_db", "dB", from_to(100, 260), "Source level re 1 uPa at 1 m, on the acoustic axis."},
+        self.source_level_db);
+  visit(Field{"bandwidth", "Hz", above_to(0, 1e8), "Of the receiver, in which it hears noise (calibrated model)."},
+        self.bandwidth);
   visit(Field{"beam_count", "", from_to(1, 4096), "Beams across the azimuth aperture."}, self.beam_count);
   visit(Field{"azimuth_aperture", "rad", above_to(0, 2 * kPi), "Full width of the fan."}, self.azimuth_aperture);
   visit(Field{"beam_azimuths", "rad", from_to(-kPi, kPi),

@@ -57,6 +57,7 @@ class ScenarioReader {
     if_given("receiver", [&](const YamlValue& part) { read_section(part, "receiver", scenario_.receiver, places_); });
     if_given("materials", [&](const YamlValue& part) { read_materials(part); });
     if_given("sonars", [&](const YamlValue& part) { read_sonars(part); });
+    if_given("points", [&](const YamlValue& part) { read_points(part); });
     if_given("trajectory", [&](const YamlValue& part) { read_trajectory(part, "trajectory", scenario_.trajectory); });
     if_given("motions", [&](const YamlValue& part) { read_motions(part); });
     if_given("view", [&](const YamlValue& part) {
@@ -78,9 +79,6 @@ class ScenarioReader {
   }
 
   void refuse_misplaced_keys() const {
-    if (const YamlValue* points = tree_.find("points")) {
-      throw Error(points->where + "points belong to the calibrated model, which is not in this version");
-    }
     const std::vector<std::string> of_scenario = scenario_keys();
     const std::vector<std::string> of_sonar = sonar_keys();
     for (const auto& [key, value] : tree_.entries) {
@@ -147,6 +145,13 @@ class ScenarioReader {
     require_list(part, object, "a list of waypoints");
     for (std::size_t i = 0; i < part.items.size(); ++i) {
       read_section(part.items[i], fmt::format("{}[{}]", object, i), trajectory.waypoints.emplace_back(), places_);
+    }
+  }
+
+  void read_points(const YamlValue& part) {
+    require_list(part, "points", "a list of point targets");
+    for (std::size_t i = 0; i < part.items.size(); ++i) {
+      read_section(part.items[i], fmt::format("points[{}]", i), scenario_.points.emplace_back(), places_);
     }
   }
 

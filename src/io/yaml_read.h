@@ -66,8 +66,13 @@ void read_member(const YamlValue& value, std::string_view object, const Field& f
 void read_member(const YamlValue& value, std::string_view object, const Field& field, Vec3& member);
 void read_member(const YamlValue& value, std::string_view object, const Field& field, std::vector<double>& member);
 
+/// `none` is as if the key were not there.
 template <typename T>
 void read_member(const YamlValue& value, std::string_view object, const Field& field, std::optional<T>& member) {
+  if (value.scalar == "none") {
+    member.reset();
+    return;
+  }
   T found{};
   read_member(value, object, field, found);
   member = found;

@@ -5,38 +5,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/philox.h"
 #include "base/vector_math.h"
 #include "receiver/heard_tile.h"
+#include "receiver/normal_numbers.h"
 
 namespace insonify {
 namespace {
-
-// Standard normal numbers for a block of bins: Box and Muller (1958). One Philox call serves four bins, one of each
-// quarter of the block, so that its four words stay in their vector lanes.
-INSONIFY_VECTOR_CLONES
-void draw_normals(PhiloxCounter counter, PhiloxKey key, float* __restrict__ normals) {
-  constexpr int kQuarter = kTileBins / 4;
-  for (int i = 0; i < kQuarter; ++i) {
-    const PhiloxCounter words =
-        philox({counter[0] + static_cast<std::uint32_t>(i), counter[1], counter[2], counter[3]}, key);
-    const float radius1 = std::sqrt(-2 * fast_log(uniform_open(words[0])));
-    const float radius2 = std::sqrt(-2 * fast_log(uniform_open(words[2])));
-    const SineCosine angle1 = fast_sine_cosine(uniform_open(words[1]));
-    const SineCosine angle2 = fast_sine_cosine(uniform_open(words[3]));
-    normals[i] = radius1 * angle1.cosine;
-    normals[i + kQuarter] = radius1 * angle1.sine;
-    normals[i + 2 * kQuarter] = radius2 * angle2.cosine;
-    normals[i + 3 * kQuarter] = radius2 * angle2.sine;
-  }
-}
-
-// Counter of the first bin of a block; the counters of a block follow one another.
-PhiloxCounter noise_counter(int block, int beam, std::uint64_t ping) {
-  const auto purpose = static_cast<std::uint32_t>(RandomPurpose::kPaperNoise);
-  return {static_cast<std::uint32_t>(block * kTileBins / 4), static_cast<std::uint32_t>(beam),
-          static_cast<std::uint32_t>(ping), purpose ^ static_cast<std::uint32_t>(ping >> 32) << 8};
-}
 
 // One beam's stretch of bins, from sums to what is heard; `level` is the near field's ramp times the gain. A value
 // times one normal number plus another normal number is again normal: one number, of their common deviation, is drawn.
@@ -92,7 +66,7 @@ void PaperReceiver::hear_tile(const TilePlace& place) {
                 &grid_.weight(order, beam)[place.first_bin], values);
     }
     if (noisy) {
-      draw_normals(noise_counter(place.first_bin / kTileBins, beam, ping_.number), philox_key(settings_.seed), noise);
+      draw_normals(RandomPurpose::kPaperNoise, place.first_bin / kTileBins, beam, ping_.number, settings_.seed, noise);
     }
     hear(place.bin_count, level, mean, spread, floor, noise, values);
     take_labels(grid_, place, b, tile);

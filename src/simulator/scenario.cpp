@@ -63,6 +63,12 @@ void check_materials(const MaterialRules& rules) {
   }
 }
 
+void check_points(const std::vector<PointTarget>& points) {
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    check_fields(fmt::format("points[{}]", i), points[i]);
+  }
+}
+
 void check_motions(const std::vector<Motion>& motions) {
   for (std::size_t i = 0; i < motions.size(); ++i) {
     const std::string object = fmt::format("motions[{}]", i);
@@ -119,8 +125,13 @@ void Scenario::validate() const {
   if (model == EchoModel::kCalibrated && secondary != SecondaryEchoes::kNone) {
     throw Error("secondary must be none where model = calibrated: its secondary echoes are not in this version");
   }
+  if (model == EchoModel::kPaper && !points.empty()) {
+    throw Error("points need model = calibrated");
+  }
+  check_points(points);
   check_engine(engine);
   water.validate();
+  check_fields("receiver", receiver);
   paper.validate();
   check_materials(materials);
   check_sonars(sonars, water);

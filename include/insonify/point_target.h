@@ -1,0 +1,23 @@
+// point_target.h -- an ideal target: no extent, the same from every side.
+
+#pragma once
+
+#include "insonify/field.h"
+#include "insonify/geometry.h"
+
+namespace insonify {
+
+/// Echoes with its target strength in the calibrated model, if nothing stands before it.
+struct PointTarget {
+  Vec3 position = Vec3::Zero();   ///< In the world [m], within 1e7.
+  double target_strength_db = 0;  ///< TS [dB re 1 m^2], -200..100.
+
+  template <typename Self, typename Visit>
+  static void visit_fields(Self& self, Visit&& visit) {
+    visit(Field{"position", "m", coordinate(), "[x, y, z] in the world."}, self.position);
+    visit(Field{"target_strength_db", "dB", from_to(-200, 100), "Of the target, re 1 m^2, from every side."},
+          self.target_strength_db);
+  }
+};
+
+}  // namespace insonify

@@ -1,0 +1,102 @@
+// point_test.cpp -- ideal points: where they show, how strong, and what hides them (T8, T17, T23 of PHYSICS 11).
+
+#include "validation/calibrated_scene.h"
+
+namespace insonify::validation {
+namespace {
+
+class PointTest : public testing::TestWithParam<Method> {};
+
+Vec3 at(double range, double azimuth_deg, double elevation_deg) {
+  const double azimuth = azimuth_deg * kDegree, elevation = elevation_deg * kDegree;
+  return range *
+         Vec3(std::cos(azimuth) * std::cos(elevation), std::sin(azimuth) * std::cos(elevation), std::sin(elevation));
+}
+
+SonarConfig fan() {
+  SonarConfig sonar;
+  sonar.min_range = 0;
+  sonar.max_range = 25;
+  return sonar;
+}
+
+// Beam and bin of the strongest cell.
+std::pair<int, int> peak(const Ping& ping) {
+  const auto strongest = std::ranges::max_element(ping.intensity) - ping.intensity.begin();
+  return {static_cast<int>(strongest % ping.beam_count), static_cast<int>(strongest / ping.beam_count)};
+}
+
+TEST_P(PointTest, ShowsWhereItIsAtItsLevel) {
+  for (const double azimuth : {-50.0, -30.0, 0.1, 25.3, 50.0}) {
+    Scenario scenario = calibrated(fan(), GetParam());
+    scenario.points = {{.position = at(15.02, azimuth, 3), .target_strength_db = -20}};
+    const Ping ping = ping_of(scenario, {});
+    const auto [beam, bin] = peak(ping);
+    EXPECT_NEAR(fan().beam_azimuth(beam) / kDegree, azimuth, 0.5 * 120 / 256 + 1e-9);
+    EXPECT_NEAR(fan().bin_range(bin), 15.02, 0.5 * fan().bin_length() + 1e-9);
+    EXPECT_NEAR(total_db(ping), -20 - 40 * std::log10(15.02), 1e-4);
+  }
+}
+
+TEST_P(PointTest, TwoAtOnePlaceAndTwoElevationsAreTwiceOne) {
+  Scenario scenario = calibrated(fan(), GetParam());
+  scenario.points = {{.position = at(10.01, 20, 8)}};
+  const Ping one = ping_of(scenario, {});
+  scenario.points.push_back({.position = at(10.01, 20, -8)});
+  const Ping two = ping_of(scenario, {});
+  EXPECT_EQ(peak(one), peak(two));
+  EXPECT_NEAR(total_db(two) - total_db(one), 10 * std::log10(2), 0.02);
+}
+
+TEST_P(PointTest, NothingIsHeardFromBehindAWallOrOutsideTheAperture) {
+  Scenario scenario = calibrated(fan(), GetParam());
+  scenario.points = {{.position = at(12, 0, 0)}};
+  const Scene scene = plate_at(10, 1, diffuse(-200));
+  EXPECT_LT(total_db(ping_of(scenario, scene)), -200);
+  scenario.points = {{.position = at(9, 0, 0)}};
+  EXPECT_GT(total_db(ping_of(scenario, scene)), -40);
+  scenario.points = {{.position = at(9, 0, 11)}, {.position = at(9, 61, 0)}, {.position = at(26, 0, 0)}};
+  EXPECT_LT(total_db(ping_of(scenario, scene)), -200);
+}
+
+TEST_P(PointTest, GainEvensOutItsRange) {
+  for (const double range : {3.01, 21.01}) {
+    Scenario scenario = calibrated(fan(), GetParam());
+    scenario.water.absorption = true;
+    scenario.receiver.time_varied_gain = 40;
+    scenario.points = {{.position = at(range, 5, 0), .target_strength_db = -12}};
+    EXPECT_NEAR(total_db(ping_of(scenario, {})), -12, 0.15) << range;  // Gain is that of the bin's middle.
+  }
+}
+
+constexpr auto kName = [](const auto& test) { return test.param.name; };
+INSTANTIATE_TEST_SUITE_P(Methods, PointTest, testing::Values(kReference, kRays), kName);
+
+// Empty water: thermal noise alone, whose intensity is exponential, at NL + 10 log10 B - DI - SL.
+TEST(ThermalNoiseTest, HasItsLevelAndItsStatistics) {
+  SonarConfig sonar = fan();
+  sonar.frequency = 720e3;
+  sonar.beam_count = 120;  // Of 1 by 20 degrees.
+  sonar.source_level_db = 200;
+  sonar.bandwidth = 25e3;
+  Scenario scenario = calibrated(sonar, kRays);
+  EXPECT_EQ(total_db(ping_of(scenario, {})), -std::numeric_limits<double>::infinity());
+
+  scenario.receiver.noise = true;
+  const Ping ping = ping_of(scenario, {});
+  double sum = 0, squares = 0;
+  for (const double value : ping.intensity) {
+    sum += value;
+    squares += value * value;
+  }
+  const double n = static_cast<double>(ping.intensity.size()), mean = sum / n;
+  EXPECT_NEAR(10 * std::log10(mean), -147.04027, 10 * std::log10(1 + 4 / std::sqrt(n)));
+  EXPECT_NEAR(std::sqrt(squares / n / (mean * mean) - 1), 1, 0.02);
+
+  Simulator simulator(scenario, {}, 2);
+  EXPECT_EQ(simulator.make_ping(0, 0).intensity, ping.intensity);
+  EXPECT_NE(simulator.make_ping(0, 1).intensity, ping.intensity);
+}
+
+}  // namespace
+}  // namespace insonify::validation
