@@ -34,6 +34,16 @@ struct Simulator::State {
   std::vector<CalibratedReceiver> receivers;
 };
 
+namespace {
+
+// Of the echoes that there may be.
+int order_count(const Scenario& scenario) {
+  const int most = scenario.model == EchoModel::kPaper ? 2 : kPathOrders;
+  return scenario.secondary == SecondaryEchoes::kNone ? 1 : std::min(most, scenario.max_surfaces);
+}
+
+}  // namespace
+
 Simulator::Simulator(Scenario scenario, Scene scene, int threads) {
   scenario.validate();
   for (const Instance& instance : scene.instances) {
@@ -52,9 +62,9 @@ Simulator::Simulator(Scenario scenario, Scene scene, int threads) {
                                             .materials = state_->scene.materials,
                                             .primary = state_->scenario.primary,
                                             .secondary = state_->scenario.secondary,
+                                            .max_surfaces = state_->scenario.max_surfaces,
                                             .seed = state_->scenario.seed}));
-    state_->grids.emplace_back(sonar.beam_count, sonar.bin_count,
-                               state_->scenario.secondary == SecondaryEchoes::kNone ? 1 : 2);
+    state_->grids.emplace_back(sonar.beam_count, sonar.bin_count, order_count(state_->scenario));
     state_->receivers.emplace_back(sonar, state_->scenario.water, state_->scenario.receiver, state_->scenario.seed);
   }
   state_->engine->set_scene(state_->scene);

@@ -71,15 +71,28 @@ bool PictureChoice::takes(std::uint64_t ping, std::uint64_t total) const {
   return (ping + 1) * most / total > ping * most / total;
 }
 
-PingPictures::PingPictures(std::filesystem::path folder, const SonarConfig& sonar, Display display,
+PingPictures::PingPictures(std::filesystem::path folder, const SonarConfig& sonar, EchoModel model, Display display,
                            PictureChoice choice, std::uint64_t total)
-    : folder_(std::move(folder)), sonar_(sonar), display_(display), choice_(choice), total_(total) {
+    : folder_(std::move(folder)), sonar_(sonar), model_(model), display_(display), choice_(choice), total_(total) {
   if (sonar_.type == SonarType::kMechanicallyScanned && choice_.most > 0) {
     scan_ = std::make_unique<ScanView>(sonar_);
   }
 }
 
 void PingPictures::add(const Ping& ping) {
+  if (model_ == EchoModel::kPaper || choice_.most == 0) {
+    add_shown(ping);
+    return;
+  }
+  const Ping raised = raised_by_range(ping, sonar_, kShownGainPerDecade);
+  if (!scaled_) {
+    display_.full_scale = fitting_full_scale(raised);
+    scaled_ = true;
+  }
+  add_shown(raised);
+}
+
+void PingPictures::add_shown(const Ping& ping) {
   const bool due = choice_.takes(ping.number, total_);
   if (scan_ != nullptr) {
     scan_->add(ping);
@@ -99,7 +112,7 @@ void PingPictures::finish(const Ping& last) {
     write("scan", scan_->draw(display_));
     write("polar", scan_->draw_polar(display_));
   } else if (!last_drawn_) {
-    draw_fan_of(last);
+    draw_fan_of(model_ == EchoModel::kPaper ? last : raised_by_range(last, sonar_, kShownGainPerDecade));
   }
 }
 

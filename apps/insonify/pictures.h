@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "insonify/engine.h"
 #include "insonify/picture.h"
 
 namespace insonify {
@@ -30,8 +31,9 @@ std::size_t remove_old_pictures(const std::filesystem::path& folder, const std::
 /// NAME_scan_0000.png, what it has seen up to a ping, and at the end NAME_scan.png and the waterfall NAME_polar.png.
 class PingPictures {
  public:
-  PingPictures(std::filesystem::path folder, const SonarConfig& sonar, Display display, PictureChoice choice,
-               std::uint64_t total);
+  /// Levels of the calibrated model are raised by range, and the first ping's are the full scale of all.
+  PingPictures(std::filesystem::path folder, const SonarConfig& sonar, EchoModel model, Display display,
+               PictureChoice choice, std::uint64_t total);
 
   void add(const Ping& ping);
 
@@ -42,11 +44,14 @@ class PingPictures {
   [[nodiscard]] const std::vector<std::filesystem::path>& files() const { return files_; }
 
  private:
+  void add_shown(const Ping& ping);
   void draw_fan_of(const Ping& ping);
   void write(const std::string& name, const Picture& picture);
 
   std::filesystem::path folder_;
   SonarConfig sonar_;
+  EchoModel model_;
+  bool scaled_ = false;  // The full scale is chosen.
   Display display_;
   PictureChoice choice_;
   std::uint64_t total_ = 0;

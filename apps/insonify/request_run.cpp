@@ -63,7 +63,7 @@ void add_run(CLI::App& app, Request& request) {
   command->add_option("--colour-map", options.colour_map, "inferno, copper, grey or blue [inferno]")
       ->type_name("NAME")
       ->group(pictures);
-  command->add_option("--scale", options.scale, "linear or db [linear]")
+  command->add_option("--scale", options.scale, "linear or db [linear; db in the calibrated model]")
       ->check(one_of({"linear", "db"}))
       ->type_name("NAME")
       ->group(pictures);

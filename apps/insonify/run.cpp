@@ -77,6 +77,9 @@ Simulator prepare(const RunOptions& options, Display& display) {
     Scenario scenario = load_scenario(options.scenario, options.settings);
     Scene scene = load_scene(scenario, log_to_user(options.quiet));
     Simulator simulator(std::move(scenario), std::move(scene), options.threads);
+    if (options.scale.empty() && simulator.scenario().model == EchoModel::kCalibrated) {
+      display.scale = Scale::kDecibel;
+    }
     if (!options.quiet) {
       print_world(simulator.scene(), seconds_since(start));
     }
@@ -105,7 +108,7 @@ std::vector<Track> start_tracks(const Simulator& simulator, const std::filesyste
     const SonarConfig& sonar = simulator.sonar(static_cast<int>(i));
     const std::filesystem::path file = folder / (sonar.name + ".h5");
     tracks.push_back({file, Recording(file, scenario, simulator.scene(), sonar, pings),
-                      PingPictures(folder, sonar, display, choice, pings)});
+                      PingPictures(folder, sonar, scenario.model, display, choice, pings)});
   }
   return tracks;
 }
@@ -166,7 +169,7 @@ void print_hints(const Simulator& simulator, const std::vector<Track>& tracks, c
     const int sonar = static_cast<int>(i);
     if (tracks[i].made > 0 && !loudness.heard()) {
       complain("warning: " + silence_text(simulator, sonar));
-    } else if (loudness.dim() && display.scale == Scale::kLinear && !tracks[i].pictures.files().empty() && !quiet) {
+    } else if (simulator.scenario().model == EchoModel::kPaper && loudness.dim() && display.scale == Scale::kLinear && !tracks[i].pictures.files().empty() && !quiet) {
       say("hint: {}\n", dimness_text(loudness, simulator.sonar(sonar)));
     }
   }

@@ -63,6 +63,7 @@ struct PingPlanSettings {
   std::span<const Material> materials = {};  ///< The scene's, for the calibrated model; read only while planning.
   PrimaryEchoes primary = PrimaryEchoes::kAuto;
   SecondaryEchoes secondary = SecondaryEchoes::kSelective;
+  int max_surfaces = kPathOrders;  ///< Of a path, 1..3; the paper model knows two.
   std::uint64_t seed = 1;
   int stagger_phase = 0;  ///< >= 0. Others put the samples elsewhere: what changes with it is the sampling's own.
 };

@@ -68,6 +68,17 @@ struct Rgb {
 /// @throws Error listing the names there are.
 [[nodiscard]] ColourMap colour_map_from_name(std::string_view name);
 
+/// How pings of the calibrated model are shown, whose intensities fall by many decades: raised by 30 dB for every
+/// decade of range, which evens out a floor, on a decibel scale that ends at the strongest of them.
+inline constexpr double kShownGainPerDecade = 30;
+
+/// The ping with its intensities times r^(X/10), r in metres.
+/// @param decibels_per_decade  X.
+[[nodiscard]] Ping raised_by_range(Ping ping, const SonarConfig& sonar, double decibels_per_decade);
+
+/// What all but the strongest thousandth of what was heard is below, rounded up to a multiple of 5 dB; 1 for silence.
+[[nodiscard]] double fitting_full_scale(const Ping& ping);
+
 // Azimuths are written as bearings: "30° P" to port, "30° S" to starboard, for a vertical mounting as
 // slopes, "30° up" and "30° down". Drawing throws Error for a display out of limits and for a ping that has not the
 // sonar's beams and bins. NaN is drawn as silence.

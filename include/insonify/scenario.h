@@ -79,6 +79,7 @@ struct Scenario {
   std::string engine = "cpu";
   PrimaryEchoes primary = PrimaryEchoes::kAuto;
   SecondaryEchoes secondary = SecondaryEchoes::kSelective;
+  int max_surfaces = kPathOrders;  ///< Of a path, 1..3.
   std::uint64_t seed = 1;
   int pings = 1;  ///< >= 1; of each sonar.
 
@@ -114,6 +115,10 @@ struct Scenario {
     visit(Field{"primary", "", {}, "How the nearest surface in each direction is found; the echoes are the same."},
           self.primary);
     visit(Field{"secondary", "", {}, "Which hits send a ray on in search of a second surface."}, self.secondary);
+    visit(Field{"max_surfaces", "", from_to(1, kPathOrders),
+                "Surfaces that a path may meet: 2 adds echoes by way of a mirror, 3 those by a mirror both ways "
+                "(calibrated)."},
+          self.max_surfaces);
     visit(Field{"seed", "", at_least(0), "Start of the random numbers; the same seed gives the same pings."},
           self.seed);
     visit(Field{"pings", "", from_to(1, 1e9), "Pings of each sonar."}, self.pings);

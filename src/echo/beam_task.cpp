@@ -47,7 +47,8 @@ void BeamTask::aim(const Pose& world_from_sonar, int first_beam, int last_beam) 
   first_column_ = first_beam * lattice.columns_per_beam;
   columns_ = (last_beam - first_beam) * lattice.columns_per_beam;
   sonar_ = (world_from_sonar.position - scene_.origin()).cast<float>();
-  const Eigen::Matrix3f axes = world_from_sonar.orientation.toRotationMatrix().cast<float>();
+  sonar_axes_ = world_from_sonar.orientation.toRotationMatrix().cast<float>();
+  const Eigen::Matrix3f& axes = sonar_axes_;
   for (int column = 0; column < columns_; ++column) {
     const float cos_az = lattice.cos_azimuth[first_column_ + column];
     const float sin_az = lattice.sin_azimuth[first_column_ + column];
@@ -180,13 +181,14 @@ void BeamTask::trace_only(const Pose& world_from_sonar, int first_beam, int last
 }
 
 void BeamTask::run(const Pose& world_from_sonar, int first_beam, int last_beam, const FanView* view, EchoGrid& grid,
-                   OnwardTask::Log* log) {
+                   std::vector<Echo>& arrivals, OnwardTask::Log* log) {
   grid.clear(first_beam, last_beam);
   aim(world_from_sonar, first_beam, last_beam);
   if (view != nullptr) {
     raster_.draw(raster_scene_, *view, *plan_, first_column_, first_column_ + columns_);
   }
-  onward_.start(*plan_, sonar_, grid, log);
+  arrivals.clear();
+  onward_.start(*plan_, sonar_, sonar_axes_, grid, arrivals, log);
 
   for (int first_column = 0; first_column < columns_; first_column += kTile) {
     if (view != nullptr) {

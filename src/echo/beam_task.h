@@ -26,8 +26,9 @@ struct BeamTask {
 
   /// Fills the beams [first_beam, last_beam) of the grid.
   /// @param view  What the ping sees of the raster scene, to draw the primaries; null to trace them.
+  /// @param arrivals  Takes echoes that may arrive in beams of other tasks; see deposit().
   void run(const Pose& world_from_sonar, int first_beam, int last_beam, const FanView* view, EchoGrid& grid,
-           OnwardTask::Log* log = nullptr);
+           std::vector<Echo>& arrivals, OnwardTask::Log* log = nullptr);
 
   /// Only traces the beams' primary rays: the floor that run() stands on.
   void trace_only(const Pose& world_from_sonar, int first_beam, int last_beam);
@@ -50,6 +51,7 @@ struct BeamTask {
   const PingPlan* plan_ = nullptr;
   int first_column_ = 0, columns_ = 0;  // Of the lattice; columns below count from first_column_.
   Vec3f sonar_;                         // Position in the scene's coordinates.
+  Eigen::Matrix3f sonar_axes_;          // Forward, port and up, as columns.
   std::vector<ColumnAxes> axes_;        // Of each column.
   HitStrip strip_{kTile, 0};            // Of tiles.
   HitColumn hits_[kTile] = {};          // Of the strip.

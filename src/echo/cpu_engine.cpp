@@ -2,8 +2,11 @@
 
 #include "echo/cpu_engine.h"
 
+#include <algorithm>
 #include <chrono>
 #include <limits>
+
+#include "echo/deposit.h"
 
 namespace insonify {
 namespace {
@@ -82,12 +85,17 @@ void CpuEngine::insonify(const PingPlan& plan, const Pose& world_from_sonar, std
                          BeamSink* sink) {
   scene_.commit_moves();
   const FanView* view = look(plan, world_from_sonar);
-  for_each_task(plan, [&](BeamTask& scratch, int first_beam, int last_beam, int) {
-    scratch.run(world_from_sonar, first_beam, last_beam, view, grid);
+  const int tasks = task_count(plan.sonar.beam_count, beams_per_task(plan, workers_.count()));
+  arrivals_.resize(std::max(arrivals_.size(), static_cast<std::size_t>(tasks)));
+  for_each_task(plan, [&](BeamTask& scratch, int first_beam, int last_beam, int task) {
+    scratch.run(world_from_sonar, first_beam, last_beam, view, grid, arrivals_[task]);
     if (sink != nullptr) {
       sink->take(first_beam, last_beam);
     }
   });
+  if (plan.model == EchoModel::kCalibrated) {
+    take_arrivals(plan, grid);
+  }
   counts_ = {};
   for (const auto& scratch : scratch_) {
     const RayCounts counts = scratch->counts();
@@ -97,11 +105,26 @@ void CpuEngine::insonify(const PingPlan& plan, const Pose& world_from_sonar, std
   }
 }
 
+void CpuEngine::take_arrivals(const PingPlan& plan, EchoGrid& grid) {
+  const int beams = beams_per_task(plan, workers_.count());
+  const int tasks = task_count(plan.sonar.beam_count, beams);
+  workers_.for_each(tasks, [&](int own, int) {
+    for (int task = 0; task < tasks; ++task) {
+      for (const Echo& echo : arrivals_[task]) {
+        if (plan.beam_of(echo.azimuth) / beams == own) {
+          deposit(plan, echo, grid);
+        }
+      }
+    }
+  });
+}
+
 std::vector<double> CpuEngine::time_traversal(const PingPlan& plan, const Pose& world_from_sonar, int repetitions) {
   std::vector<OnwardTask::Log> logs(task_count(plan.sonar.beam_count, beams_per_task(plan, workers_.count())));
   EchoGrid grid(plan.sonar.beam_count, plan.sonar.bin_count, kPathOrders);
   for_each_task(plan, [&](BeamTask& scratch, int first_beam, int last_beam, int task) {
-    scratch.run(world_from_sonar, first_beam, last_beam, nullptr, grid, &logs[task]);
+    std::vector<Echo> arrivals;
+    scratch.run(world_from_sonar, first_beam, last_beam, nullptr, grid, arrivals, &logs[task]);
   });
 
   std::vector<double> seconds;

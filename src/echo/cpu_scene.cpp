@@ -174,6 +174,7 @@ void CpuScene::add_moving(const Instance& instance, unsigned id) {
 // First what each ray met is looked up, then all are worked out together.
 void CpuScene::shade(const RTCHit16& hits, Shading& shading) const {
   Corners corners;
+  std::fill_n(shading.texture, kPacketSize, 1.0F);
   for (int lane = 0; lane < kPacketSize; ++lane) {
     if (hits.geomID[lane] == RTC_INVALID_GEOMETRY_ID) {
       shading.surface[lane] = kNoSurface;
@@ -211,6 +212,7 @@ void CpuScene::add_relief(const RTCRayHit16& rays, Shading& shading, ReliefPoint
     const Vec3f direction(ray.dir_x[lane], ray.dir_y[lane], ray.dir_z[lane]);
     reliefs[lane] = reliefs_.at(instance_of(shading.surface[lane]), rays.hit.primID[lane],
                                 origin + ray.tfar[lane] * direction, shading.normal(lane));
+    shading.texture[lane] = reliefs[lane].reflectivity;
     shading.reflectivity[lane] *= reliefs[lane].reflectivity;
   }
 }

@@ -46,6 +46,7 @@ class CpuScene {
   struct alignas(64) Shading {
     float normal_x[kPacketSize], normal_y[kPacketSize], normal_z[kPacketSize];
     float reflectivity[kPacketSize];    ///< 0 where nothing was met.
+    float texture[kPacketSize];         ///< ReliefPoint::reflectivity, which `reflectivity` holds already.
     SurfaceLabel surface[kPacketSize];  ///< kNoSurface where nothing was met.
 
     [[nodiscard]] Vec3f normal(int lane) const { return {normal_x[lane], normal_y[lane], normal_z[lane]}; }

@@ -22,16 +22,6 @@ constexpr int kUnsifted = 2;
 constexpr float kForRounding = 1.0001F;
 constexpr float kLeastDivisor = 1e-6F;  // [m]; a hit at the very range, met head on, would divide zero by zero.
 
-// Where the hits of a packet of onward rays lie, how far it is back from there, and what is to come of it.
-struct Returns {
-  float x[kPacketSize], y[kPacketSize], z[kPacketSize];                 // Second surface.
-  float back_x[kPacketSize], back_y[kPacketSize], back_z[kPacketSize];  // Unit vector from there to the sonar.
-  float distance[kPacketSize];                                          // Of the way back.
-  float path_length[kPacketSize];                                       // Out, across and back.
-  float strength[kPacketSize];                                          // See secondary_powers().
-  float within[kPacketSize];                                            // 1 where the echo is from within the range.
-};
-
 // Readies the first lanes of a packet: on from the hits at the given places of a strip, in the mirror direction.
 INSONIFY_VECTOR_CLONES
 void mirror(const HitColumn& strip, const int* __restrict__ place, int count, Vec3f sonar, float max_range,
@@ -68,36 +58,6 @@ void mirror(const HitColumn& strip, const int* __restrict__ place, int count, Ve
   }
 }
 
-INSONIFY_VECTOR_CLONES
-void measure_returns(const RTCRay16& __restrict__ rays, const CpuScene::Shading& __restrict__ met,
-                     const OnwardTask::Origins& __restrict__ origins, Vec3f sonar, float max_range,
-                     Returns& __restrict__ returns) {
-  const float sonar_x = sonar[0], sonar_y = sonar[1], sonar_z = sonar[2];
-  for (int lane = 0; lane < kPacketSize; ++lane) {
-    const float across = rays.tfar[lane];
-    const float x = rays.org_x[lane] + rays.dir_x[lane] * across;
-    const float y = rays.org_y[lane] + rays.dir_y[lane] * across;
-    const float z = rays.org_z[lane] + rays.dir_z[lane] * across;
-    const float dx = sonar_x - x, dy = sonar_y - y, dz = sonar_z - z;
-    const float distance = std::sqrt(dx * dx + dy * dy + dz * dz);
-    const float scale = 1 / distance;
-    returns.x[lane] = x;
-    returns.y[lane] = y;
-    returns.z[lane] = z;
-    returns.back_x[lane] = dx * scale;
-    returns.back_y[lane] = dy * scale;
-    returns.back_z[lane] = dz * scale;
-    returns.distance[lane] = distance;
-    const float path_length = origins.range[lane] + across + distance;
-    returns.path_length[lane] = path_length;
-    returns.within[lane] = (met.surface[lane] != kNoSurface) & (0.5F * path_length < max_range) ? 1.0F : 0.0F;
-    const float nx = met.normal_x[lane], ny = met.normal_y[lane], nz = met.normal_z[lane];
-    const float facing = nx * rays.dir_x[lane] + ny * rays.dir_y[lane] + nz * rays.dir_z[lane];
-    const float incidence = std::abs(facing) / std::sqrt(nx * nx + ny * ny + nz * nz);
-    returns.strength[lane] = origins.strength[lane] * incidence * met.reflectivity[lane];
-  }
-}
-
 }  // namespace
 
 OnwardTask::OnwardTask(const CpuScene& scene) : scene_(scene) {
@@ -108,10 +68,13 @@ OnwardTask::OnwardTask(const CpuScene& scene) : scene_(scene) {
   }
 }
 
-void OnwardTask::start(const PingPlan& plan, const Vec3f& sonar, EchoGrid& grid, Log* log) {
+void OnwardTask::start(const PingPlan& plan, const Vec3f& sonar, const Eigen::Matrix3f& axes, EchoGrid& grid,
+                       std::vector<Echo>& arrivals, Log* log) {
   plan_ = &plan;
   sonar_ = sonar;
+  axes_ = axes;
   grid_ = &grid;
+  arrivals_ = &arrivals;
   log_ = log;
 }
 
@@ -145,6 +108,13 @@ void OnwardTask::sift(const HitColumn& strip) {
   const int count = candidate_count_;
   candidate_count_ = 0;
   mirror(strip, place_, count, sonar_, plan_->true_max_range, candidates_.rays.ray, candidate_origins_);
+  if (plan_->model == EchoModel::kCalibrated) {
+    for (int lane = 0; lane < count; ++lane) {
+      const float texture = strip.has_relief ? strip.texture[place_[lane]] : 1.0F;
+      candidate_origins_.kept[lane] = plan_->scatter.kept(strip.surface[place_[lane]]) * texture * texture;
+      candidate_origins_.steepness[lane] = plan_->scatter.steepness(strip.surface[place_[lane]]);
+    }
+  }
   unsigned lanes = (1U << count) - 1;
   if (plan_->secondary == SecondaryEchoes::kSelective && --unsifted_ < 0) {
     const unsigned candidates = lanes;
@@ -170,6 +140,8 @@ void OnwardTask::sift(const HitColumn& strip) {
     origins_.row[to] = candidate_origins_.row[lane];
     origins_.range[to] = candidate_origins_.range[lane];
     origins_.strength[to] = candidate_origins_.strength[lane];
+    origins_.kept[to] = candidate_origins_.kept[lane];
+    origins_.steepness[to] = candidate_origins_.steepness[lane];
     origins_.selected[to] = candidate_origins_.selected[lane];
     if (++onward_count_ == kPacketSize) {
       trace_collected();
@@ -196,41 +168,11 @@ void OnwardTask::trace(RayPacket& packet, const Origins& origins, unsigned lanes
   if (scene_.reliefs().any()) {
     scene_.bend_normals(packet.rays, shading_);
   }
-  Returns returns;
-  measure_returns(packet.rays.ray, shading_, origins, sonar_, plan_->true_max_range, returns);
-  for (lanes &= positive_of_packet(returns.within); lanes != 0; lanes &= lanes - 1) {
-    const int lane = std::countr_zero(lanes);
-    const int slot = returning_count_;
-    returning_[slot] = secondary_echo(*plan_, origins.column[lane], origins.row[lane], origins.selected[lane],
-                                      returns.path_length[lane], shading_.surface[lane]);
-    returning_strength_[slot] = returns.strength[lane];
-    returning_rest_[slot] = returns.path_length[lane] - 2 * origins.range[lane];
-    back_.set_origin(slot, {returns.x[lane], returns.y[lane], returns.z[lane]});
-    back_.set_direction(slot, {returns.back_x[lane], returns.back_y[lane], returns.back_z[lane]});
-    back_.rays.ray.tfar[slot] = returns.distance[lane] - kRayClearance;
-    if (++returning_count_ == kPacketSize) {
-      finish_returns();
-    }
+  if (plan_->model == EchoModel::kCalibrated) {
+    return_mirrored(packet.rays.ray, origins, lanes);
+  } else {
+    return_shaped(packet.rays.ray, origins, lanes);
   }
-}
-
-// Deposits those of the returning echoes whose way back is clear.
-void OnwardTask::finish_returns() {
-  back_.set_count(returning_count_);
-  if (log_ != nullptr) {
-    log_->back.push_back(back_);
-  }
-  back_.occlude(scene_.handle());
-  returned_ += returning_count_;
-  float power[kPacketSize];
-  secondary_powers(*plan_, returning_count_, returning_strength_, returning_rest_, power);
-  for (int lane = 0; lane < returning_count_; ++lane) {
-    if (!back_.blocked(lane)) {
-      returning_[lane].power = power[lane];
-      deposit(*plan_, returning_[lane], *grid_);
-    }
-  }
-  returning_count_ = 0;
 }
 
 void OnwardTask::finish() {

@@ -23,13 +23,18 @@ class OnwardTask {
   /// Where a packet of onward rays left the first surface.
   struct Origins {
     int column[kPacketSize], row[kPacketSize];  // Of the lattice.
-    float range[kPacketSize], strength[kPacketSize], selected[kPacketSize];
+    float range[kPacketSize], selected[kPacketSize];
+    float strength[kPacketSize];                      // `paper`
+    float kept[kPacketSize], steepness[kPacketSize];  // `calibrated`: see MirrorPaths
   };
 
   explicit OnwardTask(const CpuScene& scene);
 
-  /// @param sonar  Position in the scene's coordinates.
-  void start(const PingPlan& plan, const Vec3f& sonar, EchoGrid& grid, Log* log);
+  /// @param sonar     Position in the scene's coordinates.
+  /// @param axes      Of the sonar in the scene: forward, port and up, as columns.
+  /// @param arrivals  Takes echoes that may arrive in any beam.
+  void start(const PingPlan& plan, const Vec3f& sonar, const Eigen::Matrix3f& axes, EchoGrid& grid,
+             std::vector<Echo>& arrivals, Log* log);
 
   /// Follows the selected hits of a strip, in the order of its tiles so that packets stay together. Echoes are
   /// deposited as packets fill.
@@ -48,12 +53,17 @@ class OnwardTask {
   void sift(const HitColumn& strip);
   void trace_collected();
   void trace(RayPacket& packet, const Origins& origins, unsigned lanes);
+  void return_shaped(const RTCRay16& rays, const Origins& origins, unsigned lanes);
+  void return_mirrored(const RTCRay16& rays, const Origins& origins, unsigned lanes);
+  void send_back(const Vec3f& point, const Vec3f& direction, float distance);
   void finish_returns();
 
   const CpuScene& scene_;
   const PingPlan* plan_ = nullptr;
   Vec3f sonar_;
+  Eigen::Matrix3f axes_;
   EchoGrid* grid_ = nullptr;
+  std::vector<Echo>* arrivals_ = nullptr;
   Log* log_ = nullptr;
 
   RayPacket candidates_, onward_, back_;
@@ -63,7 +73,8 @@ class OnwardTask {
   int candidate_count_ = 0, onward_count_ = 0;
   int unsifted_ = 0;             // Packets that are yet to be let through without a look.
   Echo returning_[kPacketSize];  // Met a second surface; their return legs are in back_.
-  float returning_strength_[kPacketSize], returning_rest_[kPacketSize];  // See secondary_powers().
+  float returning_strength_[kPacketSize], returning_rest_[kPacketSize];  // `paper`: see secondary_powers().
+  Echo arriving_[kPacketSize];  // `calibrated`: heard straight from the second surface.
   int returning_count_ = 0;
   std::uint64_t sent_ = 0, returned_ = 0;
 };

@@ -14,7 +14,8 @@ PingPlan::PingPlan(const PingPlanSettings& settings)
       shape(settings.paper),
       scatter(settings.materials),
       primary(settings.primary),
-      secondary(settings.secondary) {
+      secondary(settings.max_surfaces > 1 ? settings.secondary : SecondaryEchoes::kNone),
+      max_surfaces(settings.max_surfaces) {
   const double true_speed = settings.water.true_sound_speed();
   const double scale = sonar.assumed_sound_speed.value_or(true_speed) / true_speed;
   neper_per_metre = static_cast<float>(kNeperPerDecibel * settings.water.absorption_db_per_m_at(sonar.frequency));
@@ -27,6 +28,8 @@ PingPlan::PingPlan(const PingPlanSettings& settings)
   for (const double edge : sonar.beam_edges()) {
     beam_edges_.push_back(static_cast<float>(edge));
   }
+  tan_low_ = static_cast<float>(std::tan(sonar.elevation_center - 0.5 * sonar.elevation_aperture));
+  tan_high_ = static_cast<float>(std::tan(sonar.elevation_center + 0.5 * sonar.elevation_aperture));
   beams_per_radian_ = static_cast<float>(sonar.beam_count) / (beam_edges_.front() - beam_edges_.back());
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 
 #include "echo/paper_shape.h"
 #include "echo/scatter_table.h"
@@ -21,7 +22,8 @@ class PingPlan {
   PaperShape shape;      ///< `paper`
   ScatterTable scatter;  ///< `calibrated`
   PrimaryEchoes primary;
-  SecondaryEchoes secondary;
+  SecondaryEchoes secondary;  ///< kNone where paths end at one surface.
+  int max_surfaces;
 
   float neper_per_metre = 0;  ///< Absorption of pressure amplitude [Np/m].
   float range_per_metre = 1;  ///< Reported range over true range: assumed over true sound speed.
@@ -30,13 +32,23 @@ class PingPlan {
   float first_bin_at = 0;     ///< True distance of the near edge of bin 0 [m].
   std::uint32_t stagger = 0;  ///< Turns the selection of secondary rays, from the seed.
 
+  /// Whether sound from a direction of the sonar frame is heard at all: in the fan and the elevation aperture.
+  [[nodiscard]] bool in_aperture(const Vec3f& direction) const;
+
   /// Beam whose edges hold an azimuth; -1 outside the fan.
   [[nodiscard]] int beam_of(float azimuth) const;
 
  private:
-  std::vector<float> beam_edges_;  // Falling [rad].
-  float beams_per_radian_ = 0;     // On average.
+  std::vector<float> beam_edges_;     // Falling [rad].
+  float beams_per_radian_ = 0;        // On average.
+  float tan_low_ = 0, tan_high_ = 0;  // Of the elevation aperture's edges.
 };
+
+inline bool PingPlan::in_aperture(const Vec3f& direction) const {
+  const float level = std::sqrt(direction.x() * direction.x() + direction.y() * direction.y());
+  return direction.z() >= tan_low_ * level && direction.z() <= tan_high_ * level &&
+         beam_of(std::atan2(direction.y(), direction.x())) >= 0;
+}
 
 inline int PingPlan::beam_of(float azimuth) const {
   // Where beams are even this guess is right but for rounding at the edges; elsewhere it is where the search begins.

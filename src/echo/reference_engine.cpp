@@ -2,9 +2,11 @@
 
 #include "echo/reference_engine.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "echo/mirror_paths.h"
 #include "echo/ray_limits.h"
 #include "echo/secondary_echo.h"
 
@@ -131,12 +133,18 @@ void ReferenceEngine::insonify(const PingPlan& plan, const Pose& world_from_sona
                                BeamSink* sink) {
   const int per_beam = plan.lattice.columns_per_beam;
   std::vector<RayCounts> counts(plan.sonar.beam_count);
+  std::vector<std::vector<Echo>> arrivals(plan.sonar.beam_count);
   workers_.for_each(plan.sonar.beam_count, [&](int beam, int) {
     grid.clear(beam, beam + 1);
     for (int column = beam * per_beam; column < (beam + 1) * per_beam; ++column) {
-      insonify_column(plan, column, world_from_sonar, grid, counts[beam]);
+      insonify_column(plan, column, world_from_sonar, grid, arrivals[beam], counts[beam]);
     }
   });
+  for (const std::vector<Echo>& of_beam : arrivals) {
+    for (const Echo& echo : of_beam) {
+      deposit(plan, echo, grid);
+    }
+  }
   counts_ = {};
   for (const RayCounts& of_beam : counts) {
     counts_.primary += of_beam.primary;
@@ -148,8 +156,51 @@ void ReferenceEngine::insonify(const PingPlan& plan, const Pose& world_from_sona
   }
 }
 
+void ReferenceEngine::return_mirrored(const PingPlan& plan, const Pose& world_from_sonar, const Mirrored& mirrored,
+                                      EchoGrid& grid, std::vector<Echo>& arrivals, RayCounts& counts) const {
+  const Meeting& second = mirrored.second;
+  const Vec3 point = mirrored.across.origin + mirrored.across.direction * second.distance;
+  const Vec3 back = world_from_sonar.position - point;
+  const Vec3 in = -mirrored.across.direction, out = back.normalized();
+  MirrorPaths paths = {};
+  std::ranges::fill(paths.surface, kNoSurface);
+  paths.kept[0] = mirrored.kept;
+  paths.steepness[0] = mirrored.steepness;
+  paths.there[0] = static_cast<float>(mirrored.range + second.distance);
+  paths.back[0] = static_cast<float>(back.norm());
+  paths.in[0] = static_cast<float>(second.bent.dot(in));
+  paths.out[0] = static_cast<float>(second.bent.dot(out));
+  paths.half[0] = static_cast<float>(second.bent.dot((in + out).normalized()));
+  paths.texture[0] = second.texture;
+  paths.surface[0] = second.surface();
+  MirrorPowers powers;
+  fill_mirror_powers(plan.scatter, plan.neper_per_metre, paths, powers);
+
+  Echo echo = mirrored.echo;
+  if (plan.max_surfaces > 2 && paths.there[0] < plan.true_max_range) {
+    Echo twice = echo;
+    twice.order = 3;
+    twice.path_length = 2 * paths.there[0];
+    twice.power = powers.twice[0];
+    deposit(plan, twice, grid);
+  }
+  const Vec3f heard_from = (world_from_sonar.orientation.inverse() * -out).cast<float>();
+  if (powers.once[0] == 0 || 0.5F * echo.path_length >= plan.true_max_range || !plan.in_aperture(heard_from)) {
+    return;
+  }
+  ++counts.return_legs;
+  if (blocked({point, out, kRayClearance, back.norm() - double{kRayClearance}})) {
+    return;
+  }
+  echo.power = powers.once[0];
+  deposit(plan, echo, grid);
+  echo.azimuth = std::atan2(heard_from.y(), heard_from.x());
+  echo.elevation = std::atan2(heard_from.z(), std::hypot(heard_from.x(), heard_from.y()));
+  arrivals.push_back(echo);
+}
+
 void ReferenceEngine::insonify_column(const PingPlan& plan, int column, const Pose& world_from_sonar, EchoGrid& grid,
-                                      RayCounts& counts) const {
+                                      std::vector<Echo>& arrivals, RayCounts& counts) const {
   const Lattice& lattice = plan.lattice;
   const int rows = lattice.rows;
   const Vec3 along_local(lattice.cos_azimuth[column], lattice.sin_azimuth[column], 0);
@@ -214,6 +265,15 @@ void ReferenceEngine::insonify_column(const PingPlan& plan, int column, const Po
     const Vec3 second_point = across.origin + across.direction * second.distance;
     const Vec3 back = world_from_sonar.position - second_point;
     const auto path_length = static_cast<float>(first[row].distance + second.distance + back.norm());
+    if (plan.model == EchoModel::kCalibrated) {
+      const float texture = hits.has_relief ? hits.texture[row] : 1.0F;
+      const float kept = plan.scatter.kept(hits.surface[row]) * texture * texture;
+      const Echo echo = secondary_echo(plan, column, row, hits.selected[row], path_length, second.surface());
+      return_mirrored(plan, world_from_sonar,
+                      {echo, kept, plan.scatter.steepness(hits.surface[row]), first[row].distance, across, second},
+                      grid, arrivals, counts);
+      continue;
+    }
     if (0.5F * path_length >= plan.true_max_range) {
       continue;
     }

@@ -50,7 +50,18 @@ class ReferenceEngine final : public Engine {
   [[nodiscard]] Meeting nearest(const Ray& ray) const;
   [[nodiscard]] bool blocked(const Ray& ray) const;
   void insonify_column(const PingPlan& plan, int column, const Pose& world_from_sonar, EchoGrid& grid,
-                       RayCounts& counts) const;
+                       std::vector<Echo>& arrivals, RayCounts& counts) const;
+
+  // A path of the calibrated model by way of a mirror, up to what it met.
+  struct Mirrored {
+    Echo echo;              // All but its power.
+    float kept, steepness;  // See MirrorPaths.
+    double range;           // Of the mirror.
+    Ray across;
+    Meeting second;
+  };
+  void return_mirrored(const PingPlan& plan, const Pose& world_from_sonar, const Mirrored& mirrored, EchoGrid& grid,
+                       std::vector<Echo>& arrivals, RayCounts& counts) const;
 
   Workers workers_;
   const Scene* scene_ = nullptr;

@@ -16,18 +16,18 @@ namespace {
 constexpr float kLeastCosine = 0.01F;
 
 INSONIFY_VECTOR_CLONES
-void scatter(int rows, std::uint32_t nothing, float neper_per_metre, const SurfaceLabel* __restrict__ surface,
-             const float* __restrict__ facing, const float* __restrict__ range, const float* __restrict__ lambert,
-             const float* __restrict__ lobe, const float* __restrict__ steepness, float* __restrict__ power) {
+void scatter(int rows, const ScatterTable::Laws laws, float neper_per_metre, const SurfaceLabel* __restrict__ surface,
+             const float* __restrict__ facing, const float* __restrict__ range, float* __restrict__ power) {
   for (int row = 0; row < rows; ++row) {
     const std::uint32_t label = surface[row] & 0xffffU;  // material_of()
-    const std::uint32_t material = label < nothing ? label : nothing;
+    const std::uint32_t material = label < laws.nothing ? label : laws.nothing;
     const float cosine = std::abs(facing[row]);
     const float held = cosine < kLeastCosine ? kLeastCosine : cosine;
     const float square = 1 / (held * held);
-    const float glint = lobe[material] * square * square * fast_exp((1 - square) * steepness[material]) / held;
+    const float glint =
+        laws.lobe[material] * square * square * fast_exp((1 - square) * laws.steepness[material]) / held;
     const float spread = fast_exp(-4 * neper_per_metre * range[row]) / (range[row] * range[row]);
-    const float echo = (lambert[material] * cosine + glint) * spread;
+    const float echo = (laws.lambert[material] * cosine + glint) * spread;
     power[row] = (range[row] > 0) & (cosine > 0) ? echo : 0.0F;
   }
 }
@@ -39,6 +39,7 @@ ScatterTable::ScatterTable(std::span<const Material> materials) {
     const Scattering scattering = material.scattering();
     const double variance = scattering.rms_slope * scattering.rms_slope;
     const double intensity = scattering.reflection * scattering.reflection;
+    kept_.push_back(static_cast<float>(intensity));
     lambert_.push_back(static_cast<float>(scattering.lambert));
     lobe_.push_back(static_cast<float>(intensity / (8 * std::numbers::pi * variance)));
     steepness_.push_back(static_cast<float>(1 / (2 * variance)));
@@ -49,8 +50,7 @@ ScatterTable::ScatterTable(std::span<const Material> materials) {
 }
 
 void ScatterTable::fill_powers(int rows, float neper_per_metre, const HitColumn& hits) const {
-  scatter(rows, static_cast<std::uint32_t>(lambert_.size() - 1), neper_per_metre, hits.surface, hits.facing, hits.range,
-          lambert_.data(), lobe_.data(), steepness_.data(), hits.power);
+  scatter(rows, laws(), neper_per_metre, hits.surface, hits.facing, hits.range, hits.power);
   if (hits.has_relief) {
     for (int row = 0; row < rows; ++row) {
       hits.power[row] *= hits.texture[row] * hits.texture[row];

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "echo/echo.h"
 #include "insonify/material.h"
 
 namespace insonify {
@@ -26,8 +27,25 @@ class ScatterTable {
   /// relief turns the surface away. Where there is relief its reflectivity scales amplitudes.
   void fill_powers(int rows, float neper_per_metre, const HitColumn& hits) const;
 
+  /// |R|^2 of a surface, which it keeps of what it mirrors.
+  [[nodiscard]] float kept(SurfaceLabel surface) const { return kept_[material_of(surface)]; }
+
+  /// 1 / (2 s^2) of a surface.
+  [[nodiscard]] float steepness(SurfaceLabel surface) const { return steepness_[material_of(surface)]; }
+
+  /// The tables by material, for loops; at `nothing` is one that scatters nothing, for samples without a hit.
+  struct Laws {
+    std::uint32_t nothing;
+    const float* lambert;
+    const float* lobe;
+    const float* steepness;
+  };
+  [[nodiscard]] Laws laws() const {
+    return {static_cast<std::uint32_t>(kept_.size()), lambert_.data(), lobe_.data(), steepness_.data()};
+  }
+
  private:
-  // By material, and one more that scatters nothing, for samples without a hit.
+  std::vector<float> kept_;
   std::vector<float> lambert_;
   std::vector<float> lobe_;       // |R|^2 / (8 pi s^2)
   std::vector<float> steepness_;  // 1 / (2 s^2)

@@ -122,9 +122,6 @@ void Trajectory::validate(std::string_view object) const {
 
 void Scenario::validate() const {
   check_fields("", *this);
-  if (model == EchoModel::kCalibrated && secondary != SecondaryEchoes::kNone) {
-    throw Error("secondary must be none where model = calibrated: its secondary echoes are not in this version");
-  }
   if (model == EchoModel::kPaper && !points.empty()) {
     throw Error("points need model = calibrated");
   }

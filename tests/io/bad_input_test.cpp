@@ -162,13 +162,12 @@ const Case kCases[] = {
      "scenario.yaml:2:1: engine = \"gpu\" must be cpu or reference"},
     {"UnknownModel", "world: floor.obj\nmodel: papre\nsonars: [{name: fls}]\n",
      "scenario.yaml:2:1: model = \"papre\" must be paper or calibrated"},
-    {"SecondaryEchoesOfTheCalibratedModel", "world: floor.obj\nmodel: calibrated\nsonars: [{name: fls}]\n",
-     "scenario.yaml:2:1: secondary must be none where model = calibrated: its secondary echoes are not in this "
-     "version"},
+    {"FourSurfaces", "world: floor.obj\nmax_surfaces: 4\nsonars: [{name: fls}]\n",
+     "scenario.yaml:2:1: max_surfaces = 4 must be from 1 to 3"},
     {"PointFarOff",
-     "world: floor.obj\nmodel: calibrated\nsecondary: none\npoints: [{position: [9, 0, 1e9]}]\n"
+     "world: floor.obj\nmodel: calibrated\npoints: [{position: [9, 0, 1e9]}]\n"
      "sonars: [{name: fls}]\n",
-     "scenario.yaml:4:11: points[0].position[2] = 1000000000 m must be from -10000000 to 10000000 m"},
+     "scenario.yaml:3:10: points[0].position[2] = 1000000000 m must be from -10000000 to 10000000 m"},
     {"GainTooSteep", "world: floor.obj\nreceiver: {time_varied_gain: 80}\nsonars: [{name: fls}]\n",
      "scenario.yaml:2:12: receiver.time_varied_gain = 80 dB/decade must be from 0 to 60 dB/decade"},
     {"WhiterThanWhite", "world: floor.obj\nmaterials: {sand: {lambert_db: -3}}\nsonars: [{name: fls}]\n",

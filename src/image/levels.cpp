@@ -1,0 +1,29 @@
+// levels.cpp -- intensities of many decades made fit to be shown.
+
+#include <algorithm>
+
+#include "insonify/picture.h"
+
+namespace insonify {
+
+Ping raised_by_range(Ping ping, const SonarConfig& sonar, double decibels_per_decade) {
+  for (int bin = 0; bin < ping.bin_count; ++bin) {
+    const auto gain = static_cast<float>(std::pow(sonar.bin_range(bin), decibels_per_decade / 10));
+    const auto row = ping.intensity.begin() + static_cast<std::ptrdiff_t>(ping.index(bin, 0));
+    std::for_each(row, row + ping.beam_count, [gain](float& intensity) { intensity *= gain; });
+  }
+  return ping;
+}
+
+double fitting_full_scale(const Ping& ping) {
+  std::vector<float> heard;
+  std::ranges::copy_if(ping.intensity, std::back_inserter(heard), [](float value) { return value > 0; });
+  if (heard.empty()) {
+    return 1;
+  }
+  const auto last = heard.begin() + static_cast<std::ptrdiff_t>((heard.size() - 1) * 999 / 1000);
+  std::ranges::nth_element(heard, last);
+  return std::pow(10.0, std::ceil(2 * std::log10(*last)) / 2);
+}
+
+}  // namespace insonify

@@ -1,0 +1,176 @@
+// multipath_test.cpp -- echoes by way of mirrors: ghosts under the sea surface, corners, reciprocity (T9, T10, T21 of
+// PHYSICS 11). Ranges and levels are those of image sources, computed apart from this code.
+
+#include "insonify/engine.h"
+#include "validation/calibrated_scene.h"
+
+namespace insonify::validation {
+namespace {
+
+class MultipathTest : public testing::TestWithParam<Method> {};
+
+// Several surfaces, one material each.
+Scene scene_of_all(std::vector<Scene> scenes) {
+  Scene all;
+  for (Scene& scene : scenes) {
+    scene.instances[0].materials.assign(scene.instances[0].materials.size(),
+                                        static_cast<std::uint16_t>(all.materials.size()));
+    all.materials.push_back(scene.materials[0]);
+    all.instances.push_back(std::move(scene.instances[0]));
+  }
+  return all;
+}
+
+Scene plane(const Vec3& normal, const Vec3& position, const Material& material) {
+  return scene_of(make_plane(normal, 200, 200), material, {.position = position});
+}
+
+EchoGrid echoes_of(const Method& method, const Scene& scene, const SonarConfig& sonar, const Vec3& position,
+                   int max_surfaces = 3) {
+  const auto engine = make_engine(method.engine, 2);
+  engine->set_scene(scene);
+  EchoGrid grid(sonar.beam_count, sonar.bin_count, kPathOrders);
+  engine->insonify(*make_ping_plan({.sonar = sonar,
+                                    .water = {.absorption = false},
+                                    .model = EchoModel::kCalibrated,
+                                    .materials = scene.materials,
+                                    .primary = method.primary,
+                                    .secondary = SecondaryEchoes::kAll,
+                                    .max_surfaces = max_surfaces}),
+                   {.position = position}, 0, grid, nullptr);
+  return grid;
+}
+
+double total_db(const EchoGrid& grid, int order) {
+  double sum = 0;
+  for (int beam = 0; beam < grid.beam_count(); ++beam) {
+    for (const float value : grid.energy(order, beam)) {
+      sum += value;
+    }
+  }
+  return 10 * std::log10(sum);
+}
+
+// Range of the bin of one order that holds most.
+double peak_range(const EchoGrid& grid, const SonarConfig& sonar, int order) {
+  std::vector<double> sums(sonar.bin_count, 0.0);
+  for (int beam = 0; beam < sonar.beam_count; ++beam) {
+    for (int bin = 0; bin < sonar.bin_count; ++bin) {
+      sums[bin] += grid.energy(order, beam)[bin];
+    }
+  }
+  return sonar.bin_range(static_cast<int>(std::ranges::max_element(sums) - sums.begin()));
+}
+
+SonarConfig tall_sonar(double elevation_aperture_deg) {
+  SonarConfig sonar;
+  sonar.beam_count = 16;
+  sonar.azimuth_aperture = 8 * kDegree;
+  sonar.elevation_aperture = elevation_aperture_deg * kDegree;
+  sonar.min_range = 1;
+  sonar.max_range = 25;
+  sonar.bin_count = 480;
+  sonar.sampling = {16, 4000};
+  return sonar;
+}
+
+// A calm sea surface above a small sphere: straight, by the surface one way (of two reciprocal paths) and both ways.
+TEST_P(MultipathTest, SurfaceGhostsHaveTheirRangesAndLevels) {
+  const Material calm = glinting(1, 0.005);
+  {
+    const SonarConfig sonar = tall_sonar(90);
+    const Scene scene =
+        scene_of_all({plane(Vec3::UnitZ(), {0, 0, 0}, calm), sphere_at({10, 0, -4}, 0.1, glinting(1, 0.1), 0.1)});
+    const EchoGrid grid = echoes_of(GetParam(), scene, sonar, {0, 0, -5});
+    const double bin = 1.01 * sonar.bin_length();  // Facets spread a glint backwards.
+    EXPECT_NEAR(peak_range(grid, sonar, 1), 10.04987562112089 - 0.1, bin);
+    EXPECT_NEAR(peak_range(grid, sonar, 2), 11.7517498340973 - 0.1 * std::cos(18.14 * kDegree), bin);
+    EXPECT_NEAR(peak_range(grid, sonar, 3), 13.45362404707371 - 0.1, bin);
+    EXPECT_NEAR(total_db(grid, 2) - total_db(grid, 1), 0.477, 0.5);
+    EXPECT_NEAR(total_db(grid, 3) - total_db(grid, 1), -5.067, 0.5);
+  }
+  {
+    // The ghost comes from 42 degrees up: a level fan of 20 degrees does not hear it.
+    const SonarConfig sonar = tall_sonar(20);
+    const Scene scene =
+        scene_of_all({plane(Vec3::UnitZ(), {0, 0, 0}, calm), sphere_at({10, 0, -4}, 0.1, glinting(1, 0.1), 0.1)});
+    const EchoGrid grid = echoes_of(GetParam(), scene, sonar, {0, 0, -5});
+    EXPECT_LT(total_db(grid, 2) - total_db(grid, 1), -100);
+    EXPECT_LT(total_db(grid, 3) - total_db(grid, 1), -100);
+  }
+  {
+    const SonarConfig sonar = tall_sonar(20);
+    const Scene scene =
+        scene_of_all({plane(Vec3::UnitZ(), {0, 0, 0}, calm), sphere_at({20, 0, -1}, 0.1, glinting(1, 0.1), 0.1)});
+    const EchoGrid grid = echoes_of(GetParam(), scene, sonar, {0, 0, -1});
+    EXPECT_NEAR(total_db(grid, 2) - total_db(grid, 1), 2.967, 0.5);
+    EXPECT_NEAR(total_db(grid, 3) - total_db(grid, 1), -0.086, 0.5);
+  }
+}
+
+// A wall at x = 10 on a floor at z = -8, heard from z = -5.
+Scene corner(double reflection, double lambert_db) {
+  Material material = glinting(reflection, 0.1);
+  material.lambert_db = lambert_db;
+  return scene_of_all({plane(-Vec3::UnitX(), {10, 0, 92}, material), plane(Vec3::UnitZ(), {-90, 0, -8}, material)});
+}
+
+SonarConfig corner_sonar() {
+  SonarConfig sonar;
+  sonar.beam_count = 64;
+  sonar.azimuth_aperture = 60 * kDegree;
+  sonar.elevation_aperture = 90 * kDegree;
+  sonar.min_range = 5;
+  sonar.max_range = 20;
+  sonar.bin_count = 600;
+  sonar.sampling = {4, 1600};
+  return sonar;
+}
+
+TEST_P(MultipathTest, CornerIsHeardAtItsApexAndBehind) {
+  const SonarConfig sonar = corner_sonar();
+  const EchoGrid grid = echoes_of(GetParam(), corner(1, -20), sonar, {0, 0, -5});
+  EXPECT_NEAR(peak_range(grid, sonar, 2), 10.44030650891055, sonar.bin_length());
+  for (int beam = 0; beam < sonar.beam_count; ++beam) {
+    const double apex = 10.44030650891055;  // Nearest at azimuth 0; farther in every other beam.
+    for (int bin = 0; sonar.bin_range(bin) < apex - sonar.bin_length(); ++bin) {
+      ASSERT_EQ(grid.energy(2, beam)[bin], 0) << beam << ", " << bin;
+    }
+  }
+  EXPECT_EQ(total_db(echoes_of(GetParam(), corner(1, -20), sonar, {0, 0, -5}, 1), 2),
+            -std::numeric_limits<double>::infinity());
+}
+
+// The one image of two perpendicular planes: |R1 R2|^2 / (2 d)^2.
+TEST_P(MultipathTest, CornerOfTwoMirrorsIsOneImage) {
+  const double whole = total_db(echoes_of(GetParam(), corner(1, -200), corner_sonar(), {0, 0, -5}), 2);
+  const double half = total_db(echoes_of(GetParam(), corner(0.5, -200), corner_sonar(), {0, 0, -5}), 2);
+  EXPECT_NEAR(whole, -26.39486489268586, 0.3);
+  EXPECT_NEAR(half - whole, 2 * 20 * std::log10(0.5), 0.01);
+}
+
+// Both reciprocal echoes of a diffuse surface are of one level, each heard where it arrives.
+TEST_P(MultipathTest, ReciprocalEchoesAreAlike) {
+  SonarConfig sonar = corner_sonar();
+  sonar.beam_count = 60;
+  sonar.azimuth_aperture = 120 * kDegree;
+  // A wall of mirror along the port side, a small diffuse target ahead to starboard.
+  const Scene scene = scene_of_all(
+      {plane(-Vec3::UnitY(), {0, 4, 0}, glinting(1, 0.005)), sphere_at({10, -1, 0}, 0.5, diffuse(-10), 0.1)});
+  const EchoGrid grid = echoes_of(GetParam(), scene, sonar, {0, 0, 0});
+  double port = 0, starboard = 0;
+  for (int beam = 0; beam < sonar.beam_count; ++beam) {
+    double& side = sonar.beam_azimuth(beam) > 0 ? port : starboard;
+    for (const float value : grid.energy(2, beam)) {
+      side += value;
+    }
+  }
+  ASSERT_GT(port, 0);
+  EXPECT_NEAR(starboard / port, 1, 1e-5);
+}
+
+constexpr auto kName = [](const auto& test) { return test.param.name; };
+INSTANTIATE_TEST_SUITE_P(Methods, MultipathTest, testing::Values(kRays, kRaster), kName);
+
+}  // namespace
+}  // namespace insonify::validation
