@@ -25,6 +25,7 @@ PUBLIC = {
     "version.h": "base",
     "absorption.h": "acoustics",
     "backscatter.h": "acoustics",
+    "bottom_scattering.h": "acoustics",
     "reflection.h": "acoustics",
     "sediment.h": "acoustics",
     "sonar_equation.h": "acoustics",

@@ -63,13 +63,14 @@ double spread_integral(int power, double absorption_db_per_m, double from, doubl
   }
   const double decay = 4 * kNeperPerDecibel * absorption_db_per_m;  // Of intensity, there and back.
   const auto integrand = [&](double r) { return std::pow(r, -power) * std::exp(-decay * r); };
-  constexpr double kPanelRatio = 0.2;  // Greatest growth of range in a panel, as a logarithm.
-  const double panels = std::ceil(std::max(std::log(to / from) / kPanelRatio, decay * (to - from)));
-  const double growth = std::pow(to / from, 1 / panels);
+  const double last = std::min(to, from + 40 / decay);  // Beyond, exp(-40) of the nearest is left: rounding.
+  constexpr double kPanelRatio = 0.2;                   // Greatest growth of range in a panel, as a logarithm.
+  const double growth = std::log(last / from);
+  const int panels = static_cast<int>(std::ceil(std::max(growth / kPanelRatio, decay * (last - from))));
   double sum = 0;
   double start = from;
-  for (double i = 1; i <= panels; ++i) {
-    const double end = i == panels ? to : start * growth;
+  for (int i = 1; i <= panels; ++i) {
+    const double end = from * std::exp(growth * i / panels);
     sum += gauss_legendre(integrand, start, end);
     start = end;
   }

@@ -5,7 +5,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <fstream>
 #include <numbers>
+#include <regex>
+#include <string>
 
 #include "insonify/backscatter.h"
 #include "insonify/geometry.h"
@@ -112,6 +115,29 @@ TEST(SedimentTableTest, AgreesWithTheLibraryOfMaterials) {
           << sediment.name;
     }
   }
+}
+
+// Rows of the documentation's table: "| fine_sand | 1.451 | 1.107 | 0.233 | -18.5 | 0.157 |".
+TEST(SedimentTableTest, IsWhatTheDocumentationShows) {
+  std::ifstream page(INSONIFY_SOURCE_DIR "/docs/concepts/levels.md");
+  ASSERT_TRUE(page.is_open());
+  const std::regex row(R"(\| (\w+) \| ([\d.]+) \| ([\d.]+) \| ([\d.]+) \| (-[\d.]+) \| ([\d.]*) ?\|)");
+  std::size_t rows = 0;
+  std::smatch cells;
+  for (std::string line; std::getline(page, line);) {
+    if (std::regex_match(line, cells, row)) {
+      ASSERT_LT(rows, sediment_table().size());
+      const Sediment& sediment = sediment_table()[rows++];
+      EXPECT_EQ(cells[1].str(), sediment.name);
+      EXPECT_NEAR(std::stod(cells[2]), sediment.density_ratio, 0.000501) << line;
+      EXPECT_NEAR(std::stod(cells[3]), sediment.sound_speed_ratio, 0.000501) << line;
+      EXPECT_NEAR(std::stod(cells[4]), std::abs(sediment.reflection(kPi / 2)), 0.000501) << line;
+      EXPECT_EQ(std::stod(cells[5]), sediment.lambert_mu_db) << line;
+      EXPECT_EQ(cells[6].length() > 0, sediment.rms_slope.has_value()) << line;
+      EXPECT_EQ(cells[6].length() > 0 ? std::stod(cells[6]) : 0, sediment.rms_slope.value_or(0)) << line;
+    }
+  }
+  EXPECT_EQ(rows, sediment_table().size());
 }
 
 // ---------------------------------------------------------------- The fit
