@@ -46,8 +46,9 @@ struct Sediment {
 ///
 /// The fit is that of backscatter.h to the report's model at 100 kHz: mu to grazing angles of 10 to 40 degrees, which
 /// it meets within 0.7 to 1.6 dB rms (2.0 for rough rock), the slope to normal incidence. The report itself is good for
-/// 3 to 10 dB. Rocks are held at -5 dB, as much as a surface can send back, and have no lobe; nor have gravels. Above
-/// 100 kHz few measurements exist: sand -15 to -22 dB, mud -25 to -32 at 300 to 450 kHz; hold mu.
+/// 3 to 10 dB. Rocks are held at -5 dB, as much as a surface can send back. They, gravels and very coarse sand would
+/// need slopes above 0.5 and have no lobe. Above 100 kHz few measurements exist: at 300 to 450 kHz sand -15 to -22 dB,
+/// mud -25 to -32; hold mu.
 [[nodiscard]] std::span<const Sediment> sediment_table();
 
 /// The table's sediment of that name (case does not matter; '_', '-' and ' ' are alike), or null.

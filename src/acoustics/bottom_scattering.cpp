@@ -44,11 +44,6 @@ struct Bottom {
 
 // ------------------------------------------------------------------------------------------------ Relief
 
-// Left out below 40 degrees: eq 37.
-double kirchhoff(const Bottom& bottom, double grazing) {
-  return grazing < radians_from_degrees(40) ? 0 : bottom.head_on * bottom.relief.kirchhoff_backscatter(grazing);
-}
-
 // Eqs 43 to 45: the share of the bottom that is not in the shadow of its own relief.
 double unshadowed(const Bottom& bottom, double grazing) {
   const double t = std::tan(grazing) / bottom.relief.rms_slope;
@@ -110,7 +105,8 @@ double blend(double x) {
 }
 
 // Eqs 58 to 64: small relief goes over into Kirchhoff's where the latter's lobe has fallen by 15 dB, and both give way
-// to the fit for rock where slopes reach 7 degrees.
+// to the fit for rock where slopes reach 7 degrees. (The report leaves Kirchhoff's out below 40 degrees, eq 37, where
+// next to nothing of it is left.)
 double relief(const Bottom& bottom, double grazing) {
   const double alpha = bottom.relief.alpha;
   const double c = std::pow(1000, 1 / (1 + alpha)) *
@@ -120,7 +116,7 @@ double relief(const Bottom& bottom, double grazing) {
   const double gentle = blend((degrees_from_radians(std::atan(bottom.relief.rms_slope)) - 7) / 0.5);
   const double small = unshadowed(bottom, grazing) *
                        slope_mean(bottom, grazing, [&](double angle) { return small_relief(bottom, angle); });
-  const double moderate = steep * kirchhoff(bottom, grazing) + (1 - steep) * small;
+  const double moderate = steep * bottom.head_on * bottom.relief.kirchhoff_backscatter(grazing) + (1 - steep) * small;
   return gentle * moderate + (1 - gentle) * large_relief(bottom, grazing);
 }
 

@@ -128,6 +128,19 @@ TEST_P(BottomBackscatterTest, IsThatOfTheReportNearTheVertical) {
 
 INSTANTIATE_TEST_SUITE_P(Report, BottomBackscatterTest, testing::ValuesIn(kStrengths));
 
+// Slow mud with the relief of boulders: the fit for rock with a critical angle that is not there. Computed apart from
+// this code, with the plus in b.
+TEST(BottomBackscatterLawTest, RoughMudIsAsRockWithoutACriticalAngle) {
+  constexpr double kSixDigits = 1e-4;  // [dB]
+  Sediment mud = *find_sediment("silty_clay");
+  mud.spectral_strength = 0.02;
+  const double rows[][2] = {
+      {10, -34.59205244900503}, {30, -29.99151763484044}, {60, -27.115528675099764}, {90, -25.781053587561825}};
+  for (const auto& [grazing_deg, expected_db] : rows) {
+    EXPECT_NEAR(db(bottom_backscatter(mud, radians_from_degrees(grazing_deg), 50e3)), expected_db, kSixDigits);
+  }
+}
+
 // What is inside a soft bottom alone: proportional to sigma_2.
 TEST(BottomBackscatterLawTest, VolumeAddsUp) {
   Sediment bottom = *find_sediment("silty_clay");

@@ -130,10 +130,13 @@ TEST(LambertFloorTest, BeginsStraightBelow) {
 // However long a bin and however strong absorption: parts add up to the whole.
 TEST(LambertFloorTest, BinsAddUp) {
   for (const double absorption : {0.0, 0.01, 0.5, 3.0}) {
-    const double whole = lambert_floor_intensity(0.01, 1, 0.02, 2, 200, absorption);
-    const double parts = lambert_floor_intensity(0.01, 1, 0.02, 2, 7.3, absorption) +
-                         lambert_floor_intensity(0.01, 1, 0.02, 7.3, 200, absorption);
-    EXPECT_THAT(parts, RelativelyNear(whole)) << "at " << absorption << " dB/m";
+    for (const double start : {2.0, 100.0}) {
+      const auto bin = [&](double from, double to) {
+        return lambert_floor_intensity(0.01, 1, 0.02, from, to, absorption);
+      };
+      const double parts = bin(start, start + 1.7) + bin(start + 1.7, start + 9) + bin(start + 9, 200);
+      EXPECT_THAT(parts, RelativelyNear(bin(start, 200))) << "at " << absorption << " dB/m from " << start << " m";
+    }
   }
 }
 

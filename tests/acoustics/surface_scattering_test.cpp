@@ -24,10 +24,9 @@ double db(double ratio) {
 // ---------------------------------------------------------------- APL-UW TR 9407
 
 TEST(SeaSurfaceBackscatterTest, IsThatOfTheReport) {
-  const double rows[][4] = {{10, 30e3, 5, -39.3254915050119},
-                            {20, 60e3, 8, -25.259735163393103},
-                            {30, 100e3, 10, -24.910197540769513},
-                            {10, 100e3, 10, -30.996500735151884}};
+  const double rows[][4] = {{10, 30e3, 5, -39.3254915050119},     {20, 60e3, 8, -25.259735163393103},
+                            {30, 100e3, 10, -24.910197540769513}, {10, 100e3, 10, -30.996500735151884},
+                            {20, 30e3, 15, -26.283092653567106},  {10, 60e3, 13, -30.262412334617412}};
   for (const auto& [grazing_deg, frequency, wind_speed, expected_db] : rows) {
     EXPECT_THAT(db(sea_surface_backscatter(radians_from_degrees(grazing_deg), frequency, wind_speed)),
                 RelativelyNear(expected_db));
@@ -41,11 +40,32 @@ TEST(SeaSurfaceBackscatterTest, IsThatOfTheReportStraightUp) {
   EXPECT_NEAR(db(sea_surface_backscatter(kPi / 2, 100e3, 5)), 6.082757575313462, kOtherEdge);
 }
 
-// Straight up and almost without bubbles a surface of facets alone: 1/(4 pi s2), s2 = 0.0046 ln(2.1 U^2), but for the
-// share that ripples have there. With U = 3: s2 = 0.013519, 5.886 or 7.70 dB; the share is 0.9984.
+// Straight up and almost without bubbles a surface of facets alone, sec^4 exp(-tan^2/s2)/(4 pi s2) with
+// s2 = 0.0046 ln(2.1 U^2), but for the share 1/(1 + exp(0.524 edge)) that ripples would have: the edge, in degrees, is
+// where the lobe has fallen by 15 dB.
 TEST(SeaSurfaceBackscatterTest, IsAGlitterStraightUp) {
-  const double facets = 1 / (4 * kPi * 0.0046 * std::log(2.1 * 9));
-  EXPECT_NEAR(sea_surface_backscatter(kPi / 2, 10e3, 3) / facets, 1, 0.005);
+  constexpr double kBubbles = 5e-6;
+  const double s2 = 0.0046 * std::log(2.1 * 3 * 3);
+  const auto lobe = [&](double incidence) {
+    return std::exp(-std::pow(std::tan(incidence), 2) / s2) / std::pow(std::cos(incidence), 4);
+  };
+  double inside = 0;
+  double outside = 0.5;
+  for (int i = 0; i < 60; ++i) {
+    const double middle = (inside + outside) / 2;
+    (lobe(middle) > std::pow(10, -1.5) ? inside : outside) = middle;
+  }
+  const double share = 1 / (1 + std::exp(-0.524 * degrees_from_radians(inside)));
+  const double loss = std::pow(10, -surface_bubble_loss_db(kPi / 2, 10e3, 3) / 10);
+  EXPECT_NEAR(sea_surface_backscatter(kPi / 2, 10e3, 3) / (share * loss / (4 * kPi * s2)), 1, kBubbles);
+}
+
+// The report's ripples grow as tan^4 and are cut off at 85 degrees.
+TEST(SeaSurfaceBackscatterTest, HasRipplesUpTo85Degrees) {
+  const double with = sea_surface_backscatter(radians_from_degrees(84.999), 10e3, 10);
+  const double without = sea_surface_backscatter(radians_from_degrees(85.001), 10e3, 10);
+  EXPECT_GT(with / without, 1.005);
+  EXPECT_LT(with / without, 1.03);
 }
 
 TEST(SeaSurfaceBackscatterTest, IsHeldAboveAHundredKilohertz) {
