@@ -10,6 +10,7 @@
 #include "receiver/calibrated_receiver.h"
 #include "receiver/paper_receiver.h"
 #include "simulator/motion.h"
+#include "simulator/sea_level.h"
 
 namespace insonify {
 
@@ -49,6 +50,9 @@ Simulator::Simulator(Scenario scenario, Scene scene, int threads) {
   for (const Instance& instance : scene.instances) {
     check_reach(instance, instance.name);
   }
+  if (scenario.surface) {
+    add_sea_surface(scenario, scene);
+  }
   state_ = std::make_unique<State>(std::move(scenario), std::move(scene), threads);
   state_->moving = find_moving_parts(state_->scenario, state_->scene);
   const double sound_speed = state_->scenario.water.true_sound_speed();
@@ -56,7 +60,7 @@ Simulator::Simulator(Scenario scenario, Scene scene, int threads) {
     sonar.assumed_sound_speed = sonar.assumed_sound_speed.value_or(sound_speed);
     sonar.ping_period = sonar.ping_period.value_or(sonar.shortest_ping_period(*sonar.assumed_sound_speed));
     state_->plans.push_back(make_ping_plan({.sonar = sonar,
-                                            .water = state_->scenario.water,
+                                            .water = water_at(state_->scenario, sonar),
                                             .model = state_->scenario.model,
                                             .paper = state_->scenario.paper,
                                             .materials = state_->scene.materials,

@@ -38,6 +38,7 @@ PUBLIC = {
     "mesh.h": "scene",
     "relief.h": "scene",
     "scene.h": "scene",
+    "sea_surface.h": "scene",
     "sonar_config.h": "sonar",
     "receiver_config.h": "receiver",
     "echo_grid.h": "echo",

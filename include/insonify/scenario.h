@@ -12,6 +12,7 @@
 #include "insonify/point_target.h"
 #include "insonify/receiver_config.h"
 #include "insonify/scene.h"
+#include "insonify/sea_surface.h"
 #include "insonify/sonar_config.h"
 #include "insonify/water.h"
 
@@ -87,7 +88,8 @@ struct Scenario {
   PaperModel paper;
   ReceiverConfig receiver;
   MaterialRules materials;
-  std::vector<PointTarget> points;  ///< Calibrated model only.
+  std::vector<PointTarget> points;    ///< Calibrated model only.
+  std::optional<SeaSurface> surface;  ///< None where not named.
   std::vector<SonarConfig> sonars;
   Trajectory trajectory;  ///< Of the vehicle.
   std::vector<Motion> motions;

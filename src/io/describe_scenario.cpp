@@ -94,6 +94,7 @@ SectionDescription scenario_section() {
   section.keys.push_back(part("sonars", "list, at least one", "The sonars: see `sonars`."));
   section.keys.push_back(part("receiver", "map", "What the receiver adds: see `receiver`."));
   section.keys.push_back(part("paper", "map", "The paper model's settings: see `paper`."));
+  section.keys.push_back(part("surface", "map", "The water's surface, none where not named: see `surface`."));
   section.keys.push_back(part("points", "list", "Ideal point targets (calibrated model): see `points`."));
   section.keys.push_back(part("trajectory", "list of waypoints", "How the vehicle moves: see `trajectory`."));
   section.keys.push_back(part("motions", "list", "What else moves: see `motions`."));
@@ -133,6 +134,7 @@ std::vector<SectionDescription> describe_scenario() {
                  "One entry for each waypoint, in order of time. Between two, the vehicle moves straight and "
                  "turns evenly; before the first and after the last it stands still.",
                  Waypoint()));
+  sections.push_back(section_of("surface", "The water's surface above the sonar, a rough mirror.", SeaSurface()));
   sections.push_back(section_of("points", "One entry for each ideal point target (calibrated model).", PointTarget()));
   auto motions = section_of("motions", "One entry for each object of the world that moves.", Motion());
   motions.keys.push_back(part("trajectory", "list of waypoints", "Where the object is: as `trajectory`."));

@@ -57,6 +57,11 @@ class ScenarioReader {
     if_given("receiver", [&](const YamlValue& part) { read_section(part, "receiver", scenario_.receiver, places_); });
     if_given("materials", [&](const YamlValue& part) { read_materials(part); });
     if_given("sonars", [&](const YamlValue& part) { read_sonars(part); });
+    if_given("surface", [&](const YamlValue& part) {
+      if (part.kind != Kind::kNothing) {  // `--set surface=null` takes it away.
+        read_section(part, "surface", scenario_.surface.emplace(), places_);
+      }
+    });
     if_given("points", [&](const YamlValue& part) { read_points(part); });
     if_given("trajectory", [&](const YamlValue& part) { read_trajectory(part, "trajectory", scenario_.trajectory); });
     if_given("motions", [&](const YamlValue& part) { read_motions(part); });

@@ -11,8 +11,8 @@ namespace insonify {
 namespace {
 
 // Keys that stand for a part of the scenario instead of a plain value.
-constexpr std::array kPartKeys = {"water",  "materials",  "sonars",  "receiver", "paper",
-                                  "points", "trajectory", "motions", "view"};
+constexpr std::array kPartKeys = {"water",  "materials", "sonars",     "receiver", "paper",
+                                  "points", "surface",   "trajectory", "motions",  "view"};
 
 }  // namespace
 
@@ -33,8 +33,8 @@ std::vector<std::string> part_keys(const char* sampling) {
   std::vector<std::string> all;
   for (const auto& [part, keys] :
        {std::pair{"water", keys_of<Water>()}, std::pair{"receiver", keys_of<ReceiverConfig>()},
-        std::pair{"paper", keys_of<PaperModel>()}, std::pair{"view", keys_of<ViewConfig>()},
-        std::pair{sampling, keys_of<Sampling>()}}) {
+        std::pair{"paper", keys_of<PaperModel>()}, std::pair{"surface", keys_of<SeaSurface>()},
+        std::pair{"view", keys_of<ViewConfig>()}, std::pair{sampling, keys_of<Sampling>()}}) {
     for (const std::string& key : keys) {
       all.push_back(member_name(part, key));
     }

@@ -126,6 +126,9 @@ void Scenario::validate() const {
     throw Error("points need model = calibrated");
   }
   check_points(points);
+  if (surface) {
+    check_fields("surface", *surface);
+  }
   check_engine(engine);
   water.validate();
   check_fields("receiver", receiver);

@@ -108,6 +108,30 @@ TEST_P(MultipathTest, SurfaceGhostsHaveTheirRangesAndLevels) {
   }
 }
 
+// The same by the scenario's own surface.
+TEST(SeaSurfaceTest, GhostsComeAndGoWithTheSurface) {
+  Scenario scenario = calibrated(tall_sonar(90), kRays);
+  scenario.sonars[0].position = {0, 0, -5};
+  scenario.secondary = SecondaryEchoes::kAll;
+  const Scene scene = sphere_at({10, 0, -4}, 0.1, glinting(1, 0.1), 0.1);
+  const double without = validation::total_db(ping_of(scenario, scene));
+  scenario.surface = SeaSurface{};
+  const double with = validation::total_db(ping_of(scenario, scene));
+  const double ghosts = std::pow(10, 0.0477) + std::pow(10, -0.5067);
+  EXPECT_NEAR(with - without, 10 * std::log10(1 + ghosts), 0.3);
+  scenario.max_surfaces = 1;
+  EXPECT_NEAR(validation::total_db(ping_of(scenario, scene)), without, 0.01);
+}
+
+TEST(SeaSurfaceTest, WindMakesItRoughAndLossy) {
+  const Material calm = sea_surface_material({}, 100e3), windy = sea_surface_material({.wind_speed = 8}, 100e3);
+  EXPECT_EQ(calm.scattering().reflection, 1);
+  EXPECT_NEAR(windy.rms_slope, std::sqrt(0.5 * (0.003 + 0.00512 * 8)), 1e-12);
+  EXPECT_NEAR(windy.scattering().reflection,
+              std::pow(10, -1.26e-3 / std::sin(20 * kDegree) * std::pow(8, 1.57) * std::pow(100, 0.85) / 20), 1e-9);
+  EXPECT_GT(windy.lambert_db, -25);
+}
+
 // A wall at x = 10 on a floor at z = -8, heard from z = -5.
 Scene corner(double reflection, double lambert_db) {
   Material material = glinting(reflection, 0.1);
