@@ -167,7 +167,7 @@ const Case kCases[] = {
     {"PointFarOff",
      "world: floor.obj\nmodel: calibrated\npoints: [{position: [9, 0, 1e9]}]\n"
      "sonars: [{name: fls}]\n",
-     "scenario.yaml:3:10: points[0].position[2] = 1000000000 m must be from -10000000 to 10000000 m"},
+     "scenario.yaml:3:28: points[0].position[2] = 1000000000 m must be from -10000000 to 10000000 m"},
     {"GainTooSteep", "world: floor.obj\nreceiver: {time_varied_gain: 80}\nsonars: [{name: fls}]\n",
      "scenario.yaml:2:12: receiver.time_varied_gain = 80 dB/decade must be from 0 to 60 dB/decade"},
     {"WhiterThanWhite", "world: floor.obj\nmaterials: {sand: {lambert_db: -3}}\nsonars: [{name: fls}]\n",
