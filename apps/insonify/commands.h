@@ -31,7 +31,7 @@ struct RunOptions {
 
   std::string pictures = "20";  ///< "all", "last", "none" or how many pings of a fan at most.
   std::string colour_map = "inferno";
-  std::string scale;  // "" for what suits the model.
+  std::string scale;      // "" for what suits the model.
   double floor_db = -50;  ///< [dB]
   int height = 720;       ///< [pixels]
   bool view = true;       ///< Draw the scene itself.
