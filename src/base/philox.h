@@ -8,7 +8,7 @@
 namespace insonify {
 
 /// What a random number is drawn for; keeps streams of one ping apart.
-enum class RandomPurpose : std::uint32_t { kPaperNoise = 1, kSecondarySelection = 2, kRelief = 3 };
+enum class RandomPurpose : std::uint32_t { kPaperNoise = 1, kSecondarySelection = 2, kRelief = 3, kArrayElements = 4 };
 
 using PhiloxCounter = std::array<std::uint32_t, 4>;
 using PhiloxKey = std::array<std::uint32_t, 2>;
