@@ -11,10 +11,8 @@
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__) && \
     !defined(__SANITIZE_THREAD__)
 #define INSONIFY_VECTOR_CLONES __attribute__((target_clones("arch=x86-64-v4", "avx2", "default")))
-#define INSONIFY_HAS_VECTOR_CLONES 1
 #else
 #define INSONIFY_VECTOR_CLONES
-#define INSONIFY_HAS_VECTOR_CLONES 0
 #endif
 
 namespace insonify {

@@ -7,7 +7,6 @@
 #include "receiver/gain_matrix.h"
 
 #include <algorithm>
-#include <cstring>
 
 #include "base/vector_math.h"
 
@@ -25,43 +24,34 @@ struct alignas(64) Tile {
   float sums[kBlockBeams][kStrip];
 };
 
-// Eight sums at a time, as wide as the registers are.
-template <typename Lanes>
-[[gnu::always_inline]] inline void sum_tile_in(const float* gains, const float (*values)[kStrip], int cells,
-                                               Tile& tile) {
-  for (int lane = 0; lane < kStrip; lane += sizeof(Lanes) / sizeof(float)) {
-    Lanes sums[kBlockBeams] = {};
+// As many values together as the widest registers hold: eight sums of 16 in AVX-512, of 8 in two registers each of
+// NEON.
+#ifdef __x86_64__
+constexpr int kLanes = 16;
+#else
+constexpr int kLanes = 8;
+#endif
+
+// The innermost loop must not be unrolled before the compiler has seen that it is one instruction: then the sums stay
+// in registers.
+INSONIFY_VECTOR_CLONES
+void sum_tile(const float* __restrict__ gains, const float (*__restrict__ values)[kStrip], int cells,
+              Tile& __restrict__ tile) {
+  for (int lane = 0; lane < kStrip; lane += kLanes) {
+    float sums[kBlockBeams][kLanes] = {};
     for (int cell = 0; cell < cells; ++cell) {
-      Lanes value;
-      std::memcpy(&value, &values[cell][lane], sizeof value);
 #pragma GCC unroll 8
       for (int beam = 0; beam < kBlockBeams; ++beam) {
-        sums[beam] += value * gains[cell * kBlockBeams + beam];
+#pragma GCC unroll 1
+        for (int v = 0; v < kLanes; ++v) {
+          sums[beam][v] += values[cell][lane + v] * gains[cell * kBlockBeams + beam];
+        }
       }
     }
     for (int beam = 0; beam < kBlockBeams; ++beam) {
-      std::memcpy(&tile.sums[beam][lane], &sums[beam], sizeof sums[beam]);
+      std::copy_n(sums[beam], kLanes, &tile.sums[beam][lane]);
     }
   }
-}
-
-// The compiler does not find this form by itself, so the clones are written out.
-template <int kBytes>
-using Floats = float __attribute__((vector_size(kBytes)));
-
-#if INSONIFY_HAS_VECTOR_CLONES
-__attribute__((target("arch=x86-64-v4"))) void sum_tile(const float* gains, const float (*values)[kStrip], int cells,
-                                                        Tile& tile) {
-  sum_tile_in<Floats<64>>(gains, values, cells, tile);
-}
-__attribute__((target("avx2"))) void sum_tile(const float* gains, const float (*values)[kStrip], int cells,
-                                              Tile& tile) {
-  sum_tile_in<Floats<32>>(gains, values, cells, tile);
-}
-__attribute__((target("default")))
-#endif
-void sum_tile(const float* gains, const float (*values)[kStrip], int cells, Tile& tile) {
-  sum_tile_in<Floats<16>>(gains, values, cells, tile);
 }
 
 // Values beyond the strip's end are zeros.

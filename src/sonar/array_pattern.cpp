@@ -64,7 +64,7 @@ std::vector<bool> find_dead(const ArraySettings& settings, std::uint64_t seed) {
 // Amplitude and phase deviate independently, each normal (Box and Muller).
 std::complex<double> drawn_gain(const ArraySettings& settings, const PhiloxCounter& words) {
   const double radius = std::sqrt(-2 * std::log(double{uniform_open(words[0])}));
-  const double angle = 2 * pi * uniform_open(words[1]);
+  const double angle = 2 * pi * double{uniform_open(words[1])};
   const double level_db = settings.element_error_db * radius * std::cos(angle);
   return std::polar(std::pow(10, level_db / 20), settings.element_error * radius * std::sin(angle));
 }
