@@ -23,10 +23,10 @@ struct ArraySettings {
   int elements = 0;           ///< Evenly spaced along the array, 0..1024; 0: one unbroken line.
 
   // Faults, one way, of an array of elements. Drawn once, as the instrument was built.
-  double element_error_db = 0;        ///< Standard deviation of the elements' amplitudes [dB], 0..20.
-  double element_error = 0;           ///< Standard deviation of their phases [rad], 0..180 deg.
-  std::vector<double> dead_elements;  ///< That hear nothing, counted from 0 at the end furthest to port.
-  double dead_share = 0;              ///< Share of all elements that is dead besides, drawn, 0..0.9.
+  double element_error_db = 0;             ///< Standard deviation of the elements' amplitudes [dB], 0..20.
+  double element_error = 0;                ///< Standard deviation of their phases [rad], 0..180 deg.
+  std::vector<double> dead_elements = {};  ///< That hear nothing, counted from 0 at the end furthest to port.
+  double dead_share = 0;                   ///< Share of all elements that is dead besides, drawn, 0..0.9.
 
   /// The same array sends and receives: the pattern is squared. True for scanning heads and side-scan sonars; a
   /// forward-looking sonar sends with another, wide array.

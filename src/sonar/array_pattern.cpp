@@ -86,10 +86,11 @@ void check_line(std::string_view object, const ArraySettings& settings) {
 
 void check_dead(std::string_view object, const ArraySettings& settings) {
   std::set<double> listed;
-  for (const double element : settings.dead_elements) {
+  for (std::size_t i = 0; i < settings.dead_elements.size(); ++i) {
+    const double element = settings.dead_elements[i];
     if (element != std::floor(element) || element >= settings.elements) {
       throw Error(fmt::format("{}.dead_elements[{}] = {:.10g} must be a whole number less than {}.elements = {}",
-                              object, &element - settings.dead_elements.data(), element, object, settings.elements));
+                              object, i, element, object, settings.elements));
     }
     listed.insert(element);
   }
