@@ -30,6 +30,8 @@ PUBLIC = {
     "mesh.h": "scene",
     "relief.h": "scene",
     "scene.h": "scene",
+    "array_pattern.h": "sonar",
+    "pulse.h": "sonar",
     "sonar_config.h": "sonar",
     "echo_grid.h": "echo",
     "engine.h": "echo",

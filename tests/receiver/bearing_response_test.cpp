@@ -231,9 +231,9 @@ TEST(BearingResponseTest, EnergiesOfOneCellAddUp) {
   }
 }
 
-// Evenly spread energy reads its density in u times the equivalent beam, wavelength / D for a rectangular window: half
-// the sum of cells .01 apart in u over +-1 is 200 cells x (1 / 50) / 2 each. At -60 dB, 318 lobes out, nothing is cut
-// off; the 1 / (pi^2 50) of the sinc's energy on either side that lies beyond u = +-1 is not heard.
+// Energy spread evenly over u reads its density times the equivalent beam, wavelength / D: cells of 0.002 and an array
+// of 50 wavelengths give (1 / 50) / 0.002 = 10 cells. The 1 / (pi^2 50) of a sinc's energy that lies beyond u = +-1 is
+// not heard; the floor, 318 lobes out, cuts nothing off.
 TEST(BearingResponseTest, SpreadEnergyReadsTheEquivalentBeam) {
   std::vector<double> cells;
   for (int i = 0; i < 1000; ++i) {

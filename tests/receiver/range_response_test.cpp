@@ -4,9 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <random>
+#include <vector>
 
 namespace insonify {
 namespace {
@@ -107,9 +108,9 @@ TEST(RangeResponseTest, ExtendedEchoReadsTheSumOverThePulse) {
   const RangeResponse response(tone(400e-6), 0.1);
   EXPECT_NEAR(response.equivalent_cells(), 1 + 2 * (4 + 1) / 9.0, 1e-12);
   EXPECT_NEAR(hear(response, std::vector<float>(200, 2.0F))[100], 2 * response.equivalent_cells(), 1e-5);
-  // In a fine grid the sum over cells is the integral.
+  // In a fine grid the sum over cells d long is the integral, but for d^2 / 12 times the bend at the peak, 4 / 0.3 m.
   EXPECT_NEAR(RangeResponse(tone(400e-6), 0.1, 99).equivalent_cells() * 0.1 / 99, tone(400e-6).equivalent_length(),
-              1e-6);
+              1.2e-6);
 }
 
 TEST(RangeResponseTest, NoPulseLeavesBinsAsTheyAre) {
@@ -130,19 +131,18 @@ TEST(RangeResponseTest, LonePlateIsAsWideAsThePulse) {
   EXPECT_NEAR(10 * std::log10(lobe), -13.2615, 0.01);
 }
 
-// How deep the dip between two plates 30 mm apart is [dB]; 0 if there is none.
+// How deep the dip between two plates 30 mm apart is below them [dB].
 double dip_db(const Pulse& pulse) {
   std::vector<float> cells(2001, 0.0F);
   cells[985] = cells[1015] = 1;
   const std::vector<float> bins = hear(RangeResponse(pulse, 1e-3), cells);
-  const float dip = *std::min_element(bins.begin() + 985, bins.begin() + 1016);
-  return 10 * std::log10(*std::max_element(bins.begin(), bins.end()) / dip);
+  return 10 * std::log10(bins[985] / *std::min_element(bins.begin() + 985, bins.begin() + 1016));
 }
 
 // PHYSICS T18. A tone of 50 us is 37.5 mm long, a chirp of 100 kHz tells 7.5 mm apart.
 TEST(RangeResponseTest, ChirpTellsTwoPlatesApartThatAToneDoesNot) {
   EXPECT_LT(dip_db(tone(50e-6)), 3);
-  EXPECT_EQ(dip_db(tone(50e-6, false)), 10 * std::log10(2));
+  EXPECT_EQ(dip_db(tone(50e-6, false)), 0);
   EXPECT_GT(dip_db(chirp(100e3)), 3);
 }
 
