@@ -190,8 +190,8 @@ double ArrayPattern::equivalent_beam() const {
   constexpr double kLineEnd = 1000;  // Beyond it a line has less than 1e-11 left.
   const double end = weights_.empty() ? kLineEnd : static_cast<double>(weights_.size()) / 2;
   double sum = 0.5 * (perfect_intensity(0) + perfect_intensity(end));
-  for (double x = kStep; x < end; x += kStep) {
-    sum += perfect_intensity(x);
+  for (int i = 1; i * kStep < end; ++i) {
+    sum += perfect_intensity(i * kStep);
   }
   return 2 * kStep * sum;
 }

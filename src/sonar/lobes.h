@@ -32,12 +32,13 @@ double highest_side_lobe_at(const Intensity& intensity, double step, double last
   while (x < last && intensity(x + step) <= intensity(x)) {
     x += step;
   }
-  double highest = 0;
-  for (double level = 0; x < last; x += step) {
+  double highest = 0, level = 0;
+  while (x < last) {
     if (intensity(x) > level) {
       level = intensity(x);
       highest = x;
     }
+    x += step;
   }
   // Golden section between the neighbours.
   constexpr double kGolden = 0.61803398874989485;
