@@ -39,6 +39,8 @@ PUBLIC = {
     "relief.h": "scene",
     "scene.h": "scene",
     "sea_surface.h": "scene",
+    "array_pattern.h": "sonar",
+    "pulse.h": "sonar",
     "sonar_config.h": "sonar",
     "receiver_config.h": "receiver",
     "echo_grid.h": "echo",

@@ -13,7 +13,10 @@ enum class RandomPurpose : std::uint32_t {
   kSecondarySelection = 2,
   kRelief = 3,
   kNoiseInPhase = 4,
-  kNoiseQuadrature = 5
+  kNoiseQuadrature = 5,
+  kArrayElements = 6,
+  kSpeckleInPhase = 7,
+  kSpeckleQuadrature = 8
 };
 
 using PhiloxCounter = std::array<std::uint32_t, 4>;

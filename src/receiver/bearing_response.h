@@ -1,0 +1,59 @@
+// bearing_response.h -- from the columns of a fine bearing grid to beams: what an array hears besides its own bearing.
+
+#pragma once
+
+#include <complex>
+#include <span>
+
+#include "insonify/array_pattern.h"
+#include "receiver/gain_matrix.h"
+
+namespace insonify {
+
+/// Beams of a line array that listens to a grid of bearings.
+///
+/// A beam at u0 hears an echo from u with the amplitude g((D / wavelength) (u - u0)). Echoes of independent phases add
+/// by energy: beam = sum over cells of |g|^2 E. A complex field adds before it is squared: beam = sum of g f. Nothing
+/// is divided by the number of cells: g is 1 at the beam's own bearing, so that a lone echo reads its full level there,
+/// and what is spread over bearings reads the more the wider the beam.
+///
+/// The grid must be at least as fine as wavelength / D, or the speckle of neighbouring beams comes out wrong; half a
+/// beam spacing is plenty. Bearings are told by their sines alone: nothing may lie more than 90 degrees off the axis.
+class BearingResponse {
+ public:
+  static constexpr double kFloorDb = -60;
+
+  /// @param length      D / wavelength, > 0.
+  /// @param cell_sines  u of the cells' centres, in order.
+  /// @param beam_sines  u0 of the beams, in order.
+  /// @param floor_db    Energy re the main lobe below which cells at either end of a beam's row are not heard [dB].
+  BearingResponse(const ArrayPattern& pattern, double length, std::span<const double> cell_sines,
+                  std::span<const double> beam_sines, double floor_db = kFloorDb);
+
+  [[nodiscard]] int beam_count() const { return energy_.beam_count(); }
+  [[nodiscard]] int cell_count() const { return energy_.cell_count(); }
+
+  /// Cells that are added up over all there are: the time goes with it, 0..1.
+  [[nodiscard]] double filled() const { return energy_.filled(); }
+
+  /// Bins to work on: threads share a ping by its bins. The result does not depend on how.
+  struct Bins {
+    int first, last;  ///< [first, last)
+  };
+
+  /// beams = |g|^2 cells, of energy. Allocates nothing.
+  /// @param cells      [cell][bin]
+  /// @param beams      [beam][bin], written.
+  /// @param bin_count  Of a row of either.
+  void hear_energy(std::span<const float> cells, std::span<float> beams, int bin_count, Bins bins) const;
+
+  /// beams = g cells, of a complex field; the same shapes. Twice the work of energy, with faulty elements four times.
+  void hear_field(std::span<const std::complex<float>> cells, std::span<std::complex<float>> beams, int bin_count,
+                  Bins bins) const;
+
+ private:
+  GainMatrix energy_;                 // |g|^2
+  GainMatrix in_phase_, quadrature_;  // Real and imaginary part of g; the latter empty where g is real.
+};
+
+}  // namespace insonify

@@ -1,0 +1,116 @@
+// range_response.cpp -- direct convolution: pulses are short.
+
+#include "receiver/range_response.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include "base/vector_math.h"
+
+namespace insonify {
+namespace {
+
+constexpr int kStretch = 64;  // Bins that are worked on together,
+constexpr int kTaps = 64;     // and taps.
+
+// sums[v] += sum over taps of gain(tap) x values[v + tap], for bins of kWidth floats each.
+template <int kWidth>
+[[gnu::always_inline]] inline void add_taps(const float* __restrict__ gains, int taps, const float* __restrict__ values,
+                                            float* __restrict__ sums) {
+  for (int tap = 0; tap < taps; ++tap) {
+    for (int v = 0; v < kStretch * kWidth; ++v) {
+      sums[v] += gains[tap] * values[tap * kWidth + v];
+    }
+  }
+}
+
+INSONIFY_VECTOR_CLONES
+void add_energy_taps(const float* gains, int taps, const float* values, float* sums) {
+  add_taps<1>(gains, taps, values, sums);
+}
+
+INSONIFY_VECTOR_CLONES
+void add_field_taps(const float* gains, int taps, const float* values, float* sums) {
+  add_taps<2>(gains, taps, values, sums);
+}
+
+// Cell `phase` of bins [first, first + count), one after another; nothing beyond the ends of the row.
+template <typename Value>
+void gather(std::span<const Value> cells, int cells_per_bin, int phase, int first, int count, Value* values) {
+  const int bins = static_cast<int>(cells.size()) / cells_per_bin;
+  const int begin = std::clamp(-first, 0, count);
+  const int end = std::clamp(bins - first, begin, count);
+  std::fill(values, values + begin, Value{});
+  for (int i = begin; i < end; ++i) {
+    values[i] = cells[static_cast<std::size_t>(first + i) * cells_per_bin + phase];
+  }
+  std::fill(values + end, values + count, Value{});
+}
+
+// Cells of one phase lie cells_per_bin apart. Gathered, they are convolved as if each bin had one cell.
+template <typename Value, typename AddTaps>
+void convolve(std::span<const Value> cells, std::span<Value> bins, int cells_per_bin, int first, int count,
+              const std::vector<float>& gains, const AddTaps& add) {
+  assert(cells.size() == bins.size() * cells_per_bin);
+  alignas(64) Value values[kStretch + kTaps];
+  alignas(64) Value sums[kStretch];
+  for (int start = 0; start < static_cast<int>(bins.size()); start += kStretch) {
+    std::fill_n(sums, kStretch, Value{});
+    for (int phase = 0; phase < cells_per_bin; ++phase) {
+      for (int tap = 0; tap < count; tap += kTaps) {
+        const int taps = std::min(kTaps, count - tap);
+        gather(cells, cells_per_bin, phase, start + first + tap, kStretch + taps - 1, values);
+        add(&gains[static_cast<std::size_t>(phase) * count + tap], taps, reinterpret_cast<const float*>(values),
+            reinterpret_cast<float*>(sums));
+      }
+    }
+    std::copy_n(sums, std::min(kStretch, static_cast<int>(bins.size()) - start), &bins[start]);
+  }
+}
+
+// Cells from the middle one to the last that is not below the floor.
+int reach_of(const Pulse& pulse, double cell_length, double floor) {
+  auto reach = static_cast<int>(std::ceil(pulse.reach() / cell_length));
+  while (reach > 0 && pulse.intensity(reach * cell_length) < floor) {
+    --reach;
+  }
+  return reach;
+}
+
+int divide_down(int number, int divisor) {
+  return number >= 0 ? number / divisor : -((divisor - 1 - number) / divisor);
+}
+
+}  // namespace
+
+RangeResponse::RangeResponse(const Pulse& pulse, double bin_length, int cells_per_bin, double floor_db)
+    : cells_per_bin_(cells_per_bin) {
+  assert(cells_per_bin % 2 == 1);
+  const double cell_length = bin_length / cells_per_bin;
+  const int reach = reach_of(pulse, cell_length, std::pow(10, floor_db / 10));
+  const int middle = cells_per_bin / 2;
+  taps_ = 2 * reach + 1;
+  first_ = divide_down(middle - reach, cells_per_bin);
+  count_ = divide_down(middle + reach, cells_per_bin) - first_ + 1;
+  energy_.resize(static_cast<std::size_t>(cells_per_bin) * count_);
+  amplitude_.resize(energy_.size());
+  for (int tap = -reach; tap <= reach; ++tap) {
+    const int cell = middle + tap;
+    const int bin = divide_down(cell, cells_per_bin);
+    const std::size_t place = static_cast<std::size_t>(cell - bin * cells_per_bin) * count_ + (bin - first_);
+    amplitude_[place] = static_cast<float>(pulse.amplitude(tap * cell_length));
+    energy_[place] = static_cast<float>(pulse.intensity(tap * cell_length));
+    equivalent_cells_ += pulse.intensity(tap * cell_length);
+  }
+}
+
+void RangeResponse::hear_energy(std::span<const float> cells, std::span<float> bins) const {
+  convolve(cells, bins, cells_per_bin_, first_, count_, energy_, add_energy_taps);
+}
+
+void RangeResponse::hear_field(std::span<const std::complex<float>> cells, std::span<std::complex<float>> bins) const {
+  convolve(cells, bins, cells_per_bin_, first_, count_, amplitude_, add_field_taps);
+}
+
+}  // namespace insonify

@@ -1,0 +1,217 @@
+// array_pattern.cpp -- patterns as sums over elements or, of an unbroken line, in closed form.
+
+#include "insonify/array_pattern.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <set>
+
+#include "base/philox.h"
+#include "insonify/error.h"
+#include "sonar/lobes.h"
+#include "sonar/window.h"
+
+namespace insonify {
+namespace {
+
+using std::numbers::pi;
+
+// Sum over n of w_n e^(i 2 pi x ((N - 1)/2 - n) / N) by Horner's rule. Element 0 is at the port end, where u is
+// positive.
+template <typename Weight>
+std::complex<double> sum_elements(int count, double x, const Weight& weight) {
+  const double turn = 2 * pi * x / count;
+  const std::complex<double> z = std::polar(1.0, -turn);
+  std::complex<double> sum = 0;
+  for (int n = count - 1; n >= 0; --n) {
+    sum = {sum.real() * z.real() - sum.imag() * z.imag(), sum.real() * z.imag() + sum.imag() * z.real()};
+    sum += weight(n);
+  }
+  return sum * std::polar(1.0, turn * (count - 1) / 2);
+}
+
+PhiloxCounter words_of_element(int element, std::uint64_t seed) {
+  return philox({static_cast<std::uint32_t>(element), 0, 0, static_cast<std::uint32_t>(RandomPurpose::kArrayElements)},
+                philox_key(seed));
+}
+
+int drawn_dead(const ArraySettings& settings) {
+  return static_cast<int>(std::lround(settings.dead_share * settings.elements));
+}
+
+// The listed ones, and of the rest those with the smallest random words.
+std::vector<bool> find_dead(const ArraySettings& settings, std::uint64_t seed) {
+  std::vector<bool> dead(settings.elements, false);
+  for (const double element : settings.dead_elements) {
+    dead[static_cast<int>(element)] = true;
+  }
+  std::vector<std::pair<std::uint32_t, int>> living;
+  for (int n = 0; n < settings.elements; ++n) {
+    if (!dead[n]) {
+      living.emplace_back(words_of_element(n, seed)[2], n);
+    }
+  }
+  std::sort(living.begin(), living.end());
+  for (int i = 0; i < drawn_dead(settings); ++i) {
+    dead[living[i].second] = true;
+  }
+  return dead;
+}
+
+// Amplitude and phase deviate independently, each normal (Box and Muller).
+std::complex<double> drawn_gain(const ArraySettings& settings, const PhiloxCounter& words) {
+  const double radius = std::sqrt(-2 * std::log(double{uniform_open(words[0])}));
+  const double angle = 2 * pi * double{uniform_open(words[1])};
+  const double level_db = settings.element_error_db * radius * std::cos(angle);
+  return std::polar(std::pow(10, level_db / 20), settings.element_error * radius * std::sin(angle));
+}
+
+bool has_faults(const ArraySettings& settings) {
+  return settings.element_error_db > 0 || settings.element_error > 0 || !settings.dead_elements.empty() ||
+         drawn_dead(settings) > 0;
+}
+
+void check_line(std::string_view object, const ArraySettings& settings) {
+  if (settings.window == ArrayWindow::kDolphChebyshev) {
+    throw Error(fmt::format("{0}.window = dolph_chebyshev needs {0}.elements of at least 2", object));
+  }
+  if (settings.element_error_db > 0 || settings.element_error > 0 || !settings.dead_elements.empty() ||
+      settings.dead_share > 0) {
+    throw Error(fmt::format("{0} has faults of elements, which needs {0}.elements of at least 2", object));
+  }
+}
+
+void check_dead(std::string_view object, const ArraySettings& settings) {
+  std::set<double> listed;
+  for (std::size_t i = 0; i < settings.dead_elements.size(); ++i) {
+    const double element = settings.dead_elements[i];
+    if (element != std::floor(element) || element >= settings.elements) {
+      throw Error(fmt::format("{}.dead_elements[{}] = {:.10g} must be a whole number less than {}.elements = {}",
+                              object, i, element, object, settings.elements));
+    }
+    listed.insert(element);
+  }
+  if (static_cast<int>(listed.size()) + drawn_dead(settings) >= settings.elements) {
+    throw Error(
+        fmt::format("{0}.dead_elements and {0}.dead_share leave none of {1} elements", object, settings.elements));
+  }
+}
+
+}  // namespace
+
+void ArraySettings::validate(std::string_view object) const {
+  check_fields(object, *this);
+  if (elements == 1) {
+    throw Error(fmt::format("{}.elements = 1 must be 0 (an unbroken line) or at least 2", object));
+  }
+  if (elements == 0) {
+    check_line(object, *this);
+  } else {
+    check_dead(object, *this);
+  }
+}
+
+double bearing_sine(BearingMode mode, double azimuth, double elevation) {
+  return std::sin(azimuth) * (mode == BearingMode::kConical ? std::cos(elevation) : 1);
+}
+
+ArrayPattern::ArrayPattern(const ArraySettings& settings, std::uint64_t seed) : two_way_(settings.two_way) {
+  settings.validate();
+  if (settings.elements == 0) {
+    line_ = line_weight(settings);
+    const double peak = line_pattern(line_, 0);
+    for (WindowCosine& part : line_) {
+      part.share /= peak;
+    }
+    return;
+  }
+  weights_ = element_weights(settings);
+  const double sum = std::accumulate(weights_.begin(), weights_.end(), 0.0);
+  for (double& weight : weights_) {
+    weight /= sum;
+  }
+  if (has_faults(settings)) {
+    draw_faults(settings, seed);
+  }
+}
+
+void ArrayPattern::draw_faults(const ArraySettings& settings, std::uint64_t seed) {
+  const std::vector<bool> dead = find_dead(settings, seed);
+  for (int n = 0; n < settings.elements; ++n) {
+    const std::complex<double> gain = dead[n] ? 0 : drawn_gain(settings, words_of_element(n, seed));
+    real_.push_back(weights_[n] * gain.real());
+    imaginary_.push_back(weights_[n] * gain.imag());
+  }
+}
+
+double ArrayPattern::perfect_one_way(double x) const {
+  if (weights_.empty()) {
+    return line_pattern(line_, x);
+  }
+  return sum_elements(static_cast<int>(weights_.size()), x, [this](int n) { return weights_[n]; }).real();
+}
+
+double ArrayPattern::perfect_intensity(double x) const {
+  const double one_way = perfect_one_way(x);
+  return two_way_ ? one_way * one_way * one_way * one_way : one_way * one_way;
+}
+
+std::complex<double> ArrayPattern::amplitude(double x) const {
+  std::complex<double> one_way = 0;
+  if (is_real()) {
+    one_way = perfect_one_way(x);
+  } else {
+    one_way = sum_elements(static_cast<int>(real_.size()), x,
+                           [this](int n) { return std::complex<double>(real_[n], imaginary_[n]); });
+  }
+  return two_way_ ? one_way * one_way : one_way;
+}
+
+double ArrayPattern::width() const {
+  return half_power_width([this](double x) { return perfect_intensity(x); }, 0.1);
+}
+
+ArrayPattern::Lobe ArrayPattern::highest_side_lobe() const {
+  const double last = weights_.empty() ? 40 : std::min(40.0, static_cast<double>(weights_.size()) / 2);
+  const double x = highest_side_lobe_at([this](double at) { return perfect_intensity(at); }, 0.01, last);
+  return {x, x > 0 ? 10 * std::log10(perfect_intensity(x)) : -std::numeric_limits<double>::infinity()};
+}
+
+// Parseval: the integral of the pattern squared is that of the weight squared, a sum over elements. Two-way intensity
+// varies with up to two cycles per unit of x: samples closer than half a unit sum to its integral exactly.
+double ArrayPattern::equivalent_beam() const {
+  if (!two_way_) {
+    return 1 / taper_efficiency();
+  }
+  constexpr double kStep = 0.25;
+  constexpr double kLineEnd = 1000;  // Beyond it a line has less than 1e-11 left.
+  const double end = weights_.empty() ? kLineEnd : static_cast<double>(weights_.size()) / 2;
+  double sum = 0.5 * (perfect_intensity(0) + perfect_intensity(end));
+  for (int i = 1; i * kStep < end; ++i) {
+    sum += perfect_intensity(i * kStep);
+  }
+  return 2 * kStep * sum;
+}
+
+double ArrayPattern::taper_efficiency() const {
+  if (weights_.empty()) {
+    return 1 / line_power(line_);
+  }
+  return 1 / (static_cast<double>(weights_.size()) *
+              std::inner_product(weights_.begin(), weights_.end(), weights_.begin(), 0.0));
+}
+
+double ArrayPattern::length(double wavelength, double beam_width) const {
+  const double width = half_power_width(
+      [this](double x) {
+        const double one_way = perfect_one_way(x);
+        return one_way * one_way;
+      },
+      0.1);
+  return width * wavelength / (2 * std::sin(beam_width / 2));
+}
+
+}  // namespace insonify

@@ -1,0 +1,126 @@
+// window.cpp -- the formulas of the windows. Taylor's and Dolph's are also in Van Trees (2002), sections 3.1 and 3.4.
+
+#include "sonar/window.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace insonify {
+namespace {
+
+using std::numbers::pi;
+
+// Level of the main lobe over that of the side lobes, of amplitude.
+double lobe_ratio(const ArraySettings& settings) {
+  return std::pow(10, -settings.side_lobe_db / 20);
+}
+
+// Taylor (1955): as Dolph's pattern near the main lobe, falling as 1/x from side lobe nbar on.
+std::vector<WindowCosine> taylor_weight(const ArraySettings& settings) {
+  const int nbar = settings.nbar;
+  const double a = std::acosh(lobe_ratio(settings)) / pi;
+  const double stretch_squared = nbar * nbar / (a * a + (nbar - 0.5) * (nbar - 0.5));
+  std::vector<WindowCosine> weight{{0, 1}};
+  for (int m = 1; m < nbar; ++m) {
+    double coefficient = m % 2 == 1 ? 1 : -1;
+    for (int i = 1; i < nbar; ++i) {
+      coefficient *= 1 - m * m / stretch_squared / (a * a + (i - 0.5) * (i - 0.5));
+      coefficient /= i == m ? 1 : 1 - static_cast<double>(m * m) / (i * i);
+    }
+    weight.push_back({static_cast<double>(m), coefficient});
+  }
+  return weight;
+}
+
+// T_n(x), for any x.
+double chebyshev(int n, double x) {
+  if (std::abs(x) <= 1) {
+    return std::cos(n * std::acos(x));
+  }
+  return (x < 0 && n % 2 == 1 ? -1 : 1) * std::cosh(n * std::acosh(std::abs(x)));
+}
+
+// Dolph (1946): the pattern is T_{N-1}(x0 cos(psi / 2)), all side lobes level; N samples of it give the weights.
+std::vector<double> dolph_chebyshev_weights(const ArraySettings& settings) {
+  const int count = settings.elements;
+  const double x0 = std::cosh(std::acosh(lobe_ratio(settings)) / (count - 1));
+  std::vector<double> weights(count);
+  for (int k = 0; k < count; ++k) {
+    const double pattern = chebyshev(count - 1, x0 * std::cos(pi * k / count));
+    for (int n = 0; n < count; ++n) {
+      weights[n] += pattern * std::cos(2 * pi * k * (n - (count - 1) / 2.0) / count);
+    }
+  }
+  return weights;
+}
+
+// Length over which the window is laid, in elements: Hann's zeros lie one element outside, so that all hear; Hamming's
+// ends lie on the outermost elements. The others are sampled in the middle of each element's stretch of the line.
+int window_length(ArrayWindow window, int elements) {
+  switch (window) {
+    case ArrayWindow::kHann:
+      return elements + 1;
+    case ArrayWindow::kHamming:
+      return elements - 1;
+    default:
+      return elements;
+  }
+}
+
+}  // namespace
+
+std::vector<WindowCosine> line_weight(const ArraySettings& settings) {
+  switch (settings.window) {
+    case ArrayWindow::kHann:
+      return {{0, 0.5}, {1, 0.5}};
+    case ArrayWindow::kHamming:
+      return {{0, 0.54}, {1, 0.46}};
+    case ArrayWindow::kCosine:
+      return {{0.5, 1}};
+    case ArrayWindow::kTaylor:
+      return taylor_weight(settings);
+    case ArrayWindow::kRectangular:
+    case ArrayWindow::kDolphChebyshev:
+      break;
+  }
+  return {{0, 1}};
+}
+
+std::vector<double> element_weights(const ArraySettings& settings) {
+  if (settings.window == ArrayWindow::kDolphChebyshev) {
+    return dolph_chebyshev_weights(settings);
+  }
+  const std::vector<WindowCosine> weight = line_weight(settings);
+  const double length = window_length(settings.window, settings.elements);
+  std::vector<double> weights(settings.elements);
+  for (int n = 0; n < settings.elements; ++n) {
+    const double s = (n - (settings.elements - 1) / 2.0) / length;
+    for (const WindowCosine& part : weight) {
+      weights[n] += part.share * std::cos(2 * pi * part.turns * s);
+    }
+  }
+  return weights;
+}
+
+double sinc(double x) {
+  const double angle = pi * x;
+  return std::abs(angle) < 1e-5 ? 1 - angle * angle / 6 : std::sin(angle) / angle;
+}
+
+double line_pattern(const std::vector<WindowCosine>& weight, double x) {
+  double sum = 0;
+  for (const WindowCosine& part : weight) {
+    sum += part.share * 0.5 * (sinc(x - part.turns) + sinc(x + part.turns));
+  }
+  return sum;
+}
+
+double line_power(const std::vector<WindowCosine>& weight) {
+  double sum = 0;
+  for (const WindowCosine& part : weight) {
+    sum += part.share * line_pattern(weight, part.turns);
+  }
+  return sum;
+}
+
+}  // namespace insonify

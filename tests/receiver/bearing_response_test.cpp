@@ -1,0 +1,264 @@
+// The array over a bearing grid: lone echoes, side lobes, speckle between beams, and the product by brute force.
+
+#include "receiver/bearing_response.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+#include <vector>
+
+#include "insonify/geometry.h"
+
+namespace insonify {
+namespace {
+
+// Of a fan of 120 degrees in 256 beams, .46875 degrees apart, and an array with a beam of 1 degree at 720 kHz.
+constexpr double kAperture = radians_from_degrees(120);
+constexpr double kWavelength = 1500.0 / 720e3;
+
+double length_in_wavelengths(const ArrayPattern& pattern, double beam_width_deg = 1) {
+  return pattern.length(kWavelength, radians_from_degrees(beam_width_deg)) / kWavelength;
+}
+
+// u of `count` bearings even in azimuth over the fan, from port to starboard.
+std::vector<double> fan(int count, double aperture = kAperture) {
+  std::vector<double> sines;
+  for (int i = 0; i < count; ++i) {
+    sines.push_back(std::sin(aperture * (0.5 - (i + 0.5) / count)));
+  }
+  return sines;
+}
+
+std::vector<float> hear(const BearingResponse& response, const std::vector<float>& cells, int bins) {
+  std::vector<float> beams(static_cast<std::size_t>(response.beam_count()) * bins, 99.0F);
+  response.hear_energy(cells, beams, bins, {0, bins});
+  return beams;
+}
+
+using Field = std::vector<std::complex<float>>;
+
+Field hear(const BearingResponse& response, const Field& cells, int bins) {
+  Field beams(static_cast<std::size_t>(response.beam_count()) * bins, 99.0F);
+  response.hear_field(cells, beams, bins, {0, bins});
+  return beams;
+}
+
+Field white_noise(std::size_t count, unsigned seed) {
+  std::mt19937 random(seed);
+  std::normal_distribution<float> normal(0, std::sqrt(0.5F));
+  Field field(count);
+  for (auto& value : field) {
+    const float real = normal(random);
+    value = {real, normal(random)};
+  }
+  return field;
+}
+
+float decibels(float intensity) {
+  return 10 * std::log10(intensity);
+}
+
+// The sums run over this many cells in single precision.
+constexpr double kSinglePrecision = 1e-5;
+
+// Odd numbers of beams, cells and bins, so that every block, panel and strip has an incomplete one.
+TEST(BearingResponseTest, IsTheSumOverCells) {
+  constexpr int kBeams = 21, kCells = 301, kBins = 37;
+  const std::vector<double> cells = fan(kCells), beams = fan(kBeams);
+  for (const ArraySettings& settings : {ArraySettings{.window = ArrayWindow::kHann},
+                                        ArraySettings{.elements = 90, .element_error_db = 2, .element_error = 0.4}}) {
+    const ArrayPattern pattern(settings);
+    const BearingResponse response(pattern, 40, cells, beams, -300);
+    const Field field = white_noise(kCells * kBins, 1);
+    std::vector<float> energy;
+    for (const std::complex<float> value : field) {
+      energy.push_back(std::norm(value));
+    }
+    const std::vector<float> heard_energy = hear(response, energy, kBins);
+    const Field heard_field = hear(response, field, kBins);
+    for (int beam = 0; beam < kBeams; ++beam) {
+      for (int bin = 0; bin < kBins; ++bin) {
+        double sum = 0;
+        std::complex<double> complex_sum = 0;
+        for (int cell = 0; cell < kCells; ++cell) {
+          const std::complex<double> gain = pattern.amplitude(40 * (cells[cell] - beams[beam]));
+          sum += std::norm(gain) * energy[cell * kBins + bin];
+          complex_sum += gain * std::complex<double>(field[cell * kBins + bin]);
+        }
+        ASSERT_NEAR(heard_energy[beam * kBins + bin] / sum, 1, kSinglePrecision);
+        ASSERT_NEAR(std::abs(std::complex<double>(heard_field[beam * kBins + bin]) - complex_sum), 0, kSinglePrecision);
+      }
+    }
+  }
+}
+
+TEST(BearingResponseTest, DoesNotDependOnHowBinsAreShared) {
+  constexpr int kBeams = 16, kCells = 64, kBins = 50;
+  const ArrayPattern pattern({.elements = 32, .element_error = 0.1});
+  const BearingResponse response(pattern, 20, fan(kCells), fan(kBeams));
+  const Field field = white_noise(kCells * kBins, 2);
+  Field shared(kBeams * kBins);
+  response.hear_field(field, shared, kBins, {0, 7});
+  response.hear_field(field, shared, kBins, {31, 50});
+  response.hear_field(field, shared, kBins, {7, 31});
+  EXPECT_EQ(shared, hear(response, field, kBins));
+}
+
+// A cell at every beam's bearing.
+TEST(BearingResponseTest, LoneEchoReadsItsFullLevelInItsOwnBeam) {
+  constexpr int kBeams = 64;
+  const ArrayPattern pattern;
+  const BearingResponse response(pattern, length_in_wavelengths(pattern), fan(kBeams), fan(kBeams));
+  std::vector<float> cells(kBeams, 0.0F);
+  cells[20] = 5;
+  EXPECT_FLOAT_EQ(hear(response, cells, 1)[20], 5);
+}
+
+// PHYSICS T14. A strong echo shows at every bearing, at -13.26 dB where u is 1.4303 wavelengths / D from its own; at 20
+// degrees the lobes are at 18.2918 and 21.7270 degrees (D = .1058 m). Beams .01 degrees apart find them.
+TEST(BearingResponseTest, SideLobesLieWhereTheyShould) {
+  constexpr double kLength = 0.1058 / kWavelength;
+  const struct {
+    ArraySettings settings;
+    double echo_deg, lobe_deg, other_lobe_deg, level_db;
+  } cases[] = {
+      {{}, 0, 1.6138, -1.6138, -13.2615},
+      {{}, 20, 21.7270, 18.2918, -13.2615},
+      {{.two_way = true}, 20, 21.7270, 18.2918, -26.523},
+      // Hann's lobe is 2.3619 wavelengths / D out.
+      {{.window = ArrayWindow::kHann}, 0, 2.6659, -2.6659, -31.4675},
+  };
+  std::vector<double> beams;
+  for (int i = 0; i <= 8000; ++i) {
+    beams.push_back(std::sin(radians_from_degrees(40 - i * 0.01)));
+  }
+  const auto near_lobe = [](double from_deg, double to_deg, const std::vector<float>& heard) {
+    int highest = std::lround((40 - to_deg) * 100);
+    for (int i = highest; i <= std::lround((40 - from_deg) * 100); ++i) {
+      highest = heard[i] > heard[highest] ? i : highest;
+    }
+    return std::pair{40 - highest * 0.01, decibels(heard[highest])};
+  };
+  for (const auto& c : cases) {
+    const std::vector<double> cell = {std::sin(radians_from_degrees(c.echo_deg))};
+    const std::vector<float> heard =
+        hear(BearingResponse(ArrayPattern(c.settings), kLength, cell, beams), std::vector<float>{1}, 1);
+    for (const double lobe_deg : {c.lobe_deg, c.other_lobe_deg}) {
+      const auto [bearing_deg, level_db] = near_lobe(lobe_deg - 0.4, lobe_deg + 0.4, heard);
+      EXPECT_NEAR(bearing_deg, lobe_deg, 0.011) << c.level_db;
+      EXPECT_NEAR(level_db, c.level_db, 0.01);
+    }
+  }
+}
+
+// What neighbouring beams make of the same speckle (PHYSICS 6). For white circular noise the intensities of two beams
+// x = (D / wavelength) (u1 - u2) apart correlate as sinc^2 of x: .5465 of beams .46875 degrees apart at the axis,
+// where x = .41547; each beam adds x independent samples. From 12 beams by the axis, where x hardly changes, and many
+// bins, the correlation's standard error is below (1 - r^2) / sqrt(n_eff).
+TEST(BearingResponseTest, SpeckleOfNeighbouringBeamsCorrelates) {
+  constexpr int kBeams = 13, kPerBeam = 4, kMargin = 60, kBins = 4000;
+  constexpr double kSpacing = radians_from_degrees(0.46875);
+  const ArrayPattern pattern;
+  const double length = length_in_wavelengths(pattern);
+  std::vector<double> cells, beams;
+  for (int beam = 0; beam < kBeams; ++beam) {
+    beams.push_back(std::sin((kBeams / 2 - beam) * kSpacing));
+  }
+  for (int cell = 0; cell < (kBeams + 2 * kMargin) * kPerBeam; ++cell) {
+    cells.push_back(std::sin((kBeams / 2.0 + kMargin + 0.5 - (cell + 0.5) / kPerBeam) * kSpacing));
+  }
+  const BearingResponse response(pattern, length, cells, beams, -300);
+  const Field heard = hear(response, white_noise(cells.size() * kBins, 3), kBins);
+
+  const auto correlation = [&](int lag) {
+    double mean = 0, square = 0, product = 0;
+    const int pairs = (kBeams - lag) * kBins;
+    for (int i = 0; i < pairs; ++i) {
+      const double a = std::norm(heard[i]), b = std::norm(heard[i + lag * kBins]);
+      mean += 0.5 * (a + b) / pairs;
+      square += 0.5 * (a * a + b * b) / pairs;
+      product += a * b / pairs;
+    }
+    return (product - mean * mean) / (square - mean * mean);
+  };
+  constexpr double kIndependent = 0.41547099364634316 * (kBeams - 1) * kBins;
+  const double tolerance = 4 / std::sqrt(kIndependent);
+  EXPECT_NEAR(correlation(1), 0.5465445707912471, tolerance);
+  EXPECT_NEAR(correlation(2), 0.0377, tolerance);
+  EXPECT_NEAR(correlation(3), 0.0319, tolerance);
+}
+
+// The energy heard is the mean of what the field reads over many draws: phases are independent between cells. The mean
+// of n exponential numbers has a standard error of 1 / sqrt(n).
+TEST(BearingResponseTest, EnergyIsTheMeanOfTheField) {
+  constexpr int kBeams = 8, kCells = 64, kDraws = 20000;
+  for (const ArraySettings& settings :
+       {ArraySettings{}, ArraySettings{.elements = 64, .element_error_db = 3, .element_error = 0.5, .two_way = true}}) {
+    const ArrayPattern pattern(settings);
+    const BearingResponse response(pattern, 10, fan(kCells), fan(kBeams));
+    Field cells = white_noise(kCells * kDraws, 4);
+    std::vector<float> energy(kCells);
+    for (int cell = 0; cell < kCells; ++cell) {
+      energy[cell] = 1 + cell % 5;
+      for (int draw = 0; draw < kDraws; ++draw) {
+        cells[cell * kDraws + draw] *= std::sqrt(energy[cell]);
+      }
+    }
+    const std::vector<float> expected = hear(response, energy, 1);
+    const Field heard = hear(response, cells, kDraws);
+    for (int beam = 0; beam < kBeams; ++beam) {
+      double mean = 0;
+      for (int draw = 0; draw < kDraws; ++draw) {
+        mean += std::norm(heard[beam * kDraws + draw]) / kDraws;
+      }
+      EXPECT_NEAR(mean / expected[beam], 1, 4 / std::sqrt(kDraws));
+    }
+  }
+}
+
+// PHYSICS T17: two equal echoes in one cell, speckle off, read twice one.
+TEST(BearingResponseTest, EnergiesOfOneCellAddUp) {
+  const ArrayPattern pattern;
+  const BearingResponse response(pattern, 50, fan(32), fan(8));
+  std::vector<float> one(32, 0.0F), two(32, 0.0F);
+  one[9] = 3;
+  two[9] = 6;
+  const std::vector<float> heard = hear(response, one, 1), twice = hear(response, two, 1);
+  for (int beam = 0; beam < 8; ++beam) {
+    EXPECT_FLOAT_EQ(twice[beam], 2 * heard[beam]);
+  }
+}
+
+// Energy spread evenly over u reads its density times the equivalent beam, wavelength / D: cells of 0.002 and an array
+// of 50 wavelengths give (1 / 50) / 0.002 = 10 cells. The 1 / (pi^2 50) of a sinc's energy that lies beyond u = +-1 is
+// not heard; the floor, 318 lobes out, cuts nothing off.
+TEST(BearingResponseTest, SpreadEnergyReadsTheEquivalentBeam) {
+  std::vector<double> cells;
+  for (int i = 0; i < 1000; ++i) {
+    cells.push_back(0.999 - 0.002 * i);
+  }
+  const ArrayPattern pattern;
+  const std::vector<double> ahead = {0.0};
+  const BearingResponse response(pattern, 50, cells, ahead);
+  const double expected = (1.0 / 50) / 0.002 * (1 - 1 / (9.8696 * 50));
+  EXPECT_NEAR(hear(response, std::vector<float>(1000, 1.0F), 1)[0], expected, 1e-3);
+}
+
+// Hann's side lobes fall below -60 dB some 4 to 7 lobes out: of 100 wavelengths x 1.73 only a small part is summed, and
+// what was left out is less than the floor times what there was.
+TEST(BearingResponseTest, FloorLeavesOutWhatIsNotHeard) {
+  const ArrayPattern pattern({.window = ArrayWindow::kHann});
+  const double length = length_in_wavelengths(pattern);
+  const BearingResponse response(pattern, length, fan(512), fan(256)), full(pattern, length, fan(512), fan(256), -300);
+  EXPECT_LT(response.filled(), 0.2);
+  EXPECT_EQ(full.filled(), 1);
+  const std::vector<float> cells(512, 1.0F), heard = hear(response, cells, 1), all = hear(full, cells, 1);
+  for (int beam = 0; beam < 256; ++beam) {
+    EXPECT_NEAR(heard[beam] / all[beam], 1, 1e-5);
+  }
+}
+
+}  // namespace
+}  // namespace insonify
