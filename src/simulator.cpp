@@ -37,6 +37,11 @@ struct Simulator::State {
 
 namespace {
 
+// The paper model's beams are top hats.
+ReceiverConfig heard_by(const Scenario& scenario) {
+  return scenario.model == EchoModel::kCalibrated ? scenario.receiver : ReceiverConfig{};
+}
+
 // Of the echoes that there may be.
 int order_count(const Scenario& scenario) {
   const int most = scenario.model == EchoModel::kPaper ? 2 : kPathOrders;
@@ -59,7 +64,8 @@ Simulator::Simulator(Scenario scenario, Scene scene, int threads) {
   for (SonarConfig& sonar : state_->scenario.sonars) {
     sonar.assumed_sound_speed = sonar.assumed_sound_speed.value_or(sound_speed);
     sonar.ping_period = sonar.ping_period.value_or(sonar.shortest_ping_period(*sonar.assumed_sound_speed));
-    state_->plans.push_back(make_ping_plan({.sonar = sonar,
+    const BearingCells cells(sonar, heard_by(state_->scenario));
+    state_->plans.push_back(make_ping_plan({.sonar = cells.sonar,
                                             .water = water_at(state_->scenario, sonar),
                                             .model = state_->scenario.model,
                                             .paper = state_->scenario.paper,
@@ -68,8 +74,9 @@ Simulator::Simulator(Scenario scenario, Scene scene, int threads) {
                                             .secondary = state_->scenario.secondary,
                                             .max_surfaces = state_->scenario.max_surfaces,
                                             .seed = state_->scenario.seed}));
-    state_->grids.emplace_back(sonar.beam_count, sonar.bin_count, order_count(state_->scenario));
-    state_->receivers.emplace_back(sonar, state_->scenario.water, state_->scenario.receiver, state_->scenario.seed);
+    state_->grids.emplace_back(cells.sonar.beam_count, sonar.bin_count, order_count(state_->scenario));
+    state_->receivers.emplace_back(sonar, cells, state_->scenario.water, state_->scenario.receiver,
+                                   state_->scenario.seed);
   }
   state_->engine->set_scene(state_->scene);
 }
@@ -122,7 +129,7 @@ void Simulator::make_ping(int index, std::uint64_t number, Ping& ping) {
   if (state.scenario.model == EchoModel::kCalibrated) {
     state.engine->insonify(plan, world_from_sonar, number, grid, nullptr);
     state.points.add(plan, world_from_sonar, *state.engine, grid);
-    state.receivers[index].hear(grid, state.workers, ping);
+    state.receivers[index].hear(grid, world_from_sonar, state.workers, ping);
   } else {
     PaperReceiver receiver(
         grid, config,

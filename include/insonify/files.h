@@ -52,14 +52,12 @@ struct PresetFact {
 };
 /// What is known of an instrument beside its SonarConfig.
 struct Instrument {
-  std::optional<double> azimuth_resolution;  ///< Width of a beam between half-power points [rad].
-  std::optional<double> range_resolution;    ///< Shortest bin [m].
-  int bin_limit = 1000;                      ///< Most bins in a beam.
-  std::optional<double> ping_rate_limit;     ///< Most pings a second [Hz].
-  std::optional<double> bandwidth;           ///< [Hz]
-  std::optional<double> dynamic_range_db;    ///< [dB]
-  std::vector<double> bit_depths;            ///< Bits a sample that it can deliver.
-  std::vector<double> steps;                 ///< Steps its head can make [rad].
+  std::optional<double> range_resolution;  ///< Shortest bin [m].
+  int bin_limit = 1000;                    ///< Most bins in a beam.
+  std::optional<double> ping_rate_limit;   ///< Most pings a second [Hz].
+  std::optional<double> dynamic_range_db;  ///< [dB]
+  std::vector<double> bit_depths;          ///< Bits a sample that it can deliver.
+  std::vector<double> steps;               ///< Steps its head can make [rad].
 
   template <typename Self, typename Visit>
   static void visit_fields(Self& self, Visit&& visit);
@@ -121,12 +119,9 @@ void write_png(const std::filesystem::path& path, const Picture& picture);
 
 template <typename Self, typename Visit>
 void Instrument::visit_fields(Self& self, Visit&& visit) {
-  visit(Field{"azimuth_resolution", "rad", greater_than(0), "Width of a beam between half-power points."},
-        self.azimuth_resolution);
   visit(Field{"range_resolution", "m", greater_than(0), "Shortest bin."}, self.range_resolution);
   visit(Field{"bin_limit", "", from_to(1, 65536), "Most bins in a beam."}, self.bin_limit);
   visit(Field{"ping_rate_limit", "Hz", greater_than(0), "Most pings a second."}, self.ping_rate_limit);
-  visit(Field{"bandwidth", "Hz", greater_than(0), "Bandwidth of the pulse."}, self.bandwidth);
   visit(Field{"dynamic_range_db", "dB", greater_than(0), "Dynamic range of the receiver."}, self.dynamic_range_db);
   visit(Field{"bit_depths", "", from_to(1, 64), "Bits a sample that it can deliver."}, self.bit_depths);
   visit(Field{"steps", "rad", greater_than(0), "Steps its head can make."}, self.steps);

@@ -4,22 +4,55 @@
 
 #include <optional>
 
+#include "insonify/array_pattern.h"
 #include "insonify/field.h"
+#include "insonify/pulse.h"
 
 namespace insonify {
 
-/// What the receiver adds. The calibrated model's part of it says so.
+/// How beams hear across bearings: their own slice evenly and nothing else, or as a line array with a window. Side
+/// lobes go both ways on scanning heads, which send with the array they hear with, one way on fans.
+enum class AzimuthPattern { kTopHat, kRectangular, kHann, kHamming, kCosine, kTaylor, kDolphChebyshev };
+
+/// What the receiver adds. All but `noise` is the calibrated model's.
 struct ReceiverConfig {
   bool noise = true;  ///< Whether noise is drawn at all: the paper model's, or the calibrated model's thermal noise.
+  bool speckle = false;
+  AzimuthPattern azimuth_pattern = AzimuthPattern::kTopHat;
+  double side_lobe_db = -30;           ///< Of kTaylor and kDolphChebyshev [dB], -100..-15.
+  PulseKind pulse = PulseKind::kNone;  ///< kNone: as long as a bin.
+  double pulse_duration = 50e-6;       ///< Of kCw and kLfm [s], in (0, 1].
+  double pulse_bandwidth = 100e3;      ///< Of kLfm [Hz], in (0, 1e7]; times pulse_duration at least 10.
 
-  /// Calibrated model: X of the gain X log10(r) + 2 alpha r [dB] that the recording is raised by, r in metres and alpha
-  /// the water's absorption; 0..60. None: raw. 40 evens out point targets, 30 floors, 20 water's reverberation.
+  /// X of the gain X log10(r) + 2 alpha r [dB] that the recording is raised by, r in metres and alpha the water's
+  /// absorption; 0..60. None: raw. 40 evens out point targets, 30 floors, 20 water's reverberation.
   std::optional<double> time_varied_gain = {};
+
+  /// @throws Error on the first field out of limits.
+  void validate() const;
 
   template <typename Self, typename Visit>
   static void visit_fields(Self& self, Visit&& visit) {
     visit(Field{"noise", "", {}, "Whether noise is drawn: the paper model's own, or thermal noise (calibrated)."},
           self.noise);
+    visit(Field{"speckle", "", {}, "Whether echoes interfere, as a coherent sonar hears them (calibrated)."},
+          self.speckle);
+    visit(Field{"azimuth_pattern",
+                "",
+                {},
+                "How beams hear across bearings: top_hat, or the window of a line array "
+                "(calibrated)."},
+          self.azimuth_pattern);
+    visit(Field{"side_lobe_db", "dB", from_to(-100, -15), "Side lobes re the main lobe (taylor, dolph_chebyshev)."},
+          self.side_lobe_db);
+    visit(Field{"pulse",
+                "",
+                {},
+                "none (as long as a bin), cw (a tone) or lfm (a chirp), matched-filtered "
+                "(calibrated)."},
+          self.pulse);
+    visit(Field{"pulse_duration", "s", above_to(0, 1), "Of the tone or the chirp."}, self.pulse_duration);
+    visit(Field{"pulse_bandwidth", "Hz", above_to(0, 1e7), "Of the chirp."}, self.pulse_bandwidth);
     visit(Field{"time_varied_gain", "dB/decade", from_to(0, 60),
                 "X of the gain X log10(r / 1 m) + 2 alpha r that intensities are recorded with (calibrated); none for "
                 "raw."},

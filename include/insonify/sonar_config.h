@@ -54,6 +54,8 @@ struct SonarConfig {
   double azimuth_aperture = radians_from_degrees(120);  ///< Full width of the fan [rad], in (0, 2 pi].
   std::vector<double>
       beam_azimuths;  ///< Explicit centres, falling from port to starboard [rad]; even in angle when empty.
+  std::optional<double> azimuth_resolution;  ///< Full width of a beam at half power, one way and straight ahead [rad],
+                                             ///< in (0, pi/2]; its share of the fan when absent.
   double elevation_aperture = radians_from_degrees(20);  ///< Full height of every beam [rad], in (0, 170 deg].
   double elevation_center = 0;                           ///< Middle of the elevation aperture [rad].
 
@@ -134,6 +136,10 @@ void SonarConfig::visit_fields(Self& self, Visit&& visit) {
               "Explicit beam centres, falling from port to starboard: beam_count and azimuth_aperture follow from "
               "them. Even in angle when absent."},
         self.beam_azimuths);
+  visit(Field{"azimuth_resolution", "rad", above_to(0, 0.5 * kPi),
+              "Width of a beam at half power, one way and straight ahead; its share of the fan when absent (calibrated "
+              "model, with an azimuth_pattern)."},
+        self.azimuth_resolution);
   visit(Field{"elevation_aperture", "rad", above_to(0, radians_from_degrees(170)), "Full height of every beam."},
         self.elevation_aperture);
   visit(Field{"elevation_center", "rad", from_to(radians_from_degrees(-85), radians_from_degrees(85)),

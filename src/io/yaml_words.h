@@ -8,6 +8,7 @@
 
 #include "insonify/engine.h"
 #include "insonify/paper_model.h"
+#include "insonify/receiver_config.h"
 #include "insonify/sonar_config.h"
 
 namespace insonify {
@@ -43,6 +44,20 @@ constexpr auto words_of<PrimaryEchoes>() {
 template <>
 constexpr auto words_of<EchoModel>() {
   return Words<EchoModel, 2>{{{"paper", EchoModel::kPaper}, {"calibrated", EchoModel::kCalibrated}}};
+}
+template <>
+constexpr auto words_of<AzimuthPattern>() {
+  return Words<AzimuthPattern, 7>{{{"top_hat", AzimuthPattern::kTopHat},
+                                   {"rectangular", AzimuthPattern::kRectangular},
+                                   {"hann", AzimuthPattern::kHann},
+                                   {"hamming", AzimuthPattern::kHamming},
+                                   {"cosine", AzimuthPattern::kCosine},
+                                   {"taylor", AzimuthPattern::kTaylor},
+                                   {"dolph_chebyshev", AzimuthPattern::kDolphChebyshev}}};
+}
+template <>
+constexpr auto words_of<PulseKind>() {
+  return Words<PulseKind, 3>{{{"none", PulseKind::kNone}, {"cw", PulseKind::kCw}, {"lfm", PulseKind::kLfm}}};
 }
 template <>
 constexpr auto words_of<SecondaryEchoes>() {

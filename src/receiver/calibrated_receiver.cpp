@@ -1,10 +1,11 @@
-// calibrated_receiver.cpp -- intensities, thermal noise, gain.
+// calibrated_receiver.cpp -- cells, pulse, array, noise, gain.
 
 #include "receiver/calibrated_receiver.h"
 
+#include <bit>
 #include <cmath>
 
-#include "base/vector_math.h"
+#include "echo/echo.h"
 #include "insonify/absorption.h"
 #include "insonify/sonar_equation.h"
 #include "receiver/normal_numbers.h"
@@ -12,75 +13,174 @@
 namespace insonify {
 namespace {
 
-// The field of each cell has the phase 0; noise adds to both of its components.
-INSONIFY_VECTOR_CLONES
-void add_noise(int count, float deviation, const float* __restrict__ in_phase, const float* __restrict__ quadrature,
-               float* __restrict__ intensity) {
-  for (int i = 0; i < count; ++i) {
-    const float real = std::sqrt(intensity[i]) + deviation * in_phase[i], imaginary = deviation * quadrature[i];
-    intensity[i] = real * real + imaginary * imaginary;
-  }
-}
+constexpr int kBinsATask = 64;
+const float kHalf = std::sqrt(0.5F);  // Of a complex number's deviation, for each component.
 
 double noise_intensity_of(const SonarConfig& sonar) {
-  const double directivity =
-      sector_directivity_index_db(sonar.azimuth_aperture / sonar.beam_count, sonar.elevation_aperture);
+  const double width = sonar.azimuth_aperture / sonar.beam_count;
+  const double directivity = sector_directivity_index_db(width, sonar.elevation_aperture);
   const double level = noise_level_db(thermal_noise_level_db(sonar.frequency), sonar.bandwidth, directivity);
   return std::pow(10.0, (level - sonar.source_level_db) / 10);
 }
 
+ArrayPattern pattern_of(const SonarConfig& sonar, const ReceiverConfig& config) {
+  ArraySettings settings;
+  settings.window = static_cast<ArrayWindow>(static_cast<int>(config.azimuth_pattern) - 1);
+  settings.side_lobe_db = config.side_lobe_db;
+  settings.two_way = sonar.type == SonarType::kMechanicallyScanned;
+  return ArrayPattern(settings);
+}
+
+// Tells poses apart: equal poses give equal numbers.
+std::uint64_t number_of(const Pose& pose) {
+  std::uint64_t number = 0;
+  for (const double value : {pose.position.x(), pose.position.y(), pose.position.z(), pose.orientation.w(),
+                             pose.orientation.x(), pose.orientation.y(), pose.orientation.z()}) {
+    number = (number ^ std::bit_cast<std::uint64_t>(value)) * 0x9E3779B97F4A7C15U;
+    number ^= number >> 29;
+  }
+  return number;
+}
+
 }  // namespace
 
-CalibratedReceiver::CalibratedReceiver(const SonarConfig& sonar, const Water& water, const ReceiverConfig& config,
-                                       std::uint64_t seed)
-    : noise_intensity_(noise_intensity_of(sonar)), noisy_(config.noise), seed_(seed) {
+CalibratedReceiver::CalibratedReceiver(const SonarConfig& sonar, const BearingCells& cells, const Water& water,
+                                       const ReceiverConfig& config, std::uint64_t seed)
+    : beams_(sonar.beam_count),
+      bins_(sonar.bin_count),
+      cells_(cells.sonar.beam_count),
+      first_cell_(cells.first),
+      cells_per_beam_(cells.per_beam),
+      noise_intensity_(noise_intensity_of(sonar)),
+      noisy_(config.noise),
+      speckled_(config.speckle),
+      seed_(seed) {
   const double absorption = water.absorption_db_per_m_at(sonar.frequency);
-  for (int bin = 0; bin < sonar.bin_count; ++bin) {
+  for (int bin = 0; bin < bins_; ++bin) {
     const double range = sonar.bin_range(bin), ramp = near_field(sonar, bin);
     const double gain_db =
         config.time_varied_gain ? *config.time_varied_gain * std::log10(range) + 2 * absorption * range : 0.0;
     gain_.push_back(static_cast<float>(ramp * ramp * std::pow(10.0, gain_db / 10)));
   }
+  const double sound_speed = sonar.assumed_sound_speed.value_or(water.true_sound_speed());
+  if (config.pulse != PulseKind::kNone) {
+    const Pulse pulse({.kind = config.pulse, .duration = config.pulse_duration, .bandwidth = config.pulse_bandwidth},
+                      sound_speed, sonar.bin_length());
+    range_.emplace(pulse, sonar.bin_length());
+  }
+  if (config.azimuth_pattern != AzimuthPattern::kTopHat) {
+    const ArrayPattern pattern = pattern_of(sonar, config);
+    const double wavelength = water.true_sound_speed() / sonar.frequency;
+    const double width = sonar.azimuth_resolution.value_or(sonar.azimuth_aperture / sonar.beam_count);
+    bearing_.emplace(pattern, pattern.length(wavelength, width) / wavelength, BearingCells::sines(cells.sonar),
+                     BearingCells::sines(sonar));
+  }
+  const std::size_t cell_count = static_cast<std::size_t>(cells_) * bins_;
+  const std::size_t beam_count = bearing_ ? static_cast<std::size_t>(beams_) * bins_ : 0;
+  cell_energy_.resize(speckled_ ? 0 : cell_count);
+  beam_energy_.resize(speckled_ ? 0 : beam_count);
+  cell_field_.resize(speckled_ ? cell_count : 0);
+  beam_field_.resize(speckled_ ? beam_count : 0);
 }
 
-void CalibratedReceiver::hear(const EchoGrid& grid, Workers& workers, Ping& ping) const {
-  size_tables(grid, ping);
-  const int tiles_along = (grid.bin_count() + kTileBins - 1) / kTileBins;
-  const int tiles_across = (grid.beam_count() + kTileBeams - 1) / kTileBeams;
+// One cell's echo and what the pulse makes of it.
+void CalibratedReceiver::hear_cell(const EchoGrid& grid, int cell, std::uint64_t look, Row& row) {
+  const auto bins = static_cast<std::size_t>(bins_);
+  std::vector<float>& energy = row.energy;
+  std::vector<std::complex<float>>& field = row.field;
+  energy.assign(bins, 0.0F);
+  for (int order = 1; order <= grid.order_count(); ++order) {
+    const std::span<const float> layer = grid.energy(order, cell);
+    for (std::size_t i = 0; i < bins; ++i) {
+      energy[i] += layer[i];
+    }
+  }
+  const std::span<float> out_energy(cell_energy_.data() + (speckled_ ? 0 : bins * cell), speckled_ ? 0 : bins);
+  if (!speckled_) {
+    range_ ? range_->hear_energy(energy, out_energy) : static_cast<void>(std::ranges::copy(energy, out_energy.begin()));
+    return;
+  }
+  field.resize(bins);
+  for (int block = 0; block * kTileBins < bins_; ++block) {
+    float in_phase[kTileBins], quadrature[kTileBins];
+    draw_normals(RandomPurpose::kSpeckleInPhase, block, cell, look, seed_, in_phase);
+    draw_normals(RandomPurpose::kSpeckleQuadrature, block, cell, look, seed_, quadrature);
+    for (int i = 0; i < std::min(kTileBins, bins_ - block * kTileBins); ++i) {
+      const int bin = block * kTileBins + i;
+      const float amplitude = kHalf * std::sqrt(energy[bin]);
+      field[bin] = {amplitude * in_phase[i], amplitude * quadrature[i]};
+    }
+  }
+  const std::span<std::complex<float>> out(cell_field_.data() + bins * cell, bins);
+  range_ ? range_->hear_field(field, out) : static_cast<void>(std::ranges::copy(field, out.begin()));
+}
+
+void CalibratedReceiver::hear(const EchoGrid& grid, const Pose& world_from_sonar, Workers& workers, Ping& ping) {
+  size_tables(ping, beams_, bins_);
+  const std::uint64_t look = speckled_ ? number_of(world_from_sonar) : 0;
+  rows_.resize(std::max(rows_.size(), static_cast<std::size_t>(workers.count())));
+  workers.for_each(cells_, [&](int cell, int worker) { hear_cell(grid, cell, look, rows_[worker]); });
+  if (bearing_) {
+    workers.for_each((bins_ + kBinsATask - 1) / kBinsATask, [&](int task, int) {
+      const BearingResponse::Bins bins{task * kBinsATask, std::min((task + 1) * kBinsATask, bins_)};
+      speckled_ ? bearing_->hear_field(cell_field_, beam_field_, bins_, bins)
+                : bearing_->hear_energy(cell_energy_, beam_energy_, bins_, bins);
+    });
+  }
+  const int tiles_along = (bins_ + kTileBins - 1) / kTileBins, tiles_across = (beams_ + kTileBeams - 1) / kTileBeams;
   workers.for_each(tiles_across * tiles_along, [&](int tile, int) {
     const int beam = tile / tiles_along * kTileBeams, bin = tile % tiles_along * kTileBins;
-    hear_tile(grid,
-              {beam, std::min(kTileBeams, grid.beam_count() - beam), bin, std::min(kTileBins, grid.bin_count() - bin)},
-              ping);
+    hear_tile(grid, {beam, std::min(kTileBeams, beams_ - beam), bin, std::min(kTileBins, bins_ - bin)}, ping);
   });
 }
 
 void CalibratedReceiver::hear_tile(const EchoGrid& grid, const TilePlace& place, Ping& ping) const {
   HeardTile tile = {};
-  float in_phase[kTileBins], quadrature[kTileBins];
-  const auto deviation = static_cast<float>(std::sqrt(0.5 * noise_intensity_));
+  float in_phase[kTileBins] = {}, quadrature[kTileBins] = {};
+  const auto deviation = noisy_ ? static_cast<float>(std::sqrt(0.5 * noise_intensity_)) : 0.0F;
+  const std::vector<float>& energy = bearing_ ? beam_energy_ : cell_energy_;
+  const std::vector<std::complex<float>>& field = bearing_ ? beam_field_ : cell_field_;
   for (int b = 0; b < place.beam_count; ++b) {
     fetch_rows(place, b, ping);
     const int beam = place.first_beam + b;
-    float* values = tile.intensity[b];
-    for (int order = 1; order <= grid.order_count(); ++order) {
-      const std::span<const float> energy = grid.energy(order, beam);
-      for (int i = 0; i < place.bin_count; ++i) {
-        values[i] += energy[place.first_bin + i];
-      }
-    }
+    const std::size_t start = static_cast<std::size_t>(beam) * bins_ + place.first_bin;
     if (noisy_) {
       const int block = place.first_bin / kTileBins;
       draw_normals(RandomPurpose::kNoiseInPhase, block, beam, ping.number, seed_, in_phase);
       draw_normals(RandomPurpose::kNoiseQuadrature, block, beam, ping.number, seed_, quadrature);
-      add_noise(place.bin_count, deviation, in_phase, quadrature, values);
     }
     for (int i = 0; i < place.bin_count; ++i) {
-      values[i] *= gain_[place.first_bin + i];
+      // A field without speckle has the phase 0.
+      const std::complex<float> echo =
+          speckled_ ? field[start + i] : std::complex<float>(std::sqrt(energy[start + i]), 0.0F);
+      const float real = echo.real() + deviation * in_phase[i], imaginary = echo.imag() + deviation * quadrature[i];
+      const bool clear = !speckled_ && !noisy_;
+      tile.intensity[b][i] =
+          (clear ? energy[start + i] : real * real + imaginary * imaginary) * gain_[place.first_bin + i];
     }
-    take_labels(grid, place, b, tile);
+    take_strongest_labels(grid, place, b, tile);
   }
   write_tile(tile, place, ping);
+}
+
+// Of the cells in a beam's own slice.
+void CalibratedReceiver::take_strongest_labels(const EchoGrid& grid, const TilePlace& place, int beam_of_tile,
+                                               HeardTile& tile) const {
+  const int first = first_cell_ + (place.first_beam + beam_of_tile) * cells_per_beam_;
+  take_labels(grid, first, place, beam_of_tile, tile);
+  for (int cell = first + 1; cell < first + cells_per_beam_; ++cell) {
+    HeardTile other = {};
+    take_labels(grid, cell, place, beam_of_tile, other);
+    const float *here = grid.label_rows(first).energy + place.first_bin,
+                *there = grid.label_rows(cell).energy + place.first_bin;
+    for (int i = 0; i < place.bin_count; ++i) {
+      const bool silent = tile.surface[beam_of_tile][i] == kNoSurface;
+      if (other.surface[beam_of_tile][i] != kNoSurface && (silent || there[i] > here[i])) {
+        tile.surface[beam_of_tile][i] = other.surface[beam_of_tile][i];
+        tile.elevation[beam_of_tile][i] = other.elevation[beam_of_tile][i];
+      }
+    }
+  }
 }
 
 }  // namespace insonify

@@ -2,6 +2,8 @@
 
 #pragma once
 
+#include <complex>
+#include <optional>
 #include <vector>
 
 #include "base/parallel.h"
@@ -10,30 +12,53 @@
 #include "insonify/receiver_config.h"
 #include "insonify/sonar_config.h"
 #include "insonify/water.h"
+#include "receiver/bearing_cells.h"
+#include "receiver/bearing_response.h"
 #include "receiver/heard_tile.h"
+#include "receiver/range_response.h"
 
 namespace insonify {
 
-/// Each cell reads the sum of the echo intensities that arrive in it, over all path orders, relative to the source's at
-/// 1 m: 10 log10 of it is EL - SL. Thermal noise, a complex Gaussian field drawn anew for each ping and cell, is added
-/// to the field before it is detected: intensities gain its mean. Then the ramp of the near field and time-varied gain.
+/// Echo intensities of all path orders are summed in each cell, relative to the source's at 1 m: 10 log10 of them is
+/// EL - SL. With speckle each cell becomes a complex Gaussian field of that mean intensity; without it energies go on.
+/// Pulse and array then mix neighbouring cells, by |p g|^2 of energies, by p g of fields. Thermal noise, a complex
+/// Gaussian field drawn anew for each ping and cell, is added to the field before it is detected. Last come the ramp of
+/// the near field and time-varied gain.
+///
+/// Speckle is the same as long as nothing moves, and drawn anew as soon as the sonar does.
 class CalibratedReceiver {
  public:
-  CalibratedReceiver(const SonarConfig& sonar, const Water& water, const ReceiverConfig& config, std::uint64_t seed);
+  /// @param cells  What the grids are of.
+  CalibratedReceiver(const SonarConfig& sonar, const BearingCells& cells, const Water& water,
+                     const ReceiverConfig& config, std::uint64_t seed);
 
   /// Fills the tables of a ping, whose number is read; allocates only when they need more memory than before.
-  void hear(const EchoGrid& grid, Workers& workers, Ping& ping) const;
-
-  /// Mean intensity of the noise in a cell, relative to the source's at 1 m: NL + 10 log10 B - DI - SL.
-  [[nodiscard]] double noise_intensity() const { return noise_intensity_; }
+  /// @param world_from_sonar  Pose of the transducer.
+  void hear(const EchoGrid& grid, const Pose& world_from_sonar, Workers& workers, Ping& ping);
 
  private:
-  void hear_tile(const EchoGrid& grid, const TilePlace& place, Ping& ping) const;
+  // One worker's row of bins, before the pulse.
+  struct Row {
+    std::vector<float> energy;
+    std::vector<std::complex<float>> field;
+  };
 
+  void hear_cell(const EchoGrid& grid, int cell, std::uint64_t look, Row& row);
+  void hear_tile(const EchoGrid& grid, const TilePlace& place, Ping& ping) const;
+  void take_strongest_labels(const EchoGrid& grid, const TilePlace& place, int beam_of_tile, HeardTile& tile) const;
+
+  int beams_, bins_, cells_, first_cell_, cells_per_beam_;
   std::vector<float> gain_;  // Of each bin: near field and time-varied gain.
   double noise_intensity_ = 0;
-  bool noisy_;
+  bool noisy_, speckled_;
   std::uint64_t seed_;
+  std::optional<RangeResponse> range_;
+  std::optional<BearingResponse> bearing_;
+
+  std::vector<Row> rows_;  // Of each worker.
+  // [cell][bin] and [beam][bin]; of energies or of a field.
+  std::vector<float> cell_energy_, beam_energy_;
+  std::vector<std::complex<float>> cell_field_, beam_field_;
 };
 
 }  // namespace insonify

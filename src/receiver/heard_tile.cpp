@@ -33,10 +33,10 @@ template <typename Value>
 
 }  // namespace
 
-void size_tables(const EchoGrid& grid, Ping& ping) {
-  ping.beam_count = grid.beam_count();
-  ping.bin_count = grid.bin_count();
-  const std::size_t cells = static_cast<std::size_t>(grid.beam_count()) * grid.bin_count();
+void size_tables(Ping& ping, int beams, int bins) {
+  ping.beam_count = beams;
+  ping.bin_count = bins;
+  const std::size_t cells = static_cast<std::size_t>(beams) * bins;
   ping.intensity.resize(cells);
   ping.instance.resize(cells);
   ping.material.resize(cells);
@@ -54,8 +54,8 @@ void fetch_rows(const TilePlace& place, int beam_of_tile, const Ping& ping) {
   }
 }
 
-void take_labels(const EchoGrid& grid, const TilePlace& place, int beam_of_tile, HeardTile& tile) {
-  const EchoGrid::ConstLabelRows labels = grid.label_rows(place.first_beam + beam_of_tile);
+void take_labels(const EchoGrid& grid, int row, const TilePlace& place, int beam_of_tile, HeardTile& tile) {
+  const EchoGrid::ConstLabelRows labels = grid.label_rows(row);
   std::copy_n(labels.surface + place.first_bin, place.bin_count, tile.surface[beam_of_tile]);
   divide_or_nan(place.bin_count, tile.surface[beam_of_tile], labels.elevation_moment + place.first_bin,
                 labels.energy + place.first_bin, tile.elevation[beam_of_tile]);

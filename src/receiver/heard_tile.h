@@ -34,15 +34,15 @@ void for_each_tile(int first_beam, int last_beam, int bins, Visit&& visit) {
   }
 }
 
-/// Makes room for every cell of the grid; allocates only when it needs more memory than before.
-void size_tables(const EchoGrid& grid, Ping& ping);
+/// Makes room for every cell; allocates only when it needs more memory than before.
+void size_tables(Ping& ping, int beams, int bins);
 
 /// Asks for the rows of the ping that the tile goes to, some with each of its beams, so that they are near when it is
 /// written.
 void fetch_rows(const TilePlace& place, int beam_of_tile, const Ping& ping);
 
-/// Copies the ground truth of one beam.
-void take_labels(const EchoGrid& grid, const TilePlace& place, int beam_of_tile, HeardTile& tile);
+/// Copies the ground truth of one row of the grid to one beam of the tile.
+void take_labels(const EchoGrid& grid, int row, const TilePlace& place, int beam_of_tile, HeardTile& tile);
 
 /// Writes a tile into the ping.
 void write_tile(const HeardTile& tile, const TilePlace& place, Ping& ping);

@@ -38,7 +38,7 @@ void add_means(int count, const float* __restrict__ energy, const float* __restr
 PaperReceiver::PaperReceiver(const EchoGrid& grid, const SonarConfig& sonar, const PaperReceiverSettings& settings,
                              Ping& ping)
     : grid_(grid), sonar_(sonar), settings_(settings), ping_(ping) {
-  size_tables(grid, ping);
+  size_tables(ping, grid.beam_count(), grid.bin_count());
 }
 
 void PaperReceiver::take(int first_beam, int last_beam) {
@@ -69,7 +69,7 @@ void PaperReceiver::hear_tile(const TilePlace& place) {
       draw_normals(RandomPurpose::kPaperNoise, place.first_bin / kTileBins, beam, ping_.number, settings_.seed, noise);
     }
     hear(place.bin_count, level, mean, spread, floor, noise, values);
-    take_labels(grid_, place, b, tile);
+    take_labels(grid_, beam, place, b, tile);
   }
   write_tile(tile, place, ping_);
 }

@@ -49,6 +49,17 @@ void check_sonars(const std::vector<SonarConfig>& sonars, const Water& water) {
   }
 }
 
+// Bearings of an array are told by their sines.
+void check_pattern(const std::vector<SonarConfig>& sonars, const ReceiverConfig& receiver) {
+  for (std::size_t i = 0; i < sonars.size(); ++i) {
+    if (receiver.azimuth_pattern != AzimuthPattern::kTopHat && sonars[i].azimuth_aperture > std::numbers::pi) {
+      throw Error(
+          fmt::format("receiver.azimuth_pattern must be top_hat for fans of more than 180 deg; sonars[{}] has {:.4g}",
+                      i, sonars[i].azimuth_aperture * 180 / std::numbers::pi));
+    }
+  }
+}
+
 void check_engine(const std::string& engine) {
   const std::vector<std::string_view> names = engine_names();
   if (std::ranges::find(names, engine) == names.end()) {
@@ -131,10 +142,11 @@ void Scenario::validate() const {
   }
   check_engine(engine);
   water.validate();
-  check_fields("receiver", receiver);
+  receiver.validate();
   paper.validate();
   check_materials(materials);
   check_sonars(sonars, water);
+  check_pattern(sonars, receiver);
   trajectory.validate("trajectory");
   check_motions(motions);
   if (view.has_value()) {

@@ -168,6 +168,15 @@ const Case kCases[] = {
      "world: floor.obj\nmodel: calibrated\npoints: [{position: [9, 0, 1e9]}]\n"
      "sonars: [{name: fls}]\n",
      "scenario.yaml:3:28: points[0].position[2] = 1000000000 m must be from -10000000 to 10000000 m"},
+    {"ChirpWithoutBand", "world: floor.obj\nreceiver: {pulse: lfm, pulse_bandwidth: 1000}\nsonars: [{name: fls}]\n",
+     "scenario.yaml:2:24: receiver.pulse_bandwidth times pulse_duration must be at least 10 for a chirp"},
+    {"ArrayAllRound",
+     "world: floor.obj\nreceiver: {azimuth_pattern: hann}\nsonars: [{name: fls, azimuth_aperture_deg: 200}]\n",
+     "scenario.yaml:2:12: receiver.azimuth_pattern must be top_hat for fans of more than 180 deg; sonars[0] has 200"},
+    {"UnknownPattern", "world: floor.obj\nreceiver: {azimuth_pattern: sinc}\nsonars: [{name: fls}]\n",
+     "scenario.yaml:2:12: receiver.azimuth_pattern = \"sinc\" must be top_hat, rectangular, hann, hamming, cosine, "
+     "taylor "
+     "or dolph_chebyshev"},
     {"GainTooSteep", "world: floor.obj\nreceiver: {time_varied_gain: 80}\nsonars: [{name: fls}]\n",
      "scenario.yaml:2:12: receiver.time_varied_gain = 80 dB/decade must be from 0 to 60 dB/decade"},
     {"WhiterThanWhite", "world: floor.obj\nmaterials: {sand: {lambert_db: -3}}\nsonars: [{name: fls}]\n",

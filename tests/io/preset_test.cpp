@@ -40,7 +40,7 @@ TEST(PresetTest, EveryPresetLoadsInEveryMode) {
       EXPECT_LE(preset.sonar.bin_count, preset.instrument.bin_limit);
       // A gap between beams much wider than a beam would be a slip of the pen. The DIDSON's are one and a half apart.
       const double spacing = preset.sonar.azimuth_aperture / preset.sonar.beam_count;
-      EXPECT_LT(spacing, 1.6 * preset.instrument.azimuth_resolution.value());
+      EXPECT_LT(spacing, 1.6 * preset.sonar.azimuth_resolution.value());
     }
   }
 }
