@@ -19,6 +19,9 @@ struct Water {
   bool absorption = true;                          ///< Whether the water absorbs sound at all.
   std::optional<double> absorption_db_per_m = {};  ///< One way, at every frequency [dB/m], 0..10; else from the above.
 
+  std::optional<double> volume_backscatter_db =
+      {};  ///< S_v of what drifts in it [dB re 1/m], -150..-20; absent: silent.
+
   /// The given sound speed, else that of Chen and Millero at this temperature, salinity and depth [m/s].
   [[nodiscard]] double true_sound_speed() const;
 
@@ -42,6 +45,11 @@ struct Water {
     visit(Field{"absorption_db_per_m", "dB/m", from_to(0, 10),
                 "Absorption one way; by frequency from temperature, salinity, pH and depth when absent."},
           self.absorption_db_per_m);
+    visit(
+        Field{"volume_backscatter_db", "dB", from_to(-150, -20),
+              "S_v of what drifts in the water, re 1/m: -85 in clear, -70 in coastal, -50 in turbid water; silent when "
+              "absent (calibrated model)."},
+        self.volume_backscatter_db);
   }
 };
 

@@ -62,6 +62,18 @@ CalibratedReceiver::CalibratedReceiver(const SonarConfig& sonar, const BearingCe
         config.time_varied_gain ? *config.time_varied_gain * std::log10(range) + 2 * absorption * range : 0.0;
     gain_.push_back(static_cast<float>(ramp * ramp * std::pow(10.0, gain_db / 10)));
   }
+  const std::vector<double> edges = cells.sonar.beam_edges();
+  const double upper = sonar.elevation_center + 0.5 * sonar.elevation_aperture;
+  const double height = std::sin(upper) - std::sin(upper - sonar.elevation_aperture);
+  for (int cell = 0; cell < cells_; ++cell) {
+    cell_angle_.push_back(static_cast<float>((edges[cell] - edges[cell + 1]) * height));
+  }
+  for (int bin = 0; water.volume_backscatter_db && bin < bins_; ++bin) {
+    const double near = std::max(sonar.bin_range(bin) - 0.5 * sonar.bin_length(), 1e-3);
+    const double far = sonar.bin_range(bin) + 0.5 * sonar.bin_length();
+    volume_.push_back(static_cast<float>(std::pow(10.0, *water.volume_backscatter_db / 10) * (1 / near - 1 / far) *
+                                         std::pow(10.0, -0.2 * absorption * sonar.bin_range(bin))));
+  }
   const double sound_speed = sonar.assumed_sound_speed.value_or(water.true_sound_speed());
   if (config.pulse != PulseKind::kNone) {
     const Pulse pulse({.kind = config.pulse, .duration = config.pulse_duration, .bandwidth = config.pulse_bandwidth},
@@ -93,6 +105,15 @@ void CalibratedReceiver::hear_cell(const EchoGrid& grid, int cell, std::uint64_t
     const std::span<const float> layer = grid.energy(order, cell);
     for (std::size_t i = 0; i < bins; ++i) {
       energy[i] += layer[i];
+    }
+  }
+  if (!volume_.empty()) {
+    // What is still open of the cell: less of it behind every surface.
+    float open = cell_angle_[cell];
+    const std::span<const float> met = grid.weight(1, cell);
+    for (std::size_t i = 0; i < bins; ++i) {
+      energy[i] += volume_[i] * std::max(0.0F, open - 0.5F * met[i]);
+      open -= met[i];
     }
   }
   const std::span<float> out_energy(cell_energy_.data() + (speckled_ ? 0 : bins * cell), speckled_ ? 0 : bins);

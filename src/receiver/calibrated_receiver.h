@@ -21,6 +21,7 @@ namespace insonify {
 
 /// Echo intensities of all path orders are summed in each cell, relative to the source's at 1 m: 10 log10 of them is
 /// EL - SL. With speckle each cell becomes a complex Gaussian field of that mean intensity; without it energies go on.
+/// The water's own reverberation comes to it, from directions in which no surface was met at a shorter range.
 /// Pulse and array then mix neighbouring cells, by |p g|^2 of energies, by p g of fields. Thermal noise, a complex
 /// Gaussian field drawn anew for each ping and cell, is added to the field before it is detected. Last come the ramp of
 /// the near field and time-varied gain.
@@ -48,7 +49,9 @@ class CalibratedReceiver {
   void take_strongest_labels(const EchoGrid& grid, const TilePlace& place, int beam_of_tile, HeardTile& tile) const;
 
   int beams_, bins_, cells_, first_cell_, cells_per_beam_;
-  std::vector<float> gain_;  // Of each bin: near field and time-varied gain.
+  std::vector<float> gain_;        // Of each bin: near field and time-varied gain.
+  std::vector<float> volume_;      // Of each bin: what the water echoes per unit of solid angle; empty for nothing.
+  std::vector<float> cell_angle_;  // Of each cell: solid angle [sr].
   double noise_intensity_ = 0;
   bool noisy_, speckled_;
   std::uint64_t seed_;

@@ -98,5 +98,24 @@ TEST(ThermalNoiseTest, HasItsLevelAndItsStatistics) {
   EXPECT_NE(simulator.make_ping(0, 1).intensity, ping.intensity);
 }
 
+// Water full of scatterers: I = s_v Psi (1/r1 - 1/r2), -20 dB a decade (T24), and none of it from behind a wall.
+TEST(VolumeReverberationTest, FallsWithTheSquareOfRange) {
+  SonarConfig sonar;
+  sonar.beam_count = 20;  // Of 1 by 20 degrees.
+  sonar.azimuth_aperture = 20 * kDegree;
+  sonar.min_range = 0;
+  sonar.max_range = 25;
+  Scenario scenario = calibrated(sonar, kRays);
+  scenario.water.volume_backscatter_db = -70;
+  const Ping ping = ping_of(scenario, {});
+  EXPECT_NEAR(cell_db(ping, 100, 7), -119.20713784852252, 0.01);
+  EXPECT_NEAR(cell_db(ping, 200, 7), -125.20618464154067, 0.01);
+  EXPECT_NEAR(cell_db(ping, 400, 7), -131.2159677501773, 0.01);
+
+  const Ping walled = ping_of(scenario, plate_at(10, 20, diffuse(-200)));
+  EXPECT_NEAR(cell_db(walled, 100, 7), cell_db(ping, 100, 7), 0.01);
+  EXPECT_LT(cell_db(walled, 300, 7), -160);
+}
+
 }  // namespace
 }  // namespace insonify::validation
