@@ -133,6 +133,7 @@ std::vector<Row> time_rows(const Scene& scene, SecondaryEchoes secondary, const 
     }
   }
   std::vector<Row> rows;
+  rows.reserve(runners.size());
   for (const auto& runner : runners) {
     rows.push_back(runner->row(*runners.front(), name));
   }

@@ -58,11 +58,11 @@ void complain(std::string message) {
 }
 
 bool can_redraw() {
-  static const bool can = [] {
+  static const bool kCan = [] {
     const char* kind = std::getenv("TERM");
     return isatty(STDOUT_FILENO) != 0 && kind != nullptr && std::string_view(kind) != "dumb";
   }();
-  return can;
+  return kCan;
 }
 
 std::size_t terminal_width() {

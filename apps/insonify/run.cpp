@@ -169,7 +169,8 @@ void print_hints(const Simulator& simulator, const std::vector<Track>& tracks, c
     const int sonar = static_cast<int>(i);
     if (tracks[i].made > 0 && !loudness.heard()) {
       complain("warning: " + silence_text(simulator, sonar));
-    } else if (simulator.scenario().model == EchoModel::kPaper && loudness.dim() && display.scale == Scale::kLinear && !tracks[i].pictures.files().empty() && !quiet) {
+    } else if (simulator.scenario().model == EchoModel::kPaper && loudness.dim() && display.scale == Scale::kLinear &&
+               !tracks[i].pictures.files().empty() && !quiet) {
       say("hint: {}\n", dimness_text(loudness, simulator.sonar(sonar)));
     }
   }
