@@ -58,6 +58,9 @@ class OnwardTask {
   void send_back(const Vec3f& point, const Vec3f& direction, float distance);
   void finish_returns();
 
+  RayPacket candidates_, onward_, back_;
+  CpuScene::Shading shading_;
+
   const CpuScene& scene_;
   const PingPlan* plan_ = nullptr;
   Vec3f sonar_;
@@ -66,8 +69,6 @@ class OnwardTask {
   std::vector<Echo>* arrivals_ = nullptr;
   Log* log_ = nullptr;
 
-  RayPacket candidates_, onward_, back_;
-  CpuScene::Shading shading_;
   int place_[kPacketSize];  // In the strip, of the hits that are followed.
   Origins candidate_origins_, origins_;
   int candidate_count_ = 0, onward_count_ = 0;

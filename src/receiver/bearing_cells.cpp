@@ -43,6 +43,7 @@ BearingCells::BearingCells(const SonarConfig& heard, const ReceiverConfig& recei
 
 std::vector<double> BearingCells::sines(const SonarConfig& fan) {
   std::vector<double> sines;
+  sines.reserve(fan.beam_count);
   for (int beam = 0; beam < fan.beam_count; ++beam) {
     sines.push_back(std::sin(fan.beam_azimuth(beam)));
   }
