@@ -103,7 +103,8 @@ class Engine {
   /// Fills the grid with the echoes of one ping. The grid has the plan's beams and bins; it is cleared first. The
   /// result depends on plan, pose and ping number alone, not on threads.
   /// @param world_from_sonar  Pose of the transducer: the head, turned, for a scanning sonar.
-  /// @param sink              Told of every beam as soon as it is complete; none when null.
+  /// @param sink              Told of every beam as soon as it is complete; none when null. With secondary echoes of
+  ///                          the calibrated model it must be null: they arrive in any beam.
   virtual void insonify(const PingPlan& plan, const Pose& world_from_sonar, std::uint64_t ping, EchoGrid& grid,
                         BeamSink* sink) = 0;
 

@@ -93,8 +93,10 @@ void CpuEngine::insonify(const PingPlan& plan, const Pose& world_from_sonar, std
       sink->take(first_beam, last_beam);
     }
   });
-  if (plan.model == EchoModel::kCalibrated) {
-    take_arrivals(plan, grid);
+  for (int task = 0; task < tasks; ++task) {
+    for (const Echo& echo : arrivals_[task]) {
+      deposit(plan, echo, grid);
+    }
   }
   counts_ = {};
   for (const auto& scratch : scratch_) {
@@ -103,20 +105,6 @@ void CpuEngine::insonify(const PingPlan& plan, const Pose& world_from_sonar, std
     counts_.secondary += counts.secondary;
     counts_.return_legs += counts.return_legs;
   }
-}
-
-void CpuEngine::take_arrivals(const PingPlan& plan, EchoGrid& grid) {
-  const int beams = beams_per_task(plan, workers_.count());
-  const int tasks = task_count(plan.sonar.beam_count, beams);
-  workers_.for_each(tasks, [&](int own, int) {
-    for (int task = 0; task < tasks; ++task) {
-      for (const Echo& echo : arrivals_[task]) {
-        if (plan.beam_of(echo.azimuth) / beams == own) {
-          deposit(plan, echo, grid);
-        }
-      }
-    }
-  });
 }
 
 std::vector<double> CpuEngine::time_traversal(const PingPlan& plan, const Pose& world_from_sonar, int repetitions) {

@@ -34,9 +34,6 @@ class CpuEngine final : public Engine {
   [[nodiscard]] std::vector<double> time_traversal(const PingPlan& plan, const Pose& world_from_sonar, int repetitions);
 
  private:
-  // Deposits what tasks have left to others, each beam's echoes in the order of tasks.
-  void take_arrivals(const PingPlan& plan, EchoGrid& grid);
-
   // Calls work(scratch, first_beam, last_beam, task) for every task of a plan.
   template <typename Work>
   void for_each_task(const PingPlan& plan, Work&& work);

@@ -137,11 +137,10 @@ void deposit_column(const PingPlan& plan, int column, const HitColumn& hits, con
 
 void deposit(const PingPlan& plan, const Echo& echo, EchoGrid& grid) {
   const int beam = plan.beam_of(echo.azimuth);
-  const float position = (0.5F * echo.path_length - plan.first_bin_at) * plan.bins_per_metre;
-  if (beam < 0 || !(position >= 0 && position < static_cast<float>(grid.bin_count()))) {
+  const int bin = plan.bin_of(0.5F * echo.path_length);
+  if (beam < 0 || bin < 0) {
     return;
   }
-  const auto bin = static_cast<int>(position);
   const float energy = echo.weight * echo.power;
   grid.energy(echo.order, beam)[bin] += energy;
   grid.weight(echo.order, beam)[bin] += echo.weight;

@@ -38,6 +38,9 @@ class PingPlan {
   /// Beam whose edges hold an azimuth; -1 outside the fan.
   [[nodiscard]] int beam_of(float azimuth) const;
 
+  /// Bin that holds a true range [m]; -1 outside the window.
+  [[nodiscard]] int bin_of(float range) const;
+
  private:
   std::vector<float> beam_edges_;     // Falling [rad].
   float beams_per_radian_ = 0;        // On average.
@@ -48,6 +51,11 @@ inline bool PingPlan::in_aperture(const Vec3f& direction) const {
   const float level = std::sqrt(direction.x() * direction.x() + direction.y() * direction.y());
   return direction.z() >= tan_low_ * level && direction.z() <= tan_high_ * level &&
          beam_of(std::atan2(direction.y(), direction.x())) >= 0;
+}
+
+inline int PingPlan::bin_of(float range) const {
+  const float position = (range - first_bin_at) * bins_per_metre;
+  return position >= 0 && position < static_cast<float>(sonar.bin_count) ? static_cast<int>(position) : -1;
 }
 
 inline int PingPlan::beam_of(float azimuth) const {

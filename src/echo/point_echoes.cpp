@@ -4,7 +4,6 @@
 
 #include <cmath>
 
-#include "echo/deposit.h"
 #include "echo/ray_limits.h"
 
 namespace insonify {
@@ -32,13 +31,12 @@ void PointEchoes::add(const PingPlan& plan, const Pose& world_from_sonar, Engine
     }
     const double intensity = std::pow(10.0, points_[i].target_strength_db / 10) / std::pow(range, 4) *
                              std::exp(-4 * double{plan.neper_per_metre} * range);
-    Echo echo;
-    echo.azimuth = static_cast<float>(std::atan2(local.y(), local.x()));
-    echo.elevation = static_cast<float>(elevation);
-    echo.path_length = static_cast<float>(2 * range);
-    echo.power = static_cast<float>(intensity);
-    echo.weight = 1;
-    deposit(plan, echo, grid);
+    // A point has no extent: it takes no solid angle from what is behind it, and no surface to label the cell with.
+    const int beam = plan.beam_of(static_cast<float>(std::atan2(local.y(), local.x())));
+    const int bin = plan.bin_of(static_cast<float>(range));
+    if (beam >= 0 && bin >= 0) {
+      grid.energy(1, beam)[bin] += static_cast<float>(intensity);
+    }
   }
 }
 

@@ -145,6 +145,7 @@ void put_run(const H5Writer& writer, const Scenario& scenario, const Scene& scen
   writer.attribute(root, "sonar", sonar.name);
   writer.attribute(root, "sonar_model", sonar.model);
   writer.attribute(root, "frequency", sonar.frequency);
+  writer.attribute(root, "source_level_db", sonar.source_level_db);
   writer.attribute(root, "sound_speed", scenario.water.true_sound_speed());
   writer.attribute(root, "absorption_db_per_m", scenario.water.absorption_db_per_m_at(sonar.frequency));
   put_settings(writer, "sonar", sonar);

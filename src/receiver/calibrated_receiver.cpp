@@ -2,8 +2,10 @@
 
 #include "receiver/calibrated_receiver.h"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
+#include <functional>
 
 #include "echo/echo.h"
 #include "insonify/absorption.h"
@@ -14,7 +16,7 @@ namespace insonify {
 namespace {
 
 constexpr int kBinsATask = 64;
-const float kHalf = std::sqrt(0.5F);  // Of a complex number's deviation, for each component.
+constexpr float kComponent = 0.70710678F;  // Deviation of each part of a complex number whose mean square is 1.
 
 double noise_intensity_of(const SonarConfig& sonar) {
   const double width = sonar.azimuth_aperture / sonar.beam_count;
@@ -23,12 +25,38 @@ double noise_intensity_of(const SonarConfig& sonar) {
   return std::pow(10.0, (level - sonar.source_level_db) / 10);
 }
 
+ArrayWindow window_of(AzimuthPattern pattern) {
+  switch (pattern) {
+    case AzimuthPattern::kHann:
+      return ArrayWindow::kHann;
+    case AzimuthPattern::kHamming:
+      return ArrayWindow::kHamming;
+    case AzimuthPattern::kCosine:
+      return ArrayWindow::kCosine;
+    case AzimuthPattern::kTaylor:
+      return ArrayWindow::kTaylor;
+    case AzimuthPattern::kDolphChebyshev:
+      return ArrayWindow::kDolphChebyshev;
+    case AzimuthPattern::kTopHat:  // Has no array.
+    case AzimuthPattern::kRectangular:
+      break;
+  }
+  return ArrayWindow::kRectangular;
+}
+
 ArrayPattern pattern_of(const SonarConfig& sonar, const ReceiverConfig& config) {
   ArraySettings settings;
-  settings.window = static_cast<ArrayWindow>(static_cast<int>(config.azimuth_pattern) - 1);
+  settings.window = window_of(config.azimuth_pattern);
   settings.side_lobe_db = config.side_lobe_db;
   settings.two_way = sonar.type == SonarType::kMechanicallyScanned;
   return ArrayPattern(settings);
+}
+
+// Echo of a bin of water, per unit of solid angle; not from nearer than a millimetre, where spreading has no meaning.
+double volume_reverberation(double backscatter, double middle, double half, double absorption_db_per_m) {
+  constexpr double kNearest = 1e-3;
+  const double near = std::max(middle - half, kNearest);
+  return backscatter * (1 / near - 1 / (middle + half)) * std::pow(10.0, -0.2 * absorption_db_per_m * middle);
 }
 
 // Tells poses apart: equal poses give equal numbers.
@@ -68,13 +96,13 @@ CalibratedReceiver::CalibratedReceiver(const SonarConfig& sonar, const BearingCe
   for (int cell = 0; cell < cells_; ++cell) {
     cell_angle_.push_back(static_cast<float>((edges[cell] - edges[cell + 1]) * height));
   }
-  for (int bin = 0; water.volume_backscatter_db && bin < bins_; ++bin) {
-    const double near = std::max(sonar.bin_range(bin) - 0.5 * sonar.bin_length(), 1e-3);
-    const double far = sonar.bin_range(bin) + 0.5 * sonar.bin_length();
-    volume_.push_back(static_cast<float>(std::pow(10.0, *water.volume_backscatter_db / 10) * (1 / near - 1 / far) *
-                                         std::pow(10.0, -0.2 * absorption * sonar.bin_range(bin))));
-  }
   const double sound_speed = sonar.assumed_sound_speed.value_or(water.true_sound_speed());
+  for (int bin = 0; water.volume_backscatter_db && bin < bins_; ++bin) {
+    const double true_per_shown = water.true_sound_speed() / sound_speed;
+    const double middle = true_per_shown * sonar.bin_range(bin), half = 0.5 * true_per_shown * sonar.bin_length();
+    const double backscatter = std::pow(10.0, *water.volume_backscatter_db / 10);
+    volume_.push_back(static_cast<float>(volume_reverberation(backscatter, middle, half, absorption)));
+  }
   if (config.pulse != PulseKind::kNone) {
     const Pulse pulse({.kind = config.pulse, .duration = config.pulse_duration, .bandwidth = config.pulse_bandwidth},
                       sound_speed, sonar.bin_length());
@@ -95,45 +123,60 @@ CalibratedReceiver::CalibratedReceiver(const SonarConfig& sonar, const BearingCe
   beam_field_.resize(speckled_ ? beam_count : 0);
 }
 
-// One cell's echo and what the pulse makes of it.
-void CalibratedReceiver::hear_cell(const EchoGrid& grid, int cell, std::uint64_t look, Row& row) {
-  const auto bins = static_cast<std::size_t>(bins_);
-  std::vector<float>& energy = row.energy;
-  std::vector<std::complex<float>>& field = row.field;
-  energy.assign(bins, 0.0F);
+// Echo of all path orders, and of the water from directions that no surface has closed yet.
+void CalibratedReceiver::sum_energy(const EchoGrid& grid, int cell, std::span<float> energy) const {
+  std::ranges::fill(energy, 0.0F);
   for (int order = 1; order <= grid.order_count(); ++order) {
     const std::span<const float> layer = grid.energy(order, cell);
-    for (std::size_t i = 0; i < bins; ++i) {
-      energy[i] += layer[i];
-    }
+    std::ranges::transform(energy, layer, energy.begin(), std::plus());
   }
   if (!volume_.empty()) {
-    // What is still open of the cell: less of it behind every surface.
-    float open = cell_angle_[cell];
     const std::span<const float> met = grid.weight(1, cell);
-    for (std::size_t i = 0; i < bins; ++i) {
-      energy[i] += volume_[i] * std::max(0.0F, open - 0.5F * met[i]);
+    float open = cell_angle_[cell];
+    for (std::size_t i = 0; i < energy.size(); ++i) {
+      energy[i] += volume_[i] * std::max(0.0F, open - 0.5F * met[i]);  // Met half-way through the bin, on average.
       open -= met[i];
     }
   }
-  const std::span<float> out_energy(cell_energy_.data() + (speckled_ ? 0 : bins * cell), speckled_ ? 0 : bins);
-  if (!speckled_) {
-    range_ ? range_->hear_energy(energy, out_energy) : static_cast<void>(std::ranges::copy(energy, out_energy.begin()));
-    return;
-  }
-  field.resize(bins);
+}
+
+void CalibratedReceiver::draw_speckle(int cell, std::uint64_t look, const Row& row,
+                                      std::span<std::complex<float>> field) const {
   for (int block = 0; block * kTileBins < bins_; ++block) {
     float in_phase[kTileBins], quadrature[kTileBins];
     draw_normals(RandomPurpose::kSpeckleInPhase, block, cell, look, seed_, in_phase);
     draw_normals(RandomPurpose::kSpeckleQuadrature, block, cell, look, seed_, quadrature);
     for (int i = 0; i < std::min(kTileBins, bins_ - block * kTileBins); ++i) {
       const int bin = block * kTileBins + i;
-      const float amplitude = kHalf * std::sqrt(energy[bin]);
+      const float amplitude = kComponent * std::sqrt(row.energy[bin]);
       field[bin] = {amplitude * in_phase[i], amplitude * quadrature[i]};
     }
   }
-  const std::span<std::complex<float>> out(cell_field_.data() + bins * cell, bins);
-  range_ ? range_->hear_field(field, out) : static_cast<void>(std::ranges::copy(field, out.begin()));
+}
+
+// One cell's echo and what the pulse makes of it.
+void CalibratedReceiver::hear_cell(const EchoGrid& grid, int cell, std::uint64_t look, Row& row) {
+  const auto bins = static_cast<std::size_t>(bins_);
+  row.energy.resize(bins);
+  if (speckled_) {
+    const std::span<std::complex<float>> heard(&cell_field_[bins * cell], bins);
+    sum_energy(grid, cell, row.energy);
+    if (range_) {
+      row.field.resize(bins);
+      draw_speckle(cell, look, row, row.field);
+      range_->hear_field(row.field, heard);
+    } else {
+      draw_speckle(cell, look, row, heard);
+    }
+    return;
+  }
+  const std::span<float> heard(&cell_energy_[bins * cell], bins);
+  if (range_) {
+    sum_energy(grid, cell, row.energy);
+    range_->hear_energy(row.energy, heard);
+  } else {
+    sum_energy(grid, cell, heard);
+  }
 }
 
 void CalibratedReceiver::hear(const EchoGrid& grid, const Pose& world_from_sonar, Workers& workers, Ping& ping) {
@@ -172,12 +215,9 @@ void CalibratedReceiver::hear_tile(const EchoGrid& grid, const TilePlace& place,
     }
     for (int i = 0; i < place.bin_count; ++i) {
       // A field without speckle has the phase 0.
-      const std::complex<float> echo =
-          speckled_ ? field[start + i] : std::complex<float>(std::sqrt(energy[start + i]), 0.0F);
-      const float real = echo.real() + deviation * in_phase[i], imaginary = echo.imag() + deviation * quadrature[i];
-      const bool clear = !speckled_ && !noisy_;
-      tile.intensity[b][i] =
-          (clear ? energy[start + i] : real * real + imaginary * imaginary) * gain_[place.first_bin + i];
+      const float real = (speckled_ ? field[start + i].real() : std::sqrt(energy[start + i])) + deviation * in_phase[i];
+      const float imaginary = (speckled_ ? field[start + i].imag() : 0.0F) + deviation * quadrature[i];
+      tile.intensity[b][i] = (real * real + imaginary * imaginary) * gain_[place.first_bin + i];
     }
     take_strongest_labels(grid, place, b, tile);
   }
@@ -189,16 +229,17 @@ void CalibratedReceiver::take_strongest_labels(const EchoGrid& grid, const TileP
                                                HeardTile& tile) const {
   const int first = first_cell_ + (place.first_beam + beam_of_tile) * cells_per_beam_;
   take_labels(grid, first, place, beam_of_tile, tile);
+  float strongest[kTileBins];
+  std::copy_n(grid.label_rows(first).energy + place.first_bin, place.bin_count, strongest);
   for (int cell = first + 1; cell < first + cells_per_beam_; ++cell) {
-    HeardTile other = {};
-    take_labels(grid, cell, place, beam_of_tile, other);
-    const float *here = grid.label_rows(first).energy + place.first_bin,
-                *there = grid.label_rows(cell).energy + place.first_bin;
+    const EchoGrid::ConstLabelRows labels = grid.label_rows(cell);
     for (int i = 0; i < place.bin_count; ++i) {
+      const int bin = place.first_bin + i;
       const bool silent = tile.surface[beam_of_tile][i] == kNoSurface;
-      if (other.surface[beam_of_tile][i] != kNoSurface && (silent || there[i] > here[i])) {
-        tile.surface[beam_of_tile][i] = other.surface[beam_of_tile][i];
-        tile.elevation[beam_of_tile][i] = other.elevation[beam_of_tile][i];
+      if (labels.surface[bin] != kNoSurface && (silent || labels.energy[bin] > strongest[i])) {
+        strongest[i] = labels.energy[bin];
+        tile.surface[beam_of_tile][i] = labels.surface[bin];
+        tile.elevation[beam_of_tile][i] = grid.label(cell, bin).elevation;
       }
     }
   }

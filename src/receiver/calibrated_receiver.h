@@ -4,6 +4,7 @@
 
 #include <complex>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "base/parallel.h"
@@ -44,6 +45,8 @@ class CalibratedReceiver {
     std::vector<std::complex<float>> field;
   };
 
+  void sum_energy(const EchoGrid& grid, int cell, std::span<float> energy) const;
+  void draw_speckle(int cell, std::uint64_t look, const Row& row, std::span<std::complex<float>> field) const;
   void hear_cell(const EchoGrid& grid, int cell, std::uint64_t look, Row& row);
   void hear_tile(const EchoGrid& grid, const TilePlace& place, Ping& ping) const;
   void take_strongest_labels(const EchoGrid& grid, const TilePlace& place, int beam_of_tile, HeardTile& tile) const;

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "insonify/material.h"
+#include "insonify/sediment.h"
 
 namespace insonify {
 namespace {
@@ -29,10 +30,15 @@ Material material(const char* name, double density, double sound_speed, double l
           .source = source};
 }
 
+// Slope of bottoms that the handbook's fit gives no lobe: so wide that little is left of it.
+constexpr double kWithoutLobe = 0.5;
+
 // TR 9407 gives ratios to the water above, taken here as kSeaWaterImpedance's: 1026 kg/m^3 and 1500 m/s. Scattering is
-// fitted to its bottom backscatter at 100 kHz and 10 to 40 degrees of grazing (0.7 to 1.6 dB rms); above, the same.
-Material sediment(const char* name, double density_ratio, double speed_ratio, double lambert_db, double rms_slope) {
-  return material(name, 1026 * density_ratio, 1500 * speed_ratio, lambert_db, rms_slope, kSediments);
+// that of sediment_table(), fitted at 100 kHz; above, the same.
+Material bottom(const char* name, const char* sediment_name) {
+  const Sediment& sediment = *find_sediment(sediment_name);
+  return material(name, 1026 * sediment.density_ratio, 1500 * sediment.sound_speed_ratio, sediment.lambert_mu_db,
+                  sediment.rms_slope.value_or(kWithoutLobe), kSediments);
 }
 
 std::vector<Material> make_library() {
@@ -77,21 +83,21 @@ std::vector<Material> make_library() {
       material("tissue", 1060, 1540, -25, 0.3, kTypical),
       material("bone", 1900, 3500, -20, 0.2, kTypical),
       // Bottoms, coarse to fine.
-      sediment("rock", 2.5, 2.5, -5, 0.5),
-      sediment("gravel", 2.5, 1.8, -7.3, 0.5),
-      sediment("sandy_gravel", 2.492267, 1.336961, -10.8, 0.5),
-      sediment("very_coarse_sand", 2.40113425, 1.30670325, -12.1, 0.485),
-      sediment("coarse_sand", 2.23056425, 1.25025125, -13.4, 0.469),
-      sediment("sand", 1.84461605, 1.1781937875, -15.9, 0.258),
-      sediment("fine_sand", 1.451171, 1.1072595625, -18.5, 0.157),
-      sediment("very_fine_sand", 1.26765715, 1.0567912375, -19, 0.098),
-      sediment("clayey_sand", 1.2236108, 1.0364416, -19, 0.075),
-      sediment("silt", 1.1948309, 1.0178602125, -19.3, 0.056),
-      sediment("sandy_silt", 1.168912, 0.999931, -21.1, 0.048),
-      sediment("sandy_mud", 1.1487162, 0.9873056, -23, 0.04),
-      sediment("sandy_clay", 1.1474189, 0.9848732, -23.1, 0.04),
-      sediment("mud", 1.1461216, 0.9824408, -23.2, 0.04),
-      sediment("clay", 1.1448243, 0.9800084, -23.3, 0.04),
+      bottom("rock", "rock"),
+      bottom("gravel", "gravel"),
+      bottom("sandy_gravel", "sandy_gravel"),
+      bottom("very_coarse_sand", "very_coarse_sand"),
+      bottom("coarse_sand", "coarse_sand"),
+      bottom("sand", "medium_sand"),
+      bottom("fine_sand", "fine_sand"),
+      bottom("very_fine_sand", "very_fine_sand"),
+      bottom("clayey_sand", "clayey_sand"),
+      bottom("silt", "coarse_silt"),
+      bottom("sandy_silt", "sandy_silt"),
+      bottom("sandy_mud", "sandy_mud"),
+      bottom("sandy_clay", "sandy_clay"),
+      bottom("mud", "silty_clay"),
+      bottom("clay", "clay"),
   };
   std::ranges::sort(library, {}, &Material::name);
   return library;

@@ -224,6 +224,7 @@ TEST(RecordingTest, HoldsTheRun) {
   EXPECT_EQ(file.attribute<std::string>("/", "sonar_model"), "Märzen 7");
   EXPECT_EQ(file.attribute<double>("/", "frequency"), 455e3);
   EXPECT_EQ(file.attribute<double>("/", "sound_speed"), 1477);
+  EXPECT_EQ(file.attribute<double>("/", "source_level_db"), 200);
   EXPECT_EQ(file.attribute<double>("/", "absorption_db_per_m"), scenario().water.absorption_db_per_m_at(455e3));
 }
 

@@ -115,6 +115,22 @@ TEST(VolumeReverberationTest, FallsWithTheSquareOfRange) {
   const Ping walled = ping_of(scenario, plate_at(10, 20, diffuse(-200)));
   EXPECT_NEAR(cell_db(walled, 100, 7), cell_db(ping, 100, 7), 0.01);
   EXPECT_LT(cell_db(walled, 300, 7), -160);
+  const int bin = 199;  // Where the wall stands: half its water is before it.
+  EXPECT_GT(cell_db(walled, bin + 1, 10), -160);
+  EXPECT_LT(cell_db(walled, bin + 1, 10), cell_db(ping, bin + 1, 10) - 1);
+
+  // A point takes nothing away from what is behind it.
+  scenario.points = {{.position = {5.02, 0.05, 0}, .target_strength_db = -150}};
+  const Ping pointed = ping_of(scenario, {});
+  EXPECT_EQ(cell_db(pointed, 300, 9), cell_db(ping, 300, 9));
+
+  // The sonar's wrong sound speed moves bins, not the water.
+  scenario.points.clear();
+  scenario.water.sound_speed = 1500;
+  scenario.sonars[0].assumed_sound_speed = 1600;
+  const double true_range = 15.025 * 1500 / 1600;
+  EXPECT_NEAR(cell_db(ping_of(scenario, {}), 300, 7),
+              cell_db(ping, 300, 7) + 20 * std::log10(15.025 / true_range) + 10 * std::log10(1500.0 / 1600), 0.01);
 }
 
 }  // namespace

@@ -65,6 +65,33 @@ TEST(ArrayPingTest, ScanningHeadIsTwoWay) {
   }
 }
 
+// A beam of an array is labelled with the strongest of the cells in its own slice, whichever it is.
+TEST(ArrayPingTest, BeamTakesTheLabelOfItsStrongestCell) {
+  SonarConfig sonar;
+  sonar.type = SonarType::kMechanicallyScanned;
+  sonar.beam_count = 1;
+  sonar.azimuth_aperture = 8 * kDegree;
+  sonar.min_range = 0;
+  sonar.max_range = 25;
+  sonar.sampling = {64, 400};
+  Scenario scenario = calibrated(sonar, kRays);
+  scenario.receiver.azimuth_pattern = AzimuthPattern::kHann;
+  // Plates in one bin in the middles of three cells, -3.5, 0.5 and 2.5 degrees off: weak, strong, middling.
+  Scene scene;
+  for (const auto& [azimuth, level] : {std::pair{3.5, -30.0}, {-0.5, -10.0}, {-2.5, -20.0}}) {
+    Scene plate = plate_at(10, 0.1, diffuse(level));
+    plate.instances[0].world_from_mesh = {
+        .position = 10.02 * Vec3(std::cos(azimuth * kDegree), std::sin(azimuth * kDegree), 0),
+        .orientation = orientation_from_rpy(0, 0, azimuth * kDegree)};
+    plate.instances[0].materials.assign(plate.instances[0].materials.size(),
+                                        static_cast<std::uint16_t>(scene.materials.size()));
+    scene.materials.push_back(plate.materials[0]);
+    scene.instances.push_back(plate.instances[0]);
+  }
+  const Ping ping = ping_of(scenario, scene);
+  EXPECT_EQ(ping.instance[ping.index(static_cast<int>(10.02 / sonar.bin_length()), 0)], 1);
+}
+
 Ping two_plates(PulseKind pulse) {
   SonarConfig sonar = fan();
   sonar.beam_count = 8;
@@ -144,6 +171,26 @@ TEST_F(SpeckleTest, IntensityIsExponentialAndNeighbouringBeamsAreAlike) {
   EXPECT_NEAR(std::sqrt(sum / n / std::pow(amplitudes / n, 2) - 1), 0.5227232008770634, 0.0105);
   // Straight ahead it would be 0.5465; beams are evenly spaced in angle, and overlap less in u at the sides.
   EXPECT_NEAR(correlation(here, next), 0.60, 0.07);
+}
+
+// T13 with all that the calibrated model has.
+TEST_F(SpeckleTest, PingsDoNotDependOnThreads) {
+  Scenario scenario = scenario_of(AzimuthPattern::kRectangular, true);
+  scenario.secondary = SecondaryEchoes::kAll;
+  scenario.surface = SeaSurface{.level = 6};
+  scenario.receiver.noise = true;
+  scenario.receiver.pulse = PulseKind::kLfm;
+  scenario.receiver.pulse_duration = 1e-3;
+  scenario.water.volume_backscatter_db = -70;
+  Scene scene = sphere_at({14, 2, -1}, 2, glinting(0.8, 0.2));
+  Scene bed = seabed_at(-3, diffuse(-20));
+  bed.instances[0].materials.assign(bed.instances[0].materials.size(), 1);
+  scene.materials.push_back(bed.materials[0]);
+  scene.instances.push_back(bed.instances[0]);
+  const Ping one = Simulator(scenario, scene, 1).make_ping(0, 2);
+  for (const int threads : {2, 5, 16}) {
+    EXPECT_EQ(Simulator(scenario, scene, threads).make_ping(0, 2).intensity, one.intensity) << threads;
+  }
 }
 
 TEST_F(SpeckleTest, StaysWhileNothingMoves) {
