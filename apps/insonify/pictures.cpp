@@ -87,6 +87,7 @@ void PingPictures::add(const Ping& ping) {
   const Ping raised = raised_by_range(ping, sonar_, kShownGainPerDecade);
   if (!scaled_) {
     display_.full_scale = fitting_full_scale(raised);
+    display_.raised_per_decade = kShownGainPerDecade;
     scaled_ = true;
   }
   add_shown(raised);

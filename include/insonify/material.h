@@ -27,6 +27,26 @@ struct Scattering {
 /// 10 log10(1/pi): a Lambert surface that turns back all that it meets.
 inline constexpr double kGreatestLambertDb = -4.971498726941338;
 
+/// Visits what a material and a change of one have in common.
+template <typename Self, typename Visit>
+void visit_material_fields(Self& self, Visit&& visit) {
+  visit(Field{"density", "kg/m^3", above_to(0, kGreatestDensity), "Density."}, self.density);
+  visit(Field{"sound_speed", "m/s", above_to(0, kGreatestSoundSpeed), "Speed of compressional waves."},
+        self.sound_speed);
+  visit(Field{"reflectivity", "", from_to(0, 1),
+              "Share of the echo amplitude that the paper model keeps; from the impedance when absent."},
+        self.reflectivity);
+  visit(Field{"lambert_db", "dB", from_to(-200, kGreatestLambertDb),
+              "Diffuse part: 10 log10 of backscattering strength head on (calibrated model)."},
+        self.lambert_db);
+  visit(Field{"reflection", "", from_to(0, 1),
+              "|R| of sound that meets it head on (calibrated model); from the impedance when absent."},
+        self.reflection);
+  visit(Field{"rms_slope", "", from_to(0.005, 1),
+              "Of its small facets, along each axis: how wide the glint is (calibrated model)."},
+        self.rms_slope);
+}
+
 /// Acoustic properties of a surface.
 struct Material {
   std::string name = {};      ///< Lower case, as written in scenes.
@@ -52,21 +72,7 @@ struct Material {
 
   template <typename Self, typename Visit>
   static void visit_fields(Self& self, Visit&& visit) {
-    visit(Field{"density", "kg/m^3", above_to(0, kGreatestDensity), "Density."}, self.density);
-    visit(Field{"sound_speed", "m/s", above_to(0, kGreatestSoundSpeed), "Speed of compressional waves."},
-          self.sound_speed);
-    visit(Field{"reflectivity", "", from_to(0, 1),
-                "Share of the echo amplitude that the paper model keeps; from the impedance when absent."},
-          self.reflectivity);
-    visit(Field{"lambert_db", "dB", from_to(-200, kGreatestLambertDb),
-                "Diffuse part: 10 log10 of backscattering strength head on (calibrated model)."},
-          self.lambert_db);
-    visit(Field{"reflection", "", from_to(0, 1),
-                "|R| of sound that meets it head on (calibrated model); from the impedance when absent."},
-          self.reflection);
-    visit(Field{"rms_slope", "", from_to(0.005, 1),
-                "Of its small facets, along each axis: how wide the glint is (calibrated model)."},
-          self.rms_slope);
+    visit_material_fields(self, visit);
   }
 };
 

@@ -31,8 +31,9 @@ enum class Scale { kLinear, kDecibel };
 struct Display {
   ColourMap colour_map = ColourMap::kInferno;
   Scale scale = Scale::kLinear;
-  double floor_db = -50;    ///< Darkest level on a decibel scale [dB re full scale], < 0.
-  double full_scale = 1.0;  ///< Intensity drawn brightest, > 0.
+  double floor_db = -50;         ///< Darkest level on a decibel scale [dB re full scale], < 0.
+  double full_scale = 1.0;       ///< Intensity drawn brightest, > 0.
+  double raised_per_decade = 0;  ///< What raised_by_range() has done to the pings, for the caption [dB], >= 0.
   int height = 720;         ///< Of the whole picture [pixels], 240..8192; the width follows from the shape of the fan.
   bool annotations = true;  ///< Title, rings, radials, axes and colour bar.
 
@@ -44,6 +45,9 @@ struct Display {
     visit(Field{"floor_db", "dB", {.most = 0, .most_allowed = false}, "Darkest level on a decibel scale."},
           self.floor_db);
     visit(Field{"full_scale", "", greater_than(0), "Intensity drawn brightest."}, self.full_scale);
+    visit(
+        Field{"raised_per_decade", "dB", at_least(0), "By how much intensities were raised for every decade of range."},
+        self.raised_per_decade);
     visit(Field{"height", "pixels", from_to(240, 8192), "Height of the whole picture."}, self.height);
     visit(Field{"annotations", "", {}, "Draw title, rings, radials, axes and colour bar."}, self.annotations);
   }

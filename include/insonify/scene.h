@@ -50,21 +50,7 @@ struct MaterialOverride {
   template <typename Self, typename Visit>
   static void visit_fields(Self& self, Visit&& visit) {
     visit(Field{"like", "", {}, "Material of the library to start from; the one of this name when absent."}, self.like);
-    visit(Field{"density", "kg/m^3", above_to(0, kGreatestDensity), "Density."}, self.density);
-    visit(Field{"sound_speed", "m/s", above_to(0, kGreatestSoundSpeed), "Speed of compressional waves."},
-          self.sound_speed);
-    visit(Field{"reflectivity", "", from_to(0, 1),
-                "Share of the echo amplitude that the paper model keeps; from the impedance when absent."},
-          self.reflectivity);
-    visit(Field{"lambert_db", "dB", from_to(-200, kGreatestLambertDb),
-                "Diffuse part: 10 log10 of backscattering strength head on (calibrated model)."},
-          self.lambert_db);
-    visit(Field{"reflection", "", from_to(0, 1),
-                "|R| of sound that meets it head on (calibrated model); from the impedance when absent."},
-          self.reflection);
-    visit(Field{"rms_slope", "", from_to(0.005, 1),
-                "Of its small facets, along each axis: how wide the glint is (calibrated model)."},
-          self.rms_slope);
+    visit_material_fields(self, visit);
     ReliefConfig::visit_fields(self.relief_config, visit);
   }
 };

@@ -16,19 +16,19 @@ static_assert(kPathLanes == kPacketSize);
 
 constexpr float kTiny = 1e-20F;  // Keeps what divides from being zero.
 
-// Where the hits of a packet of onward rays lie, how far it is back from there, and what is to come of it.
+// Where the hits of a packet of onward rays lie, and how far it is back from there.
 struct Returns {
   float x[kPacketSize], y[kPacketSize], z[kPacketSize];                 // Second surface.
   float back_x[kPacketSize], back_y[kPacketSize], back_z[kPacketSize];  // Unit vector from there to the sonar.
   float distance[kPacketSize];                                          // Of the way back.
-  float path_length[kPacketSize];                                       // Out, across and back.
-  float strength[kPacketSize];                                          // See secondary_powers().
-  float within[kPacketSize];                                            // 1 where the echo is from within the range.
+  float there[kPacketSize];                                             // Out and across.
+
+  [[nodiscard]] Vec3f point(int lane) const { return {x[lane], y[lane], z[lane]}; }
+  [[nodiscard]] Vec3f back(int lane) const { return {back_x[lane], back_y[lane], back_z[lane]}; }
 };
 
 INSONIFY_VECTOR_CLONES
-void measure_returns(const RTCRay16& __restrict__ rays, const CpuScene::Shading& __restrict__ met,
-                     const OnwardTask::Origins& __restrict__ origins, Vec3f sonar, float max_range,
+void measure_returns(const RTCRay16& __restrict__ rays, const OnwardTask::Origins& __restrict__ origins, Vec3f sonar,
                      Returns& __restrict__ returns) {
   const float sonar_x = sonar[0], sonar_y = sonar[1], sonar_z = sonar[2];
   for (int lane = 0; lane < kPacketSize; ++lane) {
@@ -46,39 +46,33 @@ void measure_returns(const RTCRay16& __restrict__ rays, const CpuScene::Shading&
     returns.back_y[lane] = dy * scale;
     returns.back_z[lane] = dz * scale;
     returns.distance[lane] = distance;
-    const float path_length = origins.range[lane] + across + distance;
-    returns.path_length[lane] = path_length;
-    returns.within[lane] = (met.surface[lane] != kNoSurface) & (0.5F * path_length < max_range) ? 1.0F : 0.0F;
-    const float nx = met.normal_x[lane], ny = met.normal_y[lane], nz = met.normal_z[lane];
-    const float facing = nx * rays.dir_x[lane] + ny * rays.dir_y[lane] + nz * rays.dir_z[lane];
-    const float incidence = std::abs(facing) / std::sqrt(nx * nx + ny * ny + nz * nz);
-    returns.strength[lane] = origins.strength[lane] * incidence * met.reflectivity[lane];
+    returns.there[lane] = origins.range[lane] + across;
   }
 }
 
-// Where the hits of a packet lie and how the sound meets them; see MirrorPaths.
+// The paper model's strengths, see secondary_powers(), and whether echoes are from within the range: 1 or 0.
 INSONIFY_VECTOR_CLONES
-void measure_paths(const RTCRay16& __restrict__ rays, const CpuScene::Shading& __restrict__ met,
-                   const OnwardTask::Origins& __restrict__ origins, Vec3f sonar, Returns& __restrict__ returns,
-                   MirrorPaths& __restrict__ paths) {
-  const float sonar_x = sonar[0], sonar_y = sonar[1], sonar_z = sonar[2];
+void weigh_returns(const RTCRay16& __restrict__ rays, const CpuScene::Shading& __restrict__ met,
+                   const OnwardTask::Origins& __restrict__ origins, const Returns& __restrict__ returns,
+                   float max_range, float* __restrict__ strength, float* __restrict__ within) {
   for (int lane = 0; lane < kPacketSize; ++lane) {
-    const float across = rays.tfar[lane];
+    const float path_length = returns.there[lane] + returns.distance[lane];
+    within[lane] = (met.surface[lane] != kNoSurface) & (0.5F * path_length < max_range) ? 1.0F : 0.0F;
+    const float nx = met.normal_x[lane], ny = met.normal_y[lane], nz = met.normal_z[lane];
+    const float facing = nx * rays.dir_x[lane] + ny * rays.dir_y[lane] + nz * rays.dir_z[lane];
+    const float incidence = std::abs(facing) / std::sqrt(nx * nx + ny * ny + nz * nz);
+    strength[lane] = origins.strength[lane] * incidence * met.reflectivity[lane];
+  }
+}
+
+// How the sound meets the second surface; see MirrorPaths.
+INSONIFY_VECTOR_CLONES
+void lay_paths(const RTCRay16& __restrict__ rays, const CpuScene::Shading& __restrict__ met,
+               const OnwardTask::Origins& __restrict__ origins, const Returns& __restrict__ returns,
+               MirrorPaths& __restrict__ paths) {
+  for (int lane = 0; lane < kPacketSize; ++lane) {
     const float ix = -rays.dir_x[lane], iy = -rays.dir_y[lane], iz = -rays.dir_z[lane];
-    const float x = rays.org_x[lane] - ix * across;
-    const float y = rays.org_y[lane] - iy * across;
-    const float z = rays.org_z[lane] - iz * across;
-    const float dx = sonar_x - x, dy = sonar_y - y, dz = sonar_z - z;
-    const float distance = std::sqrt(dx * dx + dy * dy + dz * dz);
-    const float scale = 1 / distance;
-    const float bx = dx * scale, by = dy * scale, bz = dz * scale;
-    returns.x[lane] = x;
-    returns.y[lane] = y;
-    returns.z[lane] = z;
-    returns.back_x[lane] = bx;
-    returns.back_y[lane] = by;
-    returns.back_z[lane] = bz;
-    returns.distance[lane] = distance;
+    const float bx = returns.back_x[lane], by = returns.back_y[lane], bz = returns.back_z[lane];
     const float hx = ix + bx, hy = iy + by, hz = iz + bz;
     const float nx = met.normal_x[lane], ny = met.normal_y[lane], nz = met.normal_z[lane];
     const float length = 1 / std::sqrt(nx * nx + ny * ny + nz * nz + kTiny);
@@ -88,8 +82,8 @@ void measure_paths(const RTCRay16& __restrict__ rays, const CpuScene::Shading& _
     paths.half[lane] = (nx * hx + ny * hy + nz * hz) * half_length;
     paths.kept[lane] = origins.kept[lane];
     paths.steepness[lane] = origins.steepness[lane];
-    paths.there[lane] = origins.range[lane] + across;
-    paths.back[lane] = distance;
+    paths.there[lane] = returns.there[lane];
+    paths.back[lane] = returns.distance[lane];
     paths.texture[lane] = met.texture[lane];
     paths.surface[lane] = met.surface[lane];
   }
@@ -109,16 +103,17 @@ void OnwardTask::send_back(const Vec3f& point, const Vec3f& direction, float dis
 // The paper model's: one echo, heard where it was launched.
 void OnwardTask::return_shaped(const RTCRay16& rays, const Origins& origins, unsigned lanes) {
   Returns returns;
-  measure_returns(rays, shading_, origins, sonar_, plan_->true_max_range, returns);
-  for (lanes &= positive_of_packet(returns.within); lanes != 0; lanes &= lanes - 1) {
+  float strength[kPacketSize], within[kPacketSize];
+  measure_returns(rays, origins, sonar_, returns);
+  weigh_returns(rays, shading_, origins, returns, plan_->true_max_range, strength, within);
+  for (lanes &= positive_of_packet(within); lanes != 0; lanes &= lanes - 1) {
     const int lane = std::countr_zero(lanes);
-    const int slot = returning_count_;
-    returning_[slot] = secondary_echo(*plan_, origins.column[lane], origins.row[lane], origins.selected[lane],
-                                      returns.path_length[lane], shading_.surface[lane]);
-    returning_strength_[slot] = returns.strength[lane];
-    returning_rest_[slot] = returns.path_length[lane] - 2 * origins.range[lane];
-    send_back({returns.x[lane], returns.y[lane], returns.z[lane]},
-              {returns.back_x[lane], returns.back_y[lane], returns.back_z[lane]}, returns.distance[lane]);
+    const float path_length = returns.there[lane] + returns.distance[lane];
+    returning_[returning_count_] = secondary_echo(*plan_, origins.column[lane], origins.row[lane],
+                                                  origins.selected[lane], path_length, shading_.surface[lane]);
+    returning_strength_[returning_count_] = strength[lane];
+    returning_rest_[returning_count_] = path_length - 2 * origins.range[lane];
+    send_back(returns.point(lane), returns.back(lane), returns.distance[lane]);
   }
 }
 
@@ -127,7 +122,8 @@ void OnwardTask::return_mirrored(const RTCRay16& rays, const Origins& origins, u
   Returns returns;
   MirrorPaths paths;
   MirrorPowers powers;
-  measure_paths(rays, shading_, origins, sonar_, returns, paths);
+  measure_returns(rays, origins, sonar_, returns);
+  lay_paths(rays, shading_, origins, returns, paths);
   fill_mirror_powers(plan_->scatter, plan_->neper_per_metre, paths, powers);
   for (; lanes != 0; lanes &= lanes - 1) {
     const int lane = std::countr_zero(lanes);
@@ -144,15 +140,14 @@ void OnwardTask::return_mirrored(const RTCRay16& rays, const Origins& origins, u
       twice.power = powers.twice[lane];
       deposit(*plan_, twice, *grid_);
     }
-    const Vec3f direction(returns.back_x[lane], returns.back_y[lane], returns.back_z[lane]);
-    const Vec3f heard_from = -(axes_.transpose() * direction);
+    const Vec3f heard_from = -(axes_.transpose() * returns.back(lane));
     if (powers.once[lane] > 0 && 0.5F * (there + back) < plan_->true_max_range && plan_->in_aperture(heard_from)) {
       echo.power = powers.once[lane];
       returning_[returning_count_] = echo;
       echo.azimuth = std::atan2(heard_from.y(), heard_from.x());
       echo.elevation = std::atan2(heard_from.z(), std::hypot(heard_from.x(), heard_from.y()));
       arriving_[returning_count_] = echo;
-      send_back({returns.x[lane], returns.y[lane], returns.z[lane]}, direction, back);
+      send_back(returns.point(lane), returns.back(lane), back);
     }
   }
 }

@@ -89,8 +89,12 @@ std::vector<Page::Tick> Page::bar_ticks(int most_parts) const {
 }
 
 std::string Page::bar_caption() const {
-  return display_.scale == Scale::kLinear ? fmt::format("echo intensity (0 to {})", number_text(display_.full_scale))
-                                          : "dB re full scale";
+  if (display_.scale == Scale::kLinear) {
+    return fmt::format("echo intensity (0 to {})", number_text(display_.full_scale));
+  }
+  return display_.raised_per_decade > 0
+             ? fmt::format("dB re full scale, + {} log r", number_text(display_.raised_per_decade))
+             : "dB re full scale";
 }
 
 double Page::bar_width() const {

@@ -1,0 +1,49 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "insonify/picture.h"
+
+namespace insonify {
+namespace {
+
+Ping ping_of(int bins, int beams, float intensity) {
+  Ping ping;
+  ping.bin_count = bins;
+  ping.beam_count = beams;
+  ping.intensity.assign(static_cast<std::size_t>(bins) * beams, intensity);
+  return ping;
+}
+
+TEST(LevelsTest, RaisingEvensOutWhatFallsWithRange) {
+  SonarConfig sonar;
+  sonar.beam_count = 3;
+  sonar.bin_count = 40;
+  sonar.min_range = 2;
+  sonar.max_range = 22;
+  Ping ping = ping_of(40, 3, 0);
+  for (int bin = 0; bin < 40; ++bin) {
+    for (int beam = 0; beam < 3; ++beam) {
+      ping.intensity[ping.index(bin, beam)] = static_cast<float>((beam + 1) * std::pow(sonar.bin_range(bin), -3));
+    }
+  }
+  const Ping raised = raised_by_range(ping, sonar, 30);
+  for (int bin = 0; bin < 40; ++bin) {
+    for (int beam = 0; beam < 3; ++beam) {
+      EXPECT_NEAR(raised.intensity[raised.index(bin, beam)], beam + 1, 1e-5);
+    }
+  }
+}
+
+TEST(LevelsTest, FullScaleIsAboveAllButAThousandth) {
+  Ping ping = ping_of(100, 100, 2e-6F);
+  EXPECT_NEAR(10 * std::log10(fitting_full_scale(ping)), -55, 1e-9);  // -56.99 dB, rounded up.
+  ping.intensity[7] = 1;                                              // One in ten thousand.
+  EXPECT_NEAR(10 * std::log10(fitting_full_scale(ping)), -55, 1e-9);
+  std::fill_n(ping.intensity.begin(), 20, 0.5F);  // Two in a thousand.
+  EXPECT_NEAR(10 * std::log10(fitting_full_scale(ping)), 0, 1e-9);
+  EXPECT_EQ(fitting_full_scale(ping_of(3, 3, 0)), 1);
+}
+
+}  // namespace
+}  // namespace insonify
