@@ -76,7 +76,7 @@ Simulator::Simulator(Scenario scenario, Scene scene, int threads) {
                                             .seed = state_->scenario.seed}));
     state_->grids.emplace_back(cells.sonar.beam_count, sonar.bin_count, order_count(state_->scenario));
     state_->receivers.emplace_back(sonar, cells, state_->scenario.water, state_->scenario.receiver,
-                                   state_->scenario.seed);
+                                   state_->scene.materials, state_->scenario.seed);
   }
   state_->engine->set_scene(state_->scene);
 }

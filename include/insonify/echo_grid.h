@@ -14,6 +14,15 @@ inline constexpr int kPathOrders = 3;
 /// Stands for "nothing" in the label layers.
 inline constexpr std::uint16_t kNoLabel = 0xffff;
 
+/// An echo that stands alone, as that of an ideal point: it has its own bearing and phase, where cells hold sums over
+/// many.
+struct LoneEcho {
+  int beam = 0, bin = 0;
+  float bearing_sine = 0;  ///< u of its arrival.
+  float intensity = 0;     ///< Relative to the source's at 1 m.
+  float turns = 0;         ///< Phase, 0..1.
+};
+
 /// Sums over echoes, in cells of beam by bin: beam-major, so that one beam's bins lie together.
 ///
 /// `energy` and `weight` are kept per path order. In the `paper` model they are the sum of the shaped echo intensities
@@ -69,6 +78,10 @@ class EchoGrid {
     return {&surface_[cell], &label_energy_[cell], &elevation_moment_[cell]};
   }
 
+  /// Kept beside the cells; whoever fills them in clears them first.
+  [[nodiscard]] std::vector<LoneEcho>& lone_echoes() { return lone_echoes_; }
+  [[nodiscard]] const std::vector<LoneEcho>& lone_echoes() const { return lone_echoes_; }
+
   /// Sets the cells of beams [first, last) to nothing. Each task clears its own.
   void clear(int first_beam, int last_beam);
   void clear() { clear(0, beam_count_); }
@@ -83,6 +96,7 @@ class EchoGrid {
   std::vector<float> energy_, weight_;  // [order][beam][bin]
   std::vector<std::uint32_t> surface_;  // [beam][bin]
   std::vector<float> lead_, label_energy_, elevation_moment_;
+  std::vector<LoneEcho> lone_echoes_;
 };
 
 /// Takes the beams of a grid as they are completed, while their cells are still in the nearest memory.

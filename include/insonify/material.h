@@ -45,6 +45,11 @@ void visit_material_fields(Self& self, Visit&& visit) {
   visit(Field{"rms_slope", "", from_to(0.005, 1),
               "Of its small facets, along each axis: how wide the glint is (calibrated model)."},
         self.rms_slope);
+  visit(
+      Field{
+          "clutter_shape", "", from_to(0.1, 1000),
+          "Shape of K-distributed clutter, the less the patchier (calibrated model, with speckle); none when absent."},
+      self.clutter_shape);
 }
 
 /// Acoustic properties of a surface.
@@ -57,7 +62,8 @@ struct Material {
   double lambert_db = -20;  ///< 10 log10 of Scattering::lambert, -200 to that of a white surface.
   std::optional<double> reflection = {};  ///< |R| at normal incidence, 0..1; from density and sound speed when absent.
   double rms_slope = 0.1;                 ///< Of small facets, along each axis, 0.005..1.
-  std::string source = {};                ///< Where the numbers come from.
+  std::optional<double> clutter_shape = {};   ///< Of K-distributed clutter, 0.1..1000: the less the patchier; or none.
+  std::string source = {};                    ///< Where the numbers come from.
   std::shared_ptr<const Relief> relief = {};  ///< Of every surface made of it; null: that of the mesh, if any.
 
   /// Pressure reflection coefficient at normal incidence against water of the given impedance [kg/(m^2 s)], -1..1:

@@ -23,6 +23,8 @@ PingPlan::PingPlan(const PingPlanSettings& settings)
   true_max_range = static_cast<float>(sonar.max_range / scale);
   bins_per_metre = static_cast<float>(scale / sonar.bin_length());
   first_bin_at = static_cast<float>(sonar.min_range / scale);
+  turns_per_metre = 2 * sonar.frequency / true_speed;
+  seed = settings.seed;
   const auto purpose = static_cast<std::uint32_t>(RandomPurpose::kSecondarySelection);
   stagger = philox({0, 0, 0, purpose}, philox_key(settings.seed))[0];
   for (const double edge : sonar.beam_edges()) {

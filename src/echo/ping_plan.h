@@ -30,6 +30,8 @@ class PingPlan {
   float true_max_range = 0;   ///< True distance of the far edge of the last bin [m].
   float bins_per_metre = 0;   ///< Bins over true distance [1/m].
   float first_bin_at = 0;     ///< True distance of the near edge of bin 0 [m].
+  double turns_per_metre = 0;  ///< Of the phase of an echo, over one-way distance [1/m].
+  std::uint64_t seed = 0;
   std::uint32_t stagger = 0;  ///< Turns the selection of secondary rays, from the seed.
 
   /// Whether sound from a direction of the sonar frame is heard at all: in the fan and the elevation aperture.

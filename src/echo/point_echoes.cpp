@@ -4,9 +4,22 @@
 
 #include <cmath>
 
+#include "base/philox.h"
 #include "echo/ray_limits.h"
 
 namespace insonify {
+
+namespace {
+
+// 0..1.
+float phase_of(const PingPlan& plan, std::size_t point, double range) {
+  const PhiloxCounter counter = {static_cast<std::uint32_t>(point), 0, 0,
+                                 static_cast<std::uint32_t>(RandomPurpose::kPointPhase)};
+  const double turns = plan.turns_per_metre * range + double{uniform_open(philox(counter, philox_key(plan.seed))[0])};
+  return static_cast<float>(turns - std::floor(turns));
+}
+
+}  // namespace
 
 PointEchoes::PointEchoes(std::span<const PointTarget> points)
     : points_(points), rays_(points.size()), hits_(points.size()) {}
@@ -19,6 +32,7 @@ void PointEchoes::add(const PingPlan& plan, const Pose& world_from_sonar, Engine
                 range - double{kRayClearance}};
   }
   engine.trace(rays_, hits_);
+  grid.lone_echoes().clear();
   const Pose sonar_from_world = world_from_sonar.inverse();
   const double highest = 0.5 * plan.sonar.elevation_aperture;
   for (std::size_t i = 0; i < points_.size(); ++i) {
@@ -31,11 +45,15 @@ void PointEchoes::add(const PingPlan& plan, const Pose& world_from_sonar, Engine
     }
     const double intensity = std::pow(10.0, points_[i].target_strength_db / 10) / std::pow(range, 4) *
                              std::exp(-4 * double{plan.neper_per_metre} * range);
-    // A point has no extent: it takes no solid angle from what is behind it, and no surface to label the cell with.
+    // A point has no extent: it takes no solid angle from what is behind it, and no surface to label a cell with.
     const int beam = plan.beam_of(static_cast<float>(std::atan2(local.y(), local.x())));
     const int bin = plan.bin_of(static_cast<float>(range));
     if (beam >= 0 && bin >= 0) {
-      grid.energy(1, beam)[bin] += static_cast<float>(intensity);
+      grid.lone_echoes().push_back({.beam = beam,
+                                    .bin = bin,
+                                    .bearing_sine = static_cast<float>(local.y() / std::hypot(local.x(), local.y())),
+                                    .intensity = static_cast<float>(intensity),
+                                    .turns = phase_of(plan, i, range)});
     }
   }
 }

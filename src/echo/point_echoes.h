@@ -11,8 +11,9 @@
 
 namespace insonify {
 
-/// Adds the echoes of points to a grid of the calibrated model: TS - 40 log10 r - 2 alpha r relative to the source, in
-/// the cell of their range and azimuth. Nothing from behind a surface or outside the aperture.
+/// The echoes of points, as lone echoes of a grid of the calibrated model: TS - 40 log10 r - 2 alpha r relative to the
+/// source, each with the phase of its way there and back and one of its own, drawn from the seed. Nothing from behind a
+/// surface or outside the aperture.
 class PointEchoes {
  public:
   explicit PointEchoes(std::span<const PointTarget> points);

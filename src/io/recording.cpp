@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <limits>
 #include <type_traits>
 #include <utility>
 
@@ -85,7 +86,7 @@ void put_scene(const H5Writer& writer, const Scene& scene) {
   }
   writer.put("instance_names", names, {"", "Scoped name of each instance of the scene."});
   names.clear();
-  std::array<std::vector<double>, 6> properties;
+  std::array<std::vector<double>, 7> properties;
   for (const Material& material : scene.materials) {
     names.push_back(material.name);
     properties[0].push_back(material.density);
@@ -94,6 +95,7 @@ void put_scene(const H5Writer& writer, const Scene& scene) {
     properties[3].push_back(material.lambert_db);
     properties[4].push_back(material.scattering().reflection);
     properties[5].push_back(material.rms_slope);
+    properties[6].push_back(material.clutter_shape.value_or(std::numeric_limits<double>::infinity()));
   }
   writer.put("material_names", names, {"", "Name of each material of the scene."});
   writer.put("settings/materials/density", properties[0], {"kg/m^3", "Of each row of material_names."});
@@ -102,6 +104,8 @@ void put_scene(const H5Writer& writer, const Scene& scene) {
   writer.put("settings/materials/lambert_db", properties[3], {"dB", "Of each row of material_names."});
   writer.put("settings/materials/reflection", properties[4], {"1", "Of each row of material_names."});
   writer.put("settings/materials/rms_slope", properties[5], {"1", "Of each row of material_names."});
+  writer.put("settings/materials/clutter_shape", properties[6],
+             {"1", "Of each row of material_names; infinite for no texture."});
 }
 
 // One member of a configuration, whatever its type. Absent members are left out.

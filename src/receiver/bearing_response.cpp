@@ -20,7 +20,8 @@ void clear_bins(float* beams, int beam_count, int stride, int first, int last) {
 }  // namespace
 
 BearingResponse::BearingResponse(const ArrayPattern& pattern, double length, std::span<const double> cell_sines,
-                                 std::span<const double> beam_sines, double floor_db) {
+                                 std::span<const double> beam_sines, double floor_db)
+    : pattern_(pattern), length_(length), beam_sines_(beam_sines.begin(), beam_sines.end()) {
   const auto cells = static_cast<int>(cell_sines.size());
   const auto beams = static_cast<int>(beam_sines.size());
   const double floor = std::pow(10, floor_db / 10);
@@ -31,7 +32,7 @@ BearingResponse::BearingResponse(const ArrayPattern& pattern, double length, std
   for (int beam = 0; beam < beams; ++beam) {
     int first = cells, last = 0;
     for (int cell = 0; cell < cells; ++cell) {
-      const std::complex<double> gain = pattern.amplitude(length * (cell_sines[cell] - beam_sines[beam]));
+      const std::complex<double> gain = this->gain(beam, cell_sines[cell]);
       energy_.set(beam, cell, static_cast<float>(std::norm(gain)));
       in_phase_.set(beam, cell, static_cast<float>(gain.real()));
       if (!pattern.is_real()) {

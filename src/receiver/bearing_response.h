@@ -4,6 +4,7 @@
 
 #include <complex>
 #include <span>
+#include <vector>
 
 #include "insonify/array_pattern.h"
 #include "receiver/gain_matrix.h"
@@ -33,6 +34,11 @@ class BearingResponse {
   [[nodiscard]] int beam_count() const { return energy_.beam_count(); }
   [[nodiscard]] int cell_count() const { return energy_.cell_count(); }
 
+  /// g of an echo from u, in the beam steered to number `beam` of the beam_sines.
+  [[nodiscard]] std::complex<double> gain(int beam, double u) const {
+    return pattern_.amplitude(length_ * (u - beam_sines_[beam]));
+  }
+
   /// Cells that are added up over all there are: the time goes with it, 0..1.
   [[nodiscard]] double filled() const { return energy_.filled(); }
 
@@ -52,6 +58,9 @@ class BearingResponse {
                   Bins bins) const;
 
  private:
+  ArrayPattern pattern_;
+  double length_;
+  std::vector<double> beam_sines_;
   GainMatrix energy_;                 // |g|^2
   GainMatrix in_phase_, quadrature_;  // Real and imaginary part of g; the latter empty where g is real.
 };

@@ -3,20 +3,19 @@
 #include "receiver/calibrated_receiver.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <functional>
 
 #include "echo/echo.h"
 #include "insonify/absorption.h"
 #include "insonify/sonar_equation.h"
+#include "receiver/lone_echoes.h"
 #include "receiver/normal_numbers.h"
 
 namespace insonify {
 namespace {
 
 constexpr int kBinsATask = 64;
-constexpr float kComponent = 0.70710678F;  // Deviation of each part of a complex number whose mean square is 1.
 
 double noise_intensity_of(const SonarConfig& sonar) {
   const double width = sonar.azimuth_aperture / sonar.beam_count;
@@ -59,21 +58,11 @@ double volume_reverberation(double backscatter, double middle, double half, doub
   return backscatter * (1 / near - 1 / (middle + half)) * std::pow(10.0, -0.2 * absorption_db_per_m * middle);
 }
 
-// Tells poses apart: equal poses give equal numbers.
-std::uint64_t number_of(const Pose& pose) {
-  std::uint64_t number = 0;
-  for (const double value : {pose.position.x(), pose.position.y(), pose.position.z(), pose.orientation.w(),
-                             pose.orientation.x(), pose.orientation.y(), pose.orientation.z()}) {
-    number = (number ^ std::bit_cast<std::uint64_t>(value)) * 0x9E3779B97F4A7C15U;
-    number ^= number >> 29;
-  }
-  return number;
-}
-
 }  // namespace
 
 CalibratedReceiver::CalibratedReceiver(const SonarConfig& sonar, const BearingCells& cells, const Water& water,
-                                       const ReceiverConfig& config, std::uint64_t seed)
+                                       const ReceiverConfig& config, std::span<const Material> materials,
+                                       std::uint64_t seed)
     : beams_(sonar.beam_count),
       bins_(sonar.bin_count),
       cells_(cells.sonar.beam_count),
@@ -81,7 +70,6 @@ CalibratedReceiver::CalibratedReceiver(const SonarConfig& sonar, const BearingCe
       cells_per_beam_(cells.per_beam),
       noise_intensity_(noise_intensity_of(sonar)),
       noisy_(config.noise),
-      speckled_(config.speckle),
       seed_(seed) {
   const double absorption = water.absorption_db_per_m_at(sonar.frequency);
   for (int bin = 0; bin < bins_; ++bin) {
@@ -97,8 +85,9 @@ CalibratedReceiver::CalibratedReceiver(const SonarConfig& sonar, const BearingCe
     cell_angle_.push_back(static_cast<float>((edges[cell] - edges[cell + 1]) * height));
   }
   const double sound_speed = sonar.assumed_sound_speed.value_or(water.true_sound_speed());
+  const double true_per_shown = water.true_sound_speed() / sound_speed;
+  const double wavelength = water.true_sound_speed() / sonar.frequency;
   for (int bin = 0; water.volume_backscatter_db && bin < bins_; ++bin) {
-    const double true_per_shown = water.true_sound_speed() / sound_speed;
     const double middle = true_per_shown * sonar.bin_range(bin), half = 0.5 * true_per_shown * sonar.bin_length();
     const double backscatter = std::pow(10.0, *water.volume_backscatter_db / 10);
     volume_.push_back(static_cast<float>(volume_reverberation(backscatter, middle, half, absorption)));
@@ -108,19 +97,23 @@ CalibratedReceiver::CalibratedReceiver(const SonarConfig& sonar, const BearingCe
                       sound_speed, sonar.bin_length());
     range_.emplace(pulse, sonar.bin_length());
   }
+  if (config.speckle) {
+    speckle_.emplace(cells.sonar, true_per_shown, wavelength, seed);
+    const double bins = range_ ? range_->equivalent_cells() : 1.0;
+    clutter_.emplace(materials, cells.per_beam, std::max(1, static_cast<int>(std::lround(bins))));
+  }
   if (config.azimuth_pattern != AzimuthPattern::kTopHat) {
     const ArrayPattern pattern = pattern_of(sonar, config);
-    const double wavelength = water.true_sound_speed() / sonar.frequency;
     const double width = sonar.azimuth_resolution.value_or(sonar.azimuth_aperture / sonar.beam_count);
     bearing_.emplace(pattern, pattern.length(wavelength, width) / wavelength, BearingCells::sines(cells.sonar),
                      BearingCells::sines(sonar));
   }
   const std::size_t cell_count = static_cast<std::size_t>(cells_) * bins_;
   const std::size_t beam_count = bearing_ ? static_cast<std::size_t>(beams_) * bins_ : 0;
-  cell_energy_.resize(speckled_ ? 0 : cell_count);
-  beam_energy_.resize(speckled_ ? 0 : beam_count);
-  cell_field_.resize(speckled_ ? cell_count : 0);
-  beam_field_.resize(speckled_ ? beam_count : 0);
+  cell_energy_.resize(config.speckle ? 0 : cell_count);
+  beam_energy_.resize(config.speckle ? 0 : beam_count);
+  cell_field_.resize(config.speckle ? cell_count : 0);
+  beam_field_.resize(config.speckle ? beam_count : 0);
 }
 
 // Echo of all path orders, and of the water from directions that no surface has closed yet.
@@ -140,33 +133,23 @@ void CalibratedReceiver::sum_energy(const EchoGrid& grid, int cell, std::span<fl
   }
 }
 
-void CalibratedReceiver::draw_speckle(int cell, std::uint64_t look, const Row& row,
-                                      std::span<std::complex<float>> field) const {
-  for (int block = 0; block * kTileBins < bins_; ++block) {
-    float in_phase[kTileBins], quadrature[kTileBins];
-    draw_normals(RandomPurpose::kSpeckleInPhase, block, cell, look, seed_, in_phase);
-    draw_normals(RandomPurpose::kSpeckleQuadrature, block, cell, look, seed_, quadrature);
-    for (int i = 0; i < std::min(kTileBins, bins_ - block * kTileBins); ++i) {
-      const int bin = block * kTileBins + i;
-      const float amplitude = kComponent * std::sqrt(row.energy[bin]);
-      field[bin] = {amplitude * in_phase[i], amplitude * quadrature[i]};
-    }
-  }
-}
-
 // One cell's echo and what the pulse makes of it.
-void CalibratedReceiver::hear_cell(const EchoGrid& grid, int cell, std::uint64_t look, Row& row) {
+void CalibratedReceiver::hear_cell(const EchoGrid& grid, int cell, const Speckle::View& view, Row& row) {
   const auto bins = static_cast<std::size_t>(bins_);
   row.energy.resize(bins);
-  if (speckled_) {
+  if (speckle_) {
     const std::span<std::complex<float>> heard(&cell_field_[bins * cell], bins);
     sum_energy(grid, cell, row.energy);
+    speckle_->locate(view, cell, grid, row.scatterers);
+    if (clutter_->any()) {
+      clutter_->texture(view, row.scatterers, grid.label_rows(cell).surface, row.energy);
+    }
     if (range_) {
       row.field.resize(bins);
-      draw_speckle(cell, look, row, row.field);
+      speckle_->draw(view, row.scatterers, row.energy, row.field);
       range_->hear_field(row.field, heard);
     } else {
-      draw_speckle(cell, look, row, heard);
+      speckle_->draw(view, row.scatterers, row.energy, heard);
     }
     return;
   }
@@ -179,18 +162,33 @@ void CalibratedReceiver::hear_cell(const EchoGrid& grid, int cell, std::uint64_t
   }
 }
 
+// Beams of the cells.
+void CalibratedReceiver::hear_bearings(Workers& workers) {
+  workers.for_each((bins_ + kBinsATask - 1) / kBinsATask, [&](int task, int) {
+    const BearingResponse::Bins bins{task * kBinsATask, std::min((task + 1) * kBinsATask, bins_)};
+    speckle_ ? bearing_->hear_field(cell_field_, beam_field_, bins_, bins)
+             : bearing_->hear_energy(cell_energy_, beam_energy_, bins_, bins);
+  });
+}
+
+void CalibratedReceiver::hear_lone_echoes(const EchoGrid& grid) {
+  const LoneEchoes lone(bearing_ ? &*bearing_ : nullptr, range_ ? &*range_ : nullptr, beams_, bins_);
+  if (speckle_) {
+    lone.add(grid.lone_echoes(), bearing_ ? beam_field_ : cell_field_);
+  } else {
+    lone.add(grid.lone_echoes(), bearing_ ? beam_energy_ : cell_energy_);
+  }
+}
+
 void CalibratedReceiver::hear(const EchoGrid& grid, const Pose& world_from_sonar, Workers& workers, Ping& ping) {
   size_tables(ping, beams_, bins_);
-  const std::uint64_t look = speckled_ ? number_of(world_from_sonar) : 0;
+  const Speckle::View view = speckle_ ? speckle_->seen_from(world_from_sonar) : Speckle::View{};
   rows_.resize(std::max(rows_.size(), static_cast<std::size_t>(workers.count())));
-  workers.for_each(cells_, [&](int cell, int worker) { hear_cell(grid, cell, look, rows_[worker]); });
+  workers.for_each(cells_, [&](int cell, int worker) { hear_cell(grid, cell, view, rows_[worker]); });
   if (bearing_) {
-    workers.for_each((bins_ + kBinsATask - 1) / kBinsATask, [&](int task, int) {
-      const BearingResponse::Bins bins{task * kBinsATask, std::min((task + 1) * kBinsATask, bins_)};
-      speckled_ ? bearing_->hear_field(cell_field_, beam_field_, bins_, bins)
-                : bearing_->hear_energy(cell_energy_, beam_energy_, bins_, bins);
-    });
+    hear_bearings(workers);
   }
+  hear_lone_echoes(grid);
   const int tiles_along = (bins_ + kTileBins - 1) / kTileBins, tiles_across = (beams_ + kTileBeams - 1) / kTileBeams;
   workers.for_each(tiles_across * tiles_along, [&](int tile, int) {
     const int beam = tile / tiles_along * kTileBeams, bin = tile % tiles_along * kTileBins;
@@ -215,8 +213,8 @@ void CalibratedReceiver::hear_tile(const EchoGrid& grid, const TilePlace& place,
     }
     for (int i = 0; i < place.bin_count; ++i) {
       // A field without speckle has the phase 0.
-      const float real = (speckled_ ? field[start + i].real() : std::sqrt(energy[start + i])) + deviation * in_phase[i];
-      const float imaginary = (speckled_ ? field[start + i].imag() : 0.0F) + deviation * quadrature[i];
+      const float real = (speckle_ ? field[start + i].real() : std::sqrt(energy[start + i])) + deviation * in_phase[i];
+      const float imaginary = (speckle_ ? field[start + i].imag() : 0.0F) + deviation * quadrature[i];
       tile.intensity[b][i] = (real * real + imaginary * imaginary) * gain_[place.first_bin + i];
     }
     take_strongest_labels(grid, place, b, tile);

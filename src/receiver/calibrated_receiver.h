@@ -15,24 +15,26 @@
 #include "insonify/water.h"
 #include "receiver/bearing_cells.h"
 #include "receiver/bearing_response.h"
+#include "receiver/clutter.h"
 #include "receiver/heard_tile.h"
 #include "receiver/range_response.h"
+#include "receiver/speckle.h"
 
 namespace insonify {
 
 /// Echo intensities of all path orders are summed in each cell, relative to the source's at 1 m: 10 log10 of them is
-/// EL - SL. With speckle each cell becomes a complex Gaussian field of that mean intensity; without it energies go on.
+/// EL - SL. With speckle each cell becomes a complex Gaussian field of that mean intensity, fixed in the world; without
+/// it energies go on.
 /// The water's own reverberation comes to it, from directions in which no surface was met at a shorter range.
 /// Pulse and array then mix neighbouring cells, by |p g|^2 of energies, by p g of fields. Thermal noise, a complex
 /// Gaussian field drawn anew for each ping and cell, is added to the field before it is detected. Last come the ramp of
 /// the near field and time-varied gain.
-///
-/// Speckle is the same as long as nothing moves, and drawn anew as soon as the sonar does.
 class CalibratedReceiver {
  public:
-  /// @param cells  What the grids are of.
+  /// @param cells      What the grids are of.
+  /// @param materials  Of the scene.
   CalibratedReceiver(const SonarConfig& sonar, const BearingCells& cells, const Water& water,
-                     const ReceiverConfig& config, std::uint64_t seed);
+                     const ReceiverConfig& config, std::span<const Material> materials, std::uint64_t seed);
 
   /// Fills the tables of a ping, whose number is read; allocates only when they need more memory than before.
   /// @param world_from_sonar  Pose of the transducer.
@@ -43,11 +45,13 @@ class CalibratedReceiver {
   struct Row {
     std::vector<float> energy;
     std::vector<std::complex<float>> field;
+    Speckle::Row scatterers;
   };
 
   void sum_energy(const EchoGrid& grid, int cell, std::span<float> energy) const;
-  void draw_speckle(int cell, std::uint64_t look, const Row& row, std::span<std::complex<float>> field) const;
-  void hear_cell(const EchoGrid& grid, int cell, std::uint64_t look, Row& row);
+  void hear_cell(const EchoGrid& grid, int cell, const Speckle::View& view, Row& row);
+  void hear_bearings(Workers& workers);
+  void hear_lone_echoes(const EchoGrid& grid);
   void hear_tile(const EchoGrid& grid, const TilePlace& place, Ping& ping) const;
   void take_strongest_labels(const EchoGrid& grid, const TilePlace& place, int beam_of_tile, HeardTile& tile) const;
 
@@ -56,8 +60,10 @@ class CalibratedReceiver {
   std::vector<float> volume_;      // Of each bin: what the water echoes per unit of solid angle; empty for nothing.
   std::vector<float> cell_angle_;  // Of each cell: solid angle [sr].
   double noise_intensity_ = 0;
-  bool noisy_, speckled_;
+  bool noisy_;
   std::uint64_t seed_;
+  std::optional<Speckle> speckle_;
+  std::optional<Clutter> clutter_;
   std::optional<RangeResponse> range_;
   std::optional<BearingResponse> bearing_;
 

@@ -105,6 +105,12 @@ RangeResponse::RangeResponse(const Pulse& pulse, double bin_length, int cells_pe
   }
 }
 
+float RangeResponse::amplitude(int bins_away) const {
+  const int tap = bins_away - first_;
+  const std::size_t row = static_cast<std::size_t>(cells_per_bin_ / 2) * count_;
+  return tap >= 0 && tap < count_ ? amplitude_[row + tap] : 0.0F;
+}
+
 void RangeResponse::hear_energy(std::span<const float> cells, std::span<float> bins) const {
   convolve(cells, bins, cells_per_bin_, first_, count_, energy_, add_energy_taps);
 }

@@ -32,6 +32,9 @@ class RangeResponse {
   /// Sum of |p|^2 over the cells: what an echo of energy 1 in every cell reads.
   [[nodiscard]] double equivalent_cells() const { return equivalent_cells_; }
 
+  /// p of an echo so many bins nearer or farther.
+  [[nodiscard]] float amplitude(int bins_away) const;
+
   /// One beam or column. Allocates nothing.
   /// @param cells  cells_per_bin for each bin.
   /// @param bins   Written; must not overlap `cells`.

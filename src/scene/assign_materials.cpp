@@ -66,6 +66,7 @@ Material changed(Material base, const std::string& key, const MaterialOverride& 
   base.lambert_db = change.lambert_db.value_or(base.lambert_db);
   base.reflection = change.reflection;
   base.rms_slope = change.rms_slope.value_or(base.rms_slope);
+  base.clutter_shape = change.clutter_shape ? change.clutter_shape : base.clutter_shape;
   base.relief = change.relief;
   check_fields(fmt::format("{}materials.{}", change.where, key), base);
   return base;

@@ -1,4 +1,4 @@
-// receiver_test.cpp -- array, pulse and speckle of whole pings (T11, T12, T14, T17, T18 of PHYSICS 11).
+// receiver_test.cpp -- array and pulse of whole pings (T14, T18 of PHYSICS 11).
 
 #include "validation/calibrated_scene.h"
 
@@ -21,9 +21,8 @@ double decibels(double ratio) {
 
 // A lone point shows in every beam at its range, as the array's pattern in the sine of bearing has it.
 TEST(ArrayPingTest, PointDrawsThePatternAcrossTheBeams) {
-  for (const int beam : {40, 85, 127, 200}) {
-    const SonarConfig sonar = fan();
-    const double azimuth = sonar.beam_azimuth(beam) - 0.25 * 120 * kDegree / 256;  // The middle of half a beam.
+  const SonarConfig sonar = fan();
+  for (const double azimuth : {-50.1 * kDegree, -12.34 * kDegree, 0.0, 20 * kDegree, 47.7 * kDegree}) {
     Scenario scenario = calibrated(sonar, kRays);
     scenario.receiver.azimuth_pattern = AzimuthPattern::kRectangular;
     scenario.points = {{.position = 15.02 * Vec3(std::cos(azimuth), std::sin(azimuth), 0)}};
@@ -35,7 +34,7 @@ TEST(ArrayPingTest, PointDrawsThePatternAcrossTheBeams) {
       const double x = kPi * length * (std::sin(azimuth) - std::sin(sonar.beam_azimuth(other)));
       const double expected = decibels(std::pow(std::sin(x) / x, 2));
       if (expected > -35) {
-        EXPECT_NEAR(cell_db(ping, bin, other) - level, expected, 0.05) << beam << ", " << other;
+        EXPECT_NEAR(cell_db(ping, bin, other) - level, expected, 0.01) << azimuth << ", " << other;
       }
     }
   }
@@ -117,98 +116,6 @@ TEST(PulsePingTest, ChirpResolvesWhatAToneDoesNot) {
   };
   EXPECT_GT(dip(two_plates(PulseKind::kLfm)), 3);
   EXPECT_LT(dip(two_plates(PulseKind::kCw)), 2);
-}
-
-// Speckle of a wide diffuse plate, relative to the mean that is heard without it.
-class SpeckleTest : public testing::Test {
- protected:
-  static Scenario scenario_of(AzimuthPattern pattern, bool speckle, std::uint64_t seed = 1) {
-    SonarConfig sonar = fan();
-    sonar.min_range = 8;
-    sonar.max_range = 30;
-    sonar.elevation_center = -15 * kDegree;
-    Scenario scenario = calibrated(sonar, kRays);
-    scenario.receiver.azimuth_pattern = pattern;
-    scenario.receiver.speckle = speckle;
-    scenario.seed = seed;
-    return scenario;
-  }
-  static std::vector<float> ping_of_seabed(const Scenario& scenario) {
-    return ping_of(scenario, seabed_at(-3, diffuse(-20))).intensity;
-  }
-};
-
-double correlation(const std::vector<double>& a, const std::vector<double>& b) {
-  double ma = 0, mb = 0, aa = 0, bb = 0, ab = 0;
-  const auto n = static_cast<double>(a.size());
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    ma += a[i] / n, mb += b[i] / n;
-  }
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    aa += (a[i] - ma) * (a[i] - ma), bb += (b[i] - mb) * (b[i] - mb), ab += (a[i] - ma) * (b[i] - mb);
-  }
-  return ab / std::sqrt(aa * bb);
-}
-
-TEST_F(SpeckleTest, IntensityIsExponentialAndNeighbouringBeamsAreAlike) {
-  const std::vector<float> mean = ping_of_seabed(scenario_of(AzimuthPattern::kRectangular, false));
-  const std::vector<float> heard = ping_of_seabed(scenario_of(AzimuthPattern::kRectangular, true));
-  std::vector<double> here, next;
-  double sum = 0, squares = 0, amplitudes = 0;
-  constexpr int kBeams = 256;
-  for (int bin = 50; bin < 500; ++bin) {
-    for (int beam = 20; beam < 236; ++beam) {
-      const std::size_t at = static_cast<std::size_t>(bin) * kBeams + beam;
-      here.push_back(heard[at] / mean[at]);
-      next.push_back(heard[at + 1] / mean[at + 1]);
-      sum += here.back(), squares += here.back() * here.back(), amplitudes += std::sqrt(here.back());
-    }
-  }
-  const auto n = static_cast<double>(here.size());
-  const double independent = 0.415 * n;  // Beams overlap.
-  EXPECT_NEAR(sum / n, 1, 4 / std::sqrt(independent));
-  EXPECT_NEAR(std::sqrt(squares / n / std::pow(sum / n, 2) - 1), 1, 0.028);
-  EXPECT_NEAR(std::sqrt(sum / n / std::pow(amplitudes / n, 2) - 1), 0.5227232008770634, 0.0105);
-  // Straight ahead it would be 0.5465; beams are evenly spaced in angle, and overlap less in u at the sides.
-  EXPECT_NEAR(correlation(here, next), 0.60, 0.07);
-}
-
-// T13 with all that the calibrated model has.
-TEST_F(SpeckleTest, PingsDoNotDependOnThreads) {
-  Scenario scenario = scenario_of(AzimuthPattern::kRectangular, true);
-  scenario.secondary = SecondaryEchoes::kAll;
-  scenario.surface = SeaSurface{.level = 6};
-  scenario.receiver.noise = true;
-  scenario.receiver.pulse = PulseKind::kLfm;
-  scenario.receiver.pulse_duration = 1e-3;
-  scenario.water.volume_backscatter_db = -70;
-  Scene scene = sphere_at({14, 2, -1}, 2, glinting(0.8, 0.2));
-  Scene bed = seabed_at(-3, diffuse(-20));
-  bed.instances[0].materials.assign(bed.instances[0].materials.size(), 1);
-  scene.materials.push_back(bed.materials[0]);
-  scene.instances.push_back(bed.instances[0]);
-  const Ping one = Simulator(scenario, scene, 1).make_ping(0, 2);
-  for (const int threads : {2, 5, 16}) {
-    EXPECT_EQ(Simulator(scenario, scene, threads).make_ping(0, 2).intensity, one.intensity) << threads;
-  }
-}
-
-TEST_F(SpeckleTest, StaysWhileNothingMoves) {
-  Simulator simulator(scenario_of(AzimuthPattern::kRectangular, true), seabed_at(-3, diffuse(-20)), 2);
-  const Ping first = simulator.make_ping(0, 0), later = simulator.make_ping(0, 7);
-  EXPECT_EQ(first.intensity, later.intensity);
-  EXPECT_EQ(first.intensity, ping_of_seabed(scenario_of(AzimuthPattern::kRectangular, true)));
-
-  const std::vector<float> other = ping_of_seabed(scenario_of(AzimuthPattern::kRectangular, true, 2));
-  const std::vector<float> mean = ping_of_seabed(scenario_of(AzimuthPattern::kRectangular, false));
-  std::vector<double> a, b;
-  for (std::size_t i = 0; i < mean.size(); ++i) {
-    if (mean[i] > 0) {
-      a.push_back(first.intensity[i] / mean[i]);
-      b.push_back(other[i] / mean[i]);
-    }
-  }
-  EXPECT_NEAR(correlation(a, b), 0, 0.05);
 }
 
 }  // namespace

@@ -1,0 +1,74 @@
+// clutter.cpp -- tables of quantiles, and which patch a cell lies in.
+
+#include "receiver/clutter.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/philox.h"
+#include "base/vector_math.h"
+#include "echo/echo.h"
+
+namespace insonify {
+namespace {
+
+constexpr float kStepsPerUnit = 16;  // Of v.
+constexpr float kGreatest = 16.6F;   // v of the greatest random number below 1.
+
+}  // namespace
+
+// The density of y = log x is exp(nu (y - e^y)) but for a factor: smooth whatever nu is.
+GammaQuantiles::GammaQuantiles(double shape) {
+  const double lowest = std::min(-18.5 / shape, -10 / std::sqrt(shape));
+  const double highest = std::log(1 + 40 / shape + 10 / std::sqrt(shape));
+  constexpr int kSteps = 16384;
+  const double step = (highest - lowest) / kSteps;
+  std::vector<double> below(kSteps + 1, 0.0);
+  double before = 0;
+  for (int i = 0; i <= kSteps; ++i) {
+    const double y = lowest + i * step, density = std::exp(shape * (y - std::exp(y) + 1));
+    below[i] = i == 0 ? 0 : below[i - 1] + 0.5 * step * (before + density);
+    before = density;
+  }
+  const auto count = static_cast<int>(2 * kGreatest * kStepsPerUnit) + 3;
+  int i = 0;
+  for (int k = 0; k < count; ++k) {
+    const double share = below.back() / (1 + std::exp(double{kGreatest} - k / double{kStepsPerUnit}));
+    while (i + 2 < static_cast<int>(below.size()) && below[i + 1] < share) {
+      ++i;
+    }
+    const double part = std::clamp((share - below[i]) / (below[i + 1] - below[i]), 0.0, 1.0);
+    values_.push_back(static_cast<float>(std::exp(lowest + (i + part) * step)));
+  }
+}
+
+float GammaQuantiles::at(float v) const {
+  const float place = (std::clamp(v, -kGreatest, kGreatest) + kGreatest) * kStepsPerUnit;
+  const auto below = static_cast<int>(place);
+  return values_[below] + (place - static_cast<float>(below)) * (values_[below + 1] - values_[below]);
+}
+
+Clutter::Clutter(std::span<const Material> materials, int cells, int bins)
+    : cells_(static_cast<std::uint32_t>(cells)), bins_(static_cast<std::uint32_t>(bins)) {
+  for (const Material& material : materials) {
+    table_.push_back(material.clutter_shape ? static_cast<int>(quantiles_.size()) : -1);
+    if (material.clutter_shape) {
+      quantiles_.emplace_back(*material.clutter_shape);
+    }
+  }
+}
+
+void Clutter::texture(const Speckle::View& view, const Speckle::Row& row, const std::uint32_t* surface,
+                      std::span<float> energy) const {
+  const std::uint32_t key = view.key ^ static_cast<std::uint32_t>(RandomPurpose::kClutter) << 24;
+  for (std::size_t bin = 0; bin < energy.size(); ++bin) {
+    const int table = surface[bin] == kNoSurface ? -1 : table_[material_of(surface[bin])];
+    if (table >= 0) {
+      const PhiloxPair words = philox({row.range[bin] / bins_, row.bearing / cells_}, key);
+      const float share = uniform_open(words[0]);
+      energy[bin] *= quantiles_[table].at(fast_log(share) - fast_log(1 - share));
+    }
+  }
+}
+
+}  // namespace insonify

@@ -1,0 +1,45 @@
+// lone_echoes.cpp -- one at a time: there are few.
+
+#include "receiver/lone_echoes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace insonify {
+
+// Calls add(index into [beam][bin], complex gain) wherever the echo is heard.
+template <typename Add>
+void LoneEchoes::for_each_cell(const LoneEcho& echo, const Add& add) const {
+  const double floor = std::pow(10, kFloorDb / 10);
+  const int first_beam = bearing_ != nullptr ? 0 : echo.beam;
+  const int last_beam = bearing_ != nullptr ? beams_ : echo.beam + 1;
+  const int reach = range_ != nullptr ? range_->taps() / 2 : 0;
+  const int first_bin = std::max(0, echo.bin - reach), last_bin = std::min(bins_, echo.bin + reach + 1);
+  for (int beam = first_beam; beam < last_beam; ++beam) {
+    const std::complex<double> heard = bearing_ != nullptr ? bearing_->gain(beam, echo.bearing_sine) : 1.0;
+    if (std::norm(heard) < floor) {
+      continue;
+    }
+    for (int bin = first_bin; bin < last_bin; ++bin) {
+      const float pulse = range_ != nullptr ? range_->amplitude(bin - echo.bin) : 1.0F;
+      add(static_cast<std::size_t>(beam) * bins_ + bin, std::complex<float>(heard) * pulse);
+    }
+  }
+}
+
+void LoneEchoes::add(std::span<const LoneEcho> echoes, std::span<float> beams) const {
+  for (const LoneEcho& echo : echoes) {
+    for_each_cell(echo,
+                  [&](std::size_t cell, std::complex<float> gain) { beams[cell] += std::norm(gain) * echo.intensity; });
+  }
+}
+
+void LoneEchoes::add(std::span<const LoneEcho> echoes, std::span<std::complex<float>> beams) const {
+  for (const LoneEcho& echo : echoes) {
+    const std::complex<float> field = std::polar(std::sqrt(echo.intensity), 2 * std::numbers::pi_v<float> * echo.turns);
+    for_each_cell(echo, [&](std::size_t cell, std::complex<float> gain) { beams[cell] += gain * field; });
+  }
+}
+
+}  // namespace insonify

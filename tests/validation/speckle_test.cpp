@@ -1,0 +1,200 @@
+// speckle_test.cpp -- its law, its grain, and how it stays with the world (T11, T12, T17 of PHYSICS 11).
+
+#include <functional>
+
+#include "validation/calibrated_scene.h"
+
+namespace insonify::validation {
+namespace {
+
+// Speckle of a wide diffuse seabed, relative to the mean that is heard without it.
+class SpeckleTest : public testing::Test {
+ protected:
+  static SonarConfig fan() {
+    SonarConfig sonar;
+    sonar.azimuth_resolution = 1 * kDegree;
+    sonar.min_range = 8;
+    sonar.max_range = 30;
+    sonar.elevation_center = -15 * kDegree;
+    return sonar;
+  }
+  static Scenario scenario_of(const SonarConfig& sonar) {
+    Scenario scenario = calibrated(sonar, kRays);
+    scenario.receiver.azimuth_pattern = AzimuthPattern::kRectangular;
+    scenario.receiver.speckle = true;
+    return scenario;
+  }
+  static Scenario scenario_at(const Vec3& position, double yaw = 0) {
+    SonarConfig sonar = fan();
+    sonar.position = position;
+    sonar.orientation = {0, 0, yaw};
+    return scenario_of(sonar);
+  }
+
+  // Tables of intensity over mean; 0 where nothing is heard.
+  static std::vector<float> speckle_of(Scenario scenario, const Material& material = diffuse(-20)) {
+    const Scene scene = seabed_at(-3, material);
+    std::vector<float> heard = ping_of(scenario, scene).intensity;
+    scenario.receiver.speckle = false;
+    const std::vector<float> mean = ping_of(scenario, scene).intensity;
+    for (std::size_t i = 0; i < heard.size(); ++i) {
+      heard[i] = mean[i] > 0 ? heard[i] / mean[i] : 0;
+    }
+    return heard;
+  }
+};
+
+constexpr int kBins = 500, kBeams = 256;
+
+// Of cells (bin, beam) of one table and (bin + bins, beam + beams) of the other, over all where `counts`.
+double correlation(
+    const std::vector<float>& one, const std::vector<float>& other, int bins = 0, int beams = 0,
+    const std::function<bool(int bin, int beam)>& counts = [](int, int) { return true; }) {
+  double n = 0, a = 0, b = 0, aa = 0, bb = 0, ab = 0;
+  for (int bin = 20; bin < kBins - 20; ++bin) {
+    for (int beam = 10; beam < kBeams - 10; ++beam) {
+      if (counts(bin, beam)) {
+        const double x = one[bin * kBeams + beam], y = other[(bin + bins) * kBeams + beam + beams];
+        n += 1, a += x, b += y, aa += x * x, bb += y * y, ab += x * y;
+      }
+    }
+  }
+  return (n * ab - a * b) / std::sqrt((n * aa - a * a) * (n * bb - b * b));
+}
+
+TEST_F(SpeckleTest, IntensityIsExponentialAndNeighbouringBeamsAreAlike) {
+  const std::vector<float> speckle = speckle_of(scenario_at({0, 0, 0}));
+  double n = 0, sum = 0, squares = 0, amplitudes = 0;
+  for (int bin = 50; bin < 500; ++bin) {
+    for (int beam = 20; beam < 236; ++beam) {
+      const double value = speckle[bin * kBeams + beam];
+      n += 1, sum += value, squares += value * value, amplitudes += std::sqrt(value);
+    }
+  }
+  const double independent = 0.415 * n;  // Beams overlap.
+  EXPECT_NEAR(sum / n, 1, 4 / std::sqrt(independent));
+  EXPECT_NEAR(std::sqrt(squares / n / std::pow(sum / n, 2) - 1), 1, 0.028);
+  EXPECT_NEAR(std::sqrt(sum / n / std::pow(amplitudes / n, 2) - 1), 0.5227232008770634, 0.0105);
+  // Straight ahead it would be 0.5465; beams are evenly spaced in angle, and overlap less in u at the sides.
+  EXPECT_NEAR(correlation(speckle, speckle, 0, 1), 0.60, 0.07);
+  EXPECT_NEAR(correlation(speckle, speckle, 1, 0), 0, 0.02);
+}
+
+// T13 with all that the calibrated model has.
+TEST_F(SpeckleTest, PingsDoNotDependOnThreads) {
+  Scenario scenario = scenario_at({0, 0, 0});
+  scenario.secondary = SecondaryEchoes::kAll;
+  scenario.surface = SeaSurface{.level = 6};
+  scenario.receiver.noise = true;
+  scenario.receiver.pulse = PulseKind::kLfm;
+  scenario.receiver.pulse_duration = 1e-3;
+  scenario.water.volume_backscatter_db = -70;
+  Scene scene = sphere_at({14, 2, -1}, 2, glinting(0.8, 0.2));
+  Scene bed = seabed_at(-3, diffuse(-20));
+  bed.instances[0].materials.assign(bed.instances[0].materials.size(), 1);
+  scene.materials.push_back(bed.materials[0]);
+  scene.instances.push_back(bed.instances[0]);
+  const Ping one = Simulator(scenario, scene, 1).make_ping(0, 2);
+  for (const int threads : {2, 5, 16}) {
+    EXPECT_EQ(Simulator(scenario, scene, threads).make_ping(0, 2).intensity, one.intensity) << threads;
+  }
+}
+
+TEST_F(SpeckleTest, StaysWhileNothingMoves) {
+  Simulator simulator(scenario_at({1, 2, 0}), seabed_at(-3, diffuse(-20)), 2);
+  EXPECT_EQ(simulator.make_ping(0, 0).intensity, simulator.make_ping(0, 7).intensity);
+
+  Scenario other = scenario_at({1, 2, 0});
+  other.seed = 2;
+  EXPECT_NEAR(correlation(speckle_of(scenario_at({1, 2, 0})), speckle_of(other)), 0, 0.02);
+}
+
+// A shift d along an array of length D: (1 - 2 d / D)^2 (PHYSICS 6). At the sides of the fan it is a shift in range
+// too.
+TEST_F(SpeckleTest, SidewaysItFadesAsTheArrayMoves) {
+  Scenario scenario = scenario_at({0, 0, 0});
+  const double wavelength = scenario.water.true_sound_speed() / fan().frequency;
+  const double length = 0.8858929413781328 * wavelength / (2 * std::sin(0.5 * kDegree));
+  for (const Vec3& start : {Vec3(0, 0, 0), Vec3(5.2, -3.1, 0.1), Vec3(0.3, 0.45, 0)}) {
+    const std::vector<float> first = speckle_of(scenario_at(start));
+    for (const auto& [share, expected] : {std::pair{0.02, 0.9216}, {0.1, 0.64}, {0.25, 0.25}, {0.5, 0.0}}) {
+      const std::vector<float> later = speckle_of(scenario_at(start + Vec3(0, share * length, 0)));
+      const auto ahead = [](int, int beam) { return std::abs(beam - 127.5) < 25; };
+      EXPECT_NEAR(correlation(first, later, 0, 0, ahead), expected, 0.05) << start.transpose() << ": " << share;
+      EXPECT_NEAR(correlation(first, later), 0.9 * expected, 0.08) << start.transpose() << ": " << share;
+    }
+  }
+}
+
+// Five bins ahead, what is far and straight ahead is five bins nearer.
+TEST_F(SpeckleTest, ComingNearerItComesNearer) {
+  const double step = 5 * fan().bin_length();
+  const std::vector<float> first = speckle_of(scenario_at({0, 0, 0})), later = speckle_of(scenario_at({step, 0, 0}));
+  const auto ahead = [](int bin, int beam) { return bin > 250 && std::abs(beam - 127.5) < 6; };
+  EXPECT_GT(correlation(first, later, -5, 0, ahead), 0.8);
+  EXPECT_LT(correlation(first, later, 0, 0, ahead), 0.1);
+}
+
+// Turned by three beams to port, everything is three beams nearer to starboard; by a third of a beam it is nearly the
+// same.
+TEST_F(SpeckleTest, TurningItTurns) {
+  const double beam = fan().azimuth_aperture / kBeams;
+  const std::vector<float> first = speckle_of(scenario_at({0, 0, 0}));
+  EXPECT_GT(correlation(first, speckle_of(scenario_at({0, 0, 0}, 3 * beam)), 0, 3), 0.9);
+  EXPECT_LT(correlation(first, speckle_of(scenario_at({0, 0, 0}, 3 * beam)), 0, 0), 0.1);
+  EXPECT_GT(correlation(first, speckle_of(scenario_at({0, 0, 0}, beam / 3)), 0, 0), 0.6);
+}
+
+// Patchy surfaces: gamma-distributed texture under the speckle (PHYSICS 6: C_I and tail of the K distribution).
+TEST_F(SpeckleTest, ClutterIsKDistributed) {
+  Scenario scenario = scenario_at({0, 0, 0});
+  scenario.receiver.azimuth_pattern = AzimuthPattern::kTopHat;  // Cells are resolved as they are.
+  for (const auto& [shape, tail] : {std::pair{2.0, 0.02350083910703625}, {0.5, 0.0}, {10.0, 0.0}}) {
+    Material material = diffuse(-20);
+    material.clutter_shape = shape;
+    const std::vector<float> clutter = speckle_of(scenario, material);
+    double n = 0, sum = 0, squares = 0, above = 0;
+    for (int bin = 20; bin < kBins; ++bin) {
+      for (int beam = 0; beam < kBeams; ++beam) {
+        const double value = clutter[bin * kBeams + beam];
+        n += 1, sum += value, squares += value * value, above += value > 5 ? 1 : 0;
+      }
+    }
+    EXPECT_NEAR(sum / n, 1, 0.025) << shape;
+    EXPECT_NEAR(std::sqrt(squares / n / std::pow(sum / n, 2) - 1), std::sqrt(1 + 2 / shape), 0.02 * (2 + 2 / shape));
+    if (tail > 0) {
+      EXPECT_NEAR(above / n, tail, 0.1 * tail);
+    }
+  }
+}
+
+// T17: two equal points that a fan cannot tell apart interfere: sometimes none is heard, sometimes four times one.
+TEST_F(SpeckleTest, TwoPointsInOneCellInterfere) {
+  SonarConfig sonar = fan();
+  sonar.min_range = 0;
+  sonar.elevation_center = 0;
+  sonar.beam_count = 16;
+  sonar.bin_count = 60;
+  sonar.azimuth_aperture = 16 * kDegree;
+  Scenario scenario = scenario_of(sonar);
+  for (const double elevation : {-8 * kDegree, 8 * kDegree}) {
+    scenario.points.push_back({.position = 10.01 * Vec3(std::cos(elevation), 0, std::sin(elevation))});
+  }
+  scenario.receiver.speckle = false;
+  const std::vector<float> mean = ping_of(scenario, {}).intensity;
+  const std::size_t peak = std::ranges::max_element(mean) - mean.begin();
+  scenario.receiver.speckle = true;
+  double sum = 0, squares = 0, greatest = 0;
+  constexpr int kSeeds = 500;
+  for (int seed = 0; seed < kSeeds; ++seed) {
+    scenario.seed = seed;
+    const double ratio = 2 * ping_of(scenario, {}).intensity[peak] / mean[peak];
+    sum += ratio, squares += ratio * ratio, greatest = std::max(greatest, ratio);
+  }
+  EXPECT_NEAR(sum / kSeeds, 2, 0.25);
+  EXPECT_NEAR(std::sqrt(squares / kSeeds / std::pow(sum / kSeeds, 2) - 1), 0.7071, 0.09);
+  EXPECT_NEAR(greatest, 4, 0.05);
+}
+
+}  // namespace
+}  // namespace insonify::validation
