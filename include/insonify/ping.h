@@ -2,6 +2,7 @@
 
 #pragma once
 
+#include <complex>
 #include <cstdint>
 #include <vector>
 
@@ -20,6 +21,10 @@ struct Ping {
   int bin_count = 0;
   int beam_count = 0;
   std::vector<float> intensity;  ///< Echo intensity; 0..1 in the `paper` model.
+
+  // Where the receiver is asked for them, else empty.
+  std::vector<std::complex<float>> field;  ///< What intensity is the squared magnitude of; phase re the carrier.
+  std::vector<std::uint16_t> counts;       ///< As the instrument delivers them, see SonarConfig::bits.
 
   // Ground truth, from the same deposit.
   std::vector<std::uint16_t>

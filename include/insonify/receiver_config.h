@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "insonify/array_pattern.h"
 #include "insonify/field.h"
@@ -28,7 +29,22 @@ struct ReceiverConfig {
   /// absorption; 0..60. None: raw. 40 evens out point targets, 30 floors, 20 water's reverberation.
   std::optional<double> time_varied_gain = {};
 
-  /// @throws Error on the first field out of limits.
+  /// A table of gain over range in its place: gains_db[i] at gain_ranges[i], straight between, the same beyond its
+  /// ends.
+  std::vector<double> gain_ranges = {};  ///< Rising [m], 0..1e5.
+  std::vector<double> gains_db = {};     ///< One for each [dB], -300..300.
+
+  /// Level that the receiver's input cannot exceed [dB re the source's at 1 m], -400..100; none when absent.
+  std::optional<double> saturation_db = {};
+
+  bool field = false;                        ///< Whether pings carry the complex field besides; needs speckle.
+  bool counts = false;                       ///< Whether pings carry counts besides, as SonarConfig::bits has them.
+  std::optional<double> full_scale_db = {};  ///< Level of the greatest count, as recorded [dB], -400..400.
+
+  /// What is recorded is raised by this at a range > 0 [dB], of whichever gain is given.
+  [[nodiscard]] double gain_db(double range, double absorption_db_per_m) const;
+
+  /// @throws Error on the first field out of limits, or that does not go with another.
   void validate() const;
 
   template <typename Self, typename Visit>
@@ -57,6 +73,21 @@ struct ReceiverConfig {
                 "X of the gain X log10(r / 1 m) + 2 alpha r that intensities are recorded with (calibrated); none for "
                 "raw."},
           self.time_varied_gain);
+    visit(
+        Field{"gain_ranges", "m", from_to(0, 1e5), "Ranges, rising, of a table of gain in place of that (calibrated)."},
+        self.gain_ranges);
+    visit(Field{"gains_db", "dB", from_to(-300, 300), "Gain at each of them; straight between, the same beyond."},
+          self.gains_db);
+    visit(Field{"saturation_db", "dB", from_to(-400, 100),
+                "Level re the source's at 1 m that the receiver's input cannot exceed (calibrated); none when absent."},
+          self.saturation_db);
+    visit(Field{"field", "", {}, "Whether to record the complex field besides (calibrated, with speckle)."},
+          self.field);
+    visit(
+        Field{"counts", "", {}, "Whether to record counts besides, as the sonar's bits and mapping say (calibrated)."},
+        self.counts);
+    visit(Field{"full_scale_db", "dB", from_to(-400, 400), "Recorded level that fills the counts."},
+          self.full_scale_db);
   }
 };
 

@@ -31,6 +31,9 @@ enum class SonarType { kForwardLooking, kMechanicallyScanned };
 /// Which way a scanning head turns: about the housing's z (a plan view) or, rolled on its side, about its y.
 enum class Mounting { kHorizontal, kVertical };
 
+/// How an instrument turns levels into counts: a power of amplitude, or decibels.
+enum class Mapping { kGamma, kLogarithmic };
+
 /// An imaging sonar seen as a fan of beams cut into range bins.
 ///
 /// One ping insonifies the whole fan at once. Each beam collects the echoes of its own slice of azimuth over the full
@@ -65,6 +68,12 @@ struct SonarConfig {
   double max_range = 50.0;    ///< Far edge of the last bin [m], > min_range, <= 1e5.
   double blanking_range = 0;  ///< Near field: echoes read low from min_range, rising to full level here [m], 0..1e5.
   double gain = 1.0;          ///< Multiplies the displayed intensity before it is clipped to 1, in (0, 1e9].
+
+  // Counts, where a receiver is to deliver them.
+  int bits = 8;  ///< 1..16.
+  Mapping mapping = Mapping::kLogarithmic;
+  double mapping_range_db = 60;  ///< From count 0 to full scale, kLogarithmic [dB], in (0, 300].
+  double mapping_exponent = 1;   ///< Of amplitude, kGamma, in (0, 4].
 
   // Time.
   std::optional<double> assumed_sound_speed;  ///< By which it turns time into range [m/s]; the water's own when absent.
@@ -153,6 +162,12 @@ void SonarConfig::visit_fields(Self& self, Visit&& visit) {
         self.blanking_range);
   visit(Field{"gain", "", above_to(0, 1e9), "Multiplies the intensity before it is clipped to 1 (paper model)."},
         self.gain);
+  visit(Field{"bits", "", from_to(1, 16), "Of a count (receiver.counts)."}, self.bits);
+  visit(Field{"mapping", "", {}, "gamma (counts follow a power of amplitude) or logarithmic (decibels)."},
+        self.mapping);
+  visit(Field{"mapping_range_db", "dB", above_to(0, 300), "From count 0 to full scale (logarithmic)."},
+        self.mapping_range_db);
+  visit(Field{"mapping_exponent", "", above_to(0, 4), "Of amplitude; 1 is linear (gamma)."}, self.mapping_exponent);
   visit(Field{"assumed_sound_speed", "m/s", from_to(1300, 1700),
               "By which the sonar turns time into range; the water's own when absent."},
         self.assumed_sound_speed);

@@ -136,6 +136,16 @@ class FactReader {
   const YamlValue& sources_;
 };
 
+// As few bits as it delivers: what its users mostly record. Its decibels where they are known.
+void fill_in_counts(Preset& preset) {
+  const std::vector<double>& depths = preset.instrument.bit_depths;
+  const auto usual = std::ranges::find_if(depths, [](double bits) { return bits >= 8 && bits <= 16; });
+  if (usual != depths.end()) {
+    preset.sonar.bits = static_cast<int>(*usual);
+  }
+  preset.sonar.mapping_range_db = preset.instrument.dynamic_range_db.value_or(preset.sonar.mapping_range_db);
+}
+
 }  // namespace
 
 std::vector<std::string> preset_names() {
@@ -210,6 +220,7 @@ Preset load_preset(const std::string& name, const std::string& mode) {
   if (const YamlValue* sampling = tree.find("sampling")) {
     read_section(*sampling, "sampling", preset.sonar.sampling, places);
   }
+  fill_in_counts(preset);
   preset.sonar.model = preset.title;  // Not its mode: the frequency stands beside it.
   preset.fit_to_range(preset.sonar, kReferenceSoundSpeed);
   with_place(preset.file.string() + ":1:1: ", [&] { preset.sonar.validate(name); });

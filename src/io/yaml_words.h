@@ -31,6 +31,11 @@ constexpr auto words_of<Mounting>() {
 }
 
 template <>
+constexpr auto words_of<Mapping>() {
+  return Words<Mapping, 2>{{{"gamma", Mapping::kGamma}, {"logarithmic", Mapping::kLogarithmic}}};
+}
+
+template <>
 constexpr auto words_of<Sigmoid>() {
   return Words<Sigmoid, 3>{
       {{"logistic", Sigmoid::kLogistic}, {"authors", Sigmoid::kAuthors}, {"none", Sigmoid::kNone}}};

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 
 #include "echo/echo.h"
 #include "insonify/absorption.h"
@@ -16,6 +17,7 @@ namespace insonify {
 namespace {
 
 constexpr int kBinsATask = 64;
+constexpr float kTiny = 1e-37F;  // Keeps what divides from being zero.
 
 double noise_intensity_of(const SonarConfig& sonar) {
   const double width = sonar.azimuth_aperture / sonar.beam_count;
@@ -69,14 +71,18 @@ CalibratedReceiver::CalibratedReceiver(const SonarConfig& sonar, const BearingCe
       first_cell_(cells.first),
       cells_per_beam_(cells.per_beam),
       noise_intensity_(noise_intensity_of(sonar)),
+      saturation_(config.saturation_db ? static_cast<float>(std::pow(10.0, *config.saturation_db / 10))
+                                       : std::numeric_limits<float>::infinity()),
       noisy_(config.noise),
+      has_field_(config.field),
       seed_(seed) {
   const double absorption = water.absorption_db_per_m_at(sonar.frequency);
   for (int bin = 0; bin < bins_; ++bin) {
     const double range = sonar.bin_range(bin), ramp = near_field(sonar, bin);
-    const double gain_db =
-        config.time_varied_gain ? *config.time_varied_gain * std::log10(range) + 2 * absorption * range : 0.0;
-    gain_.push_back(static_cast<float>(ramp * ramp * std::pow(10.0, gain_db / 10)));
+    gain_.push_back(static_cast<float>(ramp * ramp * std::pow(10.0, config.gain_db(range, absorption) / 10)));
+  }
+  if (config.counts) {
+    digitizer_.emplace(sonar, config.full_scale_db.value());
   }
   const std::vector<double> edges = cells.sonar.beam_edges();
   const double upper = sonar.elevation_center + 0.5 * sonar.elevation_aperture;
@@ -182,6 +188,8 @@ void CalibratedReceiver::hear_lone_echoes(const EchoGrid& grid) {
 
 void CalibratedReceiver::hear(const EchoGrid& grid, const Pose& world_from_sonar, Workers& workers, Ping& ping) {
   size_tables(ping, beams_, bins_);
+  ping.field.resize(has_field_ ? ping.intensity.size() : 0);
+  ping.counts.resize(digitizer_ ? ping.intensity.size() : 0);
   const Speckle::View view = speckle_ ? speckle_->seen_from(world_from_sonar) : Speckle::View{};
   rows_.resize(std::max(rows_.size(), static_cast<std::size_t>(workers.count())));
   workers.for_each(cells_, [&](int cell, int worker) { hear_cell(grid, cell, view, rows_[worker]); });
@@ -194,6 +202,12 @@ void CalibratedReceiver::hear(const EchoGrid& grid, const Pose& world_from_sonar
     const int beam = tile / tiles_along * kTileBeams, bin = tile % tiles_along * kTileBins;
     hear_tile(grid, {beam, std::min(kTileBeams, beams_ - beam), bin, std::min(kTileBins, bins_ - bin)}, ping);
   });
+  if (digitizer_) {
+    const auto beams = static_cast<std::size_t>(beams_);
+    workers.for_each(bins_, [&](int bin, int) {
+      digitizer_->digitize({&ping.intensity[bin * beams], beams}, {&ping.counts[bin * beams], beams});
+    });
+  }
 }
 
 void CalibratedReceiver::hear_tile(const EchoGrid& grid, const TilePlace& place, Ping& ping) const {
@@ -215,7 +229,11 @@ void CalibratedReceiver::hear_tile(const EchoGrid& grid, const TilePlace& place,
       // A field without speckle has the phase 0.
       const float real = (speckle_ ? field[start + i].real() : std::sqrt(energy[start + i])) + deviation * in_phase[i];
       const float imaginary = (speckle_ ? field[start + i].imag() : 0.0F) + deviation * quadrature[i];
-      tile.intensity[b][i] = (real * real + imaginary * imaginary) * gain_[place.first_bin + i];
+      tile.intensity[b][i] = std::min(real * real + imaginary * imaginary, saturation_) * gain_[place.first_bin + i];
+      if (has_field_) {
+        const float part = std::sqrt(tile.intensity[b][i] / std::max(real * real + imaginary * imaginary, kTiny));
+        ping.field[ping.index(place.first_bin + i, beam)] = {part * real, part * imaginary};
+      }
     }
     take_strongest_labels(grid, place, b, tile);
   }

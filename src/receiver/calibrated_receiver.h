@@ -16,6 +16,7 @@
 #include "receiver/bearing_cells.h"
 #include "receiver/bearing_response.h"
 #include "receiver/clutter.h"
+#include "receiver/digitizer.h"
 #include "receiver/heard_tile.h"
 #include "receiver/range_response.h"
 #include "receiver/speckle.h"
@@ -27,8 +28,8 @@ namespace insonify {
 /// it energies go on.
 /// The water's own reverberation comes to it, from directions in which no surface was met at a shorter range.
 /// Pulse and array then mix neighbouring cells, by |p g|^2 of energies, by p g of fields. Thermal noise, a complex
-/// Gaussian field drawn anew for each ping and cell, is added to the field before it is detected. Last come the ramp of
-/// the near field and time-varied gain.
+/// Gaussian field drawn anew for each ping and cell, is added to the field before it is detected. Last come the limit
+/// of the input, the ramp of the near field, gain, and counts.
 class CalibratedReceiver {
  public:
   /// @param cells      What the grids are of.
@@ -60,10 +61,12 @@ class CalibratedReceiver {
   std::vector<float> volume_;      // Of each bin: what the water echoes per unit of solid angle; empty for nothing.
   std::vector<float> cell_angle_;  // Of each cell: solid angle [sr].
   double noise_intensity_ = 0;
-  bool noisy_;
+  float saturation_;  // Intensity before gain.
+  bool noisy_, has_field_;
   std::uint64_t seed_;
   std::optional<Speckle> speckle_;
   std::optional<Clutter> clutter_;
+  std::optional<Digitizer> digitizer_;
   std::optional<RangeResponse> range_;
   std::optional<BearingResponse> bearing_;
 

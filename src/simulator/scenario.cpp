@@ -136,6 +136,9 @@ void Scenario::validate() const {
   if (model == EchoModel::kPaper && !points.empty()) {
     throw Error("points need model = calibrated");
   }
+  if (model == EchoModel::kPaper && (receiver.field || receiver.counts)) {
+    throw Error(fmt::format("receiver.{} needs model = calibrated", receiver.field ? "field" : "counts"));
+  }
   check_points(points);
   if (surface) {
     check_fields("surface", *surface);

@@ -1,0 +1,56 @@
+// digitizer.cpp -- both mappings by way of the logarithm.
+
+#include "receiver/digitizer.h"
+
+#include <cassert>
+#include <cmath>
+
+#include "base/vector_math.h"
+
+namespace insonify {
+namespace {
+
+constexpr float kRounder = 12582912.0F;  // Adding and taking away 1.5 x 2^23 rounds to the nearest whole number.
+constexpr float kLeast = 1e-30F;         // Keeps the logarithm finite.
+
+[[gnu::always_inline]] inline std::uint16_t count_of(float value, float most) {
+  const float limited = value < 0 ? 0.0F : value > most ? most : value;
+  return static_cast<std::uint16_t>(static_cast<std::int32_t>((limited + kRounder) - kRounder));
+}
+
+INSONIFY_VECTOR_CLONES
+void map_logarithms(std::size_t count, const float* __restrict__ intensities, float per_full_scale, float most,
+                    float slope, std::uint16_t* __restrict__ counts) {
+  for (std::size_t i = 0; i < count; ++i) {
+    const float level = fast_log(intensities[i] * per_full_scale + kLeast);
+    counts[i] = count_of(most + slope * level, most);
+  }
+}
+
+INSONIFY_VECTOR_CLONES
+void map_powers(std::size_t count, const float* __restrict__ intensities, float per_full_scale, float most,
+                float exponent, std::uint16_t* __restrict__ counts) {
+  for (std::size_t i = 0; i < count; ++i) {
+    const float level = fast_log(intensities[i] * per_full_scale + kLeast);
+    counts[i] = count_of(most * fast_exp(exponent * (level < 1 ? level : 1.0F)), most);
+  }
+}
+
+}  // namespace
+
+Digitizer::Digitizer(const SonarConfig& sonar, double full_scale_db)
+    : mapping_(sonar.mapping),
+      most_(static_cast<float>((1 << sonar.bits) - 1)),
+      per_full_scale_(static_cast<float>(std::pow(10.0, -full_scale_db / 10))) {
+  const double decibels_per_unit = 10 / std::log(10.0);
+  exponent_ = static_cast<float>(mapping_ == Mapping::kGamma ? 0.5 * sonar.mapping_exponent
+                                                             : double{most_} * decibels_per_unit / sonar.mapping_range_db);
+}
+
+void Digitizer::digitize(std::span<const float> intensities, std::span<std::uint16_t> counts) const {
+  assert(intensities.size() == counts.size());
+  const auto map = mapping_ == Mapping::kGamma ? map_powers : map_logarithms;
+  map(intensities.size(), intensities.data(), per_full_scale_, most_, exponent_, counts.data());
+}
+
+}  // namespace insonify

@@ -1,0 +1,93 @@
+// gain_test.cpp -- what the end of the receiver does: gain by a table, saturation, counts, the complex field.
+
+#include "insonify/error.h"
+#include "validation/calibrated_scene.h"
+
+namespace insonify::validation {
+namespace {
+
+Scenario point_at(double range) {
+  SonarConfig sonar;
+  sonar.min_range = 0;
+  sonar.max_range = 25;
+  sonar.beam_count = 16;
+  Scenario scenario = calibrated(sonar, kRays);
+  scenario.points = {{.position = {range, 0.01, 0}}};
+  return scenario;
+}
+
+TEST(GainTest, TableIsStraightBetweenItsRangesAndLevelBeyond) {
+  for (const auto& [range, gain] : {std::pair{2.025, 10.0}, {10.025, 14.0}, {15.025, 20.0}, {20.025, 30.0}}) {
+    Scenario scenario = point_at(range);
+    scenario.receiver.gain_ranges = {5.025, 15.025, 18};
+    scenario.receiver.gains_db = {8, 20, 30};
+    EXPECT_NEAR(total_db(ping_of(scenario, {})) + 40 * std::log10(range), range < 5 ? 8 : gain, 0.001) << range;
+  }
+}
+
+TEST(GainTest, SaturationLimitsTheInput) {
+  Scenario scenario = point_at(10.025);
+  scenario.receiver.saturation_db = -50;
+  scenario.receiver.time_varied_gain = 40;
+  EXPECT_NEAR(total_db(ping_of(scenario, {})), -50 + 40 * std::log10(10.025), 0.001);
+  scenario.receiver.saturation_db = -30;  // Above the echo, at -40.04.
+  EXPECT_NEAR(total_db(ping_of(scenario, {})), 0, 0.001);
+}
+
+TEST(CountsTest, FollowTheRecordedLevel) {
+  Scenario scenario = point_at(10.025);
+  scenario.receiver.counts = true;
+  scenario.receiver.full_scale_db = -10;  // 30.04 dB above the echo, of 60.
+  const Ping ping = ping_of(scenario, {});
+  EXPECT_EQ(*std::ranges::max_element(ping.counts), 127);
+  EXPECT_EQ(std::ranges::count(ping.counts, 0), static_cast<std::ptrdiff_t>(ping.counts.size()) - 1);
+  scenario.receiver.counts = false;
+  EXPECT_TRUE(ping_of(scenario, {}).counts.empty());
+}
+
+// Its squared magnitude is the intensity, and a point's phase turns by 4 pi / wavelength a metre of range.
+TEST(FieldTest, TurnsTwiceAWavelengthsWay) {
+  Scenario scenario = point_at(10.025);
+  scenario.receiver.speckle = true;
+  scenario.receiver.field = true;
+  scenario.receiver.time_varied_gain = 30;
+  const Ping first = ping_of(scenario, {});
+  const std::size_t cell = std::ranges::max_element(first.intensity) - first.intensity.begin();
+  EXPECT_NEAR(std::norm(first.field[cell]) / first.intensity[cell], 1, 1e-5);
+  const double wavelength = scenario.water.true_sound_speed() / scenario.sonars[0].frequency;
+  scenario.points[0].position.x() += wavelength / 8;  // A quarter of a turn, out and back.
+  const Ping second = ping_of(scenario, {});
+  EXPECT_NEAR(std::arg(second.field[cell] / first.field[cell]), 0.5 * 3.14159265, 0.01);
+}
+
+TEST(ReceiverConfigTest, SaysWhatDoesNotGoTogether) {
+  const auto message = [](auto change) {
+    ReceiverConfig receiver;
+    change(receiver);
+    try {
+      receiver.validate();
+    } catch (const Error& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  EXPECT_EQ(message([](ReceiverConfig& r) {
+              r.gain_ranges = {1, 2};
+            }),
+            "receiver.gains_db has 0 values for the 2 of receiver.gain_ranges");
+  EXPECT_EQ(message([](ReceiverConfig& r) {
+              r.gain_ranges = {1, 1}, r.gains_db = {0, 1};
+            }),
+            "receiver.gain_ranges[1] = 1 m must be greater than the one before it, 1 m");
+  EXPECT_EQ(message([](ReceiverConfig& r) { r.gain_ranges = {1}, r.gains_db = {0}, r.time_varied_gain = 40; }),
+            "receiver.time_varied_gain must be none where receiver.gain_ranges has a table");
+  EXPECT_EQ(message([](ReceiverConfig& r) { r.field = true; }),
+            "receiver.field needs receiver.speckle: without it echoes have no phase");
+  EXPECT_EQ(message([](ReceiverConfig& r) { r.counts = true; }),
+            "receiver.counts needs receiver.full_scale_db, the recorded level that fills them");
+  EXPECT_EQ(message([](ReceiverConfig& r) { r.saturation_db = 200; }),
+            "receiver.saturation_db = 200 dB must be from -400 to 100 dB");
+}
+
+}  // namespace
+}  // namespace insonify::validation
