@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <nlohmann/json_fwd.hpp>
 #include <vector>
 
 namespace insonify {
@@ -14,8 +15,11 @@ struct BenchOptions {
   std::filesystem::path json;  ///< Where the rows are written too; empty for nowhere.
 };
 
-/// insonify bench engine: a ping, and the bare traversal of its rays, on scenes of growing size.
+/// insonify bench engine: a ping, and the bare traversal of its rays, on scenes of growing size; then both models.
 int bench_engine(const BenchOptions& options);
+
+/// The second of its tables; its rows are added to `rows`.
+void bench_models(const BenchOptions& options, nlohmann::json& rows);
 
 struct PaperBenchOptions {
   int samples = 500;  ///< Scenes of each row.

@@ -141,7 +141,8 @@ std::vector<Row> time_rows(const Scene& scene, SecondaryEchoes secondary, const 
 }
 
 nlohmann::json to_json(const Row& row) {
-  return {{"triangles", row.triangles},
+  return {{"table", "engine"},
+          {"triangles", row.triangles},
           {"threads", row.threads},
           {"secondary", row.secondary},
           {"rays_primary", row.rays.primary},
@@ -188,6 +189,7 @@ int bench_engine(const BenchOptions& options) {
       }
     }
   }
+  bench_models(options, rows);
   if (!options.json.empty()) {
     write_rows(options.json, rows);
   }

@@ -1,0 +1,114 @@
+// bench_models.cpp -- what the calibrated model costs beside the paper's on the same rays, stage by stage.
+
+#include <algorithm>
+#include <chrono>
+#include <nlohmann/json.hpp>
+
+#include "bench.h"
+#include "bench_scene.h"
+#include "bench_timing.h"
+#include "console.h"
+#include "insonify/simulator.h"
+
+namespace insonify {
+namespace {
+
+// Each has all that those before it have.
+struct Stage {
+  const char* name;
+  void (*add)(Scenario& scenario);
+};
+constexpr Stage kStages[] = {
+    {"paper", [](Scenario&) {}},
+    {"calibrated",
+     [](Scenario& scenario) {
+       scenario.model = EchoModel::kCalibrated;
+       scenario.receiver.noise = false;
+     }},
+    {"+ array", [](Scenario& scenario) { scenario.receiver.azimuth_pattern = AzimuthPattern::kRectangular; }},
+    {"+ pulse",
+     [](Scenario& scenario) {
+       scenario.receiver.pulse = PulseKind::kLfm;
+       scenario.receiver.pulse_duration = 1e-3;
+       scenario.receiver.pulse_bandwidth = 50e3;
+     }},
+    {"+ speckle", [](Scenario& scenario) { scenario.receiver.speckle = true; }},
+    {"+ noise", [](Scenario& scenario) { scenario.receiver.noise = true; }},
+    {"+ reverberation", [](Scenario& scenario) { scenario.water.volume_backscatter_db = -70; }},
+};
+constexpr std::size_t kStageCount = std::size(kStages);
+
+// The same rays for all: primaries traced, up to two surfaces.
+Scenario scenario_of(std::size_t stage) {
+  Scenario scenario;
+  scenario.sonars = {bench_sonar()};
+  scenario.sonars[0].azimuth_resolution = radians_from_degrees(1);
+  scenario.primary = PrimaryEchoes::kRays;
+  scenario.secondary = SecondaryEchoes::kSelective;
+  scenario.max_surfaces = 2;
+  scenario.model = EchoModel::kPaper;
+  for (std::size_t i = 0; i <= stage; ++i) {
+    kStages[i].add(scenario);
+  }
+  return scenario;
+}
+
+// Milliseconds of each stage's pings, which take turns: they meet the same weather on a shared machine.
+std::vector<std::vector<double>> time_stages(const Scene& scene, int threads, int repetitions) {
+  std::vector<Simulator> simulators;
+  for (std::size_t stage = 0; stage < kStageCount; ++stage) {
+    simulators.emplace_back(scenario_of(stage), scene, threads);
+  }
+  std::vector<Ping> pings(kStageCount);
+  std::vector<std::vector<double>> times(kStageCount);
+  constexpr int kWarmUp = 2;
+  for (int i = -kWarmUp; i < repetitions; ++i) {
+    for (std::size_t stage = 0; stage < kStageCount; ++stage) {
+      const auto start = std::chrono::steady_clock::now();
+      simulators[stage].make_ping(0, i + kWarmUp, pings[stage]);
+      if (i >= 0) {
+        times[stage].push_back(milliseconds_since(start));
+      }
+    }
+  }
+  return times;
+}
+
+// Median over turns of what a stage takes more than the one before, or times the first.
+double median_of(const std::vector<double>& later, const std::vector<double>& earlier, bool times) {
+  std::vector<double> values(later.size());
+  std::ranges::transform(later, earlier, values.begin(), [times](double a, double b) { return times ? a / b : a - b; });
+  return median(std::move(values));
+}
+
+}  // namespace
+
+void bench_models(const BenchOptions& options, nlohmann::json& rows) {
+  say("\nThe calibrated model beside the paper's, the same rays: primaries traced, `selective`, two surfaces. Each "
+      "line has\n"
+      "all that is above it and was timed in turn with the others; x: times the paper model's ping.\n\n"
+      "{:>9} {:>7} {:<16} | {:>8} {:>8} {:>6}\n",
+      "triangles", "threads", "", "ping ms", "more ms", "x");
+  for (const int count : options.triangles) {
+    const Scene scene = make_bench_scene(count);
+    for (const int threads : options.threads) {
+      const std::vector<std::vector<double>> times = time_stages(scene, threads, options.repetitions);
+      for (std::size_t stage = 0; stage < kStageCount; ++stage) {
+        const double more = stage == 0 ? 0 : median_of(times[stage], times[stage - 1], false);
+        const double ratio = median_of(times[stage], times[0], true), ping_ms = median(times[stage]);
+        say("{:>9} {:>7} {:<16} | {:>8.2f} {:>8.2f} {:>6.2f}\n", scene.triangle_count(), threads, kStages[stage].name,
+            ping_ms, more, ratio);
+        flush_output();
+        rows.push_back({{"table", "models"},
+                        {"triangles", scene.triangle_count()},
+                        {"threads", threads},
+                        {"stage", kStages[stage].name},
+                        {"ping_ms", ping_ms},
+                        {"more_ms", more},
+                        {"times_paper", ratio}});
+      }
+    }
+  }
+}
+
+}  // namespace insonify
