@@ -23,6 +23,7 @@ PingPlan::PingPlan(const PingPlanSettings& settings)
   true_max_range = static_cast<float>(sonar.max_range / scale);
   bins_per_metre = static_cast<float>(scale / sonar.bin_length());
   first_bin_at = static_cast<float>(sonar.min_range / scale);
+  middle_elevation = static_cast<float>(sonar.elevation_center);
   const auto purpose = static_cast<std::uint32_t>(RandomPurpose::kSecondarySelection);
   stagger = philox({0, 0, 0, purpose}, philox_key(settings.seed))[0];
   for (const double edge : sonar.beam_edges()) {

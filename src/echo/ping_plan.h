@@ -25,12 +25,13 @@ class PingPlan {
   SecondaryEchoes secondary;  ///< kNone where paths end at one surface.
   int max_surfaces;
 
-  float neper_per_metre = 0;  ///< Absorption of pressure amplitude [Np/m].
-  float range_per_metre = 1;  ///< Reported range over true range: assumed over true sound speed.
-  float true_max_range = 0;   ///< True distance of the far edge of the last bin [m].
-  float bins_per_metre = 0;   ///< Bins over true distance [1/m].
-  float first_bin_at = 0;     ///< True distance of the near edge of bin 0 [m].
-  std::uint32_t stagger = 0;  ///< Turns the selection of secondary rays, from the seed.
+  float neper_per_metre = 0;   ///< Absorption of pressure amplitude [Np/m].
+  float range_per_metre = 1;   ///< Reported range over true range: assumed over true sound speed.
+  float true_max_range = 0;    ///< True distance of the far edge of the last bin [m].
+  float bins_per_metre = 0;    ///< Bins over true distance [1/m].
+  float first_bin_at = 0;      ///< True distance of the near edge of bin 0 [m].
+  float middle_elevation = 0;  ///< Of the aperture [rad].
+  std::uint32_t stagger = 0;   ///< Turns the selection of secondary rays, from the seed.
 
   /// Whether sound from a direction of the sonar frame is heard at all: in the fan and the elevation aperture.
   [[nodiscard]] bool in_aperture(const Vec3f& direction) const;

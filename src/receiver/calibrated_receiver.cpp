@@ -79,6 +79,7 @@ CalibratedReceiver::CalibratedReceiver(const SonarConfig& sonar, const BearingCe
       cells_(cells.sonar.beam_count),
       first_cell_(cells.first),
       cells_per_beam_(cells.per_beam),
+      truth_(sonar, cells),
       noise_intensity_(noise_intensity_of(sonar)),
       noisy_(config.noise),
       speckled_(config.speckle),
@@ -90,12 +91,7 @@ CalibratedReceiver::CalibratedReceiver(const SonarConfig& sonar, const BearingCe
         config.time_varied_gain ? *config.time_varied_gain * std::log10(range) + 2 * absorption * range : 0.0;
     gain_.push_back(static_cast<float>(ramp * ramp * std::pow(10.0, gain_db / 10)));
   }
-  const std::vector<double> edges = cells.sonar.beam_edges();
-  const double upper = sonar.elevation_center + 0.5 * sonar.elevation_aperture;
-  const double height = std::sin(upper) - std::sin(upper - sonar.elevation_aperture);
-  for (int cell = 0; cell < cells_; ++cell) {
-    cell_angle_.push_back(static_cast<float>((edges[cell] - edges[cell + 1]) * height));
-  }
+  cell_angle_ = cells.solid_angles();
   const double sound_speed = sonar.assumed_sound_speed.value_or(water.true_sound_speed());
   for (int bin = 0; water.volume_backscatter_db && bin < bins_; ++bin) {
     const double true_per_shown = water.true_sound_speed() / sound_speed;
@@ -180,7 +176,7 @@ void CalibratedReceiver::hear_cell(const EchoGrid& grid, int cell, std::uint64_t
 }
 
 void CalibratedReceiver::hear(const EchoGrid& grid, const Pose& world_from_sonar, Workers& workers, Ping& ping) {
-  size_tables(ping, beams_, bins_);
+  size_tables(ping, beams_, bins_, grid.ground_truth());
   const std::uint64_t look = speckled_ ? number_of(world_from_sonar) : 0;
   rows_.resize(std::max(rows_.size(), static_cast<std::size_t>(workers.count())));
   workers.for_each(cells_, [&](int cell, int worker) { hear_cell(grid, cell, look, rows_[worker]); });
@@ -196,16 +192,20 @@ void CalibratedReceiver::hear(const EchoGrid& grid, const Pose& world_from_sonar
     const int beam = tile / tiles_along * kTileBeams, bin = tile % tiles_along * kTileBins;
     hear_tile(grid, {beam, std::min(kTileBeams, beams_ - beam), bin, std::min(kTileBins, bins_ - bin)}, ping);
   });
+  if (grid.ground_truth() == GroundTruth::kFull) {
+    truth_.tell(grid, {range_ ? &*range_ : nullptr, bearing_ ? &*bearing_ : nullptr, gain_}, workers, ping);
+  }
 }
 
 void CalibratedReceiver::hear_tile(const EchoGrid& grid, const TilePlace& place, Ping& ping) const {
+  const bool labelled = grid.ground_truth() == GroundTruth::kLabels;
   HeardTile tile = {};
   float in_phase[kTileBins] = {}, quadrature[kTileBins] = {};
   const auto deviation = noisy_ ? static_cast<float>(std::sqrt(0.5 * noise_intensity_)) : 0.0F;
   const std::vector<float>& energy = bearing_ ? beam_energy_ : cell_energy_;
   const std::vector<std::complex<float>>& field = bearing_ ? beam_field_ : cell_field_;
   for (int b = 0; b < place.beam_count; ++b) {
-    fetch_rows(place, b, ping);
+    fetch_rows(place, b, labelled, ping);
     const int beam = place.first_beam + b;
     const std::size_t start = static_cast<std::size_t>(beam) * bins_ + place.first_bin;
     if (noisy_) {
@@ -219,9 +219,11 @@ void CalibratedReceiver::hear_tile(const EchoGrid& grid, const TilePlace& place,
       const float imaginary = (speckled_ ? field[start + i].imag() : 0.0F) + deviation * quadrature[i];
       tile.intensity[b][i] = (real * real + imaginary * imaginary) * gain_[place.first_bin + i];
     }
-    take_strongest_labels(grid, place, b, tile);
+    if (labelled) {
+      take_strongest_labels(grid, place, b, tile);
+    }
   }
-  write_tile(tile, place, ping);
+  write_tile(tile, place, labelled, ping);
 }
 
 // Of the cells in a beam's own slice.

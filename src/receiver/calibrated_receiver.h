@@ -17,6 +17,7 @@
 #include "receiver/bearing_response.h"
 #include "receiver/heard_tile.h"
 #include "receiver/range_response.h"
+#include "receiver/truth_receiver.h"
 
 namespace insonify {
 
@@ -55,6 +56,7 @@ class CalibratedReceiver {
   std::vector<float> gain_;        // Of each bin: near field and time-varied gain.
   std::vector<float> volume_;      // Of each bin: what the water echoes per unit of solid angle; empty for nothing.
   std::vector<float> cell_angle_;  // Of each cell: solid angle [sr].
+  TruthReceiver truth_;
   double noise_intensity_ = 0;
   bool noisy_, speckled_;
   std::uint64_t seed_;

@@ -136,6 +136,9 @@ void Scenario::validate() const {
   if (model == EchoModel::kPaper && !points.empty()) {
     throw Error("points need model = calibrated");
   }
+  if (model == EchoModel::kPaper && ground_truth == GroundTruth::kFull) {
+    throw Error("ground_truth = full needs model = calibrated");
+  }
   check_points(points);
   if (surface) {
     check_fields("surface", *surface);
