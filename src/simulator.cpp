@@ -74,7 +74,8 @@ Simulator::Simulator(Scenario scenario, Scene scene, int threads) {
                                             .secondary = state_->scenario.secondary,
                                             .max_surfaces = state_->scenario.max_surfaces,
                                             .seed = state_->scenario.seed}));
-    state_->grids.emplace_back(cells.sonar.beam_count, sonar.bin_count, order_count(state_->scenario));
+    state_->grids.emplace_back(cells.sonar.beam_count, sonar.bin_count, order_count(state_->scenario),
+                               state_->scenario.ground_truth, heard_by(state_->scenario).speckle);
     state_->receivers.emplace_back(sonar, cells, state_->scenario.water, state_->scenario.receiver,
                                    state_->scene.materials, state_->scenario.seed);
   }

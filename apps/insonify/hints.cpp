@@ -20,7 +20,8 @@ std::string point_text(const Vec3& point) {
 
 void Loudness::add(const Ping& ping) {
   for (std::size_t i = 0; i < ping.intensity.size(); ++i) {
-    if (ping.instance[i] != kNoLabel) {
+    // Without labels, noise passes for an echo.
+    if (ping.instance.empty() || ping.instance[i] != kNoLabel) {
       loudest_ = std::max(loudest_, static_cast<double>(ping.intensity[i]));
     }
   }

@@ -2,9 +2,12 @@
 
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
+
+#include "insonify/ground_truth.h"
 
 namespace insonify {
 
@@ -23,20 +26,36 @@ struct LoneEcho {
   float turns = 0;         ///< Phase, 0..1.
 };
 
+/// What one surface gave to a cell.
+struct SurfaceEcho {
+  std::uint32_t surface = 0xffffffff;  ///< Instance and material, see echo/echo.h; all ones for none.
+  float energy = 0;
+  float elevation_moment = 0;  ///< Sum of energy x elevation, from the middle of the aperture [rad].
+  float elevation_square = 0;  ///< Sum of energy x its square [rad^2].
+};
+
+/// Surfaces that each cell keeps apart with GroundTruth::kFull: a cache line of them.
+inline constexpr int kSurfacesKept = 4;
+using SurfaceTally = std::array<SurfaceEcho, kSurfacesKept>;
+
 /// Sums over echoes, in cells of beam by bin: beam-major, so that one beam's bins lie together.
 ///
 /// `energy` and `weight` are kept per path order. In the `paper` model they are the sum of the shaped echo intensities
 /// and of the sample weights they belong to; their ratio is the mean the paper's eq. (energy_norm) asks for. The label
 /// layers tell what each cell's energy came from: the instance and material that hold the majority of it, and the
-/// energy-weighted mean elevation of that majority.
+/// energy-weighted mean elevation of that majority. With GroundTruth::kFull there are tallies of surfaces besides.
 class EchoGrid {
  public:
   EchoGrid() = default;
-  EchoGrid(int beam_count, int bin_count, int order_count);
+  /// @param labelled  Whether label layers are kept even with GroundTruth::kNone.
+  EchoGrid(int beam_count, int bin_count, int order_count, GroundTruth ground_truth = GroundTruth::kLabels,
+           bool labelled = false);
 
   [[nodiscard]] int beam_count() const { return beam_count_; }
   [[nodiscard]] int bin_count() const { return bin_count_; }
   [[nodiscard]] int order_count() const { return order_count_; }
+  [[nodiscard]] GroundTruth ground_truth() const { return ground_truth_; }
+  [[nodiscard]] bool labelled() const { return labelled_; }  ///< Whether there are label layers.
 
   /// One beam of one layer: bin_count values. `order` counts from 1.
   [[nodiscard]] std::span<float> energy(int order, int beam) { return {&energy_[start(order, beam)], length()}; }
@@ -48,7 +67,7 @@ class EchoGrid {
     return {&weight_[start(order, beam)], length()};
   }
 
-  /// What a cell's energy came from.
+  /// What a cell's energy came from. Nothing is told without labels.
   struct Label {
     std::uint16_t instance = kNoLabel;  ///< Index into Scene::instances.
     std::uint16_t material = kNoLabel;  ///< Index into Scene::materials.
@@ -82,6 +101,13 @@ class EchoGrid {
   [[nodiscard]] std::vector<LoneEcho>& lone_echoes() { return lone_echoes_; }
   [[nodiscard]] const std::vector<LoneEcho>& lone_echoes() const { return lone_echoes_; }
 
+  /// With GroundTruth::kFull only. Surfaces of one beam's cells, see echo/surface_tally.h ...
+  [[nodiscard]] std::span<SurfaceTally> tallies(int beam) { return {&tallies_[start(1, beam)], length()}; }
+  [[nodiscard]] std::span<const SurfaceTally> tallies(int beam) const { return {&tallies_[start(1, beam)], length()}; }
+  /// ... and the solid angle of it that surfaces take before the near edge of bin 0 [sr].
+  [[nodiscard]] float& met_before(int beam) { return met_before_[beam]; }
+  [[nodiscard]] float met_before(int beam) const { return met_before_[beam]; }
+
   /// Sets the cells of beams [first, last) to nothing. Each task clears its own.
   void clear(int first_beam, int last_beam);
   void clear() { clear(0, beam_count_); }
@@ -93,10 +119,14 @@ class EchoGrid {
   }
 
   int beam_count_ = 0, bin_count_ = 0, order_count_ = 0;
+  GroundTruth ground_truth_ = GroundTruth::kLabels;
+  bool labelled_ = true;
   std::vector<float> energy_, weight_;  // [order][beam][bin]
   std::vector<std::uint32_t> surface_;  // [beam][bin]
   std::vector<float> lead_, label_energy_, elevation_moment_;
   std::vector<LoneEcho> lone_echoes_;
+  std::vector<SurfaceTally> tallies_;  // [beam][bin]
+  std::vector<float> met_before_;      // [beam]
 };
 
 /// Takes the beams of a grid as they are completed, while their cells are still in the nearest memory.

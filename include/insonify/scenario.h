@@ -81,6 +81,7 @@ struct Scenario {
   PrimaryEchoes primary = PrimaryEchoes::kAuto;
   SecondaryEchoes secondary = SecondaryEchoes::kSelective;
   int max_surfaces = kPathOrders;  ///< Of a path, 1..3.
+  GroundTruth ground_truth = GroundTruth::kLabels;
   std::uint64_t seed = 1;
   int pings = 1;  ///< >= 1; of each sonar.
 
@@ -121,6 +122,12 @@ struct Scenario {
                 "Surfaces that a path may meet: 2 adds echoes by way of a mirror, 3 those by a mirror both ways "
                 "(calibrated)."},
           self.max_surfaces);
+    visit(Field{"ground_truth",
+                "",
+                {},
+                "What is kept of where each bin's echo came from: none, labels (instance, material, elevation) or full "
+                "(also shares, spread, path order, shadow and direct echo; calibrated)."},
+          self.ground_truth);
     visit(Field{"seed", "", at_least(0), "Start of the random numbers; the same seed gives the same pings."},
           self.seed);
     visit(Field{"pings", "", from_to(1, 1e9), "Pings of each sonar."}, self.pings);

@@ -17,6 +17,9 @@ namespace insonify {
 /// Most beams that one task takes: a ping is written by ranges, and sixteen beams fill a cache line of it.
 inline constexpr int kMostBeamsTogether = 16;
 
+/// Fewest, but where a fan ends. Every task begins at a multiple of it.
+inline constexpr int kLeastBeamsTogether = 4;
+
 struct BeamTask {
   BeamTask(const CpuScene& scene, const RasterScene& raster_scene)
       : scene_(scene), raster_scene_(raster_scene), onward_(scene) {}

@@ -20,9 +20,8 @@ int task_count(int items, int per_task) {
 // As many beams as belong together, but enough tasks to go round evenly.
 int beams_per_task(const PingPlan& plan, int workers) {
   constexpr int kTasksAWorker = 4;
-  constexpr int kLeast = 4;
   const bool many = task_count(plan.sonar.beam_count, kMostBeamsTogether) >= kTasksAWorker * workers;
-  return many ? kMostBeamsTogether : kLeast;
+  return many ? kMostBeamsTogether : kLeastBeamsTogether;
 }
 
 }  // namespace

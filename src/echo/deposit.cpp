@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/vector_math.h"
+#include "echo/surface_tally.h"
 
 namespace insonify {
 namespace {
@@ -50,14 +51,48 @@ void take(int count, SurfaceLabel surface, float* __restrict__ run_energy, float
   }
 }
 
-void finish(SurfaceRun& run, SurfaceSums& sums, SurfaceLabel surface, int beam, EchoGrid& grid) {
+// The same without labels.
+INSONIFY_VECTOR_CLONES
+void take_unlabelled(int count, float* __restrict__ run_energy, float* __restrict__ run_weight,
+                     float* __restrict__ run_moment, float* __restrict__ energy, float* __restrict__ weight) {
+  for (int i = 0; i < count; ++i) {
+    energy[i] += run_energy[i];
+    weight[i] += run_weight[i];
+    run_energy[i] = run_weight[i] = run_moment[i] = 0;
+  }
+}
+
+void tally(int first, int count, SurfaceLabel surface, float datum, SurfaceSums& sums,
+           std::span<SurfaceTally> tallies) {
+  for (int bin = first; bin < first + count; ++bin) {
+    const float energy = sums.energy[bin];
+    if (energy > 0) {
+      add_surface(tallies[bin], {surface, energy, sums.moment[bin] - energy * datum, sums.square[bin]});
+    }
+    sums.square[bin] = 0;
+  }
+}
+
+template <GroundTruth kTruth>
+using Run = SurfaceRun<kTruth == GroundTruth::kFull>;
+
+template <GroundTruth kTruth>
+void finish(Run<kTruth>& run, SurfaceSums& sums, SurfaceLabel surface, float datum, int beam, EchoGrid& grid) {
   const int first = run.first();
   const int count = std::min(run.last(), grid.bin_count()) - first;
   if (count > 0) {
-    const EchoGrid::LabelRows labels = grid.label_rows(beam);
-    take(count, surface, &sums.energy[first], &sums.weight[first], &sums.moment[first],
-         grid.energy(1, beam).data() + first, grid.weight(1, beam).data() + first, labels.surface + first,
-         labels.lead + first, labels.energy + first, labels.elevation_moment + first);
+    float* energy = grid.energy(1, beam).data() + first;
+    float* weight = grid.weight(1, beam).data() + first;
+    if constexpr (kTruth == GroundTruth::kFull) {
+      tally(first, count, surface, datum, sums, grid.tallies(beam));
+    }
+    if constexpr (kTruth != GroundTruth::kNone) {
+      const EchoGrid::LabelRows labels = grid.label_rows(beam);
+      take(count, surface, &sums.energy[first], &sums.weight[first], &sums.moment[first], energy, weight,
+           labels.surface + first, labels.lead + first, labels.energy + first, labels.elevation_moment + first);
+    } else {
+      take_unlabelled(count, &sums.energy[first], &sums.weight[first], &sums.moment[first], energy, weight);
+    }
   }
   run.restart();
 }
@@ -84,11 +119,10 @@ Stretch lone_stretch(const PingPlan& plan, int column, const HitColumn& hits, co
   return {std::clamp(low, 0.0F, bins), std::min(high, bins), hits.power[row], 0, weight / (high - low), 0};
 }
 
-}  // namespace
-
-INSONIFY_VECTOR_CLONES
-void deposit_column(const PingPlan& plan, int column, const HitColumn& hits, const Stretches& stretches,
-                    SurfaceSums& sums, EchoGrid& grid) {
+// See deposit_column().
+template <GroundTruth kTruth>
+[[gnu::always_inline]] inline void deposit_samples(const PingPlan& plan, int column, const HitColumn& hits,
+                                                   const Stretches& stretches, SurfaceSums& sums, EchoGrid& grid) {
   const Lattice& lattice = plan.lattice;
   const float* cos_el = lattice.cos_elevations(column);
   const float* sin_el = lattice.sin_elevations(column);
@@ -97,7 +131,8 @@ void deposit_column(const PingPlan& plan, int column, const HitColumn& hits, con
   const float width = lattice.column_width[column];
   const int beam = column / lattice.columns_per_beam;
   const int last_row = std::min(hits.rows, lattice.rows - 1);
-  SurfaceRun run(sums);
+  const float datum = plan.middle_elevation;  // Squares keep more digits when they are small.
+  Run<kTruth> run(sums, datum);
   const auto add_alone = [&](int row, int behind, float cos_end, float sin_end, float weight) {
     if (hits.surface[row] != kNoSurface) {
       Stretch stretch = lone_stretch(plan, column, hits, stretches, row, behind, cos_end, sin_end, weight);
@@ -126,13 +161,54 @@ void deposit_column(const PingPlan& plan, int column, const HitColumn& hits, con
     const float weight = interval[next] * width;
     add_alone(row, row - 1, cos_middle, sin_middle, 0.5F * weight);
     if (hits.surface[next] != surface) {
-      finish(run, sums, surface, beam, grid);
+      finish<kTruth>(run, sums, surface, datum, beam, grid);
       surface = hits.surface[next];
     }
     add_alone(next, next + 1, cos_middle, sin_middle, 0.5F * weight);
   }
   add_alone(last_row, last_row - 1, lattice.cos_high, lattice.sin_high, interval[lattice.rows] * width);
-  finish(run, sums, surface, beam, grid);
+  finish<kTruth>(run, sums, surface, datum, beam, grid);
+}
+
+// Solid angle of what a column met nearer than the near edge of bin 0.
+float met_before(const PingPlan& plan, int column, const HitColumn& hits, const Stretches& stretches) {
+  float met = 0;
+  for (int row = 0; row < std::min(hits.rows, plan.lattice.rows); ++row) {
+    met += hits.surface[row] != kNoSurface && stretches.position[row] < 0 ? plan.lattice.shares(column)[row] : 0.0F;
+  }
+  return met * plan.lattice.column_width[column];
+}
+
+INSONIFY_VECTOR_CLONES
+void deposit_labelled(const PingPlan& plan, int column, const HitColumn& hits, const Stretches& stretches,
+                      SurfaceSums& sums, EchoGrid& grid) {
+  deposit_samples<GroundTruth::kLabels>(plan, column, hits, stretches, sums, grid);
+}
+
+INSONIFY_VECTOR_CLONES
+void deposit_unlabelled(const PingPlan& plan, int column, const HitColumn& hits, const Stretches& stretches,
+                        SurfaceSums& sums, EchoGrid& grid) {
+  deposit_samples<GroundTruth::kNone>(plan, column, hits, stretches, sums, grid);
+}
+
+INSONIFY_VECTOR_CLONES
+void deposit_tallied(const PingPlan& plan, int column, const HitColumn& hits, const Stretches& stretches,
+                     SurfaceSums& sums, EchoGrid& grid) {
+  deposit_samples<GroundTruth::kFull>(plan, column, hits, stretches, sums, grid);
+}
+
+}  // namespace
+
+void deposit_column(const PingPlan& plan, int column, const HitColumn& hits, const Stretches& stretches,
+                    SurfaceSums& sums, EchoGrid& grid) {
+  if (grid.ground_truth() == GroundTruth::kFull) {
+    deposit_tallied(plan, column, hits, stretches, sums, grid);
+    grid.met_before(column / plan.lattice.columns_per_beam) += met_before(plan, column, hits, stretches);
+  } else if (grid.labelled()) {
+    deposit_labelled(plan, column, hits, stretches, sums, grid);
+  } else {
+    deposit_unlabelled(plan, column, hits, stretches, sums, grid);
+  }
 }
 
 void deposit(const PingPlan& plan, const Echo& echo, EchoGrid& grid) {
@@ -144,13 +220,19 @@ void deposit(const PingPlan& plan, const Echo& echo, EchoGrid& grid) {
   const float energy = echo.weight * echo.power;
   grid.energy(echo.order, beam)[bin] += energy;
   grid.weight(echo.order, beam)[bin] += echo.weight;
-  const EchoGrid::LabelRows labels = grid.label_rows(beam);
-  const Vote vote = counted({labels.surface[bin], labels.lead[bin], labels.energy[bin], labels.elevation_moment[bin]},
-                            echo.surface, energy, energy * echo.elevation, echo.weight);
-  labels.surface[bin] = vote.surface;
-  labels.lead[bin] = vote.lead;
-  labels.energy[bin] = vote.energy;
-  labels.elevation_moment[bin] = vote.moment;
+  if (grid.labelled()) {
+    const EchoGrid::LabelRows labels = grid.label_rows(beam);
+    const Vote vote = counted({labels.surface[bin], labels.lead[bin], labels.energy[bin], labels.elevation_moment[bin]},
+                              echo.surface, energy, energy * echo.elevation, echo.weight);
+    labels.surface[bin] = vote.surface;
+    labels.lead[bin] = vote.lead;
+    labels.energy[bin] = vote.energy;
+    labels.elevation_moment[bin] = vote.moment;
+  }
+  if (grid.ground_truth() == GroundTruth::kFull && energy > 0) {
+    const float elevation = echo.elevation - plan.middle_elevation;
+    add_surface(grid.tallies(beam)[bin], {echo.surface, energy, energy * elevation, energy * elevation * elevation});
+  }
 }
 
 }  // namespace insonify

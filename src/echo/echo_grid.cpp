@@ -8,18 +8,31 @@
 
 namespace insonify {
 
-EchoGrid::EchoGrid(int beam_count, int bin_count, int order_count)
+EchoGrid::EchoGrid(int beam_count, int bin_count, int order_count, GroundTruth ground_truth, bool labelled)
     : beam_count_(beam_count),
       bin_count_(bin_count),
       order_count_(order_count),
+      ground_truth_(ground_truth),
+      labelled_(labelled || ground_truth != GroundTruth::kNone),
       energy_(static_cast<std::size_t>(order_count) * beam_count * bin_count),
-      weight_(energy_.size()),
-      surface_(static_cast<std::size_t>(beam_count) * bin_count, kNoSurface),
-      lead_(surface_.size()),
-      label_energy_(surface_.size()),
-      elevation_moment_(surface_.size()) {}
+      weight_(energy_.size()) {
+  const std::size_t cells = static_cast<std::size_t>(beam_count) * bin_count;
+  if (labelled_) {
+    surface_.resize(cells, kNoSurface);
+    lead_.resize(cells);
+    label_energy_.resize(cells);
+    elevation_moment_.resize(cells);
+  }
+  if (ground_truth == GroundTruth::kFull) {
+    tallies_.resize(cells);
+    met_before_.resize(beam_count);
+  }
+}
 
 EchoGrid::Label EchoGrid::label(int beam, int bin) const {
+  if (!labelled_) {
+    return {};
+  }
   const std::size_t cell = start(1, beam) + bin;
   const float energy = surface_[cell] == kNoSurface ? 0.0F : label_energy_[cell];
   return {instance_of(surface_[cell]), material_of(surface_[cell]),
@@ -35,7 +48,13 @@ void EchoGrid::clear(int first_beam, int last_beam) {
     fill(energy_, order, 0.0F);
     fill(weight_, order, 0.0F);
   }
-  fill(surface_, 1, kNoSurface);  // Where nothing leads, the rest of the label means nothing.
+  if (labelled_) {
+    fill(surface_, 1, kNoSurface);  // Where nothing leads, the rest of the label means nothing.
+  }
+  if (ground_truth_ == GroundTruth::kFull) {
+    fill(tallies_, 1, SurfaceTally{});
+    std::fill(met_before_.begin() + first_beam, met_before_.begin() + last_beam, 0.0F);
+  }
 }
 
 }  // namespace insonify

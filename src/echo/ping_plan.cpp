@@ -25,6 +25,7 @@ PingPlan::PingPlan(const PingPlanSettings& settings)
   first_bin_at = static_cast<float>(sonar.min_range / scale);
   turns_per_metre = 2 * sonar.frequency / true_speed;
   seed = settings.seed;
+  middle_elevation = static_cast<float>(sonar.elevation_center);
   const auto purpose = static_cast<std::uint32_t>(RandomPurpose::kSecondarySelection);
   stagger = philox({0, 0, 0, purpose}, philox_key(settings.seed))[0];
   for (const double edge : sonar.beam_edges()) {

@@ -25,11 +25,12 @@ class PingPlan {
   SecondaryEchoes secondary;  ///< kNone where paths end at one surface.
   int max_surfaces;
 
-  float neper_per_metre = 0;  ///< Absorption of pressure amplitude [Np/m].
-  float range_per_metre = 1;  ///< Reported range over true range: assumed over true sound speed.
-  float true_max_range = 0;   ///< True distance of the far edge of the last bin [m].
-  float bins_per_metre = 0;   ///< Bins over true distance [1/m].
-  float first_bin_at = 0;     ///< True distance of the near edge of bin 0 [m].
+  float neper_per_metre = 0;   ///< Absorption of pressure amplitude [Np/m].
+  float range_per_metre = 1;   ///< Reported range over true range: assumed over true sound speed.
+  float true_max_range = 0;    ///< True distance of the far edge of the last bin [m].
+  float bins_per_metre = 0;    ///< Bins over true distance [1/m].
+  float first_bin_at = 0;      ///< True distance of the near edge of bin 0 [m].
+  float middle_elevation = 0;  ///< Of the aperture [rad].
   double turns_per_metre = 0;  ///< Of the phase of an echo, over one-way distance [1/m].
   std::uint64_t seed = 0;
   std::uint32_t stagger = 0;  ///< Turns the selection of secondary rays, from the seed.

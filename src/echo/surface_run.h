@@ -24,14 +24,14 @@ struct Stretch {
   float elevation;  ///< Of the echo [rad].
 };
 
-/// Sums of energy, weight and energy x elevation over one run, of each bin: little enough to stay in the nearest cache.
-/// All zero between runs.
+/// Sums of energy, weight, energy x elevation and energy x the square of its difference from a datum over one run, of
+/// each bin: little enough to stay in the nearest cache. All zero between runs.
 struct SurfaceSums {
-  std::vector<float> energy, weight, moment;
+  std::vector<float> energy, weight, moment, square;
 
   /// Gets ready for so many bins; allocates only when it needs more memory than any before.
   void prepare(int bins) {
-    for (auto* sums : {&energy, &weight, &moment}) {
+    for (auto* sums : {&energy, &weight, &moment, &square}) {
       sums->resize(std::max(sums->size(), static_cast<std::size_t>(bins) + std::size_t{2} * kLanes), 0.0F);
     }
   }
@@ -40,10 +40,17 @@ struct SurfaceSums {
 
 /// Adds stretches to sums, and keeps track of where. Held by value in the loop that adds, so that it lives in
 /// registers.
+/// @tparam kSquares  Whether squares are summed too.
+template <bool kSquares>
 class SurfaceRun {
  public:
-  explicit SurfaceRun(SurfaceSums& sums)
-      : energy_(sums.energy.data()), weight_(sums.weight.data()), moment_(sums.moment.data()) {}
+  /// @param datum  [rad]
+  SurfaceRun(SurfaceSums& sums, float datum)
+      : datum_(datum),
+        energy_(sums.energy.data()),
+        weight_(sums.weight.data()),
+        moment_(sums.moment.data()),
+        square_(sums.square.data()) {}
 
   /// @param stretch  With 0 <= low and high within the bins that the sums were prepared for.
   [[gnu::always_inline]] void add(const Stretch& stretch) {
@@ -59,6 +66,10 @@ class SurfaceRun {
       add(energy_ + bin, energy);
       add(weight_ + bin, weight);
       add(moment_ + bin, energy * stretch.elevation);
+      if constexpr (kSquares) {
+        const float beyond = stretch.elevation - datum_;
+        add(square_ + bin, energy * (beyond * beyond));
+      }
       bin += SurfaceSums::kLanes;
     } while (static_cast<float>(bin) < stretch.high);
     last_ = std::max(last_, bin);
@@ -100,7 +111,8 @@ class SurfaceRun {
     std::memcpy(sums, &lanes, sizeof lanes);
   }
 
-  float* __restrict__ energy_, * __restrict__ weight_, * __restrict__ moment_;
+  float datum_;
+  float* __restrict__ energy_, * __restrict__ weight_, * __restrict__ moment_, * __restrict__ square_;
   int first_ = kNone, last_ = 0;
 };
 

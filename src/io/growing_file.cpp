@@ -29,6 +29,10 @@ constexpr std::uint64_t kPage = 4096;
 // that has to share a page. Memory for the file grows by as much.
 constexpr hsize_t kMetadataBlock = 65536;
 
+// Half the entries of a node of a group's tree. The root's node comes before the datasets' headers: a small one leaves
+// them more of the page, room for 13.
+constexpr unsigned kHalfTreeNode = 2;
+
 // In a superblock of version 0, the end of the file: what lies before it is in use.
 constexpr std::size_t kEndOfFileField = 40;
 
@@ -68,14 +72,15 @@ H5Handle growing_layout(const std::filesystem::path& path) {
   return layout;
 }
 
+// Not yet in any group: the headers lie side by side, with nothing of the group's between them.
 H5Handle create_dataset(hid_t file, const GrowingDataset& dataset, std::uint64_t capacity, hid_t layout,
                         const std::filesystem::path& path) {
   std::vector<hsize_t> shape{capacity};
   shape.insert(shape.end(), dataset.row.begin(), dataset.row.end());
   const H5Handle space =
       h5_own(H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr), H5Sclose, path, "create");
-  return h5_own(H5Dcreate2(file, dataset.name.c_str(), dataset.type, space.get(), H5P_DEFAULT, layout, H5P_DEFAULT),
-                H5Dclose, path, "create /" + dataset.name);
+  return h5_own(H5Dcreate_anon(file, dataset.type, space.get(), layout, H5P_DEFAULT), H5Dclose, path,
+                "create /" + dataset.name);
 }
 
 }  // namespace
@@ -158,15 +163,23 @@ std::vector<std::byte> GrowingFile::make_image(const std::function<void(hid_t fi
   h5_check(H5Pset_fapl_core(access.get(), kMetadataBlock, kOnDisk), path_, "create");
   // No file can have this name: one that has is read whole, even to be made anew.
   constexpr const char* kNowhere = "/dev/null/recording";
+  const H5Handle creation = h5_own(H5Pcreate(H5P_FILE_CREATE), H5Pclose, path_, "create");
+  h5_check(H5Pset_sym_k(creation.get(), kHalfTreeNode, 0), path_, "create");
   const H5Handle file =
-      h5_own(H5Fcreate(kNowhere, H5F_ACC_TRUNC, H5P_DEFAULT, access.get()), H5Fclose, path_, "create");
+      h5_own(H5Fcreate(kNowhere, H5F_ACC_TRUNC, creation.get(), access.get()), H5Fclose, path_, "create");
   const H5Handle layout = growing_layout(path_);
+  std::vector<H5Handle> made;
   for (const GrowingDataset& dataset : datasets_) {
-    const H5Handle made = create_dataset(file.get(), dataset, capacity_, layout.get(), path_);
+    made.push_back(create_dataset(file.get(), dataset, capacity_, layout.get(), path_));
     H5O_info_t info;
-    h5_check(H5Oget_info1(made.get(), &info), path_, "create /" + dataset.name);
+    h5_check(H5Oget_info1(made.back().get(), &info), path_, "create /" + dataset.name);
     addresses_.push_back(info.addr);
   }
+  for (std::size_t i = 0; i < datasets_.size(); ++i) {
+    const std::string& name = datasets_[i].name;
+    h5_check(H5Olink(made[i].get(), file.get(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT), path_, "create /" + name);
+  }
+  made.clear();
   describe(file.get());
   h5_check(H5Fflush(file.get(), H5F_SCOPE_LOCAL), path_, "create");
   std::vector<std::byte> image(

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <limits>
 #include <type_traits>
@@ -11,6 +12,7 @@
 #include "insonify/version.h"
 #include "io/growing_file.h"
 #include "io/hdf5_writer.h"
+#include "io/ping_layers.h"
 #include "io/yaml_words.h"
 
 namespace insonify {
@@ -29,39 +31,39 @@ StoredPose stored_pose(const Pose& pose) {
 }
 
 // In the order in which Recording::add hands over the values.
-std::vector<GrowingDataset> growing_datasets(const SonarConfig& sonar) {
-  const auto bins = static_cast<hsize_t>(sonar.bin_count);
-  const auto beams = static_cast<hsize_t>(sonar.beam_count);
-  std::vector<GrowingDataset> datasets{{"intensity", H5T_IEEE_F32LE, {bins, beams}},
-                                       {"instance", H5T_STD_U16LE, {bins, beams}},
-                                       {"material", H5T_STD_U16LE, {bins, beams}},
-                                       {"elevation", H5T_IEEE_F32LE, {bins, beams}},
-                                       {"time", H5T_IEEE_F64LE, {}},
-                                       {"world_from_sonar", H5T_IEEE_F64LE, {StoredPose{}.size()}}};
+std::vector<GrowingDataset> growing_datasets(const SonarConfig& sonar, const std::vector<PingLayer>& layers) {
+  std::vector<GrowingDataset> datasets;
+  for (const PingLayer& layer : layers) {
+    std::vector<hsize_t> shape{static_cast<hsize_t>(sonar.bin_count), static_cast<hsize_t>(sonar.beam_count)};
+    if (layer.each > 0) {
+      shape.push_back(layer.each);
+    }
+    datasets.push_back({layer.name, layer.type(), shape});
+  }
+  datasets.push_back({"time", H5T_IEEE_F64LE, {}});
+  datasets.push_back({"world_from_sonar", H5T_IEEE_F64LE, {StoredPose{}.size()}});
   if (sonar.type == SonarType::kMechanicallyScanned) {
     datasets.push_back({"head_angle", H5T_IEEE_F64LE, {}});
   }
   return datasets;
 }
 
-void describe_datasets(const H5Writer& writer, const SonarConfig& sonar) {
+void describe_datasets(const H5Writer& writer, const SonarConfig& sonar, const std::vector<PingLayer>& layers) {
   const auto describe = [&writer](const std::string& name, std::string_view axes, const H5Note& note) {
     writer.annotate(name, note);
     writer.attribute(name, "axes", axes);
   };
-  const std::string_view cells = "ping bin beam";
-  describe("intensity", cells, {"1", "Echo intensity."});
-  describe("instance", cells, {"1", "Row of instance_names that gave most of the echo; 65535 where nothing echoed."});
-  describe("material", cells, {"1", "Row of material_names of the same; 65535 where nothing echoed."});
-  describe("elevation", cells, {"rad", "Mean elevation of the same, positive up; NaN where nothing echoed."});
+  for (const PingLayer& layer : layers) {
+    describe(layer.name, fmt::format("ping bin beam{}{}", layer.each > 0 ? " " : "", layer.axis), layer.note);
+    if (layer.labels) {
+      writer.attribute(layer.name, "none", std::uint64_t{kNoLabel});
+    }
+  }
   describe("time", "ping", {"s", "Time of transmission."});
   describe("world_from_sonar", "ping pose",
            {"m m m 1 1 1 1", "Pose of the housing: x y z, then the quaternion qw qx qy qz; sonar to world."});
   if (sonar.type == SonarType::kMechanicallyScanned) {
     describe("head_angle", "ping", {"rad", "Turn of the head in its housing, positive to port."});
-  }
-  for (const char* labels : {"instance", "material"}) {
-    writer.attribute(labels, "none", std::uint64_t{kNoLabel});
   }
 }
 
@@ -157,6 +159,8 @@ void put_run(const H5Writer& writer, const Scenario& scenario, const Scene& scen
   put_settings(writer, "water", scenario.water);
   put_settings(writer, "paper", scenario.paper);
   put_settings(writer, "receiver", scenario.receiver);
+  put_member(writer, "settings/ground_truth", scenario.ground_truth,
+             {"", "What is kept of where each bin's echo came from."});
   put_member(writer, "settings/secondary", scenario.secondary, {"", "Which hits send a ray on for secondary echoes."});
 }
 
@@ -165,15 +169,11 @@ std::span<const std::byte> bytes_of(const Value& value) {
   return std::as_bytes(std::span(&value, 1));
 }
 
-template <typename Value>
-std::span<const std::byte> bytes_of(const std::vector<Value>& values) {
-  return std::as_bytes(std::span(values));
-}
-
 }  // namespace
 
 struct Recording::State {
   GrowingFile file;
+  std::vector<PingLayer> layers;
   int bin_count = 0, beam_count = 0;
   bool has_head = false;
 };
@@ -183,16 +183,17 @@ Recording::Recording(const std::filesystem::path& path, const Scenario& scenario
   if (capacity < 1) {
     throw Error(fmt::format("{}: capacity = {} must be at least 1", path.string(), capacity));
   }
+  std::vector<PingLayer> layers = ping_layers(scenario);
   const auto describe = [&](hid_t file) {
     const H5Writer writer(file, path);
-    describe_datasets(writer, sonar);
+    describe_datasets(writer, sonar, layers);
     put_axes(writer, sonar);
     put_scene(writer, scene);
     put_run(writer, scenario, scene, sonar);
   };
-  state_ =
-      std::make_unique<State>(State{GrowingFile(path, growing_datasets(sonar), capacity, describe), sonar.bin_count,
-                                    sonar.beam_count, sonar.type == SonarType::kMechanicallyScanned});
+  GrowingFile file(path, growing_datasets(sonar, layers), capacity, describe);
+  state_ = std::make_unique<State>(State{std::move(file), std::move(layers), sonar.bin_count, sonar.beam_count,
+                                         sonar.type == SonarType::kMechanicallyScanned});
 }
 
 Recording::~Recording() = default;
@@ -206,17 +207,23 @@ void Recording::add(const Ping& ping) {
                             ping.bin_count, ping.beam_count, state_->bin_count, state_->beam_count));
   }
   const std::size_t cells = static_cast<std::size_t>(ping.bin_count) * static_cast<std::size_t>(ping.beam_count);
-  if (ping.intensity.size() != cells || ping.instance.size() != cells || ping.material.size() != cells ||
-      ping.elevation.size() != cells) {
-    throw Error(fmt::format(
-        "{}: ping {} holds {} intensities, {} instances, {} materials and {} elevations, not {} each", path.string(),
-        ping.number, ping.intensity.size(), ping.instance.size(), ping.material.size(), ping.elevation.size(), cells));
+  std::array<std::span<const std::byte>, kMostPingLayers + 3> rows;
+  std::size_t count = 0;
+  for (const PingLayer& layer : state_->layers) {
+    const std::size_t wanted = cells * std::max<std::size_t>(layer.each, 1);
+    if (layer.count(ping) != wanted) {
+      throw Error(fmt::format("{}: ping {} holds {} values of {}, not {}", path.string(), ping.number,
+                              layer.count(ping), layer.name, wanted));
+    }
+    rows[count++] = layer.bytes(ping);
   }
   const StoredPose pose = stored_pose(ping.world_from_sonar);
-  const std::array rows = {bytes_of(ping.intensity), bytes_of(ping.instance), bytes_of(ping.material),
-                           bytes_of(ping.elevation), bytes_of(ping.time),     bytes_of(pose),
-                           bytes_of(ping.head_angle)};
-  state_->file.append(std::span(rows).first(state_->has_head ? rows.size() : rows.size() - 1));
+  rows[count++] = bytes_of(ping.time);
+  rows[count++] = bytes_of(pose);
+  if (state_->has_head) {
+    rows[count++] = bytes_of(ping.head_angle);
+  }
+  state_->file.append(std::span(rows).first(count));
 }
 
 void Recording::close() {

@@ -69,6 +69,11 @@ constexpr auto words_of<SecondaryEchoes>() {
   return Words<SecondaryEchoes, 3>{
       {{"none", SecondaryEchoes::kNone}, {"selective", SecondaryEchoes::kSelective}, {"all", SecondaryEchoes::kAll}}};
 }
+template <>
+constexpr auto words_of<GroundTruth>() {
+  return Words<GroundTruth, 3>{
+      {{"none", GroundTruth::kNone}, {"labels", GroundTruth::kLabels}, {"full", GroundTruth::kFull}}};
+}
 
 /// How files spell a value.
 template <typename Enum>

@@ -9,7 +9,7 @@ namespace insonify {
 namespace {
 
 constexpr int kPerBeam = 2;
-constexpr int kPerScannedBeam = 8;
+constexpr int kPerScannedBeam = BearingCells::kMostPerBeam;
 constexpr int kBeside = 2;  // Beams on either side of a scanning head's.
 constexpr double kWidest = radians_from_degrees(178);
 
@@ -39,6 +39,17 @@ BearingCells::BearingCells(const SonarConfig& heard, const ReceiverConfig& recei
       sonar.beam_azimuths.push_back(edges[beam + 1] + quarter);
     }
   }
+}
+
+std::vector<float> BearingCells::solid_angles() const {
+  const std::vector<double> edges = sonar.beam_edges();
+  const double upper = sonar.elevation_center + 0.5 * sonar.elevation_aperture;
+  const double height = std::sin(upper) - std::sin(upper - sonar.elevation_aperture);
+  std::vector<float> angles;
+  for (int cell = 0; cell < sonar.beam_count; ++cell) {
+    angles.push_back(static_cast<float>((edges[cell] - edges[cell + 1]) * height));
+  }
+  return angles;
 }
 
 std::vector<double> BearingCells::sines(const SonarConfig& fan) {

@@ -10,7 +10,6 @@
 #include "echo/echo.h"
 #include "insonify/absorption.h"
 #include "insonify/sonar_equation.h"
-#include "receiver/lone_echoes.h"
 #include "receiver/normal_numbers.h"
 
 namespace insonify {
@@ -70,6 +69,7 @@ CalibratedReceiver::CalibratedReceiver(const SonarConfig& sonar, const BearingCe
       cells_(cells.sonar.beam_count),
       first_cell_(cells.first),
       cells_per_beam_(cells.per_beam),
+      truth_(sonar, cells),
       noise_intensity_(noise_intensity_of(sonar)),
       saturation_(config.saturation_db ? static_cast<float>(std::pow(10.0, *config.saturation_db / 10))
                                        : std::numeric_limits<float>::infinity()),
@@ -84,12 +84,7 @@ CalibratedReceiver::CalibratedReceiver(const SonarConfig& sonar, const BearingCe
   if (config.counts) {
     digitizer_.emplace(sonar, config.full_scale_db.value());
   }
-  const std::vector<double> edges = cells.sonar.beam_edges();
-  const double upper = sonar.elevation_center + 0.5 * sonar.elevation_aperture;
-  const double height = std::sin(upper) - std::sin(upper - sonar.elevation_aperture);
-  for (int cell = 0; cell < cells_; ++cell) {
-    cell_angle_.push_back(static_cast<float>((edges[cell] - edges[cell + 1]) * height));
-  }
+  cell_angle_ = cells.solid_angles();
   const double sound_speed = sonar.assumed_sound_speed.value_or(water.true_sound_speed());
   const double true_per_shown = water.true_sound_speed() / sound_speed;
   const double wavelength = water.true_sound_speed() / sonar.frequency;
@@ -177,8 +172,7 @@ void CalibratedReceiver::hear_bearings(Workers& workers) {
   });
 }
 
-void CalibratedReceiver::hear_lone_echoes(const EchoGrid& grid) {
-  const LoneEchoes lone(bearing_ ? &*bearing_ : nullptr, range_ ? &*range_ : nullptr, beams_, bins_);
+void CalibratedReceiver::hear_lone_echoes(const EchoGrid& grid, const LoneEchoes& lone) {
   if (speckle_) {
     lone.add(grid.lone_echoes(), bearing_ ? beam_field_ : cell_field_);
   } else {
@@ -187,7 +181,7 @@ void CalibratedReceiver::hear_lone_echoes(const EchoGrid& grid) {
 }
 
 void CalibratedReceiver::hear(const EchoGrid& grid, const Pose& world_from_sonar, Workers& workers, Ping& ping) {
-  size_tables(ping, beams_, bins_);
+  size_tables(ping, beams_, bins_, grid.ground_truth());
   ping.field.resize(has_field_ ? ping.intensity.size() : 0);
   ping.counts.resize(digitizer_ ? ping.intensity.size() : 0);
   const Speckle::View view = speckle_ ? speckle_->seen_from(world_from_sonar) : Speckle::View{};
@@ -196,7 +190,8 @@ void CalibratedReceiver::hear(const EchoGrid& grid, const Pose& world_from_sonar
   if (bearing_) {
     hear_bearings(workers);
   }
-  hear_lone_echoes(grid);
+  const LoneEchoes lone(bearing_ ? &*bearing_ : nullptr, range_ ? &*range_ : nullptr, beams_, bins_);
+  hear_lone_echoes(grid, lone);
   const int tiles_along = (bins_ + kTileBins - 1) / kTileBins, tiles_across = (beams_ + kTileBeams - 1) / kTileBeams;
   workers.for_each(tiles_across * tiles_along, [&](int tile, int) {
     const int beam = tile / tiles_along * kTileBeams, bin = tile % tiles_along * kTileBins;
@@ -208,16 +203,20 @@ void CalibratedReceiver::hear(const EchoGrid& grid, const Pose& world_from_sonar
       digitizer_->digitize({&ping.intensity[bin * beams], beams}, {&ping.counts[bin * beams], beams});
     });
   }
+  if (grid.ground_truth() == GroundTruth::kFull) {
+    truth_.tell(grid, {range_ ? &*range_ : nullptr, bearing_ ? &*bearing_ : nullptr, &lone, gain_}, workers, ping);
+  }
 }
 
 void CalibratedReceiver::hear_tile(const EchoGrid& grid, const TilePlace& place, Ping& ping) const {
+  const bool labelled = grid.ground_truth() == GroundTruth::kLabels;
   HeardTile tile = {};
   float in_phase[kTileBins] = {}, quadrature[kTileBins] = {};
   const auto deviation = noisy_ ? static_cast<float>(std::sqrt(0.5 * noise_intensity_)) : 0.0F;
   const std::vector<float>& energy = bearing_ ? beam_energy_ : cell_energy_;
   const std::vector<std::complex<float>>& field = bearing_ ? beam_field_ : cell_field_;
   for (int b = 0; b < place.beam_count; ++b) {
-    fetch_rows(place, b, ping);
+    fetch_rows(place, b, labelled, ping);
     const int beam = place.first_beam + b;
     const std::size_t start = static_cast<std::size_t>(beam) * bins_ + place.first_bin;
     if (noisy_) {
@@ -235,9 +234,11 @@ void CalibratedReceiver::hear_tile(const EchoGrid& grid, const TilePlace& place,
         ping.field[ping.index(place.first_bin + i, beam)] = {part * real, part * imaginary};
       }
     }
-    take_strongest_labels(grid, place, b, tile);
+    if (labelled) {
+      take_strongest_labels(grid, place, b, tile);
+    }
   }
-  write_tile(tile, place, ping);
+  write_tile(tile, place, labelled, ping);
 }
 
 // Of the cells in a beam's own slice.

@@ -18,8 +18,10 @@
 #include "receiver/clutter.h"
 #include "receiver/digitizer.h"
 #include "receiver/heard_tile.h"
+#include "receiver/lone_echoes.h"
 #include "receiver/range_response.h"
 #include "receiver/speckle.h"
+#include "receiver/truth_receiver.h"
 
 namespace insonify {
 
@@ -52,7 +54,7 @@ class CalibratedReceiver {
   void sum_energy(const EchoGrid& grid, int cell, std::span<float> energy) const;
   void hear_cell(const EchoGrid& grid, int cell, const Speckle::View& view, Row& row);
   void hear_bearings(Workers& workers);
-  void hear_lone_echoes(const EchoGrid& grid);
+  void hear_lone_echoes(const EchoGrid& grid, const LoneEchoes& lone);
   void hear_tile(const EchoGrid& grid, const TilePlace& place, Ping& ping) const;
   void take_strongest_labels(const EchoGrid& grid, const TilePlace& place, int beam_of_tile, HeardTile& tile) const;
 
@@ -60,6 +62,7 @@ class CalibratedReceiver {
   std::vector<float> gain_;        // Of each bin: near field and time-varied gain.
   std::vector<float> volume_;      // Of each bin: what the water echoes per unit of solid angle; empty for nothing.
   std::vector<float> cell_angle_;  // Of each cell: solid angle [sr].
+  TruthReceiver truth_;
   double noise_intensity_ = 0;
   float saturation_;  // Intensity before gain.
   bool noisy_, has_field_;

@@ -43,8 +43,9 @@ Digitizer::Digitizer(const SonarConfig& sonar, double full_scale_db)
       most_(static_cast<float>((1 << sonar.bits) - 1)),
       per_full_scale_(static_cast<float>(std::pow(10.0, -full_scale_db / 10))) {
   const double decibels_per_unit = 10 / std::log(10.0);
-  exponent_ = static_cast<float>(mapping_ == Mapping::kGamma ? 0.5 * sonar.mapping_exponent
-                                                             : double{most_} * decibels_per_unit / sonar.mapping_range_db);
+  exponent_ =
+      static_cast<float>(mapping_ == Mapping::kGamma ? 0.5 * sonar.mapping_exponent
+                                                     : double{most_} * decibels_per_unit / sonar.mapping_range_db);
 }
 
 void Digitizer::digitize(std::span<const float> intensities, std::span<std::uint16_t> counts) const {

@@ -33,24 +33,34 @@ template <typename Value>
 
 }  // namespace
 
-void size_tables(Ping& ping, int beams, int bins) {
+void size_tables(Ping& ping, int beams, int bins, GroundTruth ground_truth) {
   ping.beam_count = beams;
   ping.bin_count = bins;
   const std::size_t cells = static_cast<std::size_t>(beams) * bins;
+  const std::size_t labelled = ground_truth == GroundTruth::kNone ? 0 : cells;
+  const std::size_t full = ground_truth == GroundTruth::kFull ? cells : 0;
   ping.intensity.resize(cells);
-  ping.instance.resize(cells);
-  ping.material.resize(cells);
-  ping.elevation.resize(cells);
+  ping.instance.resize(labelled);
+  ping.material.resize(labelled);
+  ping.elevation.resize(labelled);
+  ping.strongest_instance.resize(kStrongestCount * full);
+  ping.strongest_share.resize(kStrongestCount * full);
+  ping.elevation_spread.resize(full);
+  ping.path_order.resize(full);
+  ping.shadow.resize(full);
+  ping.direct_intensity.resize(full);
 }
 
-void fetch_rows(const TilePlace& place, int beam_of_tile, const Ping& ping) {
+void fetch_rows(const TilePlace& place, int beam_of_tile, bool labelled, const Ping& ping) {
   constexpr int kRows = kTileBins / kTileBeams;
   for (int i = beam_of_tile * kRows; i < std::min((beam_of_tile + 1) * kRows, place.bin_count); ++i) {
     const std::size_t row = ping.index(place.first_bin + i, place.first_beam);
     __builtin_prefetch(&ping.intensity[row], 1);
-    __builtin_prefetch(&ping.instance[row], 1);
-    __builtin_prefetch(&ping.material[row], 1);
-    __builtin_prefetch(&ping.elevation[row], 1);
+    if (labelled) {
+      __builtin_prefetch(&ping.instance[row], 1);
+      __builtin_prefetch(&ping.material[row], 1);
+      __builtin_prefetch(&ping.elevation[row], 1);
+    }
   }
 }
 
@@ -62,20 +72,25 @@ void take_labels(const EchoGrid& grid, int row, const TilePlace& place, int beam
 }
 
 INSONIFY_VECTOR_CLONES
-void write_tile(const HeardTile& tile, const TilePlace& place, Ping& ping) {
+void write_tile(const HeardTile& tile, const TilePlace& place, bool labelled, Ping& ping) {
   BinTile<float> intensity, elevation;
   BinTile<std::uint32_t> surface;
   turn_tile(tile.intensity, intensity);
-  turn_tile(tile.elevation, elevation);
-  turn_tile(tile.surface, surface);
+  if (labelled) {
+    turn_tile(tile.elevation, elevation);
+    turn_tile(tile.surface, surface);
+  }
   for (int i = 0; i < place.bin_count; ++i) {
+    const std::size_t row = ping.index(place.first_bin + i, place.first_beam);
+    copy_beams(intensity[i], place.beam_count, &ping.intensity[row]);
+    if (!labelled) {
+      continue;
+    }
     std::uint16_t instance[kTileBeams], material[kTileBeams];
     for (int b = 0; b < kTileBeams; ++b) {
       instance[b] = instance_of(surface[i][b]);
       material[b] = material_of(surface[i][b]);
     }
-    const std::size_t row = ping.index(place.first_bin + i, place.first_beam);
-    copy_beams(intensity[i], place.beam_count, &ping.intensity[row]);
     copy_beams(instance, place.beam_count, &ping.instance[row]);
     copy_beams(material, place.beam_count, &ping.material[row]);
     copy_beams(elevation[i], place.beam_count, &ping.elevation[row]);

@@ -34,18 +34,21 @@ void for_each_tile(int first_beam, int last_beam, int bins, Visit&& visit) {
   }
 }
 
-/// Makes room for every cell; allocates only when it needs more memory than before.
-void size_tables(Ping& ping, int beams, int bins);
+/// Makes room for every cell; allocates only when it needs more memory than before. Tables that are not asked for are
+/// empty.
+void size_tables(Ping& ping, int beams, int bins, GroundTruth ground_truth);
 
 /// Asks for the rows of the ping that the tile goes to, some with each of its beams, so that they are near when it is
 /// written.
-void fetch_rows(const TilePlace& place, int beam_of_tile, const Ping& ping);
+/// @param labelled  As for write_tile().
+void fetch_rows(const TilePlace& place, int beam_of_tile, bool labelled, const Ping& ping);
 
 /// Copies the ground truth of one row of the grid to one beam of the tile.
 void take_labels(const EchoGrid& grid, int row, const TilePlace& place, int beam_of_tile, HeardTile& tile);
 
 /// Writes a tile into the ping.
-void write_tile(const HeardTile& tile, const TilePlace& place, Ping& ping);
+/// @param labelled  Whether the tile holds labels; else intensities alone are written.
+void write_tile(const HeardTile& tile, const TilePlace& place, bool labelled, Ping& ping);
 
 /// How much of an echo is heard at the range of a bin: 0 at min_range, rising in a straight line to 1 at
 /// blanking_range.

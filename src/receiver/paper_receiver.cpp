@@ -3,6 +3,7 @@
 #include "receiver/paper_receiver.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "base/vector_math.h"
@@ -38,7 +39,8 @@ void add_means(int count, const float* __restrict__ energy, const float* __restr
 PaperReceiver::PaperReceiver(const EchoGrid& grid, const SonarConfig& sonar, const PaperReceiverSettings& settings,
                              Ping& ping)
     : grid_(grid), sonar_(sonar), settings_(settings), ping_(ping) {
-  size_tables(ping, grid.beam_count(), grid.bin_count());
+  assert(grid.ground_truth() != GroundTruth::kFull);
+  size_tables(ping, grid.beam_count(), grid.bin_count(), grid.ground_truth());
 }
 
 void PaperReceiver::take(int first_beam, int last_beam) {
@@ -55,10 +57,11 @@ void PaperReceiver::hear_tile(const TilePlace& place) {
     level[i] = static_cast<float>(sonar_.gain) * near_field(sonar_, place.first_bin + i);
   }
 
+  const bool labelled = grid_.ground_truth() == GroundTruth::kLabels;
   HeardTile tile = {};
   float noise[kTileBins] = {};
   for (int b = 0; b < place.beam_count; ++b) {
-    fetch_rows(place, b, ping_);
+    fetch_rows(place, b, labelled, ping_);
     const int beam = place.first_beam + b;
     float* values = tile.intensity[b];
     for (int order = 1; order <= grid_.order_count(); ++order) {
@@ -69,9 +72,11 @@ void PaperReceiver::hear_tile(const TilePlace& place) {
       draw_normals(RandomPurpose::kPaperNoise, place.first_bin / kTileBins, beam, ping_.number, settings_.seed, noise);
     }
     hear(place.bin_count, level, mean, spread, floor, noise, values);
-    take_labels(grid_, beam, place, b, tile);
+    if (labelled) {
+      take_labels(grid_, beam, place, b, tile);
+    }
   }
-  write_tile(tile, place, ping_);
+  write_tile(tile, place, labelled, ping_);
 }
 
 }  // namespace insonify

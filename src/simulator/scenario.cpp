@@ -139,6 +139,9 @@ void Scenario::validate() const {
   if (model == EchoModel::kPaper && (receiver.field || receiver.counts)) {
     throw Error(fmt::format("receiver.{} needs model = calibrated", receiver.field ? "field" : "counts"));
   }
+  if (model == EchoModel::kPaper && ground_truth == GroundTruth::kFull) {
+    throw Error("ground_truth = full needs model = calibrated");
+  }
   check_points(points);
   if (surface) {
     check_fields("surface", *surface);

@@ -23,7 +23,13 @@ std::vector<double> block_sums(const EchoGrid& grid, const Layer& layer) {
   return sums;
 }
 
-class RayCountTest : public testing::TestWithParam<PrimaryEchoes> {};
+struct Found {
+  const char* name;
+  PrimaryEchoes primary;
+  EchoModel model;
+};
+
+class RayCountTest : public testing::TestWithParam<Found> {};
 
 // A floor 3 m below a level sonar (T4) with a sphere above it.
 TEST_P(RayCountTest, LevelsDoNotDependOnTheNumberOfSamples) {
@@ -35,11 +41,15 @@ TEST_P(RayCountTest, LevelsDoNotDependOnTheNumberOfSamples) {
   sonar.min_range = 0;
   sonar.max_range = 36;
   sonar.bin_count = 360;
-  const Scene scene = SceneMaker().add_floor(-3).add_sphere({14, 1, -2}, 0.8, 0.6, 0.05).scene();
+  const Scene scene = without_glints(SceneMaker().add_floor(-3).add_sphere({14, 1, -2}, 0.8, 0.6, 0.05).scene());
   const auto engine = make_engine("cpu", 2);
   engine->set_scene(scene);
   const auto ping = [&](int columns_per_beam, int rows) {
-    PingPlanSettings settings{.sonar = sonar, .primary = GetParam(), .secondary = SecondaryEchoes::kNone};
+    PingPlanSettings settings{.sonar = sonar,
+                              .model = GetParam().model,
+                              .materials = scene.materials,
+                              .primary = GetParam().primary,
+                              .secondary = SecondaryEchoes::kNone};
     settings.sonar.sampling = {columns_per_beam, rows};
     return echoes_of(*engine, settings);
   };
@@ -68,8 +78,12 @@ TEST_P(RayCountTest, LevelsDoNotDependOnTheNumberOfSamples) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Primaries, RayCountTest, testing::Values(PrimaryEchoes::kRays, PrimaryEchoes::kRaster),
-                         [](const auto& test) { return test.param == PrimaryEchoes::kRays ? "rays" : "raster"; });
+constexpr Found kFound[] = {{"rays", PrimaryEchoes::kRays, EchoModel::kPaper},
+                            {"raster", PrimaryEchoes::kRaster, EchoModel::kPaper},
+                            {"raysCalibrated", PrimaryEchoes::kRays, EchoModel::kCalibrated},
+                            {"rasterCalibrated", PrimaryEchoes::kRaster, EchoModel::kCalibrated}};
+INSTANTIATE_TEST_SUITE_P(Primaries, RayCountTest, testing::ValuesIn(kFound),
+                         [](const auto& test) { return test.param.name; });
 
 }  // namespace
 }  // namespace insonify

@@ -72,6 +72,25 @@ inline EchoGrid echoes_of(const std::string& engine_name, const Scene& scene, co
   return echoes_of(*engine, settings, world_from_sonar);
 }
 
+/// What a test of whole pings runs on: every engine, in both models.
+struct EngineAndModel {
+  const char* name;
+  const char* engine;
+  EchoModel model;
+};
+inline constexpr EngineAndModel kEnginesAndModels[] = {{"cpu", "cpu", EchoModel::kPaper},
+                                                       {"reference", "reference", EchoModel::kPaper},
+                                                       {"cpuCalibrated", "cpu", EchoModel::kCalibrated},
+                                                       {"referenceCalibrated", "reference", EchoModel::kCalibrated}};
+
+/// The same scene of surfaces that only scatter, after Lambert's law in the calibrated model.
+inline Scene without_glints(Scene scene) {
+  for (Material& material : scene.materials) {
+    material.reflection = 0;
+  }
+  return scene;
+}
+
 /// A scenario of one sonar without noise or absorption: what is left is geometry.
 inline Scenario quiet_scenario(const SonarConfig& sonar) {
   Scenario scenario;
@@ -79,6 +98,13 @@ inline Scenario quiet_scenario(const SonarConfig& sonar) {
   scenario.water.absorption = false;
   scenario.receiver.noise = false;
   scenario.secondary = SecondaryEchoes::kNone;
+  return scenario;
+}
+
+inline Scenario quiet_scenario(const SonarConfig& sonar, const EngineAndModel& on) {
+  Scenario scenario = quiet_scenario(sonar);
+  scenario.engine = on.engine;
+  scenario.model = on.model;
   return scenario;
 }
 

@@ -95,6 +95,8 @@ class H5Reader {
       return H5T_NATIVE_FLOAT;
     } else if constexpr (std::is_same_v<Value, double>) {
       return H5T_NATIVE_DOUBLE;
+    } else if constexpr (std::is_same_v<Value, std::uint8_t>) {
+      return H5T_NATIVE_UINT8;
     } else if constexpr (std::is_same_v<Value, std::uint16_t>) {
       return H5T_NATIVE_UINT16;
     } else if constexpr (std::is_same_v<Value, std::uint32_t>) {

@@ -23,6 +23,12 @@ def main():
         for name, kind in {"intensity": "<f4", "instance": "<u2", "material": "<u2", "elevation": "<f4"}.items():
             check(file[name].dtype == np.dtype(kind), f"{name} is {file[name].dtype}")
             check(file[name].shape == (pings, bins, beams), f"{name} has shape {file[name].shape}")
+        ranked = {"strongest_instance": "<u2", "strongest_share": "<f4"}
+        full = {"elevation_spread": "<f4", "path_order": "|u1", "shadow": "<f4", "direct_intensity": "<f4"}
+        for name, kind in (ranked | full).items() if "shadow" in file else ():
+            shape = (pings, bins, beams, 3) if name in ranked else (pings, bins, beams)
+            check((file[name].dtype, file[name].shape) == (np.dtype(kind), shape), f"{name} is {file[name]}")
+            check(file[name].attrs["description"] != "", f"{name} has no description")
         cells = np.arange(bins * beams).reshape(bins, beams)
         check(np.array_equal(file["intensity"][1], 100 + cells), "intensity differs")
         nothing = file["instance"][...] == file["instance"].attrs["none"]

@@ -104,6 +104,14 @@ Ping make_ping(const SonarConfig& sonar, std::uint64_t number) {
     ping.instance.push_back(cell % 2 == 0 ? kNoLabel : static_cast<std::uint16_t>(cell + 1));
     ping.material.push_back(static_cast<std::uint16_t>(cell + 2));
     ping.elevation.push_back(cell % 2 == 0 ? std::nanf("") : -0.5F * static_cast<float>(cell));
+    for (int rank = 0; rank < kStrongestCount; ++rank) {
+      ping.strongest_instance.push_back(static_cast<std::uint16_t>(3 * cell + rank));
+      ping.strongest_share.push_back(0.25F * static_cast<float>(cell) / static_cast<float>(1 + rank));
+    }
+    ping.elevation_spread.push_back(0.125F * static_cast<float>(cell));
+    ping.path_order.push_back(static_cast<std::uint8_t>(cell % 4));
+    ping.shadow.push_back(1 / static_cast<float>(1 + cell));
+    ping.direct_intensity.push_back(static_cast<float>(10 * number) + static_cast<float>(cell));
   }
   return ping;
 }
@@ -112,8 +120,11 @@ std::filesystem::path scratch(const std::string& name) {
   return std::filesystem::path(testing::TempDir()) / ("recording_test_" + name + ".h5");
 }
 
-void record(const std::filesystem::path& path, const SonarConfig& sonar, std::uint64_t pings) {
-  Recording recording(path, scenario(), scene(), sonar, 5);
+void record(const std::filesystem::path& path, const SonarConfig& sonar, std::uint64_t pings,
+            GroundTruth ground_truth = GroundTruth::kLabels) {
+  Scenario recorded = scenario();
+  recorded.ground_truth = ground_truth;
+  Recording recording(path, recorded, scene(), sonar, 5);
   for (std::uint64_t number = 0; number < pings; ++number) {
     recording.add(make_ping(sonar, number));
   }
@@ -163,6 +174,47 @@ TEST(RecordingTest, HoldsTheHeadAngleOfAScanningSonar) {
   EXPECT_THAT(file.values<double>("head_angle"), ElementsAre(0, -0.125, -0.25));
   EXPECT_EQ(file.shape("intensity"), (std::vector<hsize_t>{3, 4, 1}));
   EXPECT_EQ(file.attribute<std::string>("head_angle", "units"), "rad");
+}
+
+TEST(RecordingTest, HoldsAsMuchGroundTruthAsIsAskedFor) {
+  const std::vector<std::string> labels{"instance", "material", "elevation"};
+  const std::vector<std::string> rest{"strongest_instance", "strongest_share", "elevation_spread",
+                                      "path_order",         "shadow",          "direct_intensity"};
+  for (const GroundTruth truth : {GroundTruth::kNone, GroundTruth::kLabels, GroundTruth::kFull}) {
+    const auto path = scratch("truth");
+    record(path, scanning_sonar(), 2, truth);  // With its head angle it has the most datasets there can be.
+    const H5Reader file(path);
+    for (const std::string& name : labels) {
+      EXPECT_EQ(file.has(name), truth != GroundTruth::kNone) << name;
+    }
+    for (const std::string& name : rest) {
+      EXPECT_EQ(file.has(name), truth == GroundTruth::kFull) << name;
+    }
+    EXPECT_THAT(file.values<double>("head_angle"), ElementsAre(0, -0.125));
+  }
+  EXPECT_EQ(H5Reader(scratch("truth")).texts("settings/ground_truth").at(0), "full");
+}
+
+TEST(RecordingTest, HoldsTheFullGroundTruth) {
+  const auto path = scratch("full");
+  record(path, fan_sonar(), 2, GroundTruth::kFull);
+  const H5Reader file(path);
+  const Ping ping = make_ping(fan_sonar(), 1);
+  for (const char* ranked : {"strongest_instance", "strongest_share"}) {
+    EXPECT_EQ(file.shape(ranked), (std::vector<hsize_t>{2, 4, 3, 3})) << ranked;
+    EXPECT_EQ(file.attribute<std::string>(ranked, "axes"), "ping bin beam rank") << ranked;
+  }
+  EXPECT_EQ(file.row<std::uint16_t>("strongest_instance", 1), ping.strongest_instance);
+  EXPECT_EQ(file.row<float>("strongest_share", 1), ping.strongest_share);
+  EXPECT_EQ(file.row<float>("elevation_spread", 1), ping.elevation_spread);
+  EXPECT_EQ(file.row<std::uint8_t>("path_order", 1), ping.path_order);
+  EXPECT_EQ(file.row<float>("shadow", 1), ping.shadow);
+  EXPECT_EQ(file.row<float>("direct_intensity", 1), ping.direct_intensity);
+  EXPECT_EQ(file.attribute<std::uint64_t>("strongest_instance", "none"), 65535U);
+  EXPECT_EQ(file.attribute<std::string>("elevation_spread", "units"), "rad");
+  for (const char* cells : {"strongest_share", "elevation_spread", "path_order", "shadow", "direct_intensity"}) {
+    EXPECT_NE(file.attribute<std::string>(cells, "description"), "") << cells;
+  }
 }
 
 TEST(RecordingTest, HoldsTheAxes) {
@@ -262,7 +314,7 @@ TEST(RecordingTest, HoldsEverySetting) {
 TEST(RecordingTest, IsReadByH5py) {
   for (const auto& [name, sonar] : {std::pair{"h5py_fan", fan_sonar()}, std::pair{"h5py_scan", scanning_sonar()}}) {
     const auto path = scratch(name);
-    record(path, sonar, 2);
+    record(path, sonar, 2, GroundTruth::kFull);
     const std::string command =
         std::string(INSONIFY_PYTHON) + " " INSONIFY_SOURCE_DIR "/tests/io/read_recording.py " + path.string();
     EXPECT_EQ(std::system(command.c_str()), 0) << command;
@@ -294,7 +346,13 @@ TEST(RecordingTest, RefusesPingsOfAnotherShape) {
   Ping truncated = make_ping(fan_sonar(), 9);
   truncated.elevation.pop_back();
   EXPECT_EQ(message_of([&] { recording.add(truncated); }),
-            path.string() + ": ping 9 holds 12 intensities, 12 instances, 12 materials and 11 elevations, not 12 each");
+            path.string() + ": ping 9 holds 11 values of elevation, not 12");
+  Scenario full = scenario();
+  full.ground_truth = GroundTruth::kFull;
+  Ping unranked = make_ping(fan_sonar(), 9);
+  unranked.strongest_share.resize(12);
+  EXPECT_EQ(message_of([&] { Recording(scratch("ranks"), full, scene(), fan_sonar(), 5).add(unranked); }),
+            scratch("ranks").string() + ": ping 9 holds 12 values of strongest_share, not 36");
   EXPECT_EQ(message_of([&] { Recording(path, scenario(), scene(), fan_sonar(), 0); }),
             path.string() + ": capacity = 0 must be at least 1");
 }

@@ -113,6 +113,37 @@ TEST(AllocationTest, PingsOfASingleBeamAllocateNothing) {
   EXPECT_EQ(allocations_of_pings(busy_scenario(1), 1), 0);
 }
 
+// All that the calibrated model has.
+Scenario calibrated_scenario(SonarType type) {
+  Scenario scenario = busy_scenario(type == SonarType::kForwardLooking ? 64 : 1);
+  SonarConfig& sonar = scenario.sonars[0];
+  sonar.type = type;
+  sonar.sector_width = radians_from_degrees(20);
+  scenario.model = EchoModel::kCalibrated;
+  scenario.ground_truth = GroundTruth::kFull;
+  scenario.surface = SeaSurface{.level = 4, .wind_speed = 3};
+  scenario.points = {{.position = {4, 0.2, -1}}};
+  scenario.water.absorption = true;
+  scenario.water.volume_backscatter_db = -70;
+  scenario.receiver.azimuth_pattern = AzimuthPattern::kHann;
+  scenario.receiver.pulse = PulseKind::kLfm;
+  scenario.receiver.pulse_duration = 1e-3;
+  scenario.receiver.speckle = true;
+  scenario.receiver.time_varied_gain = 30;
+  return scenario;
+}
+
+TEST(AllocationTest, CalibratedPingsAllocateNothing) {
+  if (INSONIFY_COUNTS_ALLOCATIONS == 0) {
+    GTEST_SKIP() << "allocations cannot be counted here";
+  }
+  Scenario fan = calibrated_scenario(SonarType::kForwardLooking);
+  EXPECT_EQ(allocations_of_pings(fan, 2), 0);
+  fan.receiver.speckle = false;
+  EXPECT_EQ(allocations_of_pings(fan, 1), 0);
+  EXPECT_EQ(allocations_of_pings(calibrated_scenario(SonarType::kMechanicallyScanned), 1), 0);
+}
+
 // That a count of zero means something.
 TEST(AllocationTest, WhatIsAllocatedIsCounted) {
   if (INSONIFY_COUNTS_ALLOCATIONS == 0) {

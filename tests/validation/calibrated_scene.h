@@ -72,6 +72,41 @@ inline Scene seabed_at(double height, const Material& material) {
   return scene_of(make_plane(Vec3::UnitZ(), 400, 400), material, {.position = {0, 0, height}});
 }
 
+/// Several surfaces, one material each.
+inline Scene scene_of_all(std::vector<Scene> scenes) {
+  Scene all;
+  for (Scene& scene : scenes) {
+    scene.instances[0].materials.assign(scene.instances[0].materials.size(),
+                                        static_cast<std::uint16_t>(all.materials.size()));
+    all.materials.push_back(scene.materials[0]);
+    all.instances.push_back(std::move(scene.instances[0]));
+  }
+  return all;
+}
+
+inline Scene plane(const Vec3& normal, const Vec3& position, const Material& material) {
+  return scene_of(make_plane(normal, 200, 200), material, {.position = position});
+}
+
+/// A wall at x = 10 on a floor at z = -8, heard from z = -5.
+inline Scene corner(double reflection, double lambert_db) {
+  Material material = glinting(reflection, 0.1);
+  material.lambert_db = lambert_db;
+  return scene_of_all({plane(-Vec3::UnitX(), {10, 0, 92}, material), plane(Vec3::UnitZ(), {-90, 0, -8}, material)});
+}
+
+inline SonarConfig corner_sonar() {
+  SonarConfig sonar;
+  sonar.beam_count = 64;
+  sonar.azimuth_aperture = 60 * kDegree;
+  sonar.elevation_aperture = 90 * kDegree;
+  sonar.min_range = 5;
+  sonar.max_range = 20;
+  sonar.bin_count = 600;
+  sonar.sampling = {4, 1600};
+  return sonar;
+}
+
 /// A ping of the calibrated model: no absorption, noise or secondary echoes unless the caller's scenario says so.
 inline Scenario calibrated(const SonarConfig& sonar, const Method& method) {
   Scenario scenario;

@@ -9,22 +9,6 @@ namespace {
 
 class MultipathTest : public testing::TestWithParam<Method> {};
 
-// Several surfaces, one material each.
-Scene scene_of_all(std::vector<Scene> scenes) {
-  Scene all;
-  for (Scene& scene : scenes) {
-    scene.instances[0].materials.assign(scene.instances[0].materials.size(),
-                                        static_cast<std::uint16_t>(all.materials.size()));
-    all.materials.push_back(scene.materials[0]);
-    all.instances.push_back(std::move(scene.instances[0]));
-  }
-  return all;
-}
-
-Scene plane(const Vec3& normal, const Vec3& position, const Material& material) {
-  return scene_of(make_plane(normal, 200, 200), material, {.position = position});
-}
-
 EchoGrid echoes_of(const Method& method, const Scene& scene, const SonarConfig& sonar, const Vec3& position,
                    int max_surfaces = 3) {
   const auto engine = make_engine(method.engine, 2);
@@ -130,25 +114,6 @@ TEST(SeaSurfaceTest, WindMakesItRoughAndLossy) {
   EXPECT_NEAR(windy.scattering().reflection,
               std::pow(10, -1.26e-3 / std::sin(20 * kDegree) * std::pow(8, 1.57) * std::pow(100, 0.85) / 20), 1e-9);
   EXPECT_GT(windy.lambert_db, -25);
-}
-
-// A wall at x = 10 on a floor at z = -8, heard from z = -5.
-Scene corner(double reflection, double lambert_db) {
-  Material material = glinting(reflection, 0.1);
-  material.lambert_db = lambert_db;
-  return scene_of_all({plane(-Vec3::UnitX(), {10, 0, 92}, material), plane(Vec3::UnitZ(), {-90, 0, -8}, material)});
-}
-
-SonarConfig corner_sonar() {
-  SonarConfig sonar;
-  sonar.beam_count = 64;
-  sonar.azimuth_aperture = 60 * kDegree;
-  sonar.elevation_aperture = 90 * kDegree;
-  sonar.min_range = 5;
-  sonar.max_range = 20;
-  sonar.bin_count = 600;
-  sonar.sampling = {4, 1600};
-  return sonar;
 }
 
 TEST_P(MultipathTest, CornerIsHeardAtItsApexAndBehind) {

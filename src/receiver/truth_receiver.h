@@ -1,0 +1,58 @@
+// truth_receiver.h -- what each bin's echo was made of: from an EchoGrid with GroundTruth::kFull to a Ping.
+
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "base/parallel.h"
+#include "insonify/echo_grid.h"
+#include "insonify/ping.h"
+#include "insonify/sonar_config.h"
+#include "receiver/bearing_cells.h"
+#include "receiver/bearing_response.h"
+#include "receiver/lone_echoes.h"
+#include "receiver/range_response.h"
+
+namespace insonify {
+
+/// Surfaces, path order and shadow are those of the cells in each beam's own slice of azimuth, before pulse and array
+/// mix them with others. The direct echo is heard as all echoes are: with array, pulse, near field and gain.
+class TruthReceiver {
+ public:
+  /// @param cells  What the grids are of.
+  TruthReceiver(const SonarConfig& sonar, const BearingCells& cells);
+
+  /// How the receiver hears; null for no pulse, no array.
+  struct Hearing {
+    const RangeResponse* range;
+    const BearingResponse* bearing;
+    const LoneEchoes* lone;
+    std::span<const float> gain;  ///< Of each bin.
+  };
+
+  /// Fills the ping's tables of ground truth, which have their sizes. Allocates at the first ping only.
+  void tell(const EchoGrid& grid, const Hearing& hearing, Workers& workers, Ping& ping);
+
+ private:
+  void hear_direct(const EchoGrid& grid, const Hearing& hearing, Workers& workers, Ping& ping);
+  void tell_surfaces(const EchoGrid& grid, int beam, int bin, Ping& ping) const;
+  void tell_order(const EchoGrid& grid, int beam, int bin, Ping& ping) const;
+  void tell_lone_echo(const EchoGrid& grid, const LoneEcho& echo, Ping& ping) const;
+  void tell_shadow(const EchoGrid& grid, int beam, Ping& ping) const;
+
+  // Calls visit(cell) for the cells of a beam's own slice.
+  template <typename Visit>
+  void for_each_cell(int beam, Visit&& visit) const {
+    for (int cell = first_cell_ + beam * cells_per_beam_; cell < first_cell_ + (beam + 1) * cells_per_beam_; ++cell) {
+      visit(cell);
+    }
+  }
+
+  int beams_, bins_, cells_, first_cell_, cells_per_beam_;
+  float middle_elevation_;                    // Of the aperture [rad].
+  std::vector<float> angle_;                  // Of each cell: solid angle [sr].
+  std::vector<float> direct_, direct_beams_;  // [cell][bin] and [beam][bin].
+};
+
+}  // namespace insonify
