@@ -8,6 +8,7 @@
 #include "echo/point_echoes.h"
 #include "insonify/error.h"
 #include "receiver/calibrated_receiver.h"
+#include "receiver/line_array.h"
 #include "receiver/paper_receiver.h"
 #include "simulator/motion.h"
 #include "simulator/sea_level.h"
@@ -42,6 +43,21 @@ ReceiverConfig heard_by(const Scenario& scenario) {
   return scenario.model == EchoModel::kCalibrated ? scenario.receiver : ReceiverConfig{};
 }
 
+std::optional<ArraySettings> elevation_array(const ReceiverConfig& receiver, const SonarConfig& sonar) {
+  if (receiver.elevation_pattern == BeamPattern::kTopHat) {
+    return {};
+  }
+  return line_array(receiver.elevation_pattern, receiver.side_lobe_db, sonar.elevation_aperture);
+}
+
+std::vector<float> cell_angles(const PingPlan& plan) {
+  std::vector<float> angles;
+  for (int cell = 0; cell < plan.sonar.beam_count; ++cell) {
+    angles.push_back(static_cast<float>(plan.lattice.beam_angle(cell)));
+  }
+  return angles;
+}
+
 // Of the echoes that there may be.
 int order_count(const Scenario& scenario) {
   const int most = scenario.model == EchoModel::kPaper ? 2 : kPathOrders;
@@ -64,19 +80,22 @@ Simulator::Simulator(Scenario scenario, Scene scene, int threads) {
   for (SonarConfig& sonar : state_->scenario.sonars) {
     sonar.assumed_sound_speed = sonar.assumed_sound_speed.value_or(sound_speed);
     sonar.ping_period = sonar.ping_period.value_or(sonar.shortest_ping_period(*sonar.assumed_sound_speed));
-    const BearingCells cells(sonar, heard_by(state_->scenario));
+    const ReceiverConfig receiver = heard_by(state_->scenario);
+    const BearingCells cells(sonar, receiver);
     state_->plans.push_back(make_ping_plan({.sonar = cells.sonar,
                                             .water = water_at(state_->scenario, sonar),
                                             .model = state_->scenario.model,
                                             .paper = state_->scenario.paper,
                                             .materials = state_->scene.materials,
+                                            .beam_shape = receiver.beam_shape,
+                                            .elevation_array = elevation_array(receiver, sonar),
                                             .primary = state_->scenario.primary,
                                             .secondary = state_->scenario.secondary,
                                             .max_surfaces = state_->scenario.max_surfaces,
                                             .seed = state_->scenario.seed}));
     state_->grids.emplace_back(cells.sonar.beam_count, sonar.bin_count, order_count(state_->scenario));
-    state_->receivers.emplace_back(sonar, cells, state_->scenario.water, state_->scenario.receiver,
-                                   state_->scenario.seed);
+    state_->receivers.emplace_back(sonar, cells, cell_angles(*state_->plans.back()), state_->scenario.water,
+                                   state_->scenario.receiver, state_->scenario.seed);
   }
   state_->engine->set_scene(state_->scene);
 }

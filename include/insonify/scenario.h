@@ -95,6 +95,9 @@ struct Scenario {
   std::vector<Motion> motions;
   std::optional<ViewConfig> view;  ///< Chosen to show the first sonar's field when absent.
 
+  /// Whether columns are wedges whose rows are even, which is what triangles can be drawn into; see primary_echoes().
+  [[nodiscard]] bool has_even_rows() const;
+
   /// Checks every part and the rules between them: at least one sonar, names that differ, periods long enough.
   /// @throws Error on the first fault.
   void validate() const;

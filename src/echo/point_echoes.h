@@ -12,7 +12,8 @@
 namespace insonify {
 
 /// Adds the echoes of points to a grid of the calibrated model: TS - 40 log10 r - 2 alpha r relative to the source, in
-/// the cell of their range and azimuth. Nothing from behind a surface or outside the aperture.
+/// the cell of their range and bearing, sent and heard by the elevation pattern. Nothing from behind a surface or where
+/// the sonar does not hear.
 class PointEchoes {
  public:
   explicit PointEchoes(std::span<const PointTarget> points);

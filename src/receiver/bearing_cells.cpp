@@ -16,7 +16,7 @@ constexpr double kWidest = radians_from_degrees(178);
 }  // namespace
 
 BearingCells::BearingCells(const SonarConfig& heard, const ReceiverConfig& receiver) : sonar(heard) {
-  if (receiver.azimuth_pattern == AzimuthPattern::kTopHat) {
+  if (receiver.azimuth_pattern == BeamPattern::kTopHat) {
     return;
   }
   per_beam = heard.type == SonarType::kMechanicallyScanned ? kPerScannedBeam : kPerBeam;

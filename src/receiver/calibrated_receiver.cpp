@@ -4,12 +4,14 @@
 
 #include <algorithm>
 #include <bit>
+#include <cassert>
 #include <cmath>
 #include <functional>
 
 #include "echo/echo.h"
 #include "insonify/absorption.h"
 #include "insonify/sonar_equation.h"
+#include "receiver/line_array.h"
 #include "receiver/normal_numbers.h"
 
 namespace insonify {
@@ -23,33 +25,6 @@ double noise_intensity_of(const SonarConfig& sonar) {
   const double directivity = sector_directivity_index_db(width, sonar.elevation_aperture);
   const double level = noise_level_db(thermal_noise_level_db(sonar.frequency), sonar.bandwidth, directivity);
   return std::pow(10.0, (level - sonar.source_level_db) / 10);
-}
-
-ArrayWindow window_of(AzimuthPattern pattern) {
-  switch (pattern) {
-    case AzimuthPattern::kHann:
-      return ArrayWindow::kHann;
-    case AzimuthPattern::kHamming:
-      return ArrayWindow::kHamming;
-    case AzimuthPattern::kCosine:
-      return ArrayWindow::kCosine;
-    case AzimuthPattern::kTaylor:
-      return ArrayWindow::kTaylor;
-    case AzimuthPattern::kDolphChebyshev:
-      return ArrayWindow::kDolphChebyshev;
-    case AzimuthPattern::kTopHat:  // Has no array.
-    case AzimuthPattern::kRectangular:
-      break;
-  }
-  return ArrayWindow::kRectangular;
-}
-
-ArrayPattern pattern_of(const SonarConfig& sonar, const ReceiverConfig& config) {
-  ArraySettings settings;
-  settings.window = window_of(config.azimuth_pattern);
-  settings.side_lobe_db = config.side_lobe_db;
-  settings.two_way = sonar.type == SonarType::kMechanicallyScanned;
-  return ArrayPattern(settings);
 }
 
 // Echo of a bin of water, per unit of solid angle; not from nearer than a millimetre, where spreading has no meaning.
@@ -72,13 +47,15 @@ std::uint64_t number_of(const Pose& pose) {
 
 }  // namespace
 
-CalibratedReceiver::CalibratedReceiver(const SonarConfig& sonar, const BearingCells& cells, const Water& water,
+CalibratedReceiver::CalibratedReceiver(const SonarConfig& sonar, const BearingCells& cells,
+                                       std::span<const float> cell_angles, const Water& water,
                                        const ReceiverConfig& config, std::uint64_t seed)
     : beams_(sonar.beam_count),
       bins_(sonar.bin_count),
       cells_(cells.sonar.beam_count),
       first_cell_(cells.first),
       cells_per_beam_(cells.per_beam),
+      cell_angle_(cell_angles.begin(), cell_angles.end()),
       noise_intensity_(noise_intensity_of(sonar)),
       noisy_(config.noise),
       speckled_(config.speckle),
@@ -90,12 +67,7 @@ CalibratedReceiver::CalibratedReceiver(const SonarConfig& sonar, const BearingCe
         config.time_varied_gain ? *config.time_varied_gain * std::log10(range) + 2 * absorption * range : 0.0;
     gain_.push_back(static_cast<float>(ramp * ramp * std::pow(10.0, gain_db / 10)));
   }
-  const std::vector<double> edges = cells.sonar.beam_edges();
-  const double upper = sonar.elevation_center + 0.5 * sonar.elevation_aperture;
-  const double height = std::sin(upper) - std::sin(upper - sonar.elevation_aperture);
-  for (int cell = 0; cell < cells_; ++cell) {
-    cell_angle_.push_back(static_cast<float>((edges[cell] - edges[cell + 1]) * height));
-  }
+  assert(cell_angle_.size() == static_cast<std::size_t>(cells_));
   const double sound_speed = sonar.assumed_sound_speed.value_or(water.true_sound_speed());
   for (int bin = 0; water.volume_backscatter_db && bin < bins_; ++bin) {
     const double true_per_shown = water.true_sound_speed() / sound_speed;
@@ -108,10 +80,12 @@ CalibratedReceiver::CalibratedReceiver(const SonarConfig& sonar, const BearingCe
                       sound_speed, sonar.bin_length());
     range_.emplace(pulse, sonar.bin_length());
   }
-  if (config.azimuth_pattern != AzimuthPattern::kTopHat) {
-    const ArrayPattern pattern = pattern_of(sonar, config);
+  if (config.azimuth_pattern != BeamPattern::kTopHat) {
     const double wavelength = water.true_sound_speed() / sonar.frequency;
-    const double width = sonar.azimuth_resolution.value_or(sonar.azimuth_aperture / sonar.beam_count);
+    const double width = beam_width(sonar);
+    ArraySettings array = line_array(config.azimuth_pattern, config.side_lobe_db, width);
+    array.two_way = sonar.type == SonarType::kMechanicallyScanned;
+    const ArrayPattern pattern(array);
     bearing_.emplace(pattern, pattern.length(wavelength, width) / wavelength, BearingCells::sines(cells.sonar),
                      BearingCells::sines(sonar));
   }

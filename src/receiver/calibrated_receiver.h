@@ -30,9 +30,10 @@ namespace insonify {
 /// Speckle is the same as long as nothing moves, and drawn anew as soon as the sonar does.
 class CalibratedReceiver {
  public:
-  /// @param cells  What the grids are of.
-  CalibratedReceiver(const SonarConfig& sonar, const BearingCells& cells, const Water& water,
-                     const ReceiverConfig& config, std::uint64_t seed);
+  /// @param cells        What the grids are of.
+  /// @param cell_angles  Solid angle that each cell hears of what is sent, see Lattice::beam_angle() [sr].
+  CalibratedReceiver(const SonarConfig& sonar, const BearingCells& cells, std::span<const float> cell_angles,
+                     const Water& water, const ReceiverConfig& config, std::uint64_t seed);
 
   /// Fills the tables of a ping, whose number is read; allocates only when they need more memory than before.
   /// @param world_from_sonar  Pose of the transducer.
@@ -54,7 +55,7 @@ class CalibratedReceiver {
   int beams_, bins_, cells_, first_cell_, cells_per_beam_;
   std::vector<float> gain_;        // Of each bin: near field and time-varied gain.
   std::vector<float> volume_;      // Of each bin: what the water echoes per unit of solid angle; empty for nothing.
-  std::vector<float> cell_angle_;  // Of each cell: solid angle [sr].
+  std::vector<float> cell_angle_;  // Of each cell: solid angle that it hears of what is sent [sr].
   double noise_intensity_ = 0;
   bool noisy_, speckled_;
   std::uint64_t seed_;

@@ -113,6 +113,18 @@ TEST(AllocationTest, PingsOfASingleBeamAllocateNothing) {
   EXPECT_EQ(allocations_of_pings(busy_scenario(1), 1), 0);
 }
 
+TEST(AllocationTest, CalibratedPingsOfConesAndElevationPatternsAllocateNothing) {
+  if (INSONIFY_COUNTS_ALLOCATIONS == 0) {
+    GTEST_SKIP() << "allocations cannot be counted here";
+  }
+  Scenario scenario = busy_scenario(64);
+  scenario.model = EchoModel::kCalibrated;
+  scenario.receiver.beam_shape = BeamShape::kCone;
+  scenario.receiver.elevation_pattern = BeamPattern::kRectangular;
+  EXPECT_EQ(allocations_of_pings(scenario, 1), 0);
+  EXPECT_EQ(allocations_of_pings(scenario, 2), 0);
+}
+
 // That a count of zero means something.
 TEST(AllocationTest, WhatIsAllocatedIsCounted) {
   if (INSONIFY_COUNTS_ALLOCATIONS == 0) {

@@ -25,7 +25,7 @@ TEST(ArrayPingTest, PointDrawsThePatternAcrossTheBeams) {
     const SonarConfig sonar = fan();
     const double azimuth = sonar.beam_azimuth(beam) - 0.25 * 120 * kDegree / 256;  // The middle of half a beam.
     Scenario scenario = calibrated(sonar, kRays);
-    scenario.receiver.azimuth_pattern = AzimuthPattern::kRectangular;
+    scenario.receiver.azimuth_pattern = BeamPattern::kRectangular;
     scenario.points = {{.position = 15.02 * Vec3(std::cos(azimuth), std::sin(azimuth), 0)}};
     const Ping ping = ping_of(scenario, {});
     const int bin = static_cast<int>(15.02 / sonar.bin_length());
@@ -41,6 +41,19 @@ TEST(ArrayPingTest, PointDrawsThePatternAcrossTheBeams) {
   }
 }
 
+// Whatever the window, a lone point keeps its level where the array looks, upright arrays as well.
+TEST(ArrayPingTest, EveryWindowKeepsALonePointsLevel) {
+  const double azimuth = fan().beam_azimuth(100) - 0.25 * 120 * kDegree / 256;  // The middle of half a beam.
+  for (int window = 1; window <= static_cast<int>(BeamPattern::kDolphChebyshev); ++window) {
+    Scenario scenario = calibrated(fan(), kRays);
+    scenario.receiver.azimuth_pattern = scenario.receiver.elevation_pattern = static_cast<BeamPattern>(window);
+    scenario.points = {{.position = 15.02 * Vec3(std::cos(azimuth), std::sin(azimuth), 0)}};
+    const Ping ping = ping_of(scenario, {});
+    EXPECT_NEAR(cell_db(ping, static_cast<int>(15.02 / fan().bin_length()), 100), -40 * std::log10(15.02), 0.2)
+        << window;  // The beam looks an eighth of its width aside.
+  }
+}
+
 // A scanning head sends and hears with one array: its side lobes are 26.5 dB down.
 TEST(ArrayPingTest, ScanningHeadIsTwoWay) {
   SonarConfig sonar;
@@ -52,7 +65,7 @@ TEST(ArrayPingTest, ScanningHeadIsTwoWay) {
   sonar.step = 0.375 * kDegree;  // An eighth of a beam: the point is in the middle of a cell in every ping.
   const double first = 0.1875 * kDegree;
   Scenario scenario = calibrated(sonar, kRays);
-  scenario.receiver.azimuth_pattern = AzimuthPattern::kRectangular;
+  scenario.receiver.azimuth_pattern = BeamPattern::kRectangular;
   scenario.points = {{.position = 15.02 * Vec3(std::cos(first), std::sin(first), 0)}};
   Simulator simulator(scenario, {}, 2);
   const double length = 0.8858929413781328 / (2 * std::sin(1.5 * kDegree));  // D / wavelength
@@ -75,7 +88,7 @@ TEST(ArrayPingTest, BeamTakesTheLabelOfItsStrongestCell) {
   sonar.max_range = 25;
   sonar.sampling = {64, 400};
   Scenario scenario = calibrated(sonar, kRays);
-  scenario.receiver.azimuth_pattern = AzimuthPattern::kHann;
+  scenario.receiver.azimuth_pattern = BeamPattern::kHann;
   // Plates in one bin in the middles of three cells, -3.5, 0.5 and 2.5 degrees off: weak, strong, middling.
   Scene scene;
   for (const auto& [azimuth, level] : {std::pair{3.5, -30.0}, {-0.5, -10.0}, {-2.5, -20.0}}) {
@@ -122,7 +135,7 @@ TEST(PulsePingTest, ChirpResolvesWhatAToneDoesNot) {
 // Speckle of a wide diffuse plate, relative to the mean that is heard without it.
 class SpeckleTest : public testing::Test {
  protected:
-  static Scenario scenario_of(AzimuthPattern pattern, bool speckle, std::uint64_t seed = 1) {
+  static Scenario scenario_of(BeamPattern pattern, bool speckle, std::uint64_t seed = 1) {
     SonarConfig sonar = fan();
     sonar.min_range = 8;
     sonar.max_range = 30;
@@ -151,8 +164,8 @@ double correlation(const std::vector<double>& a, const std::vector<double>& b) {
 }
 
 TEST_F(SpeckleTest, IntensityIsExponentialAndNeighbouringBeamsAreAlike) {
-  const std::vector<float> mean = ping_of_seabed(scenario_of(AzimuthPattern::kRectangular, false));
-  const std::vector<float> heard = ping_of_seabed(scenario_of(AzimuthPattern::kRectangular, true));
+  const std::vector<float> mean = ping_of_seabed(scenario_of(BeamPattern::kRectangular, false));
+  const std::vector<float> heard = ping_of_seabed(scenario_of(BeamPattern::kRectangular, true));
   std::vector<double> here, next;
   double sum = 0, squares = 0, amplitudes = 0;
   constexpr int kBeams = 256;
@@ -175,7 +188,7 @@ TEST_F(SpeckleTest, IntensityIsExponentialAndNeighbouringBeamsAreAlike) {
 
 // T13 with all that the calibrated model has.
 TEST_F(SpeckleTest, PingsDoNotDependOnThreads) {
-  Scenario scenario = scenario_of(AzimuthPattern::kRectangular, true);
+  Scenario scenario = scenario_of(BeamPattern::kRectangular, true);
   scenario.secondary = SecondaryEchoes::kAll;
   scenario.surface = SeaSurface{.level = 6};
   scenario.receiver.noise = true;
@@ -194,13 +207,13 @@ TEST_F(SpeckleTest, PingsDoNotDependOnThreads) {
 }
 
 TEST_F(SpeckleTest, StaysWhileNothingMoves) {
-  Simulator simulator(scenario_of(AzimuthPattern::kRectangular, true), seabed_at(-3, diffuse(-20)), 2);
+  Simulator simulator(scenario_of(BeamPattern::kRectangular, true), seabed_at(-3, diffuse(-20)), 2);
   const Ping first = simulator.make_ping(0, 0), later = simulator.make_ping(0, 7);
   EXPECT_EQ(first.intensity, later.intensity);
-  EXPECT_EQ(first.intensity, ping_of_seabed(scenario_of(AzimuthPattern::kRectangular, true)));
+  EXPECT_EQ(first.intensity, ping_of_seabed(scenario_of(BeamPattern::kRectangular, true)));
 
-  const std::vector<float> other = ping_of_seabed(scenario_of(AzimuthPattern::kRectangular, true, 2));
-  const std::vector<float> mean = ping_of_seabed(scenario_of(AzimuthPattern::kRectangular, false));
+  const std::vector<float> other = ping_of_seabed(scenario_of(BeamPattern::kRectangular, true, 2));
+  const std::vector<float> mean = ping_of_seabed(scenario_of(BeamPattern::kRectangular, false));
   std::vector<double> a, b;
   for (std::size_t i = 0; i < mean.size(); ++i) {
     if (mean[i] > 0) {
