@@ -8,6 +8,7 @@
 #include "echo/point_echoes.h"
 #include "insonify/error.h"
 #include "receiver/calibrated_receiver.h"
+#include "receiver/line_array.h"
 #include "receiver/paper_receiver.h"
 #include "simulator/motion.h"
 #include "simulator/sea_level.h"
@@ -42,10 +43,37 @@ ReceiverConfig heard_by(const Scenario& scenario) {
   return scenario.model == EchoModel::kCalibrated ? scenario.receiver : ReceiverConfig{};
 }
 
+std::optional<ArraySettings> elevation_array(const ReceiverConfig& receiver, const SonarConfig& sonar) {
+  if (receiver.elevation_pattern == BeamPattern::kTopHat) {
+    return {};
+  }
+  return line_array(receiver.elevation_pattern, receiver.side_lobe_db, sonar.elevation_aperture);
+}
+
+std::vector<float> cell_angles(const PingPlan& plan) {
+  std::vector<float> angles;
+  for (int cell = 0; cell < plan.sonar.beam_count; ++cell) {
+    angles.push_back(static_cast<float>(plan.lattice.beam_angle(cell)));
+  }
+  return angles;
+}
+
 // Of the echoes that there may be.
 int order_count(const Scenario& scenario) {
   const int most = scenario.model == EchoModel::kPaper ? 2 : kPathOrders;
   return scenario.secondary == SecondaryEchoes::kNone ? 1 : std::min(most, scenario.max_surfaces);
+}
+
+// Of the transducer, from transmission until the last echo is back: steady, on the straight way between both ends.
+PingMotion motion_while_listening(const Scenario& scenario, const SonarConfig& sonar, const Ping& ping) {
+  if (!scenario.motion_in_ping) {
+    return {};
+  }
+  const double time = 2 * sonar.max_range / *sonar.assumed_sound_speed;
+  const Pose mounting = sonar.vehicle_from_sonar();
+  const Pose head{Vec3::Zero(), orientation_from_rpy(0, 0, ping.head_angle)};
+  const auto pose_at = [&](double when) { return scenario.trajectory.at(when) * mounting * head; };
+  return motion_between(pose_at(ping.time), pose_at(ping.time + time), time);
 }
 
 }  // namespace
@@ -64,20 +92,30 @@ Simulator::Simulator(Scenario scenario, Scene scene, int threads) {
   for (SonarConfig& sonar : state_->scenario.sonars) {
     sonar.assumed_sound_speed = sonar.assumed_sound_speed.value_or(sound_speed);
     sonar.ping_period = sonar.ping_period.value_or(sonar.shortest_ping_period(*sonar.assumed_sound_speed));
-    const BearingCells cells(sonar, heard_by(state_->scenario));
+    const ReceiverConfig receiver = heard_by(state_->scenario);
+    const BearingCells cells(sonar, receiver);
     state_->plans.push_back(make_ping_plan({.sonar = cells.sonar,
                                             .water = water_at(state_->scenario, sonar),
                                             .model = state_->scenario.model,
                                             .paper = state_->scenario.paper,
                                             .materials = state_->scene.materials,
+                                            .beam_shape = receiver.beam_shape,
+                                            .elevation_array = elevation_array(receiver, sonar),
                                             .primary = state_->scenario.primary,
                                             .secondary = state_->scenario.secondary,
                                             .max_surfaces = state_->scenario.max_surfaces,
                                             .seed = state_->scenario.seed}));
+    const std::vector<float> angles = cell_angles(*state_->plans.back());
     state_->grids.emplace_back(cells.sonar.beam_count, sonar.bin_count, order_count(state_->scenario),
-                               state_->scenario.ground_truth, heard_by(state_->scenario).speckle);
-    state_->receivers.emplace_back(sonar, cells, state_->scenario.water, state_->scenario.receiver,
-                                   state_->scene.materials, state_->scenario.seed);
+                               state_->scenario.ground_truth, receiver.speckle);
+    state_->receivers.emplace_back(CalibratedReceiver::Settings{.sonar = sonar,
+                                                                .cells = cells,
+                                                                .cell_angles = angles,
+                                                                .water = state_->scenario.water,
+                                                                .receiver = state_->scenario.receiver,
+                                                                .materials = state_->scene.materials,
+                                                                .moves = state_->scenario.motion_in_ping,
+                                                                .seed = state_->scenario.seed});
   }
   state_->engine->set_scene(state_->scene);
 }
@@ -130,7 +168,8 @@ void Simulator::make_ping(int index, std::uint64_t number, Ping& ping) {
   if (state.scenario.model == EchoModel::kCalibrated) {
     state.engine->insonify(plan, world_from_sonar, number, grid, nullptr);
     state.points.add(plan, world_from_sonar, *state.engine, grid);
-    state.receivers[index].hear(grid, world_from_sonar, state.workers, ping);
+    state.receivers[index].hear(grid, world_from_sonar, motion_while_listening(state.scenario, config, ping),
+                                state.workers, ping);
   } else {
     PaperReceiver receiver(
         grid, config,

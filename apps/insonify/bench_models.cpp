@@ -25,7 +25,7 @@ constexpr Stage kStages[] = {
        scenario.model = EchoModel::kCalibrated;
        scenario.receiver.noise = false;
      }},
-    {"+ array", [](Scenario& scenario) { scenario.receiver.azimuth_pattern = AzimuthPattern::kRectangular; }},
+    {"+ array", [](Scenario& scenario) { scenario.receiver.azimuth_pattern = BeamPattern::kRectangular; }},
     {"+ pulse",
      [](Scenario& scenario) {
        scenario.receiver.pulse = PulseKind::kLfm;

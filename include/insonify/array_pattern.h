@@ -39,12 +39,12 @@ struct ArraySettings {
   static void visit_fields(Self& self, Visit&& visit);
 };
 
-/// What the sonar's u means. A line array cannot tell azimuth from elevation: it hears everything on a cone at the same
-/// bearing. `kWedge` gives every elevation the bearing of its azimuth instead, as the `paper` model has it.
-enum class BearingMode { kConical, kWedge };
+/// What lies at one bearing. A line array cannot tell azimuth from elevation: its beams are cones around it. `kWedge`
+/// gives every elevation the bearing of its azimuth instead, as the `paper` model has it.
+enum class BeamShape { kWedge, kCone };
 
-/// u, the sine of the bearing: sin(azimuth) cos(elevation), or sin(azimuth) [-1..1].
-[[nodiscard]] double bearing_sine(BearingMode mode, double azimuth, double elevation);
+/// u, the sine of the bearing [-1..1]: sin(azimuth) in a wedge, sin(azimuth) cos(elevation) on a cone.
+[[nodiscard]] double bearing_sine(BeamShape shape, double azimuth, double elevation);
 
 /// One part of the weight along an unbroken line: share x cos(2 pi turns s), s from -1/2 to 1/2.
 struct WindowCosine {

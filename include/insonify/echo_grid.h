@@ -108,6 +108,10 @@ class EchoGrid {
   [[nodiscard]] float& met_before(int beam) { return met_before_[beam]; }
   [[nodiscard]] float met_before(int beam) const { return met_before_[beam]; }
 
+  /// Makes the cells of one beam those of another grid of the same make. Lone echoes are left alone.
+  /// @param sources  Of each bin: beam x bin_count + bin in `other`, negative for nothing.
+  void take_cells(const EchoGrid& other, int beam, std::span<const std::int32_t> sources);
+
   /// Sets the cells of beams [first, last) to nothing. Each task clears its own.
   void clear(int first_beam, int last_beam);
   void clear() { clear(0, beam_count_); }

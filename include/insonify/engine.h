@@ -4,10 +4,12 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
 
+#include "insonify/array_pattern.h"
 #include "insonify/echo_grid.h"
 #include "insonify/geometry.h"
 #include "insonify/paper_model.h"
@@ -26,8 +28,10 @@ enum class PrimaryEchoes {
 
 /// What an engine takes: kRays or kRaster. kAuto comes to whichever a cost model of triangles, samples and the azimuth
 /// aperture holds for faster (bench/README.md), the same for a scenario on every machine.
+/// @param even_rows  Whether columns are wedges and their rows even in tan(elevation), as without an array: others
+///                   cannot be drawn, and kAuto traces them.
 [[nodiscard]] PrimaryEchoes primary_echoes(PrimaryEchoes asked, const SonarConfig& sonar, std::size_t triangle_count,
-                                           std::string_view engine);
+                                           std::string_view engine, bool even_rows = true);
 
 /// Which hits send a ray on, in search of a second surface.
 enum class SecondaryEchoes {
@@ -61,6 +65,12 @@ struct PingPlanSettings {
   EchoModel model = EchoModel::kPaper;
   PaperModel paper = {};
   std::span<const Material> materials = {};  ///< The scene's, for the calibrated model; read only while planning.
+
+  // Of the calibrated model; others than these are not for kRaster.
+  BeamShape beam_shape = BeamShape::kWedge;
+  std::optional<ArraySettings> elevation_array = {};  ///< One way, as wide at half power as the elevation aperture;
+                                                      ///< sends and hears. A top hat when absent.
+
   PrimaryEchoes primary = PrimaryEchoes::kAuto;
   SecondaryEchoes secondary = SecondaryEchoes::kSelective;
   int max_surfaces = kPathOrders;  ///< Of a path, 1..3; the paper model knows two.

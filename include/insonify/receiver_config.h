@@ -11,16 +11,21 @@
 
 namespace insonify {
 
-/// How beams hear across bearings: their own slice evenly and nothing else, or as a line array with a window. Side
-/// lobes go both ways on scanning heads, which send with the array they hear with, one way on fans.
-enum class AzimuthPattern { kTopHat, kRectangular, kHann, kHamming, kCosine, kTaylor, kDolphChebyshev };
+/// How beams hear across an angle: their own slice evenly and nothing else, or as a line array with a window.
+enum class BeamPattern { kTopHat, kRectangular, kHann, kHamming, kCosine, kTaylor, kDolphChebyshev };
 
 /// What the receiver adds. All but `noise` is the calibrated model's.
 struct ReceiverConfig {
   bool noise = true;  ///< Whether noise is drawn at all: the paper model's, or the calibrated model's thermal noise.
   bool speckle = false;
-  AzimuthPattern azimuth_pattern = AzimuthPattern::kTopHat;
-  double side_lobe_db = -30;           ///< Of kTaylor and kDolphChebyshev [dB], -100..-15.
+
+  /// Across bearings. Side lobes go both ways on scanning heads, which send with the array they hear with, one way on
+  /// fans.
+  BeamPattern azimuth_pattern = BeamPattern::kTopHat;
+  BeamPattern elevation_pattern = BeamPattern::kTopHat;  ///< Across elevations, sending and hearing.
+  double side_lobe_db = -30;                             ///< Of kTaylor and kDolphChebyshev [dB], -100..-15.
+  BeamShape beam_shape = BeamShape::kWedge;              ///< What lies at one bearing.
+
   PulseKind pulse = PulseKind::kNone;  ///< kNone: as long as a bin.
   double pulse_duration = 50e-6;       ///< Of kCw and kLfm [s], in (0, 1].
   double pulse_bandwidth = 100e3;      ///< Of kLfm [Hz], in (0, 1e7]; times pulse_duration at least 10.
@@ -59,8 +64,20 @@ struct ReceiverConfig {
                 "How beams hear across bearings: top_hat, or the window of a line array "
                 "(calibrated)."},
           self.azimuth_pattern);
+    visit(Field{"elevation_pattern",
+                "",
+                {},
+                "How the sonar sends and hears across elevations: top_hat, or the window of an array that is "
+                "elevation_aperture wide at half power, one way (calibrated)."},
+          self.elevation_pattern);
     visit(Field{"side_lobe_db", "dB", from_to(-100, -15), "Side lobes re the main lobe (taylor, dolph_chebyshev)."},
           self.side_lobe_db);
+    visit(Field{"beam_shape",
+                "",
+                {},
+                "wedge (a beam holds its azimuth at every elevation) or cone (around the array, as line arrays have "
+                "it: sin(azimuth) cos(elevation) is held) (calibrated)."},
+          self.beam_shape);
     visit(Field{"pulse",
                 "",
                 {},

@@ -81,6 +81,7 @@ struct Scenario {
   PrimaryEchoes primary = PrimaryEchoes::kAuto;
   SecondaryEchoes secondary = SecondaryEchoes::kSelective;
   int max_surfaces = kPathOrders;  ///< Of a path, 1..3.
+  bool motion_in_ping = false;     ///< Whether the sonar moves on while it listens.
   GroundTruth ground_truth = GroundTruth::kLabels;
   std::uint64_t seed = 1;
   int pings = 1;  ///< >= 1; of each sonar.
@@ -95,6 +96,9 @@ struct Scenario {
   Trajectory trajectory;  ///< Of the vehicle.
   std::vector<Motion> motions;
   std::optional<ViewConfig> view;  ///< Chosen to show the first sonar's field when absent.
+
+  /// Whether columns are wedges whose rows are even, which is what triangles can be drawn into; see primary_echoes().
+  [[nodiscard]] bool has_even_rows() const;
 
   /// Checks every part and the rules between them: at least one sonar, names that differ, periods long enough.
   /// @throws Error on the first fault.
@@ -122,6 +126,10 @@ struct Scenario {
                 "Surfaces that a path may meet: 2 adds echoes by way of a mirror, 3 those by a mirror both ways "
                 "(calibrated)."},
           self.max_surfaces);
+    visit(
+        Field{
+            "motion_in_ping", "", {}, "Whether the sonar moves on along its trajectory while it listens (calibrated)."},
+        self.motion_in_ping);
     visit(Field{"ground_truth",
                 "",
                 {},

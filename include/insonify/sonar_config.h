@@ -12,6 +12,9 @@
 
 namespace insonify {
 
+/// Nothing farther up or down is sampled [rad]: elevations have tangents.
+inline constexpr double kSteepestElevation = radians_from_degrees(89);
+
 /// How finely the insonified sector is sampled. More samples cost time, never change levels.
 struct Sampling {
   int columns_per_beam = 4;  ///< Azimuths sampled in each beam, 1..256.
@@ -59,7 +62,8 @@ struct SonarConfig {
       beam_azimuths;  ///< Explicit centres, falling from port to starboard [rad]; even in angle when empty.
   std::optional<double> azimuth_resolution;  ///< Full width of a beam at half power, one way and straight ahead [rad],
                                              ///< in (0, pi/2]; its share of the fan when absent.
-  double elevation_aperture = radians_from_degrees(20);  ///< Full height of every beam [rad], in (0, 170 deg].
+  double elevation_aperture = radians_from_degrees(20);  ///< Full height of every beam; at half power, one way, where
+                                                         ///< it has an elevation pattern [rad], in (0, 170 deg].
   double elevation_center = 0;                           ///< Middle of the elevation aperture [rad].
 
   // Range window.
@@ -149,7 +153,8 @@ void SonarConfig::visit_fields(Self& self, Visit&& visit) {
               "Width of a beam at half power, one way and straight ahead; its share of the fan when absent (calibrated "
               "model, with an azimuth_pattern)."},
         self.azimuth_resolution);
-  visit(Field{"elevation_aperture", "rad", above_to(0, radians_from_degrees(170)), "Full height of every beam."},
+  visit(Field{"elevation_aperture", "rad", above_to(0, radians_from_degrees(170)),
+              "Full height of every beam; at half power, one way, with an elevation_pattern."},
         self.elevation_aperture);
   visit(Field{"elevation_center", "rad", from_to(radians_from_degrees(-85), radians_from_degrees(85)),
               "Middle of the elevation aperture."},

@@ -48,12 +48,8 @@ void BeamTask::aim(const Pose& world_from_sonar, int first_beam, int last_beam) 
   columns_ = (last_beam - first_beam) * lattice.columns_per_beam;
   sonar_ = (world_from_sonar.position - scene_.origin()).cast<float>();
   sonar_axes_ = world_from_sonar.orientation.toRotationMatrix().cast<float>();
-  const Eigen::Matrix3f& axes = sonar_axes_;
   for (int column = 0; column < columns_; ++column) {
-    const float cos_az = lattice.cos_azimuth[first_column_ + column];
-    const float sin_az = lattice.sin_azimuth[first_column_ + column];
-    axes_[column] = {axes.col(0) * cos_az + axes.col(1) * sin_az, axes.col(1) * cos_az - axes.col(0) * sin_az,
-                     axes.col(2)};
+    axes_[column] = column_axes(lattice, first_column_ + column, sonar_axes_);
   }
   for (int lane = 0; lane < kPacketSize; ++lane) {
     primary_.set_origin(lane, sonar_);

@@ -3,6 +3,7 @@
 #include "echo/cpu_engine.h"
 
 #include <algorithm>
+#include <cassert>
 #include <chrono>
 #include <limits>
 
@@ -52,9 +53,11 @@ void CpuEngine::move_instance(int instance, const Pose& world_from_mesh) {
 }
 
 const FanView* CpuEngine::look(const PingPlan& plan, const Pose& world_from_sonar) {
-  if (primary_echoes(plan.primary, plan.sonar, triangle_count_, name()) == PrimaryEchoes::kRays) {
+  const bool even_rows = plan.lattice.even_rows;
+  if (primary_echoes(plan.primary, plan.sonar, triangle_count_, name(), even_rows) == PrimaryEchoes::kRays) {
     return nullptr;
   }
+  assert(even_rows);
   if (raster_source_ != nullptr) {
     raster_scene_.set(*raster_source_);
     for (std::size_t i = 0; i < poses_.size(); ++i) {

@@ -102,11 +102,15 @@ void finish(Run<kTruth>& run, SurfaceSums& sums, SurfaceLabel surface, float dat
 Stretch lone_stretch(const PingPlan& plan, int column, const HitColumn& hits, const Stretches& stretches, int row,
                      int behind, float cos_end, float sin_end, float weight) {
   const float here = stretches.position[row];
-  const float cos_here = plan.lattice.cos_elevations(column)[row], sin_here = plan.lattice.sin_elevations(column)[row];
+  const float cos_here = plan.lattice.cosines(column)[row], sin_here = plan.lattice.sines(column)[row];
   float end = here;
   if (behind >= 0 && behind < plan.lattice.rows && stretches.joined[std::min(row, behind)] != 0) {
-    const float facing_end = stretches.normal_along[row] * cos_end + stretches.normal_up[row] * sin_end;
-    const float facing_here = stretches.normal_along[row] * cos_here + stretches.normal_up[row] * sin_here;
+    float facing_end = stretches.normal_along[row] * cos_end + stretches.normal_up[row] * sin_end;
+    float facing_here = stretches.normal_along[row] * cos_here + stretches.normal_up[row] * sin_here;
+    if (plan.lattice.shape == BeamShape::kCone) {
+      facing_end += stretches.normal_beside[row];
+      facing_here += stretches.normal_beside[row];
+    }
     const float range_end = hits.range[row] * facing_here / facing_end;
     const float most = kMostStretch * std::abs(here - stretches.position[behind]);
     const float wished = (range_end - plan.first_bin_at) * plan.bins_per_metre;
@@ -124,11 +128,12 @@ template <GroundTruth kTruth>
 [[gnu::always_inline]] inline void deposit_samples(const PingPlan& plan, int column, const HitColumn& hits,
                                                    const Stretches& stretches, SurfaceSums& sums, EchoGrid& grid) {
   const Lattice& lattice = plan.lattice;
-  const float* cos_el = lattice.cos_elevations(column);
-  const float* sin_el = lattice.sin_elevations(column);
+  const float* cos_t = lattice.cosines(column);
+  const float* sin_t = lattice.sines(column);
   const float* elevation = lattice.elevations(column);
   const float* interval = lattice.intervals(column);
-  const float width = lattice.column_width[column];
+  const float measure = lattice.column_measure[column];
+  const Lattice::Edges edges = lattice.edges_of(column);
   const int beam = column / lattice.columns_per_beam;
   const int last_row = std::min(hits.rows, lattice.rows - 1);
   const float datum = plan.middle_elevation;  // Squares keep more digits when they are small.
@@ -146,7 +151,7 @@ template <GroundTruth kTruth>
               *middle = stretches.elevation.data();
   const std::uint8_t* joined = stretches.joined.data();
   SurfaceLabel surface = hits.surface[0];
-  add_alone(0, 1, lattice.cos_low, lattice.sin_low, interval[0] * width);
+  add_alone(0, 1, edges.cos_low, edges.sin_low, interval[0] * measure);
   for (int row = 0; row < last_row; ++row) {
     if (joined[row] != 0) {
       run.add({low[row], high[row], power[row], half_rise[row], density[row], middle[row]});
@@ -156,9 +161,9 @@ template <GroundTruth kTruth>
     if (hits.surface[row] == kNoSurface && hits.surface[next] == kNoSurface) {
       continue;
     }
-    const float cos_middle = 0.5F * (cos_el[row] + cos_el[next]);
-    const float sin_middle = 0.5F * (sin_el[row] + sin_el[next]);
-    const float weight = interval[next] * width;
+    const float cos_middle = 0.5F * (cos_t[row] + cos_t[next]);
+    const float sin_middle = 0.5F * (sin_t[row] + sin_t[next]);
+    const float weight = interval[next] * measure;
     add_alone(row, row - 1, cos_middle, sin_middle, 0.5F * weight);
     if (hits.surface[next] != surface) {
       finish<kTruth>(run, sums, surface, datum, beam, grid);
@@ -166,17 +171,21 @@ template <GroundTruth kTruth>
     }
     add_alone(next, next + 1, cos_middle, sin_middle, 0.5F * weight);
   }
-  add_alone(last_row, last_row - 1, lattice.cos_high, lattice.sin_high, interval[lattice.rows] * width);
+  add_alone(last_row, last_row - 1, edges.cos_high, edges.sin_high, interval[lattice.rows] * measure);
   finish<kTruth>(run, sums, surface, datum, beam, grid);
 }
 
 // Solid angle of what a column met nearer than the near edge of bin 0.
 float met_before(const PingPlan& plan, int column, const HitColumn& hits, const Stretches& stretches) {
+  const float* interval = plan.lattice.intervals(column);
+  const int rows = plan.lattice.rows;
   float met = 0;
-  for (int row = 0; row < std::min(hits.rows, plan.lattice.rows); ++row) {
-    met += hits.surface[row] != kNoSurface && stretches.position[row] < 0 ? plan.lattice.shares(column)[row] : 0.0F;
+  for (int row = 0; row < std::min(hits.rows, rows); ++row) {
+    if (hits.surface[row] != kNoSurface && stretches.position[row] < 0) {
+      met += (row == 0 ? 1.0F : 0.5F) * interval[row] + (row + 1 == rows ? 1.0F : 0.5F) * interval[row + 1];
+    }
   }
-  return met * plan.lattice.column_width[column];
+  return met * plan.lattice.column_measure[column];
 }
 
 INSONIFY_VECTOR_CLONES

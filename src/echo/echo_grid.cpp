@@ -39,6 +39,32 @@ EchoGrid::Label EchoGrid::label(int beam, int bin) const {
           energy > 0 ? elevation_moment_[cell] / energy : 0.0F};
 }
 
+void EchoGrid::take_cells(const EchoGrid& other, int beam, std::span<const std::int32_t> sources) {
+  clear(beam, beam + 1);
+  const auto take = [&](auto& layer, const auto& from, int order) {
+    const std::size_t first = start(order, 0);
+    for (std::size_t bin = 0; bin < sources.size(); ++bin) {
+      if (sources[bin] >= 0) {
+        layer[start(order, beam) + bin] = from[first + static_cast<std::size_t>(sources[bin])];
+      }
+    }
+  };
+  for (int order = 1; order <= order_count_; ++order) {
+    take(energy_, other.energy_, order);
+    take(weight_, other.weight_, order);
+  }
+  if (labelled_) {
+    take(surface_, other.surface_, 1);
+    take(lead_, other.lead_, 1);
+    take(label_energy_, other.label_energy_, 1);
+    take(elevation_moment_, other.elevation_moment_, 1);
+  }
+  if (ground_truth_ == GroundTruth::kFull) {
+    take(tallies_, other.tallies_, 1);
+    met_before_[beam] = other.met_before_[beam];
+  }
+}
+
 void EchoGrid::clear(int first_beam, int last_beam) {
   const auto fill = [&](auto& layer, int order, auto value) {
     std::fill(layer.begin() + static_cast<std::ptrdiff_t>(start(order, first_beam)),

@@ -122,7 +122,7 @@ void FanRaster::clear(float max_range) {
   std::fill_n(nearest_.begin(), cells, kNothing);
   // What is farther than the range never gets in: |d| = 1 / cos(elevation).
   for (int column = 0; column < columns_.count; ++column) {
-    fill_nearness(lattice.rows, max_range, lattice.cos_elevations(first_column_ + column),
+    fill_nearness(lattice.rows, max_range, lattice.cosines(first_column_ + column),
                   &nearness_[static_cast<std::size_t>(column) * stride_]);
   }
   shadings_.assign(kShadings, {});
@@ -131,7 +131,8 @@ void FanRaster::clear(float max_range) {
 INSONIFY_VECTOR_CLONES
 void FanRaster::draw_cluster(const TriangleCluster& cluster, int first_column, int last_column) {
   const Lattice& lattice = plan_->lattice;
-  const float tan_low = lattice.sin_low / lattice.cos_low, tan_high = lattice.sin_high / lattice.cos_high;
+  const Lattice::Edges& edges = lattice.edges_of(0);
+  const float tan_low = edges.sin_low / edges.cos_low, tan_high = edges.sin_high / edges.cos_high;
   const RowScale scale{lattice.tan_step, 1 / lattice.tan_step, static_cast<float>(lattice.rows - 1)};
   Facets facets;
   Reach reach;

@@ -25,7 +25,7 @@ int FanRaster::read(int column, const HitColumn& hits) {
   const std::size_t start = static_cast<std::size_t>(column - first_column_) * stride_;
   const std::uint32_t* nearest = &nearest_[start];
   const int rows = lattice.rows;
-  measure_ranges(rows, kNothing, nearest, &nearness_[start], lattice.cos_elevations(column), hits.range);
+  measure_ranges(rows, kNothing, nearest, &nearness_[start], lattice.cosines(column), hits.range);
   const float cos_az = lattice.cos_azimuth[column], sin_az = lattice.sin_azimuth[column];
   const float first_tan = lattice.first_tan(column), tan_step = lattice.tan_step;
   SurfaceLabel* __restrict__ surface = hits.surface;

@@ -49,8 +49,9 @@ ColumnFinder::Columns FanView::columns_of(const Sphere& sphere, const Placement&
   }
   // In the half-plane of its azimuth a centre is so far above the upper edge of the fan, and below the lower.
   const float across = std::hypot(centre.x(), centre.y());
-  if (centre.z() * lattice.cos_high - across * lattice.sin_high > radius ||
-      across * lattice.sin_low - centre.z() * lattice.cos_low > radius) {
+  const Lattice::Edges& edges = lattice.edges_of(0);
+  if (centre.z() * edges.cos_high - across * edges.sin_high > radius ||
+      across * edges.sin_low - centre.z() * edges.cos_low > radius) {
     return {0, 0};
   }
   if (across > 1.001F * radius) {

@@ -42,8 +42,8 @@ constexpr float* HitColumn::*kFields[] = {&HitColumn::direction_x, &HitColumn::d
 // Everything the loops read, as bare numbers and pointers that the compiler knows to be apart.
 struct Rows {
   int count;
-  const float* __restrict__ cos_el;
-  const float* __restrict__ sin_el;
+  const float* __restrict__ cos_t;
+  const float* __restrict__ sin_t;
   float half_width;
 };
 
@@ -52,9 +52,20 @@ void aim(Rows rows, Vec3f along, Vec3f up, float* __restrict__ x, float* __restr
   const float ax = along[0], ay = along[1], az = along[2];
   const float ux = up[0], uy = up[1], uz = up[2];
   for (int row = 0; row < rows.count; ++row) {
-    x[row] = ax * rows.cos_el[row] + ux * rows.sin_el[row];
-    y[row] = ay * rows.cos_el[row] + uy * rows.sin_el[row];
-    z[row] = az * rows.cos_el[row] + uz * rows.sin_el[row];
+    x[row] = ax * rows.cos_t[row] + ux * rows.sin_t[row];
+    y[row] = ay * rows.cos_t[row] + uy * rows.sin_t[row];
+    z[row] = az * rows.cos_t[row] + uz * rows.sin_t[row];
+  }
+}
+
+// The rest of a cone's directions.
+INSONIFY_VECTOR_CLONES
+void aim_beside(int rows, Vec3f beside, float* __restrict__ x, float* __restrict__ y, float* __restrict__ z) {
+  const float bx = beside[0], by = beside[1], bz = beside[2];
+  for (int row = 0; row < rows; ++row) {
+    x[row] += bx;
+    y[row] += by;
+    z[row] += bz;
   }
 }
 
@@ -73,11 +84,29 @@ void measure(Rows rows, Vec3f along, Vec3f across, Vec3f up, float bins_per_metr
     z[row] *= scale;
     normal_along[row] = x[row] * ax + y[row] * ay + z[row] * az;
     normal_up[row] = x[row] * ux + y[row] * uy + z[row] * uz;
-    facing[row] = normal_along[row] * rows.cos_el[row] + normal_up[row] * rows.sin_el[row];
+    facing[row] = normal_along[row] * rows.cos_t[row] + normal_up[row] * rows.sin_t[row];
     // On the tangent plane d(range)/d(azimuth) = -range (normal . d(direction)/d(azimuth)) / (normal . direction).
-    const float sideways = std::abs(x[row] * sx + y[row] * sy + z[row] * sz) * rows.cos_el[row];
+    const float sideways = std::abs(x[row] * sx + y[row] * sy + z[row] * sz) * rows.cos_t[row];
     reach[row] = bins_per_metre * rows.half_width * range[row] * sideways / (std::abs(facing[row]) + kLeastFacing);
     position[row] = (range[row] - first_bin_at) * bins_per_metre;
+  }
+}
+
+// What measure() leaves for cones: `facing` lacks what is beside, and directions change otherwise from one bearing to
+// the next: d(direction)/da = across - tan a (along cos t + up sin t).
+INSONIFY_VECTOR_CLONES
+void measure_beside(Rows rows, Vec3f across, Vec3f beside, float tan_bearing, float bins_per_metre,
+                    const float* __restrict__ x, const float* __restrict__ y, const float* __restrict__ z,
+                    const float* __restrict__ range, float* __restrict__ normal_beside, float* __restrict__ facing,
+                    float* __restrict__ reach) {
+  const float sx = across[0], sy = across[1], sz = across[2];
+  const float bx = beside[0], by = beside[1], bz = beside[2];
+  for (int row = 0; row < rows.count; ++row) {
+    const float in_plane = facing[row];
+    normal_beside[row] = x[row] * bx + y[row] * by + z[row] * bz;
+    facing[row] = in_plane + normal_beside[row];
+    const float sideways = std::abs(x[row] * sx + y[row] * sy + z[row] * sz - tan_bearing * in_plane);
+    reach[row] = bins_per_metre * rows.half_width * range[row] * sideways / (std::abs(facing[row]) + kLeastFacing);
   }
 }
 
@@ -141,23 +170,43 @@ void select(int rows, std::uint32_t start, float* __restrict__ share_to_selected
 }
 
 // Where the tangent plane of sample `a` is met in the direction of `b`, against where `b` is, and the other way round.
-INSONIFY_VECTOR_CLONES
-void join(Rows rows, float bin_length, const float* __restrict__ range, const float* __restrict__ along,
-          const float* __restrict__ up, const float* __restrict__ facing, const SurfaceLabel* __restrict__ surface,
-          std::uint8_t* __restrict__ joined) {
+template <BeamShape shape>
+[[gnu::always_inline]] inline void join_rows(Rows rows, float bin_length, const float* __restrict__ range,
+                                             const float* __restrict__ along, const float* __restrict__ up,
+                                             const float* __restrict__ beside, const float* __restrict__ facing,
+                                             const SurfaceLabel* __restrict__ surface,
+                                             std::uint8_t* __restrict__ joined) {
   for (int a = 0; a + 1 < rows.count; ++a) {
     const int b = a + 1;
     const float apart = std::abs(range[a] - range[b]);
     const float tolerance = bin_length + kBend * apart;
     // Both sides times the cosine that would divide.
-    const float b_from_a = along[a] * rows.cos_el[b] + up[a] * rows.sin_el[b];
-    const float a_from_b = along[b] * rows.cos_el[a] + up[b] * rows.sin_el[a];
+    float b_from_a = along[a] * rows.cos_t[b] + up[a] * rows.sin_t[b];
+    float a_from_b = along[b] * rows.cos_t[a] + up[b] * rows.sin_t[a];
+    if constexpr (shape == BeamShape::kCone) {
+      b_from_a += beside[a];
+      a_from_b += beside[b];
+    }
     const bool forth = std::abs(range[a] * facing[a] - range[b] * b_from_a) < tolerance * std::abs(b_from_a);
     const bool back = std::abs(range[b] * facing[b] - range[a] * a_from_b) < tolerance * std::abs(a_from_b);
     const bool level = apart < bin_length;
     const bool same = surface[a] == surface[b] && surface[a] != kNoSurface;
     joined[a] = static_cast<std::uint8_t>(same & (level | (forth & back)));
   }
+}
+
+INSONIFY_VECTOR_CLONES
+void join(Rows rows, float bin_length, const float* __restrict__ range, const float* __restrict__ along,
+          const float* __restrict__ up, const float* __restrict__ facing, const SurfaceLabel* __restrict__ surface,
+          std::uint8_t* __restrict__ joined) {
+  join_rows<BeamShape::kWedge>(rows, bin_length, range, along, up, nullptr, facing, surface, joined);
+}
+
+INSONIFY_VECTOR_CLONES
+void join_on_cone(Rows rows, float bin_length, const float* __restrict__ range, const float* __restrict__ along,
+                  const float* __restrict__ up, const float* __restrict__ beside, const float* __restrict__ facing,
+                  const SurfaceLabel* __restrict__ surface, std::uint8_t* __restrict__ joined) {
+  join_rows<BeamShape::kCone>(rows, bin_length, range, along, up, beside, facing, surface, joined);
 }
 
 // The stretches between neighbours. Power changes linearly along each.
@@ -186,8 +235,7 @@ void stretch(int rows, float bins, const float* __restrict__ interval, float wid
 }
 
 Rows rows_of(const Lattice& lattice, int column) {
-  return {lattice.rows, lattice.cos_elevations(column), lattice.sin_elevations(column),
-          0.5F * lattice.column_width[column]};
+  return {lattice.rows, lattice.cosines(column), lattice.sines(column), 0.5F * lattice.column_width[column]};
 }
 
 }  // namespace
@@ -210,15 +258,27 @@ HitColumn HitStrip::column(int column) {
 }
 
 void Stretches::resize(int rows) {
-  for (auto* values :
-       {&normal_along, &normal_up, &position, &reach, &low, &high, &power, &half_rise, &density, &elevation}) {
+  for (auto* values : {&normal_along, &normal_up, &normal_beside, &position, &reach, &low, &high, &power, &half_rise,
+                       &density, &elevation}) {
     values->resize(rows);
   }
   joined.resize(rows);
 }
 
+ColumnAxes column_axes(const Lattice& lattice, int column, const Eigen::Matrix3f& axes) {
+  const float cosine = lattice.cos_azimuth[column], sine = lattice.sin_azimuth[column];
+  if (lattice.shape == BeamShape::kCone) {
+    return {axes.col(0) * cosine, axes.col(1) * cosine, axes.col(2) * cosine, axes.col(1) * sine};
+  }
+  return {axes.col(0) * cosine + axes.col(1) * sine, axes.col(1) * cosine - axes.col(0) * sine, axes.col(2),
+          Vec3f::Zero()};
+}
+
 void aim_column(const Lattice& lattice, int column, const ColumnAxes& axes, const HitColumn& hits) {
   aim(rows_of(lattice, column), axes.along, axes.up, hits.direction_x, hits.direction_y, hits.direction_z);
+  if (lattice.shape == BeamShape::kCone) {
+    aim_beside(lattice.rows, axes.beside, hits.direction_x, hits.direction_y, hits.direction_z);
+  }
 }
 
 void evaluate_column(const PingPlan& plan, int column, const ColumnAxes& axes, const HitColumn& hits,
@@ -229,8 +289,16 @@ void evaluate_column(const PingPlan& plan, int column, const ColumnAxes& axes, c
   measure(rows, axes.along, axes.across, axes.up, plan.bins_per_metre, plan.first_bin_at, hits.normal_x, hits.normal_y,
           hits.normal_z, hits.range, stretches.normal_along.data(), stretches.normal_up.data(), hits.facing,
           stretches.position.data(), stretches.reach.data());
-  join(rows, 1 / plan.bins_per_metre, hits.range, stretches.normal_along.data(), stretches.normal_up.data(),
-       hits.facing, hits.surface, stretches.joined.data());
+  if (lattice.shape == BeamShape::kCone) {
+    measure_beside(rows, axes.across, axes.beside, lattice.sin_azimuth[column] / lattice.cos_azimuth[column],
+                   plan.bins_per_metre, hits.normal_x, hits.normal_y, hits.normal_z, hits.range,
+                   stretches.normal_beside.data(), hits.facing, stretches.reach.data());
+    join_on_cone(rows, 1 / plan.bins_per_metre, hits.range, stretches.normal_along.data(), stretches.normal_up.data(),
+                 stretches.normal_beside.data(), hits.facing, hits.surface, stretches.joined.data());
+  } else {
+    join(rows, 1 / plan.bins_per_metre, hits.range, stretches.normal_along.data(), stretches.normal_up.data(),
+         hits.facing, hits.surface, stretches.joined.data());
+  }
   if (hits.has_relief) {
     bend(rows.count, hits.direction_x, hits.direction_y, hits.direction_z, hits.gradient_x, hits.gradient_y,
          hits.gradient_z, hits.normal_x, hits.normal_y, hits.normal_z, hits.facing, hits.escapes);
@@ -241,9 +309,9 @@ void evaluate_column(const PingPlan& plan, int column, const ColumnAxes& axes, c
     shade(rows.count, plan.neper_per_metre, hits.range, hits.facing, hits.reflectivity, hits.strength);
     plan.shape.apply(rows.count, hits.strength, hits.power);
   }
-  stretch(rows.count, static_cast<float>(plan.sonar.bin_count), lattice.intervals(column), lattice.column_width[column],
-          lattice.elevations(column), stretches.position.data(), stretches.reach.data(), hits.power,
-          stretches.low.data(), stretches.high.data(), stretches.power.data(), stretches.half_rise.data(),
+  stretch(rows.count, static_cast<float>(plan.sonar.bin_count), lattice.intervals(column),
+          lattice.column_measure[column], lattice.elevations(column), stretches.position.data(), stretches.reach.data(),
+          hits.power, stretches.low.data(), stretches.high.data(), stretches.power.data(), stretches.half_rise.data(),
           stretches.density.data(), stretches.elevation.data());
   if (plan.secondary == SecondaryEchoes::kAll) {
     for (int row = 0; row < rows.count; ++row) {

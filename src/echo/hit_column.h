@@ -59,6 +59,7 @@ struct Stretches {
 
   // Of each sample.
   std::vector<float> normal_along, normal_up;  ///< Of the unit normal, along the column's directions.
+  std::vector<float> normal_beside;            ///< Of the unit normal times ColumnAxes::beside; cones only.
   std::vector<float> position;                 ///< In bins from the near edge of bin 0.
   std::vector<float> reach;  ///< By how much the position changes from the middle of the column to its edge.
 
@@ -68,11 +69,17 @@ struct Stretches {
   std::vector<float> power, half_rise, density, elevation;
 };
 
-/// A column's directions, in the frame the normals are given in: `along` is (cos az, sin az, 0) of the sonar frame,
-/// `across` (-sin az, cos az, 0), `up` its z axis.
+/// A column's directions, along cos t + up sin t + beside, in the frame the normals are given in. Of a bearing a, in
+/// the axes x, y and z of the sonar frame:
 struct ColumnAxes {
-  Vec3f along, across, up;
+  Vec3f along;   ///< x cos a + y sin a; on a cone x cos a.
+  Vec3f across;  ///< y cos a - x sin a; on a cone y cos a.
+  Vec3f up;      ///< z; on a cone z cos a.
+  Vec3f beside;  ///< 0; on a cone y sin a.
 };
+
+/// @param axes  Forward, port and up, as columns.
+ColumnAxes column_axes(const Lattice& lattice, int column, const Eigen::Matrix3f& axes);
 
 /// Fills in the directions of a column's rays.
 void aim_column(const Lattice& lattice, int column, const ColumnAxes& axes, const HitColumn& hits);

@@ -137,15 +137,16 @@ void OnwardTask::return_mirrored(const RTCRay16& rays, const Origins& origins, u
       Echo twice = echo;
       twice.order = 3;
       twice.path_length = 2 * there;
-      twice.power = powers.twice[lane];
+      twice.power = powers.twice[lane] * plan_->lattice.heard_in(origins.column[lane])[origins.row[lane]];
       deposit(*plan_, twice, *grid_);
     }
     const Vec3f heard_from = -(axes_.transpose() * returns.back(lane));
-    if (powers.once[lane] > 0 && 0.5F * (there + back) < plan_->true_max_range && plan_->in_aperture(heard_from)) {
-      echo.power = powers.once[lane];
+    if (powers.once[lane] > 0 && 0.5F * (there + back) < plan_->true_max_range && plan_->hears(heard_from)) {
+      const PingPlan::Arrival arrival = plan_->arrival_from(heard_from);
+      echo.power = powers.once[lane] * arrival.heard;
       returning_[returning_count_] = echo;
-      echo.azimuth = std::atan2(heard_from.y(), heard_from.x());
-      echo.elevation = std::atan2(heard_from.z(), std::hypot(heard_from.x(), heard_from.y()));
+      echo.azimuth = arrival.bearing;
+      echo.elevation = arrival.elevation;
       arriving_[returning_count_] = echo;
       send_back(returns.point(lane), returns.back(lane), back);
     }

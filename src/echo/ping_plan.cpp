@@ -6,10 +6,22 @@
 #include "insonify/absorption.h"
 
 namespace insonify {
+namespace {
+
+std::optional<ElevationPattern> elevation_pattern_of(const PingPlanSettings& settings) {
+  if (!settings.elevation_array) {
+    return {};
+  }
+  return ElevationPattern(*settings.elevation_array, settings.sonar);
+}
+
+}  // namespace
 
 PingPlan::PingPlan(const PingPlanSettings& settings)
     : sonar(settings.sonar),
-      lattice(settings.sonar, settings.stagger_phase),
+      elevation_pattern(elevation_pattern_of(settings)),
+      lattice(settings.sonar, settings.stagger_phase, settings.beam_shape,
+              elevation_pattern ? &*elevation_pattern : nullptr),
       model(settings.model),
       shape(settings.paper),
       scatter(settings.materials),
@@ -31,8 +43,10 @@ PingPlan::PingPlan(const PingPlanSettings& settings)
   for (const double edge : sonar.beam_edges()) {
     beam_edges_.push_back(static_cast<float>(edge));
   }
-  tan_low_ = static_cast<float>(std::tan(sonar.elevation_center - 0.5 * sonar.elevation_aperture));
-  tan_high_ = static_cast<float>(std::tan(sonar.elevation_center + 0.5 * sonar.elevation_aperture));
+  const double half = 0.5 * sonar.elevation_aperture;
+  tan_low_ = static_cast<float>(std::tan(elevation_pattern ? elevation_pattern->low() : sonar.elevation_center - half));
+  tan_high_ =
+      static_cast<float>(std::tan(elevation_pattern ? elevation_pattern->high() : sonar.elevation_center + half));
   beams_per_radian_ = static_cast<float>(sonar.beam_count) / (beam_edges_.front() - beam_edges_.back());
 }
 

@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "echo/paper_shape.h"
 #include "echo/scatter_table.h"
 #include "insonify/engine.h"
+#include "sonar/elevation_pattern.h"
 #include "sonar/lattice.h"
 
 namespace insonify {
@@ -17,6 +19,7 @@ class PingPlan {
   explicit PingPlan(const PingPlanSettings& settings);
 
   SonarConfig sonar;
+  std::optional<ElevationPattern> elevation_pattern;  ///< None: a top hat over the aperture.
   Lattice lattice;
   EchoModel model;
   PaperShape shape;      ///< `paper`
@@ -35,25 +38,49 @@ class PingPlan {
   std::uint64_t seed = 0;
   std::uint32_t stagger = 0;  ///< Turns the selection of secondary rays, from the seed.
 
-  /// Whether sound from a direction of the sonar frame is heard at all: in the fan and the elevation aperture.
-  [[nodiscard]] bool in_aperture(const Vec3f& direction) const;
+  /// Whether sound from a direction of the sonar frame, of unit length, is heard at all: in the fan and the elevation
+  /// aperture, or all that the elevation pattern hears.
+  [[nodiscard]] bool hears(const Vec3f& direction) const;
 
-  /// Beam whose edges hold an azimuth; -1 outside the fan.
-  [[nodiscard]] int beam_of(float azimuth) const;
+  /// How sound from a direction of the sonar frame, of unit length, arrives.
+  struct Arrival {
+    float bearing, elevation;  ///< [rad]
+    float heard;               ///< |p|^2 of the elevation pattern, one way; 1 without one.
+  };
+  [[nodiscard]] Arrival arrival_from(const Vec3f& direction) const;
+
+  /// Beam whose edges hold a bearing; -1 outside the fan.
+  [[nodiscard]] int beam_of(float bearing) const;
 
   /// Bin that holds a true range [m]; -1 outside the window.
   [[nodiscard]] int bin_of(float range) const;
 
  private:
+  // Azimuth, or the angle off the array's broadside.
+  [[nodiscard]] float bearing_of(const Vec3f& direction) const;
+
   std::vector<float> beam_edges_;     // Falling [rad].
   float beams_per_radian_ = 0;        // On average.
-  float tan_low_ = 0, tan_high_ = 0;  // Of the elevation aperture's edges.
+  float tan_low_ = 0, tan_high_ = 0;  // Of the edges of the elevations that are heard.
 };
 
-inline bool PingPlan::in_aperture(const Vec3f& direction) const {
+inline float PingPlan::bearing_of(const Vec3f& direction) const {
+  return lattice.shape == BeamShape::kWedge ? std::atan2(direction.y(), direction.x())
+                                            : std::asin(std::clamp(direction.y(), -1.0F, 1.0F));
+}
+
+inline bool PingPlan::hears(const Vec3f& direction) const {
   const float level = std::sqrt(direction.x() * direction.x() + direction.y() * direction.y());
-  return direction.z() >= tan_low_ * level && direction.z() <= tan_high_ * level &&
-         beam_of(std::atan2(direction.y(), direction.x())) >= 0;
+  const bool behind = lattice.shape == BeamShape::kCone && direction.x() < 0;  // At the bearing of what is before it.
+  return direction.z() >= tan_low_ * level && direction.z() <= tan_high_ * level && !behind &&
+         beam_of(bearing_of(direction)) >= 0;
+}
+
+inline PingPlan::Arrival PingPlan::arrival_from(const Vec3f& direction) const {
+  const float elevation = std::atan2(direction.z(), std::hypot(direction.x(), direction.y()));
+  const float heard =
+      elevation_pattern ? static_cast<float>(elevation_pattern->intensity(static_cast<double>(elevation))) : 1.0F;
+  return {bearing_of(direction), elevation, heard};
 }
 
 inline int PingPlan::bin_of(float range) const {
@@ -61,17 +88,17 @@ inline int PingPlan::bin_of(float range) const {
   return position >= 0 && position < static_cast<float>(sonar.bin_count) ? static_cast<int>(position) : -1;
 }
 
-inline int PingPlan::beam_of(float azimuth) const {
+inline int PingPlan::beam_of(float bearing) const {
   // Where beams are even this guess is right but for rounding at the edges; elsewhere it is where the search begins.
-  const float across = (beam_edges_.front() - azimuth) * beams_per_radian_;
+  const float across = (beam_edges_.front() - bearing) * beams_per_radian_;
   int beam = std::clamp(static_cast<int>(across), 0, sonar.beam_count - 1);
-  while (beam > 0 && azimuth > beam_edges_[beam]) {
+  while (beam > 0 && bearing > beam_edges_[beam]) {
     --beam;
   }
-  while (beam + 1 < sonar.beam_count && azimuth <= beam_edges_[beam + 1]) {
+  while (beam + 1 < sonar.beam_count && bearing <= beam_edges_[beam + 1]) {
     ++beam;
   }
-  return azimuth <= beam_edges_[beam] && azimuth > beam_edges_[beam + 1] ? beam : -1;
+  return bearing <= beam_edges_[beam] && bearing > beam_edges_[beam + 1] ? beam : -1;
 }
 
 }  // namespace insonify

@@ -34,24 +34,24 @@ void PointEchoes::add(const PingPlan& plan, const Pose& world_from_sonar, Engine
   engine.trace(rays_, hits_);
   grid.lone_echoes().clear();
   const Pose sonar_from_world = world_from_sonar.inverse();
-  const double highest = 0.5 * plan.sonar.elevation_aperture;
   for (std::size_t i = 0; i < points_.size(); ++i) {
     const Vec3 local = sonar_from_world * points_[i].position;
     const double range = local.norm();
-    const double elevation = std::atan2(local.z(), std::hypot(local.x(), local.y()));
     const bool hidden = std::isfinite(hits_[i].distance);
-    if (range == 0 || hidden || std::abs(elevation - plan.sonar.elevation_center) > highest) {
+    const Vec3f direction = (local / range).cast<float>();
+    if (range == 0 || hidden || !plan.hears(direction)) {
       continue;
     }
+    const PingPlan::Arrival arrival = plan.arrival_from(direction);
     const double intensity = std::pow(10.0, points_[i].target_strength_db / 10) / std::pow(range, 4) *
-                             std::exp(-4 * double{plan.neper_per_metre} * range);
+                             std::exp(-4 * double{plan.neper_per_metre} * range) * std::pow(double{arrival.heard}, 2);
     // A point has no extent: it takes no solid angle from what is behind it, and no surface to label a cell with.
-    const int beam = plan.beam_of(static_cast<float>(std::atan2(local.y(), local.x())));
+    const int beam = plan.beam_of(arrival.bearing);
     const int bin = plan.bin_of(static_cast<float>(range));
     if (beam >= 0 && bin >= 0) {
       grid.lone_echoes().push_back({.beam = beam,
                                     .bin = bin,
-                                    .bearing_sine = static_cast<float>(local.y() / std::hypot(local.x(), local.y())),
+                                    .bearing_sine = std::sin(arrival.bearing),
                                     .intensity = static_cast<float>(intensity),
                                     .turns = phase_of(plan, i, range)});
     }

@@ -12,8 +12,8 @@
 namespace insonify {
 
 /// The echoes of points, as lone echoes of a grid of the calibrated model: TS - 40 log10 r - 2 alpha r relative to the
-/// source, each with the phase of its way there and back and one of its own, drawn from the seed. Nothing from behind a
-/// surface or outside the aperture.
+/// source, sent and heard by the elevation pattern, each with the phase of its way there and back and one of its own,
+/// drawn from the seed. Nothing from behind a surface or where the sonar does not hear.
 class PointEchoes {
  public:
   explicit PointEchoes(std::span<const PointTarget> points);

@@ -24,8 +24,8 @@ double tracing_costs(double triangles, double samples) {
 }  // namespace
 
 PrimaryEchoes primary_echoes(PrimaryEchoes asked, const SonarConfig& sonar, std::size_t triangle_count,
-                             std::string_view engine) {
-  if (engine != "cpu") {
+                             std::string_view engine, bool even_rows) {
+  if (engine != "cpu" || (asked == PrimaryEchoes::kAuto && !even_rows)) {
     return PrimaryEchoes::kRays;
   }
   if (asked != PrimaryEchoes::kAuto) {

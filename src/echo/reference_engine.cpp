@@ -181,21 +181,22 @@ void ReferenceEngine::return_mirrored(const PingPlan& plan, const Pose& world_fr
     Echo twice = echo;
     twice.order = 3;
     twice.path_length = 2 * paths.there[0];
-    twice.power = powers.twice[0];
+    twice.power = powers.twice[0] * mirrored.heard;
     deposit(plan, twice, grid);
   }
   const Vec3f heard_from = (world_from_sonar.orientation.inverse() * -out).cast<float>();
-  if (powers.once[0] == 0 || 0.5F * echo.path_length >= plan.true_max_range || !plan.in_aperture(heard_from)) {
+  if (powers.once[0] == 0 || 0.5F * echo.path_length >= plan.true_max_range || !plan.hears(heard_from)) {
     return;
   }
   ++counts.return_legs;
   if (blocked({point, out, kRayClearance, back.norm() - double{kRayClearance}})) {
     return;
   }
-  echo.power = powers.once[0];
+  const PingPlan::Arrival arrival = plan.arrival_from(heard_from);
+  echo.power = powers.once[0] * arrival.heard;
   deposit(plan, echo, grid);
-  echo.azimuth = std::atan2(heard_from.y(), heard_from.x());
-  echo.elevation = std::atan2(heard_from.z(), std::hypot(heard_from.x(), heard_from.y()));
+  echo.azimuth = arrival.bearing;
+  echo.elevation = arrival.elevation;
   arrivals.push_back(echo);
 }
 
@@ -203,9 +204,13 @@ void ReferenceEngine::insonify_column(const PingPlan& plan, int column, const Po
                                       std::vector<Echo>& arrivals, RayCounts& counts) const {
   const Lattice& lattice = plan.lattice;
   const int rows = lattice.rows;
-  const Vec3 along_local(lattice.cos_azimuth[column], lattice.sin_azimuth[column], 0);
-  const Vec3 along = world_from_sonar.orientation * along_local;
-  const Vec3 up = world_from_sonar.orientation * Vec3::UnitZ();
+  const double cosine = lattice.cos_azimuth[column], sine = lattice.sin_azimuth[column];
+  const bool cone = lattice.shape == BeamShape::kCone;
+  const Eigen::Quaterniond& turn = world_from_sonar.orientation;
+  const Vec3 along = turn * Vec3(cosine, cone ? 0 : sine, 0);
+  const Vec3 up = turn * Vec3(0, 0, cone ? cosine : 1);
+  const Vec3 across = cone ? turn * Vec3(0, cosine, 0) : up.cross(along);
+  const Vec3 beside = turn * Vec3(0, cone ? sine : 0, 0);
 
   // Out: what does each row meet first?
   std::vector<Meeting> first(rows);
@@ -219,7 +224,7 @@ void ReferenceEngine::insonify_column(const PingPlan& plan, int column, const Po
   sums.prepare(plan.sonar.bin_count);
   for (int row = 0; row < rows; ++row) {
     const Vec3 direction =
-        along * double{lattice.cos_elevations(column)[row]} + up * double{lattice.sin_elevations(column)[row]};
+        along * double{lattice.cosines(column)[row]} + up * double{lattice.sines(column)[row]} + beside;
     rays[row] = {world_from_sonar.position, direction.normalized(), 0, plan.true_max_range};
     first[row] = nearest(rays[row]);
     if (first[row].met()) {
@@ -241,8 +246,8 @@ void ReferenceEngine::insonify_column(const PingPlan& plan, int column, const Po
   counts.primary += rows;
 
   // Straight back.
-  evaluate_column(plan, column, {along.cast<float>(), up.cross(along).cast<float>(), up.cast<float>()}, hits,
-                  stretches);
+  evaluate_column(plan, column, {along.cast<float>(), across.cast<float>(), up.cast<float>(), beside.cast<float>()},
+                  hits, stretches);
   deposit_column(plan, column, hits, stretches, sums, grid);
   if (plan.secondary == SecondaryEchoes::kNone) {
     return;
@@ -256,13 +261,13 @@ void ReferenceEngine::insonify_column(const PingPlan& plan, int column, const Po
     const Vec3 point = rays[row].origin + rays[row].direction * first[row].distance;
     const Vec3& normal = first[row].bent;
     const Vec3 mirrored = rays[row].direction - 2 * rays[row].direction.dot(normal) * normal;
-    const Ray across{point, mirrored.normalized(), kRayClearance, plan.true_max_range};
-    const Meeting second = nearest(across);
+    const Ray onward{point, mirrored.normalized(), kRayClearance, plan.true_max_range};
+    const Meeting second = nearest(onward);
     ++counts.secondary;
     if (!second.met()) {
       continue;
     }
-    const Vec3 second_point = across.origin + across.direction * second.distance;
+    const Vec3 second_point = onward.origin + onward.direction * second.distance;
     const Vec3 back = world_from_sonar.position - second_point;
     const auto path_length = static_cast<float>(first[row].distance + second.distance + back.norm());
     if (plan.model == EchoModel::kCalibrated) {
@@ -270,7 +275,8 @@ void ReferenceEngine::insonify_column(const PingPlan& plan, int column, const Po
       const float kept = plan.scatter.kept(hits.surface[row]) * texture * texture;
       const Echo echo = secondary_echo(plan, column, row, hits.selected[row], path_length, second.surface());
       return_mirrored(plan, world_from_sonar,
-                      {echo, kept, plan.scatter.steepness(hits.surface[row]), first[row].distance, across, second},
+                      {echo, kept, plan.scatter.steepness(hits.surface[row]), lattice.heard_in(column)[row],
+                       first[row].distance, onward, second},
                       grid, arrivals, counts);
       continue;
     }
@@ -281,7 +287,7 @@ void ReferenceEngine::insonify_column(const PingPlan& plan, int column, const Po
     if (blocked({second_point, back.normalized(), kRayClearance, back.norm() - double{kRayClearance}})) {
       continue;
     }
-    const auto incidence = static_cast<float>(std::abs(second.bent.dot(across.direction)));
+    const auto incidence = static_cast<float>(std::abs(second.bent.dot(onward.direction)));
     Echo echo = secondary_echo(plan, column, row, hits.selected[row], path_length, second.surface());
     const float strength = hits.strength[row] * incidence * second.reflectivity;
     const float rest = path_length - 2 * hits.range[row];

@@ -56,6 +56,7 @@ class ReferenceEngine final : public Engine {
   struct Mirrored {
     Echo echo;              // All but its power.
     float kept, steepness;  // See MirrorPaths.
+    float heard;            // |p|^2 of the elevation it was launched at.
     double range;           // Of the mirror.
     Ray across;
     Meeting second;

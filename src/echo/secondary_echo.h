@@ -9,7 +9,7 @@
 namespace insonify {
 
 /// The secondary echo of the `paper` model, all but its power: heard in the beam it was launched in, as its reciprocal
-/// path is (DESIGN, "the return leg").
+/// path is (DESIGN, "the return leg"). Its weight is by what is sent that way; what is heard of it is its power's.
 /// @param column, row  Of the lattice: the sample whose hit was followed.
 /// @param selected     How many hits the onward ray stands for.
 /// @param path_length  Out, across and back [m].
@@ -20,7 +20,7 @@ inline Echo secondary_echo(const PingPlan& plan, int column, int row, float sele
   return {.azimuth = lattice.azimuth[column],
           .elevation = lattice.elevations(column)[row],
           .path_length = path_length,
-          .weight = lattice.shares(column)[row] * lattice.column_width[column] * selected,
+          .weight = lattice.shares(column)[row] * lattice.column_measure[column] * selected,
           .order = 2,
           .surface = surface};
 }

@@ -51,14 +51,18 @@ constexpr auto words_of<EchoModel>() {
   return Words<EchoModel, 2>{{{"paper", EchoModel::kPaper}, {"calibrated", EchoModel::kCalibrated}}};
 }
 template <>
-constexpr auto words_of<AzimuthPattern>() {
-  return Words<AzimuthPattern, 7>{{{"top_hat", AzimuthPattern::kTopHat},
-                                   {"rectangular", AzimuthPattern::kRectangular},
-                                   {"hann", AzimuthPattern::kHann},
-                                   {"hamming", AzimuthPattern::kHamming},
-                                   {"cosine", AzimuthPattern::kCosine},
-                                   {"taylor", AzimuthPattern::kTaylor},
-                                   {"dolph_chebyshev", AzimuthPattern::kDolphChebyshev}}};
+constexpr auto words_of<BeamPattern>() {
+  return Words<BeamPattern, 7>{{{"top_hat", BeamPattern::kTopHat},
+                                {"rectangular", BeamPattern::kRectangular},
+                                {"hann", BeamPattern::kHann},
+                                {"hamming", BeamPattern::kHamming},
+                                {"cosine", BeamPattern::kCosine},
+                                {"taylor", BeamPattern::kTaylor},
+                                {"dolph_chebyshev", BeamPattern::kDolphChebyshev}}};
+}
+template <>
+constexpr auto words_of<BeamShape>() {
+  return Words<BeamShape, 2>{{{"wedge", BeamShape::kWedge}, {"cone", BeamShape::kCone}}};
 }
 template <>
 constexpr auto words_of<PulseKind>() {

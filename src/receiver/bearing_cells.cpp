@@ -16,7 +16,7 @@ constexpr double kWidest = radians_from_degrees(178);
 }  // namespace
 
 BearingCells::BearingCells(const SonarConfig& heard, const ReceiverConfig& receiver) : sonar(heard) {
-  if (receiver.azimuth_pattern == AzimuthPattern::kTopHat) {
+  if (receiver.azimuth_pattern == BeamPattern::kTopHat) {
     return;
   }
   per_beam = heard.type == SonarType::kMechanicallyScanned ? kPerScannedBeam : kPerBeam;
@@ -39,17 +39,6 @@ BearingCells::BearingCells(const SonarConfig& heard, const ReceiverConfig& recei
       sonar.beam_azimuths.push_back(edges[beam + 1] + quarter);
     }
   }
-}
-
-std::vector<float> BearingCells::solid_angles() const {
-  const std::vector<double> edges = sonar.beam_edges();
-  const double upper = sonar.elevation_center + 0.5 * sonar.elevation_aperture;
-  const double height = std::sin(upper) - std::sin(upper - sonar.elevation_aperture);
-  std::vector<float> angles;
-  for (int cell = 0; cell < sonar.beam_count; ++cell) {
-    angles.push_back(static_cast<float>((edges[cell] - edges[cell + 1]) * height));
-  }
-  return angles;
 }
 
 std::vector<double> BearingCells::sines(const SonarConfig& fan) {

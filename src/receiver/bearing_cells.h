@@ -20,9 +20,6 @@ struct BearingCells {
   int first = 0;      ///< Cell at the port edge of beam 0.
   int per_beam = 1;   ///< Cells in each beam's own slice.
 
-  /// Of each cell, over the elevation aperture [sr].
-  [[nodiscard]] std::vector<float> solid_angles() const;
-
   /// u = sin(azimuth) of the middles of cells or beams.
   [[nodiscard]] static std::vector<double> sines(const SonarConfig& fan);
 };

@@ -5,11 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <limits>
 
 #include "echo/echo.h"
-#include "insonify/absorption.h"
-#include "insonify/sonar_equation.h"
 #include "receiver/normal_numbers.h"
 
 namespace insonify {
@@ -18,104 +15,7 @@ namespace {
 constexpr int kBinsATask = 64;
 constexpr float kTiny = 1e-37F;  // Keeps what divides from being zero.
 
-double noise_intensity_of(const SonarConfig& sonar) {
-  const double width = sonar.azimuth_aperture / sonar.beam_count;
-  const double directivity = sector_directivity_index_db(width, sonar.elevation_aperture);
-  const double level = noise_level_db(thermal_noise_level_db(sonar.frequency), sonar.bandwidth, directivity);
-  return std::pow(10.0, (level - sonar.source_level_db) / 10);
-}
-
-ArrayWindow window_of(AzimuthPattern pattern) {
-  switch (pattern) {
-    case AzimuthPattern::kHann:
-      return ArrayWindow::kHann;
-    case AzimuthPattern::kHamming:
-      return ArrayWindow::kHamming;
-    case AzimuthPattern::kCosine:
-      return ArrayWindow::kCosine;
-    case AzimuthPattern::kTaylor:
-      return ArrayWindow::kTaylor;
-    case AzimuthPattern::kDolphChebyshev:
-      return ArrayWindow::kDolphChebyshev;
-    case AzimuthPattern::kTopHat:  // Has no array.
-    case AzimuthPattern::kRectangular:
-      break;
-  }
-  return ArrayWindow::kRectangular;
-}
-
-ArrayPattern pattern_of(const SonarConfig& sonar, const ReceiverConfig& config) {
-  ArraySettings settings;
-  settings.window = window_of(config.azimuth_pattern);
-  settings.side_lobe_db = config.side_lobe_db;
-  settings.two_way = sonar.type == SonarType::kMechanicallyScanned;
-  return ArrayPattern(settings);
-}
-
-// Echo of a bin of water, per unit of solid angle; not from nearer than a millimetre, where spreading has no meaning.
-double volume_reverberation(double backscatter, double middle, double half, double absorption_db_per_m) {
-  constexpr double kNearest = 1e-3;
-  const double near = std::max(middle - half, kNearest);
-  return backscatter * (1 / near - 1 / (middle + half)) * std::pow(10.0, -0.2 * absorption_db_per_m * middle);
-}
-
 }  // namespace
-
-CalibratedReceiver::CalibratedReceiver(const SonarConfig& sonar, const BearingCells& cells, const Water& water,
-                                       const ReceiverConfig& config, std::span<const Material> materials,
-                                       std::uint64_t seed)
-    : beams_(sonar.beam_count),
-      bins_(sonar.bin_count),
-      cells_(cells.sonar.beam_count),
-      first_cell_(cells.first),
-      cells_per_beam_(cells.per_beam),
-      truth_(sonar, cells),
-      noise_intensity_(noise_intensity_of(sonar)),
-      saturation_(config.saturation_db ? static_cast<float>(std::pow(10.0, *config.saturation_db / 10))
-                                       : std::numeric_limits<float>::infinity()),
-      noisy_(config.noise),
-      has_field_(config.field),
-      seed_(seed) {
-  const double absorption = water.absorption_db_per_m_at(sonar.frequency);
-  for (int bin = 0; bin < bins_; ++bin) {
-    const double range = sonar.bin_range(bin), ramp = near_field(sonar, bin);
-    gain_.push_back(static_cast<float>(ramp * ramp * std::pow(10.0, config.gain_db(range, absorption) / 10)));
-  }
-  if (config.counts) {
-    digitizer_.emplace(sonar, config.full_scale_db.value());
-  }
-  cell_angle_ = cells.solid_angles();
-  const double sound_speed = sonar.assumed_sound_speed.value_or(water.true_sound_speed());
-  const double true_per_shown = water.true_sound_speed() / sound_speed;
-  const double wavelength = water.true_sound_speed() / sonar.frequency;
-  for (int bin = 0; water.volume_backscatter_db && bin < bins_; ++bin) {
-    const double middle = true_per_shown * sonar.bin_range(bin), half = 0.5 * true_per_shown * sonar.bin_length();
-    const double backscatter = std::pow(10.0, *water.volume_backscatter_db / 10);
-    volume_.push_back(static_cast<float>(volume_reverberation(backscatter, middle, half, absorption)));
-  }
-  if (config.pulse != PulseKind::kNone) {
-    const Pulse pulse({.kind = config.pulse, .duration = config.pulse_duration, .bandwidth = config.pulse_bandwidth},
-                      sound_speed, sonar.bin_length());
-    range_.emplace(pulse, sonar.bin_length());
-  }
-  if (config.speckle) {
-    speckle_.emplace(cells.sonar, true_per_shown, wavelength, seed);
-    const double bins = range_ ? range_->equivalent_cells() : 1.0;
-    clutter_.emplace(materials, cells.per_beam, std::max(1, static_cast<int>(std::lround(bins))));
-  }
-  if (config.azimuth_pattern != AzimuthPattern::kTopHat) {
-    const ArrayPattern pattern = pattern_of(sonar, config);
-    const double width = sonar.azimuth_resolution.value_or(sonar.azimuth_aperture / sonar.beam_count);
-    bearing_.emplace(pattern, pattern.length(wavelength, width) / wavelength, BearingCells::sines(cells.sonar),
-                     BearingCells::sines(sonar));
-  }
-  const std::size_t cell_count = static_cast<std::size_t>(cells_) * bins_;
-  const std::size_t beam_count = bearing_ ? static_cast<std::size_t>(beams_) * bins_ : 0;
-  cell_energy_.resize(config.speckle ? 0 : cell_count);
-  beam_energy_.resize(config.speckle ? 0 : beam_count);
-  cell_field_.resize(config.speckle ? cell_count : 0);
-  beam_field_.resize(config.speckle ? beam_count : 0);
-}
 
 // Echo of all path orders, and of the water from directions that no surface has closed yet.
 void CalibratedReceiver::sum_energy(const EchoGrid& grid, int cell, std::span<float> energy) const {
@@ -180,7 +80,28 @@ void CalibratedReceiver::hear_lone_echoes(const EchoGrid& grid, const LoneEchoes
   }
 }
 
-void CalibratedReceiver::hear(const EchoGrid& grid, const Pose& world_from_sonar, Workers& workers, Ping& ping) {
+// Into moved_. The solid angle met before the first bin stays where it is.
+void CalibratedReceiver::move(const EchoGrid& grid, const PingMotion& motion, Workers& workers) {
+  if (moved_.beam_count() == 0) {
+    moved_ = grid;
+  }
+  shift_->prepare(motion, workers);
+  workers.for_each(cells_, [&](int cell, int) { moved_.take_cells(grid, cell, shift_->sources(cell)); });
+  moved_.lone_echoes().clear();
+  for (const LoneEcho& echo : grid.lone_echoes()) {
+    const LoneEcho heard = shift_->moved(echo);
+    if (heard.bin >= 0) {
+      moved_.lone_echoes().push_back(heard);
+    }
+  }
+}
+
+void CalibratedReceiver::hear(const EchoGrid& still, const Pose& world_from_sonar, const PingMotion& motion,
+                              Workers& workers, Ping& ping) {
+  if (shift_) {
+    move(still, motion, workers);
+  }
+  const EchoGrid& grid = shift_ ? moved_ : still;
   size_tables(ping, beams_, bins_, grid.ground_truth());
   ping.field.resize(has_field_ ? ping.intensity.size() : 0);
   ping.counts.resize(digitizer_ ? ping.intensity.size() : 0);

@@ -20,6 +20,7 @@
 #include "receiver/heard_tile.h"
 #include "receiver/lone_echoes.h"
 #include "receiver/range_response.h"
+#include "receiver/reception_shift.h"
 #include "receiver/speckle.h"
 #include "receiver/truth_receiver.h"
 
@@ -34,14 +35,22 @@ namespace insonify {
 /// of the input, the ramp of the near field, gain, and counts.
 class CalibratedReceiver {
  public:
-  /// @param cells      What the grids are of.
-  /// @param materials  Of the scene.
-  CalibratedReceiver(const SonarConfig& sonar, const BearingCells& cells, const Water& water,
-                     const ReceiverConfig& config, std::span<const Material> materials, std::uint64_t seed);
+  struct Settings {
+    const SonarConfig& sonar;
+    const BearingCells& cells;           ///< What the grids are of.
+    std::span<const float> cell_angles;  ///< That each hears of what is sent, see Lattice::beam_angle() [sr].
+    const Water& water;
+    const ReceiverConfig& receiver;
+    std::span<const Material> materials;  ///< Of the scene.
+    bool moves = false;                   ///< Whether the sonar moves while it listens.
+    std::uint64_t seed = 1;
+  };
+  explicit CalibratedReceiver(const Settings& settings);
 
   /// Fills the tables of a ping, whose number is read; allocates only when they need more memory than before.
   /// @param world_from_sonar  Pose of the transducer.
-  void hear(const EchoGrid& grid, const Pose& world_from_sonar, Workers& workers, Ping& ping);
+  /// @param motion            From then on; only where the settings say that it moves.
+  void hear(const EchoGrid& grid, const Pose& world_from_sonar, const PingMotion& motion, Workers& workers, Ping& ping);
 
  private:
   // One worker's row of bins, before the pulse.
@@ -51,6 +60,7 @@ class CalibratedReceiver {
     Speckle::Row scatterers;
   };
 
+  void move(const EchoGrid& grid, const PingMotion& motion, Workers& workers);
   void sum_energy(const EchoGrid& grid, int cell, std::span<float> energy) const;
   void hear_cell(const EchoGrid& grid, int cell, const Speckle::View& view, Row& row);
   void hear_bearings(Workers& workers);
@@ -61,12 +71,14 @@ class CalibratedReceiver {
   int beams_, bins_, cells_, first_cell_, cells_per_beam_;
   std::vector<float> gain_;        // Of each bin: near field and time-varied gain.
   std::vector<float> volume_;      // Of each bin: what the water echoes per unit of solid angle; empty for nothing.
-  std::vector<float> cell_angle_;  // Of each cell: solid angle [sr].
+  std::vector<float> cell_angle_;  // Of each cell: solid angle that it hears of what is sent [sr].
   TruthReceiver truth_;
   double noise_intensity_ = 0;
   float saturation_;  // Intensity before gain.
   bool noisy_, has_field_;
   std::uint64_t seed_;
+  std::optional<ReceptionShift> shift_;
+  EchoGrid moved_;
   std::optional<Speckle> speckle_;
   std::optional<Clutter> clutter_;
   std::optional<Digitizer> digitizer_;

@@ -61,14 +61,14 @@ class Instances {
 
 }  // namespace
 
-TruthReceiver::TruthReceiver(const SonarConfig& sonar, const BearingCells& cells)
+TruthReceiver::TruthReceiver(const SonarConfig& sonar, const BearingCells& cells, std::span<const float> cell_angles)
     : beams_(sonar.beam_count),
       bins_(sonar.bin_count),
       cells_(cells.sonar.beam_count),
       first_cell_(cells.first),
       cells_per_beam_(cells.per_beam),
       middle_elevation_(static_cast<float>(sonar.elevation_center)),
-      angle_(cells.solid_angles()) {}
+      angle_(cell_angles.begin(), cell_angles.end()) {}
 
 void TruthReceiver::tell(const EchoGrid& grid, const Hearing& hearing, Workers& workers, Ping& ping) {
   hear_direct(grid, hearing, workers, ping);

@@ -20,8 +20,9 @@ namespace insonify {
 /// mix them with others. The direct echo is heard as all echoes are: with array, pulse, near field and gain.
 class TruthReceiver {
  public:
-  /// @param cells  What the grids are of.
-  TruthReceiver(const SonarConfig& sonar, const BearingCells& cells);
+  /// @param cells        What the grids are of.
+  /// @param cell_angles  Solid angle that each of them hears of what is sent [sr].
+  TruthReceiver(const SonarConfig& sonar, const BearingCells& cells, std::span<const float> cell_angles);
 
   /// How the receiver hears; null for no pulse, no array.
   struct Hearing {

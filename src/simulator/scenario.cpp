@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "insonify/error.h"
+#include "receiver/line_array.h"
 
 namespace insonify {
 namespace {
@@ -49,14 +50,42 @@ void check_sonars(const std::vector<SonarConfig>& sonars, const Water& water) {
   }
 }
 
-// Bearings of an array are told by their sines.
-void check_pattern(const std::vector<SonarConfig>& sonars, const ReceiverConfig& receiver) {
-  for (std::size_t i = 0; i < sonars.size(); ++i) {
-    if (receiver.azimuth_pattern != AzimuthPattern::kTopHat && sonars[i].azimuth_aperture > std::numbers::pi) {
-      throw Error(
-          fmt::format("receiver.azimuth_pattern must be top_hat for fans of more than 180 deg; sonars[{}] has {:.4g}",
-                      i, sonars[i].azimuth_aperture * 180 / std::numbers::pi));
+// Whether there is an array of this pattern and width.
+void check_array(std::string_view key, BeamPattern pattern, double side_lobe_db, double width) {
+  try {
+    if (pattern != BeamPattern::kTopHat) {
+      static_cast<void>(line_array(pattern, side_lobe_db, width));
     }
+  } catch (const Error& error) {
+    throw Error(fmt::format("receiver.{} = {}", key, error.what()));
+  }
+}
+
+// Bearings of an array are told by their sines.
+void check_fan(std::string_view key, std::string_view only, std::size_t index, const SonarConfig& sonar) {
+  if (sonar.azimuth_aperture > std::numbers::pi) {
+    throw Error(fmt::format("receiver.{} must be {} for fans of more than 180 deg; sonars[{}] has {:.4g}", key, only,
+                            index, degrees_from_radians(sonar.azimuth_aperture)));
+  }
+}
+
+void check_beams(const Scenario& scenario) {
+  const ReceiverConfig& receiver = scenario.receiver;
+  for (std::size_t i = 0; i < scenario.sonars.size(); ++i) {
+    const SonarConfig& sonar = scenario.sonars[i];
+    if (receiver.azimuth_pattern != BeamPattern::kTopHat) {
+      check_fan("azimuth_pattern", "top_hat", i, sonar);
+    }
+    if (receiver.beam_shape == BeamShape::kCone) {
+      check_fan("beam_shape", "wedge", i, sonar);
+    }
+    check_array("azimuth_pattern", receiver.azimuth_pattern, receiver.side_lobe_db, beam_width(sonar));
+    check_array("elevation_pattern", receiver.elevation_pattern, receiver.side_lobe_db, sonar.elevation_aperture);
+  }
+  if (scenario.primary == PrimaryEchoes::kRaster && !scenario.has_even_rows()) {
+    throw Error(
+        "primary = raster needs receiver.beam_shape = wedge and receiver.elevation_pattern = top_hat; auto or rays "
+        "takes any");
   }
 }
 
@@ -131,6 +160,11 @@ void Trajectory::validate(std::string_view object) const {
   }
 }
 
+bool Scenario::has_even_rows() const {
+  return model == EchoModel::kPaper ||
+         (receiver.beam_shape == BeamShape::kWedge && receiver.elevation_pattern == BeamPattern::kTopHat);
+}
+
 void Scenario::validate() const {
   check_fields("", *this);
   if (model == EchoModel::kPaper && !points.empty()) {
@@ -138,6 +172,9 @@ void Scenario::validate() const {
   }
   if (model == EchoModel::kPaper && (receiver.field || receiver.counts)) {
     throw Error(fmt::format("receiver.{} needs model = calibrated", receiver.field ? "field" : "counts"));
+  }
+  if (model == EchoModel::kPaper && motion_in_ping) {
+    throw Error("motion_in_ping needs model = calibrated");
   }
   if (model == EchoModel::kPaper && ground_truth == GroundTruth::kFull) {
     throw Error("ground_truth = full needs model = calibrated");
@@ -152,7 +189,7 @@ void Scenario::validate() const {
   paper.validate();
   check_materials(materials);
   check_sonars(sonars, water);
-  check_pattern(sonars, receiver);
+  check_beams(*this);
   trajectory.validate("trajectory");
   check_motions(motions);
   if (view.has_value()) {

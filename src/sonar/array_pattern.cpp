@@ -114,8 +114,8 @@ void ArraySettings::validate(std::string_view object) const {
   }
 }
 
-double bearing_sine(BearingMode mode, double azimuth, double elevation) {
-  return std::sin(azimuth) * (mode == BearingMode::kConical ? std::cos(elevation) : 1);
+double bearing_sine(BeamShape shape, double azimuth, double elevation) {
+  return std::sin(azimuth) * (shape == BeamShape::kCone ? std::cos(elevation) : 1);
 }
 
 ArrayPattern::ArrayPattern(const ArraySettings& settings, std::uint64_t seed) : two_way_(settings.two_way) {

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "sonar/column_arc.h"
+
 namespace insonify {
 namespace {
 
@@ -22,64 +24,133 @@ float to_float(double value) {
   return static_cast<float>(value);
 }
 
-void lay_columns(const SonarConfig& sonar, int first_phase, Lattice& lattice) {
+void lay_columns(const SonarConfig& sonar, Lattice& lattice) {
   const std::vector<double> edges = sonar.beam_edges();
   const int per_beam = lattice.columns_per_beam;
-  const int stride = stagger_stride(per_beam);
   for (int column = 0; column < lattice.columns; ++column) {
     const int beam = column / per_beam;
     const double width = (edges[beam] - edges[beam + 1]) / per_beam;
     const double azimuth = edges[beam] - (column % per_beam + 0.5) * width;
-    const int mirrored = std::min(column, lattice.columns - 1 - column);
+    const double half = 0.5 * width;
     lattice.azimuth.push_back(to_float(azimuth));
     lattice.cos_azimuth.push_back(to_float(std::cos(azimuth)));
     lattice.sin_azimuth.push_back(to_float(std::sin(azimuth)));
     lattice.column_width.push_back(to_float(width));
-    lattice.phase.push_back(static_cast<std::uint16_t>((first_phase + mirrored * stride) % per_beam));
+    lattice.column_measure.push_back(
+        to_float(lattice.shape == BeamShape::kWedge ? width : std::sin(azimuth + half) - std::sin(azimuth - half)));
   }
 }
 
-void lay_rows(double low, double high, Lattice& lattice) {
+// A set of rows at ts[1] to ts[rows], between the edges ts.front() and ts.back().
+struct RowSet {
+  std::vector<double> ts;
+  double cos_bearing;  // What sin t is times, to make the sine of the elevation: 1 in a wedge.
+  const ElevationPattern* pattern;
+};
+
+void add_row_set(const RowSet& set, const auto& sent_below, const auto& heard_below, Lattice& lattice) {
+  const int rows = lattice.rows;
+  const auto& ts = set.ts;
+  lattice.edges.push_back({to_float(std::cos(ts.front())), to_float(std::sin(ts.front())),
+                           to_float(std::cos(ts.back())), to_float(std::sin(ts.back()))});
+  std::vector<float> sent;
+  for (int i = 1; i <= rows + 1; ++i) {
+    lattice.interval.push_back(to_float(heard_below(ts[i]) - heard_below(ts[i - 1])));
+    sent.push_back(to_float(sent_below(ts[i]) - sent_below(ts[i - 1])));
+  }
+  for (int row = 0; row < rows; ++row) {
+    const double t = ts[row + 1];
+    const double elevation = lattice.shape == BeamShape::kWedge ? t : std::asin(set.cos_bearing * std::sin(t));
+    lattice.elevation.push_back(to_float(elevation));
+    lattice.cos_t.push_back(to_float(std::cos(t)));
+    lattice.sin_t.push_back(to_float(std::sin(t)));
+    lattice.heard.push_back(set.pattern != nullptr ? to_float(set.pattern->intensity(elevation)) : 1.0F);
+    const float below_row = row == 0 ? sent[0] : 0.5F * sent[row];
+    const float above_row = row + 1 == rows ? sent[row + 1] : 0.5F * sent[row + 1];
+    lattice.share.push_back(below_row + above_row);
+  }
+}
+
+// Rows even in tan(elevation), one set a phase.
+void lay_even_rows(double low, double high, Lattice& lattice) {
   const int phases = lattice.columns_per_beam;
   const double first = std::tan(low);
   const double step = (std::tan(high) - first) / lattice.rows;
+  const auto sine = [](double t) { return std::sin(t); };
   lattice.tan_step = to_float(step);
   for (int phase = 0; phase < phases; ++phase) {
     lattice.first_tans.push_back(to_float(first + step * (phase + 0.5) / phases));
-    double below = std::sin(low);
+    RowSet set{{low}, 1, nullptr};
     for (int row = 0; row < lattice.rows; ++row) {
-      const double elevation = std::atan(first + step * (row + (phase + 0.5) / phases));
-      lattice.elevation.push_back(to_float(elevation));
-      lattice.cos_elevation.push_back(to_float(std::cos(elevation)));
-      lattice.sin_elevation.push_back(to_float(std::sin(elevation)));
-      lattice.interval.push_back(to_float(std::sin(elevation) - below));
-      below = std::sin(elevation);
+      set.ts.push_back(std::atan(first + step * (row + (phase + 0.5) / phases)));
     }
-    lattice.interval.push_back(to_float(std::sin(high) - below));
-
-    const float* interval = &lattice.interval[static_cast<std::size_t>(phase) * (lattice.rows + 1)];
-    for (int row = 0; row < lattice.rows; ++row) {
-      const float below_row = row == 0 ? interval[0] : 0.5F * interval[row];
-      const float above_row = row + 1 == lattice.rows ? interval[row + 1] : 0.5F * interval[row + 1];
-      lattice.share.push_back(below_row + above_row);
-    }
+    set.ts.push_back(high);
+    add_row_set(set, sine, sine, lattice);
   }
+}
+
+// Rows as dense as an arc asks for.
+void lay_rows_along(const ColumnArc& arc, int phase, double cos_bearing, const ElevationPattern* pattern,
+                    Lattice& lattice) {
+  RowSet set{{arc.low()}, cos_bearing, pattern};
+  for (int row = 0; row < lattice.rows; ++row) {
+    set.ts.push_back(arc.at_share((row + (phase + 0.5) / lattice.columns_per_beam) / lattice.rows));
+  }
+  set.ts.push_back(arc.high());
+  add_row_set(
+      set, [&](double t) { return arc.sent_below(t); }, [&](double t) { return arc.heard_below(t); }, lattice);
 }
 
 }  // namespace
 
-Lattice::Lattice(const SonarConfig& sonar, int first_phase)
-    : columns(sonar.beam_count * sonar.sampling.columns_per_beam),
+Lattice::Lattice(const SonarConfig& sonar, int first_phase, BeamShape beam_shape, const ElevationPattern* pattern)
+    : shape(beam_shape),
+      even_rows(beam_shape == BeamShape::kWedge && pattern == nullptr),
+      columns(sonar.beam_count * sonar.sampling.columns_per_beam),
       rows(sonar.sampling.rows),
       columns_per_beam(sonar.sampling.columns_per_beam) {
-  const double low = sonar.elevation_center - sonar.elevation_aperture / 2;
-  const double high = sonar.elevation_center + sonar.elevation_aperture / 2;
-  cos_low = to_float(std::cos(low));
-  sin_low = to_float(std::sin(low));
-  cos_high = to_float(std::cos(high));
-  sin_high = to_float(std::sin(high));
-  lay_columns(sonar, first_phase, *this);
-  lay_rows(low, high, *this);
+  lay_columns(sonar, *this);
+  const double half = 0.5 * sonar.elevation_aperture;
+  const ColumnArc::Sector sector =
+      pattern != nullptr ? ColumnArc::Sector{pattern->low(), pattern->high(), pattern}
+                         : ColumnArc::Sector{sonar.elevation_center - half, sonar.elevation_center + half, nullptr};
+  const int phases = columns_per_beam, stride = stagger_stride(phases);
+  const auto phase_of = [&](int column) {
+    return (first_phase + std::min(column, columns - 1 - column) * stride) % phases;
+  };
+  ColumnArc arc;
+  if (shape == BeamShape::kCone) {
+    // Each column's edges are its own.
+    for (int column = 0; column < columns; ++column) {
+      arc.lay(shape, static_cast<double>(azimuth[column]), sector);
+      lay_rows_along(arc, phase_of(column), std::cos(static_cast<double>(azimuth[column])), pattern, *this);
+      row_set.push_back(static_cast<std::uint32_t>(column));
+    }
+    return;
+  }
+  if (even_rows) {
+    lay_even_rows(sector.low, sector.high, *this);
+  } else {
+    arc.lay(shape, 0, sector);
+    for (int phase = 0; phase < phases; ++phase) {
+      lay_rows_along(arc, phase, 1, pattern, *this);
+    }
+  }
+  for (int column = 0; column < columns; ++column) {
+    row_set.push_back(static_cast<std::uint32_t>(phase_of(column)));
+  }
+}
+
+double Lattice::beam_angle(int beam) const {
+  double sum = 0;
+  for (int column = beam * columns_per_beam; column < (beam + 1) * columns_per_beam; ++column) {
+    double of_column = 0;
+    for (int i = 0; i <= rows; ++i) {
+      of_column += static_cast<double>(intervals(column)[i]);
+    }
+    sum += of_column * static_cast<double>(column_measure[column]);
+  }
+  return sum;
 }
 
 }  // namespace insonify

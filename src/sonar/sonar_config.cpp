@@ -82,9 +82,8 @@ void check_beam_azimuths(std::string_view object, const SonarConfig& sonar) {
 
 // Elevations are sampled evenly in their tangent, which has no value straight up.
 void check_elevations(std::string_view object, const SonarConfig& sonar) {
-  constexpr double kSteepest = radians_from_degrees(89);
   const double steepest = std::abs(sonar.elevation_center) + sonar.elevation_aperture / 2;
-  if (steepest > kSteepest + kAngleSlack) {
+  if (steepest > kSteepestElevation + kAngleSlack) {
     fail(object, fmt::format("elevation_center_deg = {} with elevation_aperture_deg = {} reaches {}, must stay within "
                              "89 deg of level",
                              degrees(sonar.elevation_center), degrees(sonar.elevation_aperture), degrees(steepest)));

@@ -76,6 +76,8 @@ TEST(EngineAgreementTest, CpuAndReferenceGiveTheSameCalibratedEchoes) {
     const PingPlanSettings settings{.sonar = random.sonar,
                                     .model = EchoModel::kCalibrated,
                                     .materials = random.scene.materials,
+                                    .beam_shape = seed % 4 < 2 ? BeamShape::kWedge : BeamShape::kCone,
+                                    .elevation_array = seed % 8 < 4 ? std::optional<ArraySettings>() : ArraySettings{},
                                     .secondary = seed % 2 == 0 ? SecondaryEchoes::kAll : SecondaryEchoes::kSelective,
                                     .seed = static_cast<std::uint64_t>(seed)};
     const EchoGrid cpu = echoes_of("cpu", random.scene, settings, random.pose);

@@ -173,6 +173,24 @@ const Case kCases[] = {
     {"ArrayAllRound",
      "world: floor.obj\nreceiver: {azimuth_pattern: hann}\nsonars: [{name: fls, azimuth_aperture_deg: 200}]\n",
      "scenario.yaml:2:12: receiver.azimuth_pattern must be top_hat for fans of more than 180 deg; sonars[0] has 200"},
+    {"ConeAllRound",
+     "world: floor.obj\nreceiver: {beam_shape: cone}\nsonars: [{name: fls, azimuth_aperture_deg: 200}]\n",
+     "scenario.yaml:2:12: receiver.beam_shape must be wedge for fans of more than 180 deg; sonars[0] has 200"},
+    {"UnknownBeamShape", "world: floor.obj\nreceiver: {beam_shape: pencil}\nsonars: [{name: fls}]\n",
+     "scenario.yaml:2:12: receiver.beam_shape = \"pencil\" must be wedge or cone"},
+    {"DolphOfTooManyElements",
+     "world: floor.obj\nreceiver: {azimuth_pattern: dolph_chebyshev}\n"
+     "sonars: [{name: fls, azimuth_resolution_deg: 0.05}]\n",
+     "scenario.yaml:2:12: receiver.azimuth_pattern = dolph_chebyshev takes more than 1024 elements for a beam of "
+     "0.05 deg"},
+    {"RasterOfAnArray",
+     "world: floor.obj\nmodel: calibrated\nprimary: raster\nreceiver: {elevation_pattern: hann}\n"
+     "sonars: [{name: fls}]\n",
+     "scenario.yaml:3:1: primary = raster needs receiver.beam_shape = wedge and receiver.elevation_pattern = top_hat; "
+     "auto or rays takes any"},
+    {"UnknownElevationPattern", "world: floor.obj\nreceiver: {elevation_pattern: sinc}\nsonars: [{name: fls}]\n",
+     "scenario.yaml:2:12: receiver.elevation_pattern = \"sinc\" must be top_hat, rectangular, hann, hamming, cosine, "
+     "taylor or dolph_chebyshev"},
     {"UnknownPattern", "world: floor.obj\nreceiver: {azimuth_pattern: sinc}\nsonars: [{name: fls}]\n",
      "scenario.yaml:2:12: receiver.azimuth_pattern = \"sinc\" must be top_hat, rectangular, hann, hamming, cosine, "
      "taylor "

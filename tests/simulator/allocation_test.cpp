@@ -125,7 +125,7 @@ Scenario calibrated_scenario(SonarType type) {
   scenario.points = {{.position = {4, 0.2, -1}}};
   scenario.water.absorption = true;
   scenario.water.volume_backscatter_db = -70;
-  scenario.receiver.azimuth_pattern = AzimuthPattern::kHann;
+  scenario.receiver.azimuth_pattern = BeamPattern::kHann;
   scenario.receiver.pulse = PulseKind::kLfm;
   scenario.receiver.pulse_duration = 1e-3;
   scenario.receiver.speckle = true;
@@ -142,6 +142,18 @@ TEST(AllocationTest, CalibratedPingsAllocateNothing) {
   fan.receiver.speckle = false;
   EXPECT_EQ(allocations_of_pings(fan, 1), 0);
   EXPECT_EQ(allocations_of_pings(calibrated_scenario(SonarType::kMechanicallyScanned), 1), 0);
+}
+
+TEST(AllocationTest, CalibratedPingsOfConesAndElevationPatternsAllocateNothing) {
+  if (INSONIFY_COUNTS_ALLOCATIONS == 0) {
+    GTEST_SKIP() << "allocations cannot be counted here";
+  }
+  Scenario scenario = busy_scenario(64);
+  scenario.model = EchoModel::kCalibrated;
+  scenario.receiver.beam_shape = BeamShape::kCone;
+  scenario.receiver.elevation_pattern = BeamPattern::kRectangular;
+  EXPECT_EQ(allocations_of_pings(scenario, 1), 0);
+  EXPECT_EQ(allocations_of_pings(scenario, 2), 0);
 }
 
 // That a count of zero means something.

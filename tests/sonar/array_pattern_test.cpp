@@ -255,9 +255,9 @@ TEST(BearingTest, ConeBringsHighTargetsTowardsTheAxis) {
                {60, -20, 54.46865223719582}};
   for (const auto& c : cases) {
     const double azimuth = radians_from_degrees(c.azimuth), elevation = radians_from_degrees(c.elevation);
-    EXPECT_THAT(degrees_from_radians(std::asin(bearing_sine(BearingMode::kConical, azimuth, elevation))),
+    EXPECT_THAT(degrees_from_radians(std::asin(bearing_sine(BeamShape::kCone, azimuth, elevation))),
                 RelativelyNear(c.bearing));
-    EXPECT_THAT(degrees_from_radians(std::asin(bearing_sine(BearingMode::kWedge, azimuth, elevation))),
+    EXPECT_THAT(degrees_from_radians(std::asin(bearing_sine(BeamShape::kWedge, azimuth, elevation))),
                 RelativelyNear(c.azimuth));
   }
 }

@@ -28,7 +28,7 @@ Scenario everything(const Method& method) {
   scenario.water.volume_backscatter_db = -70;
   scenario.receiver.noise = true;
   scenario.receiver.speckle = true;
-  scenario.receiver.azimuth_pattern = AzimuthPattern::kHann;
+  scenario.receiver.azimuth_pattern = BeamPattern::kHann;
   scenario.receiver.pulse = PulseKind::kLfm;
   scenario.receiver.pulse_duration = 1e-3;
   scenario.receiver.time_varied_gain = 30;

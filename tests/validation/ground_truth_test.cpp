@@ -75,7 +75,7 @@ TEST_P(GroundTruthTest, PlatesInOneBinShareItsEcho) {
 // An array hears the plates in every beam; the truth is that of each beam's own slice.
 TEST_P(GroundTruthTest, BeamsOfAnArrayTellTheirOwnSlice) {
   Scenario scenario = with_truth(coarse_sonar(), GetParam());
-  scenario.receiver.azimuth_pattern = AzimuthPattern::kRectangular;
+  scenario.receiver.azimuth_pattern = BeamPattern::kRectangular;
   const Ping ping = ping_of(scenario, three_plates());
   EXPECT_NEAR(share_at(ping, kPlateBin, 1, 0), 4 / 7.0, 0.03);
   EXPECT_NEAR(share_at(ping, kPlateBin, 1, 1), 2 / 7.0, 0.03);
@@ -217,7 +217,7 @@ TEST_P(GroundTruthTest, DirectIntensityIsThePingWithoutSecondaryEchoes) {
   sonar.sampling = {4, 400};
   Scenario scenario = with_truth(sonar, GetParam());
   scenario.secondary = SecondaryEchoes::kAll;
-  scenario.receiver.azimuth_pattern = AzimuthPattern::kHann;
+  scenario.receiver.azimuth_pattern = BeamPattern::kHann;
   scenario.receiver.pulse = PulseKind::kLfm;
   scenario.receiver.pulse_duration = 1e-3;
   scenario.receiver.time_varied_gain = 30;

@@ -8,9 +8,10 @@ namespace insonify::validation {
 namespace {
 
 class MultipathTest : public testing::TestWithParam<Method> {};
+class ElevationMultipathTest : public testing::TestWithParam<Method> {};
 
 EchoGrid echoes_of(const Method& method, const Scene& scene, const SonarConfig& sonar, const Vec3& position,
-                   int max_surfaces = 3) {
+                   int max_surfaces = 3, const std::optional<ArraySettings>& elevation_array = {}) {
   const auto engine = make_engine(method.engine, 2);
   engine->set_scene(scene);
   EchoGrid grid(sonar.beam_count, sonar.bin_count, kPathOrders);
@@ -18,6 +19,7 @@ EchoGrid echoes_of(const Method& method, const Scene& scene, const SonarConfig& 
                                     .water = {.absorption = false},
                                     .model = EchoModel::kCalibrated,
                                     .materials = scene.materials,
+                                    .elevation_array = elevation_array,
                                     .primary = method.primary,
                                     .secondary = SecondaryEchoes::kAll,
                                     .max_surfaces = max_surfaces}),
@@ -30,6 +32,17 @@ double total_db(const EchoGrid& grid, int order) {
   for (int beam = 0; beam < grid.beam_count(); ++beam) {
     for (const float value : grid.energy(order, beam)) {
       sum += value;
+    }
+  }
+  return 10 * std::log10(sum);
+}
+
+// Of what arrives from about a range: elsewhere are the sphere's mirrored echoes of the surface.
+double level_db(const EchoGrid& grid, const SonarConfig& sonar, int order, double range) {
+  double sum = 0;
+  for (int beam = 0; beam < sonar.beam_count; ++beam) {
+    for (int bin = 0; bin < sonar.bin_count; ++bin) {
+      sum += std::abs(sonar.bin_range(bin) - range) < 0.3 ? grid.energy(order, beam)[bin] : 0;
     }
   }
   return 10 * std::log10(sum);
@@ -89,6 +102,30 @@ TEST_P(MultipathTest, SurfaceGhostsHaveTheirRangesAndLevels) {
     const EchoGrid grid = echoes_of(GetParam(), scene, sonar, {0, 0, -1});
     EXPECT_NEAR(total_db(grid, 2) - total_db(grid, 1), 2.967, 0.5);
     EXPECT_NEAR(total_db(grid, 3) - total_db(grid, 1), -0.086, 0.5);
+  }
+}
+
+// The same with an array 20 degrees high that sends and hears, sinc^2 one way: ghosts from 42 degrees up are weak but
+// there, by its side lobe.
+TEST_P(ElevationMultipathTest, SurfaceGhostsAreSentAndHeardByThePattern) {
+  const Material calm = glinting(1, 0.005);
+  SonarConfig sonar = tall_sonar(20);
+  sonar.beam_count = 3;
+  sonar.azimuth_aperture = 0.6 * kDegree;  // All of the highlight.
+  sonar.sampling = {12, 2000};
+  constexpr struct {
+    double range, height, depth, both, twice;
+  } kScenes[] = {{10, -4, -5, -15.138, -36.296}, {20, -1, -1, 2.026, -1.968}};
+  for (const auto& [range, height, depth, both, twice] : kScenes) {
+    const Scene scene = scene_of_all(
+        {plane(Vec3::UnitZ(), {0, 0, 0}, calm), sphere_at({range, 0, height}, 0.1, glinting(1, 0.1), 0.2)});
+    const EchoGrid grid = echoes_of(GetParam(), scene, sonar, {0, 0, depth}, 3, ArraySettings{});
+    const double straight = std::hypot(range, height - depth) - 0.1,
+                 by_mirror = std::hypot(range, height + depth) - 0.1;
+    const double direct = level_db(grid, sonar, 1, straight);
+    EXPECT_NEAR(level_db(grid, sonar, 2, 0.5 * (straight + by_mirror)) - direct, both, 0.5) << range;
+    EXPECT_NEAR(level_db(grid, sonar, 3, by_mirror) - direct, twice, 0.5) << range;
+    EXPECT_NEAR(peak_range(grid, sonar, 1), straight, 1.01 * sonar.bin_length());
   }
 }
 
@@ -160,6 +197,7 @@ TEST_P(MultipathTest, ReciprocalEchoesAreAlike) {
 
 constexpr auto kName = [](const auto& test) { return test.param.name; };
 INSTANTIATE_TEST_SUITE_P(Methods, MultipathTest, testing::Values(kRays, kRaster), kName);
+INSTANTIATE_TEST_SUITE_P(Methods, ElevationMultipathTest, testing::Values(kReference, kRays), kName);
 
 }  // namespace
 }  // namespace insonify::validation

@@ -24,7 +24,7 @@ TEST(ArrayPingTest, PointDrawsThePatternAcrossTheBeams) {
   const SonarConfig sonar = fan();
   for (const double azimuth : {-50.1 * kDegree, -12.34 * kDegree, 0.0, 20 * kDegree, 47.7 * kDegree}) {
     Scenario scenario = calibrated(sonar, kRays);
-    scenario.receiver.azimuth_pattern = AzimuthPattern::kRectangular;
+    scenario.receiver.azimuth_pattern = BeamPattern::kRectangular;
     scenario.points = {{.position = 15.02 * Vec3(std::cos(azimuth), std::sin(azimuth), 0)}};
     const Ping ping = ping_of(scenario, {});
     const int bin = static_cast<int>(15.02 / sonar.bin_length());
@@ -40,6 +40,19 @@ TEST(ArrayPingTest, PointDrawsThePatternAcrossTheBeams) {
   }
 }
 
+// Whatever the window, a lone point keeps its level where the array looks, upright arrays as well.
+TEST(ArrayPingTest, EveryWindowKeepsALonePointsLevel) {
+  const double azimuth = fan().beam_azimuth(100) - 0.25 * 120 * kDegree / 256;  // The middle of half a beam.
+  for (int window = 1; window <= static_cast<int>(BeamPattern::kDolphChebyshev); ++window) {
+    Scenario scenario = calibrated(fan(), kRays);
+    scenario.receiver.azimuth_pattern = scenario.receiver.elevation_pattern = static_cast<BeamPattern>(window);
+    scenario.points = {{.position = 15.02 * Vec3(std::cos(azimuth), std::sin(azimuth), 0)}};
+    const Ping ping = ping_of(scenario, {});
+    EXPECT_NEAR(cell_db(ping, static_cast<int>(15.02 / fan().bin_length()), 100), -40 * std::log10(15.02), 0.2)
+        << window;  // The beam looks an eighth of its width aside.
+  }
+}
+
 // A scanning head sends and hears with one array: its side lobes are 26.5 dB down.
 TEST(ArrayPingTest, ScanningHeadIsTwoWay) {
   SonarConfig sonar;
@@ -51,7 +64,7 @@ TEST(ArrayPingTest, ScanningHeadIsTwoWay) {
   sonar.step = 0.375 * kDegree;  // An eighth of a beam: the point is in the middle of a cell in every ping.
   const double first = 0.1875 * kDegree;
   Scenario scenario = calibrated(sonar, kRays);
-  scenario.receiver.azimuth_pattern = AzimuthPattern::kRectangular;
+  scenario.receiver.azimuth_pattern = BeamPattern::kRectangular;
   scenario.points = {{.position = 15.02 * Vec3(std::cos(first), std::sin(first), 0)}};
   Simulator simulator(scenario, {}, 2);
   const double length = 0.8858929413781328 / (2 * std::sin(1.5 * kDegree));  // D / wavelength
@@ -74,7 +87,7 @@ TEST(ArrayPingTest, BeamTakesTheLabelOfItsStrongestCell) {
   sonar.max_range = 25;
   sonar.sampling = {64, 400};
   Scenario scenario = calibrated(sonar, kRays);
-  scenario.receiver.azimuth_pattern = AzimuthPattern::kHann;
+  scenario.receiver.azimuth_pattern = BeamPattern::kHann;
   // Plates in one bin in the middles of three cells, -3.5, 0.5 and 2.5 degrees off: weak, strong, middling.
   Scene scene;
   for (const auto& [azimuth, level] : {std::pair{3.5, -30.0}, {-0.5, -10.0}, {-2.5, -20.0}}) {

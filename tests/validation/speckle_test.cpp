@@ -20,7 +20,7 @@ class SpeckleTest : public testing::Test {
   }
   static Scenario scenario_of(const SonarConfig& sonar) {
     Scenario scenario = calibrated(sonar, kRays);
-    scenario.receiver.azimuth_pattern = AzimuthPattern::kRectangular;
+    scenario.receiver.azimuth_pattern = BeamPattern::kRectangular;
     scenario.receiver.speckle = true;
     return scenario;
   }
@@ -148,7 +148,7 @@ TEST_F(SpeckleTest, TurningItTurns) {
 // Patchy surfaces: gamma-distributed texture under the speckle (PHYSICS 6: C_I and tail of the K distribution).
 TEST_F(SpeckleTest, ClutterIsKDistributed) {
   Scenario scenario = scenario_at({0, 0, 0});
-  scenario.receiver.azimuth_pattern = AzimuthPattern::kTopHat;  // Cells are resolved as they are.
+  scenario.receiver.azimuth_pattern = BeamPattern::kTopHat;  // Cells are resolved as they are.
   for (const auto& [shape, tail] : {std::pair{2.0, 0.02350083910703625}, {0.5, 0.0}, {10.0, 0.0}}) {
     Material material = diffuse(-20);
     material.clutter_shape = shape;

@@ -1,0 +1,114 @@
+// calibrated_receiver_setup.cpp -- settings turned into what is the same for all pings.
+
+#include <cassert>
+#include <cmath>
+#include <limits>
+
+#include "insonify/absorption.h"
+#include "insonify/sonar_equation.h"
+#include "receiver/calibrated_receiver.h"
+#include "receiver/line_array.h"
+
+namespace insonify {
+namespace {
+
+double noise_intensity_of(const SonarConfig& sonar) {
+  const double width = sonar.azimuth_aperture / sonar.beam_count;
+  const double directivity = sector_directivity_index_db(width, sonar.elevation_aperture);
+  const double level = noise_level_db(thermal_noise_level_db(sonar.frequency), sonar.bandwidth, directivity);
+  return std::pow(10.0, (level - sonar.source_level_db) / 10);
+}
+
+// Echo of a bin of water, per unit of solid angle; not from nearer than a millimetre, where spreading has no meaning.
+double volume_reverberation(double backscatter, double middle, double half, double absorption_db_per_m) {
+  constexpr double kNearest = 1e-3;
+  const double near = std::max(middle - half, kNearest);
+  return backscatter * (1 / near - 1 / (middle + half)) * std::pow(10.0, -0.2 * absorption_db_per_m * middle);
+}
+
+// Of each bin: near field and time-varied gain.
+std::vector<float> gain_of(const SonarConfig& sonar, const ReceiverConfig& receiver, double absorption_db_per_m) {
+  std::vector<float> gain;
+  for (int bin = 0; bin < sonar.bin_count; ++bin) {
+    const double range = sonar.bin_range(bin), ramp = near_field(sonar, bin);
+    gain.push_back(static_cast<float>(ramp * ramp * std::pow(10.0, receiver.gain_db(range, absorption_db_per_m) / 10)));
+  }
+  return gain;
+}
+
+// Of each bin: what the water echoes per unit of solid angle; empty for nothing.
+std::vector<float> volume_of(const SonarConfig& sonar, const Water& water, double true_ranges) {
+  std::vector<float> volume;
+  for (int bin = 0; water.volume_backscatter_db && bin < sonar.bin_count; ++bin) {
+    const double middle = true_ranges * sonar.bin_range(bin), half = 0.5 * true_ranges * sonar.bin_length();
+    const double backscatter = std::pow(10.0, *water.volume_backscatter_db / 10);
+    const double absorption = water.absorption_db_per_m_at(sonar.frequency);
+    volume.push_back(static_cast<float>(volume_reverberation(backscatter, middle, half, absorption)));
+  }
+  return volume;
+}
+
+ArrayPattern array_of(const SonarConfig& sonar, const ReceiverConfig& receiver) {
+  ArraySettings array = line_array(receiver.azimuth_pattern, receiver.side_lobe_db, beam_width(sonar));
+  array.two_way = sonar.type == SonarType::kMechanicallyScanned;
+  return ArrayPattern(array);
+}
+
+}  // namespace
+
+CalibratedReceiver::CalibratedReceiver(const Settings& settings)
+    : beams_(settings.sonar.beam_count),
+      bins_(settings.sonar.bin_count),
+      cells_(settings.cells.sonar.beam_count),
+      first_cell_(settings.cells.first),
+      cells_per_beam_(settings.cells.per_beam),
+      cell_angle_(settings.cell_angles.begin(), settings.cell_angles.end()),
+      truth_(settings.sonar, settings.cells, settings.cell_angles),
+      noise_intensity_(noise_intensity_of(settings.sonar)),
+      saturation_(settings.receiver.saturation_db
+                      ? static_cast<float>(std::pow(10.0, *settings.receiver.saturation_db / 10))
+                      : std::numeric_limits<float>::infinity()),
+      noisy_(settings.receiver.noise),
+      has_field_(settings.receiver.field),
+      seed_(settings.seed) {
+  assert(cell_angle_.size() == static_cast<std::size_t>(cells_));
+  const SonarConfig& sonar = settings.sonar;
+  const ReceiverConfig& receiver = settings.receiver;
+  const BearingCells& cells = settings.cells;
+  const double true_speed = settings.water.true_sound_speed();
+  const double shown_speed = sonar.assumed_sound_speed.value_or(true_speed);
+  const double true_ranges = true_speed / shown_speed, wavelength = true_speed / sonar.frequency;
+  gain_ = gain_of(sonar, receiver, settings.water.absorption_db_per_m_at(sonar.frequency));
+  volume_ = volume_of(sonar, settings.water, true_ranges);
+  const Pulse pulse(
+      {.kind = receiver.pulse, .duration = receiver.pulse_duration, .bandwidth = receiver.pulse_bandwidth}, shown_speed,
+      sonar.bin_length());
+  if (receiver.pulse != PulseKind::kNone) {
+    range_.emplace(pulse, sonar.bin_length());
+  }
+  if (receiver.azimuth_pattern != BeamPattern::kTopHat) {
+    const ArrayPattern array = array_of(sonar, receiver);
+    bearing_.emplace(array, array.length(wavelength, beam_width(sonar)) / wavelength, BearingCells::sines(cells.sonar),
+                     BearingCells::sines(sonar));
+  }
+  if (settings.moves) {
+    const double bias = pulse.doppler_bias(doppler_shift(1, sonar.frequency, true_speed));
+    shift_.emplace(cells.sonar, true_ranges, true_speed, bias);
+  }
+  if (receiver.speckle) {
+    speckle_.emplace(cells.sonar, true_ranges, wavelength, seed_);
+    const double bins = range_ ? range_->equivalent_cells() : 1.0;
+    clutter_.emplace(settings.materials, cells.per_beam, std::max(1, static_cast<int>(std::lround(bins))));
+  }
+  if (receiver.counts) {
+    digitizer_.emplace(sonar, receiver.full_scale_db.value());
+  }
+  const std::size_t cell_count = static_cast<std::size_t>(cells_) * bins_;
+  const std::size_t beam_count = bearing_ ? static_cast<std::size_t>(beams_) * bins_ : 0;
+  cell_energy_.resize(receiver.speckle ? 0 : cell_count);
+  beam_energy_.resize(receiver.speckle ? 0 : beam_count);
+  cell_field_.resize(receiver.speckle ? cell_count : 0);
+  beam_field_.resize(receiver.speckle ? beam_count : 0);
+}
+
+}  // namespace insonify

@@ -1,0 +1,67 @@
+// line_array.cpp -- windows by their patterns, elements by the beam's width.
+
+#include "receiver/line_array.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "insonify/error.h"
+
+namespace insonify {
+namespace {
+
+ArrayWindow window_of(BeamPattern pattern) {
+  switch (pattern) {
+    case BeamPattern::kHann:
+      return ArrayWindow::kHann;
+    case BeamPattern::kHamming:
+      return ArrayWindow::kHamming;
+    case BeamPattern::kCosine:
+      return ArrayWindow::kCosine;
+    case BeamPattern::kTaylor:
+      return ArrayWindow::kTaylor;
+    case BeamPattern::kDolphChebyshev:
+      return ArrayWindow::kDolphChebyshev;
+    case BeamPattern::kTopHat:  // Has no array.
+    case BeamPattern::kRectangular:
+      break;
+  }
+  return ArrayWindow::kRectangular;
+}
+
+// As many as lie half a wavelength apart, or a little closer. The length that makes the width depends on their number,
+// but little.
+int half_wave_elements(ArraySettings settings, double beam_width) {
+  constexpr int kMost = 1024;
+  settings.elements = 2;
+  for (;;) {
+    const double needed = std::ceil(2 * ArrayPattern(settings).length(1, beam_width));
+    if (needed > kMost) {
+      throw Error(fmt::format("dolph_chebyshev takes more than {} elements for a beam of {:.4g} deg", kMost,
+                              degrees_from_radians(beam_width)));
+    }
+    if (needed <= settings.elements) {
+      return settings.elements;
+    }
+    settings.elements = static_cast<int>(needed);
+  }
+}
+
+}  // namespace
+
+ArraySettings line_array(BeamPattern pattern, double side_lobe_db, double beam_width) {
+  ArraySettings settings;
+  settings.window = window_of(pattern);
+  settings.side_lobe_db = side_lobe_db;
+  if (pattern == BeamPattern::kDolphChebyshev) {
+    settings.elements = half_wave_elements(settings, beam_width);
+  }
+  return settings;
+}
+
+double beam_width(const SonarConfig& sonar) {
+  return sonar.azimuth_resolution.value_or(sonar.azimuth_aperture / sonar.beam_count);
+}
+
+}  // namespace insonify

@@ -1,0 +1,78 @@
+// reception_shift.cpp -- backwards, from where an echo is heard to where it comes from.
+
+#include "receiver/reception_shift.h"
+
+#include <cmath>
+
+namespace insonify {
+
+PingMotion motion_between(const Pose& first, const Pose& last, double time) {
+  const Eigen::Quaterniond back = first.orientation.conjugate();
+  const Eigen::AngleAxisd turn(back * last.orientation);
+  const double angle = std::remainder(turn.angle(), 2 * std::numbers::pi);
+  return {.velocity = back * ((last.position - first.position) / time), .turn_rate = angle * turn.axis().z() / time};
+}
+
+ReceptionShift::ReceptionShift(const SonarConfig& cells, double true_ranges, double sound_speed, double bias)
+    : cells_config_(cells),
+      cells_(cells.beam_count),
+      bins_(cells.bin_count),
+      true_ranges_(true_ranges),
+      sound_speed_(sound_speed),
+      bias_(bias),
+      edges_(cells.beam_edges()) {}
+
+// v . d at the middle of the elevation aperture.
+double ReceptionShift::approach(double azimuth) const {
+  const Vec3& v = motion_.velocity;
+  const double elevation = cells_config_.elevation_center;
+  return (v.x() * std::cos(azimuth) + v.y() * std::sin(azimuth)) * std::cos(elevation) + v.z() * std::sin(elevation);
+}
+
+void ReceptionShift::prepare(const PingMotion& motion, Workers& workers) {
+  motion_ = motion;
+  source_.resize(static_cast<std::size_t>(cells_) * bins_);
+  workers.for_each(cells_, [&](int cell, int) { prepare_cell(cell); });
+}
+
+void ReceptionShift::prepare_cell(int cell) {
+  std::int32_t* const sources = &source_[static_cast<std::size_t>(cell) * bins_];
+  int from = cell;
+  for (int bin = 0; bin < bins_; ++bin) {
+    const double heard = true_ranges_ * cells_config_.bin_range(bin);
+    const double time = 2 * heard / sound_speed_;
+    const double azimuth = cells_config_.beam_azimuth(cell) + motion_.turn_rate * time;
+    while (from > 0 && azimuth > edges_[from]) {
+      --from;
+    }
+    while (from + 1 < cells_ && azimuth <= edges_[from + 1]) {
+      ++from;
+    }
+    const bool inside = azimuth <= edges_[from] && azimuth > edges_[from + 1];
+    const double speed = approach(azimuth);
+    const double range = (heard + bias_ * speed) / (1 - speed / sound_speed_);
+    const double position = (range / true_ranges_ - cells_config_.min_range) / cells_config_.bin_length();
+    const bool within = position >= 0 && position < bins_;
+    sources[bin] = inside && within ? from * bins_ + static_cast<int>(position) : -1;
+  }
+}
+
+LoneEcho ReceptionShift::moved(LoneEcho echo) const {
+  const double range = true_ranges_ * cells_config_.bin_range(echo.bin), azimuth = std::asin(double{echo.bearing_sine});
+  const double speed = approach(azimuth);
+  const double heard = range - speed * (range / sound_speed_ + bias_);
+  const double position = (heard / true_ranges_ - cells_config_.min_range) / cells_config_.bin_length();
+  const double bearing = azimuth - motion_.turn_rate * 2 * heard / sound_speed_;
+  echo.bearing_sine = static_cast<float>(std::sin(bearing));
+  const bool within = position >= 0 && position < bins_ && bearing <= edges_.front() && bearing > edges_.back();
+  echo.bin = within ? static_cast<int>(position) : -1;
+  while (within && echo.beam > 0 && bearing > edges_[echo.beam]) {
+    --echo.beam;
+  }
+  while (within && echo.beam + 1 < cells_ && bearing <= edges_[echo.beam + 1]) {
+    ++echo.beam;
+  }
+  return echo;
+}
+
+}  // namespace insonify

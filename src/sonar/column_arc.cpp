@@ -1,0 +1,63 @@
+// column_arc.cpp -- sums along an arc.
+
+#include "sonar/column_arc.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace insonify {
+namespace {
+
+constexpr int kSteps = 2048;
+
+// Where a cone of bearing a reaches an elevation: sin(elevation) = cos a sin t. Straight up or down where it does not.
+double arc_angle(double bearing, double elevation) {
+  return std::asin(std::clamp(std::sin(elevation) / std::cos(bearing), -1.0, 1.0));
+}
+
+}  // namespace
+
+void ColumnArc::lay(BeamShape shape, double bearing, const Sector& sector) {
+  const bool wedge = shape == BeamShape::kWedge;
+  low_ = wedge ? sector.low : arc_angle(bearing, sector.low);
+  high_ = wedge ? sector.high : arc_angle(bearing, sector.high);
+  const double step = (high_ - low_) / kSteps, cos_bearing = std::cos(bearing);
+  for (std::vector<double>* sums : {&rows_, &sent_, &heard_}) {
+    sums->assign(kSteps + 1, 0.0);
+  }
+  for (int i = 0; i < kSteps; ++i) {
+    const double t = low_ + (i + 0.5) * step;
+    const double angle = step * (wedge ? std::cos(t) : 1);  // d(solid angle) = cos t da dt, or d(sin a) dt.
+    double one_way = 1, density = 1;
+    if (sector.pattern != nullptr) {
+      const double elevation = wedge ? t : std::asin(cos_bearing * std::sin(t));
+      one_way = sector.pattern->intensity(elevation);
+      density = sector.pattern->envelope(elevation);
+    }
+    rows_[i + 1] = rows_[i] + step * density;
+    sent_[i + 1] = sent_[i] + angle * one_way;
+    heard_[i + 1] = heard_[i] + angle * one_way * one_way;
+  }
+}
+
+double ColumnArc::at_share(double share) const {
+  const double wanted = share * rows_.back();
+  const auto above = std::ranges::upper_bound(rows_, wanted);
+  if (above == rows_.end()) {
+    return high_;
+  }
+  const auto end = static_cast<double>(above - rows_.begin());
+  const double within = (wanted - *(above - 1)) / (*above - *(above - 1));
+  return low_ + (end - 1 + within) / kSteps * (high_ - low_);
+}
+
+double ColumnArc::integral(const std::vector<double>& sums, double t) const {
+  if (!(high_ > low_)) {
+    return 0;
+  }
+  const double at = std::clamp((t - low_) / (high_ - low_) * kSteps, 0.0, static_cast<double>(kSteps));
+  const int below = std::min(static_cast<int>(at), kSteps - 1);
+  return std::lerp(sums[below], sums[below + 1], at - below);
+}
+
+}  // namespace insonify

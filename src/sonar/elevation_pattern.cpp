@@ -1,0 +1,69 @@
+// elevation_pattern.cpp -- the sector above the floor, and the tables over it.
+
+#include "sonar/elevation_pattern.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+namespace insonify {
+namespace {
+
+constexpr int kSteps = 8192;                        // Of the tables.
+constexpr double kLobeStep = 0.02;                  // In wavelength / L: a small part of a lobe.
+constexpr double kWidest = 0.5 * std::numbers::pi;  // Off the axis.
+
+// Of intensity, one way.
+double floor_intensity() {
+  return std::pow(10, 0.5 * ElevationPattern::kFloorDb / 10);
+}
+
+// The angle off the axis beyond which the pattern stays below the floor, up to `edge`.
+double outermost(const ArrayPattern& pattern, double length, double edge) {
+  const double step = kLobeStep / length, floor = floor_intensity();
+  double u = std::sin(edge);
+  if (pattern.intensity(length * u) >= floor) {
+    return edge;
+  }
+  while (u > 0 && pattern.intensity(length * (u - step)) < floor) {
+    u -= step;
+  }
+  return std::asin(std::max(u, 0.0));
+}
+
+}  // namespace
+
+ElevationPattern::ElevationPattern(const ArraySettings& array, const SonarConfig& sonar) {
+  assert(!array.two_way);
+  const ArrayPattern pattern(array);
+  const double length = pattern.length(1, sonar.elevation_aperture);
+  const double axis = sonar.elevation_center;
+  low_ = axis - outermost(pattern, length, std::min(kWidest, kSteepestElevation + axis));
+  high_ = axis + outermost(pattern, length, std::min(kWidest, kSteepestElevation - axis));
+  steps_per_radian_ = kSteps / (high_ - low_);
+
+  const double floor = floor_intensity();
+  intensity_.resize(kSteps + 1);
+  envelope_.resize(kSteps + 1);
+  for (int i = 0; i <= kSteps; ++i) {
+    const double elevation = low_ + i / steps_per_radian_;
+    intensity_[i] = static_cast<float>(pattern.intensity(length * std::sin(elevation - axis)));
+    envelope_[i] = static_cast<float>(std::sqrt(std::max(static_cast<double>(intensity_[i]), floor)));
+  }
+  // The axis lies within the sector: elevation_center is nearer to level than the steepest elevation.
+  const int middle = static_cast<int>((axis - low_) * steps_per_radian_);
+  for (int i = 1; i <= middle; ++i) {
+    envelope_[i] = std::max(envelope_[i], envelope_[i - 1]);
+  }
+  for (int i = kSteps - 1; i > middle; --i) {
+    envelope_[i] = std::max(envelope_[i], envelope_[i + 1]);
+  }
+}
+
+double ElevationPattern::look_up(const std::vector<float>& table, double elevation) const {
+  const double at = std::clamp((elevation - low_) * steps_per_radian_, 0.0, static_cast<double>(kSteps));
+  const int below = std::min(static_cast<int>(at), kSteps - 1);
+  return std::lerp(static_cast<double>(table[below]), static_cast<double>(table[below + 1]), at - below);
+}
+
+}  // namespace insonify

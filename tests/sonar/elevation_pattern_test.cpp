@@ -1,0 +1,96 @@
+// Elevation patterns: their width, where they end, and what falls from the axis outwards.
+
+#include "sonar/elevation_pattern.h"
+
+#include <gtest/gtest.h>
+
+#include "receiver/line_array.h"
+
+namespace insonify {
+namespace {
+
+constexpr double kDegree = radians_from_degrees(1);
+
+// Looking up between entries of a table.
+constexpr double kTable = 1e-5;
+
+SonarConfig sonar_of(double aperture_deg, double center_deg) {
+  SonarConfig sonar;
+  sonar.elevation_aperture = aperture_deg * kDegree;
+  sonar.elevation_center = center_deg * kDegree;
+  return sonar;
+}
+
+ElevationPattern pattern_of(const SonarConfig& sonar, BeamPattern window = BeamPattern::kRectangular,
+                            double side_lobe_db = -30) {
+  return {line_array(window, side_lobe_db, sonar.elevation_aperture), sonar};
+}
+
+TEST(ElevationPatternTest, IsAsWideAtHalfPowerAsTheAperture) {
+  for (const double aperture : {1.0, 12.0, 20.0, 40.0}) {
+    for (const double center : {0.0, -10.0, 25.0}) {
+      for (int window = 1; window <= static_cast<int>(BeamPattern::kDolphChebyshev); ++window) {
+        const SonarConfig sonar = sonar_of(aperture, center);
+        const ElevationPattern pattern = pattern_of(sonar, static_cast<BeamPattern>(window));
+        EXPECT_NEAR(pattern.intensity(center * kDegree), 1, kTable) << aperture << ", " << window;
+        for (const double half : {-0.5, 0.5}) {
+          EXPECT_NEAR(pattern.intensity((center + half * aperture) * kDegree), 0.5, kTable)
+              << aperture << ", " << window;
+        }
+      }
+    }
+  }
+}
+
+// sinc^2 of x = L/lambda sin(elevation); for 20 degrees L/lambda = 0.8858929413781328 / (2 sin 10 deg) = 2.550827.
+TEST(ElevationPatternTest, WithoutAWindowIsASincInTheSineOfElevation) {
+  const ElevationPattern pattern = pattern_of(sonar_of(20, -5));
+  for (const double elevation : {-60.0, -39.1, -20.0, -5.0, 1.3, 17.0, 29.1, 70.0}) {
+    const double x = std::numbers::pi * 2.550827061 * std::sin((elevation + 5) * kDegree);
+    EXPECT_NEAR(pattern.intensity(elevation * kDegree), x == 0 ? 1 : std::pow(std::sin(x) / x, 2), kTable) << elevation;
+  }
+}
+
+// |sinc(x)| last reaches -20 dB, half of -40 dB, on the far side of its second side lobe, at x = 2.68118.
+TEST(ElevationPatternTest, EndsWhereBothWaysTogetherStayBelowMinusFortyDecibels) {
+  const double length = 0.8858929413781328 / (2 * std::sin(4 * kDegree));
+  const double edge = std::asin(2.68118 / length);
+  const ElevationPattern pattern = pattern_of(sonar_of(8, -20));
+  EXPECT_NEAR(pattern.low(), -20 * kDegree - edge, 0.02 / length);
+  EXPECT_NEAR(pattern.high(), -20 * kDegree + edge, 0.02 / length);
+  EXPECT_LE(pattern.intensity(pattern.high()), 0.01);
+
+  // Of -31 dB, and -40 dB, side lobes there is nothing but the main lobe.
+  const ElevationPattern hann = pattern_of(sonar_of(8, 0), BeamPattern::kHann);
+  EXPECT_LT(hann.high(), 12 * kDegree);
+  const ElevationPattern dolph = pattern_of(sonar_of(8, 0), BeamPattern::kDolphChebyshev, -40);
+  EXPECT_LT(dolph.high(), 12 * kDegree);
+  // Of -15 dB, all side lobes.
+  EXPECT_EQ(pattern_of(sonar_of(8, 0), BeamPattern::kDolphChebyshev, -15).high(), kSteepestElevation);
+}
+
+TEST(ElevationPatternTest, EndsAtTheSteepestElevationAndNextToTheArray) {
+  const ElevationPattern wide = pattern_of(sonar_of(60, 0));
+  EXPECT_NEAR(wide.low(), -89 * kDegree, 1e-12);
+  EXPECT_NEAR(wide.high(), 89 * kDegree, 1e-12);
+  const ElevationPattern tilted = pattern_of(sonar_of(60, -50));
+  EXPECT_NEAR(tilted.low(), -89 * kDegree, 1e-12);
+  EXPECT_NEAR(tilted.high(), 40 * kDegree, 1e-12);  // 90 degrees off the axis: nothing from behind.
+}
+
+TEST(ElevationPatternTest, EnvelopeFallsFromTheAxisOutwardsAndLiesAboveThePattern) {
+  const ElevationPattern pattern = pattern_of(sonar_of(12, -10));
+  double before = 1;
+  for (double off = 0; off < 40; off += 0.01) {
+    const double up = pattern.envelope((-10 + off) * kDegree), down = pattern.envelope((-10 - off) * kDegree);
+    EXPECT_NEAR(up, down, 1e-3) << off;
+    EXPECT_LE(up, before + 1e-6) << off;
+    EXPECT_GE(up * up, pattern.intensity((-10 + off) * kDegree) - kTable) << off;
+    EXPECT_GE(up, 0.1 - 1e-6) << off;
+    before = up;
+  }
+  EXPECT_NEAR(pattern.envelope(-10 * kDegree), 1, kTable);
+}
+
+}  // namespace
+}  // namespace insonify

@@ -1,0 +1,172 @@
+// The sampling lattice: its solid angles, where its rows lie, and the directions of cones.
+
+#include "sonar/lattice.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <optional>
+
+#include "receiver/line_array.h"
+
+namespace insonify {
+namespace {
+
+constexpr double kDegree = radians_from_degrees(1);
+
+SonarConfig fan(double azimuth_deg = 120) {
+  SonarConfig sonar;
+  sonar.beam_count = 60;
+  sonar.azimuth_aperture = azimuth_deg * kDegree;
+  sonar.elevation_aperture = 20 * kDegree;
+  sonar.elevation_center = -8 * kDegree;
+  sonar.sampling = {3, 50};
+  return sonar;
+}
+
+ElevationPattern pattern_of(const SonarConfig& sonar) {
+  return {line_array(BeamPattern::kRectangular, -30, sonar.elevation_aperture), sonar};
+}
+
+// Solid angle that a fan hears of what it sends, or sends, by brute force over bearing and elevation.
+double angle_by_sum(const SonarConfig& sonar, BeamShape shape, const ElevationPattern* pattern, int power) {
+  const double low = pattern != nullptr ? pattern->low() : sonar.elevation_center - sonar.elevation_aperture / 2;
+  const double high = pattern != nullptr ? pattern->high() : sonar.elevation_center + sonar.elevation_aperture / 2;
+  constexpr int kSteps = 4000;
+  double sum = 0;
+  for (int i = 0; i < kSteps; ++i) {
+    const double elevation = low + (i + 0.5) / kSteps * (high - low);
+    // Azimuths within the fan: of a cone those of asin(sin(azimuth) cos(elevation)).
+    const double half = 0.5 * sonar.azimuth_aperture;
+    const double reach =
+        shape == BeamShape::kWedge ? half : std::asin(std::min(1.0, std::sin(half) / std::cos(elevation)));
+    const double heard = pattern != nullptr ? std::pow(pattern->intensity(elevation), power) : 1;
+    sum += 2 * reach * std::cos(elevation) * heard * (high - low) / kSteps;
+  }
+  return sum;
+}
+
+double total_heard(const Lattice& lattice) {
+  double sum = 0;
+  for (int beam = 0; beam * lattice.columns_per_beam < lattice.columns; ++beam) {
+    sum += lattice.beam_angle(beam);
+  }
+  return sum;
+}
+
+double total_sent(const Lattice& lattice) {
+  double sum = 0;
+  for (int column = 0; column < lattice.columns; ++column) {
+    for (int row = 0; row < lattice.rows; ++row) {
+      sum += double{lattice.shares(column)[row]} * lattice.column_measure[column];
+    }
+  }
+  return sum;
+}
+
+TEST(LatticeTest, SolidAnglesFillTheSector) {
+  for (const BeamShape shape : {BeamShape::kWedge, BeamShape::kCone}) {
+    for (const double azimuth : {40.0, 120.0, 180.0}) {
+      for (const bool has_pattern : {false, true}) {
+        SonarConfig sonar = fan(azimuth);
+        std::optional<ElevationPattern> pattern;
+        if (has_pattern) {
+          pattern = pattern_of(sonar);
+        }
+        const ElevationPattern* given = pattern ? &*pattern : nullptr;
+        for (const int rows : {2, 50}) {
+          sonar.sampling.rows = rows;
+          const Lattice lattice(sonar, 0, shape, given);
+          // Cones end where bearings do, which columns follow in steps.
+          const double tolerance = shape == BeamShape::kWedge ? 1e-5 : 1e-3;
+          const double heard = angle_by_sum(sonar, shape, given, 2), sent = angle_by_sum(sonar, shape, given, 1);
+          EXPECT_NEAR(total_heard(lattice) / heard, 1, tolerance) << azimuth << has_pattern << rows;
+          EXPECT_NEAR(total_sent(lattice) / sent, 1, tolerance) << azimuth << has_pattern << rows;
+        }
+      }
+    }
+  }
+}
+
+TEST(LatticeTest, HalfTheRowsLieInTheMainLobeAndTheRestInSideLobes) {
+  const SonarConfig sonar = fan();
+  const ElevationPattern pattern = pattern_of(sonar);
+  const Lattice lattice(sonar, 0, BeamShape::kWedge, &pattern);
+  int in_aperture = 0, in_main_lobe = 0;
+  for (int row = 0; row < lattice.rows; ++row) {
+    const double off = std::abs(lattice.elevations(0)[row] + 8 * kDegree) / kDegree;
+    in_aperture += off < 10 ? 1 : 0;
+    in_main_lobe += off < 23 ? 1 : 0;  // sin(23 deg) = lambda / L
+  }
+  EXPECT_GT(in_aperture, 0.3 * lattice.rows);
+  EXPECT_GT(in_main_lobe, 0.55 * lattice.rows);
+  EXPECT_LT(in_main_lobe, 0.85 * lattice.rows);
+  for (int row = 1; row < lattice.rows; ++row) {
+    EXPECT_GT(lattice.elevations(0)[row], lattice.elevations(0)[row - 1]);
+    EXPECT_LT(lattice.elevations(0)[row] - lattice.elevations(0)[row - 1], 12 * kDegree);
+  }
+}
+
+TEST(LatticeTest, RowsHoldThePatternAtTheirElevations) {
+  const SonarConfig sonar = fan();
+  const ElevationPattern pattern = pattern_of(sonar);
+  for (const BeamShape shape : {BeamShape::kWedge, BeamShape::kCone}) {
+    const Lattice lattice(sonar, 0, shape, &pattern);
+    for (const int column : {0, 70, 179}) {
+      for (int row = 0; row < lattice.rows; ++row) {
+        EXPECT_NEAR(lattice.heard_in(column)[row], pattern.intensity(lattice.elevations(column)[row]), 1e-5);
+      }
+    }
+  }
+  EXPECT_EQ(Lattice(sonar).heard_in(0)[7], 1);
+}
+
+// On a cone every row has the column's bearing, and an elevation within the sector.
+TEST(LatticeTest, ConesHoldTheSineOfTheirBearing) {
+  const SonarConfig sonar = fan();
+  const Lattice lattice(sonar, 0, BeamShape::kCone);
+  EXPECT_FALSE(lattice.even_rows);
+  for (int column = 0; column < lattice.columns; ++column) {
+    const double cosine = lattice.cos_azimuth[column], sine = lattice.sin_azimuth[column];
+    for (int row = 0; row < lattice.rows; ++row) {
+      const double elevation = lattice.elevations(column)[row];
+      const Vec3 direction(cosine * lattice.cosines(column)[row], sine, cosine * lattice.sines(column)[row]);
+      EXPECT_NEAR(direction.norm(), 1, 1e-6);
+      EXPECT_NEAR(direction.z(), std::sin(elevation), 1e-6);
+      const double azimuth = std::atan2(direction.y(), direction.x());
+      EXPECT_NEAR(bearing_sine(BeamShape::kCone, azimuth, elevation), std::sin(lattice.azimuth[column]), 1e-6);
+      EXPECT_GE(elevation, -18 * kDegree);
+      EXPECT_LE(elevation, 2 * kDegree);
+    }
+  }
+}
+
+// Far to the side a cone leans so much that it never rises to the sector.
+TEST(LatticeTest, ConesThatMissTheSectorHearNothing) {
+  SonarConfig sonar = fan(170);
+  sonar.elevation_center = 40 * kDegree;
+  const Lattice lattice(sonar, 0, BeamShape::kCone);
+  EXPECT_EQ(lattice.beam_angle(0), 0);
+  EXPECT_GT(lattice.beam_angle(30), 0);
+  for (int row = 0; row < lattice.rows; ++row) {
+    EXPECT_TRUE(std::isfinite(lattice.elevations(0)[row]));
+  }
+}
+
+TEST(LatticeTest, MirroredColumnsHaveTheSameRows) {
+  const SonarConfig sonar = fan();
+  const ElevationPattern pattern = pattern_of(sonar);
+  for (const BeamShape shape : {BeamShape::kWedge, BeamShape::kCone}) {
+    const Lattice lattice(sonar, 0, shape, &pattern);
+    for (int column = 0; column < lattice.columns; ++column) {
+      for (int row = 0; row < lattice.rows; ++row) {
+        EXPECT_NEAR(lattice.elevations(column)[row], lattice.elevations(lattice.columns - 1 - column)[row], 1e-6);
+      }
+    }
+  }
+  const Lattice lattice(sonar, 0, BeamShape::kWedge, &pattern);
+  EXPECT_GT(std::abs(lattice.elevations(0)[20] - lattice.elevations(1)[20]), 0.01 * kDegree);
+}
+
+}  // namespace
+}  // namespace insonify

@@ -1,0 +1,226 @@
+// elevation_test.cpp -- levels across elevations and bearings on cones, of whole pings (T27 of PHYSICS 11, 5).
+
+#include <numeric>
+
+#include "validation/calibrated_scene.h"
+
+namespace insonify::validation {
+namespace {
+
+class ElevationLevelTest : public testing::TestWithParam<Method> {};
+class ConeTest : public testing::TestWithParam<Method> {};
+
+constexpr double kPi = std::numbers::pi;
+
+// |p|^2 of an unbroken line that is 20 degrees wide at half power, one way.
+double one_way(double elevation) {
+  const double x = kPi * 0.8858929413781328 / (2 * std::sin(10 * kDegree)) * std::sin(elevation);
+  return x == 0 ? 1 : std::pow(std::sin(x) / x, 2);
+}
+
+double both_ways_db(double elevation_deg) {
+  return 20 * std::log10(one_way(elevation_deg * kDegree));
+}
+
+// The last three lie in the first side lobe: from 23.1 to 51.6 degrees, the highest at 34.1.
+constexpr double kElevations[] = {0, 5, 10, 15, -15, 28, 34.1, -42};
+
+Vec3 at(double range, double azimuth_deg, double elevation_deg) {
+  return point_from_spherical({range, azimuth_deg * kDegree, elevation_deg * kDegree});
+}
+
+// A narrow fan around the acoustic axis.
+SonarConfig narrow(Sampling sampling) {
+  SonarConfig sonar;
+  sonar.beam_count = 8;
+  sonar.azimuth_aperture = 2 * kDegree;
+  sonar.elevation_aperture = 20 * kDegree;
+  sonar.min_range = 5;
+  sonar.max_range = 15;
+  sonar.bin_count = 200;
+  sonar.sampling = sampling;
+  return sonar;
+}
+
+Scenario with_pattern(const SonarConfig& sonar, const Method& method) {
+  Scenario scenario = calibrated(sonar, method);
+  scenario.receiver.elevation_pattern = BeamPattern::kRectangular;
+  return scenario;
+}
+
+TEST_P(ElevationLevelTest, PointsFallWithThePatternBothWays) {
+  for (const double elevation : kElevations) {
+    Scenario scenario = with_pattern(narrow({1, 20}), GetParam());
+    scenario.points = {{.position = at(10.01, 0.1, elevation), .target_strength_db = -20}};
+    EXPECT_NEAR(total_db(ping_of(scenario, {})), -20 - 40 * std::log10(10.01) + both_ways_db(elevation), 0.001)
+        << elevation;
+  }
+}
+
+// A Lambert plate of 0.1 m that faces the sonar is heard at -70.00021714 dB on the axis (T2).
+TEST_P(ElevationLevelTest, PlatesFallWithThePatternBothWays) {
+  const Scenario scenario = with_pattern(narrow({32, 1500}), GetParam());
+  for (const double elevation : kElevations) {
+    Scene scene = plate_at(10, 0.1, diffuse(-10));
+    scene.instances[0].world_from_mesh = {at(10, 0, elevation), orientation_from_rpy(0, -elevation * kDegree, 0)};
+    EXPECT_NEAR(total_db(ping_of(scenario, scene)), -70.00021714253623 + both_ways_db(elevation), 0.08) << elevation;
+  }
+}
+
+// From the middle of a Lambert sphere of radius r every direction echoes alike, mu / r^2 per unit of solid angle: what
+// is heard is the integral of the pattern both ways, over the whole sector, however few the rows.
+TEST_P(ElevationLevelTest, SphereAroundTheSonarSumsThePattern) {
+  const Scene shell = sphere_at({0, 0, 0}, 10, diffuse(-20), 0.08);
+  for (const double center : {0.0, -30.0}) {
+    for (const BeamShape shape : {BeamShape::kWedge, BeamShape::kCone}) {
+      SonarConfig sonar = narrow({2, 60});
+      sonar.azimuth_aperture = 60 * kDegree;
+      sonar.elevation_center = center * kDegree;
+      Scenario scenario = with_pattern(sonar, GetParam());
+      scenario.receiver.beam_shape = shape;
+      // d(solid angle) = cos(elevation) d(azimuth) d(elevation).
+      double sum = 0;
+      constexpr double kStep = 0.01 * kDegree;
+      for (double elevation = -89 * kDegree; elevation < 89 * kDegree; elevation += kStep) {
+        const double azimuths =
+            shape == BeamShape::kWedge ? 60 * kDegree : 2 * std::asin(std::min(1.0, 0.5 / std::cos(elevation)));
+        sum += std::pow(one_way(elevation - center * kDegree), 2) * azimuths * std::cos(elevation) * kStep;
+      }
+      // Triangles lie a little within the sphere.
+      EXPECT_NEAR(total_db(ping_of(scenario, shell)), -20 - 20 * std::log10(10) + 10 * std::log10(sum), 0.02)
+          << center << (shape == BeamShape::kWedge ? " wedge" : " cone");
+    }
+  }
+}
+
+// The water's own echo comes from where the sonar sends and hears (T24 with a pattern).
+TEST(ElevationReverberationTest, WaterIsHeardByThePatternBothWays) {
+  const SonarConfig sonar = narrow({2, 60});
+  Scenario scenario = with_pattern(sonar, kRays);
+  scenario.water.volume_backscatter_db = -70;
+  double height = 0;
+  constexpr double kStep = 0.01 * kDegree;
+  for (double elevation = -89 * kDegree; elevation < 89 * kDegree; elevation += kStep) {
+    height += std::pow(one_way(elevation), 2) * std::cos(elevation) * kStep;
+  }
+  const double psi = sonar.azimuth_aperture / sonar.beam_count * height;
+  const double bin = 10 * std::log10(1 / 10.0 - 1 / 10.05);
+  const Ping open = ping_of(scenario, {});
+  EXPECT_NEAR(cell_db(open, 100, 3), -70 + 10 * std::log10(psi) + bin, 0.01);
+
+  // Behind what fills the main lobe there is little of it left, behind what fills the sector nothing.
+  const Ping shut = ping_of(scenario, sphere_at({0, 0, 0}, 8, diffuse(-200), 0.08));
+  EXPECT_LT(cell_db(shut, 100, 3), cell_db(open, 100, 3) - 50);
+}
+
+SonarConfig wide() {
+  SonarConfig sonar;
+  sonar.beam_count = 280;
+  sonar.azimuth_aperture = 130 * kDegree;
+  sonar.elevation_aperture = 30 * kDegree;
+  sonar.azimuth_resolution = 1 * kDegree;
+  sonar.min_range = 5;
+  sonar.max_range = 15;
+  sonar.bin_count = 100;
+  sonar.sampling = {4, 300};
+  return sonar;
+}
+
+// Azimuth of the strongest beam [deg].
+double shown_at(const Ping& ping) {
+  const auto strongest = std::ranges::max_element(ping.intensity) - ping.intensity.begin();
+  return wide().beam_azimuth(static_cast<int>(strongest % ping.beam_count)) / kDegree;
+}
+
+// What is off the plane shows where asin(sin(azimuth) cos(elevation)) is, both engines, points and surfaces.
+TEST_P(ConeTest, TargetsOffThePlaneShowAtTheirCones) {
+  constexpr struct {
+    double azimuth, elevation, cone;
+  } kPlaces[] = {{60, 10, 58.5250511108145},
+                 {30, 10, 29.498704231103652},
+                 {45, -13, 43.54971209884169},
+                 {-60, 10, -58.5250511108145}};
+  constexpr double kHalfBeam = 0.234;  // Of 130 degrees over 280 beams, and a little of the target.
+  for (const auto& [azimuth, elevation, cone] : kPlaces) {
+    Scene plate = plate_at(10, 0.05, diffuse(-10));
+    plate.instances[0].world_from_mesh = {at(10, azimuth, elevation),
+                                          orientation_from_rpy(0, -elevation * kDegree, azimuth * kDegree)};
+    for (const BeamShape shape : {BeamShape::kWedge, BeamShape::kCone}) {
+      Scenario scenario = calibrated(wide(), GetParam());
+      scenario.receiver.beam_shape = shape;
+      const double shown = shape == BeamShape::kCone ? cone : azimuth;
+      EXPECT_NEAR(shown_at(ping_of(scenario, plate)), shown, kHalfBeam) << azimuth << ", " << elevation;
+
+      scenario.points = {{.position = at(10, azimuth, elevation)}};
+      EXPECT_NEAR(shown_at(ping_of(scenario, {})), shown, kHalfBeam) << azimuth << ", " << elevation;
+      scenario.receiver.azimuth_pattern = BeamPattern::kHamming;
+      scenario.receiver.elevation_pattern = BeamPattern::kRectangular;
+      EXPECT_NEAR(shown_at(ping_of(scenario, {})), shown, kHalfBeam) << azimuth << ", " << elevation;
+    }
+  }
+}
+
+// A plate well off the axis is as strong, and as far, on a cone as in a wedge.
+TEST_P(ConeTest, PlatesKeepTheirLevelsAndRanges) {
+  SonarConfig sonar = wide();
+  sonar.beam_count = 32;
+  sonar.azimuth_aperture = 16 * kDegree;
+  sonar.bin_count = 400;
+  sonar.sampling = {16, 800};
+  sonar.elevation_aperture = 60 * kDegree;
+  Scene scene = plate_at(10, 1, diffuse(-10));
+  for (const double elevation : {0.0, 20.0}) {
+    for (const double tilt : {0.0, 40.0}) {
+      scene.instances[0].world_from_mesh = {at(10, 0, elevation),
+                                            orientation_from_rpy(0, (tilt - elevation) * kDegree, tilt * kDegree)};
+      Scenario scenario = calibrated(sonar, GetParam());
+      const Ping wedge = ping_of(scenario, scene);
+      scenario.receiver.beam_shape = BeamShape::kCone;
+      const Ping cone = ping_of(scenario, scene);
+      EXPECT_NEAR(total_db(cone), total_db(wedge), 0.02) << elevation << ", " << tilt;
+      const std::vector<double> a = by_range(wedge), b = by_range(cone);
+      const double sum = std::accumulate(a.begin(), a.end(), 0.0);
+      double apart = 0;
+      for (std::size_t bin = 0; bin < a.size(); ++bin) {
+        apart += std::abs(a[bin] - b[bin]);
+      }
+      EXPECT_LT(apart, 0.02 * sum) << elevation << ", " << tilt;
+    }
+  }
+}
+
+// Nothing is heard from behind the array, whose cones lead there as well.
+TEST_P(ConeTest, NothingIsHeardFromBehind) {
+  Scenario scenario = calibrated(wide(), GetParam());
+  scenario.receiver.beam_shape = BeamShape::kCone;
+  scenario.points = {{.position = at(10, 150, 0)}};
+  EXPECT_LT(total_db(ping_of(scenario, {})), -200);
+  scenario.points = {{.position = at(10, 30, 0)}};
+  EXPECT_GT(total_db(ping_of(scenario, {})), -41);
+}
+
+// T13 with all that there is.
+TEST(ConeThreadsTest, PingsDoNotDependOnThreads) {
+  SonarConfig sonar = wide();
+  sonar.beam_count = 64;
+  Scenario scenario = with_pattern(sonar, kRays);
+  scenario.receiver.beam_shape = BeamShape::kCone;
+  scenario.receiver.azimuth_pattern = BeamPattern::kTaylor;
+  scenario.receiver.speckle = true;
+  scenario.secondary = SecondaryEchoes::kAll;
+  scenario.surface = SeaSurface{.level = 4};
+  scenario.water.volume_backscatter_db = -70;
+  const Scene scene = sphere_at({9, 2, -1}, 2, glinting(0.8, 0.2));
+  const Ping one = Simulator(scenario, scene, 1).make_ping(0, 2);
+  EXPECT_GT(total_db(one), -100);
+  for (const int threads : {2, 5, 16}) {
+    EXPECT_EQ(Simulator(scenario, scene, threads).make_ping(0, 2).intensity, one.intensity) << threads;
+  }
+}
+
+constexpr auto kName = [](const auto& test) { return test.param.name; };
+INSTANTIATE_TEST_SUITE_P(Methods, ElevationLevelTest, testing::Values(kReference, kRays), kName);
+INSTANTIATE_TEST_SUITE_P(Methods, ConeTest, testing::Values(kReference, kRays), kName);
+
+}  // namespace
+}  // namespace insonify::validation

@@ -1,0 +1,107 @@
+// motion_test.cpp -- a sonar that moves on while it listens, and one that does not.
+
+#include "insonify/ping_motion.h"
+#include "validation/calibrated_scene.h"
+
+namespace insonify::validation {
+namespace {
+
+constexpr double kRange = 40, kSoundSpeed = 1500;
+
+// Of a point at 40 m, bearing 10 degrees, seen by a sonar on a straight trajectory.
+class MotionInPingTest : public testing::Test {
+ protected:
+  static Scenario scenario_of(const Vec3& velocity, double turn_rate) {
+    SonarConfig sonar;
+    sonar.beam_count = 512;
+    sonar.azimuth_aperture = 60 * kDegree;
+    sonar.min_range = 39;
+    sonar.max_range = 41;
+    sonar.bin_count = 800;
+    Scenario scenario = calibrated(sonar, kRays);
+    scenario.water.sound_speed = kSoundSpeed;
+    scenario.motion_in_ping = true;
+    scenario.points = {{.position = kRange * Vec3(std::cos(10 * kDegree), std::sin(10 * kDegree), 0)}};
+    scenario.trajectory.waypoints = {{.time = 0}, {.time = 1, .position = velocity, .orientation = {0, 0, turn_rate}}};
+    return scenario;
+  }
+
+  // Range and bearing of the strongest cell [m, deg].
+  static std::pair<double, double> peak(const Scenario& scenario, const Scene& scene = {}) {
+    const Ping ping = ping_of(scenario, scene);
+    const auto at = std::ranges::max_element(ping.intensity) - ping.intensity.begin();
+    const SonarConfig& sonar = scenario.sonars[0];
+    return {sonar.bin_range(static_cast<int>(at / ping.beam_count)),
+            sonar.beam_azimuth(static_cast<int>(at % ping.beam_count)) / kDegree};
+  }
+};
+
+TEST_F(MotionInPingTest, StandingStillChangesNothing) {
+  Scenario scenario = scenario_of({0, 0, 0}, 0);
+  const Ping moved = ping_of(scenario, plate_at(40, 4, diffuse(-10)));
+  scenario.motion_in_ping = false;
+  EXPECT_EQ(ping_of(scenario, plate_at(40, 4, diffuse(-10))).intensity, moved.intensity);
+}
+
+// r - (v . d) r / c: the way back is shorter by what the sonar has come nearer meanwhile.
+TEST_F(MotionInPingTest, ComingNearerReadsNearer) {
+  for (const Vec3& velocity : {Vec3(3, 0, 0), Vec3(-2, 0, 0), Vec3(0, 4, 0)}) {
+    const double nearer = velocity.dot(Vec3(std::cos(10 * kDegree), std::sin(10 * kDegree), 0)) * kRange / kSoundSpeed;
+    EXPECT_NEAR(peak(scenario_of(velocity, 0)).first, kRange - nearer, 0.0026) << velocity.transpose();
+  }
+}
+
+// Beams have turned by the time that the echo comes back.
+TEST_F(MotionInPingTest, TurningReadsTurned) {
+  for (const double rate : {30.0, -45.0}) {
+    const double turned = rate * 2 * kRange / kSoundSpeed;
+    EXPECT_NEAR(peak(scenario_of({0, 0, 0}, rate * kDegree)).second, 10 - turned, 0.12) << rate;
+  }
+}
+
+// A rising chirp reads an echo shifted up in frequency too near: f T c / (2 B), f = 2 v f0 / c (PHYSICS 5).
+TEST_F(MotionInPingTest, ChirpsAreBiased) {
+  Scenario scenario = scenario_of({3, 0, 0}, 0);
+  scenario.receiver.pulse = PulseKind::kLfm;
+  scenario.receiver.pulse_duration = 1e-3;
+  scenario.receiver.pulse_bandwidth = 50e3;
+  const double speed = 3 * std::cos(10 * kDegree);
+  const double shift = 2 * speed * scenario.sonars[0].frequency / kSoundSpeed;
+  const double bias = shift * 1e-3 * kSoundSpeed / (2 * 50e3);
+  EXPECT_GT(bias, 0.04);
+  EXPECT_NEAR(peak(scenario).first, kRange * (1 - speed / kSoundSpeed) - bias, 0.004);
+}
+
+// Surfaces move as points do, with their labels and their energy.
+TEST_F(MotionInPingTest, SurfacesKeepTheirEnergyAndLabels) {
+  Scenario scenario = scenario_of({2, 0, 0}, -30 * kDegree);
+  scenario.points.clear();
+  scenario.ground_truth = GroundTruth::kFull;
+  const Scene plate = plate_at(40, 0.5, diffuse(-10));
+  const Ping moved = ping_of(scenario, plate);
+  scenario.motion_in_ping = false;
+  const Ping still = ping_of(scenario, plate);
+  EXPECT_NEAR(total_db(moved), total_db(still), 0.05);
+  const auto [range, bearing] = [&] {
+    scenario.motion_in_ping = true;
+    return peak(scenario, plate);
+  }();
+  EXPECT_NEAR(range, 40 * (1 - 2 / kSoundSpeed), 0.004);
+  EXPECT_NEAR(bearing, 30 * 2 * 40 / kSoundSpeed, 0.4);
+  for (std::size_t i = 0; i < moved.intensity.size(); ++i) {
+    EXPECT_EQ(moved.intensity[i] > 0, moved.instance[i] == 0);
+    EXPECT_EQ(moved.intensity[i] > 0, moved.path_order[i] == 1);
+  }
+}
+
+TEST(PingMotionTest, IsWhatLiesBetweenTwoPoses) {
+  const Pose first{{1, 2, 3}, orientation_from_rpy(0, 0, 90 * kDegree)};
+  const Pose last{{1, 3, 3}, orientation_from_rpy(0, 0, 80 * kDegree)};
+  const PingMotion motion = motion_between(first, last, 0.5);
+  EXPECT_LT((motion.velocity - Vec3(2, 0, 0)).norm(), 1e-12);
+  EXPECT_NEAR(motion.turn_rate, -20 * kDegree, 1e-12);
+  EXPECT_EQ(motion_between(first, first, 0.5).turn_rate, 0);
+}
+
+}  // namespace
+}  // namespace insonify::validation
