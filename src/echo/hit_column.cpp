@@ -29,15 +29,11 @@ constexpr float kBend = 0.3F;
 // Added to the cosine of incidence before it divides: bounds the reach of surfaces that are only grazed.
 constexpr float kLeastFacing = 0.1F;
 
+// Of a cone's arc: where it runs along its elevation instead of crossing it, bearings say nothing of range.
+constexpr float kLeastCosine = 0.2F;
+
 // Keeps what divides from being zero.
 constexpr float kTiny = 1e-20F;
-
-constexpr float* HitColumn::*kFields[] = {&HitColumn::direction_x, &HitColumn::direction_y,  &HitColumn::direction_z,
-                                          &HitColumn::range,       &HitColumn::normal_x,     &HitColumn::normal_y,
-                                          &HitColumn::normal_z,    &HitColumn::reflectivity, &HitColumn::facing,
-                                          &HitColumn::strength,    &HitColumn::power,        &HitColumn::selected,
-                                          &HitColumn::gradient_x,  &HitColumn::gradient_y,   &HitColumn::gradient_z,
-                                          &HitColumn::texture,     &HitColumn::escapes};
 
 // Everything the loops read, as bare numbers and pointers that the compiler knows to be apart.
 struct Rows {
@@ -93,19 +89,21 @@ void measure(Rows rows, Vec3f along, Vec3f across, Vec3f up, float bins_per_metr
 }
 
 // What measure() leaves for cones: `facing` lacks what is beside, and directions change otherwise from one bearing to
-// the next: d(direction)/da = across - tan a (along cos t + up sin t).
+// the next. As in a wedge they do at a constant elevation, so that a level seabed is as far all over a sample's stretch
+// of bearings: with sin(elevation) = cos a sin t, d(direction)/da = across - along tan a / cos t.
 INSONIFY_VECTOR_CLONES
 void measure_beside(Rows rows, Vec3f across, Vec3f beside, float tan_bearing, float bins_per_metre,
                     const float* __restrict__ x, const float* __restrict__ y, const float* __restrict__ z,
-                    const float* __restrict__ range, float* __restrict__ normal_beside, float* __restrict__ facing,
-                    float* __restrict__ reach) {
+                    const float* __restrict__ range, const float* __restrict__ normal_along,
+                    float* __restrict__ normal_beside, float* __restrict__ facing, float* __restrict__ reach) {
   const float sx = across[0], sy = across[1], sz = across[2];
   const float bx = beside[0], by = beside[1], bz = beside[2];
   for (int row = 0; row < rows.count; ++row) {
-    const float in_plane = facing[row];
     normal_beside[row] = x[row] * bx + y[row] * by + z[row] * bz;
-    facing[row] = in_plane + normal_beside[row];
-    const float sideways = std::abs(x[row] * sx + y[row] * sy + z[row] * sz - tan_bearing * in_plane);
+    facing[row] += normal_beside[row];
+    const float cosine = rows.cos_t[row] > kLeastCosine ? rows.cos_t[row] : kLeastCosine;
+    const float across_normal = x[row] * sx + y[row] * sy + z[row] * sz;
+    const float sideways = std::abs(across_normal - tan_bearing / cosine * normal_along[row]);
     reach[row] = bins_per_metre * rows.half_width * range[row] * sideways / (std::abs(facing[row]) + kLeastFacing);
   }
 }
@@ -240,31 +238,6 @@ Rows rows_of(const Lattice& lattice, int column) {
 
 }  // namespace
 
-void HitStrip::resize(int columns, int rows) {
-  columns_ = columns;
-  stride_ = rows + kPadding;
-  surface_.assign(static_cast<std::size_t>(columns_) * stride_, kNoSurface);
-  values_.assign(std::size(kFields) * surface_.size(), 0.0F);
-}
-
-HitColumn HitStrip::column(int column) {
-  HitColumn hits{};
-  const std::size_t start = static_cast<std::size_t>(column) * stride_;
-  hits.surface = &surface_[start];
-  for (std::size_t field = 0; field < std::size(kFields); ++field) {
-    hits.*kFields[field] = &values_[field * surface_.size() + start];
-  }
-  return hits;
-}
-
-void Stretches::resize(int rows) {
-  for (auto* values : {&normal_along, &normal_up, &normal_beside, &position, &reach, &low, &high, &power, &half_rise,
-                       &density, &elevation}) {
-    values->resize(rows);
-  }
-  joined.resize(rows);
-}
-
 ColumnAxes column_axes(const Lattice& lattice, int column, const Eigen::Matrix3f& axes) {
   const float cosine = lattice.cos_azimuth[column], sine = lattice.sin_azimuth[column];
   if (lattice.shape == BeamShape::kCone) {
@@ -292,7 +265,7 @@ void evaluate_column(const PingPlan& plan, int column, const ColumnAxes& axes, c
   if (lattice.shape == BeamShape::kCone) {
     measure_beside(rows, axes.across, axes.beside, lattice.sin_azimuth[column] / lattice.cos_azimuth[column],
                    plan.bins_per_metre, hits.normal_x, hits.normal_y, hits.normal_z, hits.range,
-                   stretches.normal_beside.data(), hits.facing, stretches.reach.data());
+                   stretches.normal_along.data(), stretches.normal_beside.data(), hits.facing, stretches.reach.data());
     join_on_cone(rows, 1 / plan.bins_per_metre, hits.range, stretches.normal_along.data(), stretches.normal_up.data(),
                  stretches.normal_beside.data(), hits.facing, hits.surface, stretches.joined.data());
   } else {

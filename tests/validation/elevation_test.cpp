@@ -160,6 +160,12 @@ TEST_P(ConeTest, TargetsOffThePlaneShowAtTheirCones) {
   }
 }
 
+// Sum of |a - b|.
+double apart(const std::vector<double>& a, const std::vector<double>& b) {
+  return std::inner_product(a.begin(), a.end(), b.begin(), 0.0, std::plus(),
+                            [](double x, double y) { return std::abs(x - y); });
+}
+
 // A plate well off the axis is as strong, and as far, on a cone as in a wedge.
 TEST_P(ConeTest, PlatesKeepTheirLevelsAndRanges) {
   SonarConfig sonar = wide();
@@ -179,14 +185,68 @@ TEST_P(ConeTest, PlatesKeepTheirLevelsAndRanges) {
       const Ping cone = ping_of(scenario, scene);
       EXPECT_NEAR(total_db(cone), total_db(wedge), 0.02) << elevation << ", " << tilt;
       const std::vector<double> a = by_range(wedge), b = by_range(cone);
-      const double sum = std::accumulate(a.begin(), a.end(), 0.0);
-      double apart = 0;
-      for (std::size_t bin = 0; bin < a.size(); ++bin) {
-        apart += std::abs(a[bin] - b[bin]);
-      }
-      EXPECT_LT(apart, 0.02 * sum) << elevation << ", " << tilt;
+      EXPECT_LT(apart(a, b), 0.02 * std::accumulate(a.begin(), a.end(), 0.0)) << elevation << ", " << tilt;
     }
   }
+}
+
+// A flat Lambert seabed, h below the array: of a range r and a sine of bearing u there is the area r^2/x dr du, x ahead
+// of the array, x^2 = r^2 (1 - u^2) - h^2. So I = mu h^2 du r^-4 / x dr, in every bin: no gaps
+// between samples, which are up to fifteen bins apart here.
+TEST_P(ConeTest, SeabedHasItsLevelInEveryBin) {
+  SonarConfig sonar;
+  sonar.beam_count = 64;
+  sonar.azimuth_aperture = 120 * kDegree;
+  sonar.elevation_aperture = 20 * kDegree;
+  sonar.elevation_center = -15 * kDegree;
+  sonar.min_range = 0;
+  sonar.max_range = 40;
+  sonar.bin_count = 800;
+  sonar.sampling = {1, 100};
+  Scenario scenario = calibrated(sonar, GetParam());
+  scenario.receiver.beam_shape = BeamShape::kCone;
+  const Ping ping = ping_of(scenario, seabed_at(-3, diffuse(-27)));
+  double worst = 0, mean = 0, squares = 0;
+  int count = 0;
+  for (int beam = 0; beam < sonar.beam_count; ++beam) {
+    const double u = std::sin(sonar.beam_azimuth(beam));
+    const double half = 0.5 * 120 * kDegree / 64;
+    const double du = std::sin(sonar.beam_azimuth(beam) + half) - std::sin(sonar.beam_azimuth(beam) - half);
+    for (int bin = 180; bin < 500; ++bin) {  // 9 to 25 m
+      const double r = sonar.bin_range(bin);
+      const double ahead = std::sqrt(r * r * (1 - u * u) - 9);
+      const double expected = 10 * std::log10(9 * du * std::pow(r, -4) / ahead * sonar.bin_length()) - 27;
+      const double off = cell_db(ping, bin, beam) - expected;
+      worst = std::max(worst, std::abs(off));
+      mean += off;
+      squares += off * off;
+      ++count;
+    }
+  }
+  EXPECT_LT(worst, 0.25);
+  EXPECT_LT(std::sqrt(squares / count), 0.05);
+  EXPECT_NEAR(mean / count, 0, 0.02);
+}
+
+// Few samples of a wall that slants and leans fill the same bins of the same beams as many do: each is spread over the
+// ranges of its stretch, along its column and across.
+TEST_P(ConeTest, SlantingWallIsTheSameByFewSamplesAndMany) {
+  SonarConfig sonar = wide();
+  sonar.beam_count = 32;
+  sonar.azimuth_aperture = 100 * kDegree;
+  sonar.bin_count = 200;
+  const Scene scene =
+      scene_of(make_plane(-Vec3::UnitX(), 40, 40), diffuse(-10),
+               {.position = {10, 0, 0}, .orientation = orientation_from_rpy(0, 40 * kDegree, 30 * kDegree)});
+  const auto heard = [&](const Sampling& sampling) {
+    sonar.sampling = sampling;
+    Scenario scenario = calibrated(sonar, GetParam());
+    scenario.receiver.beam_shape = BeamShape::kCone;
+    const Ping ping = ping_of(scenario, scene);
+    return std::vector<double>(ping.intensity.begin(), ping.intensity.end());
+  };
+  const std::vector<double> few = heard({1, 40}), many = heard({16, 1000});
+  EXPECT_LT(apart(few, many), 0.08 * std::accumulate(many.begin(), many.end(), 0.0));
 }
 
 // Nothing is heard from behind the array, whose cones lead there as well.
