@@ -40,7 +40,13 @@ namespace {
 
 // The paper model's beams are top hats.
 ReceiverConfig heard_by(const Scenario& scenario) {
-  return scenario.model == EchoModel::kCalibrated ? scenario.receiver : ReceiverConfig{};
+  ReceiverConfig receiver = scenario.receiver;
+  if (scenario.model == EchoModel::kPaper) {
+    receiver.azimuth_pattern = receiver.elevation_pattern = BeamPattern::kTopHat;
+    receiver.beam_shape = BeamShape::kWedge;
+    receiver.speckle = false;
+  }
+  return receiver;
 }
 
 std::optional<ArraySettings> elevation_array(const ReceiverConfig& receiver, const SonarConfig& sonar) {

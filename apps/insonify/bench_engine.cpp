@@ -121,6 +121,7 @@ class Runner {
 std::vector<Row> time_rows(const Scene& scene, SecondaryEchoes secondary, const char* name,
                            const BenchOptions& options) {
   Scenario scenario;
+  scenario.model = EchoModel::kPaper;
   scenario.sonars = {bench_sonar()};
   scenario.secondary = secondary;
   std::vector<std::unique_ptr<Runner>> runners;

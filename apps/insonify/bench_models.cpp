@@ -23,7 +23,8 @@ constexpr Stage kStages[] = {
     {"calibrated",
      [](Scenario& scenario) {
        scenario.model = EchoModel::kCalibrated;
-       scenario.receiver.noise = false;
+       scenario.receiver.noise = scenario.receiver.speckle = false;
+       scenario.receiver.azimuth_pattern = BeamPattern::kTopHat;
      }},
     {"+ array", [](Scenario& scenario) { scenario.receiver.azimuth_pattern = BeamPattern::kRectangular; }},
     {"+ pulse",

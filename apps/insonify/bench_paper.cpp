@@ -50,6 +50,7 @@ struct Row {
 // A new scene, and pings of it in steady state.
 void sample(Row& row, const PaperBenchOptions& options, std::uint64_t number) {
   Scenario scenario;
+  scenario.model = EchoModel::kPaper;
   scenario.sonars = {sonar_of(*row.setup, options.filled ? 10 : 0)};
   scenario.primary = row.mode->primary;
   scenario.secondary = row.mode->secondary;

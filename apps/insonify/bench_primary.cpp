@@ -62,6 +62,7 @@ class Runner {
  private:
   static Scenario scenario_of(const SonarConfig& sonar, PrimaryEchoes primary) {
     Scenario scenario;
+    scenario.model = EchoModel::kPaper;
     scenario.sonars = {sonar};
     scenario.primary = primary;
     scenario.secondary = SecondaryEchoes::kNone;

@@ -17,11 +17,11 @@ enum class BeamPattern { kTopHat, kRectangular, kHann, kHamming, kCosine, kTaylo
 /// What the receiver adds. All but `noise` is the calibrated model's.
 struct ReceiverConfig {
   bool noise = true;  ///< Whether noise is drawn at all: the paper model's, or the calibrated model's thermal noise.
-  bool speckle = false;
+  bool speckle = true;
 
   /// Across bearings. Side lobes go both ways on scanning heads, which send with the array they hear with, one way on
   /// fans.
-  BeamPattern azimuth_pattern = BeamPattern::kTopHat;
+  BeamPattern azimuth_pattern = BeamPattern::kTaylor;
   BeamPattern elevation_pattern = BeamPattern::kTopHat;  ///< Across elevations, sending and hearing.
   double side_lobe_db = -30;                             ///< Of kTaylor and kDolphChebyshev [dB], -100..-15.
   BeamShape beam_shape = BeamShape::kWedge;              ///< What lies at one bearing.

@@ -76,7 +76,7 @@ struct Scenario {
   std::filesystem::path world;  ///< SDF world or model, or mesh file; absolute.
   std::string world_where;      ///< "path:line:column: " of that entry, for messages.
   bool collisions = false;      ///< Insonify the world's collision shapes instead of its visuals.
-  EchoModel model = EchoModel::kPaper;
+  EchoModel model = EchoModel::kCalibrated;
   std::string engine = "cpu";
   PrimaryEchoes primary = PrimaryEchoes::kAuto;
   SecondaryEchoes secondary = SecondaryEchoes::kSelective;
@@ -116,7 +116,7 @@ struct Scenario {
     visit(Field{"model",
                 "",
                 {},
-                "Model of the echo: paper (shaped strengths) or calibrated (levels after the sonar equation)."},
+                "Model of the echo: calibrated (levels after the sonar equation) or paper (shaped strengths)."},
           self.model);
     visit(Field{"engine", "", {}, "What computes the echoes: cpu, or reference (slow, for checks)."}, self.engine);
     visit(Field{"primary", "", {}, "How the nearest surface in each direction is found; the echoes are the same."},

@@ -94,6 +94,9 @@ inline Scene without_glints(Scene scene) {
 /// A scenario of one sonar without noise or absorption: what is left is geometry.
 inline Scenario quiet_scenario(const SonarConfig& sonar) {
   Scenario scenario;
+  scenario.model = EchoModel::kPaper;
+  scenario.receiver.speckle = false;
+  scenario.receiver.azimuth_pattern = BeamPattern::kTopHat;
   scenario.sonars = {sonar};
   scenario.water.absorption = false;
   scenario.receiver.noise = false;

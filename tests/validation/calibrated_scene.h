@@ -116,6 +116,8 @@ inline Scenario calibrated(const SonarConfig& sonar, const Method& method) {
   scenario.secondary = SecondaryEchoes::kNone;
   scenario.water.absorption = false;
   scenario.receiver.noise = false;
+  scenario.receiver.speckle = false;
+  scenario.receiver.azimuth_pattern = BeamPattern::kTopHat;
   scenario.sonars = {sonar};
   return scenario;
 }
