@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "base/parallel.h"
+#include "echo/interference.h"
 #include "echo/point_echoes.h"
 #include "insonify/error.h"
 #include "receiver/calibrated_receiver.h"
@@ -21,7 +22,8 @@ struct Simulator::State {
         scene(std::move(the_scene)),
         engine(make_engine(scenario.engine, threads)),
         workers(threads),
-        points(scenario.points) {}
+        points(scenario.points),
+        interference(scenario.interferers) {}
 
   Scenario scenario;
   Scene scene;
@@ -29,6 +31,7 @@ struct Simulator::State {
   std::unique_ptr<Engine> engine;
   Workers workers;  // Of what comes after the engine.
   PointEchoes points;
+  Interference interference;
 
   // Of each sonar, kept between pings so that a ping allocates nothing.
   std::vector<std::shared_ptr<const PingPlan>> plans;
@@ -174,6 +177,7 @@ void Simulator::make_ping(int index, std::uint64_t number, Ping& ping) {
   if (state.scenario.model == EchoModel::kCalibrated) {
     state.engine->insonify(plan, world_from_sonar, number, grid, nullptr);
     state.points.add(plan, world_from_sonar, *state.engine, grid);
+    state.interference.add(plan, world_from_sonar, ping.time, *state.engine, grid);
     state.receivers[index].hear(grid, world_from_sonar, motion_while_listening(state.scenario, config, ping),
                                 state.workers, ping);
   } else {

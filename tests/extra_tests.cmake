@@ -41,3 +41,9 @@ if(BUILD_SHARED_LIBS)
 endif()
 add_test(NAME run_doc_blocks
   COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/tools/run_doc_blocks_test.py)
+
+# Speckle as a real sonar has recorded it.
+add_test(NAME oculus_statistics
+  COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/validation/oculus_statistics.py $<TARGET_FILE:insonify_cli>
+          ${CMAKE_CURRENT_BINARY_DIR}/oculus_statistics)
+set_tests_properties(oculus_statistics PROPERTIES SKIP_RETURN_CODE 77)

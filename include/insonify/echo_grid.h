@@ -21,6 +21,7 @@ inline constexpr std::uint16_t kNoLabel = 0xffff;
 /// many.
 struct LoneEcho {
   int beam = 0, bin = 0;
+  int order = 1;           ///< Surfaces met; 0 for what is no echo.
   float bearing_sine = 0;  ///< u of its arrival.
   float intensity = 0;     ///< Relative to the source's at 1 m.
   float turns = 0;         ///< Phase, 0..1.

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "insonify/engine.h"
+#include "insonify/interferer.h"
 #include "insonify/point_target.h"
 #include "insonify/receiver_config.h"
 #include "insonify/scene.h"
@@ -90,8 +91,9 @@ struct Scenario {
   PaperModel paper;
   ReceiverConfig receiver;
   MaterialRules materials;
-  std::vector<PointTarget> points;    ///< Calibrated model only.
-  std::optional<SeaSurface> surface;  ///< None where not named.
+  std::vector<PointTarget> points;      ///< Calibrated model only.
+  std::vector<Interferer> interferers;  ///< Calibrated model only.
+  std::optional<SeaSurface> surface;    ///< None where not named.
   std::vector<SonarConfig> sonars;
   Trajectory trajectory;  ///< Of the vehicle.
   std::vector<Motion> motions;

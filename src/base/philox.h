@@ -17,7 +17,8 @@ enum class RandomPurpose : std::uint32_t {
   kArrayElements = 6,
   kSpeckle = 7,
   kClutter = 8,
-  kPointPhase = 9
+  kPointPhase = 9,
+  kInterference = 10
 };
 
 using PhiloxCounter = std::array<std::uint32_t, 4>;

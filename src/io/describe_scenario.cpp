@@ -96,6 +96,8 @@ SectionDescription scenario_section() {
   section.keys.push_back(part("paper", "map", "The paper model's settings: see `paper`."));
   section.keys.push_back(part("surface", "map", "The water's surface, none where not named: see `surface`."));
   section.keys.push_back(part("points", "list", "Ideal point targets (calibrated model): see `points`."));
+  section.keys.push_back(
+      part("interferers", "list", "Other sonars that are heard (calibrated model): see `interferers`."));
   section.keys.push_back(part("trajectory", "list of waypoints", "How the vehicle moves: see `trajectory`."));
   section.keys.push_back(part("motions", "list", "What else moves: see `motions`."));
   section.keys.push_back(part("view", "map", "The camera of the picture of the scene: see `view`."));
@@ -136,6 +138,8 @@ std::vector<SectionDescription> describe_scenario() {
                  Waypoint()));
   sections.push_back(section_of("surface", "The water's surface above the sonar, a rough mirror.", SeaSurface()));
   sections.push_back(section_of("points", "One entry for each ideal point target (calibrated model).", PointTarget()));
+  sections.push_back(
+      section_of("interferers", "One entry for each other sonar that is heard (calibrated model).", Interferer()));
   auto motions = section_of("motions", "One entry for each object of the world that moves.", Motion());
   motions.keys.push_back(part("trajectory", "list of waypoints", "Where the object is: as `trajectory`."));
   sections.push_back(motions);

@@ -63,6 +63,7 @@ class ScenarioReader {
       }
     });
     if_given("points", [&](const YamlValue& part) { read_points(part); });
+    if_given("interferers", [&](const YamlValue& part) { read_interferers(part); });
     if_given("trajectory", [&](const YamlValue& part) { read_trajectory(part, "trajectory", scenario_.trajectory); });
     if_given("motions", [&](const YamlValue& part) { read_motions(part); });
     if_given("view", [&](const YamlValue& part) {
@@ -150,6 +151,13 @@ class ScenarioReader {
     require_list(part, object, "a list of waypoints");
     for (std::size_t i = 0; i < part.items.size(); ++i) {
       read_section(part.items[i], fmt::format("{}[{}]", object, i), trajectory.waypoints.emplace_back(), places_);
+    }
+  }
+
+  void read_interferers(const YamlValue& part) {
+    require_list(part, "interferers", "a list of other sonars");
+    for (std::size_t i = 0; i < part.items.size(); ++i) {
+      read_section(part.items[i], fmt::format("interferers[{}]", i), scenario_.interferers.emplace_back(), places_);
     }
   }
 

@@ -11,8 +11,8 @@ namespace insonify {
 namespace {
 
 // Keys that stand for a part of the scenario instead of a plain value.
-constexpr std::array kPartKeys = {"water",  "materials", "sonars",     "receiver", "paper",
-                                  "points", "surface",   "trajectory", "motions",  "view"};
+constexpr std::array kPartKeys = {"water",       "materials", "sonars",     "receiver", "paper", "points",
+                                  "interferers", "surface",   "trajectory", "motions",  "view"};
 
 }  // namespace
 

@@ -28,10 +28,12 @@ void LoneEchoes::for_each_cell(const LoneEcho& echo, const Add& add) const {
   }
 }
 
-void LoneEchoes::add(std::span<const LoneEcho> echoes, std::span<float> beams) const {
+void LoneEchoes::add(std::span<const LoneEcho> echoes, std::span<float> beams, int least_order) const {
   for (const LoneEcho& echo : echoes) {
-    for_each_cell(echo,
-                  [&](std::size_t cell, std::complex<float> gain) { beams[cell] += std::norm(gain) * echo.intensity; });
+    if (echo.order >= least_order) {
+      for_each_cell(
+          echo, [&](std::size_t cell, std::complex<float> gain) { beams[cell] += std::norm(gain) * echo.intensity; });
+    }
   }
 }
 

@@ -20,8 +20,10 @@ class LoneEchoes {
   LoneEchoes(const BearingResponse* bearing, const RangeResponse* range, int beams, int bins)
       : bearing_(bearing), range_(range), beams_(beams), bins_(bins) {}
 
-  /// Adds |g p|^2 of their intensities, or g p of their fields. @param beams  [beam][bin]
-  void add(std::span<const LoneEcho> echoes, std::span<float> beams) const;
+  /// Adds |g p|^2 of their intensities, or g p of their fields.
+  /// @param beams        [beam][bin]
+  /// @param least_order  Of those that are added.
+  void add(std::span<const LoneEcho> echoes, std::span<float> beams, int least_order = 0) const;
   void add(std::span<const LoneEcho> echoes, std::span<std::complex<float>> beams) const;
 
  private:

@@ -110,7 +110,7 @@ void TruthReceiver::hear_direct(const EchoGrid& grid, const Hearing& hearing, Wo
       hearing.bearing->hear_energy(direct_, direct_beams_, bins_, {first, last});
     });
   }
-  hearing.lone->add(grid.lone_echoes(), energy);
+  hearing.lone->add(grid.lone_echoes(), energy, 1);
   workers.for_each(tasks, [&](int task, int) {
     for (int bin = task * kBinsATask; bin < std::min((task + 1) * kBinsATask, bins_); ++bin) {
       for (int beam = 0; beam < beams_; ++beam) {
@@ -169,7 +169,7 @@ void TruthReceiver::tell_order(const EchoGrid& grid, int beam, int bin, Ping& pi
 void TruthReceiver::tell_lone_echo(const EchoGrid& grid, const LoneEcho& echo, Ping& ping) const {
   const int own = echo.beam - first_cell_;
   const int beam = own / cells_per_beam_;
-  if (own < 0 || beam >= beams_) {
+  if (echo.order == 0 || own < 0 || beam >= beams_) {
     return;
   }
   float most = 0;

@@ -109,6 +109,12 @@ void check_points(const std::vector<PointTarget>& points) {
   }
 }
 
+void check_interferers(const std::vector<Interferer>& interferers) {
+  for (std::size_t i = 0; i < interferers.size(); ++i) {
+    check_fields(fmt::format("interferers[{}]", i), interferers[i]);
+  }
+}
+
 void check_motions(const std::vector<Motion>& motions) {
   for (std::size_t i = 0; i < motions.size(); ++i) {
     const std::string object = fmt::format("motions[{}]", i);
@@ -170,6 +176,9 @@ void Scenario::validate() const {
   if (model == EchoModel::kPaper && !points.empty()) {
     throw Error("points need model = calibrated");
   }
+  if (model == EchoModel::kPaper && !interferers.empty()) {
+    throw Error("interferers need model = calibrated");
+  }
   if (model == EchoModel::kPaper && (receiver.field || receiver.counts)) {
     throw Error(fmt::format("receiver.{} needs model = calibrated", receiver.field ? "field" : "counts"));
   }
@@ -180,6 +189,7 @@ void Scenario::validate() const {
     throw Error("ground_truth = full needs model = calibrated");
   }
   check_points(points);
+  check_interferers(interferers);
   if (surface) {
     check_fields("surface", *surface);
   }

@@ -1,0 +1,112 @@
+"""Compares the speckle of a simulated rough bottom with that of a recorded one.
+
+    oculus_statistics.py INSONIFY WORK_FOLDER    # exit status 77 where there are no recordings
+
+Three raw pings of a Blueprint Oculus M1200d at 2.1 MHz (INSONIFY_TEST_DATA/arrays), eight bits with a display gamma of
+0.5: far from the sonar, 1.70 to 1.95 m, the bottom is evenly rough. The simulation has the same sonar, counts, gamma
+and range over a rough floor. Of both, counts are squared to amplitudes and divided by the root mean square about them,
+which takes away what beams, range and the bottom's shape make of the level.
+
+A fully developed speckle's amplitude is Rayleigh: its coefficient of variation is 0.5227.
+"""
+
+import math
+import os
+import pathlib
+import subprocess
+import sys
+
+import h5py
+import numpy as np
+
+RAYLEIGH = math.sqrt(4 / math.pi - 1)
+NEAR, FAR = 1.70, 1.95  # [m]
+NEIGHBOURS = 21  # Beams and bins that the local level is of.
+
+SCENARIO = """
+world: floor.obj
+model: calibrated
+secondary: none
+ground_truth: none
+materials: {sand: {roughness_height: 0.004}}
+receiver: {counts: true, full_scale_db: -24, azimuth_pattern: hann, pulse: none}
+sonars:
+  - preset: blueprint-oculus-m1200d
+    mode: high
+    beam_count: 256
+    bin_count: 703
+    min_range: 0
+    max_range: 1.998
+    position: [0, 0, 0.5]
+    orientation_deg: [0, 16, 0]
+"""
+FLOOR = "v -1 -4 0\nv 4 -4 0\nv 4 4 0\nv -1 4 0\nusemtl sand\nf 1 2 3 4\n"
+
+
+def local_mean(values):
+    """Mean over NEIGHBOURS x NEIGHBOURS cells, mirrored at the edges."""
+    for axis in (0, 1):
+        half = NEIGHBOURS // 2
+        padded = np.pad(values, [(half, half) if a == axis else (0, 0) for a in (0, 1)], mode="reflect")
+        windows = np.lib.stride_tricks.sliding_window_view(padded, NEIGHBOURS, axis=axis)
+        values = windows.mean(axis=-1)
+    return values
+
+
+def relative_amplitudes(counts):
+    """Of beams x bins, whatever their level."""
+    amplitude = counts.astype(float) ** 2
+    return (amplitude / np.sqrt(local_mean(amplitude**2))).ravel()
+
+
+def distance(sample, distribution):
+    """Kolmogorov and Smirnov's, of a sample from a distribution or from another sample."""
+    sample = np.sort(sample)
+    if callable(distribution):
+        below = distribution(sample)
+        steps = np.arange(len(sample) + 1) / len(sample)
+        return max(np.max(steps[1:] - below), np.max(below - steps[:-1]))
+    both = np.concatenate([sample, distribution])
+    other = np.sort(distribution)
+    shares = [np.searchsorted(s, both, side="right") / len(s) for s in (sample, other)]
+    return np.max(np.abs(shares[0] - shares[1]))
+
+
+def simulated(insonify, folder):
+    folder.mkdir(parents=True, exist_ok=True)
+    (folder / "scenario.yaml").write_text(SCENARIO, encoding="utf-8")
+    (folder / "floor.obj").write_text(FLOOR, encoding="utf-8")
+    command = [insonify, "run", "scenario.yaml", "-o", "out", "--no-pictures"]
+    subprocess.run(command, cwd=folder, check=True, stdout=subprocess.DEVNULL)
+    with h5py.File(next((folder / "out").glob("*.h5"))) as file:
+        bins = (file["range"][:] > NEAR) & (file["range"][:] < FAR)
+        return file["counts"][0][bins].T
+
+
+def main():
+    recordings = pathlib.Path(os.environ.get("INSONIFY_TEST_DATA", ""), "arrays", "liboculus_oculus_3pings.npz")
+    if not recordings.is_file():
+        print(f"no recordings: {recordings} is not there (INSONIFY_TEST_DATA)")
+        sys.exit(77)
+    data = np.load(recordings)
+    bins = (data["range_m"] > NEAR) & (data["range_m"] < FAR)
+    real = relative_amplitudes(data["polar"][0][:, bins])
+    ours = relative_amplitudes(simulated(sys.argv[1], pathlib.Path(sys.argv[2])))
+
+    def rayleigh(sample):
+        return lambda x: 1 - np.exp(-(x**2) / np.mean(sample**2))
+
+    variation = np.std(ours) / np.mean(ours)
+    figures = {
+        "coefficient of variation, off Rayleigh's": (abs(variation - RAYLEIGH), 0.02),
+        "distance from Rayleigh": (distance(ours, rayleigh(ours)), 0.02),
+        "distance from the recording": (distance(ours, real), 0.02),
+    }
+    print(f"recorded: coefficient of variation {np.std(real) / np.mean(real):.3f}, distance {distance(real, rayleigh(real)):.4f}")
+    for name, (value, most) in figures.items():
+        print(f"simulated: {name} {value:.4f}, at most {most}")
+    sys.exit(any(value > most for value, most in figures.values()))
+
+
+if __name__ == "__main__":
+    main()
