@@ -34,8 +34,7 @@ class TruthReceiver {
 
  private:
   void hear_direct(const EchoGrid& grid, const Hearing& hearing, Workers& workers, Ping& ping);
-  void tell_surfaces(const EchoGrid& grid, int beam, int bin, Ping& ping) const;
-  void tell_order(const EchoGrid& grid, int beam, int bin, Ping& ping) const;
+  float tell_order(const EchoGrid& grid, int beam, int bin, Ping& ping) const;
   void tell_shadow(const EchoGrid& grid, int beam, Ping& ping) const;
 
   // Calls visit(cell) for the cells of a beam's own slice.
