@@ -44,6 +44,7 @@ PUBLIC = {
     "sonar_config.h": "sonar",
     "receiver_config.h": "receiver",
     "echo_grid.h": "echo",
+    "ground_truth.h": "echo",
     "engine.h": "echo",
     "paper_model.h": "echo",
     "ping.h": "receiver",

@@ -186,11 +186,11 @@ void BeamTask::run(const Pose& world_from_sonar, int first_beam, int last_beam, 
   arrivals.clear();
   onward_.start(*plan_, sonar_, sonar_axes_, grid, arrivals, log);
 
-  // Sums depend on the order of their terms. Echoes by way of mirrors come as packets fill, so that packets end where
+  // Sums depend on the order of their terms. Secondary echoes come as packets fill, so that packets end where
   // the smallest tasks would: then the order is the same whatever the task.
   const int columns_together = kLeastBeamsTogether * plan_->lattice.columns_per_beam;
   for (int first_column = 0; first_column < columns_; first_column += kTile) {
-    if (plan_->model == EchoModel::kCalibrated && first_column % columns_together == 0) {
+    if (first_column % columns_together == 0) {
       onward_.finish();
     }
     if (view != nullptr) {

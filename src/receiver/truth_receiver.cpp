@@ -14,25 +14,25 @@ namespace {
 
 constexpr int kBeamsATask = 16;  // One cache line of a row of the ping.
 constexpr int kBinsATask = 64;
-constexpr float kNotANumber = std::numeric_limits<float>::quiet_NaN();
 
 // All that one instance gave to a bin.
 struct InstanceEcho {
-  std::uint16_t instance = kNoLabel;
-  std::uint16_t material = kNoLabel;  // Of its strongest surface.
-  float energy = 0, strongest_surface = 0;
-  double elevation_moment = 0, elevation_square = 0;
+  std::uint16_t instance, material;  // The latter of its strongest surface in one cell.
+  float energy, strongest_surface;
+  double elevation_moment, elevation_square;
 };
 
 // Instances that the cells of a slice may name: a scanning head's eight cells of kSurfacesKept each.
 class Instances {
  public:
+  void clear() { count_ = 0; }
+
   void add(const SurfaceEcho& echo) {
     const std::uint16_t instance = instance_of(echo.surface);
     auto* const end = echoes_.data() + count_;
     auto* entry = std::find_if(echoes_.data(), end, [&](const auto& known) { return known.instance == instance; });
     if (entry == end) {
-      *entry = {.instance = instance};
+      *entry = {instance, kNoLabel, 0, 0, 0, 0};
       ++count_;
     }
     entry->energy += echo.energy;
@@ -55,9 +55,34 @@ class Instances {
   }
 
  private:
-  std::array<InstanceEcho, BearingCells::kMostPerBeam * kSurfacesKept> echoes_;
+  std::array<InstanceEcho, BearingCells::kMostPerBeam * kSurfacesKept> echoes_;  // The first count_.
   int count_ = 0;
 };
+
+// Of the bin at `at` of the tables, whose echoes have `energy` in all.
+void tell_strongest(std::span<const InstanceEcho> strongest, float energy, float middle_elevation, std::size_t at,
+                    Ping& ping) {
+  std::uint16_t* instance = &ping.strongest_instance[kStrongestCount * at];
+  float* share = &ping.strongest_share[kStrongestCount * at];
+  std::fill_n(instance, kStrongestCount, kNoLabel);
+  std::fill_n(share, kStrongestCount, 0.0F);
+  ping.instance[at] = ping.material[at] = kNoLabel;
+  ping.elevation[at] = ping.elevation_spread[at] = std::numeric_limits<float>::quiet_NaN();
+  if (strongest.empty()) {
+    return;
+  }
+  for (std::size_t k = 0; k < strongest.size(); ++k) {
+    instance[k] = strongest[k].instance;
+    share[k] = std::min(strongest[k].energy / energy, 1.0F);
+  }
+  const InstanceEcho& first = strongest[0];
+  ping.instance[at] = first.instance;
+  ping.material[at] = first.material;
+  const double mean = first.elevation_moment / double{first.energy};
+  const double variance = first.elevation_square / double{first.energy} - mean * mean;
+  ping.elevation[at] = middle_elevation + static_cast<float>(mean);
+  ping.elevation_spread[at] = static_cast<float>(std::sqrt(std::max(variance, 0.0)));
+}
 
 }  // namespace
 
@@ -74,11 +99,22 @@ void TruthReceiver::tell(const EchoGrid& grid, const Hearing& hearing, Workers& 
   hear_direct(grid, hearing, workers, ping);
   workers.for_each((beams_ + kBeamsATask - 1) / kBeamsATask, [&](int task, int) {
     const int first_beam = task * kBeamsATask, last_beam = std::min(first_beam + kBeamsATask, beams_);
+    Instances instances;
     for (int first_bin = 0; first_bin < bins_; first_bin += kBinsATask) {
       for (int beam = first_beam; beam < last_beam; ++beam) {
         for (int bin = first_bin; bin < std::min(first_bin + kBinsATask, bins_); ++bin) {
-          tell_surfaces(grid, beam, bin, ping);
-          tell_order(grid, beam, bin, ping);
+          const float energy = tell_order(grid, beam, bin, ping);
+          instances.clear();
+          if (energy > 0) {  // Mostly it is not, and tallies lie far away.
+            for_each_cell(beam, [&](int cell) {
+              for (const SurfaceEcho& echo : grid.tallies(cell)[bin]) {
+                if (echo.surface != kNoSurface) {
+                  instances.add(echo);
+                }
+              }
+            });
+          }
+          tell_strongest(instances.strongest(), energy, middle_elevation_, ping.index(bin, beam), ping);
         }
       }
     }
@@ -121,48 +157,21 @@ void TruthReceiver::hear_direct(const EchoGrid& grid, const Hearing& hearing, Wo
   });
 }
 
-void TruthReceiver::tell_surfaces(const EchoGrid& grid, int beam, int bin, Ping& ping) const {
-  Instances instances;
-  float total = 0;  // Of all echoes, those that no surface is named for included.
-  for_each_cell(beam, [&](int cell) {
-    for (const SurfaceEcho& echo : grid.tallies(cell)[bin]) {
-      if (echo.surface != kNoSurface) {
-        instances.add(echo);
-      }
-    }
-    for (int order = 1; order <= grid.order_count(); ++order) {
-      total += grid.energy(order, cell)[bin];
-    }
-  });
-  const std::span<const InstanceEcho> strongest = instances.strongest();
-  const InstanceEcho first = strongest.empty() ? InstanceEcho{} : strongest[0];
-  const std::size_t at = ping.index(bin, beam);
-  ping.instance[at] = first.instance;
-  ping.material[at] = first.material;
-  const double energy = first.energy;
-  const double mean = first.elevation_moment / energy;
-  const double variance = first.elevation_square / energy - mean * mean;
-  ping.elevation[at] = energy > 0 ? middle_elevation_ + static_cast<float>(mean) : kNotANumber;
-  ping.elevation_spread[at] = energy > 0 ? static_cast<float>(std::sqrt(std::max(variance, 0.0))) : kNotANumber;
-  for (std::size_t k = 0; k < kStrongestCount; ++k) {
-    const bool named = k < strongest.size();
-    ping.strongest_instance[kStrongestCount * at + k] = named ? strongest[k].instance : kNoLabel;
-    ping.strongest_share[kStrongestCount * at + k] = named ? std::min(strongest[k].energy / total, 1.0F) : 0.0F;
-  }
-}
-
-void TruthReceiver::tell_order(const EchoGrid& grid, int beam, int bin, Ping& ping) const {
-  float most = 0;
+// Returns the energy of all orders.
+float TruthReceiver::tell_order(const EchoGrid& grid, int beam, int bin, Ping& ping) const {
+  float all = 0, most = 0;
   std::uint8_t order_of_most = 0;
   for (int order = 1; order <= grid.order_count(); ++order) {
     float energy = 0;
     for_each_cell(beam, [&](int cell) { energy += grid.energy(order, cell)[bin]; });
+    all += energy;
     if (energy > most) {
       most = energy;
       order_of_most = static_cast<std::uint8_t>(order);
     }
   }
   ping.path_order[ping.index(bin, beam)] = order_of_most;
+  return all;
 }
 
 // It is direct, and its bin no shadow: what hides it would have kept it from being heard.

@@ -37,8 +37,7 @@ class TruthReceiver {
 
  private:
   void hear_direct(const EchoGrid& grid, const Hearing& hearing, Workers& workers, Ping& ping);
-  void tell_surfaces(const EchoGrid& grid, int beam, int bin, Ping& ping) const;
-  void tell_order(const EchoGrid& grid, int beam, int bin, Ping& ping) const;
+  float tell_order(const EchoGrid& grid, int beam, int bin, Ping& ping) const;
   void tell_lone_echo(const EchoGrid& grid, const LoneEcho& echo, Ping& ping) const;
   void tell_shadow(const EchoGrid& grid, int beam, Ping& ping) const;
 

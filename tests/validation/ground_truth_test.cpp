@@ -87,9 +87,9 @@ TEST_P(GroundTruthTest, BeamsOfAnArrayTellTheirOwnSlice) {
   }
 }
 
-// A Lambert wall at x = d sends dI ~ cos(t)^4 dt from the elevation t.
+// A Lambert wall at x = d sends dI ~ cos(t)^4 dt from the elevation t. It lies off the middle of the aperture.
 TEST_P(GroundTruthTest, WallSpreadsOverItsHeight) {
-  constexpr double kDistance = 10.1, kLow = -0.6, kHigh = 1.4;
+  constexpr double kDistance = 10.1, kLow = 0.2, kHigh = 1.8;
   const Scene wall = scene_of(make_box({0.01, 0.2, kHigh - kLow}), diffuse(-20),
                               {.position = {kDistance + 0.005, 0, 0.5 * (kLow + kHigh)}});
   const Ping ping = ping_of(with_truth(coarse_sonar(), GetParam()), wall);
