@@ -29,7 +29,7 @@ model: calibrated
 secondary: none
 ground_truth: none
 materials: {sand: {roughness_height: 0.004}}
-receiver: {counts: true, full_scale_db: -24, azimuth_pattern: hann, pulse: none}
+receiver: {counts: true, full_scale_db: -62, azimuth_pattern: hann, pulse: none}
 sonars:
   - preset: blueprint-oculus-m1200d
     mode: high
