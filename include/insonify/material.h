@@ -40,8 +40,11 @@ void visit_material_fields(Self& self, Visit&& visit) {
               "Diffuse part: 10 log10 of backscattering strength head on (calibrated model)."},
         self.lambert_db);
   visit(Field{"reflection", "", from_to(0, 1),
-              "|R| of sound that meets it head on (calibrated model); from the impedance when absent."},
+              "|R|, the same at every angle (calibrated model); from density, sound speed and thickness when absent."},
         self.reflection);
+  visit(Field{"thickness", "m", above_to(0, 1000),
+              "Of a plate with water on both sides (calibrated model); filled with it when absent."},
+        self.thickness);
   visit(Field{"rms_slope", "", from_to(0.005, 1),
               "Of its small facets, along each axis: how wide the glint is (calibrated model)."},
         self.rms_slope);
@@ -60,10 +63,11 @@ struct Material {
   std::optional<double> reflectivity =
       {};                   ///< Share of the echo amplitude that the `paper` model keeps, 0..1; |R| when absent.
   double lambert_db = -20;  ///< 10 log10 of Scattering::lambert, -200 to that of a white surface.
-  std::optional<double> reflection = {};  ///< |R| at normal incidence, 0..1; from density and sound speed when absent.
-  double rms_slope = 0.1;                 ///< Of small facets, along each axis, 0.005..1.
-  std::optional<double> clutter_shape = {};   ///< Of K-distributed clutter, 0.1..1000: the less the patchier; or none.
-  std::string source = {};                    ///< Where the numbers come from.
+  std::optional<double> reflection = {};     ///< |R| at every incidence, 0..1; see reflection_at() when absent.
+  std::optional<double> thickness = {};      ///< Of a plate with water on both sides [m], in (0, 1000]; absent: filled.
+  double rms_slope = 0.1;                    ///< Of small facets, along each axis, 0.005..1.
+  std::optional<double> clutter_shape = {};  ///< Of K-distributed clutter, 0.1..1000: the less the patchier; or none.
+  std::string source = {};                   ///< Where the numbers come from.
   std::shared_ptr<const Relief> relief = {};  ///< Of every surface made of it; null: that of the mesh, if any.
 
   /// Pressure reflection coefficient at normal incidence against water of the given impedance [kg/(m^2 s)], -1..1:
@@ -73,8 +77,14 @@ struct Material {
   /// `reflectivity` if given, else |reflection_coefficient| against sea water.
   [[nodiscard]] double effective_reflectivity() const;
 
-  /// What the `calibrated` model makes of it; `reflection` if given, else |reflection_coefficient| against sea water.
-  [[nodiscard]] Scattering scattering() const;
+  /// |R| of a plane wave in sea water, for the `calibrated` model: `reflection` if given; of a plate of some
+  /// `thickness` as head on, see plate_reflection(); else that of a fluid without losses, see bottom_reflection().
+  /// @param cosine     Of incidence, from the normal, 0..1.
+  /// @param frequency  [Hz], > 0.
+  [[nodiscard]] double reflection_at(double cosine, double frequency) const;
+
+  /// What the `calibrated` model makes of it, its reflection head on.
+  [[nodiscard]] Scattering scattering(double frequency) const;
 
   template <typename Self, typename Visit>
   static void visit_fields(Self& self, Visit&& visit) {
@@ -82,8 +92,10 @@ struct Material {
   }
 };
 
-/// Impedance of sea water that the library's reflectivities refer to: 1026 kg/m^3 x 1500 m/s.
-inline constexpr double kSeaWaterImpedance = 1026.0 * 1500.0;
+/// Of the sea water that the library's reflectivities refer to [kg/m^3], [m/s].
+inline constexpr double kSeaWaterDensity = 1026;
+inline constexpr double kSeaWaterSoundSpeed = 1500;
+inline constexpr double kSeaWaterImpedance = kSeaWaterDensity * kSeaWaterSoundSpeed;
 
 /// Every material known by name, in alphabetical order. Typical values, +-5 %.
 [[nodiscard]] std::span<const Material> material_library();

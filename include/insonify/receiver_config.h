@@ -2,6 +2,7 @@
 
 #pragma once
 
+#include <numbers>
 #include <optional>
 #include <vector>
 
@@ -17,6 +18,7 @@ enum class BeamPattern { kTopHat, kRectangular, kHann, kHamming, kCosine, kTaylo
 /// What the receiver adds. All but `noise` is the calibrated model's.
 struct ReceiverConfig {
   bool noise = true;  ///< Whether noise is drawn at all: the paper model's, or the calibrated model's thermal noise.
+  std::optional<double> ambient_noise_db = {};  ///< Besides thermal noise [dB re 1 uPa^2/Hz], -100..200; or none.
   bool speckle = true;
 
   /// Across bearings. Side lobes go both ways on scanning heads, which send with the array they hear with, one way on
@@ -26,9 +28,13 @@ struct ReceiverConfig {
   double side_lobe_db = -30;                             ///< Of kTaylor and kDolphChebyshev [dB], -100..-15.
   BeamShape beam_shape = BeamShape::kWedge;              ///< What lies at one bearing.
 
-  PulseKind pulse = PulseKind::kNone;  ///< kNone: as long as a bin.
-  double pulse_duration = 50e-6;       ///< Of kCw and kLfm [s], in (0, 1].
-  double pulse_bandwidth = 100e3;      ///< Of kLfm [Hz], in (0, 1e7]; times pulse_duration at least 10.
+  int elements = 0;                        ///< Of the azimuth pattern's array, 0..1024; 0: one unbroken line.
+  double element_error_db = 0;             ///< Standard deviation of their amplitudes [dB], 0..20.
+  double element_error = 0;                ///< Of their phases [rad], 0..180 deg.
+  std::vector<double> dead_elements = {};  ///< That hear nothing, from 0 at the port end.
+  PulseKind pulse = PulseKind::kNone;      ///< kNone: as long as a bin.
+  double pulse_duration = 50e-6;           ///< Of kCw and kLfm [s], in (0, 1].
+  double pulse_bandwidth = 100e3;          ///< Of kLfm [Hz], in (0, 1e7]; times pulse_duration at least 10.
 
   /// X of the gain X log10(r) + 2 alpha r [dB] that the recording is raised by, r in metres and alpha the water's
   /// absorption; 0..60. None: raw. 40 evens out point targets, 30 floors, 20 water's reverberation.
@@ -56,6 +62,10 @@ struct ReceiverConfig {
   static void visit_fields(Self& self, Visit&& visit) {
     visit(Field{"noise", "", {}, "Whether noise is drawn: the paper model's own, or thermal noise (calibrated)."},
           self.noise);
+    visit(
+        Field{"ambient_noise_db", "dB", from_to(-100, 200),
+              "Spectral level at the carrier of noise besides thermal, re 1 uPa^2/Hz (calibrated); none when absent."},
+        self.ambient_noise_db);
     visit(Field{"speckle", "", {}, "Whether echoes interfere, as a coherent sonar hears them (calibrated)."},
           self.speckle);
     visit(Field{"azimuth_pattern",
@@ -78,6 +88,14 @@ struct ReceiverConfig {
                 "wedge (a beam holds its azimuth at every elevation) or cone (around the array, as line arrays have "
                 "it: sin(azimuth) cos(elevation) is held) (calibrated)."},
           self.beam_shape);
+    visit(Field{"elements", "", from_to(0, 1024), "Of the array of the azimuth_pattern; 0: one unbroken line."},
+          self.elements);
+    visit(Field{"element_error_db", "dB", from_to(0, 20), "Standard deviation of their amplitudes, drawn by the seed."},
+          self.element_error_db);
+    visit(Field{"element_error", "rad", from_to(0, std::numbers::pi), "Standard deviation of their phases."},
+          self.element_error);
+    visit(Field{"dead_elements", "", from_to(0, 1023), "Those that hear nothing, from 0 at the port end."},
+          self.dead_elements);
     visit(Field{"pulse",
                 "",
                 {},

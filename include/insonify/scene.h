@@ -41,6 +41,7 @@ struct MaterialOverride {
   std::optional<double> reflectivity = {};   ///< 0..1
   std::optional<double> lambert_db = {};     ///< [dB]
   std::optional<double> reflection = {};     ///< 0..1
+  std::optional<double> thickness = {};      ///< [m]
   std::optional<double> rms_slope = {};      ///< 0.005..1
   std::optional<double> clutter_shape = {};  ///< 0.1..1000
   ReliefConfig relief_config = {};           ///< What `relief` is to be made from, see load_scene().

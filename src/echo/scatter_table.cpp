@@ -34,12 +34,14 @@ void scatter(int rows, const ScatterTable::Laws laws, float neper_per_metre, con
 
 }  // namespace
 
-ScatterTable::ScatterTable(std::span<const Material> materials) {
+ScatterTable::ScatterTable(std::span<const Material> materials, double frequency) {
   for (const Material& material : materials) {
-    const Scattering scattering = material.scattering();
+    const Scattering scattering = material.scattering(frequency);
     const double variance = scattering.rms_slope * scattering.rms_slope;
     const double intensity = scattering.reflection * scattering.reflection;
-    kept_.push_back(static_cast<float>(intensity));
+    for (int i = 0; i < kCosines; ++i) {
+      kept_.push_back(static_cast<float>(std::pow(material.reflection_at(double{i} / (kCosines - 1), frequency), 2)));
+    }
     lambert_.push_back(static_cast<float>(scattering.lambert));
     lobe_.push_back(static_cast<float>(intensity / (8 * std::numbers::pi * variance)));
     steepness_.push_back(static_cast<float>(1 / (2 * variance)));

@@ -81,7 +81,7 @@ void put_axes(const H5Writer& writer, const SonarConfig& sonar) {
   writer.put("range", ranges, {"m", "Centre of each bin."});
 }
 
-void put_scene(const H5Writer& writer, const Scene& scene) {
+void put_scene(const H5Writer& writer, const Scene& scene, double frequency) {
   std::vector<std::string> names;
   for (const Instance& instance : scene.instances) {
     names.push_back(instance.name);
@@ -95,7 +95,7 @@ void put_scene(const H5Writer& writer, const Scene& scene) {
     properties[1].push_back(material.sound_speed);
     properties[2].push_back(material.effective_reflectivity());
     properties[3].push_back(material.lambert_db);
-    properties[4].push_back(material.scattering().reflection);
+    properties[4].push_back(material.reflection_at(1, frequency));
     properties[5].push_back(material.rms_slope);
     properties[6].push_back(material.clutter_shape.value_or(std::numeric_limits<double>::infinity()));
   }
@@ -104,7 +104,7 @@ void put_scene(const H5Writer& writer, const Scene& scene) {
   writer.put("settings/materials/sound_speed", properties[1], {"m/s", "Of each row of material_names."});
   writer.put("settings/materials/reflectivity", properties[2], {"1", "Of each row of material_names."});
   writer.put("settings/materials/lambert_db", properties[3], {"dB", "Of each row of material_names."});
-  writer.put("settings/materials/reflection", properties[4], {"1", "Of each row of material_names."});
+  writer.put("settings/materials/reflection", properties[4], {"1", "Head on, of each row of material_names."});
   writer.put("settings/materials/rms_slope", properties[5], {"1", "Of each row of material_names."});
   writer.put("settings/materials/clutter_shape", properties[6],
              {"1", "Of each row of material_names; infinite for no texture."});
@@ -189,7 +189,7 @@ Recording::Recording(const std::filesystem::path& path, const Scenario& scenario
     const H5Writer writer(file, path);
     describe_datasets(writer, sonar, layers);
     put_axes(writer, sonar);
-    put_scene(writer, scene);
+    put_scene(writer, scene, sonar.frequency);
     put_run(writer, scenario, scene, sonar);
   };
   GrowingFile file(path, growing_datasets(sonar, layers), capacity, describe);

@@ -12,10 +12,14 @@
 namespace insonify {
 namespace {
 
-double noise_intensity_of(const SonarConfig& sonar) {
+double noise_intensity_of(const SonarConfig& sonar, const ReceiverConfig& receiver) {
   const double width = sonar.azimuth_aperture / sonar.beam_count;
   const double directivity = sector_directivity_index_db(width, sonar.elevation_aperture);
-  const double level = noise_level_db(thermal_noise_level_db(sonar.frequency), sonar.bandwidth, directivity);
+  double spectrum = std::pow(10.0, thermal_noise_level_db(sonar.frequency) / 10);
+  if (receiver.ambient_noise_db) {
+    spectrum += std::pow(10.0, *receiver.ambient_noise_db / 10);
+  }
+  const double level = noise_level_db(10 * std::log10(spectrum), sonar.bandwidth, directivity);
   return std::pow(10.0, (level - sonar.source_level_db) / 10);
 }
 
@@ -48,12 +52,6 @@ std::vector<float> volume_of(const SonarConfig& sonar, const Water& water, doubl
   return volume;
 }
 
-ArrayPattern array_of(const SonarConfig& sonar, const ReceiverConfig& receiver) {
-  ArraySettings array = line_array(receiver.azimuth_pattern, receiver.side_lobe_db, beam_width(sonar));
-  array.two_way = sonar.type == SonarType::kMechanicallyScanned;
-  return ArrayPattern(array);
-}
-
 }  // namespace
 
 CalibratedReceiver::CalibratedReceiver(const Settings& settings)
@@ -64,7 +62,7 @@ CalibratedReceiver::CalibratedReceiver(const Settings& settings)
       cells_per_beam_(settings.cells.per_beam),
       cell_angle_(settings.cell_angles.begin(), settings.cell_angles.end()),
       truth_(settings.sonar, settings.cells, settings.cell_angles),
-      noise_intensity_(noise_intensity_of(settings.sonar)),
+      noise_intensity_(noise_intensity_of(settings.sonar, settings.receiver)),
       saturation_(settings.receiver.saturation_db
                       ? static_cast<float>(std::pow(10.0, *settings.receiver.saturation_db / 10))
                       : std::numeric_limits<float>::infinity()),
@@ -87,7 +85,7 @@ CalibratedReceiver::CalibratedReceiver(const Settings& settings)
     range_.emplace(pulse, sonar.bin_length());
   }
   if (receiver.azimuth_pattern != BeamPattern::kTopHat) {
-    const ArrayPattern array = array_of(sonar, receiver);
+    const ArrayPattern array(azimuth_array(receiver, sonar), seed_);
     bearing_.emplace(array, array.length(wavelength, beam_width(sonar)) / wavelength, BearingCells::sines(cells.sonar),
                      BearingCells::sines(sonar));
   }

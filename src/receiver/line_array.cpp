@@ -60,6 +60,16 @@ ArraySettings line_array(BeamPattern pattern, double side_lobe_db, double beam_w
   return settings;
 }
 
+ArraySettings azimuth_array(const ReceiverConfig& receiver, const SonarConfig& sonar) {
+  ArraySettings array = line_array(receiver.azimuth_pattern, receiver.side_lobe_db, beam_width(sonar));
+  array.elements = receiver.elements > 0 ? receiver.elements : array.elements;
+  array.element_error_db = receiver.element_error_db;
+  array.element_error = receiver.element_error;
+  array.dead_elements = receiver.dead_elements;
+  array.two_way = sonar.type == SonarType::kMechanicallyScanned;
+  return array;
+}
+
 double beam_width(const SonarConfig& sonar) {
   return sonar.azimuth_resolution.value_or(sonar.azimuth_aperture / sonar.beam_count);
 }

@@ -14,6 +14,10 @@ namespace insonify {
 /// @throws Error where that takes more than an array has.
 [[nodiscard]] ArraySettings line_array(BeamPattern pattern, double side_lobe_db, double beam_width);
 
+/// The array that hears across bearings, with its elements' faults; both ways on scanning heads. Not for kTopHat.
+/// @throws Error where there is no such array.
+[[nodiscard]] ArraySettings azimuth_array(const ReceiverConfig& receiver, const SonarConfig& sonar);
+
 /// Width of the beams of an azimuth pattern: the sonar's azimuth_resolution, or a beam's share of the fan [rad].
 [[nodiscard]] double beam_width(const SonarConfig& sonar);
 

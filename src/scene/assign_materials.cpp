@@ -65,6 +65,7 @@ Material changed(Material base, const std::string& key, const MaterialOverride& 
   base.reflectivity = change.reflectivity;
   base.lambert_db = change.lambert_db.value_or(base.lambert_db);
   base.reflection = change.reflection;
+  base.thickness = change.thickness ? change.thickness : base.thickness;
   base.rms_slope = change.rms_slope.value_or(base.rms_slope);
   base.clutter_shape = change.clutter_shape ? change.clutter_shape : base.clutter_shape;
   base.relief = change.relief;

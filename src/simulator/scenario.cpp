@@ -51,14 +51,18 @@ void check_sonars(const std::vector<SonarConfig>& sonars, const Water& water) {
 }
 
 // Whether there is an array of this pattern and width.
-void check_array(std::string_view key, BeamPattern pattern, double side_lobe_db, double width) {
+template <typename MakeArray>
+void check_array(std::string_view key, BeamPattern pattern, const MakeArray& make_array) {
+  if (pattern == BeamPattern::kTopHat) {
+    return;
+  }
+  ArraySettings array;
   try {
-    if (pattern != BeamPattern::kTopHat) {
-      static_cast<void>(line_array(pattern, side_lobe_db, width));
-    }
+    array = make_array();
   } catch (const Error& error) {
     throw Error(fmt::format("receiver.{} = {}", key, error.what()));
   }
+  array.validate("receiver");
 }
 
 // Bearings of an array are told by their sines.
@@ -79,8 +83,10 @@ void check_beams(const Scenario& scenario) {
     if (receiver.beam_shape == BeamShape::kCone) {
       check_fan("beam_shape", "wedge", i, sonar);
     }
-    check_array("azimuth_pattern", receiver.azimuth_pattern, receiver.side_lobe_db, beam_width(sonar));
-    check_array("elevation_pattern", receiver.elevation_pattern, receiver.side_lobe_db, sonar.elevation_aperture);
+    check_array("azimuth_pattern", receiver.azimuth_pattern, [&] { return azimuth_array(receiver, sonar); });
+    check_array("elevation_pattern", receiver.elevation_pattern, [&] {
+      return line_array(receiver.elevation_pattern, receiver.side_lobe_db, sonar.elevation_aperture);
+    });
   }
   if (scenario.primary == PrimaryEchoes::kRaster && !scenario.has_even_rows()) {
     throw Error(

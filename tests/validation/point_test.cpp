@@ -93,6 +93,15 @@ TEST(ThermalNoiseTest, HasItsLevelAndItsStatistics) {
   EXPECT_NEAR(10 * std::log10(mean), -147.04027, 10 * std::log10(1 + 4 / std::sqrt(n)));
   EXPECT_NEAR(std::sqrt(squares / n / (mean * mean) - 1), 1, 0.02);
 
+  scenario.receiver.ambient_noise_db = 55;
+  const double thermal = std::pow(10.0, -147.04027 / 10), more = std::pow(10.0, (55 + 43.97940 - 33.14573 - 200) / 10);
+  double loud = 0;
+  for (const double value : ping_of(scenario, {}).intensity) {
+    loud += value;
+  }
+  EXPECT_NEAR(10 * std::log10(loud / n / (thermal + more)), 0, 10 * std::log10(1 + 4 / std::sqrt(n)) + 0.01);
+  scenario.receiver.ambient_noise_db.reset();
+
   Simulator simulator(scenario, {}, 2);
   EXPECT_EQ(simulator.make_ping(0, 0).intensity, ping.intensity);
   EXPECT_NE(simulator.make_ping(0, 1).intensity, ping.intensity);

@@ -53,6 +53,32 @@ TEST(ArrayPingTest, EveryWindowKeepsALonePointsLevel) {
   }
 }
 
+// Faulty elements raise the side lobes, the same ones for the same seed.
+TEST(ArrayPingTest, DeadElementsAreHeard) {
+  const SonarConfig sonar = fan();
+  Scenario scenario = calibrated(sonar, kRays);
+  scenario.receiver.azimuth_pattern = BeamPattern::kHann;
+  scenario.receiver.elements = 128;
+  scenario.receiver.element_error_db = 1;
+  scenario.receiver.dead_elements = {3, 40, 41, 77};
+  scenario.seed = 5;
+  scenario.points = {{.position = {15.02, 0, 0}}};
+  const Ping ping = ping_of(scenario, {});
+  const ArrayPattern array(
+      {.window = ArrayWindow::kHann, .elements = 128, .element_error_db = 1, .dead_elements = {3, 40, 41, 77}}, 5);
+  const double length = array.length(1, 1 * kDegree);
+  const int bin = static_cast<int>(15.02 / sonar.bin_length());
+  double highest = -100;
+  for (int beam = 0; beam < sonar.beam_count; ++beam) {
+    const double expected = decibels(array.intensity(-length * std::sin(sonar.beam_azimuth(beam))));
+    if (expected > -50) {
+      EXPECT_NEAR(cell_db(ping, bin, beam) + 40 * std::log10(15.02), expected, 0.01) << beam;
+    }
+    highest = std::abs(beam - 127.5) > 8 ? std::max(highest, expected) : highest;
+  }
+  EXPECT_GT(highest, -30);  // A sound array's are below -31.5 dB, and fall off fast.
+}
+
 // A scanning head sends and hears with one array: its side lobes are 26.5 dB down.
 TEST(ArrayPingTest, ScanningHeadIsTwoWay) {
   SonarConfig sonar;
