@@ -8,6 +8,7 @@
 #include <regex>
 #include <sstream>
 
+#include "insonify/reflection.h"
 #include "support/message_of.h"
 #include "support/relative.h"
 
