@@ -65,6 +65,7 @@ SonarConfig scanning_sonar() {
 
 Scenario scenario() {
   Scenario scenario;
+  scenario.model = EchoModel::kPaper;
   scenario.text = "world: wreck.sdf\nmodel: paper\n";
   scenario.engine = "reference";
   scenario.seed = 18'446'744'073'709'551'615U;
