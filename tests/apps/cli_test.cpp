@@ -213,7 +213,7 @@ constexpr Mistake kMistakes[] = {
      "insonify: there is no preset in the folder of presets; INSONIFY_PRESETS names it"},
     {"UnknownSection", "insonify describe sea", 2,
      "insonify: there is no section sea; there are scenario, water, materials, sonars, sampling, receiver, paper, "
-     "trajectory, surface, points, motions, view"},
+     "trajectory, surface, points, interferers, motions, view"},
 };
 
 INSTANTIATE_TEST_SUITE_P(All, MistakeTest, testing::ValuesIn(kMistakes),

@@ -183,8 +183,9 @@ const Case kCases[] = {
      "world: floor.obj\nreceiver: {azimuth_pattern: hann}\nsonars: [{name: fls, azimuth_aperture_deg: 200}]\n",
      "scenario.yaml:2:12: receiver.azimuth_pattern must be top_hat for fans of more than 180 deg; sonars[0] has 200"},
     {"ConeAllRound",
-     "world: floor.obj\nreceiver: {beam_shape: cone}\nsonars: [{name: fls, azimuth_aperture_deg: 200}]\n",
-     "scenario.yaml:2:12: receiver.beam_shape must be wedge for fans of more than 180 deg; sonars[0] has 200"},
+     "world: floor.obj\nreceiver: {azimuth_pattern: top_hat, beam_shape: cone}\nsonars: [{name: fls, "
+     "azimuth_aperture_deg: 200}]\n",
+     "scenario.yaml:2:38: receiver.beam_shape must be wedge for fans of more than 180 deg; sonars[0] has 200"},
     {"UnknownBeamShape", "world: floor.obj\nreceiver: {beam_shape: pencil}\nsonars: [{name: fls}]\n",
      "scenario.yaml:2:12: receiver.beam_shape = \"pencil\" must be wedge or cone"},
     {"DolphOfTooManyElements",

@@ -81,7 +81,7 @@ TEST(ReceiverConfigTest, SaysWhatDoesNotGoTogether) {
             "receiver.gain_ranges[1] = 1 m must be greater than the one before it, 1 m");
   EXPECT_EQ(message([](ReceiverConfig& r) { r.gain_ranges = {1}, r.gains_db = {0}, r.time_varied_gain = 40; }),
             "receiver.time_varied_gain must be none where receiver.gain_ranges has a table");
-  EXPECT_EQ(message([](ReceiverConfig& r) { r.field = true; }),
+  EXPECT_EQ(message([](ReceiverConfig& r) { r.field = true, r.speckle = false; }),
             "receiver.field needs receiver.speckle: without it echoes have no phase");
   EXPECT_EQ(message([](ReceiverConfig& r) { r.counts = true; }),
             "receiver.counts needs receiver.full_scale_db, the recorded level that fills them");
