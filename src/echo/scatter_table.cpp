@@ -40,7 +40,8 @@ ScatterTable::ScatterTable(std::span<const Material> materials, double frequency
     const double variance = scattering.rms_slope * scattering.rms_slope;
     const double intensity = scattering.reflection * scattering.reflection;
     for (int i = 0; i < kCosines; ++i) {
-      kept_.push_back(static_cast<float>(std::pow(material.reflection_at(double{i} / (kCosines - 1), frequency), 2)));
+      const double cosine = static_cast<double>(i) / (kCosines - 1);
+      kept_.push_back(static_cast<float>(std::pow(material.reflection_at(cosine, frequency), 2)));
     }
     lambert_.push_back(static_cast<float>(scattering.lambert));
     lobe_.push_back(static_cast<float>(intensity / (8 * std::numbers::pi * variance)));
