@@ -4,7 +4,8 @@
     tools/make_gallery.py build/demo    # writes build/demo/index.html
 
 Each folder in the one named is a run of `insonify run SCENE --channels -o FOLDER/SCENE`, with what it printed in log.txt
-if that was kept; scenes/SCENE.yaml says in its first comment what it is. The scenes of the paper come first, in its order.
+if that was kept; scenes/SCENE.yaml says in its first comment what it is. A folder SCENE_calibrated is the same scene in the
+calibrated model: its pings are set beside the other's. The scenes of the paper come first, in its order.
 """
 
 import base64
@@ -13,6 +14,7 @@ import pathlib
 import re
 import sys
 
+CALIBRATED = "_calibrated"
 SCENES = pathlib.Path(__file__).resolve().parent.parent / "scenes"
 
 # Scenes that belong side by side, and what is said over them.
@@ -41,27 +43,50 @@ figure { margin: 0 } img { width: 100%; border-radius: 4px } figcaption { color:
 
 KINDS = [
     ("view", "The scene as a camera sees it; yellow is what the sonar insonifies"),
-    ("fan", "The ping"),
-    ("scan", "The scan"),
     ("channels", "The two channels by direction: pulse distance and echo intensity"),
+    ("fan", "The ping, model: {model}"),
+    ("scan", "The scan, model: {model}"),
 ]
 
 
+def scene_of(folder):
+    """The scene's name."""
+    return folder.name.removesuffix(CALIBRATED)
+
+
+def scene_file(folder):
+    """Text of the scene, or none where the folder is of another."""
+    path = SCENES / f"{scene_of(folder)}.yaml"
+    return path.read_text(encoding="utf-8") if path.exists() else ""
+
+
+def model_of(folder):
+    """The model of the echo: the scene's own, or the default."""
+    asked = re.search(r"^model: (\w+)", scene_file(folder), re.MULTILINE)
+    return asked[1] if asked and folder.name == scene_of(folder) else "calibrated"
+
+
+def runs_of(folder):
+    """The folder, and that of the same scene in the calibrated model."""
+    twin = folder.with_name(folder.name + CALIBRATED)
+    return [folder, twin] if twin.is_dir() else [folder]
+
+
 def pictures_of(folder):
-    """The picture of each kind, of the last ping where there are several."""
+    """The picture of each kind with its caption, of the last ping where there are several."""
     found = {}
     for path in sorted(folder.glob("*.png")):
         match = re.fullmatch(r".*_(view|fan|scan|channels)(_\d+)?", path.stem)
         if match and not (match[1] == "scan" and match[2]):
             found[match[1]] = path
-    return [(found[kind], caption) for kind, caption in KINDS if kind in found]
+    model = {"paper": "paper (linear)", "calibrated": "calibrated (decibels)"}[model_of(folder)]
+    return [(found[kind], caption.format(model=model)) for kind, caption in KINDS if kind in found]
 
 
-def description_of(name):
+def description_of(folder):
     """The comment that the scene's file begins with."""
     lines = []
-    path = SCENES / f"{name}.yaml"
-    for line in path.read_text(encoding="utf-8").splitlines() if path.exists() else []:
+    for line in scene_file(folder).splitlines():
         if not line.startswith("#"):
             break
         lines.append(line.lstrip("# "))
@@ -86,11 +111,12 @@ def figure(path, caption):
 def section(title, folders):
     columns = []
     for folder in folders:
-        run = ": ".join(filter(None, [f"scenes/{folder.name}.yaml", rate_of(folder)]))
-        pictures = "".join(figure(*picture) for picture in pictures_of(folder))
+        rates = [": ".join(filter(None, [model_of(run), rate_of(run)])) for run in runs_of(folder)]
+        lines = "<br>".join(html.escape(line) for line in [f"scenes/{scene_of(folder)}.yaml", *rates])
+        pictures = "".join(figure(*picture) for run in runs_of(folder) for picture in pictures_of(run))
         columns.append(
-            f"<div><p>{html.escape(description_of(folder.name))}</p>"
-            f'<div class="run">{html.escape(run)}</div><div class="scene">{pictures}</div></div>'
+            f"<div><p>{html.escape(description_of(folder))}</p>"
+            f'<div class="run">{lines}</div><div class="scene">{pictures}</div></div>'
         )
     inside = "\n".join(columns)
     if len(columns) > 1:
@@ -100,6 +126,8 @@ def section(title, folders):
 
 def page(root):
     folders = {path.name: path for path in sorted(root.iterdir()) if path.is_dir() and pictures_of(path)}
+    for twin in [name + CALIBRATED for name in folders]:
+        folders.pop(twin, None)
     groups = [(title, [folders.pop(name) for name in names if name in folders]) for title, names in GROUPS]
     groups += [(name.replace("_", " ").capitalize(), [folder]) for name, folder in folders.items()]
     groups = [(title, members) for title, members in groups if members]
@@ -109,7 +137,7 @@ def page(root):
         '<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8"><title>insonify: scenes</title>'
         f'<meta name="viewport" content="width=device-width"><style>{STYLE}</style></head>\n<body><h1>insonify: scenes</h1>'
         "<p>What <code>./dev demo</code> has just computed: the scenes of Cerqueira et al. (2020), rebuilt, each as a camera "
-        "and as its sonar sees it.</p>"
+        "and as its sonar sees it, in the paper&#x27;s model and in the calibrated one.</p>"
         f"<nav>{links}</nav>\n{body}\n</body></html>\n"
     )
 
