@@ -40,7 +40,8 @@ void visit_material_fields(Self& self, Visit&& visit) {
               "Diffuse part: 10 log10 of backscattering strength head on (calibrated model)."},
         self.lambert_db);
   visit(Field{"reflection", "", from_to(0, 1),
-              "|R|, the same at every angle (calibrated model); from density, sound speed and thickness when absent."},
+              "|R| of sound that meets it head on (calibrated model); from density, sound speed and thickness when "
+              "absent."},
         self.reflection);
   visit(Field{"thickness", "m", above_to(0, 1000),
               "Of a plate with water on both sides (calibrated model); filled with it when absent."},
@@ -63,7 +64,7 @@ struct Material {
   std::optional<double> reflectivity =
       {};                   ///< Share of the echo amplitude that the `paper` model keeps, 0..1; |R| when absent.
   double lambert_db = -20;  ///< 10 log10 of Scattering::lambert, -200 to that of a white surface.
-  std::optional<double> reflection = {};     ///< |R| at every incidence, 0..1; see reflection_at() when absent.
+  std::optional<double> reflection = {};     ///< |R|, 0..1; see reflection_at() when absent.
   std::optional<double> thickness = {};      ///< Of a plate with water on both sides [m], in (0, 1000]; absent: filled.
   double rms_slope = 0.1;                    ///< Of small facets, along each axis, 0.005..1.
   std::optional<double> clutter_shape = {};  ///< Of K-distributed clutter, 0.1..1000: the less the patchier; or none.
@@ -77,13 +78,12 @@ struct Material {
   /// `reflectivity` if given, else |reflection_coefficient| against sea water.
   [[nodiscard]] double effective_reflectivity() const;
 
-  /// |R| of a plane wave in sea water, for the `calibrated` model: `reflection` if given; of a plate of some
-  /// `thickness` as head on, see plate_reflection(); else that of a fluid without losses, see bottom_reflection().
-  /// @param cosine     Of incidence, from the normal, 0..1.
+  /// |R| in sea water head on, for the `calibrated` model: `reflection` if given; of a plate of some `thickness` see
+  /// plate_reflection(); else |reflection_coefficient|.
   /// @param frequency  [Hz], > 0.
-  [[nodiscard]] double reflection_at(double cosine, double frequency) const;
+  [[nodiscard]] double reflection_at(double frequency) const;
 
-  /// What the `calibrated` model makes of it, its reflection head on.
+  /// What the `calibrated` model makes of it at a frequency [Hz].
   [[nodiscard]] Scattering scattering(double frequency) const;
 
   template <typename Self, typename Visit>
@@ -92,10 +92,8 @@ struct Material {
   }
 };
 
-/// Of the sea water that the library's reflectivities refer to [kg/m^3], [m/s].
-inline constexpr double kSeaWaterDensity = 1026;
-inline constexpr double kSeaWaterSoundSpeed = 1500;
-inline constexpr double kSeaWaterImpedance = kSeaWaterDensity * kSeaWaterSoundSpeed;
+/// Impedance of sea water that the library's reflectivities refer to: 1026 kg/m^3 x 1500 m/s.
+inline constexpr double kSeaWaterImpedance = 1026.0 * 1500.0;
 
 /// Every material known by name, in alphabetical order. Typical values, +-5 %.
 [[nodiscard]] std::span<const Material> material_library();

@@ -111,8 +111,7 @@ void OnwardTask::sift(const HitColumn& strip) {
   if (plan_->model == EchoModel::kCalibrated) {
     for (int lane = 0; lane < count; ++lane) {
       const float texture = strip.has_relief ? strip.texture[place_[lane]] : 1.0F;
-      const float kept = plan_->scatter.kept(strip.surface[place_[lane]], strip.facing[place_[lane]]);
-      candidate_origins_.kept[lane] = kept * texture * texture;
+      candidate_origins_.kept[lane] = plan_->scatter.kept(strip.surface[place_[lane]]) * texture * texture;
       candidate_origins_.steepness[lane] = plan_->scatter.steepness(strip.surface[place_[lane]]);
     }
   }

@@ -272,7 +272,7 @@ void ReferenceEngine::insonify_column(const PingPlan& plan, int column, const Po
     const auto path_length = static_cast<float>(first[row].distance + second.distance + back.norm());
     if (plan.model == EchoModel::kCalibrated) {
       const float texture = hits.has_relief ? hits.texture[row] : 1.0F;
-      const float kept = plan.scatter.kept(hits.surface[row], hits.facing[row]) * texture * texture;
+      const float kept = plan.scatter.kept(hits.surface[row]) * texture * texture;
       const Echo echo = secondary_echo(plan, column, row, hits.selected[row], path_length, second.surface());
       return_mirrored(plan, world_from_sonar,
                       {echo, kept, plan.scatter.steepness(hits.surface[row]), lattice.heard_in(column)[row],

@@ -2,8 +2,6 @@
 
 #pragma once
 
-#include <algorithm>
-#include <cmath>
 #include <span>
 #include <vector>
 
@@ -31,13 +29,7 @@ class ScatterTable {
   void fill_powers(int rows, float neper_per_metre, const HitColumn& hits) const;
 
   /// |R|^2 of a surface, which it keeps of what it mirrors.
-  /// @param cosine  Of incidence, of either sign.
-  [[nodiscard]] float kept(SurfaceLabel surface, float cosine) const {
-    const float place = std::min(std::abs(cosine), 1.0F) * (kCosines - 1);
-    const auto below = std::min(static_cast<int>(place), kCosines - 2);
-    const float* values = &kept_[std::size_t{material_of(surface)} * kCosines + below];
-    return values[0] + (place - static_cast<float>(below)) * (values[1] - values[0]);
-  }
+  [[nodiscard]] float kept(SurfaceLabel surface) const { return kept_[material_of(surface)]; }
 
   /// 1 / (2 s^2) of a surface.
   [[nodiscard]] float steepness(SurfaceLabel surface) const { return steepness_[material_of(surface)]; }
@@ -50,13 +42,11 @@ class ScatterTable {
     const float* steepness;
   };
   [[nodiscard]] Laws laws() const {
-    return {static_cast<std::uint32_t>(lambert_.size()) - 1, lambert_.data(), lobe_.data(), steepness_.data()};
+    return {static_cast<std::uint32_t>(kept_.size()), lambert_.data(), lobe_.data(), steepness_.data()};
   }
 
  private:
-  static constexpr int kCosines = 513;  // From grazing to head on: enough for the edge at a critical angle.
-
-  std::vector<float> kept_;  // [material][cosine]
+  std::vector<float> kept_;
   std::vector<float> lambert_;
   std::vector<float> lobe_;       // |R|^2 / (8 pi s^2)
   std::vector<float> steepness_;  // 1 / (2 s^2)

@@ -95,7 +95,7 @@ void put_scene(const H5Writer& writer, const Scene& scene, double frequency) {
     properties[1].push_back(material.sound_speed);
     properties[2].push_back(material.effective_reflectivity());
     properties[3].push_back(material.lambert_db);
-    properties[4].push_back(material.reflection_at(1, frequency));
+    properties[4].push_back(material.reflection_at(frequency));
     properties[5].push_back(material.rms_slope);
     properties[6].push_back(material.clutter_shape.value_or(std::numeric_limits<double>::infinity()));
   }

@@ -19,21 +19,16 @@ double Material::effective_reflectivity() const {
   return reflectivity ? *reflectivity : std::abs(reflection_coefficient(kSeaWaterImpedance));
 }
 
-double Material::reflection_at(double cosine, double frequency) const {
+double Material::reflection_at(double frequency) const {
   if (reflection) {
     return *reflection;
   }
-  if (thickness) {
-    return plate_reflection(kSeaWaterImpedance, density, sound_speed, *thickness, frequency);
-  }
-  constexpr double kFlattest = 1e-3;  // At 0 a fluid of water's own sound speed has no answer.
-  const double grazing = std::max(kFlattest, std::asin(std::clamp(cosine, 0.0, 1.0)));
-  return std::abs(bottom_reflection(density / kSeaWaterDensity, sound_speed / kSeaWaterSoundSpeed, 0, grazing));
+  return thickness ? plate_reflection(kSeaWaterImpedance, density, sound_speed, *thickness, frequency)
+                   : std::abs(reflection_coefficient(kSeaWaterImpedance));
 }
 
 Scattering Material::scattering(double frequency) const {
-  return {
-      .lambert = std::pow(10.0, lambert_db / 10), .reflection = reflection_at(1, frequency), .rms_slope = rms_slope};
+  return {.lambert = std::pow(10.0, lambert_db / 10), .reflection = reflection_at(frequency), .rms_slope = rms_slope};
 }
 
 const Material* find_material(std::string_view name) {

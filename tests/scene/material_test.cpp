@@ -166,17 +166,13 @@ TEST(FindMaterialTest, DoesNotGuess) {
   EXPECT_EQ(find_material(""), nullptr);
 }
 
-TEST(MaterialReflectionTest, FollowsTheAngleUnlessItIsGiven) {
+TEST(MaterialReflectionTest, IsThatOfItsImpedanceUnlessItIsGiven) {
   Material sand;
-  sand.density = 1.9 * kSeaWaterDensity;
-  sand.sound_speed = 1.15 * kSeaWaterSoundSpeed;
-  EXPECT_NEAR(sand.reflection_at(1, 100e3), std::abs(sand.reflection_coefficient(kSeaWaterImpedance)), 1e-12);
-  const double critical = std::acos(1 / 1.15);  // Grazing.
-  EXPECT_NEAR(sand.reflection_at(std::sin(0.9 * critical), 100e3), 1, 1e-12);
-  EXPECT_LT(sand.reflection_at(std::sin(1.2 * critical), 100e3), 0.75);
-  EXPECT_NEAR(sand.reflection_at(0, 100e3), 1, 1e-12);
+  sand.density = 1950;
+  sand.sound_speed = 1725;
+  EXPECT_NEAR(sand.reflection_at(100e3), sand.reflection_coefficient(kSeaWaterImpedance), 1e-12);
   sand.reflection = 0.3;
-  EXPECT_EQ(sand.reflection_at(0.1, 100e3), 0.3);
+  EXPECT_EQ(sand.reflection_at(100e3), 0.3);
 }
 
 // A sheet of steel a tenth of a wavelength of its own thick lets something through, one of half a wavelength all.
@@ -185,10 +181,10 @@ TEST(MaterialReflectionTest, PlatesLetSoundThrough) {
   steel.density = 7850;
   steel.sound_speed = 5900;
   steel.thickness = 5900 / 700e3 / 10;
-  EXPECT_NEAR(steel.reflection_at(1, 700e3), plate_reflection(kSeaWaterImpedance, 7850, 5900, *steel.thickness, 700e3),
+  EXPECT_NEAR(steel.reflection_at(700e3), plate_reflection(kSeaWaterImpedance, 7850, 5900, *steel.thickness, 700e3),
               1e-12);
   steel.thickness = 5900 / 700e3 / 2;
-  EXPECT_NEAR(steel.reflection_at(1, 700e3), 0, 1e-9);
+  EXPECT_NEAR(steel.reflection_at(700e3), 0, 1e-9);
   EXPECT_NEAR(steel.scattering(700e3).reflection, 0, 1e-9);
 }
 
