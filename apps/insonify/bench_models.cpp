@@ -36,6 +36,7 @@ constexpr Stage kStages[] = {
     {"+ speckle", [](Scenario& scenario) { scenario.receiver.speckle = true; }},
     {"+ noise", [](Scenario& scenario) { scenario.receiver.noise = true; }},
     {"+ reverberation", [](Scenario& scenario) { scenario.water.volume_backscatter_db = -70; }},
+    {"+ full truth", [](Scenario& scenario) { scenario.ground_truth = GroundTruth::kFull; }},
 };
 constexpr std::size_t kStageCount = std::size(kStages);
 
