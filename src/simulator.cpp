@@ -36,7 +36,7 @@ struct Simulator::State {
   // Of each sonar, kept between pings so that a ping allocates nothing.
   std::vector<std::shared_ptr<const PingPlan>> plans;
   std::vector<EchoGrid> grids;
-  std::vector<CalibratedReceiver> receivers;
+  std::vector<CalibratedReceiver> receivers;  // None in the paper model.
 };
 
 namespace {
@@ -114,17 +114,19 @@ Simulator::Simulator(Scenario scenario, Scene scene, int threads) {
                                             .secondary = state_->scenario.secondary,
                                             .max_surfaces = state_->scenario.max_surfaces,
                                             .seed = state_->scenario.seed}));
-    const std::vector<float> angles = cell_angles(*state_->plans.back());
     state_->grids.emplace_back(cells.sonar.beam_count, sonar.bin_count, order_count(state_->scenario),
                                state_->scenario.ground_truth, receiver.speckle);
-    state_->receivers.emplace_back(CalibratedReceiver::Settings{.sonar = sonar,
-                                                                .cells = cells,
-                                                                .cell_angles = angles,
-                                                                .water = state_->scenario.water,
-                                                                .receiver = state_->scenario.receiver,
-                                                                .materials = state_->scene.materials,
-                                                                .moves = state_->scenario.motion_in_ping,
-                                                                .seed = state_->scenario.seed});
+    if (state_->scenario.model == EchoModel::kCalibrated) {
+      const std::vector<float> angles = cell_angles(*state_->plans.back());
+      state_->receivers.emplace_back(CalibratedReceiver::Settings{.sonar = sonar,
+                                                                  .cells = cells,
+                                                                  .cell_angles = angles,
+                                                                  .water = state_->scenario.water,
+                                                                  .receiver = state_->scenario.receiver,
+                                                                  .materials = state_->scene.materials,
+                                                                  .moves = state_->scenario.motion_in_ping,
+                                                                  .seed = state_->scenario.seed});
+    }
   }
   state_->engine->set_scene(state_->scene);
 }
@@ -165,7 +167,7 @@ void Simulator::make_ping(int index, std::uint64_t number, Ping& ping) {
   ping.number = number;
   ping.time = static_cast<double>(number) * *config.ping_period;
   ping.world_from_sonar = state.scenario.trajectory.at(ping.time) * config.vehicle_from_sonar();
-  ping.head_angle = config.head_angle(static_cast<int>(number));
+  ping.head_angle = config.head_angle(number);
   for (const MovingPart& part : state.moving) {
     state.engine->move_instance(part.instance, part.world_from_mesh(state.scenario, ping.time));
   }
@@ -176,6 +178,7 @@ void Simulator::make_ping(int index, std::uint64_t number, Ping& ping) {
   const Pose world_from_sonar = world_from_head(index, number);
   if (state.scenario.model == EchoModel::kCalibrated) {
     state.engine->insonify(plan, world_from_sonar, number, grid, nullptr);
+    grid.lone_echoes().clear();
     state.points.add(plan, world_from_sonar, *state.engine, grid);
     state.interference.add(plan, world_from_sonar, ping.time, *state.engine, grid);
     state.receivers[index].hear(grid, world_from_sonar, motion_while_listening(state.scenario, config, ping),

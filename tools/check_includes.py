@@ -49,7 +49,6 @@ PUBLIC = {
     "engine.h": "echo",
     "paper_model.h": "echo",
     "ping.h": "receiver",
-    "ping_motion.h": "receiver",
     "picture.h": "image",
     "channels.h": "image",
     "scenario.h": "simulator",

@@ -85,12 +85,19 @@ void PingPictures::add(const Ping& ping) {
     return;
   }
   const Ping raised = raised_by_range(ping, sonar_, kShownGainPerDecade);
-  if (!scaled_) {
-    display_.full_scale = fitting_full_scale(raised);
-    display_.raised_per_decade = kShownGainPerDecade;
+  display_.raised_per_decade = kShownGainPerDecade;
+  if (!scaled_ && scan_ == nullptr) {
+    display_.full_scale = fitting_full_scale(raised.intensity);
     scaled_ = true;
   }
   add_shown(raised);
+}
+
+// One ping of a scan says little of the others: each picture has the scale that fits all it shows.
+void PingPictures::fit_scan() {
+  if (model_ == EchoModel::kCalibrated) {
+    display_.full_scale = scan_->fitting_full_scale();
+  }
 }
 
 void PingPictures::add_shown(const Ping& ping) {
@@ -98,6 +105,7 @@ void PingPictures::add_shown(const Ping& ping) {
   if (scan_ != nullptr) {
     scan_->add(ping);
     if (due && ping.number + 1 < total_) {  // finish() draws the last.
+      fit_scan();
       write(fmt::format("scan_{:04}", ping.number), scan_->draw(display_));
     }
   } else if (sonar_.type == SonarType::kForwardLooking) {
@@ -110,6 +118,7 @@ void PingPictures::add_shown(const Ping& ping) {
 
 void PingPictures::finish(const Ping& last) {
   if (scan_ != nullptr) {
+    fit_scan();
     write("scan", scan_->draw(display_));
     write("polar", scan_->draw_polar(display_));
   } else if (!last_drawn_) {

@@ -31,7 +31,8 @@ std::size_t remove_old_pictures(const std::filesystem::path& folder, const std::
 /// NAME_scan_0000.png, what it has seen up to a ping, and at the end NAME_scan.png and the waterfall NAME_polar.png.
 class PingPictures {
  public:
-  /// Levels of the calibrated model are raised by range, and the first ping's are the full scale of all.
+  /// Levels of the calibrated model are raised by range. Full scale is that of a fan's first ping, for all; of a scan,
+  /// what fits the pings so far.
   PingPictures(std::filesystem::path folder, const SonarConfig& sonar, EchoModel model, Display display,
                PictureChoice choice, std::uint64_t total);
 
@@ -45,13 +46,14 @@ class PingPictures {
 
  private:
   void add_shown(const Ping& ping);
+  void fit_scan();
   void draw_fan_of(const Ping& ping);
   void write(const std::string& name, const Picture& picture);
 
   std::filesystem::path folder_;
   SonarConfig sonar_;
   EchoModel model_;
-  bool scaled_ = false;  // The full scale is chosen.
+  bool scaled_ = false;  // The full scale of a fan is chosen.
   Display display_;
   PictureChoice choice_;
   std::uint64_t total_ = 0;

@@ -81,7 +81,7 @@ inline constexpr double kShownGainPerDecade = 30;
 [[nodiscard]] Ping raised_by_range(Ping ping, const SonarConfig& sonar, double decibels_per_decade);
 
 /// What all but the strongest thousandth of what was heard is below, rounded up to a multiple of 5 dB; 1 for silence.
-[[nodiscard]] double fitting_full_scale(const Ping& ping);
+[[nodiscard]] double fitting_full_scale(std::vector<float> intensities);
 
 // Azimuths are written as bearings: "30° P" to port, "30° S" to starboard, for a vertical mounting as
 // slopes, "30° up" and "30° down". Drawing throws Error for a display out of limits and for a ping that has not the
@@ -106,6 +106,8 @@ class ScanView {
   explicit ScanView(const SonarConfig& sonar);
   /// @throws Error for a ping of another shape than the sonar's, or without a head angle.
   void add(const Ping& ping);
+  /// Of all pings, see insonify::fitting_full_scale().
+  [[nodiscard]] double fitting_full_scale() const;
   /// Around the head, with a line where it looks now.
   [[nodiscard]] Picture draw(const Display& display = {}) const;
   /// Side by side: head angle across (port to the left), range upwards.

@@ -2,15 +2,23 @@
 
 #include "echo/interference.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/philox.h"
-#include "echo/ray_limits.h"
 
 namespace insonify {
 namespace {
 
 constexpr int kNoSurfaceMet = 0;  // As a path order.
+
+std::vector<Vec3> places_of(std::span<const Interferer> interferers) {
+  std::vector<Vec3> places;
+  for (const Interferer& interferer : interferers) {
+    places.push_back(interferer.position);
+  }
+  return places;
+}
 
 // A pulse's phase wanders from bin to bin: it is not this sonar's.
 float phase_of(const PingPlan& plan, std::size_t interferer, std::int64_t pulse, int bin) {
@@ -20,56 +28,56 @@ float phase_of(const PingPlan& plan, std::size_t interferer, std::int64_t pulse,
   return uniform_open(philox(counter, philox_key(plan.seed))[0]);
 }
 
+// One way: 20 log10 r + alpha r.
+double intensity_of(const PingPlan& plan, const Interferer& other, const LinesOfSight::Sight& sight) {
+  return std::pow(10.0, (other.source_level_db - plan.sonar.source_level_db) / 10) / (sight.range * sight.range) *
+         std::exp(-2 * double{plan.neper_per_metre} * sight.range) * double{sight.arrival.heard};
+}
+
+// The bin that listens so long after transmission [s]; beyond both ends of the range window -1 and bin_count.
+int bin_after(const PingPlan& plan, double time, double sound_speed) {
+  const double position = (0.5 * sound_speed * time - double{plan.first_bin_at}) * double{plan.bins_per_metre};
+  return static_cast<int>(std::floor(std::clamp(position, -1.0, static_cast<double>(plan.sonar.bin_count))));
+}
+
 }  // namespace
 
 Interference::Interference(std::span<const Interferer> interferers)
-    : interferers_(interferers), rays_(interferers.size()), hits_(interferers.size()) {}
+    : interferers_(interferers), ways_(places_of(interferers)) {}
 
 void Interference::add(const PingPlan& plan, const Pose& world_from_sonar, double time, Engine& engine,
                        EchoGrid& grid) {
+  const auto sights = ways_.look(plan, world_from_sonar, engine);
   for (std::size_t i = 0; i < interferers_.size(); ++i) {
-    const Vec3 there = interferers_[i].position - world_from_sonar.position;
-    const double range = there.norm();
-    rays_[i] = {world_from_sonar.position, range > 0 ? Vec3(there / range) : Vec3(Vec3::UnitX()), 0,
-                range - double{kRayClearance}};
+    if (sights[i]) {
+      add_pulses(plan, i, *sights[i], time, grid);
+    }
   }
-  engine.trace(rays_, hits_);
-  const Pose sonar_from_world = world_from_sonar.inverse();
+}
+
+// Those that arrive before the listening is over and end after it has begun.
+void Interference::add_pulses(const PingPlan& plan, std::size_t index, const LinesOfSight::Sight& sight, double time,
+                              EchoGrid& grid) {
+  const Interferer& other = interferers_[index];
   const double sound_speed = 2 * plan.sonar.frequency / plan.turns_per_metre;
   const double listening = 2 * double{plan.true_max_range} / sound_speed;
-  for (std::size_t i = 0; i < interferers_.size(); ++i) {
-    const Interferer& other = interferers_[i];
-    const Vec3 local = sonar_from_world * other.position;
-    const double range = local.norm();
-    const Vec3f direction = (local / range).cast<float>();
-    if (range == 0 || std::isfinite(hits_[i].distance) || !plan.hears(direction)) {
-      continue;
+  const double first_arrival = other.first_pulse + sight.range / sound_speed - time;  // After transmission.
+  const auto intensity = static_cast<float>(intensity_of(plan, other, sight));
+  auto pulse = static_cast<std::int64_t>(std::ceil(-(first_arrival + other.duration) / other.period));
+  for (;; ++pulse) {
+    const double begins = first_arrival + static_cast<double>(pulse) * other.period;
+    if (begins >= listening) {
+      return;
     }
-    const PingPlan::Arrival arrival = plan.arrival_from(direction);
-    const double intensity = std::pow(10.0, (other.source_level_db - plan.sonar.source_level_db) / 10) /
-                             (range * range) * std::exp(-2 * double{plan.neper_per_metre} * range) *
-                             double{arrival.heard};
-    const int beam = plan.beam_of(arrival.bearing);
-    // Pulses that arrive before the listening is over and end after it has begun.
-    const double way = range / sound_speed;
-    const auto first =
-        static_cast<std::int64_t>(std::ceil((time - way - other.duration - other.first_pulse) / other.period));
-    for (std::int64_t pulse = first;
-         other.first_pulse + static_cast<double>(pulse) * other.period + way < time + listening; ++pulse) {
-      const double begins = other.first_pulse + static_cast<double>(pulse) * other.period + way - time;
-      const auto bin_at = [&](double after) {
-        const double position = (0.5 * sound_speed * after - double{plan.first_bin_at}) * double{plan.bins_per_metre};
-        return static_cast<int>(std::floor(std::clamp(position, -1.0, double(plan.sonar.bin_count))));
-      };
-      for (int bin = std::max(0, bin_at(begins));
-           bin <= std::min(bin_at(begins + other.duration), plan.sonar.bin_count - 1); ++bin) {
-        grid.lone_echoes().push_back({.beam = beam,
-                                      .bin = bin,
-                                      .order = kNoSurfaceMet,
-                                      .bearing_sine = std::sin(arrival.bearing),
-                                      .intensity = static_cast<float>(intensity),
-                                      .turns = phase_of(plan, i, pulse, bin)});
-      }
+    const int first = std::max(0, bin_after(plan, begins, sound_speed));
+    const int last = std::min(bin_after(plan, begins + other.duration, sound_speed), plan.sonar.bin_count - 1);
+    for (int bin = first; bin <= last; ++bin) {
+      grid.lone_echoes().push_back({.beam = sight.beam,
+                                    .bin = bin,
+                                    .order = kNoSurfaceMet,
+                                    .bearing_sine = std::sin(sight.arrival.bearing),
+                                    .intensity = intensity,
+                                    .turns = phase_of(plan, index, pulse, bin)});
     }
   }
 }

@@ -3,10 +3,8 @@
 #pragma once
 
 #include <span>
-#include <vector>
 
-#include "echo/ping_plan.h"
-#include "insonify/engine.h"
+#include "echo/lines_of_sight.h"
 #include "insonify/interferer.h"
 
 namespace insonify {
@@ -17,13 +15,16 @@ class Interference {
  public:
   explicit Interference(std::span<const Interferer> interferers);
 
+  /// Adds to the grid's lone echoes.
   /// @param time  Of transmission [s].
   void add(const PingPlan& plan, const Pose& world_from_sonar, double time, Engine& engine, EchoGrid& grid);
 
  private:
+  void add_pulses(const PingPlan& plan, std::size_t index, const LinesOfSight::Sight& sight, double time,
+                  EchoGrid& grid);
+
   std::span<const Interferer> interferers_;
-  std::vector<Ray> rays_;  // From the sonar to each.
-  std::vector<Hit> hits_;
+  LinesOfSight ways_;
 };
 
 }  // namespace insonify

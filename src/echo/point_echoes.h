@@ -3,10 +3,8 @@
 #pragma once
 
 #include <span>
-#include <vector>
 
-#include "echo/ping_plan.h"
-#include "insonify/engine.h"
+#include "echo/lines_of_sight.h"
 #include "insonify/point_target.h"
 
 namespace insonify {
@@ -17,12 +15,13 @@ namespace insonify {
 class PointEchoes {
  public:
   explicit PointEchoes(std::span<const PointTarget> points);
+
+  /// Adds to the grid's lone echoes.
   void add(const PingPlan& plan, const Pose& world_from_sonar, Engine& engine, EchoGrid& grid);
 
  private:
   std::span<const PointTarget> points_;
-  std::vector<Ray> rays_;  // From the sonar to each.
-  std::vector<Hit> hits_;
+  LinesOfSight ways_;
 };
 
 }  // namespace insonify

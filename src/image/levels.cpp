@@ -15,14 +15,13 @@ Ping raised_by_range(Ping ping, const SonarConfig& sonar, double decibels_per_de
   return ping;
 }
 
-double fitting_full_scale(const Ping& ping) {
-  std::vector<float> heard;
-  std::ranges::copy_if(ping.intensity, std::back_inserter(heard), [](float value) { return value > 0; });
-  if (heard.empty()) {
+double fitting_full_scale(std::vector<float> intensities) {
+  std::erase_if(intensities, [](float value) { return !(value > 0); });
+  if (intensities.empty()) {
     return 1;
   }
-  const auto last = heard.begin() + static_cast<std::ptrdiff_t>((heard.size() - 1) * 999 / 1000);
-  std::ranges::nth_element(heard, last);
+  const auto last = intensities.begin() + static_cast<std::ptrdiff_t>((intensities.size() - 1) * 999 / 1000);
+  std::ranges::nth_element(intensities, last);
   return std::pow(10.0, std::ceil(2 * std::log10(*last)) / 2);
 }
 

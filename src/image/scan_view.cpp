@@ -74,6 +74,14 @@ void ScanView::add(const Ping& ping) {
   last_time_ = ping.time;
 }
 
+double ScanView::fitting_full_scale() const {
+  std::vector<float> intensities;
+  for (const std::vector<float>& profile : profiles_) {
+    intensities.insert(intensities.end(), profile.begin(), profile.end());
+  }
+  return insonify::fitting_full_scale(std::move(intensities));
+}
+
 Picture ScanView::draw(const Display& display) const {
   display.validate();
   const FanShape shape = shape_of(sonar_);

@@ -8,8 +8,8 @@
 
 #include "base/parallel.h"
 #include "insonify/echo_grid.h"
-#include "insonify/ping_motion.h"
 #include "insonify/sonar_config.h"
+#include "receiver/ping_motion.h"
 
 namespace insonify {
 

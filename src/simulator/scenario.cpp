@@ -205,7 +205,9 @@ void Scenario::validate() const {
   paper.validate();
   check_materials(materials);
   check_sonars(sonars, water);
-  check_beams(*this);
+  if (model == EchoModel::kCalibrated) {
+    check_beams(*this);
+  }
   trajectory.validate("trajectory");
   check_motions(motions);
   if (view.has_value()) {

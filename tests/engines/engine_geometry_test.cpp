@@ -2,6 +2,7 @@
 // table of acceptance tests.
 
 #include "engines/test_scenes.h"
+#include "support/shadow_sonar.h"
 
 namespace insonify {
 namespace {
@@ -100,15 +101,7 @@ TEST_P(EngineGeometryTest, PointTargetsAppearAtTheirAzimuth) {
 // T16. A plate 1 m high at x = 10 m, sonar 3 m above the bed: the top of the plate is at slant 10.198 m, its foot at
 // 10.440 m, and its shadow ends at x h / (h - 1) = 15 m, slant 15.297 m.
 TEST_P(EngineGeometryTest, ShadowReachesToWhereTheRayOverThePlateMeetsTheBed) {
-  SonarConfig sonar;
-  sonar.beam_count = 1;
-  sonar.azimuth_aperture = 2 * kDegree;
-  sonar.elevation_aperture = 30 * kDegree;
-  sonar.elevation_center = -15 * kDegree;
-  sonar.min_range = 0;
-  sonar.max_range = 25;
-  sonar.bin_count = 500;
-  sonar.sampling = {.columns_per_beam = 4, .rows = 800};
+  const SonarConfig sonar = shadow_sonar();
   const SceneMaker maker =
       SceneMaker().add_floor(-3).add("plate", make_box({0.01, 4, 1}), {.position = {10.005, 0, -2.5}});
   const EchoGrid grid = echoes(maker.scene(), sonar);

@@ -36,13 +36,26 @@ TEST(LevelsTest, RaisingEvensOutWhatFallsWithRange) {
 }
 
 TEST(LevelsTest, FullScaleIsAboveAllButAThousandth) {
-  Ping ping = ping_of(100, 100, 2e-6F);
-  EXPECT_NEAR(10 * std::log10(fitting_full_scale(ping)), -55, 1e-9);  // -56.99 dB, rounded up.
-  ping.intensity[7] = 1;                                              // One in ten thousand.
-  EXPECT_NEAR(10 * std::log10(fitting_full_scale(ping)), -55, 1e-9);
-  std::fill_n(ping.intensity.begin(), 20, 0.5F);  // Two in a thousand.
-  EXPECT_NEAR(10 * std::log10(fitting_full_scale(ping)), 0, 1e-9);
-  EXPECT_EQ(fitting_full_scale(ping_of(3, 3, 0)), 1);
+  std::vector<float> intensities(10000, 2e-6F);
+  EXPECT_NEAR(10 * std::log10(fitting_full_scale(intensities)), -55, 1e-9);  // -56.99 dB, rounded up.
+  intensities[7] = 1;                                                        // One in ten thousand.
+  EXPECT_NEAR(10 * std::log10(fitting_full_scale(intensities)), -55, 1e-9);
+  std::fill_n(intensities.begin(), 20, 0.5F);  // Two in a thousand.
+  EXPECT_NEAR(10 * std::log10(fitting_full_scale(intensities)), 0, 1e-9);
+  EXPECT_EQ(fitting_full_scale(std::vector<float>(9, 0.0F)), 1);
+}
+
+// A scan that begins at what is faint still shows what is loud.
+TEST(LevelsTest, ScaleOfAScanFitsAllOfItsPings) {
+  SonarConfig sonar;
+  sonar.type = SonarType::kMechanicallyScanned;
+  sonar.beam_count = 1;
+  sonar.bin_count = 100;
+  ScanView view(sonar);
+  view.add(ping_of(100, 1, 2e-6F));
+  EXPECT_NEAR(10 * std::log10(view.fitting_full_scale()), -55, 1e-9);
+  view.add(ping_of(100, 1, 0.5F));
+  EXPECT_NEAR(10 * std::log10(view.fitting_full_scale()), 0, 1e-9);
 }
 
 }  // namespace

@@ -328,6 +328,18 @@ TEST(ScenarioRulesTest, MessagesHaveNoPlaceWithoutAFile) {
   EXPECT_EQ(message_of([&] { scenario.validate(); }), "no error");
 }
 
+// What only the calibrated model has does not bind the paper's: its fans may look all round.
+TEST(ScenarioRulesTest, ThePaperModelHasNoArray) {
+  Scenario scenario;
+  scenario.world = "wreck.sdf";
+  scenario.sonars.resize(1);
+  scenario.sonars[0].azimuth_aperture = radians_from_degrees(360);
+  EXPECT_EQ(message_of([&] { scenario.validate(); }),
+            "receiver.azimuth_pattern must be top_hat for fans of more than 180 deg; sonars[0] has 360");
+  scenario.model = EchoModel::kPaper;
+  EXPECT_EQ(message_of([&] { scenario.validate(); }), "no error");
+}
+
 TEST(ScenarioRulesTest, TheSonarsOwnSoundSpeedRulesItsPeriod) {
   Scenario scenario;
   scenario.world = "wreck.sdf";

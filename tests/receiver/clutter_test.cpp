@@ -3,6 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <vector>
+
+#include "echo/echo.h"
 
 namespace insonify {
 namespace {
@@ -12,7 +15,8 @@ TEST(GammaQuantilesTest, ShapeOneIsExponential) {
   const GammaQuantiles quantiles(1);
   for (const double share : {1e-6, 0.001, 0.03, 0.1, 0.5, 0.9, 0.999, 1 - 1e-6}) {
     const double expected = -std::log1p(-share);
-    EXPECT_NEAR(quantiles.at(static_cast<float>(std::log(share / (1 - share)))), expected, 1e-3 * expected + 2e-8) << share;
+    EXPECT_NEAR(quantiles.at(static_cast<float>(std::log(share / (1 - share)))), expected, 1e-3 * expected + 2e-8)
+        << share;
   }
 }
 
@@ -28,6 +32,34 @@ TEST(GammaQuantilesTest, MeanIsOneAndVarianceOneOverShape) {
     EXPECT_NEAR(sum, 1, 0.005) << shape;
     EXPECT_NEAR((squares - sum * sum) * shape, 1, 0.02) << shape;
   }
+}
+
+// Patches are two cells by three bins: one texture within, another beside; other materials have none.
+TEST(ClutterTest, TextureComesInPatches) {
+  Material patchy, even;
+  patchy.clutter_shape = 0.5;
+  const Material materials[] = {even, patchy};
+  const Clutter clutter(materials, 2, 3);
+  constexpr int kBins = 12;
+  const std::vector<std::uint32_t> surfaces(kBins, surface_label(0, 1)), others(kBins, surface_label(0, 0));
+  const auto row_of = [&](std::uint32_t bearing, const std::vector<std::uint32_t>& surface) {
+    Speckle::Row row;
+    row.bearing = bearing;
+    for (std::uint32_t bin = 0; bin < kBins; ++bin) {
+      row.range.push_back(300 + bin);
+    }
+    std::vector<float> energy(kBins, 1.0F);
+    clutter.texture({.key = 7}, row, surface.data(), energy);
+    return energy;
+  };
+  const std::vector<float> first = row_of(1000, surfaces);
+  for (int bin = 0; bin < kBins; ++bin) {
+    EXPECT_EQ(first[bin], first[bin - bin % 3]) << bin;
+    EXPECT_NE(first[bin], first[(bin + 3) % kBins]) << bin;
+  }
+  EXPECT_EQ(row_of(1001, surfaces), first);
+  EXPECT_NE(row_of(1002, surfaces), first);
+  EXPECT_EQ(row_of(1000, others), std::vector<float>(kBins, 1.0F));
 }
 
 }  // namespace

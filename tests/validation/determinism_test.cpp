@@ -72,11 +72,8 @@ TEST_P(DeterminismTest, PingsAreTheSameBytesForAnyNumberOfThreads) {
   }
 }
 
-// The labels of the default, too.
-TEST_P(DeterminismTest, LabelsAreTheSameBytesForAnyNumberOfThreads) {
-  Scenario scenario = everything(GetParam());
-  scenario.ground_truth = GroundTruth::kLabels;
-  scenario.receiver.speckle = false;
+// What `labels` has.
+void expect_same_for_any_number_of_threads(const Scenario& scenario) {
   const Scene scene = cluttered();
   const Ping one = Simulator(scenario, scene, 1).make_ping(0, 3);
   for (const int threads : {2, 4, 16}) {
@@ -87,19 +84,19 @@ TEST_P(DeterminismTest, LabelsAreTheSameBytesForAnyNumberOfThreads) {
   }
 }
 
+TEST_P(DeterminismTest, LabelsAreTheSameBytesForAnyNumberOfThreads) {
+  Scenario scenario = everything(GetParam());
+  scenario.ground_truth = GroundTruth::kLabels;
+  scenario.receiver.speckle = false;
+  expect_same_for_any_number_of_threads(scenario);
+}
+
 TEST_P(DeterminismTest, PaperPingsAreTheSameBytesForAnyNumberOfThreads) {
   Scenario scenario = everything(GetParam());
   scenario.model = EchoModel::kPaper;
   scenario.ground_truth = GroundTruth::kLabels;
   scenario.points.clear();
-  const Scene scene = cluttered();
-  const Ping one = Simulator(scenario, scene, 1).make_ping(0, 3);
-  for (const int threads : {2, 4, 16}) {
-    const Ping ping = Simulator(scenario, scene, threads).make_ping(0, 3);
-    EXPECT_TRUE(bytes_of(ping.intensity) == bytes_of(one.intensity)) << threads;
-    EXPECT_TRUE(ping.instance == one.instance) << threads;
-    EXPECT_TRUE(bytes_of(ping.elevation) == bytes_of(one.elevation)) << threads;
-  }
+  expect_same_for_any_number_of_threads(scenario);
 }
 
 constexpr auto kName = [](const auto& test) { return test.param.name; };

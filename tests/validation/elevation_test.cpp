@@ -254,6 +254,46 @@ TEST_P(ConeTest, SlantingWallIsTheSameByFewSamplesAndMany) {
   }
 }
 
+// The outermost samples of a column speak for all up to the edges of the sector: a beam's first and last echo of the
+// same wall come from where its plane meets the beam's edges, d / (n . direction).
+TEST_P(ConeTest, SlantingWallEndsAtTheEdgesOfTheSector) {
+  SonarConfig sonar = wide();
+  sonar.beam_count = 12;
+  sonar.azimuth_aperture = 90 * kDegree;
+  sonar.elevation_aperture = 50 * kDegree;
+  sonar.min_range = 0;
+  sonar.max_range = 40;
+  sonar.bin_count = 800;
+  sonar.sampling = {16, 10};
+  Scenario scenario = calibrated(sonar, GetParam());
+  scenario.receiver.beam_shape = BeamShape::kCone;
+  const Eigen::Quaterniond turn = orientation_from_rpy(0, 20 * kDegree, 30 * kDegree);
+  const Vec3 normal = turn * Vec3::UnitX();
+  const Ping ping = ping_of(scenario, scene_of(make_plane(-Vec3::UnitX(), 100, 100), diffuse(-10),
+                                               {.position = {10, 0, 0}, .orientation = turn}));
+  for (int beam = 0; beam < sonar.beam_count; ++beam) {
+    double nearest = std::numeric_limits<double>::max(), farthest = 0;
+    for (const double beside : {-0.5, 0.5}) {
+      const double bearing = sonar.beam_azimuth(beam) + beside * sonar.azimuth_aperture / sonar.beam_count;
+      for (const double elevation : {-25 * kDegree, 25 * kDegree}) {
+        const double y = std::sin(bearing), z = std::sin(elevation);
+        const double range = 10 * normal.x() / normal.dot(Vec3(std::sqrt(1 - y * y - z * z), y, z));
+        nearest = std::min(nearest, range);
+        farthest = std::max(farthest, range);
+      }
+    }
+    int first = 0, last = sonar.bin_count - 1;
+    while (ping.intensity[ping.index(first, beam)] == 0) {
+      ++first;
+    }
+    while (ping.intensity[ping.index(last, beam)] == 0) {
+      --last;
+    }
+    EXPECT_NEAR(sonar.bin_range(first), nearest, 0.075) << beam;
+    EXPECT_NEAR(sonar.bin_range(last), farthest, 0.075) << beam;
+  }
+}
+
 // Nothing is heard from behind the array, whose cones lead there as well.
 TEST_P(ConeTest, NothingIsHeardFromBehind) {
   Scenario scenario = calibrated(wide(), GetParam());

@@ -5,6 +5,7 @@
 #include "engines/random_scene.h"
 #include "insonify/error.h"
 #include "support/message_of.h"
+#include "support/shadow_sonar.h"
 #include "validation/calibrated_scene.h"
 
 namespace insonify::validation {
@@ -109,19 +110,6 @@ TEST_P(GroundTruthTest, WallSpreadsOverItsHeight) {
 
 // T16. A plate 1 m high at x = 10, the sonar 3 m above the bed, a wall at x = 20. Elevations from -30 to 0 degrees: the
 // bed is met from 6 m on; the top of the plate is 11.31 degrees down.
-SonarConfig shadow_sonar() {
-  SonarConfig sonar;
-  sonar.beam_count = 1;
-  sonar.azimuth_aperture = 2 * kDegree;
-  sonar.elevation_aperture = 30 * kDegree;
-  sonar.elevation_center = -15 * kDegree;
-  sonar.min_range = 0;
-  sonar.max_range = 25;
-  sonar.bin_count = 500;
-  sonar.sampling = {4, 800};
-  return sonar;
-}
-
 Scene plate_on_a_bed() {
   return scene_of_all({seabed_at(-3, diffuse(-20)),
                        scene_of(make_box({0.01, 4, 1}), diffuse(-20), {.position = {10.005, 0, -2.5}}),
@@ -174,14 +162,19 @@ TEST_P(GroundTruthTest, PointIsADirectEchoWithoutAName) {
   EXPECT_EQ(share_at(ping, bin, 0, 0), 0);
 }
 
-// T10's corner: in each bin the order that most of the echo takes is found from pings with ever more surfaces allowed.
-TEST_P(GroundTruthTest, PathOrderIsThatOfMostOfTheEcho) {
+Scenario corner_with_truth(const Method& method) {
   SonarConfig sonar = corner_sonar();
   sonar.position = {0, 0, -5};
   sonar.beam_count = 16;
   sonar.sampling = {4, 400};
-  Scenario scenario = with_truth(sonar, GetParam());
+  Scenario scenario = with_truth(sonar, method);
   scenario.secondary = SecondaryEchoes::kAll;
+  return scenario;
+}
+
+// T10's corner: in each bin the order that most of the echo takes is found from pings with ever more surfaces allowed.
+TEST_P(GroundTruthTest, PathOrderIsThatOfMostOfTheEcho) {
+  Scenario scenario = corner_with_truth(GetParam());
   std::vector<Ping> pings;
   for (const int surfaces : {1, 2, 3}) {
     scenario.max_surfaces = surfaces;
@@ -206,17 +199,13 @@ TEST_P(GroundTruthTest, PathOrderIsThatOfMostOfTheEcho) {
   EXPECT_GT(found[2], 100);
   EXPECT_GT(found[3], 10);
   // At the apex, straight ahead, it is the double bounce.
-  EXPECT_EQ(pings[2].path_order[pings[2].index(static_cast<int>((10.4403 - 5) / sonar.bin_length()), 7)], 2);
+  EXPECT_EQ(pings[2].path_order[pings[2].index(static_cast<int>((10.4403 - 5) / scenario.sonars[0].bin_length()), 7)],
+            2);
 }
 
 // With array, pulse and gain the direct echo is the ping that there is without secondary echoes.
 TEST_P(GroundTruthTest, DirectIntensityIsThePingWithoutSecondaryEchoes) {
-  SonarConfig sonar = corner_sonar();
-  sonar.position = {0, 0, -5};
-  sonar.beam_count = 16;
-  sonar.sampling = {4, 400};
-  Scenario scenario = with_truth(sonar, GetParam());
-  scenario.secondary = SecondaryEchoes::kAll;
+  Scenario scenario = corner_with_truth(GetParam());
   scenario.receiver.azimuth_pattern = BeamPattern::kHann;
   scenario.receiver.pulse = PulseKind::kLfm;
   scenario.receiver.pulse_duration = 1e-3;

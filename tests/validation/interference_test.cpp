@@ -39,6 +39,20 @@ TEST(InterferenceTest, ArrivesWhenItsWayIsDone) {
   EXPECT_GT(third[299] + third[300], 0);
 }
 
+// Once: absorbed on the one way, and heard by the elevation pattern as what arrives, not as what is sent and heard.
+TEST(InterferenceTest, IsWeakenedOnItsOneWay) {
+  Scenario scenario = beside_another();
+  const double plain = total_db(ping_of(scenario, {}));
+  scenario.water.absorption = true;
+  scenario.water.absorption_db_per_m = 0.2;
+  EXPECT_NEAR(total_db(ping_of(scenario, {})), plain - 6, 0.01);
+  scenario.water.absorption = false;
+  scenario.receiver.elevation_pattern = BeamPattern::kRectangular;
+  scenario.sonars[0].elevation_aperture = 20 * kDegree;
+  scenario.interferers[0].position = 30 * Vec3(std::cos(10 * kDegree), 0, std::sin(10 * kDegree));
+  EXPECT_NEAR(total_db(ping_of(scenario, {})), plain - 10 * std::log10(2), 0.02);  // Half power, one way.
+}
+
 TEST(InterferenceTest, LongPulsesFillTheirBins) {
   Scenario scenario = beside_another();
   scenario.interferers[0].duration = 2e-3;  // 1.5 m of range.

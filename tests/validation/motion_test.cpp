@@ -1,6 +1,6 @@
 // motion_test.cpp -- a sonar that moves on while it listens, and one that does not.
 
-#include "insonify/ping_motion.h"
+#include "receiver/ping_motion.h"
 #include "validation/calibrated_scene.h"
 
 namespace insonify::validation {

@@ -1,5 +1,6 @@
 // speckle_test.cpp -- its law, its grain, and how it stays with the world (T11, T12, T17 of PHYSICS 11).
 
+#include <complex>
 #include <functional>
 
 #include "validation/calibrated_scene.h"
@@ -133,6 +134,23 @@ TEST_F(SpeckleTest, ComingNearerItComesNearer) {
   const auto ahead = [](int bin, int beam) { return bin > 250 && std::abs(beam - 127.5) < 6; };
   EXPECT_GT(correlation(first, later, -5, 0, ahead), 0.8);
   EXPECT_LT(correlation(first, later, 0, 0, ahead), 0.1);
+}
+
+// The phase of what lies ahead turns by 4 pi / wavelength a metre, as that of a point does: back as it comes nearer.
+TEST_F(SpeckleTest, CarrierTurnsWithTheWay) {
+  const double wavelength = scenario_at({0, 0, 0}).water.true_sound_speed() / fan().frequency;
+  const auto field_at = [](double x) {
+    Scenario scenario = scenario_at({x, 0, 0});
+    scenario.receiver.field = true;
+    return ping_of(scenario, seabed_at(-3, diffuse(-20))).field;
+  };
+  const std::vector<std::complex<float>> first = field_at(0), second = field_at(wavelength / 16);
+  std::complex<double> product = 0;
+  for (int bin = 250; bin < kBins; ++bin) {
+    const std::size_t at = static_cast<std::size_t>(bin) * kBeams + 127;
+    product += std::complex<double>(second[at]) * std::conj(std::complex<double>(first[at]));
+  }
+  EXPECT_NEAR(std::arg(product), -0.25 * 3.14159265, 0.05);
 }
 
 // Turned by three beams to port, everything is three beams nearer to starboard; by a third of a beam it is nearly the

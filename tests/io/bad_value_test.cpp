@@ -1,0 +1,211 @@
+// bad_value_test.cpp -- values of a scenario that cannot be: types, words, limits, and rules between values.
+
+#include "io/bad_scenario.h"
+
+namespace insonify {
+namespace {
+
+class BadValueTest : public BadScenarioTest {};
+
+TEST_P(BadValueTest, IsToldInOneLine) {
+  expect_told_in_one_line();
+}
+
+const BadScenario kCases[] = {
+    // Types.
+    {"WordForANumber", "world: floor.obj\nsonars:\n  - max_range: far\n",
+     "scenario.yaml:3:5: sonars[0].max_range = \"far\" must be a number, greater than 0, at most 100000 m"},
+    {"UnitInANumber", "world: floor.obj\nsonars:\n  - max_range: 20 m\n",
+     "scenario.yaml:3:5: sonars[0].max_range = \"20 m\" must be a number, greater than 0, at most 100000 m"},
+    {"QuotedNumber", "world: floor.obj\nwater: {depth: \"3\"}\n",
+     "scenario.yaml:2:9: water.depth = \"3\" must be a number, from 0 to 7000 m"},
+    {"NoNumber", "world: floor.obj\nwater: {depth: }\n",
+     "scenario.yaml:2:9: water.depth has no value; it must be a number, from 0 to 7000 m"},
+    {"ListForANumber", "world: floor.obj\nwater: {depth: [1, 2]}\n",
+     "scenario.yaml:2:9: water.depth = [1, 2] must be a number, from 0 to 7000 m"},
+    {"MapForANumber", "world: floor.obj\nwater: {depth: {m: 3}}\n",
+     "scenario.yaml:2:9: water.depth = {...} must be a number, from 0 to 7000 m"},
+    {"FractionOfAPing", "world: floor.obj\npings: 2.5\nsonars: [{name: fls}]\n",
+     "scenario.yaml:2:1: pings = 2.5 must be a whole number, from 1 to 1000000000"},
+    {"HugeCount", "world: floor.obj\npings: 3e9\nsonars: [{name: fls}]\n",
+     "scenario.yaml:2:1: pings = 3000000000 must be from 1 to 1000000000"},
+    {"NegativeSeed", "world: floor.obj\nseed: -1\nsonars: [{name: fls}]\n",
+     "scenario.yaml:2:1: seed = -1 must be a whole number, from 0 to 18446744073709551615"},
+    {"HugeSeed", "world: floor.obj\nseed: 18446744073709551616\nsonars: [{name: fls}]\n",
+     "scenario.yaml:2:1: seed = 18446744073709551616 must be a whole number, from 0 to 18446744073709551615"},
+    {"YesForTrue", "world: floor.obj\ncollisions: yes\nsonars: [{name: fls}]\n",
+     "scenario.yaml:2:1: collisions = \"yes\" must be true or false"},
+    {"TwoCoordinates", "world: floor.obj\nsonars:\n  - position: [1, 2]\n",
+     "scenario.yaml:3:5: sonars[0].position = [1, 2] must be a list of three numbers"},
+    {"WordForACoordinate", "world: floor.obj\nsonars:\n  - position: [1, up, 2]\n",
+     "scenario.yaml:3:19: sonars[0].position[1] = \"up\" must be a number, from -10000000 to 10000000 m"},
+    {"NumberForAPosition", "world: floor.obj\nsonars:\n  - position: 5\n",
+     "scenario.yaml:3:5: sonars[0].position = 5 must be a list of three numbers"},
+    {"WordForAnAngle", "world: floor.obj\nsonars:\n  - orientation_deg: [0, down, 0]\n",
+     "scenario.yaml:3:26: sonars[0].orientation_deg[1] = \"down\" must be a number, from -1000000 to 1000000 deg"},
+    {"TrajectoryIsAMap", "world: floor.obj\ntrajectory: {time: 0}\nsonars: [{name: fls}]\n",
+     "scenario.yaml:2:1: trajectory = {...} must be a list of waypoints"},
+    {"WaterIsANumber", "world: floor.obj\nwater: 1500\nsonars: [{name: fls}]\n",
+     "scenario.yaml:2:1: water = 1500 must be a map of keys such as temperature_c"},
+
+    // Words.
+    {"UnknownType", "world: floor.obj\nsonars:\n  - type: sss\n",
+     "scenario.yaml:3:5: sonars[0].type = \"sss\" must be fls or msis"},
+    {"UnknownMounting", "world: floor.obj\nsonars:\n  - type: msis\n    mounting: sideways\n",
+     "scenario.yaml:4:5: sonars[0].mounting = \"sideways\" must be horizontal or vertical"},
+    {"UnknownSigmoid", "world: floor.obj\npaper: {sigmoid: tanh}\nsonars: [{name: fls}]\n",
+     "scenario.yaml:2:9: paper.sigmoid = \"tanh\" must be logistic, authors or none"},
+    {"UnknownSecondary", "world: floor.obj\nsecondary: some\nsonars: [{name: fls}]\n",
+     "scenario.yaml:2:1: secondary = \"some\" must be none, selective or all"},
+    {"UnknownEngine", "world: floor.obj\nengine: gpu\nsonars: [{name: fls}]\n",
+     "scenario.yaml:2:1: engine = \"gpu\" must be cpu or reference"},
+    {"UnknownModel", "world: floor.obj\nmodel: papre\nsonars: [{name: fls}]\n",
+     "scenario.yaml:2:1: model = \"papre\" must be paper or calibrated"},
+    {"FourSurfaces", "world: floor.obj\nmax_surfaces: 4\nsonars: [{name: fls}]\n",
+     "scenario.yaml:2:1: max_surfaces = 4 must be from 1 to 3"},
+    {"PointFarOff",
+     "world: floor.obj\nmodel: calibrated\npoints: [{position: [9, 0, 1e9]}]\n"
+     "sonars: [{name: fls}]\n",
+     "scenario.yaml:3:28: points[0].position[2] = 1000000000 m must be from -10000000 to 10000000 m"},
+    {"ChirpWithoutBand", "world: floor.obj\nreceiver: {pulse: lfm, pulse_bandwidth: 1000}\nsonars: [{name: fls}]\n",
+     "scenario.yaml:2:24: receiver.pulse_bandwidth times pulse_duration must be at least 10 for a chirp"},
+    {"ArrayAllRound",
+     "world: floor.obj\nreceiver: {azimuth_pattern: hann}\nsonars: [{name: fls, azimuth_aperture_deg: 200}]\n",
+     "scenario.yaml:2:12: receiver.azimuth_pattern must be top_hat for fans of more than 180 deg; sonars[0] has 200"},
+    {"ConeAllRound",
+     "world: floor.obj\nreceiver: {azimuth_pattern: top_hat, beam_shape: cone}\nsonars: [{name: fls, "
+     "azimuth_aperture_deg: 200}]\n",
+     "scenario.yaml:2:38: receiver.beam_shape must be wedge for fans of more than 180 deg; sonars[0] has 200"},
+    {"UnknownBeamShape", "world: floor.obj\nreceiver: {beam_shape: pencil}\nsonars: [{name: fls}]\n",
+     "scenario.yaml:2:12: receiver.beam_shape = \"pencil\" must be wedge or cone"},
+    {"DolphOfTooManyElements",
+     "world: floor.obj\nreceiver: {azimuth_pattern: dolph_chebyshev}\n"
+     "sonars: [{name: fls, azimuth_resolution_deg: 0.05}]\n",
+     "scenario.yaml:2:12: receiver.azimuth_pattern = dolph_chebyshev takes more than 1024 elements for a beam of "
+     "0.05 deg"},
+    {"RasterOfAnArray",
+     "world: floor.obj\nmodel: calibrated\nprimary: raster\nreceiver: {elevation_pattern: hann}\n"
+     "sonars: [{name: fls}]\n",
+     "scenario.yaml:3:1: primary = raster needs receiver.beam_shape = wedge and receiver.elevation_pattern = top_hat; "
+     "auto or rays takes any"},
+    {"UnknownElevationPattern", "world: floor.obj\nreceiver: {elevation_pattern: sinc}\nsonars: [{name: fls}]\n",
+     "scenario.yaml:2:12: receiver.elevation_pattern = \"sinc\" must be top_hat, rectangular, hann, hamming, cosine, "
+     "taylor or dolph_chebyshev"},
+    {"UnknownPattern", "world: floor.obj\nreceiver: {azimuth_pattern: sinc}\nsonars: [{name: fls}]\n",
+     "scenario.yaml:2:12: receiver.azimuth_pattern = \"sinc\" must be top_hat, rectangular, hann, hamming, cosine, "
+     "taylor "
+     "or dolph_chebyshev"},
+    {"GainTooSteep", "world: floor.obj\nreceiver: {time_varied_gain: 80}\nsonars: [{name: fls}]\n",
+     "scenario.yaml:2:12: receiver.time_varied_gain = 80 dB/decade must be from 0 to 60 dB/decade"},
+    {"WhiterThanWhite", "world: floor.obj\nmaterials: {sand: {lambert_db: -3}}\nsonars: [{name: fls}]\n",
+     "scenario.yaml:2:20: materials.sand.lambert_db = -3 dB must be from -200 to -4.971498727 dB"},
+    {"PresetLikeNoOther", "world: floor.obj\nsonars:\n  - preset: x\n",
+     "scenario.yaml:3:5: sonars[0].preset = \"x\" is not a preset; there are PRESETS"},
+    {"UnknownPreset", "world: floor.obj\nsonars:\n  - preset: gemini-720i\n",
+     "scenario.yaml:3:5: sonars[0].preset = \"gemini-720i\" is not a preset; did you mean tritech-gemini-720i?"},
+    {"UnknownMode", "world: floor.obj\nsonars:\n  - preset: blueprint-oculus-m750d\n    mode: hihg\n",
+     "scenario.yaml:4:5: sonars[0].mode = \"hihg\" is not a mode of blueprint-oculus-m750d, which has low and high"},
+    {"ModeWithoutPreset", "world: floor.obj\nsonars:\n  - mode: high\n",
+     "scenario.yaml:3:5: sonars[0].mode belongs to a preset, and none is named"},
+
+    // Limits.
+    {"NotANumber", "world: floor.obj\nsonars:\n  - max_range: .nan\n",
+     "scenario.yaml:3:5: sonars[0].max_range = nan m must be greater than 0, at most 100000 m"},
+    {"Infinite", "world: floor.obj\nsonars:\n  - position: [0, .inf, 0]\n",
+     "scenario.yaml:3:19: sonars[0].position[1] = inf m must be finite and from -10000000 to 10000000 m"},
+    {"BeyondADouble", "world: floor.obj\nsonars:\n  - max_range: 1e999\n",
+     "scenario.yaml:3:5: sonars[0].max_range = inf m must be finite and greater than 0, at most 100000 m"},
+    {"NegativeRange", "world: floor.obj\nsonars:\n  - max_range: -2\n",
+     "scenario.yaml:3:5: sonars[0].max_range = -2 m must be greater than 0, at most 100000 m"},
+    {"SonarBeyondTheWorld", "world: floor.obj\nsonars:\n  - position: [0, 0, -1e18]\n",
+     "scenario.yaml:3:22: sonars[0].position[2] = -1e+18 m must be from -10000000 to 10000000 m"},
+    {"WaypointBeyondTheWorld",
+     "world: floor.obj\nsonars: [{name: fls}]\ntrajectory:\n  - {time: 0, position: [1e30, 0, 0]}\n",
+     "scenario.yaml:4:26: trajectory[0].position[0] = 1e+30 m must be from -10000000 to 10000000 m"},
+    {"CameraBeyondTheWorld", "world: floor.obj\nsonars: [{name: fls}]\nview:\n  position: [0, 2e8, 0]\n",
+     "scenario.yaml:4:17: view.position[1] = 200000000 m must be from -100000000 to 100000000 m"},
+    {"EndlessRange", "world: floor.obj\nsonars:\n  - max_range: 1e300\n",
+     "scenario.yaml:3:5: sonars[0].max_range = 1e+300 m must be greater than 0, at most 100000 m"},
+    {"EndlessPeriod", "world: floor.obj\nsonars:\n  - ping_period: 1e300\n",
+     "scenario.yaml:3:5: sonars[0].ping_period = 1e+300 s must be greater than 0, at most 1000000 s"},
+    {"EndlessTurns", "world: floor.obj\nsonars:\n  - orientation_deg: [0, 0, 1e7]\n",
+     "scenario.yaml:3:29: sonars[0].orientation_deg[2] = 10000000 deg must be from -1000000 to 1000000 deg"},
+    {"NoPings", "world: floor.obj\npings: 0\nsonars: [{name: fls}]\n",
+     "scenario.yaml:2:1: pings = 0 must be from 1 to 1000000000"},
+    {"BeamsOutOfLimits", "world: floor.obj\nsonars:\n  - beam_count: 5000\n",
+     "scenario.yaml:3:5: sonars[0].beam_count = 5000 must be from 1 to 4096"},
+    {"WideFan", "world: floor.obj\nsonars:\n  - azimuth_aperture_deg: 400\n",
+     "scenario.yaml:3:5: sonars[0].azimuth_aperture_deg = 400 deg must be greater than 0, at most 360 deg"},
+    {"WarmWater", "world: floor.obj\nwater: {temperature_c: 60}\n",
+     "scenario.yaml:2:9: water.temperature_c = 60 degC must be from -6 to 35 degC"},
+    {"SlowSound", "world: floor.obj\nwater: {sound_speed: 340}\n",
+     "scenario.yaml:2:9: water.sound_speed = 340 m/s must be from 1300 to 1700 m/s"},
+    {"Reflectivity", "world: floor.obj\nmaterials:\n  hull: {reflectivity: 1.2}\nsonars: [{name: fls}]\n",
+     "scenario.yaml:3:10: materials.hull.reflectivity = 1.2 must be from 0 to 1"},
+    {"ImpossibleDensity", "world: floor.obj\nmaterials:\n  hull: {density: 1e300}\nsonars: [{name: fls}]\n",
+     "scenario.yaml:3:10: materials.hull.density = 1e+300 kg/m^3 must be greater than 0, at most 30000 kg/m^3"},
+    {"MaterialWithoutAName", "world: floor.obj\nmaterials:\n  \"\": steel\n",
+     "scenario.yaml:3:3: materials has an entry without a name"},
+    {"MaterialOfNoName", "world: floor.obj\nmaterials:\n  hull: \"\"\n",
+     "scenario.yaml:3:3: materials.hull must name a material"},
+    {"MaterialLikeNone", "world: floor.obj\nmaterials:\n  hull: {like: \"\"}\n",
+     "scenario.yaml:3:10: materials.hull.like must name a material"},
+    {"NoDefaultMaterial", "world: floor.obj\ndefault_material: \"\"\n",
+     "scenario.yaml:2:1: default_material must name a material"},
+    {"NoBeamAzimuths", "world: floor.obj\nsonars:\n  - beam_azimuths_deg: []\n",
+     "scenario.yaml:3:5: sonars[0].beam_azimuths_deg must have at least one angle"},
+    {"BeamAzimuth", "world: floor.obj\nsonars:\n  - beam_count: 2\n    beam_azimuths_deg: [200, 0]\n",
+     "scenario.yaml:4:25: sonars[0].beam_azimuths_deg[0] = 200 deg must be from -180 to 180 deg"},
+    {"SamplingRows", "world: floor.obj\nsonars:\n  - sampling: {rows: 1}\n",
+     "scenario.yaml:3:16: sonars[0].sampling.rows = 1 must be from 2 to 8192"},
+    {"ViewAngle", "world: floor.obj\nview: {field_of_view_deg: 175}\nsonars: [{name: fls}]\n",
+     "scenario.yaml:2:8: view.field_of_view_deg = 175 deg must be greater than 0, at most 170 deg"},
+
+    // Rules between values.
+    {"RangesCross", "world: floor.obj\nsonars:\n  - max_range: 2\n    min_range: 5\n",
+     "scenario.yaml:3:5: sonars[0].max_range = 2 m must be greater than min_range = 5 m"},
+    {"BlankingBeyondRange", "world: floor.obj\nsonars:\n  - max_range: 2\n    blanking_range: 5\n",
+     "scenario.yaml:4:5: sonars[0].blanking_range = 5 m must be at most max_range = 2 m"},
+    {"HastyPings", "world: floor.obj\nwater: {sound_speed: 1500}\nsonars:\n  - ping_period: 0.01\n",
+     "scenario.yaml:4:5: sonars[0].ping_period = 0.01 s must be at least 0.0667 s, the time sound takes to max_range = "
+     "50 m and back"},
+    {"SameNames", "world: floor.obj\nsonars:\n  - name: fls\n  - max_range: 20\n    name: fls\n",
+     "scenario.yaml:5:5: sonars[1].name = \"fls\" must differ from that of sonars[0]"},
+    {"TwoSonarsWithoutNames", "world: floor.obj\nsonars:\n  - max_range: 30\n  - max_range: 20\n",
+     "scenario.yaml:4:5: sonars[1].name = \"sonar\" must differ from that of sonars[0]"},
+    {"NameWithASlash", "world: floor.obj\nsonars:\n  - name: a/b\n",
+     "scenario.yaml:3:5: sonars[0].name must not be empty, start with '.' or hold a slash, a backslash or a control "
+     "character"},
+    {"TooFewBeamAzimuths", "world: floor.obj\nsonars:\n  - beam_azimuths_deg: [20, 0, -20]\n    beam_count: 256\n",
+     "scenario.yaml:3:5: sonars[0].beam_azimuths_deg has 3 angles, must have one for each of beam_count = 256"},
+    {"BeamAzimuthsFromStarboard", "world: floor.obj\nsonars:\n  - beam_azimuths_deg: [-20, 0, 20]\n",
+     "scenario.yaml:3:5: sonars[0].beam_azimuths_deg[1] = 0 deg must be less than beam_azimuths_deg[0] = -20 deg: "
+     "beams "
+     "run from port to starboard"},
+    {"ApertureBesideBeamAzimuths",
+     "world: floor.obj\nsonars:\n  - beam_azimuths_deg: [20, 0, -20]\n    azimuth_aperture_deg: 90\n",
+     "scenario.yaml:4:5: sonars[0].azimuth_aperture_deg follows from beam_azimuths_deg; leave it out"},
+    {"FanThatTurns", "world: floor.obj\nsonars:\n  - type: msis\n",
+     "scenario.yaml:3:5: sonars[0].beam_count = 256 must be 1 for type msis, whose head turns a single beam"},
+    {"TimeStandsStill",
+     "world: floor.obj\nsonars: [{name: fls}]\ntrajectory:\n  - {time: 0}\n  - {time: 2}\n  - time: 2\n",
+     "scenario.yaml:6:5: trajectory[2].time = 2 s must be greater than trajectory[1].time = 2 s"},
+    {"MotionOfNothing", "world: floor.obj\nsonars: [{name: fls}]\nmotions:\n  - trajectory: [{time: 0}]\n",
+     "scenario.yaml:4:5: motions[0].object is missing: the name of what moves"},
+    {"MotionWithoutTrajectory", "world: floor.obj\nsonars: [{name: fls}]\nmotions:\n  - object: ship\n",
+     "scenario.yaml:4:5: motions[0].trajectory must have at least one waypoint"},
+    {"MotionBackInTime",
+     "world: floor.obj\nsonars: [{name: fls}]\nmotions:\n  - object: ship\n    trajectory:\n      - {time: 5}\n      - "
+     "{time: 4}\n",
+     "scenario.yaml:7:10: motions[0].trajectory[1].time = 4 s must be greater than motions[0].trajectory[0].time = 5 "
+     "s"},
+    {"ViewOfItself", "world: floor.obj\nsonars: [{name: fls}]\nview: {position: [1, 2, 3], look_at: [1, 2, 3]}\n",
+     "scenario.yaml:3:29: view.look_at must differ from view.position"},
+
+};
+
+INSTANTIATE_TEST_SUITE_P(Scenario, BadValueTest, testing::ValuesIn(kCases),
+                         [](const auto& bad) { return std::string(bad.param.name); });
+
+}  // namespace
+}  // namespace insonify
