@@ -23,6 +23,7 @@ PUBLIC = {
     "geometry.h": "base",
     "log.h": "base",
     "version.h": "base",
+    "zeroed_memory.h": "base",
     "absorption.h": "acoustics",
     "backscatter.h": "acoustics",
     "bottom_scattering.h": "acoustics",

@@ -2,12 +2,14 @@
 
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
 
 #include "insonify/ground_truth.h"
+#include "insonify/zeroed_memory.h"
 
 namespace insonify {
 
@@ -39,6 +41,22 @@ struct SurfaceEcho {
 inline constexpr int kSurfacesKept = 4;
 using SurfaceTally = std::array<SurfaceEcho, kSurfacesKept>;
 
+/// Bins [first, last).
+struct BinRange {
+  int first = 0, last = 0;
+
+  [[nodiscard]] bool empty() const { return first >= last; }
+  [[nodiscard]] bool has(int bin) const { return bin >= first && bin < last; }
+  /// Those that both have.
+  [[nodiscard]] BinRange operator&(const BinRange& other) const {
+    return {std::max(first, other.first), std::min(last, other.last)};
+  }
+  /// The least that holds both.
+  [[nodiscard]] BinRange operator|(const BinRange& other) const {
+    return empty() ? other : other.empty() ? *this : BinRange{std::min(first, other.first), std::max(last, other.last)};
+  }
+};
+
 /// Sums over echoes, in cells of beam by bin: beam-major, so that one beam's bins lie together.
 ///
 /// `energy` and `weight` are kept per path order. In the `paper` model they are the sum of the shaped echo intensities
@@ -59,14 +77,15 @@ class EchoGrid {
   [[nodiscard]] bool labelled() const { return labelled_; }  ///< Whether there are label layers.
 
   /// One beam of one layer: bin_count values. `order` counts from 1.
-  [[nodiscard]] std::span<float> energy(int order, int beam) { return {&energy_[start(order, beam)], length()}; }
-  [[nodiscard]] std::span<float> weight(int order, int beam) { return {&weight_[start(order, beam)], length()}; }
   [[nodiscard]] std::span<const float> energy(int order, int beam) const {
     return {&energy_[start(order, beam)], length()};
   }
   [[nodiscard]] std::span<const float> weight(int order, int beam) const {
     return {&weight_[start(order, beam)], length()};
   }
+
+  /// The only bins of a beam that hold anything in any layer: those that were asked for with to_fill().
+  [[nodiscard]] BinRange filled(int beam) const { return filled_[beam]; }
 
   /// What a cell's energy came from. Nothing is told without labels.
   struct Label {
@@ -76,24 +95,26 @@ class EchoGrid {
   };
   [[nodiscard]] Label label(int beam, int bin) const;
 
-  /// The label layers of one beam as they are added to: a majority vote weighted by energy. Where nothing echoed, only
-  /// `surface` means anything.
-  struct LabelRows {
-    std::uint32_t* surface;   ///< Instance and material, see echo/echo.h; all ones where nothing echoed.
-    float* lead;              ///< Energy by which the label leads all others together.
-    float* energy;            ///< Energy deposited while it led.
-    float* elevation_moment;  ///< Sum of energy x elevation over that [rad].
+  /// Cells of one beam to be added to: pointers to the first of them, null for layers that are not kept. The label
+  /// layers are a majority vote weighted by energy. Where nothing echoed, only `surface` means anything.
+  struct Cells {
+    float* energy = nullptr;
+    float* weight = nullptr;
+    std::uint32_t* surface = nullptr;   ///< Instance and material, see echo/echo.h; all ones where nothing echoed.
+    float* lead = nullptr;              ///< Energy by which the label leads all others together.
+    float* label_energy = nullptr;      ///< Energy deposited while it led.
+    float* elevation_moment = nullptr;  ///< Sum of energy x elevation over that [rad].
+    SurfaceTally* tallies = nullptr;    ///< See echo/surface_tally.h.
   };
-  [[nodiscard]] LabelRows label_rows(int beam) {
-    const std::size_t cell = start(1, beam);
-    return {&surface_[cell], &lead_[cell], &label_energy_[cell], &elevation_moment_[cell]};
-  }
-  struct ConstLabelRows {
+  [[nodiscard]] Cells to_fill(int order, int beam, BinRange bins);
+
+  /// The label layers of one beam. They mean nothing outside filled().
+  struct LabelRows {
     const std::uint32_t* surface;
     const float* energy;
     const float* elevation_moment;
   };
-  [[nodiscard]] ConstLabelRows label_rows(int beam) const {
+  [[nodiscard]] LabelRows label_rows(int beam) const {
     const std::size_t cell = start(1, beam);
     return {&surface_[cell], &label_energy_[cell], &elevation_moment_[cell]};
   }
@@ -102,8 +123,7 @@ class EchoGrid {
   [[nodiscard]] std::vector<LoneEcho>& lone_echoes() { return lone_echoes_; }
   [[nodiscard]] const std::vector<LoneEcho>& lone_echoes() const { return lone_echoes_; }
 
-  /// With GroundTruth::kFull only. Surfaces of one beam's cells, see echo/surface_tally.h ...
-  [[nodiscard]] std::span<SurfaceTally> tallies(int beam) { return {&tallies_[start(1, beam)], length()}; }
+  /// With GroundTruth::kFull only. Surfaces of one beam's cells, see echo/surface_tally.h; nothing outside filled() ...
   [[nodiscard]] std::span<const SurfaceTally> tallies(int beam) const { return {&tallies_[start(1, beam)], length()}; }
   /// ... and the solid angle of it that surfaces take before the near edge of bin 0 [sr].
   [[nodiscard]] float& met_before(int beam) { return met_before_[beam]; }
@@ -118,6 +138,8 @@ class EchoGrid {
   void clear() { clear(0, beam_count_); }
 
  private:
+  void set_up(int beam, BinRange bins);
+  void take_cell(const EchoGrid& other, std::size_t from, std::size_t to);
   [[nodiscard]] std::size_t length() const { return static_cast<std::size_t>(bin_count_); }
   [[nodiscard]] std::size_t start(int order, int beam) const {
     return (static_cast<std::size_t>(order - 1) * beam_count_ + beam) * bin_count_;
@@ -126,12 +148,16 @@ class EchoGrid {
   int beam_count_ = 0, bin_count_ = 0, order_count_ = 0;
   GroundTruth ground_truth_ = GroundTruth::kLabels;
   bool labelled_ = true;
-  std::vector<float> energy_, weight_;  // [order][beam][bin]
-  std::vector<std::uint32_t> surface_;  // [beam][bin]
-  std::vector<float> lead_, label_energy_, elevation_moment_;
+  template <typename Value>
+  using Layer = std::vector<Value, ZeroedMemory<Value>>;
+  Layer<float> energy_, weight_;  // [order][beam][bin]; zero where nothing is filled.
+  // [beam][bin]; set up when they are filled.
+  Layer<std::uint32_t> surface_;
+  Layer<float> lead_, label_energy_, elevation_moment_;
+  Layer<SurfaceTally> tallies_;
+  std::vector<float> met_before_;  // [beam]
+  std::vector<BinRange> filled_;   // [beam]
   std::vector<LoneEcho> lone_echoes_;
-  std::vector<SurfaceTally> tallies_;  // [beam][bin]
-  std::vector<float> met_before_;      // [beam]
 };
 
 /// Takes the beams of a grid as they are completed, while their cells are still in the nearest memory.

@@ -16,28 +16,32 @@ namespace {
 constexpr std::size_t kMostBoxes = 64;
 
 // Of what is sorted into boxes: in larger scenes neighbouring triangles go together.
-constexpr std::size_t kMostPieces = 1 << 14;
+constexpr std::size_t kMostPieces = 1 << 12;
 
 // Less than the clearance of a ray at its start: rays that leave a flat wall leave its box.
 constexpr float kMargin = 1e-4F;
 
+// The fourth coordinate is for the processor, which takes four at a time.
+using Corner = Eigen::Array4f;
+
 struct Box {
-  Vec3f low = Vec3f::Constant(1e30F), high = Vec3f::Constant(-1e30F);
+  Corner low = Corner::Constant(1e30F), high = Corner::Constant(-1e30F);
 
   void add(const Vec3f& point) {
-    low = low.cwiseMin(point);
-    high = high.cwiseMax(point);
+    const Corner corner(point.x(), point.y(), point.z(), 0);
+    low = low.min(corner);
+    high = high.max(corner);
   }
   void add(const Box& other) {
-    low = low.cwiseMin(other.low);
-    high = high.cwiseMax(other.high);
+    low = low.min(other.low);
+    high = high.max(other.high);
   }
   [[nodiscard]] bool empty() const { return low.x() > high.x(); }
   [[nodiscard]] float area() const {
-    const Vec3f size = high - low;
+    const Corner size = high - low;
     return size.x() * size.y() + size.y() * size.z() + size.z() * size.x();
   }
-  [[nodiscard]] float volume() const { return (high - low).prod(); }
+  [[nodiscard]] float volume() const { return (high - low).head<3>().prod(); }
 };
 
 // Pieces [first, last), and how they are best parted: by where along an axis their middles lie.
@@ -50,23 +54,41 @@ struct Node {
 
 constexpr int kBins = 16;
 
-// Bin of a piece's middle, of those that its node's box is cut into along an axis.
-int bin_of(const Box& piece, const Box& all, int axis) {
-  const float middle = 0.5F * (piece.low[axis] + piece.high[axis]);
-  const float share = (middle - all.low[axis]) / (all.high[axis] - all.low[axis]);
-  return std::clamp(static_cast<int>(share * kBins), 0, kBins - 1);
-}
+// Bins of a piece's middle, of those that its node's box is cut into along each axis. All 0 where the box is flat.
+using BinOfAxes = Eigen::Array4i;
+class Binning {
+ public:
+  explicit Binning(const Box& all) : low_(all.low) {
+    const Corner size = all.high - all.low;
+    per_length_ = (size > 0).select(kBins / size.max(1e-30F), Corner::Zero());
+  }
+
+  [[nodiscard]] BinOfAxes operator()(const Box& piece) const {
+    const Corner place = (0.5F * (piece.low + piece.high) - low_) * per_length_;
+    return place.min(kBins - 0.5F).cast<int>();
+  }
+
+ private:
+  Corner low_, per_length_;
+};
 
 std::vector<Box> pieces_of(const Instance& instance, const Vec3& origin, std::size_t together) {
   const Mesh& mesh = *instance.mesh;
+  const Eigen::Matrix3d rotation = instance.world_from_mesh.orientation.toRotationMatrix();
+  const Vec3 offset = instance.world_from_mesh.position - origin;
+  std::vector<Vec3f> vertices;
+  vertices.reserve(mesh.vertices.size());
+  for (const Vec3f& vertex : mesh.vertices) {
+    vertices.push_back((rotation * vertex.cast<double>() + offset).cast<float>());
+  }
   std::vector<Box> pieces;
+  pieces.reserve(mesh.triangles.size() / together + 1);
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     if (t % together == 0) {
       pieces.emplace_back();
     }
     for (const std::uint32_t corner : mesh.triangles[t]) {
-      const Vec3 place = instance.world_from_mesh * mesh.vertices[corner].cast<double>();
-      pieces.back().add((place - origin).cast<float>());
+      pieces.back().add(vertices[corner]);
     }
   }
   return pieces;
@@ -78,14 +100,17 @@ Node make_node(const std::vector<Box>& pieces, std::size_t first, std::size_t la
   for (std::size_t i = first; i < last; ++i) {
     node.box.add(pieces[i]);
   }
+  Box bins_of_axis[3][kBins];
+  const Binning bin_of(node.box);
+  for (std::size_t i = first; i < last; ++i) {
+    const BinOfAxes bin = bin_of(pieces[i]);
+    for (int axis = 0; axis < 3; ++axis) {
+      bins_of_axis[axis][bin[axis]].add(pieces[i]);
+    }
+  }
   for (int axis = 0; axis < 3; ++axis) {
-    if (!(node.box.high[axis] > node.box.low[axis])) {
-      continue;
-    }
-    Box bins[kBins], above[kBins];  // Of each bin, and of all from it on.
-    for (std::size_t i = first; i < last; ++i) {
-      bins[bin_of(pieces[i], node.box, axis)].add(pieces[i]);
-    }
+    const Box* bins = bins_of_axis[axis];
+    Box above[kBins];  // Of all from a bin on.
     above[kBins - 1] = bins[kBins - 1];
     for (int bin = kBins - 2; bin > 0; --bin) {
       above[bin] = bins[bin];
@@ -115,9 +140,9 @@ std::vector<Node> cut(std::vector<Box>& pieces) {
     }
     const Node node = best;
     const auto at = [&](std::size_t i) { return pieces.begin() + static_cast<std::ptrdiff_t>(i); };
-    const auto middle = std::partition(at(node.first), at(node.last), [&](const Box& piece) {
-      return bin_of(piece, node.box, node.axis) < node.parting;
-    });
+    const Binning bin_of(node.box);
+    const auto middle = std::partition(at(node.first), at(node.last),
+                                       [&](const Box& piece) { return bin_of(piece)[node.axis] < node.parting; });
     const auto parted = static_cast<std::size_t>(middle - pieces.begin());
     best = make_node(pieces, node.first, parted);
     nodes.push_back(make_node(pieces, parted, node.last));
@@ -155,8 +180,8 @@ void BoxCut::set(const Scene& scene, const Vec3& origin) {
       for (const Vec3f& vertex : instance.mesh->vertices) {
         box.add(vertex);
       }
-      moving.low = box.low;
-      moving.high = box.high;
+      moving.low = box.low.head<3>();
+      moving.high = box.high.head<3>();
     } else {
       const std::vector<Box> more = pieces_of(instance, origin, together);
       pieces.insert(pieces.end(), more.begin(), more.end());
@@ -165,7 +190,7 @@ void BoxCut::set(const Scene& scene, const Vec3& origin) {
   const std::vector<Node> nodes = pieces.empty() ? std::vector<Node>() : cut(pieces);
   resize(nodes.size() + moving_.size());
   for (std::size_t i = 0; i < nodes.size(); ++i) {
-    put(i, nodes[i].box.low, nodes[i].box.high);
+    put(i, nodes[i].box.low.head<3>(), nodes[i].box.high.head<3>());
   }
   for (std::size_t i = 0; i < moving_.size(); ++i) {
     moving_[i].box = nodes.size() + i;
@@ -184,7 +209,7 @@ void BoxCut::move(int instance, const Pose& scene_from_mesh) {
                       (corner & 4) != 0 ? moving->high.z() : moving->low.z());
     box.add((scene_from_mesh * place.cast<double>()).cast<float>());
   }
-  put(moving->box, box.low, box.high);
+  put(moving->box, box.low.head<3>(), box.high.head<3>());
 }
 
 INSONIFY_VECTOR_CLONES

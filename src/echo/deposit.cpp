@@ -62,12 +62,11 @@ void take_unlabelled(int count, float* __restrict__ run_energy, float* __restric
   }
 }
 
-void tally(int first, int count, SurfaceLabel surface, float datum, SurfaceSums& sums,
-           std::span<SurfaceTally> tallies) {
+void tally(int first, int count, SurfaceLabel surface, float datum, SurfaceSums& sums, SurfaceTally* tallies) {
   for (int bin = first; bin < first + count; ++bin) {
     const float energy = sums.energy[bin];
     if (energy > 0) {
-      add_surface(tallies[bin], {surface, energy, sums.moment[bin] - energy * datum, sums.square[bin]});
+      add_surface(tallies[bin - first], {surface, energy, sums.moment[bin] - energy * datum, sums.square[bin]});
     }
     sums.square[bin] = 0;
   }
@@ -79,19 +78,18 @@ using Run = SurfaceRun<kTruth == GroundTruth::kFull>;
 template <GroundTruth kTruth>
 void finish(Run<kTruth>& run, SurfaceSums& sums, SurfaceLabel surface, float datum, int beam, EchoGrid& grid) {
   const int first = run.first();
-  const int count = std::min(run.last(), grid.bin_count()) - first;
-  if (count > 0) {
-    float* energy = grid.energy(1, beam).data() + first;
-    float* weight = grid.weight(1, beam).data() + first;
+  const int last = std::min(run.last(), grid.bin_count());
+  if (first < last) {
+    const EchoGrid::Cells cells = grid.to_fill(1, beam, {first, last});
+    const int count = last - first;
     if constexpr (kTruth == GroundTruth::kFull) {
-      tally(first, count, surface, datum, sums, grid.tallies(beam));
+      tally(first, count, surface, datum, sums, cells.tallies);
     }
     if constexpr (kTruth != GroundTruth::kNone) {
-      const EchoGrid::LabelRows labels = grid.label_rows(beam);
-      take(count, surface, &sums.energy[first], &sums.weight[first], &sums.moment[first], energy, weight,
-           labels.surface + first, labels.lead + first, labels.energy + first, labels.elevation_moment + first);
+      take(count, surface, &sums.energy[first], &sums.weight[first], &sums.moment[first], cells.energy, cells.weight,
+           cells.surface, cells.lead, cells.label_energy, cells.elevation_moment);
     } else {
-      take_unlabelled(count, &sums.energy[first], &sums.weight[first], &sums.moment[first], energy, weight);
+      take_unlabelled(count, &sums.energy[first], &sums.weight[first], &sums.moment[first], cells.energy, cells.weight);
     }
   }
   run.restart();
@@ -227,20 +225,20 @@ void deposit(const PingPlan& plan, const Echo& echo, EchoGrid& grid) {
     return;
   }
   const float energy = echo.weight * echo.power;
-  grid.energy(echo.order, beam)[bin] += energy;
-  grid.weight(echo.order, beam)[bin] += echo.weight;
+  const EchoGrid::Cells cell = grid.to_fill(echo.order, beam, {bin, bin + 1});
+  *cell.energy += energy;
+  *cell.weight += echo.weight;
   if (grid.labelled()) {
-    const EchoGrid::LabelRows labels = grid.label_rows(beam);
-    const Vote vote = counted({labels.surface[bin], labels.lead[bin], labels.energy[bin], labels.elevation_moment[bin]},
-                              echo.surface, energy, energy * echo.elevation, echo.weight);
-    labels.surface[bin] = vote.surface;
-    labels.lead[bin] = vote.lead;
-    labels.energy[bin] = vote.energy;
-    labels.elevation_moment[bin] = vote.moment;
+    const Vote vote = counted({*cell.surface, *cell.lead, *cell.label_energy, *cell.elevation_moment}, echo.surface,
+                              energy, energy * echo.elevation, echo.weight);
+    *cell.surface = vote.surface;
+    *cell.lead = vote.lead;
+    *cell.label_energy = vote.energy;
+    *cell.elevation_moment = vote.moment;
   }
   if (grid.ground_truth() == GroundTruth::kFull && energy > 0) {
     const float elevation = echo.elevation - plan.middle_elevation;
-    add_surface(grid.tallies(beam)[bin], {echo.surface, energy, energy * elevation, energy * elevation * elevation});
+    add_surface(*cell.tallies, {echo.surface, energy, energy * elevation, energy * elevation * elevation});
   }
 }
 

@@ -15,22 +15,65 @@ EchoGrid::EchoGrid(int beam_count, int bin_count, int order_count, GroundTruth g
       ground_truth_(ground_truth),
       labelled_(labelled || ground_truth != GroundTruth::kNone),
       energy_(static_cast<std::size_t>(order_count) * beam_count * bin_count),
-      weight_(energy_.size()) {
+      weight_(energy_.size()),
+      filled_(beam_count) {
   const std::size_t cells = static_cast<std::size_t>(beam_count) * bin_count;
   if (labelled_) {
-    surface_.resize(cells, kNoSurface);
-    lead_.resize(cells);
-    label_energy_.resize(cells);
-    elevation_moment_.resize(cells);
+    surface_ = Layer<std::uint32_t>(cells);
+    lead_ = Layer<float>(cells);
+    label_energy_ = Layer<float>(cells);
+    elevation_moment_ = Layer<float>(cells);
   }
   if (ground_truth == GroundTruth::kFull) {
-    tallies_.resize(cells);
+    tallies_ = Layer<SurfaceTally>(cells);
     met_before_.resize(beam_count);
   }
 }
 
+// Where nothing leads, the rest of the label means nothing.
+void EchoGrid::set_up(int beam, BinRange bins) {
+  if (bins.empty()) {
+    return;
+  }
+  const std::size_t cell = start(1, beam) + bins.first;
+  const int count = bins.last - bins.first;
+  if (labelled_) {
+    std::fill_n(&surface_[cell], count, kNoSurface);
+  }
+  if (ground_truth_ == GroundTruth::kFull) {
+    std::fill_n(&tallies_[cell], count, SurfaceTally{});
+  }
+}
+
+EchoGrid::Cells EchoGrid::to_fill(int order, int beam, BinRange bins) {
+  const BinRange before = filled_[beam], now = before | bins;
+  if (before.empty()) {
+    set_up(beam, now);
+  } else {
+    set_up(beam, {now.first, before.first});
+    set_up(beam, {before.last, now.last});
+  }
+  filled_[beam] = now;
+
+  const std::size_t cell = start(1, beam) + bins.first;
+  const std::size_t of_order = start(order, beam) + bins.first;
+  Cells cells;
+  cells.energy = &energy_[of_order];
+  cells.weight = &weight_[of_order];
+  if (labelled_) {
+    cells.surface = &surface_[cell];
+    cells.lead = &lead_[cell];
+    cells.label_energy = &label_energy_[cell];
+    cells.elevation_moment = &elevation_moment_[cell];
+  }
+  if (ground_truth_ == GroundTruth::kFull) {
+    cells.tallies = &tallies_[cell];
+  }
+  return cells;
+}
+
 EchoGrid::Label EchoGrid::label(int beam, int bin) const {
-  if (!labelled_) {
+  if (!labelled_ || !filled_[beam].has(bin)) {
     return {};
   }
   const std::size_t cell = start(1, beam) + bin;
@@ -39,46 +82,46 @@ EchoGrid::Label EchoGrid::label(int beam, int bin) const {
           energy > 0 ? elevation_moment_[cell] / energy : 0.0F};
 }
 
-void EchoGrid::take_cells(const EchoGrid& other, int beam, std::span<const std::int32_t> sources) {
-  clear(beam, beam + 1);
-  const auto take = [&](auto& layer, const auto& from, int order) {
-    const std::size_t first = start(order, 0);
-    for (std::size_t bin = 0; bin < sources.size(); ++bin) {
-      if (sources[bin] >= 0) {
-        layer[start(order, beam) + bin] = from[first + static_cast<std::size_t>(sources[bin])];
-      }
-    }
-  };
+void EchoGrid::take_cell(const EchoGrid& other, std::size_t from, std::size_t to) {
   for (int order = 1; order <= order_count_; ++order) {
-    take(energy_, other.energy_, order);
-    take(weight_, other.weight_, order);
+    const std::size_t first = start(order, 0);
+    energy_[first + to] = other.energy_[first + from];
+    weight_[first + to] = other.weight_[first + from];
   }
   if (labelled_) {
-    take(surface_, other.surface_, 1);
-    take(lead_, other.lead_, 1);
-    take(label_energy_, other.label_energy_, 1);
-    take(elevation_moment_, other.elevation_moment_, 1);
+    surface_[to] = other.surface_[from];
+    lead_[to] = other.lead_[from];
+    label_energy_[to] = other.label_energy_[from];
+    elevation_moment_[to] = other.elevation_moment_[from];
   }
   if (ground_truth_ == GroundTruth::kFull) {
-    take(tallies_, other.tallies_, 1);
+    tallies_[to] = other.tallies_[from];
+  }
+}
+
+void EchoGrid::take_cells(const EchoGrid& other, int beam, std::span<const std::int32_t> sources) {
+  clear(beam, beam + 1);
+  for (int bin = 0; bin < static_cast<int>(sources.size()); ++bin) {
+    if (sources[bin] >= 0 && other.filled(sources[bin] / bin_count_).has(sources[bin] % bin_count_)) {
+      (void)to_fill(1, beam, {bin, bin + 1});
+      take_cell(other, static_cast<std::size_t>(sources[bin]), start(1, beam) + bin);
+    }
+  }
+  if (ground_truth_ == GroundTruth::kFull) {
     met_before_[beam] = other.met_before_[beam];
   }
 }
 
 void EchoGrid::clear(int first_beam, int last_beam) {
-  const auto fill = [&](auto& layer, int order, auto value) {
-    std::fill(layer.begin() + static_cast<std::ptrdiff_t>(start(order, first_beam)),
-              layer.begin() + static_cast<std::ptrdiff_t>(start(order, last_beam)), value);
-  };
-  for (int order = 1; order <= order_count_; ++order) {
-    fill(energy_, order, 0.0F);
-    fill(weight_, order, 0.0F);
-  }
-  if (labelled_) {
-    fill(surface_, 1, kNoSurface);  // Where nothing leads, the rest of the label means nothing.
+  for (int beam = first_beam; beam < last_beam; ++beam) {
+    const BinRange bins = filled_[beam];
+    for (int order = 1; order <= order_count_ && !bins.empty(); ++order) {
+      std::fill_n(&energy_[start(order, beam) + bins.first], bins.last - bins.first, 0.0F);
+      std::fill_n(&weight_[start(order, beam) + bins.first], bins.last - bins.first, 0.0F);
+    }
+    filled_[beam] = {};
   }
   if (ground_truth_ == GroundTruth::kFull) {
-    fill(tallies_, 1, SurfaceTally{});
     std::fill(met_before_.begin() + first_beam, met_before_.begin() + last_beam, 0.0F);
   }
 }

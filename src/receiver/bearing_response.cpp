@@ -51,24 +51,26 @@ BearingResponse::BearingResponse(const ArrayPattern& pattern, double length, std
   }
 }
 
-void BearingResponse::hear_energy(std::span<const float> cells, std::span<float> beams, int bin_count,
-                                  Bins bins) const {
+void BearingResponse::hear_energy(std::span<const float> cells, std::span<float> beams, int bin_count, BinRange bins,
+                                  BinRange filled) const {
   assert(cells.size() == static_cast<std::size_t>(cell_count()) * bin_count);
   assert(beams.size() == static_cast<std::size_t>(beam_count()) * bin_count);
   clear_bins(beams.data(), beam_count(), bin_count, bins.first, bins.last);
-  energy_.add_product(cells.data(), beams.data(), bin_count, bins.first, bins.last, GainMatrix::Turn::kNone);
+  const BinRange added = bins & filled;
+  energy_.add_product(cells.data(), beams.data(), bin_count, added.first, added.last, GainMatrix::Turn::kNone);
 }
 
 // A complex number is a pair of floats, which real gains multiply alike. The imaginary part of a gain multiplies the
 // field turned by a quarter.
 void BearingResponse::hear_field(std::span<const std::complex<float>> cells, std::span<std::complex<float>> beams,
-                                 int bin_count, Bins bins) const {
+                                 int bin_count, BinRange bins, BinRange filled) const {
   assert(cells.size() == static_cast<std::size_t>(cell_count()) * bin_count);
   assert(beams.size() == static_cast<std::size_t>(beam_count()) * bin_count);
   const auto* from = reinterpret_cast<const float*>(cells.data());
   auto* to = reinterpret_cast<float*>(beams.data());
-  const int stride = 2 * bin_count, first = 2 * bins.first, last = 2 * bins.last;
-  clear_bins(to, beam_count(), stride, first, last);
+  const BinRange added = bins & filled;
+  const int stride = 2 * bin_count, first = 2 * added.first, last = 2 * added.last;
+  clear_bins(to, beam_count(), stride, 2 * bins.first, 2 * bins.last);
   in_phase_.add_product(from, to, stride, first, last, GainMatrix::Turn::kNone);
   if (quadrature_.beam_count() > 0) {
     quadrature_.add_product(from, to, stride, first, last, GainMatrix::Turn::kQuarter);

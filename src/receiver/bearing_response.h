@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "insonify/array_pattern.h"
+#include "insonify/echo_grid.h"
 #include "receiver/gain_matrix.h"
 
 namespace insonify {
@@ -42,20 +43,18 @@ class BearingResponse {
   /// Cells that are added up over all there are: the time goes with it, 0..1.
   [[nodiscard]] double filled() const { return energy_.filled(); }
 
-  /// Bins to work on: threads share a ping by its bins. The result does not depend on how.
-  struct Bins {
-    int first, last;  ///< [first, last)
-  };
-
   /// beams = |g|^2 cells, of energy. Allocates nothing.
   /// @param cells      [cell][bin]
   /// @param beams      [beam][bin], written.
   /// @param bin_count  Of a row of either.
-  void hear_energy(std::span<const float> cells, std::span<float> beams, int bin_count, Bins bins) const;
+  /// @param bins       To work on: threads share a ping by its bins. The result does not depend on how.
+  /// @param filled     Bins outside which cells hold nothing: no need to add that up.
+  void hear_energy(std::span<const float> cells, std::span<float> beams, int bin_count, BinRange bins,
+                   BinRange filled) const;
 
   /// beams = g cells, of a complex field; the same shapes. Twice the work of energy, with faulty elements four times.
   void hear_field(std::span<const std::complex<float>> cells, std::span<std::complex<float>> beams, int bin_count,
-                  Bins bins) const;
+                  BinRange bins, BinRange filled) const;
 
  private:
   ArrayPattern pattern_;

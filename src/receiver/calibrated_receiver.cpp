@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 
 #include "echo/echo.h"
 #include "receiver/normal_numbers.h"
@@ -17,12 +16,24 @@ constexpr float kTiny = 1e-37F;  // Keeps what divides from being zero.
 
 }  // namespace
 
+BinRange CalibratedReceiver::filled_bins(const EchoGrid& grid, int cell) const {
+  return volume_.empty() ? grid.filled(cell) : BinRange{0, bins_};
+}
+
+BinRange CalibratedReceiver::heard_bins(const EchoGrid& grid, int cell) const {
+  const BinRange filled = filled_bins(grid, cell);
+  return range_ ? range_->heard_from(filled, bins_) : filled;
+}
+
 // Echo of all path orders, and of the water from directions that no surface has closed yet.
 void CalibratedReceiver::sum_energy(const EchoGrid& grid, int cell, std::span<float> energy) const {
   std::ranges::fill(energy, 0.0F);
-  for (int order = 1; order <= grid.order_count(); ++order) {
+  const BinRange bins = grid.filled(cell);
+  for (int order = 1; order <= grid.order_count() && !bins.empty(); ++order) {
     const std::span<const float> layer = grid.energy(order, cell);
-    std::ranges::transform(energy, layer, energy.begin(), std::plus());
+    for (int bin = bins.first; bin < bins.last; ++bin) {
+      energy[bin] += layer[bin];
+    }
   }
   if (!volume_.empty()) {
     const std::span<const float> met = grid.weight(1, cell);
@@ -34,41 +45,50 @@ void CalibratedReceiver::sum_energy(const EchoGrid& grid, int cell, std::span<fl
   }
 }
 
-// One cell's echo and what the pulse makes of it.
+// One cell's echo and what the pulse makes of it. The rest of its bins stay silent.
 void CalibratedReceiver::hear_cell(const EchoGrid& grid, int cell, const Speckle::View& view, Row& row) {
   const auto bins = static_cast<std::size_t>(bins_);
+  const BinRange filled = filled_bins(grid, cell), heard = heard_bins(grid, cell);
   row.energy.resize(bins);
-  if (speckle_) {
-    const std::span<std::complex<float>> heard(&cell_field_[bins * cell], bins);
-    sum_energy(grid, cell, row.energy);
-    speckle_->locate(view, cell, grid, row.scatterers);
-    if (clutter_->any()) {
-      clutter_->texture(view, row.scatterers, grid.label_rows(cell).surface, row.energy);
-    }
+  sum_energy(grid, cell, row.energy);
+  const auto within = [&](auto&& of_row) { return std::span(of_row).subspan(heard.first, heard.last - heard.first); };
+  if (!speckle_) {
+    const std::span<float> beam(&cell_energy_[bins * cell], bins);
+    std::ranges::copy(row.energy, beam.begin());
     if (range_) {
-      row.field.resize(bins);
-      speckle_->draw(view, row.scatterers, row.energy, row.field);
-      range_->hear_field(row.field, heard);
-    } else {
-      speckle_->draw(view, row.scatterers, row.energy, heard);
+      range_->hear_energy(within(row.energy), within(beam));
     }
     return;
   }
-  const std::span<float> heard(&cell_energy_[bins * cell], bins);
-  if (range_) {
-    sum_energy(grid, cell, row.energy);
-    range_->hear_energy(row.energy, heard);
-  } else {
-    sum_energy(grid, cell, heard);
+  const std::span<std::complex<float>> beam(&cell_field_[bins * cell], bins);
+  std::ranges::fill(beam, 0.0F);
+  if (filled.empty()) {
+    return;
   }
+  speckle_->locate(view, cell, filled, grid, row.scatterers);
+  if (clutter_->any()) {
+    clutter_->texture(view, row.scatterers, row.energy);
+  }
+  if (!range_) {
+    speckle_->draw(view, row.scatterers, row.energy, beam);
+    return;
+  }
+  row.field.resize(bins);
+  std::ranges::fill(within(row.field), 0.0F);
+  speckle_->draw(view, row.scatterers, row.energy, row.field);
+  range_->hear_field(within(row.field), within(beam));
 }
 
 // Beams of the cells.
-void CalibratedReceiver::hear_bearings(Workers& workers) {
+void CalibratedReceiver::hear_bearings(const EchoGrid& grid, Workers& workers) {
+  BinRange heard;
+  for (int cell = 0; cell < cells_; ++cell) {
+    heard = heard | heard_bins(grid, cell);
+  }
   workers.for_each((bins_ + kBinsATask - 1) / kBinsATask, [&](int task, int) {
-    const BearingResponse::Bins bins{task * kBinsATask, std::min((task + 1) * kBinsATask, bins_)};
-    speckle_ ? bearing_->hear_field(cell_field_, beam_field_, bins_, bins)
-             : bearing_->hear_energy(cell_energy_, beam_energy_, bins_, bins);
+    const BinRange bins{task * kBinsATask, std::min((task + 1) * kBinsATask, bins_)};
+    speckle_ ? bearing_->hear_field(cell_field_, beam_field_, bins_, bins, heard)
+             : bearing_->hear_energy(cell_energy_, beam_energy_, bins_, bins, heard);
   });
 }
 
@@ -109,7 +129,7 @@ void CalibratedReceiver::hear(const EchoGrid& still, const Pose& world_from_sona
   rows_.resize(std::max(rows_.size(), static_cast<std::size_t>(workers.count())));
   workers.for_each(cells_, [&](int cell, int worker) { hear_cell(grid, cell, view, rows_[worker]); });
   if (bearing_) {
-    hear_bearings(workers);
+    hear_bearings(grid, workers);
   }
   const LoneEchoes lone(bearing_ ? &*bearing_ : nullptr, range_ ? &*range_ : nullptr, beams_, bins_);
   hear_lone_echoes(grid, lone);
@@ -170,9 +190,11 @@ void CalibratedReceiver::take_strongest_labels(const EchoGrid& grid, const TileP
   float strongest[kTileBins];
   std::copy_n(grid.label_rows(first).energy + place.first_bin, place.bin_count, strongest);
   for (int cell = first + 1; cell < first + cells_per_beam_; ++cell) {
-    const EchoGrid::ConstLabelRows labels = grid.label_rows(cell);
-    for (int i = 0; i < place.bin_count; ++i) {
-      const int bin = place.first_bin + i;
+    const BinRange bins = grid.filled(cell) & place.bins();
+    const EchoGrid::LabelRows labels = grid.label_rows(cell);
+    tile.named = tile.named || !bins.empty();
+    for (int bin = bins.first; bin < bins.last; ++bin) {
+      const int i = bin - place.first_bin;
       const bool silent = tile.surface[beam_of_tile][i] == kNoSurface;
       if (labels.surface[bin] != kNoSurface && (silent || labels.energy[bin] > strongest[i])) {
         strongest[i] = labels.energy[bin];

@@ -61,9 +61,12 @@ class CalibratedReceiver {
   };
 
   void move(const EchoGrid& grid, const PingMotion& motion, Workers& workers);
+  // Bins of a cell in which there is anything, before the pulse and after it.
+  [[nodiscard]] BinRange filled_bins(const EchoGrid& grid, int cell) const;
+  [[nodiscard]] BinRange heard_bins(const EchoGrid& grid, int cell) const;
   void sum_energy(const EchoGrid& grid, int cell, std::span<float> energy) const;
   void hear_cell(const EchoGrid& grid, int cell, const Speckle::View& view, Row& row);
-  void hear_bearings(Workers& workers);
+  void hear_bearings(const EchoGrid& grid, Workers& workers);
   void hear_lone_echoes(const EchoGrid& grid, const LoneEchoes& lone);
   void hear_tile(const EchoGrid& grid, const TilePlace& place, Ping& ping) const;
   void take_strongest_labels(const EchoGrid& grid, const TilePlace& place, int beam_of_tile, HeardTile& tile) const;

@@ -58,11 +58,11 @@ Clutter::Clutter(std::span<const Material> materials, int cells, int bins)
   }
 }
 
-void Clutter::texture(const Speckle::View& view, const Speckle::Row& row, const std::uint32_t* surface,
-                      std::span<float> energy) const {
+void Clutter::texture(const Speckle::View& view, const Speckle::Row& row, std::span<float> energy) const {
   const std::uint32_t key = view.key ^ static_cast<std::uint32_t>(RandomPurpose::kClutter) << 24;
-  for (std::size_t bin = 0; bin < energy.size(); ++bin) {
-    const int table = surface[bin] == kNoSurface ? -1 : table_[material_of(surface[bin])];
+  for (int bin = row.bins.first; bin < row.bins.last; ++bin) {
+    const SurfaceLabel surface = row.surface[bin];
+    const int table = surface == kNoSurface ? -1 : table_[material_of(surface)];
     if (table >= 0) {
       const PhiloxPair words = philox({row.range[bin] / bins_, row.bearing / cells_}, key);
       const float share = uniform_open(words[0]);

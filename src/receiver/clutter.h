@@ -38,9 +38,7 @@ class Clutter {
   [[nodiscard]] bool any() const { return !quantiles_.empty(); }
 
   /// Multiplies the energies of a row of cells.
-  /// @param surface  Labels of the cells.
-  void texture(const Speckle::View& view, const Speckle::Row& row, const std::uint32_t* surface,
-               std::span<float> energy) const;
+  void texture(const Speckle::View& view, const Speckle::Row& row, std::span<float> energy) const;
 
  private:
   std::uint32_t cells_, bins_;

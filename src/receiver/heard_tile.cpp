@@ -65,10 +65,19 @@ void fetch_rows(const TilePlace& place, int beam_of_tile, bool labelled, const P
 }
 
 void take_labels(const EchoGrid& grid, int row, const TilePlace& place, int beam_of_tile, HeardTile& tile) {
-  const EchoGrid::ConstLabelRows labels = grid.label_rows(row);
-  std::copy_n(labels.surface + place.first_bin, place.bin_count, tile.surface[beam_of_tile]);
-  divide_or_nan(place.bin_count, tile.surface[beam_of_tile], labels.elevation_moment + place.first_bin,
-                labels.energy + place.first_bin, tile.elevation[beam_of_tile]);
+  SurfaceLabel* surface = tile.surface[beam_of_tile];
+  float* elevation = tile.elevation[beam_of_tile];
+  std::fill_n(surface, place.bin_count, kNoSurface);
+  std::fill_n(elevation, place.bin_count, std::numeric_limits<float>::quiet_NaN());
+  const BinRange bins = grid.filled(row) & place.bins();
+  if (bins.empty()) {
+    return;
+  }
+  tile.named = true;
+  const EchoGrid::LabelRows labels = grid.label_rows(row);
+  const int count = bins.last - bins.first, at = bins.first - place.first_bin;
+  std::copy_n(labels.surface + bins.first, count, surface + at);
+  divide_or_nan(count, surface + at, labels.elevation_moment + bins.first, labels.energy + bins.first, elevation + at);
 }
 
 INSONIFY_VECTOR_CLONES
@@ -76,7 +85,7 @@ void write_tile(const HeardTile& tile, const TilePlace& place, bool labelled, Pi
   BinTile<float> intensity, elevation;
   BinTile<std::uint32_t> surface;
   turn_tile(tile.intensity, intensity);
-  if (labelled) {
+  if (labelled && tile.named) {
     turn_tile(tile.elevation, elevation);
     turn_tile(tile.surface, surface);
   }
@@ -84,6 +93,12 @@ void write_tile(const HeardTile& tile, const TilePlace& place, bool labelled, Pi
     const std::size_t row = ping.index(place.first_bin + i, place.first_beam);
     copy_beams(intensity[i], place.beam_count, &ping.intensity[row]);
     if (!labelled) {
+      continue;
+    }
+    if (!tile.named) {
+      std::fill_n(&ping.instance[row], place.beam_count, kNoLabel);
+      std::fill_n(&ping.material[row], place.beam_count, kNoLabel);
+      std::fill_n(&ping.elevation[row], place.beam_count, std::numeric_limits<float>::quiet_NaN());
       continue;
     }
     std::uint16_t instance[kTileBeams], material[kTileBeams];

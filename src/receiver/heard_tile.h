@@ -16,12 +16,15 @@ namespace insonify {
 struct TilePlace {
   int first_beam, beam_count;
   int first_bin, bin_count;
+
+  [[nodiscard]] BinRange bins() const { return {first_bin, first_bin + bin_count}; }
 };
 
 /// What becomes of them, a beam at a time.
 struct HeardTile {
   BeamTile<float> intensity, elevation;
   BeamTile<std::uint32_t> surface;
+  bool named = false;  ///< Whether any cell has a label: else elevation and surface mean nothing.
 };
 
 /// Calls visit(place) for the tiles of beams [first, last).
@@ -43,7 +46,7 @@ void size_tables(Ping& ping, int beams, int bins, GroundTruth ground_truth);
 /// @param labelled  As for write_tile().
 void fetch_rows(const TilePlace& place, int beam_of_tile, bool labelled, const Ping& ping);
 
-/// Copies the ground truth of one row of the grid to one beam of the tile.
+/// Copies the labels of one row of the grid to one beam of the tile.
 void take_labels(const EchoGrid& grid, int row, const TilePlace& place, int beam_of_tile, HeardTile& tile);
 
 /// Writes a tile into the ping.

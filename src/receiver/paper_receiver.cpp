@@ -64,9 +64,10 @@ void PaperReceiver::hear_tile(const TilePlace& place) {
     fetch_rows(place, b, labelled, ping_);
     const int beam = place.first_beam + b;
     float* values = tile.intensity[b];
-    for (int order = 1; order <= grid_.order_count(); ++order) {
-      add_means(place.bin_count, &grid_.energy(order, beam)[place.first_bin],
-                &grid_.weight(order, beam)[place.first_bin], values);
+    const BinRange bins = grid_.filled(beam) & place.bins();
+    for (int order = 1; order <= grid_.order_count() && !bins.empty(); ++order) {
+      add_means(bins.last - bins.first, &grid_.energy(order, beam)[bins.first], &grid_.weight(order, beam)[bins.first],
+                values + (bins.first - place.first_bin));
     }
     if (noisy) {
       draw_normals(RandomPurpose::kPaperNoise, place.first_bin / kTileBins, beam, ping_.number, settings_.seed, noise);

@@ -111,6 +111,11 @@ float RangeResponse::amplitude(int bins_away) const {
   return tap >= 0 && tap < count_ ? amplitude_[row + tap] : 0.0F;
 }
 
+BinRange RangeResponse::heard_from(BinRange filled, int bin_count) const {
+  const BinRange heard{filled.first - (first_ + count_ - 1), filled.last - first_};
+  return filled.empty() ? filled : heard & BinRange{0, bin_count};
+}
+
 void RangeResponse::hear_energy(std::span<const float> cells, std::span<float> bins) const {
   convolve(cells, bins, cells_per_bin_, first_, count_, energy_, add_energy_taps);
 }

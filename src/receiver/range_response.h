@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "insonify/echo_grid.h"
 #include "insonify/pulse.h"
 
 namespace insonify {
@@ -28,6 +29,9 @@ class RangeResponse {
 
   /// Cells that each bin hears.
   [[nodiscard]] int taps() const { return taps_; }
+
+  /// Bins of a row of bin_count that hear anything when only these hold something.
+  [[nodiscard]] BinRange heard_from(BinRange filled, int bin_count) const;
 
   /// Sum of |p|^2 over the cells: what an echo of energy 1 in every cell reads.
   [[nodiscard]] double equivalent_cells() const { return equivalent_cells_; }

@@ -27,10 +27,10 @@ struct Place {
 // Which scatterer each cell has: the surface is at the elevation that its labels tell. How much farther it is from the
 // transducer than from the anchor: in the level plane, so that it does not depend on how well elevation is known.
 INSONIFY_VECTOR_CLONES
-void place(int bins, Place at, const std::uint32_t* __restrict__ surface, const float* __restrict__ energy,
+void place(BinRange bins, Place at, const std::uint32_t* __restrict__ surface, const float* __restrict__ energy,
            const float* __restrict__ elevation_moment, std::uint32_t* __restrict__ index, float* __restrict__ turns) {
   const float bins_per_metre = 1 / at.bin_length;
-  for (int bin = 0; bin < bins; ++bin) {
+  for (int bin = bins.first; bin < bins.last; ++bin) {
     const float range = at.first_range + static_cast<float>(bin) * at.bin_length;
     const float mean = elevation_moment[bin] / (energy[bin] + kTiny);
     const float elevation = surface[bin] == kNoSurface ? 0.0F : mean;
@@ -51,9 +51,10 @@ void place(int bins, Place at, const std::uint32_t* __restrict__ surface, const 
 
 // Box and Muller (1958), for both parts of a complex number at once.
 INSONIFY_VECTOR_CLONES
-void draw_row(int bins, std::uint32_t key, const std::uint32_t* __restrict__ range_index, std::uint32_t bearing_index,
-              const float* __restrict__ turns, const float* __restrict__ energy, float* __restrict__ field) {
-  for (int bin = 0; bin < bins; ++bin) {
+void draw_row(BinRange bins, std::uint32_t key, const std::uint32_t* __restrict__ range_index,
+              std::uint32_t bearing_index, const float* __restrict__ turns, const float* __restrict__ energy,
+              float* __restrict__ field) {
+  for (int bin = bins.first; bin < bins.last; ++bin) {
     const PhiloxPair words = philox({range_index[bin], bearing_index}, key);
     const float amplitude = std::sqrt(-fast_log(uniform_open(words[0])) * energy[bin]);
     const float angle = uniform_open(words[1]) + turns[bin];
@@ -103,7 +104,11 @@ Speckle::View Speckle::seen_from(const Pose& world_from_sonar) const {
   return view;
 }
 
-void Speckle::locate(const View& view, int cell, const EchoGrid& grid, Row& row) const {
+void Speckle::locate(const View& view, int cell, BinRange bins, const EchoGrid& grid, Row& row) const {
+  row.bins = bins;
+  row.surface.assign(bins_, kNoSurface);
+  const BinRange filled = grid.filled(cell);
+  std::copy_n(grid.label_rows(cell).surface + filled.first, filled.last - filled.first, &row.surface[filled.first]);
   row.range.resize(bins_);
   row.turns.resize(bins_);
   const float bearing = azimuth_[cell] + view.turned;
@@ -119,13 +124,13 @@ void Speckle::locate(const View& view, int cell, const EchoGrid& grid, Row& row)
                  .up = view.offset.z(),
                  .square = view.offset.squaredNorm(),
                  .facing = view.offset.x() * std::cos(middle) + view.offset.y() * std::sin(middle)};
-  const EchoGrid::ConstLabelRows labels = grid.label_rows(cell);
-  place(bins_, at, labels.surface, labels.energy, labels.elevation_moment, row.range.data(), row.turns.data());
+  const EchoGrid::LabelRows labels = grid.label_rows(cell);
+  place(bins, at, row.surface.data(), labels.energy, labels.elevation_moment, row.range.data(), row.turns.data());
 }
 
 void Speckle::draw(const View& view, const Row& row, std::span<const float> energy,
                    std::span<std::complex<float>> field) const {
-  draw_row(bins_, view.key, row.range.data(), row.bearing, row.turns.data(), energy.data(),
+  draw_row(row.bins, view.key, row.range.data(), row.bearing, row.turns.data(), energy.data(),
            reinterpret_cast<float*>(field.data()));
 }
 

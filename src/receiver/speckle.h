@@ -41,13 +41,16 @@ class Speckle {
 
   /// The scatterers of one row of cells.
   struct Row {
-    std::uint32_t bearing = 0;         ///< Index that tells them from those of other rows.
-    std::vector<std::uint32_t> range;  ///< Of each, within the row.
-    std::vector<float> turns;          ///< Phase of the way there and back, but for what does not change.
+    BinRange bins;                       ///< Whose scatterers they are.
+    std::vector<std::uint32_t> surface;  ///< Of each bin: instance and material, see echo/echo.h.
+    std::uint32_t bearing = 0;           ///< Index that tells the scatterers from those of other rows.
+    std::vector<std::uint32_t> range;    ///< Of each, within the row.
+    std::vector<float> turns;            ///< Phase of the way there and back, but for what does not change.
   };
-  void locate(const View& view, int cell, const EchoGrid& grid, Row& row) const;
+  /// Of the given bins alone.
+  void locate(const View& view, int cell, BinRange bins, const EchoGrid& grid, Row& row) const;
 
-  /// field = sqrt(energy) x the scatterers' random numbers.
+  /// field = sqrt(energy) x the scatterers' random numbers, in the bins that were located.
   void draw(const View& view, const Row& row, std::span<const float> energy,
             std::span<std::complex<float>> field) const;
 

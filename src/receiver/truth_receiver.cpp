@@ -59,6 +59,14 @@ class Instances {
   int count_ = 0;
 };
 
+void add_surfaces(const SurfaceTally& tally, Instances& instances) {
+  for (const SurfaceEcho& echo : tally) {
+    if (echo.surface != kNoSurface) {
+      instances.add(echo);
+    }
+  }
+}
+
 // Of the bin at `at` of the tables, whose echoes have `energy` in all.
 void tell_strongest(std::span<const InstanceEcho> strongest, float energy, float middle_elevation, std::size_t at,
                     Ping& ping) {
@@ -107,10 +115,8 @@ void TruthReceiver::tell(const EchoGrid& grid, const Hearing& hearing, Workers& 
           instances.clear();
           if (energy > 0) {  // Mostly it is not, and tallies lie far away.
             for_each_cell(beam, [&](int cell) {
-              for (const SurfaceEcho& echo : grid.tallies(cell)[bin]) {
-                if (echo.surface != kNoSurface) {
-                  instances.add(echo);
-                }
+              if (grid.filled(cell).has(bin)) {
+                add_surfaces(grid.tallies(cell)[bin], instances);
               }
             });
           }
@@ -131,19 +137,25 @@ void TruthReceiver::hear_direct(const EchoGrid& grid, const Hearing& hearing, Wo
   direct_.resize(static_cast<std::size_t>(cells_) * bins_);
   direct_beams_.resize(hearing.bearing != nullptr ? static_cast<std::size_t>(beams_) * bins_ : 0);
   workers.for_each(cells_, [&](int cell, int) {
-    const std::span<float> heard(&direct_[static_cast<std::size_t>(cell) * bins_], static_cast<std::size_t>(bins_));
+    const std::span<float> beam(&direct_[static_cast<std::size_t>(cell) * bins_], static_cast<std::size_t>(bins_));
+    std::ranges::copy(grid.energy(1, cell), beam.begin());
     if (hearing.range != nullptr) {
-      hearing.range->hear_energy(grid.energy(1, cell), heard);
-    } else {
-      std::ranges::copy(grid.energy(1, cell), heard.begin());
+      const BinRange heard = hearing.range->heard_from(grid.filled(cell), bins_);
+      const auto within = [&](auto of_row) { return of_row.subspan(heard.first, heard.last - heard.first); };
+      hearing.range->hear_energy(within(grid.energy(1, cell)), within(beam));
     }
   });
+  BinRange heard;
+  for (int cell = 0; cell < cells_; ++cell) {
+    const BinRange filled = grid.filled(cell);
+    heard = heard | (hearing.range != nullptr ? hearing.range->heard_from(filled, bins_) : filled);
+  }
   std::vector<float>& energy = hearing.bearing != nullptr ? direct_beams_ : direct_;
   const int tasks = (bins_ + kBinsATask - 1) / kBinsATask;
   if (hearing.bearing != nullptr) {
     workers.for_each(tasks, [&](int task, int) {
       const int first = task * kBinsATask, last = std::min(first + kBinsATask, bins_);
-      hearing.bearing->hear_energy(direct_, direct_beams_, bins_, {first, last});
+      hearing.bearing->hear_energy(direct_, direct_beams_, bins_, {first, last}, heard);
     });
   }
   hearing.lone->add(grid.lone_echoes(), energy, 1);

@@ -33,7 +33,7 @@ std::vector<double> fan(int count, double aperture = kAperture) {
 
 std::vector<float> hear(const BearingResponse& response, const std::vector<float>& cells, int bins) {
   std::vector<float> beams(static_cast<std::size_t>(response.beam_count()) * bins, 99.0F);
-  response.hear_energy(cells, beams, bins, {0, bins});
+  response.hear_energy(cells, beams, bins, {0, bins}, {0, bins});
   return beams;
 }
 
@@ -41,7 +41,7 @@ using Field = std::vector<std::complex<float>>;
 
 Field hear(const BearingResponse& response, const Field& cells, int bins) {
   Field beams(static_cast<std::size_t>(response.beam_count()) * bins, 99.0F);
-  response.hear_field(cells, beams, bins, {0, bins});
+  response.hear_field(cells, beams, bins, {0, bins}, {0, bins});
   return beams;
 }
 
@@ -100,10 +100,25 @@ TEST(BearingResponseTest, DoesNotDependOnHowBinsAreShared) {
   const BearingResponse response(pattern, 20, fan(kCells), fan(kBeams));
   const Field field = white_noise(kCells * kBins, 2);
   Field shared(kBeams * kBins);
-  response.hear_field(field, shared, kBins, {0, 7});
-  response.hear_field(field, shared, kBins, {31, 50});
-  response.hear_field(field, shared, kBins, {7, 31});
+  response.hear_field(field, shared, kBins, {0, 7}, {0, kBins});
+  response.hear_field(field, shared, kBins, {31, 50}, {0, kBins});
+  response.hear_field(field, shared, kBins, {7, 31}, {0, kBins});
   EXPECT_EQ(shared, hear(response, field, kBins));
+}
+
+TEST(BearingResponseTest, BinsThatHoldNothingNeedNotBeAddedUp) {
+  constexpr int kBeams = 16, kCells = 64, kBins = 50;
+  const ArrayPattern pattern({.elements = 32, .element_error = 0.1});
+  const BearingResponse response(pattern, 20, fan(kCells), fan(kBeams));
+  Field field = white_noise(kCells * kBins, 2);
+  for (int i = 0; i < kCells * kBins; ++i) {
+    field[i] = i % kBins >= 21 && i % kBins < 40 ? field[i] : 0;
+  }
+  Field heard(kBeams * kBins, 7);
+  response.hear_field(field, heard, kBins, {0, 30}, {21, 40});
+  response.hear_field(field, heard, kBins, {30, 45}, {21, 40});
+  response.hear_field(field, heard, kBins, {45, 50}, {21, 40});
+  EXPECT_EQ(heard, hear(response, field, kBins));
 }
 
 // A cell at every beam's bearing.

@@ -41,25 +41,28 @@ TEST(ClutterTest, TextureComesInPatches) {
   const Material materials[] = {even, patchy};
   const Clutter clutter(materials, 2, 3);
   constexpr int kBins = 12;
-  const std::vector<std::uint32_t> surfaces(kBins, surface_label(0, 1)), others(kBins, surface_label(0, 0));
-  const auto row_of = [&](std::uint32_t bearing, const std::vector<std::uint32_t>& surface) {
+  const auto row_of = [&](std::uint32_t bearing, std::uint16_t material) {
     Speckle::Row row;
+    row.bins = {0, kBins};
+    row.surface.assign(kBins, surface_label(0, material));
     row.bearing = bearing;
     for (std::uint32_t bin = 0; bin < kBins; ++bin) {
       row.range.push_back(300 + bin);
     }
     std::vector<float> energy(kBins, 1.0F);
-    clutter.texture({.key = 7}, row, surface.data(), energy);
+    Speckle::View view;
+    view.key = 7;
+    clutter.texture(view, row, energy);
     return energy;
   };
-  const std::vector<float> first = row_of(1000, surfaces);
+  const std::vector<float> first = row_of(1000, 1);
   for (int bin = 0; bin < kBins; ++bin) {
     EXPECT_EQ(first[bin], first[bin - bin % 3]) << bin;
     EXPECT_NE(first[bin], first[(bin + 3) % kBins]) << bin;
   }
-  EXPECT_EQ(row_of(1001, surfaces), first);
-  EXPECT_NE(row_of(1002, surfaces), first);
-  EXPECT_EQ(row_of(1000, others), std::vector<float>(kBins, 1.0F));
+  EXPECT_EQ(row_of(1001, 1), first);
+  EXPECT_NE(row_of(1002, 1), first);
+  EXPECT_EQ(row_of(1000, 0), std::vector<float>(kBins, 1.0F));
 }
 
 }  // namespace

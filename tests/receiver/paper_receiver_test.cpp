@@ -13,10 +13,11 @@ namespace {
 EchoGrid filled_grid(int beams, int bins, float energy1, float weight1, float energy2, float weight2) {
   EchoGrid grid(beams, bins, kPathOrders);
   for (int beam = 0; beam < beams; ++beam) {
-    std::ranges::fill(grid.energy(1, beam), energy1);
-    std::ranges::fill(grid.weight(1, beam), weight1);
-    std::ranges::fill(grid.energy(2, beam), energy2);
-    std::ranges::fill(grid.weight(2, beam), weight2);
+    const EchoGrid::Cells first = grid.to_fill(1, beam, {0, bins}), second = grid.to_fill(2, beam, {0, bins});
+    std::fill_n(first.energy, bins, energy1);
+    std::fill_n(first.weight, bins, weight1);
+    std::fill_n(second.energy, bins, energy2);
+    std::fill_n(second.weight, bins, weight2);
   }
   return grid;
 }

@@ -113,6 +113,27 @@ TEST(RangeResponseTest, ExtendedEchoReadsTheSumOverThePulse) {
               1.2e-6);
 }
 
+// What is heard of a stretch of a row is all within heard_from(), and the same as of the whole row.
+TEST(RangeResponseTest, StretchIsHeardNoFartherThanThePulseReaches) {
+  constexpr int kBins = 90;
+  const RangeResponse response(tone(100e-6), 0.02);
+  Field cells(kBins), whole(kBins), part(kBins);
+  for (int bin = 40; bin < 55; ++bin) {
+    cells[bin] = {1.0F / bin, 0.5F};
+  }
+  response.hear_field(cells, whole);
+  const BinRange heard = response.heard_from({40, 55}, kBins);
+  EXPECT_LT(heard.first, 40);
+  EXPECT_GT(heard.last, 55);
+  const auto within = [&](Field& of_row) { return std::span(of_row).subspan(heard.first, heard.last - heard.first); };
+  response.hear_field(within(cells), within(part));
+  EXPECT_EQ(part, whole);
+  EXPECT_NE(part[heard.first], 0.0F);
+  EXPECT_NE(part[heard.last - 1], 0.0F);
+  EXPECT_TRUE(response.heard_from({7, 7}, kBins).empty());
+  EXPECT_EQ(response.heard_from({0, kBins}, kBins).last, kBins);
+}
+
 TEST(RangeResponseTest, NoPulseLeavesBinsAsTheyAre) {
   const Pulse none({}, kSoundSpeed, 0.1);
   const std::vector<float> cells = {1, 2, 3, 4, 5, 6};

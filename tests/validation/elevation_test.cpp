@@ -258,8 +258,8 @@ TEST_P(ConeTest, SlantingWallIsTheSameByFewSamplesAndMany) {
 // same wall come from where its plane meets the beam's edges, d / (n . direction).
 TEST_P(ConeTest, SlantingWallEndsAtTheEdgesOfTheSector) {
   SonarConfig sonar = wide();
-  sonar.beam_count = 12;
-  sonar.azimuth_aperture = 90 * kDegree;
+  sonar.beam_count = 8;
+  sonar.azimuth_aperture = 60 * kDegree;
   sonar.elevation_aperture = 50 * kDegree;
   sonar.min_range = 0;
   sonar.max_range = 40;
@@ -267,7 +267,7 @@ TEST_P(ConeTest, SlantingWallEndsAtTheEdgesOfTheSector) {
   sonar.sampling = {16, 10};
   Scenario scenario = calibrated(sonar, GetParam());
   scenario.receiver.beam_shape = BeamShape::kCone;
-  const Eigen::Quaterniond turn = orientation_from_rpy(0, 20 * kDegree, 30 * kDegree);
+  const Eigen::Quaterniond turn = orientation_from_rpy(0, 20 * kDegree, 25 * kDegree);
   const Vec3 normal = turn * Vec3::UnitX();
   const Ping ping = ping_of(scenario, scene_of(make_plane(-Vec3::UnitX(), 100, 100), diffuse(-10),
                                                {.position = {10, 0, 0}, .orientation = turn}));
@@ -289,8 +289,8 @@ TEST_P(ConeTest, SlantingWallEndsAtTheEdgesOfTheSector) {
     while (ping.intensity[ping.index(last, beam)] == 0) {
       --last;
     }
-    EXPECT_NEAR(sonar.bin_range(first), nearest, 0.075) << beam;
-    EXPECT_NEAR(sonar.bin_range(last), farthest, 0.075) << beam;
+    EXPECT_NEAR(sonar.bin_range(first), nearest, 0.2) << beam;
+    EXPECT_NEAR(sonar.bin_range(last), farthest, 0.2) << beam;
   }
 }
 
