@@ -104,7 +104,7 @@ class EchoGrid {
     float* lead = nullptr;              ///< Energy by which the label leads all others together.
     float* label_energy = nullptr;      ///< Energy deposited while it led.
     float* elevation_moment = nullptr;  ///< Sum of energy x elevation over that [rad].
-    SurfaceTally* tallies = nullptr;    ///< See echo/surface_tally.h.
+    SurfaceTally* tallies = nullptr;    ///< See echo/surface_tally.h; to be emptied where there is no label yet.
   };
   [[nodiscard]] Cells to_fill(int order, int beam, BinRange bins);
 
@@ -123,7 +123,8 @@ class EchoGrid {
   [[nodiscard]] std::vector<LoneEcho>& lone_echoes() { return lone_echoes_; }
   [[nodiscard]] const std::vector<LoneEcho>& lone_echoes() const { return lone_echoes_; }
 
-  /// With GroundTruth::kFull only. Surfaces of one beam's cells, see echo/surface_tally.h; nothing outside filled() ...
+  /// With GroundTruth::kFull only. Surfaces of one beam's cells, see echo/surface_tally.h; they mean nothing in cells
+  /// without a label ...
   [[nodiscard]] std::span<const SurfaceTally> tallies(int beam) const { return {&tallies_[start(1, beam)], length()}; }
   /// ... and the solid angle of it that surfaces take before the near edge of bin 0 [sr].
   [[nodiscard]] float& met_before(int beam) { return met_before_[beam]; }

@@ -62,12 +62,23 @@ void take_unlabelled(int count, float* __restrict__ run_energy, float* __restric
   }
 }
 
-void tally(int first, int count, SurfaceLabel surface, float datum, SurfaceSums& sums, SurfaceTally* tallies) {
-  for (int bin = first; bin < first + count; ++bin) {
+// A cell's tally is empty as long as it has no label; before that it means nothing.
+void tally(const SurfaceEcho& echo, float weight, SurfaceLabel leader, SurfaceTally& tally) {
+  if (leader == kNoSurface && weight > 0) {
+    tally = {};
+  }
+  if (echo.energy > 0) {
+    add_surface(tally, echo);
+  }
+}
+
+void tally_run(int first, int count, SurfaceLabel surface, float datum, SurfaceSums& sums,
+               const EchoGrid::Cells& cells) {
+  for (int i = 0; i < count; ++i) {
+    const int bin = first + i;
     const float energy = sums.energy[bin];
-    if (energy > 0) {
-      add_surface(tallies[bin - first], {surface, energy, sums.moment[bin] - energy * datum, sums.square[bin]});
-    }
+    tally({surface, energy, sums.moment[bin] - energy * datum, sums.square[bin]}, sums.weight[bin], cells.surface[i],
+          cells.tallies[i]);
     sums.square[bin] = 0;
   }
 }
@@ -83,7 +94,7 @@ void finish(Run<kTruth>& run, SurfaceSums& sums, SurfaceLabel surface, float dat
     const EchoGrid::Cells cells = grid.to_fill(1, beam, {first, last});
     const int count = last - first;
     if constexpr (kTruth == GroundTruth::kFull) {
-      tally(first, count, surface, datum, sums, cells.tallies);
+      tally_run(first, count, surface, datum, sums, cells);
     }
     if constexpr (kTruth != GroundTruth::kNone) {
       take(count, surface, &sums.energy[first], &sums.weight[first], &sums.moment[first], cells.energy, cells.weight,
@@ -228,6 +239,11 @@ void deposit(const PingPlan& plan, const Echo& echo, EchoGrid& grid) {
   const EchoGrid::Cells cell = grid.to_fill(echo.order, beam, {bin, bin + 1});
   *cell.energy += energy;
   *cell.weight += echo.weight;
+  if (grid.ground_truth() == GroundTruth::kFull) {
+    const float elevation = echo.elevation - plan.middle_elevation;
+    tally({echo.surface, energy, energy * elevation, energy * elevation * elevation}, echo.weight, *cell.surface,
+          *cell.tallies);
+  }
   if (grid.labelled()) {
     const Vote vote = counted({*cell.surface, *cell.lead, *cell.label_energy, *cell.elevation_moment}, echo.surface,
                               energy, energy * echo.elevation, echo.weight);
@@ -235,10 +251,6 @@ void deposit(const PingPlan& plan, const Echo& echo, EchoGrid& grid) {
     *cell.lead = vote.lead;
     *cell.label_energy = vote.energy;
     *cell.elevation_moment = vote.moment;
-  }
-  if (grid.ground_truth() == GroundTruth::kFull && energy > 0) {
-    const float elevation = echo.elevation - plan.middle_elevation;
-    add_surface(*cell.tallies, {echo.surface, energy, energy * elevation, energy * elevation * elevation});
   }
 }
 

@@ -30,19 +30,12 @@ EchoGrid::EchoGrid(int beam_count, int bin_count, int order_count, GroundTruth g
   }
 }
 
-// Where nothing leads, the rest of the label means nothing.
+// Where nothing leads, the rest of the label and the tally mean nothing.
 void EchoGrid::set_up(int beam, BinRange bins) {
-  if (bins.empty()) {
+  if (!labelled_ || bins.empty()) {
     return;
   }
-  const std::size_t cell = start(1, beam) + bins.first;
-  const int count = bins.last - bins.first;
-  if (labelled_) {
-    std::fill_n(&surface_[cell], count, kNoSurface);
-  }
-  if (ground_truth_ == GroundTruth::kFull) {
-    std::fill_n(&tallies_[cell], count, SurfaceTally{});
-  }
+  std::fill_n(&surface_[start(1, beam) + bins.first], bins.last - bins.first, kNoSurface);
 }
 
 EchoGrid::Cells EchoGrid::to_fill(int order, int beam, BinRange bins) {

@@ -7,65 +7,8 @@
 #include <cmath>
 #include <limits>
 
-#include "echo/surface_tally.h"
-
 namespace insonify {
 namespace {
-
-constexpr int kBeamsATask = 16;  // One cache line of a row of the ping.
-constexpr int kBinsATask = 64;
-
-// All that one instance gave to a bin.
-struct InstanceEcho {
-  std::uint16_t instance, material;  // The latter of its strongest surface in one cell.
-  float energy, strongest_surface;
-  double elevation_moment, elevation_square;
-};
-
-// Instances that the cells of a slice may name: a scanning head's eight cells of kSurfacesKept each.
-class Instances {
- public:
-  void clear() { count_ = 0; }
-
-  void add(const SurfaceEcho& echo) {
-    const std::uint16_t instance = instance_of(echo.surface);
-    auto* const end = echoes_.data() + count_;
-    auto* entry = std::find_if(echoes_.data(), end, [&](const auto& known) { return known.instance == instance; });
-    if (entry == end) {
-      *entry = {instance, kNoLabel, 0, 0, 0, 0};
-      ++count_;
-    }
-    entry->energy += echo.energy;
-    entry->elevation_moment += double{echo.elevation_moment};
-    entry->elevation_square += double{echo.elevation_square};
-    if (echo.energy > entry->strongest_surface) {
-      entry->strongest_surface = echo.energy;
-      entry->material = material_of(echo.surface);
-    }
-  }
-
-  // The strongest first; of equals that which comes first in the scene.
-  [[nodiscard]] std::span<const InstanceEcho> strongest() {
-    const std::ptrdiff_t wanted = std::min(count_, kStrongestCount);
-    std::partial_sort(echoes_.begin(), echoes_.begin() + wanted, echoes_.begin() + count_,
-                      [](const InstanceEcho& a, const InstanceEcho& b) {
-                        return a.energy != b.energy ? a.energy > b.energy : a.instance < b.instance;
-                      });
-    return {echoes_.data(), static_cast<std::size_t>(wanted)};
-  }
-
- private:
-  std::array<InstanceEcho, BearingCells::kMostPerBeam * kSurfacesKept> echoes_;  // The first count_.
-  int count_ = 0;
-};
-
-void add_surfaces(const SurfaceTally& tally, Instances& instances) {
-  for (const SurfaceEcho& echo : tally) {
-    if (echo.surface != kNoSurface) {
-      instances.add(echo);
-    }
-  }
-}
 
 // Of the bin at `at` of the tables, whose echoes have `energy` in all.
 void tell_strongest(std::span<const InstanceEcho> strongest, float energy, float middle_elevation, std::size_t at,
@@ -101,32 +44,21 @@ TruthReceiver::TruthReceiver(const SonarConfig& sonar, const BearingCells& cells
       first_cell_(cells.first),
       cells_per_beam_(cells.per_beam),
       middle_elevation_(static_cast<float>(sonar.elevation_center)),
-      angle_(cell_angles.begin(), cell_angles.end()) {}
+      whole_(beams_) {
+  for (int beam = 0; beam < beams_; ++beam) {
+    for_each_cell(beam, [&](int cell) { whole_[beam] += cell_angles[cell]; });
+  }
+}
 
 void TruthReceiver::tell(const EchoGrid& grid, const Hearing& hearing, Workers& workers, Ping& ping) {
   hear_direct(grid, hearing, workers, ping);
-  workers.for_each((beams_ + kBeamsATask - 1) / kBeamsATask, [&](int task, int) {
-    const int first_beam = task * kBeamsATask, last_beam = std::min(first_beam + kBeamsATask, beams_);
-    Instances instances;
-    for (int first_bin = 0; first_bin < bins_; first_bin += kBinsATask) {
-      for (int beam = first_beam; beam < last_beam; ++beam) {
-        for (int bin = first_bin; bin < std::min(first_bin + kBinsATask, bins_); ++bin) {
-          const float energy = tell_order(grid, beam, bin, ping);
-          instances.clear();
-          if (energy > 0) {  // Mostly it is not, and tallies lie far away.
-            for_each_cell(beam, [&](int cell) {
-              if (grid.filled(cell).has(bin)) {
-                add_surfaces(grid.tallies(cell)[bin], instances);
-              }
-            });
-          }
-          tell_strongest(instances.strongest(), energy, middle_elevation_, ping.index(bin, beam), ping);
-        }
-      }
-    }
+  workers.for_each((beams_ + kTileBeams - 1) / kTileBeams, [&](int task, int) {
+    const int first_beam = task * kTileBeams, last_beam = std::min(first_beam + kTileBeams, beams_);
+    std::array<float, kTileBeams> hidden;
     for (int beam = first_beam; beam < last_beam; ++beam) {
-      tell_shadow(grid, beam, ping);
+      hidden[beam - first_beam] = hidden_before(grid, beam);
     }
+    for_each_tile(first_beam, last_beam, bins_, [&](const TilePlace& place) { tell_tile(grid, place, hidden, ping); });
   });
   for (const LoneEcho& echo : grid.lone_echoes()) {
     tell_lone_echo(grid, echo, ping);
@@ -151,16 +83,16 @@ void TruthReceiver::hear_direct(const EchoGrid& grid, const Hearing& hearing, Wo
     heard = heard | (hearing.range != nullptr ? hearing.range->heard_from(filled, bins_) : filled);
   }
   std::vector<float>& energy = hearing.bearing != nullptr ? direct_beams_ : direct_;
-  const int tasks = (bins_ + kBinsATask - 1) / kBinsATask;
+  const int tasks = (bins_ + kTileBins - 1) / kTileBins;
   if (hearing.bearing != nullptr) {
     workers.for_each(tasks, [&](int task, int) {
-      const int first = task * kBinsATask, last = std::min(first + kBinsATask, bins_);
+      const int first = task * kTileBins, last = std::min(first + kTileBins, bins_);
       hearing.bearing->hear_energy(direct_, direct_beams_, bins_, {first, last}, heard);
     });
   }
   hearing.lone->add(grid.lone_echoes(), energy, 1);
   workers.for_each(tasks, [&](int task, int) {
-    for (int bin = task * kBinsATask; bin < std::min((task + 1) * kBinsATask, bins_); ++bin) {
+    for (int bin = task * kTileBins; bin < std::min((task + 1) * kTileBins, bins_); ++bin) {
       for (int beam = 0; beam < beams_; ++beam) {
         ping.direct_intensity[ping.index(bin, beam)] =
             energy[static_cast<std::size_t>(beam) * bins_ + bin] * hearing.gain[bin];
@@ -169,21 +101,77 @@ void TruthReceiver::hear_direct(const EchoGrid& grid, const Hearing& hearing, Wo
   });
 }
 
-// Returns the energy of all orders.
-float TruthReceiver::tell_order(const EchoGrid& grid, int beam, int bin, Ping& ping) const {
-  float all = 0, most = 0;
-  std::uint8_t order_of_most = 0;
+// Each surface hides what lies behind it in its own directions: the solid angle met so far is hidden from there on.
+TruthReceiver::BeamStretch TruthReceiver::stretch_of(const EchoGrid& grid, int beam, const TilePlace& place,
+                                                     float& hidden) const {
+  BeamStretch stretch = {};
+  const auto add = [&](std::span<const float> row, float* sums) {
+    for (int i = 0; i < place.bin_count; ++i) {
+      sums[i] += row[place.first_bin + i];
+    }
+  };
+  float most[kTileBins] = {}, met[kTileBins] = {}, heard[kTileBins] = {};
   for (int order = 1; order <= grid.order_count(); ++order) {
-    float energy = 0;
-    for_each_cell(beam, [&](int cell) { energy += grid.energy(order, cell)[bin]; });
-    all += energy;
-    if (energy > most) {
-      most = energy;
-      order_of_most = static_cast<std::uint8_t>(order);
+    float energy[kTileBins] = {};
+    for_each_cell(beam, [&](int cell) { add(grid.energy(order, cell), energy); });
+    for (int i = 0; i < place.bin_count; ++i) {
+      stretch.energy[i] += energy[i];
+      stretch.order[i] = energy[i] > most[i] ? static_cast<std::uint8_t>(order) : stretch.order[i];
+      most[i] = std::max(most[i], energy[i]);
+      heard[i] = order == 1 ? energy[i] : heard[i];
     }
   }
-  ping.path_order[ping.index(bin, beam)] = order_of_most;
-  return all;
+  for_each_cell(beam, [&](int cell) { add(grid.weight(1, cell), met); });
+  for (int i = 0; i < place.bin_count; ++i) {
+    const bool direct = met[i] > 0 || heard[i] > 0;
+    stretch.shadow[i] = direct ? 0.0F : std::min(hidden / whole_[beam], 1.0F);
+    hidden += met[i];
+  }
+  return stretch;
+}
+
+// A cell without a label has no tally.
+void TruthReceiver::add_surfaces(const EchoGrid& grid, int beam, int bin, Instances& instances) const {
+  for_each_cell(beam, [&](int cell) {
+    if (grid.filled(cell).has(bin) && grid.label_rows(cell).surface[bin] != kNoSurface) {
+      for (const SurfaceEcho& echo : grid.tallies(cell)[bin]) {
+        if (echo.surface != kNoSurface) {
+          instances.add(echo);
+        }
+      }
+    }
+  });
+}
+
+void TruthReceiver::tell_tile(const EchoGrid& grid, const TilePlace& place, std::array<float, kTileBeams>& hidden,
+                              Ping& ping) const {
+  BinTile<float> energy, shadow;
+  std::uint8_t order[kTileBins][kTileBeams];
+  for (int b = 0; b < place.beam_count; ++b) {
+    const BeamStretch beam = stretch_of(grid, place.first_beam + b, place, hidden[b]);
+    for (int i = 0; i < place.bin_count; ++i) {
+      energy[i][b] = beam.energy[i];
+      order[i][b] = beam.order[i];
+      shadow[i][b] = beam.shadow[i];
+    }
+  }
+  Instances instances;
+  for (int i = 0; i < place.bin_count; ++i) {
+    const std::size_t row = ping.index(place.first_bin + i, place.first_beam);
+    std::copy_n(order[i], place.beam_count, &ping.path_order[row]);
+    std::copy_n(shadow[i], place.beam_count, &ping.shadow[row]);
+    for (int b = 0; b < place.beam_count; ++b) {
+      instances.clear();
+      if (i + 1 < place.bin_count && energy[i + 1][b] > 0) {  // Tallies lie far away.
+        for_each_cell(place.first_beam + b,
+                      [&](int cell) { __builtin_prefetch(&grid.tallies(cell)[place.first_bin + i + 1]); });
+      }
+      if (energy[i][b] > 0) {
+        add_surfaces(grid, place.first_beam + b, place.first_bin + i, instances);
+      }
+      tell_strongest(instances.strongest(), energy[i][b], middle_elevation_, row + b, ping);
+    }
+  }
 }
 
 // It is direct, and its bin no shadow: what hides it would have kept it from being heard.
@@ -204,23 +192,10 @@ void TruthReceiver::tell_lone_echo(const EchoGrid& grid, const LoneEcho& echo, P
   ping.path_order[at] = echo.intensity > most ? std::uint8_t{1} : ping.path_order[at];
 }
 
-// Each surface hides what lies behind it in its own directions: the solid angle met so far is hidden from there on.
-void TruthReceiver::tell_shadow(const EchoGrid& grid, int beam, Ping& ping) const {
-  float whole = 0, hidden = 0;
-  for_each_cell(beam, [&](int cell) {
-    whole += angle_[cell];
-    hidden += grid.met_before(cell);
-  });
-  for (int bin = 0; bin < bins_; ++bin) {
-    float met = 0, heard = 0;
-    for_each_cell(beam, [&](int cell) {
-      met += grid.weight(1, cell)[bin];
-      heard += grid.energy(1, cell)[bin];
-    });
-    const bool direct = met > 0 || heard > 0;
-    ping.shadow[ping.index(bin, beam)] = direct ? 0.0F : std::min(hidden / whole, 1.0F);
-    hidden += met;
-  }
+float TruthReceiver::hidden_before(const EchoGrid& grid, int beam) const {
+  float hidden = 0;
+  for_each_cell(beam, [&](int cell) { hidden += grid.met_before(cell); });
+  return hidden;
 }
 
 }  // namespace insonify

@@ -2,6 +2,8 @@
 
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -11,6 +13,8 @@
 #include "insonify/sonar_config.h"
 #include "receiver/bearing_cells.h"
 #include "receiver/bearing_response.h"
+#include "receiver/heard_tile.h"
+#include "receiver/instances.h"
 #include "receiver/lone_echoes.h"
 #include "receiver/range_response.h"
 
@@ -36,10 +40,19 @@ class TruthReceiver {
   void tell(const EchoGrid& grid, const Hearing& hearing, Workers& workers, Ping& ping);
 
  private:
+  // Of one beam, over the bins of a tile.
+  struct BeamStretch {
+    float energy[kTileBins];        // Of all orders.
+    std::uint8_t order[kTileBins];  // Of most of it; 0 for none.
+    float shadow[kTileBins];        // Share of the beam that is hidden, where it hears nothing direct.
+  };
+
   void hear_direct(const EchoGrid& grid, const Hearing& hearing, Workers& workers, Ping& ping);
-  float tell_order(const EchoGrid& grid, int beam, int bin, Ping& ping) const;
+  void tell_tile(const EchoGrid& grid, const TilePlace& place, std::array<float, kTileBeams>& hidden, Ping& ping) const;
+  BeamStretch stretch_of(const EchoGrid& grid, int beam, const TilePlace& place, float& hidden) const;
+  void add_surfaces(const EchoGrid& grid, int beam, int bin, Instances& instances) const;
+  [[nodiscard]] float hidden_before(const EchoGrid& grid, int beam) const;  // The near edge of bin 0.
   void tell_lone_echo(const EchoGrid& grid, const LoneEcho& echo, Ping& ping) const;
-  void tell_shadow(const EchoGrid& grid, int beam, Ping& ping) const;
 
   // Calls visit(cell) for the cells of a beam's own slice.
   template <typename Visit>
@@ -51,7 +64,7 @@ class TruthReceiver {
 
   int beams_, bins_, cells_, first_cell_, cells_per_beam_;
   float middle_elevation_;                    // Of the aperture [rad].
-  std::vector<float> angle_;                  // Of each cell: solid angle [sr].
+  std::vector<float> whole_;                  // Of each beam: solid angle [sr].
   std::vector<float> direct_, direct_beams_;  // [cell][bin] and [beam][bin].
 };
 

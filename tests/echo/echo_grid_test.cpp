@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 
 #include "echo/echo.h"
-#include "echo/surface_tally.h"
 
 namespace insonify {
 namespace {
@@ -45,7 +44,6 @@ TEST(EchoGridTest, ClearLeavesNothingInAnyLayer) {
       for (int i = 0; i < 4; ++i) {
         cells.energy[i] = cells.weight[i] = cells.label_energy[i] = cells.lead[i] = cells.elevation_moment[i] = 1;
         cells.surface[i] = surface_label(2, 1);
-        add_surface(cells.tallies[i], {.surface = surface_label(2, 1), .energy = 1});
       }
     }
     grid.met_before(beam) = 1;
@@ -63,9 +61,6 @@ TEST(EchoGridTest, ClearLeavesNothingInAnyLayer) {
     const EchoGrid::Cells cells = grid.to_fill(1, beam, {0, kBins});
     for (int bin = 0; bin < kBins; ++bin) {
       EXPECT_EQ(cells.surface[bin], kNoSurface);
-      for (const SurfaceEcho& echo : cells.tallies[bin]) {
-        EXPECT_EQ(echo.surface, kNoSurface);
-      }
     }
   }
 }
