@@ -7,6 +7,7 @@
 #include "base/parallel.h"
 #include "echo/interference.h"
 #include "echo/point_echoes.h"
+#include "echo/surface_ghosts.h"
 #include "insonify/error.h"
 #include "receiver/calibrated_receiver.h"
 #include "receiver/line_array.h"
@@ -31,6 +32,7 @@ struct Simulator::State {
   std::unique_ptr<Engine> engine;
   Workers workers;  // Of what comes after the engine.
   PointEchoes points;
+  std::optional<SurfaceGhosts> ghosts;
   Interference interference;
 
   // Of each sonar, kept between pings so that a ping allocates nothing.
@@ -128,6 +130,12 @@ Simulator::Simulator(Scenario scenario, Scene scene, int threads) {
                                                                   .seed = state_->scenario.seed});
     }
   }
+  if (const std::optional<SeaSurface>& surface = state_->scenario.surface) {
+    const auto label = surface_label(static_cast<std::uint16_t>(state_->scene.instances.size() - 1),
+                                     static_cast<std::uint16_t>(state_->scene.materials.size() - 1));
+    state_->ghosts.emplace(state_->scenario.points,
+                           SurfaceGhosts::Surface{surface->level, label, surface->wind_speed == 0});
+  }
   state_->engine->set_scene(state_->scene);
 }
 
@@ -180,6 +188,9 @@ void Simulator::make_ping(int index, std::uint64_t number, Ping& ping) {
     state.engine->insonify(plan, world_from_sonar, number, grid, nullptr);
     grid.lone_echoes().clear();
     state.points.add(plan, world_from_sonar, *state.engine, grid);
+    if (state.ghosts) {
+      state.ghosts->add(plan, world_from_sonar, number, *state.engine, grid);
+    }
     state.interference.add(plan, world_from_sonar, ping.time, *state.engine, grid);
     state.receivers[index].hear(grid, world_from_sonar, motion_while_listening(state.scenario, config, ping),
                                 state.workers, ping);

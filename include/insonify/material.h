@@ -54,6 +54,11 @@ void visit_material_fields(Self& self, Visit&& visit) {
           "clutter_shape", "", from_to(0.1, 1000),
           "Shape of K-distributed clutter, the less the patchier (calibrated model, with speckle); none when absent."},
       self.clutter_shape);
+  visit(
+      Field{"scatterer_density", "1/m^2", above_to(0, 1e9),
+            "Of equal scatterers: where they are few their echoes glitter (calibrated model, with speckle); countless "
+            "when absent."},
+      self.scatterer_density);
 }
 
 /// Acoustic properties of a surface.
@@ -68,8 +73,9 @@ struct Material {
   std::optional<double> thickness = {};      ///< Of a plate with water on both sides [m], in (0, 1000]; absent: filled.
   double rms_slope = 0.1;                    ///< Of small facets, along each axis, 0.005..1.
   std::optional<double> clutter_shape = {};  ///< Of K-distributed clutter, 0.1..1000: the less the patchier; or none.
-  std::string source = {};                   ///< Where the numbers come from.
-  std::shared_ptr<const Relief> relief = {};  ///< Of every surface made of it; null: that of the mesh, if any.
+  std::optional<double> scatterer_density = {};  ///< Of equal scatterers [1/m^2], in (0, 1e9]; absent: countless.
+  std::string source = {};                       ///< Where the numbers come from.
+  std::shared_ptr<const Relief> relief = {};     ///< Of every surface made of it; null: that of the mesh, if any.
 
   /// Pressure reflection coefficient at normal incidence against water of the given impedance [kg/(m^2 s)], -1..1:
   /// (Z2 - Z1)/(Z2 + Z1).

@@ -36,15 +36,16 @@ void check_reach(const Instance& instance, std::string_view what);
 /// What a scenario says of one material: a library name, changed properties, or both.
 struct MaterialOverride {
   std::string like = {};  ///< Name of a library material to start from; "" for the one of this name, else the default.
-  std::optional<double> density = {};        ///< [kg/m^3]
-  std::optional<double> sound_speed = {};    ///< [m/s]
-  std::optional<double> reflectivity = {};   ///< 0..1
-  std::optional<double> lambert_db = {};     ///< [dB]
-  std::optional<double> reflection = {};     ///< 0..1
-  std::optional<double> thickness = {};      ///< [m]
-  std::optional<double> rms_slope = {};      ///< 0.005..1
-  std::optional<double> clutter_shape = {};  ///< 0.1..1000
-  ReliefConfig relief_config = {};           ///< What `relief` is to be made from, see load_scene().
+  std::optional<double> density = {};            ///< [kg/m^3]
+  std::optional<double> sound_speed = {};        ///< [m/s]
+  std::optional<double> reflectivity = {};       ///< 0..1
+  std::optional<double> lambert_db = {};         ///< [dB]
+  std::optional<double> reflection = {};         ///< 0..1
+  std::optional<double> thickness = {};          ///< [m]
+  std::optional<double> rms_slope = {};          ///< 0.005..1
+  std::optional<double> clutter_shape = {};      ///< 0.1..1000
+  std::optional<double> scatterer_density = {};  ///< [1/m^2]
+  ReliefConfig relief_config = {};               ///< What `relief` is to be made from, see load_scene().
   std::shared_ptr<const Relief> relief = {};
   std::string where = {};       ///< "path:line:column: " of the entry for messages, may be "".
   std::string like_where = {};  ///< Of `like`, where that has a place of its own.

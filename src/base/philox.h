@@ -18,7 +18,9 @@ enum class RandomPurpose : std::uint32_t {
   kSpeckle = 7,
   kClutter = 8,
   kPointPhase = 9,
-  kInterference = 10
+  kInterference = 10,
+  kScatterers = 11,
+  kWaves = 12
 };
 
 using PhiloxCounter = std::array<std::uint32_t, 4>;

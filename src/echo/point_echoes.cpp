@@ -17,15 +17,13 @@ std::vector<Vec3> places_of(std::span<const PointTarget> points) {
   return places;
 }
 
-// 0..1.
-float phase_of(const PingPlan& plan, std::size_t point, double range) {
+}  // namespace
+
+double own_phase(const PingPlan& plan, std::size_t point) {
   const PhiloxCounter counter = {static_cast<std::uint32_t>(point), 0, 0,
                                  static_cast<std::uint32_t>(RandomPurpose::kPointPhase)};
-  const double turns = plan.turns_per_metre * range + double{uniform_open(philox(counter, philox_key(plan.seed))[0])};
-  return static_cast<float>(turns - std::floor(turns));
+  return double{uniform_open(philox(counter, philox_key(plan.seed))[0])};
 }
-
-}  // namespace
 
 PointEchoes::PointEchoes(std::span<const PointTarget> points) : points_(points), ways_(places_of(points)) {}
 
@@ -40,12 +38,13 @@ void PointEchoes::add(const PingPlan& plan, const Pose& world_from_sonar, Engine
     const double intensity = std::pow(10.0, points_[i].target_strength_db / 10) / std::pow(range, 4) *
                              std::exp(-4 * double{plan.neper_per_metre} * range) *
                              std::pow(double{sights[i]->arrival.heard}, 2);
+    const double turns = plan.turns_per_metre * range + own_phase(plan, i);
     // A point has no extent: it takes no solid angle from what is behind it, and no surface to label a cell with.
     grid.lone_echoes().push_back({.beam = sights[i]->beam,
                                   .bin = bin,
                                   .bearing_sine = std::sin(sights[i]->arrival.bearing),
                                   .intensity = static_cast<float>(intensity),
-                                  .turns = phase_of(plan, i, range)});
+                                  .turns = static_cast<float>(turns - std::floor(turns))});
   }
 }
 

@@ -88,7 +88,7 @@ void put_scene(const H5Writer& writer, const Scene& scene, double frequency) {
   }
   writer.put("instance_names", names, {"", "Scoped name of each instance of the scene."});
   names.clear();
-  std::array<std::vector<double>, 7> properties;
+  std::array<std::vector<double>, 8> properties;
   for (const Material& material : scene.materials) {
     names.push_back(material.name);
     properties[0].push_back(material.density);
@@ -98,6 +98,7 @@ void put_scene(const H5Writer& writer, const Scene& scene, double frequency) {
     properties[4].push_back(material.reflection_at(frequency));
     properties[5].push_back(material.rms_slope);
     properties[6].push_back(material.clutter_shape.value_or(std::numeric_limits<double>::infinity()));
+    properties[7].push_back(material.scatterer_density.value_or(std::numeric_limits<double>::infinity()));
   }
   writer.put("material_names", names, {"", "Name of each material of the scene."});
   writer.put("settings/materials/density", properties[0], {"kg/m^3", "Of each row of material_names."});
@@ -108,6 +109,8 @@ void put_scene(const H5Writer& writer, const Scene& scene, double frequency) {
   writer.put("settings/materials/rms_slope", properties[5], {"1", "Of each row of material_names."});
   writer.put("settings/materials/clutter_shape", properties[6],
              {"1", "Of each row of material_names; infinite for no texture."});
+  writer.put("settings/materials/scatterer_density", properties[7],
+             {"1/m^2", "Of each row of material_names; infinite for countless scatterers."});
 }
 
 // One member of a configuration, whatever its type. Absent members are left out.

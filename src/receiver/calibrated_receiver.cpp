@@ -69,14 +69,16 @@ void CalibratedReceiver::hear_cell(const EchoGrid& grid, int cell, const Speckle
   if (clutter_->any()) {
     clutter_->texture(view, row.scatterers, row.energy);
   }
-  if (!range_) {
-    speckle_->draw(view, row.scatterers, row.energy, beam);
-    return;
+  row.field.resize(range_ ? bins : 0);
+  const std::span<std::complex<float>> drawn = range_ ? std::span(row.field) : beam;
+  std::ranges::fill(drawn, 0.0F);
+  speckle_->draw(view, row.scatterers, row.energy, drawn);
+  if (few_->any()) {
+    few_->draw(view, row.scatterers, grid, cell, row.energy, drawn);
   }
-  row.field.resize(bins);
-  std::ranges::fill(within(row.field), 0.0F);
-  speckle_->draw(view, row.scatterers, row.energy, row.field);
-  range_->hear_field(within(row.field), within(beam));
+  if (range_) {
+    range_->hear_field(within(row.field), within(beam));
+  }
 }
 
 // Beams of the cells.

@@ -17,6 +17,7 @@
 #include "receiver/bearing_response.h"
 #include "receiver/clutter.h"
 #include "receiver/digitizer.h"
+#include "receiver/few_scatterers.h"
 #include "receiver/heard_tile.h"
 #include "receiver/lone_echoes.h"
 #include "receiver/range_response.h"
@@ -84,6 +85,7 @@ class CalibratedReceiver {
   EchoGrid moved_;
   std::optional<Speckle> speckle_;
   std::optional<Clutter> clutter_;
+  std::optional<FewScatterers> few_;
   std::optional<Digitizer> digitizer_;
   std::optional<RangeResponse> range_;
   std::optional<BearingResponse> bearing_;

@@ -96,6 +96,7 @@ CalibratedReceiver::CalibratedReceiver(const Settings& settings)
   if (receiver.speckle) {
     speckle_.emplace(cells.sonar, true_ranges, wavelength, seed_);
     const double bins = range_ ? range_->equivalent_cells() : 1.0;
+    few_.emplace(settings.materials, cells.sonar, true_ranges);
     clutter_.emplace(settings.materials, cells.per_beam, std::max(1, static_cast<int>(std::lround(bins))));
   }
   if (receiver.counts) {

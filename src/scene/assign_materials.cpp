@@ -68,6 +68,7 @@ Material changed(Material base, const std::string& key, const MaterialOverride& 
   base.thickness = change.thickness ? change.thickness : base.thickness;
   base.rms_slope = change.rms_slope.value_or(base.rms_slope);
   base.clutter_shape = change.clutter_shape ? change.clutter_shape : base.clutter_shape;
+  base.scatterer_density = change.scatterer_density ? change.scatterer_density : base.scatterer_density;
   base.relief = change.relief;
   check_fields(fmt::format("{}materials.{}", change.where, key), base);
   return base;

@@ -69,6 +69,107 @@ TEST_P(PointTest, GainEvensOutItsRange) {
   }
 }
 
+// PHYSICS 7, image method: S, T, the surface's level; ranges, and levels re the direct echo of the two reciprocal
+// echoes, whose amplitudes add, and of that by the surface both ways.
+struct MirroredPoint {
+  Vec3 sonar, point;
+  double level, direct, once, twice;
+  double once_coherent_db, once_db, twice_db;
+};
+const MirroredPoint kMirrored[] = {
+    {{0, 0, -5}, {10, 0, -4}, 0, 10.04987562112089, 11.7517498340973, 13.45362404707371, 3.487, 0.477, -5.067},
+    {{0, 0, -1}, {20, 0, -1}, 0, 20, 20.04987562112089, 20.09975124224178, 5.977, 2.967, -0.086},
+    {{0, 0, -2}, {15, 3, -1}, 0, 15.329709716755891, 15.459083492437895, 15.588457268119896, 5.875, 2.865, -0.291}};
+
+TEST_P(PointTest, SurfaceShowsItsGhosts) {
+  SonarConfig sonar = fan();
+  sonar.elevation_aperture = 100 * kDegree;
+  sonar.beam_count = 8;
+  sonar.azimuth_aperture = 60 * kDegree;
+  sonar.bin_count = 2500;  // Of 1 cm.
+  for (const MirroredPoint& scene : kMirrored) {
+    for (const bool coherent : {false, true}) {
+      sonar.position = scene.sonar;
+      Scenario scenario = calibrated(sonar, GetParam());
+      scenario.secondary = SecondaryEchoes::kAll;
+      scenario.max_surfaces = 3;
+      scenario.surface = SeaSurface{.level = scene.level};
+      scenario.receiver.speckle = coherent;
+      scenario.points = {{.position = scene.point}};
+      const auto heard = [&](double range) {
+        const Ping ping = ping_of(scenario, {});
+        double sum = 0;
+        for (int beam = 0; beam < sonar.beam_count; ++beam) {
+          sum += ping.intensity[ping.index(static_cast<int>(range / sonar.bin_length()), beam)];
+        }
+        return 10 * std::log10(sum);
+      };
+      const double direct = -40 * std::log10(scene.direct);
+      EXPECT_NEAR(heard(scene.direct), direct, 0.001);
+      EXPECT_NEAR(heard(scene.once), direct + (coherent ? scene.once_coherent_db : scene.once_db), 0.001);
+      EXPECT_NEAR(heard(scene.twice), direct + scene.twice_db, 0.001);
+      scenario.max_surfaces = 2;
+      EXPECT_EQ(heard(scene.twice), -std::numeric_limits<double>::infinity());
+      EXPECT_NEAR(heard(scene.once), direct + (coherent ? scene.once_coherent_db : scene.once_db), 0.001);
+      scenario.secondary = SecondaryEchoes::kNone;
+      EXPECT_EQ(heard(scene.once), -std::numeric_limits<double>::infinity());
+    }
+  }
+}
+
+// A level fan of 20 degrees does not look up to where the ghost is, 42 degrees above; a plate under the surface hides
+// the ghost and a plate before the point what goes straight.
+TEST_P(PointTest, GhostsNeedAClearWayThatIsHeard) {
+  SonarConfig sonar = fan();
+  sonar.position = {0, 0, -5};
+  Scenario scenario = calibrated(sonar, GetParam());
+  scenario.secondary = SecondaryEchoes::kAll;
+  scenario.max_surfaces = 3;
+  scenario.surface = SeaSurface{};
+  scenario.points = {{.position = {10, 0, -4}}};
+  const double direct = -40 * std::log10(10.04987562112089);
+  EXPECT_NEAR(total_db(ping_of(scenario, {})), direct, 1e-3);
+  scenario.sonars[0].elevation_aperture = 100 * kDegree;
+  EXPECT_GT(total_db(ping_of(scenario, {})), direct + 2);
+  const auto plate = [](double height) {
+    return scene_of(make_plane(Vec3::UnitZ(), 2, 2), diffuse(-200), {.position = {5.5, 0, height}});
+  };
+  EXPECT_NEAR(total_db(ping_of(scenario, plate(-0.1))), direct, 1e-3);
+  // What is left is heard at the image's range, r2: the echo that goes by the surface both ways.
+  const Scene wall = scene_of(make_plane(Vec3::UnitX(), 0.2, 0.2), diffuse(-200), {.position = {9, 0, -4.1}});
+  EXPECT_NEAR(total_db(ping_of(scenario, wall)), -40 * std::log10(13.45362404707371), 1e-3);
+}
+
+// Waves turn the ghosts' phases at random, ping by ping: beside the direct echo in one bin they add by energy on
+// average.
+TEST_P(PointTest, WavesShakeItsGhosts) {
+  SonarConfig sonar = fan();
+  sonar.position = {0, 0, -1};
+  sonar.bin_count = 25;  // Of 1 m: all three echoes in one.
+  sonar.beam_count = 8;
+  Scenario scenario = calibrated(sonar, GetParam());
+  scenario.secondary = SecondaryEchoes::kAll;
+  scenario.surface = SeaSurface{};
+  scenario.receiver.speckle = true;
+  scenario.points = {{.position = {20.3, 0, -1}}};
+  const Scene nothing;
+  Simulator calm(scenario, nothing, 1);
+  EXPECT_EQ(calm.make_ping(0, 0).intensity, calm.make_ping(0, 1).intensity);
+  scenario.surface->wind_speed = 1;
+  Simulator rough(scenario, nothing, 1);
+  double least = 1, most = 0;
+  for (int i = 0; i < 60; ++i) {
+    double sum = 0;
+    const Ping ping = rough.make_ping(0, i);
+    for (int beam = 0; beam < sonar.beam_count; ++beam) {
+      sum += ping.intensity[ping.index(20, beam)];
+    }
+    least = std::min(least, sum);
+    most = std::max(most, sum);
+  }
+  EXPECT_GT(most, 5 * least);
+}
+
 constexpr auto kName = [](const auto& test) { return test.param.name; };
 INSTANTIATE_TEST_SUITE_P(Methods, PointTest, testing::Values(kReference, kRays), kName);
 

@@ -186,6 +186,44 @@ TEST_F(SpeckleTest, ClutterIsKDistributed) {
   }
 }
 
+// Scatterers that can be counted: of N on average a cell of a bed holds none with the chance e^-N, and intensities have
+// <I^2> = (2 + 1/N) <I>^2. On a flat bed a cell's area is r dr dphi whatever its height.
+TEST_F(SpeckleTest, FewScatterersGlitter) {
+  Scenario scenario = scenario_at({0, 0, 0});
+  scenario.receiver.azimuth_pattern = BeamPattern::kTopHat;
+  const SonarConfig sonar = fan();
+  for (const double density : {60.0, 250.0, 1000.0}) {
+    Material material = diffuse(-20);
+    material.scatterer_density = density;
+    const std::vector<float> glitter = speckle_of(scenario, material);
+    for (int first = 60; first < kBins - 60; first += 60) {
+      const double range = 0.5 * (sonar.bin_range(first) + sonar.bin_range(first + 59));
+      const double mean = density * range * sonar.bin_length() * sonar.azimuth_aperture / kBeams;
+      double n = 0, sum = 0, squares = 0, silent = 0;
+      for (std::size_t i = std::size_t{kBeams} * first; i < std::size_t{kBeams} * (first + 60); ++i) {
+        const double value = glitter[i];
+        n += 1, sum += value, squares += value * value, silent += value == 0 ? 1 : 0;
+      }
+      EXPECT_NEAR(sum / n, 1, 0.06) << density << ", " << range;
+      EXPECT_NEAR(silent / n, std::exp(-mean), 0.015) << density << ", " << range;
+      EXPECT_NEAR(squares / n / std::pow(sum / n, 2) / (2 + 1 / mean), 1, 0.12) << density << ", " << range;
+    }
+  }
+}
+
+TEST_F(SpeckleTest, FewScatterersStayAndManyAreCountless) {
+  Material material = diffuse(-20);
+  material.scatterer_density = 100;
+  const Scenario scenario = scenario_at({1, 2, 0});
+  Simulator simulator(scenario, seabed_at(-3, material), 2);
+  const std::vector<float> first = simulator.make_ping(0, 0).intensity;
+  EXPECT_EQ(simulator.make_ping(0, 5).intensity, first);
+  const std::vector<float> many = speckle_of(scenario);
+  EXPECT_NE(speckle_of(scenario, material), many);
+  material.scatterer_density = 1e7;
+  EXPECT_EQ(speckle_of(scenario, material), many);
+}
+
 // T17: two equal points that a fan cannot tell apart interfere: sometimes none is heard, sometimes four times one.
 TEST_F(SpeckleTest, TwoPointsInOneCellInterfere) {
   SonarConfig sonar = fan();

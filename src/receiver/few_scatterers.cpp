@@ -1,0 +1,77 @@
+// few_scatterers.cpp -- one after another.
+
+#include "receiver/few_scatterers.h"
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "base/philox.h"
+#include "echo/echo.h"
+
+namespace insonify {
+namespace {
+
+// How many there are where there are `mean` on average: the least number that a share of all stays within.
+int poisson(double mean, double share) {
+  double probability = std::exp(-mean), sum = probability;
+  int count = 0;
+  while (share > sum && count < 8 * FewScatterers::kMany) {
+    ++count;
+    probability *= mean / count;
+    sum += probability;
+  }
+  return count;
+}
+
+// A cell's random numbers, two for every number of a pair.
+PhiloxPair words_of(const Speckle::View& view, const Speckle::Row& row, int bin, int number) {
+  const std::uint32_t purpose = static_cast<std::uint32_t>(RandomPurpose::kScatterers) << 24;
+  return philox({row.range[bin], row.bearing}, view.key ^ (purpose + static_cast<std::uint32_t>(number)));
+}
+
+}  // namespace
+
+FewScatterers::FewScatterers(std::span<const Material> materials, const SonarConfig& cells, double true_ranges)
+    : first_range_(true_ranges * cells.bin_range(0)), bin_length_(true_ranges * cells.bin_length()) {
+  const std::vector<double> edges = cells.beam_edges();
+  for (int cell = 0; cell < cells.beam_count; ++cell) {
+    width_.push_back(edges[cell] - edges[cell + 1]);
+  }
+  for (const Material& material : materials) {
+    density_.push_back(material.scatterer_density.value_or(std::numeric_limits<double>::infinity()));
+    any_ = any_ || material.scatterer_density;
+  }
+}
+
+// Elevations are those of the label.
+double FewScatterers::area(const EchoGrid& grid, int cell, int bin) const {
+  const double range = first_range_ + bin * bin_length_;
+  const double wide = range * std::cos(double{grid.label(cell, bin).elevation}) * width_[cell];
+  return std::hypot(wide * bin_length_, range * range * double{grid.weight(1, cell)[bin]});
+}
+
+void FewScatterers::draw(const Speckle::View& view, const Speckle::Row& row, const EchoGrid& grid, int cell,
+                         std::span<const float> energy, std::span<std::complex<float>> field) const {
+  for (int bin = row.bins.first; bin < row.bins.last; ++bin) {
+    const double density = row.surface[bin] == kNoSurface ? std::numeric_limits<double>::infinity()
+                                                          : density_[material_of(row.surface[bin])];
+    if (energy[bin] == 0 || std::isinf(density)) {
+      continue;
+    }
+    const double mean = density * area(grid, cell, bin);
+    if (!(mean < kMany)) {
+      continue;
+    }
+    const int count = poisson(mean, double{uniform_open(words_of(view, row, bin, 0)[0])});
+    std::complex<float> sum;
+    PhiloxPair words{};
+    for (int i = 0; i < count; ++i) {
+      words = i % 2 == 0 ? words_of(view, row, bin, 1 + i / 2) : words;
+      sum += std::polar(1.0F, 2 * std::numbers::pi_v<float> * (uniform_open(words[i % 2]) + row.turns[bin]));
+    }
+    field[bin] = std::sqrt(energy[bin] / static_cast<float>(mean)) * sum;
+  }
+}
+
+}  // namespace insonify
