@@ -42,8 +42,10 @@ endif()
 add_test(NAME run_doc_blocks
   COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/tools/run_doc_blocks_test.py)
 
-# Speckle as a real sonar has recorded it.
-add_test(NAME oculus_statistics
-  COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/validation/oculus_statistics.py $<TARGET_FILE:insonify_cli>
-          ${CMAKE_CURRENT_BINARY_DIR}/oculus_statistics)
-set_tests_properties(oculus_statistics PROPERTIES SKIP_RETURN_CODE 77)
+# Speckle, and how a seabed falls off, as real sonars have recorded them.
+foreach(comparison oculus_statistics sidescan_falloff)
+  add_test(NAME ${comparison}
+    COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/validation/${comparison}.py $<TARGET_FILE:insonify_cli>
+            ${CMAKE_CURRENT_BINARY_DIR}/${comparison})
+  set_tests_properties(${comparison} PROPERTIES SKIP_RETURN_CODE 77)
+endforeach()
