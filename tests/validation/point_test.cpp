@@ -100,7 +100,10 @@ TEST_P(PointTest, SurfaceShowsItsGhosts) {
         const Ping ping = ping_of(scenario, {});
         double sum = 0;
         for (int beam = 0; beam < sonar.beam_count; ++beam) {
-          sum += ping.intensity[ping.index(static_cast<int>(range / sonar.bin_length()), beam)];
+          const int bin = static_cast<int>(range / sonar.bin_length());
+          for (const int near : {bin - 1, bin, bin + 1}) {  // 20 m is at an edge.
+            sum += ping.intensity[ping.index(near, beam)];
+          }
         }
         return 10 * std::log10(sum);
       };
@@ -109,10 +112,10 @@ TEST_P(PointTest, SurfaceShowsItsGhosts) {
       EXPECT_NEAR(heard(scene.once), direct + (coherent ? scene.once_coherent_db : scene.once_db), 0.001);
       EXPECT_NEAR(heard(scene.twice), direct + scene.twice_db, 0.001);
       scenario.max_surfaces = 2;
-      EXPECT_EQ(heard(scene.twice), -std::numeric_limits<double>::infinity());
+      EXPECT_LT(heard(scene.twice), -200);
       EXPECT_NEAR(heard(scene.once), direct + (coherent ? scene.once_coherent_db : scene.once_db), 0.001);
       scenario.secondary = SecondaryEchoes::kNone;
-      EXPECT_EQ(heard(scene.once), -std::numeric_limits<double>::infinity());
+      EXPECT_LT(heard(scene.once), -200);
     }
   }
 }
