@@ -106,6 +106,7 @@ bool BeamTask::read_tile(int first_row) {
     const HitColumn& hits = hits_[i];
     const int lane = i * kTile;
     copy_four(&shading_.surface[lane], &hits.surface[first_row]);
+    copy_four(&primary_.rays.hit.primID[lane], &hits.triangle[first_row]);
     copy_four(&range[lane], &hits.range[first_row]);
     copy_four(&shading_.normal_x[lane], &hits.normal_x[first_row]);
     copy_four(&shading_.normal_y[lane], &hits.normal_y[first_row]);
@@ -143,20 +144,19 @@ void BeamTask::read_strip(int first_column) {
   }
   if (scene_.reliefs().any()) {
     for (int column = first_column; column < std::min(first_column + kTile, columns_); ++column) {
-      add_relief(column - first_column, first_column_ + column);
+      add_relief(hits_[column - first_column]);
     }
   }
 }
 
 // To a column that was read from the raster.
-void BeamTask::add_relief(int strip_column, int column) {
-  const HitColumn& hits = hits_[strip_column];
+void BeamTask::add_relief(const HitColumn& hits) {
   for (int row = 0; row < std::min(hits.rows + 1, plan_->lattice.rows); ++row) {
     ReliefPoint point;
     if (hits.surface[row] != kNoSurface) {
       const Vec3f direction(hits.direction_x[row], hits.direction_y[row], hits.direction_z[row]);
       const Vec3f normal(hits.normal_x[row], hits.normal_y[row], hits.normal_z[row]);
-      point = scene_.reliefs().at(instance_of(hits.surface[row]), raster_.triangle(column, row),
+      point = scene_.reliefs().at(instance_of(hits.surface[row]), hits.triangle[row],
                                   sonar_ + hits.range[row] * direction, normal);
     }
     set_relief(hits, row, point);

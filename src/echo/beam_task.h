@@ -46,7 +46,7 @@ struct BeamTask {
   bool read_tile(int first_row);
   void trace_strip(int first_column);
   void read_strip(int first_column);
-  void add_relief(int strip_column, int column);
+  void add_relief(const HitColumn& hits);
 
   const CpuScene& scene_;
   const RasterScene& raster_scene_;

@@ -201,6 +201,22 @@ void CpuScene::shade(const RTCHit16& hits, Shading& shading) const {
   interpolate(hits, corners, shading);
 }
 
+MirrorTube CpuScene::tube(SurfaceLabel surface, std::uint32_t triangle, const Vec3f& direction, const Vec3f& normal,
+                          float range) const {
+  const Part& part = parts_[instance_of(surface)];
+  std::array<Vec3f, 3> corners, normals;
+  for (int k = 0; k < 3; ++k) {
+    const std::uint32_t vertex = part.triangles[triangle][k];
+    corners[k] = part.own_vertices[vertex];
+    normals[k] = part.normals[vertex];
+  }
+  if (part.placed == nullptr) {
+    return mirror_tube(corners, normals, direction, normal, range);
+  }
+  const Eigen::Matrix3f turned = part.rotation.transpose();
+  return mirror_tube(corners, normals, turned * direction, turned * normal, range);
+}
+
 void CpuScene::add_relief(const RTCRayHit16& rays, Shading& shading, ReliefPoint* reliefs) const {
   const RTCRay16& ray = rays.ray;
   for (int lane = 0; lane < kPacketSize; ++lane) {

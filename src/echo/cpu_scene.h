@@ -9,6 +9,7 @@
 
 #include "echo/box_cut.h"
 #include "echo/echo.h"
+#include "echo/mirror_tube.h"
 #include "echo/ray_packet.h"
 #include "echo/reliefs.h"
 #include "insonify/scene.h"
@@ -52,6 +53,11 @@ class CpuScene {
     [[nodiscard]] Vec3f normal(int lane) const { return {normal_x[lane], normal_y[lane], normal_z[lane]}; }
   };
   void shade(const RTCHit16& hits, Shading& shading) const;
+
+  /// What a mirror makes of sound that meets it.
+  /// @param surface, triangle  Of the mirror.
+  [[nodiscard]] MirrorTube tube(SurfaceLabel surface, std::uint32_t triangle, const Vec3f& direction,
+                                const Vec3f& normal, float range) const;
 
   /// The small shape of the surfaces.
   [[nodiscard]] const Reliefs& reliefs() const { return reliefs_; }

@@ -25,12 +25,6 @@ class FanRaster {
   /// @return Rows up to the last that met something.
   int read(int column, const HitColumn& hits);
 
-  /// Which of its instance's mesh a sample met; it must have met one.
-  [[nodiscard]] std::uint32_t triangle(int column, int row) const {
-    const std::uint32_t met = nearest_[static_cast<std::size_t>(column - first_column_) * stride_ + row];
-    return scene_->triangle(met / kBlockSize, static_cast<int>(met % kBlockSize));
-  }
-
  private:
   static constexpr std::size_t kShadings = 256;
   static constexpr std::uint32_t kNothing = 0xffffffff;
@@ -39,6 +33,7 @@ class FanRaster {
   // length.
   struct Shading {
     std::uint32_t triangle = kNothing;  // As in nearest_.
+    std::uint32_t in_mesh = 0;
     SurfaceLabel surface = kNoSurface;
     float reflectivity = 0;
     std::array<Vec3f, 3> edges = {Vec3f::Zero(), Vec3f::Zero(), Vec3f::Zero()};

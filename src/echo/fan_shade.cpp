@@ -29,6 +29,7 @@ int FanRaster::read(int column, const HitColumn& hits) {
   const float cos_az = lattice.cos_azimuth[column], sin_az = lattice.sin_azimuth[column];
   const float first_tan = lattice.first_tan(column), tan_step = lattice.tan_step;
   SurfaceLabel* __restrict__ surface = hits.surface;
+  std::uint32_t* __restrict__ in_mesh = hits.triangle;
   float* __restrict__ normal_x = hits.normal_x;
   float* __restrict__ normal_y = hits.normal_y;
   float* __restrict__ normal_z = hits.normal_z;
@@ -52,6 +53,7 @@ int FanRaster::read(int column, const HitColumn& hits) {
       for (int i = 0; i < kTogether; ++i) {
         const float tan_el = first_tan + tan_step * static_cast<float>(row + i);
         surface[row + i] = shading.surface;
+        in_mesh[row + i] = shading.in_mesh;
         normal_x[row + i] = x0 + x1 * tan_el;
         normal_y[row + i] = y0 + y1 * tan_el;
         normal_z[row + i] = z0 + z1 * tan_el;
@@ -93,6 +95,7 @@ FanRaster::Shading FanRaster::shading_of(std::uint32_t triangle) const {
       side / (edge[0].cwiseAbs().maxCoeff() + edge[1].cwiseAbs().maxCoeff() + edge[2].cwiseAbs().maxCoeff());
   Shading shading;
   shading.triangle = triangle;
+  shading.in_mesh = in_mesh;
   shading.surface = part.surfaces[part.mesh->slot_of(in_mesh)];
   shading.reflectivity = scene_->reflectivity(shading.surface);
   for (int axis = 0; axis < 3; ++axis) {

@@ -2,6 +2,7 @@
 
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "echo/echo.h"
@@ -17,6 +18,7 @@ struct HitColumn {
 
   // From the engine.
   SurfaceLabel* surface;
+  std::uint32_t* triangle;                         ///< Of its instance's mesh; anything where nothing was met.
   float *direction_x, *direction_y, *direction_z;  ///< Of the rays, see aim_column().
   float* range;                                    ///< True distance [m].
   float *normal_x, *normal_y, *normal_z;           ///< Of any length, in the frame of the ColumnAxes.
@@ -49,6 +51,7 @@ class HitStrip {
  private:
   int columns_ = 0, stride_ = 0;
   std::vector<SurfaceLabel> surface_;
+  std::vector<std::uint32_t> triangle_;
   std::vector<float> values_;  // [field][column][row]
 };
 

@@ -18,6 +18,7 @@ void HitStrip::resize(int columns, int rows) {
   columns_ = columns;
   stride_ = rows + kPadding;
   surface_.assign(static_cast<std::size_t>(columns_) * stride_, kNoSurface);
+  triangle_.assign(surface_.size(), 0);
   values_.assign(std::size(kFields) * surface_.size(), 0.0F);
 }
 
@@ -25,6 +26,7 @@ HitColumn HitStrip::column(int column) {
   HitColumn hits{};
   const std::size_t start = static_cast<std::size_t>(column) * stride_;
   hits.surface = &surface_[start];
+  hits.triangle = &triangle_[start];
   for (std::size_t field = 0; field < std::size(kFields); ++field) {
     hits.*kFields[field] = &values_[field * surface_.size() + start];
   }

@@ -12,6 +12,8 @@ namespace {
 // Cosines below this (89.4 deg) are held there where they divide.
 constexpr float kLeastCosine = 0.01F;
 
+constexpr float kLeastSpread = 0.01F;  // Near a focus.
+
 [[gnu::always_inline]] inline float held(float cosine) {
   return cosine < kLeastCosine ? kLeastCosine : cosine;
 }
@@ -26,6 +28,7 @@ void fill(const ScatterTable::Laws laws, float neper_per_metre, const MirrorPath
     const float in = held(std::abs(paths.in[lane])), out = std::abs(paths.out[lane]);
     const float half = held(std::abs(paths.half[lane]));
     const float there = paths.there[lane], back = paths.back[lane];
+    const float spread = paths.spread[lane] < kLeastSpread ? kLeastSpread : paths.spread[lane];
     const float kept = paths.kept[lane] * paths.texture[lane] * paths.texture[lane];
 
     const float across = 1 / (half * half), along = 1 / (in * in);
@@ -34,8 +37,8 @@ void fill(const ScatterTable::Laws laws, float neper_per_metre, const MirrorPath
     const float glint_along = lobe * along * along * fast_exp((1 - along) * steepness) / in;
     const float once =
         kept * (mu * out + glint_across) / (back * back) * fast_exp(-2 * neper_per_metre * (there + back));
-    const float twice =
-        kept * paths.kept[lane] * (mu * in + glint_along) / (there * there) * fast_exp(-4 * neper_per_metre * there);
+    const float twice = kept * paths.kept[lane] * (mu * in + glint_along) / (there * there * spread) *
+                        fast_exp(-4 * neper_per_metre * there);
     const bool same_side = paths.in[lane] * paths.out[lane] > 0;
     const bool met = paths.surface[lane] != kNoSurface;
     powers.once[lane] = met & same_side ? once : 0.0F;

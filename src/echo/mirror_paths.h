@@ -15,6 +15,7 @@ struct alignas(64) MirrorPaths {
   float kept[kPathLanes];       ///< |R|^2 of the mirror, its texture's share included.
   float steepness[kPathLanes];  ///< 1 / (2 s^2) of the mirror.
   float there[kPathLanes];      ///< Out and across [m].
+  float spread[kPathLanes];     ///< Area of a tube of sound at the second surface over that by a plane mirror.
   float back[kPathLanes];       ///< From the second surface straight to the sonar [m].
 
   // Cosines between the second surface's unit normal and: the way it was reached, the way straight back, and the half
@@ -33,10 +34,10 @@ struct alignas(64) MirrorPowers {
 /// Sound that leaves in dOmega falls on dA = dOmega there'^2 / in whatever the mirror's curvature, so that
 ///
 ///     once  = |R|^2 s_b(in, out) / (in back^2)  e^(-2 gamma (there + back))
-///     twice = |R|^4 s_b(in, in) / (in there^2)  e^(-4 gamma there)
+///     twice = |R|^4 s_b(in, in) / (in there^2 spread)  e^(-4 gamma there)
 ///
-/// with s_b of PHYSICS 0, its lobe taken at the half vector and cos^2 as in x out. `twice` takes the way back from a
-/// plane mirror's image of the sonar.
+/// with s_b of PHYSICS 0, its lobe taken at the half vector and cos^2 as in x out. On its way back `twice` spreads as
+/// on its way out, by reciprocity; near a focus no less than to a hundredth of what it would by a plane mirror.
 ///
 /// Where both surfaces glint, their reciprocal path is also found the other way round, with the second for a mirror. So
 /// the lobe counts in `once` only where the mirror is the smoother of the two, and half where they are alike: a corner

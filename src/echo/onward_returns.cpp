@@ -83,6 +83,10 @@ void lay_paths(const RTCRay16& __restrict__ rays, const CpuScene::Shading& __res
     paths.kept[lane] = origins.kept[lane];
     paths.steepness[lane] = origins.steepness[lane];
     paths.there[lane] = returns.there[lane];
+    const float across = rays.tfar[lane];
+    const MirrorTube& tube = origins.tube[lane];
+    paths.spread[lane] = std::abs(tube.constant + across * (tube.linear + across * tube.quadratic)) /
+                         (returns.there[lane] * returns.there[lane]);
     paths.back[lane] = returns.distance[lane];
     paths.texture[lane] = met.texture[lane];
     paths.surface[lane] = met.surface[lane];

@@ -121,6 +121,9 @@ void OnwardTask::sift(const HitColumn& strip) {
     lanes &= scene_.boxes().may_meet(candidates_.rays.ray);
     unsifted_ = lanes == candidates ? kUnsifted : 0;
   }
+  if (plan_->model == EchoModel::kCalibrated && plan_->max_surfaces > 2) {
+    lay_tubes(strip, lanes);
+  }
   if (std::popcount(lanes) >= kMany) {
     trace(candidates_, candidate_origins_, lanes);
     return;
@@ -142,10 +145,22 @@ void OnwardTask::sift(const HitColumn& strip) {
     origins_.strength[to] = candidate_origins_.strength[lane];
     origins_.kept[to] = candidate_origins_.kept[lane];
     origins_.steepness[to] = candidate_origins_.steepness[lane];
+    origins_.tube[to] = candidate_origins_.tube[lane];
     origins_.selected[to] = candidate_origins_.selected[lane];
     if (++onward_count_ == kPacketSize) {
       trace_collected();
     }
+  }
+}
+
+// Of the candidates that are sent.
+void OnwardTask::lay_tubes(const HitColumn& strip, unsigned lanes) {
+  for (; lanes != 0; lanes &= lanes - 1) {
+    const int lane = std::countr_zero(lanes), at = place_[lane];
+    const Vec3f direction(strip.direction_x[at], strip.direction_y[at], strip.direction_z[at]);
+    const Vec3f normal(strip.normal_x[at], strip.normal_y[at], strip.normal_z[at]);
+    candidate_origins_.tube[lane] =
+        scene_.tube(strip.surface[at], strip.triangle[at], direction, normal, strip.range[at]);
   }
 }
 

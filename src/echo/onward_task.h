@@ -6,6 +6,7 @@
 
 #include "echo/cpu_scene.h"
 #include "echo/hit_column.h"
+#include "echo/mirror_tube.h"
 #include "echo/ping_plan.h"
 #include "echo/ray_packet.h"
 #include "echo/secondary_echo.h"
@@ -26,6 +27,7 @@ class OnwardTask {
     float range[kPacketSize], selected[kPacketSize];
     float strength[kPacketSize];                      // `paper`
     float kept[kPacketSize], steepness[kPacketSize];  // `calibrated`: see MirrorPaths
+    MirrorTube tube[kPacketSize];                     // `calibrated`, where sound comes back by the mirror.
   };
 
   explicit OnwardTask(const CpuScene& scene);
@@ -51,6 +53,7 @@ class OnwardTask {
 
  private:
   void sift(const HitColumn& strip);
+  void lay_tubes(const HitColumn& strip, unsigned lanes);
   void trace_collected();
   void trace(RayPacket& packet, const Origins& origins, unsigned lanes);
   void return_shaped(const RTCRay16& rays, const Origins& origins, unsigned lanes);

@@ -105,7 +105,8 @@ ReferenceEngine::Meeting ReferenceEngine::nearest(const Ray& ray) const {
           reflectivity_[hit->material] * relief.reflectivity,
           relief.reflectivity,
           hit->instance,
-          hit->material};
+          hit->material,
+          static_cast<std::size_t>(hit - triangles_.data())};
 }
 
 bool ReferenceEngine::blocked(const Ray& ray) const {
@@ -156,6 +157,15 @@ void ReferenceEngine::insonify(const PingPlan& plan, const Pose& world_from_sona
   }
 }
 
+MirrorTube ReferenceEngine::tube(const Meeting& mirror, const Vec3& direction) const {
+  const Triangle& triangle = triangles_[mirror.triangle];
+  const std::array<Vec3f, 3> corners = {Vec3f::Zero(), triangle.edge1.cast<float>(), triangle.edge2.cast<float>()};
+  std::array<Vec3f, 3> normals;
+  std::ranges::transform(triangle.normal, normals.begin(), [](const Vec3& normal) { return normal.cast<float>(); });
+  return mirror_tube(corners, normals, direction.cast<float>(), mirror.bent.cast<float>(),
+                     static_cast<float>(mirror.distance));
+}
+
 void ReferenceEngine::return_mirrored(const PingPlan& plan, const Pose& world_from_sonar, const Mirrored& mirrored,
                                       EchoGrid& grid, std::vector<Echo>& arrivals, RayCounts& counts) const {
   const Meeting& second = mirrored.second;
@@ -167,6 +177,10 @@ void ReferenceEngine::return_mirrored(const PingPlan& plan, const Pose& world_fr
   paths.kept[0] = mirrored.kept;
   paths.steepness[0] = mirrored.steepness;
   paths.there[0] = static_cast<float>(mirrored.range + second.distance);
+  const auto across = static_cast<float>(second.distance);
+  const MirrorTube& tube = mirrored.tube;
+  paths.spread[0] =
+      std::abs(tube.constant + across * (tube.linear + across * tube.quadratic)) / (paths.there[0] * paths.there[0]);
   paths.back[0] = static_cast<float>(back.norm());
   paths.in[0] = static_cast<float>(second.bent.dot(in));
   paths.out[0] = static_cast<float>(second.bent.dot(out));
@@ -276,7 +290,7 @@ void ReferenceEngine::insonify_column(const PingPlan& plan, int column, const Po
       const Echo echo = secondary_echo(plan, column, row, hits.selected[row], path_length, second.surface());
       return_mirrored(plan, world_from_sonar,
                       {echo, kept, plan.scatter.steepness(hits.surface[row]), lattice.heard_in(column)[row],
-                       first[row].distance, onward, second},
+                       first[row].distance, tube(first[row], rays[row].direction), onward, second},
                       grid, arrivals, counts);
       continue;
     }

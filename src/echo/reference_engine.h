@@ -41,6 +41,7 @@ class ReferenceEngine final : public Engine {
     float reflectivity = 0;
     float texture = 1;  // What relief makes of it.
     std::uint16_t instance = kNoLabel, material = kNoLabel;
+    std::size_t triangle = 0;  // Of triangles_.
 
     [[nodiscard]] bool met() const { return instance != kNoLabel; }
     [[nodiscard]] SurfaceLabel surface() const { return surface_label(instance, material); }
@@ -58,9 +59,11 @@ class ReferenceEngine final : public Engine {
     float kept, steepness;  // See MirrorPaths.
     float heard;            // |p|^2 of the elevation it was launched at.
     double range;           // Of the mirror.
+    MirrorTube tube;
     Ray across;
     Meeting second;
   };
+  [[nodiscard]] MirrorTube tube(const Meeting& mirror, const Vec3& direction) const;
   void return_mirrored(const PingPlan& plan, const Pose& world_from_sonar, const Mirrored& mirrored, EchoGrid& grid,
                        std::vector<Echo>& arrivals, RayCounts& counts) const;
 
