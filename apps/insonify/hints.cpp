@@ -27,6 +27,10 @@ void Loudness::add(const Ping& ping) {
   }
 }
 
+bool hears_more_than_surfaces(const Scenario& scenario) {
+  return !scenario.points.empty() || !scenario.interferers.empty() || scenario.water.volume_backscatter_db.has_value();
+}
+
 std::string silence_text(const Simulator& simulator, int sonar) {
   const Box3 world = simulator.scene().bounds();
   const Pose world_from_head = simulator.world_from_head(sonar, 0);

@@ -20,6 +20,9 @@ class Loudness {
   double loudest_ = -1;
 };
 
+/// Whether there are echoes without a surface, which no label tells: of points, of the water, or of other sonars.
+[[nodiscard]] bool hears_more_than_surfaces(const Scenario& scenario);
+
 /// "nothing was heard in any ping of fls: ...", with where the world is and where the sonar looked.
 [[nodiscard]] std::string silence_text(const Simulator& simulator, int sonar);
 

@@ -84,8 +84,7 @@ void PingPictures::add(const Ping& ping) {
     add_shown(ping);
     return;
   }
-  const Ping raised = raised_by_range(ping, sonar_, kShownGainPerDecade);
-  display_.raised_per_decade = kShownGainPerDecade;
+  const Ping raised = raised_by_range(ping, sonar_, display_.raised_per_decade);
   if (!scaled_ && scan_ == nullptr) {
     display_.full_scale = fitting_full_scale(raised.intensity);
     scaled_ = true;
@@ -122,7 +121,7 @@ void PingPictures::finish(const Ping& last) {
     write("scan", scan_->draw(display_));
     write("polar", scan_->draw_polar(display_));
   } else if (!last_drawn_) {
-    draw_fan_of(model_ == EchoModel::kPaper ? last : raised_by_range(last, sonar_, kShownGainPerDecade));
+    draw_fan_of(model_ == EchoModel::kPaper ? last : raised_by_range(last, sonar_, display_.raised_per_decade));
   }
 }
 

@@ -31,8 +31,8 @@ std::size_t remove_old_pictures(const std::filesystem::path& folder, const std::
 /// NAME_scan_0000.png, what it has seen up to a ping, and at the end NAME_scan.png and the waterfall NAME_polar.png.
 class PingPictures {
  public:
-  /// Levels of the calibrated model are raised by range. Full scale is that of a fan's first ping, for all; of a scan,
-  /// what fits the pings so far.
+  /// Levels of the calibrated model are raised by range as the display says. Full scale is that of a fan's first ping,
+  /// for all; of a scan, what fits the pings so far.
   PingPictures(std::filesystem::path folder, const SonarConfig& sonar, EchoModel model, Display display,
                PictureChoice choice, std::uint64_t total);
 

@@ -99,6 +99,13 @@ struct Track {
   Loudness loudness = {};
 };
 
+// Levels are raised by range unless the receiver has done that.
+Display display_of(const Scenario& scenario, Display display) {
+  const bool raised = scenario.receiver.time_varied_gain || !scenario.receiver.gain_ranges.empty();
+  display.raised_per_decade = scenario.model == EchoModel::kPaper || raised ? 0 : kShownGainPerDecade;
+  return display;
+}
+
 std::vector<Track> start_tracks(const Simulator& simulator, const std::filesystem::path& folder, const Display& display,
                                 const PictureChoice& choice) {
   const Scenario& scenario = simulator.scenario();
@@ -108,7 +115,7 @@ std::vector<Track> start_tracks(const Simulator& simulator, const std::filesyste
     const SonarConfig& sonar = simulator.sonar(static_cast<int>(i));
     const std::filesystem::path file = folder / (sonar.name + ".h5");
     tracks.push_back({file, Recording(file, scenario, simulator.scene(), sonar, pings),
-                      PingPictures(folder, sonar, scenario.model, display, choice, pings)});
+                      PingPictures(folder, sonar, scenario.model, display_of(scenario, display), choice, pings)});
   }
   return tracks;
 }
@@ -167,7 +174,7 @@ void print_hints(const Simulator& simulator, const std::vector<Track>& tracks, c
   for (std::size_t i = 0; i < tracks.size(); ++i) {
     const Loudness& loudness = tracks[i].loudness;
     const int sonar = static_cast<int>(i);
-    if (tracks[i].made > 0 && !loudness.heard()) {
+    if (tracks[i].made > 0 && !loudness.heard() && !hears_more_than_surfaces(simulator.scenario())) {
       complain("warning: " + silence_text(simulator, sonar));
     } else if (simulator.scenario().model == EchoModel::kPaper && loudness.dim() && display.scale == Scale::kLinear &&
                !tracks[i].pictures.files().empty() && !quiet) {

@@ -106,30 +106,58 @@ void finish(Run<kTruth>& run, SurfaceSums& sums, SurfaceLabel surface, float dat
   run.restart();
 }
 
-// Where a sample's stretch goes that ends alone: from the sample along its tangent plane to the direction
-// (cos_end, sin_end), if the neighbour on the other side shows that the surface goes on like that.
+// Where the tangent plane of a sample goes on to in the direction (cos_end, sin_end), if the neighbour on the other
+// side, `behind`, shows that the surface goes on like that; else where the sample is. In bins, like
+// Stretches::position.
+float plane_end(const PingPlan& plan, const HitColumn& hits, const Stretches& stretches, int row, int behind,
+                float cos_here, float sin_here, float cos_end, float sin_end) {
+  const float here = stretches.position[row];
+  if (behind < 0 || behind >= plan.lattice.rows || stretches.joined[std::min(row, behind)] == 0) {
+    return here;
+  }
+  float facing_end = stretches.normal_along[row] * cos_end + stretches.normal_up[row] * sin_end;
+  float facing_here = stretches.normal_along[row] * cos_here + stretches.normal_up[row] * sin_here;
+  if (plan.lattice.shape == BeamShape::kCone) {
+    facing_end += stretches.normal_beside[row];
+    facing_here += stretches.normal_beside[row];
+  }
+  const float range_end = hits.range[row] * facing_here / facing_end;
+  const float most = kMostStretch * std::abs(here - stretches.position[behind]);
+  const float wished = (range_end - plan.first_bin_at) * plan.bins_per_metre;
+  return wished > here - most ? std::min(wished, here + most) : here - most;  // Also where facing_end is 0.
+}
+
+// A direction of a column.
+struct End {
+  float cosine, sine;
+};
+
+// The stretch of a sample that ends alone, in a direction on the way to the next; or where its plane passes the last
+// bin before the next, all the way to there, as the next sample would show if it were heard: with the power that
+// changes as from the neighbour behind.
 Stretch lone_stretch(const PingPlan& plan, int column, const HitColumn& hits, const Stretches& stretches, int row,
-                     int behind, float cos_end, float sin_end, float weight) {
+                     int behind, End end, float weight, const End* next = nullptr, float weight_to_next = 0) {
   const float here = stretches.position[row];
   const float cos_here = plan.lattice.cosines(column)[row], sin_here = plan.lattice.sines(column)[row];
-  float end = here;
-  if (behind >= 0 && behind < plan.lattice.rows && stretches.joined[std::min(row, behind)] != 0) {
-    float facing_end = stretches.normal_along[row] * cos_end + stretches.normal_up[row] * sin_end;
-    float facing_here = stretches.normal_along[row] * cos_here + stretches.normal_up[row] * sin_here;
-    if (plan.lattice.shape == BeamShape::kCone) {
-      facing_end += stretches.normal_beside[row];
-      facing_here += stretches.normal_beside[row];
+  const auto end_at = [&](End at) {
+    return plane_end(plan, hits, stretches, row, behind, cos_here, sin_here, at.cosine, at.sine);
+  };
+  const auto bins = static_cast<float>(plan.sonar.bin_count);
+  float power = hits.power[row], half_rise = 0;
+  float ends_at = end_at(end);
+  if (const float next_at = next == nullptr ? here : end_at(*next); next_at > bins && here < bins) {
+    ends_at = next_at;
+    weight = weight_to_next;
+    const int joined = std::min(row, behind);
+    if (stretches.power[joined] + 2 * stretches.half_rise[joined] * bins > 0) {
+      power = stretches.power[joined];
+      half_rise = stretches.half_rise[joined];
     }
-    const float range_end = hits.range[row] * facing_here / facing_end;
-    const float most = kMostStretch * std::abs(here - stretches.position[behind]);
-    const float wished = (range_end - plan.first_bin_at) * plan.bins_per_metre;
-    end = wished > here - most ? std::min(wished, here + most) : here - most;  // Also where facing_end is 0.
   }
   const float beyond = stretches.reach[row] + kShortestStretch;
-  const float low = std::min(here, end) - beyond;
-  const float high = std::max(here, end) + beyond;
-  const auto bins = static_cast<float>(plan.sonar.bin_count);
-  return {std::clamp(low, 0.0F, bins), std::min(high, bins), hits.power[row], 0, weight / (high - low), 0};
+  const float low = std::min(here, ends_at) - beyond;
+  const float high = std::max(here, ends_at) + beyond;
+  return {std::clamp(low, 0.0F, bins), std::min(high, bins), power, half_rise, weight / (high - low), 0};
 }
 
 // See deposit_column().
@@ -147,9 +175,9 @@ template <GroundTruth kTruth>
   const int last_row = std::min(hits.rows, lattice.rows - 1);
   const float datum = plan.middle_elevation;  // Squares keep more digits when they are small.
   Run<kTruth> run(sums, datum);
-  const auto add_alone = [&](int row, int behind, float cos_end, float sin_end, float weight) {
+  const auto add_alone = [&](int row, int behind, End end, float weight, const End* next = nullptr) {
     if (hits.surface[row] != kNoSurface) {
-      Stretch stretch = lone_stretch(plan, column, hits, stretches, row, behind, cos_end, sin_end, weight);
+      Stretch stretch = lone_stretch(plan, column, hits, stretches, row, behind, end, weight, next, 2 * weight);
       stretch.elevation = elevation[row];
       run.add(stretch);
     }
@@ -160,7 +188,7 @@ template <GroundTruth kTruth>
               *middle = stretches.elevation.data();
   const std::uint8_t* joined = stretches.joined.data();
   SurfaceLabel surface = hits.surface[0];
-  add_alone(0, 1, edges.cos_low, edges.sin_low, interval[0] * measure);
+  add_alone(0, 1, {edges.cos_low, edges.sin_low}, interval[0] * measure);
   for (int row = 0; row < last_row; ++row) {
     if (joined[row] != 0) {
       run.add({low[row], high[row], power[row], half_rise[row], density[row], middle[row]});
@@ -170,17 +198,17 @@ template <GroundTruth kTruth>
     if (hits.surface[row] == kNoSurface && hits.surface[next] == kNoSurface) {
       continue;
     }
-    const float cos_middle = 0.5F * (cos_t[row] + cos_t[next]);
-    const float sin_middle = 0.5F * (sin_t[row] + sin_t[next]);
-    const float weight = interval[next] * measure;
-    add_alone(row, row - 1, cos_middle, sin_middle, 0.5F * weight);
+    const End middle{0.5F * (cos_t[row] + cos_t[next]), 0.5F * (sin_t[row] + sin_t[next])};
+    const End above{cos_t[next], sin_t[next]}, below{cos_t[row], sin_t[row]};
+    const float weight = 0.5F * interval[next] * measure;
+    add_alone(row, row - 1, middle, weight, hits.surface[next] == kNoSurface ? &above : nullptr);
     if (hits.surface[next] != surface) {
       finish<kTruth>(run, sums, surface, datum, beam, grid);
       surface = hits.surface[next];
     }
-    add_alone(next, next + 1, cos_middle, sin_middle, 0.5F * weight);
+    add_alone(next, next + 1, middle, weight, hits.surface[row] == kNoSurface ? &below : nullptr);
   }
-  add_alone(last_row, last_row - 1, edges.cos_high, edges.sin_high, interval[lattice.rows] * measure);
+  add_alone(last_row, last_row - 1, {edges.cos_high, edges.sin_high}, interval[lattice.rows] * measure);
   finish<kTruth>(run, sums, surface, datum, beam, grid);
 }
 

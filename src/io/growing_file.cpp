@@ -1,4 +1,4 @@
-// growing_file.cpp -- has HDF5 make the file in memory, writes it out and adds rows, both by plain writes.
+// growing_file.cpp -- writes out what HDF5 has made in memory and adds rows, both by plain writes.
 
 #include "io/growing_file.h"
 
@@ -15,23 +15,12 @@
 #include <utility>
 
 #include "io/file_lock.h"
+#include "io/growing_image.h"
 
 namespace insonify {
 namespace {
 
 static_assert(std::endian::native == std::endian::little, "rows are written as they lie in memory");
-
-// The smallest page that Linux has. A write inside one page cannot be cut in two by a signal: the kernel looks for
-// signals between pages only.
-constexpr std::uint64_t kPage = 4096;
-
-// Where HDF5 keeps its own structures it keeps them together, in blocks of this size [bytes]; the first block holds all
-// that has to share a page. Memory for the file grows by as much.
-constexpr hsize_t kMetadataBlock = 65536;
-
-// Half the entries of a node of a group's tree. The root's node comes before the datasets' headers: a small one leaves
-// them more of the page, room for 13.
-constexpr unsigned kHalfTreeNode = 2;
 
 // In a superblock of version 0, the end of the file: what lies before it is in use.
 constexpr std::size_t kEndOfFileField = 40;
@@ -62,27 +51,6 @@ std::uint64_t total_bytes(const std::filesystem::path& path, std::span<const Gro
   return capacity * row;
 }
 
-// Contiguous, and without a place until written to: its place is ours to choose.
-H5Handle growing_layout(const std::filesystem::path& path) {
-  H5Handle layout = h5_own(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, path, "create");
-  h5_check(H5Pset_layout(layout.get(), H5D_CONTIGUOUS), path, "create");
-  h5_check(H5Pset_alloc_time(layout.get(), H5D_ALLOC_TIME_LATE), path, "create");
-  h5_check(H5Pset_fill_time(layout.get(), H5D_FILL_TIME_NEVER), path, "create");
-  h5_check(H5Pset_obj_track_times(layout.get(), false), path, "create");
-  return layout;
-}
-
-// Not yet in any group: the headers lie side by side, with nothing of the group's between them.
-H5Handle create_dataset(hid_t file, const GrowingDataset& dataset, std::uint64_t capacity, hid_t layout,
-                        const std::filesystem::path& path) {
-  std::vector<hsize_t> shape{capacity};
-  shape.insert(shape.end(), dataset.row.begin(), dataset.row.end());
-  const H5Handle space =
-      h5_own(H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr), H5Sclose, path, "create");
-  return h5_own(H5Dcreate_anon(file, dataset.type, space.get(), layout, H5P_DEFAULT), H5Dclose, path,
-                "create /" + dataset.name);
-}
-
 }  // namespace
 
 std::uint64_t GrowingDataset::row_bytes() const {
@@ -109,7 +77,8 @@ GrowingFile::GrowingFile(std::filesystem::path path, std::vector<GrowingDataset>
     if (ftruncate(file_, 0) != 0) {
       fail(path_, "cannot create: " + system_reason());
     }
-    std::vector<std::byte> image = make_image(describe);
+    auto [image, addresses] = make_growing_image(path_, datasets_, capacity_, describe);
+    addresses_ = std::move(addresses);
     find_fields(image);
     const std::uint64_t end = place_rows(image);
     if (ftruncate(file_, static_cast<off_t>(end)) != 0) {
@@ -150,44 +119,6 @@ GrowingFile::GrowingFile(GrowingFile&& other) noexcept
       fields_begin_(other.fields_begin_),
       fields_bytes_(std::move(other.fields_bytes_)) {}
 
-// Has HDF5 make the whole file but the rows, in memory: a disk that fills up could leave it with handles that it can
-// never close, and then it fails when the program ends.
-std::vector<std::byte> GrowingFile::make_image(const std::function<void(hid_t file)>& describe) {
-  const H5Quiet quiet;
-  // The earliest formats: no checksums over what is to change, and what every program reads.
-  const H5Handle access = h5_own(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, path_, "create");
-  h5_check(H5Pset_libver_bounds(access.get(), H5F_LIBVER_EARLIEST, H5F_LIBVER_LATEST), path_, "create");
-  h5_check(H5Pset_meta_block_size(access.get(), kMetadataBlock), path_, "create");
-  h5_check(H5Pset_fclose_degree(access.get(), H5F_CLOSE_STRONG), path_, "create");
-  constexpr bool kOnDisk = false;
-  h5_check(H5Pset_fapl_core(access.get(), kMetadataBlock, kOnDisk), path_, "create");
-  // No file can have this name: one that has is read whole, even to be made anew.
-  constexpr const char* kNowhere = "/dev/null/recording";
-  const H5Handle creation = h5_own(H5Pcreate(H5P_FILE_CREATE), H5Pclose, path_, "create");
-  h5_check(H5Pset_sym_k(creation.get(), kHalfTreeNode, 0), path_, "create");
-  const H5Handle file =
-      h5_own(H5Fcreate(kNowhere, H5F_ACC_TRUNC, creation.get(), access.get()), H5Fclose, path_, "create");
-  const H5Handle layout = growing_layout(path_);
-  std::vector<H5Handle> made;
-  for (const GrowingDataset& dataset : datasets_) {
-    made.push_back(create_dataset(file.get(), dataset, capacity_, layout.get(), path_));
-    H5O_info_t info;
-    h5_check(H5Oget_info1(made.back().get(), &info), path_, "create /" + dataset.name);
-    addresses_.push_back(info.addr);
-  }
-  for (std::size_t i = 0; i < datasets_.size(); ++i) {
-    const std::string& name = datasets_[i].name;
-    h5_check(H5Olink(made[i].get(), file.get(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT), path_, "create /" + name);
-  }
-  made.clear();
-  describe(file.get());
-  h5_check(H5Fflush(file.get(), H5F_SCOPE_LOCAL), path_, "create");
-  std::vector<std::byte> image(
-      static_cast<std::size_t>(h5_check(H5Fget_file_image(file.get(), nullptr, 0), path_, "create")));
-  h5_check(H5Fget_file_image(file.get(), image.data(), image.size()), path_, "create");
-  return image;
-}
-
 // Finds what tells the length and place of each dataset, and makes sure that it is what we take it for and lies in one
 // page.
 void GrowingFile::find_fields(std::span<const std::byte> image) {
@@ -205,8 +136,8 @@ void GrowingFile::find_fields(std::span<const std::byte> image) {
     std::memcpy(&value, &image[position], sizeof value);
     return value;
   };
-  bool as_expected =
-      first != 0 && first / kPage == last / kPage && last < image.size() && value_at(kEndOfFileField) == image.size();
+  bool as_expected = first != 0 && first / kGrowingPage == last / kGrowingPage && last < image.size() &&
+                     value_at(kEndOfFileField) == image.size();
   for (std::size_t i = 0; as_expected && i < datasets_.size(); ++i) {
     as_expected = value_at(fields_[i].dimension) == capacity_ && value_at(fields_[i].maximum) == capacity_ &&
                   value_at(fields_[i].address) == HADDR_UNDEF &&

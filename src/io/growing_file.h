@@ -57,7 +57,6 @@ class GrowingFile {
   void close();
 
  private:
-  std::vector<std::byte> make_image(const std::function<void(hid_t file)>& describe);
   void find_fields(std::span<const std::byte> image);
   std::uint64_t place_rows(std::span<std::byte> image);
   void set_count(std::uint64_t count);

@@ -34,7 +34,11 @@ void check_gain_table(const ReceiverConfig& receiver) {
 void ReceiverConfig::validate() const {
   check_fields("receiver", *this);
   if (pulse == PulseKind::kLfm && pulse_duration * pulse_bandwidth < 10) {
-    throw Error("receiver.pulse_bandwidth times pulse_duration must be at least 10 for a chirp");
+    throw Error(
+        fmt::format("receiver.pulse_bandwidth = {:.4g} Hz times receiver.pulse_duration = {:.4g} s is {:.3g}, must be "
+                    "at least 10 for "
+                    "a chirp",
+                    pulse_bandwidth, pulse_duration, pulse_duration * pulse_bandwidth));
   }
   check_gain_table(*this);
   if (field && !speckle) {

@@ -95,6 +95,41 @@ void check_beams(const Scenario& scenario) {
   }
 }
 
+// Gains are multiplied into single precision, which ends at 385 dB.
+void check_gains(const Scenario& scenario) {
+  constexpr double kMost = 300;
+  for (std::size_t i = 0; i < scenario.sonars.size(); ++i) {
+    const SonarConfig& sonar = scenario.sonars[i];
+    const double range = sonar.bin_range(sonar.bin_count - 1);
+    const double gain = scenario.receiver.gain_db(range, scenario.water.absorption_db_per_m_at(sonar.frequency));
+    if (gain > kMost) {
+      throw Error(
+          fmt::format("receiver.{} comes to {:.4g} dB at {:.4g} m, the far end of sonars[{}]; must be at most {} dB: "
+                      "there is nothing "
+                      "left to raise there",
+                      scenario.receiver.time_varied_gain ? "time_varied_gain" : "gains_db", gain, range, i, kMost));
+    }
+  }
+}
+
+void check_depths(const Scenario& scenario) {
+  std::vector<double> times = {0};
+  for (const Waypoint& waypoint : scenario.trajectory.waypoints) {
+    times.push_back(waypoint.time);
+  }
+  for (std::size_t i = 0; i < scenario.sonars.size(); ++i) {
+    for (const double time : times) {
+      const double height = (scenario.trajectory.at(time) * scenario.sonars[i].position).z();
+      if (height >= scenario.surface->level) {
+        throw Error(
+            fmt::format("surface.level = {:.7g} m must be above the sonars; sonars[{}] is at a height of {:.7g} m "
+                        "at time {:.7g} s",
+                        scenario.surface->level, i, height, time));
+      }
+    }
+  }
+}
+
 void check_engine(const std::string& engine) {
   const std::vector<std::string_view> names = engine_names();
   if (std::ranges::find(names, engine) == names.end()) {
@@ -207,8 +242,12 @@ void Scenario::validate() const {
   check_sonars(sonars, water);
   if (model == EchoModel::kCalibrated) {
     check_beams(*this);
+    check_gains(*this);
   }
   trajectory.validate("trajectory");
+  if (surface) {
+    check_depths(*this);
+  }
   check_motions(motions);
   if (view.has_value()) {
     check_view(*view);

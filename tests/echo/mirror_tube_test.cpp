@@ -20,15 +20,17 @@ double area(const MirrorTube& tube, double across) {
 MirrorTube tube_by(double curved_x, double curved_y, const Vec3f& direction, float range, float side = 1) {
   std::array<Vec3f, 3> corners = {Vec3f(2e-3F, 0, 0), Vec3f(-1e-3F, 2e-3F, 0), Vec3f(-1e-3F, -2e-3F, 0)}, normals;
   for (int k = 0; k < 3; ++k) {
-    normals[k] = side * Vec3f(static_cast<float>(curved_x) * corners[k].x(), static_cast<float>(curved_y) * corners[k].y(), 1)
-                            .normalized();
+    normals[k] =
+        side * Vec3f(static_cast<float>(curved_x) * corners[k].x(), static_cast<float>(curved_y) * corners[k].y(), 1)
+                   .normalized();
   }
   return mirror_tube(corners, normals, direction, side * Vec3f::UnitZ(), range);
 }
 
 Vec3f from_angle(double degrees, double turned = 0) {
   const double s = std::sin(degrees * kDegree);
-  return Vec3(s * std::cos(turned * kDegree), s * std::sin(turned * kDegree), -std::cos(degrees * kDegree)).cast<float>();
+  return Vec3(s * std::cos(turned * kDegree), s * std::sin(turned * kDegree), -std::cos(degrees * kDegree))
+      .cast<float>();
 }
 
 TEST(MirrorTubeTest, PlaneShowsTheImage) {

@@ -149,6 +149,30 @@ TEST_P(SphereLevelTest, SphereHasItsTargetStrength) {
   EXPECT_EQ(first - heard.begin(), 90);  // 9.5 m on.
 }
 
+// Up to the far end of the last bin, where the samples beyond are not heard.
+TEST_P(LevelTest, SeabedKeepsItsLevelUpToTheLastBin) {
+  SonarConfig sonar;
+  sonar.beam_count = 8;
+  sonar.azimuth_aperture = 8 * kDegree;
+  sonar.elevation_aperture = 40 * kDegree;
+  sonar.min_range = 20;
+  sonar.max_range = 60;
+  sonar.bin_count = 400;
+  for (const int rows : {100, 200, 1000}) {
+    sonar.sampling = {4, rows};
+    const Ping ping = ping_of(calibrated(sonar, GetParam()), seabed_at(-5, diffuse(-20)));
+    for (int bin = 200; bin < sonar.bin_count; ++bin) {
+      double sum = 0;
+      for (int beam = 0; beam < sonar.beam_count; ++beam) {
+        sum += ping.intensity[ping.index(bin, beam)] / sonar.beam_count;
+      }
+      const double expected =
+          -20 + 10 * std::log10(25 * 1 * kDegree * sonar.bin_length() / std::pow(sonar.bin_range(bin), 5));
+      EXPECT_NEAR(10 * std::log10(sum), expected, 0.5) << rows << ", " << sonar.bin_range(bin);
+    }
+  }
+}
+
 constexpr auto kName = [](const auto& test) { return test.param.name; };
 INSTANTIATE_TEST_SUITE_P(Methods, LevelTest, testing::Values(kReference, kRays, kRaster), kName);
 INSTANTIATE_TEST_SUITE_P(Methods, SphereLevelTest, testing::Values(kRays, kRaster), kName);

@@ -212,10 +212,9 @@ TEST_P(MultipathTest, BallsSpreadSoundBothWays) {
   sonar.sampling = {16, 400};
   const double side = 0.3;
   const Eigen::Quaterniond facing = Eigen::Quaterniond::FromTwoVectors(Vec3::UnitX(), -onward);
-  const Scene scene = scene_of_all(
-      {sphere_at(centre, a, glinting(0.9, 0.005), 0.05),
-       scene_of(make_plane(Vec3::UnitX(), side, side), diffuse(-20),
-                {.position = mirror + across * onward, .orientation = facing})});
+  const Scene scene = scene_of_all({sphere_at(centre, a, glinting(0.9, 0.005), 0.05),
+                                    scene_of(make_plane(Vec3::UnitX(), side, side), diffuse(-20),
+                                             {.position = mirror + across * onward, .orientation = facing})});
   const EchoGrid grid = echoes_of(GetParam(), scene, sonar, Vec3::Zero());
   const double expected = 0.01 * side * side * std::pow(0.9, 4) * gain * gain;
   EXPECT_NEAR(level_db(grid, sonar, 3, r + across), 10 * std::log10(expected), 0.3);
