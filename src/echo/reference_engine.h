@@ -6,6 +6,7 @@
 
 #include "base/parallel.h"
 #include "echo/deposit.h"
+#include "echo/mirror_tube.h"
 #include "echo/reliefs.h"
 #include "insonify/engine.h"
 

@@ -70,6 +70,14 @@ TEST_F(CliTest, SilenceIsToldWithWhereTheWorldIs) {
             "20, -2) m, the sonar was at (0, 0, 0) m at first, looking along (0, 0, 1), and hears from 0.2 to 12 m\n");
 }
 
+TEST_F(CliTest, EchoesOfPointsAreNoSilence) {
+  const Outcome outcome = shell(
+      "insonify run fan.yaml -o out -q --no-pictures --set orientation_deg=[0,-90,0] --set 'points=[{position: [0, 0, "
+      "5]}]'");
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_EQ(outcome.err, "");
+}
+
 TEST_F(CliTest, PicturesThatAreNearlyBlackAreToldWithTheKeyToChange) {
   const Outcome outcome = shell("insonify run fan.yaml -o out --no-view --set model=paper --set gain=0.001");
   EXPECT_THAT(outcome.out,

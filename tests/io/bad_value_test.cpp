@@ -68,7 +68,15 @@ const BadScenario kCases[] = {
      "sonars: [{name: fls}]\n",
      "scenario.yaml:3:28: points[0].position[2] = 1000000000 m must be from -10000000 to 10000000 m"},
     {"ChirpWithoutBand", "world: floor.obj\nreceiver: {pulse: lfm, pulse_bandwidth: 1000}\nsonars: [{name: fls}]\n",
-     "scenario.yaml:2:24: receiver.pulse_bandwidth times pulse_duration must be at least 10 for a chirp"},
+     "scenario.yaml:2:24: receiver.pulse_bandwidth = 1000 Hz times receiver.pulse_duration = 5e-05 s is 0.05, must be "
+     "at "
+     "least 10 for a chirp"},
+    {"GainBeyondNumbers",
+     "world: floor.obj\nwater: {absorption_db_per_m: 10}\nreceiver: {time_varied_gain: 40}\nsonars: [{name: fls}]\n",
+     "scenario.yaml:3:12: receiver.time_varied_gain comes to 1067 dB at 49.95 m, the far end of sonars[0]; must be at "
+     "most 300 dB: there is nothing left to raise there"},
+    {"SonarInTheAir", "world: floor.obj\nsurface: {level: -1}\nsonars: [{name: fls}]\n",
+     "scenario.yaml:2:11: surface.level = -1 m must be above the sonars; sonars[0] is at a height of 0 m at time 0 s"},
     {"ArrayAllRound",
      "world: floor.obj\nreceiver: {azimuth_pattern: hann}\nsonars: [{name: fls, azimuth_aperture_deg: 200}]\n",
      "scenario.yaml:2:12: receiver.azimuth_pattern must be top_hat for fans of more than 180 deg; sonars[0] has 200"},
