@@ -133,8 +133,9 @@ Simulator::Simulator(Scenario scenario, Scene scene, int threads) {
   if (const std::optional<SeaSurface>& surface = state_->scenario.surface) {
     const auto label = surface_label(static_cast<std::uint16_t>(state_->scene.instances.size() - 1),
                                      static_cast<std::uint16_t>(state_->scene.materials.size() - 1));
-    state_->ghosts.emplace(state_->scenario.points,
-                           SurfaceGhosts::Surface{surface->level, label, surface->wind_speed == 0});
+    state_->ghosts.emplace(
+        state_->scenario.points,
+        SurfaceGhosts::Surface{surface->level, label, surface->wind_speed > 0 && state_->scenario.receiver.speckle});
   }
   state_->engine->set_scene(state_->scene);
 }

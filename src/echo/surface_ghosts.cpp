@@ -63,14 +63,16 @@ void SurfaceGhosts::trace(const Vec3& sonar, Engine& engine) {
   engine.trace(rays_, hits_);
 }
 
-double SurfaceGhosts::random_turns(const PingPlan& plan, std::size_t point, int order, std::uint64_t number) const {
-  if (surface_.smooth) {
-    return 0;
+SurfaceGhosts::Glint SurfaceGhosts::glint(const PingPlan& plan, std::size_t point, int order,
+                                          std::uint64_t number) const {
+  if (!surface_.glints) {
+    return {1, 0};
   }
   const PhiloxCounter counter = {
       static_cast<std::uint32_t>(point), static_cast<std::uint32_t>(number), static_cast<std::uint32_t>(number >> 32),
       static_cast<std::uint32_t>(RandomPurpose::kWaves) + (static_cast<std::uint32_t>(order) << 8)};
-  return double{uniform_open(philox(counter, philox_key(plan.seed))[0])};
+  const PhiloxCounter words = philox(counter, philox_key(plan.seed));
+  return {-std::log(double{uniform_open(words[0])}), double{uniform_open(words[1])}};
 }
 
 void SurfaceGhosts::add(const PingPlan& plan, const Pose& world_from_sonar, std::uint64_t number, Engine& engine,
@@ -106,17 +108,20 @@ void SurfaceGhosts::add_point(const PingPlan& plan, const Pose& sonar_from_world
   const double own_turns = own_phase(plan, point);
   const Heard direct = heard_from(plan, straight);
   if (clear(0) && direct.is_heard) {
-    const double intensity = strength * kept / std::pow(near * far, 2) * std::exp(-absorption * (near + far)) *
-                             double{direct.arrival.heard} * double{by_surface.arrival.heard};
+    const Glint waves = glint(plan, point, 2, number);
+    const double intensity = waves.intensity * strength * kept / std::pow(near * far, 2) *
+                             std::exp(-absorption * (near + far)) * double{direct.arrival.heard} *
+                             double{by_surface.arrival.heard};
     const double range = 0.5 * (near + far);
-    const double turns = plan.turns_per_metre * range + own_turns + 0.5 + random_turns(plan, point, 2, number);
+    const double turns = plan.turns_per_metre * range + own_turns + 0.5 + waves.turns;
     push(plan, direct.arrival, 2, range, intensity, turns, grid);
     push(plan, by_surface.arrival, 2, range, intensity, turns, grid);
   }
   if (plan.max_surfaces > 2) {
-    const double intensity = strength * kept * kept / std::pow(far, 4) * std::exp(-2 * absorption * far) *
-                             std::pow(double{by_surface.arrival.heard}, 2);
-    const double turns = plan.turns_per_metre * far + own_turns + 1 + random_turns(plan, point, 3, number);
+    const Glint waves = glint(plan, point, 3, number);
+    const double intensity = waves.intensity * strength * kept * kept / std::pow(far, 4) *
+                             std::exp(-2 * absorption * far) * std::pow(double{by_surface.arrival.heard}, 2);
+    const double turns = plan.turns_per_metre * far + own_turns + 1 + waves.turns;
     push(plan, by_surface.arrival, 3, far, intensity, turns, grid);
   }
 }

@@ -20,14 +20,14 @@ namespace insonify {
 ///     out and back by the surface:                               TS |R|^4 / r2^4         at r2,
 ///
 /// with absorption and the elevation pattern on their ways. The surface turns the phase by half a turn each time. Both
-/// reciprocal echoes have the same phase: without wind it is that of their way, and waves make it a random one, drawn
-/// anew for each ping.
+/// reciprocal echoes have the same phase: without wind it is that of their way. Waves break each ghost up into many
+/// glints, whose sum has a random phase and an exponential intensity about the mean, drawn anew for each ping.
 class SurfaceGhosts {
  public:
   struct Surface {
     double level;        ///< Height in the world [m].
     SurfaceLabel label;  ///< What the plan knows it by.
-    bool smooth;         ///< No waves.
+    bool glints;         ///< Whether there are waves, and phases count.
   };
   SurfaceGhosts(std::span<const PointTarget> points, const Surface& surface);
 
@@ -41,7 +41,11 @@ class SurfaceGhosts {
   void trace(const Vec3& sonar, Engine& engine);
   void add_point(const PingPlan& plan, const Pose& sonar_from_world, std::size_t point, std::uint64_t number,
                  EchoGrid& grid) const;
-  [[nodiscard]] double random_turns(const PingPlan& plan, std::size_t point, int order, std::uint64_t number) const;
+  // What waves make of an echo.
+  struct Glint {
+    double intensity, turns;  // Times, plus.
+  };
+  [[nodiscard]] Glint glint(const PingPlan& plan, std::size_t point, int order, std::uint64_t number) const;
 
   std::span<const PointTarget> points_;
   Surface surface_;

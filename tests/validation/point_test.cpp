@@ -143,34 +143,43 @@ TEST_P(PointTest, GhostsNeedAClearWayThatIsHeard) {
   EXPECT_NEAR(total_db(ping_of(scenario, wall)), -40 * std::log10(13.45362404707371), 1e-3);
 }
 
-// Waves turn the ghosts' phases at random, ping by ping: beside the direct echo in one bin they add by energy on
-// average.
+// Waves break ghosts up: intensities are exponential about the mean, ping by ping. Without speckle the mean is heard.
 TEST_P(PointTest, WavesShakeItsGhosts) {
   SonarConfig sonar = fan();
-  sonar.position = {0, 0, -1};
-  sonar.bin_count = 25;  // Of 1 m: all three echoes in one.
-  sonar.beam_count = 8;
+  sonar.position = {0, 0, -5};
+  sonar.elevation_aperture = 100 * kDegree;
+  sonar.bin_count = 250;
+  sonar.beam_count = 4;
+  sonar.azimuth_aperture = 20 * kDegree;
+  sonar.sampling = {1, 20};
   Scenario scenario = calibrated(sonar, GetParam());
   scenario.secondary = SecondaryEchoes::kAll;
   scenario.surface = SeaSurface{};
   scenario.receiver.speckle = true;
-  scenario.points = {{.position = {20.3, 0, -1}}};
-  const Scene nothing;
-  Simulator calm(scenario, nothing, 1);
-  EXPECT_EQ(calm.make_ping(0, 0).intensity, calm.make_ping(0, 1).intensity);
-  scenario.surface->wind_speed = 1;
-  Simulator rough(scenario, nothing, 1);
-  double least = 1, most = 0;
-  for (int i = 0; i < 60; ++i) {
+  scenario.points = {{.position = {10, 0, -4}, .target_strength_db = 40}};
+  const int ghost = static_cast<int>(13.45362404707371 / sonar.bin_length());
+  const auto level = [&](const Ping& ping) {
     double sum = 0;
-    const Ping ping = rough.make_ping(0, i);
     for (int beam = 0; beam < sonar.beam_count; ++beam) {
-      sum += ping.intensity[ping.index(20, beam)];
+      sum += ping.intensity[ping.index(ghost, beam)];
     }
-    least = std::min(least, sum);
-    most = std::max(most, sum);
+    return sum;
+  };
+  Simulator calm(scenario, {}, 1);
+  EXPECT_EQ(level(calm.make_ping(0, 0)), level(calm.make_ping(0, 1)));
+  scenario.surface->wind_speed = 1;
+  scenario.receiver.speckle = false;
+  const double mean = level(Simulator(scenario, {}, 1).make_ping(0, 0));
+  scenario.receiver.speckle = true;
+  Simulator rough(scenario, {}, 1);
+  constexpr int kPings = 2000;
+  double sum = 0, squares = 0;
+  for (int i = 0; i < kPings; ++i) {
+    const double ratio = level(rough.make_ping(0, i)) / mean;
+    sum += ratio, squares += ratio * ratio;
   }
-  EXPECT_GT(most, 5 * least);
+  EXPECT_NEAR(sum / kPings, 1, 0.1);
+  EXPECT_NEAR(squares / kPings / std::pow(sum / kPings, 2), 2, 0.3);
 }
 
 constexpr auto kName = [](const auto& test) { return test.param.name; };
