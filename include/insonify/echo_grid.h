@@ -139,6 +139,7 @@ class EchoGrid {
   void clear() { clear(0, beam_count_); }
 
  private:
+  void fill_more(int beam, BinRange bins);
   void set_up(int beam, BinRange bins);
   void take_cell(const EchoGrid& other, std::size_t from, std::size_t to);
   [[nodiscard]] std::size_t length() const { return static_cast<std::size_t>(bin_count_); }
@@ -160,6 +161,27 @@ class EchoGrid {
   std::vector<BinRange> filled_;   // [beam]
   std::vector<LoneEcho> lone_echoes_;
 };
+
+inline EchoGrid::Cells EchoGrid::to_fill(int order, int beam, BinRange bins) {
+  if (const BinRange filled = filled_[beam]; bins.first < filled.first || bins.last > filled.last) {
+    fill_more(beam, bins);
+  }
+  const std::size_t cell = start(1, beam) + bins.first;
+  const std::size_t of_order = start(order, beam) + bins.first;
+  Cells cells;
+  cells.energy = &energy_[of_order];
+  cells.weight = &weight_[of_order];
+  if (labelled_) {
+    cells.surface = &surface_[cell];
+    cells.lead = &lead_[cell];
+    cells.label_energy = &label_energy_[cell];
+    cells.elevation_moment = &elevation_moment_[cell];
+  }
+  if (ground_truth_ == GroundTruth::kFull) {
+    cells.tallies = &tallies_[cell];
+  }
+  return cells;
+}
 
 /// Takes the beams of a grid as they are completed, while their cells are still in the nearest memory.
 class BeamSink {

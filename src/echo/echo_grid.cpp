@@ -38,7 +38,7 @@ void EchoGrid::set_up(int beam, BinRange bins) {
   std::fill_n(&surface_[start(1, beam) + bins.first], bins.last - bins.first, kNoSurface);
 }
 
-EchoGrid::Cells EchoGrid::to_fill(int order, int beam, BinRange bins) {
+void EchoGrid::fill_more(int beam, BinRange bins) {
   const BinRange before = filled_[beam], now = before | bins;
   if (before.empty()) {
     set_up(beam, now);
@@ -47,22 +47,6 @@ EchoGrid::Cells EchoGrid::to_fill(int order, int beam, BinRange bins) {
     set_up(beam, {before.last, now.last});
   }
   filled_[beam] = now;
-
-  const std::size_t cell = start(1, beam) + bins.first;
-  const std::size_t of_order = start(order, beam) + bins.first;
-  Cells cells;
-  cells.energy = &energy_[of_order];
-  cells.weight = &weight_[of_order];
-  if (labelled_) {
-    cells.surface = &surface_[cell];
-    cells.lead = &lead_[cell];
-    cells.label_energy = &label_energy_[cell];
-    cells.elevation_moment = &elevation_moment_[cell];
-  }
-  if (ground_truth_ == GroundTruth::kFull) {
-    cells.tallies = &tallies_[cell];
-  }
-  return cells;
 }
 
 EchoGrid::Label EchoGrid::label(int beam, int bin) const {
