@@ -68,11 +68,12 @@ int BeamTask::load_tile(int first_column, int first_row) {
   const int rows = std::min(kTile, plan_->lattice.rows - first_row);
   for (int i = 0; i < kTile; ++i) {
     const HitColumn& hits = hits_[i];
-    copy_four(&hits.direction_x[first_row], &primary_.rays.ray.dir_x[i * kTile]);
-    copy_four(&hits.direction_y[first_row], &primary_.rays.ray.dir_y[i * kTile]);
-    copy_four(&hits.direction_z[first_row], &primary_.rays.ray.dir_z[i * kTile]);
+    const int lane = i * kTile;
+    copy_four(&hits.direction_x[first_row], &primary_.rays.ray.dir_x[lane]);
+    copy_four(&hits.direction_y[first_row], &primary_.rays.ray.dir_y[lane]);
+    copy_four(&hits.direction_z[first_row], &primary_.rays.ray.dir_z[lane]);
     for (int j = 0; j < kTile; ++j) {
-      primary_.valid[i * kTile + j] = (i < columns) & (j < rows) ? -1 : 0;
+      primary_.valid[lane + j] = (i < columns) & (j < rows) ? -1 : 0;
     }
   }
   return columns * rows;

@@ -61,10 +61,10 @@ struct BeamTask {
   Stretches stretches_;
   SurfaceSums sums_;
 
+  std::uint64_t primary_count_ = 0;
+  ReliefPoint reliefs_[kPacketSize];  // Of the packet's hits, where there is any.
   RayPacket primary_;
   CpuScene::Shading shading_;
-  ReliefPoint reliefs_[kPacketSize];  // Of the packet's hits, where there is any.
-  std::uint64_t primary_count_ = 0;
   OnwardTask onward_;
 };
 
