@@ -63,6 +63,7 @@ std::optional<ArraySettings> elevation_array(const ReceiverConfig& receiver, con
 
 std::vector<float> cell_angles(const PingPlan& plan) {
   std::vector<float> angles;
+  angles.reserve(plan.sonar.beam_count);
   for (int cell = 0; cell < plan.sonar.beam_count; ++cell) {
     angles.push_back(static_cast<float>(plan.lattice.beam_angle(cell)));
   }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 
 #include "insonify/picture.h"
 
@@ -18,7 +19,7 @@ class Tone {
   }
 
   [[nodiscard]] Rgb operator()(double intensity) const {
-    return colours_[static_cast<int>(shown_level(display_, intensity) * kLast + 0.5)];
+    return colours_[std::lround(shown_level(display_, intensity) * kLast)];
   }
 
  private:

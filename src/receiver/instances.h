@@ -53,7 +53,7 @@ class Instances {
   }
 
  private:
-  std::array<InstanceEcho, BearingCells::kMostPerBeam * kSurfacesKept> echoes_;  // The first count_.
+  std::array<InstanceEcho, std::size_t{BearingCells::kMostPerBeam} * kSurfacesKept> echoes_;  // The first count_.
   int count_ = 0;
 };
 

@@ -61,8 +61,9 @@ void draw_row(BinRange bins, std::uint32_t key, const std::uint32_t* __restrict_
     const float whole = static_cast<float>(static_cast<std::int32_t>(angle));
     const float rest = angle - whole;
     const SineCosine phase = fast_sine_cosine(rest < 0 ? rest + 1 : rest);
-    field[2 * bin] = amplitude * phase.cosine;
-    field[2 * bin + 1] = amplitude * phase.sine;
+    const std::ptrdiff_t place = std::ptrdiff_t{2} * bin;
+    field[place] = amplitude * phase.cosine;
+    field[place + 1] = amplitude * phase.sine;
   }
 }
 
