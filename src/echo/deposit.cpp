@@ -198,15 +198,15 @@ template <GroundTruth kTruth>
     if (hits.surface[row] == kNoSurface && hits.surface[next] == kNoSurface) {
       continue;
     }
-    const End middle{0.5F * (cos_t[row] + cos_t[next]), 0.5F * (sin_t[row] + sin_t[next])};
+    const End halfway{0.5F * (cos_t[row] + cos_t[next]), 0.5F * (sin_t[row] + sin_t[next])};
     const End above{cos_t[next], sin_t[next]}, below{cos_t[row], sin_t[row]};
     const float weight = 0.5F * interval[next] * measure;
-    add_alone(row, row - 1, middle, weight, hits.surface[next] == kNoSurface ? &above : nullptr);
+    add_alone(row, row - 1, halfway, weight, hits.surface[next] == kNoSurface ? &above : nullptr);
     if (hits.surface[next] != surface) {
       finish<kTruth>(run, sums, surface, datum, beam, grid);
       surface = hits.surface[next];
     }
-    add_alone(next, next + 1, middle, weight, hits.surface[row] == kNoSurface ? &below : nullptr);
+    add_alone(next, next + 1, halfway, weight, hits.surface[row] == kNoSurface ? &below : nullptr);
   }
   add_alone(last_row, last_row - 1, {edges.cos_high, edges.sin_high}, interval[lattice.rows] * measure);
   finish<kTruth>(run, sums, surface, datum, beam, grid);
