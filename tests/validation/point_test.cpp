@@ -1,5 +1,8 @@
 // point_test.cpp -- ideal points: where they show, how strong, and what hides them (T8, T17, T23 of PHYSICS 11).
 
+#include <complex>
+#include <numbers>
+
 #include "validation/calibrated_scene.h"
 
 namespace insonify::validation {
@@ -117,6 +120,33 @@ TEST_P(PointTest, SurfaceShowsItsGhosts) {
       scenario.secondary = SecondaryEchoes::kNone;
       EXPECT_LT(heard(scene.once), -200);
     }
+  }
+}
+
+// Lloyd's mirror: in one bin all echoes interfere, and the calm surface turns the phase by half a turn each time.
+TEST_P(PointTest, CalmSurfaceTurnsThePhase) {
+  SonarConfig sonar = fan();
+  sonar.frequency = 10e3;
+  sonar.position = {0, 0, -1};
+  sonar.elevation_aperture = 20 * kDegree;
+  sonar.azimuth_aperture = 8 * kDegree;
+  sonar.beam_count = 8;
+  sonar.bin_count = 25;  // Of 1 m.
+  sonar.sampling = {1, 20};
+  for (const double distance : {20.1, 20.3, 20.6}) {
+    Scenario scenario = calibrated(sonar, GetParam());
+    scenario.water.sound_speed = 1500;
+    scenario.secondary = SecondaryEchoes::kAll;
+    scenario.surface = SeaSurface{};
+    scenario.receiver.speckle = true;
+    scenario.points = {{.position = {distance, 0.2, -1}}};
+    const double near = std::hypot(distance, 0.2), far = std::hypot(near, 2);
+    const auto wave = [](double amplitude, double range) {
+      return std::polar(amplitude, 2 * std::numbers::pi * 2 * 10e3 / 1500 * range);
+    };
+    const double expected = std::norm(wave(1 / (near * near), near) - wave(2 / (near * far), 0.5 * (near + far)) +
+                                      wave(1 / (far * far), far));
+    EXPECT_NEAR(total_db(ping_of(scenario, {})), 10 * std::log10(expected), 0.02) << distance;
   }
 }
 
