@@ -25,13 +25,25 @@ double own_phase(const PingPlan& plan, std::size_t point) {
   return double{uniform_open(philox(counter, philox_key(plan.seed))[0])};
 }
 
+void add_lone_echo(const PingPlan& plan, const PingPlan::Arrival& arrival, int order, double range, double intensity,
+                   double turns, EchoGrid& grid) {
+  const int bin = plan.bin_of(static_cast<float>(range));
+  if (bin >= 0) {
+    grid.lone_echoes().push_back({.beam = plan.beam_of(arrival.bearing),
+                                  .bin = bin,
+                                  .order = order,
+                                  .bearing_sine = std::sin(arrival.bearing),
+                                  .intensity = static_cast<float>(intensity),
+                                  .turns = static_cast<float>(turns - std::floor(turns))});
+  }
+}
+
 PointEchoes::PointEchoes(std::span<const PointTarget> points) : points_(points), ways_(places_of(points)) {}
 
 void PointEchoes::add(const PingPlan& plan, const Pose& world_from_sonar, Engine& engine, EchoGrid& grid) {
   const auto sights = ways_.look(plan, world_from_sonar, engine);
   for (std::size_t i = 0; i < points_.size(); ++i) {
-    const int bin = sights[i] ? plan.bin_of(static_cast<float>(sights[i]->range)) : -1;
-    if (bin < 0) {
+    if (!sights[i]) {
       continue;
     }
     const double range = sights[i]->range;
@@ -40,11 +52,7 @@ void PointEchoes::add(const PingPlan& plan, const Pose& world_from_sonar, Engine
                              std::pow(double{sights[i]->arrival.heard}, 2);
     const double turns = plan.turns_per_metre * range + own_phase(plan, i);
     // A point has no extent: it takes no solid angle from what is behind it, and no surface to label a cell with.
-    grid.lone_echoes().push_back({.beam = sights[i]->beam,
-                                  .bin = bin,
-                                  .bearing_sine = std::sin(sights[i]->arrival.bearing),
-                                  .intensity = static_cast<float>(intensity),
-                                  .turns = static_cast<float>(turns - std::floor(turns))});
+    add_lone_echo(plan, sights[i]->arrival, 1, range, intensity, turns, grid);
   }
 }
 

@@ -3,6 +3,7 @@
 #include "echo/surface_ghosts.h"
 
 #include <cmath>
+#include <optional>
 
 #include "base/philox.h"
 #include "echo/point_echoes.h"
@@ -18,30 +19,10 @@ Ray ray_between(const Vec3& from, const Vec3& to) {
   return {from, length > 0 ? Vec3(there / length) : Vec3(Vec3::UnitX()), clearance, length - clearance};
 }
 
-// Where sound from a direction arrives, if it is heard.
-struct Heard {
-  Vec3f direction;
-  bool is_heard;
-  PingPlan::Arrival arrival;
-};
-
-Heard heard_from(const PingPlan& plan, const Vec3& place) {
+// How sound from a place of the sonar frame arrives; none where it is not heard.
+std::optional<PingPlan::Arrival> arrival_of(const PingPlan& plan, const Vec3& place) {
   const Vec3f direction = place.normalized().cast<float>();
-  const bool is_heard = plan.hears(direction);
-  return {direction, is_heard, is_heard ? plan.arrival_from(direction) : PingPlan::Arrival{}};
-}
-
-void push(const PingPlan& plan, const PingPlan::Arrival& arrival, int order, double range, double intensity,
-          double turns, EchoGrid& grid) {
-  const int bin = plan.bin_of(static_cast<float>(range));
-  if (bin >= 0) {
-    grid.lone_echoes().push_back({.beam = plan.beam_of(arrival.bearing),
-                                  .bin = bin,
-                                  .order = order,
-                                  .bearing_sine = std::sin(arrival.bearing),
-                                  .intensity = static_cast<float>(intensity),
-                                  .turns = static_cast<float>(turns - std::floor(turns))});
-  }
+  return plan.hears(direction) ? std::optional(plan.arrival_from(direction)) : std::nullopt;
 }
 
 }  // namespace
@@ -98,31 +79,30 @@ void SurfaceGhosts::add_point(const PingPlan& plan, const Pose& sonar_from_world
   const Vec3& place = points_[point].position;
   const Vec3 image(place.x(), place.y(), 2 * surface_.level - place.z());
   const Vec3 straight = sonar_from_world * place, mirrored = sonar_from_world * image;
-  const Heard by_surface = heard_from(plan, mirrored);
-  if (!by_surface.is_heard) {
+  const std::optional<PingPlan::Arrival> by_surface = arrival_of(plan, mirrored);
+  if (!by_surface) {
     return;
   }
   const double near = straight.norm(), far = mirrored.norm();
   const double strength = std::pow(10.0, points_[point].target_strength_db / 10);
   const double kept = double{plan.scatter.kept(surface_.label)}, absorption = 2 * double{plan.neper_per_metre};
   const double own_turns = own_phase(plan, point);
-  const Heard direct = heard_from(plan, straight);
-  if (clear(0) && direct.is_heard) {
+  const std::optional<PingPlan::Arrival> direct = arrival_of(plan, straight);
+  if (clear(0) && direct) {
     const Glint waves = glint(plan, point, 2, number);
     const double intensity = waves.intensity * strength * kept / std::pow(near * far, 2) *
-                             std::exp(-absorption * (near + far)) * double{direct.arrival.heard} *
-                             double{by_surface.arrival.heard};
+                             std::exp(-absorption * (near + far)) * double{direct->heard} * double{by_surface->heard};
     const double range = 0.5 * (near + far);
     const double turns = plan.turns_per_metre * range + own_turns + 0.5 + waves.turns;
-    push(plan, direct.arrival, 2, range, intensity, turns, grid);
-    push(plan, by_surface.arrival, 2, range, intensity, turns, grid);
+    add_lone_echo(plan, *direct, 2, range, intensity, turns, grid);
+    add_lone_echo(plan, *by_surface, 2, range, intensity, turns, grid);
   }
   if (plan.max_surfaces > 2) {
     const Glint waves = glint(plan, point, 3, number);
     const double intensity = waves.intensity * strength * kept * kept / std::pow(far, 4) *
-                             std::exp(-2 * absorption * far) * std::pow(double{by_surface.arrival.heard}, 2);
+                             std::exp(-2 * absorption * far) * std::pow(double{by_surface->heard}, 2);
     const double turns = plan.turns_per_metre * far + own_turns + 1 + waves.turns;
-    push(plan, by_surface.arrival, 3, far, intensity, turns, grid);
+    add_lone_echo(plan, *by_surface, 3, far, intensity, turns, grid);
   }
 }
 

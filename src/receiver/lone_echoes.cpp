@@ -28,11 +28,21 @@ void LoneEchoes::for_each_cell(const LoneEcho& echo, const Add& add) const {
   }
 }
 
-void LoneEchoes::add(std::span<const LoneEcho> echoes, std::span<float> beams, int least_order) const {
+void LoneEchoes::add_one(const LoneEcho& echo, std::span<float> beams) const {
+  for_each_cell(echo,
+                [&](std::size_t cell, std::complex<float> gain) { beams[cell] += std::norm(gain) * echo.intensity; });
+}
+
+void LoneEchoes::add(std::span<const LoneEcho> echoes, std::span<float> beams) const {
   for (const LoneEcho& echo : echoes) {
-    if (echo.order >= least_order) {
-      for_each_cell(
-          echo, [&](std::size_t cell, std::complex<float> gain) { beams[cell] += std::norm(gain) * echo.intensity; });
+    add_one(echo, beams);
+  }
+}
+
+void LoneEchoes::add_direct(std::span<const LoneEcho> echoes, std::span<float> beams) const {
+  for (const LoneEcho& echo : echoes) {
+    if (echo.order == 1) {
+      add_one(echo, beams);
     }
   }
 }

@@ -21,12 +21,15 @@ class LoneEchoes {
       : bearing_(bearing), range_(range), beams_(beams), bins_(bins) {}
 
   /// Adds |g p|^2 of their intensities, or g p of their fields.
-  /// @param beams        [beam][bin]
-  /// @param least_order  Of those that are added.
-  void add(std::span<const LoneEcho> echoes, std::span<float> beams, int least_order = 0) const;
+  /// @param beams  [beam][bin]
+  void add(std::span<const LoneEcho> echoes, std::span<float> beams) const;
   void add(std::span<const LoneEcho> echoes, std::span<std::complex<float>> beams) const;
 
+  /// The same of direct echoes alone: of order 1.
+  void add_direct(std::span<const LoneEcho> echoes, std::span<float> beams) const;
+
  private:
+  void add_one(const LoneEcho& echo, std::span<float> beams) const;
   template <typename Add>
   void for_each_cell(const LoneEcho& echo, const Add& add) const;
 

@@ -90,7 +90,7 @@ void TruthReceiver::hear_direct(const EchoGrid& grid, const Hearing& hearing, Wo
       hearing.bearing->hear_energy(direct_, direct_beams_, bins_, {first, last}, heard);
     });
   }
-  hearing.lone->add(grid.lone_echoes(), energy, 1);
+  hearing.lone->add_direct(grid.lone_echoes(), energy);
   workers.for_each(tasks, [&](int task, int) {
     for (int bin = task * kTileBins; bin < std::min((task + 1) * kTileBins, bins_); ++bin) {
       for (int beam = 0; beam < beams_; ++beam) {
@@ -174,7 +174,7 @@ void TruthReceiver::tell_tile(const EchoGrid& grid, const TilePlace& place, std:
   }
 }
 
-// It is direct, and its bin no shadow: what hides it would have kept it from being heard.
+// Where it is direct its bin is no shadow: what hides it would have kept it from being heard.
 void TruthReceiver::tell_lone_echo(const EchoGrid& grid, const LoneEcho& echo, Ping& ping) const {
   const int own = echo.beam - first_cell_;
   const int beam = own / cells_per_beam_;
@@ -188,8 +188,8 @@ void TruthReceiver::tell_lone_echo(const EchoGrid& grid, const LoneEcho& echo, P
     most = std::max(most, energy);
   }
   const std::size_t at = ping.index(echo.bin, beam);
-  ping.shadow[at] = 0;
-  ping.path_order[at] = echo.intensity > most ? std::uint8_t{1} : ping.path_order[at];
+  ping.shadow[at] = echo.order == 1 ? 0 : ping.shadow[at];
+  ping.path_order[at] = echo.intensity > most ? static_cast<std::uint8_t>(echo.order) : ping.path_order[at];
 }
 
 float TruthReceiver::hidden_before(const EchoGrid& grid, int beam) const {

@@ -105,8 +105,7 @@ void check_gains(const Scenario& scenario) {
     if (gain > kMost) {
       throw Error(
           fmt::format("receiver.{} comes to {:.4g} dB at {:.4g} m, the far end of sonars[{}]; must be at most {} dB: "
-                      "there is nothing "
-                      "left to raise there",
+                      "nothing is left to raise there",
                       scenario.receiver.time_varied_gain ? "time_varied_gain" : "gains_db", gain, range, i, kMost));
     }
   }

@@ -74,7 +74,7 @@ const BadScenario kCases[] = {
     {"GainBeyondNumbers",
      "world: floor.obj\nwater: {absorption_db_per_m: 10}\nreceiver: {time_varied_gain: 40}\nsonars: [{name: fls}]\n",
      "scenario.yaml:3:12: receiver.time_varied_gain comes to 1067 dB at 49.95 m, the far end of sonars[0]; must be at "
-     "most 300 dB: there is nothing left to raise there"},
+     "most 300 dB: nothing is left to raise there"},
     {"SonarInTheAir", "world: floor.obj\nsurface: {level: -1}\nsonars: [{name: fls}]\n",
      "scenario.yaml:2:11: surface.level = -1 m must be above the sonars; sonars[0] is at a height of 0 m at time 0 s"},
     {"ArrayAllRound",

@@ -162,6 +162,26 @@ TEST_P(GroundTruthTest, PointIsADirectEchoWithoutAName) {
   EXPECT_EQ(share_at(ping, bin, 0, 0), 0);
 }
 
+// Ghosts of a point in the surface, of two surfaces and of three, are no direct echoes.
+TEST_P(GroundTruthTest, GhostsOfPointsAreNotDirect) {
+  SonarConfig sonar = shadow_sonar();
+  sonar.elevation_aperture = 100 * kDegree;
+  sonar.elevation_center = 0;
+  sonar.position = {0, 0, -5};
+  Scenario scenario = with_truth(sonar, GetParam());
+  scenario.secondary = SecondaryEchoes::kAll;
+  scenario.surface = SeaSurface{};
+  scenario.points = {{.position = {10, 0, -4}}};
+  const Ping ping = ping_of(scenario, {});
+  const double ranges[] = {10.04987562112089, 11.7517498340973, 13.45362404707371};
+  for (int order = 1; order <= 3; ++order) {
+    const int bin = static_cast<int>(ranges[order - 1] / sonar.bin_length());
+    EXPECT_GT(ping.intensity[bin], 1e-6) << order;
+    EXPECT_EQ(ping.path_order[bin], order);
+    EXPECT_EQ(ping.direct_intensity[bin] > 1e-6, order == 1) << order;
+  }
+}
+
 Scenario corner_with_truth(const Method& method) {
   SonarConfig sonar = corner_sonar();
   sonar.position = {0, 0, -5};
