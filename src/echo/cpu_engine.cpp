@@ -128,7 +128,7 @@ std::vector<double> CpuEngine::time_traversal(const PingPlan& plan, const Pose& 
       }
       for (const RayPacket& logged : logs[task].back) {
         RayPacket packet = logged;
-        packet.occlude(scene_.handle());
+        scene_.occlude(packet);
       }
     });
     seconds.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());

@@ -74,6 +74,7 @@ void CpuScene::clear() {
     }
   }
   parts_.clear();
+  any_moving_ = false;
   if (scene_ != nullptr) {
     rtcReleaseScene(scene_);
     scene_ = nullptr;
@@ -164,6 +165,7 @@ void CpuScene::add_moving(const Instance& instance, unsigned id) {
   rtcReleaseGeometry(geometry);
   rtcCommitScene(part.own_scene);
 
+  any_moving_ = true;
   part.placed = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_INSTANCE);
   rtcSetGeometryInstancedScene(part.placed, part.own_scene);
   part.rotation = instance.world_from_mesh.orientation.toRotationMatrix().cast<float>();

@@ -33,6 +33,12 @@ class CpuScene {
 
   [[nodiscard]] RTCScene handle() const { return scene_; }
 
+  /// RayPacket::occlude(). Embree as GCC 12 compiles it may never return from coherent packets among instances: of a
+  /// mask of 16 bits it reads 64 from its stack (github.com/RenderKit/embree/pull/574).
+  void occlude(RayPacket& packet) const {
+    packet.occlude(scene_, any_moving_ ? RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT : RTC_INTERSECT_CONTEXT_FLAG_COHERENT);
+  }
+
   /// Around all that is there.
   [[nodiscard]] const BoxCut& boxes() const { return boxes_; }
 
@@ -95,7 +101,7 @@ class CpuScene {
   Reliefs reliefs_;
   std::vector<float> reflectivity_;
   Vec3 origin_ = Vec3::Zero();
-  bool moved_ = false;
+  bool any_moving_ = false, moved_ = false;
 };
 
 }  // namespace insonify

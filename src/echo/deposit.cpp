@@ -154,7 +154,7 @@ Stretch lone_stretch(const PingPlan& plan, int column, const HitColumn& hits, co
       half_rise = stretches.half_rise[joined];
     }
   }
-  const float beyond = stretches.reach[row] + kShortestStretch;
+  const float beyond = stretches.reach[row] + shortest_stretch(bins);
   const float low = std::min(here, ends_at) - beyond;
   const float high = std::max(here, ends_at) + beyond;
   return {std::clamp(low, 0.0F, bins), std::min(high, bins), power, half_rise, weight / (high - low), 0};
@@ -259,26 +259,35 @@ void deposit_column(const PingPlan& plan, int column, const HitColumn& hits, con
 
 void deposit(const PingPlan& plan, const Echo& echo, EchoGrid& grid) {
   const int beam = plan.beam_of(echo.azimuth);
-  const int bin = plan.bin_of(0.5F * echo.path_length);
-  if (beam < 0 || bin < 0) {
+  const float middle = (0.5F * echo.path_length - plan.first_bin_at) * plan.bins_per_metre;
+  const auto bins = static_cast<float>(plan.sonar.bin_count);
+  const float reach = echo.half_length * plan.bins_per_metre + shortest_stretch(bins);
+  const float low = middle - reach, high = middle + reach;
+  if (beam < 0 || !(high > 0) || !(low < bins)) {
     return;
   }
-  const float energy = echo.weight * echo.power;
-  const EchoGrid::Cells cell = grid.to_fill(echo.order, beam, {bin, bin + 1});
-  *cell.energy += energy;
-  *cell.weight += echo.weight;
-  if (grid.ground_truth() == GroundTruth::kFull) {
-    const float elevation = echo.elevation - plan.middle_elevation;
-    tally({echo.surface, energy, energy * elevation, energy * elevation * elevation}, echo.weight, *cell.surface,
-          *cell.tallies);
-  }
-  if (grid.labelled()) {
-    const Vote vote = counted({*cell.surface, *cell.lead, *cell.label_energy, *cell.elevation_moment}, echo.surface,
-                              energy, energy * echo.elevation, echo.weight);
-    *cell.surface = vote.surface;
-    *cell.lead = vote.lead;
-    *cell.label_energy = vote.energy;
-    *cell.elevation_moment = vote.moment;
+  const float density = echo.weight / (high - low), elevation = echo.elevation - plan.middle_elevation;
+  const int first = low > 0 ? static_cast<int>(low) : 0;
+  const int last = high < bins ? static_cast<int>(high) + 1 : plan.sonar.bin_count;
+  const EchoGrid::Cells cells = grid.to_fill(echo.order, beam, {first, last});
+  for (int i = 0; i < last - first; ++i) {
+    const float from = std::max(low, static_cast<float>(first + i));
+    const float to = std::min(high, static_cast<float>(first + i + 1));
+    const float weight = std::max(to - from, 0.0F) * density, energy = weight * echo.power;
+    cells.energy[i] += energy;
+    cells.weight[i] += weight;
+    if (grid.ground_truth() == GroundTruth::kFull) {
+      tally({echo.surface, energy, energy * elevation, energy * elevation * elevation}, weight, cells.surface[i],
+            cells.tallies[i]);
+    }
+    if (grid.labelled()) {
+      const Vote vote = counted({cells.surface[i], cells.lead[i], cells.label_energy[i], cells.elevation_moment[i]},
+                                echo.surface, energy, energy * echo.elevation, weight);
+      cells.surface[i] = vote.surface;
+      cells.lead[i] = vote.lead;
+      cells.label_energy[i] = vote.energy;
+      cells.elevation_moment[i] = vote.moment;
+    }
   }
 }
 

@@ -18,8 +18,7 @@ namespace insonify {
 void deposit_column(const PingPlan& plan, int column, const HitColumn& hits, const Stretches& stretches,
                     SurfaceSums& sums, EchoGrid& grid);
 
-/// Deposits one echo in the bin of half its path, in the beam it arrives in. Outside the fan or the range it is
-/// dropped.
+/// Deposits one echo about half its path, in the beam it arrives in. Outside the fan or the range it is dropped.
 void deposit(const PingPlan& plan, const Echo& echo, EchoGrid& grid);
 
 }  // namespace insonify

@@ -22,6 +22,7 @@ struct Returns {
   float back_x[kPacketSize], back_y[kPacketSize], back_z[kPacketSize];  // Unit vector from there to the sonar.
   float distance[kPacketSize];                                          // Of the way back.
   float there[kPacketSize];                                             // Out and across.
+  float once[kPacketSize], twice[kPacketSize];                          // See PathFootprint.
 
   [[nodiscard]] Vec3f point(int lane) const { return {x[lane], y[lane], z[lane]}; }
   [[nodiscard]] Vec3f back(int lane) const { return {back_x[lane], back_y[lane], back_z[lane]}; }
@@ -47,6 +48,22 @@ void measure_returns(const RTCRay16& __restrict__ rays, const OnwardTask::Origin
     returns.back_z[lane] = dz * scale;
     returns.distance[lane] = distance;
     returns.there[lane] = origins.range[lane] + across;
+  }
+}
+
+INSONIFY_VECTOR_CLONES
+void measure_footprints(const RTCRay16& __restrict__ rays, const CpuScene::Shading& __restrict__ met,
+                        const OnwardTask::Origins& __restrict__ origins, Returns& __restrict__ returns) {
+  for (int lane = 0; lane < kPacketSize; ++lane) {
+    const Triple normal{met.normal_x[lane], met.normal_y[lane], met.normal_z[lane]};
+    const float length = 1 / std::sqrt(normal.dot(normal) + kTiny);
+    const PathEnd end{rays.tfar[lane],     {rays.dir_x[lane], rays.dir_y[lane], rays.dir_z[lane]},
+                      length * normal,     {-returns.back_x[lane], -returns.back_y[lane], -returns.back_z[lane]},
+                      returns.there[lane], returns.distance[lane]};
+    const PathFootprint footprint =
+        path_footprint(origins.above.at(lane), origins.selected[lane], origins.aside.at(lane), end);
+    returns.once[lane] = footprint.once;
+    returns.twice[lane] = footprint.twice;
   }
 }
 
@@ -109,12 +126,14 @@ void OnwardTask::return_shaped(const RTCRay16& rays, const Origins& origins, uns
   Returns returns;
   float strength[kPacketSize], within[kPacketSize];
   measure_returns(rays, origins, sonar_, returns);
+  measure_footprints(rays, shading_, origins, returns);
   weigh_returns(rays, shading_, origins, returns, plan_->true_max_range, strength, within);
   for (lanes &= positive_of_packet(within); lanes != 0; lanes &= lanes - 1) {
     const int lane = std::countr_zero(lanes);
     const float path_length = returns.there[lane] + returns.distance[lane];
     returning_[returning_count_] = secondary_echo(*plan_, origins.column[lane], origins.row[lane],
                                                   origins.selected[lane], path_length, shading_.surface[lane]);
+    returning_[returning_count_].half_length = returns.once[lane];
     returning_strength_[returning_count_] = strength[lane];
     returning_rest_[returning_count_] = path_length - 2 * origins.range[lane];
     send_back(returns.point(lane), returns.back(lane), returns.distance[lane]);
@@ -127,6 +146,7 @@ void OnwardTask::return_mirrored(const RTCRay16& rays, const Origins& origins, u
   MirrorPaths paths;
   MirrorPowers powers;
   measure_returns(rays, origins, sonar_, returns);
+  measure_footprints(rays, shading_, origins, returns);
   lay_paths(rays, shading_, origins, returns, paths);
   fill_mirror_powers(plan_->scatter, plan_->neper_per_metre, paths, powers);
   for (; lanes != 0; lanes &= lanes - 1) {
@@ -141,12 +161,14 @@ void OnwardTask::return_mirrored(const RTCRay16& rays, const Origins& origins, u
       Echo twice = echo;
       twice.order = 3;
       twice.path_length = 2 * there;
+      twice.half_length = returns.twice[lane];
       twice.power = powers.twice[lane] * plan_->lattice.heard_in(origins.column[lane])[origins.row[lane]];
       deposit(*plan_, twice, *grid_);
     }
     const Vec3f heard_from = -(axes_.transpose() * returns.back(lane));
     if (powers.once[lane] > 0 && 0.5F * (there + back) < plan_->true_max_range && plan_->hears(heard_from)) {
       const PingPlan::Arrival arrival = plan_->arrival_from(heard_from);
+      echo.half_length = returns.once[lane];
       echo.power = powers.once[lane] * arrival.heard;
       returning_[returning_count_] = echo;
       echo.azimuth = arrival.bearing;
@@ -163,7 +185,7 @@ void OnwardTask::finish_returns() {
   if (log_ != nullptr) {
     log_->back.push_back(back_);
   }
-  back_.occlude(scene_.handle());
+  scene_.occlude(back_);
   returned_ += returning_count_;
   const bool calibrated = plan_->model == EchoModel::kCalibrated;
   float power[kPacketSize];

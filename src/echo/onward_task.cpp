@@ -22,10 +22,16 @@ constexpr int kUnsifted = 2;
 constexpr float kForRounding = 1.0001F;
 constexpr float kLeastDivisor = 1e-6F;  // [m]; a hit at the very range, met head on, would divide zero by zero.
 
+// Of hits whose sound goes on: where they lie from the sonar, and their normals.
+struct Mirrors {
+  float place_x[kPacketSize], place_y[kPacketSize], place_z[kPacketSize];
+  float normal_x[kPacketSize], normal_y[kPacketSize], normal_z[kPacketSize];
+};
+
 // Readies the first lanes of a packet: on from the hits at the given places of a strip, in the mirror direction.
 INSONIFY_VECTOR_CLONES
 void mirror(const HitColumn& strip, const int* __restrict__ place, int count, Vec3f sonar, float max_range,
-            RTCRay16& __restrict__ rays, OnwardTask::Origins& __restrict__ origins) {
+            RTCRay16& __restrict__ rays, OnwardTask::Origins& __restrict__ origins, Mirrors& __restrict__ mirrors) {
   const float* __restrict__ direction_x = strip.direction_x;
   const float* __restrict__ direction_y = strip.direction_y;
   const float* __restrict__ direction_z = strip.direction_z;
@@ -40,6 +46,7 @@ void mirror(const HitColumn& strip, const int* __restrict__ place, int count, Ve
   for (int lane = 0; lane < count; ++lane) {
     const int at = place[lane];
     const float x = direction_x[at], y = direction_y[at], z = direction_z[at];
+    const float nx = normal_x[at], ny = normal_y[at], nz = normal_z[at];
     const float out = range[at], turn = 2 * facing[at];
     // The path out, across and back is within twice the range while the second surface lies in an ellipsoid with the
     // sonar in one focus and the first surface in the other.
@@ -49,12 +56,42 @@ void mirror(const HitColumn& strip, const int* __restrict__ place, int count, Ve
     rays.org_x[lane] = sonar_x + x * out;
     rays.org_y[lane] = sonar_y + y * out;
     rays.org_z[lane] = sonar_z + z * out;
-    rays.dir_x[lane] = x - turn * normal_x[at];
-    rays.dir_y[lane] = y - turn * normal_y[at];
-    rays.dir_z[lane] = z - turn * normal_z[at];
+    rays.dir_x[lane] = x - turn * nx;
+    rays.dir_y[lane] = y - turn * ny;
+    rays.dir_z[lane] = z - turn * nz;
+    mirrors.place_x[lane] = x * out;
+    mirrors.place_y[lane] = y * out;
+    mirrors.place_z[lane] = z * out;
+    mirrors.normal_x[lane] = nx;
+    mirrors.normal_y[lane] = ny;
+    mirrors.normal_z[lane] = nz;
     origins.range[lane] = out;
     origins.strength[lane] = strength[at];
     origins.selected[lane] = selected[at];
+  }
+}
+
+// The changes from hits that mirror() looked at to those beside them in the strip.
+INSONIFY_VECTOR_CLONES
+void compare(const HitColumn& strip, const int* __restrict__ beside, int count, const RTCRay16& __restrict__ rays,
+             const float* __restrict__ range, const Mirrors& __restrict__ mirrors,
+             MirrorChanges& __restrict__ changes) {
+  const float* __restrict__ direction_x = strip.direction_x;
+  const float* __restrict__ direction_y = strip.direction_y;
+  const float* __restrict__ direction_z = strip.direction_z;
+  const float* __restrict__ normal_x = strip.normal_x;
+  const float* __restrict__ normal_y = strip.normal_y;
+  const float* __restrict__ normal_z = strip.normal_z;
+  const float* __restrict__ ranges = strip.range;
+  for (int lane = 0; lane < count; ++lane) {
+    const int at = beside[lane];
+    const MirrorSample here{{mirrors.place_x[lane], mirrors.place_y[lane], mirrors.place_z[lane]},
+                            {mirrors.normal_x[lane], mirrors.normal_y[lane], mirrors.normal_z[lane]},
+                            {rays.dir_x[lane], rays.dir_y[lane], rays.dir_z[lane]},
+                            range[lane]};
+    const MirrorSample there = MirrorSample::of({direction_x[at], direction_y[at], direction_z[at]},
+                                                {normal_x[at], normal_y[at], normal_z[at]}, ranges[at]);
+    changes.set(lane, mirror_change(here, there));
   }
 }
 
@@ -91,7 +128,14 @@ void OnwardTask::follow(const HitColumn& strip, int stride, int first_column, in
     for (; samples != 0; samples &= samples - 1) {
       const int sample = std::countr_zero(samples);
       const int column = sample / kTile, row = row0 + sample % kTile;
-      place_[candidate_count_] = column * stride + row;
+      const int place = column * stride + row, other = column ^ 1;
+      const SurfaceLabel surface = strip.surface[place];
+      place_[candidate_count_] = place;
+      above_[candidate_count_] = row + 1 < rows && strip.surface[place + 1] == surface ? place + 1
+                                 : row > 0 && strip.surface[place - 1] == surface      ? place - 1
+                                                                                       : place;
+      const int aside = other * stride + row;
+      aside_[candidate_count_] = other < columns && strip.surface[aside] == surface ? aside : place;
       candidate_origins_.column[candidate_count_] = first_column + column;
       candidate_origins_.row[candidate_count_] = row;
       if (++candidate_count_ == kPacketSize) {
@@ -107,7 +151,9 @@ void OnwardTask::follow(const HitColumn& strip, int stride, int first_column, in
 void OnwardTask::sift(const HitColumn& strip) {
   const int count = candidate_count_;
   candidate_count_ = 0;
-  mirror(strip, place_, count, sonar_, plan_->true_max_range, candidates_.rays.ray, candidate_origins_);
+  const RTCRay16& from = candidates_.rays.ray;
+  Mirrors mirrors;
+  mirror(strip, place_, count, sonar_, plan_->true_max_range, candidates_.rays.ray, candidate_origins_, mirrors);
   if (plan_->model == EchoModel::kCalibrated) {
     for (int lane = 0; lane < count; ++lane) {
       const float texture = strip.has_relief ? strip.texture[place_[lane]] : 1.0F;
@@ -121,6 +167,11 @@ void OnwardTask::sift(const HitColumn& strip) {
     lanes &= scene_.boxes().may_meet(candidates_.rays.ray);
     unsifted_ = lanes == candidates ? kUnsifted : 0;
   }
+  if (lanes == 0) {
+    return;
+  }
+  compare(strip, above_, count, from, candidate_origins_.range, mirrors, candidate_origins_.above);
+  compare(strip, aside_, count, from, candidate_origins_.range, mirrors, candidate_origins_.aside);
   if (plan_->model == EchoModel::kCalibrated && plan_->max_surfaces > 2) {
     lay_tubes(strip, lanes);
   }
@@ -128,7 +179,6 @@ void OnwardTask::sift(const HitColumn& strip) {
     trace(candidates_, candidate_origins_, lanes);
     return;
   }
-  const RTCRay16& from = candidates_.rays.ray;
   RTCRay16& rays = onward_.rays.ray;
   for (; lanes != 0; lanes &= lanes - 1) {
     const int lane = std::countr_zero(lanes), to = onward_count_;
@@ -147,6 +197,8 @@ void OnwardTask::sift(const HitColumn& strip) {
     origins_.steepness[to] = candidate_origins_.steepness[lane];
     origins_.tube[to] = candidate_origins_.tube[lane];
     origins_.selected[to] = candidate_origins_.selected[lane];
+    origins_.above.set(to, candidate_origins_.above.at(lane));
+    origins_.aside.set(to, candidate_origins_.aside.at(lane));
     if (++onward_count_ == kPacketSize) {
       trace_collected();
     }

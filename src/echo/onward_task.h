@@ -7,6 +7,7 @@
 #include "echo/cpu_scene.h"
 #include "echo/hit_column.h"
 #include "echo/mirror_tube.h"
+#include "echo/path_footprint.h"
 #include "echo/ping_plan.h"
 #include "echo/ray_packet.h"
 #include "echo/secondary_echo.h"
@@ -28,6 +29,7 @@ class OnwardTask {
     float strength[kPacketSize];                      // `paper`
     float kept[kPacketSize], steepness[kPacketSize];  // `calibrated`: see MirrorPaths
     MirrorTube tube[kPacketSize];                     // `calibrated`, where sound comes back by the mirror.
+    MirrorChanges above, aside;                       // To samples beside each.
   };
 
   explicit OnwardTask(const CpuScene& scene);
@@ -72,7 +74,8 @@ class OnwardTask {
   std::vector<Echo>* arrivals_ = nullptr;
   Log* log_ = nullptr;
 
-  int place_[kPacketSize];  // In the strip, of the hits that are followed.
+  // In the strip: of the hits that are followed, and of samples beside them on the same surface, if there are any.
+  int place_[kPacketSize], above_[kPacketSize], aside_[kPacketSize];
   Origins candidate_origins_, origins_;
   int candidate_count_ = 0, onward_count_ = 0;
   int unsifted_ = 0;             // Packets that are yet to be let through without a look.

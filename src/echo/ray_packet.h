@@ -112,10 +112,10 @@ struct alignas(64) RayPacket {
   }
 
   /// Finds whether anything is met within each ray's own tfar; afterwards blocked() tells.
-  void occlude(RTCScene scene) {
+  void occlude(RTCScene scene, RTCIntersectContextFlags flags) {
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
-    context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+    context.flags = flags;
     rtcOccluded16(valid, scene, &context, &rays.ray);
   }
   [[nodiscard]] bool blocked(int lane) const { return rays.ray.tfar[lane] < 0; }

@@ -7,6 +7,7 @@
 #include "base/parallel.h"
 #include "echo/deposit.h"
 #include "echo/mirror_tube.h"
+#include "echo/path_footprint.h"
 #include "echo/reliefs.h"
 #include "insonify/engine.h"
 
@@ -56,7 +57,8 @@ class ReferenceEngine final : public Engine {
 
   // A path of the calibrated model by way of a mirror, up to what it met.
   struct Mirrored {
-    Echo echo;              // All but its power.
+    Echo echo;  // All but its power.
+    PathFootprint footprint;
     float kept, steepness;  // See MirrorPaths.
     float heard;            // |p|^2 of the elevation it was launched at.
     double range;           // Of the mirror.

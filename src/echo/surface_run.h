@@ -12,8 +12,10 @@
 
 namespace insonify {
 
-/// Half the least length of a stretch [bins]: keeps its density finite.
-inline constexpr float kShortestStretch = 5e-5F;
+/// Half the least length of a stretch [bins]: keeps its density finite, in single precision up to the last bin.
+constexpr float shortest_stretch(float bins) {
+  return 1e-7F * std::max(bins, 500.0F);
+}
 
 /// Echo spread evenly over an interval of positions [bins, from the near edge of bin 0], its power changing linearly.
 struct Stretch {

@@ -219,6 +219,33 @@ TEST_P(EngineGeometryTest, EchoesNearerThanTheFirstBinAreDropped) {
   EXPECT_TRUE(std::ranges::all_of(grid.energy(1, ahead), [](float e) { return e == 0; }));
 }
 
+// A wall square ahead: two rows as far above the axis as below it are at the same range, the column has no width in
+// range. Single precision has few digits left beyond a thousand bins.
+TEST_P(EngineGeometryTest, EchoesOfNoDepthAreWholeInEveryBin) {
+  SonarConfig sonar;
+  sonar.beam_count = 1;
+  sonar.azimuth_aperture = 1 * kDegree;
+  sonar.elevation_aperture = 10 * kDegree;
+  sonar.min_range = 0;
+  sonar.max_range = 20;
+  sonar.sampling = {.columns_per_beam = 1, .rows = 2};
+  const SceneMaker maker = SceneMaker().add_wall(19.42);
+  double expected = 0;
+  for (const int bins : {100, 2000, 16000}) {
+    sonar.bin_count = bins;
+    const EchoGrid grid = echoes(maker.scene(), sonar);
+    double sum = 0, weight = 0;
+    for (int bin = 0; bin < bins; ++bin) {
+      sum += grid.energy(1, 0)[bin];
+      weight += grid.weight(1, 0)[bin];
+    }
+    expected = expected == 0 ? sum : expected;
+    EXPECT_GT(sum, 0) << bins;
+    EXPECT_NEAR(sum / expected, 1, 1e-4) << bins;
+    EXPECT_NEAR(weight / (sonar.azimuth_aperture * 2 * std::sin(0.5 * sonar.elevation_aperture)), 1, 1e-4) << bins;
+  }
+}
+
 TEST_P(EngineGeometryTest, EmptyWaterGivesNothing) {
   const EchoGrid grid = echoes(Scene{}, wall_sonar(), {}, SecondaryEchoes::kAll);
   EXPECT_EQ(total(grid, 1), 0);
