@@ -116,6 +116,7 @@ Simulator::Simulator(Scenario scenario, Scene scene, int threads) {
                                             .primary = state_->scenario.primary,
                                             .secondary = state_->scenario.secondary,
                                             .max_surfaces = state_->scenario.max_surfaces,
+                                            .rough_mirrors = state_->scenario.rough_mirrors,
                                             .seed = state_->scenario.seed}));
     state_->grids.emplace_back(cells.sonar.beam_count, sonar.bin_count, order_count(state_->scenario),
                                state_->scenario.ground_truth, receiver.speckle);

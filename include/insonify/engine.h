@@ -74,6 +74,7 @@ struct PingPlanSettings {
   PrimaryEchoes primary = PrimaryEchoes::kAuto;
   SecondaryEchoes secondary = SecondaryEchoes::kSelective;
   int max_surfaces = kPathOrders;  ///< Of a path, 1..3; the paper model knows two.
+  bool rough_mirrors = false;      ///< Send sound on about facets drawn from their slopes; calibrated model only.
   std::uint64_t seed = 1;
   int stagger_phase = 0;  ///< >= 0. Others put the samples elsewhere: what changes with it is the sampling's own.
 };

@@ -82,6 +82,7 @@ struct Scenario {
   PrimaryEchoes primary = PrimaryEchoes::kAuto;
   SecondaryEchoes secondary = SecondaryEchoes::kSelective;
   int max_surfaces = kPathOrders;  ///< Of a path, 1..3.
+  bool rough_mirrors = false;      ///< Whether mirrors send sound on about facets drawn from their slopes.
   bool motion_in_ping = false;     ///< Whether the sonar moves on while it listens.
   GroundTruth ground_truth = GroundTruth::kLabels;
   std::uint64_t seed = 1;
@@ -128,6 +129,13 @@ struct Scenario {
                 "Surfaces that a path may meet: 2 adds echoes by way of a mirror, 3 those by a mirror both ways "
                 "(calibrated)."},
           self.max_surfaces);
+    visit(
+        Field{"rough_mirrors",
+              "",
+              {},
+              "Whether mirrors send sound on about facets drawn from their rms_slope, not as the smooth surface would "
+              "(calibrated)."},
+        self.rough_mirrors);
     visit(
         Field{
             "motion_in_ping", "", {}, "Whether the sonar moves on along its trajectory while it listens (calibrated)."},

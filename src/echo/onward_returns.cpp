@@ -29,7 +29,7 @@ struct Returns {
 };
 
 INSONIFY_VECTOR_CLONES
-void measure_returns(const RTCRay16& __restrict__ rays, const OnwardTask::Origins& __restrict__ origins, Vec3f sonar,
+void measure_returns(const RTCRay16& __restrict__ rays, const OnwardOrigins& __restrict__ origins, Vec3f sonar,
                      Returns& __restrict__ returns) {
   const float sonar_x = sonar[0], sonar_y = sonar[1], sonar_z = sonar[2];
   for (int lane = 0; lane < kPacketSize; ++lane) {
@@ -53,7 +53,7 @@ void measure_returns(const RTCRay16& __restrict__ rays, const OnwardTask::Origin
 
 INSONIFY_VECTOR_CLONES
 void measure_footprints(const RTCRay16& __restrict__ rays, const CpuScene::Shading& __restrict__ met,
-                        const OnwardTask::Origins& __restrict__ origins, Returns& __restrict__ returns) {
+                        const OnwardOrigins& __restrict__ origins, Returns& __restrict__ returns) {
   for (int lane = 0; lane < kPacketSize; ++lane) {
     const Triple normal{met.normal_x[lane], met.normal_y[lane], met.normal_z[lane]};
     const float length = 1 / std::sqrt(normal.dot(normal) + kTiny);
@@ -70,8 +70,8 @@ void measure_footprints(const RTCRay16& __restrict__ rays, const CpuScene::Shadi
 // The paper model's strengths, see secondary_powers(), and whether echoes are from within the range: 1 or 0.
 INSONIFY_VECTOR_CLONES
 void weigh_returns(const RTCRay16& __restrict__ rays, const CpuScene::Shading& __restrict__ met,
-                   const OnwardTask::Origins& __restrict__ origins, const Returns& __restrict__ returns,
-                   float max_range, float* __restrict__ strength, float* __restrict__ within) {
+                   const OnwardOrigins& __restrict__ origins, const Returns& __restrict__ returns, float max_range,
+                   float* __restrict__ strength, float* __restrict__ within) {
   for (int lane = 0; lane < kPacketSize; ++lane) {
     const float path_length = returns.there[lane] + returns.distance[lane];
     within[lane] = (met.surface[lane] != kNoSurface) & (0.5F * path_length < max_range) ? 1.0F : 0.0F;
@@ -85,7 +85,7 @@ void weigh_returns(const RTCRay16& __restrict__ rays, const CpuScene::Shading& _
 // How the sound meets the second surface; see MirrorPaths.
 INSONIFY_VECTOR_CLONES
 void lay_paths(const RTCRay16& __restrict__ rays, const CpuScene::Shading& __restrict__ met,
-               const OnwardTask::Origins& __restrict__ origins, const Returns& __restrict__ returns,
+               const OnwardOrigins& __restrict__ origins, const Returns& __restrict__ returns,
                MirrorPaths& __restrict__ paths) {
   for (int lane = 0; lane < kPacketSize; ++lane) {
     const float ix = -rays.dir_x[lane], iy = -rays.dir_y[lane], iz = -rays.dir_z[lane];
@@ -122,7 +122,7 @@ void OnwardTask::send_back(const Vec3f& point, const Vec3f& direction, float dis
 }
 
 // The paper model's: one echo, heard where it was launched.
-void OnwardTask::return_shaped(const RTCRay16& rays, const Origins& origins, unsigned lanes) {
+void OnwardTask::return_shaped(const RTCRay16& rays, const OnwardOrigins& origins, unsigned lanes) {
   Returns returns;
   float strength[kPacketSize], within[kPacketSize];
   measure_returns(rays, origins, sonar_, returns);
@@ -141,7 +141,7 @@ void OnwardTask::return_shaped(const RTCRay16& rays, const Origins& origins, uns
 }
 
 // The calibrated model's: back the same way at once, and both ways round once the way straight back is known clear.
-void OnwardTask::return_mirrored(const RTCRay16& rays, const Origins& origins, unsigned lanes) {
+void OnwardTask::return_mirrored(const RTCRay16& rays, const OnwardOrigins& origins, unsigned lanes) {
   Returns returns;
   MirrorPaths paths;
   MirrorPowers powers;

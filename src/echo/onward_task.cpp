@@ -19,82 +19,6 @@ constexpr int kMany = 12;
 // After a packet that passed the boxes whole, as many of its strip are let through without a look.
 constexpr int kUnsifted = 2;
 
-constexpr float kForRounding = 1.0001F;
-constexpr float kLeastDivisor = 1e-6F;  // [m]; a hit at the very range, met head on, would divide zero by zero.
-
-// Of hits whose sound goes on: where they lie from the sonar, and their normals.
-struct Mirrors {
-  float place_x[kPacketSize], place_y[kPacketSize], place_z[kPacketSize];
-  float normal_x[kPacketSize], normal_y[kPacketSize], normal_z[kPacketSize];
-};
-
-// Readies the first lanes of a packet: on from the hits at the given places of a strip, in the mirror direction.
-INSONIFY_VECTOR_CLONES
-void mirror(const HitColumn& strip, const int* __restrict__ place, int count, Vec3f sonar, float max_range,
-            RTCRay16& __restrict__ rays, OnwardTask::Origins& __restrict__ origins, Mirrors& __restrict__ mirrors) {
-  const float* __restrict__ direction_x = strip.direction_x;
-  const float* __restrict__ direction_y = strip.direction_y;
-  const float* __restrict__ direction_z = strip.direction_z;
-  const float* __restrict__ normal_x = strip.normal_x;
-  const float* __restrict__ normal_y = strip.normal_y;
-  const float* __restrict__ normal_z = strip.normal_z;
-  const float* __restrict__ facing = strip.facing;
-  const float* __restrict__ strength = strip.strength;
-  const float* __restrict__ range = strip.range;
-  const float* __restrict__ selected = strip.selected;
-  const float sonar_x = sonar[0], sonar_y = sonar[1], sonar_z = sonar[2];
-  for (int lane = 0; lane < count; ++lane) {
-    const int at = place[lane];
-    const float x = direction_x[at], y = direction_y[at], z = direction_z[at];
-    const float nx = normal_x[at], ny = normal_y[at], nz = normal_z[at];
-    const float out = range[at], turn = 2 * facing[at];
-    // The path out, across and back is within twice the range while the second surface lies in an ellipsoid with the
-    // sonar in one focus and the first surface in the other.
-    const float bent = 1 - turn * facing[at];  // Cosine between the way out and the way on.
-    rays.tfar[lane] =
-        kForRounding * 2 * max_range * (max_range - out) / (2 * max_range - out + out * bent + kLeastDivisor);
-    rays.org_x[lane] = sonar_x + x * out;
-    rays.org_y[lane] = sonar_y + y * out;
-    rays.org_z[lane] = sonar_z + z * out;
-    rays.dir_x[lane] = x - turn * nx;
-    rays.dir_y[lane] = y - turn * ny;
-    rays.dir_z[lane] = z - turn * nz;
-    mirrors.place_x[lane] = x * out;
-    mirrors.place_y[lane] = y * out;
-    mirrors.place_z[lane] = z * out;
-    mirrors.normal_x[lane] = nx;
-    mirrors.normal_y[lane] = ny;
-    mirrors.normal_z[lane] = nz;
-    origins.range[lane] = out;
-    origins.strength[lane] = strength[at];
-    origins.selected[lane] = selected[at];
-  }
-}
-
-// The changes from hits that mirror() looked at to those beside them in the strip.
-INSONIFY_VECTOR_CLONES
-void compare(const HitColumn& strip, const int* __restrict__ beside, int count, const RTCRay16& __restrict__ rays,
-             const float* __restrict__ range, const Mirrors& __restrict__ mirrors,
-             MirrorChanges& __restrict__ changes) {
-  const float* __restrict__ direction_x = strip.direction_x;
-  const float* __restrict__ direction_y = strip.direction_y;
-  const float* __restrict__ direction_z = strip.direction_z;
-  const float* __restrict__ normal_x = strip.normal_x;
-  const float* __restrict__ normal_y = strip.normal_y;
-  const float* __restrict__ normal_z = strip.normal_z;
-  const float* __restrict__ ranges = strip.range;
-  for (int lane = 0; lane < count; ++lane) {
-    const int at = beside[lane];
-    const MirrorSample here{{mirrors.place_x[lane], mirrors.place_y[lane], mirrors.place_z[lane]},
-                            {mirrors.normal_x[lane], mirrors.normal_y[lane], mirrors.normal_z[lane]},
-                            {rays.dir_x[lane], rays.dir_y[lane], rays.dir_z[lane]},
-                            range[lane]};
-    const MirrorSample there = MirrorSample::of({direction_x[at], direction_y[at], direction_z[at]},
-                                                {normal_x[at], normal_y[at], normal_z[at]}, ranges[at]);
-    changes.set(lane, mirror_change(here, there));
-  }
-}
-
 }  // namespace
 
 OnwardTask::OnwardTask(const CpuScene& scene) : scene_(scene) {
@@ -153,12 +77,15 @@ void OnwardTask::sift(const HitColumn& strip) {
   candidate_count_ = 0;
   const RTCRay16& from = candidates_.rays.ray;
   Mirrors mirrors;
-  mirror(strip, place_, count, sonar_, plan_->true_max_range, candidates_.rays.ray, candidate_origins_, mirrors);
+  aim_onward(strip, place_, count, sonar_, plan_->true_max_range, candidates_.rays.ray, candidate_origins_, mirrors);
   if (plan_->model == EchoModel::kCalibrated) {
     for (int lane = 0; lane < count; ++lane) {
       const float texture = strip.has_relief ? strip.texture[place_[lane]] : 1.0F;
       candidate_origins_.kept[lane] = plan_->scatter.kept(strip.surface[place_[lane]]) * texture * texture;
       candidate_origins_.steepness[lane] = plan_->scatter.steepness(strip.surface[place_[lane]]);
+    }
+    if (plan_->rough_mirrors) {
+      turn_to_facets(count, plan_->true_max_range, plan_->stagger, mirrors, candidates_.rays.ray, candidate_origins_);
     }
   }
   unsigned lanes = (1U << count) - 1;
@@ -170,8 +97,8 @@ void OnwardTask::sift(const HitColumn& strip) {
   if (lanes == 0) {
     return;
   }
-  compare(strip, above_, count, from, candidate_origins_.range, mirrors, candidate_origins_.above);
-  compare(strip, aside_, count, from, candidate_origins_.range, mirrors, candidate_origins_.aside);
+  compare_beside(strip, above_, count, candidate_origins_.range, mirrors, candidate_origins_.above);
+  compare_beside(strip, aside_, count, candidate_origins_.range, mirrors, candidate_origins_.aside);
   if (plan_->model == EchoModel::kCalibrated && plan_->max_surfaces > 2) {
     lay_tubes(strip, lanes);
   }
@@ -223,7 +150,7 @@ void OnwardTask::trace_collected() {
 }
 
 // Traces onward rays in the mirror directions, and readies the return legs of what they meet.
-void OnwardTask::trace(RayPacket& packet, const Origins& origins, unsigned lanes) {
+void OnwardTask::trace(RayPacket& packet, const OnwardOrigins& origins, unsigned lanes) {
   packet.set_lanes(lanes);
   if (log_ != nullptr) {
     log_->onward.push_back(packet);

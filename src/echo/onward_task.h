@@ -6,8 +6,7 @@
 
 #include "echo/cpu_scene.h"
 #include "echo/hit_column.h"
-#include "echo/mirror_tube.h"
-#include "echo/path_footprint.h"
+#include "echo/onward_rays.h"
 #include "echo/ping_plan.h"
 #include "echo/ray_packet.h"
 #include "echo/secondary_echo.h"
@@ -20,16 +19,6 @@ class OnwardTask {
   /// Onward rays and return legs as they were sent, when somebody wants to send them again.
   struct Log {
     std::vector<RayPacket> onward, back;
-  };
-
-  /// Where a packet of onward rays left the first surface.
-  struct Origins {
-    int column[kPacketSize], row[kPacketSize];  // Of the lattice.
-    float range[kPacketSize], selected[kPacketSize];
-    float strength[kPacketSize];                      // `paper`
-    float kept[kPacketSize], steepness[kPacketSize];  // `calibrated`: see MirrorPaths
-    MirrorTube tube[kPacketSize];                     // `calibrated`, where sound comes back by the mirror.
-    MirrorChanges above, aside;                       // To samples beside each.
   };
 
   explicit OnwardTask(const CpuScene& scene);
@@ -57,9 +46,9 @@ class OnwardTask {
   void sift(const HitColumn& strip);
   void lay_tubes(const HitColumn& strip, unsigned lanes);
   void trace_collected();
-  void trace(RayPacket& packet, const Origins& origins, unsigned lanes);
-  void return_shaped(const RTCRay16& rays, const Origins& origins, unsigned lanes);
-  void return_mirrored(const RTCRay16& rays, const Origins& origins, unsigned lanes);
+  void trace(RayPacket& packet, const OnwardOrigins& origins, unsigned lanes);
+  void return_shaped(const RTCRay16& rays, const OnwardOrigins& origins, unsigned lanes);
+  void return_mirrored(const RTCRay16& rays, const OnwardOrigins& origins, unsigned lanes);
   void send_back(const Vec3f& point, const Vec3f& direction, float distance);
   void finish_returns();
 
@@ -76,7 +65,7 @@ class OnwardTask {
 
   // In the strip: of the hits that are followed, and of samples beside them on the same surface, if there are any.
   int place_[kPacketSize], above_[kPacketSize], aside_[kPacketSize];
-  Origins candidate_origins_, origins_;
+  OnwardOrigins candidate_origins_, origins_;
   int candidate_count_ = 0, onward_count_ = 0;
   int unsifted_ = 0;             // Packets that are yet to be let through without a look.
   Echo returning_[kPacketSize];  // Met a second surface; their return legs are in back_.

@@ -5,25 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "echo/triple.h"
+
 namespace insonify {
-
-/// A vector that loops over lanes keep in registers.
-struct Triple {
-  float x, y, z;
-
-  [[nodiscard, gnu::always_inline]] float dot(const Triple& other) const {
-    return x * other.x + y * other.y + z * other.z;
-  }
-  [[gnu::always_inline]] friend Triple operator+(const Triple& a, const Triple& b) {
-    return {a.x + b.x, a.y + b.y, a.z + b.z};
-  }
-  [[gnu::always_inline]] friend Triple operator-(const Triple& a, const Triple& b) {
-    return {a.x - b.x, a.y - b.y, a.z - b.z};
-  }
-  [[gnu::always_inline]] friend Triple operator*(float scale, const Triple& a) {
-    return {scale * a.x, scale * a.y, scale * a.z};
-  }
-};
 
 /// Where a sample of the lattice met a mirror, and where its sound goes on to.
 struct MirrorSample {

@@ -27,7 +27,8 @@ PingPlan::PingPlan(const PingPlanSettings& settings)
       scatter(settings.materials, settings.sonar.frequency),
       primary(settings.primary),
       secondary(settings.max_surfaces > 1 ? settings.secondary : SecondaryEchoes::kNone),
-      max_surfaces(settings.max_surfaces) {
+      max_surfaces(settings.max_surfaces),
+      rough_mirrors(settings.rough_mirrors) {
   const double true_speed = settings.water.true_sound_speed();
   const double scale = sonar.assumed_sound_speed.value_or(true_speed) / true_speed;
   neper_per_metre = static_cast<float>(kNeperPerDecibel * settings.water.absorption_db_per_m_at(sonar.frequency));

@@ -27,6 +27,7 @@ class PingPlan {
   PrimaryEchoes primary;
   SecondaryEchoes secondary;  ///< kNone where paths end at one surface.
   int max_surfaces;
+  bool rough_mirrors;  ///< `calibrated`
 
   float neper_per_metre = 0;   ///< Absorption of pressure amplitude [Np/m].
   float range_per_metre = 1;   ///< Reported range over true range: assumed over true sound speed.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "echo/mirror_facet.h"
 #include "echo/mirror_paths.h"
 #include "echo/ray_limits.h"
 #include "echo/reference_engine.h"
@@ -176,7 +177,16 @@ void ReferenceEngine::insonify_column(const PingPlan& plan, int column, const Po
       continue;
     }
     const Vec3 point = rays[row].origin + rays[row].direction * first[row].distance;
-    const Vec3& normal = first[row].bent;
+    Vec3 normal = first[row].bent;
+    float share = 1;
+    if (plan.rough_mirrors && plan.model == EchoModel::kCalibrated) {
+      const float slope = 1 / std::sqrt(2 * plan.scatter.steepness(hits.surface[row]));
+      const FacetSlopes slopes =
+          FacetSlopes::of(static_cast<std::uint32_t>(column), static_cast<std::uint32_t>(row), plan.stagger);
+      const MirrorFacet facet = mirror_facet(triple(rays[row].direction), triple(normal), slope, slopes);
+      normal = Vec3(facet.normal.x, facet.normal.y, facet.normal.z).normalized();
+      share = facet.share;
+    }
     const Vec3 mirrored = rays[row].direction - 2 * rays[row].direction.dot(normal) * normal;
     const Ray onward{point, mirrored.normalized(), kRayClearance, plan.true_max_range};
     const Meeting second = nearest(onward);
@@ -194,7 +204,7 @@ void ReferenceEngine::insonify_column(const PingPlan& plan, int column, const Po
                         triple(-back.normalized()), there, static_cast<float>(back.norm())});
     if (plan.model == EchoModel::kCalibrated) {
       const float texture = hits.has_relief ? hits.texture[row] : 1.0F;
-      const float kept = plan.scatter.kept(hits.surface[row]) * texture * texture;
+      const float kept = share * plan.scatter.kept(hits.surface[row]) * texture * texture;
       const Echo echo = secondary_echo(plan, column, row, hits.selected[row], path_length, second.surface());
       return_mirrored(plan, world_from_sonar,
                       {echo, footprint, kept, plan.scatter.steepness(hits.surface[row]), lattice.heard_in(column)[row],

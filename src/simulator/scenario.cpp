@@ -225,6 +225,9 @@ void Scenario::validate() const {
   if (model == EchoModel::kPaper && motion_in_ping) {
     throw Error("motion_in_ping needs model = calibrated");
   }
+  if (model == EchoModel::kPaper && rough_mirrors) {
+    throw Error("rough_mirrors needs model = calibrated");
+  }
   if (model == EchoModel::kPaper && ground_truth == GroundTruth::kFull) {
     throw Error("ground_truth = full needs model = calibrated");
   }

@@ -1,0 +1,187 @@
+// rough_mirror_test.cpp -- sound sent on about facets of a rough mirror.
+
+#include "echo/mirror_facet.h"
+#include "insonify/engine.h"
+#include "insonify/error.h"
+#include "validation/calibrated_scene.h"
+
+namespace insonify::validation {
+namespace {
+
+// Two standard normal numbers that know nothing of each other, in every block of the lattice.
+TEST(FacetSlopesTest, AreNormalAndEven) {
+  for (const int size : {16, 128}) {
+    double sum[2] = {}, squares[2] = {}, both = 0, within = 0;
+    for (int column = 100; column < 100 + size; ++column) {
+      for (int row = 30; row < 30 + size; ++row) {
+        const FacetSlopes slopes = FacetSlopes::of(column, row, 12345);
+        const double pair[] = {slopes.along, slopes.across};
+        for (int i = 0; i < 2; ++i) {
+          sum[i] += pair[i];
+          squares[i] += pair[i] * pair[i];
+          within += std::abs(pair[i]) < 1 ? 0.5 : 0;
+        }
+        both += pair[0] * pair[1];
+      }
+    }
+    const double count = size * size, tolerance = 1.0 / size;
+    for (int i = 0; i < 2; ++i) {
+      EXPECT_NEAR(sum[i] / count, 0, tolerance) << size;
+      EXPECT_NEAR(squares[i] / count, 1, 2 * tolerance) << size;
+    }
+    EXPECT_NEAR(both / count, 0, tolerance) << size;
+    EXPECT_NEAR(within / count, 0.6827, tolerance) << size;
+  }
+}
+
+// What the facets take is what falls on the mirror, but for what they send into it.
+TEST(MirrorFacetTest, SharesAddUpToOne) {
+  for (const double slope : {0.02, 0.1, 0.3}) {
+    for (const double grazing_deg : {5.0, 15.0, 40.0, 90.0}) {
+      const double grazing = grazing_deg * kDegree;
+      const Triple direction{static_cast<float>(std::cos(grazing)), 0, static_cast<float>(-std::sin(grazing))};
+      double sum = 0, lost = 0;
+      constexpr int kSide = 200;
+      for (int i = 0; i < kSide * kSide; ++i) {
+        const FacetSlopes slopes = FacetSlopes::of(i / kSide, i % kSide, 7);
+        const MirrorFacet facet = mirror_facet(direction, {0, 0, 1}, static_cast<float>(slope), slopes);
+        sum += facet.share;
+        lost += facet.share == 0 ? 1 : 0;
+        EXPECT_NEAR(facet.normal.dot(facet.normal), 1, 1e-5);
+      }
+      const double mean = sum / (kSide * kSide);
+      EXPECT_LE(mean, 1.02) << slope << ", " << grazing_deg;
+      EXPECT_GE(mean, std::tan(grazing) > 4 * slope ? 0.98 : 0.6) << slope << ", " << grazing_deg;
+    }
+  }
+}
+
+// By symmetry which side the normal is on does not matter, and no direction breaks the frame.
+TEST(MirrorFacetTest, StandsOnTheSideOfTheSound) {
+  for (const Triple& normal : {Triple{0, 0, 1}, Triple{0, 0, -1}, Triple{1, 0, 0}, Triple{0, -1, 0}}) {
+    for (const float side : {1.0F, -1.0F}) {
+      const MirrorFacet facet = mirror_facet(-1 * normal, side * normal, 0.1F, {0.5F, -0.3F});
+      EXPECT_NEAR(facet.normal.dot(normal), 1 / std::sqrt(1 + 0.01F * (0.25F + 0.09F)), 1e-6F);
+      EXPECT_GT(facet.share, 0);
+    }
+  }
+}
+
+// Where a ghost below a floor is heard, in a fan that stands upright.
+struct Ghost {
+  double energy = 0, mean = 0, deviation = 0;  // Of the elevation [deg].
+};
+
+Ghost ghost_in(const Method& method, double rms_slope, bool rough) {
+  Scene scene = sphere_at({10, 0, 0}, 0.3, diffuse(-10));
+  const Scene floor = scene_of(make_plane(Vec3::UnitZ(), 60, 60), glinting(1, rms_slope), {.position = {5, 0, -5}});
+  scene.materials.push_back(floor.materials.front());
+  scene.instances.push_back(floor.instances.front());
+  scene.instances.back().materials.assign(scene.instances.back().materials.size(), 1);
+
+  SonarConfig sonar;
+  sonar.beam_count = 300;
+  sonar.azimuth_aperture = 150 * kDegree;
+  sonar.elevation_aperture = 40 * kDegree;
+  sonar.min_range = 1;
+  sonar.max_range = 20;
+  sonar.bin_count = 200;
+  sonar.sampling = {8, 400};
+  const auto engine = make_engine(method.engine, 2);
+  engine->set_scene(scene);
+  EchoGrid grid(sonar.beam_count, sonar.bin_count, kPathOrders);
+  engine->insonify(*make_ping_plan({.sonar = sonar,
+                                    .water = {.absorption = false},
+                                    .model = EchoModel::kCalibrated,
+                                    .materials = scene.materials,
+                                    .primary = method.primary,
+                                    .secondary = SecondaryEchoes::kAll,
+                                    .max_surfaces = 2,
+                                    .rough_mirrors = rough}),
+                   {.orientation = orientation_from_rpy(90 * kDegree, 0, 0)}, 0, grid, nullptr);
+  Ghost ghost;
+  double squares = 0;
+  for (int beam = 0; beam < sonar.beam_count; ++beam) {
+    const double elevation = sonar.beam_azimuth(beam) / kDegree;  // Port is up.
+    for (const float energy : grid.energy(2, beam)) {
+      if (elevation < -20) {  // The reciprocal path is heard from the sphere itself.
+        ghost.energy += energy;
+        ghost.mean += energy * elevation;
+        squares += energy * elevation * elevation;
+      }
+    }
+  }
+  ghost.mean /= ghost.energy;
+  ghost.deviation = std::sqrt(squares / ghost.energy - ghost.mean * ghost.mean);
+  return ghost;
+}
+
+class RoughMirrorTest : public testing::TestWithParam<Method> {};
+
+// A facet half-way tilted by t sends on what comes t beside the image, so that the image is as wide as the slopes: a
+// glitter path. It holds what the image of a smooth floor holds.
+TEST_P(RoughMirrorTest, SpreadsTheImageAsItsSlopes) {
+  const Ghost smooth = ghost_in(GetParam(), 0.05, false);
+  EXPECT_NEAR(smooth.mean, -45, 0.5);
+  EXPECT_LT(smooth.deviation, 1);
+  for (const double slope : {0.03, 0.06}) {
+    const Ghost rough = ghost_in(GetParam(), slope, true);
+    const double added = std::sqrt(rough.deviation * rough.deviation - smooth.deviation * smooth.deviation) * kDegree;
+    EXPECT_NEAR(added / slope, 1, 0.1) << slope;
+    EXPECT_NEAR(rough.mean, -45, 1) << slope;
+    EXPECT_NEAR(10 * std::log10(rough.energy / smooth.energy), 0, 0.3) << slope;
+  }
+}
+
+TEST_P(RoughMirrorTest, WithoutSlopesIsSmooth) {
+  const Ghost smooth = ghost_in(GetParam(), 1e-4, false), rough = ghost_in(GetParam(), 1e-4, true);
+  EXPECT_NEAR(rough.energy / smooth.energy, 1, 0.01);
+  EXPECT_NEAR(rough.deviation, smooth.deviation, 0.01);
+}
+
+// The whole way from a scenario: a windy sea's ghosts are wider.
+TEST(RoughMirrorScenarioTest, WidensTheGhostsOfAWindySea) {
+  Scene scene = sphere_at({8, 0, -3}, 0.3, diffuse(-10));
+  Scenario scenario;
+  scenario.water.absorption = false;
+  scenario.receiver.noise = scenario.receiver.speckle = false;
+  scenario.secondary = SecondaryEchoes::kAll;
+  scenario.surface = SeaSurface{.level = 0, .wind_speed = 3};
+  SonarConfig sonar;
+  sonar.name = "upright";
+  sonar.azimuth_aperture = 120 * kDegree;
+  sonar.position = {0, 0, -3};
+  sonar.orientation = {90 * kDegree, 0, 0};
+  sonar.max_range = 12;
+  scenario.sonars = {sonar};
+  double deviation[2] = {};
+  for (const bool rough : {false, true}) {
+    scenario.rough_mirrors = rough;
+    const Ping ping = Simulator(scenario, scene, 2).make_ping(0, 0);
+    double sum = 0, moment = 0, squares = 0;
+    for (int beam = 0; beam < ping.beam_count; ++beam) {
+      const double elevation = sonar.beam_azimuth(beam) / kDegree;
+      for (int bin = 0; bin < ping.bin_count; ++bin) {
+        const double range = sonar.bin_range(bin);
+        if (elevation > 20 && range > 8.3) {  // The surface straight above is nearer.
+          const double intensity = ping.intensity[ping.index(bin, beam)];
+          sum += intensity;
+          moment += intensity * elevation;
+          squares += intensity * elevation * elevation;
+        }
+      }
+    }
+    deviation[rough ? 1 : 0] = std::sqrt(squares / sum - moment * moment / (sum * sum));
+  }
+  EXPECT_GT(deviation[1], 3 * deviation[0]);
+
+  scenario.model = EchoModel::kPaper;
+  scenario.surface.reset();
+  EXPECT_THROW(scenario.validate(), Error);
+}
+
+INSTANTIATE_TEST_SUITE_P(Methods, RoughMirrorTest, testing::Values(kRays, kRaster),
+                         [](const auto& test) { return std::string(test.param.name); });
+
+}  // namespace
+}  // namespace insonify::validation
