@@ -154,7 +154,7 @@ Stretch lone_stretch(const PingPlan& plan, int column, const HitColumn& hits, co
       half_rise = stretches.half_rise[joined];
     }
   }
-  const float beyond = stretches.reach[row] + shortest_stretch(bins);
+  const float beyond = stretches.reach[row] + shortest_stretch(here);
   const float low = std::min(here, ends_at) - beyond;
   const float high = std::max(here, ends_at) + beyond;
   return {std::clamp(low, 0.0F, bins), std::min(high, bins), power, half_rise, weight / (high - low), 0};
@@ -261,7 +261,7 @@ void deposit(const PingPlan& plan, const Echo& echo, EchoGrid& grid) {
   const int beam = plan.beam_of(echo.azimuth);
   const float middle = (0.5F * echo.path_length - plan.first_bin_at) * plan.bins_per_metre;
   const auto bins = static_cast<float>(plan.sonar.bin_count);
-  const float reach = echo.half_length * plan.bins_per_metre + shortest_stretch(bins);
+  const float reach = echo.half_length * plan.bins_per_metre + shortest_stretch(middle);
   const float low = middle - reach, high = middle + reach;
   if (beam < 0 || !(high > 0) || !(low < bins)) {
     return;

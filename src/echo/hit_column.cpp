@@ -214,11 +214,10 @@ void stretch(int rows, float bins, const float* __restrict__ interval, float wid
              const float* __restrict__ reach, const float* __restrict__ sample_power, float* __restrict__ low,
              float* __restrict__ high, float* __restrict__ power, float* __restrict__ half_rise,
              float* __restrict__ density, float* __restrict__ elevation) {
-  const float shortest = shortest_stretch(bins);
   for (int a = 0; a + 1 < rows; ++a) {
     const int b = a + 1;
     const bool rising = position[a] < position[b];
-    const float beyond = 0.5F * (reach[a] + reach[b]) + shortest;
+    const float beyond = 0.5F * (reach[a] + reach[b]) + shortest_stretch(position[b]);
     const float near = (rising ? position[a] : position[b]) - beyond;
     const float far = (rising ? position[b] : position[a]) + beyond;
     const float per_bin = 1 / (far - near);

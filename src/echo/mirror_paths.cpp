@@ -29,7 +29,7 @@ void fill(const ScatterTable::Laws laws, float neper_per_metre, const MirrorPath
     const float half = held(std::abs(paths.half[lane]));
     const float there = paths.there[lane], back = paths.back[lane];
     const float spread = paths.spread[lane] < kLeastSpread ? kLeastSpread : paths.spread[lane];
-    const float kept = paths.kept[lane] * paths.texture[lane] * paths.texture[lane];
+    const float kept = paths.share[lane] * paths.kept[lane] * paths.texture[lane] * paths.texture[lane];
 
     const float across = 1 / (half * half), along = 1 / (in * in);
     const float smoother = paths.steepness[lane] > steepness ? 1.0F : paths.steepness[lane] < steepness ? 0.0F : 0.5F;

@@ -13,6 +13,7 @@ inline constexpr int kPathLanes = 16;
 /// second straight back to the sonar; its reciprocal, straight out and back by the mirror; and back the way it came.
 struct alignas(64) MirrorPaths {
   float kept[kPathLanes];       ///< |R|^2 of the mirror, its texture's share included.
+  float share[kPathLanes];      ///< MirrorFacet::share of the facet that sends sound there and takes it back; else 1.
   float steepness[kPathLanes];  ///< 1 / (2 s^2) of the mirror.
   float there[kPathLanes];      ///< Out and across [m].
   float spread[kPathLanes];     ///< Area of a tube of sound at the second surface over that by a plane mirror.
@@ -33,8 +34,8 @@ struct alignas(64) MirrorPowers {
 
 /// Sound that leaves in dOmega falls on dA = dOmega there'^2 / in whatever the mirror's curvature, so that
 ///
-///     once  = |R|^2 s_b(in, out) / (in back^2)  e^(-2 gamma (there + back))
-///     twice = |R|^4 s_b(in, in) / (in there^2 spread)  e^(-4 gamma there)
+///     once  = share |R|^2 s_b(in, out) / (in back^2)  e^(-2 gamma (there + back))
+///     twice = share |R|^4 s_b(in, in) / (in there^2 spread)  e^(-4 gamma there)
 ///
 /// with s_b of PHYSICS 0, its lobe taken at the half vector and cos^2 as in x out. On its way back `twice` spreads as
 /// on its way out, by reciprocity; near a focus no less than to a hundredth of what it would by a plane mirror.

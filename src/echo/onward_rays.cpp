@@ -79,8 +79,12 @@ void compare(const HitColumn& strip, const int* __restrict__ beside, int count, 
 }
 
 INSONIFY_VECTOR_CLONES
-void turn(int count, float max_range, std::uint32_t seed, const Mirrors& __restrict__ mirrors,
-          RTCRay16& __restrict__ rays, OnwardOrigins& __restrict__ origins) {
+void turn(const HitColumn& strip, const int* __restrict__ place_of, int count, float max_range, std::uint32_t seed,
+          const Mirrors& __restrict__ mirrors, RTCRay16& __restrict__ rays, OnwardOrigins& __restrict__ origins) {
+  const float* __restrict__ gradient_x = strip.gradient_x;
+  const float* __restrict__ gradient_y = strip.gradient_y;
+  const float* __restrict__ gradient_z = strip.gradient_z;
+  const float relief = strip.has_relief ? 1.0F : 0.0F;
   for (int lane = 0; lane < count; ++lane) {
     const float out = origins.range[lane];
     const Triple place{mirrors.place_x[lane], mirrors.place_y[lane], mirrors.place_z[lane]};
@@ -88,14 +92,16 @@ void turn(int count, float max_range, std::uint32_t seed, const Mirrors& __restr
     const FacetSlopes slopes = FacetSlopes::of(static_cast<std::uint32_t>(origins.column[lane]),
                                                static_cast<std::uint32_t>(origins.row[lane]), seed);
     const float slope = 1 / std::sqrt(2 * origins.steepness[lane]);
+    const int at = place_of[lane];
+    const Triple gradient = relief * Triple{gradient_x[at], gradient_y[at], gradient_z[at]};
     const MirrorFacet facet = mirror_facet(
-        direction, {mirrors.normal_x[lane], mirrors.normal_y[lane], mirrors.normal_z[lane]}, slope, slopes);
+        direction, {mirrors.normal_x[lane], mirrors.normal_y[lane], mirrors.normal_z[lane]}, gradient, slope, slopes);
     const Triple onward = direction - 2 * direction.dot(facet.normal) * facet.normal;
     rays.tfar[lane] = reach_onward(out, direction.dot(onward), max_range);
     rays.dir_x[lane] = onward.x;
     rays.dir_y[lane] = onward.y;
     rays.dir_z[lane] = onward.z;
-    origins.kept[lane] *= facet.share;
+    origins.share[lane] = facet.share;
   }
 }
 
@@ -111,9 +117,9 @@ void compare_beside(const HitColumn& strip, const int* beside, int count, const 
   compare(strip, beside, count, range, mirrors, changes);
 }
 
-void turn_to_facets(int count, float max_range, std::uint32_t seed, const Mirrors& mirrors, RTCRay16& rays,
-                    OnwardOrigins& origins) {
-  turn(count, max_range, seed, mirrors, rays, origins);
+void turn_to_facets(const HitColumn& strip, const int* place, int count, float max_range, std::uint32_t seed,
+                    const Mirrors& mirrors, RTCRay16& rays, OnwardOrigins& origins) {
+  turn(strip, place, count, max_range, seed, mirrors, rays, origins);
 }
 
 }  // namespace insonify

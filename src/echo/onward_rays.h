@@ -13,10 +13,10 @@ namespace insonify {
 struct OnwardOrigins {
   int column[kPacketSize], row[kPacketSize];  ///< Of the lattice.
   float range[kPacketSize], selected[kPacketSize];
-  float strength[kPacketSize];                      ///< `paper`
-  float kept[kPacketSize], steepness[kPacketSize];  ///< `calibrated`: see MirrorPaths.
-  MirrorTube tube[kPacketSize];                     ///< `calibrated`, where sound comes back by the mirror.
-  MirrorChanges above, aside;                       ///< To samples beside each.
+  float strength[kPacketSize];                                          ///< `paper`
+  float kept[kPacketSize], share[kPacketSize], steepness[kPacketSize];  ///< `calibrated`: see MirrorPaths.
+  MirrorTube tube[kPacketSize];  ///< `calibrated`, where sound comes back by the mirror.
+  MirrorChanges above, aside;    ///< To samples beside each.
 };
 
 /// The mirrors that a packet left, as long as their strip is at hand: see MirrorSample.
@@ -36,7 +36,7 @@ void compare_beside(const HitColumn& strip, const int* beside, int count, const 
                     MirrorChanges& changes);
 
 /// Turns rays that aim_onward() readied to facets of their mirrors, whose roughness and share origins tell and take.
-void turn_to_facets(int count, float max_range, std::uint32_t seed, const Mirrors& mirrors, RTCRay16& rays,
-                    OnwardOrigins& origins);
+void turn_to_facets(const HitColumn& strip, const int* place, int count, float max_range, std::uint32_t seed,
+                    const Mirrors& mirrors, RTCRay16& rays, OnwardOrigins& origins);
 
 }  // namespace insonify

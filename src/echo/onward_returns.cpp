@@ -98,6 +98,7 @@ void lay_paths(const RTCRay16& __restrict__ rays, const CpuScene::Shading& __res
     paths.out[lane] = (nx * bx + ny * by + nz * bz) * length;
     paths.half[lane] = (nx * hx + ny * hy + nz * hz) * half_length;
     paths.kept[lane] = origins.kept[lane];
+    paths.share[lane] = origins.share[lane];
     paths.steepness[lane] = origins.steepness[lane];
     paths.there[lane] = returns.there[lane];
     const float across = rays.tfar[lane];
@@ -127,7 +128,7 @@ void OnwardTask::return_shaped(const RTCRay16& rays, const OnwardOrigins& origin
   float strength[kPacketSize], within[kPacketSize];
   measure_returns(rays, origins, sonar_, returns);
   measure_footprints(rays, shading_, origins, returns);
-  weigh_returns(rays, shading_, origins, returns, plan_->true_max_range, strength, within);
+  weigh_returns(rays, shading_, origins, returns, plan_->reach(), strength, within);
   for (lanes &= positive_of_packet(within); lanes != 0; lanes &= lanes - 1) {
     const int lane = std::countr_zero(lanes);
     const float path_length = returns.there[lane] + returns.distance[lane];
@@ -157,7 +158,7 @@ void OnwardTask::return_mirrored(const RTCRay16& rays, const OnwardOrigins& orig
     const float there = paths.there[lane], back = paths.back[lane];
     Echo echo = secondary_echo(*plan_, origins.column[lane], origins.row[lane], origins.selected[lane], there + back,
                                paths.surface[lane]);
-    if (plan_->max_surfaces > 2 && there < plan_->true_max_range) {
+    if (plan_->max_surfaces > 2 && there < plan_->reach()) {
       Echo twice = echo;
       twice.order = 3;
       twice.path_length = 2 * there;
@@ -166,7 +167,7 @@ void OnwardTask::return_mirrored(const RTCRay16& rays, const OnwardOrigins& orig
       deposit(*plan_, twice, *grid_);
     }
     const Vec3f heard_from = -(axes_.transpose() * returns.back(lane));
-    if (powers.once[lane] > 0 && 0.5F * (there + back) < plan_->true_max_range && plan_->hears(heard_from)) {
+    if (powers.once[lane] > 0 && 0.5F * (there + back) < plan_->reach() && plan_->hears(heard_from)) {
       const PingPlan::Arrival arrival = plan_->arrival_from(heard_from);
       echo.half_length = returns.once[lane];
       echo.power = powers.once[lane] * arrival.heard;

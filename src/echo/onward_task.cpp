@@ -77,18 +77,21 @@ void OnwardTask::sift(const HitColumn& strip) {
   candidate_count_ = 0;
   const RTCRay16& from = candidates_.rays.ray;
   Mirrors mirrors;
-  aim_onward(strip, place_, count, sonar_, plan_->true_max_range, candidates_.rays.ray, candidate_origins_, mirrors);
+  aim_onward(strip, place_, count, sonar_, plan_->reach(), candidates_.rays.ray, candidate_origins_, mirrors);
+  unsigned lanes = (1U << count) - 1;
   if (plan_->model == EchoModel::kCalibrated) {
     for (int lane = 0; lane < count; ++lane) {
       const float texture = strip.has_relief ? strip.texture[place_[lane]] : 1.0F;
       candidate_origins_.kept[lane] = plan_->scatter.kept(strip.surface[place_[lane]]) * texture * texture;
+      candidate_origins_.share[lane] = 1;
       candidate_origins_.steepness[lane] = plan_->scatter.steepness(strip.surface[place_[lane]]);
     }
     if (plan_->rough_mirrors) {
-      turn_to_facets(count, plan_->true_max_range, plan_->stagger, mirrors, candidates_.rays.ray, candidate_origins_);
+      turn_to_facets(strip, place_, count, plan_->reach(), plan_->stagger, mirrors, candidates_.rays.ray,
+                     candidate_origins_);
+      lanes &= positive_of_packet(candidate_origins_.share);
     }
   }
-  unsigned lanes = (1U << count) - 1;
   if (plan_->secondary == SecondaryEchoes::kSelective && --unsifted_ < 0) {
     const unsigned candidates = lanes;
     lanes &= scene_.boxes().may_meet(candidates_.rays.ray);
@@ -121,6 +124,7 @@ void OnwardTask::sift(const HitColumn& strip) {
     origins_.range[to] = candidate_origins_.range[lane];
     origins_.strength[to] = candidate_origins_.strength[lane];
     origins_.kept[to] = candidate_origins_.kept[lane];
+    origins_.share[to] = candidate_origins_.share[lane];
     origins_.steepness[to] = candidate_origins_.steepness[lane];
     origins_.tube[to] = candidate_origins_.tube[lane];
     origins_.selected[to] = candidate_origins_.selected[lane];

@@ -63,18 +63,22 @@ struct PathEnd {
   float there, back;  ///< Out and across, and straight back [m].
 };
 
+/// No stretch is a greater share of the path than this.
+inline constexpr float kWidestFootprint = 0.005F;
+
 /// Half lengths, in range, of the even stretches with the variance of what a sample hears [m].
 struct PathFootprint {
   float once, twice;  ///< By the mirror one way, and both ways.
 };
 
 /// Both changes follow the mirror's curvature and relief; the second surface is taken for its tangent plane, at no less
-/// than 12 degrees of grazing, and the stretch for no more than kWidest of the path, since neither goes on for ever.
+/// than 12 degrees of grazing, and the stretch for no more than kWidestFootprint of the path, since neither goes on for
+/// ever.
 /// @param above, rows  Change to the next sample of the same column, and how many of them this one stands for.
 /// @param aside        To that of a neighbouring column.
 [[gnu::always_inline]] inline PathFootprint path_footprint(const MirrorChange& above, float rows,
                                                            const MirrorChange& aside, const PathEnd& end) {
-  constexpr float kLeastGrazing = 0.2F, kWidest = 0.005F;
+  constexpr float kLeastGrazing = 0.2F;
   const float facing = end.direction.dot(end.normal);
   const float held = facing < 0 ? std::min(facing, -kLeastGrazing) : std::max(facing, kLeastGrazing);
   const float along = end.direction.dot(end.from_sonar);
@@ -86,7 +90,7 @@ struct PathFootprint {
   const PathFootprint up = change(above), side = change(aside);
   const auto half_length = [&](float upward, float sideward, float path) __attribute__((always_inline)) {
     const float whole = std::sqrt(upward * upward * (rows * rows) + sideward * sideward);
-    return std::min(0.25F * whole, 0.5F * kWidest * path);
+    return std::min(0.25F * whole, 0.5F * kWidestFootprint * path);
   };
   return {half_length(up.once, side.once, end.there + end.back), half_length(up.twice, side.twice, 2 * end.there)};
 }

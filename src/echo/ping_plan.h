@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "echo/paper_shape.h"
+#include "echo/path_footprint.h"
 #include "echo/scatter_table.h"
 #include "insonify/engine.h"
 #include "sonar/elevation_pattern.h"
@@ -37,7 +38,11 @@ class PingPlan {
   float middle_elevation = 0;  ///< Of the aperture [rad].
   double turns_per_metre = 0;  ///< Of the phase of an echo, over one-way distance [1/m].
   std::uint64_t seed = 0;
-  std::uint32_t stagger = 0;  ///< Turns the selection of secondary rays, from the seed.
+  std::uint32_t stagger = 0;  ///< Turns the selection of secondary rays and the facets of rough mirrors, from the seed.
+
+  /// How far the middle of an echo by way of a mirror may lie, of which the last bin still hears the near end: true
+  /// distance [m].
+  [[nodiscard]] float reach() const { return (1 + 0.5F * kWidestFootprint) * true_max_range; }
 
   /// Whether sound from a direction of the sonar frame, of unit length, is heard at all: in the fan and the elevation
   /// aperture, or all that the elevation pattern hears.

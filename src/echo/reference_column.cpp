@@ -55,6 +55,7 @@ void ReferenceEngine::return_mirrored(const PingPlan& plan, const Pose& world_fr
   MirrorPaths paths = {};
   std::ranges::fill(paths.surface, kNoSurface);
   paths.kept[0] = mirrored.kept;
+  paths.share[0] = mirrored.share;
   paths.steepness[0] = mirrored.steepness;
   paths.there[0] = static_cast<float>(mirrored.range + second.distance);
   const auto across = static_cast<float>(second.distance);
@@ -71,7 +72,7 @@ void ReferenceEngine::return_mirrored(const PingPlan& plan, const Pose& world_fr
   fill_mirror_powers(plan.scatter, plan.neper_per_metre, paths, powers);
 
   Echo echo = mirrored.echo;
-  if (plan.max_surfaces > 2 && paths.there[0] < plan.true_max_range) {
+  if (plan.max_surfaces > 2 && paths.there[0] < plan.reach()) {
     Echo twice = echo;
     twice.order = 3;
     twice.path_length = 2 * paths.there[0];
@@ -80,7 +81,7 @@ void ReferenceEngine::return_mirrored(const PingPlan& plan, const Pose& world_fr
     deposit(plan, twice, grid);
   }
   const Vec3f heard_from = (world_from_sonar.orientation.inverse() * -out).cast<float>();
-  if (powers.once[0] == 0 || 0.5F * echo.path_length >= plan.true_max_range || !plan.hears(heard_from)) {
+  if (powers.once[0] == 0 || 0.5F * echo.path_length >= plan.reach() || !plan.hears(heard_from)) {
     return;
   }
   ++counts.return_legs;
@@ -183,12 +184,16 @@ void ReferenceEngine::insonify_column(const PingPlan& plan, int column, const Po
       const float slope = 1 / std::sqrt(2 * plan.scatter.steepness(hits.surface[row]));
       const FacetSlopes slopes =
           FacetSlopes::of(static_cast<std::uint32_t>(column), static_cast<std::uint32_t>(row), plan.stagger);
-      const MirrorFacet facet = mirror_facet(triple(rays[row].direction), triple(normal), slope, slopes);
+      const MirrorFacet facet = mirror_facet(triple(rays[row].direction), triple(normal),
+                                             triple(first[row].gradient.cast<double>()), slope, slopes);
       normal = Vec3(facet.normal.x, facet.normal.y, facet.normal.z).normalized();
       share = facet.share;
+      if (share == 0) {
+        continue;
+      }
     }
     const Vec3 mirrored = rays[row].direction - 2 * rays[row].direction.dot(normal) * normal;
-    const Ray onward{point, mirrored.normalized(), kRayClearance, plan.true_max_range};
+    const Ray onward{point, mirrored.normalized(), kRayClearance, plan.reach()};
     const Meeting second = nearest(onward);
     ++counts.secondary;
     if (!second.met()) {
@@ -204,15 +209,16 @@ void ReferenceEngine::insonify_column(const PingPlan& plan, int column, const Po
                         triple(-back.normalized()), there, static_cast<float>(back.norm())});
     if (plan.model == EchoModel::kCalibrated) {
       const float texture = hits.has_relief ? hits.texture[row] : 1.0F;
-      const float kept = share * plan.scatter.kept(hits.surface[row]) * texture * texture;
+      const float kept = plan.scatter.kept(hits.surface[row]) * texture * texture;
       const Echo echo = secondary_echo(plan, column, row, hits.selected[row], path_length, second.surface());
-      return_mirrored(plan, world_from_sonar,
-                      {echo, footprint, kept, plan.scatter.steepness(hits.surface[row]), lattice.heard_in(column)[row],
-                       first[row].distance, tube(first[row], rays[row].direction), onward, second},
-                      grid, arrivals, counts);
+      return_mirrored(
+          plan, world_from_sonar,
+          {echo, footprint, kept, share, plan.scatter.steepness(hits.surface[row]), lattice.heard_in(column)[row],
+           first[row].distance, tube(first[row], rays[row].direction), onward, second},
+          grid, arrivals, counts);
       continue;
     }
-    if (0.5F * path_length >= plan.true_max_range) {
+    if (0.5F * path_length >= plan.reach()) {
       continue;
     }
     ++counts.return_legs;

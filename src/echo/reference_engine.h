@@ -59,9 +59,9 @@ class ReferenceEngine final : public Engine {
   struct Mirrored {
     Echo echo;  // All but its power.
     PathFootprint footprint;
-    float kept, steepness;  // See MirrorPaths.
-    float heard;            // |p|^2 of the elevation it was launched at.
-    double range;           // Of the mirror.
+    float kept, share, steepness;  // See MirrorPaths.
+    float heard;                   // |p|^2 of the elevation it was launched at.
+    double range;                  // Of the mirror.
     MirrorTube tube;
     Ray across;
     Meeting second;

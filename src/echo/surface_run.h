@@ -12,9 +12,10 @@
 
 namespace insonify {
 
-/// Half the least length of a stretch [bins]: keeps its density finite, in single precision up to the last bin.
-constexpr float shortest_stretch(float bins) {
-  return 1e-7F * std::max(bins, 500.0F);
+/// Half the least length of a stretch at a position, on either side of bin 0 [bins]: keeps its density finite in single
+/// precision.
+constexpr float shortest_stretch(float position) {
+  return 1e-7F * std::max(position < 0 ? -position : position, 500.0F);
 }
 
 /// Echo spread evenly over an interval of positions [bins, from the near edge of bin 0], its power changing linearly.

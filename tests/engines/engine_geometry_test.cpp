@@ -244,6 +244,11 @@ TEST_P(EngineGeometryTest, EchoesOfNoDepthAreWholeInEveryBin) {
     EXPECT_NEAR(sum / expected, 1, 1e-4) << bins;
     EXPECT_NEAR(weight / (sonar.azimuth_aperture * 2 * std::sin(0.5 * sonar.elevation_aperture)), 1, 1e-4) << bins;
   }
+  // As far before the first bin.
+  sonar.min_range = 19.9;
+  sonar.bin_count = 500;
+  const EchoGrid before = echoes(maker.scene(), sonar);
+  EXPECT_EQ(total(before, 1), 0);
 }
 
 TEST_P(EngineGeometryTest, EmptyWaterGivesNothing) {
