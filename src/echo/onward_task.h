@@ -54,6 +54,7 @@ class OnwardTask {
 
   RayPacket candidates_, onward_, back_;
   CpuScene::Shading shading_;
+  OnwardOrigins candidate_origins_, origins_;
 
   const CpuScene& scene_;
   const PingPlan* plan_ = nullptr;
@@ -65,7 +66,6 @@ class OnwardTask {
 
   // In the strip: of the hits that are followed, and of samples beside them on the same surface, if there are any.
   int place_[kPacketSize], above_[kPacketSize], aside_[kPacketSize];
-  OnwardOrigins candidate_origins_, origins_;
   int candidate_count_ = 0, onward_count_ = 0;
   int unsifted_ = 0;             // Packets that are yet to be let through without a look.
   Echo returning_[kPacketSize];  // Met a second surface; their return legs are in back_.
