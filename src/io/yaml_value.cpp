@@ -4,10 +4,12 @@
 
 #include <fmt/format.h>
 #include <yaml-cpp/depthguard.h>
+#include <yaml-cpp/eventhandler.h>
 #include <yaml-cpp/yaml.h>
 
 #include <algorithm>
 #include <charconv>
+#include <sstream>
 
 #include "insonify/error.h"
 
@@ -107,14 +109,62 @@ bool tab_indents(std::string_view text, int line) {
   return indentation.find('\t') != std::string_view::npos;
 }
 
+// Where documents start, of the first three.
+class DocumentStarts final : public YAML::EventHandler {
+ public:
+  std::vector<YAML::Mark> marks;
+
+  void OnDocumentStart(const YAML::Mark& mark) override {
+    marks.push_back(mark);
+    at_start_ = true;
+  }
+  void OnDocumentEnd() override {}
+  void OnNull(const YAML::Mark& mark, YAML::anchor_t) override { meet(mark); }
+  void OnAlias(const YAML::Mark& mark, YAML::anchor_t) override { meet(mark); }
+  void OnScalar(const YAML::Mark& mark, const std::string&, YAML::anchor_t, const std::string&) override { meet(mark); }
+  void OnSequenceStart(const YAML::Mark& mark, const std::string&, YAML::anchor_t, YAML::EmitterStyle::value) override {
+    meet(mark);
+  }
+  void OnSequenceEnd() override {}
+  void OnMapStart(const YAML::Mark& mark, const std::string&, YAML::anchor_t, YAML::EmitterStyle::value) override {
+    meet(mark);
+  }
+  void OnMapEnd() override {}
+
+ private:
+  // What stands first in a document is where it starts, after its dashes.
+  void meet(const YAML::Mark& mark) {
+    marks.back() = at_start_ ? mark : marks.back();
+    at_start_ = false;
+  }
+
+  bool at_start_ = false;
+};
+
+// yaml-cpp 0.7's LoadAll() never ends where nothing that it knows starts a document, such as a comma: it finds empty
+// documents there without end (github.com/jbeder/yaml-cpp/issues/1040).
+std::vector<YAML::Mark> document_starts(const std::string& text) {
+  std::istringstream stream(text);
+  YAML::Parser parser(stream);
+  DocumentStarts starts;
+  while (starts.marks.size() < 3 && parser.HandleNextDocument(starts)) {
+  }
+  return starts.marks;
+}
+
 YamlValue parse(const std::string& text, const std::string& path, const std::string& settings_where) {
   Converter converter(path, settings_where);
   try {
-    const std::vector<YAML::Node> documents = YAML::LoadAll(text);
-    if (documents.size() > 1) {
-      throw Error(converter.where(documents[1].Mark()) + "a second document starts here; one file holds one");
+    const std::vector<YAML::Mark> starts = document_starts(text);
+    for (std::size_t next = 1; next < starts.size(); ++next) {
+      if (starts[next].pos == starts[next - 1].pos) {
+        throw Error(fmt::format("{}not valid YAML: nothing can start here", converter.where(starts[next])));
+      }
     }
-    YamlValue value = documents.empty() ? YamlValue() : converter.convert(documents[0], "");
+    if (starts.size() > 1) {
+      throw Error(converter.where(starts[1]) + "a second document starts here; one file holds one");
+    }
+    YamlValue value = starts.empty() ? YamlValue() : converter.convert(YAML::Load(text), "");
     if (value.kind == Kind::kNothing) {
       value.where = converter.where({});  // yaml-cpp has no place for nothing.
     }

@@ -25,6 +25,8 @@ const BadScenario kCases[] = {
      "scenario.yaml:3:7: not valid YAML: indent with spaces, not with tabs"},
     {"SecondDocument", "world: floor.obj\n---\nworld: floor.obj\n",
      "scenario.yaml:3:1: a second document starts here; one file holds one"},
+    {"CommaFirst", ", world: floor.obj\n", "scenario.yaml:1:1: not valid YAML: nothing can start here"},
+    {"CommaAfterAList", "[1] , 2\n", "scenario.yaml:1:5: not valid YAML: nothing can start here"},
     {"KeyTwice", "world: floor.obj\nwater:\n  depth: 3\n  depth: 4\n", "scenario.yaml:4:3: water.depth is given twice"},
     {"KeyIsAList", "world: floor.obj\n[a, b]: 3\n", "scenario.yaml:2:1: a key must be a word"},
     {"UnknownAnchor", "world: floor.obj\nwater: *sea\n",
