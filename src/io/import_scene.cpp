@@ -2,6 +2,7 @@
 
 #include "io/import_scene.h"
 
+#include <assimp/BaseImporter.h>
 #include <assimp/DefaultIOSystem.h>
 #include <assimp/MemoryIOWrapper.h>
 #include <assimp/config.h>
@@ -9,6 +10,7 @@
 
 #include <fstream>
 #include <new>
+#include <set>
 #include <string>
 
 #include "insonify/error.h"
@@ -91,6 +93,20 @@ std::string check_and_mend(const std::filesystem::path& path, const std::string&
                   reason.starts_with("No suitable reader") ? "what it holds is not " + ending.substr(1) : reason));
 }
 
+// Where the reader of a file's ending refuses it, assimp asks all others whether its first bytes are theirs; those have
+// not had their files checked here.
+void keep_readers_of(const std::string& ending, Assimp::Importer& importer) {
+  for (std::size_t i = importer.GetImporterCount(); i-- > 0;) {
+    Assimp::BaseImporter* reader = importer.GetImporter(i);
+    std::set<std::string> endings;
+    reader->GetExtensionList(endings);
+    if (!endings.contains(ending.substr(1))) {
+      importer.UnregisterLoader(reader);
+      delete reader;  // It is ours now.
+    }
+  }
+}
+
 }  // namespace
 
 // No steps after it: clean_mesh joins vertices and makes normals in linear time, and assimp cuts a concave polygon with
@@ -99,6 +115,7 @@ const aiScene& import_scene(Assimp::Importer& importer, const std::filesystem::p
   constexpr unsigned kNoSteps = 0;
   const std::string ending = ending_of(path);
   const std::string text = check_and_mend(path, ending);
+  keep_readers_of(ending, importer);
   importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, true);
   importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_USE_COLLADA_NAMES, true);
   importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
