@@ -8,6 +8,7 @@
 #include <assimp/config.h>
 #include <fmt/format.h>
 
+#include <array>
 #include <fstream>
 #include <new>
 #include <set>
