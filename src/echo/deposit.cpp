@@ -135,6 +135,7 @@ struct End {
 // The stretch of a sample that ends alone, in a direction on the way to the next; or where its plane passes the last
 // bin before the next, all the way to there, as the next sample would show if it were heard: with the power that
 // changes as from the neighbour behind.
+INSONIFY_VECTOR_CLONES
 Stretch lone_stretch(const PingPlan& plan, int column, const HitColumn& hits, const Stretches& stretches, int row,
                      int behind, End end, float weight, const End* next = nullptr, float weight_to_next = 0) {
   const float here = stretches.position[row];

@@ -141,30 +141,44 @@ void shade(int rows, float neper_per_metre, const float* __restrict__ range, con
   }
 }
 
+// Of a whole turn, in 32 bits. No share is half or more: as an integer of 32 bits it has a sign to spare.
+[[gnu::always_inline]] inline std::uint32_t turn_of(float share) {
+  constexpr float kTurn = 4294967296.0F;
+  static_assert(kMostShare < 0.5F);
+  return static_cast<std::uint32_t>(static_cast<std::int32_t>(share * kTurn));
+}
+
 // The share of each hit's kind that is to be followed; 0 where nothing was hit.
 INSONIFY_VECTOR_CLONES
 void share_out(int rows, const float* __restrict__ range, const float* __restrict__ facing,
-               const float* __restrict__ reflectivity, float* __restrict__ share) {
+               const float* __restrict__ reflectivity, float* __restrict__ share, std::uint32_t* __restrict__ turn) {
   for (int row = 0; row < rows; ++row) {
     const float wish = std::sqrt(std::abs(facing[row]) * reflectivity[row] * (1 / kWorthFollowing));
     const float limited = wish < kLeastShare ? kLeastShare : wish > kMostShare ? kMostShare : wish;
     share[row] = range[row] > 0 ? limited : 0.0F;
+    turn[row] = turn_of(share[row]);
   }
 }
 
-// Shares add up along the column, in 32-bit turns from `start` on, and whoever completes a turn is selected: as many as
-// the shares promise, as evenly as can be.
-void select(int rows, std::uint32_t start, float* __restrict__ share_to_selected) {
-  constexpr float kTurn = 4294967296.0F;
+// Whoever completed a turn counts for all of its kind.
+INSONIFY_VECTOR_CLONES
+void select(int rows, const std::uint32_t* __restrict__ turned, float* __restrict__ share_to_selected) {
+  for (int row = 0; row < rows; ++row) {
+    const float share = share_to_selected[row];
+    share_to_selected[row] = turned[row] < turn_of(share) ? 1 / share : 0.0F;
+  }
+}
+
+// Shares add up along the column from `start` on: as many are selected as the shares promise, as evenly as can be.
+void select_hits(int rows, std::uint32_t start, const HitColumn& hits, std::uint32_t* turned) {
+  share_out(rows, hits.range, hits.facing, hits.reflectivity, hits.selected, turned);
   for (int first = 0; first < rows; first += kSelectionRows) {
-    std::uint32_t turned = start;
+    std::uint32_t sum = start;
     for (int row = first; row < std::min(first + kSelectionRows, rows); ++row) {
-      const float share = share_to_selected[row];
-      const std::uint32_t before = turned;
-      turned += static_cast<std::uint32_t>(static_cast<std::int64_t>(share * kTurn));
-      share_to_selected[row] = turned < before ? 1 / share : 0.0F;
+      turned[row] = sum += turned[row];
     }
   }
+  select(rows, turned, hits.selected);
 }
 
 // Where the tangent plane of sample `a` is met in the direction of `b`, against where `b` is, and the other way round.
@@ -291,8 +305,8 @@ void evaluate_column(const PingPlan& plan, int column, const ColumnAxes& axes, c
       hits.selected[row] = hits.surface[row] == kNoSurface ? 0.0F : 1.0F;
     }
   } else if (plan.secondary == SecondaryEchoes::kSelective) {
-    share_out(rows.count, hits.range, hits.facing, hits.reflectivity, hits.selected);
-    select(rows.count, static_cast<std::uint32_t>(column) * kGoldenTurn + plan.stagger, hits.selected);
+    select_hits(rows.count, static_cast<std::uint32_t>(column) * kGoldenTurn + plan.stagger, hits,
+                stretches.turned.data());
   }
   if (hits.has_relief && plan.secondary != SecondaryEchoes::kNone) {
     for (int row = 0; row < rows.count; ++row) {

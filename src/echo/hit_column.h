@@ -65,6 +65,7 @@ struct Stretches {
   std::vector<float> normal_beside;            ///< Of the unit normal times ColumnAxes::beside; cones only.
   std::vector<float> position;                 ///< In bins from the near edge of bin 0.
   std::vector<float> reach;  ///< By how much the position changes from the middle of the column to its edge.
+  std::vector<std::uint32_t> turned;  ///< Sum of the shares that are followed, from some sample up to this one.
 
   // From each sample to the next, where both lie on one unbroken surface; see Stretch.
   std::vector<std::uint8_t> joined;  ///< Whether they do.

@@ -39,6 +39,7 @@ void Stretches::resize(int rows) {
     values->resize(rows);
   }
   joined.resize(rows);
+  turned.resize(rows);
 }
 
 }  // namespace insonify
