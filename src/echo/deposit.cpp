@@ -1,12 +1,12 @@
-// deposit.cpp -- echoes into cells.
+// deposit.cpp -- the primary echoes of a column into cells.
 
 #include "echo/deposit.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
 #include "base/vector_math.h"
+#include "echo/label_vote.h"
 #include "echo/surface_tally.h"
 
 namespace insonify {
@@ -14,29 +14,6 @@ namespace {
 
 // How much farther a surface may go on past its last sample than between the last two.
 constexpr float kMostStretch = 1.5F;
-
-// A cell's label. It is a majority vote weighted by energy (Boyer and Moore, 1981): whoever holds more than half of a
-// cell leads it in the end. Of one cell, or of as many as vectors have lanes.
-template <typename Label, typename Value>
-struct Vote {
-  Label surface;
-  Value lead, energy, moment;
-};
-
-// @param surface  Nothing changes where `weight` is 0.
-template <typename Label, typename Value>
-[[gnu::always_inline]] inline Vote<Label, Value> counted(const Vote<Label, Value>& vote, Label surface, Value energy,
-                                                         Value moment, Value weight) {
-  const Value none = {};
-  const Value lead = vote.surface == (kNoSurface | Label{}) ? none : vote.lead;
-  const auto own = vote.surface == surface;
-  const auto taken = !own & !(lead > energy) & (weight > none);
-  const Value apart = lead > energy ? lead - energy : energy - lead;
-  const auto gains = own | taken;
-  return {taken ? surface : vote.surface, own ? lead + energy : apart,
-          (taken ? none : vote.energy) + (gains ? energy : none),
-          (taken ? none : vote.moment) + (gains ? moment : none)};
-}
 
 // Adds a run's sums to its cells and leaves zeros behind.
 INSONIFY_VECTOR_CLONES
@@ -47,8 +24,8 @@ void take(int count, SurfaceLabel surface, float* __restrict__ run_energy, float
   for (int i = 0; i < count; ++i) {
     energy[i] += run_energy[i];
     weight[i] += run_weight[i];
-    const auto vote = counted(Vote<SurfaceLabel, float>{leader[i], lead[i], label_energy[i], label_moment[i]}, surface,
-                              run_energy[i], run_moment[i], run_weight[i]);
+    const auto vote = counted(LabelVote<SurfaceLabel, float>{leader[i], lead[i], label_energy[i], label_moment[i]},
+                              surface, run_energy[i], run_moment[i], run_weight[i]);
     leader[i] = vote.surface;
     lead[i] = vote.lead;
     label_energy[i] = vote.energy;
@@ -65,16 +42,6 @@ void take_unlabelled(int count, float* __restrict__ run_energy, float* __restric
     energy[i] += run_energy[i];
     weight[i] += run_weight[i];
     run_energy[i] = run_weight[i] = run_moment[i] = 0;
-  }
-}
-
-// A cell's tally is empty as long as it has no label; before that it means nothing.
-void tally(const SurfaceEcho& echo, float weight, SurfaceLabel leader, SurfaceTally& tally) {
-  if (leader == kNoSurface && weight > 0) {
-    tally = {};
-  }
-  if (echo.energy > 0) {
-    add_surface(tally, echo);
   }
 }
 
@@ -250,50 +217,6 @@ void deposit_tallied(const PingPlan& plan, int column, const HitColumn& hits, co
   deposit_samples<GroundTruth::kFull>(plan, column, hits, stretches, sums, grid);
 }
 
-// An echo spread evenly, in bins.
-struct Spread {
-  float low, high, density, power, elevation;
-  SurfaceLabel surface;
-};
-
-constexpr int kLanes = 4;
-using Floats = float __attribute__((vector_size(4 * kLanes)));
-using Labels = SurfaceLabel __attribute__((vector_size(4 * kLanes)));
-
-template <typename Value>
-[[gnu::always_inline]] inline Value load(const void* from) {
-  Value value;
-  std::memcpy(&value, from, sizeof value);
-  return value;
-}
-
-template <typename Value>
-[[gnu::always_inline]] inline Value weight_of(const Spread& spread, Value edge) {
-  const Value zero = {}, beyond = edge + 1;
-  const Value from = edge > spread.low + zero ? edge : spread.low + zero;
-  const Value to = beyond < spread.high + zero ? beyond : spread.high + zero;
-  return (to > from ? to - from : zero) * spread.density;
-}
-
-template <typename Label, typename Value>
-[[gnu::always_inline]] inline void add_spread(const Spread& spread, int i, Value edge, Label surface, bool labelled, const EchoGrid::Cells& cells) {
-  const Value weight = weight_of(spread, edge);
-  const Value energy = weight * spread.power;
-  const auto add = [](float* to, Value value) __attribute__((always_inline)) {
-    value += load<Value>(to);
-    std::memcpy(to, &value, sizeof value);
-  };
-  add(cells.energy + i, energy);
-  add(cells.weight + i, weight);
-  if (labelled) {
-    const auto vote = counted(Vote<Label, Value>{load<Label>(cells.surface + i), load<Value>(cells.lead + i), load<Value>(cells.label_energy + i), load<Value>(cells.elevation_moment + i)}, surface, energy, Value(energy * spread.elevation), weight);
-    std::memcpy(cells.surface + i, &vote.surface, sizeof vote.surface);
-    std::memcpy(cells.lead + i, &vote.lead, sizeof vote.lead);
-    std::memcpy(cells.label_energy + i, &vote.energy, sizeof vote.energy);
-    std::memcpy(cells.elevation_moment + i, &vote.moment, sizeof vote.moment);
-  }
-}
-
 }  // namespace
 
 void deposit_column(const PingPlan& plan, int column, const HitColumn& hits, const Stretches& stretches,
@@ -305,38 +228,6 @@ void deposit_column(const PingPlan& plan, int column, const HitColumn& hits, con
     deposit_labelled(plan, column, hits, stretches, sums, grid);
   } else {
     deposit_unlabelled(plan, column, hits, stretches, sums, grid);
-  }
-}
-
-void deposit(const PingPlan& plan, const Echo& echo, EchoGrid& grid) {
-  const int beam = plan.beam_of(echo.azimuth);
-  const float middle = (0.5F * echo.path_length - plan.first_bin_at) * plan.bins_per_metre;
-  const auto bins = static_cast<float>(plan.sonar.bin_count);
-  const float reach = echo.half_length * plan.bins_per_metre + shortest_stretch(middle);
-  const float low = middle - reach, high = middle + reach;
-  if (beam < 0 || !(high > 0) || !(low < bins)) {
-    return;
-  }
-  const int first = low > 0 ? static_cast<int>(low) : 0;
-  const int last = high < bins ? static_cast<int>(high) + 1 : plan.sonar.bin_count;
-  const EchoGrid::Cells cells = grid.to_fill(echo.order, beam, {first, last});
-  const Spread spread{low - static_cast<float>(first), high - static_cast<float>(first), echo.weight / (high - low), echo.power, echo.elevation, echo.surface};
-  if (grid.ground_truth() == GroundTruth::kFull) {
-    const float elevation = echo.elevation - plan.middle_elevation;
-    for (int i = 0; i < last - first; ++i) {
-      const float edge = static_cast<float>(i), weight = weight_of(spread, edge), energy = weight * echo.power;
-      tally({echo.surface, energy, energy * elevation, energy * elevation * elevation}, weight, cells.surface[i], cells.tallies[i]);
-    }
-  }
-  // Cells that lie beyond the last get nothing.
-  for (int i = 0; i < last - first; i += kLanes) {
-    if (first + i + kLanes <= plan.sonar.bin_count) {
-      add_spread(spread, i, Floats{0,1,2,3} + static_cast<float>(i), Labels{} | echo.surface, grid.labelled(), cells);
-    } else {
-      for (int j = i; j < last - first; ++j) {
-        add_spread(spread, j, static_cast<float>(j), echo.surface, grid.labelled(), cells);
-      }
-    }
   }
 }
 

@@ -5,22 +5,11 @@
 #include <algorithm>
 
 #include "base/vector_math.h"
+#include "echo/select_hits.h"
 #include "echo/surface_run.h"
 
 namespace insonify {
 namespace {
-
-// Of what is heard head on with this share of the sound reflected, or better, the greatest share of hits is followed;
-// of weaker ones less, as the square root, but at least one in sixteen. Fitted to scenes where half the rays of `all`
-// give what its own sampling gives (docs/concepts/paper-model.md).
-constexpr float kWorthFollowing = 0.33F;
-constexpr float kLeastShare = 1.0F / 16, kMostShare = 0.498F;
-
-// From column to column the selection starts a golden section of a turn farther on: neighbours differ most.
-constexpr std::uint32_t kGoldenTurn = 2654435769U;
-
-// After so many rows a column's selection starts anew, so that what one sample met matters little beyond it.
-constexpr int kSelectionRows = 64;
 
 // Neighbours lie on one unbroken surface when each is where the other's tangent plane says, give or take a bin and this
 // share of the distance between them: curved surfaces pass, edges and shadows do not.
@@ -139,46 +128,6 @@ void shade(int rows, float neper_per_metre, const float* __restrict__ range, con
   for (int row = 0; row < rows; ++row) {
     strength[row] = std::abs(facing[row]) * reflectivity[row] * fast_exp(-2 * neper_per_metre * range[row]);
   }
-}
-
-// Of a whole turn, in 32 bits. No share is half or more: as an integer of 32 bits it has a sign to spare.
-[[gnu::always_inline]] inline std::uint32_t turn_of(float share) {
-  constexpr float kTurn = 4294967296.0F;
-  static_assert(kMostShare < 0.5F);
-  return static_cast<std::uint32_t>(static_cast<std::int32_t>(share * kTurn));
-}
-
-// The share of each hit's kind that is to be followed; 0 where nothing was hit.
-INSONIFY_VECTOR_CLONES
-void share_out(int rows, const float* __restrict__ range, const float* __restrict__ facing,
-               const float* __restrict__ reflectivity, float* __restrict__ share, std::uint32_t* __restrict__ turn) {
-  for (int row = 0; row < rows; ++row) {
-    const float wish = std::sqrt(std::abs(facing[row]) * reflectivity[row] * (1 / kWorthFollowing));
-    const float limited = wish < kLeastShare ? kLeastShare : wish > kMostShare ? kMostShare : wish;
-    share[row] = range[row] > 0 ? limited : 0.0F;
-    turn[row] = turn_of(share[row]);
-  }
-}
-
-// Whoever completed a turn counts for all of its kind.
-INSONIFY_VECTOR_CLONES
-void select(int rows, const std::uint32_t* __restrict__ turned, float* __restrict__ share_to_selected) {
-  for (int row = 0; row < rows; ++row) {
-    const float share = share_to_selected[row];
-    share_to_selected[row] = turned[row] < turn_of(share) ? 1 / share : 0.0F;
-  }
-}
-
-// Shares add up along the column from `start` on: as many are selected as the shares promise, as evenly as can be.
-void select_hits(int rows, std::uint32_t start, const HitColumn& hits, std::uint32_t* turned) {
-  share_out(rows, hits.range, hits.facing, hits.reflectivity, hits.selected, turned);
-  for (int first = 0; first < rows; first += kSelectionRows) {
-    std::uint32_t sum = start;
-    for (int row = first; row < std::min(first + kSelectionRows, rows); ++row) {
-      turned[row] = sum += turned[row];
-    }
-  }
-  select(rows, turned, hits.selected);
 }
 
 // Where the tangent plane of sample `a` is met in the direction of `b`, against where `b` is, and the other way round.
@@ -300,19 +249,7 @@ void evaluate_column(const PingPlan& plan, int column, const ColumnAxes& axes, c
           lattice.column_measure[column], lattice.elevations(column), stretches.position.data(), stretches.reach.data(),
           hits.power, stretches.low.data(), stretches.high.data(), stretches.power.data(), stretches.half_rise.data(),
           stretches.density.data(), stretches.elevation.data());
-  if (plan.secondary == SecondaryEchoes::kAll) {
-    for (int row = 0; row < rows.count; ++row) {
-      hits.selected[row] = hits.surface[row] == kNoSurface ? 0.0F : 1.0F;
-    }
-  } else if (plan.secondary == SecondaryEchoes::kSelective) {
-    select_hits(rows.count, static_cast<std::uint32_t>(column) * kGoldenTurn + plan.stagger, hits,
-                stretches.turned.data());
-  }
-  if (hits.has_relief && plan.secondary != SecondaryEchoes::kNone) {
-    for (int row = 0; row < rows.count; ++row) {
-      hits.selected[row] *= hits.escapes[row];
-    }
-  }
+  select_hits(plan, column, rows.count, hits, stretches.turned.data());
 }
 
 }  // namespace insonify

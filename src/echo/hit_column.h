@@ -64,7 +64,7 @@ struct Stretches {
   std::vector<float> normal_along, normal_up;  ///< Of the unit normal, along the column's directions.
   std::vector<float> normal_beside;            ///< Of the unit normal times ColumnAxes::beside; cones only.
   std::vector<float> position;                 ///< In bins from the near edge of bin 0.
-  std::vector<float> reach;  ///< By how much the position changes from the middle of the column to its edge.
+  std::vector<float> reach;           ///< By how much the position changes from the middle of the column to its edge.
   std::vector<std::uint32_t> turned;  ///< Sum of the shares that are followed, from some sample up to this one.
 
   // From each sample to the next, where both lie on one unbroken surface; see Stretch.
@@ -93,11 +93,6 @@ void aim_column(const Lattice& lattice, int column, const ColumnAxes& axes, cons
 ///
 /// Strength: paper, sections "Rasterized reflections" and "Unified reflections"; e^(-2 gamma r) is the two-way loss of
 /// a pressure amplitude (PHYSICS 1.4).
-///
-/// Selection: a hit is followed with a probability that grows with |facing| x reflectivity, within limits, and then
-/// counts for all of its kind, so that the sums of energy and weight stay unbiased. Probabilities add up along the
-/// column and whoever completes a whole one is taken (systematic sampling), from a start that differs from column to
-/// column and with the seed: the hits followed lie evenly over a surface, and a still scene gives the same ping twice.
 void evaluate_column(const PingPlan& plan, int column, const ColumnAxes& axes, const HitColumn& hits,
                      Stretches& stretches);
 

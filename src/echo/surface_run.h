@@ -3,12 +3,9 @@
 #pragma once
 
 #include <algorithm>
-#include <cstring>
 #include <vector>
 
-#ifdef __SSE__
-#include <xmmintrin.h>
-#endif
+#include "echo/lanes.h"
 
 namespace insonify {
 
@@ -38,7 +35,6 @@ struct SurfaceSums {
       sums->resize(std::max(sums->size(), static_cast<std::size_t>(bins) + std::size_t{2} * kLanes), 0.0F);
     }
   }
-  static constexpr int kLanes = 4;  ///< Neighbouring bins that are added to at a time.
 };
 
 /// Adds stretches to sums, and keeps track of where. Held by value in the loop that adds, so that it lives in
@@ -66,14 +62,14 @@ class SurfaceRun {
       const Floats to = smaller(high_edge, stretch.high + Floats{});
       const Floats weight = larger(to - from, Floats{}) * stretch.density;
       const Floats energy = weight * (stretch.power + (from + to) * stretch.half_rise);
-      add(energy_ + bin, energy);
-      add(weight_ + bin, weight);
-      add(moment_ + bin, energy * stretch.elevation);
+      add_to(energy_ + bin, energy);
+      add_to(weight_ + bin, weight);
+      add_to(moment_ + bin, energy * stretch.elevation);
       if constexpr (kSquares) {
         const float beyond = stretch.elevation - datum_;
-        add(square_ + bin, energy * (beyond * beyond));
+        add_to(square_ + bin, energy * (beyond * beyond));
       }
-      bin += SurfaceSums::kLanes;
+      bin += kLanes;
     } while (static_cast<float>(bin) < stretch.high);
     last_ = std::max(last_, bin);
   }
@@ -88,32 +84,6 @@ class SurfaceRun {
 
  private:
   static constexpr int kNone = 1 << 30;
-  using Floats = float __attribute__((vector_size(4 * SurfaceSums::kLanes)));
-
-  // One instruction each, which the compiler does not find by itself.
-#ifdef __SSE__
-  [[gnu::always_inline]] static Floats larger(Floats a, Floats b) {
-    return _mm_max_ps(a, b);
-  }
-  [[gnu::always_inline]] static Floats smaller(Floats a, Floats b) {
-    return _mm_min_ps(a, b);
-  }
-#else
-  [[gnu::always_inline]] static Floats larger(Floats a, Floats b) {
-    return a > b ? a : b;
-  }
-  [[gnu::always_inline]] static Floats smaller(Floats a, Floats b) {
-    return a < b ? a : b;
-  }
-#endif
-
-  [[gnu::always_inline]] static void add(float* sums, Floats values) {
-    Floats lanes;
-    std::memcpy(&lanes, sums, sizeof lanes);
-    lanes += values;
-    std::memcpy(sums, &lanes, sizeof lanes);
-  }
-
   float datum_;
   float* __restrict__ energy_, * __restrict__ weight_, * __restrict__ moment_, * __restrict__ square_;
   int first_ = kNone, last_ = 0;

@@ -57,4 +57,15 @@ void add_surface(std::array<SurfaceEcho, kept>& tally, const SurfaceEcho& echo) 
   }
 }
 
+/// Adds a surface's echo, of solid angle `weight`, to the tally of a cell that has the label `leader` so far: as long
+/// as it has none its tally means nothing.
+inline void tally(const SurfaceEcho& echo, float weight, SurfaceLabel leader, SurfaceTally& tally) {
+  if (leader == kNoSurface && weight > 0) {
+    tally = {};
+  }
+  if (echo.energy > 0) {
+    add_surface(tally, echo);
+  }
+}
+
 }  // namespace insonify
