@@ -24,8 +24,8 @@ struct BeamTask {
   BeamTask(const CpuScene& scene, const RasterScene& raster_scene)
       : scene_(scene), raster_scene_(raster_scene), onward_(scene) {}
 
-  /// Gets ready for a plan; allocates only when it needs more memory than any before.
-  void prepare(const PingPlan& plan);
+  /// Gets ready for a ping; allocates only when it needs more memory than any before.
+  void prepare(const PingPlan& plan, Followed followed);
 
   /// Fills the beams [first_beam, last_beam) of the grid.
   /// @param view  What the ping sees of the raster scene, to draw the primaries; null to trace them.
@@ -52,6 +52,7 @@ struct BeamTask {
   const RasterScene& raster_scene_;
   FanRaster raster_;
   const PingPlan* plan_ = nullptr;
+  Followed followed_ = Followed::kNone;
   int first_column_ = 0, columns_ = 0;  // Of the lattice; columns below count from first_column_.
   Vec3f sonar_;                         // Position in the scene's coordinates.
   Eigen::Matrix3f sonar_axes_;          // Forward, port and up, as columns.

@@ -72,9 +72,9 @@ const FanView* CpuEngine::look(const PingPlan& plan, const Pose& world_from_sona
 }
 
 template <typename Work>
-void CpuEngine::for_each_task(const PingPlan& plan, Work&& work) {
+void CpuEngine::for_each_task(const PingPlan& plan, Followed followed, Work&& work) {
   for (const auto& scratch : scratch_) {
-    scratch->prepare(plan);
+    scratch->prepare(plan, followed);
   }
   const int beams = beams_per_task(plan, workers_.count());
   workers_.for_each(task_count(plan.sonar.beam_count, beams), [&](int task, int worker) {
@@ -87,9 +87,12 @@ void CpuEngine::insonify(const PingPlan& plan, const Pose& world_from_sonar, std
                          BeamSink* sink) {
   scene_.commit_moves();
   const FanView* view = look(plan, world_from_sonar);
+  counts_ = {};
+  const Followed followed =
+      followed_hits(*this, plan, world_from_sonar, scene_.origin(), scene_.boxes(), counts_.secondary);
   const int tasks = task_count(plan.sonar.beam_count, beams_per_task(plan, workers_.count()));
   arrivals_.resize(std::max(arrivals_.size(), static_cast<std::size_t>(tasks)));
-  for_each_task(plan, [&](BeamTask& scratch, int first_beam, int last_beam, int task) {
+  for_each_task(plan, followed, [&](BeamTask& scratch, int first_beam, int last_beam, int task) {
     scratch.run(world_from_sonar, first_beam, last_beam, view, grid, arrivals_[task]);
     if (sink != nullptr) {
       sink->take(first_beam, last_beam);
@@ -100,7 +103,6 @@ void CpuEngine::insonify(const PingPlan& plan, const Pose& world_from_sonar, std
       deposit(plan, echo, grid);
     }
   }
-  counts_ = {};
   for (const auto& scratch : scratch_) {
     const RayCounts counts = scratch->counts();
     counts_.primary += counts.primary;
@@ -112,7 +114,9 @@ void CpuEngine::insonify(const PingPlan& plan, const Pose& world_from_sonar, std
 std::vector<double> CpuEngine::time_traversal(const PingPlan& plan, const Pose& world_from_sonar, int repetitions) {
   std::vector<OnwardTask::Log> logs(task_count(plan.sonar.beam_count, beams_per_task(plan, workers_.count())));
   EchoGrid grid(plan.sonar.beam_count, plan.sonar.bin_count, kPathOrders);
-  for_each_task(plan, [&](BeamTask& scratch, int first_beam, int last_beam, int task) {
+  std::uint64_t probes = 0;
+  const Followed followed = followed_hits(*this, plan, world_from_sonar, scene_.origin(), scene_.boxes(), probes);
+  for_each_task(plan, followed, [&](BeamTask& scratch, int first_beam, int last_beam, int task) {
     std::vector<Echo> arrivals;
     scratch.run(world_from_sonar, first_beam, last_beam, nullptr, grid, arrivals, &logs[task]);
   });
@@ -120,7 +124,7 @@ std::vector<double> CpuEngine::time_traversal(const PingPlan& plan, const Pose& 
   std::vector<double> seconds;
   for (int repetition = 0; repetition < repetitions; ++repetition) {
     const auto start = std::chrono::steady_clock::now();
-    for_each_task(plan, [&](BeamTask& scratch, int first_beam, int last_beam, int task) {
+    for_each_task(plan, followed, [&](BeamTask& scratch, int first_beam, int last_beam, int task) {
       scratch.trace_only(world_from_sonar, first_beam, last_beam);
       for (const RayPacket& logged : logs[task].onward) {
         RayPacket packet = logged;

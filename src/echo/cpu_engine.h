@@ -34,9 +34,9 @@ class CpuEngine final : public Engine {
   [[nodiscard]] std::vector<double> time_traversal(const PingPlan& plan, const Pose& world_from_sonar, int repetitions);
 
  private:
-  // Calls work(scratch, first_beam, last_beam, task) for every task of a plan.
+  // Calls work(scratch, first_beam, last_beam, task) for every task of a ping.
   template <typename Work>
-  void for_each_task(const PingPlan& plan, Work&& work);
+  void for_each_task(const PingPlan& plan, Followed followed, Work&& work);
 
   Workers workers_;
   // What the ping sees of the raster scene when its primaries are to be drawn, else null.

@@ -217,7 +217,7 @@ void aim_column(const Lattice& lattice, int column, const ColumnAxes& axes, cons
   }
 }
 
-void evaluate_column(const PingPlan& plan, int column, const ColumnAxes& axes, const HitColumn& hits,
+void evaluate_column(const PingPlan& plan, Followed followed, int column, const ColumnAxes& axes, const HitColumn& hits,
                      Stretches& stretches) {
   const Lattice& lattice = plan.lattice;
   Rows rows = rows_of(lattice, column);
@@ -249,7 +249,7 @@ void evaluate_column(const PingPlan& plan, int column, const ColumnAxes& axes, c
           lattice.column_measure[column], lattice.elevations(column), stretches.position.data(), stretches.reach.data(),
           hits.power, stretches.low.data(), stretches.high.data(), stretches.power.data(), stretches.half_rise.data(),
           stretches.density.data(), stretches.elevation.data());
-  select_hits(plan, column, rows.count, hits, stretches.turned.data());
+  select_hits(plan, followed, column, rows.count, hits, stretches.turned.data());
 }
 
 }  // namespace insonify

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "echo/echo.h"
+#include "echo/followed_hits.h"
 #include "echo/ping_plan.h"
 
 namespace insonify {
@@ -93,7 +94,7 @@ void aim_column(const Lattice& lattice, int column, const ColumnAxes& axes, cons
 ///
 /// Strength: paper, sections "Rasterized reflections" and "Unified reflections"; e^(-2 gamma r) is the two-way loss of
 /// a pressure amplitude (PHYSICS 1.4).
-void evaluate_column(const PingPlan& plan, int column, const ColumnAxes& axes, const HitColumn& hits,
+void evaluate_column(const PingPlan& plan, Followed followed, int column, const ColumnAxes& axes, const HitColumn& hits,
                      Stretches& stretches);
 
 }  // namespace insonify

@@ -8,16 +8,6 @@
 namespace insonify {
 namespace {
 
-constexpr float kForRounding = 1.0001F;
-constexpr float kLeastDivisor = 1e-6F;  // [m]; a hit at the very range, met head on, would divide zero by zero.
-
-// The path out, across and back is within twice the range while the second surface lies in an ellipsoid with the sonar
-// in one focus and the first surface in the other.
-// @param bent  Cosine between the way out and the way on.
-[[gnu::always_inline]] inline float reach_onward(float out, float bent, float max_range) {
-  return kForRounding * 2 * max_range * (max_range - out) / (2 * max_range - out + out * bent + kLeastDivisor);
-}
-
 INSONIFY_VECTOR_CLONES
 void aim(const HitColumn& strip, const int* __restrict__ place, int count, Vec3f sonar, float max_range,
          RTCRay16& __restrict__ rays, OnwardOrigins& __restrict__ origins, Mirrors& __restrict__ mirrors) {

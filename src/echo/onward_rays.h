@@ -26,6 +26,16 @@ struct Mirrors {
   float onward_x[kPacketSize], onward_y[kPacketSize], onward_z[kPacketSize];
 };
 
+/// How far a ray on from a mirror may go for its echo to come within a range: the path out, across and back is within
+/// twice the range while the second surface lies in an ellipsoid with the sonar in one focus and the mirror in the
+/// other.
+/// @param bent  Cosine between the way out and the way on.
+[[gnu::always_inline]] inline float reach_onward(float out, float bent, float max_range) {
+  constexpr float kForRounding = 1.0001F;
+  constexpr float kLeastDivisor = 1e-6F;  // [m]; a hit at the very range, met head on, would divide zero by zero.
+  return kForRounding * 2 * max_range * (max_range - out) / (2 * max_range - out + out * bent + kLeastDivisor);
+}
+
 /// Readies the first `count` lanes of a packet: on from the hits at the given places of a strip, in the mirror
 /// direction, as far as an echo may come from.
 void aim_onward(const HitColumn& strip, const int* place, int count, const Vec3f& sonar, float max_range,

@@ -97,8 +97,8 @@ void ReferenceEngine::return_mirrored(const PingPlan& plan, const Pose& world_fr
   arrivals.push_back(echo);
 }
 
-void ReferenceEngine::insonify_column(const PingPlan& plan, int column, const Pose& world_from_sonar, EchoGrid& grid,
-                                      std::vector<Echo>& arrivals, RayCounts& counts) const {
+void ReferenceEngine::insonify_column(const PingPlan& plan, Followed followed, int column, const Pose& world_from_sonar,
+                                      EchoGrid& grid, std::vector<Echo>& arrivals, RayCounts& counts) const {
   const Lattice& lattice = plan.lattice;
   const int rows = lattice.rows;
   const ColumnFrame frame(lattice, column, world_from_sonar);
@@ -136,11 +136,11 @@ void ReferenceEngine::insonify_column(const PingPlan& plan, int column, const Po
 
   // Straight back.
   evaluate_column(
-      plan, column,
+      plan, followed, column,
       {frame.along.cast<float>(), frame.across.cast<float>(), frame.up.cast<float>(), frame.beside.cast<float>()}, hits,
       stretches);
   deposit_column(plan, column, hits, stretches, sums, grid);
-  if (plan.secondary == SecondaryEchoes::kNone) {
+  if (followed == Followed::kNone) {
     return;
   }
 

@@ -44,6 +44,7 @@ void ReferenceEngine::set_scene(const Scene& scene) {
   const Box3 bounds = scene.bounds();
   origin_ = scene.instances.empty() ? Vec3::Zero() : Vec3(0.5 * (bounds.low + bounds.high));
   reliefs_.set(scene, origin_);
+  boxes_.set(scene, origin_);
   for (const Material& material : scene.materials) {
     reflectivity_.push_back(static_cast<float>(material.effective_reflectivity()));
   }
@@ -57,6 +58,7 @@ void ReferenceEngine::set_scene(const Scene& scene) {
 void ReferenceEngine::move_instance(int instance, const Pose& world_from_mesh) {
   place_instance(instance, world_from_mesh);
   reliefs_.move(instance, world_from_mesh);
+  boxes_.move(instance, {world_from_mesh.position - origin_, world_from_mesh.orientation});
 }
 
 void ReferenceEngine::place_instance(int index, const Pose& world_from_mesh) {
@@ -131,12 +133,14 @@ void ReferenceEngine::trace(std::span<const Ray> rays, std::span<Hit> hits) {
 void ReferenceEngine::insonify(const PingPlan& plan, const Pose& world_from_sonar, std::uint64_t, EchoGrid& grid,
                                BeamSink* sink) {
   const int per_beam = plan.lattice.columns_per_beam;
+  counts_ = {};
+  const Followed followed = followed_hits(*this, plan, world_from_sonar, origin_, boxes_, counts_.secondary);
   std::vector<RayCounts> counts(plan.sonar.beam_count);
   std::vector<std::vector<Echo>> arrivals(plan.sonar.beam_count);
   workers_.for_each(plan.sonar.beam_count, [&](int beam, int) {
     grid.clear(beam, beam + 1);
     for (int column = beam * per_beam; column < (beam + 1) * per_beam; ++column) {
-      insonify_column(plan, column, world_from_sonar, grid, arrivals[beam], counts[beam]);
+      insonify_column(plan, followed, column, world_from_sonar, grid, arrivals[beam], counts[beam]);
     }
   });
   for (const std::vector<Echo>& of_beam : arrivals) {
@@ -144,7 +148,6 @@ void ReferenceEngine::insonify(const PingPlan& plan, const Pose& world_from_sona
       deposit(plan, echo, grid);
     }
   }
-  counts_ = {};
   for (const RayCounts& of_beam : counts) {
     counts_.primary += of_beam.primary;
     counts_.secondary += of_beam.secondary;

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "base/parallel.h"
+#include "echo/box_cut.h"
 #include "echo/deposit.h"
 #include "echo/mirror_tube.h"
 #include "echo/path_footprint.h"
@@ -52,8 +53,8 @@ class ReferenceEngine final : public Engine {
   void place_instance(int instance, const Pose& world_from_mesh);
   [[nodiscard]] Meeting nearest(const Ray& ray) const;
   [[nodiscard]] bool blocked(const Ray& ray) const;
-  void insonify_column(const PingPlan& plan, int column, const Pose& world_from_sonar, EchoGrid& grid,
-                       std::vector<Echo>& arrivals, RayCounts& counts) const;
+  void insonify_column(const PingPlan& plan, Followed followed, int column, const Pose& world_from_sonar,
+                       EchoGrid& grid, std::vector<Echo>& arrivals, RayCounts& counts) const;
 
   // A path of the calibrated model by way of a mirror, up to what it met.
   struct Mirrored {
@@ -75,7 +76,8 @@ class ReferenceEngine final : public Engine {
   std::vector<Triangle> triangles_;
   std::vector<std::size_t> first_triangle_;  // Of each instance.
   Reliefs reliefs_;
-  Vec3 origin_ = Vec3::Zero();       // What reliefs_ is told positions relative to.
+  BoxCut boxes_;                     // Only to choose what is followed.
+  Vec3 origin_ = Vec3::Zero();       // What reliefs_ and boxes_ are told positions relative to.
   std::vector<float> reflectivity_;  // Of each material.
   RayCounts counts_;
 };

@@ -71,12 +71,11 @@ class Scan {
   Simulator simulator_;
 };
 
-class SelectionTest : public testing::TestWithParam<std::string> {};
+class SceneSelectionTest : public testing::TestWithParam<std::string> {};
 
-// No more than half the rays of `all`; the same sums; and cells that differ from those of `all` by no more than a
-// twentieth, or than those of two stagger phases of `all` do: in squares, a fiftieth or less of what is lost without
-// any.
-TEST_P(SelectionTest, HalfTheRaysGiveTheSameEchoes) {
+// No more than half the rays of `all`; the same sums; and cells that differ from those of `all` by less than those of
+// two stagger phases of `all` do: in squares, a fiftieth or less of what is lost without any.
+TEST_P(SceneSelectionTest, HalfTheRaysGiveTheSameEchoes) {
   Scan scan(GetParam());
   const Tally all = scan.tally(SecondaryEchoes::kAll, 0);
   Tally resampled;
@@ -94,11 +93,21 @@ TEST_P(SelectionTest, HalfTheRaysGiveTheSameEchoes) {
   EXPECT_EQ(all.difference, 0);
   EXPECT_LE(selective.rays, 0.5 * all.rays);
   EXPECT_NEAR(selective.energy / all.energy, 1, 0.01);
-  EXPECT_LE(selective.difference, std::max(resampled.difference, 0.05 * all.energy));
+  EXPECT_LT(selective.difference, resampled.difference);
   EXPECT_LE(selective.squared_difference, 0.02 * all.squares);  // Without any secondary echoes it is all of it.
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, SelectionTest,
+// Over an even bed few mirrored rays come near the one sphere: so few that all of them are sent.
+TEST(SelectionTest, WhereBoxesSpareMostRaysTheRestAreAllSent) {
+  Scan scan("sphere");
+  const Tally all = scan.tally(SecondaryEchoes::kAll, 0);
+  const Tally selective = scan.tally(SecondaryEchoes::kSelective, 0);
+  EXPECT_GT(all.energy, 0);
+  EXPECT_LT(selective.difference, 1e-5 * all.energy);  // Packets fill otherwise: sums are rounded otherwise.
+  EXPECT_LT(selective.rays, 0.2 * all.rays);
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, SceneSelectionTest,
                          testing::Values("sphere", "ferry", "cooler", "car", "christmas_tree", "ssiv", "tank"),
                          [](const auto& test) { return test.param; });
 

@@ -1,0 +1,88 @@
+// followed_hits.cpp -- probes of the fan.
+
+#include "echo/followed_hits.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+
+#include "echo/hit_column.h"
+#include "echo/onward_rays.h"
+#include "echo/ray_limits.h"
+
+namespace insonify {
+namespace {
+
+// With no more than this share of its hits, return legs included, a ping sends less than half the rays of `all`.
+constexpr float kOpen = 0.4F;
+
+// One probe for so many samples.
+constexpr int kSamplesPerProbe = 400;
+constexpr int kLeastProbes = 8, kMostProbes = 64;
+
+constexpr std::uint32_t kGoldenTurn = 2654435769U;
+
+// Probes go from port to starboard, their rows by the golden section: even in both.
+Ray probe_ray(const PingPlan& plan, const Pose& world_from_sonar, int probe, int probes) {
+  const Lattice& lattice = plan.lattice;
+  const int column = static_cast<int>((2 * static_cast<std::int64_t>(probe) + 1) * lattice.columns / (2 * probes));
+  const std::uint32_t turn = static_cast<std::uint32_t>(probe) * kGoldenTurn;
+  const int row = static_cast<int>(static_cast<std::uint64_t>(turn) * static_cast<std::uint64_t>(lattice.rows) >> 32U);
+  const ColumnAxes axes = column_axes(lattice, column, Eigen::Matrix3f::Identity());
+  const Vec3f direction =
+      axes.along * lattice.cosines(column)[row] + axes.up * lattice.sines(column)[row] + axes.beside;
+  return {world_from_sonar.position, (world_from_sonar.orientation * direction.cast<double>()).normalized(), 0,
+          double{plan.true_max_range}};
+}
+
+// Readies one lane with the ray on from a hit.
+void aim_onward(const PingPlan& plan, const Ray& ray, const Hit& hit, const Vec3& origin, int lane, RTCRay16& rays) {
+  const Vec3f from = (ray.origin + hit.distance * ray.direction - origin).cast<float>();
+  const Vec3f onward = (ray.direction - 2 * ray.direction.dot(hit.normal) * hit.normal).cast<float>();
+  const float bent = ray.direction.cast<float>().dot(onward);
+  rays.org_x[lane] = from.x();
+  rays.org_y[lane] = from.y();
+  rays.org_z[lane] = from.z();
+  rays.dir_x[lane] = onward.x();
+  rays.dir_y[lane] = onward.y();
+  rays.dir_z[lane] = onward.z();
+  rays.tnear[lane] = kRayClearance;
+  rays.tfar[lane] = reach_onward(static_cast<float>(hit.distance), bent, plan.reach());
+}
+
+}  // namespace
+
+Followed followed_hits(Engine& engine, const PingPlan& plan, const Pose& world_from_sonar, const Vec3& origin,
+                       const BoxCut& boxes, std::uint64_t& probes) {
+  probes = 0;
+  if (plan.secondary != SecondaryEchoes::kSelective) {
+    return plan.secondary == SecondaryEchoes::kAll ? Followed::kAll : Followed::kNone;
+  }
+  std::array<Ray, kMostProbes> rays;
+  std::array<Hit, kMostProbes> hits;
+  const int samples = plan.lattice.columns * plan.lattice.rows;
+  const int count = std::clamp(samples / kSamplesPerProbe, kLeastProbes, kMostProbes);
+  for (int probe = 0; probe < count; ++probe) {
+    rays[probe] = probe_ray(plan, world_from_sonar, probe, count);
+  }
+  engine.trace(std::span(rays).first(count), std::span(hits).first(count));
+  probes = static_cast<std::uint64_t>(count);
+
+  int met = 0, may_meet = 0;
+  alignas(64) RTCRay16 onward = {};
+  for (int first = 0; first < count; first += kPacketSize) {
+    unsigned lanes = 0;
+    for (int lane = 0; lane < std::min(kPacketSize, count - first); ++lane) {
+      if (const Hit& hit = hits[first + lane]; std::isfinite(hit.distance)) {
+        aim_onward(plan, rays[first + lane], hit, origin, lane, onward);
+        lanes |= 1U << lane;
+      }
+    }
+    met += std::popcount(lanes);
+    may_meet += std::popcount(boxes.may_meet(onward) & lanes);
+  }
+  return static_cast<float>(may_meet) <= kOpen * static_cast<float>(met) ? Followed::kAll : Followed::kSome;
+}
+
+}  // namespace insonify
