@@ -62,8 +62,8 @@ void add_surface(std::array<SurfaceEcho, kept>& tally, const SurfaceEcho& echo) 
 inline void tally(const SurfaceEcho& echo, float weight, SurfaceLabel leader, SurfaceTally& tally) {
   if (leader == kNoSurface && weight > 0) {
     tally = {};
-  }
-  if (echo.energy > 0) {
+    tally[0] = echo.energy > 0 ? echo : SurfaceEcho{};
+  } else if (echo.energy > 0) {
     add_surface(tally, echo);
   }
 }

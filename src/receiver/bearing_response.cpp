@@ -9,11 +9,14 @@
 namespace insonify {
 namespace {
 
-// Rows [first, last) of interleaved values become 0.
-void clear_bins(float* beams, int beam_count, int stride, int first, int last) {
-  for (int beam = 0; beam < beam_count; ++beam) {
-    float* row = beams + static_cast<std::size_t>(beam) * stride;
-    std::fill(row + first, row + last, 0.0F);
+// Sets all of some bins to 0 but those in `kept`.
+template <typename Value>
+void silence(std::span<Value> beams, int bin_count, BinRange bins, BinRange kept) {
+  const int first = kept.empty() ? bins.last : kept.first, last = kept.empty() ? bins.last : kept.last;
+  for (std::size_t start = 0; start < beams.size(); start += bin_count) {
+    const auto row = beams.subspan(start, bin_count);
+    std::fill(row.begin() + bins.first, row.begin() + first, Value{});
+    std::fill(row.begin() + last, row.begin() + bins.last, Value{});
   }
 }
 
@@ -55,9 +58,9 @@ void BearingResponse::hear_energy(std::span<const float> cells, std::span<float>
                                   BinRange filled) const {
   assert(cells.size() == static_cast<std::size_t>(cell_count()) * bin_count);
   assert(beams.size() == static_cast<std::size_t>(beam_count()) * bin_count);
-  clear_bins(beams.data(), beam_count(), bin_count, bins.first, bins.last);
-  const BinRange added = bins & filled;
-  energy_.add_product(cells.data(), beams.data(), bin_count, added.first, added.last, GainMatrix::Turn::kNone);
+  const BinRange heard = bins & filled;
+  silence(beams, bin_count, bins, heard);
+  energy_.multiply(cells.data(), beams.data(), bin_count, heard.first, heard.last);
 }
 
 // A complex number is a pair of floats, which real gains multiply alike. The imaginary part of a gain multiplies the
@@ -68,12 +71,12 @@ void BearingResponse::hear_field(std::span<const std::complex<float>> cells, std
   assert(beams.size() == static_cast<std::size_t>(beam_count()) * bin_count);
   const auto* from = reinterpret_cast<const float*>(cells.data());
   auto* to = reinterpret_cast<float*>(beams.data());
-  const BinRange added = bins & filled;
-  const int stride = 2 * bin_count, first = 2 * added.first, last = 2 * added.last;
-  clear_bins(to, beam_count(), stride, 2 * bins.first, 2 * bins.last);
-  in_phase_.add_product(from, to, stride, first, last, GainMatrix::Turn::kNone);
+  const BinRange heard = bins & filled;
+  silence(beams, bin_count, bins, heard);
+  const int stride = 2 * bin_count, first = 2 * heard.first, last = 2 * heard.last;
+  in_phase_.multiply(from, to, stride, first, last);
   if (quadrature_.beam_count() > 0) {
-    quadrature_.add_product(from, to, stride, first, last, GainMatrix::Turn::kQuarter);
+    quadrature_.add_turned(from, to, stride, first, last);
   }
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "echo/echo.h"
 #include "receiver/normal_numbers.h"
@@ -13,6 +14,14 @@ namespace {
 
 constexpr int kBinsATask = 64;
 constexpr float kTiny = 1e-37F;  // Keeps what divides from being zero.
+
+// Sets all of a row to 0 but these bins.
+template <typename Value>
+void silence_beyond(BinRange bins, std::span<Value> row) {
+  const BinRange kept = bins.empty() ? BinRange{} : bins;
+  std::fill(row.begin(), row.begin() + kept.first, Value{});
+  std::fill(row.begin() + kept.last, row.end(), Value{});
+}
 
 }  // namespace
 
@@ -27,12 +36,13 @@ BinRange CalibratedReceiver::heard_bins(const EchoGrid& grid, int cell) const {
 
 // Echo of all path orders, and of the water from directions that no surface has closed yet.
 void CalibratedReceiver::sum_energy(const EchoGrid& grid, int cell, std::span<float> energy) const {
-  std::ranges::fill(energy, 0.0F);
   const BinRange bins = grid.filled(cell);
-  for (int order = 1; order <= grid.order_count() && !bins.empty(); ++order) {
-    const std::span<const float> layer = grid.energy(order, cell);
-    for (int bin = bins.first; bin < bins.last; ++bin) {
-      energy[bin] += layer[bin];
+  silence_beyond(bins, energy);
+  if (!bins.empty()) {
+    const auto within = [&](int order) { return grid.energy(order, cell).subspan(bins.first, bins.last - bins.first); };
+    std::ranges::copy(within(1), energy.begin() + bins.first);
+    for (int order = 2; order <= grid.order_count(); ++order) {
+      std::ranges::transform(within(order), energy.subspan(bins.first), energy.begin() + bins.first, std::plus());
     }
   }
   if (!volume_.empty()) {
@@ -61,7 +71,7 @@ void CalibratedReceiver::hear_cell(const EchoGrid& grid, int cell, const Speckle
     return;
   }
   const std::span<std::complex<float>> beam(&cell_field_[bins * cell], bins);
-  std::ranges::fill(beam, 0.0F);
+  silence_beyond(heard, beam);
   if (filled.empty()) {
     return;
   }
@@ -71,7 +81,7 @@ void CalibratedReceiver::hear_cell(const EchoGrid& grid, int cell, const Speckle
   }
   row.field.resize(range_ ? bins : 0);
   const std::span<std::complex<float>> drawn = range_ ? std::span(row.field) : beam;
-  std::ranges::fill(drawn, 0.0F);
+  silence_beyond(filled, drawn);
   speckle_->draw(view, row.scatterers, row.energy, drawn);
   if (few_->any()) {
     few_->draw(view, row.scatterers, grid, cell, row.energy, drawn);

@@ -1,9 +1,8 @@
 // gain_matrix.cpp -- the product by tiles of 8 beams x 16 values, whose sums stay in registers.
 //
-// A strip of 16 values of some cells is packed into the nearest memory, where all beams read it in turn. Without fused
-// multiply-adds (vector_math.h) two instructions make one sum: a core of 2.5 GHz with AVX-512 could do 40e9 sums a
-// second, and does 30e9 while the gains fit its second memory. Eigen's product does 10e9, being compiled for any
-// machine.
+// A strip of 16 values of some cells is packed into the nearest memory, where all beams read it in turn. Here alone
+// multiply-adds are fused (CMakeLists.txt), one instruction a sum: that makes arrays twice as fast as with two. Eigen's
+// product takes four times as long, being compiled for any machine.
 
 #include "receiver/gain_matrix.h"
 
@@ -35,7 +34,7 @@ constexpr int kLanes = 8;
 
 // The innermost loop must not be unrolled before the compiler has seen that it is one instruction: then the sums stay
 // in registers.
-INSONIFY_VECTOR_CLONES
+INSONIFY_FUSED_CLONES
 void sum_tile(const float* __restrict__ gains, const float (*__restrict__ values)[kStrip], int cells,
               Tile& __restrict__ tile) {
   for (int lane = 0; lane < kStrip; lane += kLanes) {
@@ -56,14 +55,15 @@ void sum_tile(const float* __restrict__ gains, const float (*__restrict__ values
 }
 
 // Values beyond the strip's end are zeros.
-void pack(const float* cells, int stride, int cell_count, int count, GainMatrix::Turn turn, Panel& panel) {
+template <bool turned>
+void pack(const float* cells, int stride, int cell_count, int count, Panel& panel) {
   for (int cell = 0; cell < cell_count; ++cell) {
     float* packed = panel.values[cell];
     const float* row = cells + static_cast<std::size_t>(cell) * stride;
     if (count < kStrip) {
       std::fill_n(packed, kStrip, 0.0F);
     }
-    if (turn == GainMatrix::Turn::kNone) {
+    if constexpr (!turned) {
       std::copy_n(row, count, packed);
     } else {
       for (int i = 0; i < count; i += 2) {
@@ -111,27 +111,41 @@ double GainMatrix::filled() const {
   return cells / (static_cast<double>(bands_.size()) * cell_count_);
 }
 
-void GainMatrix::add_product(const float* cells, float* beams, int stride, int first, int last, Turn turn) const {
+void GainMatrix::multiply(const float* cells, float* beams, int stride, int first, int last) const {
+  add_product<false>(cells, beams, stride, first, last);
+}
+
+void GainMatrix::add_turned(const float* cells, float* beams, int stride, int first, int last) const {
+  add_product<true>(cells, beams, stride, first, last);
+}
+
+template <bool turned>
+void GainMatrix::add_product(const float* cells, float* beams, int stride, int first, int last) const {
   Panel panel;
   Tile tile;
   for (int start = first; start < last; start += kStrip) {
     const int count = std::min(kStrip, last - start);
     for (int panel_first = 0; panel_first < cell_count_; panel_first += kPanelCells) {
       const int panel_last = std::min(panel_first + kPanelCells, cell_count_);
-      pack(cells + static_cast<std::size_t>(panel_first) * stride + start, stride, panel_last - panel_first, count,
-           turn, panel);
+      pack<turned>(cells + static_cast<std::size_t>(panel_first) * stride + start, stride, panel_last - panel_first,
+                   count, panel);
       for (int block = 0; block < static_cast<int>(bands_.size()); ++block) {
-        const int from = std::max(panel_first, bands_[block].first);
-        const int to = std::min(panel_last, bands_[block].last);
-        if (from >= to) {
+        const int from = std::min(std::max(panel_first, bands_[block].first), panel_last);
+        const int to = std::max(from, std::min(panel_last, bands_[block].last));
+        const bool fresh = !turned && panel_first == 0;
+        if (from == to && !fresh) {
           continue;
         }
         const int beam = block * kBlockBeams;
         sum_tile(&gains_[place(beam, from)], &panel.values[from - panel_first], to - from, tile);
         for (int i = 0; i < std::min(kBlockBeams, beam_count_ - beam); ++i) {
           float* sums = beams + static_cast<std::size_t>(beam + i) * stride + start;
-          for (int v = 0; v < count; ++v) {
-            sums[v] += tile.sums[i][v];
+          if (fresh && count == kStrip) {
+            std::copy_n(tile.sums[i], kStrip, sums);
+          } else {
+            for (int v = 0; v < count; ++v) {
+              sums[v] = fresh ? tile.sums[i][v] : sums[v] + tile.sums[i][v];
+            }
           }
         }
       }

@@ -25,21 +25,23 @@ class GainMatrix {
   /// Cells that the product visits over all there are, 0..1.
   [[nodiscard]] double filled() const;
 
-  /// Multiplies the values of each cell by i before they are added: of pairs (a, b), (-b, a).
-  enum class Turn { kNone, kQuarter };
-
-  /// beams[b][v] += sum over cells c of gain(b, c) cells[c][v], for v in [first, last). Each sum runs in the order of
-  /// the cells, whatever the interval and the machine. Allocates nothing.
+  /// beams[b][v] = sum over cells c of gain(b, c) cells[c][v], for v in [first, last). Each sum runs in the order of
+  /// the cells, whatever the interval. Allocates nothing.
   /// @param cells   [cell][stride]
   /// @param beams   [beam][stride]
-  /// @param first   Even, where values are pairs.
-  void add_product(const float* cells, float* beams, int stride, int first, int last, Turn turn) const;
+  void multiply(const float* cells, float* beams, int stride, int first, int last) const;
+
+  /// The same with the values of each cell times i, of pairs (a, b) (-b, a), added to what the beams hold.
+  /// @param first  Even.
+  void add_turned(const float* cells, float* beams, int stride, int first, int last) const;
 
  private:
   struct Band {
     int first = 0, last = 0;
   };
   [[nodiscard]] std::size_t place(int beam, int cell) const;
+  template <bool turned>
+  void add_product(const float* cells, float* beams, int stride, int first, int last) const;
 
   int beam_count_ = 0, cell_count_ = 0;
   std::vector<float> gains_;  // [block][cell][beam of block]

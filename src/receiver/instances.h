@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <span>
+#include <utility>
 
 #include "echo/echo.h"
 #include "insonify/echo_grid.h"
@@ -27,32 +28,44 @@ class Instances {
 
   void add(const SurfaceEcho& echo) {
     const std::uint16_t instance = instance_of(echo.surface);
-    auto* const end = echoes_.data() + count_;
-    auto* entry = std::find_if(echoes_.data(), end, [&](const auto& known) { return known.instance == instance; });
-    if (entry == end) {
-      *entry = {instance, kNoLabel, 0, 0, 0, 0};
+    int place = 0;
+    while (place < count_ && echoes_[place].instance != instance) {
+      ++place;
+    }
+    InstanceEcho& entry = echoes_[place];
+    if (place == count_) {
+      entry = {instance, kNoLabel, 0, 0, 0, 0};
       ++count_;
     }
-    entry->energy += echo.energy;
-    entry->elevation_moment += double{echo.elevation_moment};
-    entry->elevation_square += double{echo.elevation_square};
-    if (echo.energy > entry->strongest_surface) {
-      entry->strongest_surface = echo.energy;
-      entry->material = material_of(echo.surface);
+    entry.energy += echo.energy;
+    entry.elevation_moment += double{echo.elevation_moment};
+    entry.elevation_square += double{echo.elevation_square};
+    if (echo.energy > entry.strongest_surface) {
+      entry.strongest_surface = echo.energy;
+      entry.material = material_of(echo.surface);
     }
   }
 
   /// The strongest first; of equals that which comes first in the scene.
   [[nodiscard]] std::span<const InstanceEcho> strongest() {
-    const std::ptrdiff_t wanted = std::min(count_, kStrongestCount);
-    std::partial_sort(echoes_.begin(), echoes_.begin() + wanted, echoes_.begin() + count_,
-                      [](const InstanceEcho& a, const InstanceEcho& b) {
-                        return a.energy != b.energy ? a.energy > b.energy : a.instance < b.instance;
-                      });
+    const int wanted = std::min(count_, kStrongestCount);
+    for (int rank = 0; rank < wanted; ++rank) {  // There are few.
+      int best = rank;
+      for (int other = rank + 1; other < count_; ++other) {
+        best = goes_before(echoes_[other], echoes_[best]) ? other : best;
+      }
+      if (best != rank) {
+        std::swap(echoes_[best], echoes_[rank]);
+      }
+    }
     return {echoes_.data(), static_cast<std::size_t>(wanted)};
   }
 
  private:
+  static bool goes_before(const InstanceEcho& a, const InstanceEcho& b) {
+    return a.energy != b.energy ? a.energy > b.energy : a.instance < b.instance;
+  }
+
   std::array<InstanceEcho, std::size_t{BearingCells::kMostPerBeam} * kSurfacesKept> echoes_;  // The first count_.
   int count_ = 0;
 };

@@ -6,25 +6,34 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <type_traits>
+
+#include "base/vector_math.h"
 
 namespace insonify {
 namespace {
 
+// What `count` bins of the tables from `first` on tell where nothing echoed.
+template <typename Count>
+void tell_nothing(std::size_t first, Count count, Ping& ping) {
+  constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
+  std::fill_n(&ping.strongest_instance[kStrongestCount * first], kStrongestCount * count(), kNoLabel);
+  std::fill_n(&ping.strongest_share[kStrongestCount * first], kStrongestCount * count(), 0.0F);
+  std::fill_n(&ping.instance[first], count(), kNoLabel);
+  std::fill_n(&ping.material[first], count(), kNoLabel);
+  std::fill_n(&ping.elevation[first], count(), kNone);
+  std::fill_n(&ping.elevation_spread[first], count(), kNone);
+}
+
 // Of the bin at `at` of the tables, whose echoes have `energy` in all.
 void tell_strongest(std::span<const InstanceEcho> strongest, float energy, float middle_elevation, std::size_t at,
                     Ping& ping) {
-  std::uint16_t* instance = &ping.strongest_instance[kStrongestCount * at];
-  float* share = &ping.strongest_share[kStrongestCount * at];
-  std::fill_n(instance, kStrongestCount, kNoLabel);
-  std::fill_n(share, kStrongestCount, 0.0F);
-  ping.instance[at] = ping.material[at] = kNoLabel;
-  ping.elevation[at] = ping.elevation_spread[at] = std::numeric_limits<float>::quiet_NaN();
   if (strongest.empty()) {
     return;
   }
   for (std::size_t k = 0; k < strongest.size(); ++k) {
-    instance[k] = strongest[k].instance;
-    share[k] = std::min(strongest[k].energy / energy, 1.0F);
+    ping.strongest_instance[kStrongestCount * at + k] = strongest[k].instance;
+    ping.strongest_share[kStrongestCount * at + k] = std::min(strongest[k].energy / energy, 1.0F);
   }
   const InstanceEcho& first = strongest[0];
   ping.instance[at] = first.instance;
@@ -33,6 +42,24 @@ void tell_strongest(std::span<const InstanceEcho> strongest, float energy, float
   const double variance = first.elevation_square / double{first.energy} - mean * mean;
   ping.elevation[at] = middle_elevation + static_cast<float>(mean);
   ping.elevation_spread[at] = static_cast<float>(std::sqrt(std::max(variance, 0.0)));
+}
+
+// Takes the energies of one path order into the sums over all, and notes which is strongest.
+INSONIFY_VECTOR_CLONES
+void add_order(std::uint8_t order, int count, const float* __restrict__ energy, float* __restrict__ sum,
+               float* __restrict__ most, std::uint8_t* __restrict__ strongest) {
+  for (int i = 0; i < count; ++i) {
+    sum[i] += energy[i];
+    strongest[i] = energy[i] > most[i] ? order : strongest[i];
+    most[i] = energy[i] > most[i] ? energy[i] : most[i];
+  }
+}
+
+INSONIFY_VECTOR_CLONES
+void add_row(int count, const float* __restrict__ row, float* __restrict__ sums) {
+  for (int i = 0; i < count; ++i) {
+    sums[i] += row[i];
+  }
 }
 
 }  // namespace
@@ -105,21 +132,21 @@ void TruthReceiver::hear_direct(const EchoGrid& grid, const Hearing& hearing, Wo
 TruthReceiver::BeamStretch TruthReceiver::stretch_of(const EchoGrid& grid, int beam, const TilePlace& place,
                                                      float& hidden) const {
   BeamStretch stretch = {};
-  const auto add = [&](std::span<const float> row, float* sums) {
-    for (int i = 0; i < place.bin_count; ++i) {
-      sums[i] += row[place.first_bin + i];
-    }
-  };
+  bool filled = false;
+  for_each_cell(beam, [&](int cell) { filled = filled || !(grid.filled(cell) & place.bins()).empty(); });
+  if (!filled) {
+    std::fill_n(stretch.shadow, place.bin_count, std::min(hidden / whole_[beam], 1.0F));
+    return stretch;
+  }
   float most[kTileBins] = {}, met[kTileBins] = {}, heard[kTileBins] = {};
+  const auto add = [&](std::span<const float> row, float* sums) {
+    add_row(place.bin_count, &row[place.first_bin], sums);
+  };
   for (int order = 1; order <= grid.order_count(); ++order) {
     float energy[kTileBins] = {};
-    for_each_cell(beam, [&](int cell) { add(grid.energy(order, cell), energy); });
-    for (int i = 0; i < place.bin_count; ++i) {
-      stretch.energy[i] += energy[i];
-      stretch.order[i] = energy[i] > most[i] ? static_cast<std::uint8_t>(order) : stretch.order[i];
-      most[i] = std::max(most[i], energy[i]);
-      heard[i] = order == 1 ? energy[i] : heard[i];
-    }
+    float* const sums = order == 1 ? heard : energy;
+    for_each_cell(beam, [&](int cell) { add(grid.energy(order, cell), sums); });
+    add_order(static_cast<std::uint8_t>(order), place.bin_count, sums, stretch.energy, most, stretch.order);
   }
   for_each_cell(beam, [&](int cell) { add(grid.weight(1, cell), met); });
   for (int i = 0; i < place.bin_count; ++i) {
@@ -155,21 +182,28 @@ void TruthReceiver::tell_tile(const EchoGrid& grid, const TilePlace& place, std:
       shadow[i][b] = beam.shadow[i];
     }
   }
+  const auto start_rows = [&](auto beams) {
+    for (int i = 0; i < place.bin_count; ++i) {
+      const std::size_t row = ping.index(place.first_bin + i, place.first_beam);
+      std::copy_n(order[i], beams(), &ping.path_order[row]);
+      std::copy_n(shadow[i], beams(), &ping.shadow[row]);
+      tell_nothing(row, beams, ping);
+    }
+  };
+  if (place.beam_count == kTileBeams) {  // Then all lengths are known beforehand.
+    start_rows(std::integral_constant<std::size_t, kTileBeams>());
+  } else {
+    start_rows([&] { return static_cast<std::size_t>(place.beam_count); });
+  }
   Instances instances;
-  for (int i = 0; i < place.bin_count; ++i) {
-    const std::size_t row = ping.index(place.first_bin + i, place.first_beam);
-    std::copy_n(order[i], place.beam_count, &ping.path_order[row]);
-    std::copy_n(shadow[i], place.beam_count, &ping.shadow[row]);
-    for (int b = 0; b < place.beam_count; ++b) {
-      instances.clear();
-      if (i + 1 < place.bin_count && energy[i + 1][b] > 0) {  // Tallies lie far away.
-        for_each_cell(place.first_beam + b,
-                      [&](int cell) { __builtin_prefetch(&grid.tallies(cell)[place.first_bin + i + 1]); });
-      }
+  for (int b = 0; b < place.beam_count; ++b) {  // As tallies lie.
+    for (int i = 0; i < place.bin_count; ++i) {
       if (energy[i][b] > 0) {
+        instances.clear();
         add_surfaces(grid, place.first_beam + b, place.first_bin + i, instances);
+        tell_strongest(instances.strongest(), energy[i][b], middle_elevation_,
+                       ping.index(place.first_bin + i, place.first_beam + b), ping);
       }
-      tell_strongest(instances.strongest(), energy[i][b], middle_elevation_, row + b, ping);
     }
   }
 }
