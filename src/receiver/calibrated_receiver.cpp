@@ -188,33 +188,10 @@ void CalibratedReceiver::hear_tile(const EchoGrid& grid, const TilePlace& place,
       }
     }
     if (labelled) {
-      take_strongest_labels(grid, place, b, tile);
+      take_labels(grid, first_cell_ + beam * cells_per_beam_, cells_per_beam_, place, b, tile);  // Its own slice.
     }
   }
   write_tile(tile, place, labelled, ping);
-}
-
-// Of the cells in a beam's own slice.
-void CalibratedReceiver::take_strongest_labels(const EchoGrid& grid, const TilePlace& place, int beam_of_tile,
-                                               HeardTile& tile) const {
-  const int first = first_cell_ + (place.first_beam + beam_of_tile) * cells_per_beam_;
-  take_labels(grid, first, place, beam_of_tile, tile);
-  float strongest[kTileBins];
-  std::copy_n(grid.label_rows(first).energy + place.first_bin, place.bin_count, strongest);
-  for (int cell = first + 1; cell < first + cells_per_beam_; ++cell) {
-    const BinRange bins = grid.filled(cell) & place.bins();
-    const EchoGrid::LabelRows labels = grid.label_rows(cell);
-    tile.named = tile.named || !bins.empty();
-    for (int bin = bins.first; bin < bins.last; ++bin) {
-      const int i = bin - place.first_bin;
-      const bool silent = tile.surface[beam_of_tile][i] == kNoSurface;
-      if (labels.surface[bin] != kNoSurface && (silent || labels.energy[bin] > strongest[i])) {
-        strongest[i] = labels.energy[bin];
-        tile.surface[beam_of_tile][i] = labels.surface[bin];
-        tile.elevation[beam_of_tile][i] = grid.label(cell, bin).elevation;
-      }
-    }
-  }
 }
 
 }  // namespace insonify

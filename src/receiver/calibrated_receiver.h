@@ -70,7 +70,6 @@ class CalibratedReceiver {
   void hear_bearings(const EchoGrid& grid, Workers& workers);
   void hear_lone_echoes(const EchoGrid& grid, const LoneEchoes& lone);
   void hear_tile(const EchoGrid& grid, const TilePlace& place, Ping& ping) const;
-  void take_strongest_labels(const EchoGrid& grid, const TilePlace& place, int beam_of_tile, HeardTile& tile) const;
 
   int beams_, bins_, cells_, first_cell_, cells_per_beam_;
   std::vector<float> gain_;        // Of each bin: near field and time-varied gain.

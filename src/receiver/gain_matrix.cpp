@@ -64,7 +64,7 @@ void pack(const float* cells, int stride, int cell_count, int count, Panel& pane
       std::fill_n(packed, kStrip, 0.0F);
     }
     if constexpr (!turned) {
-      std::copy_n(row, count, packed);
+      count == kStrip ? std::copy_n(row, kStrip, packed) : std::copy_n(row, count, packed);
     } else {
       for (int i = 0; i < count; i += 2) {
         packed[i] = -row[i + 1];

@@ -21,6 +21,20 @@ void divide_or_nan(int count, const SurfaceLabel* __restrict__ surface, const fl
   }
 }
 
+// Keeps the labels of one row where they have more energy than those kept so far; at first nothing is kept.
+INSONIFY_VECTOR_CLONES
+void keep_stronger(int count, const SurfaceLabel* __restrict__ surface, const float* __restrict__ energy,
+                   const float* __restrict__ moment, SurfaceLabel* __restrict__ kept_surface,
+                   float* __restrict__ kept_energy, float* __restrict__ kept_moment) {
+  for (int i = 0; i < count; ++i) {
+    const bool first = kept_surface[i] == kNoSurface;
+    const bool stronger = (surface[i] != kNoSurface) & (first | (energy[i] > kept_energy[i]));
+    kept_surface[i] = stronger ? surface[i] : kept_surface[i];
+    kept_energy[i] = stronger ? energy[i] : kept_energy[i];
+    kept_moment[i] = stronger ? moment[i] : kept_moment[i];
+  }
+}
+
 // Mostly a whole tile's: a length that the compiler knows.
 template <typename Value>
 [[gnu::always_inline]] inline void copy_beams(const Value* from, int count, Value* to) {
@@ -64,20 +78,22 @@ void fetch_rows(const TilePlace& place, int beam_of_tile, bool labelled, const P
   }
 }
 
-void take_labels(const EchoGrid& grid, int row, const TilePlace& place, int beam_of_tile, HeardTile& tile) {
+void take_labels(const EchoGrid& grid, int first_row, int rows, const TilePlace& place, int beam_of_tile,
+                 HeardTile& tile) {
   SurfaceLabel* surface = tile.surface[beam_of_tile];
-  float* elevation = tile.elevation[beam_of_tile];
-  std::fill_n(surface, place.bin_count, kNoSurface);
-  std::fill_n(elevation, place.bin_count, std::numeric_limits<float>::quiet_NaN());
-  const BinRange bins = grid.filled(row) & place.bins();
-  if (bins.empty()) {
-    return;
+  float energy[kTileBins] = {}, moment[kTileBins] = {};
+  std::fill_n(surface, kTileBins, kNoSurface);
+  for (int row = first_row; row < first_row + rows; ++row) {
+    const BinRange bins = grid.filled(row) & place.bins();
+    if (!bins.empty()) {
+      tile.named = true;
+      const EchoGrid::LabelRows labels = grid.label_rows(row);
+      const int at = bins.first - place.first_bin;
+      keep_stronger(bins.last - bins.first, labels.surface + bins.first, labels.energy + bins.first,
+                    labels.elevation_moment + bins.first, surface + at, energy + at, moment + at);
+    }
   }
-  tile.named = true;
-  const EchoGrid::LabelRows labels = grid.label_rows(row);
-  const int count = bins.last - bins.first, at = bins.first - place.first_bin;
-  std::copy_n(labels.surface + bins.first, count, surface + at);
-  divide_or_nan(count, surface + at, labels.elevation_moment + bins.first, labels.energy + bins.first, elevation + at);
+  divide_or_nan(kTileBins, surface, moment, energy, tile.elevation[beam_of_tile]);
 }
 
 INSONIFY_VECTOR_CLONES

@@ -46,8 +46,10 @@ void size_tables(Ping& ping, int beams, int bins, GroundTruth ground_truth);
 /// @param labelled  As for write_tile().
 void fetch_rows(const TilePlace& place, int beam_of_tile, bool labelled, const Ping& ping);
 
-/// Copies the labels of one row of the grid to one beam of the tile.
-void take_labels(const EchoGrid& grid, int row, const TilePlace& place, int beam_of_tile, HeardTile& tile);
+/// Copies the labels of one row of the grid to one beam of the tile, or of several the one with most energy in each
+/// bin.
+void take_labels(const EchoGrid& grid, int first_row, int rows, const TilePlace& place, int beam_of_tile,
+                 HeardTile& tile);
 
 /// Writes a tile into the ping.
 /// @param labelled  Whether the tile holds labels; else intensities alone are written.

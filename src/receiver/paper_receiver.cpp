@@ -74,7 +74,7 @@ void PaperReceiver::hear_tile(const TilePlace& place) {
     }
     hear(place.bin_count, level, mean, spread, floor, noise, values);
     if (labelled) {
-      take_labels(grid_, beam, place, b, tile);
+      take_labels(grid_, beam, 1, place, b, tile);
     }
   }
   write_tile(tile, place, labelled, ping_);
