@@ -74,7 +74,7 @@ struct Scenario {
   std::filesystem::path file;  ///< It was read from; empty when made in code.
   std::string text;            ///< The file as read with --set applied, kept for the recording.
 
-  std::filesystem::path world;  ///< SDF world or model, or mesh file; absolute.
+  std::filesystem::path world;  ///< SDF world or model, or mesh file; absolute. Empty for open water.
   std::string world_where;      ///< "path:line:column: " of that entry, for messages.
   bool collisions = false;      ///< Insonify the world's collision shapes instead of its visuals.
   EchoModel model = EchoModel::kCalibrated;
@@ -110,10 +110,13 @@ struct Scenario {
   /// Visits the members that are plain values; the parts (water, sonars ...) visit their own.
   template <typename Self, typename Visit>
   static void visit_fields(Self& self, Visit&& visit) {
-    visit(
-        Field{
-            "world", "", {}, "SDF world or model, mesh or height grid; relative paths are from the scenario's folder."},
-        self.world);
+    visit(Field{"world",
+                "",
+                {},
+                "SDF world or model, mesh or height grid; relative paths are from the scenario's folder. Without it "
+                "there is "
+                "open water, for `points` and under a `surface`."},
+          self.world);
     visit(Field{"collisions", "", {}, "Insonify the world's collision shapes instead of its visuals (SDF)."},
           self.collisions);
     visit(Field{"model",

@@ -84,8 +84,9 @@ KeyDescription part(const std::string& key, const std::string& allowed, const st
 }
 
 SectionDescription scenario_section() {
-  auto section =
-      section_of("scenario", "The keys of the file itself. Only `world` and `sonars` must be there.", Scenario());
+  auto section = section_of(
+      "scenario", "The keys of the file itself. Only `sonars` must be there, and `world`, `points` or `surface`.",
+      Scenario());
   std::ranges::find(section.keys, "engine", &KeyDescription::key)->allowed =
       fmt::format("{}", fmt::join(engine_names(), ", "));
   add_keys(section, MaterialRules());

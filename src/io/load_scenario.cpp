@@ -99,7 +99,10 @@ class ScenarioReader {
   void read_world() {
     const YamlValue* given = tree_.find("world");
     if (given == nullptr) {
-      throw Error(tree_.where + "world is missing: the SDF file or mesh to insonify");
+      if (tree_.find("points") == nullptr && tree_.find("surface") == nullptr) {
+        throw Error(tree_.where + "world is missing: the SDF file or mesh to insonify");
+      }
+      return;  // Open water.
     }
     scenario_.world_where = given->where;
     const std::filesystem::path folder = is_stream(path_) ? std::filesystem::path() : path_.parent_path();

@@ -45,7 +45,10 @@ Scene load_scene(const std::filesystem::path& path, bool collisions, const Log& 
 }
 
 Scene load_scene(const Scenario& scenario, const Log& log) {
-  Scene scene = load_scene(scenario.world, scenario.collisions, log);
+  Scene scene;
+  if (!scenario.world.empty()) {
+    scene = load_scene(scenario.world, scenario.collisions, log);
+  }
   MaterialRules rules = scenario.materials;
   const std::filesystem::path folder = is_stream(scenario.file) ? std::filesystem::path() : scenario.file.parent_path();
   for (auto& [name, change] : rules.overrides) {

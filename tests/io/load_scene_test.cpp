@@ -44,6 +44,11 @@ TEST_F(LoadSceneTest, ReadsTheSceneOfAScenarioWithItsMaterials) {
   EXPECT_EQ(scene.materials.at(scene.instances[0].materials[0]).density, find_material("steel")->density);
 }
 
+TEST_F(LoadSceneTest, WithoutAWorldThereIsOpenWater) {
+  const Scene scene = load_scene(Scenario());
+  EXPECT_TRUE(scene.instances.empty());
+}
+
 TEST_F(LoadSceneTest, RefusesMeshesBeyondTheWorld) {
   EXPECT_EQ(error_of_file(write("far.obj", "v 0 0 0\nv 1e18 0 0\nv 0 2e18 3\nf 1 2 3\n")),
             "far.obj reaches x = 9.999999843e+17 m, must be from -10000000 to 10000000 m");

@@ -101,6 +101,12 @@ TEST_F(ScenarioTest, FindsTheWorldFromItsOwnFolder) {
   EXPECT_EQ(scenario.world_where, "scenes/scenario.yaml:2:1: ");
 }
 
+TEST_F(ScenarioTest, NeedsNoWorldForPointsOrUnderASurface) {
+  for (const char* part : {"points: [{position: [5, 0, 0]}]\n", "surface: {level: 3}\n"}) {
+    EXPECT_TRUE(load(std::string("sonars: [{}]\n") + part).world.empty()) << part;
+  }
+}
+
 TEST_F(ScenarioTest, TakesTheWater) {
   const Water water = load(kEverything).water;
   EXPECT_EQ(water.temperature_c, 4.5);
