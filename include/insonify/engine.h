@@ -36,7 +36,8 @@ enum class PrimaryEchoes {
 /// Which hits send a ray on, in search of a second surface.
 enum class SecondaryEchoes {
   kNone,
-  kSelective,  ///< Those that can give an echo worth having; the others by chance, weighted so that sums stay unbiased.
+  kSelective,  ///< Those that can give an echo worth having, by chance and weighted so that sums stay unbiased; all
+               ///< that may meet something where these are few.
   kAll
 };
 
@@ -83,7 +84,7 @@ struct PingPlanSettings {
 /// Rays that one ping sent.
 struct RayCounts {
   std::uint64_t primary = 0;
-  std::uint64_t secondary = 0;
+  std::uint64_t secondary = 0;  ///< Onward, and the few probes by which kSelective chooses.
   std::uint64_t return_legs = 0;
 };
 

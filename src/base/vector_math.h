@@ -8,8 +8,8 @@
 
 // A function marked so is compiled for several instruction sets, and the best one is chosen when the program starts.
 // Contraction into fused multiply-adds stays off (CMakeLists.txt), so that all of them give the same bits. _FUSED_ is
-// for the one file where it is on: there the second best set has them too, and only machines without them round
-// otherwise.
+// for the one file where it is on: there the second best set has them too. Processors without them round otherwise, and
+// so do builds without clones, by clang or with sanitizers.
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__) && \
     !defined(__SANITIZE_THREAD__)
 #define INSONIFY_VECTOR_CLONES __attribute__((target_clones("arch=x86-64-v4", "avx2", "default")))

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "echo/deposit.h"
+#include "echo/followed_hits.h"
 
 namespace insonify {
 namespace {

@@ -6,6 +6,7 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <span>
 
 #include "echo/hit_column.h"
 #include "echo/onward_rays.h"
@@ -14,7 +15,8 @@
 namespace insonify {
 namespace {
 
-// With no more than this share of its hits, return legs included, a ping sends less than half the rays of `all`.
+// Where no more than this share of the hits may give echoes, following all of them takes four sevenths of the rays of
+// `all` at most, return legs included, and less than half where some find nothing.
 constexpr float kOpen = 0.4F;
 
 // One probe for so many samples.
@@ -37,7 +39,7 @@ Ray probe_ray(const PingPlan& plan, const Pose& world_from_sonar, int probe, int
 }
 
 // Readies one lane with the ray on from a hit.
-void aim_onward(const PingPlan& plan, const Ray& ray, const Hit& hit, const Vec3& origin, int lane, RTCRay16& rays) {
+void aim_probe(const PingPlan& plan, const Ray& ray, const Hit& hit, const Vec3& origin, int lane, RTCRay16& rays) {
   const Vec3f from = (ray.origin + hit.distance * ray.direction - origin).cast<float>();
   const Vec3f onward = (ray.direction - 2 * ray.direction.dot(hit.normal) * hit.normal).cast<float>();
   const float bent = ray.direction.cast<float>().dot(onward);
@@ -61,8 +63,8 @@ Followed followed_hits(Engine& engine, const PingPlan& plan, const Pose& world_f
   }
   std::array<Ray, kMostProbes> rays;
   std::array<Hit, kMostProbes> hits;
-  const int samples = plan.lattice.columns * plan.lattice.rows;
-  const int count = std::clamp(samples / kSamplesPerProbe, kLeastProbes, kMostProbes);
+  const std::int64_t samples = std::int64_t{plan.lattice.columns} * plan.lattice.rows;
+  const int count = static_cast<int>(std::clamp<std::int64_t>(samples / kSamplesPerProbe, kLeastProbes, kMostProbes));
   for (int probe = 0; probe < count; ++probe) {
     rays[probe] = probe_ray(plan, world_from_sonar, probe, count);
   }
@@ -75,14 +77,15 @@ Followed followed_hits(Engine& engine, const PingPlan& plan, const Pose& world_f
     unsigned lanes = 0;
     for (int lane = 0; lane < std::min(kPacketSize, count - first); ++lane) {
       if (const Hit& hit = hits[first + lane]; std::isfinite(hit.distance)) {
-        aim_onward(plan, rays[first + lane], hit, origin, lane, onward);
+        aim_probe(plan, rays[first + lane], hit, origin, lane, onward);
         lanes |= 1U << lane;
       }
     }
     met += std::popcount(lanes);
     may_meet += std::popcount(boxes.may_meet(onward) & lanes);
   }
-  return static_cast<float>(may_meet) <= kOpen * static_cast<float>(met) ? Followed::kAll : Followed::kSome;
+  const bool open = met > 0 && static_cast<float>(may_meet) <= kOpen * static_cast<float>(met);
+  return open ? Followed::kAll : Followed::kSome;
 }
 
 }  // namespace insonify

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "echo/echo.h"
-#include "echo/followed_hits.h"
+#include "echo/followed.h"
 #include "echo/ping_plan.h"
 
 namespace insonify {

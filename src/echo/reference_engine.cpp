@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "echo/followed_hits.h"
 #include "echo/ray_limits.h"
 
 namespace insonify {

@@ -7,6 +7,7 @@
 #include "base/parallel.h"
 #include "echo/box_cut.h"
 #include "echo/deposit.h"
+#include "echo/followed.h"
 #include "echo/mirror_tube.h"
 #include "echo/path_footprint.h"
 #include "echo/reliefs.h"

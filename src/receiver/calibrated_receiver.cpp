@@ -6,7 +6,6 @@
 #include <cmath>
 #include <functional>
 
-#include "echo/echo.h"
 #include "receiver/normal_numbers.h"
 
 namespace insonify {
