@@ -11,13 +11,14 @@ namespace insonify {
 namespace {
 
 constexpr float kEnergyError = 1e-6F;
+constexpr float kShareError = 1e-4F;  // Stretches are a ten-thousandth of a bin longer: see shortest_stretch().
 
-// One beam, bins of 1 m from 0 on.
+// Two beams.
 std::shared_ptr<const PingPlan> plan_of(int bins) {
   PingPlanSettings settings;
   settings.sonar.beam_count = 2;
   settings.sonar.bin_count = bins;
-  settings.sonar.max_range = bins;
+  settings.sonar.max_range = 4 + bins;
   settings.sonar.sampling.columns_per_beam = 1;
   settings.sonar.sampling.rows = 2;
   return make_ping_plan(settings);
@@ -38,8 +39,8 @@ TEST(DepositEchoTest, EveryBinGetsItsShareHoweverFewThereAre) {
         EchoGrid grid(2, bins, kPathOrders);
         Echo echo;
         echo.azimuth = 0.5F * (plan->lattice.azimuth[0]);
-        echo.path_length = 2 * middle * plan->true_max_range / static_cast<float>(bins);
-        echo.half_length = half * plan->true_max_range / static_cast<float>(bins);
+        echo.path_length = 2 * (plan->first_bin_at + middle / plan->bins_per_metre);
+        echo.half_length = half / plan->bins_per_metre;
         echo.order = 2;
         echo.surface = surface_label(7, 3);
         echo.weight = 2;
@@ -49,11 +50,11 @@ TEST(DepositEchoTest, EveryBinGetsItsShareHoweverFewThereAre) {
         const int beam = plan->beam_of(echo.azimuth);
         for (int bin = 0; bin < bins; ++bin) {
           const float expected = share(middle - half, middle + half, bin);
-          EXPECT_NEAR(grid.weight(2, beam)[bin], 2 * expected, 4e-5F) << bins << ' ' << middle << ' ' << half;
-          EXPECT_NEAR(grid.energy(2, beam)[bin], expected, 2e-5F);
+          EXPECT_NEAR(grid.weight(2, beam)[bin], 2 * expected, 2 * kShareError) << bins << ' ' << middle << ' ' << half;
+          EXPECT_NEAR(grid.energy(2, beam)[bin], expected, kShareError);
           EXPECT_EQ(grid.weight(2, 1 - beam)[bin], 0);
           EXPECT_EQ(grid.weight(1, beam)[bin], 0);
-          if (expected > 1e-4F) {
+          if (expected > kShareError) {
             EXPECT_EQ(grid.label(beam, bin).instance, 7);
           }
           EXPECT_EQ(grid.label(1 - beam, bin).instance, kNoLabel);
@@ -71,8 +72,8 @@ TEST(DepositEchoTest, TheStrongestSurfaceLabelsEachCell) {
   const auto add = [&](int instance, float first, float last, float power) {
     Echo echo;
     echo.azimuth = 0.5F * plan->lattice.azimuth[0];
-    echo.path_length = (first + last) * plan->true_max_range / kBins;
-    echo.half_length = 0.5F * (last - first) * plan->true_max_range / kBins;
+    echo.path_length = 2 * plan->first_bin_at + (first + last) / plan->bins_per_metre;
+    echo.half_length = 0.5F * (last - first) / plan->bins_per_metre;
     echo.order = 2;
     echo.surface = surface_label(static_cast<std::uint16_t>(instance), 0);
     echo.weight = last - first;
