@@ -28,7 +28,8 @@ constexpr std::uint32_t kGoldenTurn = 2654435769U;
 // Probes go from port to starboard, their rows by the golden section: even in both.
 Ray probe_ray(const PingPlan& plan, const Pose& world_from_sonar, int probe, int probes) {
   const Lattice& lattice = plan.lattice;
-  const int column = static_cast<int>((2 * static_cast<std::int64_t>(probe) + 1) * lattice.columns / (2 * probes));
+  const int column =
+      static_cast<int>((2 * static_cast<std::int64_t>(probe) + 1) * lattice.columns / (2 * std::int64_t{probes}));
   const std::uint32_t turn = static_cast<std::uint32_t>(probe) * kGoldenTurn;
   const int row = static_cast<int>(static_cast<std::uint64_t>(turn) * static_cast<std::uint64_t>(lattice.rows) >> 32U);
   const ColumnAxes axes = column_axes(lattice, column, Eigen::Matrix3f::Identity());
