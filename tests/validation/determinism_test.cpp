@@ -51,37 +51,38 @@ std::string bytes_of(const std::vector<Value>& values) {
   return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(Value)};
 }
 
-TEST_P(DeterminismTest, PingsAreTheSameBytesForAnyNumberOfThreads) {
-  const Scenario scenario = everything(GetParam());
-  const Scene scene = cluttered();
-  const Ping one = Simulator(scenario, scene, 1).make_ping(0, 3);
-  ASSERT_TRUE(std::ranges::any_of(one.path_order, [](int order) { return order > 1; }));
-  for (const int threads : {2, 4, 16}) {
-    const Ping ping = Simulator(scenario, scene, threads).make_ping(0, 3);
-    const auto same = [&](auto table) { return bytes_of(ping.*table) == bytes_of(one.*table); };
-    EXPECT_TRUE(same(&Ping::intensity)) << threads;
-    EXPECT_TRUE(same(&Ping::instance)) << threads;
-    EXPECT_TRUE(same(&Ping::material)) << threads;
-    EXPECT_TRUE(same(&Ping::elevation)) << threads;
-    EXPECT_TRUE(same(&Ping::strongest_instance)) << threads;
-    EXPECT_TRUE(same(&Ping::strongest_share)) << threads;
-    EXPECT_TRUE(same(&Ping::elevation_spread)) << threads;
-    EXPECT_TRUE(same(&Ping::path_order)) << threads;
-    EXPECT_TRUE(same(&Ping::shadow)) << threads;
-    EXPECT_TRUE(same(&Ping::direct_intensity)) << threads;
-  }
+void expect_same(const Ping& ping, const Ping& expected) {
+  const auto expect_same_table = [&](auto table, const char* name) {
+    EXPECT_EQ((ping.*table).size(), (expected.*table).size()) << name;
+    EXPECT_TRUE(bytes_of(ping.*table) == bytes_of(expected.*table)) << name;
+  };
+  expect_same_table(&Ping::intensity, "intensity");
+  expect_same_table(&Ping::field, "field");
+  expect_same_table(&Ping::counts, "counts");
+  expect_same_table(&Ping::instance, "instance");
+  expect_same_table(&Ping::material, "material");
+  expect_same_table(&Ping::elevation, "elevation");
+  expect_same_table(&Ping::strongest_instance, "strongest_instance");
+  expect_same_table(&Ping::strongest_share, "strongest_share");
+  expect_same_table(&Ping::elevation_spread, "elevation_spread");
+  expect_same_table(&Ping::path_order, "path_order");
+  expect_same_table(&Ping::shadow, "shadow");
+  expect_same_table(&Ping::direct_intensity, "direct_intensity");
 }
 
-// What `labels` has.
-void expect_same_for_any_number_of_threads(const Scenario& scenario) {
+Ping expect_same_for_any_number_of_threads(const Scenario& scenario) {
   const Scene scene = cluttered();
-  const Ping one = Simulator(scenario, scene, 1).make_ping(0, 3);
+  Ping one = Simulator(scenario, scene, 1).make_ping(0, 3);
   for (const int threads : {2, 4, 16}) {
-    const Ping ping = Simulator(scenario, scene, threads).make_ping(0, 3);
-    EXPECT_TRUE(bytes_of(ping.intensity) == bytes_of(one.intensity)) << threads;
-    EXPECT_TRUE(ping.instance == one.instance) << threads;
-    EXPECT_TRUE(bytes_of(ping.elevation) == bytes_of(one.elevation)) << threads;
+    SCOPED_TRACE(threads);
+    expect_same(Simulator(scenario, scene, threads).make_ping(0, 3), one);
   }
+  return one;
+}
+
+TEST_P(DeterminismTest, PingsAreTheSameBytesForAnyNumberOfThreads) {
+  const Ping ping = expect_same_for_any_number_of_threads(everything(GetParam()));
+  EXPECT_TRUE(std::ranges::any_of(ping.path_order, [](int order) { return order > 1; }));
 }
 
 TEST_P(DeterminismTest, LabelsAreTheSameBytesForAnyNumberOfThreads) {
@@ -97,6 +98,39 @@ TEST_P(DeterminismTest, PaperPingsAreTheSameBytesForAnyNumberOfThreads) {
   scenario.ground_truth = GroundTruth::kLabels;
   scenario.points.clear();
   expect_same_for_any_number_of_threads(scenario);
+}
+
+// Later pings hear less: the vehicle turns aside and up, so that cells heard by the first have nothing left to hear.
+Scenario turning_away(const Method& method) {
+  Scenario scenario = everything(method);
+  scenario.surface.reset();
+  scenario.points[0].position = {7, 1, -5.5};
+  scenario.water.volume_backscatter_db.reset();
+  scenario.receiver.noise = false;
+  scenario.trajectory.waypoints = {{.time = 0}, {.time = 1, .position = {1, 0.4, 0}, .orientation = {0, -0.3, 0.4}}};
+  return scenario;
+}
+
+TEST_P(DeterminismTest, PingsKeepNothingOfThoseBefore) {
+  constexpr std::uint64_t kLate = 1000;  // Where the trajectory has ended.
+  const Scene scene = cluttered();
+  for (int choices = 0; choices < 16; ++choices) {
+    Scenario scenario = turning_away(GetParam());
+    scenario.receiver.speckle = (choices & 1) != 0;
+    scenario.receiver.azimuth_pattern = (choices & 2) != 0 ? BeamPattern::kHann : BeamPattern::kTopHat;
+    scenario.receiver.pulse = (choices & 4) != 0 ? PulseKind::kLfm : PulseKind::kNone;
+    scenario.ground_truth = (choices & 8) != 0 ? GroundTruth::kFull : GroundTruth::kLabels;
+    Simulator simulator(scenario, scene, 2);
+    Ping ping;
+    simulator.make_ping(0, 0, ping);
+    const auto heard_first = std::ranges::count_if(ping.intensity, [](float value) { return value > 0; });
+    simulator.make_ping(0, kLate, ping);
+    const auto heard = std::ranges::count_if(ping.intensity, [](float value) { return value > 0; });
+    SCOPED_TRACE(choices);
+    EXPECT_LT(heard, heard_first);
+    EXPECT_GT(heard, 0);
+    expect_same(ping, Simulator(scenario, scene, 2).make_ping(0, kLate));
+  }
 }
 
 constexpr auto kName = [](const auto& test) { return test.param.name; };
