@@ -102,7 +102,8 @@ struct Track {
 // Levels are raised by range unless the receiver has done that.
 Display display_of(const Scenario& scenario, Display display) {
   const bool raised = scenario.receiver.time_varied_gain || !scenario.receiver.gain_ranges.empty();
-  display.raised_per_decade = scenario.model == EchoModel::kPaper || raised ? 0 : kShownGainPerDecade;
+  display.of_source = scenario.model == EchoModel::kCalibrated;
+  display.raised_per_decade = display.of_source && !raised ? kShownGainPerDecade : 0;
   return display;
 }
 

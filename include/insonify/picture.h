@@ -34,7 +34,9 @@ struct Display {
   double floor_db = -50;         ///< Darkest level on a decibel scale [dB re full scale], < 0.
   double full_scale = 1.0;       ///< Intensity drawn brightest, > 0.
   double raised_per_decade = 0;  ///< What raised_by_range() has done to the pings, for the caption [dB], >= 0.
-  int height = 720;         ///< Of the whole picture [pixels], 240..8192; the width follows from the shape of the fan.
+  bool of_source = false;  ///< Intensities are over the source's at 1 m, as the calibrated model's: the colour bar then
+                           ///< tells levels re the source's.
+  int height = 720;        ///< Of the whole picture [pixels], 240..8192; the width follows from the shape of the fan.
   bool annotations = true;  ///< Title, rings, radials, axes and colour bar.
 
   /// @throws Error on the first field out of limits.
@@ -48,6 +50,8 @@ struct Display {
     visit(
         Field{"raised_per_decade", "dB", at_least(0), "By how much intensities were raised for every decade of range."},
         self.raised_per_decade);
+    visit(Field{"of_source", "", {}, "Intensities are over the source's at 1 m: the colour bar tells levels re that."},
+          self.of_source);
     visit(Field{"height", "pixels", from_to(240, 8192), "Height of the whole picture."}, self.height);
     visit(Field{"annotations", "", {}, "Draw title, rings, radials, axes and colour bar."}, self.annotations);
   }

@@ -79,8 +79,9 @@ void Page::draw_title(Picture& picture) const {
 
 std::vector<Page::Tick> Page::bar_ticks(int most_parts) const {
   const bool linear = display_.scale == Scale::kLinear;
-  const double low = linear ? 0 : display_.floor_db;
-  const double high = linear ? display_.full_scale : 0;
+  const double brightest = display_.of_source ? 10 * std::log10(display_.full_scale) : 0;
+  const double low = linear ? 0 : brightest + display_.floor_db;
+  const double high = linear ? display_.full_scale : brightest;
   std::vector<Tick> ticks;
   for (const double value : multiples_within(low, high, nice_step(high - low, most_parts))) {
     ticks.push_back({(value - low) / (high - low), number_text(value)});
@@ -92,9 +93,10 @@ std::string Page::bar_caption() const {
   if (display_.scale == Scale::kLinear) {
     return fmt::format("echo intensity (0 to {})", number_text(display_.full_scale));
   }
+  const std::string_view reference = display_.of_source ? "source at 1 m" : "full scale";
   return display_.raised_per_decade > 0
-             ? fmt::format("dB re full scale, + {} log r", number_text(display_.raised_per_decade))
-             : "dB re full scale";
+             ? fmt::format("dB re {}, + {} log r", reference, number_text(display_.raised_per_decade))
+             : fmt::format("dB re {}", reference);
 }
 
 double Page::bar_width() const {

@@ -46,14 +46,15 @@ class Page {
   [[nodiscard]] double bar_width() const;
   void draw_bar(Picture& picture, double top, double bottom) const;
 
- private:
   struct Tick {
-    double level;  // 0 at the lower end of the bar, 1 at the upper.
+    double level;  ///< 0 at the lower end of the bar, 1 at the upper.
     std::string text;
   };
+  /// At round numbers.
   [[nodiscard]] std::vector<Tick> bar_ticks(int most_parts) const;
   [[nodiscard]] std::string bar_caption() const;
 
+ private:
   Display display_;
   Lettering lettering_;
   Heading heading_;

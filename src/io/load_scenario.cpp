@@ -57,20 +57,14 @@ class ScenarioReader {
     if_given("receiver", [&](const YamlValue& part) { read_section(part, "receiver", scenario_.receiver, places_); });
     if_given("materials", [&](const YamlValue& part) { read_materials(part); });
     if_given("sonars", [&](const YamlValue& part) { read_sonars(part); });
-    if_given("surface", [&](const YamlValue& part) {
-      if (part.kind != Kind::kNothing) {  // `--set surface=null` takes it away.
-        read_section(part, "surface", scenario_.surface.emplace(), places_);
-      }
-    });
-    if_given("points", [&](const YamlValue& part) { read_points(part); });
-    if_given("interferers", [&](const YamlValue& part) { read_interferers(part); });
-    if_given("trajectory", [&](const YamlValue& part) { read_trajectory(part, "trajectory", scenario_.trajectory); });
-    if_given("motions", [&](const YamlValue& part) { read_motions(part); });
-    if_given("view", [&](const YamlValue& part) {
-      if (part.kind != Kind::kNothing) {  // `--set view=null` takes it away.
-        read_section(part, "view", scenario_.view.emplace(), places_);
-      }
-    });
+    unless_null("surface",
+                [&](const YamlValue& part) { read_section(part, "surface", scenario_.surface.emplace(), places_); });
+    unless_null("points", [&](const YamlValue& part) { read_points(part); });
+    unless_null("interferers", [&](const YamlValue& part) { read_interferers(part); });
+    unless_null("trajectory",
+                [&](const YamlValue& part) { read_trajectory(part, "trajectory", scenario_.trajectory); });
+    unless_null("motions", [&](const YamlValue& part) { read_motions(part); });
+    unless_null("view", [&](const YamlValue& part) { read_section(part, "view", scenario_.view.emplace(), places_); });
     validate();
     return std::move(scenario_);
   }
@@ -82,6 +76,22 @@ class ScenarioReader {
       places_[key] = part->where;
       read(*part);
     }
+  }
+
+  // What `--set KEY=null` takes away.
+  template <typename Read>
+  void unless_null(const std::string& key, Read&& read) {
+    if_given(key, [&](const YamlValue& part) {
+      if (part.kind != Kind::kNothing) {
+        read(part);
+      }
+    });
+  }
+
+  // Points or a surface: else a sonar would have nothing to hear.
+  [[nodiscard]] bool open_water() const {
+    const YamlValue *points = tree_.find("points"), *surface = tree_.find("surface");
+    return (points != nullptr && !points->items.empty()) || (surface != nullptr && surface->kind != Kind::kNothing);
   }
 
   void refuse_misplaced_keys() const {
@@ -99,10 +109,10 @@ class ScenarioReader {
   void read_world() {
     const YamlValue* given = tree_.find("world");
     if (given == nullptr) {
-      if (tree_.find("points") == nullptr && tree_.find("surface") == nullptr) {
+      if (!open_water()) {
         throw Error(tree_.where + "world is missing: the SDF file or mesh to insonify");
       }
-      return;  // Open water.
+      return;
     }
     scenario_.world_where = given->where;
     const std::filesystem::path folder = is_stream(path_) ? std::filesystem::path() : path_.parent_path();

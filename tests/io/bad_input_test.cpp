@@ -79,6 +79,8 @@ const BadScenario kCases[] = {
     // What must be there.
     {"NoWorld", "seed: 3\nsonars: [{name: fls}]\n",
      "scenario.yaml:1:1: world is missing: the SDF file or mesh to insonify"},
+    {"NoWorldAndNoPoints", "points: []\nsurface: null\nsonars: [{name: fls}]\n",
+     "scenario.yaml:1:1: world is missing: the SDF file or mesh to insonify"},
     {"WorldIsNotThere", "world: wreck.sdf\nsonars: [{name: fls}]\n",
      "scenario.yaml:1:1: world = \"wreck.sdf\" is not there: no file FOLDER/wreck.sdf"},
     {"WorldWithoutAName", "world:\nsonars: [{name: fls}]\n",

@@ -1,0 +1,121 @@
+// secondary_selection_test.cpp -- which hits the cpu engine sends rays on from, and what that leaves of the echoes.
+
+#include <cmath>
+
+#include "engines/random_scene.h"
+
+namespace insonify {
+namespace {
+
+using namespace testing_scenes;
+
+// Rays that leave a flat floor for open water miss the boxes around everything, and are not sent.
+TEST(SecondarySelectionTest, SendsNothingIntoOpenWater) {
+  SonarConfig sonar;
+  sonar.beam_count = 16;
+  sonar.elevation_center = -20 * kDegree;
+  PingPlanSettings settings{.sonar = sonar, .secondary = SecondaryEchoes::kAll};
+  const auto engine = make_engine("cpu", 2);
+  const Scene scene = SceneMaker().add_floor(-3).add_sphere({6, 0, -2}, 0.5).scene();
+  engine->set_scene(scene);
+  const EchoGrid all = echoes_of(*engine, settings);
+  const RayCounts rays_all = engine->ray_counts();
+  settings.secondary = SecondaryEchoes::kSelective;
+  const EchoGrid selective = echoes_of(*engine, settings);
+  const RayCounts rays = engine->ray_counts();
+  EXPECT_GT(rays.return_legs, 0U);
+  EXPECT_LT(rays.secondary, rays_all.secondary / 10);
+  EXPECT_NEAR(total(selective, 2) / total(all, 2), 1, 0.05);
+}
+
+// Half of all hits are on a wall above the sonar's height and leave for open water. Of the others some are followed.
+TEST(SecondarySelectionTest, FollowsSomeOfThoseThatMayMeetASurface) {
+  SonarConfig sonar;
+  sonar.beam_count = 64;
+  sonar.elevation_center = 0;
+  sonar.elevation_aperture = 40 * kDegree;
+  sonar.azimuth_aperture = 60 * kDegree;
+  PingPlanSettings settings{.sonar = sonar, .secondary = SecondaryEchoes::kAll};
+  const auto engine = make_engine("cpu", 2);
+  engine->set_scene(SceneMaker().add_floor(-3).add_wall(8).scene());
+  const EchoGrid all = echoes_of(*engine, settings);
+  const auto rays_all = static_cast<double>(engine->ray_counts().secondary);
+  settings.secondary = SecondaryEchoes::kSelective;
+  const EchoGrid selective = echoes_of(*engine, settings);
+  const auto rays = static_cast<double>(engine->ray_counts().secondary);
+  EXPECT_NEAR(rays / rays_all, 0.25, 0.05);
+  EXPECT_NEAR(total(selective, 2) / total(all, 2), 1, 0.02);
+}
+
+TEST(SecondarySelectionTest, SeedsDrawLotsOfTheirOwn) {
+  SonarConfig sonar;
+  sonar.beam_count = 16;
+  sonar.max_range = 20;
+  PingPlanSettings settings{.sonar = sonar, .secondary = SecondaryEchoes::kSelective};
+  const auto engine = make_engine("cpu", 2);
+  engine->set_scene(SceneMaker().add_floor(-3).add_wall(8).scene());
+  const EchoGrid first = echoes_of(*engine, settings);
+  ++settings.seed;
+  const EchoGrid second = echoes_of(*engine, settings);
+  EXPECT_EQ(difference(first, second, 1), 0);
+  EXPECT_GT(difference(first, second, 2), 0.001);
+}
+
+// What a quantity is by `selective` less what it is by `all`, over many pings with lots of their own.
+class Surplus {
+ public:
+  void add(double selective, double all) {
+    const double surplus = selective - all;
+    sum_ += surplus;
+    squares_ += surplus * surplus;
+    all_ += all;
+  }
+  // In standard deviations of the sum, were the pings' own surpluses zero in the mean.
+  [[nodiscard]] double deviations() const { return sum_ / std::sqrt(squares_); }
+  // How small a share of the whole one standard deviation is: what the test can tell from zero.
+  [[nodiscard]] double resolution() const { return std::sqrt(squares_) / all_; }
+
+ private:
+  double sum_ = 0, squares_ = 0, all_ = 0;
+};
+
+double total_weight(const EchoGrid& grid) {
+  double sum = 0;
+  for (int beam = 0; beam < grid.beam_count(); ++beam) {
+    for (const float value : grid.weight(2, beam)) {
+      sum += value;
+    }
+  }
+  return sum;
+}
+
+// The lots of `selective` are drawn so that the sums of both layers are those of `all` in the mean.
+TEST(SecondarySelectionTest, KeepsTheSumsOfEnergyAndWeight) {
+  Surplus energy, weight;
+  RayCounts rays_all, rays_selective;
+  for (int number = 0; number < 60; ++number) {
+    const RandomScene random(number);
+    const auto engine = make_engine("cpu", 2);
+    engine->set_scene(random.scene);
+    PingPlanSettings settings{.sonar = random.sonar, .secondary = SecondaryEchoes::kAll};
+    settings.sonar.sampling = {4, 100};
+    const EchoGrid all = echoes_of(*engine, settings, random.pose);
+    rays_all.secondary += engine->ray_counts().secondary;
+    settings.secondary = SecondaryEchoes::kSelective;
+    for (int seed = 0; seed < 8; ++seed) {
+      settings.seed = 100ULL * number + seed;
+      const EchoGrid selective = echoes_of(*engine, settings, random.pose);
+      energy.add(total(selective, 2), total(all, 2));
+      weight.add(total_weight(selective), total_weight(all));
+    }
+    rays_selective.secondary += engine->ray_counts().secondary;
+  }
+  EXPECT_LT(rays_selective.secondary, rays_all.secondary);
+  EXPECT_LT(energy.resolution(), 0.003);
+  EXPECT_LT(weight.resolution(), 0.01);
+  EXPECT_LT(std::abs(energy.deviations()), 3.3);  // One chance in a thousand.
+  EXPECT_LT(std::abs(weight.deviations()), 3.3);
+}
+
+}  // namespace
+}  // namespace insonify
