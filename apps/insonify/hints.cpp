@@ -16,12 +16,6 @@ std::string point_text(const Vec3& point) {
   return fmt::format("({:.7g}, {:.7g}, {:.7g})", rounded(point.x()), rounded(point.y()), rounded(point.z()));
 }
 
-std::string extent_text(const Box3& world) {
-  return (world.low.array() <= world.high.array()).all()
-             ? fmt::format("the world reaches from {} to {} m", point_text(world.low), point_text(world.high))
-             : "there is nothing in the world";
-}
-
 }  // namespace
 
 void Loudness::add(const Ping& ping) {
@@ -38,12 +32,13 @@ bool hears_more_than_surfaces(const Scenario& scenario) {
 }
 
 std::string silence_text(const Simulator& simulator, int sonar) {
+  const Box3 world = simulator.scene().bounds();
   const Pose world_from_head = simulator.world_from_head(sonar, 0);
   const SonarConfig& config = simulator.sonar(sonar);
   return fmt::format(
-      "nothing was heard in any ping of {}: {}, the sonar was at {} m at first, looking along {}, and hears from "
-      "{:.4g} to {:.4g} m",
-      config.name, extent_text(simulator.scene().bounds()), point_text(world_from_head.position),
+      "nothing was heard in any ping of {}: the world reaches from {} to {} m, the sonar was at {} m at first, looking "
+      "along {}, and hears from {:.4g} to {:.4g} m",
+      config.name, point_text(world.low), point_text(world.high), point_text(world_from_head.position),
       point_text(world_from_head.orientation * Vec3::UnitX()), config.min_range, config.max_range);
 }
 

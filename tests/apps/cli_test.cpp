@@ -70,14 +70,6 @@ TEST_F(CliTest, SilenceIsToldWithWhereTheWorldIs) {
             "20, -2) m, the sonar was at (0, 0, 0) m at first, looking along (0, 0, 1), and hears from 0.2 to 12 m\n");
 }
 
-TEST_F(CliTest, SilenceOfEmptyWaterIsTold) {
-  folder.write("empty.yaml", "sonars: [{max_range: 9}]\nsurface: {level: 3}\nmodel: paper\n");
-  EXPECT_EQ(
-      shell("insonify run empty.yaml -o out -q --no-pictures").err,
-      "insonify: warning: nothing was heard in any ping of sonar: there is nothing in the world, the sonar was at (0, "
-      "0, 0) m at first, looking along (1, 0, 0), and hears from 0.2 to 9 m\n");
-}
-
 TEST_F(CliTest, EchoesOfPointsAreNoSilence) {
   const Outcome outcome = shell(
       "insonify run fan.yaml -o out -q --no-pictures --set orientation_deg=[0,-90,0] --set 'points=[{position: [0, 0, "

@@ -37,7 +37,8 @@ TEST(SecondarySelectionTest, FollowsSomeOfThoseThatMayMeetASurface) {
   sonar.azimuth_aperture = 60 * kDegree;
   PingPlanSettings settings{.sonar = sonar, .secondary = SecondaryEchoes::kAll};
   const auto engine = make_engine("cpu", 2);
-  engine->set_scene(SceneMaker().add_floor(-3).add_wall(8).scene());
+  const Scene scene = SceneMaker().add_floor(-3).add_wall(8).scene();
+  engine->set_scene(scene);
   const EchoGrid all = echoes_of(*engine, settings);
   const auto rays_all = static_cast<double>(engine->ray_counts().secondary);
   settings.secondary = SecondaryEchoes::kSelective;
@@ -53,7 +54,8 @@ TEST(SecondarySelectionTest, SeedsDrawLotsOfTheirOwn) {
   sonar.max_range = 20;
   PingPlanSettings settings{.sonar = sonar, .secondary = SecondaryEchoes::kSelective};
   const auto engine = make_engine("cpu", 2);
-  engine->set_scene(SceneMaker().add_floor(-3).add_wall(8).scene());
+  const Scene scene = SceneMaker().add_floor(-3).add_wall(8).scene();
+  engine->set_scene(scene);
   const EchoGrid first = echoes_of(*engine, settings);
   ++settings.seed;
   const EchoGrid second = echoes_of(*engine, settings);
