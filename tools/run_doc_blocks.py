@@ -15,6 +15,12 @@ Other blocks are only shown. A comment before a block says otherwise:
     <!-- file: NAME -->          the block is the file NAME: written, not run (but a cpp program is compiled and run too)
     <!-- run: no (REASON) -->    the block is not run; REASON tells a reader of the source why
     <!-- run: fails -->          the block must fail: the exit status is not 0
+
+A comment anywhere says where a picture that the page shows comes from; blocks must have made it when the page ends:
+
+    <!-- image: ../images/reef.png = reef/fls_fan_0000.png -->
+
+With --images the pictures in the source tree are replaced by those.
 """
 
 import argparse
@@ -22,12 +28,14 @@ import dataclasses
 import os
 import pathlib
 import re
+import shutil
 import subprocess
 import sys
 import tempfile
 
 SECONDS_PER_BLOCK = 300
 MARKER = re.compile(r"^\s*<!--\s*(file|run):\s*(.*?)\s*-->\s*$")
+IMAGE = re.compile(r"^\s*<!--\s*image:\s*(\S+)\s*=\s*(\S+)\s*-->\s*$")
 FENCE = re.compile(r"^(\s*)(`{3,})(\w*)[^`]*$")
 
 
@@ -108,6 +116,22 @@ def run_block(block, folder, arguments, environment):
     return None
 
 
+def take_images(path, folder, replace):
+    """Demands the pictures that the page says its blocks make; copies them to where the page shows them if asked to."""
+    page = path.read_text(encoding="utf-8")
+    for number, line in enumerate(page.splitlines(), start=1):
+        marker = IMAGE.match(line)
+        if not marker:
+            continue
+        shown, made = marker.group(1), folder / marker.group(2)
+        if f"]({shown})" not in page:
+            raise Fault(f"{path}:{number}: the page does not show {shown}")
+        if not made.is_file():
+            raise Fault(f"{path}:{number}: no block made {marker.group(2)}")
+        if replace:
+            shutil.copyfile(made, path.parent / shown)
+
+
 def run_document(path, arguments):
     """Runs all blocks of one file; returns how many ran."""
     root = pathlib.Path(__file__).resolve().parent.parent
@@ -132,6 +156,7 @@ def run_document(path, arguments):
             if (status != 0) != (block.run == "fails"):
                 wanted = "should have failed" if status == 0 else f"failed with status {status}"
                 raise Fault(f"{path}:{block.line}: the block {wanted}\n{block.text}\n{output}")
+        take_images(path, folder, arguments.images)
     return count
 
 
@@ -140,6 +165,7 @@ def main():
     parser.add_argument("--build", required=True, help="build folder with the command line in it")
     parser.add_argument("--compile", default="c++ -std=c++20", help="compiles a program, with what finds the headers")
     parser.add_argument("--link", default="", help="what a program is linked with")
+    parser.add_argument("--images", action="store_true", help="replace the pictures that the pages show")
     parser.add_argument("files", nargs="+", type=pathlib.Path)
     arguments = parser.parse_args()
     try:

@@ -50,7 +50,7 @@ void blend(Picture& picture, int x, int y, const Ink& ink, double coverage) {
   }
   const double share = ink.alpha * coverage;
   const auto mix = [share](std::uint8_t& below, std::uint8_t above) {
-    below = static_cast<std::uint8_t>(below + share * (above - below) + 0.5);
+    below = static_cast<std::uint8_t>(std::lround(below + share * (above - below)));
   };
   std::uint8_t* pixel = picture.at(x, y);
   mix(pixel[0], ink.colour.red);

@@ -115,7 +115,7 @@ Layout lay_out(const Channels& channels, const Page& page, const Display& displa
   const Lettering& lettering = page.lettering();
   const bool axes = display.annotations;
   const double em = page.em();
-  const int width = display.height * 4 / 3;
+  const int width = display.height * 4.0 / 3;
   const int left = axes ? pixels(page.margin() + lettering.width("-00.0°") + kTextGap * em) : 0;
   const int right = axes ? width - pixels(page.margin() + 1.6 * em) : width;
   const int top = axes ? pixels(page.title_height()) : 0;

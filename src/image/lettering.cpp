@@ -11,8 +11,8 @@
 #include <stdexcept>
 
 // The font file, put into the library by cmake/Font.cmake.
-extern "C" const unsigned char insonify_font_begin[];
-extern "C" const unsigned char insonify_font_end[];
+extern "C" const unsigned char insonify_font_begin[];  // NOLINT(readability-identifier-naming)
+extern "C" const unsigned char insonify_font_end[];    // NOLINT(readability-identifier-naming)
 
 namespace insonify {
 namespace {

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <charconv>
+#include <vector>
 
 #include "insonify/error.h"
 #include "io/input_file.h"

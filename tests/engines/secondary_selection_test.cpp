@@ -51,7 +51,8 @@ TEST(SecondarySelectionTest, FollowsSomeOfThoseThatMayMeetASurface) {
 TEST(SecondarySelectionTest, SeedsDrawLotsOfTheirOwn) {
   SonarConfig sonar;
   sonar.beam_count = 16;
-  sonar.max_range = 20;
+  sonar.elevation_center = -15 * kDegree;
+  sonar.azimuth_aperture = 60 * kDegree;
   PingPlanSettings settings{.sonar = sonar, .secondary = SecondaryEchoes::kSelective};
   const auto engine = make_engine("cpu", 2);
   const Scene scene = SceneMaker().add_floor(-3).add_wall(8).scene();

@@ -9,14 +9,18 @@ import unittest
 RUNNER = pathlib.Path(__file__).resolve().parents[2] / "tools/run_doc_blocks.py"
 
 
-def run(text):
+def run_in(folder, text, *options):
     """Exit status and output of the runner on a document, with the document's name taken out."""
+    document = pathlib.Path(folder) / "page.md"
+    document.write_text(text, encoding="utf-8")
+    done = subprocess.run([sys.executable, RUNNER, "--build", folder, *options, document], stdout=subprocess.PIPE,
+                          stderr=subprocess.STDOUT, check=False)
+    return done.returncode, done.stdout.decode().replace(f"{folder}/", "")
+
+
+def run(text):
     with tempfile.TemporaryDirectory() as folder:
-        document = pathlib.Path(folder) / "page.md"
-        document.write_text(text, encoding="utf-8")
-        done = subprocess.run([sys.executable, RUNNER, "--build", folder, document], stdout=subprocess.PIPE,
-                              stderr=subprocess.STDOUT, check=False)
-        return done.returncode, done.stdout.decode().replace(f"{folder}/", "")
+        return run_in(folder, text)
 
 
 def block(language, text, marker=""):
@@ -56,6 +60,21 @@ class RunDocBlocksTest(unittest.TestCase):
         status, output = run(block("bash", "exit 2", "<!-- run: no -->"))
         self.assertEqual(status, 1)
         self.assertIn("run: no must tell why", output)
+
+    def test_pictures_are_replaced_only_when_asked_for(self):
+        page = "<!-- image: a.png = out/b.png -->\n![A](a.png)\n\n" + block("bash", "mkdir out; echo new > out/b.png")
+        with tempfile.TemporaryDirectory() as folder:
+            picture = pathlib.Path(folder) / "a.png"
+            picture.write_text("old\n", encoding="utf-8")
+            self.assertEqual(run_in(folder, page), (0, "page.md: 1 blocks ran\n"))
+            self.assertEqual(picture.read_text(encoding="utf-8"), "old\n")
+            self.assertEqual(run_in(folder, page, "--images"), (0, "page.md: 1 blocks ran\n"))
+            self.assertEqual(picture.read_text(encoding="utf-8"), "new\n")
+
+    def test_pictures_must_be_made_and_shown(self):
+        marker = "Text.\n<!-- image: a.png = b.png -->\n"
+        self.assertEqual(run(marker + "![A](a.png)\n"), (1, "page.md:2: no block made b.png\n"))
+        self.assertEqual(run(marker + block("bash", "touch b.png")), (1, "page.md:2: the page does not show a.png\n"))
 
     def test_a_marker_without_a_block_is_a_fault(self):
         status, output = run("<!-- run: fails -->\nText.\n")
