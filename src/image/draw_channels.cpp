@@ -110,12 +110,16 @@ int pixels(double length) {
   return static_cast<int>(std::ceil(length));
 }
 
+int layout_width(const Display& display) {
+  return display.height * 4 / 3;
+}
+
 // Directions square where there is room for it. Without axes the panels fill the picture.
 Layout lay_out(const Channels& channels, const Page& page, const Display& display) {
   const Lettering& lettering = page.lettering();
   const bool axes = display.annotations;
   const double em = page.em();
-  const int width = display.height * 4.0 / 3;
+  const int width = layout_width(display);
   const int left = axes ? pixels(page.margin() + lettering.width("-00.0°") + kTextGap * em) : 0;
   const int right = axes ? width - pixels(page.margin() + 1.6 * em) : width;
   const int top = axes ? pixels(page.title_height()) : 0;
@@ -168,7 +172,7 @@ Picture draw_channels(const Channels& channels, const SonarConfig& sonar, const 
   }
   Page page(display, {name_of(sonar), fmt::format("{}   {} m   what the fan is made of",
                                                   frequency_text(sonar.frequency), number_text(sonar.max_range))});
-  page.fit_title(display.height * 4 / 3);
+  page.fit_title(layout_width(display));
   const Layout layout = lay_out(channels, page, display);
   const double full_scale = full_scale_of(channels);
   Picture picture = blank_picture(layout.width, layout.height, palette::kBackground);

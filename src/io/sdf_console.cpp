@@ -2,6 +2,7 @@
 
 #include "io/sdf_console.h"
 
+#include <algorithm>
 #include <iostream>
 #include <sstream>
 #include <streambuf>

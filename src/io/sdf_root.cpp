@@ -39,7 +39,7 @@ std::string where(const sdf::Error& error, const std::string& file, const SdfSou
   for (std::size_t open = text.find('['); open != std::string::npos; open = text.find('[', open + 1)) {
     const std::string scoped = text.substr(open + 1, text.find(']', open) - open - 1);
     const std::size_t colons = scoped.rfind("::");
-    const std::string place = source.place_of_name(colons == std::string::npos ? scoped : scoped.substr(colons + 2));
+    std::string place = source.place_of_name(colons == std::string::npos ? scoped : scoped.substr(colons + 2));
     if (!place.empty()) {
       return place;
     }

@@ -190,7 +190,7 @@ std::string SdfSource::write_copy(const std::string& text, const std::string& or
     }
     scratch_ = name;
   }
-  const std::string copy = scratch_ / fmt::format("{}.sdf", originals_.size());
+  std::string copy = scratch_ / fmt::format("{}.sdf", originals_.size());
   std::ofstream stream(copy, std::ios::binary);
   stream << text;
   if (!stream.flush()) {
@@ -255,7 +255,7 @@ std::string SdfSource::prepare(const fs::path& file, const Log& log) {
   }
 
   std::sort(edits.begin(), edits.end(), [](const Edit& a, const Edit& b) { return a.begin < b.begin; });
-  const std::string to_read = edits.empty() ? name : write_copy(apply_edits(text, edits), name);
+  std::string to_read = edits.empty() ? name : write_copy(apply_edits(text, edits), name);
   ready_[name] = to_read;
   files_.push_back(to_read);
   return to_read;

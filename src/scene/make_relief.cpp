@@ -142,7 +142,8 @@ Relief make_relief(const ReliefConfig& config) {
   Relief relief;
   relief.tile_size = tile_size_of(config);
   relief.by_position = true;
-  relief.slopes = {kTexels, kTexels, std::vector<Eigen::Vector2f>(kTexels * kTexels, Eigen::Vector2f::Zero())};
+  relief.slopes = {kTexels, kTexels,
+                   std::vector<Eigen::Vector2f>(std::size_t{kTexels} * kTexels, Eigen::Vector2f::Zero())};
   if (config.ripple_wavelength > 0) {
     add_slopes(ripples(config, relief.tile_size), config.ripple_height / (2 * std::numbers::sqrt2), relief.tile_size,
                relief.slopes);

@@ -17,10 +17,11 @@ using Taps = std::array<double, kSsimSide>;
 // A Gaussian of deviation 1.5 pixels, summing to one. The window is its product with itself.
 Taps gaussian_taps() {
   constexpr double kDeviation = 1.5;
+  constexpr int kMiddle = kSsimSide / 2;
   Taps taps{};
   double sum = 0;
   for (int i = 0; i < kSsimSide; ++i) {
-    const double distance = (i - kSsimSide / 2) / kDeviation;
+    const double distance = (i - kMiddle) / kDeviation;
     taps[i] = std::exp(-distance * distance / 2);
     sum += taps[i];
   }
@@ -104,8 +105,8 @@ Plane halved(const Plane& plane) {
   for (int y = 0; y < result.rows; ++y) {
     const double* upper = plane.row(2 * y);
     const double* lower = plane.row(2 * y + 1);
-    for (int x = 0; x < result.columns; ++x) {
-      result.row(y)[x] = (upper[2 * x] + upper[2 * x + 1] + lower[2 * x] + lower[2 * x + 1]) / 4;
+    for (int x = 0; x < result.columns; ++x, upper += 2, lower += 2) {
+      result.row(y)[x] = (upper[0] + upper[1] + lower[0] + lower[1]) / 4;
     }
   }
   return result;

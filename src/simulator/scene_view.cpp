@@ -60,8 +60,9 @@ std::vector<Sample> render_picture(Renderer& renderer, int width, int height) {
   const std::vector<std::size_t> edges = find_edges(samples, width, height);
   points.clear();
   for (const std::size_t i : edges) {
+    const std::size_t column = i % width, row = i / width;
     for (const Point& offset : kOffsets) {
-      points.push_back({static_cast<double>(i % width) + offset.x, static_cast<double>(i / width) + offset.y});
+      points.push_back({static_cast<double>(column) + offset.x, static_cast<double>(row) + offset.y});
     }
   }
   const std::vector<Sample> finer = renderer.render(points);
