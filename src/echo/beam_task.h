@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "echo/beam_tasks.h"
 #include "echo/cpu_scene.h"
 #include "echo/fan_raster.h"
 #include "echo/hit_column.h"
@@ -13,12 +14,6 @@
 #include "echo/surface_run.h"
 
 namespace insonify {
-
-/// Most beams that one task takes: a ping is written by ranges, and sixteen beams fill a cache line of it.
-inline constexpr int kMostBeamsTogether = 16;
-
-/// Fewest, but where a fan ends. Every task begins at a multiple of it.
-inline constexpr int kLeastBeamsTogether = 4;
 
 struct BeamTask {
   BeamTask(const CpuScene& scene, const RasterScene& raster_scene)

@@ -15,17 +15,6 @@ namespace {
 
 constexpr int kRaysPerTask = 1024;
 
-int task_count(int items, int per_task) {
-  return (items + per_task - 1) / per_task;
-}
-
-// As many beams as belong together, but enough tasks to go round evenly.
-int beams_per_task(const PingPlan& plan, int workers) {
-  constexpr int kTasksAWorker = 4;
-  const bool many = task_count(plan.sonar.beam_count, kMostBeamsTogether) >= kTasksAWorker * workers;
-  return many ? kMostBeamsTogether : kLeastBeamsTogether;
-}
-
 }  // namespace
 
 CpuEngine::CpuEngine(int threads) : workers_(threads) {
@@ -77,10 +66,9 @@ void CpuEngine::for_each_task(const PingPlan& plan, Followed followed, Work&& wo
   for (const auto& scratch : scratch_) {
     scratch->prepare(plan, followed);
   }
-  const int beams = beams_per_task(plan, workers_.count());
-  workers_.for_each(task_count(plan.sonar.beam_count, beams), [&](int task, int worker) {
+  workers_.for_each(task_count(), [&](int task, int worker) {
     const DenormalsOff denormals_off;
-    work(*scratch_[worker], task * beams, std::min((task + 1) * beams, plan.sonar.beam_count), task);
+    work(*scratch_[worker], first_beams_[task], first_beams_[task + 1], task);
   });
 }
 
@@ -91,15 +79,15 @@ void CpuEngine::insonify(const PingPlan& plan, const Pose& world_from_sonar, std
   counts_ = {};
   const Followed followed =
       followed_hits(*this, plan, world_from_sonar, scene_.origin(), scene_.boxes(), counts_.secondary);
-  const int tasks = task_count(plan.sonar.beam_count, beams_per_task(plan, workers_.count()));
-  arrivals_.resize(std::max(arrivals_.size(), static_cast<std::size_t>(tasks)));
+  cut_beams(plan.sonar.beam_count, workers_.count(), first_beams_);
+  arrivals_.resize(std::max(arrivals_.size(), static_cast<std::size_t>(task_count())));
   for_each_task(plan, followed, [&](BeamTask& scratch, int first_beam, int last_beam, int task) {
     scratch.run(world_from_sonar, first_beam, last_beam, view, grid, arrivals_[task]);
     if (sink != nullptr) {
       sink->take(first_beam, last_beam);
     }
   });
-  for (int task = 0; task < tasks; ++task) {
+  for (int task = 0; task < task_count(); ++task) {
     for (const Echo& echo : arrivals_[task]) {
       deposit(plan, echo, grid);
     }
@@ -113,7 +101,8 @@ void CpuEngine::insonify(const PingPlan& plan, const Pose& world_from_sonar, std
 }
 
 std::vector<double> CpuEngine::time_traversal(const PingPlan& plan, const Pose& world_from_sonar, int repetitions) {
-  std::vector<OnwardTask::Log> logs(task_count(plan.sonar.beam_count, beams_per_task(plan, workers_.count())));
+  cut_beams(plan.sonar.beam_count, workers_.count(), first_beams_);
+  std::vector<OnwardTask::Log> logs(task_count());
   EchoGrid grid(plan.sonar.beam_count, plan.sonar.bin_count, kPathOrders);
   std::uint64_t probes = 0;
   const Followed followed = followed_hits(*this, plan, world_from_sonar, scene_.origin(), scene_.boxes(), probes);
@@ -143,7 +132,7 @@ std::vector<double> CpuEngine::time_traversal(const PingPlan& plan, const Pose& 
 
 void CpuEngine::trace(std::span<const Ray> rays, std::span<Hit> hits) {
   scene_.commit_moves();
-  workers_.for_each(task_count(static_cast<int>(rays.size()), kRaysPerTask), [&](int task, int) {
+  workers_.for_each((static_cast<int>(rays.size()) + kRaysPerTask - 1) / kRaysPerTask, [&](int task, int) {
     const DenormalsOff denormals_off;
     const std::size_t end = std::min(rays.size(), static_cast<std::size_t>(task + 1) * kRaysPerTask);
     RayPacket packet;

@@ -34,14 +34,15 @@ class CpuEngine final : public Engine {
   [[nodiscard]] std::vector<double> time_traversal(const PingPlan& plan, const Pose& world_from_sonar, int repetitions);
 
  private:
-  // Calls work(scratch, first_beam, last_beam, task) for every task of a ping.
-  template <typename Work>
-  void for_each_task(const PingPlan& plan, Followed followed, Work&& work);
-
-  Workers workers_;
   // What the ping sees of the raster scene when its primaries are to be drawn, else null.
   const FanView* look(const PingPlan& plan, const Pose& world_from_sonar);
 
+  // Calls work(scratch, first_beam, last_beam, task) for every task of a ping.
+  template <typename Work>
+  void for_each_task(const PingPlan& plan, Followed followed, Work&& work);
+  [[nodiscard]] int task_count() const { return static_cast<int>(first_beams_.size()) - 1; }
+
+  Workers workers_;
   CpuScene scene_;
   // What raster_scene_ is still to be made from, by the first ping that needs it.
   const Scene* raster_source_ = nullptr;
@@ -50,6 +51,7 @@ class CpuEngine final : public Engine {
   RasterScene raster_scene_;
   FanView view_;
   std::vector<std::unique_ptr<BeamTask>> scratch_;  // One a worker.
+  std::vector<int> first_beams_;                    // Of the tasks of a ping, see cut_beams().
   std::vector<std::vector<Echo>> arrivals_;         // Of each task.
   RayCounts counts_;
 };
