@@ -59,7 +59,7 @@ class Stretches {
   }
 
  private:
-  static constexpr int kMost = 64;
+  static constexpr int kMost = 256;  // More workers than that have nothing to do.
   struct alignas(64) Stretch {
     std::atomic<int> next;
     int last;
