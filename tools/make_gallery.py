@@ -26,6 +26,7 @@ GROUPS = [
     ("SSIV mock-up", ["ssiv"]),
     ("Test tank", ["tank"]),
     ("Attenuation: one cone, two waters", ["cone_clear", "cone_absorbing"]),
+    ("A sphere over a flat bottom", ["sphere"]),
 ]
 
 STYLE = """
@@ -43,9 +44,9 @@ figure { margin: 0 } img { width: 100%; border-radius: 4px } figcaption { color:
 
 KINDS = [
     ("view", "The scene as a camera sees it; yellow is what the sonar insonifies"),
-    ("channels", "The two channels by direction: pulse distance and echo intensity"),
-    ("fan", "The ping, model: {model}"),
-    ("scan", "The scan, model: {model}"),
+    ("channels", "The two channels by direction at the first ping: pulse distance and echo intensity"),
+    ("fan", "{moment}, model: {model}"),
+    ("scan", "The whole scan, model: {model}"),
 ]
 
 
@@ -80,7 +81,9 @@ def pictures_of(folder):
         if match and not (match[1] == "scan" and match[2]):
             found[match[1]] = path
     model = {"paper": "paper (linear)", "calibrated": "calibrated (decibels)"}[model_of(folder)]
-    return [(found[kind], caption.format(model=model)) for kind, caption in KINDS if kind in found]
+    number = int(re.search(r"(\d+)$", found["fan"].stem)[1]) if "fan" in found else 0
+    moment = f"The last ping, number {number}" if number > 0 else "The ping"
+    return [(found[kind], caption.format(model=model, moment=moment)) for kind, caption in KINDS if kind in found]
 
 
 def description_of(folder):
@@ -93,29 +96,29 @@ def description_of(folder):
     return " ".join(lines)
 
 
-def rate_of(folder):
-    """What the run said of its speed."""
+def said_of(folder):
+    """What the run said of its pings and its speed."""
     log = folder / "log.txt"
-    for line in reversed(log.read_text(encoding="utf-8").splitlines() if log.exists() else []):
-        if "pings/s" in line:
-            return line.strip()
-    return ""
+    lines = log.read_text(encoding="utf-8").splitlines() if log.exists() else []
+    return [line.strip() for line in lines if re.search(r"\d pings? of |pings/s to compute", line)]
 
 
-def figure(path, caption):
+def figure(scene, path, caption):
     data = base64.b64encode(path.read_bytes()).decode("ascii")
     text = html.escape(caption)
-    return f'<figure><img src="data:image/png;base64,{data}" alt="{text}"><figcaption>{text}</figcaption></figure>'
+    alt = html.escape(f"{scene}: {caption}")
+    return f'<figure><img src="data:image/png;base64,{data}" alt="{alt}"><figcaption>{text}</figcaption></figure>'
 
 
 def section(title, folders):
     columns = []
     for folder in folders:
-        rates = [": ".join(filter(None, [model_of(run), rate_of(run)])) for run in runs_of(folder)]
-        lines = "<br>".join(html.escape(line) for line in [f"scenes/{scene_of(folder)}.yaml", *rates])
-        pictures = "".join(figure(*picture) for run in runs_of(folder) for picture in pictures_of(run))
+        runs = [f"{model_of(run)}: " + "; ".join(said_of(run)) for run in runs_of(folder) if said_of(run)]
+        lines = "<br>".join(html.escape(line) for line in [f"scenes/{scene_of(folder)}.yaml", *runs])
+        pictures = "".join(figure(title, *picture) for run in runs_of(folder) for picture in pictures_of(run))
+        description = html.escape(description_of(folder))
         columns.append(
-            f"<div><p>{html.escape(description_of(folder))}</p>"
+            f"<div>{f'<p>{description}</p>' if description else ''}"
             f'<div class="run">{lines}</div><div class="scene">{pictures}</div></div>'
         )
     inside = "\n".join(columns)
@@ -136,8 +139,8 @@ def page(root):
     return (
         '<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8"><title>insonify: scenes</title>'
         f'<meta name="viewport" content="width=device-width"><style>{STYLE}</style></head>\n<body><h1>insonify: scenes</h1>'
-        "<p>What <code>./dev demo</code> has just computed: the scenes of Cerqueira et al. (2020), rebuilt, each as a camera "
-        "and as its sonar sees it, in the paper&#x27;s model and in the calibrated one.</p>"
+        "<p>What <code>./dev demo</code> has just computed: the scenes of Cerqueira et al. (2020), rebuilt, and the tutorial&#x27;s "
+        "sphere, each as a camera and as its sonar sees it, in the paper&#x27;s model and in the calibrated one.</p>"
         f"<nav>{links}</nav>\n{body}\n</body></html>\n"
     )
 

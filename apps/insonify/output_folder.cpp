@@ -30,7 +30,11 @@ std::filesystem::path output_folder(const std::filesystem::path& chosen, const s
     refuse(folder, error ? error : std::make_error_code(std::errc::not_a_directory));
   }
   if (access(there.c_str(), W_OK | X_OK) != 0) {
-    refuse(folder, {errno, std::generic_category()});
+    const std::error_code reason(errno, std::generic_category());
+    if (std::filesystem::exists(folder, error)) {
+      throw Error(fmt::format("{}: cannot write into this folder: {}", folder.string(), reason.message()));
+    }
+    refuse(folder, reason);
   }
   return folder;
 }

@@ -53,6 +53,7 @@ void print_world(const Scene& scene, double seconds) {
   }
   say("world: {} of {}, ready in {:.2f} s\n", counted(scene.instances.size(), "object"), counted(triangles, "triangle"),
       seconds);
+  flush_output();  // The first ping can take long.
 }
 
 // Reading can take long: a world is large, or nobody writes into a pipe.
@@ -226,9 +227,9 @@ int run(const RunOptions& options) {
         all, static_cast<double>(made) / computing, static_cast<double>(made) / all);
   }
   print_hints(simulator, tracks, display, options.quiet);
-  if (stop_asked()) {
-    throw Error(fmt::format("stopped after {} of {}; they are kept", made,
-                            counted(tracks.size() * static_cast<std::size_t>(simulator.scenario().pings), "ping")));
+  const auto asked_for = tracks.size() * static_cast<std::size_t>(simulator.scenario().pings);
+  if (made < asked_for) {
+    throw Error(fmt::format("stopped after {} of {}; they are kept", made, counted(asked_for, "ping")));
   }
   return kDone;
 }

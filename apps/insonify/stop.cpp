@@ -14,6 +14,7 @@ namespace insonify {
 namespace {
 
 volatile std::sig_atomic_t asked = 0;
+bool terminal = false;  // Somebody waits.
 
 void end_now(int) {
   constexpr std::string_view kMessage = "insonify: interrupted before the first ping\n";
@@ -23,7 +24,12 @@ void end_now(int) {
 }
 
 void note(int signal) {
+  constexpr std::string_view kMessage = "insonify: stopping after this ping; once more stops at once\n";
   asked = 1;
+  if (terminal) {
+    clear_status();
+    [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, kMessage.data(), kMessage.size());
+  }
   std::signal(signal, SIG_DFL);
 }
 
@@ -42,6 +48,7 @@ void end_when_asked() {
 }
 
 void note_when_asked() {
+  terminal = isatty(STDERR_FILENO) != 0;
   handle_with(note);
 }
 

@@ -84,7 +84,8 @@ inline constexpr double kShownGainPerDecade = 30;
 /// @param decibels_per_decade  X.
 [[nodiscard]] Ping raised_by_range(Ping ping, const SonarConfig& sonar, double decibels_per_decade);
 
-/// What all but the strongest thousandth of what was heard is below, rounded up to a multiple of 5 dB; 1 for silence.
+/// What all but the strongest thousandth of what was heard is below, but at most 20 dB below the strongest; rounded up
+/// to a multiple of 5 dB; 1 for silence.
 [[nodiscard]] double fitting_full_scale(std::vector<float> intensities);
 
 // Azimuths are written as bearings: "30° P" to port, "30° S" to starboard, for a vertical mounting as

@@ -66,10 +66,10 @@ void read_member(const YamlValue& value, std::string_view object, const Field& f
 void read_member(const YamlValue& value, std::string_view object, const Field& field, Vec3& member);
 void read_member(const YamlValue& value, std::string_view object, const Field& field, std::vector<double>& member);
 
-/// `none` is as if the key were not there.
+/// `none`, and null, are as if the key were not there.
 template <typename T>
 void read_member(const YamlValue& value, std::string_view object, const Field& field, std::optional<T>& member) {
-  if (value.scalar == "none") {
+  if (value.scalar == "none" || value.kind == YamlValue::Kind::kNothing) {
     member.reset();
     return;
   }

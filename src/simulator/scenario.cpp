@@ -206,6 +206,24 @@ void Trajectory::validate(std::string_view object) const {
   }
 }
 
+namespace {
+
+// What moves in a ping is reckoned with to the first order in speed over that of sound.
+void check_speeds(const Trajectory& trajectory) {
+  constexpr double kMost = 100;
+  const std::vector<Waypoint>& points = trajectory.waypoints;
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    const double speed = (points[i].position - points[i - 1].position).norm() / (points[i].time - points[i - 1].time);
+    if (!(speed <= kMost)) {
+      throw Error(
+          fmt::format("trajectory[{}] comes to {:.4g} m/s from the one before; with motion_in_ping at most {} m/s", i,
+                      speed, kMost));
+    }
+  }
+}
+
+}  // namespace
+
 bool Scenario::has_even_rows() const {
   return model == EchoModel::kPaper ||
          (receiver.beam_shape == BeamShape::kWedge && receiver.elevation_pattern == BeamPattern::kTopHat);
@@ -247,6 +265,9 @@ void Scenario::validate() const {
     check_gains(*this);
   }
   trajectory.validate("trajectory");
+  if (motion_in_ping) {
+    check_speeds(trajectory);
+  }
   if (surface) {
     check_depths(*this);
   }

@@ -33,6 +33,13 @@ void check_name(std::string_view object, const std::string& name) {
   if (name.empty() || name.front() == '.' || !is_plain) {
     fail(object, "name must not be empty, start with '.' or hold a slash, a backslash or a control character");
   }
+  constexpr std::size_t kLongest = 200;  // File systems take 255 bytes, pictures add to the name.
+  if (name.size() > kLongest) {
+    fail(object, fmt::format("name has {} bytes; must have at most {}", name.size(), kLongest));
+  }
+  if (name.find_first_not_of(' ') == std::string::npos) {
+    fail(object, "name must not be blank");
+  }
 }
 
 void check_ranges(std::string_view object, const SonarConfig& sonar) {

@@ -76,6 +76,12 @@ const BadScenario kCases[] = {
     {"HeadKeyOfAFan", "world: floor.obj\nsonars:\n  - type: fls\n    step_deg: 0.9\n",
      "scenario.yaml:4:5: sonars[0].step_deg belongs to a scanning sonar; this one's type is fls"},
 
+    {"VehicleTooFastForMotionInPing",
+     "world: floor.obj\nmotion_in_ping: true\ntrajectory:\n  - {time: 0}\n  - {time: 1, position: [50, 0, 0]}\n  - "
+     "{time: "
+     "2, position: [200, 0, 0]}\nsonars: [{name: fls}]\n",
+     "scenario.yaml:6:5: trajectory[2] comes to 150 m/s from the one before; with motion_in_ping at most 100 m/s"},
+
     // What must be there.
     {"NoWorld", "seed: 3\nsonars: [{name: fls}]\n",
      "scenario.yaml:1:1: world is missing: the SDF file or mesh to insonify"},

@@ -121,6 +121,15 @@ TEST_F(ScenarioTest, NullTakesPartsAway) {
   EXPECT_FALSE(scenario.view.has_value());
 }
 
+TEST_F(ScenarioTest, NullTakesOptionalValuesAway) {
+  const std::string given =
+      "world: worlds/floor.obj\nwater: {sound_speed: 1500}\nsonars: [{name: a, ping_period: 2}]\n";
+  EXPECT_TRUE(load(given).sonars[0].ping_period.has_value());
+  const Scenario scenario = load(given, {"water.sound_speed=null", "sonars.a.ping_period=null"});
+  EXPECT_FALSE(scenario.water.sound_speed.has_value());
+  EXPECT_FALSE(scenario.sonars[0].ping_period.has_value());
+}
+
 TEST_F(ScenarioTest, TakesTheWater) {
   const Water water = load(kEverything).water;
   EXPECT_EQ(water.temperature_c, 4.5);

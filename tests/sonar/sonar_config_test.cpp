@@ -270,6 +270,10 @@ TEST(SonarValidateTest, TheNameMustMakeAFileName) {
   EXPECT_EQ(fls([](auto& s) { s.name = "a/b"; }), expected);
   EXPECT_EQ(fls([](auto& s) { s.name = "a\nb"; }), expected);
   EXPECT_EQ(fls([](auto& s) { s.name = "Vorwärts 2.1"; }), "no error");
+  EXPECT_EQ(fls([](auto& s) { s.name = std::string(200, 'x'); }), "no error");
+  EXPECT_EQ(fls([](auto& s) { s.name = std::string(201, 'x'); }),
+            "sonars[1].name has 201 bytes; must have at most 200");
+  EXPECT_EQ(fls([](auto& s) { s.name = "  "; }), "sonars[1].name must not be blank");
 }
 
 TEST(SonarValidateTest, RangesMustFollowEachOther) {
