@@ -84,7 +84,7 @@ inline constexpr double kShownGainPerDecade = 30;
 /// @param decibels_per_decade  X.
 [[nodiscard]] Ping raised_by_range(Ping ping, const SonarConfig& sonar, double decibels_per_decade);
 
-/// What all but the strongest thousandth of what was heard is below, but at most 20 dB below the strongest; rounded up
+/// What all but the strongest thousandth of what was heard is below, but at most 25 dB below the strongest; rounded up
 /// to a multiple of 5 dB; 1 for silence.
 [[nodiscard]] double fitting_full_scale(std::vector<float> intensities);
 

@@ -20,11 +20,12 @@ double fitting_full_scale(std::vector<float> intensities) {
   if (intensities.empty()) {
     return 1;
   }
-  constexpr double kMostBeyond = 100;  // 20 dB.
+  constexpr double kMostBeyondDb = 25;  // So that the main lobe of a point stands out of its side lobes.
+  const double most_beyond = std::pow(10, kMostBeyondDb / 10);
   const double loudest = *std::ranges::max_element(intensities);
   const auto last = intensities.begin() + static_cast<std::ptrdiff_t>((intensities.size() - 1) * 999 / 1000);
   std::ranges::nth_element(intensities, last);
-  return std::pow(10.0, std::ceil(2 * std::log10(std::max(double{*last}, loudest / kMostBeyond))) / 2);
+  return std::pow(10.0, std::ceil(2 * std::log10(std::max(double{*last}, loudest / most_beyond))) / 2);
 }
 
 }  // namespace insonify

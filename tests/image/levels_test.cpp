@@ -40,8 +40,8 @@ TEST(LevelsTest, FullScaleIsAboveAllButAThousandth) {
   EXPECT_NEAR(10 * std::log10(fitting_full_scale(intensities)), -55, 1e-9);  // -56.99 dB, rounded up.
   intensities[7] = 3e-4F;                                                    // One in ten thousand, -35.2 dB.
   EXPECT_NEAR(10 * std::log10(fitting_full_scale(intensities)), -55, 1e-9);
-  intensities[7] = 1;  // A point in noise: the scale ends 20 dB below it.
-  EXPECT_NEAR(10 * std::log10(fitting_full_scale(intensities)), -20, 1e-9);
+  intensities[7] = 1;  // A point in noise: the scale ends 25 dB below it.
+  EXPECT_NEAR(10 * std::log10(fitting_full_scale(intensities)), -25, 1e-9);
   std::fill_n(intensities.begin(), 20, 0.5F);  // Two in a thousand.
   EXPECT_NEAR(10 * std::log10(fitting_full_scale(intensities)), 0, 1e-9);
   EXPECT_EQ(fitting_full_scale(std::vector<float>(9, 0.0F)), 1);
