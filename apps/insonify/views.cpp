@@ -13,7 +13,11 @@ Picture scene_around(Simulator& simulator, const SonarConfig& sonar, const Pose&
   Engine& engine = simulator.engine();
   const std::optional<ViewConfig>& given = simulator.scenario().view;
   const ViewConfig view = given.has_value() ? *given : fitting_view(engine, simulator.scene(), sonar, world_from_sonar);
-  return draw_scene(engine, simulator.scene(), view, sonar, world_from_sonar);
+  ViewOptions options;
+  for (const PointTarget& point : simulator.scenario().points) {
+    options.marks.push_back(point.position);
+  }
+  return draw_scene(engine, simulator.scene(), view, sonar, world_from_sonar, options);
 }
 
 }  // namespace

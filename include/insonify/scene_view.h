@@ -13,7 +13,8 @@ namespace insonify {
 /// Size of the view and what is drawn over it.
 struct ViewOptions {
   int width = 960, height = 720;  ///< [pixels], 16..8192 each.
-  bool sonar_outline = true;  ///< Draw the sonar's housing and the edges of its sector, and tint what it insonifies.
+  bool sonar_outline = true;     ///< Draw the sonar's housing and the edges of its sector, and tint what it insonifies.
+  std::vector<Vec3> marks = {};  ///< Places that get a cross where nothing stands before them [m]: point targets.
 
   template <typename Self, typename Visit>
   static void visit_fields(Self& self, Visit&& visit) {

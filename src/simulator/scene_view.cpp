@@ -87,29 +87,49 @@ Picture develop(const std::vector<Sample>& samples, int width, int height) {
   return picture;
 }
 
-// Thin lines, each piece drawn where nothing stands before it.
-void draw_sector(Picture& picture, const std::vector<Sample>& samples, const Camera& camera,
-                 const InsonifiedSector& sector) {
-  const double width = std::max(1.0, picture.height / 600.0);
-  const double nearest = 1e-3 * sector.max_range();
-  for (const auto& [from, to] : sector.edges()) {
-    const Camera::Image a = camera.image_of(from);
-    const Camera::Image b = camera.image_of(to);
-    const Vec3 middle = (from + to) / 2;
-    const Camera::Image m = camera.image_of(middle);
-    if (a.depth < nearest || b.depth < nearest) {
-      continue;
-    }
-    // A piece that leaves the picture is judged by the last pixel before.
-    const auto x = static_cast<std::size_t>(std::clamp(m.x, 0.0, picture.width - 1.0));
-    const auto y = static_cast<std::size_t>(std::clamp(m.y, 0.0, picture.height - 1.0));
-    const std::size_t pixel = y * picture.width + x;
-    const double distance = (middle - camera.position()).norm();
-    if (distance < static_cast<double>(samples[pixel].distance) * (1 + 1e-3)) {
-      draw_line(picture, {a.x, a.y}, {b.x, b.y}, width, {{255, 214, 110}, 0.75});
+// Lines and marks over what was rendered, where nothing stands before them.
+class Overlay {
+ public:
+  Overlay(Picture& picture, const std::vector<Sample>& samples, const Camera& camera, double nearest)
+      : picture_(picture), samples_(samples), camera_(camera), nearest_(nearest) {}
+
+  void draw_sector(const InsonifiedSector& sector) {
+    for (const auto& [from, to] : sector.edges()) {
+      const Camera::Image a = camera_.image_of(from), b = camera_.image_of(to);
+      if (a.depth >= nearest_ && b.depth >= nearest_ && is_seen((from + to) / 2)) {
+        draw_line(picture_, {a.x, a.y}, {b.x, b.y}, hairline(), {kYellow, 0.75});
+      }
     }
   }
-}
+
+  void draw_mark(const Vec3& place) {
+    const Camera::Image at = camera_.image_of(place);
+    if (at.depth >= nearest_ && is_seen(place)) {
+      const double arm = picture_.height / 90.0;
+      draw_line(picture_, {at.x - arm, at.y}, {at.x + arm, at.y}, 2 * hairline(), {kRed, 1});
+      draw_line(picture_, {at.x, at.y - arm}, {at.x, at.y + arm}, 2 * hairline(), {kRed, 1});
+    }
+  }
+
+ private:
+  static constexpr Rgb kYellow{255, 214, 110}, kRed{255, 96, 80};
+
+  [[nodiscard]] double hairline() const { return std::max(1.0, picture_.height / 600.0); }
+
+  // What lies outside of the picture is judged by the last pixel before.
+  [[nodiscard]] bool is_seen(const Vec3& place) const {
+    const Camera::Image at = camera_.image_of(place);
+    const auto x = static_cast<std::size_t>(std::clamp(at.x, 0.0, picture_.width - 1.0));
+    const auto y = static_cast<std::size_t>(std::clamp(at.y, 0.0, picture_.height - 1.0));
+    const double distance = (place - camera_.position()).norm();
+    return distance < static_cast<double>(samples_[y * picture_.width + x].distance) * (1 + 1e-3);
+  }
+
+  Picture& picture_;
+  const std::vector<Sample>& samples_;
+  const Camera& camera_;
+  double nearest_;  // Depth from which on there is an image [m].
+};
 
 }  // namespace
 
@@ -129,8 +149,12 @@ Picture draw_scene(Engine& engine, const Scene& scene, const ViewConfig& view, c
 
   const std::vector<Sample> samples = render_picture(renderer, options.width, options.height);
   Picture picture = develop(samples, options.width, options.height);
+  Overlay overlay(picture, samples, camera, 1e-3 * sector.max_range());
   if (options.sonar_outline) {
-    draw_sector(picture, samples, camera, sector);
+    overlay.draw_sector(sector);
+  }
+  for (const Vec3& mark : options.marks) {
+    overlay.draw_mark(mark);
   }
   return picture;
 }

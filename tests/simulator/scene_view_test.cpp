@@ -289,5 +289,22 @@ TEST(FittingViewTest, WorksForSonarsThatLookDownOrAround) {
   EXPECT_TRUE(frames(view, {-6, 4, 1}));
 }
 
+// A cross at the place, unless something stands before it.
+TEST(SceneViewTest, MarksWhatIsSeen) {
+  Stage stage;
+  stage.add_floor().add("steel", make_plane(-Vec3::UnitX(), 4, 4), {10, 0, 2});
+  const ViewConfig view{.position = {0, 0, 2}, .look_at = {10, 0, 2}};
+  const auto draw = [&](std::vector<Vec3> marks) {
+    return draw_scene(stage.engine(), stage.scene(), view, stage.sonar, stage.pose,
+                      {.width = 160, .height = 120, .sonar_outline = false, .marks = std::move(marks)});
+  };
+  const Picture without = draw({});
+  const Picture with = draw({{9, 0, 2}});
+  EXPECT_NE(std::string(with.at(80, 60), with.at(80, 60) + 3), std::string(without.at(80, 60), without.at(80, 60) + 3));
+  EXPECT_GT(with.at(80, 60)[0], 200);
+  EXPECT_EQ(std::string(with.at(90, 70), with.at(90, 70) + 3), std::string(without.at(90, 70), without.at(90, 70) + 3));
+  EXPECT_EQ(draw({{11, 0, 2}, {-5, 0, 2}}).rgb, without.rgb);  // Behind the plate; behind the camera.
+}
+
 }  // namespace
 }  // namespace insonify
