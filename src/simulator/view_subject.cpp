@@ -32,8 +32,10 @@ std::vector<SeenPoint> look_around(Engine& engine, const InsonifiedSector& secto
     }
   }
   // In open water: the far end of the sector, to be seen from anywhere.
-  for (std::size_t i = 0; points.empty() && i < rays.size(); i += 7) {
-    points.push_back({sonar + sector.max_range() * rays[i].direction, Vec3::Zero(), kNoLabel, 1});
+  if (points.empty()) {
+    for (std::size_t i = 0; i < rays.size(); i += 7) {
+      points.push_back({sonar + sector.max_range() * rays[i].direction, Vec3::Zero(), kNoLabel, 1});
+    }
   }
   // A small thing on a wide floor counts for more than the few rays that meet it.
   std::vector<int> rays_on(1 << 16);

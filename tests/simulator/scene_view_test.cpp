@@ -268,6 +268,10 @@ TEST(FittingViewTest, WorksWhereThereIsNothing) {
   const ViewConfig view = stage.fit();
   EXPECT_TRUE(view.position.allFinite());
   EXPECT_TRUE(frames(view, stage.pose.position));
+  for (const double azimuth_deg : {-42.0, 0.0, 42.0}) {  // The far end of the sector.
+    const double azimuth = radians_from_degrees(azimuth_deg), elevation = stage.sonar.elevation_center;
+    EXPECT_TRUE(frames(view, stage.pose * point_from_spherical({20, azimuth, elevation}))) << azimuth_deg;
+  }
 }
 
 TEST(FittingViewTest, WorksForSonarsThatLookDownOrAround) {
