@@ -70,6 +70,26 @@ TEST_F(CliTest, SilenceIsToldWithWhereTheWorldIs) {
             "20, -2) m, the sonar was at (0, 0, 0) m at first, looking along (0, 0, 1), and hears from 0.2 to 12 m\n");
 }
 
+// A point 20 dB stronger is as bright, and as the noise is off all else is dark: the colour bar alone tells them apart.
+TEST_F(CliTest, ColourBarsTellLevels) {
+  folder.write("point.yaml", "sonars: [{max_range: 9}]\nreceiver: {noise: false}\npoints: [{position: [6, 0, 0]}]\n");
+  ASSERT_EQ(shell("insonify run point.yaml -o weak -q --no-view").status, 0);
+  ASSERT_EQ(shell("insonify run point.yaml -o strong -q --no-view --set 'points=[{position: [6, 0, 0], "
+                  "target_strength_db: 20}]'")
+                .status,
+            0);
+  ASSERT_EQ(shell("insonify run point.yaml -o again -q --no-view").status, 0);
+  EXPECT_EQ(shell("cmp -s weak/sonar_fan_0000.png again/sonar_fan_0000.png").status, 0);
+  EXPECT_EQ(shell("cmp -s weak/sonar_fan_0000.png strong/sonar_fan_0000.png").status, 1);
+}
+
+TEST_F(CliTest, ViewsMarkPoints) {
+  const std::string run = "insonify run fan.yaml -q --pictures none --set model=calibrated";
+  ASSERT_EQ(shell(run + " -o without").status, 0);
+  ASSERT_EQ(shell(run + " -o with --set 'points=[{position: [6, 0, 0]}]'").status, 0);
+  EXPECT_EQ(shell("cmp -s without/ahead_view.png with/ahead_view.png").status, 1);
+}
+
 TEST_F(CliTest, EchoesOfPointsAreNoSilence) {
   const Outcome outcome = shell(
       "insonify run fan.yaml -o out -q --no-pictures --set orientation_deg=[0,-90,0] --set 'points=[{position: [0, 0, "
