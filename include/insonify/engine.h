@@ -108,7 +108,7 @@ class Engine {
   /// Takes in the scene. Positions are kept relative to the middle of its bounds, so that survey coordinates do not
   /// cost precision. The scene must outlive the engine or the next call.
   virtual void set_scene(const Scene& scene) = 0;
-  void set_scene(const Scene&& scene) = delete;
+  void set_scene(const Scene&& scene) = delete;  ///< It would not outlive the call.
 
   /// Puts an instance with `moving` set somewhere else; what stands still is not rebuilt.
   virtual void move_instance(int instance, const Pose& world_from_mesh) = 0;

@@ -13,9 +13,8 @@ inline constexpr int kMostBeamsTogether = 16;
 inline constexpr int kLeastBeamsTogether = 4;
 
 /// Each worker's stretch of tasks (see Workers::for_each) ends with small ones, so that all are done together.
-/// @param first_beams  Takes the first beam of every task, and `beams` after the last; allocates only when it needs
-/// more
-///                     memory than before.
+/// @param first_beams  Takes the first beam of every task, and `beams` after the last. Allocates only for more tasks
+///                     than ever before.
 void cut_beams(int beams, int workers, std::vector<int>& first_beams);
 
 }  // namespace insonify

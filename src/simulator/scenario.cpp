@@ -210,7 +210,7 @@ namespace {
 
 // What moves in a ping is reckoned with to the first order in speed over that of sound.
 void check_speeds(const Trajectory& trajectory) {
-  constexpr double kMost = 100;
+  constexpr double kMost = 100;  // [m/s]: a fifteenth of the speed of sound.
   const std::vector<Waypoint>& points = trajectory.waypoints;
   for (std::size_t i = 1; i < points.size(); ++i) {
     const double speed = (points[i].position - points[i - 1].position).norm() / (points[i].time - points[i - 1].time);
