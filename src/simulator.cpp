@@ -5,9 +5,9 @@
 #include <fmt/format.h>
 
 #include "base/parallel.h"
-#include "echo/interference.h"
-#include "echo/point_echoes.h"
-#include "echo/surface_ghosts.h"
+#include "echo/targets/interference.h"
+#include "echo/targets/point_echoes.h"
+#include "echo/targets/surface_ghosts.h"
 #include "insonify/error.h"
 #include "receiver/calibrated_receiver.h"
 #include "receiver/line_array.h"

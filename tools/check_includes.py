@@ -3,7 +3,8 @@
 
     tools/check_includes.py            # from the repository root; exit status 1 on a violation
 
-The chain below is the architecture. A file may include its own module and any module to its left.
+The chain below is the architecture. A file may include its own module and any module to its left. In the larger modules
+a folder is a room: ROOMS says which rooms a file in it may include. Files in a module's own folder may include them all.
 """
 
 import pathlib
@@ -15,6 +16,29 @@ CHAIN = ["base", "acoustics", "scene", "sonar", "echo", "receiver", "image", "si
 # Modules at the edge: which internal headers they may include, and that nothing in the chain may include them. Public
 # headers are open to all of them.
 EDGE = {"io": CHAIN, "similarity": ["base"], "apps": [], "python": [], "ros": [], "web": [], "bench": []}
+
+# Rooms of a module, and the other rooms of that module that each may include.
+ROOMS = {
+    "echo": {
+        "grid": [],
+        "model": ["grid"],
+        "targets": ["grid", "model"],
+        "cpu": ["grid", "model"],
+        "reference": ["grid", "model"],
+    },
+    "io": {
+        "file": [],
+        "picture": ["file"],
+        "grid": ["file", "picture"],
+        "mesh": ["file", "picture"],
+        "world": ["file", "picture", "grid", "mesh"],
+        "scenario": ["file"],
+        "recording": ["file"],
+    },
+}
+
+# Libraries that stay in one place: headers that begin so are included there and nowhere else in src/.
+LIBRARIES = {"embree": "src/echo/cpu/", "assimp": "src/io/mesh/", "sdf/": "src/io/world/", "yaml-cpp": "src/io/scenario/"}
 
 # Public headers live flat in include/insonify/; this is the module each of them speaks for.
 PUBLIC = {
@@ -62,6 +86,7 @@ PUBLIC = {
 }
 
 INCLUDE = re.compile(r'^\s*#include "([^"]+)"')
+SYSTEM_INCLUDE = re.compile(r"^\s*#include <([^>]+)>")
 
 
 def module_of(path):
@@ -72,6 +97,29 @@ def module_of(path):
     if parts[0] == "src":
         return pathlib.PurePosixPath(parts[1]).stem
     return parts[0]
+
+
+def room_of(path, module):
+    """Room of a source path or quoted include below src/; None outside the rooms of its module."""
+    parts = pathlib.PurePosixPath(path).parts
+    parts = parts[1:] if parts[0] == "src" else parts
+    return parts[1] if len(parts) > 2 and parts[0] == module and module in ROOMS else None
+
+
+def room_violation(module, room, include):
+    """Why a file of `room` may not include the quoted path of its own module, or None if it may."""
+    target = room_of(include, module)
+    if room is None or target in (None, room) or target in ROOMS[module][room]:
+        return None
+    return f"is in the room {module}/{target}"
+
+
+def library_violation(file, include):
+    """Why a file below src/ may not include <include>, or None if it may."""
+    for library, home in LIBRARIES.items():
+        if include.startswith(library) and not file.startswith(home):
+            return f"belongs in {home}"
+    return None
 
 
 def violation(module, include):
@@ -98,9 +146,18 @@ def main():
     folders = [d for d in ("include", "src", "apps", "python", "ros", "web", "bench") if pathlib.Path(d).is_dir()]
     for file in sorted(p for d in folders for p in pathlib.Path(d).rglob("*.[hc]*") if p.suffix in (".h", ".cpp")):
         module = module_of(file.as_posix())
+        room = room_of(file.as_posix(), module)
+        if module in ROOMS and room not in ROOMS[module] and room is not None:
+            print(f"{file}: {room} is not a known room of {module}")
+            violations += 1
+            continue
         for number, line in enumerate(file.read_text().splitlines(), start=1):
-            match = INCLUDE.match(line)
-            reason = match and violation(module, match.group(1))
+            match, system = INCLUDE.match(line), SYSTEM_INCLUDE.match(line)
+            reason = None
+            if match:
+                reason = violation(module, match.group(1)) or room_violation(module, room, match.group(1))
+            elif system and file.parts[0] == "src":
+                match, reason = system, library_violation(file.as_posix(), system.group(1))
             if reason:
                 print(f"{file}:{number}: {module} may not include {match.group(1)}, which {reason}")
                 violations += 1

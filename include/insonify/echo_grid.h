@@ -31,7 +31,7 @@ struct LoneEcho {
 
 /// What one surface gave to a cell.
 struct SurfaceEcho {
-  std::uint32_t surface = 0xffffffff;  ///< Instance and material, see echo/echo.h; all ones for none.
+  std::uint32_t surface = 0xffffffff;  ///< Instance and material, see echo/grid/echo.h; all ones for none.
   float energy = 0;
   float elevation_moment = 0;  ///< Sum of energy x elevation, from the middle of the aperture [rad].
   float elevation_square = 0;  ///< Sum of energy x its square [rad^2].
@@ -100,7 +100,7 @@ class EchoGrid {
   struct Cells {
     float* energy = nullptr;
     float* weight = nullptr;
-    std::uint32_t* surface = nullptr;   ///< Instance and material, see echo/echo.h; all ones where nothing echoed.
+    std::uint32_t* surface = nullptr;   ///< Instance and material, see echo/grid/echo.h; all ones where nothing echoed.
     float* lead = nullptr;              ///< Energy by which the label leads all others together.
     float* label_energy = nullptr;      ///< Energy deposited while it led.
     float* elevation_moment = nullptr;  ///< Sum of energy x elevation over that [rad].
@@ -123,7 +123,7 @@ class EchoGrid {
   [[nodiscard]] std::vector<LoneEcho>& lone_echoes() { return lone_echoes_; }
   [[nodiscard]] const std::vector<LoneEcho>& lone_echoes() const { return lone_echoes_; }
 
-  /// With GroundTruth::kFull only. Surfaces of one beam's cells, see echo/surface_tally.h; they mean nothing in cells
+  /// With GroundTruth::kFull only. Surfaces of one beam's cells, see echo/grid/surface_tally.h; they mean nothing in cells
   /// without a label ...
   [[nodiscard]] std::span<const SurfaceTally> tallies(int beam) const { return {&tallies_[start(1, beam)], length()}; }
   /// ... and the solid angle of it that surfaces take before the near edge of bin 0 [sr].

@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "echo/cpu_engine.h"
-#include "echo/reference_engine.h"
+#include "echo/cpu/cpu_engine.h"
+#include "echo/reference/reference_engine.h"
 #include "insonify/engine.h"
 #include "insonify/error.h"
 

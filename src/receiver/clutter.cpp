@@ -7,7 +7,7 @@
 
 #include "base/philox.h"
 #include "base/vector_math.h"
-#include "echo/echo.h"
+#include "echo/grid/echo.h"
 
 namespace insonify {
 namespace {

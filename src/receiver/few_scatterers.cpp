@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "base/philox.h"
-#include "echo/echo.h"
+#include "echo/grid/echo.h"
 
 namespace insonify {
 namespace {

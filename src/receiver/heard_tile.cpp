@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "base/vector_math.h"
-#include "echo/echo.h"
+#include "echo/grid/echo.h"
 
 namespace insonify {
 namespace {

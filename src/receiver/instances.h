@@ -7,7 +7,7 @@
 #include <span>
 #include <utility>
 
-#include "echo/echo.h"
+#include "echo/grid/echo.h"
 #include "insonify/echo_grid.h"
 #include "insonify/ping.h"
 #include "receiver/bearing_cells.h"

@@ -42,7 +42,7 @@ class Speckle {
   /// The scatterers of one row of cells.
   struct Row {
     BinRange bins;                       ///< Whose scatterers they are.
-    std::vector<std::uint32_t> surface;  ///< Of each bin: instance and material, see echo/echo.h.
+    std::vector<std::uint32_t> surface;  ///< Of each bin: instance and material, see echo/grid/echo.h.
     std::uint32_t bearing = 0;           ///< Index that tells the scatterers from those of other rows.
     std::vector<std::uint32_t> range;    ///< Of each, within the row.
     std::vector<float> turns;            ///< Phase of the way there and back, but for what does not change.

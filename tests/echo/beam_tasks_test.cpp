@@ -1,6 +1,6 @@
 // Where the beams of a fan are cut.
 
-#include "echo/beam_tasks.h"
+#include "echo/cpu/beam_tasks.h"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "echo/deposit.h"
+#include "echo/model/deposit.h"
 #include "insonify/engine.h"
 
 namespace insonify {

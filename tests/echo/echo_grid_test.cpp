@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "echo/echo.h"
+#include "echo/grid/echo.h"
 
 namespace insonify {
 namespace {

@@ -1,6 +1,6 @@
 // mirror_tube_test.cpp -- tubes of sound by planes, spheres and cylinders, against the mirror equations.
 
-#include "echo/mirror_tube.h"
+#include "echo/model/mirror_tube.h"
 
 #include <gtest/gtest.h>
 

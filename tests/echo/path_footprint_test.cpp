@@ -1,6 +1,6 @@
 // path_footprint_test.cpp -- stretches of paths by way of a mirror, against paths traced beside them.
 
-#include "echo/path_footprint.h"
+#include "echo/model/path_footprint.h"
 
 #include <gtest/gtest.h>
 

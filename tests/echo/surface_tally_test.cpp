@@ -1,6 +1,6 @@
 // The tally of surfaces against an exact count.
 
-#include "echo/surface_tally.h"
+#include "echo/grid/surface_tally.h"
 
 #include <gtest/gtest.h>
 

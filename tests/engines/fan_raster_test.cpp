@@ -1,8 +1,8 @@
 // The fan rasteriser, sample by sample: against what follows from a triangle's corners, and against rays.
 
-#include "echo/fan_raster.h"
+#include "echo/cpu/fan_raster.h"
 
-#include "echo/hit_column.h"
+#include "echo/model/hit_column.h"
 #include "engines/random_scene.h"
 
 namespace insonify {

@@ -2,7 +2,7 @@
 
 #include "insonify/paper_model.h"
 
-#include "echo/paper_shape.h"
+#include "echo/model/paper_shape.h"
 #include "engines/test_scenes.h"
 #include "insonify/absorption.h"
 

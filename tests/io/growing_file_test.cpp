@@ -1,7 +1,7 @@
 // growing_file_test.cpp -- a growing file is whole at every moment: when its writer is killed, when the disk is full,
 // when it takes the place of another.
 
-#include "io/growing_file.h"
+#include "io/recording/growing_file.h"
 
 #include <gtest/gtest.h>
 #include <sched.h>

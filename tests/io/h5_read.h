@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "io/hdf5.h"
+#include "io/file/hdf5.h"
 
 namespace insonify {
 

@@ -1,6 +1,6 @@
 // hdf5_test.cpp -- HDF5 failures arrive as one-line Errors, and handles close what they own.
 
-#include "io/hdf5.h"
+#include "io/file/hdf5.h"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "insonify/files.h"
-#include "io/hdf5.h"
+#include "io/file/hdf5.h"
 #include "io/loaded_grid.h"
 #include "support/message_of.h"
 #include "support/test_files.h"

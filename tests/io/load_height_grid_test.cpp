@@ -5,7 +5,7 @@
 #include <png.h>
 
 #include "insonify/files.h"
-#include "io/height_grid_file.h"
+#include "io/grid/height_grid_file.h"
 #include "io/loaded_grid.h"
 #include "support/message_of.h"
 #include "support/test_files.h"

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "io/mesh_file.h"
+#include "io/mesh/mesh_file.h"
 #include "scene/mesh_checks.h"
 
 namespace insonify {

@@ -1,6 +1,6 @@
 // sdf_console_test.cpp -- one thread's errors are kept, the others' are shown.
 
-#include "io/sdf_console.h"
+#include "io/world/sdf_console.h"
 
 #include <gmock/gmock.h>
 

@@ -1,6 +1,6 @@
 // sdf_uri_test.cpp -- which file a URI means, and in which order folders are tried.
 
-#include "io/sdf_uri.h"
+#include "io/world/sdf_uri.h"
 
 #include "io/sdf_files.h"
 

@@ -1,6 +1,6 @@
 // triangulate_test.cpp -- polygons of every kind keep their area and their winding when they are cut.
 
-#include "io/triangulate.h"
+#include "io/mesh/triangulate.h"
 
 #include <gtest/gtest.h>
 

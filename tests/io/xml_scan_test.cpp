@@ -1,6 +1,6 @@
 // xml_scan_test.cpp -- tags are found where they stand, and broken XML is told with its line.
 
-#include "io/xml_scan.h"
+#include "io/file/xml_scan.h"
 
 #include "support/message_of.h"
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "echo/echo.h"
+#include "echo/grid/echo.h"
 
 namespace insonify {
 namespace {

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-#include "echo/echo.h"
+#include "echo/grid/echo.h"
 
 namespace insonify {
 namespace {

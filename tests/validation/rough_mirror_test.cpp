@@ -1,7 +1,7 @@
 // rough_mirror_test.cpp -- sound sent on about facets of a rough mirror.
 
-#include "echo/mirror_facet.h"
-#include "echo/mirror_paths.h"
+#include "echo/model/mirror_facet.h"
+#include "echo/model/mirror_paths.h"
 #include "insonify/engine.h"
 #include "insonify/error.h"
 #include "validation/calibrated_scene.h"

@@ -1,0 +1,215 @@
+// beam_task.cpp -- out and straight back.
+
+#include "echo/cpu/beam_task.h"
+
+#include <algorithm>
+#include <cstring>
+
+#include "echo/model/deposit.h"
+
+namespace insonify {
+namespace {
+
+// Four rows of one column, to or from their four lanes of a packet.
+template <typename Value>
+void copy_four(const Value* from, Value* to) {
+  std::memcpy(to, from, 4 * sizeof(Value));
+}
+
+void set_relief(const HitColumn& hits, int row, const ReliefPoint& relief) {
+  hits.gradient_x[row] = relief.gradient.x();
+  hits.gradient_y[row] = relief.gradient.y();
+  hits.gradient_z[row] = relief.gradient.z();
+  hits.texture[row] = relief.reflectivity;
+}
+
+}  // namespace
+
+void BeamTask::prepare(const PingPlan& plan, Followed followed) {
+  plan_ = &plan;
+  followed_ = followed;
+  primary_count_ = 0;
+  onward_.reset_counts();
+  const std::size_t columns = static_cast<std::size_t>(kMostBeamsTogether) * plan.lattice.columns_per_beam;
+  axes_.resize(std::max(axes_.size(), columns));
+  const auto rows = static_cast<std::size_t>(plan.lattice.rows);
+  if (stretches_.position.size() < rows) {
+    stretches_.resize(plan.lattice.rows);
+    strip_.resize(kTile, plan.lattice.rows);
+    for (int column = 0; column < kTile; ++column) {
+      hits_[column] = strip_.column(column);
+    }
+  }
+  sums_.prepare(plan.sonar.bin_count);
+}
+
+void BeamTask::aim(const Pose& world_from_sonar, int first_beam, int last_beam) {
+  const Lattice& lattice = plan_->lattice;
+  first_column_ = first_beam * lattice.columns_per_beam;
+  columns_ = (last_beam - first_beam) * lattice.columns_per_beam;
+  sonar_ = (world_from_sonar.position - scene_.origin()).cast<float>();
+  sonar_axes_ = world_from_sonar.orientation.toRotationMatrix().cast<float>();
+  for (int column = 0; column < columns_; ++column) {
+    axes_[column] = column_axes(lattice, first_column_ + column, sonar_axes_);
+  }
+  for (int lane = 0; lane < kPacketSize; ++lane) {
+    primary_.set_origin(lane, sonar_);
+  }
+}
+
+void BeamTask::aim_strip(int first_column) {
+  for (int column = first_column; column < std::min(first_column + kTile, columns_); ++column) {
+    aim_column(plan_->lattice, first_column_ + column, axes_[column], hits_[column - first_column]);
+  }
+}
+
+// Points the packet at a tile; lanes beyond the lattice are switched off. Returns how many are on.
+int BeamTask::load_tile(int first_column, int first_row) {
+  const int columns = std::min(kTile, columns_ - first_column);
+  const int rows = std::min(kTile, plan_->lattice.rows - first_row);
+  for (int i = 0; i < kTile; ++i) {
+    const HitColumn& hits = hits_[i];
+    const int lane = i * kTile;
+    copy_four(&hits.direction_x[first_row], &primary_.rays.ray.dir_x[lane]);
+    copy_four(&hits.direction_y[first_row], &primary_.rays.ray.dir_y[lane]);
+    copy_four(&hits.direction_z[first_row], &primary_.rays.ray.dir_z[lane]);
+    for (int j = 0; j < kTile; ++j) {
+      primary_.valid[lane + j] = (i < columns) & (j < rows) ? -1 : 0;
+    }
+  }
+  return columns * rows;
+}
+
+// Takes what the packet met over into the strip's columns; rows beyond the lattice land in their padding. Returns
+// whether it met anything.
+bool BeamTask::read_tile(int first_row) {
+  if (primary_.nothing_hit()) {
+    for (int i = 0; i < kTile; ++i) {
+      for (int row = first_row; row < first_row + kTile; ++row) {
+        hits_[i].surface[row] = kNoSurface;
+        hits_[i].range[row] = hits_[i].reflectivity[row] = 0;
+        set_relief(hits_[i], row, {});
+      }
+    }
+    return false;
+  }
+  scene_.shade(primary_.rays.hit, shading_);
+  if (scene_.reliefs().any()) {
+    scene_.add_relief(primary_.rays, shading_, reliefs_);
+    for (int lane = 0; lane < kPacketSize; ++lane) {
+      set_relief(hits_[lane / kTile], first_row + lane % kTile, reliefs_[lane]);
+    }
+  }
+  float range[kPacketSize];
+  for (int lane = 0; lane < kPacketSize; ++lane) {
+    range[lane] = shading_.surface[lane] == kNoSurface ? 0.0F : primary_.rays.ray.tfar[lane];
+  }
+  for (int i = 0; i < kTile; ++i) {
+    const HitColumn& hits = hits_[i];
+    const int lane = i * kTile;
+    copy_four(&shading_.surface[lane], &hits.surface[first_row]);
+    copy_four(&primary_.rays.hit.primID[lane], &hits.triangle[first_row]);
+    copy_four(&range[lane], &hits.range[first_row]);
+    copy_four(&shading_.normal_x[lane], &hits.normal_x[first_row]);
+    copy_four(&shading_.normal_y[lane], &hits.normal_y[first_row]);
+    copy_four(&shading_.normal_z[lane], &hits.normal_z[first_row]);
+    copy_four(&shading_.reflectivity[lane], &hits.reflectivity[first_row]);
+  }
+  return true;
+}
+
+void BeamTask::trace_strip(int first_column) {
+  aim_strip(first_column);
+  int rows_met = 0;
+  for (int row = 0; row < plan_->lattice.rows; row += kTile) {
+    primary_count_ += load_tile(first_column, row);
+    primary_.set_reach(plan_->true_max_range);
+    primary_.intersect(scene_.handle());
+    rows_met = read_tile(row) ? row + kTile : rows_met;
+  }
+  for (HitColumn& hits : hits_) {
+    hits.rows = std::min(rows_met, plan_->lattice.rows);
+    hits.has_relief = scene_.reliefs().any();
+  }
+}
+
+// The same strip from the raster.
+void BeamTask::read_strip(int first_column) {
+  aim_strip(first_column);
+  int rows_met = 0;
+  for (int column = first_column; column < std::min(first_column + kTile, columns_); ++column) {
+    rows_met = std::max(rows_met, raster_.read(first_column_ + column, hits_[column - first_column]));
+  }
+  for (HitColumn& hits : hits_) {
+    hits.rows = rows_met;
+    hits.has_relief = scene_.reliefs().any();
+  }
+  if (scene_.reliefs().any()) {
+    for (int column = first_column; column < std::min(first_column + kTile, columns_); ++column) {
+      add_relief(hits_[column - first_column]);
+    }
+  }
+}
+
+// To a column that was read from the raster.
+void BeamTask::add_relief(const HitColumn& hits) {
+  for (int row = 0; row < std::min(hits.rows + 1, plan_->lattice.rows); ++row) {
+    ReliefPoint point;
+    if (hits.surface[row] != kNoSurface) {
+      const Vec3f direction(hits.direction_x[row], hits.direction_y[row], hits.direction_z[row]);
+      const Vec3f normal(hits.normal_x[row], hits.normal_y[row], hits.normal_z[row]);
+      point = scene_.reliefs().at(instance_of(hits.surface[row]), hits.triangle[row],
+                                  sonar_ + hits.range[row] * direction, normal);
+    }
+    set_relief(hits, row, point);
+    hits.reflectivity[row] *= point.reflectivity;
+  }
+}
+
+void BeamTask::trace_only(const Pose& world_from_sonar, int first_beam, int last_beam) {
+  aim(world_from_sonar, first_beam, last_beam);
+  for (int column = 0; column < columns_; column += kTile) {
+    aim_strip(column);
+    for (int row = 0; row < plan_->lattice.rows; row += kTile) {
+      load_tile(column, row);
+      primary_.set_reach(plan_->true_max_range);
+      primary_.intersect(scene_.handle());
+    }
+  }
+}
+
+void BeamTask::run(const Pose& world_from_sonar, int first_beam, int last_beam, const FanView* view, EchoGrid& grid,
+                   std::vector<Echo>& arrivals, OnwardTask::Log* log) {
+  grid.clear(first_beam, last_beam);
+  aim(world_from_sonar, first_beam, last_beam);
+  if (view != nullptr) {
+    raster_.draw(raster_scene_, *view, *plan_, first_column_, first_column_ + columns_);
+  }
+  arrivals.clear();
+  onward_.start(*plan_, sonar_, sonar_axes_, grid, arrivals, log);
+
+  // Sums depend on the order of their terms. Secondary echoes come as packets fill, so that packets end where
+  // the smallest tasks would: then the order is the same whatever the task.
+  const int columns_together = kLeastBeamsTogether * plan_->lattice.columns_per_beam;
+  for (int first_column = 0; first_column < columns_; first_column += kTile) {
+    if (first_column % columns_together == 0) {
+      onward_.finish();
+    }
+    if (view != nullptr) {
+      read_strip(first_column);
+    } else {
+      trace_strip(first_column);
+    }
+    for (int column = first_column; column < std::min(first_column + kTile, columns_); ++column) {
+      const HitColumn& hits = hits_[column - first_column];
+      evaluate_column(*plan_, followed_, first_column_ + column, axes_[column], hits, stretches_);
+      deposit_column(*plan_, first_column_ + column, hits, stretches_, sums_, grid);
+    }
+    if (followed_ != Followed::kNone) {
+      onward_.follow(hits_[0], strip_.stride(), first_column_ + first_column, std::min(kTile, columns_ - first_column));
+    }
+  }
+  onward_.finish();
+}
+
+}  // namespace insonify

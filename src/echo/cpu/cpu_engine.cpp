@@ -1,0 +1,174 @@
+// cpu_engine.cpp -- a ping cut into tasks.
+
+#include "echo/cpu/cpu_engine.h"
+
+#include <algorithm>
+#include <cassert>
+#include <chrono>
+#include <limits>
+
+#include "echo/model/deposit.h"
+#include "echo/model/followed_hits.h"
+
+namespace insonify {
+namespace {
+
+constexpr int kRaysPerTask = 1024;
+
+}  // namespace
+
+CpuEngine::CpuEngine(int threads) : workers_(threads) {
+  for (int worker = 0; worker < workers_.count(); ++worker) {
+    scratch_.push_back(std::make_unique<BeamTask>(scene_, raster_scene_));
+  }
+}
+
+void CpuEngine::set_scene(const Scene& scene) {
+  scene_.set(scene);
+  raster_source_ = &scene;
+  raster_scene_ = {};
+  triangle_count_ = scene.triangle_count();
+  poses_.clear();
+  for (const Instance& instance : scene.instances) {
+    poses_.push_back(instance.world_from_mesh);
+  }
+}
+
+void CpuEngine::move_instance(int instance, const Pose& world_from_mesh) {
+  scene_.move(instance, world_from_mesh);
+  poses_[instance] = world_from_mesh;
+  if (raster_source_ == nullptr) {
+    raster_scene_.move(instance, world_from_mesh);
+  }
+}
+
+const FanView* CpuEngine::look(const PingPlan& plan, const Pose& world_from_sonar) {
+  const bool even_rows = plan.lattice.even_rows;
+  if (primary_echoes(plan.primary, plan.sonar, triangle_count_, name(), even_rows) == PrimaryEchoes::kRays) {
+    return nullptr;
+  }
+  assert(even_rows);
+  if (raster_source_ != nullptr) {
+    raster_scene_.set(*raster_source_);
+    for (std::size_t i = 0; i < poses_.size(); ++i) {
+      if (raster_source_->instances[i].moving) {
+        raster_scene_.move(static_cast<int>(i), poses_[i]);
+      }
+    }
+    raster_source_ = nullptr;
+  }
+  view_.look(raster_scene_, plan, {world_from_sonar.position - raster_scene_.origin(), world_from_sonar.orientation});
+  return &view_;
+}
+
+template <typename Work>
+void CpuEngine::for_each_task(const PingPlan& plan, Followed followed, Work&& work) {
+  for (const auto& scratch : scratch_) {
+    scratch->prepare(plan, followed);
+  }
+  workers_.for_each(task_count(), [&](int task, int worker) {
+    const DenormalsOff denormals_off;
+    work(*scratch_[worker], first_beams_[task], first_beams_[task + 1], task);
+  });
+}
+
+void CpuEngine::insonify(const PingPlan& plan, const Pose& world_from_sonar, std::uint64_t, EchoGrid& grid,
+                         BeamSink* sink) {
+  scene_.commit_moves();
+  const FanView* view = look(plan, world_from_sonar);
+  counts_ = {};
+  const Followed followed =
+      followed_hits(*this, plan, world_from_sonar, scene_.origin(), scene_.boxes(), counts_.secondary);
+  cut_beams(plan.sonar.beam_count, workers_.count(), first_beams_);
+  arrivals_.resize(std::max(arrivals_.size(), static_cast<std::size_t>(task_count())));
+  for_each_task(plan, followed, [&](BeamTask& scratch, int first_beam, int last_beam, int task) {
+    scratch.run(world_from_sonar, first_beam, last_beam, view, grid, arrivals_[task]);
+    if (sink != nullptr) {
+      sink->take(first_beam, last_beam);
+    }
+  });
+  for (int task = 0; task < task_count(); ++task) {
+    for (const Echo& echo : arrivals_[task]) {
+      deposit(plan, echo, grid);
+    }
+  }
+  for (const auto& scratch : scratch_) {
+    const RayCounts counts = scratch->counts();
+    counts_.primary += counts.primary;
+    counts_.secondary += counts.secondary;
+    counts_.return_legs += counts.return_legs;
+  }
+}
+
+std::vector<double> CpuEngine::time_traversal(const PingPlan& plan, const Pose& world_from_sonar, int repetitions) {
+  cut_beams(plan.sonar.beam_count, workers_.count(), first_beams_);
+  std::vector<OnwardTask::Log> logs(task_count());
+  EchoGrid grid(plan.sonar.beam_count, plan.sonar.bin_count, kPathOrders);
+  std::uint64_t probes = 0;
+  const Followed followed = followed_hits(*this, plan, world_from_sonar, scene_.origin(), scene_.boxes(), probes);
+  for_each_task(plan, followed, [&](BeamTask& scratch, int first_beam, int last_beam, int task) {
+    std::vector<Echo> arrivals;
+    scratch.run(world_from_sonar, first_beam, last_beam, nullptr, grid, arrivals, &logs[task]);
+  });
+
+  std::vector<double> seconds;
+  for (int repetition = 0; repetition < repetitions; ++repetition) {
+    const auto start = std::chrono::steady_clock::now();
+    for_each_task(plan, followed, [&](BeamTask& scratch, int first_beam, int last_beam, int task) {
+      scratch.trace_only(world_from_sonar, first_beam, last_beam);
+      for (const RayPacket& logged : logs[task].onward) {
+        RayPacket packet = logged;
+        packet.intersect(scene_.handle());
+      }
+      for (const RayPacket& logged : logs[task].back) {
+        RayPacket packet = logged;
+        scene_.occlude(packet);
+      }
+    });
+    seconds.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+  }
+  return seconds;
+}
+
+void CpuEngine::trace(std::span<const Ray> rays, std::span<Hit> hits) {
+  scene_.commit_moves();
+  workers_.for_each((static_cast<int>(rays.size()) + kRaysPerTask - 1) / kRaysPerTask, [&](int task, int) {
+    const DenormalsOff denormals_off;
+    const std::size_t end = std::min(rays.size(), static_cast<std::size_t>(task + 1) * kRaysPerTask);
+    RayPacket packet;
+    for (std::size_t first = static_cast<std::size_t>(task) * kRaysPerTask; first < end; first += kPacketSize) {
+      const int count = static_cast<int>(std::min<std::size_t>(kPacketSize, end - first));
+      packet.set_count(count);
+      float reach = 0;
+      for (int lane = 0; lane < count; ++lane) {
+        const Ray& ray = rays[first + lane];
+        packet.set_origin(lane, (ray.origin - scene_.origin()).cast<float>());
+        packet.set_direction(lane, ray.direction.cast<float>());
+        packet.rays.ray.tnear[lane] = static_cast<float>(ray.min_distance);
+        reach = std::max(reach, static_cast<float>(ray.max_distance));
+      }
+      packet.set_reach(reach);
+      packet.intersect(scene_.handle());
+      CpuScene::Shading shading;
+      scene_.shade(packet.rays.hit, shading);
+      const CpuScene::Shading flat = shading;
+      if (scene_.reliefs().any()) {
+        scene_.bend_normals(packet.rays, shading);
+      }
+      for (int lane = 0; lane < count; ++lane) {
+        const Ray& ray = rays[first + lane];
+        const double distance = static_cast<double>(packet.rays.ray.tfar[lane]);
+        Hit& hit = hits[first + lane];
+        hit = {.distance = std::numeric_limits<double>::infinity()};
+        if (packet.hit(lane) && distance <= ray.max_distance) {
+          const Vec3 normal = shading.normal(lane).cast<double>().normalized();
+          const bool from_behind = flat.normal(lane).cast<double>().dot(ray.direction) > 0;
+          hit = {distance, from_behind ? Vec3(-normal) : normal, instance_of(shading.surface[lane]),
+                 material_of(shading.surface[lane]), shading.reflectivity[lane]};
+        }
+      }
+    }
+  });
+}
+
+}  // namespace insonify

@@ -1,0 +1,59 @@
+// cpu_engine.h -- the engine for machines without a GPU: Embree packets on all processors.
+
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "base/parallel.h"
+#include "echo/cpu/beam_task.h"
+#include "echo/cpu/cpu_scene.h"
+#include "insonify/engine.h"
+
+namespace insonify {
+
+/// Tasks of a few beams: primaries in coherent 16-wide packets of 4 columns by 4 rows, shading a column at a time,
+/// secondaries and return legs packed in the same order. A task writes its own beams of the grid and nothing else.
+class CpuEngine final : public Engine {
+ public:
+  explicit CpuEngine(int threads);
+
+  [[nodiscard]] std::string_view name() const override { return "cpu"; }
+  void set_scene(const Scene& scene) override;
+  void move_instance(int instance, const Pose& world_from_mesh) override;
+  void insonify(const PingPlan& plan, const Pose& world_from_sonar, std::uint64_t ping, EchoGrid& grid,
+                BeamSink* sink) override;
+  void trace(std::span<const Ray> rays, std::span<Hit> hits) override;
+  [[nodiscard]] RayCounts ray_counts() const override { return counts_; }
+
+  [[nodiscard]] EngineMemory memory() const override {
+    return {scene_.bytes() + raster_scene_.bytes(), scene_.embree_bytes()};
+  }
+
+  /// See insonify::time_traversal().
+  [[nodiscard]] std::vector<double> time_traversal(const PingPlan& plan, const Pose& world_from_sonar, int repetitions);
+
+ private:
+  // What the ping sees of the raster scene when its primaries are to be drawn, else null.
+  const FanView* look(const PingPlan& plan, const Pose& world_from_sonar);
+
+  // Calls work(scratch, first_beam, last_beam, task) for every task of a ping.
+  template <typename Work>
+  void for_each_task(const PingPlan& plan, Followed followed, Work&& work);
+  [[nodiscard]] int task_count() const { return static_cast<int>(first_beams_.size()) - 1; }
+
+  Workers workers_;
+  CpuScene scene_;
+  // What raster_scene_ is still to be made from, by the first ping that needs it.
+  const Scene* raster_source_ = nullptr;
+  std::size_t triangle_count_ = 0;
+  std::vector<Pose> poses_;  // Of the instances.
+  RasterScene raster_scene_;
+  FanView view_;
+  std::vector<std::unique_ptr<BeamTask>> scratch_;  // One a worker.
+  std::vector<int> first_beams_;                    // Of the tasks of a ping, see cut_beams().
+  std::vector<std::vector<Echo>> arrivals_;         // Of each task.
+  RayCounts counts_;
+};
+
+}  // namespace insonify

@@ -1,0 +1,275 @@
+// cpu_scene.cpp -- building and updating the Embree scene.
+
+#include "echo/cpu/cpu_scene.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <new>
+
+#include "base/vector_math.h"
+#include "insonify/error.h"
+
+namespace insonify {
+namespace {
+
+[[noreturn]] void fail(const std::string& what, RTCError error) {
+  if (error == RTC_ERROR_OUT_OF_MEMORY) {
+    throw std::bad_alloc();
+  }
+  throw Error(fmt::format("Embree {} (error {})", what, static_cast<int>(error)));
+}
+
+void place(RTCGeometry geometry, const Pose& world_from_mesh, const Vec3& origin) {
+  const Eigen::Matrix3f rotation = world_from_mesh.orientation.toRotationMatrix().cast<float>();
+  const Vec3f offset = (world_from_mesh.position - origin).cast<float>();
+  Eigen::Matrix<float, 3, 4> transform;  // Column-major, as Embree's FLOAT3X4_COLUMN_MAJOR.
+  transform << rotation, offset;
+  rtcSetGeometryTransform(geometry, 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR, transform.data());
+  rtcCommitGeometry(geometry);
+}
+
+// The normals at the corners of the triangles that sixteen rays met.
+struct alignas(64) Corners {
+  float x[3][kPacketSize], y[3][kPacketSize], z[3][kPacketSize];
+};
+
+INSONIFY_VECTOR_CLONES
+void interpolate(const RTCHit16& __restrict__ hits, const Corners& __restrict__ corners,
+                 CpuScene::Shading& __restrict__ shading) {
+  for (int lane = 0; lane < kPacketSize; ++lane) {
+    const float u = hits.u[lane], v = hits.v[lane], w = 1 - u - v;
+    shading.normal_x[lane] = w * corners.x[0][lane] + u * corners.x[1][lane] + v * corners.x[2][lane];
+    shading.normal_y[lane] = w * corners.y[0][lane] + u * corners.y[1][lane] + v * corners.y[2][lane];
+    shading.normal_z[lane] = w * corners.z[0][lane] + u * corners.z[1][lane] + v * corners.z[2][lane];
+  }
+}
+
+}  // namespace
+
+CpuScene::CpuScene() {
+  device_ = rtcNewDevice(nullptr);  // Naming a thread count here would limit every other user of oneTBB in the process.
+  if (device_ == nullptr) {
+    fail("cannot start", rtcGetDeviceError(nullptr));
+  }
+  rtcSetDeviceMemoryMonitorFunction(
+      device_,
+      [](void* sum, ssize_t bytes, bool) {
+        *static_cast<std::atomic<std::ptrdiff_t>*>(sum) += bytes;
+        return true;
+      },
+      &embree_bytes_);
+}
+
+CpuScene::~CpuScene() {
+  clear();
+  rtcReleaseDevice(device_);
+}
+
+void CpuScene::clear() {
+  for (const Part& part : parts_) {
+    if (part.placed != nullptr) {
+      rtcReleaseGeometry(part.placed);
+      rtcReleaseScene(part.own_scene);
+    }
+  }
+  parts_.clear();
+  any_moving_ = false;
+  if (scene_ != nullptr) {
+    rtcReleaseScene(scene_);
+    scene_ = nullptr;
+  }
+}
+
+void CpuScene::set(const Scene& scene) {
+  clear();
+  const Box3 bounds = scene.bounds();
+  origin_ = scene.instances.empty() ? Vec3::Zero() : Vec3(0.5 * (bounds.low + bounds.high));
+  boxes_.set(scene, origin_);
+  reliefs_.set(scene, origin_);
+  reflectivity_.clear();
+  for (const Material& material : scene.materials) {
+    reflectivity_.push_back(static_cast<float>(material.effective_reflectivity()));
+  }
+
+  // Two levels that can be rebuilt apart: a cheap top over geometries that are each built well.
+  scene_ = rtcNewScene(device_);
+  rtcSetSceneFlags(scene_, RTC_SCENE_FLAG_DYNAMIC);
+  rtcSetSceneBuildQuality(scene_, RTC_BUILD_QUALITY_LOW);
+  parts_.resize(scene.instances.size());
+  for (std::size_t i = 0; i < scene.instances.size(); ++i) {
+    const Instance& instance = scene.instances[i];
+    Part& part = parts_[i];
+    part.triangles = instance.mesh->triangles.data();
+    part.slots = instance.mesh->material_slots.empty() ? nullptr : instance.mesh->material_slots.data();
+    for (const std::uint16_t material : instance.materials) {
+      part.surfaces.push_back(surface_label(static_cast<std::uint16_t>(i), material));
+    }
+    if (instance.moving) {
+      add_moving(instance, static_cast<unsigned>(i));
+    } else {
+      add_still(instance, static_cast<unsigned>(i));
+    }
+  }
+  rtcCommitScene(scene_);
+  if (const RTCError error = rtcGetDeviceError(device_); error != RTC_ERROR_NONE) {
+    fail(fmt::format("cannot build the scene of {} triangles", scene.triangle_count()), error);
+  }
+}
+
+RTCGeometry CpuScene::make_triangles(const Mesh& mesh, const std::vector<Vec3f>& vertices) {
+  RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE);
+  rtcSetGeometryBuildQuality(geometry, RTC_BUILD_QUALITY_MEDIUM);
+  rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, vertices.data(), 0, sizeof(Vec3f),
+                             vertices.size() - 1);
+  rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, mesh.triangles.data(), 0,
+                             sizeof(mesh.triangles[0]), mesh.triangles.size());
+  rtcCommitGeometry(geometry);
+  return geometry;
+}
+
+void CpuScene::add_still(const Instance& instance, unsigned id) {
+  const Mesh& mesh = *instance.mesh;
+  Part& part = parts_[id];
+  part.own_vertices.reserve(mesh.vertices.size() + 1);
+  for (const Vec3f& vertex : mesh.vertices) {
+    part.own_vertices.push_back((instance.world_from_mesh * vertex.cast<double>().eval() - origin_).cast<float>());
+  }
+  part.own_vertices.emplace_back(Vec3f::Zero());  // Embree reads 16 bytes at the last vertex.
+
+  // Normals only turn; where nothing turns the mesh's own serve.
+  if (instance.world_from_mesh.orientation.isApprox(Eigen::Quaterniond::Identity())) {
+    part.normals = mesh.normals.data();
+  } else {
+    const Eigen::Matrix3f rotation = instance.world_from_mesh.orientation.toRotationMatrix().cast<float>();
+    part.own_normals.reserve(mesh.normals.size());
+    for (const Vec3f& normal : mesh.normals) {
+      part.own_normals.emplace_back(rotation * normal);
+    }
+    part.normals = part.own_normals.data();
+  }
+  RTCGeometry geometry = make_triangles(mesh, part.own_vertices);
+  rtcAttachGeometryByID(scene_, geometry, id);
+  rtcReleaseGeometry(geometry);
+}
+
+void CpuScene::add_moving(const Instance& instance, unsigned id) {
+  const Mesh& mesh = *instance.mesh;
+  Part& part = parts_[id];
+  part.normals = mesh.normals.data();
+  part.own_vertices.assign(mesh.vertices.begin(), mesh.vertices.end());
+  part.own_vertices.emplace_back(Vec3f::Zero());
+  part.own_scene = rtcNewScene(device_);
+  RTCGeometry geometry = make_triangles(mesh, part.own_vertices);
+  rtcAttachGeometry(part.own_scene, geometry);
+  rtcReleaseGeometry(geometry);
+  rtcCommitScene(part.own_scene);
+
+  any_moving_ = true;
+  part.placed = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_INSTANCE);
+  rtcSetGeometryInstancedScene(part.placed, part.own_scene);
+  part.rotation = instance.world_from_mesh.orientation.toRotationMatrix().cast<float>();
+  place(part.placed, instance.world_from_mesh, origin_);
+  rtcAttachGeometryByID(scene_, part.placed, id);
+}
+
+// First what each ray met is looked up, then all are worked out together.
+void CpuScene::shade(const RTCHit16& hits, Shading& shading) const {
+  Corners corners;
+  std::fill_n(shading.texture, kPacketSize, 1.0F);
+  for (int lane = 0; lane < kPacketSize; ++lane) {
+    if (hits.geomID[lane] == RTC_INVALID_GEOMETRY_ID) {
+      shading.surface[lane] = kNoSurface;
+      shading.reflectivity[lane] = 0;
+      for (int corner = 0; corner < 3; ++corner) {
+        corners.x[corner][lane] = corners.y[corner][lane] = corners.z[corner][lane] = 0;
+      }
+      continue;
+    }
+    const bool moves = hits.instID[0][lane] != RTC_INVALID_GEOMETRY_ID;
+    const Part& part = parts_[moves ? hits.instID[0][lane] : hits.geomID[lane]];
+    const unsigned triangle = hits.primID[lane];
+    const SurfaceLabel surface = part.surfaces[part.slots == nullptr ? 0 : part.slots[triangle]];
+    shading.surface[lane] = surface;
+    shading.reflectivity[lane] = reflectivity_[material_of(surface)];
+    for (int corner = 0; corner < 3; ++corner) {
+      const Vec3f& own = part.normals[part.triangles[triangle][corner]];
+      const Vec3f normal = moves ? Vec3f(part.rotation * own) : own;
+      corners.x[corner][lane] = normal.x();
+      corners.y[corner][lane] = normal.y();
+      corners.z[corner][lane] = normal.z();
+    }
+  }
+  interpolate(hits, corners, shading);
+}
+
+MirrorTube CpuScene::tube(SurfaceLabel surface, std::uint32_t triangle, const Vec3f& direction, const Vec3f& normal,
+                          float range) const {
+  const Part& part = parts_[instance_of(surface)];
+  std::array<Vec3f, 3> corners, normals;
+  for (int k = 0; k < 3; ++k) {
+    const std::uint32_t vertex = part.triangles[triangle][k];
+    corners[k] = part.own_vertices[vertex];
+    normals[k] = part.normals[vertex];
+  }
+  if (part.placed == nullptr) {
+    return mirror_tube(corners, normals, direction, normal, range);
+  }
+  const Eigen::Matrix3f turned = part.rotation.transpose();
+  return mirror_tube(corners, normals, turned * direction, turned * normal, range);
+}
+
+void CpuScene::add_relief(const RTCRayHit16& rays, Shading& shading, ReliefPoint* reliefs) const {
+  const RTCRay16& ray = rays.ray;
+  for (int lane = 0; lane < kPacketSize; ++lane) {
+    reliefs[lane] = {};
+    if (shading.surface[lane] == kNoSurface) {
+      continue;
+    }
+    const Vec3f origin(ray.org_x[lane], ray.org_y[lane], ray.org_z[lane]);
+    const Vec3f direction(ray.dir_x[lane], ray.dir_y[lane], ray.dir_z[lane]);
+    reliefs[lane] = reliefs_.at(instance_of(shading.surface[lane]), rays.hit.primID[lane],
+                                origin + ray.tfar[lane] * direction, shading.normal(lane));
+    shading.texture[lane] = reliefs[lane].reflectivity;
+    shading.reflectivity[lane] *= reliefs[lane].reflectivity;
+  }
+}
+
+void CpuScene::bend_normals(const RTCRayHit16& rays, Shading& shading) const {
+  ReliefPoint reliefs[kPacketSize];
+  add_relief(rays, shading, reliefs);
+  for (int lane = 0; lane < kPacketSize; ++lane) {
+    if (shading.surface[lane] != kNoSurface) {
+      const Vec3f normal = bent_normal(shading.normal(lane), reliefs[lane].gradient);
+      shading.normal_x[lane] = normal.x();
+      shading.normal_y[lane] = normal.y();
+      shading.normal_z[lane] = normal.z();
+    }
+  }
+}
+
+void CpuScene::move(int instance, const Pose& world_from_mesh) {
+  Part& part = parts_[instance];
+  part.rotation = world_from_mesh.orientation.toRotationMatrix().cast<float>();
+  place(part.placed, world_from_mesh, origin_);
+  reliefs_.move(instance, world_from_mesh);
+  boxes_.move(instance, {world_from_mesh.position - origin_, world_from_mesh.orientation});
+  moved_ = true;
+}
+
+void CpuScene::commit_moves() {
+  if (moved_) {
+    rtcCommitScene(scene_);
+    moved_ = false;
+  }
+}
+
+std::size_t CpuScene::bytes() const {
+  std::size_t sum = 0;
+  for (const Part& part : parts_) {
+    sum += part.own_vertices.capacity() * sizeof(Vec3f) + part.own_normals.capacity() * sizeof(Vec3f);
+  }
+  return sum;
+}
+
+}  // namespace insonify

@@ -1,0 +1,165 @@
+// fan_raster.cpp -- every triangle into the columns it may touch, sixteen columns and then sixteen rows at a time.
+
+#include "echo/cpu/fan_raster.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/vector_math.h"
+#include "echo/cpu/facets.h"
+
+namespace insonify {
+namespace {
+
+constexpr int kTogether = FanRaster::kTogether;
+
+// Triangles reach beyond their edges by this share of a row, so that no sample falls between those that meet in one
+// corner: more than single precision loses, far less than shows.
+constexpr float kOverlap = 3e-5F;
+
+// Rows by tan(elevation).
+struct RowScale {
+  float tan_step, rows_per_tan, last_row;
+};
+
+// How far a triangle reaches in sixteen columns.
+struct Reach {
+  int first_row[kTogether], last_row[kTogether];
+  float nearness[kTogether];  // At row 0.
+  float per_row;
+};
+
+[[gnu::always_inline]] inline void find_reach(const Facets& facets, int lane, const float* __restrict__ cos_az,
+                                              const float* __restrict__ sin_az, const float* __restrict__ first_tan,
+                                              RowScale scale, Reach& __restrict__ reach) {
+  reach.per_row = facets.plane_z[lane] * scale.tan_step;
+#pragma GCC unroll 1
+#pragma GCC ivdep
+  for (int i = 0; i < kTogether; ++i) {
+    const float x = cos_az[i], y = sin_az[i], t0 = first_tan[i];
+    float low = 0, high = scale.last_row;
+    for (int k = 0; k < 3; ++k) {
+      const float at =
+          (facets.edge_x[k][lane] * x + facets.edge_y[k][lane] * y + facets.edge_0[k][lane] - t0) * scale.rows_per_tan;
+      const bool upper = facets.upper[k][lane] > 0;
+      low = !upper & (at > low) ? at : low;
+      high = upper & (at < high) ? at : high;
+    }
+    low = (low < scale.last_row + 1 ? low : scale.last_row + 1) - kOverlap;
+    high = (high > -1 ? high : -1) + kOverlap;
+    const int first_row = static_cast<int>(low);
+    reach.first_row[i] = first_row + (static_cast<float>(first_row) < low ? 1 : 0);
+    reach.last_row[i] = static_cast<int>(high + 1) - 1;
+    reach.nearness[i] = facets.plane_x[lane] * x + facets.plane_y[lane] * y + facets.plane_z[lane] * t0;
+  }
+}
+
+// Sixteen rows from first_row on, or fewer up to last_row.
+[[gnu::always_inline]] inline void draw_rows(std::uint32_t triangle, float at_row_0, float per_row, int first_row,
+                                             int last_row, float* __restrict__ nearness,
+                                             std::uint32_t* __restrict__ nearest) {
+  const int last = last_row - first_row;
+  const float at_first = at_row_0 + per_row * static_cast<float>(first_row);
+#pragma GCC unroll 1
+#pragma GCC ivdep
+  for (int i = 0; i < kTogether; ++i) {
+    const float near = at_first + per_row * static_cast<float>(i);
+    const bool nearer = (near > nearness[i]) & (i <= last);
+    nearness[i] = nearer ? near : nearness[i];
+    nearest[i] = nearer ? triangle : nearest[i];
+  }
+}
+
+INSONIFY_VECTOR_CLONES
+void fill_nearness(int rows, float max_range, const float* __restrict__ cos_el, float* __restrict__ nearness) {
+  for (int row = 0; row < rows; ++row) {
+    nearness[row] = 1 / (cos_el[row] * max_range);
+  }
+}
+
+}  // namespace
+
+void FanRaster::Columns::set(const Lattice& lattice, int first, int last) {
+  count = last - first;
+  const std::size_t padded = (static_cast<std::size_t>(count) + kTogether - 1) / kTogether * kTogether;
+  if (cos_azimuth.size() < padded + kTogether) {
+    for (std::vector<float>* values : {&cos_azimuth, &sin_azimuth, &first_tan}) {
+      values->resize(padded + kTogether);
+    }
+  }
+  for (int i = 0; i < count; ++i) {
+    cos_azimuth[i] = lattice.cos_azimuth[first + i];
+    sin_azimuth[i] = lattice.sin_azimuth[first + i];
+    first_tan[i] = lattice.first_tan(first + i);
+  }
+}
+
+void FanRaster::draw(const RasterScene& scene, const FanView& view, const PingPlan& plan, int first_column,
+                     int last_column) {
+  scene_ = &scene;
+  view_ = &view;
+  plan_ = &plan;
+  first_column_ = first_column;
+  columns_.set(plan.lattice, first_column, last_column);
+  clear(plan.true_max_range);
+  for (const FanView::Visible& visible : view.visible()) {
+    const int first = std::max(first_column, visible.first_column);
+    const int last = std::min(last_column, visible.last_column);
+    if (first < last) {
+      draw_cluster(scene.clusters()[visible.cluster], first - first_column, last - first_column);
+    }
+  }
+}
+
+void FanRaster::clear(float max_range) {
+  const Lattice& lattice = plan_->lattice;
+  stride_ = lattice.rows + kTogether;
+  const std::size_t cells = static_cast<std::size_t>(columns_.count) * stride_;
+  if (nearness_.size() < cells) {
+    nearness_.resize(cells);
+    nearest_.resize(cells);
+  }
+  std::fill_n(nearest_.begin(), cells, kNothing);
+  // What is farther than the range never gets in: |d| = 1 / cos(elevation).
+  for (int column = 0; column < columns_.count; ++column) {
+    fill_nearness(lattice.rows, max_range, lattice.cosines(first_column_ + column),
+                  &nearness_[static_cast<std::size_t>(column) * stride_]);
+  }
+  shadings_.assign(kShadings, {});
+}
+
+INSONIFY_VECTOR_CLONES
+void FanRaster::draw_cluster(const TriangleCluster& cluster, int first_column, int last_column) {
+  const Lattice& lattice = plan_->lattice;
+  const Lattice::Edges& edges = lattice.edges_of(0);
+  const float tan_low = edges.sin_low / edges.cos_low, tan_high = edges.sin_high / edges.cos_high;
+  const RowScale scale{lattice.tan_step, 1 / lattice.tan_step, static_cast<float>(lattice.rows - 1)};
+  Facets facets;
+  Reach reach;
+  for (std::uint32_t done = 0; done < cluster.triangle_count; done += kBlockSize) {
+    const std::uint32_t block = cluster.first_block + done / kBlockSize;
+    make_facets(scene_->blocks()[block], view_->placement(cluster.instance), tan_low, tan_high, facets);
+    const int count = static_cast<int>(std::min<std::uint32_t>(kBlockSize, cluster.triangle_count - done));
+    for (int lane = 0; lane < count; ++lane) {
+      if (facets.low[lane] > facets.high[lane]) {
+        continue;
+      }
+      const auto [first, last] = view_->finder().between(facets.low[lane], facets.high[lane]);
+      const int end = std::min(last - first_column_, last_column);
+      const std::uint32_t triangle = block * kBlockSize + static_cast<std::uint32_t>(lane);
+      for (int begin = std::max(first - first_column_, first_column); begin < end; begin += kTogether) {
+        find_reach(facets, lane, &columns_.cos_azimuth[begin], &columns_.sin_azimuth[begin], &columns_.first_tan[begin],
+                   scale, reach);
+        for (int i = 0; i < std::min(kTogether, end - begin); ++i) {
+          const std::size_t column = static_cast<std::size_t>(begin + i) * stride_;
+          for (int row = reach.first_row[i]; row <= reach.last_row[i]; row += kTogether) {
+            draw_rows(triangle, reach.nearness[i], reach.per_row, row, reach.last_row[i], &nearness_[column + row],
+                      &nearest_[column + row]);
+          }
+        }
+      }
+    }
+  }
+}
+
+}  // namespace insonify

@@ -1,0 +1,116 @@
+// onward_rays.cpp -- from hits of a strip to rays.
+
+#include "echo/cpu/onward_rays.h"
+
+#include "base/vector_math.h"
+#include "echo/model/mirror_facet.h"
+#include "echo/model/reflected_reach.h"
+
+namespace insonify {
+namespace {
+
+INSONIFY_VECTOR_CLONES
+void aim(const HitColumn& strip, const int* __restrict__ place, int count, Vec3f sonar, float max_range,
+         RTCRay16& __restrict__ rays, OnwardOrigins& __restrict__ origins, Mirrors& __restrict__ mirrors) {
+  const float* __restrict__ direction_x = strip.direction_x;
+  const float* __restrict__ direction_y = strip.direction_y;
+  const float* __restrict__ direction_z = strip.direction_z;
+  const float* __restrict__ normal_x = strip.normal_x;
+  const float* __restrict__ normal_y = strip.normal_y;
+  const float* __restrict__ normal_z = strip.normal_z;
+  const float* __restrict__ facing = strip.facing;
+  const float* __restrict__ strength = strip.strength;
+  const float* __restrict__ range = strip.range;
+  const float* __restrict__ selected = strip.selected;
+  const float sonar_x = sonar[0], sonar_y = sonar[1], sonar_z = sonar[2];
+  for (int lane = 0; lane < count; ++lane) {
+    const int at = place[lane];
+    const float x = direction_x[at], y = direction_y[at], z = direction_z[at];
+    const float nx = normal_x[at], ny = normal_y[at], nz = normal_z[at];
+    const float out = range[at], turn = 2 * facing[at];
+    rays.tfar[lane] = reflected_reach(out, 1 - turn * facing[at], max_range);
+    rays.org_x[lane] = sonar_x + x * out;
+    rays.org_y[lane] = sonar_y + y * out;
+    rays.org_z[lane] = sonar_z + z * out;
+    rays.dir_x[lane] = mirrors.onward_x[lane] = x - turn * nx;
+    rays.dir_y[lane] = mirrors.onward_y[lane] = y - turn * ny;
+    rays.dir_z[lane] = mirrors.onward_z[lane] = z - turn * nz;
+    mirrors.place_x[lane] = x * out;
+    mirrors.place_y[lane] = y * out;
+    mirrors.place_z[lane] = z * out;
+    mirrors.normal_x[lane] = nx;
+    mirrors.normal_y[lane] = ny;
+    mirrors.normal_z[lane] = nz;
+    origins.range[lane] = out;
+    origins.strength[lane] = strength[at];
+    origins.selected[lane] = selected[at];
+  }
+}
+
+INSONIFY_VECTOR_CLONES
+void compare(const HitColumn& strip, const int* __restrict__ beside, int count, const float* __restrict__ range,
+             const Mirrors& __restrict__ mirrors, MirrorChanges& __restrict__ changes) {
+  const float* __restrict__ direction_x = strip.direction_x;
+  const float* __restrict__ direction_y = strip.direction_y;
+  const float* __restrict__ direction_z = strip.direction_z;
+  const float* __restrict__ normal_x = strip.normal_x;
+  const float* __restrict__ normal_y = strip.normal_y;
+  const float* __restrict__ normal_z = strip.normal_z;
+  const float* __restrict__ ranges = strip.range;
+  for (int lane = 0; lane < count; ++lane) {
+    const int at = beside[lane];
+    const MirrorSample here{{mirrors.place_x[lane], mirrors.place_y[lane], mirrors.place_z[lane]},
+                            {mirrors.normal_x[lane], mirrors.normal_y[lane], mirrors.normal_z[lane]},
+                            {mirrors.onward_x[lane], mirrors.onward_y[lane], mirrors.onward_z[lane]},
+                            range[lane]};
+    const MirrorSample there = MirrorSample::of({direction_x[at], direction_y[at], direction_z[at]},
+                                                {normal_x[at], normal_y[at], normal_z[at]}, ranges[at]);
+    changes.set(lane, mirror_change(here, there));
+  }
+}
+
+INSONIFY_VECTOR_CLONES
+void turn(const HitColumn& strip, const int* __restrict__ place_of, int count, float max_range, std::uint32_t seed,
+          const Mirrors& __restrict__ mirrors, RTCRay16& __restrict__ rays, OnwardOrigins& __restrict__ origins) {
+  const float* __restrict__ gradient_x = strip.gradient_x;
+  const float* __restrict__ gradient_y = strip.gradient_y;
+  const float* __restrict__ gradient_z = strip.gradient_z;
+  const float relief = strip.has_relief ? 1.0F : 0.0F;
+  for (int lane = 0; lane < count; ++lane) {
+    const float out = origins.range[lane];
+    const Triple place{mirrors.place_x[lane], mirrors.place_y[lane], mirrors.place_z[lane]};
+    const Triple direction = (1 / out) * place;
+    const FacetSlopes slopes = FacetSlopes::of(static_cast<std::uint32_t>(origins.column[lane]),
+                                               static_cast<std::uint32_t>(origins.row[lane]), seed);
+    const float slope = 1 / std::sqrt(2 * origins.steepness[lane]);
+    const int at = place_of[lane];
+    const Triple gradient = relief * Triple{gradient_x[at], gradient_y[at], gradient_z[at]};
+    const MirrorFacet facet = mirror_facet(
+        direction, {mirrors.normal_x[lane], mirrors.normal_y[lane], mirrors.normal_z[lane]}, gradient, slope, slopes);
+    const Triple onward = direction - 2 * direction.dot(facet.normal) * facet.normal;
+    rays.tfar[lane] = reflected_reach(out, direction.dot(onward), max_range);
+    rays.dir_x[lane] = onward.x;
+    rays.dir_y[lane] = onward.y;
+    rays.dir_z[lane] = onward.z;
+    origins.share[lane] = facet.share;
+  }
+}
+
+}  // namespace
+
+void aim_onward(const HitColumn& strip, const int* place, int count, const Vec3f& sonar, float max_range,
+                RTCRay16& rays, OnwardOrigins& origins, Mirrors& mirrors) {
+  aim(strip, place, count, sonar, max_range, rays, origins, mirrors);
+}
+
+void compare_beside(const HitColumn& strip, const int* beside, int count, const float* range, const Mirrors& mirrors,
+                    MirrorChanges& changes) {
+  compare(strip, beside, count, range, mirrors, changes);
+}
+
+void turn_to_facets(const HitColumn& strip, const int* place, int count, float max_range, std::uint32_t seed,
+                    const Mirrors& mirrors, RTCRay16& rays, OnwardOrigins& origins) {
+  turn(strip, place, count, max_range, seed, mirrors, rays, origins);
+}
+
+}  // namespace insonify

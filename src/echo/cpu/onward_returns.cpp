@@ -1,0 +1,210 @@
+// onward_returns.cpp -- what onward rays met, and straight back from there.
+
+#include <bit>
+#include <cmath>
+
+#include "base/vector_math.h"
+#include "echo/cpu/onward_task.h"
+#include "echo/model/deposit.h"
+#include "echo/model/mirror_paths.h"
+#include "echo/model/ray_limits.h"
+
+namespace insonify {
+namespace {
+
+static_assert(kPathLanes == kPacketSize);
+
+constexpr float kTiny = 1e-20F;  // Keeps what divides from being zero.
+
+// Where the hits of a packet of onward rays lie, and how far it is back from there.
+struct Returns {
+  float x[kPacketSize], y[kPacketSize], z[kPacketSize];                 // Second surface.
+  float back_x[kPacketSize], back_y[kPacketSize], back_z[kPacketSize];  // Unit vector from there to the sonar.
+  float distance[kPacketSize];                                          // Of the way back.
+  float there[kPacketSize];                                             // Out and across.
+  float once[kPacketSize], twice[kPacketSize];                          // See PathFootprint.
+
+  [[nodiscard]] Vec3f point(int lane) const { return {x[lane], y[lane], z[lane]}; }
+  [[nodiscard]] Vec3f back(int lane) const { return {back_x[lane], back_y[lane], back_z[lane]}; }
+};
+
+INSONIFY_VECTOR_CLONES
+void measure_returns(const RTCRay16& __restrict__ rays, const OnwardOrigins& __restrict__ origins, Vec3f sonar,
+                     Returns& __restrict__ returns) {
+  const float sonar_x = sonar[0], sonar_y = sonar[1], sonar_z = sonar[2];
+  for (int lane = 0; lane < kPacketSize; ++lane) {
+    const float across = rays.tfar[lane];
+    const float x = rays.org_x[lane] + rays.dir_x[lane] * across;
+    const float y = rays.org_y[lane] + rays.dir_y[lane] * across;
+    const float z = rays.org_z[lane] + rays.dir_z[lane] * across;
+    const float dx = sonar_x - x, dy = sonar_y - y, dz = sonar_z - z;
+    const float distance = std::sqrt(dx * dx + dy * dy + dz * dz);
+    const float scale = 1 / distance;
+    returns.x[lane] = x;
+    returns.y[lane] = y;
+    returns.z[lane] = z;
+    returns.back_x[lane] = dx * scale;
+    returns.back_y[lane] = dy * scale;
+    returns.back_z[lane] = dz * scale;
+    returns.distance[lane] = distance;
+    returns.there[lane] = origins.range[lane] + across;
+  }
+}
+
+INSONIFY_VECTOR_CLONES
+void measure_footprints(const RTCRay16& __restrict__ rays, const CpuScene::Shading& __restrict__ met,
+                        const OnwardOrigins& __restrict__ origins, Returns& __restrict__ returns) {
+  for (int lane = 0; lane < kPacketSize; ++lane) {
+    const Triple normal{met.normal_x[lane], met.normal_y[lane], met.normal_z[lane]};
+    const float length = 1 / std::sqrt(normal.dot(normal) + kTiny);
+    const PathEnd end{rays.tfar[lane],     {rays.dir_x[lane], rays.dir_y[lane], rays.dir_z[lane]},
+                      length * normal,     {-returns.back_x[lane], -returns.back_y[lane], -returns.back_z[lane]},
+                      returns.there[lane], returns.distance[lane]};
+    const PathFootprint footprint =
+        path_footprint(origins.above.at(lane), origins.selected[lane], origins.aside.at(lane), end);
+    returns.once[lane] = footprint.once;
+    returns.twice[lane] = footprint.twice;
+  }
+}
+
+// The paper model's strengths, see secondary_powers(), and whether echoes are from within the range: 1 or 0.
+INSONIFY_VECTOR_CLONES
+void weigh_returns(const RTCRay16& __restrict__ rays, const CpuScene::Shading& __restrict__ met,
+                   const OnwardOrigins& __restrict__ origins, const Returns& __restrict__ returns, float max_range,
+                   float* __restrict__ strength, float* __restrict__ within) {
+  for (int lane = 0; lane < kPacketSize; ++lane) {
+    const float path_length = returns.there[lane] + returns.distance[lane];
+    within[lane] = (met.surface[lane] != kNoSurface) & (0.5F * path_length < max_range) ? 1.0F : 0.0F;
+    const float nx = met.normal_x[lane], ny = met.normal_y[lane], nz = met.normal_z[lane];
+    const float facing = nx * rays.dir_x[lane] + ny * rays.dir_y[lane] + nz * rays.dir_z[lane];
+    const float incidence = std::abs(facing) / std::sqrt(nx * nx + ny * ny + nz * nz);
+    strength[lane] = origins.strength[lane] * incidence * met.reflectivity[lane];
+  }
+}
+
+// How the sound meets the second surface; see MirrorPaths.
+INSONIFY_VECTOR_CLONES
+void lay_paths(const RTCRay16& __restrict__ rays, const CpuScene::Shading& __restrict__ met,
+               const OnwardOrigins& __restrict__ origins, const Returns& __restrict__ returns,
+               MirrorPaths& __restrict__ paths) {
+  for (int lane = 0; lane < kPacketSize; ++lane) {
+    const float ix = -rays.dir_x[lane], iy = -rays.dir_y[lane], iz = -rays.dir_z[lane];
+    const float bx = returns.back_x[lane], by = returns.back_y[lane], bz = returns.back_z[lane];
+    const float hx = ix + bx, hy = iy + by, hz = iz + bz;
+    const float nx = met.normal_x[lane], ny = met.normal_y[lane], nz = met.normal_z[lane];
+    const float length = 1 / std::sqrt(nx * nx + ny * ny + nz * nz + kTiny);
+    const float half_length = length / std::sqrt(hx * hx + hy * hy + hz * hz + kTiny);
+    paths.in[lane] = (nx * ix + ny * iy + nz * iz) * length;
+    paths.out[lane] = (nx * bx + ny * by + nz * bz) * length;
+    paths.half[lane] = (nx * hx + ny * hy + nz * hz) * half_length;
+    paths.kept[lane] = origins.kept[lane];
+    paths.share[lane] = origins.share[lane];
+    paths.steepness[lane] = origins.steepness[lane];
+    paths.there[lane] = returns.there[lane];
+    const float across = rays.tfar[lane];
+    const MirrorTube& tube = origins.tube[lane];
+    paths.spread[lane] = std::abs(tube.constant + across * (tube.linear + across * tube.quadratic)) /
+                         (returns.there[lane] * returns.there[lane]);
+    paths.back[lane] = returns.distance[lane];
+    paths.texture[lane] = met.texture[lane];
+    paths.surface[lane] = met.surface[lane];
+  }
+}
+
+}  // namespace
+
+void OnwardTask::send_back(const Vec3f& point, const Vec3f& direction, float distance) {
+  back_.set_origin(returning_count_, point);
+  back_.set_direction(returning_count_, direction);
+  back_.rays.ray.tfar[returning_count_] = distance - kRayClearance;
+  if (++returning_count_ == kPacketSize) {
+    finish_returns();
+  }
+}
+
+// The paper model's: one echo, heard where it was launched.
+void OnwardTask::return_shaped(const RTCRay16& rays, const OnwardOrigins& origins, unsigned lanes) {
+  Returns returns;
+  float strength[kPacketSize], within[kPacketSize];
+  measure_returns(rays, origins, sonar_, returns);
+  measure_footprints(rays, shading_, origins, returns);
+  weigh_returns(rays, shading_, origins, returns, plan_->reach(), strength, within);
+  for (lanes &= positive_of_sixteen(within); lanes != 0; lanes &= lanes - 1) {
+    const int lane = std::countr_zero(lanes);
+    const float path_length = returns.there[lane] + returns.distance[lane];
+    returning_[returning_count_] = secondary_echo(*plan_, origins.column[lane], origins.row[lane],
+                                                  origins.selected[lane], path_length, shading_.surface[lane]);
+    returning_[returning_count_].half_length = returns.once[lane];
+    returning_strength_[returning_count_] = strength[lane];
+    returning_rest_[returning_count_] = path_length - 2 * origins.range[lane];
+    send_back(returns.point(lane), returns.back(lane), returns.distance[lane]);
+  }
+}
+
+// The calibrated model's: back the same way at once, and both ways round once the way straight back is known clear.
+void OnwardTask::return_mirrored(const RTCRay16& rays, const OnwardOrigins& origins, unsigned lanes) {
+  Returns returns;
+  MirrorPaths paths;
+  MirrorPowers powers;
+  measure_returns(rays, origins, sonar_, returns);
+  measure_footprints(rays, shading_, origins, returns);
+  lay_paths(rays, shading_, origins, returns, paths);
+  fill_mirror_powers(plan_->scatter, plan_->neper_per_metre, paths, powers);
+  for (; lanes != 0; lanes &= lanes - 1) {
+    const int lane = std::countr_zero(lanes);
+    if (paths.surface[lane] == kNoSurface) {
+      continue;
+    }
+    const float there = paths.there[lane], back = paths.back[lane];
+    Echo echo = secondary_echo(*plan_, origins.column[lane], origins.row[lane], origins.selected[lane], there + back,
+                               paths.surface[lane]);
+    if (plan_->max_surfaces > 2 && there < plan_->reach()) {
+      Echo twice = echo;
+      twice.order = 3;
+      twice.path_length = 2 * there;
+      twice.half_length = returns.twice[lane];
+      twice.power = powers.twice[lane] * plan_->lattice.heard_in(origins.column[lane])[origins.row[lane]];
+      deposit(*plan_, twice, *grid_);
+    }
+    const Vec3f heard_from = -(axes_.transpose() * returns.back(lane));
+    if (powers.once[lane] > 0 && 0.5F * (there + back) < plan_->reach() && plan_->hears(heard_from)) {
+      const PingPlan::Arrival arrival = plan_->arrival_from(heard_from);
+      echo.half_length = returns.once[lane];
+      echo.power = powers.once[lane] * arrival.heard;
+      returning_[returning_count_] = echo;
+      echo.azimuth = arrival.bearing;
+      echo.elevation = arrival.elevation;
+      arriving_[returning_count_] = echo;
+      send_back(returns.point(lane), returns.back(lane), back);
+    }
+  }
+}
+
+// Deposits those of the returning echoes whose way back is clear.
+void OnwardTask::finish_returns() {
+  back_.set_count(returning_count_);
+  if (log_ != nullptr) {
+    log_->back.push_back(back_);
+  }
+  scene_.occlude(back_);
+  returned_ += returning_count_;
+  const bool calibrated = plan_->model == EchoModel::kCalibrated;
+  float power[kPacketSize];
+  if (!calibrated) {
+    secondary_powers(*plan_, returning_count_, returning_strength_, returning_rest_, power);
+  }
+  for (int lane = 0; lane < returning_count_; ++lane) {
+    if (back_.blocked(lane)) {
+      continue;
+    }
+    if (calibrated) {
+      arrivals_->push_back(arriving_[lane]);
+    } else {
+      returning_[lane].power = power[lane];
+    }
+    deposit(*plan_, returning_[lane], *grid_);
+  }
+  returning_count_ = 0;
+}
+
+}  // namespace insonify

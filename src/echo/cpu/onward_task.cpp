@@ -1,0 +1,185 @@
+// onward_task.cpp -- on to a second surface, and back from there.
+
+#include "echo/cpu/onward_task.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "base/vector_math.h"
+#include "echo/model/deposit.h"
+#include "echo/model/ray_limits.h"
+
+namespace insonify {
+namespace {
+
+// So many of sixteen fill a packet well enough.
+constexpr int kMany = 12;
+
+// After a packet that passed the boxes whole, as many of its strip are let through without a look.
+constexpr int kUnsifted = 2;
+
+}  // namespace
+
+OnwardTask::OnwardTask(const CpuScene& scene) : scene_(scene) {
+  for (int lane = 0; lane < kPacketSize; ++lane) {
+    candidates_.rays.ray.tnear[lane] = onward_.rays.ray.tnear[lane] = back_.rays.ray.tnear[lane] = kRayClearance;
+    candidates_.set_origin(lane, Vec3f::Zero());
+    candidates_.set_direction(lane, Vec3f::UnitX());
+  }
+}
+
+void OnwardTask::start(const PingPlan& plan, const Vec3f& sonar, const Eigen::Matrix3f& axes, EchoGrid& grid,
+                       std::vector<Echo>& arrivals, Log* log) {
+  plan_ = &plan;
+  sonar_ = sonar;
+  axes_ = axes;
+  grid_ = &grid;
+  arrivals_ = &arrivals;
+  log_ = log;
+}
+
+void OnwardTask::follow(const HitColumn& strip, int stride, int first_column, int columns) {
+  const int rows = strip.rows;
+  const float* selected = strip.selected;
+  unsifted_ = 0;
+  for (int row0 = 0; row0 < rows; row0 += kTile) {
+    const unsigned in_lattice = (1U << std::min(kTile, rows - row0)) - 1;
+    unsigned samples = 0;
+    for (int column = 0; column < columns; ++column) {
+      samples |= (positive_of_four(&selected[column * stride + row0]) & in_lattice) << (column * kTile);
+    }
+    for (; samples != 0; samples &= samples - 1) {
+      const int sample = std::countr_zero(samples);
+      const int column = sample / kTile, row = row0 + sample % kTile;
+      const int place = column * stride + row, other = column ^ 1;
+      const SurfaceLabel surface = strip.surface[place];
+      place_[candidate_count_] = place;
+      above_[candidate_count_] = row + 1 < rows && strip.surface[place + 1] == surface ? place + 1
+                                 : row > 0 && strip.surface[place - 1] == surface      ? place - 1
+                                                                                       : place;
+      const int aside = other * stride + row;
+      aside_[candidate_count_] = other < columns && strip.surface[aside] == surface ? aside : place;
+      candidate_origins_.column[candidate_count_] = first_column + column;
+      candidate_origins_.row[candidate_count_] = row;
+      if (++candidate_count_ == kPacketSize) {
+        sift(strip);
+      }
+    }
+  }
+  sift(strip);
+}
+
+// Sends those of the candidates that may meet something in time: at once where they are many, else in packets with
+// others. The rest would give no echo.
+void OnwardTask::sift(const HitColumn& strip) {
+  const int count = candidate_count_;
+  candidate_count_ = 0;
+  const RTCRay16& from = candidates_.rays.ray;
+  Mirrors mirrors;
+  aim_onward(strip, place_, count, sonar_, plan_->reach(), candidates_.rays.ray, candidate_origins_, mirrors);
+  unsigned lanes = (1U << count) - 1;
+  if (plan_->model == EchoModel::kCalibrated) {
+    for (int lane = 0; lane < count; ++lane) {
+      const float texture = strip.has_relief ? strip.texture[place_[lane]] : 1.0F;
+      candidate_origins_.kept[lane] = plan_->scatter.kept(strip.surface[place_[lane]]) * texture * texture;
+      candidate_origins_.share[lane] = 1;
+      candidate_origins_.steepness[lane] = plan_->scatter.steepness(strip.surface[place_[lane]]);
+    }
+    if (plan_->rough_mirrors) {
+      turn_to_facets(strip, place_, count, plan_->reach(), plan_->stagger, mirrors, candidates_.rays.ray,
+                     candidate_origins_);
+      lanes &= positive_of_sixteen(candidate_origins_.share);
+    }
+  }
+  if (plan_->secondary == SecondaryEchoes::kSelective && --unsifted_ < 0) {
+    const unsigned candidates = lanes;
+    lanes &= scene_.boxes().may_meet(candidates_.lanes());
+    unsifted_ = lanes == candidates ? kUnsifted : 0;
+  }
+  if (lanes == 0) {
+    return;
+  }
+  compare_beside(strip, above_, count, candidate_origins_.range, mirrors, candidate_origins_.above);
+  compare_beside(strip, aside_, count, candidate_origins_.range, mirrors, candidate_origins_.aside);
+  if (plan_->model == EchoModel::kCalibrated && plan_->max_surfaces > 2) {
+    lay_tubes(strip, lanes);
+  }
+  if (std::popcount(lanes) >= kMany) {
+    trace(candidates_, candidate_origins_, lanes);
+    return;
+  }
+  RTCRay16& rays = onward_.rays.ray;
+  for (; lanes != 0; lanes &= lanes - 1) {
+    const int lane = std::countr_zero(lanes), to = onward_count_;
+    rays.org_x[to] = from.org_x[lane];
+    rays.org_y[to] = from.org_y[lane];
+    rays.org_z[to] = from.org_z[lane];
+    rays.dir_x[to] = from.dir_x[lane];
+    rays.dir_y[to] = from.dir_y[lane];
+    rays.dir_z[to] = from.dir_z[lane];
+    rays.tfar[to] = from.tfar[lane];
+    origins_.column[to] = candidate_origins_.column[lane];
+    origins_.row[to] = candidate_origins_.row[lane];
+    origins_.range[to] = candidate_origins_.range[lane];
+    origins_.strength[to] = candidate_origins_.strength[lane];
+    origins_.kept[to] = candidate_origins_.kept[lane];
+    origins_.share[to] = candidate_origins_.share[lane];
+    origins_.steepness[to] = candidate_origins_.steepness[lane];
+    origins_.tube[to] = candidate_origins_.tube[lane];
+    origins_.selected[to] = candidate_origins_.selected[lane];
+    origins_.above.set(to, candidate_origins_.above.at(lane));
+    origins_.aside.set(to, candidate_origins_.aside.at(lane));
+    if (++onward_count_ == kPacketSize) {
+      trace_collected();
+    }
+  }
+}
+
+// Of the candidates that are sent.
+void OnwardTask::lay_tubes(const HitColumn& strip, unsigned lanes) {
+  for (; lanes != 0; lanes &= lanes - 1) {
+    const int lane = std::countr_zero(lanes), at = place_[lane];
+    const Vec3f direction(strip.direction_x[at], strip.direction_y[at], strip.direction_z[at]);
+    const Vec3f normal(strip.normal_x[at], strip.normal_y[at], strip.normal_z[at]);
+    candidate_origins_.tube[lane] =
+        scene_.tube(strip.surface[at], strip.triangle[at], direction, normal, strip.range[at]);
+  }
+}
+
+void OnwardTask::trace_collected() {
+  const unsigned lanes = (1U << onward_count_) - 1;
+  onward_count_ = 0;
+  trace(onward_, origins_, lanes);
+}
+
+// Traces onward rays in the mirror directions, and readies the return legs of what they meet.
+void OnwardTask::trace(RayPacket& packet, const OnwardOrigins& origins, unsigned lanes) {
+  packet.set_lanes(lanes);
+  if (log_ != nullptr) {
+    log_->onward.push_back(packet);
+  }
+  packet.intersect(scene_.handle());
+  sent_ += static_cast<std::uint64_t>(std::popcount(lanes));
+
+  scene_.shade(packet.rays.hit, shading_);
+  if (scene_.reliefs().any()) {
+    scene_.bend_normals(packet.rays, shading_);
+  }
+  if (plan_->model == EchoModel::kCalibrated) {
+    return_mirrored(packet.rays.ray, origins, lanes);
+  } else {
+    return_shaped(packet.rays.ray, origins, lanes);
+  }
+}
+
+void OnwardTask::finish() {
+  if (onward_count_ > 0) {
+    trace_collected();
+  }
+  if (returning_count_ > 0) {
+    finish_returns();
+  }
+}
+
+}  // namespace insonify

@@ -1,0 +1,122 @@
+// ray_packet.h -- sixteen rays for Embree at a time.
+
+#pragma once
+
+#include <embree3/rtcore.h>
+#include <xmmintrin.h>
+
+#include "base/lane_bits.h"
+#include "echo/model/ray_lanes.h"
+#include "insonify/geometry.h"
+
+namespace insonify {
+
+inline constexpr int kPacketSize = kRayLanes;
+
+/// Columns and rows of a packet: the shape in which sixteen neighbours spread least.
+inline constexpr int kTile = 4;
+
+/// Switches denormal numbers off in this thread while it lives, as Embree wants it.
+class DenormalsOff {
+ public:
+  DenormalsOff() : saved_(_mm_getcsr()) { _mm_setcsr(saved_ | kFlushToZero | kDenormalsAreZero); }
+  ~DenormalsOff() { _mm_setcsr(saved_); }
+  DenormalsOff(const DenormalsOff&) = delete;
+  DenormalsOff& operator=(const DenormalsOff&) = delete;
+
+ private:
+  static constexpr unsigned kFlushToZero = 0x8000, kDenormalsAreZero = 0x0040;
+  unsigned saved_;
+};
+
+/// Rays that lie close together: Embree then walks them through the tree as one.
+struct alignas(64) RayPacket {
+  RTCRayHit16 rays;
+  int valid[kPacketSize];
+
+  RayPacket() {
+    for (int lane = 0; lane < kPacketSize; ++lane) {
+      rays.ray.time[lane] = 0;
+      rays.ray.mask[lane] = ~0U;
+      rays.ray.flags[lane] = 0;
+      rays.ray.id[lane] = static_cast<unsigned>(lane);
+      rays.ray.tnear[lane] = 0;
+      rays.hit.u[lane] = rays.hit.v[lane] = 0;  // Read even where nothing was hit.
+      valid[lane] = -1;
+    }
+  }
+
+  void set_origin(int lane, const Vec3f& origin) {
+    rays.ray.org_x[lane] = origin.x();
+    rays.ray.org_y[lane] = origin.y();
+    rays.ray.org_z[lane] = origin.z();
+  }
+  void set_direction(int lane, const Vec3f& direction) {
+    rays.ray.dir_x[lane] = direction.x();
+    rays.ray.dir_y[lane] = direction.y();
+    rays.ray.dir_z[lane] = direction.z();
+  }
+  [[nodiscard]] Vec3f origin(int lane) const {
+    return {rays.ray.org_x[lane], rays.ray.org_y[lane], rays.ray.org_z[lane]};
+  }
+  [[nodiscard]] Vec3f direction(int lane) const {
+    return {rays.ray.dir_x[lane], rays.ray.dir_y[lane], rays.ray.dir_z[lane]};
+  }
+  [[nodiscard]] bool hit(int lane) const { return rays.hit.geomID[lane] != RTC_INVALID_GEOMETRY_ID; }
+
+  [[nodiscard]] bool nothing_hit() const {
+    unsigned all = RTC_INVALID_GEOMETRY_ID;
+    for (const unsigned geometry : rays.hit.geomID) {
+      all &= geometry;
+    }
+    return all == RTC_INVALID_GEOMETRY_ID;
+  }
+
+  [[nodiscard]] RayLanes lanes() const {
+    const RTCRay16& ray = rays.ray;
+    return {ray.org_x, ray.org_y, ray.org_z, ray.dir_x, ray.dir_y, ray.dir_z, ray.tnear, ray.tfar};
+  }
+
+  /// The first `count` lanes are rays, the others are not.
+  void set_count(int count) {
+    for (int lane = 0; lane < kPacketSize; ++lane) {
+      valid[lane] = lane < count ? -1 : 0;
+    }
+  }
+
+  void set_reach(float reach) {
+    for (int lane = 0; lane < kPacketSize; ++lane) {
+      rays.ray.tfar[lane] = reach;
+    }
+  }
+
+  /// One bit a lane: those set are rays, the others are not.
+  void set_lanes(unsigned lanes) {
+    for (int lane = 0; lane < kPacketSize; ++lane) {
+      valid[lane] = (lanes >> lane & 1U) != 0 ? -1 : 0;
+    }
+  }
+
+  /// Finds what each ray meets within its own tfar; lanes that meet nothing have no hit().
+  void intersect(RTCScene scene) {
+    for (int lane = 0; lane < kPacketSize; ++lane) {
+      rays.hit.geomID[lane] = RTC_INVALID_GEOMETRY_ID;
+      rays.hit.instID[0][lane] = RTC_INVALID_GEOMETRY_ID;
+    }
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+    rtcIntersect16(valid, scene, &context, &rays);
+  }
+
+  /// Finds whether anything is met within each ray's own tfar; afterwards blocked() tells.
+  void occlude(RTCScene scene, RTCIntersectContextFlags flags) {
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    context.flags = flags;
+    rtcOccluded16(valid, scene, &context, &rays.ray);
+  }
+  [[nodiscard]] bool blocked(int lane) const { return rays.ray.tfar[lane] < 0; }
+};
+
+}  // namespace insonify

@@ -1,0 +1,234 @@
+// deposit.cpp -- the primary echoes of a column into cells.
+
+#include "echo/model/deposit.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/vector_math.h"
+#include "echo/grid/label_vote.h"
+#include "echo/grid/surface_tally.h"
+
+namespace insonify {
+namespace {
+
+// How much farther a surface may go on past its last sample than between the last two.
+constexpr float kMostStretch = 1.5F;
+
+// Adds a run's sums to its cells and leaves zeros behind.
+INSONIFY_VECTOR_CLONES
+void take(int count, SurfaceLabel surface, float* __restrict__ run_energy, float* __restrict__ run_weight,
+          float* __restrict__ run_moment, float* __restrict__ energy, float* __restrict__ weight,
+          SurfaceLabel* __restrict__ leader, float* __restrict__ lead, float* __restrict__ label_energy,
+          float* __restrict__ label_moment) {
+  for (int i = 0; i < count; ++i) {
+    energy[i] += run_energy[i];
+    weight[i] += run_weight[i];
+    const auto vote = counted(LabelVote<SurfaceLabel, float>{leader[i], lead[i], label_energy[i], label_moment[i]},
+                              surface, run_energy[i], run_moment[i], run_weight[i]);
+    leader[i] = vote.surface;
+    lead[i] = vote.lead;
+    label_energy[i] = vote.energy;
+    label_moment[i] = vote.moment;
+    run_energy[i] = run_weight[i] = run_moment[i] = 0;
+  }
+}
+
+// The same without labels.
+INSONIFY_VECTOR_CLONES
+void take_unlabelled(int count, float* __restrict__ run_energy, float* __restrict__ run_weight,
+                     float* __restrict__ run_moment, float* __restrict__ energy, float* __restrict__ weight) {
+  for (int i = 0; i < count; ++i) {
+    energy[i] += run_energy[i];
+    weight[i] += run_weight[i];
+    run_energy[i] = run_weight[i] = run_moment[i] = 0;
+  }
+}
+
+void tally_run(int first, int count, SurfaceLabel surface, float datum, SurfaceSums& sums,
+               const EchoGrid::Cells& cells) {
+  for (int i = 0; i < count; ++i) {
+    const int bin = first + i;
+    const float energy = sums.energy[bin];
+    tally({surface, energy, sums.moment[bin] - energy * datum, sums.square[bin]}, sums.weight[bin], cells.surface[i],
+          cells.tallies[i]);
+    sums.square[bin] = 0;
+  }
+}
+
+template <GroundTruth kTruth>
+using Run = SurfaceRun<kTruth == GroundTruth::kFull>;
+
+template <GroundTruth kTruth>
+void finish(Run<kTruth>& run, SurfaceSums& sums, SurfaceLabel surface, float datum, int beam, EchoGrid& grid) {
+  const int first = run.first();
+  const int last = std::min(run.last(), grid.bin_count());
+  if (first < last) {
+    const EchoGrid::Cells cells = grid.to_fill(1, beam, {first, last});
+    const int count = last - first;
+    if constexpr (kTruth == GroundTruth::kFull) {
+      tally_run(first, count, surface, datum, sums, cells);
+    }
+    if constexpr (kTruth != GroundTruth::kNone) {
+      take(count, surface, &sums.energy[first], &sums.weight[first], &sums.moment[first], cells.energy, cells.weight,
+           cells.surface, cells.lead, cells.label_energy, cells.elevation_moment);
+    } else {
+      take_unlabelled(count, &sums.energy[first], &sums.weight[first], &sums.moment[first], cells.energy, cells.weight);
+    }
+  }
+  run.restart();
+}
+
+// Where the tangent plane of a sample goes on to in the direction (cos_end, sin_end), if the neighbour on the other
+// side, `behind`, shows that the surface goes on like that; else where the sample is. In bins, like
+// Stretches::position.
+float plane_end(const PingPlan& plan, const HitColumn& hits, const Stretches& stretches, int row, int behind,
+                float cos_here, float sin_here, float cos_end, float sin_end) {
+  const float here = stretches.position[row];
+  if (behind < 0 || behind >= plan.lattice.rows || stretches.joined[std::min(row, behind)] == 0) {
+    return here;
+  }
+  float facing_end = stretches.normal_along[row] * cos_end + stretches.normal_up[row] * sin_end;
+  float facing_here = stretches.normal_along[row] * cos_here + stretches.normal_up[row] * sin_here;
+  if (plan.lattice.shape == BeamShape::kCone) {
+    facing_end += stretches.normal_beside[row];
+    facing_here += stretches.normal_beside[row];
+  }
+  const float range_end = hits.range[row] * facing_here / facing_end;
+  const float most = kMostStretch * std::abs(here - stretches.position[behind]);
+  const float wished = (range_end - plan.first_bin_at) * plan.bins_per_metre;
+  return wished > here - most ? std::min(wished, here + most) : here - most;  // Also where facing_end is 0.
+}
+
+// A direction of a column.
+struct End {
+  float cosine, sine;
+};
+
+// The stretch of a sample that ends alone, in a direction on the way to the next; or where its plane passes the last
+// bin before the next, all the way to there, as the next sample would show if it were heard: with the power that
+// changes as from the neighbour behind.
+INSONIFY_VECTOR_CLONES
+Stretch lone_stretch(const PingPlan& plan, int column, const HitColumn& hits, const Stretches& stretches, int row,
+                     int behind, End end, float weight, const End* next = nullptr, float weight_to_next = 0) {
+  const float here = stretches.position[row];
+  const float cos_here = plan.lattice.cosines(column)[row], sin_here = plan.lattice.sines(column)[row];
+  const auto end_at = [&](End at) {
+    return plane_end(plan, hits, stretches, row, behind, cos_here, sin_here, at.cosine, at.sine);
+  };
+  const auto bins = static_cast<float>(plan.sonar.bin_count);
+  float power = hits.power[row], half_rise = 0;
+  float ends_at = end_at(end);
+  if (const float next_at = next == nullptr ? here : end_at(*next); next_at > bins && here < bins) {
+    ends_at = next_at;
+    weight = weight_to_next;
+    const int joined = std::min(row, behind);
+    if (stretches.power[joined] + 2 * stretches.half_rise[joined] * bins > 0) {
+      power = stretches.power[joined];
+      half_rise = stretches.half_rise[joined];
+    }
+  }
+  const float beyond = stretches.reach[row] + shortest_stretch(here);
+  const float low = std::min(here, ends_at) - beyond;
+  const float high = std::max(here, ends_at) + beyond;
+  return {std::clamp(low, 0.0F, bins), std::min(high, bins), power, half_rise, weight / (high - low), 0};
+}
+
+// See deposit_column().
+template <GroundTruth kTruth>
+[[gnu::always_inline]] inline void deposit_samples(const PingPlan& plan, int column, const HitColumn& hits,
+                                                   const Stretches& stretches, SurfaceSums& sums, EchoGrid& grid) {
+  const Lattice& lattice = plan.lattice;
+  const float* cos_t = lattice.cosines(column);
+  const float* sin_t = lattice.sines(column);
+  const float* elevation = lattice.elevations(column);
+  const float* interval = lattice.intervals(column);
+  const float measure = lattice.column_measure[column];
+  const Lattice::Edges edges = lattice.edges_of(column);
+  const int beam = column / lattice.columns_per_beam;
+  const int last_row = std::min(hits.rows, lattice.rows - 1);
+  const float datum = plan.middle_elevation;  // Squares keep more digits when they are small.
+  Run<kTruth> run(sums, datum);
+  const auto add_alone = [&](int row, int behind, End end, float weight, const End* next = nullptr) {
+    if (hits.surface[row] != kNoSurface) {
+      Stretch stretch = lone_stretch(plan, column, hits, stretches, row, behind, end, weight, next, 2 * weight);
+      stretch.elevation = elevation[row];
+      run.add(stretch);
+    }
+  };
+
+  const float *low = stretches.low.data(), *high = stretches.high.data(), *power = stretches.power.data(),
+              *half_rise = stretches.half_rise.data(), *density = stretches.density.data(),
+              *middle = stretches.elevation.data();
+  const std::uint8_t* joined = stretches.joined.data();
+  SurfaceLabel surface = hits.surface[0];
+  add_alone(0, 1, {edges.cos_low, edges.sin_low}, interval[0] * measure);
+  for (int row = 0; row < last_row; ++row) {
+    if (joined[row] != 0) {
+      run.add({low[row], high[row], power[row], half_rise[row], density[row], middle[row]});
+      continue;
+    }
+    const int next = row + 1;
+    if (hits.surface[row] == kNoSurface && hits.surface[next] == kNoSurface) {
+      continue;
+    }
+    const End halfway{0.5F * (cos_t[row] + cos_t[next]), 0.5F * (sin_t[row] + sin_t[next])};
+    const End above{cos_t[next], sin_t[next]}, below{cos_t[row], sin_t[row]};
+    const float weight = 0.5F * interval[next] * measure;
+    add_alone(row, row - 1, halfway, weight, hits.surface[next] == kNoSurface ? &above : nullptr);
+    if (hits.surface[next] != surface) {
+      finish<kTruth>(run, sums, surface, datum, beam, grid);
+      surface = hits.surface[next];
+    }
+    add_alone(next, next + 1, halfway, weight, hits.surface[row] == kNoSurface ? &below : nullptr);
+  }
+  add_alone(last_row, last_row - 1, {edges.cos_high, edges.sin_high}, interval[lattice.rows] * measure);
+  finish<kTruth>(run, sums, surface, datum, beam, grid);
+}
+
+// Solid angle of what a column met nearer than the near edge of bin 0.
+float met_before(const PingPlan& plan, int column, const HitColumn& hits, const Stretches& stretches) {
+  const float* interval = plan.lattice.intervals(column);
+  const int rows = plan.lattice.rows;
+  float met = 0;
+  for (int row = 0; row < std::min(hits.rows, rows); ++row) {
+    if (hits.surface[row] != kNoSurface && stretches.position[row] < 0) {
+      met += (row == 0 ? 1.0F : 0.5F) * interval[row] + (row + 1 == rows ? 1.0F : 0.5F) * interval[row + 1];
+    }
+  }
+  return met * plan.lattice.column_measure[column];
+}
+
+INSONIFY_VECTOR_CLONES
+void deposit_labelled(const PingPlan& plan, int column, const HitColumn& hits, const Stretches& stretches,
+                      SurfaceSums& sums, EchoGrid& grid) {
+  deposit_samples<GroundTruth::kLabels>(plan, column, hits, stretches, sums, grid);
+}
+
+INSONIFY_VECTOR_CLONES
+void deposit_unlabelled(const PingPlan& plan, int column, const HitColumn& hits, const Stretches& stretches,
+                        SurfaceSums& sums, EchoGrid& grid) {
+  deposit_samples<GroundTruth::kNone>(plan, column, hits, stretches, sums, grid);
+}
+
+INSONIFY_VECTOR_CLONES
+void deposit_tallied(const PingPlan& plan, int column, const HitColumn& hits, const Stretches& stretches,
+                     SurfaceSums& sums, EchoGrid& grid) {
+  deposit_samples<GroundTruth::kFull>(plan, column, hits, stretches, sums, grid);
+}
+
+}  // namespace
+
+void deposit_column(const PingPlan& plan, int column, const HitColumn& hits, const Stretches& stretches,
+                    SurfaceSums& sums, EchoGrid& grid) {
+  if (grid.ground_truth() == GroundTruth::kFull) {
+    deposit_tallied(plan, column, hits, stretches, sums, grid);
+    grid.met_before(column / plan.lattice.columns_per_beam) += met_before(plan, column, hits, stretches);
+  } else if (grid.labelled()) {
+    deposit_labelled(plan, column, hits, stretches, sums, grid);
+  } else {
+    deposit_unlabelled(plan, column, hits, stretches, sums, grid);
+  }
+}
+
+}  // namespace insonify

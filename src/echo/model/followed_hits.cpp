@@ -1,0 +1,104 @@
+// followed_hits.cpp -- probes of the fan.
+
+#include "echo/model/followed_hits.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <span>
+
+#include "echo/model/hit_column.h"
+#include "echo/model/ray_limits.h"
+#include "echo/model/reflected_reach.h"
+
+namespace insonify {
+namespace {
+
+// Where no more than this share of the hits may give echoes, following all of them takes four sevenths of the rays of
+// `all` at most, return legs included, and less than half where some find nothing.
+constexpr float kOpen = 0.4F;
+
+// One probe for so many samples.
+constexpr int kSamplesPerProbe = 400;
+constexpr int kLeastProbes = 8, kMostProbes = 64;
+
+constexpr std::uint32_t kGoldenTurn = 2654435769U;
+
+// Probes go from port to starboard, their rows by the golden section: even in both.
+Ray probe_ray(const PingPlan& plan, const Pose& world_from_sonar, int probe, int probes) {
+  const Lattice& lattice = plan.lattice;
+  const int column =
+      static_cast<int>((2 * static_cast<std::int64_t>(probe) + 1) * lattice.columns / (2 * std::int64_t{probes}));
+  const std::uint32_t turn = static_cast<std::uint32_t>(probe) * kGoldenTurn;
+  const int row = static_cast<int>(static_cast<std::uint64_t>(turn) * static_cast<std::uint64_t>(lattice.rows) >> 32U);
+  const ColumnAxes axes = column_axes(lattice, column, Eigen::Matrix3f::Identity());
+  const Vec3f direction =
+      axes.along * lattice.cosines(column)[row] + axes.up * lattice.sines(column)[row] + axes.beside;
+  return {world_from_sonar.position, (world_from_sonar.orientation * direction.cast<double>()).normalized(), 0,
+          double{plan.true_max_range}};
+}
+
+// Reflected rays of sixteen probes.
+struct alignas(64) ReflectedProbes {
+  float origin_x[kRayLanes], origin_y[kRayLanes], origin_z[kRayLanes];
+  float direction_x[kRayLanes], direction_y[kRayLanes], direction_z[kRayLanes];
+  float near[kRayLanes], far[kRayLanes];
+
+  [[nodiscard]] RayLanes lanes() const {
+    return {origin_x, origin_y, origin_z, direction_x, direction_y, direction_z, near, far};
+  }
+};
+
+// Sets one lane to the reflected ray of a hit.
+void set_reflected(const PingPlan& plan, const Ray& ray, const Hit& hit, const Vec3& origin, int lane,
+                   ReflectedProbes& probes) {
+  const Vec3f from = (ray.origin + hit.distance * ray.direction - origin).cast<float>();
+  const Vec3f reflected = (ray.direction - 2 * ray.direction.dot(hit.normal) * hit.normal).cast<float>();
+  const float cosine = ray.direction.cast<float>().dot(reflected);
+  probes.origin_x[lane] = from.x();
+  probes.origin_y[lane] = from.y();
+  probes.origin_z[lane] = from.z();
+  probes.direction_x[lane] = reflected.x();
+  probes.direction_y[lane] = reflected.y();
+  probes.direction_z[lane] = reflected.z();
+  probes.near[lane] = kRayClearance;
+  probes.far[lane] = reflected_reach(static_cast<float>(hit.distance), cosine, plan.reach());
+}
+
+}  // namespace
+
+Followed followed_hits(Engine& engine, const PingPlan& plan, const Pose& world_from_sonar, const Vec3& origin,
+                       const BoxCut& boxes, std::uint64_t& probes) {
+  probes = 0;
+  if (plan.secondary != SecondaryEchoes::kSelective) {
+    return plan.secondary == SecondaryEchoes::kAll ? Followed::kAll : Followed::kNone;
+  }
+  std::array<Ray, kMostProbes> rays;
+  std::array<Hit, kMostProbes> hits;
+  const std::int64_t samples = std::int64_t{plan.lattice.columns} * plan.lattice.rows;
+  const int count = static_cast<int>(std::clamp<std::int64_t>(samples / kSamplesPerProbe, kLeastProbes, kMostProbes));
+  for (int probe = 0; probe < count; ++probe) {
+    rays[probe] = probe_ray(plan, world_from_sonar, probe, count);
+  }
+  engine.trace(std::span(rays).first(count), std::span(hits).first(count));
+  probes = static_cast<std::uint64_t>(count);
+
+  int met = 0, may_meet = 0;
+  ReflectedProbes reflected = {};
+  for (int first = 0; first < count; first += kRayLanes) {
+    unsigned lanes = 0;
+    for (int lane = 0; lane < std::min(kRayLanes, count - first); ++lane) {
+      if (const Hit& hit = hits[first + lane]; std::isfinite(hit.distance)) {
+        set_reflected(plan, rays[first + lane], hit, origin, lane, reflected);
+        lanes |= 1U << lane;
+      }
+    }
+    met += std::popcount(lanes);
+    may_meet += std::popcount(boxes.may_meet(reflected.lanes()) & lanes);
+  }
+  const bool open = met > 0 && static_cast<float>(may_meet) <= kOpen * static_cast<float>(met);
+  return open ? Followed::kAll : Followed::kSome;
+}
+
+}  // namespace insonify

@@ -1,0 +1,255 @@
+// hit_column.cpp -- the arithmetic of one column, in loops that the compiler turns into vector code.
+
+#include "echo/model/hit_column.h"
+
+#include <algorithm>
+
+#include "base/vector_math.h"
+#include "echo/grid/surface_run.h"
+#include "echo/model/select_hits.h"
+
+namespace insonify {
+namespace {
+
+// Neighbours lie on one unbroken surface when each is where the other's tangent plane says, give or take a bin and this
+// share of the distance between them: curved surfaces pass, edges and shadows do not.
+constexpr float kBend = 0.3F;
+
+// Added to the cosine of incidence before it divides: bounds the reach of surfaces that are only grazed.
+constexpr float kLeastFacing = 0.1F;
+
+// Of a cone's arc: where it runs along its elevation instead of crossing it, bearings say nothing of range.
+constexpr float kLeastCosine = 0.2F;
+
+// Keeps what divides from being zero.
+constexpr float kTiny = 1e-20F;
+
+// Everything the loops read, as bare numbers and pointers that the compiler knows to be apart.
+struct Rows {
+  int count;
+  const float* __restrict__ cos_t;
+  const float* __restrict__ sin_t;
+  float half_width;
+};
+
+INSONIFY_VECTOR_CLONES
+void aim(Rows rows, Vec3f along, Vec3f up, float* __restrict__ x, float* __restrict__ y, float* __restrict__ z) {
+  const float ax = along[0], ay = along[1], az = along[2];
+  const float ux = up[0], uy = up[1], uz = up[2];
+  for (int row = 0; row < rows.count; ++row) {
+    x[row] = ax * rows.cos_t[row] + ux * rows.sin_t[row];
+    y[row] = ay * rows.cos_t[row] + uy * rows.sin_t[row];
+    z[row] = az * rows.cos_t[row] + uz * rows.sin_t[row];
+  }
+}
+
+// The rest of a cone's directions.
+INSONIFY_VECTOR_CLONES
+void aim_beside(int rows, Vec3f beside, float* __restrict__ x, float* __restrict__ y, float* __restrict__ z) {
+  const float bx = beside[0], by = beside[1], bz = beside[2];
+  for (int row = 0; row < rows; ++row) {
+    x[row] += bx;
+    y[row] += by;
+    z[row] += bz;
+  }
+}
+
+INSONIFY_VECTOR_CLONES
+void measure(Rows rows, Vec3f along, Vec3f across, Vec3f up, float bins_per_metre, float first_bin_at,
+             float* __restrict__ x, float* __restrict__ y, float* __restrict__ z, const float* __restrict__ range,
+             float* __restrict__ normal_along, float* __restrict__ normal_up, float* __restrict__ facing,
+             float* __restrict__ position, float* __restrict__ reach) {
+  const float ax = along[0], ay = along[1], az = along[2];
+  const float sx = across[0], sy = across[1], sz = across[2];
+  const float ux = up[0], uy = up[1], uz = up[2];
+  for (int row = 0; row < rows.count; ++row) {
+    const float scale = 1 / std::sqrt(x[row] * x[row] + y[row] * y[row] + z[row] * z[row] + kTiny);
+    x[row] *= scale;
+    y[row] *= scale;
+    z[row] *= scale;
+    normal_along[row] = x[row] * ax + y[row] * ay + z[row] * az;
+    normal_up[row] = x[row] * ux + y[row] * uy + z[row] * uz;
+    facing[row] = normal_along[row] * rows.cos_t[row] + normal_up[row] * rows.sin_t[row];
+    // On the tangent plane d(range)/d(azimuth) = -range (normal . d(direction)/d(azimuth)) / (normal . direction).
+    const float sideways = std::abs(x[row] * sx + y[row] * sy + z[row] * sz) * rows.cos_t[row];
+    reach[row] = bins_per_metre * rows.half_width * range[row] * sideways / (std::abs(facing[row]) + kLeastFacing);
+    position[row] = (range[row] - first_bin_at) * bins_per_metre;
+  }
+}
+
+// What measure() leaves for cones: `facing` lacks what is beside, and directions change otherwise from one bearing to
+// the next. As in a wedge they do at a constant elevation, so that a level seabed is as far all over a sample's stretch
+// of bearings: with sin(elevation) = cos a sin t, d(direction)/da = across - along tan a / cos t.
+INSONIFY_VECTOR_CLONES
+void measure_beside(Rows rows, Vec3f across, Vec3f beside, float tan_bearing, float bins_per_metre,
+                    const float* __restrict__ x, const float* __restrict__ y, const float* __restrict__ z,
+                    const float* __restrict__ range, const float* __restrict__ normal_along,
+                    float* __restrict__ normal_beside, float* __restrict__ facing, float* __restrict__ reach) {
+  const float sx = across[0], sy = across[1], sz = across[2];
+  const float bx = beside[0], by = beside[1], bz = beside[2];
+  for (int row = 0; row < rows.count; ++row) {
+    normal_beside[row] = x[row] * bx + y[row] * by + z[row] * bz;
+    facing[row] += normal_beside[row];
+    const float cosine = rows.cos_t[row] > kLeastCosine ? rows.cos_t[row] : kLeastCosine;
+    const float across_normal = x[row] * sx + y[row] * sy + z[row] * sz;
+    const float sideways = std::abs(across_normal - tan_bearing / cosine * normal_along[row]);
+    reach[row] = bins_per_metre * rows.half_width * range[row] * sideways / (std::abs(facing[row]) + kLeastFacing);
+  }
+}
+
+// Bends unit normals by the relief. A facet that faces away is in its own surface's shadow; a ray that is mirrored into
+// the surface would meet it again at once, in a trough that the triangles do not have.
+INSONIFY_VECTOR_CLONES
+void bend(int rows, const float* __restrict__ direction_x, const float* __restrict__ direction_y,
+          const float* __restrict__ direction_z, const float* __restrict__ gradient_x,
+          const float* __restrict__ gradient_y, const float* __restrict__ gradient_z, float* __restrict__ normal_x,
+          float* __restrict__ normal_y, float* __restrict__ normal_z, float* __restrict__ facing,
+          float* __restrict__ escapes) {
+  for (int row = 0; row < rows; ++row) {
+    const float nx = normal_x[row], ny = normal_y[row], nz = normal_z[row];
+    const float x = nx - gradient_x[row], y = ny - gradient_y[row], z = nz - gradient_z[row];
+    const float scale = 1 / std::sqrt(x * x + y * y + z * z + kTiny);
+    const float bent_x = x * scale, bent_y = y * scale, bent_z = z * scale;
+    const float bent = bent_x * direction_x[row] + bent_y * direction_y[row] + bent_z * direction_z[row];
+    const float flat = facing[row];
+    // Of the mirrored ray and the flat normal: d . n - 2 (d . b) (b . n).
+    const float onward = flat - 2 * bent * (bent_x * nx + bent_y * ny + bent_z * nz);
+    escapes[row] = onward * flat < 0 ? 1.0F : 0.0F;
+    facing[row] = bent * flat > 0 ? bent : 0.0F;
+    normal_x[row] = bent_x;
+    normal_y[row] = bent_y;
+    normal_z[row] = bent_z;
+  }
+}
+
+INSONIFY_VECTOR_CLONES
+void shade(int rows, float neper_per_metre, const float* __restrict__ range, const float* __restrict__ facing,
+           const float* __restrict__ reflectivity, float* __restrict__ strength) {
+  for (int row = 0; row < rows; ++row) {
+    strength[row] = std::abs(facing[row]) * reflectivity[row] * fast_exp(-2 * neper_per_metre * range[row]);
+  }
+}
+
+// Where the tangent plane of sample `a` is met in the direction of `b`, against where `b` is, and the other way round.
+template <BeamShape shape>
+[[gnu::always_inline]] inline void join_rows(Rows rows, float bin_length, const float* __restrict__ range,
+                                             const float* __restrict__ along, const float* __restrict__ up,
+                                             const float* __restrict__ beside, const float* __restrict__ facing,
+                                             const SurfaceLabel* __restrict__ surface,
+                                             std::uint8_t* __restrict__ joined) {
+  for (int a = 0; a + 1 < rows.count; ++a) {
+    const int b = a + 1;
+    const float apart = std::abs(range[a] - range[b]);
+    const float tolerance = bin_length + kBend * apart;
+    // Both sides times the cosine that would divide.
+    float b_from_a = along[a] * rows.cos_t[b] + up[a] * rows.sin_t[b];
+    float a_from_b = along[b] * rows.cos_t[a] + up[b] * rows.sin_t[a];
+    if constexpr (shape == BeamShape::kCone) {
+      b_from_a += beside[a];
+      a_from_b += beside[b];
+    }
+    const bool forth = std::abs(range[a] * facing[a] - range[b] * b_from_a) < tolerance * std::abs(b_from_a);
+    const bool back = std::abs(range[b] * facing[b] - range[a] * a_from_b) < tolerance * std::abs(a_from_b);
+    const bool level = apart < bin_length;
+    const bool same = surface[a] == surface[b] && surface[a] != kNoSurface;
+    joined[a] = static_cast<std::uint8_t>(same & (level | (forth & back)));
+  }
+}
+
+INSONIFY_VECTOR_CLONES
+void join(Rows rows, float bin_length, const float* __restrict__ range, const float* __restrict__ along,
+          const float* __restrict__ up, const float* __restrict__ facing, const SurfaceLabel* __restrict__ surface,
+          std::uint8_t* __restrict__ joined) {
+  join_rows<BeamShape::kWedge>(rows, bin_length, range, along, up, nullptr, facing, surface, joined);
+}
+
+INSONIFY_VECTOR_CLONES
+void join_on_cone(Rows rows, float bin_length, const float* __restrict__ range, const float* __restrict__ along,
+                  const float* __restrict__ up, const float* __restrict__ beside, const float* __restrict__ facing,
+                  const SurfaceLabel* __restrict__ surface, std::uint8_t* __restrict__ joined) {
+  join_rows<BeamShape::kCone>(rows, bin_length, range, along, up, beside, facing, surface, joined);
+}
+
+// The stretches between neighbours. Power changes linearly along each.
+INSONIFY_VECTOR_CLONES
+void stretch(int rows, float bins, const float* __restrict__ interval, float width,
+             const float* __restrict__ sample_elevation, const float* __restrict__ position,
+             const float* __restrict__ reach, const float* __restrict__ sample_power, float* __restrict__ low,
+             float* __restrict__ high, float* __restrict__ power, float* __restrict__ half_rise,
+             float* __restrict__ density, float* __restrict__ elevation) {
+  for (int a = 0; a + 1 < rows; ++a) {
+    const int b = a + 1;
+    const bool rising = position[a] < position[b];
+    const float beyond = 0.5F * (reach[a] + reach[b]) + shortest_stretch(position[b]);
+    const float near = (rising ? position[a] : position[b]) - beyond;
+    const float far = (rising ? position[b] : position[a]) + beyond;
+    const float per_bin = 1 / (far - near);
+    const float near_power = rising ? sample_power[a] : sample_power[b];
+    const float rise = ((rising ? sample_power[b] : sample_power[a]) - near_power) * per_bin;
+    low[a] = near < 0 ? 0.0F : near < bins ? near : bins;
+    high[a] = far < bins ? far : bins;
+    power[a] = near_power - near * rise;
+    half_rise[a] = 0.5F * rise;
+    density[a] = interval[b] * width * per_bin;
+    elevation[a] = 0.5F * (sample_elevation[a] + sample_elevation[b]);
+  }
+}
+
+Rows rows_of(const Lattice& lattice, int column) {
+  return {lattice.rows, lattice.cosines(column), lattice.sines(column), 0.5F * lattice.column_width[column]};
+}
+
+}  // namespace
+
+ColumnAxes column_axes(const Lattice& lattice, int column, const Eigen::Matrix3f& axes) {
+  const float cosine = lattice.cos_azimuth[column], sine = lattice.sin_azimuth[column];
+  if (lattice.shape == BeamShape::kCone) {
+    return {axes.col(0) * cosine, axes.col(1) * cosine, axes.col(2) * cosine, axes.col(1) * sine};
+  }
+  return {axes.col(0) * cosine + axes.col(1) * sine, axes.col(1) * cosine - axes.col(0) * sine, axes.col(2),
+          Vec3f::Zero()};
+}
+
+void aim_column(const Lattice& lattice, int column, const ColumnAxes& axes, const HitColumn& hits) {
+  aim(rows_of(lattice, column), axes.along, axes.up, hits.direction_x, hits.direction_y, hits.direction_z);
+  if (lattice.shape == BeamShape::kCone) {
+    aim_beside(lattice.rows, axes.beside, hits.direction_x, hits.direction_y, hits.direction_z);
+  }
+}
+
+void evaluate_column(const PingPlan& plan, Followed followed, int column, const ColumnAxes& axes, const HitColumn& hits,
+                     Stretches& stretches) {
+  const Lattice& lattice = plan.lattice;
+  Rows rows = rows_of(lattice, column);
+  rows.count = std::min(hits.rows + 1, lattice.rows);
+  measure(rows, axes.along, axes.across, axes.up, plan.bins_per_metre, plan.first_bin_at, hits.normal_x, hits.normal_y,
+          hits.normal_z, hits.range, stretches.normal_along.data(), stretches.normal_up.data(), hits.facing,
+          stretches.position.data(), stretches.reach.data());
+  if (lattice.shape == BeamShape::kCone) {
+    measure_beside(rows, axes.across, axes.beside, lattice.sin_azimuth[column] / lattice.cos_azimuth[column],
+                   plan.bins_per_metre, hits.normal_x, hits.normal_y, hits.normal_z, hits.range,
+                   stretches.normal_along.data(), stretches.normal_beside.data(), hits.facing, stretches.reach.data());
+    join_on_cone(rows, 1 / plan.bins_per_metre, hits.range, stretches.normal_along.data(), stretches.normal_up.data(),
+                 stretches.normal_beside.data(), hits.facing, hits.surface, stretches.joined.data());
+  } else {
+    join(rows, 1 / plan.bins_per_metre, hits.range, stretches.normal_along.data(), stretches.normal_up.data(),
+         hits.facing, hits.surface, stretches.joined.data());
+  }
+  if (hits.has_relief) {
+    bend(rows.count, hits.direction_x, hits.direction_y, hits.direction_z, hits.gradient_x, hits.gradient_y,
+         hits.gradient_z, hits.normal_x, hits.normal_y, hits.normal_z, hits.facing, hits.escapes);
+  }
+  if (plan.model == EchoModel::kCalibrated) {
+    plan.scatter.fill_powers(rows.count, plan.neper_per_metre, hits);
+  } else {
+    shade(rows.count, plan.neper_per_metre, hits.range, hits.facing, hits.reflectivity, hits.strength);
+    plan.shape.apply(rows.count, hits.strength, hits.power);
+  }
+  stretch(rows.count, static_cast<float>(plan.sonar.bin_count), lattice.intervals(column),
+          lattice.column_measure[column], lattice.elevations(column), stretches.position.data(), stretches.reach.data(),
+          hits.power, stretches.low.data(), stretches.high.data(), stretches.power.data(), stretches.half_rise.data(),
+          stretches.density.data(), stretches.elevation.data());
+  select_hits(plan, followed, column, rows.count, hits, stretches.turned.data());
+}
+
+}  // namespace insonify

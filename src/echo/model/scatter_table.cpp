@@ -1,0 +1,61 @@
+// scatter_table.cpp -- backscatter of many samples at once.
+
+#include "echo/model/scatter_table.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "base/vector_math.h"
+#include "echo/model/hit_column.h"
+
+namespace insonify {
+namespace {
+
+// Below this cosine of incidence (89.4 deg) lobes are held as they are there, where nothing is left of them.
+constexpr float kLeastCosine = 0.01F;
+
+INSONIFY_VECTOR_CLONES
+void scatter(int rows, const ScatterTable::Laws laws, float neper_per_metre, const SurfaceLabel* __restrict__ surface,
+             const float* __restrict__ facing, const float* __restrict__ range, float* __restrict__ power) {
+  for (int row = 0; row < rows; ++row) {
+    const std::uint32_t label = surface[row] & 0xffffU;  // material_of()
+    const std::uint32_t material = label < laws.nothing ? label : laws.nothing;
+    const float cosine = std::abs(facing[row]);
+    const float held = cosine < kLeastCosine ? kLeastCosine : cosine;
+    const float square = 1 / (held * held);
+    const float glint =
+        laws.lobe[material] * square * square * fast_exp((1 - square) * laws.steepness[material]) / held;
+    const float spread = fast_exp(-4 * neper_per_metre * range[row]) / (range[row] * range[row]);
+    const float echo = (laws.lambert[material] * cosine + glint) * spread;
+    power[row] = (range[row] > 0) & (cosine > 0) ? echo : 0.0F;
+  }
+}
+
+}  // namespace
+
+ScatterTable::ScatterTable(std::span<const Material> materials, double frequency) {
+  for (const Material& material : materials) {
+    const Scattering scattering = material.scattering(frequency);
+    const double variance = scattering.rms_slope * scattering.rms_slope;
+    const double intensity = scattering.reflection * scattering.reflection;
+    kept_.push_back(static_cast<float>(intensity));
+    lambert_.push_back(static_cast<float>(scattering.lambert));
+    lobe_.push_back(static_cast<float>(intensity / (8 * std::numbers::pi * variance)));
+    steepness_.push_back(static_cast<float>(1 / (2 * variance)));
+  }
+  for (auto* values : {&lambert_, &lobe_, &steepness_}) {
+    values->push_back(0);
+  }
+}
+
+void ScatterTable::fill_powers(int rows, float neper_per_metre, const HitColumn& hits) const {
+  scatter(rows, laws(), neper_per_metre, hits.surface, hits.facing, hits.range, hits.power);
+  if (hits.has_relief) {
+    for (int row = 0; row < rows; ++row) {
+      hits.power[row] *= hits.texture[row] * hits.texture[row];
+    }
+  }
+}
+
+}  // namespace insonify

@@ -1,0 +1,85 @@
+// interference.cpp -- when pulses arrive, and which bins are listening then.
+
+#include "echo/targets/interference.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/philox.h"
+
+namespace insonify {
+namespace {
+
+constexpr int kNoSurfaceMet = 0;  // As a path order.
+
+std::vector<Vec3> places_of(std::span<const Interferer> interferers) {
+  std::vector<Vec3> places;
+  for (const Interferer& interferer : interferers) {
+    places.push_back(interferer.position);
+  }
+  return places;
+}
+
+// A pulse's phase wanders from bin to bin: it is not this sonar's.
+float phase_of(const PingPlan& plan, std::size_t interferer, std::int64_t pulse, int bin) {
+  const PhiloxCounter counter = {static_cast<std::uint32_t>(interferer), static_cast<std::uint32_t>(pulse),
+                                 static_cast<std::uint32_t>(bin),
+                                 static_cast<std::uint32_t>(RandomPurpose::kInterference)};
+  return uniform_open(philox(counter, philox_key(plan.seed))[0]);
+}
+
+// One way: 20 log10 r + alpha r.
+double intensity_of(const PingPlan& plan, const Interferer& other, const LinesOfSight::Sight& sight) {
+  return std::pow(10.0, (other.source_level_db - plan.sonar.source_level_db) / 10) / (sight.range * sight.range) *
+         std::exp(-2 * double{plan.neper_per_metre} * sight.range) * double{sight.arrival.heard};
+}
+
+// The bin that listens so long after transmission [s]; beyond both ends of the range window -1 and bin_count.
+int bin_after(const PingPlan& plan, double time, double sound_speed) {
+  const double position = (0.5 * sound_speed * time - double{plan.first_bin_at}) * double{plan.bins_per_metre};
+  return static_cast<int>(std::floor(std::clamp(position, -1.0, static_cast<double>(plan.sonar.bin_count))));
+}
+
+}  // namespace
+
+Interference::Interference(std::span<const Interferer> interferers)
+    : interferers_(interferers), ways_(places_of(interferers)) {}
+
+void Interference::add(const PingPlan& plan, const Pose& world_from_sonar, double time, Engine& engine,
+                       EchoGrid& grid) {
+  const auto sights = ways_.look(plan, world_from_sonar, engine);
+  for (std::size_t i = 0; i < interferers_.size(); ++i) {
+    if (sights[i]) {
+      add_pulses(plan, i, *sights[i], time, grid);
+    }
+  }
+}
+
+// Those that arrive before the listening is over and end after it has begun.
+void Interference::add_pulses(const PingPlan& plan, std::size_t index, const LinesOfSight::Sight& sight, double time,
+                              EchoGrid& grid) {
+  const Interferer& other = interferers_[index];
+  const double sound_speed = 2 * plan.sonar.frequency / plan.turns_per_metre;
+  const double listening = 2 * double{plan.true_max_range} / sound_speed;
+  const double first_arrival = other.first_pulse + sight.range / sound_speed - time;  // After transmission.
+  const auto intensity = static_cast<float>(intensity_of(plan, other, sight));
+  auto pulse = static_cast<std::int64_t>(std::ceil(-(first_arrival + other.duration) / other.period));
+  for (;; ++pulse) {
+    const double begins = first_arrival + static_cast<double>(pulse) * other.period;
+    if (begins >= listening) {
+      return;
+    }
+    const int first = std::max(0, bin_after(plan, begins, sound_speed));
+    const int last = std::min(bin_after(plan, begins + other.duration, sound_speed), plan.sonar.bin_count - 1);
+    for (int bin = first; bin <= last; ++bin) {
+      grid.lone_echoes().push_back({.beam = sight.beam,
+                                    .bin = bin,
+                                    .order = kNoSurfaceMet,
+                                    .bearing_sine = std::sin(sight.arrival.bearing),
+                                    .intensity = intensity,
+                                    .turns = phase_of(plan, index, pulse, bin)});
+    }
+  }
+}
+
+}  // namespace insonify

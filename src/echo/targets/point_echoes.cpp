@@ -1,0 +1,59 @@
+// point_echoes.cpp -- seen, weakened by spreading and absorption.
+
+#include "echo/targets/point_echoes.h"
+
+#include <cmath>
+
+#include "base/philox.h"
+
+namespace insonify {
+namespace {
+
+std::vector<Vec3> places_of(std::span<const PointTarget> points) {
+  std::vector<Vec3> places;
+  for (const PointTarget& point : points) {
+    places.push_back(point.position);
+  }
+  return places;
+}
+
+}  // namespace
+
+double own_phase(const PingPlan& plan, std::size_t point) {
+  const PhiloxCounter counter = {static_cast<std::uint32_t>(point), 0, 0,
+                                 static_cast<std::uint32_t>(RandomPurpose::kPointPhase)};
+  return double{uniform_open(philox(counter, philox_key(plan.seed))[0])};
+}
+
+void add_lone_echo(const PingPlan& plan, const PingPlan::Arrival& arrival, int order, double range, double intensity,
+                   double turns, EchoGrid& grid) {
+  const int bin = plan.bin_of(static_cast<float>(range));
+  if (bin >= 0) {
+    grid.lone_echoes().push_back({.beam = plan.beam_of(arrival.bearing),
+                                  .bin = bin,
+                                  .order = order,
+                                  .bearing_sine = std::sin(arrival.bearing),
+                                  .intensity = static_cast<float>(intensity),
+                                  .turns = static_cast<float>(turns - std::floor(turns))});
+  }
+}
+
+PointEchoes::PointEchoes(std::span<const PointTarget> points) : points_(points), ways_(places_of(points)) {}
+
+void PointEchoes::add(const PingPlan& plan, const Pose& world_from_sonar, Engine& engine, EchoGrid& grid) {
+  const auto sights = ways_.look(plan, world_from_sonar, engine);
+  for (std::size_t i = 0; i < points_.size(); ++i) {
+    if (!sights[i]) {
+      continue;
+    }
+    const double range = sights[i]->range;
+    const double intensity = std::pow(10.0, points_[i].target_strength_db / 10) / std::pow(range, 4) *
+                             std::exp(-4 * double{plan.neper_per_metre} * range) *
+                             std::pow(double{sights[i]->arrival.heard}, 2);
+    const double turns = plan.turns_per_metre * range + own_phase(plan, i);
+    // A point has no extent: it takes no solid angle from what is behind it, and no surface to label a cell with.
+    add_lone_echo(plan, sights[i]->arrival, 1, range, intensity, turns, grid);
+  }
+}
+
+}  // namespace insonify

@@ -1,0 +1,109 @@
+// surface_ghosts.cpp -- three rays a point, three echoes.
+
+#include "echo/targets/surface_ghosts.h"
+
+#include <cmath>
+#include <optional>
+
+#include "base/philox.h"
+#include "echo/model/ray_limits.h"
+#include "echo/targets/point_echoes.h"
+
+namespace insonify {
+namespace {
+
+Ray ray_between(const Vec3& from, const Vec3& to) {
+  const Vec3 there = to - from;
+  const double length = there.norm();
+  const double clearance = double{kRayClearance};
+  return {from, length > 0 ? Vec3(there / length) : Vec3(Vec3::UnitX()), clearance, length - clearance};
+}
+
+// How sound from a place of the sonar frame arrives; none where it is not heard.
+std::optional<PingPlan::Arrival> arrival_of(const PingPlan& plan, const Vec3& place) {
+  const Vec3f direction = place.normalized().cast<float>();
+  return plan.hears(direction) ? std::optional(plan.arrival_from(direction)) : std::nullopt;
+}
+
+}  // namespace
+
+SurfaceGhosts::SurfaceGhosts(std::span<const PointTarget> points, const Surface& surface)
+    : points_(points), surface_(surface), rays_(kWays * points.size()), hits_(rays_.size()) {}
+
+void SurfaceGhosts::trace(const Vec3& sonar, Engine& engine) {
+  for (std::size_t i = 0; i < points_.size(); ++i) {
+    const Vec3& point = points_[i].position;
+    const double depth = surface_.level - sonar.z(), point_depth = surface_.level - point.z();
+    const double share = depth + point_depth > 0 ? depth / (depth + point_depth) : 0.5;
+    Vec3 bounce = sonar + share * (point - sonar);
+    bounce.z() = surface_.level;
+    rays_[kWays * i] = ray_between(sonar, point);
+    rays_[kWays * i + 1] = ray_between(sonar, bounce);
+    rays_[kWays * i + 2] = ray_between(bounce, point);
+  }
+  engine.trace(rays_, hits_);
+}
+
+SurfaceGhosts::Glint SurfaceGhosts::glint(const PingPlan& plan, std::size_t point, int order,
+                                          std::uint64_t number) const {
+  if (!surface_.glints) {
+    return {1, 0};
+  }
+  const PhiloxCounter counter = {
+      static_cast<std::uint32_t>(point), static_cast<std::uint32_t>(number), static_cast<std::uint32_t>(number >> 32),
+      static_cast<std::uint32_t>(RandomPurpose::kWaves) + (static_cast<std::uint32_t>(order) << 8)};
+  const PhiloxCounter words = philox(counter, philox_key(plan.seed));
+  return {-std::log(double{uniform_open(words[0])}), double{uniform_open(words[1])}};
+}
+
+void SurfaceGhosts::add(const PingPlan& plan, const Pose& world_from_sonar, std::uint64_t number, Engine& engine,
+                        EchoGrid& grid) {
+  if (plan.secondary == SecondaryEchoes::kNone || plan.max_surfaces < 2 || points_.empty() ||
+      world_from_sonar.position.z() >= surface_.level) {
+    return;
+  }
+  trace(world_from_sonar.position, engine);
+  for (std::size_t i = 0; i < points_.size(); ++i) {
+    if (points_[i].position.z() < surface_.level) {
+      add_point(plan, world_from_sonar.inverse(), i, number, grid);
+    }
+  }
+}
+
+void SurfaceGhosts::add_point(const PingPlan& plan, const Pose& sonar_from_world, std::size_t point,
+                              std::uint64_t number, EchoGrid& grid) const {
+  const auto clear = [&](std::size_t way) { return !std::isfinite(hits_[kWays * point + way].distance); };
+  if (!clear(1) || !clear(2)) {
+    return;
+  }
+  const Vec3& place = points_[point].position;
+  const Vec3 image(place.x(), place.y(), 2 * surface_.level - place.z());
+  const Vec3 straight = sonar_from_world * place, mirrored = sonar_from_world * image;
+  const std::optional<PingPlan::Arrival> by_surface = arrival_of(plan, mirrored);
+  if (!by_surface) {
+    return;
+  }
+  const double near = straight.norm(), far = mirrored.norm();
+  const double strength = std::pow(10.0, points_[point].target_strength_db / 10);
+  const double kept = double{plan.scatter.kept(surface_.label)}, absorption = 2 * double{plan.neper_per_metre};
+  const double own_turns = own_phase(plan, point);
+  const std::optional<PingPlan::Arrival> direct = arrival_of(plan, straight);
+  if (clear(0) && direct) {
+    const Glint waves = glint(plan, point, 2, number);
+    const double intensity = waves.intensity * strength * kept / std::pow(near * far, 2) *
+                             std::exp(-absorption * (near + far)) * double{direct->heard} * double{by_surface->heard};
+    const double range = 0.5 * (near + far);
+    const double turns = plan.turns_per_metre * range + own_turns + 0.5 + waves.turns;
+    add_lone_echo(plan, *direct, 2, range, intensity, turns, grid);
+    add_lone_echo(plan, *by_surface, 2, range, intensity, turns, grid);
+  }
+  if (plan.max_surfaces > 2) {
+    const Glint waves = glint(plan, point, 3, number);
+    const double intensity = waves.intensity * strength * kept * kept / std::pow(far, 4) *
+                             std::exp(-2 * absorption * far) * std::pow(double{by_surface->heard}, 2);
+    const double turns = plan.turns_per_metre * far + own_turns + 1 + waves.turns;
+    add_lone_echo(plan, *by_surface, 3, far, intensity, turns, grid);
+  }
+}
+
+}  // namespace insonify

@@ -1,0 +1,40 @@
+// hdf5.cpp -- reads HDF5's error stack.
+
+#include "io/file/hdf5.h"
+
+#include <algorithm>
+
+namespace insonify {
+namespace {
+
+// Walked upwards from the function that failed first; its entry is the one that says why.
+herr_t take_first(unsigned, const H5E_error2_t* entry, void* text) {
+  *static_cast<std::string*>(text) = entry->desc != nullptr ? entry->desc : "";
+  return 1;  // Stop.
+}
+
+// Entries of the file driver hold a date (with a line break), addresses and flags around the reason.
+std::string system_reason(const std::string& description) {
+  static constexpr std::string_view kStart = "error message = '";
+  const std::size_t start = description.find(kStart);
+  if (start == std::string::npos) {
+    return description;
+  }
+  const std::size_t first = start + kStart.size();
+  return description.substr(first, description.find('\'', first) - first);
+}
+
+}  // namespace
+
+std::string h5_failure() {
+  std::string description;
+  H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, take_first, &description);
+  if (description.empty()) {
+    return "unknown HDF5 failure";
+  }
+  std::string reason = system_reason(description);
+  std::replace(reason.begin(), reason.end(), '\n', ' ');
+  return reason;
+}
+
+}  // namespace insonify

@@ -1,0 +1,94 @@
+// input_file.cpp -- plain reasons for files that cannot be read.
+
+#include "io/file/input_file.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cerrno>
+#include <fstream>
+#include <system_error>
+
+#include "insonify/error.h"
+
+namespace insonify {
+namespace {
+
+[[noreturn]] void throw_unreadable(const std::filesystem::path& path, int reason) {
+  throw Error(path.string() + ": cannot be read: " + std::generic_category().message(reason));
+}
+
+constexpr std::size_t kLongestStream = std::size_t{1} << 28;  // [bytes]
+
+}  // namespace
+
+bool is_stream(const std::filesystem::path& path) {
+  std::error_code failure;
+  const std::filesystem::file_status status = std::filesystem::status(path, failure);
+  const bool is_special = std::filesystem::exists(status) && !std::filesystem::is_directory(status) &&
+                          !std::filesystem::is_regular_file(status);
+  const std::string name = path.string();
+  return is_special || name == "/dev/stdin" || name.starts_with("/dev/fd/") || name.starts_with("/proc/");
+}
+
+void check_input_file(const std::filesystem::path& path) {
+  std::error_code failure;
+  const std::filesystem::file_status status = std::filesystem::status(path, failure);
+  if (status.type() == std::filesystem::file_type::not_found) {
+    throw Error(path.string() + ": no such file");
+  }
+  if (failure) {
+    throw_unreadable(path, failure.value());
+  }
+  if (std::filesystem::is_directory(status)) {
+    throw Error(path.string() + ": is a folder, not a file");
+  }
+  errno = 0;
+  std::ifstream file(path, std::ios::binary);
+  if (!file) {
+    throw_unreadable(path, errno);
+  }
+  if (file.peek() == std::ifstream::traits_type::eof()) {
+    throw Error(path.string() + ": the file is empty");
+  }
+}
+
+std::string read_text(const std::filesystem::path& path) {
+  if (!is_stream(path)) {
+    check_input_file(path);
+  }
+  // Once and from the front, as a pipe has to be.
+  errno = 0;
+  std::ifstream file(path, std::ios::binary);
+  std::string text;
+  std::array<char, 65536> part;
+  while (file.read(part.data(), part.size()) || file.gcount() > 0) {
+    text.append(part.data(), static_cast<std::size_t>(file.gcount()));
+    if (text.size() > kLongestStream && is_stream(path)) {
+      throw Error(path.string() + ": is no file and does not end");
+    }
+  }
+  if (!file.eof()) {
+    throw_unreadable(path, errno != 0 ? errno : EIO);
+  }
+  if (text.empty()) {
+    throw Error(path.string() + ": the file is empty");
+  }
+  return text;
+}
+
+std::string ending_of(const std::filesystem::path& path) {
+  std::string ending = path.extension().string();
+  std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return ending;
+}
+
+std::string one_line(std::string message) {
+  std::ranges::replace_if(
+      message, [](unsigned char c) { return std::iscntrl(c) != 0; }, ' ');
+  const std::size_t last = message.find_last_not_of(" .");
+  message.resize(last == std::string::npos ? 0 : last + 1);
+  return message;
+}
+
+}  // namespace insonify

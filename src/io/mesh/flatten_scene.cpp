@@ -1,0 +1,256 @@
+// flatten_scene.cpp -- walks assimp's nodes and copies what hangs on them.
+
+#include "io/mesh/flatten_scene.h"
+
+#include <assimp/material.h>
+#include <assimp/mesh.h>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <limits>
+#include <map>
+#include <set>
+#include <span>
+
+#include "insonify/error.h"
+#include "io/mesh/relief_file.h"
+#include "io/mesh/triangulate.h"
+
+namespace insonify {
+namespace {
+
+// A mesh of the file where a node puts it.
+struct Part {
+  const aiMesh* mesh = nullptr;
+  std::string node;
+  Eigen::Affine3d mesh_from_part;
+};
+
+Eigen::Affine3d affine_from(const aiMatrix4x4& m) {
+  Eigen::Affine3d affine;
+  affine.matrix() << static_cast<double>(m.a1), static_cast<double>(m.a2), static_cast<double>(m.a3),
+      static_cast<double>(m.a4), static_cast<double>(m.b1), static_cast<double>(m.b2), static_cast<double>(m.b3),
+      static_cast<double>(m.b4), static_cast<double>(m.c1), static_cast<double>(m.c2), static_cast<double>(m.c3),
+      static_cast<double>(m.c4), 0, 0, 0, 1;
+  return affine;
+}
+
+void collect_parts(const aiScene& scene, const aiNode& node, const Eigen::Affine3d& mesh_from_parent,
+                   std::vector<Part>& parts) {
+  const Eigen::Affine3d mesh_from_node = mesh_from_parent * affine_from(node.mTransformation);
+  for (unsigned i = 0; i < node.mNumMeshes; ++i) {
+    parts.push_back({scene.mMeshes[node.mMeshes[i]], node.mName.C_Str(), mesh_from_node});
+  }
+  for (unsigned i = 0; i < node.mNumChildren; ++i) {
+    collect_parts(scene, *node.mChildren[i], mesh_from_node, parts);
+  }
+}
+
+// Keeps the parts whose node or mesh has the name.
+void choose_parts(std::vector<Part>& parts, const FlattenSettings& settings) {
+  const std::string& name = settings.submesh;
+  std::set<std::string> names;
+  for (const Part& part : parts) {
+    names.insert(part.node.empty() ? part.mesh->mName.C_Str() : part.node);
+  }
+  std::erase_if(parts, [&](const Part& part) { return part.node != name && part.mesh->mName.C_Str() != name; });
+  if (parts.empty()) {
+    throw Error(
+        fmt::format("{}: no submesh \"{}\"; there are: {}", settings.path.string(), name, fmt::join(names, ", ")));
+  }
+}
+
+// As the file calls it; "" for one that assimp made up.
+std::string material_name_of(const aiScene& scene, const aiMesh& mesh) {
+  aiString name;
+  if (mesh.mMaterialIndex >= scene.mNumMaterials ||
+      scene.mMaterials[mesh.mMaterialIndex]->Get(AI_MATKEY_NAME, name) != aiReturn_SUCCESS ||
+      std::string_view(name.C_Str()) == AI_DEFAULT_MATERIAL_NAME) {
+    return "";
+  }
+  return name.C_Str();
+}
+
+std::array<Eigen::Vector2f, 3> no_texture_coordinates() {
+  return {Eigen::Vector2f::Zero(), Eigen::Vector2f::Zero(), Eigen::Vector2f::Zero()};
+}
+
+// Gathers parts in one mesh.
+class Flattener {
+ public:
+  Flattener(const aiScene& scene, const FlattenSettings& settings) : scene_(scene), settings_(settings) {
+    mesh_.material_names.clear();
+  }
+
+  void reserve(const std::vector<Part>& parts) {
+    std::size_t vertices = 0;
+    std::size_t triangles = 0;
+    for (const Part& part : parts) {
+      vertices += part.mesh->mNumVertices;
+      for (unsigned i = 0; i < part.mesh->mNumFaces; ++i) {
+        triangles += std::max(part.mesh->mFaces[i].mNumIndices, 2U) - 2;
+      }
+    }
+    mesh_.vertices.reserve(vertices);
+    mesh_.normals.reserve(vertices);
+    mesh_.triangles.reserve(triangles);
+  }
+
+  void add(const Part& part) {
+    const auto first = static_cast<std::uint32_t>(mesh_.vertices.size());
+    add_vertices(*part.mesh, part.mesh_from_part);
+    // A mirror turns the winding over; swapping two corners turns it back.
+    add_triangles(*part.mesh, first, part.mesh_from_part.linear().determinant() < 0);
+    add_slot(slot_of(material_name_of(scene_, *part.mesh)));
+    add_relief(*part.mesh);
+  }
+
+  [[nodiscard]] FlattenedScene take() {
+    if (mesh_.material_names.empty()) {
+      mesh_.material_names.emplace_back();
+    }
+    if (!mesh_.texture_coordinates.empty()) {
+      mesh_.texture_coordinates.resize(mesh_.triangles.size(), no_texture_coordinates());
+    }
+    if (!mesh_.reliefs.empty()) {
+      mesh_.reliefs.resize(mesh_.material_names.size());
+    }
+    return {std::move(mesh_), lines_and_points_, std::move(notes_)};
+  }
+
+ private:
+  void add_vertices(const aiMesh& part, const Eigen::Affine3d& mesh_from_part) {
+    // Normals go with the matrix of cofactors: the inverse transpose, without dividing by what may be zero.
+    const Eigen::Matrix3d& m = mesh_from_part.linear();
+    Eigen::Matrix3d cofactors;
+    cofactors << m.col(1).cross(m.col(2)), m.col(2).cross(m.col(0)), m.col(0).cross(m.col(1));
+    if (m.determinant() < 0) {
+      cofactors = -cofactors;
+    }
+
+    const bool has_normals = settings_.keep_normals && part.mNormals != nullptr;
+    for (unsigned i = 0; i < part.mNumVertices; ++i) {
+      const aiVector3D& at = part.mVertices[i];
+      mesh_.vertices.push_back(Vec3f((mesh_from_part * Vec3f(at.x, at.y, at.z).cast<double>()).cast<float>()));
+      if (has_normals) {
+        const aiVector3D& normal = part.mNormals[i];
+        const Vec3 turned = cofactors * Vec3f(normal.x, normal.y, normal.z).cast<double>();
+        mesh_.normals.push_back(Vec3f(turned.normalized().cast<float>()));
+      } else {
+        mesh_.normals.push_back(Vec3f::Zero());  // clean_mesh makes it.
+      }
+    }
+  }
+
+  void add_triangles(const aiMesh& part, std::uint32_t first, bool mirrored) {
+    for (unsigned i = 0; i < part.mNumFaces; ++i) {
+      const std::span<const unsigned> face(part.mFaces[i].mIndices, part.mFaces[i].mNumIndices);
+      if (face.size() < 3) {
+        ++lines_and_points_;
+        continue;
+      }
+      cut(part, face);
+      for (const auto& [a, b, c] : cut_) {
+        if (part.mTextureCoords[0] != nullptr) {
+          const auto at = [&](std::uint32_t corner) { return texture_at(part, face[corner]); };
+          mesh_.texture_coordinates.resize(mesh_.triangles.size(), no_texture_coordinates());
+          mesh_.texture_coordinates.push_back(mirrored ? std::array{at(a), at(c), at(b)}
+                                                       : std::array{at(a), at(b), at(c)});
+        }
+        const auto index = [&](std::uint32_t corner) { return index_in_mesh(part, first, face[corner]); };
+        mesh_.triangles.push_back(mirrored ? std::array{index(a), index(c), index(b)}
+                                           : std::array{index(a), index(b), index(c)});
+      }
+    }
+  }
+
+  static Eigen::Vector2f texture_at(const aiMesh& part, unsigned index) {
+    if (index >= part.mNumVertices) {
+      return Eigen::Vector2f::Zero();
+    }
+    const aiVector3D& at = part.mTextureCoords[0][index];
+    return std::isfinite(at.x) && std::isfinite(at.y) ? Eigen::Vector2f(at.x, at.y) : Eigen::Vector2f::Zero();
+  }
+
+  // An index outside its own part must not land in the next one.
+  static std::uint32_t index_in_mesh(const aiMesh& part, std::uint32_t first, unsigned index) {
+    return index < part.mNumVertices ? first + index : std::numeric_limits<std::uint32_t>::max();
+  }
+
+  void cut(const aiMesh& part, std::span<const unsigned> face) {
+    corners_.clear();
+    for (const unsigned index : face) {
+      const aiVector3D at = index < part.mNumVertices ? part.mVertices[index] : aiVector3D();
+      corners_.emplace_back(at.x, at.y, at.z);
+    }
+    triangulate(corners_, cut_);
+  }
+
+  std::uint16_t slot_of(const std::string& name) {
+    const std::size_t next = mesh_.material_names.size();
+    const auto [entry, is_new] = slots_.try_emplace(name, static_cast<std::uint16_t>(next));
+    if (is_new) {
+      if (next > std::numeric_limits<std::uint16_t>::max()) {
+        throw Error(fmt::format("{}: more than 65536 material names", settings_.path.string()));
+      }
+      mesh_.material_names.push_back(name);
+    }
+    return entry->second;
+  }
+
+  // Of the triangles that have none yet. As long as all are slot 0 no slots are stored.
+  void add_slot(std::uint16_t slot) {
+    if (slot != 0 || !mesh_.material_slots.empty()) {
+      mesh_.material_slots.reserve(mesh_.triangles.capacity());
+      mesh_.material_slots.resize(slots_added_, 0);
+      mesh_.material_slots.resize(mesh_.triangles.size(), slot);
+    }
+    slots_added_ = mesh_.triangles.size();
+  }
+
+  // Of the slot added last, the first time it comes with texture coordinates.
+  void add_relief(const aiMesh& part) {
+    if (part.mTextureCoords[0] == nullptr || part.mMaterialIndex >= scene_.mNumMaterials ||
+        !seen_.insert(part.mMaterialIndex).second) {
+      return;
+    }
+    const aiMaterial& material = *scene_.mMaterials[part.mMaterialIndex];
+    if (std::shared_ptr<const Relief> relief = mesh_relief(scene_, material, settings_.path, notes_)) {
+      mesh_.reliefs.resize(mesh_.material_names.size());
+      mesh_.reliefs[slots_.at(material_name_of(scene_, part))] = std::move(relief);
+    }
+  }
+
+  const aiScene& scene_;
+  const FlattenSettings& settings_;
+  Mesh mesh_;
+  std::map<std::string, std::uint16_t> slots_;  // By material name.
+  std::set<unsigned> seen_;                     // Materials whose maps were looked for.
+  std::vector<std::string> notes_;
+  std::size_t slots_added_ = 0;
+  std::size_t lines_and_points_ = 0;
+  std::vector<Vec3f> corners_;                     // Of the face at hand,
+  std::vector<std::array<std::uint32_t, 3>> cut_;  // and its triangles.
+};
+
+}  // namespace
+
+FlattenedScene flatten_scene(const aiScene& scene, const FlattenSettings& settings) {
+  Eigen::Affine3d mesh_from_file = Eigen::Affine3d::Identity();
+  mesh_from_file.linear() = settings.mesh_from_file;
+  std::vector<Part> parts;
+  collect_parts(scene, *scene.mRootNode, mesh_from_file, parts);
+  if (!settings.submesh.empty()) {
+    choose_parts(parts, settings);
+  }
+
+  Flattener flattener(scene, settings);
+  flattener.reserve(parts);
+  for (const Part& part : parts) {
+    flattener.add(part);
+  }
+  return flattener.take();
+}
+
+}  // namespace insonify

@@ -1,0 +1,138 @@
+// import_scene.cpp -- reads text formats itself, to check and mend them, and hands assimp what it takes.
+
+#include "io/mesh/import_scene.h"
+
+#include <assimp/BaseImporter.h>
+#include <assimp/DefaultIOSystem.h>
+#include <assimp/MemoryIOWrapper.h>
+#include <assimp/config.h>
+#include <fmt/format.h>
+
+#include <array>
+#include <fstream>
+#include <new>
+#include <set>
+#include <string>
+
+#include "insonify/error.h"
+#include "io/file/input_file.h"
+#include "io/mesh/mesh_counts.h"
+#include "io/mesh/obj_text.h"
+#include "io/mesh/scene_depth.h"
+
+namespace insonify {
+namespace {
+
+constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
+
+bool has_byte_order_mark(const std::filesystem::path& path) {
+  std::array<char, kByteOrderMark.size()> start{};
+  std::ifstream(path, std::ios::binary).read(start.data(), start.size());
+  return std::string_view(start.data(), start.size()) == kByteOrderMark;
+}
+
+// Gives assimp a text where it opens the mesh file. The files that it names, buffers and material libraries, are opened
+// as ever.
+class TextForFile : public Assimp::DefaultIOSystem {
+ public:
+  TextForFile(std::string path, std::string_view text) : path_(std::move(path)), text_(text) {}
+
+  Assimp::IOStream* Open(const char* file, const char* mode) override {
+    if (path_ == file) {
+      return new Assimp::MemoryIOStream(reinterpret_cast<const std::uint8_t*>(text_.data()), text_.size());
+    }
+    return DefaultIOSystem::Open(file, mode);
+  }
+
+ private:
+  std::string path_;
+  std::string_view text_;
+};
+
+// Checks the file. Returns the text to be read in its place; "" where the file itself will do.
+std::string check_and_mend(const std::filesystem::path& path, const std::string& ending) {
+  const bool has_mark = has_byte_order_mark(path);
+  if (ending == ".glb") {
+    check_glb_depth(path);
+    return "";
+  }
+  if (ending == ".stl") {
+    check_stl_size(path);
+    return "";  // assimp skips the mark of a text itself.
+  }
+  if (ending == ".ply") {
+    check_ply_counts(path);
+    if (!has_mark) {
+      return "";
+    }
+  }
+
+  std::string text = read_text(path);
+  text.erase(0, has_mark ? kByteOrderMark.size() : 0);
+  if (ending == ".obj") {
+    return mend_obj(text, path);
+  }
+  if (ending == ".dae") {
+    check_dae_depth(text, path);
+  } else if (ending == ".gltf") {
+    check_gltf_depth(text, path);
+  }
+  return has_mark ? text : "";
+}
+
+// Throws what assimp says, with the line where it can be found.
+[[noreturn]] void tell_refusal(const std::string& reason, const std::filesystem::path& path, const std::string& ending,
+                               const std::string& text) {
+  if (reason == std::bad_alloc().what()) {
+    throw std::bad_alloc();
+  }
+  if (ending == ".obj") {
+    check_obj_indices(text, path);
+  }
+  throw Error(
+      fmt::format("{}: cannot be read: {}", path.string(),
+                  reason.starts_with("No suitable reader") ? "what it holds is not " + ending.substr(1) : reason));
+}
+
+// Where the reader of a file's ending refuses it, assimp asks all others whether its first bytes are theirs; those have
+// not had their files checked here.
+void keep_readers_of(const std::string& ending, Assimp::Importer& importer) {
+  for (std::size_t i = importer.GetImporterCount(); i-- > 0;) {
+    Assimp::BaseImporter* reader = importer.GetImporter(i);
+    std::set<std::string> endings;
+    reader->GetExtensionList(endings);
+    if (!endings.contains(ending.substr(1))) {
+      importer.UnregisterLoader(reader);
+      delete reader;  // It is ours now.
+    }
+  }
+}
+
+}  // namespace
+
+// No steps after it: clean_mesh joins vertices and makes normals in linear time, and assimp cuts a concave polygon with
+// a corner on a diagonal, such as a plain L, into triangles that overlap.
+const aiScene& import_scene(Assimp::Importer& importer, const std::filesystem::path& path) {
+  constexpr unsigned kNoSteps = 0;
+  const std::string ending = ending_of(path);
+  const std::string text = check_and_mend(path, ending);
+  keep_readers_of(ending, importer);
+  importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, true);
+  importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_USE_COLLADA_NAMES, true);
+  importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
+  if (!text.empty()) {
+    importer.SetIOHandler(new TextForFile(path.string(), text));
+  }
+  importer.ReadFile(path.string(), kNoSteps);
+  importer.SetIOHandler(new Assimp::DefaultIOSystem);  // Deletes the one that knows the text.
+
+  const aiScene* scene = importer.GetScene();
+  if (scene == nullptr || scene->mRootNode == nullptr) {
+    // Its messages may quote all that is left of a file.
+    const std::string message = importer.GetErrorString();
+    tell_refusal(one_line(message.substr(0, message.find('\n'))), path, ending, text);
+  }
+  return *scene;
+}
+
+}  // namespace insonify

@@ -1,0 +1,136 @@
+// load_mesh.cpp -- mesh files through assimp, flattened into one mesh in metres with z up.
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <limits>
+#include <new>
+
+#include "insonify/error.h"
+#include "insonify/files.h"
+#include "io/file/input_file.h"
+#include "io/mesh/flatten_scene.h"
+#include "io/mesh/import_scene.h"
+#include "io/mesh/mesh_file.h"
+
+namespace insonify {
+namespace {
+
+constexpr std::array<std::string_view, 6> kEndings{".obj", ".stl", ".dae", ".ply", ".gltf", ".glb"};
+
+// Everything of the file that was asked for, as it is there.
+FlattenedScene read(const std::filesystem::path& path, const std::string& submesh) {
+  const std::string ending = ending_of(path);
+  Assimp::Importer importer;
+  const aiScene& scene = import_scene(importer, path);
+
+  FlattenSettings settings{.path = path, .submesh = submesh};
+  // STL has one normal a triangle, whatever was smooth before it was written.
+  settings.keep_normals = ending != ".stl";
+  if (ending == ".gltf" || ending == ".glb") {
+    settings.mesh_from_file << 1, 0, 0, 0, 0, -1, 0, 1, 0;  // y up to z up.
+  }
+  return flatten_scene(scene, settings);
+}
+
+void move_to_origin(Mesh& mesh) {
+  Eigen::AlignedBox3f box;
+  for (const Vec3f& vertex : mesh.vertices) {
+    box.extend(vertex);
+  }
+  const Vec3f center = box.center();
+  for (Vec3f& vertex : mesh.vertices) {
+    vertex -= center;
+  }
+}
+
+// Far from their origin floats are coarse: survey coordinates of a seabed in a mesh file lose its shape.
+void warn_of_rounding(const Mesh& mesh, const std::string& name, const Log& log) {
+  constexpr float kCoarse = 0.01F;  // [m]: half a range bin of a fine sonar.
+  float furthest = 0;
+  for (const Vec3f& vertex : mesh.vertices) {
+    furthest = std::max(furthest, vertex.cwiseAbs().maxCoeff());
+  }
+  const float rounding = furthest * std::numeric_limits<float>::epsilon();
+  if (rounding > kCoarse) {
+    log(Severity::kWarning, fmt::format("{}: coordinates as far as {:.0f} m from the origin are rounded to {:.2g} m; "
+                                        "move the mesh nearer to it",
+                                        name, furthest, rounding));
+  }
+}
+
+std::string counted(std::size_t count, std::string_view one, std::string_view many) {
+  return fmt::format("{} {}", count, count == 1 ? one : many);
+}
+
+void tell(const MeshReport& report, std::size_t lines_and_points, const std::string& name, const Log& log) {
+  std::vector<std::string> notes;
+  if (report.dropped() > 0) {
+    notes.push_back(report.text());
+  }
+  if (lines_and_points > 0) {
+    notes.push_back(counted(lines_and_points, "line or point", "lines or points") + " dropped");
+  }
+  const bool is_loss = !notes.empty();
+  if (report.normals_flipped > 0) {
+    notes.push_back(counted(report.normals_flipped, "normal", "normals") + " turned to the side of their winding");
+  }
+  if (!notes.empty()) {
+    log(is_loss ? Severity::kWarning : Severity::kInfo, fmt::format("{}: {}", name, fmt::join(notes, "; ")));
+  }
+}
+
+Mesh load_and_clean(const std::filesystem::path& path, const Submesh& submesh, const Log& log) {
+  auto [mesh, lines_and_points, notes] = read(path, submesh.name);
+  if (mesh.triangles.empty()) {
+    throw Error(fmt::format(
+        "{}: no triangles{}", path.string(),
+        lines_and_points > 0 ? ", only " + counted(lines_and_points, "line or point", "lines or points") : ""));
+  }
+  mesh.name = path.string();  // As clean_mesh's errors should name it.
+  const MeshReport report = clean_mesh(mesh);
+  mesh.name = path.stem().string();
+  if (submesh.center) {
+    move_to_origin(mesh);
+  }
+
+  if (log) {
+    tell(report, lines_and_points, path.filename().string(), log);
+    warn_of_rounding(mesh, path.filename().string(), log);
+    for (const std::string& note : notes) {
+      log(Severity::kWarning, fmt::format("{}: {}", path.filename().string(), note));
+    }
+  }
+  return mesh;
+}
+
+}  // namespace
+
+bool is_mesh_file(const std::filesystem::path& path) {
+  return std::ranges::count(kEndings, ending_of(path)) > 0;
+}
+
+std::string mesh_file_endings() {
+  return fmt::format("{}", fmt::join(kEndings, ", "));
+}
+
+Mesh load_mesh_file(const std::filesystem::path& path, const Submesh& submesh, const Log& log) {
+  check_input_file(path);
+  if (!is_mesh_file(path)) {
+    throw Error(fmt::format("{}: \"{}\" is no known ending of a mesh file; known: {}", path.string(),
+                            path.extension().string(), mesh_file_endings()));
+  }
+
+  try {
+    return load_and_clean(path, submesh, log);
+  } catch (const std::bad_alloc&) {
+    throw Error(path.string() + ": takes more memory than there is");
+  }
+}
+
+Mesh load_mesh(const std::filesystem::path& path, const Log& log) {
+  return load_mesh_file(path, {}, log);
+}
+
+}  // namespace insonify

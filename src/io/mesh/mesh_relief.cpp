@@ -1,0 +1,105 @@
+// mesh_relief.cpp -- the normal or bump map of a mesh file's material.
+
+#include <assimp/GltfMaterial.h>
+#include <assimp/ObjMaterial.h>
+#include <assimp/material.h>
+#include <fmt/format.h>
+
+#include <array>
+#include <span>
+
+#include "insonify/error.h"
+#include "io/file/input_file.h"
+#include "io/mesh/relief_file.h"
+#include "io/picture/picture_tile.h"
+
+namespace insonify {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Map {
+  aiTextureType type;
+  std::string name;  // As the file has it.
+};
+
+// Where exporters put it: glTF, OBJ's `norm` and COLLADA's bump among the normals, OBJ's `bump` among the heights.
+std::optional<Map> find_map(const aiMaterial& material) {
+  for (const aiTextureType type : {aiTextureType_NORMALS, aiTextureType_NORMAL_CAMERA, aiTextureType_HEIGHT}) {
+    aiString name;
+    if (material.GetTexture(type, 0, &name) == aiReturn_SUCCESS && name.length > 0) {
+      return Map{type, name.C_Str()};
+    }
+  }
+  return {};
+}
+
+fs::path find_picture(const std::string& name, const fs::path& mesh_path) {
+  std::string plain = name;
+  std::ranges::replace(plain, '\\', '/');
+  const fs::path given = plain, folder = mesh_path.parent_path();
+  std::error_code ignored;
+  for (const fs::path& candidate :
+       {folder / given, folder / given.filename(), folder / ".." / "materials" / "textures" / given.filename()}) {
+    if (fs::is_regular_file(candidate, ignored)) {
+      return candidate.lexically_normal();
+    }
+  }
+  throw Error(fmt::format("{}: no such file", (folder / given).lexically_normal().string()));
+}
+
+PngReader open_picture(const aiScene& scene, const std::string& name, const fs::path& mesh_path) {
+  if (const aiTexture* inside = scene.GetEmbeddedTexture(name.c_str())) {
+    if (inside->mHeight != 0) {
+      throw Error(fmt::format("{}: texture {} is not compressed; only PNG is read", mesh_path.string(), name));
+    }
+    return {fmt::format("{}: texture {}", mesh_path.string(), name),
+            std::span(reinterpret_cast<const char*>(inside->pcData), inside->mWidth)};
+  }
+  return PngReader(find_picture(name, mesh_path));
+}
+
+float number_of(const aiMaterial& material, const char* key, aiTextureType type, float otherwise) {
+  ai_real value = otherwise;
+  return material.Get(key, type, 0, value) == aiReturn_SUCCESS ? value : otherwise;
+}
+
+Relief read(const aiScene& scene, const aiMaterial& material, const Map& map, const fs::path& mesh_path) {
+  Relief relief;
+  relief.tile_size = 0;
+  const PngReader png = open_picture(scene, map.name, mesh_path);
+  if (png.has_colours()) {
+    relief.slopes = read_normals(png);
+    const float strength = number_of(material, _AI_MATKEY_GLTF_SCALE_BASE, map.type, 1);
+    for (Eigen::Vector2f& slope : relief.slopes.texels) {
+      slope *= strength;
+    }
+    return relief;
+  }
+  const float height = number_of(material, _AI_MATKEY_OBJ_BUMPMULT_BASE, map.type, 1);
+  if (height == 1 || !(height > 0)) {
+    throw Error(png.name() + ": is a height map, but the material does not say how high (bump -bm METRES)");
+  }
+  relief.slopes = read_heights(png, static_cast<double>(height));
+  relief.rise_per_tile = true;
+  return relief;
+}
+
+}  // namespace
+
+std::shared_ptr<const Relief> mesh_relief(const aiScene& scene, const aiMaterial& material, const fs::path& mesh_path,
+                                          std::vector<std::string>& notes) {
+  const std::optional<Map> map = find_map(material);
+  if (!map) {
+    return nullptr;
+  }
+  try {
+    return std::make_shared<const Relief>(read(scene, material, *map, mesh_path));
+  } catch (const Error& error) {
+    notes.push_back(
+        fmt::format("left out the small normals of material {}: {}", material.GetName().C_Str(), error.what()));
+    return nullptr;
+  }
+}
+
+}  // namespace insonify

@@ -1,0 +1,103 @@
+// growing_image.cpp -- has HDF5 make all of a file but its rows, in memory.
+
+#include "io/recording/growing_image.h"
+
+namespace insonify {
+namespace {
+
+// Where HDF5 keeps its own structures it keeps them together, in blocks of this size [bytes]; the first block holds all
+// that has to share a page. Memory for the file grows by as much.
+constexpr hsize_t kMetadataBlock = 65536;
+
+// Half the entries of a node of a group's tree: small ones, the root's comes before the datasets' headers.
+constexpr unsigned kHalfTreeNode = 2;
+
+// Contiguous, and without a place until written to: its place is ours to choose.
+H5Handle growing_layout(const std::filesystem::path& path) {
+  H5Handle layout = h5_own(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, path, "create");
+  h5_check(H5Pset_layout(layout.get(), H5D_CONTIGUOUS), path, "create");
+  h5_check(H5Pset_alloc_time(layout.get(), H5D_ALLOC_TIME_LATE), path, "create");
+  h5_check(H5Pset_fill_time(layout.get(), H5D_FILL_TIME_NEVER), path, "create");
+  h5_check(H5Pset_obj_track_times(layout.get(), false), path, "create");
+  return layout;
+}
+
+// Not yet in any group: the headers lie side by side, with nothing of the group's between them.
+H5Handle create_dataset(hid_t file, const GrowingDataset& dataset, std::uint64_t capacity, hid_t layout,
+                        const std::filesystem::path& path) {
+  std::vector<hsize_t> shape{capacity};
+  shape.insert(shape.end(), dataset.row.begin(), dataset.row.end());
+  const H5Handle space =
+      h5_own(H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr), H5Sclose, path, "create");
+  return h5_own(H5Dcreate_anon(file, dataset.type, space.get(), layout, H5P_DEFAULT), H5Dclose, path,
+                "create /" + dataset.name);
+}
+
+// An object that is in no group, of the given length and the 8 bytes' multiple that HDF5 needs besides.
+H5Handle create_filler(hid_t file, hsize_t length, const std::filesystem::path& path) {
+  const H5Handle layout = h5_own(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, path, "create");
+  h5_check(H5Pset_layout(layout.get(), H5D_COMPACT), path, "create");
+  h5_check(H5Pset_obj_track_times(layout.get(), false), path, "create");
+  const H5Handle space = h5_own(H5Screate_simple(1, &length, nullptr), H5Sclose, path, "create");
+  return h5_own(H5Dcreate_anon(file, H5T_NATIVE_UINT8, space.get(), layout.get(), H5P_DEFAULT), H5Dclose, path,
+                "create");
+}
+
+// Fills what is left of a page, so that what comes next has one to itself: room for 15 datasets' headers. The fillers
+// must stay open until then.
+std::vector<H5Handle> fill_page(hid_t file, const std::filesystem::path& path) {
+  constexpr hsize_t kLeast = 8;
+  std::vector<H5Handle> fillers;
+  fillers.push_back(create_filler(file, kLeast, path));
+  H5O_info_t info;
+  h5_check(H5Oget_info1(fillers.back().get(), &info), path, "create");
+  const hsize_t begin = info.addr + info.hdr.space.total, smallest = begin + info.hdr.space.total;
+  const hsize_t end = (smallest + kGrowingPage - 1) / kGrowingPage * kGrowingPage;
+  fillers.push_back(create_filler(file, kLeast + (end - smallest), path));
+  return fillers;
+}
+
+}  // namespace
+
+// Has HDF5 make the whole file but the rows, in memory: a disk that fills up could leave it with handles that it can
+// never close, and then it fails when the program ends.
+GrowingImage make_growing_image(const std::filesystem::path& path, std::span<const GrowingDataset> datasets,
+                                std::uint64_t capacity, const std::function<void(hid_t file)>& describe) {
+  GrowingImage image;
+  const H5Quiet quiet;
+  // The earliest formats: no checksums over what is to change, and what every program reads.
+  const H5Handle access = h5_own(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, path, "create");
+  h5_check(H5Pset_libver_bounds(access.get(), H5F_LIBVER_EARLIEST, H5F_LIBVER_LATEST), path, "create");
+  h5_check(H5Pset_meta_block_size(access.get(), kMetadataBlock), path, "create");
+  h5_check(H5Pset_fclose_degree(access.get(), H5F_CLOSE_STRONG), path, "create");
+  constexpr bool kOnDisk = false;
+  h5_check(H5Pset_fapl_core(access.get(), kMetadataBlock, kOnDisk), path, "create");
+  // No file can have this name: one that has is read whole, even to be made anew.
+  constexpr const char* kNowhere = "/dev/null/recording";
+  const H5Handle creation = h5_own(H5Pcreate(H5P_FILE_CREATE), H5Pclose, path, "create");
+  h5_check(H5Pset_sym_k(creation.get(), kHalfTreeNode, 0), path, "create");
+  const H5Handle file =
+      h5_own(H5Fcreate(kNowhere, H5F_ACC_TRUNC, creation.get(), access.get()), H5Fclose, path, "create");
+  const H5Handle layout = growing_layout(path);
+  std::vector<H5Handle> fillers = fill_page(file.get(), path);
+  std::vector<H5Handle> made;
+  for (const GrowingDataset& dataset : datasets) {
+    made.push_back(create_dataset(file.get(), dataset, capacity, layout.get(), path));
+    H5O_info_t info;
+    h5_check(H5Oget_info1(made.back().get(), &info), path, "create /" + dataset.name);
+    image.addresses.push_back(info.addr);
+  }
+  for (std::size_t i = 0; i < datasets.size(); ++i) {
+    const std::string& name = datasets[i].name;
+    h5_check(H5Olink(made[i].get(), file.get(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT), path, "create /" + name);
+  }
+  made.clear();
+  fillers.clear();
+  describe(file.get());
+  h5_check(H5Fflush(file.get(), H5F_SCOPE_LOCAL), path, "create");
+  image.bytes.resize(static_cast<std::size_t>(h5_check(H5Fget_file_image(file.get(), nullptr, 0), path, "create")));
+  h5_check(H5Fget_file_image(file.get(), image.bytes.data(), image.bytes.size()), path, "create");
+  return image;
+}
+
+}  // namespace insonify

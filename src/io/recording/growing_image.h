@@ -1,0 +1,33 @@
+// growing_image.h -- a recording as HDF5 makes it, before its first row.
+
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "io/file/hdf5.h"
+#include "io/recording/growing_file.h"
+
+namespace insonify {
+
+/// The smallest page that Linux has. A write inside one page cannot be cut in two by a signal: the kernel looks for
+/// signals between pages only.
+inline constexpr std::uint64_t kGrowingPage = 4096;
+
+struct GrowingImage {
+  std::vector<std::byte> bytes;          ///< Of the file.
+  std::vector<std::uint64_t> addresses;  ///< Of the datasets' headers, which have a page to themselves.
+};
+
+/// @param path      For messages.
+/// @param describe  Adds what does not grow.
+/// @throws Error that names the file.
+[[nodiscard]] GrowingImage make_growing_image(const std::filesystem::path& path,
+                                              std::span<const GrowingDataset> datasets, std::uint64_t capacity,
+                                              const std::function<void(hid_t file)>& describe);
+
+}  // namespace insonify

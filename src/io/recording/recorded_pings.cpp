@@ -1,0 +1,144 @@
+// recorded_pings.cpp -- reads the intensities of a recording, a ping at a time.
+
+#include "insonify/recorded_pings.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cassert>
+#include <cmath>
+
+#include "io/file/hdf5.h"
+#include "io/file/input_file.h"
+
+namespace insonify {
+namespace {
+
+constexpr const char* kDataset = "intensity";
+
+H5Handle open_file(const std::filesystem::path& path) {
+  check_input_file(path);
+  return h5_own(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose, path, "open it as HDF5");
+}
+
+H5Handle open_dataset(hid_t file, const std::filesystem::path& path) {
+  if (H5Lexists(file, kDataset, H5P_DEFAULT) <= 0) {
+    throw Error(fmt::format("{}: is no recording: it has no dataset intensity", path.string()));
+  }
+  return h5_own(H5Dopen2(file, kDataset, H5P_DEFAULT), H5Dclose, path, "open intensity");
+}
+
+std::array<hsize_t, 3> shape_of(hid_t dataset, const std::filesystem::path& path) {
+  constexpr hsize_t kMost = 1'000'000;  // Bins or beams: more would be some other table.
+  const H5Handle space = h5_own(H5Dget_space(dataset), H5Sclose, path, "size intensity");
+  std::array<hsize_t, 3> shape{};
+  const int axes = H5Sget_simple_extent_ndims(space.get());
+  if (axes != 3) {
+    throw Error(fmt::format("{}: intensity has {} axes; a recording has three: ping, bin, beam", path.string(), axes));
+  }
+  h5_check(H5Sget_simple_extent_dims(space.get(), shape.data(), nullptr), path, "size intensity");
+  if (shape[1] < 1 || shape[2] < 1 || shape[1] > kMost || shape[2] > kMost) {
+    throw Error(fmt::format("{}: intensity has {} bins and {} beams; a recording has from 1 to {} of each",
+                            path.string(), shape[1], shape[2], kMost));
+  }
+  return shape;
+}
+
+double full_scale_of(hid_t dataset, const std::filesystem::path& path) {
+  const H5Handle type = h5_own(H5Dget_type(dataset), H5Tclose, path, "read the type of intensity");
+  const H5T_class_t kind = H5Tget_class(type.get());
+  if (kind == H5T_FLOAT) {
+    return 1;
+  }
+  if (kind != H5T_INTEGER) {
+    throw Error(fmt::format("{}: intensity must hold numbers", path.string()));
+  }
+  const int sign = H5Tget_sign(type.get()) == H5T_SGN_NONE ? 0 : 1;
+  return std::ldexp(1, static_cast<int>(H5Tget_precision(type.get())) - sign) - 1;
+}
+
+// Text of variable or of fixed length; "" where there is none.
+std::string text_attribute(hid_t file, const char* name, const std::filesystem::path& path) {
+  if (H5Aexists(file, name) <= 0) {
+    return "";
+  }
+  const H5Handle attribute = h5_own(H5Aopen(file, name, H5P_DEFAULT), H5Aclose, path, "open an attribute");
+  const H5Handle type = h5_own(H5Aget_type(attribute.get()), H5Tclose, path, "read an attribute");
+  const H5Handle space = h5_own(H5Aget_space(attribute.get()), H5Sclose, path, "read an attribute");
+  if (H5Tget_class(type.get()) != H5T_STRING || H5Sget_simple_extent_npoints(space.get()) != 1) {
+    return "";
+  }
+  if (H5Tis_variable_str(type.get()) > 0) {
+    char* pointer = nullptr;
+    h5_check(H5Aread(attribute.get(), type.get(), &pointer), path, "read an attribute");
+    std::string text = pointer != nullptr ? pointer : "";
+    H5free_memory(pointer);
+    return text;
+  }
+  std::string text(H5Tget_size(type.get()), '\0');
+  h5_check(H5Aread(attribute.get(), type.get(), text.data()), path, "read an attribute");
+  return text.substr(0, text.find('\0'));
+}
+
+}  // namespace
+
+struct RecordedPings::State {
+  std::filesystem::path path;
+  H5Handle file, dataset;
+  std::array<hsize_t, 3> shape{};  // Pings, bins, beams.
+  double full_scale = 1;
+  std::string sonar;
+};
+
+RecordedPings::RecordedPings(const std::filesystem::path& path) : state_(std::make_unique<State>()) {
+  const H5Quiet quiet;
+  state_->path = path;
+  state_->file = open_file(path);
+  state_->dataset = open_dataset(state_->file.get(), path);
+  state_->shape = shape_of(state_->dataset.get(), path);
+  state_->full_scale = full_scale_of(state_->dataset.get(), path);
+  state_->sonar = text_attribute(state_->file.get(), "sonar", path);
+}
+
+RecordedPings::~RecordedPings() = default;
+RecordedPings::RecordedPings(RecordedPings&&) noexcept = default;
+RecordedPings& RecordedPings::operator=(RecordedPings&&) noexcept = default;
+
+std::uint64_t RecordedPings::ping_count() const {
+  return state_->shape[0];
+}
+
+int RecordedPings::bin_count() const {
+  return static_cast<int>(state_->shape[1]);
+}
+
+int RecordedPings::beam_count() const {
+  return static_cast<int>(state_->shape[2]);
+}
+
+const std::string& RecordedPings::sonar() const {
+  return state_->sonar;
+}
+
+double RecordedPings::full_scale() const {
+  return state_->full_scale;
+}
+
+std::vector<double> RecordedPings::intensity(std::uint64_t ping) const {
+  assert(ping < ping_count());
+  const H5Quiet quiet;
+  const std::filesystem::path& path = state_->path;
+  const std::array<hsize_t, 3> start = {ping, 0, 0};
+  const std::array<hsize_t, 3> length = {1, state_->shape[1], state_->shape[2]};
+  const H5Handle from = h5_own(H5Dget_space(state_->dataset.get()), H5Sclose, path, "read intensity");
+  h5_check(H5Sselect_hyperslab(from.get(), H5S_SELECT_SET, start.data(), nullptr, length.data(), nullptr), path,
+           "read intensity");
+  const H5Handle to = h5_own(H5Screate_simple(static_cast<int>(length.size()), length.data(), nullptr), H5Sclose, path,
+                             "read intensity");
+  std::vector<double> values(length[1] * length[2]);
+  h5_check(H5Dread(state_->dataset.get(), H5T_NATIVE_DOUBLE, to.get(), from.get(), H5P_DEFAULT, values.data()), path,
+           "read intensity");
+  return values;
+}
+
+}  // namespace insonify

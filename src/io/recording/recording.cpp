@@ -1,0 +1,237 @@
+// recording.cpp -- which values of a run and of its pings go where in the HDF5 file.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <type_traits>
+#include <utility>
+
+#include "insonify/files.h"
+#include "insonify/version.h"
+#include "io/file/yaml_words.h"
+#include "io/recording/growing_file.h"
+#include "io/recording/hdf5_writer.h"
+#include "io/recording/ping_layers.h"
+
+namespace insonify {
+namespace {
+
+// Raised when a reader of older files would misunderstand newer ones.
+constexpr std::uint64_t kFormat = 1;
+
+// x y z, then the quaternion with its scalar first.
+using StoredPose = std::array<double, 7>;
+
+StoredPose stored_pose(const Pose& pose) {
+  const Vec3& p = pose.position;
+  const Eigen::Quaterniond& q = pose.orientation;
+  return {p.x(), p.y(), p.z(), q.w(), q.x(), q.y(), q.z()};
+}
+
+// In the order in which Recording::add hands over the values.
+std::vector<GrowingDataset> growing_datasets(const SonarConfig& sonar, const std::vector<PingLayer>& layers) {
+  std::vector<GrowingDataset> datasets;
+  for (const PingLayer& layer : layers) {
+    std::vector<hsize_t> shape{static_cast<hsize_t>(sonar.bin_count), static_cast<hsize_t>(sonar.beam_count)};
+    if (layer.each > 0) {
+      shape.push_back(layer.each);
+    }
+    datasets.push_back({layer.name, layer.type(), shape});
+  }
+  datasets.push_back({"time", H5T_IEEE_F64LE, {}});
+  datasets.push_back({"world_from_sonar", H5T_IEEE_F64LE, {StoredPose{}.size()}});
+  if (sonar.type == SonarType::kMechanicallyScanned) {
+    datasets.push_back({"head_angle", H5T_IEEE_F64LE, {}});
+  }
+  return datasets;
+}
+
+void describe_datasets(const H5Writer& writer, const SonarConfig& sonar, const std::vector<PingLayer>& layers) {
+  const auto describe = [&writer](const std::string& name, std::string_view axes, const H5Note& note) {
+    writer.annotate(name, note);
+    writer.attribute(name, "axes", axes);
+  };
+  for (const PingLayer& layer : layers) {
+    describe(layer.name, fmt::format("ping bin beam{}{}", layer.each > 0 ? " " : "", layer.axis), layer.note);
+    if (layer.labels) {
+      writer.attribute(layer.name, "none", std::uint64_t{kNoLabel});
+    }
+  }
+  describe("time", "ping", {"s", "Time of transmission."});
+  describe("world_from_sonar", "ping pose",
+           {"m m m 1 1 1 1", "Pose of the housing: x y z, then the quaternion qw qx qy qz; sonar to world."});
+  if (sonar.type == SonarType::kMechanicallyScanned) {
+    describe("head_angle", "ping", {"rad", "Turn of the head in its housing, positive to port."});
+  }
+}
+
+void put_axes(const H5Writer& writer, const SonarConfig& sonar) {
+  std::vector<double> azimuths(static_cast<std::size_t>(sonar.beam_count));
+  for (int beam = 0; beam < sonar.beam_count; ++beam) {
+    azimuths[static_cast<std::size_t>(beam)] = sonar.beam_azimuth(beam);
+  }
+  std::vector<double> ranges(static_cast<std::size_t>(sonar.bin_count));
+  for (int bin = 0; bin < sonar.bin_count; ++bin) {
+    ranges[static_cast<std::size_t>(bin)] = sonar.bin_range(bin);
+  }
+  writer.put("azimuth", azimuths, {"rad", "Centre of each beam, positive to port."});
+  writer.put("azimuth_edges", sonar.beam_edges(), {"rad", "Beam b covers edges b to b + 1."});
+  writer.put("range", ranges, {"m", "Centre of each bin."});
+}
+
+void put_scene(const H5Writer& writer, const Scene& scene, double frequency) {
+  std::vector<std::string> names;
+  for (const Instance& instance : scene.instances) {
+    names.push_back(instance.name);
+  }
+  writer.put("instance_names", names, {"", "Scoped name of each instance of the scene."});
+  names.clear();
+  std::array<std::vector<double>, 8> properties;
+  for (const Material& material : scene.materials) {
+    names.push_back(material.name);
+    properties[0].push_back(material.density);
+    properties[1].push_back(material.sound_speed);
+    properties[2].push_back(material.effective_reflectivity());
+    properties[3].push_back(material.lambert_db);
+    properties[4].push_back(material.reflection_at(frequency));
+    properties[5].push_back(material.rms_slope);
+    properties[6].push_back(material.clutter_shape.value_or(std::numeric_limits<double>::infinity()));
+    properties[7].push_back(material.scatterer_density.value_or(std::numeric_limits<double>::infinity()));
+  }
+  writer.put("material_names", names, {"", "Name of each material of the scene."});
+  writer.put("settings/materials/density", properties[0], {"kg/m^3", "Of each row of material_names."});
+  writer.put("settings/materials/sound_speed", properties[1], {"m/s", "Of each row of material_names."});
+  writer.put("settings/materials/reflectivity", properties[2], {"1", "Of each row of material_names."});
+  writer.put("settings/materials/lambert_db", properties[3], {"dB", "Of each row of material_names."});
+  writer.put("settings/materials/reflection", properties[4], {"1", "Head on, of each row of material_names."});
+  writer.put("settings/materials/rms_slope", properties[5], {"1", "Of each row of material_names."});
+  writer.put("settings/materials/clutter_shape", properties[6],
+             {"1", "Of each row of material_names; infinite for no texture."});
+  writer.put("settings/materials/scatterer_density", properties[7],
+             {"1/m^2", "Of each row of material_names; infinite for countless scatterers."});
+}
+
+// One member of a configuration, whatever its type. Absent members are left out.
+template <typename Member>
+void put_member(const H5Writer& writer, const std::string& name, const Member& member, const H5Note& note) {
+  if constexpr (std::is_enum_v<Member>) {
+    writer.put(name, std::string(word_of(member)), {"", note.description});
+  } else if constexpr (std::is_same_v<Member, std::string> || std::is_same_v<Member, bool>) {
+    writer.put(name, member, {"", note.description});
+  } else if constexpr (std::is_integral_v<Member>) {
+    writer.put(name, std::int64_t{member}, note);
+  } else if constexpr (std::is_same_v<Member, double>) {
+    writer.put(name, member, note);
+  } else if constexpr (requires { member.has_value(); }) {
+    if (member.has_value()) {
+      put_member(writer, name, *member, note);
+    }
+  } else if (member.size() > 0) {
+    writer.put(name, std::span<const double>(member.data(), static_cast<std::size_t>(member.size())), note);
+  }
+}
+
+template <typename Config>
+void put_settings(const H5Writer& writer, const std::string& group, const Config& config) {
+  Config::visit_fields(config, [&](const Field& field, const auto& member) {
+    put_member(writer, fmt::format("settings/{}/{}", group, field.name), member,
+               {field.unit.empty() ? "1" : field.unit, field.help});
+  });
+}
+
+void put_run(const H5Writer& writer, const Scenario& scenario, const Scene& scene, const SonarConfig& sonar) {
+  const std::string root = "/";
+  writer.attribute(root, "format", kFormat);
+  writer.attribute(root, "version", kVersion);
+  writer.attribute(root, "model", std::string(word_of(scenario.model)));
+  writer.attribute(root, "engine", scenario.engine);
+  const PrimaryEchoes primary =
+      primary_echoes(scenario.primary, sonar, scene.triangle_count(), scenario.engine, scenario.has_even_rows());
+  writer.attribute(root, "primary", primary == PrimaryEchoes::kRays ? "rays" : "raster");
+  writer.attribute(root, "seed", scenario.seed);
+  writer.attribute(root, "scenario", scenario.text);
+  writer.attribute(root, "sonar", sonar.name);
+  writer.attribute(root, "sonar_model", sonar.model);
+  writer.attribute(root, "frequency", sonar.frequency);
+  writer.attribute(root, "source_level_db", sonar.source_level_db);
+  writer.attribute(root, "sound_speed", scenario.water.true_sound_speed());
+  writer.attribute(root, "absorption_db_per_m", scenario.water.absorption_db_per_m_at(sonar.frequency));
+  put_settings(writer, "sonar", sonar);
+  put_settings(writer, "sonar/sampling", sonar.sampling);
+  put_settings(writer, "water", scenario.water);
+  put_settings(writer, "paper", scenario.paper);
+  put_settings(writer, "receiver", scenario.receiver);
+  put_member(writer, "settings/ground_truth", scenario.ground_truth,
+             {"", "What is kept of where each bin's echo came from."});
+  put_member(writer, "settings/secondary", scenario.secondary, {"", "Which hits send a ray on for secondary echoes."});
+}
+
+template <typename Value>
+std::span<const std::byte> bytes_of(const Value& value) {
+  return std::as_bytes(std::span(&value, 1));
+}
+
+}  // namespace
+
+struct Recording::State {
+  GrowingFile file;
+  std::vector<PingLayer> layers;
+  int bin_count = 0, beam_count = 0;
+  bool has_head = false;
+};
+
+Recording::Recording(const std::filesystem::path& path, const Scenario& scenario, const Scene& scene,
+                     const SonarConfig& sonar, std::uint64_t capacity) {
+  if (capacity < 1) {
+    throw Error(fmt::format("{}: capacity = {} must be at least 1", path.string(), capacity));
+  }
+  std::vector<PingLayer> layers = ping_layers(scenario);
+  const auto describe = [&](hid_t file) {
+    const H5Writer writer(file, path);
+    describe_datasets(writer, sonar, layers);
+    put_axes(writer, sonar);
+    put_scene(writer, scene, sonar.frequency);
+    put_run(writer, scenario, scene, sonar);
+  };
+  GrowingFile file(path, growing_datasets(sonar, layers), capacity, describe);
+  state_ = std::make_unique<State>(State{std::move(file), std::move(layers), sonar.bin_count, sonar.beam_count,
+                                         sonar.type == SonarType::kMechanicallyScanned});
+}
+
+Recording::~Recording() = default;
+Recording::Recording(Recording&&) noexcept = default;
+Recording& Recording::operator=(Recording&&) noexcept = default;
+
+void Recording::add(const Ping& ping) {
+  const std::filesystem::path& path = state_->file.path();
+  if (ping.bin_count != state_->bin_count || ping.beam_count != state_->beam_count) {
+    throw Error(fmt::format("{}: ping {} has {} bins x {} beams, the recording {} x {}", path.string(), ping.number,
+                            ping.bin_count, ping.beam_count, state_->bin_count, state_->beam_count));
+  }
+  const std::size_t cells = static_cast<std::size_t>(ping.bin_count) * static_cast<std::size_t>(ping.beam_count);
+  std::array<std::span<const std::byte>, kMostPingLayers + 3> rows;
+  std::size_t count = 0;
+  for (const PingLayer& layer : state_->layers) {
+    const std::size_t wanted = cells * std::max<std::size_t>(layer.each, 1);
+    if (layer.count(ping) != wanted) {
+      throw Error(fmt::format("{}: ping {} holds {} values of {}, not {}", path.string(), ping.number,
+                              layer.count(ping), layer.name, wanted));
+    }
+    rows[count++] = layer.bytes(ping);
+  }
+  const StoredPose pose = stored_pose(ping.world_from_sonar);
+  rows[count++] = bytes_of(ping.time);
+  rows[count++] = bytes_of(pose);
+  if (state_->has_head) {
+    rows[count++] = bytes_of(ping.head_angle);
+  }
+  state_->file.append(std::span(rows).first(count));
+}
+
+void Recording::close() {
+  state_->file.close();
+}
+
+}  // namespace insonify

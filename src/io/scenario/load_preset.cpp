@@ -1,0 +1,230 @@
+// load_preset.cpp -- instruments from presets/*.yaml: each number with its confidence and source.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/nearest_name.h"
+#include "insonify/files.h"
+#include "io/file/input_file.h"
+#include "io/scenario/preset_file.h"
+#include "io/scenario/preset_folder.h"
+#include "io/scenario/yaml_read.h"
+
+namespace insonify {
+namespace {
+
+using Kind = YamlValue::Kind;
+
+constexpr double kReferenceSoundSpeed = 1500;  // [m/s], that the presets' own ranges and rates are told for.
+
+YamlValue preset_tree(const std::filesystem::path& file) {
+  YamlValue tree = parse_yaml(read_text(file), file.string());
+  require_map(tree, "the preset", "a map of keys such as title");
+  check_keys(tree, "", std::vector<std::string>{"title", "default_mode", "sampling", "sources", "common", "modes"});
+  return tree;
+}
+
+const YamlValue& required(const YamlValue& map, const std::string& object, const std::string& key) {
+  const YamlValue* value = map.find(key);
+  if (value == nullptr) {
+    throw Error(fmt::format("{}{} is missing", map.where, member_name(object, key)));
+  }
+  return *value;
+}
+
+std::string required_text(const YamlValue& map, const std::string& object, const std::string& key) {
+  std::string text;
+  read_member(required(map, object, key), object, Field{key, "", {}, ""}, text);
+  return text;
+}
+
+std::vector<std::string> modes_of(const YamlValue& tree) {
+  const YamlValue& modes = required(tree, "", "modes");
+  require_map(modes, "modes", "a map of modes, at least one");
+  std::vector<std::string> names;
+  for (const auto& [mode, facts] : modes.entries) {
+    names.push_back(mode);
+  }
+  return names;
+}
+
+void require_mode(const std::string& preset, const std::string& mode, std::span<const std::string> modes) {
+  if (std::ranges::find(modes, mode) == modes.end()) {
+    throw Error(
+        fmt::format("{} is not a mode of {}, which has {}", quoted_text(mode), preset, fmt::join(modes, " and ")));
+  }
+}
+
+// Collects the facts of the parts of a file; those of a later part replace those of an earlier one.
+class FactReader {
+ public:
+  std::vector<PresetFact> facts;
+  YamlValue values;  // By key, as SonarConfig and Instrument read them.
+
+  explicit FactReader(const YamlValue& sources) : sources_(sources) {
+    require_map(sources, "sources", "a map of sources by a short name");
+    values.kind = Kind::kMap;
+  }
+
+  void add_all(const YamlValue& part, const std::string& object) {
+    require_map(part, object, "a map of facts such as frequency");
+    check_keys(part, object, known_keys());
+    for (const auto& [key, fact] : part.entries) {
+      add(key, fact, member_name(object, key));
+    }
+  }
+
+ private:
+  static std::vector<std::string> known_keys() {
+    std::vector<std::string> keys = keys_of<SonarConfig>();
+    const std::vector<std::string> more = keys_of<Instrument>();
+    keys.insert(keys.end(), more.begin(), more.end());
+    return keys;
+  }
+
+  static std::string unit_of(const std::string& key) {
+    std::string unit;
+    const auto note_unit = [&](const Field& field, const auto&) {
+      if (file_name_of(field) == key) {
+        unit = file_unit_of(field);
+      }
+    };
+    const SonarConfig sonar;
+    const Instrument instrument;
+    SonarConfig::visit_fields(sonar, note_unit);
+    Instrument::visit_fields(instrument, note_unit);
+    return unit;
+  }
+
+  // The source's full text, with the fact's own note.
+  std::string source_of(const YamlValue& fact, const std::string& name) const {
+    const std::string short_name = required_text(fact, name, "source");
+    std::vector<std::string> known;
+    for (const auto& [known_name, text] : sources_.entries) {
+      known.push_back(known_name);
+    }
+    if (sources_.find(short_name) == nullptr) {
+      throw Error(fmt::format("{}{}.source = {} is not one of the sources{}", fact.where, name, quoted_text(short_name),
+                              suggestion(short_name, known)));
+    }
+    const std::string text = required_text(sources_, "sources", short_name);
+    return fact.find("note") == nullptr ? text : fmt::format("{}: {}", text, required_text(fact, name, "note"));
+  }
+
+  void add(const std::string& key, const YamlValue& fact, const std::string& name) {
+    require_map(fact, name, "a map of the keys value, confidence and source");
+    check_keys(fact, name, std::vector<std::string>{"value", "confidence", "source", "note"});
+    YamlValue value = required(fact, name, "value");
+    const std::string confidence = required_text(fact, name, "confidence");
+    if (confidence != "A" && confidence != "B" && confidence != "C") {
+      throw Error(fmt::format("{}{}.confidence = {} must be A, B or C", fact.where, name, quoted_text(confidence)));
+    }
+    const PresetFact read{key, value.kind == Kind::kScalar ? value.scalar : value.shown(), unit_of(key), confidence,
+                          source_of(fact, name)};
+    value.where = fact.where;
+    if (YamlValue* earlier = values.find(key)) {
+      *earlier = value;
+      *std::ranges::find(facts, key, &PresetFact::field) = read;
+    } else {
+      values.entries.push_back(YamlValue::Entry{key, value});
+      facts.push_back(read);
+    }
+  }
+
+  const YamlValue& sources_;
+};
+
+// As few bits as it delivers: what its users mostly record. Its decibels where they are known.
+void fill_in_counts(Preset& preset) {
+  const std::vector<double>& depths = preset.instrument.bit_depths;
+  const auto usual = std::ranges::find_if(depths, [](double bits) { return bits >= 8 && bits <= 16; });
+  if (usual != depths.end()) {
+    preset.sonar.bits = static_cast<int>(*usual);
+  }
+  preset.sonar.mapping_range_db = preset.instrument.dynamic_range_db.value_or(preset.sonar.mapping_range_db);
+}
+
+}  // namespace
+
+std::vector<std::string> preset_names() {
+  std::vector<std::string> names;
+  std::error_code ignored;  // A folder that is not there holds no presets.
+  for (const auto& entry : std::filesystem::directory_iterator(preset_folder(), ignored)) {
+    if (entry.path().extension() == ".yaml") {
+      names.push_back(entry.path().stem().string());
+    }
+  }
+  std::ranges::sort(names);
+  return names;
+}
+
+void check_preset_name(const std::string& name) {
+  const std::vector<std::string> names = preset_names();
+  if (names.empty()) {
+    throw Error(fmt::format("{} is not a preset; there are none in {}", quoted_text(name), preset_folder().string()));
+  }
+  if (!std::ranges::binary_search(names, name)) {
+    // "gemini" is far from "tritech-gemini-720i" by letters, but part of it.
+    std::vector<std::string> holding_it = names;
+    std::erase_if(holding_it,
+                  [&](const auto& known) { return name.size() < 3 || known.find(name) == std::string::npos; });
+    const std::string hint =
+        holding_it.empty() ? suggestion(name, names)
+                           : "; did you mean " + *std::ranges::min_element(holding_it, {}, &std::string::size) + "?";
+    throw Error(fmt::format("{} is not a preset{}", quoted_text(name),
+                            hint.empty() ? fmt::format("; there are {}", fmt::join(names, ", ")) : hint));
+  }
+}
+
+void check_preset_mode(const std::string& name, const std::string& mode) {
+  require_mode(name, mode, modes_of(preset_tree(preset_folder() / (name + ".yaml"))));
+}
+
+void Preset::fit_to_range(SonarConfig& fitted, double sound_speed) const {
+  const double window = fitted.max_range - fitted.min_range;
+  // Rounded first: a window of a whole number of bins must not get one more for the last bit of a double.
+  const double wanted =
+      instrument.range_resolution ? std::ceil(window / *instrument.range_resolution - 1e-6) : instrument.bin_limit;
+  fitted.bin_count = std::clamp(static_cast<int>(std::min(wanted, 65536.0)), 1, instrument.bin_limit);
+  fitted.ping_period.reset();
+  if (instrument.ping_rate_limit && 1 / *instrument.ping_rate_limit > fitted.shortest_ping_period(sound_speed)) {
+    fitted.ping_period = 1 / *instrument.ping_rate_limit;
+  }
+}
+
+Preset load_preset(const std::string& name, const std::string& mode) {
+  check_preset_name(name);
+  Preset preset;
+  preset.name = name;
+  preset.file = preset_folder() / (name + ".yaml");
+  const YamlValue tree = preset_tree(preset.file);
+  preset.title = required_text(tree, "", "title");
+  preset.default_mode = required_text(tree, "", "default_mode");
+  preset.modes = modes_of(tree);
+  with_place(required(tree, "", "default_mode").where, [&] { require_mode(name, preset.default_mode, preset.modes); });
+  require_mode(name, mode.empty() ? preset.default_mode : mode, preset.modes);
+
+  FactReader reader(required(tree, "", "sources"));
+  if (const YamlValue* common = tree.find("common")) {
+    reader.add_all(*common, "common");
+  }
+  const std::string chosen = mode.empty() ? preset.default_mode : mode;
+  reader.add_all(*tree.find("modes")->find(chosen), "modes." + chosen);
+  preset.facts = reader.facts;
+
+  Places places;
+  read_fields(reader.values, "", preset.sonar, places);
+  read_fields(reader.values, "", preset.instrument, places);
+  if (const YamlValue* sampling = tree.find("sampling")) {
+    read_section(*sampling, "sampling", preset.sonar.sampling, places);
+  }
+  fill_in_counts(preset);
+  preset.sonar.model = preset.title;  // Not its mode: the frequency stands beside it.
+  preset.fit_to_range(preset.sonar, kReferenceSoundSpeed);
+  with_place(preset.file.string() + ":1:1: ", [&] { preset.sonar.validate(name); });
+  return preset;
+}
+
+}  // namespace insonify

@@ -1,0 +1,293 @@
+// yaml_value.cpp -- yaml-cpp's nodes turned into YamlValue, and back into text.
+
+#include "io/scenario/yaml_value.h"
+
+#include <fmt/format.h>
+#include <yaml-cpp/depthguard.h>
+#include <yaml-cpp/eventhandler.h>
+#include <yaml-cpp/yaml.h>
+
+#include <algorithm>
+#include <charconv>
+#include <sstream>
+
+#include "insonify/error.h"
+
+namespace insonify {
+namespace {
+
+using Kind = YamlValue::Kind;
+using Entry = YamlValue::Entry;
+
+constexpr std::size_t kLongestShown = 60;  // Characters of a value in a message.
+constexpr int kDeepest = 30;               // Levels of nesting; a scenario needs five.
+constexpr int kMostValues = 1'000'000;     // Aliases can unfold a small text into a huge tree.
+
+// Turns nodes into values. `settings_where` is where everything stands that was not read from a file.
+class Converter {
+ public:
+  Converter(std::string path, std::string settings_where)
+      : path_(std::move(path)), settings_where_(std::move(settings_where)) {}
+
+  std::string where(const YAML::Mark& mark) const {
+    return path_.empty() ? settings_where_ : fmt::format("{}:{}:{}: ", path_, mark.line + 1, mark.column + 1);
+  }
+
+  // `name` is how messages call the value, "" for the whole document.
+  YamlValue convert(const YAML::Node& node, const std::string& name, int depth = 0) {
+    YamlValue value;
+    value.where = where(node.Mark());
+    if (depth > kDeepest || ++count_ > kMostValues) {
+      throw Error(value.where + "nested too deeply, or unfolds into too many values");
+    }
+    if (node.IsScalar()) {
+      value.kind = Kind::kScalar;
+      value.scalar = node.Scalar();
+      value.quoted = node.Tag() == "!";
+    } else if (node.IsSequence()) {
+      value.kind = Kind::kList;
+      for (const YAML::Node& item : node) {
+        value.items.push_back(convert(item, fmt::format("{}[{}]", name, value.items.size()), depth + 1));
+      }
+    } else if (node.IsMap()) {
+      value.kind = Kind::kMap;
+      convert_entries(node, name, depth, value);
+    }
+    return value;
+  }
+
+ private:
+  void convert_entries(const YAML::Node& node, const std::string& name, int depth, YamlValue& map) {
+    std::vector<YamlValue> bases;  // Maps that `<<` takes keys from.
+    for (const auto& entry : node) {
+      const YAML::Node& key = entry.first;
+      const std::string where_key = where(key.Mark());
+      if (!key.IsScalar()) {
+        throw Error(where_key + "a key must be a word");
+      }
+      const std::string entry_name = name.empty() ? key.Scalar() : fmt::format("{}.{}", name, key.Scalar());
+      const bool merges = key.Scalar() == "<<" && key.Tag() != "!";  // Not in quotes.
+      if (merges ? !bases.empty() : map.find(key.Scalar()) != nullptr) {
+        throw Error(fmt::format("{}{} is given twice", where_key, entry_name));
+      }
+      if (merges) {
+        bases = bases_in(convert(entry.second, name, depth + 1), where_key);
+        continue;
+      }
+      YamlValue value = convert(entry.second, entry_name, depth + 1);
+      value.where = where_key;
+      map.entries.push_back(Entry{key.Scalar(), std::move(value)});
+    }
+    for (YamlValue& base : bases) {
+      for (Entry& entry : base.entries) {
+        if (map.find(entry.key) == nullptr) {
+          map.entries.push_back(std::move(entry));
+        }
+      }
+    }
+  }
+
+  static std::vector<YamlValue> bases_in(YamlValue value, const std::string& where_key) {
+    std::vector<YamlValue> bases = value.kind == Kind::kList ? std::move(value.items) : std::vector{std::move(value)};
+    const auto is_map = [](const YamlValue& base) { return base.kind == Kind::kMap; };
+    if (bases.empty() || !std::ranges::all_of(bases, is_map)) {
+      throw Error(where_key + "<< must be a map of keys to take over, such as *name, or a list of such maps");
+    }
+    return bases;
+  }
+
+  std::string path_, settings_where_;
+  int count_ = 0;
+};
+
+// Whether there is a tab in the indentation of a line, counted from 0.
+bool tab_indents(std::string_view text, int line) {
+  for (; line > 0 && !text.empty(); --line) {
+    text.remove_prefix(std::min(text.find('\n'), text.size() - 1) + 1);
+  }
+  const std::string_view indentation = text.substr(0, text.find_first_not_of(" \t"));
+  return indentation.find('\t') != std::string_view::npos;
+}
+
+// Where documents start, of the first three.
+class DocumentStarts final : public YAML::EventHandler {
+ public:
+  std::vector<YAML::Mark> marks;
+
+  void OnDocumentStart(const YAML::Mark& mark) override {
+    marks.push_back(mark);
+    at_start_ = true;
+  }
+  void OnDocumentEnd() override {}
+  void OnNull(const YAML::Mark& mark, YAML::anchor_t) override { meet(mark); }
+  void OnAlias(const YAML::Mark& mark, YAML::anchor_t) override { meet(mark); }
+  void OnScalar(const YAML::Mark& mark, const std::string&, YAML::anchor_t, const std::string&) override { meet(mark); }
+  void OnSequenceStart(const YAML::Mark& mark, const std::string&, YAML::anchor_t, YAML::EmitterStyle::value) override {
+    meet(mark);
+  }
+  void OnSequenceEnd() override {}
+  void OnMapStart(const YAML::Mark& mark, const std::string&, YAML::anchor_t, YAML::EmitterStyle::value) override {
+    meet(mark);
+  }
+  void OnMapEnd() override {}
+
+ private:
+  // What stands first in a document is where it starts, after its dashes.
+  void meet(const YAML::Mark& mark) {
+    marks.back() = at_start_ ? mark : marks.back();
+    at_start_ = false;
+  }
+
+  bool at_start_ = false;
+};
+
+// yaml-cpp 0.7's LoadAll() never ends where nothing that it knows starts a document, such as a comma: it finds empty
+// documents there without end (github.com/jbeder/yaml-cpp/issues/1040).
+std::vector<YAML::Mark> document_starts(const std::string& text) {
+  std::istringstream stream(text);
+  YAML::Parser parser(stream);
+  DocumentStarts starts;
+  while (starts.marks.size() < 3 && parser.HandleNextDocument(starts)) {
+  }
+  return starts.marks;
+}
+
+YamlValue parse(const std::string& text, const std::string& path, const std::string& settings_where) {
+  Converter converter(path, settings_where);
+  try {
+    const std::vector<YAML::Mark> starts = document_starts(text);
+    for (std::size_t next = 1; next < starts.size(); ++next) {
+      if (starts[next].pos == starts[next - 1].pos) {
+        throw Error(fmt::format("{}not valid YAML: nothing can start here", converter.where(starts[next])));
+      }
+    }
+    if (starts.size() > 1) {
+      throw Error(converter.where(starts[1]) + "a second document starts here; one file holds one");
+    }
+    YamlValue value = starts.empty() ? YamlValue() : converter.convert(YAML::Load(text), "");
+    if (value.kind == Kind::kNothing) {
+      value.where = converter.where({});  // yaml-cpp has no place for nothing.
+    }
+    return value;
+  } catch (const YAML::Exception& error) {
+    const YAML::Mark mark = error.mark.is_null() ? YAML::Mark() : error.mark;
+    const bool too_deep = dynamic_cast<const YAML::DeepRecursion*>(&error) != nullptr;
+    throw Error(fmt::format("{}not valid YAML: {}", converter.where(mark),
+                            tab_indents(text, mark.line) ? "indent with spaces, not with tabs"
+                            : too_deep                   ? "nested too deeply"
+                                                         : error.msg));
+  }
+}
+
+void write(const YamlValue& value, YAML::Emitter& out) {
+  switch (value.kind) {
+    case Kind::kNothing:
+      out << YAML::Null;
+      return;
+    case Kind::kScalar:
+      if (value.quoted) {
+        out << YAML::DoubleQuoted;
+      }
+      out << value.scalar;
+      return;
+    case Kind::kList: {
+      const bool plain = std::ranges::all_of(value.items, [](const auto& item) { return item.kind == Kind::kScalar; });
+      out << (plain ? YAML::Flow : YAML::Block) << YAML::BeginSeq;
+      for (const YamlValue& item : value.items) {
+        write(item, out);
+      }
+      out << YAML::EndSeq;
+      return;
+    }
+    case Kind::kMap:
+      out << YAML::BeginMap;
+      for (const auto& [key, content] : value.entries) {
+        out << YAML::Key << key << YAML::Value;
+        write(content, out);
+      }
+      out << YAML::EndMap;
+      return;
+  }
+}
+
+bool is_number(std::string_view text) {
+  double ignored = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), ignored);
+  return error != std::errc::invalid_argument && end == text.data() + text.size();
+}
+
+std::string cut(std::string text) {
+  if (text.size() > kLongestShown) {
+    std::size_t end = kLongestShown - 3;
+    while (end > 0 && (text[end] & 0xc0) == 0x80) {  // Not inside a UTF-8 character.
+      --end;
+    }
+    text = text.substr(0, end) + "...";
+  }
+  return text;
+}
+
+}  // namespace
+
+const YamlValue* YamlValue::find(std::string_view key) const {
+  const auto entry = std::ranges::find(entries, key, &Entry::key);
+  return entry == entries.end() ? nullptr : &entry->value;
+}
+
+YamlValue* YamlValue::find(std::string_view key) {
+  const auto entry = std::ranges::find(entries, key, &Entry::key);
+  return entry == entries.end() ? nullptr : &entry->value;
+}
+
+std::string YamlValue::shown() const {
+  switch (kind) {
+    case Kind::kNothing:
+      return "nothing";
+    case Kind::kScalar:
+      return !quoted && is_number(scalar) ? cut(scalar) : quoted_text(scalar);
+    case Kind::kMap:
+      return "{...}";
+    case Kind::kList:
+      break;
+  }
+  std::string text = "[";
+  for (const YamlValue& item : items) {
+    text += fmt::format("{}{}", text.size() > 1 ? ", " : "", item.shown());
+    if (text.size() > kLongestShown) {
+      break;
+    }
+  }
+  return cut(text + "]");
+}
+
+YamlValue parse_yaml(const std::string& text, const std::string& path) {
+  return parse(text, path, "");
+}
+
+YamlValue parse_yaml_setting(const std::string& text, const std::string& where) {
+  return parse(text, "", where);
+}
+
+std::string write_yaml(const YamlValue& value) {
+  YAML::Emitter out;
+  write(value, out);
+  return std::string(out.c_str()) + "\n";
+}
+
+std::string quoted_text(std::string_view text) {
+  std::string safe;
+  for (const char c : text) {
+    if (c == '\n') {
+      safe += "\\n";
+    } else if (c == '\t') {
+      safe += "\\t";
+    } else if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) {
+      safe += fmt::format("\\x{:02x}", static_cast<unsigned char>(c));
+    } else {
+      safe += c;
+    }
+  }
+  return fmt::format("\"{}\"", cut(safe));
+}
+
+}  // namespace insonify

@@ -1,0 +1,67 @@
+// load_scene.cpp -- what a scenario calls its world: an SDF file, a mesh or a grid of heights, told apart by ending.
+
+#include <fmt/format.h>
+
+#include <set>
+
+#include "insonify/error.h"
+#include "insonify/files.h"
+#include "io/file/input_file.h"
+#include "io/mesh/mesh_file.h"
+#include "io/mesh/relief_file.h"
+#include "io/world/sdf_scene.h"
+
+namespace insonify {
+namespace {
+
+Scene scene_of(const std::filesystem::path& path, Mesh mesh) {
+  Instance instance;
+  instance.name = path.stem().string();
+  instance.mesh = std::make_shared<const Mesh>(std::move(mesh));
+  check_reach(instance, path.string());
+  Scene scene;
+  scene.instances.push_back(std::move(instance));
+  return scene;
+}
+
+}  // namespace
+
+Scene load_scene(const std::filesystem::path& path, bool collisions, const Log& log) {
+  static const std::set<std::string> kSdf = {".sdf", ".world", ".xml"};
+  static const std::set<std::string> kHeights = {".asc", ".bag", ".png"};
+  const std::string ending = ending_of(path);
+  if (kSdf.contains(ending)) {
+    return load_sdf_scene(path, collisions, log);
+  }
+  if (kHeights.contains(ending)) {
+    return scene_of(path, make_height_field(load_height_grid(path, log)));
+  }
+  if (is_mesh_file(path)) {
+    return scene_of(path, load_mesh(path, log));
+  }
+  throw Error(
+      fmt::format("{}: is not a world: SDF ends in .sdf, .world or .xml, a mesh in {}, heights in .asc, .bag or .png",
+                  path.string(), mesh_file_endings()));
+}
+
+Scene load_scene(const Scenario& scenario, const Log& log) {
+  Scene scene;
+  if (!scenario.world.empty()) {
+    scene = load_scene(scenario.world, scenario.collisions, log);
+  }
+  MaterialRules rules = scenario.materials;
+  const std::filesystem::path folder = is_stream(scenario.file) ? std::filesystem::path() : scenario.file.parent_path();
+  for (auto& [name, change] : rules.overrides) {
+    try {
+      if (std::shared_ptr<const Relief> relief = load_relief(change.relief_config, folder)) {
+        change.relief = std::move(relief);
+      }
+    } catch (const Error& error) {
+      throw Error(fmt::format("{}materials.{}: {}", change.where, name, error.what()));
+    }
+  }
+  assign_materials(scene, rules, log);
+  return scene;
+}
+
+}  // namespace insonify

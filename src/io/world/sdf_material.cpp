@@ -1,0 +1,53 @@
+// sdf_material.cpp -- reads our own elements, which libsdformat keeps as it finds them.
+
+#include "io/world/sdf_material.h"
+
+#include <fmt/format.h>
+
+#include "insonify/error.h"
+#include "io/file/xml_scan.h"
+
+namespace insonify {
+namespace {
+
+constexpr std::string_view kPrefix = "insonify:";
+constexpr std::string_view kPlugin = "insonify";
+
+std::string text_of(const sdf::ElementPtr& element) {
+  return element->GetValue() == nullptr ? "" : xml_decode(element->GetValue()->GetAsString());
+}
+
+// Takes over what one element of ours says; `name` is without prefix.
+void take(const sdf::ElementPtr& element, const std::string& name, const std::string& what, std::string& material) {
+  if (name != "material") {
+    throw Error(fmt::format("{}: <{}> is unknown, insonify knows <material>", what, element->GetName()));
+  }
+  const std::string text = text_of(element);
+  if (text.empty()) {
+    throw Error(fmt::format("{}: <{}> is empty", what, element->GetName()));
+  }
+  if (!material.empty() && material != text) {
+    throw Error(fmt::format("{} has two materials, '{}' and '{}'", what, material, text));
+  }
+  material = text;
+}
+
+}  // namespace
+
+std::string sdf_material(const sdf::ElementPtr& element, const std::string& what) {
+  std::string material;
+  for (sdf::ElementPtr child = element->GetFirstElement(); child; child = child->GetNextElement()) {
+    const std::string& name = child->GetName();
+    if (name.starts_with(kPrefix)) {
+      take(child, name.substr(kPrefix.size()), what, material);
+    } else if (name == "plugin" && child->HasAttribute("name") &&
+               child->GetAttribute("name")->GetAsString() == kPlugin) {
+      for (sdf::ElementPtr inner = child->GetFirstElement(); inner; inner = inner->GetNextElement()) {
+        take(inner, inner->GetName(), what, material);
+      }
+    }
+  }
+  return material;
+}
+
+}  // namespace insonify

@@ -1,0 +1,108 @@
+// sdf_root.cpp -- libsdformat's errors in our words: the cause first, its echoes left out.
+
+#include "io/world/sdf_root.h"
+
+#include <fmt/format.h>
+
+#include <sdf/Console.hh>
+#include <sdf/parser.hh>
+#include <set>
+
+#include "insonify/error.h"
+#include "io/file/input_file.h"
+#include "io/world/sdf_console.h"
+
+namespace insonify {
+namespace {
+
+// Said again for each element around the faulty one.
+bool is_echo(const sdf::Error& error) {
+  const std::string text = error.Message();
+  return text.starts_with("Error reading element <") || text.starts_with("Unable to read file") ||
+         text.starts_with("Failed to load a world");
+}
+
+// "/sdf/model[@name="ship"]/link[@name="hull"]" gives "link".
+std::string element_of(const std::string& xml_path) {
+  const std::string last = xml_path.substr(xml_path.rfind('/') + 1);
+  return last.substr(0, last.find('['));
+}
+
+// "path:line:column: ". Errors without a line give names in brackets, "link with name[ship::hull]": the first that an
+// element has tells the place.
+std::string where(const sdf::Error& error, const std::string& file, const SdfSource& source) {
+  const std::string path = error.FilePath().value_or(file);
+  if (error.LineNumber()) {
+    return source.place(path, *error.LineNumber(), element_of(error.XmlPath().value_or("")));
+  }
+  const std::string text = error.Message();
+  for (std::size_t open = text.find('['); open != std::string::npos; open = text.find('[', open + 1)) {
+    const std::string scoped = text.substr(open + 1, text.find(']', open) - open - 1);
+    const std::size_t colons = scoped.rfind("::");
+    std::string place = source.place_of_name(colons == std::string::npos ? scoped : scoped.substr(colons + 2));
+    if (!place.empty()) {
+      return place;
+    }
+  }
+  return source.shown(path) + ": ";
+}
+
+// One line for all errors. Where libsdformat says only which element it could not read, the reason is on the console.
+std::string summary(const sdf::Errors& errors, const std::vector<std::string>& console, const std::string& file,
+                    const SdfSource& source) {
+  const sdf::Error* cause = &errors.front();
+  std::set<std::string> causes;
+  for (const sdf::Error& error : errors) {
+    if (!is_echo(error)) {
+      cause = causes.empty() ? &error : cause;
+      causes.insert(error.Message());
+    }
+  }
+  const bool silent = causes.empty() && !console.empty();
+  const std::string text = where(*cause, file, source) + one_line(silent ? console.front() : cause->Message());
+  const std::size_t more = causes.size() > 1 ? causes.size() - 1 : 0;
+  return more == 0 ? text : fmt::format("{} (and {} more error{})", text, more, more == 1 ? "" : "s");
+}
+
+// Errors inside included files are not handed on by libsdformat: they are asked for again, file by file.
+void explain_failure(const sdf::Errors& errors, const std::vector<std::string>& console, const SdfSource& source) {
+  for (const std::string& file : source.files()) {
+    const SdfConsole quiet;
+    sdf::Errors faults;
+    if (sdf::readFile(file, faults) == nullptr || !faults.empty()) {
+      throw Error(summary(faults.empty() ? errors : faults, quiet.sentences(), file, source));
+    }
+  }
+  throw Error(summary(errors, console, source.files().back(), source));
+}
+
+// Some faulty values make libsdformat throw what its own standard library calls throw.
+sdf::Errors load(const SdfSource& source, sdf::Root& root) {
+  const std::string& file = source.files().back();
+  try {
+    return root.Load(file);
+  } catch (const std::exception& exception) {
+    throw Error(fmt::format("{}: libsdformat gives up: {}", source.shown(file), one_line(exception.what())));
+  }
+}
+
+}  // namespace
+
+sdf::Root read_sdf_root(const SdfSource& source, const Log& log) {
+  const SdfConsole console;
+  sdf::Root root;
+  const sdf::Errors errors = load(source, root);
+  if (!errors.empty()) {
+    explain_failure(errors, console.sentences(), source);
+  }
+  if (log) {
+    for (const std::string& sentence : console.sentences()) {
+      if (!sentence.starts_with("Unable to convert from SDF version")) {  // SdfSource has said so, with file and line
+        log(Severity::kWarning, fmt::format("{}: {}", source.shown(source.files().back()), one_line(sentence)));
+      }
+    }
+  }
+  return root;
+}
+
+}  // namespace insonify

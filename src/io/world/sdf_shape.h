@@ -1,0 +1,53 @@
+// sdf_shape.h -- the meshes that the geometries of an SDF file stand for.
+
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <sdf/Geometry.hh>
+#include <string>
+
+#include "insonify/geometry.h"
+#include "insonify/log.h"
+#include "insonify/mesh.h"
+#include "io/world/sdf_source.h"
+
+namespace insonify {
+
+/// Side of the square that stands for SDF's infinite plane [m].
+inline constexpr double kInfinitePlane = 10000;
+
+/// A mesh and where its origin is in the frame of the visual.
+struct SdfShape {
+  std::shared_ptr<const Mesh> mesh;
+  Vec3 offset = Vec3::Zero();  ///< [m]
+};
+
+/// Makes each shape once: geometries that are alike share a mesh.
+class SdfShapes {
+ public:
+  /// Both must outlive this.
+  SdfShapes(const SdfSource& source, const Log& log) : source_(source), log_(log) {}
+
+  /// @param what       "path:line:column: visual 'a::b::c'", for messages.
+  /// @param collision  Planes are infinite whatever their size, as physics engines take them.
+  /// @return           Nothing for a shape that cannot be read; `log` has been told.
+  /// @throws Error for sizes out of limits and for files that are missing or wrong.
+  [[nodiscard]] std::optional<SdfShape> shape(const sdf::Geometry& geometry, const std::string& what, bool collision);
+
+ private:
+  std::shared_ptr<const Mesh> shared(const std::string& key, const std::function<Mesh()>& make);
+  std::optional<SdfShape> unknown_shape(const sdf::Geometry& geometry, const std::string& what);
+  SdfShape plane(const sdf::Plane& plane, const std::string& what, bool collision);
+  SdfShape mesh(const sdf::Mesh& mesh, const std::string& what);
+  SdfShape heightmap(const sdf::Heightmap& heightmap, const std::string& what);
+  std::string file(const std::string& uri, const std::string& base, const std::string& what) const;
+
+  const SdfSource& source_;
+  const Log& log_;
+  std::map<std::string, std::shared_ptr<const Mesh>> meshes_;
+};
+
+}  // namespace insonify

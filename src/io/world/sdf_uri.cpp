@@ -1,0 +1,99 @@
+// sdf_uri.cpp -- where model://, file:// and relative URIs are looked for.
+
+#include "io/world/sdf_uri.h"
+
+#include <array>
+#include <cstdlib>
+#include <sstream>
+#include <vector>
+
+namespace insonify {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::array kPathLists = {"INSONIFY_MODEL_PATH", "SDF_PATH", "GZ_SIM_RESOURCE_PATH",
+                                   "IGN_GAZEBO_RESOURCE_PATH", "GAZEBO_MODEL_PATH"};
+
+struct Uri {
+  std::string scheme;  // "" for a plain path
+  std::string path;
+};
+
+Uri split_uri(const std::string& uri) {
+  const std::size_t mark = uri.find("://");
+  if (mark == std::string::npos) {
+    return {"", uri};
+  }
+  return {uri.substr(0, mark), uri.substr(mark + 3)};
+}
+
+bool names_model(const Uri& uri) {
+  return uri.scheme == "model" || uri.scheme == "package";
+}
+
+bool is_local(const Uri& uri) {
+  return uri.scheme.empty() || uri.scheme == "file" || names_model(uri);
+}
+
+// Folders to look in, nearest first.
+std::vector<fs::path> search_folders(const Uri& uri, const fs::path& base) {
+  std::vector<fs::path> folders;
+  fs::path folder = fs::absolute(base).parent_path();
+  for (bool more = true; more; folder = folder.parent_path()) {
+    more = folder != folder.parent_path();
+    folders.push_back(folder);
+    if (names_model(uri)) {
+      folders.push_back(folder / "models");
+    }
+  }
+  for (const char* variable : kPathLists) {
+    const char* value = std::getenv(variable);
+    std::istringstream list(value == nullptr ? "" : value);
+    for (std::string entry; std::getline(list, entry, ':');) {
+      if (!entry.empty()) {
+        folders.push_back(fs::absolute(entry));
+      }
+    }
+  }
+  return folders;
+}
+
+}  // namespace
+
+std::optional<fs::path> find_sdf_uri(const std::string& text, const fs::path& base) {
+  const Uri uri = split_uri(text);
+  if (!is_local(uri) || uri.path.empty()) {
+    return std::nullopt;
+  }
+  // An absolute path replaces whatever folder it is appended to. After model:// nothing is absolute.
+  const fs::path path = names_model(uri) ? fs::path(uri.path).relative_path() : fs::path(uri.path);
+  for (const fs::path& folder : search_folders(uri, base)) {
+    std::error_code ignored;
+    const fs::path candidate = (folder / path).lexically_normal();
+    if (fs::exists(candidate, ignored)) {
+      return candidate;
+    }
+  }
+  return std::nullopt;
+}
+
+std::string sdf_uri_not_found(const std::string& text) {
+  const Uri uri = split_uri(text);
+  if (!is_local(uri)) {
+    return "is not on this machine: fetch it and name its folder";
+  }
+  if (uri.path.empty()) {
+    return "names nothing";
+  }
+  if (!names_model(uri) && fs::path(uri.path).is_absolute()) {
+    return "does not exist";
+  }
+  std::string lists;
+  for (const char* variable : kPathLists) {
+    lists += lists.empty() ? variable : std::string(", ") + variable;
+  }
+  return "not found beside this file, in the folders above it or in those of " + lists;
+}
+
+}  // namespace insonify
