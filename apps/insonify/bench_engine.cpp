@@ -171,7 +171,7 @@ int bench_engine(const BenchOptions& options) {
       "x: times the rate of {} {}, of the ping and of the floor. Blocks of pings and of floors are timed in turn.\n\n"
       "{:>9} {:>7} {:>9} {:>8} {:>8} {:>8} | {:>8} {:>8} {:>8} {:>6} | {:>8} {:>6} {:>7} | {:>6} {:>8}\n",
       options.repetitions, options.threads.front(), options.threads.front() == 1 ? "thread" : "threads", "triangles",
-      "threads", "secondary", "rays", "onward", "return", "setup ms", "ping ms", "floor ms", "ratio", "pings/s",
+      "threads", "secondary", "rays", "reflected", "return", "setup ms", "ping ms", "floor ms", "ratio", "pings/s",
       "ping x", "floor x", "B/tri", "Embree B");
   nlohmann::json rows = nlohmann::json::array();
   for (const int count : options.triangles) {

@@ -145,7 +145,7 @@ int bench_paper(const PaperBenchOptions& options) {
       "Range 20 m, all effects on, {} threads. ms, std: mean and deviation of a ping in steady state; set-up: scene "
       "and\n"
       "sonar ready to ping; both: as the paper counts. primary: no secondary echoes, the 2017 method; hybrid: the\n"
-      "paper's; full: all rays. 2nd rays: onward rays and return legs. floor: Embree alone on the lattice and the "
+      "paper's; full: all rays. 2nd rays: reflected rays and return legs. floor: Embree alone on the lattice and the "
       "rays\n"
       "sent on. printed: by the paper, on a GeForce GTX 1060.\n\n"
       "{:<23} {:<8}| {:>8} {:>7} {:>9} | {:>8} {:>8} | {:>8} {:>9} | {:>8} | {:>7}\n",

@@ -84,7 +84,7 @@ struct PingPlanSettings {
 /// Rays that one ping sent.
 struct RayCounts {
   std::uint64_t primary = 0;
-  std::uint64_t secondary = 0;  ///< Onward, and the few probes by which kSelective chooses.
+  std::uint64_t secondary = 0;  ///< Reflected, and the few probes by which kSelective chooses.
   std::uint64_t return_legs = 0;
 };
 
@@ -139,7 +139,7 @@ class Engine {
 [[nodiscard]] std::unique_ptr<Engine> make_engine(std::string_view name, int threads = 0);
 
 /// The floor a ping stands on: seconds that its rays take the ray-tracing library alone, packets set up but nothing
-/// shaded or deposited; the same primary lattice, and the onward rays and return legs that insonify() really sends.
+/// shaded or deposited; the same primary lattice, and the reflected rays and return legs that insonify() really sends.
 /// @return One value a repetition [s].
 /// @throws Error for an engine that has no such library ("reference").
 [[nodiscard]] std::vector<double> time_traversal(Engine& engine, const PingPlan& plan, const Pose& world_from_sonar,

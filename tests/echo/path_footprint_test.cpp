@@ -33,15 +33,14 @@ struct Path {
   double whole, there;
 
   Path(const Vec3& direction, const Vec3& normal, double range, const Plane& second) {
-    const Vec3 onward = direction - 2 * direction.dot(normal) * normal;
-    const double across = second.distance(range * direction, onward);
-    const Vec3 point = range * direction + across * onward;
+    const Vec3 reflected = direction - 2 * direction.dot(normal) * normal;
+    const double across = second.distance(range * direction, reflected);
+    const Vec3 point = range * direction + across * reflected;
     there = range + across;
     whole = there + point.norm();
     sample = MirrorSample::of(triple(direction), triple(normal), static_cast<float>(range));
-    end = {static_cast<float>(across), triple(onward),
-           triple(second.normal),      triple(point.normalized()),
-           static_cast<float>(there),  static_cast<float>(point.norm())};
+    end = {static_cast<float>(across), triple(reflected),         triple(second.normal),
+           triple(point.normalized()), static_cast<float>(there), static_cast<float>(point.norm())};
   }
 };
 

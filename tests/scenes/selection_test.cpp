@@ -14,7 +14,7 @@ namespace {
 
 // Secondary echoes of a scene's first sonar over some of its pings.
 struct Tally {
-  double rays = 0;  // Onward rays and return legs.
+  double rays = 0;  // Reflected rays and return legs.
   double energy = 0;
   double difference = 0;  // Of single cells from those of `all`, and its square.
   double squares = 0, squared_difference = 0;

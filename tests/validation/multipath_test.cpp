@@ -202,7 +202,7 @@ TEST_P(MultipathTest, BallsSpreadSoundBothWays) {
   const double a = 1, turned = 35 * kDegree, across = 4;
   const Vec3 centre(10, 0, 0), normal(-std::cos(turned), 0, std::sin(turned));
   const Vec3 mirror = centre + a * normal, direction = mirror.normalized();
-  const Vec3 onward = direction - 2 * direction.dot(normal) * normal;
+  const Vec3 reflected = direction - 2 * direction.dot(normal) * normal;
   const double r = mirror.norm(), cosine = -direction.dot(normal);
   const double gain = 1 / (r * r * (1 + across * (1 / r + 2 / (a * cosine))) * (1 + across * (1 / r + 2 * cosine / a)));
   const double elevation = std::asin(direction.z());
@@ -211,10 +211,10 @@ TEST_P(MultipathTest, BallsSpreadSoundBothWays) {
   sonar.elevation_center = elevation;
   sonar.sampling = {16, 400};
   const double side = 0.3;
-  const Eigen::Quaterniond facing = Eigen::Quaterniond::FromTwoVectors(Vec3::UnitX(), -onward);
+  const Eigen::Quaterniond facing = Eigen::Quaterniond::FromTwoVectors(Vec3::UnitX(), -reflected);
   const Scene scene = scene_of_all({sphere_at(centre, a, glinting(0.9, 0.005), 0.05),
                                     scene_of(make_plane(Vec3::UnitX(), side, side), diffuse(-20),
-                                             {.position = mirror + across * onward, .orientation = facing})});
+                                             {.position = mirror + across * reflected, .orientation = facing})});
   const EchoGrid grid = echoes_of(GetParam(), scene, sonar, Vec3::Zero());
   const double expected = 0.01 * side * side * std::pow(0.9, 4) * gain * gain;
   EXPECT_NEAR(level_db(grid, sonar, 3, r + across), 10 * std::log10(expected), 0.3);

@@ -181,11 +181,11 @@ TEST_P(RoughMirrorTest, SpreadsTheImageAsItsSlopes) {
     const Ghost smooth = ghost_in(GetParam(), 0.05, false, height);
     EXPECT_NEAR(smooth.mean, -45, 0.7) << height;
     EXPECT_LT(smooth.deviation, 1) << height;
-    const double onward = 2 * (10 - height) / 10;
+    const double reflected = 2 * (10 - height) / 10;
     for (const double slope : {0.03, 0.05}) {
       const Ghost rough = ghost_in(GetParam(), slope, true, height);
       const double added = std::sqrt(rough.deviation * rough.deviation - smooth.deviation * smooth.deviation) * kDegree;
-      EXPECT_NEAR(added / (onward * slope), 1, 0.1) << slope << ", " << height;
+      EXPECT_NEAR(added / (reflected * slope), 1, 0.1) << slope << ", " << height;
       EXPECT_NEAR(rough.mean, -45, 1.2) << slope << ", " << height;
       EXPECT_NEAR(10 * std::log10(rough.energy / smooth.energy), 0, 0.3) << slope << ", " << height;
       EXPECT_NEAR(10 * std::log10(rough.both_ways / smooth.both_ways), 0, 0.3) << slope << ", " << height;

@@ -29,7 +29,7 @@ void BeamTask::prepare(const PingPlan& plan, Followed followed) {
   plan_ = &plan;
   followed_ = followed;
   primary_count_ = 0;
-  onward_.reset_counts();
+  secondary_.reset_counts();
   const std::size_t columns = static_cast<std::size_t>(kMostBeamsTogether) * plan.lattice.columns_per_beam;
   axes_.resize(std::max(axes_.size(), columns));
   const auto rows = static_cast<std::size_t>(plan.lattice.rows);
@@ -179,21 +179,21 @@ void BeamTask::trace_only(const Pose& world_from_sonar, int first_beam, int last
 }
 
 void BeamTask::run(const Pose& world_from_sonar, int first_beam, int last_beam, const FanView* view, EchoGrid& grid,
-                   std::vector<Echo>& arrivals, OnwardTask::Log* log) {
+                   std::vector<Echo>& arrivals, SecondaryTask::Log* log) {
   grid.clear(first_beam, last_beam);
   aim(world_from_sonar, first_beam, last_beam);
   if (view != nullptr) {
     raster_.draw(raster_scene_, *view, *plan_, first_column_, first_column_ + columns_);
   }
   arrivals.clear();
-  onward_.start(*plan_, sonar_, sonar_axes_, grid, arrivals, log);
+  secondary_.start(*plan_, sonar_, sonar_axes_, grid, arrivals, log);
 
   // Sums depend on the order of their terms. Secondary echoes come as packets fill, so that packets end where
   // the smallest tasks would: then the order is the same whatever the task.
   const int columns_together = kLeastBeamsTogether * plan_->lattice.columns_per_beam;
   for (int first_column = 0; first_column < columns_; first_column += kTile) {
     if (first_column % columns_together == 0) {
-      onward_.finish();
+      secondary_.finish();
     }
     if (view != nullptr) {
       read_strip(first_column);
@@ -206,10 +206,11 @@ void BeamTask::run(const Pose& world_from_sonar, int first_beam, int last_beam, 
       deposit_column(*plan_, first_column_ + column, hits, stretches_, sums_, grid);
     }
     if (followed_ != Followed::kNone) {
-      onward_.follow(hits_[0], strip_.stride(), first_column_ + first_column, std::min(kTile, columns_ - first_column));
+      secondary_.follow(hits_[0], strip_.stride(), first_column_ + first_column,
+                        std::min(kTile, columns_ - first_column));
     }
   }
-  onward_.finish();
+  secondary_.finish();
 }
 
 }  // namespace insonify

@@ -7,8 +7,8 @@
 #include "echo/cpu/beam_tasks.h"
 #include "echo/cpu/cpu_scene.h"
 #include "echo/cpu/fan_raster.h"
-#include "echo/cpu/onward_task.h"
 #include "echo/cpu/ray_packet.h"
+#include "echo/cpu/secondary_task.h"
 #include "echo/grid/surface_run.h"
 #include "echo/model/hit_column.h"
 #include "echo/model/ping_plan.h"
@@ -17,7 +17,7 @@ namespace insonify {
 
 struct BeamTask {
   BeamTask(const CpuScene& scene, const RasterScene& raster_scene)
-      : scene_(scene), raster_scene_(raster_scene), onward_(scene) {}
+      : scene_(scene), raster_scene_(raster_scene), secondary_(scene) {}
 
   /// Gets ready for a ping; allocates only when it needs more memory than any before.
   void prepare(const PingPlan& plan, Followed followed);
@@ -26,13 +26,13 @@ struct BeamTask {
   /// @param view  What the ping sees of the raster scene, to draw the primaries; null to trace them.
   /// @param arrivals  Takes echoes that may arrive in beams of other tasks; see deposit().
   void run(const Pose& world_from_sonar, int first_beam, int last_beam, const FanView* view, EchoGrid& grid,
-           std::vector<Echo>& arrivals, OnwardTask::Log* log = nullptr);
+           std::vector<Echo>& arrivals, SecondaryTask::Log* log = nullptr);
 
   /// Only traces the beams' primary rays: the floor that run() stands on.
   void trace_only(const Pose& world_from_sonar, int first_beam, int last_beam);
 
   /// Since prepare().
-  [[nodiscard]] RayCounts counts() const { return {primary_count_, onward_.sent(), onward_.returned()}; }
+  [[nodiscard]] RayCounts counts() const { return {primary_count_, secondary_.sent(), secondary_.returned()}; }
 
  private:
   void aim(const Pose& world_from_sonar, int first_beam, int last_beam);
@@ -61,7 +61,7 @@ struct BeamTask {
   ReliefPoint reliefs_[kPacketSize];  // Of the packet's hits, where there is any.
   RayPacket primary_;
   CpuScene::Shading shading_;
-  OnwardTask onward_;
+  SecondaryTask secondary_;
 };
 
 }  // namespace insonify

@@ -102,7 +102,7 @@ void CpuEngine::insonify(const PingPlan& plan, const Pose& world_from_sonar, std
 
 std::vector<double> CpuEngine::time_traversal(const PingPlan& plan, const Pose& world_from_sonar, int repetitions) {
   cut_beams(plan.sonar.beam_count, workers_.count(), first_beams_);
-  std::vector<OnwardTask::Log> logs(task_count());
+  std::vector<SecondaryTask::Log> logs(task_count());
   EchoGrid grid(plan.sonar.beam_count, plan.sonar.bin_count, kPathOrders);
   std::uint64_t probes = 0;
   const Followed followed = followed_hits(*this, plan, world_from_sonar, scene_.origin(), scene_.boxes(), probes);
@@ -116,7 +116,7 @@ std::vector<double> CpuEngine::time_traversal(const PingPlan& plan, const Pose& 
     const auto start = std::chrono::steady_clock::now();
     for_each_task(plan, followed, [&](BeamTask& scratch, int first_beam, int last_beam, int task) {
       scratch.trace_only(world_from_sonar, first_beam, last_beam);
-      for (const RayPacket& logged : logs[task].onward) {
+      for (const RayPacket& logged : logs[task].reflected) {
         RayPacket packet = logged;
         packet.intersect(scene_.handle());
       }

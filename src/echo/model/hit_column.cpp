@@ -113,8 +113,8 @@ void bend(int rows, const float* __restrict__ direction_x, const float* __restri
     const float bent = bent_x * direction_x[row] + bent_y * direction_y[row] + bent_z * direction_z[row];
     const float flat = facing[row];
     // Of the mirrored ray and the flat normal: d . n - 2 (d . b) (b . n).
-    const float onward = flat - 2 * bent * (bent_x * nx + bent_y * ny + bent_z * nz);
-    escapes[row] = onward * flat < 0 ? 1.0F : 0.0F;
+    const float reflected = flat - 2 * bent * (bent_x * nx + bent_y * ny + bent_z * nz);
+    escapes[row] = reflected * flat < 0 ? 1.0F : 0.0F;
     facing[row] = bent * flat > 0 ? bent : 0.0F;
     normal_x[row] = bent_x;
     normal_y[row] = bent_y;

@@ -32,7 +32,7 @@ struct HitColumn {
   float* facing;    ///< Of ray and unit normal: the cosine of incidence, of either sign; 0 where relief turns it away.
   float* strength;  ///< `paper`: |facing| x reflectivity x absorption there and back, 0..1.
   float* power;     ///< What is deposited per unit of weight. `paper`: S(strength); `calibrated`: see ScatterTable.
-  float* selected;  ///< How many hits the onward ray stands for; 0 when none is sent or nothing was hit.
+  float* selected;  ///< How many hits the reflected ray stands for; 0 when none is sent or nothing was hit.
   float* escapes;   ///< 1, or 0 where relief mirrors the ray into the surface: nothing is sent on from there.
 };
 

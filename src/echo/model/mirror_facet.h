@@ -53,17 +53,17 @@ struct MirrorFacet {
   const float upright = 1 / std::sqrt(tilted.dot(tilted));  // Cosine of the tilt.
   const Triple m = upright * tilted;
   const float met = -direction.dot(m);
-  const Triple onward = direction + (2 * met) * m;
+  const Triple reflected = direction + (2 * met) * m;
   // The surface without relief: its unit normal less the gradient is along the one with relief.
   const float level = normal.dot(gradient);
   const float rest = std::sqrt(std::max(level * level - gradient.dot(gradient) + 1, 0.0F)) - level;
   const Triple flat = rest * normal + gradient;
-  const bool out_of_relief = onward.dot(flat) * direction.dot(flat) < 0;
+  const bool out_of_relief = reflected.dot(flat) * direction.dot(flat) < 0;
 
   const float held = std::max(-direction.dot(n), 1e-3F);
   const float wide = held / (1.41421356F * slope * std::sqrt(std::max(1 - held * held, 1e-6F)));
   const float seen = wide < 1.6F ? wide * (3.535F + 2.181F * wide) / (1 + wide * (2.276F + 2.577F * wide)) : 1.0F;
-  const bool kept = (met > 0) & (onward.dot(n) > 0) & out_of_relief;
+  const bool kept = (met > 0) & (reflected.dot(n) > 0) & out_of_relief;
   return {{kept ? m.x : n.x, kept ? m.y : n.y, kept ? m.z : n.z}, kept ? met / (held * upright) * seen : 0.0F};
 }
 

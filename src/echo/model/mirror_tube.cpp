@@ -34,9 +34,9 @@ MirrorTube mirror_tube(const std::array<Vec3f, 3>& corners, const std::array<Vec
   };
   const Vec3f aside = direction.unitOrthogonal();
   const Neighbour a = neighbour(aside), b = neighbour(direction.cross(aside));
-  const Vec3f onward = direction - 2 * cosine * about;
-  return {a.place.cross(b.place).dot(onward), (a.place.cross(b.turn) + a.turn.cross(b.place)).dot(onward),
-          a.turn.cross(b.turn).dot(onward)};
+  const Vec3f reflected = direction - 2 * cosine * about;
+  return {a.place.cross(b.place).dot(reflected), (a.place.cross(b.turn) + a.turn.cross(b.place)).dot(reflected),
+          a.turn.cross(b.turn).dot(reflected)};
 }
 
 }  // namespace insonify

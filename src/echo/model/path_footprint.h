@@ -11,9 +11,9 @@ namespace insonify {
 
 /// Where a sample of the lattice met a mirror, and where its sound goes on to.
 struct MirrorSample {
-  Triple place;           ///< From the sonar [m].
-  Triple normal, onward;  ///< Of unit length; the normal with relief, on either side.
-  float range;            ///< [m]
+  Triple place;              ///< From the sonar [m].
+  Triple normal, reflected;  ///< Of unit length; the normal with relief, on either side.
+  float range;               ///< [m]
 
   [[gnu::always_inline]] static MirrorSample of(const Triple& direction, const Triple& normal, float range) {
     return {range * direction, normal, direction - 2 * direction.dot(normal) * normal, range};
@@ -30,7 +30,7 @@ struct MirrorChange {
 /// @return  No change where the other is not on the same stretch of surface: where the way there leaves the surface at
 ///          more than 30 degrees, or normals differ by more than 26.
 [[gnu::always_inline]] inline MirrorChange mirror_change(const MirrorSample& here, const MirrorSample& beside) {
-  const Triple place = beside.place - here.place, turn = beside.onward - here.onward;
+  const Triple place = beside.place - here.place, turn = beside.reflected - here.reflected;
   const float off = here.normal.dot(place), alike = here.normal.dot(beside.normal);
   const float kept = (off * off <= 0.25F * place.dot(place)) & (std::abs(alike) > 0.9F) ? 1.0F : 0.0F;
   return {kept * (beside.range - here.range), kept * place, kept * turn};

@@ -11,7 +11,7 @@ namespace insonify {
 /// The secondary echo of the `paper` model, all but its power: heard in the beam it was launched in, as its reciprocal
 /// path is (DESIGN, "the return leg"). Its weight is by what is sent that way; what is heard of it is its power's.
 /// @param column, row  Of the lattice: the sample whose hit was followed.
-/// @param selected     How many hits the onward ray stands for.
+/// @param selected     How many hits the reflected ray stands for.
 /// @param path_length  Out, across and back [m].
 /// @param surface      The second.
 inline Echo secondary_echo(const PingPlan& plan, int column, int row, float selected, float path_length,

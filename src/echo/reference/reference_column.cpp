@@ -193,19 +193,19 @@ void ReferenceEngine::insonify_column(const PingPlan& plan, Followed followed, i
       }
     }
     const Vec3 mirrored = rays[row].direction - 2 * rays[row].direction.dot(normal) * normal;
-    const Ray onward{point, mirrored.normalized(), kRayClearance, plan.reach()};
-    const Meeting second = nearest(onward);
+    const Ray reflected{point, mirrored.normalized(), kRayClearance, plan.reach()};
+    const Meeting second = nearest(reflected);
     ++counts.secondary;
     if (!second.met()) {
       continue;
     }
-    const Vec3 second_point = onward.origin + onward.direction * second.distance;
+    const Vec3 second_point = reflected.origin + reflected.direction * second.distance;
     const Vec3 back = world_from_sonar.position - second_point;
     const auto there = static_cast<float>(first[row].distance + second.distance);
     const auto path_length = static_cast<float>(first[row].distance + second.distance + back.norm());
     const PathFootprint footprint =
         path_footprint(change_above(row), hits.selected[row], change_aside(row),
-                       {static_cast<float>(second.distance), triple(onward.direction), triple(second.bent),
+                       {static_cast<float>(second.distance), triple(reflected.direction), triple(second.bent),
                         triple(-back.normalized()), there, static_cast<float>(back.norm())});
     if (plan.model == EchoModel::kCalibrated) {
       const float texture = hits.has_relief ? hits.texture[row] : 1.0F;
@@ -214,7 +214,7 @@ void ReferenceEngine::insonify_column(const PingPlan& plan, Followed followed, i
       return_mirrored(
           plan, world_from_sonar,
           {echo, footprint, kept, share, plan.scatter.steepness(hits.surface[row]), lattice.heard_in(column)[row],
-           first[row].distance, tube(first[row], rays[row].direction), onward, second},
+           first[row].distance, tube(first[row], rays[row].direction), reflected, second},
           grid, arrivals, counts);
       continue;
     }
@@ -225,7 +225,7 @@ void ReferenceEngine::insonify_column(const PingPlan& plan, Followed followed, i
     if (blocked({second_point, back.normalized(), kRayClearance, back.norm() - double{kRayClearance}})) {
       continue;
     }
-    const auto incidence = static_cast<float>(std::abs(second.bent.dot(onward.direction)));
+    const auto incidence = static_cast<float>(std::abs(second.bent.dot(reflected.direction)));
     Echo echo = secondary_echo(plan, column, row, hits.selected[row], path_length, second.surface());
     echo.half_length = footprint.once;
     const float strength = hits.strength[row] * incidence * second.reflectivity;

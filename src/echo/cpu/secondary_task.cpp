@@ -1,6 +1,6 @@
-// onward_task.cpp -- on to a second surface, and back from there.
+// secondary_task.cpp -- on to a second surface, and back from there.
 
-#include "echo/cpu/onward_task.h"
+#include "echo/cpu/secondary_task.h"
 
 #include <algorithm>
 #include <bit>
@@ -21,16 +21,16 @@ constexpr int kUnsifted = 2;
 
 }  // namespace
 
-OnwardTask::OnwardTask(const CpuScene& scene) : scene_(scene) {
+SecondaryTask::SecondaryTask(const CpuScene& scene) : scene_(scene) {
   for (int lane = 0; lane < kPacketSize; ++lane) {
-    candidates_.rays.ray.tnear[lane] = onward_.rays.ray.tnear[lane] = back_.rays.ray.tnear[lane] = kRayClearance;
+    candidates_.rays.ray.tnear[lane] = reflected_.rays.ray.tnear[lane] = back_.rays.ray.tnear[lane] = kRayClearance;
     candidates_.set_origin(lane, Vec3f::Zero());
     candidates_.set_direction(lane, Vec3f::UnitX());
   }
 }
 
-void OnwardTask::start(const PingPlan& plan, const Vec3f& sonar, const Eigen::Matrix3f& axes, EchoGrid& grid,
-                       std::vector<Echo>& arrivals, Log* log) {
+void SecondaryTask::start(const PingPlan& plan, const Vec3f& sonar, const Eigen::Matrix3f& axes, EchoGrid& grid,
+                          std::vector<Echo>& arrivals, Log* log) {
   plan_ = &plan;
   sonar_ = sonar;
   axes_ = axes;
@@ -39,7 +39,7 @@ void OnwardTask::start(const PingPlan& plan, const Vec3f& sonar, const Eigen::Ma
   log_ = log;
 }
 
-void OnwardTask::follow(const HitColumn& strip, int stride, int first_column, int columns) {
+void SecondaryTask::follow(const HitColumn& strip, int stride, int first_column, int columns) {
   const int rows = strip.rows;
   const float* selected = strip.selected;
   unsifted_ = 0;
@@ -72,12 +72,12 @@ void OnwardTask::follow(const HitColumn& strip, int stride, int first_column, in
 
 // Sends those of the candidates that may meet something in time: at once where they are many, else in packets with
 // others. The rest would give no echo.
-void OnwardTask::sift(const HitColumn& strip) {
+void SecondaryTask::sift(const HitColumn& strip) {
   const int count = candidate_count_;
   candidate_count_ = 0;
   const RTCRay16& from = candidates_.rays.ray;
   Mirrors mirrors;
-  aim_onward(strip, place_, count, sonar_, plan_->reach(), candidates_.rays.ray, candidate_origins_, mirrors);
+  aim_reflected(strip, place_, count, sonar_, plan_->reach(), candidates_.rays.ray, candidate_origins_, mirrors);
   unsigned lanes = (1U << count) - 1;
   if (plan_->model == EchoModel::kCalibrated) {
     for (int lane = 0; lane < count; ++lane) {
@@ -109,9 +109,9 @@ void OnwardTask::sift(const HitColumn& strip) {
     trace(candidates_, candidate_origins_, lanes);
     return;
   }
-  RTCRay16& rays = onward_.rays.ray;
+  RTCRay16& rays = reflected_.rays.ray;
   for (; lanes != 0; lanes &= lanes - 1) {
-    const int lane = std::countr_zero(lanes), to = onward_count_;
+    const int lane = std::countr_zero(lanes), to = reflected_count_;
     rays.org_x[to] = from.org_x[lane];
     rays.org_y[to] = from.org_y[lane];
     rays.org_z[to] = from.org_z[lane];
@@ -130,14 +130,14 @@ void OnwardTask::sift(const HitColumn& strip) {
     origins_.selected[to] = candidate_origins_.selected[lane];
     origins_.above.set(to, candidate_origins_.above.at(lane));
     origins_.aside.set(to, candidate_origins_.aside.at(lane));
-    if (++onward_count_ == kPacketSize) {
+    if (++reflected_count_ == kPacketSize) {
       trace_collected();
     }
   }
 }
 
 // Of the candidates that are sent.
-void OnwardTask::lay_tubes(const HitColumn& strip, unsigned lanes) {
+void SecondaryTask::lay_tubes(const HitColumn& strip, unsigned lanes) {
   for (; lanes != 0; lanes &= lanes - 1) {
     const int lane = std::countr_zero(lanes), at = place_[lane];
     const Vec3f direction(strip.direction_x[at], strip.direction_y[at], strip.direction_z[at]);
@@ -147,17 +147,17 @@ void OnwardTask::lay_tubes(const HitColumn& strip, unsigned lanes) {
   }
 }
 
-void OnwardTask::trace_collected() {
-  const unsigned lanes = (1U << onward_count_) - 1;
-  onward_count_ = 0;
-  trace(onward_, origins_, lanes);
+void SecondaryTask::trace_collected() {
+  const unsigned lanes = (1U << reflected_count_) - 1;
+  reflected_count_ = 0;
+  trace(reflected_, origins_, lanes);
 }
 
-// Traces onward rays in the mirror directions, and readies the return legs of what they meet.
-void OnwardTask::trace(RayPacket& packet, const OnwardOrigins& origins, unsigned lanes) {
+// Traces reflected rays in the mirror directions, and readies the return legs of what they meet.
+void SecondaryTask::trace(RayPacket& packet, const ReflectedOrigins& origins, unsigned lanes) {
   packet.set_lanes(lanes);
   if (log_ != nullptr) {
-    log_->onward.push_back(packet);
+    log_->reflected.push_back(packet);
   }
   packet.intersect(scene_.handle());
   sent_ += static_cast<std::uint64_t>(std::popcount(lanes));
@@ -173,8 +173,8 @@ void OnwardTask::trace(RayPacket& packet, const OnwardOrigins& origins, unsigned
   }
 }
 
-void OnwardTask::finish() {
-  if (onward_count_ > 0) {
+void SecondaryTask::finish() {
+  if (reflected_count_ > 0) {
     trace_collected();
   }
   if (returning_count_ > 0) {

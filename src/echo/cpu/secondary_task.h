@@ -1,12 +1,12 @@
-// onward_task.h -- the secondary echoes of a few neighbouring beams, sixteen rays at a time.
+// secondary_task.h -- the secondary echoes of a few neighbouring beams, sixteen rays at a time.
 
 #pragma once
 
 #include <vector>
 
 #include "echo/cpu/cpu_scene.h"
-#include "echo/cpu/onward_rays.h"
 #include "echo/cpu/ray_packet.h"
+#include "echo/cpu/reflected_rays.h"
 #include "echo/model/hit_column.h"
 #include "echo/model/ping_plan.h"
 #include "echo/model/secondary_echo.h"
@@ -14,14 +14,14 @@
 namespace insonify {
 
 /// Sends rays on from selected hits in the mirror direction, and back from what they meet to the sonar.
-class OnwardTask {
+class SecondaryTask {
  public:
-  /// Onward rays and return legs as they were sent, when somebody wants to send them again.
+  /// Reflected rays and return legs as they were sent, when somebody wants to send them again.
   struct Log {
-    std::vector<RayPacket> onward, back;
+    std::vector<RayPacket> reflected, back;
   };
 
-  explicit OnwardTask(const CpuScene& scene);
+  explicit SecondaryTask(const CpuScene& scene);
 
   /// @param sonar     Position in the scene's coordinates.
   /// @param axes      Of the sonar in the scene: forward, port and up, as columns.
@@ -39,22 +39,22 @@ class OnwardTask {
   void finish();
 
   void reset_counts() { sent_ = returned_ = 0; }
-  [[nodiscard]] std::uint64_t sent() const { return sent_; }          ///< Onward rays.
+  [[nodiscard]] std::uint64_t sent() const { return sent_; }          ///< Reflected rays.
   [[nodiscard]] std::uint64_t returned() const { return returned_; }  ///< Return legs.
 
  private:
   void sift(const HitColumn& strip);
   void lay_tubes(const HitColumn& strip, unsigned lanes);
   void trace_collected();
-  void trace(RayPacket& packet, const OnwardOrigins& origins, unsigned lanes);
-  void return_shaped(const RTCRay16& rays, const OnwardOrigins& origins, unsigned lanes);
-  void return_mirrored(const RTCRay16& rays, const OnwardOrigins& origins, unsigned lanes);
+  void trace(RayPacket& packet, const ReflectedOrigins& origins, unsigned lanes);
+  void return_shaped(const RTCRay16& rays, const ReflectedOrigins& origins, unsigned lanes);
+  void return_mirrored(const RTCRay16& rays, const ReflectedOrigins& origins, unsigned lanes);
   void send_back(const Vec3f& point, const Vec3f& direction, float distance);
   void finish_returns();
 
-  RayPacket candidates_, onward_, back_;
+  RayPacket candidates_, reflected_, back_;
   CpuScene::Shading shading_;
-  OnwardOrigins candidate_origins_, origins_;
+  ReflectedOrigins candidate_origins_, origins_;
 
   const CpuScene& scene_;
   const PingPlan* plan_ = nullptr;
@@ -66,7 +66,7 @@ class OnwardTask {
 
   // In the strip: of the hits that are followed, and of samples beside them on the same surface, if there are any.
   int place_[kPacketSize], above_[kPacketSize], aside_[kPacketSize];
-  int candidate_count_ = 0, onward_count_ = 0;
+  int candidate_count_ = 0, reflected_count_ = 0;
   int unsifted_ = 0;             // Packets that are yet to be let through without a look.
   Echo returning_[kPacketSize];  // Met a second surface; their return legs are in back_.
   float returning_strength_[kPacketSize], returning_rest_[kPacketSize];  // `paper`: see secondary_powers().

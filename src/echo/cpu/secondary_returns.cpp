@@ -1,10 +1,10 @@
-// onward_returns.cpp -- what onward rays met, and straight back from there.
+// secondary_returns.cpp -- what reflected rays met, and straight back from there.
 
 #include <bit>
 #include <cmath>
 
 #include "base/vector_math.h"
-#include "echo/cpu/onward_task.h"
+#include "echo/cpu/secondary_task.h"
 #include "echo/model/deposit.h"
 #include "echo/model/mirror_paths.h"
 #include "echo/model/ray_limits.h"
@@ -16,7 +16,7 @@ static_assert(kPathLanes == kPacketSize);
 
 constexpr float kTiny = 1e-20F;  // Keeps what divides from being zero.
 
-// Where the hits of a packet of onward rays lie, and how far it is back from there.
+// Where the hits of a packet of reflected rays lie, and how far it is back from there.
 struct Returns {
   float x[kPacketSize], y[kPacketSize], z[kPacketSize];                 // Second surface.
   float back_x[kPacketSize], back_y[kPacketSize], back_z[kPacketSize];  // Unit vector from there to the sonar.
@@ -29,7 +29,7 @@ struct Returns {
 };
 
 INSONIFY_VECTOR_CLONES
-void measure_returns(const RTCRay16& __restrict__ rays, const OnwardOrigins& __restrict__ origins, Vec3f sonar,
+void measure_returns(const RTCRay16& __restrict__ rays, const ReflectedOrigins& __restrict__ origins, Vec3f sonar,
                      Returns& __restrict__ returns) {
   const float sonar_x = sonar[0], sonar_y = sonar[1], sonar_z = sonar[2];
   for (int lane = 0; lane < kPacketSize; ++lane) {
@@ -53,7 +53,7 @@ void measure_returns(const RTCRay16& __restrict__ rays, const OnwardOrigins& __r
 
 INSONIFY_VECTOR_CLONES
 void measure_footprints(const RTCRay16& __restrict__ rays, const CpuScene::Shading& __restrict__ met,
-                        const OnwardOrigins& __restrict__ origins, Returns& __restrict__ returns) {
+                        const ReflectedOrigins& __restrict__ origins, Returns& __restrict__ returns) {
   for (int lane = 0; lane < kPacketSize; ++lane) {
     const Triple normal{met.normal_x[lane], met.normal_y[lane], met.normal_z[lane]};
     const float length = 1 / std::sqrt(normal.dot(normal) + kTiny);
@@ -70,7 +70,7 @@ void measure_footprints(const RTCRay16& __restrict__ rays, const CpuScene::Shadi
 // The paper model's strengths, see secondary_powers(), and whether echoes are from within the range: 1 or 0.
 INSONIFY_VECTOR_CLONES
 void weigh_returns(const RTCRay16& __restrict__ rays, const CpuScene::Shading& __restrict__ met,
-                   const OnwardOrigins& __restrict__ origins, const Returns& __restrict__ returns, float max_range,
+                   const ReflectedOrigins& __restrict__ origins, const Returns& __restrict__ returns, float max_range,
                    float* __restrict__ strength, float* __restrict__ within) {
   for (int lane = 0; lane < kPacketSize; ++lane) {
     const float path_length = returns.there[lane] + returns.distance[lane];
@@ -85,7 +85,7 @@ void weigh_returns(const RTCRay16& __restrict__ rays, const CpuScene::Shading& _
 // How the sound meets the second surface; see MirrorPaths.
 INSONIFY_VECTOR_CLONES
 void lay_paths(const RTCRay16& __restrict__ rays, const CpuScene::Shading& __restrict__ met,
-               const OnwardOrigins& __restrict__ origins, const Returns& __restrict__ returns,
+               const ReflectedOrigins& __restrict__ origins, const Returns& __restrict__ returns,
                MirrorPaths& __restrict__ paths) {
   for (int lane = 0; lane < kPacketSize; ++lane) {
     const float ix = -rays.dir_x[lane], iy = -rays.dir_y[lane], iz = -rays.dir_z[lane];
@@ -113,7 +113,7 @@ void lay_paths(const RTCRay16& __restrict__ rays, const CpuScene::Shading& __res
 
 }  // namespace
 
-void OnwardTask::send_back(const Vec3f& point, const Vec3f& direction, float distance) {
+void SecondaryTask::send_back(const Vec3f& point, const Vec3f& direction, float distance) {
   back_.set_origin(returning_count_, point);
   back_.set_direction(returning_count_, direction);
   back_.rays.ray.tfar[returning_count_] = distance - kRayClearance;
@@ -123,7 +123,7 @@ void OnwardTask::send_back(const Vec3f& point, const Vec3f& direction, float dis
 }
 
 // The paper model's: one echo, heard where it was launched.
-void OnwardTask::return_shaped(const RTCRay16& rays, const OnwardOrigins& origins, unsigned lanes) {
+void SecondaryTask::return_shaped(const RTCRay16& rays, const ReflectedOrigins& origins, unsigned lanes) {
   Returns returns;
   float strength[kPacketSize], within[kPacketSize];
   measure_returns(rays, origins, sonar_, returns);
@@ -142,7 +142,7 @@ void OnwardTask::return_shaped(const RTCRay16& rays, const OnwardOrigins& origin
 }
 
 // The calibrated model's: back the same way at once, and both ways round once the way straight back is known clear.
-void OnwardTask::return_mirrored(const RTCRay16& rays, const OnwardOrigins& origins, unsigned lanes) {
+void SecondaryTask::return_mirrored(const RTCRay16& rays, const ReflectedOrigins& origins, unsigned lanes) {
   Returns returns;
   MirrorPaths paths;
   MirrorPowers powers;
@@ -181,7 +181,7 @@ void OnwardTask::return_mirrored(const RTCRay16& rays, const OnwardOrigins& orig
 }
 
 // Deposits those of the returning echoes whose way back is clear.
-void OnwardTask::finish_returns() {
+void SecondaryTask::finish_returns() {
   back_.set_count(returning_count_);
   if (log_ != nullptr) {
     log_->back.push_back(back_);

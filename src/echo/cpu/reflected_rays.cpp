@@ -1,6 +1,6 @@
-// onward_rays.cpp -- from hits of a strip to rays.
+// reflected_rays.cpp -- from hits of a strip to rays.
 
-#include "echo/cpu/onward_rays.h"
+#include "echo/cpu/reflected_rays.h"
 
 #include "base/vector_math.h"
 #include "echo/model/mirror_facet.h"
@@ -11,7 +11,7 @@ namespace {
 
 INSONIFY_VECTOR_CLONES
 void aim(const HitColumn& strip, const int* __restrict__ place, int count, Vec3f sonar, float max_range,
-         RTCRay16& __restrict__ rays, OnwardOrigins& __restrict__ origins, Mirrors& __restrict__ mirrors) {
+         RTCRay16& __restrict__ rays, ReflectedOrigins& __restrict__ origins, Mirrors& __restrict__ mirrors) {
   const float* __restrict__ direction_x = strip.direction_x;
   const float* __restrict__ direction_y = strip.direction_y;
   const float* __restrict__ direction_z = strip.direction_z;
@@ -32,9 +32,9 @@ void aim(const HitColumn& strip, const int* __restrict__ place, int count, Vec3f
     rays.org_x[lane] = sonar_x + x * out;
     rays.org_y[lane] = sonar_y + y * out;
     rays.org_z[lane] = sonar_z + z * out;
-    rays.dir_x[lane] = mirrors.onward_x[lane] = x - turn * nx;
-    rays.dir_y[lane] = mirrors.onward_y[lane] = y - turn * ny;
-    rays.dir_z[lane] = mirrors.onward_z[lane] = z - turn * nz;
+    rays.dir_x[lane] = mirrors.reflected_x[lane] = x - turn * nx;
+    rays.dir_y[lane] = mirrors.reflected_y[lane] = y - turn * ny;
+    rays.dir_z[lane] = mirrors.reflected_z[lane] = z - turn * nz;
     mirrors.place_x[lane] = x * out;
     mirrors.place_y[lane] = y * out;
     mirrors.place_z[lane] = z * out;
@@ -61,7 +61,7 @@ void compare(const HitColumn& strip, const int* __restrict__ beside, int count, 
     const int at = beside[lane];
     const MirrorSample here{{mirrors.place_x[lane], mirrors.place_y[lane], mirrors.place_z[lane]},
                             {mirrors.normal_x[lane], mirrors.normal_y[lane], mirrors.normal_z[lane]},
-                            {mirrors.onward_x[lane], mirrors.onward_y[lane], mirrors.onward_z[lane]},
+                            {mirrors.reflected_x[lane], mirrors.reflected_y[lane], mirrors.reflected_z[lane]},
                             range[lane]};
     const MirrorSample there = MirrorSample::of({direction_x[at], direction_y[at], direction_z[at]},
                                                 {normal_x[at], normal_y[at], normal_z[at]}, ranges[at]);
@@ -71,7 +71,7 @@ void compare(const HitColumn& strip, const int* __restrict__ beside, int count, 
 
 INSONIFY_VECTOR_CLONES
 void turn(const HitColumn& strip, const int* __restrict__ place_of, int count, float max_range, std::uint32_t seed,
-          const Mirrors& __restrict__ mirrors, RTCRay16& __restrict__ rays, OnwardOrigins& __restrict__ origins) {
+          const Mirrors& __restrict__ mirrors, RTCRay16& __restrict__ rays, ReflectedOrigins& __restrict__ origins) {
   const float* __restrict__ gradient_x = strip.gradient_x;
   const float* __restrict__ gradient_y = strip.gradient_y;
   const float* __restrict__ gradient_z = strip.gradient_z;
@@ -87,19 +87,19 @@ void turn(const HitColumn& strip, const int* __restrict__ place_of, int count, f
     const Triple gradient = relief * Triple{gradient_x[at], gradient_y[at], gradient_z[at]};
     const MirrorFacet facet = mirror_facet(
         direction, {mirrors.normal_x[lane], mirrors.normal_y[lane], mirrors.normal_z[lane]}, gradient, slope, slopes);
-    const Triple onward = direction - 2 * direction.dot(facet.normal) * facet.normal;
-    rays.tfar[lane] = reflected_reach(out, direction.dot(onward), max_range);
-    rays.dir_x[lane] = onward.x;
-    rays.dir_y[lane] = onward.y;
-    rays.dir_z[lane] = onward.z;
+    const Triple reflected = direction - 2 * direction.dot(facet.normal) * facet.normal;
+    rays.tfar[lane] = reflected_reach(out, direction.dot(reflected), max_range);
+    rays.dir_x[lane] = reflected.x;
+    rays.dir_y[lane] = reflected.y;
+    rays.dir_z[lane] = reflected.z;
     origins.share[lane] = facet.share;
   }
 }
 
 }  // namespace
 
-void aim_onward(const HitColumn& strip, const int* place, int count, const Vec3f& sonar, float max_range,
-                RTCRay16& rays, OnwardOrigins& origins, Mirrors& mirrors) {
+void aim_reflected(const HitColumn& strip, const int* place, int count, const Vec3f& sonar, float max_range,
+                   RTCRay16& rays, ReflectedOrigins& origins, Mirrors& mirrors) {
   aim(strip, place, count, sonar, max_range, rays, origins, mirrors);
 }
 
@@ -109,7 +109,7 @@ void compare_beside(const HitColumn& strip, const int* beside, int count, const 
 }
 
 void turn_to_facets(const HitColumn& strip, const int* place, int count, float max_range, std::uint32_t seed,
-                    const Mirrors& mirrors, RTCRay16& rays, OnwardOrigins& origins) {
+                    const Mirrors& mirrors, RTCRay16& rays, ReflectedOrigins& origins) {
   turn(strip, place, count, max_range, seed, mirrors, rays, origins);
 }
 
