@@ -203,8 +203,8 @@ void CpuScene::shade(const RTCHit16& hits, Shading& shading) const {
   interpolate(hits, corners, shading);
 }
 
-MirrorTube CpuScene::tube(SurfaceLabel surface, std::uint32_t triangle, const Vec3f& direction, const Vec3f& normal,
-                          float range) const {
+RayTube CpuScene::tube(SurfaceLabel surface, std::uint32_t triangle, const Vec3f& direction, const Vec3f& normal,
+                       float range) const {
   const Part& part = parts_[instance_of(surface)];
   std::array<Vec3f, 3> corners, normals;
   for (int k = 0; k < 3; ++k) {
@@ -213,10 +213,10 @@ MirrorTube CpuScene::tube(SurfaceLabel surface, std::uint32_t triangle, const Ve
     normals[k] = part.normals[vertex];
   }
   if (part.placed == nullptr) {
-    return mirror_tube(corners, normals, direction, normal, range);
+    return ray_tube(corners, normals, direction, normal, range);
   }
   const Eigen::Matrix3f turned = part.rotation.transpose();
-  return mirror_tube(corners, normals, turned * direction, turned * normal, range);
+  return ray_tube(corners, normals, turned * direction, turned * normal, range);
 }
 
 void CpuScene::add_relief(const RTCRayHit16& rays, Shading& shading, ReliefPoint* reliefs) const {

@@ -10,7 +10,7 @@
 #include "echo/cpu/ray_packet.h"
 #include "echo/grid/echo.h"
 #include "echo/model/box_cut.h"
-#include "echo/model/mirror_tube.h"
+#include "echo/model/ray_tube.h"
 #include "echo/model/reliefs.h"
 #include "insonify/scene.h"
 
@@ -62,8 +62,8 @@ class CpuScene {
 
   /// What a mirror makes of sound that meets it.
   /// @param surface, triangle  Of the mirror.
-  [[nodiscard]] MirrorTube tube(SurfaceLabel surface, std::uint32_t triangle, const Vec3f& direction,
-                                const Vec3f& normal, float range) const;
+  [[nodiscard]] RayTube tube(SurfaceLabel surface, std::uint32_t triangle, const Vec3f& direction, const Vec3f& normal,
+                             float range) const;
 
   /// The small shape of the surfaces.
   [[nodiscard]] const Reliefs& reliefs() const { return reliefs_; }

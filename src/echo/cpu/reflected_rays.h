@@ -4,8 +4,8 @@
 
 #include "echo/cpu/ray_packet.h"
 #include "echo/model/hit_column.h"
-#include "echo/model/mirror_tube.h"
 #include "echo/model/path_footprint.h"
+#include "echo/model/ray_tube.h"
 
 namespace insonify {
 
@@ -15,8 +15,8 @@ struct ReflectedOrigins {
   float range[kPacketSize], selected[kPacketSize];
   float strength[kPacketSize];                                          ///< `paper`
   float kept[kPacketSize], share[kPacketSize], steepness[kPacketSize];  ///< `calibrated`: see MirrorPaths.
-  MirrorTube tube[kPacketSize];  ///< `calibrated`, where sound comes back by the mirror.
-  MirrorChanges above, aside;    ///< To samples beside each.
+  RayTube tube[kPacketSize];   ///< `calibrated`, where sound comes back by the mirror.
+  MirrorChanges above, aside;  ///< To samples beside each.
 };
 
 /// The mirrors that a packet left, as long as their strip is at hand: see MirrorSample.

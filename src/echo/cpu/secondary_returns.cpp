@@ -84,9 +84,9 @@ void weigh_returns(const RTCRay16& __restrict__ rays, const CpuScene::Shading& _
 
 // How the sound meets the second surface; see MirrorPaths.
 INSONIFY_VECTOR_CLONES
-void lay_paths(const RTCRay16& __restrict__ rays, const CpuScene::Shading& __restrict__ met,
-               const ReflectedOrigins& __restrict__ origins, const Returns& __restrict__ returns,
-               MirrorPaths& __restrict__ paths) {
+void fill_paths(const RTCRay16& __restrict__ rays, const CpuScene::Shading& __restrict__ met,
+                const ReflectedOrigins& __restrict__ origins, const Returns& __restrict__ returns,
+                MirrorPaths& __restrict__ paths) {
   for (int lane = 0; lane < kPacketSize; ++lane) {
     const float ix = -rays.dir_x[lane], iy = -rays.dir_y[lane], iz = -rays.dir_z[lane];
     const float bx = returns.back_x[lane], by = returns.back_y[lane], bz = returns.back_z[lane];
@@ -102,7 +102,7 @@ void lay_paths(const RTCRay16& __restrict__ rays, const CpuScene::Shading& __res
     paths.steepness[lane] = origins.steepness[lane];
     paths.there[lane] = returns.there[lane];
     const float across = rays.tfar[lane];
-    const MirrorTube& tube = origins.tube[lane];
+    const RayTube& tube = origins.tube[lane];
     paths.spread[lane] = std::abs(tube.constant + across * (tube.linear + across * tube.quadratic)) /
                          (returns.there[lane] * returns.there[lane]);
     paths.back[lane] = returns.distance[lane];
@@ -148,7 +148,7 @@ void SecondaryTask::return_mirrored(const RTCRay16& rays, const ReflectedOrigins
   MirrorPowers powers;
   measure_returns(rays, origins, sonar_, returns);
   measure_footprints(rays, shading_, origins, returns);
-  lay_paths(rays, shading_, origins, returns, paths);
+  fill_paths(rays, shading_, origins, returns, paths);
   fill_mirror_powers(plan_->scatter, plan_->neper_per_metre, paths, powers);
   for (; lanes != 0; lanes &= lanes - 1) {
     const int lane = std::countr_zero(lanes);

@@ -103,7 +103,7 @@ void SecondaryTask::sift(const HitColumn& strip) {
   compare_beside(strip, above_, count, candidate_origins_.range, mirrors, candidate_origins_.above);
   compare_beside(strip, aside_, count, candidate_origins_.range, mirrors, candidate_origins_.aside);
   if (plan_->model == EchoModel::kCalibrated && plan_->max_surfaces > 2) {
-    lay_tubes(strip, lanes);
+    compute_ray_tubes(strip, lanes);
   }
   if (std::popcount(lanes) >= kMany) {
     trace(candidates_, candidate_origins_, lanes);
@@ -137,7 +137,7 @@ void SecondaryTask::sift(const HitColumn& strip) {
 }
 
 // Of the candidates that are sent.
-void SecondaryTask::lay_tubes(const HitColumn& strip, unsigned lanes) {
+void SecondaryTask::compute_ray_tubes(const HitColumn& strip, unsigned lanes) {
   for (; lanes != 0; lanes &= lanes - 1) {
     const int lane = std::countr_zero(lanes), at = place_[lane];
     const Vec3f direction(strip.direction_x[at], strip.direction_y[at], strip.direction_z[at]);

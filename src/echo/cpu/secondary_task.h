@@ -44,7 +44,7 @@ class SecondaryTask {
 
  private:
   void sift(const HitColumn& strip);
-  void lay_tubes(const HitColumn& strip, unsigned lanes);
+  void compute_ray_tubes(const HitColumn& strip, unsigned lanes);
   void trace_collected();
   void trace(RayPacket& packet, const ReflectedOrigins& origins, unsigned lanes);
   void return_shaped(const RTCRay16& rays, const ReflectedOrigins& origins, unsigned lanes);

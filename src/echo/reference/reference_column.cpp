@@ -37,13 +37,13 @@ struct ColumnFrame {
 
 }  // namespace
 
-MirrorTube ReferenceEngine::tube(const Meeting& mirror, const Vec3& direction) const {
+RayTube ReferenceEngine::tube(const Meeting& mirror, const Vec3& direction) const {
   const Triangle& triangle = triangles_[mirror.triangle];
   const std::array<Vec3f, 3> corners = {Vec3f::Zero(), triangle.edge1.cast<float>(), triangle.edge2.cast<float>()};
   std::array<Vec3f, 3> normals;
   std::ranges::transform(triangle.normal, normals.begin(), [](const Vec3& normal) { return normal.cast<float>(); });
-  return mirror_tube(corners, normals, direction.cast<float>(), mirror.bent.cast<float>(),
-                     static_cast<float>(mirror.distance));
+  return ray_tube(corners, normals, direction.cast<float>(), mirror.bent.cast<float>(),
+                  static_cast<float>(mirror.distance));
 }
 
 void ReferenceEngine::return_mirrored(const PingPlan& plan, const Pose& world_from_sonar, const Mirrored& mirrored,
@@ -59,7 +59,7 @@ void ReferenceEngine::return_mirrored(const PingPlan& plan, const Pose& world_fr
   paths.steepness[0] = mirrored.steepness;
   paths.there[0] = static_cast<float>(mirrored.range + second.distance);
   const auto across = static_cast<float>(second.distance);
-  const MirrorTube& tube = mirrored.tube;
+  const RayTube& tube = mirrored.tube;
   paths.spread[0] =
       std::abs(tube.constant + across * (tube.linear + across * tube.quadratic)) / (paths.there[0] * paths.there[0]);
   paths.back[0] = static_cast<float>(back.norm());

@@ -8,8 +8,8 @@
 #include "echo/model/box_cut.h"
 #include "echo/model/deposit.h"
 #include "echo/model/followed.h"
-#include "echo/model/mirror_tube.h"
 #include "echo/model/path_footprint.h"
+#include "echo/model/ray_tube.h"
 #include "echo/model/reliefs.h"
 #include "insonify/engine.h"
 
@@ -64,11 +64,11 @@ class ReferenceEngine final : public Engine {
     float kept, share, steepness;  // See MirrorPaths.
     float heard;                   // |p|^2 of the elevation it was launched at.
     double range;                  // Of the mirror.
-    MirrorTube tube;
+    RayTube tube;
     Ray across;
     Meeting second;
   };
-  [[nodiscard]] MirrorTube tube(const Meeting& mirror, const Vec3& direction) const;
+  [[nodiscard]] RayTube tube(const Meeting& mirror, const Vec3& direction) const;
   void return_mirrored(const PingPlan& plan, const Pose& world_from_sonar, const Mirrored& mirrored, EchoGrid& grid,
                        std::vector<Echo>& arrivals, RayCounts& counts) const;
 

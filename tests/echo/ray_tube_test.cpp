@@ -1,6 +1,6 @@
-// mirror_tube_test.cpp -- tubes of sound by planes, spheres and cylinders, against the mirror equations.
+// ray_tube_test.cpp -- tubes of sound by planes, spheres and cylinders, against the mirror equations.
 
-#include "echo/model/mirror_tube.h"
+#include "echo/model/ray_tube.h"
 
 #include <gtest/gtest.h>
 
@@ -12,19 +12,19 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
 
-double area(const MirrorTube& tube, double across) {
+double area(const RayTube& tube, double across) {
   return std::abs(double{tube.constant} + across * (double{tube.linear} + across * double{tube.quadratic}));
 }
 
 // A small triangle about the origin of a surface whose normal there is z, of curvatures 1/a along x and 1/b along y.
-MirrorTube tube_by(double curved_x, double curved_y, const Vec3f& direction, float range, float side = 1) {
+RayTube tube_by(double curved_x, double curved_y, const Vec3f& direction, float range, float side = 1) {
   std::array<Vec3f, 3> corners = {Vec3f(2e-3F, 0, 0), Vec3f(-1e-3F, 2e-3F, 0), Vec3f(-1e-3F, -2e-3F, 0)}, normals;
   for (int k = 0; k < 3; ++k) {
     normals[k] =
         side * Vec3f(static_cast<float>(curved_x) * corners[k].x(), static_cast<float>(curved_y) * corners[k].y(), 1)
                    .normalized();
   }
-  return mirror_tube(corners, normals, direction, side * Vec3f::UnitZ(), range);
+  return ray_tube(corners, normals, direction, side * Vec3f::UnitZ(), range);
 }
 
 Vec3f from_angle(double degrees, double turned = 0) {
@@ -33,20 +33,20 @@ Vec3f from_angle(double degrees, double turned = 0) {
       .cast<float>();
 }
 
-TEST(MirrorTubeTest, PlaneShowsTheImage) {
+TEST(RayTubeTest, PlaneShowsTheImage) {
   for (const double angle : {0.0, 30.0, 75.0}) {
-    const MirrorTube tube = tube_by(0, 0, from_angle(angle, 20), 7);
+    const RayTube tube = tube_by(0, 0, from_angle(angle, 20), 7);
     EXPECT_FLOAT_EQ(tube.constant, 49);
     EXPECT_NEAR(area(tube, 3), 100, 1e-4);
   }
   // Bent as a whole, by relief, it is a plane all the same.
   const std::array<Vec3f, 3> corners = {Vec3f::Zero(), Vec3f::UnitX(), Vec3f::UnitY()};
   const std::array<Vec3f, 3> normals = {Vec3f::UnitZ(), Vec3f::UnitZ(), Vec3f::UnitZ()};
-  EXPECT_NEAR(area(mirror_tube(corners, normals, from_angle(20), Vec3f(0.2F, 0, 1).normalized(), 7), 3), 100, 1e-4);
+  EXPECT_NEAR(area(ray_tube(corners, normals, from_angle(20), Vec3f(0.2F, 0, 1).normalized(), 7), 3), 100, 1e-4);
 }
 
 // Of a sphere: 1/r + 2/(a cos t) in the plane of incidence, 1/r + 2 cos t/a across it; a < 0 is hollow.
-TEST(MirrorTubeTest, SpheresSpreadAndGather) {
+TEST(RayTubeTest, SpheresSpreadAndGather) {
   for (const double radius : {0.4, 3.0, -8.0}) {
     for (const double angle : {0.0, 20.0, 45.0, 70.0}) {
       for (const double turned : {0.0, 35.0, 90.0}) {
@@ -54,7 +54,7 @@ TEST(MirrorTubeTest, SpheresSpreadAndGather) {
         const double expected = std::abs(r * r * (1 + across * (1 / r + 2 / (radius * cosine))) *
                                          (1 + across * (1 / r + 2 * cosine / radius)));
         for (const float side : {1.0F, -1.0F}) {
-          const MirrorTube tube = tube_by(1 / radius, 1 / radius, from_angle(angle, turned), 6, side);
+          const RayTube tube = tube_by(1 / radius, 1 / radius, from_angle(angle, turned), 6, side);
           EXPECT_NEAR(area(tube, across) / expected, 1, 2e-3) << radius << ", " << angle << ", " << turned;
         }
       }
@@ -63,14 +63,14 @@ TEST(MirrorTubeTest, SpheresSpreadAndGather) {
 }
 
 // Across its axis a cylinder spreads like a sphere, along it like a plane.
-TEST(MirrorTubeTest, CylindersSpreadOneWay) {
+TEST(RayTubeTest, CylindersSpreadOneWay) {
   const double r = 6, a = 0.5, across = 4;
   EXPECT_NEAR(area(tube_by(1 / a, 0, from_angle(0), 6), across),
               r * r * (1 + across * (1 / r + 2 / a)) * (1 + across / r), 0.5);
 }
 
 // Sound that only just meets a triangle says nothing of its curvature.
-TEST(MirrorTubeTest, GrazingSoundIsTakenAsByAPlane) {
+TEST(RayTubeTest, GrazingSoundIsTakenAsByAPlane) {
   EXPECT_FLOAT_EQ(tube_by(2, 2, from_angle(90), 5).constant, 25);
 }
 

@@ -1,6 +1,6 @@
-// mirror_tube.cpp -- two neighbours of a ray, mirrored beside it.
+// ray_tube.cpp -- two neighbours of a ray, mirrored beside it.
 
-#include "echo/model/mirror_tube.h"
+#include "echo/model/ray_tube.h"
 
 #include <cmath>
 
@@ -14,13 +14,13 @@ struct Neighbour {
 
 }  // namespace
 
-MirrorTube mirror_tube(const std::array<Vec3f, 3>& corners, const std::array<Vec3f, 3>& normals, const Vec3f& direction,
-                       const Vec3f& normal, float range) {
+RayTube ray_tube(const std::array<Vec3f, 3>& corners, const std::array<Vec3f, 3>& normals, const Vec3f& direction,
+                 const Vec3f& normal, float range) {
   const Vec3f change1 = normals[1] - normals[0], change2 = normals[2] - normals[0];
   const Vec3f edge1 = corners[1] - corners[0], edge2 = corners[2] - corners[0], flat = edge1.cross(edge2);
   const float facing = direction.dot(flat), doubled = flat.squaredNorm();
   if ((change1.isZero(0) && change2.isZero(0)) || facing * facing <= 1e-8F * doubled) {
-    return MirrorTube::of_plane(range);
+    return RayTube::of_plane(range);
   }
   const Vec3f about = normal.dot(normals[0] + normals[1] + normals[2]) < 0 ? Vec3f(-normal) : normal;
   const float cosine = direction.dot(about);
