@@ -189,7 +189,7 @@ void Simulator::make_ping(int index, std::uint64_t number, Ping& ping) {
   const Pose world_from_sonar = world_from_head(index, number);
   if (state.scenario.model == EchoModel::kCalibrated) {
     state.engine->insonify(plan, world_from_sonar, number, grid, nullptr);
-    grid.lone_echoes().clear();
+    grid.discrete_echoes().clear();
     state.points.add(plan, world_from_sonar, *state.engine, grid);
     if (state.ghosts) {
       state.ghosts->add(plan, world_from_sonar, number, *state.engine, grid);

@@ -21,7 +21,7 @@ inline constexpr std::uint16_t kNoLabel = 0xffff;
 
 /// An echo that stands alone, as that of an ideal point: it has its own bearing and phase, where cells hold sums over
 /// many.
-struct LoneEcho {
+struct DiscreteEcho {
   int beam = 0, bin = 0;
   int order = 1;           ///< Surfaces met; 0 for what is no echo.
   float bearing_sine = 0;  ///< u of its arrival.
@@ -120,17 +120,17 @@ class EchoGrid {
   }
 
   /// Kept beside the cells; whoever fills them in clears them first.
-  [[nodiscard]] std::vector<LoneEcho>& lone_echoes() { return lone_echoes_; }
-  [[nodiscard]] const std::vector<LoneEcho>& lone_echoes() const { return lone_echoes_; }
+  [[nodiscard]] std::vector<DiscreteEcho>& discrete_echoes() { return discrete_echoes_; }
+  [[nodiscard]] const std::vector<DiscreteEcho>& discrete_echoes() const { return discrete_echoes_; }
 
-  /// With GroundTruth::kFull only. Surfaces of one beam's cells, see echo/grid/surface_tally.h; they mean nothing in cells
-  /// without a label ...
+  /// With GroundTruth::kFull only. Surfaces of one beam's cells, see echo/grid/surface_tally.h; they mean nothing in
+  /// cells without a label ...
   [[nodiscard]] std::span<const SurfaceTally> tallies(int beam) const { return {&tallies_[start(1, beam)], length()}; }
   /// ... and the solid angle of it that surfaces take before the near edge of bin 0 [sr].
   [[nodiscard]] float& met_before(int beam) { return met_before_[beam]; }
   [[nodiscard]] float met_before(int beam) const { return met_before_[beam]; }
 
-  /// Makes the cells of one beam those of another grid of the same make. Lone echoes are left alone.
+  /// Makes the cells of one beam those of another grid of the same make. Discrete echoes are left alone.
   /// @param sources  Of each bin: beam x bin_count + bin in `other`, negative for nothing.
   void take_cells(const EchoGrid& other, int beam, std::span<const std::int32_t> sources);
 
@@ -159,7 +159,7 @@ class EchoGrid {
   Layer<SurfaceTally> tallies_;
   std::vector<float> met_before_;  // [beam]
   std::vector<BinRange> filled_;   // [beam]
-  std::vector<LoneEcho> lone_echoes_;
+  std::vector<DiscreteEcho> discrete_echoes_;
 };
 
 inline EchoGrid::Cells EchoGrid::to_fill(int order, int beam, BinRange bins) {

@@ -16,8 +16,8 @@ namespace insonify {
 ///
 /// A beam at u0 hears an echo from u with the amplitude g((D / wavelength) (u - u0)). Echoes of independent phases add
 /// by energy: beam = sum over cells of |g|^2 E. A complex field adds before it is squared: beam = sum of g f. Nothing
-/// is divided by the number of cells: g is 1 at the beam's own bearing, so that a lone echo reads its full level there,
-/// and what is spread over bearings reads the more the wider the beam.
+/// is divided by the number of cells: g is 1 at the beam's own bearing, so that a discrete echo reads its full level
+/// there, and what is spread over bearings reads the more the wider the beam.
 ///
 /// The grid must be at least as fine as wavelength / D, or the speckle of neighbouring beams comes out wrong; half a
 /// beam spacing is plenty. Bearings are told by their sines alone: nothing may lie more than 90 degrees off the axis.

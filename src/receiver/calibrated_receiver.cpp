@@ -103,11 +103,11 @@ void CalibratedReceiver::hear_bearings(const EchoGrid& grid, Workers& workers) {
   });
 }
 
-void CalibratedReceiver::hear_lone_echoes(const EchoGrid& grid, const LoneEchoes& lone) {
+void CalibratedReceiver::receive_discrete_echoes(const EchoGrid& grid, const DiscreteEchoes& discrete) {
   if (speckle_) {
-    lone.add(grid.lone_echoes(), bearing_ ? beam_field_ : cell_field_);
+    discrete.add(grid.discrete_echoes(), bearing_ ? beam_field_ : cell_field_);
   } else {
-    lone.add(grid.lone_echoes(), bearing_ ? beam_energy_ : cell_energy_);
+    discrete.add(grid.discrete_echoes(), bearing_ ? beam_energy_ : cell_energy_);
   }
 }
 
@@ -118,11 +118,11 @@ void CalibratedReceiver::move(const EchoGrid& grid, const PingMotion& motion, Wo
   }
   shift_->prepare(motion, workers);
   workers.for_each(cells_, [&](int cell, int) { moved_.take_cells(grid, cell, shift_->sources(cell)); });
-  moved_.lone_echoes().clear();
-  for (const LoneEcho& echo : grid.lone_echoes()) {
-    const LoneEcho heard = shift_->moved(echo);
+  moved_.discrete_echoes().clear();
+  for (const DiscreteEcho& echo : grid.discrete_echoes()) {
+    const DiscreteEcho heard = shift_->moved(echo);
     if (heard.bin >= 0) {
-      moved_.lone_echoes().push_back(heard);
+      moved_.discrete_echoes().push_back(heard);
     }
   }
 }
@@ -142,8 +142,8 @@ void CalibratedReceiver::hear(const EchoGrid& still, const Pose& world_from_sona
   if (bearing_) {
     hear_bearings(grid, workers);
   }
-  const LoneEchoes lone(bearing_ ? &*bearing_ : nullptr, range_ ? &*range_ : nullptr, beams_, bins_);
-  hear_lone_echoes(grid, lone);
+  const DiscreteEchoes discrete(bearing_ ? &*bearing_ : nullptr, range_ ? &*range_ : nullptr, beams_, bins_);
+  receive_discrete_echoes(grid, discrete);
   const int tiles_along = (bins_ + kTileBins - 1) / kTileBins, tiles_across = (beams_ + kTileBeams - 1) / kTileBeams;
   workers.for_each(tiles_across * tiles_along, [&](int tile, int) {
     const int beam = tile / tiles_along * kTileBeams, bin = tile % tiles_along * kTileBins;
@@ -156,7 +156,7 @@ void CalibratedReceiver::hear(const EchoGrid& still, const Pose& world_from_sona
     });
   }
   if (grid.ground_truth() == GroundTruth::kFull) {
-    truth_.tell(grid, {range_ ? &*range_ : nullptr, bearing_ ? &*bearing_ : nullptr, &lone, gain_}, workers, ping);
+    truth_.tell(grid, {range_ ? &*range_ : nullptr, bearing_ ? &*bearing_ : nullptr, &discrete, gain_}, workers, ping);
   }
 }
 

@@ -17,9 +17,9 @@
 #include "receiver/bearing_response.h"
 #include "receiver/clutter.h"
 #include "receiver/digitizer.h"
+#include "receiver/discrete_echoes.h"
 #include "receiver/few_scatterers.h"
 #include "receiver/heard_tile.h"
-#include "receiver/lone_echoes.h"
 #include "receiver/range_response.h"
 #include "receiver/reception_shift.h"
 #include "receiver/speckle.h"
@@ -68,7 +68,7 @@ class CalibratedReceiver {
   void sum_energy(const EchoGrid& grid, int cell, std::span<float> energy) const;
   void hear_cell(const EchoGrid& grid, int cell, const Speckle::View& view, Row& row);
   void hear_bearings(const EchoGrid& grid, Workers& workers);
-  void hear_lone_echoes(const EchoGrid& grid, const LoneEchoes& lone);
+  void receive_discrete_echoes(const EchoGrid& grid, const DiscreteEchoes& discrete);
   void hear_tile(const EchoGrid& grid, const TilePlace& place, Ping& ping) const;
 
   int beams_, bins_, cells_, first_cell_, cells_per_beam_;

@@ -11,8 +11,8 @@
 
 namespace insonify {
 
-/// Convolves a row of range cells with the pulse's |p|^2 (energy) or p (complex field), sampled at the cells. A lone
-/// echo reads its full level in its own bin; an extended one reads its energy per cell times the sum of |p|^2.
+/// Convolves a row of range cells with the pulse's |p|^2 (energy) or p (complex field), sampled at the cells. A
+/// discrete echo reads its full level in its own bin; an extended one reads its energy per cell times the sum of |p|^2.
 ///
 /// A grid may be finer in range than the sonar's bins, by an odd number of cells: each bin then reads the cell in its
 /// middle, as a sonar that samples the envelope once a bin. Beyond both ends of a row there is nothing.

@@ -57,7 +57,7 @@ void ReceptionShift::prepare_cell(int cell) {
   }
 }
 
-LoneEcho ReceptionShift::moved(LoneEcho echo) const {
+DiscreteEcho ReceptionShift::moved(DiscreteEcho echo) const {
   const double range = true_ranges_ * cells_config_.bin_range(echo.bin), azimuth = std::asin(double{echo.bearing_sine});
   const double speed = echo.order > 0 ? approach(azimuth) : 0;  // Others' pulses come when they come.
   const double heard = range - speed * (range / sound_speed_ + bias_);

@@ -37,8 +37,8 @@ class ReceptionShift {
     return {&source_[static_cast<std::size_t>(cell) * bins_], static_cast<std::size_t>(bins_)};
   }
 
-  /// A lone echo as it is heard; outside the fan or the range window its bin is -1.
-  [[nodiscard]] LoneEcho moved(LoneEcho echo) const;
+  /// A discrete echo as it is heard; outside the fan or the range window its bin is -1.
+  [[nodiscard]] DiscreteEcho moved(DiscreteEcho echo) const;
 
  private:
   [[nodiscard]] double approach(double azimuth) const;

@@ -87,8 +87,8 @@ void TruthReceiver::tell(const EchoGrid& grid, const Hearing& hearing, Workers& 
     }
     for_each_tile(first_beam, last_beam, bins_, [&](const TilePlace& place) { tell_tile(grid, place, hidden, ping); });
   });
-  for (const LoneEcho& echo : grid.lone_echoes()) {
-    tell_lone_echo(grid, echo, ping);
+  for (const DiscreteEcho& echo : grid.discrete_echoes()) {
+    write_discrete_echo(grid, echo, ping);
   }
 }
 
@@ -117,7 +117,7 @@ void TruthReceiver::hear_direct(const EchoGrid& grid, const Hearing& hearing, Wo
       hearing.bearing->hear_energy(direct_, direct_beams_, bins_, {first, last}, heard);
     });
   }
-  hearing.lone->add_direct(grid.lone_echoes(), energy);
+  hearing.discrete->add_direct(grid.discrete_echoes(), energy);
   workers.for_each(tasks, [&](int task, int) {
     for (int bin = task * kTileBins; bin < std::min((task + 1) * kTileBins, bins_); ++bin) {
       for (int beam = 0; beam < beams_; ++beam) {
@@ -209,7 +209,7 @@ void TruthReceiver::tell_tile(const EchoGrid& grid, const TilePlace& place, std:
 }
 
 // Where it is direct its bin is no shadow: what hides it would have kept it from being heard.
-void TruthReceiver::tell_lone_echo(const EchoGrid& grid, const LoneEcho& echo, Ping& ping) const {
+void TruthReceiver::write_discrete_echo(const EchoGrid& grid, const DiscreteEcho& echo, Ping& ping) const {
   const int own = echo.beam - first_cell_;
   const int beam = own / cells_per_beam_;
   if (echo.order == 0 || own < 0 || beam >= beams_) {

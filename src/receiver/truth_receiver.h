@@ -13,9 +13,9 @@
 #include "insonify/sonar_config.h"
 #include "receiver/bearing_cells.h"
 #include "receiver/bearing_response.h"
+#include "receiver/discrete_echoes.h"
 #include "receiver/heard_tile.h"
 #include "receiver/instances.h"
-#include "receiver/lone_echoes.h"
 #include "receiver/range_response.h"
 
 namespace insonify {
@@ -32,7 +32,7 @@ class TruthReceiver {
   struct Hearing {
     const RangeResponse* range;
     const BearingResponse* bearing;
-    const LoneEchoes* lone;
+    const DiscreteEchoes* discrete;
     std::span<const float> gain;  ///< Of each bin.
   };
 
@@ -52,7 +52,7 @@ class TruthReceiver {
   BeamStretch stretch_of(const EchoGrid& grid, int beam, const TilePlace& place, float& hidden) const;
   void add_surfaces(const EchoGrid& grid, int beam, int bin, Instances& instances) const;
   [[nodiscard]] float hidden_before(const EchoGrid& grid, int beam) const;  // The near edge of bin 0.
-  void tell_lone_echo(const EchoGrid& grid, const LoneEcho& echo, Ping& ping) const;
+  void write_discrete_echo(const EchoGrid& grid, const DiscreteEcho& echo, Ping& ping) const;
 
   // Calls visit(cell) for the cells of a beam's own slice.
   template <typename Visit>

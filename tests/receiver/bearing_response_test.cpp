@@ -1,4 +1,4 @@
-// The array over a bearing grid: lone echoes, side lobes, speckle between beams, and the product by brute force.
+// The array over a bearing grid: discrete echoes, side lobes, speckle between beams, and the product by brute force.
 
 #include "receiver/bearing_response.h"
 
@@ -122,7 +122,7 @@ TEST(BearingResponseTest, BinsThatHoldNothingNeedNotBeAddedUp) {
 }
 
 // A cell at every beam's bearing.
-TEST(BearingResponseTest, LoneEchoReadsItsFullLevelInItsOwnBeam) {
+TEST(BearingResponseTest, DiscreteEchoReadsItsFullLevelInItsOwnBeam) {
   constexpr int kBeams = 64;
   const ArrayPattern pattern;
   const BearingResponse response(pattern, length_in_wavelengths(pattern), fan(kBeams), fan(kBeams));

@@ -1,4 +1,4 @@
-// The pulse along range: lone echoes, extended echoes, two plates, and the convolution by brute force.
+// The pulse along range: discrete echoes, extended echoes, two plates, and the convolution by brute force.
 
 #include "receiver/range_response.h"
 
@@ -79,7 +79,7 @@ TEST(RangeResponseTest, IsTheConvolution) {
   }
 }
 
-TEST(RangeResponseTest, LoneEchoReadsItsFullLevelInItsOwnBin) {
+TEST(RangeResponseTest, DiscreteEchoReadsItsFullLevelInItsOwnBin) {
   for (const Pulse& pulse : {tone(50e-6), tone(400e-6), tone(400e-6, false), chirp(100e3), chirp(10e3, true)}) {
     for (const int cells_per_bin : {1, 5}) {
       std::vector<float> cells(99 * cells_per_bin, 0.0F);
@@ -141,7 +141,7 @@ TEST(RangeResponseTest, NoPulseLeavesBinsAsTheyAre) {
   EXPECT_EQ(hear(RangeResponse(none, 0.1, 3), cells), (std::vector<float>{6, 15}));
 }
 
-// Where the level of a lone echo, heard in steps of 0.1 mm, crosses half.
+// Where the level of a discrete echo, heard in steps of 0.1 mm, crosses half.
 TEST(RangeResponseTest, LonePlateIsAsWideAsThePulse) {
   std::vector<float> cells(1001, 0.0F);
   cells[500] = 1;

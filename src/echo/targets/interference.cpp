@@ -72,12 +72,12 @@ void Interference::add_pulses(const PingPlan& plan, std::size_t index, const Lin
     const int first = std::max(0, bin_after(plan, begins, sound_speed));
     const int last = std::min(bin_after(plan, begins + other.duration, sound_speed), plan.sonar.bin_count - 1);
     for (int bin = first; bin <= last; ++bin) {
-      grid.lone_echoes().push_back({.beam = sight.beam,
-                                    .bin = bin,
-                                    .order = kNoSurfaceMet,
-                                    .bearing_sine = std::sin(sight.arrival.bearing),
-                                    .intensity = intensity,
-                                    .turns = phase_of(plan, index, pulse, bin)});
+      grid.discrete_echoes().push_back({.beam = sight.beam,
+                                        .bin = bin,
+                                        .order = kNoSurfaceMet,
+                                        .bearing_sine = std::sin(sight.arrival.bearing),
+                                        .intensity = intensity,
+                                        .turns = phase_of(plan, index, pulse, bin)});
     }
   }
 }

@@ -9,13 +9,14 @@
 
 namespace insonify {
 
-/// The pulses of other sonars, as lone echoes of a grid of the calibrated model: their source level over this sonar's,
-/// less 20 log10 r + alpha r for the one way, heard by the elevation pattern, in the bins of the time when they arrive.
+/// The pulses of other sonars, as discrete echoes of a grid of the calibrated model: their source level over this
+/// sonar's, less 20 log10 r + alpha r for the one way, heard by the elevation pattern, in the bins of the time when
+/// they arrive.
 class Interference {
  public:
   explicit Interference(std::span<const Interferer> interferers);
 
-  /// Adds to the grid's lone echoes.
+  /// Adds to the grid's discrete echoes.
   /// @param time  Of transmission [s].
   void add(const PingPlan& plan, const Pose& world_from_sonar, double time, Engine& engine, EchoGrid& grid);
 

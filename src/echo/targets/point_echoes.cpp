@@ -25,16 +25,16 @@ double own_phase(const PingPlan& plan, std::size_t point) {
   return double{uniform_open(philox(counter, philox_key(plan.seed))[0])};
 }
 
-void add_lone_echo(const PingPlan& plan, const PingPlan::Arrival& arrival, int order, double range, double intensity,
-                   double turns, EchoGrid& grid) {
+void add_discrete_echo(const PingPlan& plan, const PingPlan::Arrival& arrival, int order, double range,
+                       double intensity, double turns, EchoGrid& grid) {
   const int bin = plan.bin_of(static_cast<float>(range));
   if (bin >= 0) {
-    grid.lone_echoes().push_back({.beam = plan.beam_of(arrival.bearing),
-                                  .bin = bin,
-                                  .order = order,
-                                  .bearing_sine = std::sin(arrival.bearing),
-                                  .intensity = static_cast<float>(intensity),
-                                  .turns = static_cast<float>(turns - std::floor(turns))});
+    grid.discrete_echoes().push_back({.beam = plan.beam_of(arrival.bearing),
+                                      .bin = bin,
+                                      .order = order,
+                                      .bearing_sine = std::sin(arrival.bearing),
+                                      .intensity = static_cast<float>(intensity),
+                                      .turns = static_cast<float>(turns - std::floor(turns))});
   }
 }
 
@@ -52,7 +52,7 @@ void PointEchoes::add(const PingPlan& plan, const Pose& world_from_sonar, Engine
                              std::pow(double{sights[i]->arrival.heard}, 2);
     const double turns = plan.turns_per_metre * range + own_phase(plan, i);
     // A point has no extent: it takes no solid angle from what is behind it, and no surface to label a cell with.
-    add_lone_echo(plan, sights[i]->arrival, 1, range, intensity, turns, grid);
+    add_discrete_echo(plan, sights[i]->arrival, 1, range, intensity, turns, grid);
   }
 }
 

@@ -94,15 +94,15 @@ void SurfaceGhosts::add_point(const PingPlan& plan, const Pose& sonar_from_world
                              std::exp(-absorption * (near + far)) * double{direct->heard} * double{by_surface->heard};
     const double range = 0.5 * (near + far);
     const double turns = plan.turns_per_metre * range + own_turns + 0.5 + waves.turns;
-    add_lone_echo(plan, *direct, 2, range, intensity, turns, grid);
-    add_lone_echo(plan, *by_surface, 2, range, intensity, turns, grid);
+    add_discrete_echo(plan, *direct, 2, range, intensity, turns, grid);
+    add_discrete_echo(plan, *by_surface, 2, range, intensity, turns, grid);
   }
   if (plan.max_surfaces > 2) {
     const Glint waves = glint(plan, point, 3, number);
     const double intensity = waves.intensity * strength * kept * kept / std::pow(far, 4) *
                              std::exp(-2 * absorption * far) * std::pow(double{by_surface->heard}, 2);
     const double turns = plan.turns_per_metre * far + own_turns + 1 + waves.turns;
-    add_lone_echo(plan, *by_surface, 3, far, intensity, turns, grid);
+    add_discrete_echo(plan, *by_surface, 3, far, intensity, turns, grid);
   }
 }
 

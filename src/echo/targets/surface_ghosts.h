@@ -13,8 +13,8 @@
 namespace insonify {
 
 /// The echoes of points by way of the sea's surface, after the image method (Brekhovskikh and Lysanov, Fundamentals of
-/// Ocean Acoustics, ch. 5), as lone echoes of a grid of the calibrated model. With r1 to the point, r2 to its image and
-/// |R|^2 of the surface:
+/// Ocean Acoustics, ch. 5), as discrete echoes of a grid of the calibrated model. With r1 to the point, r2 to its image
+/// and |R|^2 of the surface:
 ///
 ///     out by the surface and straight back, and its reciprocal:  TS |R|^2 / (r1^2 r2^2)  at (r1 + r2) / 2, each;
 ///     out and back by the surface:                               TS |R|^4 / r2^4         at r2,
@@ -31,7 +31,7 @@ class SurfaceGhosts {
   };
   SurfaceGhosts(std::span<const PointTarget> points, const Surface& surface);
 
-  /// Adds to the grid's lone echoes what the plan's secondary echoes and surfaces allow. Allocates nothing else.
+  /// Adds to the grid's discrete echoes what the plan's secondary echoes and surfaces allow. Allocates nothing else.
   void add(const PingPlan& plan, const Pose& world_from_sonar, std::uint64_t number, Engine& engine, EchoGrid& grid);
 
  private:

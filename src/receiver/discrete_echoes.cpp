@@ -1,6 +1,6 @@
-// lone_echoes.cpp -- one at a time: there are few.
+// discrete_echoes.cpp -- one at a time: there are few.
 
-#include "receiver/lone_echoes.h"
+#include "receiver/discrete_echoes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +10,7 @@ namespace insonify {
 
 // Calls add(index into [beam][bin], complex gain) wherever the echo is heard.
 template <typename Add>
-void LoneEchoes::for_each_cell(const LoneEcho& echo, const Add& add) const {
+void DiscreteEchoes::for_each_cell(const DiscreteEcho& echo, const Add& add) const {
   const double floor = std::pow(10, kFloorDb / 10);
   const int first_beam = bearing_ != nullptr ? 0 : echo.beam;
   const int last_beam = bearing_ != nullptr ? beams_ : echo.beam + 1;
@@ -28,27 +28,27 @@ void LoneEchoes::for_each_cell(const LoneEcho& echo, const Add& add) const {
   }
 }
 
-void LoneEchoes::add_one(const LoneEcho& echo, std::span<float> beams) const {
+void DiscreteEchoes::add_one(const DiscreteEcho& echo, std::span<float> beams) const {
   for_each_cell(echo,
                 [&](std::size_t cell, std::complex<float> gain) { beams[cell] += std::norm(gain) * echo.intensity; });
 }
 
-void LoneEchoes::add(std::span<const LoneEcho> echoes, std::span<float> beams) const {
-  for (const LoneEcho& echo : echoes) {
+void DiscreteEchoes::add(std::span<const DiscreteEcho> echoes, std::span<float> beams) const {
+  for (const DiscreteEcho& echo : echoes) {
     add_one(echo, beams);
   }
 }
 
-void LoneEchoes::add_direct(std::span<const LoneEcho> echoes, std::span<float> beams) const {
-  for (const LoneEcho& echo : echoes) {
+void DiscreteEchoes::add_direct(std::span<const DiscreteEcho> echoes, std::span<float> beams) const {
+  for (const DiscreteEcho& echo : echoes) {
     if (echo.order == 1) {
       add_one(echo, beams);
     }
   }
 }
 
-void LoneEchoes::add(std::span<const LoneEcho> echoes, std::span<std::complex<float>> beams) const {
-  for (const LoneEcho& echo : echoes) {
+void DiscreteEchoes::add(std::span<const DiscreteEcho> echoes, std::span<std::complex<float>> beams) const {
+  for (const DiscreteEcho& echo : echoes) {
     const std::complex<float> field = std::polar(std::sqrt(echo.intensity), 2 * std::numbers::pi_v<float> * echo.turns);
     for_each_cell(echo, [&](std::size_t cell, std::complex<float> gain) { beams[cell] += gain * field; });
   }
