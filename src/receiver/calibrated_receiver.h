@@ -18,10 +18,10 @@
 #include "receiver/clutter.h"
 #include "receiver/digitizer.h"
 #include "receiver/discrete_echoes.h"
-#include "receiver/few_scatterers.h"
 #include "receiver/heard_tile.h"
 #include "receiver/range_response.h"
 #include "receiver/reception_shift.h"
+#include "receiver/sparse_scatterers.h"
 #include "receiver/speckle.h"
 #include "receiver/truth_receiver.h"
 
@@ -84,7 +84,7 @@ class CalibratedReceiver {
   EchoGrid moved_;
   std::optional<Speckle> speckle_;
   std::optional<Clutter> clutter_;
-  std::optional<FewScatterers> few_;
+  std::optional<SparseScatterers> few_;
   std::optional<Digitizer> digitizer_;
   std::optional<RangeResponse> range_;
   std::optional<BearingResponse> bearing_;

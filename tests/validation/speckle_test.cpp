@@ -188,7 +188,7 @@ TEST_F(SpeckleTest, ClutterIsKDistributed) {
 
 // Scatterers that can be counted: of N on average a cell of a bed holds none with the chance e^-N, and intensities have
 // <I^2> = (2 + 1/N) <I>^2. On a flat bed a cell's area is r dr dphi whatever its height.
-TEST_F(SpeckleTest, FewScatterersGlitter) {
+TEST_F(SpeckleTest, SparseScatterersGlitter) {
   Scenario scenario = scenario_at({0, 0, 0});
   scenario.receiver.azimuth_pattern = BeamPattern::kTopHat;
   const SonarConfig sonar = fan();
@@ -211,7 +211,7 @@ TEST_F(SpeckleTest, FewScatterersGlitter) {
   }
 }
 
-TEST_F(SpeckleTest, FewScatterersStayAndManyAreCountless) {
+TEST_F(SpeckleTest, SparseScatterersStayAndManyAreCountless) {
   Material material = diffuse(-20);
   material.scatterer_density = 100;
   const Scenario scenario = scenario_at({1, 2, 0});

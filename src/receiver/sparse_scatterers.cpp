@@ -1,6 +1,6 @@
-// few_scatterers.cpp -- one after another.
+// sparse_scatterers.cpp -- one after another.
 
-#include "receiver/few_scatterers.h"
+#include "receiver/sparse_scatterers.h"
 
 #include <cmath>
 #include <limits>
@@ -16,7 +16,7 @@ namespace {
 int poisson(double mean, double share) {
   double probability = std::exp(-mean), sum = probability;
   int count = 0;
-  while (share > sum && count < 8 * FewScatterers::kMany) {
+  while (share > sum && count < 8 * SparseScatterers::kMany) {
     ++count;
     probability *= mean / count;
     sum += probability;
@@ -32,7 +32,7 @@ PhiloxPair words_of(const Speckle::View& view, const Speckle::Row& row, int bin,
 
 }  // namespace
 
-FewScatterers::FewScatterers(std::span<const Material> materials, const SonarConfig& cells, double true_ranges)
+SparseScatterers::SparseScatterers(std::span<const Material> materials, const SonarConfig& cells, double true_ranges)
     : first_range_(true_ranges * cells.bin_range(0)), bin_length_(true_ranges * cells.bin_length()) {
   const std::vector<double> edges = cells.beam_edges();
   for (int cell = 0; cell < cells.beam_count; ++cell) {
@@ -45,14 +45,14 @@ FewScatterers::FewScatterers(std::span<const Material> materials, const SonarCon
 }
 
 // Elevations are those of the label.
-double FewScatterers::area(const EchoGrid& grid, int cell, int bin) const {
+double SparseScatterers::area(const EchoGrid& grid, int cell, int bin) const {
   const double range = first_range_ + bin * bin_length_;
   const double wide = range * std::cos(double{grid.label(cell, bin).elevation}) * width_[cell];
   return std::hypot(wide * bin_length_, range * range * double{grid.weight(1, cell)[bin]});
 }
 
-void FewScatterers::draw(const Speckle::View& view, const Speckle::Row& row, const EchoGrid& grid, int cell,
-                         std::span<const float> energy, std::span<std::complex<float>> field) const {
+void SparseScatterers::draw(const Speckle::View& view, const Speckle::Row& row, const EchoGrid& grid, int cell,
+                            std::span<const float> energy, std::span<std::complex<float>> field) const {
   for (int bin = row.bins.first; bin < row.bins.last; ++bin) {
     const double density = row.surface[bin] == kNoSurface ? std::numeric_limits<double>::infinity()
                                                           : density_[material_of(row.surface[bin])];

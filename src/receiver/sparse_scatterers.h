@@ -1,4 +1,4 @@
-// few_scatterers.h -- surfaces whose cells hold so few scatterers that each of them counts.
+// sparse_scatterers.h -- surfaces whose cells hold so few scatterers that each of them counts.
 
 #pragma once
 
@@ -21,13 +21,13 @@ namespace insonify {
 ///
 /// A cell that is w wide, dr long and sees a surface in the solid angle W holds the area sqrt((w dr)^2 + (r^2 W)^2):
 /// its shares across and along the range. So a cell that the surface does not fill counts too many.
-class FewScatterers {
+class SparseScatterers {
  public:
   static constexpr double kMany = 32;  ///< <I^2> is 1.5 % above that of countless.
 
   /// @param cells        What grids are of.
   /// @param true_ranges  True over reported range.
-  FewScatterers(std::span<const Material> materials, const SonarConfig& cells, double true_ranges);
+  SparseScatterers(std::span<const Material> materials, const SonarConfig& cells, double true_ranges);
 
   /// Whether any material has them.
   [[nodiscard]] bool any() const { return any_; }
