@@ -162,7 +162,7 @@ void CalibratedReceiver::hear(const EchoGrid& still, const Pose& world_from_sona
 
 void CalibratedReceiver::hear_tile(const EchoGrid& grid, const TilePlace& place, Ping& ping) const {
   const bool labelled = grid.ground_truth() == GroundTruth::kLabels;
-  HeardTile tile = {};
+  OutputTile tile = {};
   float in_phase[kTileBins] = {}, quadrature[kTileBins] = {};
   const auto deviation = noisy_ ? static_cast<float>(std::sqrt(0.5 * noise_intensity_)) : 0.0F;
   const std::vector<float>& energy = bearing_ ? beam_energy_ : cell_energy_;

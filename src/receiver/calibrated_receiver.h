@@ -18,7 +18,7 @@
 #include "receiver/clutter.h"
 #include "receiver/digitizer.h"
 #include "receiver/discrete_echoes.h"
-#include "receiver/heard_tile.h"
+#include "receiver/output_tile.h"
 #include "receiver/range_response.h"
 #include "receiver/reception_shift.h"
 #include "receiver/sparse_scatterers.h"

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "base/philox.h"
-#include "receiver/turn_tile.h"
+#include "receiver/transpose_tile.h"
 
 namespace insonify {
 

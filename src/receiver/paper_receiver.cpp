@@ -7,8 +7,8 @@
 #include <cmath>
 
 #include "base/vector_math.h"
-#include "receiver/heard_tile.h"
 #include "receiver/normal_numbers.h"
+#include "receiver/output_tile.h"
 
 namespace insonify {
 namespace {
@@ -58,7 +58,7 @@ void PaperReceiver::hear_tile(const TilePlace& place) {
   }
 
   const bool labelled = grid_.ground_truth() == GroundTruth::kLabels;
-  HeardTile tile = {};
+  OutputTile tile = {};
   float noise[kTileBins] = {};
   for (int b = 0; b < place.beam_count; ++b) {
     fetch_rows(place, b, labelled, ping_);

@@ -6,7 +6,7 @@
 #include "insonify/paper_model.h"
 #include "insonify/ping.h"
 #include "insonify/sonar_config.h"
-#include "receiver/heard_tile.h"
+#include "receiver/output_tile.h"
 
 namespace insonify {
 

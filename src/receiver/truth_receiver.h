@@ -14,8 +14,8 @@
 #include "receiver/bearing_cells.h"
 #include "receiver/bearing_response.h"
 #include "receiver/discrete_echoes.h"
-#include "receiver/heard_tile.h"
 #include "receiver/instances.h"
+#include "receiver/output_tile.h"
 #include "receiver/range_response.h"
 
 namespace insonify {

@@ -1,6 +1,6 @@
 // Which label a beam takes of several rows of a grid.
 
-#include "receiver/heard_tile.h"
+#include "receiver/output_tile.h"
 
 #include <gtest/gtest.h>
 
@@ -22,7 +22,7 @@ void label(EchoGrid& grid, int row, int bin, std::uint16_t instance, float energ
   *cells.elevation_moment = energy * elevation;
 }
 
-TEST(HeardTileTest, OfSeveralRowsTheOneWithMostEnergyNamesABin) {
+TEST(OutputTileTest, OfSeveralRowsTheOneWithMostEnergyNamesABin) {
   EchoGrid grid(6, kBins, kPathOrders);
   // Rows 2, 3 and 4 are the beam's; 1 and 5 are neighbours'.
   label(grid, 1, 70, 11, 9, 0.9F);
@@ -37,7 +37,7 @@ TEST(HeardTileTest, OfSeveralRowsTheOneWithMostEnergyNamesABin) {
   label(grid, 4, 100, 34, 2, 0.2F);
   // In the next tile.
   label(grid, 3, 130, 43, 5, 0.5F);
-  HeardTile tile = {};
+  OutputTile tile = {};
   take_labels(grid, 2, 3, kPlace, 1, tile);
   EXPECT_TRUE(tile.named);
   const auto expect_label = [&](int bin, std::uint16_t instance, float elevation) {
@@ -56,11 +56,11 @@ TEST(HeardTileTest, OfSeveralRowsTheOneWithMostEnergyNamesABin) {
   }
 }
 
-TEST(HeardTileTest, RowsThatHoldNothingNameNothing) {
+TEST(OutputTileTest, RowsThatHoldNothingNameNothing) {
   EchoGrid grid(3, kBins, kPathOrders);
   label(grid, 2, 70, 12, 1, 0.1F);   // Another beam's ...
   label(grid, 1, 140, 12, 1, 0.1F);  // ... and beyond the tile.
-  HeardTile tile = {};
+  OutputTile tile = {};
   take_labels(grid, 0, 2, kPlace, 0, tile);
   EXPECT_FALSE(tile.named);
 }

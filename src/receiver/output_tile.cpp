@@ -1,6 +1,6 @@
-// heard_tile.cpp -- tiles into the tables of a ping.
+// output_tile.cpp -- tiles into the tables of a ping.
 
-#include "receiver/heard_tile.h"
+#include "receiver/output_tile.h"
 
 #include <cmath>
 #include <limits>
@@ -79,7 +79,7 @@ void fetch_rows(const TilePlace& place, int beam_of_tile, bool labelled, const P
 }
 
 void take_labels(const EchoGrid& grid, int first_row, int rows, const TilePlace& place, int beam_of_tile,
-                 HeardTile& tile) {
+                 OutputTile& tile) {
   SurfaceLabel* surface = tile.surface[beam_of_tile];
   float energy[kTileBins] = {}, moment[kTileBins] = {};
   std::fill_n(surface, kTileBins, kNoSurface);
@@ -97,13 +97,13 @@ void take_labels(const EchoGrid& grid, int first_row, int rows, const TilePlace&
 }
 
 INSONIFY_VECTOR_CLONES
-void write_tile(const HeardTile& tile, const TilePlace& place, bool labelled, Ping& ping) {
+void write_tile(const OutputTile& tile, const TilePlace& place, bool labelled, Ping& ping) {
   BinTile<float> intensity, elevation;
   BinTile<std::uint32_t> surface;
-  turn_tile(tile.intensity, intensity);
+  transpose_tile(tile.intensity, intensity);
   if (labelled && tile.named) {
-    turn_tile(tile.elevation, elevation);
-    turn_tile(tile.surface, surface);
+    transpose_tile(tile.elevation, elevation);
+    transpose_tile(tile.surface, surface);
   }
   for (int i = 0; i < place.bin_count; ++i) {
     const std::size_t row = ping.index(place.first_bin + i, place.first_beam);

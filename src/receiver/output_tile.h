@@ -1,4 +1,4 @@
-// heard_tile.h -- what is heard, on its way from one beam after another, as grids lie, to one range after another, as
+// output_tile.h -- what is heard, on its way from one beam after another, as grids lie, to one range after another, as
 // pings lie.
 
 #pragma once
@@ -8,7 +8,7 @@
 #include "insonify/echo_grid.h"
 #include "insonify/ping.h"
 #include "insonify/sonar_config.h"
-#include "receiver/turn_tile.h"
+#include "receiver/transpose_tile.h"
 
 namespace insonify {
 
@@ -21,7 +21,7 @@ struct TilePlace {
 };
 
 /// What becomes of them, a beam at a time.
-struct HeardTile {
+struct OutputTile {
   BeamTile<float> intensity, elevation;
   BeamTile<std::uint32_t> surface;
   bool named = false;  ///< Whether any cell has a label: else elevation and surface mean nothing.
@@ -49,11 +49,11 @@ void fetch_rows(const TilePlace& place, int beam_of_tile, bool labelled, const P
 /// Copies the labels of one row of the grid to one beam of the tile, or of several the one with most energy in each
 /// bin.
 void take_labels(const EchoGrid& grid, int first_row, int rows, const TilePlace& place, int beam_of_tile,
-                 HeardTile& tile);
+                 OutputTile& tile);
 
 /// Writes a tile into the ping.
 /// @param labelled  Whether the tile holds labels; else intensities alone are written.
-void write_tile(const HeardTile& tile, const TilePlace& place, bool labelled, Ping& ping);
+void write_tile(const OutputTile& tile, const TilePlace& place, bool labelled, Ping& ping);
 
 /// How much of an echo is heard at the range of a bin: 0 at min_range, rising in a straight line to 1 at
 /// blanking_range.

@@ -1,4 +1,4 @@
-// turn_tile.h -- from one beam after another, as grids lie, to one range after another, as pings lie.
+// transpose_tile.h -- from one beam after another, as grids lie, to one range after another, as pings lie.
 
 #pragma once
 
@@ -18,7 +18,7 @@ using BinTile = Value[kTileBins][kTileBeams];
 
 /// Transposes, four by four values in registers.
 template <typename Value>
-[[gnu::always_inline]] inline void turn_tile(const BeamTile<Value>& beams, BinTile<Value>& bins) {
+[[gnu::always_inline]] inline void transpose_tile(const BeamTile<Value>& beams, BinTile<Value>& bins) {
   using Lanes = std::uint32_t __attribute__((vector_size(16)));  // Only moved about.
   static_assert(sizeof(Value) == 4);
   for (int beam = 0; beam < kTileBeams; beam += 4) {
