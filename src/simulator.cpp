@@ -44,7 +44,7 @@ struct Simulator::State {
 namespace {
 
 // The paper model's beams are top hats.
-ReceiverConfig heard_by(const Scenario& scenario) {
+ReceiverConfig receiver_of(const Scenario& scenario) {
   ReceiverConfig receiver = scenario.receiver;
   if (scenario.model == EchoModel::kPaper) {
     receiver.azimuth_pattern = receiver.elevation_pattern = BeamPattern::kTopHat;
@@ -104,7 +104,7 @@ Simulator::Simulator(Scenario scenario, Scene scene, int threads) {
   for (SonarConfig& sonar : state_->scenario.sonars) {
     sonar.assumed_sound_speed = sonar.assumed_sound_speed.value_or(sound_speed);
     sonar.ping_period = sonar.ping_period.value_or(sonar.shortest_ping_period(*sonar.assumed_sound_speed));
-    const ReceiverConfig receiver = heard_by(state_->scenario);
+    const ReceiverConfig receiver = receiver_of(state_->scenario);
     const BearingCells cells(sonar, receiver);
     state_->plans.push_back(make_ping_plan({.sonar = cells.sonar,
                                             .water = water_at(state_->scenario, sonar),
@@ -195,8 +195,8 @@ void Simulator::make_ping(int index, std::uint64_t number, Ping& ping) {
       state.ghosts->add(plan, world_from_sonar, number, *state.engine, grid);
     }
     state.interference.add(plan, world_from_sonar, ping.time, *state.engine, grid);
-    state.receivers[index].hear(grid, world_from_sonar, motion_while_listening(state.scenario, config, ping),
-                                state.workers, ping);
+    state.receivers[index].receive(grid, world_from_sonar, motion_while_listening(state.scenario, config, ping),
+                                   state.workers, ping);
   } else {
     PaperReceiver receiver(
         grid, config,

@@ -54,26 +54,26 @@ BearingResponse::BearingResponse(const ArrayPattern& pattern, double length, std
   }
 }
 
-void BearingResponse::hear_energy(std::span<const float> cells, std::span<float> beams, int bin_count, BinRange bins,
-                                  BinRange filled) const {
+void BearingResponse::receive_energy(std::span<const float> cells, std::span<float> beams, int bin_count, BinRange bins,
+                                     BinRange filled) const {
   assert(cells.size() == static_cast<std::size_t>(cell_count()) * bin_count);
   assert(beams.size() == static_cast<std::size_t>(beam_count()) * bin_count);
-  const BinRange heard = bins & filled;
-  silence(beams, bin_count, bins, heard);
-  energy_.multiply(cells.data(), beams.data(), bin_count, heard.first, heard.last);
+  const BinRange received = bins & filled;
+  silence(beams, bin_count, bins, received);
+  energy_.multiply(cells.data(), beams.data(), bin_count, received.first, received.last);
 }
 
 // A complex number is a pair of floats, which real gains multiply alike. The imaginary part of a gain multiplies the
 // field turned by a quarter.
-void BearingResponse::hear_field(std::span<const std::complex<float>> cells, std::span<std::complex<float>> beams,
-                                 int bin_count, BinRange bins, BinRange filled) const {
+void BearingResponse::receive_field(std::span<const std::complex<float>> cells, std::span<std::complex<float>> beams,
+                                    int bin_count, BinRange bins, BinRange filled) const {
   assert(cells.size() == static_cast<std::size_t>(cell_count()) * bin_count);
   assert(beams.size() == static_cast<std::size_t>(beam_count()) * bin_count);
   const auto* from = reinterpret_cast<const float*>(cells.data());
   auto* to = reinterpret_cast<float*>(beams.data());
-  const BinRange heard = bins & filled;
-  silence(beams, bin_count, bins, heard);
-  const int stride = 2 * bin_count, first = 2 * heard.first, last = 2 * heard.last;
+  const BinRange received = bins & filled;
+  silence(beams, bin_count, bins, received);
+  const int stride = 2 * bin_count, first = 2 * received.first, last = 2 * received.last;
   in_phase_.multiply(from, to, stride, first, last);
   if (quadrature_.beam_count() > 0) {
     quadrature_.add_turned(from, to, stride, first, last);

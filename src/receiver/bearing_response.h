@@ -49,12 +49,12 @@ class BearingResponse {
   /// @param bin_count  Of a row of either.
   /// @param bins       To work on: threads share a ping by its bins. The result does not depend on how.
   /// @param filled     Bins outside which cells hold nothing: no need to add that up.
-  void hear_energy(std::span<const float> cells, std::span<float> beams, int bin_count, BinRange bins,
-                   BinRange filled) const;
+  void receive_energy(std::span<const float> cells, std::span<float> beams, int bin_count, BinRange bins,
+                      BinRange filled) const;
 
   /// beams = g cells, of a complex field; the same shapes. Twice the work of energy, with faulty elements four times.
-  void hear_field(std::span<const std::complex<float>> cells, std::span<std::complex<float>> beams, int bin_count,
-                  BinRange bins, BinRange filled) const;
+  void receive_field(std::span<const std::complex<float>> cells, std::span<std::complex<float>> beams, int bin_count,
+                     BinRange bins, BinRange filled) const;
 
  private:
   ArrayPattern pattern_;

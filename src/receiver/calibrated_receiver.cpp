@@ -28,9 +28,9 @@ BinRange CalibratedReceiver::filled_bins(const EchoGrid& grid, int cell) const {
   return volume_.empty() ? grid.filled(cell) : BinRange{0, bins_};
 }
 
-BinRange CalibratedReceiver::heard_bins(const EchoGrid& grid, int cell) const {
+BinRange CalibratedReceiver::received_bins(const EchoGrid& grid, int cell) const {
   const BinRange filled = filled_bins(grid, cell);
-  return range_ ? range_->heard_from(filled, bins_) : filled;
+  return range_ ? range_->reached_from(filled, bins_) : filled;
 }
 
 // Echo of all path orders, and of the water from directions that no surface has closed yet.
@@ -57,20 +57,22 @@ void CalibratedReceiver::sum_energy(const EchoGrid& grid, int cell, std::span<fl
 // One cell's echo and what the pulse makes of it. The rest of its bins stay silent.
 void CalibratedReceiver::hear_cell(const EchoGrid& grid, int cell, const Speckle::View& view, Row& row) {
   const auto bins = static_cast<std::size_t>(bins_);
-  const BinRange filled = filled_bins(grid, cell), heard = heard_bins(grid, cell);
+  const BinRange filled = filled_bins(grid, cell), received = received_bins(grid, cell);
   row.energy.resize(bins);
   sum_energy(grid, cell, row.energy);
-  const auto within = [&](auto&& of_row) { return std::span(of_row).subspan(heard.first, heard.last - heard.first); };
+  const auto within = [&](auto&& of_row) {
+    return std::span(of_row).subspan(received.first, received.last - received.first);
+  };
   if (!speckle_) {
     const std::span<float> beam(&cell_energy_[bins * cell], bins);
     std::ranges::copy(row.energy, beam.begin());
     if (range_) {
-      range_->hear_energy(within(row.energy), within(beam));
+      range_->receive_energy(within(row.energy), within(beam));
     }
     return;
   }
   const std::span<std::complex<float>> beam(&cell_field_[bins * cell], bins);
-  silence_beyond(heard, beam);
+  silence_beyond(received, beam);
   if (filled.empty()) {
     return;
   }
@@ -86,20 +88,20 @@ void CalibratedReceiver::hear_cell(const EchoGrid& grid, int cell, const Speckle
     few_->draw(view, row.scatterers, grid, cell, row.energy, drawn);
   }
   if (range_) {
-    range_->hear_field(within(row.field), within(beam));
+    range_->receive_field(within(row.field), within(beam));
   }
 }
 
 // Beams of the cells.
 void CalibratedReceiver::hear_bearings(const EchoGrid& grid, Workers& workers) {
-  BinRange heard;
+  BinRange received;
   for (int cell = 0; cell < cells_; ++cell) {
-    heard = heard | heard_bins(grid, cell);
+    received = received | received_bins(grid, cell);
   }
   workers.for_each((bins_ + kBinsATask - 1) / kBinsATask, [&](int task, int) {
     const BinRange bins{task * kBinsATask, std::min((task + 1) * kBinsATask, bins_)};
-    speckle_ ? bearing_->hear_field(cell_field_, beam_field_, bins_, bins, heard)
-             : bearing_->hear_energy(cell_energy_, beam_energy_, bins_, bins, heard);
+    speckle_ ? bearing_->receive_field(cell_field_, beam_field_, bins_, bins, received)
+             : bearing_->receive_energy(cell_energy_, beam_energy_, bins_, bins, received);
   });
 }
 
@@ -120,15 +122,15 @@ void CalibratedReceiver::move(const EchoGrid& grid, const PingMotion& motion, Wo
   workers.for_each(cells_, [&](int cell, int) { moved_.take_cells(grid, cell, shift_->sources(cell)); });
   moved_.discrete_echoes().clear();
   for (const DiscreteEcho& echo : grid.discrete_echoes()) {
-    const DiscreteEcho heard = shift_->moved(echo);
-    if (heard.bin >= 0) {
-      moved_.discrete_echoes().push_back(heard);
+    const DiscreteEcho received = shift_->moved(echo);
+    if (received.bin >= 0) {
+      moved_.discrete_echoes().push_back(received);
     }
   }
 }
 
-void CalibratedReceiver::hear(const EchoGrid& still, const Pose& world_from_sonar, const PingMotion& motion,
-                              Workers& workers, Ping& ping) {
+void CalibratedReceiver::receive(const EchoGrid& still, const Pose& world_from_sonar, const PingMotion& motion,
+                                 Workers& workers, Ping& ping) {
   if (shift_) {
     move(still, motion, workers);
   }
@@ -156,7 +158,7 @@ void CalibratedReceiver::hear(const EchoGrid& still, const Pose& world_from_sona
     });
   }
   if (grid.ground_truth() == GroundTruth::kFull) {
-    truth_.tell(grid, {range_ ? &*range_ : nullptr, bearing_ ? &*bearing_ : nullptr, &discrete, gain_}, workers, ping);
+    truth_.write(grid, {range_ ? &*range_ : nullptr, bearing_ ? &*bearing_ : nullptr, &discrete, gain_}, workers, ping);
   }
 }
 

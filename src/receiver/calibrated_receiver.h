@@ -51,7 +51,8 @@ class CalibratedReceiver {
   /// Fills the tables of a ping, whose number is read; allocates only when they need more memory than before.
   /// @param world_from_sonar  Pose of the transducer.
   /// @param motion            From then on; only where the settings say that it moves.
-  void hear(const EchoGrid& grid, const Pose& world_from_sonar, const PingMotion& motion, Workers& workers, Ping& ping);
+  void receive(const EchoGrid& grid, const Pose& world_from_sonar, const PingMotion& motion, Workers& workers,
+               Ping& ping);
 
  private:
   // One worker's row of bins, before the pulse.
@@ -64,7 +65,7 @@ class CalibratedReceiver {
   void move(const EchoGrid& grid, const PingMotion& motion, Workers& workers);
   // Bins of a cell in which there is anything, before the pulse and after it.
   [[nodiscard]] BinRange filled_bins(const EchoGrid& grid, int cell) const;
-  [[nodiscard]] BinRange heard_bins(const EchoGrid& grid, int cell) const;
+  [[nodiscard]] BinRange received_bins(const EchoGrid& grid, int cell) const;
   void sum_energy(const EchoGrid& grid, int cell, std::span<float> energy) const;
   void hear_cell(const EchoGrid& grid, int cell, const Speckle::View& view, Row& row);
   void hear_bearings(const EchoGrid& grid, Workers& workers);

@@ -13,16 +13,16 @@
 namespace insonify {
 namespace {
 
-// One beam's stretch of bins, from sums to what is heard; `level` is the near field's ramp times the gain. A value
+// One beam's stretch of bins, from sums to what is received; `level` is the near field's ramp times the gain. A value
 // times one normal number plus another normal number is again normal: one number, of their common deviation, is drawn.
 INSONIFY_VECTOR_CLONES
-void hear(int count, const float* __restrict__ level, float mean, float spread, float floor,
-          const float* __restrict__ normal, float* __restrict__ value) {
+void receive(int count, const float* __restrict__ level, float mean, float spread, float floor,
+             const float* __restrict__ normal, float* __restrict__ value) {
   for (int i = 0; i < count; ++i) {
     const float clipped = value[i] < 1 ? value[i] : 1.0F;
     const float deviation = std::sqrt(clipped * clipped * spread * spread + floor * floor);
-    const float heard = (clipped * mean + deviation * normal[i]) * level[i];
-    value[i] = heard < 0 ? 0.0F : heard < 1 ? heard : 1.0F;
+    const float received = (clipped * mean + deviation * normal[i]) * level[i];
+    value[i] = received < 0 ? 0.0F : received < 1 ? received : 1.0F;
   }
 }
 
@@ -72,7 +72,7 @@ void PaperReceiver::hear_tile(const TilePlace& place) {
     if (noisy) {
       draw_normals(RandomPurpose::kPaperNoise, place.first_bin / kTileBins, beam, ping_.number, settings_.seed, noise);
     }
-    hear(place.bin_count, level, mean, spread, floor, noise, values);
+    receive(place.bin_count, level, mean, spread, floor, noise, values);
     if (labelled) {
       take_labels(grid_, beam, 1, place, b, tile);
     }

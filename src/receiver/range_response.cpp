@@ -111,16 +111,17 @@ float RangeResponse::amplitude(int bins_away) const {
   return tap >= 0 && tap < count_ ? amplitude_[row + tap] : 0.0F;
 }
 
-BinRange RangeResponse::heard_from(BinRange filled, int bin_count) const {
-  const BinRange heard{filled.first - (first_ + count_ - 1), filled.last - first_};
-  return filled.empty() ? filled : heard & BinRange{0, bin_count};
+BinRange RangeResponse::reached_from(BinRange filled, int bin_count) const {
+  const BinRange received{filled.first - (first_ + count_ - 1), filled.last - first_};
+  return filled.empty() ? filled : received & BinRange{0, bin_count};
 }
 
-void RangeResponse::hear_energy(std::span<const float> cells, std::span<float> bins) const {
+void RangeResponse::receive_energy(std::span<const float> cells, std::span<float> bins) const {
   convolve(cells, bins, cells_per_bin_, first_, count_, energy_, add_energy_taps);
 }
 
-void RangeResponse::hear_field(std::span<const std::complex<float>> cells, std::span<std::complex<float>> bins) const {
+void RangeResponse::receive_field(std::span<const std::complex<float>> cells,
+                                  std::span<std::complex<float>> bins) const {
   convolve(cells, bins, cells_per_bin_, first_, count_, amplitude_, add_field_taps);
 }
 

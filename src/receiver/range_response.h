@@ -31,7 +31,7 @@ class RangeResponse {
   [[nodiscard]] int taps() const { return taps_; }
 
   /// Bins of a row of bin_count that hear anything when only these hold something.
-  [[nodiscard]] BinRange heard_from(BinRange filled, int bin_count) const;
+  [[nodiscard]] BinRange reached_from(BinRange filled, int bin_count) const;
 
   /// Sum of |p|^2 over the cells: what an echo of energy 1 in every cell reads.
   [[nodiscard]] double equivalent_cells() const { return equivalent_cells_; }
@@ -42,8 +42,8 @@ class RangeResponse {
   /// One beam or column. Allocates nothing.
   /// @param cells  cells_per_bin for each bin.
   /// @param bins   Written; must not overlap `cells`.
-  void hear_energy(std::span<const float> cells, std::span<float> bins) const;
-  void hear_field(std::span<const std::complex<float>> cells, std::span<std::complex<float>> bins) const;
+  void receive_energy(std::span<const float> cells, std::span<float> bins) const;
+  void receive_field(std::span<const std::complex<float>> cells, std::span<std::complex<float>> bins) const;
 
  private:
   int cells_per_bin_;

@@ -1,4 +1,4 @@
-// reception_shift.cpp -- backwards, from where an echo is heard to where it comes from.
+// reception_shift.cpp -- backwards, from where an echo is received to where it comes from.
 
 #include "receiver/reception_shift.h"
 
@@ -39,8 +39,8 @@ void ReceptionShift::prepare_cell(int cell) {
   std::int32_t* const sources = &source_[static_cast<std::size_t>(cell) * bins_];
   int from = cell;
   for (int bin = 0; bin < bins_; ++bin) {
-    const double heard = true_ranges_ * cells_config_.bin_range(bin);
-    const double time = 2 * heard / sound_speed_;
+    const double received = true_ranges_ * cells_config_.bin_range(bin);
+    const double time = 2 * received / sound_speed_;
     const double azimuth = cells_config_.beam_azimuth(cell) + motion_.turn_rate * time;
     while (from > 0 && azimuth > edges_[from]) {
       --from;
@@ -50,7 +50,7 @@ void ReceptionShift::prepare_cell(int cell) {
     }
     const bool inside = azimuth <= edges_[from] && azimuth > edges_[from + 1];
     const double speed = approach(azimuth);
-    const double range = (heard + bias_ * speed) / (1 - speed / sound_speed_);
+    const double range = (received + bias_ * speed) / (1 - speed / sound_speed_);
     const double position = (range / true_ranges_ - cells_config_.min_range) / cells_config_.bin_length();
     const bool within = position >= 0 && position < bins_;
     sources[bin] = inside && within ? from * bins_ + static_cast<int>(position) : -1;
@@ -60,9 +60,9 @@ void ReceptionShift::prepare_cell(int cell) {
 DiscreteEcho ReceptionShift::moved(DiscreteEcho echo) const {
   const double range = true_ranges_ * cells_config_.bin_range(echo.bin), azimuth = std::asin(double{echo.bearing_sine});
   const double speed = echo.order > 0 ? approach(azimuth) : 0;  // Others' pulses come when they come.
-  const double heard = range - speed * (range / sound_speed_ + bias_);
-  const double position = (heard / true_ranges_ - cells_config_.min_range) / cells_config_.bin_length();
-  const double bearing = azimuth - motion_.turn_rate * 2 * heard / sound_speed_;
+  const double received = range - speed * (range / sound_speed_ + bias_);
+  const double position = (received / true_ranges_ - cells_config_.min_range) / cells_config_.bin_length();
+  const double bearing = azimuth - motion_.turn_rate * 2 * received / sound_speed_;
   echo.bearing_sine = static_cast<float>(std::sin(bearing));
   const bool within = position >= 0 && position < bins_ && bearing <= edges_.front() && bearing > edges_.back();
   echo.bin = within ? static_cast<int>(position) : -1;

@@ -14,7 +14,7 @@
 namespace insonify {
 
 /// Where in a grid, made as if the sonar stood still, each cell's echo is to be taken from when it moves with velocity
-/// v and turns at the rate w. What lies at range r in the direction d is heard after t = 2 r / c, at
+/// v and turns at the rate w. What lies at range r in the direction d is received after t = 2 r / c, at
 ///
 ///     range    r - (v . d) r / c - b (v . d)       half the way out from here and back to there, and a chirp's bias
 ///     bearing  azimuth - w t                       by the beams as they point then
@@ -37,7 +37,7 @@ class ReceptionShift {
     return {&source_[static_cast<std::size_t>(cell) * bins_], static_cast<std::size_t>(bins_)};
   }
 
-  /// A discrete echo as it is heard; outside the fan or the range window its bin is -1.
+  /// A discrete echo as it is received; outside the fan or the range window its bin is -1.
   [[nodiscard]] DiscreteEcho moved(DiscreteEcho echo) const;
 
  private:

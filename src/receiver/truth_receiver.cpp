@@ -1,4 +1,4 @@
-// truth_receiver.cpp -- instances ranked, orders compared, shadows measured, the direct echo heard.
+// truth_receiver.cpp -- instances ranked, orders compared, shadows measured, the direct echo received.
 
 #include "receiver/truth_receiver.h"
 
@@ -77,8 +77,8 @@ TruthReceiver::TruthReceiver(const SonarConfig& sonar, const BearingCells& cells
   }
 }
 
-void TruthReceiver::tell(const EchoGrid& grid, const Hearing& hearing, Workers& workers, Ping& ping) {
-  hear_direct(grid, hearing, workers, ping);
+void TruthReceiver::write(const EchoGrid& grid, const Reception& reception, Workers& workers, Ping& ping) {
+  receive_direct(grid, reception, workers, ping);
   workers.for_each((beams_ + kTileBeams - 1) / kTileBeams, [&](int task, int) {
     const int first_beam = task * kTileBeams, last_beam = std::min(first_beam + kTileBeams, beams_);
     std::array<float, kTileBeams> hidden;
@@ -92,37 +92,37 @@ void TruthReceiver::tell(const EchoGrid& grid, const Hearing& hearing, Workers& 
   }
 }
 
-void TruthReceiver::hear_direct(const EchoGrid& grid, const Hearing& hearing, Workers& workers, Ping& ping) {
+void TruthReceiver::receive_direct(const EchoGrid& grid, const Reception& reception, Workers& workers, Ping& ping) {
   direct_.resize(static_cast<std::size_t>(cells_) * bins_);
-  direct_beams_.resize(hearing.bearing != nullptr ? static_cast<std::size_t>(beams_) * bins_ : 0);
+  direct_beams_.resize(reception.bearing != nullptr ? static_cast<std::size_t>(beams_) * bins_ : 0);
   workers.for_each(cells_, [&](int cell, int) {
     const std::span<float> beam(&direct_[static_cast<std::size_t>(cell) * bins_], static_cast<std::size_t>(bins_));
     std::ranges::copy(grid.energy(1, cell), beam.begin());
-    if (hearing.range != nullptr) {
-      const BinRange heard = hearing.range->heard_from(grid.filled(cell), bins_);
-      const auto within = [&](auto of_row) { return of_row.subspan(heard.first, heard.last - heard.first); };
-      hearing.range->hear_energy(within(grid.energy(1, cell)), within(beam));
+    if (reception.range != nullptr) {
+      const BinRange received = reception.range->reached_from(grid.filled(cell), bins_);
+      const auto within = [&](auto of_row) { return of_row.subspan(received.first, received.last - received.first); };
+      reception.range->receive_energy(within(grid.energy(1, cell)), within(beam));
     }
   });
-  BinRange heard;
+  BinRange received;
   for (int cell = 0; cell < cells_; ++cell) {
     const BinRange filled = grid.filled(cell);
-    heard = heard | (hearing.range != nullptr ? hearing.range->heard_from(filled, bins_) : filled);
+    received = received | (reception.range != nullptr ? reception.range->reached_from(filled, bins_) : filled);
   }
-  std::vector<float>& energy = hearing.bearing != nullptr ? direct_beams_ : direct_;
+  std::vector<float>& energy = reception.bearing != nullptr ? direct_beams_ : direct_;
   const int tasks = (bins_ + kTileBins - 1) / kTileBins;
-  if (hearing.bearing != nullptr) {
+  if (reception.bearing != nullptr) {
     workers.for_each(tasks, [&](int task, int) {
       const int first = task * kTileBins, last = std::min(first + kTileBins, bins_);
-      hearing.bearing->hear_energy(direct_, direct_beams_, bins_, {first, last}, heard);
+      reception.bearing->receive_energy(direct_, direct_beams_, bins_, {first, last}, received);
     });
   }
-  hearing.discrete->add_direct(grid.discrete_echoes(), energy);
+  reception.discrete->add_direct(grid.discrete_echoes(), energy);
   workers.for_each(tasks, [&](int task, int) {
     for (int bin = task * kTileBins; bin < std::min((task + 1) * kTileBins, bins_); ++bin) {
       for (int beam = 0; beam < beams_; ++beam) {
         ping.direct_intensity[ping.index(bin, beam)] =
-            energy[static_cast<std::size_t>(beam) * bins_ + bin] * hearing.gain[bin];
+            energy[static_cast<std::size_t>(beam) * bins_ + bin] * reception.gain[bin];
       }
     }
   });
@@ -138,19 +138,19 @@ TruthReceiver::BeamStretch TruthReceiver::stretch_of(const EchoGrid& grid, int b
     std::fill_n(stretch.shadow, place.bin_count, std::min(hidden / whole_[beam], 1.0F));
     return stretch;
   }
-  float most[kTileBins] = {}, met[kTileBins] = {}, heard[kTileBins] = {};
+  float most[kTileBins] = {}, met[kTileBins] = {}, received[kTileBins] = {};
   const auto add = [&](std::span<const float> row, float* sums) {
     add_row(place.bin_count, &row[place.first_bin], sums);
   };
   for (int order = 1; order <= grid.order_count(); ++order) {
     float energy[kTileBins] = {};
-    float* const sums = order == 1 ? heard : energy;
+    float* const sums = order == 1 ? received : energy;
     for_each_cell(beam, [&](int cell) { add(grid.energy(order, cell), sums); });
     add_order(static_cast<std::uint8_t>(order), place.bin_count, sums, stretch.energy, most, stretch.order);
   }
   for_each_cell(beam, [&](int cell) { add(grid.weight(1, cell), met); });
   for (int i = 0; i < place.bin_count; ++i) {
-    const bool direct = met[i] > 0 || heard[i] > 0;
+    const bool direct = met[i] > 0 || received[i] > 0;
     stretch.shadow[i] = direct ? 0.0F : std::min(hidden / whole_[beam], 1.0F);
     hidden += met[i];
   }
@@ -208,7 +208,7 @@ void TruthReceiver::tell_tile(const EchoGrid& grid, const TilePlace& place, std:
   }
 }
 
-// Where it is direct its bin is no shadow: what hides it would have kept it from being heard.
+// Where it is direct its bin is no shadow: what hides it would have kept it from being received.
 void TruthReceiver::write_discrete_echo(const EchoGrid& grid, const DiscreteEcho& echo, Ping& ping) const {
   const int own = echo.beam - first_cell_;
   const int beam = own / cells_per_beam_;

@@ -29,7 +29,7 @@ class TruthReceiver {
   TruthReceiver(const SonarConfig& sonar, const BearingCells& cells, std::span<const float> cell_angles);
 
   /// How the receiver hears; null for no pulse, no array.
-  struct Hearing {
+  struct Reception {
     const RangeResponse* range;
     const BearingResponse* bearing;
     const DiscreteEchoes* discrete;
@@ -37,7 +37,7 @@ class TruthReceiver {
   };
 
   /// Fills the ping's tables of ground truth, which have their sizes. Allocates at the first ping only.
-  void tell(const EchoGrid& grid, const Hearing& hearing, Workers& workers, Ping& ping);
+  void write(const EchoGrid& grid, const Reception& reception, Workers& workers, Ping& ping);
 
  private:
   // Of one beam, over the bins of a tile.
@@ -47,7 +47,7 @@ class TruthReceiver {
     float shadow[kTileBins];        // Share of the beam that is hidden, where it hears nothing direct.
   };
 
-  void hear_direct(const EchoGrid& grid, const Hearing& hearing, Workers& workers, Ping& ping);
+  void receive_direct(const EchoGrid& grid, const Reception& reception, Workers& workers, Ping& ping);
   void tell_tile(const EchoGrid& grid, const TilePlace& place, std::array<float, kTileBeams>& hidden, Ping& ping) const;
   BeamStretch stretch_of(const EchoGrid& grid, int beam, const TilePlace& place, float& hidden) const;
   void add_surfaces(const EchoGrid& grid, int beam, int bin, Instances& instances) const;

@@ -22,7 +22,7 @@ void ColumnArc::lay(BeamShape shape, double bearing, const Sector& sector) {
   low_ = wedge ? sector.low : arc_angle(bearing, sector.low);
   high_ = wedge ? sector.high : arc_angle(bearing, sector.high);
   const double step = (high_ - low_) / kSteps, cos_bearing = std::cos(bearing);
-  for (std::vector<double>* sums : {&rows_, &sent_, &heard_}) {
+  for (std::vector<double>* sums : {&rows_, &sent_, &received_}) {
     sums->assign(kSteps + 1, 0.0);
   }
   for (int i = 0; i < kSteps; ++i) {
@@ -36,7 +36,7 @@ void ColumnArc::lay(BeamShape shape, double bearing, const Sector& sector) {
     }
     rows_[i + 1] = rows_[i] + step * density;
     sent_[i + 1] = sent_[i] + angle * one_way;
-    heard_[i + 1] = heard_[i] + angle * one_way * one_way;
+    received_[i + 1] = received_[i] + angle * one_way * one_way;
   }
 }
 

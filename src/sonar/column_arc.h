@@ -31,13 +31,13 @@ class ColumnArc {
 
   /// Integrals up to t of the solid angle per unit of Lattice::column_measure: of |p|^2 and |p|^4, or of 1.
   [[nodiscard]] double sent_below(double t) const { return integral(sent_, t); }
-  [[nodiscard]] double heard_below(double t) const { return integral(heard_, t); }
+  [[nodiscard]] double received_below(double t) const { return integral(received_, t); }
 
  private:
   [[nodiscard]] double integral(const std::vector<double>& sums, double t) const;
 
   double low_ = 0, high_ = 0;
-  std::vector<double> rows_, sent_, heard_;  // Below the end of each step.
+  std::vector<double> rows_, sent_, received_;  // Below the end of each step.
 };
 
 }  // namespace insonify

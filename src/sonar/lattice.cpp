@@ -48,14 +48,14 @@ struct RowSet {
   const ElevationPattern* pattern;
 };
 
-void add_row_set(const RowSet& set, const auto& sent_below, const auto& heard_below, Lattice& lattice) {
+void add_row_set(const RowSet& set, const auto& sent_below, const auto& received_below, Lattice& lattice) {
   const int rows = lattice.rows;
   const auto& ts = set.ts;
   lattice.edges.push_back({to_float(std::cos(ts.front())), to_float(std::sin(ts.front())),
                            to_float(std::cos(ts.back())), to_float(std::sin(ts.back()))});
   std::vector<float> sent;
   for (int i = 1; i <= rows + 1; ++i) {
-    lattice.interval.push_back(to_float(heard_below(ts[i]) - heard_below(ts[i - 1])));
+    lattice.interval.push_back(to_float(received_below(ts[i]) - received_below(ts[i - 1])));
     sent.push_back(to_float(sent_below(ts[i]) - sent_below(ts[i - 1])));
   }
   for (int row = 0; row < rows; ++row) {
@@ -64,7 +64,7 @@ void add_row_set(const RowSet& set, const auto& sent_below, const auto& heard_be
     lattice.elevation.push_back(to_float(elevation));
     lattice.cos_t.push_back(to_float(std::cos(t)));
     lattice.sin_t.push_back(to_float(std::sin(t)));
-    lattice.heard.push_back(set.pattern != nullptr ? to_float(set.pattern->intensity(elevation)) : 1.0F);
+    lattice.pattern.push_back(set.pattern != nullptr ? to_float(set.pattern->intensity(elevation)) : 1.0F);
     const float below_row = row == 0 ? sent[0] : 0.5F * sent[row];
     const float above_row = row + 1 == rows ? sent[row + 1] : 0.5F * sent[row + 1];
     lattice.share.push_back(below_row + above_row);
@@ -98,7 +98,7 @@ void lay_rows_along(const ColumnArc& arc, int phase, double cos_bearing, const E
   }
   set.ts.push_back(arc.high());
   add_row_set(
-      set, [&](double t) { return arc.sent_below(t); }, [&](double t) { return arc.heard_below(t); }, lattice);
+      set, [&](double t) { return arc.sent_below(t); }, [&](double t) { return arc.received_below(t); }, lattice);
 }
 
 }  // namespace

@@ -31,17 +31,17 @@ std::vector<double> fan(int count, double aperture = kAperture) {
   return sines;
 }
 
-std::vector<float> hear(const BearingResponse& response, const std::vector<float>& cells, int bins) {
+std::vector<float> receive(const BearingResponse& response, const std::vector<float>& cells, int bins) {
   std::vector<float> beams(static_cast<std::size_t>(response.beam_count()) * bins, 99.0F);
-  response.hear_energy(cells, beams, bins, {0, bins}, {0, bins});
+  response.receive_energy(cells, beams, bins, {0, bins}, {0, bins});
   return beams;
 }
 
 using Field = std::vector<std::complex<float>>;
 
-Field hear(const BearingResponse& response, const Field& cells, int bins) {
+Field receive(const BearingResponse& response, const Field& cells, int bins) {
   Field beams(static_cast<std::size_t>(response.beam_count()) * bins, 99.0F);
-  response.hear_field(cells, beams, bins, {0, bins}, {0, bins});
+  response.receive_field(cells, beams, bins, {0, bins}, {0, bins});
   return beams;
 }
 
@@ -76,8 +76,8 @@ TEST(BearingResponseTest, IsTheSumOverCells) {
     for (const std::complex<float> value : field) {
       energy.push_back(std::norm(value));
     }
-    const std::vector<float> heard_energy = hear(response, energy, kBins);
-    const Field heard_field = hear(response, field, kBins);
+    const std::vector<float> heard_energy = receive(response, energy, kBins);
+    const Field heard_field = receive(response, field, kBins);
     for (int beam = 0; beam < kBeams; ++beam) {
       for (int bin = 0; bin < kBins; ++bin) {
         double sum = 0;
@@ -100,10 +100,10 @@ TEST(BearingResponseTest, DoesNotDependOnHowBinsAreShared) {
   const BearingResponse response(pattern, 20, fan(kCells), fan(kBeams));
   const Field field = white_noise(kCells * kBins, 2);
   Field shared(kBeams * kBins);
-  response.hear_field(field, shared, kBins, {0, 7}, {0, kBins});
-  response.hear_field(field, shared, kBins, {31, 50}, {0, kBins});
-  response.hear_field(field, shared, kBins, {7, 31}, {0, kBins});
-  EXPECT_EQ(shared, hear(response, field, kBins));
+  response.receive_field(field, shared, kBins, {0, 7}, {0, kBins});
+  response.receive_field(field, shared, kBins, {31, 50}, {0, kBins});
+  response.receive_field(field, shared, kBins, {7, 31}, {0, kBins});
+  EXPECT_EQ(shared, receive(response, field, kBins));
 }
 
 TEST(BearingResponseTest, BinsThatHoldNothingNeedNotBeAddedUp) {
@@ -115,10 +115,10 @@ TEST(BearingResponseTest, BinsThatHoldNothingNeedNotBeAddedUp) {
     field[i] = i % kBins >= 21 && i % kBins < 40 ? field[i] : 0;
   }
   Field heard(kBeams * kBins, 7);
-  response.hear_field(field, heard, kBins, {0, 30}, {21, 40});
-  response.hear_field(field, heard, kBins, {30, 45}, {21, 40});
-  response.hear_field(field, heard, kBins, {45, 50}, {21, 40});
-  EXPECT_EQ(heard, hear(response, field, kBins));
+  response.receive_field(field, heard, kBins, {0, 30}, {21, 40});
+  response.receive_field(field, heard, kBins, {30, 45}, {21, 40});
+  response.receive_field(field, heard, kBins, {45, 50}, {21, 40});
+  EXPECT_EQ(heard, receive(response, field, kBins));
 }
 
 // A cell at every beam's bearing.
@@ -128,7 +128,7 @@ TEST(BearingResponseTest, DiscreteEchoReadsItsFullLevelInItsOwnBeam) {
   const BearingResponse response(pattern, length_in_wavelengths(pattern), fan(kBeams), fan(kBeams));
   std::vector<float> cells(kBeams, 0.0F);
   cells[20] = 5;
-  EXPECT_FLOAT_EQ(hear(response, cells, 1)[20], 5);
+  EXPECT_FLOAT_EQ(receive(response, cells, 1)[20], 5);
 }
 
 // PHYSICS T14. A strong echo shows at every bearing, at -13.26 dB where u is 1.4303 wavelengths / D from its own; at 20
@@ -159,7 +159,7 @@ TEST(BearingResponseTest, SideLobesLieWhereTheyShould) {
   for (const auto& c : cases) {
     const std::vector<double> cell = {std::sin(radians_from_degrees(c.echo_deg))};
     const std::vector<float> heard =
-        hear(BearingResponse(ArrayPattern(c.settings), kLength, cell, beams), std::vector<float>{1}, 1);
+        receive(BearingResponse(ArrayPattern(c.settings), kLength, cell, beams), std::vector<float>{1}, 1);
     for (const double lobe_deg : {c.lobe_deg, c.other_lobe_deg}) {
       const auto [bearing_deg, level_db] = near_lobe(lobe_deg - 0.4, lobe_deg + 0.4, heard);
       EXPECT_NEAR(bearing_deg, lobe_deg, 0.011) << c.level_db;
@@ -185,7 +185,7 @@ TEST(BearingResponseTest, SpeckleOfNeighbouringBeamsCorrelates) {
     cells.push_back(std::sin((kBeams / 2.0 + kMargin + 0.5 - (cell + 0.5) / kPerBeam) * kSpacing));
   }
   const BearingResponse response(pattern, length, cells, beams, -300);
-  const Field heard = hear(response, white_noise(cells.size() * kBins, 3), kBins);
+  const Field heard = receive(response, white_noise(cells.size() * kBins, 3), kBins);
 
   const auto correlation = [&](int lag) {
     double mean = 0, square = 0, product = 0;
@@ -221,8 +221,8 @@ TEST(BearingResponseTest, EnergyIsTheMeanOfTheField) {
         cells[cell * kDraws + draw] *= std::sqrt(energy[cell]);
       }
     }
-    const std::vector<float> expected = hear(response, energy, 1);
-    const Field heard = hear(response, cells, kDraws);
+    const std::vector<float> expected = receive(response, energy, 1);
+    const Field heard = receive(response, cells, kDraws);
     for (int beam = 0; beam < kBeams; ++beam) {
       double mean = 0;
       for (int draw = 0; draw < kDraws; ++draw) {
@@ -240,7 +240,7 @@ TEST(BearingResponseTest, EnergiesOfOneCellAddUp) {
   std::vector<float> one(32, 0.0F), two(32, 0.0F);
   one[9] = 3;
   two[9] = 6;
-  const std::vector<float> heard = hear(response, one, 1), twice = hear(response, two, 1);
+  const std::vector<float> heard = receive(response, one, 1), twice = receive(response, two, 1);
   for (int beam = 0; beam < 8; ++beam) {
     EXPECT_FLOAT_EQ(twice[beam], 2 * heard[beam]);
   }
@@ -258,7 +258,7 @@ TEST(BearingResponseTest, SpreadEnergyReadsTheEquivalentBeam) {
   const std::vector<double> ahead = {0.0};
   const BearingResponse response(pattern, 50, cells, ahead);
   const double expected = (1.0 / 50) / 0.002 * (1 - 1 / (9.8696 * 50));
-  EXPECT_NEAR(hear(response, std::vector<float>(1000, 1.0F), 1)[0], expected, 1e-3);
+  EXPECT_NEAR(receive(response, std::vector<float>(1000, 1.0F), 1)[0], expected, 1e-3);
 }
 
 // Hann's side lobes fall below -60 dB some 4 to 7 lobes out: of 100 wavelengths x 1.73 only a small part is summed, and
@@ -269,7 +269,7 @@ TEST(BearingResponseTest, FloorLeavesOutWhatIsNotHeard) {
   const BearingResponse response(pattern, length, fan(512), fan(256)), full(pattern, length, fan(512), fan(256), -300);
   EXPECT_LT(response.filled(), 0.2);
   EXPECT_EQ(full.filled(), 1);
-  const std::vector<float> cells(512, 1.0F), heard = hear(response, cells, 1), all = hear(full, cells, 1);
+  const std::vector<float> cells(512, 1.0F), heard = receive(response, cells, 1), all = receive(full, cells, 1);
   for (int beam = 0; beam < 256; ++beam) {
     EXPECT_NEAR(heard[beam] / all[beam], 1, 1e-5);
   }

@@ -22,17 +22,17 @@ Pulse chirp(double bandwidth, bool hann = false) {
   return {{.kind = PulseKind::kLfm, .duration = 1e-3, .bandwidth = bandwidth, .hann = hann}, kSoundSpeed, 0.1};
 }
 
-std::vector<float> hear(const RangeResponse& response, const std::vector<float>& cells) {
+std::vector<float> receive(const RangeResponse& response, const std::vector<float>& cells) {
   std::vector<float> bins(cells.size() / response.cells_per_bin());
-  response.hear_energy(cells, bins);
+  response.receive_energy(cells, bins);
   return bins;
 }
 
 using Field = std::vector<std::complex<float>>;
 
-Field hear(const RangeResponse& response, const Field& cells) {
+Field receive(const RangeResponse& response, const Field& cells) {
   Field bins(cells.size() / response.cells_per_bin());
-  response.hear_field(cells, bins);
+  response.receive_field(cells, bins);
   return bins;
 }
 
@@ -62,8 +62,8 @@ TEST(RangeResponseTest, IsTheConvolution) {
       for (const std::complex<float> value : field) {
         energy.push_back(std::norm(value));
       }
-      const std::vector<float> heard_energy = hear(response, energy);
-      const Field heard_field = hear(response, field);
+      const std::vector<float> heard_energy = receive(response, energy);
+      const Field heard_field = receive(response, field);
       for (int bin = 0; bin < kBins; ++bin) {
         double sum = 0;
         std::complex<double> complex_sum = 0;
@@ -84,7 +84,7 @@ TEST(RangeResponseTest, DiscreteEchoReadsItsFullLevelInItsOwnBin) {
     for (const int cells_per_bin : {1, 5}) {
       std::vector<float> cells(99 * cells_per_bin, 0.0F);
       cells[33 * cells_per_bin + cells_per_bin / 2] = 7;
-      const std::vector<float> bins = hear(RangeResponse(pulse, 0.1, cells_per_bin), cells);
+      const std::vector<float> bins = receive(RangeResponse(pulse, 0.1, cells_per_bin), cells);
       EXPECT_FLOAT_EQ(bins[33], 7);
       EXPECT_LE(*std::max_element(bins.begin(), bins.end()), 7.00001F);
     }
@@ -96,7 +96,7 @@ TEST(RangeResponseTest, ToneSpreadsAsItsTriangleSquared) {
   std::vector<float> cells(20, 0.0F);
   cells[10] = 9;
   const RangeResponse response(tone(400e-6), 0.1);
-  const std::vector<float> bins = hear(response, cells);
+  const std::vector<float> bins = receive(response, cells);
   const float expected[] = {0, 1, 4, 9, 4, 1, 0};
   for (int i = 0; i < 7; ++i) {
     EXPECT_NEAR(bins[7 + i], expected[i], 1e-6);
@@ -107,7 +107,7 @@ TEST(RangeResponseTest, ToneSpreadsAsItsTriangleSquared) {
 TEST(RangeResponseTest, ExtendedEchoReadsTheSumOverThePulse) {
   const RangeResponse response(tone(400e-6), 0.1);
   EXPECT_NEAR(response.equivalent_cells(), 1 + 2 * (4 + 1) / 9.0, 1e-12);
-  EXPECT_NEAR(hear(response, std::vector<float>(200, 2.0F))[100], 2 * response.equivalent_cells(), 1e-5);
+  EXPECT_NEAR(receive(response, std::vector<float>(200, 2.0F))[100], 2 * response.equivalent_cells(), 1e-5);
   // In a fine grid the sum over cells d long is the integral, but for d^2 / 12 times the bend at the peak, 4 / 0.3 m.
   EXPECT_NEAR(RangeResponse(tone(400e-6), 0.1, 99).equivalent_cells() * 0.1 / 99, tone(400e-6).equivalent_length(),
               1.2e-6);
@@ -121,12 +121,12 @@ TEST(RangeResponseTest, StretchIsHeardNoFartherThanThePulseReaches) {
   for (int bin = 40; bin < 55; ++bin) {
     cells[bin] = {1.0F / bin, 0.5F};
   }
-  response.hear_field(cells, whole);
+  response.receive_field(cells, whole);
   const BinRange heard = response.heard_from({40, 55}, kBins);
   EXPECT_LT(heard.first, 40);
   EXPECT_GT(heard.last, 55);
   const auto within = [&](Field& of_row) { return std::span(of_row).subspan(heard.first, heard.last - heard.first); };
-  response.hear_field(within(cells), within(part));
+  response.receive_field(within(cells), within(part));
   EXPECT_EQ(part, whole);
   EXPECT_NE(part[heard.first], 0.0F);
   EXPECT_NE(part[heard.last - 1], 0.0F);
@@ -137,15 +137,15 @@ TEST(RangeResponseTest, StretchIsHeardNoFartherThanThePulseReaches) {
 TEST(RangeResponseTest, NoPulseLeavesBinsAsTheyAre) {
   const Pulse none({}, kSoundSpeed, 0.1);
   const std::vector<float> cells = {1, 2, 3, 4, 5, 6};
-  EXPECT_EQ(hear(RangeResponse(none, 0.1), cells), cells);
-  EXPECT_EQ(hear(RangeResponse(none, 0.1, 3), cells), (std::vector<float>{6, 15}));
+  EXPECT_EQ(receive(RangeResponse(none, 0.1), cells), cells);
+  EXPECT_EQ(receive(RangeResponse(none, 0.1, 3), cells), (std::vector<float>{6, 15}));
 }
 
 // Where the level of a discrete echo, heard in steps of 0.1 mm, crosses half.
 TEST(RangeResponseTest, LonePlateIsAsWideAsThePulse) {
   std::vector<float> cells(1001, 0.0F);
   cells[500] = 1;
-  const std::vector<float> bins = hear(RangeResponse(chirp(100e3), 1e-4), cells);
+  const std::vector<float> bins = receive(RangeResponse(chirp(100e3), 1e-4), cells);
   const auto above = std::count_if(bins.begin(), bins.end(), [](float level) { return level >= 0.5F; });
   EXPECT_NEAR(above * 1e-4, 0.8858929413781328 * 0.0075, 1e-4);
   const float lobe = *std::max_element(bins.begin() + 500 + 75, bins.end());
@@ -156,7 +156,7 @@ TEST(RangeResponseTest, LonePlateIsAsWideAsThePulse) {
 double dip_db(const Pulse& pulse) {
   std::vector<float> cells(2001, 0.0F);
   cells[985] = cells[1015] = 1;
-  const std::vector<float> bins = hear(RangeResponse(pulse, 1e-3), cells);
+  const std::vector<float> bins = receive(RangeResponse(pulse, 1e-3), cells);
   return 10 * std::log10(bins[985] / *std::min_element(bins.begin() + 985, bins.begin() + 1016));
 }
 
@@ -172,7 +172,7 @@ TEST(RangeResponseTest, EnergyIsTheMeanOfTheField) {
   constexpr int kDraws = 20000, kBins = 9;
   const RangeResponse response(tone(400e-6), 0.1);
   const std::vector<float> energy = {1, 2, 0, 0, 5, 1, 1, 3, 0};
-  const std::vector<float> expected = hear(response, energy);
+  const std::vector<float> expected = receive(response, energy);
   const Field noise = white_noise(kDraws * kBins);
   std::vector<double> mean(kBins);
   for (int draw = 0; draw < kDraws; ++draw) {
@@ -180,7 +180,7 @@ TEST(RangeResponseTest, EnergyIsTheMeanOfTheField) {
     for (int bin = 0; bin < kBins; ++bin) {
       cells[bin] *= std::sqrt(energy[bin]);
     }
-    const Field heard = hear(response, cells);
+    const Field heard = receive(response, cells);
     for (int bin = 0; bin < kBins; ++bin) {
       mean[bin] += std::norm(heard[bin]) / kDraws;
     }

@@ -114,11 +114,11 @@ TEST(LatticeTest, RowsHoldThePatternAtTheirElevations) {
     const Lattice lattice(sonar, 0, shape, &pattern);
     for (const int column : {0, 70, 179}) {
       for (int row = 0; row < lattice.rows; ++row) {
-        EXPECT_NEAR(lattice.heard_in(column)[row], pattern.intensity(lattice.elevations(column)[row]), 1e-5);
+        EXPECT_NEAR(lattice.pattern_in(column)[row], pattern.intensity(lattice.elevations(column)[row]), 1e-5);
       }
     }
   }
-  EXPECT_EQ(Lattice(sonar).heard_in(0)[7], 1);
+  EXPECT_EQ(Lattice(sonar).pattern_in(0)[7], 1);
 }
 
 // On a cone every row has the column's bearing, and an elevation within the sector.

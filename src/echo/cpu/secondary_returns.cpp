@@ -163,14 +163,14 @@ void SecondaryTask::return_mirrored(const RTCRay16& rays, const ReflectedOrigins
       twice.order = 3;
       twice.path_length = 2 * there;
       twice.half_length = returns.twice[lane];
-      twice.power = powers.twice[lane] * plan_->lattice.heard_in(origins.column[lane])[origins.row[lane]];
+      twice.power = powers.twice[lane] * plan_->lattice.pattern_in(origins.column[lane])[origins.row[lane]];
       deposit(*plan_, twice, *grid_);
     }
-    const Vec3f heard_from = -(axes_.transpose() * returns.back(lane));
-    if (powers.once[lane] > 0 && 0.5F * (there + back) < plan_->reach() && plan_->hears(heard_from)) {
-      const PingPlan::Arrival arrival = plan_->arrival_from(heard_from);
+    const Vec3f arrival_direction = -(axes_.transpose() * returns.back(lane));
+    if (powers.once[lane] > 0 && 0.5F * (there + back) < plan_->reach() && plan_->receives(arrival_direction)) {
+      const PingPlan::Arrival arrival = plan_->arrival_from(arrival_direction);
       echo.half_length = returns.once[lane];
-      echo.power = powers.once[lane] * arrival.heard;
+      echo.power = powers.once[lane] * arrival.pattern;
       returning_[returning_count_] = echo;
       echo.azimuth = arrival.bearing;
       echo.elevation = arrival.elevation;

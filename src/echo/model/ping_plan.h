@@ -46,12 +46,12 @@ class PingPlan {
 
   /// Whether sound from a direction of the sonar frame, of unit length, is heard at all: in the fan and the elevation
   /// aperture, or all that the elevation pattern hears.
-  [[nodiscard]] bool hears(const Vec3f& direction) const;
+  [[nodiscard]] bool receives(const Vec3f& direction) const;
 
   /// How sound from a direction of the sonar frame, of unit length, arrives.
   struct Arrival {
     float bearing, elevation;  ///< [rad]
-    float heard;               ///< |p|^2 of the elevation pattern, one way; 1 without one.
+    float pattern;             ///< |p|^2 of the elevation pattern, one way; 1 without one.
   };
   [[nodiscard]] Arrival arrival_from(const Vec3f& direction) const;
 
@@ -75,7 +75,7 @@ inline float PingPlan::bearing_of(const Vec3f& direction) const {
                                             : std::asin(std::clamp(direction.y(), -1.0F, 1.0F));
 }
 
-inline bool PingPlan::hears(const Vec3f& direction) const {
+inline bool PingPlan::receives(const Vec3f& direction) const {
   const float level = std::sqrt(direction.x() * direction.x() + direction.y() * direction.y());
   const bool behind = lattice.shape == BeamShape::kCone && direction.x() < 0;  // At the bearing of what is before it.
   return direction.z() >= tan_low_ * level && direction.z() <= tan_high_ * level && !behind &&
@@ -84,9 +84,9 @@ inline bool PingPlan::hears(const Vec3f& direction) const {
 
 inline PingPlan::Arrival PingPlan::arrival_from(const Vec3f& direction) const {
   const float elevation = std::atan2(direction.z(), std::hypot(direction.x(), direction.y()));
-  const float heard =
+  const float pattern =
       elevation_pattern ? static_cast<float>(elevation_pattern->intensity(static_cast<double>(elevation))) : 1.0F;
-  return {bearing_of(direction), elevation, heard};
+  return {bearing_of(direction), elevation, pattern};
 }
 
 inline int PingPlan::bin_of(float range) const {

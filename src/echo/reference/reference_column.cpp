@@ -77,20 +77,20 @@ void ReferenceEngine::return_mirrored(const PingPlan& plan, const Pose& world_fr
     twice.order = 3;
     twice.path_length = 2 * paths.there[0];
     twice.half_length = mirrored.footprint.twice;
-    twice.power = powers.twice[0] * mirrored.heard;
+    twice.power = powers.twice[0] * mirrored.pattern;
     deposit(plan, twice, grid);
   }
-  const Vec3f heard_from = (world_from_sonar.orientation.inverse() * -out).cast<float>();
-  if (powers.once[0] == 0 || 0.5F * echo.path_length >= plan.reach() || !plan.hears(heard_from)) {
+  const Vec3f arrival_direction = (world_from_sonar.orientation.inverse() * -out).cast<float>();
+  if (powers.once[0] == 0 || 0.5F * echo.path_length >= plan.reach() || !plan.receives(arrival_direction)) {
     return;
   }
   ++counts.return_legs;
   if (blocked({point, out, kRayClearance, back.norm() - double{kRayClearance}})) {
     return;
   }
-  const PingPlan::Arrival arrival = plan.arrival_from(heard_from);
+  const PingPlan::Arrival arrival = plan.arrival_from(arrival_direction);
   echo.half_length = mirrored.footprint.once;
-  echo.power = powers.once[0] * arrival.heard;
+  echo.power = powers.once[0] * arrival.pattern;
   deposit(plan, echo, grid);
   echo.azimuth = arrival.bearing;
   echo.elevation = arrival.elevation;
@@ -213,7 +213,7 @@ void ReferenceEngine::insonify_column(const PingPlan& plan, Followed followed, i
       const Echo echo = secondary_echo(plan, column, row, hits.selected[row], path_length, second.surface());
       return_mirrored(
           plan, world_from_sonar,
-          {echo, footprint, kept, share, plan.scatter.steepness(hits.surface[row]), lattice.heard_in(column)[row],
+          {echo, footprint, kept, share, plan.scatter.steepness(hits.surface[row]), lattice.pattern_in(column)[row],
            first[row].distance, tube(first[row], rays[row].direction), reflected, second},
           grid, arrivals, counts);
       continue;

@@ -62,7 +62,7 @@ class ReferenceEngine final : public Engine {
     Echo echo;  // All but its power.
     PathFootprint footprint;
     float kept, share, steepness;  // See MirrorPaths.
-    float heard;                   // |p|^2 of the elevation it was launched at.
+    float pattern;                 // |p|^2 of the elevation it was launched at.
     double range;                  // Of the mirror.
     RayTube tube;
     Ray across;

@@ -31,7 +31,7 @@ float phase_of(const PingPlan& plan, std::size_t interferer, std::int64_t pulse,
 // One way: 20 log10 r + alpha r.
 double intensity_of(const PingPlan& plan, const Interferer& other, const LinesOfSight::Sight& sight) {
   return std::pow(10.0, (other.source_level_db - plan.sonar.source_level_db) / 10) / (sight.range * sight.range) *
-         std::exp(-2 * double{plan.neper_per_metre} * sight.range) * double{sight.arrival.heard};
+         std::exp(-2 * double{plan.neper_per_metre} * sight.range) * double{sight.arrival.pattern};
 }
 
 // The bin that listens so long after transmission [s]; beyond both ends of the range window -1 and bin_count.

@@ -26,7 +26,7 @@ std::span<const std::optional<LinesOfSight::Sight>> LinesOfSight::look(const Pin
     const double range = local.norm();
     const Vec3f direction = (local / range).cast<float>();
     sights_[i].reset();
-    if (range > 0 && !std::isfinite(hits_[i].distance) && plan.hears(direction)) {
+    if (range > 0 && !std::isfinite(hits_[i].distance) && plan.receives(direction)) {
       const PingPlan::Arrival arrival = plan.arrival_from(direction);
       sights_[i] = Sight{.range = range, .beam = plan.beam_of(arrival.bearing), .arrival = arrival};
     }

@@ -22,7 +22,7 @@ Ray ray_between(const Vec3& from, const Vec3& to) {
 // How sound from a place of the sonar frame arrives; none where it is not heard.
 std::optional<PingPlan::Arrival> arrival_of(const PingPlan& plan, const Vec3& place) {
   const Vec3f direction = place.normalized().cast<float>();
-  return plan.hears(direction) ? std::optional(plan.arrival_from(direction)) : std::nullopt;
+  return plan.receives(direction) ? std::optional(plan.arrival_from(direction)) : std::nullopt;
 }
 
 }  // namespace
@@ -91,7 +91,8 @@ void SurfaceGhosts::add_point(const PingPlan& plan, const Pose& sonar_from_world
   if (clear(0) && direct) {
     const Glint waves = glint(plan, point, 2, number);
     const double intensity = waves.intensity * strength * kept / std::pow(near * far, 2) *
-                             std::exp(-absorption * (near + far)) * double{direct->heard} * double{by_surface->heard};
+                             std::exp(-absorption * (near + far)) * double{direct->pattern} *
+                             double{by_surface->pattern};
     const double range = 0.5 * (near + far);
     const double turns = plan.turns_per_metre * range + own_turns + 0.5 + waves.turns;
     add_discrete_echo(plan, *direct, 2, range, intensity, turns, grid);
@@ -100,7 +101,7 @@ void SurfaceGhosts::add_point(const PingPlan& plan, const Pose& sonar_from_world
   if (plan.max_surfaces > 2) {
     const Glint waves = glint(plan, point, 3, number);
     const double intensity = waves.intensity * strength * kept * kept / std::pow(far, 4) *
-                             std::exp(-2 * absorption * far) * std::pow(double{by_surface->heard}, 2);
+                             std::exp(-2 * absorption * far) * std::pow(double{by_surface->pattern}, 2);
     const double turns = plan.turns_per_metre * far + own_turns + 1 + waves.turns;
     add_discrete_echo(plan, *by_surface, 3, far, intensity, turns, grid);
   }
