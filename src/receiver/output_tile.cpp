@@ -24,14 +24,14 @@ void divide_or_nan(int count, const SurfaceLabel* __restrict__ surface, const fl
 // Keeps the labels of one row where they have more energy than those kept so far; at first nothing is kept.
 INSONIFY_VECTOR_CLONES
 void keep_stronger(int count, const SurfaceLabel* __restrict__ surface, const float* __restrict__ energy,
-                   const float* __restrict__ moment, SurfaceLabel* __restrict__ kept_surface,
-                   float* __restrict__ kept_energy, float* __restrict__ kept_moment) {
+                   const float* __restrict__ moment, SurfaceLabel* __restrict__ best_surface,
+                   float* __restrict__ best_energy, float* __restrict__ best_moment) {
   for (int i = 0; i < count; ++i) {
-    const bool first = kept_surface[i] == kNoSurface;
-    const bool stronger = (surface[i] != kNoSurface) & (first | (energy[i] > kept_energy[i]));
-    kept_surface[i] = stronger ? surface[i] : kept_surface[i];
-    kept_energy[i] = stronger ? energy[i] : kept_energy[i];
-    kept_moment[i] = stronger ? moment[i] : kept_moment[i];
+    const bool first = best_surface[i] == kNoSurface;
+    const bool stronger = (surface[i] != kNoSurface) & (first | (energy[i] > best_energy[i]));
+    best_surface[i] = stronger ? surface[i] : best_surface[i];
+    best_energy[i] = stronger ? energy[i] : best_energy[i];
+    best_moment[i] = stronger ? moment[i] : best_moment[i];
   }
 }
 

@@ -25,9 +25,9 @@ void set_relief(const HitColumn& hits, int row, const ReliefPoint& relief) {
 
 }  // namespace
 
-void BeamTask::prepare(const PingPlan& plan, Followed followed) {
+void BeamTask::prepare(const PingPlan& plan, SecondarySampling sampling) {
   plan_ = &plan;
-  followed_ = followed;
+  sampling_ = followed;
   primary_count_ = 0;
   secondary_.reset_counts();
   const std::size_t columns = static_cast<std::size_t>(kMostBeamsTogether) * plan.lattice.columns_per_beam;
@@ -202,10 +202,10 @@ void BeamTask::run(const Pose& world_from_sonar, int first_beam, int last_beam, 
     }
     for (int column = first_column; column < std::min(first_column + kTile, columns_); ++column) {
       const HitColumn& hits = hits_[column - first_column];
-      evaluate_column(*plan_, followed_, first_column_ + column, axes_[column], hits, stretches_);
+      evaluate_column(*plan_, sampling_, first_column_ + column, axes_[column], hits, stretches_);
       deposit_column(*plan_, first_column_ + column, hits, stretches_, sums_, grid);
     }
-    if (followed_ != Followed::kNone) {
+    if (sampling_ != SecondarySampling::kNone) {
       secondary_.follow(hits_[0], strip_.stride(), first_column_ + first_column,
                         std::min(kTile, columns_ - first_column));
     }

@@ -20,7 +20,7 @@ struct BeamTask {
       : scene_(scene), raster_scene_(raster_scene), secondary_(scene) {}
 
   /// Gets ready for a ping; allocates only when it needs more memory than any before.
-  void prepare(const PingPlan& plan, Followed followed);
+  void prepare(const PingPlan& plan, SecondarySampling sampling);
 
   /// Fills the beams [first_beam, last_beam) of the grid.
   /// @param view  What the ping sees of the raster scene, to draw the primaries; null to trace them.
@@ -47,7 +47,7 @@ struct BeamTask {
   const RasterScene& raster_scene_;
   FanRaster raster_;
   const PingPlan* plan_ = nullptr;
-  Followed followed_ = Followed::kNone;
+  SecondarySampling sampling_ = SecondarySampling::kNone;
   int first_column_ = 0, columns_ = 0;  // Of the lattice; columns below count from first_column_.
   Vec3f sonar_;                         // Position in the scene's coordinates.
   Eigen::Matrix3f sonar_axes_;          // Forward, port and up, as columns.

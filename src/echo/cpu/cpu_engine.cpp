@@ -7,8 +7,8 @@
 #include <chrono>
 #include <limits>
 
+#include "echo/model/choose_sampling.h"
 #include "echo/model/deposit.h"
-#include "echo/model/followed_hits.h"
 
 namespace insonify {
 namespace {
@@ -62,9 +62,9 @@ const FanView* CpuEngine::look(const PingPlan& plan, const Pose& world_from_sona
 }
 
 template <typename Work>
-void CpuEngine::for_each_task(const PingPlan& plan, Followed followed, Work&& work) {
+void CpuEngine::for_each_task(const PingPlan& plan, SecondarySampling sampling, Work&& work) {
   for (const auto& scratch : scratch_) {
-    scratch->prepare(plan, followed);
+    scratch->prepare(plan, sampling);
   }
   workers_.for_each(task_count(), [&](int task, int worker) {
     const DenormalsOff denormals_off;
@@ -77,11 +77,11 @@ void CpuEngine::insonify(const PingPlan& plan, const Pose& world_from_sonar, std
   scene_.commit_moves();
   const FanView* view = look(plan, world_from_sonar);
   counts_ = {};
-  const Followed followed =
-      followed_hits(*this, plan, world_from_sonar, scene_.origin(), scene_.boxes(), counts_.secondary);
+  const SecondarySampling sampling =
+      choose_sampling(*this, plan, world_from_sonar, scene_.origin(), scene_.boxes(), counts_.secondary);
   cut_beams(plan.sonar.beam_count, workers_.count(), first_beams_);
   arrivals_.resize(std::max(arrivals_.size(), static_cast<std::size_t>(task_count())));
-  for_each_task(plan, followed, [&](BeamTask& scratch, int first_beam, int last_beam, int task) {
+  for_each_task(plan, sampling, [&](BeamTask& scratch, int first_beam, int last_beam, int task) {
     scratch.run(world_from_sonar, first_beam, last_beam, view, grid, arrivals_[task]);
     if (sink != nullptr) {
       sink->take(first_beam, last_beam);
@@ -105,8 +105,9 @@ std::vector<double> CpuEngine::time_traversal(const PingPlan& plan, const Pose& 
   std::vector<SecondaryTask::Log> logs(task_count());
   EchoGrid grid(plan.sonar.beam_count, plan.sonar.bin_count, kPathOrders);
   std::uint64_t probes = 0;
-  const Followed followed = followed_hits(*this, plan, world_from_sonar, scene_.origin(), scene_.boxes(), probes);
-  for_each_task(plan, followed, [&](BeamTask& scratch, int first_beam, int last_beam, int task) {
+  const SecondarySampling sampling =
+      choose_sampling(*this, plan, world_from_sonar, scene_.origin(), scene_.boxes(), probes);
+  for_each_task(plan, sampling, [&](BeamTask& scratch, int first_beam, int last_beam, int task) {
     std::vector<Echo> arrivals;
     scratch.run(world_from_sonar, first_beam, last_beam, nullptr, grid, arrivals, &logs[task]);
   });
@@ -114,7 +115,7 @@ std::vector<double> CpuEngine::time_traversal(const PingPlan& plan, const Pose& 
   std::vector<double> seconds;
   for (int repetition = 0; repetition < repetitions; ++repetition) {
     const auto start = std::chrono::steady_clock::now();
-    for_each_task(plan, followed, [&](BeamTask& scratch, int first_beam, int last_beam, int task) {
+    for_each_task(plan, sampling, [&](BeamTask& scratch, int first_beam, int last_beam, int task) {
       scratch.trace_only(world_from_sonar, first_beam, last_beam);
       for (const RayPacket& logged : logs[task].reflected) {
         RayPacket packet = logged;

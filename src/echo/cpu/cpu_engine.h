@@ -39,7 +39,7 @@ class CpuEngine final : public Engine {
 
   // Calls work(scratch, first_beam, last_beam, task) for every task of a ping.
   template <typename Work>
-  void for_each_task(const PingPlan& plan, Followed followed, Work&& work);
+  void for_each_task(const PingPlan& plan, SecondarySampling sampling, Work&& work);
   [[nodiscard]] int task_count() const { return static_cast<int>(first_beams_.size()) - 1; }
 
   Workers workers_;

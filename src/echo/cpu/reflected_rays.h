@@ -13,8 +13,8 @@ namespace insonify {
 struct ReflectedOrigins {
   int column[kPacketSize], row[kPacketSize];  ///< Of the lattice.
   float range[kPacketSize], selected[kPacketSize];
-  float strength[kPacketSize];                                          ///< `paper`
-  float kept[kPacketSize], share[kPacketSize], steepness[kPacketSize];  ///< `calibrated`: see MirrorPaths.
+  float strength[kPacketSize];                                                 ///< `paper`
+  float reflectance[kPacketSize], share[kPacketSize], steepness[kPacketSize];  ///< `calibrated`: see MirrorPaths.
   RayTube tube[kPacketSize];   ///< `calibrated`, where sound comes back by the mirror.
   MirrorChanges above, aside;  ///< To samples beside each.
 };

@@ -97,7 +97,7 @@ void fill_paths(const RTCRay16& __restrict__ rays, const CpuScene::Shading& __re
     paths.in[lane] = (nx * ix + ny * iy + nz * iz) * length;
     paths.out[lane] = (nx * bx + ny * by + nz * bz) * length;
     paths.half[lane] = (nx * hx + ny * hy + nz * hz) * half_length;
-    paths.kept[lane] = origins.kept[lane];
+    paths.reflectance[lane] = origins.reflectance[lane];
     paths.share[lane] = origins.share[lane];
     paths.steepness[lane] = origins.steepness[lane];
     paths.there[lane] = returns.there[lane];

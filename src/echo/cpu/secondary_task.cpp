@@ -82,7 +82,8 @@ void SecondaryTask::sift(const HitColumn& strip) {
   if (plan_->model == EchoModel::kCalibrated) {
     for (int lane = 0; lane < count; ++lane) {
       const float texture = strip.has_relief ? strip.texture[place_[lane]] : 1.0F;
-      candidate_origins_.kept[lane] = plan_->scatter.kept(strip.surface[place_[lane]]) * texture * texture;
+      candidate_origins_.reflectance[lane] =
+          plan_->scatter.reflectance(strip.surface[place_[lane]]) * texture * texture;
       candidate_origins_.share[lane] = 1;
       candidate_origins_.steepness[lane] = plan_->scatter.steepness(strip.surface[place_[lane]]);
     }
@@ -123,7 +124,7 @@ void SecondaryTask::sift(const HitColumn& strip) {
     origins_.row[to] = candidate_origins_.row[lane];
     origins_.range[to] = candidate_origins_.range[lane];
     origins_.strength[to] = candidate_origins_.strength[lane];
-    origins_.kept[to] = candidate_origins_.kept[lane];
+    origins_.reflectance[to] = candidate_origins_.reflectance[lane];
     origins_.share[to] = candidate_origins_.share[lane];
     origins_.steepness[to] = candidate_origins_.steepness[lane];
     origins_.tube[to] = candidate_origins_.tube[lane];

@@ -217,8 +217,8 @@ void aim_column(const Lattice& lattice, int column, const ColumnAxes& axes, cons
   }
 }
 
-void evaluate_column(const PingPlan& plan, Followed followed, int column, const ColumnAxes& axes, const HitColumn& hits,
-                     Stretches& stretches) {
+void evaluate_column(const PingPlan& plan, SecondarySampling sampling, int column, const ColumnAxes& axes,
+                     const HitColumn& hits, Stretches& stretches) {
   const Lattice& lattice = plan.lattice;
   Rows rows = rows_of(lattice, column);
   rows.count = std::min(hits.rows + 1, lattice.rows);
@@ -249,7 +249,7 @@ void evaluate_column(const PingPlan& plan, Followed followed, int column, const 
           lattice.column_measure[column], lattice.elevations(column), stretches.position.data(), stretches.reach.data(),
           hits.power, stretches.low.data(), stretches.high.data(), stretches.power.data(), stretches.half_rise.data(),
           stretches.density.data(), stretches.elevation.data());
-  select_hits(plan, followed, column, rows.count, hits, stretches.turned.data());
+  select_hits(plan, sampling, column, rows.count, hits, stretches.turned.data());
 }
 
 }  // namespace insonify

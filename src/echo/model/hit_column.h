@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "echo/grid/echo.h"
-#include "echo/model/followed.h"
 #include "echo/model/ping_plan.h"
+#include "echo/model/secondary_sampling.h"
 
 namespace insonify {
 
@@ -94,7 +94,7 @@ void aim_column(const Lattice& lattice, int column, const ColumnAxes& axes, cons
 ///
 /// Strength: paper, sections "Rasterized reflections" and "Unified reflections"; e^(-2 gamma r) is the two-way loss of
 /// a pressure amplitude (PHYSICS 1.4).
-void evaluate_column(const PingPlan& plan, Followed followed, int column, const ColumnAxes& axes, const HitColumn& hits,
-                     Stretches& stretches);
+void evaluate_column(const PingPlan& plan, SecondarySampling sampling, int column, const ColumnAxes& axes,
+                     const HitColumn& hits, Stretches& stretches);
 
 }  // namespace insonify

@@ -63,8 +63,9 @@ struct MirrorFacet {
   const float held = std::max(-direction.dot(n), 1e-3F);
   const float wide = held / (1.41421356F * slope * std::sqrt(std::max(1 - held * held, 1e-6F)));
   const float seen = wide < 1.6F ? wide * (3.535F + 2.181F * wide) / (1 + wide * (2.276F + 2.577F * wide)) : 1.0F;
-  const bool kept = (met > 0) & (reflected.dot(n) > 0) & out_of_relief;
-  return {{kept ? m.x : n.x, kept ? m.y : n.y, kept ? m.z : n.z}, kept ? met / (held * upright) * seen : 0.0F};
+  const bool visible = (met > 0) & (reflected.dot(n) > 0) & out_of_relief;
+  return {{visible ? m.x : n.x, visible ? m.y : n.y, visible ? m.z : n.z},
+          visible ? met / (held * upright) * seen : 0.0F};
 }
 
 }  // namespace insonify

@@ -29,15 +29,16 @@ void fill(const ScatterTable::Laws laws, float neper_per_metre, const MirrorPath
     const float half = held(std::abs(paths.half[lane]));
     const float there = paths.there[lane], back = paths.back[lane];
     const float spread = paths.spread[lane] < kLeastSpread ? kLeastSpread : paths.spread[lane];
-    const float kept = paths.share[lane] * paths.kept[lane] * paths.texture[lane] * paths.texture[lane];
+    const float once_reflected =
+        paths.share[lane] * paths.reflectance[lane] * paths.texture[lane] * paths.texture[lane];
 
     const float across = 1 / (half * half), along = 1 / (in * in);
     const float smoother = paths.steepness[lane] > steepness ? 1.0F : paths.steepness[lane] < steepness ? 0.0F : 0.5F;
     const float glint_across = smoother * lobe * across * across * fast_exp((1 - across) * steepness) / in;
     const float glint_along = lobe * along * along * fast_exp((1 - along) * steepness) / in;
     const float once =
-        kept * (mu * out + glint_across) / (back * back) * fast_exp(-2 * neper_per_metre * (there + back));
-    const float twice = kept * paths.kept[lane] * (mu * in + glint_along) / (there * there * spread) *
+        once_reflected * (mu * out + glint_across) / (back * back) * fast_exp(-2 * neper_per_metre * (there + back));
+    const float twice = once_reflected * paths.reflectance[lane] * (mu * in + glint_along) / (there * there * spread) *
                         fast_exp(-4 * neper_per_metre * there);
     const bool same_side = paths.in[lane] * paths.out[lane] > 0;
     const bool met = paths.surface[lane] != kNoSurface;

@@ -12,12 +12,12 @@ inline constexpr int kPathLanes = 16;
 /// Paths from the sonar by way of a mirror, the first surface, to a second one. Each stands for three echoes: from the
 /// second straight back to the sonar; its reciprocal, straight out and back by the mirror; and back the way it came.
 struct alignas(64) MirrorPaths {
-  float kept[kPathLanes];       ///< |R|^2 of the mirror, its texture's share included.
-  float share[kPathLanes];      ///< MirrorFacet::share of the facet that sends sound there and takes it back; else 1.
-  float steepness[kPathLanes];  ///< 1 / (2 s^2) of the mirror.
-  float there[kPathLanes];      ///< Out and across [m].
-  float spread[kPathLanes];     ///< Area of a tube of sound at the second surface over that by a plane mirror.
-  float back[kPathLanes];       ///< From the second surface straight to the sonar [m].
+  float reflectance[kPathLanes];  ///< |R|^2 of the mirror, its texture's share included.
+  float share[kPathLanes];        ///< MirrorFacet::share of the facet that sends sound there and takes it back; else 1.
+  float steepness[kPathLanes];    ///< 1 / (2 s^2) of the mirror.
+  float there[kPathLanes];        ///< Out and across [m].
+  float spread[kPathLanes];       ///< Area of a tube of sound at the second surface over that by a plane mirror.
+  float back[kPathLanes];         ///< From the second surface straight to the sonar [m].
 
   // Cosines between the second surface's unit normal and: the way it was reached, the way straight back, and the half
   // vector of both; of one sign where both ways are on one side.

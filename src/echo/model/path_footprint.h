@@ -32,8 +32,8 @@ struct MirrorChange {
 [[gnu::always_inline]] inline MirrorChange mirror_change(const MirrorSample& here, const MirrorSample& beside) {
   const Triple place = beside.place - here.place, turn = beside.reflected - here.reflected;
   const float off = here.normal.dot(place), alike = here.normal.dot(beside.normal);
-  const float kept = (off * off <= 0.25F * place.dot(place)) & (std::abs(alike) > 0.9F) ? 1.0F : 0.0F;
-  return {kept * (beside.range - here.range), kept * place, kept * turn};
+  const float same_surface = (off * off <= 0.25F * place.dot(place)) & (std::abs(alike) > 0.9F) ? 1.0F : 0.0F;
+  return {same_surface * (beside.range - here.range), same_surface * place, same_surface * turn};
 }
 
 /// Those of sixteen samples.

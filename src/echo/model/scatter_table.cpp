@@ -39,7 +39,7 @@ ScatterTable::ScatterTable(std::span<const Material> materials, double frequency
     const Scattering scattering = material.scattering(frequency);
     const double variance = scattering.rms_slope * scattering.rms_slope;
     const double intensity = scattering.reflection * scattering.reflection;
-    kept_.push_back(static_cast<float>(intensity));
+    reflectance_.push_back(static_cast<float>(intensity));
     lambert_.push_back(static_cast<float>(scattering.lambert));
     lobe_.push_back(static_cast<float>(intensity / (8 * std::numbers::pi * variance)));
     steepness_.push_back(static_cast<float>(1 / (2 * variance)));

@@ -29,7 +29,7 @@ class ScatterTable {
   void fill_powers(int rows, float neper_per_metre, const HitColumn& hits) const;
 
   /// |R|^2 of a surface, which it keeps of what it mirrors.
-  [[nodiscard]] float kept(SurfaceLabel surface) const { return kept_[material_of(surface)]; }
+  [[nodiscard]] float reflectance(SurfaceLabel surface) const { return reflectance_[material_of(surface)]; }
 
   /// 1 / (2 s^2) of a surface.
   [[nodiscard]] float steepness(SurfaceLabel surface) const { return steepness_[material_of(surface)]; }
@@ -42,11 +42,11 @@ class ScatterTable {
     const float* steepness;
   };
   [[nodiscard]] Laws laws() const {
-    return {static_cast<std::uint32_t>(kept_.size()), lambert_.data(), lobe_.data(), steepness_.data()};
+    return {static_cast<std::uint32_t>(reflectance_.size()), lambert_.data(), lobe_.data(), steepness_.data()};
   }
 
  private:
-  std::vector<float> kept_;
+  std::vector<float> reflectance_;
   std::vector<float> lambert_;
   std::vector<float> lobe_;       // |R|^2 / (8 pi s^2)
   std::vector<float> steepness_;  // 1 / (2 s^2)

@@ -64,16 +64,16 @@ void select_some(int rows, std::uint32_t start, const HitColumn& hits, std::uint
 
 }  // namespace
 
-void select_hits(const PingPlan& plan, Followed followed, int column, int rows, const HitColumn& hits,
+void select_hits(const PingPlan& plan, SecondarySampling sampling, int column, int rows, const HitColumn& hits,
                  std::uint32_t* turned) {
-  if (followed == Followed::kAll) {
+  if (sampling == SecondarySampling::kAll) {
     for (int row = 0; row < rows; ++row) {
       hits.selected[row] = hits.surface[row] == kNoSurface ? 0.0F : 1.0F;
     }
-  } else if (followed == Followed::kSome) {
+  } else if (sampling == SecondarySampling::kSome) {
     select_some(rows, static_cast<std::uint32_t>(column) * kGoldenTurn + plan.stagger, hits, turned);
   }
-  if (hits.has_relief && followed != Followed::kNone) {
+  if (hits.has_relief && sampling != SecondarySampling::kNone) {
     for (int row = 0; row < rows; ++row) {
       hits.selected[row] *= hits.escapes[row];
     }

@@ -13,7 +13,7 @@ namespace insonify {
 /// lie evenly over a surface, and a still scene gives the same ping twice.
 ///
 /// @param turned  Scratch, of a column's rows.
-void select_hits(const PingPlan& plan, Followed followed, int column, int rows, const HitColumn& hits,
+void select_hits(const PingPlan& plan, SecondarySampling sampling, int column, int rows, const HitColumn& hits,
                  std::uint32_t* turned);
 
 }  // namespace insonify

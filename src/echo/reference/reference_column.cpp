@@ -54,7 +54,7 @@ void ReferenceEngine::return_mirrored(const PingPlan& plan, const Pose& world_fr
   const Vec3 in = -mirrored.across.direction, out = back.normalized();
   MirrorPaths paths = {};
   std::ranges::fill(paths.surface, kNoSurface);
-  paths.kept[0] = mirrored.kept;
+  paths.reflectance[0] = mirrored.reflectance;
   paths.share[0] = mirrored.share;
   paths.steepness[0] = mirrored.steepness;
   paths.there[0] = static_cast<float>(mirrored.range + second.distance);
@@ -97,8 +97,9 @@ void ReferenceEngine::return_mirrored(const PingPlan& plan, const Pose& world_fr
   arrivals.push_back(echo);
 }
 
-void ReferenceEngine::insonify_column(const PingPlan& plan, Followed followed, int column, const Pose& world_from_sonar,
-                                      EchoGrid& grid, std::vector<Echo>& arrivals, RayCounts& counts) const {
+void ReferenceEngine::insonify_column(const PingPlan& plan, SecondarySampling sampling, int column,
+                                      const Pose& world_from_sonar, EchoGrid& grid, std::vector<Echo>& arrivals,
+                                      RayCounts& counts) const {
   const Lattice& lattice = plan.lattice;
   const int rows = lattice.rows;
   const ColumnFrame frame(lattice, column, world_from_sonar);
@@ -136,11 +137,11 @@ void ReferenceEngine::insonify_column(const PingPlan& plan, Followed followed, i
 
   // Straight back.
   evaluate_column(
-      plan, followed, column,
+      plan, sampling, column,
       {frame.along.cast<float>(), frame.across.cast<float>(), frame.up.cast<float>(), frame.beside.cast<float>()}, hits,
       stretches);
   deposit_column(plan, column, hits, stretches, sums, grid);
-  if (followed == Followed::kNone) {
+  if (sampling == SecondarySampling::kNone) {
     return;
   }
 
@@ -209,13 +210,13 @@ void ReferenceEngine::insonify_column(const PingPlan& plan, Followed followed, i
                         triple(-back.normalized()), there, static_cast<float>(back.norm())});
     if (plan.model == EchoModel::kCalibrated) {
       const float texture = hits.has_relief ? hits.texture[row] : 1.0F;
-      const float kept = plan.scatter.kept(hits.surface[row]) * texture * texture;
+      const float reflectance = plan.scatter.reflectance(hits.surface[row]) * texture * texture;
       const Echo echo = secondary_echo(plan, column, row, hits.selected[row], path_length, second.surface());
-      return_mirrored(
-          plan, world_from_sonar,
-          {echo, footprint, kept, share, plan.scatter.steepness(hits.surface[row]), lattice.pattern_in(column)[row],
-           first[row].distance, tube(first[row], rays[row].direction), reflected, second},
-          grid, arrivals, counts);
+      return_mirrored(plan, world_from_sonar,
+                      {echo, footprint, reflectance, share, plan.scatter.steepness(hits.surface[row]),
+                       lattice.pattern_in(column)[row], first[row].distance, tube(first[row], rays[row].direction),
+                       reflected, second},
+                      grid, arrivals, counts);
       continue;
     }
     if (0.5F * path_length >= plan.reach()) {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "echo/model/followed_hits.h"
+#include "echo/model/choose_sampling.h"
 #include "echo/model/ray_limits.h"
 
 namespace insonify {
@@ -135,13 +135,13 @@ void ReferenceEngine::insonify(const PingPlan& plan, const Pose& world_from_sona
                                BeamSink* sink) {
   const int per_beam = plan.lattice.columns_per_beam;
   counts_ = {};
-  const Followed followed = followed_hits(*this, plan, world_from_sonar, origin_, boxes_, counts_.secondary);
+  const SecondarySampling sampling = choose_sampling(*this, plan, world_from_sonar, origin_, boxes_, counts_.secondary);
   std::vector<RayCounts> counts(plan.sonar.beam_count);
   std::vector<std::vector<Echo>> arrivals(plan.sonar.beam_count);
   workers_.for_each(plan.sonar.beam_count, [&](int beam, int) {
     grid.clear(beam, beam + 1);
     for (int column = beam * per_beam; column < (beam + 1) * per_beam; ++column) {
-      insonify_column(plan, followed, column, world_from_sonar, grid, arrivals[beam], counts[beam]);
+      insonify_column(plan, sampling, column, world_from_sonar, grid, arrivals[beam], counts[beam]);
     }
   });
   for (const std::vector<Echo>& of_beam : arrivals) {

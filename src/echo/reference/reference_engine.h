@@ -7,10 +7,10 @@
 #include "base/parallel.h"
 #include "echo/model/box_cut.h"
 #include "echo/model/deposit.h"
-#include "echo/model/followed.h"
 #include "echo/model/path_footprint.h"
 #include "echo/model/ray_tube.h"
 #include "echo/model/reliefs.h"
+#include "echo/model/secondary_sampling.h"
 #include "insonify/engine.h"
 
 namespace insonify {
@@ -54,16 +54,16 @@ class ReferenceEngine final : public Engine {
   void place_instance(int instance, const Pose& world_from_mesh);
   [[nodiscard]] Meeting nearest(const Ray& ray) const;
   [[nodiscard]] bool blocked(const Ray& ray) const;
-  void insonify_column(const PingPlan& plan, Followed followed, int column, const Pose& world_from_sonar,
+  void insonify_column(const PingPlan& plan, SecondarySampling sampling, int column, const Pose& world_from_sonar,
                        EchoGrid& grid, std::vector<Echo>& arrivals, RayCounts& counts) const;
 
   // A path of the calibrated model by way of a mirror, up to what it met.
   struct Mirrored {
     Echo echo;  // All but its power.
     PathFootprint footprint;
-    float kept, share, steepness;  // See MirrorPaths.
-    float pattern;                 // |p|^2 of the elevation it was launched at.
-    double range;                  // Of the mirror.
+    float reflectance, share, steepness;  // See MirrorPaths.
+    float pattern;                        // |p|^2 of the elevation it was launched at.
+    double range;                         // Of the mirror.
     RayTube tube;
     Ray across;
     Meeting second;

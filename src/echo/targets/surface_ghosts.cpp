@@ -85,12 +85,13 @@ void SurfaceGhosts::add_point(const PingPlan& plan, const Pose& sonar_from_world
   }
   const double near = straight.norm(), far = mirrored.norm();
   const double strength = std::pow(10.0, points_[point].target_strength_db / 10);
-  const double kept = double{plan.scatter.kept(surface_.label)}, absorption = 2 * double{plan.neper_per_metre};
+  const double reflectance = double{plan.scatter.reflectance(surface_.label)},
+               absorption = 2 * double{plan.neper_per_metre};
   const double own_turns = own_phase(plan, point);
   const std::optional<PingPlan::Arrival> direct = arrival_of(plan, straight);
   if (clear(0) && direct) {
     const Glint waves = glint(plan, point, 2, number);
-    const double intensity = waves.intensity * strength * kept / std::pow(near * far, 2) *
+    const double intensity = waves.intensity * strength * reflectance / std::pow(near * far, 2) *
                              std::exp(-absorption * (near + far)) * double{direct->pattern} *
                              double{by_surface->pattern};
     const double range = 0.5 * (near + far);
@@ -100,7 +101,7 @@ void SurfaceGhosts::add_point(const PingPlan& plan, const Pose& sonar_from_world
   }
   if (plan.max_surfaces > 2) {
     const Glint waves = glint(plan, point, 3, number);
-    const double intensity = waves.intensity * strength * kept * kept / std::pow(far, 4) *
+    const double intensity = waves.intensity * strength * reflectance * reflectance / std::pow(far, 4) *
                              std::exp(-2 * absorption * far) * std::pow(double{by_surface->pattern}, 2);
     const double turns = plan.turns_per_metre * far + own_turns + 1 + waves.turns;
     add_discrete_echo(plan, *by_surface, 3, far, intensity, turns, grid);

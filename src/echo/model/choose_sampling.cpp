@@ -1,6 +1,6 @@
-// followed_hits.cpp -- probes of the fan.
+// choose_sampling.cpp -- probes of the fan.
 
-#include "echo/model/followed_hits.h"
+#include "echo/model/choose_sampling.h"
 
 #include <algorithm>
 #include <array>
@@ -68,11 +68,11 @@ void set_reflected(const PingPlan& plan, const Ray& ray, const Hit& hit, const V
 
 }  // namespace
 
-Followed followed_hits(Engine& engine, const PingPlan& plan, const Pose& world_from_sonar, const Vec3& origin,
-                       const BoxCut& boxes, std::uint64_t& probes) {
+SecondarySampling choose_sampling(Engine& engine, const PingPlan& plan, const Pose& world_from_sonar,
+                                  const Vec3& origin, const BoxCut& boxes, std::uint64_t& probes) {
   probes = 0;
   if (plan.secondary != SecondaryEchoes::kSelective) {
-    return plan.secondary == SecondaryEchoes::kAll ? Followed::kAll : Followed::kNone;
+    return plan.secondary == SecondaryEchoes::kAll ? SecondarySampling::kAll : SecondarySampling::kNone;
   }
   std::array<Ray, kMostProbes> rays;
   std::array<Hit, kMostProbes> hits;
@@ -98,7 +98,7 @@ Followed followed_hits(Engine& engine, const PingPlan& plan, const Pose& world_f
     may_meet += std::popcount(boxes.may_meet(reflected.lanes()) & lanes);
   }
   const bool open = met > 0 && static_cast<float>(may_meet) <= kOpen * static_cast<float>(met);
-  return open ? Followed::kAll : Followed::kSome;
+  return open ? SecondarySampling::kAll : SecondarySampling::kSome;
 }
 
 }  // namespace insonify

@@ -1,9 +1,9 @@
-// followed_hits.h -- whether a ping follows all of its hits, or some that count for all.
+// choose_sampling.h -- whether a ping follows all of its hits, or some that count for all.
 
 #pragma once
 
 #include "echo/model/box_cut.h"
-#include "echo/model/followed.h"
+#include "echo/model/secondary_sampling.h"
 #include "insonify/engine.h"
 
 namespace insonify {
@@ -14,7 +14,7 @@ namespace insonify {
 /// how exact a ping is, not what it is on average.
 /// @param origin  World position that the boxes are relative to.
 /// @param probes  How many rays it took.
-[[nodiscard]] Followed followed_hits(Engine& engine, const PingPlan& plan, const Pose& world_from_sonar,
-                                     const Vec3& origin, const BoxCut& boxes, std::uint64_t& probes);
+[[nodiscard]] SecondarySampling choose_sampling(Engine& engine, const PingPlan& plan, const Pose& world_from_sonar,
+                                                const Vec3& origin, const BoxCut& boxes, std::uint64_t& probes);
 
 }  // namespace insonify

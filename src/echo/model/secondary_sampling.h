@@ -5,7 +5,7 @@
 namespace insonify {
 
 /// From which hits of a ping sound is followed on to a second surface.
-enum class Followed {
+enum class SecondarySampling {
   kNone,
   kSome,  ///< See select_hits().
   kAll
