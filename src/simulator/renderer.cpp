@@ -6,8 +6,8 @@
 #include <cmath>
 #include <limits>
 
-#include "simulator/grain.h"
 #include "simulator/underwater_light.h"
+#include "simulator/value_noise.h"
 
 namespace insonify {
 namespace {
@@ -172,7 +172,7 @@ Renderer::Sample Renderer::shade(std::size_t i) const {
     light += static_cast<float>(spot.lit) * kLightColour;
   }
   // Grain fades where it would be finer than pixels.
-  const auto grain = static_cast<float>(0.13 / (1 + hit.distance / haze_)) * grain_at(spot.point, grain_);
+  const auto grain = static_cast<float>(0.13 / (1 + hit.distance / haze_)) * value_noise(spot.point, grain_);
   Vec3f colour = (1 + grain) * tint(hit).cwiseProduct(light);
   // The sea shines on edges that are seen flat.
   const auto flat = static_cast<float>(1 - std::min(1.0, -hit.normal.dot(ray.direction)));

@@ -5,10 +5,10 @@
 #include <cmath>
 
 #include "simulator/camera.h"
-#include "simulator/grain.h"
 #include "simulator/housing.h"
 #include "simulator/insonified_sector.h"
 #include "simulator/underwater_light.h"
+#include "simulator/value_noise.h"
 
 namespace insonify {
 namespace {
@@ -119,9 +119,9 @@ TEST(UnderwaterLightTest, WaterIsBrighterTowardsTheSurface) {
 TEST(GrainTest, IsSmoothAndBounded) {
   for (int i = -500; i < 500; ++i) {
     const Vec3 point(0.31 * i, -0.17 * i, 0.05 * i);
-    const float value = grain_at(point, 0.8);
+    const float value = value_noise(point, 0.8);
     EXPECT_LE(std::abs(value), 1);
-    EXPECT_NEAR(grain_at(point + Vec3(1e-6, 0, 0), 0.8), value, 1e-4);
+    EXPECT_NEAR(value_noise(point + Vec3(1e-6, 0, 0), 0.8), value, 1e-4);
   }
 }
 

@@ -1,6 +1,6 @@
-// grain.cpp -- value noise (Perlin's fractal sum of random values at grid points, blended between them).
+// value_noise.cpp -- value noise (Perlin's fractal sum of random values at grid points, blended between them).
 
-#include "simulator/grain.h"
+#include "simulator/value_noise.h"
 
 #include <cmath>
 #include <cstdint>
@@ -39,7 +39,7 @@ float octave(const Vec3& point) {
 
 }  // namespace
 
-float grain_at(const Vec3& point, double size) {
+float value_noise(const Vec3& point, double size) {
   const Vec3 place = point / size;
   // Octaves are shifted against each other, so that their grids do not coincide.
   return (octave(place) + 0.5F * octave(2 * place + Vec3::Constant(0.37)) +
