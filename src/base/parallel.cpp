@@ -26,24 +26,24 @@ struct Workers::Arena {
 
 namespace {
 
-// Tasks [0, tasks) in stretches, one for each worker.
-class Stretches {
+// Tasks [0, tasks) in blocks, one for each worker.
+class Blocks {
  public:
-  Stretches(int tasks, int workers) : count_(std::min({tasks, workers, kMost})) {
+  Blocks(int tasks, int workers) : count_(std::min({tasks, workers, kMost})) {
     for (int i = 0; i < count_; ++i) {
-      stretches_[i].next = start(tasks, i);
-      stretches_[i].last = start(tasks, i + 1);
+      blocks_[i].next = start(tasks, i);
+      blocks_[i].last = start(tasks, i + 1);
     }
   }
 
   [[nodiscard]] int count() const { return count_; }
 
-  // The next of a worker's own stretch, or of another's when that is done; negative when all are.
+  // The next of a worker's own block, or of another's when that is done; negative when all are.
   int take(int worker) {
     for (int i = 0; i < count_; ++i) {
-      Stretch& stretch = stretches_[(worker + i) % count_];
-      if (stretch.next < stretch.last) {
-        if (const int task = stretch.next++; task < stretch.last) {
+      Block& block = blocks_[(worker + i) % count_];
+      if (block.next < block.last) {
+        if (const int task = block.next++; task < block.last) {
           return task;
         }
       }
@@ -54,22 +54,20 @@ class Stretches {
   // Nobody begins another.
   void end() {
     for (int i = 0; i < count_; ++i) {
-      stretches_[i].next = stretches_[i].last;
+      blocks_[i].next = blocks_[i].last;
     }
   }
 
  private:
   static constexpr int kMost = 256;  // More workers than that have nothing to do.
-  struct alignas(64) Stretch {
+  struct alignas(64) Block {
     std::atomic<int> next;
     int last;
   };
 
-  [[nodiscard]] int start(int tasks, int stretch) const {
-    return static_cast<int>(std::int64_t{tasks} * stretch / count_);
-  }
+  [[nodiscard]] int start(int tasks, int block) const { return static_cast<int>(std::int64_t{tasks} * block / count_); }
 
-  std::array<Stretch, kMost> stretches_;
+  std::array<Block, kMost> blocks_;
   int count_;
 };
 
@@ -89,19 +87,19 @@ void Workers::call(int tasks, Function function, void* body) {
     }
     return;
   }
-  Stretches stretches(tasks, count_);
+  Blocks blocks(tasks, count_);
   const auto work = [&](int) {
     const int worker = tbb::this_task_arena::current_thread_index();
     try {
-      for (int task = stretches.take(worker); task >= 0; task = stretches.take(worker)) {
+      for (int task = blocks.take(worker); task >= 0; task = blocks.take(worker)) {
         function(body, task, worker);
       }
     } catch (...) {
-      stretches.end();
+      blocks.end();
       throw;
     }
   };
-  arena_->arena.execute([&] { tbb::parallel_for(0, stretches.count(), work, tbb::simple_partitioner()); });
+  arena_->arena.execute([&] { tbb::parallel_for(0, blocks.count(), work, tbb::simple_partitioner()); });
 }
 
 }  // namespace insonify

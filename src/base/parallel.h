@@ -20,9 +20,9 @@ class Workers {
   /// Calls run(task, worker) for every task in [0, tasks), worker in [0, count()). Returns when all are done; rethrows
   /// the first exception, after which no other task begins.
   ///
-  /// Every worker has a stretch of the tasks, as long as the others', which it takes in order: the same at every call,
+  /// Every worker has a block of the tasks, as long as the others', which it takes in order: the same at every call,
   /// so that its part of the memory stays near it. Who is done helps the others. With small tasks at the ends of the
-  /// stretches nobody waits long.
+  /// blocks nobody waits long.
   template <typename Run>
   void for_each(int tasks, Run&& run) {
     using Body = std::remove_reference_t<Run>;

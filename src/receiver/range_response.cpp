@@ -11,15 +11,15 @@
 namespace insonify {
 namespace {
 
-constexpr int kStretch = 64;  // Bins that are worked on together,
-constexpr int kTaps = 64;     // and taps.
+constexpr int kBlock = 64;  // Bins that are worked on together,
+constexpr int kTaps = 64;   // and taps.
 
 // sums[v] += sum over taps of gain(tap) x values[v + tap], for bins of kWidth floats each.
 template <int kWidth>
 [[gnu::always_inline]] inline void add_taps(const float* __restrict__ gains, int taps, const float* __restrict__ values,
                                             float* __restrict__ sums) {
   for (int tap = 0; tap < taps; ++tap) {
-    for (int v = 0; v < kStretch * kWidth; ++v) {
+    for (int v = 0; v < kBlock * kWidth; ++v) {
       sums[v] += gains[tap] * values[tap * kWidth + v];
     }
   }
@@ -53,19 +53,19 @@ template <typename Value, typename AddTaps>
 void convolve(std::span<const Value> cells, std::span<Value> bins, int cells_per_bin, int first, int count,
               const std::vector<float>& gains, const AddTaps& add) {
   assert(cells.size() == bins.size() * cells_per_bin);
-  alignas(64) Value values[kStretch + kTaps];
-  alignas(64) Value sums[kStretch];
-  for (int start = 0; start < static_cast<int>(bins.size()); start += kStretch) {
-    std::fill_n(sums, kStretch, Value{});
+  alignas(64) Value values[kBlock + kTaps];
+  alignas(64) Value sums[kBlock];
+  for (int start = 0; start < static_cast<int>(bins.size()); start += kBlock) {
+    std::fill_n(sums, kBlock, Value{});
     for (int phase = 0; phase < cells_per_bin; ++phase) {
       for (int tap = 0; tap < count; tap += kTaps) {
         const int taps = std::min(kTaps, count - tap);
-        gather(cells, cells_per_bin, phase, start + first + tap, kStretch + taps - 1, values);
+        gather(cells, cells_per_bin, phase, start + first + tap, kBlock + taps - 1, values);
         add(&gains[static_cast<std::size_t>(phase) * count + tap], taps, reinterpret_cast<const float*>(values),
             reinterpret_cast<float*>(sums));
       }
     }
-    std::copy_n(sums, std::min(kStretch, static_cast<int>(bins.size()) - start), &bins[start]);
+    std::copy_n(sums, std::min(kBlock, static_cast<int>(bins.size()) - start), &bins[start]);
   }
 }
 

@@ -129,14 +129,14 @@ void TruthReceiver::receive_direct(const EchoGrid& grid, const Reception& recept
 }
 
 // Each surface hides what lies behind it in its own directions: the solid angle met so far is hidden from there on.
-TruthReceiver::BeamStretch TruthReceiver::stretch_of(const EchoGrid& grid, int beam, const TilePlace& place,
-                                                     float& hidden) const {
-  BeamStretch stretch = {};
+TruthReceiver::BeamTile TruthReceiver::beam_tile(const EchoGrid& grid, int beam, const TilePlace& place,
+                                                 float& hidden) const {
+  BeamTile tile = {};
   bool filled = false;
   for_each_cell(beam, [&](int cell) { filled = filled || !(grid.filled(cell) & place.bins()).empty(); });
   if (!filled) {
-    std::fill_n(stretch.shadow, place.bin_count, std::min(hidden / whole_[beam], 1.0F));
-    return stretch;
+    std::fill_n(tile.shadow, place.bin_count, std::min(hidden / whole_[beam], 1.0F));
+    return tile;
   }
   float most[kTileBins] = {}, met[kTileBins] = {}, received[kTileBins] = {};
   const auto add = [&](std::span<const float> row, float* sums) {
@@ -146,15 +146,15 @@ TruthReceiver::BeamStretch TruthReceiver::stretch_of(const EchoGrid& grid, int b
     float energy[kTileBins] = {};
     float* const sums = order == 1 ? received : energy;
     for_each_cell(beam, [&](int cell) { add(grid.energy(order, cell), sums); });
-    add_order(static_cast<std::uint8_t>(order), place.bin_count, sums, stretch.energy, most, stretch.order);
+    add_order(static_cast<std::uint8_t>(order), place.bin_count, sums, tile.energy, most, tile.order);
   }
   for_each_cell(beam, [&](int cell) { add(grid.weight(1, cell), met); });
   for (int i = 0; i < place.bin_count; ++i) {
     const bool direct = met[i] > 0 || received[i] > 0;
-    stretch.shadow[i] = direct ? 0.0F : std::min(hidden / whole_[beam], 1.0F);
+    tile.shadow[i] = direct ? 0.0F : std::min(hidden / whole_[beam], 1.0F);
     hidden += met[i];
   }
-  return stretch;
+  return tile;
 }
 
 // A cell without a label has no tally.
@@ -175,7 +175,7 @@ void TruthReceiver::tell_tile(const EchoGrid& grid, const TilePlace& place, std:
   BinTile<float> energy, shadow;
   std::uint8_t order[kTileBins][kTileBeams];
   for (int b = 0; b < place.beam_count; ++b) {
-    const BeamStretch beam = stretch_of(grid, place.first_beam + b, place, hidden[b]);
+    const BeamTile beam = beam_tile(grid, place.first_beam + b, place, hidden[b]);
     for (int i = 0; i < place.bin_count; ++i) {
       energy[i][b] = beam.energy[i];
       order[i][b] = beam.order[i];

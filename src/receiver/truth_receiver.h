@@ -41,7 +41,7 @@ class TruthReceiver {
 
  private:
   // Of one beam, over the bins of a tile.
-  struct BeamStretch {
+  struct BeamTile {
     float energy[kTileBins];        // Of all orders.
     std::uint8_t order[kTileBins];  // Of most of it; 0 for none.
     float shadow[kTileBins];        // Share of the beam that is hidden, where it hears nothing direct.
@@ -49,7 +49,7 @@ class TruthReceiver {
 
   void receive_direct(const EchoGrid& grid, const Reception& reception, Workers& workers, Ping& ping);
   void tell_tile(const EchoGrid& grid, const TilePlace& place, std::array<float, kTileBeams>& hidden, Ping& ping) const;
-  BeamStretch stretch_of(const EchoGrid& grid, int beam, const TilePlace& place, float& hidden) const;
+  BeamTile beam_tile(const EchoGrid& grid, int beam, const TilePlace& place, float& hidden) const;
   void add_surfaces(const EchoGrid& grid, int beam, int bin, Instances& instances) const;
   [[nodiscard]] float hidden_before(const EchoGrid& grid, int beam) const;  // The near edge of bin 0.
   void write_discrete_echo(const EchoGrid& grid, const DiscreteEcho& echo, Ping& ping) const;

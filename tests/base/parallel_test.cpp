@@ -45,7 +45,7 @@ TEST(WorkersTest, NoWorkerRunsTwoTasksAtATime) {
   EXPECT_TRUE(alone);
 }
 
-// The first task of the first stretch takes as long as all others: another worker does them.
+// The first task of the first block takes as long as all others: another worker does them.
 TEST(WorkersTest, WhoIsDoneHelpsTheOthers) {
   Workers workers(2);
   constexpr int kTasks = 20;

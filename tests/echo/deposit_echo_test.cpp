@@ -11,7 +11,8 @@ namespace insonify {
 namespace {
 
 constexpr float kEnergyError = 1e-6F;
-constexpr float kShareError = 1e-4F;  // Stretches are a ten-thousandth of a bin longer: see shortest_stretch().
+constexpr float kShareError =
+    1e-4F;  // FootprintSegments are a ten-thousandth of a bin longer: see least_half_length().
 
 // Two beams.
 std::shared_ptr<const PingPlan> plan_of(int bins) {

@@ -1,4 +1,4 @@
-// path_footprint_test.cpp -- stretches of paths by way of a mirror, against paths traced beside them.
+// path_footprint_test.cpp -- segments of paths by way of a mirror, against paths traced beside them.
 
 #include "echo/model/path_footprint.h"
 
@@ -114,11 +114,11 @@ TEST(PathFootprintTest, VanishesAtTheApexOfACorner) {
   const Path at_apex = by_plane(towards(apex - 0.01, 0), mirror, second);
   const Path beside = by_plane(towards(apex - 0.05, 0), mirror, second);
   const Path off = by_plane(towards(apex - 10, 0), mirror, second);
-  const auto stretch = [](const Path& from, const Path& to) {
+  const auto segment = [](const Path& from, const Path& to) {
     return path_footprint({}, 1, mirror_change(from.sample, to.sample), from.end).once;
   };
-  EXPECT_LT(stretch(at_apex, beside), 2e-6);
-  EXPECT_GT(stretch(off, by_plane(towards(apex - 10.04, 0), mirror, second)), 2e-4);
+  EXPECT_LT(segment(at_apex, beside), 2e-6);
+  EXPECT_GT(segment(off, by_plane(towards(apex - 10.04, 0), mirror, second)), 2e-4);
 }
 
 TEST(PathFootprintTest, NoneAcrossAnEdge) {
@@ -145,13 +145,13 @@ TEST(PathFootprintTest, NeverWiderThanATwoHundredthOfThePath) {
 // Where sound only grazes the second surface, that is taken to be a little steeper.
 TEST(PathFootprintTest, GrazingDoesNotStretchWithoutEnd) {
   const MirrorChange change{0, {0, 0, 0.001F}, {}};
-  const auto stretch = [&](float sine) {
+  const auto segment = [&](float sine) {
     const PathEnd end{4, {std::sqrt(1 - sine * sine), 0, sine}, {0, 0, 1}, {1, 0, 0}, 9, 6};
     return path_footprint(change, 1, {}, end).twice;
   };
-  EXPECT_FLOAT_EQ(stretch(0.4F), 0.25F * 2 * 0.001F / 0.4F);
-  EXPECT_FLOAT_EQ(stretch(1e-4F), 0.25F * 2 * 0.001F / 0.2F);
-  EXPECT_FLOAT_EQ(stretch(-1e-4F), 0.25F * 2 * 0.001F / 0.2F);
+  EXPECT_FLOAT_EQ(segment(0.4F), 0.25F * 2 * 0.001F / 0.4F);
+  EXPECT_FLOAT_EQ(segment(1e-4F), 0.25F * 2 * 0.001F / 0.2F);
+  EXPECT_FLOAT_EQ(segment(-1e-4F), 0.25F * 2 * 0.001F / 0.2F);
 }
 
 }  // namespace

@@ -13,7 +13,7 @@ using namespace testing_scenes;
 // Engines agree to this share of the energy (DESIGN): what single precision moves between neighbouring bins.
 constexpr double kEnergyTolerance = 1e-4;
 
-// Each order by itself may differ more. Paths by a mirror stretch by differences between neighbours' ranges, of which
+// Each order by itself may differ more. Paths by a mirror segment by differences between neighbours' ranges, of which
 // single precision leaves four digits; glints are steep, and so are levels near a focus.
 constexpr double kOrderTolerances[] = {kEnergyTolerance, 5 * kEnergyTolerance, 50 * kEnergyTolerance};
 

@@ -258,7 +258,7 @@ TEST_P(EngineGeometryTest, EmptyWaterGivesNothing) {
   EXPECT_EQ(grid.label(3, 10).instance, kNoLabel);
 }
 
-// Every stretch of the aperture is deposited once: the weights of a wall that fills it add up to its solid angle,
+// Every segment of the aperture is deposited once: the weights of a wall that fills it add up to its solid angle,
 // azimuth aperture x 2 sin(half the elevation aperture).
 TEST_P(EngineGeometryTest, WeightsAddUpToTheSolidAngle) {
   const SonarConfig sonar = wall_sonar();

@@ -33,8 +33,8 @@ void BeamTask::prepare(const PingPlan& plan, SecondarySampling sampling) {
   const std::size_t columns = static_cast<std::size_t>(kMostBeamsTogether) * plan.lattice.columns_per_beam;
   axes_.resize(std::max(axes_.size(), columns));
   const auto rows = static_cast<std::size_t>(plan.lattice.rows);
-  if (stretches_.position.size() < rows) {
-    stretches_.resize(plan.lattice.rows);
+  if (segments_.position.size() < rows) {
+    segments_.resize(plan.lattice.rows);
     strip_.resize(kTile, plan.lattice.rows);
     for (int column = 0; column < kTile; ++column) {
       hits_[column] = strip_.column(column);
@@ -202,8 +202,8 @@ void BeamTask::run(const Pose& world_from_sonar, int first_beam, int last_beam, 
     }
     for (int column = first_column; column < std::min(first_column + kTile, columns_); ++column) {
       const HitColumn& hits = hits_[column - first_column];
-      evaluate_column(*plan_, sampling_, first_column_ + column, axes_[column], hits, stretches_);
-      deposit_column(*plan_, first_column_ + column, hits, stretches_, sums_, grid);
+      evaluate_column(*plan_, sampling_, first_column_ + column, axes_[column], hits, segments_);
+      deposit_column(*plan_, first_column_ + column, hits, segments_, sums_, grid);
     }
     if (sampling_ != SecondarySampling::kNone) {
       secondary_.follow(hits_[0], strip_.stride(), first_column_ + first_column,

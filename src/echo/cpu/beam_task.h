@@ -54,7 +54,7 @@ struct BeamTask {
   std::vector<ColumnAxes> axes_;        // Of each column.
   HitStrip strip_{kTile, 0};            // Of tiles.
   HitColumn hits_[kTile] = {};          // Of the strip.
-  Stretches stretches_;
+  FootprintSegments segments_;
   SurfaceSums sums_;
 
   std::uint64_t primary_count_ = 0;

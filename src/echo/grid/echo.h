@@ -24,7 +24,7 @@ struct Echo {
   float azimuth = 0;    ///< Bearing of arrival in the sonar frame [rad]. `paper`: that of launch, the reciprocal path.
   float elevation = 0;  ///< Of the same [rad].
   float path_length = 0;              ///< What the sound really travelled, out and back [m].
-  float half_length = 0;              ///< Of the stretch in range that it is spread over evenly [m].
+  float half_length = 0;              ///< Of the segment in range that it is spread over evenly [m].
   float power = 0;                    ///< Per unit of weight. `paper`: S of the echo's strength, 0..1.
   float phase = 0;                    ///< Turned at surfaces, besides what the path length gives [rad]. `paper`: 0.
   float weight = 0;                   ///< Solid angle of the sector that it stands for [sr].

@@ -9,14 +9,14 @@
 
 namespace insonify {
 
-/// Half the least length of a stretch at a position, on either side of bin 0 [bins]: keeps its density finite in single
+/// Half the least length of a segment at a position, on either side of bin 0 [bins]: keeps its density finite in single
 /// precision.
-constexpr float shortest_stretch(float position) {
+constexpr float least_half_length(float position) {
   return 1e-7F * std::max(position < 0 ? -position : position, 500.0F);
 }
 
 /// Echo spread evenly over an interval of positions [bins, from the near edge of bin 0], its power changing linearly.
-struct Stretch {
+struct FootprintSegment {
   float low, high;  ///< Ends. Nothing is spread unless low < high.
   float power;      ///< Of the straight line through the powers, at position 0.
   float half_rise;  ///< Half the change of power per bin.
@@ -37,7 +37,7 @@ struct SurfaceSums {
   }
 };
 
-/// Adds stretches to sums, and keeps track of where. Held by value in the loop that adds, so that it lives in
+/// Adds segments to sums, and keeps track of where. Held by value in the loop that adds, so that it lives in
 /// registers.
 /// @tparam kSquares  Whether squares are summed too.
 template <bool kSquares>
@@ -51,26 +51,26 @@ class SurfaceRun {
         moment_(sums.moment.data()),
         square_(sums.square.data()) {}
 
-  /// @param stretch  With 0 <= low and high within the bins that the sums were prepared for.
-  [[gnu::always_inline]] void add(const Stretch& stretch) {
-    int bin = static_cast<int>(stretch.low);
+  /// @param segment  With 0 <= low and high within the bins that the sums were prepared for.
+  [[gnu::always_inline]] void add(const FootprintSegment& segment) {
+    int bin = static_cast<int>(segment.low);
     first_ = std::min(first_, bin);
     do {
       const Floats low_edge = static_cast<float>(bin) + Floats{0, 1, 2, 3};
       const Floats high_edge = low_edge + 1;
-      const Floats from = larger(low_edge, stretch.low + Floats{});
-      const Floats to = smaller(high_edge, stretch.high + Floats{});
-      const Floats weight = larger(to - from, Floats{}) * stretch.density;
-      const Floats energy = weight * (stretch.power + (from + to) * stretch.half_rise);
+      const Floats from = larger(low_edge, segment.low + Floats{});
+      const Floats to = smaller(high_edge, segment.high + Floats{});
+      const Floats weight = larger(to - from, Floats{}) * segment.density;
+      const Floats energy = weight * (segment.power + (from + to) * segment.half_rise);
       add_to(energy_ + bin, energy);
       add_to(weight_ + bin, weight);
-      add_to(moment_ + bin, energy * stretch.elevation);
+      add_to(moment_ + bin, energy * segment.elevation);
       if constexpr (kSquares) {
-        const float beyond = stretch.elevation - datum_;
+        const float beyond = segment.elevation - datum_;
         add_to(square_ + bin, energy * (beyond * beyond));
       }
       bin += kLanes;
-    } while (static_cast<float>(bin) < stretch.high);
+    } while (static_cast<float>(bin) < segment.high);
     last_ = std::max(last_, bin);
   }
 

@@ -13,7 +13,7 @@ namespace insonify {
 namespace {
 
 // How much farther a surface may go on past its last sample than between the last two.
-constexpr float kMostStretch = 1.5F;
+constexpr float kMostExtension = 1.5F;
 
 // Adds a run's sums to its cells and leaves zeros behind.
 INSONIFY_VECTOR_CLONES
@@ -81,21 +81,21 @@ void finish(Run<kTruth>& run, SurfaceSums& sums, SurfaceLabel surface, float dat
 
 // Where the tangent plane of a sample goes on to in the direction (cos_end, sin_end), if the neighbour on the other
 // side, `behind`, shows that the surface goes on like that; else where the sample is. In bins, like
-// Stretches::position.
-float plane_end(const PingPlan& plan, const HitColumn& hits, const Stretches& stretches, int row, int behind,
+// FootprintSegments::position.
+float plane_end(const PingPlan& plan, const HitColumn& hits, const FootprintSegments& segments, int row, int behind,
                 float cos_here, float sin_here, float cos_end, float sin_end) {
-  const float here = stretches.position[row];
-  if (behind < 0 || behind >= plan.lattice.rows || stretches.joined[std::min(row, behind)] == 0) {
+  const float here = segments.position[row];
+  if (behind < 0 || behind >= plan.lattice.rows || segments.joined[std::min(row, behind)] == 0) {
     return here;
   }
-  float facing_end = stretches.normal_along[row] * cos_end + stretches.normal_up[row] * sin_end;
-  float facing_here = stretches.normal_along[row] * cos_here + stretches.normal_up[row] * sin_here;
+  float facing_end = segments.normal_along[row] * cos_end + segments.normal_up[row] * sin_end;
+  float facing_here = segments.normal_along[row] * cos_here + segments.normal_up[row] * sin_here;
   if (plan.lattice.shape == BeamShape::kCone) {
-    facing_end += stretches.normal_beside[row];
-    facing_here += stretches.normal_beside[row];
+    facing_end += segments.normal_beside[row];
+    facing_here += segments.normal_beside[row];
   }
   const float range_end = hits.range[row] * facing_here / facing_end;
-  const float most = kMostStretch * std::abs(here - stretches.position[behind]);
+  const float most = kMostExtension * std::abs(here - segments.position[behind]);
   const float wished = (range_end - plan.first_bin_at) * plan.bins_per_metre;
   return wished > here - most ? std::min(wished, here + most) : here - most;  // Also where facing_end is 0.
 }
@@ -105,16 +105,17 @@ struct End {
   float cosine, sine;
 };
 
-// The stretch of a sample that ends alone, in a direction on the way to the next; or where its plane passes the last
+// The segment of a sample that ends alone, in a direction on the way to the next; or where its plane passes the last
 // bin before the next, all the way to there, as the next sample would show if it were heard: with the power that
 // changes as from the neighbour behind.
 INSONIFY_VECTOR_CLONES
-Stretch lone_stretch(const PingPlan& plan, int column, const HitColumn& hits, const Stretches& stretches, int row,
-                     int behind, End end, float weight, const End* next = nullptr, float weight_to_next = 0) {
-  const float here = stretches.position[row];
+FootprintSegment open_segment(const PingPlan& plan, int column, const HitColumn& hits,
+                              const FootprintSegments& segments, int row, int behind, End end, float weight,
+                              const End* next = nullptr, float weight_to_next = 0) {
+  const float here = segments.position[row];
   const float cos_here = plan.lattice.cosines(column)[row], sin_here = plan.lattice.sines(column)[row];
   const auto end_at = [&](End at) {
-    return plane_end(plan, hits, stretches, row, behind, cos_here, sin_here, at.cosine, at.sine);
+    return plane_end(plan, hits, segments, row, behind, cos_here, sin_here, at.cosine, at.sine);
   };
   const auto bins = static_cast<float>(plan.sonar.bin_count);
   float power = hits.power[row], half_rise = 0;
@@ -123,12 +124,12 @@ Stretch lone_stretch(const PingPlan& plan, int column, const HitColumn& hits, co
     ends_at = next_at;
     weight = weight_to_next;
     const int joined = std::min(row, behind);
-    if (stretches.power[joined] + 2 * stretches.half_rise[joined] * bins > 0) {
-      power = stretches.power[joined];
-      half_rise = stretches.half_rise[joined];
+    if (segments.power[joined] + 2 * segments.half_rise[joined] * bins > 0) {
+      power = segments.power[joined];
+      half_rise = segments.half_rise[joined];
     }
   }
-  const float beyond = stretches.reach[row] + shortest_stretch(here);
+  const float beyond = segments.reach[row] + least_half_length(here);
   const float low = std::min(here, ends_at) - beyond;
   const float high = std::max(here, ends_at) + beyond;
   return {std::clamp(low, 0.0F, bins), std::min(high, bins), power, half_rise, weight / (high - low), 0};
@@ -137,7 +138,8 @@ Stretch lone_stretch(const PingPlan& plan, int column, const HitColumn& hits, co
 // See deposit_column().
 template <GroundTruth kTruth>
 [[gnu::always_inline]] inline void deposit_samples(const PingPlan& plan, int column, const HitColumn& hits,
-                                                   const Stretches& stretches, SurfaceSums& sums, EchoGrid& grid) {
+                                                   const FootprintSegments& segments, SurfaceSums& sums,
+                                                   EchoGrid& grid) {
   const Lattice& lattice = plan.lattice;
   const float* cos_t = lattice.cosines(column);
   const float* sin_t = lattice.sines(column);
@@ -151,16 +153,16 @@ template <GroundTruth kTruth>
   Run<kTruth> run(sums, datum);
   const auto add_alone = [&](int row, int behind, End end, float weight, const End* next = nullptr) {
     if (hits.surface[row] != kNoSurface) {
-      Stretch stretch = lone_stretch(plan, column, hits, stretches, row, behind, end, weight, next, 2 * weight);
-      stretch.elevation = elevation[row];
-      run.add(stretch);
+      FootprintSegment segment = open_segment(plan, column, hits, segments, row, behind, end, weight, next, 2 * weight);
+      segment.elevation = elevation[row];
+      run.add(segment);
     }
   };
 
-  const float *low = stretches.low.data(), *high = stretches.high.data(), *power = stretches.power.data(),
-              *half_rise = stretches.half_rise.data(), *density = stretches.density.data(),
-              *middle = stretches.elevation.data();
-  const std::uint8_t* joined = stretches.joined.data();
+  const float *low = segments.low.data(), *high = segments.high.data(), *power = segments.power.data(),
+              *half_rise = segments.half_rise.data(), *density = segments.density.data(),
+              *middle = segments.elevation.data();
+  const std::uint8_t* joined = segments.joined.data();
   SurfaceLabel surface = hits.surface[0];
   add_alone(0, 1, {edges.cos_low, edges.sin_low}, interval[0] * measure);
   for (int row = 0; row < last_row; ++row) {
@@ -187,12 +189,12 @@ template <GroundTruth kTruth>
 }
 
 // Solid angle of what a column met nearer than the near edge of bin 0.
-float met_before(const PingPlan& plan, int column, const HitColumn& hits, const Stretches& stretches) {
+float met_before(const PingPlan& plan, int column, const HitColumn& hits, const FootprintSegments& segments) {
   const float* interval = plan.lattice.intervals(column);
   const int rows = plan.lattice.rows;
   float met = 0;
   for (int row = 0; row < std::min(hits.rows, rows); ++row) {
-    if (hits.surface[row] != kNoSurface && stretches.position[row] < 0) {
+    if (hits.surface[row] != kNoSurface && segments.position[row] < 0) {
       met += (row == 0 ? 1.0F : 0.5F) * interval[row] + (row + 1 == rows ? 1.0F : 0.5F) * interval[row + 1];
     }
   }
@@ -200,34 +202,34 @@ float met_before(const PingPlan& plan, int column, const HitColumn& hits, const 
 }
 
 INSONIFY_VECTOR_CLONES
-void deposit_labelled(const PingPlan& plan, int column, const HitColumn& hits, const Stretches& stretches,
+void deposit_labelled(const PingPlan& plan, int column, const HitColumn& hits, const FootprintSegments& segments,
                       SurfaceSums& sums, EchoGrid& grid) {
-  deposit_samples<GroundTruth::kLabels>(plan, column, hits, stretches, sums, grid);
+  deposit_samples<GroundTruth::kLabels>(plan, column, hits, segments, sums, grid);
 }
 
 INSONIFY_VECTOR_CLONES
-void deposit_unlabelled(const PingPlan& plan, int column, const HitColumn& hits, const Stretches& stretches,
+void deposit_unlabelled(const PingPlan& plan, int column, const HitColumn& hits, const FootprintSegments& segments,
                         SurfaceSums& sums, EchoGrid& grid) {
-  deposit_samples<GroundTruth::kNone>(plan, column, hits, stretches, sums, grid);
+  deposit_samples<GroundTruth::kNone>(plan, column, hits, segments, sums, grid);
 }
 
 INSONIFY_VECTOR_CLONES
-void deposit_tallied(const PingPlan& plan, int column, const HitColumn& hits, const Stretches& stretches,
+void deposit_tallied(const PingPlan& plan, int column, const HitColumn& hits, const FootprintSegments& segments,
                      SurfaceSums& sums, EchoGrid& grid) {
-  deposit_samples<GroundTruth::kFull>(plan, column, hits, stretches, sums, grid);
+  deposit_samples<GroundTruth::kFull>(plan, column, hits, segments, sums, grid);
 }
 
 }  // namespace
 
-void deposit_column(const PingPlan& plan, int column, const HitColumn& hits, const Stretches& stretches,
+void deposit_column(const PingPlan& plan, int column, const HitColumn& hits, const FootprintSegments& segments,
                     SurfaceSums& sums, EchoGrid& grid) {
   if (grid.ground_truth() == GroundTruth::kFull) {
-    deposit_tallied(plan, column, hits, stretches, sums, grid);
-    grid.met_before(column / plan.lattice.columns_per_beam) += met_before(plan, column, hits, stretches);
+    deposit_tallied(plan, column, hits, segments, sums, grid);
+    grid.met_before(column / plan.lattice.columns_per_beam) += met_before(plan, column, hits, segments);
   } else if (grid.labelled()) {
-    deposit_labelled(plan, column, hits, stretches, sums, grid);
+    deposit_labelled(plan, column, hits, segments, sums, grid);
   } else {
-    deposit_unlabelled(plan, column, hits, stretches, sums, grid);
+    deposit_unlabelled(plan, column, hits, segments, sums, grid);
   }
 }
 

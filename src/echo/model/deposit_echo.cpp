@@ -46,7 +46,7 @@ void deposit(const PingPlan& plan, const Echo& echo, EchoGrid& grid) {
   const int beam = plan.beam_of(echo.azimuth);
   const float middle = (0.5F * echo.path_length - plan.first_bin_at) * plan.bins_per_metre;
   const auto bins = static_cast<float>(plan.sonar.bin_count);
-  const float reach = echo.half_length * plan.bins_per_metre + shortest_stretch(middle);
+  const float reach = echo.half_length * plan.bins_per_metre + least_half_length(middle);
   const float low = middle - reach, high = middle + reach;
   if (beam < 0 || !(high > 0) || !(low < bins)) {
     return;

@@ -78,7 +78,7 @@ void measure(Rows rows, Vec3f along, Vec3f across, Vec3f up, float bins_per_metr
 }
 
 // What measure() leaves for cones: `facing` lacks what is beside, and directions change otherwise from one bearing to
-// the next. As in a wedge they do at a constant elevation, so that a level seabed is as far all over a sample's stretch
+// the next. As in a wedge they do at a constant elevation, so that a level seabed is as far all over a sample's segment
 // of bearings: with sin(elevation) = cos a sin t, d(direction)/da = across - along tan a / cos t.
 INSONIFY_VECTOR_CLONES
 void measure_beside(Rows rows, Vec3f across, Vec3f beside, float tan_bearing, float bins_per_metre,
@@ -170,17 +170,17 @@ void join_on_cone(Rows rows, float bin_length, const float* __restrict__ range, 
   join_rows<BeamShape::kCone>(rows, bin_length, range, along, up, beside, facing, surface, joined);
 }
 
-// The stretches between neighbours. Power changes linearly along each.
+// The segments between neighbours. Power changes linearly along each.
 INSONIFY_VECTOR_CLONES
-void stretch(int rows, float bins, const float* __restrict__ interval, float width,
-             const float* __restrict__ sample_elevation, const float* __restrict__ position,
-             const float* __restrict__ reach, const float* __restrict__ sample_power, float* __restrict__ low,
-             float* __restrict__ high, float* __restrict__ power, float* __restrict__ half_rise,
-             float* __restrict__ density, float* __restrict__ elevation) {
+void fill_segments(int rows, float bins, const float* __restrict__ interval, float width,
+                   const float* __restrict__ sample_elevation, const float* __restrict__ position,
+                   const float* __restrict__ reach, const float* __restrict__ sample_power, float* __restrict__ low,
+                   float* __restrict__ high, float* __restrict__ power, float* __restrict__ half_rise,
+                   float* __restrict__ density, float* __restrict__ elevation) {
   for (int a = 0; a + 1 < rows; ++a) {
     const int b = a + 1;
     const bool rising = position[a] < position[b];
-    const float beyond = 0.5F * (reach[a] + reach[b]) + shortest_stretch(position[b]);
+    const float beyond = 0.5F * (reach[a] + reach[b]) + least_half_length(position[b]);
     const float near = (rising ? position[a] : position[b]) - beyond;
     const float far = (rising ? position[b] : position[a]) + beyond;
     const float per_bin = 1 / (far - near);
@@ -218,22 +218,22 @@ void aim_column(const Lattice& lattice, int column, const ColumnAxes& axes, cons
 }
 
 void evaluate_column(const PingPlan& plan, SecondarySampling sampling, int column, const ColumnAxes& axes,
-                     const HitColumn& hits, Stretches& stretches) {
+                     const HitColumn& hits, FootprintSegments& segments) {
   const Lattice& lattice = plan.lattice;
   Rows rows = rows_of(lattice, column);
   rows.count = std::min(hits.rows + 1, lattice.rows);
   measure(rows, axes.along, axes.across, axes.up, plan.bins_per_metre, plan.first_bin_at, hits.normal_x, hits.normal_y,
-          hits.normal_z, hits.range, stretches.normal_along.data(), stretches.normal_up.data(), hits.facing,
-          stretches.position.data(), stretches.reach.data());
+          hits.normal_z, hits.range, segments.normal_along.data(), segments.normal_up.data(), hits.facing,
+          segments.position.data(), segments.reach.data());
   if (lattice.shape == BeamShape::kCone) {
     measure_beside(rows, axes.across, axes.beside, lattice.sin_azimuth[column] / lattice.cos_azimuth[column],
                    plan.bins_per_metre, hits.normal_x, hits.normal_y, hits.normal_z, hits.range,
-                   stretches.normal_along.data(), stretches.normal_beside.data(), hits.facing, stretches.reach.data());
-    join_on_cone(rows, 1 / plan.bins_per_metre, hits.range, stretches.normal_along.data(), stretches.normal_up.data(),
-                 stretches.normal_beside.data(), hits.facing, hits.surface, stretches.joined.data());
+                   segments.normal_along.data(), segments.normal_beside.data(), hits.facing, segments.reach.data());
+    join_on_cone(rows, 1 / plan.bins_per_metre, hits.range, segments.normal_along.data(), segments.normal_up.data(),
+                 segments.normal_beside.data(), hits.facing, hits.surface, segments.joined.data());
   } else {
-    join(rows, 1 / plan.bins_per_metre, hits.range, stretches.normal_along.data(), stretches.normal_up.data(),
-         hits.facing, hits.surface, stretches.joined.data());
+    join(rows, 1 / plan.bins_per_metre, hits.range, segments.normal_along.data(), segments.normal_up.data(),
+         hits.facing, hits.surface, segments.joined.data());
   }
   if (hits.has_relief) {
     bend(rows.count, hits.direction_x, hits.direction_y, hits.direction_z, hits.gradient_x, hits.gradient_y,
@@ -245,11 +245,11 @@ void evaluate_column(const PingPlan& plan, SecondarySampling sampling, int colum
     shade(rows.count, plan.neper_per_metre, hits.range, hits.facing, hits.reflectivity, hits.strength);
     plan.shape.apply(rows.count, hits.strength, hits.power);
   }
-  stretch(rows.count, static_cast<float>(plan.sonar.bin_count), lattice.intervals(column),
-          lattice.column_measure[column], lattice.elevations(column), stretches.position.data(), stretches.reach.data(),
-          hits.power, stretches.low.data(), stretches.high.data(), stretches.power.data(), stretches.half_rise.data(),
-          stretches.density.data(), stretches.elevation.data());
-  select_hits(plan, sampling, column, rows.count, hits, stretches.turned.data());
+  fill_segments(rows.count, static_cast<float>(plan.sonar.bin_count), lattice.intervals(column),
+                lattice.column_measure[column], lattice.elevations(column), segments.position.data(),
+                segments.reach.data(), hits.power, segments.low.data(), segments.high.data(), segments.power.data(),
+                segments.half_rise.data(), segments.density.data(), segments.elevation.data());
+  select_hits(plan, sampling, column, rows.count, hits, segments.turned.data());
 }
 
 }  // namespace insonify

@@ -57,8 +57,8 @@ class HitStrip {
 };
 
 /// How the samples of a column hang together: what lies between each and the next.
-struct Stretches {
-  explicit Stretches(int rows = 0) { resize(rows); }
+struct FootprintSegments {
+  explicit FootprintSegments(int rows = 0) { resize(rows); }
   void resize(int rows);
 
   // Of each sample.
@@ -68,7 +68,7 @@ struct Stretches {
   std::vector<float> reach;           ///< By how much the position changes from the middle of the column to its edge.
   std::vector<std::uint32_t> turned;  ///< Sum of the shares that are followed, from some sample up to this one.
 
-  // From each sample to the next, where both lie on one unbroken surface; see Stretch.
+  // From each sample to the next, where both lie on one unbroken surface; see FootprintSegment.
   std::vector<std::uint8_t> joined;  ///< Whether they do.
   std::vector<float> low, high;      ///< Ends, reach included, within the bins.
   std::vector<float> power, half_rise, density, elevation;
@@ -95,6 +95,6 @@ void aim_column(const Lattice& lattice, int column, const ColumnAxes& axes, cons
 /// Strength: paper, sections "Rasterized reflections" and "Unified reflections"; e^(-2 gamma r) is the two-way loss of
 /// a pressure amplitude (PHYSICS 1.4).
 void evaluate_column(const PingPlan& plan, SecondarySampling sampling, int column, const ColumnAxes& axes,
-                     const HitColumn& hits, Stretches& stretches);
+                     const HitColumn& hits, FootprintSegments& segments);
 
 }  // namespace insonify

@@ -33,7 +33,7 @@ HitColumn HitStrip::column(int column) {
   return hits;
 }
 
-void Stretches::resize(int rows) {
+void FootprintSegments::resize(int rows) {
   for (auto* values : {&normal_along, &normal_up, &normal_beside, &position, &reach, &low, &high, &power, &half_rise,
                        &density, &elevation}) {
     values->resize(rows);

@@ -27,7 +27,7 @@ struct MirrorChange {
   Triple place = {}, turn = {};
 };
 
-/// @return  No change where the other is not on the same stretch of surface: where the way there leaves the surface at
+/// @return  No change where the other is not on the same segment of surface: where the way there leaves the surface at
 ///          more than 30 degrees, or normals differ by more than 26.
 [[gnu::always_inline]] inline MirrorChange mirror_change(const MirrorSample& here, const MirrorSample& beside) {
   const Triple place = beside.place - here.place, turn = beside.reflected - here.reflected;
@@ -63,16 +63,16 @@ struct PathEnd {
   float there, back;  ///< Out and across, and straight back [m].
 };
 
-/// No stretch is a greater share of the path than this.
+/// No segment is a greater share of the path than this.
 inline constexpr float kWidestFootprint = 0.005F;
 
-/// Half lengths, in range, of the even stretches with the variance of what a sample hears [m].
+/// Half lengths, in range, of the even segments with the variance of what a sample hears [m].
 struct PathFootprint {
   float once, twice;  ///< By the mirror one way, and both ways.
 };
 
 /// Both changes follow the mirror's curvature and relief; the second surface is taken for its tangent plane, at no less
-/// than 12 degrees of grazing, and the stretch for no more than kWidestFootprint of the path, since neither goes on for
+/// than 12 degrees of grazing, and the segment for no more than kWidestFootprint of the path, since neither goes on for
 /// ever.
 /// @param above, rows  Change to the next sample of the same column, and how many of them this one stands for.
 /// @param aside        To that of a neighbouring column.

@@ -4,8 +4,8 @@
 
 namespace insonify {
 
-/// Stretch at both ends of a reflected ray or return leg that meets nothing [m]: more than the rounding of single
-/// precision at the distances sonars reach, less than any detail they resolve.
+/// FootprintSegment at both ends of a reflected ray or return leg that meets nothing [m]: more than the rounding of
+/// single precision at the distances sonars reach, less than any detail they resolve.
 inline constexpr float kRayClearance = 1e-3F;
 
 }  // namespace insonify

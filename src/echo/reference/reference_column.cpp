@@ -111,7 +111,7 @@ void ReferenceEngine::insonify_column(const PingPlan& plan, SecondarySampling sa
   HitColumn hits = strip.column(0);
   hits.rows = rows;
   hits.has_relief = reliefs_.any();
-  Stretches stretches(rows);
+  FootprintSegments segments(rows);
   SurfaceSums sums;
   sums.prepare(plan.sonar.bin_count);
   for (int row = 0; row < rows; ++row) {
@@ -139,8 +139,8 @@ void ReferenceEngine::insonify_column(const PingPlan& plan, SecondarySampling sa
   evaluate_column(
       plan, sampling, column,
       {frame.along.cast<float>(), frame.across.cast<float>(), frame.up.cast<float>(), frame.beside.cast<float>()}, hits,
-      stretches);
-  deposit_column(plan, column, hits, stretches, sums, grid);
+      segments);
+  deposit_column(plan, column, hits, segments, sums, grid);
   if (sampling == SecondarySampling::kNone) {
     return;
   }
