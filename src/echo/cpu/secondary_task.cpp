@@ -17,7 +17,7 @@ namespace {
 constexpr int kMany = 12;
 
 // After a packet that passed the boxes whole, as many of its strip are let through without a look.
-constexpr int kUnsifted = 2;
+constexpr int kUnculled = 2;
 
 }  // namespace
 
@@ -42,7 +42,7 @@ void SecondaryTask::start(const PingPlan& plan, const Vec3f& sonar, const Eigen:
 void SecondaryTask::follow(const HitColumn& strip, int stride, int first_column, int columns) {
   const int rows = strip.rows;
   const float* selected = strip.selected;
-  unsifted_ = 0;
+  unculled_ = 0;
   for (int row0 = 0; row0 < rows; row0 += kTile) {
     const unsigned in_lattice = (1U << std::min(kTile, rows - row0)) - 1;
     unsigned samples = 0;
@@ -63,16 +63,16 @@ void SecondaryTask::follow(const HitColumn& strip, int stride, int first_column,
       candidate_origins_.column[candidate_count_] = first_column + column;
       candidate_origins_.row[candidate_count_] = row;
       if (++candidate_count_ == kPacketSize) {
-        sift(strip);
+        cull_and_trace(strip);
       }
     }
   }
-  sift(strip);
+  cull_and_trace(strip);
 }
 
 // Sends those of the candidates that may meet something in time: at once where they are many, else in packets with
 // others. The rest would give no echo.
-void SecondaryTask::sift(const HitColumn& strip) {
+void SecondaryTask::cull_and_trace(const HitColumn& strip) {
   const int count = candidate_count_;
   candidate_count_ = 0;
   const RTCRay16& from = candidates_.rays.ray;
@@ -93,10 +93,10 @@ void SecondaryTask::sift(const HitColumn& strip) {
       lanes &= positive_of_sixteen(candidate_origins_.share);
     }
   }
-  if (plan_->secondary == SecondaryEchoes::kSelective && --unsifted_ < 0) {
+  if (plan_->secondary == SecondaryEchoes::kSelective && --unculled_ < 0) {
     const unsigned candidates = lanes;
     lanes &= scene_.boxes().may_meet(candidates_.lanes());
-    unsifted_ = lanes == candidates ? kUnsifted : 0;
+    unculled_ = lanes == candidates ? kUnculled : 0;
   }
   if (lanes == 0) {
     return;

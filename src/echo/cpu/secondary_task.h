@@ -43,7 +43,7 @@ class SecondaryTask {
   [[nodiscard]] std::uint64_t returned() const { return returned_; }  ///< Return legs.
 
  private:
-  void sift(const HitColumn& strip);
+  void cull_and_trace(const HitColumn& strip);
   void compute_ray_tubes(const HitColumn& strip, unsigned lanes);
   void trace_collected();
   void trace(RayPacket& packet, const ReflectedOrigins& origins, unsigned lanes);
@@ -67,7 +67,7 @@ class SecondaryTask {
   // In the strip: of the hits that are followed, and of samples beside them on the same surface, if there are any.
   int place_[kPacketSize], above_[kPacketSize], aside_[kPacketSize];
   int candidate_count_ = 0, reflected_count_ = 0;
-  int unsifted_ = 0;             // Packets that are yet to be let through without a look.
+  int unculled_ = 0;             // Packets that are yet to be let through without a look.
   Echo returning_[kPacketSize];  // Met a second surface; their return legs are in back_.
   float returning_strength_[kPacketSize], returning_rest_[kPacketSize];  // `paper`: see secondary_powers().
   Echo arriving_[kPacketSize];  // `calibrated`: heard straight from the second surface.
