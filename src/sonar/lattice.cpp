@@ -64,7 +64,7 @@ void add_row_set(const RowSet& set, const auto& sent_below, const auto& received
     lattice.elevation.push_back(to_float(elevation));
     lattice.cos_t.push_back(to_float(std::cos(t)));
     lattice.sin_t.push_back(to_float(std::sin(t)));
-    lattice.pattern.push_back(set.pattern != nullptr ? to_float(set.pattern->intensity(elevation)) : 1.0F);
+    lattice.row_pattern.push_back(set.pattern != nullptr ? to_float(set.pattern->intensity(elevation)) : 1.0F);
     const float below_row = row == 0 ? sent[0] : 0.5F * sent[row];
     const float above_row = row + 1 == rows ? sent[row + 1] : 0.5F * sent[row + 1];
     lattice.share.push_back(below_row + above_row);

@@ -54,7 +54,7 @@ struct Lattice {
   std::vector<float> share;
 
   /// |p|^2 in the rows, one way; 1 without a pattern. At [set * rows + row].
-  std::vector<float> pattern;
+  std::vector<float> row_pattern;
 
   // Where even_rows.
   float tan_step = 0;  ///< From row to row, of tan(elevation).
@@ -72,7 +72,7 @@ struct Lattice {
   [[nodiscard]] const float* cosines(int column) const { return &cos_t[first_of(column, rows)]; }
   [[nodiscard]] const float* sines(int column) const { return &sin_t[first_of(column, rows)]; }
   [[nodiscard]] const float* shares(int column) const { return &share[first_of(column, rows)]; }
-  [[nodiscard]] const float* pattern_in(int column) const { return &pattern[first_of(column, rows)]; }
+  [[nodiscard]] const float* pattern_in(int column) const { return &row_pattern[first_of(column, rows)]; }
   [[nodiscard]] const float* intervals(int column) const { return &interval[first_of(column, rows + 1)]; }
 
   /// Sum of the intervals of a beam's columns: the solid angle that it hears of what is sent [sr].

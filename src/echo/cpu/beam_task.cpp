@@ -27,7 +27,7 @@ void set_relief(const HitColumn& hits, int row, const ReliefPoint& relief) {
 
 void BeamTask::prepare(const PingPlan& plan, SecondarySampling sampling) {
   plan_ = &plan;
-  sampling_ = followed;
+  sampling_ = sampling;
   primary_count_ = 0;
   secondary_.reset_counts();
   const std::size_t columns = static_cast<std::size_t>(kMostBeamsTogether) * plan.lattice.columns_per_beam;
