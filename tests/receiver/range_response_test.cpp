@@ -122,7 +122,7 @@ TEST(RangeResponseTest, StretchIsHeardNoFartherThanThePulseReaches) {
     cells[bin] = {1.0F / bin, 0.5F};
   }
   response.receive_field(cells, whole);
-  const BinRange heard = response.heard_from({40, 55}, kBins);
+  const BinRange heard = response.reached_from({40, 55}, kBins);
   EXPECT_LT(heard.first, 40);
   EXPECT_GT(heard.last, 55);
   const auto within = [&](Field& of_row) { return std::span(of_row).subspan(heard.first, heard.last - heard.first); };
@@ -130,8 +130,8 @@ TEST(RangeResponseTest, StretchIsHeardNoFartherThanThePulseReaches) {
   EXPECT_EQ(part, whole);
   EXPECT_NE(part[heard.first], 0.0F);
   EXPECT_NE(part[heard.last - 1], 0.0F);
-  EXPECT_TRUE(response.heard_from({7, 7}, kBins).empty());
-  EXPECT_EQ(response.heard_from({0, kBins}, kBins).last, kBins);
+  EXPECT_TRUE(response.reached_from({7, 7}, kBins).empty());
+  EXPECT_EQ(response.reached_from({0, kBins}, kBins).last, kBins);
 }
 
 TEST(RangeResponseTest, NoPulseLeavesBinsAsTheyAre) {

@@ -94,7 +94,7 @@ TEST(MirrorFacetTest, ShareCountsOnceOnTheWayThereAndBack) {
   MirrorPaths paths = {};
   std::ranges::fill(paths.surface, surface_label(0, 0));
   for (int lane = 0; lane < kPathLanes; ++lane) {
-    paths.kept[lane] = paths.spread[lane] = paths.texture[lane] = 1;
+    paths.reflectance[lane] = paths.spread[lane] = paths.texture[lane] = 1;
     paths.there[lane] = paths.back[lane] = 5;
     paths.in[lane] = paths.out[lane] = paths.half[lane] = 1;
     paths.share[lane] = lane == 0 ? 1.0F : 0.5F;
