@@ -14,8 +14,13 @@
 namespace insonify {
 namespace {
 
-// Whether a run would call a picture so. The number has four digits or more.
+// Whether a run would call a picture so, or one that it was killed at: "sonar_view.png", "sonar_fan_0003.png" with four
+// digits or more, "sonar_view.png.1f2e3d4c.new".
 bool is_picture_of(const std::string& name, std::string_view file) {
+  constexpr std::string_view kUnfinished = ".1f2e3d4c.new";
+  if (file.ends_with(".new")) {
+    file.remove_suffix(std::min(kUnfinished.size(), file.size()));
+  }
   if (!file.starts_with(name + "_") || !file.ends_with(".png")) {
     return false;
   }

@@ -89,6 +89,19 @@ TEST_F(CliStopTest, ASecondRunIntoTheSameFolderIsRefused) {
   EXPECT_EQ(shell("insonify run fan.yaml -o out -q").status, 0);
 }
 
+TEST_F(CliStopTest, ARunWhoseFolderIsRemovedFails) {
+  for (const std::string gone : {"rm -r out", "mv out elsewhere"}) {
+    const Process process({"run", "fan.yaml", "-o", "out", "--pings", "100000", "--no-pictures"});
+    wait_for_pings("out/ahead.h5");
+    ASSERT_EQ(shell(gone).status, 0);
+    const Outcome outcome = process.end();
+    EXPECT_EQ(outcome.status, 1);
+    EXPECT_EQ(
+        outcome.err,
+        "insonify: out/ahead.h5: is no longer there: it was removed, moved or replaced while it was being written\n");
+  }
+}
+
 // As for a job in a shell's background.
 TEST_F(CliStopTest, CtrlCThatWasIgnoredStaysSo) {
   const Outcome outcome =

@@ -12,6 +12,30 @@ using testing::Not;
 
 // ---------------------------------------------------------------- run
 
+// Anybody may have put links into a folder that others can write to, under any name that a run might take.
+TEST_F(CliTest, ARunFollowsNoLinkThatItFindsInItsFolder) {
+  folder.write("target", "precious");
+  std::filesystem::create_directory("out");
+  const std::set<std::string> names{"ahead.h5", "ahead_fan_0002.png", "ahead_polar_0002.png", "ahead_view.png"};
+  for (const std::string& name : names) {
+    std::filesystem::create_symlink("../target", "out/" + name);
+    std::filesystem::create_symlink("../target", "out/" + name + ".new");
+  }
+  EXPECT_EQ(shell("insonify run fan.yaml -o out -q --pictures 1").status, 0);
+  EXPECT_EQ(text_of("target"), "precious");
+  for (const std::string& name : names) {
+    EXPECT_FALSE(std::filesystem::is_symlink("out/" + name)) << name;
+    EXPECT_TRUE(std::filesystem::exists("out/" + name)) << name;
+  }
+}
+
+TEST_F(CliTest, PicturesThatAKilledRunHadBegunAreRemoved) {
+  folder.write("out/ahead_fan_0002.png.0123abcd.new", "half a picture");
+  folder.write("out/ahead.png.0123abcd.new", "somebody else's");
+  EXPECT_EQ(shell("insonify run fan.yaml -o out --no-pictures -q").status, 0);
+  EXPECT_EQ(files("out"), (std::set<std::string>{"ahead.h5", "ahead.png.0123abcd.new"}));
+}
+
 TEST_F(CliTest, RunWritesRecordingAndPictures) {
   const Outcome outcome = shell("insonify run fan.yaml -o out/deep");
   EXPECT_EQ(outcome.status, 0) << outcome.err;

@@ -59,8 +59,20 @@ TEST(WritePngTest, AFullDiskIsAnErrorAndLeavesWhatWasThere) {
   ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &before), 0);
   std::signal(SIGXFSZ, handler);
   EXPECT_EQ(message, "a.png: cannot write the picture: File too large");
-  EXPECT_FALSE(std::filesystem::exists("a.png.new"));
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator("."), {}), 1);
   EXPECT_EQ(std::filesystem::file_size("a.png"), std::string("an older picture").size());
+}
+
+TEST(WritePngTest, FollowsNoLink) {
+  const WorkingFolder folder;
+  const std::string precious = "precious";
+  folder.write("target", precious);
+  std::filesystem::create_symlink("target", "a.png");
+  std::filesystem::create_symlink("target", "a.png.new");
+  write_png("a.png", gradient(4, 3));
+  EXPECT_FALSE(std::filesystem::is_symlink("a.png"));
+  EXPECT_EQ(std::filesystem::file_size("target"), precious.size());
+  EXPECT_TRUE(std::filesystem::is_symlink("a.png.new"));
 }
 
 TEST(WritePngTest, RefusesPicturesThatAreNotWhole) {

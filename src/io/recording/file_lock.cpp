@@ -3,13 +3,10 @@
 #include "io/recording/file_lock.h"
 
 #include <fcntl.h>
-#include <fmt/format.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
-#include <system_error>
-
-#include "insonify/error.h"
 
 namespace insonify {
 namespace {
@@ -22,14 +19,14 @@ struct flock whole_file(short type) {
   return lock;
 }
 
-// Whether nobody else had marked it.
-bool mark(int file) {
+}  // namespace
+
+void mark_as_being_written(int file) {
   struct flock lock = whole_file(F_WRLCK);
-  return fcntl(file, F_OFD_SETLK, &lock) == 0 || (errno != EAGAIN && errno != EACCES);
+  fcntl(file, F_OFD_SETLK, &lock);
 }
 
-// The file need not exist.
-bool is_marked(const std::filesystem::path& path) {
+bool is_being_written(const std::filesystem::path& path) {
   const int file = open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
   if (file < 0) {
     return false;
@@ -40,24 +37,12 @@ bool is_marked(const std::filesystem::path& path) {
   return marked;
 }
 
-}  // namespace
-
-int open_for_writing(const std::filesystem::path& path, const std::filesystem::path& beside) {
-  const int file = open(beside.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
-  if (file < 0) {
-    throw Error(fmt::format("{}: cannot create: {}", path.string(), std::generic_category().message(errno)));
-  }
-  // First the one beside, then the file itself: of two that begin at once one sees the other.
-  const bool ours = mark(file);
-  if (ours && !is_marked(path)) {
-    return file;
-  }
-  if (ours) {
-    std::error_code ignored;
-    std::filesystem::remove(beside, ignored);
-  }
-  close(file);
-  throw Error(fmt::format("{}: cannot create: another run is writing it; choose another folder", path.string()));
+bool is_still_there(int file, const std::filesystem::path& path) {
+  // Not by its number: some file systems give the same file another one each time.
+  struct stat own = {}, found = {};
+  const bool has_no_name = fstat(file, &own) == 0 && own.st_nlink == 0;
+  const bool is_missing = stat(path.c_str(), &found) != 0 && (errno == ENOENT || errno == ENOTDIR);
+  return !has_no_name && !is_missing;
 }
 
 }  // namespace insonify

@@ -6,11 +6,14 @@
 
 namespace insonify {
 
-/// Opens the file `beside`, made if it is missing, that is to become `path`. Until it is closed it is marked as being
-/// written, also once it has become `path`; programs that only read are not kept out. Where the file system knows no
-/// locks nothing is marked.
-/// @return  The open file.
-/// @throws Error when it cannot be opened, or when somebody else is writing either.
-[[nodiscard]] int open_for_writing(const std::filesystem::path& path, const std::filesystem::path& beside);
+/// Marks an open file as being written, until it is closed. Programs that only read it are not kept out. Where the file
+/// system knows no locks nothing is marked.
+void mark_as_being_written(int file);
+
+/// Whether somebody else has the file marked as being written. It need not exist.
+[[nodiscard]] bool is_being_written(const std::filesystem::path& path);
+
+/// Whether the open file can still be found: that it was not removed, replaced or moved from its path.
+[[nodiscard]] bool is_still_there(int file, const std::filesystem::path& path);
 
 }  // namespace insonify

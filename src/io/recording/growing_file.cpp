@@ -14,6 +14,7 @@
 #include <system_error>
 #include <utility>
 
+#include "io/file/unfinished_file.h"
 #include "io/recording/file_lock.h"
 #include "io/recording/growing_image.h"
 
@@ -34,6 +35,12 @@ std::string system_reason() {
 
 [[noreturn]] void fail(const std::filesystem::path& path, const std::string& what) {
   throw Error(fmt::format("{}: {}", path.string(), what));
+}
+
+void refuse_while_another_writes(const std::filesystem::path& path) {
+  if (is_being_written(path)) {
+    fail(path, "cannot create: another run is writing it; choose another folder");
+  }
 }
 
 // Bytes of all rows of all datasets.
@@ -63,41 +70,32 @@ std::uint64_t GrowingDataset::row_bytes() const {
 
 GrowingFile::GrowingFile(std::filesystem::path path, std::vector<GrowingDataset> datasets, std::uint64_t capacity,
                          const std::function<void(hid_t file)>& describe)
-    : path_(std::move(path)), datasets_(std::move(datasets)), capacity_(capacity) {
+    : path_(std::move(path)),
+      place_(std::filesystem::absolute(path_)),
+      datasets_(std::move(datasets)),
+      capacity_(capacity) {
   assert(capacity >= 1 && !datasets_.empty());
-  std::error_code ignored;
-  if (std::filesystem::exists(path_, ignored) && !std::filesystem::is_regular_file(path_, ignored)) {
-    fail(path_, "cannot create: it is there and is no regular file");
-  }
-  std::filesystem::path unfinished = path_;
-  unfinished += ".new";
   const std::uint64_t bytes = total_bytes(path_, datasets_, capacity_);
-  file_ = open_for_writing(path_, unfinished);
-  try {
-    if (ftruncate(file_, 0) != 0) {
-      fail(path_, "cannot create: " + system_reason());
-    }
-    auto [image, addresses] = make_growing_image(path_, datasets_, capacity_, describe);
-    addresses_ = std::move(addresses);
-    find_fields(image);
-    const std::uint64_t end = place_rows(image);
-    if (ftruncate(file_, static_cast<off_t>(end)) != 0) {
-      fail(path_, fmt::format("cannot make room for {} bytes: {}", bytes, system_reason()));
-    }
-    set_count(0);
-    std::ranges::copy(fields_bytes_, image.begin() + static_cast<std::ptrdiff_t>(fields_begin_));
-    if (!write_at(0, image)) {
-      fail(path_, "cannot create: " + system_reason());
-    }
-    std::filesystem::rename(unfinished, path_, ignored);
-    if (ignored) {
-      fail(path_, "cannot create: " + ignored.message());
-    }
-  } catch (...) {
-    std::filesystem::remove(unfinished, ignored);
-    ::close(file_);
-    throw;
+  refuse_while_another_writes(path_);
+  auto [image, addresses] = make_growing_image(path_, datasets_, capacity_, describe);
+  addresses_ = std::move(addresses);
+  find_fields(image);
+  const std::uint64_t end = place_rows(image);
+
+  UnfinishedFile unfinished(path_, "cannot create");
+  file_ = unfinished.descriptor();
+  mark_as_being_written(file_);
+  if (ftruncate(file_, static_cast<off_t>(end)) != 0) {
+    fail(path_, fmt::format("cannot make room for {} bytes: {}", bytes, system_reason()));
   }
+  set_count(0);
+  std::ranges::copy(fields_bytes_, image.begin() + static_cast<std::ptrdiff_t>(fields_begin_));
+  if (!write_at(0, image)) {
+    unfinished.fail_by_errno();
+  }
+  refuse_while_another_writes(path_);
+  unfinished.put_in_place();
+  file_ = unfinished.release();
 }
 
 GrowingFile::~GrowingFile() {
@@ -109,6 +107,7 @@ GrowingFile::~GrowingFile() {
 
 GrowingFile::GrowingFile(GrowingFile&& other) noexcept
     : path_(std::move(other.path_)),
+      place_(std::move(other.place_)),
       datasets_(std::move(other.datasets_)),
       capacity_(other.capacity_),
       count_(other.count_),
@@ -195,6 +194,12 @@ bool GrowingFile::write_at(std::uint64_t offset, std::span<const std::byte> byte
   return true;
 }
 
+void GrowingFile::check_is_there() const {
+  if (!is_still_there(file_, place_)) {
+    fail(path_, "is no longer there: it was removed, moved or replaced while it was being written");
+  }
+}
+
 void GrowingFile::append(std::span<const std::span<const std::byte>> rows) {
   assert(rows.size() == datasets_.size());
   if (file_ < 0) {
@@ -203,6 +208,7 @@ void GrowingFile::append(std::span<const std::span<const std::byte>> rows) {
   if (count_ == capacity_) {
     fail(path_, fmt::format("cannot write ping {}: the file was made for {}", count_, capacity_));
   }
+  check_is_there();
   bool written = true;
   for (std::size_t i = 0; written && i < rows.size(); ++i) {
     assert(rows[i].size() == datasets_[i].row_bytes());
@@ -217,10 +223,11 @@ void GrowingFile::append(std::span<const std::span<const std::byte>> rows) {
 }
 
 void GrowingFile::close() {
-  const int file = std::exchange(file_, -1);
-  if (file < 0) {
+  if (file_ < 0) {
     return;
   }
+  check_is_there();
+  const int file = std::exchange(file_, -1);
   const bool stored = fsync(file) == 0;
   const std::string reason = stored ? "" : system_reason();
   ::close(file);

@@ -33,7 +33,7 @@ struct GrowingDataset {
 class GrowingFile {
  public:
   /// Makes the file beside `path` and puts it there once it is complete: a file of that name is replaced whole or not
-  /// at all. Until it is closed nobody else can: see file_lock.h.
+  /// at all. Until it is closed no other GrowingFile can replace it (file_lock.h).
   /// @param capacity  Rows it has room for, >= 1.
   /// @param describe  Called with the open file to add whatever does not grow.
   /// @throws Error with the path when the file cannot be made.
@@ -49,20 +49,22 @@ class GrowingFile {
   [[nodiscard]] std::uint64_t capacity() const { return capacity_; }
 
   /// Adds one row to every dataset. `rows` has one entry a dataset, in their order, each of row_bytes().
-  /// @throws Error when it is full or the disk is; the file then is what it was before.
+  /// @throws Error when it is full or the disk is: the file then is what it was before; and when somebody has removed,
+  /// replaced or moved the file.
   void append(std::span<const std::span<const std::byte>> rows);
 
   /// Has the system put everything on the disk and closes the file; nothing more can be added.
-  /// @throws Error when the system could not.
+  /// @throws Error when the system could not, or when the file is no longer there.
   void close();
 
  private:
   void find_fields(std::span<const std::byte> image);
   std::uint64_t place_rows(std::span<std::byte> image);
   void set_count(std::uint64_t count);
+  void check_is_there() const;
   [[nodiscard]] bool write_at(std::uint64_t offset, std::span<const std::byte> bytes) const;
 
-  std::filesystem::path path_;
+  std::filesystem::path path_, place_;  // As it was given, and absolute.
   std::vector<GrowingDataset> datasets_;
   std::uint64_t capacity_ = 0, count_ = 0;
   int file_ = -1;

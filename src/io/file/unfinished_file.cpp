@@ -1,0 +1,70 @@
+// unfinished_file.cpp -- opens a file that was not there before.
+
+#include "io/file/unfinished_file.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <random>
+#include <system_error>
+#include <utility>
+
+#include "insonify/error.h"
+
+namespace insonify {
+
+UnfinishedFile::UnfinishedFile(std::filesystem::path path, std::string doing)
+    : path_(std::move(path)), doing_(std::move(doing)) {
+  std::error_code ignored;
+  if (std::filesystem::exists(path_, ignored) && !std::filesystem::is_regular_file(path_, ignored)) {
+    fail("it is there and is no regular file");
+  }
+  constexpr int kMostTries = 100;
+  std::random_device random;
+  for (int i = 0; i < kMostTries && descriptor_ < 0; ++i) {
+    unfinished_ = fmt::format("{}.{:08x}.new", path_.string(), random());
+    // O_EXCL: only a file that was not there; a link, even one that leads nowhere, counts as there.
+    descriptor_ = open(unfinished_.c_str(), O_RDWR | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
+    if (descriptor_ < 0 && errno != EEXIST) {
+      break;
+    }
+  }
+  if (descriptor_ < 0) {
+    fail_by_errno();
+  }
+}
+
+UnfinishedFile::~UnfinishedFile() {
+  if (!unfinished_.empty()) {
+    std::error_code ignored;
+    std::filesystem::remove(unfinished_, ignored);
+  }
+  if (descriptor_ >= 0) {
+    ::close(descriptor_);
+  }
+}
+
+void UnfinishedFile::put_in_place() {
+  std::error_code error;
+  std::filesystem::rename(unfinished_, path_, error);
+  if (error) {
+    fail(error.message());
+  }
+  unfinished_.clear();
+}
+
+int UnfinishedFile::release() {
+  return std::exchange(descriptor_, -1);
+}
+
+void UnfinishedFile::fail(const std::string& reason) const {
+  throw Error(fmt::format("{}: {}: {}", path_.string(), doing_, reason));
+}
+
+void UnfinishedFile::fail_by_errno() const {
+  fail(std::generic_category().message(errno));
+}
+
+}  // namespace insonify
