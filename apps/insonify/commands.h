@@ -46,10 +46,10 @@ struct CompareOptions {
   std::filesystem::path a, b;        ///< Recordings, folders of them, or pictures.
   std::string sonar;                 ///< Which recording of a folder; "" where there is one.
   std::vector<std::uint64_t> pings;  ///< Numbers from 0; none for all that both have.
-  std::string scale = "linear";
-  double floor_db = -50;  ///< [dB]
-  double full_scale = 1;
-  bool ms_ssim = true;
+  std::string scale;                 ///< linear or db; "" for db in recordings of the calibrated model, else linear.
+  double floor_db = -50;             ///< [dB]
+  std::optional<double> full_scale;  ///< Loudest of both in recordings of the calibrated model when absent, else 1.
+  bool ms_ssim = true;               ///< Where pictures are large enough.
   bool json = false;
 };
 

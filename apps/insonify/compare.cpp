@@ -13,15 +13,6 @@
 namespace insonify {
 namespace {
 
-Display levels_of(const CompareOptions& options) {
-  Display display;
-  display.scale = options.scale == "db" ? Scale::kDecibel : Scale::kLinear;
-  display.floor_db = options.floor_db;
-  display.full_scale = options.full_scale;
-  display.validate();
-  return display;
-}
-
 // The pings that were asked for, or all that both have.
 std::vector<std::uint64_t> chosen_pings(const CompareSource& a, const CompareSource& b,
                                         const std::vector<std::uint64_t>& wanted) {
@@ -47,6 +38,20 @@ std::vector<std::uint64_t> chosen_pings(const CompareSource& a, const CompareSou
   std::vector<std::uint64_t> all(common);
   std::iota(all.begin(), all.end(), std::uint64_t{0});
   return all;
+}
+
+// Raw intensities of the calibrated model are small and span many decades: they count in decibels below the loudest
+// of both recordings, unless the user says otherwise.
+Display levels_of(const CompareOptions& options, const CompareSource& a, const CompareSource& b,
+                  const std::vector<std::uint64_t>& pings) {
+  const bool calibrated = a.is_calibrated() && b.is_calibrated();
+  Display display;
+  display.scale = options.scale == "db" || (options.scale.empty() && calibrated) ? Scale::kDecibel : Scale::kLinear;
+  display.floor_db = options.floor_db;
+  const double loudest = calibrated && !options.full_scale ? std::max(a.loudest(pings), b.loudest(pings)) : 0;
+  display.full_scale = loudest > 0 ? loudest : options.full_scale.value_or(1);
+  display.validate();
+  return display;
 }
 
 std::string unmatched(const CompareSource& a, const CompareSource& b) {
@@ -79,7 +84,7 @@ class Tally {
   Tally(Comparison& comparison, bool ms_ssim) : comparison_(comparison), options_{.ms_ssim = ms_ssim} {}
 
   void add(const GreyPicture& a, const GreyPicture& b) {
-    check_side(a);
+    options_.ms_ssim = options_.ms_ssim && std::min(a.columns, a.rows) >= kMsSsimSide;
     const Similarity found = compare_pictures(a, b, options_);
     const ControlSimilarities controls = compare_controls(a, options_);
     comparison_.columns = a.columns;
@@ -98,15 +103,6 @@ class Tally {
   }
 
  private:
-  // Where nothing but MS-SSIM is in the way, says how to go on.
-  void check_side(const GreyPicture& picture) const {
-    const int side = std::min(picture.columns, picture.rows);
-    if (options_.ms_ssim && side >= kSsimSide && side < kMsSsimSide) {
-      throw Error(fmt::format("{}: {} columns x {} rows; MS-SSIM needs at least {} x {} (--no-ms-ssim leaves it out)",
-                              picture.name, picture.columns, picture.rows, kMsSsimSide, kMsSsimSide));
-    }
-  }
-
   Comparison& comparison_;
   SimilarityOptions options_;
   std::vector<NormalisedSimilarity> normalised_;
@@ -114,9 +110,8 @@ class Tally {
 };
 
 Comparison compared(const CompareOptions& options) {
-  const Display levels = levels_of(options);
-  const CompareSource a(options.a, options.sonar, levels);
-  const CompareSource b(options.b, options.sonar, levels);
+  CompareSource a(options.a, options.sonar);
+  CompareSource b(options.b, options.sonar);
   Comparison comparison;
   comparison.a = a.name();
   comparison.b = b.name();
@@ -130,6 +125,9 @@ Comparison compared(const CompareOptions& options) {
   } else {
     comparison.pings = chosen_pings(a, b, options.pings);
     comparison.unmatched = options.pings.empty() ? unmatched(a, b) : "";
+    comparison.levels = levels_of(options, a, b, comparison.pings);
+    a.set_levels(comparison.levels);
+    b.set_levels(comparison.levels);
     comparison.is_scan = a.is_scan() || b.is_scan();
     if (comparison.is_scan) {
       tally.add(a.scan(comparison.pings), b.scan(comparison.pings));

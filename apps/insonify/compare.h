@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "insonify/picture.h"
 #include "insonify/similarity.h"
 
 namespace insonify {
@@ -17,6 +18,7 @@ struct Comparison {
   int columns = 0, rows = 0;         ///< Of each picture.
   std::vector<std::uint64_t> pings;  ///< That were compared; none for two pictures.
   std::string unmatched;             ///< "a.h5 has 12" where the files have unequal numbers of pings; else "".
+  Display levels;                    ///< How intensities of recordings became levels from 0 to 1.
   bool is_scan = false;              ///< The pings of one beam side by side are one picture.
   std::vector<Similarity> each;      ///< One for each picture.
   Similarity similarity;

@@ -78,6 +78,19 @@ std::string heading(const Comparison& comparison) {
   return text + " of " + shape + (count > 1 ? "; each number is the mean over them" : "");
 }
 
+// What 0 and 1 stand for, where it is not the plain fractions of full scale.
+std::string levels_line(const Comparison& comparison) {
+  const Display& levels = comparison.levels;
+  if (comparison.pings.empty() || (levels.scale == Scale::kLinear && levels.full_scale == 1)) {
+    return "";
+  }
+  if (levels.scale == Scale::kLinear) {
+    return fmt::format("levels from 0 to 1 are intensities from 0 to {:.4g}\n", levels.full_scale);
+  }
+  return fmt::format("levels from 0 to 1 are decibels from {:.4g} to 0 re an intensity of {:.4g}\n", levels.floor_db,
+                     levels.full_scale);
+}
+
 void print_similarity(const Comparison& comparison) {
   const NormalisedSimilarity& normal = comparison.normalised;
   const std::array normalised = {number(normal.mse), number(normal.psnr), number(normal.ssim), number(normal.ms_ssim)};
@@ -140,7 +153,7 @@ nlohmann::ordered_json to_json(const Similarity& similarity) {
 }  // namespace
 
 void print_comparison(const Comparison& comparison) {
-  say("{}\n\n", heading(comparison));
+  say("{}\n{}\n", heading(comparison), levels_line(comparison));
   print_similarity(comparison);
   print_controls(comparison);
 }
@@ -150,6 +163,11 @@ void print_comparison_json(const Comparison& comparison) {
                                  {"sonar", comparison.sonar}, {"columns", comparison.columns},
                                  {"rows", comparison.rows},   {"pictures", comparison.each.size()},
                                  {"pings", comparison.pings}};
+  if (!comparison.pings.empty()) {
+    json["levels"] = {{"scale", comparison.levels.scale == Scale::kDecibel ? "db" : "linear"},
+                      {"full_scale", comparison.levels.full_scale},
+                      {"floor_db", comparison.levels.floor_db}};
+  }
   json.update(to_json(comparison.similarity));
   NormalisedSimilarity::visit_fields(comparison.normalised, [&](const Field& field, double value) {
     json["normalised"][std::string(field.name)] =

@@ -43,8 +43,8 @@ std::string ping_name(const std::string& file, std::uint64_t ping) {
 
 }  // namespace
 
-CompareSource::CompareSource(std::filesystem::path path, const std::string& sonar, const Display& levels)
-    : path_(std::filesystem::is_directory(path) ? find_recording(path, sonar) : std::move(path)), levels_(levels) {
+CompareSource::CompareSource(std::filesystem::path path, const std::string& sonar)
+    : path_(std::filesystem::is_directory(path) ? find_recording(path, sonar) : std::move(path)) {
   if (!std::filesystem::exists(path_)) {
     throw Error(fmt::format("{}: no such file or folder", name()));
   }
@@ -53,11 +53,25 @@ CompareSource::CompareSource(std::filesystem::path path, const std::string& sona
     picture_ = load_grey_picture(path_);
   } else if (ending == kRecordingEnding || ending == ".hdf5") {
     recording_.emplace(path_);
-    levels_.full_scale *= recording_->full_scale();
     check_sonar(sonar);
   } else {
     throw Error(fmt::format("{}: is neither a recording (.h5, .hdf5) nor a picture (.png)", name()));
   }
+}
+
+void CompareSource::set_levels(const Display& levels) {
+  levels_ = levels;
+  if (recording_) {
+    levels_.full_scale *= recording_->full_scale();
+  }
+}
+
+double CompareSource::loudest(const std::vector<std::uint64_t>& pings) const {
+  double loudest = 0;
+  for (const std::uint64_t ping : pings) {
+    loudest = std::max(loudest, std::ranges::max(recording_->intensity(ping)));
+  }
+  return loudest;
 }
 
 GreyPicture CompareSource::picture(std::uint64_t ping) const {

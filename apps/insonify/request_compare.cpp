@@ -18,14 +18,19 @@ void add_compare(CLI::App& app, Request& request) {
       ->type_name("N")
       ->expected(1)
       ->take_all();
-  command->add_option("--full-scale", options.full_scale, "Intensity that counts as 1, in recordings of fractions [1]")
+  command
+      ->add_option("--full-scale", options.full_scale,
+                   "Intensity that counts as 1 [the loudest of both where the calibrated model made them, else 1]")
       ->type_name("X");
-  command->add_option("--scale", options.scale, "How intensities count: linear or db [linear]")
+  command
+      ->add_option("--scale", options.scale,
+                   "How intensities count: linear or db [db where the calibrated model made them]")
       ->check(one_of({"linear", "db"}))
       ->type_name("NAME");
   command->add_option("--floor-db", options.floor_db, "Level that counts as 0 on a decibel scale [-50]")
       ->type_name("DB");
-  command->add_flag("--no-ms-ssim", request.no_ms_ssim, "Leave out MS-SSIM, which needs 176 x 176");
+  command->add_flag("--no-ms-ssim", request.no_ms_ssim,
+                    "Leave out MS-SSIM (smaller than 176 x 176 it is left out anyway)");
   command->add_flag("--json", options.json, "As JSON, with the numbers of each ping");
   command->footer(
       "Tells MSE, PSNR, SSIM, MS-SSIM, correlation and the distance of the histograms, as means over the pings; below\n"

@@ -12,7 +12,7 @@ void add_sonars(CLI::App& app, Request& request) {
       "Examples:\n"
       "  insonify sonars\n"
       "  insonify sonars blueprint-oculus-m750d --mode high\n\n"
-      "Presets are read from the folder INSONIFY_PRESETS where that is set.");
+      "Folders of your own presets, named in INSONIFY_PRESETS (separated by colons), add to the shipped ones.");
   command->callback([&request] { request.act = [&request] { return sonars(request.preset, request.mode); }; });
 }
 

@@ -27,7 +27,7 @@ int list_all() {
   std::vector<Row> rows = {{"preset", "mode", "type", "kHz", "beams", "degrees", "range m"}};
   const std::vector<std::string> names = preset_names();
   if (names.empty()) {
-    throw Error("there is no preset in the folder of presets; INSONIFY_PRESETS names it");
+    throw Error("there are no presets; INSONIFY_PRESETS names folders of them");
   }
   for (const std::string& name : names) {
     const std::vector<std::string> modes = load_preset(name).modes;

@@ -79,8 +79,10 @@ struct Preset {
   /// @param sound_speed  The one the sonar assumes [m/s].
   void fit_to_range(SonarConfig& sonar, double sound_speed) const;
 };
-/// Names of all presets, in order. They are read from INSONIFY_PRESETS (a folder) if set, else from the installed or
-/// source tree's `presets`.
+/// Names of all presets in alphabetical order: those of the folders that INSONIFY_PRESETS lists (separated by colons)
+/// and those shipped with insonify, in the installed or the source tree's `presets`. Of two with the same name the one of
+/// the earlier folder counts, INSONIFY_PRESETS first.
+/// @throws Error where INSONIFY_PRESETS names something that is no folder.
 [[nodiscard]] std::vector<std::string> preset_names();
 
 /// @param mode  "" for the default.

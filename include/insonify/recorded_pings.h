@@ -29,6 +29,9 @@ class RecordedPings {
   /// Name of the sonar; "" where the file does not tell.
   [[nodiscard]] const std::string& sonar() const;
 
+  /// Model of the echo: "calibrated", "paper", or "" where the file does not say.
+  [[nodiscard]] const std::string& model() const;
+
   /// Intensity that stands for full scale: the largest number of the type where whole numbers are stored (255 for 8
   /// bits), else 1.
   [[nodiscard]] double full_scale() const;

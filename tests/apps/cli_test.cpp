@@ -261,8 +261,6 @@ constexpr Mistake kMistakes[] = {
      "insonify: \"medium\" is not a mode of soundmetrics-didson, which has high and low"},
     {"ModeOfNoPreset", "insonify sonars --mode high", 2,
      "insonify: --mode high belongs to a preset, and none is named"},
-    {"FolderWithoutPresets", "mkdir none; INSONIFY_PRESETS=none insonify sonars", 2,
-     "insonify: there is no preset in the folder of presets; INSONIFY_PRESETS names it"},
     {"UnknownSection", "insonify describe sea", 2,
      "insonify: there is no section sea; there are scenario, water, materials, sonars, sampling, receiver, paper, "
      "trajectory, surface, points, interferers, motions, view"},

@@ -30,13 +30,14 @@ void write_picture(const std::string& path, const GreyPicture& picture) {
   write_levels(path, picture.columns, picture.rows, words_of(picture));
 }
 
-void write_recording(const std::string& path, const std::vector<GreyPicture>& pings, const std::string& sonar = "fls") {
+void write_recording(const std::string& path, const std::vector<GreyPicture>& pings, const std::string& sonar = "fls",
+                     const std::string& model = "") {
   std::vector<double> values;
   for (const GreyPicture& ping : pings) {
     values.insert(values.end(), ping.values.begin(), ping.values.end());
   }
   write_intensity(path, {pings.size(), static_cast<hsize_t>(pings[0].rows), static_cast<hsize_t>(pings[0].columns)},
-                  H5T_IEEE_F64LE, values, sonar);
+                  H5T_IEEE_F64LE, values, sonar, model);
 }
 
 class CompareTest : public CliTest {
@@ -120,11 +121,11 @@ TEST_F(CompareTest, SmallPicturesAreComparedWithoutMsSsim) {
   const GreyPicture small = waves_and_squares(64);
   write_picture("a.png", small);
   write_picture("b.png", shifted(small));
-  const json told = compared("a.png b.png --no-ms-ssim");
+  const json told = compared("a.png b.png");
   EXPECT_TRUE(told.at("ms_ssim").is_null());
   EXPECT_TRUE(told.at("normalised").at("ms_ssim").is_null());
   EXPECT_NEAR(told.at("ssim").get<double>(), ssim(load_grey_picture("a.png"), load_grey_picture("b.png")), kExact);
-  EXPECT_THAT(shell("insonify compare a.png b.png --no-ms-ssim").out, ContainsRegex("\nms_ssim +- +- +1 "));
+  EXPECT_THAT(shell("insonify compare a.png b.png").out, ContainsRegex("\nms_ssim +- +- +1 "));
 }
 
 // ---------------------------------------------------------------- Recordings
@@ -210,11 +211,32 @@ TEST_F(CompareTest, IntensitiesCountAgainstFullScaleAndInDecibelsWhereAskedTo) {
   EXPECT_NEAR(told.at("ssim").get<double>(), ssim(a, with_gain(a)), 1e-9);
 }
 
+// Raw intensities of the calibrated model count in decibels below the loudest of both, unless something else is asked.
+TEST_F(CompareTest, CalibratedRecordingsAreComparedInDecibelsBelowTheLoudest) {
+  const auto quiet = [](double value, double) { return 1e-6 * std::pow(10, 5 * value - 5); };
+  const auto louder = [](double value, double) { return 2e-6 * std::pow(10, 5 * value - 5); };
+  write_recording("a.h5", {changed(a, quiet)}, "fls", "calibrated");
+  write_recording("b.h5", {changed(a, louder)}, "fls", "calibrated");
+  double loudest = 0;
+  for (const double value : a.values) {
+    loudest = std::max(loudest, louder(value, 0));
+  }
+  const json told = compared("a.h5 b.h5");
+  EXPECT_EQ(told.at("levels").at("scale"), "db");
+  EXPECT_NEAR(told.at("levels").at("full_scale").get<double>() / loudest, 1, 1e-6);  // Stored in single precision.
+  // 3.01 dB of 50 apart wherever neither is below the floor.
+  EXPECT_NEAR(std::sqrt(told.at("mse").get<double>()), 10 * std::log10(2) / 50, 2e-4);
+  EXPECT_EQ(compared("a.h5 b.h5 --scale linear").at("levels").at("scale"), "linear");
+  EXPECT_EQ(compared("a.h5 b.h5 --full-scale 1e-5").at("levels").at("full_scale"), 1e-5);
+  EXPECT_THAT(shell("insonify compare a.h5 b.h5").out,
+              HasSubstr("\nlevels from 0 to 1 are decibels from -50 to 0 re an intensity of "));
+}
+
 TEST_F(CompareTest, TheRunOfAScenarioIsLikeItselfAndLessLikeAnotherNoise) {
   const Outcome outcome = shell(
       "insonify run fan.yaml -q --no-pictures -o one --seed 1 && insonify run fan.yaml -q --no-pictures -o two --seed "
       "2 "
-      "&& insonify compare one one --no-ms-ssim && insonify compare one two --no-ms-ssim");
+      "&& insonify compare one one && insonify compare one two");
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_THAT(outcome.out, HasSubstr("one/ahead.h5 and two/ahead.h5, sonar ahead: 3 pings of 16 columns x 40 rows"));
 }
@@ -255,9 +277,7 @@ constexpr Refusal kRefusals[] = {
     {"OneFile", "a.png", "B is required (insonify compare --help)"},
     {"Missing", "a.png b.png", "b.png: no such file or folder"},
     {"OfAnotherShape", "a.png small.png", "small.png: 64 columns x 64 rows, but a.png has 176 columns x 176 rows"},
-    {"TooSmallForFiveScales", "small.png small.png",
-     "small.png: 64 columns x 64 rows; MS-SSIM needs at least 176 x 176 (--no-ms-ssim leaves it out)"},
-    {"TooSmall", "tiny.png tiny.png --no-ms-ssim", "tiny.png: 8 columns x 8 rows; SSIM needs at least 11 x 11"},
+    {"TooSmall", "tiny.png tiny.png", "tiny.png: 8 columns x 8 rows; SSIM needs at least 11 x 11"},
     {"Constant", "a.png flat.png", "flat.png: every value is 0.2; there is nothing to compare in a constant picture"},
     {"Coloured", "colour.png a.png",
      "colour.png: the pixel in column 0, row 0 is coloured; a comparison needs a grey picture"},

@@ -1,8 +1,11 @@
 // preset_test.cpp -- every preset loads in every mode, says where its numbers come from, and has those of its data
 // sheet.
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include <algorithm>
 
 #include "insonify/files.h"
 #include "support/message_of.h"
@@ -14,6 +17,7 @@ namespace {
 using testing::AnyOf;
 using testing::Contains;
 using testing::ElementsAre;
+using testing::IsSupersetOf;
 using testing::Not;
 
 // One more digit than the data sheets give.
@@ -223,10 +227,34 @@ constexpr const char* kHead = "title: Mine\ndefault_mode: wide\nsources: {sheet:
 TEST_F(OwnPresetTest, IsReadFromTheFolderOfTheEnvironment) {
   folder.write("mine.yaml",
                std::string(kHead) + "modes:\n  wide:\n    beam_count: {value: 99, confidence: C, source: sheet}\n");
-  EXPECT_THAT(preset_names(), ElementsAre("mine"));
+  EXPECT_THAT(preset_names(), IsSupersetOf({"mine", "tritech-gemini-720i"}));  // Beside the shipped ones.
   EXPECT_EQ(load_preset("mine").sonar.beam_count, 99);
   EXPECT_EQ(load_preset("mine").sonar.model, "Mine");
   EXPECT_EQ(load_preset("mine").facts.at(0).source, "My own data sheet");
+}
+
+TEST_F(OwnPresetTest, ReplacesAShippedOneOfTheSameName) {
+  folder.write("tritech-gemini-720i.yaml",
+               std::string(kHead) + "modes:\n  wide:\n    beam_count: {value: 99, confidence: C, source: sheet}\n");
+  EXPECT_EQ(load_preset("tritech-gemini-720i").sonar.beam_count, 99);
+  EXPECT_EQ(std::ranges::count(preset_names(), "tritech-gemini-720i"), 1);
+}
+
+TEST_F(OwnPresetTest, ComesFromTheFirstOfSeveralFoldersThatHasIt) {
+  const auto write = [&](const std::string& name, int beams) {
+    folder.write(name, fmt::format("{}modes:\n  wide:\n    beam_count: {{value: {}, confidence: C, source: sheet}}\n",
+                                   kHead, beams));
+  };
+  std::filesystem::create_directories(folder.path() / "a");
+  std::filesystem::create_directories(folder.path() / "b");
+  write("a/both.yaml", 11);
+  write("b/both.yaml", 22);
+  write("b/second.yaml", 33);
+  const std::string folders = fmt::format("{0}/a:{0}/b:", folder.path().string());
+  setenv("INSONIFY_PRESETS", folders.c_str(), 1);
+  EXPECT_EQ(load_preset("both").sonar.beam_count, 11);
+  EXPECT_EQ(load_preset("second").sonar.beam_count, 33);
+  EXPECT_EQ(load_preset("second").file, folder.path() / "b/second.yaml");
 }
 
 TEST_F(OwnPresetTest, NeedsItsParts) {
@@ -267,8 +295,8 @@ TEST(PresetNameTest, TheNearestIsNamed) {
   EXPECT_THAT(preset_names(), Not(Contains("tritech-micron")));
 }
 
-TEST(PresetNameTest, AFolderWithoutPresetsIsNamed) {
-  setenv("INSONIFY_PRESETS", "/nowhere", 1);
+TEST(PresetNameTest, AnEntryThatIsNoFolderIsNamed) {
+  setenv("INSONIFY_PRESETS", "/tmp:/nowhere", 1);
   EXPECT_EQ(message_of([] { (void)preset_names(); }), "INSONIFY_PRESETS = \"/nowhere\" must be a folder of presets");
   unsetenv("INSONIFY_PRESETS");
 }

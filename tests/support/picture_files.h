@@ -43,17 +43,21 @@ void write_levels(const std::filesystem::path& path, int columns, int rows, cons
 
 /// Writes an HDF5 file with numbers `intensity` of any shape, and nothing else but, where named, the sonar.
 inline void write_intensity(const std::filesystem::path& path, const std::vector<hsize_t>& shape, hid_t stored,
-                            const std::vector<double>& values, const std::string& sonar = "") {
+                            const std::vector<double>& values, const std::string& sonar = "",
+                            const std::string& model = "") {
   const hid_t file = H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
   const hid_t space = H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr);
   const hid_t dataset = H5Dcreate2(file, "intensity", stored, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
   H5Dwrite(dataset, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data());
-  if (!sonar.empty()) {
+  for (const auto& [name, value] : {std::pair{"sonar", sonar}, std::pair{"model", model}}) {
+    if (value.empty()) {
+      continue;
+    }
     const hid_t text = H5Tcopy(H5T_C_S1);
-    H5Tset_size(text, sonar.size());
+    H5Tset_size(text, value.size());
     const hid_t one = H5Screate(H5S_SCALAR);
-    const hid_t attribute = H5Acreate2(file, "sonar", text, one, H5P_DEFAULT, H5P_DEFAULT);
-    H5Awrite(attribute, text, sonar.data());
+    const hid_t attribute = H5Acreate2(file, name, text, one, H5P_DEFAULT, H5P_DEFAULT);
+    H5Awrite(attribute, text, value.data());
     H5Aclose(attribute);
     H5Sclose(one);
     H5Tclose(text);

@@ -87,7 +87,7 @@ struct RecordedPings::State {
   H5Handle file, dataset;
   std::array<hsize_t, 3> shape{};  // Pings, bins, beams.
   double full_scale = 1;
-  std::string sonar;
+  std::string sonar, model;
 };
 
 RecordedPings::RecordedPings(const std::filesystem::path& path) : state_(std::make_unique<State>()) {
@@ -98,6 +98,7 @@ RecordedPings::RecordedPings(const std::filesystem::path& path) : state_(std::ma
   state_->shape = shape_of(state_->dataset.get(), path);
   state_->full_scale = full_scale_of(state_->dataset.get(), path);
   state_->sonar = text_attribute(state_->file.get(), "sonar", path);
+  state_->model = text_attribute(state_->file.get(), "model", path);
 }
 
 RecordedPings::~RecordedPings() = default;
@@ -118,6 +119,10 @@ int RecordedPings::beam_count() const {
 
 const std::string& RecordedPings::sonar() const {
   return state_->sonar;
+}
+
+const std::string& RecordedPings::model() const {
+  return state_->model;
 }
 
 double RecordedPings::full_scale() const {

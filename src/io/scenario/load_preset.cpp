@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "base/nearest_name.h"
 #include "insonify/files.h"
@@ -149,21 +150,23 @@ void fill_in_counts(Preset& preset) {
 }  // namespace
 
 std::vector<std::string> preset_names() {
-  std::vector<std::string> names;
-  std::error_code ignored;  // A folder that is not there holds no presets.
-  for (const auto& entry : std::filesystem::directory_iterator(preset_folder(), ignored)) {
-    if (entry.path().extension() == ".yaml") {
-      names.push_back(entry.path().stem().string());
+  std::set<std::string> names;
+  for (const std::filesystem::path& folder : preset_folders()) {
+    std::error_code ignored;  // A folder that is not there holds no presets.
+    for (const auto& entry : std::filesystem::directory_iterator(folder, ignored)) {
+      if (entry.path().extension() == ".yaml") {
+        names.insert(entry.path().stem().string());
+      }
     }
   }
-  std::ranges::sort(names);
-  return names;
+  return {names.begin(), names.end()};
 }
 
 void check_preset_name(const std::string& name) {
   const std::vector<std::string> names = preset_names();
   if (names.empty()) {
-    throw Error(fmt::format("{} is not a preset; there are none in {}", quoted_text(name), preset_folder().string()));
+    throw Error(
+        fmt::format("{} is not a preset; there are none in {}", quoted_text(name), preset_folders().back().string()));
   }
   if (!std::ranges::binary_search(names, name)) {
     // "gemini" is far from "tritech-gemini-720i" by letters, but part of it.
@@ -179,7 +182,7 @@ void check_preset_name(const std::string& name) {
 }
 
 void check_preset_mode(const std::string& name, const std::string& mode) {
-  require_mode(name, mode, modes_of(preset_tree(preset_folder() / (name + ".yaml"))));
+  require_mode(name, mode, modes_of(preset_tree(find_preset_file(name))));
 }
 
 void Preset::fit_to_range(SonarConfig& fitted, double sound_speed) const {
@@ -198,7 +201,7 @@ Preset load_preset(const std::string& name, const std::string& mode) {
   check_preset_name(name);
   Preset preset;
   preset.name = name;
-  preset.file = preset_folder() / (name + ".yaml");
+  preset.file = find_preset_file(name);
   const YamlValue tree = preset_tree(preset.file);
   preset.title = required_text(tree, "", "title");
   preset.default_mode = required_text(tree, "", "default_mode");

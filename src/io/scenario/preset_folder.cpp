@@ -1,4 +1,4 @@
-// preset_folder.cpp -- looks in the environment, beside the library, and in the source tree.
+// preset_folder.cpp -- folders from the environment, beside the library, and in the source tree.
 
 #include "io/scenario/preset_folder.h"
 
@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 
 #include <cstdlib>
+#include <sstream>
+#include <string>
 
 #include "insonify/error.h"
 #include "io/scenario/yaml_value.h"
@@ -23,15 +25,7 @@ std::filesystem::path folder_beside_library() {
   return std::filesystem::path(library.dli_fname).parent_path() / INSONIFY_PRESETS_FROM_LIBRARY;
 }
 
-}  // namespace
-
-std::filesystem::path preset_folder() {
-  if (const char* chosen = std::getenv("INSONIFY_PRESETS")) {
-    if (!std::filesystem::is_directory(chosen)) {
-      throw Error(fmt::format("INSONIFY_PRESETS = {} must be a folder of presets", quoted_text(chosen)));
-    }
-    return chosen;
-  }
+std::filesystem::path shipped_folder() {
   std::error_code ignored;
   for (const std::filesystem::path& folder :
        {folder_beside_library(), std::filesystem::path(INSONIFY_SOURCE_PRESETS)}) {
@@ -40,6 +34,41 @@ std::filesystem::path preset_folder() {
     }
   }
   return INSONIFY_INSTALLED_PRESETS;
+}
+
+// The entries of INSONIFY_PRESETS; empty ones, as of "a::b" or a colon at the end, are left out.
+std::vector<std::filesystem::path> own_folders() {
+  std::vector<std::filesystem::path> folders;
+  const char* variable = std::getenv("INSONIFY_PRESETS");
+  std::istringstream list(variable == nullptr ? "" : variable);
+  for (std::string entry; std::getline(list, entry, ':');) {
+    std::error_code ignored;
+    if (!entry.empty() && !std::filesystem::is_directory(entry, ignored)) {
+      throw Error(fmt::format("INSONIFY_PRESETS = {} must be a folder of presets", quoted_text(entry)));
+    }
+    if (!entry.empty()) {
+      folders.emplace_back(entry);
+    }
+  }
+  return folders;
+}
+
+}  // namespace
+
+std::vector<std::filesystem::path> preset_folders() {
+  std::vector<std::filesystem::path> folders = own_folders();
+  folders.push_back(shipped_folder());
+  return folders;
+}
+
+std::filesystem::path find_preset_file(const std::string& name) {
+  for (const std::filesystem::path& folder : preset_folders()) {
+    std::error_code ignored;
+    if (const std::filesystem::path file = folder / (name + ".yaml"); std::filesystem::exists(file, ignored)) {
+      return file;
+    }
+  }
+  return {};
 }
 
 }  // namespace insonify

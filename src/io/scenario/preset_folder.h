@@ -1,14 +1,20 @@
-// preset_folder.h -- where the presets are.
+// preset_folder.h -- where preset files are looked for.
 
 #pragma once
 
 #include <filesystem>
+#include <vector>
 
 namespace insonify {
 
-/// The folder that INSONIFY_PRESETS names; else the one installed with this library, wherever its installation has been
-/// moved to; else that of the source tree it was built from.
-/// @throws Error where INSONIFY_PRESETS names no folder.
-[[nodiscard]] std::filesystem::path preset_folder();
+/// Folders of presets, in the order in which a name is looked up: those that INSONIFY_PRESETS lists (separated by
+/// colons, as in PATH), then the shipped one, which is the one installed with this library wherever the installation
+/// has been moved to, else that of the source tree it was built from. A preset of an earlier folder replaces one of the
+/// same name in a later one.
+/// @throws Error where an entry of INSONIFY_PRESETS is no folder.
+[[nodiscard]] std::vector<std::filesystem::path> preset_folders();
+
+/// The file NAME.yaml of the first folder that has it; empty where none has.
+[[nodiscard]] std::filesystem::path find_preset_file(const std::string& name);
 
 }  // namespace insonify
