@@ -9,6 +9,9 @@ and `presets` in it, the build as `build/release`, and the command line as `inso
     ```bash      run by bash, stopping at the first command that fails
     ```python    run by python3
     ```cpp       a whole program: compiled against the library and run, in the scratch folder
+    ```console   what the block that ran last printed, or a part of it: compared line by line
+
+In a console block a line of `...` stands for any lines. Times and rates (numbers before s, ms or pings/s) may be others.
 
 Other blocks are only shown. A comment before a block says otherwise:
 
@@ -36,6 +39,7 @@ import tempfile
 SECONDS_PER_BLOCK = 300
 MARKER = re.compile(r"^\s*<!--\s*(file|run):\s*(.*?)\s*-->\s*$")
 IMAGE = re.compile(r"^\s*<!--\s*image:\s*(\S+)\s*=\s*(\S+)\s*-->\s*$")
+TIME = re.compile(r"\b\d+(\.\d+)?(?= (s|ms|pings/s)\b)")
 FENCE = re.compile(r"^(\s*)(`{3,})(\w*)[^`]*$")
 
 
@@ -116,6 +120,23 @@ def run_block(block, folder, arguments, environment):
     return None
 
 
+def mismatch(shown, printed):
+    """First line of the shown text that is not where it should be in what was printed; None where all are."""
+    lines = [TIME.sub("#", line.rstrip()) for line in printed.splitlines()]
+    free, at = True, 0  # Whether the next line may come later than right after the one before.
+    for line in shown.splitlines():
+        if line.strip() == "...":
+            free = True
+            continue
+        wanted = TIME.sub("#", line.rstrip())
+        candidates = range(at, len(lines)) if free else range(at, min(at + 1, len(lines)))
+        found = next((i for i in candidates if lines[i] == wanted), None)
+        if found is None:
+            return line
+        free, at = False, found + 1
+    return None
+
+
 def take_images(path, folder, replace):
     """Demands the pictures that the page says its blocks make; copies them to where the page shows them if asked to."""
     page = path.read_text(encoding="utf-8")
@@ -144,7 +165,15 @@ def run_document(path, arguments):
         (folder / "build").mkdir()
         (folder / "build/release").symlink_to(build)
         environment = dict(os.environ, PATH=f"{build}:{os.environ['PATH']}", TMPDIR=name)
+        output = None
         for block in blocks_of(path):
+            if block.language == "console" and block.run is None:
+                if output is None:
+                    raise Fault(f"{path}:{block.line}: nothing ran before this block")
+                wrong = mismatch(block.text, output)
+                if wrong is not None:
+                    raise Fault(f"{path}:{block.line}: this line was not printed there: {wrong}\n{output}")
+                continue
             try:
                 result = run_block(block, folder, arguments, environment)
             except Fault as fault:

@@ -61,6 +61,19 @@ class RunDocBlocksTest(unittest.TestCase):
         self.assertEqual(status, 1)
         self.assertIn("run: no must tell why", output)
 
+    def test_a_console_block_is_what_was_printed(self):
+        made = block("bash", "printf 'a 1\\nb 2\\nc 3\\nd in 0.52 s\\n'")
+        for shown in ("a 1\nb 2", "b 2\nc 3", "a 1\n...\nd in 7 s", "..."):
+            self.assertEqual(run(made + block("console", shown)), (0, "page.md: 1 blocks ran\n"), shown)
+        for shown, wrong in (("a 2", "a 2"), ("a 1\nc 3", "c 3"), ("b 2\n...\na 1", "a 1"), ("d in 0.52 m", "d in 0.52 m")):
+            status, output = run(made + block("console", shown))
+            self.assertEqual(status, 1, shown)
+            self.assertIn(f": this line was not printed there: {wrong}\n", output)
+
+    def test_a_console_block_needs_a_block_that_ran(self):
+        status, output = run(block("console", "a"))
+        self.assertEqual((status, output), (1, "page.md:2: nothing ran before this block\n"))
+
     def test_pictures_are_replaced_only_when_asked_for(self):
         page = "<!-- image: a.png = out/b.png -->\n![A](a.png)\n\n" + block("bash", "mkdir out; echo new > out/b.png")
         with tempfile.TemporaryDirectory() as folder:
