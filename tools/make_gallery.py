@@ -5,7 +5,8 @@
 
 Each folder in the one named is a run of `insonify run SCENE --channels -o FOLDER/SCENE`, with what it printed in log.txt
 if that was kept; scenes/SCENE.yaml says in its first comment what it is. A folder SCENE_calibrated is the same scene in the
-calibrated model: its pings are set beside the other's. The scenes of the paper come first, in its order.
+calibrated model: its pings are set beside the other's, with the first comment of scenes/SCENE_calibrated.yaml, which says what
+one sees, under them. The scenes of the paper come first, in its order.
 """
 
 import base64
@@ -56,15 +57,15 @@ def scene_of(folder):
 
 
 def scene_file(folder):
-    """Text of the scene, or none where the folder is of another."""
-    path = SCENES / f"{scene_of(folder)}.yaml"
+    """Text of the scenario that was run, or none where it is not one of the shipped ones."""
+    path = SCENES / f"{folder.name}.yaml"
     return path.read_text(encoding="utf-8") if path.exists() else ""
 
 
 def model_of(folder):
     """The model of the echo: the scene's own, or the default."""
     asked = re.search(r"^model: (\w+)", scene_file(folder), re.MULTILINE)
-    return asked[1] if asked and folder.name == scene_of(folder) else "calibrated"
+    return asked[1] if asked else "calibrated"
 
 
 def runs_of(folder):
@@ -83,7 +84,12 @@ def pictures_of(folder):
     model = {"paper": "paper (linear)", "calibrated": "calibrated (decibels)"}[model_of(folder)]
     number = int(re.search(r"(\d+)$", found["fan"].stem)[1]) if "fan" in found else 0
     moment = f"The last ping, number {number}" if number > 0 else "The ping"
-    return [(found[kind], caption.format(model=model, moment=moment)) for kind, caption in KINDS if kind in found]
+    seen = f". {description_of(folder)}" if folder.name.endswith(CALIBRATED) else ""
+    return [
+        (found[kind], caption.format(model=model, moment=moment) + (seen if kind in ("fan", "scan") else ""))
+        for kind, caption in KINDS
+        if kind in found
+    ]
 
 
 def description_of(folder):
@@ -106,7 +112,7 @@ def said_of(folder):
 def figure(scene, path, caption):
     data = base64.b64encode(path.read_bytes()).decode("ascii")
     text = html.escape(caption)
-    alt = html.escape(f"{scene}: {caption}")
+    alt = html.escape(f"{scene}: {caption.split('. ')[0]}")
     return f'<figure><img src="data:image/png;base64,{data}" alt="{alt}"><figcaption>{text}</figcaption></figure>'
 
 
@@ -114,7 +120,8 @@ def section(title, folders):
     columns = []
     for folder in folders:
         runs = [f"{model_of(run)}: " + "; ".join(said_of(run)) for run in runs_of(folder) if said_of(run)]
-        lines = "<br>".join(html.escape(line) for line in [f"scenes/{scene_of(folder)}.yaml", *runs])
+        names = " and ".join(f"scenes/{run.name}.yaml" for run in runs_of(folder))
+        lines = "<br>".join(html.escape(line) for line in [names, *runs])
         pictures = "".join(figure(title, *picture) for run in runs_of(folder) for picture in pictures_of(run))
         description = html.escape(description_of(folder))
         columns.append(
