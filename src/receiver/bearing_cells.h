@@ -1,4 +1,4 @@
-// bearing_cells.h -- the grid of bearings that echoes are sorted into before an array makes beams of them.
+// bearing_cells.h -- the bearing grid of an EchoGrid: the cells from which the array pattern forms beams.
 
 #pragma once
 
@@ -9,18 +9,21 @@
 
 namespace insonify {
 
-/// With a top hat the cells are the beams. An array hears between and beside them: its cells are half as wide as a
-/// beam; of a scanning head's one beam an eighth, and they reach over twice its width on either side.
+/// Cells in bearing, from which beams are formed.
+///
+/// With a top-hat beam pattern each cell is a beam. An array pattern needs a finer grid, because a beam receives echoes
+/// from between and outside the beam directions: two cells per beam for a fan. The single beam of a scanning head is
+/// divided into eight cells, and the grid extends by up to two beam widths on either side of it.
 struct BearingCells {
-  static constexpr int kMostPerBeam = 8;
+  static constexpr int kMaxPerBeam = 8;
 
   BearingCells(const SonarConfig& sonar, const ReceiverConfig& receiver);
 
-  SonarConfig sonar;  ///< What engines sample: the cells for beams.
-  int first = 0;      ///< Cell at the port edge of beam 0.
-  int per_beam = 1;   ///< Cells in each beam's own slice.
+  SonarConfig sonar;  ///< The sonar with one beam per cell: the configuration that engines sample.
+  int first = 0;      ///< Index of the cell at the port edge of beam 0.
+  int per_beam = 1;   ///< Cells per beam: those within the beam's own slice of azimuth.
 
-  /// u = sin(azimuth) of the middles of cells or beams.
+  /// Returns u = sin(azimuth) of the centre of each beam of `fan`; with `sonar`, of each cell.
   [[nodiscard]] static std::vector<double> sines(const SonarConfig& fan);
 };
 

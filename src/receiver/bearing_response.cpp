@@ -1,4 +1,4 @@
-// bearing_response.cpp -- the array's pattern as matrices, once for all pings.
+// bearing_response.cpp -- tabulates the array's beam pattern as gain matrices, once for all pings.
 
 #include "receiver/bearing_response.h"
 
@@ -9,9 +9,9 @@
 namespace insonify {
 namespace {
 
-// Sets all of some bins to 0 but those in `kept`.
+// Sets the bins of `bins` that are not in `kept` to 0 in every row of `beams`, [beam][bin].
 template <typename Value>
-void silence(std::span<Value> beams, int bin_count, BinRange bins, BinRange kept) {
+void clear_outside(std::span<Value> beams, int bin_count, BinRange bins, BinRange kept) {
   const int first = kept.empty() ? bins.last : kept.first, last = kept.empty() ? bins.last : kept.last;
   for (std::size_t start = 0; start < beams.size(); start += bin_count) {
     const auto row = beams.subspan(start, bin_count);
@@ -59,12 +59,12 @@ void BearingResponse::receive_energy(std::span<const float> cells, std::span<flo
   assert(cells.size() == static_cast<std::size_t>(cell_count()) * bin_count);
   assert(beams.size() == static_cast<std::size_t>(beam_count()) * bin_count);
   const BinRange received = bins & filled;
-  silence(beams, bin_count, bins, received);
+  clear_outside(beams, bin_count, bins, received);
   energy_.multiply(cells.data(), beams.data(), bin_count, received.first, received.last);
 }
 
-// A complex number is a pair of floats, which real gains multiply alike. The imaginary part of a gain multiplies the
-// field turned by a quarter.
+// A complex row is processed as 2 x bin_count floats, because a real gain multiplies both parts alike. The imaginary
+// part of a gain multiplies i x field: add_turned() swaps the two floats of each value and negates one.
 void BearingResponse::receive_field(std::span<const std::complex<float>> cells, std::span<std::complex<float>> beams,
                                     int bin_count, BinRange bins, BinRange filled) const {
   assert(cells.size() == static_cast<std::size_t>(cell_count()) * bin_count);
@@ -72,7 +72,7 @@ void BearingResponse::receive_field(std::span<const std::complex<float>> cells, 
   const auto* from = reinterpret_cast<const float*>(cells.data());
   auto* to = reinterpret_cast<float*>(beams.data());
   const BinRange received = bins & filled;
-  silence(beams, bin_count, bins, received);
+  clear_outside(beams, bin_count, bins, received);
   const int stride = 2 * bin_count, first = 2 * received.first, last = 2 * received.last;
   in_phase_.multiply(from, to, stride, first, last);
   if (quadrature_.beam_count() > 0) {

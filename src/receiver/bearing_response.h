@@ -1,4 +1,4 @@
-// bearing_response.h -- from the columns of a fine bearing grid to beams: what an array hears besides its own bearing.
+// bearing_response.h -- forms beams from bearing cells: sums the cells weighted by the array's beam pattern.
 
 #pragma once
 
@@ -12,47 +12,52 @@
 
 namespace insonify {
 
-/// Beams of a line array that listens to a grid of bearings.
+/// Beam pattern of a line array of length D, sampled on a grid of bearing cells (Van Trees, Optimum Array Processing
+/// (2002), ch. 2).
 ///
-/// A beam at u0 hears an echo from u with the amplitude g((D / wavelength) (u - u0)). Echoes of independent phases add
-/// by energy: beam = sum over cells of |g|^2 E. A complex field adds before it is squared: beam = sum of g f. Nothing
-/// is divided by the number of cells: g is 1 at the beam's own bearing, so that a discrete echo reads its full level
-/// there, and what is spread over bearings reads the more the wider the beam.
+/// A beam steered to u0 = sin(azimuth) receives an echo from u with the amplitude gain g((D / wavelength) (u - u0)).
+/// Without speckle, cell energies E are summed: beam = sum over cells of |g|^2 E. With speckle, complex cell fields f
+/// are summed: beam = sum over cells of g f. The gain is 1 at u0 and the sum is not divided by the number of cells. A
+/// discrete echo therefore keeps its level in the beam that points at it, and the level of an extended echo grows with
+/// the beam width.
 ///
-/// The grid must be at least as fine as wavelength / D, or the speckle of neighbouring beams comes out wrong; half a
-/// beam spacing is plenty. Bearings are told by their sines alone: nothing may lie more than 90 degrees off the axis.
+/// Cells must be no wider than wavelength / D, or the correlation of speckle between neighbouring beams is wrong; half
+/// a beam spacing is fine enough. A bearing is given by its sine, so all bearings must be within 90 degrees of the
+/// axis.
 class BearingResponse {
  public:
   static constexpr double kFloorDb = -60;
 
   /// @param length      D / wavelength, > 0.
-  /// @param cell_sines  u of the cells' centres, in order.
-  /// @param beam_sines  u0 of the beams, in order.
-  /// @param floor_db    Energy re the main lobe below which cells at either end of a beam's row are not heard [dB].
+  /// @param cell_sines  u of each cell's centre, in the order of the cells.
+  /// @param beam_sines  u0 of each beam, in the order of the beams.
+  /// @param floor_db    Energy gain re the main lobe [dB]: the cells beyond the outermost one that reaches it are left
+  ///                    out of a beam's sum.
   BearingResponse(const ArrayPattern& pattern, double length, std::span<const double> cell_sines,
                   std::span<const double> beam_sines, double floor_db = kFloorDb);
 
   [[nodiscard]] int beam_count() const { return energy_.beam_count(); }
   [[nodiscard]] int cell_count() const { return energy_.cell_count(); }
 
-  /// g of an echo from u, in the beam steered to number `beam` of the beam_sines.
+  /// Amplitude gain g for an echo from u in beam number `beam`.
   [[nodiscard]] std::complex<double> gain(int beam, double u) const {
     return pattern_.amplitude(length_ * (u - beam_sines_[beam]));
   }
 
-  /// Cells that are added up over all there are: the time goes with it, 0..1.
+  /// Fraction of the beam x cell products that the sums include, 0..1. The computing time is proportional to it.
   [[nodiscard]] double filled() const { return energy_.filled(); }
 
-  /// beams = |g|^2 cells, of energy. Allocates nothing.
-  /// @param cells      [cell][bin]
-  /// @param beams      [beam][bin], written.
-  /// @param bin_count  Of a row of either.
-  /// @param bins       To work on: threads share a ping by its bins. The result does not depend on how.
-  /// @param filled     Bins outside which cells hold nothing: no need to add that up.
+  /// Beam energies: the matrix product beams = |g|^2 cells, for the bins of one task. Allocates nothing.
+  /// @param cells      Cell energies, [cell][bin].
+  /// @param beams      Beam energies, [beam][bin]; written in `bins`.
+  /// @param bin_count  Bins per row of `cells` and of `beams`.
+  /// @param bins       Bins to compute. Threads divide a ping by bins; the result does not depend on the division.
+  /// @param filled     Bins outside which all cells are zero, so that the beams are too.
   void receive_energy(std::span<const float> cells, std::span<float> beams, int bin_count, BinRange bins,
                       BinRange filled) const;
 
-  /// beams = g cells, of a complex field; the same shapes. Twice the work of energy, with faulty elements four times.
+  /// Beam fields: the product beams = g cells of complex fields, with the same shapes. Takes twice the operations of
+  /// receive_energy(); four times where g is complex, as it is with faulty array elements.
   void receive_field(std::span<const std::complex<float>> cells, std::span<std::complex<float>> beams, int bin_count,
                      BinRange bins, BinRange filled) const;
 
@@ -60,8 +65,8 @@ class BearingResponse {
   ArrayPattern pattern_;
   double length_;
   std::vector<double> beam_sines_;
-  GainMatrix energy_;                 // |g|^2
-  GainMatrix in_phase_, quadrature_;  // Real and imaginary part of g; the latter empty where g is real.
+  GainMatrix energy_;                 // |g|^2.
+  GainMatrix in_phase_, quadrature_;  // Real and imaginary part of g; quadrature_ is empty where g is real.
 };
 
 }  // namespace insonify

@@ -1,4 +1,4 @@
-// calibrated_receiver.cpp -- cells, pulse, array, noise, gain.
+// calibrated_receiver.cpp -- the receiver chain of a ping: sum, speckle, pulse, array pattern, noise, detection.
 
 #include "receiver/calibrated_receiver.h"
 
@@ -11,12 +11,12 @@
 namespace insonify {
 namespace {
 
-constexpr int kBinsATask = 64;
-constexpr float kTiny = 1e-37F;  // Keeps what divides from being zero.
+constexpr int kBinsPerTask = 64;
+constexpr float kTiny = 1e-37F;  // Avoids division by zero.
 
-// Sets all of a row to 0 but these bins.
+// Sets the bins of `row` outside `bins` to 0.
 template <typename Value>
-void silence_beyond(BinRange bins, std::span<Value> row) {
+void clear_outside(BinRange bins, std::span<Value> row) {
   const BinRange kept = bins.empty() ? BinRange{} : bins;
   std::fill(row.begin(), row.begin() + kept.first, Value{});
   std::fill(row.begin() + kept.last, row.end(), Value{});
@@ -33,10 +33,12 @@ BinRange CalibratedReceiver::received_bins(const EchoGrid& grid, int cell) const
   return range_ ? range_->reached_from(filled, bins_) : filled;
 }
 
-// Echo of all path orders, and of the water from directions that no surface has closed yet.
+// Sums a cell's echo energies over path orders into `energy`, [bin], and adds volume reverberation. A bin's water is
+// insonified only in the part of the cell's solid angle in which no surface was hit nearer: grid.weight() is the solid
+// angle whose first hit lies in each bin.
 void CalibratedReceiver::sum_energy(const EchoGrid& grid, int cell, std::span<float> energy) const {
   const BinRange bins = grid.filled(cell);
-  silence_beyond(bins, energy);
+  clear_outside(bins, energy);
   if (!bins.empty()) {
     const auto within = [&](int order) { return grid.energy(order, cell).subspan(bins.first, bins.last - bins.first); };
     std::ranges::copy(within(1), energy.begin() + bins.first);
@@ -45,17 +47,18 @@ void CalibratedReceiver::sum_energy(const EchoGrid& grid, int cell, std::span<fl
     }
   }
   if (!volume_.empty()) {
-    const std::span<const float> met = grid.weight(1, cell);
-    float open = cell_angle_[cell];
+    const std::span<const float> hit = grid.weight(1, cell);
+    float unblocked = cell_angle_[cell];
     for (std::size_t i = 0; i < energy.size(); ++i) {
-      energy[i] += volume_[i] * std::max(0.0F, open - 0.5F * met[i]);  // Met half-way through the bin, on average.
-      open -= met[i];
+      energy[i] += volume_[i] * std::max(0.0F, unblocked - 0.5F * hit[i]);  // Hits are half-way through, on average.
+      unblocked -= hit[i];
     }
   }
 }
 
-// One cell's echo and what the pulse makes of it. The rest of its bins stay silent.
-void CalibratedReceiver::hear_cell(const EchoGrid& grid, int cell, const Speckle::View& view, Row& row) {
+// Computes one cell's row of bins up to and including the convolution with the pulse, into cell_energy_ or cell_field_.
+// Bins that neither echoes nor the pulse reach are zero.
+void CalibratedReceiver::receive_cell(const EchoGrid& grid, int cell, const Speckle::View& view, Row& row) {
   const auto bins = static_cast<std::size_t>(bins_);
   const BinRange filled = filled_bins(grid, cell), received = received_bins(grid, cell);
   row.energy.resize(bins);
@@ -72,7 +75,7 @@ void CalibratedReceiver::hear_cell(const EchoGrid& grid, int cell, const Speckle
     return;
   }
   const std::span<std::complex<float>> beam(&cell_field_[bins * cell], bins);
-  silence_beyond(received, beam);
+  clear_outside(received, beam);
   if (filled.empty()) {
     return;
   }
@@ -82,24 +85,24 @@ void CalibratedReceiver::hear_cell(const EchoGrid& grid, int cell, const Speckle
   }
   row.field.resize(range_ ? bins : 0);
   const std::span<std::complex<float>> drawn = range_ ? std::span(row.field) : beam;
-  silence_beyond(filled, drawn);
+  clear_outside(filled, drawn);
   speckle_->draw(view, row.scatterers, row.energy, drawn);
-  if (few_->any()) {
-    few_->draw(view, row.scatterers, grid, cell, row.energy, drawn);
+  if (sparse_->any()) {
+    sparse_->draw(view, row.scatterers, grid, cell, row.energy, drawn);
   }
   if (range_) {
     range_->receive_field(within(row.field), within(beam));
   }
 }
 
-// Beams of the cells.
-void CalibratedReceiver::hear_bearings(const EchoGrid& grid, Workers& workers) {
+// Forms the beams from the cells. Tasks divide the ping by blocks of bins.
+void CalibratedReceiver::receive_bearings(const EchoGrid& grid, Workers& workers) {
   BinRange received;
   for (int cell = 0; cell < cells_; ++cell) {
     received = received | received_bins(grid, cell);
   }
-  workers.for_each((bins_ + kBinsATask - 1) / kBinsATask, [&](int task, int) {
-    const BinRange bins{task * kBinsATask, std::min((task + 1) * kBinsATask, bins_)};
+  workers.for_each((bins_ + kBinsPerTask - 1) / kBinsPerTask, [&](int task, int) {
+    const BinRange bins{task * kBinsPerTask, std::min((task + 1) * kBinsPerTask, bins_)};
     speckle_ ? bearing_->receive_field(cell_field_, beam_field_, bins_, bins, received)
              : bearing_->receive_energy(cell_energy_, beam_energy_, bins_, bins, received);
   });
@@ -113,7 +116,8 @@ void CalibratedReceiver::receive_discrete_echoes(const EchoGrid& grid, const Dis
   }
 }
 
-// Into moved_. The solid angle met before the first bin stays where it is.
+// Fills moved_ with the cells and discrete echoes of `grid` as the moving sonar receives them. EchoGrid::met_before()
+// of each cell is not shifted.
 void CalibratedReceiver::move(const EchoGrid& grid, const PingMotion& motion, Workers& workers) {
   if (moved_.beam_count() == 0) {
     moved_ = grid;
@@ -140,16 +144,20 @@ void CalibratedReceiver::receive(const EchoGrid& still, const Pose& world_from_s
   ping.counts.resize(digitizer_ ? ping.intensity.size() : 0);
   const Speckle::View view = speckle_ ? speckle_->seen_from(world_from_sonar) : Speckle::View{};
   rows_.resize(std::max(rows_.size(), static_cast<std::size_t>(workers.count())));
-  workers.for_each(cells_, [&](int cell, int worker) { hear_cell(grid, cell, view, rows_[worker]); });
+
+  // Sum, speckle and pulse, cell by cell; then the array pattern, and the echoes that are not in cells.
+  workers.for_each(cells_, [&](int cell, int worker) { receive_cell(grid, cell, view, rows_[worker]); });
   if (bearing_) {
-    hear_bearings(grid, workers);
+    receive_bearings(grid, workers);
   }
   const DiscreteEchoes discrete(bearing_ ? &*bearing_ : nullptr, range_ ? &*range_ : nullptr, beams_, bins_);
   receive_discrete_echoes(grid, discrete);
+
+  // Noise and detection by tiles of beams x bins, each transposed into the ping's bins x beams.
   const int tiles_along = (bins_ + kTileBins - 1) / kTileBins, tiles_across = (beams_ + kTileBeams - 1) / kTileBeams;
   workers.for_each(tiles_across * tiles_along, [&](int tile, int) {
     const int beam = tile / tiles_along * kTileBeams, bin = tile % tiles_along * kTileBins;
-    hear_tile(grid, {beam, std::min(kTileBeams, beams_ - beam), bin, std::min(kTileBins, bins_ - bin)}, ping);
+    detect_tile(grid, {beam, std::min(kTileBeams, beams_ - beam), bin, std::min(kTileBins, bins_ - bin)}, ping);
   });
   if (digitizer_) {
     const auto beams = static_cast<std::size_t>(beams_);
@@ -162,7 +170,8 @@ void CalibratedReceiver::receive(const EchoGrid& still, const Pose& world_from_s
   }
 }
 
-void CalibratedReceiver::hear_tile(const EchoGrid& grid, const TilePlace& place, Ping& ping) const {
+// Adds noise to a tile of beams and bins, detects it and writes intensity, complex field and labels into the ping.
+void CalibratedReceiver::detect_tile(const EchoGrid& grid, const TilePlace& place, Ping& ping) const {
   const bool labelled = grid.ground_truth() == GroundTruth::kLabels;
   OutputTile tile = {};
   float in_phase[kTileBins] = {}, quadrature[kTileBins] = {};
@@ -179,7 +188,7 @@ void CalibratedReceiver::hear_tile(const EchoGrid& grid, const TilePlace& place,
       draw_normals(RandomPurpose::kNoiseQuadrature, block, beam, ping.number, seed_, quadrature);
     }
     for (int i = 0; i < place.bin_count; ++i) {
-      // A field without speckle has the phase 0.
+      // Without speckle there is no phase: the field is sqrt(energy), so that noise can be added to it.
       const float real = (speckle_ ? field[start + i].real() : std::sqrt(energy[start + i])) + deviation * in_phase[i];
       const float imaginary = (speckle_ ? field[start + i].imag() : 0.0F) + deviation * quadrature[i];
       tile.intensity[b][i] = std::min(real * real + imaginary * imaginary, saturation_) * gain_[place.first_bin + i];
@@ -189,7 +198,8 @@ void CalibratedReceiver::hear_tile(const EchoGrid& grid, const TilePlace& place,
       }
     }
     if (labelled) {
-      take_labels(grid, first_cell_ + beam * cells_per_beam_, cells_per_beam_, place, b, tile);  // Its own slice.
+      // Labels come from the cells in the beam's own slice of azimuth, not from those in its side lobes.
+      take_labels(grid, first_cell_ + beam * cells_per_beam_, cells_per_beam_, place, b, tile);
     }
   }
   write_tile(tile, place, labelled, ping);

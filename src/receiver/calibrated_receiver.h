@@ -1,4 +1,4 @@
-// calibrated_receiver.h -- from an EchoGrid to a Ping in the `calibrated` model.
+// calibrated_receiver.h -- turns an EchoGrid into a Ping in the `calibrated` model.
 
 #pragma once
 
@@ -27,35 +27,41 @@
 
 namespace insonify {
 
-/// Echo intensities of all path orders are summed in each cell, relative to the source's at 1 m: 10 log10 of them is
-/// EL - SL. With speckle each cell becomes a complex Gaussian field of that mean intensity, fixed in the world; without
-/// it energies go on.
-/// The water's own reverberation comes to it, from directions in which no surface was met at a shorter range.
-/// Pulse and array then mix neighbouring cells, by |p g|^2 of energies, by p g of fields. Thermal noise, a complex
-/// Gaussian field drawn anew for each ping and cell, is added to the field before it is detected. Last come the limit
-/// of the input, the ramp of the near field, gain, and counts.
+/// The receiver chain of the calibrated model. Intensities are relative to the source's at 1 m, so that 10 log10 of one
+/// is EL - SL. For each ping:
+///
+///   1. Motion: where the sonar moves, echoes are shifted to the cells in which they are received.
+///   2. Sum: the energies of all path orders are summed in each cell (beam or part of one, by range bin), and the
+///      water's volume reverberation is added from directions in which no surface was hit at a shorter range.
+///   3. Speckle: each cell's energy becomes a complex Gaussian field of that mean intensity, fixed in the world.
+///      Without speckle the energies themselves are passed on.
+///   4. Pulse and array pattern: convolution along range with p and along bearing with g; energies with |p|^2, |g|^2.
+///   5. Discrete echoes (ideal points, interference) are added to each beam and bin with the gain g p.
+///   6. Thermal noise, a complex Gaussian field drawn anew for each ping, beam and bin, is added to the field.
+///   7. Detection: squared magnitude, clipped at saturation, times near-field ramp and gain; then counts.
 class CalibratedReceiver {
  public:
   struct Settings {
     const SonarConfig& sonar;
-    const BearingCells& cells;           ///< What the grids are of.
-    std::span<const float> cell_angles;  ///< That each hears of what is sent, see Lattice::beam_angle() [sr].
+    const BearingCells& cells;           ///< The grids' bearing cells.
+    std::span<const float> cell_angles;  ///< Solid angle of each cell, weighted by the pattern both ways [sr]; see
+                                         ///< Lattice::beam_angle().
     const Water& water;
     const ReceiverConfig& receiver;
-    std::span<const Material> materials;  ///< Of the scene.
-    bool moves = false;                   ///< Whether the sonar moves while it listens.
+    std::span<const Material> materials;  ///< The scene's materials.
+    bool moves = false;                   ///< Whether the sonar moves between transmission and reception.
     std::uint64_t seed = 1;
   };
   explicit CalibratedReceiver(const Settings& settings);
 
-  /// Fills the tables of a ping, whose number is read; allocates only when they need more memory than before.
-  /// @param world_from_sonar  Pose of the transducer.
-  /// @param motion            From then on; only where the settings say that it moves.
+  /// Writes the tables of `ping`, whose number must be set; allocates only when they need more memory than before.
+  /// @param world_from_sonar  Pose of the transducer at transmission.
+  /// @param motion            Its motion after transmission; ignored unless Settings::moves.
   void receive(const EchoGrid& grid, const Pose& world_from_sonar, const PingMotion& motion, Workers& workers,
                Ping& ping);
 
  private:
-  // One worker's row of bins, before the pulse.
+  // Buffers of one worker thread for one cell's row of bins, before the pulse is applied.
   struct Row {
     std::vector<float> energy;
     std::vector<std::complex<float>> field;
@@ -63,35 +69,35 @@ class CalibratedReceiver {
   };
 
   void move(const EchoGrid& grid, const PingMotion& motion, Workers& workers);
-  // Bins of a cell in which there is anything, before the pulse and after it.
+  // Interval of bins of a cell that can be non-zero, before and after the convolution with the pulse.
   [[nodiscard]] BinRange filled_bins(const EchoGrid& grid, int cell) const;
   [[nodiscard]] BinRange received_bins(const EchoGrid& grid, int cell) const;
   void sum_energy(const EchoGrid& grid, int cell, std::span<float> energy) const;
-  void hear_cell(const EchoGrid& grid, int cell, const Speckle::View& view, Row& row);
-  void hear_bearings(const EchoGrid& grid, Workers& workers);
+  void receive_cell(const EchoGrid& grid, int cell, const Speckle::View& view, Row& row);
+  void receive_bearings(const EchoGrid& grid, Workers& workers);
   void receive_discrete_echoes(const EchoGrid& grid, const DiscreteEchoes& discrete);
-  void hear_tile(const EchoGrid& grid, const TilePlace& place, Ping& ping) const;
+  void detect_tile(const EchoGrid& grid, const TilePlace& place, Ping& ping) const;
 
   int beams_, bins_, cells_, first_cell_, cells_per_beam_;
-  std::vector<float> gain_;        // Of each bin: near field and time-varied gain.
-  std::vector<float> volume_;      // Of each bin: what the water echoes per unit of solid angle; empty for nothing.
-  std::vector<float> cell_angle_;  // Of each cell: solid angle that it hears of what is sent [sr].
+  std::vector<float> gain_;        // [bin]: intensity gain, near-field ramp times time-varied gain.
+  std::vector<float> volume_;      // [bin]: volume reverberation per unit solid angle [1/sr]; empty without any.
+  std::vector<float> cell_angle_;  // [cell]: solid angle, weighted by the pattern both ways [sr].
   TruthReceiver truth_;
-  double noise_intensity_ = 0;
-  float saturation_;  // Intensity before gain.
+  double noise_intensity_ = 0;  // Mean intensity of the noise re the source's at 1 m.
+  float saturation_;            // Largest intensity before gain.
   bool noisy_, has_field_;
   std::uint64_t seed_;
   std::optional<ReceptionShift> shift_;
   EchoGrid moved_;
   std::optional<Speckle> speckle_;
   std::optional<Clutter> clutter_;
-  std::optional<SparseScatterers> few_;
+  std::optional<SparseScatterers> sparse_;
   std::optional<Digitizer> digitizer_;
   std::optional<RangeResponse> range_;
   std::optional<BearingResponse> bearing_;
 
-  std::vector<Row> rows_;  // Of each worker.
-  // [cell][bin] and [beam][bin]; of energies or of a field.
+  std::vector<Row> rows_;  // [worker].
+  // [cell][bin] and [beam][bin]. With speckle the fields are used, without it the energies; the others are empty.
   std::vector<float> cell_energy_, beam_energy_;
   std::vector<std::complex<float>> cell_field_, beam_field_;
 };

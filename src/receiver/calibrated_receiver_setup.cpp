@@ -1,4 +1,4 @@
-// calibrated_receiver_setup.cpp -- settings turned into what is the same for all pings.
+// calibrated_receiver_setup.cpp -- computes the tables and parts of a CalibratedReceiver that no ping changes.
 
 #include <cassert>
 #include <cmath>
@@ -12,6 +12,8 @@
 namespace insonify {
 namespace {
 
+// Mean intensity of the noise in a beam, re the source's at 1 m: thermal and ambient noise in the receiver's bandwidth,
+// less the directivity index of a top-hat beam (Urick, Principles of Underwater Sound (1983), ch. 2).
 double noise_intensity_of(const SonarConfig& sonar, const ReceiverConfig& receiver) {
   const double width = sonar.azimuth_aperture / sonar.beam_count;
   const double directivity = sector_directivity_index_db(width, sonar.elevation_aperture);
@@ -23,14 +25,17 @@ double noise_intensity_of(const SonarConfig& sonar, const ReceiverConfig& receiv
   return std::pow(10.0, (level - sonar.source_level_db) / 10);
 }
 
-// Echo of a bin of water, per unit of solid angle; not from nearer than a millimetre, where spreading has no meaning.
+// Volume reverberation of one bin per unit solid angle, s_v (1/r1 - 1/r2) with absorption at the bin's middle: the
+// integral of s_v r^2 / r^4 from r1 to r2 (Urick 1983, ch. 8). Ranges start at a millimetre: 1/r has a pole at 0.
+// @param backscatter   s_v [1/m], linear.
+// @param middle, half  Middle and half length of the bin, true range [m].
 double volume_reverberation(double backscatter, double middle, double half, double absorption_db_per_m) {
   constexpr double kNearest = 1e-3;
   const double near = std::max(middle - half, kNearest);
   return backscatter * (1 / near - 1 / (middle + half)) * std::pow(10.0, -0.2 * absorption_db_per_m * middle);
 }
 
-// Of each bin: near field and time-varied gain.
+// Intensity gain of each bin: near-field ramp (of amplitude, hence squared) and time-varied gain.
 std::vector<float> gain_of(const SonarConfig& sonar, const ReceiverConfig& receiver, double absorption_db_per_m) {
   std::vector<float> gain;
   for (int bin = 0; bin < sonar.bin_count; ++bin) {
@@ -40,11 +45,11 @@ std::vector<float> gain_of(const SonarConfig& sonar, const ReceiverConfig& recei
   return gain;
 }
 
-// Of each bin: what the water echoes per unit of solid angle; empty for nothing.
-std::vector<float> volume_of(const SonarConfig& sonar, const Water& water, double true_ranges) {
+// Volume reverberation of each bin per unit solid angle [1/sr]; empty where the water has no volume backscatter.
+std::vector<float> volume_of(const SonarConfig& sonar, const Water& water, double range_scale) {
   std::vector<float> volume;
   for (int bin = 0; water.volume_backscatter_db && bin < sonar.bin_count; ++bin) {
-    const double middle = true_ranges * sonar.bin_range(bin), half = 0.5 * true_ranges * sonar.bin_length();
+    const double middle = range_scale * sonar.bin_range(bin), half = 0.5 * range_scale * sonar.bin_length();
     const double backscatter = std::pow(10.0, *water.volume_backscatter_db / 10);
     const double absorption = water.absorption_db_per_m_at(sonar.frequency);
     volume.push_back(static_cast<float>(volume_reverberation(backscatter, middle, half, absorption)));
@@ -75,9 +80,9 @@ CalibratedReceiver::CalibratedReceiver(const Settings& settings)
   const BearingCells& cells = settings.cells;
   const double true_speed = settings.water.true_sound_speed();
   const double shown_speed = sonar.assumed_sound_speed.value_or(true_speed);
-  const double true_ranges = true_speed / shown_speed, wavelength = true_speed / sonar.frequency;
+  const double range_scale = true_speed / shown_speed, wavelength = true_speed / sonar.frequency;
   gain_ = gain_of(sonar, receiver, settings.water.absorption_db_per_m_at(sonar.frequency));
-  volume_ = volume_of(sonar, settings.water, true_ranges);
+  volume_ = volume_of(sonar, settings.water, range_scale);
   const Pulse pulse(
       {.kind = receiver.pulse, .duration = receiver.pulse_duration, .bandwidth = receiver.pulse_bandwidth}, shown_speed,
       sonar.bin_length());
@@ -91,12 +96,12 @@ CalibratedReceiver::CalibratedReceiver(const Settings& settings)
   }
   if (settings.moves) {
     const double bias = pulse.doppler_bias(doppler_shift(1, sonar.frequency, true_speed));
-    shift_.emplace(cells.sonar, true_ranges, true_speed, bias);
+    shift_.emplace(cells.sonar, range_scale, true_speed, bias);
   }
   if (receiver.speckle) {
-    speckle_.emplace(cells.sonar, true_ranges, wavelength, seed_);
+    speckle_.emplace(cells.sonar, range_scale, wavelength, seed_);
     const double bins = range_ ? range_->equivalent_cells() : 1.0;
-    few_.emplace(settings.materials, cells.sonar, true_ranges);
+    sparse_.emplace(settings.materials, cells.sonar, range_scale);
     clutter_.emplace(settings.materials, cells.per_beam, std::max(1, static_cast<int>(std::lround(bins))));
   }
   if (receiver.counts) {

@@ -1,4 +1,4 @@
-// clutter.cpp -- tables of quantiles, and which patch a cell lies in.
+// clutter.cpp -- tabulates gamma quantiles and draws one for each patch of cells.
 
 #include "receiver/clutter.h"
 
@@ -12,12 +12,13 @@
 namespace insonify {
 namespace {
 
-constexpr float kStepsPerUnit = 16;  // Of v.
-constexpr float kGreatest = 16.6F;   // v of the greatest random number below 1.
+constexpr float kStepsPerUnit = 16;  // Table entries per unit of v = log(u / (1 - u)).
+constexpr float kGreatest = 16.6F;   // v of the greatest random number u below 1.
 
 }  // namespace
 
-// The density of y = log x is exp(nu (y - e^y)) but for a factor: smooth whatever nu is.
+// Integrates the density of y = log x, which is proportional to exp(nu (y - e^y)) and smooth for every nu > 0, by the
+// trapezoidal rule; then inverts the integral at evenly spaced v, with linear interpolation in y.
 GammaQuantiles::GammaQuantiles(double shape) {
   const double lowest = std::min(-18.5 / shape, -10 / std::sqrt(shape));
   const double highest = std::log(1 + 40 / shape + 10 / std::sqrt(shape));

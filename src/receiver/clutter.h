@@ -1,4 +1,4 @@
-// clutter.h -- surfaces whose echoes come in patches: K-distributed clutter.
+// clutter.h -- K-distributed clutter: multiplies the mean energy of patches by gamma-distributed texture.
 
 #pragma once
 
@@ -12,37 +12,38 @@
 
 namespace insonify {
 
-/// Quantiles of the gamma distribution of mean 1 and shape nu.
+/// Table of quantiles of the gamma distribution with mean 1 and shape nu.
 class GammaQuantiles {
  public:
   /// @param shape  nu, > 0.
   explicit GammaQuantiles(double shape);
 
-  /// The value that a share u of all stays below, from v = log(u / (1 - u)).
+  /// Quantile of the probability u, given as v = log(u / (1 - u)): the table is evenly spaced in v, so that both tails
+  /// are resolved.
   [[nodiscard]] float at(float v) const;
 
  private:
-  std::vector<float> values_;  // Evenly spaced in v.
+  std::vector<float> values_;  // Quantiles at evenly spaced v.
 };
 
-/// Gives materials with a `clutter_shape` nu their texture: the mean energy of each patch is drawn from a gamma
-/// distribution of mean 1 and variance 1 / nu, and stays where it is in the world. With speckle on top intensities are
-/// K-distributed (Jakeman and Pusey, IEEE Trans. AP-24, 806 (1976); Abraham and Lyons, IEEE J. Ocean. Eng. 27, 800
-/// (2002)). Patches are as large as what the sonar resolves.
+/// Texture of materials with a `clutter_shape` nu: the mean energy of each patch of cells is multiplied by a
+/// gamma-distributed number of mean 1 and variance 1 / nu, fixed in the world. With speckle, which multiplies it by an
+/// exponentially distributed one, intensities are K-distributed (Jakeman and Pusey, IEEE Trans. AP-24, 806 (1976);
+/// Abraham and Lyons, IEEE J. Ocean. Eng. 27, 800 (2002)). A patch is one resolution cell of the sonar.
 class Clutter {
  public:
-  /// @param cells, bins  Of a patch.
+  /// @param cells, bins  Size of a patch in bearing cells and range bins, >= 1.
   Clutter(std::span<const Material> materials, int cells, int bins);
 
   /// Whether any material has texture.
   [[nodiscard]] bool any() const { return !quantiles_.empty(); }
 
-  /// Multiplies the energies of a row of cells.
+  /// Multiplies the energies of one row of bins, `energy` [bin], by the texture of the patch that each bin lies in.
   void texture(const Speckle::View& view, const Speckle::Row& row, std::span<float> energy) const;
 
  private:
   std::uint32_t cells_, bins_;
-  std::vector<int> table_;  // Of each material; -1 for none.
+  std::vector<int> table_;  // [material]: index into quantiles_, -1 for a material without texture.
   std::vector<GammaQuantiles> quantiles_;
 };
 

@@ -1,4 +1,4 @@
-// digitizer.cpp -- both mappings by way of the logarithm.
+// digitizer.cpp -- vectorized gamma and logarithmic mappings, both computed from the logarithm of intensity.
 
 #include "receiver/digitizer.h"
 
@@ -10,8 +10,8 @@
 namespace insonify {
 namespace {
 
-constexpr float kRounder = 12582912.0F;  // Adding and taking away 1.5 x 2^23 rounds to the nearest whole number.
-constexpr float kLeast = 1e-30F;         // Keeps the logarithm finite.
+constexpr float kRounder = 12582912.0F;  // Adding and subtracting 1.5 x 2^23 rounds a float to the nearest integer.
+constexpr float kLeast = 1e-30F;         // Keeps the logarithm of 0 finite.
 
 [[gnu::always_inline]] inline std::uint16_t count_of(float value, float most) {
   const float limited = value < 0 ? 0.0F : value > most ? most : value;
@@ -40,18 +40,18 @@ void map_powers(std::size_t count, const float* __restrict__ intensities, float 
 
 Digitizer::Digitizer(const SonarConfig& sonar, double full_scale_db)
     : mapping_(sonar.mapping),
-      most_(static_cast<float>((1 << sonar.bits) - 1)),
+      max_count_(static_cast<float>((1 << sonar.bits) - 1)),
       per_full_scale_(static_cast<float>(std::pow(10.0, -full_scale_db / 10))) {
   const double decibels_per_unit = 10 / std::log(10.0);
   exponent_ =
       static_cast<float>(mapping_ == Mapping::kGamma ? 0.5 * sonar.mapping_exponent
-                                                     : double{most_} * decibels_per_unit / sonar.mapping_range_db);
+                                                     : double{max_count_} * decibels_per_unit / sonar.mapping_range_db);
 }
 
 void Digitizer::digitize(std::span<const float> intensities, std::span<std::uint16_t> counts) const {
   assert(intensities.size() == counts.size());
   const auto map = mapping_ == Mapping::kGamma ? map_powers : map_logarithms;
-  map(intensities.size(), intensities.data(), per_full_scale_, most_, exponent_, counts.data());
+  map(intensities.size(), intensities.data(), per_full_scale_, max_count_, exponent_, counts.data());
 }
 
 }  // namespace insonify

@@ -1,4 +1,4 @@
-// digitizer.h -- the whole numbers that an instrument delivers.
+// digitizer.h -- quantizes intensities to the integer counts that an instrument delivers.
 
 #pragma once
 
@@ -9,25 +9,24 @@
 
 namespace insonify {
 
-/// Maps intensities to counts from 0 to 2^bits - 1, the greatest at full scale and beyond; L is the level re full
-/// scale.
+/// Maps intensities to counts from 0 to N = 2^bits - 1, by their level L re full scale [dB]:
 ///
-///   gamma        most x 10^(exponent L / 20)       linear in amplitude: exponent 1
-///   logarithmic  most x (1 + L / mapping_range_db)
+///   gamma        N x 10^(exponent L / 20)         linear in amplitude where the exponent is 1
+///   logarithmic  N x (1 + L / mapping_range_db)
 ///
-/// Rounded to the nearest count, halves to the even one.
+/// Results are rounded to the nearest integer, halves to the even one, and clipped to 0..N.
 class Digitizer {
  public:
-  /// @param full_scale_db  Level of the greatest count, as intensities are recorded [dB].
+  /// @param full_scale_db  Recorded level that gives the count N [dB re the source's at 1 m, after gain].
   Digitizer(const SonarConfig& sonar, double full_scale_db);
 
-  /// @param counts  One for each intensity; written.
+  /// @param counts  One per intensity; written.
   void digitize(std::span<const float> intensities, std::span<std::uint16_t> counts) const;
 
  private:
   Mapping mapping_;
-  float most_, per_full_scale_;
-  float exponent_ = 0;  // Of intensity, or of counts per unit of its logarithm.
+  float max_count_, per_full_scale_;  // N, and 1 / the intensity of full scale.
+  float exponent_ = 0;                // kGamma: exponent of intensity. kLogarithmic: counts per unit of its logarithm.
 };
 
 }  // namespace insonify

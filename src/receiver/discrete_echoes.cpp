@@ -1,4 +1,4 @@
-// discrete_echoes.cpp -- one at a time: there are few.
+// discrete_echoes.cpp -- adds discrete echoes one at a time: a ping has few of them.
 
 #include "receiver/discrete_echoes.h"
 
@@ -8,7 +8,8 @@
 
 namespace insonify {
 
-// Calls add(index into [beam][bin], complex gain) wherever the echo is heard.
+// Calls add(index into [beam][bin], complex gain g p) for every beam and bin in which the echo's gain is above the
+// floor.
 template <typename Add>
 void DiscreteEchoes::for_each_cell(const DiscreteEcho& echo, const Add& add) const {
   const double floor = std::pow(10, kFloorDb / 10);
@@ -17,13 +18,13 @@ void DiscreteEchoes::for_each_cell(const DiscreteEcho& echo, const Add& add) con
   const int reach = range_ != nullptr ? range_->taps() / 2 : 0;
   const int first_bin = std::max(0, echo.bin - reach), last_bin = std::min(bins_, echo.bin + reach + 1);
   for (int beam = first_beam; beam < last_beam; ++beam) {
-    const std::complex<double> heard = bearing_ != nullptr ? bearing_->gain(beam, echo.bearing_sine) : 1.0;
-    if (std::norm(heard) < floor) {
+    const std::complex<double> gain = bearing_ != nullptr ? bearing_->gain(beam, echo.bearing_sine) : 1.0;
+    if (std::norm(gain) < floor) {
       continue;
     }
     for (int bin = first_bin; bin < last_bin; ++bin) {
       const float pulse = range_ != nullptr ? range_->amplitude(bin - echo.bin) : 1.0F;
-      add(static_cast<std::size_t>(beam) * bins_ + bin, std::complex<float>(heard) * pulse);
+      add(static_cast<std::size_t>(beam) * bins_ + bin, std::complex<float>(gain) * pulse);
     }
   }
 }

@@ -1,4 +1,4 @@
-// discrete_echoes.h -- echoes that no cell holds, on their way into beams and bins.
+// discrete_echoes.h -- adds discrete echoes to beams and bins with their exact bearing: array gain times pulse.
 
 #pragma once
 
@@ -11,21 +11,23 @@
 
 namespace insonify {
 
-/// What beams hear of discrete echoes: each in every beam by the array's gain at its own bearing, and in the bins about
-/// its own by the pulse. Null for none of either: then in its own beam, its own bin.
+/// Adds each discrete echo (an ideal point or an interfering pulse) to all beams, with the array's gain g at the echo's
+/// own bearing, and to the bins around its own, with the pulse's amplitude p. Without an array it is added to its own
+/// beam only, without a pulse to its own bin only.
 class DiscreteEchoes {
  public:
   static constexpr double kFloorDb = BearingResponse::kFloorDb;
 
+  /// @param bearing, range  Array pattern and pulse; null for none. Must outlive this object.
   DiscreteEchoes(const BearingResponse* bearing, const RangeResponse* range, int beams, int bins)
       : bearing_(bearing), range_(range), beams_(beams), bins_(bins) {}
 
-  /// Adds |g p|^2 of their intensities, or g p of their fields.
-  /// @param beams  [beam][bin]
+  /// Adds |g p|^2 x intensity to energies, or g p x field to complex fields.
+  /// @param beams  [beam][bin], added to.
   void add(std::span<const DiscreteEcho> echoes, std::span<float> beams) const;
   void add(std::span<const DiscreteEcho> echoes, std::span<std::complex<float>> beams) const;
 
-  /// The same of direct echoes alone: of order 1.
+  /// Adds only the direct echoes, those of path order 1.
   void add_direct(std::span<const DiscreteEcho> echoes, std::span<float> beams) const;
 
  private:

@@ -1,8 +1,9 @@
-// gain_matrix.cpp -- the product by tiles of 8 beams x 16 values, whose sums stay in registers.
+// gain_matrix.cpp -- blocked matrix product in tiles of 8 beams x 16 values, whose sums stay in registers.
 //
-// A strip of 16 values of some cells is packed into the nearest memory, where all beams read it in turn. Here alone
-// multiply-adds are fused (CMakeLists.txt), one instruction a sum: that makes arrays twice as fast as with two. Eigen's
-// product takes four times as long, being compiled for any machine.
+// A strip of 16 values from up to 256 cells is packed into a panel that fits the first-level cache; all beams then read
+// it from there. This is the only file compiled with fused multiply-adds (CMakeLists.txt), which make the product twice
+// as fast as separate multiplications and additions. Eigen's product takes four times as long, because Eigen is
+// compiled for the oldest supported processor.
 
 #include "receiver/gain_matrix.h"
 
@@ -14,8 +15,8 @@ namespace insonify {
 namespace {
 
 constexpr int kBlockBeams = 8;
-constexpr int kStrip = 16;        // Values: one cache line.
-constexpr int kPanelCells = 256;  // 16 KiB: a panel and the gains that meet it fit the nearest memory.
+constexpr int kStrip = 16;        // Floats: one cache line.
+constexpr int kPanelCells = 256;  // 16 KiB: a panel and the gains it is multiplied by fit the first-level cache.
 
 struct alignas(64) Panel {
   float values[kPanelCells][kStrip];
@@ -24,16 +25,17 @@ struct alignas(64) Tile {
   float sums[kBlockBeams][kStrip];
 };
 
-// As many values together as the widest registers hold: eight sums of 16 in AVX-512, of 8 in two registers each of
-// NEON.
+// Values processed at once: with AVX-512 each of the eight sums is one register of 16 floats; with NEON it is two
+// registers of 4.
 #ifdef __x86_64__
 constexpr int kLanes = 16;
 #else
 constexpr int kLanes = 8;
 #endif
 
-// The innermost loop must not be unrolled before the compiler has seen that it is one instruction: then the sums stay
-// in registers.
+// tile.sums[beam][v] = sum over cells of gains[cell][beam] values[cell][v]. The innermost loop is one vector
+// instruction. It must not be unrolled before the compiler has vectorized it, or the sums do not stay in registers;
+// hence the pragmas.
 INSONIFY_FUSED_CLONES
 void sum_tile(const float* __restrict__ gains, const float (*__restrict__ values)[kStrip], int cells,
               Tile& __restrict__ tile) {
@@ -54,7 +56,8 @@ void sum_tile(const float* __restrict__ gains, const float (*__restrict__ values
   }
 }
 
-// Values beyond the strip's end are zeros.
+// Copies columns [0, count) of `cell_count` rows into the panel, multiplied by i if `turned`, and fills the strip up
+// with zeros.
 template <bool turned>
 void pack(const float* cells, int stride, int cell_count, int count, Panel& panel) {
   for (int cell = 0; cell < cell_count; ++cell) {
@@ -121,6 +124,9 @@ void GainMatrix::add_turned(const float* cells, float* beams, int stride, int fi
 
 template <bool turned>
 void GainMatrix::add_product(const float* cells, float* beams, int stride, int first, int last) const {
+  // For each strip of values and each panel of cells: pack the panel, then add its product with each block of beams to
+  // the beams' rows. The first panel of a plain product overwrites the rows instead (`fresh`), so that they need not be
+  // cleared beforehand.
   Panel panel;
   Tile tile;
   for (int start = first; start < last; start += kStrip) {

@@ -1,5 +1,4 @@
-// gain_matrix.h -- sums over the cells of a bearing grid, with a gain for each beam and cell: a matrix product made for
-// rows of bins.
+// gain_matrix.h -- banded matrix of gains, beams x cells, and its product with rows of bins.
 
 #pragma once
 
@@ -7,7 +6,8 @@
 
 namespace insonify {
 
-/// Gains of beams by cells, where cells that a beam does not hear are left out at both ends of its row.
+/// A matrix of real gains, beam_count x cell_count. Each row has a band of cells; gains outside it count as zero and
+/// are skipped. Rows are stored in blocks of 8 beams that share one band.
 class GainMatrix {
  public:
   GainMatrix() = default;
@@ -19,20 +19,21 @@ class GainMatrix {
   void set(int beam, int cell, float gain);
   [[nodiscard]] float get(int beam, int cell) const;
 
-  /// Leaves out the cells outside [first, last) of a beam; beams share blocks, and hear what any of their block does.
+  /// Extends the band of the beam's block to include the cells [first, last). Bands are empty at first. A band is
+  /// shared by the beams of a block, so gains of a beam outside its own limits may still be used.
   void limit(int beam, int first, int last);
 
-  /// Cells that the product visits over all there are, 0..1.
+  /// Fraction of the matrix inside the bands, 0..1.
   [[nodiscard]] double filled() const;
 
-  /// beams[b][v] = sum over cells c of gain(b, c) cells[c][v], for v in [first, last). Each sum runs in the order of
-  /// the cells, whatever the interval. Allocates nothing.
+  /// beams[b][v] = sum over cells c of gain(b, c) cells[c][v], for v in [first, last). Terms are added in the order of
+  /// the cells, so that results do not depend on how v is divided between calls. Allocates nothing.
   /// @param cells   [cell][stride]
   /// @param beams   [beam][stride]
   void multiply(const float* cells, float* beams, int stride, int first, int last) const;
 
-  /// The same with the values of each cell times i, of pairs (a, b) (-b, a), added to what the beams hold.
-  /// @param first  Even.
+  /// beams += gains x (i x cells), where each pair of values is a complex number: (a, b) is replaced by (-b, a).
+  /// @param first  Even: the real part of a value.
   void add_turned(const float* cells, float* beams, int stride, int first, int last) const;
 
  private:
@@ -45,7 +46,7 @@ class GainMatrix {
 
   int beam_count_ = 0, cell_count_ = 0;
   std::vector<float> gains_;  // [block][cell][beam of block]
-  std::vector<Band> bands_;   // One a block.
+  std::vector<Band> bands_;   // [block]: cells [first, last).
 };
 
 }  // namespace insonify

@@ -1,4 +1,4 @@
-// instances.h -- which instances gave a bin its energy, the strongest first.
+// instances.h -- sums a bin's echo energy by instance and ranks the instances, strongest first.
 
 #pragma once
 
@@ -14,14 +14,18 @@
 
 namespace insonify {
 
-/// All that one instance gave to a bin.
+/// Echo of one instance in one bin of a beam.
 struct InstanceEcho {
-  std::uint16_t instance, material;  // The latter of its strongest surface in one cell.
-  float energy, strongest_surface;
-  double elevation_moment, elevation_square;
+  std::uint16_t instance;
+  std::uint16_t material;   // Material of the instance's surface with most energy in a single cell.
+  float energy;             // Sum over the beam's cells and the instance's surfaces.
+  float strongest_surface;  // Energy of the surface that gave `material`.
+  double elevation_moment;  // Sum of energy x elevation [rad], and ...
+  double elevation_square;  // ... of energy x elevation^2 [rad^2]; elevation from the middle of the aperture.
 };
 
-/// Instances that the cells of a slice may name: a scanning head's eight cells of kSurfacesKept each.
+/// The instances that echo in one bin of a beam. At most kMaxPerBeam cells (those of a scanning head's beam) name
+/// kSurfacesKept surfaces each.
 class Instances {
  public:
   void clear() { count_ = 0; }
@@ -46,13 +50,13 @@ class Instances {
     }
   }
 
-  /// The strongest first; of equals that which comes first in the scene.
+  /// The kStrongestCount instances with most energy, in descending order; equals in the order of the scene.
   [[nodiscard]] std::span<const InstanceEcho> strongest() {
     const int wanted = std::min(count_, kStrongestCount);
-    for (int rank = 0; rank < wanted; ++rank) {  // There are few.
+    for (int rank = 0; rank < wanted; ++rank) {  // Selection sort: the list is short.
       int best = rank;
       for (int other = rank + 1; other < count_; ++other) {
-        best = goes_before(echoes_[other], echoes_[best]) ? other : best;
+        best = ranks_before(echoes_[other], echoes_[best]) ? other : best;
       }
       if (best != rank) {
         std::swap(echoes_[best], echoes_[rank]);
@@ -62,11 +66,12 @@ class Instances {
   }
 
  private:
-  static bool goes_before(const InstanceEcho& a, const InstanceEcho& b) {
+  static bool ranks_before(const InstanceEcho& a, const InstanceEcho& b) {
     return a.energy != b.energy ? a.energy > b.energy : a.instance < b.instance;
   }
 
-  std::array<InstanceEcho, std::size_t{BearingCells::kMostPerBeam} * kSurfacesKept> echoes_;  // The first count_.
+  std::array<InstanceEcho, std::size_t{BearingCells::kMaxPerBeam} * kSurfacesKept>
+      echoes_;  // Entries [0, count_) are valid.
   int count_ = 0;
 };
 

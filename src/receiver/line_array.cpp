@@ -1,4 +1,4 @@
-// line_array.cpp -- windows by their patterns, elements by the beam's width.
+// line_array.cpp -- maps beam patterns to array windows and chooses the number of elements by the beam width.
 
 #include "receiver/line_array.h"
 
@@ -23,15 +23,15 @@ ArrayWindow window_of(BeamPattern pattern) {
       return ArrayWindow::kTaylor;
     case BeamPattern::kDolphChebyshev:
       return ArrayWindow::kDolphChebyshev;
-    case BeamPattern::kTopHat:  // Has no array.
+    case BeamPattern::kTopHat:  // Callers exclude it: a top hat is not made by an array.
     case BeamPattern::kRectangular:
       break;
   }
   return ArrayWindow::kRectangular;
 }
 
-// As many as lie half a wavelength apart, or a little closer. The length that makes the width depends on their number,
-// but little.
+// The least number of elements that are at most half a wavelength apart. The array length for a given beam width
+// depends slightly on the number of elements, hence the iteration.
 int half_wave_elements(ArraySettings settings, double beam_width) {
   constexpr int kMost = 1024;
   settings.elements = 2;

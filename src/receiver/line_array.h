@@ -1,4 +1,4 @@
-// line_array.h -- the array behind a pattern that a receiver names.
+// line_array.h -- the line array that produces a receiver's beam pattern.
 
 #pragma once
 
@@ -8,17 +8,19 @@
 
 namespace insonify {
 
-/// One way; not for kTopHat. Elements have no place in closed forms: an array is one unbroken line, but for
-/// kDolphChebyshev, which is made for elements and has one every half wavelength, or a little closer.
-/// @param beam_width  Full width at half power [rad], for the number of elements.
-/// @throws Error where that takes more than an array has.
+/// One-way array of a beam pattern; not for kTopHat. The array is a continuous line, except for kDolphChebyshev, which
+/// is defined for discrete elements: it gets one at least every half wavelength.
+/// @param beam_width  Full width at half power [rad]; determines the number of elements.
+/// @throws Error if more elements are needed than an array may have.
 [[nodiscard]] ArraySettings line_array(BeamPattern pattern, double side_lobe_db, double beam_width);
 
-/// The array that hears across bearings, with its elements' faults; both ways on scanning heads. Not for kTopHat.
-/// @throws Error where there is no such array.
+/// The array that receives across bearings, with the faults of its elements. On scanning heads it also transmits, so
+/// its pattern applies twice. Not for kTopHat.
+/// @throws Error as line_array().
 [[nodiscard]] ArraySettings azimuth_array(const ReceiverConfig& receiver, const SonarConfig& sonar);
 
-/// Width of the beams of an azimuth pattern: the sonar's azimuth_resolution, or a beam's share of the fan [rad].
+/// Width of the beams of an azimuth pattern at half power [rad]: the sonar's azimuth_resolution, or the beam spacing
+/// where it has none.
 [[nodiscard]] double beam_width(const SonarConfig& sonar);
 
 }  // namespace insonify

@@ -1,4 +1,4 @@
-// normal_numbers.cpp -- many at once.
+// normal_numbers.cpp -- vectorized Box-Muller transform of Philox random numbers.
 
 #include "receiver/normal_numbers.h"
 
@@ -9,8 +9,8 @@
 namespace insonify {
 namespace {
 
-// Box and Muller (1958). One Philox call serves four bins, one of each quarter of the block, so that its four words
-// stay in their vector lanes.
+// Box and Muller, Ann. Math. Stat. 29, 610 (1958). One Philox call gives four words, for one bin in each quarter of the
+// block: so neighbouring bins are in neighbouring vector lanes and no shuffling is needed.
 INSONIFY_VECTOR_CLONES
 void draw(PhiloxCounter counter, PhiloxKey key, float* __restrict__ normals) {
   constexpr int kQuarter = kTileBins / 4;

@@ -1,4 +1,4 @@
-// normal_numbers.h -- the random numbers of noise.
+// normal_numbers.h -- draws the normally distributed random numbers of a ping's noise.
 
 #pragma once
 
@@ -7,10 +7,10 @@
 
 namespace insonify {
 
-/// Standard normal numbers for a block of kTileBins bins of a beam: the same for the same purpose, block, beam, ping
-/// and seed.
-/// @param block    Number of the block along the beam.
-/// @param normals  kTileBins of them.
+/// Draws standard normal numbers for one block of kTileBins bins of a beam. They depend on nothing but the arguments,
+/// so that threads can draw them in any order.
+/// @param block    Index of the block of bins along the beam.
+/// @param normals  kTileBins numbers, written.
 void draw_normals(RandomPurpose purpose, int block, int beam, std::uint64_t ping, std::uint64_t seed, float* normals);
 
 }  // namespace insonify

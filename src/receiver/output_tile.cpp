@@ -1,4 +1,4 @@
-// output_tile.cpp -- tiles into the tables of a ping.
+// output_tile.cpp -- collects labels into tiles and writes tiles, transposed, into the tables of a ping.
 
 #include "receiver/output_tile.h"
 
@@ -11,7 +11,7 @@
 namespace insonify {
 namespace {
 
-// Mean elevation of each cell's label; NaN where nothing echoed.
+// mean = moment / energy: the mean elevation of each bin's label [rad]; NaN in bins without a label.
 INSONIFY_VECTOR_CLONES
 void divide_or_nan(int count, const SurfaceLabel* __restrict__ surface, const float* __restrict__ moment,
                    const float* __restrict__ energy, float* __restrict__ mean) {
@@ -21,9 +21,10 @@ void divide_or_nan(int count, const SurfaceLabel* __restrict__ surface, const fl
   }
 }
 
-// Keeps the labels of one row where they have more energy than those kept so far; at first nothing is kept.
+// Merges the labels of one row of cells into `best`: each bin takes the row's label where it has more energy than the
+// best so far, or where there is none yet.
 INSONIFY_VECTOR_CLONES
-void keep_stronger(int count, const SurfaceLabel* __restrict__ surface, const float* __restrict__ energy,
+void take_stronger(int count, const SurfaceLabel* __restrict__ surface, const float* __restrict__ energy,
                    const float* __restrict__ moment, SurfaceLabel* __restrict__ best_surface,
                    float* __restrict__ best_energy, float* __restrict__ best_moment) {
   for (int i = 0; i < count; ++i) {
@@ -35,7 +36,7 @@ void keep_stronger(int count, const SurfaceLabel* __restrict__ surface, const fl
   }
 }
 
-// Mostly a whole tile's: a length that the compiler knows.
+// Copies `count` values. Nearly all tiles are kTileBeams wide; for these the compiler knows the length.
 template <typename Value>
 [[gnu::always_inline]] inline void copy_beams(const Value* from, int count, Value* to) {
   if (count == kTileBeams) {
@@ -86,10 +87,10 @@ void take_labels(const EchoGrid& grid, int first_row, int rows, const TilePlace&
   for (int row = first_row; row < first_row + rows; ++row) {
     const BinRange bins = grid.filled(row) & place.bins();
     if (!bins.empty()) {
-      tile.named = true;
+      tile.has_labels = true;
       const EchoGrid::LabelRows labels = grid.label_rows(row);
       const int at = bins.first - place.first_bin;
-      keep_stronger(bins.last - bins.first, labels.surface + bins.first, labels.energy + bins.first,
+      take_stronger(bins.last - bins.first, labels.surface + bins.first, labels.energy + bins.first,
                     labels.elevation_moment + bins.first, surface + at, energy + at, moment + at);
     }
   }
@@ -101,7 +102,7 @@ void write_tile(const OutputTile& tile, const TilePlace& place, bool labelled, P
   BinTile<float> intensity, elevation;
   BinTile<std::uint32_t> surface;
   transpose_tile(tile.intensity, intensity);
-  if (labelled && tile.named) {
+  if (labelled && tile.has_labels) {
     transpose_tile(tile.elevation, elevation);
     transpose_tile(tile.surface, surface);
   }
@@ -111,7 +112,7 @@ void write_tile(const OutputTile& tile, const TilePlace& place, bool labelled, P
     if (!labelled) {
       continue;
     }
-    if (!tile.named) {
+    if (!tile.has_labels) {
       std::fill_n(&ping.instance[row], place.beam_count, kNoLabel);
       std::fill_n(&ping.material[row], place.beam_count, kNoLabel);
       std::fill_n(&ping.elevation[row], place.beam_count, std::numeric_limits<float>::quiet_NaN());

@@ -1,5 +1,4 @@
-// output_tile.h -- what is heard, on its way from one beam after another, as grids lie, to one range after another, as
-// pings lie.
+// output_tile.h -- tiles of received values that are transposed from beam-major (EchoGrid) to range-major (Ping).
 
 #pragma once
 
@@ -12,7 +11,7 @@
 
 namespace insonify {
 
-/// Some beams and bins: at most kTileBeams by kTileBins.
+/// Which beams and bins a tile covers: at most kTileBeams by kTileBins.
 struct TilePlace {
   int first_beam, beam_count;
   int first_bin, bin_count;
@@ -20,14 +19,15 @@ struct TilePlace {
   [[nodiscard]] BinRange bins() const { return {first_bin, first_bin + bin_count}; }
 };
 
-/// What becomes of them, a beam at a time.
+/// Received values of a tile, beam-major.
 struct OutputTile {
-  BeamTile<float> intensity, elevation;
-  BeamTile<std::uint32_t> surface;
-  bool named = false;  ///< Whether any cell has a label: else elevation and surface mean nothing.
+  BeamTile<float> intensity;
+  BeamTile<float> elevation;        ///< Mean elevation of the label [rad].
+  BeamTile<std::uint32_t> surface;  ///< Label: instance and material, see echo/grid/echo.h.
+  bool has_labels = false;          ///< Whether any bin has a label. If not, `elevation` and `surface` are not set.
 };
 
-/// Calls visit(place) for the tiles of beams [first, last).
+/// Calls visit(place) for every tile of beams [first_beam, last_beam) and bins [0, bins).
 template <typename Visit>
 void for_each_tile(int first_beam, int last_beam, int bins, Visit&& visit) {
   for (int beam = first_beam; beam < last_beam; beam += kTileBeams) {
@@ -37,26 +37,25 @@ void for_each_tile(int first_beam, int last_beam, int bins, Visit&& visit) {
   }
 }
 
-/// Makes room for every cell; allocates only when it needs more memory than before. Tables that are not asked for are
-/// empty.
+/// Sizes the tables of a ping for beams x bins; those that `ground_truth` does not ask for become empty. Allocates only
+/// when they need more memory than before.
 void size_tables(Ping& ping, int beams, int bins, GroundTruth ground_truth);
 
-/// Asks for the rows of the ping that the tile goes to, some with each of its beams, so that they are near when it is
-/// written.
+/// Prefetches the rows of the ping that the tile will be written to. Each beam of the tile prefetches a part of them,
+/// so that they are in the cache when write_tile() is called.
 /// @param labelled  As for write_tile().
 void fetch_rows(const TilePlace& place, int beam_of_tile, bool labelled, const Ping& ping);
 
-/// Copies the labels of one row of the grid to one beam of the tile, or of several the one with most energy in each
-/// bin.
+/// Sets the labels of one beam of the tile: in each bin, the label with most energy among `rows` rows of the grid (the
+/// cells of the beam's own slice).
 void take_labels(const EchoGrid& grid, int first_row, int rows, const TilePlace& place, int beam_of_tile,
                  OutputTile& tile);
 
-/// Writes a tile into the ping.
-/// @param labelled  Whether the tile holds labels; else intensities alone are written.
+/// Writes a tile into the ping, transposed.
+/// @param labelled  Whether to write labels as well as intensities.
 void write_tile(const OutputTile& tile, const TilePlace& place, bool labelled, Ping& ping);
 
-/// How much of an echo is heard at the range of a bin: 0 at min_range, rising in a straight line to 1 at
-/// blanking_range.
+/// Amplitude gain of the near field at the centre of a bin: 0 at min_range, rising linearly to 1 at blanking_range.
 [[nodiscard]] float near_field(const SonarConfig& sonar, int bin);
 
 }  // namespace insonify

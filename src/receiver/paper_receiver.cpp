@@ -1,4 +1,4 @@
-// paper_receiver.cpp -- means, noise, gain and near field of the `paper` model.
+// paper_receiver.cpp -- the receiver chain of the `paper` model: means, noise, gain and near field.
 
 #include "receiver/paper_receiver.h"
 
@@ -13,8 +13,12 @@
 namespace insonify {
 namespace {
 
-// One beam's stretch of bins, from sums to what is received; `level` is the near field's ramp times the gain. A value
-// times one normal number plus another normal number is again normal: one number, of their common deviation, is drawn.
+// Adds noise to `count` bins of a beam and applies gain: value = clip(value eta_m + eta_a) level. The sum of the two
+// independent normal terms is normal too, so one number with their joint standard deviation is drawn.
+// @param level          Near-field ramp times gain, per bin.
+// @param mean, spread   Mean and standard deviation of the multiplicative noise eta_m.
+// @param floor          Standard deviation of the additive noise eta_a.
+// @param normal         Standard normal numbers, one per bin.
 INSONIFY_VECTOR_CLONES
 void receive(int count, const float* __restrict__ level, float mean, float spread, float floor,
              const float* __restrict__ normal, float* __restrict__ value) {
@@ -26,6 +30,7 @@ void receive(int count, const float* __restrict__ level, float mean, float sprea
   }
 }
 
+// value += energy / weight, the mean strength of the samples in each bin; 0 in bins without samples.
 INSONIFY_VECTOR_CLONES
 void add_means(int count, const float* __restrict__ energy, const float* __restrict__ weight,
                float* __restrict__ value) {
@@ -44,10 +49,10 @@ PaperReceiver::PaperReceiver(const EchoGrid& grid, const SonarConfig& sonar, con
 }
 
 void PaperReceiver::take(int first_beam, int last_beam) {
-  for_each_tile(first_beam, last_beam, grid_.bin_count(), [&](const TilePlace& place) { hear_tile(place); });
+  for_each_tile(first_beam, last_beam, grid_.bin_count(), [&](const TilePlace& place) { receive_tile(place); });
 }
 
-void PaperReceiver::hear_tile(const TilePlace& place) {
+void PaperReceiver::receive_tile(const TilePlace& place) {
   const bool noisy = settings_.noise;
   const float mean = noisy ? static_cast<float>(settings_.model.multiplicative_mean) : 1.0F;
   const float spread = noisy ? static_cast<float>(settings_.model.multiplicative_deviation) : 0.0F;

@@ -1,4 +1,4 @@
-// paper_receiver.h -- from an EchoGrid to a Ping in the `paper` model.
+// paper_receiver.h -- turns an EchoGrid into a Ping in the `paper` model.
 
 #pragma once
 
@@ -16,18 +16,19 @@ struct PaperReceiverSettings {
   std::uint64_t seed = 1;
 };
 
-/// Paper, section "Generating the sonar image on CPU". Each cell reads min(1, mean S over primary echoes + mean S over
-/// secondary echoes); then noise, I x eta_m + eta_a, drawn anew for each ping and cell; then the sonar's gain and the
-/// ramp of its near field; clipped to 0..1.
+/// Receiver of the paper model (docs/concepts/paper-model.md), after Cerqueira et al. (2020), section "Generating the
+/// sonar image on CPU". In each beam and bin, I = min(1, mean S over primary echoes + mean S over secondary echoes). To
+/// this comes noise, I x eta_m + eta_a, drawn anew for each ping, beam and bin; then the sonar's gain and the
+/// near-field ramp; the result is clipped to 0..1.
 class PaperReceiver final : public BeamSink {
  public:
-  /// Sizes the tables of `ping`, which are then reused; its number is read. All must outlive the receiver.
+  /// Sizes the tables of `ping`, whose number must be set. All arguments must outlive the receiver.
   PaperReceiver(const EchoGrid& grid, const SonarConfig& sonar, const PaperReceiverSettings& settings, Ping& ping);
 
   void take(int first_beam, int last_beam) override;
 
  private:
-  void hear_tile(const TilePlace& place);
+  void receive_tile(const TilePlace& place);
 
   const EchoGrid& grid_;
   const SonarConfig& sonar_;

@@ -1,4 +1,4 @@
-// ping_motion.h -- how a transducer moves while the echoes of its ping come back.
+// ping_motion.h -- velocity and turn rate of a transducer between transmission and reception.
 
 #pragma once
 
@@ -7,12 +7,13 @@
 namespace insonify {
 
 struct PingMotion {
-  Vec3 velocity = Vec3::Zero();  ///< Along its own axes at transmission [m/s].
-  double turn_rate = 0;          ///< About its z, positive to port [rad/s].
+  Vec3 velocity = Vec3::Zero();  ///< In the sonar frame at transmission [m/s].
+  double turn_rate = 0;          ///< About the sonar's z axis, positive to port [rad/s].
 };
 
-/// Steady motion from one pose to the next. Turns about x and y change no bearing much, and count for nothing.
-/// @param time  Between both [s], > 0.
+/// Constant velocity and turn rate that lead from one pose to the next. Rotation about x and y is neglected: it hardly
+/// changes bearings.
+/// @param time  From `first` to `last` [s], > 0.
 [[nodiscard]] PingMotion motion_between(const Pose& first, const Pose& last, double time);
 
 }  // namespace insonify

@@ -1,4 +1,4 @@
-// range_response.cpp -- direct convolution: pulses are short.
+// range_response.cpp -- convolves rows of bins with the pulse directly, not by FFT: pulses are short.
 
 #include "receiver/range_response.h"
 
@@ -11,10 +11,11 @@
 namespace insonify {
 namespace {
 
-constexpr int kBlock = 64;  // Bins that are worked on together,
-constexpr int kTaps = 64;   // and taps.
+constexpr int kBlock = 64;  // Output bins computed together.
+constexpr int kTaps = 64;   // Taps applied together.
 
-// sums[v] += sum over taps of gain(tap) x values[v + tap], for bins of kWidth floats each.
+// sums[v] += sum over taps of gains[tap] x values[v + tap], for kBlock bins of kWidth floats each (1: real, 2:
+// complex).
 template <int kWidth>
 [[gnu::always_inline]] inline void add_taps(const float* __restrict__ gains, int taps, const float* __restrict__ values,
                                             float* __restrict__ sums) {
@@ -35,7 +36,8 @@ void add_field_taps(const float* gains, int taps, const float* values, float* su
   add_taps<2>(gains, taps, values, sums);
 }
 
-// Cell `phase` of bins [first, first + count), one after another; nothing beyond the ends of the row.
+// Copies the cell number `phase` of each of the bins [first, first + count) to consecutive values; zeros beyond the
+// ends of the row.
 template <typename Value>
 void gather(std::span<const Value> cells, int cells_per_bin, int phase, int first, int count, Value* values) {
   const int bins = static_cast<int>(cells.size()) / cells_per_bin;
@@ -48,7 +50,10 @@ void gather(std::span<const Value> cells, int cells_per_bin, int phase, int firs
   std::fill(values + end, values + count, Value{});
 }
 
-// Cells of one phase lie cells_per_bin apart. Gathered, they are convolved as if each bin had one cell.
+// Convolves a row of cells with the pulse, into one value per bin. The cells of one phase (the i-th cell of every bin)
+// are gathered into consecutive values and convolved as if each bin had only that cell; the results of all phases add.
+// @param first, count  Bins that contribute to each bin, relative to it: [first, first + count).
+// @param gains         Taps, [phase][count].
 template <typename Value, typename AddTaps>
 void convolve(std::span<const Value> cells, std::span<Value> bins, int cells_per_bin, int first, int count,
               const std::vector<float>& gains, const AddTaps& add) {
@@ -69,7 +74,7 @@ void convolve(std::span<const Value> cells, std::span<Value> bins, int cells_per
   }
 }
 
-// Cells from the middle one to the last that is not below the floor.
+// Distance, in cells, from the pulse's middle to its last cell with an energy of at least `floor`.
 int reach_of(const Pulse& pulse, double cell_length, double floor) {
   auto reach = static_cast<int>(std::ceil(pulse.reach() / cell_length));
   while (reach > 0 && pulse.intensity(reach * cell_length) < floor) {
@@ -78,6 +83,7 @@ int reach_of(const Pulse& pulse, double cell_length, double floor) {
   return reach;
 }
 
+// Integer division, rounded towards minus infinity.
 int divide_down(int number, int divisor) {
   return number >= 0 ? number / divisor : -((divisor - 1 - number) / divisor);
 }

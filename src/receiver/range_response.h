@@ -1,4 +1,4 @@
-// range_response.h -- what the pulse makes of each beam: echoes smeared along range.
+// range_response.h -- convolves beams with the matched-filtered pulse along range.
 
 #pragma once
 
@@ -11,11 +11,13 @@
 
 namespace insonify {
 
-/// Convolves a row of range cells with the pulse's |p|^2 (energy) or p (complex field), sampled at the cells. A
-/// discrete echo reads its full level in its own bin; an extended one reads its energy per cell times the sum of |p|^2.
+/// Convolves a row of range cells with the pulse, sampled at the cells: energies with |p|^2, complex fields with p. The
+/// pulse has unit peak, so a discrete echo keeps its level in its own bin; an extended echo reads its energy per cell
+/// times the sum of |p|^2.
 ///
-/// A grid may be finer in range than the sonar's bins, by an odd number of cells: each bin then reads the cell in its
-/// middle, as a sonar that samples the envelope once a bin. Beyond both ends of a row there is nothing.
+/// Cells may be shorter than the sonar's bins, with an odd number of cells per bin. The convolution is then sampled at
+/// the middle cell of each bin, as a sonar samples the envelope once per bin. Beyond both ends of a row there is no
+/// energy.
 class RangeResponse {
  public:
   static constexpr double kFloorDb = -60;
@@ -27,30 +29,30 @@ class RangeResponse {
 
   [[nodiscard]] int cells_per_bin() const { return cells_per_bin_; }
 
-  /// Cells that each bin hears.
+  /// Length of the sampled pulse [cells].
   [[nodiscard]] int taps() const { return taps_; }
 
-  /// Bins of a row of bin_count that hear anything when only these hold something.
+  /// Bins of a row of bin_count that can be non-zero after the convolution when only `filled` are before it.
   [[nodiscard]] BinRange reached_from(BinRange filled, int bin_count) const;
 
-  /// Sum of |p|^2 over the cells: what an echo of energy 1 in every cell reads.
+  /// Sum of |p|^2 over the cells: the response to an energy of 1 in every cell.
   [[nodiscard]] double equivalent_cells() const { return equivalent_cells_; }
 
-  /// p of an echo so many bins nearer or farther.
+  /// Pulse amplitude p at so many bins (of either sign) from the echo.
   [[nodiscard]] float amplitude(int bins_away) const;
 
-  /// One beam or column. Allocates nothing.
-  /// @param cells  cells_per_bin for each bin.
+  /// Convolves one row. Allocates nothing.
+  /// @param cells  cells_per_bin x the number of bins.
   /// @param bins   Written; must not overlap `cells`.
   void receive_energy(std::span<const float> cells, std::span<float> bins) const;
   void receive_field(std::span<const std::complex<float>> cells, std::span<std::complex<float>> bins) const;
 
  private:
   int cells_per_bin_;
-  int first_ = 0, count_ = 0;  // Of the bins heard, relative to the bin that hears; in each phase.
+  int first_ = 0, count_ = 0;  // Bins that contribute to each bin, relative to it: [first_, first_ + count_).
   int taps_ = 0;
   double equivalent_cells_ = 0;
-  std::vector<float> energy_, amplitude_;  // [phase][count]: cell `phase` of bin first + i.
+  std::vector<float> energy_, amplitude_;  // Taps |p|^2 and p, [phase][count_]: cell `phase` of bin first_ + i.
 };
 
 }  // namespace insonify

@@ -1,4 +1,4 @@
-// receiver_config.cpp -- what goes together.
+// receiver_config.cpp -- validates a ReceiverConfig and evaluates its gain over range.
 
 #include "insonify/receiver_config.h"
 

@@ -1,4 +1,4 @@
-// reception_shift.cpp -- backwards, from where an echo is received to where it comes from.
+// reception_shift.cpp -- computes, for each cell in which an echo is received, the cell in which it was sampled.
 
 #include "receiver/reception_shift.h"
 
@@ -13,16 +13,16 @@ PingMotion motion_between(const Pose& first, const Pose& last, double time) {
   return {.velocity = back * ((last.position - first.position) / time), .turn_rate = angle * turn.axis().z() / time};
 }
 
-ReceptionShift::ReceptionShift(const SonarConfig& cells, double true_ranges, double sound_speed, double bias)
+ReceptionShift::ReceptionShift(const SonarConfig& cells, double range_scale, double sound_speed, double bias)
     : cells_config_(cells),
       cells_(cells.beam_count),
       bins_(cells.bin_count),
-      true_ranges_(true_ranges),
+      range_scale_(range_scale),
       sound_speed_(sound_speed),
       bias_(bias),
       edges_(cells.beam_edges()) {}
 
-// v . d at the middle of the elevation aperture.
+// Speed of approach v . d towards an azimuth, at the middle of the elevation aperture [m/s].
 double ReceptionShift::approach(double azimuth) const {
   const Vec3& v = motion_.velocity;
   const double elevation = cells_config_.elevation_center;
@@ -35,11 +35,13 @@ void ReceptionShift::prepare(const PingMotion& motion, Workers& workers) {
   workers.for_each(cells_, [&](int cell, int) { prepare_cell(cell); });
 }
 
+// For each bin of a cell: inverts the equations of the class comment, from reception back to transmission. The search
+// for the source cell continues from the one before, since azimuths change little from bin to bin.
 void ReceptionShift::prepare_cell(int cell) {
   std::int32_t* const sources = &source_[static_cast<std::size_t>(cell) * bins_];
   int from = cell;
   for (int bin = 0; bin < bins_; ++bin) {
-    const double received = true_ranges_ * cells_config_.bin_range(bin);
+    const double received = range_scale_ * cells_config_.bin_range(bin);
     const double time = 2 * received / sound_speed_;
     const double azimuth = cells_config_.beam_azimuth(cell) + motion_.turn_rate * time;
     while (from > 0 && azimuth > edges_[from]) {
@@ -51,17 +53,17 @@ void ReceptionShift::prepare_cell(int cell) {
     const bool inside = azimuth <= edges_[from] && azimuth > edges_[from + 1];
     const double speed = approach(azimuth);
     const double range = (received + bias_ * speed) / (1 - speed / sound_speed_);
-    const double position = (range / true_ranges_ - cells_config_.min_range) / cells_config_.bin_length();
+    const double position = (range / range_scale_ - cells_config_.min_range) / cells_config_.bin_length();
     const bool within = position >= 0 && position < bins_;
     sources[bin] = inside && within ? from * bins_ + static_cast<int>(position) : -1;
   }
 }
 
 DiscreteEcho ReceptionShift::moved(DiscreteEcho echo) const {
-  const double range = true_ranges_ * cells_config_.bin_range(echo.bin), azimuth = std::asin(double{echo.bearing_sine});
-  const double speed = echo.order > 0 ? approach(azimuth) : 0;  // Others' pulses come when they come.
+  const double range = range_scale_ * cells_config_.bin_range(echo.bin), azimuth = std::asin(double{echo.bearing_sine});
+  const double speed = echo.order > 0 ? approach(azimuth) : 0;  // Order 0: another sonar's pulse, not timed by ours.
   const double received = range - speed * (range / sound_speed_ + bias_);
-  const double position = (received / true_ranges_ - cells_config_.min_range) / cells_config_.bin_length();
+  const double position = (received / range_scale_ - cells_config_.min_range) / cells_config_.bin_length();
   const double bearing = azimuth - motion_.turn_rate * 2 * received / sound_speed_;
   echo.bearing_sine = static_cast<float>(std::sin(bearing));
   const bool within = position >= 0 && position < bins_ && bearing <= edges_.front() && bearing > edges_.back();

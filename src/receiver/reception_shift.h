@@ -1,4 +1,5 @@
-// reception_shift.h -- echoes that come back to a sonar that is somewhere else by then.
+// reception_shift.h -- shifts echoes in range and bearing by the motion of the sonar between transmission and
+// reception.
 
 #pragma once
 
@@ -13,26 +14,28 @@
 
 namespace insonify {
 
-/// Where in a grid, made as if the sonar stood still, each cell's echo is to be taken from when it moves with velocity
-/// v and turns at the rate w. What lies at range r in the direction d is received after t = 2 r / c, at
+/// Maps the cells of a grid, sampled as if the sonar stood still, to the cells in which a moving sonar receives them.
 ///
-///     range    r - (v . d) r / c - b (v . d)       half the way out from here and back to there, and a chirp's bias
-///     bearing  azimuth - w t                       by the beams as they point then
+/// The sonar moves with velocity v and turns at the rate w. An echo from range r in direction d is received after t = 2
+/// r / c, at
 ///
-/// b is what a chirp reads too near per metre a second of approach. Whole cells are taken: half a bin, half a cell
-/// fine. Speckle keeps to the bearings of transmission.
+///     range    r - (v . d) r / c - b (v . d)     half of the path out and back, less the Doppler bias of a chirp
+///     bearing  azimuth - w t                     relative to the beams as they point at reception
+///
+/// where b [s] is the range error of a chirp per unit of approach speed (Pulse::doppler_bias()). Cells are moved whole,
+/// to the nearest bin and cell. Speckle is computed for the pose at transmission.
 class ReceptionShift {
  public:
-  /// @param cells        What grids are of.
-  /// @param true_ranges  True over reported range.
-  /// @param sound_speed  True one [m/s].
+  /// @param cells        The grids' cells, see BearingCells::sonar.
+  /// @param range_scale  True range / reported range.
+  /// @param sound_speed  True sound speed c [m/s].
   /// @param bias         b [s].
-  ReceptionShift(const SonarConfig& cells, double true_ranges, double sound_speed, double bias);
+  ReceptionShift(const SonarConfig& cells, double range_scale, double sound_speed, double bias);
 
-  /// Gets ready for one ping. Allocates at the first only.
+  /// Computes sources() for one ping. Allocates at the first only.
   void prepare(const PingMotion& motion, Workers& workers);
 
-  /// Of each bin of a cell: cell x bins + bin that its echo comes from, -1 for none.
+  /// For each bin of a cell: the index (cell x bins + bin) of the cell its echo comes from, -1 for none.
   [[nodiscard]] std::span<const std::int32_t> sources(int cell) const {
     return {&source_[static_cast<std::size_t>(cell) * bins_], static_cast<std::size_t>(bins_)};
   }
@@ -46,10 +49,10 @@ class ReceptionShift {
 
   SonarConfig cells_config_;
   int cells_, bins_;
-  double true_ranges_, sound_speed_, bias_;
-  std::vector<double> edges_;  // Of the cells, falling [rad].
+  double range_scale_, sound_speed_, bias_;
+  std::vector<double> edges_;  // Azimuths of the cells' edges, falling [rad].
   PingMotion motion_;
-  std::vector<std::int32_t> source_;
+  std::vector<std::int32_t> source_;  // [cell][bin], see sources().
 };
 
 }  // namespace insonify

@@ -1,4 +1,4 @@
-// sparse_scatterers.cpp -- one after another.
+// sparse_scatterers.cpp -- draws the number of scatterers in each cell and sums their echoes.
 
 #include "receiver/sparse_scatterers.h"
 
@@ -12,7 +12,7 @@
 namespace insonify {
 namespace {
 
-// How many there are where there are `mean` on average: the least number that a share of all stays within.
+// Quantile of the Poisson distribution of this mean: the least count whose cumulative probability reaches `share`.
 int poisson(double mean, double share) {
   double probability = std::exp(-mean), sum = probability;
   int count = 0;
@@ -24,7 +24,7 @@ int poisson(double mean, double share) {
   return count;
 }
 
-// A cell's random numbers, two for every number of a pair.
+// Two random words of a cell, from the stream at index `number`.
 PhiloxPair words_of(const Speckle::View& view, const Speckle::Row& row, int bin, int number) {
   const std::uint32_t purpose = static_cast<std::uint32_t>(RandomPurpose::kScatterers) << 24;
   return philox({row.range[bin], row.bearing}, view.key ^ (purpose + static_cast<std::uint32_t>(number)));
@@ -32,8 +32,8 @@ PhiloxPair words_of(const Speckle::View& view, const Speckle::Row& row, int bin,
 
 }  // namespace
 
-SparseScatterers::SparseScatterers(std::span<const Material> materials, const SonarConfig& cells, double true_ranges)
-    : first_range_(true_ranges * cells.bin_range(0)), bin_length_(true_ranges * cells.bin_length()) {
+SparseScatterers::SparseScatterers(std::span<const Material> materials, const SonarConfig& cells, double range_scale)
+    : first_range_(range_scale * cells.bin_range(0)), bin_length_(range_scale * cells.bin_length()) {
   const std::vector<double> edges = cells.beam_edges();
   for (int cell = 0; cell < cells.beam_count; ++cell) {
     width_.push_back(edges[cell] - edges[cell + 1]);
@@ -44,7 +44,7 @@ SparseScatterers::SparseScatterers(std::span<const Material> materials, const So
   }
 }
 
-// Elevations are those of the label.
+// Area of the labelled surface inside a cell [m^2], see the class comment; at the label's elevation.
 double SparseScatterers::area(const EchoGrid& grid, int cell, int bin) const {
   const double range = first_range_ + bin * bin_length_;
   const double wide = range * std::cos(double{grid.label(cell, bin).elevation}) * width_[cell];
@@ -63,6 +63,7 @@ void SparseScatterers::draw(const Speckle::View& view, const Speckle::Row& row, 
     if (!(mean < kMany)) {
       continue;
     }
+    // Field of `count` scatterers of equal amplitude: the phase of each is random plus that of the path.
     const int count = poisson(mean, double{uniform_open(words_of(view, row, bin, 0)[0])});
     std::complex<float> sum;
     PhiloxPair words{};

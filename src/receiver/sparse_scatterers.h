@@ -1,4 +1,4 @@
-// sparse_scatterers.h -- surfaces whose cells hold so few scatterers that each of them counts.
+// sparse_scatterers.h -- non-Gaussian speckle of surfaces with only a few scatterers in each resolution cell.
 
 #pragma once
 
@@ -13,28 +13,28 @@
 
 namespace insonify {
 
-/// Draws the echoes of materials with a `scatterer_density` as what they are: in a cell that holds N on average, a
-/// number of them after Poisson, each with the amplitude sqrt(energy / N) and a phase of its own. Energies keep their
-/// means, and <I^2> = (2 + 1/N) <I>^2: cells with none are silent, those with one stand out (Jakeman and Pusey, IEEE
-/// Trans. AP-24, 806 (1976)). They stay in the world as the speckle of many does, which cells have that hold kMany or
-/// more.
+/// Speckle of materials with a `scatterer_density`. In a cell with N scatterers on average, their number is
+/// Poisson-distributed, and each has the amplitude sqrt(energy / N) and a random phase. The mean intensity is unchanged
+/// and <I^2> = (2 + 1/N) <I>^2: many cells are empty, and a few stand out (Jakeman and Pusey, IEEE Trans. AP-24, 806
+/// (1976)). As with Speckle, the random numbers are fixed in the world. Cells with N >= kMany keep Gaussian speckle.
 ///
-/// A cell that is w wide, dr long and sees a surface in the solid angle W holds the area sqrt((w dr)^2 + (r^2 W)^2):
-/// its shares across and along the range. So a cell that the surface does not fill counts too many.
+/// N is the density times the area of surface in the cell. At range r, with a cell w wide and dr long, and a surface
+/// that takes the solid angle W of it, the area is sqrt((w dr)^2 + (r^2 W)^2): w dr is right at grazing incidence, r^2
+/// W at normal incidence. Where the surface fills only part of the cell, N is too large.
 class SparseScatterers {
  public:
-  static constexpr double kMany = 32;  ///< <I^2> is 1.5 % above that of countless.
+  static constexpr double kMany = 32;  ///< N from which speckle is Gaussian: <I^2> would be 1.5 % larger.
 
-  /// @param cells        What grids are of.
-  /// @param true_ranges  True over reported range.
-  SparseScatterers(std::span<const Material> materials, const SonarConfig& cells, double true_ranges);
+  /// @param cells        The grids' cells, see BearingCells::sonar.
+  /// @param range_scale  True range / reported range.
+  SparseScatterers(std::span<const Material> materials, const SonarConfig& cells, double range_scale);
 
-  /// Whether any material has them.
+  /// Whether any material has a `scatterer_density`.
   [[nodiscard]] bool any() const { return any_; }
 
-  /// Draws the cells of a row anew that hold few.
-  /// @param energy  Of each.
-  /// @param field   Of each, from Speckle::draw().
+  /// Replaces Gaussian speckle by discrete scatterers in the cells of a row with fewer than kMany.
+  /// @param energy  Mean energy, [bin].
+  /// @param field   Complex field, [bin], from Speckle::draw(); overwritten where scatterers are sparse.
   void draw(const Speckle::View& view, const Speckle::Row& row, const EchoGrid& grid, int cell,
             std::span<const float> energy, std::span<std::complex<float>> field) const;
 
@@ -42,9 +42,9 @@ class SparseScatterers {
   [[nodiscard]] double area(const EchoGrid& grid, int cell, int bin) const;
 
   bool any_ = false;
-  double first_range_, bin_length_;  // True [m].
-  std::vector<double> width_;        // Of each cell [rad].
-  std::vector<double> density_;      // Of each material [1/m^2]; infinite for countless.
+  double first_range_, bin_length_;  // True range of bin 0's middle, and true bin length [m].
+  std::vector<double> width_;        // [cell]: width in azimuth [rad].
+  std::vector<double> density_;      // [material]: scatterers per area [1/m^2]; infinite without scatterer_density.
 };
 
 }  // namespace insonify

@@ -1,4 +1,4 @@
-// speckle.cpp -- polar coordinates about an anchor, and a hash of them.
+// speckle.cpp -- polar coordinates of scatterers about an anchor, and the random numbers hashed from them.
 
 #include "receiver/speckle.h"
 
@@ -12,20 +12,23 @@
 namespace insonify {
 namespace {
 
-constexpr double kAnchorShift = 0.37;    // Keeps round coordinates off the boundaries between anchors [m].
-constexpr int kMiddleBearing = 1 << 16;  // Index of bearing 0: indices are positive.
-constexpr float kTiny = 1e-30F;
+constexpr double kAnchorShift = 0.37;    // Poses at round coordinates are then not half-way between two anchors [m].
+constexpr int kMiddleBearing = 1 << 16;  // Index of bearing 0, so that all indices are positive.
+constexpr float kTiny = 1e-30F;          // Avoids division by zero.
 
-// Everything the loop reads, as bare numbers.
+// Inputs of place(), the same for all bins of a cell.
 struct Place {
   float first_range, bin_length, turns_per_metre;
-  float along, across, up;  // From the anchor to the transducer, as the cell's bearing has it.
-  float square;             // Of the same distance.
-  float facing;             // Its part along the scatterers' bearing.
+  float along, across,
+      up;        // Offset from the anchor to the transducer, along and across the cell's bearing, and up [m].
+  float square;  // Squared length of that offset [m^2].
+  float facing;  // Component of the offset along the scatterers' bearing [m].
 };
 
-// Which scatterer each cell has: the surface is at the elevation that its labels tell. How much farther it is from the
-// transducer than from the anchor: in the level plane, so that it does not depend on how well elevation is known.
+// Computes each bin's range index about the anchor and its phase. The surface is taken to lie at the mean elevation of
+// the bin's label. The phase is that of the distance from the transducer less that from the anchor; it is computed in
+// the plane of elevation 0, so that errors of the elevation do not reach it. The difference of the distances is
+// computed from that of their squares, which single precision resolves.
 INSONIFY_VECTOR_CLONES
 void place(BinRange bins, Place at, const std::uint32_t* __restrict__ surface, const float* __restrict__ energy,
            const float* __restrict__ elevation_moment, std::uint32_t* __restrict__ index, float* __restrict__ turns) {
@@ -43,13 +46,14 @@ void place(BinRange bins, Place at, const std::uint32_t* __restrict__ surface, c
     index[bin] = static_cast<std::uint32_t>(i);
 
     const float away = (static_cast<float>(i) + 0.5F) * at.bin_length;
-    const float difference = at.square - 2 * away * at.facing;  // Of the squares of both distances.
+    const float difference = at.square - 2 * away * at.facing;  // Difference of the squared distances.
     const float squared = away * away + difference;
     turns[bin] = at.turns_per_metre * difference / (std::sqrt(squared > 0 ? squared : 0.0F) + away);
   }
 }
 
-// Box and Muller (1958), for both parts of a complex number at once.
+// Draws a complex normal number for each bin (Box and Muller, Ann. Math. Stat. 29, 610 (1958)), with the mean square
+// `energy`, and adds the phase `turns`.
 INSONIFY_VECTOR_CLONES
 void draw_row(BinRange bins, std::uint32_t key, const std::uint32_t* __restrict__ range_index,
               std::uint32_t bearing_index, const float* __restrict__ turns, const float* __restrict__ energy,
@@ -69,10 +73,10 @@ void draw_row(BinRange bins, std::uint32_t key, const std::uint32_t* __restrict_
 
 }  // namespace
 
-Speckle::Speckle(const SonarConfig& cells, double true_ranges, double wavelength, std::uint64_t seed)
+Speckle::Speckle(const SonarConfig& cells, double range_scale, double wavelength, std::uint64_t seed)
     : bins_(cells.bin_count),
-      first_range_(static_cast<float>(true_ranges * cells.bin_range(0))),
-      bin_length_(static_cast<float>(true_ranges * cells.bin_length())),
+      first_range_(static_cast<float>(range_scale * cells.bin_range(0))),
+      bin_length_(static_cast<float>(range_scale * cells.bin_length())),
       turns_per_metre_(static_cast<float>(2 / wavelength)),
       seed_(seed) {
   const std::vector<double> edges = cells.beam_edges();
@@ -98,10 +102,10 @@ Speckle::View Speckle::seen_from(const Pose& world_from_sonar) const {
   const Eigen::Quaterniond sonar_from_world = world_from_sonar.orientation.conjugate();
   view.offset = (sonar_from_world * offset).cast<float>();
 
-  // Bearings are counted from the world's x, or where the fan is seen from there, from its z.
+  // Bearings are counted from the world's x axis, or from z where x is nearly normal to the plane of the fan.
   const Vec3 up = world_from_sonar.orientation * Vec3::UnitZ();
   const Vec3 mark = sonar_from_world * (std::abs(up.x()) < 0.8 ? Vec3::UnitX() : Vec3::UnitZ());
-  view.turned = static_cast<float>(-std::atan2(mark.y(), mark.x()));
+  view.bearing_offset = static_cast<float>(-std::atan2(mark.y(), mark.x()));
   return view;
 }
 
@@ -112,9 +116,9 @@ void Speckle::locate(const View& view, int cell, BinRange bins, const EchoGrid& 
   std::copy_n(grid.label_rows(cell).surface + filled.first, filled.last - filled.first, &row.surface[filled.first]);
   row.range.resize(bins_);
   row.turns.resize(bins_);
-  const float bearing = azimuth_[cell] + view.turned;
+  const float bearing = azimuth_[cell] + view.bearing_offset;
   const auto index = static_cast<int>(std::floor(bearing / cell_width_));
-  const float middle = (static_cast<float>(index) + 0.5F) * cell_width_ - view.turned;  // Of the scatterers' cell.
+  const float middle = (static_cast<float>(index) + 0.5F) * cell_width_ - view.bearing_offset;  // Scatterers' bearing.
   row.bearing = static_cast<std::uint32_t>(index + kMiddleBearing);
   const float c = std::cos(azimuth_[cell]), s = std::sin(azimuth_[cell]);
   const Place at{.first_range = first_range_,

@@ -1,4 +1,4 @@
-// speckle.h -- with which phase and amplitude each cell echoes: numbers fixed in the world.
+// speckle.h -- fully developed speckle: random amplitude and phase of each cell, fixed in the world.
 
 #pragma once
 
@@ -13,53 +13,57 @@
 
 namespace insonify {
 
-/// Turns the energies of a grid into a complex Gaussian field of that mean square: each cell echoes like one scatterer
-/// that stands for all of its own, with a random amplitude and phase, and the phase of the way there and back.
+/// Turns cell energies into a circular complex Gaussian field with those mean intensities (Goodman, Speckle Phenomena
+/// in Optics (2007), ch. 3): each cell echoes as one effective scatterer, with a random amplitude and phase and the
+/// phase of its path out and back.
 ///
-/// Scatterers are told by their bearing, counted from a direction of the world, and by their range from an anchor in
-/// the world, the nearest of a cubic lattice. When the sonar turns or comes nearer, cells take over their neighbours'
-/// scatterers; when it moves sideways their phases change as bearings do, and what an array of length D hears of them
-/// is alike up to a shift of D / 2: by then it has forgotten them, so that they need not change bearings besides. Past
-/// the middle between two anchors all are drawn anew.
+/// The random numbers are a hash of the scatterer's place in the world, so that a static scene gives the same speckle
+/// in every ping. Its place is a bearing index, counted from a fixed direction of the world, and a range index, counted
+/// from an anchor: the nearest point of a cubic lattice fixed in the world. Hence
+///
+/// - when the sonar turns or moves along a bearing, a cell takes over the random numbers of its neighbour;
+/// - when it moves sideways, the phases change with the path lengths: an array of length D sees speckle that
+///   decorrelates over a shift of D / 2 (docs/concepts/speckle.md);
+/// - when it passes the middle between two anchors, all numbers are drawn anew.
 class Speckle {
  public:
   /// Distance between anchors [m].
   static constexpr double kAnchorSpacing = 1;
 
-  /// @param cells        What grids are of.
-  /// @param true_ranges  True over reported range.
+  /// @param cells        The grids' cells, see BearingCells::sonar.
+  /// @param range_scale  True range / reported range.
   /// @param wavelength   [m]
-  Speckle(const SonarConfig& cells, double true_ranges, double wavelength, std::uint64_t seed);
+  Speckle(const SonarConfig& cells, double range_scale, double wavelength, std::uint64_t seed);
 
-  /// The anchor, as seen from a transducer.
+  /// The anchor nearest to a transducer, relative to it.
   struct View {
-    Vec3f offset;         ///< From the anchor to the transducer, along the axes of the sonar [m].
-    float turned = 0;     ///< What makes a bearing one of the world's [rad].
-    std::uint32_t key{};  ///< Of the anchor's random numbers.
+    Vec3f offset;              ///< From the anchor to the transducer, in the sonar frame [m].
+    float bearing_offset = 0;  ///< Added to a bearing in the sonar frame, gives the bearing in the world [rad].
+    std::uint32_t key{};       ///< Key of the anchor's random numbers.
   };
   [[nodiscard]] View seen_from(const Pose& world_from_sonar) const;
 
-  /// The scatterers of one row of cells.
+  /// Scatterers of one cell's row of bins. The vectors are [bin], set in `bins` only.
   struct Row {
-    BinRange bins;                       ///< Whose scatterers they are.
-    std::vector<std::uint32_t> surface;  ///< Of each bin: instance and material, see echo/grid/echo.h.
-    std::uint32_t bearing = 0;           ///< Index that tells the scatterers from those of other rows.
-    std::vector<std::uint32_t> range;    ///< Of each, within the row.
-    std::vector<float> turns;            ///< Phase of the way there and back, but for what does not change.
+    BinRange bins;
+    std::vector<std::uint32_t> surface;  ///< Label: instance and material, see echo/grid/echo.h.
+    std::uint32_t bearing = 0;           ///< Bearing index, the same for the whole row.
+    std::vector<std::uint32_t> range;    ///< Range index.
+    std::vector<float> turns;            ///< Phase of the path out and back, less that from the anchor [turns of 2 pi].
   };
-  /// Of the given bins alone.
+  /// Finds the scatterers of the given bins of a cell.
   void locate(const View& view, int cell, BinRange bins, const EchoGrid& grid, Row& row) const;
 
-  /// field = sqrt(energy) x the scatterers' random numbers, in the bins that were located.
+  /// field[bin] = sqrt(energy[bin]) x the scatterer's random complex number x its phase, in row.bins.
   void draw(const View& view, const Row& row, std::span<const float> energy,
             std::span<std::complex<float>> field) const;
 
  private:
   int bins_;
-  float first_range_, bin_length_;  // True, of the middle of bin 0; [m].
-  float cell_width_;                // Of the narrowest [rad].
-  float turns_per_metre_;           // There and back.
-  std::vector<float> azimuth_;      // Of the cells.
+  float first_range_, bin_length_;  // True range of bin 0's middle, and true bin length [m].
+  float cell_width_;                // Width of the narrowest cell [rad].
+  float turns_per_metre_;           // Phase per metre of range, out and back [turns/m].
+  std::vector<float> azimuth_;      // [cell]: azimuth of the centre [rad].
   std::uint64_t seed_;
 };
 

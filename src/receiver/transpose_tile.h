@@ -1,4 +1,4 @@
-// transpose_tile.h -- from one beam after another, as grids lie, to one range after another, as pings lie.
+// transpose_tile.h -- transposes tiles of 4-byte values from beam-major (EchoGrid) to range-major (Ping).
 
 #pragma once
 
@@ -7,19 +7,19 @@
 
 namespace insonify {
 
-inline constexpr int kTileBeams = 16;  ///< One cache line of a row of the ping.
+inline constexpr int kTileBeams = 16;  ///< 4-byte values in one cache line of a row of the ping.
 inline constexpr int kTileBins = 64;
 
-/// Values of some beams and bins, either way round. Value is of four bytes.
+/// A tile of values, beam-major and range-major. sizeof(Value) is 4.
 template <typename Value>
 using BeamTile = Value[kTileBeams][kTileBins];
 template <typename Value>
 using BinTile = Value[kTileBins][kTileBeams];
 
-/// Transposes, four by four values in registers.
+/// bins[bin][beam] = beams[beam][bin], by blocks of 4 x 4 values in registers.
 template <typename Value>
 [[gnu::always_inline]] inline void transpose_tile(const BeamTile<Value>& beams, BinTile<Value>& bins) {
-  using Lanes = std::uint32_t __attribute__((vector_size(16)));  // Only moved about.
+  using Lanes = std::uint32_t __attribute__((vector_size(16)));  // Values are moved as bits, never computed with.
   static_assert(sizeof(Value) == 4);
   for (int beam = 0; beam < kTileBeams; beam += 4) {
     for (int bin = 0; bin < kTileBins; bin += 4) {

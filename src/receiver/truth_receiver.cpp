@@ -1,4 +1,4 @@
-// truth_receiver.cpp -- instances ranked, orders compared, shadows measured, the direct echo received.
+// truth_receiver.cpp -- ranks instances, compares path orders, measures shadow, and receives the direct echo.
 
 #include "receiver/truth_receiver.h"
 
@@ -13,9 +13,9 @@
 namespace insonify {
 namespace {
 
-// What `count` bins of the tables from `first` on tell where nothing echoed.
+// Sets `count` entries of the label tables, from `first` on, to the values that mean "no echo".
 template <typename Count>
-void tell_nothing(std::size_t first, Count count, Ping& ping) {
+void write_empty(std::size_t first, Count count, Ping& ping) {
   constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
   std::fill_n(&ping.strongest_instance[kStrongestCount * first], kStrongestCount * count(), kNoLabel);
   std::fill_n(&ping.strongest_share[kStrongestCount * first], kStrongestCount * count(), 0.0F);
@@ -25,9 +25,11 @@ void tell_nothing(std::size_t first, Count count, Ping& ping) {
   std::fill_n(&ping.elevation_spread[first], count(), kNone);
 }
 
-// Of the bin at `at` of the tables, whose echoes have `energy` in all.
-void tell_strongest(std::span<const InstanceEcho> strongest, float energy, float middle_elevation, std::size_t at,
-                    Ping& ping) {
+// Writes the strongest instances of one bin: labels, shares, mean and spread of elevation.
+// @param energy  The bin's total energy.
+// @param at      Index of the bin in the tables of the ping.
+void write_strongest(std::span<const InstanceEcho> strongest, float energy, float middle_elevation, std::size_t at,
+                     Ping& ping) {
   if (strongest.empty()) {
     return;
   }
@@ -44,7 +46,7 @@ void tell_strongest(std::span<const InstanceEcho> strongest, float energy, float
   ping.elevation_spread[at] = static_cast<float>(std::sqrt(std::max(variance, 0.0)));
 }
 
-// Takes the energies of one path order into the sums over all, and notes which is strongest.
+// Adds the energies of one path order to the sums over all orders, and updates the strongest order of each bin.
 INSONIFY_VECTOR_CLONES
 void add_order(std::uint8_t order, int count, const float* __restrict__ energy, float* __restrict__ sum,
                float* __restrict__ most, std::uint8_t* __restrict__ strongest) {
@@ -55,6 +57,7 @@ void add_order(std::uint8_t order, int count, const float* __restrict__ energy, 
   }
 }
 
+// sums += row.
 INSONIFY_VECTOR_CLONES
 void add_row(int count, const float* __restrict__ row, float* __restrict__ sums) {
   for (int i = 0; i < count; ++i) {
@@ -71,9 +74,9 @@ TruthReceiver::TruthReceiver(const SonarConfig& sonar, const BearingCells& cells
       first_cell_(cells.first),
       cells_per_beam_(cells.per_beam),
       middle_elevation_(static_cast<float>(sonar.elevation_center)),
-      whole_(beams_) {
+      beam_angle_(beams_) {
   for (int beam = 0; beam < beams_; ++beam) {
-    for_each_cell(beam, [&](int cell) { whole_[beam] += cell_angles[cell]; });
+    for_each_cell(beam, [&](int cell) { beam_angle_[beam] += cell_angles[cell]; });
   }
 }
 
@@ -85,13 +88,16 @@ void TruthReceiver::write(const EchoGrid& grid, const Reception& reception, Work
     for (int beam = first_beam; beam < last_beam; ++beam) {
       hidden[beam - first_beam] = hidden_before(grid, beam);
     }
-    for_each_tile(first_beam, last_beam, bins_, [&](const TilePlace& place) { tell_tile(grid, place, hidden, ping); });
+    for_each_tile(first_beam, last_beam, bins_,
+                  [&](const TilePlace& place) { write_truth_tile(grid, place, hidden, ping); });
   });
   for (const DiscreteEcho& echo : grid.discrete_echoes()) {
     write_discrete_echo(grid, echo, ping);
   }
 }
 
+// Computes ping.direct_intensity: path order 1 alone, through pulse, array pattern, discrete echoes and gain. Cells are
+// convolved in parallel, then blocks of bins are formed into beams, then transposed into the ping.
 void TruthReceiver::receive_direct(const EchoGrid& grid, const Reception& reception, Workers& workers, Ping& ping) {
   direct_.resize(static_cast<std::size_t>(cells_) * bins_);
   direct_beams_.resize(reception.bearing != nullptr ? static_cast<std::size_t>(beams_) * bins_ : 0);
@@ -128,17 +134,20 @@ void TruthReceiver::receive_direct(const EchoGrid& grid, const Reception& recept
   });
 }
 
-// Each surface hides what lies behind it in its own directions: the solid angle met so far is hidden from there on.
+// Computes one beam of a tile. A surface hides everything behind it in its own directions, so the solid angle whose
+// first hit is nearer than a bin is in shadow there. grid.weight(1, ...) is the solid angle whose first hit lies in
+// each bin.
+// @param hidden  Solid angle hidden before the tile's first bin [sr]; advanced to its end.
 TruthReceiver::BeamTile TruthReceiver::beam_tile(const EchoGrid& grid, int beam, const TilePlace& place,
                                                  float& hidden) const {
   BeamTile tile = {};
   bool filled = false;
   for_each_cell(beam, [&](int cell) { filled = filled || !(grid.filled(cell) & place.bins()).empty(); });
   if (!filled) {
-    std::fill_n(tile.shadow, place.bin_count, std::min(hidden / whole_[beam], 1.0F));
+    std::fill_n(tile.shadow, place.bin_count, std::min(hidden / beam_angle_[beam], 1.0F));
     return tile;
   }
-  float most[kTileBins] = {}, met[kTileBins] = {}, received[kTileBins] = {};
+  float most[kTileBins] = {}, hit[kTileBins] = {}, received[kTileBins] = {};
   const auto add = [&](std::span<const float> row, float* sums) {
     add_row(place.bin_count, &row[place.first_bin], sums);
   };
@@ -148,16 +157,16 @@ TruthReceiver::BeamTile TruthReceiver::beam_tile(const EchoGrid& grid, int beam,
     for_each_cell(beam, [&](int cell) { add(grid.energy(order, cell), sums); });
     add_order(static_cast<std::uint8_t>(order), place.bin_count, sums, tile.energy, most, tile.order);
   }
-  for_each_cell(beam, [&](int cell) { add(grid.weight(1, cell), met); });
+  for_each_cell(beam, [&](int cell) { add(grid.weight(1, cell), hit); });
   for (int i = 0; i < place.bin_count; ++i) {
-    const bool direct = met[i] > 0 || received[i] > 0;
-    tile.shadow[i] = direct ? 0.0F : std::min(hidden / whole_[beam], 1.0F);
-    hidden += met[i];
+    const bool direct = hit[i] > 0 || received[i] > 0;
+    tile.shadow[i] = direct ? 0.0F : std::min(hidden / beam_angle_[beam], 1.0F);
+    hidden += hit[i];
   }
   return tile;
 }
 
-// A cell without a label has no tally.
+// Adds the surfaces of a bin to `instances`, over the beam's own cells. Tallies are set only in cells with a label.
 void TruthReceiver::add_surfaces(const EchoGrid& grid, int beam, int bin, Instances& instances) const {
   for_each_cell(beam, [&](int cell) {
     if (grid.filled(cell).has(bin) && grid.label_rows(cell).surface[bin] != kNoSurface) {
@@ -170,8 +179,8 @@ void TruthReceiver::add_surfaces(const EchoGrid& grid, int beam, int bin, Instan
   });
 }
 
-void TruthReceiver::tell_tile(const EchoGrid& grid, const TilePlace& place, std::array<float, kTileBeams>& hidden,
-                              Ping& ping) const {
+void TruthReceiver::write_truth_tile(const EchoGrid& grid, const TilePlace& place,
+                                     std::array<float, kTileBeams>& hidden, Ping& ping) const {
   BinTile<float> energy, shadow;
   std::uint8_t order[kTileBins][kTileBeams];
   for (int b = 0; b < place.beam_count; ++b) {
@@ -187,28 +196,29 @@ void TruthReceiver::tell_tile(const EchoGrid& grid, const TilePlace& place, std:
       const std::size_t row = ping.index(place.first_bin + i, place.first_beam);
       std::copy_n(order[i], beams(), &ping.path_order[row]);
       std::copy_n(shadow[i], beams(), &ping.shadow[row]);
-      tell_nothing(row, beams, ping);
+      write_empty(row, beams, ping);
     }
   };
-  if (place.beam_count == kTileBeams) {  // Then all lengths are known beforehand.
+  if (place.beam_count == kTileBeams) {  // The compiler then knows the lengths.
     start_rows(std::integral_constant<std::size_t, kTileBeams>());
   } else {
     start_rows([&] { return static_cast<std::size_t>(place.beam_count); });
   }
   Instances instances;
-  for (int b = 0; b < place.beam_count; ++b) {  // As tallies lie.
+  for (int b = 0; b < place.beam_count; ++b) {  // Beam by beam: tallies are beam-major.
     for (int i = 0; i < place.bin_count; ++i) {
       if (energy[i][b] > 0) {
         instances.clear();
         add_surfaces(grid, place.first_beam + b, place.first_bin + i, instances);
-        tell_strongest(instances.strongest(), energy[i][b], middle_elevation_,
-                       ping.index(place.first_bin + i, place.first_beam + b), ping);
+        write_strongest(instances.strongest(), energy[i][b], middle_elevation_,
+                        ping.index(place.first_bin + i, place.first_beam + b), ping);
       }
     }
   }
 }
 
-// Where it is direct its bin is no shadow: what hides it would have kept it from being received.
+// Corrects the path order and shadow of the bin of a discrete echo. A direct echo proves that its bin is in line of
+// sight: its shadow becomes 0.
 void TruthReceiver::write_discrete_echo(const EchoGrid& grid, const DiscreteEcho& echo, Ping& ping) const {
   const int own = echo.beam - first_cell_;
   const int beam = own / cells_per_beam_;

@@ -1,4 +1,4 @@
-// truth_receiver.h -- what each bin's echo was made of: from an EchoGrid with GroundTruth::kFull to a Ping.
+// truth_receiver.h -- writes the full ground truth of a Ping from an EchoGrid with GroundTruth::kFull.
 
 #pragma once
 
@@ -20,38 +20,43 @@
 
 namespace insonify {
 
-/// Surfaces, path order and shadow are those of the cells in each beam's own slice of azimuth, before pulse and array
-/// mix them with others. The direct echo is heard as all echoes are: with array, pulse, near field and gain.
+/// Writes, for each beam and bin, which instances echo and how much, the dominant path order, the shadow, and the
+/// intensity of direct echoes alone (docs/concepts/ground-truth.md).
+///
+/// Instances, path order and shadow describe the cells in the beam's own slice of azimuth, before pulse and array
+/// pattern mix them with their neighbours. The direct echo passes through pulse, array pattern, near field and gain, as
+/// the intensity does.
 class TruthReceiver {
  public:
-  /// @param cells        What the grids are of.
-  /// @param cell_angles  Solid angle that each of them hears of what is sent [sr].
+  /// @param cells        The grids' bearing cells.
+  /// @param cell_angles  Solid angle of each cell, weighted by the pattern both ways [sr].
   TruthReceiver(const SonarConfig& sonar, const BearingCells& cells, std::span<const float> cell_angles);
 
-  /// How the receiver hears; null for no pulse, no array.
+  /// The parts of the receiver that direct echoes pass through.
   struct Reception {
-    const RangeResponse* range;
-    const BearingResponse* bearing;
+    const RangeResponse* range;      ///< Pulse; null for none.
+    const BearingResponse* bearing;  ///< Array pattern; null for none.
     const DiscreteEchoes* discrete;
-    std::span<const float> gain;  ///< Of each bin.
+    std::span<const float> gain;  ///< Intensity gain, [bin].
   };
 
-  /// Fills the ping's tables of ground truth, which have their sizes. Allocates at the first ping only.
+  /// Writes the ping's tables of ground truth, which have been sized. Allocates at the first ping only.
   void write(const EchoGrid& grid, const Reception& reception, Workers& workers, Ping& ping);
 
  private:
-  // Of one beam, over the bins of a tile.
+  // One beam of a tile, [bin].
   struct BeamTile {
-    float energy[kTileBins];        // Of all orders.
-    std::uint8_t order[kTileBins];  // Of most of it; 0 for none.
-    float shadow[kTileBins];        // Share of the beam that is hidden, where it hears nothing direct.
+    float energy[kTileBins];        // Sum over all path orders.
+    std::uint8_t order[kTileBins];  // Path order with most energy; 0 for none.
+    float shadow[kTileBins];        // Share of the beam's solid angle that is hidden; 0 where there is a direct echo.
   };
 
   void receive_direct(const EchoGrid& grid, const Reception& reception, Workers& workers, Ping& ping);
-  void tell_tile(const EchoGrid& grid, const TilePlace& place, std::array<float, kTileBeams>& hidden, Ping& ping) const;
+  void write_truth_tile(const EchoGrid& grid, const TilePlace& place, std::array<float, kTileBeams>& hidden,
+                        Ping& ping) const;
   BeamTile beam_tile(const EchoGrid& grid, int beam, const TilePlace& place, float& hidden) const;
   void add_surfaces(const EchoGrid& grid, int beam, int bin, Instances& instances) const;
-  [[nodiscard]] float hidden_before(const EchoGrid& grid, int beam) const;  // The near edge of bin 0.
+  [[nodiscard]] float hidden_before(const EchoGrid& grid, int beam) const;  // Solid angle hidden before bin 0 [sr].
   void write_discrete_echo(const EchoGrid& grid, const DiscreteEcho& echo, Ping& ping) const;
 
   // Calls visit(cell) for the cells of a beam's own slice.
@@ -63,9 +68,9 @@ class TruthReceiver {
   }
 
   int beams_, bins_, cells_, first_cell_, cells_per_beam_;
-  float middle_elevation_;                    // Of the aperture [rad].
-  std::vector<float> whole_;                  // Of each beam: solid angle [sr].
-  std::vector<float> direct_, direct_beams_;  // [cell][bin] and [beam][bin].
+  float middle_elevation_;                    // Middle of the elevation aperture [rad].
+  std::vector<float> beam_angle_;             // [beam]: solid angle [sr].
+  std::vector<float> direct_, direct_beams_;  // Energy of direct echoes, [cell][bin] and [beam][bin].
 };
 
 }  // namespace insonify

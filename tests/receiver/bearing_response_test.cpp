@@ -1,4 +1,5 @@
-// The array over a bearing grid: discrete echoes, side lobes, speckle between beams, and the product by brute force.
+// bearing_response_test.cpp -- beams formed from a bearing grid: discrete echoes, side lobes, correlation of speckle
+// between beams, and the matrix product by brute force. T numbers are those of docs/concepts/physics-tests.md.
 
 #include "receiver/bearing_response.h"
 
@@ -14,7 +15,7 @@
 namespace insonify {
 namespace {
 
-// Of a fan of 120 degrees in 256 beams, .46875 degrees apart, and an array with a beam of 1 degree at 720 kHz.
+// A fan of 120 degrees in 256 beams, 0.46875 degrees apart, and an array with a beam of 1 degree at 720 kHz.
 constexpr double kAperture = radians_from_degrees(120);
 constexpr double kWavelength = 1500.0 / 720e3;
 
@@ -22,7 +23,7 @@ double length_in_wavelengths(const ArrayPattern& pattern, double beam_width_deg 
   return pattern.length(kWavelength, radians_from_degrees(beam_width_deg)) / kWavelength;
 }
 
-// u of `count` bearings even in azimuth over the fan, from port to starboard.
+// u = sin(azimuth) of `count` bearings, evenly spaced in azimuth over the fan, from port to starboard.
 std::vector<double> fan(int count, double aperture = kAperture) {
   std::vector<double> sines;
   for (int i = 0; i < count; ++i) {
@@ -60,7 +61,7 @@ float decibels(float intensity) {
   return 10 * std::log10(intensity);
 }
 
-// The sums run over this many cells in single precision.
+// Relative tolerance for sums over some hundred cells in single precision.
 constexpr double kSinglePrecision = 1e-5;
 
 // Odd numbers of beams, cells and bins, so that every block, panel and strip has an incomplete one.
@@ -76,8 +77,8 @@ TEST(BearingResponseTest, IsTheSumOverCells) {
     for (const std::complex<float> value : field) {
       energy.push_back(std::norm(value));
     }
-    const std::vector<float> heard_energy = receive(response, energy, kBins);
-    const Field heard_field = receive(response, field, kBins);
+    const std::vector<float> received_energy = receive(response, energy, kBins);
+    const Field received_field = receive(response, field, kBins);
     for (int beam = 0; beam < kBeams; ++beam) {
       for (int bin = 0; bin < kBins; ++bin) {
         double sum = 0;
@@ -87,14 +88,15 @@ TEST(BearingResponseTest, IsTheSumOverCells) {
           sum += std::norm(gain) * energy[cell * kBins + bin];
           complex_sum += gain * std::complex<double>(field[cell * kBins + bin]);
         }
-        ASSERT_NEAR(heard_energy[beam * kBins + bin] / sum, 1, kSinglePrecision);
-        ASSERT_NEAR(std::abs(std::complex<double>(heard_field[beam * kBins + bin]) - complex_sum), 0, kSinglePrecision);
+        ASSERT_NEAR(received_energy[beam * kBins + bin] / sum, 1, kSinglePrecision);
+        ASSERT_NEAR(std::abs(std::complex<double>(received_field[beam * kBins + bin]) - complex_sum), 0,
+                    kSinglePrecision);
       }
     }
   }
 }
 
-TEST(BearingResponseTest, DoesNotDependOnHowBinsAreShared) {
+TEST(BearingResponseTest, DoesNotDependOnHowBinsAreDividedBetweenCalls) {
   constexpr int kBeams = 16, kCells = 64, kBins = 50;
   const ArrayPattern pattern({.elements = 32, .element_error = 0.1});
   const BearingResponse response(pattern, 20, fan(kCells), fan(kBeams));
@@ -106,7 +108,7 @@ TEST(BearingResponseTest, DoesNotDependOnHowBinsAreShared) {
   EXPECT_EQ(shared, receive(response, field, kBins));
 }
 
-TEST(BearingResponseTest, BinsThatHoldNothingNeedNotBeAddedUp) {
+TEST(BearingResponseTest, EmptyBinsNeedNotBeSummed) {
   constexpr int kBeams = 16, kCells = 64, kBins = 50;
   const ArrayPattern pattern({.elements = 32, .element_error = 0.1});
   const BearingResponse response(pattern, 20, fan(kCells), fan(kBeams));
@@ -114,14 +116,14 @@ TEST(BearingResponseTest, BinsThatHoldNothingNeedNotBeAddedUp) {
   for (int i = 0; i < kCells * kBins; ++i) {
     field[i] = i % kBins >= 21 && i % kBins < 40 ? field[i] : 0;
   }
-  Field heard(kBeams * kBins, 7);
-  response.receive_field(field, heard, kBins, {0, 30}, {21, 40});
-  response.receive_field(field, heard, kBins, {30, 45}, {21, 40});
-  response.receive_field(field, heard, kBins, {45, 50}, {21, 40});
-  EXPECT_EQ(heard, receive(response, field, kBins));
+  Field received(kBeams * kBins, 7);
+  response.receive_field(field, received, kBins, {0, 30}, {21, 40});
+  response.receive_field(field, received, kBins, {30, 45}, {21, 40});
+  response.receive_field(field, received, kBins, {45, 50}, {21, 40});
+  EXPECT_EQ(received, receive(response, field, kBins));
 }
 
-// A cell at every beam's bearing.
+// One cell at the bearing of each beam.
 TEST(BearingResponseTest, DiscreteEchoReadsItsFullLevelInItsOwnBeam) {
   constexpr int kBeams = 64;
   const ArrayPattern pattern;
@@ -131,9 +133,10 @@ TEST(BearingResponseTest, DiscreteEchoReadsItsFullLevelInItsOwnBeam) {
   EXPECT_FLOAT_EQ(receive(response, cells, 1)[20], 5);
 }
 
-// PHYSICS T14. A strong echo shows at every bearing, at -13.26 dB where u is 1.4303 wavelengths / D from its own; at 20
-// degrees the lobes are at 18.2918 and 21.7270 degrees (D = .1058 m). Beams .01 degrees apart find them.
-TEST(BearingResponseTest, SideLobesLieWhereTheyShould) {
+// T14. A strong echo leaks into all beams. The first side lobes of a rectangular window are at -13.26 dB, where u is
+// 1.4303 wavelengths / D from the echo's: for an echo at 20 degrees and D = 0.1058 m, at 18.2918 and 21.7270 degrees.
+// Beams 0.01 degrees apart sample the pattern.
+TEST(BearingResponseTest, SideLobesHaveTheAnglesAndLevelsOfTheClosedForm) {
   constexpr double kLength = 0.1058 / kWavelength;
   const struct {
     ArraySettings settings;
@@ -142,36 +145,36 @@ TEST(BearingResponseTest, SideLobesLieWhereTheyShould) {
       {{}, 0, 1.6138, -1.6138, -13.2615},
       {{}, 20, 21.7270, 18.2918, -13.2615},
       {{.two_way = true}, 20, 21.7270, 18.2918, -26.523},
-      // Hann's lobe is 2.3619 wavelengths / D out.
+      // The first side lobe of a Hann window is 2.3619 wavelengths / D from the main lobe.
       {{.window = ArrayWindow::kHann}, 0, 2.6659, -2.6659, -31.4675},
   };
   std::vector<double> beams;
   for (int i = 0; i <= 8000; ++i) {
     beams.push_back(std::sin(radians_from_degrees(40 - i * 0.01)));
   }
-  const auto near_lobe = [](double from_deg, double to_deg, const std::vector<float>& heard) {
+  const auto near_lobe = [](double from_deg, double to_deg, const std::vector<float>& received) {
     int highest = std::lround((40 - to_deg) * 100);
     for (int i = highest; i <= std::lround((40 - from_deg) * 100); ++i) {
-      highest = heard[i] > heard[highest] ? i : highest;
+      highest = received[i] > received[highest] ? i : highest;
     }
-    return std::pair{40 - highest * 0.01, decibels(heard[highest])};
+    return std::pair{40 - highest * 0.01, decibels(received[highest])};
   };
   for (const auto& c : cases) {
     const std::vector<double> cell = {std::sin(radians_from_degrees(c.echo_deg))};
-    const std::vector<float> heard =
+    const std::vector<float> received =
         receive(BearingResponse(ArrayPattern(c.settings), kLength, cell, beams), std::vector<float>{1}, 1);
     for (const double lobe_deg : {c.lobe_deg, c.other_lobe_deg}) {
-      const auto [bearing_deg, level_db] = near_lobe(lobe_deg - 0.4, lobe_deg + 0.4, heard);
+      const auto [bearing_deg, level_db] = near_lobe(lobe_deg - 0.4, lobe_deg + 0.4, received);
       EXPECT_NEAR(bearing_deg, lobe_deg, 0.011) << c.level_db;
       EXPECT_NEAR(level_db, c.level_db, 0.01);
     }
   }
 }
 
-// What neighbouring beams make of the same speckle (PHYSICS 6). For white circular noise the intensities of two beams
-// x = (D / wavelength) (u1 - u2) apart correlate as sinc^2 of x: .5465 of beams .46875 degrees apart at the axis,
-// where x = .41547; each beam adds x independent samples. From 12 beams by the axis, where x hardly changes, and many
-// bins, the correlation's standard error is below (1 - r^2) / sqrt(n_eff).
+// Correlation of speckle between neighbouring beams (docs/concepts/speckle.md). For white circular noise, the
+// intensities of two beams x = (D / wavelength) (u1 - u2) apart have the correlation r = sinc^2(x). Beams 0.46875
+// degrees apart near the axis have x = 0.41547 and r = 0.5465; each beam adds x independent samples. With 12 beams near
+// the axis, where x is nearly constant, and many bins, the standard error of r is below (1 - r^2) / sqrt(n_eff).
 TEST(BearingResponseTest, SpeckleOfNeighbouringBeamsCorrelates) {
   constexpr int kBeams = 13, kPerBeam = 4, kMargin = 60, kBins = 4000;
   constexpr double kSpacing = radians_from_degrees(0.46875);
@@ -185,13 +188,13 @@ TEST(BearingResponseTest, SpeckleOfNeighbouringBeamsCorrelates) {
     cells.push_back(std::sin((kBeams / 2.0 + kMargin + 0.5 - (cell + 0.5) / kPerBeam) * kSpacing));
   }
   const BearingResponse response(pattern, length, cells, beams, -300);
-  const Field heard = receive(response, white_noise(cells.size() * kBins, 3), kBins);
+  const Field received = receive(response, white_noise(cells.size() * kBins, 3), kBins);
 
   const auto correlation = [&](int lag) {
     double mean = 0, square = 0, product = 0;
     const int pairs = (kBeams - lag) * kBins;
     for (int i = 0; i < pairs; ++i) {
-      const double a = std::norm(heard[i]), b = std::norm(heard[i + lag * kBins]);
+      const double a = std::norm(received[i]), b = std::norm(received[i + lag * kBins]);
       mean += 0.5 * (a + b) / pairs;
       square += 0.5 * (a * a + b * b) / pairs;
       product += a * b / pairs;
@@ -205,8 +208,8 @@ TEST(BearingResponseTest, SpeckleOfNeighbouringBeamsCorrelates) {
   EXPECT_NEAR(correlation(3), 0.0319, tolerance);
 }
 
-// The energy heard is the mean of what the field reads over many draws: phases are independent between cells. The mean
-// of n exponential numbers has a standard error of 1 / sqrt(n).
+// Phases are independent between cells, so the received energy is the mean of |received field|^2 over many draws. The
+// mean of n exponentially distributed numbers of mean 1 has the standard error 1 / sqrt(n).
 TEST(BearingResponseTest, EnergyIsTheMeanOfTheField) {
   constexpr int kBeams = 8, kCells = 64, kDraws = 20000;
   for (const ArraySettings& settings :
@@ -222,34 +225,34 @@ TEST(BearingResponseTest, EnergyIsTheMeanOfTheField) {
       }
     }
     const std::vector<float> expected = receive(response, energy, 1);
-    const Field heard = receive(response, cells, kDraws);
+    const Field received = receive(response, cells, kDraws);
     for (int beam = 0; beam < kBeams; ++beam) {
       double mean = 0;
       for (int draw = 0; draw < kDraws; ++draw) {
-        mean += std::norm(heard[beam * kDraws + draw]) / kDraws;
+        mean += std::norm(received[beam * kDraws + draw]) / kDraws;
       }
       EXPECT_NEAR(mean / expected[beam], 1, 4 / std::sqrt(kDraws));
     }
   }
 }
 
-// PHYSICS T17: two equal echoes in one cell, speckle off, read twice one.
+// T17, without speckle: two equal echoes in one cell give twice the energy of one.
 TEST(BearingResponseTest, EnergiesOfOneCellAddUp) {
   const ArrayPattern pattern;
   const BearingResponse response(pattern, 50, fan(32), fan(8));
   std::vector<float> one(32, 0.0F), two(32, 0.0F);
   one[9] = 3;
   two[9] = 6;
-  const std::vector<float> heard = receive(response, one, 1), twice = receive(response, two, 1);
+  const std::vector<float> received = receive(response, one, 1), twice = receive(response, two, 1);
   for (int beam = 0; beam < 8; ++beam) {
-    EXPECT_FLOAT_EQ(twice[beam], 2 * heard[beam]);
+    EXPECT_FLOAT_EQ(twice[beam], 2 * received[beam]);
   }
 }
 
-// Energy spread evenly over u reads its density times the equivalent beam, wavelength / D: cells of 0.002 and an array
-// of 50 wavelengths give (1 / 50) / 0.002 = 10 cells. The 1 / (pi^2 50) of a sinc's energy that lies beyond u = +-1 is
-// not heard; the floor, 318 lobes out, cuts nothing off.
-TEST(BearingResponseTest, SpreadEnergyReadsTheEquivalentBeam) {
+// Energy spread evenly over u gives its density times the equivalent beam width, wavelength / D. With cells of 0.002 in
+// u and an array of 50 wavelengths this is (1 / 50) / 0.002 = 10 cells. The fraction 1 / (pi^2 50) of the energy of a
+// sinc^2 pattern lies beyond u = +-1 and is not received. The floor of -60 dB, 318 lobes out, is beyond that too.
+TEST(BearingResponseTest, ExtendedEchoReadsTheEquivalentBeamWidth) {
   std::vector<double> cells;
   for (int i = 0; i < 1000; ++i) {
     cells.push_back(0.999 - 0.002 * i);
@@ -261,17 +264,17 @@ TEST(BearingResponseTest, SpreadEnergyReadsTheEquivalentBeam) {
   EXPECT_NEAR(receive(response, std::vector<float>(1000, 1.0F), 1)[0], expected, 1e-3);
 }
 
-// Hann's side lobes fall below -60 dB some 4 to 7 lobes out: of 100 wavelengths x 1.73 only a small part is summed, and
-// what was left out is less than the floor times what there was.
-TEST(BearingResponseTest, FloorLeavesOutWhatIsNotHeard) {
+// The side lobes of a Hann window fall below -60 dB within 4 to 7 lobes, so that of all cells of the fan only a small
+// part is summed. What is left out is less than the floor times the energy of all cells.
+TEST(BearingResponseTest, FloorLeavesOutNegligibleCells) {
   const ArrayPattern pattern({.window = ArrayWindow::kHann});
   const double length = length_in_wavelengths(pattern);
   const BearingResponse response(pattern, length, fan(512), fan(256)), full(pattern, length, fan(512), fan(256), -300);
   EXPECT_LT(response.filled(), 0.2);
   EXPECT_EQ(full.filled(), 1);
-  const std::vector<float> cells(512, 1.0F), heard = receive(response, cells, 1), all = receive(full, cells, 1);
+  const std::vector<float> cells(512, 1.0F), received = receive(response, cells, 1), all = receive(full, cells, 1);
   for (int beam = 0; beam < 256; ++beam) {
-    EXPECT_NEAR(heard[beam] / all[beam], 1, 1e-5);
+    EXPECT_NEAR(received[beam] / all[beam], 1, 1e-5);
   }
 }
 

@@ -1,3 +1,5 @@
+// clutter_test.cpp -- quantiles of the gamma distribution, and textures that are constant within a patch.
+
 #include "receiver/clutter.h"
 
 #include <gtest/gtest.h>
@@ -10,7 +12,7 @@
 namespace insonify {
 namespace {
 
-// Of shape 1 it is the exponential distribution.
+// The gamma distribution of shape 1 is the exponential distribution.
 TEST(GammaQuantilesTest, ShapeOneIsExponential) {
   const GammaQuantiles quantiles(1);
   for (const double share : {1e-6, 0.001, 0.03, 0.1, 0.5, 0.9, 0.999, 1 - 1e-6}) {
@@ -34,7 +36,8 @@ TEST(GammaQuantilesTest, MeanIsOneAndVarianceOneOverShape) {
   }
 }
 
-// Patches are two cells by three bins: one texture within, another beside; other materials have none.
+// Patches of two cells by three bins: the texture is the same within a patch, differs between neighbouring patches, and
+// is 1 on other materials.
 TEST(ClutterTest, TextureComesInPatches) {
   Material patchy, even;
   patchy.clutter_shape = 0.5;

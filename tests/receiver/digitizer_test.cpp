@@ -1,3 +1,5 @@
+// digitizer_test.cpp -- counts of known levels, in both mappings.
+
 #include "receiver/digitizer.h"
 
 #include <gtest/gtest.h>
@@ -15,7 +17,7 @@ std::uint16_t count_at(const SonarConfig& sonar, double full_scale_db, double le
   return count[0];
 }
 
-// PHYSICS 12: 255 (1 + L / 60), L -10 -> 212, -30 -> 128.
+// 255 (1 + L / 60): L = -10 dB gives 212.5, L = -30 dB 127.5. The levels below are 0.01 dB off the halves.
 TEST(DigitizerTest, SixtyDecibelsInEightBits) {
   const SonarConfig sonar;
   EXPECT_EQ(count_at(sonar, -30, -30), 255);
@@ -48,8 +50,8 @@ TEST(DigitizerTest, BitsSetTheGreatestCount) {
   }
 }
 
-// Silence is count 0, whatever the mapping.
-TEST(DigitizerTest, NothingIsNothing) {
+// An intensity of 0, whose logarithm is infinite, gives count 0 in both mappings.
+TEST(DigitizerTest, ZeroIntensityIsCountZero) {
   SonarConfig sonar;
   for (const Mapping mapping : {Mapping::kGamma, Mapping::kLogarithmic}) {
     sonar.mapping = mapping;

@@ -1,4 +1,4 @@
-// Which instances give most of a bin.
+// instances_test.cpp -- instances of a bin are summed and ranked by energy.
 
 #include "receiver/instances.h"
 
@@ -23,7 +23,7 @@ TEST(InstancesTest, TheStrongestComeFirst) {
   EXPECT_EQ(strongest[2].instance, 4);
 }
 
-TEST(InstancesTest, OfEqualsThatWhichComesFirstInTheScene) {
+TEST(InstancesTest, EqualsAreInTheOrderOfTheScene) {
   Instances instances;
   for (const std::uint16_t instance : {5, 3, 8}) {
     instances.add(echo_of(instance, 0, 1));

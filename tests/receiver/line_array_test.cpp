@@ -1,4 +1,4 @@
-// Which arrays the names of patterns stand for.
+// line_array_test.cpp -- the array that each beam pattern selects.
 
 #include "receiver/line_array.h"
 
@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kDegree = radians_from_degrees(1);
 
-TEST(LineArrayTest, IsAnUnbrokenLineWithItsWindow) {
+TEST(LineArrayTest, IsAContinuousLineWithItsWindow) {
   const ArraySettings taylor = line_array(BeamPattern::kTaylor, -28, 20 * kDegree);
   EXPECT_EQ(taylor.window, ArrayWindow::kTaylor);
   EXPECT_EQ(taylor.side_lobe_db, -28);
@@ -21,8 +21,8 @@ TEST(LineArrayTest, IsAnUnbrokenLineWithItsWindow) {
   EXPECT_EQ(line_array(BeamPattern::kRectangular, -28, 20 * kDegree).window, ArrayWindow::kRectangular);
 }
 
-// Dolph's is made of elements half a wavelength apart or a little closer, never farther: no grating lobes.
-TEST(LineArrayTest, OfDolphAndChebyshevHasElementsHalfAWavelengthApart) {
+// Elements of a Dolph-Chebyshev array are half a wavelength apart or slightly closer, so that it has no grating lobes.
+TEST(LineArrayTest, DolphChebyshevArrayHasElementsHalfAWavelengthApart) {
   for (const double width : {0.3, 1.0, 5.0, 20.0, 90.0}) {
     const ArraySettings dolph = line_array(BeamPattern::kDolphChebyshev, -35, width * kDegree);
     const double wavelengths = ArrayPattern(dolph).length(1, width * kDegree);

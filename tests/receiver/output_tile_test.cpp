@@ -1,4 +1,4 @@
-// Which label a beam takes of several rows of a grid.
+// output_tile_test.cpp -- the label that a beam takes from several rows of a grid.
 
 #include "receiver/output_tile.h"
 
@@ -22,15 +22,15 @@ void label(EchoGrid& grid, int row, int bin, std::uint16_t instance, float energ
   *cells.elevation_moment = energy * elevation;
 }
 
-TEST(OutputTileTest, OfSeveralRowsTheOneWithMostEnergyNamesABin) {
+TEST(OutputTileTest, BinTakesTheLabelOfTheRowWithMostEnergy) {
   EchoGrid grid(6, kBins, kPathOrders);
-  // Rows 2, 3 and 4 are the beam's; 1 and 5 are neighbours'.
+  // Rows 2, 3 and 4 belong to the beam; 1 and 5 to its neighbours.
   label(grid, 1, 70, 11, 9, 0.9F);
   label(grid, 2, 70, 12, 1, 0.1F);
   label(grid, 3, 70, 13, 3, 0.3F);
   label(grid, 4, 70, 14, 2, 0.2F);
   label(grid, 5, 70, 15, 9, 0.9F);
-  // The strongest first, and last.
+  // The strongest row is the first one, or the last.
   label(grid, 2, 90, 22, 3, -0.3F);
   label(grid, 3, 90, 23, 2, -0.2F);
   label(grid, 3, 100, 33, 1, -0.1F);
@@ -39,7 +39,7 @@ TEST(OutputTileTest, OfSeveralRowsTheOneWithMostEnergyNamesABin) {
   label(grid, 3, 130, 43, 5, 0.5F);
   OutputTile tile = {};
   take_labels(grid, 2, 3, kPlace, 1, tile);
-  EXPECT_TRUE(tile.named);
+  EXPECT_TRUE(tile.has_labels);
   const auto expect_label = [&](int bin, std::uint16_t instance, float elevation) {
     EXPECT_EQ(instance_of(tile.surface[1][bin - kPlace.first_bin]), instance) << bin;
     EXPECT_FLOAT_EQ(tile.elevation[1][bin - kPlace.first_bin], elevation) << bin;
@@ -56,13 +56,13 @@ TEST(OutputTileTest, OfSeveralRowsTheOneWithMostEnergyNamesABin) {
   }
 }
 
-TEST(OutputTileTest, RowsThatHoldNothingNameNothing) {
+TEST(OutputTileTest, EmptyRowsGiveNoLabel) {
   EchoGrid grid(3, kBins, kPathOrders);
   label(grid, 2, 70, 12, 1, 0.1F);   // Another beam's ...
   label(grid, 1, 140, 12, 1, 0.1F);  // ... and beyond the tile.
   OutputTile tile = {};
   take_labels(grid, 0, 2, kPlace, 0, tile);
-  EXPECT_FALSE(tile.named);
+  EXPECT_FALSE(tile.has_labels);
 }
 
 }  // namespace

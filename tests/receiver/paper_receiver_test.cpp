@@ -1,4 +1,4 @@
-// The receiver of the `paper` model, fed with grids made by hand.
+// paper_receiver_test.cpp -- means, gain, near field and noise of the `paper` model, on grids filled by hand.
 
 #include "receiver/paper_receiver.h"
 
@@ -9,7 +9,7 @@
 namespace insonify {
 namespace {
 
-// A grid whose every cell has these sums.
+// A grid with these sums of energy and weight in every cell, for path orders 1 and 2.
 EchoGrid filled_grid(int beams, int bins, float energy1, float weight1, float energy2, float weight2) {
   EchoGrid grid(beams, bins, kPathOrders);
   for (int beam = 0; beam < beams; ++beam) {
@@ -57,7 +57,8 @@ TEST(PaperReceiverTest, GainMultipliesAfterTheSum) {
   EXPECT_FLOAT_EQ(receive(filled_grid(1, 1, 0.4F, 1, 0, 0), sonar, {.noise = false}).intensity[0], 0.6F);
 }
 
-// The near field rises in a straight line from min_range to blanking_range: bins of 0.1 m from 1 m, full at 2 m.
+// The near-field ramp is linear from min_range (1 m) to blanking_range (2 m). Bins are 0.1 m long and read the ramp at
+// their middle.
 TEST(PaperReceiverTest, NearFieldRisesToFullLevelAtBlankingRange) {
   SonarConfig sonar = sonar_of(1, 20);
   sonar.min_range = 1;
@@ -83,8 +84,9 @@ Moments moments(const std::vector<float>& values) {
   return {mean, std::sqrt(squares / static_cast<double>(values.size()) - mean * mean)};
 }
 
-// physics.json, speckle.gauss: I x N(m, s) + N(0, a) clipped at 0; mean and standard deviation by quadrature. 400 x
-// 1000 independent cells: the sampling error of the mean is deviation / 632, of the deviation about the same.
+// Mean and standard deviation of I x N(1, s) + N(0, a), clipped at 0; the reference values were computed by quadrature.
+// With 400 x 1000 independent cells, the standard error of the mean is deviation / 632; that of the deviation is
+// similar.
 TEST(PaperReceiverTest, NoiseHasTheReferenceMoments) {
   struct Case {
     float intensity;
@@ -102,7 +104,8 @@ TEST(PaperReceiverTest, NoiseHasTheReferenceMoments) {
   }
 }
 
-// Neighbouring bins, beams and pings are uncorrelated: |correlation| of n = 1e5 pairs stays under 4 / sqrt(n) = 0.013.
+// Noise of neighbouring bins, beams and pings is uncorrelated: the correlation of n = 1e5 pairs is below 4 / sqrt(n) =
+// 0.013.
 TEST(PaperReceiverTest, NoiseIsIndependentBetweenBinsBeamsAndPings) {
   const int beams = 200, bins = 500;
   const EchoGrid grid = filled_grid(beams, bins, 0.5F, 1, 0, 0);

@@ -1,4 +1,5 @@
-// The pulse along range: discrete echoes, extended echoes, two plates, and the convolution by brute force.
+// range_response_test.cpp -- convolution with the pulse along range: discrete and extended echoes, two plates, and the
+// sum by brute force. T numbers are those of docs/concepts/physics-tests.md.
 
 #include "receiver/range_response.h"
 
@@ -49,9 +50,10 @@ Field white_noise(std::size_t count) {
 
 constexpr double kSinglePrecision = 1e-5;
 
-// Rows of odd lengths, pulses shorter and longer than the stretches worked on, one and several cells a bin.
+// Rows of odd lengths, pulses shorter and longer than the blocks that the convolution works on, and one or several
+// cells per bin.
 TEST(RangeResponseTest, IsTheConvolution) {
-  const Pulse pulse = chirp(30e3);  // Cells of 25 mm, to 0.75 m.
+  const Pulse pulse = chirp(30e3);  // Range resolution 25 mm; side lobes to 0.75 m.
   for (const double bin_length : {0.1, 0.011, 0.004}) {
     for (const int cells_per_bin : {1, 3, 5}) {
       constexpr int kBins = 151;
@@ -62,8 +64,8 @@ TEST(RangeResponseTest, IsTheConvolution) {
       for (const std::complex<float> value : field) {
         energy.push_back(std::norm(value));
       }
-      const std::vector<float> heard_energy = receive(response, energy);
-      const Field heard_field = receive(response, field);
+      const std::vector<float> received_energy = receive(response, energy);
+      const Field received_field = receive(response, field);
       for (int bin = 0; bin < kBins; ++bin) {
         double sum = 0;
         std::complex<double> complex_sum = 0;
@@ -72,8 +74,8 @@ TEST(RangeResponseTest, IsTheConvolution) {
           sum += pulse.intensity(distance) * energy[cell];
           complex_sum += pulse.amplitude(distance) * std::complex<double>(field[cell]);
         }
-        ASSERT_NEAR(heard_energy[bin], sum, kSinglePrecision * (1 + sum));
-        ASSERT_NEAR(std::abs(std::complex<double>(heard_field[bin]) - complex_sum), 0, 10 * kSinglePrecision);
+        ASSERT_NEAR(received_energy[bin], sum, kSinglePrecision * (1 + sum));
+        ASSERT_NEAR(std::abs(std::complex<double>(received_field[bin]) - complex_sum), 0, 10 * kSinglePrecision);
       }
     }
   }
@@ -91,7 +93,7 @@ TEST(RangeResponseTest, DiscreteEchoReadsItsFullLevelInItsOwnBin) {
   }
 }
 
-// c tau / 2 = 0.3 m, so half of the triangle is three bins long: p^2 is 1, 4/9, 1/9, 0.
+// The matched-filtered tone is a triangle of half width c tau / 2 = 0.3 m, three bins: p^2 is 1, 4/9, 1/9, 0.
 TEST(RangeResponseTest, ToneSpreadsAsItsTriangleSquared) {
   std::vector<float> cells(20, 0.0F);
   cells[10] = 9;
@@ -108,13 +110,15 @@ TEST(RangeResponseTest, ExtendedEchoReadsTheSumOverThePulse) {
   const RangeResponse response(tone(400e-6), 0.1);
   EXPECT_NEAR(response.equivalent_cells(), 1 + 2 * (4 + 1) / 9.0, 1e-12);
   EXPECT_NEAR(receive(response, std::vector<float>(200, 2.0F))[100], 2 * response.equivalent_cells(), 1e-5);
-  // In a fine grid the sum over cells d long is the integral, but for d^2 / 12 times the bend at the peak, 4 / 0.3 m.
+  // In a fine grid of cells of length d the sum approximates the integral; the error is d^2 / 12 times the change of
+  // slope at the peak, 4 / 0.3 m.
   EXPECT_NEAR(RangeResponse(tone(400e-6), 0.1, 99).equivalent_cells() * 0.1 / 99, tone(400e-6).equivalent_length(),
               1.2e-6);
 }
 
-// What is heard of a stretch of a row is all within heard_from(), and the same as of the whole row.
-TEST(RangeResponseTest, StretchIsHeardNoFartherThanThePulseReaches) {
+// When only part of a row is non-zero, the result is zero outside reached_from(), and convolving that part alone gives
+// the same as convolving the whole row.
+TEST(RangeResponseTest, PartOfARowReachesNoFartherThanThePulse) {
   constexpr int kBins = 90;
   const RangeResponse response(tone(100e-6), 0.02);
   Field cells(kBins), whole(kBins), part(kBins);
@@ -122,14 +126,16 @@ TEST(RangeResponseTest, StretchIsHeardNoFartherThanThePulseReaches) {
     cells[bin] = {1.0F / bin, 0.5F};
   }
   response.receive_field(cells, whole);
-  const BinRange heard = response.reached_from({40, 55}, kBins);
-  EXPECT_LT(heard.first, 40);
-  EXPECT_GT(heard.last, 55);
-  const auto within = [&](Field& of_row) { return std::span(of_row).subspan(heard.first, heard.last - heard.first); };
+  const BinRange received = response.reached_from({40, 55}, kBins);
+  EXPECT_LT(received.first, 40);
+  EXPECT_GT(received.last, 55);
+  const auto within = [&](Field& of_row) {
+    return std::span(of_row).subspan(received.first, received.last - received.first);
+  };
   response.receive_field(within(cells), within(part));
   EXPECT_EQ(part, whole);
-  EXPECT_NE(part[heard.first], 0.0F);
-  EXPECT_NE(part[heard.last - 1], 0.0F);
+  EXPECT_NE(part[received.first], 0.0F);
+  EXPECT_NE(part[received.last - 1], 0.0F);
   EXPECT_TRUE(response.reached_from({7, 7}, kBins).empty());
   EXPECT_EQ(response.reached_from({0, kBins}, kBins).last, kBins);
 }
@@ -141,8 +147,8 @@ TEST(RangeResponseTest, NoPulseLeavesBinsAsTheyAre) {
   EXPECT_EQ(receive(RangeResponse(none, 0.1, 3), cells), (std::vector<float>{6, 15}));
 }
 
-// Where the level of a discrete echo, heard in steps of 0.1 mm, crosses half.
-TEST(RangeResponseTest, LonePlateIsAsWideAsThePulse) {
+// Full width at half power of a discrete echo, in bins of 0.1 mm: 0.8859 c / (2 B); and its first side lobe.
+TEST(RangeResponseTest, SinglePlateIsAsWideAsThePulse) {
   std::vector<float> cells(1001, 0.0F);
   cells[500] = 1;
   const std::vector<float> bins = receive(RangeResponse(chirp(100e3), 1e-4), cells);
@@ -152,7 +158,7 @@ TEST(RangeResponseTest, LonePlateIsAsWideAsThePulse) {
   EXPECT_NEAR(10 * std::log10(lobe), -13.2615, 0.01);
 }
 
-// How deep the dip between two plates 30 mm apart is below them [dB].
+// Depth of the dip between the echoes of two plates 30 mm apart, below their peaks [dB].
 double dip_db(const Pulse& pulse) {
   std::vector<float> cells(2001, 0.0F);
   cells[985] = cells[1015] = 1;
@@ -160,14 +166,14 @@ double dip_db(const Pulse& pulse) {
   return 10 * std::log10(bins[985] / *std::min_element(bins.begin() + 985, bins.begin() + 1016));
 }
 
-// PHYSICS T18. A tone of 50 us is 37.5 mm long, a chirp of 100 kHz tells 7.5 mm apart.
-TEST(RangeResponseTest, ChirpTellsTwoPlatesApartThatAToneDoesNot) {
+// T18. A tone of 50 us is 37.5 mm long; a chirp of 100 kHz resolves 7.5 mm.
+TEST(RangeResponseTest, ChirpResolvesTwoPlatesThatAToneDoesNot) {
   EXPECT_LT(dip_db(tone(50e-6)), 3);
   EXPECT_EQ(dip_db(tone(50e-6, false)), 0);
   EXPECT_GT(dip_db(chirp(100e3)), 3);
 }
 
-// The mean over n draws of an exponential number has a standard error of 1 / sqrt(n).
+// The mean of n exponentially distributed numbers of mean 1 has the standard error 1 / sqrt(n).
 TEST(RangeResponseTest, EnergyIsTheMeanOfTheField) {
   constexpr int kDraws = 20000, kBins = 9;
   const RangeResponse response(tone(400e-6), 0.1);
@@ -180,9 +186,9 @@ TEST(RangeResponseTest, EnergyIsTheMeanOfTheField) {
     for (int bin = 0; bin < kBins; ++bin) {
       cells[bin] *= std::sqrt(energy[bin]);
     }
-    const Field heard = receive(response, cells);
+    const Field received = receive(response, cells);
     for (int bin = 0; bin < kBins; ++bin) {
-      mean[bin] += std::norm(heard[bin]) / kDraws;
+      mean[bin] += std::norm(received[bin]) / kDraws;
     }
   }
   for (int bin = 0; bin < kBins; ++bin) {
@@ -190,7 +196,7 @@ TEST(RangeResponseTest, EnergyIsTheMeanOfTheField) {
   }
 }
 
-// At -30 dB only the first lobes of a sinc are left: peak k is at 1 / (pi (k + 1/2))^2, -30 dB after the tenth.
+// Side lobe k of a sinc^2 has the level 1 / (pi (k + 1/2))^2, which falls below -30 dB after the tenth.
 TEST(RangeResponseTest, FloorEndsThePulse) {
   const RangeResponse response(chirp(100e3), 0.00075, 1, -30);
   EXPECT_GT(response.taps(), 2 * 90);
