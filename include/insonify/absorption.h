@@ -1,4 +1,4 @@
-// absorption.h -- how fast water turns sound into heat.
+// absorption.h -- absorption of sound in fresh and sea water, by frequency.
 
 #pragma once
 
@@ -8,9 +8,9 @@ namespace insonify {
 
 /// Absorption after Ainslie and McColm, J. Acoust. Soc. Am. 103(3), 1671 (1998); the default.
 ///
-/// Sums the relaxation of boric acid, the relaxation of magnesium sulphate and the viscosity of the water itself.
-/// Within 10 % of Francois and Garrison from 100 Hz to 1 MHz; above 1 MHz only viscosity matters and the formula is
-/// extrapolated. Salinity 0 leaves viscosity alone.
+/// The sum of three losses: relaxation of boric acid, relaxation of magnesium sulphate, and viscosity of the water.
+/// Within 10 % of Francois and Garrison from 100 Hz to 1 MHz; above 1 MHz, where only viscosity matters, the formula is
+/// extrapolated. At salinity 0 only viscosity remains.
 ///
 /// @param frequency  [Hz], >= 0.
 /// @return           Loss per metre travelled, one way [dB/m].
@@ -20,7 +20,7 @@ namespace insonify {
 /// %.
 [[nodiscard]] double francois_garrison_db_per_m(double frequency, const Water& water);
 
-/// 1 dB = ln(10)/20 Np. (The paper prints 0.0115: ten times too small.)
+/// 1 dB = ln(10)/20 Np. (The paper of the `paper` model prints 0.0115, ten times too small.)
 inline constexpr double kNeperPerDecibel = 0.11512925464970229;
 
 }  // namespace insonify

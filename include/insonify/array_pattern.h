@@ -1,4 +1,4 @@
-// array_pattern.h -- how a line array hears: its window, its faulty elements, its main lobe and its side lobes.
+// array_pattern.h -- beam pattern of a line array: window, element faults, main lobe and side lobes.
 
 #pragma once
 
@@ -12,83 +12,85 @@
 
 namespace insonify {
 
-/// How the elements are weighted from the middle of the array to its ends: a wider main lobe buys lower side lobes.
+/// Weights of the elements along the array (its taper). Lower side lobes come with a wider main lobe.
 enum class ArrayWindow { kRectangular, kHann, kHamming, kCosine, kTaylor, kDolphChebyshev };
 
-/// A uniform line array, as built.
+/// A line array of equally spaced elements, or a continuous line, with the faults of one built instrument.
 struct ArraySettings {
   ArrayWindow window = ArrayWindow::kRectangular;
   double side_lobe_db = -30;  ///< Side lobes re the main lobe, Taylor and Dolph-Chebyshev [dB], -100..-15.
   int nbar = 4;               ///< Taylor: side lobes before number nbar are level, 2..20.
-  int elements = 0;           ///< Evenly spaced along the array, 0..1024; 0: one unbroken line.
+  int elements = 0;           ///< Number of elements, evenly spaced, 0..1024; 0: a continuous line.
 
-  // Faults, one way, of an array of elements. Drawn once, as the instrument was built.
+  // Faults of the elements, one way. Random ones are drawn once per instrument, not per ping.
   double element_error_db = 0;             ///< Standard deviation of the elements' amplitudes [dB], 0..20.
   double element_error = 0;                ///< Standard deviation of their phases [rad], 0..180 deg.
-  std::vector<double> dead_elements = {};  ///< That hear nothing, counted from 0 at the end furthest to port.
-  double dead_share = 0;                   ///< Share of all elements that is dead besides, drawn, 0..0.9.
+  std::vector<double> dead_elements = {};  ///< Indices of elements that receive nothing, from 0 at the port end.
+  double dead_share = 0;                   ///< Share of all elements that are dead besides, drawn at random, 0..0.9.
 
   /// The same array sends and receives: the pattern is squared. True for scanning heads and side-scan sonars; a
   /// forward-looking sonar sends with another, wide array.
   bool two_way = false;
 
-  /// @throws Error on the first field out of limits or that asks for what the array cannot have.
+  /// @throws Error on the first field that is out of limits or does not go with another, such as faults of the elements
+  ///         of a continuous line.
   void validate(std::string_view object = "array") const;
 
   template <typename Self, typename Visit>
   static void visit_fields(Self& self, Visit&& visit);
 };
 
-/// What lies at one bearing. A line array cannot tell azimuth from elevation: its beams are cones around it. `kWedge`
-/// gives every elevation the bearing of its azimuth instead, as the `paper` model has it.
+/// Which directions have the same bearing. A line array cannot separate azimuth from elevation: its beams are cones
+/// around its axis (kCone). kWedge is the simplification of the `paper` model: the bearing is the azimuth, at every
+/// elevation.
 enum class BeamShape { kWedge, kCone };
 
-/// u, the sine of the bearing [-1..1]: sin(azimuth) in a wedge, sin(azimuth) cos(elevation) on a cone.
+/// u, the sine of the bearing, -1..1: sin(azimuth) for wedges, sin(azimuth) cos(elevation) for cones.
 [[nodiscard]] double bearing_sine(BeamShape shape, double azimuth, double elevation);
 
-/// One part of the weight along an unbroken line: share x cos(2 pi turns s), s from -1/2 to 1/2.
+/// One cosine term of the window of a continuous line: share x cos(2 pi turns s), with s from -1/2 to 1/2 along it.
 struct WindowCosine {
   double turns, share;
 };
 
-/// The complex amplitude g(x) with which an array steered to u0 hears a plane wave from u, where
-/// x = (D / wavelength) (u - u0) and D is the array's length. Far field, or focused.
+/// Beam pattern: the complex amplitude gain g(x) of an array steered to u0 for a plane wave from u, where x = (D /
+/// wavelength) (u - u0) and D is the array's length. For the far field, or an array focused at the range.
 ///
-/// The perfect array has |g(0)| = 1; faults are measured against it. A line is the limit of many elements; an array of
-/// N elements has a pattern of period N in x: those further than half a wavelength apart hear grating lobes.
-/// Windows after Harris, Proc. IEEE 66(1), 51 (1978); Taylor, IRE Trans. AP-3, 16 (1955); Dolph, Proc. IRE 34, 335
-/// (1946). Patterns after Van Trees, Optimum Array Processing (2002), chapters 2 and 3.
+/// The array without faults has |g(0)| = 1; with faults g is relative to that. The pattern of N elements has the period
+/// N in x, so elements more than half a wavelength apart give grating lobes within the fan. Windows: Harris, Proc. IEEE
+/// 66(1), 51 (1978); Taylor, IRE Trans. AP-3, 16 (1955); Dolph, Proc. IRE 34, 335 (1946). Patterns: Van Trees, Optimum
+/// Array Processing (2002), chapters 2 and 3.
 class ArrayPattern {
  public:
-  /// @param seed  Of the faults. Equal seeds give equal arrays.
+  /// @param seed  Seed of the random faults. Equal seeds give equal arrays.
   /// @throws Error as ArraySettings::validate().
   explicit ArrayPattern(const ArraySettings& settings = {}, std::uint64_t seed = 1);
 
-  /// g(x), two-way where the settings say so.
+  /// g(x); g(x)^2 with ArraySettings::two_way.
   [[nodiscard]] std::complex<double> amplitude(double x) const;
   [[nodiscard]] double intensity(double x) const { return std::norm(amplitude(x)); }  ///< |g(x)|^2.
 
   /// Without faults a pattern is real; the imaginary part of amplitude() is then 0.
   [[nodiscard]] bool is_real() const { return imaginary_.empty(); }
 
-  /// Side lobe: where it is and how high.
+  /// A side lobe.
   struct Lobe {
-    double x = 0;         ///< [wavelength / D]
+    double x = 0;         ///< Distance from the main lobe in u [wavelength / D].
     double level_db = 0;  ///< Re the main lobe [dB]; -infinity where there is no side lobe.
   };
 
-  // Of the array without its faults, two-way where the settings say so.
+  // Properties of the array without faults; of g(x)^2 with ArraySettings::two_way.
   [[nodiscard]] double width() const;            ///< Full width at half power [wavelength / D].
-  [[nodiscard]] Lobe highest_side_lobe() const;  ///< On the side x > 0, up to 40 or half a period.
+  [[nodiscard]] Lobe highest_side_lobe() const;  ///< Among those at 0 < x <= 40, or within half a period.
   [[nodiscard]] double equivalent_beam()
       const;  ///< Integral of |g|^2 over the main and all side lobes [wavelength / D].
 
-  /// What the window leaves of the gain in signal to noise, one way, 1 for rectangular: (sum w)^2 / (N sum w^2).
+  /// Array gain in signal to noise relative to a rectangular window, one way: (sum w)^2 / (N sum w^2), 0..1.
   [[nodiscard]] double taper_efficiency() const;
 
-  /// The length D of the array that has this one-way width at half power when it looks straight ahead [m].
+  /// Length D of the array whose unsteered beam has this one-way width at half power [m].
   /// @param wavelength  [m], > 0.
-  /// @param beam_width  Full width [rad], in (0, pi). Steered to u0 it becomes wider, about as 1 / cos of the bearing.
+  /// @param beam_width  Full width [rad], in (0, pi). A steered beam is wider, by about 1 / cos of the bearing.
   [[nodiscard]] double length(double wavelength, double beam_width) const;
 
  private:
@@ -96,9 +98,9 @@ class ArrayPattern {
   [[nodiscard]] double perfect_intensity(double x) const;
   void draw_faults(const ArraySettings& settings, std::uint64_t seed);
 
-  std::vector<WindowCosine> line_;        // Of an unbroken line; empty for an array of elements.
-  std::vector<double> weights_;           // Of the perfect elements, of sum 1; empty for a line.
-  std::vector<double> real_, imaginary_;  // Of the faulty elements; empty without faults.
+  std::vector<WindowCosine> line_;        // Window of a continuous line; empty for an array of elements.
+  std::vector<double> weights_;           // Weights of the elements without faults, sum 1; empty for a line.
+  std::vector<double> real_, imaginary_;  // Complex weights of the elements with faults; empty without faults.
   bool two_way_ = false;
 };
 
@@ -110,15 +112,15 @@ void ArraySettings::visit_fields(Self& self, Visit&& visit) {
   visit(Field{"side_lobe_db", "dB", from_to(-100, -15), "Side lobes re the main lobe (taylor, dolph_chebyshev)."},
         self.side_lobe_db);
   visit(Field{"nbar", "", from_to(2, 20), "Side lobes before this number are level (taylor)."}, self.nbar);
-  visit(Field{"elements", "", from_to(0, 1024), "Evenly spaced along the array; 0 is an unbroken line."},
+  visit(Field{"elements", "", from_to(0, 1024), "Elements evenly spaced along the array; 0 is a continuous line."},
         self.elements);
   visit(Field{"element_error_db", "dB", from_to(0, 20), "Standard deviation of the elements' amplitudes."},
         self.element_error_db);
   visit(Field{"element_error", "rad", from_to(0, std::numbers::pi), "Standard deviation of the elements' phases."},
         self.element_error);
-  visit(Field{"dead_elements", "", from_to(0, 1023), "Elements that hear nothing, counted from 0 at the port end."},
+  visit(Field{"dead_elements", "", from_to(0, 1023), "Elements that receive nothing, counted from 0 at the port end."},
         self.dead_elements);
-  visit(Field{"dead_share", "", from_to(0, 0.9), "Share of all elements that is dead besides, drawn by the seed."},
+  visit(Field{"dead_share", "", from_to(0, 0.9), "Share of all elements that are dead besides, drawn by the seed."},
         self.dead_share);
   visit(Field{"two_way", "", {}, "The same array sends and receives: the pattern is squared."}, self.two_way);
 }

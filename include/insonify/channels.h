@@ -1,5 +1,5 @@
-// channels.h -- what a sonar's fan is made of before it is sorted into beams and bins: pulse distance and echo
-// intensity by direction, the two channels of the paper's shader images.
+// channels.h -- images of distance and echo intensity by direction (azimuth x elevation), before echoes are sorted into
+// beams and bins: the two channels of the shader image of the paper (docs/concepts/paper-model.md).
 
 #pragma once
 
@@ -9,20 +9,20 @@
 
 namespace insonify {
 
-/// One value for each direction, directions evenly spread over the fan. look_along_fan() makes them.
+/// One value per direction; directions are evenly spaced over the fan. Computed by look_along_fan().
 struct Channels {
   int columns = 0, rows = 0;
   double port_edge = 0, starboard_edge = 0;  ///< Azimuths of the left and right borders [rad].
   double upper_edge = 0, lower_edge = 0;     ///< Elevations of the upper and lower borders [rad].
 
-  // rows x columns, from the upper left; NaN where nothing is met within range.
-  std::vector<float> distance;   ///< To the first surface [m].
-  std::vector<float> intensity;  ///< Of its echo, 0..1: |cos| of incidence x reflectivity x absorption there and back.
+  // rows x columns, from the upper left; NaN where there is no surface within range.
+  std::vector<float> distance;   ///< Distance to the first surface [m].
+  std::vector<float> intensity;  ///< |cos(incidence)| x reflectivity x two-way absorption of its echo, 0..1.
 };
 
-/// Draws distance, intensity, and both in one as the paper does (distance blue, intensity green), under each other:
-/// from nothing to the sonar's max_range, and to a round number at or above the strongest intensity.
-/// @param display  Only `height` and `annotations` count: the height of the whole picture and whether it has axes.
+/// Draws three images below each other: distance, intensity, and both as in the paper (distance blue, intensity green).
+/// Distance is scaled from 0 to the sonar's max_range, intensity from 0 to a round number at or above its maximum.
+/// @param display  Only `height` (of the whole picture) and `annotations` (axes) are used.
 /// @throws Error for a display out of limits, and for channels without a value.
 [[nodiscard]] Picture draw_channels(const Channels& channels, const SonarConfig& sonar, const Display& display = {});
 

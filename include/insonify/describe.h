@@ -1,4 +1,5 @@
-// describe.h -- the keys of a scenario file in words: what `insonify describe` and the manual are made from.
+// describe.h -- lists the keys of a scenario file with unit, limits, default and meaning, for `insonify describe` and
+// the manual.
 
 #pragma once
 

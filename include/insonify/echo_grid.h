@@ -1,4 +1,4 @@
-// echo_grid.h -- what came back of one ping, sorted by beam and range: all that engines give and receivers take.
+// echo_grid.h -- echo energies and labels of one ping by beam and range bin: output of engines, input of receivers.
 
 #pragma once
 
@@ -16,20 +16,19 @@ namespace insonify {
 /// Path orders kept apart: 1 (primary, after one surface), 2 (secondary), 3.
 inline constexpr int kPathOrders = 3;
 
-/// Stands for "nothing" in the label layers.
+/// Means "no label" in the label layers.
 inline constexpr std::uint16_t kNoLabel = 0xffff;
 
-/// An echo that stands alone, as that of an ideal point: it has its own bearing and phase, where cells hold sums over
-/// many.
+/// A single echo with an exact bearing and phase, such as that of an ideal point. Cells hold sums over many echoes.
 struct DiscreteEcho {
   int beam = 0, bin = 0;
-  int order = 1;           ///< Surfaces met; 0 for what is no echo.
-  float bearing_sine = 0;  ///< u of its arrival.
+  int order = 1;           ///< Path order: surfaces met; 0 for a pulse that is no echo (interference).
+  float bearing_sine = 0;  ///< u, sine of the bearing of arrival.
   float intensity = 0;     ///< Relative to the source's at 1 m.
-  float turns = 0;         ///< Phase, 0..1.
+  float turns = 0;         ///< Phase [turns of 2 pi], 0..1.
 };
 
-/// What one surface gave to a cell.
+/// Echo energy of one surface in a cell.
 struct SurfaceEcho {
   std::uint32_t surface = 0xffffffff;  ///< Instance and material, see echo/grid/echo.h; all ones for none.
   float energy = 0;
@@ -37,7 +36,7 @@ struct SurfaceEcho {
   float elevation_square = 0;  ///< Sum of energy x its square [rad^2].
 };
 
-/// Surfaces that each cell keeps apart with GroundTruth::kFull: a cache line of them.
+/// Surfaces that a cell records separately with GroundTruth::kFull: one cache line.
 inline constexpr int kSurfacesKept = 4;
 using SurfaceTally = std::array<SurfaceEcho, kSurfacesKept>;
 
@@ -47,22 +46,23 @@ struct BinRange {
 
   [[nodiscard]] bool empty() const { return first >= last; }
   [[nodiscard]] bool has(int bin) const { return bin >= first && bin < last; }
-  /// Those that both have.
+  /// Intersection.
   [[nodiscard]] BinRange operator&(const BinRange& other) const {
     return {std::max(first, other.first), std::min(last, other.last)};
   }
-  /// The least that holds both.
+  /// Smallest interval that contains both.
   [[nodiscard]] BinRange operator|(const BinRange& other) const {
     return empty() ? other : other.empty() ? *this : BinRange{std::min(first, other.first), std::max(last, other.last)};
   }
 };
 
-/// Sums over echoes, in cells of beam by bin: beam-major, so that one beam's bins lie together.
+/// Sums over echoes in cells of beam x bin. Layers are beam-major: the bins of one beam are contiguous.
 ///
-/// `energy` and `weight` are kept per path order. In the `paper` model they are the sum of the shaped echo intensities
-/// and of the sample weights they belong to; their ratio is the mean the paper's eq. (energy_norm) asks for. The label
-/// layers tell what each cell's energy came from: the instance and material that hold the majority of it, and the
-/// energy-weighted mean elevation of that majority. With GroundTruth::kFull there are tallies of surfaces besides.
+/// `energy` and `weight` are separate for each path order. In the `paper` model they are the sums of shaped echo
+/// strengths and of sample weights, and their ratio is the mean that the paper displays (docs/concepts/paper-model.md).
+/// The label layers say which surface each cell's energy came from: the instance and material that gave the majority of
+/// it, and the energy-weighted mean elevation of that majority. With GroundTruth::kFull each cell also has a tally of
+/// its surfaces.
 class EchoGrid {
  public:
   EchoGrid() = default;
@@ -84,10 +84,11 @@ class EchoGrid {
     return {&weight_[start(order, beam)], length()};
   }
 
-  /// The only bins of a beam that hold anything in any layer: those that were asked for with to_fill().
+  /// Smallest interval that contains all bins of a beam requested with to_fill(); bins outside it are empty in all
+  /// layers.
   [[nodiscard]] BinRange filled(int beam) const { return filled_[beam]; }
 
-  /// What a cell's energy came from. Nothing is told without labels.
+  /// The surface that gave the majority of a cell's energy; defaults where there are no labels.
   struct Label {
     std::uint16_t instance = kNoLabel;  ///< Index into Scene::instances.
     std::uint16_t material = kNoLabel;  ///< Index into Scene::materials.
@@ -119,22 +120,22 @@ class EchoGrid {
     return {&surface_[cell], &label_energy_[cell], &elevation_moment_[cell]};
   }
 
-  /// Kept beside the cells; whoever fills them in clears them first.
+  /// Discrete echoes, which are not in cells. Whoever fills them in clears them first.
   [[nodiscard]] std::vector<DiscreteEcho>& discrete_echoes() { return discrete_echoes_; }
   [[nodiscard]] const std::vector<DiscreteEcho>& discrete_echoes() const { return discrete_echoes_; }
 
-  /// With GroundTruth::kFull only. Surfaces of one beam's cells, see echo/grid/surface_tally.h; they mean nothing in
-  /// cells without a label ...
+  /// With GroundTruth::kFull only: surfaces of one beam's cells, see echo/grid/surface_tally.h. Not set in cells
+  /// without a label.
   [[nodiscard]] std::span<const SurfaceTally> tallies(int beam) const { return {&tallies_[start(1, beam)], length()}; }
-  /// ... and the solid angle of it that surfaces take before the near edge of bin 0 [sr].
+  /// With GroundTruth::kFull only: the solid angle of a beam whose first hit is nearer than bin 0 [sr].
   [[nodiscard]] float& met_before(int beam) { return met_before_[beam]; }
   [[nodiscard]] float met_before(int beam) const { return met_before_[beam]; }
 
-  /// Makes the cells of one beam those of another grid of the same make. Discrete echoes are left alone.
-  /// @param sources  Of each bin: beam x bin_count + bin in `other`, negative for nothing.
+  /// Copies cells of another grid of the same size into one beam. Discrete echoes are not copied.
+  /// @param sources  For each bin: index beam x bin_count + bin of the cell in `other`, negative for an empty cell.
   void take_cells(const EchoGrid& other, int beam, std::span<const std::int32_t> sources);
 
-  /// Sets the cells of beams [first, last) to nothing. Each task clears its own.
+  /// Empties the cells of beams [first, last). Each task clears its own beams.
   void clear(int first_beam, int last_beam);
   void clear() { clear(0, beam_count_); }
 
@@ -183,7 +184,7 @@ inline EchoGrid::Cells EchoGrid::to_fill(int order, int beam, BinRange bins) {
   return cells;
 }
 
-/// Takes the beams of a grid as they are completed, while their cells are still in the nearest memory.
+/// Receives the beams of a grid as soon as they are complete, while their cells are still in the cache.
 class BeamSink {
  public:
   virtual ~BeamSink() = default;

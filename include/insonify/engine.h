@@ -1,4 +1,4 @@
-// engine.h -- the one question a simulator asks of the hardware: what comes back of this ping?
+// engine.h -- interface of the engines, which compute the echoes of a ping on one kind of hardware.
 
 #pragma once
 
@@ -26,18 +26,18 @@ enum class PrimaryEchoes {
   kRaster  ///< Triangles drawn into the fan's own columns and rows. `reference` traces rays all the same.
 };
 
-/// What an engine takes: kRays or kRaster. kAuto comes to whichever a cost model of triangles, samples and the azimuth
-/// aperture holds for faster (bench/README.md), the same for a scenario on every machine.
-/// @param even_rows  Whether columns are wedges and their rows even in tan(elevation), as without an array: others
-///                   cannot be drawn, and kAuto traces them.
+/// Resolves kAuto to kRays or kRaster: the one that is faster by a cost model of triangles, samples and azimuth
+/// aperture (bench/README.md). The choice depends on the scenario only, not on the machine.
+/// @param even_rows  Whether columns are wedges whose rows are evenly spaced in tan(elevation), as without an elevation
+///                   array. Other columns cannot be rasterised, and kAuto traces them.
 [[nodiscard]] PrimaryEchoes primary_echoes(PrimaryEchoes asked, const SonarConfig& sonar, std::size_t triangle_count,
                                            std::string_view engine, bool even_rows = true);
 
-/// Which hits send a ray on, in search of a second surface.
+/// From which hits a reflected ray is traced to a second surface.
 enum class SecondaryEchoes {
   kNone,
-  kSelective,  ///< Those that can give an echo worth having, by chance and weighted so that sums stay unbiased; all
-               ///< that may meet something where these are few.
+  kSelective,  ///< A random sample of the hits, preferring those that can give a strong echo, with weights that keep
+               ///< sums unbiased; all hits whose ray may hit something where these are few.
   kAll
 };
 
@@ -47,19 +47,19 @@ struct Hit {
   Vec3 normal = Vec3::Zero();  ///< Unit shading normal on the surface's side of the ray, world frame; with relief.
   std::uint16_t instance = kNoLabel;  ///< Index into Scene::instances, kNoLabel for a miss.
   std::uint16_t material = kNoLabel;  ///< Index into Scene::materials.
-  float reflectivity = 0;             ///< Of the surface there: its material's, times that of its relief.
+  float reflectivity = 0;             ///< Reflectivity of the material there, times that of its relief.
 };
 
-/// What becomes of sound where it meets a surface and on its way, and what a cell of an EchoGrid holds.
+/// Model of scattering and propagation, and with it the meaning of the values in an EchoGrid.
 enum class EchoModel {
   kPaper,      ///< Sums of shaped strengths 0..1 and of weights, whose ratio is drawn. See paper_model.h.
   kCalibrated  ///< `energy` is the sum of echo intensities relative to the source's at 1 m: 10 log10 of it is EL - SL.
 };
 
-/// Everything about one sonar that does not change from ping to ping, worked out once.
+/// Everything about one sonar that does not change from ping to ping, computed once.
 class PingPlan;
 
-/// What a plan is made from.
+/// Settings from which a plan is made.
 struct PingPlanSettings {
   SonarConfig sonar = {};
   Water water = {};
@@ -67,14 +67,14 @@ struct PingPlanSettings {
   PaperModel paper = {};
   std::span<const Material> materials = {};  ///< The scene's, for the calibrated model; read only while planning.
 
-  // Of the calibrated model; others than these are not for kRaster.
+  // For the calibrated model. Values other than these defaults exclude kRaster.
   BeamShape beam_shape = BeamShape::kWedge;
   std::optional<ArraySettings> elevation_array = {};  ///< One way, as wide at half power as the elevation aperture;
                                                       ///< sends and hears. A top hat when absent.
 
   PrimaryEchoes primary = PrimaryEchoes::kAuto;
   SecondaryEchoes secondary = SecondaryEchoes::kSelective;
-  int max_surfaces = kPathOrders;  ///< Of a path, 1..3; the paper model knows two.
+  int max_surfaces = kPathOrders;  ///< Greatest number of surfaces on a path, 1..3; the paper model has at most 2.
   bool rough_mirrors = false;      ///< Send sound on about facets drawn from their slopes; calibrated model only.
   std::uint64_t seed = 1;
   int stagger_phase = 0;  ///< >= 0. Others put the samples elsewhere: what changes with it is the sampling's own.
@@ -88,10 +88,10 @@ struct RayCounts {
   std::uint64_t return_legs = 0;
 };
 
-/// What an engine keeps in memory for a scene, besides the meshes themselves.
+/// Memory that an engine uses for a scene, besides the meshes themselves.
 struct EngineMemory {
   std::size_t own = 0;      ///< Vertices, normals and tables [bytes].
-  std::size_t library = 0;  ///< What the ray-tracing library took [bytes].
+  std::size_t library = 0;  ///< Memory allocated by the ray-tracing library [bytes].
 };
 
 /// Finds the echoes of a ping on one kind of hardware.
@@ -105,12 +105,12 @@ class Engine {
   /// Lower-case name, as given to make_engine() and on the command line.
   [[nodiscard]] virtual std::string_view name() const = 0;
 
-  /// Takes in the scene. Positions are kept relative to the middle of its bounds, so that survey coordinates do not
-  /// cost precision. The scene must outlive the engine or the next call.
+  /// Builds the engine's data of a scene. Positions are stored relative to the middle of its bounds, so that large
+  /// survey coordinates do not cost precision. The scene must outlive the engine or the next call.
   virtual void set_scene(const Scene& scene) = 0;
   void set_scene(const Scene&& scene) = delete;  ///< It would not outlive the call.
 
-  /// Puts an instance with `moving` set somewhere else; what stands still is not rebuilt.
+  /// Moves an instance with `moving` set to another pose; data of the other instances are not rebuilt.
   virtual void move_instance(int instance, const Pose& world_from_mesh) = 0;
 
   /// Fills the grid with the echoes of one ping. The grid has the plan's beams and bins; it is cleared first. The
@@ -124,7 +124,7 @@ class Engine {
   /// Finds the first surface along every ray. `hits` has the length of `rays`.
   virtual void trace(std::span<const Ray> rays, std::span<Hit> hits) = 0;
 
-  /// Of the last ping.
+  /// Rays traced for the last ping.
   [[nodiscard]] virtual RayCounts ray_counts() const = 0;
 
   [[nodiscard]] virtual EngineMemory memory() const = 0;
@@ -138,9 +138,9 @@ class Engine {
 /// @throws Error if there is no such engine; the message lists those there are.
 [[nodiscard]] std::unique_ptr<Engine> make_engine(std::string_view name, int threads = 0);
 
-/// The floor a ping stands on: seconds that its rays take the ray-tracing library alone, packets set up but nothing
-/// shaded or deposited; the same primary lattice, and the reflected rays and return legs that insonify() really sends.
-/// @return One value a repetition [s].
+/// Times the ray-tracing library alone on the rays of a ping, as a lower bound for insonify(): the same primary
+/// lattice, reflected rays and return legs, with packets set up but nothing shaded or deposited.
+/// @return One time per repetition [s].
 /// @throws Error for an engine that has no such library ("reference").
 [[nodiscard]] std::vector<double> time_traversal(Engine& engine, const PingPlan& plan, const Pose& world_from_sonar,
                                                  int repetitions);

@@ -1,4 +1,5 @@
-// field.h -- how a configuration describes its own fields, so that each is written down once.
+// field.h -- name, unit, limits and help text of a configuration's fields, from which reader, checks and manual are
+// made.
 
 #pragma once
 
@@ -42,16 +43,17 @@ constexpr Limits above_to(double least, double most) {
   return {.least = least, .most = most, .least_allowed = false};
 }
 
-/// Of a place in the world [m]: wide enough for any map's eastings and northings, far from where squares overflow.
+/// Limits of a coordinate in the world [m]: wide enough for eastings and northings of any map, and small enough that
+/// squares do not overflow.
 constexpr Limits coordinate() {
   return from_to(-1e7, 1e7);
 }
-/// Of a turn [rad]: +-1e6 degrees, for a heading that is counted on and on.
+/// Limits of an angle that is not wrapped, such as a heading over many turns [rad]: +-1e6 degrees.
 constexpr Limits turn() {
   return from_to(-1e6 * std::numbers::pi / 180, 1e6 * std::numbers::pi / 180);
 }
 
-/// One field of a configuration: what a reader, the command line and the manual need to know of it.
+/// One field of a configuration, as file readers, command line and manual need it.
 ///
 /// Every configuration struct has `template <class Self, class Visit> static void visit_fields(Self&, Visit&&)` that
 /// calls `visit(Field, member)` on each member in order. The YAML reader, `--set`, `insonify describe` and validate()
@@ -59,14 +61,14 @@ constexpr Limits turn() {
 struct Field {
   std::string_view name;  ///< As in code. In files a field in "rad" is written in degrees, as `<name>_deg`.
   std::string_view unit;  ///< "m", "Hz", "rad", "s", "" (a count, a ratio or a word) ...
-  Limits limits;          ///< Of a number, or of each element of a list; ignored for words.
+  Limits limits;          ///< Limits of a number, or of each element of a list; ignored for words.
   std::string_view help;  ///< One sentence, from a capital letter to a full stop.
 };
 
 /// Name of the field as users write it: `azimuth_aperture_deg` for an angle, the plain name otherwise.
 [[nodiscard]] std::string file_name_of(const Field& field);
 
-/// What one stored unit is in the unit of the file: 180/pi for an angle, else 1.
+/// Factor from the unit in code to the unit in files: 180/pi for an angle, else 1.
 [[nodiscard]] double file_scale_of(const Field& field);
 
 /// Unit as users read it: "deg" for an angle, else the field's own.
@@ -78,8 +80,7 @@ struct Field {
 /// @throws Error "sonars[0].max_range = -2 m must be greater than 0 m"
 void check_field(std::string_view object, const Field& field, double value, int index = -1);
 
-/// Checks the members that are numbers, optional numbers or lists or vectors of numbers, in order; words are left
-/// alone.
+/// Checks all members that are numbers, optional numbers or lists of numbers, in order; words are not checked.
 template <typename Config>
 void check_fields(std::string_view object, const Config& config);
 

@@ -1,4 +1,4 @@
-// geometry.h -- points, directions, poses and rays, and the two frames they are told in.
+// geometry.h -- points, directions, poses and rays, and the two coordinate frames: world and sonar.
 
 #pragma once
 
@@ -31,15 +31,15 @@ struct Pose {
 /// Positive pitch looks down.
 [[nodiscard]] Eigen::Quaterniond orientation_from_rpy(double roll, double pitch, double yaw);
 
-/// A point as a sonar sees it.
+/// A point in the sonar's spherical coordinates.
 struct Spherical {
   double range = 0;      ///< Distance from the sonar [m].
   double azimuth = 0;    ///< Angle in the fan, positive to port [rad], -pi..pi.
   double elevation = 0;  ///< Angle across the fan, positive up [rad], -pi/2..pi/2.
 };
 
-/// Sonar-frame Cartesian to spherical; elevation is measured from the x-y plane (the paper's eq. for it is the polar
-/// angle from +z and jumps at z = 0). The origin maps to zeros.
+/// Cartesian to spherical coordinates in the sonar frame. Elevation is measured from the x-y plane. (The equation in
+/// the paper gives the polar angle from +z, and jumps at z = 0.) The origin maps to zeros.
 [[nodiscard]] Spherical spherical_from_point(const Vec3& point);
 [[nodiscard]] Vec3 point_from_spherical(const Spherical& spherical);
 
@@ -50,7 +50,7 @@ struct Spherical {
   return radians / std::numbers::pi * 180.0;
 }
 
-/// Half a line, with the stretch of it that counts.
+/// A ray, limited to the interval from min_distance to max_distance.
 struct Ray {
   Vec3 origin = Vec3::Zero();      ///< World frame [m].
   Vec3 direction = Vec3::UnitX();  ///< Unit vector, world frame.

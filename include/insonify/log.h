@@ -1,4 +1,4 @@
-// log.h -- how the library tells its caller what it noticed; it never prints by itself.
+// log.h -- callback by which the library reports information and warnings; it never prints by itself.
 
 #pragma once
 
@@ -9,7 +9,7 @@ namespace insonify {
 
 enum class Severity { kInfo, kWarning };
 
-/// Receives each message as one line without a line break. May be empty: then nothing is told.
+/// Receives each message as one line without a line break. May be empty: then messages are dropped.
 using Log = std::function<void(Severity, const std::string&)>;
 
 }  // namespace insonify

@@ -1,4 +1,4 @@
-// mesh.h -- a surface made of triangles, and the primitive shapes that are tessellated into one.
+// mesh.h -- triangle meshes, their clean-up, and the primitive shapes and height grids tessellated into them.
 
 #pragma once
 
@@ -13,18 +13,18 @@
 
 namespace insonify {
 
-/// Triangles in a frame of their own. Both sides of a triangle echo.
+/// Triangles in a mesh frame. Both sides of a triangle echo.
 struct Mesh {
   std::string name;
   std::vector<Vec3f> vertices;                          ///< Mesh frame [m].
-  std::vector<Vec3f> normals;                           ///< Unit shading normal, one a vertex.
+  std::vector<Vec3f> normals;                           ///< Unit shading normals, one per vertex.
   std::vector<std::array<std::uint32_t, 3>> triangles;  ///< Indices into `vertices`.
-  std::vector<std::uint16_t> material_slots;            ///< One a triangle, into `material_names`; empty: all slot 0.
-  std::vector<std::string> material_names{""};          ///< As the file calls them, at least one; "" where it does not.
+  std::vector<std::uint16_t> material_slots;    ///< Index into `material_names`, one per triangle; empty: all 0.
+  std::vector<std::string> material_names{""};  ///< Names in the file, at least one; "" where the file has none.
 
-  /// Of each triangle's corners, 0..1 to the right and up over a picture; empty: none.
+  /// Texture coordinates of each triangle's corners, 0..1 to the right and up over a picture; empty: none.
   std::vector<std::array<Eigen::Vector2f, 3>> texture_coordinates;
-  /// Of each material name, null for none; empty: none at all.
+  /// Relief of each material name, null for none; empty: none at all.
   std::vector<std::shared_ptr<const Relief>> reliefs;
 
   [[nodiscard]] std::uint16_t slot_of(std::size_t triangle) const {
@@ -32,7 +32,7 @@ struct Mesh {
   }
 };
 
-/// What cleaning took out of a mesh.
+/// What clean_mesh() removed or changed.
 struct MeshReport {
   std::size_t triangles_read = 0;
   std::size_t zero_area = 0;        ///< Dropped: the corners lie on a line.
@@ -47,13 +47,11 @@ struct MeshReport {
   [[nodiscard]] std::string text() const;
 };
 
-/// Drops triangles that cannot be traced, joins vertices that are the same, gives every vertex a unit normal on the
-/// side its triangles wind to and says what was done. Where normals are missing they are averaged over the triangles
-/// that meet at an edge flatter than `crease_angle` [rad], whichever way these wind; vertices are split along sharper
-/// edges.
+/// Drops triangles that cannot be traced, merges identical vertices, and gives every vertex a unit normal on the side
+/// to which its triangles are wound. Missing normals are averaged over the triangles that share the vertex and meet at
+/// edges flatter than `crease_angle` [rad], whatever their winding; vertices are split along sharper edges.
 /// @throws Error when no triangle is left; the message names the mesh and what was dropped. Also for material slots
-/// that
-///         do not fit the triangles or the names.
+///         that do not match the triangles or the names.
 [[nodiscard]] MeshReport clean_mesh(Mesh& mesh, double crease_angle = 0.7853981633974483);
 
 // The SDF primitives, centred on the origin with smooth normals where the shape is smooth. Vertices lie on the surface;
@@ -77,11 +75,12 @@ struct HeightGrid {
   double spacing_x = 1;              ///< [m], > 0.
   double spacing_y = 1;              ///< [m], > 0.
   std::vector<float> heights;        ///< rows x columns [m]; NaN where there is no data.
-  Vec3 origin = Vec3::Zero();        ///< Of the grid's centre in the survey's own coordinates [m]; informative.
-  std::string name = "height grid";  ///< In messages: the file it comes from.
+  Vec3 origin = Vec3::Zero();        ///< The grid's centre in the survey's own coordinates [m]; informative.
+  std::string name = "height grid";  ///< Name in messages: the file it comes from.
 };
 
-/// Two triangles for each cell whose four corners have data, three corners one; smooth normals, centred in x and y.
+/// Mesh of a height grid, centred in x and y, with smooth normals: two triangles per cell with data at all four
+/// corners, one where only three have.
 [[nodiscard]] Mesh make_height_field(const HeightGrid& grid);
 
 }  // namespace insonify

@@ -1,5 +1,6 @@
 // paper_model.h -- the settings of the `paper` model: Cerqueira et al., "A rasterized ray-tracer pipeline for
-// real-time, multi-device sonar simulation", section 3, with its slips mended (docs/concepts/paper-model.md).
+// real-time, multi-device sonar simulation" (2020), section 3, with its errors corrected
+// (docs/concepts/paper-model.md).
 
 #pragma once
 
@@ -7,7 +8,7 @@
 
 namespace insonify {
 
-/// Shape of S in the paper's eq. (energy_norm), which turns an echo's strength 0..1 into displayed intensity 0..1.
+/// Shape of the function S of the paper, which maps an echo's strength, 0..1, to displayed intensity, 0..1.
 enum class Sigmoid {
   kLogistic,  ///< A logistic with `sigmoid_midpoint` and `sigmoid_slope`, scaled so that S(0) = 0 and S(1) = 1.
   kAuthors,   ///< The authors' code: 0.5 tanh(9 (x - 2/3)) + 0.5, unscaled: a logistic of midpoint 2/3 and slope 18.
@@ -19,7 +20,7 @@ struct PaperModel {
   double sigmoid_midpoint = 0.1;  ///< Strength that is drawn at half (before scaling), 0..1.
   double sigmoid_slope = 12;      ///< Steepness at the midpoint, times 4, in (0, 1e6].
 
-  // Noise of eq. (noise): intensity x multiplicative + additive, each Gaussian and drawn anew for every ping and cell.
+  // Noise: intensity x multiplicative + additive, both Gaussian and drawn anew for every ping, beam and bin.
   double multiplicative_mean = 1.0;        ///< 0..1e6. The authors' code has 0.4.
   double multiplicative_deviation = 0.25;  ///< 0..1e6. The authors' code has 0.15.
   double additive_deviation = 0.01;        ///< 0..1e6, about a zero mean. The authors' code has none.

@@ -1,4 +1,4 @@
-// picture.h -- pings as a sonar operator knows them, drawn into plain RGB pixels.
+// picture.h -- draws pings as RGB pictures: polar table, fan, and the view of a scanning sonar.
 
 #pragma once
 
@@ -27,16 +27,17 @@ struct Picture {
 enum class ColourMap { kInferno, kCopper, kGrey, kBlue };
 enum class Scale { kLinear, kDecibel };
 
-/// How intensities become colours, and what stands around them.
+/// How intensities are mapped to colours, and the size and annotations of the picture.
 struct Display {
   ColourMap colour_map = ColourMap::kInferno;
   Scale scale = Scale::kLinear;
-  double floor_db = -50;         ///< Darkest level on a decibel scale [dB re full scale], < 0.
-  double full_scale = 1.0;       ///< Intensity drawn brightest, > 0.
-  double raised_per_decade = 0;  ///< What raised_by_range() has done to the pings, for the caption [dB], >= 0.
-  bool of_source = false;  ///< Intensities are over the source's at 1 m, as the calibrated model's: the colour bar then
-                           ///< tells levels re the source's.
-  int height = 720;        ///< Of the whole picture [pixels], 240..8192; the width follows from the shape of the fan.
+  double floor_db = -50;    ///< Darkest level on a decibel scale [dB re full scale], < 0.
+  double full_scale = 1.0;  ///< Intensity drawn brightest, > 0.
+  double raised_per_decade =
+      0;                   ///< Gain that raised_by_range() applied to the pings [dB/decade], >= 0; for the caption.
+  bool of_source = false;  ///< Intensities are relative to the source's at 1 m (calibrated model), and so are the
+                           ///< levels on the colour bar.
+  int height = 720;        ///< Height of the whole picture [pixels], 240..8192; the width follows from the fan's shape.
   bool annotations = true;  ///< Title, rings, radials, axes and colour bar.
 
   /// @throws Error on the first field out of limits.
@@ -50,7 +51,7 @@ struct Display {
     visit(
         Field{"raised_per_decade", "dB", at_least(0), "By how much intensities were raised for every decade of range."},
         self.raised_per_decade);
-    visit(Field{"of_source", "", {}, "Intensities are over the source's at 1 m: the colour bar tells levels re that."},
+    visit(Field{"of_source", "", {}, "Intensities, and levels on the colour bar, are relative to the source's at 1 m."},
           self.of_source);
     visit(Field{"height", "pixels", from_to(240, 8192), "Height of the whole picture."}, self.height);
     visit(Field{"annotations", "", {}, "Draw title, rings, radials, axes and colour bar."}, self.annotations);
@@ -76,32 +77,32 @@ struct Rgb {
 /// @throws Error listing the names there are.
 [[nodiscard]] ColourMap colour_map_from_name(std::string_view name);
 
-/// How pings of the calibrated model are shown, whose intensities fall by many decades: raised by 30 dB for every
-/// decade of range, which evens out a floor, on a decibel scale that ends at the strongest of them.
+/// Gain over range with which pings of the calibrated model are shown: 30 dB per decade of range, which compensates the
+/// fall of a flat floor's echo. They are shown on a decibel scale that ends at fitting_full_scale().
 inline constexpr double kShownGainPerDecade = 30;
 
 /// The ping with its intensities times r^(X/10), r in metres.
 /// @param decibels_per_decade  X.
 [[nodiscard]] Ping raised_by_range(Ping ping, const SonarConfig& sonar, double decibels_per_decade);
 
-/// What all but the strongest thousandth of what was heard is below, but at most 25 dB below the strongest; rounded up
-/// to a multiple of 5 dB; 1 for silence.
+/// Full scale that fits a ping: the intensity that the strongest thousandth of all non-zero intensities exceeds, but at
+/// most 25 dB below the strongest; rounded up to a multiple of 5 dB. 1 if all intensities are zero.
 [[nodiscard]] double fitting_full_scale(std::vector<float> intensities);
 
-// Azimuths are written as bearings: "30° P" to port, "30° S" to starboard, for a vertical mounting as
-// slopes, "30° up" and "30° down". Drawing throws Error for a display out of limits and for a ping that has not the
-// sonar's beams and bins. NaN is drawn as silence.
+// Azimuths are labelled as bearings: "30° P" to port, "30° S" to starboard; for a vertical mounting as slopes, "30° up"
+// and "30° down". Drawing throws Error for a display out of limits and for a ping that has not the sonar's beams and
+// bins. NaN is drawn as intensity 0.
 
-/// The raw table: beams across (port to the left, azimuth in degrees), range upwards in metres.
+/// The table of beams x bins: beams across (port to the left, azimuth in degrees), range upwards in metres.
 [[nodiscard]] Picture draw_polar(const Ping& ping, const SonarConfig& sonar, const Display& display = {});
 
 /// The fan as seen from above, acoustic axis up, port to the left: rings labelled in metres, radials in degrees.
-/// Bilinear between cells; apertures up to 360 degrees.
+/// Bilinear interpolation between beams and bins; apertures up to 360 degrees.
 [[nodiscard]] Picture draw_fan(const Ping& ping, const SonarConfig& sonar, const Display& display = {});
 
-/// A scanning sonar's view, filling as the head turns: each ping fills its own step, a later ping covers an earlier
-/// one, and what the head has not looked at yet stays blank. Between steps longer than three beam widths, too, it
-/// stays blank: there a ping fills no more than its beam.
+/// The view of a scanning sonar, which fills as the head turns. Each ping fills its own step of azimuth, later pings
+/// cover earlier ones, and azimuths that have not been scanned yet stay blank. Where steps are longer than three beam
+/// widths, a ping fills only the width of its beam, and gaps stay blank.
 ///
 /// The housing's x axis points up and port is left, as in a fan. For a vertical mounting the view is from its starboard
 /// side: up is up, and the x axis, its "front", points right.
@@ -111,11 +112,11 @@ class ScanView {
   explicit ScanView(const SonarConfig& sonar);
   /// @throws Error for a ping of another shape than the sonar's, or without a head angle.
   void add(const Ping& ping);
-  /// Of all pings, see insonify::fitting_full_scale().
+  /// insonify::fitting_full_scale() of all pings together.
   [[nodiscard]] double fitting_full_scale() const;
-  /// Around the head, with a line where it looks now.
+  /// The pings around the head, with a line at the present head angle.
   [[nodiscard]] Picture draw(const Display& display = {}) const;
-  /// Side by side: head angle across (port to the left), range upwards.
+  /// The pings side by side: head angle across (port to the left), range upwards.
   [[nodiscard]] Picture draw_polar(const Display& display = {}) const;
 
  private:

@@ -1,4 +1,4 @@
-// pulse.h -- how sharply a transmitted pulse tells ranges apart.
+// pulse.h -- range point-spread function of the transmitted pulse after its matched filter.
 
 #pragma once
 
@@ -10,16 +10,17 @@
 
 namespace insonify {
 
-/// None: echoes fall into bins as they come. CW: a tone. LFM: a chirp, compressed on receipt by its matched filter.
+/// kNone: a rectangle as long as a range bin. kCw: a tone. kLfm: a linear frequency-modulated chirp, compressed by its
+/// matched filter.
 enum class PulseKind { kNone, kCw, kLfm };
 
-/// The transmitted pulse and what the receiver makes of it.
+/// The transmitted pulse and its processing in the receiver.
 struct PulseSettings {
   PulseKind kind = PulseKind::kNone;
-  double duration = 50e-6;     ///< Of the tone or the chirp [s], in (0, 1].
-  double bandwidth = 100e3;    ///< Of the chirp [Hz], in (0, 1e7]; times duration at least 10.
-  bool matched_filter = true;  ///< CW: the receiver correlates with the tone; else it takes the bare envelope.
-  bool hann = false;           ///< LFM: the receiver weights the band, for side lobes of -31 instead of -13 dB.
+  double duration = 50e-6;     ///< Duration of the tone or the chirp [s], in (0, 1].
+  double bandwidth = 100e3;    ///< Bandwidth of the chirp [Hz], in (0, 1e7]; times duration at least 10.
+  bool matched_filter = true;  ///< CW: the receiver correlates with the tone; if false, it takes the envelope.
+  bool hann = false;           ///< LFM: a Hann window over the band, for side lobes of -31 instead of -13 dB.
 
   /// @throws Error on the first field out of limits.
   void validate(std::string_view object = "pulse") const;
@@ -27,30 +28,30 @@ struct PulseSettings {
   template <typename Self, typename Visit>
   static void visit_fields(Self& self, Visit&& visit) {
     visit(Field{"kind", "", {}, "none, cw (a tone) or lfm (a chirp)."}, self.kind);
-    visit(Field{"duration", "s", above_to(0, 1), "Of the tone or the chirp."}, self.duration);
-    visit(Field{"bandwidth", "Hz", above_to(0, 1e7), "Of the chirp (lfm)."}, self.bandwidth);
+    visit(Field{"duration", "s", above_to(0, 1), "Duration of the tone or the chirp."}, self.duration);
+    visit(Field{"bandwidth", "Hz", above_to(0, 1e7), "Bandwidth of the chirp (lfm)."}, self.bandwidth);
     visit(Field{"matched_filter", "", {}, "The receiver correlates with the tone; else it takes its envelope (cw)."},
           self.matched_filter);
     visit(Field{"hann", "", {}, "The receiver weights the band, for lower side lobes in range (lfm)."}, self.hann);
   }
 };
 
-/// Frequency shift of an echo of something that comes nearer at `speed` [Hz]; speeds far below that of sound.
+/// Doppler shift 2 v f / c of the echo of a target that approaches at `speed` v << c [Hz].
 [[nodiscard]] double doppler_shift(double speed, double frequency, double sound_speed);
 
-/// The amplitude p(dr) that a point echo has at a range dr behind its own: real, even and 1 at 0.
+/// The range point-spread function p(dr): amplitude of a point echo at a range dr from its own. Real, even, 1 at 0.
 ///
 ///   none          1 over one bin
 ///   cw            1 over c tau / 2
 ///   cw, matched   a triangle, 1 - 2 |dr| / (c tau), of base c tau
-///   lfm           sinc(2 B dr / c), or Hann's pattern, to |dr| = c T / 2 on either side
+///   lfm           sinc(2 B dr / c), or with `hann` the transform of a Hann window, for |dr| <= c T / 2
 ///
-/// A rectangle has half the power on its edges. The compressed chirp is that of B T >> 1: at B T = 100 the exact one is
-/// 0.2 % narrower. After Van Trees, Optimum Array Processing (2002), and Cook and Bernfeld, Radar Signals (1967).
+/// On its edges a rectangle has half its power. The compressed chirp is the limit for B T >> 1; at B T = 100 the exact
+/// main lobe is 0.2 % narrower. Van Trees, Optimum Array Processing (2002); Cook and Bernfeld, Radar Signals (1967).
 class Pulse {
  public:
-  /// @param sound_speed  By which the sonar turns time into range [m/s], > 0.
-  /// @param bin_length   Of the sonar's range bins [m], > 0; matters to kind `none` alone.
+  /// @param sound_speed  Sound speed c with which the sonar converts time to range [m/s], > 0.
+  /// @param bin_length   Length of the sonar's range bins [m], > 0; used by kNone only.
   /// @throws Error as PulseSettings::validate().
   Pulse(const PulseSettings& settings, double sound_speed, double bin_length);
 
@@ -63,21 +64,22 @@ class Pulse {
   /// Full width at half power [m].
   [[nodiscard]] double width() const;
 
-  /// Highest level beside the main lobe [dB re its peak]; -infinity where there is none.
+  /// Highest side lobe [dB re the peak]; -infinity where there is none.
   [[nodiscard]] double side_lobe_db() const;
 
-  /// Integral of |p|^2 over dr: the length of range whose extended echo one bin hears at full level [m].
+  /// Integral of |p|^2 over dr [m]: the equivalent length of range from which one bin receives an extended echo.
   [[nodiscard]] double equivalent_length() const;
 
-  /// By how much an echo shifted up by `shift` [Hz] reads too near: f T c / (2 B) for a rising chirp, 0 for others [m].
+  /// Range error of an echo with a Doppler shift f = `shift` [Hz], towards the sonar: f T c / (2 B) for a rising chirp,
+  /// 0 for other pulses [m].
   [[nodiscard]] double doppler_bias(double shift) const { return shift * bias_per_hertz_; }
 
  private:
   enum class Shape { kRectangle, kTriangle, kChirp };
   Shape shape_ = Shape::kRectangle;
   double reach_ = 0;
-  double cell_ = 0;                 // c / (2 B), of a chirp.
-  std::vector<WindowCosine> band_;  // Its weight over the band.
+  double cell_ = 0;                 // Range resolution c / (2 B) of a chirp [m].
+  std::vector<WindowCosine> band_;  // Window over the chirp's band.
   double bias_per_hertz_ = 0;
 };
 

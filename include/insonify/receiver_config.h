@@ -1,4 +1,4 @@
-// receiver_config.h -- what a receiver makes of what arrives.
+// receiver_config.h -- settings of the receiver: noise, speckle, beam patterns, pulse, gain and counts.
 
 #pragma once
 
@@ -12,50 +12,53 @@
 
 namespace insonify {
 
-/// How beams hear across an angle: their own slice evenly and nothing else, or as a line array with a window.
+/// Beam pattern across one angle: a top hat (gain 1 within the beam's own slice, 0 outside), or that of a line array
+/// with a window.
 enum class BeamPattern { kTopHat, kRectangular, kHann, kHamming, kCosine, kTaylor, kDolphChebyshev };
 
-/// What the receiver adds. All but `noise` is the calibrated model's.
+/// Settings of the receiver. All except `noise` apply to the calibrated model only.
 struct ReceiverConfig {
-  bool noise = true;  ///< Whether noise is drawn at all: the paper model's, or the calibrated model's thermal noise.
-  std::optional<double> ambient_noise_db = {};  ///< Besides thermal noise [dB re 1 uPa^2/Hz], -100..200; or none.
-  bool speckle = true;
+  bool noise = true;  ///< Whether noise is drawn: that of the paper model, or thermal noise in the calibrated model.
+  std::optional<double> ambient_noise_db = {};  ///< Noise besides thermal noise [dB re 1 uPa^2/Hz], -100..200; or none.
+  bool speckle = true;                          ///< Whether echoes interfere.
 
-  /// Across bearings. Side lobes go both ways on scanning heads, which send with the array they hear with, one way on
-  /// fans.
+  /// Pattern across bearings. It applies twice on scanning heads, which transmit and receive with the same array, and
+  /// once (on reception) on fans.
   BeamPattern azimuth_pattern = BeamPattern::kTaylor;
-  BeamPattern elevation_pattern = BeamPattern::kTopHat;  ///< Across elevations, sending and hearing.
-  double side_lobe_db = -30;                             ///< Of kTaylor and kDolphChebyshev [dB], -100..-15.
-  BeamShape beam_shape = BeamShape::kWedge;              ///< What lies at one bearing.
+  BeamPattern elevation_pattern = BeamPattern::kTopHat;  ///< Pattern across elevations, on transmission and reception.
+  double side_lobe_db = -30;                             ///< Side lobes of kTaylor and kDolphChebyshev [dB], -100..-15.
+  BeamShape beam_shape = BeamShape::kWedge;              ///< Which directions have the same bearing.
 
-  int elements = 0;                        ///< Of the azimuth pattern's array, 0..1024; 0: one unbroken line.
-  double element_error_db = 0;             ///< Standard deviation of their amplitudes [dB], 0..20.
-  double element_error = 0;                ///< Of their phases [rad], 0..180 deg.
-  std::vector<double> dead_elements = {};  ///< That hear nothing, from 0 at the port end.
-  PulseKind pulse = PulseKind::kNone;      ///< kNone: as long as a bin.
-  double pulse_duration = 50e-6;           ///< Of kCw and kLfm [s], in (0, 1].
-  double pulse_bandwidth = 100e3;          ///< Of kLfm [Hz], in (0, 1e7]; times pulse_duration at least 10.
+  // The array of the azimuth pattern.
+  int elements = 0;                        ///< Number of elements, 0..1024; 0: a continuous line.
+  double element_error_db = 0;             ///< Standard deviation of the elements' amplitudes [dB], 0..20.
+  double element_error = 0;                ///< Standard deviation of their phases [rad], 0..180 deg.
+  std::vector<double> dead_elements = {};  ///< Indices of elements that receive nothing, from 0 at the port end.
 
-  /// X of the gain X log10(r) + 2 alpha r [dB] that the recording is raised by, r in metres and alpha the water's
-  /// absorption; 0..60. None: raw. 40 evens out point targets, 30 floors, 20 water's reverberation.
+  PulseKind pulse = PulseKind::kNone;  ///< kNone: as long as a bin.
+  double pulse_duration = 50e-6;       ///< Duration, kCw and kLfm [s], in (0, 1].
+  double pulse_bandwidth = 100e3;      ///< Bandwidth, kLfm [Hz], in (0, 1e7]; times pulse_duration at least 10.
+
+  /// X of the time-varied gain X log10(r) + 2 alpha r [dB] applied to recorded intensities, with the range r in metres
+  /// and the absorption alpha; 0..60. None: no gain. 40 compensates the fall of point targets, 30 of floors, 20 of
+  /// volume reverberation.
   std::optional<double> time_varied_gain = {};
 
-  /// A table of gain over range in its place: gains_db[i] at gain_ranges[i], straight between, the same beyond its
-  /// ends.
+  // Instead of it, a table of gain over range: gains_db[i] at gain_ranges[i], linear between, constant beyond the ends.
   std::vector<double> gain_ranges = {};  ///< Rising [m], 0..1e5.
-  std::vector<double> gains_db = {};     ///< One for each [dB], -300..300.
+  std::vector<double> gains_db = {};     ///< One per range [dB], -300..300.
 
-  /// Level that the receiver's input cannot exceed [dB re the source's at 1 m], -400..100; none when absent.
+  /// Level at which the receiver's input saturates [dB re the source's at 1 m], -400..100; absent: never.
   std::optional<double> saturation_db = {};
 
-  bool field = false;                        ///< Whether pings carry the complex field besides; needs speckle.
-  bool counts = false;                       ///< Whether pings carry counts besides, as SonarConfig::bits has them.
-  std::optional<double> full_scale_db = {};  ///< Level of the greatest count, as recorded [dB], -400..400.
+  bool field = false;                        ///< Whether pings also hold the complex field; needs speckle.
+  bool counts = false;                       ///< Whether pings also hold counts, see SonarConfig::bits.
+  std::optional<double> full_scale_db = {};  ///< Recorded level of the greatest count [dB], -400..400.
 
-  /// What is recorded is raised by this at a range > 0 [dB], of whichever gain is given.
+  /// Gain at a range > 0 [m], from time_varied_gain or from the table [dB]; 0 without either.
   [[nodiscard]] double gain_db(double range, double absorption_db_per_m) const;
 
-  /// @throws Error on the first field out of limits, or that does not go with another.
+  /// @throws Error on the first field that is out of limits or does not go with another.
   void validate() const;
 
   template <typename Self, typename Visit>
@@ -66,18 +69,18 @@ struct ReceiverConfig {
         Field{"ambient_noise_db", "dB", from_to(-100, 200),
               "Spectral level at the carrier of noise besides thermal, re 1 uPa^2/Hz (calibrated); none when absent."},
         self.ambient_noise_db);
-    visit(Field{"speckle", "", {}, "Whether echoes interfere, as a coherent sonar hears them (calibrated)."},
+    visit(Field{"speckle", "", {}, "Whether echoes interfere, as a coherent sonar receives them (calibrated)."},
           self.speckle);
     visit(Field{"azimuth_pattern",
                 "",
                 {},
-                "How beams hear across bearings: top_hat, or the window of a line array "
+                "Beam pattern across bearings: top_hat, or the window of a line array "
                 "(calibrated)."},
           self.azimuth_pattern);
     visit(Field{"elevation_pattern",
                 "",
                 {},
-                "How the sonar sends and hears across elevations: top_hat, or the window of an array that is "
+                "Transmit and receive pattern across elevations: top_hat, or the window of an array that is "
                 "elevation_aperture wide at half power, one way (calibrated)."},
           self.elevation_pattern);
     visit(Field{"side_lobe_db", "dB", from_to(-100, -15), "Side lobes re the main lobe (taylor, dolph_chebyshev)."},
@@ -85,16 +88,16 @@ struct ReceiverConfig {
     visit(Field{"beam_shape",
                 "",
                 {},
-                "wedge (a beam holds its azimuth at every elevation) or cone (around the array, as line arrays have "
-                "it: sin(azimuth) cos(elevation) is held) (calibrated)."},
+                "wedge (a beam has one azimuth at all elevations) or cone (around the array, as real line arrays: "
+                "sin(azimuth) cos(elevation) is constant) (calibrated)."},
           self.beam_shape);
-    visit(Field{"elements", "", from_to(0, 1024), "Of the array of the azimuth_pattern; 0: one unbroken line."},
+    visit(Field{"elements", "", from_to(0, 1024), "Elements of the azimuth_pattern's array; 0: a continuous line."},
           self.elements);
     visit(Field{"element_error_db", "dB", from_to(0, 20), "Standard deviation of their amplitudes, drawn by the seed."},
           self.element_error_db);
     visit(Field{"element_error", "rad", from_to(0, std::numbers::pi), "Standard deviation of their phases."},
           self.element_error);
-    visit(Field{"dead_elements", "", from_to(0, 1023), "Those that hear nothing, from 0 at the port end."},
+    visit(Field{"dead_elements", "", from_to(0, 1023), "Elements that receive nothing, from 0 at the port end."},
           self.dead_elements);
     visit(Field{"pulse",
                 "",
@@ -102,26 +105,27 @@ struct ReceiverConfig {
                 "none (as long as a bin), cw (a tone) or lfm (a chirp), matched-filtered "
                 "(calibrated)."},
           self.pulse);
-    visit(Field{"pulse_duration", "s", above_to(0, 1), "Of the tone or the chirp."}, self.pulse_duration);
-    visit(Field{"pulse_bandwidth", "Hz", above_to(0, 1e7), "Of the chirp."}, self.pulse_bandwidth);
+    visit(Field{"pulse_duration", "s", above_to(0, 1), "Duration of the tone or the chirp."}, self.pulse_duration);
+    visit(Field{"pulse_bandwidth", "Hz", above_to(0, 1e7), "Bandwidth of the chirp."}, self.pulse_bandwidth);
     visit(Field{"time_varied_gain", "dB/decade", from_to(0, 60),
-                "X of the gain X log10(r / 1 m) + 2 alpha r that intensities are recorded with (calibrated); none for "
-                "raw."},
+                "X of the gain X log10(r / 1 m) + 2 alpha r applied to recorded intensities (calibrated); no gain when "
+                "absent."},
           self.time_varied_gain);
-    visit(
-        Field{"gain_ranges", "m", from_to(0, 1e5), "Ranges, rising, of a table of gain in place of that (calibrated)."},
-        self.gain_ranges);
-    visit(Field{"gains_db", "dB", from_to(-300, 300), "Gain at each of them; straight between, the same beyond."},
+    visit(Field{"gain_ranges", "m", from_to(0, 1e5),
+                "Rising ranges of a table of gain, instead of time_varied_gain (calibrated)."},
+          self.gain_ranges);
+    visit(Field{"gains_db", "dB", from_to(-300, 300),
+                "Gain at each of gain_ranges; linear between them, constant beyond."},
           self.gains_db);
     visit(Field{"saturation_db", "dB", from_to(-400, 100),
-                "Level re the source's at 1 m that the receiver's input cannot exceed (calibrated); none when absent."},
+                "Level re the source's at 1 m at which the receiver's input saturates (calibrated); never when "
+                "absent."},
           self.saturation_db);
-    visit(Field{"field", "", {}, "Whether to record the complex field besides (calibrated, with speckle)."},
+    visit(Field{"field", "", {}, "Whether to record the complex field as well (calibrated, with speckle)."},
           self.field);
-    visit(
-        Field{"counts", "", {}, "Whether to record counts besides, as the sonar's bits and mapping say (calibrated)."},
-        self.counts);
-    visit(Field{"full_scale_db", "dB", from_to(-400, 400), "Recorded level that fills the counts."},
+    visit(Field{"counts", "", {}, "Whether to record counts as well, by the sonar's bits and mapping (calibrated)."},
+          self.counts);
+    visit(Field{"full_scale_db", "dB", from_to(-400, 400), "Recorded level of the greatest count."},
           self.full_scale_db);
   }
 };

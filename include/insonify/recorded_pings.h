@@ -1,4 +1,4 @@
-// recorded_pings.h -- what sonars have recorded, read back: pings of recordings, and grey pictures.
+// recorded_pings.h -- reads pings from recordings (HDF5) and grey pictures from PNG files, for comparison.
 
 #pragma once
 
@@ -12,11 +12,12 @@
 
 namespace insonify {
 
-/// The intensities of a recording, as `Recording` writes it or as anyone may: an HDF5 file with numbers `intensity`
-/// [ping, bin, beam] at its root. Also one that is still being written: the pings there were when it was opened.
+/// The intensities of an HDF5 recording: any file with a numeric dataset `intensity` [ping, bin, beam] at its root,
+/// such as Recording writes. A file that is still being written can be read too, up to the pings it had when it was
+/// opened.
 class RecordedPings {
  public:
-  /// @throws Error with the path for a file that is missing, no HDF5, or has no such dataset.
+  /// @throws Error with the path for a file that is missing, is not HDF5, or has no such dataset.
   explicit RecordedPings(const std::filesystem::path& path);
   ~RecordedPings();
   RecordedPings(RecordedPings&&) noexcept;
@@ -26,17 +27,16 @@ class RecordedPings {
   [[nodiscard]] int bin_count() const;
   [[nodiscard]] int beam_count() const;
 
-  /// Name of the sonar; "" where the file does not tell.
+  /// Name of the sonar; "" where the file does not have one.
   [[nodiscard]] const std::string& sonar() const;
 
   /// Model of the echo: "calibrated", "paper", or "" where the file does not say.
   [[nodiscard]] const std::string& model() const;
 
-  /// Intensity that stands for full scale: the largest number of the type where whole numbers are stored (255 for 8
-  /// bits), else 1.
+  /// Intensity at full scale: for integer datasets the largest number of the type (255 for 8 bits), else 1.
   [[nodiscard]] double full_scale() const;
 
-  /// The intensities of one ping, as they are stored: bin_count() rows of beam_count() numbers.
+  /// The intensities of one ping as stored, bin_count() x beam_count().
   /// @param ping  Below ping_count().
   /// @throws Error with the path where the file cannot be read.
   [[nodiscard]] std::vector<double> intensity(std::uint64_t ping) const;
@@ -46,8 +46,8 @@ class RecordedPings {
   std::unique_ptr<State> state_;
 };
 
-/// Reads a grey PNG of 8 or 16 bits (fewer bits and palettes count as 8), 0 to 1 over full scale, named by its path.
-/// Coloured pictures are refused: how loud a colour is depends on a colour map that the file does not hold.
+/// Reads a grey PNG of up to 16 bits, scaled to 0..1 and named by its path. Fewer than 8 bits and palettes are read as
+/// 8 bits. Coloured pictures are refused, because the colour map that would turn them into levels is not in the file.
 /// @throws Error with the path; for a coloured or transparent pixel with its place.
 [[nodiscard]] GreyPicture load_grey_picture(const std::filesystem::path& path);
 

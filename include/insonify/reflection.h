@@ -1,4 +1,4 @@
-// reflection.h -- how much of a plane wave a boundary in water turns back.
+// reflection.h -- pressure reflection coefficients of half-spaces, plates and absorbing bottoms in water.
 
 #pragma once
 
@@ -6,32 +6,32 @@
 
 namespace insonify {
 
-// Pressure reflection coefficients: of amplitude, not of intensity. Reflection loss is -20 lg |R|.
+// All are pressure (amplitude) coefficients R; the reflection loss is -20 log10 |R| [dB].
 
-/// Half-space at normal incidence, (Z2 - Z1)/(Z2 + Z1): Kinsler, Frey, Coppens and Sanders, Fundamentals of Acoustics,
-/// ch. 6. -1..1.
+/// R of a half-space at normal incidence, (Z2 - Z1)/(Z2 + Z1), -1..1: Kinsler, Frey, Coppens and Sanders, Fundamentals
+/// of Acoustics, ch. 6.
 /// @param water_impedance, impedance  Density times sound speed [kg/(m^2 s)], > 0.
 [[nodiscard]] double reflection_coefficient(double water_impedance, double impedance);
 
-/// Plate or layer with the same water on both sides, without losses, at normal incidence, its modulus:
+/// |R| of a lossless plate or layer with the same water on both sides, at normal incidence:
 ///
 ///     q = (m - 1/m)^2 sin^2(2 pi f d/c),  |R| = sqrt(q/(4 + q)),    m = rho c / water_impedance
 ///
-/// Kinsler et al., ch. 6. It lets everything through where it is a whole number of half wavelengths thick. Backed by
-/// air it turns everything back, whatever it is made of.
-/// @param density, sound_speed  Of the plate: [kg/m^3] and compressional [m/s], > 0.
+/// Kinsler et al., ch. 6. A plate that is a whole number of half wavelengths thick transmits everything. (Backed by air
+/// instead of water, |R| = 1 for any material.)
+/// @param density, sound_speed  Density [kg/m^3] and compressional sound speed [m/s] of the plate, > 0.
 /// @param thickness             [m], >= 0.
 /// @param frequency             [Hz], > 0.
 /// @throws Error on an argument out of its limits.
 [[nodiscard]] double plate_reflection(double water_impedance, double density, double sound_speed, double thickness,
                                       double frequency);
 
-/// Fluid bottom that absorbs, under any angle (Rayleigh's): APL-UW TR 9407 (1994), IV eqs 30 to 33. With theta the
-/// grazing angle,
+/// R of an absorbing fluid bottom at any grazing angle theta (Rayleigh reflection coefficient): APL-UW TR 9407 (1994),
+/// section IV, eqs 30 to 33:
 ///
 ///     kappa = (1 + i loss)/nu,  P = sqrt(kappa^2 - cos^2 theta),  R = (y - 1)/(y + 1),  y = rho sin(theta)/P
 ///
-/// Shear is left out, which matters for rock. Time runs as exp(-i omega t).
+/// Shear, which matters for rock, is not included. The time dependence is exp(-i omega t).
 /// @param density_ratio      rho, bottom to water, > 0.
 /// @param sound_speed_ratio  nu, bottom to water, > 0. Above 1 there is a critical angle, arccos(1/nu).
 /// @param loss               Imaginary over real part of the bottom's wavenumber, >= 0 (sediment.h).

@@ -1,4 +1,5 @@
-// relief.h -- what a surface is like more finely than its triangles say: small slopes, and patches that reflect less.
+// relief.h -- small-scale surface structure that triangles do not resolve: slopes and reflectivity, from maps or
+// random.
 
 #pragma once
 
@@ -13,11 +14,11 @@
 
 namespace insonify {
 
-/// Values on a grid that repeats without end in both directions; linear between texels.
+/// Values on a grid that repeats periodically in both directions; bilinear between texels.
 template <typename Texel>
 struct Tile {
   int columns = 0, rows = 0;
-  std::vector<Texel> texels = {};  ///< rows x columns, from the top left; empty: the tile says nothing.
+  std::vector<Texel> texels = {};  ///< rows x columns, from the top left; empty: no tile.
 
   [[nodiscard]] bool empty() const { return texels.empty(); }
 
@@ -25,63 +26,65 @@ struct Tile {
   [[nodiscard]] Texel at(float u, float v) const;
 };
 
-/// The small shape of a surface. Triangles stay where they are: slopes turn the normal that sound meets, and leave
-/// ranges and shadows alone.
+/// Small-scale slopes and reflectivity of a surface, tiled over it. Slopes tilt the surface normal used for scattering;
+/// the geometry, and with it ranges and shadows, is unchanged.
 struct Relief {
-  /// Rise of the surface towards the right and the top of the tile.
+  /// Slope of the surface towards the right and towards the top of the tile.
   Tile<Eigen::Vector2f> slopes = {};
 
-  /// What slopes are: rise over run, both in metres; or metres of rise over the whole tile, which then depends on how
-  /// large the tile is laid.
+  /// Unit of `slopes`. False: rise over run. True: metres of rise per side of the tile, so that the slope depends on
+  /// the size at which the tile is mapped onto the surface.
   bool rise_per_tile = false;
 
-  Tile<float> reflectivity = {};  ///< Of the surface's own, 0..1.
+  Tile<float> reflectivity = {};  ///< Factor on the material's reflectivity, 0..1.
 
-  double tile_size = 1;      ///< Side of a tile that is laid by position [m]; 0: never laid so.
-  bool by_position = false;  ///< Laid by position even where the mesh has texture coordinates.
+  double tile_size = 1;      ///< Side of a tile that is mapped by position [m]; 0: only by texture coordinates.
+  bool by_position = false;  ///< Map by position even where the mesh has texture coordinates.
 };
 
-/// How a relief is described in a scenario: pictures, or a shape to be made up.
+/// Relief as described in a scenario: by maps, or by the parameters of random ripples and roughness.
 struct ReliefConfig {
-  std::filesystem::path normal_map = {};  ///< Picture of normals. One shape: these, heights, or ripples and roughness.
-  double normal_strength = 1;             ///< Times the slopes of the normal map, >= 0.
-  std::filesystem::path height_map = {};  ///< Grey picture of heights.
-  double height = 0;                      ///< Of white above black [m].
-  double ripple_wavelength = 0;           ///< [m]; 0 for no ripples.
-  double ripple_height = 0;               ///< From trough to crest [m].
-  double ripple_direction = 0;            ///< Across the crests, from x towards y [rad].
-  double roughness_height = 0;            ///< Root mean square [m]; 0 for none.
-  double roughness_exponent = 3.25;       ///< Height spectrum falls with this power of the wave number.
-  std::uint64_t relief_seed = 1;          ///< Of the made-up shape.
-  std::filesystem::path reflectivity_map =
-      {};                ///< Grey picture: white as reflective as the material, black not at all.
-  double tile_size = 0;  ///< [m]; 0: by texture coordinates where there are some, else a default.
+  // The shape: at most one of normal map, height map, and ripples with roughness.
+  std::filesystem::path normal_map = {};        ///< Picture of normals.
+  double normal_strength = 1;                   ///< Factor on the slopes of the normal map, 0..100.
+  std::filesystem::path height_map = {};        ///< Grey picture of heights.
+  double height = 0;                            ///< Height of white above black in the height map [m], 0..100.
+  double ripple_wavelength = 0;                 ///< [m], 0..1000; 0 for no ripples.
+  double ripple_height = 0;                     ///< From trough to crest [m], 0..100.
+  double ripple_direction = 0;                  ///< Normal to the crests, from x towards y [rad], within 1e6 deg.
+  double roughness_height = 0;                  ///< Root mean square height [m], 0..100; 0 for none.
+  double roughness_exponent = 3.25;             ///< The height spectrum falls with this power of wavenumber, 2..6.
+  std::uint64_t relief_seed = 1;                ///< Seed of ripples and roughness.
+  std::filesystem::path reflectivity_map = {};  ///< Grey picture: factor on reflectivity, white 1, black 0.
+  double tile_size = 0;  ///< Side of a tile [m], 0..1e6; 0: by texture coordinates, or a default where there are none.
 
   [[nodiscard]] bool has_shape() const { return ripple_wavelength > 0 || roughness_height > 0; }
   [[nodiscard]] bool empty() const {
     return normal_map.empty() && height_map.empty() && reflectivity_map.empty() && !has_shape();
   }
 
-  /// @param object  In messages: "materials.sand".
-  /// @throws Error for numbers out of their limits, more than one shape, or half of one.
+  /// @param object  Name in messages: "materials.sand".
+  /// @throws Error for numbers out of their limits, for more than one shape, or for an incomplete one.
   void validate(const std::string& object) const;
 
   template <typename Self, typename Visit>
   static void visit_fields(Self& self, Visit&& visit) {
     visit(Field{"normal_map", "", {}, "Picture (PNG) of the surface's small normals, tangent space, green up."},
           self.normal_map);
-    visit(Field{"normal_strength", "", from_to(0, 100), "Times the slopes of the normal map."}, self.normal_strength);
+    visit(Field{"normal_strength", "", from_to(0, 100), "Factor on the slopes of the normal map."},
+          self.normal_strength);
     visit(Field{"height_map", "", {}, "Grey picture (PNG) of the surface's small heights."}, self.height_map);
-    visit(Field{"height", "m", from_to(0, 100), "Of white above black in the height map."}, self.height);
-    visit(Field{"ripple_wavelength", "m", from_to(0, 1000), "Of ripples all over the surface; 0 for none."},
+    visit(Field{"height", "m", from_to(0, 100), "Height of white above black in the height map."}, self.height);
+    visit(Field{"ripple_wavelength", "m", from_to(0, 1000), "Wavelength of ripples all over the surface; 0 for none."},
           self.ripple_wavelength);
-    visit(Field{"ripple_height", "m", from_to(0, 100), "Of ripples, from trough to crest."}, self.ripple_height);
-    visit(Field{"ripple_direction", "rad", turn(), "Across the ripples' crests, from x towards y of the mesh."},
-          self.ripple_direction);
+    visit(Field{"ripple_height", "m", from_to(0, 100), "Height of ripples, from trough to crest."}, self.ripple_height);
+    visit(
+        Field{"ripple_direction", "rad", turn(), "Direction across the ripples' crests, from x towards y of the mesh."},
+        self.ripple_direction);
     visit(Field{"roughness_height", "m", from_to(0, 100), "Root mean square height of random roughness; 0 for none."},
           self.roughness_height);
     visit(Field{"roughness_exponent", "", from_to(2, 6),
-                "Power of the wave number that the heights' spectrum falls with."},
+                "Power of the wavenumber with which the spectrum of heights falls."},
           self.roughness_exponent);
     visit(Field{"relief_seed", "", at_least(0), "Seed of ripples and roughness."}, self.relief_seed);
     visit(
@@ -93,15 +96,16 @@ struct ReliefConfig {
   }
 };
 
-/// Ripples and roughness on a tile of `config.tile_size`, or of 24 wavelengths or 4 m where that is 0. Heights are a
-/// Gaussian random surface: ripples a narrow band of waves about theirs, roughness all waves that fit. Slopes are those
-/// of a surface of the height asked for. docs/concepts/relief.md
+/// Makes a tile of random ripples and roughness, of the side config.tile_size; where that is 0, of 24 ripple
+/// wavelengths or 4 m. Heights are a periodic Gaussian random surface with a given spectrum: a narrow band about the
+/// wavelength for ripples, a power law over all wavenumbers that the tile can hold for roughness. See
+/// docs/concepts/relief.md.
 [[nodiscard]] Relief make_relief(const ReliefConfig& config);
 
-/// Slopes from normals as pictures keep them: x right, y up, z out of the surface; z must be greater than 0.
+/// Slopes of a map of normals in tangent space: x right, y up, z out of the surface, which must be greater than 0.
 [[nodiscard]] Tile<Eigen::Vector2f> slopes_of_normals(const Tile<Eigen::Vector3f>& normals);
 
-/// Slopes of heights, per tile, from the texels on both sides.
+/// Slopes of a map of heights by central differences, as rise per side of the tile.
 [[nodiscard]] Tile<Eigen::Vector2f> slopes_of_heights(const Tile<float>& heights);
 
 // ---------------------------------------------------------------------------------------------------------------------

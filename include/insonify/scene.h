@@ -1,4 +1,4 @@
-// scene.h -- what there is to insonify: meshes placed in the world, each made of something.
+// scene.h -- the scene to insonify: instances of meshes, with poses and materials.
 
 #pragma once
 
@@ -16,7 +16,7 @@
 
 namespace insonify {
 
-/// One mesh at one place.
+/// One mesh at one pose, with its materials.
 struct Instance {
   std::string name = {};                  ///< Scoped as in SDF: "ship::hull::visual"; the file's stem for a bare mesh.
   std::shared_ptr<const Mesh> mesh = {};  ///< Never null.
@@ -24,16 +24,16 @@ struct Instance {
   std::string user_material = {};  ///< Set by the user for the whole instance, "" when not; must resolve.
   std::string where = {};          ///< "path:line:column: " of what set user_material, for messages; may be "".
   std::vector<std::uint16_t> materials = {};  ///< Index into Scene::materials for each of the mesh's slots.
-  std::vector<std::shared_ptr<const Relief>> reliefs = {};  ///< Of each slot, null for none; empty: none at all.
-  bool moving = false;  ///< Its pose may change between pings; engines keep it apart from what stands still.
+  std::vector<std::shared_ptr<const Relief>> reliefs = {};  ///< Relief of each slot, null for none; empty: none at all.
+  bool moving = false;  ///< Whether its pose may change between pings; engines keep it separate from static instances.
 };
 
-/// Checks that every vertex of an instance is at a coordinate() of the world.
-/// @param what  How the message calls it, place included.
+/// Checks that all vertices of an instance are within the limits of coordinate() in the world.
+/// @param what  Name of the instance in the message, with the place in the file.
 /// @throws Error "PATH:LINE:COLUMN: visual 'buoy' reaches x = 1e+18 m, must be from -10000000 to 10000000 m".
 void check_reach(const Instance& instance, std::string_view what);
 
-/// What a scenario says of one material: a library name, changed properties, or both.
+/// Changes of one material in a scenario: a library material to start from, changed properties, or both.
 struct MaterialOverride {
   std::string like = {};  ///< Name of a library material to start from; "" for the one of this name, else the default.
   std::optional<double> density = {};            ///< [kg/m^3]
@@ -45,10 +45,10 @@ struct MaterialOverride {
   std::optional<double> rms_slope = {};          ///< 0.005..1
   std::optional<double> clutter_shape = {};      ///< 0.1..1000
   std::optional<double> scatterer_density = {};  ///< [1/m^2]
-  ReliefConfig relief_config = {};               ///< What `relief` is to be made from, see load_scene().
+  ReliefConfig relief_config = {};               ///< Description from which load_scene() makes `relief`.
   std::shared_ptr<const Relief> relief = {};
   std::string where = {};       ///< "path:line:column: " of the entry for messages, may be "".
-  std::string like_where = {};  ///< Of `like`, where that has a place of its own.
+  std::string like_where = {};  ///< The same for `like`, if it has a place of its own.
 
   template <typename Self, typename Visit>
   static void visit_fields(Self& self, Visit&& visit) {
@@ -58,41 +58,46 @@ struct MaterialOverride {
   }
 };
 
-/// Which material each surface is made of. Keys match a visual's name (whole or its last part), else a material's name.
+/// Rules by which assign_materials() chooses the material of each surface. Keys of `overrides` match a visual's name
+/// (in full, or its last part) or else a material's name.
 struct MaterialRules {
   std::map<std::string, MaterialOverride> overrides = {};
-  std::string default_material = "sand";  ///< For a mesh's own names that match nothing.
-  std::string default_where = {};         ///< "path:line:column: " of it for messages, may be "".
+  std::string default_material = "sand";  ///< For material names in meshes that match nothing.
+  std::string default_where = {};         ///< "path:line:column: " of default_material for messages, may be "".
 
   template <typename Self, typename Visit>
   static void visit_fields(Self& self, Visit&& visit) {
-    visit(Field{"default_material", "", {}, "What a surface is made of whose own material name matches nothing."},
+    visit(Field{"default_material", "", {}, "Material of surfaces whose own material name matches nothing."},
           self.default_material);
   }
 };
 
+/// An axis-aligned box.
 struct Box3 {
   Vec3 low, high;  ///< [m]; low > high when empty.
 };
 
+/// Instances and the materials they use.
 struct Scene {
-  std::vector<Material> materials;  ///< Those in use. At most 65535.
+  std::vector<Material> materials;  ///< The materials in use. At most 65535.
   std::vector<Instance> instances;  ///< At most 65535.
 
   [[nodiscard]] std::size_t triangle_count() const;
   [[nodiscard]] Box3 bounds() const;
 
-  /// Index of the instance of that whole name, or of the only one whose name starts with `name::`; -1 when there is
+  /// Index of the instance with this full name, or of the only one whose name starts with `name::`; -1 if there is
   /// none.
   [[nodiscard]] int find_instance(std::string_view name) const;
 };
 
-/// Gives every slot of every instance its material, in this order: an override of the visual's name; the instance's
-/// user_material; an override of the slot's own name; the library's material of that name; the default. A user_material
-/// and the default may name an override too. Each override is a material of its own, called by its key. Names of meshes
-/// that took the default are told to `log` in one line. A slot's relief is its material's, else its mesh's own.
-/// @throws Error for a name the user wrote (an override's key or `like`, a user_material, the default) that matches
-/// nothing, and for a property out of its limits.
+/// Assigns a material to every slot of every instance. The first of these that applies is taken: an override with the
+/// visual's name; the instance's user_material; an override with the slot's name; the library material with that name;
+/// the default. user_material and the default may name an override too. Each override becomes a material of its own,
+/// named by its key. Slot names that took the default are reported to `log` in one line. The relief of a slot is that
+/// of its material, or else of its mesh.
+/// @throws Error for a name written by the user (an override's key or `like`, a user_material, the default) that
+/// matches
+///         nothing, and for a property out of its limits.
 void assign_materials(Scene& scene, const MaterialRules& rules, const Log& log = {});
 
 }  // namespace insonify

@@ -1,4 +1,4 @@
-// scene_view.h -- a shaded camera view of the scene, so that a reader can tell what the sonar saw.
+// scene_view.h -- renders a shaded camera view of the scene with the sonar and the sector it insonifies.
 
 #pragma once
 
@@ -10,11 +10,11 @@
 
 namespace insonify {
 
-/// Size of the view and what is drawn over it.
+/// Size of the view and its overlays.
 struct ViewOptions {
   int width = 960, height = 720;  ///< [pixels], 16..8192 each.
   bool sonar_outline = true;     ///< Draw the sonar's housing and the edges of its sector, and tint what it insonifies.
-  std::vector<Vec3> marks = {};  ///< Places that get a cross where nothing stands before them [m]: point targets.
+  std::vector<Vec3> marks = {};  ///< Positions marked by a cross where they are visible, such as point targets [m].
 
   template <typename Self, typename Visit>
   static void visit_fields(Self& self, Visit&& visit) {
@@ -25,22 +25,22 @@ struct ViewOptions {
   }
 };
 
-/// A viewpoint behind and above the sonar from which its insonified sector and what stands in it can be seen, clear of
-/// the scene's surfaces. Things that are seen in part are shown whole unless they are large.
+/// Chooses a camera behind and above the sonar, clear of the scene's surfaces, that shows the insonified sector and the
+/// objects in it. Objects that the sector contains in part are shown whole unless they are large.
 [[nodiscard]] ViewConfig fitting_view(Engine& engine, const Scene& scene, const SonarConfig& sonar,
                                       const Pose& world_from_sonar);
 
-/// Renders with the engine's own ray tracer: Lambert shading from a light over the camera's shoulder, one tint a
-/// material, haze with distance. What the sonar insonifies is tinted yellow: its acoustic shadows are not.
-/// @param world_from_sonar  Pose of the housing. Of a scanning sonar the whole swept sector is shown.
+/// Renders with the engine's ray tracer: Lambert shading from a light over the camera's shoulder, one tint per
+/// material, haze with distance. Surfaces that the sonar insonifies are tinted yellow, so that acoustic shadows show.
+/// @param world_from_sonar  Pose of the housing. For a scanning sonar the whole swept sector is shown.
 /// @throws Error for a view or options out of limits.
 [[nodiscard]] Picture draw_scene(Engine& engine, const Scene& scene, const ViewConfig& view, const SonarConfig& sonar,
                                  const Pose& world_from_sonar, const ViewOptions& options = {});
 
-/// Looks along a fan with the engine's rays. Of a scanning sonar all that its head sweeps over is looked at.
+/// Computes distance and intensity by direction over the sonar's fan, with the engine's rays. For a scanning sonar the
+/// fan is the whole sector that its head sweeps.
 /// @param world_from_sonar  Pose of the housing.
-/// @param columns           1..8192; there are as many rows as keep the directions square, at least 16 and at most
-/// 8192.
+/// @param columns           Directions across, 1..8192. Rows are spaced by the same angle: at least 16, at most 8192.
 /// @throws Error for columns out of limits.
 [[nodiscard]] Channels look_along_fan(Engine& engine, const SonarConfig& sonar, const Water& water,
                                       const Pose& world_from_sonar, int columns = 800);

@@ -1,4 +1,4 @@
-// sea_surface.h -- the water's surface above the sonar.
+// sea_surface.h -- the sea surface above the sonar: level, wind, and its acoustic properties as a material.
 
 #pragma once
 
@@ -7,22 +7,24 @@
 
 namespace insonify {
 
+/// A horizontal sea surface, roughened by wind.
 struct SeaSurface {
-  double level = 0;       ///< Height of its mean in the world [m], within 1e7.
-  double wind_speed = 0;  ///< 10 m above it [m/s], 0..30; 0 is a flat mirror.
+  double level = 0;       ///< Height of the mean surface in the world [m], within 1e7.
+  double wind_speed = 0;  ///< Wind speed 10 m above it [m/s], 0..30; 0 is a flat mirror.
 
   template <typename Self, typename Visit>
   static void visit_fields(Self& self, Visit&& visit) {
     visit(Field{"level", "m", coordinate(), "Height of the mean surface in the world (z)."}, self.level);
-    visit(Field{"wind_speed", "m/s", from_to(0, 30), "10 m above the sea: roughness and bubbles; 0 is a flat mirror."},
+    visit(Field{"wind_speed", "m/s", from_to(0, 30),
+                "Wind speed 10 m above the sea, which sets roughness and bubbles; 0 is a flat mirror."},
           self.wind_speed);
   }
 };
 
-/// What the surface is to sound of a frequency, as a material of the calibrated model. Slopes after Cox and Munk,
-/// J. Opt. Soc. Am. 44(11), 838 (1954), variance 0.003 + 0.00512 U in all, half along each axis; the loss to bubbles
-/// and the diffuse echo after TR 9407 (surface_scattering.h) at 20 degrees of grazing, under which a forward-looking
-/// sonar mostly meets it. Without wind a mirror that loses nothing.
+/// The sea surface at one frequency, as a material of the calibrated model. The rms slope is that of Cox and Munk, J.
+/// Opt. Soc. Am. 44(11), 838 (1954): a total variance of 0.003 + 0.00512 U, half of it along each axis. The loss to
+/// bubbles and the diffuse echo are those of TR 9407 (surface_scattering.h) at 20 degrees of grazing, typical for a
+/// forward-looking sonar. Without wind the surface is a lossless mirror.
 /// @param frequency  [Hz], > 0.
 [[nodiscard]] Material sea_surface_material(const SeaSurface& surface, double frequency);
 

@@ -1,4 +1,4 @@
-// similarity.h -- how alike two sonar pictures are, and what a worthless picture would score.
+// similarity.h -- similarity measures between two sonar pictures, and the scores of control pictures without content.
 
 #pragma once
 
@@ -11,7 +11,7 @@
 
 namespace insonify {
 
-/// A table of grey levels, 0 (silent) to 1 (full scale). Rows are ranges where one is a ping or a polar picture.
+/// A picture of grey levels, from 0 to 1 (full scale). In pings and polar pictures the rows are ranges.
 struct GreyPicture {
   std::string name;            ///< For messages: "a.png", "a.h5 ping 3".
   int columns = 0;             ///< [pixels]
@@ -19,12 +19,12 @@ struct GreyPicture {
   std::vector<double> values;  ///< Row by row: columns x rows numbers from 0 to 1.
 };
 
-/// What two pictures have in common. Numbers of pairs can be averaged field by field.
+/// Similarity measures of two pictures. Those of several pairs can be averaged field by field.
 struct Similarity {
   double mse = 0;
   double psnr_db = 0;  ///< [dB re full scale]; infinite for equal pictures.
   double ssim = 0;
-  double ms_ssim = std::numeric_limits<double>::quiet_NaN();  ///< NaN where it was left out.
+  double ms_ssim = std::numeric_limits<double>::quiet_NaN();  ///< NaN if it was not computed.
   double correlation = 0;
   double ks_distance = 0;
 
@@ -33,46 +33,47 @@ struct Similarity {
   static void visit_fields(Self& self, Visit&& visit);
 };
 
-// The measures. Each gives the same for (b, a), and throws Error for pictures of unequal shape. They may be constant
-// and go beyond full scale, which `compare_pictures` refuses.
+// The measures. Each is symmetric in a and b, and throws Error for pictures of unequal shape. Pictures may be constant
+// or exceed full scale here; compare_pictures() refuses those.
 
 /// Mean of the squared differences of all pixels.
 [[nodiscard]] double mean_squared_error(const GreyPicture& a, const GreyPicture& b);
 
-/// Peak signal-to-noise ratio of that error for pictures of full scale 1: -10 log10(mse) [dB], infinite for 0.
+/// Peak signal-to-noise ratio for pictures of full scale 1: -10 log10(mse) [dB], infinite for 0.
 [[nodiscard]] double psnr_db(double mse);
 
-/// Structural similarity, -1 to 1: the mean over all whole windows of how alike their brightness, contrast and pattern
-/// are. Gaussian windows of 11 x 11 pixels and deviation 1.5, K1 = 0.01, K2 = 0.03, full scale 1, moments of the
-/// population. Z. Wang, A. C. Bovik, H. R. Sheikh and E. P. Simoncelli, "Image quality assessment: from error
-/// visibility to structural similarity", IEEE Trans. Image Processing 13(4), 600 (2004), eqs. (13) to (17).
+/// Structural similarity, -1 to 1: the product of luminance, contrast and structure terms, averaged over all windows
+/// that lie inside the picture. Gaussian windows of 11 x 11 pixels with standard deviation 1.5, K1 = 0.01, K2 = 0.03,
+/// full scale 1, population moments. Z. Wang, A. C. Bovik, H. R. Sheikh and E. P. Simoncelli, "Image quality
+/// assessment: from error visibility to structural similarity", IEEE Trans. Image Processing 13(4), 600 (2004), eqs.
+/// (13) to (17).
 /// @throws Error for pictures of fewer than kSsimSide pixels a side.
 [[nodiscard]] double ssim(const GreyPicture& a, const GreyPicture& b);
 inline constexpr int kSsimSide = 11;
 
-/// Multi-scale structural similarity, 0 to 1: contrast and pattern at five scales, each half as fine as the last (means
-/// of 2 x 2 pixels, an odd last row or column left out), brightness at the coarsest, multiplied with the weights
-/// .0448 .2856 .3001 .2363 .1333. A scale that is anti-alike counts as 0. Z. Wang, E. P. Simoncelli and A. C. Bovik,
-/// "Multi-scale structural similarity for image quality assessment", 37th Asilomar Conference (2003), eq. (7).
+/// Multi-scale structural similarity, 0 to 1: the product of contrast and structure terms at five scales and of the
+/// luminance term at the coarsest, raised to the weights .0448 .2856 .3001 .2363 .1333. Each scale is the mean over 2 x
+/// 2 pixels of the one before; an odd last row or column is left out. Negative terms count as 0. Z. Wang, E. P.
+/// Simoncelli and A. C. Bovik, "Multi-scale structural similarity for image quality assessment", 37th Asilomar
+/// Conference (2003), eq. (7).
 /// @throws Error for pictures of fewer than kMsSsimSide pixels a side: the coarsest scale must hold one window.
 [[nodiscard]] double ms_ssim(const GreyPicture& a, const GreyPicture& b);
 inline constexpr int kMsSsimSide = kSsimSide << 4;
 
-/// Pearson's correlation of the pixels, -1 to 1. It does not see a common gain or offset. 0 where a picture is
-/// constant.
+/// Pearson correlation of the pixels, -1 to 1; independent of gain and offset. 0 if a picture is constant.
 [[nodiscard]] double correlation(const GreyPicture& a, const GreyPicture& b);
 
-/// Kolmogorov and Smirnov's distance of two samples, 0 to 1: the largest difference of their cumulative distributions.
-/// It looks at what levels there are and not at where they are, and is the same on any scale that keeps their order:
-/// intensities, amplitudes and decibels give one number.
+/// Kolmogorov-Smirnov distance of two samples, 0 to 1: the largest difference of their cumulative distributions. It
+/// depends on which levels occur, not on where, and does not change under a monotonic mapping of the levels:
+/// intensities, amplitudes and decibels give the same distance.
 /// @throws Error for an empty sample or one with NaN.
 [[nodiscard]] double ks_distance(std::span<const double> a, std::span<const double> b);
 
 struct SimilarityOptions {
-  bool ms_ssim = true;  ///< False for pictures that are too small for it.
+  bool ms_ssim = true;  ///< Whether to compute MS-SSIM; false for pictures that are too small for it.
 };
 
-/// Whether a picture can be compared by all measures.
+/// Checks that a picture can be compared by all measures.
 /// @throws Error with its name and numbers for one that is too small, constant, or not from 0 to 1.
 void check_comparable(const GreyPicture& picture, const SimilarityOptions& options = {});
 
@@ -81,12 +82,12 @@ void check_comparable(const GreyPicture& picture, const SimilarityOptions& optio
 [[nodiscard]] Similarity compare_pictures(const GreyPicture& a, const GreyPicture& b,
                                           const SimilarityOptions& options = {});
 
-/// A similarity told from 0 (none) to 1 (equal), so that larger is better for each.
+/// Similarity measures scaled to 0 (none) .. 1 (equal), so that larger is better for each.
 struct NormalisedSimilarity {
   double mse = 0;
   double psnr = 0;
   double ssim = 0;
-  double ms_ssim = 0;  ///< NaN where it was left out.
+  double ms_ssim = 0;  ///< NaN if it was not computed.
 
   /// As Similarity::visit_fields.
   template <typename Self, typename Visit>
@@ -94,19 +95,19 @@ struct NormalisedSimilarity {
 };
 [[nodiscard]] NormalisedSimilarity normalised(const Similarity& similarity);
 
-// Controls: pictures that know nothing of the scene but what little their name says. A simulation that does not score
-// better than they do against the same picture has shown nothing.
+// Control pictures: derived from a picture, they contain almost nothing of its scene. A simulated picture is evidence
+// for a simulator only if it scores higher against a real one than the controls of the real one do.
 
-/// One grey, the picture's mean: of all constant pictures the one with the least error.
+/// Every pixel is the picture's mean: the constant picture with the least mean squared error.
 [[nodiscard]] GreyPicture flat_grey(const GreyPicture& picture);
 
-/// Each row its own mean: how loud each range is, and nothing of where in the fan.
+/// Every row is its own mean: keeps the level over range, not the distribution over the fan.
 [[nodiscard]] GreyPicture mean_range_profile(const GreyPicture& picture);
 
-/// The picture's own pixels in random order, the same one every time: its histogram, and nothing else.
+/// The picture's pixels in random order, with a fixed seed: keeps the histogram only.
 [[nodiscard]] GreyPicture pixel_shuffle(const GreyPicture& picture);
 
-/// What each of them scores against a picture.
+/// Similarity of each control to its picture.
 struct ControlSimilarities {
   Similarity flat_grey, range_profile, pixel_shuffle;
 };

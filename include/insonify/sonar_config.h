@@ -1,4 +1,4 @@
-// sonar_config.h -- what the instrument is: its beams, its range bins, its head and where it is mounted.
+// sonar_config.h -- configuration of a sonar: beams, range bins, transmitter, scanning head and mounting.
 
 #pragma once
 
@@ -12,10 +12,10 @@
 
 namespace insonify {
 
-/// Nothing farther up or down is sampled [rad]: elevations have tangents.
+/// Largest elevation that is sampled, up or down [rad]: rows are spaced by tan(elevation).
 inline constexpr double kSteepestElevation = radians_from_degrees(89);
 
-/// How finely the insonified sector is sampled. More samples cost time, never change levels.
+/// How finely the insonified sector is sampled. More samples cost time and do not change expected levels.
 struct Sampling {
   int columns_per_beam = 4;  ///< Azimuths sampled in each beam, 1..256.
   int rows = 200;            ///< Elevations sampled in each column, 2..8192; staggered between columns.
@@ -28,13 +28,14 @@ struct Sampling {
   }
 };
 
-/// Forward-looking: one ping insonifies the whole fan. Mechanically scanned: one beam, turned by a step each ping.
+/// Forward-looking: each ping insonifies the whole fan. Mechanically scanned: one beam, turned by a step after each
+/// ping.
 enum class SonarType { kForwardLooking, kMechanicallyScanned };
 
-/// Which way a scanning head turns: about the housing's z (a plan view) or, rolled on its side, about its y.
+/// Axis about which a scanning head turns: the housing's z (a plan view), or its y, rolled by 90 degrees (a slice).
 enum class Mounting { kHorizontal, kVertical };
 
-/// How an instrument turns levels into counts: a power of amplitude, or decibels.
+/// How an instrument maps intensities to counts: a power of amplitude, or decibels.
 enum class Mapping { kGamma, kLogarithmic };
 
 /// An imaging sonar seen as a fan of beams cut into range bins.
@@ -48,20 +49,20 @@ enum class Mapping { kGamma, kLogarithmic };
 ///        beam 0 \ | / beam N-1   Beam 0 is the one furthest to port.
 struct SonarConfig {
   std::string name = "sonar";  ///< Used in messages and file names.
-  std::string model;           ///< Make and model the numbers describe, for titles; may be empty.
+  std::string model;           ///< Make and model of the instrument, for titles; may be empty.
   SonarType type = SonarType::kForwardLooking;
 
   double frequency = 720e3;      ///< Carrier frequency [Hz], in (0, 1e8].
   double source_level_db = 200;  ///< SL on the acoustic axis [dB re 1 uPa at 1 m], 100..260.
-  double bandwidth = 25e3;       ///< Of the receiver, in which it hears noise [Hz], in (0, 1e8].
+  double bandwidth = 25e3;       ///< Receiver bandwidth, for noise [Hz], in (0, 1e8].
 
   // Fan of beams.
   int beam_count = 256;                                 ///< Beams across the azimuth aperture, 1..4096.
   double azimuth_aperture = radians_from_degrees(120);  ///< Full width of the fan [rad], in (0, 2 pi].
   std::vector<double>
-      beam_azimuths;  ///< Explicit centres, falling from port to starboard [rad]; even in angle when empty.
-  std::optional<double> azimuth_resolution;  ///< Full width of a beam at half power, one way and straight ahead [rad],
-                                             ///< in (0, pi/2]; its share of the fan when absent.
+      beam_azimuths;  ///< Explicit centres, falling from port to starboard [rad]; evenly spaced in angle when empty.
+  std::optional<double> azimuth_resolution;  ///< Full width at half power of the unsteered beam, one way [rad], in
+                                             ///< (0, pi/2]; the beam spacing when absent.
   double elevation_aperture = radians_from_degrees(20);  ///< Full height of every beam; at half power, one way, where
                                                          ///< it has an elevation pattern [rad], in (0, 170 deg].
   double elevation_center = 0;                           ///< Middle of the elevation aperture [rad].
@@ -73,24 +74,24 @@ struct SonarConfig {
   double blanking_range = 0;  ///< Near field: echoes read low from min_range, rising to full level here [m], 0..1e5.
   double gain = 1.0;          ///< Multiplies the displayed intensity before it is clipped to 1, in (0, 1e9].
 
-  // Counts, where a receiver is to deliver them.
-  int bits = 8;  ///< 1..16.
+  // Counts, if ReceiverConfig::counts asks for them.
+  int bits = 8;  ///< Bits of a count, 1..16.
   Mapping mapping = Mapping::kLogarithmic;
-  double mapping_range_db = 60;  ///< From count 0 to full scale, kLogarithmic [dB], in (0, 300].
-  double mapping_exponent = 1;   ///< Of amplitude, kGamma, in (0, 4].
+  double mapping_range_db = 60;  ///< kLogarithmic: range from count 0 to full scale [dB], in (0, 300].
+  double mapping_exponent = 1;   ///< kGamma: exponent of amplitude, in (0, 4].
 
   // Time.
-  std::optional<double> assumed_sound_speed;  ///< By which it turns time into range [m/s]; the water's own when absent.
-  std::optional<double> ping_period;          ///< Between pings [s], 2 max_range / c (when absent) to 1e6.
+  std::optional<double> assumed_sound_speed;  ///< Converts time to range [m/s], 1300..1700; absent: the true one.
+  std::optional<double> ping_period;          ///< Time between pings [s], 2 max_range / c (when absent) to 1e6.
 
   // Scanning head (MSIS only).
   double step = radians_from_degrees(0.9);  ///< Turn of the head between pings, positive to port [rad], not 0.
   double sector_center = 0;                 ///< Middle of the scanned sector [rad].
   double sector_width =
-      2 * std::numbers::pi;  ///< Full circle: turns on and on; less: sweeps to and fro [rad], in (0, 2 pi].
+      2 * std::numbers::pi;  ///< Full circle: keeps turning; less: sweeps to and fro [rad], in (0, 2 pi].
   Mounting mounting = Mounting::kHorizontal;
 
-  // Place on the vehicle, or in the world where there is no trajectory.
+  // Pose on the vehicle, or in the world where there is no trajectory.
   Vec3 position = Vec3::Zero();     ///< [m], within 1e7.
   Vec3 orientation = Vec3::Zero();  ///< Roll, pitch, yaw as in SDF: positive pitch looks down [rad], within 1e6 deg.
 
@@ -102,25 +103,26 @@ struct SonarConfig {
   /// Azimuth of the centre of beam `beam` [rad]; falls from port (beam 0) to starboard.
   [[nodiscard]] double beam_azimuth(int beam) const;
 
-  /// Azimuths between the beams, beam_count + 1 of them, falling: beam b covers edges b to b + 1 [rad]. Midway between
-  /// centres; the outermost beams are as wide outwards as inwards. Even beams fill the aperture exactly.
+  /// Azimuths of the edges between beams, beam_count + 1 of them, falling [rad]: beam b covers edges b to b + 1. Edges
+  /// are midway between centres; the outermost beams extend as far outwards as inwards. Evenly spaced beams fill the
+  /// aperture exactly.
   [[nodiscard]] std::vector<double> beam_edges() const;
 
   /// The mounting pose, housing to vehicle. A vertical mounting first rolls the housing by +90 deg about its x, which
   /// takes its y, towards which the head turns, from port to up: positive head angles look up.
   [[nodiscard]] Pose vehicle_from_sonar() const;
 
-  /// Angle of the head at a ping, 0 for a forward-looking sonar [rad]. A full circle starts at sector_center and goes
-  /// on; a sector starts at its edge (the one `step` leads away from) and turns back at the last whole step inside it.
-  /// Not wrapped: ever larger on a full circle.
+  /// Angle of the head at a ping, 0 for a forward-looking sonar [rad]. On a full circle the head starts at
+  /// sector_center and keeps turning, and the angle is not wrapped. In a sector it starts at one edge, steps away from
+  /// it, and turns back at the last whole step inside the sector.
   [[nodiscard]] double head_angle(std::uint64_t ping) const;
 
   /// Shortest time between pings: sound must come back from max_range first [s].
-  /// @param sound_speed  The one the sonar assumes [m/s].
+  /// @param sound_speed  Sound speed that the sonar assumes [m/s].
   [[nodiscard]] double shortest_ping_period(double sound_speed) const { return 2 * max_range / sound_speed; }
 
   /// Checks every field against the limits written beside it, and the rules between fields.
-  /// @param object  How messages call this sonar.
+  /// @param object  Name of this sonar in messages.
   /// @throws Error on the first field out of limits; the message carries its name, value and limit.
   void validate(std::string_view object = "sonar") const;
 
@@ -141,17 +143,17 @@ void SonarConfig::visit_fields(Self& self, Visit&& visit) {
   visit(Field{"frequency", "Hz", above_to(0, 1e8), "Carrier frequency."}, self.frequency);
   visit(Field{"source_level_db", "dB", from_to(100, 260), "Source level re 1 uPa at 1 m, on the acoustic axis."},
         self.source_level_db);
-  visit(Field{"bandwidth", "Hz", above_to(0, 1e8), "Of the receiver, in which it hears noise (calibrated model)."},
+  visit(Field{"bandwidth", "Hz", above_to(0, 1e8), "Bandwidth of the receiver, for noise (calibrated model)."},
         self.bandwidth);
   visit(Field{"beam_count", "", from_to(1, 4096), "Beams across the azimuth aperture."}, self.beam_count);
   visit(Field{"azimuth_aperture", "rad", above_to(0, 2 * kPi), "Full width of the fan."}, self.azimuth_aperture);
   visit(Field{"beam_azimuths", "rad", from_to(-kPi, kPi),
               "Explicit beam centres, falling from port to starboard: beam_count and azimuth_aperture follow from "
-              "them. Even in angle when absent."},
+              "them. Evenly spaced in angle when absent."},
         self.beam_azimuths);
   visit(Field{"azimuth_resolution", "rad", above_to(0, 0.5 * kPi),
-              "Width of a beam at half power, one way and straight ahead; its share of the fan when absent (calibrated "
-              "model, with an azimuth_pattern)."},
+              "Width at half power of the unsteered beam, one way; the beam spacing when absent (calibrated model, "
+              "with an azimuth_pattern)."},
         self.azimuth_resolution);
   visit(Field{"elevation_aperture", "rad", above_to(0, radians_from_degrees(170)),
               "Full height of every beam; at half power, one way, with an elevation_pattern."},
@@ -167,14 +169,15 @@ void SonarConfig::visit_fields(Self& self, Visit&& visit) {
         self.blanking_range);
   visit(Field{"gain", "", above_to(0, 1e9), "Multiplies the intensity before it is clipped to 1 (paper model)."},
         self.gain);
-  visit(Field{"bits", "", from_to(1, 16), "Of a count (receiver.counts)."}, self.bits);
+  visit(Field{"bits", "", from_to(1, 16), "Bits of a count (receiver.counts)."}, self.bits);
   visit(Field{"mapping", "", {}, "gamma (counts follow a power of amplitude) or logarithmic (decibels)."},
         self.mapping);
-  visit(Field{"mapping_range_db", "dB", above_to(0, 300), "From count 0 to full scale (logarithmic)."},
+  visit(Field{"mapping_range_db", "dB", above_to(0, 300), "Level range from count 0 to full scale (logarithmic)."},
         self.mapping_range_db);
-  visit(Field{"mapping_exponent", "", above_to(0, 4), "Of amplitude; 1 is linear (gamma)."}, self.mapping_exponent);
+  visit(Field{"mapping_exponent", "", above_to(0, 4), "Exponent of amplitude; 1 is linear (gamma)."},
+        self.mapping_exponent);
   visit(Field{"assumed_sound_speed", "m/s", from_to(1300, 1700),
-              "By which the sonar turns time into range; the water's own when absent."},
+              "Sound speed with which the sonar converts time to range; the true one when absent."},
         self.assumed_sound_speed);
   visit(Field{"ping_period", "s", above_to(0, 1e6), "Time between pings; 2 max_range / c when absent, and never less."},
         self.ping_period);
@@ -182,7 +185,7 @@ void SonarConfig::visit_fields(Self& self, Visit&& visit) {
         self.step);
   visit(Field{"sector_center", "rad", from_to(-kPi, kPi), "Middle of the scanned sector."}, self.sector_center);
   visit(Field{"sector_width", "rad", above_to(0, 2 * kPi),
-              "Scanned sector; 360 turns on and on, less sweeps to and fro."},
+              "Scanned sector; at 360 the head keeps turning, at less it sweeps to and fro."},
         self.sector_width);
   visit(Field{"mounting", "", {}, "horizontal (a plan view) or vertical (a slice) scanning head."}, self.mounting);
   visit(

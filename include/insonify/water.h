@@ -1,4 +1,4 @@
-// water.h -- the medium the sound travels through.
+// water.h -- properties of the water: temperature, salinity, depth, sound speed, absorption, volume backscatter.
 
 #pragma once
 
@@ -11,16 +11,17 @@ namespace insonify {
 /// A homogeneous body of water. Limits are those of the absorption formula (absorption.h) and, for salinity 0, of the
 /// sound-speed formula (sound_speed.h).
 struct Water {
-  double temperature_c = 10.0;                     ///< Temperature [degC], -6..35.
-  double salinity = 35.0;                          ///< Practical salinity [PSU], 0..50. Zero is fresh water.
-  double ph = 8.0;                                 ///< Acidity [pH], 6.5..8.5 (the formula was fitted from 7.7 to 8.3).
-  double depth = 0.0;                              ///< Depth of the sonar below the surface [m], 0..7000.
-  std::optional<double> sound_speed = {};          ///< True sound speed [m/s], 1300..1700; from the above when absent.
-  bool absorption = true;                          ///< Whether the water absorbs sound at all.
-  std::optional<double> absorption_db_per_m = {};  ///< One way, at every frequency [dB/m], 0..10; else from the above.
+  double temperature_c = 10.0;             ///< Temperature [degC], -6..35.
+  double salinity = 35.0;                  ///< Practical salinity [PSU], 0..50. Zero is fresh water.
+  double ph = 8.0;                         ///< Acidity [pH], 6.5..8.5 (the formula was fitted from 7.7 to 8.3).
+  double depth = 0.0;                      ///< Depth of the sonar below the surface [m], 0..7000.
+  std::optional<double> sound_speed = {};  ///< True sound speed [m/s], 1300..1700; absent: from the above.
+  bool absorption = true;                  ///< Whether the water absorbs sound at all.
+  std::optional<double> absorption_db_per_m =
+      {};  ///< One way, at all frequencies [dB/m], 0..10; absent: from the above.
 
-  std::optional<double> volume_backscatter_db =
-      {};  ///< S_v of what drifts in it [dB re 1/m], -150..-20; absent: silent.
+  std::optional<double> volume_backscatter_db = {};  ///< S_v, volume backscattering strength [dB re 1/m], -150..-20;
+                                                     ///< absent: no volume reverberation.
 
   /// The given sound speed, else that of Chen and Millero at this temperature, salinity and depth [m/s].
   [[nodiscard]] double true_sound_speed() const;
@@ -47,8 +48,8 @@ struct Water {
           self.absorption_db_per_m);
     visit(
         Field{"volume_backscatter_db", "dB", from_to(-150, -20),
-              "S_v of what drifts in the water, re 1/m: -85 in clear, -70 in coastal, -50 in turbid water; silent when "
-              "absent (calibrated model)."},
+              "Volume backscattering strength S_v re 1/m: -85 in clear, -70 in coastal, -50 in turbid water; no volume "
+              "reverberation when absent (calibrated model)."},
         self.volume_backscatter_db);
   }
 };

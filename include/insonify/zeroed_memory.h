@@ -1,4 +1,4 @@
-// zeroed_memory.h -- for large tables of which little may ever be used.
+// zeroed_memory.h -- allocator of zeroed memory for large tables that are mostly unused.
 
 #pragma once
 
@@ -10,9 +10,9 @@
 
 namespace insonify {
 
-/// An allocator whose memory is zero from the start and is not touched by std::vector(count): pages that nothing is
-/// written to cost neither time nor memory. Elements made without a value are all bits zero, so that vectors with it
-/// must not shrink and grow again.
+/// Allocates memory that the system has zeroed, and default-constructs elements without touching it: std::vector(count)
+/// costs neither time nor physical memory for pages that are never written. Elements made without a value therefore
+/// rely on the memory being zero, so a vector with this allocator must not shrink and grow again.
 template <typename Value>
 struct ZeroedMemory {
   using value_type = Value;
