@@ -1,4 +1,4 @@
-// absorption.cpp -- how fast water turns sound into heat, after two papers.
+// absorption.cpp -- absorption of sound in water, after Ainslie and McColm and after Francois and Garrison.
 
 #include "insonify/absorption.h"
 
@@ -67,7 +67,7 @@ Relaxation magnesium_sulphate(const Water& water, double sound_speed) {
           8.17 * std::pow(10, 8 - 1990 / kelvin) / (1 + 0.0018 * (water.salinity - 35))};
 }
 
-// Loss of pure water per frequency squared; fitted apart below and above 20 degC.
+// Loss of pure water divided by frequency squared; fitted separately below and above 20 degC.
 double pure_water_strength(const Water& water) {
   const double t = water.temperature_c;
   const double strength = t <= 20 ? 4.937e-4 + t * (-2.59e-5 + t * (9.11e-7 - t * 1.5e-8))

@@ -1,4 +1,4 @@
-// argument.h -- how a public function of formulas refuses a number that its formula has no meaning for.
+// argument.h -- checks an argument of a formula against the limits within which the formula is valid.
 
 #pragma once
 
@@ -8,7 +8,7 @@
 
 namespace insonify {
 
-/// @throws Error "bent_path.distance = -3 m must be at least 0 m"; an angle ("rad") is told in degrees.
+/// @throws Error "bent_path.distance = -3 m must be at least 0 m"; angles ("rad") are given in degrees.
 inline void check_argument(std::string_view function, std::string_view name, std::string_view unit,
                            const Limits& limits, double value) {
   check_field(function, Field{name, unit, limits, ""}, value);

@@ -1,4 +1,4 @@
-// backscatter.cpp -- the two lobes of a rough surface: diffuse after Lambert, mirror-like after Kirchhoff.
+// backscatter.cpp -- the two scattering laws of a rough surface: Lambert's (diffuse) and Kirchhoff's facets (specular).
 
 #include "insonify/backscatter.h"
 
@@ -14,7 +14,7 @@ double square(double x) {
   return x * x;
 }
 
-// 0 for what is seen from the edge or from behind, where the cosine of the nearest double to pi/2 is not quite 0.
+// Cosine of incidence, and exactly 0 from 90 degrees on: the cosine of the double nearest to pi/2 is not 0.
 double visible_cosine(double incidence) {
   return incidence < std::numbers::pi / 2 ? std::cos(incidence) : 0;
 }
@@ -34,7 +34,7 @@ double facet_scatter(double reflection, double rms_slope, double half_tilt) {
   check_argument("facet_scatter", "reflection", "", from_to(-1, 1), reflection);
   check_argument("facet_scatter", "rms_slope", "", greater_than(0), rms_slope);
   const double cosine = visible_cosine(half_tilt);
-  const double density = std::exp(-square(std::tan(half_tilt) / rms_slope) / 2);  // Of facets of this tilt.
+  const double density = std::exp(-square(std::tan(half_tilt) / rms_slope) / 2);  // Density of facets with this tilt.
   if (cosine == 0 || density == 0) {
     return 0;
   }
@@ -45,7 +45,7 @@ double facet_backscatter(double reflection, double rms_slope, double incidence) 
   return facet_scatter(reflection, rms_slope, incidence);
 }
 
-// From sine and cosine, for the arc cosine alone loses half of its digits at small angles.
+// Computed by atan2, because acos loses half of its digits at small angles.
 double half_vector_tilt(const Vec3& normal, const Vec3& towards_source, const Vec3& towards_receiver) {
   const Vec3 half = towards_source + towards_receiver;
   return std::atan2(normal.cross(half).norm(), normal.dot(half));

@@ -1,4 +1,4 @@
-// bottom_scattering.cpp -- the six-parameter model of the sea floor's echo of APL-UW TR 9407, section IV.C.
+// bottom_scattering.cpp -- the six-parameter model of bottom backscatter of APL-UW TR 9407, section IV.C.
 
 #include "insonify/bottom_scattering.h"
 
@@ -15,7 +15,7 @@
 namespace insonify {
 namespace {
 
-// Inside this file lengths are in cm, as the report's spectrum of relief is: W(K) = w2 K^-gamma, K in 1/cm, W in cm^4.
+// Inside this file lengths are in cm, as in the report's roughness spectrum: W(K) = w2 K^-gamma, K in 1/cm, W in cm^4.
 // Angles are grazing angles.
 
 constexpr double kPi = std::numbers::pi;
@@ -25,12 +25,12 @@ double square(double x) {
   return x * x;
 }
 
-// A bottom and a wavelength, and what follows from them for every angle.
+// A bottom at one acoustic wavelength, with the quantities that do not depend on the angle.
 struct Bottom {
   const Sediment& sediment;
   double wavenumber;  // k [1/cm]
   PowerLawRelief relief = {sediment.spectral_strength, sediment.spectral_exponent, wavenumber};
-  double head_on = std::norm(sediment.reflection(kPi / 2));  // |R|^2 at the vertical.
+  double normal_reflection = std::norm(sediment.reflection(kPi / 2));  // |R|^2 at normal incidence.
 
   // kappa, the bottom's wavenumber over the water's; and P = sqrt(kappa^2 - cos^2), eq 32.
   [[nodiscard]] std::complex<double> wavenumber_ratio() const {
@@ -44,7 +44,7 @@ struct Bottom {
 
 // ------------------------------------------------------------------------------------------------ Relief
 
-// Eqs 43 to 45: the share of the bottom that is not in the shadow of its own relief.
+// Eqs 43 to 45: the fraction of the bottom that is not shadowed by its own roughness.
 double unshadowed(const Bottom& bottom, double grazing) {
   const double t = std::tan(grazing) / bottom.relief.rms_slope;
   if (t > 2) {
@@ -54,8 +54,8 @@ double unshadowed(const Bottom& bottom, double grazing) {
   return -std::expm1(-2 * q) / (2 * q);
 }
 
-// Eqs 46 to 49: mean over slopes that tilt the bottom towards the sonar and away from it, by Gauss-Hermite quadrature
-// with three points.
+// Eqs 46 to 49: average of a cross section over the large-scale slopes of the bottom, by three-point Gauss-Hermite
+// quadrature.
 template <typename CrossSection>
 double slope_mean(const Bottom& bottom, double grazing, const CrossSection& cross_section) {
   const double tilt = std::sqrt(1.5) * bottom.relief.rms_slope;
@@ -63,7 +63,8 @@ double slope_mean(const Bottom& bottom, double grazing, const CrossSection& cros
   return at(grazing - tilt) / 6 + at(grazing) * 2 / 3 + at(grazing + tilt) / 6;
 }
 
-// Eqs 50 to 52: relief small against the wave, by perturbation. The term of k/10 keeps it finite at the vertical.
+// Eqs 50 to 52: perturbation theory for roughness much smaller than the wavelength. The term 0.01 under the root keeps
+// the Bragg wavenumber above k/10 at vertical incidence.
 double small_relief(const Bottom& bottom, double grazing) {
   const double k = bottom.wavenumber;
   const double rho = bottom.sediment.density_ratio;
@@ -79,7 +80,7 @@ double small_relief(const Bottom& bottom, double grazing) {
 
 // ------------------------------------------------------------------------------------------------ Rock and gravel
 
-// Eqs 53 to 56: fitted to measurements, in degrees.
+// Eqs 53 to 56: empirical fit to measurements on rock and gravel; angles in degrees.
 double large_relief(const Bottom& bottom, double grazing) {
   constexpr double kSlowBottomCritical = 2.5613;
   const double s = bottom.relief.rms_slope;
@@ -92,21 +93,20 @@ double large_relief(const Bottom& bottom, double grazing) {
   const double side = 0.04682 * std::pow(s, 1.25) * std::pow(nu, 3.25) * square((1 - 2 / rho) / square(nu) + 1) /
                       (1 + 3.54 * slope_deg / critical_deg);
   const double off_vertical = square(grazing_deg - 90) / (2.6 * square(slope_deg));
-  const double top = 0.0260 * bottom.head_on / (s * s * std::pow(1 + off_vertical, 1.9));
+  const double top = 0.0260 * bottom.normal_reflection / (s * s * std::pow(1 + off_vertical, 1.9));
   return side * std::pow(std::sin(kPi / below_critical), 0.7263 / std::cbrt(s)) + top / below_critical;
 }
 
-// ------------------------------------------------------------------------------------------------ All relief, and
-// volume
+// ------------------------------------------------------------------------------------------------ Roughness and volume
 
-// Eq 57: from 1 far below 0 to 0 far above.
+// Eq 57: a smooth step from 1 for x << 0 to 0 for x >> 0.
 double blend(double x) {
   return 1 / (1 + std::exp(std::clamp(x, -40.0, 40.0)));
 }
 
-// Eqs 58 to 64: small relief goes over into Kirchhoff's where the latter's lobe has fallen by 15 dB, and both give way
-// to the fit for rock where slopes reach 7 degrees. (The report leaves Kirchhoff's out below 40 degrees, eq 37, where
-// next to nothing of it is left.)
+// Eqs 58 to 64: total roughness scattering. Perturbation theory is blended into the Kirchhoff approximation at the
+// angle where the Kirchhoff lobe has fallen by 15 dB; both are blended into the empirical fit where the rms slope
+// reaches 7 degrees. (The report omits the Kirchhoff term below 40 degrees, eq 37, where it is negligible.)
 double relief(const Bottom& bottom, double grazing) {
   const double alpha = bottom.relief.alpha;
   const double c = std::pow(1000, 1 / (1 + alpha)) *
@@ -116,11 +116,12 @@ double relief(const Bottom& bottom, double grazing) {
   const double gentle = blend((degrees_from_radians(std::atan(bottom.relief.rms_slope)) - 7) / 0.5);
   const double small = unshadowed(bottom, grazing) *
                        slope_mean(bottom, grazing, [&](double angle) { return small_relief(bottom, angle); });
-  const double moderate = steep * bottom.head_on * bottom.relief.kirchhoff_backscatter(grazing) + (1 - steep) * small;
+  const double moderate =
+      steep * bottom.normal_reflection * bottom.relief.kirchhoff_backscatter(grazing) + (1 - steep) * small;
   return gentle * moderate + (1 - gentle) * large_relief(bottom, grazing);
 }
 
-// Eqs 65 and 66: what scatters inside, reached through the interface there and back.
+// Eqs 65 and 66: scattering from inside the sediment, with transmission through the interface both ways.
 double volume_under(const Bottom& bottom, double grazing) {
   if (grazing == 0) {
     return 0;

@@ -1,4 +1,4 @@
-// fresnel.cpp -- Fresnel's integrals: a power series near zero, a continued fraction beyond.
+// fresnel.cpp -- Fresnel integrals by a power series near zero and a continued fraction beyond.
 
 #include "acoustics/fresnel.h"
 
@@ -12,7 +12,7 @@ namespace {
 
 using Complex = std::complex<double>;
 
-constexpr double kSeriesEnd = 1.6;  // Beyond, the terms of the series grow before they shrink and cost digits.
+constexpr double kSeriesEnd = 1.6;  // Beyond, the series' terms grow before they shrink, which costs digits.
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 
 // The integral of exp(i pi t^2/2), term by term: Abramowitz and Stegun 7.3.11 and 7.3.13 in one.
@@ -27,8 +27,8 @@ Complex power_series(double x) {
   return sum;
 }
 
-// sqrt(pi) exp(z^2) erfc(z) = 1/(z + (1/2)/(z + 1/(z + (3/2)/(z + ...)))), Abramowitz and Stegun 7.1.14, from the
-// inside out. Sixty steps reach rounding from |z| = 2 on.
+// sqrt(pi) exp(z^2) erfc(z) = 1/(z + (1/2)/(z + 1/(z + (3/2)/(z + ...)))), Abramowitz and Stegun 7.1.14, evaluated from
+// the inside out. Sixty steps are exact to rounding for |z| >= 2.
 Complex erfc_fraction(Complex z) {
   constexpr int kSteps = 60;
   Complex tail = z;

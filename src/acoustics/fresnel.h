@@ -1,4 +1,4 @@
-// fresnel.h -- Fresnel's integrals, of waves that pass a straight edge.
+// fresnel.h -- Fresnel integrals, for diffraction at straight edges.
 
 #pragma once
 
@@ -7,7 +7,7 @@
 namespace insonify {
 
 /// C(x) + i S(x) with C, S the integrals from 0 to x of cos and sin of pi t^2/2: Abramowitz and Stegun, Handbook of
-/// Mathematical Functions (1964), 7.3.1 and 7.3.2. To 1e-14 of its modulus, for x >= 0.
+/// Mathematical Functions (1964), 7.3.1 and 7.3.2. For x >= 0; the relative error is below 1e-14.
 [[nodiscard]] std::complex<double> fresnel_integral(double x);
 
 }  // namespace insonify

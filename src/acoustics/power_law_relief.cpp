@@ -1,4 +1,4 @@
-// power_law_relief.cpp -- slope and Kirchhoff echo of relief with a power law for its spectrum.
+// power_law_relief.cpp -- rms slope and Kirchhoff backscatter of a surface with a power-law roughness spectrum.
 
 #include "acoustics/power_law_relief.h"
 
@@ -37,9 +37,9 @@ PowerLawRelief::PowerLawRelief(double strength, double exponent, double wavenumb
       kirchhoff_a(kirchhoff_a_of(alpha)),
       kirchhoff_q(structure * std::pow(2, 1 - 2 * alpha) * std::pow(wavenumber, 2 * (1 - alpha))) {}
 
-// The power of a in b is read as 1/2 + 1/(2 alpha): then the closed form is Kirchhoff's integral at the vertical, a
-// keeps the energy of the mirror, and the echo is that of the report's own table. It has also been read as 1/2 - 1/(2
-// alpha), which falls short of the table by a^(1/alpha), 3.6 dB at gamma = 3.25.
+// The exponent of a in b is read as 1/2 + 1/(2 alpha): with that, the closed form equals the Kirchhoff integral at
+// vertical incidence, conserves the reflected energy, and reproduces the report's own table. It has also been read as
+// 1/2 - 1/(2 alpha), which gives values below the table by a^(1/alpha), 3.6 dB at gamma = 3.25.
 double PowerLawRelief::kirchhoff_backscatter(double grazing) const {
   const double b = std::pow(kirchhoff_a, 0.5 + 1 / (2 * alpha)) * std::tgamma(1 / alpha) / (2 * alpha);
   const double aq2 = kirchhoff_a * kirchhoff_q * kirchhoff_q;

@@ -44,7 +44,7 @@ std::complex<double> bottom_reflection(double density_ratio, double sound_speed_
   check_argument(kName, "loss", "", at_least(0), loss);
   check_argument(kName, "grazing", "rad", from_to(0, std::numbers::pi / 2), grazing);
   if (grazing == 0) {
-    return -1;  // Also where the bottom is as fast as the water and without loss: there 0/0.
+    return -1;  // The limit; the formula is 0/0 where the bottom is lossless and as fast as the water.
   }
   const std::complex<double> wavenumber = std::complex<double>{1, loss} / sound_speed_ratio;
   const std::complex<double> sine = std::sqrt(wavenumber * wavenumber - square(std::cos(grazing)));  // P

@@ -53,7 +53,8 @@ double absorption_factor(double m) {
   return 0.9431 - 0.2041 * m + 0.0117 * m * m;
 }
 
-// Absorption is 40 pi/ln 10 dB per wavelength and unit of loss; the report's water has 1528 m/s.
+// Loss parameter delta from absorption: 40 pi/ln 10 dB per wavelength and unit of delta. The report's water has 1528
+// m/s.
 double loss(double m) {
   constexpr double kSoundSpeed = 1.528;  // [m/s per Hz/kHz]
   return absorption_factor(m) * sound_speed_ratio(m) * kSoundSpeed * std::numbers::ln10 / (40 * std::numbers::pi);
@@ -63,12 +64,13 @@ double volume_parameter(double m) {
   return m < 5.5 ? 0.002 : 0.001;
 }
 
-// From the rms height of relief over 100 cm of track [cm].
+// w_2 [cm^4], from the rms height of roughness over a track of 100 cm [cm].
 double spectral_strength(double m) {
   const double height = m < 5 ? (2.03846 - 0.26923 * m) / (1 + 0.076923 * m) : 0.5;
   return 0.00207 * height * height;
 }
 
+// A row of the table with values of its own: rock and gravel have no grain size.
 Sediment stones(const char* name, double sound_speed_ratio, double spectral_strength, double lambert_mu_db,
                 Confidence confidence) {
   return {.name = name,
@@ -81,6 +83,7 @@ Sediment stones(const char* name, double sound_speed_ratio, double spectral_stre
           .confidence = confidence};
 }
 
+// A row of the table by grain size.
 Sediment grains(const char* name, double grain_size, double lambert_mu_db, std::optional<double> rms_slope = {}) {
   Sediment sediment = sediment_of_grain_size(grain_size);
   sediment.name = name;
@@ -91,9 +94,8 @@ Sediment grains(const char* name, double grain_size, double lambert_mu_db, std::
 
 std::vector<Sediment> make_table() {
   return {
-      // The fit to rocks gives +2.4 and -3.1 dB: more than falls on them. Table 2 of the report reads as .016 to .0186
-      // for
-      // the spectral strength of gravel.
+      // The fit to rocks gives mu of +2.4 and -3.1 dB, more than a passive surface can scatter; they are limited to -5
+      // dB. The spectral strength of gravel in table 2 of the report reads as .016 to .0186.
       stones("rough_rock", 2.5, 0.20693, -5, Confidence::kLow),
       stones("rock", 2.5, 0.01862, -5, Confidence::kMedium),
       stones("gravel", 1.8, 0.016, -7.3, Confidence::kMedium),

@@ -1,4 +1,4 @@
-// sonar_equation.cpp -- the sonar equation, and what floor, wall and water send back in closed form.
+// sonar_equation.cpp -- the sonar equation, and closed forms of the echo of a floor, a wall and the water.
 
 #include "insonify/sonar_equation.h"
 
@@ -55,16 +55,17 @@ double gauss_legendre(const Function& f, double from, double to) {
   return sum * half;
 }
 
-// The integral of r^-power 10^(-alpha r/5) over a bin: what spreading and absorption there and back leave of a surface
-// or a volume that grows with range. Panels so short that eight points give it to rounding.
+// Integral of r^-power 10^(-alpha r/5) over a bin: two-way spreading and absorption, together with the growth of the
+// insonified area or volume with range. With absorption it is integrated over panels so short that eight-point
+// quadrature is exact to rounding.
 double spread_integral(int power, double absorption_db_per_m, double from, double to) {
   if (absorption_db_per_m == 0) {
     return (std::pow(from, 1 - power) - std::pow(to, 1 - power)) / (power - 1);
   }
-  const double decay = 4 * kNeperPerDecibel * absorption_db_per_m;  // Of intensity, there and back.
+  const double decay = 4 * kNeperPerDecibel * absorption_db_per_m;  // Two-way decay of intensity [1/m].
   const auto integrand = [&](double r) { return std::pow(r, -power) * std::exp(-decay * r); };
-  const double last = std::min(to, from + 40 / decay);  // Beyond, exp(-40) of the nearest is left: rounding.
-  constexpr double kPanelRatio = 0.2;                   // Greatest growth of range in a panel, as a logarithm.
+  const double last = std::min(to, from + 40 / decay);  // Beyond, the integrand is below exp(-40) of its start.
+  constexpr double kPanelRatio = 0.2;                   // Greatest logarithm of end / start of a panel.
   const double growth = std::log(last / from);
   const int panels = static_cast<int>(std::ceil(std::max(growth / kPanelRatio, decay * (last - from))));
   double sum = 0;
@@ -111,10 +112,10 @@ double noise_level_db(double spectral_level_db, double bandwidth, double directi
   return spectral_level_db + 10 * std::log10(bandwidth) - directivity_index_db;
 }
 
-// ---------------------------------------------------------------------------------------------------- Whole scenes
+// ---------------------------------------------------------------------------------------------------- Simple scenes
 
-// At range r the floor is met at sin(grazing) = h/r, and a ring of it between r and r + dr has r dr width of area
-// exactly: mu (h/r)^2 r dr width/r^4.
+// At range r the grazing angle is sin(grazing) = h/r, and the floor between r and r + dr has exactly the area r dr
+// width. Its echo is mu (h/r)^2 r dr width/r^4.
 double lambert_floor_intensity(double mu, double altitude, double azimuth_width, double bin_start, double bin_end,
                                double absorption_db_per_m) {
   constexpr std::string_view kName = "lambert_floor_intensity";
@@ -130,8 +131,8 @@ double lambert_floor_intensity(double mu, double altitude, double azimuth_width,
   return mu * square(altitude) * azimuth_width * spread_integral(5, absorption_db_per_m, start, bin_end);
 }
 
-// In direction (azimuth, elevation) both the cosine of incidence and d/r are cos(azimuth) cos(elevation), and a solid
-// angle dOmega = cos(elevation) d(elevation) d(azimuth) meets r^2 dOmega/cos(incidence) of the wall.
+// In the direction (azimuth, elevation) both the cosine of incidence and d/r are cos(azimuth) cos(elevation), and the
+// solid angle dOmega = cos(elevation) d(elevation) d(azimuth) covers the area r^2 dOmega/cos(incidence) of the wall.
 double lambert_wall_intensity(double mu, double distance, double azimuth, double azimuth_width,
                               double elevation_width) {
   constexpr std::string_view kName = "lambert_wall_intensity";

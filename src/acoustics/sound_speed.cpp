@@ -1,4 +1,4 @@
-// sound_speed.cpp -- published equations for the speed of sound in water, and rays in a constant gradient.
+// sound_speed.cpp -- published formulas for the sound speed of water, and sound paths in a constant gradient.
 
 #include "insonify/sound_speed.h"
 
@@ -21,7 +21,7 @@ namespace {
 constexpr double kBarPerMegapascal = 10;
 constexpr double kKilogramsPerCm2PerMegapascal = 10.197162129779;  // 1 kgf = 9.80665 N.
 
-// Constant first.
+// Polynomial by Horner's rule; the constant is the first coefficient.
 template <std::size_t N>
 double polynomial(const std::array<double, N>& coefficients, double x) {
   double sum = 0;
@@ -116,9 +116,9 @@ double leroy_sound_speed(double temperature_c, double salinity, double depth, do
          9.5e-13 * t * z * z * z + 3e-7 * t * t * z + 1.43e-5 * s * z;
 }
 
-// Snell's law keeps cos(angle)/c constant; with c linear in depth the path is an arc, along which sin(angle) falls
-// linearly with horizontal distance. The chord of an arc leans at the mean of the angles at its ends, which gives the
-// drop without the difference of two nearly equal cosines.
+// By Snell's law cos(angle)/c is constant. With c linear in depth the path is an arc of a circle, along which
+// sin(angle) falls linearly with horizontal distance. The chord of an arc is inclined at the mean of the angles at its
+// ends; this gives the drop without subtracting two nearly equal cosines.
 BentPath bent_path(double sound_speed, double gradient, double launch_angle, double distance) {
   check_bent_path(sound_speed, gradient, launch_angle, distance);
   const double radius = sound_speed / (gradient * std::cos(launch_angle));

@@ -1,4 +1,4 @@
-// surface_scattering.cpp -- the sea's surface after APL-UW TR 9407, and after Chapman and Harris.
+// surface_scattering.cpp -- scattering by the sea surface after APL-UW TR 9407, and after Chapman and Harris.
 
 #include "insonify/surface_scattering.h"
 
@@ -19,7 +19,7 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 constexpr double kHertzPerKilohertz = 1e3;
-constexpr double kHighest = 100;  // What the report was fitted up to [kHz].
+constexpr double kHighest = 100;  // Highest frequency of the report's fit [kHz].
 constexpr double kMetresPerSecondPerKnot = 1852.0 / 3600;
 
 void check(std::string_view function, double grazing, double frequency, double wind_speed) {
@@ -28,7 +28,7 @@ void check(std::string_view function, double grazing, double frequency, double w
   check_argument(function, "wind_speed", "m/s", from_to(0, 30), wind_speed);
 }
 
-double held_kilohertz(double frequency) {
+double clamped_kilohertz(double frequency) {
   return std::min(frequency / kHertzPerKilohertz, kHighest);
 }
 
@@ -37,7 +37,7 @@ double bubble_loss_db(double q, double f, double u) {
   return 1.26e-3 / std::sin(q) * of_wind * std::pow(f, 0.85);
 }
 
-// Bubbles themselves, lit from below and by the surface above them.
+// Backscatter of the bubbles, insonified from below and by the surface above them.
 double bubble_backscatter(double q, double f, double u) {
   constexpr double kRadiationDamping = 0.0136;
   const double damping = 0.0255 * std::cbrt(f);
@@ -57,8 +57,9 @@ double ripple_backscatter(double q, double u) {
   return q <= radians_from_degrees(85) ? 1.3e-5 * u * u * std::pow(std::tan(q), 4) : 0;
 }
 
-// Grazing angle where the lobe of facets, sec^4 exp(-tan^2/s2), has fallen by 15 dB: with t the square of the tangent
-// of incidence, t = s2 (1.5 ln 10 + 2 ln(1 + t)), which a few rounds find as s2 is small.
+// Grazing angle at which the lobe of facets, sec^4 exp(-tan^2/s2), has fallen by 15 dB. With t the squared tangent of
+// incidence, t = s2 (1.5 ln 10 + 2 ln(1 + t)); this is solved by fixed-point iteration, which converges because s2 is
+// small.
 double facet_edge(double s2) {
   double t = 0;
   for (int round = 0; round < 30; ++round) {
@@ -67,7 +68,7 @@ double facet_edge(double s2) {
   return kPi / 2 - std::atan(std::sqrt(t));
 }
 
-// The rough surface without bubbles: facets near the vertical, ripples below, one fading into the other.
+// The rough surface without bubbles: facets near vertical incidence, ripples at lower grazing angles, blended.
 double interface_backscatter(double q, double u) {
   const double s2 = square_slope(u);
   const double facets = facet_backscatter(1, std::sqrt(s2 / 2), kPi / 2 - q);
@@ -79,19 +80,19 @@ double interface_backscatter(double q, double u) {
 
 double sea_surface_backscatter(double grazing, double frequency, double wind_speed) {
   check("sea_surface_backscatter", grazing, frequency, wind_speed);
-  const double f = held_kilohertz(frequency);
+  const double f = clamped_kilohertz(frequency);
   return interface_backscatter(grazing, wind_speed) * std::pow(10, -bubble_loss_db(grazing, f, wind_speed) / 10) +
          bubble_backscatter(grazing, f, wind_speed);
 }
 
 double surface_bubble_loss_db(double grazing, double frequency, double wind_speed) {
   check("surface_bubble_loss_db", grazing, frequency, wind_speed);
-  return bubble_loss_db(grazing, held_kilohertz(frequency), wind_speed);
+  return bubble_loss_db(grazing, clamped_kilohertz(frequency), wind_speed);
 }
 
 double sea_surface_reflection(double grazing, double frequency, double wind_speed) {
   check("sea_surface_reflection", grazing, frequency, wind_speed);
-  return std::pow(10, -bubble_loss_db(grazing, held_kilohertz(frequency), wind_speed) / 20);
+  return std::pow(10, -bubble_loss_db(grazing, clamped_kilohertz(frequency), wind_speed) / 20);
 }
 
 double coherent_reflection(double rms_height, double wavelength, double grazing) {

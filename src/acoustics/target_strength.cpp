@@ -1,4 +1,4 @@
-// target_strength.cpp -- cross sections of bodies of simple shape, in closed form.
+// target_strength.cpp -- closed forms of the backscattering cross section of bodies of simple shape.
 
 #include "insonify/target_strength.h"
 
@@ -20,19 +20,19 @@ void check_length(std::string_view function, std::string_view name, double value
   check_argument(function, name, "m", greater_than(0), value);
 }
 
-// As check_length(), for what may also be infinite.
+// As check_length(), but the value may be infinite.
 void check_distance(std::string_view function, std::string_view name, double value) {
   if (value != kFarField) {
     check_length(function, name, value);
   }
 }
 
-// a r/(a + r), also where one of the two is infinite.
+// a r/(a + r), also if one of the two is infinite.
 double joint_radius(double radius, double range) {
   return 1 / (1 / radius + 1 / range);
 }
 
-// A strip's gain over its length, r^2/4 times which is the mirror: 2 |C + i S|^2 at length/sqrt(lambda r).
+// Diffraction factor of a strip of finite length relative to an infinite one: 2 |C + i S|^2 at length/sqrt(lambda r).
 double edge_gain(double length, double wavelength, double range) {
   return 2 * std::norm(fresnel_integral(length / std::sqrt(wavelength * range)));
 }

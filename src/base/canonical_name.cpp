@@ -1,4 +1,4 @@
-// canonical_name.cpp -- which spellings of a name mean the same.
+// canonical_name.cpp -- maps spellings of a name that mean the same to one spelling.
 
 #include "base/canonical_name.h"
 

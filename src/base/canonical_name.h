@@ -1,4 +1,4 @@
-// canonical_name.h -- which spellings of a name mean the same.
+// canonical_name.h -- maps spellings of a name that mean the same to one spelling.
 
 #pragma once
 
@@ -7,7 +7,7 @@
 
 namespace insonify {
 
-/// Lower case, with '_' for each '-' and ' ': equal for names that mean the same.
+/// The name in lower case, with '_' for each '-' and ' '. Two names mean the same if their canonical names are equal.
 [[nodiscard]] std::string canonical_name(std::string_view name);
 
 }  // namespace insonify

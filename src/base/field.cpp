@@ -1,4 +1,4 @@
-// field.cpp -- limits in words, and the message for a value that breaks them.
+// field.cpp -- formats limits as text, and the error message for a value outside them.
 
 #include "insonify/field.h"
 
@@ -12,7 +12,7 @@
 namespace insonify {
 namespace {
 
-// Ten digits: enough to tell any two values a user would write apart, short enough to hide binary rounding.
+// Ten digits: enough to distinguish any two values a user would write, and few enough to hide binary rounding.
 std::string number(double value) {
   return fmt::format("{:.10g}", value);
 }

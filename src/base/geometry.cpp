@@ -1,4 +1,4 @@
-// geometry.cpp -- rotations from angles, and points as a sonar sees them.
+// geometry.cpp -- rotations from roll, pitch and yaw, and spherical coordinates.
 
 #include "insonify/geometry.h"
 

@@ -1,4 +1,4 @@
-// lane_bits.h -- which of a few neighbouring numbers are positive, as one bit each.
+// lane_bits.h -- packs the tests x > 0 of 4 or 16 consecutive floats into bits.
 
 #pragma once
 

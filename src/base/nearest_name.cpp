@@ -1,4 +1,4 @@
-// nearest_name.cpp -- the edit distance between two names.
+// nearest_name.cpp -- finds the name with the least edit distance from a mistyped one.
 
 #include "base/nearest_name.h"
 
@@ -13,7 +13,8 @@ bool alike(char a, char b) {
   return std::tolower(static_cast<unsigned char>(a)) == std::tolower(static_cast<unsigned char>(b));
 }
 
-// Optimal string alignment: row i of the table holds the distances of a's first i letters to every prefix of b.
+// Optimal string alignment distance, by dynamic programming: row i of the table holds the distances of a's first i
+// letters to every prefix of b.
 std::size_t edit_distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> before_last, last(b.size() + 1), row(b.size() + 1);
   for (std::size_t j = 0; j <= b.size(); ++j) {
@@ -37,7 +38,7 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 }  // namespace
 
 std::string nearest_name(std::string_view name, std::span<const std::string> candidates) {
-  // Fewer slips than letters: else nothing of the name is left.
+  // At most 2 slips, or a third of the letters of a long name; always fewer than there are letters.
   const std::size_t most_slips =
       std::min(std::max<std::size_t>(2, name.size() / 3), name.size() - (name.empty() ? 0 : 1));
   const auto slips = [&](const std::string& candidate) { return edit_distance(name, candidate); };

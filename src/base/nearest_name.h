@@ -1,4 +1,4 @@
-// nearest_name.h -- what someone who mistyped a name probably meant.
+// nearest_name.h -- suggests the known name that is most similar to a mistyped one.
 
 #pragma once
 
@@ -8,12 +8,12 @@
 
 namespace insonify {
 
-/// The candidate that takes the fewest insertions, deletions, replacements and swaps of neighbours to become `name`,
-/// case ignored; the first of equals. "" when none takes at most two, or one for every three letters of a long name:
-/// what is farther off was not meant.
+/// The candidate with the least edit distance from `name`: the number of insertions, deletions, replacements and swaps
+/// of neighbouring letters, case ignored. The first one of equals. "" if the distance is greater than two, or for long
+/// names greater than a third of the letters.
 [[nodiscard]] std::string nearest_name(std::string_view name, std::span<const std::string> candidates);
 
-/// The same as the end of a message: "; did you mean max_range?", or nothing.
+/// nearest_name() as the end of a message: "; did you mean max_range?", or "".
 [[nodiscard]] std::string suggestion(std::string_view name, std::span<const std::string> candidates);
 
 }  // namespace insonify

@@ -1,4 +1,4 @@
-// parallel.cpp -- worker threads on oneTBB.
+// parallel.cpp -- worker threads on oneTBB, with tasks divided into one block per worker.
 
 #include "base/parallel.h"
 
@@ -20,13 +20,13 @@ struct Workers::Arena {
                   std::max<std::size_t>(threads, std::thread::hardware_concurrency())),
         arena(threads) {}
 
-  tbb::global_control allowance;  // More threads than processors, when asked for.
+  tbb::global_control allowance;  // Permits more threads than processors, if asked for.
   tbb::task_arena arena;
 };
 
 namespace {
 
-// Tasks [0, tasks) in blocks, one for each worker.
+// Divides the tasks [0, tasks) into contiguous blocks, one per worker.
 class Blocks {
  public:
   Blocks(int tasks, int workers) : count_(std::min({tasks, workers, kMost})) {
@@ -38,7 +38,8 @@ class Blocks {
 
   [[nodiscard]] int count() const { return count_; }
 
-  // The next of a worker's own block, or of another's when that is done; negative when all are.
+  // Returns the next task of the worker's own block or, when that is empty, of another worker's; negative when all
+  // blocks are empty.
   int take(int worker) {
     for (int i = 0; i < count_; ++i) {
       Block& block = blocks_[(worker + i) % count_];
@@ -51,7 +52,7 @@ class Blocks {
     return -1;
   }
 
-  // Nobody begins another.
+  // Empties all blocks, so that no further task begins.
   void end() {
     for (int i = 0; i < count_; ++i) {
       blocks_[i].next = blocks_[i].last;
@@ -59,7 +60,7 @@ class Blocks {
   }
 
  private:
-  static constexpr int kMost = 256;  // More workers than that have nothing to do.
+  static constexpr int kMost = 256;  // Workers beyond this number get no tasks.
   struct alignas(64) Block {
     std::atomic<int> next;
     int last;

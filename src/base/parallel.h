@@ -1,4 +1,4 @@
-// parallel.h -- worker threads that run numbered tasks. The only door to oneTBB.
+// parallel.h -- worker threads that run numbered tasks in parallel. The only file that exposes oneTBB.
 
 #pragma once
 
@@ -7,8 +7,8 @@
 
 namespace insonify {
 
-/// A fixed number of worker threads. Tasks must not depend on which worker runs them, so that results do not depend on
-/// how many there are. Running tasks allocates nothing once the threads are up.
+/// A fixed number of worker threads. Tasks must not depend on which worker runs them; then results do not depend on the
+/// number of workers. Running tasks allocates nothing once the threads have been started.
 class Workers {
  public:
   /// @param threads  >= 1, or 0 for as many as there are processors.
@@ -20,9 +20,9 @@ class Workers {
   /// Calls run(task, worker) for every task in [0, tasks), worker in [0, count()). Returns when all are done; rethrows
   /// the first exception, after which no other task begins.
   ///
-  /// Every worker has a block of the tasks, as long as the others', which it takes in order: the same at every call,
-  /// so that its part of the memory stays near it. Who is done helps the others. With small tasks at the ends of the
-  /// blocks nobody waits long.
+  /// The tasks are divided into contiguous blocks of equal length, one per worker, the same at every call: so a worker
+  /// finds the data of its tasks in its own cache. A worker that has finished its block takes tasks from the others'.
+  /// Idle time at the end is short if the last tasks of each block are small.
   template <typename Run>
   void for_each(int tasks, Run&& run) {
     using Body = std::remove_reference_t<Run>;

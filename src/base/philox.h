@@ -1,4 +1,4 @@
-// philox.h -- random numbers that depend on what they are for, not on when they are drawn.
+// philox.h -- Philox, a counter-based random number generator: numbers depend on key and counter, not on call order.
 
 #pragma once
 
@@ -7,7 +7,7 @@
 
 namespace insonify {
 
-/// What a random number is drawn for; keeps streams of one ping apart.
+/// Purpose of a random number; part of the counter or key, so that different purposes use independent streams.
 enum class RandomPurpose : std::uint32_t {
   kPaperNoise = 1,
   kSecondarySelection = 2,
@@ -28,7 +28,7 @@ using PhiloxKey = std::array<std::uint32_t, 2>;
 using PhiloxPair = std::array<std::uint32_t, 2>;
 
 /// Philox 4x32-10: Salmon, Moraes, Dror and Shaw, "Parallel random numbers: as easy as 1, 2, 3", SC11 (2011).
-/// Every counter gives four independent words; equal counters and keys give equal words on every machine.
+/// Each counter gives four independent 32-bit words; equal counters and keys give equal words on every machine.
 constexpr PhiloxCounter philox(PhiloxCounter counter, PhiloxKey key) {
   for (int round = 0; round < 10; ++round) {
     const std::uint64_t a = std::uint64_t{0xD2511F53} * counter[0];
@@ -40,7 +40,7 @@ constexpr PhiloxCounter philox(PhiloxCounter counter, PhiloxKey key) {
   return counter;
 }
 
-/// Philox 2x32-10 of the same paper: half the words, from a third of the work.
+/// Philox 2x32-10 of the same paper: two words, in a third of the time.
 constexpr PhiloxPair philox(PhiloxPair counter, std::uint32_t key) {
   for (int round = 0; round < 10; ++round) {
     const std::uint64_t product = std::uint64_t{0xD256D193} * counter[0];
@@ -50,7 +50,7 @@ constexpr PhiloxPair philox(PhiloxPair counter, std::uint32_t key) {
   return counter;
 }
 
-/// The key of a seed.
+/// Splits a 64-bit seed into a key.
 constexpr PhiloxKey philox_key(std::uint64_t seed) {
   return {static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32)};
 }

@@ -1,4 +1,4 @@
-// vector_math.h -- elementary functions written so that the compiler can run them over whole rows at once.
+// vector_math.h -- branch-free elementary functions that the compiler can vectorize, and its target clones.
 
 #pragma once
 
@@ -6,10 +6,11 @@
 #include <cmath>
 #include <cstdint>
 
-// A function marked so is compiled for several instruction sets, and the best one is chosen when the program starts.
-// Contraction into fused multiply-adds stays off (CMakeLists.txt), so that all of them give the same bits. _FUSED_ is
-// for the one file where it is on: there the second best set has them too. Processors without them round otherwise, and
-// so do builds without clones, by clang or with sanitizers.
+// A function marked INSONIFY_VECTOR_CLONES is compiled for several instruction sets, and the best one is chosen when
+// the program starts. Contraction into fused multiply-adds is off (CMakeLists.txt), so that all clones give the same
+// bits. INSONIFY_FUSED_CLONES is for the one file where contraction is on (gain_matrix.cpp); there the AVX2 clone has
+// fused multiply-adds too. Processors without them round differently, and so do builds without clones (clang, or with
+// sanitizers).
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__) && \
     !defined(__SANITIZE_THREAD__)
 #define INSONIFY_VECTOR_CLONES __attribute__((target_clones("arch=x86-64-v4", "avx2", "default")))
@@ -24,7 +25,7 @@ namespace insonify {
 /// e^x, relative error below 2e-7 for x in -87..88; clamped there. After Moshier's Cephes library (expf).
 [[gnu::always_inline]] inline float fast_exp(float x) {
   x = x < -87.0F ? -87.0F : x > 88.0F ? 88.0F : x;
-  // Adding and taking away 1.5 x 2^23 rounds to the nearest whole number.
+  // Adding and subtracting 1.5 x 2^23 rounds to the nearest integer.
   constexpr float kRounder = 12582912.0F;
   const float n = (x * 1.44269504088896341F + kRounder) - kRounder;
   const float r = (x - n * 0.693359375F) - n * -2.12194440e-4F;

@@ -1,4 +1,4 @@
-// assign_materials.cpp -- which material each surface is made of, from what the user, the mesh and the library say.
+// assign_materials.cpp -- assigns a material to every surface, by the user's rules, the mesh's names and the library.
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -15,7 +15,7 @@
 namespace insonify {
 namespace {
 
-constexpr std::size_t kMostLabels = 65535;  // Labels are 16 bits wide; the last value means "nothing".
+constexpr std::size_t kMostLabels = 65535;  // Labels are 16 bits wide; the last value means "no label".
 
 // Materials that the scenario defines, by canonical name.
 using Defined = std::map<std::string, Material>;
@@ -29,7 +29,7 @@ std::string_view last_part(std::string_view scoped_name) {
   return colons == std::string_view::npos ? scoped_name : scoped_name.substr(colons + 2);
 }
 
-// The error for a material's name that the user wrote and nobody knows.
+// The error for an unknown material name that the user wrote.
 Error unknown_material(std::string_view subject, std::string_view name, const Defined& defined) {
   std::vector<std::string> names = known_material_names();
   for (const auto& [meaning, material] : defined) {
@@ -43,7 +43,7 @@ const Material* find_by_name(std::string_view name, const Defined& defined) {
   return found == defined.end() ? find_material(name) : &found->second;
 }
 
-// ---------------------------------------------------------------- What the scenario defines
+// ---------------------------------------------------------------- Materials that the scenario defines
 
 // The library's material that an override changes; null when it starts from the default.
 const Material* named_base(const std::string& key, const MaterialOverride& change) {
@@ -82,7 +82,7 @@ void define(Defined& defined, Material material, const MaterialOverride& change)
   }
 }
 
-// What overrides start from that name nothing else.
+// The material from which overrides start that name no other.
 Material default_base(const MaterialRules& rules, const Defined& defined) {
   if (const Material* material = find_by_name(rules.default_material, defined)) {
     return *material;
@@ -96,7 +96,8 @@ Material default_base(const MaterialRules& rules, const Defined& defined) {
   throw unknown_material(rules.default_where + "default_material", rules.default_material, defined);
 }
 
-// First those that start from a material of the library, for the default may be one of them; then the others.
+// Defines first the overrides that start from a library material, because the default may be one of them; then those
+// that start from the default.
 Defined define_materials(const MaterialRules& rules) {
   Defined defined;
   for (const auto& [key, change] : rules.overrides) {
@@ -113,7 +114,7 @@ Defined define_materials(const MaterialRules& rules) {
   return defined;
 }
 
-// ---------------------------------------------------------------- Whether each override is for something
+// ---------------------------------------------------------------- Overrides that match nothing
 
 bool is_for(const std::string& key, const Instance& instance) {
   const auto means_key = [&](const std::string& name) { return meaning_of(name) == meaning_of(key); };
@@ -135,7 +136,7 @@ std::vector<std::string> names_to_override(const Scene& scene) {
 
 void check_keys(const Scene& scene, const MaterialRules& rules) {
   for (const auto& [key, change] : rules.overrides) {
-    // Captured by a name of its own: clang before 16 captures no structured bindings.
+    // [&key = key]: clang before 16 cannot capture structured bindings.
     const bool is_used =
         find_material(key) || meaning_of(key) == meaning_of(rules.default_material) ||
         std::ranges::any_of(scene.instances, [&key = key](const Instance& i) { return is_for(key, i); });
@@ -146,7 +147,7 @@ void check_keys(const Scene& scene, const MaterialRules& rules) {
   }
 }
 
-// ---------------------------------------------------------------- Giving them out
+// ---------------------------------------------------------------- Assignment to instances
 
 const Material* override_of_visual(const std::string& name, const MaterialRules& rules, const Defined& defined) {
   for (const std::string& key : {name, std::string(last_part(name))}) {
@@ -157,7 +158,7 @@ const Material* override_of_visual(const std::string& name, const MaterialRules&
   return nullptr;
 }
 
-// The material of a whole instance; null when its slots decide.
+// The material of a whole instance; null if it depends on the slot.
 const Material* material_of(const Instance& instance, const MaterialRules& rules, const Defined& defined) {
   if (const Material* of_visual = override_of_visual(instance.name, rules, defined)) {
     return of_visual;
@@ -180,7 +181,7 @@ std::uint16_t index_of(const Material& material, std::vector<Material>& in_use) 
   return static_cast<std::uint16_t>(index);
 }
 
-void give_reliefs(Instance& instance, const std::vector<Material>& materials) {
+void assign_reliefs(Instance& instance, const std::vector<Material>& materials) {
   instance.reliefs = instance.mesh->reliefs;
   for (std::size_t slot = 0; slot < instance.materials.size(); ++slot) {
     if (const std::shared_ptr<const Relief>& relief = materials[instance.materials[slot]].relief) {
@@ -190,8 +191,9 @@ void give_reliefs(Instance& instance, const std::vector<Material>& materials) {
   }
 }
 
-// One line on what took the default: by the names that meshes have for it; the empty name is that of no name.
-std::string told_of_default(const std::string& material, std::set<std::string> names) {
+// The message about surfaces that took the default, with the names their meshes use. An empty name means that the mesh
+// names no material.
+std::string default_message(const std::string& material, std::set<std::string> names) {
   const bool nameless = names.erase("") > 0;
   std::string text = fmt::format("took {} for ", material);
   if (!names.empty()) {
@@ -225,10 +227,10 @@ void assign_materials(Scene& scene, const MaterialRules& rules, const Log& log) 
       }
       instance.materials.push_back(index_of(*material, scene.materials));
     }
-    give_reliefs(instance, scene.materials);
+    assign_reliefs(instance, scene.materials);
   }
   if (log && !took_default.empty()) {
-    log(Severity::kInfo, told_of_default(rules.default_material, took_default));
+    log(Severity::kInfo, default_message(rules.default_material, took_default));
   }
 }
 

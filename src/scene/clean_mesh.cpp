@@ -1,4 +1,4 @@
-// clean_mesh.cpp -- takes out of a mesh what cannot be traced and gives it normals that can be shaded with.
+// clean_mesh.cpp -- removes triangles that cannot be traced from a mesh and makes its shading normals valid.
 
 #include <fmt/format.h>
 
@@ -52,7 +52,8 @@ bool is_finite(const Mesh& mesh, const Triangle& triangle) {
   return std::ranges::all_of(triangle, [&](std::uint32_t corner) { return mesh.vertices[corner].allFinite(); });
 }
 
-// Flat to the precision of the coordinates: its height over the longest edge is less than that edge's rounding.
+// False if the triangle is degenerate to the precision of its coordinates: if its height over the longest edge is less
+// than the rounding error of that edge's length.
 constexpr double kRounding = std::numeric_limits<float>::epsilon();
 bool has_area(const Mesh& mesh, const Triangle& triangle) {
   const Vec3 a = mesh.vertices[triangle[0]].cast<double>();
@@ -62,7 +63,7 @@ bool has_area(const Mesh& mesh, const Triangle& triangle) {
   return (b - a).cross(c - a).norm() > longest * kRounding;
 }
 
-// Counts the triangle if it must go.
+// Whether a triangle can be traced; if not, counts the reason in the report.
 bool is_good(const Mesh& mesh, const Triangle& triangle, MeshReport& report) {
   if (!exists(mesh, triangle)) {
     ++report.bad_index;
@@ -98,7 +99,7 @@ void drop_bad_triangles(Mesh& mesh, MeshReport& report) {
   mesh.texture_coordinates.resize(mesh.texture_coordinates.empty() ? 0 : kept);
 }
 
-// Unit length, or zero for one that says nothing of direction.
+// The normal with unit length; zero if it is too short or not finite.
 Vec3f unit_or_zero(const Vec3f& normal) {
   const Vec3 exact = normal.cast<double>();
   const double length = exact.norm();

@@ -1,4 +1,4 @@
-// crease_normals.cpp -- groups the triangles around each vertex into smooth fans.
+// crease_normals.cpp -- computes vertex normals by grouping the triangles around each vertex into smooth fans.
 
 #include "scene/crease_normals.h"
 
@@ -40,7 +40,8 @@ CornerLists corners_by_vertex(const Mesh& mesh) {
   return lists;
 }
 
-// Groups of triangles around one vertex, as a forest whose links remember whether the two ends wind alike.
+// Groups of triangles around one vertex: a disjoint-set forest whose links record whether both ends have the same
+// winding.
 class Groups {
  public:
   struct Member {
@@ -67,7 +68,7 @@ class Groups {
     return {member, turned};
   }
 
-  // Where a chain of triangles comes back turned over (a Moebius strip), the first way round stands.
+  // Where a closed chain of triangles reverses its winding (a Moebius strip), the links made first decide.
   void join(std::uint32_t a, std::uint32_t b, bool turned) {
     const Member first = find(a);
     const Member second = find(b);
@@ -90,7 +91,7 @@ double angle_at_corner(const Mesh& mesh, std::size_t corner) {
   return std::atan2(one.cross(two).norm(), one.dot(two));
 }
 
-// Works on one vertex at a time; its lists are kept from vertex to vertex.
+// Computes the normals of one vertex at a time; its buffers are reused from vertex to vertex.
 class FanSmoother {
  public:
   FanSmoother(Mesh& mesh, double crease_angle)
@@ -112,19 +113,19 @@ class FanSmoother {
       join_over_flat_edges(corners);
     }
     sum_normals(corners);
-    give_vertices(corners);
+    assign_vertices(corners);
   }
 
  private:
-  // An edge that leaves the vertex, as one of its triangles sees it.
+  // An edge at the vertex, as an edge of one of its triangles.
   struct Spoke {
-    std::uint32_t end;     // Vertex at its far end, before any was split.
+    std::uint32_t end;     // Vertex at its far end, before vertices were split.
     std::uint32_t member;  // Index into `corners`.
     bool outgoing;         // Whether the triangle runs along it away from the vertex.
   };
 
-  // Most vertices lie where the surface is flat all round: no two of their triangles can then meet sharper than
-  // allowed.
+  // Fast test for the common case of a nearly flat surface: if all normals are within half the crease angle of the
+  // first, no two differ by more than the crease angle.
   [[nodiscard]] bool are_all_alike(std::span<const std::size_t> corners) const {
     const Vec3f& first = face_normals_[corners[0] / 3];
     return std::ranges::all_of(
@@ -163,7 +164,8 @@ class FanSmoother {
     return vertex < vertex_count_ ? vertex : split_from_[vertex - vertex_count_];
   }
 
-  // Neighbours that wind alike run along their common edge in opposite directions.
+  // Joins two triangles that share an edge if they meet flatter than the crease angle. Triangles of the same winding
+  // run along their common edge in opposite directions.
   void join_if_flat(std::span<const std::size_t> corners, const Spoke& a, const Spoke& b) {
     const bool turned = a.outgoing == b.outgoing;
     const float cosine = face_normals_[corners[a.member] / 3].dot(face_normals_[corners[b.member] / 3]);
@@ -181,8 +183,9 @@ class FanSmoother {
     }
   }
 
-  // One vertex for each group and side: the first takes the old one's place, the others are appended.
-  void give_vertices(std::span<const std::size_t> corners) {
+  // Gives each group of triangles (and each winding within it) its own vertex: the first takes the place of the
+  // original, the others are appended.
+  void assign_vertices(std::span<const std::size_t> corners) {
     const std::uint32_t original = mesh_.triangles[corners[0] / 3][corners[0] % 3];
     bool original_taken = false;
     const auto new_vertex = [&](const Vec3f& normal) {
@@ -197,17 +200,17 @@ class FanSmoother {
       return static_cast<std::uint32_t>(mesh_.vertices.size() - 1);
     };
 
-    given_.assign(2 * corners.size(), kNone);
+    assigned_.assign(2 * corners.size(), kNone);
     for (std::uint32_t member = 0; member < corners.size(); ++member) {
       const Groups::Member group = groups_.find(member);
       const Vec3f& own = face_normals_[corners[member] / 3];
       const Vec3f mean = ((group.turned ? -1.0 : 1.0) * sums_[group.root].normalized()).cast<float>();
       std::uint32_t& vertex = mesh_.triangles[corners[member] / 3][corners[member] % 3];
       if (!(mean.dot(own) > 0)) {
-        vertex = new_vertex(own);  // A fan that curls over itself; its mean is no normal of this triangle.
+        vertex = new_vertex(own);  // The fan bends by more than 90 degrees: its mean does not fit this triangle.
         continue;
       }
-      std::uint32_t& shared = given_[2 * group.root + (group.turned ? 1 : 0)];
+      std::uint32_t& shared = assigned_[2 * group.root + (group.turned ? 1 : 0)];
       if (shared == kNone) {
         shared = new_vertex(mean);
       }
@@ -216,15 +219,15 @@ class FanSmoother {
   }
 
   Mesh& mesh_;
-  std::size_t vertex_count_;               // Before any was split.
+  std::size_t vertex_count_;               // Number of vertices before any was split.
   std::vector<std::uint32_t> split_from_;  // For each vertex appended, the one it was split from.
   float least_cosine_;
-  float half_way_cosine_;  // Of half the crease angle.
+  float half_way_cosine_;  // Cosine of half the crease angle.
   std::vector<Vec3f> face_normals_;
   Groups groups_;
   std::vector<Spoke> spokes_;
   std::vector<Vec3> sums_;
-  std::vector<std::uint32_t> given_;
+  std::vector<std::uint32_t> assigned_;
 };
 
 }  // namespace
@@ -249,10 +252,10 @@ void fill_normals(Mesh& mesh, double crease_angle) {
 }
 
 std::size_t turn_normals_to_winding(Mesh& mesh) {
-  // Less than this is a normal that lies in its triangle but for rounding.
+  // Cosine between vertex and face normal below which they oppose; rounding alone does not reach it.
   constexpr float kOpposes = -1e-3F;
 
-  // First what each vertex is asked for: its normal as it is, turned, or both.
+  // First pass: whether the triangles of each vertex need its normal as it is, reversed, or both.
   constexpr std::uint8_t kKept = 1;
   constexpr std::uint8_t kTurned = 2;
   const std::size_t vertex_count = mesh.vertices.size();
@@ -264,7 +267,7 @@ std::size_t turn_normals_to_winding(Mesh& mesh) {
     }
   }
 
-  // Then a turned copy where both are asked for.
+  // Second pass: reverse the normal, or add a copy of the vertex with the reversed normal where both are needed.
   std::size_t turned = 0;
   std::vector<std::uint32_t> copy_of;
   for (std::size_t vertex = 0; vertex < vertex_count; ++vertex) {

@@ -1,4 +1,4 @@
-// crease_normals.h -- shading normals from the shape alone: smooth over flat edges, split along sharp ones.
+// crease_normals.h -- computes shading normals from the triangles: averaged over flat edges, split along sharp ones.
 
 #pragma once
 
@@ -6,16 +6,18 @@
 
 namespace insonify {
 
-/// Gives a normal to every vertex whose normal is zero. Triangles that share an edge at the vertex and meet flatter
-/// than `crease_angle` [rad] share a vertex and the mean of their normals, weighted with their angle at the vertex; a
-/// vertex with several such groups is split. Two triangles that wind in opposite ways count as if one were turned over.
+/// Computes the normal of every vertex whose normal is zero. Triangles that share an edge at the vertex and meet at
+/// less than `crease_angle` [rad] share the mean of their normals, weighted by their angles at the vertex. A vertex
+/// with several such groups of triangles is split. Two triangles of opposite winding are compared as if one were
+/// reversed.
 void fill_normals(Mesh& mesh, double crease_angle);
 
-/// Makes every vertex normal point to the side its triangle winds to, splitting vertices where triangles disagree.
-/// @return  Number of vertices whose normal was turned.
+/// Reverses vertex normals so that they point to the side given by the winding of their triangles; splits vertices
+/// whose triangles disagree.
+/// @return  Number of vertices whose normal was reversed.
 std::size_t turn_normals_to_winding(Mesh& mesh);
 
-/// Unit normal by the right-hand rule. The triangle must have an area.
+/// Unit normal of a triangle by the right-hand rule. The triangle must not be degenerate.
 [[nodiscard]] Vec3f face_normal(const Mesh& mesh, const std::array<std::uint32_t, 3>& triangle);
 
 }  // namespace insonify

@@ -1,4 +1,4 @@
-// height_field.cpp -- a grid of heights as triangles, with normals from the slope between neighbours.
+// height_field.cpp -- triangulates a grid of heights, with normals from the slopes between neighbouring points.
 
 #include <fmt/format.h>
 
@@ -36,7 +36,7 @@ void check(const HeightGrid& grid) {
   }
 }
 
-// Reads heights by column and row, and none outside.
+// Heights, positions and normals by column and row; NaN outside the grid.
 class Heights {
  public:
   explicit Heights(const HeightGrid& grid) : grid_(grid) {}
@@ -53,7 +53,7 @@ class Heights {
             static_cast<float>((0.5 * (grid_.rows - 1) - row) * grid_.spacing_y), at(column, row)};
   }
 
-  // Slopes from the neighbours on both sides where both have data, else from the one that has.
+  // Slopes by central differences; one-sided where only one neighbour has data.
   [[nodiscard]] Vec3f normal(int column, int row) const {
     const float here = at(column, row);
     const double along_x = slope(at(column - 1, row), here, at(column + 1, row), grid_.spacing_x);
@@ -99,7 +99,7 @@ CellTriangles triangles_of(const Heights& heights, int column, int row) {
     const auto after = [&](int steps) { return static_cast<std::uint8_t>((hole + steps) % 4); };
     return {{{{after(1), after(2), after(3)}}}, 1};
   }
-  // Cut along the diagonal that climbs less, which keeps ridges and ditches whole.
+  // Split along the diagonal with the smaller height difference, which preserves ridges and trenches.
   if (std::abs(z[0] - z[2]) <= std::abs(z[1] - z[3])) {
     return {{{{0, 1, 2}, {0, 2, 3}}}, 2};
   }
@@ -126,14 +126,15 @@ std::size_t count_triangles(const HeightGrid& grid) {
   return count;
 }
 
-// Hands out vertices as cells ask for them; only two rows of the grid are open at a time.
+// Creates vertices when cells first use them. Cells are visited row by row, so indices are stored for two rows of the
+// grid at a time.
 class VertexRows {
  public:
   VertexRows(const HeightGrid& grid, Mesh& mesh)
       : heights_(grid), mesh_(mesh), upper_(grid.columns, kNone), lower_(upper_) {}
 
   std::uint32_t vertex(int column, int row) {
-    while (row_ + 1 < row) {  // `row` is that of the cell or the one below.
+    while (row_ + 1 < row) {  // `row` is the cell's upper or lower row.
       next_row();
     }
     std::uint32_t& index = (row == row_ ? upper_ : lower_)[column];
@@ -154,7 +155,7 @@ class VertexRows {
 
   Heights heights_;
   Mesh& mesh_;
-  int row_ = 0;  // That of `upper_`.
+  int row_ = 0;  // Row of the grid that `upper_` belongs to.
   std::vector<std::uint32_t> upper_, lower_;
 };
 

@@ -1,7 +1,9 @@
-// make_relief.cpp -- ripples and roughness as Gaussian random surfaces: waves of a given spectrum with random phases,
-// after Bell, "Application of optical ray tracing techniques to the simulation of sonar images", Opt. Eng. 36 (1997),
-// who makes isotropic and directional seabeds by filtering noise. The spectrum of roughness is the power law of APL-UW
-// TR 9407, section IV; its default exponent is the typical one there.
+// make_relief.cpp -- synthesizes ripples and roughness as periodic Gaussian random surfaces with a given spectrum.
+//
+// The method (waves of random phase and amplitude, summed by FFT) follows Bell, "Application of optical ray tracing
+// techniques to the simulation of sonar images", Opt. Eng. 36 (1997), who makes isotropic and directional seabeds by
+// filtering noise. The spectrum of roughness is the power law of APL-UW TR 9407, section IV, with its typical exponent
+// as the default.
 
 #include <complex>
 #include <numbers>
@@ -15,23 +17,23 @@
 namespace insonify {
 namespace {
 
-constexpr int kTexels = 512;        // A side of the tile.
-constexpr double kDefaultTile = 4;  // [m]
-constexpr double kRipplesInATile = 24;
+constexpr int kTexels = 512;            // Texels along each side of the tile.
+constexpr double kDefaultTile = 4;      // Side of the tile where neither size nor wavelength is given [m].
+constexpr double kRipplesInATile = 24;  // Ripples along a side of the default tile.
 
-// Widths of the ripples' band, in their own wave number: along their direction and across it. Crests are some five
-// ripples long.
+// Relative widths (standard deviations) of the ripples' spectrum, along their wavevector and across it. They make
+// crests some five wavelengths long.
 constexpr double kBandAlong = 0.07, kBandAcross = 0.1;
 
 using Complex = std::complex<float>;
-using Waves = std::vector<Complex>;  // [row][column]; of places or of wave numbers.
+using Waves = std::vector<Complex>;  // [row][column]: a spectrum over wavenumbers, or values over positions.
 
-// Wave number of a column or row, in cycles a tile.
+// Wavenumber of a column or row of a spectrum, in cycles per tile.
 int cycles(int index) {
   return index < kTexels / 2 ? index : index - kTexels;
 }
 
-// Sums waves: rows, then columns.
+// Inverse two-dimensional Fourier transform: rows, then columns.
 Waves sum_of(const Waves& spectrum) {
   Eigen::FFT<float> fft;
   fft.SetFlag(Eigen::FFT<float>::Unscaled);
@@ -54,20 +56,22 @@ Waves sum_of(const Waves& spectrum) {
   return places;
 }
 
-// Waves of random phase and amplitude.
+// A random spectrum.
 struct RandomWaves {
-  Waves waves;
-  double power = 0, slope_power = 0;  // In the mean: of heights, and of slopes for one cycle a tile.
+  Waves waves;             // Complex amplitudes.
+  double power = 0;        // Expected variance of heights, and ...
+  double slope_power = 0;  // ... of slopes, with wavenumbers in cycles per tile.
 };
 
-// @param power  Mean power at (x, y) cycles a tile.
+// Draws a random spectrum with complex Gaussian amplitudes.
+// @param power  Expected power at the wavenumber (x, y) [cycles per tile].
 template <typename Power>
 RandomWaves random_waves(std::uint64_t seed, std::uint32_t stream, const Power& power) {
   RandomWaves random{.waves = Waves(static_cast<std::size_t>(kTexels) * kTexels)};
   for (int row = 0; row < kTexels; ++row) {
     for (int column = 0; column < kTexels; ++column) {
       const int x = cycles(column), y = cycles(row);
-      // Half a turn from one texel to the next has no slope of its own.
+      // At the Nyquist wavenumber the slope at the texels is zero; the mean height does not matter.
       if (x == -kTexels / 2 || y == -kTexels / 2 || (x == 0 && y == 0)) {
         continue;
       }
@@ -94,8 +98,8 @@ double mean_square(const Waves& places) {
   return sum / static_cast<double>(places.size());
 }
 
-// Adds the slopes of waves whose heights have a root mean square of `height` [m] in the mean of all that could have
-// been drawn. The slopes that were drawn have the mean square of all exactly: it is they that count.
+// Adds the slopes of a random surface whose expected rms height is `height` [m]. The slopes are scaled so that the
+// realization has exactly the expected mean square slope, since scattering depends on slopes and not on heights.
 void add_slopes(const RandomWaves& random, double height, double tile_size, Tile<Eigen::Vector2f>& slopes) {
   Waves along[2] = {Waves(random.waves.size()), Waves(random.waves.size())};
   for (std::size_t i = 0; i < random.waves.size(); ++i) {
@@ -108,14 +112,14 @@ void add_slopes(const RandomWaves& random, double height, double tile_size, Tile
   const double wanted = 2 * std::numbers::pi / tile_size * height * std::sqrt(random.slope_power / random.power);
   const auto scale = static_cast<float>(wanted / std::sqrt(mean_square(right) + mean_square(up)));
   for (std::size_t i = 0; i < right.size(); ++i) {
-    // Rows of a tile run down.
+    // Rows of a tile run from the top down.
     const std::size_t row = i / kTexels, column = i % kTexels;
     slopes.texels[(kTexels - 1 - row) * kTexels + column] += scale * Eigen::Vector2f(right[i].real(), up[i].real());
   }
 }
 
 RandomWaves ripples(const ReliefConfig& config, double tile_size) {
-  const double number = tile_size / config.ripple_wavelength;  // In a tile.
+  const double number = tile_size / config.ripple_wavelength;  // Ripples along a side of the tile.
   const double cos_direction = std::cos(config.ripple_direction), sin_direction = std::sin(config.ripple_direction);
   return random_waves(config.relief_seed, 0, [&](int x, int y) {
     const double along = (x * cos_direction + y * sin_direction) / number - 1;

@@ -1,4 +1,4 @@
-// material.cpp -- how much of a sound wave a surface turns back, and finding materials by name.
+// material.cpp -- reflection coefficients of materials, and look-up of library materials by name.
 
 #include "insonify/material.h"
 

@@ -1,4 +1,4 @@
-// material_library.cpp -- the table of known materials and their other names.
+// material_library.cpp -- the table of library materials and their aliases.
 
 #include "scene/material_library.h"
 
@@ -18,8 +18,8 @@ constexpr const char* kSediments =
     "APL-UW High-Frequency Ocean Environmental Acoustic Models Handbook TR 9407 (1994), table 2";
 constexpr const char* kTypical = "typical value";
 
-// The scattering of what is not a sediment is typical of smooth (-25 to -35 dB, slopes of 0.02 to 0.1) and of rough or
-// fouled surfaces (-12 to -18 dB, 0.2 to 0.4) at imaging frequencies; confidence low.
+// lambert_db and rms_slope of materials other than sediments are typical values at imaging frequencies for smooth (-25
+// to -35 dB, slopes of 0.02 to 0.1) and for rough or fouled surfaces (-12 to -18 dB, 0.2 to 0.4); confidence low.
 Material material(const char* name, double density, double sound_speed, double lambert_db, double rms_slope,
                   const char* source) {
   return {.name = name,
@@ -30,11 +30,11 @@ Material material(const char* name, double density, double sound_speed, double l
           .source = source};
 }
 
-// Slope of bottoms that the handbook's fit gives no lobe: so wide that little is left of it.
+// rms slope of bottoms for which the fit gives no facet lobe: so large that the lobe is weak.
 constexpr double kWithoutLobe = 0.5;
 
-// TR 9407 gives ratios to the water above, taken here as kSeaWaterImpedance's: 1026 kg/m^3 and 1500 m/s. Scattering is
-// that of sediment_table(), fitted at 100 kHz; above, the same.
+// A bottom from sediment_table(). TR 9407 gives ratios to the water above, for which the values of kSeaWaterImpedance
+// are used: 1026 kg/m^3 and 1500 m/s. The scattering parameters, fitted at 100 kHz, are also used above.
 Material bottom(const char* name, const char* sediment_name) {
   const Sediment& sediment = *find_sediment(sediment_name);
   return material(name, 1026 * sediment.density_ratio, 1500 * sediment.sound_speed_ratio, sediment.lambert_mu_db,
@@ -76,7 +76,7 @@ std::vector<Material> make_library() {
       material("silicone", 1180, 1050, -30, 0.06, kSelfridge),
       material("neoprene_foam", 200, 500, -25, 0.1, kTypical),
       material("syntactic_foam", 600, 2500, -25, 0.1, kTypical),
-      // Grown things and ice.
+      // Organic materials and ice.
       material("wood", 1100, 1600, -22, 0.15, kTypical),
       material("dry_wood", 720, 1500, -20, 0.15, kTypical),
       material("ice", 917, 3840, -20, 0.2, kTypical),

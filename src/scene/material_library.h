@@ -1,4 +1,4 @@
-// material_library.h -- how the library of materials knows names.
+// material_library.h -- names and aliases of the library's materials.
 
 #pragma once
 

@@ -1,4 +1,4 @@
-// relief.cpp -- what a relief's numbers must be, and slopes from pictures of normals and heights.
+// relief.cpp -- validates a ReliefConfig, and computes slopes from maps of normals and of heights.
 
 #include "insonify/relief.h"
 
@@ -11,7 +11,7 @@
 namespace insonify {
 namespace {
 
-constexpr double kLeastLength = 1e-3;  // [m]: finer shape than sound of any sonar can tell.
+constexpr double kLeastLength = 1e-3;  // Shortest length of a relief [m]: finer than any sonar resolves.
 
 void require(bool good, const std::string& object, std::string_view key, std::string_view rest) {
   if (!good) {
@@ -40,7 +40,7 @@ void ReliefConfig::validate(const std::string& object) const {
   require(ripple_wavelength == 0 || ripple_height > 0, object, "ripple_wavelength", "needs ripple_height");
   require(ripple_height == 0 || ripple_wavelength > 0, object, "ripple_height", "needs ripple_wavelength");
   if (ripple_wavelength > 0 && tile_size > 0) {
-    constexpr double kLeast = 2, kMost = 128;  // Four texels a ripple.
+    constexpr double kLeast = 2, kMost = 128;  // Ripples in a tile; at most 128, so that each has four texels.
     const auto size = fmt::format("= {} m must", tile_size);
     require(tile_size >= kLeast * ripple_wavelength, object, "tile_size",
             fmt::format("{} hold at least {} ripples of {} m, or be 0", size, kLeast, ripple_wavelength));

@@ -1,4 +1,4 @@
-// relief_at.cpp -- laying a tile by texture coordinates or by position.
+// relief_at.cpp -- evaluates a relief at a point, mapped by texture coordinates or by position.
 
 #include "scene/relief_at.h"
 
@@ -9,11 +9,11 @@ namespace {
 
 using Vec2f = Eigen::Vector2f;
 
-// How texture coordinates lie on a triangle.
+// Texture coordinates at a point of a triangle, and their derivatives.
 struct TextureFrame {
-  Vec2f at;            // The point's own.
-  Vec3f right, up;     // Change of position with them [m per tile].
-  bool usable = true;  // False where they do not span the triangle.
+  Vec2f at;            // Texture coordinates of the point.
+  Vec3f right, up;     // Derivatives of position by the two texture coordinates [m per tile].
+  bool usable = true;  // False if the texture coordinates are degenerate on the triangle.
 };
 
 TextureFrame texture_frame(const Mesh& mesh, std::uint32_t triangle, const Vec3f& position) {
@@ -23,7 +23,7 @@ TextureFrame texture_frame(const Mesh& mesh, std::uint32_t triangle, const Vec3f
   const Vec3f edge1 = mesh.vertices[corners[1]] - origin, edge2 = mesh.vertices[corners[2]] - origin;
   const Vec2f step1 = texture[1] - texture[0], step2 = texture[2] - texture[0];
   const float determinant = step1.x() * step2.y() - step2.x() * step1.y();
-  // A square picture over less than this share of itself is a smear.
+  // Triangles that cover less than this area of the picture have no usable texture coordinates.
   constexpr float kLeast = 1e-12F;
   if (!(std::abs(determinant) > kLeast) || !std::isfinite(determinant)) {
     return {{}, {}, {}, false};
@@ -41,7 +41,7 @@ TextureFrame texture_frame(const Mesh& mesh, std::uint32_t triangle, const Vec3f
 Vec3f gradient_in(const TextureFrame& frame, const Relief& relief, const Vec3f& normal) {
   const Vec2f slope = relief.slopes.at(frame.at.x(), frame.at.y());
   if (relief.rise_per_tile) {
-    // The gradients of the texture coordinates themselves, from the basis that `right` and `up` are.
+    // Gradient of the height, by the reciprocal basis of `right` and `up`.
     const float volume = normal.dot(frame.right.cross(frame.up));
     return (slope.x() * frame.up.cross(normal) + slope.y() * normal.cross(frame.right)) / volume;
   }
@@ -63,12 +63,14 @@ ReliefPoint by_texture(const Relief& relief, const TextureFrame& frame, const Ve
   return point;
 }
 
-// The axes of the picture that is seen along each axis of the mesh.
+// A projection along one axis of the mesh frame, and the axes that are right and up in it.
 struct View {
   int along, right, up;
 };
 constexpr View kViews[] = {{0, 1, 2}, {1, 0, 2}, {2, 0, 1}};
 
+// Triplanar mapping: the tile is projected along each axis, and the three results are blended by the fourth powers of
+// the normal's components.
 ReliefPoint by_position(const Relief& relief, const Vec3f& position, const Vec3f& normal) {
   const Vec3f squares = normal.cwiseAbs2();
   const Vec3f shares = squares.cwiseAbs2() / squares.cwiseAbs2().sum();

@@ -1,4 +1,4 @@
-// scene.cpp -- counts, bounds and names of what there is to insonify.
+// scene.cpp -- triangle count, bounds, and look-up of instances by name.
 
 #include "insonify/scene.h"
 

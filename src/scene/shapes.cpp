@@ -1,4 +1,4 @@
-// shapes.cpp -- the primitive shapes of SDF as closed meshes that wind outwards.
+// shapes.cpp -- tessellates the primitive shapes of SDF into closed meshes with outward winding.
 
 #include <cmath>
 
@@ -40,8 +40,8 @@ void add_rectangle(Mesh& mesh, const Vec3& center, const Vec3& right, const Vec3
   add_triangle(mesh, a, c, d);
 }
 
-// Unit vector across the z axis, `step` of `steps` round it. Exact at the quarters, so that shapes are as symmetric as
-// their vertices allow.
+// Unit vector normal to the z axis, at the angle `step` of `steps` around it. Exact at multiples of 90 degrees, so that
+// shapes are symmetric.
 Vec3 spoke(int step, int steps) {
   const int quarter = steps / kQuadrants;
   const double angle = kPi / 2 * (step % quarter) / quarter;
@@ -59,13 +59,14 @@ Vec3 spoke(int step, int steps) {
   }
 }
 
-// Steps round a circle, a multiple of four.
+// Number of steps around a circle, a multiple of four.
 int circle_steps(double max_edge_angle) {
   return kQuadrants * static_cast<int>(std::ceil(kPi / 2 / max_edge_angle));
 }
 
-// Rings between the pole and the equator. Ring k has 4 k vertices, so that the triangles stay of one size and none is
-// flat; the longest edge, a diagonal near a pole, is hypot(1, pi/2) = 1.862 times the distance of two rings.
+// Number of rings between the pole and the equator. Ring k has 4 k vertices, so that triangles have similar sizes and
+// none is degenerate. The longest edge, a diagonal near a pole, is hypot(1, pi/2) = 1.862 times the distance of two
+// rings.
 int sphere_rings(double max_edge_angle) {
   return static_cast<int>(std::ceil(std::hypot(1, kPi / 2) * kPi / 2 / max_edge_angle));
 }
@@ -97,8 +98,9 @@ struct Placed {
   Vec3 position, normal;
 };
 
-// Half a sphere of directions, from the pole to the equator, each placed by `place(direction)`. Returns the index of
-// the equator's first vertex. `equator` is that of the other half, to share, or none.
+// Adds half a sphere, from the pole to the equator, with vertices given by place(direction).
+// @param equator  Index of the first vertex of the other half's equator, to share it; null to add one.
+// @return Index of the first vertex of the equator.
 template <typename Place>
 std::uint32_t add_half_sphere(Mesh& mesh, int rings, bool upper, Place&& place,
                               const std::uint32_t* equator = nullptr) {
@@ -187,14 +189,14 @@ Mesh make_ellipsoid(const Vec3& radii, double max_edge_angle) {
   check_size("ellipsoid", "radius_y", radii.y());
   check_size("ellipsoid", "radius_z", radii.z());
   check_edge_angle("ellipsoid", max_edge_angle);
-  // Half way, in the exponent, between even steps in place (directions stretched by the radii) and even steps in normal
-  // (where the flat sides get few vertices and long crooked triangles): for a direction w of the unit sphere the point
-  // is r^1/2 w, brought to the unit sphere, times r, and its normal is along r^-1/2 w.
+  // The mapping from directions w of the unit sphere is a compromise between even steps in position (w scaled by the
+  // radii r) and even steps in the normal (which gives flat sides few vertices and long thin triangles): the point is r
+  // times the unit vector along r^1/2 w, and its normal is along r^-1/2 w.
   const Vec3 root = radii.cwiseSqrt();
   const auto place = [&](const Vec3& direction) -> Placed {
     return {radii.cwiseProduct(root.cwiseProduct(direction).normalized()), direction.cwiseQuotient(root).normalized()};
   };
-  // Normals then turn faster than directions by the ratio of these roots at most.
+  // Normals then turn faster than directions, at most by the ratio of these roots.
   const double widest_step = max_edge_angle * root.minCoeff() / root.maxCoeff();
   Mesh mesh;
   const int rings = sphere_rings(widest_step);
@@ -240,7 +242,7 @@ Mesh make_cone(double radius, double length, double max_edge_angle) {
   check_edge_angle("cone", max_edge_angle);
   const int steps = circle_steps(max_edge_angle);
   const Vec3 base = -length / 2 * Vec3::UnitZ();
-  // Across the side of the right triangle that radius and length make.
+  // Normal of the cone's side, whose profile is the hypotenuse of the triangle of radius and length.
   const auto side_normal = [&](const Vec3& out) { return (length * out + radius * Vec3::UnitZ()).normalized(); };
   Mesh mesh;
   for (int i = 0; i < steps; ++i) {
@@ -248,7 +250,7 @@ Mesh make_cone(double radius, double length, double max_edge_angle) {
   }
   for (int i = 0; i < steps; ++i) {
     const int next = (i + 1) % steps;
-    // The tip has no normal of its own: each triangle has one half way between its sides'.
+    // The normal at the tip is undefined: each triangle has a tip vertex with a normal half-way between its sides'.
     const Vec3 between = (spoke(i, steps) + spoke(next, steps)).normalized();
     const std::uint32_t tip = add_vertex(mesh, -base, side_normal(between));
     add_triangle(mesh, i, next, tip);
@@ -262,7 +264,7 @@ Mesh make_plane(const Vec3& normal, double size_x, double size_y) {
   check_size("plane", "size_y", size_y);
   check_field("plane", {"normal's length", "", greater_than(0), ""}, normal.norm());
   const Vec3 up = normal.normalized();
-  // The shortest turn from z to the normal; for straight down, half a turn about x.
+  // The shortest rotation from z to the normal; for a normal straight down, half a turn about x.
   const Eigen::Quaterniond turn =
       up.z() > -1 + 1e-12 ? Eigen::Quaterniond::FromTwoVectors(Vec3::UnitZ(), up) : Eigen::Quaterniond(0, 1, 0, 0);
   Mesh mesh;

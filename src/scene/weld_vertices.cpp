@@ -1,4 +1,5 @@
-// weld_vertices.cpp -- a hash table of vertices with open addressing: linear in time, eight bytes a vertex at most.
+// weld_vertices.cpp -- merges equal vertices by a hash table with open addressing: linear in time, and with at most
+// eight bytes per vertex.
 
 #include "scene/weld_vertices.h"
 
@@ -36,7 +37,7 @@ std::vector<bool> used_vertices(const Mesh& mesh) {
   return used;
 }
 
-// Moves the first of equal vertices to the front and returns where each vertex went.
+// Compacts the vertices to the distinct used ones and returns the new index of each.
 std::vector<std::uint32_t> join(Mesh& mesh, const std::vector<bool>& used) {
   // At most half full, so that runs of occupied places stay short.
   std::vector<std::uint32_t> table(std::bit_ceil(2 * mesh.vertices.size() + 1), kNone);

@@ -1,4 +1,4 @@
-// weld_vertices.h -- joins vertices that are the same point, so that triangles know their neighbours.
+// weld_vertices.h -- merges vertices with equal position and normal, so that neighbouring triangles share them.
 
 #pragma once
 
@@ -6,8 +6,8 @@
 
 namespace insonify {
 
-/// Joins vertices of equal position and normal, bit by bit (-0 equals 0), and takes out those that no triangle uses.
-/// The order of those that stay is kept. Every index of the mesh must exist and `normals` be as long as `vertices`.
+/// Merges vertices with exactly equal position and normal (-0 equals 0) and removes those that no triangle uses. The
+/// order of the remaining ones is preserved. All indices must be valid, and `normals` as long as `vertices`.
 void weld_vertices(Mesh& mesh);
 
 }  // namespace insonify

@@ -1,4 +1,4 @@
-// check_pictures.cpp -- pictures that cannot be compared, and why.
+// check_pictures.cpp -- checks that pictures can be compared.
 
 #include "similarity/check_pictures.h"
 

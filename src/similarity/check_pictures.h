@@ -1,4 +1,4 @@
-// check_pictures.h -- what every measure asks of its two pictures.
+// check_pictures.h -- checks of pictures that all similarity measures need.
 
 #pragma once
 
@@ -6,13 +6,13 @@
 
 namespace insonify {
 
-/// @throws Error unless it holds as many values as it has pixels, at least one.
+/// @throws Error unless the picture has at least one pixel and as many values as pixels.
 void check_table(const GreyPicture& picture);
 
-/// @throws Error unless both do and are of the same shape.
+/// @throws Error unless both pass check_table() and have the same shape.
 void check_pair(const GreyPicture& a, const GreyPicture& b);
 
-/// @throws Error where a side is shorter than `side`; `measure` needs that.
+/// @throws Error if a side is shorter than `side`, the least that `measure` needs.
 void check_side(const GreyPicture& picture, int side, const char* measure);
 
 }  // namespace insonify

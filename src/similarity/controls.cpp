@@ -1,4 +1,4 @@
-// controls.cpp -- pictures that know next to nothing: what they score is what a score must beat.
+// controls.cpp -- control pictures without the scene's content, whose scores a useful simulation must exceed.
 
 #include <algorithm>
 #include <numeric>
@@ -37,14 +37,14 @@ GreyPicture mean_range_profile(const GreyPicture& picture) {
   return result;
 }
 
-// Fisher and Yates: each pixel, from the last on, changes places with one that is not behind it.
+// Fisher-Yates shuffle: each pixel, from the last to the first, is swapped with one at or before it.
 GreyPicture pixel_shuffle(const GreyPicture& picture) {
   check_table(picture);
   GreyPicture result = picture;
   result.name = "pixel shuffle of " + picture.name;
   for (std::size_t left = result.values.size(); left > 1; --left) {
     const PhiloxCounter words = philox({static_cast<std::uint32_t>(left), 0, 0, 0}, philox_key(kShuffleSeed));
-    const std::size_t chosen = (words[0] * std::uint64_t{left}) >> 32;  // Uniform, to a part in 2^32 / left.
+    const std::size_t chosen = (words[0] * std::uint64_t{left}) >> 32;  // Uniform to within left / 2^32.
     std::swap(result.values[left - 1], result.values[chosen]);
   }
   return result;

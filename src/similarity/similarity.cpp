@@ -1,4 +1,4 @@
-// similarity.cpp -- how alike two pictures are: pixel by pixel, as a whole, and told from 0 to 1.
+// similarity.cpp -- similarity measures of pictures: error, correlation, KS distance, and all measures together.
 
 #include "insonify/similarity.h"
 
@@ -27,8 +27,8 @@ std::vector<double> sorted(std::span<const double> sample) {
   return result;
 }
 
-// Levels as single precision holds them. Files of whole numbers and of floats that hold the same levels would else
-// never have two equal ones.
+// Levels rounded to single precision, so that files of integers and files of floats with the same levels have equal
+// values.
 std::vector<double> single_precision(const GreyPicture& picture) {
   const std::vector<float> rounded(picture.values.begin(), picture.values.end());
   return {rounded.begin(), rounded.end()};
@@ -84,8 +84,8 @@ double correlation(const GreyPicture& a, const GreyPicture& b) {
 
 double ks_distance(std::span<const double> a, std::span<const double> b) {
   const std::vector<double> x = sorted(a), y = sorted(b);
-  // Both distributions are stairs; their difference is looked at after each value that either of them has, all equal
-  // ones taken at once.
+  // Both cumulative distributions are step functions. Their difference is evaluated after each distinct value of either
+  // sample.
   double largest = 0;
   for (std::size_t i = 0, j = 0; i < x.size() && j < y.size();) {
     const double level = std::min(x[i], y[j]);

@@ -1,4 +1,4 @@
-// structure.cpp -- structural similarity at one scale and at five.
+// structure.cpp -- structural similarity: SSIM, and MS-SSIM at five scales.
 
 #include <array>
 #include <cmath>
@@ -14,7 +14,7 @@ constexpr double kContrastFloor = 0.03 * 0.03;
 
 using Taps = std::array<double, kSsimSide>;
 
-// A Gaussian of deviation 1.5 pixels, summing to one. The window is its product with itself.
+// One-dimensional Gaussian of standard deviation 1.5 pixels and sum 1. The window is its product in rows and columns.
 Taps gaussian_taps() {
   constexpr double kDeviation = 1.5;
   constexpr int kMiddle = kSsimSide / 2;
@@ -31,7 +31,7 @@ Taps gaussian_taps() {
   return taps;
 }
 
-// A table of numbers, row by row.
+// A picture of any numbers, row-major.
 struct Plane {
   Plane(int column_count, int row_count)
       : columns(column_count), rows(row_count), values(static_cast<std::size_t>(columns) * rows) {}
@@ -52,7 +52,7 @@ Plane product(const Plane& a, const Plane& b) {
   return result;
 }
 
-// The mean under each whole window: first down the columns, then along the rows.
+// Weighted mean in each window that lies inside the picture: first along columns, then along rows.
 Plane window_mean(const Plane& plane) {
   static const Taps kTaps = gaussian_taps();
   Plane down(plane.columns, plane.rows - kSsimSide + 1);
@@ -74,7 +74,7 @@ Plane window_mean(const Plane& plane) {
   return result;
 }
 
-// Means over all windows: of contrast and pattern, and of these times brightness.
+// Means over all windows of the contrast-structure term (`pattern`), and of its product with luminance (`all`).
 struct Structure {
   double pattern = 0;
   double all = 0;
@@ -99,7 +99,7 @@ Structure structure(const Plane& a, const Plane& b) {
   return {sum.pattern / count, sum.all / count};
 }
 
-// Means of 2 x 2 pixels.
+// Half the resolution: means of 2 x 2 pixels.
 Plane halved(const Plane& plane) {
   Plane result(plane.columns / 2, plane.rows / 2);
   for (int y = 0; y < result.rows; ++y) {
@@ -121,7 +121,8 @@ double ssim(const GreyPicture& a, const GreyPicture& b) {
 }
 
 double ms_ssim(const GreyPicture& a, const GreyPicture& b) {
-  // Finest first, as Wang, Simoncelli and Bovik found them by asking people. They sum to 1.0001, as printed.
+  // Weights of the scales, finest first, which Wang, Simoncelli and Bovik found in experiments with viewers. They sum
+  // to 1.0001, as printed.
   static constexpr std::array kWeights = {0.0448, 0.2856, 0.3001, 0.2363, 0.1333};
   check_pair(a, b);
   check_side(a, kMsSsimSide, "MS-SSIM");

@@ -1,4 +1,4 @@
-// array_pattern.cpp -- patterns as sums over elements or, of an unbroken line, in closed form.
+// array_pattern.cpp -- beam patterns of line arrays: sums over elements or, for continuous lines, closed forms.
 
 #include "insonify/array_pattern.h"
 
@@ -42,7 +42,7 @@ int drawn_dead(const ArraySettings& settings) {
   return static_cast<int>(std::lround(settings.dead_share * settings.elements));
 }
 
-// The listed ones, and of the rest those with the smallest random words.
+// Which elements are dead: the listed ones, and among the others the drawn_dead() with the smallest random words.
 std::vector<bool> find_dead(const ArraySettings& settings, std::uint64_t seed) {
   std::vector<bool> dead(settings.elements, false);
   for (const double element : settings.dead_elements) {
@@ -61,7 +61,7 @@ std::vector<bool> find_dead(const ArraySettings& settings, std::uint64_t seed) {
   return dead;
 }
 
-// Amplitude and phase deviate independently, each normal (Box and Muller).
+// Complex gain of an element with faults: level [dB] and phase have independent normal errors (Box and Muller).
 std::complex<double> drawn_gain(const ArraySettings& settings, const PhiloxCounter& words) {
   const double radius = std::sqrt(-2 * std::log(double{uniform_open(words[0])}));
   const double angle = 2 * pi * double{uniform_open(words[1])};
@@ -105,7 +105,7 @@ void check_dead(std::string_view object, const ArraySettings& settings) {
 void ArraySettings::validate(std::string_view object) const {
   check_fields(object, *this);
   if (elements == 1) {
-    throw Error(fmt::format("{}.elements = 1 must be 0 (an unbroken line) or at least 2", object));
+    throw Error(fmt::format("{}.elements = 1 must be 0 (a continuous line) or at least 2", object));
   }
   if (elements == 0) {
     check_line(object, *this);
@@ -180,14 +180,15 @@ ArrayPattern::Lobe ArrayPattern::highest_side_lobe() const {
   return {x, x > 0 ? 10 * std::log10(perfect_intensity(x)) : -std::numeric_limits<double>::infinity()};
 }
 
-// Parseval: the integral of the pattern squared is that of the weight squared, a sum over elements. Two-way intensity
-// varies with up to two cycles per unit of x: samples closer than half a unit sum to its integral exactly.
+// One way, by Parseval's theorem, the integral of the squared pattern is that of the squared weights, a sum over
+// elements. The two-way intensity is band-limited to two cycles per unit of x, so that samples closer than half a unit
+// sum to its integral exactly.
 double ArrayPattern::equivalent_beam() const {
   if (!two_way_) {
     return 1 / taper_efficiency();
   }
   constexpr double kStep = 0.25;
-  constexpr double kLineEnd = 1000;  // Beyond it a line has less than 1e-11 left.
+  constexpr double kLineEnd = 1000;  // The integral beyond is less than 1e-11 for a line.
   const double end = weights_.empty() ? kLineEnd : static_cast<double>(weights_.size()) / 2;
   double sum = 0.5 * (perfect_intensity(0) + perfect_intensity(end));
   for (int i = 1; i * kStep < end; ++i) {

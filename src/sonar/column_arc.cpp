@@ -1,4 +1,4 @@
-// column_arc.cpp -- sums along an arc.
+// column_arc.cpp -- integrates solid angle and beam pattern numerically along the arc of a lattice column.
 
 #include "sonar/column_arc.h"
 
@@ -10,14 +10,15 @@ namespace {
 
 constexpr int kSteps = 2048;
 
-// Where a cone of bearing a reaches an elevation: sin(elevation) = cos a sin t. Straight up or down where it does not.
+// Angle t along the arc of a cone of bearing a at which it reaches an elevation: sin(elevation) = cos a sin t. Where
+// the cone does not reach it, t is straight up or down.
 double arc_angle(double bearing, double elevation) {
   return std::asin(std::clamp(std::sin(elevation) / std::cos(bearing), -1.0, 1.0));
 }
 
 }  // namespace
 
-void ColumnArc::lay(BeamShape shape, double bearing, const Sector& sector) {
+void ColumnArc::set(BeamShape shape, double bearing, const Sector& sector) {
   const bool wedge = shape == BeamShape::kWedge;
   low_ = wedge ? sector.low : arc_angle(bearing, sector.low);
   high_ = wedge ? sector.high : arc_angle(bearing, sector.high);

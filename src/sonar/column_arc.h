@@ -1,4 +1,4 @@
-// column_arc.h -- along one column of a lattice: where rows are due, and what is sent and heard between them.
+// column_arc.h -- cumulative integrals along one lattice column: row density, transmitted and received solid angle.
 
 #pragma once
 
@@ -9,27 +9,29 @@
 
 namespace insonify {
 
-/// The arc of directions of one column, from its lower edge to its upper, in steps that are small beside a side lobe.
+/// The arc of directions of one column, from its lower to its upper edge, divided into steps much smaller than a side
+/// lobe.
 class ColumnArc {
  public:
-  /// A stretch of elevations and how it is sampled and heard.
+  /// The insonified interval of elevations and its pattern.
   struct Sector {
     double low, high;                 ///< Elevations [rad].
-    const ElevationPattern* pattern;  ///< Null: all are sent, heard and sampled evenly.
+    const ElevationPattern* pattern;  ///< Null: gain and row density are constant.
   };
 
-  /// Lays the arc of a column at a bearing [rad]. Where a cone does not reach the sector it is empty: of no length, at
-  /// the elevation nearest to it.
-  void lay(BeamShape shape, double bearing, const Sector& sector);
+  /// Computes the arc of a column at a bearing [rad]. Where a cone does not reach the sector, the arc has zero length
+  /// and lies at the elevation nearest to it.
+  void set(BeamShape shape, double bearing, const Sector& sector);
 
   // Edges of t, the angle along the arc (see Lattice) [rad].
   [[nodiscard]] double low() const { return low_; }
   [[nodiscard]] double high() const { return high_; }
 
-  /// The t below which a share of the rows lies, 0..1.
+  /// The t below which a share 0..1 of the rows lies; row density is proportional to the pattern's envelope.
   [[nodiscard]] double at_share(double share) const;
 
-  /// Integrals up to t of the solid angle per unit of Lattice::column_measure: of |p|^2 and |p|^4, or of 1.
+  /// Solid angle below t per unit of Lattice::column_measure, weighted by |p|^2 (transmission) and by |p|^4
+  /// (transmission and reception); unweighted without a pattern.
   [[nodiscard]] double sent_below(double t) const { return integral(sent_, t); }
   [[nodiscard]] double received_below(double t) const { return integral(received_, t); }
 
@@ -37,7 +39,7 @@ class ColumnArc {
   [[nodiscard]] double integral(const std::vector<double>& sums, double t) const;
 
   double low_ = 0, high_ = 0;
-  std::vector<double> rows_, sent_, received_;  // Below the end of each step.
+  std::vector<double> rows_, sent_, received_;  // Cumulative integrals at the end of each step.
 };
 
 }  // namespace insonify

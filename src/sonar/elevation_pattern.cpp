@@ -1,4 +1,4 @@
-// elevation_pattern.cpp -- the sector above the floor, and the tables over it.
+// elevation_pattern.cpp -- finds the sector in which the elevation pattern exceeds its floor, and tabulates it there.
 
 #include "sonar/elevation_pattern.h"
 
@@ -9,16 +9,16 @@
 namespace insonify {
 namespace {
 
-constexpr int kSteps = 8192;                        // Of the tables.
-constexpr double kLobeStep = 0.02;                  // In wavelength / L: a small part of a lobe.
-constexpr double kWidest = 0.5 * std::numbers::pi;  // Off the axis.
+constexpr int kSteps = 8192;                        // Steps of the tables.
+constexpr double kLobeStep = 0.02;                  // Search step [wavelength / L], a small part of a lobe.
+constexpr double kWidest = 0.5 * std::numbers::pi;  // Largest angle off the axis [rad].
 
-// Of intensity, one way.
+// The floor as a one-way intensity gain.
 double floor_intensity() {
   return std::pow(10, 0.5 * ElevationPattern::kFloorDb / 10);
 }
 
-// The angle off the axis beyond which the pattern stays below the floor, up to `edge`.
+// The angle off the axis beyond which the pattern stays below the floor; at most `edge` [rad].
 double outermost(const ArrayPattern& pattern, double length, double edge) {
   const double step = kLobeStep / length, floor = floor_intensity();
   double u = std::sin(edge);

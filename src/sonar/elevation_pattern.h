@@ -1,4 +1,4 @@
-// elevation_pattern.h -- how an upright array sends and hears across elevations.
+// elevation_pattern.h -- transmit and receive pattern of a vertical line array over elevation.
 
 #pragma once
 
@@ -9,36 +9,38 @@
 
 namespace insonify {
 
-/// The intensity |p|^2, one way, with which an upright line array sends and hears: that of one
+/// One-way intensity gain |p|^2 of a vertical line array used for transmission and reception:
 ///
 ///     p(elevation) = g((L / wavelength) sin(elevation - elevation_center))
 ///
-/// with g of ArrayPattern and L such that it is as wide at half power as the elevation aperture. It is baffled: nothing
-/// goes or comes more than 90 degrees off its axis. Looked up in a table, to 1e-4 of the peak and mostly far better.
+/// where g is ArrayPattern's and the length L makes the width at half power equal to the elevation aperture. The array
+/// is baffled: the gain is 0 more than 90 degrees off its axis. Values are interpolated in a table, with an error of at
+/// most 1e-4 of the peak.
 class ElevationPattern {
  public:
-  /// Sent and heard, re the peak [dB]: what is weaker is not sampled.
+  /// Two-way gain re the peak below which elevations are not sampled [dB].
   static constexpr double kFloorDb = -40;
 
-  /// @param array  One way: it is used twice. At the sonar's elevation_center and of its elevation_aperture.
+  /// @param array  The array's window and faults, one way (its pattern is applied twice). Its direction and width are
+  ///               the sonar's elevation_center and elevation_aperture.
   ElevationPattern(const ArraySettings& array, const SonarConfig& sonar);
 
-  // The sector that holds every elevation above the floor, within kSteepestElevation of level [rad].
+  // Edges of the sector that contains all elevations above the floor, within kSteepestElevation of level [rad].
   [[nodiscard]] double low() const { return low_; }
   [[nodiscard]] double high() const { return high_; }
 
-  /// |p|^2 at an elevation of the sector [rad]; at its edge beyond.
+  /// |p|^2 at an elevation [rad]; outside the sector, the value at its edge.
   [[nodiscard]] double intensity(double elevation) const { return look_up(intensity_, elevation); }
 
-  /// The most that |p| is here or farther from the axis, but not less than the floor, one way: what falls from the axis
-  /// outwards, over nulls and side lobes alike.
+  /// Envelope of |p|, one way: the maximum of |p| at this elevation and farther from the axis, and at least the floor.
+  /// It falls monotonically from the axis outwards, over nulls and side lobes.
   [[nodiscard]] double envelope(double elevation) const { return look_up(envelope_, elevation); }
 
  private:
   [[nodiscard]] double look_up(const std::vector<float>& table, double elevation) const;
 
   double low_ = 0, high_ = 0, steps_per_radian_ = 0;
-  std::vector<float> intensity_, envelope_;  // Evenly from low_ to high_.
+  std::vector<float> intensity_, envelope_;  // Tables at evenly spaced elevations from low_ to high_.
 };
 
 }  // namespace insonify

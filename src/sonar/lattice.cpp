@@ -1,4 +1,4 @@
-// lattice.cpp -- the tables of the sampling lattice.
+// lattice.cpp -- computes the columns, rows and weights of the sampling lattice.
 
 #include "sonar/lattice.h"
 
@@ -10,8 +10,8 @@
 namespace insonify {
 namespace {
 
-// Neighbouring columns should differ much in their stagger: a stride near the golden section of the count visits every
-// phase once and puts successive ones far apart.
+// Step between the stagger phases of neighbouring columns. A stride near the golden section of the number of phases,
+// and coprime to it, visits every phase once and makes successive phases differ much.
 int stagger_stride(int phases) {
   int stride = std::max(1, static_cast<int>(std::lround(0.618 * phases)));
   while (std::gcd(stride, phases) != 1) {
@@ -24,7 +24,7 @@ float to_float(double value) {
   return static_cast<float>(value);
 }
 
-void lay_columns(const SonarConfig& sonar, Lattice& lattice) {
+void make_columns(const SonarConfig& sonar, Lattice& lattice) {
   const std::vector<double> edges = sonar.beam_edges();
   const int per_beam = lattice.columns_per_beam;
   for (int column = 0; column < lattice.columns; ++column) {
@@ -41,13 +41,15 @@ void lay_columns(const SonarConfig& sonar, Lattice& lattice) {
   }
 }
 
-// A set of rows at ts[1] to ts[rows], between the edges ts.front() and ts.back().
+// Rows at ts[1] to ts[rows], between the edges ts.front() and ts.back().
 struct RowSet {
   std::vector<double> ts;
-  double cos_bearing;  // What sin t is times, to make the sine of the elevation: 1 in a wedge.
+  double cos_bearing;  // sin(elevation) = cos_bearing sin t; 1 for a wedge.
   const ElevationPattern* pattern;
 };
 
+// Appends a set of rows to the lattice's tables.
+// @param sent_below, received_below  Integrals up to t of the solid angle, see ColumnArc.
 void add_row_set(const RowSet& set, const auto& sent_below, const auto& received_below, Lattice& lattice) {
   const int rows = lattice.rows;
   const auto& ts = set.ts;
@@ -71,8 +73,8 @@ void add_row_set(const RowSet& set, const auto& sent_below, const auto& received
   }
 }
 
-// Rows even in tan(elevation), one set a phase.
-void lay_even_rows(double low, double high, Lattice& lattice) {
+// Adds one set of rows per stagger phase, evenly spaced in tan(elevation).
+void make_even_rows(double low, double high, Lattice& lattice) {
   const int phases = lattice.columns_per_beam;
   const double first = std::tan(low);
   const double step = (std::tan(high) - first) / lattice.rows;
@@ -89,9 +91,9 @@ void lay_even_rows(double low, double high, Lattice& lattice) {
   }
 }
 
-// Rows as dense as an arc asks for.
-void lay_rows_along(const ColumnArc& arc, int phase, double cos_bearing, const ElevationPattern* pattern,
-                    Lattice& lattice) {
+// Adds a set of rows with the row density of an arc.
+void make_rows_along(const ColumnArc& arc, int phase, double cos_bearing, const ElevationPattern* pattern,
+                     Lattice& lattice) {
   RowSet set{{arc.low()}, cos_bearing, pattern};
   for (int row = 0; row < lattice.rows; ++row) {
     set.ts.push_back(arc.at_share((row + (phase + 0.5) / lattice.columns_per_beam) / lattice.rows));
@@ -109,7 +111,7 @@ Lattice::Lattice(const SonarConfig& sonar, int first_phase, BeamShape beam_shape
       columns(sonar.beam_count * sonar.sampling.columns_per_beam),
       rows(sonar.sampling.rows),
       columns_per_beam(sonar.sampling.columns_per_beam) {
-  lay_columns(sonar, *this);
+  make_columns(sonar, *this);
   const double half = 0.5 * sonar.elevation_aperture;
   const ColumnArc::Sector sector =
       pattern != nullptr ? ColumnArc::Sector{pattern->low(), pattern->high(), pattern}
@@ -122,18 +124,18 @@ Lattice::Lattice(const SonarConfig& sonar, int first_phase, BeamShape beam_shape
   if (shape == BeamShape::kCone) {
     // Each column's edges are its own.
     for (int column = 0; column < columns; ++column) {
-      arc.lay(shape, static_cast<double>(azimuth[column]), sector);
-      lay_rows_along(arc, phase_of(column), std::cos(static_cast<double>(azimuth[column])), pattern, *this);
+      arc.set(shape, static_cast<double>(azimuth[column]), sector);
+      make_rows_along(arc, phase_of(column), std::cos(static_cast<double>(azimuth[column])), pattern, *this);
       row_set.push_back(static_cast<std::uint32_t>(column));
     }
     return;
   }
   if (even_rows) {
-    lay_even_rows(sector.low, sector.high, *this);
+    make_even_rows(sector.low, sector.high, *this);
   } else {
-    arc.lay(shape, 0, sector);
+    arc.set(shape, 0, sector);
     for (int phase = 0; phase < phases; ++phase) {
-      lay_rows_along(arc, phase, 1, pattern, *this);
+      make_rows_along(arc, phase, 1, pattern, *this);
     }
   }
   for (int column = 0; column < columns; ++column) {
@@ -144,11 +146,11 @@ Lattice::Lattice(const SonarConfig& sonar, int first_phase, BeamShape beam_shape
 double Lattice::beam_angle(int beam) const {
   double sum = 0;
   for (int column = beam * columns_per_beam; column < (beam + 1) * columns_per_beam; ++column) {
-    double of_column = 0;
+    double column_sum = 0;
     for (int i = 0; i <= rows; ++i) {
-      of_column += static_cast<double>(intervals(column)[i]);
+      column_sum += static_cast<double>(intervals(column)[i]);
     }
-    sum += of_column * static_cast<double>(column_measure[column]);
+    sum += column_sum * static_cast<double>(column_measure[column]);
   }
   return sum;
 }

@@ -1,4 +1,4 @@
-// lobes.h -- the width of a main lobe and the highest of its side lobes, found by looking.
+// lobes.h -- finds the half-power width of a main lobe and the highest side lobe numerically.
 
 #pragma once
 
@@ -6,8 +6,8 @@
 
 namespace insonify {
 
-/// Full width at half power of a lobe that is symmetric about 0 and falls from there.
-/// @param step  Less than the lobe's half width.
+/// Full width at half power of a main lobe that is symmetric about 0 and decreases away from it; by bisection.
+/// @param step  Search step, less than half the lobe's width.
 template <typename Intensity>
 double half_power_width(const Intensity& intensity, double step) {
   const double half = 0.5 * intensity(0.0);
@@ -16,7 +16,7 @@ double half_power_width(const Intensity& intensity, double step) {
     inside = outside;
     outside += step;
   }
-  // 60 halvings: down to the last bit.
+  // 60 bisections reach the last bit.
   for (int i = 0; i < 60; ++i) {
     const double middle = 0.5 * (inside + outside);
     (intensity(middle) > half ? inside : outside) = middle;
@@ -24,8 +24,8 @@ double half_power_width(const Intensity& intensity, double step) {
   return inside + outside;
 }
 
-/// Where the highest lobe beside the main lobe peaks, up to x = last; 0 if there is none.
-/// @param step  A small part of a lobe.
+/// Position of the peak of the highest side lobe, up to x = last; 0 if there is none.
+/// @param step  Search step, a small part of a lobe.
 template <typename Intensity>
 double highest_side_lobe_at(const Intensity& intensity, double step, double last) {
   double x = step;
@@ -40,7 +40,7 @@ double highest_side_lobe_at(const Intensity& intensity, double step, double last
     }
     x += step;
   }
-  // Golden section between the neighbours.
+  // Golden-section search between the neighbouring samples.
   constexpr double kGolden = 0.61803398874989485;
   double low = highest - step, high = highest + step;
   while (highest > 0 && high - low > 1e-10 * highest) {

@@ -1,4 +1,5 @@
-// pulse.cpp -- rectangles, triangles, and chirps as the pattern of an array whose aperture is the band.
+// pulse.cpp -- range point-spread functions: rectangle, triangle, and compressed chirp (computed as an array pattern
+// whose aperture is the frequency band).
 
 #include "insonify/pulse.h"
 
@@ -40,7 +41,7 @@ Pulse::Pulse(const PulseSettings& settings, double sound_speed, double bin_lengt
       shape_ = Shape::kChirp;
       reach_ = sound_speed * settings.duration / 2;
       cell_ = sound_speed / (2 * settings.bandwidth);
-      // Of mean 1, so that the peak is 1.
+      // Weights of mean 1, so that the peak is 1.
       band_ = {{0, 1}};
       if (settings.hann) {
         band_.push_back({1, 1});

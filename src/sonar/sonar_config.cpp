@@ -1,4 +1,4 @@
-// sonar_config.cpp -- where a sonar's beams and head point, and whether its numbers fit together.
+// sonar_config.cpp -- directions of a sonar's beams and head, and the checks of its configuration.
 
 #include "insonify/sonar_config.h"
 
@@ -14,7 +14,7 @@ namespace insonify {
 namespace {
 
 constexpr double kFullCircle = 2 * std::numbers::pi;
-// Angles that are written in degrees are off by rounding; a thousandth of a thousandth of a degree is none.
+// Tolerance for angles written in degrees, which conversion rounds.
 constexpr double kAngleSlack = radians_from_degrees(1e-6);
 
 [[noreturn]] void fail(std::string_view object, std::string_view fault) {
@@ -25,7 +25,7 @@ std::string degrees(double radians) {
   return fmt::format("{:.10g} deg", degrees_from_radians(radians));
 }
 
-// The name becomes part of a file's name.
+// Checks the name, which becomes part of file names.
 void check_name(std::string_view object, const std::string& name) {
   const bool is_plain = std::ranges::none_of(name, [](char letter) {
     return letter == '/' || letter == '\\' || std::iscntrl(static_cast<unsigned char>(letter)) != 0;
@@ -53,7 +53,7 @@ void check_ranges(std::string_view object, const SonarConfig& sonar) {
   }
 }
 
-// A ping keeps some twenty bytes a cell in memory, and writes them.
+// Limits the number of cells (beams x bins): a ping takes some twenty bytes per cell, in memory and in the recording.
 void check_cells(std::string_view object, const SonarConfig& sonar) {
   constexpr std::int64_t kMost = 1 << 25;
   const std::int64_t cells = std::int64_t{sonar.beam_count} * sonar.bin_count;
@@ -87,7 +87,7 @@ void check_beam_azimuths(std::string_view object, const SonarConfig& sonar) {
   }
 }
 
-// Elevations are sampled evenly in their tangent, which has no value straight up.
+// Elevations are sampled evenly in their tangent, which is infinite straight up.
 void check_elevations(std::string_view object, const SonarConfig& sonar) {
   const double steepest = std::abs(sonar.elevation_center) + sonar.elevation_aperture / 2;
   if (steepest > kSteepestElevation + kAngleSlack) {

@@ -1,4 +1,5 @@
-// window.cpp -- the formulas of the windows. Taylor's and Dolph's are also in Van Trees (2002), sections 3.1 and 3.4.
+// window.cpp -- window functions. Those of Taylor and Dolph are also in Van Trees, Optimum Array Processing (2002),
+// sections 3.1 and 3.4.
 
 #include "sonar/window.h"
 
@@ -10,21 +11,21 @@ namespace {
 
 using std::numbers::pi;
 
-// Level of the main lobe over that of the side lobes, of amplitude.
+// Amplitude of the main lobe over that of the side lobes.
 double lobe_ratio(const ArraySettings& settings) {
   return std::pow(10, -settings.side_lobe_db / 20);
 }
 
-// Taylor (1955): as Dolph's pattern near the main lobe, falling as 1/x from side lobe nbar on.
+// Taylor (1955): side lobes are level up to number nbar, as in Dolph's pattern, and fall as 1/x beyond.
 std::vector<WindowCosine> taylor_weight(const ArraySettings& settings) {
   const int nbar = settings.nbar;
   const double a = std::acosh(lobe_ratio(settings)) / pi;
-  const double stretch_squared = nbar * nbar / (a * a + (nbar - 0.5) * (nbar - 0.5));
+  const double dilation_squared = nbar * nbar / (a * a + (nbar - 0.5) * (nbar - 0.5));
   std::vector<WindowCosine> weight{{0, 1}};
   for (int m = 1; m < nbar; ++m) {
     double coefficient = m % 2 == 1 ? 1 : -1;
     for (int i = 1; i < nbar; ++i) {
-      coefficient *= 1 - m * m / stretch_squared / (a * a + (i - 0.5) * (i - 0.5));
+      coefficient *= 1 - m * m / dilation_squared / (a * a + (i - 0.5) * (i - 0.5));
       coefficient /= i == m ? 1 : 1 - static_cast<double>(m * m) / (i * i);
     }
     weight.push_back({static_cast<double>(m), coefficient});
@@ -32,7 +33,7 @@ std::vector<WindowCosine> taylor_weight(const ArraySettings& settings) {
   return weight;
 }
 
-// T_n(x), for any x.
+// Chebyshev polynomial T_n(x), for any x.
 double chebyshev(int n, double x) {
   if (std::abs(x) <= 1) {
     return std::cos(n * std::acos(x));
@@ -40,7 +41,8 @@ double chebyshev(int n, double x) {
   return (x < 0 && n % 2 == 1 ? -1 : 1) * std::cosh(n * std::acosh(std::abs(x)));
 }
 
-// Dolph (1946): the pattern is T_{N-1}(x0 cos(psi / 2)), all side lobes level; N samples of it give the weights.
+// Dolph (1946): the pattern is T_{N-1}(x0 cos(psi / 2)), whose side lobes are all level. The weights are the discrete
+// Fourier transform of N samples of it.
 std::vector<double> dolph_chebyshev_weights(const ArraySettings& settings) {
   const int count = settings.elements;
   const double x0 = std::cosh(std::acosh(lobe_ratio(settings)) / (count - 1));
@@ -54,8 +56,9 @@ std::vector<double> dolph_chebyshev_weights(const ArraySettings& settings) {
   return weights;
 }
 
-// Length over which the window is laid, in elements: Hann's zeros lie one element outside, so that all hear; Hamming's
-// ends lie on the outermost elements. The others are sampled in the middle of each element's stretch of the line.
+// Length of the window, in elements. The zeros of a Hann window are one element beyond the ends of the array, so that
+// no element has weight 0; the ends of a Hamming window are at the outermost elements. Other windows are as long as the
+// array and are sampled at the middle of each element.
 int window_length(ArrayWindow window, int elements) {
   switch (window) {
     case ArrayWindow::kHann:

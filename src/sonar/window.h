@@ -1,4 +1,4 @@
-// window.h -- the weights along a line array, or across the band of a pulse.
+// window.h -- window functions (tapers) along a line array or over the frequency band of a chirp, and their transforms.
 
 #pragma once
 
@@ -8,19 +8,21 @@
 
 namespace insonify {
 
-/// Weights of elements, symmetric, not normalised.
+/// Weights of the elements, symmetric, not normalised.
 [[nodiscard]] std::vector<double> element_weights(const ArraySettings& settings);
 
-/// The weight along an unbroken line, as a sum of cosines. Dolph's has none: its ends are spikes.
+/// Window along a continuous line, as a sum of cosines. Not for kDolphChebyshev, whose limit for a continuous line has
+/// delta functions at its ends.
 [[nodiscard]] std::vector<WindowCosine> line_weight(const ArraySettings& settings);
 
 /// sin(pi x) / (pi x).
 [[nodiscard]] double sinc(double x);
 
-/// Integral over s of weight(s) cos(2 pi x s): the pattern, or with x = bandwidth x delay the compressed pulse.
+/// Integral of weight(s) cos(2 pi x s) over s from -1/2 to 1/2: the beam pattern of a line, or with x = bandwidth x
+/// delay the envelope of a compressed chirp.
 [[nodiscard]] double line_pattern(const std::vector<WindowCosine>& weight, double x);
 
-/// Integral over s of weight(s)^2, which is that of the pattern squared over x (Parseval).
+/// Integral of weight(s)^2 over s, which by Parseval's theorem is that of line_pattern(x)^2 over x.
 [[nodiscard]] double line_power(const std::vector<WindowCosine>& weight);
 
 }  // namespace insonify

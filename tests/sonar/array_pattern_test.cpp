@@ -282,7 +282,7 @@ TEST(ArraySettingsTest, BadOnesAreRefused) {
   EXPECT_THAT(ArraySettings{.nbar = 1}, is_refused("fls.array.nbar = 1 must be from 2 to 20"));
   EXPECT_THAT(ArraySettings{.elements = -1}, is_refused("fls.array.elements = -1 must be from 0 to 1024"));
   EXPECT_THAT(ArraySettings{.elements = 1},
-              is_refused("fls.array.elements = 1 must be 0 (an unbroken line) or at least 2"));
+              is_refused("fls.array.elements = 1 must be 0 (a continuous line) or at least 2"));
   EXPECT_THAT((ArraySettings{.elements = 8, .element_error = 4}),
               is_refused("fls.array.element_error_deg = 229.1831181 deg must be from 0 to 180 deg"));
   EXPECT_THAT(ArraySettings{.window = ArrayWindow::kDolphChebyshev},
