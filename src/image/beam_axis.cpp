@@ -1,4 +1,4 @@
-// beam_axis.cpp -- a table of azimuths, searched from a good first guess.
+// beam_axis.cpp -- tabulates beam azimuths for fast conversion from azimuth to beam.
 
 #include "image/beam_axis.h"
 

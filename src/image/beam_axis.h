@@ -1,4 +1,4 @@
-// beam_axis.h -- from azimuths to beams, for even fans and for tables.
+// beam_axis.h -- converts azimuths to fractional beam indices, for evenly and unevenly spaced beams.
 
 #pragma once
 
@@ -9,8 +9,8 @@
 
 namespace insonify {
 
-/// The beams of a sonar as an axis: b at the centre of beam b, linear between centres and out to the outer edges, which
-/// are at -0.5 and beam_count - 0.5.
+/// Continuous beam coordinate of a sonar: b at the centre of beam b, linear between centres and out to the outer edges,
+/// which are at -0.5 and beam_count - 0.5.
 class BeamAxis {
  public:
   explicit BeamAxis(const SonarConfig& sonar);
@@ -18,7 +18,7 @@ class BeamAxis {
   [[nodiscard]] double port_edge() const { return knots_.front().azimuth; }      ///< [rad]
   [[nodiscard]] double starboard_edge() const { return knots_.back().azimuth; }  ///< [rad]
 
-  /// Place of an azimuth [rad] on the axis; beyond an edge that of the edge.
+  /// Beam coordinate of an azimuth [rad], clamped to the outer edges.
   [[nodiscard]] double beam_at(double azimuth) const {
     const double step = (port_edge() - azimuth) * steps_per_radian_;
     int i = first_[static_cast<int>(std::clamp(step, 0.0, last_step_))];
@@ -30,10 +30,10 @@ class BeamAxis {
 
  private:
   struct Knot {
-    double azimuth, beam, beams_per_radian;  // The last holds up to the next knot.
+    double azimuth, beam, beams_per_radian;  // beams_per_radian is valid up to the next knot.
   };
-  std::vector<Knot> knots_;  // The port edge, the centres and the starboard edge.
-  std::vector<int> first_;   // Knot before each of many equal steps from the port edge.
+  std::vector<Knot> knots_;  // The port edge, the beam centres and the starboard edge.
+  std::vector<int> first_;   // Index of the knot at or before each of many equal steps from the port edge.
   double steps_per_radian_ = 0, last_step_ = 0, last_ = 0;
 };
 

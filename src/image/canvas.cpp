@@ -1,4 +1,4 @@
-// canvas.cpp -- coverage of pixels by rectangles, lines and arcs.
+// canvas.cpp -- anti-aliased rectangles, lines and arcs, by the coverage of pixels.
 
 #include "image/canvas.h"
 
@@ -15,8 +15,8 @@ double clamp01(double value) {
   return std::clamp(value, 0.0, 1.0);
 }
 
-// Share of a pixel that lies inside of a shape whose border is `inside` pixels away: right for straight borders along
-// the grid, close for others.
+// Share of a pixel inside a shape whose border is `inside` pixels from the pixel's middle (negative outside): exact for
+// borders along the pixel grid, approximate for others.
 double coverage_at(double inside) {
   return clamp01(inside + 0.5);
 }
@@ -76,7 +76,8 @@ void draw_line(Picture& picture, Point from, Point to, double width, const Ink& 
   const double along_x = (to.x - from.x) / length;
   const double along_y = (to.y - from.y) / length;
   const Stroke stroke(width);
-  // Walk along the axis the line is closer to, over the few pixels across it that the stroke can touch.
+  // Step along the axis to which the line is closer; at each step visit the few pixels across it that the stroke can
+  // touch.
   const bool steep = std::abs(along_y) > std::abs(along_x);
   const double start = steep ? from.y : from.x;
   const double stop = steep ? to.y : to.x;
@@ -120,7 +121,7 @@ void draw_arc(Picture& picture, Point centre, double radius, double from, double
     if (std::abs(dy) >= outer) {
       continue;
     }
-    // In this row the ring lies between two half-chords to either side of the centre.
+    // In this row of pixels the ring lies between an inner and an outer half-chord on either side of the centre.
     const double far = std::sqrt(outer * outer - dy * dy);
     const double near = std::abs(dy) < inner ? std::sqrt(inner * inner - dy * dy) : 0;
     const int left = static_cast<int>(std::floor(centre.x - far));

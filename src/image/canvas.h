@@ -1,4 +1,4 @@
-// canvas.h -- marks on a picture: fills and anti-aliased lines and arcs.
+// canvas.h -- draws on a picture: filled rectangles and anti-aliased lines and arcs.
 
 #pragma once
 
@@ -6,12 +6,12 @@
 
 namespace insonify {
 
-/// A place on a picture [pixels], right and down from its upper left corner: pixel (i, j) covers i..i+1 by j..j+1.
+/// A position on a picture [pixels], right and down from its upper left corner: pixel (i, j) covers i..i+1 by j..j+1.
 struct Point {
   double x = 0, y = 0;
 };
 
-/// What a mark is drawn with.
+/// Colour and opacity of a drawn shape.
 struct Ink {
   Rgb colour{255, 255, 255};
   double alpha = 1;  ///< 0 (invisible) to 1 (opaque).
@@ -26,12 +26,12 @@ inline void put(Picture& picture, int x, int y, Rgb colour) {
   pixel[2] = colour.blue;
 }
 
-/// Lays ink over one pixel, `coverage` of which it covers (0..1). A pixel outside of the picture is left out.
+/// Blends ink over a share `coverage` (0..1) of one pixel. Pixels outside the picture are ignored.
 void blend(Picture& picture, int x, int y, const Ink& ink, double coverage = 1);
 
 void fill_rectangle(Picture& picture, Point upper_left, Point lower_right, const Ink& ink);
 
-/// @param width  Of the line [pixels].
+/// @param width  Width of the line [pixels].
 void draw_line(Picture& picture, Point from, Point to, double width, const Ink& ink);
 
 /// Part of a circle. Angles grow counterclockwise from the upward direction, as azimuths do in a fan that points up

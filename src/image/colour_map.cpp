@@ -1,4 +1,4 @@
-// colour_map.cpp -- the colours that stand for weak and strong echoes.
+// colour_map.cpp -- the colour maps from weak to strong echoes.
 
 #include <fmt/format.h>
 
@@ -13,7 +13,7 @@
 namespace insonify {
 namespace {
 
-// Each map is a row of colours at even distances, linear between them.
+// Each map is a list of evenly spaced colours, with linear interpolation between them.
 
 // "inferno" of matplotlib (S. van der Walt and N. Smith, 2015; public domain, CC0): every eighth of its 256 colours,
 // within 2/255 of the others.
@@ -28,7 +28,7 @@ constexpr std::array kCopper = {0x000000U, 0x402819U, 0x805033U, 0xbf784cU, 0xff
 
 constexpr std::array kGrey = {0x000000U, 0xffffffU};
 
-// This project's own: deep sea to foam, evenly brighter.
+// Made for this project: dark blue to white, with evenly rising brightness.
 constexpr std::array kBlue = {0x00030cU, 0x04173aU, 0x08306bU, 0x0b4b93U, 0x1669b5U,
                               0x2d89cfU, 0x52a8e0U, 0x83c5ebU, 0xb7def4U, 0xf2fbffU};
 

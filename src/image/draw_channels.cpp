@@ -1,4 +1,4 @@
-// draw_channels.cpp -- three panels over one axis of azimuths.
+// draw_channels.cpp -- draws distance, intensity and both as three panels over one azimuth axis.
 
 #include <fmt/format.h>
 
@@ -15,7 +15,7 @@ namespace insonify {
 namespace {
 
 constexpr int kPanels = 3;
-constexpr double kCaptionHeight = 1.9;  // Of the line over a panel [em].
+constexpr double kCaptionHeight = 1.9;  // Height of the caption above a panel [em].
 constexpr double kTickLength = 0.3, kTextGap = 0.35;
 constexpr int kLeastPanel = 40;  // [pixels]
 
@@ -36,7 +36,7 @@ Rgb colour_of(Panel panel, double distance, double intensity) {
   }
 }
 
-// What is drawn brightest: the least of 1, 2, 2.5 and 5 times a power of ten that is as strong as the strongest echo.
+// Intensity drawn brightest: the least of 1, 2, 2.5 and 5 times a power of ten that is not below the strongest echo.
 double full_scale_of(const Channels& channels) {
   double strongest = 1e-6;
   for (const float intensity : channels.intensity) {
@@ -56,7 +56,7 @@ std::string caption_of(Panel panel, double max_range, double full_scale) {
   }
 }
 
-// Where a panel's directions lie on the picture.
+// Rectangle of a panel on the picture [pixels].
 struct Frame {
   int left, top, width, height;
 };
@@ -94,7 +94,7 @@ void draw_scale(Picture& picture, const Frame& frame, Panel panel, const Page& p
   }
 }
 
-// Where the panels lie on the picture [pixels]; the same distance apart, all of one size.
+// Layout of the panels on the picture [pixels]: equal sizes, equal distances.
 struct Layout {
   int width, height;
   Frame first;
@@ -114,7 +114,8 @@ int layout_width(const Display& display) {
   return display.height * 4 / 3;
 }
 
-// Directions square where there is room for it. Without axes the panels fill the picture.
+// Pixels cover equal angles in azimuth and elevation where there is room for it. Without axes the panels fill the
+// picture.
 Layout lay_out(const Channels& channels, const Page& page, const Display& display) {
   const Lettering& lettering = page.lettering();
   const bool axes = display.annotations;
@@ -136,14 +137,14 @@ void label_panel(Picture& picture, const Frame& frame, const std::string& captio
                  const Page& page) {
   const Lettering& lettering = page.lettering();
   lettering.draw(picture, {frame.left * 1.0, frame.top - 0.75 * page.em()}, caption, palette::kText, Anchor::kStart);
-  const double beside = frame.left - kTextGap * page.em(), half_letter = 0.5 * lettering.height();
-  lettering.draw(picture, {beside, frame.top + half_letter}, degrees_text(channels.upper_edge), palette::kText,
+  const double right_end = frame.left - kTextGap * page.em(), half_letter = 0.5 * lettering.height();
+  lettering.draw(picture, {right_end, frame.top + half_letter}, degrees_text(channels.upper_edge), palette::kText,
                  Anchor::kEnd);
-  lettering.draw(picture, {beside, frame.top + frame.height - half_letter}, degrees_text(channels.lower_edge),
+  lettering.draw(picture, {right_end, frame.top + frame.height - half_letter}, degrees_text(channels.lower_edge),
                  palette::kText, Anchor::kEnd);
 }
 
-// The axis under the lowest panel, for all of them.
+// The azimuth axis under the lowest panel.
 void draw_axis(Picture& picture, const Layout& layout, const Channels& channels, Mounting mounting, const Page& page) {
   const Lettering& lettering = page.lettering();
   const double em = page.em(), bottom = layout.bottom(), aperture = channels.port_edge - channels.starboard_edge;

@@ -1,4 +1,4 @@
-// draw_fan.cpp -- one ping as a fan seen from above.
+// draw_fan.cpp -- draws one ping as a fan seen from above.
 
 #include <fmt/format.h>
 
@@ -13,7 +13,7 @@
 namespace insonify {
 namespace {
 
-// A ping's table, bilinear between the centres of its cells.
+// Intensity of a ping by range and azimuth: bilinear interpolation between beam and bin centres.
 class FanTable {
  public:
   FanTable(const Ping& ping, const SonarConfig& sonar, const FanShape& shape)
@@ -42,7 +42,7 @@ class FanTable {
   }
 
  private:
-  // Beyond the outermost beam: itself, or the one at the other edge where they meet.
+  // Beam index clamped to the fan; on a full circle it wraps around.
   [[nodiscard]] int column(int beam) const {
     return wraps_ ? (beam + beams_) % beams_ : std::clamp(beam, 0, beams_ - 1);
   }

@@ -1,4 +1,4 @@
-// draw_polar.cpp -- one ping as the table that it is: beams across, bins upwards.
+// draw_polar.cpp -- draws one ping as a table: beams across, bins upwards.
 
 #include <fmt/format.h>
 
@@ -25,7 +25,7 @@ std::vector<AxisTick> azimuth_ticks(const SonarConfig& sonar) {
   return ticks;
 }
 
-// Mean over the beams from..to in every bin, fractions of the first and last counted as such.
+// Mean over the beams from..to in every bin; the first and last beam are weighted by the fraction that is included.
 void average_beams(const std::vector<float>& table, int beam_count, double from, double to,
                    std::vector<float>& profile) {
   std::fill(profile.begin(), profile.end(), 0.0F);

@@ -1,4 +1,4 @@
-// fan_frame.cpp -- labels placed outside of the fan, and the lines over it.
+// fan_frame.cpp -- places the labels of a fan without overlaps, and draws its rings, radials and labels.
 
 #include "image/fan_frame.h"
 
@@ -12,18 +12,18 @@
 namespace insonify {
 namespace {
 
-constexpr double kLabelGap = 0.45;  // Between a fan and its labels [em].
-constexpr double kBarGap = 1.5;     // Between the fan with its labels and the colour bar [em].
-constexpr double kWidestFan = 2;    // In heights of the picture.
+constexpr double kLabelGap = 0.45;  // Gap between a fan and its labels [em].
+constexpr double kBarGap = 1.5;     // Gap between the fan with its labels and the colour bar [em].
+constexpr double kWidestFan = 2;    // Greatest width of a fan, in heights of the picture.
 constexpr double kLeastBar = 10;    // Height of the colour bar beside a flat sector [em].
-// A fan that leaves less than this free has no room for labels beside its edges.
+// Aperture from which a fan has no room for labels at its edges.
 constexpr double kOpenFan = radians_from_degrees(300);
-// One that leaves less than this free is marked as a full circle: its edges are as good as one.
+// Aperture from which a fan is marked as a full circle.
 constexpr double kNearlyWhole = radians_from_degrees(354);
 // How far a label may slide to be clear of others, and in which steps [em].
 constexpr double kFarthestSlide = 4;
 constexpr double kSlide = 0.25;
-// Where rings are labelled then: between two radials.
+// Azimuth at which rings of such open fans are labelled: between two radials.
 constexpr double kRingLabelAzimuth = radians_from_degrees(-45);
 
 struct Box {
@@ -44,12 +44,12 @@ Box box_of(const FanLabel& label) {
           label.middle.y + label.height / 2};
 }
 
-// The fan itself, `pixels` for max_range, its apex at the origin.
+// Bounding box of the fan, with `pixels` for max_range and its apex at the origin.
 Box box_of(const FanExtent& extent, double pixels) {
   return {extent.left * pixels, -extent.top * pixels, extent.right * pixels, -extent.bottom * pixels};
 }
 
-// Collects the labels that do not touch earlier ones; each tells whether it was taken.
+// Collects labels that do not touch earlier ones. The functions that place a label return whether it was accepted.
 class LabelPlacer {
  public:
   explicit LabelPlacer(const Page& page) : page_(page) {}
@@ -72,7 +72,7 @@ class LabelPlacer {
     return put({point.x + reach * away.x, point.y + reach * away.y}, text, false);
   }
 
-  // Calls put_at(slide [pixels]) with ever larger slides until the label is taken.
+  // Calls put_at(slide [pixels]) with increasing offsets until the label is accepted.
   template <typename PutAt>
   void slide(PutAt&& put_at) const {
     for (double slide = 0; slide <= kFarthestSlide && !put_at(slide * page_.em()); slide += kSlide) {
@@ -96,7 +96,7 @@ std::vector<FanLabel> labels_of(const FanShape& shape, const FanMarks& marks, co
   const auto label_radial = [&](const Radial& radial) {
     put_beside_arc(radial.azimuth, bearing_text(radial.azimuth, marks.mounting));
   };
-  // Those of a narrow fan give way outwards, those of a wide one, where they would run into each other, inwards.
+  // Labels of the edges slide outwards on a narrow fan; inwards on a wide one, whose edge labels would meet outside.
   const auto label_edge = [&](const Radial& radial) {
     const bool outwards = shape.aperture() < std::numbers::pi;
     const double sense = (radial.azimuth > shape.middle()) == outwards ? 1 : -1;
@@ -106,7 +106,8 @@ std::vector<FanLabel> labels_of(const FanShape& shape, const FanMarks& marks, co
                             bearing_text(radial.azimuth, marks.mounting));
     });
   };
-  // Along the port edge; those of the borders, of which no other ring reminds, give way to the labels of the edges.
+  // Rings are labelled along the port edge. Labels of min_range and max_range, which no other ring implies, slide until
+  // they are clear of the edge labels; others are left out where they touch a label.
   const auto label_ring = [&](double range) {
     const std::string text = number_text(range) + " m";
     if (shape.aperture() > kOpenFan) {
@@ -120,7 +121,7 @@ std::vector<FanLabel> labels_of(const FanShape& shape, const FanMarks& marks, co
       return placer.put_beside(point, {-std::cos(turn), std::sin(turn)}, text) || !gives_way;
     });
   };
-  // The most telling first: they keep their place.
+  // The most important labels first, because later ones give way to them: azimuth 0, edges, rings, other radials.
   for (const Radial& radial : marks.radials) {
     if (!radial.edge && radial.azimuth == 0) {
       label_radial(radial);
@@ -142,13 +143,13 @@ std::vector<FanLabel> labels_of(const FanShape& shape, const FanMarks& marks, co
   return placer.take();
 }
 
-// The fan with its labels for a scale that makes both together as high as `room`; the apex is at the origin.
+// Finds the scale at which the fan and its labels together are as high as `room` [pixels]; the apex is at the origin.
 FanLayout fit_height(const FanShape& shape, const FanMarks& marks, const Page& page, double room, Box& box) {
   const FanExtent extent = extent_of(shape);
   const double along = extent.top - extent.bottom;
   const double widest = kWidestFan * room / (extent.right - extent.left);
   FanLayout layout;
-  double around = 0;  // Height that the labels add.
+  double around = 0;  // Height that the labels add to the fan's.
   for (int pass = 0; pass < 3; ++pass) {
     const double pixels = std::max(1.0, std::min((room - around) / along, widest));
     layout.geometry = {{0, 0}, shape.max_range / pixels, shape.up};
@@ -181,7 +182,7 @@ FanMarks marks_of(const FanShape& shape, double low_edge, double high_edge, Moun
   const double step = radial_step(high_edge - low_edge, mounting);
   const bool whole = high_edge - low_edge > kNearlyWhole;
   if (whole) {
-    const double low = (low_edge + high_edge) / 2 - std::numbers::pi + 1e-6;  // Its other end is the same radial.
+    const double low = (low_edge + high_edge) / 2 - std::numbers::pi + 1e-6;  // Excludes one of two equal end radials.
     for (const double azimuth : multiples_within(low, low + 2 * std::numbers::pi, step)) {
       marks.radials.push_back({azimuth, false});
     }
@@ -203,7 +204,7 @@ FanLayout lay_out_fan(const FanShape& shape, const FanMarks& marks, Page& page, 
   const double beside = page.margin() + kBarGap * page.em() + page.bar_width();
   double top = 0;
   double room = 0;
-  for (int pass = 0; pass < 2; ++pass) {  // The second for a title that turned out to need two lines.
+  for (int pass = 0; pass < 2; ++pass) {  // The second pass is for a title that needs two lines at this width.
     top = page.title_height() + page.margin();
     room = height - page.margin() - top;
     layout = fit_height(shape, marks, page, room, box);
@@ -229,7 +230,7 @@ void draw_fan_frame(Picture& picture, const FanLayout& layout, const FanShape& s
   const double line = page.hairline();
   const double low = shape.low - shape.up;
   const double high = shape.high - shape.up;
-  // Lines over echoes are light ones on dark ones, so that they show on bright echoes and on dark.
+  // Lines over echoes are light with a dark rim, so that they are visible on bright and on dark echoes.
   const auto draw_grid = [&](const auto& draw, bool outline) {
     draw(3 * line, palette::kGridRim);
     draw(line, outline ? palette::kOutline : palette::kGridLine);
@@ -241,7 +242,7 @@ void draw_fan_frame(Picture& picture, const FanLayout& layout, const FanShape& s
         },
         range == shape.max_range || range == shape.min_range);
   }
-  // Inner radials start at some distance: close to the apex they would run into each other.
+  // Inner radials do not start at the apex, where they would merge.
   const double start = std::max(shape.min_range, marks.rings.front() / 2);
   for (const Radial& radial : marks.radials) {
     draw_grid(

@@ -1,4 +1,4 @@
-// fan_frame.h -- where a fan lies on its picture, and the rings, radials and labels around it.
+// fan_frame.h -- layout of a fan on its picture, with range rings, radials and labels.
 
 #pragma once
 
@@ -24,14 +24,16 @@ struct Radial {
   bool edge = false;
 };
 
-/// What is marked on a fan.
+/// Rings and radials of a fan.
 struct FanMarks {
   std::vector<double> rings;  ///< [m], rising; the last is max_range.
   std::vector<Radial> radials;
   Mounting mounting = Mounting::kHorizontal;
 };
 
-/// @param edges  Azimuths of the outermost radials, starboard and port; those of the shape for a plain fan.
+/// Chooses rings and radials at round numbers.
+/// @param low_edge, high_edge  Azimuths of the outermost radials, starboard and port [rad]; for a plain fan, the edges
+///                             of the shape.
 [[nodiscard]] FanMarks marks_of(const FanShape& shape, double low_edge, double high_edge, Mounting mounting);
 
 /// A fan laid out on a page with its labels.

@@ -1,4 +1,4 @@
-// fan_geometry.cpp -- polar coordinates about the apex of a fan.
+// fan_geometry.cpp -- extent of a fan and its polar coordinates about the apex.
 
 #include "image/fan_geometry.h"
 
@@ -10,7 +10,7 @@ namespace insonify {
 namespace {
 
 constexpr double kTwoPi = 2 * std::numbers::pi;
-constexpr double kRounding = 1e-6;  // Of apertures added up from beams [rad].
+constexpr double kRounding = 1e-6;  // Tolerance for apertures summed over beams [rad].
 
 }  // namespace
 
@@ -46,7 +46,7 @@ BareFan bare_fan(const FanShape& shape, int height) {
   const FanExtent extent = extent_of(shape);
   const double across = extent.right - extent.left;
   const double along = extent.top - extent.bottom;
-  const double pixels = std::min(height / along, 2 * height / across);  // Of max_range.
+  const double pixels = std::min(height / along, 2 * height / across);  // Length of max_range [pixels].
   BareFan fan{std::max(1, static_cast<int>(std::lround(across * pixels))), height, {}};
   fan.geometry.up = shape.up;
   fan.geometry.metres_per_pixel = shape.max_range / pixels;

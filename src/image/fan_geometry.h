@@ -1,4 +1,4 @@
-// fan_geometry.h -- which range and azimuth a pixel of a fan shows, and the other way round.
+// fan_geometry.h -- converts between pixels of a fan picture and range and azimuth.
 
 #pragma once
 
@@ -9,8 +9,7 @@
 
 namespace insonify {
 
-/// The same angle within pi of zero [rad]. For angles that are already near, as those of pixels are, much faster than
-/// std::remainder.
+/// The angle wrapped to -pi..pi [rad]. Much faster than std::remainder for angles that are already close to that.
 [[nodiscard]] inline double near_zero(double angle) {
   constexpr double kPi = std::numbers::pi;
   while (angle > kPi) {
@@ -32,19 +31,19 @@ struct FanShape {
   [[nodiscard]] double middle() const { return (low + high) / 2; }  ///< [rad]
   [[nodiscard]] bool full_circle() const;
 
-  /// How far an azimuth lies inside of the nearer edge [rad]; negative outside.
+  /// Distance of an azimuth from the nearer edge [rad]; positive inside the fan, negative outside.
   [[nodiscard]] double inside_by(double azimuth) const {
     return aperture() / 2 - std::abs(near_zero(azimuth - middle()));
   }
 };
 
-/// What the fan spans around its apex, in units of max_range: right and up are positive. Holds the apex itself.
+/// Bounding box of a fan about its apex, in units of max_range, right and up positive. It contains the apex.
 struct FanExtent {
   double left = 0, right = 0, bottom = 0, top = 0;
 };
 [[nodiscard]] FanExtent extent_of(const FanShape& shape);
 
-/// Where a fan lies on a picture.
+/// Position, scale and orientation of a fan on a picture.
 struct FanGeometry {
   Point apex;                   ///< The sonar.
   double metres_per_pixel = 1;  ///< [m]
@@ -54,13 +53,13 @@ struct FanGeometry {
     double range = 0;    ///< [m]
     double azimuth = 0;  ///< [rad], within pi of `up`.
   };
-  /// What the middle of pixel (x, y) shows.
+  /// Range and azimuth at the middle of pixel (x, y).
   [[nodiscard]] Place place_at(int x, int y) const {
     const double right = (x + 0.5 - apex.x) * metres_per_pixel;
     const double above = (apex.y - (y + 0.5)) * metres_per_pixel;
     return {std::sqrt(right * right + above * above), up + std::atan2(-right, above)};
   }
-  /// Where something is drawn.
+  /// Point of the picture at which a range and azimuth are drawn.
   [[nodiscard]] Point point_at(double range, double azimuth) const;
 };
 

@@ -1,11 +1,11 @@
-// fan_paint.cpp -- where in a row of pixels a fan begins and ends.
+// fan_paint.cpp -- finds the interval of each row of pixels that a fan covers.
 
 #include "image/fan_paint.h"
 
 namespace insonify {
 
 Columns columns_of_row(const FanShape& shape, const FanGeometry& geometry, int y, int width) {
-  // In pixels from the apex, and a pixel wider than the fan for the sake of its smooth border.
+  // Coordinates in pixels from the apex; one pixel is added to the radius for the anti-aliased border.
   const double above = geometry.apex.y - (y + 0.5);
   const double radius = shape.max_range / geometry.metres_per_pixel + 1;
   if (std::abs(above) > radius) {

@@ -1,4 +1,4 @@
-// fan_paint.h -- colours the pixels of a fan.
+// fan_paint.h -- paints the pixels of a fan, with anti-aliasing.
 
 #pragma once
 
@@ -12,13 +12,14 @@
 
 namespace insonify {
 
-/// Size of a fan's cells: where they are smaller than pixels, a pixel shows the mean of several.
+/// Size of a fan's cells. Where they are smaller than pixels, a pixel shows the mean of several cells.
 struct FanCells {
-  double length = 1;  ///< Of a bin [m].
-  double angle = 1;   ///< Of a beam [rad].
+  double length = 1;  ///< Length of a bin [m].
+  double angle = 1;   ///< Width of a beam [rad].
 };
 
-/// Share of the pixel at a place that the fan covers, from the distances of its middle to the borders.
+/// Share of a pixel that the fan covers, 0..1, from the distances of the pixel's middle to the borders.
+/// @param pixel  Side of a pixel [m].
 [[nodiscard]] inline double fan_coverage(const FanShape& shape, const FanGeometry::Place& place, double pixel) {
   constexpr double kHalfPi = std::numbers::pi / 2;
   double inside = std::min(shape.max_range - place.range, place.range - shape.min_range) / pixel;
@@ -29,14 +30,14 @@ struct FanCells {
   return std::clamp(inside + 0.5, 0.0, 1.0);
 }
 
-/// First and last pixel of a row that the fan may touch; none where first > last.
+/// First and last pixel of a row that the fan may touch; none if first > last.
 struct Columns {
   int first = 0, last = -1;
 };
 [[nodiscard]] Columns columns_of_row(const FanShape& shape, const FanGeometry& geometry, int y, int width);
 
-/// Paints the fan: each pixel with the mean of up to 4 x 4 samples over it, one where cells are larger than pixels.
-/// @param sample  double(double range, double azimuth): intensity there, NaN where nothing was looked at.
+/// Paints the fan. Each pixel shows the mean of up to 4 x 4 samples; one sample where cells are larger than pixels.
+/// @param sample  double(double range, double azimuth): intensity there, NaN where there are no data.
 template <typename Sample>
 void paint_fan(Picture& picture, const FanGeometry& geometry, const FanShape& shape, FanCells cells, const Tone& tone,
                const Sample& sample) {

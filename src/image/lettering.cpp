@@ -1,4 +1,4 @@
-// lettering.cpp -- glyphs from FreeType, placed to a fraction of a pixel along the line.
+// lettering.cpp -- lays out and rasterises text by FreeType, with sub-pixel positions along the line.
 
 #include "image/lettering.h"
 
@@ -10,14 +10,14 @@
 #include <map>
 #include <stdexcept>
 
-// The font file, put into the library by cmake/Font.cmake.
+// The font file, which cmake/Font.cmake embeds in the library.
 extern "C" const unsigned char insonify_font_begin[];  // NOLINT(readability-identifier-naming)
 extern "C" const unsigned char insonify_font_end[];    // NOLINT(readability-identifier-naming)
 
 namespace insonify {
 namespace {
 
-constexpr double kFixedPoint = 64;  // FreeType counts in 1/64 pixel.
+constexpr double kFixedPoint = 64;  // FreeType's unit is 1/64 pixel.
 
 // Splits UTF-8 into code points; a byte that is not UTF-8 reads as the replacement character.
 std::u32string code_points(std::string_view text) {
@@ -63,12 +63,12 @@ struct Lettering::Face {
   }
   Face(const Face&) = delete;
   Face& operator=(const Face&) = delete;
-  ~Face() { FT_Done_FreeType(library); }  // Takes its faces with it.
+  ~Face() { FT_Done_FreeType(library); }  // Also releases the faces.
 
-  // Puts a glyph into the slot. Light hinting sharpens the horizontal strokes and leaves widths alone.
+  // Loads a glyph into the face's slot. Light hinting sharpens horizontal strokes without changing widths.
   bool load(FT_UInt index) const { return FT_Load_Glyph(face, index, FT_LOAD_NO_BITMAP | FT_LOAD_TARGET_LIGHT) == 0; }
 
-  // Texts are measured again and again while a picture is laid out: each glyph is loaded for that only once.
+  // Index and advance of a code point, cached: texts are measured many times while a picture is laid out.
   const Glyph& glyph_of(char32_t point) {
     const auto [place, is_new] = glyphs.try_emplace(point);
     if (is_new) {
@@ -81,7 +81,7 @@ struct Lettering::Face {
     return place->second;
   }
 
-  // Calls visit(index, x) with each glyph and its place along the line; returns the length of the line.
+  // Calls visit(index, x) for each glyph with its position along the line; returns the length of the line [pixels].
   template <typename Visit>
   double each_glyph(std::string_view text, Visit&& visit) {
     double x = 0;
@@ -99,8 +99,8 @@ struct Lettering::Face {
     return x;
   }
 
-  // Calls plot(right, down, coverage) for every pixel of the text, counted from the start of its base line.
-  // `fraction` is the part of a pixel by which that start lies right of a pixel's border.
+  // Calls plot(right, down, coverage) for every pixel of the text, relative to the start of its base line.
+  // @param fraction  Offset of that start from the left border of its pixel, 0..1 [pixels].
   template <typename Plot>
   void rasterise(std::string_view text, double fraction, Plot&& plot) {
     each_glyph(text, [&](FT_UInt index, double x) {
@@ -180,7 +180,7 @@ std::string Lettering::shortened(std::string_view text, double limit) const {
     return std::string(text);
   }
   while (!text.empty()) {
-    // One whole code point: the bytes that follow its first one have 10 as their upper bits.
+    // Remove one whole code point: all its bytes after the first have the upper bits 10.
     bool following = true;
     while (following && !text.empty()) {
       following = (static_cast<unsigned char>(text.back()) & 0xc0U) == 0x80U;

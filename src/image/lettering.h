@@ -1,4 +1,4 @@
-// lettering.h -- text on pictures, in the one font that is built into the library.
+// lettering.h -- draws text on pictures, in the font that is embedded in the library.
 
 #pragma once
 
@@ -10,13 +10,14 @@
 
 namespace insonify {
 
-/// Which point of a text is put where one says.
+/// Which point of a text is placed at the given position.
 enum class Anchor { kStart, kMiddle, kEnd };
 
-/// DejaVu Sans in one size. A letter that it lacks, as it does those of Chinese, is shown as a question mark.
+/// DejaVu Sans in one size. A character that the font does not have, such as a Chinese one, is shown as a question
+/// mark.
 class Lettering {
  public:
-  /// @param size  Of the em square [pixels], >= 1.
+  /// @param size  Size of the em square [pixels], >= 1.
   explicit Lettering(int size);
   ~Lettering();
   Lettering(Lettering&&) noexcept;
@@ -24,25 +25,25 @@ class Lettering {
 
   [[nodiscard]] int size() const { return size_; }
 
-  /// What `text` (UTF-8) takes along its line [pixels].
+  /// Width of `text` (UTF-8) along its line [pixels].
   [[nodiscard]] double width(std::string_view text) const;
 
-  /// Of capitals and digits [pixels]; letters reach at most half of that below.
+  /// Height of capitals and digits [pixels]; letters extend at most half of that below the base line.
   [[nodiscard]] double height() const;
 
   /// Draws `text` so that its anchor, at half the height of its capitals, is at `place`.
   void draw(Picture& picture, Point place, std::string_view text, const Ink& ink,
             Anchor anchor = Anchor::kMiddle) const;
 
-  /// The same, reading upwards.
+  /// As draw(), rotated to read upwards.
   void draw_upwards(Picture& picture, Point place, std::string_view text, const Ink& ink,
                     Anchor anchor = Anchor::kMiddle) const;
 
-  /// The same as draw(), over a soft dark rim that keeps it readable on bright echoes.
+  /// As draw(), over a soft dark rim that keeps the text readable on bright echoes.
   void draw_rimmed(Picture& picture, Point place, std::string_view text, const Ink& ink,
                    Anchor anchor = Anchor::kMiddle) const;
 
-  /// `text` if it is at most `limit` wide, else as much of it as fits with an ellipsis.
+  /// `text` if it is at most `limit` [pixels] wide, else as much of it as fits, with an ellipsis.
   [[nodiscard]] std::string shortened(std::string_view text, double limit) const;
 
  private:

@@ -1,4 +1,4 @@
-// levels.cpp -- intensities of many decades made fit to be shown.
+// levels.cpp -- gain over range and full scale for displaying intensities that cover many decades.
 
 #include <algorithm>
 
@@ -20,7 +20,7 @@ double fitting_full_scale(std::vector<float> intensities) {
   if (intensities.empty()) {
     return 1;
   }
-  constexpr double kMostBeyondDb = 25;  // So that the main lobe of a point stands out of its side lobes.
+  constexpr double kMostBeyondDb = 25;  // So that the main lobe of a point is brighter than its side lobes.
   const double most_beyond = std::pow(10, kMostBeyondDb / 10);
   const double loudest = *std::ranges::max_element(intensities);
   const auto last = intensities.begin() + static_cast<std::ptrdiff_t>((intensities.size() - 1) * 999 / 1000);

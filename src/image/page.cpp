@@ -1,4 +1,4 @@
-// page.cpp -- title and colour bar.
+// page.cpp -- lays out and draws the title and the colour bar of a picture.
 
 #include "image/page.h"
 
@@ -13,16 +13,16 @@
 namespace insonify {
 namespace {
 
-// A fifty-second of the picture's height, and never too small to read.
+// Letter size for a picture's height: a fiftieth of it, and at least 10 pixels.
 int letter_size(int picture_height) {
   return std::max(10, static_cast<int>(std::lround(picture_height / 50.0)));
 }
 
-// Widest a title may make a picture, in heights of the picture: longer names are cut short.
+// Greatest width to which a title may widen a picture, in heights of the picture: longer names are cut.
 constexpr double kWidestTitle = 1.2;
 
 constexpr double kLineSpacing = 1.5;  // [em]
-constexpr double kTitleGap = 1.0;     // Between name and details [em].
+constexpr double kTitleGap = 1.0;     // Gap between name and details [em].
 constexpr double kBarThickness = 0.9;
 constexpr double kTickLength = 0.3;
 constexpr double kTextGap = 0.35;

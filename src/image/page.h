@@ -1,4 +1,4 @@
-// page.h -- what all pictures have around their echoes: a title above and a colour bar at the right.
+// page.h -- the title and the colour bar that all pictures have.
 
 #pragma once
 
@@ -9,40 +9,40 @@
 
 namespace insonify {
 
-/// A title: who looked, and at what.
+/// A title: the instrument, and what the picture shows.
 struct Heading {
   std::string name;     ///< "Tritech Gemini 720i"
   std::string details;  ///< "720 kHz   20 m   ping 3   t = 0.20 s"
 };
-/// The instrument, and which of them where it was given a name.
+/// The instrument's model, followed by the sonar's name if it has one.
 [[nodiscard]] std::string name_of(const SonarConfig& sonar);
 
 /// @param what  "ping 3", "400 pings"
-/// @param time  Of the last transmission [s].
+/// @param time  Time of the last transmission [s].
 [[nodiscard]] Heading heading_of(const SonarConfig& sonar, const std::string& what, double time);
 
-/// The furniture of a picture, in sizes that follow from the picture's height. All lengths are in pixels.
+/// Title, colour bar and margins of a picture, in sizes proportional to its height. All lengths are in pixels.
 class Page {
  public:
   Page(const Display& display, Heading heading);
 
   [[nodiscard]] const Lettering& lettering() const { return lettering_; }
-  /// The size of the letters, by which everything else is measured.
+  /// Size of the letters, the unit of all other sizes.
   [[nodiscard]] double em() const { return lettering_.size(); }
   /// Width of a thin line.
   [[nodiscard]] double hairline() const;
-  /// Left free along all borders.
+  /// Width left free along all borders.
   [[nodiscard]] double margin() const { return 0.8 * em(); }
 
-  /// Fits the title into `width`: on one line, else on two, cut short if need be.
+  /// Fits the title into `width`: on one line, or else on two.
   void fit_title(double width);
-  /// The least width of a picture that its title fits into.
+  /// Least width of a picture into which the title fits.
   [[nodiscard]] double least_width() const;
-  /// From the upper border to the end of the title.
+  /// Height from the upper border to the end of the title.
   [[nodiscard]] double title_height() const;
   void draw_title(Picture& picture) const;
 
-  /// From the left side of the colour bar to the right border.
+  /// Width from the left side of the colour bar to the right border.
   [[nodiscard]] double bar_width() const;
   void draw_bar(Picture& picture, double top, double bottom) const;
 
@@ -50,7 +50,7 @@ class Page {
     double level;  ///< 0 at the lower end of the bar, 1 at the upper.
     std::string text;
   };
-  /// At round numbers.
+  /// Ticks at round numbers, which divide the bar into at most `most_parts` parts.
   [[nodiscard]] std::vector<Tick> bar_ticks(int most_parts) const;
   [[nodiscard]] std::string bar_caption() const;
 

@@ -1,4 +1,4 @@
-// ping_table.cpp -- does a ping belong to a sonar?
+// ping_table.cpp -- checks that a ping has the shape of its sonar, and replaces NaN intensities by 0.
 
 #include "image/ping_table.h"
 

@@ -1,4 +1,4 @@
-// ping_table.h -- the intensities of a ping as pictures take them.
+// ping_table.h -- checks a ping before it is drawn, and replaces NaN intensities by 0.
 
 #pragma once
 
@@ -9,10 +9,10 @@
 
 namespace insonify {
 
-/// Throws Error unless the ping's table is complete and has the sonar's beams and bins.
+/// @throws Error unless the ping's table is complete and has the sonar's beams and bins.
 void check_ping(const Ping& ping, const SonarConfig& sonar);
 
-/// The intensities in the ping's order, 0 for what is not a number.
+/// The ping's intensities, in the same order, with NaN replaced by 0.
 [[nodiscard]] std::vector<float> clean_intensities(const Ping& ping);
 
 }  // namespace insonify

@@ -1,4 +1,4 @@
-// plot.cpp -- columns of bins, and the axes around them.
+// plot.cpp -- draws a rectangular plot: columns of bins, axes, ticks and captions.
 
 #include "image/plot.h"
 
@@ -12,12 +12,12 @@
 namespace insonify {
 namespace {
 
-constexpr double kShape = 4.0 / 3.0;  // Width of the picture to its height.
+constexpr double kShape = 4.0 / 3.0;  // Ratio of the picture's width to its height.
 constexpr double kTickLength = 0.3;   // [em]
 constexpr double kTextGap = 0.35;
 constexpr double kCaptionGap = 0.7;
 constexpr double kBarGap = 1.5;
-constexpr double kLabelGap = 0.6;  // Between labels side by side.
+constexpr double kLabelGap = 0.6;  // Gap between neighbouring labels.
 
 double widest_text(const Lettering& lettering, const std::vector<AxisTick>& ticks) {
   double widest = 0;
@@ -27,7 +27,7 @@ double widest_text(const Lettering& lettering, const std::vector<AxisTick>& tick
   return widest;
 }
 
-// The least n for which the texts of every n-th tick, counted from the main one, keep clear of each other.
+// The least n for which the labels of every n-th tick, counted from the main one, do not touch.
 int stride_of_labels(const std::vector<AxisTick>& ticks, int main, const Lettering& lettering, double length) {
   const auto fits = [&](int stride) {
     double last_end = -std::numeric_limits<double>::infinity();
@@ -48,7 +48,7 @@ int stride_of_labels(const std::vector<AxisTick>& ticks, int main, const Letteri
   return stride;
 }
 
-// Mean of cells from..to, fractions of the first and last counted as such.
+// Mean of the cells from..to; the first and last cell are weighted by the fraction that is included.
 double mean_within(std::span<const float> cells, double from, double to) {
   double sum = 0;
   const auto last = std::min(cells.size(), static_cast<std::size_t>(std::ceil(to)));

@@ -1,4 +1,4 @@
-// plot.h -- a rectangle of range over azimuth with its axes.
+// plot.h -- rectangular plot of range over azimuth, with axes.
 
 #pragma once
 
@@ -13,9 +13,9 @@ namespace insonify {
 
 /// A mark on an axis.
 struct AxisTick {
-  double place = 0;  ///< Along the axis, 0..1 from the left or from below.
+  double place = 0;  ///< Position along the axis, 0..1 from the left or from below.
   std::string text;
-  bool main = false;  ///< Keeps its text where there is not room for all.
+  bool main = false;  ///< Keeps its label where there is not room for all labels.
 };
 
 struct PlotAxes {
@@ -26,19 +26,19 @@ struct PlotAxes {
 /// Ticks of the range axis of a sonar.
 [[nodiscard]] std::vector<AxisTick> range_ticks(const SonarConfig& sonar);
 
-/// Where the plot lies on its picture [pixels].
+/// Size of the picture and position of the plot on it [pixels].
 struct PlotLayout {
-  int width = 0, height = 0;  ///< Of the picture.
-  int left = 0, top = 0, right = 0, bottom = 0;
+  int width = 0, height = 0;                     ///< The picture.
+  int left = 0, top = 0, right = 0, bottom = 0;  ///< The plot.
 };
 
-/// A plot with axes on a page of that height, the picture four thirds as wide.
+/// Layout of a plot with axes on a picture of this height, which is 4/3 as wide.
 [[nodiscard]] PlotLayout lay_out_plot(const PlotAxes& axes, Page& page, int height);
-/// One that fills its picture.
+/// Layout of a plot without axes that fills its picture.
 [[nodiscard]] PlotLayout bare_plot(int height);
 
-/// Paints one column of the plot's pixels from the bins of a profile, the nearest at the bottom: nearest cells where
-/// they are larger than pixels, means where they are smaller. An empty profile was not looked at.
+/// Paints one column of the plot's pixels from the bins of a profile, the nearest bin at the bottom. Where bins are
+/// smaller than pixels, a pixel shows their mean. An empty profile is painted as not yet scanned.
 void paint_column(Picture& picture, const PlotLayout& plot, int x, std::span<const float> profile, const Tone& tone);
 
 void draw_plot_frame(Picture& picture, const PlotLayout& plot, const PlotAxes& axes, const Page& page);

@@ -1,4 +1,4 @@
-// scales.cpp -- ticks at round numbers, and numbers as people write them.
+// scales.cpp -- round steps for ticks, and texts for numbers, frequencies and bearings.
 
 #include "image/scales.h"
 
@@ -11,7 +11,7 @@
 namespace insonify {
 namespace {
 
-constexpr double kRounding = 1e-9;  // Relative; keeps ticks at the ends that arithmetic put just outside.
+constexpr double kRounding = 1e-9;  // Relative tolerance, so that rounding does not exclude ticks at the ends.
 
 }  // namespace
 
@@ -65,7 +65,7 @@ std::string frequency_text(double frequency) {
 std::string bearing_text(double azimuth, Mounting mounting) {
   const double tenths = std::round(10 * degrees_from_radians(std::remainder(azimuth, 2 * std::numbers::pi)));
   if (mounting == Mounting::kVertical) {
-    const double slope = std::min(std::abs(tenths), 1800 - std::abs(tenths));  // From the level, on either side.
+    const double slope = std::min(std::abs(tenths), 1800 - std::abs(tenths));  // Angle from the horizontal.
     return tenths == 0                ? "front"
            : std::abs(tenths) == 1800 ? "back"
            : slope == 900             ? (tenths > 0 ? "up" : "down")

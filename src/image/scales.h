@@ -1,4 +1,4 @@
-// scales.h -- where to put ticks and how to write what stands beside them.
+// scales.h -- positions of ticks and their labels.
 
 #pragma once
 
@@ -9,17 +9,17 @@
 
 namespace insonify {
 
-/// The least of 1, 2, 2.5 and 5 times a power of ten that cuts `length` (> 0) into at most `most_parts` parts.
+/// The least of 1, 2, 2.5 and 5 times a power of ten that divides `length` (> 0) into at most `most_parts` parts.
 [[nodiscard]] double nice_step(double length, int most_parts);
 
-/// The multiples of `step` in low..high, ends included (give or take rounding).
+/// The multiples of `step` in low..high, ends included, with a tolerance for rounding.
 [[nodiscard]] std::vector<double> multiples_within(double low, double high, double step);
 
-/// Distance of the range rings: 3 to 6 of them fit into a window of ranges that is so long [m].
+/// Distance between range rings for a range window of this length [m]: 3 to 6 rings fit into it.
 [[nodiscard]] double ring_step(double window);
 
-/// Angle between the radials of a fan: 1, 2, 5, 10, 20 or 30 degrees, by its aperture [rad]. A vertical one has no
-/// steps of 20 degrees: they miss straight up and down.
+/// Angle between the radials of a fan: 1, 2, 5, 10, 20 or 30 degrees, depending on its aperture [rad]. A vertical fan
+/// has no steps of 20 degrees, because they do not include straight up and down.
 [[nodiscard]] double radial_step(double aperture, Mounting mounting = Mounting::kHorizontal);
 
 /// "20", "2.5", "-0.25", with a true minus sign.
@@ -28,9 +28,9 @@ namespace insonify {
 /// "720 kHz", "1.2 MHz".
 [[nodiscard]] std::string frequency_text(double frequency);
 
-/// An azimuth as an operator says it: "30° P" (to port), "30° S" (to starboard), "0°", "180°"; for a vertical mounting
-/// its slope on either side, "30° up" or "30° down", and "up", "down", "front" and "back", the last two of the housing.
-/// Tenths of a degree where there are any.
+/// An azimuth as operators write it: "30° P" (to port), "30° S" (to starboard), "0°", "180°". For a vertical mounting,
+/// its slope: "30° up", "30° down", "up", "down", and "front" or "back" of the housing. With tenths of a degree if they
+/// are not 0.
 [[nodiscard]] std::string bearing_text(double azimuth, Mounting mounting = Mounting::kHorizontal);
 
 }  // namespace insonify

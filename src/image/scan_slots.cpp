@@ -1,4 +1,4 @@
-// scan_slots.cpp -- pings laid over each other step by step.
+// scan_slots.cpp -- finds the latest ping of a scanning sonar in each direction, and its neighbour.
 
 #include "image/scan_slots.h"
 
@@ -32,7 +32,7 @@ ScanSlots::ScanSlots(const std::vector<double>& head_angles, double step, double
   step = std::abs(step);
   const double half = width / 2;
   for (int ping = 0; ping < static_cast<int>(head_angles.size()); ++ping) {
-    // All slots whose middle lies in what it covers, and at least the one that the head points at.
+    // A ping covers all slots whose middle lies within its width, and at least the slot that the head points at.
     const double head = std::remainder(head_angles[ping], kTwoPi);
     const int first = static_cast<int>(std::ceil((head - half) * kSlotsPerRadian - 0.5));
     const int last = static_cast<int>(std::floor((head + half) * kSlotsPerRadian - 0.5));
@@ -50,7 +50,8 @@ ScanSlots::ScanSlots(const std::vector<double>& head_angles, double step, double
     const double head = head_angles[slot.ping];
     const double off = std::remainder(slot_azimuth(i) - head, kTwoPi);
     const int beside = slots_[slot_at(head + std::copysign(step, off))].ping;
-    // Only the ping before or after is known to have seen the same scene, and only where the two meet.
+    // Only the ping before or after is interpolated with, since others may show the scene at another time; and only if
+    // the pings leave no gap between them.
     if (beside >= 0 && std::abs(beside - slot.ping) == 1 && width >= step) {
       slot.neighbour = beside;
       slot.share = std::min(0.5, std::abs(off) / step);

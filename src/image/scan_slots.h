@@ -1,4 +1,4 @@
-// scan_slots.h -- which ping of a scanning sonar is the latest in each direction.
+// scan_slots.h -- look-up of the latest ping of a scanning sonar in each direction.
 
 #pragma once
 
@@ -6,19 +6,19 @@
 
 namespace insonify {
 
-/// The full circle cut into fine slots, each with the ping that looked there last.
+/// The full circle divided into narrow slots, each with the latest ping in its direction.
 class ScanSlots {
  public:
-  /// What is shown in a direction: a mix of two pings, neighbours in time and direction.
+  /// What is shown in a direction: a mix of two pings that are neighbours in time and direction.
   struct Mix {
-    int ping = -1;       ///< Whose step the direction lies in; -1 where no ping looked.
-    int neighbour = -1;  ///< The one whose step is next on that side; the same one where there is none.
-    double share = 0;    ///< Of the neighbour, 0 (in the middle of the ping's own step) to 0.5 (at its border).
+    int ping = -1;       ///< The ping whose step contains the direction; -1 for none.
+    int neighbour = -1;  ///< The ping of the adjacent step on that side; the same ping if there is none.
+    double share = 0;    ///< Weight of the neighbour, 0 (at the middle of the ping's step) to 0.5 (at its border).
   };
 
-  /// @param head_angles  Of all pings, in order [rad].
-  /// @param step         Of the head [rad]; its sign does not matter.
-  /// @param width        What each ping covers, at most a step [rad].
+  /// @param head_angles  Head angles of all pings, in order [rad].
+  /// @param step         Step of the head [rad]; its sign does not matter.
+  /// @param width        Width that each ping covers, at most a step [rad].
   ScanSlots(const std::vector<double>& head_angles, double step, double width);
 
   [[nodiscard]] Mix at(double azimuth) const;

@@ -1,4 +1,4 @@
-// scan_view.cpp -- a scanning sonar's pings around its head, and side by side.
+// scan_view.cpp -- draws the pings of a scanning sonar around its head, and side by side.
 
 #include <fmt/format.h>
 
@@ -19,8 +19,8 @@ namespace {
 
 constexpr double kTwoPi = 2 * std::numbers::pi;
 
-// A step of up to so many beam widths is filled by its ping, as the coarse modes of scanning sonars are on their own
-// displays. Where steps are longer, most of the circle was not looked at: each ping is drawn as wide as its beam.
+// A ping fills its whole step if that is at most this many beam widths, as displays of scanning sonars do in their
+// coarse modes. With longer steps most of the circle is not scanned, and each ping is drawn as wide as its beam.
 constexpr double kWidestFill = 3;
 
 // Angle that a ping is drawn over [rad].
@@ -29,11 +29,11 @@ double ping_width(const SonarConfig& sonar) {
   return step <= kWidestFill * sonar.azimuth_aperture ? step : sonar.azimuth_aperture;
 }
 
-// The scanned sector with what its outermost pings cover beyond it.
+// The scanned sector, extended by half the width of the outermost pings.
 FanShape shape_of(const SonarConfig& sonar) {
   const double width = std::min(kTwoPi, sonar.sector_width + ping_width(sonar));
   const bool whole = sonar.sector_width > kTwoPi - 1e-6;
-  // A vertical mounting turns the head's port side up: there, up is drawn up and ahead to the right.
+  // With a vertical mounting the head's port side points up: up is drawn upwards, and the housing's front to the right.
   const double up = sonar.mounting == Mounting::kVertical ? std::numbers::pi / 2 : 0;
   const double half = whole ? std::numbers::pi : width / 2;
   return {sonar.sector_center - half, sonar.sector_center + half, sonar.min_range, sonar.max_range, up};
@@ -44,7 +44,7 @@ FanMarks scan_marks(const SonarConfig& sonar, const FanShape& shape) {
   return marks_of(shape, sonar.sector_center - half, sonar.sector_center + half, sonar.mounting);
 }
 
-// Where slopes are written, whose names are long, all the way round has room for few of them.
+// Step between head-angle labels. Labels of slopes are long: beyond half a circle there is room for few.
 double head_angle_step(const SonarConfig& sonar, const FanShape& shape) {
   const double step = radial_step(shape.aperture(), sonar.mounting);
   return sonar.mounting == Mounting::kVertical && shape.aperture() > std::numbers::pi ? std::numbers::pi / 4 : step;
@@ -86,7 +86,7 @@ Picture ScanView::draw(const Display& display) const {
   display.validate();
   const FanShape shape = shape_of(sonar_);
   const ScanSlots slots(head_angles_, sonar_.step, ping_width(sonar_));
-  // Linear along the beam, and across to the ping before or after.
+  // Linear interpolation along range, and across to the ping before or after.
   const auto intensity = [&](int ping, double bin) {
     const std::vector<float>& profile = profiles_[ping];
     const auto bin0 = static_cast<std::size_t>(bin);

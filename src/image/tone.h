@@ -1,4 +1,4 @@
-// tone.h -- from echo intensity to its colour.
+// tone.h -- maps echo intensity to colour by a look-up table.
 
 #pragma once
 
@@ -9,7 +9,7 @@
 
 namespace insonify {
 
-/// A display's colours, looked up.
+/// Colours of a display, tabulated over the level.
 class Tone {
  public:
   explicit Tone(const Display& display) : display_(display) {
