@@ -141,8 +141,7 @@ TEST(LoadMeshErrorTest, BracketsInTextAreNoNesting) {
 }
 
 TEST(LoadMeshErrorTest, CountsThatTheFileCannotHoldAreTold) {
-  // Of 3 floats each, 12 bytes; a face is a byte at least. In text a number takes a digit and a space.
-  const std::string body = "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";  // 26 bytes.
+  const std::string body = "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";  // As binary numbers two vertices of 12 bytes and 2 more.
   const auto ply = [](std::uint64_t vertices, std::uint64_t faces, const std::string& format) {
     return ply_header(format, vertices, faces);
   };
@@ -153,14 +152,16 @@ TEST(LoadMeshErrorTest, CountsThatTheFileCannotHoldAreTold) {
   std::string odd = ply(3, 1, "ascii") + body;
   odd.replace(odd.find("vertex 3"), 8, "vertex -3");
   const std::vector<BadFile> files{
-      {"a.ply", ply(4'000'000'000, 1, "ascii") + body, ":3: element vertex 4000000000: the file can hold 4 at most"},
-      {"a.ply", ply(4'000'000'000, 1, binary) + body, ":3: element vertex 4000000000: the file can hold 2 at most"},
+      {"a.ply", ply(4'000'000'000, 1, "ascii") + body, ":3: element vertex 4000000000: the file ends after 4"},
+      {"a.ply", ply(4'000'000'000, 1, binary) + body, ":3: element vertex 4000000000: the file ends after 2"},
       {"a.ply", "\xef\xbb\xbf" + ply(4'000'000'000, 1, "ascii") + body,
-       ":3: element vertex 4000000000: the file can hold 4 at most"},
-      {"a.ply", ply(3, 4'000'000'000, "ascii") + body, ":7: element face 4000000000: the file can hold 4 at most"},
-      {"a.ply", ply(2, 4'000'000'000, binary) + body, ":7: element face 4000000000: the file can hold 2 at most"},
+       ":3: element vertex 4000000000: the file ends after 4"},
+      {"a.ply", ply(3, 4'000'000'000, "ascii") + body, ":7: element face 4000000000: the file ends after 1"},
+      {"a.ply", ply(2, 4'000'000'000, binary) + body, ":7: element face 4000000000: the file ends after 0"},
       {"a.ply", "ply\n\nformat ascii 1.0\nelement vertex 3\nproperty float x\nend_header",
-       ":4: element vertex 3: the file can hold 0 at most"},
+       ":4: element vertex 3: the file ends after 0"},
+      {"a.ply", "ply\nformat ascii 1.0\nelement vertex 4000000000\nend_header\n",
+       ":3: element vertex 4000000000 has no properties"},
       {"a.ply", odd, ":3: \"-3\" is not a number of elements"},
       {"a.stl", many,
        ": is no STL: a text would begin with \"solid\"; binary, with a triangle count of 4000000000, would take "
@@ -171,6 +172,59 @@ TEST(LoadMeshErrorTest, CountsThatTheFileCannotHoldAreTold) {
       {"a.stl", "short",
        ": is no STL: a text would begin with \"solid\"; binary, with a triangle count of 0, would take 84 bytes, not "
        "5"},
+  };
+  for (const BadFile& file : files) {
+    const ScratchFolder folder;
+    const std::string path = folder.write(file.name, file.text).string();
+    EXPECT_EQ(message_of([&] { (void)load_mesh(path); }), path + file.message);
+  }
+}
+
+std::string triangles_of(const std::string& name, const std::string& text) {
+  const ScratchFolder folder;
+  const std::string path = folder.write(name, text).string();
+  try {
+    return fmt::format("{} triangles", load_mesh(path).triangles.size());
+  } catch (const Error&) {
+    return "refused";
+  }
+}
+
+// A disk that was full, a download that broke off. The end of a text may lack what does not matter: a line break, the
+// last word's last digits.
+TEST(LoadMeshErrorTest, NoPartIsTakenForTheWhole) {
+  struct Whole {
+    std::string name, text;
+    std::size_t spare;  // Bytes at the end that nothing is told by.
+  };
+  const std::vector<Whole> files{{"a.stl", ascii_stl_text(), std::string(" corner\n").size()},
+                                 {"a.stl", binary_stl_text(), 0},
+                                 {"a.ply", ascii_ply_text(), 1},
+                                 {"a.ply", binary_ply_text(), 0},
+                                 {"a.dae", dae_text(), 0},
+                                 {"a.glb", glb_text(), 0}};
+  for (const Whole& file : files) {
+    // Each length near the end, where most is there, and some of the others.
+    for (std::size_t size = 0; size < file.text.size() - file.spare; size += size + 70 < file.text.size() ? 31 : 1) {
+      ASSERT_EQ(triangles_of(file.name, file.text.substr(0, size)), "refused") << file.name << ", " << size << " bytes";
+    }
+    EXPECT_EQ(triangles_of(file.name, file.text), "4 triangles") << file.name;
+  }
+}
+
+TEST(LoadMeshErrorTest, TellsWherePartsAreMissing) {
+  const std::string stl = ascii_stl_text(), ply = ascii_ply_text();
+  const std::vector<BadFile> files{
+      {"a.stl", stl.substr(0, stl.find("endsolid")), ":29: the text ends before its endsolid: a part of it is missing"},
+      {"a.stl", stl.substr(0, 120) + "\n\n", ":10: the text ends before its endsolid: a part of it is missing"},
+      {"a.ply", ply.substr(0, ply.find("3 0 3 2")), ":7: element face 4: the file ends after 2"},
+      {"a.ply", ply.substr(0, ply.find("2 0 0\n")), ":3: element vertex 4: the file ends after 1"},
+      {"a.ply", ply.substr(0, ply.size() - 3), ":17: fewer numbers than an element face has"},
+      {"a.ply", binary_ply_text().substr(0, binary_ply_text().size() - 1), ":7: element face 4: the file ends after 3"},
+      {"a.dae", dae_text({.nodes = "<node>\n<instance_geometry url=\"#gone\"/></node>"}),
+       ":10:1: <instance_geometry> names #gone, which is not in this file"},
+      {"a.dae", dae_text({.nodes = "<node>\n <instance_node url=\"#g\"/></node>"}),
+       ":10:2: <instance_node> names #g, which is not in this file"},
   };
   for (const BadFile& file : files) {
     const ScratchFolder folder;

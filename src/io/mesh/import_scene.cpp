@@ -16,9 +16,11 @@
 
 #include "insonify/error.h"
 #include "io/file/input_file.h"
-#include "io/mesh/mesh_counts.h"
+#include "io/mesh/check_dae.h"
+#include "io/mesh/check_gltf.h"
+#include "io/mesh/check_ply.h"
+#include "io/mesh/check_stl.h"
 #include "io/mesh/obj_text.h"
-#include "io/mesh/scene_depth.h"
 
 namespace insonify {
 namespace {
@@ -53,15 +55,15 @@ class TextForFile : public Assimp::DefaultIOSystem {
 std::string check_and_mend(const std::filesystem::path& path, const std::string& ending) {
   const bool has_mark = has_byte_order_mark(path);
   if (ending == ".glb") {
-    check_glb_depth(path);
+    check_glb(path);
     return "";
   }
   if (ending == ".stl") {
-    check_stl_size(path);
+    check_stl(path);
     return "";  // assimp skips the mark of a text itself.
   }
   if (ending == ".ply") {
-    check_ply_counts(path);
+    check_ply(path);
     if (!has_mark) {
       return "";
     }
@@ -73,9 +75,9 @@ std::string check_and_mend(const std::filesystem::path& path, const std::string&
     return mend_obj(text, path);
   }
   if (ending == ".dae") {
-    check_dae_depth(text, path);
+    check_dae(text, path);
   } else if (ending == ".gltf") {
-    check_gltf_depth(text, path);
+    check_gltf(text, path);
   }
   return has_mark ? text : "";
 }

@@ -2,21 +2,22 @@
 
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
-#include <string>
-#include <string_view>
+#include <vector>
 
 namespace insonify {
 
-/// Checks the brackets of a glTF, and how its nodes hang on each other.
-/// @throws Error "PATH:LINE: ..." for brackets, "PATH: ..." for nodes.
-void check_gltf_depth(std::string_view text, const std::filesystem::path& path);
+/// The most levels that a scene's nodes may have; one needs a dozen.
+inline constexpr std::size_t kDeepestScene = 512;
 
-/// The same for the JSON inside a GLB, whose lines nobody sees: without them.
-void check_glb_depth(const std::filesystem::path& path);
+/// A node that hangs on another; numbers of nodes.
+struct NodeLink {
+  std::size_t parent, child;
+};
 
-/// Checks that a DAE is well-formed XML, how deep its elements lie, and how its nodes hang on each other.
-/// @throws Error "PATH:LINE:COLUMN: ..." for elements, "PATH: ..." for nodes.
-void check_dae_depth(std::string_view text, const std::filesystem::path& path);
+/// @param count  Of nodes.
+/// @throws Error "PATH: ..." for nodes that hang below each other too deeply, or in a ring.
+void check_depth(std::size_t count, const std::vector<NodeLink>& links, const std::filesystem::path& path);
 
 }  // namespace insonify
