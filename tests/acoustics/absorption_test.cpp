@@ -57,7 +57,7 @@ TEST_P(AbsorptionTest, IsThatOfFrancoisAndGarrison) {
 
 INSTANTIATE_TEST_SUITE_P(Points, AbsorptionTest, testing::ValuesIn(kPoints));
 
-TEST(AbsorptionLawTest, SilenceIsNotAbsorbed) {
+TEST(AbsorptionLawTest, IsZeroAtZeroFrequency) {
   EXPECT_EQ(absorption_db_per_m(0, Water{}), 0);
   EXPECT_EQ(absorption_db_per_m(0, Water{.salinity = 0}), 0);
   EXPECT_EQ(francois_garrison_db_per_m(0, Water{.salinity = 0}), 0);

@@ -39,7 +39,7 @@ TEST(LambertBackscatterTest, FallsAsTheSquareOfTheCosine) {
   EXPECT_THAT(lambert_backscatter(mu, kPi / 3), RelativelyNear(mu / 4));
 }
 
-TEST(LambertBackscatterTest, IsNothingFromTheEdgeOrFromBehind) {
+TEST(LambertBackscatterTest, IsZeroAtTheEdgeAndFromBehind) {
   for (const double incidence : {kPi / 2, 2.0, kPi}) {
     EXPECT_EQ(lambert_backscatter(0.3, incidence), 0);
     EXPECT_EQ(lambert_scatter(0.3, incidence, 0.4), 0);
@@ -50,7 +50,7 @@ TEST(LambertBackscatterTest, IsNothingFromTheEdgeOrFromBehind) {
 
 // Power through the hemisphere is the integral of mu cos(in) cos(out) over solid angle = pi mu cos(in), of the cos(in)
 // that falls on a unit of surface.
-TEST(LambertScatterTest, SendsBackAllThatFallsOnItAtTheGreatestParameter) {
+TEST(LambertScatterTest, ScattersAllIncidentEnergyAtTheGreatestParameter) {
   const double incidence = 0.7;
   const auto ring = [&](double out) {
     return lambert_scatter(kGreatestLambertParameter, incidence, out) * 2 * kPi * std::sin(out);
@@ -95,7 +95,7 @@ TEST(FacetBackscatterTest, IsAQuarterOfBeckmannsDistribution) {
 
 // PHYSICS 0. A plate at distance d, a ring of it under incidence t: dA = 2 pi d^2 tan t / cos^2 t dt at range d/cos t,
 // so the echo is the integral of s_b 2 pi tan t cos^2 t / d^2. The mirror image of the source stands at 2 d: 1/(4 d^2).
-TEST(FacetBackscatterTest, MakesTheMirrorsEchoOfALargePlateWhateverTheSlope) {
+TEST(FacetBackscatterTest, GivesALargePlateTheMirrorsEchoForEverySlope) {
   for (const double s : {0.02, 0.05, 0.1, 0.2, 0.3}) {
     const auto ring = [&](double t) {
       return facet_backscatter(1, s, t) * 2 * kPi * std::tan(t) * std::pow(std::cos(t), 2);
@@ -106,7 +106,7 @@ TEST(FacetBackscatterTest, MakesTheMirrorsEchoOfALargePlateWhateverTheSlope) {
 
 // A sphere from afar: dA = 2 pi a^2 sin t dt. a^2/4 is the limit of a small slope; what a larger one adds was computed
 // apart from this code and is told to three digits.
-TEST(FacetBackscatterTest, MakesTheEchoOfASphereWithNearlyItsTargetStrength) {
+TEST(FacetBackscatterTest, GivesASphereNearlyItsTargetStrength) {
   constexpr double kThreeDigits = 5e-4;  // [dB]
   const double expected_db[][2] = {{0.02, 0.002}, {0.05, 0.011}, {0.1, 0.043}, {0.2, 0.164}, {0.3, 0.348}};
   for (const auto& [s, excess_db] : expected_db) {
@@ -132,7 +132,7 @@ TEST(FacetScatterTest, HalfVectorKeepsItsDigitsAtSmallTilts) {
   EXPECT_THAT(half_vector_tilt(Vec3::UnitZ(), towards, towards), RelativelyNear(tilt));
 }
 
-TEST(BackscatterTest, RefusesWhatHasNoMeaning) {
+TEST(BackscatterTest, RefusesArgumentsOutOfLimits) {
   EXPECT_EQ(message_of([] { static_cast<void>(lambert_backscatter(-0.1, 0)); }),
             "lambert_scatter.mu = -0.1 must be at least 0");
   EXPECT_EQ(message_of([] { static_cast<void>(facet_backscatter(1, 0, 0)); }),

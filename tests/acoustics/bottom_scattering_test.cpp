@@ -161,7 +161,7 @@ TEST(BottomBackscatterLawTest, GrowsWithTheGrazingAngle) {
   }
 }
 
-TEST(BottomBackscatterLawTest, RefusesWhatHasNoMeaning) {
+TEST(BottomBackscatterLawTest, RefusesArgumentsOutOfLimits) {
   const Sediment& sand = *find_sediment("medium_sand");
   const auto message = [](auto act) { return message_of([&] { static_cast<void>(act()); }); };
   EXPECT_EQ(message([&] { return bottom_backscatter(sand, 0.5, 720e3); }),

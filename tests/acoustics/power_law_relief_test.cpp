@@ -35,7 +35,7 @@ TEST(KirchhoffTest, IsTheIntegralStraightDown) {
 // A large plate, seen from straight above, sends back the mirror's echo |R|^2/4 (backscatter_test.cpp): the integral of
 // sigma 2 pi x dx over x = cos(grazing). Relief so low that its lobe ends far within the angles taken, but for tails
 // that fall as x^(-2 - 2 alpha).
-TEST(KirchhoffTest, KeepsTheEnergyOfTheMirror) {
+TEST(KirchhoffTest, ConservesTheReflectedEnergy) {
   for (const double gamma : {3.0, 3.25, 3.9}) {
     const PowerLawRelief relief(1e-9, gamma, kWavenumber);
     double sum = 0;

@@ -121,7 +121,7 @@ TEST(BottomReflectionTest, IsRayleighs) {
   }
 }
 
-TEST(BottomReflectionTest, IsTheHalfSpacesHeadOnAndTotalAtGrazing) {
+TEST(BottomReflectionTest, IsTheHalfSpacesAtNormalIncidenceAndTotalAtGrazing) {
   EXPECT_NEAR(std::abs(bottom_reflection(1.8, 1.2, 0, kPi / 2) - reflection_coefficient(1, 1.8 * 1.2)), 0, 1e-15);
   EXPECT_EQ(bottom_reflection(1.8, 1.2, 0.01, 0), -1.0);
   EXPECT_EQ(bottom_reflection(1.8, 1, 0, 0), -1.0);
@@ -144,7 +144,7 @@ TEST(BottomReflectionTest, VanishesAtTheAngleOfIntromission) {
   EXPECT_NEAR(std::abs(bottom_reflection(rho, nu, 0, intromission)), 0, 1e-13);
 }
 
-TEST(ReflectionTest, RefusesWhatHasNoMeaning) {
+TEST(ReflectionTest, RefusesArgumentsOutOfLimits) {
   const auto message = [](auto act) { return message_of([&] { static_cast<void>(act()); }); };
   EXPECT_EQ(message([] { return plate_reflection(1.5e6, 0, 1500, 1e-3, 1e5); }),
             "plate_reflection.density = 0 kg/m^3 must be greater than 0 kg/m^3");

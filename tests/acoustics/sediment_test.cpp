@@ -182,7 +182,7 @@ TEST(SedimentFitTest, FollowsTheReportsModelAtLowGrazingAngles) {
 }
 
 // The slope was chosen so that both lobes together meet the model at normal incidence; 0.15 dB is its rounding.
-TEST(SedimentFitTest, MeetsTheReportsModelHeadOn) {
+TEST(SedimentFitTest, MatchesTheReportsModelAtNormalIncidence) {
   for (const Model& model : kModels) {
     const Sediment& sediment = *find_sediment(model.name);
     if (sediment.rms_slope) {

@@ -58,7 +58,7 @@ TEST(DirectivityIndexTest, IsTheShareOfTheSphere) {
 
 // A link at 720 kHz, B = 25 kHz, SL = 200 dB, 1 x 20 degrees, to a sphere of 0.5 m and to TS = 0 dB. At 120 m the
 // signal is some 10 dB above the noise, which is how far a sonar of this class is said to see.
-TEST(SonarEquationTest, TellsHowFarASonarSees) {
+TEST(SonarEquationTest, GivesTheRangeOfASonar) {
   const double di = sector_directivity_index_db(1 * kDegree, 20 * kDegree);
   const double noise = noise_level_db(thermal_noise_level_db(720e3), 25e3, di);
   EXPECT_THAT(noise, RelativelyNear(52.95972730778889));
@@ -190,13 +190,13 @@ TEST(VolumeReverberationTest, FallsTwentyDecibelsADecade) {
 }
 
 // In a thin bin absorption takes 2 alpha r.
-TEST(VolumeReverberationTest, IsAbsorbedThereAndBack) {
+TEST(VolumeReverberationTest, IsAbsorbedBothWays) {
   const double free = volume_reverberation_intensity(1e-7, 0.02, 0.4, 30, 30.0001);
   const double absorbed = volume_reverberation_intensity(1e-7, 0.02, 0.4, 30, 30.0001, 0.5);
   EXPECT_NEAR(db(absorbed / free), -2 * 0.5 * 30, 1e-3);
 }
 
-TEST(SonarEquationTest, RefusesWhatHasNoMeaning) {
+TEST(SonarEquationTest, RefusesArgumentsOutOfLimits) {
   const auto message = [](auto act) { return message_of([&] { static_cast<void>(act()); }); };
   EXPECT_EQ(message([] { return transmission_loss_db(0, 0.1); }),
             "transmission_loss_db.range = 0 m must be greater than 0 m");

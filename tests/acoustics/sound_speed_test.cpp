@@ -136,7 +136,7 @@ TEST(BentPathLawTest, BecomesStraightAsTheGradientVanishes) {
   EXPECT_THAT(path.time, RelativelyNear(80 / (1500 * std::cos(launch))));
 }
 
-TEST(BentPathLawTest, GoesNowhereInNoDistance) {
+TEST(BentPathLawTest, StartsAtItsLaunchPoint) {
   const BentPath path = bent_path(1500, -0.3, 0.1, 0);
   EXPECT_EQ(path.drop, 0);
   EXPECT_EQ(path.time, 0);

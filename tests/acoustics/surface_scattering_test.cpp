@@ -68,7 +68,7 @@ TEST(SeaSurfaceBackscatterTest, HasRipplesUpTo85Degrees) {
   EXPECT_LT(with / without, 1.03);
 }
 
-TEST(SeaSurfaceBackscatterTest, IsHeldAboveAHundredKilohertz) {
+TEST(SeaSurfaceBackscatterTest, IsConstantAboveAHundredKilohertz) {
   EXPECT_EQ(sea_surface_backscatter(0.4, 720e3, 7), sea_surface_backscatter(0.4, 100e3, 7));
   EXPECT_EQ(surface_bubble_loss_db(0.4, 720e3, 7), surface_bubble_loss_db(0.4, 100e3, 7));
 }
@@ -107,7 +107,7 @@ TEST(SurfaceBubbleLossTest, IsThatOfTheReport) {
 }
 
 // Half the sine, twice the way through the bubbles.
-TEST(SurfaceBubbleLossTest, GrowsAsTheWayThroughTheBubbles) {
+TEST(SurfaceBubbleLossTest, GrowsWithThePathThroughTheBubbles) {
   EXPECT_THAT(surface_bubble_loss_db(kPi / 6, 50e3, 9), RelativelyNear(2 * surface_bubble_loss_db(kPi / 2, 50e3, 9)));
 }
 
@@ -150,7 +150,7 @@ TEST(ChapmanHarrisTest, IsThatOfThePaper) {
   }
 }
 
-TEST(SurfaceScatteringTest, RefusesWhatHasNoMeaning) {
+TEST(SurfaceScatteringTest, RefusesArgumentsOutOfLimits) {
   const auto message = [](auto act) { return message_of([&] { static_cast<void>(act()); }); };
   EXPECT_EQ(message([] { return chapman_harris_db(0.2, 720e3, 5); }),
             "chapman_harris_db.frequency = 720000 Hz must be from 400 to 6400 Hz");

@@ -46,7 +46,7 @@ TEST(FresnelTest, IsTheIntegralOnBothSidesOfTheSeam) {
   }
 }
 
-TEST(FresnelTest, EndsInTheMiddleOfTheSpiral) {
+TEST(FresnelTest, ConvergesToTheMiddleOfTheSpiral) {
   EXPECT_EQ(fresnel_integral(0), 0.0);
   EXPECT_NEAR(std::abs(fresnel_integral(1e6) - std::complex<double>(0.5, 0.5)), 0, 1e-6);
 }
@@ -97,7 +97,7 @@ TEST(CylinderTest, IsThatOfFresnelsIntegrals) {
   EXPECT_THAT(target_strength_db(cylinder_cross_section(0.1, 1, kWavelength, 10)), RelativelyNear(-6.465123605305694));
 }
 
-TEST(CylinderTest, GoesOverIntoTheShortAndTheEndlessOne) {
+TEST(CylinderTest, HasTheLimitsOfAShortAndAnInfiniteOne) {
   EXPECT_THAT(cylinder_cross_section(0.1, 0.05, kWavelength, 1e9),
               RelativelyNear(cylinder_cross_section(0.1, 0.05, kWavelength)));
   EXPECT_NEAR(cylinder_cross_section(0.1, 1e5, kWavelength, 10) / convex_cross_section(0.1, kFarField, 10), 1, 1e-5);
@@ -116,7 +116,7 @@ TEST(PlateTest, IsThatOfFresnelsIntegrals) {
   }
 }
 
-TEST(PlateTest, IsAMirrorWhereItIsEndless) {
+TEST(PlateTest, IsAMirrorWhereItIsInfinite) {
   EXPECT_NEAR(plate_cross_section(1e5, 1e5, kWavelength, 10) / 25, 1, 1e-5);
 }
 
@@ -158,7 +158,7 @@ TEST(LambertSphereTest, IsTheSumOfItsSurface) {
   EXPECT_NEAR(sum / lambert_sphere_cross_section(mu, radius), 1, 1e-6);
 }
 
-TEST(CornerTest, IsAsStrongAsThePlateThatItsMouthShows) {
+TEST(CornerTest, IsAsStrongAsThePlateOfItsAperture) {
   EXPECT_THAT(target_strength_db(dihedral_cross_section(0.1, 0.1, kWavelength)), RelativelyNear(16.635124704151558));
   EXPECT_THAT(target_strength_db(triangular_trihedral_cross_section(0.1, kWavelength)),
               RelativelyNear(8.853612200315121));
@@ -168,7 +168,7 @@ TEST(CornerTest, IsAsStrongAsThePlateThatItsMouthShows) {
               RelativelyNear(plate_cross_section(std::sqrt(2) * 0.3, 0.2, kWavelength)));
 }
 
-TEST(TargetStrengthTest, RefusesWhatHasNoMeaning) {
+TEST(TargetStrengthTest, RefusesArgumentsOutOfLimits) {
   const auto message = [](auto act) { return message_of([&] { static_cast<void>(act()); }); };
   EXPECT_EQ(message([] { return sphere_cross_section(-1); }),
             "sphere_cross_section.radius = -1 m must be greater than 0 m");

@@ -11,7 +11,7 @@
 namespace insonify {
 namespace {
 
-TEST(WaterTest, SoundSpeedFollowsFromWhatIsInIt) {
+TEST(WaterTest, SoundSpeedFollowsFromTemperatureSalinityAndDepth) {
   const Water tank{.temperature_c = 18, .salinity = 0, .ph = 7, .depth = 3};
   EXPECT_EQ(tank.true_sound_speed(), chen_millero_sound_speed(18, 0, 3));
 }

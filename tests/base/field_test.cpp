@@ -44,7 +44,7 @@ TEST(LimitsTest, WhatIsNotFiniteIsNeverAllowed) {
   }
 }
 
-TEST(LimitsTest, AreToldInWords) {
+TEST(LimitsTest, AreWrittenInWords) {
   EXPECT_EQ(any_number().text(), "any finite number");
   EXPECT_EQ(at_least(1).text(), "at least 1");
   EXPECT_EQ(greater_than(0).text(), "greater than 0");
@@ -56,7 +56,7 @@ TEST(LimitsTest, AreToldInWords) {
   EXPECT_EQ((Limits{.least = -2, .most = 3, .most_allowed = false}).text(), "at least -2, less than 3");
 }
 
-TEST(LimitsTest, AreToldInTheUnitAskedFor) {
+TEST(LimitsTest, AreWrittenInTheUnitAskedFor) {
   EXPECT_EQ(from_to(-std::numbers::pi, std::numbers::pi).text(180 / std::numbers::pi), "from -180 to 180");
 }
 
@@ -116,7 +116,7 @@ TEST(CheckFieldsTest, NamesObjectFieldValueAndLimit) {
 }
 
 // 1 rad = 57.29577951308232 deg.
-TEST(CheckFieldsTest, SpeaksOfAnglesInDegrees) {
+TEST(CheckFieldsTest, GivesAnglesInDegrees) {
   EXPECT_EQ(message({.turn = -2}), "thing.turn_deg = -114.591559 deg must be from -57.29577951 to 57.29577951 deg");
 }
 

@@ -16,7 +16,7 @@ TEST(NearestNameTest, UndoesEachKindOfSlip) {
   EXPECT_EQ(nearest_name("setp_deg", kKeys), "step_deg");       // Swapped.
 }
 
-TEST(NearestNameTest, LooksPastCapitals) {
+TEST(NearestNameTest, IgnoresCase) {
   EXPECT_EQ(nearest_name("STEP_DEG", kKeys), "step_deg");
 }
 
@@ -35,7 +35,7 @@ TEST(NearestNameTest, TakesTheFirstOfEquals) {
 }
 
 // Two slips at most, or a third of the letters; "step_dge_rd" of 11 letters may have 3.
-TEST(NearestNameTest, IsSilentWhereNothingIsNear) {
+TEST(NearestNameTest, SuggestsNothingWhereNothingIsNear) {
   EXPECT_EQ(nearest_name("noise", kKeys), "");
   EXPECT_EQ(nearest_name("rows", kKeys), "");
   EXPECT_EQ(nearest_name("maxrang", kKeys), "max_range");
@@ -50,7 +50,7 @@ TEST(NearestNameTest, MakesTheEndOfAMessage) {
   EXPECT_EQ(suggestion("colour", kKeys), "");
 }
 
-TEST(NearestNameTest, KnowsNothingOfNoCandidates) {
+TEST(NearestNameTest, SuggestsNothingWithoutCandidates) {
   EXPECT_EQ(nearest_name("step", {}), "");
 }
 

@@ -46,7 +46,7 @@ TEST(WorkersTest, NoWorkerRunsTwoTasksAtATime) {
 }
 
 // The first task of the first block takes as long as all others: another worker does them.
-TEST(WorkersTest, WhoIsDoneHelpsTheOthers) {
+TEST(WorkersTest, IdleWorkersTakeTasksOfOthers) {
   Workers workers(2);
   constexpr int kTasks = 20;
   std::atomic<int> others = 0;

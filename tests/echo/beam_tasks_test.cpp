@@ -1,4 +1,4 @@
-// Where the beams of a fan are cut.
+// beam_tasks_test.cpp -- division of a fan's beams into tasks.
 
 #include "echo/cpu/beam_tasks.h"
 
@@ -21,7 +21,7 @@ TEST(BeamTasksTest, OneWorkerTakesWholeCacheLines) {
   EXPECT_EQ(cuts(1, 1), (std::vector{0, 1}));
 }
 
-TEST(BeamTasksTest, EveryStretchEndsWithSmallTasks) {
+TEST(BeamTasksTest, EveryBlockEndsWithSmallTasks) {
   EXPECT_EQ(cuts(128, 2), (std::vector{0, 16, 32, 48, 56, 64, 80, 96, 112, 120, 128}));
 }
 
@@ -31,7 +31,8 @@ TEST(BeamTasksTest, FewBeamsAmongManyWorkersAreCutFiner) {
   EXPECT_EQ(cuts(1, 8), (std::vector{0, 1}));
 }
 
-// Whatever the numbers: in order, none empty, each beginning where packets end (see BeamTask::run).
+// For any numbers of beams and workers, tasks are in order, none is empty, and each begins at a packet boundary (see
+// BeamTask::run).
 TEST(BeamTasksTest, TasksCoverTheFan) {
   for (int beams = 1; beams < 300; beams += 7) {
     for (int workers = 1; workers < 70; ++workers) {

@@ -1,4 +1,4 @@
-// deposit_echo_test.cpp -- an echo by itself, among few bins and at the ends of the window.
+// deposit_echo_test.cpp -- deposit of single echoes: shares of bins, also at the ends of the range window, and labels.
 
 #include <gtest/gtest.h>
 
@@ -14,7 +14,7 @@ constexpr float kEnergyError = 1e-6F;
 constexpr float kShareError =
     1e-4F;  // FootprintSegments are a ten-thousandth of a bin longer: see least_half_length().
 
-// Two beams.
+// A plan of two beams.
 std::shared_ptr<const PingPlan> plan_of(int bins) {
   PingPlanSettings settings;
   settings.sonar.beam_count = 2;
@@ -25,14 +25,14 @@ std::shared_ptr<const PingPlan> plan_of(int bins) {
   return make_ping_plan(settings);
 }
 
-// Its share of a bin, worked out one bin at a time.
+// Share of the interval low..high [bins] that lies in a bin.
 float share(float low, float high, int bin) {
   const auto edge = static_cast<float>(bin);
   return std::max(std::min(high, edge + 1) - std::max(low, edge), 0.0F) / (high - low);
 }
 
-// Cells are added to four at a time: near the last bin, and where there are fewer, none beyond may be touched.
-TEST(DepositEchoTest, EveryBinGetsItsShareHoweverFewThereAre) {
+// Cells are updated four at a time. Near the last bin, and with fewer than four bins, cells beyond must not be written.
+TEST(DepositEchoTest, EveryBinGetsItsShareOfAnEcho) {
   for (const int bins : {1, 2, 3, 4, 5, 7, 8, 9}) {
     const auto plan = plan_of(bins);
     for (float middle = -0.75F; middle < static_cast<float>(bins) + 1; middle += 0.5F) {
@@ -65,7 +65,7 @@ TEST(DepositEchoTest, EveryBinGetsItsShareHoweverFewThereAre) {
   }
 }
 
-// Who has most of a cell is its label, whichever lane it was voted on in.
+// The label of a cell is the surface with most energy, in every SIMD lane of the vote.
 TEST(DepositEchoTest, TheStrongestSurfaceLabelsEachCell) {
   constexpr int kBins = 11;
   const auto plan = plan_of(kBins);

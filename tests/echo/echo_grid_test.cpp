@@ -1,4 +1,4 @@
-// echo_grid_test.cpp -- cells know which of them hold anything.
+// echo_grid_test.cpp -- filled intervals, clearing and initialisation of the cells of an EchoGrid.
 
 #include "insonify/echo_grid.h"
 
@@ -65,7 +65,7 @@ TEST(EchoGridTest, ClearLeavesNothingInAnyLayer) {
   }
 }
 
-// Cells between and beyond those asked for before are as new.
+// Extending the filled interval initialises the new cells only.
 TEST(EchoGridTest, CellsAreSetUpOnce) {
   EchoGrid grid(kBeams, kBins, 1);
   const auto name = [&](int bin, std::uint16_t instance) {
@@ -81,7 +81,7 @@ TEST(EchoGridTest, CellsAreSetUpOnce) {
   EXPECT_TRUE(std::equal(std::begin(expected), std::end(expected), surface));
 }
 
-TEST(EchoGridTest, RangesOfBinsMeetAndJoin) {
+TEST(EchoGridTest, BinRangesIntersectAndJoin) {
   const BinRange a{2, 8}, b{6, 11}, none;
   EXPECT_EQ((a & b).first, 6);
   EXPECT_EQ((a & b).last, 8);

@@ -1,4 +1,4 @@
-// path_footprint_test.cpp -- segments of paths by way of a mirror, against paths traced beside them.
+// path_footprint_test.cpp -- footprint segments of paths by way of a mirror, against neighbouring paths traced exactly.
 
 #include "echo/model/path_footprint.h"
 
@@ -26,11 +26,11 @@ struct Plane {
   }
 };
 
-// From the origin by way of a mirror to a plane and straight back.
+// A path from the origin by way of a mirror to a plane and straight back, with its lengths.
 struct Path {
   MirrorSample sample;
   PathEnd end;
-  double whole, there;
+  double whole, there;  // Length of the closed path, and one way by the mirror [m].
 
   Path(const Vec3& direction, const Vec3& normal, double range, const Plane& second) {
     const Vec3 reflected = direction - 2 * direction.dot(normal) * normal;
@@ -61,7 +61,8 @@ Vec3 towards(double azimuth_deg, double elevation_deg) {
 
 constexpr double kStep = 0.02;  // [deg]
 
-// What it is for one change alone, in either place, against the lengths of both paths.
+// Checks the footprint of one change (along or across the column, in either argument) against the difference of the
+// lengths of both paths.
 void expect_change(const Path& here, const Path& beside) {
   const MirrorChange change = mirror_change(here.sample, beside.sample);
   const double once = 0.25 * std::abs(beside.whole - here.whole);
@@ -74,7 +75,7 @@ void expect_change(const Path& here, const Path& beside) {
   }
 }
 
-TEST(PathFootprintTest, FollowsPathsByPlanes) {
+TEST(PathFootprintTest, MatchesTracedPathsByPlanes) {
   const Plane floor{Vec3(0.1, -0.05, 1).normalized(), -3}, wall{Vec3(1, 0.3, 0.1).normalized(), 14};
   for (const double azimuth : {-30.0, 0.0, 25.0}) {
     for (const double elevation : {-40.0, -25.0}) {
@@ -86,10 +87,10 @@ TEST(PathFootprintTest, FollowsPathsByPlanes) {
   }
 }
 
-TEST(PathFootprintTest, FollowsPathsBySpheres) {
+TEST(PathFootprintTest, MatchesTracedPathsBySpheres) {
   const Vec3 centre(6, 0.5, -1);
   const Plane floor{Vec3::UnitZ(), -3};
-  constexpr double kLittle = 0.1 * kStep;  // A sphere throws sound far apart.
+  constexpr double kLittle = 0.1 * kStep;  // Smaller steps, because a sphere makes rays diverge strongly.
   for (const double elevation : {-13.0, -12.0, -11.0}) {
     const Path here = by_sphere(towards(4, elevation), centre, 0.5, floor);
     ASSERT_GT(here.end.across, 0);
@@ -102,12 +103,12 @@ TEST(PathFootprintTest, BothChangesAddAsVariances) {
   const Plane floor{Vec3::UnitZ(), -3}, wall{Vec3::UnitX(), 14};
   const Path here = by_plane(towards(10, -25), floor, wall);
   const MirrorChange above = mirror_change(here.sample, by_plane(towards(10, -24.98), floor, wall).sample);
-  const MirrorChange aside = mirror_change(here.sample, by_plane(towards(10.05, -25), floor, wall).sample);
-  const float up = path_footprint(above, 1, {}, here.end).once, side = path_footprint({}, 1, aside, here.end).once;
-  EXPECT_NEAR(path_footprint(above, 2, aside, here.end).once, std::hypot(2 * up, side), 1e-6);
+  const MirrorChange across = mirror_change(here.sample, by_plane(towards(10.05, -25), floor, wall).sample);
+  const float up = path_footprint(above, 1, {}, here.end).once, side = path_footprint({}, 1, across, here.end).once;
+  EXPECT_NEAR(path_footprint(above, 2, across, here.end).once, std::hypot(2 * up, side), 1e-6);
 }
 
-// In a corner all lengths in its plane are that to the apex.
+// In a corner, all specular double-bounce paths have the length of the path to the apex and back.
 TEST(PathFootprintTest, VanishesAtTheApexOfACorner) {
   const Plane mirror{Vec3::UnitX(), 8}, second{Vec3::UnitY(), 6};
   const double apex = 36.86989764584402;
@@ -121,7 +122,7 @@ TEST(PathFootprintTest, VanishesAtTheApexOfACorner) {
   EXPECT_GT(segment(off, by_plane(towards(apex - 10.04, 0), mirror, second)), 2e-4);
 }
 
-TEST(PathFootprintTest, NoneAcrossAnEdge) {
+TEST(PathFootprintTest, IsZeroAcrossAnEdge) {
   const MirrorSample wall = MirrorSample::of({1, 0, 0}, {-1, 0, 0}, 5);
   const MirrorSample behind = MirrorSample::of({0.9999995F, 0.001F, 0}, {-1, 0, 0}, 9);
   const MirrorSample turned = MirrorSample::of({0.9999995F, 0.001F, 0}, {0, -1, 0}, 5);
@@ -133,7 +134,7 @@ TEST(PathFootprintTest, NoneAcrossAnEdge) {
   }
 }
 
-TEST(PathFootprintTest, NeverWiderThanATwoHundredthOfThePath) {
+TEST(PathFootprintTest, IsAtMostATwoHundredthOfThePath) {
   MirrorChange wild;
   wild.turn = {0, 0, 0.5F};
   const PathEnd end{4, {0, 0, -1}, {0, 0, 1}, {0, 0.6F, -0.8F}, 9, 6};
@@ -142,8 +143,8 @@ TEST(PathFootprintTest, NeverWiderThanATwoHundredthOfThePath) {
   EXPECT_FLOAT_EQ(footprint.twice, 0.0025F * 18);
 }
 
-// Where sound only grazes the second surface, that is taken to be a little steeper.
-TEST(PathFootprintTest, GrazingDoesNotStretchWithoutEnd) {
+// At grazing incidence on the second surface, the angle is limited from below.
+TEST(PathFootprintTest, IsBoundedAtGrazingIncidence) {
   const MirrorChange change{0, {0, 0, 0.001F}, {}};
   const auto segment = [&](float sine) {
     const PathEnd end{4, {std::sqrt(1 - sine * sine), 0, sine}, {0, 0, 1}, {1, 0, 0}, 9, 6};

@@ -1,4 +1,4 @@
-// ray_tube_test.cpp -- tubes of sound by planes, spheres and cylinders, against the mirror equations.
+// ray_tube_test.cpp -- ray-tube spreading by planes, spheres and cylinders, against the mirror equations.
 
 #include "echo/model/ray_tube.h"
 
@@ -16,7 +16,8 @@ double area(const RayTube& tube, double across) {
   return std::abs(double{tube.constant} + across * (double{tube.linear} + across * double{tube.quadratic}));
 }
 
-// A small triangle about the origin of a surface whose normal there is z, of curvatures 1/a along x and 1/b along y.
+// The ray tube of a small triangle at the origin of a surface with the normal z and the curvatures curved_x along x and
+// curved_y along y.
 RayTube tube_by(double curved_x, double curved_y, const Vec3f& direction, float range, float side = 1) {
   std::array<Vec3f, 3> corners = {Vec3f(2e-3F, 0, 0), Vec3f(-1e-3F, 2e-3F, 0), Vec3f(-1e-3F, -2e-3F, 0)}, normals;
   for (int k = 0; k < 3; ++k) {
@@ -33,20 +34,21 @@ Vec3f from_angle(double degrees, double turned = 0) {
       .cast<float>();
 }
 
-TEST(RayTubeTest, PlaneShowsTheImage) {
+TEST(RayTubeTest, PlaneSpreadsAsFromItsImage) {
   for (const double angle : {0.0, 30.0, 75.0}) {
     const RayTube tube = tube_by(0, 0, from_angle(angle, 20), 7);
     EXPECT_FLOAT_EQ(tube.constant, 49);
     EXPECT_NEAR(area(tube, 3), 100, 1e-4);
   }
-  // Bent as a whole, by relief, it is a plane all the same.
+  // A relief that tilts the whole triangle leaves it a plane.
   const std::array<Vec3f, 3> corners = {Vec3f::Zero(), Vec3f::UnitX(), Vec3f::UnitY()};
   const std::array<Vec3f, 3> normals = {Vec3f::UnitZ(), Vec3f::UnitZ(), Vec3f::UnitZ()};
   EXPECT_NEAR(area(ray_tube(corners, normals, from_angle(20), Vec3f(0.2F, 0, 1).normalized(), 7), 3), 100, 1e-4);
 }
 
-// Of a sphere: 1/r + 2/(a cos t) in the plane of incidence, 1/r + 2 cos t/a across it; a < 0 is hollow.
-TEST(RayTubeTest, SpheresSpreadAndGather) {
+// Mirror equations of a sphere of radius a: 1/r + 2/(a cos t) in the plane of incidence, 1/r + 2 cos t/a across it; a <
+// 0 is concave.
+TEST(RayTubeTest, SpheresDivergeAndFocus) {
   for (const double radius : {0.4, 3.0, -8.0}) {
     for (const double angle : {0.0, 20.0, 45.0, 70.0}) {
       for (const double turned : {0.0, 35.0, 90.0}) {
@@ -62,15 +64,15 @@ TEST(RayTubeTest, SpheresSpreadAndGather) {
   }
 }
 
-// Across its axis a cylinder spreads like a sphere, along it like a plane.
-TEST(RayTubeTest, CylindersSpreadOneWay) {
+// A cylinder spreads as a sphere across its axis, and as a plane along it.
+TEST(RayTubeTest, CylindersSpreadInOnePlane) {
   const double r = 6, a = 0.5, across = 4;
   EXPECT_NEAR(area(tube_by(1 / a, 0, from_angle(0), 6), across),
               r * r * (1 + across * (1 / r + 2 / a)) * (1 + across / r), 0.5);
 }
 
-// Sound that only just meets a triangle says nothing of its curvature.
-TEST(RayTubeTest, GrazingSoundIsTakenAsByAPlane) {
+// At grazing incidence the curvature of a triangle cannot be estimated from its corners.
+TEST(RayTubeTest, GrazingIncidenceCountsAsAPlane) {
   EXPECT_FLOAT_EQ(tube_by(2, 2, from_angle(90), 5).constant, 25);
 }
 

@@ -1,4 +1,4 @@
-// The tally of surfaces against an exact count.
+// surface_tally_test.cpp -- the tally of surfaces in a cell, against an exact count.
 
 #include "echo/grid/surface_tally.h"
 
@@ -10,7 +10,7 @@
 namespace insonify {
 namespace {
 
-constexpr double kRounding = 1e-5;  // Of sums of some hundred floats.
+constexpr double kRounding = 1e-5;  // Relative tolerance of sums of some hundred floats.
 
 SurfaceEcho echo_of(std::uint32_t surface, float energy, float elevation = 0.1F) {
   return {surface, energy, energy * elevation, energy * elevation * elevation};
@@ -36,8 +36,8 @@ TEST(SurfaceTallyTest, IsExactForAsManySurfacesAsItKeeps) {
   }
 }
 
-// 5, 1, 2, 3 and another of 2: all lose 1, the weakest goes, the new one takes its place.
-TEST(SurfaceTallyTest, OneTooManyCostsEachWhatTheWeakestHas) {
+// Energies 5, 1, 2, 3 and a fifth surface with 2: all lose 1, the weakest is removed, and the new one takes its place.
+TEST(SurfaceTallyTest, OneTooManyReducesEachByTheWeakest) {
   SurfaceTally tally;
   for (const auto& [surface, energy] : {std::pair{10U, 5.0F}, {11U, 1.0F}, {12U, 2.0F}, {13U, 3.0F}, {14U, 2.0F}}) {
     add_surface(tally, echo_of(surface, energy, 0.25F));
@@ -53,7 +53,7 @@ TEST(SurfaceTallyTest, OneTooManyCostsEachWhatTheWeakestHas) {
   }
 }
 
-// No surface is told too strong, none misses more than a fifth of all.
+// Energies are never too large, and too small by at most a fifth of the total.
 TEST(SurfaceTallyTest, BoundsHoldForAnySurfaces) {
   std::mt19937 generator(1);
   double worst = 0;
@@ -76,7 +76,7 @@ TEST(SurfaceTallyTest, BoundsHoldForAnySurfaces) {
       worst = std::max(worst, missing);
     }
   }
-  EXPECT_GT(worst, 0.1);  // The bound is needed.
+  EXPECT_GT(worst, 0.1);  // The test reaches the order of the bound.
 }
 
 }  // namespace

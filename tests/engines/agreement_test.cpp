@@ -1,4 +1,5 @@
-// The `cpu` engine against the oracle: every ray against every triangle, on random scenes.
+// agreement_test.cpp -- the `cpu` engine against the `reference` engine on random scenes: hits, echoes, and rasterised
+// against traced primaries.
 
 #include <algorithm>
 #include <array>
@@ -10,14 +11,16 @@ namespace {
 
 using namespace testing_scenes;
 
-// Engines agree to this share of the energy (DESIGN): what single precision moves between neighbouring bins.
+// Sum |a - b| / sum a by which engines may differ: single precision moves this share of the energy to neighbouring
+// bins.
 constexpr double kEnergyTolerance = 1e-4;
 
-// Each order by itself may differ more. Paths by a mirror segment by differences between neighbours' ranges, of which
-// single precision leaves four digits; glints are steep, and so are levels near a focus.
+// The same for each path order. Orders 2 and 3 may differ more: footprints of paths by way of a mirror are computed
+// from differences of ranges, of which single precision leaves four digits, and levels change steeply within specular
+// lobes and near foci.
 constexpr double kOrderTolerances[] = {kEnergyTolerance, 5 * kEnergyTolerance, 50 * kEnergyTolerance};
 
-// Of all orders together.
+// Sum |a - b| / sum a over all path orders together.
 double whole_difference(const EchoGrid& a, const EchoGrid& b) {
   double apart = 0, sum = 0;
   for (int order = 1; order <= kPathOrders; ++order) {
@@ -34,7 +37,7 @@ void expect_agreement(const EchoGrid& a, const EchoGrid& b, int seed) {
   }
 }
 
-// At most this share of the samples may hit another surface: rays through a shared edge, where either is right.
+// Share of the samples that may hit different surfaces: rays through a shared edge, where both answers are right.
 constexpr double kOtherSurface = 1e-5;
 
 // Rays of the lattice through Engine::trace, to compare hit by hit.
@@ -127,7 +130,7 @@ TEST(EngineAgreementTest, BothEnginesMoveInstancesAlike) {
   }
 }
 
-// Leaves ones in the memory that what is called next has for its variables.
+// Fills the stack memory below this frame with ones, which the next function called finds in its uninitialised memory.
 [[gnu::noinline]] void fill_stack() {
   std::array<volatile unsigned char, 200'000> bytes;
   for (volatile unsigned char& byte : bytes) {
@@ -135,7 +138,7 @@ TEST(EngineAgreementTest, BothEnginesMoveInstancesAlike) {
   }
 }
 
-// See CpuScene::occlude(): with coherent packets this never returned, where Embree uses AVX-512 and is compiled so.
+// With coherent packets, Embree built for AVX-512 did not return from this; see CpuScene::occlude().
 TEST(EngineAgreementTest, ReturnLegsAmongMovingInstancesEndWhateverTheStackHolds) {
   const RandomScene random(4);
   ASSERT_TRUE(std::ranges::any_of(random.scene.instances, &Instance::moving));
@@ -167,8 +170,8 @@ TEST(RasterAgreementTest, RasterAndRaysGiveTheSameEchoes) {
   }
 }
 
-// Upright walls too, whose normals have zeros of either sign.
-TEST(RasterAgreementTest, RoughMirrorsAreTheSameDrawnOrTraced) {
+// Includes vertical walls, whose normals have zeros of either sign.
+TEST(RasterAgreementTest, RoughMirrorsAreTheSameRasterisedOrTraced) {
   SceneMaker maker;
   maker.add_floor(-2).add_wall(8).add_sphere({5, 0.3, -1}, 0.6, 0.8, 0.2);
   Scene scene = maker.scene();
@@ -195,7 +198,7 @@ TEST(RasterAgreementTest, RoughMirrorsAreTheSameDrawnOrTraced) {
   expect_agreement(reference, rays, 0);
 }
 
-TEST(RasterAgreementTest, AutoDrawsFewTrianglesAndTracesMany) {
+TEST(RasterAgreementTest, AutoRasterisesFewTrianglesAndTracesMany) {
   const auto chosen = [](SonarConfig sonar, double azimuth_deg, int beams, std::size_t triangles) {
     sonar.azimuth_aperture = azimuth_deg * kDegree;
     sonar.beam_count = beams;
@@ -214,7 +217,7 @@ TEST(RasterAgreementTest, AutoDrawsFewTrianglesAndTracesMany) {
   EXPECT_EQ(primary_echoes(PrimaryEchoes::kRays, sonar, 10, "cpu"), PrimaryEchoes::kRays);
 }
 
-TEST(RasterAgreementTest, TheEngineTakesWhatWasChosen) {
+TEST(RasterAgreementTest, TheEngineUsesTheChosenMethod) {
   const RandomScene random(1);
   const auto engine = make_engine("cpu", 2);
   engine->set_scene(random.scene);

@@ -1,5 +1,5 @@
-// Ranges and bearings of surfaces that can be worked out by hand, on every engine. T numbers are those of the project's
-// table of acceptance tests.
+// engine_geometry_test.cpp -- ranges and bearings of surfaces that can be computed by hand, on every engine. T numbers
+// are those of docs/concepts/physics-tests.md.
 
 #include "engines/test_scenes.h"
 #include "support/shadow_sonar.h"
@@ -9,7 +9,7 @@ namespace {
 
 using namespace testing_scenes;
 
-// Where surfaces are heard does not depend on the model; in the calibrated one they scatter after Lambert's law.
+// Where surfaces are received does not depend on the model; in the calibrated one they scatter after Lambert's law.
 class EngineGeometryTest : public testing::TestWithParam<EngineAndModel> {
  protected:
   EchoGrid echoes(const Scene& scene, const SonarConfig& sonar, const Pose& pose = {},
@@ -25,7 +25,8 @@ class EngineGeometryTest : public testing::TestWithParam<EngineAndModel> {
   }
 };
 
-// The paper model's way back from a second surface; the calibrated model's is in validation/multipath_test.cpp.
+// The return leg from the second surface in the paper model; for the calibrated model see
+// validation/multipath_test.cpp.
 class ReturnLegTest : public EngineGeometryTest {};
 
 SonarConfig wall_sonar() {
@@ -74,7 +75,7 @@ TEST_P(EngineGeometryTest, WallLiesAtItsSlantRangeInEveryBeam) {
   }
 }
 
-// T8. A small sphere's echo is strongest in the beam that looks at it; beam centres are at F (1/2 - (i + 1/2) / N).
+// T8. A small sphere's echo is centred at its azimuth; beam centres are at F (1/2 - (i + 1/2) / N).
 TEST_P(EngineGeometryTest, PointTargetsAppearAtTheirAzimuth) {
   SonarConfig sonar;
   sonar.beam_count = 256;
@@ -106,8 +107,9 @@ TEST_P(EngineGeometryTest, ShadowReachesToWhereTheRayOverThePlateMeetsTheBed) {
       SceneMaker().add_floor(-3).add("plate", make_box({0.01, 4, 1}), {.position = {10.005, 0, -2.5}});
   const EchoGrid grid = echoes(maker.scene(), sonar);
   const auto energy = grid.energy(1, 0);
-  // Between the plate's foot and the end of the shadow, one bin and the beam's own curvature (r (1/cos 1 deg - 1) = 2
-  // mm) aside.
+  // From the plate's foot to the end of the shadow, less one bin and the curvature over the beam's width (r (1/cos 1
+  // deg
+  // - 1) = 2 mm).
   const int dark_from = static_cast<int>(10.4403 / sonar.bin_length()) + 2;
   const int dark_to = static_cast<int>(15.2971 / sonar.bin_length()) - 1;
   for (int bin = dark_from; bin <= dark_to; ++bin) {
@@ -117,8 +119,8 @@ TEST_P(EngineGeometryTest, ShadowReachesToWhereTheRayOverThePlateMeetsTheBed) {
   EXPECT_GT(energy[static_cast<int>(10.2 / sonar.bin_length())], 0);
 }
 
-// The lowest ray of a level sonar h above a flat floor meets it at h / sin(half aperture) whatever its azimuth: the
-// near edge of the floor is an arc, the same range in every beam.
+// The lowest ray of a level sonar h above a flat floor meets it at the range h / sin(half aperture) at every azimuth:
+// the near edge of the floor is an arc.
 TEST_P(EngineGeometryTest, NearEdgeOfAFlatFloorIsAnArc) {
   SonarConfig sonar;
   sonar.beam_count = 64;
@@ -137,8 +139,8 @@ TEST_P(EngineGeometryTest, NearEdgeOfAFlatFloorIsAnArc) {
   }
 }
 
-// T10. Two walls at right angles, x = 8 and y = 6: the least double bounce runs to their edge and back, 10.000 m at
-// azimuth 36.870 degrees; nothing of the secondary layer lies nearer. One mesh's walls reflect each other as two do.
+// T10. Two walls at right angles, x = 8 and y = 6: the shortest double bounce has the range of their edge, 10.000 m at
+// azimuth 36.870 degrees, and no secondary echo is nearer. Two walls of one mesh reflect each other as two meshes do.
 TEST_P(ReturnLegTest, DoubleBounceOfAVerticalDihedralStartsAtItsEdge) {
   SonarConfig sonar;
   sonar.beam_count = 128;
@@ -171,8 +173,8 @@ TEST_P(ReturnLegTest, DoubleBounceOfAVerticalDihedralStartsAtItsEdge) {
       }
       ASSERT_LT(first, sonar.bin_count);
       EXPECT_NEAR((first + 0.5) * sonar.bin_length(), 10.0, sonar.bin_length()) << aperture;
-      // Path d cos(delta) for a ray delta off the edge: the first bin, 0.025 m of 10, holds the bearings within 4
-      // degrees.
+      // A ray at the angle delta from the edge has the range d cos(delta): the first bin of 0.025 m contains bearings
+      // within 4 degrees of the edge.
       double sum = 0, moment = 0;
       for (int beam = 0; beam < sonar.beam_count; ++beam) {
         sum += grid.weight(2, beam)[first];
@@ -184,7 +186,7 @@ TEST_P(ReturnLegTest, DoubleBounceOfAVerticalDihedralStartsAtItsEdge) {
   }
 }
 
-// A wall between the second surface and the sonar stops the return leg.
+// A wall between the second surface and the sonar blocks the return leg.
 TEST_P(ReturnLegTest, ObstructedReturnLegGivesNoEcho) {
   // A mirror at 45 degrees at x = 5 sends a level ray to port, where a plate at y = 5 would send it back to the sonar
   // along a straight line through (2.5, 2.5).
@@ -219,9 +221,9 @@ TEST_P(EngineGeometryTest, EchoesNearerThanTheFirstBinAreDropped) {
   EXPECT_TRUE(std::ranges::all_of(grid.energy(1, ahead), [](float e) { return e == 0; }));
 }
 
-// A wall square ahead: two rows as far above the axis as below it are at the same range, the column has no width in
-// range. Single precision has few digits left beyond a thousand bins.
-TEST_P(EngineGeometryTest, EchoesOfNoDepthAreWholeInEveryBin) {
+// A wall straight ahead, sampled by two rows symmetric about the axis: both have the same range, so that footprints
+// have zero length in range. With thousands of bins single precision has few digits left within a bin.
+TEST_P(EngineGeometryTest, EchoesOfZeroLengthAreWholeInEveryBin) {
   SonarConfig sonar;
   sonar.beam_count = 1;
   sonar.azimuth_aperture = 1 * kDegree;
@@ -244,7 +246,7 @@ TEST_P(EngineGeometryTest, EchoesOfNoDepthAreWholeInEveryBin) {
     EXPECT_NEAR(sum / expected, 1, 1e-4) << bins;
     EXPECT_NEAR(weight / (sonar.azimuth_aperture * 2 * std::sin(0.5 * sonar.elevation_aperture)), 1, 1e-4) << bins;
   }
-  // As far before the first bin.
+  // The same with the wall nearer than the first bin.
   sonar.min_range = 19.9;
   sonar.bin_count = 500;
   const EchoGrid before = echoes(maker.scene(), sonar);
@@ -258,7 +260,7 @@ TEST_P(EngineGeometryTest, EmptyWaterGivesNothing) {
   EXPECT_EQ(grid.label(3, 10).instance, kNoLabel);
 }
 
-// Every segment of the aperture is deposited once: the weights of a wall that fills it add up to its solid angle,
+// Every part of the aperture is deposited once: the weights of a wall that fills it sum to the aperture's solid angle,
 // azimuth aperture x 2 sin(half the elevation aperture).
 TEST_P(EngineGeometryTest, WeightsAddUpToTheSolidAngle) {
   const SonarConfig sonar = wall_sonar();

@@ -1,4 +1,5 @@
-// The fan rasteriser, sample by sample: against what follows from a triangle's corners, and against rays.
+// fan_raster_test.cpp -- the fan rasteriser, sample by sample, against the geometry of single triangles and against
+// rays.
 
 #include "echo/cpu/fan_raster.h"
 
@@ -10,7 +11,7 @@ namespace {
 
 using namespace testing_scenes;
 
-// What the rasteriser sees of a scene.
+// A scene rasterised for one sonar.
 class Drawing {
  public:
   Drawing(const Scene& scene, const SonarConfig& sonar, const Pose& pose)
@@ -28,7 +29,7 @@ class Drawing {
 
   [[nodiscard]] const Lattice& lattice() const { return plan_->lattice; }
 
-  // One column; rows beyond `rows` met nothing.
+  // One column of hits; rows beyond HitColumn::rows have none.
   HitColumn column(int index) {
     HitColumn hits = strip_.column(0);
     hits.rows = raster_.read(index, hits);
@@ -63,9 +64,9 @@ Mesh triangle_mesh(const Vec3f& a, const Vec3f& b, const Vec3f& c) {
   return mesh;
 }
 
-// A triangle across x = 5 between (y, z) = (-1, -0.5), (1, -0.5) and (0, 1): a direction meets it at (5 tan az, 5 tan
-// el / cos az), 5 / (cos az cos el) away.
-TEST(FanRasterTest, ATriangleCoversWhatItsCornersSay) {
+// A triangle in the plane x = 5 with corners (y, z) = (-1, -0.5), (1, -0.5) and (0, 1). A direction meets the plane at
+// (y, z) = (5 tan az, 5 tan el / cos az), at the range 5 / (cos az cos el).
+TEST(FanRasterTest, ATriangleCoversTheDirectionsBetweenItsCorners) {
   SceneMaker maker;
   maker.add("sail", triangle_mesh({5, -1, -0.5F}, {5, 1, -0.5F}, {5, 0, 1}), {}, 0.6);
   Drawing drawing(maker.scene(), fan_of(40, 30), {});
@@ -96,8 +97,8 @@ TEST(FanRasterTest, ATriangleCoversWhatItsCornersSay) {
   EXPECT_GT(missed, 500);
 }
 
-// A shell of quads split in two, its edges along azimuths and elevations of the lattice itself: no sample falls
-// between.
+// A spherical shell of triangles whose vertices are in the directions of the samples: every sample lies on an edge, and
+// must hit one of the triangles.
 TEST(FanRasterTest, NoSampleFallsBetweenTriangles) {
   for (const int columns_per_beam : {1, 3}) {
     SonarConfig sonar = fan_of(60, 40);
@@ -109,11 +110,11 @@ TEST(FanRasterTest, NoSampleFallsBetweenTriangles) {
     for (int column = 0; column < columns; ++column) {
       for (int row = 0; row < rows; ++row) {
         const double azimuth = lattice.azimuth[column];
-        // The outer ones beyond the fan.
+        // The outermost vertices lie beyond the fan.
         const double beyond = row == 0 ? -0.1 : row + 1 == rows ? 0.1 : 0;
-        const double aside = column == 0 ? 0.1 : column + 1 == columns ? -0.1 : 0;
+        const double outwards = column == 0 ? 0.1 : column + 1 == columns ? -0.1 : 0;
         shell.vertices.push_back(
-            point_from_spherical({9, azimuth + aside, lattice.elevations(0)[row] + beyond}).cast<float>());
+            point_from_spherical({9, azimuth + outwards, lattice.elevations(0)[row] + beyond}).cast<float>());
       }
     }
     for (int column = 0; column + 1 < columns; ++column) {
@@ -137,7 +138,7 @@ TEST(FanRasterTest, NoSampleFallsBetweenTriangles) {
   }
 }
 
-TEST(FanRasterTest, WhatIsBeyondTheRangeIsNotMet) {
+TEST(FanRasterTest, SurfacesBeyondTheRangeAreNotHit) {
   SceneMaker maker;
   maker.add_wall(29.9);
   Drawing drawing(maker.scene(), fan_of(40, 30), {});
@@ -151,8 +152,8 @@ TEST(FanRasterTest, WhatIsBeyondTheRangeIsNotMet) {
   }
 }
 
-// Hit by hit against rays on scenes drawn by lot, a quarter of them all around the sonar.
-TEST(FanRasterTest, MeetsWhatRaysMeet) {
+// Hit by hit against rays on random scenes, a quarter of them with a fan of 360 degrees.
+TEST(FanRasterTest, HitsWhatRaysHit) {
   double samples = 0, met = 0, one_only = 0, other = 0, range_apart = 0, normal_apart = 0;
   for (int seed = 0; seed < kScenes; ++seed) {
     RandomScene random(seed);

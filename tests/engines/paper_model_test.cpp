@@ -1,4 +1,4 @@
-// Strength of echoes in the `paper` model.
+// paper_model_test.cpp -- strength of echoes in the `paper` model: sigmoid, incidence, reflectivity, absorption.
 
 #include "insonify/paper_model.h"
 
@@ -11,7 +11,8 @@ namespace {
 
 using namespace testing_scenes;
 
-// PHYSICS 1.5 g: the authors' sigmoid of cos 60 degrees is 0.5 tanh(9 (0.5 - 2/3)) + 0.5 = 0.0474.
+// The sigmoid of the authors' code (docs/concepts/paper-model.md) at cos 60 degrees is 0.5 tanh(9 (0.5 - 2/3)) + 0.5 =
+// 0.0474.
 TEST(PaperModelTest, AuthorsSigmoidIsTheirTanh) {
   const PaperModel model{.sigmoid = Sigmoid::kAuthors};
   for (const double x : {0.0, 0.3, 0.5, 2.0 / 3, 1.0}) {
@@ -44,7 +45,7 @@ TEST(PaperModelTest, FastShapeIsTheExactOne) {
   }
 }
 
-// A beam so thin that all its samples meet the wall at one angle and range.
+// A beam so narrow that all its samples have the same range and incidence.
 struct ThinBeam {
   SonarConfig sonar;
   PingPlanSettings settings;
@@ -63,7 +64,7 @@ struct ThinBeam {
                 .secondary = SecondaryEchoes::kNone};
   }
 
-  // Mean strength over all that is heard.
+  // Mean strength over all that is received.
   [[nodiscard]] double strength(const char* engine, const Scene& scene, int order = 1) const {
     const EchoGrid grid = echoes_of(engine, scene, settings);
     double weight = 0;
@@ -90,9 +91,9 @@ TEST_P(PaperStrengthTest, IsCosineOfIncidenceTimesReflectivity) {
   }
 }
 
-// T6 for the paper's amplitude: e^(-2 gamma r). 720 kHz, 10 degC, 35 PSU: gamma = 0.0257269 Np/m; at 20 m
-// e^(-1.029076) = 0.357337.
-TEST_P(PaperStrengthTest, LosesToAbsorptionThereAndBack) {
+// T6 (docs/concepts/physics-tests.md) for the amplitude of the paper model: e^(-2 gamma r). At 720 kHz, 10 degC and 35
+// PSU gamma = 0.0257269 Np/m; at 20 m e^(-1.029076) = 0.357337.
+TEST_P(PaperStrengthTest, AbsorptionIsTwoWay) {
   ThinBeam beam;
   beam.settings.water = {};
   beam.settings.sonar.frequency = 720e3;
@@ -109,8 +110,8 @@ TEST_P(PaperStrengthTest, BothSidesOfASurfaceEcho) {
   }
 }
 
-// Out to a mirror at 45 degrees (strength cos 45 x 0.9), across to a plate met squarely (x 0.8), straight back over
-// sqrt 50 m: path 5 + 5 + 7.071 m, absorption e^(-gamma path).
+// A path to a mirror at 45 degrees (strength cos 45 x 0.9), from there to a plate at normal incidence (x 0.8), and
+// straight back: 5 + 5 + sqrt(50) m, with absorption e^(-gamma path).
 TEST_P(PaperStrengthTest, SecondaryEchoesMultiplyBothSurfacesAndTheWholePath) {
   ThinBeam beam;
   beam.settings.water = {};

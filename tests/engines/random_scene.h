@@ -1,4 +1,4 @@
-// random_scene.h -- scenes drawn by lot, the same for a seed on every machine.
+// random_scene.h -- random scenes, sonars and poses, the same for a seed on every machine.
 
 #pragma once
 
@@ -36,7 +36,7 @@ inline Mesh random_shape(Dice& dice) {
   }
 }
 
-// Some objects around a sonar far from the world's origin, over a floor, some of them moving.
+// Several objects around a sonar far from the world's origin, over a floor; some of the objects can move.
 struct RandomScene {
   Scene scene;
   SonarConfig sonar;
@@ -69,13 +69,13 @@ struct RandomScene {
     pose = {centre, orientation_from_rpy(dice.between(-1, 1), dice.between(-0.5, 0.8), dice.between(-0.3, 0.3))};
   }
 
-  // Where a moving instance is taken from where it began.
+  // Pose to which a moving instance is moved.
   [[nodiscard]] Pose moved_pose(std::size_t instance) const {
     const Pose& from = scene.instances[instance].world_from_mesh;
     return {from.position + Vec3(0.5, -0.3, 0.2), orientation_from_rpy(0.3, 0.2, 0.1) * from.orientation};
   }
 
-  // Calls move(instance, pose) for all that move.
+  // Calls move(instance, pose) for all moving instances.
   template <typename Move>
   void move_all(const Move& move) const {
     for (std::size_t i = 0; i < scene.instances.size(); ++i) {

@@ -1,4 +1,5 @@
-// T5: levels do not depend on how many samples a ping takes, whether rays find them or the rasteriser.
+// ray_count_test.cpp -- T5 of docs/concepts/physics-tests.md: levels do not depend on the number of samples, with rays
+// and with the rasteriser.
 
 #include "engines/test_scenes.h"
 
@@ -9,7 +10,7 @@ using namespace testing_scenes;
 
 constexpr int kBeamsABlock = 4, kBinsABlock = 8;
 
-// Sums over blocks of neighbouring beams and bins.
+// Sums of a layer over blocks of neighbouring beams and bins.
 template <typename Layer>
 std::vector<double> block_sums(const EchoGrid& grid, const Layer& layer) {
   const int across = grid.beam_count() / kBeamsABlock, along = grid.bin_count() / kBinsABlock;
@@ -31,7 +32,7 @@ struct Found {
 
 class RayCountTest : public testing::TestWithParam<Found> {};
 
-// A floor 3 m below a level sonar (T4) with a sphere above it.
+// The floor of T4, 3 m below a level sonar, with a sphere above it.
 TEST_P(RayCountTest, LevelsDoNotDependOnTheNumberOfSamples) {
   SonarConfig sonar;
   sonar.beam_count = 256;

@@ -1,4 +1,5 @@
-// relief_echo_test.cpp -- what small slopes and patches do to echoes, on every engine and both ways of primaries.
+// relief_echo_test.cpp -- effect of reliefs (slopes and reflectivity) on echoes, on every engine, rasterised and
+// traced.
 
 #include <cmath>
 #include <numbers>
@@ -22,7 +23,7 @@ void give(Scene& scene, int instance, std::shared_ptr<const Relief> relief) {
   scene.instances[instance].reliefs.assign(1, std::move(relief));
 }
 
-// An engine and how it finds primary echoes.
+// An engine and its method for primary echoes.
 struct Way {
   const char* engine;
   PrimaryEchoes primary;
@@ -63,8 +64,8 @@ double mean_power(const EchoGrid& grid) {
   return energy / weight;
 }
 
-// A wall met at 30 degrees to its normal, turned to either side by a slope of tan(20 degrees).
-TEST_P(ReliefEchoTest, SlopesTurnTheNormal) {
+// A wall at 30 degrees of incidence, whose normal is tilted to either side by a slope of tan(20 degrees).
+TEST_P(ReliefEchoTest, SlopesTiltTheNormal) {
   Scene scene =
       SceneMaker()
           .add("wall", make_plane(Vec3::UnitX(), 40, 40), {{5, 0, 0}, orientation_from_rpy(0, 0, 30 * kDegree)}, 0.8)
@@ -75,12 +76,12 @@ TEST_P(ReliefEchoTest, SlopesTurnTheNormal) {
   };
   const auto slope = static_cast<float>(std::tan(20 * kDegree));
   EXPECT_NEAR(power({0, 0}), 0.8 * std::cos(30 * kDegree), 1e-4);
-  // The wall's normal is its own x axis; its picture's right is its y, 30 degrees left of the world's. What rises to
-  // that side turns the normal away from it.
+  // The wall's normal is its x axis, and the right of its relief is its y axis, 30 degrees left of the world's. A
+  // relief that rises to that side tilts the normal away from it.
   EXPECT_NEAR(power({slope, 0}), 0.8 * std::cos(10 * kDegree), 1e-4);
   EXPECT_NEAR(power({-slope, 0}), 0.8 * std::cos(50 * kDegree), 1e-4);
   EXPECT_NEAR(power({0, slope}), 0.8 * std::cos(30 * kDegree) * std::cos(20 * kDegree), 1e-4);
-  // Turned beyond the edge: in its own shadow.
+  // Tilted by more than the grazing angle, the surface faces away from the sonar.
   EXPECT_EQ(power({-static_cast<float>(std::tan(70 * kDegree)), 0}), 0);
 }
 
@@ -90,8 +91,8 @@ TEST_P(ReliefEchoTest, PatchesReflectLess) {
   EXPECT_NEAR(mean_power(echoes(scene, pencil())), 0.2, 1e-4);
 }
 
-// A surface that is seen from behind its winding is still the same surface: what leans one way leans that way.
-TEST_P(ReliefEchoTest, BothSidesOfATriangleHaveTheSameShape) {
+// A relief tilts the surface in the same direction on both sides of a triangle.
+TEST_P(ReliefEchoTest, BothSidesOfATriangleHaveTheSameRelief) {
   const auto power = [&](bool turned, const Vec2f& slope) {
     Mesh mesh = make_plane(Vec3::UnitX(), 40, 40);
     if (turned) {
@@ -106,11 +107,11 @@ TEST_P(ReliefEchoTest, BothSidesOfATriangleHaveTheSameShape) {
     give(scene, 0, constant(slope));
     return mean_power(echoes(scene, pencil()));
   };
-  // Height is counted out of the surface: what rises towards the front falls towards the back.
+  // Heights are along the normal: a slope that rises on the front falls on the back.
   EXPECT_NEAR(power(false, {0.2F, 0}), power(true, {-0.2F, 0}), 1e-5);
 }
 
-// Without slopes nothing changes, and a relief goes with the object that moves.
+// A relief without slopes changes nothing.
 TEST_P(ReliefEchoTest, FlatReliefChangesNothing) {
   const RandomScene random(3);
   Scene flat = random.scene;
@@ -129,7 +130,7 @@ Relief bumpy(int seed) {
   return relief;
 }
 
-// Every other object rough; half of them by texture coordinates that wind round it.
+// Gives every other object a relief; half of these are mapped by texture coordinates.
 Scene roughened(const RandomScene& random, int seed) {
   Scene scene = random.scene;
   for (std::size_t i = 0; i < scene.instances.size(); i += 2) {
@@ -152,8 +153,8 @@ Scene roughened(const RandomScene& random, int seed) {
   return scene;
 }
 
-// Single precision decides differently now and then, where a slope turns a facet just out of sight or a mirrored ray
-// just past an edge: the engines agree over all scenes, not in each.
+// Rounding sometimes decides whether a tilted surface faces the sonar or whether a reflected ray passes an edge. The
+// engines therefore agree in the sum over all scenes, but not in each scene.
 TEST_P(ReliefEchoTest, AgreesWithTheReference) {
   double apart[3] = {}, sum[3] = {};
   for (int seed = 0; seed < 20; ++seed) {
@@ -180,10 +181,10 @@ TEST_P(ReliefEchoTest, AgreesWithTheReference) {
   RecordProperty("secondary", std::to_string(apart[2] / sum[2]));
 }
 
-// Ripples drawn as triangles against the same ripples as slopes of a flat floor. Mean over a bin of |cos| is what the
-// paper's model keeps; ranges differ by the ripples' height, which is half a bin.
-TEST_P(ReliefEchoTest, LooksLikeADisplacedMesh) {
-  constexpr double kLength = 0.8, kHeight = 0.02;  // From the mean to a crest.
+// Ripples as triangles against the same ripples as a relief on a flat floor. The paper model gives the mean of |cos| in
+// each bin; ranges differ by the height of the ripples, which is half a bin.
+TEST_P(ReliefEchoTest, MatchesADisplacedMesh) {
+  constexpr double kLength = 0.8, kHeight = 0.02;  // Wavelength, and height of crests above the mean [m].
   constexpr int kSteps = 40, kRipples = 8;
   HeightGrid grid{
       .columns = kRipples * kSteps + 1, .rows = 2, .spacing_x = kLength / kSteps, .spacing_y = 20, .heights = {}};
@@ -233,8 +234,8 @@ TEST_P(ReliefEchoTest, LooksLikeADisplacedMesh) {
   EXPECT_NEAR(sum_b / sum_a, 1, 0.03);
 }
 
-// A floor and a wall, met by way of each other.
-TEST_P(ReliefEchoTest, SecondSurfacesHaveTheirShapeToo) {
+// The second surface of a path, a wall reached by way of a floor, has relief too.
+TEST_P(ReliefEchoTest, SecondSurfacesHaveReliefToo) {
   Scene scene = SceneMaker().add_floor(-2).add_wall(8).scene();
   PingPlanSettings settings{.secondary = SecondaryEchoes::kAll};
   settings.sonar.beam_count = 8;
@@ -247,17 +248,17 @@ TEST_P(ReliefEchoTest, SecondSurfacesHaveTheirShapeToo) {
   settings.paper.sigmoid = Sigmoid::kNone;
   const EchoGrid plain = echoes(scene, settings);
   ASSERT_GT(total(plain, 2), 0);
-  // From the floor up to the wall at the same slope. The wall winds to the far side: what falls upwards there rises
-  // upwards here, and turns the normal down to the sound.
+  // Rays reflected from the floor meet the wall at the same slope. The wall's winding faces away from the sonar, so a
+  // relief that falls upwards on its front rises upwards here, and tilts the normal down towards the rays.
   give(scene, 1, constant({0, -static_cast<float>(std::tan(20 * kDegree))}, 0.5F));
   const EchoGrid leaning = echoes(scene, settings);
-  EXPECT_NEAR(total(leaning, 1) / total(plain, 1), 1, 1e-5);  // The floor's.
+  EXPECT_NEAR(total(leaning, 1) / total(plain, 1), 1, 1e-5);  // Echo of the floor.
   EXPECT_NEAR(total(leaning, 2) / total(plain, 2), 0.5 / std::cos(20 * kDegree), 0.01);
 }
 
-// Facets that lean away by 15 degrees still face rays that come down by 20, and mirror them down by 10, into the floor:
-// they are not sent. They would come out under it, meet another floor and come back past its edge.
-TEST_P(ReliefEchoTest, NothingIsSentIntoTheSurface) {
+// A relief tilted away by 15 degrees still faces rays that come down at 20 degrees, and reflects them down at 10, into
+// the floor. Such rays are not traced. They would hit another floor below and return past the edge of the first.
+TEST_P(ReliefEchoTest, NothingIsReflectedIntoTheSurface) {
   Scene scene = SceneMaker().add_floor(-2, 0.8, 6).add_floor(-2.5).scene();
   give(scene, 0, constant({-0.27F, 0}));
   PingPlanSettings settings{.secondary = SecondaryEchoes::kAll};

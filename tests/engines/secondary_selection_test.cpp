@@ -1,4 +1,5 @@
-// secondary_selection_test.cpp -- which hits the cpu engine sends rays on from, and what that leaves of the echoes.
+// secondary_selection_test.cpp -- selection of the hits from which the cpu engine traces reflected rays: number of
+// rays, and unbiased echoes.
 
 #include <cmath>
 
@@ -9,8 +10,8 @@ namespace {
 
 using namespace testing_scenes;
 
-// Rays that leave a flat floor for open water miss the boxes around everything, and are not sent.
-TEST(SecondarySelectionTest, SendsNothingIntoOpenWater) {
+// Rays reflected from a flat floor into open water miss the boxes around all objects, and are not traced.
+TEST(SecondarySelectionTest, TracesNoRaysIntoOpenWater) {
   SonarConfig sonar;
   sonar.beam_count = 16;
   sonar.elevation_center = -20 * kDegree;
@@ -28,8 +29,9 @@ TEST(SecondarySelectionTest, SendsNothingIntoOpenWater) {
   EXPECT_NEAR(total(selective, 2) / total(all, 2), 1, 0.05);
 }
 
-// Half of all hits are on a wall above the sonar's height and leave for open water. Of the others some are followed.
-TEST(SecondarySelectionTest, FollowsSomeOfThoseThatMayMeetASurface) {
+// Half of the hits are on a wall above the sonar, and their reflected rays go into open water. Of the others a sample
+// is traced.
+TEST(SecondarySelectionTest, TracesASampleOfTheRaysThatMayHitASurface) {
   SonarConfig sonar;
   sonar.beam_count = 64;
   sonar.elevation_center = 0;
@@ -48,7 +50,7 @@ TEST(SecondarySelectionTest, FollowsSomeOfThoseThatMayMeetASurface) {
   EXPECT_NEAR(total(selective, 2) / total(all, 2), 1, 0.02);
 }
 
-TEST(SecondarySelectionTest, SeedsDrawLotsOfTheirOwn) {
+TEST(SecondarySelectionTest, SeedsSelectDifferentHits) {
   SonarConfig sonar;
   sonar.beam_count = 16;
   sonar.elevation_center = -15 * kDegree;
@@ -64,7 +66,7 @@ TEST(SecondarySelectionTest, SeedsDrawLotsOfTheirOwn) {
   EXPECT_GT(difference(first, second, 2), 0.001);
 }
 
-// What a quantity is by `selective` less what it is by `all`, over many pings with lots of their own.
+// Differences of a quantity between `selective` and `all`, over many pings with independent random selections.
 class Surplus {
  public:
   void add(double selective, double all) {
@@ -73,9 +75,9 @@ class Surplus {
     squares_ += surplus * surplus;
     all_ += all;
   }
-  // In standard deviations of the sum, were the pings' own surpluses zero in the mean.
+  // The sum of differences in units of its standard deviation, under the hypothesis that their mean is zero.
   [[nodiscard]] double deviations() const { return sum_ / std::sqrt(squares_); }
-  // How small a share of the whole one standard deviation is: what the test can tell from zero.
+  // That standard deviation relative to the total: the bias that the test can detect.
   [[nodiscard]] double resolution() const { return std::sqrt(squares_) / all_; }
 
  private:
@@ -92,8 +94,8 @@ double total_weight(const EchoGrid& grid) {
   return sum;
 }
 
-// The lots of `selective` are drawn so that the sums of both layers are those of `all` in the mean.
-TEST(SecondarySelectionTest, KeepsTheSumsOfEnergyAndWeight) {
+// The random selection is unbiased: the expected sums of energy and weight are those of `all`.
+TEST(SecondarySelectionTest, PreservesTheSumsOfEnergyAndWeight) {
   Surplus energy, weight;
   RayCounts rays_all, rays_selective;
   for (int number = 0; number < 60; ++number) {
@@ -116,7 +118,7 @@ TEST(SecondarySelectionTest, KeepsTheSumsOfEnergyAndWeight) {
   EXPECT_LT(rays_selective.secondary, rays_all.secondary);
   EXPECT_LT(energy.resolution(), 0.003);
   EXPECT_LT(weight.resolution(), 0.01);
-  EXPECT_LT(std::abs(energy.deviations()), 3.3);  // One chance in a thousand.
+  EXPECT_LT(std::abs(energy.deviations()), 3.3);  // Exceeded by chance once in a thousand.
   EXPECT_LT(std::abs(weight.deviations()), 3.3);
 }
 

@@ -1,4 +1,4 @@
-// test_scenes.h -- scenes and sonars small enough to be worked out by hand, shared by the tests of all engines.
+// test_scenes.h -- simple scenes and sonars whose echoes can be computed by hand, shared by the tests of all engines.
 
 #pragma once
 
@@ -17,7 +17,7 @@ namespace insonify::testing_scenes {
 
 inline constexpr double kDegree = 3.14159265358979323846 / 180;
 
-/// A scene whose surfaces all have the given reflectivity, one material an instance.
+/// Builds a scene; each instance has a material of its own with a given reflectivity.
 class SceneMaker {
  public:
   SceneMaker& add(std::string name, Mesh mesh, const Pose& world_from_mesh = {}, double reflectivity = 0.8) {
@@ -72,7 +72,7 @@ inline EchoGrid echoes_of(const std::string& engine_name, const Scene& scene, co
   return echoes_of(*engine, settings, world_from_sonar);
 }
 
-/// What a test of whole pings runs on: every engine, in both models.
+/// Parameters of tests that run on every engine, in both models.
 struct EngineAndModel {
   const char* name;
   const char* engine;
@@ -83,7 +83,7 @@ inline constexpr EngineAndModel kEnginesAndModels[] = {{"cpu", "cpu", EchoModel:
                                                        {"cpuCalibrated", "cpu", EchoModel::kCalibrated},
                                                        {"referenceCalibrated", "reference", EchoModel::kCalibrated}};
 
-/// The same scene of surfaces that only scatter, after Lambert's law in the calibrated model.
+/// The same scene with surfaces that do not reflect: in the calibrated model they scatter by Lambert's law only.
 inline Scene without_glints(Scene scene) {
   for (Material& material : scene.materials) {
     material.reflection = 0;
@@ -91,7 +91,7 @@ inline Scene without_glints(Scene scene) {
   return scene;
 }
 
-/// A scenario of one sonar without noise or absorption: what is left is geometry.
+/// A scenario of one sonar without noise, absorption or secondary echoes.
 inline Scenario quiet_scenario(const SonarConfig& sonar) {
   Scenario scenario;
   scenario.model = EchoModel::kPaper;
@@ -111,7 +111,7 @@ inline Scenario quiet_scenario(const SonarConfig& sonar, const EngineAndModel& o
   return scenario;
 }
 
-/// Range of the energy's centroid in one beam, in bins; NaN where there is none.
+/// Centroid of the energy in one beam [bins]; NaN where there is no energy.
 inline double centroid_bin(std::span<const float> energy) {
   double sum = 0, moment = 0;
   for (std::size_t bin = 0; bin < energy.size(); ++bin) {
@@ -121,7 +121,7 @@ inline double centroid_bin(std::span<const float> energy) {
   return moment / sum;
 }
 
-/// Sum of one layer.
+/// Sum of the energy of one path order.
 inline double total(const EchoGrid& grid, int order) {
   double sum = 0;
   for (int beam = 0; beam < grid.beam_count(); ++beam) {
@@ -132,7 +132,7 @@ inline double total(const EchoGrid& grid, int order) {
   return sum;
 }
 
-/// Sum |a - b| over sum a of one layer.
+/// Sum |a - b| / sum a of the energy of one path order.
 inline double difference(const EchoGrid& a, const EchoGrid& b, int order) {
   double apart = 0;
   for (int beam = 0; beam < a.beam_count(); ++beam) {

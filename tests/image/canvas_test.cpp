@@ -19,7 +19,7 @@ double ink_on(const Picture& picture) {
   return sum;
 }
 
-TEST(CanvasTest, ALineLaysDownItsLengthTimesItsWidth) {
+TEST(CanvasTest, ALineCoversItsLengthTimesItsWidth) {
   for (const double angle : {0.0, 0.3, 0.7853981633974483, 1.2, 1.5707963267948966, 2.5, 4.0}) {
     Picture picture = blank_picture(200, 200, {0, 0, 0});
     draw_line(picture, {100.5, 100.5}, {100.5 + 60 * std::cos(angle), 100.5 + 60 * std::sin(angle)}, 2, kWhite);
@@ -33,7 +33,7 @@ TEST(CanvasTest, ALineThinnerThanAPixelIsPale) {
   EXPECT_NEAR(ink_on(picture), 20, 0.5);
 }
 
-TEST(CanvasTest, AnArcLaysDownItsLengthTimesItsWidth) {
+TEST(CanvasTest, AnArcCoversItsLengthTimesItsWidth) {
   for (const double angle : {0.5, 2.0, 4.0, 2 * std::numbers::pi}) {
     Picture picture = blank_picture(200, 200, {0, 0, 0});
     draw_arc(picture, {100, 100}, 70, -angle / 2, angle / 2, 1.5, kWhite);

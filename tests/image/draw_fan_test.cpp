@@ -139,7 +139,7 @@ TEST(DrawFanTest, OutsideOfTheFanThereIsOnlyBackground) {
   }
 }
 
-TEST(DrawFanTest, NotANumberIsSilence) {
+TEST(DrawFanTest, NaNIsDrawnAsZero) {
   const SonarConfig sonar = small_sonar();
   Ping ping = silent_ping(sonar);
   const Picture silence = draw_fan(ping, sonar, bare());
@@ -237,7 +237,7 @@ TEST(DrawFanTest, BareFansHaveTheHeightAskedFor) {
   EXPECT_EQ(picture.rgb.size(), 3U * 333 * 510);
 }
 
-TEST(DrawFanTest, RefusesWhatDoesNotBelongTogether) {
+TEST(DrawFanTest, RefusesPingsOfAnotherShape) {
   const SonarConfig sonar = small_sonar();
   Ping ping = silent_ping(sonar);
   ping.beam_count = 19;

@@ -71,7 +71,7 @@ TEST(DrawPolarTest, MoreCellsThanPixelsAreAveraged) {
   }
 }
 
-TEST(DrawPolarTest, NotANumberIsSilence) {
+TEST(DrawPolarTest, NaNIsDrawnAsZero) {
   const SonarConfig sonar = table_sonar();
   Ping ping = counting_ping(sonar);
   std::fill(ping.intensity.begin(), ping.intensity.end(), std::numeric_limits<float>::quiet_NaN());

@@ -15,7 +15,7 @@ Ping ping_of(int bins, int beams, float intensity) {
   return ping;
 }
 
-TEST(LevelsTest, RaisingEvensOutWhatFallsWithRange) {
+TEST(LevelsTest, GainOverRangeCompensatesTheFallWithRange) {
   SonarConfig sonar;
   sonar.beam_count = 3;
   sonar.bin_count = 40;

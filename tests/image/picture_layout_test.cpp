@@ -108,7 +108,7 @@ std::vector<std::string> labels_of(const SonarConfig& sonar, int height = 720) {
   return found;
 }
 
-TEST(PictureLayoutTest, FansHaveTheirMostTellingLabels) {
+TEST(PictureLayoutTest, FansHaveTheirMainLabels) {
   using Texts = std::vector<std::string>;
   EXPECT_EQ(labels_of(sonar_of(120, 50)), (Texts{"0°", "10 m", "20 m", "20° P", "20° S", "30 m", "40 m", "40° P",
                                                  "40° S", "50 m", "60° P", "60° S"}));
@@ -120,7 +120,7 @@ TEST(PictureLayoutTest, FansHaveTheirMostTellingLabels) {
                                                  "20 m", "30° P", "30° S", "5 m", "60° P", "60° S", "90° P", "90° S"}));
 }
 
-TEST(PictureLayoutTest, EveryFanTellsWhereItEnds) {
+TEST(PictureLayoutTest, EveryFanLabelsItsEnds) {
   for (const int height : kHeights) {
     for (const double aperture : kApertures) {
       const std::vector<std::string> labels = labels_of(sonar_of(aperture, 35), height);

@@ -51,7 +51,7 @@ TEST(AssignMaterialsTest, AnUnknownNameTakesTheDefault) {
   EXPECT_THAT(names_of(scene), ElementsAre("mud", "steel", "mud"));
 }
 
-TEST(AssignMaterialsTest, ThoseThatTookTheDefaultAreToldInOneLine) {
+TEST(AssignMaterialsTest, SurfacesThatTookTheDefaultAreReportedInOneLine) {
   Scene scene = scene_with({instance("ship", {"paint_7", "steel", ""}), instance("rock", {"moss", "paint_7"})});
   std::vector<std::string> told;
   assign_materials(scene, {.default_material = "clay"}, [&](Severity severity, const std::string& line) {
@@ -63,7 +63,7 @@ TEST(AssignMaterialsTest, ThoseThatTookTheDefaultAreToldInOneLine) {
 }
 
 // As those of a height grid or an STL.
-TEST(AssignMaterialsTest, SurfacesWithoutANameAreToldAsSuch) {
+TEST(AssignMaterialsTest, SurfacesWithoutANameAreReportedAsSuch) {
   Scene scene = scene_with({instance("seabed", {""})});
   std::vector<std::string> told;
   assign_materials(scene, {}, [&](Severity, const std::string& line) { told.push_back(line); });

@@ -63,7 +63,7 @@ TEST(HeightFieldTest, ThreeCornersMakeOneTriangleAndTwoNone) {
   EXPECT_EQ(two_holes.vertices.size(), 4U);
 }
 
-TEST(HeightFieldTest, LonePointsLeaveNoVertices) {
+TEST(HeightFieldTest, IsolatedPointsGiveNoVertices) {
   const Mesh mesh = make_height_field({4,
                                        4,
                                        1,

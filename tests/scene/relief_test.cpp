@@ -29,13 +29,13 @@ TEST(TileTest, IsLinearBetweenTexelsAndRepeats) {
   EXPECT_FLOAT_EQ(tile.at(-7.75F, 12.75F), 1);
 }
 
-TEST(SlopesTest, OfNormalsAreTheirTangents) {
+TEST(SlopesTest, AreTheTangentsOfNormals) {
   const Eigen::Vector3f normal = Eigen::Vector3f(-0.3F, 0.2F, 1).normalized();  // Rises to the right, falls upwards.
   const Tile<Vec2f> slopes = slopes_of_normals({1, 1, {normal}});
   EXPECT_LT((slopes.texels[0] - Vec2f(0.3F, -0.2F)).norm(), kFloat);
 }
 
-TEST(SlopesTest, OfHeightsAreTheirDerivatives) {
+TEST(SlopesTest, AreTheDerivativesOfHeights) {
   constexpr int kSize = 64;
   Tile<float> heights{kSize, kSize, {}};
   const auto turn = [](int texel) {
@@ -56,7 +56,7 @@ TEST(SlopesTest, OfHeightsAreTheirDerivatives) {
   }
 }
 
-TEST(ReliefConfigTest, RefusesWhatDoesNotGoTogether) {
+TEST(ReliefConfigTest, RefusesSettingsThatExcludeEachOther) {
   const auto message = [](const ReliefConfig& config) {
     return message_of([&] { config.validate("materials.sand"); });
   };
@@ -142,7 +142,7 @@ TEST(ReliefAtTest, ReadsThePictureWhereTheTextureSays) {
   EXPECT_NEAR(relief_at(relief, mesh, 1, {-0.5F, 0.5F, 0}, Vec3f::UnitZ()).reflectivity, 0.25F, kFloat);
 }
 
-TEST(ReliefAtTest, WithoutTexturePositionsCount) {
+TEST(ReliefAtTest, MapsByPositionWithoutTextureCoordinates) {
   Mesh mesh = make_plane(Vec3::UnitZ(), 4, 2);
   Relief relief;
   relief.reflectivity = {2, 1, {0, 1}};
@@ -162,7 +162,7 @@ TEST(ReliefAtTest, WithoutTexturePositionsCount) {
 }
 
 // Coordinates whose differences no float holds: as if there were none.
-TEST(ReliefAtTest, EndlessTextureSaysNothing) {
+TEST(ReliefAtTest, NonFiniteTextureCoordinatesAreIgnored) {
   constexpr float kHuge = 3e38F;
   const Mesh mesh = rectangle({Vec2f(-kHuge, -kHuge), {kHuge, -kHuge}, {kHuge, kHuge}, {-kHuge, kHuge}});
   Relief relief;

@@ -56,7 +56,7 @@ TEST(SceneTest, BoundsLeaveOutCornersOfNoTriangle) {
   EXPECT_LE((scene.bounds().high - Vec3(2, 3, 1)).norm(), kFloatRounding);
 }
 
-TEST(SceneTest, NothingHasEmptyBounds) {
+TEST(SceneTest, AnEmptySceneHasEmptyBounds) {
   const Box3 box = Scene{}.bounds();
   EXPECT_GT(box.low.x(), box.high.x());
   EXPECT_EQ(Scene{}.triangle_count(), 0U);

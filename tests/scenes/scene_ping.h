@@ -84,17 +84,17 @@ class ScenePing {
 
   /// Share of the cells between two ranges and two azimuths from which anything echoed.
   [[nodiscard]] double share_heard(double from_range, double to_range, double from_azimuth, double to_azimuth) const {
-    double heard = 0;
+    double received = 0;
     double count = 0;
     for (int beam = 0; beam < ping_.beam_count; ++beam) {
       const double azimuth = sonar().beam_azimuth(beam);
       for (int bin = bin_at(from_range); azimuth > from_azimuth && azimuth < to_azimuth && bin < bin_at(to_range);
            ++bin) {
-        heard += visual(bin, beam).empty() ? 0 : 1;
+        received += visual(bin, beam).empty() ? 0 : 1;
         count += 1;
       }
     }
-    return count > 0 ? heard / count : std::numeric_limits<double>::quiet_NaN();
+    return count > 0 ? received / count : std::numeric_limits<double>::quiet_NaN();
   }
 
   /// Ranges between which nothing echoes in a beam, around `range`. Both are `range` where something does there.

@@ -98,7 +98,7 @@ TEST_P(SceneSelectionTest, HalfTheRaysGiveTheSameEchoes) {
 }
 
 // Over an even bed few mirrored rays come near the one sphere: so few that all of them are sent.
-TEST(SelectionTest, WhereBoxesSpareMostRaysTheRestAreAllSent) {
+TEST(SelectionTest, AllRemainingRaysAreTracedWhereBoxesCullMost) {
   Scan scan("sphere");
   const Tally all = scan.tally(SecondaryEchoes::kAll, 0);
   const Tally selective = scan.tally(SecondaryEchoes::kSelective, 0);

@@ -1,4 +1,4 @@
-// tank_and_ferry_scene_test.cpp -- walls, vehicle, wreck and bed are heard where geometry puts them.
+// tank_and_ferry_scene_test.cpp -- walls, vehicle, wreck and bed are received where geometry puts them.
 
 #include <gtest/gtest.h>
 

@@ -54,7 +54,7 @@ INSTANTIATE_TEST_SUITE_P(All, ReferenceTest, testing::ValuesIn(kReferences),
                          [](const auto& reference) { return std::string(reference.param.name); });
 
 // Windows without any contrast leave brightness alone: (2 x .5 x .6 + .0001) / (.25 + .36 + .0001).
-TEST(SimilarityTest, OfConstantPicturesOnlyBrightnessIsSeen) {
+TEST(SimilarityTest, OnlyBrightnessCountsForConstantPictures) {
   const GreyPicture half{"half", 20, 11, std::vector<double>(220, 0.5)};
   const GreyPicture more{"more", 20, 11, std::vector<double>(220, 0.6)};
   EXPECT_NEAR(ssim(half, more), .9836092443861661, kSame);
@@ -65,7 +65,7 @@ TEST(SimilarityTest, OfConstantPicturesOnlyBrightnessIsSeen) {
 
 // ---------------------------------------------------------------- By law
 
-TEST(SimilarityTest, APictureIsAllAlikeToItself) {
+TEST(SimilarityTest, APictureIsIdenticalToItself) {
   const GreyPicture a = waves_and_squares(176);
   const Similarity self = compare_pictures(a, a);
   EXPECT_EQ(self.mse, 0);
@@ -102,7 +102,7 @@ TEST(SimilarityTest, MoreNoiseIsLessAlike) {
   }
 }
 
-TEST(SimilarityTest, CorrelationSeesNoGainAndNoOffsetButTheSign) {
+TEST(SimilarityTest, CorrelationIgnoresGainAndOffsetButNotTheSign) {
   const GreyPicture a = waves_and_squares(32);
   EXPECT_NEAR(correlation(a, with_gain(a)), 1, kSame);
   EXPECT_NEAR(correlation(a, with_offset(a)), 1, kSame);
@@ -110,7 +110,7 @@ TEST(SimilarityTest, CorrelationSeesNoGainAndNoOffsetButTheSign) {
 }
 
 // The negative of a picture is anti-alike: a power of that would not be a number.
-TEST(SimilarityTest, ScalesThatAreAntiAlikeCountAsNothing) {
+TEST(SimilarityTest, NegativeScalesCountAsZero) {
   const GreyPicture a = waves_and_squares(176);
   const GreyPicture negative = changed(a, [](double value, double) { return 1 - value; });
   EXPECT_LT(ssim(a, negative), 0);
@@ -132,7 +132,7 @@ TEST(SimilarityTest, MsSsimCanBeLeftOut) {
 }
 
 // 48.1308 dB is the PSNR of an error of one step of 8 bits; half of it is sqrt(1 / 255) of full scale.
-TEST(SimilarityTest, NormalisedMeasuresGoFromNothingToOne) {
+TEST(SimilarityTest, NormalisedMeasuresGoFromZeroToOne) {
   const NormalisedSimilarity some = normalised({.mse = 1.0 / 255, .psnr_db = psnr_db(1.0 / 255), .ssim = -0.1});
   EXPECT_NEAR(some.mse, 254.0 / 255, kSame);
   EXPECT_NEAR(some.psnr, 0.5, kSame);
@@ -186,7 +186,7 @@ TEST(KsDistanceTest, LevelsStoredInOtherPrecisionAreTheSame) {
   EXPECT_EQ(compare_pictures(a, b).ks_distance, 0);
 }
 
-TEST(KsDistanceTest, RefusesNothingAndNaN) {
+TEST(KsDistanceTest, RefusesEmptySamplesAndNaN) {
   EXPECT_EQ(message_of([] { (void)ks_distance({}, std::vector{1.0}); }),
             "a sample of 0 values must have at least one and no NaN");
   EXPECT_EQ(message_of([] {

@@ -1,4 +1,5 @@
-// Patterns against closed forms and values computed apart from this code (PHYSICS 5), and against what faults must do.
+// array_pattern_test.cpp -- beam patterns against closed forms and independently computed values (formulas in
+// docs/concepts/array-and-pulse.md), and the statistics of faulty elements.
 
 #include "insonify/array_pattern.h"
 
@@ -29,7 +30,7 @@ double level_db(const ArrayPattern& pattern, double x) {
   return decibels(pattern.intensity(x));
 }
 
-TEST(ArrayPatternTest, UnbrokenLineIsASinc) {
+TEST(ArrayPatternTest, ContinuousLineIsASinc) {
   const ArrayPattern line;
   EXPECT_EQ(line.amplitude(0), 1.0);
   for (const double x : {0.1, 0.5, 1.43, 7.77, -2.2}) {
@@ -42,7 +43,7 @@ TEST(ArrayPatternTest, UnbrokenLineIsASinc) {
 TEST(ArrayPatternTest, LineHasTheReferenceLobes) {
   const ArrayPattern line;
   EXPECT_THAT(line.width(), RelativelyNear(0.8858929413781328));
-  // The place of a peak is found only to the root of the rounding of its height.
+  // The position of a peak is accurate only to the square root of the rounding error of its height.
   EXPECT_NEAR(line.highest_side_lobe().x, 1.4302966531241976, 1e-7);
   EXPECT_THAT(line.highest_side_lobe().level_db, RelativelyNear(-13.261458884048285));
   EXPECT_THAT(level_db(line, 2.4590240329569477), RelativelyNear(-17.830421076512664));
@@ -50,7 +51,7 @@ TEST(ArrayPatternTest, LineHasTheReferenceLobes) {
   EXPECT_EQ(line.taper_efficiency(), 1);
 }
 
-// The same aperture sends and receives: sinc^4.
+// The same aperture transmits and receives: sinc^4.
 TEST(ArrayPatternTest, TwoWayLineHasTheReferenceLobes) {
   const ArrayPattern line({.two_way = true});
   EXPECT_THAT(line.width(), RelativelyNear(0.6378333973704464));
@@ -86,7 +87,7 @@ TEST(ArrayPatternTest, BeamHasTheReferenceSamples) {
     const double u = std::sin(radians_from_degrees(sample.bearing_deg));
     EXPECT_THAT(ArrayPattern().intensity(kLength * u), RelativelyNear(sample.intensity));
   }
-  // Steered, its width in angle grows.
+  // The width in angle of a steered beam is larger.
   const struct {
     double bearing_deg, width_deg;
   } steered[] = {{0, 0.9994992564902505}, {30, 1.1541467230097133}, {60, 1.9999888874867295}};
@@ -97,7 +98,7 @@ TEST(ArrayPatternTest, BeamHasTheReferenceSamples) {
   }
 }
 
-// Width, highest side lobe and efficiency of 64 elements.
+// Width, highest side lobe and taper efficiency of 64 elements.
 TEST(ArrayPatternTest, WindowsHaveTheReferenceLobes) {
   const struct {
     ArraySettings settings;
@@ -129,7 +130,7 @@ TEST(ArrayPatternTest, WindowsHaveTheReferenceLobes) {
     const ArrayPattern array(c.settings);
     SCOPED_TRACE(static_cast<int>(c.settings.window));
     EXPECT_THAT(array.width(), RelativelyNear(c.width));
-    // The reference looked for its peaks on a grid.
+    // The reference values were searched on a grid.
     EXPECT_NEAR(array.highest_side_lobe().level_db, c.side_lobe_db, 1e-4);
     EXPECT_THAT(array.taper_efficiency(), RelativelyNear(c.efficiency));
     EXPECT_TRUE(array.is_real());
@@ -147,7 +148,8 @@ TEST(ArrayPatternTest, DolphsSideLobesAreLevel) {
   EXPECT_GT(crossings, 6 * 20);
 }
 
-// Hann's line: 1.441 and -31.5 dB (PHYSICS 5), to the digits given. Many elements are as good as a line.
+// A line with a Hann window has the width 1.441 lambda/D and side lobes of -31.5 dB (Harris, Proc. IEEE 66(1), 51
+// (1978)). The pattern of many elements converges to that of a line.
 TEST(ArrayPatternTest, ManyElementsAreALine) {
   EXPECT_NEAR(ArrayPattern({.window = ArrayWindow::kHann}).width(), 1.441, 5e-4);
   EXPECT_NEAR(ArrayPattern({.window = ArrayWindow::kHann}).highest_side_lobe().level_db, -31.47, 5e-3);
@@ -160,7 +162,7 @@ TEST(ArrayPatternTest, ManyElementsAreALine) {
   }
 }
 
-// The integral of |g|^2 by brute force over a whole period; an array's has no end elsewhere.
+// The integral of |g|^2 by brute force, over one period for an array of elements.
 TEST(ArrayPatternTest, EquivalentBeamIsTheIntegral) {
   for (const bool two_way : {false, true}) {
     for (const ArrayWindow window : {ArrayWindow::kRectangular, ArrayWindow::kHann, ArrayWindow::kTaylor}) {
@@ -171,7 +173,7 @@ TEST(ArrayPatternTest, EquivalentBeamIsTheIntegral) {
         sum += array.intensity(21 * (i + 0.5) / kSteps);
       }
       EXPECT_THAT(array.equivalent_beam(), RelativelyNear(sum * 21 / kSteps));
-      // A line's, summed out to where its lobes are weak.
+      // For a line, over all lobes that are not negligible.
       const ArrayPattern line({.window = window, .two_way = two_way});
       double line_sum = 0;
       for (double x = -500; x < 500; x += 0.25) {
@@ -196,9 +198,9 @@ TEST(ArrayPatternTest, TwoWayIsTheSquare) {
   }
 }
 
-// A dead element takes its share out of the perfect pattern: with equal weights 1/N, the pattern loses
-// e^(i 2 pi x ((N - 1) / 2 - n) / N) / N.
-TEST(ArrayPatternTest, DeadElementLeavesAHole) {
+// A dead element removes its contribution from the pattern: with equal weights 1/N, e^(i 2 pi x ((N - 1) / 2 - n) / N)
+// / N.
+TEST(ArrayPatternTest, DeadElementIsSubtractedFromThePattern) {
   const ArrayPattern perfect({.elements = 16}), holed({.elements = 16, .dead_elements = {2}});
   EXPECT_FALSE(holed.is_real());
   EXPECT_NEAR(holed.amplitude(0).real(), 15.0 / 16, 1e-14);
@@ -208,10 +210,11 @@ TEST(ArrayPatternTest, DeadElementLeavesAHole) {
   }
 }
 
-// With independent phase errors of deviation s the mean amplitude falls by e^(-s^2 / 2), and 1 - e^(-s^2) of each
-// element's power goes everywhere alike: E|g|^2 = e^(-s^2) |g0|^2 + (1 - e^(-s^2)) sum w^2 (Van Trees, 2.6.3). At the
-// perfect array's null only the second is left. With a share q dead and no other errors it is (1 - q) q / N, but
-// for N - 1 instead of N since their number is exact. Means over 400 arrays: 5 % standard error.
+// With independent phase errors of standard deviation s, the mean amplitude falls by e^(-s^2 / 2), and the fraction 1 -
+// e^(-s^2) of each element's power is spread over all directions: E|g|^2 = e^(-s^2) |g0|^2 + (1 - e^(-s^2)) sum w^2
+// (Van Trees, Optimum Array Processing (2002), 2.6.3). At a null of g0 only the second term remains. With a share q of
+// dead elements and no other errors that term is (1 - q) q / (N - 1); N - 1 instead of N, because the number of dead
+// elements is exact. The means over 400 arrays have a standard error of 5 %.
 TEST(ArrayPatternTest, FaultsRaiseTheSideLobes) {
   constexpr int kElements = 64, kArrays = 400;
   constexpr double kDeviation = 0.2, kShare = 0.125;
@@ -226,7 +229,8 @@ TEST(ArrayPatternTest, FaultsRaiseTheSideLobes) {
   EXPECT_LT(level_db(ArrayPattern({.elements = kElements}), 5), -250);
 }
 
-// E of 10^(d / 20) for normal d of deviation s dB is e^((s ln 10 / 20)^2 / 2). The mean over 1000 elements.
+// The expectation of 10^(d / 20), for normal d with standard deviation s [dB], is e^((s ln 10 / 20)^2 / 2). The array's
+// response on the axis is the mean over its 1000 elements.
 TEST(ArrayPatternTest, AmplitudesDeviateInDecibels) {
   constexpr double kDeviationDb = 2;
   const double neper = kDeviationDb * std::log(10) / 20;
@@ -235,7 +239,7 @@ TEST(ArrayPatternTest, AmplitudesDeviateInDecibels) {
   EXPECT_NEAR(array.amplitude(0).imag(), 0, 1e-12);
 }
 
-TEST(ArrayPatternTest, FaultsBelongToTheSeed) {
+TEST(ArrayPatternTest, FaultsDependOnTheSeed) {
   const ArraySettings faulty{.elements = 32, .element_error_db = 1, .element_error = 0.1, .dead_share = 0.1};
   EXPECT_EQ(ArrayPattern(faulty, 3).amplitude(2.2), ArrayPattern(faulty, 3).amplitude(2.2));
   EXPECT_NE(ArrayPattern(faulty, 3).amplitude(2.2), ArrayPattern(faulty, 4).amplitude(2.2));
@@ -275,7 +279,7 @@ testing::Matcher<const ArraySettings&> is_refused(const char* message) {
       message);
 }
 
-TEST(ArraySettingsTest, BadOnesAreRefused) {
+TEST(ArraySettingsTest, InvalidSettingsAreRefused) {
   EXPECT_THAT(ArraySettings{}, is_refused("accepted"));
   EXPECT_THAT(ArraySettings{.side_lobe_db = -10},
               is_refused("fls.array.side_lobe_db = -10 dB must be from -100 to -15 dB"));

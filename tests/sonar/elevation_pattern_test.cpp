@@ -1,4 +1,4 @@
-// Elevation patterns: their width, where they end, and what falls from the axis outwards.
+// elevation_pattern_test.cpp -- width, sector and envelope of elevation patterns.
 
 #include "sonar/elevation_pattern.h"
 
@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kDegree = radians_from_degrees(1);
 
-// Looking up between entries of a table.
+// Tolerance of interpolation in a table.
 constexpr double kTable = 1e-5;
 
 SonarConfig sonar_of(double aperture_deg, double center_deg) {
@@ -51,8 +51,8 @@ TEST(ElevationPatternTest, WithoutAWindowIsASincInTheSineOfElevation) {
   }
 }
 
-// |sinc(x)| last reaches -20 dB, half of -40 dB, on the far side of its second side lobe, at x = 2.68118.
-TEST(ElevationPatternTest, EndsWhereBothWaysTogetherStayBelowMinusFortyDecibels) {
+// One way, |sinc(x)| last exceeds -20 dB (half of -40 dB) in its second side lobe, up to x = 2.68118.
+TEST(ElevationPatternTest, EndsWhereTheTwoWayPatternStaysBelowMinusFortyDecibels) {
   const double length = 0.8858929413781328 / (2 * std::sin(4 * kDegree));
   const double edge = std::asin(2.68118 / length);
   const ElevationPattern pattern = pattern_of(sonar_of(8, -20));
@@ -60,12 +60,12 @@ TEST(ElevationPatternTest, EndsWhereBothWaysTogetherStayBelowMinusFortyDecibels)
   EXPECT_NEAR(pattern.high(), -20 * kDegree + edge, 0.02 / length);
   EXPECT_LE(pattern.intensity(pattern.high()), 0.01);
 
-  // Of -31 dB, and -40 dB, side lobes there is nothing but the main lobe.
+  // With side lobes of -31 dB or -40 dB only the main lobe is above the floor.
   const ElevationPattern hann = pattern_of(sonar_of(8, 0), BeamPattern::kHann);
   EXPECT_LT(hann.high(), 12 * kDegree);
   const ElevationPattern dolph = pattern_of(sonar_of(8, 0), BeamPattern::kDolphChebyshev, -40);
   EXPECT_LT(dolph.high(), 12 * kDegree);
-  // Of -15 dB, all side lobes.
+  // With side lobes of -15 dB all are above the floor.
   EXPECT_EQ(pattern_of(sonar_of(8, 0), BeamPattern::kDolphChebyshev, -15).high(), kSteepestElevation);
 }
 
@@ -75,7 +75,7 @@ TEST(ElevationPatternTest, EndsAtTheSteepestElevationAndNextToTheArray) {
   EXPECT_NEAR(wide.high(), 89 * kDegree, 1e-12);
   const ElevationPattern tilted = pattern_of(sonar_of(60, -50));
   EXPECT_NEAR(tilted.low(), -89 * kDegree, 1e-12);
-  EXPECT_NEAR(tilted.high(), 40 * kDegree, 1e-12);  // 90 degrees off the axis: nothing from behind.
+  EXPECT_NEAR(tilted.high(), 40 * kDegree, 1e-12);  // 90 degrees off the axis: the array is baffled.
 }
 
 TEST(ElevationPatternTest, EnvelopeFallsFromTheAxisOutwardsAndLiesAboveThePattern) {

@@ -1,4 +1,4 @@
-// The sampling lattice: its solid angles, where its rows lie, and the directions of cones.
+// lattice_test.cpp -- solid angles, rows and directions of the sampling lattice.
 
 #include "sonar/lattice.h"
 
@@ -28,7 +28,8 @@ ElevationPattern pattern_of(const SonarConfig& sonar) {
   return {line_array(BeamPattern::kRectangular, -30, sonar.elevation_aperture), sonar};
 }
 
-// Solid angle that a fan hears of what it sends, or sends, by brute force over bearing and elevation.
+// Solid angle of a fan weighted by |p|^(2 power), by brute force over elevation: `power` is 1 for transmission, 2 for
+// transmission and reception.
 double angle_by_sum(const SonarConfig& sonar, BeamShape shape, const ElevationPattern* pattern, int power) {
   const double low = pattern != nullptr ? pattern->low() : sonar.elevation_center - sonar.elevation_aperture / 2;
   const double high = pattern != nullptr ? pattern->high() : sonar.elevation_center + sonar.elevation_aperture / 2;
@@ -36,17 +37,17 @@ double angle_by_sum(const SonarConfig& sonar, BeamShape shape, const ElevationPa
   double sum = 0;
   for (int i = 0; i < kSteps; ++i) {
     const double elevation = low + (i + 0.5) / kSteps * (high - low);
-    // Azimuths within the fan: of a cone those of asin(sin(azimuth) cos(elevation)).
+    // Half the width of the fan in azimuth; for cones, of the azimuths with |sin(azimuth) cos(elevation)| < sin(half).
     const double half = 0.5 * sonar.azimuth_aperture;
     const double reach =
         shape == BeamShape::kWedge ? half : std::asin(std::min(1.0, std::sin(half) / std::cos(elevation)));
-    const double heard = pattern != nullptr ? std::pow(pattern->intensity(elevation), power) : 1;
-    sum += 2 * reach * std::cos(elevation) * heard * (high - low) / kSteps;
+    const double received = pattern != nullptr ? std::pow(pattern->intensity(elevation), power) : 1;
+    sum += 2 * reach * std::cos(elevation) * received * (high - low) / kSteps;
   }
   return sum;
 }
 
-double total_heard(const Lattice& lattice) {
+double total_received(const Lattice& lattice) {
   double sum = 0;
   for (int beam = 0; beam * lattice.columns_per_beam < lattice.columns; ++beam) {
     sum += lattice.beam_angle(beam);
@@ -77,10 +78,10 @@ TEST(LatticeTest, SolidAnglesFillTheSector) {
         for (const int rows : {2, 50}) {
           sonar.sampling.rows = rows;
           const Lattice lattice(sonar, 0, shape, given);
-          // Cones end where bearings do, which columns follow in steps.
+          // With cones the edges of columns approximate the edge of the sector in steps.
           const double tolerance = shape == BeamShape::kWedge ? 1e-5 : 1e-3;
-          const double heard = angle_by_sum(sonar, shape, given, 2), sent = angle_by_sum(sonar, shape, given, 1);
-          EXPECT_NEAR(total_heard(lattice) / heard, 1, tolerance) << azimuth << has_pattern << rows;
+          const double received = angle_by_sum(sonar, shape, given, 2), sent = angle_by_sum(sonar, shape, given, 1);
+          EXPECT_NEAR(total_received(lattice) / received, 1, tolerance) << azimuth << has_pattern << rows;
           EXPECT_NEAR(total_sent(lattice) / sent, 1, tolerance) << azimuth << has_pattern << rows;
         }
       }
@@ -121,8 +122,8 @@ TEST(LatticeTest, RowsHoldThePatternAtTheirElevations) {
   EXPECT_EQ(Lattice(sonar).pattern_in(0)[7], 1);
 }
 
-// On a cone every row has the column's bearing, and an elevation within the sector.
-TEST(LatticeTest, ConesHoldTheSineOfTheirBearing) {
+// With cones, every row of a column has the same bearing, and an elevation within the sector.
+TEST(LatticeTest, ConesHaveAConstantSineOfBearing) {
   const SonarConfig sonar = fan();
   const Lattice lattice(sonar, 0, BeamShape::kCone);
   EXPECT_FALSE(lattice.even_rows);
@@ -141,8 +142,8 @@ TEST(LatticeTest, ConesHoldTheSineOfTheirBearing) {
   }
 }
 
-// Far to the side a cone leans so much that it never rises to the sector.
-TEST(LatticeTest, ConesThatMissTheSectorHearNothing) {
+// Cones far to the side are so narrow that they do not reach the sector, 30 to 50 degrees up.
+TEST(LatticeTest, ConesThatMissTheSectorHaveNoSolidAngle) {
   SonarConfig sonar = fan(170);
   sonar.elevation_center = 40 * kDegree;
   const Lattice lattice(sonar, 0, BeamShape::kCone);

@@ -1,4 +1,5 @@
-// Range point-spreads against closed forms and values computed apart from this code (PHYSICS 5).
+// pulse_test.cpp -- range point-spread functions against closed forms and independently computed values (formulas in
+// docs/concepts/array-and-pulse.md).
 
 #include "insonify/pulse.h"
 
@@ -45,7 +46,7 @@ TEST(PulseTest, NoneIsOneBinLong) {
   EXPECT_EQ(none.side_lobe_db(), -std::numeric_limits<double>::infinity());
 }
 
-// c tau / 2: 50 us are 37.5 mm, 20 us 15 mm.
+// A tone of duration tau has the length c tau / 2 in range: 37.5 mm for 50 us, 15 mm for 20 us.
 TEST(PulseTest, ToneIsHalfItsLengthInWater) {
   for (const auto& [duration, length] : {std::pair{50e-6, 0.0375}, std::pair{20e-6, 0.015}}) {
     const Pulse tone = make({.kind = PulseKind::kCw, .duration = duration, .matched_filter = false});
@@ -56,7 +57,7 @@ TEST(PulseTest, ToneIsHalfItsLengthInWater) {
   }
 }
 
-// Rectangle by rectangle: a triangle of base c tau. It is at half power where it has fallen to sqrt(1/2).
+// The correlation of two rectangles is a triangle of base c tau. Its half-power points are where it is sqrt(1/2).
 TEST(PulseTest, MatchedToneIsATriangle) {
   const Pulse tone = make({.kind = PulseKind::kCw, .duration = 50e-6});
   EXPECT_EQ(tone.amplitude(0), 1);
@@ -67,7 +68,7 @@ TEST(PulseTest, MatchedToneIsATriangle) {
   EXPECT_THAT(tone.equivalent_length(), RelativelyNear(0.0375 * 2 / 3));
 }
 
-// c / (2 B), and what of it is the width at half power.
+// Range resolution c / (2 B), and width at half power, 0.8859 times that.
 TEST(PulseTest, ChirpHasTheReferenceWidths) {
   const struct {
     double bandwidth, cell, width;
@@ -91,8 +92,8 @@ TEST(PulseTest, WeightingTheBandLowersTheSideLobes) {
   EXPECT_THAT(weighted.equivalent_length(), RelativelyNear(1.5 * 0.0075));
 }
 
-// The compressed chirp ends after the chirp's length: 0.75 m of 1 ms.
-TEST(PulseTest, ChirpEndsWithItself) {
+// The compressed chirp extends to half the chirp's length in range on either side: 0.75 m for 1 ms.
+TEST(PulseTest, ChirpEndsAtHalfItsLength) {
   EXPECT_DOUBLE_EQ(chirp(100e3).reach(), 0.75);
   EXPECT_NE(chirp(100e3).amplitude(0.749), 0);
   EXPECT_EQ(chirp(100e3).amplitude(0.751), 0);
@@ -102,13 +103,14 @@ TEST(PulseTest, EquivalentLengthIsTheIntegral) {
   EXPECT_NEAR(summed(make({})) / kBinLength, 1, 1e-4);
   const Pulse tone = make({.kind = PulseKind::kCw, .duration = 50e-6});
   EXPECT_NEAR(summed(tone) / tone.equivalent_length(), 1, 1e-4);
-  // Cut off at B T = 100 cells from the peak, where 1 / (pi^2 100) of a sinc's energy is still to come.
+  // The pulse ends B T = 100 resolution cells from the peak; 1 / (pi^2 100) of the energy of a sinc lies beyond.
   EXPECT_NEAR(summed(chirp(100e3)) / 0.0075, 1 - 1 / (9.8696 * 100), 1e-5);
   EXPECT_NEAR(summed(chirp(100e3, true)) / 0.0075, 1.5, 1e-5);
 }
 
-// 1 m/s shifts 720 kHz by 960 Hz, which a chirp of 1 ms and 100 kHz takes for 7.2 mm.
-TEST(PulseTest, ChirpTakesDopplerForRange) {
+// At 1 m/s a carrier of 720 kHz is shifted by 960 Hz, which with a chirp of 1 ms and 100 kHz is a range error of 7.2
+// mm.
+TEST(PulseTest, ChirpTurnsDopplerIntoARangeError) {
   EXPECT_THAT(doppler_shift(1, 720e3, kSoundSpeed), RelativelyNear(960));
   EXPECT_THAT(chirp(100e3).doppler_bias(960), RelativelyNear(7.2e-3));
   EXPECT_EQ(make({.kind = PulseKind::kCw}).doppler_bias(960), 0);
@@ -123,7 +125,7 @@ std::string refusal(const PulseSettings& settings) {
   return "accepted";
 }
 
-TEST(PulseSettingsTest, BadOnesAreRefused) {
+TEST(PulseSettingsTest, InvalidSettingsAreRefused) {
   EXPECT_EQ(refusal({}), "accepted");
   EXPECT_EQ(refusal({.duration = 0}), "fls.pulse.duration = 0 s must be greater than 0, at most 1 s");
   EXPECT_EQ(refusal({.bandwidth = -1}), "fls.pulse.bandwidth = -1 Hz must be greater than 0, at most 10000000 Hz");

@@ -1,3 +1,5 @@
+// sonar_config_test.cpp -- beams, bins, timing, head angles, mounting and validation of a SonarConfig.
+
 #include "insonify/sonar_config.h"
 
 #include <gtest/gtest.h>
@@ -35,7 +37,7 @@ SonarConfig scanner(double step_deg, double sector_deg = 360, double center_deg 
 // ---------------------------------------------------------------- Beams
 
 // 256 beams over 120 degrees are 0.46875 degrees wide: the outermost centre is half of that inside the edge.
-TEST(SonarBeamsTest, AreEvenInAngleFromPortToStarboard) {
+TEST(SonarBeamsTest, AreEvenlySpacedInAngleFromPortToStarboard) {
   const SonarConfig sonar = fan(256, 120);
   EXPECT_THAT(degrees_from_radians(sonar.beam_azimuth(0)), RelativelyNear(59.765625));
   EXPECT_THAT(degrees_from_radians(sonar.beam_azimuth(127)), RelativelyNear(0.234375));
@@ -63,7 +65,8 @@ TEST(SonarBeamsTest, CentresLieMidwayBetweenEdges) {
   }
 }
 
-// Centres at 20, 5, 0 and -20 degrees. Edges midway: 12.5, 2.5, -10; outwards as wide as inwards: 20 + 7.5, -20 - 10.
+// Centres at 20, 5, 0 and -20 degrees. Edges midway: 12.5, 2.5, -10; the outermost beams extend as far outwards as
+// inwards: 20 + 7.5, -20 - 10.
 TEST(SonarBeamsTest, ExplicitCentresAreKeptAndEdgesLieBetween) {
   SonarConfig sonar = fan(4, 60);
   sonar.beam_azimuths = {deg(20), deg(5), deg(0), deg(-20)};
@@ -111,7 +114,7 @@ TEST(SonarTimeTest, SoundMustComeBackFromTheFarthestBin) {
   EXPECT_THAT(rate(120), RelativelyNear(6.25));
 }
 
-// A turn of 400 pings of a gradian each, at the shortest period for 10 m and 50 m.
+// Duration of a full turn of 400 pings, one gradian each, at the shortest ping period for 10 m and 50 m.
 TEST(SonarTimeTest, AFullTurnTakesAsLongAsItsPings) {
   SonarConfig sonar = scanner(0.9);
   sonar.max_range = 10;
@@ -128,7 +131,7 @@ TEST(SonarHeadTest, AForwardLookingSonarHasNone) {
   EXPECT_EQ(sonar.head_angle(17), 0);
 }
 
-// Steps of 4, 8, 16 and 32 sixteenths of a gradian: 0.225, 0.45, 0.9 and 1.8 degrees; 400, 200 pings a turn.
+// Steps of 4, 8, 16 and 32 sixteenths of a gradian: 0.225, 0.45, 0.9 and 1.8 degrees.
 TEST(SonarHeadTest, TurnsByItsStepEachPing) {
   EXPECT_THAT(degrees_from_radians(scanner(0.225).head_angle(100)), RelativelyNear(22.5));
   EXPECT_THAT(degrees_from_radians(scanner(0.45).head_angle(100)), RelativelyNear(45.0));
@@ -160,7 +163,7 @@ TEST(SonarHeadTest, ANegativeStepLeadsAwayFromTheOtherEdge) {
   }
 }
 
-// 90 / 0.9 is 100 steps, whatever rounding makes of it: ping 100 is at the far edge, ping 200 back at the near one.
+// 90 / 0.9 is 100 steps, in spite of rounding: ping 100 is at the far edge, ping 200 back at the near one.
 TEST(SonarHeadTest, AWholeNumberOfStepsReachesTheFarEdge) {
   const SonarConfig sonar = scanner(0.9, 90);
   EXPECT_NEAR(degrees_from_radians(sonar.head_angle(0)), -45, 100 * kRounding);
@@ -323,7 +326,7 @@ TEST(SonarValidateTest, AScanningHeadMustTurnASingleBeam) {
   EXPECT_EQ(msis([](auto& s) { s.step = deg(-2), s.sector_width = deg(2); }), "no error");
 }
 
-TEST(SonarValidateTest, AHeadsSettingsAreOfNoConcernToAFan) {
+TEST(SonarValidateTest, AFanIgnoresTheSettingsOfAHead) {
   EXPECT_EQ(fls([](auto& s) { s.step = 0; }), "no error");
 }
 

@@ -1,4 +1,5 @@
-// shadow_sonar.h -- the one beam that T16 looks over a plate with: 2 degrees wide, from 30 degrees down to level.
+// shadow_sonar.h -- the sonar of physics test T16 (shadow of a plate): one beam, 2 degrees wide, from level to 30
+// degrees down.
 
 #pragma once
 

@@ -1,4 +1,4 @@
-// calibrated_scene.h -- scenes of the acceptance tests of levels, and what a ping of them reads.
+// calibrated_scene.h -- scenes and scenarios of the physics tests of the calibrated model, and levels of their pings.
 
 #pragma once
 
@@ -17,7 +17,7 @@ namespace insonify::validation {
 
 inline constexpr double kDegree = 3.14159265358979323846 / 180;
 
-/// How echoes are found. All answer alike.
+/// Engine and method by which echoes are computed; the results must agree.
 struct Method {
   const char* name;
   const char* engine;
@@ -27,7 +27,7 @@ inline constexpr Method kRays{"cpuRays", "cpu", PrimaryEchoes::kRays};
 inline constexpr Method kRaster{"cpuRaster", "cpu", PrimaryEchoes::kRaster};
 inline constexpr Method kReference{"reference", "reference", PrimaryEchoes::kRays};
 
-/// A surface that only scatters after Lambert's law.
+/// A surface that scatters by Lambert's law only.
 inline Material diffuse(double lambert_db) {
   Material material;
   material.name = "diffuse";
@@ -36,7 +36,7 @@ inline Material diffuse(double lambert_db) {
   return material;
 }
 
-/// One that only glints.
+/// A surface with a facet lobe only.
 inline Material glinting(double reflection, double rms_slope) {
   Material material;
   material.name = "glinting";
@@ -58,7 +58,7 @@ inline Scene scene_of(Mesh mesh, const Material& material, const Pose& world_fro
   return scene;
 }
 
-/// A rectangle that faces the sonar from x = distance, turned by `tilt` about its upright axis.
+/// A square plate at x = distance that faces the sonar, turned by `tilt` about its vertical axis.
 inline Scene plate_at(double distance, double side, const Material& material, double tilt = 0) {
   return scene_of(make_plane(-Vec3::UnitX(), side, side), material,
                   {.position = {distance, 0, 0}, .orientation = orientation_from_rpy(0, 0, tilt)});
@@ -72,7 +72,7 @@ inline Scene seabed_at(double height, const Material& material) {
   return scene_of(make_plane(Vec3::UnitZ(), 400, 400), material, {.position = {0, 0, height}});
 }
 
-/// Several surfaces, one material each.
+/// Several scenes in one; each keeps its material.
 inline Scene scene_of_all(std::vector<Scene> scenes) {
   Scene all;
   for (Scene& scene : scenes) {
@@ -88,7 +88,7 @@ inline Scene plane(const Vec3& normal, const Vec3& position, const Material& mat
   return scene_of(make_plane(normal, 200, 200), material, {.position = position});
 }
 
-/// A wall at x = 10 on a floor at z = -8, heard from z = -5.
+/// A wall at x = 10 on a floor at z = -8, for a sonar at z = -5.
 inline Scene corner(double reflection, double lambert_db) {
   Material material = glinting(reflection, 0.1);
   material.lambert_db = lambert_db;
@@ -126,7 +126,7 @@ inline Ping ping_of(const Scenario& scenario, const Scene& scene) {
   return Simulator(scenario, scene, 2).make_ping(0, 0);
 }
 
-/// 10 log10 of all that a ping heard, relative to the source level.
+/// Sum of all intensities of a ping [dB re the source level].
 inline double total_db(const Ping& ping) {
   double sum = 0;
   for (const float value : ping.intensity) {
@@ -135,7 +135,7 @@ inline double total_db(const Ping& ping) {
   return 10 * std::log10(sum);
 }
 
-/// Of one cell.
+/// Intensity of one beam and bin [dB re the source level].
 inline double cell_db(const Ping& ping, int bin, int beam) {
   return 10 * std::log10(double{ping.intensity[ping.index(bin, beam)]});
 }

@@ -1,5 +1,5 @@
-// determinism_test.cpp -- pings are the same bytes for any number of threads, with all that each model has (T13 of
-// PHYSICS 11).
+// determinism_test.cpp -- T13: pings are the same bytes for any number of threads, with all features of each model. T
+// numbers are those of docs/concepts/physics-tests.md.
 
 #include "validation/calibrated_scene.h"
 
@@ -36,7 +36,8 @@ Scenario everything(const Method& method) {
   return scenario;
 }
 
-// Many small things, some of them mirrors, over a bed: cells hold many surfaces and echoes arrive from all around.
+// Many small spheres, some of them mirrors, over a bed: cells contain many surfaces, and secondary echoes arrive in all
+// beams.
 Scene cluttered() {
   std::vector<Scene> scenes = {seabed_at(-5, diffuse(-22)), plane(-Vec3::UnitX(), {16, 0, 0}, glinting(0.9, 0.15))};
   for (int i = 0; i < 24; ++i) {
@@ -100,7 +101,8 @@ TEST_P(DeterminismTest, PaperPingsAreTheSameBytesForAnyNumberOfThreads) {
   expect_same_for_any_number_of_threads(scenario);
 }
 
-// Later pings hear less: the vehicle turns aside and up, so that cells heard by the first have nothing left to hear.
+// Later pings receive less: the vehicle turns aside and up, so that cells that are filled in the first ping are empty
+// in later ones.
 Scenario turning_away(const Method& method) {
   Scenario scenario = everything(method);
   scenario.surface.reset();
@@ -111,7 +113,7 @@ Scenario turning_away(const Method& method) {
   return scenario;
 }
 
-TEST_P(DeterminismTest, PingsKeepNothingOfThoseBefore) {
+TEST_P(DeterminismTest, PingsDoNotDependOnEarlierPings) {
   constexpr std::uint64_t kLate = 1000;  // Where the trajectory has ended.
   const Scene scene = cluttered();
   for (int choices = 0; choices < 16; ++choices) {
@@ -123,12 +125,12 @@ TEST_P(DeterminismTest, PingsKeepNothingOfThoseBefore) {
     Simulator simulator(scenario, scene, 2);
     Ping ping;
     simulator.make_ping(0, 0, ping);
-    const auto heard_first = std::ranges::count_if(ping.intensity, [](float value) { return value > 0; });
+    const auto first_received = std::ranges::count_if(ping.intensity, [](float value) { return value > 0; });
     simulator.make_ping(0, kLate, ping);
-    const auto heard = std::ranges::count_if(ping.intensity, [](float value) { return value > 0; });
+    const auto received = std::ranges::count_if(ping.intensity, [](float value) { return value > 0; });
     SCOPED_TRACE(choices);
-    EXPECT_LT(heard, heard_first);
-    EXPECT_GT(heard, 0);
+    EXPECT_LT(received, first_received);
+    EXPECT_GT(received, 0);
     expect_same(ping, Simulator(scenario, scene, 2).make_ping(0, kLate));
   }
 }

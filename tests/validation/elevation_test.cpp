@@ -1,4 +1,5 @@
-// elevation_test.cpp -- levels across elevations and bearings on cones, of whole pings (T27 of PHYSICS 11, 5).
+// elevation_test.cpp -- levels over elevation and bearings on cones, in whole pings (T27, T24, T13). T numbers are
+// those of docs/concepts/physics-tests.md.
 
 #include <numeric>
 
@@ -12,7 +13,7 @@ class ConeTest : public testing::TestWithParam<Method> {};
 
 constexpr double kPi = std::numbers::pi;
 
-// |p|^2 of an unbroken line that is 20 degrees wide at half power, one way.
+// One-way |p|^2 of a continuous line that is 20 degrees wide at half power.
 double one_way(double elevation) {
   const double x = kPi * 0.8858929413781328 / (2 * std::sin(10 * kDegree)) * std::sin(elevation);
   return x == 0 ? 1 : std::pow(std::sin(x) / x, 2);
@@ -22,7 +23,7 @@ double both_ways_db(double elevation_deg) {
   return 20 * std::log10(one_way(elevation_deg * kDegree));
 }
 
-// The last three lie in the first side lobe: from 23.1 to 51.6 degrees, the highest at 34.1.
+// Elevations [deg]. The last three are in the first side lobe, which extends from 23.1 to 51.6 with its peak at 34.1.
 constexpr double kElevations[] = {0, 5, 10, 15, -15, 28, 34.1, -42};
 
 Vec3 at(double range, double azimuth_deg, double elevation_deg) {
@@ -57,7 +58,7 @@ TEST_P(ElevationLevelTest, PointsFallWithThePatternBothWays) {
   }
 }
 
-// A Lambert plate of 0.1 m that faces the sonar is heard at -70.00021714 dB on the axis (T2).
+// A Lambert plate of 0.1 m that faces the sonar has a level of -70.00021714 dB on the axis (T2).
 TEST_P(ElevationLevelTest, PlatesFallWithThePatternBothWays) {
   const Scenario scenario = with_pattern(narrow({32, 1500}), GetParam());
   for (const double elevation : kElevations) {
@@ -67,8 +68,8 @@ TEST_P(ElevationLevelTest, PlatesFallWithThePatternBothWays) {
   }
 }
 
-// From the middle of a Lambert sphere of radius r every direction echoes alike, mu / r^2 per unit of solid angle: what
-// is heard is the integral of the pattern both ways, over the whole sector, however few the rows.
+// At the centre of a Lambert sphere of radius r the echo per unit solid angle is mu / r^2 in every direction. The total
+// is the integral of the two-way pattern over the whole sector, for any number of rows.
 TEST_P(ElevationLevelTest, SphereAroundTheSonarSumsThePattern) {
   const Scene shell = sphere_at({0, 0, 0}, 10, diffuse(-20), 0.08);
   for (const double center : {0.0, -30.0}) {
@@ -86,15 +87,15 @@ TEST_P(ElevationLevelTest, SphereAroundTheSonarSumsThePattern) {
             shape == BeamShape::kWedge ? 60 * kDegree : 2 * std::asin(std::min(1.0, 0.5 / std::cos(elevation)));
         sum += std::pow(one_way(elevation - center * kDegree), 2) * azimuths * std::cos(elevation) * kStep;
       }
-      // Triangles lie a little within the sphere.
+      // The triangles lie slightly inside the sphere.
       EXPECT_NEAR(total_db(ping_of(scenario, shell)), -20 - 20 * std::log10(10) + 10 * std::log10(sum), 0.02)
           << center << (shape == BeamShape::kWedge ? " wedge" : " cone");
     }
   }
 }
 
-// The water's own echo comes from where the sonar sends and hears (T24 with a pattern).
-TEST(ElevationReverberationTest, WaterIsHeardByThePatternBothWays) {
+// T24 with a pattern: volume reverberation is weighted by the two-way pattern.
+TEST(ElevationReverberationTest, VolumeIsWeightedByThePatternBothWays) {
   const SonarConfig sonar = narrow({2, 60});
   Scenario scenario = with_pattern(sonar, kRays);
   scenario.water.volume_backscatter_db = -70;
@@ -108,7 +109,7 @@ TEST(ElevationReverberationTest, WaterIsHeardByThePatternBothWays) {
   const Ping open = ping_of(scenario, {});
   EXPECT_NEAR(cell_db(open, 100, 3), -70 + 10 * std::log10(psi) + bin, 0.01);
 
-  // Behind what fills the main lobe there is little of it left, behind what fills the sector nothing.
+  // Behind a sphere around the sonar no water is insonified.
   const Ping shut = ping_of(scenario, sphere_at({0, 0, 0}, 8, diffuse(-200), 0.08));
   EXPECT_LT(cell_db(shut, 100, 3), cell_db(open, 100, 3) - 50);
 }
@@ -132,7 +133,7 @@ double shown_at(const Ping& ping) {
   return wide().beam_azimuth(static_cast<int>(strongest % ping.beam_count)) / kDegree;
 }
 
-// What is off the plane shows where asin(sin(azimuth) cos(elevation)) is, both engines, points and surfaces.
+// T27. Targets off the plane of the fan appear at the bearing asin(sin(azimuth) cos(elevation)); points and surfaces.
 TEST_P(ConeTest, TargetsOffThePlaneShowAtTheirCones) {
   constexpr struct {
     double azimuth, elevation, cone;
@@ -140,7 +141,7 @@ TEST_P(ConeTest, TargetsOffThePlaneShowAtTheirCones) {
                  {30, 10, 29.498704231103652},
                  {45, -13, 43.54971209884169},
                  {-60, 10, -58.5250511108145}};
-  constexpr double kHalfBeam = 0.234;  // Of 130 degrees over 280 beams, and a little of the target.
+  constexpr double kHalfBeam = 0.234;  // Half the beam spacing (130 degrees / 280), and some of the target's width.
   for (const auto& [azimuth, elevation, cone] : kPlaces) {
     Scene plate = plate_at(10, 0.05, diffuse(-10));
     plate.instances[0].world_from_mesh = {at(10, azimuth, elevation),
@@ -166,7 +167,7 @@ double apart(const std::vector<double>& a, const std::vector<double>& b) {
                             [](double x, double y) { return std::abs(x - y); });
 }
 
-// A plate well off the axis is as strong, and as far, on a cone as in a wedge.
+// A plate off the axis has the same level and ranges with cones as with wedges.
 TEST_P(ConeTest, PlatesKeepTheirLevelsAndRanges) {
   SonarConfig sonar = wide();
   sonar.beam_count = 32;
@@ -190,9 +191,9 @@ TEST_P(ConeTest, PlatesKeepTheirLevelsAndRanges) {
   }
 }
 
-// A flat Lambert seabed, h below the array: of a range r and a sine of bearing u there is the area r^2/x dr du, x ahead
-// of the array, x^2 = r^2 (1 - u^2) - h^2. So I = mu h^2 du r^-4 / x dr, in every bin: no gaps
-// between samples, which are up to fifteen bins apart here.
+// A flat Lambert seabed h below the array. Between r and r + dr in range and u and u + du in sine of bearing it has the
+// area r^2/x dr du at the distance x ahead of the array, x^2 = r^2 (1 - u^2) - h^2. So I = mu h^2 du r^-4 / x dr in
+// every bin, without gaps between samples, which are up to fifteen bins apart here.
 TEST_P(ConeTest, SeabedHasItsLevelInEveryBin) {
   SonarConfig sonar;
   sonar.beam_count = 64;
@@ -228,15 +229,15 @@ TEST_P(ConeTest, SeabedHasItsLevelInEveryBin) {
   EXPECT_NEAR(mean / count, 0, 0.02);
 }
 
-// Few samples of a wall that slants and leans fill the same bins of the same beams as many do: each is spread over the
-// ranges of its stretch, along its column and across.
-TEST_P(ConeTest, SlantingWallIsTheSameByFewSamplesAndMany) {
+// A slanting and leaning wall fills the same beams and bins with few samples as with many, because each sample is
+// spread over the ranges that its footprint covers, along its column and across it.
+TEST_P(ConeTest, SlantingWallIsTheSameWithFewSamplesAndMany) {
   SonarConfig sonar = wide();
   sonar.beam_count = 32;
   sonar.azimuth_aperture = 100 * kDegree;
   sonar.bin_count = 200;
   double lean = 0;
-  const auto heard = [&](const Sampling& sampling) {
+  const auto received = [&](const Sampling& sampling) {
     sonar.sampling = sampling;
     Scenario scenario = calibrated(sonar, GetParam());
     scenario.receiver.beam_shape = BeamShape::kCone;
@@ -245,17 +246,17 @@ TEST_P(ConeTest, SlantingWallIsTheSameByFewSamplesAndMany) {
                            {.position = {10, 0, 0}, .orientation = orientation_from_rpy(0, lean, 30 * kDegree)}));
     return std::vector<double>(ping.intensity.begin(), ping.intensity.end());
   };
-  // Upright it is spread by the widths of columns alone.
+  // With an upright wall (no lean) footprints are spread only by the width of columns.
   for (const auto& [lean_deg, aperture_deg, tolerance] : {std::tuple{40, 30, 0.08}, {0, 4, 0.11}}) {
     lean = lean_deg * kDegree;
     sonar.elevation_aperture = aperture_deg * kDegree;
-    const std::vector<double> few = heard({1, 40}), many = heard({16, 1000});
+    const std::vector<double> few = received({1, 40}), many = received({16, 1000});
     EXPECT_LT(apart(few, many) / std::accumulate(many.begin(), many.end(), 0.0), tolerance) << lean_deg;
   }
 }
 
-// The outermost samples of a column speak for all up to the edges of the sector: a beam's first and last echo of the
-// same wall come from where its plane meets the beam's edges, d / (n . direction).
+// The outermost samples of a column represent everything up to the edges of the sector: the first and last echo of a
+// wall in a beam are at the ranges d / (n . direction) at which the wall's plane meets the beam's edges.
 TEST_P(ConeTest, SlantingWallEndsAtTheEdgesOfTheSector) {
   SonarConfig sonar = wide();
   sonar.beam_count = 8;
@@ -273,8 +274,8 @@ TEST_P(ConeTest, SlantingWallEndsAtTheEdgesOfTheSector) {
                                                {.position = {10, 0, 0}, .orientation = turn}));
   for (int beam = 0; beam < sonar.beam_count; ++beam) {
     double nearest = std::numeric_limits<double>::max(), farthest = 0;
-    for (const double beside : {-0.5, 0.5}) {
-      const double bearing = sonar.beam_azimuth(beam) + beside * sonar.azimuth_aperture / sonar.beam_count;
+    for (const double edge : {-0.5, 0.5}) {
+      const double bearing = sonar.beam_azimuth(beam) + edge * sonar.azimuth_aperture / sonar.beam_count;
       for (const double elevation : {-25 * kDegree, 25 * kDegree}) {
         const double y = std::sin(bearing), z = std::sin(elevation);
         const double range = 10 * normal.x() / normal.dot(Vec3(std::sqrt(1 - y * y - z * z), y, z));
@@ -294,8 +295,8 @@ TEST_P(ConeTest, SlantingWallEndsAtTheEdgesOfTheSector) {
   }
 }
 
-// Nothing is heard from behind the array, whose cones lead there as well.
-TEST_P(ConeTest, NothingIsHeardFromBehind) {
+// Nothing is received from behind the array, although cones extend there.
+TEST_P(ConeTest, NothingIsReceivedFromBehind) {
   Scenario scenario = calibrated(wide(), GetParam());
   scenario.receiver.beam_shape = BeamShape::kCone;
   scenario.points = {{.position = at(10, 150, 0)}};
@@ -304,7 +305,7 @@ TEST_P(ConeTest, NothingIsHeardFromBehind) {
   EXPECT_GT(total_db(ping_of(scenario, {})), -41);
 }
 
-// T13 with all that there is.
+// T13 with cones and patterns.
 TEST(ConeThreadsTest, PingsDoNotDependOnThreads) {
   SonarConfig sonar = wide();
   sonar.beam_count = 64;

@@ -1,4 +1,4 @@
-// gain_test.cpp -- what the end of the receiver does: gain by a table, saturation, counts, the complex field.
+// gain_test.cpp -- the last stages of the receiver: gain by a table, saturation, counts, and the complex field.
 
 #include "insonify/error.h"
 #include "validation/calibrated_scene.h"
@@ -16,7 +16,7 @@ Scenario point_at(double range) {
   return scenario;
 }
 
-TEST(GainTest, TableIsStraightBetweenItsRangesAndLevelBeyond) {
+TEST(GainTest, TableIsLinearBetweenItsRangesAndConstantBeyond) {
   for (const auto& [range, gain] : {std::pair{2.025, 10.0}, {10.025, 14.0}, {15.025, 20.0}, {20.025, 30.0}}) {
     Scenario scenario = point_at(range);
     scenario.receiver.gain_ranges = {5.025, 15.025, 18};
@@ -45,8 +45,9 @@ TEST(CountsTest, FollowTheRecordedLevel) {
   EXPECT_TRUE(ping_of(scenario, {}).counts.empty());
 }
 
-// Its squared magnitude is the intensity, and a point's phase turns by 4 pi / wavelength a metre of range.
-TEST(FieldTest, TurnsTwiceAWavelengthsWay) {
+// The squared magnitude of the field is the intensity, and the phase of a point changes by 4 pi / wavelength per metre
+// of range.
+TEST(FieldTest, PhaseTurnsTwicePerWavelengthOfRange) {
   Scenario scenario = point_at(10.025);
   scenario.receiver.speckle = true;
   scenario.receiver.field = true;
@@ -60,7 +61,7 @@ TEST(FieldTest, TurnsTwiceAWavelengthsWay) {
   EXPECT_NEAR(std::arg(second.field[cell] / first.field[cell]), 0.5 * 3.14159265, 0.01);
 }
 
-TEST(ReceiverConfigTest, SaysWhatDoesNotGoTogether) {
+TEST(ReceiverConfigTest, RefusesSettingsThatExcludeEachOther) {
   const auto message = [](auto change) {
     ReceiverConfig receiver;
     change(receiver);

@@ -1,4 +1,5 @@
-// ground_truth_test.cpp -- what pings tell of each bin, on scenes where it is known (T10, T16 of PHYSICS 11).
+// ground_truth_test.cpp -- the ground truth of pings, on scenes where it is known (T10, T16 of
+// docs/concepts/physics-tests.md).
 
 #include <numeric>
 
@@ -56,7 +57,7 @@ Scene three_plates() {
 
 TEST_P(GroundTruthTest, PlatesInOneBinShareItsEcho) {
   const Ping ping = ping_of(with_truth(coarse_sonar(), GetParam()), three_plates());
-  constexpr double kSampling = 0.02;  // 23 rows on each plate.
+  constexpr double kSampling = 0.02;  // Tolerance of shares: each plate is sampled by 23 rows.
   for (int beam = 0; beam < 3; ++beam) {
     for (int bin = 0; bin < ping.bin_count; ++bin) {
       const bool plates = beam == 1 && bin == kPlateBin;
@@ -73,8 +74,8 @@ TEST_P(GroundTruthTest, PlatesInOneBinShareItsEcho) {
   EXPECT_NEAR(ping.elevation[ping.index(kPlateBin, 1)], 2 * kDegree, 0.02 * kDegree);
 }
 
-// An array hears the plates in every beam; the truth is that of each beam's own slice.
-TEST_P(GroundTruthTest, BeamsOfAnArrayTellTheirOwnSlice) {
+// An array receives the plates in all beams through its side lobes; labels are those of each beam's own slice.
+TEST_P(GroundTruthTest, BeamsOfAnArrayLabelTheirOwnSlice) {
   Scenario scenario = with_truth(coarse_sonar(), GetParam());
   scenario.receiver.azimuth_pattern = BeamPattern::kRectangular;
   const Ping ping = ping_of(scenario, three_plates());
@@ -88,7 +89,7 @@ TEST_P(GroundTruthTest, BeamsOfAnArrayTellTheirOwnSlice) {
   }
 }
 
-// A Lambert wall at x = d sends dI ~ cos(t)^4 dt from the elevation t. It lies off the middle of the aperture.
+// A Lambert wall at x = d echoes dI ~ cos(t)^4 dt from the elevation t. The wall is not at the middle of the aperture.
 TEST_P(GroundTruthTest, WallSpreadsOverItsHeight) {
   constexpr double kDistance = 10.1, kLow = 0.2, kHigh = 1.8;
   const Scene wall = scene_of(make_box({0.01, 0.2, kHigh - kLow}), diffuse(-20),
@@ -108,8 +109,8 @@ TEST_P(GroundTruthTest, WallSpreadsOverItsHeight) {
   EXPECT_TRUE(std::isnan(ping.elevation_spread[ping.index(kPlateBin, 0)]));
 }
 
-// T16. A plate 1 m high at x = 10, the sonar 3 m above the bed, a wall at x = 20. Elevations from -30 to 0 degrees: the
-// bed is met from 6 m on; the top of the plate is 11.31 degrees down.
+// T16. A plate 1 m high at x = 10, the sonar 3 m above the bed, and a wall at x = 20. Elevations are -30 to 0 degrees:
+// the bed is insonified from 6 m on; the top of the plate is 11.31 degrees down.
 Scene plate_on_a_bed() {
   return scene_of_all({seabed_at(-3, diffuse(-20)),
                        scene_of(make_box({0.01, 4, 1}), diffuse(-20), {.position = {10.005, 0, -2.5}}),
@@ -132,13 +133,13 @@ TEST_P(GroundTruthTest, ShadowLiesBehindThePlateAndBehindTheWall) {
     } else if (range > std::sqrt(409.0) + 2 * bin) {
       EXPECT_NEAR(ping.shadow[i], 1, 1e-4) << range;
     } else if (range < 10.4403 - bin || range > 15.2971 + 2 * bin) {
-      EXPECT_EQ(ping.shadow[i], 0) << range;  // The bed is heard.
+      EXPECT_EQ(ping.shadow[i], 0) << range;  // The bed echoes here.
     }
   }
 }
 
-// What hides does so from before the first bin, too.
-TEST_P(GroundTruthTest, ShadowKnowsWhatIsNearerThanTheFirstBin) {
+// Surfaces nearer than the first bin cast shadows too.
+TEST_P(GroundTruthTest, SurfacesNearerThanTheFirstBinCastShadows) {
   SonarConfig sonar = shadow_sonar();
   sonar.min_range = 12;
   sonar.bin_count = 260;
@@ -148,8 +149,9 @@ TEST_P(GroundTruthTest, ShadowKnowsWhatIsNearerThanTheFirstBin) {
   EXPECT_EQ(ping.shadow[70], 0);
 }
 
-// A point is heard where a plate hides the bed: no shadow there. It has no extent and no instance.
-TEST_P(GroundTruthTest, PointIsADirectEchoWithoutAName) {
+// A point target in a bin in which a plate hides the bed: the bin has a direct echo, and so no shadow. The point has no
+// instance.
+TEST_P(GroundTruthTest, PointIsADirectEchoWithoutALabel) {
   Scenario scenario = with_truth(shadow_sonar(), GetParam());
   scenario.points = {{.position = {12, 0, -1}, .target_strength_db = -20}};
   const Ping ping = ping_of(scenario, plate_on_a_bed());
@@ -162,7 +164,7 @@ TEST_P(GroundTruthTest, PointIsADirectEchoWithoutAName) {
   EXPECT_EQ(share_at(ping, bin, 0, 0), 0);
 }
 
-// Ghosts of a point in the surface, of two surfaces and of three, are no direct echoes.
+// Ghosts of a point by way of the sea surface, with path orders 2 and 3, are not direct echoes.
 TEST_P(GroundTruthTest, GhostsOfPointsAreNotDirect) {
   SonarConfig sonar = shadow_sonar();
   sonar.elevation_aperture = 100 * kDegree;
@@ -192,7 +194,8 @@ Scenario corner_with_truth(const Method& method) {
   return scenario;
 }
 
-// T10's corner: in each bin the order that most of the echo takes is found from pings with ever more surfaces allowed.
+// The corner of T10. The energy of each path order in a bin is the difference between pings with more and with fewer
+// surfaces allowed.
 TEST_P(GroundTruthTest, PathOrderIsThatOfMostOfTheEcho) {
   Scenario scenario = corner_with_truth(GetParam());
   std::vector<Ping> pings;
@@ -223,7 +226,7 @@ TEST_P(GroundTruthTest, PathOrderIsThatOfMostOfTheEcho) {
             2);
 }
 
-// With array, pulse and gain the direct echo is the ping that there is without secondary echoes.
+// With array, pulse and gain, the direct intensity equals the ping without secondary echoes.
 TEST_P(GroundTruthTest, DirectIntensityIsThePingWithoutSecondaryEchoes) {
   Scenario scenario = corner_with_truth(GetParam());
   scenario.receiver.azimuth_pattern = BeamPattern::kHann;
@@ -244,7 +247,7 @@ TEST_P(GroundTruthTest, DirectIntensityIsThePingWithoutSecondaryEchoes) {
   }
 }
 
-// Energy of each instance by itself: in turn all others keep their shape and lose their voice.
+// Energy of each instance alone: the others keep their geometry and get a material that does not echo.
 std::vector<std::vector<float>> exact_count(const SonarConfig& sonar, const Scene& scene) {
   std::vector<std::vector<float>> counts;
   for (std::size_t i = 0; i < scene.instances.size(); ++i) {
@@ -259,7 +262,7 @@ std::vector<std::vector<float>> exact_count(const SonarConfig& sonar, const Scen
   return counts;
 }
 
-// Against the exact count by the reference engine, with four instances in a bin and with more.
+// Shares agree with an exact count by the reference engine, with kSurfacesKept instances in a bin and with more.
 TEST_P(GroundTruthTest, SharesAgreeWithAnExactCount) {
   const SonarConfig sonar = coarse_sonar();
   for (const int plates : {kSurfacesKept, 9}) {
@@ -292,7 +295,7 @@ TEST_P(GroundTruthTest, SharesAgreeWithAnExactCount) {
   }
 }
 
-// More truth changes no echo, and agrees with less where one surface gives most.
+// Full ground truth changes no echo, and agrees with labels where one surface gives most of the energy.
 TEST_P(GroundTruthTest, ChangesNoEchoAndAgreesWithTheLabels) {
   int compared = 0;
   for (int seed = 0; seed < 5; ++seed) {

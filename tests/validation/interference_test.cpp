@@ -1,4 +1,4 @@
-// interference_test.cpp -- pulses of another sonar, where and when they are heard.
+// interference_test.cpp -- range, bearing and level of pulses received from another sonar.
 
 #include "validation/calibrated_scene.h"
 
@@ -25,8 +25,9 @@ Scenario beside_another() {
   return scenario;
 }
 
-// Sent at 10 ms, 20 ms on the way: at 30 ms, as an echo from 22.5 m. One ping later at 110 + 20 - 70 = 60 ms, too late.
-TEST(InterferenceTest, ArrivesWhenItsWayIsDone) {
+// A pulse sent at 10 ms arrives after 20 ms, at 30 ms, as an echo from 22.5 m would. In the next ping the pulse sent at
+// 110 ms arrives at 110 + 20 - 70 = 60 ms, after the last bin.
+TEST(InterferenceTest, ArrivesAfterItsTravelTime) {
   Simulator simulator(beside_another(), {}, 1);
   const Ping ping = simulator.make_ping(0, 0);
   const auto at = std::ranges::max_element(ping.intensity) - ping.intensity.begin();
@@ -39,8 +40,8 @@ TEST(InterferenceTest, ArrivesWhenItsWayIsDone) {
   EXPECT_GT(third[299] + third[300], 0);
 }
 
-// Once: absorbed on the one way, and heard by the elevation pattern as what arrives, not as what is sent and heard.
-TEST(InterferenceTest, IsWeakenedOnItsOneWay) {
+// An interfering pulse travels one way: absorption and the elevation pattern (on reception) apply once.
+TEST(InterferenceTest, IsAttenuatedOneWay) {
   Scenario scenario = beside_another();
   const double plain = total_db(ping_of(scenario, {}));
   scenario.water.absorption = true;
@@ -56,11 +57,11 @@ TEST(InterferenceTest, IsWeakenedOnItsOneWay) {
 TEST(InterferenceTest, LongPulsesFillTheirBins) {
   Scenario scenario = beside_another();
   scenario.interferers[0].duration = 2e-3;  // 1.5 m of range.
-  const std::vector<double> heard = by_range(ping_of(scenario, {}));
-  EXPECT_NEAR(std::ranges::count_if(heard, [](double value) { return value > 0; }), 31, 1);
+  const std::vector<double> received = by_range(ping_of(scenario, {}));
+  EXPECT_NEAR(std::ranges::count_if(received, [](double value) { return value > 0; }), 31, 1);
 }
 
-TEST(InterferenceTest, WallsKeepItOutAndItIsNoEcho) {
+TEST(InterferenceTest, IsBlockedByWallsAndIsNoEcho) {
   Scenario scenario = beside_another();
   EXPECT_LT(total_db(ping_of(scenario, plate_at(20, 30, diffuse(-200)))), -180);
   scenario.ground_truth = GroundTruth::kFull;

@@ -1,5 +1,6 @@
-// level_test.cpp -- levels of the calibrated model against closed forms: targets, tilt, seabed, absorption, materials.
-// Values are PHYSICS 3 and 11 (T2, T3, T4, T6, T7, T19), computed apart from this code in double precision.
+// level_test.cpp -- levels of the calibrated model against closed forms: size, tilt, seabed, absorption, sphere, plate,
+// materials (T2, T3, T4, T6, T7, T19 of docs/concepts/physics-tests.md). Reference values were computed independently
+// of this code, in double precision.
 
 #include <numeric>
 
@@ -11,7 +12,7 @@ namespace {
 class LevelTest : public testing::TestWithParam<Method> {};
 class SphereLevelTest : public testing::TestWithParam<Method> {};
 
-// Narrow and finely sampled, for targets smaller than what the lattice usually is.
+// A narrow, finely sampled fan, for targets smaller than the default sample spacing.
 SonarConfig fine_sonar() {
   SonarConfig sonar;
   sonar.beam_count = 16;
@@ -24,6 +25,7 @@ SonarConfig fine_sonar() {
   return sonar;
 }
 
+// T2.
 TEST_P(LevelTest, GrowsWithTheAreaOfTheTarget) {
   const Scenario scenario = calibrated(fine_sonar(), GetParam());
   const double small = total_db(ping_of(scenario, plate_at(10, 0.05, diffuse(-10))));
@@ -33,13 +35,14 @@ TEST_P(LevelTest, GrowsWithTheAreaOfTheTarget) {
   EXPECT_NEAR(large - small, 6.02, 0.2);
 }
 
+// T3.
 TEST_P(LevelTest, FallsWithTheSquareOfTheCosineOfTilt) {
   const Scenario scenario = calibrated(fine_sonar(), GetParam());
   EXPECT_NEAR(total_db(ping_of(scenario, plate_at(10, 0.1, diffuse(-10), 45 * kDegree))), -73.01008282278912, 0.3);
   EXPECT_NEAR(total_db(ping_of(scenario, plate_at(10, 0.1, diffuse(-10), 60 * kDegree))), -76.02016563309283, 0.3);
 }
 
-// A flat Lambert seabed seen by a level sonar: I = mu h^2 psi (r1^-4 - r2^-4) / 4 in every beam.
+// T4. A flat Lambert seabed and a level sonar: I = mu h^2 psi (r1^-4 - r2^-4) / 4 in every beam.
 SonarConfig seabed_sonar() {
   SonarConfig sonar;
   sonar.beam_count = 128;
@@ -64,7 +67,7 @@ TEST_P(LevelTest, SeabedFallsOffWithTheFifthPowerOfRange) {
     }
   }
 
-  // 8 to 30 m: -50 dB a decade.
+  // From 8 to 30 m the level falls by 50 dB per decade of range.
   double n = 0, x = 0, y = 0, xx = 0, xy = 0;
   for (int bin = 80; bin < 300; ++bin) {
     const double decades = std::log10((bin + 0.5) * 0.1), level = cell_db(ping, bin, 64);
@@ -72,7 +75,7 @@ TEST_P(LevelTest, SeabedFallsOffWithTheFifthPowerOfRange) {
   }
   EXPECT_NEAR((n * xy - x * y) / (n * xx - x * x), -50, 0.5);
 
-  // The aperture from 5 to 25 degrees down meets the bottom from 7.0986 to 34.42 m.
+  // The aperture, 5 to 25 degrees down, meets the bottom from 7.0986 to 34.42 m.
   for (int beam = 0; beam < ping.beam_count; ++beam) {
     EXPECT_EQ(ping.intensity[ping.index(69, beam)], 0);
     EXPECT_GT(ping.intensity[ping.index(71, beam)], 0);
@@ -81,7 +84,8 @@ TEST_P(LevelTest, SeabedFallsOffWithTheFifthPowerOfRange) {
   }
 }
 
-TEST_P(LevelTest, WaterAbsorbsTwiceTheRangesDecibels) {
+// T6. The levels of the same bin with and without absorption differ by 2 alpha r.
+TEST_P(LevelTest, AbsorptionIsTwoWay) {
   for (const auto& [distance, loss] : {std::pair{10.01, 4.469220773725542}, {50.01, 22.34610386862771}}) {
     SonarConfig sonar = fine_sonar();
     sonar.frequency = 720e3;
@@ -99,8 +103,8 @@ TEST_P(LevelTest, WaterAbsorbsTwiceTheRangesDecibels) {
   }
 }
 
-// The glint of a large plate is that of a mirror, |R|^2 / (2 r)^2, whatever its facets' slopes; they spread it in
-// range.
+// T7. The specular echo of a large plate is that of a mirror, |R|^2 / (2 r)^2, for every facet slope; the slopes spread
+// it in range.
 TEST_P(LevelTest, LargePlateIsAMirror) {
   SonarConfig sonar;
   sonar.beam_count = 90;
@@ -112,16 +116,17 @@ TEST_P(LevelTest, LargePlateIsAMirror) {
   sonar.sampling = {4, 800};
   const Ping ping = ping_of(calibrated(sonar, GetParam()), plate_at(10, 10, glinting(1, 0.1)));
   EXPECT_NEAR(total_db(ping), -26.0206, 0.3);
-  const std::vector<double> heard = by_range(ping);
-  const double all = std::accumulate(heard.begin(), heard.end(), 0.0);
+  const std::vector<double> received = by_range(ping);
+  const double all = std::accumulate(received.begin(), received.end(), 0.0);
   const auto within = [&](double distance) {
-    return std::accumulate(heard.begin(), heard.begin() + std::lround((0.5 + distance) * 1000), 0.0) / all;
+    return std::accumulate(received.begin(), received.begin() + std::lround((0.5 + distance) * 1000), 0.0) / all;
   };
   EXPECT_NEAR(within(0), 0, 2e-4);
   EXPECT_NEAR(within(0.06908), 0.50, 0.01);
   EXPECT_NEAR(within(0.29522), 0.95, 0.005);
 }
 
+// T19.
 TEST_P(LevelTest, MaterialsDifferByTheirReflectionCoefficients) {
   SonarConfig sonar = fine_sonar();
   sonar.sampling = {4, 200};
@@ -136,7 +141,7 @@ TEST_P(LevelTest, MaterialsDifferByTheirReflectionCoefficients) {
   EXPECT_NEAR(level("air") - level("steel"), 0.5728, 0.1);
 }
 
-// Facets of slope 0.1 widen a sphere's highlight a little: +0.04 dB on 10 log10(a^2 / 4).
+// T7. Facets of slope 0.1 widen a sphere's highlight slightly: +0.04 dB on 10 log10(a^2 / 4).
 TEST_P(SphereLevelTest, SphereHasItsTargetStrength) {
   const Scenario scenario = calibrated(fine_sonar(), GetParam());
   EXPECT_NEAR(total_db(ping_of(scenario, sphere_at({10, 0, 0}, 0.5, glinting(1, 0.1)))), -51.557027268314684, 0.3);
@@ -144,12 +149,12 @@ TEST_P(SphereLevelTest, SphereHasItsTargetStrength) {
   const Ping diffuse_ping = ping_of(scenario, sphere_at({10, 0, 0}, 0.5, diffuse(-27)));
   EXPECT_NEAR(total_db(diffuse_ping), -69.47014770806686, 0.2);
 
-  const std::vector<double> heard = by_range(diffuse_ping);
-  const auto first = std::ranges::find_if(heard, [](double value) { return value > 0; });
-  EXPECT_EQ(first - heard.begin(), 90);  // 9.5 m on.
+  const std::vector<double> received = by_range(diffuse_ping);
+  const auto first = std::ranges::find_if(received, [](double value) { return value > 0; });
+  EXPECT_EQ(first - received.begin(), 90);  // 9.5 m.
 }
 
-// Up to the far end of the last bin, where the samples beyond are not heard.
+// The level is right up to the last bin, although samples beyond it are not deposited.
 TEST_P(LevelTest, SeabedKeepsItsLevelUpToTheLastBin) {
   SonarConfig sonar;
   sonar.beam_count = 8;

@@ -1,4 +1,4 @@
-// motion_test.cpp -- a sonar that moves on while it listens, and one that does not.
+// motion_test.cpp -- motion within a ping: shifts in range and bearing, and the Doppler bias of chirps.
 
 #include "receiver/ping_motion.h"
 #include "validation/calibrated_scene.h"
@@ -8,7 +8,7 @@ namespace {
 
 constexpr double kRange = 40, kSoundSpeed = 1500;
 
-// Of a point at 40 m, bearing 10 degrees, seen by a sonar on a straight trajectory.
+// A point at 40 m and a bearing of 10 degrees, and a sonar on a straight trajectory.
 class MotionInPingTest : public testing::Test {
  protected:
   static Scenario scenario_of(const Vec3& velocity, double turn_rate) {
@@ -43,24 +43,25 @@ TEST_F(MotionInPingTest, StandingStillChangesNothing) {
   EXPECT_EQ(ping_of(scenario, plate_at(40, 4, diffuse(-10))).intensity, moved.intensity);
 }
 
-// r - (v . d) r / c: the way back is shorter by what the sonar has come nearer meanwhile.
-TEST_F(MotionInPingTest, ComingNearerReadsNearer) {
+// The range is r - (v . d) r / c: the path back is shorter by the approach during the travel time.
+TEST_F(MotionInPingTest, ApproachShortensTheRange) {
   for (const Vec3& velocity : {Vec3(3, 0, 0), Vec3(-2, 0, 0), Vec3(0, 4, 0)}) {
     const double nearer = velocity.dot(Vec3(std::cos(10 * kDegree), std::sin(10 * kDegree), 0)) * kRange / kSoundSpeed;
     EXPECT_NEAR(peak(scenario_of(velocity, 0)).first, kRange - nearer, 0.0026) << velocity.transpose();
   }
 }
 
-// Beams have turned by the time that the echo comes back.
-TEST_F(MotionInPingTest, TurningReadsTurned) {
+// The beams have turned by w t when the echo arrives.
+TEST_F(MotionInPingTest, TurningShiftsTheBearing) {
   for (const double rate : {30.0, -45.0}) {
     const double turned = rate * 2 * kRange / kSoundSpeed;
     EXPECT_NEAR(peak(scenario_of({0, 0, 0}, rate * kDegree)).second, 10 - turned, 0.12) << rate;
   }
 }
 
-// A rising chirp reads an echo shifted up in frequency too near: f T c / (2 B), f = 2 v f0 / c (PHYSICS 5).
-TEST_F(MotionInPingTest, ChirpsAreBiased) {
+// With a rising chirp, the Doppler shift f = 2 v f0 / c shortens the measured range by f T c / (2 B) (Cook and
+// Bernfeld, Radar Signals (1967); docs/concepts/motion-in-ping.md).
+TEST_F(MotionInPingTest, ChirpsHaveADopplerBias) {
   Scenario scenario = scenario_of({3, 0, 0}, 0);
   scenario.receiver.pulse = PulseKind::kLfm;
   scenario.receiver.pulse_duration = 1e-3;
@@ -72,7 +73,7 @@ TEST_F(MotionInPingTest, ChirpsAreBiased) {
   EXPECT_NEAR(peak(scenario).first, kRange * (1 - speed / kSoundSpeed) - bias, 0.004);
 }
 
-// Surfaces move as points do, with their labels and their energy.
+// Echoes of surfaces are shifted as those of points, with their labels and energy.
 TEST_F(MotionInPingTest, SurfacesKeepTheirEnergyAndLabels) {
   Scenario scenario = scenario_of({2, 0, 0}, -30 * kDegree);
   scenario.points.clear();
@@ -94,7 +95,7 @@ TEST_F(MotionInPingTest, SurfacesKeepTheirEnergyAndLabels) {
   }
 }
 
-TEST(PingMotionTest, IsWhatLiesBetweenTwoPoses) {
+TEST(PingMotionTest, IsTheVelocityBetweenTwoPoses) {
   const Pose first{{1, 2, 3}, orientation_from_rpy(0, 0, 90 * kDegree)};
   const Pose last{{1, 3, 3}, orientation_from_rpy(0, 0, 80 * kDegree)};
   const PingMotion motion = motion_between(first, last, 0.5);

@@ -1,5 +1,5 @@
-// multipath_test.cpp -- echoes by way of mirrors: ghosts under the sea surface, corners, reciprocity (T9, T10, T21 of
-// PHYSICS 11). Ranges and levels are those of image sources, computed apart from this code.
+// multipath_test.cpp -- echoes by way of mirrors: ghosts in the sea surface, corners, reciprocity (T9, T10, T21 of
+// docs/concepts/physics-tests.md). Expected ranges and levels are those of image sources, computed independently.
 
 #include "insonify/engine.h"
 #include "validation/calibrated_scene.h"
@@ -37,7 +37,7 @@ double total_db(const EchoGrid& grid, int order) {
   return 10 * std::log10(sum);
 }
 
-// Of what arrives from about a range: elsewhere are the sphere's mirrored echoes of the surface.
+// Level of one path order within 0.3 m of a range. At other ranges the surface itself echoes by way of the sphere.
 double level_db(const EchoGrid& grid, const SonarConfig& sonar, int order, double range) {
   double sum = 0;
   for (int beam = 0; beam < sonar.beam_count; ++beam) {
@@ -48,7 +48,7 @@ double level_db(const EchoGrid& grid, const SonarConfig& sonar, int order, doubl
   return 10 * std::log10(sum);
 }
 
-// Range of the bin of one order that holds most.
+// Range of the bin with most energy of one path order.
 double peak_range(const EchoGrid& grid, const SonarConfig& sonar, int order) {
   std::vector<double> sums(sonar.bin_count, 0.0);
   for (int beam = 0; beam < sonar.beam_count; ++beam) {
@@ -71,7 +71,8 @@ SonarConfig tall_sonar(double elevation_aperture_deg) {
   return sonar;
 }
 
-// A calm sea surface above a small sphere: straight, by the surface one way (of two reciprocal paths) and both ways.
+// T9. A calm sea surface above a small sphere: the direct echo (order 1), the two reciprocal paths by way of the
+// surface one way (order 2), and the path by way of it both ways (order 3).
 TEST_P(MultipathTest, SurfaceGhostsHaveTheirRangesAndLevels) {
   const Material calm = glinting(1, 0.005);
   {
@@ -79,7 +80,7 @@ TEST_P(MultipathTest, SurfaceGhostsHaveTheirRangesAndLevels) {
     const Scene scene =
         scene_of_all({plane(Vec3::UnitZ(), {0, 0, 0}, calm), sphere_at({10, 0, -4}, 0.1, glinting(1, 0.1), 0.1)});
     const EchoGrid grid = echoes_of(GetParam(), scene, sonar, {0, 0, -5});
-    const double bin = 1.01 * sonar.bin_length();  // Facets spread a glint backwards.
+    const double bin = 1.01 * sonar.bin_length();  // The facet lobe spreads a highlight to longer ranges.
     EXPECT_NEAR(peak_range(grid, sonar, 1), 10.04987562112089 - 0.1, bin);
     EXPECT_NEAR(peak_range(grid, sonar, 2), 11.7517498340973 - 0.1 * std::cos(18.14 * kDegree), bin);
     EXPECT_NEAR(peak_range(grid, sonar, 3), 13.45362404707371 - 0.1, bin);
@@ -87,7 +88,7 @@ TEST_P(MultipathTest, SurfaceGhostsHaveTheirRangesAndLevels) {
     EXPECT_NEAR(total_db(grid, 3) - total_db(grid, 1), -5.067, 0.5);
   }
   {
-    // The ghost comes from 42 degrees up: a level fan of 20 degrees does not hear it.
+    // The ghost arrives from 42 degrees up, outside a level fan of 20 degrees.
     const SonarConfig sonar = tall_sonar(20);
     const Scene scene =
         scene_of_all({plane(Vec3::UnitZ(), {0, 0, 0}, calm), sphere_at({10, 0, -4}, 0.1, glinting(1, 0.1), 0.1)});
@@ -105,13 +106,13 @@ TEST_P(MultipathTest, SurfaceGhostsHaveTheirRangesAndLevels) {
   }
 }
 
-// The same with an array 20 degrees high that sends and hears, sinc^2 one way: ghosts from 42 degrees up are weak but
-// there, by its side lobe.
-TEST_P(ElevationMultipathTest, SurfaceGhostsAreSentAndHeardByThePattern) {
+// T9 with an array of 20 degrees in elevation (sinc^2 one way) on transmission and reception: ghosts from 42 degrees up
+// are weak, but received through its side lobe.
+TEST_P(ElevationMultipathTest, SurfaceGhostsAreWeightedByThePatternBothWays) {
   const Material calm = glinting(1, 0.005);
   SonarConfig sonar = tall_sonar(20);
   sonar.beam_count = 3;
-  sonar.azimuth_aperture = 0.6 * kDegree;  // All of the highlight.
+  sonar.azimuth_aperture = 0.6 * kDegree;  // Wide enough for the whole highlight.
   sonar.sampling = {12, 2000};
   constexpr struct {
     double range, height, depth, both, twice;
@@ -129,7 +130,7 @@ TEST_P(ElevationMultipathTest, SurfaceGhostsAreSentAndHeardByThePattern) {
   }
 }
 
-// The same by the scenario's own surface.
+// Ghosts in the sea surface of a scenario.
 TEST(SeaSurfaceTest, GhostsComeAndGoWithTheSurface) {
   Scenario scenario = calibrated(tall_sonar(90), kRays);
   scenario.sonars[0].position = {0, 0, -5};
@@ -153,7 +154,8 @@ TEST(SeaSurfaceTest, WindMakesItRoughAndLossy) {
   EXPECT_GT(windy.lambert_db, -25);
 }
 
-TEST_P(MultipathTest, CornerIsHeardAtItsApexAndBehind) {
+// T10.
+TEST_P(MultipathTest, CornerEchoesAtItsApexAndBehind) {
   const SonarConfig sonar = corner_sonar();
   const EchoGrid grid = echoes_of(GetParam(), corner(1, -20), sonar, {0, 0, -5});
   EXPECT_NEAR(peak_range(grid, sonar, 2), 10.44030650891055, sonar.bin_length());
@@ -167,7 +169,7 @@ TEST_P(MultipathTest, CornerIsHeardAtItsApexAndBehind) {
             -std::numeric_limits<double>::infinity());
 }
 
-// The one image of two perpendicular planes: |R1 R2|^2 / (2 d)^2.
+// T10, T21. Two perpendicular mirrors have one double image, whose echo is |R1 R2|^2 / (2 d)^2.
 TEST_P(MultipathTest, CornerOfTwoMirrorsIsOneImage) {
   const double whole = total_db(echoes_of(GetParam(), corner(1, -200), corner_sonar(), {0, 0, -5}), 2);
   const double half = total_db(echoes_of(GetParam(), corner(0.5, -200), corner_sonar(), {0, 0, -5}), 2);
@@ -175,12 +177,12 @@ TEST_P(MultipathTest, CornerOfTwoMirrorsIsOneImage) {
   EXPECT_NEAR(half - whole, 2 * 20 * std::log10(0.5), 0.01);
 }
 
-// Both reciprocal echoes of a diffuse surface are of one level, each heard where it arrives.
-TEST_P(MultipathTest, ReciprocalEchoesAreAlike) {
+// T21. The two reciprocal echoes of a diffuse surface have equal levels; each is received in the beam of its arrival.
+TEST_P(MultipathTest, ReciprocalEchoesHaveEqualLevels) {
   SonarConfig sonar = corner_sonar();
   sonar.beam_count = 60;
   sonar.azimuth_aperture = 120 * kDegree;
-  // A wall of mirror along the port side, a small diffuse target ahead to starboard.
+  // A mirror wall along the port side, and a small diffuse target ahead to starboard.
   const Scene scene = scene_of_all(
       {plane(-Vec3::UnitY(), {0, 4, 0}, glinting(1, 0.005)), sphere_at({10, -1, 0}, 0.5, diffuse(-10), 0.1)});
   const EchoGrid grid = echoes_of(GetParam(), scene, sonar, {0, 0, 0});
@@ -195,10 +197,11 @@ TEST_P(MultipathTest, ReciprocalEchoesAreAlike) {
   EXPECT_NEAR(starboard / port, 1, 1e-5);
 }
 
-// A ball is a mirror that spreads sound: out and back by it a small plate that faces it reads mu A G^2, with
-// 1/G = r^2 (1 + p (1/r + 2/(a cos t))) (1 + p (1/r + 2 cos t/a)) of a sphere of radius a, met at the angle t at the
-// range r, p before the plate (Deschamps, Proc. IEEE 60, 1022 (1972)).
-TEST_P(MultipathTest, BallsSpreadSoundBothWays) {
+// A sphere is a mirror that makes sound diverge. A small plate of area A that faces the reflected ray, insonified and
+// received by way of a sphere of radius a, has the level mu A G^2 with 1/G = r^2 (1 + p (1/r + 2/(a cos t))) (1 + p
+// (1/r + 2 cos t/a)), where r is the range of the reflection, t the angle of incidence and p the distance from the
+// reflection to the plate (Deschamps, Proc. IEEE 60, 1022 (1972)).
+TEST_P(MultipathTest, SpheresSpreadSoundBothWays) {
   const double a = 1, turned = 35 * kDegree, across = 4;
   const Vec3 centre(10, 0, 0), normal(-std::cos(turned), 0, std::sin(turned));
   const Vec3 mirror = centre + a * normal, direction = mirror.normalized();

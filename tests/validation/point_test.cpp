@@ -1,4 +1,5 @@
-// point_test.cpp -- ideal points: where they show, how strong, and what hides them (T8, T17, T23 of PHYSICS 11).
+// point_test.cpp -- ideal points: position, level, occlusion and ghosts; thermal noise and volume reverberation (T8,
+// T9, T17, T23, T24 of docs/concepts/physics-tests.md).
 
 #include <complex>
 #include <numbers>
@@ -29,6 +30,7 @@ std::pair<int, int> peak(const Ping& ping) {
   return {static_cast<int>(strongest % ping.beam_count), static_cast<int>(strongest / ping.beam_count)};
 }
 
+// T8.
 TEST_P(PointTest, ShowsWhereItIsAtItsLevel) {
   for (const double azimuth : {-50.0, -30.0, 0.1, 25.3, 50.0}) {
     Scenario scenario = calibrated(fan(), GetParam());
@@ -41,7 +43,8 @@ TEST_P(PointTest, ShowsWhereItIsAtItsLevel) {
   }
 }
 
-TEST_P(PointTest, TwoAtOnePlaceAndTwoElevationsAreTwiceOne) {
+// T17, without speckle.
+TEST_P(PointTest, TwoAtEqualRangeAndAzimuthAreTwiceOne) {
   Scenario scenario = calibrated(fan(), GetParam());
   scenario.points = {{.position = at(10.01, 20, 8)}};
   const Ping one = ping_of(scenario, {});
@@ -51,7 +54,7 @@ TEST_P(PointTest, TwoAtOnePlaceAndTwoElevationsAreTwiceOne) {
   EXPECT_NEAR(total_db(two) - total_db(one), 10 * std::log10(2), 0.02);
 }
 
-TEST_P(PointTest, NothingIsHeardFromBehindAWallOrOutsideTheAperture) {
+TEST_P(PointTest, NothingIsReceivedFromBehindAWallOrOutsideTheAperture) {
   Scenario scenario = calibrated(fan(), GetParam());
   scenario.points = {{.position = at(12, 0, 0)}};
   const Scene scene = plate_at(10, 1, diffuse(-200));
@@ -62,7 +65,7 @@ TEST_P(PointTest, NothingIsHeardFromBehindAWallOrOutsideTheAperture) {
   EXPECT_LT(total_db(ping_of(scenario, scene)), -200);
 }
 
-TEST_P(PointTest, GainEvensOutItsRange) {
+TEST_P(PointTest, GainCompensatesItsRange) {
   for (const double range : {3.01, 21.01}) {
     Scenario scenario = calibrated(fan(), GetParam());
     scenario.water.absorption = true;
@@ -72,12 +75,13 @@ TEST_P(PointTest, GainEvensOutItsRange) {
   }
 }
 
-// PHYSICS 7, image method: S, T, the surface's level; ranges, and levels re the direct echo of the two reciprocal
-// echoes, whose amplitudes add, and of that by the surface both ways.
+// T9 for points, by the method of image sources (docs/concepts/multipath.md).
 struct MirroredPoint {
   Vec3 sonar, point;
-  double level, direct, once, twice;
-  double once_coherent_db, once_db, twice_db;
+  double level;                                // Level of the surface.
+  double direct, once, twice;                  // Ranges: direct, by way of the surface one way, and both ways.
+  double once_coherent_db, once_db, twice_db;  // Levels re the direct echo. The amplitudes of the two reciprocal echoes
+                                               // add (coherent), or their intensities.
 };
 const MirroredPoint kMirrored[] = {
     {{0, 0, -5}, {10, 0, -4}, 0, 10.04987562112089, 11.7517498340973, 13.45362404707371, 3.487, 0.477, -5.067},
@@ -99,7 +103,7 @@ TEST_P(PointTest, SurfaceShowsItsGhosts) {
       scenario.surface = SeaSurface{.level = scene.level};
       scenario.receiver.speckle = coherent;
       scenario.points = {{.position = scene.point}};
-      const auto heard = [&](double range) {
+      const auto received = [&](double range) {
         const Ping ping = ping_of(scenario, {});
         double sum = 0;
         for (int beam = 0; beam < sonar.beam_count; ++beam) {
@@ -111,20 +115,20 @@ TEST_P(PointTest, SurfaceShowsItsGhosts) {
         return 10 * std::log10(sum);
       };
       const double direct = -40 * std::log10(scene.direct);
-      EXPECT_NEAR(heard(scene.direct), direct, 0.001);
-      EXPECT_NEAR(heard(scene.once), direct + (coherent ? scene.once_coherent_db : scene.once_db), 0.001);
-      EXPECT_NEAR(heard(scene.twice), direct + scene.twice_db, 0.001);
+      EXPECT_NEAR(received(scene.direct), direct, 0.001);
+      EXPECT_NEAR(received(scene.once), direct + (coherent ? scene.once_coherent_db : scene.once_db), 0.001);
+      EXPECT_NEAR(received(scene.twice), direct + scene.twice_db, 0.001);
       scenario.max_surfaces = 2;
-      EXPECT_LT(heard(scene.twice), -200);
-      EXPECT_NEAR(heard(scene.once), direct + (coherent ? scene.once_coherent_db : scene.once_db), 0.001);
+      EXPECT_LT(received(scene.twice), -200);
+      EXPECT_NEAR(received(scene.once), direct + (coherent ? scene.once_coherent_db : scene.once_db), 0.001);
       scenario.secondary = SecondaryEchoes::kNone;
-      EXPECT_LT(heard(scene.once), -200);
+      EXPECT_LT(received(scene.once), -200);
     }
   }
 }
 
-// Lloyd's mirror: in one bin all echoes interfere, and the calm surface turns the phase by half a turn each time.
-TEST_P(PointTest, CalmSurfaceTurnsThePhase) {
+// Lloyd's mirror: all echoes interfere in one bin, and each reflection at the calm surface (R = -1) inverts the phase.
+TEST_P(PointTest, CalmSurfaceInvertsThePhase) {
   SonarConfig sonar = fan();
   sonar.frequency = 10e3;
   sonar.position = {0, 0, -1};
@@ -150,9 +154,9 @@ TEST_P(PointTest, CalmSurfaceTurnsThePhase) {
   }
 }
 
-// A level fan of 20 degrees does not look up to where the ghost is, 42 degrees above; a plate under the surface hides
-// the ghost and a plate before the point what goes straight.
-TEST_P(PointTest, GhostsNeedAClearWayThatIsHeard) {
+// The ghost is 42 degrees up, outside a level fan of 20 degrees. A plate under the surface blocks the ghost, and a
+// plate in front of the point blocks the direct path.
+TEST_P(PointTest, GhostsNeedAClearPathWithinTheAperture) {
   SonarConfig sonar = fan();
   sonar.position = {0, 0, -5};
   Scenario scenario = calibrated(sonar, GetParam());
@@ -168,13 +172,13 @@ TEST_P(PointTest, GhostsNeedAClearWayThatIsHeard) {
     return scene_of(make_plane(Vec3::UnitZ(), 2, 2), diffuse(-200), {.position = {5.5, 0, height}});
   };
   EXPECT_NEAR(total_db(ping_of(scenario, plate(-0.1))), direct, 1e-3);
-  // What is left is heard at the image's range, r2: the echo that goes by the surface both ways.
+  // Only the echo by way of the surface both ways remains, at the range of the image.
   const Scene wall = scene_of(make_plane(Vec3::UnitX(), 0.2, 0.2), diffuse(-200), {.position = {9, 0, -4.1}});
   EXPECT_NEAR(total_db(ping_of(scenario, wall)), -40 * std::log10(13.45362404707371), 1e-3);
 }
 
-// Waves break ghosts up: intensities are exponential about the mean, ping by ping. Without speckle the mean is heard.
-TEST_P(PointTest, WavesShakeItsGhosts) {
+// With waves, the intensity of a ghost is exponentially distributed from ping to ping. Without speckle it is the mean.
+TEST_P(PointTest, WavesMakeItsGhostsFluctuate) {
   SonarConfig sonar = fan();
   sonar.position = {0, 0, -5};
   sonar.elevation_aperture = 100 * kDegree;
@@ -215,11 +219,12 @@ TEST_P(PointTest, WavesShakeItsGhosts) {
 constexpr auto kName = [](const auto& test) { return test.param.name; };
 INSTANTIATE_TEST_SUITE_P(Methods, PointTest, testing::Values(kReference, kRays), kName);
 
-// Empty water: thermal noise alone, whose intensity is exponential, at NL + 10 log10 B - DI - SL.
+// T23. Empty water: without noise nothing; with noise, thermal noise with exponentially distributed intensity and the
+// mean level NL + 10 log10 B - DI - SL.
 TEST(ThermalNoiseTest, HasItsLevelAndItsStatistics) {
   SonarConfig sonar = fan();
   sonar.frequency = 720e3;
-  sonar.beam_count = 120;  // Of 1 by 20 degrees.
+  sonar.beam_count = 120;  // Beams of 1 x 20 degrees.
   sonar.source_level_db = 200;
   sonar.bandwidth = 25e3;
   Scenario scenario = calibrated(sonar, kRays);
@@ -250,10 +255,10 @@ TEST(ThermalNoiseTest, HasItsLevelAndItsStatistics) {
   EXPECT_NE(simulator.make_ping(0, 1).intensity, ping.intensity);
 }
 
-// Water full of scatterers: I = s_v Psi (1/r1 - 1/r2), -20 dB a decade (T24), and none of it from behind a wall.
+// T24. Volume reverberation I = s_v Psi (1/r1 - 1/r2) falls by 20 dB per decade; behind a wall there is none.
 TEST(VolumeReverberationTest, FallsWithTheSquareOfRange) {
   SonarConfig sonar;
-  sonar.beam_count = 20;  // Of 1 by 20 degrees.
+  sonar.beam_count = 20;  // Beams of 1 x 20 degrees.
   sonar.azimuth_aperture = 20 * kDegree;
   sonar.min_range = 0;
   sonar.max_range = 25;
@@ -267,16 +272,16 @@ TEST(VolumeReverberationTest, FallsWithTheSquareOfRange) {
   const Ping walled = ping_of(scenario, plate_at(10, 20, diffuse(-200)));
   EXPECT_NEAR(cell_db(walled, 100, 7), cell_db(ping, 100, 7), 0.01);
   EXPECT_LT(cell_db(walled, 300, 7), -160);
-  const int bin = 199;  // Where the wall stands: half its water is before it.
+  const int bin = 199;  // In the bin of the wall, half of the water is in front of it.
   EXPECT_GT(cell_db(walled, bin + 1, 10), -160);
   EXPECT_LT(cell_db(walled, bin + 1, 10), cell_db(ping, bin + 1, 10) - 1);
 
-  // A point takes nothing away from what is behind it.
+  // A point target does not shadow the water behind it.
   scenario.points = {{.position = {5.02, 0.05, 0}, .target_strength_db = -150}};
   const Ping pointed = ping_of(scenario, {});
   EXPECT_EQ(cell_db(pointed, 300, 9), cell_db(ping, 300, 9));
 
-  // The sonar's wrong sound speed moves bins, not the water.
+  // A wrong assumed sound speed shifts the ranges of bins; the echo of the water at the true range is unchanged.
   scenario.points.clear();
   scenario.water.sound_speed = 1500;
   scenario.sonars[0].assumed_sound_speed = 1600;

@@ -1,4 +1,4 @@
-// receiver_test.cpp -- array and pulse of whole pings (T14, T18 of PHYSICS 11).
+// receiver_test.cpp -- array pattern and pulse in whole pings (T14, T18 of docs/concepts/physics-tests.md).
 
 #include "validation/calibrated_scene.h"
 
@@ -19,8 +19,8 @@ double decibels(double ratio) {
   return 10 * std::log10(ratio);
 }
 
-// A lone point shows in every beam at its range, as the array's pattern in the sine of bearing has it.
-TEST(ArrayPingTest, PointDrawsThePatternAcrossTheBeams) {
+// T14. A point appears in every beam at its range, with the array's pattern in the sine of the bearing.
+TEST(ArrayPingTest, PointShowsTheBeamPatternAcrossTheBeams) {
   const SonarConfig sonar = fan();
   for (const double azimuth : {-50.1 * kDegree, -12.34 * kDegree, 0.0, 20 * kDegree, 47.7 * kDegree}) {
     Scenario scenario = calibrated(sonar, kRays);
@@ -40,8 +40,8 @@ TEST(ArrayPingTest, PointDrawsThePatternAcrossTheBeams) {
   }
 }
 
-// Whatever the window, a lone point keeps its level where the array looks, upright arrays as well.
-TEST(ArrayPingTest, EveryWindowKeepsALonePointsLevel) {
+// With every window, in azimuth and in elevation, a point has its own level in the beam that points at it.
+TEST(ArrayPingTest, EveryWindowPreservesTheLevelOfAPoint) {
   const double azimuth = fan().beam_azimuth(100) - 0.25 * 120 * kDegree / 256;  // The middle of half a beam.
   for (int window = 1; window <= static_cast<int>(BeamPattern::kDolphChebyshev); ++window) {
     Scenario scenario = calibrated(fan(), kRays);
@@ -49,12 +49,12 @@ TEST(ArrayPingTest, EveryWindowKeepsALonePointsLevel) {
     scenario.points = {{.position = 15.02 * Vec3(std::cos(azimuth), std::sin(azimuth), 0)}};
     const Ping ping = ping_of(scenario, {});
     EXPECT_NEAR(cell_db(ping, static_cast<int>(15.02 / fan().bin_length()), 100), -40 * std::log10(15.02), 0.2)
-        << window;  // The beam looks an eighth of its width aside.
+        << window;  // The beam points an eighth of its width beside the point.
   }
 }
 
-// Faulty elements raise the side lobes, the same ones for the same seed.
-TEST(ArrayPingTest, DeadElementsAreHeard) {
+// Faulty elements raise the side lobes; the pattern is that of ArrayPattern with the same seed.
+TEST(ArrayPingTest, FaultyElementsRaiseTheSideLobes) {
   const SonarConfig sonar = fan();
   Scenario scenario = calibrated(sonar, kRays);
   scenario.receiver.azimuth_pattern = BeamPattern::kHann;
@@ -76,10 +76,10 @@ TEST(ArrayPingTest, DeadElementsAreHeard) {
     }
     highest = std::abs(beam - 127.5) > 8 ? std::max(highest, expected) : highest;
   }
-  EXPECT_GT(highest, -30);  // A sound array's are below -31.5 dB, and fall off fast.
+  EXPECT_GT(highest, -30);  // Without faults they are below -31.5 dB and fall off fast.
 }
 
-// A scanning head sends and hears with one array: its side lobes are 26.5 dB down.
+// T14 for a scanning head, which transmits and receives with the same array: side lobes are 26.5 dB down.
 TEST(ArrayPingTest, ScanningHeadIsTwoWay) {
   SonarConfig sonar;
   sonar.type = SonarType::kMechanicallyScanned;
@@ -103,7 +103,7 @@ TEST(ArrayPingTest, ScanningHeadIsTwoWay) {
   }
 }
 
-// A beam of an array is labelled with the strongest of the cells in its own slice, whichever it is.
+// A beam of an array takes the label of the strongest cell in its own slice.
 TEST(ArrayPingTest, BeamTakesTheLabelOfItsStrongestCell) {
   SonarConfig sonar;
   sonar.type = SonarType::kMechanicallyScanned;
@@ -147,10 +147,11 @@ Ping two_plates(PulseKind pulse) {
   return ping_of(scenario, {});
 }
 
+// T18.
 TEST(PulsePingTest, ChirpResolvesWhatAToneDoesNot) {
   const auto dip = [](const Ping& ping) {
-    const std::vector<double> heard = by_range(ping);
-    const auto level = [&](double range) { return decibels(heard[static_cast<int>((range - 9.8) / 0.002)]); };
+    const std::vector<double> received = by_range(ping);
+    const auto level = [&](double range) { return decibels(received[static_cast<int>((range - 9.8) / 0.002)]); };
     return std::min(level(10.001), level(10.031)) - level(10.016);
   };
   EXPECT_GT(dip(two_plates(PulseKind::kLfm)), 3);

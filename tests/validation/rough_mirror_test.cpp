@@ -1,4 +1,4 @@
-// rough_mirror_test.cpp -- sound sent on about facets of a rough mirror.
+// rough_mirror_test.cpp -- reflection by the randomly tilted facets of a rough mirror.
 
 #include "echo/model/mirror_facet.h"
 #include "echo/model/mirror_paths.h"
@@ -9,8 +9,8 @@
 namespace insonify::validation {
 namespace {
 
-// Two standard normal numbers that know nothing of each other, in every block of the lattice.
-TEST(FacetSlopesTest, AreNormalAndEven) {
+// The two slopes of a facet are independent standard normal numbers, in every block of the lattice.
+TEST(FacetSlopesTest, AreNormalAndIndependent) {
   for (const int size : {16, 128}) {
     double sum[2] = {}, squares[2] = {}, both = 0, within = 0;
     for (int column = 100; column < 100 + size; ++column) {
@@ -35,11 +35,12 @@ TEST(FacetSlopesTest, AreNormalAndEven) {
   }
 }
 
-// What the facets keep of what falls on the mirror: quadrature over slopes with Smith's exact masking, apart from this
-// code. The rest they send into it.
-TEST(MirrorFacetTest, SharesAddUpToWhatGoesOn) {
+// The mean share is the fraction of the incident energy that facets reflect away from the mirror; the rest is reflected
+// into it. Reference values: quadrature over slopes with Smith's exact masking function (Smith, IEEE Trans. AP-15, 668
+// (1967)), computed independently.
+TEST(MirrorFacetTest, SharesSumToTheReflectedFraction) {
   struct Case {
-    double slope, grazing_deg, kept;
+    double slope, grazing_deg, reflected;
   };
   for (const Case& c : {Case{0.02, 5, 0.9939}, Case{0.02, 40, 1}, Case{0.1, 5, 0.9665}, Case{0.1, 15, 0.9670},
                         Case{0.1, 90, 1}, Case{0.3, 5, 0.9911}, Case{0.3, 15, 0.9579}, Case{0.3, 40, 0.9412}}) {
@@ -53,12 +54,12 @@ TEST(MirrorFacetTest, SharesAddUpToWhatGoesOn) {
       sum += facet.share;
       ASSERT_NEAR(facet.normal.dot(facet.normal), 1, 1e-5);
     }
-    EXPECT_NEAR(sum / (kSide * kSide), c.kept, 0.01) << c.slope << ", " << c.grazing_deg;
+    EXPECT_NEAR(sum / (kSide * kSide), c.reflected, 0.01) << c.slope << ", " << c.grazing_deg;
   }
 }
 
-// The sign of a zero must not matter: engines differ in it.
-TEST(MirrorFacetTest, UprightMirrorsHaveOneFrame) {
+// Engines differ in the sign of zero components of normals; it must not matter.
+TEST(MirrorFacetTest, TheSignOfZeroDoesNotMatter) {
   const Triple direction{0.8F, 0.6F, 0};
   const MirrorFacet a = mirror_facet(direction, {-1, 0, 0.0F}, {}, 0.1F, {0.7F, -0.4F});
   const MirrorFacet b = mirror_facet(direction, {-1, 0, -0.0F}, {}, 0.1F, {0.7F, -0.4F});
@@ -67,28 +68,28 @@ TEST(MirrorFacetTest, UprightMirrorsHaveOneFrame) {
   EXPECT_EQ(a.normal.z, b.normal.z);
 }
 
-// A slope that faces away from the sonar, on a level bed that is met at 10 degrees: what would go below the bed is not
-// kept, though it leaves the slope.
-TEST(MirrorFacetTest, NothingGoesThroughTheSurfaceThatCarriesRelief) {
+// A relief that slopes away from the sonar, on a level bed at 10 degrees of grazing. Rays that leave the tilted surface
+// but would go below the bed are not reflected.
+TEST(MirrorFacetTest, NothingIsReflectedThroughASurfaceWithRelief) {
   const auto degrees = [](double angle) { return static_cast<float>(angle * kDegree); };
   const Triple direction{std::cos(degrees(10)), 0, -std::sin(degrees(10))};
   const float away = std::tan(degrees(3)), scale = 1 / std::sqrt(1 + away * away);
-  const Triple bent{scale * away, 0, scale};  // Of (0, 0, 1) less the gradient.
+  const Triple bent{scale * away, 0, scale};  // (0, 0, 1) less the gradient, normalised.
   const Triple gradient{-away, 0, 0};
-  int kept = 0;
+  int reflected = 0;
   for (int row = 0; row < 4000; ++row) {
     const MirrorFacet facet = mirror_facet(direction, bent, gradient, 0.05F, FacetSlopes::of(1, row, 3));
     if (facet.share > 0) {
-      ++kept;
+      ++reflected;
       EXPECT_GT(direction.z - 2 * direction.dot(facet.normal) * facet.normal.z, -1e-6F);
     }
   }
-  EXPECT_GT(kept, 2000);
-  EXPECT_LT(kept, 4000);
+  EXPECT_GT(reflected, 2000);
+  EXPECT_LT(reflected, 4000);
 }
 
-// Drawn once, a facet counts once, however often its mirror is met.
-TEST(MirrorFacetTest, ShareCountsOnceOnTheWayThereAndBack) {
+// A path that meets the mirror on the way out and back meets the same facet: its share counts once.
+TEST(MirrorFacetTest, ShareCountsOnceForBothWays) {
   Material material = diffuse(-10);
   const ScatterTable scatter(std::span(&material, 1), 720e3);
   MirrorPaths paths = {};
@@ -106,8 +107,8 @@ TEST(MirrorFacetTest, ShareCountsOnceOnTheWayThereAndBack) {
   EXPECT_FLOAT_EQ(powers.twice[1], 0.5F * powers.twice[0]);
 }
 
-// By symmetry which side the normal is on does not matter, and no direction breaks the frame.
-TEST(MirrorFacetTest, StandsOnTheSideOfTheSound) {
+// The side to which the surface normal points does not matter, and the tangent frame is valid for all directions.
+TEST(MirrorFacetTest, FacesTheSideOfTheSound) {
   for (const Triple& normal : {Triple{0, 0, 1}, Triple{0, 0, -1}, Triple{1, 0, 0}, Triple{0, -1, 0}}) {
     for (const float side : {1.0F, -1.0F}) {
       const MirrorFacet facet = mirror_facet(-1 * normal, side * normal, {}, 0.1F, {0.5F, -0.3F});
@@ -117,13 +118,14 @@ TEST(MirrorFacetTest, StandsOnTheSideOfTheSound) {
   }
 }
 
-// Where a ghost below a floor is heard, in a fan that stands upright.
+// The ghost of a sphere in a floor, in a vertical fan.
 struct Ghost {
-  double energy = 0, mean = 0, deviation = 0;  // Of the elevation [deg].
-  double both_ways = 0;                        // Energy by the mirror there and back.
+  double energy = 0;               // Energy of path order 2 from the mirror's side.
+  double mean = 0, deviation = 0;  // Mean and standard deviation of its elevation [deg].
+  double both_ways = 0;            // Energy of path order 3.
 };
 
-// @param height  Of the sonar; of the sphere it is 10 m less.
+// @param height  Height of the sonar above the floor; that of the sphere is 10 m - height.
 Ghost ghost_in(const Method& method, double rms_slope, bool rough, double height = 5) {
   Scene scene = sphere_at({10, 0, 10 - 2 * height}, 0.3, diffuse(-10));
   const Scene floor =
@@ -157,7 +159,7 @@ Ghost ghost_in(const Method& method, double rms_slope, bool rough, double height
   for (int beam = 0; beam < sonar.beam_count; ++beam) {
     const double elevation = sonar.beam_azimuth(beam) / kDegree;  // Port is up.
     for (const float energy : grid.energy(2, beam)) {
-      if (elevation < -25) {  // The reciprocal path is heard from the sphere itself.
+      if (elevation < -25) {  // The reciprocal path arrives from the sphere itself.
         ghost.energy += energy;
         ghost.mean += energy * elevation;
         squares += energy * elevation * elevation;
@@ -174,9 +176,9 @@ Ghost ghost_in(const Method& method, double rms_slope, bool rough, double height
 
 class RoughMirrorTest : public testing::TestWithParam<Method> {};
 
-// A facet that is tilted by t sends on what comes 2 t R2 / (R1 + R2) beside the image, R1 the way to the mirror and R2
-// on from there: the image is so much wider, a glitter path. It holds what the image of a smooth floor holds.
-TEST_P(RoughMirrorTest, SpreadsTheImageAsItsSlopes) {
+// A facet tilted by t shifts the direction of the image by 2 t R2 / (R1 + R2), with R1 the distance to the mirror and
+// R2 from there to the target. Random tilts widen the image by that (a glitter path) and do not change its energy.
+TEST_P(RoughMirrorTest, SpreadsTheImageInProportionToItsSlopes) {
   for (const double height : {3.0, 5.0, 7.0}) {
     const Ghost smooth = ghost_in(GetParam(), 0.05, false, height);
     EXPECT_NEAR(smooth.mean, -45, 0.7) << height;
@@ -199,7 +201,7 @@ TEST_P(RoughMirrorTest, WithoutSlopesIsSmooth) {
   EXPECT_NEAR(rough.deviation, smooth.deviation, 0.01);
 }
 
-// The whole way from a scenario: a windy sea's ghosts are wider.
+// From scenario to ping: ghosts in a windy sea are wider.
 TEST(RoughMirrorScenarioTest, WidensTheGhostsOfAWindySea) {
   Scene scene = sphere_at({8, 0, -3}, 0.3, diffuse(-10));
   Scenario scenario;
@@ -223,7 +225,7 @@ TEST(RoughMirrorScenarioTest, WidensTheGhostsOfAWindySea) {
       const double elevation = sonar.beam_azimuth(beam) / kDegree;
       for (int bin = 0; bin < ping.bin_count; ++bin) {
         const double range = sonar.bin_range(bin);
-        if (elevation > 20 && range > 8.3) {  // The surface straight above is nearer.
+        if (elevation > 20 && range > 8.3) {  // Excludes the direct echo of the surface, which is nearer.
           const double intensity = ping.intensity[ping.index(bin, beam)];
           sum += intensity;
           moment += intensity * elevation;

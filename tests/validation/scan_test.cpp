@@ -1,5 +1,5 @@
-// scan_test.cpp -- what a scanning sonar on a moving vehicle makes of targets that stand still (T15 of PHYSICS 11, with
-// the table of its section 8).
+// scan_test.cpp -- T15 of docs/concepts/physics-tests.md: distortion of static targets in the picture of a scanning
+// sonar on a moving vehicle.
 
 #include "validation/calibrated_scene.h"
 
@@ -26,9 +26,9 @@ SonarConfig head() {
   return sonar;
 }
 
-// Where a target is shown that is drawn at the head's angle and the echo's range, as if the vehicle had not moved.
+// Position of a target in the picture, drawn at the head's angle and the echo's range as if the vehicle had not moved.
 struct Shown {
-  int pings = 0;  // That heard it.
+  int pings = 0;  // Number of pings that received it.
   double bearing = 0, range = 0;
 };
 
@@ -60,15 +60,15 @@ void expect_shown(const Shown& shown, double bearing, double range) {
   EXPECT_NEAR(shown.range, range, 0.5 * head().bin_length() + 1e-6);
 }
 
-// Nothing moves: everything is where it is, off the edges of bins.
-TEST_P(ScanTest, ShowsTargetsWhereTheyAreWhileStandingStill) {
+// Without motion targets appear at their positions. Ranges are chosen off the edges of bins.
+TEST_P(ScanTest, ShowsTargetsAtTheirPositionsWhenNothingMoves) {
   const Waypoint still{.time = 16};
   expect_shown(scan(GetParam(), {0, 10.01, 0}, still), 90 * kDegree, 10.01);
   expect_shown(scan(GetParam(), {-10.01, 0.01, 0}, still), 180 * kDegree, 10.01);
   expect_shown(scan(GetParam(), {0, -10.01, 0}, still), 270 * kDegree, 10.01);
 }
 
-// 0.5 m/s along +x.
+// The vehicle moves at 0.5 m/s along +x.
 TEST_P(ScanTest, ForwardMotionShearsThePicture) {
   const Waypoint ahead{.time = 16, .position = {8, 0, 0}};
   const auto expect_at = [&](const Vec3& target, double x, double y) {
@@ -80,7 +80,7 @@ TEST_P(ScanTest, ForwardMotionShearsThePicture) {
   expect_at({0, -10, 0}, -5.313515601411355, -10.035484639695191);
 }
 
-// 2 degrees a second to port, while the head turns at 22.5: targets come up early.
+// The vehicle turns to port at 2 degrees/s while the head turns at 22.5: targets appear at smaller head angles.
 TEST_P(ScanTest, TurningShiftsBearings) {
   const Waypoint turned{.time = 16, .orientation = {0, 0, 32 * kDegree}};
   expect_shown(scan(GetParam(), {0, 10.01, 0}, turned), 82.8 * kDegree, 10.01);

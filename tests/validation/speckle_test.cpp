@@ -1,4 +1,5 @@
-// speckle_test.cpp -- its law, its grain, and how it stays with the world (T11, T12, T17 of PHYSICS 11).
+// speckle_test.cpp -- distribution and correlation of speckle, and its dependence on motion (T11, T12, T13, T17 of
+// docs/concepts/physics-tests.md).
 
 #include <complex>
 #include <functional>
@@ -8,7 +9,7 @@
 namespace insonify::validation {
 namespace {
 
-// Speckle of a wide diffuse seabed, relative to the mean that is heard without it.
+// Speckle of a diffuse seabed: intensity divided by the intensity without speckle.
 class SpeckleTest : public testing::Test {
  protected:
   static SonarConfig fan() {
@@ -32,22 +33,23 @@ class SpeckleTest : public testing::Test {
     return scenario_of(sonar);
   }
 
-  // Tables of intensity over mean; 0 where nothing is heard.
+  // Intensity over mean intensity, [bin][beam]; 0 where there is no echo.
   static std::vector<float> speckle_of(Scenario scenario, const Material& material = diffuse(-20)) {
     const Scene scene = seabed_at(-3, material);
-    std::vector<float> heard = ping_of(scenario, scene).intensity;
+    std::vector<float> received = ping_of(scenario, scene).intensity;
     scenario.receiver.speckle = false;
     const std::vector<float> mean = ping_of(scenario, scene).intensity;
-    for (std::size_t i = 0; i < heard.size(); ++i) {
-      heard[i] = mean[i] > 0 ? heard[i] / mean[i] : 0;
+    for (std::size_t i = 0; i < received.size(); ++i) {
+      received[i] = mean[i] > 0 ? received[i] / mean[i] : 0;
     }
-    return heard;
+    return received;
   }
 };
 
 constexpr int kBins = 500, kBeams = 256;
 
-// Of cells (bin, beam) of one table and (bin + bins, beam + beams) of the other, over all where `counts`.
+// Correlation between the cells (bin, beam) of one table and (bin + bins, beam + beams) of the other, over the cells
+// for which `counts` is true.
 double correlation(
     const std::vector<float>& one, const std::vector<float>& other, int bins = 0, int beams = 0,
     const std::function<bool(int bin, int beam)>& counts = [](int, int) { return true; }) {
@@ -63,7 +65,8 @@ double correlation(
   return (n * ab - a * b) / std::sqrt((n * aa - a * a) * (n * bb - b * b));
 }
 
-TEST_F(SpeckleTest, IntensityIsExponentialAndNeighbouringBeamsAreAlike) {
+// T11.
+TEST_F(SpeckleTest, IntensityIsExponentialAndNeighbouringBeamsCorrelate) {
   const std::vector<float> speckle = speckle_of(scenario_at({0, 0, 0}));
   double n = 0, sum = 0, squares = 0, amplitudes = 0;
   for (int bin = 50; bin < 500; ++bin) {
@@ -76,12 +79,12 @@ TEST_F(SpeckleTest, IntensityIsExponentialAndNeighbouringBeamsAreAlike) {
   EXPECT_NEAR(sum / n, 1, 4 / std::sqrt(independent));
   EXPECT_NEAR(std::sqrt(squares / n / std::pow(sum / n, 2) - 1), 1, 0.028);
   EXPECT_NEAR(std::sqrt(sum / n / std::pow(amplitudes / n, 2) - 1), 0.5227232008770634, 0.0105);
-  // Straight ahead it would be 0.5465; beams are evenly spaced in angle, and overlap less in u at the sides.
+  // Straight ahead it is 0.5465. Beams are evenly spaced in angle, so at the sides they are closer together in u.
   EXPECT_NEAR(correlation(speckle, speckle, 0, 1), 0.60, 0.07);
   EXPECT_NEAR(correlation(speckle, speckle, 1, 0), 0, 0.02);
 }
 
-// T13 with all that the calibrated model has.
+// T13 with all features of the calibrated model.
 TEST_F(SpeckleTest, PingsDoNotDependOnThreads) {
   Scenario scenario = scenario_at({0, 0, 0});
   scenario.secondary = SecondaryEchoes::kAll;
@@ -101,7 +104,8 @@ TEST_F(SpeckleTest, PingsDoNotDependOnThreads) {
   }
 }
 
-TEST_F(SpeckleTest, StaysWhileNothingMoves) {
+// T12.
+TEST_F(SpeckleTest, IsTheSameWhileNothingMoves) {
   Simulator simulator(scenario_at({1, 2, 0}), seabed_at(-3, diffuse(-20)), 2);
   EXPECT_EQ(simulator.make_ping(0, 0).intensity, simulator.make_ping(0, 7).intensity);
 
@@ -110,9 +114,9 @@ TEST_F(SpeckleTest, StaysWhileNothingMoves) {
   EXPECT_NEAR(correlation(speckle_of(scenario_at({1, 2, 0})), speckle_of(other)), 0, 0.02);
 }
 
-// A shift d along an array of length D: (1 - 2 d / D)^2 (PHYSICS 6). At the sides of the fan it is a shift in range
-// too.
-TEST_F(SpeckleTest, SidewaysItFadesAsTheArrayMoves) {
+// T12. Moving an array of length D sideways by d leaves a correlation of (1 - 2 d / D)^2 (docs/concepts/speckle.md). At
+// the sides of the fan the motion is also a shift in range.
+TEST_F(SpeckleTest, DecorrelatesAsTheArrayMovesSideways) {
   Scenario scenario = scenario_at({0, 0, 0});
   const double wavelength = scenario.water.true_sound_speed() / fan().frequency;
   const double length = 0.8858929413781328 * wavelength / (2 * std::sin(0.5 * kDegree));
@@ -127,8 +131,8 @@ TEST_F(SpeckleTest, SidewaysItFadesAsTheArrayMoves) {
   }
 }
 
-// Five bins ahead, what is far and straight ahead is five bins nearer.
-TEST_F(SpeckleTest, ComingNearerItComesNearer) {
+// Moving ahead by five bins shifts the speckle of distant cells straight ahead by five bins.
+TEST_F(SpeckleTest, MovesByBinsAsTheSonarApproaches) {
   const double step = 5 * fan().bin_length();
   const std::vector<float> first = speckle_of(scenario_at({0, 0, 0})), later = speckle_of(scenario_at({step, 0, 0}));
   const auto ahead = [](int bin, int beam) { return bin > 250 && std::abs(beam - 127.5) < 6; };
@@ -136,8 +140,8 @@ TEST_F(SpeckleTest, ComingNearerItComesNearer) {
   EXPECT_LT(correlation(first, later, 0, 0, ahead), 0.1);
 }
 
-// The phase of what lies ahead turns by 4 pi / wavelength a metre, as that of a point does: back as it comes nearer.
-TEST_F(SpeckleTest, CarrierTurnsWithTheWay) {
+// The phase of cells straight ahead changes by 4 pi / wavelength per metre of range, as that of a point.
+TEST_F(SpeckleTest, PhaseFollowsThePathLength) {
   const double wavelength = scenario_at({0, 0, 0}).water.true_sound_speed() / fan().frequency;
   const auto field_at = [](double x) {
     Scenario scenario = scenario_at({x, 0, 0});
@@ -153,9 +157,9 @@ TEST_F(SpeckleTest, CarrierTurnsWithTheWay) {
   EXPECT_NEAR(std::arg(product), -0.25 * 3.14159265, 0.05);
 }
 
-// Turned by three beams to port, everything is three beams nearer to starboard; by a third of a beam it is nearly the
-// same.
-TEST_F(SpeckleTest, TurningItTurns) {
+// Turning by three beams to port shifts the speckle by three beams to starboard; turning by a third of a beam changes
+// it little.
+TEST_F(SpeckleTest, MovesByBeamsAsTheSonarTurns) {
   const double beam = fan().azimuth_aperture / kBeams;
   const std::vector<float> first = speckle_of(scenario_at({0, 0, 0}));
   EXPECT_GT(correlation(first, speckle_of(scenario_at({0, 0, 0}, 3 * beam)), 0, 3), 0.9);
@@ -163,10 +167,11 @@ TEST_F(SpeckleTest, TurningItTurns) {
   EXPECT_GT(correlation(first, speckle_of(scenario_at({0, 0, 0}, beam / 3)), 0, 0), 0.6);
 }
 
-// Patchy surfaces: gamma-distributed texture under the speckle (PHYSICS 6: C_I and tail of the K distribution).
+// Gamma-distributed texture makes intensities K-distributed: C_I = sqrt(1 + 2 / nu), and the tail probability P(I > 5)
+// of nu = 2 (Abraham and Lyons, IEEE J. Ocean. Eng. 27, 800 (2002)).
 TEST_F(SpeckleTest, ClutterIsKDistributed) {
   Scenario scenario = scenario_at({0, 0, 0});
-  scenario.receiver.azimuth_pattern = BeamPattern::kTopHat;  // Cells are resolved as they are.
+  scenario.receiver.azimuth_pattern = BeamPattern::kTopHat;  // Each cell is a beam and bin of the ping.
   for (const auto& [shape, tail] : {std::pair{2.0, 0.02350083910703625}, {0.5, 0.0}, {10.0, 0.0}}) {
     Material material = diffuse(-20);
     material.clutter_shape = shape;
@@ -186,32 +191,32 @@ TEST_F(SpeckleTest, ClutterIsKDistributed) {
   }
 }
 
-// Scatterers that can be counted: of N on average a cell of a bed holds none with the chance e^-N, and intensities have
-// <I^2> = (2 + 1/N) <I>^2. On a flat bed a cell's area is r dr dphi whatever its height.
-TEST_F(SpeckleTest, SparseScatterersGlitter) {
+// Sparse scatterers: a cell with N of them on average contains none with the probability e^-N, and intensities have
+// <I^2> = (2 + 1/N) <I>^2. On a flat bed a cell's area is r dr dphi for any height of the sonar.
+TEST_F(SpeckleTest, SparseScatterersHavePoissonStatistics) {
   Scenario scenario = scenario_at({0, 0, 0});
   scenario.receiver.azimuth_pattern = BeamPattern::kTopHat;
   const SonarConfig sonar = fan();
   for (const double density : {60.0, 250.0, 1000.0}) {
     Material material = diffuse(-20);
     material.scatterer_density = density;
-    const std::vector<float> glitter = speckle_of(scenario, material);
+    const std::vector<float> sparse = speckle_of(scenario, material);
     for (int first = 60; first < kBins - 60; first += 60) {
       const double range = 0.5 * (sonar.bin_range(first) + sonar.bin_range(first + 59));
       const double mean = density * range * sonar.bin_length() * sonar.azimuth_aperture / kBeams;
-      double n = 0, sum = 0, squares = 0, silent = 0;
+      double n = 0, sum = 0, squares = 0, empty = 0;
       for (std::size_t i = std::size_t{kBeams} * first; i < std::size_t{kBeams} * (first + 60); ++i) {
-        const double value = glitter[i];
-        n += 1, sum += value, squares += value * value, silent += value == 0 ? 1 : 0;
+        const double value = sparse[i];
+        n += 1, sum += value, squares += value * value, empty += value == 0 ? 1 : 0;
       }
       EXPECT_NEAR(sum / n, 1, 0.06) << density << ", " << range;
-      EXPECT_NEAR(silent / n, std::exp(-mean), 0.015) << density << ", " << range;
+      EXPECT_NEAR(empty / n, std::exp(-mean), 0.015) << density << ", " << range;
       EXPECT_NEAR(squares / n / std::pow(sum / n, 2) / (2 + 1 / mean), 1, 0.12) << density << ", " << range;
     }
   }
 }
 
-TEST_F(SpeckleTest, SparseScatterersStayAndManyAreCountless) {
+TEST_F(SpeckleTest, SparseScatterersAreFixedInTheWorldAndManyAreGaussian) {
   Material material = diffuse(-20);
   material.scatterer_density = 100;
   const Scenario scenario = scenario_at({1, 2, 0});
@@ -224,7 +229,8 @@ TEST_F(SpeckleTest, SparseScatterersStayAndManyAreCountless) {
   EXPECT_EQ(speckle_of(scenario, material), many);
 }
 
-// T17: two equal points that a fan cannot tell apart interfere: sometimes none is heard, sometimes four times one.
+// T17. Two equal points in one cell interfere: the intensity is between 0 and four times that of one, depending on the
+// seed.
 TEST_F(SpeckleTest, TwoPointsInOneCellInterfere) {
   SonarConfig sonar = fan();
   sonar.min_range = 0;
