@@ -1,5 +1,5 @@
-// Three kinds of evidence: values computed independently from the papers, values that can be worked out by hand, and
-// laws that must hold whatever the constants.
+// absorption_test.cpp -- absorption against values computed independently from the papers, values computed by hand, and
+// laws that hold for any constants.
 
 #include "insonify/absorption.h"
 
@@ -17,8 +17,8 @@ namespace {
 // Rounding only: the expected values are exact, the code does about ten operations.
 constexpr double kRounding = 64 * std::numeric_limits<double>::epsilon();
 
-// Computed from the printed equations of both papers in double precision, apart from this code. Losses in dB/km as
-// there.
+// Computed from the printed equations of both papers in double precision, independently of this code. Losses in dB/km
+// as there.
 struct Point {
   double frequency_khz, temperature_c, salinity, depth, ph;
   double ainslie_mccolm_db_per_km, ainslie_mccolm_np_per_m, francois_garrison_db_per_km;
@@ -63,20 +63,20 @@ TEST(AbsorptionLawTest, IsZeroAtZeroFrequency) {
   EXPECT_EQ(francois_garrison_db_per_m(0, Water{.salinity = 0}), 0);
 }
 
-// Without salt only viscosity is left: 0.00049 dB/km/kHz^2 at 0 degC, so 490 dB/km at 1 MHz.
+// Without salt only viscosity absorbs: 0.00049 dB/km/kHz^2 at 0 degC, so 490 dB/km at 1 MHz.
 TEST(AbsorptionLawTest, FreshWaterLosesOnlyToViscosity) {
   const Water fresh{.temperature_c = 0, .salinity = 0};
   EXPECT_NEAR(absorption_db_per_m(1e6, fresh), 0.490, 0.490 * kRounding);
 }
 
-// exp(-T/27) halves every 27 ln 2 degrees: warm water is thinner, and so is its viscous loss.
+// The viscous loss is proportional to exp(-T/27), which halves every 27 ln 2 degrees.
 TEST(AbsorptionLawTest, ViscousLossHalvesEvery27Log2Degrees) {
   const Water warm{.temperature_c = 27 * std::numbers::ln2, .salinity = 0};
   EXPECT_NEAR(absorption_db_per_m(1e6, warm), 0.245, 0.245 * kRounding);
 }
 
 // At 0 degC, 35 PSU, pH 8 and the surface every exponential in the formula is one, so each of the three losses can be
-// worked out by hand. 42 kHz is the relaxation frequency of magnesium sulphate, where it costs half of its plateau.
+// computed by hand. 42 kHz is the relaxation frequency of magnesium sulphate, where its loss is half of the plateau.
 TEST(AbsorptionLawTest, ThreeLossesAddUpAtTheSulphateRelaxationFrequency) {
   const double boric_acid = 0.106 * 0.78 * 42 * 42 / (0.78 * 0.78 + 42 * 42);
   const double magnesium_sulphate = 0.52 * 42 / 2;
@@ -108,7 +108,7 @@ TEST(AbsorptionLawTest, GrowsWithFrequency) {
 
 struct Band {
   double salinity, deepest, low, high;
-  double least, most;  // Of A&M / F&G - 1.
+  double least, most;  // Limits of A&M / F&G - 1.
 };
 
 // Spread of the two formulas over 0..30 degC, rounded outwards; their authors claim 10 % and 5 %.

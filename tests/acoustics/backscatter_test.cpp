@@ -1,5 +1,5 @@
-// Values computed apart from this code; and the law that fixes the lobe's normalisation: what comes back in all, from
-// a plate and from a sphere, is what a mirror sends back.
+// backscatter_test.cpp -- scattering laws against independently computed values, and the normalisation of the facet
+// lobe: the total echo of a large plate and of a sphere equals that of a mirror.
 
 #include "insonify/backscatter.h"
 
@@ -67,7 +67,7 @@ struct Lobe {
   double rms_slope, incidence_deg, expected_db;
 };
 
-// Computed from the formula in double precision, apart from this code; R = 1.
+// Computed from the formula in double precision, independently of this code; R = 1.
 constexpr Lobe kLobes[] = {
     {0.05, 0, 12.01820131641885},    {0.05, 5, 5.436021088795511},   {0.05, 10, -14.721333817471953},
     {0.05, 20, -101.96697361060001}, {0.1, 0, 5.9976014031392255},   {0.1, 5, 4.401729565708418},
@@ -93,8 +93,9 @@ TEST(FacetBackscatterTest, IsAQuarterOfBeckmannsDistribution) {
   EXPECT_THAT(facet_backscatter(0.6, s, tilt), RelativelyNear(0.36 * beckmann / 4));
 }
 
-// PHYSICS 0. A plate at distance d, a ring of it under incidence t: dA = 2 pi d^2 tan t / cos^2 t dt at range d/cos t,
-// so the echo is the integral of s_b 2 pi tan t cos^2 t / d^2. The mirror image of the source stands at 2 d: 1/(4 d^2).
+// Normalisation of the lobe (docs/concepts/scattering.md). A plate at distance d: a ring of it at incidence t has the
+// area dA = 2 pi d^2 tan t / cos^2 t dt and the range d/cos t, so the echo is the integral of s_b 2 pi tan t cos^2 t /
+// d^2. It must equal that of the source's mirror image at 2 d, 1/(4 d^2).
 TEST(FacetBackscatterTest, GivesALargePlateTheMirrorsEchoForEverySlope) {
   for (const double s : {0.02, 0.05, 0.1, 0.2, 0.3}) {
     const auto ring = [&](double t) {
@@ -105,7 +106,7 @@ TEST(FacetBackscatterTest, GivesALargePlateTheMirrorsEchoForEverySlope) {
 }
 
 // A sphere from afar: dA = 2 pi a^2 sin t dt. a^2/4 is the limit of a small slope; what a larger one adds was computed
-// apart from this code and is told to three digits.
+// independently of this code and is told to three digits.
 TEST(FacetBackscatterTest, GivesASphereNearlyItsTargetStrength) {
   constexpr double kThreeDigits = 5e-4;  // [dB]
   const double expected_db[][2] = {{0.02, 0.002}, {0.05, 0.011}, {0.1, 0.043}, {0.2, 0.164}, {0.3, 0.348}};

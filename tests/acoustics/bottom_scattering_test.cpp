@@ -1,4 +1,5 @@
-// Against the model as computed apart from this code. Its Kirchhoff part alone: power_law_relief_test.cpp.
+// bottom_scattering_test.cpp -- bottom backscatter against independently computed values. For the Kirchhoff part alone
+// see power_law_relief_test.cpp.
 
 #include "insonify/bottom_scattering.h"
 
@@ -28,7 +29,7 @@ struct Strength {
   double expected_db[std::size(kAngles)];
 };
 
-// Eqs 34 to 66 in double precision, water of 1528 m/s; computed apart from this code.
+// Eqs 34 to 66 in double precision, water of 1528 m/s; computed independently of this code.
 constexpr Strength kStrengths[] = {
     {"rough_rock",
      30e3,
@@ -141,7 +142,7 @@ TEST(BottomBackscatterLawTest, RoughMudIsAsRockWithoutACriticalAngle) {
   }
 }
 
-// What is inside a soft bottom alone: proportional to sigma_2.
+// The volume part of the echo of a soft bottom is proportional to sigma_2.
 TEST(BottomBackscatterLawTest, VolumeAddsUp) {
   Sediment bottom = *find_sediment("silty_clay");
   const auto at = [&](double volume_parameter) {

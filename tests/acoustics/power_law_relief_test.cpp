@@ -1,4 +1,4 @@
-// What Kirchhoff's integral must give, of which the report's formula is a closed form.
+// power_law_relief_test.cpp -- the closed form of Kirchhoff backscatter against the Kirchhoff integral, and its limits.
 
 #include "acoustics/power_law_relief.h"
 

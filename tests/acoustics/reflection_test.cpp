@@ -1,4 +1,4 @@
-// Values computed apart from this code; by hand where a layer or an angle makes the formula simple.
+// reflection_test.cpp -- reflection coefficients against independently computed values and simple special cases.
 
 #include "insonify/reflection.h"
 
@@ -51,8 +51,8 @@ struct PlateCase {
   double density, sound_speed, thickness, at_720_khz, at_1200_khz;
 };
 
-// In sea water, computed apart from this code: steel of 1 and 5 mm, PVC of 5 mm (near resonance at 720 kHz), acrylic of
-// 10 mm, HDPE of 3 mm.
+// In sea water, computed independently of this code: steel of 1 and 5 mm, PVC of 5 mm (near resonance at 720 kHz),
+// acrylic of 10 mm, HDPE of 3 mm.
 constexpr PlateCase kPlates[] = {
     {7850, 5900, 1e-3, 0.9954337058886727, 0.9975942679371734},
     {7850, 5900, 5e-3, 0.9946107552929795, 0.847646934468197},
@@ -70,7 +70,8 @@ TEST(PlateReflectionTest, IsThatOfALayerInWater) {
   }
 }
 
-// 2000 m/s at 500 kHz: 4 mm to a wave. Half of it lets everything through, a quarter reflects (m^2 - 1)/(m^2 + 1).
+// At 2000 m/s and 500 kHz the wavelength is 4 mm. A plate of half a wavelength transmits everything; one of a quarter
+// reflects (m^2 - 1)/(m^2 + 1).
 TEST(PlateReflectionTest, VanishesAtHalfAWaveAndPeaksAtAQuarter) {
   const double m = 3;
   EXPECT_NEAR(plate_reflection(1.5e6, m * 1.5e6 / 2000, 2000, 2e-3, 500e3), 0, 1e-12);
@@ -78,8 +79,8 @@ TEST(PlateReflectionTest, VanishesAtHalfAWaveAndPeaksAtAQuarter) {
   EXPECT_EQ(plate_reflection(1.5e6, 2250, 2000, 0, 500e3), 0);
 }
 
-// The sum of what rings in the plate, echo by echo: R12 + T12 R21 T21 z^2 + T12 R21^3 T21 z^4 + ... with z^2 the phase
-// there and back.
+// The sum of the multiple reflections inside the plate: R12 + T12 R21 T21 z^2 + T12 R21^3 T21 z^4 + ..., where z^2 is
+// the phase factor of one passage forth and back.
 TEST(PlateReflectionTest, IsTheSumOfTheEchoesInsideIt) {
   const double density = 1380;
   const double sound_speed = 2380;
@@ -103,7 +104,7 @@ struct BottomCase {
   double grazing_deg, medium_sand_db, silty_clay_db;
 };
 
-// TR 9407's medium sand and silty clay (sediment.h), computed apart from this code.
+// TR 9407's medium sand and silty clay (sediment.h), computed independently of this code.
 constexpr BottomCase kBottoms[] = {
     {5, 0.2092738446213743, 9.013027196468796},  {10, 0.36857895592374174, 17.80788564769097},
     {20, 0.5642657346139515, 45.06183311741452}, {30, 1.1534928049346416, 29.218797825714717},

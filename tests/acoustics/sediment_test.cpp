@@ -1,4 +1,5 @@
-// Against the report's table as computed apart from this code, and the fit against the model it was fitted to.
+// sediment_test.cpp -- sediments against the report's table, and the fitted parameters against the report's model; both
+// computed independently of this code.
 
 #include "insonify/sediment.h"
 
@@ -27,7 +28,7 @@ struct Row {
 };
 
 // TR 9407, table 2 and eqs 2 to 10 in double precision, |R| at normal incidence, and the fit at 100 kHz; all computed
-// apart from this code. Slope 0: no lobe.
+// independently of this code. Slope 0: no lobe.
 constexpr Row kRows[] = {
     {"rough_rock", 2.5, 2.5, 0.01374, 0.002, 0.20693, 0.7241391105624475, 2.3889107209945877, 0},
     {"rock", 2.5, 2.5, 0.01374, 0.002, 0.01862, 0.7241391105624475, -3.0774748547744313, 0},

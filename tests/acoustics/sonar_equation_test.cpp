@@ -1,4 +1,5 @@
-// Values computed apart from this code; whole scenes also against the sum over their small parts.
+// sonar_equation_test.cpp -- the sonar equation against independently computed values; closed forms of floor, wall and
+// volume also against sums over small patches.
 
 #include "insonify/sonar_equation.h"
 
@@ -81,7 +82,7 @@ struct Bin {
   double start, end, level_db, absorbed_db;
 };
 
-// mu = -27 dB, 3 m above the floor, 1 degree; computed apart from this code, with absorption by quadrature.
+// mu = -27 dB, 3 m above the floor, 1 degree; computed independently of this code, with absorption by quadrature.
 constexpr Bin kFloorBins[] = {{5, 5.05, -83.10536700710671, -85.35105301195526},
                               {10, 10.05, -98.10318520972058, -102.58352780667443},
                               {20, 20.05, -113.12769357954411, -122.07728014007046},
@@ -127,7 +128,7 @@ TEST(LambertFloorTest, BeginsStraightBelow) {
   EXPECT_EQ(lambert_floor_intensity(0.01, 3, 0.02, 1, 4, 0.1), lambert_floor_intensity(0.01, 3, 0.02, 3, 4, 0.1));
 }
 
-// However long a bin and however strong absorption: parts add up to the whole.
+// For any bin length and absorption, the parts of a bin sum to the whole.
 TEST(LambertFloorTest, BinsAddUp) {
   for (const double absorption : {0.0, 0.01, 0.5, 3.0}) {
     for (const double start : {2.0, 100.0}) {
@@ -142,7 +143,7 @@ TEST(LambertFloorTest, BinsAddUp) {
 
 // ---------------------------------------------------------------- Wall
 
-// mu = -27 dB, 10 m ahead, 1 degree wide and +-10 degrees high; computed apart from this code.
+// mu = -27 dB, 10 m ahead, 1 degree wide and +-10 degrees high; computed independently of this code.
 TEST(LambertWallTest, IsThatOfTheClosedForm) {
   const double levels_db[][2] = {{0, -69.23989881843399}, {30, -71.11397986755848}, {50, -74.99787391586094}};
   for (const auto& [azimuth_deg, expected] : levels_db) {
@@ -174,7 +175,7 @@ TEST(LambertWallTest, IsTheSumOfItsPatches) {
 
 // ---------------------------------------------------------------- Water
 
-// S_v = -70 dB, 1 x 20 degrees, bins of 5 cm; computed apart from this code.
+// S_v = -70 dB, 1 x 20 degrees, bins of 5 cm; computed independently of this code.
 TEST(VolumeReverberationTest, IsThatOfTheClosedForm) {
   const double levels_db[][2] = {{5, -119.20713784852252}, {10, -125.20618464154067}, {20, -131.2159677501773}};
   for (const auto& [start, expected] : levels_db) {

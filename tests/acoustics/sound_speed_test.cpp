@@ -1,3 +1,5 @@
+// sound_speed_test.cpp -- sound-speed formulas against values from the papers, and refraction in a constant gradient.
+
 #include "insonify/sound_speed.h"
 
 #include <gtest/gtest.h>
@@ -11,7 +13,7 @@
 namespace insonify {
 namespace {
 
-// Computed from the published equations in double precision, apart from this code.
+// Computed from the published equations in double precision, independently of this code.
 struct Place {
   double temperature_c, salinity, depth, latitude_deg;
   double pressure_mpa, mackenzie, medwin, chen_millero, del_grosso, leroy;

@@ -1,4 +1,5 @@
-// Values computed apart from this code from the report's equations; laws that hold whatever the constants.
+// surface_scattering_test.cpp -- sea-surface scattering against independently computed values, and laws that hold for
+// any constants.
 
 #include "insonify/surface_scattering.h"
 

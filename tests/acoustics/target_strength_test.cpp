@@ -1,4 +1,5 @@
-// Values computed apart from this code from the closed forms; limits near and far; a direct sum over a plate.
+// target_strength_test.cpp -- cross sections against independently computed values, their near and far limits, and a
+// direct Kirchhoff sum over a plate.
 
 #include "insonify/target_strength.h"
 

@@ -1,3 +1,5 @@
+// water_test.cpp -- sound speed and absorption of a Water, and its limits.
+
 #include "insonify/water.h"
 
 #include <gtest/gtest.h>

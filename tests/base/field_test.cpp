@@ -1,3 +1,5 @@
+// field_test.cpp -- limits as text, names and units of fields, and messages of checks.
+
 #include "insonify/field.h"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,5 @@
+// frames_test.cpp -- spherical coordinates, orientations and poses.
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -15,7 +17,7 @@ struct Seen {
   double range, azimuth_deg, elevation_deg;
 };
 
-// atan2 in double precision, apart from this code; the third is 3-4-5 with its azimuth beyond 90 degrees, where
+// atan2 in double precision, independently of this code; the third is 3-4-5 with its azimuth beyond 90 degrees, where
 // atan(y/x) gives -36.87.
 constexpr Seen kSeen[] = {
     {10, 2, 1, 10.246950765959598, 11.309932474020213, 5.600409184816617},

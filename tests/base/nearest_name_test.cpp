@@ -1,3 +1,5 @@
+// nearest_name_test.cpp -- suggestions for mistyped names.
+
 #include "base/nearest_name.h"
 
 #include <gtest/gtest.h>
@@ -10,10 +12,10 @@ namespace {
 const std::vector<std::string> kKeys = {"max_range", "min_range", "beam_count", "bin_count", "step_deg"};
 
 TEST(NearestNameTest, UndoesEachKindOfSlip) {
-  EXPECT_EQ(nearest_name("max_rnge", kKeys), "max_range");      // Left out.
-  EXPECT_EQ(nearest_name("beam_couunt", kKeys), "beam_count");  // Put in.
-  EXPECT_EQ(nearest_name("bun_count", kKeys), "bin_count");     // Replaced.
-  EXPECT_EQ(nearest_name("setp_deg", kKeys), "step_deg");       // Swapped.
+  EXPECT_EQ(nearest_name("max_rnge", kKeys), "max_range");      // A letter is missing.
+  EXPECT_EQ(nearest_name("beam_couunt", kKeys), "beam_count");  // A letter is inserted.
+  EXPECT_EQ(nearest_name("bun_count", kKeys), "bin_count");     // A letter is replaced.
+  EXPECT_EQ(nearest_name("setp_deg", kKeys), "step_deg");       // Two letters are swapped.
 }
 
 TEST(NearestNameTest, IgnoresCase) {

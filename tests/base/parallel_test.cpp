@@ -1,4 +1,4 @@
-// Worker threads run every task once.
+// parallel_test.cpp -- worker threads run every task once, share work and propagate exceptions.
 
 #include "base/parallel.h"
 

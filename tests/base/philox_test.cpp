@@ -1,3 +1,5 @@
+// philox_test.cpp -- Philox against the published known answers.
+
 #include "base/philox.h"
 
 #include <gtest/gtest.h>

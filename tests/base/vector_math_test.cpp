@@ -1,4 +1,4 @@
-// The fast elementary functions against the C library in double precision, over their whole ranges.
+// vector_math_test.cpp -- the fast elementary functions against the C library in double precision, over their ranges.
 
 #include "base/vector_math.h"
 

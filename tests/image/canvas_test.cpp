@@ -1,3 +1,5 @@
+// canvas_test.cpp -- anti-aliased lines, arcs and blending.
+
 #include "image/canvas.h"
 
 #include <gtest/gtest.h>

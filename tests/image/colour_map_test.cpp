@@ -1,3 +1,5 @@
+// colour_map_test.cpp -- colour maps: published colours, brightness and names.
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// draw_channels_test.cpp -- the pixels of the three panels.
+// draw_channels_test.cpp -- pixels of the panels of distance, intensity and both.
 
 #include <gtest/gtest.h>
 
@@ -23,7 +23,7 @@ Channels halves() {
                     .distance = {},
                     .intensity = {}};
   channels.distance = {5, kNothing};
-  channels.intensity = {0.4F, kNothing};  // Of 0.5, the next round number.
+  channels.intensity = {0.4F, kNothing};  // Full scale is 0.5, the next round number.
   return channels;
 }
 

@@ -1,3 +1,5 @@
+// draw_fan_test.cpp -- fan pictures: geometry, interpolation, levels and refusals.
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

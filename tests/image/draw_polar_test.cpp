@@ -1,3 +1,5 @@
+// draw_polar_test.cpp -- polar pictures: cells, averaging and refusals.
+
 #include <gtest/gtest.h>
 
 #include <cmath>

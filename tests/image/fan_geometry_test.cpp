@@ -1,3 +1,5 @@
+// fan_geometry_test.cpp -- conversion between pixels, ranges and azimuths, and the beam axis.
+
 #include "image/fan_geometry.h"
 
 #include <gtest/gtest.h>

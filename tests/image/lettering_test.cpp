@@ -1,3 +1,5 @@
+// lettering_test.cpp -- size, position and shortening of text.
+
 #include "image/lettering.h"
 
 #include <gtest/gtest.h>
@@ -8,7 +10,7 @@ namespace insonify {
 namespace {
 
 struct Bounds {
-  int left = 1 << 20, top = 1 << 20, right = -1, bottom = -1;  // Of the pixels that are not black; inclusive.
+  int left = 1 << 20, top = 1 << 20, right = -1, bottom = -1;  // Bounds of the pixels that are not black; inclusive.
 };
 
 Bounds bounds_of(const Picture& picture) {

@@ -1,3 +1,5 @@
+// levels_test.cpp -- gain over range and full scale of displayed intensities.
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -47,7 +49,7 @@ TEST(LevelsTest, FullScaleIsAboveAllButAThousandth) {
   EXPECT_EQ(fitting_full_scale(std::vector<float>(9, 0.0F)), 1);
 }
 
-// A scan that begins at what is faint still shows what is loud.
+// Full scale is that of all pings of a scan, not of its first.
 TEST(LevelsTest, ScaleOfAScanFitsAllOfItsPings) {
   SonarConfig sonar;
   sonar.type = SonarType::kMechanicallyScanned;

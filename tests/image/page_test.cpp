@@ -1,4 +1,4 @@
-// What the colour bar tells.
+// page_test.cpp -- ticks and caption of the colour bar.
 
 #include "image/page.h"
 

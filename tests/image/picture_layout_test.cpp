@@ -1,4 +1,4 @@
-// Nothing that is written on a picture touches something else or is cut off, whatever the sonar and the size.
+// picture_layout_test.cpp -- labels do not overlap and are not cut off, for any sonar and picture size.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

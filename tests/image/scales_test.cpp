@@ -1,3 +1,5 @@
+// scales_test.cpp -- round steps, rings, radials and texts of numbers and bearings.
+
 #include "image/scales.h"
 
 #include <gmock/gmock.h>

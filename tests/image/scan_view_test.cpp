@@ -1,3 +1,5 @@
+// scan_view_test.cpp -- pictures of scanning sonars: slots, gaps, blending and orientation.
+
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -1,3 +1,5 @@
+// assign_materials_test.cpp -- the rules by which surfaces get their materials, and their messages.
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

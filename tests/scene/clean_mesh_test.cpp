@@ -1,4 +1,4 @@
-// clean_mesh_test.cpp -- dirty meshes of each kind come out traceable, shaded and accounted for.
+// clean_mesh_test.cpp -- removal of invalid triangles, merging of vertices, and computation of normals.
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// height_field_test.cpp -- grids of heights become surfaces that lie where the grid says.
+// height_field_test.cpp -- triangulation of height grids: positions, normals, holes and diagonals.
 
 #include <gtest/gtest.h>
 

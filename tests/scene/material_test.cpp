@@ -1,3 +1,5 @@
+// material_test.cpp -- reflection of materials, and the library of materials.
+
 #include "insonify/material.h"
 
 #include <gtest/gtest.h>
@@ -20,7 +22,7 @@ struct Known {
   double coefficient;  // Against sea water.
 };
 
-// (Z - Zw)/(Z + Zw) with Zw = 1.539e6, computed apart from this code from the same densities and sound speeds.
+// (Z - Zw)/(Z + Zw) with Zw = 1.539e6, computed independently of this code from the same densities and sound speeds.
 constexpr Known kSolids[] = {
     {"air", -0.9994631554457708},
     {"steel", 0.9356793580473941},

@@ -1,4 +1,4 @@
-// mesh_checks.h -- what tests measure on a mesh: area, volume, bounds, closedness.
+// mesh_checks.h -- area, volume, bounds and closedness of a mesh, for tests.
 
 #pragma once
 

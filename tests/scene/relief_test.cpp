@@ -1,4 +1,4 @@
-// relief_test.cpp -- tiles, how they are laid on meshes, and made-up shapes.
+// relief_test.cpp -- tiles, their mapping onto meshes, and random ripples and roughness.
 
 #include "insonify/relief.h"
 
@@ -149,7 +149,7 @@ TEST(ReliefAtTest, MapsByPositionWithoutTextureCoordinates) {
   relief.tile_size = 2;
   EXPECT_NEAR(relief_at(relief, mesh, 0, {1.5F, -0.5F, 0}, Vec3f::UnitZ()).reflectivity, 1, kFloat);
   EXPECT_NEAR(relief_at(relief, mesh, 0, {0.5F, -0.5F, 0}, Vec3f::UnitZ()).reflectivity, 0, kFloat);
-  // Texture coordinates that are all one point say nothing either; and are passed over where positions are preferred.
+  // Degenerate texture coordinates are ignored, and so are all where by_position is set.
   mesh = rectangle({Vec2f(0, 0), {0, 0}, {0, 0}, {0, 0}});
   EXPECT_NEAR(relief_at(relief, mesh, 0, {1.5F, -0.5F, 0}, Vec3f::UnitZ()).reflectivity, 1, kFloat);
   mesh = rectangle({Vec2f(0, 0), {8, 0}, {8, 1}, {0, 1}});
@@ -157,11 +157,11 @@ TEST(ReliefAtTest, MapsByPositionWithoutTextureCoordinates) {
   relief.by_position = true;
   EXPECT_NEAR(relief_at(relief, mesh, 0, {1.5F, -0.5F, 0}, Vec3f::UnitZ()).reflectivity, 1, kFloat);
   EXPECT_NEAR(by_texture, 0.5F, kFloat);
-  relief = constant({1, 1}, 0);  // For texture coordinates alone.
+  relief = constant({1, 1}, 0);  // Mapped by texture coordinates only.
   EXPECT_TRUE(relief_at(relief, make_plane(Vec3::UnitZ(), 4, 2), 0, {0, 0, 0}, Vec3f::UnitZ()).gradient.isZero(0));
 }
 
-// Coordinates whose differences no float holds: as if there were none.
+// Coordinates whose differences overflow a float are ignored.
 TEST(ReliefAtTest, NonFiniteTextureCoordinatesAreIgnored) {
   constexpr float kHuge = 3e38F;
   const Mesh mesh = rectangle({Vec2f(-kHuge, -kHuge), {kHuge, -kHuge}, {kHuge, kHuge}, {-kHuge, kHuge}});
@@ -246,7 +246,7 @@ TEST(MakeReliefTest, DirectionsTurnFromXTowardsY) {
     squares += 0.5 * slope.squaredNorm();
   }
   EXPECT_GT(product, 0.9 * squares);
-  // And the surface exists: the rise round any small loop is nothing.
+  // The slopes are a gradient: the rise around any small loop is zero.
   const auto& slopes = relief.slopes;
   const auto at = [&](int column, int row) { return slopes.texels[row * slopes.columns + column]; };
   double loop = 0, change = 0;

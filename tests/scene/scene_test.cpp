@@ -1,3 +1,5 @@
+// scene_test.cpp -- triangle counts, bounds and look-up of instances.
+
 #include "insonify/scene.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// shapes_test.cpp -- every primitive lies on its analytic surface, is closed, winds outwards and converges.
+// shapes_test.cpp -- primitives lie on their analytic surface, are closed, wound outwards, and converge.
 
 #include <gtest/gtest.h>
 

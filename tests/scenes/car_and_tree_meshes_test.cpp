@@ -1,5 +1,4 @@
-// car_and_tree_meshes_test.cpp -- the wrecked car and the Christmas tree have the measures that their descriptions
-// promise.
+// car_and_tree_meshes_test.cpp -- dimensions of the meshes of the wrecked car and the Christmas tree.
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// car_scene_test.cpp -- the horizontal sector shows car, debris and shadows where geometry puts them.
+// car_scene_test.cpp -- ranges, bearings and shadows of the car scene against its geometry.
 
 #include <gtest/gtest.h>
 

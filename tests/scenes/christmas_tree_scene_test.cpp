@@ -1,4 +1,4 @@
-// christmas_tree_scene_test.cpp -- the vertical slice shows bed, tree and shadow where geometry puts them.
+// christmas_tree_scene_test.cpp -- ranges, angles and shadow of the Christmas tree scene against its geometry.
 
 #include <gtest/gtest.h>
 
@@ -21,12 +21,12 @@ constexpr double kSonarHeight = 8.5;
 constexpr double kWellX = 6.2;
 constexpr double kTreeYaw = radians_from_degrees(158);
 constexpr double kRoofTop = 4.345;
-constexpr double kRailMiddle = 1.62;  // Of the frame's upper rails, from the well's axis to all four sides ...
-constexpr double kRailTop = 4.32;     // ... and their highest.
+constexpr double kRailMiddle = 1.62;  // Distance of the frame's upper rails from the well's axis, on all four sides.
+constexpr double kRailTop = 4.32;     // Height of their top.
 constexpr double kHalfBeam = radians_from_degrees(0.45);
 constexpr double kHalfSwath = radians_from_degrees(5);
 
-// Two bins: where an echo begins within its first, and what its footprint spills over.
+// Tolerance of two bins: the position of an echo within its first bin, and the length of its footprint.
 double two_bins(const SceneScan& scan) {
   return 2 * scan.sonar().bin_length();
 }

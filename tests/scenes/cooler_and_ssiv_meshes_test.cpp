@@ -1,4 +1,4 @@
-// cooler_and_ssiv_meshes_test.cpp -- the cooler, its pipelines and the SSIV have the measures that are promised.
+// cooler_and_ssiv_meshes_test.cpp -- dimensions of the meshes of the cooler, its pipelines and the SSIV.
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// cooler_scene_test.cpp -- the cooler's scene sounds as its geometry says: where its front is, and what it hides.
+// cooler_scene_test.cpp -- ranges, bearings and shadows of the cooler scene against its geometry.
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// ferry_and_tank_meshes_test.cpp -- the ferry, its bed and the test tank have the measures that are promised.
+// ferry_and_tank_meshes_test.cpp -- dimensions of the meshes of the ferry, its bed and the test tank.
 
 #include <gtest/gtest.h>
 

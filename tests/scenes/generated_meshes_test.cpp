@@ -1,4 +1,5 @@
-// generated_meshes_test.cpp -- the shipped scenes' meshes have the measures that their descriptions promise.
+// generated_meshes_test.cpp -- all generated meshes are clean, closed where they are solid, and free of coincident
+// faces.
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// mesh_probe.h -- rays sent at one generated mesh, to measure it.
+// mesh_probe.h -- measures a generated mesh by tracing rays at it.
 
 #pragma once
 

@@ -1,5 +1,4 @@
-// obj_mesh.h -- the generated OBJ files read without the library's own reader, so that tests of one do not lean on the
-// other.
+// obj_mesh.h -- reads the generated OBJ files without the library's reader, so that these tests are independent of it.
 
 #pragma once
 

@@ -1,4 +1,4 @@
-// scene_ping.h -- the first ping of a shipped scene, and what stands in its cells.
+// scene_ping.h -- the first ping of a shipped scene, with queries on its cells and on the geometry of shadows.
 
 #pragma once
 

@@ -1,4 +1,4 @@
-// scene_scan.h -- a shipped scenario's scan without noise and without secondary echoes, asked by head angle and object.
+// scene_scan.h -- the scan of a shipped scenario without noise and secondary echoes, with queries by angle and object.
 
 #pragma once
 

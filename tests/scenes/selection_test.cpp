@@ -1,4 +1,4 @@
-// selection_test.cpp -- what `secondary: selective` saves on the shipped scenes, and what that costs.
+// selection_test.cpp -- rays saved by `secondary: selective` on the shipped scenes, and the error of its echoes.
 
 #include <gtest/gtest.h>
 
@@ -16,7 +16,7 @@ namespace {
 struct Tally {
   double rays = 0;  // Reflected rays and return legs.
   double energy = 0;
-  double difference = 0;  // Of single cells from those of `all`, and its square.
+  double difference = 0;  // Sum over cells of the difference from `all`; below, of its square.
   double squares = 0, squared_difference = 0;
 };
 
@@ -44,7 +44,7 @@ class Scan {
     };
     const auto reference = plan_of(SecondaryEchoes::kAll, 0), plan = plan_of(secondary, stagger_phase);
     const SonarConfig& sonar = simulator_.sonar(0);
-    const std::uint64_t step = sonar.beam_count == 1 ? 10 : 1;  // Of a scanning head's turn every tenth ping.
+    const std::uint64_t step = sonar.beam_count == 1 ? 10 : 1;  // Every tenth ping of a scanning head.
     Tally tally;
     EchoGrid all(sonar.beam_count, sonar.bin_count, kPathOrders), grid = all;
     for (std::uint64_t ping = 0; ping < static_cast<std::uint64_t>(scenario.pings); ping += step) {
@@ -73,8 +73,9 @@ class Scan {
 
 class SceneSelectionTest : public testing::TestWithParam<std::string> {};
 
-// No more than half the rays of `all`; the same sums; and cells that differ from those of `all` by less than those of
-// two stagger phases of `all` do: in squares, a fiftieth or less of what is lost without any.
+// `selective` traces at most half the rays of `all`. The sums are the same, and cells differ from those of `all` by
+// less than the cells of two stagger phases of `all` differ. The squared difference is at most a fiftieth of that
+// without any secondary echoes.
 TEST_P(SceneSelectionTest, HalfTheRaysGiveTheSameEchoes) {
   Scan scan(GetParam());
   const Tally all = scan.tally(SecondaryEchoes::kAll, 0);
@@ -97,13 +98,13 @@ TEST_P(SceneSelectionTest, HalfTheRaysGiveTheSameEchoes) {
   EXPECT_LE(selective.squared_difference, 0.02 * all.squares);  // Without any secondary echoes it is all of it.
 }
 
-// Over an even bed few mirrored rays come near the one sphere: so few that all of them are sent.
+// Over an even bed only few reflected rays come near the single sphere, and all of those are traced.
 TEST(SelectionTest, AllRemainingRaysAreTracedWhereBoxesCullMost) {
   Scan scan("sphere");
   const Tally all = scan.tally(SecondaryEchoes::kAll, 0);
   const Tally selective = scan.tally(SecondaryEchoes::kSelective, 0);
   EXPECT_GT(all.energy, 0);
-  EXPECT_LT(selective.difference, 1e-5 * all.energy);  // Packets fill otherwise: sums are rounded otherwise.
+  EXPECT_LT(selective.difference, 1e-5 * all.energy);  // Packets are filled differently, which changes rounding.
   EXPECT_LT(selective.rays, 0.2 * all.rays);
 }
 

@@ -1,4 +1,4 @@
-// ssiv_scene_test.cpp -- the SSIV's scene sounds as its geometry says: its legs, its nearest corner, its shadows.
+// ssiv_scene_test.cpp -- ranges, bearings and shadows of the SSIV scene against its geometry.
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// tank_and_ferry_scene_test.cpp -- walls, vehicle, wreck and bed are received where geometry puts them.
+// tank_and_ferry_scene_test.cpp -- ranges and bearings of the tank and ferry scenes against their geometry.
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// controls_test.cpp -- pictures that know nothing score what they should.
+// controls_test.cpp -- control pictures and their scores.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -33,7 +33,7 @@ TEST(ControlsTest, AShuffleKeepsThePixelsAndIsTheSameEveryTime) {
   const GreyPicture shuffled = pixel_shuffle(a);
   EXPECT_EQ(shuffled.values, pixel_shuffle(a).values);
   EXPECT_EQ(ks_distance(a.values, shuffled.values), 0);
-  // Of 4096 pixels in random order: a correlation of 0 with a deviation of 1 / sqrt(4096).
+  // 4096 pixels in random order have the correlation 0, with the standard deviation 1 / sqrt(4096).
   EXPECT_LT(std::abs(correlation(a, shuffled)), 4.0 / 64);
 }
 

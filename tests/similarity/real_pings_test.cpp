@@ -1,4 +1,4 @@
-// real_pings_test.cpp -- what real pings score against each other, and against pictures that know nothing.
+// real_pings_test.cpp -- similarity of successive real pings, and of real pings and control pictures.
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -35,8 +35,8 @@ void expect_similarity(const Similarity& found, const Similarity& expected) {
   EXPECT_NEAR(found.ks_distance, expected.ks_distance, kPrinted);
 }
 
-// No simulation of a ping can be expected to come closer to it than the next ping of the same scene does; one that
-// comes no closer than the controls shows nothing.
+// Successive pings of one scene are an upper bound for the similarity that a simulation of a ping can reach; the
+// controls are a lower bound for one of any use.
 TEST(RealPingsTest, PingsInARowAreFarMoreAlikeThanControls) {
   INSONIFY_REAL_DATA(file, "liboculus_oculus_raw/three_pings_8bit.raw");
   const GreyPicture first = oculus_ping(file, 0);

@@ -1,4 +1,4 @@
-// reference_pictures.h -- pictures made by formula, with the similarities that others computed for them.
+// reference_pictures.h -- pictures given by formulas, and their similarities as computed by other programs.
 //
 // The numbers were computed with scikit-image's structural_similarity (gaussian_weights, sigma 1.5, population
 // moments, data_range 1) and with two independent codes of MS-SSIM, which agree to 1e-13.

@@ -1,4 +1,4 @@
-// similarity_test.cpp -- the measures against values of others, by hand and by law; what is refused.
+// similarity_test.cpp -- similarity measures against other programs, values computed by hand and laws; refusals.
 
 #include "insonify/similarity.h"
 

@@ -1,4 +1,5 @@
-// Whole pings: determinism, time, motion and sound speed. T numbers are those of the table of acceptance tests.
+// simulator_test.cpp -- whole pings: determinism, time, motion and sound speed. T numbers are those of
+// docs/concepts/physics-tests.md.
 
 #include "insonify/simulator.h"
 

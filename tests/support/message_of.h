@@ -1,4 +1,4 @@
-// message_of.h -- the message of the error that something throws.
+// message_of.h -- returns the message of the error that a callable throws.
 
 #pragma once
 

@@ -1,4 +1,4 @@
-// relative.h -- comparing numbers by their relative difference.
+// relative.h -- matcher for numbers by relative difference.
 
 #pragma once
 

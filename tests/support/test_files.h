@@ -1,4 +1,4 @@
-// test_files.h -- files that a test makes for itself, and the real data that it may find.
+// test_files.h -- temporary files of a test, and the paths of real data where they are available.
 
 #pragma once
 
