@@ -1,5 +1,6 @@
 # Puts DejaVu Sans inside the library, so that labels look alike on every machine and no font file has to be found later.
-find_file(INSONIFY_FONT DejaVuSans.ttf PATHS /usr/share/fonts/truetype/dejavu /usr/share/fonts/dejavu REQUIRED)
+find_file(INSONIFY_FONT DejaVuSans.ttf PATHS /usr/share/fonts/truetype/dejavu /usr/share/fonts/dejavu
+  CMAKE_FIND_ROOT_PATH_BOTH REQUIRED)
 enable_language(ASM)
 file(WRITE ${PROJECT_BINARY_DIR}/font.S
 "    .section .rodata

@@ -7,6 +7,7 @@
 #include <chrono>
 #include <limits>
 
+#include "base/denormals.h"
 #include "echo/model/choose_sampling.h"
 #include "echo/model/deposit.h"
 

@@ -2,11 +2,10 @@
 
 #pragma once
 
-#include <embree3/rtcore.h>
-
 #include <atomic>
 #include <vector>
 
+#include "echo/cpu/embree.h"
 #include "echo/cpu/ray_packet.h"
 #include "echo/grid/echo.h"
 #include "echo/model/box_cut.h"
@@ -36,7 +35,7 @@ class CpuScene {
   /// RayPacket::occlude(). Embree as GCC 12 compiles it may never return from coherent packets among instances: of a
   /// mask of 16 bits it reads 64 from its stack (github.com/RenderKit/embree/pull/574).
   void occlude(RayPacket& packet) const {
-    packet.occlude(scene_, any_moving_ ? RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT : RTC_INTERSECT_CONTEXT_FLAG_COHERENT);
+    packet.occlude(scene_, any_moving_ ? Coherence::kScattered : Coherence::kAlike);
   }
 
   /// Around all that is there.

@@ -2,10 +2,8 @@
 
 #pragma once
 
-#include <embree3/rtcore.h>
-#include <xmmintrin.h>
-
 #include "base/lane_bits.h"
+#include "echo/cpu/embree.h"
 #include "echo/model/ray_lanes.h"
 #include "insonify/geometry.h"
 
@@ -15,19 +13,6 @@ inline constexpr int kPacketSize = kRayLanes;
 
 /// Columns and rows of a packet: the shape in which sixteen neighbours spread least.
 inline constexpr int kTile = 4;
-
-/// Switches denormal numbers off in this thread while it lives, as Embree wants it.
-class DenormalsOff {
- public:
-  DenormalsOff() : saved_(_mm_getcsr()) { _mm_setcsr(saved_ | kFlushToZero | kDenormalsAreZero); }
-  ~DenormalsOff() { _mm_setcsr(saved_); }
-  DenormalsOff(const DenormalsOff&) = delete;
-  DenormalsOff& operator=(const DenormalsOff&) = delete;
-
- private:
-  static constexpr unsigned kFlushToZero = 0x8000, kDenormalsAreZero = 0x0040;
-  unsigned saved_;
-};
 
 /// Rays that lie close together: Embree then walks them through the tree as one.
 struct alignas(64) RayPacket {
@@ -103,19 +88,11 @@ struct alignas(64) RayPacket {
       rays.hit.geomID[lane] = RTC_INVALID_GEOMETRY_ID;
       rays.hit.instID[0][lane] = RTC_INVALID_GEOMETRY_ID;
     }
-    RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
-    context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
-    rtcIntersect16(valid, scene, &context, &rays);
+    embree_intersect(scene, valid, rays, Coherence::kAlike);
   }
 
   /// Finds whether anything is met within each ray's own tfar; afterwards blocked() tells.
-  void occlude(RTCScene scene, RTCIntersectContextFlags flags) {
-    RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
-    context.flags = flags;
-    rtcOccluded16(valid, scene, &context, &rays.ray);
-  }
+  void occlude(RTCScene scene, Coherence coherence) { embree_occluded(scene, valid, rays.ray, coherence); }
   [[nodiscard]] bool blocked(int lane) const { return rays.ray.tfar[lane] < 0; }
 };
 

@@ -16,6 +16,7 @@
 #include "insonify/error.h"
 #include "io/world/sdf_console.h"
 #include "io/world/sdf_material.h"
+#include "io/world/sdf_math.h"
 #include "io/world/sdf_root.h"
 #include "io/world/sdf_shape.h"
 
@@ -27,7 +28,7 @@ struct MaterialName {
   std::string name, where;
 };
 
-Pose pose_of(const ignition::math::Pose3d& pose) {
+Pose pose_of(const sdf_math::Pose3d& pose) {
   const auto& p = pose.Pos();
   const auto& q = pose.Rot();
   return {{p.X(), p.Y(), p.Z()}, Eigen::Quaterniond(q.W(), q.X(), q.Y(), q.Z()).normalized()};
@@ -47,7 +48,7 @@ std::map<std::string, Pose> saved_poses(const sdf::World& world) {
   for (sdf::ElementPtr model = state->HasElement("model") ? state->GetElement("model") : nullptr; model != nullptr;
        model = model->GetNextElement("model")) {
     if (model->HasElement("pose")) {
-      poses[model->Get<std::string>("name")] = pose_of(model->Get<ignition::math::Pose3d>("pose"));
+      poses[model->Get<std::string>("name")] = pose_of(model->Get<sdf_math::Pose3d>("pose"));
     }
   }
   return poses;
@@ -113,12 +114,12 @@ class SceneBuilder {
   // Pose of a model, link, visual or collision in its parent.
   template <typename Part>
   static Pose resolve(const Part& part, const std::string& where) {
-    ignition::math::Pose3d pose;
+    sdf_math::Pose3d pose;
     const sdf::Errors errors = part.SemanticPose().Resolve(pose);
     if (!errors.empty()) {
       throw Error(where + ": its pose cannot be worked out: " + errors.front().Message());
     }
-    const ignition::math::Vector3d& position = pose.Pos();
+    const sdf_math::Vector3d& position = pose.Pos();
     for (const double value : {position.X(), position.Y(), position.Z()}) {
       if (!coordinate().allow(value)) {
         throw Error(fmt::format("{}: <pose> = {} {} {} m must be {} m in each direction", where, position.X(),

@@ -1,0 +1,36 @@
+# The libraries that insonify stands on. Two of them come in several versions, none of which has the others' interface:
+# the newest that is installed is taken, and INSONIFY_EMBREE_MAJOR and INSONIFY_SDFORMAT say which.
+find_package(Eigen3 REQUIRED)
+find_package(TBB REQUIRED)
+find_package(assimp REQUIRED)
+find_package(yaml-cpp REQUIRED)
+find_package(fmt REQUIRED)
+find_package(PNG REQUIRED)
+find_package(Freetype REQUIRED)
+find_package(Threads REQUIRED)
+find_package(HDF5 REQUIRED COMPONENTS C)
+
+# Embree: Ubuntu 22.04 and Debian 12 have 3, Ubuntu 24.04 and Debian 13 have 4. See src/echo/cpu/embree.h.
+foreach(major 4 3)
+  find_package(embree ${major} QUIET)
+  if(embree_FOUND)
+    set(INSONIFY_EMBREE_MAJOR ${major})
+    break()
+  endif()
+endforeach()
+if(NOT INSONIFY_EMBREE_MAJOR)
+  message(FATAL_ERROR "Neither Embree 4 nor Embree 3 was found (Debian, Ubuntu: libembree-dev)")
+endif()
+
+# libsdformat, whose package and target carry the version in their names. See src/io/world/sdf_math.h.
+foreach(major 14 13 12)
+  find_package(sdformat${major} QUIET)
+  if(sdformat${major}_FOUND)
+    set(INSONIFY_SDFORMAT sdformat${major})
+    break()
+  endif()
+endforeach()
+if(NOT INSONIFY_SDFORMAT)
+  message(FATAL_ERROR "None of sdformat 14, 13 and 12 was found (Debian, Ubuntu: libsdformat-dev)")
+endif()
+message(STATUS "Embree ${embree_VERSION}, ${INSONIFY_SDFORMAT} ${${INSONIFY_SDFORMAT}_VERSION}")
