@@ -9,6 +9,21 @@ set_target_properties(insonify PROPERTIES VERIFY_INTERFACE_HEADER_SETS ON)
 add_test(NAME headers_stand_alone
   COMMAND ${CMAKE_COMMAND} --build ${PROJECT_BINARY_DIR} --target insonify_verify_interface_header_sets)
 
+# Search paths of what was built, and what guards it.
+if(INSONIFY_SANITIZE OR CMAKE_BUILD_TYPE STREQUAL Debug)
+  set(hardened OFF)
+else()
+  set(hardened ON)
+endif()
+add_test(NAME linkage
+  COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/install/linkage_test.py $<$<BOOL:${hardened}>:--hardened>
+          $<TARGET_FILE:insonify> $<TARGET_FILE:insonify_cli>
+  COMMAND_EXPAND_LISTS)
+# A library that lies in the current folder is not run.
+add_test(NAME planted_library
+  COMMAND sh -c "mkdir -p planted && cd planted && touch libfreetype.so.6 libembree3.so.3 libsdformat12.so.12 && $1 version"
+          planted_library $<TARGET_FILE:insonify_cli>)
+
 # A project outside this build can find and use an installed copy ...
 add_test(NAME install_and_use
   COMMAND ${CMAKE_COMMAND} -DBUILD_DIR=${PROJECT_BINARY_DIR} -DCOMPILER=${CMAKE_CXX_COMPILER}

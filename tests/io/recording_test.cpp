@@ -270,7 +270,7 @@ TEST(RecordingTest, HoldsTheRun) {
   EXPECT_EQ(file.attribute<std::string>("/", "model"), "paper");
   EXPECT_EQ(file.attribute<std::string>("/", "engine"), "reference");
   EXPECT_EQ(file.attribute<std::string>("/", "primary"), "rays");
-  EXPECT_EQ(file.attribute<std::string>("/", "version"), "0.1.0");
+  EXPECT_EQ(file.attribute<std::string>("/", "version"), "0.2.0");
   EXPECT_EQ(file.attribute<std::uint64_t>("/", "seed"), 18'446'744'073'709'551'615U);
   EXPECT_EQ(file.attribute<std::string>("/", "scenario"), "world: wreck.sdf\nmodel: paper\n");
   EXPECT_EQ(file.attribute<std::string>("/", "sonar"), "bow");
