@@ -1,9 +1,22 @@
-# `cmake --install` and what find_package(insonify) finds afterwards.
-install(TARGETS insonify EXPORT insonifyTargets FILE_SET HEADERS)
-install(EXPORT insonifyTargets NAMESPACE insonify:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/insonify)
+# `cmake --install`, and what find_package(insonify) finds afterwards. Components: the library with what it reads while it
+# runs, what is needed to build against it, and the command line with the scenes. cmake/Package.cmake makes one package of each.
+install(TARGETS insonify EXPORT insonifyTargets
+  LIBRARY COMPONENT library NAMELINK_COMPONENT development
+  ARCHIVE COMPONENT development
+  FILE_SET HEADERS COMPONENT development)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/presets DESTINATION ${CMAKE_INSTALL_DATADIR}/insonify COMPONENT library)
+
+set(config_folder ${CMAKE_INSTALL_LIBDIR}/cmake/insonify)
+install(EXPORT insonifyTargets NAMESPACE insonify:: DESTINATION ${config_folder} COMPONENT development)
 configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/insonifyConfig.cmake.in
-  ${PROJECT_BINARY_DIR}/insonifyConfig.cmake INSTALL_DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/insonify)
+  ${PROJECT_BINARY_DIR}/insonifyConfig.cmake INSTALL_DESTINATION ${config_folder})
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/insonifyConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/insonifyConfig.cmake ${PROJECT_BINARY_DIR}/insonifyConfigVersion.cmake
-  DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/insonify)
-install(DIRECTORY ${PROJECT_SOURCE_DIR}/presets DESTINATION ${CMAKE_INSTALL_DATADIR}/insonify)
+  DESTINATION ${config_folder} COMPONENT development)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/examples DESTINATION ${CMAKE_INSTALL_DATADIR}/insonify COMPONENT development)
+
+if(INSONIFY_BUILD_APPS)
+  install(TARGETS insonify_cli COMPONENT tools)
+  install(DIRECTORY ${PROJECT_BINARY_DIR}/share/ DESTINATION ${CMAKE_INSTALL_DATADIR} COMPONENT tools)
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/scenes DESTINATION ${CMAKE_INSTALL_DATADIR}/insonify COMPONENT tools)
+endif()

@@ -25,14 +25,21 @@ add_test(NAME planted_library
           planted_library $<TARGET_FILE:insonify_cli>)
 
 # A project outside this build can find and use an installed copy ...
-add_test(NAME install_and_use
-  COMMAND ${CMAKE_COMMAND} -DBUILD_DIR=${PROJECT_BINARY_DIR} -DCOMPILER=${CMAKE_CXX_COMPILER}
-          -DWORK_DIR=${CMAKE_CURRENT_BINARY_DIR}/install -P ${CMAKE_CURRENT_SOURCE_DIR}/install/run.cmake)
-# ... of the static library too. That one has to be built anew, so it is tried in the release build only.
+function(insonify_install_test name)
+  add_test(NAME ${name}
+    COMMAND ${CMAKE_COMMAND} ${ARGN} -DCOMPILER=${CMAKE_CXX_COMPILER} -DPYTHON=${Python3_EXECUTABLE}
+            -DHARDENED=${hardened} -DWORK_DIR=${CMAKE_CURRENT_BINARY_DIR}/${name}
+            -P ${CMAKE_CURRENT_SOURCE_DIR}/install/run.cmake)
+endfunction()
+insonify_install_test(install_and_use -DBUILD_DIR=${PROJECT_BINARY_DIR})
 if(CMAKE_BUILD_TYPE STREQUAL Release AND NOT INSONIFY_SANITIZE)
-  add_test(NAME install_and_use_static
-    COMMAND ${CMAKE_COMMAND} -DSOURCE_DIR=${PROJECT_SOURCE_DIR} -DCOMPILER=${CMAKE_CXX_COMPILER}
-            -DWORK_DIR=${CMAKE_CURRENT_BINARY_DIR}/install_static -P ${CMAKE_CURRENT_SOURCE_DIR}/install/run.cmake)
+  # ... by way of packages too, where there is what makes them ...
+  find_program(dpkg_shlibdeps dpkg-shlibdeps)
+  if(dpkg_shlibdeps)
+    insonify_install_test(package_and_use -DBUILD_DIR=${PROJECT_BINARY_DIR} -DPACKAGES=ON)
+  endif()
+  # ... and of the static library. That one has to be built anew.
+  insonify_install_test(install_and_use_static -DSOURCE_DIR=${PROJECT_SOURCE_DIR})
   set_tests_properties(install_and_use_static PROPERTIES TIMEOUT 1800 COST 1000)
 endif()
 
@@ -64,3 +71,13 @@ foreach(comparison oculus_statistics sidescan_falloff)
             ${CMAKE_CURRENT_BINARY_DIR}/${comparison})
   set_tests_properties(${comparison} PROPERTIES SKIP_RETURN_CODE 77)
 endforeach()
+
+# What shells and man are told of the command line.
+add_test(NAME shell_texts
+  COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/apps/shell_texts_test.py ${PROJECT_BINARY_DIR})
+
+# Comments in the public headers make pages without a warning.
+find_program(doxygen doxygen)
+if(doxygen AND NOT INSONIFY_SANITIZE)
+  add_test(NAME api_pages COMMAND bash dev docs WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
+endif()

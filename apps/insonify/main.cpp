@@ -54,6 +54,8 @@ int run_program(int argc, char** argv) {
   add_compare(app, request);
   add_bench(app, request);
   add_version(app, request);
+  add_completion(app, request);
+  add_manual(app, request);
   try {
     app.parse(argc, argv);
   } catch (const CLI::CallForHelp&) {

@@ -19,6 +19,7 @@ struct Request {
   std::string engine;
   std::string preset, mode;
   std::string section;
+  std::string shell;
   BenchOptions bench;
   PaperBenchOptions paper_bench;
   std::string bench_scene;
@@ -35,5 +36,7 @@ void add_describe(CLI::App& app, Request& request);
 void add_compare(CLI::App& app, Request& request);
 void add_bench(CLI::App& app, Request& request);
 void add_version(CLI::App& app, Request& request);
+void add_completion(CLI::App& app, Request& request);
+void add_manual(CLI::App& app, Request& request);
 
 }  // namespace insonify

@@ -9,6 +9,11 @@
 #include <charconv>
 
 namespace insonify {
+namespace {
+
+constexpr std::string_view kChoices = "one of ";
+
+}  // namespace
 
 CLI::Validator whole_number(std::uint64_t least, std::uint64_t most) {
   const auto check = [=](const std::string& text) {
@@ -38,11 +43,23 @@ CLI::Validator not_empty(const char* example) {
 }
 
 CLI::Validator one_of(std::vector<std::string> words) {
+  // choices_of() reads the words from the validator's name, which no message shows.
+  const std::string name = fmt::format("{}{}", kChoices, fmt::join(words, " "));
   const auto check = [words = std::move(words)](const std::string& text) {
     const bool good = std::ranges::find(words, text) != words.end();
     return good ? std::string() : fmt::format("{} must be {}", text, fmt::join(words, " or "));
   };
-  return CLI::Validator(check, "");
+  return CLI::Validator(check, "", name);
+}
+
+std::vector<std::string> choices_of(CLI::Option& option) {
+  try {
+    const std::string name = option.get_validator(0)->get_name();
+    return name.starts_with(kChoices) ? CLI::detail::split(name.substr(kChoices.size()), ' ')
+                                      : std::vector<std::string>();
+  } catch (const CLI::OptionNotFound&) {
+    return {};  // No validator at all.
+  }
 }
 
 }  // namespace insonify

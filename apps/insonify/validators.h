@@ -21,4 +21,7 @@ namespace insonify {
 
 [[nodiscard]] CLI::Validator one_of(std::vector<std::string> words);
 
+/// The words that an option's one_of() allows; none where it has no such check.
+[[nodiscard]] std::vector<std::string> choices_of(CLI::Option& option);
+
 }  // namespace insonify

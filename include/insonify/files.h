@@ -93,8 +93,8 @@ struct Preset {
 /// ping, so that a killed run leaves one that opens as usual. docs/reference/recording.md lists what it holds.
 class Recording {
  public:
-  /// @param simulated  For the file's attributes and names: scenario, scene, sonar.
-  /// @param capacity   Pings it is made for, >= 1.
+  /// @param scenario  With `scene` and `sonar` the source of the file's attributes and names.
+  /// @param capacity  Pings it is made for, >= 1.
   /// @throws Error when the file cannot be made or the disk is full.
   Recording(const std::filesystem::path& path, const Scenario& scenario, const Scene& scene, const SonarConfig& sonar,
             std::uint64_t capacity);

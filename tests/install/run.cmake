@@ -1,10 +1,14 @@
-# Installs insonify to a fresh prefix, then builds and runs a project that finds it there.
+# Installs insonify to a fresh prefix, then uses it there: projects outside this build find the library, the command line
+# runs a shipped scene, and nothing has a search path that it should not have.
 #   BUILD_DIR        a built tree of insonify; or
 #   SOURCE_DIR       sources of insonify, to be built first as a static library in WORK_DIR/static
+#   PACKAGES         ON: by way of Debian packages, unpacked in WORK_DIR/root
+#   HARDENED         ON: the build has what cmake/Hardening.cmake gives
 #   WORK_DIR         where to do all this
 #   COMPILER         C++ compiler
+#   PYTHON           Python 3
 set(prefix ${WORK_DIR}/prefix)
-file(REMOVE_RECURSE ${prefix} ${WORK_DIR}/staged ${WORK_DIR}/consumer)
+file(REMOVE_RECURSE ${prefix} ${WORK_DIR}/staged ${WORK_DIR}/consumer ${WORK_DIR}/examples ${WORK_DIR}/root ${WORK_DIR}/packages)
 function(run)
   execute_process(COMMAND ${ARGV} RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
   if(NOT result EQUAL 0)
@@ -13,6 +17,12 @@ function(run)
   endif()
   set(output ${output} PARENT_SCOPE)
 endfunction()
+# build_project(NAME SOURCES): a project of somebody else's, who has insonify installed, in WORK_DIR/NAME.
+function(build_project name sources)
+  run(${CMAKE_COMMAND} -G Ninja -S ${sources} -B ${WORK_DIR}/${name} -DCMAKE_BUILD_TYPE=Release
+      -DCMAKE_CXX_COMPILER=${COMPILER} -DCMAKE_PREFIX_PATH=${prefix})
+  run(${CMAKE_COMMAND} --build ${WORK_DIR}/${name})
+endfunction()
 
 if(SOURCE_DIR)
   set(BUILD_DIR ${WORK_DIR}/static)
@@ -20,18 +30,65 @@ if(SOURCE_DIR)
       -DCMAKE_CXX_COMPILER=${COMPILER} -DBUILD_SHARED_LIBS=OFF -DINSONIFY_BUILD_TESTS=OFF -DINSONIFY_BUILD_APPS=OFF)
   run(${CMAKE_COMMAND} --build ${BUILD_DIR})
 endif()
-# Moved after the installation, which must not matter.
-run(${CMAKE_COMMAND} --install ${BUILD_DIR} --prefix ${WORK_DIR}/staged)
-file(RENAME ${WORK_DIR}/staged ${prefix})
-run(${CMAKE_COMMAND} -G Ninja -S ${CMAKE_CURRENT_LIST_DIR} -B ${WORK_DIR}/consumer -DCMAKE_BUILD_TYPE=Release
-    -DCMAKE_CXX_COMPILER=${COMPILER} -DCMAKE_PREFIX_PATH=${prefix})
-run(${CMAKE_COMMAND} --build ${WORK_DIR}/consumer)
+
+if(PACKAGES)
+  run(cpack --config ${BUILD_DIR}/CPackConfig.cmake -B ${WORK_DIR}/packages)
+  file(GLOB packages ${WORK_DIR}/packages/*.deb)
+  list(LENGTH packages count)
+  if(NOT count EQUAL 3)
+    message(FATAL_ERROR "There should be three packages, and there are: ${packages}")
+  endif()
+  foreach(package IN LISTS packages)
+    run(dpkg-deb --extract ${package} ${WORK_DIR}/root)
+    run(dpkg-deb --field ${package} Package Depends)
+    message("${output}")
+    string(APPEND depends "${output}")
+  endforeach()
+  foreach(needed "libembree[34]" "libsdformat" "libhdf5" "libeigen3-dev" "libinsonify[0-9.]+ \\(= ")
+    if(NOT depends MATCHES "${needed}")
+      message(FATAL_ERROR "No package depends on ${needed}")
+    endif()
+  endforeach()
+  set(prefix ${WORK_DIR}/root/usr)
+else()
+  # Moved after the installation, which must not matter.
+  run(${CMAKE_COMMAND} --install ${BUILD_DIR} --prefix ${WORK_DIR}/staged)
+  file(RENAME ${WORK_DIR}/staged ${prefix})
+endif()
+
+build_project(consumer ${CMAKE_CURRENT_LIST_DIR})
 run(${WORK_DIR}/consumer/consumer ${WORK_DIR}/ping.h5)
 message("${output}")
 # A program that the static library is a part of does not know where that was installed.
 if(NOT SOURCE_DIR AND NOT output MATCHES "preset from ${prefix}/share/insonify/presets/tritech-micron-dst.yaml")
   message(FATAL_ERROR "The presets installed in ${prefix} were not used")
 endif()
+
 if(EXISTS ${prefix}/bin/insonify)
-  run(${prefix}/bin/insonify version)
+  set(cli ${prefix}/bin/insonify)
+  run(${cli} version)
+  run(${cli} run ${prefix}/share/insonify/scenes/car.yaml -o ${WORK_DIR}/out --pings 1 --no-pictures)
+  foreach(file share/man/man1/insonify.1 share/bash-completion/completions/insonify
+      share/zsh/site-functions/_insonify share/fish/vendor_completions.d/insonify.fish)
+    if(NOT EXISTS ${prefix}/${file})
+      message(FATAL_ERROR "${file} was not installed")
+    endif()
+  endforeach()
+
+  file(GLOB libraries ${prefix}/lib*/libinsonify.so.*.*.* ${prefix}/lib/*/libinsonify.so.*.*.*)
+  if(HARDENED)
+    set(hardened --hardened)
+  endif()
+  run(${PYTHON} ${CMAKE_CURRENT_LIST_DIR}/linkage_test.py ${hardened} ${cli} ${libraries})
+  message("${output}")
+
+  if(NOT PACKAGES)
+    build_project(examples ${prefix}/share/insonify/examples)
+    run(${WORK_DIR}/examples/first_ping ${prefix}/share/insonify/scenes/sphere.yaml)
+    message("${output}")
+    run(${WORK_DIR}/examples/own_scene ${WORK_DIR})
+    message("${output}")
+    run(${WORK_DIR}/examples/approaching_object)
+    message("${output}")
+  endif()
 endif()

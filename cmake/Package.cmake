@@ -1,0 +1,31 @@
+# `cpack` in the build folder, or ./dev package: Debian packages of the library, of what is needed to build against it, and
+# of the command line with the scenes.
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_NAME insonify)
+set(CPACK_PACKAGE_CONTACT "The insonify contributors")
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_COMPONENTS_ALL library development tools)
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+
+set(library libinsonify${INSONIFY_ABI})
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_COMPRESSION_TYPE xz)
+set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
+# What is linked says which packages it needs; our own library is none of those that dpkg-shlibdeps can look up.
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS ${PROJECT_BINARY_DIR}/${CMAKE_INSTALL_LIBDIR})
+set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)
+
+set(CPACK_DEBIAN_LIBRARY_PACKAGE_NAME ${library})
+set(CPACK_DEBIAN_LIBRARY_PACKAGE_SECTION libs)
+set(CPACK_COMPONENT_LIBRARY_DESCRIPTION "Simulator of imaging sonars: shared library\n Pings of forward-looking and scanned sonars from 3-D scenes, and the presets of instruments.")
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libinsonify-dev)
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "${library} (= ${PROJECT_VERSION}), libeigen3-dev")
+set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION "Simulator of imaging sonars: headers and examples\n For CMake projects that call find_package(insonify).")
+set(CPACK_DEBIAN_TOOLS_PACKAGE_NAME insonify)
+set(CPACK_DEBIAN_TOOLS_PACKAGE_SECTION science)
+set(CPACK_DEBIAN_TOOLS_PACKAGE_DEPENDS "${library} (= ${PROJECT_VERSION})")
+set(CPACK_COMPONENT_TOOLS_DESCRIPTION "Simulator of imaging sonars: command line and scenes\n Pings of forward-looking and scanned sonars from 3-D scenes, as HDF5 and as pictures.")
+include(CPack)
