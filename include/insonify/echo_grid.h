@@ -3,7 +3,6 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -29,17 +28,14 @@ struct DiscreteEcho {
   float turns = 0;         ///< Phase, 0..1.
 };
 
-/// What one surface gave to a cell.
+/// The echo of one surface in one cell.
 struct SurfaceEcho {
   std::uint32_t surface = 0xffffffff;  ///< Instance and material, see echo/grid/echo.h; all ones for none.
   float energy = 0;
-  float elevation_moment = 0;  ///< Sum of energy x elevation, from the middle of the aperture [rad].
-  float elevation_square = 0;  ///< Sum of energy x its square [rad^2].
+  float elevation_moment = 0;  ///< Sum of energy x elevation [rad].
+  float elevation_square = 0;  ///< Sum of energy x the square of the elevation's difference from the aperture's middle
+                               ///< [rad^2]; only with GroundTruth::kFull.
 };
-
-/// Surfaces that each cell keeps apart with GroundTruth::kFull: a cache line of them.
-inline constexpr int kSurfacesKept = 4;
-using SurfaceTally = std::array<SurfaceEcho, kSurfacesKept>;
 
 /// Bins [first, last).
 struct BinRange {
@@ -60,9 +56,11 @@ struct BinRange {
 /// Sums over echoes, in cells of beam by bin: beam-major, so that one beam's bins lie together.
 ///
 /// `energy` and `weight` are kept per path order. In the `paper` model they are the sum of the shaped echo intensities
-/// and of the sample weights they belong to; their ratio is the mean the paper's eq. (energy_norm) asks for. The label
-/// layers tell what each cell's energy came from: the instance and material that hold the majority of it, and the
-/// energy-weighted mean elevation of that majority. With GroundTruth::kFull there are tallies of surfaces besides.
+/// and of the sample weights they belong to; their ratio is the mean the paper's eq. (energy_norm) asks for.
+///
+/// Where labels are kept the energy of each surface is summed by itself, over all path orders. The label of a cell is
+/// the surface with the most energy there, of equals the one with the lower number, and the mean elevation of its
+/// energy. It does not depend on the order in which echoes arrive, but for the rounding of sums.
 class EchoGrid {
  public:
   EchoGrid() = default;
@@ -95,18 +93,25 @@ class EchoGrid {
   };
   [[nodiscard]] Label label(int beam, int bin) const;
 
-  /// Cells of one beam to be added to: pointers to the first of them, null for layers that are not kept. The label
-  /// layers are a majority vote weighted by energy. Where nothing echoed, only `surface` means anything.
+  /// Cells of one beam to be added to: pointers to the first of them, null for layers that are not kept. The last five
+  /// are of the strongest surface of each cell so far; where nothing echoed yet only `surface` means anything.
   struct Cells {
     float* energy = nullptr;
     float* weight = nullptr;
-    std::uint32_t* surface = nullptr;   ///< Instance and material, see echo/grid/echo.h; all ones where nothing echoed.
-    float* lead = nullptr;              ///< Energy by which the label leads all others together.
-    float* label_energy = nullptr;      ///< Energy deposited while it led.
-    float* elevation_moment = nullptr;  ///< Sum of energy x elevation over that [rad].
-    SurfaceTally* tallies = nullptr;    ///< See echo/surface_tally.h; to be emptied where there is no label yet.
+    std::uint32_t* surface = nullptr;  ///< Instance and material, see echo/grid/echo.h; all ones where nothing echoed.
+    float* surface_energy = nullptr;
+    float* elevation_moment = nullptr;  ///< See SurfaceEcho.
+    float* elevation_square = nullptr;  ///< With GroundTruth::kFull only.
+    std::uint32_t* further = nullptr;   ///< See add_further(); 0 where there is no other surface.
   };
   [[nodiscard]] Cells to_fill(int order, int beam, BinRange bins);
+
+  /// Adds the echo of a surface that is not the strongest of its cell so far. Makes it so if now it is.
+  void add_further(int beam, int bin, const SurfaceEcho& echo);
+
+  /// Calls visit(const SurfaceEcho&) for every surface that echoed in a cell, the strongest first.
+  template <typename Visit>
+  void for_each_surface(int beam, int bin, Visit&& visit) const;
 
   /// The label layers of one beam. They mean nothing outside filled().
   struct LabelRows {
@@ -123,10 +128,7 @@ class EchoGrid {
   [[nodiscard]] std::vector<DiscreteEcho>& discrete_echoes() { return discrete_echoes_; }
   [[nodiscard]] const std::vector<DiscreteEcho>& discrete_echoes() const { return discrete_echoes_; }
 
-  /// With GroundTruth::kFull only. Surfaces of one beam's cells, see echo/grid/surface_tally.h; they mean nothing in
-  /// cells without a label ...
-  [[nodiscard]] std::span<const SurfaceTally> tallies(int beam) const { return {&tallies_[start(1, beam)], length()}; }
-  /// ... and the solid angle of it that surfaces take before the near edge of bin 0 [sr].
+  /// Solid angle of one beam that surfaces take before the near edge of bin 0 [sr]; with GroundTruth::kFull only.
   [[nodiscard]] float& met_before(int beam) { return met_before_[beam]; }
   [[nodiscard]] float met_before(int beam) const { return met_before_[beam]; }
 
@@ -141,7 +143,12 @@ class EchoGrid {
  private:
   void fill_more(int beam, BinRange bins);
   void set_up(int beam, BinRange bins);
-  void take_cell(const EchoGrid& other, std::size_t from, std::size_t to);
+  void take_cell(const EchoGrid& other, std::size_t from, int beam, int bin);
+  [[nodiscard]] SurfaceEcho strongest(std::size_t cell) const {
+    return {surface_[cell], label_energy_[cell], elevation_moment_[cell],
+            elevation_square_.empty() ? 0.0F : elevation_square_[cell]};
+  }
+  void set_strongest(std::size_t cell, const SurfaceEcho& echo);
   [[nodiscard]] std::size_t length() const { return static_cast<std::size_t>(bin_count_); }
   [[nodiscard]] std::size_t start(int order, int beam) const {
     return (static_cast<std::size_t>(order - 1) * beam_count_ + beam) * bin_count_;
@@ -153,12 +160,19 @@ class EchoGrid {
   template <typename Value>
   using Layer = std::vector<Value, ZeroedMemory<Value>>;
   Layer<float> energy_, weight_;  // [order][beam][bin]; zero where nothing is filled.
-  // [beam][bin]; set up when they are filled.
+  // Of the strongest surface in each cell, [beam][bin]; set up when they are filled.
   Layer<std::uint32_t> surface_;
-  Layer<float> lead_, label_energy_, elevation_moment_;
-  Layer<SurfaceTally> tallies_;
-  std::vector<float> met_before_;  // [beam]
-  std::vector<BinRange> filled_;   // [beam]
+  Layer<float> label_energy_, elevation_moment_, elevation_square_;
+  Layer<std::uint32_t> further_;  // Place in the beam's list of the cell's next surface, plus 1; 0 for none.
+
+  // The other surfaces of a beam's cells, in the order in which they first echoed.
+  struct FurtherSurface {
+    SurfaceEcho echo;
+    std::uint32_t next;  // As further_.
+  };
+  std::vector<std::vector<FurtherSurface>> further_surfaces_;  // [beam]
+  std::vector<float> met_before_;                              // [beam]
+  std::vector<BinRange> filled_;                               // [beam]
   std::vector<DiscreteEcho> discrete_echoes_;
 };
 
@@ -173,14 +187,28 @@ inline EchoGrid::Cells EchoGrid::to_fill(int order, int beam, BinRange bins) {
   cells.weight = &weight_[of_order];
   if (labelled_) {
     cells.surface = &surface_[cell];
-    cells.lead = &lead_[cell];
-    cells.label_energy = &label_energy_[cell];
+    cells.surface_energy = &label_energy_[cell];
     cells.elevation_moment = &elevation_moment_[cell];
+    cells.further = &further_[cell];
   }
   if (ground_truth_ == GroundTruth::kFull) {
-    cells.tallies = &tallies_[cell];
+    cells.elevation_square = &elevation_square_[cell];
   }
   return cells;
+}
+
+template <typename Visit>
+void EchoGrid::for_each_surface(int beam, int bin, Visit&& visit) const {
+  const std::size_t cell = start(1, beam) + bin;
+  if (!filled_[beam].has(bin) || surface_[cell] == SurfaceEcho{}.surface) {
+    return;
+  }
+  visit(strongest(cell));
+  for (std::uint32_t next = further_[cell]; next != 0;) {
+    const FurtherSurface& further = further_surfaces_[beam][next - 1];
+    visit(further.echo);
+    next = further.next;
+  }
 }
 
 /// Takes the beams of a grid as they are completed, while their cells are still in the nearest memory.

@@ -3,14 +3,12 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <span>
-#include <utility>
+#include <vector>
 
 #include "echo/grid/echo.h"
 #include "insonify/echo_grid.h"
 #include "insonify/ping.h"
-#include "receiver/bearing_cells.h"
 
 namespace insonify {
 
@@ -21,22 +19,18 @@ struct InstanceEcho {
   double elevation_moment, elevation_square;
 };
 
-/// Instances that the cells of a slice may name: a scanning head's eight cells of kSurfacesKept each.
+/// Instances that gave a bin its energy. Allocates only for more of them than ever before.
 class Instances {
  public:
-  void clear() { count_ = 0; }
+  void clear() { echoes_.clear(); }
 
   void add(const SurfaceEcho& echo) {
     const std::uint16_t instance = instance_of(echo.surface);
-    int place = 0;
-    while (place < count_ && echoes_[place].instance != instance) {
-      ++place;
+    auto place = std::ranges::find(echoes_, instance, &InstanceEcho::instance);
+    if (place == echoes_.end()) {
+      place = echoes_.insert(place, {instance, kNoLabel, 0, 0, 0, 0});
     }
-    InstanceEcho& entry = echoes_[place];
-    if (place == count_) {
-      entry = {instance, kNoLabel, 0, 0, 0, 0};
-      ++count_;
-    }
+    InstanceEcho& entry = *place;
     entry.energy += echo.energy;
     entry.elevation_moment += double{echo.elevation_moment};
     entry.elevation_square += double{echo.elevation_square};
@@ -48,17 +42,9 @@ class Instances {
 
   /// The strongest first; of equals that which comes first in the scene.
   [[nodiscard]] std::span<const InstanceEcho> strongest() {
-    const int wanted = std::min(count_, kStrongestCount);
-    for (int rank = 0; rank < wanted; ++rank) {  // There are few.
-      int best = rank;
-      for (int other = rank + 1; other < count_; ++other) {
-        best = goes_before(echoes_[other], echoes_[best]) ? other : best;
-      }
-      if (best != rank) {
-        std::swap(echoes_[best], echoes_[rank]);
-      }
-    }
-    return {echoes_.data(), static_cast<std::size_t>(wanted)};
+    const std::size_t wanted = std::min(echoes_.size(), std::size_t{kStrongestCount});
+    std::ranges::partial_sort(echoes_, echoes_.begin() + static_cast<std::ptrdiff_t>(wanted), goes_before);
+    return std::span(echoes_).first(wanted);
   }
 
  private:
@@ -66,8 +52,7 @@ class Instances {
     return a.energy != b.energy ? a.energy > b.energy : a.instance < b.instance;
   }
 
-  std::array<InstanceEcho, std::size_t{BearingCells::kMostPerBeam} * kSurfacesKept> echoes_;  // The first count_.
-  int count_ = 0;
+  std::vector<InstanceEcho> echoes_;
 };
 
 }  // namespace insonify

@@ -48,7 +48,8 @@ class TruthReceiver {
   };
 
   void receive_direct(const EchoGrid& grid, const Reception& reception, Workers& workers, Ping& ping);
-  void tell_tile(const EchoGrid& grid, const TilePlace& place, std::array<float, kTileBeams>& hidden, Ping& ping) const;
+  void tell_tile(const EchoGrid& grid, const TilePlace& place, std::array<float, kTileBeams>& hidden,
+                 Instances& instances, Ping& ping) const;
   BeamTile beam_tile(const EchoGrid& grid, int beam, const TilePlace& place, float& hidden) const;
   void add_surfaces(const EchoGrid& grid, int beam, int bin, Instances& instances) const;
   [[nodiscard]] float hidden_before(const EchoGrid& grid, int beam) const;  // The near edge of bin 0.
@@ -65,6 +66,7 @@ class TruthReceiver {
   int beams_, bins_, cells_, first_cell_, cells_per_beam_;
   float middle_elevation_;                    // Of the aperture [rad].
   std::vector<float> whole_;                  // Of each beam: solid angle [sr].
+  std::vector<Instances> instances_;          // Of each worker: scratch.
   std::vector<float> direct_, direct_beams_;  // [cell][bin] and [beam][bin].
 };
 
