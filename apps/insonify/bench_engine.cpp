@@ -62,7 +62,7 @@ class Runner {
     }
     rays_ = simulator_.engine().ray_counts();
     for (const double seconds :
-         time_traversal(simulator_.engine(), *plan_, simulator_.world_from_head(0, 0), kWarmUp + kBlock)) {
+         simulator_.engine().time_traversal(*plan_, simulator_.world_from_head(0, 0), kWarmUp + kBlock)) {
       block_floors.push_back(seconds * kMilliseconds);
     }
     block_floors.erase(block_floors.begin(), block_floors.begin() + kWarmUp);

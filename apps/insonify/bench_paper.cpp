@@ -79,7 +79,7 @@ void sample(Row& row, const PaperBenchOptions& options, std::uint64_t number) {
                                     .primary = row.mode->primary,
                                     .secondary = row.mode->secondary,
                                     .seed = scenario.seed});
-  const std::vector<double> floors = time_traversal(simulator.engine(), *plan, simulator.world_from_head(0, kPings), 2);
+  const std::vector<double> floors = simulator.engine().time_traversal(*plan, simulator.world_from_head(0, kPings), 2);
   row.floor_ms.add(floors.back() * kMilliseconds);
 }
 

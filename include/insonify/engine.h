@@ -26,12 +26,13 @@ enum class PrimaryEchoes {
   kRaster  ///< Triangles drawn into the fan's own columns and rows. `reference` traces rays all the same.
 };
 
-/// What an engine takes: kRays or kRaster. kAuto comes to whichever a cost model of triangles, samples and the azimuth
-/// aperture holds for faster (bench/README.md), the same for a scenario on every machine.
+/// What an engine does: kRays or kRaster. For kAuto a cost model of triangles, samples and the azimuth aperture picks
+/// the faster one (bench/README.md), the same for a scenario on every machine.
+/// @param can_draw   Whether the engine can draw primaries, see EngineKind; others always trace.
 /// @param even_rows  Whether columns are wedges and their rows even in tan(elevation), as without an array: others
 ///                   cannot be drawn, and kAuto traces them.
 [[nodiscard]] PrimaryEchoes primary_echoes(PrimaryEchoes asked, const SonarConfig& sonar, std::size_t triangle_count,
-                                           std::string_view engine, bool even_rows = true);
+                                           bool can_draw, bool even_rows = true);
 
 /// Which hits send a ray on, in search of a second surface.
 enum class SecondaryEchoes {
@@ -94,6 +95,20 @@ struct EngineMemory {
   std::size_t library = 0;  ///< What the ray-tracing library took [bytes].
 };
 
+class Engine;
+
+/// One kind of engine: what it is called, what it can do, and how it is made. Each engine defines its own, and the list
+/// in src/echo/make_engine.cpp has them all.
+struct EngineKind {
+  std::string_view name;         ///< Lower case, as in scenarios and on the command line.
+  bool draws_primaries = false;  ///< Whether it can draw triangles into the fan (PrimaryEchoes::kRaster).
+  std::unique_ptr<Engine> (*make)(int threads) = nullptr;
+};
+
+/// The kind of engine of that name.
+/// @throws Error if there is none; the message lists those there are.
+[[nodiscard]] const EngineKind& engine_kind(std::string_view name);
+
 /// Finds the echoes of a ping on one kind of hardware.
 ///
 /// All engines answer alike: tests/engines/ runs the same cases on each and compares the answers with those of the
@@ -102,8 +117,7 @@ class Engine {
  public:
   virtual ~Engine() = default;
 
-  /// Lower-case name, as given to make_engine() and on the command line.
-  [[nodiscard]] virtual std::string_view name() const = 0;
+  [[nodiscard]] virtual const EngineKind& kind() const = 0;
 
   /// Takes in the scene. Positions are kept relative to the middle of its bounds, so that survey coordinates do not
   /// cost precision. The scene must outlive the engine or the next call.
@@ -121,6 +135,10 @@ class Engine {
   virtual void insonify(const PingPlan& plan, const Pose& world_from_sonar, std::uint64_t ping, EchoGrid& grid,
                         BeamSink* sink) = 0;
 
+  /// Fills grids[i] with the echoes of the ping from poses[i], all with one plan and with the scene as it is now. For
+  /// engines that make many pings in one go; here, one after another.
+  virtual void insonify_all(const PingPlan& plan, std::span<const Pose> poses, std::span<EchoGrid> grids);
+
   /// Finds the first surface along every ray. `hits` has the length of `rays`.
   virtual void trace(std::span<const Ray> rays, std::span<Hit> hits) = 0;
 
@@ -128,21 +146,21 @@ class Engine {
   [[nodiscard]] virtual RayCounts ray_counts() const = 0;
 
   [[nodiscard]] virtual EngineMemory memory() const = 0;
+
+  /// The floor a ping stands on: seconds that its rays take the ray-tracing library alone, packets set up but nothing
+  /// shaded or deposited; the same primary lattice, and the reflected rays and return legs that insonify() really
+  /// sends.
+  /// @return One value a repetition [s]; none from an engine that has no such library.
+  [[nodiscard]] virtual std::vector<double> time_traversal(const PingPlan& plan, const Pose& world_from_sonar,
+                                                           int repetitions);
 };
 
 /// Names of the engines built in, fastest first.
 [[nodiscard]] std::vector<std::string_view> engine_names();
 
-/// Makes an engine by name, "cpu" or "reference".
-/// @param threads  Worker threads, 0 for as many as there are processors. `reference` uses them too.
+/// Makes an engine by name.
+/// @param threads  Worker threads, 0 for as many as there are processors.
 /// @throws Error if there is no such engine; the message lists those there are.
 [[nodiscard]] std::unique_ptr<Engine> make_engine(std::string_view name, int threads = 0);
-
-/// The floor a ping stands on: seconds that its rays take the ray-tracing library alone, packets set up but nothing
-/// shaded or deposited; the same primary lattice, and the reflected rays and return legs that insonify() really sends.
-/// @return One value a repetition [s].
-/// @throws Error for an engine that has no such library ("reference").
-[[nodiscard]] std::vector<double> time_traversal(Engine& engine, const PingPlan& plan, const Pose& world_from_sonar,
-                                                 int repetitions);
 
 }  // namespace insonify

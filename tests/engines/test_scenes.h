@@ -74,14 +74,30 @@ inline EchoGrid echoes_of(const std::string& engine_name, const Scene& scene, co
 
 /// What a test of whole pings runs on: every engine, in both models.
 struct EngineAndModel {
-  const char* name;
-  const char* engine;
+  std::string name;
+  std::string engine;
   EchoModel model;
 };
-inline constexpr EngineAndModel kEnginesAndModels[] = {{"cpu", "cpu", EchoModel::kPaper},
-                                                       {"reference", "reference", EchoModel::kPaper},
-                                                       {"cpuCalibrated", "cpu", EchoModel::kCalibrated},
-                                                       {"referenceCalibrated", "reference", EchoModel::kCalibrated}};
+inline std::vector<EngineAndModel> engines_and_models() {
+  std::vector<EngineAndModel> all;
+  for (const std::string_view name : engine_names()) {
+    const std::string engine(name);
+    all.push_back({engine, engine, EchoModel::kPaper});
+    all.push_back({engine + "Calibrated", engine, EchoModel::kCalibrated});
+  }
+  return all;
+}
+
+/// All engines but the oracle, which the others are compared with.
+inline std::vector<std::string> engines_to_compare() {
+  std::vector<std::string> names;
+  for (const std::string_view name : engine_names()) {
+    if (name != "reference") {
+      names.emplace_back(name);
+    }
+  }
+  return names;
+}
 
 /// The same scene of surfaces that only scatter, after Lambert's law in the calibrated model.
 inline Scene without_glints(Scene scene) {

@@ -7,7 +7,6 @@
 #include <chrono>
 #include <limits>
 
-#include "echo/model/choose_sampling.h"
 #include "echo/model/deposit.h"
 
 namespace insonify {
@@ -16,6 +15,11 @@ namespace {
 constexpr int kRaysPerTask = 1024;
 
 }  // namespace
+
+const EngineKind CpuEngine::kKind = {
+    .name = "cpu", .draws_primaries = true, .make = [](int threads) -> std::unique_ptr<Engine> {
+      return std::make_unique<CpuEngine>(threads);
+    }};
 
 CpuEngine::CpuEngine(int threads) : workers_(threads) {
   for (int worker = 0; worker < workers_.count(); ++worker) {
@@ -44,7 +48,8 @@ void CpuEngine::move_instance(int instance, const Pose& world_from_mesh) {
 
 const FanView* CpuEngine::look(const PingPlan& plan, const Pose& world_from_sonar) {
   const bool even_rows = plan.lattice.even_rows;
-  if (primary_echoes(plan.primary, plan.sonar, triangle_count_, name(), even_rows) == PrimaryEchoes::kRays) {
+  if (primary_echoes(plan.primary, plan.sonar, triangle_count_, kKind.draws_primaries, even_rows) ==
+      PrimaryEchoes::kRays) {
     return nullptr;
   }
   assert(even_rows);
@@ -59,6 +64,11 @@ const FanView* CpuEngine::look(const PingPlan& plan, const Pose& world_from_sona
   }
   view_.look(raster_scene_, plan, {world_from_sonar.position - raster_scene_.origin(), world_from_sonar.orientation});
   return &view_;
+}
+
+SecondarySampling CpuEngine::choose_sampling(const PingPlan& plan, const Pose& world_from_sonar) {
+  trace(probes_.aim(plan, world_from_sonar), probes_.hits());
+  return probes_.choose(plan, scene_.origin(), scene_.boxes());
 }
 
 template <typename Work>
@@ -77,8 +87,8 @@ void CpuEngine::insonify(const PingPlan& plan, const Pose& world_from_sonar, std
   scene_.commit_moves();
   const FanView* view = look(plan, world_from_sonar);
   counts_ = {};
-  const SecondarySampling sampling =
-      choose_sampling(*this, plan, world_from_sonar, scene_.origin(), scene_.boxes(), counts_.secondary);
+  const SecondarySampling sampling = choose_sampling(plan, world_from_sonar);
+  counts_.secondary = probes_.hits().size();
   cut_beams(plan.sonar.beam_count, workers_.count(), first_beams_);
   arrivals_.resize(std::max(arrivals_.size(), static_cast<std::size_t>(task_count())));
   for_each_task(plan, sampling, [&](BeamTask& scratch, int first_beam, int last_beam, int task) {
@@ -104,9 +114,7 @@ std::vector<double> CpuEngine::time_traversal(const PingPlan& plan, const Pose& 
   cut_beams(plan.sonar.beam_count, workers_.count(), first_beams_);
   std::vector<SecondaryTask::Log> logs(task_count());
   EchoGrid grid(plan.sonar.beam_count, plan.sonar.bin_count, kPathOrders);
-  std::uint64_t probes = 0;
-  const SecondarySampling sampling =
-      choose_sampling(*this, plan, world_from_sonar, scene_.origin(), scene_.boxes(), probes);
+  const SecondarySampling sampling = choose_sampling(plan, world_from_sonar);
   for_each_task(plan, sampling, [&](BeamTask& scratch, int first_beam, int last_beam, int task) {
     std::vector<Echo> arrivals;
     scratch.run(world_from_sonar, first_beam, last_beam, nullptr, grid, arrivals, &logs[task]);

@@ -23,9 +23,9 @@ double tracing_costs(double triangles, double samples) {
 
 }  // namespace
 
-PrimaryEchoes primary_echoes(PrimaryEchoes asked, const SonarConfig& sonar, std::size_t triangle_count,
-                             std::string_view engine, bool even_rows) {
-  if (engine != "cpu" || (asked == PrimaryEchoes::kAuto && !even_rows)) {
+PrimaryEchoes primary_echoes(PrimaryEchoes asked, const SonarConfig& sonar, std::size_t triangle_count, bool can_draw,
+                             bool even_rows) {
+  if (!can_draw || (asked == PrimaryEchoes::kAuto && !even_rows)) {
     return PrimaryEchoes::kRays;
   }
   if (asked != PrimaryEchoes::kAuto) {
