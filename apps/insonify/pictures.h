@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "insonify/engine.h"
 #include "insonify/picture.h"
 
 namespace insonify {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "echo/grid/echo.h"
-#include "insonify/echo_grid.h"
+#include "echo/grid/echo_grid.h"
 #include "insonify/ping.h"
 
 namespace insonify {

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "base/parallel.h"
+#include "echo/engine.h"
 #include "image/canvas.h"
-#include "insonify/engine.h"
 #include "simulator/camera.h"
 #include "simulator/housing.h"
 #include "simulator/insonified_sector.h"

@@ -1,6 +1,6 @@
 // echo_grid_test.cpp -- cells know which of them hold anything.
 
-#include "insonify/echo_grid.h"
+#include "echo/grid/echo_grid.h"
 
 #include <gtest/gtest.h>
 

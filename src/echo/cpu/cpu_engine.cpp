@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "echo/model/deposit.h"
+#include "echo/model/primary_choice.h"
 
 namespace insonify {
 namespace {
@@ -82,8 +83,7 @@ void CpuEngine::for_each_task(const PingPlan& plan, SecondarySampling sampling, 
   });
 }
 
-void CpuEngine::insonify(const PingPlan& plan, const Pose& world_from_sonar, std::uint64_t, EchoGrid& grid,
-                         BeamSink* sink) {
+void CpuEngine::insonify(const PingPlan& plan, const Pose& world_from_sonar, EchoGrid& grid, BeamSink* sink) {
   scene_.commit_moves();
   const FanView* view = look(plan, world_from_sonar);
   counts_ = {};

@@ -8,8 +8,8 @@
 #include "base/parallel.h"
 #include "echo/cpu/beam_task.h"
 #include "echo/cpu/cpu_scene.h"
+#include "echo/engine.h"
 #include "echo/model/choose_sampling.h"
-#include "insonify/engine.h"
 
 namespace insonify {
 
@@ -23,8 +23,7 @@ class CpuEngine final : public Engine {
   [[nodiscard]] const EngineKind& kind() const override { return kKind; }
   void set_scene(const Scene& scene) override;
   void move_instance(int instance, const Pose& world_from_mesh) override;
-  void insonify(const PingPlan& plan, const Pose& world_from_sonar, std::uint64_t ping, EchoGrid& grid,
-                BeamSink* sink) override;
+  void insonify(const PingPlan& plan, const Pose& world_from_sonar, EchoGrid& grid, BeamSink* sink) override;
   void trace(std::span<const Ray> rays, std::span<Hit> hits) override;
   [[nodiscard]] RayCounts ray_counts() const override { return counts_; }
 

@@ -1,6 +1,6 @@
 // echo_grid.cpp -- the cells of one ping.
 
-#include "insonify/echo_grid.h"
+#include "echo/grid/echo_grid.h"
 
 #include <algorithm>
 

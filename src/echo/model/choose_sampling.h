@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "echo/model/box_cut.h"
+#include "echo/model/hit.h"
 #include "echo/model/ping_plan.h"
 #include "echo/model/secondary_sampling.h"
-#include "insonify/engine.h"
 
 namespace insonify {
 

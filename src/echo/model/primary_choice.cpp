@@ -1,10 +1,10 @@
 // primary_choice.cpp -- what drawing and tracing cost, fitted to `insonify bench primary` (bench/README.md).
 
+#include "echo/model/primary_choice.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-
-#include "insonify/engine.h"
 
 namespace insonify {
 namespace {

@@ -134,8 +134,7 @@ void ReferenceEngine::trace(std::span<const Ray> rays, std::span<Hit> hits) {
   });
 }
 
-void ReferenceEngine::insonify(const PingPlan& plan, const Pose& world_from_sonar, std::uint64_t, EchoGrid& grid,
-                               BeamSink* sink) {
+void ReferenceEngine::insonify(const PingPlan& plan, const Pose& world_from_sonar, EchoGrid& grid, BeamSink* sink) {
   const int per_beam = plan.lattice.columns_per_beam;
   counts_ = {};
   trace(probes_.aim(plan, world_from_sonar), probes_.hits());

@@ -8,6 +8,8 @@
 #include <type_traits>
 #include <utility>
 
+#include "echo/engine.h"
+#include "echo/model/primary_choice.h"
 #include "insonify/files.h"
 #include "insonify/version.h"
 #include "io/file/yaml_words.h"

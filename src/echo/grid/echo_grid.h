@@ -7,30 +7,15 @@
 #include <span>
 #include <vector>
 
+#include "echo/grid/echo.h"
+#include "echo/grid/zeroed_memory.h"
 #include "insonify/ground_truth.h"
-#include "insonify/zeroed_memory.h"
 
 namespace insonify {
 
-/// Path orders kept apart: 1 (primary, after one surface), 2 (secondary), 3.
-inline constexpr int kPathOrders = 3;
-
-/// Stands for "nothing" in the label layers.
-inline constexpr std::uint16_t kNoLabel = 0xffff;
-
-/// An echo that stands alone, as that of an ideal point: it has its own bearing and phase, where cells hold sums over
-/// many.
-struct DiscreteEcho {
-  int beam = 0, bin = 0;
-  int order = 1;           ///< Surfaces met; 0 for what is no echo.
-  float bearing_sine = 0;  ///< u of its arrival.
-  float intensity = 0;     ///< Relative to the source's at 1 m.
-  float turns = 0;         ///< Phase, 0..1.
-};
-
 /// The echo of one surface in one cell.
 struct SurfaceEcho {
-  std::uint32_t surface = 0xffffffff;  ///< Instance and material, see echo/grid/echo.h; all ones for none.
+  SurfaceLabel surface = kNoSurface;
   float energy = 0;
   float elevation_moment = 0;  ///< Sum of energy x elevation [rad].
   float elevation_square = 0;  ///< Sum of energy x the square of the elevation's difference from the aperture's middle
@@ -98,7 +83,7 @@ class EchoGrid {
   struct Cells {
     float* energy = nullptr;
     float* weight = nullptr;
-    std::uint32_t* surface = nullptr;  ///< Instance and material, see echo/grid/echo.h; all ones where nothing echoed.
+    SurfaceLabel* surface = nullptr;  ///< kNoSurface where nothing echoed.
     float* surface_energy = nullptr;
     float* elevation_moment = nullptr;  ///< See SurfaceEcho.
     float* elevation_square = nullptr;  ///< With GroundTruth::kFull only.
@@ -115,7 +100,7 @@ class EchoGrid {
 
   /// The label layers of one beam. They mean nothing outside filled().
   struct LabelRows {
-    const std::uint32_t* surface;
+    const SurfaceLabel* surface;
     const float* energy;
     const float* elevation_moment;
   };
@@ -161,7 +146,7 @@ class EchoGrid {
   using Layer = std::vector<Value, ZeroedMemory<Value>>;
   Layer<float> energy_, weight_;  // [order][beam][bin]; zero where nothing is filled.
   // Of the strongest surface in each cell, [beam][bin]; set up when they are filled.
-  Layer<std::uint32_t> surface_;
+  Layer<SurfaceLabel> surface_;
   Layer<float> label_energy_, elevation_moment_, elevation_square_;
   Layer<std::uint32_t> further_;  // Place in the beam's list of the cell's next surface, plus 1; 0 for none.
 
@@ -200,7 +185,7 @@ inline EchoGrid::Cells EchoGrid::to_fill(int order, int beam, BinRange bins) {
 template <typename Visit>
 void EchoGrid::for_each_surface(int beam, int bin, Visit&& visit) const {
   const std::size_t cell = start(1, beam) + bin;
-  if (!filled_[beam].has(bin) || surface_[cell] == SurfaceEcho{}.surface) {
+  if (!filled_[beam].has(bin) || surface_[cell] == kNoSurface) {
     return;
   }
   visit(strongest(cell));
