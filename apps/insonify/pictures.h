@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "insonify/engine.h"
 #include "insonify/picture.h"
 
 namespace insonify {
