@@ -68,7 +68,8 @@ const FanView* CpuEngine::look(const PingPlan& plan, const Pose& world_from_sona
 }
 
 SecondarySampling CpuEngine::choose_sampling(const PingPlan& plan, const Pose& world_from_sonar) {
-  trace(probes_.aim(plan, world_from_sonar), probes_.hits());
+  const std::span<const Ray> rays = probes_.aim(plan, world_from_sonar);
+  trace(rays, probes_.hits());
   return probes_.choose(plan, scene_.origin(), scene_.boxes());
 }
 

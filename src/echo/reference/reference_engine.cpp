@@ -137,7 +137,8 @@ void ReferenceEngine::trace(std::span<const Ray> rays, std::span<Hit> hits) {
 void ReferenceEngine::insonify(const PingPlan& plan, const Pose& world_from_sonar, EchoGrid& grid, BeamSink* sink) {
   const int per_beam = plan.lattice.columns_per_beam;
   counts_ = {};
-  trace(probes_.aim(plan, world_from_sonar), probes_.hits());
+  const std::span<const Ray> rays = probes_.aim(plan, world_from_sonar);
+  trace(rays, probes_.hits());
   const SecondarySampling sampling = probes_.choose(plan, origin_, boxes_);
   counts_.secondary = probes_.hits().size();
   std::vector<RayCounts> counts(plan.sonar.beam_count);
