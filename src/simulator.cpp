@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "base/parallel.h"
+#include "echo/engine.h"
 #include "echo/targets/interference.h"
 #include "echo/targets/point_echoes.h"
 #include "echo/targets/surface_ghosts.h"
@@ -159,6 +160,23 @@ Engine& Simulator::engine() {
   return *state_->engine;
 }
 
+RayCounts Simulator::ray_counts() const {
+  return state_->engine->ray_counts();
+}
+
+EngineMemory Simulator::engine_memory() const {
+  return state_->engine->memory();
+}
+
+std::vector<double> Simulator::time_traversal(int index, const Pose& world_from_sonar, int repetitions) {
+  std::vector<double> seconds = state_->engine->time_traversal(*state_->plans.at(index), world_from_sonar, repetitions);
+  if (seconds.empty()) {
+    throw Error(fmt::format("engine \"{}\" traces its rays itself: there is no bare traversal to time",
+                            state_->scenario.engine));
+  }
+  return seconds;
+}
+
 Pose Simulator::world_from_housing(int index, std::uint64_t number) const {
   const SonarConfig& config = sonar(index);
   const double time = static_cast<double>(number) * *config.ping_period;
@@ -188,7 +206,7 @@ void Simulator::make_ping(int index, std::uint64_t number, Ping& ping) {
   const PingPlan& plan = *state.plans[index];
   const Pose world_from_sonar = world_from_head(index, number);
   if (state.scenario.model == EchoModel::kCalibrated) {
-    state.engine->insonify(plan, world_from_sonar, number, grid, nullptr);
+    state.engine->insonify(plan, world_from_sonar, grid, nullptr);
     grid.discrete_echoes().clear();
     state.points.add(plan, world_from_sonar, *state.engine, grid);
     if (state.ghosts) {
@@ -201,7 +219,7 @@ void Simulator::make_ping(int index, std::uint64_t number, Ping& ping) {
     PaperReceiver receiver(
         grid, config,
         {.model = state.scenario.paper, .noise = state.scenario.receiver.noise, .seed = state.scenario.seed}, ping);
-    state.engine->insonify(plan, world_from_sonar, number, grid, &receiver);
+    state.engine->insonify(plan, world_from_sonar, grid, &receiver);
   }
 }
 

@@ -43,11 +43,6 @@ class Runner {
   Runner(const Scenario& scenario, const Scene& scene, int threads)
       : threads_(threads), start_(std::chrono::steady_clock::now()), simulator_(scenario, scene, threads) {
     setup_ms_ = milliseconds_since(start_);
-    plan_ = make_ping_plan({.sonar = simulator_.sonar(0),
-                            .water = scenario.water,
-                            .paper = scenario.paper,
-                            .secondary = scenario.secondary,
-                            .seed = scenario.seed});
   }
 
   // Pings, then floors: neither finds the other's data in its caches.
@@ -60,9 +55,8 @@ class Runner {
         block_pings.push_back(milliseconds_since(start));
       }
     }
-    rays_ = simulator_.engine().ray_counts();
-    for (const double seconds :
-         time_traversal(simulator_.engine(), *plan_, simulator_.world_from_head(0, 0), kWarmUp + kBlock)) {
+    rays_ = simulator_.ray_counts();
+    for (const double seconds : simulator_.time_traversal(0, simulator_.world_from_head(0, 0), kWarmUp + kBlock)) {
       block_floors.push_back(seconds * kMilliseconds);
     }
     block_floors.erase(block_floors.begin(), block_floors.begin() + kWarmUp);
@@ -76,7 +70,7 @@ class Runner {
   [[nodiscard]] Row row(const Runner& first, const char* secondary) {
     const Scene& scene = simulator_.scene();
     const auto triangles = static_cast<double>(scene.triangle_count());
-    const EngineMemory memory = simulator_.engine().memory();
+    const EngineMemory memory = simulator_.engine_memory();
     return {.threads = threads_,
             .triangles = scene.triangle_count(),
             .secondary = secondary,
@@ -109,7 +103,6 @@ class Runner {
   std::chrono::steady_clock::time_point start_;
   Simulator simulator_;
   double setup_ms_ = 0;
-  std::shared_ptr<const PingPlan> plan_;
   Ping ping_;
   std::uint64_t number_ = 0;
   RayCounts rays_;

@@ -69,17 +69,11 @@ void sample(Row& row, const PaperBenchOptions& options, std::uint64_t number) {
     }
   }
   row.ping_ms.add(median(times));
-  const RayCounts rays = simulator.engine().ray_counts();
+  const RayCounts rays = simulator.ray_counts();
   row.rays_primary.add(static_cast<double>(rays.primary));
   row.rays_secondary.add(static_cast<double>(rays.secondary + rays.return_legs));
 
-  const auto plan = make_ping_plan({.sonar = simulator.sonar(0),
-                                    .water = scenario.water,
-                                    .paper = scenario.paper,
-                                    .primary = row.mode->primary,
-                                    .secondary = row.mode->secondary,
-                                    .seed = scenario.seed});
-  const std::vector<double> floors = time_traversal(simulator.engine(), *plan, simulator.world_from_head(0, kPings), 2);
+  const std::vector<double> floors = simulator.time_traversal(0, simulator.world_from_head(0, kPings), 2);
   row.floor_ms.add(floors.back() * kMilliseconds);
 }
 

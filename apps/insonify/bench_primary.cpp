@@ -57,7 +57,7 @@ class Runner {
   }
 
   [[nodiscard]] double milliseconds() const { return median(blocks_); }
-  [[nodiscard]] bool drew() { return simulator_.engine().ray_counts().primary == 0; }
+  [[nodiscard]] bool drew() { return simulator_.ray_counts().primary == 0; }
 
  private:
   static Scenario scenario_of(const SonarConfig& sonar, PrimaryEchoes primary) {

@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "insonify/echo_grid.h"
 #include "insonify/geometry.h"
+#include "insonify/ground_truth.h"
 
 namespace insonify {
 

@@ -9,7 +9,9 @@
 #include <vector>
 
 #include "insonify/engine.h"
+#include "insonify/ground_truth.h"
 #include "insonify/interferer.h"
+#include "insonify/paper_model.h"
 #include "insonify/point_target.h"
 #include "insonify/receiver_config.h"
 #include "insonify/scene.h"

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <vector>
 
 #include "insonify/engine.h"
 #include "insonify/ping.h"
@@ -38,8 +39,21 @@ class Simulator {
   [[nodiscard]] Pose world_from_housing(int sonar, std::uint64_t number) const;
   [[nodiscard]] Pose world_from_head(int sonar, std::uint64_t number) const;
 
-  /// The engine, with everything that moves placed as at the last ping: for camera views and counts.
+  /// The engine, with everything that moves placed as at the last ping: for camera views.
   [[nodiscard]] Engine& engine();
+
+  /// Rays of the last ping.
+  [[nodiscard]] RayCounts ray_counts() const;
+
+  [[nodiscard]] EngineMemory engine_memory() const;
+
+  /// The floor that a ping stands on: the time that its rays take the ray-tracing library alone. Packets are set up,
+  /// but nothing is shaded or summed; the rays are the primary lattice, and the reflected rays and return legs that a
+  /// ping from there really sends.
+  /// @param world_from_sonar  Pose of the transducer.
+  /// @return                  One value a repetition [s].
+  /// @throws Error for an engine that has no such library ("reference").
+  [[nodiscard]] std::vector<double> time_traversal(int sonar, const Pose& world_from_sonar, int repetitions);
 
  private:
   struct State;

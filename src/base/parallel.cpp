@@ -82,7 +82,7 @@ Workers::Workers(int threads)
 Workers::~Workers() = default;
 
 void Workers::call(int tasks, Function function, void* body) {
-  if (count_ == 1 || tasks == 1) {
+  if (count_ == 1 || tasks <= 1) {
     for (int task = 0; task < tasks; ++task) {
       function(body, task, 0);
     }

@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
+#include "echo/grid/echo_grid.h"
 #include "insonify/array_pattern.h"
-#include "insonify/echo_grid.h"
 #include "receiver/gain_matrix.h"
 
 namespace insonify {

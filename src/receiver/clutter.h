@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "insonify/echo_grid.h"
+#include "echo/grid/echo_grid.h"
 #include "insonify/material.h"
 #include "receiver/speckle.h"
 

@@ -5,7 +5,7 @@
 #include <complex>
 #include <span>
 
-#include "insonify/echo_grid.h"
+#include "echo/grid/echo_grid.h"
 #include "receiver/bearing_response.h"
 #include "receiver/range_response.h"
 

@@ -3,14 +3,12 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <span>
-#include <utility>
+#include <vector>
 
 #include "echo/grid/echo.h"
-#include "insonify/echo_grid.h"
+#include "echo/grid/echo_grid.h"
 #include "insonify/ping.h"
-#include "receiver/bearing_cells.h"
 
 namespace insonify {
 
@@ -24,23 +22,18 @@ struct InstanceEcho {
   double elevation_square;  // ... of energy x elevation^2 [rad^2]; elevation from the middle of the aperture.
 };
 
-/// The instances that echo in one bin of a beam. At most kMaxPerBeam cells (those of a scanning head's beam) name
-/// kSurfacesKept surfaces each.
+/// Instances that gave a bin its energy. Allocates only for more of them than ever before.
 class Instances {
  public:
-  void clear() { count_ = 0; }
+  void clear() { echoes_.clear(); }
 
   void add(const SurfaceEcho& echo) {
     const std::uint16_t instance = instance_of(echo.surface);
-    int place = 0;
-    while (place < count_ && echoes_[place].instance != instance) {
-      ++place;
+    auto place = std::ranges::find(echoes_, instance, &InstanceEcho::instance);
+    if (place == echoes_.end()) {
+      place = echoes_.insert(place, {instance, kNoLabel, 0, 0, 0, 0});
     }
-    InstanceEcho& entry = echoes_[place];
-    if (place == count_) {
-      entry = {instance, kNoLabel, 0, 0, 0, 0};
-      ++count_;
-    }
+    InstanceEcho& entry = *place;
     entry.energy += echo.energy;
     entry.elevation_moment += double{echo.elevation_moment};
     entry.elevation_square += double{echo.elevation_square};
@@ -52,17 +45,9 @@ class Instances {
 
   /// The kStrongestCount instances with most energy, in descending order; equals in the order of the scene.
   [[nodiscard]] std::span<const InstanceEcho> strongest() {
-    const int wanted = std::min(count_, kStrongestCount);
-    for (int rank = 0; rank < wanted; ++rank) {  // Selection sort: the list is short.
-      int best = rank;
-      for (int other = rank + 1; other < count_; ++other) {
-        best = ranks_before(echoes_[other], echoes_[best]) ? other : best;
-      }
-      if (best != rank) {
-        std::swap(echoes_[best], echoes_[rank]);
-      }
-    }
-    return {echoes_.data(), static_cast<std::size_t>(wanted)};
+    const std::size_t wanted = std::min(echoes_.size(), std::size_t{kStrongestCount});
+    std::ranges::partial_sort(echoes_, echoes_.begin() + static_cast<std::ptrdiff_t>(wanted), ranks_before);
+    return std::span(echoes_).first(wanted);
   }
 
  private:
@@ -70,9 +55,7 @@ class Instances {
     return a.energy != b.energy ? a.energy > b.energy : a.instance < b.instance;
   }
 
-  std::array<InstanceEcho, std::size_t{BearingCells::kMaxPerBeam} * kSurfacesKept>
-      echoes_;  // Entries [0, count_) are valid.
-  int count_ = 0;
+  std::vector<InstanceEcho> echoes_;
 };
 
 }  // namespace insonify

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "insonify/echo_grid.h"
+#include "echo/grid/echo_grid.h"
 #include "insonify/ping.h"
 #include "insonify/sonar_config.h"
 #include "receiver/transpose_tile.h"

@@ -2,7 +2,7 @@
 
 #pragma once
 
-#include "insonify/echo_grid.h"
+#include "echo/grid/echo_grid.h"
 #include "insonify/paper_model.h"
 #include "insonify/ping.h"
 #include "insonify/sonar_config.h"

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "base/parallel.h"
-#include "insonify/echo_grid.h"
+#include "echo/grid/echo_grid.h"
 #include "insonify/sonar_config.h"
 #include "receiver/ping_motion.h"
 

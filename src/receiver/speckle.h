@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "insonify/echo_grid.h"
+#include "echo/grid/echo_grid.h"
 #include "insonify/geometry.h"
 #include "insonify/sonar_config.h"
 

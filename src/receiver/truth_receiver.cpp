@@ -82,14 +82,15 @@ TruthReceiver::TruthReceiver(const SonarConfig& sonar, const BearingCells& cells
 
 void TruthReceiver::write(const EchoGrid& grid, const Reception& reception, Workers& workers, Ping& ping) {
   receive_direct(grid, reception, workers, ping);
-  workers.for_each((beams_ + kTileBeams - 1) / kTileBeams, [&](int task, int) {
+  instances_.resize(std::max(instances_.size(), static_cast<std::size_t>(workers.count())));
+  workers.for_each((beams_ + kTileBeams - 1) / kTileBeams, [&](int task, int worker) {
     const int first_beam = task * kTileBeams, last_beam = std::min(first_beam + kTileBeams, beams_);
     std::array<float, kTileBeams> hidden;
     for (int beam = first_beam; beam < last_beam; ++beam) {
       hidden[beam - first_beam] = hidden_before(grid, beam);
     }
     for_each_tile(first_beam, last_beam, bins_,
-                  [&](const TilePlace& place) { write_truth_tile(grid, place, hidden, ping); });
+                  [&](const TilePlace& place) { write_truth_tile(grid, place, hidden, instances_[worker], ping); });
   });
   for (const DiscreteEcho& echo : grid.discrete_echoes()) {
     write_discrete_echo(grid, echo, ping);
@@ -166,21 +167,20 @@ TruthReceiver::BeamTile TruthReceiver::beam_tile(const EchoGrid& grid, int beam,
   return tile;
 }
 
-// Adds the surfaces of a bin to `instances`, over the beam's own cells. Tallies are set only in cells with a label.
+// Elevations are counted from the middle of the aperture.
 void TruthReceiver::add_surfaces(const EchoGrid& grid, int beam, int bin, Instances& instances) const {
   for_each_cell(beam, [&](int cell) {
-    if (grid.filled(cell).has(bin) && grid.label_rows(cell).surface[bin] != kNoSurface) {
-      for (const SurfaceEcho& echo : grid.tallies(cell)[bin]) {
-        if (echo.surface != kNoSurface) {
-          instances.add(echo);
-        }
+    grid.for_each_surface(cell, bin, [&](SurfaceEcho echo) {
+      if (echo.energy > 0) {
+        echo.elevation_moment -= echo.energy * middle_elevation_;
+        instances.add(echo);
       }
-    }
+    });
   });
 }
 
 void TruthReceiver::write_truth_tile(const EchoGrid& grid, const TilePlace& place,
-                                     std::array<float, kTileBeams>& hidden, Ping& ping) const {
+                                     std::array<float, kTileBeams>& hidden, Instances& instances, Ping& ping) const {
   BinTile<float> energy, shadow;
   std::uint8_t order[kTileBins][kTileBeams];
   for (int b = 0; b < place.beam_count; ++b) {
@@ -204,8 +204,7 @@ void TruthReceiver::write_truth_tile(const EchoGrid& grid, const TilePlace& plac
   } else {
     start_rows([&] { return static_cast<std::size_t>(place.beam_count); });
   }
-  Instances instances;
-  for (int b = 0; b < place.beam_count; ++b) {  // Beam by beam: tallies are beam-major.
+  for (int b = 0; b < place.beam_count; ++b) {  // Beam by beam: cells are beam-major.
     for (int i = 0; i < place.bin_count; ++i) {
       if (energy[i][b] > 0) {
         instances.clear();

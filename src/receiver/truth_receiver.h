@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "base/parallel.h"
-#include "insonify/echo_grid.h"
+#include "echo/grid/echo_grid.h"
 #include "insonify/ping.h"
 #include "insonify/sonar_config.h"
 #include "receiver/bearing_cells.h"
@@ -53,7 +53,7 @@ class TruthReceiver {
 
   void receive_direct(const EchoGrid& grid, const Reception& reception, Workers& workers, Ping& ping);
   void write_truth_tile(const EchoGrid& grid, const TilePlace& place, std::array<float, kTileBeams>& hidden,
-                        Ping& ping) const;
+                        Instances& instances, Ping& ping) const;
   BeamTile beam_tile(const EchoGrid& grid, int beam, const TilePlace& place, float& hidden) const;
   void add_surfaces(const EchoGrid& grid, int beam, int bin, Instances& instances) const;
   [[nodiscard]] float hidden_before(const EchoGrid& grid, int beam) const;  // Solid angle hidden before bin 0 [sr].
@@ -68,9 +68,10 @@ class TruthReceiver {
   }
 
   int beams_, bins_, cells_, first_cell_, cells_per_beam_;
-  float middle_elevation_;                    // Middle of the elevation aperture [rad].
+  float middle_elevation_;                    // Of the aperture [rad].
   std::vector<float> beam_angle_;             // [beam]: solid angle [sr].
-  std::vector<float> direct_, direct_beams_;  // Energy of direct echoes, [cell][bin] and [beam][bin].
+  std::vector<Instances> instances_;          // [worker]: scratch.
+  std::vector<float> direct_, direct_beams_;  // [cell][bin] and [beam][bin].
 };
 
 }  // namespace insonify

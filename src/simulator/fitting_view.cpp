@@ -154,48 +154,61 @@ bool in_frame(const Camera& camera, const Vec3& place) {
          std::abs(2 * image.y / kHeight - 1) < kInFrame;
 }
 
-// Share of what the sonar sees that the camera sees too, from the same side; half as much again for the sonar itself;
-// less for a camera whose nose touches something.
-double worth_of(Engine& engine, const ViewConfig& view, const std::vector<SeenPoint>& points, const Vec3& sonar) {
-  const Camera camera(view, kWidth, kHeight);
-  std::vector<Ray> rays;
-  std::vector<double> weights;
-  double total = 0;
-  const auto look_at = [&](const Vec3& place, double weight) {
-    const Vec3 way = place - view.position;
-    rays.push_back({view.position, way.normalized(), 0, way.norm() * (1 - kClearance)});
-    weights.push_back(weight);
-  };
-  for (const SeenPoint& point : points) {
-    total += point.weight;
-    const bool from_front = point.normal.isZero() || point.normal.dot(view.position - point.place) > 0;
-    if (from_front && in_frame(camera, point.place)) {
-      look_at(point.place, point.weight);
+// What decides between cameras: share of what the sonar sees that the camera sees too, from the same side; half as much
+// again for the sonar itself; less for a camera whose nose touches something. Its rays are traced with those of all
+// other cameras.
+class Worth {
+ public:
+  /// Adds the camera's rays to those of others.
+  Worth(const ViewConfig& view, const std::vector<SeenPoint>& points, const Vec3& sonar, std::vector<Ray>& rays)
+      : first_ray_(rays.size()) {
+    const Camera camera(view, kWidth, kHeight);
+    double total = 0;
+    const auto look_at = [&](const Vec3& place, double weight) {
+      const Vec3 way = place - view.position;
+      rays.push_back({view.position, way.normalized(), 0, way.norm() * (1 - kClearance)});
+      weights_.push_back(weight);
+    };
+    for (const SeenPoint& point : points) {
+      total += point.weight;
+      const bool from_front = point.normal.isZero() || point.normal.dot(view.position - point.place) > 0;
+      if (from_front && in_frame(camera, point.place)) {
+        look_at(point.place, point.weight);
+      }
     }
-  }
-  if (in_frame(camera, sonar)) {
-    look_at(sonar, 0.5 * total);
-  }
-  const std::size_t lines_of_sight = rays.size();
-  const double near = 0.15 * (view.look_at - view.position).norm();
-  for (const double x : {0.0, kWidth / 2.0, kWidth * 1.0}) {
-    for (const double y : {0.0, kHeight / 2.0, kHeight * 1.0}) {
-      rays.push_back({view.position, camera.direction(x, y), 0, near});
+    if (in_frame(camera, sonar)) {
+      look_at(sonar, 0.5 * total);
     }
-  }
-  std::vector<Hit> hits(rays.size());
-  engine.trace(rays, hits);
-  double worth = 0;
-  for (std::size_t i = 0; i < rays.size(); ++i) {
-    const bool free = !std::isfinite(hits[i].distance);
-    if (i < lines_of_sight) {
-      worth += free ? weights[i] / total : 0;
-    } else {
-      worth -= free ? 0 : 0.08;
+    for (double& weight : weights_) {
+      weight /= total;
     }
+    const double near = 0.15 * (view.look_at - view.position).norm();
+    for (const double x : {0.0, kWidth / 2.0, kWidth * 1.0}) {
+      for (const double y : {0.0, kHeight / 2.0, kHeight * 1.0}) {
+        rays.push_back({view.position, camera.direction(x, y), 0, near});
+      }
+    }
+    ray_count_ = rays.size() - first_ray_;
   }
-  return worth;
-}
+
+  /// @param hits  Of all cameras' rays.
+  [[nodiscard]] double of(std::span<const Hit> hits) const {
+    double worth = 0;
+    for (std::size_t i = 0; i < ray_count_; ++i) {
+      const bool free = !std::isfinite(hits[first_ray_ + i].distance);
+      if (i < weights_.size()) {
+        worth += free ? weights_[i] : 0;
+      } else {
+        worth -= free ? 0 : 0.08;
+      }
+    }
+    return worth;
+  }
+
+ private:
+  std::size_t first_ray_, ray_count_ = 0;
+  std::vector<double> weights_;  // Of the lines of sight, which are the first rays.
+};
 
 // Turns a camera up or down until what it shows is in the middle of its frame: what is near takes more room below than
 // what is far takes above. Points far outside of the frame do not count.
@@ -241,13 +254,21 @@ ViewConfig aimed(ViewConfig view, const ViewSubject& subject, const Vec3& sonar)
 
 ViewConfig fitting_view(Engine& engine, const Scene& scene, const SonarConfig& sonar, const Pose& world_from_sonar) {
   const ViewSubject subject = view_subject(engine, scene, InsonifiedSector(sonar, world_from_sonar));
+  std::vector<Candidate> candidates = candidates_around(engine, subject, world_from_sonar);
+  std::vector<Ray> rays;
+  std::vector<Worth> worths;
+  for (Candidate& candidate : candidates) {
+    candidate.view = aimed(candidate.view, subject, world_from_sonar.position);
+    worths.emplace_back(candidate.view, subject.points, world_from_sonar.position, rays);
+  }
+  std::vector<Hit> hits(rays.size());
+  engine.trace(rays, hits);
   ViewConfig best;
   double best_worth = -std::numeric_limits<double>::infinity();
-  for (const Candidate& candidate : candidates_around(engine, subject, world_from_sonar)) {
-    const ViewConfig view = aimed(candidate.view, subject, world_from_sonar.position);
-    const double worth = candidate.merit + worth_of(engine, view, subject.points, world_from_sonar.position);
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    const double worth = candidates[i].merit + worths[i].of(hits);
     if (worth > best_worth) {
-      best = view;
+      best = candidates[i].view;
       best_worth = worth;
     }
   }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "echo/engine.h"
 #include "insonify/absorption.h"
 #include "insonify/error.h"
 #include "insonify/scene_view.h"

@@ -29,12 +29,6 @@ Renderer::Renderer(Engine& engine, const Scene& scene, const Camera& camera, con
   for (const Material& material : scene.materials) {
     tints_.push_back(tint_of(material));
   }
-  place_light();
-}
-
-void Renderer::set_scale(double scale) {
-  haze_ = kHazyAt * scale;
-  grain_ = kGrainSize * std::exp2(std::round(std::log2(scale)));
 }
 
 std::vector<Renderer::Sample> Renderer::render(std::span<const Point> points) {
@@ -46,8 +40,13 @@ std::vector<Renderer::Sample> Renderer::render(std::span<const Point> points) {
   return samples;
 }
 
-double Renderer::median_distance(int width, int height, double otherwise) {
-  rays_.clear();
+// The light is over the camera's left shoulder. Where something is in the way there, as in a tank, it is a lamp before
+// that.
+void Renderer::look_around(int width, int height, double otherwise) {
+  Vec3 ahead = camera_.forward() - camera_.forward().z() * Vec3::UnitZ();
+  ahead = ahead.norm() > 0.1 ? ahead.normalized() : camera_.up();
+  to_light_ = (0.8 * Vec3::UnitZ() - 0.75 * camera_.right() - 0.2 * ahead).normalized();
+  rays_.assign(1, {camera_.position(), to_light_});
   for (int y = 0; y < 24; ++y) {
     for (int x = 0; x < 32; ++x) {
       rays_.push_back({camera_.position(), camera_.direction((x + 0.5) * width / 32, (y + 0.5) * height / 24)});
@@ -55,29 +54,23 @@ double Renderer::median_distance(int width, int height, double otherwise) {
   }
   hits_.resize(rays_.size());
   engine_.trace(rays_, hits_);
+  lamp_ = std::isfinite(hits_[0].distance);
+  lamp_position_ = camera_.position() + 0.85 * (lamp_ ? hits_[0].distance : 0) * to_light_;
+
   std::vector<double> distances;
-  for (const Hit& hit : hits_) {
+  for (const Hit& hit : std::span(hits_).subspan(1)) {
     if (std::isfinite(hit.distance)) {
       distances.push_back(hit.distance);
     }
   }
-  if (distances.empty()) {
-    return otherwise;
+  double scale = otherwise;
+  if (!distances.empty()) {
+    const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
+    std::nth_element(distances.begin(), middle, distances.end());
+    scale = *middle;
   }
-  std::nth_element(distances.begin(), distances.begin() + distances.size() / 2, distances.end());
-  return distances[distances.size() / 2];
-}
-
-// Over the camera's left shoulder. Where something is in the way there, as in a tank, it is a lamp before that.
-void Renderer::place_light() {
-  Vec3 ahead = camera_.forward() - camera_.forward().z() * Vec3::UnitZ();
-  ahead = ahead.norm() > 0.1 ? ahead.normalized() : camera_.up();
-  to_light_ = (0.8 * Vec3::UnitZ() - 0.75 * camera_.right() - 0.2 * ahead).normalized();
-  rays_.assign(1, {camera_.position(), to_light_});
-  hits_.resize(1);
-  engine_.trace(rays_, hits_);
-  lamp_ = std::isfinite(hits_[0].distance);
-  lamp_position_ = camera_.position() + 0.85 * (lamp_ ? hits_[0].distance : 0) * to_light_;
+  haze_ = kHazyAt * scale;
+  grain_ = kGrainSize * std::exp2(std::round(std::log2(scale)));
 }
 
 Ray Renderer::ray_to_light(const Vec3& point) const {

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "base/parallel.h"
+#include "echo/engine.h"
 #include "image/canvas.h"
-#include "insonify/engine.h"
 #include "simulator/camera.h"
 #include "simulator/housing.h"
 #include "simulator/insonified_sector.h"
@@ -27,14 +27,13 @@ class Renderer {
   Renderer(Engine& engine, const Scene& scene, const Camera& camera, const InsonifiedSector& sector,
            const Housing* housing);
 
-  /// @param scale  Distance that is typical of what is seen [m].
-  void set_scale(double scale);
+  /// Places the light and finds how hazy the view is; to be called before render(). Haze and grain are in proportion to
+  /// the median distance of what a coarse grid of rays meets.
+  /// @param otherwise  That distance in open water [m].
+  void look_around(int width, int height, double otherwise);
 
   /// Renders through points of the picture [pixels].
   [[nodiscard]] std::vector<Sample> render(std::span<const Point> points);
-
-  /// Median distance of what a coarse grid of rays meets.
-  [[nodiscard]] double median_distance(int width, int height, double otherwise);
 
  private:
   // A point of a surface that a ray ended at.
@@ -45,7 +44,6 @@ class Renderer {
     int light_ray = -1, sonar_ray = -1;  // Index of the rays from there; -1 where none was sent.
   };
 
-  void place_light();
   [[nodiscard]] Ray ray_to_light(const Vec3& point) const;
   template <typename Run>
   void for_each(std::size_t count, const Run& run);

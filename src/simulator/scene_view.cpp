@@ -145,7 +145,7 @@ Picture draw_scene(Engine& engine, const Scene& scene, const ViewConfig& view, c
   const double to_sonar = (world_from_sonar.position - camera.position()).norm();
   const Housing housing(sonar, world_from_sonar, kHousingSize * camera.width_at_one() * to_sonar);
   Renderer renderer(engine, scene, camera, sector, options.sonar_outline ? &housing : nullptr);
-  renderer.set_scale(renderer.median_distance(options.width, options.height, sector.max_range()));
+  renderer.look_around(options.width, options.height, sector.max_range());
 
   const std::vector<Sample> samples = render_picture(renderer, options.width, options.height);
   Picture picture = develop(samples, options.width, options.height);

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "insonify/engine.h"
+#include "echo/engine.h"
 #include "insonify/scene.h"
 #include "simulator/insonified_sector.h"
 

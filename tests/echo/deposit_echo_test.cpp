@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "echo/model/deposit.h"
-#include "insonify/engine.h"
 
 namespace insonify {
 namespace {

@@ -1,10 +1,17 @@
 // echo_grid_test.cpp -- filled intervals, clearing and initialisation of the cells of an EchoGrid.
 
-#include "insonify/echo_grid.h"
+#include "echo/grid/echo_grid.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <map>
+#include <random>
+#include <tuple>
+#include <vector>
+
 #include "echo/grid/echo.h"
+#include "echo/grid/surface_label.h"
 
 namespace insonify {
 namespace {
@@ -42,8 +49,10 @@ TEST(EchoGridTest, ClearLeavesNothingInAnyLayer) {
     for (const int order : {1, 2}) {
       const EchoGrid::Cells cells = grid.to_fill(order, beam, {5 * beam, 5 * beam + 4});
       for (int i = 0; i < 4; ++i) {
-        cells.energy[i] = cells.weight[i] = cells.label_energy[i] = cells.lead[i] = cells.elevation_moment[i] = 1;
+        cells.energy[i] = cells.weight[i] = cells.surface_energy[i] = cells.elevation_moment[i] = 1;
+        cells.elevation_square[i] = 1;
         cells.surface[i] = surface_label(2, 1);
+        cells.further[i] = 0;
       }
     }
     grid.met_before(beam) = 1;
@@ -81,7 +90,84 @@ TEST(EchoGridTest, CellsAreSetUpOnce) {
   EXPECT_TRUE(std::equal(std::begin(expected), std::end(expected), surface));
 }
 
-TEST(EchoGridTest, BinRangesIntersectAndJoin) {
+constexpr float kMiddleElevation = 0.25F;
+
+// Adds to one cell as a column of samples does: one echo after another, each of one surface.
+void add_echo(EchoGrid& grid, std::uint32_t surface, float energy, float elevation) {
+  const EchoGrid::Cells cells = grid.to_fill(1, 2, {7, 8});
+  const float moment = energy * elevation, beyond = elevation - kMiddleElevation, square = energy * beyond * beyond;
+  const auto sum = add_to_strongest(StrongestSurface<SurfaceLabel, float>{*cells.surface, *cells.surface_energy,
+                                                                          *cells.elevation_moment, *cells.further},
+                                    surface, energy, moment, 1.0F);
+  if (sum.elsewhere != 0) {
+    grid.add_further(2, 7, {surface, energy, moment, square});
+    return;
+  }
+  *cells.elevation_square = (*cells.surface == kNoSurface ? 0 : *cells.elevation_square) + square;
+  *cells.surface = sum.cell.surface;
+  *cells.surface_energy = sum.cell.energy;
+  *cells.elevation_moment = sum.cell.moment;
+  *cells.further = sum.cell.further;
+}
+
+// Many surfaces, none with half of the energy. All numbers are such that sums are exact in single precision.
+TEST(EchoGridTest, LabelsDoNotDependOnTheOrderOfEchoes) {
+  std::mt19937 generator(3);
+  for (int round = 0; round < 200; ++round) {
+    const int surfaces = 1 + round % 9;
+    std::vector<std::tuple<std::uint32_t, float, float>> echoes;
+    std::map<std::uint32_t, float> energies, moments;
+    for (int i = 0; i < 40; ++i) {
+      const std::uint32_t surface = std::uniform_int_distribution<std::uint32_t>(0, surfaces - 1)(generator);
+      const auto energy = static_cast<float>(std::uniform_int_distribution<>(0, 15)(generator));
+      const float elevation = 0.125F * static_cast<float>(surface);
+      echoes.emplace_back(surface, energy, elevation);
+      energies[surface] += energy;
+      moments[surface] += energy * elevation;
+    }
+    // The first of the strongest, as maps are sorted by surface.
+    const auto strongest = std::ranges::max_element(energies, {}, [](const auto& entry) { return entry.second; });
+    for (int order = 0; order < 5; ++order) {
+      std::ranges::shuffle(echoes, generator);
+      EchoGrid grid(kBeams, kBins, 1, GroundTruth::kFull);
+      for (const auto& [surface, energy, elevation] : echoes) {
+        add_echo(grid, surface, energy, elevation);
+      }
+      ASSERT_EQ(grid.label(2, 7).material, strongest->first);
+      ASSERT_EQ(grid.label(2, 7).elevation, moments[strongest->first] / strongest->second);
+      std::size_t visited = 0;
+      grid.for_each_surface(2, 7, [&](const SurfaceEcho& echo) {
+        ++visited;
+        const float beyond = 0.125F * static_cast<float>(echo.surface) - kMiddleElevation;
+        ASSERT_EQ(echo.energy, energies[echo.surface]);
+        ASSERT_EQ(echo.elevation_moment, moments[echo.surface]);
+        ASSERT_EQ(echo.elevation_square, echo.energy * beyond * beyond);
+      });
+      ASSERT_EQ(visited, energies.size());
+    }
+  }
+}
+
+// A beam that is used again, or whose cells are copied to another grid, keeps nothing of other cells' surfaces.
+TEST(EchoGridTest, CopiesOfCellsHaveAllTheirSurfaces) {
+  EchoGrid grid(kBeams, kBins, 1, GroundTruth::kFull), copy = grid;
+  for (int ping = 0; ping < 2; ++ping) {
+    grid.clear();
+    for (const std::uint32_t surface : {4, 9, 4, 2}) {
+      add_echo(grid, surface, 3, 0.5F);
+    }
+    std::vector<std::int32_t> sources(kBins, -1);
+    sources[11] = 2 * kBins + 7;
+    copy.take_cells(grid, 1, sources);
+    std::vector<std::pair<std::uint32_t, float>> found;
+    copy.for_each_surface(1, 11, [&](const SurfaceEcho& echo) { found.emplace_back(echo.surface, echo.energy); });
+    std::ranges::sort(found);
+    EXPECT_EQ(found, (std::vector<std::pair<std::uint32_t, float>>{{2, 3}, {4, 6}, {9, 3}}));
+    EXPECT_EQ(copy.label(1, 11).material, 4);
+  }
+}
+
+TEST(EchoGridTest, RangesOfBinsMeetAndJoin) {
   const BinRange a{2, 8}, b{6, 11}, none;
   EXPECT_EQ((a & b).first, 6);
   EXPECT_EQ((a & b).last, 8);

@@ -75,9 +75,9 @@ struct ThinBeam {
   }
 };
 
-class PaperStrengthTest : public testing::TestWithParam<const char*> {};
-INSTANTIATE_TEST_SUITE_P(Engines, PaperStrengthTest, testing::Values("cpu", "reference"),
-                         [](const auto& test) { return test.param; });
+class PaperStrengthTest : public testing::TestWithParam<std::string_view> {};
+INSTANTIATE_TEST_SUITE_P(Engines, PaperStrengthTest, testing::ValuesIn(engine_names()),
+                         [](const auto& test) { return std::string(test.param); });
 
 TEST_P(PaperStrengthTest, IsCosineOfIncidenceTimesReflectivity) {
   const ThinBeam beam;
@@ -87,7 +87,7 @@ TEST_P(PaperStrengthTest, IsCosineOfIncidenceTimesReflectivity) {
             .add("plate", make_plane(Vec3::UnitX(), 50, 50),
                  {.position = {10, 0, 0}, .orientation = orientation_from_rpy(0, tilt * kDegree, 0)}, 0.7)
             .scene();
-    EXPECT_NEAR(beam.strength(GetParam(), scene), 0.7 * std::cos(tilt * kDegree), 1e-3) << tilt;
+    EXPECT_NEAR(beam.strength(std::string(GetParam()), scene), 0.7 * std::cos(tilt * kDegree), 1e-3) << tilt;
   }
 }
 
@@ -98,7 +98,7 @@ TEST_P(PaperStrengthTest, AbsorptionIsTwoWay) {
   beam.settings.water = {};
   beam.settings.sonar.frequency = 720e3;
   const Scene scene = SceneMaker().add_wall(20, 1.0).scene();
-  EXPECT_NEAR(beam.strength(GetParam(), scene), 0.357337, 1e-5);
+  EXPECT_NEAR(beam.strength(std::string(GetParam()), scene), 0.357337, 1e-5);
 }
 
 TEST_P(PaperStrengthTest, BothSidesOfASurfaceEcho) {
@@ -106,7 +106,7 @@ TEST_P(PaperStrengthTest, BothSidesOfASurfaceEcho) {
   for (const double side : {1.0, -1.0}) {
     const Scene scene =
         SceneMaker().add("plate", make_plane(Vec3(side, 0, 0), 5, 5), {.position = {10, 0, 0}}, 0.6).scene();
-    EXPECT_NEAR(beam.strength(GetParam(), scene), 0.6, 1e-5);
+    EXPECT_NEAR(beam.strength(std::string(GetParam()), scene), 0.6, 1e-5);
   }
 }
 
@@ -123,7 +123,8 @@ TEST_P(PaperStrengthTest, SecondaryEchoesMultiplyBothSurfacesAndTheWholePath) {
                           .scene();
   const double path = 10 + std::sqrt(50.0);
   const double gamma = kNeperPerDecibel * absorption_db_per_m(720e3, Water{});
-  EXPECT_NEAR(beam.strength(GetParam(), scene, 2), std::cos(45 * kDegree) * 0.9 * 0.8 * std::exp(-gamma * path), 1e-3);
+  EXPECT_NEAR(beam.strength(std::string(GetParam()), scene, 2),
+              std::cos(45 * kDegree) * 0.9 * 0.8 * std::exp(-gamma * path), 1e-3);
 }
 
 }  // namespace

@@ -25,9 +25,19 @@ void give(Scene& scene, int instance, std::shared_ptr<const Relief> relief) {
 
 // An engine and its method for primary echoes.
 struct Way {
-  const char* engine;
+  std::string engine;
   PrimaryEchoes primary;
 };
+std::vector<Way> ways() {
+  std::vector<Way> all;
+  for (const std::string_view name : engine_names()) {
+    all.push_back({std::string(name), PrimaryEchoes::kRays});
+    if (engine_kind(name).draws_primaries) {
+      all.push_back({std::string(name), PrimaryEchoes::kRaster});
+    }
+  }
+  return all;
+}
 class ReliefEchoTest : public testing::TestWithParam<Way> {
  public:
   EchoGrid echoes(const Scene& scene, PingPlanSettings settings, const Pose& pose = {}) {
@@ -35,13 +45,9 @@ class ReliefEchoTest : public testing::TestWithParam<Way> {
     return echoes_of(GetParam().engine, scene, settings, pose);
   }
 };
-INSTANTIATE_TEST_SUITE_P(Engines, ReliefEchoTest,
-                         testing::Values(Way{"cpu", PrimaryEchoes::kRays}, Way{"cpu", PrimaryEchoes::kRaster},
-                                         Way{"reference", PrimaryEchoes::kRays}),
-                         [](const auto& test) {
-                           return std::string(test.param.engine) +
-                                  (test.param.primary == PrimaryEchoes::kRaster ? "Raster" : "Rays");
-                         });
+INSTANTIATE_TEST_SUITE_P(Engines, ReliefEchoTest, testing::ValuesIn(ways()), [](const auto& test) {
+  return test.param.engine + (test.param.primary == PrimaryEchoes::kRaster ? "Raster" : "Rays");
+});
 
 // One narrow beam straight ahead, without absorption or sigmoid: the mean power of the echoes is |cos| x reflectivity.
 PingPlanSettings pencil() {

@@ -8,7 +8,7 @@
 #include <memory>
 #include <string>
 
-#include "insonify/engine.h"
+#include "echo/engine.h"
 #include "insonify/mesh.h"
 #include "insonify/scene.h"
 #include "insonify/simulator.h"
@@ -61,7 +61,7 @@ class SceneMaker {
 /// Echoes of one ping on one engine, without receiver.
 inline EchoGrid echoes_of(Engine& engine, const PingPlanSettings& settings, const Pose& world_from_sonar = {}) {
   EchoGrid grid(settings.sonar.beam_count, settings.sonar.bin_count, kPathOrders);
-  engine.insonify(*make_ping_plan(settings), world_from_sonar, 0, grid, nullptr);
+  engine.insonify(*make_ping_plan(settings), world_from_sonar, grid, nullptr);
   return grid;
 }
 
@@ -74,14 +74,30 @@ inline EchoGrid echoes_of(const std::string& engine_name, const Scene& scene, co
 
 /// Parameters of tests that run on every engine, in both models.
 struct EngineAndModel {
-  const char* name;
-  const char* engine;
+  std::string name;
+  std::string engine;
   EchoModel model;
 };
-inline constexpr EngineAndModel kEnginesAndModels[] = {{"cpu", "cpu", EchoModel::kPaper},
-                                                       {"reference", "reference", EchoModel::kPaper},
-                                                       {"cpuCalibrated", "cpu", EchoModel::kCalibrated},
-                                                       {"referenceCalibrated", "reference", EchoModel::kCalibrated}};
+inline std::vector<EngineAndModel> engines_and_models() {
+  std::vector<EngineAndModel> all;
+  for (const std::string_view name : engine_names()) {
+    const std::string engine(name);
+    all.push_back({engine, engine, EchoModel::kPaper});
+    all.push_back({engine + "Calibrated", engine, EchoModel::kCalibrated});
+  }
+  return all;
+}
+
+/// All engines but the oracle, which the others are compared with.
+inline std::vector<std::string> engines_to_compare() {
+  std::vector<std::string> names;
+  for (const std::string_view name : engine_names()) {
+    if (name != "reference") {
+      names.emplace_back(name);
+    }
+  }
+  return names;
+}
 
 /// The same scene with surfaces that do not reflect: in the calibrated model they scatter by Lambert's law only.
 inline Scene without_glints(Scene scene) {

@@ -16,7 +16,7 @@
 #include <string>
 #include <vector>
 
-#include "insonify/engine.h"
+#include "echo/engine.h"
 #include "insonify/files.h"
 #include "insonify/geometry.h"
 #include "insonify/mesh.h"

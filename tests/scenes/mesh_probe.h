@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "insonify/engine.h"
+#include "echo/engine.h"
 #include "insonify/geometry.h"
 #include "insonify/mesh.h"
 #include "insonify/scene.h"

@@ -36,7 +36,7 @@ SceneMaker busy_scene() {
 
 class SimulatorTest : public testing::TestWithParam<EngineAndModel> {};
 
-INSTANTIATE_TEST_SUITE_P(Engines, SimulatorTest, testing::ValuesIn(kEnginesAndModels),
+INSTANTIATE_TEST_SUITE_P(Engines, SimulatorTest, testing::ValuesIn(engines_and_models()),
                          [](const auto& test) { return test.param.name; });
 
 // T13. The same bytes whatever the number of threads.

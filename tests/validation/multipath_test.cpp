@@ -1,7 +1,7 @@
 // multipath_test.cpp -- echoes by way of mirrors: ghosts in the sea surface, corners, reciprocity (T9, T10, T21 of
 // docs/concepts/physics-tests.md). Expected ranges and levels are those of image sources, computed independently.
 
-#include "insonify/engine.h"
+#include "echo/engine.h"
 #include "validation/calibrated_scene.h"
 
 namespace insonify::validation {
@@ -23,7 +23,7 @@ EchoGrid echoes_of(const Method& method, const Scene& scene, const SonarConfig& 
                                     .primary = method.primary,
                                     .secondary = SecondaryEchoes::kAll,
                                     .max_surfaces = max_surfaces}),
-                   {.position = position}, 0, grid, nullptr);
+                   {.position = position}, grid, nullptr);
   return grid;
 }
 

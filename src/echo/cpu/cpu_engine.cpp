@@ -8,8 +8,8 @@
 #include <limits>
 
 #include "base/denormals.h"
-#include "echo/model/choose_sampling.h"
 #include "echo/model/deposit.h"
+#include "echo/model/primary_choice.h"
 
 namespace insonify {
 namespace {
@@ -17,6 +17,11 @@ namespace {
 constexpr int kRaysPerTask = 1024;
 
 }  // namespace
+
+const EngineKind CpuEngine::kKind = {
+    .name = "cpu", .draws_primaries = true, .make = [](int threads) -> std::unique_ptr<Engine> {
+      return std::make_unique<CpuEngine>(threads);
+    }};
 
 CpuEngine::CpuEngine(int threads) : workers_(threads) {
   for (int worker = 0; worker < workers_.count(); ++worker) {
@@ -45,7 +50,8 @@ void CpuEngine::move_instance(int instance, const Pose& world_from_mesh) {
 
 const FanView* CpuEngine::look(const PingPlan& plan, const Pose& world_from_sonar) {
   const bool even_rows = plan.lattice.even_rows;
-  if (primary_echoes(plan.primary, plan.sonar, triangle_count_, name(), even_rows) == PrimaryEchoes::kRays) {
+  if (primary_echoes(plan.primary, plan.sonar, triangle_count_, kKind.draws_primaries, even_rows) ==
+      PrimaryEchoes::kRays) {
     return nullptr;
   }
   assert(even_rows);
@@ -62,6 +68,12 @@ const FanView* CpuEngine::look(const PingPlan& plan, const Pose& world_from_sona
   return &view_;
 }
 
+SecondarySampling CpuEngine::choose_sampling(const PingPlan& plan, const Pose& world_from_sonar) {
+  const std::span<const Ray> rays = probes_.aim(plan, world_from_sonar);
+  trace(rays, probes_.hits());
+  return probes_.choose(plan, scene_.origin(), scene_.boxes());
+}
+
 template <typename Work>
 void CpuEngine::for_each_task(const PingPlan& plan, SecondarySampling sampling, Work&& work) {
   for (const auto& scratch : scratch_) {
@@ -73,13 +85,12 @@ void CpuEngine::for_each_task(const PingPlan& plan, SecondarySampling sampling, 
   });
 }
 
-void CpuEngine::insonify(const PingPlan& plan, const Pose& world_from_sonar, std::uint64_t, EchoGrid& grid,
-                         BeamSink* sink) {
+void CpuEngine::insonify(const PingPlan& plan, const Pose& world_from_sonar, EchoGrid& grid, BeamSink* sink) {
   scene_.commit_moves();
   const FanView* view = look(plan, world_from_sonar);
   counts_ = {};
-  const SecondarySampling sampling =
-      choose_sampling(*this, plan, world_from_sonar, scene_.origin(), scene_.boxes(), counts_.secondary);
+  const SecondarySampling sampling = choose_sampling(plan, world_from_sonar);
+  counts_.secondary = probes_.hits().size();
   cut_beams(plan.sonar.beam_count, workers_.count(), first_beams_);
   arrivals_.resize(std::max(arrivals_.size(), static_cast<std::size_t>(task_count())));
   for_each_task(plan, sampling, [&](BeamTask& scratch, int first_beam, int last_beam, int task) {
@@ -105,9 +116,7 @@ std::vector<double> CpuEngine::time_traversal(const PingPlan& plan, const Pose& 
   cut_beams(plan.sonar.beam_count, workers_.count(), first_beams_);
   std::vector<SecondaryTask::Log> logs(task_count());
   EchoGrid grid(plan.sonar.beam_count, plan.sonar.bin_count, kPathOrders);
-  std::uint64_t probes = 0;
-  const SecondarySampling sampling =
-      choose_sampling(*this, plan, world_from_sonar, scene_.origin(), scene_.boxes(), probes);
+  const SecondarySampling sampling = choose_sampling(plan, world_from_sonar);
   for_each_task(plan, sampling, [&](BeamTask& scratch, int first_beam, int last_beam, int task) {
     std::vector<Echo> arrivals;
     scratch.run(world_from_sonar, first_beam, last_beam, nullptr, grid, arrivals, &logs[task]);

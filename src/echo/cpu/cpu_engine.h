@@ -8,7 +8,8 @@
 #include "base/parallel.h"
 #include "echo/cpu/beam_task.h"
 #include "echo/cpu/cpu_scene.h"
-#include "insonify/engine.h"
+#include "echo/engine.h"
+#include "echo/model/choose_sampling.h"
 
 namespace insonify {
 
@@ -18,11 +19,11 @@ class CpuEngine final : public Engine {
  public:
   explicit CpuEngine(int threads);
 
-  [[nodiscard]] std::string_view name() const override { return "cpu"; }
+  static const EngineKind kKind;
+  [[nodiscard]] const EngineKind& kind() const override { return kKind; }
   void set_scene(const Scene& scene) override;
   void move_instance(int instance, const Pose& world_from_mesh) override;
-  void insonify(const PingPlan& plan, const Pose& world_from_sonar, std::uint64_t ping, EchoGrid& grid,
-                BeamSink* sink) override;
+  void insonify(const PingPlan& plan, const Pose& world_from_sonar, EchoGrid& grid, BeamSink* sink) override;
   void trace(std::span<const Ray> rays, std::span<Hit> hits) override;
   [[nodiscard]] RayCounts ray_counts() const override { return counts_; }
 
@@ -30,12 +31,14 @@ class CpuEngine final : public Engine {
     return {scene_.bytes() + raster_scene_.bytes(), scene_.embree_bytes()};
   }
 
-  /// See insonify::time_traversal().
-  [[nodiscard]] std::vector<double> time_traversal(const PingPlan& plan, const Pose& world_from_sonar, int repetitions);
+  [[nodiscard]] std::vector<double> time_traversal(const PingPlan& plan, const Pose& world_from_sonar,
+                                                   int repetitions) override;
 
  private:
   // What the ping sees of the raster scene when its primaries are to be drawn, else null.
   const FanView* look(const PingPlan& plan, const Pose& world_from_sonar);
+
+  SecondarySampling choose_sampling(const PingPlan& plan, const Pose& world_from_sonar);
 
   // Calls work(scratch, first_beam, last_beam, task) for every task of a ping.
   template <typename Work>
@@ -53,6 +56,7 @@ class CpuEngine final : public Engine {
   std::vector<std::unique_ptr<BeamTask>> scratch_;  // One a worker.
   std::vector<int> first_beams_;                    // Of the tasks of a ping, see cut_beams().
   std::vector<std::vector<Echo>> arrivals_;         // Of each task.
+  SamplingProbes probes_;
   RayCounts counts_;
 };
 

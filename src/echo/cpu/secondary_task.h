@@ -7,6 +7,7 @@
 #include "echo/cpu/cpu_scene.h"
 #include "echo/cpu/ray_packet.h"
 #include "echo/cpu/reflected_rays.h"
+#include "echo/grid/echo_grid.h"
 #include "echo/model/hit_column.h"
 #include "echo/model/ping_plan.h"
 #include "echo/model/secondary_echo.h"

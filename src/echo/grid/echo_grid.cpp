@@ -1,6 +1,6 @@
 // echo_grid.cpp -- the cells of one ping.
 
-#include "insonify/echo_grid.h"
+#include "echo/grid/echo_grid.h"
 
 #include <algorithm>
 
@@ -20,17 +20,21 @@ EchoGrid::EchoGrid(int beam_count, int bin_count, int order_count, GroundTruth g
   const std::size_t cells = static_cast<std::size_t>(beam_count) * bin_count;
   if (labelled_) {
     surface_ = Layer<std::uint32_t>(cells);
-    lead_ = Layer<float>(cells);
     label_energy_ = Layer<float>(cells);
     elevation_moment_ = Layer<float>(cells);
+    further_ = Layer<std::uint32_t>(cells);
+    further_surfaces_.resize(beam_count);
+    for (std::vector<FurtherSurface>& surfaces : further_surfaces_) {
+      surfaces.reserve(static_cast<std::size_t>(bin_count));
+    }
   }
   if (ground_truth == GroundTruth::kFull) {
-    tallies_ = Layer<SurfaceTally>(cells);
+    elevation_square_ = Layer<float>(cells);
     met_before_.resize(beam_count);
   }
 }
 
-// Where nothing leads, the rest of the label and the tally mean nothing.
+// Where there is no surface the rest of the label means nothing.
 void EchoGrid::set_up(int beam, BinRange bins) {
   if (!labelled_ || bins.empty()) {
     return;
@@ -59,20 +63,53 @@ EchoGrid::Label EchoGrid::label(int beam, int bin) const {
           energy > 0 ? elevation_moment_[cell] / energy : 0.0F};
 }
 
-void EchoGrid::take_cell(const EchoGrid& other, std::size_t from, std::size_t to) {
+void EchoGrid::set_strongest(std::size_t cell, const SurfaceEcho& echo) {
+  surface_[cell] = echo.surface;
+  label_energy_[cell] = echo.energy;
+  elevation_moment_[cell] = echo.elevation_moment;
+  if (!elevation_square_.empty()) {
+    elevation_square_[cell] = echo.elevation_square;
+  }
+}
+
+void EchoGrid::add_further(int beam, int bin, const SurfaceEcho& echo) {
+  const std::size_t cell = start(1, beam) + bin;
+  std::vector<FurtherSurface>& surfaces = further_surfaces_[beam];
+  std::uint32_t place = further_[cell];
+  while (place != 0 && surfaces[place - 1].echo.surface != echo.surface) {
+    place = surfaces[place - 1].next;
+  }
+  if (place == 0) {
+    surfaces.push_back({{echo.surface, 0, 0, 0}, further_[cell]});
+    place = further_[cell] = static_cast<std::uint32_t>(surfaces.size());
+  }
+  SurfaceEcho& sum = surfaces[place - 1].echo;
+  sum.energy += echo.energy;
+  sum.elevation_moment += echo.elevation_moment;
+  sum.elevation_square += echo.elevation_square;
+  if (sum.energy > label_energy_[cell] || (sum.energy == label_energy_[cell] && sum.surface < surface_[cell])) {
+    const SurfaceEcho before = strongest(cell);
+    set_strongest(cell, sum);
+    sum = before;
+  }
+}
+
+void EchoGrid::take_cell(const EchoGrid& other, std::size_t from, int beam, int bin) {
+  const std::size_t to = start(1, beam) + bin;
   for (int order = 1; order <= order_count_; ++order) {
     const std::size_t first = start(order, 0);
     energy_[first + to] = other.energy_[first + from];
     weight_[first + to] = other.weight_[first + from];
   }
   if (labelled_) {
-    surface_[to] = other.surface_[from];
-    lead_[to] = other.lead_[from];
-    label_energy_[to] = other.label_energy_[from];
-    elevation_moment_[to] = other.elevation_moment_[from];
-  }
-  if (ground_truth_ == GroundTruth::kFull) {
-    tallies_[to] = other.tallies_[from];
+    set_strongest(to, other.strongest(from));
+    further_[to] = 0;
+    const std::vector<FurtherSurface>& surfaces = other.further_surfaces_[from / length()];
+    const bool echoed = other.surface_[from] != kNoSurface;
+    for (std::uint32_t next = echoed ? other.further_[from] : 0; next != 0; next = surfaces[next - 1].next) {
+      further_surfaces_[beam].push_back({surfaces[next - 1].echo, further_[to]});
+      further_[to] = static_cast<std::uint32_t>(further_surfaces_[beam].size());
+    }
   }
 }
 
@@ -81,7 +118,7 @@ void EchoGrid::take_cells(const EchoGrid& other, int beam, std::span<const std::
   for (int bin = 0; bin < static_cast<int>(sources.size()); ++bin) {
     if (sources[bin] >= 0 && other.filled(sources[bin] / bin_count_).has(sources[bin] % bin_count_)) {
       (void)to_fill(1, beam, {bin, bin + 1});
-      take_cell(other, static_cast<std::size_t>(sources[bin]), start(1, beam) + bin);
+      take_cell(other, static_cast<std::size_t>(sources[bin]), beam, bin);
     }
   }
   if (ground_truth_ == GroundTruth::kFull) {
@@ -97,6 +134,9 @@ void EchoGrid::clear(int first_beam, int last_beam) {
       std::fill_n(&weight_[start(order, beam) + bins.first], bins.last - bins.first, 0.0F);
     }
     filled_[beam] = {};
+    if (labelled_) {
+      further_surfaces_[beam].clear();
+    }
   }
   if (ground_truth_ == GroundTruth::kFull) {
     std::fill(met_before_.begin() + first_beam, met_before_.begin() + last_beam, 0.0F);

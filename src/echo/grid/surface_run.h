@@ -24,15 +24,23 @@ struct FootprintSegment {
   float elevation;  ///< Of the echo [rad].
 };
 
-/// Sums of energy, weight, energy x elevation and energy x the square of its difference from a datum over one run, of
-/// each bin: little enough to stay in the nearest cache. All zero between runs.
+/// Sums over one run, of each bin: little enough to stay in the nearest cache. All zero between runs. The square is
+/// that of the elevation's difference from a datum, since squares keep more digits when they are small; it is summed
+/// with GroundTruth::kFull only.
 struct SurfaceSums {
-  std::vector<float> energy, weight, moment, square;
+  std::vector<float> energy, weight, moment, square;  ///< Sums of energy, weight, energy x elevation and x square.
 
   /// Gets ready for so many bins; allocates only when it needs more memory than any before.
   void prepare(int bins) {
     for (auto* sums : {&energy, &weight, &moment, &square}) {
       sums->resize(std::max(sums->size(), static_cast<std::size_t>(bins) + std::size_t{2} * kLanes), 0.0F);
+    }
+  }
+
+  /// Sets bins [first, last) to zero.
+  void clear(int first, int last) {
+    for (auto* sums : {&energy, &weight, &moment, &square}) {
+      std::fill_n(sums->begin() + first, last - first, 0.0F);
     }
   }
 };

@@ -1,12 +1,10 @@
-// choose_sampling.cpp -- probes of the fan.
+// choose_sampling.cpp -- aims probes over the fan and counts those whose reflected rays may meet something.
 
 #include "echo/model/choose_sampling.h"
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cmath>
-#include <span>
 
 #include "echo/model/hit_column.h"
 #include "echo/model/ray_limits.h"
@@ -68,29 +66,32 @@ void set_reflected(const PingPlan& plan, const Ray& ray, const Hit& hit, const V
 
 }  // namespace
 
-SecondarySampling choose_sampling(Engine& engine, const PingPlan& plan, const Pose& world_from_sonar,
-                                  const Vec3& origin, const BoxCut& boxes, std::uint64_t& probes) {
-  probes = 0;
+std::span<const Ray> SamplingProbes::aim(const PingPlan& plan, const Pose& world_from_sonar) {
+  rays_.clear();
+  if (plan.secondary == SecondaryEchoes::kSelective) {
+    const std::int64_t samples = std::int64_t{plan.lattice.columns} * plan.lattice.rows;
+    const int count = static_cast<int>(std::clamp<std::int64_t>(samples / kSamplesPerProbe, kLeastProbes, kMostProbes));
+    rays_.reserve(kMostProbes);
+    for (int probe = 0; probe < count; ++probe) {
+      rays_.push_back(probe_ray(plan, world_from_sonar, probe, count));
+    }
+  }
+  hits_.reserve(kMostProbes);
+  hits_.resize(rays_.size());
+  return rays_;
+}
+
+SecondarySampling SamplingProbes::choose(const PingPlan& plan, const Vec3& origin, const BoxCut& boxes) const {
   if (plan.secondary != SecondaryEchoes::kSelective) {
     return plan.secondary == SecondaryEchoes::kAll ? SecondarySampling::kAll : SecondarySampling::kNone;
   }
-  std::array<Ray, kMostProbes> rays;
-  std::array<Hit, kMostProbes> hits;
-  const std::int64_t samples = std::int64_t{plan.lattice.columns} * plan.lattice.rows;
-  const int count = static_cast<int>(std::clamp<std::int64_t>(samples / kSamplesPerProbe, kLeastProbes, kMostProbes));
-  for (int probe = 0; probe < count; ++probe) {
-    rays[probe] = probe_ray(plan, world_from_sonar, probe, count);
-  }
-  engine.trace(std::span(rays).first(count), std::span(hits).first(count));
-  probes = static_cast<std::uint64_t>(count);
-
   int met = 0, may_meet = 0;
   ReflectedProbes reflected = {};
-  for (int first = 0; first < count; first += kRayLanes) {
+  for (std::size_t first = 0; first < rays_.size(); first += kRayLanes) {
     unsigned lanes = 0;
-    for (int lane = 0; lane < std::min(kRayLanes, count - first); ++lane) {
-      if (const Hit& hit = hits[first + lane]; std::isfinite(hit.distance)) {
-        set_reflected(plan, rays[first + lane], hit, origin, lane, reflected);
+    for (std::size_t lane = 0; lane < std::min<std::size_t>(kRayLanes, rays_.size() - first); ++lane) {
+      if (const Hit& hit = hits_[first + lane]; std::isfinite(hit.distance)) {
+        set_reflected(plan, rays_[first + lane], hit, origin, static_cast<int>(lane), reflected);
         lanes |= 1U << lane;
       }
     }

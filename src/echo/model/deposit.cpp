@@ -6,8 +6,7 @@
 #include <cmath>
 
 #include "base/vector_math.h"
-#include "echo/grid/label_vote.h"
-#include "echo/grid/surface_tally.h"
+#include "echo/grid/surface_label.h"
 
 namespace insonify {
 namespace {
@@ -15,66 +14,82 @@ namespace {
 // How much farther a surface may go on past its last sample than between the last two.
 constexpr float kMostExtension = 1.5F;
 
-// Adds a run's sums to its cells and leaves zeros behind.
+// Adds the sums of a run on one surface to its cells. Returns whether some of these have a stronger surface so far:
+// there only energy and weight are added.
 INSONIFY_VECTOR_CLONES
-void take(int count, SurfaceLabel surface, float* __restrict__ run_energy, float* __restrict__ run_weight,
-          float* __restrict__ run_moment, float* __restrict__ energy, float* __restrict__ weight,
-          SurfaceLabel* __restrict__ leader, float* __restrict__ lead, float* __restrict__ label_energy,
-          float* __restrict__ label_moment) {
+bool add_run(int count, SurfaceLabel surface, const float* __restrict__ run_energy,
+             const float* __restrict__ run_weight, const float* __restrict__ run_moment, float* __restrict__ energy,
+             float* __restrict__ weight, SurfaceLabel* __restrict__ strongest, float* __restrict__ surface_energy,
+             float* __restrict__ surface_moment, std::uint32_t* __restrict__ further) {
+  SurfaceLabel elsewhere = 0;
   for (int i = 0; i < count; ++i) {
     energy[i] += run_energy[i];
     weight[i] += run_weight[i];
-    const auto vote = counted(LabelVote<SurfaceLabel, float>{leader[i], lead[i], label_energy[i], label_moment[i]},
-                              surface, run_energy[i], run_moment[i], run_weight[i]);
-    leader[i] = vote.surface;
-    lead[i] = vote.lead;
-    label_energy[i] = vote.energy;
-    label_moment[i] = vote.moment;
-    run_energy[i] = run_weight[i] = run_moment[i] = 0;
+    const auto sum = add_to_strongest(
+        StrongestSurface<SurfaceLabel, float>{strongest[i], surface_energy[i], surface_moment[i], further[i]}, surface,
+        run_energy[i], run_moment[i], run_weight[i]);
+    strongest[i] = sum.cell.surface;
+    surface_energy[i] = sum.cell.energy;
+    surface_moment[i] = sum.cell.moment;
+    further[i] = sum.cell.further;
+    elsewhere |= sum.elsewhere;
   }
+  return elsewhere != 0;
 }
 
 // The same without labels.
 INSONIFY_VECTOR_CLONES
-void take_unlabelled(int count, float* __restrict__ run_energy, float* __restrict__ run_weight,
-                     float* __restrict__ run_moment, float* __restrict__ energy, float* __restrict__ weight) {
+void add_unlabelled_run(int count, const float* __restrict__ run_energy, const float* __restrict__ run_weight,
+                        float* __restrict__ energy, float* __restrict__ weight) {
   for (int i = 0; i < count; ++i) {
     energy[i] += run_energy[i];
     weight[i] += run_weight[i];
-    run_energy[i] = run_weight[i] = run_moment[i] = 0;
   }
 }
 
-void tally_run(int first, int count, SurfaceLabel surface, float datum, SurfaceSums& sums,
-               const EchoGrid::Cells& cells) {
+// Squares of elevations, before add_run() changes what the cells' strongest surfaces are.
+void add_squares(int count, SurfaceLabel surface, const float* run_square, const float* run_weight,
+                 const EchoGrid::Cells& cells) {
+  for (int i = 0; i < count; ++i) {
+    const bool first = cells.surface[i] == kNoSurface && run_weight[i] > 0;
+    if (first || cells.surface[i] == surface) {
+      cells.elevation_square[i] = (first ? 0.0F : cells.elevation_square[i]) + run_square[i];
+    }
+  }
+}
+
+// The sums of a run in cells that had another strongest surface before.
+void add_run_elsewhere(int first, int count, SurfaceLabel surface, const SurfaceSums& sums,
+                       const EchoGrid::Cells& cells, int beam, EchoGrid& grid) {
   for (int i = 0; i < count; ++i) {
     const int bin = first + i;
-    const float energy = sums.energy[bin];
-    tally({surface, energy, sums.moment[bin] - energy * datum, sums.square[bin]}, sums.weight[bin], cells.surface[i],
-          cells.tallies[i]);
-    sums.square[bin] = 0;
+    if (sums.weight[bin] > 0 && cells.surface[i] != surface) {
+      grid.add_further(beam, bin, {surface, sums.energy[bin], sums.moment[bin], sums.square[bin]});
+    }
   }
 }
 
 template <GroundTruth kTruth>
 using Run = SurfaceRun<kTruth == GroundTruth::kFull>;
 
+// Adds a run's sums to the cells of its beam and leaves zeros behind.
 template <GroundTruth kTruth>
-void finish(Run<kTruth>& run, SurfaceSums& sums, SurfaceLabel surface, float datum, int beam, EchoGrid& grid) {
+void finish(Run<kTruth>& run, SurfaceSums& sums, SurfaceLabel surface, int beam, EchoGrid& grid) {
   const int first = run.first();
   const int last = std::min(run.last(), grid.bin_count());
   if (first < last) {
     const EchoGrid::Cells cells = grid.to_fill(1, beam, {first, last});
     const int count = last - first;
     if constexpr (kTruth == GroundTruth::kFull) {
-      tally_run(first, count, surface, datum, sums, cells);
+      add_squares(count, surface, &sums.square[first], &sums.weight[first], cells);
     }
-    if constexpr (kTruth != GroundTruth::kNone) {
-      take(count, surface, &sums.energy[first], &sums.weight[first], &sums.moment[first], cells.energy, cells.weight,
-           cells.surface, cells.lead, cells.label_energy, cells.elevation_moment);
-    } else {
-      take_unlabelled(count, &sums.energy[first], &sums.weight[first], &sums.moment[first], cells.energy, cells.weight);
+    if constexpr (kTruth == GroundTruth::kNone) {
+      add_unlabelled_run(count, &sums.energy[first], &sums.weight[first], cells.energy, cells.weight);
+    } else if (add_run(count, surface, &sums.energy[first], &sums.weight[first], &sums.moment[first], cells.energy,
+                       cells.weight, cells.surface, cells.surface_energy, cells.elevation_moment, cells.further)) {
+      add_run_elsewhere(first, count, surface, sums, cells, beam, grid);
     }
+    sums.clear(first, last);
   }
   run.restart();
 }
@@ -149,8 +164,7 @@ template <GroundTruth kTruth>
   const Lattice::Edges edges = lattice.edges_of(column);
   const int beam = column / lattice.columns_per_beam;
   const int last_row = std::min(hits.rows, lattice.rows - 1);
-  const float datum = plan.middle_elevation;  // Squares keep more digits when they are small.
-  Run<kTruth> run(sums, datum);
+  Run<kTruth> run(sums, plan.middle_elevation);
   const auto add_alone = [&](int row, int behind, End end, float weight, const End* next = nullptr) {
     if (hits.surface[row] != kNoSurface) {
       FootprintSegment segment = open_segment(plan, column, hits, segments, row, behind, end, weight, next, 2 * weight);
@@ -179,13 +193,13 @@ template <GroundTruth kTruth>
     const float weight = 0.5F * interval[next] * measure;
     add_alone(row, row - 1, halfway, weight, hits.surface[next] == kNoSurface ? &above : nullptr);
     if (hits.surface[next] != surface) {
-      finish<kTruth>(run, sums, surface, datum, beam, grid);
+      finish<kTruth>(run, sums, surface, beam, grid);
       surface = hits.surface[next];
     }
     add_alone(next, next + 1, halfway, weight, hits.surface[row] == kNoSurface ? &below : nullptr);
   }
   add_alone(last_row, last_row - 1, {edges.cos_high, edges.sin_high}, interval[lattice.rows] * measure);
-  finish<kTruth>(run, sums, surface, datum, beam, grid);
+  finish<kTruth>(run, sums, surface, beam, grid);
 }
 
 // Solid angle of what a column met nearer than the near edge of bin 0.

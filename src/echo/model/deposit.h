@@ -3,10 +3,10 @@
 #pragma once
 
 #include "echo/grid/echo.h"
+#include "echo/grid/echo_grid.h"
 #include "echo/grid/surface_run.h"
 #include "echo/model/hit_column.h"
 #include "echo/model/ping_plan.h"
-#include "insonify/echo_grid.h"
 
 namespace insonify {
 

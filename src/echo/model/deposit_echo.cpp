@@ -2,9 +2,8 @@
 
 #include <algorithm>
 
-#include "echo/grid/label_vote.h"
 #include "echo/grid/lanes.h"
-#include "echo/grid/surface_tally.h"
+#include "echo/grid/surface_label.h"
 #include "echo/model/deposit.h"
 
 namespace insonify {
@@ -22,22 +21,32 @@ template <typename Value>
   return larger(smaller(edge + 1, spread.high + zero) - larger(edge, spread.low + zero), zero) * spread.density;
 }
 
-// To the cells from `i` on.
+[[gnu::always_inline]] inline bool any(SurfaceLabel lane) {
+  return lane != 0;
+}
+[[gnu::always_inline]] inline bool any(Labels lanes) {
+  return (lanes[0] | lanes[1] | lanes[2] | lanes[3]) != 0;
+}
+
+// Adds to the cells from `i` on. Returns whether some of these have a stronger surface so far: there only energy and
+// weight are added.
 template <typename Label, typename Value>
-[[gnu::always_inline]] inline void add(const Echo& echo, Value weight, bool labelled, const EchoGrid::Cells& cells,
+[[gnu::always_inline]] inline bool add(const Echo& echo, Value weight, bool labelled, const EchoGrid::Cells& cells,
                                        int i) {
   const Value energy = weight * echo.power;
   add_to(cells.energy + i, energy);
   add_to(cells.weight + i, weight);
-  if (labelled) {
-    const LabelVote<Label, Value> before{load<Label>(cells.surface + i), load<Value>(cells.lead + i),
-                                         load<Value>(cells.label_energy + i), load<Value>(cells.elevation_moment + i)};
-    const auto after = counted(before, Label{} | echo.surface, energy, Value(energy * echo.elevation), weight);
-    store(cells.surface + i, after.surface);
-    store(cells.lead + i, after.lead);
-    store(cells.label_energy + i, after.energy);
-    store(cells.elevation_moment + i, after.moment);
+  if (!labelled) {
+    return false;
   }
+  const StrongestSurface<Label, Value> before{load<Label>(cells.surface + i), load<Value>(cells.surface_energy + i),
+                                              load<Value>(cells.elevation_moment + i), load<Label>(cells.further + i)};
+  const auto after = add_to_strongest(before, Label{} | echo.surface, energy, Value(energy * echo.elevation), weight);
+  store(cells.surface + i, after.cell.surface);
+  store(cells.surface_energy + i, after.cell.energy);
+  store(cells.elevation_moment + i, after.cell.moment);
+  store(cells.further + i, after.cell.further);
+  return any(after.elsewhere);
 }
 
 }  // namespace
@@ -57,20 +66,35 @@ void deposit(const PingPlan& plan, const Echo& echo, EchoGrid& grid) {
   const EchoGrid::Cells cells = grid.to_fill(echo.order, beam, {first, last});
   const auto start = static_cast<float>(first);
   const Spread spread{low - start, high - start, echo.weight / (high - low)};
-  if (grid.ground_truth() == GroundTruth::kFull) {
-    const float elevation = echo.elevation - plan.middle_elevation;
-    for (int i = 0; i < count; ++i) {
-      const float weight = weight_in(static_cast<float>(i), spread), energy = weight * echo.power;
-      tally({echo.surface, energy, energy * elevation, energy * elevation * elevation}, weight, cells.surface[i],
-            cells.tallies[i]);
+  const auto weight_of = [&](int i) { return weight_in(static_cast<float>(i), spread); };
+  const float from_middle = echo.elevation - plan.middle_elevation;
+  const auto square_of = [&](float energy) { return energy * (from_middle * from_middle); };
+
+  // Squares of elevations, while the cells still tell which have no surface yet.
+  for (int i = 0; i < count && cells.elevation_square != nullptr; ++i) {
+    const bool none = cells.surface[i] == kNoSurface;
+    if (weight_of(i) > 0 && (none || cells.surface[i] == echo.surface)) {
+      cells.elevation_square[i] = (none ? 0.0F : cells.elevation_square[i]) + square_of(weight_of(i) * echo.power);
     }
   }
+
+  // Four cells at a time; those beyond `last` get nothing.
+  bool elsewhere = false;
   int i = 0;
-  for (; i < count && first + i + kLanes <= plan.sonar.bin_count; i += kLanes) {  // What is beyond `last` gets nothing.
-    add<Labels>(echo, weight_in(static_cast<float>(i) + Floats{0, 1, 2, 3}, spread), grid.labelled(), cells, i);
+  for (; i < count && first + i + kLanes <= plan.sonar.bin_count; i += kLanes) {
+    elsewhere |=
+        add<Labels>(echo, weight_in(static_cast<float>(i) + Floats{0, 1, 2, 3}, spread), grid.labelled(), cells, i);
   }
   for (; i < count; ++i) {
-    add<SurfaceLabel>(echo, weight_in(static_cast<float>(i), spread), grid.labelled(), cells, i);
+    elsewhere |= add<SurfaceLabel>(echo, weight_of(i), grid.labelled(), cells, i);
+  }
+
+  // The cells that have a stronger surface so far.
+  for (i = 0; i < count && elsewhere; ++i) {
+    const float energy = weight_of(i) * echo.power;
+    if (weight_of(i) > 0 && cells.surface[i] != echo.surface) {
+      grid.add_further(beam, first + i, {echo.surface, energy, energy * echo.elevation, square_of(energy)});
+    }
   }
 }
 

@@ -9,12 +9,39 @@
 #include "echo/model/paper_shape.h"
 #include "echo/model/path_footprint.h"
 #include "echo/model/scatter_table.h"
+#include "insonify/array_pattern.h"
 #include "insonify/engine.h"
+#include "insonify/ground_truth.h"
+#include "insonify/material.h"
+#include "insonify/paper_model.h"
+#include "insonify/sonar_config.h"
+#include "insonify/water.h"
 #include "sonar/elevation_pattern.h"
 #include "sonar/lattice.h"
 
 namespace insonify {
 
+/// What a plan is made from.
+struct PingPlanSettings {
+  SonarConfig sonar = {};
+  Water water = {};
+  EchoModel model = EchoModel::kPaper;
+  PaperModel paper = {};
+  std::span<const Material> materials = {};  ///< The scene's, for the calibrated model; read only while planning.
+
+  // Of the calibrated model; others than these are not for kRaster.
+  BeamShape beam_shape = BeamShape::kWedge;
+  std::optional<ArraySettings> elevation_array = {};  ///< One way, as wide at half power as the elevation aperture;
+                                                      ///< sends and hears. A top hat when absent.
+
+  PrimaryEchoes primary = PrimaryEchoes::kAuto;
+  SecondaryEchoes secondary = SecondaryEchoes::kSelective;
+  int max_surfaces = kPathOrders;  ///< Of a path, 1..3; the paper model knows two.
+  bool rough_mirrors = false;      ///< Send sound on about facets drawn from their slopes; calibrated model only.
+  std::uint64_t seed = 1;
+  int stagger_phase = 0;  ///< >= 0. Others put the samples elsewhere: what changes with it is the sampling's own.
+};
+/// Everything about one sonar that does not change from ping to ping, worked out once.
 class PingPlan {
  public:
   explicit PingPlan(const PingPlanSettings& settings);
@@ -69,6 +96,8 @@ class PingPlan {
   float beams_per_radian_ = 0;        // On average.
   float tan_low_ = 0, tan_high_ = 0;  // Of the edges of the elevations that are heard.
 };
+
+[[nodiscard]] std::shared_ptr<const PingPlan> make_ping_plan(const PingPlanSettings& settings);
 
 inline float PingPlan::bearing_of(const Vec3f& direction) const {
   return lattice.shape == BeamShape::kWedge ? std::atan2(direction.y(), direction.x())

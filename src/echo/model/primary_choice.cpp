@@ -1,10 +1,10 @@
 // primary_choice.cpp -- what drawing and tracing cost, fitted to `insonify bench primary` (bench/README.md).
 
+#include "echo/model/primary_choice.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-
-#include "insonify/engine.h"
 
 namespace insonify {
 namespace {
@@ -23,9 +23,9 @@ double tracing_costs(double triangles, double samples) {
 
 }  // namespace
 
-PrimaryEchoes primary_echoes(PrimaryEchoes asked, const SonarConfig& sonar, std::size_t triangle_count,
-                             std::string_view engine, bool even_rows) {
-  if (engine != "cpu" || (asked == PrimaryEchoes::kAuto && !even_rows)) {
+PrimaryEchoes primary_echoes(PrimaryEchoes asked, const SonarConfig& sonar, std::size_t triangle_count, bool can_draw,
+                             bool even_rows) {
+  if (!can_draw || (asked == PrimaryEchoes::kAuto && !even_rows)) {
     return PrimaryEchoes::kRays;
   }
   if (asked != PrimaryEchoes::kAuto) {

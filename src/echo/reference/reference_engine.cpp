@@ -6,7 +6,6 @@
 #include <cmath>
 #include <limits>
 
-#include "echo/model/choose_sampling.h"
 #include "echo/model/ray_limits.h"
 
 namespace insonify {
@@ -36,6 +35,10 @@ Crossing cross_triangle(const Ray& ray, const Vec3& corner, const Vec3& edge1, c
 }
 
 }  // namespace
+
+const EngineKind ReferenceEngine::kKind = {.name = "reference", .make = [](int threads) -> std::unique_ptr<Engine> {
+                                             return std::make_unique<ReferenceEngine>(threads);
+                                           }};
 
 void ReferenceEngine::set_scene(const Scene& scene) {
   scene_ = &scene;
@@ -131,11 +134,13 @@ void ReferenceEngine::trace(std::span<const Ray> rays, std::span<Hit> hits) {
   });
 }
 
-void ReferenceEngine::insonify(const PingPlan& plan, const Pose& world_from_sonar, std::uint64_t, EchoGrid& grid,
-                               BeamSink* sink) {
+void ReferenceEngine::insonify(const PingPlan& plan, const Pose& world_from_sonar, EchoGrid& grid, BeamSink* sink) {
   const int per_beam = plan.lattice.columns_per_beam;
   counts_ = {};
-  const SecondarySampling sampling = choose_sampling(*this, plan, world_from_sonar, origin_, boxes_, counts_.secondary);
+  const std::span<const Ray> rays = probes_.aim(plan, world_from_sonar);
+  trace(rays, probes_.hits());
+  const SecondarySampling sampling = probes_.choose(plan, origin_, boxes_);
+  counts_.secondary = probes_.hits().size();
   std::vector<RayCounts> counts(plan.sonar.beam_count);
   std::vector<std::vector<Echo>> arrivals(plan.sonar.beam_count);
   workers_.for_each(plan.sonar.beam_count, [&](int beam, int) {

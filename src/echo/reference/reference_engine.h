@@ -5,13 +5,13 @@
 #include <memory>
 
 #include "base/parallel.h"
+#include "echo/engine.h"
 #include "echo/model/box_cut.h"
+#include "echo/model/choose_sampling.h"
 #include "echo/model/deposit.h"
 #include "echo/model/path_footprint.h"
 #include "echo/model/ray_tube.h"
 #include "echo/model/reliefs.h"
-#include "echo/model/secondary_sampling.h"
-#include "insonify/engine.h"
 
 namespace insonify {
 
@@ -19,11 +19,11 @@ class ReferenceEngine final : public Engine {
  public:
   explicit ReferenceEngine(int threads) : workers_(threads) {}
 
-  [[nodiscard]] std::string_view name() const override { return "reference"; }
+  static const EngineKind kKind;
+  [[nodiscard]] const EngineKind& kind() const override { return kKind; }
   void set_scene(const Scene& scene) override;
   void move_instance(int instance, const Pose& world_from_mesh) override;
-  void insonify(const PingPlan& plan, const Pose& world_from_sonar, std::uint64_t ping, EchoGrid& grid,
-                BeamSink* sink) override;
+  void insonify(const PingPlan& plan, const Pose& world_from_sonar, EchoGrid& grid, BeamSink* sink) override;
   void trace(std::span<const Ray> rays, std::span<Hit> hits) override;
   [[nodiscard]] RayCounts ray_counts() const override { return counts_; }
   [[nodiscard]] EngineMemory memory() const override { return {triangles_.capacity() * sizeof(Triangle), 0}; }
@@ -80,6 +80,7 @@ class ReferenceEngine final : public Engine {
   BoxCut boxes_;                     // Only to choose what is followed.
   Vec3 origin_ = Vec3::Zero();       // What reliefs_ and boxes_ are told positions relative to.
   std::vector<float> reflectivity_;  // Of each material.
+  SamplingProbes probes_;
   RayCounts counts_;
 };
 

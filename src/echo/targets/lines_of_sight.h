@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
+#include "echo/engine.h"
 #include "echo/model/ping_plan.h"
-#include "insonify/engine.h"
 
 namespace insonify {
 

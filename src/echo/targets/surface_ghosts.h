@@ -5,9 +5,9 @@
 #include <span>
 #include <vector>
 
+#include "echo/engine.h"
 #include "echo/grid/echo.h"
 #include "echo/model/ping_plan.h"
-#include "insonify/engine.h"
 #include "insonify/point_target.h"
 
 namespace insonify {

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "insonify/engine.h"
+#include "insonify/ground_truth.h"
 #include "insonify/paper_model.h"
 #include "insonify/receiver_config.h"
 #include "insonify/sonar_config.h"

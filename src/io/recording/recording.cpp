@@ -8,6 +8,8 @@
 #include <type_traits>
 #include <utility>
 
+#include "echo/engine.h"
+#include "echo/model/primary_choice.h"
 #include "insonify/files.h"
 #include "insonify/version.h"
 #include "io/file/yaml_words.h"
@@ -147,8 +149,8 @@ void put_run(const H5Writer& writer, const Scenario& scenario, const Scene& scen
   writer.attribute(root, "version", kVersion);
   writer.attribute(root, "model", std::string(word_of(scenario.model)));
   writer.attribute(root, "engine", scenario.engine);
-  const PrimaryEchoes primary =
-      primary_echoes(scenario.primary, sonar, scene.triangle_count(), scenario.engine, scenario.has_even_rows());
+  const PrimaryEchoes primary = primary_echoes(scenario.primary, sonar, scene.triangle_count(),
+                                               engine_kind(scenario.engine).draws_primaries, scenario.has_even_rows());
   writer.attribute(root, "primary", primary == PrimaryEchoes::kRays ? "rays" : "raster");
   writer.attribute(root, "seed", scenario.seed);
   writer.attribute(root, "scenario", scenario.text);

@@ -3,42 +3,24 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
 
+#include "echo/grid/echo.h"
+#include "echo/grid/zeroed_memory.h"
 #include "insonify/ground_truth.h"
-#include "insonify/zeroed_memory.h"
 
 namespace insonify {
 
-/// Path orders kept apart: 1 (primary, after one surface), 2 (secondary), 3.
-inline constexpr int kPathOrders = 3;
-
-/// Means "no label" in the label layers.
-inline constexpr std::uint16_t kNoLabel = 0xffff;
-
-/// A single echo with an exact bearing and phase, such as that of an ideal point. Cells hold sums over many echoes.
-struct DiscreteEcho {
-  int beam = 0, bin = 0;
-  int order = 1;           ///< Path order: surfaces met; 0 for a pulse that is no echo (interference).
-  float bearing_sine = 0;  ///< u, sine of the bearing of arrival.
-  float intensity = 0;     ///< Relative to the source's at 1 m.
-  float turns = 0;         ///< Phase [turns of 2 pi], 0..1.
-};
-
-/// Echo energy of one surface in a cell.
+/// The echo of one surface in one cell.
 struct SurfaceEcho {
-  std::uint32_t surface = 0xffffffff;  ///< Instance and material, see echo/grid/echo.h; all ones for none.
+  SurfaceLabel surface = kNoSurface;
   float energy = 0;
-  float elevation_moment = 0;  ///< Sum of energy x elevation, from the middle of the aperture [rad].
-  float elevation_square = 0;  ///< Sum of energy x its square [rad^2].
+  float elevation_moment = 0;  ///< Sum of energy x elevation [rad].
+  float elevation_square = 0;  ///< Sum of energy x the square of the elevation's difference from the aperture's middle
+                               ///< [rad^2]; only with GroundTruth::kFull.
 };
-
-/// Surfaces that a cell records separately with GroundTruth::kFull: one cache line.
-inline constexpr int kSurfacesKept = 4;
-using SurfaceTally = std::array<SurfaceEcho, kSurfacesKept>;
 
 /// Bins [first, last).
 struct BinRange {
@@ -58,11 +40,12 @@ struct BinRange {
 
 /// Sums over echoes in cells of beam x bin. Layers are beam-major: the bins of one beam are contiguous.
 ///
-/// `energy` and `weight` are separate for each path order. In the `paper` model they are the sums of shaped echo
-/// strengths and of sample weights, and their ratio is the mean that the paper displays (docs/concepts/paper-model.md).
-/// The label layers say which surface each cell's energy came from: the instance and material that gave the majority of
-/// it, and the energy-weighted mean elevation of that majority. With GroundTruth::kFull each cell also has a tally of
-/// its surfaces.
+/// `energy` and `weight` are kept per path order. In the `paper` model they are the sum of the shaped echo intensities
+/// and of the sample weights they belong to; their ratio is the mean the paper's eq. (energy_norm) asks for.
+///
+/// Where labels are kept the energy of each surface is summed by itself, over all path orders. The label of a cell is
+/// the surface with the most energy there, of equals the one with the lower number, and the mean elevation of its
+/// energy. It does not depend on the order in which echoes arrive, but for the rounding of sums.
 class EchoGrid {
  public:
   EchoGrid() = default;
@@ -96,22 +79,29 @@ class EchoGrid {
   };
   [[nodiscard]] Label label(int beam, int bin) const;
 
-  /// Cells of one beam to be added to: pointers to the first of them, null for layers that are not kept. The label
-  /// layers are a majority vote weighted by energy. Where nothing echoed, only `surface` means anything.
+  /// Cells of one beam to be added to: pointers to the first of them, null for layers that are not kept. The last five
+  /// are of the strongest surface of each cell so far; where nothing echoed yet only `surface` means anything.
   struct Cells {
     float* energy = nullptr;
     float* weight = nullptr;
-    std::uint32_t* surface = nullptr;   ///< Instance and material, see echo/grid/echo.h; all ones where nothing echoed.
-    float* lead = nullptr;              ///< Energy by which the label leads all others together.
-    float* label_energy = nullptr;      ///< Energy deposited while it led.
-    float* elevation_moment = nullptr;  ///< Sum of energy x elevation over that [rad].
-    SurfaceTally* tallies = nullptr;    ///< See echo/surface_tally.h; to be emptied where there is no label yet.
+    SurfaceLabel* surface = nullptr;  ///< kNoSurface where nothing echoed.
+    float* surface_energy = nullptr;
+    float* elevation_moment = nullptr;  ///< See SurfaceEcho.
+    float* elevation_square = nullptr;  ///< With GroundTruth::kFull only.
+    std::uint32_t* further = nullptr;   ///< See add_further(); 0 where there is no other surface.
   };
   [[nodiscard]] Cells to_fill(int order, int beam, BinRange bins);
 
+  /// Adds the echo of a surface that is not the strongest of its cell so far. Makes it so if now it is.
+  void add_further(int beam, int bin, const SurfaceEcho& echo);
+
+  /// Calls visit(const SurfaceEcho&) for every surface that echoed in a cell, the strongest first.
+  template <typename Visit>
+  void for_each_surface(int beam, int bin, Visit&& visit) const;
+
   /// The label layers of one beam. They mean nothing outside filled().
   struct LabelRows {
-    const std::uint32_t* surface;
+    const SurfaceLabel* surface;
     const float* energy;
     const float* elevation_moment;
   };
@@ -124,10 +114,7 @@ class EchoGrid {
   [[nodiscard]] std::vector<DiscreteEcho>& discrete_echoes() { return discrete_echoes_; }
   [[nodiscard]] const std::vector<DiscreteEcho>& discrete_echoes() const { return discrete_echoes_; }
 
-  /// With GroundTruth::kFull only: surfaces of one beam's cells, see echo/grid/surface_tally.h. Not set in cells
-  /// without a label.
-  [[nodiscard]] std::span<const SurfaceTally> tallies(int beam) const { return {&tallies_[start(1, beam)], length()}; }
-  /// With GroundTruth::kFull only: the solid angle of a beam whose first hit is nearer than bin 0 [sr].
+  /// Solid angle of one beam that surfaces take before the near edge of bin 0 [sr]; with GroundTruth::kFull only.
   [[nodiscard]] float& met_before(int beam) { return met_before_[beam]; }
   [[nodiscard]] float met_before(int beam) const { return met_before_[beam]; }
 
@@ -142,7 +129,12 @@ class EchoGrid {
  private:
   void fill_more(int beam, BinRange bins);
   void set_up(int beam, BinRange bins);
-  void take_cell(const EchoGrid& other, std::size_t from, std::size_t to);
+  void take_cell(const EchoGrid& other, std::size_t from, int beam, int bin);
+  [[nodiscard]] SurfaceEcho strongest(std::size_t cell) const {
+    return {surface_[cell], label_energy_[cell], elevation_moment_[cell],
+            elevation_square_.empty() ? 0.0F : elevation_square_[cell]};
+  }
+  void set_strongest(std::size_t cell, const SurfaceEcho& echo);
   [[nodiscard]] std::size_t length() const { return static_cast<std::size_t>(bin_count_); }
   [[nodiscard]] std::size_t start(int order, int beam) const {
     return (static_cast<std::size_t>(order - 1) * beam_count_ + beam) * bin_count_;
@@ -154,12 +146,19 @@ class EchoGrid {
   template <typename Value>
   using Layer = std::vector<Value, ZeroedMemory<Value>>;
   Layer<float> energy_, weight_;  // [order][beam][bin]; zero where nothing is filled.
-  // [beam][bin]; set up when they are filled.
-  Layer<std::uint32_t> surface_;
-  Layer<float> lead_, label_energy_, elevation_moment_;
-  Layer<SurfaceTally> tallies_;
-  std::vector<float> met_before_;  // [beam]
-  std::vector<BinRange> filled_;   // [beam]
+  // Of the strongest surface in each cell, [beam][bin]; set up when they are filled.
+  Layer<SurfaceLabel> surface_;
+  Layer<float> label_energy_, elevation_moment_, elevation_square_;
+  Layer<std::uint32_t> further_;  // Place in the beam's list of the cell's next surface, plus 1; 0 for none.
+
+  // The other surfaces of a beam's cells, in the order in which they first echoed.
+  struct FurtherSurface {
+    SurfaceEcho echo;
+    std::uint32_t next;  // As further_.
+  };
+  std::vector<std::vector<FurtherSurface>> further_surfaces_;  // [beam]
+  std::vector<float> met_before_;                              // [beam]
+  std::vector<BinRange> filled_;                               // [beam]
   std::vector<DiscreteEcho> discrete_echoes_;
 };
 
@@ -174,17 +173,31 @@ inline EchoGrid::Cells EchoGrid::to_fill(int order, int beam, BinRange bins) {
   cells.weight = &weight_[of_order];
   if (labelled_) {
     cells.surface = &surface_[cell];
-    cells.lead = &lead_[cell];
-    cells.label_energy = &label_energy_[cell];
+    cells.surface_energy = &label_energy_[cell];
     cells.elevation_moment = &elevation_moment_[cell];
+    cells.further = &further_[cell];
   }
   if (ground_truth_ == GroundTruth::kFull) {
-    cells.tallies = &tallies_[cell];
+    cells.elevation_square = &elevation_square_[cell];
   }
   return cells;
 }
 
-/// Receives the beams of a grid as soon as they are complete, while their cells are still in the cache.
+template <typename Visit>
+void EchoGrid::for_each_surface(int beam, int bin, Visit&& visit) const {
+  const std::size_t cell = start(1, beam) + bin;
+  if (!filled_[beam].has(bin) || surface_[cell] == kNoSurface) {
+    return;
+  }
+  visit(strongest(cell));
+  for (std::uint32_t next = further_[cell]; next != 0;) {
+    const FurtherSurface& further = further_surfaces_[beam][next - 1];
+    visit(further.echo);
+    next = further.next;
+  }
+}
+
+/// Takes the beams of a grid as they are completed, while their cells are still in the nearest memory.
 class BeamSink {
  public:
   virtual ~BeamSink() = default;
