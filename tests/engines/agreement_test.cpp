@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "echo/model/primary_choice.h"
 #include "engines/random_scene.h"
 
 namespace insonify {

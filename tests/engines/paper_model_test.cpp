@@ -65,7 +65,7 @@ struct ThinBeam {
   }
 
   // Mean strength over all that is received.
-  [[nodiscard]] double strength(const char* engine, const Scene& scene, int order = 1) const {
+  [[nodiscard]] double strength(const std::string& engine, const Scene& scene, int order = 1) const {
     const EchoGrid grid = echoes_of(engine, scene, settings);
     double weight = 0;
     for (const float w : grid.weight(order, 0)) {

@@ -18,7 +18,7 @@ constexpr TilePlace kPlace{0, 2, 64, 64};  // The middle tile.
 void label(EchoGrid& grid, int row, int bin, std::uint16_t instance, float energy, float elevation) {
   const EchoGrid::Cells cells = grid.to_fill(1, row, {bin, bin + 1});
   *cells.surface = surface_label(instance, 0);
-  *cells.label_energy = energy;
+  *cells.surface_energy = energy;
   *cells.elevation_moment = energy * elevation;
 }
 

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <string>
 
+#include "echo/engine.h"
+#include "echo/model/ping_plan.h"
 #include "insonify/files.h"
 #include "insonify/simulator.h"
 

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "echo/engine.h"
 #include "insonify/error.h"
 #include "insonify/mesh.h"
 #include "simulator/camera.h"
