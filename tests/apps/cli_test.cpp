@@ -206,7 +206,7 @@ TEST_P(MistakeTest, IsOneLineAndAnExitStatus) {
 
 constexpr Mistake kMistakes[] = {
     {"NoCommand", "insonify", 2,
-     "insonify: name a command; the commands are run, sonars, describe, compare, bench, version (insonify --help)"},
+     "insonify: name a command; the commands are run, sonars, describe, compare, bench, version, completion, manual (insonify --help)"},
     {"UnknownCommand", "insonify rnu fan.yaml", 2,
      "insonify: there is no command rnu; the commands are run, sonars, describe, compare, bench, version (insonify "
      "--help)"},
