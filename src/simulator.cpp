@@ -100,14 +100,14 @@ Simulator::Simulator(Scenario scenario, Scene scene, int threads) {
   }
   state_ = std::make_unique<State>(std::move(scenario), std::move(scene), threads);
   state_->moving = find_moving_parts(state_->scenario, state_->scene);
-  const double sound_speed = state_->scenario.water.true_sound_speed();
   for (SonarConfig& sonar : state_->scenario.sonars) {
-    sonar.assumed_sound_speed = sonar.assumed_sound_speed.value_or(sound_speed);
+    const Water water = state_->scenario.water_at(sonar);
+    sonar.assumed_sound_speed = sonar.assumed_sound_speed.value_or(water.true_sound_speed());
     sonar.ping_period = sonar.ping_period.value_or(sonar.shortest_ping_period(*sonar.assumed_sound_speed));
     const ReceiverConfig receiver = receiver_of(state_->scenario);
     const BearingCells cells(sonar, receiver);
     state_->plans.push_back(make_ping_plan({.sonar = cells.sonar,
-                                            .water = water_at(state_->scenario, sonar),
+                                            .water = water,
                                             .model = state_->scenario.model,
                                             .paper = state_->scenario.paper,
                                             .materials = state_->scene.materials,
@@ -125,7 +125,7 @@ Simulator::Simulator(Scenario scenario, Scene scene, int threads) {
       state_->receivers.emplace_back(CalibratedReceiver::Settings{.sonar = sonar,
                                                                   .cells = cells,
                                                                   .cell_angles = angles,
-                                                                  .water = state_->scenario.water,
+                                                                  .water = water,
                                                                   .receiver = state_->scenario.receiver,
                                                                   .materials = state_->scene.materials,
                                                                   .moves = state_->scenario.motion_in_ping,

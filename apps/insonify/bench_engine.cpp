@@ -44,7 +44,7 @@ class Runner {
       : threads_(threads), start_(std::chrono::steady_clock::now()), simulator_(scenario, scene, threads) {
     setup_ms_ = milliseconds_since(start_);
     plan_ = make_ping_plan({.sonar = simulator_.sonar(0),
-                            .water = scenario.water,
+                            .water = scenario.water_at(simulator_.sonar(0)),
                             .paper = scenario.paper,
                             .secondary = scenario.secondary,
                             .seed = scenario.seed});

@@ -35,7 +35,8 @@ std::vector<View> draw_views(Simulator& simulator, const RunOptions& options, co
       views.push_back({folder / (sonar.name + "_view.png"), scene_around(simulator, sonar, world_from_sonar)});
     }
     if (options.channels) {
-      const Channels channels = look_along_fan(simulator.engine(), sonar, simulator.scenario().water, world_from_sonar);
+      const Channels channels =
+          look_along_fan(simulator.engine(), sonar, simulator.scenario().water_at(sonar), world_from_sonar);
       views.push_back({folder / (sonar.name + "_channels.png"), draw_channels(channels, sonar, display)});
     }
   }

@@ -103,6 +103,10 @@ struct Scenario {
   /// Whether columns are wedges whose rows are even, which is what triangles can be drawn into; see primary_echoes().
   [[nodiscard]] bool has_even_rows() const;
 
+  /// The water around one of its sonars: `water`, and where there is a `surface`, at the depth below it that the sonar
+  /// has at the start of the trajectory. All that depends on the speed or the absorption of sound takes it from here.
+  [[nodiscard]] Water water_at(const SonarConfig& sonar) const;
+
   /// Checks every part and the rules between them: at least one sonar, names that differ, periods long enough.
   /// @throws Error on the first fault.
   void validate() const;

@@ -30,13 +30,4 @@ void add_sea_surface(const Scenario& scenario, Scene& scene) {
   scene.instances.push_back(std::move(instance));
 }
 
-Water water_at(const Scenario& scenario, const SonarConfig& sonar) {
-  Water water = scenario.water;
-  if (scenario.surface) {
-    const double height = (scenario.trajectory.at(0) * sonar.position).z();
-    water.depth = std::max(0.0, scenario.surface->level - height);
-  }
-  return water;
-}
-
 }  // namespace insonify
