@@ -63,7 +63,7 @@ void sample(Row& row, const PaperBenchOptions& options, std::uint64_t number) {
   std::vector<double> times;
   for (std::uint64_t i = 0; i <= kPings; ++i) {
     const auto start = std::chrono::steady_clock::now();
-    simulator.make_ping(0, i, ping);
+    simulator.ping(0, {.number = i}, ping);
     if (i > 0) {
       times.push_back(milliseconds_since(start));
     }
@@ -74,12 +74,12 @@ void sample(Row& row, const PaperBenchOptions& options, std::uint64_t number) {
   row.rays_secondary.add(static_cast<double>(rays.secondary + rays.return_legs));
 
   const auto plan = make_ping_plan({.sonar = simulator.sonar(0),
-                                    .water = scenario.water,
+                                    .water = scenario.water_at(simulator.sonar(0)),
                                     .paper = scenario.paper,
                                     .primary = row.mode->primary,
                                     .secondary = row.mode->secondary,
                                     .seed = scenario.seed});
-  const std::vector<double> floors = time_traversal(simulator.engine(), *plan, simulator.world_from_head(0, kPings), 2);
+  const std::vector<double> floors = time_traversal(simulator.engine(), *plan, simulator.world_from_head(0, {}), 2);
   row.floor_ms.add(floors.back() * kMilliseconds);
 }
 

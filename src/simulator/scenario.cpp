@@ -126,24 +126,6 @@ void check_gains(const Scenario& scenario) {
   }
 }
 
-void check_depths(const Scenario& scenario) {
-  std::vector<double> times = {0};
-  for (const Waypoint& waypoint : scenario.trajectory.waypoints) {
-    times.push_back(waypoint.time);
-  }
-  for (std::size_t i = 0; i < scenario.sonars.size(); ++i) {
-    for (const double time : times) {
-      const double height = (scenario.trajectory.at(time) * scenario.sonars[i].position).z();
-      if (height >= scenario.surface->level) {
-        throw Error(
-            fmt::format("surface.level = {:.7g} m must be above the sonars; sonars[{}] is at a height of {:.7g} m "
-                        "at time {:.7g} s",
-                        scenario.surface->level, i, height, time));
-      }
-    }
-  }
-}
-
 void check_engine(const std::string& engine) {
   const std::vector<std::string_view> names = engine_names();
   if (std::ranges::find(names, engine) == names.end()) {
@@ -253,6 +235,12 @@ Water Scenario::water_at(const SonarConfig& sonar) const {
   return at_depth;
 }
 
+SonarConfig Scenario::filled_in(SonarConfig sonar) const {
+  sonar.assumed_sound_speed = sonar.assumed_sound_speed.value_or(water_at(sonar).true_sound_speed());
+  sonar.ping_period = sonar.ping_period.value_or(sonar.shortest_ping_period(*sonar.assumed_sound_speed));
+  return sonar;
+}
+
 void Scenario::validate() const {
   check_fields("", *this);
   if (model == EchoModel::kPaper && !points.empty()) {
@@ -291,9 +279,6 @@ void Scenario::validate() const {
   trajectory.validate("trajectory");
   if (motion_in_ping) {
     check_speeds(trajectory);
-  }
-  if (surface) {
-    check_depths(*this);
   }
   check_motions(motions);
   if (view.has_value()) {

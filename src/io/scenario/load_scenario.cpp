@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "insonify/files.h"
+#include "insonify/scenario_requests.h"
 #include "io/file/input_file.h"
 #include "io/scenario/read_sonar.h"
 #include "io/scenario/scenario_keys.h"
@@ -228,6 +229,7 @@ class ScenarioReader {
   void validate() const {
     try {
       scenario_.validate();
+      (void)ScenarioRequests(scenario_);
     } catch (const Error& error) {
       throw Error(place_of(error.what()) + error.what());
     }
