@@ -25,15 +25,17 @@ void simulate() {
   sonar = preset.sonar;
   sonar.max_range = 30;
   preset.fit_to_range(sonar, 1500);
-  sonar.ping_period = 1;
-  insonify::Motion& drift = scenario.motions.emplace_back();
-  drift.object = "mine";
-  drift.trajectory.waypoints = {{.time = 0, .position = {25, 2, 0}}, {.time = 5, .position = {10, -2, 0}}};
 
-  insonify::Simulator simulator(scenario, scene);
+  const insonify::MovableObject movable[] = {{"mine"}};
+  insonify::Simulator simulator(scenario, scene, 0, movable);
+  insonify::PingRequest request;
+  request.moved = {{.name = "mine"}};
   insonify::Ping ping;  // Used again and again: after the first, pings allocate nothing.
-  for (std::uint64_t number = 0; number <= 5; ++number) {
-    simulator.make_ping(0, number, ping);
+  for (int second = 0; second <= 5; ++second) {
+    request.number = static_cast<std::uint64_t>(second);
+    request.time = second;
+    request.moved[0].world_from_object.position = {25 - 3.0 * second, 2 - 0.8 * second, 0};
+    simulator.ping(0, request, ping);
     int cells = 0, nearest = ping.bin_count;
     for (int bin = 0; bin < ping.bin_count; ++bin) {
       for (int beam = 0; beam < ping.beam_count; ++beam) {

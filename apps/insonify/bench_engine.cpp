@@ -50,13 +50,13 @@ class Runner {
     std::vector<double> block_pings, block_floors;
     for (int i = -kWarmUp; i < kBlock; ++i) {
       const auto start = std::chrono::steady_clock::now();
-      simulator_.make_ping(0, number_++, ping_);
+      simulator_.ping(0, {.number = number_++}, ping_);
       if (i >= 0) {
         block_pings.push_back(milliseconds_since(start));
       }
     }
     rays_ = simulator_.ray_counts();
-    for (const double seconds : simulator_.time_traversal(0, simulator_.world_from_head(0, 0), kWarmUp + kBlock)) {
+    for (const double seconds : simulator_.time_traversal(0, simulator_.world_from_head(0, {}), kWarmUp + kBlock)) {
       block_floors.push_back(seconds * kMilliseconds);
     }
     block_floors.erase(block_floors.begin(), block_floors.begin() + kWarmUp);

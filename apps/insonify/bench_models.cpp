@@ -67,7 +67,7 @@ std::vector<std::vector<double>> time_stages(const Scene& scene, int threads, in
   for (int i = -kWarmUp; i < repetitions; ++i) {
     for (std::size_t stage = 0; stage < kStageCount; ++stage) {
       const auto start = std::chrono::steady_clock::now();
-      simulators[stage].make_ping(0, i + kWarmUp, pings[stage]);
+      simulators[stage].ping(0, {.number = static_cast<std::uint64_t>(i + kWarmUp)}, pings[stage]);
       if (i >= 0) {
         times[stage].push_back(milliseconds_since(start));
       }

@@ -63,7 +63,7 @@ void sample(Row& row, const PaperBenchOptions& options, std::uint64_t number) {
   std::vector<double> times;
   for (std::uint64_t i = 0; i <= kPings; ++i) {
     const auto start = std::chrono::steady_clock::now();
-    simulator.make_ping(0, i, ping);
+    simulator.ping(0, {.number = i}, ping);
     if (i > 0) {
       times.push_back(milliseconds_since(start));
     }
@@ -73,7 +73,7 @@ void sample(Row& row, const PaperBenchOptions& options, std::uint64_t number) {
   row.rays_primary.add(static_cast<double>(rays.primary));
   row.rays_secondary.add(static_cast<double>(rays.secondary + rays.return_legs));
 
-  const std::vector<double> floors = simulator.time_traversal(0, simulator.world_from_head(0, kPings), 2);
+  const std::vector<double> floors = simulator.time_traversal(0, simulator.world_from_head(0, {}), 2);
   row.floor_ms.add(floors.back() * kMilliseconds);
 }
 

@@ -48,7 +48,7 @@ class Runner {
     std::vector<double> block;
     for (int i = -kWarmUp; i < kBlock; ++i) {
       const auto start = std::chrono::steady_clock::now();
-      simulator_.make_ping(0, number_++, ping_);
+      simulator_.ping(0, {.number = number_++}, ping_);
       if (i >= 0) {
         block.push_back(milliseconds_since(start));
       }

@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "insonify/scenario_requests.h"
+
 namespace insonify {
 namespace {
 
@@ -33,13 +35,17 @@ bool hears_more_than_surfaces(const Scenario& scenario) {
 
 std::string silence_text(const Simulator& simulator, int sonar) {
   const Box3 world = simulator.scene().bounds();
-  const Pose world_from_head = simulator.world_from_head(sonar, 0);
+  const Pose world_from_head = simulator.world_from_head(sonar, ScenarioRequests(simulator.scenario()).at(sonar, 0));
   const SonarConfig& config = simulator.sonar(sonar);
+  const std::string where = world.low.x() > world.high.x() ? "there is nothing but the water's surface"
+                                                           : fmt::format("the world reaches from {} to {} m",
+                                                                         point_text(world.low), point_text(world.high));
   return fmt::format(
-      "nothing was heard in any ping of {}: the world reaches from {} to {} m, the sonar was at {} m at first, looking "
-      "along {}, and hears from {:.4g} to {:.4g} m",
-      config.name, point_text(world.low), point_text(world.high), point_text(world_from_head.position),
-      point_text(world_from_head.orientation * Vec3::UnitX()), config.min_range, config.max_range);
+      "nothing was heard in any ping of {}: {}, the sonar was at {} m at first, looking along {}, and hears from "
+      "{:.4g} "
+      "to {:.4g} m",
+      config.name, where, point_text(world_from_head.position), point_text(world_from_head.orientation * Vec3::UnitX()),
+      config.min_range, config.max_range);
 }
 
 std::string dimness_text(const Loudness& loudness, const SonarConfig& sonar) {

@@ -6,6 +6,7 @@
 #include "console.h"
 #include "hints.h"
 #include "insonify/files.h"
+#include "insonify/scenario_requests.h"
 #include "insonify/simulator.h"
 #include "output_folder.h"
 #include "pictures.h"
@@ -135,15 +136,16 @@ void clear_old_pictures(const std::filesystem::path& folder, const std::vector<T
 
 // Makes the pings, in turn for each sonar, until all are there or a stop is asked for.
 // @return  Seconds that computing them took, without recording and drawing.
-double make_pings(Simulator& simulator, std::vector<Track>& tracks, bool quiet) {
-  const auto pings = static_cast<std::uint64_t>(simulator.scenario().pings);
-  Progress progress(pings * tracks.size(), quiet);
+double make_pings(Simulator& simulator, const ScenarioRequests& requests, std::vector<Track>& tracks, bool quiet) {
+  Progress progress(requests.ping_count() * tracks.size(), quiet);
+  PingRequest request;
   double computing = 0;
-  for (std::uint64_t number = 0; number < pings && !stop_asked(); ++number) {
+  for (std::uint64_t number = 0; number < requests.ping_count() && !stop_asked(); ++number) {
     for (std::size_t i = 0; i < tracks.size() && !stop_asked(); ++i) {
       Track& track = tracks[i];
       const Clock::time_point start = Clock::now();
-      simulator.make_ping(static_cast<int>(i), number, track.ping);
+      requests.fill(static_cast<int>(i), number, request);
+      simulator.ping(static_cast<int>(i), request, track.ping);
       computing += seconds_since(start);
       track.recording.add(track.ping);
       track.pictures.add(track.ping);
@@ -196,13 +198,14 @@ int run(const RunOptions& options) {
   make_output_folder(folder);
 
   const Clock::time_point start = Clock::now();
-  const std::vector<View> views = draw_views(simulator, options, display, folder);
+  const ScenarioRequests requests(simulator.scenario());
+  const std::vector<View> views = draw_views(simulator, requests, options, display, folder);
   note_when_asked();
   std::vector<Track> tracks = start_tracks(simulator, folder, display, choice);
   clear_old_pictures(folder, tracks, options.quiet);
   const std::vector<std::filesystem::path> view_files = write_views(views);
 
-  const double computing = make_pings(simulator, tracks, options.quiet);
+  const double computing = make_pings(simulator, requests, tracks, options.quiet);
   std::uint64_t made = 0;
   for (Track& track : tracks) {
     track.recording.close();

@@ -22,20 +22,23 @@ Picture scene_around(Simulator& simulator, const SonarConfig& sonar, const Pose&
 
 }  // namespace
 
-std::vector<View> draw_views(Simulator& simulator, const RunOptions& options, const Display& display,
-                             const std::filesystem::path& folder) {
+std::vector<View> draw_views(Simulator& simulator, const ScenarioRequests& requests, const RunOptions& options,
+                             const Display& display, const std::filesystem::path& folder) {
   std::vector<View> views;
   if (!options.quiet && (options.view || options.channels)) {
     show_status("Drawing the scene ...");
   }
   for (int i = 0; i < static_cast<int>(simulator.scenario().sonars.size()); ++i) {
     const SonarConfig& sonar = simulator.sonar(i);
-    const Pose world_from_sonar = simulator.world_from_housing(i, 0);
+    const PingRequest request = requests.at(i, 0);
+    simulator.place(i, request);
+    const Pose world_from_sonar = simulator.world_from_housing(i, request);
     if (options.view) {
       views.push_back({folder / (sonar.name + "_view.png"), scene_around(simulator, sonar, world_from_sonar)});
     }
     if (options.channels) {
-      const Channels channels = look_along_fan(simulator.engine(), sonar, simulator.scenario().water, world_from_sonar);
+      const Channels channels =
+          look_along_fan(simulator.engine(), sonar, simulator.scenario().water_at(sonar), world_from_sonar);
       views.push_back({folder / (sonar.name + "_channels.png"), draw_channels(channels, sonar, display)});
     }
   }

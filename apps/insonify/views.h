@@ -7,6 +7,7 @@
 
 #include "commands.h"
 #include "insonify/picture.h"
+#include "insonify/scenario_requests.h"
 #include "insonify/simulator.h"
 
 namespace insonify {
@@ -17,7 +18,8 @@ struct View {
 };
 
 /// Draws for each sonar NAME what was asked for: the scene, NAME_view.png, and NAME_channels.png. Writes nothing yet.
-[[nodiscard]] std::vector<View> draw_views(Simulator& simulator, const RunOptions& options, const Display& display,
+[[nodiscard]] std::vector<View> draw_views(Simulator& simulator, const ScenarioRequests& requests,
+                                           const RunOptions& options, const Display& display,
                                            const std::filesystem::path& folder);
 
 /// @return  The files, in order.

@@ -97,6 +97,8 @@ struct Material {
   static void visit_fields(Self& self, Visit&& visit) {
     visit_material_fields(self, visit);
   }
+
+  [[nodiscard]] bool operator==(const Material&) const = default;
 };
 
 /// Impedance of sea water to which reflection coefficients refer: 1026 kg/m^3 x 1500 m/s.

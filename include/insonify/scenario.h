@@ -46,9 +46,9 @@ struct Trajectory {
 
 /// Something in the world that moves by itself.
 struct Motion {
-  std::string object;     ///< A model, link or visual by its scoped name.
-  Trajectory trajectory;  ///< Where the object's own frame is; its parts move with it.
-  std::string where;      ///< "path:line:column: " for messages.
+  std::string object = {};     ///< A model, link or visual by its scoped name.
+  Trajectory trajectory = {};  ///< Where the object's own frame is; its parts move with it.
+  std::string where = {};      ///< "path:line:column: " for messages, may be "".
 
   template <typename Self, typename Visit>
   static void visit_fields(Self& self, Visit&& visit) {
@@ -104,6 +104,13 @@ struct Scenario {
 
   /// Whether columns are wedges whose rows are even, which is what triangles can be drawn into; see primary_echoes().
   [[nodiscard]] bool has_even_rows() const;
+
+  /// The water around one of its sonars: `water`, and where there is a `surface`, at the depth below it that the sonar
+  /// has at the start of the trajectory. All that depends on the speed or the absorption of sound takes it from here.
+  [[nodiscard]] Water water_at(const SonarConfig& sonar) const;
+
+  /// The settings of a sonar with those filled in that follow from others: assumed sound speed and ping period.
+  [[nodiscard]] SonarConfig filled_in(SonarConfig sonar) const;
 
   /// Checks every part and the rules between them: at least one sonar, names that differ, periods long enough.
   /// @throws Error on the first fault.

@@ -25,7 +25,9 @@ struct Instance {
   std::string where = {};          ///< "path:line:column: " of what set user_material, for messages; may be "".
   std::vector<std::uint16_t> materials = {};  ///< Index into Scene::materials for each of the mesh's slots.
   std::vector<std::shared_ptr<const Relief>> reliefs = {};  ///< Relief of each slot, null for none; empty: none at all.
-  bool moving = false;  ///< Whether its pose may change between pings; engines keep it separate from static instances.
+  bool moving = false;   ///< Whether its pose may change between pings; engines keep it separate from static instances.
+  bool present = true;   ///< False once it was removed: engines leave it out, only its index stays.
+  bool endless = false;  ///< Whether it extends beyond all else, as the sea's surface does: bounds() leaves it out.
 };
 
 /// Checks that all vertices of an instance are within the limits of coordinate() in the world.
@@ -84,6 +86,9 @@ struct Scene {
 
   [[nodiscard]] std::size_t triangle_count() const;
   [[nodiscard]] Box3 bounds() const;
+
+  /// Middle of the bounds, the origin where they are empty. Engines measure positions from here.
+  [[nodiscard]] Vec3 middle() const;
 
   /// Index of the instance with this full name, or of the only one whose name starts with `name::`; -1 if there is
   /// none.

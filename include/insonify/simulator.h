@@ -1,45 +1,98 @@
-// simulator.h -- from a scenario to pings.
+// simulator.h -- from a scenario, and from poses, to pings.
 
 #pragma once
 
 #include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "insonify/engine.h"
 #include "insonify/ping.h"
+#include "insonify/ping_request.h"
 #include "insonify/scenario.h"
 #include "insonify/scene.h"
 
 namespace insonify {
 
+/// Something in the world that requests may move.
+struct MovableObject {
+  std::string name;                            ///< A model, link or visual by its scoped name; its parts move with it.
+  std::optional<Pose> world_from_object = {};  ///< Where the object's own frame is in the scene as given; absent: where
+                                               ///< the mesh of its first part is.
+};
+
 /// Runs the sonars of a scenario in a scene.
 ///
-/// Pings of one sonar follow each other at its period; ping n is the same whether or not ping n - 1 was asked for.
+/// Each ping is made from a PingRequest, which tells where vehicle and objects are; ScenarioRequests makes those of the
+/// scenario's own trajectory, others may come from anywhere. The same request gives the same ping, whatever was asked
+/// for before.
+///
+/// Objects, sonars and materials keep their indices as long as the simulator lives: what is added comes after all that
+/// was there, and nothing takes the index of what was removed. So labels mean the same in all pings.
 class Simulator {
  public:
-  /// @param scene    Instances that the scenario's motions name are made moving. Materials must be assigned.
+  /// @param scene    Materials must be assigned. What the scenario's motions name becomes movable, as are instances
+  ///                 marked `moving`.
   /// @param threads  0 for as many as there are processors; pings do not depend on it.
-  /// @throws Error for what Scenario::validate() refuses, and for a motion of an object that is not there.
-  Simulator(Scenario scenario, Scene scene, int threads = 0);
+  /// @param movable  What else requests may move. It costs a little speed, for it is kept apart from what stands still.
+  /// @throws Error for what Scenario::validate() refuses, and for a motion or a name of an object that is not there.
+  Simulator(Scenario scenario, Scene scene, int threads = 0, std::span<const MovableObject> movable = {});
   ~Simulator();
   Simulator(Simulator&&) noexcept;
   Simulator& operator=(Simulator&&) noexcept;
 
+  /// As it was given, but for set_sonar().
   [[nodiscard]] const Scenario& scenario() const;
+
+  /// With the sea's surface as an instance of its own, and all that was added or removed.
   [[nodiscard]] const Scene& scene() const;
 
   /// Settings of one sonar with everything filled in: assumed sound speed, ping period.
   [[nodiscard]] const SonarConfig& sonar(int sonar) const;
 
-  /// Makes ping `number` of sonar `sonar`. Allocates nothing once `ping` has been used with this sonar before.
-  void make_ping(int sonar, std::uint64_t number, Ping& ping);
+  /// Makes one ping. Allocates nothing once `ping` has been used with this sonar before.
+  /// @throws Error "ping 7 of fls: ..." for a request that makes no sense, that moves what cannot move or that has the
+  ///         sonar above the sea's surface. The simulator is as it was, and the next request may be a better one.
+  void ping(int sonar, const PingRequest& request, Ping& ping);
+  [[nodiscard]] Ping ping(int sonar, const PingRequest& request);
+
+  /// Makes many pings of one sonar; pings[i] is that of requests[i].
+  /// @throws Error as above, with the pings before it made; and where there are not as many pings as requests.
+  void ping(int sonar, std::span<const PingRequest> requests, std::span<Ping> pings);
+
+  /// Ping `number` of the scenario's own: ping(sonar, ScenarioRequests(scenario()).at(sonar, number)).
   [[nodiscard]] Ping make_ping(int sonar, std::uint64_t number);
 
   /// Pose of the housing at a ping, and of the transducer: of a scanning sonar the housing with its head turned.
-  [[nodiscard]] Pose world_from_housing(int sonar, std::uint64_t number) const;
-  [[nodiscard]] Pose world_from_head(int sonar, std::uint64_t number) const;
+  [[nodiscard]] Pose world_from_housing(int sonar, const PingRequest& request) const;
+  [[nodiscard]] Pose world_from_head(int sonar, const PingRequest& request) const;
 
-  /// The engine, with everything that moves placed as at the last ping: for camera views.
+  /// Changes range, gain, beams or all of a sonar, from the next ping on: as if the simulator had been built with it.
+  /// Takes milliseconds, for a plan is made anew (bench/README.md); under a sea surface a range that is twice or half
+  /// of what it was means that the engine takes in the scene anew, as add_objects() does.
+  /// @param config  Not yet filled in: rather scenario().sonars[i] than sonar(i), whose ping period is that of the
+  ///                old range.
+  /// @throws Error for what Scenario::validate() refuses; the sonar is as it was.
+  void set_sonar(int sonar, const SonarConfig& config);
+
+  /// Adds the instances of a scene, whose materials are assigned, and its materials. The engine takes in the whole
+  /// scene anew before the next ping, which can take as long as at the start: add many things at once.
+  /// @param movable  Among what is added.
+  /// @return         Index of the first of them in scene().instances; the others follow.
+  /// @throws Error for a name that is there already, and where there would be more than 65535 instances or materials.
+  int add_objects(const Scene& objects, std::span<const MovableObject> movable = {});
+
+  /// Removes an object with all its parts, by its scoped name. The engine takes in the scene anew.
+  /// @throws Error where there is no such object.
+  void remove_object(std::string_view name);
+
+  /// Places everything as at a ping, without making it: for camera views.
+  void place(int sonar, const PingRequest& request);
+
+  /// The engine, with everything placed as at the last ping or place(): for camera views and counts.
   [[nodiscard]] Engine& engine();
 
   /// Rays of the last ping.

@@ -26,7 +26,7 @@ void check_reach(const Instance& instance, std::string_view what) {
 std::size_t Scene::triangle_count() const {
   std::size_t count = 0;
   for (const Instance& instance : instances) {
-    count += instance.mesh->triangles.size();
+    count += instance.present ? instance.mesh->triangles.size() : 0;
   }
   return count;
 }
@@ -35,6 +35,9 @@ Box3 Scene::bounds() const {
   constexpr double kFar = std::numeric_limits<double>::infinity();
   Box3 box{Vec3::Constant(kFar), Vec3::Constant(-kFar)};
   for (const Instance& instance : instances) {
+    if (!instance.present || instance.endless) {
+      continue;
+    }
     for (const auto& triangle : instance.mesh->triangles) {
       for (const std::uint32_t corner : triangle) {
         const Vec3 point = instance.world_from_mesh * instance.mesh->vertices[corner].cast<double>();
@@ -46,11 +49,19 @@ Box3 Scene::bounds() const {
   return box;
 }
 
+Vec3 Scene::middle() const {
+  const Box3 box = bounds();
+  return box.low.x() > box.high.x() ? Vec3::Zero() : Vec3(0.5 * (box.low + box.high));
+}
+
 int Scene::find_instance(std::string_view name) const {
   const std::string scope = std::string(name) + "::";
   int inside = -1;
   bool ambiguous = false;
   for (std::size_t i = 0; i < instances.size(); ++i) {
+    if (!instances[i].present) {
+      continue;
+    }
     if (instances[i].name == name) {
       return static_cast<int>(i);
     }

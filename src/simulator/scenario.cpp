@@ -24,6 +24,19 @@ double rounded_up(double value) {
   return std::ceil(value / digit) * digit;
 }
 
+// The depth at which a sonar starts, below the surface, is the water's.
+void check_water(const Scenario& scenario) {
+  scenario.water.validate();
+  for (std::size_t i = 0; scenario.surface && i < scenario.sonars.size(); ++i) {
+    constexpr double kMost = 7000;
+    const double depth = scenario.water_at(scenario.sonars[i]).depth;
+    if (depth > kMost) {
+      throw Error(fmt::format("surface.level = {:.7g} m puts sonars[{}] {:.7g} m deep; must be at most {:.7g} m",
+                              scenario.surface->level, i, depth, kMost));
+    }
+  }
+}
+
 void check_ping_period(const std::string& object, const SonarConfig& sonar, const Water& water) {
   const double least = sonar.shortest_ping_period(sonar.assumed_sound_speed.value_or(water.true_sound_speed()));
   if (sonar.ping_period.has_value() && *sonar.ping_period < least) {
@@ -34,7 +47,8 @@ void check_ping_period(const std::string& object, const SonarConfig& sonar, cons
   }
 }
 
-void check_sonars(const std::vector<SonarConfig>& sonars, const Water& water) {
+void check_sonars(const Scenario& scenario) {
+  const std::vector<SonarConfig>& sonars = scenario.sonars;
   if (sonars.empty()) {
     throw Error("sonars must have at least one entry");
   }
@@ -46,7 +60,7 @@ void check_sonars(const std::vector<SonarConfig>& sonars, const Water& water) {
                               same - sonars.begin()));
     }
     sonars[i].validate(object);
-    check_ping_period(object, sonars[i], water);
+    check_ping_period(object, sonars[i], scenario.water_at(sonars[i]));
   }
 }
 
@@ -101,30 +115,13 @@ void check_gains(const Scenario& scenario) {
   for (std::size_t i = 0; i < scenario.sonars.size(); ++i) {
     const SonarConfig& sonar = scenario.sonars[i];
     const double range = sonar.bin_range(sonar.bin_count - 1);
-    const double gain = scenario.receiver.gain_db(range, scenario.water.absorption_db_per_m_at(sonar.frequency));
+    const double gain =
+        scenario.receiver.gain_db(range, scenario.water_at(sonar).absorption_db_per_m_at(sonar.frequency));
     if (gain > kMost) {
       throw Error(
           fmt::format("receiver.{} comes to {:.4g} dB at {:.4g} m, the far end of sonars[{}]; must be at most {} dB: "
                       "nothing is left to raise there",
                       scenario.receiver.time_varied_gain ? "time_varied_gain" : "gains_db", gain, range, i, kMost));
-    }
-  }
-}
-
-void check_depths(const Scenario& scenario) {
-  std::vector<double> times = {0};
-  for (const Waypoint& waypoint : scenario.trajectory.waypoints) {
-    times.push_back(waypoint.time);
-  }
-  for (std::size_t i = 0; i < scenario.sonars.size(); ++i) {
-    for (const double time : times) {
-      const double height = (scenario.trajectory.at(time) * scenario.sonars[i].position).z();
-      if (height >= scenario.surface->level) {
-        throw Error(
-            fmt::format("surface.level = {:.7g} m must be above the sonars; sonars[{}] is at a height of {:.7g} m "
-                        "at time {:.7g} s",
-                        scenario.surface->level, i, height, time));
-      }
     }
   }
 }
@@ -229,6 +226,21 @@ bool Scenario::has_even_rows() const {
          (receiver.beam_shape == BeamShape::kWedge && receiver.elevation_pattern == BeamPattern::kTopHat);
 }
 
+Water Scenario::water_at(const SonarConfig& sonar) const {
+  Water at_depth = water;
+  if (surface) {
+    const double height = (trajectory.at(0) * sonar.position).z();
+    at_depth.depth = std::max(0.0, surface->level - height);
+  }
+  return at_depth;
+}
+
+SonarConfig Scenario::filled_in(SonarConfig sonar) const {
+  sonar.assumed_sound_speed = sonar.assumed_sound_speed.value_or(water_at(sonar).true_sound_speed());
+  sonar.ping_period = sonar.ping_period.value_or(sonar.shortest_ping_period(*sonar.assumed_sound_speed));
+  return sonar;
+}
+
 void Scenario::validate() const {
   check_fields("", *this);
   if (model == EchoModel::kPaper && !points.empty()) {
@@ -255,11 +267,11 @@ void Scenario::validate() const {
     check_fields("surface", *surface);
   }
   check_engine(engine);
-  water.validate();
+  check_water(*this);
   receiver.validate();
   paper.validate();
   check_materials(materials);
-  check_sonars(sonars, water);
+  check_sonars(*this);
   if (model == EchoModel::kCalibrated) {
     check_beams(*this);
     check_gains(*this);
@@ -267,9 +279,6 @@ void Scenario::validate() const {
   trajectory.validate("trajectory");
   if (motion_in_ping) {
     check_speeds(trajectory);
-  }
-  if (surface) {
-    check_depths(*this);
   }
   check_motions(motions);
   if (view.has_value()) {

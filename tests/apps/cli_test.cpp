@@ -206,13 +206,16 @@ TEST_P(MistakeTest, IsOneLineAndAnExitStatus) {
 
 constexpr Mistake kMistakes[] = {
     {"NoCommand", "insonify", 2,
-     "insonify: name a command; the commands are run, sonars, describe, compare, bench, version, completion, manual (insonify --help)"},
+     "insonify: name a command; the commands are run, sonars, describe, compare, bench, version, completion, manual "
+     "(insonify --help)"},
     {"UnknownCommand", "insonify rnu fan.yaml", 2,
-     "insonify: there is no command rnu; the commands are run, sonars, describe, compare, bench, version (insonify "
+     "insonify: there is no command rnu; the commands are run, sonars, describe, compare, bench, version, completion, "
+     "manual (insonify "
      "--help)"},
     {"UnknownOption", "insonify run fan.yaml --frob", 2, "insonify: not understood: --frob (insonify run --help)"},
     {"UnknownOptionBeforeTheCommand", "insonify --frob", 2,
-     "insonify: there is no option --frob; the commands are run, sonars, describe, compare, bench, version (insonify "
+     "insonify: there is no option --frob; the commands are run, sonars, describe, compare, bench, version, "
+     "completion, manual (insonify "
      "--help)"},
     {"NoScenario", "insonify run", 2, "insonify: SCENARIO is required (insonify run --help)"},
     {"TwoScenarios", "insonify run fan.yaml scan.yaml", 2, "insonify: not understood: scan.yaml (insonify run --help)"},

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "insonify/files.h"
+#include "insonify/scenario_requests.h"
 #include "insonify/simulator.h"
 
 namespace insonify::testing_scenes {
@@ -30,7 +31,9 @@ class ScenePing {
   [[nodiscard]] const Ping& ping() const { return ping_; }
   [[nodiscard]] const Simulator& simulator() const { return simulator_; }
   [[nodiscard]] const SonarConfig& sonar() const { return simulator_.sonar(0); }
-  [[nodiscard]] Pose world_from_sonar() const { return simulator_.world_from_head(0, 0); }
+  [[nodiscard]] Pose world_from_sonar() const {
+    return simulator_.world_from_head(0, ScenarioRequests(simulator_.scenario()).at(0, 0));
+  }
 
   /// A place of the world as the sonar sees it.
   struct Sighting {

@@ -9,6 +9,7 @@
 #include "echo/engine.h"
 #include "echo/model/ping_plan.h"
 #include "insonify/files.h"
+#include "insonify/scenario_requests.h"
 #include "insonify/simulator.h"
 
 namespace insonify {
@@ -50,7 +51,7 @@ class Scan {
     Tally tally;
     EchoGrid all(sonar.beam_count, sonar.bin_count, kPathOrders), grid = all;
     for (std::uint64_t ping = 0; ping < static_cast<std::uint64_t>(scenario.pings); ping += step) {
-      const Pose pose = simulator_.world_from_head(0, ping);
+      const Pose pose = simulator_.world_from_head(0, ScenarioRequests(scenario).at(0, ping));
       simulator_.engine().insonify(*reference, pose, all, nullptr);
       simulator_.engine().insonify(*plan, pose, grid, nullptr);
       const RayCounts counts = simulator_.engine().ray_counts();

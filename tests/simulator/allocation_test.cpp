@@ -6,6 +6,7 @@
 #include <cerrno>
 
 #include "engines/test_scenes.h"
+#include "insonify/scenario_requests.h"
 #include "insonify/simulator.h"
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__) || !defined(__GLIBC__)
@@ -84,12 +85,15 @@ int allocations_of_pings(const Scenario& scenario, int threads) {
   maker.add_wall(8);
   maker.add_sphere({5, 0.3, -1}, 0.6, 0.8, 0.2);
   Simulator simulator(scenario, maker.scene(), threads);
+  const ScenarioRequests requests(simulator.scenario());
+  PingRequest request;
   Ping ping;
   std::uint64_t number = 0;
   const auto allocations_of = [&](int pings) {
     const int before = allocations;
     for (int i = 0; i < pings; ++i) {
-      simulator.make_ping(0, number++, ping);
+      requests.fill(0, number++, request);
+      simulator.ping(0, request, ping);
     }
     return allocations - before;
   };

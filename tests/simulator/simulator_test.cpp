@@ -7,6 +7,7 @@
 
 #include "engines/test_scenes.h"
 #include "insonify/error.h"
+#include "insonify/scenario_requests.h"
 #include "insonify/sound_speed.h"
 
 namespace insonify {
@@ -180,11 +181,14 @@ TEST_P(SimulatorTest, MovingScanningSonarShearsItsPicture) {
   for (const Expected& expected :
        {Expected{{0, 10, 0}, 114, 10.2566}, Expected{{-10, 0, 0}, 200, 14.0}, Expected{{0, -10, 0}, 269, 11.3554}}) {
     Simulator simulator(scenario, SceneMaker().add_sphere(expected.target, kRadius).scene(), 2);
+    const ScenarioRequests requests(scenario);
+    PingRequest request;
     double best = 0, moment = 0, sum = 0;
     Ping loudest;
     Ping ping;
     for (int number = expected.ping - 3; number <= expected.ping + 3; ++number) {
-      simulator.make_ping(0, number, ping);
+      requests.fill(0, number, request);
+      simulator.ping(0, request, ping);
       EXPECT_NEAR(ping.time, 0.04 * number, 1e-9);
       EXPECT_NEAR(ping.head_angle, number * sonar.step, 1e-9);
       double heard = 0;

@@ -1,6 +1,8 @@
 // determinism_test.cpp -- T13: pings are the same bytes for any number of threads, with all features of each model. T
 // numbers are those of docs/concepts/physics-tests.md.
 
+#include "insonify/scenario_requests.h"
+#include "support/same_pings.h"
 #include "validation/calibrated_scene.h"
 
 namespace insonify::validation {
@@ -45,30 +47,6 @@ Scene cluttered() {
     scenes.push_back(sphere_at(centre, 0.35, i % 2 == 0 ? glinting(0.8, 0.2) : diffuse(-12), 0.5));
   }
   return scene_of_all(std::move(scenes));
-}
-
-template <typename Value>
-std::string bytes_of(const std::vector<Value>& values) {
-  return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(Value)};
-}
-
-void expect_same(const Ping& ping, const Ping& expected) {
-  const auto expect_same_table = [&](auto table, const char* name) {
-    EXPECT_EQ((ping.*table).size(), (expected.*table).size()) << name;
-    EXPECT_TRUE(bytes_of(ping.*table) == bytes_of(expected.*table)) << name;
-  };
-  expect_same_table(&Ping::intensity, "intensity");
-  expect_same_table(&Ping::field, "field");
-  expect_same_table(&Ping::counts, "counts");
-  expect_same_table(&Ping::instance, "instance");
-  expect_same_table(&Ping::material, "material");
-  expect_same_table(&Ping::elevation, "elevation");
-  expect_same_table(&Ping::strongest_instance, "strongest_instance");
-  expect_same_table(&Ping::strongest_share, "strongest_share");
-  expect_same_table(&Ping::elevation_spread, "elevation_spread");
-  expect_same_table(&Ping::path_order, "path_order");
-  expect_same_table(&Ping::shadow, "shadow");
-  expect_same_table(&Ping::direct_intensity, "direct_intensity");
 }
 
 Ping expect_same_for_any_number_of_threads(const Scenario& scenario) {
@@ -123,10 +101,11 @@ TEST_P(DeterminismTest, PingsDoNotDependOnEarlierPings) {
     scenario.receiver.pulse = (choices & 4) != 0 ? PulseKind::kLfm : PulseKind::kNone;
     scenario.ground_truth = (choices & 8) != 0 ? GroundTruth::kFull : GroundTruth::kLabels;
     Simulator simulator(scenario, scene, 2);
+    const ScenarioRequests requests(scenario);
     Ping ping;
-    simulator.make_ping(0, 0, ping);
+    simulator.ping(0, requests.at(0, 0), ping);
     const auto first_received = std::ranges::count_if(ping.intensity, [](float value) { return value > 0; });
-    simulator.make_ping(0, kLate, ping);
+    simulator.ping(0, requests.at(0, kLate), ping);
     const auto received = std::ranges::count_if(ping.intensity, [](float value) { return value > 0; });
     SCOPED_TRACE(choices);
     EXPECT_LT(received, first_received);

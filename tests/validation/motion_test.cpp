@@ -1,6 +1,9 @@
 // motion_test.cpp -- motion within a ping: shifts in range and bearing, and the Doppler bias of chirps.
 
+#include "insonify/scenario_requests.h"
 #include "receiver/ping_motion.h"
+#include "support/message_of.h"
+#include "support/same_pings.h"
 #include "validation/calibrated_scene.h"
 
 namespace insonify::validation {
@@ -93,6 +96,42 @@ TEST_F(MotionInPingTest, SurfacesKeepTheirEnergyAndLabels) {
     EXPECT_EQ(moved.intensity[i] > 0, moved.instance[i] == 0);
     EXPECT_EQ(moved.intensity[i] > 0, moved.path_order[i] == 1);
   }
+}
+
+// Steady motion given as a twist, and as a trajectory.
+TEST_F(MotionInPingTest, TwistFromOutsideGivesThePingOfTheTrajectoryOfThatSpeed) {
+  for (const auto& [velocity, turn_rate] :
+       {std::pair(Vec3(3, 0, 0), 0.0), std::pair(Vec3(-1, 2, 0.5), 30.0), std::pair(Vec3(0, 0, 0), -45.0)}) {
+    SCOPED_TRACE(velocity.transpose());
+    Scenario scenario = scenario_of(velocity, turn_rate * kDegree);
+    scenario.sonars[0].position = {0.4, -0.3, 0.2};
+    scenario.receiver.speckle = true;
+    scenario.receiver.noise = true;
+    scenario.ground_truth = GroundTruth::kFull;
+    const Scene plate = plate_at(40, 3, diffuse(-10));
+    const Ping expected = ping_of(scenario, plate);
+    const Pose start = scenario.trajectory.at(0);
+    scenario.trajectory = {};
+    Simulator simulator(scenario, plate, 2);
+    const Twist twist{.linear = velocity, .angular = {0, 0, turn_rate * kDegree}};
+    expect_same(simulator.ping(0, {.world_from_vehicle = start, .twist = twist}), expected);
+    EXPECT_NE(simulator.ping(0, {.world_from_vehicle = start}).intensity, expected.intensity);
+  }
+}
+
+TEST_F(MotionInPingTest, TwistsBeyondAHundredMetresASecondAreRefused) {
+  Simulator simulator(scenario_of({0, 0, 0}, 0), {}, 1);
+  EXPECT_EQ(message_of([&] {
+              (void)simulator.ping(0, {.number = 2, .twist = {.linear = {99, 99, 0}}});
+            }),
+            "ping 2 of sonar: twist.linear comes to 140 m/s; with motion_in_ping at most 100 m/s");
+}
+
+TEST_F(MotionInPingTest, WithoutItATwistHasNoEffect) {
+  Scenario scenario = scenario_of({0, 0, 0}, 0);
+  scenario.motion_in_ping = false;
+  Simulator simulator(scenario, plate_at(40, 4, diffuse(-10)), 1);
+  expect_same(simulator.ping(0, {.twist = {.linear = {3, 0, 0}}}), simulator.ping(0, {}));
 }
 
 TEST(PingMotionTest, IsTheVelocityBetweenTwoPoses) {

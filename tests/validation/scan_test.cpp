@@ -39,9 +39,8 @@ Shown scan(const Method& method, const Vec3& target, const Waypoint& after_a_cir
   scenario.trajectory.waypoints = {{.time = 0}, after_a_circle};
   Simulator simulator(scenario, {}, 1);
   Shown shown;
-  Ping ping;
   for (int number = 0; number < kPings; ++number) {
-    simulator.make_ping(0, number, ping);
+    const Ping ping = simulator.make_ping(0, number);
     EXPECT_NEAR(ping.time, 0.04 * number, 1e-9);
     for (int bin = 0; bin < ping.bin_count; ++bin) {
       if (ping.intensity[bin] > 0) {

@@ -83,8 +83,7 @@ void CpuScene::clear() {
 
 void CpuScene::set(const Scene& scene) {
   clear();
-  const Box3 bounds = scene.bounds();
-  origin_ = scene.instances.empty() ? Vec3::Zero() : Vec3(0.5 * (bounds.low + bounds.high));
+  origin_ = scene.middle();
   boxes_.set(scene, origin_);
   reliefs_.set(scene, origin_);
   reflectivity_.clear();
@@ -99,6 +98,9 @@ void CpuScene::set(const Scene& scene) {
   parts_.resize(scene.instances.size());
   for (std::size_t i = 0; i < scene.instances.size(); ++i) {
     const Instance& instance = scene.instances[i];
+    if (!instance.present) {
+      continue;
+    }
     Part& part = parts_[i];
     part.triangles = instance.mesh->triangles.data();
     part.slots = instance.mesh->material_slots.empty() ? nullptr : instance.mesh->material_slots.data();

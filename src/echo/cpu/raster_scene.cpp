@@ -65,10 +65,13 @@ void RasterScene::set(const Scene& scene) {
   for (const Material& material : scene.materials) {
     reflectivity_.push_back(static_cast<float>(material.effective_reflectivity()));
   }
-  const Box3 bounds = scene.bounds();
-  origin_ = scene.instances.empty() ? Vec3::Zero() : Vec3(0.5 * (bounds.low + bounds.high));
+  origin_ = scene.middle();
   for (std::size_t i = 0; i < scene.instances.size(); ++i) {
-    add(scene.instances[i], static_cast<int>(i));
+    if (scene.instances[i].present) {
+      add(scene.instances[i], static_cast<int>(i));
+    } else {
+      parts_.emplace_back();
+    }
   }
 }
 

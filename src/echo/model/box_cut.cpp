@@ -173,6 +173,9 @@ void BoxCut::set(const Scene& scene, const Vec3& origin) {
   const std::size_t together = scene.triangle_count() / kMostPieces + 1;
   for (std::size_t i = 0; i < scene.instances.size(); ++i) {
     const Instance& instance = scene.instances[i];
+    if (!instance.present) {
+      continue;
+    }
     if (instance.moving) {
       Moving& moving = moving_.emplace_back();
       moving.instance = static_cast<int>(i);

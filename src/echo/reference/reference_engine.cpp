@@ -45,8 +45,7 @@ void ReferenceEngine::set_scene(const Scene& scene) {
   triangles_.clear();
   first_triangle_.clear();
   reflectivity_.clear();
-  const Box3 bounds = scene.bounds();
-  origin_ = scene.instances.empty() ? Vec3::Zero() : Vec3(0.5 * (bounds.low + bounds.high));
+  origin_ = scene.middle();
   reliefs_.set(scene, origin_);
   boxes_.set(scene, origin_);
   for (const Material& material : scene.materials) {
@@ -54,8 +53,10 @@ void ReferenceEngine::set_scene(const Scene& scene) {
   }
   for (std::size_t i = 0; i < scene.instances.size(); ++i) {
     first_triangle_.push_back(triangles_.size());
-    triangles_.resize(triangles_.size() + scene.instances[i].mesh->triangles.size());
-    place_instance(static_cast<int>(i), scene.instances[i].world_from_mesh);
+    if (scene.instances[i].present) {
+      triangles_.resize(triangles_.size() + scene.instances[i].mesh->triangles.size());
+      place_instance(static_cast<int>(i), scene.instances[i].world_from_mesh);
+    }
   }
 }
 

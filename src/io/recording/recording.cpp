@@ -158,11 +158,12 @@ void put_run(const H5Writer& writer, const Scenario& scenario, const Scene& scen
   writer.attribute(root, "sonar_model", sonar.model);
   writer.attribute(root, "frequency", sonar.frequency);
   writer.attribute(root, "source_level_db", sonar.source_level_db);
-  writer.attribute(root, "sound_speed", scenario.water.true_sound_speed());
-  writer.attribute(root, "absorption_db_per_m", scenario.water.absorption_db_per_m_at(sonar.frequency));
+  const Water water = scenario.water_at(sonar);
+  writer.attribute(root, "sound_speed", water.true_sound_speed());
+  writer.attribute(root, "absorption_db_per_m", water.absorption_db_per_m_at(sonar.frequency));
   put_settings(writer, "sonar", sonar);
   put_settings(writer, "sonar/sampling", sonar.sampling);
-  put_settings(writer, "water", scenario.water);
+  put_settings(writer, "water", water);
   put_settings(writer, "paper", scenario.paper);
   put_settings(writer, "receiver", scenario.receiver);
   put_member(writer, "settings/ground_truth", scenario.ground_truth,

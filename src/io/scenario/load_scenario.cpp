@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "insonify/files.h"
+#include "insonify/scenario_requests.h"
 #include "io/file/input_file.h"
 #include "io/scenario/read_sonar.h"
 #include "io/scenario/scenario_keys.h"
@@ -56,13 +57,14 @@ class ScenarioReader {
     if_given("paper", [&](const YamlValue& part) { read_section(part, "paper", scenario_.paper, places_); });
     if_given("receiver", [&](const YamlValue& part) { read_section(part, "receiver", scenario_.receiver, places_); });
     if_given("materials", [&](const YamlValue& part) { read_materials(part); });
-    if_given("sonars", [&](const YamlValue& part) { read_sonars(part); });
     unless_null("surface",
                 [&](const YamlValue& part) { read_section(part, "surface", scenario_.surface.emplace(), places_); });
-    unless_null("points", [&](const YamlValue& part) { read_points(part); });
-    unless_null("interferers", [&](const YamlValue& part) { read_interferers(part); });
     unless_null("trajectory",
                 [&](const YamlValue& part) { read_trajectory(part, "trajectory", scenario_.trajectory); });
+    // After what says how deep they are: a preset's ping period follows from the speed of sound there.
+    if_given("sonars", [&](const YamlValue& part) { read_sonars(part); });
+    unless_null("points", [&](const YamlValue& part) { read_points(part); });
+    unless_null("interferers", [&](const YamlValue& part) { read_interferers(part); });
     unless_null("motions", [&](const YamlValue& part) { read_motions(part); });
     unless_null("view", [&](const YamlValue& part) { read_section(part, "view", scenario_.view.emplace(), places_); });
     validate();
@@ -156,7 +158,7 @@ class ScenarioReader {
   void read_sonars(const YamlValue& part) {
     require_list(part, "sonars", "a list of sonars");
     for (std::size_t i = 0; i < part.items.size(); ++i) {
-      scenario_.sonars.push_back(read_sonar(part.items[i], fmt::format("sonars[{}]", i), scenario_.water, places_));
+      scenario_.sonars.push_back(read_sonar(part.items[i], fmt::format("sonars[{}]", i), scenario_, places_));
     }
   }
 
@@ -227,6 +229,7 @@ class ScenarioReader {
   void validate() const {
     try {
       scenario_.validate();
+      (void)ScenarioRequests(scenario_);
     } catch (const Error& error) {
       throw Error(place_of(error.what()) + error.what());
     }

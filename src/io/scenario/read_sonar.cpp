@@ -71,9 +71,9 @@ void refuse_head_keys(const YamlValue& value, const std::string& object, const S
 }
 
 // Bins and period follow the range window unless they are given.
-void fit_to_range(const YamlValue& value, const Preset& preset, const Water& water, SonarConfig& sonar) {
+void fit_to_range(const YamlValue& value, const Preset& preset, const Scenario& scenario, SonarConfig& sonar) {
   SonarConfig fitted = sonar;
-  preset.fit_to_range(fitted, sonar.assumed_sound_speed.value_or(water.true_sound_speed()));
+  preset.fit_to_range(fitted, sonar.assumed_sound_speed.value_or(scenario.water_at(sonar).true_sound_speed()));
   if (value.find("bin_count") == nullptr) {
     sonar.bin_count = fitted.bin_count;
   }
@@ -84,7 +84,7 @@ void fit_to_range(const YamlValue& value, const Preset& preset, const Water& wat
 
 }  // namespace
 
-SonarConfig read_sonar(const YamlValue& value, const std::string& object, const Water& water, Places& places) {
+SonarConfig read_sonar(const YamlValue& value, const std::string& object, const Scenario& scenario, Places& places) {
   require_map(value, object, "a map of keys such as preset and max_range");
   places[object] = value.where;
   check_keys(value, object, sonar_keys(), part_keys());
@@ -97,7 +97,7 @@ SonarConfig read_sonar(const YamlValue& value, const std::string& object, const 
   fit_to_beam_azimuths(value, object, sonar);
   refuse_head_keys(value, object, sonar);
   if (preset) {
-    fit_to_range(value, *preset, water, sonar);
+    fit_to_range(value, *preset, scenario, sonar);
   }
   return sonar;
 }

@@ -4,17 +4,16 @@
 
 #include <string>
 
-#include "insonify/sonar_config.h"
-#include "insonify/water.h"
+#include "insonify/scenario.h"
 #include "io/scenario/yaml_read.h"
 
 namespace insonify {
 
-/// @param object  What messages call it: "sonars[0]".
-/// @param water   Gives the speed of sound for the ping period of a preset.
-/// @param places  Gains what the entry gives.
+/// @param object    What messages call it: "sonars[0]".
+/// @param scenario  Its water, surface and trajectory give the speed of sound for the ping period of a preset.
+/// @param places    Gains what the entry gives.
 /// @throws Error with the place of the value that is wrong.
-[[nodiscard]] SonarConfig read_sonar(const YamlValue& value, const std::string& object, const Water& water,
+[[nodiscard]] SonarConfig read_sonar(const YamlValue& value, const std::string& object, const Scenario& scenario,
                                      Places& places);
 
 }  // namespace insonify

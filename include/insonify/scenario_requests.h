@@ -1,0 +1,35 @@
+// scenario_requests.h -- the pings that a scenario asks for: its trajectory, motions and head steps as requests.
+
+#pragma once
+
+#include "insonify/ping_request.h"
+#include "insonify/scenario.h"
+
+namespace insonify {
+
+/// Pings of one sonar follow each other at its period, from time 0 on. The vehicle is on the trajectory, what the
+/// motions name on theirs, and a scanning head where its steps have turned it.
+class ScenarioRequests {
+ public:
+  /// @param scenario  Need not outlive this.
+  /// @throws Error where a sonar would be above the water's surface.
+  explicit ScenarioRequests(const Scenario& scenario);
+
+  /// Pings of each sonar.
+  [[nodiscard]] std::uint64_t ping_count() const { return ping_count_; }
+  [[nodiscard]] int sonar_count() const { return static_cast<int>(sonars_.size()); }
+
+  /// Ping `number` of a sonar; numbers beyond ping_count() go on.
+  [[nodiscard]] PingRequest at(int sonar, std::uint64_t number) const;
+
+  /// The same; allocates nothing when the request was made here before.
+  void fill(int sonar, std::uint64_t number, PingRequest& request) const;
+
+ private:
+  std::uint64_t ping_count_ = 0;
+  std::vector<SonarConfig> sonars_;  // Filled in.
+  Trajectory trajectory_;
+  std::vector<Motion> motions_;
+};
+
+}  // namespace insonify

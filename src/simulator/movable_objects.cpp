@@ -1,0 +1,171 @@
+// movable_objects.cpp -- from names to instances, and from the pose of an object to those of its parts.
+
+#include "simulator/movable_objects.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <set>
+
+#include "echo/engine.h"
+#include "insonify/error.h"
+
+namespace insonify {
+namespace {
+
+bool same(const Pose& a, const Pose& b) {
+  return a.position == b.position && a.orientation.coeffs() == b.orientation.coeffs();
+}
+
+}  // namespace
+
+bool belongs_to(const Instance& instance, std::string_view object) {
+  return instance.present && instance.name.starts_with(object) &&
+         (instance.name.size() == object.size() || instance.name.substr(object.size()).starts_with("::"));
+}
+
+std::string object_names(const Scene& scene) {
+  std::set<std::string> names;
+  for (const Instance& instance : scene.instances) {
+    if (instance.present) {
+      names.insert(instance.name.substr(0, instance.name.find("::")));
+    }
+  }
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
+// An object without a frame has that of its first part's mesh.
+MovableObjects::Object& MovableObjects::add_object(const std::string& name, std::size_t first,
+                                                   const std::optional<Pose>& world_from_object, Scene& scene) {
+  Object& object = objects_.emplace_back();
+  object.name = name;
+  std::optional<Pose> frame = world_from_object;
+  for (std::size_t i = first; i < scene.instances.size(); ++i) {
+    Instance& instance = scene.instances[i];
+    if (!belongs_to(instance, name)) {
+      continue;
+    }
+    if (find_part(static_cast<int>(i)) == nullptr) {
+      parts_.push_back({static_cast<int>(i), instance.world_from_mesh, instance.world_from_mesh});
+    }
+    instance.moving = true;
+    frame = frame.value_or(instance.world_from_mesh);
+    const auto part = static_cast<std::size_t>(find_part(static_cast<int>(i)) - parts_.data());
+    object.pieces.push_back({part, frame->inverse() * instance.world_from_mesh});
+  }
+  return object;
+}
+
+void MovableObjects::add(std::span<const Motion> motions, Scene& scene) {
+  for (std::size_t m = 0; m < motions.size(); ++m) {
+    const Motion& motion = motions[m];
+    for (std::size_t i = 0; i < scene.instances.size(); ++i) {
+      if (belongs_to(scene.instances[i], motion.object) && find_part(static_cast<int>(i)) != nullptr) {
+        throw Error(fmt::format("{}motions[{}].object = {} moves {} a second time", motion.where, m, motion.object,
+                                scene.instances[i].name));
+      }
+    }
+    if (add_object(motion.object, 0, motion.trajectory.at(0), scene).pieces.empty()) {
+      throw Error(fmt::format("{}motions[{}].object = {} is not in the world; there are {}", motion.where, m,
+                              motion.object, object_names(scene)));
+    }
+  }
+}
+
+void MovableObjects::add(std::span<const MovableObject> movable, Scene& scene, std::size_t first) {
+  for (std::size_t m = 0; m < movable.size(); ++m) {
+    const std::string& name = movable[m].name;
+    if (std::ranges::find(objects_, name, &Object::name) != objects_.end()) {
+      throw Error(fmt::format("movable[{}].name = {} is movable already", m, name));
+    }
+    if (add_object(name, first, movable[m].world_from_object, scene).pieces.empty()) {
+      throw Error(fmt::format("movable[{}].name = {} is not in the world; there are {}", m, name, object_names(scene)));
+    }
+  }
+}
+
+void MovableObjects::add_marked(const Scene& scene, std::size_t first) {
+  for (std::size_t i = first; i < scene.instances.size(); ++i) {
+    const Instance& instance = scene.instances[i];
+    if (instance.moving && find_part(static_cast<int>(i)) == nullptr) {
+      parts_.push_back({static_cast<int>(i), instance.world_from_mesh, instance.world_from_mesh});
+    }
+  }
+}
+
+MovableObjects::Part* MovableObjects::find_part(int instance) {
+  const auto part = std::ranges::find(parts_, instance, &Part::instance);
+  return part == parts_.end() ? nullptr : &*part;
+}
+
+// Works out where the parts of one object are to be.
+void MovableObjects::set_next(const MovedObject& moved, const Scene& scene) {
+  const auto object = std::ranges::find(objects_, moved.name, &Object::name);
+  if (moved.instance < 0 && object != objects_.end()) {
+    for (const Piece& piece : object->pieces) {
+      parts_[piece.part].next = moved.world_from_object * piece.object_from_mesh;
+    }
+    return;
+  }
+  const auto count = static_cast<int>(scene.instances.size());
+  if (moved.instance >= count) {
+    throw Error(fmt::format("instance = {} must be less than {}, the number of instances", moved.instance, count));
+  }
+  int index = moved.instance;
+  if (index < 0) {
+    const auto named = std::ranges::find_if(
+        scene.instances, [&](const Instance& instance) { return instance.present && instance.name == moved.name; });
+    index = named == scene.instances.end() ? -1 : static_cast<int>(named - scene.instances.begin());
+  }
+  Part* part = find_part(index);
+  if (part != nullptr && scene.instances[part->instance].present) {
+    part->next = moved.world_from_object;
+    return;
+  }
+  const std::string what = moved.instance < 0
+                               ? "name = " + moved.name
+                               : fmt::format("instance = {} ({})", moved.instance, scene.instances[index].name);
+  if (moved.instance >= 0 && !scene.instances[index].present) {
+    throw Error(what + " has been removed");
+  }
+  if (index < 0 &&
+      std::ranges::none_of(scene.instances, [&](const Instance& i) { return belongs_to(i, moved.name); })) {
+    throw Error(fmt::format("{} is not in the world; there are {}", what, object_names(scene)));
+  }
+  std::vector<std::string> names;
+  std::ranges::transform(objects_, std::back_inserter(names), &Object::name);
+  throw Error(fmt::format("{} was not made movable when the simulator was built; {}", what,
+                          names.empty() ? "nothing was" : fmt::format("movable are {}", fmt::join(names, ", "))));
+}
+
+void MovableObjects::reset(const Scene& scene) {
+  std::erase_if(objects_, [&](const Object& object) {
+    return std::ranges::none_of(
+        object.pieces, [&](const Piece& piece) { return scene.instances[parts_[piece.part].instance].present; });
+  });
+  for (Part& part : parts_) {
+    part.now = scene.instances[part.instance].world_from_mesh;
+  }
+}
+
+void MovableObjects::place(std::span<const MovedObject> moved, const Scene& scene, Engine& engine) {
+  for (Part& part : parts_) {
+    part.next = scene.instances[part.instance].world_from_mesh;
+  }
+  for (std::size_t i = 0; i < moved.size(); ++i) {
+    try {
+      set_next(moved[i], scene);
+    } catch (const Error& error) {
+      throw Error(fmt::format("moved[{}].{}", i, error.what()));
+    }
+  }
+  for (Part& part : parts_) {
+    if (scene.instances[part.instance].present && !same(part.now, part.next)) {
+      engine.move_instance(part.instance, part.next);
+      part.now = part.next;
+    }
+  }
+}
+
+}  // namespace insonify

@@ -1,0 +1,77 @@
+// scenario_requests.cpp -- a scenario's trajectories at the times of its pings.
+
+#include "insonify/scenario_requests.h"
+
+#include <fmt/format.h>
+
+#include "insonify/error.h"
+
+namespace insonify {
+namespace {
+
+// At every waypoint; between them a vehicle moves straight on.
+void check_depths(const Scenario& scenario) {
+  std::vector<double> times = {0};
+  for (const Waypoint& waypoint : scenario.trajectory.waypoints) {
+    times.push_back(waypoint.time);
+  }
+  for (std::size_t i = 0; i < scenario.sonars.size(); ++i) {
+    for (const double time : times) {
+      const double height = (scenario.trajectory.at(time) * scenario.sonars[i].position).z();
+      if (height >= scenario.surface->level) {
+        throw Error(
+            fmt::format("surface.level = {:.7g} m must be above the sonars; sonars[{}] is at a height of {:.7g} m "
+                        "at time {:.7g} s",
+                        scenario.surface->level, i, height, time));
+      }
+    }
+  }
+}
+
+// Steady, from one pose to the next.
+Twist twist_between(const Pose& first, const Pose& last, double time) {
+  const Eigen::AngleAxisd turn(last.orientation * first.orientation.conjugate());
+  const double angle = std::remainder(turn.angle(), 2 * std::numbers::pi);
+  return {.linear = (last.position - first.position) / time, .angular = angle / time * turn.axis()};
+}
+
+}  // namespace
+
+ScenarioRequests::ScenarioRequests(const Scenario& scenario)
+    : ping_count_(static_cast<std::uint64_t>(scenario.pings)),
+      trajectory_(scenario.trajectory),
+      motions_(scenario.motions) {
+  if (scenario.surface) {
+    check_depths(scenario);
+  }
+  for (const SonarConfig& sonar : scenario.sonars) {
+    sonars_.push_back(scenario.filled_in(sonar));
+  }
+}
+
+void ScenarioRequests::fill(int sonar, std::uint64_t number, PingRequest& request) const {
+  const SonarConfig& config = sonars_.at(static_cast<std::size_t>(sonar));
+  const double listening = config.shortest_ping_period(*config.assumed_sound_speed);
+  request.number = number;
+  request.time = static_cast<double>(number) * *config.ping_period;
+  request.world_from_vehicle = trajectory_.at(request.time);
+  request.twist = twist_between(request.world_from_vehicle, trajectory_.at(request.time + listening), listening);
+  request.moved.resize(motions_.size());
+  for (std::size_t i = 0; i < motions_.size(); ++i) {
+    request.moved[i].name = motions_[i].object;
+    request.moved[i].instance = -1;
+    request.moved[i].world_from_object = motions_[i].trajectory.at(request.time);
+  }
+  request.head_angle.reset();
+  if (config.type == SonarType::kMechanicallyScanned) {
+    request.head_angle = config.head_angle(number);
+  }
+}
+
+PingRequest ScenarioRequests::at(int sonar, std::uint64_t number) const {
+  PingRequest request;
+  fill(sonar, number, request);
+  return request;
+}
+
+}  // namespace insonify

@@ -1,0 +1,85 @@
+// scene_changes.cpp -- merges materials, and checks names.
+
+#include "simulator/scene_changes.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "echo/engine.h"
+#include "insonify/error.h"
+#include "simulator/movable_objects.h"
+
+namespace insonify {
+namespace {
+
+constexpr std::size_t kMostLabels = 65535;  // Labels are 16 bits wide; the last value means "nothing".
+
+void check_names(const Scene& objects, const Scene& scene) {
+  for (const Instance& instance : objects.instances) {
+    const auto has_its_name = [&](const Instance& other) { return other.present && other.name == instance.name; };
+    if (std::ranges::any_of(scene.instances, has_its_name) ||
+        std::ranges::count_if(objects.instances, has_its_name) > 1) {
+      throw Error(fmt::format("an object {} is there already; remove it first, or choose another name", instance.name));
+    }
+  }
+}
+
+void check_materials(const Scene& objects) {
+  for (const Instance& instance : objects.instances) {
+    if (instance.materials.size() != instance.mesh->material_names.size() ||
+        std::ranges::any_of(instance.materials, [&](std::uint16_t m) { return m >= objects.materials.size(); })) {
+      throw Error(fmt::format("{} has no materials: assign_materials() comes first", instance.name));
+    }
+  }
+}
+
+}  // namespace
+
+void add_to_scene(const Scene& objects, Scene& scene) {
+  check_names(objects, scene);
+  check_materials(objects);
+  for (const Instance& instance : objects.instances) {
+    check_reach(instance, instance.name);
+  }
+  std::vector<Material> materials = scene.materials;
+  std::vector<std::uint16_t> index_of;  // Of each of their materials, in the scene.
+  for (const Material& material : objects.materials) {
+    const auto same = std::ranges::find(materials, material);
+    index_of.push_back(static_cast<std::uint16_t>(same - materials.begin()));
+    if (same == materials.end()) {
+      materials.push_back(material);
+    }
+  }
+  for (const auto& [count, what] :
+       {std::pair(scene.instances.size() + objects.instances.size(), "objects, removed ones included"),
+        std::pair(materials.size(), "materials")}) {
+    if (count > kMostLabels) {
+      throw Error(fmt::format("the scene would have {} {}; must be at most {}", count, what, kMostLabels));
+    }
+  }
+  scene.materials = std::move(materials);
+  for (const Instance& instance : objects.instances) {
+    for (std::uint16_t& material : scene.instances.emplace_back(instance).materials) {
+      material = index_of[material];
+    }
+  }
+}
+
+void remove_from_scene(std::string_view name, Scene& scene) {
+  const auto is_named = [&](const Instance& instance) { return belongs_to(instance, name); };
+  if (std::ranges::none_of(scene.instances, is_named)) {
+    throw Error(fmt::format("{} is not in the world; there are {}", name, object_names(scene)));
+  }
+  for (Instance& instance : scene.instances) {
+    if (is_named(instance) && instance.endless) {
+      throw Error(fmt::format("{} cannot be removed: it is the scenario's surface", name));
+    }
+  }
+  for (Instance& instance : scene.instances) {
+    instance.present = instance.present && !is_named(instance);
+  }
+}
+
+}  // namespace insonify

@@ -1,0 +1,85 @@
+// sea_plane.cpp -- a plane on a lattice of places.
+
+#include "simulator/sea_plane.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "echo/engine.h"
+#include "insonify/error.h"
+#include "insonify/mesh.h"
+
+namespace insonify {
+namespace {
+
+// How far sound may come from at most [m]: a sonar may take it for slower than it is, by up to 1700 over 1300 m/s.
+double reach_of(const Scenario& scenario) {
+  constexpr double kTrueRanges = 1.5;
+  double reach = 0;
+  for (const SonarConfig& sonar : scenario.sonars) {
+    reach = std::max(reach, kTrueRanges * sonar.max_range);
+  }
+  return reach;
+}
+
+}  // namespace
+
+SeaPlane::SeaPlane(const Scenario& scenario, Scene& scene)
+    : instance_(static_cast<int>(scene.instances.size())),
+      material_(static_cast<std::uint16_t>(scene.materials.size())),
+      home_(0, 0, scenario.surface->level),
+      now_(home_) {
+  Instance instance;
+  instance.name = "sea_surface";
+  instance.world_from_mesh.position = home_;
+  instance.moving = true;
+  instance.endless = true;
+  scene.instances.push_back(std::move(instance));
+  scene.materials.emplace_back();
+  fit(scenario, scene);
+}
+
+// Half of the plane's half width is for where the sonar is in its cell of the lattice, half for what it hears. Powers
+// of two: so it mostly stays as it is when a sonar's range changes.
+bool SeaPlane::fit(const Scenario& scenario, Scene& scene) {
+  scene.materials[material_] = sea_surface_material(*scenario.surface, scenario.sonars.front().frequency);
+  const double half_width = std::exp2(std::ceil(std::log2(2 * reach_of(scenario))));
+  if (half_width == half_width_) {
+    return false;
+  }
+  half_width_ = half_width;
+  Instance& instance = scene.instances[instance_];
+  instance.mesh = std::make_shared<const Mesh>(make_plane(-Vec3::UnitZ(), 2 * half_width_, 2 * half_width_));
+  instance.materials.assign(instance.mesh->material_names.size(), material_);
+  return true;
+}
+
+void SeaPlane::check(const Vec3& sonar) const {
+  if (sonar.z() >= home_.z()) {
+    throw Error(fmt::format("the sonar is at a height of {:.7g} m, must be below surface.level = {:.7g} m", sonar.z(),
+                            home_.z()));
+  }
+}
+
+void SeaPlane::place(const Vec3& sonar, Engine& engine) {
+  const double spacing = half_width_;
+  const Vec3 middle(spacing * std::round(sonar.x() / spacing), spacing * std::round(sonar.y() / spacing), home_.z());
+  if (middle != now_) {
+    engine.move_instance(instance_, {.position = middle});
+    now_ = middle;
+  }
+}
+
+std::vector<Material> materials_at(double frequency, const Scenario& scenario, const Scene& scene) {
+  std::vector<Material> materials = scene.materials;
+  for (const Instance& instance : scene.instances) {
+    if (scenario.surface && instance.endless) {
+      materials[instance.materials.front()] = sea_surface_material(*scenario.surface, frequency);
+    }
+  }
+  return materials;
+}
+
+}  // namespace insonify

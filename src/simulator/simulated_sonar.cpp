@@ -1,0 +1,117 @@
+// simulated_sonar.cpp -- from settings to plan, grid and receiver.
+
+#include "simulator/simulated_sonar.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "echo/model/ping_plan.h"
+#include "insonify/error.h"
+#include "receiver/line_array.h"
+
+namespace insonify {
+namespace {
+
+// The paper model's beams are top hats.
+ReceiverConfig receiver_of(const Scenario& scenario) {
+  ReceiverConfig receiver = scenario.receiver;
+  if (scenario.model == EchoModel::kPaper) {
+    receiver.azimuth_pattern = receiver.elevation_pattern = BeamPattern::kTopHat;
+    receiver.beam_shape = BeamShape::kWedge;
+    receiver.speckle = false;
+  }
+  return receiver;
+}
+
+std::optional<ArraySettings> elevation_array(const ReceiverConfig& receiver, const SonarConfig& sonar) {
+  if (receiver.elevation_pattern == BeamPattern::kTopHat) {
+    return {};
+  }
+  return line_array(receiver.elevation_pattern, receiver.side_lobe_db, sonar.elevation_aperture);
+}
+
+std::vector<float> cell_angles(const PingPlan& plan) {
+  std::vector<float> angles;
+  angles.reserve(plan.sonar.beam_count);
+  for (int cell = 0; cell < plan.sonar.beam_count; ++cell) {
+    angles.push_back(static_cast<float>(plan.lattice.beam_angle(cell)));
+  }
+  return angles;
+}
+
+// Largest number of surfaces that a path may meet.
+int order_count(const Scenario& scenario) {
+  const int most = scenario.model == EchoModel::kPaper ? 2 : kPathOrders;
+  return scenario.secondary == SecondaryEchoes::kNone ? 1 : std::min(most, scenario.max_surfaces);
+}
+
+// Where the vehicle is after a time of steady motion.
+Pose moved_on(const Pose& pose, const Twist& twist, double time) {
+  const double rate = twist.angular.norm();
+  Pose moved = pose;
+  moved.position += time * twist.linear;
+  if (rate > 0) {
+    moved.orientation = Eigen::AngleAxisd(rate * time, twist.angular / rate) * pose.orientation;
+  }
+  return moved;
+}
+
+}  // namespace
+
+Pose housing_from_head(double head_angle) {
+  return {Vec3::Zero(), orientation_from_rpy(0, 0, head_angle)};
+}
+
+SimulatedSonar::SimulatedSonar(const Scenario& scenario, const SonarConfig& sonar, std::span<const Material> materials)
+    : config(scenario.filled_in(sonar)), vehicle_from_housing(config.vehicle_from_sonar()) {
+  const Water water = scenario.water_at(config);
+  const ReceiverConfig beams = receiver_of(scenario);
+  const BearingCells cells(config, beams);
+  plan = make_ping_plan({.sonar = cells.sonar,
+                         .water = water,
+                         .model = scenario.model,
+                         .paper = scenario.paper,
+                         .materials = materials,
+                         .beam_shape = beams.beam_shape,
+                         .elevation_array = elevation_array(beams, config),
+                         .primary = scenario.primary,
+                         .secondary = scenario.secondary,
+                         .max_surfaces = scenario.max_surfaces,
+                         .rough_mirrors = scenario.rough_mirrors,
+                         .seed = scenario.seed});
+  grid =
+      EchoGrid(cells.sonar.beam_count, config.bin_count, order_count(scenario), scenario.ground_truth, beams.speckle);
+  if (scenario.model == EchoModel::kCalibrated) {
+    const std::vector<float> angles = cell_angles(*plan);
+    receiver.emplace(CalibratedReceiver::Settings{.sonar = config,
+                                                  .cells = cells,
+                                                  .cell_angles = angles,
+                                                  .water = water,
+                                                  .receiver = scenario.receiver,
+                                                  .materials = materials,
+                                                  .moves = scenario.motion_in_ping,
+                                                  .seed = scenario.seed});
+  }
+}
+
+void SimulatedSonar::check(const PingRequest& request, bool moves) const {
+  if (request.head_angle && config.type != SonarType::kMechanicallyScanned) {
+    throw Error(fmt::format("head_angle_deg = {:.10g} deg belongs to a scanning sonar; this one's type is fls",
+                            degrees_from_radians(*request.head_angle)));
+  }
+  // Motion in a ping is computed to the first order in speed over that of sound.
+  constexpr double kMost = 100;  // [m/s]: a fifteenth of the speed of sound.
+  if (const double speed = request.twist.linear.norm(); moves && speed > kMost) {
+    throw Error(fmt::format("twist.linear comes to {:.4g} m/s; with motion_in_ping at most {} m/s", speed, kMost));
+  }
+}
+
+PingMotion SimulatedSonar::motion_while_listening(const PingRequest& request, const Pose& vehicle_from_head) const {
+  const double time = config.shortest_ping_period(*config.assumed_sound_speed);
+  const Pose later = moved_on(request.world_from_vehicle, request.twist, time);
+  return motion_between(request.world_from_vehicle * vehicle_from_head, later * vehicle_from_head, time);
+}
+
+}  // namespace insonify

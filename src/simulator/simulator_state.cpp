@@ -1,0 +1,66 @@
+// simulator_state.cpp -- makes the parts of a simulator, and puts what moves into place.
+
+#include "simulator/simulator_state.h"
+
+#include <fmt/format.h>
+
+#include "insonify/error.h"
+
+namespace insonify {
+
+Simulator::State::State(Scenario the_scenario, Scene the_scene, int threads, std::span<const MovableObject> movable)
+    : scenario(std::move(the_scenario)),
+      scene(std::move(the_scene)),
+      engine(make_engine(scenario.engine, threads)),
+      workers(threads),
+      points(scenario.points),
+      interference(scenario.interferers) {
+  objects.add(scenario.motions, scene);
+  objects.add(movable, scene);
+  objects.add_marked(scene);
+  if (const std::optional<SeaSurface>& surface = scenario.surface) {
+    sea.emplace(scenario, scene);
+    const auto label = surface_label(static_cast<std::uint16_t>(sea->instance()), sea->material());
+    const bool glints = surface->wind_speed > 0 && scenario.receiver.speckle;
+    ghosts.emplace(scenario.points, SurfaceGhosts::Surface{surface->level, label, glints});
+  }
+  for (const SonarConfig& sonar : scenario.sonars) {
+    sonars.push_back(simulated(scenario, sonar));
+  }
+  take_in_scene();
+}
+
+SimulatedSonar Simulator::State::simulated(const Scenario& in, const SonarConfig& sonar) const {
+  return {in, sonar, materials_at(sonar.frequency, in, scene)};
+}
+
+void Simulator::State::take_in_scene() {
+  if (scene_changed) {
+    engine->set_scene(scene);
+    objects.reset(scene);
+    if (sea) {
+      sea->reset();
+    }
+    scene_changed = false;
+  }
+}
+
+void Simulator::State::place(const SimulatedSonar& sonar, const PingRequest& request) {
+  try {
+    request.validate();
+    sonar.check(request, scenario.motion_in_ping);
+    const Vec3 position = request.world_from_vehicle * sonar.config.position;
+    if (sea) {
+      sea->check(position);
+    }
+    take_in_scene();
+    objects.place(request.moved, scene, *engine);
+    if (sea) {
+      sea->place(position, *engine);
+    }
+  } catch (const Error& error) {
+    throw Error(fmt::format("ping {} of {}: {}", request.number, sonar.config.name, error.what()));
+  }
+}
+
+}  // namespace insonify

@@ -1,0 +1,197 @@
+// change_simulator_test.cpp -- sonars and objects that change between pings: as if they had always been so.
+
+#include "insonify/simulator.h"
+#include "simulator/small_world.h"
+
+namespace insonify {
+namespace {
+
+using namespace testing_scenes;
+
+class ChangeSimulatorTest : public testing::TestWithParam<PingCase> {};
+INSTANTIATE_TEST_SUITE_P(Cases, ChangeSimulatorTest, testing::ValuesIn(kPingCases), kPingCaseName);
+
+// ---- Sonars ---------------------------------------------------------------------------------------------------------
+
+TEST_P(ChangeSimulatorTest, ChangedSonarHearsAsOneThatWasAlwaysSo) {
+  Scenario scenario = small_scenario(GetParam());
+  scenario.surface = SeaSurface{.level = 3, .wind_speed = 2};
+  Simulator simulator(scenario, small_world(), 2);
+  Ping ping;
+  simulator.ping(0, {.number = 1}, ping);
+  const auto change = [&](const auto& act) {
+    SonarConfig sonar = simulator.scenario().sonars[0];
+    act(sonar);
+    simulator.set_sonar(0, sonar);
+    scenario.sonars[0] = sonar;
+    simulator.ping(0, {.number = 1}, ping);
+    Simulator other(scenario, small_world(), 2);
+    expect_same(ping, other.ping(0, {.number = 1}));
+    EXPECT_EQ(*simulator.sonar(0).ping_period, *other.sonar(0).ping_period);
+  };
+  const auto trace = [](const char* what) { return what; };
+  {
+    SCOPED_TRACE(trace("range"));
+    change([](SonarConfig& sonar) { sonar.max_range = 10; });
+  }
+  {
+    SCOPED_TRACE(trace("a longer range than any before"));
+    change([](SonarConfig& sonar) { sonar.max_range = 24; });
+  }
+  {
+    SCOPED_TRACE(trace("gain"));
+    change([](SonarConfig& sonar) { sonar.gain = 0.5; });
+  }
+  {
+    SCOPED_TRACE(trace("beams and bins"));
+    change([](SonarConfig& sonar) {
+      sonar.beam_count = 20;
+      sonar.bin_count = 333;
+    });
+  }
+  {
+    SCOPED_TRACE(trace("frequency, and place on the vehicle"));
+    change([](SonarConfig& sonar) {
+      sonar.frequency = 300e3;
+      sonar.position = {0.2, 0, -0.5};
+    });
+  }
+}
+
+TEST_P(ChangeSimulatorTest, OtherSonarsDoNotChange) {
+  Scenario scenario = small_scenario(GetParam());
+  scenario.sonars.push_back(small_sonar());
+  scenario.sonars[1].name = "stern";
+  Simulator simulator(scenario, small_world(), 2);
+  const Ping before = simulator.ping(1, {});
+  SonarConfig sonar = simulator.scenario().sonars[0];
+  sonar.max_range = 8;
+  simulator.set_sonar(0, sonar);
+  expect_same(simulator.ping(1, {}), before);
+}
+
+TEST(SetSonarTest, RefusesWhatAScenarioWouldAndLeavesTheSonarAsItWas) {
+  Scenario scenario = quiet_scenario(small_sonar());
+  scenario.sonars.push_back(small_sonar());
+  scenario.sonars[1].name = "stern";
+  Simulator simulator(scenario, small_world(), 1);
+  const Ping before = simulator.ping(1, {});
+  SonarConfig sonar = scenario.sonars[1];
+  sonar.max_range = 0.1;
+  EXPECT_EQ(message_of([&] { simulator.set_sonar(1, sonar); }),
+            "sonars[1].max_range = 0.1 m must be greater than min_range = 0.2 m");
+  sonar = scenario.sonars[1];
+  sonar.name = "fls";
+  EXPECT_EQ(message_of([&] { simulator.set_sonar(1, sonar); }),
+            "sonars[1].name = \"fls\" must differ from that of sonars[0]");
+  expect_same(simulator.ping(1, {}), before);
+}
+
+// ---- Objects --------------------------------------------------------------------------------------------------------
+
+// One instance of the small world, with its material.
+Scene only(int instance) {
+  const Scene world = small_world();
+  Scene scene;
+  scene.instances = {world.instances[instance]};
+  scene.materials = {world.materials[world.instances[instance].materials[0]]};
+  std::ranges::fill(scene.instances[0].materials, std::uint16_t{0});
+  return scene;
+}
+
+// The small world without its last instance.
+Scene world_without_ball() {
+  Scene scene = small_world();
+  scene.instances.pop_back();
+  scene.materials.pop_back();
+  return scene;
+}
+
+TEST_P(ChangeSimulatorTest, AddedObjectIsHeardAsOneThatWasAlwaysThere) {
+  const Scenario scenario = small_scenario(GetParam());
+  Simulator simulator(scenario, world_without_ball(), 2);
+  const Ping before = simulator.ping(0, {});
+  EXPECT_EQ(simulator.add_objects(only(kBall)), kBall);
+  const Ping after = simulator.ping(0, {});
+  EXPECT_GT(apart(before, after), 0.02);
+  expect_same(after, Simulator(scenario, small_world(), 2).ping(0, {}));
+}
+
+TEST_P(ChangeSimulatorTest, RemovedObjectIsHeardNoMore) {
+  const Scenario scenario = small_scenario(GetParam());
+  Simulator simulator(scenario, small_world(), 2);
+  (void)simulator.ping(0, {});
+  simulator.remove_object("ball");
+  expect_same(simulator.ping(0, {}), Simulator(scenario, world_without_ball(), 2).ping(0, {}));
+}
+
+TEST_P(ChangeSimulatorTest, LabelsKeepTheirMeaning) {
+  Scenario scenario = small_scenario(GetParam());
+  scenario.receiver.noise = false;
+  scenario.surface = SeaSurface{.level = 5};
+  Simulator simulator(scenario, small_world(), 2);
+  // Nearest bin with a label in the middle beam.
+  const auto nearest_label = [&](double height) {
+    const Ping ping = simulator.ping(0, {.world_from_vehicle = {.position = {2, 0.5, height}}});
+    int bin = 0;
+    while (ping.instance[ping.index(bin, 16)] == kNoLabel) {
+      ++bin;
+    }
+    return static_cast<int>(ping.instance[ping.index(bin, 16)]);
+  };
+  EXPECT_EQ(nearest_label(-1.2), kBall);
+  simulator.remove_object("box");
+  EXPECT_EQ(nearest_label(-1.2), kBall);
+  simulator.remove_object("ball");
+  EXPECT_EQ(nearest_label(-1.2), kFloor);
+  EXPECT_EQ(simulator.add_objects(only(kBall)), 6) << "after the five of the world and the sea's surface";
+  EXPECT_EQ(nearest_label(-1.2), 6);
+  EXPECT_EQ(simulator.scene().instances[6].name, "ball");
+  EXPECT_EQ(simulator.scene().instances[kBall].name, "ball");
+  EXPECT_FALSE(simulator.scene().instances[kBall].present);
+  EXPECT_EQ(simulator.scene().materials.size(), small_world().materials.size() + 1) << "the ball's is there already";
+}
+
+TEST_P(ChangeSimulatorTest, AddedObjectsCanMove) {
+  const Scenario scenario = small_scenario(GetParam());
+  Simulator simulator(scenario, world_without_ball(), 2);
+  simulator.add_objects(only(kBall), std::vector<MovableObject>{{"ball"}});
+  Simulator expected(scenario, small_world(), 2, std::vector<MovableObject>{{"ball"}});
+  const PingRequest request{.moved = {{.name = "ball", .world_from_object = {.position = {4, 0, -1}}}}};
+  expect_same(simulator.ping(0, request), expected.ping(0, request));
+  simulator.remove_object("ball");
+  expect_same(simulator.ping(0, {}), Simulator(scenario, world_without_ball(), 2).ping(0, {}));
+  EXPECT_EQ(message_of([&] { (void)simulator.ping(0, request); }),
+            "ping 0 of fls: moved[0].name = ball is not in the world; there are box, floor, ship");
+  EXPECT_EQ(message_of([&] { (void)simulator.ping(0, {.moved = {{.instance = kBall}}}); }),
+            "ping 0 of fls: moved[0].instance = 4 (ball) has been removed");
+}
+
+TEST(AddObjectsTest, RefusesNamesThatAreThereAndMaterialsThatAreNot) {
+  Simulator simulator(quiet_scenario(small_sonar()), small_world(), 1);
+  const Ping before = simulator.ping(0, {});
+  EXPECT_EQ(message_of([&] { simulator.add_objects(only(kBall)); }),
+            "an object ball is there already; remove it first, or choose another name");
+  Scene bare = only(kBall);
+  bare.instances[0].name = "buoy";
+  bare.instances[0].materials.clear();
+  EXPECT_EQ(message_of([&] { simulator.add_objects(bare); }), "buoy has no materials: assign_materials() comes first");
+  Scene buoy = only(kBall);
+  buoy.instances[0].name = "buoy";
+  EXPECT_EQ(message_of([&] { simulator.add_objects(buoy, std::vector<MovableObject>{{"boy"}}); }),
+            "movable[0].name = boy is not in the world; there are ball, box, buoy, floor, ship");
+  EXPECT_EQ(simulator.scene().instances.size(), small_world().instances.size());
+  expect_same(simulator.ping(0, {}), before);
+}
+
+TEST(RemoveObjectTest, RefusesWhatIsNotThere) {
+  Simulator simulator(quiet_scenario(small_sonar()), small_world(), 1);
+  EXPECT_EQ(message_of([&] { simulator.remove_object("whale"); }),
+            "whale is not in the world; there are ball, box, floor, ship");
+  simulator.remove_object("ship");
+  EXPECT_EQ(message_of([&] { simulator.remove_object("ship"); }),
+            "ship is not in the world; there are ball, box, floor");
+}
+
+}  // namespace
+}  // namespace insonify

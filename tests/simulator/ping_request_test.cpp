@@ -1,0 +1,166 @@
+// ping_request_test.cpp -- pings made from poses, wherever these come from.
+
+#include "insonify/ping_request.h"
+
+#include <limits>
+
+#include "insonify/simulator.h"
+#include "simulator/small_world.h"
+
+namespace insonify {
+namespace {
+
+using namespace testing_scenes;
+
+class PingRequestTest : public testing::TestWithParam<PingCase> {};
+INSTANTIATE_TEST_SUITE_P(Cases, PingRequestTest, testing::ValuesIn(kPingCases), kPingCaseName);
+
+const Vec3 kRpy(0.05, 0.1, -0.4);
+const Pose kSomewhere{{0.7, -0.3, 0.2}, orientation_from_rpy(0.05, 0.1, -0.4)};
+
+TEST_P(PingRequestTest, PoseFromOutsideGivesThePingOfATrajectoryThere) {
+  Scenario scenario = small_scenario(GetParam());
+  scenario.sonars[0].position = {0.3, 0, 0.1};
+  Simulator simulator(scenario, small_world(), 2);
+  const Ping ping = simulator.ping(0, {.number = 5, .time = 2.5, .world_from_vehicle = kSomewhere});
+  EXPECT_EQ(ping.number, 5U);
+  EXPECT_EQ(ping.time, 2.5);
+  EXPECT_LT((ping.world_from_sonar.position - kSomewhere * Vec3(0.3, 0, 0.1)).norm(), 1e-12);
+  scenario.trajectory.waypoints = {{.position = kSomewhere.position, .orientation = kRpy}};
+  const Ping expected = Simulator(scenario, small_world(), 2).make_ping(0, 5);
+  expect_same(ping, expected);
+  EXPECT_GT(*std::ranges::max_element(ping.intensity), 1e-6F);
+}
+
+TEST_P(PingRequestTest, PingsDoNotDependOnThoseBefore) {
+  Simulator simulator(small_scenario(GetParam()), small_world(), 2);
+  const Ping first = simulator.ping(0, {.number = 3});
+  expect_same(simulator.ping(0, {.number = 3}), first);
+  const Ping there = simulator.ping(0, {.number = 3, .world_from_vehicle = kSomewhere});
+  EXPECT_NE(there.intensity, first.intensity);
+  EXPECT_NE(simulator.ping(0, {.number = 4}).intensity, first.intensity) << "noise is drawn by the number";
+  expect_same(simulator.ping(0, {.number = 3}), first);
+}
+
+TEST_P(PingRequestTest, ManyAtOnceAreThoseOneByOne) {
+  Simulator simulator(small_scenario(GetParam()), small_world(), 2, std::vector<MovableObject>{{"ball"}});
+  std::vector<PingRequest> requests(3);
+  for (std::size_t i = 0; i < requests.size(); ++i) {
+    requests[i].number = i;
+    requests[i].world_from_vehicle.position.y() = 0.2 * static_cast<double>(i);
+    requests[i].moved = {{.name = "ball", .world_from_object = {.position = {4.0 + static_cast<double>(i), 0, -1}}}};
+  }
+  std::vector<Ping> pings(3);
+  simulator.ping(0, requests, pings);
+  for (std::size_t i = 0; i < requests.size(); ++i) {
+    expect_same(pings[i], simulator.ping(0, requests[i]));
+  }
+}
+
+// Both sonars of a vehicle hear from where they are mounted, as each would alone.
+TEST_P(PingRequestTest, EverySonarOfAVehicleHearsFromItsMounting) {
+  Scenario both = small_scenario(GetParam());
+  both.sonars.push_back(small_sonar());
+  both.sonars[1].name = "stern";
+  both.sonars[1].position = {0.5, -0.2, 0.4};
+  both.sonars[1].orientation = {0, 0.2, 0.3};
+  both.sonars[1].bin_count = 120;
+  Simulator simulator(both, small_world(), 2);
+  const PingRequest request{.number = 2, .world_from_vehicle = kSomewhere};
+  for (int i = 0; i < 2; ++i) {
+    Scenario alone = both;
+    alone.sonars = {both.sonars[i]};
+    expect_same(simulator.ping(i, request), Simulator(alone, small_world(), 2).ping(0, request));
+  }
+}
+
+// ---- Scanning heads -------------------------------------------------------------------------------------------------
+
+SonarConfig scanning_sonar() {
+  SonarConfig sonar = small_sonar();
+  sonar.type = SonarType::kMechanicallyScanned;
+  sonar.beam_count = 1;
+  sonar.azimuth_aperture = 3 * kDegree;
+  sonar.step = 7 * kDegree;
+  return sonar;
+}
+
+TEST_P(PingRequestTest, HeadTurnsByItsStepsUnlessTheRequestTurnsIt) {
+  Scenario scenario = small_scenario(GetParam());
+  scenario.sonars = {scanning_sonar()};
+  Simulator simulator(scenario, small_world(), 2);
+  const Ping stepped = simulator.ping(0, {.number = 3});
+  EXPECT_NEAR(stepped.head_angle, 21 * kDegree, 1e-12);
+  expect_same(simulator.ping(0, {.number = 3, .head_angle = stepped.head_angle}), stepped);
+  const Ping aside = simulator.ping(0, {.number = 3, .head_angle = -15 * kDegree});
+  EXPECT_EQ(aside.head_angle, -15 * kDegree);
+  EXPECT_NE(aside.intensity, stepped.intensity);
+  const Pose head = simulator.world_from_head(0, {.number = 3, .head_angle = -15 * kDegree});
+  EXPECT_NEAR((head.orientation * Vec3::UnitX()).y(), -std::sin(15 * kDegree), 1e-12);
+}
+
+// ---- The scenario's own requests ------------------------------------------------------------------------------------
+
+TEST(ScenarioRequestsTest, FollowTheTrajectoriesAtTheSonarsPeriod) {
+  Scenario scenario = quiet_scenario(scanning_sonar());
+  scenario.pings = 40;
+  scenario.sonars[0].ping_period = 0.5;
+  scenario.trajectory.waypoints = {{.time = 0}, {.time = 10, .position = {5, 0, -1}, .orientation = {0, 0, 1}}};
+  scenario.motions = {{.object = "ball", .trajectory = {{{.time = 0}, {.time = 10, .position = {0, 2, 0}}}}}};
+  const ScenarioRequests requests(scenario);
+  EXPECT_EQ(requests.ping_count(), 40U);
+  EXPECT_EQ(requests.sonar_count(), 1);
+  const PingRequest request = requests.at(0, 4);
+  EXPECT_EQ(request.number, 4U);
+  EXPECT_EQ(request.time, 2);
+  EXPECT_LT((request.world_from_vehicle.position - Vec3(1, 0, -0.2)).norm(), 1e-12);
+  EXPECT_LT((request.twist.linear - Vec3(0.5, 0, -0.1)).norm(), 1e-12);
+  EXPECT_LT((request.twist.angular - Vec3(0, 0, 0.1)).norm(), 1e-9);
+  ASSERT_EQ(request.moved.size(), 1U);
+  EXPECT_EQ(request.moved[0].name, "ball");
+  EXPECT_LT((request.moved[0].world_from_object.position - Vec3(0, 0.4, 0)).norm(), 1e-12);
+  EXPECT_NEAR(*request.head_angle, 28 * kDegree, 1e-12);
+}
+
+// ---- What makes no sense --------------------------------------------------------------------------------------------
+
+class WrongRequestTest : public testing::Test {
+ protected:
+  std::string message_of_ping(const PingRequest& request) {
+    return message_of([&] { (void)simulator_.ping(0, request); });
+  }
+  Simulator simulator_{quiet_scenario(small_sonar()), small_world(), 1};
+};
+
+TEST_F(WrongRequestTest, NamesWhatIsNoNumberOrOutOfLimits) {
+  constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(message_of_ping({.number = 7, .time = kNan}), "ping 7 of fls: time = nan s must be from -1e+10 to 1e+10 s");
+  EXPECT_EQ(message_of_ping({.world_from_vehicle = {.position = {0, 2e7, 0}}}),
+            "ping 0 of fls: world_from_vehicle.position[1] = 20000000 m must be from -10000000 to 10000000 m");
+  EXPECT_EQ(message_of_ping({.world_from_vehicle = {.orientation = Eigen::Quaterniond(2, 0, 0, 0)}}),
+            "ping 0 of fls: world_from_vehicle.orientation must be a unit quaternion; the norm of this one is 2");
+  EXPECT_EQ(message_of_ping({.world_from_vehicle = {.orientation = Eigen::Quaterniond(kNan, 0, 0, 0)}}),
+            "ping 0 of fls: world_from_vehicle.orientation must be a unit quaternion; the norm of this one is nan");
+  EXPECT_EQ(message_of_ping({.twist = {.linear = {0, 0, kNan}}}),
+            "ping 0 of fls: twist.linear[2] = nan m/s must be a finite number");
+}
+
+TEST_F(WrongRequestTest, TurnsNoHeadThatIsNotThere) {
+  EXPECT_EQ(message_of_ping({.head_angle = 90 * kDegree}),
+            "ping 0 of fls: head_angle_deg = 90 deg belongs to a scanning sonar; this one's type is fls");
+}
+
+TEST_F(WrongRequestTest, NeedsAsManyPingsAsRequests) {
+  std::vector<Ping> pings(2);
+  EXPECT_EQ(message_of([&] { simulator_.ping(0, std::vector<PingRequest>(3), pings); }),
+            "3 requests must have as many pings to fill, not 2");
+}
+
+TEST_F(WrongRequestTest, LeavesTheSimulatorAsItWas) {
+  const Ping before = simulator_.ping(0, {});
+  EXPECT_NE(message_of_ping({.time = 1e11}), "no error");
+  expect_same(simulator_.ping(0, {}), before);
+}
+
+}  // namespace
+}  // namespace insonify

@@ -1,0 +1,122 @@
+// sea_plane_test.cpp -- the sea's surface is wherever the vehicle goes, and the same everywhere.
+
+#include "insonify/simulator.h"
+#include "simulator/small_world.h"
+
+namespace insonify {
+namespace {
+
+using namespace testing_scenes;
+
+class SeaPlaneTest : public testing::TestWithParam<PingCase> {
+ protected:
+  // Three metres below a sea, looking up at it.
+  static Scenario below_the_sea() {
+    Scenario scenario = small_scenario(GetParam());
+    scenario.surface = SeaSurface{.level = 0, .wind_speed = 5};
+    scenario.sonars[0].orientation = {0, -20 * kDegree, 0};
+    scenario.receiver.noise = false;
+    scenario.receiver.speckle = false;
+    return scenario;
+  }
+  static PingRequest at(double x, double y) { return {.world_from_vehicle = {.position = {x, y, -3}}}; }
+};
+INSTANTIATE_TEST_SUITE_P(Cases, SeaPlaneTest, testing::ValuesIn(kPingCases), kPingCaseName);
+
+TEST_P(SeaPlaneTest, IsHeardAlikeWhereverTheVehicleGoes) {
+  Simulator simulator(below_the_sea(), {}, 2);
+  const Ping here = simulator.ping(0, at(0, 0));
+  EXPECT_GT(*std::ranges::max_element(here.intensity), 1e-9F);
+  for (const double far : {10.0, 32.0, 70.0, 5e3, 2e5, -3e6}) {
+    SCOPED_TRACE(far);
+    const Ping there = simulator.ping(0, at(far, -0.7 * far));
+    EXPECT_LT(apart(here, there), 1e-3);
+    EXPECT_EQ(there.instance, here.instance);
+    EXPECT_EQ(*std::ranges::min_element(there.instance), simulator.scene().find_instance("sea_surface"));
+  }
+}
+
+TEST_P(SeaPlaneTest, PingsDoNotDependOnWhereTheVehicleWasBefore) {
+  Scenario scenario = below_the_sea();
+  scenario.receiver.noise = true;
+  scenario.receiver.speckle = GetParam().model == EchoModel::kCalibrated;
+  Simulator simulator(scenario, small_world(), 2);
+  const Ping first = simulator.ping(0, at(0.3, 0));
+  (void)simulator.ping(0, at(400, 90));
+  expect_same(simulator.ping(0, at(0.3, 0)), first);
+  (void)simulator.ping(0, at(-90, 400));
+  Simulator other(scenario, small_world(), 1);
+  (void)other.ping(0, at(7e4, 0));
+  expect_same(other.ping(0, at(0.3, 0)), first);
+}
+
+// The plane steps along where the vehicle crosses a line of its lattice, here at x = 32; what is heard does not.
+TEST_P(SeaPlaneTest, StepsUnheard) {
+  Scenario scenario = below_the_sea();
+  scenario.receiver.speckle = GetParam().model == EchoModel::kCalibrated;
+  Simulator simulator(scenario, {}, 2);
+  constexpr double kStep = 1e-4;
+  const auto change = [&](double x) {
+    return apart(simulator.ping(0, at(x - kStep, 0)), simulator.ping(0, at(x + kStep, 0)));
+  };
+  const double elsewhere = change(17), across = change(32);
+  EXPECT_LT(across, 2 * elsewhere + 1e-4);
+}
+
+// A point at (6, 0, -4), and its image in the surface at (6, 0, 4).
+TEST(SeaPlaneGhostTest, PointsHaveTheirGhostsFarAway) {
+  Scenario scenario = small_scenario(kPingCases[3]);
+  scenario.surface = SeaSurface{.level = 0};
+  scenario.receiver.noise = false;
+  scenario.sonars[0].elevation_aperture = 120 * kDegree;
+  scenario.sonars[0].bin_count = 640;
+  constexpr double kEast = 3e4;
+  scenario.points = {{.position = {kEast + 6, 0, -4}, .target_strength_db = -10}};
+  Simulator simulator(scenario, {}, 1);
+  const Ping ping = simulator.ping(0, {.world_from_vehicle = {.position = {kEast, 0, -3}}});
+  const SonarConfig& sonar = simulator.sonar(0);
+  const double straight = std::hypot(6, 1), by_surface = std::hypot(6, 7);
+  for (const double range : {straight, 0.5 * (straight + by_surface), by_surface}) {
+    const int bin = static_cast<int>((range - sonar.min_range) / sonar.bin_length());
+    double heard = 0;
+    for (int beam = 0; beam < ping.beam_count; ++beam) {
+      heard += ping.intensity[ping.index(bin, beam)];
+    }
+    EXPECT_GT(heard, 1e-7) << range;
+  }
+}
+
+TEST(SeaPlaneErrorTest, SonarsMustBeBelowIt) {
+  Scenario scenario = quiet_scenario(small_sonar());
+  scenario.surface = SeaSurface{.level = 2};
+  scenario.sonars[0].position = {0, 0, 0.5};
+  Simulator simulator(scenario, small_world(), 1);
+  const Ping before = simulator.ping(0, {});
+  EXPECT_EQ(message_of([&] {
+              (void)simulator.ping(0, {.number = 9, .world_from_vehicle = {.position = {0, 0, 1.5}}});
+            }),
+            "ping 9 of fls: the sonar is at a height of 2 m, must be below surface.level = 2 m");
+  expect_same(simulator.ping(0, {}), before);
+}
+
+TEST(SeaPlaneErrorTest, ScenariosThatRiseAboveItAreRefused) {
+  Scenario scenario = quiet_scenario(small_sonar());
+  scenario.surface = SeaSurface{.level = 2};
+  scenario.trajectory.waypoints = {{.time = 0}, {.time = 3, .position = {0, 0, 5}}};
+  EXPECT_EQ(message_of([&] { (void)ScenarioRequests(scenario); }),
+            "surface.level = 2 m must be above the sonars; sonars[0] is at a height of 5 m at time 3 s");
+}
+
+TEST(SeaPlaneErrorTest, CannotBeMovedOrRemoved) {
+  Scenario scenario = quiet_scenario(small_sonar());
+  scenario.surface = SeaSurface{.level = 2};
+  Simulator simulator(scenario, small_world(), 1);
+  EXPECT_EQ(message_of([&] { (void)simulator.ping(0, {.moved = {{.name = "sea_surface"}}}); }),
+            "ping 0 of fls: moved[0].name = sea_surface was not made movable when the simulator was built; nothing "
+            "was");
+  EXPECT_EQ(message_of([&] { simulator.remove_object("sea_surface"); }),
+            "sea_surface cannot be removed: it is the scenario's surface");
+}
+
+}  // namespace
+}  // namespace insonify
