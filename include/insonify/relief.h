@@ -69,13 +69,12 @@ struct ReliefConfig {
 
   template <typename Self, typename Visit>
   static void visit_fields(Self& self, Visit&& visit) {
-    visit(Field{"normal_map", "", {}, "Picture (PNG) of the surface's small normals, tangent space, green up."},
-          self.normal_map);
+    visit(Field{"normal_map", "", {}, "Normal map (PNG) in tangent space, green up."}, self.normal_map);
     visit(Field{"normal_strength", "", from_to(0, 100), "Factor on the slopes of the normal map."},
           self.normal_strength);
-    visit(Field{"height_map", "", {}, "Grey picture (PNG) of the surface's small heights."}, self.height_map);
+    visit(Field{"height_map", "", {}, "Height map (grey PNG)."}, self.height_map);
     visit(Field{"height", "m", from_to(0, 100), "Height of white above black in the height map."}, self.height);
-    visit(Field{"ripple_wavelength", "m", from_to(0, 1000), "Wavelength of ripples all over the surface; 0 for none."},
+    visit(Field{"ripple_wavelength", "m", from_to(0, 1000), "Wavelength of ripples; 0 for none."},
           self.ripple_wavelength);
     visit(Field{"ripple_height", "m", from_to(0, 100), "Height of ripples, from trough to crest."}, self.ripple_height);
     visit(
@@ -87,11 +86,11 @@ struct ReliefConfig {
                 "Power of the wavenumber with which the spectrum of heights falls."},
           self.roughness_exponent);
     visit(Field{"relief_seed", "", at_least(0), "Seed of ripples and roughness."}, self.relief_seed);
-    visit(
-        Field{"reflectivity_map", "", {}, "Grey picture (PNG): white reflects as the material does, black not at all."},
-        self.reflectivity_map);
+    visit(Field{"reflectivity_map", "", {}, "Factor on the amplitude reflectivity (grey PNG): white 1, black 0."},
+          self.reflectivity_map);
     visit(Field{"tile_size", "m", from_to(0, 1e6),
-                "Side of one picture laid by position; 0: by the mesh's texture coordinates, where it has none 1 m."},
+                "Side of a tile mapped by position; 0: a map follows the mesh's texture coordinates or, without "
+                "these, has a side of 1 m."},
           self.tile_size);
   }
 };

@@ -71,7 +71,7 @@ struct SonarConfig {
   int bin_count = 500;        ///< Range bins per beam, 1..65536.
   double min_range = 0.2;     ///< Near edge of bin 0 [m], 0..1e5. Nearer echoes are dropped.
   double max_range = 50.0;    ///< Far edge of the last bin [m], > min_range, <= 1e5.
-  double blanking_range = 0;  ///< Near field: echoes read low from min_range, rising to full level here [m], 0..1e5.
+  double blanking_range = 0;  ///< Near field: the gain rises from 0 at min_range to 1 here [m], 0..1e5.
   double gain = 1.0;          ///< Multiplies the displayed intensity before it is clipped to 1, in (0, 1e9].
 
   // Counts, if ReceiverConfig::counts asks for them.
@@ -165,7 +165,7 @@ void SonarConfig::visit_fields(Self& self, Visit&& visit) {
   visit(Field{"min_range", "m", from_to(0, 1e5), "Near edge of bin 0; nearer echoes are dropped."}, self.min_range);
   visit(Field{"max_range", "m", above_to(0, 1e5), "Far edge of the last bin."}, self.max_range);
   visit(Field{"blanking_range", "m", from_to(0, 1e5),
-              "Near field: echoes read low from min_range, rising to full level here."},
+              "Near field: the gain of amplitudes rises linearly from 0 at min_range to 1 here."},
         self.blanking_range);
   visit(Field{"gain", "", above_to(0, 1e9), "Multiplies the intensity before it is clipped to 1 (paper model)."},
         self.gain);

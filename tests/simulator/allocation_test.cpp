@@ -78,7 +78,7 @@ Scenario busy_scenario(int beams) {
   return scenario;
 }
 
-// Of the last hundred pings.
+// Number of allocations in the last hundred pings.
 int allocations_of_pings(const Scenario& scenario, int threads) {
   SceneMaker maker;
   maker.add_floor(-2);

@@ -116,7 +116,7 @@ TEST(UnderwaterLightTest, WaterIsBrighterTowardsTheSurface) {
   }
 }
 
-TEST(GrainTest, IsSmoothAndBounded) {
+TEST(ValueNoiseTest, IsSmoothAndBounded) {
   for (int i = -500; i < 500; ++i) {
     const Vec3 point(0.31 * i, -0.17 * i, 0.05 * i);
     const float value = value_noise(point, 0.8);

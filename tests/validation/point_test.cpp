@@ -93,7 +93,7 @@ TEST_P(PointTest, SurfaceShowsItsGhosts) {
   sonar.elevation_aperture = 100 * kDegree;
   sonar.beam_count = 8;
   sonar.azimuth_aperture = 60 * kDegree;
-  sonar.bin_count = 2500;  // Of 1 cm.
+  sonar.bin_count = 2500;  // Bins of 1 cm.
   for (const MirroredPoint& scene : kMirrored) {
     for (const bool coherent : {false, true}) {
       sonar.position = scene.sonar;
@@ -135,7 +135,7 @@ TEST_P(PointTest, CalmSurfaceInvertsThePhase) {
   sonar.elevation_aperture = 20 * kDegree;
   sonar.azimuth_aperture = 8 * kDegree;
   sonar.beam_count = 8;
-  sonar.bin_count = 25;  // Of 1 m.
+  sonar.bin_count = 25;  // Bins of 1 m.
   sonar.sampling = {1, 20};
   for (const double distance : {20.1, 20.3, 20.6}) {
     Scenario scenario = calibrated(sonar, GetParam());

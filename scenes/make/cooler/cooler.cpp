@@ -5,7 +5,7 @@
 namespace {
 
 constexpr double kHalfPass = kPassLength / 2;
-constexpr double kHeaderX = kHalfPass + 0.45;  // Of both headers' axes [m].
+constexpr double kHeaderX = kHalfPass + 0.45;  // Distance of both headers' axes from the middle [m].
 constexpr double kBanksWidth = (kCoilBanks - 1) * kBankPitch;
 constexpr double kRackX[] = {-3.1, -1.55, 0.0, 1.55, 3.1};  // [m]
 

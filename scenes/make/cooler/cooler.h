@@ -9,7 +9,7 @@
 // Frame [m]: axes of its members.
 inline constexpr double kCoolerLength = 9.0;     ///< Between the corner columns, along x.
 inline constexpr double kCoolerWidth = 4.4;      ///< Along y.
-inline constexpr double kCoolerHeight = 3.3;     ///< Of the top ring above the mudmat.
+inline constexpr double kCoolerHeight = 3.3;     ///< Height of the top ring above the mudmat.
 inline constexpr double kColumnRadius = 0.1365;  ///< NPS 10: 273 mm over all (ASME B36.10).
 inline constexpr double kMudmatOverhangX = 1.9;  ///< By which the mudmat stands out beyond the frame's axes.
 inline constexpr double kMudmatOverhangY = 0.75;

@@ -6,7 +6,7 @@
 
 namespace {
 
-constexpr double kHalfWidth = 55;  // Of the bed [m].
+constexpr double kHalfWidth = 55;  // Half the width of the bed [m].
 constexpr double kMiddleX = 24;
 
 // A smooth rise and fall that the pipes follow.

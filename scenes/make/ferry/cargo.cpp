@@ -164,7 +164,7 @@ Shape make_lifeboat() {
 
 Shape make_chain(const std::vector<Vec3>& path, double link_length) {
   Shape chain;
-  double position = 0;  // Of the next link's middle along the present piece [m].
+  double position = 0;  // Position of the next link's middle along the present piece [m].
   bool upright = false;
   for (std::size_t i = 0; i + 1 < path.size(); ++i) {
     const Vec3 piece = path[i + 1] - path[i];

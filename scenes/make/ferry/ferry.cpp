@@ -20,7 +20,7 @@ const std::vector<Curve>& waterlines() {
   return lines;
 }
 
-constexpr double kRampHinge = 53.7;  // Of the bow ramp [m].
+constexpr double kRampHinge = 53.7;  // Position x of the bow ramp's hinge [m].
 
 }  // namespace
 

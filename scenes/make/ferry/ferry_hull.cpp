@@ -37,7 +37,7 @@ Shape make_end(double x, double thickness) {
   const Surface across = [x](double u, double girth) -> Vec3 {
     const Vec3 edge = hull_point(x, girth, kPort);
     const double up = (girth - kBottomGirth) / (1 - kBottomGirth);
-    const double rise = 0.02 * edge.y() * (1 - std::abs(u));  // Of the bottom from the keel to this side.
+    const double rise = 0.02 * edge.y() * (1 - std::abs(u));  // Rise of the bottom from the keel to this side.
     const double arch = deck_height(x, u * edge.y()) - deck_edge_height(x);
     return {edge.x(), u * (edge.y() - kInset), edge.z() + (1 - up) * (kInset - rise) + up * (arch - kInset)};
   };
@@ -51,7 +51,7 @@ Shape make_torn_plating() {
   constexpr int kAngles = 96;
   constexpr int kPlateRings = 7;
   constexpr int kTongueRings = 5;
-  constexpr double kOverlap = 1.02;  // Of the rectangle.
+  constexpr double kOverlap = 1.02;  // Factor on the size of the rectangle.
   constexpr double kThin = 0.016;    // The torn plate's thickness [m].
   constexpr std::uint32_t kRow = kPlateRings + 1 + kTongueRings;
   std::vector<Vec3> points;

@@ -21,7 +21,8 @@ inline constexpr double kBedMiddleX = 30;
 /// Height of the sand without its ripples: undulation and scour [m].
 [[nodiscard]] double bed_height(double x, double y);
 
-/// Of its ripples, which calm down beside the wreck and round stones [m]. They lie on the bed as a normal map.
+/// Height of the ripples [m], which are lower next to the wreck and around stones. They are put on the bed as a normal
+/// map.
 [[nodiscard]] double bed_ripples(double x, double y);
 inline constexpr MapArea kBedArea{kBedMiddleX - kBedHalfWidth, -kBedHalfWidth, 2 * kBedHalfWidth};
 inline constexpr int kBedMapTexels = 1024;  ///< Eight a ripple.

@@ -25,7 +25,7 @@ Shape make_mudmat(double length, double width) {
   constexpr double kPlate = 0.03;    // [m]
   constexpr double kSkirt = 0.3;     // Depth [m].
   constexpr double kHole = 0.1;      // Radius [m].
-  constexpr double kSpacing = 0.85;  // Of the holes [m].
+  constexpr double kSpacing = 0.85;  // Spacing of the holes [m].
   const double x = length / 2;
   const double y = width / 2;
 
@@ -66,7 +66,7 @@ Shape make_stand_off_anode(double length, double stand_off) {
 Shape make_padeye(double height) {
   constexpr double kPlate = 0.05;  // Thickness [m].
   const double half = 0.55 * height;
-  const double eye = 0.62 * height;  // Of the hole above the foot.
+  const double eye = 0.62 * height;  // Height of the hole above the foot.
   const double crown = height - eye;
   std::vector<Vec2> outline = {{-half, -0.03}, {half, -0.03}, {half, 0.04}};
   for (const double angle : spaced(0.1 * kPi, 0.9 * kPi, 9)) {

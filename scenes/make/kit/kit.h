@@ -1,4 +1,4 @@
-// kit.h -- what a shipyard has: plates, sheets with openings, bars, beams, tubes, turned parts and pebbles.
+// kit.h -- parts of which models are made: plates, sheets with openings, bars, beams, tubes, turned parts and pebbles.
 
 #pragma once
 

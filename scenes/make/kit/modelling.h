@@ -1,4 +1,4 @@
-// modelling.h -- all that a model is made with: the kit, and what it takes of the standard library.
+// modelling.h -- common includes of the models: the kit, and headers of the standard library.
 
 #pragma once
 

@@ -1,4 +1,4 @@
-// noise.h -- roughness that is the same on every run.
+// noise.h -- value noise for rough surfaces, the same on every run.
 
 #pragma once
 

@@ -1,4 +1,4 @@
-// normal_map.h -- small shape as a picture of normals, for surfaces too large to have it as triangles.
+// normal_map.h -- normal maps, for detail that would need too many triangles.
 
 #pragma once
 

@@ -19,7 +19,7 @@ constexpr double kWeldCap = 0.008;  // A flange's neck stands out from the pipe 
 // thick and whose necks are 64, 84, 98 and 121 mm long.
 struct Flange {
   double rim, hub, neck;            // Radii.
-  double thickness, taper;          // Of the flange, and of its neck towards the pipe.
+  double thickness, taper;          // Lengths of the flange and of its neck towards the pipe.
   double bolt_circle, bolt_radius;  // Radii.
   int bolt_count;
 

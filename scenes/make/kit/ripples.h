@@ -18,7 +18,7 @@ struct RippleForm {
   double height;       ///< Trough to crest [m].
   double azimuth;      ///< Towards which the current sets [rad].
   int forks;           ///< Crest lines that begin or end somewhere on the patch.
-  std::uint32_t seed;  ///< Of where they fork; the two seeds from `seed + 10` are used as well.
+  std::uint32_t seed;  ///< Seed of the forks' places; the two seeds from `seed + 10` are used as well.
 };
 
 /// Ripples over a patch: broad troughs, sharp crests that wander and fork, a lee side steeper than the stoss side.

@@ -33,7 +33,7 @@ struct StoneField {
   std::size_t count;
   Patch patch;
   double least_radius;      ///< [m]
-  double spread, exponent;  ///< Of the power law.
+  double spread, exponent;  ///< Parameters of the power law.
   std::uint32_t seed;
 };
 /// @param has_room  Whether a stone may lie where it fell.

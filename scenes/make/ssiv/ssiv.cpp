@@ -4,7 +4,7 @@
 
 namespace {
 
-constexpr double kValveX = -0.12;  // Of the main valve's stem [m].
+constexpr double kValveX = -0.12;  // Position of the main valve's stem [m].
 
 // A U-bolt and the saddle that carry the pipe on a post from the sill.
 Shape make_pipe_support() {

@@ -9,14 +9,14 @@
 // Frame [m]: axes of its members.
 inline constexpr double kSsivLength = 2.6;       ///< Between the legs, along x.
 inline constexpr double kSsivWidth = 2.2;        ///< Along y.
-inline constexpr double kSsivHeight = 1.75;      ///< Of the roof's ring above the mudmats.
+inline constexpr double kSsivHeight = 1.75;      ///< Height of the roof's ring above the mudmats.
 inline constexpr double kLegRadius = 0.0842;     ///< NPS 6: 168.3 mm over all (ASME B36.10).
-inline constexpr double kSsivMudmatSide = 0.95;  ///< Of each of the four.
+inline constexpr double kSsivMudmatSide = 0.95;  ///< Side of each of the four mudmats.
 
 // The pipe through it [m].
 inline constexpr double kSsivPipeRadius = 0.1095;  ///< NPS 8: 219.1 mm over all (ASME B36.10).
-inline constexpr double kSsivPipeHeight = 0.52;    ///< Of its axis.
-inline constexpr double kSsivPipeReach = 2.75;     ///< Of its ends from the middle: blind flanges, it leads nowhere.
+inline constexpr double kSsivPipeHeight = 0.52;    ///< Height of the pipe's axis.
+inline constexpr double kSsivPipeReach = 2.75;     ///< Distance of its ends, which are blind flanges, from the middle.
 
 // Its parts.
 [[nodiscard]] Shape make_ssiv_frame();  ///< Legs, rings, bracing, mudmats, lifting points, anodes.

@@ -6,7 +6,7 @@
 
 namespace {
 
-constexpr double kHalfWidth = 22;  // Of the bed [m].
+constexpr double kHalfWidth = 22;  // Half the width of the bed [m].
 constexpr double kMiddleX = 8;
 constexpr double kSinkerX = 9.0;  // [m]
 constexpr double kSinkerY = 4.3;

@@ -8,7 +8,7 @@
 inline constexpr double kTankLength = 23.0;  ///< Along x.
 inline constexpr double kTankWidth = 18.81;  ///< Along y.
 inline constexpr double kTankDepth = 8.0;    ///< From the surface to the floor.
-inline constexpr double kTankRim = 0.45;     ///< Of the walls above the surface.
+inline constexpr double kTankRim = 0.45;     ///< Height of the walls above the surface.
 
 /// Basin with walls 0.4 m thick, ladders, pipe inlet, overflow gutter, floor drain, window and rails of a gantry.
 [[nodiscard]] Shape make_tank();

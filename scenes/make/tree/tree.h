@@ -8,14 +8,14 @@
 // Measures [m]. Those of API 17D are of a guide-line tree for an 18 3/4 in wellhead.
 inline constexpr double kPostCircle = 1.829;         ///< Guide posts stand on a radius of 6 ft (API 17D).
 inline constexpr double kPostRadius = 0.1095;        ///< 8 5/8 in tube (API 17D).
-inline constexpr double kPostTop = 4.05;             ///< Of their heads.
+inline constexpr double kPostTop = 4.05;             ///< Top of the posts' heads.
 inline constexpr double kConductorRadius = 0.381;    ///< 30 in conductor housing.
-inline constexpr double kWellheadTop = 1.42;         ///< Of the 18 3/4 in high-pressure housing.
-inline constexpr double kConnectorRadius = 0.62;     ///< Of a collet connector for it.
+inline constexpr double kWellheadTop = 1.42;         ///< Top of the 18 3/4 in high-pressure housing.
+inline constexpr double kConnectorRadius = 0.62;     ///< Collet connector of the wellhead.
 inline constexpr double kBlockFoot = 2.16;           ///< Valve block: from here ...
 inline constexpr double kBlockTop = 3.62;            ///< ... to here,
 inline constexpr double kBlockHalfWidth = 0.44;      ///< and as far as this to all four sides.
-inline constexpr double kTreeTop = 4.80;             ///< Of the tree cap's re-entry mandrel.
+inline constexpr double kTreeTop = 4.80;             ///< Top of the tree cap's re-entry mandrel.
 inline constexpr double kFrameHalfWidth = 1.62;      ///< Middle of the bumper rails.
 inline constexpr double kFrameTop = 4.25;            ///< Middle of the upper rails.
 inline constexpr double kPanelX = 1.50;              ///< Face of the ROV panel.

@@ -4,7 +4,7 @@
 
 namespace {
 
-constexpr double kBeamHeight = 0.32;  // Of the permanent base's beams.
+constexpr double kBeamHeight = 0.32;  // Height of the permanent base's beams.
 constexpr double kBeamMiddle = 0.74;  // Above the mud line.
 
 // A point of the ground plan in polar coordinates.
