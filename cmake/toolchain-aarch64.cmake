@@ -1,5 +1,5 @@
 # Builds for 64-bit ARM on another Debian: g++-aarch64-linux-gnu compiles against the arm64 packages that
-# INSONIFY_ARM64_ROOT holds. CONTRIBUTING.md says how to fill that folder.
+# INSONIFY_ARM64_ROOT holds, which tools/arm64_root.sh fills: ./dev arm64 does all of it.
 set(CMAKE_SYSTEM_NAME Linux)
 set(CMAKE_SYSTEM_PROCESSOR aarch64)
 set(CMAKE_C_COMPILER aarch64-linux-gnu-gcc)

@@ -81,3 +81,8 @@ find_program(doxygen doxygen)
 if(doxygen AND NOT INSONIFY_SANITIZE)
   add_test(NAME api_pages COMMAND bash dev docs WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
 endif()
+
+# The version in CMakeLists.txt is the newest of the changelog, and the one to cite.
+add_test(NAME version_is_told_alike
+  COMMAND sh -c "grep -m 1 '^## ' CHANGELOG.md | grep -F '[${PROJECT_VERSION}]' && grep -Fx 'version: ${PROJECT_VERSION}' CITATION.cff"
+  WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})

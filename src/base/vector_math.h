@@ -13,8 +13,13 @@
 // sanitizers).
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__) && \
     !defined(__SANITIZE_THREAD__)
+#if __GNUC__ >= 12
 #define INSONIFY_VECTOR_CLONES __attribute__((target_clones("arch=x86-64-v4", "avx2", "default")))
 #define INSONIFY_FUSED_CLONES __attribute__((target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")))
+#else  // GCC 11 has no dispatch by architecture levels.
+#define INSONIFY_VECTOR_CLONES __attribute__((target_clones("avx2", "default")))
+#define INSONIFY_FUSED_CLONES __attribute__((target_clones("arch=haswell", "default")))
+#endif
 #else
 #define INSONIFY_VECTOR_CLONES
 #define INSONIFY_FUSED_CLONES

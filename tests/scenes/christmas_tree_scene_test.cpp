@@ -15,7 +15,7 @@ namespace {
 
 using testing_scenes::SceneScan;
 
-// The scene's measures, as scenes/christmas_tree.sdf and .yaml and scenes/make/tree.h give them [m]. The sonar
+// The scene's measures, as scenes/christmas_tree.sdf and .yaml and scenes/make/tree/tree.h give them [m]. The sonar
 // hangs over the origin; its head turns in the plane y = 0, its beam is 0.9 degrees wide there and 10 degrees across.
 constexpr double kSonarHeight = 8.5;
 constexpr double kWellX = 6.2;
