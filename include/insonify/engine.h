@@ -35,6 +35,13 @@ struct RayCounts {
   std::uint64_t primary = 0;
   std::uint64_t secondary = 0;  ///< Reflected, and the few probes by which kSelective chooses.
   std::uint64_t return_legs = 0;
+
+  RayCounts& operator+=(const RayCounts& other) {
+    primary += other.primary;
+    secondary += other.secondary;
+    return_legs += other.return_legs;
+    return *this;
+  }
 };
 
 /// Memory that an engine uses for a scene, besides the meshes themselves.

@@ -52,7 +52,6 @@ TEST(EchoGridTest, ClearLeavesNothingInAnyLayer) {
         cells.energy[i] = cells.weight[i] = cells.surface_energy[i] = cells.elevation_moment[i] = 1;
         cells.elevation_square[i] = 1;
         cells.surface[i] = surface_label(2, 1);
-        cells.further[i] = 0;
       }
     }
     grid.met_before(beam) = 1;
@@ -96,9 +95,9 @@ constexpr float kMiddleElevation = 0.25F;
 void add_echo(EchoGrid& grid, std::uint32_t surface, float energy, float elevation) {
   const EchoGrid::Cells cells = grid.to_fill(1, 2, {7, 8});
   const float moment = energy * elevation, beyond = elevation - kMiddleElevation, square = energy * beyond * beyond;
-  const auto sum = add_to_strongest(StrongestSurface<SurfaceLabel, float>{*cells.surface, *cells.surface_energy,
-                                                                          *cells.elevation_moment, *cells.further},
-                                    surface, energy, moment, 1.0F);
+  const auto sum = add_to_strongest(
+      StrongestSurface<SurfaceLabel, float>{*cells.surface, *cells.surface_energy, *cells.elevation_moment}, surface,
+      energy, moment, 1.0F);
   if (sum.elsewhere != 0) {
     grid.add_further(2, 7, {surface, energy, moment, square});
     return;
@@ -107,7 +106,6 @@ void add_echo(EchoGrid& grid, std::uint32_t surface, float energy, float elevati
   *cells.surface = sum.cell.surface;
   *cells.surface_energy = sum.cell.energy;
   *cells.elevation_moment = sum.cell.moment;
-  *cells.further = sum.cell.further;
 }
 
 // Many surfaces, none with half of the energy. All numbers are such that sums are exact in single precision.

@@ -105,10 +105,7 @@ void CpuEngine::insonify(const PingPlan& plan, const Pose& world_from_sonar, Ech
     }
   }
   for (const auto& scratch : scratch_) {
-    const RayCounts counts = scratch->counts();
-    counts_.primary += counts.primary;
-    counts_.secondary += counts.secondary;
-    counts_.return_legs += counts.return_legs;
+    counts_ += scratch->counts();
   }
 }
 

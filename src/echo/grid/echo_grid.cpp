@@ -3,8 +3,10 @@
 #include "echo/grid/echo_grid.h"
 
 #include <algorithm>
+#include <bit>
 
-#include "echo/grid/echo.h"
+#include "base/lane_bits.h"
+#include "echo/grid/surface_run.h"
 
 namespace insonify {
 
@@ -40,6 +42,7 @@ void EchoGrid::set_up(int beam, BinRange bins) {
     return;
   }
   std::fill_n(&surface_[start(1, beam) + bins.first], bins.last - bins.first, kNoSurface);
+  std::fill_n(&further_[start(1, beam) + bins.first], bins.last - bins.first, 0U);
 }
 
 void EchoGrid::fill_more(int beam, BinRange bins) {
@@ -72,8 +75,7 @@ void EchoGrid::set_strongest(std::size_t cell, const SurfaceEcho& echo) {
   }
 }
 
-void EchoGrid::add_further(int beam, int bin, const SurfaceEcho& echo) {
-  const std::size_t cell = start(1, beam) + bin;
+inline void EchoGrid::add_surface(int beam, std::size_t cell, const SurfaceEcho& echo) {
   std::vector<FurtherSurface>& surfaces = further_surfaces_[beam];
   std::uint32_t place = further_[cell];
   while (place != 0 && surfaces[place - 1].echo.surface != echo.surface) {
@@ -91,6 +93,21 @@ void EchoGrid::add_further(int beam, int bin, const SurfaceEcho& echo) {
     const SurfaceEcho before = strongest(cell);
     set_strongest(cell, sum);
     sum = before;
+  }
+}
+
+void EchoGrid::add_further(int beam, int bin, const SurfaceEcho& echo) {
+  add_surface(beam, start(1, beam) + bin, echo);
+}
+
+void EchoGrid::add_further(int beam, BinRange bins, SurfaceLabel surface, SurfaceSums& sums) {
+  const std::size_t cell = start(1, beam);
+  for (int block = bins.first; block < bins.last; block += kLanes) {
+    for (unsigned lanes = positive_of_four(&sums.weight[block]); lanes != 0; lanes &= lanes - 1) {
+      const int bin = block + std::countr_zero(lanes);
+      add_surface(beam, cell + bin, {surface, sums.energy[bin], sums.moment[bin], sums.square[bin]});
+      sums.energy[bin] = sums.weight[bin] = sums.moment[bin] = sums.square[bin] = 0;
+    }
   }
 }
 

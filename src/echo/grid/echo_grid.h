@@ -46,6 +46,8 @@ struct BinRange {
 /// Where labels are kept the energy of each surface is summed by itself, over all path orders. The label of a cell is
 /// the surface with the most energy there, of equals the one with the lower number, and the mean elevation of its
 /// energy. It does not depend on the order in which echoes arrive, but for the rounding of sums.
+struct SurfaceSums;
+
 class EchoGrid {
  public:
   EchoGrid() = default;
@@ -79,7 +81,7 @@ class EchoGrid {
   };
   [[nodiscard]] Label label(int beam, int bin) const;
 
-  /// Cells of one beam to be added to: pointers to the first of them, null for layers that are not kept. The last five
+  /// Cells of one beam to be added to: pointers to the first of them, null for layers that are not kept. The last four
   /// are of the strongest surface of each cell so far; where nothing echoed yet only `surface` means anything.
   struct Cells {
     float* energy = nullptr;
@@ -88,12 +90,14 @@ class EchoGrid {
     float* surface_energy = nullptr;
     float* elevation_moment = nullptr;  ///< See SurfaceEcho.
     float* elevation_square = nullptr;  ///< With GroundTruth::kFull only.
-    std::uint32_t* further = nullptr;   ///< See add_further(); 0 where there is no other surface.
   };
   [[nodiscard]] Cells to_fill(int order, int beam, BinRange bins);
 
   /// Adds the echo of a surface that is not the strongest of its cell so far. Makes it so if now it is.
   void add_further(int beam, int bin, const SurfaceEcho& echo);
+
+  /// The same with the sums of a run in several cells of a beam, wherever they have a weight; leaves zeros behind.
+  void add_further(int beam, BinRange bins, SurfaceLabel surface, SurfaceSums& sums);
 
   /// Calls visit(const SurfaceEcho&) for every surface that echoed in a cell, the strongest first.
   template <typename Visit>
@@ -128,6 +132,7 @@ class EchoGrid {
 
  private:
   void fill_more(int beam, BinRange bins);
+  void add_surface(int beam, std::size_t cell, const SurfaceEcho& echo);
   void set_up(int beam, BinRange bins);
   void take_cell(const EchoGrid& other, std::size_t from, int beam, int bin);
   [[nodiscard]] SurfaceEcho strongest(std::size_t cell) const {
@@ -175,7 +180,6 @@ inline EchoGrid::Cells EchoGrid::to_fill(int order, int beam, BinRange bins) {
     cells.surface = &surface_[cell];
     cells.surface_energy = &label_energy_[cell];
     cells.elevation_moment = &elevation_moment_[cell];
-    cells.further = &further_[cell];
   }
   if (ground_truth_ == GroundTruth::kFull) {
     cells.elevation_square = &elevation_square_[cell];

@@ -11,7 +11,6 @@ template <typename Label, typename Value>
 struct StrongestSurface {
   Label surface;
   Value energy, moment;
-  Label further;
 };
 
 /// The cells after an echo, and where its surface is another than the strongest: all ones there, else 0. There nothing
@@ -31,7 +30,7 @@ template <typename Label, typename Value>
   const auto first = (cell.surface == (kNoSurface | Label{})) & echoes;
   const auto own = (cell.surface == surface) & echoes;
   return {{first ? surface : cell.surface, first ? energy : cell.energy + (own ? energy : none),
-           first ? moment : cell.moment + (own ? moment : none), first ? Label{} : cell.further},
+           first ? moment : cell.moment + (own ? moment : none)},
           (echoes & !(first | own)) ? ~Label{} : Label{}};
 }
 

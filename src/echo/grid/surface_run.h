@@ -36,13 +36,6 @@ struct SurfaceSums {
       sums->resize(std::max(sums->size(), static_cast<std::size_t>(bins) + std::size_t{2} * kLanes), 0.0F);
     }
   }
-
-  /// Sets bins [first, last) to zero.
-  void clear(int first, int last) {
-    for (auto* sums : {&energy, &weight, &moment, &square}) {
-      std::fill_n(sums->begin() + first, last - first, 0.0F);
-    }
-  }
 };
 
 /// Adds segments to sums, and keeps track of where. Held by value in the loop that adds, so that it lives in

@@ -14,57 +14,51 @@ namespace {
 // How much farther a surface may go on past its last sample than between the last two.
 constexpr float kMostExtension = 1.5F;
 
-// Adds the sums of a run on one surface to its cells. Returns whether some of these have a stronger surface so far:
-// there only energy and weight are added.
+// Adds the sums of a run on one surface to its cells and leaves zeros behind. Where a cell has another strongest
+// surface so far, only energy and weight are added, and the run's sums stay. Returns whether there are such cells.
 INSONIFY_VECTOR_CLONES
-bool add_run(int count, SurfaceLabel surface, const float* __restrict__ run_energy,
-             const float* __restrict__ run_weight, const float* __restrict__ run_moment, float* __restrict__ energy,
-             float* __restrict__ weight, SurfaceLabel* __restrict__ strongest, float* __restrict__ surface_energy,
-             float* __restrict__ surface_moment, std::uint32_t* __restrict__ further) {
+bool add_run(int count, SurfaceLabel surface, float* __restrict__ run_energy, float* __restrict__ run_weight,
+             float* __restrict__ run_moment, float* __restrict__ energy, float* __restrict__ weight,
+             SurfaceLabel* __restrict__ strongest, float* __restrict__ surface_energy,
+             float* __restrict__ surface_moment) {
   SurfaceLabel elsewhere = 0;
   for (int i = 0; i < count; ++i) {
     energy[i] += run_energy[i];
     weight[i] += run_weight[i];
-    const auto sum = add_to_strongest(
-        StrongestSurface<SurfaceLabel, float>{strongest[i], surface_energy[i], surface_moment[i], further[i]}, surface,
-        run_energy[i], run_moment[i], run_weight[i]);
+    const auto sum =
+        add_to_strongest(StrongestSurface<SurfaceLabel, float>{strongest[i], surface_energy[i], surface_moment[i]},
+                         surface, run_energy[i], run_moment[i], run_weight[i]);
     strongest[i] = sum.cell.surface;
     surface_energy[i] = sum.cell.energy;
     surface_moment[i] = sum.cell.moment;
-    further[i] = sum.cell.further;
     elsewhere |= sum.elsewhere;
+    run_energy[i] = sum.elsewhere != 0 ? run_energy[i] : 0.0F;
+    run_weight[i] = sum.elsewhere != 0 ? run_weight[i] : 0.0F;
+    run_moment[i] = sum.elsewhere != 0 ? run_moment[i] : 0.0F;
   }
   return elsewhere != 0;
 }
 
 // The same without labels.
 INSONIFY_VECTOR_CLONES
-void add_unlabelled_run(int count, const float* __restrict__ run_energy, const float* __restrict__ run_weight,
-                        float* __restrict__ energy, float* __restrict__ weight) {
+void add_unlabelled_run(int count, float* __restrict__ run_energy, float* __restrict__ run_weight,
+                        float* __restrict__ run_moment, float* __restrict__ energy, float* __restrict__ weight) {
   for (int i = 0; i < count; ++i) {
     energy[i] += run_energy[i];
     weight[i] += run_weight[i];
+    run_energy[i] = run_weight[i] = run_moment[i] = 0;
   }
 }
 
-// Squares of elevations, before add_run() changes what the cells' strongest surfaces are.
-void add_squares(int count, SurfaceLabel surface, const float* run_square, const float* run_weight,
+// Adds squares of elevations and leaves zeros behind, except where the run's surface is not the strongest of a cell. To
+// be called before add_run(), which changes the strongest surfaces.
+void add_squares(int count, SurfaceLabel surface, float* run_square, const float* run_weight,
                  const EchoGrid::Cells& cells) {
   for (int i = 0; i < count; ++i) {
     const bool first = cells.surface[i] == kNoSurface && run_weight[i] > 0;
     if (first || cells.surface[i] == surface) {
       cells.elevation_square[i] = (first ? 0.0F : cells.elevation_square[i]) + run_square[i];
-    }
-  }
-}
-
-// The sums of a run in cells that had another strongest surface before.
-void add_run_elsewhere(int first, int count, SurfaceLabel surface, const SurfaceSums& sums,
-                       const EchoGrid::Cells& cells, int beam, EchoGrid& grid) {
-  for (int i = 0; i < count; ++i) {
-    const int bin = first + i;
-    if (sums.weight[bin] > 0 && cells.surface[i] != surface) {
-      grid.add_further(beam, bin, {surface, sums.energy[bin], sums.moment[bin], sums.square[bin]});
+      run_square[i] = 0;
     }
   }
 }
@@ -72,7 +66,7 @@ void add_run_elsewhere(int first, int count, SurfaceLabel surface, const Surface
 template <GroundTruth kTruth>
 using Run = SurfaceRun<kTruth == GroundTruth::kFull>;
 
-// Adds a run's sums to the cells of its beam and leaves zeros behind.
+// Adds a run's sums to the cells of its beam and starts the next.
 template <GroundTruth kTruth>
 void finish(Run<kTruth>& run, SurfaceSums& sums, SurfaceLabel surface, int beam, EchoGrid& grid) {
   const int first = run.first();
@@ -84,12 +78,12 @@ void finish(Run<kTruth>& run, SurfaceSums& sums, SurfaceLabel surface, int beam,
       add_squares(count, surface, &sums.square[first], &sums.weight[first], cells);
     }
     if constexpr (kTruth == GroundTruth::kNone) {
-      add_unlabelled_run(count, &sums.energy[first], &sums.weight[first], cells.energy, cells.weight);
+      add_unlabelled_run(count, &sums.energy[first], &sums.weight[first], &sums.moment[first], cells.energy,
+                         cells.weight);
     } else if (add_run(count, surface, &sums.energy[first], &sums.weight[first], &sums.moment[first], cells.energy,
-                       cells.weight, cells.surface, cells.surface_energy, cells.elevation_moment, cells.further)) {
-      add_run_elsewhere(first, count, surface, sums, cells, beam, grid);
+                       cells.weight, cells.surface, cells.surface_energy, cells.elevation_moment)) {
+      grid.add_further(beam, {first, last}, surface, sums);
     }
-    sums.clear(first, last);
   }
   run.restart();
 }

@@ -40,12 +40,11 @@ template <typename Label, typename Value>
     return false;
   }
   const StrongestSurface<Label, Value> before{load<Label>(cells.surface + i), load<Value>(cells.surface_energy + i),
-                                              load<Value>(cells.elevation_moment + i), load<Label>(cells.further + i)};
+                                              load<Value>(cells.elevation_moment + i)};
   const auto after = add_to_strongest(before, Label{} | echo.surface, energy, Value(energy * echo.elevation), weight);
   store(cells.surface + i, after.cell.surface);
   store(cells.surface_energy + i, after.cell.energy);
   store(cells.elevation_moment + i, after.cell.moment);
-  store(cells.further + i, after.cell.further);
   return any(after.elsewhere);
 }
 

@@ -1,0 +1,127 @@
+// triangle_scene.cpp -- rays against triangles by brute force, written to be obviously right.
+
+#include "echo/reference/triangle_scene.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+namespace insonify {
+namespace {
+
+constexpr double kFar = std::numeric_limits<double>::infinity();
+
+// Where a ray meets a triangle: distance and the weights of its second and third corner.
+struct Crossing {
+  double distance = kFar, u = 0, v = 0;
+};
+
+// Moeller and Trumbore, "Fast, minimum storage ray-triangle intersection" (1997); both sides count.
+Crossing cross_triangle(const Ray& ray, const Vec3& corner, const Vec3& edge1, const Vec3& edge2) {
+  const Vec3 p = ray.direction.cross(edge2);
+  const double determinant = edge1.dot(p);
+  if (determinant == 0) {
+    return {};
+  }
+  const Vec3 from_corner = ray.origin - corner;
+  const double u = from_corner.dot(p) / determinant;
+  const Vec3 q = from_corner.cross(edge1);
+  const double v = ray.direction.dot(q) / determinant;
+  const double distance = edge2.dot(q) / determinant;
+  const bool inside = u >= 0 && v >= 0 && u + v <= 1;
+  return inside && distance > ray.min_distance && distance < ray.max_distance ? Crossing{distance, u, v} : Crossing{};
+}
+
+}  // namespace
+
+void TriangleScene::place(int index, const Pose& world_from_mesh) {
+  const Instance& instance = scene_->instances[index];
+  const Mesh& mesh = *instance.mesh;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const auto& corners = mesh.triangles[t];
+    const auto corner = [&](int k) { return world_from_mesh * mesh.vertices[corners[k]].cast<double>().eval(); };
+    Triangle& triangle = triangles_[first_triangle_[index] + t];
+    triangle.corner = corner(0);
+    triangle.edge1 = corner(1) - triangle.corner;
+    triangle.edge2 = corner(2) - triangle.corner;
+    for (int k = 0; k < 3; ++k) {
+      triangle.normal[k] = world_from_mesh.orientation * mesh.normals[corners[k]].cast<double>();
+    }
+    triangle.instance = static_cast<std::uint16_t>(index);
+    triangle.material = instance.materials[mesh.slot_of(t)];
+  }
+}
+
+void TriangleScene::set(const Scene& scene, const Vec3& origin) {
+  scene_ = &scene;
+  origin_ = origin;
+  triangles_.clear();
+  first_triangle_.clear();
+  reflectivity_.clear();
+  reliefs_.set(scene, origin);
+  for (const Material& material : scene.materials) {
+    reflectivity_.push_back(static_cast<float>(material.effective_reflectivity()));
+  }
+  for (std::size_t i = 0; i < scene.instances.size(); ++i) {
+    first_triangle_.push_back(triangles_.size());
+    if (scene.instances[i].present) {
+      triangles_.resize(triangles_.size() + scene.instances[i].mesh->triangles.size());
+      place(static_cast<int>(i), scene.instances[i].world_from_mesh);
+    }
+  }
+}
+
+void TriangleScene::move(int instance, const Pose& world_from_mesh) {
+  place(instance, world_from_mesh);
+  reliefs_.move(instance, world_from_mesh);
+}
+
+RayHit TriangleScene::nearest(const Ray& ray) const {
+  Crossing best;
+  const Triangle* hit = nullptr;
+  for (const Triangle& triangle : triangles_) {
+    const Crossing crossing = cross_triangle(ray, triangle.corner, triangle.edge1, triangle.edge2);
+    if (crossing.distance < best.distance) {
+      best = crossing;
+      hit = &triangle;
+    }
+  }
+  if (hit == nullptr) {
+    return {.distance = kFar};
+  }
+  const auto number = static_cast<std::size_t>(hit - triangles_.data()) - first_triangle_[hit->instance];
+  const Vec3 normal =
+      ((1 - best.u - best.v) * hit->normal[0] + best.u * hit->normal[1] + best.v * hit->normal[2]).normalized();
+  const Vec3 point = ray.origin + best.distance * ray.direction;
+  const ReliefPoint relief = reliefs_.at(hit->instance, static_cast<std::uint32_t>(number),
+                                         (point - origin_).cast<float>(), normal.cast<float>());
+  return {best.distance,
+          normal,
+          (normal - relief.gradient.cast<double>()).normalized(),
+          relief.gradient,
+          reflectivity_[hit->material] * relief.reflectivity,
+          relief.reflectivity,
+          hit->instance,
+          hit->material,
+          static_cast<std::size_t>(hit - triangles_.data())};
+}
+
+bool TriangleScene::blocked(const Ray& ray) const {
+  for (const Triangle& triangle : triangles_) {
+    if (cross_triangle(ray, triangle.corner, triangle.edge1, triangle.edge2).distance < kFar) {
+      return true;
+    }
+  }
+  return false;
+}
+
+RayTube TriangleScene::tube(const RayHit& mirror, const Vec3& direction) const {
+  const Triangle& triangle = triangles_[mirror.triangle];
+  const std::array<Vec3f, 3> corners = {Vec3f::Zero(), triangle.edge1.cast<float>(), triangle.edge2.cast<float>()};
+  std::array<Vec3f, 3> normals;
+  std::ranges::transform(triangle.normal, normals.begin(), [](const Vec3& normal) { return normal.cast<float>(); });
+  return ray_tube(corners, normals, direction.cast<float>(), mirror.bent.cast<float>(),
+                  static_cast<float>(mirror.distance));
+}
+
+}  // namespace insonify

@@ -1,0 +1,64 @@
+// triangle_scene.h -- a Scene as a list of triangles, every one of which is tried with every ray.
+
+#pragma once
+
+#include <vector>
+
+#include "echo/grid/echo.h"
+#include "echo/model/ray_tube.h"
+#include "echo/model/reliefs.h"
+#include "insonify/ground_truth.h"
+#include "insonify/scene.h"
+
+namespace insonify {
+
+/// What a ray met.
+struct RayHit {
+  double distance = 0;             ///< [m]; infinite where there was nothing.
+  Vec3 normal = Vec3::Zero();      ///< Unit normal of the triangles alone, on the side they wind to.
+  Vec3 bent = Vec3::Zero();        ///< The same with relief.
+  Vec3f gradient = Vec3f::Zero();  ///< ReliefPoint::gradient.
+  float reflectivity = 0;          ///< Of the material, times `texture`.
+  float texture = 1;               ///< ReliefPoint::reflectivity.
+  std::uint16_t instance = kNoLabel, material = kNoLabel;
+  std::size_t triangle = 0;  ///< Index into the scene's triangles.
+
+  [[nodiscard]] bool met() const { return instance != kNoLabel; }
+  [[nodiscard]] SurfaceLabel surface() const { return surface_label(instance, material); }
+};
+
+/// All triangles in the world, in double precision.
+class TriangleScene {
+ public:
+  /// The scene must outlive this or the next call.
+  /// @param origin  World position that reliefs are computed relative to.
+  void set(const Scene& scene, const Vec3& origin);
+  void move(int instance, const Pose& world_from_mesh);
+
+  [[nodiscard]] RayHit nearest(const Ray& ray) const;
+  [[nodiscard]] bool blocked(const Ray& ray) const;
+  [[nodiscard]] bool has_relief() const { return reliefs_.any(); }
+
+  /// How the mirror at a hit spreads sound that comes in a direction, of unit length.
+  [[nodiscard]] RayTube tube(const RayHit& mirror, const Vec3& direction) const;
+
+  [[nodiscard]] std::size_t bytes() const { return triangles_.capacity() * sizeof(Triangle); }
+
+ private:
+  // Edges from the first corner.
+  struct Triangle {
+    Vec3 corner, edge1, edge2;
+    Vec3 normal[3];
+    std::uint16_t instance, material;
+  };
+  void place(int instance, const Pose& world_from_mesh);
+
+  const Scene* scene_ = nullptr;
+  Vec3 origin_ = Vec3::Zero();
+  std::vector<Triangle> triangles_;
+  std::vector<std::size_t> first_triangle_;  // Of each instance.
+  std::vector<float> reflectivity_;          // Of each material.
+  Reliefs reliefs_;
+};
+
+}  // namespace insonify
