@@ -134,13 +134,27 @@ TEST(PathFootprintTest, IsZeroAcrossAnEdge) {
   }
 }
 
-TEST(PathFootprintTest, IsAtMostATwoHundredthOfThePath) {
+TEST(PathFootprintTest, IsAtMostATwentiethOfThePath) {
   MirrorChange wild;
   wild.turn = {0, 0, 0.5F};
   const PathEnd end{4, {0, 0, -1}, {0, 0, 1}, {0, 0.6F, -0.8F}, 9, 6};
-  const PathFootprint footprint = path_footprint(wild, 8, wild, end);
-  EXPECT_FLOAT_EQ(footprint.once, 0.0025F * 15);
-  EXPECT_FLOAT_EQ(footprint.twice, 0.0025F * 18);
+  const PathFootprint footprint = path_footprint(wild, 1, wild, end);
+  EXPECT_FLOAT_EQ(footprint.once, 0.025F * 15);
+  EXPECT_FLOAT_EQ(footprint.twice, 0.025F * 18);
+}
+
+// One row's change is known; that of the rows beyond is extrapolated, at most to a two hundredth of the path.
+TEST(PathFootprintTest, IsExtrapolatedToATwoHundredthOfThePath) {
+  MirrorChange slight;
+  slight.turn = {0, 0, 0.02F};
+  const PathEnd end{4, {0, 0, -1}, {0, 0, 1}, {0, 0.6F, -0.8F}, 9, 6};
+  const PathFootprint one = path_footprint(slight, 1, {}, end), many = path_footprint(slight, 16, {}, end);
+  EXPECT_FLOAT_EQ(path_footprint(slight, 2, {}, end).twice, std::min(2 * one.twice, 0.0025F * 18));
+  EXPECT_FLOAT_EQ(many.once, 0.0025F * 15);
+  EXPECT_FLOAT_EQ(many.twice, 0.0025F * 18);
+  MirrorChange strong = slight;
+  strong.turn = {0, 0, 0.2F};
+  EXPECT_FLOAT_EQ(path_footprint(strong, 16, {}, end).twice, path_footprint(strong, 1, {}, end).twice);
 }
 
 // At grazing incidence on the second surface, the angle is limited from below.

@@ -223,6 +223,35 @@ TEST_P(MultipathTest, SpheresSpreadSoundBothWays) {
   EXPECT_NEAR(level_db(grid, sonar, 3, r + across), 10 * std::log10(expected), 0.3);
 }
 
+// At its limb a smooth sphere spreads the sound of one sample over metres of the floor behind. At the default sampling
+// these few samples must not stand out as spots: no bin is far above what many samples make of the same haze.
+TEST_P(MultipathTest, HazeBehindASphereHasNoSpotsAtTheDefaultSampling) {
+  SonarConfig sonar;
+  sonar.beam_count = 96;
+  sonar.azimuth_aperture = 60 * kDegree;
+  sonar.elevation_aperture = 12 * kDegree;
+  sonar.elevation_center = -15 * kDegree;
+  sonar.bin_count = 400;
+  sonar.min_range = 0.5;
+  sonar.max_range = 20;
+  const Scene scene =
+      scene_of_all({seabed_at(-2.5, diffuse(-27)), sphere_at({8, 0, -2}, 0.5, glinting(0.94, 0.1), 0.04)});
+  const auto strongest_behind = [&](Sampling sampling) {
+    sonar.sampling = sampling;
+    const EchoGrid grid = echoes_of(GetParam(), scene, sonar, Vec3::Zero());
+    float strongest = 0;
+    for (int beam = 0; beam < sonar.beam_count; ++beam) {
+      for (int bin = 0; bin < sonar.bin_count; ++bin) {
+        strongest = std::max(strongest, sonar.bin_range(bin) > 14 ? grid.energy(2, beam)[bin] : 0.0F);
+      }
+    }
+    return 10 * std::log10(strongest);
+  };
+  const auto many = strongest_behind({32, 1600});
+  ASSERT_TRUE(std::isfinite(many));
+  EXPECT_NEAR(strongest_behind(Sampling()), many, 1.5);
+}
+
 constexpr auto kName = [](const auto& test) { return test.param.name; };
 INSTANTIATE_TEST_SUITE_P(Methods, MultipathTest, testing::Values(kRays, kRaster), kName);
 INSTANTIATE_TEST_SUITE_P(Methods, ElevationMultipathTest, testing::Values(kReference, kRays), kName);

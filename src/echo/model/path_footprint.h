@@ -63,8 +63,12 @@ struct PathEnd {
   float there, back;  ///< Out and across, and straight back [m].
 };
 
-/// No segment is a greater share of the path than this.
-inline constexpr float kWidestFootprint = 0.005F;
+/// No footprint is longer than this share of the path. A convex mirror spreads the sound of one sample over metres of
+/// the second surface: at its limb the reflected rays of neighbouring columns lie 17 degrees apart.
+inline constexpr float kWidestFootprint = 0.05F;
+
+/// The same where the change from one row to the next is extrapolated to the rows that the sample stands for.
+inline constexpr float kWidestExtrapolation = 0.005F;
 
 /// Half lengths, in range, of the even segments with the variance of what a sample hears [m].
 struct PathFootprint {
@@ -89,8 +93,11 @@ struct PathFootprint {
   };
   const PathFootprint up = change(above), side = change(aside);
   const auto half_length = [&](float upward, float sideward, float path) __attribute__((always_inline)) {
-    const float whole = std::sqrt(upward * upward * (rows * rows) + sideward * sideward);
-    return std::min(0.25F * whole, 0.5F * kWidestFootprint * path);
+    const float one_row = 0.25F * std::abs(upward);
+    const float all_rows = std::max(one_row, std::min(rows * one_row, 0.5F * kWidestExtrapolation * path));
+    const float across_columns = 0.25F * sideward;
+    const float whole = std::sqrt(all_rows * all_rows + across_columns * across_columns);
+    return std::min(whole, 0.5F * kWidestFootprint * path);
   };
   return {half_length(up.once, side.once, end.there + end.back), half_length(up.twice, side.twice, 2 * end.there)};
 }

@@ -129,7 +129,7 @@ std::vector<SectionDescription> describe_scenario() {
       "One entry for each name of a visual or a material: `hull: steel` or `hull: {like: steel, reflectivity: 0.9}`."));
   sections.push_back(sonars_section());
   sections.push_back(
-      section_of("sampling", "Part of a sonar. More samples cost time, never change levels.", Sampling()));
+      section_of("sampling", "Part of a sonar. More samples resolve finer detail and take more time.", Sampling()));
   sections.push_back(section_of("receiver", "What the receiver adds, in every model.", ReceiverConfig()));
   sections.push_back(section_of("paper", "Settings of the paper model.", PaperModel()));
   sections.push_back(
