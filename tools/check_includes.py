@@ -46,6 +46,7 @@ PUBLIC = {
     "field.h": "base",
     "geometry.h": "base",
     "log.h": "base",
+    "printable.h": "base",
     "version.h": "base",
     "absorption.h": "acoustics",
     "backscatter.h": "acoustics",

@@ -179,7 +179,9 @@ void print_comparison_json(const Comparison& comparison) {
   for (const Similarity& one : comparison.each) {
     json["each"].push_back(to_json(one));
   }
-  say("{}\n", json.dump(2));
+  // Names may hold control characters and invalid UTF-8: ASCII output with escapes is valid JSON in every case.
+  constexpr bool kAscii = true;
+  say_text(json.dump(2, ' ', kAscii, nlohmann::json::error_handler_t::replace) + "\n");
 }
 
 }  // namespace insonify

@@ -49,11 +49,10 @@ void flush_output() {
   check_output(std::fflush(stdout) == 0);
 }
 
-void complain(std::string message) {
-  std::ranges::replace(message, '\n', ' ');
+void complain(std::string_view message) {
   clear_status();
   std::fflush(stdout);
-  const std::string line = fmt::format("insonify: {}\n", message);
+  const std::string line = fmt::format("insonify: {}\n", printable(message, kLongestMessage));
   std::fwrite(line.data(), 1, line.size(), stderr);
 }
 
@@ -76,7 +75,7 @@ void show_status(std::string_view line) {
     return;
   }
   // A character in the last column makes some terminals go on to the next line.
-  const std::string text = fmt::format("\r{}\x1b[K", line.substr(0, terminal_width() - 1));
+  const std::string text = fmt::format("\r{}\x1b[K", printable(line, kLongestMessage).substr(0, terminal_width() - 1));
   std::fwrite(text.data(), 1, text.size(), stdout);
   flush_output();
   status_shown = 1;

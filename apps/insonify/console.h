@@ -6,6 +6,10 @@
 
 #include <string>
 #include <string_view>
+#include <type_traits>
+#include <utility>
+
+#include "insonify/printable.h"
 
 namespace insonify {
 
@@ -14,16 +18,30 @@ void open_standard_streams();
 
 /// Says something on the standard output. Whether it arrived is told by finish_output().
 void say_text(std::string_view text);
+
+/// An argument of say() as it is printed: strings, which may come from files, are made printable.
+template <typename Arg>
+[[nodiscard]] decltype(auto) shown(const Arg& arg) {
+  if constexpr (std::is_convertible_v<const Arg&, std::string_view>) {
+    return printable(arg, kLongestMessage);
+  } else {
+    return arg;
+  }
+}
+template <typename Arg>
+using Shown = decltype(shown(std::declval<const Arg&>()));
+
+/// Formats and prints to the standard output. The format may hold line breaks, string arguments are made printable.
 template <typename... Args>
-void say(fmt::format_string<Args...> format, Args&&... args) {
-  say_text(fmt::format(format, std::forward<Args>(args)...));
+void say(fmt::format_string<Shown<Args>...> format, const Args&... args) {
+  say_text(fmt::format(format, shown(args)...));
 }
 
 /// Sends what was said on its way.
 void flush_output();
 
 /// Says "insonify: MESSAGE" in one line on the standard error output. Where that is gone nobody can be told.
-void complain(std::string message);
+void complain(std::string_view message);
 
 /// Whether a line of the standard output can be drawn anew: it is a terminal, and not a dumb one.
 [[nodiscard]] bool can_redraw();

@@ -44,7 +44,7 @@ int list_all() {
 int tell_one(const std::string& name, const std::string& mode) {
   const Preset preset = load_preset(name, mode);
   say("{}: {}, mode {} (modes: {})\n{}\n\n", preset.name, preset.title, mode.empty() ? preset.default_mode : mode,
-      fmt::join(preset.modes, ", "), preset.file.string());
+      fmt::format("{}", fmt::join(preset.modes, ", ")), preset.file.string());
   std::vector<Row> rows = {{"field", "value", "unit", "confidence", "source"}};
   for (const PresetFact& fact : preset.facts) {
     rows.push_back({fact.field, fact.value, fact.unit, fact.confidence, fact.source});

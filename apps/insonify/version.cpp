@@ -12,7 +12,7 @@ namespace insonify {
 
 int version() {
   const auto engines = engine_names();
-  say("insonify {}\nengines: {}\n", kVersion, fmt::join(engines, ", "));
+  say("insonify {}\nengines: {}\n", kVersion, fmt::format("{}", fmt::join(engines, ", ")));
   return kDone;
 }
 

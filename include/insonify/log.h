@@ -9,7 +9,7 @@ namespace insonify {
 
 enum class Severity { kInfo, kWarning };
 
-/// Receives each message as one line without a line break. May be empty: then messages are dropped.
+/// Receives each message as one line that is safe to show on a terminal. May be empty: then messages are dropped.
 using Log = std::function<void(Severity, const std::string&)>;
 
 }  // namespace insonify

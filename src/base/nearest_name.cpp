@@ -41,7 +41,11 @@ std::string nearest_name(std::string_view name, std::span<const std::string> can
   // At most 2 slips, or a third of the letters of a long name; always fewer than there are letters.
   const std::size_t most_slips =
       std::min(std::max<std::size_t>(2, name.size() / 3), name.size() - (name.empty() ? 0 : 1));
-  const auto slips = [&](const std::string& candidate) { return edit_distance(name, candidate); };
+  const auto slips = [&](const std::string& candidate) {
+    // The difference in length is a lower bound, which spares the table of a name of megabytes.
+    const std::size_t at_least = std::max(name.size(), candidate.size()) - std::min(name.size(), candidate.size());
+    return at_least > most_slips ? at_least : edit_distance(name, candidate);
+  };
   const auto nearest = std::ranges::min_element(candidates, {}, slips);
   return nearest == candidates.end() || slips(*nearest) > most_slips ? "" : *nearest;
 }

@@ -10,6 +10,8 @@
 #include <map>
 #include <stdexcept>
 
+#include "base/utf8.h"
+
 // The font file, which cmake/Font.cmake embeds in the library.
 extern "C" const unsigned char insonify_font_begin[];  // NOLINT(readability-identifier-naming)
 extern "C" const unsigned char insonify_font_end[];    // NOLINT(readability-identifier-naming)
@@ -18,27 +20,6 @@ namespace insonify {
 namespace {
 
 constexpr double kFixedPoint = 64;  // FreeType's unit is 1/64 pixel.
-
-// Splits UTF-8 into code points; a byte that is not UTF-8 reads as the replacement character.
-std::u32string code_points(std::string_view text) {
-  std::u32string points;
-  for (std::size_t i = 0; i < text.size();) {
-    const auto lead = static_cast<unsigned char>(text[i++]);
-    const int following = lead < 0x80 ? 0 : lead < 0xc0 ? -1 : lead < 0xe0 ? 1 : lead < 0xf0 ? 2 : lead < 0xf8 ? 3 : -1;
-    char32_t point = following < 0 ? U'\ufffd' : following == 0 ? lead : lead & (0x3fU >> following);
-    for (int k = 0; k < following; ++k) {
-      const auto next = i < text.size() ? static_cast<unsigned char>(text[i]) : 0U;
-      if ((next & 0xc0U) != 0x80U) {
-        point = U'\ufffd';
-        break;
-      }
-      point = (point << 6U) | (next & 0x3fU);
-      ++i;
-    }
-    points.push_back(point);
-  }
-  return points;
-}
 
 }  // namespace
 
@@ -86,8 +67,8 @@ struct Lettering::Face {
   double each_glyph(std::string_view text, Visit&& visit) {
     double x = 0;
     FT_UInt before = 0;
-    for (const char32_t point : code_points(text)) {
-      const Glyph& glyph = glyph_of(point);
+    while (!text.empty()) {
+      const Glyph& glyph = glyph_of(take_code_point(text));
       FT_Vector kerning{0, 0};
       if (before != 0 && FT_Get_Kerning(face, before, glyph.index, FT_KERNING_UNFITTED, &kerning) == 0) {
         x += static_cast<double>(kerning.x) / kFixedPoint;

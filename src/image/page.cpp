@@ -9,6 +9,7 @@
 
 #include "image/palette.h"
 #include "image/scales.h"
+#include "insonify/printable.h"
 
 namespace insonify {
 namespace {
@@ -30,10 +31,12 @@ constexpr double kTextGap = 0.35;
 }  // namespace
 
 std::string name_of(const SonarConfig& sonar) {
-  if (sonar.model.empty()) {
-    return sonar.name;
+  const std::string name = printable(sonar.name, kLongestName);
+  const std::string model = printable(sonar.model, kLongestName);
+  if (model.empty()) {
+    return name;
   }
-  return sonar.name == SonarConfig().name ? sonar.model : fmt::format("{} ({})", sonar.model, sonar.name);
+  return name == SonarConfig().name ? model : fmt::format("{} ({})", model, name);
 }
 
 Heading heading_of(const SonarConfig& sonar, const std::string& what, double time) {

@@ -7,8 +7,10 @@
 #include <set>
 
 #include "base/canonical_name.h"
+#include "base/log_line.h"
 #include "base/nearest_name.h"
 #include "insonify/error.h"
+#include "insonify/printable.h"
 #include "insonify/scene.h"
 #include "scene/material_library.h"
 
@@ -35,7 +37,7 @@ Error unknown_material(std::string_view subject, std::string_view name, const De
   for (const auto& [meaning, material] : defined) {
     names.push_back(material.name);
   }
-  return Error(fmt::format("{} = {} is not a known material{}", subject, name, suggestion(name, names)));
+  return Error(fmt::format("{} = {} is not a known material{}", subject, printable(name), suggestion(name, names)));
 }
 
 const Material* find_by_name(std::string_view name, const Defined& defined) {
@@ -54,7 +56,7 @@ const Material* named_base(const std::string& key, const MaterialOverride& chang
     return like;
   }
   const std::string& where = change.like_where.empty() ? change.where : change.like_where;
-  throw unknown_material(fmt::format("{}materials.{}.like", where, key), change.like, {});
+  throw unknown_material(fmt::format("{}materials.{}.like", where, printable(key)), change.like, {});
 }
 
 Material changed(Material base, const std::string& key, const MaterialOverride& change) {
@@ -77,8 +79,8 @@ Material changed(Material base, const std::string& key, const MaterialOverride& 
 void define(Defined& defined, Material material, const MaterialOverride& change) {
   const auto [entry, is_new] = defined.emplace(meaning_of(material.name), material);
   if (!is_new) {
-    throw Error(
-        fmt::format("{}materials.{} means the same as materials.{}", change.where, material.name, entry->second.name));
+    throw Error(fmt::format("{}materials.{} means the same as materials.{}", change.where, printable(material.name),
+                            printable(entry->second.name)));
   }
 }
 
@@ -90,7 +92,7 @@ Material default_base(const MaterialRules& rules, const Defined& defined) {
   for (const auto& [key, change] : rules.overrides) {
     if (meaning_of(key) == meaning_of(rules.default_material)) {
       throw Error(fmt::format("{}default_material = {} starts from no known material: materials.{}.like is missing",
-                              rules.default_where, rules.default_material, key));
+                              rules.default_where, printable(rules.default_material), printable(key)));
     }
   }
   throw unknown_material(rules.default_where + "default_material", rules.default_material, defined);
@@ -141,7 +143,7 @@ void check_keys(const Scene& scene, const MaterialRules& rules) {
         find_material(key) || meaning_of(key) == meaning_of(rules.default_material) ||
         std::ranges::any_of(scene.instances, [&key = key](const Instance& i) { return is_for(key, i); });
     if (!is_used) {
-      throw Error(fmt::format("{}materials.{} matches no visual and no material{}", change.where, key,
+      throw Error(fmt::format("{}materials.{} matches no visual and no material{}", change.where, printable(key),
                               suggestion(key, names_to_override(scene))));
     }
   }
@@ -223,14 +225,14 @@ void assign_materials(Scene& scene, const MaterialRules& rules, const Log& log) 
       const Material* material = whole ? whole : find_by_name(name, defined);
       if (!material) {
         material = find_by_name(rules.default_material, defined);
-        took_default.insert(name);
+        took_default.insert(printable(name));
       }
       instance.materials.push_back(index_of(*material, scene.materials));
     }
     assign_reliefs(instance, scene.materials);
   }
-  if (log && !took_default.empty()) {
-    log(Severity::kInfo, default_message(rules.default_material, took_default));
+  if (!took_default.empty()) {
+    log_line(log, Severity::kInfo, default_message(rules.default_material, took_default));
   }
 }
 

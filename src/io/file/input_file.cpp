@@ -10,6 +10,7 @@
 #include <system_error>
 
 #include "insonify/error.h"
+#include "insonify/printable.h"
 
 namespace insonify {
 namespace {
@@ -83,12 +84,11 @@ std::string ending_of(const std::filesystem::path& path) {
   return ending;
 }
 
-std::string one_line(std::string message) {
-  std::ranges::replace_if(
-      message, [](unsigned char c) { return std::iscntrl(c) != 0; }, ' ');
-  const std::size_t last = message.find_last_not_of(" .");
-  message.resize(last == std::string::npos ? 0 : last + 1);
-  return message;
+std::string foreign_reason(std::string_view reason) {
+  constexpr std::size_t kLongest = 500;
+  std::string text(reason.substr(0, reason.find_last_not_of(" .\r\n\t") + 1));
+  std::ranges::replace(text, '\n', ' ');
+  return printable(text, kLongest);
 }
 
 }  // namespace insonify

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 
 namespace insonify {
 
@@ -21,7 +22,7 @@ void check_input_file(const std::filesystem::path& path);
 /// The path's ending in lower case, with its dot.
 [[nodiscard]] std::string ending_of(const std::filesystem::path& path);
 
-/// A foreign message as the end of one of ours: one line, no full stop.
-[[nodiscard]] std::string one_line(std::string message);
+/// What a library gives as the reason, as the end of a message of ours: printable, not too long, without a full stop.
+[[nodiscard]] std::string foreign_reason(std::string_view reason);
 
 }  // namespace insonify

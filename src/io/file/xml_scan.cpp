@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "insonify/error.h"
+#include "insonify/printable.h"
 
 namespace insonify {
 namespace {
@@ -50,7 +51,7 @@ class Scanner {
       }
     }
     if (!open_.empty()) {
-      fail(tags_[open_.back()], fmt::format("<{}> is never closed", tags_[open_.back()].name));
+      fail(tags_[open_.back()], fmt::format("<{}> is never closed", printable(tags_[open_.back()].name)));
     }
     if (tags_.empty()) {
       fail("there is no XML element in this file");
@@ -94,14 +95,15 @@ class Scanner {
     const std::size_t end = text_.find('>', at_);
     const std::string_view name = text_.substr(at_ + 2, text_.find_first_of(kEndOfName, at_ + 2) - at_ - 2);
     if (end == std::string_view::npos) {
-      fail(fmt::format("</{} is never closed", name));
+      fail(fmt::format("</{} is never closed", printable(name)));
     }
     if (open_.empty()) {
-      fail(fmt::format("</{}> closes nothing", name));
+      fail(fmt::format("</{}> closes nothing", printable(name)));
     }
     XmlTag& tag = tags_[open_.back()];
     if (tag.name != name) {
-      fail(fmt::format("</{}> stands where <{}> of line {} should be closed", name, tag.name, tag.line));
+      fail(fmt::format("</{}> stands where <{}> of line {} should be closed", printable(name), printable(tag.name),
+                       tag.line));
     }
     tag.content_end = at_;
     tag.end = end + 1;
@@ -118,16 +120,16 @@ class Scanner {
     std::size_t at = std::min(text_.find_first_of(kEndOfName, at_), text_.size());
     tag.name = text_.substr(at_ + 1, at - at_ - 1);
     if (open_.size() >= kDeepest) {
-      fail(fmt::format("<{}> is nested too deeply: more than {} elements are open", tag.name, kDeepest));
+      fail(fmt::format("<{}> is nested too deeply: more than {} elements are open", printable(tag.name), kDeepest));
     }
     if (tag.parent < 0 && !tags_.empty()) {
-      fail(fmt::format("<{}> stands behind the end of <{}>", tag.name, tags_[0].name));
+      fail(fmt::format("<{}> stands behind the end of <{}>", printable(tag.name), printable(tags_[0].name)));
     }
     bool closed = false;
     while (true) {
       at = text_.find_first_not_of(kSpace, at);
       if (at == std::string_view::npos) {
-        fail(tag, fmt::format("the tag <{}> is never closed", tag.name));
+        fail(tag, fmt::format("the tag <{}> is never closed", printable(tag.name)));
       }
       if (text_[at] == '>') {
         break;
@@ -157,7 +159,7 @@ class Scanner {
     const bool quoted = quote != std::string_view::npos && (text_[quote] == '"' || text_[quote] == '\'');
     const std::size_t end = quoted ? text_.find(text_[quote], quote + 1) : std::string_view::npos;
     if (end == std::string_view::npos) {
-      fail(tag, fmt::format("the tag <{}> has an attribute without a quoted value", tag.name));
+      fail(tag, fmt::format("the tag <{}> has an attribute without a quoted value", printable(tag.name)));
     }
     tag.attributes[std::string(text_.substr(at, name_end - at))] = xml_decode(text_.substr(quote + 1, end - quote - 1));
     return end + 1;

@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "insonify/error.h"
+#include "insonify/printable.h"
 #include "io/file/input_file.h"
 #include "io/grid/height_grid_file.h"
 
@@ -114,7 +115,7 @@ Header read_header(Words& words) {
       words.fail(
           fmt::format("\"{}\" is neither a number nor a key of an ESRI ASCII grid; keys: ncols, nrows, xllcorner, "
                       "xllcenter, yllcorner, yllcenter, cellsize, dx, dy, nodata_value",
-                      key));
+                      printable(key)));
     }
     if (field->has_value()) {
       words.fail(fmt::format("{} is given twice", key));
@@ -172,7 +173,7 @@ void read_heights(Words& words, const Header& header, HeightGrid& grid) {
   for (; !words.word().empty() && grid.heights.size() < needed; words.next()) {
     const std::optional<double> value = words.number();
     if (!value) {
-      words.fail(fmt::format("\"{}\" is no number", words.word()));
+      words.fail(fmt::format("\"{}\" is no number", printable(words.word())));
     }
     const auto height = static_cast<float>(*value);
     if (std::isinf(height)) {

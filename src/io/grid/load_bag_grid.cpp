@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/log_line.h"
 #include "insonify/error.h"
 #include "io/file/hdf5.h"
 #include "io/grid/bag_metadata.h"
@@ -80,20 +81,21 @@ double spacing(std::optional<double> told, std::optional<double> by_corners, std
   }
   // Writers differ on whether the corner points are those of the cells or of their middles, one step more or less.
   constexpr double kDiffer = 1.5;
-  if (log && told && by_corners && std::max(*told / *by_corners, *by_corners / *told) > kDiffer) {
-    log(Severity::kWarning,
-        fmt::format("{}: its metadata gives a {} resolution of {:.6g}, but corner points {:.6g} apart; "
-                    "the first is used",
-                    path.filename().string(), dimension, *told, *by_corners));
+  if (told && by_corners && std::max(*told / *by_corners, *by_corners / *told) > kDiffer) {
+    log_line(log, Severity::kWarning,
+             fmt::format("{}: its metadata gives a {} resolution of {:.6g}, but corner points {:.6g} apart; "
+                         "the first is used",
+                         path.filename().string(), dimension, *told, *by_corners));
   }
   return told ? *told : *by_corners;
 }
 
 void warn_of_refinements(hid_t file, const HeightGrid& grid, const std::filesystem::path& path, const Log& log) {
-  if (log && H5Lexists(file, "/BAG_root/varres_refinements", H5P_DEFAULT) > 0) {
-    log(Severity::kWarning, fmt::format("{}: a grid of variable resolution; only its base grid of {} x {} points every "
-                                        "{:.4g} m is read",
-                                        path.filename().string(), grid.columns, grid.rows, grid.spacing_x));
+  if (H5Lexists(file, "/BAG_root/varres_refinements", H5P_DEFAULT) > 0) {
+    log_line(log, Severity::kWarning,
+             fmt::format("{}: a grid of variable resolution; only its base grid of {} x {} points every "
+                         "{:.4g} m is read",
+                         path.filename().string(), grid.columns, grid.rows, grid.spacing_x));
   }
 }
 

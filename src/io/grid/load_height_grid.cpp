@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 
+#include "base/log_line.h"
 #include "insonify/error.h"
 #include "insonify/files.h"
 #include "io/file/input_file.h"
@@ -75,11 +76,9 @@ void turn_degrees_into_metres(HeightGrid& grid, const std::filesystem::path& pat
   const double degrees_y = grid.spacing_y;
   grid.spacing_x *= degree.east;
   grid.spacing_y *= degree.north;
-  if (log) {
-    log(Severity::kInfo,
-        fmt::format("{}: spacing of {:.6g} x {:.6g} degrees taken as {:.4g} x {:.4g} m, at latitude {:.4g}",
-                    path.filename().string(), degrees_x, degrees_y, grid.spacing_x, grid.spacing_y, latitude));
-  }
+  log_line(log, Severity::kInfo,
+           fmt::format("{}: spacing of {:.6g} x {:.6g} degrees taken as {:.4g} x {:.4g} m, at latitude {:.4g}",
+                       path.filename().string(), degrees_x, degrees_y, grid.spacing_x, grid.spacing_y, latitude));
 }
 
 HeightGrid load_height_grid(const std::filesystem::path& path, const Log& log) {

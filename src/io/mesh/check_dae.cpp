@@ -8,6 +8,7 @@
 #include <set>
 
 #include "insonify/error.h"
+#include "insonify/printable.h"
 #include "io/file/xml_scan.h"
 #include "io/mesh/scene_depth.h"
 
@@ -46,8 +47,8 @@ void check_dae(std::string_view text, const std::filesystem::path& path) {
       }
     }
     if (!is_there) {
-      throw Error(
-          fmt::format("{}<{}> names {}, which is not in this file", tags[i].where(path.string()), tags[i].name, url));
+      throw Error(fmt::format("{}<{}> names {}, which is not in this file", tags[i].where(path.string()), tags[i].name,
+                              printable(url)));
     }
   }
   check_depth(tags.size(), links, path);

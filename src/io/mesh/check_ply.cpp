@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "insonify/error.h"
+#include "insonify/printable.h"
 
 namespace insonify {
 namespace {
@@ -52,7 +53,7 @@ std::uint64_t read_count(const std::string& word, const std::string& where) {
   std::uint64_t count = 0;
   const auto [end, failure] = std::from_chars(word.data(), word.data() + word.size(), count);
   if (failure == std::errc::invalid_argument || end != word.data() + word.size()) {
-    throw Error(fmt::format("{}: \"{}\" is not a number of elements", where, word));
+    throw Error(fmt::format("{}: \"{}\" is not a number of elements", where, printable(word)));
   }
   return failure == std::errc() ? count : std::numeric_limits<std::uint64_t>::max();
 }
@@ -124,7 +125,7 @@ class TextBody {
     }
     for (; words > 0; --words) {
       if (word_.empty()) {
-        throw Error(fmt::format("{}:{}: fewer numbers than an element {} has", path_, line_, element));
+        throw Error(fmt::format("{}:{}: fewer numbers than an element {} has", path_, line_, printable(element)));
       }
       word_ = next_word();
     }
@@ -184,8 +185,8 @@ class BinaryBody {
 template <typename Body>
 void check_elements(const std::vector<Element>& elements, Body&& body, const std::filesystem::path& path) {
   for (const Element& element : elements) {
-    const std::string where =
-        fmt::format("{}:{}: element {} {}", path.string(), element.line, element.name, element.count_as_written);
+    const std::string where = fmt::format("{}:{}: element {} {}", path.string(), element.line, printable(element.name),
+                                          printable(element.count_as_written));
     if (element.count > 0 && element.properties.empty()) {
       throw Error(where + " has no properties");
     }

@@ -14,6 +14,7 @@
 #include <span>
 
 #include "insonify/error.h"
+#include "insonify/printable.h"
 #include "io/mesh/relief_file.h"
 #include "io/mesh/triangulate.h"
 
@@ -52,12 +53,12 @@ void choose_parts(std::vector<Part>& parts, const FlattenSettings& settings) {
   const std::string& name = settings.submesh;
   std::set<std::string> names;
   for (const Part& part : parts) {
-    names.insert(part.node.empty() ? part.mesh->mName.C_Str() : part.node);
+    names.insert(printable(part.node.empty() ? part.mesh->mName.C_Str() : part.node));
   }
   std::erase_if(parts, [&](const Part& part) { return part.node != name && part.mesh->mName.C_Str() != name; });
   if (parts.empty()) {
-    throw Error(
-        fmt::format("{}: no submesh \"{}\"; there are: {}", settings.path.string(), name, fmt::join(names, ", ")));
+    throw Error(fmt::format("{}: no submesh \"{}\"; there are: {}", settings.path.string(), printable(name),
+                            fmt::join(names, ", ")));
   }
 }
 

@@ -132,7 +132,7 @@ const aiScene& import_scene(Assimp::Importer& importer, const std::filesystem::p
   if (scene == nullptr || scene->mRootNode == nullptr) {
     // Its messages may quote all that is left of a file.
     const std::string message = importer.GetErrorString();
-    tell_refusal(one_line(message.substr(0, message.find('\n'))), path, ending, text);
+    tell_refusal(foreign_reason(message.substr(0, message.find('\n'))), path, ending, text);
   }
   return *scene;
 }

@@ -7,6 +7,7 @@
 #include <limits>
 #include <new>
 
+#include "base/log_line.h"
 #include "insonify/error.h"
 #include "insonify/files.h"
 #include "io/file/input_file.h"
@@ -54,9 +55,10 @@ void warn_of_rounding(const Mesh& mesh, const std::string& name, const Log& log)
   }
   const float rounding = furthest * std::numeric_limits<float>::epsilon();
   if (rounding > kCoarse) {
-    log(Severity::kWarning, fmt::format("{}: coordinates as far as {:.0f} m from the origin are rounded to {:.2g} m; "
-                                        "move the mesh nearer to it",
-                                        name, furthest, rounding));
+    log_line(log, Severity::kWarning,
+             fmt::format("{}: coordinates as far as {:.0f} m from the origin are rounded to {:.2g} m; "
+                         "move the mesh nearer to it",
+                         name, furthest, rounding));
   }
 }
 
@@ -77,7 +79,7 @@ void tell(const MeshReport& report, std::size_t lines_and_points, const std::str
     notes.push_back(counted(report.normals_flipped, "normal", "normals") + " turned to the side of their winding");
   }
   if (!notes.empty()) {
-    log(is_loss ? Severity::kWarning : Severity::kInfo, fmt::format("{}: {}", name, fmt::join(notes, "; ")));
+    log_line(log, is_loss ? Severity::kWarning : Severity::kInfo, fmt::format("{}: {}", name, fmt::join(notes, "; ")));
   }
 }
 
@@ -95,12 +97,11 @@ Mesh load_and_clean(const std::filesystem::path& path, const Submesh& submesh, c
     move_to_origin(mesh);
   }
 
-  if (log) {
-    tell(report, lines_and_points, path.filename().string(), log);
-    warn_of_rounding(mesh, path.filename().string(), log);
-    for (const std::string& note : notes) {
-      log(Severity::kWarning, fmt::format("{}: {}", path.filename().string(), note));
-    }
+  const std::string name = path.filename().string();
+  tell(report, lines_and_points, name, log);
+  warn_of_rounding(mesh, name, log);
+  for (const std::string& note : notes) {
+    log_line(log, Severity::kWarning, fmt::format("{}: {}", name, note));
   }
   return mesh;
 }

@@ -9,6 +9,7 @@
 #include <span>
 
 #include "insonify/error.h"
+#include "insonify/printable.h"
 #include "io/file/input_file.h"
 #include "io/mesh/relief_file.h"
 #include "io/picture/picture_tile.h"
@@ -45,15 +46,16 @@ fs::path find_picture(const std::string& name, const fs::path& mesh_path) {
       return candidate.lexically_normal();
     }
   }
-  throw Error(fmt::format("{}: no such file", (folder / given).lexically_normal().string()));
+  throw Error(fmt::format("{}: no such file", printable((folder / given).lexically_normal().string(), kLongestName)));
 }
 
 PngReader open_picture(const aiScene& scene, const std::string& name, const fs::path& mesh_path) {
   if (const aiTexture* inside = scene.GetEmbeddedTexture(name.c_str())) {
     if (inside->mHeight != 0) {
-      throw Error(fmt::format("{}: texture {} is not compressed; only PNG is read", mesh_path.string(), name));
+      throw Error(
+          fmt::format("{}: texture {} is not compressed; only PNG is read", mesh_path.string(), printable(name)));
     }
-    return {fmt::format("{}: texture {}", mesh_path.string(), name),
+    return {fmt::format("{}: texture {}", mesh_path.string(), printable(name)),
             std::span(reinterpret_cast<const char*>(inside->pcData), inside->mWidth)};
   }
   return PngReader(find_picture(name, mesh_path));
@@ -96,8 +98,8 @@ std::shared_ptr<const Relief> mesh_relief(const aiScene& scene, const aiMaterial
   try {
     return std::make_shared<const Relief>(read(scene, material, *map, mesh_path));
   } catch (const Error& error) {
-    notes.push_back(
-        fmt::format("left out the small normals of material {}: {}", material.GetName().C_Str(), error.what()));
+    notes.push_back(fmt::format("left out the small normals of material {}: {}", printable(material.GetName().C_Str()),
+                                error.what()));
     return nullptr;
   }
 }

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "insonify/error.h"
-#include "io/file/input_file.h"
+#include "insonify/printable.h"
 
 namespace insonify {
 namespace {
@@ -18,9 +18,7 @@ constexpr std::string_view kSpace = " \t\r\n";
 
 // What a message quotes of a text.
 std::string shown(std::string_view text) {
-  constexpr std::size_t kLongest = 60;
-  const bool is_long = text.size() > kLongest && text.find_first_not_of(kSpace, kLongest) != std::string_view::npos;
-  return one_line(std::string(text.substr(0, kLongest))) + (is_long ? " ..." : "");
+  return printable(text.substr(0, text.find_last_not_of(kSpace) + 1));
 }
 
 // A line, or several where a backslash ends all but the last; and its words up to a comment.

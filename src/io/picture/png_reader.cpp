@@ -85,7 +85,7 @@ void PngReader::fail(png_structp png, png_const_charp message) {
 void PngReader::ignore(png_structp, png_const_charp) {}
 
 void PngReader::throw_failure() const {
-  throw Error(fmt::format("{}: cannot be read: {}", path_.string(), one_line(failure_)));
+  throw Error(fmt::format("{}: cannot be read: {}", path_.string(), foreign_reason(failure_)));
 }
 
 // No objects with destructors in these two.

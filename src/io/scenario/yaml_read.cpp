@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "base/nearest_name.h"
+#include "insonify/printable.h"
 
 namespace insonify {
 namespace {
@@ -122,7 +123,7 @@ void check_keys(const YamlValue& map, std::string_view object, std::span<const s
     if (std::ranges::find(known, key) != known.end()) {
       continue;
     }
-    const std::string name = member_name(object, quoted_text(key).substr(1, quoted_text(key).size() - 2));
+    const std::string name = member_name(object, printable(key));
     if (const auto in_degrees = misspelt_angle(key, known)) {
       throw Error(fmt::format("{}{} must be written {}, in degrees", value.where, name, *in_degrees));
     }

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "insonify/error.h"
+#include "insonify/printable.h"
 #include "io/scenario/yaml_read.h"
 
 namespace insonify {
@@ -59,7 +60,7 @@ std::vector<Step> steps_of(std::string_view key) {
 }
 
 Setting parse_setting(const std::string& text) {
-  const std::string where = fmt::format("--set {}: ", text.find('\n') == std::string::npos ? text : quoted_text(text));
+  const std::string where = fmt::format("--set {}: ", printable(text, kLongestName));
   const std::size_t equals = text.find('=');
   if (equals == std::string::npos || equals == 0) {
     throw Error(where + "must be key=value, such as pings=3");
@@ -84,12 +85,14 @@ YamlValue& item_of(YamlValue& list, const Step& step, const std::string& name, c
   std::vector<std::string> names;
   for (YamlValue& item : list.items) {
     const YamlValue* own_name = item.find("name");
-    names.push_back(own_name != nullptr ? own_name->scalar : "sonar");
-    if (names.back() == step.name) {
+    const std::string own = own_name != nullptr ? own_name->scalar : "sonar";
+    if (own == step.name) {
       return item;
     }
+    names.push_back(printable(own));
   }
-  throw Error(fmt::format("{}{} has no entry called {}; it has {}", where, name, step.name, fmt::join(names, ", ")));
+  throw Error(
+      fmt::format("{}{} has no entry called {}; it has {}", where, name, printable(step.name), fmt::join(names, ", ")));
 }
 
 // Follows the steps from `place`, makes maps where there is nothing yet, and puts the value at the end.

@@ -12,6 +12,7 @@
 #include <sstream>
 
 #include "insonify/error.h"
+#include "insonify/printable.h"
 
 namespace insonify {
 namespace {
@@ -19,9 +20,8 @@ namespace {
 using Kind = YamlValue::Kind;
 using Entry = YamlValue::Entry;
 
-constexpr std::size_t kLongestShown = 60;  // Characters of a value in a message.
-constexpr int kDeepest = 30;               // Levels of nesting; a scenario needs five.
-constexpr int kMostValues = 1'000'000;     // Aliases can unfold a small text into a huge tree.
+constexpr int kDeepest = 30;            // Levels of nesting; a scenario needs five.
+constexpr int kMostValues = 1'000'000;  // Aliases can unfold a small text into a huge tree.
 
 // Turns nodes into values. `settings_where` is where everything stands that was not read from a file.
 class Converter {
@@ -68,7 +68,7 @@ class Converter {
       const std::string entry_name = name.empty() ? key.Scalar() : fmt::format("{}.{}", name, key.Scalar());
       const bool merges = key.Scalar() == "<<" && key.Tag() != "!";  // Not in quotes.
       if (merges ? !bases.empty() : map.find(key.Scalar()) != nullptr) {
-        throw Error(fmt::format("{}{} is given twice", where_key, entry_name));
+        throw Error(fmt::format("{}{} is given twice", where_key, printable(entry_name, kLongestName)));
       }
       if (merges) {
         bases = bases_in(convert(entry.second, name, depth + 1), where_key);
@@ -216,17 +216,6 @@ bool is_number(std::string_view text) {
   return error != std::errc::invalid_argument && end == text.data() + text.size();
 }
 
-std::string cut(std::string text) {
-  if (text.size() > kLongestShown) {
-    std::size_t end = kLongestShown - 3;
-    while (end > 0 && (text[end] & 0xc0) == 0x80) {  // Not inside a UTF-8 character.
-      --end;
-    }
-    text = text.substr(0, end) + "...";
-  }
-  return text;
-}
-
 }  // namespace
 
 const YamlValue* YamlValue::find(std::string_view key) const {
@@ -244,7 +233,7 @@ std::string YamlValue::shown() const {
     case Kind::kNothing:
       return "nothing";
     case Kind::kScalar:
-      return !quoted && is_number(scalar) ? cut(scalar) : quoted_text(scalar);
+      return !quoted && is_number(scalar) ? printable(scalar) : quoted_text(scalar);
     case Kind::kMap:
       return "{...}";
     case Kind::kList:
@@ -253,11 +242,8 @@ std::string YamlValue::shown() const {
   std::string text = "[";
   for (const YamlValue& item : items) {
     text += fmt::format("{}{}", text.size() > 1 ? ", " : "", item.shown());
-    if (text.size() > kLongestShown) {
-      break;
-    }
   }
-  return cut(text + "]");
+  return printable(text + "]");
 }
 
 YamlValue parse_yaml(const std::string& text, const std::string& path) {
@@ -275,19 +261,7 @@ std::string write_yaml(const YamlValue& value) {
 }
 
 std::string quoted_text(std::string_view text) {
-  std::string safe;
-  for (const char c : text) {
-    if (c == '\n') {
-      safe += "\\n";
-    } else if (c == '\t') {
-      safe += "\\t";
-    } else if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) {
-      safe += fmt::format("\\x{:02x}", static_cast<unsigned char>(c));
-    } else {
-      safe += c;
-    }
-  }
-  return fmt::format("\"{}\"", cut(safe));
+  return fmt::format("\"{}\"", printable(text));
 }
 
 }  // namespace insonify

@@ -44,7 +44,7 @@ struct YamlValue::Entry {
 /// Writes a tree as YAML again.
 [[nodiscard]] std::string write_yaml(const YamlValue& value);
 
-/// Text in double quotes, control characters escaped and long ones cut: safe in a one-line message.
+/// Text as messages show it, in double quotes.
 [[nodiscard]] std::string quoted_text(std::string_view text);
 
 }  // namespace insonify

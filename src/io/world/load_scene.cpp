@@ -6,6 +6,7 @@
 
 #include "insonify/error.h"
 #include "insonify/files.h"
+#include "insonify/printable.h"
 #include "io/file/input_file.h"
 #include "io/mesh/mesh_file.h"
 #include "io/mesh/relief_file.h"
@@ -57,7 +58,7 @@ Scene load_scene(const Scenario& scenario, const Log& log) {
         change.relief = std::move(relief);
       }
     } catch (const Error& error) {
-      throw Error(fmt::format("{}materials.{}: {}", change.where, name, error.what()));
+      throw Error(fmt::format("{}materials.{}: {}", change.where, printable(name), error.what()));
     }
   }
   assign_materials(scene, rules, log);

@@ -12,6 +12,7 @@
 #include <sstream>
 
 #include "insonify/error.h"
+#include "insonify/printable.h"
 
 namespace insonify {
 namespace {
@@ -58,11 +59,13 @@ void check_numbers(const XmlTag& tag, const XmlTag& parent, const std::string& t
   std::size_t found = 0;
   for (std::string word; words >> word; ++found) {
     if (!is_finite_number(word)) {
-      throw Error(fmt::format("{}<{}> = '{}' must be {}", tag.where(shown), tag.name, content, in_words(wanted)));
+      throw Error(
+          fmt::format("{}<{}> = '{}' must be {}", tag.where(shown), tag.name, printable(content), in_words(wanted)));
     }
   }
   if (found < wanted) {
-    throw Error(fmt::format("{}<{}> = '{}' must be {}", tag.where(shown), tag.name, content, in_words(wanted)));
+    throw Error(
+        fmt::format("{}<{}> = '{}' must be {}", tag.where(shown), tag.name, printable(content), in_words(wanted)));
   }
 }
 
@@ -90,7 +93,7 @@ void check_links(const std::vector<XmlTag>& tags, std::size_t model, const std::
     }
   }
   throw Error(fmt::format("{}model '{}' must have a link, or be static", tags[model].where(shown),
-                          tags[model].attribute("name")));
+                          printable(tags[model].attribute("name"))));
 }
 
 void check_name(const std::vector<XmlTag>& tags, std::size_t tag, const std::string& shown) {
@@ -103,7 +106,7 @@ void check_name(const std::vector<XmlTag>& tags, std::size_t tag, const std::str
     if (tags[i].parent == own.parent && tags[i].name == own.name &&
         tags[i].attribute("name") == own.attribute("name")) {
       throw Error(fmt::format("{}{} '{}' has the name of the one of line {}", own.where(shown), own.name,
-                              own.attribute("name"), tags[i].line));
+                              printable(own.attribute("name")), tags[i].line));
     }
   }
 }

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "insonify/error.h"
+#include "insonify/printable.h"
 #include "io/file/xml_scan.h"
 
 namespace insonify {
@@ -20,14 +21,14 @@ std::string text_of(const sdf::ElementPtr& element) {
 // Takes over what one element of ours says; `name` is without prefix.
 void take(const sdf::ElementPtr& element, const std::string& name, const std::string& what, std::string& material) {
   if (name != "material") {
-    throw Error(fmt::format("{}: <{}> is unknown, insonify knows <material>", what, element->GetName()));
+    throw Error(fmt::format("{}: <{}> is unknown, insonify knows <material>", what, printable(element->GetName())));
   }
   const std::string text = text_of(element);
   if (text.empty()) {
-    throw Error(fmt::format("{}: <{}> is empty", what, element->GetName()));
+    throw Error(fmt::format("{}: <{}> is empty", what, printable(element->GetName())));
   }
   if (!material.empty() && material != text) {
-    throw Error(fmt::format("{} has two materials, '{}' and '{}'", what, material, text));
+    throw Error(fmt::format("{} has two materials, '{}' and '{}'", what, printable(material), printable(text)));
   }
   material = text;
 }

@@ -8,6 +8,7 @@
 #include <sdf/parser.hh>
 #include <set>
 
+#include "base/log_line.h"
 #include "insonify/error.h"
 #include "io/file/input_file.h"
 #include "io/world/sdf_console.h"
@@ -59,7 +60,7 @@ std::string summary(const sdf::Errors& errors, const std::vector<std::string>& c
     }
   }
   const bool silent = causes.empty() && !console.empty();
-  const std::string text = where(*cause, file, source) + one_line(silent ? console.front() : cause->Message());
+  const std::string text = where(*cause, file, source) + foreign_reason(silent ? console.front() : cause->Message());
   const std::size_t more = causes.size() > 1 ? causes.size() - 1 : 0;
   return more == 0 ? text : fmt::format("{} (and {} more error{})", text, more, more == 1 ? "" : "s");
 }
@@ -82,7 +83,7 @@ sdf::Errors load(const SdfSource& source, sdf::Root& root) {
   try {
     return root.Load(file);
   } catch (const std::exception& exception) {
-    throw Error(fmt::format("{}: libsdformat gives up: {}", source.shown(file), one_line(exception.what())));
+    throw Error(fmt::format("{}: libsdformat gives up: {}", source.shown(file), foreign_reason(exception.what())));
   }
 }
 
@@ -95,11 +96,10 @@ sdf::Root read_sdf_root(const SdfSource& source, const Log& log) {
   if (!errors.empty()) {
     explain_failure(errors, console.sentences(), source);
   }
-  if (log) {
-    for (const std::string& sentence : console.sentences()) {
-      if (!sentence.starts_with("Unable to convert from SDF version")) {  // SdfSource has said so, with file and line
-        log(Severity::kWarning, fmt::format("{}: {}", source.shown(source.files().back()), one_line(sentence)));
-      }
+  for (const std::string& sentence : console.sentences()) {
+    if (!sentence.starts_with("Unable to convert from SDF version")) {  // SdfSource has said so, with file and line
+      log_line(log, Severity::kWarning,
+               fmt::format("{}: {}", source.shown(source.files().back()), foreign_reason(sentence)));
     }
   }
   return root;

@@ -14,6 +14,8 @@
 #include <set>
 
 #include "insonify/error.h"
+#include "insonify/printable.h"
+#include "io/file/input_file.h"
 #include "io/world/sdf_console.h"
 #include "io/world/sdf_material.h"
 #include "io/world/sdf_math.h"
@@ -108,7 +110,7 @@ class SceneBuilder {
 
   // "path:line:column: visual 'a::b::c'"
   [[nodiscard]] std::string what(const char* kind, const std::string& name, sdf::Element& element) const {
-    return fmt::format("{}{} '{}'", place(element), kind, name);
+    return fmt::format("{}{} '{}'", place(element), kind, printable(name, kLongestName));
   }
 
   // Pose of a model, link, visual or collision in its parent.
@@ -117,7 +119,7 @@ class SceneBuilder {
     sdf_math::Pose3d pose;
     const sdf::Errors errors = part.SemanticPose().Resolve(pose);
     if (!errors.empty()) {
-      throw Error(where + ": its pose cannot be worked out: " + errors.front().Message());
+      throw Error(where + ": its pose cannot be worked out: " + foreign_reason(errors.front().Message()));
     }
     const sdf_math::Vector3d& position = pose.Pos();
     for (const double value : {position.X(), position.Y(), position.Z()}) {

@@ -14,8 +14,10 @@
 #include <sdf/Sphere.hh>
 #include <sstream>
 
+#include "base/log_line.h"
 #include "insonify/error.h"
 #include "insonify/files.h"
+#include "insonify/printable.h"
 #include "io/file/input_file.h"
 #include "io/file/xml_scan.h"
 #include "io/mesh/mesh_file.h"
@@ -102,7 +104,7 @@ std::shared_ptr<const Mesh> SdfShapes::shared(const std::string& key, const std:
 std::string SdfShapes::file(const std::string& uri, const std::string& base, const std::string& what) const {
   const std::optional<fs::path> found = find_sdf_uri(uri, source_.original(base));
   if (!found) {
-    throw Error(fmt::format("{}: '{}' {}", what, uri, sdf_uri_not_found(uri)));
+    throw Error(fmt::format("{}: '{}' {}", what, printable(uri), sdf_uri_not_found(uri)));
   }
   return found->string();
 }
@@ -171,11 +173,11 @@ std::optional<SdfShape> SdfShapes::unknown_shape(const sdf::Geometry& geometry, 
     const double length = positive(number(element, "length", 1), what, "length");
     return SdfShape{shared(fmt::format("cone {} {}", radius, length), [&] { return make_cone(radius, length); })};
   }
-  if (log_) {
-    const bool is_empty = element == nullptr || element->GetName() == "empty";
-    log_(Severity::kWarning, what + " is left out: " +
-                                 (is_empty ? "it has no shape" : "insonify has no shape <" + element->GetName() + ">"));
-  }
+  const bool is_empty = element == nullptr || element->GetName() == "empty";
+  log_line(
+      log_, Severity::kWarning,
+      what + " is left out: " +
+          (is_empty ? "it has no shape" : fmt::format("insonify has no shape <{}>", printable(element->GetName()))));
   return std::nullopt;
 }
 

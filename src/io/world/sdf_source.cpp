@@ -11,7 +11,9 @@
 #include <sdf/parser.hh>
 #include <set>
 
+#include "base/log_line.h"
 #include "insonify/error.h"
+#include "insonify/printable.h"
 #include "io/file/input_file.h"
 #include "io/file/xml_scan.h"
 #include "io/world/sdf_check.h"
@@ -47,7 +49,7 @@ std::string apply_edits(const std::string& text, const std::vector<Edit>& edits)
 void check_root(const XmlTag& root, const std::string& shown, const Log& log) {
   const std::string where = root.where(shown);
   if (root.name != "sdf") {
-    throw Error(fmt::format("{}the root element is <{}>, not <sdf>{}", where, root.name,
+    throw Error(fmt::format("{}the root element is <{}>, not <sdf>{}", where, printable(root.name),
                             root.name == "robot" ? "; 'gz sdf -p' or 'ign sdf -p' turns URDF into SDF" : ""));
   }
   if (!root.attributes.contains("version")) {
@@ -57,17 +59,18 @@ void check_root(const XmlTag& root, const std::string& shown, const Log& log) {
   int major = 0, minor = 0, length = 0;
   if (std::sscanf(version.c_str(), "%d.%d%n", &major, &minor, &length) != 2 ||
       length != static_cast<int>(version.size())) {
-    throw Error(fmt::format("{}SDF version '{}' is not two numbers, 1.5 to 1.9 are read", where, version));
+    throw Error(fmt::format("{}SDF version '{}' is not two numbers, 1.5 to 1.9 are read", where, printable(version)));
   }
   const auto number = std::pair(major, minor);
-  if (log && number < kOldest) {
-    log(Severity::kWarning,
-        fmt::format("{}SDF version {} is older than {}.{}, the oldest that is known to be read right", where, version,
-                    kOldest.first, kOldest.second));
-  } else if (log && number > kNewest) {
-    log(Severity::kWarning, fmt::format("{}SDF version {} is newer than {}.{} and read as that; what is new in it is "
-                                        "left out",
-                                        where, version, kNewest.first, kNewest.second));
+  if (number < kOldest) {
+    log_line(log, Severity::kWarning,
+             fmt::format("{}SDF version {} is older than {}.{}, the oldest that is known to be read right", where,
+                         printable(version), kOldest.first, kOldest.second));
+  } else if (number > kNewest) {
+    log_line(log, Severity::kWarning,
+             fmt::format("{}SDF version {} is newer than {}.{} and read as that; what is new in it is "
+                         "left out",
+                         where, printable(version), kNewest.first, kNewest.second));
   }
 }
 
@@ -203,7 +206,7 @@ std::string SdfSource::write_copy(const std::string& text, const std::string& or
 // Gives the path that is to stand in an <include>.
 std::string SdfSource::resolve_include(const std::string& uri, const fs::path& file, const XmlTag& tag,
                                        const Log& log) {
-  const std::string where = fmt::format("{}include '{}'", tag.where(shown(file.string())), uri);
+  const std::string where = fmt::format("{}include '{}'", tag.where(shown(file.string())), printable(uri));
   const std::optional<fs::path> found = find_sdf_uri(uri, file);
   if (!found) {
     throw Error(where + " " + sdf_uri_not_found(uri));
@@ -242,8 +245,8 @@ std::string SdfSource::prepare(const fs::path& file, const Log& log) {
     if (is_beside_the_point(tag, tags[tag.parent])) {
       left_out_to = tag.end;
       edits.push_back({tag.begin, tag.end, ""});
-      if (log && tag.name == "actor") {
-        log(Severity::kWarning, tag.where(shown(name)) + "an actor is left out");
+      if (tag.name == "actor") {
+        log_line(log, Severity::kWarning, tag.where(shown(name)) + "an actor is left out");
       }
     } else if (is_include_uri(tags, tag)) {
       const std::string uri = content_of(tag, text);

@@ -1,0 +1,16 @@
+// utf8.h -- decodes UTF-8.
+
+#pragma once
+
+#include <string_view>
+
+namespace insonify {
+
+/// Returned by take_code_point for a byte that is not part of a valid character; U+FFFD, the replacement character.
+inline constexpr char32_t kNotUtf8 = U'\ufffd';
+
+/// Removes the first character from `text`, which must not be empty, and returns its code point. Removes one byte if
+/// no valid character begins there.
+[[nodiscard]] char32_t take_code_point(std::string_view& text);
+
+}  // namespace insonify
