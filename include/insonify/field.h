@@ -65,6 +65,29 @@ struct Field {
   std::string_view help;  ///< One sentence, from a capital letter to a full stop.
 };
 
+/// A member of a configuration that has fields of its own: a struct, an optional struct, a list or a map of structs.
+///
+/// A configuration with such members has, beside visit_fields, `visit_parts(Self&, Visit&&)`, which calls
+/// `visit(Part, member)` on each. Reading, checking, describing, recording and writing follow the two lists, so that a
+/// setting or a whole section is named once.
+struct Part {
+  std::string_view name;  ///< Key in files; often that of the member.
+  std::string_view kind;  ///< What a file holds there: "map", "list of waypoints" ...
+  std::string_view help;  ///< One sentence for the list of the configuration's keys.
+  std::string_view
+      about;  ///< One or two sentences above the list of the part's own keys; "" where another part has it.
+};
+
+/// Configurations that have parts.
+template <typename Config>
+concept HasParts = requires(const Config& config) {
+  Config::visit_parts(config, [](const Part&, const auto&) {});
+};
+
+/// Calls `visit(name, config)` for each configuration that a part holds: "water", "points[0]", "materials.hull".
+template <typename Member, typename Visit>
+void visit_entries(const std::string& name, Member& member, Visit&& visit);
+
 /// Name of the field as users write it: `azimuth_aperture_deg` for an angle, the plain name otherwise.
 [[nodiscard]] std::string file_name_of(const Field& field);
 
@@ -80,7 +103,8 @@ struct Field {
 /// @throws Error "sonars[0].max_range = -2 m must be greater than 0 m"
 void check_field(std::string_view object, const Field& field, double value, int index = -1);
 
-/// Checks all members that are numbers, optional numbers or lists of numbers, in order; words are not checked.
+/// Checks all members that are numbers, optional numbers or lists of numbers, in order, then those of its parts; words
+/// are not checked.
 template <typename Config>
 void check_fields(std::string_view object, const Config& config);
 
@@ -113,10 +137,37 @@ void check_member(std::string_view object, const Field& field, const T& member) 
 
 }  // namespace detail
 
+template <typename Member, typename Visit>
+void visit_entries(const std::string& name, Member& member, Visit&& visit) {
+  if constexpr (requires { member.has_value(); }) {
+    if (member.has_value()) {
+      visit(name, *member);
+    }
+  } else if constexpr (requires { typename Member::mapped_type; }) {
+    for (auto& [key, entry] : member) {
+      visit(name + "." + key, entry);
+    }
+  } else if constexpr (requires { member.begin(); }) {
+    int index = 0;
+    for (auto& entry : member) {
+      visit(name + "[" + std::to_string(index++) + "]", entry);
+    }
+  } else {
+    visit(name, member);
+  }
+}
+
 template <typename Config>
 void check_fields(std::string_view object, const Config& config) {
   Config::visit_fields(config,
                        [&](const Field& field, const auto& member) { detail::check_member(object, field, member); });
+  if constexpr (HasParts<Config>) {
+    const std::string prefix = object.empty() ? "" : std::string(object) + ".";
+    Config::visit_parts(config, [&](const Part& part, const auto& member) {
+      visit_entries(prefix + std::string(part.name), member,
+                    [](const std::string& name, const auto& entry) { check_fields(name, entry); });
+    });
+  }
 }
 
 }  // namespace insonify

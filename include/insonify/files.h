@@ -39,6 +39,12 @@ namespace insonify {
 /// @throws Error "path:line:column: ..." for whatever is wrong; an unknown key names the nearest known one.
 [[nodiscard]] Scenario load_scenario(const std::filesystem::path& path, std::span<const std::string> settings = {});
 
+/// Writes a scenario as the text of a scenario file that load_scenario() reads back as the same: what differs from the
+/// defaults, presets as the numbers they stand for, files by their absolute paths. An angle may differ in its last bit,
+/// as not every number of radians is that of a number of degrees. What has no form in files is left out: a relief given
+/// as values (MaterialOverride::relief), the head's settings of a sonar that has none.
+[[nodiscard]] std::string to_yaml(const Scenario& scenario);
+
 /// Reads the scene of a scenario and assigns its materials.
 [[nodiscard]] Scene load_scene(const Scenario& scenario, const Log& log = {});
 
@@ -80,8 +86,8 @@ struct Preset {
   void fit_to_range(SonarConfig& sonar, double sound_speed) const;
 };
 /// Names of all presets in alphabetical order: those of the folders that INSONIFY_PRESETS lists (separated by colons)
-/// and those shipped with insonify, in the installed or the source tree's `presets`. Of two with the same name the one of
-/// the earlier folder counts, INSONIFY_PRESETS first.
+/// and those shipped with insonify, in the installed or the source tree's `presets`. Of two with the same name the one
+/// of the earlier folder counts, INSONIFY_PRESETS first.
 /// @throws Error where INSONIFY_PRESETS names something that is no folder.
 [[nodiscard]] std::vector<std::string> preset_names();
 

@@ -54,6 +54,12 @@ struct Motion {
   static void visit_fields(Self& self, Visit&& visit) {
     visit(Field{"object", "", {}, "Model, link or visual of the world that moves, by its scoped name."}, self.object);
   }
+
+  template <typename Self, typename Visit>
+  static void visit_parts(Self& self, Visit&& visit) {
+    visit(Part{"trajectory", "list of waypoints", "Where the object is: as `trajectory`.", ""},
+          self.trajectory.waypoints);
+  }
 };
 
 /// A camera for a look at the scene beside the ping.
@@ -74,7 +80,9 @@ struct ViewConfig {
 
 struct Scenario {
   std::filesystem::path file;  ///< It was read from; empty when made in code.
-  std::string text;            ///< The file as read with --set applied, kept for the recording.
+  /// The file as read, with --set applied, which recordings hold. A program that changes a scenario it has read clears
+  /// this: recordings hold to_yaml() where it is empty.
+  std::string text;
 
   std::filesystem::path world;  ///< SDF world or model, or mesh file; absolute. Empty for open water.
   std::string world_where;      ///< "path:line:column: " of that entry, for messages.
@@ -116,15 +124,14 @@ struct Scenario {
   /// @throws Error on the first fault.
   void validate() const;
 
-  /// Visits the members that are plain values; the parts (water, sonars ...) visit their own.
+  /// Visits the members that are plain values.
   template <typename Self, typename Visit>
   static void visit_fields(Self& self, Visit&& visit) {
     visit(Field{"world",
                 "",
                 {},
                 "SDF world or model, mesh or height grid; relative paths are from the scenario's folder. Without it "
-                "there is "
-                "open water, for `points` and under a `surface`."},
+                "there is open water, for `points` and under a `surface`; `none` is for programs that give the scene."},
           self.world);
     visit(Field{"collisions", "", {}, "Insonify the world's collision shapes instead of its visuals (SDF)."},
           self.collisions);
@@ -161,7 +168,50 @@ struct Scenario {
     visit(Field{"seed", "", at_least(0), "Start of the random numbers; the same seed gives the same pings."},
           self.seed);
     visit(Field{"pings", "", from_to(1, 1e9), "Pings of each sonar."}, self.pings);
+    MaterialRules::visit_fields(self.materials, visit);
   }
+
+  /// Visits the members that have fields of their own.
+  template <typename Self, typename Visit>
+  static void visit_parts(Self& self, Visit&& visit);
 };
+
+// ---------------------------------------------------------------------------------------------------------------------
+
+template <typename Self, typename Visit>
+void Scenario::visit_parts(Self& self, Visit&& visit) {
+  visit(Part{"water", "map", "The water: see `water`.", "The water, alike everywhere."}, self.water);
+  visit(Part{"materials", "map of material or visual names", "What surfaces are made of: see `materials`.",
+             "One entry for each name of a visual or a material: `hull: steel` or `hull: {like: steel, reflectivity: "
+             "0.9}`."},
+        self.materials.overrides);
+  visit(Part{"sonars", "list of sonars", "The sonars, at least one: see `sonars`.",
+             "One entry for each sonar. The keys beside `preset` override it; without one, the defaults below hold. "
+             "With a preset, `bin_count` and `ping_period` follow from the range unless given."},
+        self.sonars);
+  visit(Part{"receiver", "map", "What the receiver adds: see `receiver`.", "What the receiver adds, in every model."},
+        self.receiver);
+  visit(Part{"paper", "map", "The paper model's settings: see `paper`.", "Settings of the paper model."}, self.paper);
+  visit(Part{"surface", "map", "The water's surface, none where not named: see `surface`.",
+             "The water's surface above the sonar, a rough mirror."},
+        self.surface);
+  visit(Part{"points", "list of point targets", "Ideal point targets (calibrated model): see `points`.",
+             "One entry for each ideal point target (calibrated model)."},
+        self.points);
+  visit(
+      Part{"interferers", "list of other sonars", "Other sonars that are heard (calibrated model): see `interferers`.",
+           "One entry for each other sonar that is heard (calibrated model)."},
+      self.interferers);
+  visit(Part{"trajectory", "list of waypoints", "How the vehicle moves: see `trajectory`.",
+             "One entry for each waypoint, in order of time. Between two, the vehicle moves straight and turns evenly; "
+             "before the first and after the last it stands still."},
+        self.trajectory.waypoints);
+  visit(Part{"motions", "list of motions", "What else moves: see `motions`.",
+             "One entry for each object of the world that moves."},
+        self.motions);
+  visit(Part{"view", "map", "The camera of the picture of the scene: see `view`.",
+             "The camera of the picture of the scene. Without it, one that shows the first sonar's field is chosen."},
+        self.view);
+}
 
 }  // namespace insonify

@@ -126,9 +126,16 @@ struct SonarConfig {
   /// @throws Error on the first field out of limits; the message carries its name, value and limit.
   void validate(std::string_view object = "sonar") const;
 
-  /// Calls visit(Field, member) on every field, in order; enums and names included, `sampling` not (it visits its own).
+  /// Calls visit(Field, member) on every field, in order; enums and names included.
   template <typename Self, typename Visit>
   static void visit_fields(Self& self, Visit&& visit);
+
+  template <typename Self, typename Visit>
+  static void visit_parts(Self& self, Visit&& visit) {
+    visit(Part{"sampling", "map", "How finely the fan is sampled: see `sampling`.",
+               "Part of a sonar. More samples resolve finer detail and take more time."},
+          self.sampling);
+  }
 };
 
 // ---------------------------------------------------------------------------------------------------------------------

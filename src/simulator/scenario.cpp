@@ -26,7 +26,6 @@ double rounded_up(double value) {
 
 // The depth at which a sonar starts, below the surface, is the water's.
 void check_water(const Scenario& scenario) {
-  scenario.water.validate();
   for (std::size_t i = 0; scenario.surface && i < scenario.sonars.size(); ++i) {
     constexpr double kMost = 7000;
     const double depth = scenario.water_at(scenario.sonars[i]).depth;
@@ -135,20 +134,7 @@ void check_engine(const std::string& engine) {
 
 void check_materials(const MaterialRules& rules) {
   for (const auto& [name, changes] : rules.overrides) {
-    check_fields("materials." + name, changes);
     changes.relief_config.validate("materials." + name);
-  }
-}
-
-void check_points(const std::vector<PointTarget>& points) {
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    check_fields(fmt::format("points[{}]", i), points[i]);
-  }
-}
-
-void check_interferers(const std::vector<Interferer>& interferers) {
-  for (std::size_t i = 0; i < interferers.size(); ++i) {
-    check_fields(fmt::format("interferers[{}]", i), interferers[i]);
   }
 }
 
@@ -166,7 +152,6 @@ void check_motions(const std::vector<Motion>& motions) {
 }
 
 void check_view(const ViewConfig& view) {
-  check_fields("view", view);
   if (view.position == view.look_at) {
     throw Error("view.look_at must differ from view.position");
   }
@@ -261,15 +246,9 @@ void Scenario::validate() const {
   if (model == EchoModel::kPaper && ground_truth == GroundTruth::kFull) {
     throw Error("ground_truth = full needs model = calibrated");
   }
-  check_points(points);
-  check_interferers(interferers);
-  if (surface) {
-    check_fields("surface", *surface);
-  }
   check_engine(engine);
   check_water(*this);
   receiver.validate();
-  paper.validate();
   check_materials(materials);
   check_sonars(*this);
   if (model == EchoModel::kCalibrated) {

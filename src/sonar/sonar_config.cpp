@@ -165,7 +165,6 @@ double SonarConfig::head_angle(std::uint64_t ping) const {
 
 void SonarConfig::validate(std::string_view object) const {
   check_fields(object, *this);
-  check_fields(fmt::format("{}.sampling", object), sampling);
   check_name(object, name);
   check_ranges(object, *this);
   check_cells(object, *this);

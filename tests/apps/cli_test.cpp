@@ -266,7 +266,7 @@ constexpr Mistake kMistakes[] = {
      "insonify: --mode high belongs to a preset, and none is named"},
     {"UnknownSection", "insonify describe sea", 2,
      "insonify: there is no section sea; there are scenario, water, materials, sonars, sampling, receiver, paper, "
-     "trajectory, surface, points, interferers, motions, view"},
+     "surface, points, interferers, trajectory, motions, view"},
 };
 
 INSTANTIATE_TEST_SUITE_P(All, MistakeTest, testing::ValuesIn(kMistakes),

@@ -22,7 +22,7 @@ namespace insonify {
 namespace {
 
 // A mesh of the file where a node puts it.
-struct Part {
+struct PlacedMesh {
   const aiMesh* mesh = nullptr;
   std::string node;
   Eigen::Affine3d mesh_from_part;
@@ -38,7 +38,7 @@ Eigen::Affine3d affine_from(const aiMatrix4x4& m) {
 }
 
 void collect_parts(const aiScene& scene, const aiNode& node, const Eigen::Affine3d& mesh_from_parent,
-                   std::vector<Part>& parts) {
+                   std::vector<PlacedMesh>& parts) {
   const Eigen::Affine3d mesh_from_node = mesh_from_parent * affine_from(node.mTransformation);
   for (unsigned i = 0; i < node.mNumMeshes; ++i) {
     parts.push_back({scene.mMeshes[node.mMeshes[i]], node.mName.C_Str(), mesh_from_node});
@@ -49,13 +49,13 @@ void collect_parts(const aiScene& scene, const aiNode& node, const Eigen::Affine
 }
 
 // Keeps the parts whose node or mesh has the name.
-void choose_parts(std::vector<Part>& parts, const FlattenSettings& settings) {
+void choose_parts(std::vector<PlacedMesh>& parts, const FlattenSettings& settings) {
   const std::string& name = settings.submesh;
   std::set<std::string> names;
-  for (const Part& part : parts) {
+  for (const PlacedMesh& part : parts) {
     names.insert(printable(part.node.empty() ? part.mesh->mName.C_Str() : part.node));
   }
-  std::erase_if(parts, [&](const Part& part) { return part.node != name && part.mesh->mName.C_Str() != name; });
+  std::erase_if(parts, [&](const PlacedMesh& part) { return part.node != name && part.mesh->mName.C_Str() != name; });
   if (parts.empty()) {
     throw Error(fmt::format("{}: no submesh \"{}\"; there are: {}", settings.path.string(), printable(name),
                             fmt::join(names, ", ")));
@@ -84,10 +84,10 @@ class Flattener {
     mesh_.material_names.clear();
   }
 
-  void reserve(const std::vector<Part>& parts) {
+  void reserve(const std::vector<PlacedMesh>& parts) {
     std::size_t vertices = 0;
     std::size_t triangles = 0;
-    for (const Part& part : parts) {
+    for (const PlacedMesh& part : parts) {
       vertices += part.mesh->mNumVertices;
       for (unsigned i = 0; i < part.mesh->mNumFaces; ++i) {
         triangles += std::max(part.mesh->mFaces[i].mNumIndices, 2U) - 2;
@@ -98,7 +98,7 @@ class Flattener {
     mesh_.triangles.reserve(triangles);
   }
 
-  void add(const Part& part) {
+  void add(const PlacedMesh& part) {
     const auto first = static_cast<std::uint32_t>(mesh_.vertices.size());
     add_vertices(*part.mesh, part.mesh_from_part);
     // A mirror turns the winding over; swapping two corners turns it back.
@@ -240,7 +240,7 @@ class Flattener {
 FlattenedScene flatten_scene(const aiScene& scene, const FlattenSettings& settings) {
   Eigen::Affine3d mesh_from_file = Eigen::Affine3d::Identity();
   mesh_from_file.linear() = settings.mesh_from_file;
-  std::vector<Part> parts;
+  std::vector<PlacedMesh> parts;
   collect_parts(scene, *scene.mRootNode, mesh_from_file, parts);
   if (!settings.submesh.empty()) {
     choose_parts(parts, settings);
@@ -248,7 +248,7 @@ FlattenedScene flatten_scene(const aiScene& scene, const FlattenSettings& settin
 
   Flattener flattener(scene, settings);
   flattener.reserve(parts);
-  for (const Part& part : parts) {
+  for (const PlacedMesh& part : parts) {
     flattener.add(part);
   }
   return flattener.take();

@@ -2,6 +2,7 @@
 
 #include "io/recording/hdf5_writer.h"
 
+#include <array>
 #include <utility>
 #include <vector>
 
@@ -62,6 +63,11 @@ void H5Writer::put(const std::string& name, std::int64_t value, const H5Note& no
   put_values(name, H5T_STD_I64LE, H5T_NATIVE_INT64, space.get(), &value, note);
 }
 
+void H5Writer::put(const std::string& name, std::uint64_t value, const H5Note& note) const {
+  const H5Handle space = own(H5Screate(H5S_SCALAR), H5Sclose, name);
+  put_values(name, H5T_STD_U64LE, H5T_NATIVE_UINT64, space.get(), &value, note);
+}
+
 void H5Writer::put(const std::string& name, const std::string& value, const H5Note& note) const {
   const H5Handle space = own(H5Screate(H5S_SCALAR), H5Sclose, name);
   const H5Handle type = text_type(path_);
@@ -72,6 +78,19 @@ void H5Writer::put(const std::string& name, const std::string& value, const H5No
 void H5Writer::put(const std::string& name, std::span<const double> values, const H5Note& note) const {
   const hsize_t length = values.size();
   const H5Handle space = own(H5Screate_simple(1, &length, nullptr), H5Sclose, name);
+  put_values(name, H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, space.get(), values.data(), note);
+}
+
+void H5Writer::put(const std::string& name, std::span<const std::uint64_t> values, const H5Note& note) const {
+  const hsize_t length = values.size();
+  const H5Handle space = own(H5Screate_simple(1, &length, nullptr), H5Sclose, name);
+  put_values(name, H5T_STD_U64LE, H5T_NATIVE_UINT64, space.get(), values.data(), note);
+}
+
+void H5Writer::put_rows(const std::string& name, std::span<const double> values, std::uint64_t columns,
+                        const H5Note& note) const {
+  const std::array<hsize_t, 2> shape{values.size() / columns, columns};
+  const H5Handle space = own(H5Screate_simple(2, shape.data(), nullptr), H5Sclose, name);
   put_values(name, H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, space.get(), values.data(), note);
 }
 

@@ -27,9 +27,14 @@ class H5Writer {
   void put(const std::string& name, double value, const H5Note& note) const;
   void put(const std::string& name, bool value, const H5Note& note) const;
   void put(const std::string& name, std::int64_t value, const H5Note& note) const;
+  void put(const std::string& name, std::uint64_t value, const H5Note& note) const;
   void put(const std::string& name, const std::string& value, const H5Note& note) const;
   void put(const std::string& name, std::span<const double> values, const H5Note& note) const;
   void put(const std::string& name, std::span<const std::string> values, const H5Note& note) const;
+  void put(const std::string& name, std::span<const std::uint64_t> values, const H5Note& note) const;
+  /// Rows of `columns` values each.
+  void put_rows(const std::string& name, std::span<const double> values, std::uint64_t columns,
+                const H5Note& note) const;
 
   /// Attributes of a dataset or group; "/" is the file itself.
   void attribute(const std::string& object, const std::string& name, std::string_view text) const;

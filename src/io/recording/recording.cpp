@@ -4,8 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
-#include <type_traits>
 #include <utility>
 
 #include "echo/engine.h"
@@ -16,6 +14,7 @@
 #include "io/recording/growing_file.h"
 #include "io/recording/hdf5_writer.h"
 #include "io/recording/ping_layers.h"
+#include "io/recording/put_settings.h"
 
 namespace insonify {
 namespace {
@@ -83,64 +82,17 @@ void put_axes(const H5Writer& writer, const SonarConfig& sonar) {
   writer.put("range", ranges, {"m", "Centre of each bin."});
 }
 
-void put_scene(const H5Writer& writer, const Scene& scene, double frequency) {
+void put_names(const H5Writer& writer, const Scene& scene) {
   std::vector<std::string> names;
   for (const Instance& instance : scene.instances) {
     names.push_back(instance.name);
   }
   writer.put("instance_names", names, {"", "Scoped name of each instance of the scene."});
   names.clear();
-  std::array<std::vector<double>, 8> properties;
   for (const Material& material : scene.materials) {
     names.push_back(material.name);
-    properties[0].push_back(material.density);
-    properties[1].push_back(material.sound_speed);
-    properties[2].push_back(material.effective_reflectivity());
-    properties[3].push_back(material.lambert_db);
-    properties[4].push_back(material.reflection_at(frequency));
-    properties[5].push_back(material.rms_slope);
-    properties[6].push_back(material.clutter_shape.value_or(std::numeric_limits<double>::infinity()));
-    properties[7].push_back(material.scatterer_density.value_or(std::numeric_limits<double>::infinity()));
   }
   writer.put("material_names", names, {"", "Name of each material of the scene."});
-  writer.put("settings/materials/density", properties[0], {"kg/m^3", "Of each row of material_names."});
-  writer.put("settings/materials/sound_speed", properties[1], {"m/s", "Of each row of material_names."});
-  writer.put("settings/materials/reflectivity", properties[2], {"1", "Of each row of material_names."});
-  writer.put("settings/materials/lambert_db", properties[3], {"dB", "Of each row of material_names."});
-  writer.put("settings/materials/reflection", properties[4], {"1", "Head on, of each row of material_names."});
-  writer.put("settings/materials/rms_slope", properties[5], {"1", "Of each row of material_names."});
-  writer.put("settings/materials/clutter_shape", properties[6],
-             {"1", "Of each row of material_names; infinite for no texture."});
-  writer.put("settings/materials/scatterer_density", properties[7],
-             {"1/m^2", "Of each row of material_names; infinite for countless scatterers."});
-}
-
-// One member of a configuration, whatever its type. Absent members are left out.
-template <typename Member>
-void put_member(const H5Writer& writer, const std::string& name, const Member& member, const H5Note& note) {
-  if constexpr (std::is_enum_v<Member>) {
-    writer.put(name, std::string(word_of(member)), {"", note.description});
-  } else if constexpr (std::is_same_v<Member, std::string> || std::is_same_v<Member, bool>) {
-    writer.put(name, member, {"", note.description});
-  } else if constexpr (std::is_integral_v<Member>) {
-    writer.put(name, std::int64_t{member}, note);
-  } else if constexpr (std::is_same_v<Member, double>) {
-    writer.put(name, member, note);
-  } else if constexpr (requires { member.has_value(); }) {
-    if (member.has_value()) {
-      put_member(writer, name, *member, note);
-    }
-  } else if (member.size() > 0) {
-    writer.put(name, std::span<const double>(member.data(), static_cast<std::size_t>(member.size())), note);
-  }
-}
-
-template <typename Config>
-void put_settings(const H5Writer& writer, const std::string& group, const Config& config) {
-  Config::visit_fields(config, [&](const Field& field, const auto& member) {
-    put_member(writer, fmt::format("settings/{}/{}", group, field.name), member,
-               {field.unit.empty() ? "1" : field.unit, field.help});
-  });
 }
 
 void put_run(const H5Writer& writer, const Scenario& scenario, const Scene& scene, const SonarConfig& sonar) {
@@ -153,7 +105,7 @@ void put_run(const H5Writer& writer, const Scenario& scenario, const Scene& scen
                                                engine_kind(scenario.engine).draws_primaries, scenario.has_even_rows());
   writer.attribute(root, "primary", primary == PrimaryEchoes::kRays ? "rays" : "raster");
   writer.attribute(root, "seed", scenario.seed);
-  writer.attribute(root, "scenario", scenario.text);
+  writer.attribute(root, "scenario", scenario.text.empty() ? to_yaml(scenario) : scenario.text);
   writer.attribute(root, "sonar", sonar.name);
   writer.attribute(root, "sonar_model", sonar.model);
   writer.attribute(root, "frequency", sonar.frequency);
@@ -161,14 +113,6 @@ void put_run(const H5Writer& writer, const Scenario& scenario, const Scene& scen
   const Water water = scenario.water_at(sonar);
   writer.attribute(root, "sound_speed", water.true_sound_speed());
   writer.attribute(root, "absorption_db_per_m", water.absorption_db_per_m_at(sonar.frequency));
-  put_settings(writer, "sonar", sonar);
-  put_settings(writer, "sonar/sampling", sonar.sampling);
-  put_settings(writer, "water", water);
-  put_settings(writer, "paper", scenario.paper);
-  put_settings(writer, "receiver", scenario.receiver);
-  put_member(writer, "settings/ground_truth", scenario.ground_truth,
-             {"", "What is kept of where each bin's echo came from."});
-  put_member(writer, "settings/secondary", scenario.secondary, {"", "Which hits send a ray on for secondary echoes."});
 }
 
 template <typename Value>
@@ -195,8 +139,9 @@ Recording::Recording(const std::filesystem::path& path, const Scenario& scenario
     const H5Writer writer(file, path);
     describe_datasets(writer, sonar, layers);
     put_axes(writer, sonar);
-    put_scene(writer, scene, sonar.frequency);
+    put_names(writer, scene);
     put_run(writer, scenario, scene, sonar);
+    put_settings(writer, scenario, scene, sonar);
   };
   GrowingFile file(path, growing_datasets(sonar, layers), capacity, describe);
   state_ = std::make_unique<State>(State{std::move(file), std::move(layers), sonar.bin_count, sonar.beam_count,

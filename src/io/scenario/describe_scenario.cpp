@@ -7,6 +7,7 @@
 #include "insonify/describe.h"
 #include "insonify/scenario.h"
 #include "io/file/yaml_words.h"
+#include "io/scenario/preset_choice.h"
 
 namespace insonify {
 namespace {
@@ -71,82 +72,52 @@ void add_keys(SectionDescription& section, const Config& defaults = {}) {
   });
 }
 
+// What stands for an entry of a part, for its fields' defaults.
+template <typename Member>
+auto entry_of(const Member& member) {
+  if constexpr (requires { typename Member::mapped_type; }) {
+    return typename Member::mapped_type{};
+  } else if constexpr (requires { typename Member::value_type; }) {
+    return typename Member::value_type{};
+  } else {
+    return member;
+  }
+}
+
 template <typename Config>
-SectionDescription section_of(std::string name, std::string help, const Config& defaults = {}) {
+void add_sections(std::string name, std::string help, const Config& defaults,
+                  std::vector<SectionDescription>& sections) {
   SectionDescription section{std::move(name), std::move(help), {}};
+  if constexpr (std::is_same_v<Config, SonarConfig>) {
+    add_keys(section, PresetChoice());
+  }
   add_keys(section, defaults);
-  return section;
-}
-
-// Keys that hold another part.
-KeyDescription part(const std::string& key, const std::string& allowed, const std::string& help) {
-  return {key, "", allowed, kNoDefault, help};
-}
-
-SectionDescription scenario_section() {
-  auto section = section_of(
-      "scenario", "The keys of the file itself. Only `sonars` must be there, and `world`, `points` or `surface`.",
-      Scenario());
-  std::ranges::find(section.keys, "engine", &KeyDescription::key)->allowed =
-      fmt::format("{}", fmt::join(engine_names(), ", "));
-  add_keys(section, MaterialRules());
-  section.keys.push_back(part("water", "map", "The water: see `water`."));
-  section.keys.push_back(part("materials", "map of names", "What surfaces are made of: see `materials`."));
-  section.keys.push_back(part("sonars", "list, at least one", "The sonars: see `sonars`."));
-  section.keys.push_back(part("receiver", "map", "What the receiver adds: see `receiver`."));
-  section.keys.push_back(part("paper", "map", "The paper model's settings: see `paper`."));
-  section.keys.push_back(part("surface", "map", "The water's surface, none where not named: see `surface`."));
-  section.keys.push_back(part("points", "list", "Ideal point targets (calibrated model): see `points`."));
-  section.keys.push_back(
-      part("interferers", "list", "Other sonars that are heard (calibrated model): see `interferers`."));
-  section.keys.push_back(part("trajectory", "list of waypoints", "How the vehicle moves: see `trajectory`."));
-  section.keys.push_back(part("motions", "list", "What else moves: see `motions`."));
-  section.keys.push_back(part("view", "map", "The camera of the picture of the scene: see `view`."));
-  return section;
-}
-
-SectionDescription sonars_section() {
-  SectionDescription section{
-      "sonars",
-      "One entry for each sonar. The keys beside `preset` override it; without one, the defaults "
-      "below hold. With a preset, `bin_count` and `ping_period` follow from the range unless given.",
-      {}};
-  section.keys.push_back(part("preset", "text", "Instrument to start from: `insonify sonars` lists them."));
-  section.keys.push_back(part("mode", "text", "Mode of the preset; its own default when absent."));
-  add_keys(section, SonarConfig());
-  section.keys.push_back(part("sampling", "map", "How finely the fan is sampled: see `sampling`."));
-  return section;
+  if constexpr (std::is_same_v<Config, Scenario>) {
+    std::ranges::find(section.keys, "engine", &KeyDescription::key)->allowed =
+        fmt::format("{}", fmt::join(engine_names(), ", "));
+  }
+  if constexpr (HasParts<Config>) {
+    Config::visit_parts(defaults, [&](const Part& part, const auto&) {
+      section.keys.push_back({std::string(part.name), "", std::string(part.kind), kNoDefault, std::string(part.help)});
+    });
+  }
+  sections.push_back(std::move(section));
+  if constexpr (HasParts<Config>) {
+    Config::visit_parts(defaults, [&](const Part& part, const auto& member) {
+      if (!part.about.empty()) {
+        add_sections(std::string(part.name), std::string(part.about), entry_of(member), sections);
+      }
+    });
+  }
 }
 
 }  // namespace
 
 std::vector<SectionDescription> describe_scenario() {
   std::vector<SectionDescription> sections;
-  sections.push_back(scenario_section());
-  sections.push_back(section_of("water", "The water, alike everywhere.", Water()));
-  sections.push_back(section_of<MaterialOverride>(
-      "materials",
-      "One entry for each name of a visual or a material: `hull: steel` or `hull: {like: steel, reflectivity: 0.9}`."));
-  sections.push_back(sonars_section());
-  sections.push_back(
-      section_of("sampling", "Part of a sonar. More samples resolve finer detail and take more time.", Sampling()));
-  sections.push_back(section_of("receiver", "What the receiver adds, in every model.", ReceiverConfig()));
-  sections.push_back(section_of("paper", "Settings of the paper model.", PaperModel()));
-  sections.push_back(
-      section_of("trajectory",
-                 "One entry for each waypoint, in order of time. Between two, the vehicle moves straight and "
-                 "turns evenly; before the first and after the last it stands still.",
-                 Waypoint()));
-  sections.push_back(section_of("surface", "The water's surface above the sonar, a rough mirror.", SeaSurface()));
-  sections.push_back(section_of("points", "One entry for each ideal point target (calibrated model).", PointTarget()));
-  sections.push_back(
-      section_of("interferers", "One entry for each other sonar that is heard (calibrated model).", Interferer()));
-  auto motions = section_of("motions", "One entry for each object of the world that moves.", Motion());
-  motions.keys.push_back(part("trajectory", "list of waypoints", "Where the object is: as `trajectory`."));
-  sections.push_back(motions);
-  sections.push_back(section_of(
-      "view", "The camera of the picture of the scene. Without it, one that shows the first sonar's field is chosen.",
-      ViewConfig()));
+  add_sections("scenario",
+               "The keys of the file itself. Only `sonars` must be there, and `world`, `points` or `surface`.",
+               Scenario(), sections);
   return sections;
 }
 

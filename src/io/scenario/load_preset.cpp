@@ -79,8 +79,8 @@ class FactReader {
 
  private:
   static std::vector<std::string> known_keys() {
-    std::vector<std::string> keys = keys_of<SonarConfig>();
-    const std::vector<std::string> more = keys_of<Instrument>();
+    std::vector<std::string> keys = field_keys_of<SonarConfig>();
+    const std::vector<std::string> more = field_keys_of<Instrument>();
     keys.insert(keys.end(), more.begin(), more.end());
     return keys;
   }

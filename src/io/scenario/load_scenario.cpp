@@ -10,6 +10,7 @@
 #include "insonify/files.h"
 #include "insonify/scenario_requests.h"
 #include "io/file/input_file.h"
+#include "io/scenario/read_material.h"
 #include "io/scenario/read_sonar.h"
 #include "io/scenario/scenario_keys.h"
 #include "io/scenario/yaml_read.h"
@@ -46,50 +47,22 @@ class ScenarioReader {
   Scenario read() {
     require_map(tree_, path_.filename().string(), "a map of keys such as world and sonars");
     refuse_misplaced_keys();
-    check_keys(tree_, "", scenario_keys(), part_keys("sonars[0].sampling"));
+    check_keys(tree_, "", scenario_keys(), part_keys("sonars[0]"));
     scenario_.file = path_;
     read_fields(tree_, "", scenario_, places_);
-    read_fields(tree_, "", scenario_.materials, places_);
-    if_given("default_material", [&](const YamlValue& value) { (void)material_name(value, "default_material"); });
-    scenario_.materials.default_where = place_of("default_material ");
     read_world();
-    if_given("water", [&](const YamlValue& part) { read_section(part, "water", scenario_.water, places_); });
-    if_given("paper", [&](const YamlValue& part) { read_section(part, "paper", scenario_.paper, places_); });
-    if_given("receiver", [&](const YamlValue& part) { read_section(part, "receiver", scenario_.receiver, places_); });
-    if_given("materials", [&](const YamlValue& part) { read_materials(part); });
-    unless_null("surface",
-                [&](const YamlValue& part) { read_section(part, "surface", scenario_.surface.emplace(), places_); });
-    unless_null("trajectory",
-                [&](const YamlValue& part) { read_trajectory(part, "trajectory", scenario_.trajectory); });
-    // After what says how deep they are: a preset's ping period follows from the speed of sound there.
-    if_given("sonars", [&](const YamlValue& part) { read_sonars(part); });
-    unless_null("points", [&](const YamlValue& part) { read_points(part); });
-    unless_null("interferers", [&](const YamlValue& part) { read_interferers(part); });
-    unless_null("motions", [&](const YamlValue& part) { read_motions(part); });
-    unless_null("view", [&](const YamlValue& part) { read_section(part, "view", scenario_.view.emplace(), places_); });
+    read_default_material();
+    // Sonars last: a preset's ping period follows from the speed of sound at their depth.
+    read_parts(tree_, "", scenario_, places_, [](std::string_view part) { return part != "sonars"; });
+    read_sonars();
+    for (std::size_t i = 0; i < scenario_.motions.size(); ++i) {
+      scenario_.motions[i].where = places_[fmt::format("motions[{}]", i)];
+    }
     validate();
     return std::move(scenario_);
   }
 
  private:
-  template <typename Read>
-  void if_given(const std::string& key, Read&& read) {
-    if (const YamlValue* part = tree_.find(key)) {
-      places_[key] = part->where;
-      read(*part);
-    }
-  }
-
-  // What `--set KEY=null` takes away.
-  template <typename Read>
-  void unless_null(const std::string& key, Read&& read) {
-    if_given(key, [&](const YamlValue& part) {
-      if (part.kind != Kind::kNothing) {
-        read(part);
-      }
-    });
-  }
-
   // Points or a surface: else a sonar would have nothing to hear.
   [[nodiscard]] bool open_water() const {
     const YamlValue *points = tree_.find("points"), *surface = tree_.find("surface");
@@ -116,6 +89,10 @@ class ScenarioReader {
       }
       return;
     }
+    if (scenario_.world == "none" && !given->quoted) {
+      scenario_.world.clear();
+      return;
+    }
     scenario_.world_where = given->where;
     const std::filesystem::path folder = is_stream(path_) ? std::filesystem::path() : path_.parent_path();
     scenario_.world = std::filesystem::absolute(folder / scenario_.world).lexically_normal();
@@ -126,79 +103,22 @@ class ScenarioReader {
     }
   }
 
-  static std::string material_name(const YamlValue& value, const std::string& object) {
-    if (value.scalar.empty()) {
-      throw Error(fmt::format("{}{} must name a material", value.where, object));
-    }
-    return value.scalar;
-  }
-
-  void read_materials(const YamlValue& part) {
-    require_map(part, "materials", "a map of material or visual names");
-    for (const auto& [name, value] : part.entries) {
-      const std::string object = member_name("materials", name);
-      if (name.empty()) {
-        throw Error(value.where + "materials has an entry without a name");
-      }
-      MaterialOverride& changes = scenario_.materials.overrides[name];
-      if (value.kind == Kind::kScalar) {
-        places_[object] = value.where;
-        changes.like = material_name(value, object);
-      } else {
-        read_section(value, object, changes, places_);
-        if (const YamlValue* like = value.find("like")) {
-          changes.like = material_name(*like, object + ".like");
-          changes.like_where = like->where;
-        }
-      }
-      changes.where = value.where;
+  void read_default_material() {
+    if (const YamlValue* given = tree_.find("default_material")) {
+      (void)material_name(*given, "default_material");
+      scenario_.materials.default_where = given->where;
     }
   }
 
-  void read_sonars(const YamlValue& part) {
-    require_list(part, "sonars", "a list of sonars");
-    for (std::size_t i = 0; i < part.items.size(); ++i) {
-      scenario_.sonars.push_back(read_sonar(part.items[i], fmt::format("sonars[{}]", i), scenario_, places_));
+  void read_sonars() {
+    const YamlValue* given = tree_.find("sonars");
+    if (given == nullptr) {
+      return;
     }
-  }
-
-  void read_trajectory(const YamlValue& part, const std::string& object, Trajectory& trajectory) {
-    require_list(part, object, "a list of waypoints");
-    for (std::size_t i = 0; i < part.items.size(); ++i) {
-      read_section(part.items[i], fmt::format("{}[{}]", object, i), trajectory.waypoints.emplace_back(), places_);
-    }
-  }
-
-  void read_interferers(const YamlValue& part) {
-    require_list(part, "interferers", "a list of other sonars");
-    for (std::size_t i = 0; i < part.items.size(); ++i) {
-      read_section(part.items[i], fmt::format("interferers[{}]", i), scenario_.interferers.emplace_back(), places_);
-    }
-  }
-
-  void read_points(const YamlValue& part) {
-    require_list(part, "points", "a list of point targets");
-    for (std::size_t i = 0; i < part.items.size(); ++i) {
-      read_section(part.items[i], fmt::format("points[{}]", i), scenario_.points.emplace_back(), places_);
-    }
-  }
-
-  void read_motions(const YamlValue& part) {
-    require_list(part, "motions", "a list of motions");
-    for (std::size_t i = 0; i < part.items.size(); ++i) {
-      const std::string object = fmt::format("motions[{}]", i);
-      const YamlValue& value = part.items[i];
-      require_map(value, object, "a map of the keys object and trajectory");
-      check_keys(value, object, std::vector<std::string>{"object", "trajectory"});
-      places_[object] = value.where;
-      Motion motion;
-      motion.where = value.where;
-      read_fields(value, object, motion, places_);
-      if (const YamlValue* trajectory = value.find("trajectory")) {
-        places_[object + ".trajectory"] = trajectory->where;
-        read_trajectory(*trajectory, object + ".trajectory", motion.trajectory);
-      }
-      scenario_.motions.push_back(std::move(motion));
+    require_list(*given, "sonars", "a list of sonars");
+    places_["sonars"] = given->where;
+    for (std::size_t i = 0; i < given->items.size(); ++i) {
+      scenario_.sonars.push_back(read_sonar(given->items[i], fmt::format("sonars[{}]", i), scenario_, places_));
     }
   }
 

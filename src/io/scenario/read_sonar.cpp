@@ -7,14 +7,15 @@
 #include <optional>
 
 #include "insonify/files.h"
+#include "io/scenario/preset_choice.h"
 #include "io/scenario/preset_file.h"
 #include "io/scenario/scenario_keys.h"
 
 namespace insonify {
 namespace {
 
-std::optional<Preset> preset_of(const YamlValue& value, const std::string& object) {
-  std::string name, mode;
+std::optional<Preset> preset_of(const YamlValue& value, const std::string& object, Places& places) {
+  PresetChoice choice;
   const YamlValue* given_name = value.find("preset");
   const YamlValue* given_mode = value.find("mode");
   if (given_name == nullptr) {
@@ -23,13 +24,13 @@ std::optional<Preset> preset_of(const YamlValue& value, const std::string& objec
     }
     return std::nullopt;
   }
-  read_member(*given_name, object, Field{"preset", "", {}, ""}, name);
-  with_place(fmt::format("{}{}.preset = ", given_name->where, object), [&] { check_preset_name(name); });
+  read_fields(value, object, choice, places);
+  with_place(fmt::format("{}{}.preset = ", given_name->where, object), [&] { check_preset_name(choice.preset); });
   if (given_mode != nullptr) {
-    read_member(*given_mode, object, Field{"mode", "", {}, ""}, mode);
-    with_place(fmt::format("{}{}.mode = ", given_mode->where, object), [&] { check_preset_mode(name, mode); });
+    with_place(fmt::format("{}{}.mode = ", given_mode->where, object),
+               [&] { check_preset_mode(choice.preset, choice.mode); });
   }
-  return load_preset(name, mode);
+  return load_preset(choice.preset, choice.mode);
 }
 
 // A table of beams says how many there are and, from two on, how wide the fan is.
@@ -88,12 +89,10 @@ SonarConfig read_sonar(const YamlValue& value, const std::string& object, const 
   require_map(value, object, "a map of keys such as preset and max_range");
   places[object] = value.where;
   check_keys(value, object, sonar_keys(), part_keys());
-  const std::optional<Preset> preset = preset_of(value, object);
+  const std::optional<Preset> preset = preset_of(value, object, places);
   SonarConfig sonar = preset ? preset->sonar : SonarConfig();
   read_fields(value, object, sonar, places);
-  if (const YamlValue* sampling = value.find("sampling")) {
-    read_section(*sampling, object + ".sampling", sonar.sampling, places);
-  }
+  read_parts(value, object, sonar, places, [](std::string_view) { return true; });
   fit_to_beam_azimuths(value, object, sonar);
   refuse_head_keys(value, object, sonar);
   if (preset) {

@@ -1,45 +1,50 @@
-// scenario_keys.cpp -- lists of keys, made from what each configuration says of its fields.
+// scenario_keys.cpp -- lists of keys, made from what each configuration says of its fields and parts.
 
 #include "io/scenario/scenario_keys.h"
 
-#include <array>
-
 #include "insonify/scenario.h"
+#include "io/scenario/preset_choice.h"
 #include "io/scenario/yaml_read.h"
 
 namespace insonify {
 namespace {
 
-// Keys that stand for a part of the scenario instead of a plain value.
-constexpr std::array kPartKeys = {"water",       "materials", "sonars",     "receiver", "paper", "points",
-                                  "interferers", "surface",   "trajectory", "motions",  "view"};
+// Paths of the keys of those parts that are single: "water.depth". Of lists, a path would need an index.
+template <typename Config>
+void add_paths(const std::string& object, std::vector<std::string>& paths) {
+  const Config config{};
+  Config::visit_parts(config, [&]<typename Member>(const Part& part, const Member&) {
+    const auto add_keys = [&](const std::vector<std::string>& keys) {
+      for (const std::string& key : keys) {
+        paths.push_back(member_name(member_name(object, part.name), key));
+      }
+    };
+    if constexpr (requires(Member member) { member.has_value(); }) {
+      add_keys(keys_of<typename Member::value_type>());
+    } else if constexpr (!requires(Member member) { member.begin(); }) {
+      add_keys(keys_of<Member>());
+    }
+  });
+}
 
 }  // namespace
 
 std::vector<std::string> scenario_keys() {
-  std::vector<std::string> keys = keys_of<Scenario>();
-  keys.push_back(keys_of<MaterialRules>().front());
-  keys.insert(keys.end(), kPartKeys.begin(), kPartKeys.end());
-  return keys;
+  return keys_of<Scenario>();
 }
 
 std::vector<std::string> sonar_keys() {
-  std::vector<std::string> keys = keys_of<SonarConfig>();
-  keys.insert(keys.end(), {"preset", "mode", "sampling"});
+  std::vector<std::string> keys = keys_of<PresetChoice>();
+  const std::vector<std::string> own = keys_of<SonarConfig>();
+  keys.insert(keys.end(), own.begin(), own.end());
   return keys;
 }
 
-std::vector<std::string> part_keys(const char* sampling) {
-  std::vector<std::string> all;
-  for (const auto& [part, keys] :
-       {std::pair{"water", keys_of<Water>()}, std::pair{"receiver", keys_of<ReceiverConfig>()},
-        std::pair{"paper", keys_of<PaperModel>()}, std::pair{"surface", keys_of<SeaSurface>()},
-        std::pair{"view", keys_of<ViewConfig>()}, std::pair{sampling, keys_of<Sampling>()}}) {
-    for (const std::string& key : keys) {
-      all.push_back(member_name(part, key));
-    }
-  }
-  return all;
+std::vector<std::string> part_keys(const std::string& sonar) {
+  std::vector<std::string> paths;
+  add_paths<Scenario>("", paths);
+  add_paths<SonarConfig>(sonar, paths);
+  return paths;
 }
 
 }  // namespace insonify

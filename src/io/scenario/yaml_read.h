@@ -47,12 +47,23 @@ void with_place(const std::string& where, Function&& function) {
   }
 }
 
-/// Names of a configuration's fields as files spell them.
+/// Names of a configuration's fields as files spell them, without its parts.
 template <typename Config>
-[[nodiscard]] std::vector<std::string> keys_of() {
+[[nodiscard]] std::vector<std::string> field_keys_of() {
   std::vector<std::string> keys;
   const Config config{};
   Config::visit_fields(config, [&](const Field& field, const auto&) { keys.push_back(file_name_of(field)); });
+  return keys;
+}
+
+/// Names of a configuration's fields and parts as files spell them.
+template <typename Config>
+[[nodiscard]] std::vector<std::string> keys_of() {
+  std::vector<std::string> keys = field_keys_of<Config>();
+  if constexpr (HasParts<Config>) {
+    const Config config{};
+    Config::visit_parts(config, [&](const Part& part, const auto&) { keys.emplace_back(part.name); });
+  }
   return keys;
 }
 
@@ -104,7 +115,63 @@ void read_fields(const YamlValue& map, std::string_view object, Config& config, 
   });
 }
 
-/// Fills a configuration from a map that holds nothing else.
+/// Fills a configuration from a map that holds nothing else: its fields and its parts. Configurations that files may
+/// write otherwise have an overload of their own.
+template <typename Config>
+void read_section(const YamlValue& value, std::string_view object, Config& config, Places& places);
+
+// One part, by what it is: a struct, an optional one, a list of them. Null takes away what is optional, and lists.
+template <typename Config>
+void read_part(const YamlValue& value, const std::string& name, const Part& /*part*/, Config& config, Places& places) {
+  read_section(value, name, config, places);
+}
+template <typename Config>
+void read_part(const YamlValue& value, const std::string& name, const Part& /*part*/, std::optional<Config>& config,
+               Places& places) {
+  config.reset();
+  if (value.kind != YamlValue::Kind::kNothing) {
+    read_section(value, name, config.emplace(), places);
+  }
+}
+template <typename Config>
+void read_part(const YamlValue& value, const std::string& name, const Part& part, std::vector<Config>& configs,
+               Places& places) {
+  configs.clear();
+  if (value.kind == YamlValue::Kind::kNothing) {
+    return;
+  }
+  require_list(value, name, "a " + std::string(part.kind));
+  for (const YamlValue& item : value.items) {
+    const std::string object = name + "[" + std::to_string(configs.size()) + "]";
+    read_section(item, object, configs.emplace_back(), places);
+  }
+}
+template <typename Config>
+void read_part(const YamlValue& value, const std::string& name, const Part& part,
+               std::map<std::string, Config>& configs, Places& places) {
+  require_map(value, name, "a " + std::string(part.kind));
+  for (const auto& [key, entry] : value.entries) {
+    if (key.empty()) {
+      throw Error(entry.where + name + " has an entry without a name");
+    }
+    read_section(entry, member_name(name, key), configs[key], places);
+  }
+}
+
+/// Fills those parts of a configuration that a map gives.
+/// @param takes  Whether a part is to be read, by its name.
+template <typename Config, typename Takes>
+void read_parts(const YamlValue& map, std::string_view object, Config& config, Places& places, Takes&& takes) {
+  Config::visit_parts(config, [&](const Part& part, auto& member) {
+    const YamlValue* value = map.find(part.name);
+    if (value != nullptr && takes(part.name)) {
+      const std::string name = member_name(object, part.name);
+      places[name] = value->where;
+      read_part(*value, name, part, member, places);
+    }
+  });
+}
+
 template <typename Config>
 void read_section(const YamlValue& value, std::string_view object, Config& config, Places& places) {
   const std::vector<std::string> keys = keys_of<Config>();
@@ -112,6 +179,9 @@ void read_section(const YamlValue& value, std::string_view object, Config& confi
   places[std::string(object)] = value.where;
   check_keys(value, object, keys);
   read_fields(value, object, config, places);
+  if constexpr (HasParts<Config>) {
+    read_parts(value, object, config, places, [](std::string_view) { return true; });
+  }
 }
 
 }  // namespace insonify

@@ -202,7 +202,11 @@ void write(const YamlValue& value, YAML::Emitter& out) {
     case Kind::kMap:
       out << YAML::BeginMap;
       for (const auto& [key, content] : value.entries) {
-        out << YAML::Key << key << YAML::Value;
+        out << YAML::Key;
+        if (key.empty() || key == "<<") {
+          out << YAML::DoubleQuoted;
+        }
+        out << key << YAML::Value;
         write(content, out);
       }
       out << YAML::EndMap;

@@ -1,0 +1,184 @@
+// to_yaml.cpp -- writes a scenario as YAML, by the lists of fields and parts from which it is read.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <cmath>
+
+#include "insonify/files.h"
+#include "io/file/input_file.h"
+#include "io/file/yaml_words.h"
+#include "io/scenario/yaml_value.h"
+
+namespace insonify {
+namespace {
+
+using Kind = YamlValue::Kind;
+
+YamlValue scalar(std::string text, bool quoted = false) {
+  YamlValue value;
+  value.kind = Kind::kScalar;
+  value.scalar = std::move(text);
+  value.quoted = quoted;
+  return value;
+}
+
+// The number of degrees of fewest digits that is read as these radians. Not every number of radians has one: degrees
+// may be the coarser of the two, and the nearest is taken.
+double degrees_to_write(double radians) {
+  const double nearest = degrees_from_radians(radians);
+  if (!std::isfinite(nearest)) {
+    return nearest;
+  }
+  for (const int digits : {3, 6, 9, 12, 15, 16, 17}) {
+    const std::string text = fmt::format("{:.{}g}", nearest, digits);
+    double rounded = 0;
+    std::from_chars(text.data(), text.data() + text.size(), rounded);
+    if (radians_from_degrees(rounded) == radians) {
+      return rounded;
+    }
+  }
+  for (const double towards : {-1e300, 1e300}) {
+    const double neighbour = std::nextafter(nearest, towards);
+    if (radians_from_degrees(neighbour) == radians) {
+      return neighbour;
+    }
+  }
+  return nearest;
+}
+
+// Each kind of member as it is read; nothing for what is absent.
+
+YamlValue written(const Field& field, double member) {
+  return scalar(fmt::format("{}", field.unit == "rad" ? degrees_to_write(member) : member));
+}
+YamlValue written(const Field& /*field*/, int member) {
+  return scalar(fmt::to_string(member));
+}
+YamlValue written(const Field& /*field*/, std::uint64_t member) {
+  return scalar(fmt::to_string(member));
+}
+YamlValue written(const Field& /*field*/, bool member) {
+  return scalar(member ? "true" : "false");
+}
+YamlValue written(const Field& /*field*/, const std::string& member) {
+  return scalar(member, true);
+}
+YamlValue written(const Field& /*field*/, const std::filesystem::path& member) {
+  return member.empty() ? YamlValue() : scalar(member.string(), true);
+}
+template <typename Enum>
+requires std::is_enum_v<Enum> YamlValue written(const Field& /*field*/, const Enum& member) {
+  return scalar(std::string(word_of(member)));
+}
+template <typename List>
+requires std::is_same_v<List, Vec3> || std::is_same_v<List, std::vector<double>> YamlValue written(const Field& field,
+                                                                                                   const List& member) {
+  YamlValue list;
+  list.kind = Kind::kList;
+  for (const double value : member) {
+    list.items.push_back(written(field, value));
+  }
+  return list;
+}
+YamlValue written(const Field& field, const std::optional<double>& member) {
+  return member ? written(field, *member) : YamlValue();
+}
+
+bool same(const YamlValue& a, const YamlValue& b) {
+  return a.kind == b.kind && a.scalar == b.scalar && std::ranges::equal(a.items, b.items, same);
+}
+
+// Keys that the reader refuses beside others, from which they follow or without which they have no effect.
+bool is_refused(const SonarConfig& sonar, std::string_view name) {
+  const bool head = name == "step" || name == "sector_center" || name == "sector_width" || name == "mounting";
+  return (head && sonar.type != SonarType::kMechanicallyScanned) ||
+         (name == "azimuth_aperture" && sonar.beam_azimuths.size() > 1);
+}
+template <typename Config>
+bool is_refused(const Config& /*config*/, std::string_view /*name*/) {
+  return false;
+}
+
+YamlValue::Entry entry(const std::string& key, YamlValue value) {
+  return {key, std::move(value)};
+}
+
+template <typename Config>
+YamlValue map_of(const Config& config, const Config& defaults = {});
+
+template <typename Member>
+YamlValue written_part(const Member& member, const Member& defaults) {
+  YamlValue part;
+  if constexpr (requires { member.has_value(); }) {
+    return member ? map_of(*member) : part;
+  } else if constexpr (requires { typename Member::mapped_type; }) {
+    part.kind = Kind::kMap;
+    for (const auto& [key, value] : member) {
+      part.entries.push_back(entry(key, map_of(value)));
+    }
+    return member.empty() ? YamlValue() : part;
+  } else if constexpr (requires { member.begin(); }) {
+    part.kind = Kind::kList;
+    for (const auto& value : member) {
+      part.items.push_back(map_of(value));
+    }
+    return member.empty() ? YamlValue() : part;
+  } else {
+    part = map_of(member, defaults);
+    return part.entries.empty() ? YamlValue() : part;
+  }
+}
+
+// What differs from the defaults.
+template <typename Config>
+YamlValue map_of(const Config& config, const Config& defaults) {
+  YamlValue map;
+  map.kind = Kind::kMap;
+  std::vector<YamlValue> usual;
+  Config::visit_fields(defaults,
+                       [&](const Field& field, const auto& member) { usual.push_back(written(field, member)); });
+  auto next = usual.begin();
+  Config::visit_fields(config, [&](const Field& field, const auto& member) {
+    YamlValue value = written(field, member);
+    if (!same(value, *next++) && !is_refused(config, field.name)) {
+      map.entries.push_back(entry(file_name_of(field), std::move(value)));
+    }
+  });
+  if constexpr (HasParts<Config>) {
+    Config::visit_parts(config, [&]<typename Member>(const Part& part, const Member& member) {
+      YamlValue value = written_part(member, Member{});
+      if (value.kind != Kind::kNothing) {
+        map.entries.push_back(entry(std::string(part.name), std::move(value)));
+      }
+    });
+  }
+  return map;
+}
+
+}  // namespace
+
+std::string to_yaml(const Scenario& scenario) {
+  Scenario whole = scenario;
+  const std::filesystem::path folder = is_stream(scenario.file) ? std::filesystem::path() : scenario.file.parent_path();
+  const auto make_absolute = [&](std::filesystem::path& path) {
+    path = path.empty() ? path : std::filesystem::absolute(folder / path).lexically_normal();
+  };
+  make_absolute(whole.world);
+  for (auto& [name, changes] : whole.materials.overrides) {
+    MaterialOverride::visit_fields(changes, [&]<typename Member>(const Field&, Member& member) {
+      if constexpr (std::is_same_v<Member, std::filesystem::path>) {
+        make_absolute(member);
+      }
+    });
+  }
+  YamlValue map = map_of(whole);
+  if (whole.world.empty() && whole.points.empty() && !whole.surface) {
+    map.entries.insert(map.entries.begin(), entry("world", scalar("none")));
+  }
+  return write_yaml(map);
+}
+
+}  // namespace insonify

@@ -1,0 +1,123 @@
+// recorded_settings_test.cpp -- a recording holds every setting that a scenario file can have.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <map>
+
+#include "insonify/describe.h"
+#include "insonify/files.h"
+#include "io/h5_read.h"
+
+namespace insonify {
+namespace {
+
+using testing::ElementsAre;
+
+// Everything optional is given, so that everything is recorded.
+Scenario everything() {
+  Scenario scenario;
+  scenario.world = "/no/such/world.sdf";
+  scenario.max_surfaces = 2;
+  scenario.rough_mirrors = true;
+  scenario.water.sound_speed = 1480;
+  scenario.water.absorption_db_per_m = 0.1;
+  scenario.water.volume_backscatter_db = -70;
+  scenario.receiver.ambient_noise_db = 30;
+  scenario.receiver.time_varied_gain = 40;
+  scenario.receiver.gain_ranges = {1, 2};
+  scenario.receiver.gains_db = {0, 6};
+  scenario.receiver.saturation_db = -10;
+  scenario.receiver.full_scale_db = -40;
+  scenario.receiver.dead_elements = {2};
+  scenario.materials.overrides["hull"] = {.like = "steel", .thickness = 0.012};
+  scenario.materials.overrides["mast"] = {.density = 1000};
+  scenario.points = {{.position = {1, 2, 3}, .target_strength_db = -20}, {.position = {4, 5, 6}}};
+  scenario.interferers.emplace_back();
+  scenario.surface = SeaSurface{.level = 4};
+  SonarConfig sonar;
+  sonar.beam_azimuths = {0.1, 0};
+  sonar.beam_count = 2;
+  sonar.azimuth_resolution = 0.01;
+  sonar.assumed_sound_speed = 1500;
+  sonar.ping_period = 1;
+  scenario.sonars = {sonar};
+  scenario.trajectory.waypoints = {{.time = 1}, {.time = 2, .position = {7, 8, 9}}};
+  scenario.motions = {{.object = "ship", .trajectory = {{{.time = 3}}}}};
+  scenario.view = ViewConfig{};
+  return scenario;
+}
+
+Scene scene() {
+  Scene scene;
+  scene.instances.emplace_back().name = "hull";
+  scene.instances.back().mesh = std::make_shared<const Mesh>();
+  scene.materials = {{.name = "hull", .thickness = 0.012}, {.name = "sand"}};
+  return scene;
+}
+
+std::filesystem::path recorded(const Scenario& scenario) {
+  const auto path = std::filesystem::path(testing::TempDir()) / "recorded_settings_test.h5";
+  Recording(path, scenario, scene(), scenario.sonars.at(0), 1).close();
+  return path;
+}
+
+TEST(RecordedSettingsTest, HaveEveryKeyThatDescribeLists) {
+  const H5Reader file(recorded(everything()));
+  std::map<std::string, std::string> groups{{"scenario", ""},
+                                            {"materials", "material_rules/"},
+                                            {"sonars", "sonar/"},
+                                            {"sampling", "sonar/sampling/"},
+                                            {"motions", "motions/0/"}};
+  const std::vector<SectionDescription> sections = describe_scenario();
+  for (const SectionDescription& section : sections) {
+    groups.emplace(section.name, section.name + "/");
+  }
+  int count = 0;
+  for (const SectionDescription& section : sections) {
+    for (const KeyDescription& key : section.keys) {
+      const bool is_part = groups.contains(key.key);  // Whose own keys are in their own section.
+      if (is_part || key.key == "preset" || key.key == "mode") {
+        continue;
+      }
+      const std::string name = key.key.ends_with("_deg") ? key.key.substr(0, key.key.size() - 4) : key.key;
+      EXPECT_TRUE(file.has("settings/" + groups.at(section.name) + name)) << section.name << " " << key.key;
+      ++count;
+    }
+  }
+  EXPECT_GT(count, 100);
+}
+
+TEST(RecordedSettingsTest, HaveARowForEachEntryOfAList) {
+  const H5Reader file(recorded(everything()));
+  EXPECT_EQ(file.shape("settings/points/position"), (std::vector<hsize_t>{2, 3}));
+  EXPECT_THAT(file.values<double>("settings/points/position"), ElementsAre(1, 2, 3, 4, 5, 6));
+  EXPECT_THAT(file.values<double>("settings/points/target_strength_db"), ElementsAre(-20, 0));
+  EXPECT_EQ(file.attribute<std::string>("settings/points/target_strength_db", "units"), "dB");
+  EXPECT_THAT(file.values<double>("settings/trajectory/time"), ElementsAre(1, 2));
+  EXPECT_THAT(file.texts("settings/motions/0/object"), ElementsAre("ship"));
+  EXPECT_THAT(file.values<double>("settings/motions/0/trajectory/time"), ElementsAre(3));
+}
+
+TEST(RecordedSettingsTest, HaveTheRulesForMaterialsAndWhatTheyCameTo) {
+  const H5Reader file(recorded(everything()));
+  EXPECT_THAT(file.texts("settings/material_rules/name"), ElementsAre("hull", "mast"));
+  EXPECT_THAT(file.texts("settings/material_rules/like"), ElementsAre("steel", ""));
+  EXPECT_THAT(file.values<double>("settings/material_rules/density"), ElementsAre(testing::IsNan(), 1000));
+  EXPECT_THAT(file.values<double>("settings/materials/thickness"),
+              ElementsAre(0.012, std::numeric_limits<double>::infinity()));
+}
+
+TEST(RecordedSettingsTest, HaveTheDepthThatTheSonarHasUnderTheSurface) {
+  EXPECT_THAT(H5Reader(recorded(everything())).values<double>("settings/water/depth"), ElementsAre(4));
+}
+
+TEST(RecordedSettingsTest, HaveTheYamlOfAScenarioMadeInCode) {
+  Scenario scenario = everything();
+  EXPECT_EQ(H5Reader(recorded(scenario)).attribute<std::string>("/", "scenario"), to_yaml(scenario));
+  scenario.text = "as read";
+  EXPECT_EQ(H5Reader(recorded(scenario)).attribute<std::string>("/", "scenario"), "as read");
+}
+
+}  // namespace
+}  // namespace insonify
