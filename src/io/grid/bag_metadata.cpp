@@ -1,4 +1,4 @@
-// bag_metadata.cpp -- the few elements of ISO 19139 that place a grid, found without an XML library.
+// bag_metadata.cpp -- the few elements of ISO 19139 that place a grid.
 
 #include "io/grid/bag_metadata.h"
 
@@ -6,90 +6,36 @@
 #include <array>
 #include <cctype>
 #include <charconv>
+#include <cmath>
+#include <pugixml.hpp>
 #include <string_view>
 #include <vector>
+
+#include "io/file/xml_file.h"
 
 namespace insonify {
 namespace {
 
-struct Element {
-  std::string_view attributes;
-  std::string_view content;
-};
-
-std::string without_comments(std::string xml) {
-  for (std::size_t start = xml.find("<!--"); start != std::string::npos; start = xml.find("<!--", start)) {
-    const std::size_t end = xml.find("-->", start);
-    xml.erase(start, end == std::string::npos ? end : end + 3 - start);
-  }
-  return xml;
+// Whether a node is an element of that name, in whatever namespace.
+bool is_named(pugi::xml_node node, std::string_view name) {
+  const std::string_view own = node.name();
+  return node.type() == pugi::node_element && own.substr(own.find(':') + 1) == name;  // npos + 1 is 0.
 }
 
-// A tag "<ns:name attributes>", "</ns:name>" or "<ns:name/>".
-struct Tag {
-  std::string_view name;  // Without its namespace.
-  std::string_view attributes;
-  bool closes = false;
-  bool is_empty = false;
-  std::size_t start = 0, end = 0;  // In the text.
-};
-
-std::optional<Tag> next_tag(std::string_view xml, std::size_t from) {
-  Tag tag;
-  tag.start = xml.find('<', from);
-  const std::size_t close = tag.start == xml.npos ? xml.npos : xml.find('>', tag.start);
-  if (close == xml.npos) {
-    return std::nullopt;
-  }
-  tag.end = close + 1;
-  std::string_view inside = xml.substr(tag.start + 1, close - tag.start - 1);
-  tag.closes = inside.starts_with('/');
-  inside.remove_prefix(tag.closes ? 1 : 0);
-  tag.is_empty = inside.ends_with('/');
-  inside.remove_suffix(tag.is_empty ? 1 : 0);
-  const std::size_t name_end = std::min(inside.find_first_of(" \t\r\n"), inside.size());
-  tag.name = inside.substr(0, name_end);
-  tag.name.remove_prefix(tag.name.find(':') == xml.npos ? 0 : tag.name.find(':') + 1);
-  tag.attributes = inside.substr(name_end);
-  return tag;
+pugi::xml_node find_first(pugi::xml_node inside, std::string_view name) {
+  return inside.find_node([&](pugi::xml_node node) { return is_named(node, name); });
 }
 
-// The outermost elements of that name, in order.
-std::vector<Element> find_all(std::string_view xml, std::string_view name) {
-  std::vector<Element> found;
-  int depth = 0;
-  Tag opened;
-  for (std::optional<Tag> tag = next_tag(xml, 0); tag; tag = next_tag(xml, tag->end)) {
-    if (tag->name != name || tag->is_empty) {
-      continue;
-    }
-    if (!tag->closes && depth++ == 0) {
-      opened = *tag;
-    } else if (tag->closes && depth > 0 && --depth == 0) {
-      found.push_back({opened.attributes, xml.substr(opened.end, tag->start - opened.end)});
-    }
-  }
-  return found;
-}
-
-Element find_first(std::string_view xml, std::string_view name) {
-  const std::vector<Element> found = find_all(xml, name);
-  return found.empty() ? Element() : found.front();
-}
-
-// What stands between tags, in lower case and without white space at its ends.
-std::string text_of(std::string_view xml) {
+// All text below a node, in lower case and without white space at its ends.
+std::string text_of(pugi::xml_node below) {
   std::string text;
-  std::size_t at = 0;
-  for (std::optional<Tag> tag = next_tag(xml, 0); tag; tag = next_tag(xml, tag->end)) {
-    text += std::string(xml.substr(at, tag->start - at)) + ' ';
-    at = tag->end;
-  }
-  text += xml.substr(at);
+  below.find_node([&](pugi::xml_node node) {
+    text += node.value();  // "" for an element.
+    text += ' ';
+    return false;
+  });
   std::ranges::transform(text, text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  const std::size_t first = text.find_first_not_of(" \t\r\n");
-  const std::size_t last = text.find_last_not_of(" \t\r\n");
-  return first == std::string::npos ? "" : text.substr(first, last + 1 - first);
+  return without_outer_space(text);
 }
 
 // Numbers between whatever else there is: commas, blanks.
@@ -114,24 +60,24 @@ std::optional<double> positive_number(const std::string& text) {
   return !numbers.empty() && numbers.front() > 0 ? std::optional(numbers.front()) : std::nullopt;
 }
 
-void read_dimensions(std::string_view xml, BagMetadata& metadata) {
-  for (const Element& dimension : find_all(xml, "MD_Dimension")) {
-    const std::string name = text_of(find_first(dimension.content, "dimensionName").content);
-    const std::string_view resolution = find_first(dimension.content, "resolution").content;
-    const std::optional<double> spacing = positive_number(text_of(resolution));
-    if (name == "row") {
-      metadata.spacing_y = spacing;
-    } else if (name == "column") {
-      metadata.spacing_x = spacing;
-    }
-    if (find_first(resolution, "Measure").attributes.find("deg") != std::string_view::npos) {
+void read_dimension(pugi::xml_node dimension, BagMetadata& metadata) {
+  const std::string name = text_of(find_first(dimension, "dimensionName"));
+  const pugi::xml_node resolution = find_first(dimension, "resolution");
+  const std::optional<double> spacing = positive_number(text_of(resolution));
+  if (name == "row") {
+    metadata.spacing_y = spacing;
+  } else if (name == "column") {
+    metadata.spacing_x = spacing;
+  }
+  for (const pugi::xml_attribute attribute : find_first(resolution, "Measure").attributes()) {
+    if (std::string_view(attribute.value()).find("deg") != std::string_view::npos) {
       metadata.is_geographic = true;
     }
   }
 }
 
-void read_corners(std::string_view xml, BagMetadata& metadata) {
-  const std::vector<double> corners = numbers_of(text_of(find_first(xml, "cornerPoints").content));
+void read_corners(pugi::xml_node xml, BagMetadata& metadata) {
+  const std::vector<double> corners = numbers_of(text_of(find_first(xml, "cornerPoints")));
   if (corners.size() == 4) {
     metadata.south_west = Vec3(corners[0], corners[1], 0);
     metadata.north_east = Vec3(corners[2], corners[3], 0);
@@ -139,8 +85,8 @@ void read_corners(std::string_view xml, BagMetadata& metadata) {
 }
 
 // The first reference system is the horizontal one. It is told as well-known text, as a word or as a number of EPSG's.
-void read_reference_system(std::string_view xml, BagMetadata& metadata) {
-  const std::string code = text_of(find_first(find_first(xml, "referenceSystemInfo").content, "code").content);
+void read_reference_system(pugi::xml_node xml, BagMetadata& metadata) {
+  const std::string code = text_of(find_first(find_first(xml, "referenceSystemInfo"), "code"));
   const auto begins_with_one_of = [&](const auto& words) {
     return std::ranges::any_of(words, [&](std::string_view word) { return code.starts_with(word); });
   };
@@ -158,10 +104,17 @@ void read_reference_system(std::string_view xml, BagMetadata& metadata) {
 }  // namespace
 
 BagMetadata parse_bag_metadata(const std::string& xml) {
-  const std::string text = without_comments(xml);
+  // What is not well-formed is read as far as it is: the grid's reader says which element it misses.
+  pugi::xml_document text;
+  text.load_string(xml.c_str());
   BagMetadata metadata;
   read_reference_system(text, metadata);
-  read_dimensions(text, metadata);
+  text.find_node([&](pugi::xml_node node) {
+    if (is_named(node, "MD_Dimension")) {
+      read_dimension(node, metadata);
+    }
+    return false;
+  });
   read_corners(text, metadata);
   return metadata;
 }

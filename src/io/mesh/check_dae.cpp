@@ -9,7 +9,7 @@
 
 #include "insonify/error.h"
 #include "insonify/printable.h"
-#include "io/file/xml_scan.h"
+#include "io/file/xml_file.h"
 #include "io/mesh/scene_depth.h"
 
 namespace insonify {
@@ -20,22 +20,44 @@ const std::map<std::string, std::set<std::string>> kInstances = {{"instance_geom
                                                                  {"instance_controller", {"controller", "geometry"}},
                                                                  {"instance_node", {"node"}}};
 
+// Numbers all elements, each after the one it stands in.
+struct Numbering : pugi::xml_tree_walker {
+  bool for_each(pugi::xml_node& node) override {
+    if (node.type() != pugi::node_element) {
+      return true;
+    }
+    const auto level = static_cast<std::size_t>(depth());
+    open.resize(level + 1);
+    open[level] = elements.size();
+    if (level > 0) {
+      links.push_back({open[level - 1], elements.size()});
+    }
+    elements.push_back(node);
+    return true;
+  }
+  std::vector<pugi::xml_node> elements;
+  std::vector<NodeLink> links;
+  std::vector<std::size_t> open;  // The element being walked through at each level.
+};
+
 }  // namespace
 
 void check_dae(std::string_view text, const std::filesystem::path& path) {
-  const std::vector<XmlTag> tags = scan_xml(text, path.string());
+  const XmlFile xml(text, path.string());
+  Numbering numbering;
+  pugi::xml_node root = xml.root();
+  root.traverse(numbering);
+  const std::vector<pugi::xml_node>& elements = numbering.elements;
   std::map<std::string, std::size_t> named;  // By kind and reference: "node #ship".
-  for (std::size_t i = 0; i < tags.size(); ++i) {
-    named.emplace(fmt::format("{} #{}", tags[i].name, tags[i].attribute("id")), i);
-  }
-  // A node hangs on what it stands in; and what an <instance_node> names, on that element.
-  std::vector<NodeLink> links;
-  for (std::size_t i = 0; i < tags.size(); ++i) {
-    if (tags[i].parent >= 0) {
-      links.push_back({static_cast<std::size_t>(tags[i].parent), i});
+  for (std::size_t i = 0; i < elements.size(); ++i) {
+    if (const pugi::xml_attribute id = elements[i].attribute("id")) {
+      named.emplace(fmt::format("{} #{}", elements[i].name(), id.value()), i);
     }
-    const auto kinds = kInstances.find(tags[i].name);
-    const std::string url = tags[i].attribute("url");
+  }
+  // Besides the element that it stands in, a node hangs on every <instance_node> that names it.
+  for (std::size_t i = 0; i < elements.size(); ++i) {
+    const auto kinds = kInstances.find(elements[i].name());
+    const std::string url = elements[i].attribute("url").value();
     if (kinds == kInstances.end() || !url.starts_with('#')) {
       continue;  // assimp refuses other references.
     }
@@ -43,15 +65,15 @@ void check_dae(std::string_view text, const std::filesystem::path& path) {
     for (const std::string& kind : kinds->second) {
       if (const auto target = named.find(fmt::format("{} {}", kind, url)); target != named.end()) {
         is_there = true;
-        links.push_back({i, target->second});
+        numbering.links.push_back({i, target->second});
       }
     }
     if (!is_there) {
-      throw Error(fmt::format("{}<{}> names {}, which is not in this file", tags[i].where(path.string()), tags[i].name,
+      throw Error(fmt::format("{}<{}> names {}, which is not in this file", xml.where(elements[i]), elements[i].name(),
                               printable(url)));
     }
   }
-  check_depth(tags.size(), links, path);
+  check_depth(elements.size(), numbering.links, path);
 }
 
 }  // namespace insonify

@@ -38,92 +38,80 @@ bool is_finite_number(std::string_view word) {
 }
 
 // How many numbers an element must hold; 0 for one that holds none.
-std::size_t numbers_wanted(const XmlTag& tag, const XmlTag& parent) {
-  if (tag.name == "pose") {
-    const auto format = tag.attributes.find("rotation_format");
-    const bool quaternion = format != tag.attributes.end() && format->second == "quat_xyzw";
-    return quaternion ? kNumbersOfQuaternionPose : kNumbersOfPose;
+std::size_t numbers_wanted(pugi::xml_node element) {
+  const std::string name = element.name();
+  if (name == "pose") {
+    const std::string_view format = element.attribute("rotation_format").value();
+    return format == "quat_xyzw" ? kNumbersOfQuaternionPose : kNumbersOfPose;
   }
-  const auto entry = kNumbers.find({parent.name, tag.name});
+  const auto entry = kNumbers.find({element.parent().name(), name});
   return entry == kNumbers.end() ? 0 : entry->second;
 }
 
 // More numbers than needed do no harm: Gazebo's own worlds have planes with three sizes.
-void check_numbers(const XmlTag& tag, const XmlTag& parent, const std::string& text, const std::string& shown) {
-  const std::size_t wanted = numbers_wanted(tag, parent);
-  const std::string content = wanted > 0 ? content_of(tag, text) : "";
-  if (wanted == 0 || (content.empty() && tag.name == "pose")) {
+void check_numbers(const XmlFile& file, pugi::xml_node element) {
+  const std::size_t wanted = numbers_wanted(element);
+  const std::string content = wanted > 0 ? xml_text(element) : "";
+  if (wanted == 0 || (content.empty() && element.name() == std::string_view("pose"))) {
     return;
   }
   std::istringstream words(content);
   std::size_t found = 0;
+  bool all_finite = true;
   for (std::string word; words >> word; ++found) {
-    if (!is_finite_number(word)) {
-      throw Error(
-          fmt::format("{}<{}> = '{}' must be {}", tag.where(shown), tag.name, printable(content), in_words(wanted)));
-    }
+    all_finite = all_finite && is_finite_number(word);
   }
-  if (found < wanted) {
-    throw Error(
-        fmt::format("{}<{}> = '{}' must be {}", tag.where(shown), tag.name, printable(content), in_words(wanted)));
+  if (!all_finite || found < wanted) {
+    throw Error(fmt::format("{}<{}> = '{}' must be {}", file.where(element), element.name(), printable(content),
+                            in_words(wanted)));
   }
 }
 
 // libsdformat crashes on these.
-void check_include_part(const XmlTag& tag, const XmlTag& parent, const std::string& text, const std::string& shown) {
-  static const std::set<std::string> kParts = {"name", "static", "placement_frame"};
-  if (parent.name == "include" && kParts.contains(tag.name) && content_of(tag, text).empty()) {
-    throw Error(fmt::format("{}<{}> of an include is empty", tag.where(shown), tag.name));
+void check_include_part(const XmlFile& file, pugi::xml_node element) {
+  static const std::set<std::string_view> kParts = {"name", "static", "placement_frame"};
+  if (element.parent().name() == std::string_view("include") && kParts.contains(element.name()) &&
+      xml_text(element).empty()) {
+    throw Error(fmt::format("{}<{}> of an include is empty", file.where(element), element.name()));
   }
 }
 
-void check_links(const std::vector<XmlTag>& tags, std::size_t model, const std::string& text,
-                 const std::string& shown) {
-  if (tags[model].name != "model" || tags[tags[model].parent].name == "state") {
+void check_links(const XmlFile& file, pugi::xml_node element) {
+  if (element.name() != std::string_view("model") || element.parent().name() == std::string_view("state")) {
     return;
   }
-  for (std::size_t i = model + 1; i < tags.size() && tags[i].begin < tags[model].end; ++i) {
-    if (tags[i].parent != static_cast<int>(model)) {
-      continue;
-    }
-    const std::string& part = tags[i].name;
-    const std::string is_static = part == "static" ? content_of(tags[i], text) : "";
-    if (part == "link" || part == "model" || part == "include" || is_static == "true" || is_static == "1") {
+  const std::string is_static = xml_text(element.child("static"));
+  if (!element.child("link") && !element.child("model") && !element.child("include") && is_static != "true" &&
+      is_static != "1") {
+    throw Error(fmt::format("{}model '{}' must have a link, or be static", file.where(element),
+                            printable(element.attribute("name").value())));
+  }
+}
+
+void check_name(const XmlFile& file, pugi::xml_node element) {
+  static const std::set<std::string_view> kNamed = {"model", "link", "joint", "frame", "visual", "collision"};
+  const std::string_view name = element.attribute("name").value();
+  if (!kNamed.contains(element.name()) || name.empty() || element.parent().name() == std::string_view("state")) {
+    return;
+  }
+  for (const pugi::xml_node other : element.parent().children(element.name())) {
+    if (other == element) {
       return;
     }
-  }
-  throw Error(fmt::format("{}model '{}' must have a link, or be static", tags[model].where(shown),
-                          printable(tags[model].attribute("name"))));
-}
-
-void check_name(const std::vector<XmlTag>& tags, std::size_t tag, const std::string& shown) {
-  static const std::set<std::string> kNamed = {"model", "link", "joint", "frame", "visual", "collision"};
-  const XmlTag& own = tags[tag];
-  if (!kNamed.contains(own.name) || own.attribute("name").empty() || tags[own.parent].name == "state") {
-    return;
-  }
-  for (std::size_t i = own.parent; i < tag; ++i) {
-    if (tags[i].parent == own.parent && tags[i].name == own.name &&
-        tags[i].attribute("name") == own.attribute("name")) {
-      throw Error(fmt::format("{}{} '{}' has the name of the one of line {}", own.where(shown), own.name,
-                              printable(own.attribute("name")), tags[i].line));
+    if (other.attribute("name").value() == name) {
+      throw Error(fmt::format("{}{} '{}' has the name of the one of line {}", file.where(element), element.name(),
+                              printable(name), file.line_of(other)));
     }
   }
 }
 
 }  // namespace
 
-std::string content_of(const XmlTag& tag, const std::string& text) {
-  return xml_decode(text.substr(tag.content_begin, tag.content_end - tag.content_begin));
-}
-
-void check_sdf_tag(const std::vector<XmlTag>& tags, std::size_t tag, const std::string& text,
-                   const std::string& shown) {
-  const XmlTag& parent = tags[tags[tag].parent];
-  check_include_part(tags[tag], parent, text, shown);
-  check_numbers(tags[tag], parent, text, shown);
-  check_links(tags, tag, text, shown);
-  check_name(tags, tag, shown);
+void check_sdf_element(const XmlFile& file, pugi::xml_node element) {
+  check_include_part(file, element);
+  check_numbers(file, element);
+  check_links(file, element);
+  check_name(file, element);
 }
 
 }  // namespace insonify

@@ -6,7 +6,7 @@
 
 #include "insonify/error.h"
 #include "insonify/printable.h"
-#include "io/file/xml_scan.h"
+#include "io/file/xml_file.h"
 
 namespace insonify {
 namespace {
@@ -15,7 +15,7 @@ constexpr std::string_view kPrefix = "insonify:";
 constexpr std::string_view kPlugin = "insonify";
 
 std::string text_of(const sdf::ElementPtr& element) {
-  return element->GetValue() == nullptr ? "" : xml_decode(element->GetValue()->GetAsString());
+  return element->GetValue() == nullptr ? "" : without_outer_space(element->GetValue()->GetAsString());
 }
 
 // Takes over what one element of ours says; `name` is without prefix.

@@ -19,7 +19,7 @@
 #include "insonify/files.h"
 #include "insonify/printable.h"
 #include "io/file/input_file.h"
-#include "io/file/xml_scan.h"
+#include "io/file/xml_file.h"
 #include "io/mesh/mesh_file.h"
 #include "io/world/sdf_heightmap.h"
 #include "io/world/sdf_uri.h"
@@ -50,12 +50,12 @@ Vec3 positive(const Vec3& value, const std::string& what, const char* element) {
   return value;
 }
 
-// Reads a number from an element that libsdformat has no type for; check_sdf_tag() has seen that it is one.
+// Reads a number from an element that libsdformat has no type for; check_sdf_element() has seen that it is one.
 double number(const sdf::ElementPtr& parent, const char* element, double otherwise) {
   if (!parent->HasElement(element)) {
     return otherwise;
   }
-  std::istringstream stream(xml_decode(parent->GetElement(element)->GetValue()->GetAsString()));
+  std::istringstream stream(without_outer_space(parent->GetElement(element)->GetValue()->GetAsString()));
   stream.imbue(std::locale::classic());
   double read = otherwise;
   stream >> read;

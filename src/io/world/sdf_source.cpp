@@ -8,14 +8,15 @@
 #include <algorithm>
 #include <cstdio>
 #include <fstream>
+#include <memory>
 #include <sdf/parser.hh>
 #include <set>
+#include <sstream>
 
 #include "base/log_line.h"
 #include "insonify/error.h"
 #include "insonify/printable.h"
 #include "io/file/input_file.h"
-#include "io/file/xml_scan.h"
 #include "io/world/sdf_check.h"
 #include "io/world/sdf_console.h"
 #include "io/world/sdf_uri.h"
@@ -28,34 +29,18 @@ namespace fs = std::filesystem;
 // What libsdformat 12 is made for.
 constexpr std::pair kOldest{1, 5}, kNewest{1, 9};
 
-// A stretch of text and what to put in its place.
-struct Edit {
-  std::size_t begin, end;
-  std::string text;
-};
-
-std::string apply_edits(const std::string& text, const std::vector<Edit>& edits) {
-  std::string result;
-  std::size_t at = 0;
-  for (const Edit& edit : edits) {
-    const std::string old = text.substr(edit.begin, edit.end - edit.begin);
-    result += text.substr(at, edit.begin - at) + edit.text;
-    result.append(static_cast<std::size_t>(std::count(old.begin(), old.end(), '\n')), '\n');  // keeps lines in place
-    at = edit.end;
+void check_root(const XmlFile& file, const Log& log) {
+  const pugi::xml_node root = file.root();
+  const std::string where = file.where(root);
+  const std::string_view name = root.name();
+  if (name != "sdf") {
+    throw Error(fmt::format("{}the root element is <{}>, not <sdf>{}", where, printable(name),
+                            name == "robot" ? "; 'gz sdf -p' or 'ign sdf -p' turns URDF into SDF" : ""));
   }
-  return result + text.substr(at);
-}
-
-void check_root(const XmlTag& root, const std::string& shown, const Log& log) {
-  const std::string where = root.where(shown);
-  if (root.name != "sdf") {
-    throw Error(fmt::format("{}the root element is <{}>, not <sdf>{}", where, printable(root.name),
-                            root.name == "robot" ? "; 'gz sdf -p' or 'ign sdf -p' turns URDF into SDF" : ""));
-  }
-  if (!root.attributes.contains("version")) {
+  if (!root.attribute("version")) {
     throw Error(where + "<sdf> has no version, 1.5 to 1.9 are read");
   }
-  const std::string version = root.attribute("version");
+  const std::string version = root.attribute("version").value();
   int major = 0, minor = 0, length = 0;
   if (std::sscanf(version.c_str(), "%d.%d%n", &major, &minor, &length) != 2 ||
       length != static_cast<int>(version.size())) {
@@ -95,7 +80,7 @@ std::optional<fs::path> file_of_model(const fs::path& found) {
 }
 
 // Whether an element says nothing about shapes and places.
-bool is_beside_the_point(const XmlTag& tag, const XmlTag& parent) {
+bool is_beside_the_point(pugi::xml_node element) {
   static const std::set<std::pair<std::string, std::string>> kLeftOut = {
       {"visual", "material"}, {"collision", "surface"}, {"link", "inertial"},
       {"link", "sensor"},     {"link", "light"},        {"link", "particle_emitter"},
@@ -103,32 +88,49 @@ bool is_beside_the_point(const XmlTag& tag, const XmlTag& parent) {
       {"world", "gui"},       {"world", "scene"},       {"world", "actor"},
       {"state", "light"},     {"state", "insertions"},  {"state", "deletions"},
       {"sdf", "light"},       {"sdf", "actor"}};
-  return kLeftOut.contains({parent.name, tag.name});
+  return kLeftOut.contains({element.parent().name(), element.name()});
 }
 
 // The <uri> of an <include> in a place where includes may be.
-bool is_include_uri(const std::vector<XmlTag>& tags, const XmlTag& tag) {
-  static const std::set<std::string> kParents = {"sdf", "world", "model"};
-  if (tag.name != "uri" || tags[tag.parent].name != "include") {
-    return false;
-  }
-  const int place = tags[tag.parent].parent;
-  return place >= 0 && kParents.contains(tags[place].name);
+bool is_include_uri(pugi::xml_node element) {
+  static const std::set<std::string_view> kParents = {"sdf", "world", "model"};
+  return element.name() == std::string_view("uri") && element.parent().name() == std::string_view("include") &&
+         kParents.contains(element.parent().parent().name());
 }
 
-// libsdformat keeps one model of a file's root; a world keeps all.
-std::vector<Edit> world_around_models(const std::vector<XmlTag>& tags) {
-  int models = 0, worlds = 0;
-  for (const XmlTag& tag : tags) {
-    models += tag.parent == 0 && (tag.name == "model" || tag.name == "include") ? 1 : 0;
-    worlds += tag.parent == 0 && tag.name == "world" ? 1 : 0;
+// libsdformat keeps one model of a file's root; a world keeps all. Returns whether it made one.
+bool put_world_around_models(pugi::xml_node root) {
+  const auto count = [&](const char* name) {
+    const auto children = root.children(name);
+    return std::distance(children.begin(), children.end());
+  };
+  if (count("model") + count("include") < 2 || count("world") > 0) {
+    return false;
   }
-  if (models < 2 || worlds > 0) {
-    return {};
+  pugi::xml_node world = root.append_child("world");
+  world.append_attribute("name") = "world_of_models";
+  while (root.first_child() != world) {
+    world.append_move(root.first_child());
   }
-  const XmlTag& root = tags[0];
-  return {{root.content_begin, root.content_begin, "<world name='world_of_models'>"},
-          {root.content_end, root.content_end, "</world>"}};
+  return true;
+}
+
+// All elements, each before those in it.
+std::vector<pugi::xml_node> elements_of(const XmlFile& file) {
+  std::vector<pugi::xml_node> elements{file.root()};
+  file.root().find_node([&](pugi::xml_node node) {
+    if (node.type() == pugi::node_element) {
+      elements.push_back(node);
+    }
+    return false;
+  });
+  return elements;
+}
+
+std::string text_of(const XmlFile& file) {
+  std::ostringstream text;
+  file.root().print(text, " ", pugi::format_default, pugi::encoding_utf8);
+  return text.str();
 }
 
 }  // namespace
@@ -156,27 +158,35 @@ std::string SdfSource::shown(const std::string& path) const {
 
 std::string SdfSource::place(const std::string& path, int line, const std::string& element,
                              const std::string& name) const {
-  const auto file = tags_.find(original(path));
-  const XmlTag* found = nullptr;
+  const auto file = sources_.find(original(path));
+  if (file == sources_.end()) {
+    return shown(path) + ": ";
+  }
+  const Source& source = *file->second;
+  pugi::xml_node found;
   int candidates = 0;
-  if (file != tags_.end()) {
-    for (const XmlTag& tag : file->second) {
-      if (tag.line == line && tag.name == element) {
-        const bool is_better = found == nullptr || (found->attribute("name") != name && tag.attribute("name") == name);
-        found = is_better ? &tag : found;
-        ++candidates;
-      }
+  const auto has_name = [&](pugi::xml_node node) { return node.attribute("name").value() == name; };
+  for (auto [at, end] = source.lines.equal_range(line); at != end; ++at) {
+    if (at->second.name() == element) {
+      found = !found || (!has_name(found) && has_name(at->second)) ? at->second : found;
+      ++candidates;
     }
   }
-  const bool is_certain = candidates == 1 || (found != nullptr && found->attribute("name") == name);
-  return is_certain ? found->where(shown(path)) : fmt::format("{}:{}: ", shown(path), line);
+  const bool is_certain = candidates == 1 || (found && has_name(found));
+  if (is_certain) {
+    return source.xml.where(found);
+  }
+  const auto any = source.lines.find(line);
+  return any == source.lines.end() ? shown(path) + ": "
+                                   : fmt::format("{}:{}: ", shown(path), source.xml.line_of(any->second));
 }
 
 std::string SdfSource::place_of_name(const std::string& name) const {
   for (auto file = files_.rbegin(); file != files_.rend(); ++file) {
-    for (const XmlTag& tag : tags_.at(original(*file))) {
-      if (std::ranges::any_of(tag.attributes, [&](const auto& attribute) { return attribute.second == name; })) {
-        return tag.where(shown(*file));
+    const XmlFile& xml = sources_.at(original(*file))->xml;
+    for (const pugi::xml_node element : elements_of(xml)) {
+      if (element.find_attribute([&](pugi::xml_attribute attribute) { return attribute.value() == name; })) {
+        return xml.where(element);
       }
     }
   }
@@ -204,9 +214,9 @@ std::string SdfSource::write_copy(const std::string& text, const std::string& or
 }
 
 // Gives the path that is to stand in an <include>.
-std::string SdfSource::resolve_include(const std::string& uri, const fs::path& file, const XmlTag& tag,
+std::string SdfSource::resolve_include(const std::string& uri, const fs::path& file, const std::string& place,
                                        const Log& log) {
-  const std::string where = fmt::format("{}include '{}'", tag.where(shown(file.string())), printable(uri));
+  const std::string where = fmt::format("{}include '{}'", place, printable(uri));
   const std::optional<fs::path> found = find_sdf_uri(uri, file);
   if (!found) {
     throw Error(where + " " + sdf_uri_not_found(uri));
@@ -226,39 +236,61 @@ std::string SdfSource::resolve_include(const std::string& uri, const fs::path& f
   return *known->second;
 }
 
+// Checks, leaves out and resolves what is inside an element. Returns whether it changed anything.
+bool SdfSource::prepare_inside(pugi::xml_node parent, const XmlFile& xml, const fs::path& file, const Log& log) {
+  bool changed = false;
+  for (pugi::xml_node child = parent.first_child(), next; child; child = next) {
+    next = child.next_sibling();
+    if (child.type() != pugi::node_element) {
+      continue;
+    }
+    check_sdf_element(xml, child);
+    if (is_beside_the_point(child)) {
+      if (child.name() == std::string_view("actor")) {
+        log_line(log, Severity::kWarning, xml.where(child) + "an actor is left out");
+      }
+      parent.remove_child(child);
+      changed = true;
+    } else if (is_include_uri(child)) {
+      const std::string uri = xml_text(child);
+      const std::string path = resolve_include(uri, file, xml.where(child), log);
+      if (path != uri) {
+        child.remove_children();
+        child.text() = path.c_str();
+        changed = true;
+      }
+    } else {
+      changed = prepare_inside(child, xml, file, log) || changed;
+    }
+  }
+  return changed;
+}
+
 // Gives the path that libsdformat is to read in the file's place.
 std::string SdfSource::prepare(const fs::path& file, const Log& log) {
   const std::string name = file.string();
-  const std::string text = read_text(shown(name));
-  const std::vector<XmlTag>& tags = tags_[name] = scan_xml(text, shown(name));
-  check_root(tags[0], shown(name), log);
+  Source& source = *(sources_[name] = std::make_unique<Source>(XmlFile(read_text(shown(name)), shown(name))));
+  check_root(source.xml, log);
   ready_[name] = std::nullopt;
 
-  std::vector<Edit> edits = world_around_models(tags);
-  std::size_t left_out_to = 0;
-  for (std::size_t i = 1; i < tags.size(); ++i) {
-    const XmlTag& tag = tags[i];
-    if (tag.begin < left_out_to) {
-      continue;
+  const bool changed_inside = prepare_inside(source.xml.root(), source.xml, file, log);
+  const bool changed = put_world_around_models(source.xml.root()) || changed_inside;
+  const std::string copy = changed ? text_of(source.xml) : "";
+  std::string to_read = changed ? write_copy(copy, name) : name;
+
+  // libsdformat tells lines of what it reads: those of a copy are found by parsing it too.
+  const std::vector<pugi::xml_node> elements = elements_of(source.xml);
+  if (changed) {
+    const XmlFile copied(copy, to_read);
+    const std::vector<pugi::xml_node> copies = elements_of(copied);
+    for (std::size_t i = 0; i < elements.size(); ++i) {
+      source.lines.emplace(copied.line_of(copies[i]), elements[i]);
     }
-    check_sdf_tag(tags, i, text, shown(name));
-    if (is_beside_the_point(tag, tags[tag.parent])) {
-      left_out_to = tag.end;
-      edits.push_back({tag.begin, tag.end, ""});
-      if (tag.name == "actor") {
-        log_line(log, Severity::kWarning, tag.where(shown(name)) + "an actor is left out");
-      }
-    } else if (is_include_uri(tags, tag)) {
-      const std::string uri = content_of(tag, text);
-      const std::string path = resolve_include(uri, file, tag, log);
-      if (path != uri) {
-        edits.push_back({tag.content_begin, tag.content_end, xml_encode(path)});
-      }
+  } else {
+    for (const pugi::xml_node element : elements) {
+      source.lines.emplace(source.xml.line_of(element), element);
     }
   }
-
-  std::sort(edits.begin(), edits.end(), [](const Edit& a, const Edit& b) { return a.begin < b.begin; });
-  std::string to_read = edits.empty() ? name : write_copy(apply_edits(text, edits), name);
   ready_[name] = to_read;
   files_.push_back(to_read);
   return to_read;

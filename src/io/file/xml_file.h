@@ -1,0 +1,46 @@
+// xml_file.h -- an XML file, parsed by pugixml, whose elements know their line and column.
+
+#pragma once
+
+#include <pugixml.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace insonify {
+
+/// Elements inside each other, at most; a scene needs a dozen. Recursive readers overflow the stack on more.
+inline constexpr int kDeepestXml = 200;
+
+class XmlFile {
+ public:
+  /// @param shown  The file as messages name it.
+  /// @throws Error "path:line:column: ..." for a text that is not well-formed, has no element or more than one at its
+  /// root, or is nested deeper than kDeepestXml.
+  XmlFile(std::string_view text, std::string shown);
+
+  [[nodiscard]] pugi::xml_node root() const { return document_.document_element(); }
+
+  /// "path:line:column: " of an element's '<', counted from 1, columns in bytes; "path: " for one that was added later.
+  [[nodiscard]] std::string where(pugi::xml_node element) const;
+
+  /// Line of an element's '<', from 1; 0 for one that was added later.
+  [[nodiscard]] int line_of(pugi::xml_node element) const;
+
+ private:
+  struct Place {
+    int line = 0, column = 0;
+  };
+  [[nodiscard]] Place place_of(std::ptrdiff_t offset) const;
+
+  std::string shown_;
+  std::vector<std::size_t> line_starts_;  // Offsets into the text.
+  pugi::xml_document document_;
+};
+
+[[nodiscard]] std::string without_outer_space(std::string_view text);
+
+/// Text directly inside an element, without white space at both ends.
+[[nodiscard]] std::string xml_text(pugi::xml_node element);
+
+}  // namespace insonify
