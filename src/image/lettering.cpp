@@ -1,4 +1,7 @@
 // lettering.cpp -- lays out and rasterises text by FreeType, with sub-pixel positions along the line.
+//
+// FreeType draws glyphs; placing them along a line is ours. Cairo would do that too, see docs/design/libraries.md for
+// why it does not.
 
 #include "image/lettering.h"
 

@@ -106,7 +106,7 @@ TEST(PngGridErrorTest, TellsThePathAndTheReason) {
             path + ": cannot be read: Not a PNG file");
   (void)write_picture(folder, {2, 2, 8, PNG_COLOR_TYPE_GRAY, {{0, 51}, {102, 255}}});
   std::filesystem::resize_file(path, 60);
-  EXPECT_EQ(message_of([&] { (void)load_height_grid(path); }), path + ": cannot be read: Read Error");
+  EXPECT_EQ(message_of([&] { (void)load_height_grid(path); }), path + ": cannot be read: read beyond end of data");
 }
 
 // ----------------------------------------------------------------------------------------------------------------- ASC

@@ -1,4 +1,4 @@
-// check_dae.h -- refuses COLLADA files that assimp reads in part or overflows the stack on.
+// check_dae.h -- refuses COLLADA files that assimp reads only in part, or overflows the stack on.
 
 #pragma once
 
@@ -7,9 +7,9 @@
 
 namespace insonify {
 
-/// Checks that the file is well-formed XML, how deep its elements and nodes hang, and that what its nodes place is
-/// there: assimp leaves out what it does not find.
-/// @throws Error "PATH:LINE:COLUMN: ..." for elements, "PATH: ..." for nodes that hang too deep.
+/// Checks that the file is well-formed XML, that elements and nodes are not nested too deeply or in a ring (assimp 5.2
+/// overflows the stack), and that every geometry and node that is instantiated exists (assimp leaves it out).
+/// @throws Error "PATH:LINE:COLUMN: ..." for elements, "PATH: ..." for nodes that are nested too deeply.
 void check_dae(std::string_view text, const std::filesystem::path& path);
 
 }  // namespace insonify

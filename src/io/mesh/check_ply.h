@@ -1,4 +1,4 @@
-// check_ply.h -- compares what a PLY file promises with what it holds.
+// check_ply.h -- compares the counts in the header of a PLY file with its contents.
 
 #pragma once
 
@@ -6,9 +6,10 @@
 
 namespace insonify {
 
-/// assimp makes room for all elements that the header counts before it reads the first, and makes up those that are
-/// missing at the end of the file.
-/// @throws Error "PATH:LINE: ..." for a count that is none, or of more than the file holds.
+/// assimp 5.2 allocates all elements that the header counts before it reads the first, invents those that are missing
+/// at the end of the file, and never returns from a header without an end or an element without properties.
+/// @throws Error "PATH:LINE: ..." for a count that is not a number, or is greater than the number of elements in the
+/// file.
 void check_ply(const std::filesystem::path& path);
 
 }  // namespace insonify

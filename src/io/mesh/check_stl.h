@@ -1,4 +1,4 @@
-// check_stl.h -- tells a part of an STL file from a whole one.
+// check_stl.h -- refuses STL files of which a part is missing.
 
 #pragma once
 
@@ -6,8 +6,10 @@
 
 namespace insonify {
 
-/// assimp takes a text that ends too early for whole, and a binary file that is too long.
-/// @throws Error for what is neither a text with its end, nor binary of the size that its triangles take.
+/// assimp 5.2 accepts a text that ends before its "endsolid". It refuses binary files of a wrong size, but does not say
+/// why: "Failed to determine STL storage representation".
+/// @throws Error for a file that is neither a text with its end, nor binary with the size that its triangle count
+/// needs.
 void check_stl(const std::filesystem::path& path);
 
 }  // namespace insonify

@@ -1,4 +1,8 @@
-// obj_text.cpp -- goes through an OBJ statement by statement.
+// obj_text.cpp -- checks an OBJ statement by statement, before and after assimp reads it.
+//
+// Ours, since tinyobjloader 2.0 accepts what must be refused: it reads "v a b c" and "v 1 2" as zeros, keeps faces with
+// indices beyond the last vertex (with a warning) or before the first one (without), loses the name of a material whose
+// library is missing, and refuses lines continued by a backslash. See docs/design/libraries.md.
 
 #include "io/mesh/obj_text.h"
 

@@ -1,4 +1,4 @@
-// obj_text.h -- what assimp reads wrong in an OBJ, or refuses without a line.
+// obj_text.h -- checks the text of an OBJ file, and rewrites what assimp misreads in it.
 
 #pragma once
 
@@ -8,13 +8,13 @@
 
 namespace insonify {
 
-/// The text as assimp reads it right. Checks the vertices, of which assimp skips those that it does not understand, so
-/// that faces take other ones.
+/// Returns the text in a form that assimp reads correctly. Checks the vertices: assimp skips those that it cannot
+/// parse, which shifts the indices of all vertices after them.
 /// @throws Error "PATH:LINE: STATEMENT: REASON".
 [[nodiscard]] std::string mend_obj(std::string_view text, const std::filesystem::path& path);
 
-/// For a text that assimp has refused: finds the line.
-/// @throws Error "PATH:LINE: STATEMENT: REASON", unless there is nothing wrong with a normal or an index.
+/// Finds the faulty line of a text that assimp has refused.
+/// @throws Error "PATH:LINE: STATEMENT: REASON". Returns if all normals and indices are correct.
 void check_obj_indices(std::string_view text, const std::filesystem::path& path);
 
 }  // namespace insonify

@@ -1,113 +1,92 @@
-// png_reader.cpp -- libpng, with its failures as Errors.
-//
-// libpng reports errors by a long jump, over whatever C++ would have tidied up: all that lives across its calls is kept
-// in the reader, and outside of the function that it jumps in.
+// png_reader.cpp -- libpng's simplified interface, which returns failures instead of jumping out of them.
 
 #include "io/picture/png_reader.h"
 
 #include <fmt/format.h>
+#include <png.h>
 
-#include <csetjmp>
+#include <algorithm>
+#include <array>
+#include <memory>
 
 #include "insonify/error.h"
 #include "io/file/input_file.h"
 
 namespace insonify {
+namespace {
 
-PngReader::PngReader(std::filesystem::path path) : path_(std::move(path)), file_(nullptr, &std::fclose) {
-  check_input_file(path_);
-  file_.reset(std::fopen(path_.c_str(), "rb"));
-  open();
-}
-
-PngReader::PngReader(std::string name, std::span<const char> bytes)
-    : path_(std::move(name)), file_(nullptr, &std::fclose) {
-  file_.reset(fmemopen(const_cast<char*>(bytes.data()), bytes.size(), "rb"));  // Only read.
-  open();
-}
-
-void PngReader::open() {
-  png_ = png_create_read_struct(PNG_LIBPNG_VER_STRING, this, fail, ignore);
-  info_ = png_ != nullptr ? png_create_info_struct(png_) : nullptr;
-  try {
-    read();
-  } catch (...) {
-    png_destroy_read_struct(&png_, &info_, nullptr);
-    throw;
+// The simplified interface converts levels from the gamma or the colour space that a file declares. Heights and normals
+// are numbers, not shades: without these chunks it takes 8 bits for sRGB and 16 for linear, gives them as such, and so
+// converts nothing.
+std::string without_colour_space(std::string_view file) {
+  constexpr std::size_t kSignature = 8, kAroundData = 12;  // Length, kind and checksum [bytes].
+  constexpr std::array<std::string_view, 5> kDropped = {"gAMA", "cHRM", "sRGB", "iCCP", "cICP"};
+  std::string kept(file.substr(0, kSignature));
+  for (std::size_t at = kSignature; at < file.size();) {
+    std::size_t length = kAroundData;
+    for (std::size_t i = 0; i < 4 && at + i < file.size(); ++i) {
+      length += static_cast<std::size_t>(static_cast<unsigned char>(file[at + i])) << (8 * (3 - i));
+    }
+    const std::string_view chunk = file.substr(at, length);
+    if (std::ranges::count(kDropped, chunk.substr(std::min<std::size_t>(4, chunk.size()), 4)) == 0) {
+      kept += chunk;
+    }
+    at += chunk.size();
   }
+  return kept;
 }
 
-PngReader::~PngReader() {
-  png_destroy_read_struct(&png_, &info_, nullptr);
+}  // namespace
+
+PngReader::PngReader(const std::filesystem::path& path) : name_(path.string()) {
+  read(read_text(path));
+}
+
+PngReader::PngReader(std::string name, std::span<const char> bytes) : name_(std::move(name)) {
+  read({bytes.data(), bytes.size()});
 }
 
 int PngReader::grey(std::size_t column, std::size_t row, std::string_view purpose) const {
   const int level = value(column, row, 0);
-  const int colors = channels() - (has_alpha() ? 1 : 0);
+  const int colors = channels_ - (has_alpha_ ? 1 : 0);
   for (int channel = 1; channel < colors; ++channel) {
     if (value(column, row, channel) != level) {
-      throw Error(fmt::format("{}: the pixel in column {}, row {} is coloured; {} a grey picture", path_.string(),
-                              column, row, purpose));
+      throw Error(fmt::format("{}: the pixel in column {}, row {} is coloured; {} a grey picture", name_, column, row,
+                              purpose));
     }
   }
-  if (has_alpha() && value(column, row, colors) != full_scale()) {
-    throw Error(fmt::format("{}: the pixel in column {}, row {} is transparent; {} an opaque picture", path_.string(),
-                            column, row, purpose));
+  if (has_alpha_ && value(column, row, colors) != full_scale()) {
+    throw Error(fmt::format("{}: the pixel in column {}, row {} is transparent; {} an opaque picture", name_, column,
+                            row, purpose));
   }
   return level;
 }
 
 int PngReader::value(std::size_t column, std::size_t row, int channel) const {
-  const std::size_t at = column * static_cast<std::size_t>(channels()) + static_cast<std::size_t>(channel);
-  return is_deep() ? 256 * rows_[row][2 * at] + rows_[row][2 * at + 1] : rows_[row][at];
+  const std::size_t at =
+      (row * width_ + column) * static_cast<std::size_t>(channels_) + static_cast<std::size_t>(channel);
+  return is_deep_ ? pixels_[at] : reinterpret_cast<const std::uint8_t*>(pixels_.data())[at];
 }
 
-void PngReader::read() {
-  if (file_ == nullptr || info_ == nullptr || !read_header()) {
-    throw_failure();
-  }
-  row_bytes_ = png_get_rowbytes(png_, info_);
-  pixels_.resize(row_bytes_ * height());
-  for (std::size_t row = 0; row < height(); ++row) {
-    rows_.push_back(pixels_.data() + row * row_bytes_);
-  }
-  if (!read_pixels()) {
-    throw_failure();
-  }
-}
-
-void PngReader::fail(png_structp png, png_const_charp message) {
-  static_cast<PngReader*>(png_get_error_ptr(png))->failure_ = message;
-  longjmp(png_jmpbuf(png), 1);
-}
-
-// Warnings: bad colour profiles, odd text.
-void PngReader::ignore(png_structp, png_const_charp) {}
-
-void PngReader::throw_failure() const {
-  throw Error(fmt::format("{}: cannot be read: {}", path_.string(), foreign_reason(failure_)));
-}
-
-// No objects with destructors in these two.
-bool PngReader::read_header() {
-  if (setjmp(png_jmpbuf(png_)) != 0) {
-    return false;
-  }
-  png_init_io(png_, file_.get());
-  png_read_info(png_, info_);
-  png_set_expand(png_);  // Fewer than 8 bits, palettes and transparent colours.
-  png_set_interlace_handling(png_);
-  png_read_update_info(png_, info_);
-  return true;
-}
-
-bool PngReader::read_pixels() {
-  if (setjmp(png_jmpbuf(png_)) != 0) {
-    return false;
-  }
-  png_read_image(png_, rows_.data());
-  png_read_end(png_, nullptr);
-  return true;
+void PngReader::read(std::string_view file) {
+  const std::string bytes = without_colour_space(file);
+  png_image image{};
+  image.version = PNG_IMAGE_VERSION;
+  const std::unique_ptr<png_image, decltype(&png_image_free)> freed(&image, png_image_free);
+  const auto check = [&](int good) {
+    if (good == 0 || PNG_IMAGE_FAILED(image)) {
+      throw Error(fmt::format("{}: cannot be read: {}", name_, foreign_reason(std::data(image.message))));
+    }
+  };
+  check(png_image_begin_read_from_memory(&image, bytes.data(), bytes.size()));
+  image.format &= ~PNG_FORMAT_FLAG_COLORMAP;
+  width_ = image.width;
+  height_ = image.height;
+  channels_ = static_cast<int>(PNG_IMAGE_PIXEL_CHANNELS(image.format));
+  has_alpha_ = (image.format & PNG_FORMAT_FLAG_ALPHA) != 0;
+  is_deep_ = (image.format & PNG_FORMAT_FLAG_LINEAR) != 0;
+  pixels_.resize((PNG_IMAGE_SIZE(image) + 1) / 2);
+  check(png_image_finish_read(&image, nullptr, pixels_.data(), 0, nullptr));
 }
 
 }  // namespace insonify

@@ -2,11 +2,9 @@
 
 #pragma once
 
-#include <png.h>
-
-#include <cstdio>
+#include <cstddef>
+#include <cstdint>
 #include <filesystem>
-#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
@@ -14,26 +12,23 @@
 
 namespace insonify {
 
-/// A whole PNG file in memory: 8 or 16 bits a channel, palettes and fewer bits widened to 8. What the file says of
-/// gamma and colour profiles does not matter.
+/// A whole PNG file in memory: 8 or 16 bits a channel, palettes and fewer bits widened to 8. Gamma values and colour
+/// profiles in the file are ignored.
 class PngReader {
  public:
   /// @throws Error with the path for a file that is not there or no whole PNG.
-  explicit PngReader(std::filesystem::path path);
+  explicit PngReader(const std::filesystem::path& path);
   /// One that lies in memory.
   /// @param name  In messages.
   PngReader(std::string name, std::span<const char> bytes);
-  ~PngReader();
-  PngReader(const PngReader&) = delete;
-  PngReader& operator=(const PngReader&) = delete;
 
   /// For messages.
-  [[nodiscard]] std::string name() const { return path_.string(); }
-  [[nodiscard]] std::size_t width() const { return png_get_image_width(png_, info_); }
-  [[nodiscard]] std::size_t height() const { return png_get_image_height(png_, info_); }
+  [[nodiscard]] const std::string& name() const { return name_; }
+  [[nodiscard]] std::size_t width() const { return width_; }
+  [[nodiscard]] std::size_t height() const { return height_; }
   /// Whether the file keeps red, green and blue; they may be equal all the same.
-  [[nodiscard]] bool has_colours() const { return channels() - (has_alpha() ? 1 : 0) == 3; }
-  [[nodiscard]] int full_scale() const { return is_deep() ? 65535 : 255; }
+  [[nodiscard]] bool has_colours() const { return channels_ - (has_alpha_ ? 1 : 0) == 3; }
+  [[nodiscard]] int full_scale() const { return is_deep_ ? 65535 : 255; }
 
   /// Grey level of a pixel, 0 to full_scale(). Many a grey picture is stored as a coloured one.
   /// @param purpose  Who asks, for the message: "heights need".
@@ -46,27 +41,14 @@ class PngReader {
   }
 
  private:
-  [[nodiscard]] int channels() const { return png_get_channels(png_, info_); }
-  [[nodiscard]] bool has_alpha() const { return (png_get_color_type(png_, info_) & PNG_COLOR_MASK_ALPHA) != 0; }
-  [[nodiscard]] bool is_deep() const { return png_get_bit_depth(png_, info_) == 16; }
   [[nodiscard]] int value(std::size_t column, std::size_t row, int channel) const;
+  void read(std::string_view file);
 
-  [[noreturn]] static void fail(png_structp png, png_const_charp message);
-  static void ignore(png_structp png, png_const_charp message);
-  [[noreturn]] void throw_failure() const;
-  void open();
-  void read();
-  bool read_header();
-  bool read_pixels();
-
-  std::filesystem::path path_;
-  std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_;
-  png_structp png_ = nullptr;
-  png_infop info_ = nullptr;
-  std::string failure_ = "libpng cannot start";
-  std::size_t row_bytes_ = 0;
-  std::vector<png_byte> pixels_;
-  std::vector<png_bytep> rows_;
+  std::string name_;
+  std::size_t width_ = 0, height_ = 0;
+  int channels_ = 0;  // Grey or red, green and blue; then alpha where there is one.
+  bool has_alpha_ = false, is_deep_ = false;
+  std::vector<std::uint16_t> pixels_;  // Row by row; where not is_deep_, two bytes in each.
 };
 
 }  // namespace insonify
