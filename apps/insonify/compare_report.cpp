@@ -15,7 +15,7 @@
 namespace insonify {
 namespace {
 
-// What a picture scores against itself.
+// Score of a picture against itself.
 constexpr Similarity kEqual = {.mse = 0,
                                .psnr_db = std::numeric_limits<double>::infinity(),
                                .ssim = 1,
@@ -35,7 +35,7 @@ std::vector<Measure> measures(const Similarity& similarity) {
 }
 
 struct Control {
-  const char* name;  // As people read it.
+  const char* name;  // In tables.
   const char* key;   // In JSON.
   const char* meaning;
   Similarity similarity;
@@ -78,7 +78,7 @@ std::string heading(const Comparison& comparison) {
   return text + " of " + shape + (count > 1 ? "; each number is the mean over them" : "");
 }
 
-// What 0 and 1 stand for, where it is not the plain fractions of full scale.
+// The intensities that 0 and 1 stand for, unless they are fractions of full scale.
 std::string levels_line(const Comparison& comparison) {
   const Display& levels = comparison.levels;
   if (comparison.pings.empty() || (levels.scale == Scale::kLinear && levels.full_scale == 1)) {

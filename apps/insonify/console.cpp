@@ -18,7 +18,7 @@
 namespace insonify {
 namespace {
 
-int output_error = 0;  // errno of the first thing said that did not arrive.
+int output_error = 0;  // errno of the first write that failed.
 volatile std::sig_atomic_t status_shown = 0;
 
 void check_output(bool good) {
@@ -30,7 +30,7 @@ void check_output(bool good) {
 }  // namespace
 
 void open_standard_streams() {
-  // The lowest number that is free is taken: those of closed streams come first.
+  // open() takes the lowest free descriptor, so those of closed standard streams come first.
   int stream = 0;
   do {
     stream = open("/dev/null", O_RDWR);
@@ -85,7 +85,7 @@ void clear_status() {
   constexpr std::string_view kClear = "\r\x1b[K";
   if (status_shown != 0) {
     status_shown = 0;
-    // Not through the buffer, which is empty while a status is shown.
+    // write(), not fwrite(), to be async-signal-safe. The buffer is empty while a status is shown.
     check_output(write(STDOUT_FILENO, kClear.data(), kClear.size()) >= 0);
   }
 }

@@ -1,4 +1,4 @@
-// console.h -- what is said on the standard streams, and whether it arrived.
+// console.h -- writes to the standard streams and reports failures.
 
 #pragma once
 
@@ -13,10 +13,10 @@
 
 namespace insonify {
 
-/// Opens what of the standard streams is closed, on nothing, so that no file of ours takes its number and its text.
+/// Opens closed standard streams on /dev/null, so that no other file gets their descriptors and their output.
 void open_standard_streams();
 
-/// Says something on the standard output. Whether it arrived is told by finish_output().
+/// Writes to the standard output. finish_output() reports failures.
 void say_text(std::string_view text);
 
 /// An argument of say() as it is printed: strings, which may come from files, are made printable.
@@ -37,27 +37,27 @@ void say(fmt::format_string<Shown<Args>...> format, const Args&... args) {
   say_text(fmt::format(format, shown(args)...));
 }
 
-/// Sends what was said on its way.
+/// Flushes the standard output.
 void flush_output();
 
-/// Says "insonify: MESSAGE" in one line on the standard error output. Where that is gone nobody can be told.
+/// Writes "insonify: MESSAGE" in one line to the standard error output. A failure of that is ignored.
 void complain(std::string_view message);
 
-/// Whether a line of the standard output can be drawn anew: it is a terminal, and not a dumb one.
+/// Whether a line of the standard output can be overwritten: it is a terminal, and TERM is not "dumb".
 [[nodiscard]] bool can_redraw();
 
-/// On such a terminal shows a line, cut to its width, in the place of the one shown before; what is said next takes it
-/// away. Elsewhere does nothing.
+/// Shows a status line, cut to the terminal's width, in place of the one before. The next output removes it. Does
+/// nothing if lines cannot be overwritten.
 void show_status(std::string_view line);
 
 /// Columns of the terminal.
 [[nodiscard]] std::size_t terminal_width();
 
-/// Takes the status away. Async-signal-safe.
+/// Removes the status line. Async-signal-safe.
 void clear_status();
 
-/// Has everything that was said arrive. A reader that has gone, as `head` does, is no fault.
-/// @return  `status`, or kFailed after a complaint where it could not arrive.
+/// Flushes the standard output and reports a failed write. A closed pipe, as by `head`, is not reported.
+/// @return  `status`, or kFailed if a write failed.
 [[nodiscard]] int finish_output(int status);
 
 }  // namespace insonify

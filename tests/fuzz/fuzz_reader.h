@@ -1,4 +1,4 @@
-// fuzz_reader.h -- what the three fuzzers share: bytes become a file, and a reader must take it or throw an Error.
+// fuzz_reader.h -- shared by the fuzzers: writes the bytes to a file, which a reader must read or refuse with an Error.
 
 #pragma once
 
@@ -14,7 +14,7 @@
 
 namespace insonify::fuzz {
 
-/// A file that is written anew for each input, in a folder of the process's own.
+/// A file that is rewritten for each input, in a folder of this process.
 class InputFile {
  public:
   InputFile() : folder_(std::filesystem::temp_directory_path() / ("insonify_fuzz_" + std::to_string(getpid()))) {
@@ -40,7 +40,7 @@ inline std::string_view text_of(const std::uint8_t* data, std::size_t size) {
   return {reinterpret_cast<const char*>(data), size};
 }
 
-/// Reads; what is wrong must come as an Error, anything else ends the fuzzer.
+/// Calls a reader. Any exception other than an Error ends the fuzzer.
 template <typename Read>
 void expect_error_or_nothing(const Read& read) {
   try {

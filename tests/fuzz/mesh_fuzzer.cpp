@@ -1,4 +1,4 @@
-// mesh_fuzzer.cpp -- any bytes as a mesh file; the first says of which kind.
+// mesh_fuzzer.cpp -- reads any bytes as a mesh file; the first byte chooses the format.
 
 #include "fuzz_reader.h"
 #include "insonify/files.h"

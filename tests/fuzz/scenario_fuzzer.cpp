@@ -1,4 +1,4 @@
-// scenario_fuzzer.cpp -- any bytes as a scenario's YAML.
+// scenario_fuzzer.cpp -- reads any bytes as the YAML of a scenario.
 
 #include "fuzz_reader.h"
 #include "insonify/files.h"

@@ -1,4 +1,4 @@
-// sdf_fuzzer.cpp -- any bytes as an SDF world or model.
+// sdf_fuzzer.cpp -- reads any bytes as an SDF world or model.
 
 #include "fuzz_reader.h"
 #include "insonify/files.h"

@@ -7,7 +7,7 @@
 namespace insonify {
 namespace {
 
-// Walked upwards from the function that failed first; its entry is the one that says why.
+// Callback for H5Ewalk2: takes the first entry, which is that of the innermost function and says why it failed.
 herr_t take_first(unsigned, const H5E_error2_t* entry, void* text) {
   *static_cast<std::string*>(text) = entry->desc != nullptr ? entry->desc : "";
   return 1;  // Stop.

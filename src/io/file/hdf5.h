@@ -41,7 +41,7 @@ class H5Handle {
     }
   }
 
-  /// Gives it up unclosed, for a caller that must know whether closing succeeded.
+  /// Releases it without closing, for a caller that must know whether closing succeeded.
   [[nodiscard]] hid_t release() { return std::exchange(id_, hid_t{H5I_INVALID_HID}); }
 
  private:
@@ -49,7 +49,7 @@ class H5Handle {
   Close close_ = nullptr;
 };
 
-/// While one of these lives HDF5 prints nothing to standard error by itself. Its former ways come back afterwards,
+/// HDF5 prints nothing to standard error during the life of this object. Its error handler is restored afterwards,
 /// since a program that links this library may use HDF5 too.
 class H5Quiet {
  public:

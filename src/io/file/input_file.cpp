@@ -58,7 +58,7 @@ std::string read_text(const std::filesystem::path& path) {
   if (!is_stream(path)) {
     check_input_file(path);
   }
-  // Once and from the front, as a pipe has to be.
+  // In one pass: a pipe cannot be rewound.
   errno = 0;
   std::ifstream file(path, std::ios::binary);
   std::string text;

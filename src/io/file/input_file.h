@@ -1,4 +1,4 @@
-// input_file.h -- what all readers ask of a path before they open it.
+// input_file.h -- checks that every reader makes before it opens a file.
 
 #pragma once
 
@@ -8,8 +8,8 @@
 
 namespace insonify {
 
-/// Whether a path leads to what can be read once only, such as a pipe or the standard input: it has no folder of its
-/// own.
+/// Whether a path names something that can be read only once, such as a pipe or the standard input. Relative paths
+/// cannot refer to its folder.
 [[nodiscard]] bool is_stream(const std::filesystem::path& path);
 
 /// @throws Error "PATH: no such file", "PATH: is a folder, not a file", "PATH: cannot be opened: REASON" or
@@ -22,7 +22,8 @@ void check_input_file(const std::filesystem::path& path);
 /// The path's ending in lower case, with its dot.
 [[nodiscard]] std::string ending_of(const std::filesystem::path& path);
 
-/// What a library gives as the reason, as the end of a message of ours: printable, not too long, without a full stop.
+/// The reason that a library gives for a failure, made fit for the end of a message: printable, at most 500 bytes,
+/// without a full stop.
 [[nodiscard]] std::string foreign_reason(std::string_view reason);
 
 }  // namespace insonify

@@ -1,4 +1,4 @@
-// unfinished_file.cpp -- opens a file that was not there before.
+// unfinished_file.cpp -- creates a new file under a random name, and renames it.
 
 #include "io/file/unfinished_file.h"
 
@@ -25,7 +25,7 @@ UnfinishedFile::UnfinishedFile(std::filesystem::path path, std::string doing)
   std::random_device random;
   for (int i = 0; i < kMostTries && descriptor_ < 0; ++i) {
     unfinished_ = fmt::format("{}.{:08x}.new", path_.string(), random());
-    // O_EXCL: only a file that was not there; a link, even one that leads nowhere, counts as there.
+    // O_EXCL: fails if the name exists, also as a symbolic link, even a dangling one.
     descriptor_ = open(unfinished_.c_str(), O_RDWR | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
     if (descriptor_ < 0 && errno != EEXIST) {
       break;

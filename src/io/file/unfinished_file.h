@@ -8,8 +8,8 @@
 namespace insonify {
 
 /// A new file beside `path`, called PATH.XXXXXXXX.new with eight random hexadecimal digits, that takes the place of
-/// `path` when it is whole. It is always a file of its own: no link that somebody has put there is ever followed, no
-/// other file is written to, and two programs that write to one path do not meet.
+/// `path` when it is whole. The file is always newly created: symbolic links are not followed, no existing file is
+/// written to, and two programs that write to the same path do not interfere.
 class UnfinishedFile {
  public:
   /// @param doing  For messages: "cannot create".
@@ -23,7 +23,7 @@ class UnfinishedFile {
   /// Open for reading and writing.
   [[nodiscard]] int descriptor() const { return descriptor_; }
 
-  /// Renames it to `path`: whatever was there, a link too, is replaced.
+  /// Renames it to `path` and replaces what was there, also a link (not its target).
   /// @throws Error "PATH: DOING: REASON".
   void put_in_place();
 
@@ -32,7 +32,7 @@ class UnfinishedFile {
 
   /// @throws Error "PATH: DOING: REASON".
   [[noreturn]] void fail(const std::string& reason) const;
-  /// The same with the system's reason, by errno.
+  /// fail() with the system's message for errno.
   [[noreturn]] void fail_by_errno() const;
 
  private:

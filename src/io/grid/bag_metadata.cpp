@@ -1,4 +1,4 @@
-// bag_metadata.cpp -- the few elements of ISO 19139 that place a grid.
+// bag_metadata.cpp -- finds the elements of ISO 19139 that give spacing, corners and reference system of a grid.
 
 #include "io/grid/bag_metadata.h"
 
@@ -38,7 +38,7 @@ std::string text_of(pugi::xml_node below) {
   return without_outer_space(text);
 }
 
-// Numbers between whatever else there is: commas, blanks.
+// All numbers in a text. Whatever separates them is skipped.
 std::vector<double> numbers_of(const std::string& text) {
   std::vector<double> numbers;
   const char* end = text.data() + text.size();
@@ -84,7 +84,7 @@ void read_corners(pugi::xml_node xml, BagMetadata& metadata) {
   }
 }
 
-// The first reference system is the horizontal one. It is told as well-known text, as a word or as a number of EPSG's.
+// The first reference system is the horizontal one. It is given as well-known text, as a word or as an EPSG code.
 void read_reference_system(pugi::xml_node xml, BagMetadata& metadata) {
   const std::string code = text_of(find_first(find_first(xml, "referenceSystemInfo"), "code"));
   const auto begins_with_one_of = [&](const auto& words) {
@@ -104,7 +104,7 @@ void read_reference_system(pugi::xml_node xml, BagMetadata& metadata) {
 }  // namespace
 
 BagMetadata parse_bag_metadata(const std::string& xml) {
-  // What is not well-formed is read as far as it is: the grid's reader says which element it misses.
+  // XML that is not well-formed is used up to its fault. The caller reports elements that are missing.
   pugi::xml_document text;
   text.load_string(xml.c_str());
   BagMetadata metadata;

@@ -1,4 +1,4 @@
-// bag_metadata.h -- what the XML inside a BAG says of its grid.
+// bag_metadata.h -- spacing, corners and units of a BAG grid, from the XML inside the file.
 
 #pragma once
 
@@ -12,12 +12,12 @@ namespace insonify {
 struct BagMetadata {
   std::optional<double> spacing_x;  ///< Between columns, in the units of the reference system.
   std::optional<double> spacing_y;  ///< Between rows.
-  std::optional<Vec3> south_west;   ///< Of the grid's corner points; z is 0.
+  std::optional<Vec3> south_west;   ///< Corner point of the grid; z is 0.
   std::optional<Vec3> north_east;
-  std::optional<bool> is_geographic;  ///< Whether those units are degrees; nothing where the XML does not tell.
+  std::optional<bool> is_geographic;  ///< Whether the units are degrees; empty if the XML does not say.
 };
 
-/// Finds them in ISO 19139 metadata of any BAG version: names are compared without their namespaces, which changed.
+/// Reads ISO 19139 metadata of any BAG version. Namespaces are ignored, since they differ between versions.
 [[nodiscard]] BagMetadata parse_bag_metadata(const std::string& xml);
 
 }  // namespace insonify

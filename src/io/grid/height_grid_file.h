@@ -1,4 +1,4 @@
-// height_grid_file.h -- the formats that height grids come in, and the way from degrees to metres.
+// height_grid_file.h -- readers of height grids by format, and conversion of degrees to metres.
 
 #pragma once
 
@@ -10,7 +10,7 @@
 
 namespace insonify {
 
-/// Whether the file's ending is that of a height grid.
+/// Whether the file name ends as that of a height grid does.
 [[nodiscard]] bool is_height_grid_file(const std::filesystem::path& path);
 
 /// Endings of height grids for messages: ".png, .asc, .bag".
@@ -21,10 +21,10 @@ namespace insonify {
 [[nodiscard]] HeightGrid load_asc_grid(const std::filesystem::path& path, const Log& log);
 [[nodiscard]] HeightGrid load_bag_grid(const std::filesystem::path& path, const Log& log);
 
-/// What one degree measures on the WGS 84 ellipsoid.
+/// Length of one degree on the WGS 84 ellipsoid.
 struct DegreeLength {
-  double east = 0;   ///< Of longitude [m].
-  double north = 0;  ///< Of latitude [m].
+  double east = 0;   ///< One degree of longitude [m].
+  double north = 0;  ///< One degree of latitude [m].
 };
 [[nodiscard]] DegreeLength degree_length(double latitude_deg);
 
@@ -33,8 +33,9 @@ struct DegreeLength {
 /// is not in it. `spacing_x`, `spacing_y` and `origin` as in the file.
 [[nodiscard]] bool looks_geographic(const HeightGrid& grid);
 
-/// Turns spacing in degrees into metres at the latitude of the grid's middle, and says so to the log. The origin stays.
-/// @throws Error when that is no latitude.
+/// Converts the spacing from degrees to metres at the latitude of the grid's middle, and writes that to the log. The
+/// origin is not changed.
+/// @throws Error if that latitude is not within -90 to 90 degrees.
 void turn_degrees_into_metres(HeightGrid& grid, const std::filesystem::path& path, const Log& log);
 
 }  // namespace insonify

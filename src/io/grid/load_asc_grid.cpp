@@ -1,4 +1,4 @@
-// load_asc_grid.cpp -- ESRI ASCII grids: a header of "key value" lines, then heights from the north-west on.
+// load_asc_grid.cpp -- reads ESRI ASCII grids: "key value" lines, then heights row by row from the north-west.
 
 #include <fmt/format.h>
 
@@ -22,7 +22,7 @@ std::string in_lower_case(std::string_view word) {
   return lower;
 }
 
-// Words between white space, with the line each stands in.
+// Splits a text at white space; each word knows its line.
 class Words {
  public:
   Words(const std::filesystem::path& path, std::string_view text) : path_(path), text_(text) {
@@ -33,7 +33,7 @@ class Words {
 
   [[nodiscard]] std::string_view word() const { return word_; }  // Empty at the end.
   [[nodiscard]] int line() const { return line_; }
-  [[nodiscard]] std::size_t size() const { return text_.size(); }  // Of the whole text.
+  [[nodiscard]] std::size_t size() const { return text_.size(); }  // Bytes of the whole text.
 
   void next() {
     while (at_ < text_.size() && is_space(text_[at_])) {
@@ -47,7 +47,7 @@ class Words {
     word_ = text_.substr(start, at_ - start);
   }
 
-  // The word as a number; "nan" is one. Returns nothing for what is none.
+  // The word as a number ("nan" is one), or nothing.
   [[nodiscard]] std::optional<double> number() const {
     std::string_view digits = word_;
     digits.remove_prefix(digits.starts_with('+') ? 1 : 0);
@@ -71,7 +71,7 @@ class Words {
   int line_ = 1;
 };
 
-// A number of the header and the line it stands in.
+// A number of the header and its line.
 struct Entry {
   double number;
   int line;
@@ -105,7 +105,7 @@ struct Header {
   }
 };
 
-// Key after key, up to the first number.
+// Reads "key number" pairs up to the first word that is a number: that is the first height.
 Header read_header(Words& words) {
   Header header;
   while (!words.word().empty() && !words.number()) {
@@ -156,7 +156,7 @@ double read_spacing(const Words& words, const Header& header, std::string_view k
   return spacing;
 }
 
-// From the lower left cell's corner or its middle to the middle of the grid; 0 where neither is given.
+// Middle of the grid along one axis, from the corner or the middle of the lower left cell; 0 if neither is given.
 double middle(const std::optional<Entry>& corner, const std::optional<Entry>& center, int count, double spacing) {
   if (corner) {
     return corner->number + count * spacing / 2;
@@ -166,9 +166,9 @@ double middle(const std::optional<Entry>& corner, const std::optional<Entry>& ce
 
 void read_heights(Words& words, const Header& header, HeightGrid& grid) {
   const std::size_t needed = static_cast<std::size_t>(grid.columns) * static_cast<std::size_t>(grid.rows);
-  // What is no data is often written with fewer digits than in the header, or more: compared as the float it becomes.
+  // The no-data value is often written with a different number of digits than in the header: compared as float.
   const auto hole = header.nodata_value ? static_cast<float>(header.nodata_value->number) : -9999.0F;
-  grid.heights.reserve(std::min(needed, words.size() / 2 + 1));  // The header may promise anything.
+  grid.heights.reserve(std::min(needed, words.size() / 2 + 1));  // The header may claim any size.
   int line = words.line();
   for (; !words.word().empty() && grid.heights.size() < needed; words.next()) {
     const std::optional<double> value = words.number();
@@ -191,7 +191,7 @@ void read_heights(Words& words, const Header& header, HeightGrid& grid) {
   }
 }
 
-// The projection is told by a file beside the grid, where there is one.
+// The projection is in a .prj file beside the grid, if there is one.
 std::optional<bool> is_geographic_by_prj(std::filesystem::path path) {
   path.replace_extension(".prj");
   if (!std::filesystem::exists(path)) {

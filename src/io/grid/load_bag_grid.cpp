@@ -65,7 +65,7 @@ std::string read_metadata(hid_t file, const std::filesystem::path& path) {
   return xml;
 }
 
-// The distance of the corner points over the number of steps between them.
+// Spacing by the corner points: their distance divided by the number of steps between them.
 std::optional<double> spacing_by_corners(const BagMetadata& metadata, int axis, int count) {
   if (!metadata.south_west || !metadata.north_east) {
     return std::nullopt;
@@ -79,7 +79,7 @@ double spacing(std::optional<double> told, std::optional<double> by_corners, std
   if (!told && !by_corners) {
     throw Error(fmt::format("{}: its metadata gives no resolution of the {} dimension", path.string(), dimension));
   }
-  // Writers differ on whether the corner points are those of the cells or of their middles, one step more or less.
+  // Some writers give the corners of the outermost cells, others their middles: a difference of one step.
   constexpr double kDiffer = 1.5;
   if (told && by_corners && std::max(*told / *by_corners, *by_corners / *told) > kDiffer) {
     log_line(log, Severity::kWarning,

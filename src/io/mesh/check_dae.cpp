@@ -1,4 +1,4 @@
-// check_dae.cpp -- one pass over the elements.
+// check_dae.cpp -- numbers the elements, links instances to what they name, and checks the depth.
 
 #include "io/mesh/check_dae.h"
 

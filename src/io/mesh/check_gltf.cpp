@@ -1,4 +1,4 @@
-// check_gltf.cpp -- one pass over brackets, and one over nodes.
+// check_gltf.cpp -- counts open brackets, then follows the nodes' lists of children.
 
 #include "io/mesh/check_gltf.h"
 
@@ -14,7 +14,7 @@
 namespace insonify {
 namespace {
 
-// `place` names the line that a bracket stands in.
+// `place(line)` names the place of a bracket in messages.
 template <typename Place>
 void check_brackets(std::string_view json, const Place& place) {
   std::size_t depth = 0;
@@ -39,7 +39,7 @@ void check_brackets(std::string_view json, const Place& place) {
   }
 }
 
-// What is not as it should be is left out: assimp says so.
+// Ignores what is malformed: assimp refuses that.
 void check_gltf_nodes(std::string_view text, const std::filesystem::path& path) {
   const nlohmann::json gltf = nlohmann::json::parse(text, nullptr, false);
   if (!gltf.is_object() || !gltf.contains("nodes") || !gltf["nodes"].is_array()) {
@@ -73,7 +73,7 @@ void check_glb(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);
   std::array<char, kHeader> header{};
   if (!file.read(header.data(), header.size())) {
-    return;  // assimp says so.
+    return;  // Malformed: assimp refuses it.
   }
   std::uint32_t size = 0;
   for (std::size_t i = 4; i-- > 0;) {

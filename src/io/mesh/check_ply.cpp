@@ -1,4 +1,4 @@
-// check_ply.cpp -- reads the header, and goes through the elements as far as it takes to count them.
+// check_ply.cpp -- reads the header and skips through the elements to count them.
 
 #include "io/mesh/check_ply.h"
 
@@ -20,10 +20,10 @@ namespace {
 
 constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
 
-// A number, or a list of numbers behind their count.
+// A number, or a list: a count followed by that many numbers.
 struct Property {
-  std::uint64_t bytes = 1;        // Of a number.
-  std::uint64_t count_bytes = 0;  // Of the count; 0 for one number.
+  std::uint64_t bytes = 1;        // Size of one number.
+  std::uint64_t count_bytes = 0;  // Size of the count; 0 if the property is not a list.
 };
 
 struct Element {
@@ -58,13 +58,13 @@ std::uint64_t read_count(const std::string& word, const std::string& where) {
   return failure == std::errc() ? count : std::numeric_limits<std::uint64_t>::max();
 }
 
-// What assimp goes by, after a byte order mark perhaps.
+// The test that assimp uses, with an optional byte order mark before it.
 bool starts_as_ply(std::string_view line) {
   line.remove_prefix(line.starts_with(kByteOrderMark) ? kByteOrderMark.size() : 0);
   return line.starts_with("ply") || line.starts_with("PLY");
 }
 
-// Leaves the file at the first element. Nothing for what is no PLY: assimp says so.
+// Leaves the file at the first element. Returns nothing for a file that is not PLY: assimp refuses it.
 std::optional<PlyHeader> read_ply_header(std::ifstream& file, const std::filesystem::path& path) {
   PlyHeader header;
   std::string text, key;
@@ -94,12 +94,12 @@ std::optional<PlyHeader> read_ply_header(std::ifstream& file, const std::filesys
   return header;
 }
 
-// Elements as text, each in a line.
+// Elements of a text file, one in each line.
 class TextBody {
  public:
   TextBody(std::ifstream& file, std::string path, int line) : file_(file), path_(std::move(path)), line_(line) {}
 
-  // Goes on by one element. False at the end of the file.
+  // Skips one element. Returns false at the end of the file.
   bool take(const Element& element) {
     do {
       if (!std::getline(file_, text_)) {
@@ -145,13 +145,13 @@ class TextBody {
   int line_;
 };
 
-// Elements as bytes, one after another.
+// Elements of a binary file.
 class BinaryBody {
  public:
   BinaryBody(std::ifstream& file, std::uint64_t size, bool big_endian)
       : file_(file), left_(size), big_endian_(big_endian) {}
 
-  // Goes on by one element. False where the file ends before.
+  // Skips one element. Returns false if the file ends before its end.
   bool take(const Element& element) {
     return std::ranges::all_of(element.properties, [this](const Property& property) {
       return left_ >= property.count_bytes && skip(property.bytes * read_count(property.count_bytes));
@@ -166,7 +166,7 @@ class BinaryBody {
     return is_there;
   }
 
-  // How many numbers follow; one where nothing is said.
+  // Number of values that follow: the count of a list, or 1.
   std::uint64_t read_count(std::uint64_t bytes) {
     std::uint64_t count = bytes > 0 ? 0 : 1;
     for (std::uint64_t i = 0; i < bytes; ++i) {

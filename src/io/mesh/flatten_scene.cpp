@@ -1,4 +1,4 @@
-// flatten_scene.cpp -- walks assimp's nodes and copies what hangs on them.
+// flatten_scene.cpp -- walks assimp's tree of nodes and copies their meshes into one.
 
 #include "io/mesh/flatten_scene.h"
 
@@ -21,7 +21,7 @@
 namespace insonify {
 namespace {
 
-// A mesh of the file where a node puts it.
+// A mesh of the file with the transform of a node that places it.
 struct PlacedMesh {
   const aiMesh* mesh = nullptr;
   std::string node;
@@ -48,7 +48,7 @@ void collect_parts(const aiScene& scene, const aiNode& node, const Eigen::Affine
   }
 }
 
-// Keeps the parts whose node or mesh has the name.
+// Keeps the parts whose node or mesh has the wanted name.
 void choose_parts(std::vector<PlacedMesh>& parts, const FlattenSettings& settings) {
   const std::string& name = settings.submesh;
   std::set<std::string> names;
@@ -62,7 +62,7 @@ void choose_parts(std::vector<PlacedMesh>& parts, const FlattenSettings& setting
   }
 }
 
-// As the file calls it; "" for one that assimp made up.
+// The name in the file; "" for the default material that assimp adds.
 std::string material_name_of(const aiScene& scene, const aiMesh& mesh) {
   aiString name;
   if (mesh.mMaterialIndex >= scene.mNumMaterials ||
@@ -77,7 +77,7 @@ std::array<Eigen::Vector2f, 3> no_texture_coordinates() {
   return {Eigen::Vector2f::Zero(), Eigen::Vector2f::Zero(), Eigen::Vector2f::Zero()};
 }
 
-// Gathers parts in one mesh.
+// Appends parts to one mesh.
 class Flattener {
  public:
   Flattener(const aiScene& scene, const FlattenSettings& settings) : scene_(scene), settings_(settings) {
@@ -101,7 +101,7 @@ class Flattener {
   void add(const PlacedMesh& part) {
     const auto first = static_cast<std::uint32_t>(mesh_.vertices.size());
     add_vertices(*part.mesh, part.mesh_from_part);
-    // A mirror turns the winding over; swapping two corners turns it back.
+    // A mirroring transform reverses the winding; swapping two corners restores it.
     add_triangles(*part.mesh, first, part.mesh_from_part.linear().determinant() < 0);
     add_slot(slot_of(material_name_of(scene_, *part.mesh)));
     add_relief(*part.mesh);
@@ -122,7 +122,7 @@ class Flattener {
 
  private:
   void add_vertices(const aiMesh& part, const Eigen::Affine3d& mesh_from_part) {
-    // Normals go with the matrix of cofactors: the inverse transpose, without dividing by what may be zero.
+    // Normals are transformed by the matrix of cofactors: the inverse transpose times the determinant, which may be 0.
     const Eigen::Matrix3d& m = mesh_from_part.linear();
     Eigen::Matrix3d cofactors;
     cofactors << m.col(1).cross(m.col(2)), m.col(2).cross(m.col(0)), m.col(0).cross(m.col(1));
@@ -139,7 +139,7 @@ class Flattener {
         const Vec3 turned = cofactors * Vec3f(normal.x, normal.y, normal.z).cast<double>();
         mesh_.normals.push_back(Vec3f(turned.normalized().cast<float>()));
       } else {
-        mesh_.normals.push_back(Vec3f::Zero());  // clean_mesh makes it.
+        mesh_.normals.push_back(Vec3f::Zero());  // clean_mesh computes it.
       }
     }
   }
@@ -174,7 +174,7 @@ class Flattener {
     return std::isfinite(at.x) && std::isfinite(at.y) ? Eigen::Vector2f(at.x, at.y) : Eigen::Vector2f::Zero();
   }
 
-  // An index outside its own part must not land in the next one.
+  // An index beyond its part must not refer to the next part.
   static std::uint32_t index_in_mesh(const aiMesh& part, std::uint32_t first, unsigned index) {
     return index < part.mNumVertices ? first + index : std::numeric_limits<std::uint32_t>::max();
   }
@@ -200,7 +200,7 @@ class Flattener {
     return entry->second;
   }
 
-  // Of the triangles that have none yet. As long as all are slot 0 no slots are stored.
+  // Sets the slot of the triangles added last. No slots are stored as long as all are 0.
   void add_slot(std::uint16_t slot) {
     if (slot != 0 || !mesh_.material_slots.empty()) {
       mesh_.material_slots.reserve(mesh_.triangles.capacity());
@@ -210,7 +210,7 @@ class Flattener {
     slots_added_ = mesh_.triangles.size();
   }
 
-  // Of the slot added last, the first time it comes with texture coordinates.
+  // Reads the relief of the slot added last, the first time that a part with texture coordinates uses it.
   void add_relief(const aiMesh& part) {
     if (part.mTextureCoords[0] == nullptr || part.mMaterialIndex >= scene_.mNumMaterials ||
         !seen_.insert(part.mMaterialIndex).second) {
@@ -227,11 +227,11 @@ class Flattener {
   const FlattenSettings& settings_;
   Mesh mesh_;
   std::map<std::string, std::uint16_t> slots_;  // By material name.
-  std::set<unsigned> seen_;                     // Materials whose maps were looked for.
+  std::set<unsigned> seen_;                     // Materials whose maps have been read.
   std::vector<std::string> notes_;
   std::size_t slots_added_ = 0;
   std::size_t lines_and_points_ = 0;
-  std::vector<Vec3f> corners_;                     // Of the face at hand,
+  std::vector<Vec3f> corners_;                     // Corners of the present face,
   std::vector<std::array<std::uint32_t, 3>> cut_;  // and its triangles.
 };
 

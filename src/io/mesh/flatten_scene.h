@@ -1,4 +1,4 @@
-// flatten_scene.h -- assimp's tree of nodes and meshes as one mesh.
+// flatten_scene.h -- merges assimp's tree of nodes and meshes into one mesh.
 
 #pragma once
 
@@ -11,24 +11,24 @@
 
 namespace insonify {
 
-/// What to take of a scene and how.
+/// Which part of a scene to use, and how.
 struct FlattenSettings {
   std::filesystem::path path;  ///< For messages.
   std::string submesh;         ///< Name of a node or mesh; "" for everything.
-  bool keep_normals = true;    ///< False: as if the file had none.
+  bool keep_normals = true;    ///< False: ignores the file's normals.
   Eigen::Matrix3d mesh_from_file = Eigen::Matrix3d::Identity();
 };
 
 struct FlattenedScene {
-  Mesh mesh;                         ///< Not cleaned. Normals are zero where there were none.
-  std::size_t lines_and_points = 0;  ///< Faces left out, as they are no triangles.
-  std::vector<std::string> notes;    ///< What else could not be taken over.
+  Mesh mesh;                         ///< Not cleaned. Normals are zero where the file has none.
+  std::size_t lines_and_points = 0;  ///< Number of faces dropped because they have fewer than 3 corners.
+  std::vector<std::string> notes;    ///< Warnings about other parts that were not read.
 };
 
-/// Puts every mesh where its nodes place it, mirrored ones with their winding turned back, and makes slots of the names
-/// of the materials: "" for one that assimp made up. Materials bring their normal maps where there are texture
-/// coordinates to lay them by.
-/// @throws Error when there is no such submesh; the message lists those there are.
+/// Transforms every mesh by its nodes (restoring the winding of mirrored ones) and makes one slot of each material
+/// name,
+/// "" for assimp's default material. Reads the normal maps of materials whose meshes have texture coordinates.
+/// @throws Error if there is no such submesh; the message lists those that exist.
 [[nodiscard]] FlattenedScene flatten_scene(const aiScene& scene, const FlattenSettings& settings);
 
 }  // namespace insonify

@@ -1,4 +1,4 @@
-// import_scene.cpp -- reads text formats itself, to check and mend them, and hands assimp what it takes.
+// import_scene.cpp -- checks mesh files, corrects texts that assimp would misread, and passes them to assimp.
 
 #include "io/mesh/import_scene.h"
 
@@ -33,8 +33,8 @@ bool has_byte_order_mark(const std::filesystem::path& path) {
   return std::string_view(start.data(), start.size()) == kByteOrderMark;
 }
 
-// Gives assimp a text where it opens the mesh file. The files that it names, buffers and material libraries, are opened
-// as ever.
+// Gives assimp a text in memory when it opens the mesh file. Other files, such as buffers and material libraries, are
+// opened as usual.
 class TextForFile : public Assimp::DefaultIOSystem {
  public:
   TextForFile(std::string path, std::string_view text) : path_(std::move(path)), text_(text) {}
@@ -51,7 +51,7 @@ class TextForFile : public Assimp::DefaultIOSystem {
   std::string_view text_;
 };
 
-// Checks the file. Returns the text to be read in its place; "" where the file itself will do.
+// Checks the file. Returns the text to read instead of it, or "" if assimp can read the file itself.
 std::string check_and_mend(const std::filesystem::path& path, const std::string& ending) {
   const bool has_mark = has_byte_order_mark(path);
   if (ending == ".glb") {
@@ -60,7 +60,7 @@ std::string check_and_mend(const std::filesystem::path& path, const std::string&
   }
   if (ending == ".stl") {
     check_stl(path);
-    return "";  // assimp skips the mark of a text itself.
+    return "";  // assimp skips the byte order mark itself.
   }
   if (ending == ".ply") {
     check_ply(path);
@@ -82,9 +82,9 @@ std::string check_and_mend(const std::filesystem::path& path, const std::string&
   return has_mark ? text : "";
 }
 
-// Throws what assimp says, with the line where it can be found.
-[[noreturn]] void tell_refusal(const std::string& reason, const std::filesystem::path& path, const std::string& ending,
-                               const std::string& text) {
+// Throws an Error with assimp's reason, or with the faulty line of an OBJ.
+[[noreturn]] void throw_refusal(const std::string& reason, const std::filesystem::path& path, const std::string& ending,
+                                const std::string& text) {
   if (reason == std::bad_alloc().what()) {
     throw std::bad_alloc();
   }
@@ -96,8 +96,8 @@ std::string check_and_mend(const std::filesystem::path& path, const std::string&
                   reason.starts_with("No suitable reader") ? "what it holds is not " + ending.substr(1) : reason));
 }
 
-// Where the reader of a file's ending refuses it, assimp asks all others whether its first bytes are theirs; those have
-// not had their files checked here.
+// Removes all readers but those for this ending. When its reader refuses a file, assimp tries every other reader whose
+// signature matches; for these formats the file has not been checked here.
 void keep_readers_of(const std::string& ending, Assimp::Importer& importer) {
   for (std::size_t i = importer.GetImporterCount(); i-- > 0;) {
     Assimp::BaseImporter* reader = importer.GetImporter(i);
@@ -105,15 +105,15 @@ void keep_readers_of(const std::string& ending, Assimp::Importer& importer) {
     reader->GetExtensionList(endings);
     if (!endings.contains(ending.substr(1))) {
       importer.UnregisterLoader(reader);
-      delete reader;  // It is ours now.
+      delete reader;  // Unregistering transfers ownership.
     }
   }
 }
 
 }  // namespace
 
-// No steps after it: clean_mesh joins vertices and makes normals in linear time, and assimp cuts a concave polygon with
-// a corner on a diagonal, such as a plain L, into triangles that overlap.
+// No post-processing: clean_mesh joins vertices and computes normals in linear time, and assimp triangulates a concave
+// polygon with a corner on a diagonal, such as an L, into triangles that overlap.
 const aiScene& import_scene(Assimp::Importer& importer, const std::filesystem::path& path) {
   constexpr unsigned kNoSteps = 0;
   const std::string ending = ending_of(path);
@@ -126,13 +126,13 @@ const aiScene& import_scene(Assimp::Importer& importer, const std::filesystem::p
     importer.SetIOHandler(new TextForFile(path.string(), text));
   }
   importer.ReadFile(path.string(), kNoSteps);
-  importer.SetIOHandler(new Assimp::DefaultIOSystem);  // Deletes the one that knows the text.
+  importer.SetIOHandler(new Assimp::DefaultIOSystem);  // Deletes the TextForFile.
 
   const aiScene* scene = importer.GetScene();
   if (scene == nullptr || scene->mRootNode == nullptr) {
-    // Its messages may quote all that is left of a file.
+    // assimp's messages may quote the rest of the file after a line break.
     const std::string message = importer.GetErrorString();
-    tell_refusal(foreign_reason(message.substr(0, message.find('\n'))), path, ending, text);
+    throw_refusal(foreign_reason(message.substr(0, message.find('\n'))), path, ending, text);
   }
   return *scene;
 }

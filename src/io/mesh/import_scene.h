@@ -1,4 +1,4 @@
-// import_scene.h -- a mesh file through assimp, checked before for what assimp would crash on or read wrong.
+// import_scene.h -- reads a mesh file by assimp, after checks for what assimp would crash on or misread.
 
 #pragma once
 
@@ -9,9 +9,9 @@
 
 namespace insonify {
 
-/// Parses a mesh file and no more: its polygons, nodes and materials as they are there.
-/// @param importer  Owns what is returned.
-/// @throws Error with the path and the reason, and with the line where the reason stands on one.
+/// Parses a mesh file without post-processing: polygons, nodes and materials as in the file.
+/// @param importer  Owns the returned scene.
+/// @throws Error with the path and the reason, and with the line if the fault is in one line.
 [[nodiscard]] const aiScene& import_scene(Assimp::Importer& importer, const std::filesystem::path& path);
 
 }  // namespace insonify

@@ -1,4 +1,4 @@
-// load_mesh.cpp -- mesh files through assimp, flattened into one mesh in metres with z up.
+// load_mesh.cpp -- reads mesh files by assimp into one mesh in metres with z up.
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -20,14 +20,14 @@ namespace {
 
 constexpr std::array<std::string_view, 6> kEndings{".obj", ".stl", ".dae", ".ply", ".gltf", ".glb"};
 
-// Everything of the file that was asked for, as it is there.
+// Reads the wanted part of the file, not yet cleaned.
 FlattenedScene read(const std::filesystem::path& path, const std::string& submesh) {
   const std::string ending = ending_of(path);
   Assimp::Importer importer;
   const aiScene& scene = import_scene(importer, path);
 
   FlattenSettings settings{.path = path, .submesh = submesh};
-  // STL has one normal a triangle, whatever was smooth before it was written.
+  // STL stores one normal per triangle, also for surfaces that were smooth.
   settings.keep_normals = ending != ".stl";
   if (ending == ".gltf" || ending == ".glb") {
     settings.mesh_from_file << 1, 0, 0, 0, 0, -1, 0, 1, 0;  // y up to z up.
@@ -46,7 +46,7 @@ void move_to_origin(Mesh& mesh) {
   }
 }
 
-// Far from their origin floats are coarse: survey coordinates of a seabed in a mesh file lose its shape.
+// Single precision is too coarse for survey coordinates: a seabed in such a mesh file loses its shape.
 void warn_of_rounding(const Mesh& mesh, const std::string& name, const Log& log) {
   constexpr float kCoarse = 0.01F;  // [m]: half a range bin of a fine sonar.
   float furthest = 0;
@@ -66,7 +66,7 @@ std::string counted(std::size_t count, std::string_view one, std::string_view ma
   return fmt::format("{} {}", count, count == 1 ? one : many);
 }
 
-void tell(const MeshReport& report, std::size_t lines_and_points, const std::string& name, const Log& log) {
+void log_report(const MeshReport& report, std::size_t lines_and_points, const std::string& name, const Log& log) {
   std::vector<std::string> notes;
   if (report.dropped() > 0) {
     notes.push_back(report.text());
@@ -90,7 +90,7 @@ Mesh load_and_clean(const std::filesystem::path& path, const Submesh& submesh, c
         "{}: no triangles{}", path.string(),
         lines_and_points > 0 ? ", only " + counted(lines_and_points, "line or point", "lines or points") : ""));
   }
-  mesh.name = path.string();  // As clean_mesh's errors should name it.
+  mesh.name = path.string();  // For the messages of clean_mesh.
   const MeshReport report = clean_mesh(mesh);
   mesh.name = path.stem().string();
   if (submesh.center) {
@@ -98,7 +98,7 @@ Mesh load_and_clean(const std::filesystem::path& path, const Submesh& submesh, c
   }
 
   const std::string name = path.filename().string();
-  tell(report, lines_and_points, name, log);
+  log_report(report, lines_and_points, name, log);
   warn_of_rounding(mesh, name, log);
   for (const std::string& note : notes) {
     log_line(log, Severity::kWarning, fmt::format("{}: {}", name, note));

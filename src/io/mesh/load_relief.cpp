@@ -1,4 +1,4 @@
-// load_relief.cpp -- pictures of normals, heights and reflectivity.
+// load_relief.cpp -- reads the pictures of normals, heights and reflectivity that a scenario names.
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-// mesh_file.h -- mesh files as a scene needs them: whole, or one named part of them.
+// mesh_file.h -- reads a whole mesh file or one named part of it.
 
 #pragma once
 
@@ -10,17 +10,17 @@
 
 namespace insonify {
 
-/// What of a mesh file to take: SDF's <submesh>.
+/// The part of a mesh file to read: SDF's <submesh>.
 struct Submesh {
-  std::string name;     ///< Of a node or of a mesh in the file; "" for the whole file.
+  std::string name;     ///< Name of a node or a mesh in the file; "" for the whole file.
   bool center = false;  ///< Move the middle of its bounding box to the origin.
 };
 
 /// As load_mesh(path, log), for one part of the file.
-/// @throws Error with the path, also for a name that is not there; the message lists those that are.
+/// @throws Error with the path, also for an unknown name; the message lists the known ones.
 [[nodiscard]] Mesh load_mesh_file(const std::filesystem::path& path, const Submesh& submesh, const Log& log);
 
-/// Whether the file's ending is that of a mesh.
+/// Whether the file name ends as that of a mesh does.
 [[nodiscard]] bool is_mesh_file(const std::filesystem::path& path);
 
 /// Endings of mesh files for messages: ".obj, .stl, ...".

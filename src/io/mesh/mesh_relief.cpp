@@ -1,4 +1,4 @@
-// mesh_relief.cpp -- the normal or bump map of a mesh file's material.
+// mesh_relief.cpp -- reads the normal or bump map that a mesh file gives a material.
 
 #include <assimp/GltfMaterial.h>
 #include <assimp/ObjMaterial.h>
@@ -21,10 +21,11 @@ namespace fs = std::filesystem;
 
 struct Map {
   aiTextureType type;
-  std::string name;  // As the file has it.
+  std::string name;  // As written in the file.
 };
 
-// Where exporters put it: glTF, OBJ's `norm` and COLLADA's bump among the normals, OBJ's `bump` among the heights.
+// assimp's texture type depends on the format: glTF, OBJ's `norm` and COLLADA's bump among the normals, OBJ's `bump`
+// among the heights.
 std::optional<Map> find_map(const aiMaterial& material) {
   for (const aiTextureType type : {aiTextureType_NORMALS, aiTextureType_NORMAL_CAMERA, aiTextureType_HEIGHT}) {
     aiString name;

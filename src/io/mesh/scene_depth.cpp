@@ -1,4 +1,4 @@
-// scene_depth.cpp -- follows the links from the top until nothing moves further down.
+// scene_depth.cpp -- finds the depth of each node by repeated passes over all links.
 
 #include "io/mesh/scene_depth.h"
 
@@ -8,7 +8,7 @@
 
 namespace insonify {
 
-// A ring is endlessly deep. Each pass takes every node one level further down.
+// Each pass moves every node at least one level below its parents, so nodes in a ring reach any limit.
 void check_depth(std::size_t count, const std::vector<NodeLink>& links, const std::filesystem::path& path) {
   std::vector<std::size_t> depths(count, 1);
   for (bool moved = true; moved;) {

@@ -26,7 +26,7 @@ Vec3 polygon_normal(std::span<const Vec3f> corners) {
   return normal;
 }
 
-// As seen from the side to which the polygon winds counter-clockwise.
+// Projected onto the polygon's plane, seen from the side where it winds counter-clockwise.
 std::vector<Point> flattened(std::span<const Vec3f> corners) {
   const Eigen::Quaterniond turn = Eigen::Quaterniond::FromTwoVectors(polygon_normal(corners), Vec3::UnitZ());
   std::vector<Point> points;

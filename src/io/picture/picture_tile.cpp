@@ -1,4 +1,4 @@
-// picture_tile.cpp -- from stored pixels to slopes and levels.
+// picture_tile.cpp -- converts the pixels of PNG files to slopes and levels.
 
 #include "io/picture/picture_tile.h"
 
@@ -9,7 +9,7 @@
 namespace insonify {
 namespace {
 
-// Steeper than this a normal is taken to be: of rounding, a normal may lie in the surface here and there.
+// Least z of a normal. Rounding to 8 bits makes some normals lie in the surface, whose slope would be infinite.
 constexpr float kLeastOut = 0.1F;
 
 template <typename Texel, typename Read>

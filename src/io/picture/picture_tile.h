@@ -1,4 +1,4 @@
-// picture_tile.h -- pictures as tiles of a relief.
+// picture_tile.h -- converts normal maps, height maps and grey pictures to tiles of a relief.
 
 #pragma once
 
@@ -13,11 +13,11 @@ namespace insonify {
 [[nodiscard]] Tile<Eigen::Vector2f> read_normals(const PngReader& png);
 
 /// Slopes, per tile, from a grey picture of heights.
-/// @param height  Of white above black [m].
+/// @param height  Height of white above black [m].
 [[nodiscard]] Tile<Eigen::Vector2f> read_heights(const PngReader& png, double height);
 
 /// Grey levels, 0..1.
-/// @param purpose  Who asks, for the message: "a reflectivity map needs".
+/// @param purpose  Subject of the error message: "a reflectivity map needs".
 [[nodiscard]] Tile<float> read_levels(const PngReader& png, std::string_view purpose);
 
 }  // namespace insonify

@@ -15,9 +15,9 @@
 namespace insonify {
 namespace {
 
-// The simplified interface converts levels from the gamma or the colour space that a file declares. Heights and normals
-// are numbers, not shades: without these chunks it takes 8 bits for sRGB and 16 for linear, gives them as such, and so
-// converts nothing.
+// Removes the chunks that declare a gamma value or a colour space, because the simplified interface would convert
+// levels accordingly. Heights and normals are numbers, not shades. Without these chunks libpng assumes sRGB for 8 bits
+// and linear levels for 16 bits, which are also its output formats, so that nothing is converted.
 std::string without_colour_space(std::string_view file) {
   constexpr std::size_t kSignature = 8, kAroundData = 12;  // Length, kind and checksum [bytes].
   constexpr std::array<std::string_view, 5> kDropped = {"gAMA", "cHRM", "sRGB", "iCCP", "cICP"};

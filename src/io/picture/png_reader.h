@@ -12,26 +12,26 @@
 
 namespace insonify {
 
-/// A whole PNG file in memory: 8 or 16 bits a channel, palettes and fewer bits widened to 8. Gamma values and colour
+/// A decoded PNG file in memory: 8 or 16 bits a channel, palettes and fewer bits widened to 8. Gamma values and colour
 /// profiles in the file are ignored.
 class PngReader {
  public:
-  /// @throws Error with the path for a file that is not there or no whole PNG.
+  /// @throws Error with the path for a file that does not exist or is not a complete PNG.
   explicit PngReader(const std::filesystem::path& path);
-  /// One that lies in memory.
-  /// @param name  In messages.
+  /// Decodes a file that is already in memory.
+  /// @param name  The file's name in messages.
   PngReader(std::string name, std::span<const char> bytes);
 
-  /// For messages.
+  /// The file as messages name it.
   [[nodiscard]] const std::string& name() const { return name_; }
   [[nodiscard]] std::size_t width() const { return width_; }
   [[nodiscard]] std::size_t height() const { return height_; }
-  /// Whether the file keeps red, green and blue; they may be equal all the same.
+  /// Whether the file stores red, green and blue. They may be equal in every pixel.
   [[nodiscard]] bool has_colours() const { return channels_ - (has_alpha_ ? 1 : 0) == 3; }
   [[nodiscard]] int full_scale() const { return is_deep_ ? 65535 : 255; }
 
-  /// Grey level of a pixel, 0 to full_scale(). Many a grey picture is stored as a coloured one.
-  /// @param purpose  Who asks, for the message: "heights need".
+  /// Grey level of a pixel, 0 to full_scale(). The file may store grey as equal red, green and blue.
+  /// @param purpose  Subject of the error message: "heights need".
   /// @throws Error for a pixel that is really coloured, or transparent.
   [[nodiscard]] int grey(std::size_t column, std::size_t row, std::string_view purpose) const;
 
@@ -46,9 +46,9 @@ class PngReader {
 
   std::string name_;
   std::size_t width_ = 0, height_ = 0;
-  int channels_ = 0;  // Grey or red, green and blue; then alpha where there is one.
+  int channels_ = 0;  // 1 (grey) or 3 (red, green, blue), plus 1 for alpha.
   bool has_alpha_ = false, is_deep_ = false;
-  std::vector<std::uint16_t> pixels_;  // Row by row; where not is_deep_, two bytes in each.
+  std::vector<std::uint16_t> pixels_;  // Rows x columns x channels; holds bytes instead if not is_deep_.
 };
 
 }  // namespace insonify

@@ -1,4 +1,4 @@
-// write_png.cpp -- pictures as files that every viewer opens.
+// write_png.cpp -- writes pictures as PNG files.
 
 #include <fmt/format.h>
 #include <png.h>
@@ -46,7 +46,7 @@ void write_png(const std::filesystem::path& path, const Picture& picture) {
   if (file == nullptr) {
     unfinished.fail_by_errno();
   }
-  static_cast<void>(unfinished.release());  // It is the stream's now.
+  static_cast<void>(unfinished.release());  // The stream closes it.
   write(file.get(), picture, unfinished);
   unfinished.put_in_place();
 }

@@ -1,4 +1,4 @@
-// load_scene.cpp -- what a scenario calls its world: an SDF file, a mesh or a grid of heights, told apart by ending.
+// load_scene.cpp -- reads a scenario's world: an SDF file, a mesh or a height grid, by its ending.
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-// sdf_check.cpp -- counts numbers, links and names.
+// sdf_check.cpp -- checks the numbers, links and names of SDF elements.
 
 #include "io/world/sdf_check.h"
 

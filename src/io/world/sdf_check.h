@@ -1,4 +1,4 @@
-// sdf_check.h -- faults of an SDF file that libsdformat lets pass, or tells without their place.
+// sdf_check.h -- finds faults of an SDF file that libsdformat accepts, or reports without their place.
 
 #pragma once
 
@@ -6,8 +6,8 @@
 
 namespace insonify {
 
-/// Checks one element: numbers of shapes and poses, parts of includes, links of a model, and its name beside those of
-/// its siblings.
+/// Checks one element: the numbers of shapes and poses, the parts of an include, that a model has a link, and that no
+/// earlier sibling of the same kind has its name.
 /// @throws Error "path:line:column: ..."
 void check_sdf_element(const XmlFile& file, pugi::xml_node element);
 

@@ -1,4 +1,4 @@
-// sdf_console.h -- keeps libsdformat from printing, and what it would have printed.
+// sdf_console.h -- captures what libsdformat prints.
 
 #pragma once
 
@@ -8,11 +8,11 @@
 
 namespace insonify {
 
-/// While one of these lives, what this thread writes to std::cerr is kept instead of shown.
+/// Captures what this thread writes to std::cerr during the life of this object.
 ///
-/// libsdformat tells its warnings, the reason of many errors and all errors of included files to std::cerr and nowhere
-/// else, and urdfdom, which it asks about files that it cannot read, adds lines of its own. Other threads write as
-/// ever, but none should at the very moment at which this begins or ends.
+/// libsdformat writes its warnings, the reason of many errors and all errors of included files to std::cerr and nowhere
+/// else, and urdfdom, which it tries on files that it cannot read, adds lines of its own. Output of other threads is
+/// not affected, but none may write while this object is created or destroyed.
 class SdfConsole {
  public:
   SdfConsole();
@@ -20,7 +20,7 @@ class SdfConsole {
   SdfConsole(const SdfConsole&) = delete;
   SdfConsole& operator=(const SdfConsole&) = delete;
 
-  /// What libsdformat itself said, warnings and errors, in order, without repetitions and full stops.
+  /// The warnings and errors of libsdformat itself, in order, without repetitions and full stops.
   [[nodiscard]] std::vector<std::string> sentences() const;
 
  private:

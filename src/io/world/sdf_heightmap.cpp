@@ -1,4 +1,4 @@
-// sdf_heightmap.cpp -- scaling and resampling of height grids.
+// sdf_heightmap.cpp -- scales and resamples height grids.
 
 #include "io/world/sdf_heightmap.h"
 
@@ -9,7 +9,7 @@
 namespace insonify {
 namespace {
 
-// Where a finer grid's node lies between two of the coarser: index of the first and weight of the second.
+// Position of a node of the finer grid between two nodes of the coarser: index of the first, weight of the second.
 struct Between {
   int first;
   float weight;
@@ -19,7 +19,7 @@ Between between(int fine, int sampling, int coarse_count) {
   return {first, static_cast<float>(fine - first * sampling) / static_cast<float>(sampling)};
 }
 
-// A weight of zero makes what it belongs to irrelevant, even where that has no data.
+// Interpolates; a node of weight 0 does not matter, even if it has no data (NaN).
 float mix(float a, float b, float weight_of_b) {
   if (weight_of_b <= 0) {
     return a;

@@ -1,4 +1,4 @@
-// sdf_material.cpp -- reads our own elements, which libsdformat keeps as it finds them.
+// sdf_material.cpp -- reads insonify's elements in SDF, which libsdformat passes on unchanged.
 
 #include "io/world/sdf_material.h"
 
@@ -18,7 +18,7 @@ std::string text_of(const sdf::ElementPtr& element) {
   return element->GetValue() == nullptr ? "" : without_outer_space(element->GetValue()->GetAsString());
 }
 
-// Takes over what one element of ours says; `name` is without prefix.
+// Reads one of insonify's elements; `name` is without prefix.
 void take(const sdf::ElementPtr& element, const std::string& name, const std::string& what, std::string& material) {
   if (name != "material") {
     throw Error(fmt::format("{}: <{}> is unknown, insonify knows <material>", what, printable(element->GetName())));

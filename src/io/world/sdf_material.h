@@ -1,5 +1,4 @@
-// sdf_material.h -- the acoustic material that a visual, a collision, a link or a model of an SDF file is said to be
-// of.
+// sdf_material.h -- reads the acoustic material of a visual, a collision, a link or a model in SDF.
 
 #pragma once
 
@@ -11,7 +10,7 @@ namespace insonify {
 /// Material named by <insonify:material>steel</insonify:material>, or by <material>steel</material> in
 /// <plugin name="insonify" filename="...">, directly inside `element`; "" when there is none.
 /// @param what  "path:line:column: visual 'a::b'", for messages.
-/// @throws Error for two names, an empty one, and for elements of ours that do not exist.
+/// @throws Error for two different names, an empty one, and for unknown elements with insonify's prefix.
 [[nodiscard]] std::string sdf_material(const sdf::ElementPtr& element, const std::string& what);
 
 }  // namespace insonify

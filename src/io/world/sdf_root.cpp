@@ -1,4 +1,4 @@
-// sdf_root.cpp -- libsdformat's errors in our words: the cause first, its echoes left out.
+// sdf_root.cpp -- turns libsdformat's list of errors into one message about the cause.
 
 #include "io/world/sdf_root.h"
 
@@ -16,7 +16,7 @@
 namespace insonify {
 namespace {
 
-// Said again for each element around the faulty one.
+// Errors that only repeat the cause for each element around the faulty one.
 bool is_echo(const sdf::Error& error) {
   const std::string text = error.Message();
   return text.starts_with("Error reading element <") || text.starts_with("Unable to read file") ||
@@ -29,8 +29,8 @@ std::string element_of(const std::string& xml_path) {
   return last.substr(0, last.find('['));
 }
 
-// "path:line:column: ". Errors without a line give names in brackets, "link with name[ship::hull]": the first that an
-// element has tells the place.
+// "path:line:column: ". Errors without a line give names in brackets, "link with name[ship::hull]": the first name that
+// belongs to an element gives the place.
 std::string where(const sdf::Error& error, const std::string& file, const SdfSource& source) {
   const std::string path = error.FilePath().value_or(file);
   if (error.LineNumber()) {
@@ -48,7 +48,7 @@ std::string where(const sdf::Error& error, const std::string& file, const SdfSou
   return source.shown(path) + ": ";
 }
 
-// One line for all errors. Where libsdformat says only which element it could not read, the reason is on the console.
+// One line for all errors. If libsdformat says only which element it could not read, the reason is on the console.
 std::string summary(const sdf::Errors& errors, const std::vector<std::string>& console, const std::string& file,
                     const SdfSource& source) {
   const sdf::Error* cause = &errors.front();
@@ -65,7 +65,7 @@ std::string summary(const sdf::Errors& errors, const std::vector<std::string>& c
   return more == 0 ? text : fmt::format("{} (and {} more error{})", text, more, more == 1 ? "" : "s");
 }
 
-// Errors inside included files are not handed on by libsdformat: they are asked for again, file by file.
+// libsdformat does not pass on errors inside included files: they are found by reading each file again.
 void explain_failure(const sdf::Errors& errors, const std::vector<std::string>& console, const SdfSource& source) {
   for (const std::string& file : source.files()) {
     const SdfConsole quiet;
@@ -77,7 +77,7 @@ void explain_failure(const sdf::Errors& errors, const std::vector<std::string>& 
   throw Error(summary(errors, console, source.files().back(), source));
 }
 
-// Some faulty values make libsdformat throw what its own standard library calls throw.
+// For some faulty values libsdformat throws exceptions of the standard library.
 sdf::Errors load(const SdfSource& source, sdf::Root& root) {
   const std::string& file = source.files().back();
   try {
@@ -97,7 +97,7 @@ sdf::Root read_sdf_root(const SdfSource& source, const Log& log) {
     explain_failure(errors, console.sentences(), source);
   }
   for (const std::string& sentence : console.sentences()) {
-    if (!sentence.starts_with("Unable to convert from SDF version")) {  // SdfSource has said so, with file and line
+    if (!sentence.starts_with("Unable to convert from SDF version")) {  // SdfSource warns of that, with file and line.
       log_line(log, Severity::kWarning,
                fmt::format("{}: {}", source.shown(source.files().back()), foreign_reason(sentence)));
     }

@@ -1,4 +1,4 @@
-// sdf_root.h -- libsdformat's view of a file, with its errors as one line and its warnings in the log.
+// sdf_root.h -- parses SDF by libsdformat; errors become one line, warnings go to the log.
 
 #pragma once
 
@@ -9,8 +9,8 @@
 
 namespace insonify {
 
-/// Lets libsdformat read what `source` prepared. Nothing is printed.
-/// @throws Error "path:line:column: ..." of the first fault; the message ends with how many more there are.
+/// Parses the files that `source` prepared. Nothing is printed.
+/// @throws Error "path:line:column: ..." for the first fault; the message ends with the number of further ones.
 [[nodiscard]] sdf::Root read_sdf_root(const SdfSource& source, const Log& log);
 
 }  // namespace insonify

@@ -1,4 +1,4 @@
-// sdf_scene.cpp -- walks through worlds, models and links and places what they show.
+// sdf_scene.cpp -- walks through worlds, models and links and adds their visuals or collisions to a scene.
 
 #include "io/world/sdf_scene.h"
 
@@ -36,8 +36,8 @@ Pose pose_of(const sdf_math::Pose3d& pose) {
   return {{p.X(), p.Y(), p.Z()}, Eigen::Quaterniond(q.W(), q.X(), q.Y(), q.Z()).normalized()};
 }
 
-// Where Gazebo had moved models to when it saved the world, by their names: poses in the world. Of several states the
-// first counts, as in Gazebo.
+// Poses of models in the world at the time when Gazebo saved it, by name. The first of several states is used, as in
+// Gazebo.
 std::map<std::string, Pose> saved_poses(const sdf::World& world) {
   std::map<std::string, Pose> poses;
   if (!world.Element()->HasElement("state")) {
@@ -75,7 +75,7 @@ class SceneBuilder {
     add_model(model, "", resolve(model, what("model", model.Name(), *model.Element())), {});
   }
 
-  // The scene, which must not be empty.
+  // Returns the scene. Throws if it is empty.
   Scene finish(const std::string& file) {
     if (scene_.instances.empty()) {
       throw Error(nothing_in(file));
@@ -84,7 +84,7 @@ class SceneBuilder {
   }
 
  private:
-  // `material` holds for all parts that name none themselves.
+  // `material` applies to all parts that name none themselves.
   void add_model(const sdf::Model& model, const std::string& scope, const Pose& world_from_model,
                  MaterialName material) {
     const std::string name = scope + model.Name();
@@ -203,7 +203,7 @@ class SceneBuilder {
 }  // namespace
 
 Scene load_sdf_scene(const std::filesystem::path& path, bool collisions, const Log& log) {
-  static std::mutex one_at_a_time;  // libsdformat's settings and its console are the whole program's
+  static std::mutex one_at_a_time;  // libsdformat's settings and std::cerr are global.
   const std::lock_guard lock(one_at_a_time);
   const SdfSource source(path, log);
   const sdf::Root root = read_sdf_root(source, log);

@@ -1,4 +1,4 @@
-// sdf_scene.h -- from an SDF world or model to a scene.
+// sdf_scene.h -- makes a scene from an SDF world or model.
 
 #pragma once
 
@@ -11,7 +11,7 @@ namespace insonify {
 
 /// Reads all worlds and models of a file: every visual, or every collision, becomes an instance named
 /// "model::link::visual". docs/reference/sdf.md lists what is read and what is not.
-/// @throws Error "path:line:column: ..." for whatever is wrong, and where there is nothing to insonify.
+/// @throws Error "path:line:column: ..." for any fault, and if there is nothing to insonify.
 [[nodiscard]] Scene load_sdf_scene(const std::filesystem::path& path, bool collisions, const Log& log);
 
 }  // namespace insonify

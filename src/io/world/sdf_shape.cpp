@@ -1,4 +1,4 @@
-// sdf_shape.cpp -- from SDF geometries to meshes.
+// sdf_shape.cpp -- makes meshes from SDF geometries.
 
 #include "io/world/sdf_shape.h"
 
@@ -35,7 +35,7 @@ Vec3 vec3(const ignition::math::Vector3d& v) {
   return {v.X(), v.Y(), v.Z()};
 }
 
-// Checks a length, or each of several.
+// Throws unless a length, or each of three, is positive and finite.
 double positive(double value, const std::string& what, const char* element) {
   if (!(value > 0) || !std::isfinite(value)) {
     throw Error(fmt::format("{}: <{}> = {} m must be greater than 0 m", what, element, value));
@@ -62,7 +62,7 @@ double number(const sdf::ElementPtr& parent, const char* element, double otherwi
   return read;
 }
 
-// Stretches, and mirrors where a factor is negative; an odd number of mirrors turns the winding round.
+// Scales a mesh; negative factors mirror it, and an odd number of them reverses the winding.
 void scale_mesh(Mesh& mesh, const Vec3& scale) {
   const Vec3f factor = scale.cast<float>();
   for (Vec3f& vertex : mesh.vertices) {
@@ -81,7 +81,7 @@ void scale_mesh(Mesh& mesh, const Vec3& scale) {
   }
 }
 
-// Calls a function that reads a file; puts `what` before the message of an Error it throws.
+// Calls a function that reads a file, and puts `what` before the message of its Error.
 template <typename Read>
 auto read_for(const std::string& what, Read&& read) {
   try {
@@ -145,8 +145,8 @@ SdfShape SdfShapes::mesh(const sdf::Mesh& mesh, const std::string& what) {
 
 SdfShape SdfShapes::heightmap(const sdf::Heightmap& heightmap, const std::string& what) {
   const std::string path = file(heightmap.Uri(), heightmap.FilePath(), what);
-  const bool picture = ending_of(path) == ".png";  // shades, not metres
-  // What no one wrote: SDF's 1 x 1 x 1 m for a picture, its own size for a survey.
+  const bool picture = ending_of(path) == ".png";  // Levels, not metres.
+  // Default if <size> is missing: SDF's 1 x 1 x 1 m for a picture, the grid's own size for a survey.
   const bool has_size = picture || heightmap.Element()->HasElement("size");
   const std::optional<Vec3> size =
       has_size ? std::optional(positive(vec3(heightmap.Size()), what, "size")) : std::nullopt;
@@ -165,7 +165,7 @@ SdfShape SdfShapes::heightmap(const sdf::Heightmap& heightmap, const std::string
   return {shared(key, [&] { return read_for(what, make); }), vec3(heightmap.Position())};
 }
 
-// What libsdformat 12 does not know. The cone came with SDF 1.12.
+// Shapes that libsdformat 12 does not know. SDF 1.12 added the cone.
 std::optional<SdfShape> SdfShapes::unknown_shape(const sdf::Geometry& geometry, const std::string& what) {
   const sdf::ElementPtr element = geometry.Element() ? geometry.Element()->GetFirstElement() : nullptr;
   if (element && element->GetName() == "cone") {

@@ -1,4 +1,4 @@
-// sdf_shape.h -- the meshes that the geometries of an SDF file stand for.
+// sdf_shape.h -- makes a mesh of each geometry in an SDF file.
 
 #pragma once
 
@@ -16,24 +16,24 @@
 
 namespace insonify {
 
-/// Side of the square that stands for SDF's infinite plane [m].
+/// Side of the square that represents SDF's infinite plane [m].
 inline constexpr double kInfinitePlane = 10000;
 
-/// A mesh and where its origin is in the frame of the visual.
+/// A mesh and the position of its origin in the frame of the visual.
 struct SdfShape {
   std::shared_ptr<const Mesh> mesh;
   Vec3 offset = Vec3::Zero();  ///< [m]
 };
 
-/// Makes each shape once: geometries that are alike share a mesh.
+/// Makes each shape once: equal geometries share a mesh.
 class SdfShapes {
  public:
-  /// Both must outlive this.
+  /// Both arguments must outlive this object.
   SdfShapes(const SdfSource& source, const Log& log) : source_(source), log_(log) {}
 
   /// @param what       "path:line:column: visual 'a::b::c'", for messages.
-  /// @param collision  Planes are infinite whatever their size, as physics engines take them.
-  /// @return           Nothing for a shape that cannot be read; `log` has been told.
+  /// @param collision  Planes are infinite whatever their size, as in physics engines.
+  /// @return           Nothing for an unknown shape, which is reported to `log`.
   /// @throws Error for sizes out of limits and for files that are missing or wrong.
   [[nodiscard]] std::optional<SdfShape> shape(const sdf::Geometry& geometry, const std::string& what, bool collision);
 

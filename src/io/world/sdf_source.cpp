@@ -1,4 +1,4 @@
-// sdf_source.cpp -- resolves includes and writes copies in which they are absolute.
+// sdf_source.cpp -- resolves includes and writes copies of SDF files with absolute paths.
 
 #include "io/world/sdf_source.h"
 
@@ -26,7 +26,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// What libsdformat 12 is made for.
+// Versions of SDF that libsdformat 12 supports.
 constexpr std::pair kOldest{1, 5}, kNewest{1, 9};
 
 void check_root(const XmlFile& file, const Log& log) {
@@ -59,17 +59,18 @@ void check_root(const XmlFile& file, const Log& log) {
   }
 }
 
-// What a model.config lists for the newest version that is known; nothing where it makes no sense.
+// The file that a model.config lists for the newest known version; an empty path if it is malformed.
 fs::path listed_file(const fs::path& folder) {
   const SdfConsole quiet;
   try {
     return sdf::getModelFilePath(folder.string());
-  } catch (const std::exception&) {  // of a version that is no number
+  } catch (const std::exception&) {  // Thrown for a version that is not a number.
     return {};
   }
 }
 
-// The file that an include names: a model's folder stands for the file that its model.config lists, or its model.sdf.
+// The SDF file for a path that an include names. For a model's folder this is the file listed in its model.config, or
+// its model.sdf.
 std::optional<fs::path> file_of_model(const fs::path& found) {
   if (!fs::is_directory(found)) {
     return found;
@@ -79,8 +80,8 @@ std::optional<fs::path> file_of_model(const fs::path& found) {
   return fs::is_regular_file(file) ? std::optional(file.lexically_normal()) : std::nullopt;
 }
 
-// Whether an element says nothing about shapes and places.
-bool is_beside_the_point(pugi::xml_node element) {
+// Whether an element has no influence on shapes and places.
+bool is_irrelevant(pugi::xml_node element) {
   static const std::set<std::pair<std::string, std::string>> kLeftOut = {
       {"visual", "material"}, {"collision", "surface"}, {"link", "inertial"},
       {"link", "sensor"},     {"link", "light"},        {"link", "particle_emitter"},
@@ -91,14 +92,15 @@ bool is_beside_the_point(pugi::xml_node element) {
   return kLeftOut.contains({element.parent().name(), element.name()});
 }
 
-// The <uri> of an <include> in a place where includes may be.
+// Whether an element is the <uri> of an <include> inside an element that may have includes.
 bool is_include_uri(pugi::xml_node element) {
   static const std::set<std::string_view> kParents = {"sdf", "world", "model"};
   return element.name() == std::string_view("uri") && element.parent().name() == std::string_view("include") &&
          kParents.contains(element.parent().parent().name());
 }
 
-// libsdformat keeps one model of a file's root; a world keeps all. Returns whether it made one.
+// Puts several models at the root into a world, because libsdformat reads only one model at the root. Returns whether
+// it did.
 bool put_world_around_models(pugi::xml_node root) {
   const auto count = [&](const char* name) {
     const auto children = root.children(name);
@@ -115,7 +117,7 @@ bool put_world_around_models(pugi::xml_node root) {
   return true;
 }
 
-// All elements, each before those in it.
+// All elements in document order.
 std::vector<pugi::xml_node> elements_of(const XmlFile& file) {
   std::vector<pugi::xml_node> elements{file.root()};
   file.root().find_node([&](pugi::xml_node node) {
@@ -213,7 +215,7 @@ std::string SdfSource::write_copy(const std::string& text, const std::string& or
   return copy;
 }
 
-// Gives the path that is to stand in an <include>.
+// Returns the absolute path that replaces the URI of an <include>.
 std::string SdfSource::resolve_include(const std::string& uri, const fs::path& file, const std::string& place,
                                        const Log& log) {
   const std::string where = fmt::format("{}include '{}'", place, printable(uri));
@@ -236,7 +238,8 @@ std::string SdfSource::resolve_include(const std::string& uri, const fs::path& f
   return *known->second;
 }
 
-// Checks, leaves out and resolves what is inside an element. Returns whether it changed anything.
+// Checks the elements inside `parent`, removes irrelevant ones and resolves includes. Returns whether it changed the
+// tree.
 bool SdfSource::prepare_inside(pugi::xml_node parent, const XmlFile& xml, const fs::path& file, const Log& log) {
   bool changed = false;
   for (pugi::xml_node child = parent.first_child(), next; child; child = next) {
@@ -245,7 +248,7 @@ bool SdfSource::prepare_inside(pugi::xml_node parent, const XmlFile& xml, const 
       continue;
     }
     check_sdf_element(xml, child);
-    if (is_beside_the_point(child)) {
+    if (is_irrelevant(child)) {
       if (child.name() == std::string_view("actor")) {
         log_line(log, Severity::kWarning, xml.where(child) + "an actor is left out");
       }
@@ -266,7 +269,7 @@ bool SdfSource::prepare_inside(pugi::xml_node parent, const XmlFile& xml, const 
   return changed;
 }
 
-// Gives the path that libsdformat is to read in the file's place.
+// Returns the path that libsdformat reads instead of the file.
 std::string SdfSource::prepare(const fs::path& file, const Log& log) {
   const std::string name = file.string();
   Source& source = *(sources_[name] = std::make_unique<Source>(XmlFile(read_text(shown(name)), shown(name))));
@@ -278,7 +281,7 @@ std::string SdfSource::prepare(const fs::path& file, const Log& log) {
   const std::string copy = changed ? text_of(source.xml) : "";
   std::string to_read = changed ? write_copy(copy, name) : name;
 
-  // libsdformat tells lines of what it reads: those of a copy are found by parsing it too.
+  // libsdformat reports lines of the file that it reads. Those of a copy are found by parsing the copy.
   const std::vector<pugi::xml_node> elements = elements_of(source.xml);
   if (changed) {
     const XmlFile copied(copy, to_read);

@@ -1,4 +1,4 @@
-// sdf_source.h -- an SDF file with everything that it includes found beforehand.
+// sdf_source.h -- prepares an SDF file and its includes for libsdformat.
 
 #pragma once
 
@@ -14,43 +14,43 @@
 
 namespace insonify {
 
-/// Makes an SDF file and the files it includes ready for libsdformat.
+/// Prepares an SDF file and the files that it includes for libsdformat.
 ///
-/// libsdformat looks for included files in the current folder first and knows no path relative to the including file.
-/// So every <include> is resolved here (sdf_uri.h). What has no shape (looks, lights, sensors, physics) is taken out,
-/// so that its faults do not matter. Several models at the root, of which libsdformat keeps one, are put into a world.
-/// A file in which something changed is read from a copy in a scratch folder that lives as long as this object; its
-/// lines are not those of the file, place() finds those again.
+/// libsdformat looks for included files in the current folder first and supports no paths relative to the including
+/// file, so every <include> is resolved here (sdf_uri.h). Elements without a shape (looks, lights, sensors, physics)
+/// are removed, so that their faults do not matter. Several models at the root, of which libsdformat reads only one,
+/// are put into a world. A file that was changed is read from a copy in a scratch folder, which is removed with this
+/// object. place() maps the lines of a copy to those of the file.
 class SdfSource {
  public:
-  /// @param log  Told of versions newer than 1.9 and of actors, which are left out.
-  /// @throws Error for files that are missing, not XML, not SDF or include themselves, and for what check_sdf_element()
-  /// finds.
+  /// @param log  Receives warnings about versions other than 1.5 to 1.9 and about actors, which are left out.
+  /// @throws Error for files that are missing, not XML, not SDF or include themselves, and for faults that
+  /// check_sdf_element() finds.
   SdfSource(const std::filesystem::path& file, const Log& log);
   ~SdfSource();
   SdfSource(const SdfSource&) = delete;
   SdfSource& operator=(const SdfSource&) = delete;
 
-  /// What libsdformat is to read, innermost includes first, the file itself last. Absolute.
+  /// The files that libsdformat reads, innermost includes first, the file itself last. Absolute paths.
   [[nodiscard]] const std::vector<std::string>& files() const { return files_; }
 
-  /// The file that stands behind one of files(), absolute; any other path as it is.
+  /// The user's file that one of files() is a copy of, absolute; any other path unchanged.
   [[nodiscard]] std::string original(const std::string& path) const;
 
-  /// The same as the user knows it, for messages.
+  /// The same as the user named it, for messages.
   [[nodiscard]] std::string shown(const std::string& path) const;
 
-  /// "path:line:column: " of an element in one of files(), as far as its line there, its kind and its name tell it from
-  /// others; else "path:line: ", or "path: " for one that is not in the user's file.
+  /// "path:line:column: " of an element in one of files(), if its line there, its kind and its name identify it; else
+  /// "path:line: ", or "path: " for an element that is not in the user's file.
   [[nodiscard]] std::string place(const std::string& path, int line, const std::string& element,
                                   const std::string& name = "") const;
 
-  /// "path:line:column: " of the first element of which an attribute says `name`, the file itself before its includes;
-  /// "" when there is none.
+  /// "path:line:column: " of the first element with an attribute of value `name`, the file itself before its includes;
+  /// "" if there is none.
   [[nodiscard]] std::string place_of_name(const std::string& name) const;
 
  private:
-  // A file as the user wrote it, less what was left out, and its elements by the line at which libsdformat reads them.
+  // The tree of a user's file without the removed elements, and its elements by the line where libsdformat sees them.
   struct Source {
     explicit Source(XmlFile file) : xml(std::move(file)) {}
     XmlFile xml;
@@ -68,7 +68,7 @@ class SdfSource {
   std::vector<std::string> files_;
   std::map<std::string, std::string> originals_;             // copy -> original
   std::map<std::string, std::unique_ptr<Source>> sources_;   // by original
-  std::map<std::string, std::optional<std::string>> ready_;  // original -> what to read; nothing while it is prepared
+  std::map<std::string, std::optional<std::string>> ready_;  // original -> file to read; empty during preparation
 };
 
 }  // namespace insonify

@@ -1,4 +1,4 @@
-// sdf_uri.cpp -- where model://, file:// and relative URIs are looked for.
+// sdf_uri.cpp -- searches the folders where model://, file:// and relative URIs may point to.
 
 #include "io/world/sdf_uri.h"
 

@@ -1,4 +1,4 @@
-// sdf_uri.h -- which file a URI in an SDF file means.
+// sdf_uri.h -- finds the file that a URI in an SDF file names.
 
 #pragma once
 
@@ -8,7 +8,7 @@
 
 namespace insonify {
 
-/// Finds what a URI of an SDF file names: a file or a model's folder.
+/// Finds the file or the model's folder that a URI of an SDF file names.
 ///
 /// "model://ship/x", "package://ship/x" and plain relative paths are looked for beside the file, then in each folder
 /// above it (and in its `models`, for the two schemes), then in each folder of the path lists INSONIFY_MODEL_PATH,
@@ -19,7 +19,7 @@ namespace insonify {
 [[nodiscard]] std::optional<std::filesystem::path> find_sdf_uri(const std::string& uri,
                                                                 const std::filesystem::path& base);
 
-/// Why find_sdf_uri found nothing, to go behind the name of what was looked for: "... not found beside this file, ...".
+/// The reason why find_sdf_uri found nothing, as the end of a message: "not found beside this file, ...".
 [[nodiscard]] std::string sdf_uri_not_found(const std::string& uri);
 
 }  // namespace insonify
