@@ -15,6 +15,7 @@ struct Request {
   RunOptions run;
   CompareOptions compare;
   int pings = 1;
+  double duration = 0, turns = 0;
   std::uint64_t seed = 1;
   std::string engine;
   std::string preset, mode;

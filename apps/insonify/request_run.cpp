@@ -31,6 +31,18 @@ void add_run(CLI::App& app, Request& request) {
   auto* pings = command->add_option("--pings", request.pings, "Pings of each sonar")
                     ->check(whole_number(1, 1'000'000'000))
                     ->type_name("N");
+  auto* duration =
+      command->add_option("--duration", request.duration, "Instead: ping from time 0 until before then [s]")
+          ->check(number_within({.least = 0, .least_allowed = false, .most = 1e9}))
+          ->excludes(pings)
+          ->type_name("S");
+  auto* turns =
+      command
+          ->add_option("--turns", request.turns, "Instead: full turns of a scanning head, or sweeps across its sector")
+          ->check(number_within({.least = 0, .least_allowed = false, .most = 1e6}))
+          ->excludes(pings)
+          ->excludes(duration)
+          ->type_name("N");
   auto* engine = command->add_option("--engine", request.engine, "What computes the echoes: cpu, or reference (slow)")
                      ->check(one_of(engines()))
                      ->type_name("NAME");
@@ -93,10 +105,15 @@ void add_run(CLI::App& app, Request& request) {
       "  insonify run scenes/tank.yaml -o out --scale db --floor-db -40 --colour-map copper\n\n"
       "Ctrl-C ends a run and keeps the pings made so far.\n"
       "Exit status: 0 done, 1 failed while running or stopped, 2 wrong input.");
-  command->callback([&request, &options, pings, engine, seed] {
-    if (*pings) {
-      options.settings.push_back(fmt::format("pings={}", request.pings));
-    }
+  command->callback([&request, &options, pings, duration, turns, engine, seed] {
+    const auto set_length = [&](const CLI::Option* option, const char* key, const auto& value) {
+      if (*option) {
+        options.settings.push_back(fmt::format("{}={}", key, value));
+      }
+    };
+    set_length(pings, "pings", request.pings);
+    set_length(duration, "duration", request.duration);
+    set_length(turns, "turns", request.turns);
     if (*engine) {
       options.settings.push_back("engine=" + request.engine);
     }

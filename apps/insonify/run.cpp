@@ -13,6 +13,7 @@
 #include "progress.h"
 #include "stop.h"
 #include "views.h"
+#include "world_report.h"
 
 namespace insonify {
 namespace {
@@ -52,8 +53,8 @@ void print_world(const Scene& scene, double seconds) {
   for (const Instance& instance : scene.instances) {
     triangles += instance.mesh->triangles.size();
   }
-  say("world: {} of {}, ready in {:.2f} s\n", counted(scene.instances.size(), "object"), counted(triangles, "triangle"),
-      seconds);
+  say("world: {} of {}, {}, ready in {:.2f} s\n", counted(scene.instances.size(), "object"),
+      counted(triangles, "triangle"), size_text(scene), seconds);
   flush_output();  // The first ping can take long.
 }
 
@@ -76,7 +77,7 @@ Simulator prepare(const RunOptions& options, Display& display) {
     const Clock::time_point start = Clock::now();
     display = display_of(options);
     tell_of_reading(options);
-    Scenario scenario = load_scenario(options.scenario, options.settings);
+    Scenario scenario = load_scenario(options.scenario, options.settings, log_to_user(options.quiet));
     Scene scene = load_scene(scenario, log_to_user(options.quiet));
     Simulator simulator(std::move(scenario), std::move(scene), options.threads);
     if (options.scale.empty() && simulator.scenario().model == EchoModel::kCalibrated) {
@@ -99,6 +100,7 @@ struct Track {
   Ping ping = {};
   std::uint64_t made = 0;
   Loudness loudness = {};
+  std::string heard = {};  // Of the first ping: see heard_text().
 };
 
 // Levels are raised by range unless the receiver has done that.
@@ -109,18 +111,29 @@ Display display_of(const Scenario& scenario, Display display) {
   return display;
 }
 
-std::vector<Track> start_tracks(const Simulator& simulator, const std::filesystem::path& folder, const Display& display,
+std::vector<Track> start_tracks(const Simulator& simulator, const ScenarioRequests& requests,
+                                const std::filesystem::path& folder, const Display& display,
                                 const PictureChoice& choice) {
   const Scenario& scenario = simulator.scenario();
-  const auto pings = static_cast<std::uint64_t>(scenario.pings);
   std::vector<Track> tracks;
   for (std::size_t i = 0; i < scenario.sonars.size(); ++i) {
     const SonarConfig& sonar = simulator.sonar(static_cast<int>(i));
+    const std::uint64_t pings = requests.ping_count(static_cast<int>(i));
     const std::filesystem::path file = folder / (sonar.name + ".h5");
     tracks.push_back({file, Recording(file, scenario, simulator.scene(), sonar, pings),
                       PingPictures(folder, sonar, scenario.model, display_of(scenario, display), choice, pings)});
   }
   return tracks;
+}
+
+// What a look at the world and the trajectories tells before the first ping.
+void print_oddities(const Simulator& simulator, const ScenarioRequests& requests, bool quiet) {
+  for (const std::string& text : oddities_of(simulator, requests)) {
+    complain("warning: " + text);
+  }
+  for (const std::string& text : quiet ? std::vector<std::string>() : lengths_of(simulator, requests)) {
+    say("note: {}\n", text);
+  }
 }
 
 // Done once the new recordings are there.
@@ -137,11 +150,14 @@ void clear_old_pictures(const std::filesystem::path& folder, const std::vector<T
 // Makes the pings, in turn for each sonar, until all are there or a stop is asked for.
 // @return  Seconds that computing them took, without recording and drawing.
 double make_pings(Simulator& simulator, const ScenarioRequests& requests, std::vector<Track>& tracks, bool quiet) {
-  Progress progress(requests.ping_count() * tracks.size(), quiet);
+  Progress progress(requests.total_pings(), quiet);
   PingRequest request;
   double computing = 0;
-  for (std::uint64_t number = 0; number < requests.ping_count() && !stop_asked(); ++number) {
+  for (std::uint64_t number = 0; number < requests.most_pings() && !stop_asked(); ++number) {
     for (std::size_t i = 0; i < tracks.size() && !stop_asked(); ++i) {
+      if (number >= requests.ping_count(static_cast<int>(i))) {
+        continue;
+      }
       Track& track = tracks[i];
       const Clock::time_point start = Clock::now();
       requests.fill(static_cast<int>(i), number, request);
@@ -150,6 +166,9 @@ double make_pings(Simulator& simulator, const ScenarioRequests& requests, std::v
       track.recording.add(track.ping);
       track.pictures.add(track.ping);
       track.loudness.add(track.ping);
+      if (number == 0) {
+        track.heard = heard_text(simulator.scene(), simulator.sonar(static_cast<int>(i)), track.ping);
+      }
       ++track.made;
       progress.advance();
     }
@@ -165,9 +184,10 @@ std::string listed(const std::vector<std::filesystem::path>& files) {
 }
 
 void print_track(const Track& track, const SonarConfig& sonar) {
-  say("{}: {} of {} x {} to {:.4g} m\n  {}\n", sonar.name, counted(track.made, "ping"),
+  say("{}: {} of {} x {} to {:.4g} m{}{}\n  {}\n", sonar.name, counted(track.made, "ping"),
       counted(static_cast<std::uint64_t>(sonar.beam_count), "beam"),
-      counted(static_cast<std::uint64_t>(sonar.bin_count), "bin"), sonar.max_range, track.file.string());
+      counted(static_cast<std::uint64_t>(sonar.bin_count), "bin"), sonar.max_range, track.heard.empty() ? "" : "; ",
+      track.heard, track.file.string());
   if (!track.pictures.files().empty()) {
     say("  {}\n", listed(track.pictures.files()));
   }
@@ -199,9 +219,10 @@ int run(const RunOptions& options) {
 
   const Clock::time_point start = Clock::now();
   const ScenarioRequests requests(simulator.scenario());
+  print_oddities(simulator, requests, options.quiet);
   const std::vector<View> views = draw_views(simulator, requests, options, display, folder);
   note_when_asked();
-  std::vector<Track> tracks = start_tracks(simulator, folder, display, choice);
+  std::vector<Track> tracks = start_tracks(simulator, requests, folder, display, choice);
   clear_old_pictures(folder, tracks, options.quiet);
   const std::vector<std::filesystem::path> view_files = write_views(views);
 
@@ -230,7 +251,7 @@ int run(const RunOptions& options) {
         all, static_cast<double>(made) / computing, static_cast<double>(made) / all);
   }
   print_hints(simulator, tracks, display, options.quiet);
-  const auto asked_for = tracks.size() * static_cast<std::size_t>(simulator.scenario().pings);
+  const std::uint64_t asked_for = requests.total_pings();
   if (made < asked_for) {
     throw Error(fmt::format("stopped after {} of {}; they are kept", made, counted(asked_for, "ping")));
   }

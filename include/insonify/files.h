@@ -36,8 +36,10 @@ namespace insonify {
 /// Reads a scenario. Relative paths are from its own folder; presets are looked up by name (load_preset).
 /// @param settings  "key=value" as on the command line, applied in order: "pings=3", "sonars[0].max_range=30",
 ///                  "sonars.fls.max_range=30", "max_range=30" (a sonar's field alone means every sonar's).
+/// @param log       Takes a warning for each value that the instrument of a preset cannot have.
 /// @throws Error "path:line:column: ..." for whatever is wrong; an unknown key names the nearest known one.
-[[nodiscard]] Scenario load_scenario(const std::filesystem::path& path, std::span<const std::string> settings = {});
+[[nodiscard]] Scenario load_scenario(const std::filesystem::path& path, std::span<const std::string> settings = {},
+                                     const Log& log = {});
 
 /// Writes a scenario as the text of a scenario file that load_scenario() reads back as the same: what differs from the
 /// defaults, presets as the numbers they stand for, files by their absolute paths. An angle may differ in its last bit,
@@ -84,6 +86,10 @@ struct Preset {
   /// as the range allows.
   /// @param sound_speed  The one the sonar assumes [m/s].
   void fit_to_range(SonarConfig& sonar, double sound_speed) const;
+
+  /// What a sonar is set to that the instrument cannot do, one line each: "max_range = 15000 m, and a Tritech Gemini
+  /// 720i reaches 120 m".
+  [[nodiscard]] std::vector<std::string> exceeded_by(const SonarConfig& sonar) const;
 };
 /// Names of all presets in alphabetical order: those of the folders that INSONIFY_PRESETS lists (separated by colons)
 /// and those shipped with insonify, in the installed or the source tree's `presets`. Of two with the same name the one

@@ -96,7 +96,9 @@ struct Scenario {
   bool motion_in_ping = false;     ///< Whether the sonar moves on while it listens.
   GroundTruth ground_truth = GroundTruth::kLabels;
   std::uint64_t seed = 1;
-  int pings = 1;  ///< >= 1; of each sonar.
+  int pings = 1;                   ///< >= 1; of each sonar, unless `duration` or `turns` says how many.
+  std::optional<double> duration;  ///< [s], above 0: pings of each sonar from time 0 until before then.
+  std::optional<double> turns;     ///< Above 0: of scanning heads, full turns or sweeps across their sectors.
 
   Water water;
   PaperModel paper;
@@ -119,6 +121,10 @@ struct Scenario {
 
   /// The settings of a sonar with those filled in that follow from others: assumed sound speed and ping period.
   [[nodiscard]] SonarConfig filled_in(SonarConfig sonar) const;
+
+  /// Pings of one of its sonars after `pings`, `duration` or `turns`, at least 1. Takes the sonar as filled_in() has
+  /// it.
+  [[nodiscard]] std::uint64_t ping_count(const SonarConfig& sonar) const;
 
   /// Checks every part and the rules between them: at least one sonar, names that differ, periods long enough.
   /// @throws Error on the first fault.
@@ -168,6 +174,13 @@ struct Scenario {
     visit(Field{"seed", "", at_least(0), "Start of the random numbers; the same seed gives the same pings."},
           self.seed);
     visit(Field{"pings", "", from_to(1, 1e9), "Pings of each sonar."}, self.pings);
+    visit(Field{"duration", "s", above_to(0, 1e9),
+                "Instead of `pings`: every sonar pings from time 0 until before then."},
+          self.duration);
+    visit(Field{"turns", "", above_to(0, 1e6),
+                "Instead of `pings`: full turns of a scanning head, or sweeps across its sector. Other sonars ping for "
+                "as long."},
+          self.turns);
     MaterialRules::visit_fields(self.materials, visit);
   }
 

@@ -15,19 +15,23 @@ class ScenarioRequests {
   /// @throws Error where a sonar would be above the water's surface.
   explicit ScenarioRequests(const Scenario& scenario);
 
-  /// Pings of each sonar.
-  [[nodiscard]] std::uint64_t ping_count() const { return ping_count_; }
+  /// Pings of one sonar: Scenario::ping_count().
+  [[nodiscard]] std::uint64_t ping_count(int sonar) const { return ping_counts_.at(static_cast<std::size_t>(sonar)); }
+  /// Pings of the sonar that makes most.
+  [[nodiscard]] std::uint64_t most_pings() const;
+  /// Pings of all sonars together.
+  [[nodiscard]] std::uint64_t total_pings() const;
   [[nodiscard]] int sonar_count() const { return static_cast<int>(sonars_.size()); }
 
-  /// Ping `number` of a sonar; numbers beyond ping_count() go on.
+  /// Ping `number` of a sonar; numbers beyond ping_count(sonar) go on.
   [[nodiscard]] PingRequest at(int sonar, std::uint64_t number) const;
 
   /// The same; allocates nothing when the request was made here before.
   void fill(int sonar, std::uint64_t number, PingRequest& request) const;
 
  private:
-  std::uint64_t ping_count_ = 0;
-  std::vector<SonarConfig> sonars_;  // Filled in.
+  std::vector<std::uint64_t> ping_counts_;  // Of each sonar.
+  std::vector<SonarConfig> sonars_;         // Filled in.
   Trajectory trajectory_;
   std::vector<Motion> motions_;
 };

@@ -90,6 +90,10 @@ struct Scene {
   /// Middle of the bounds, the origin where they are empty. Engines measure positions from here.
   [[nodiscard]] Vec3 middle() const;
 
+  /// Indices of the instances present whose surface closes around a point with its outside outwards, as that of a solid
+  /// does: it is seen from within in nine tenths of all directions, net of what is seen from outside.
+  [[nodiscard]] std::vector<int> solids_around(const Vec3& point) const;
+
   /// Index of the instance with this full name, or of the only one whose name starts with `name::`; -1 if there is
   /// none.
   [[nodiscard]] int find_instance(std::string_view name) const;

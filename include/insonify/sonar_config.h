@@ -117,6 +117,9 @@ struct SonarConfig {
   /// it, and turns back at the last whole step inside the sector.
   [[nodiscard]] double head_angle(std::uint64_t ping) const;
 
+  /// Pings in which a scanning head turns once round, or sweeps once across its sector; 1 for a forward-looking sonar.
+  [[nodiscard]] std::uint64_t pings_per_turn() const;
+
   /// Shortest time between pings: sound must come back from max_range first [s].
   /// @param sound_speed  Sound speed that the sonar assumes [m/s].
   [[nodiscard]] double shortest_ping_period(double sound_speed) const { return 2 * max_range / sound_speed; }

@@ -151,6 +151,22 @@ void check_motions(const std::vector<Motion>& motions) {
   }
 }
 
+// Two ways to say how long it takes are one too many.
+void check_length(const Scenario& scenario) {
+  if (scenario.duration && scenario.turns) {
+    throw Error("duration and turns both say when pings end; leave one out");
+  }
+  if ((scenario.duration || scenario.turns) && scenario.pings != Scenario().pings) {
+    throw Error(fmt::format("{} says when pings end, as pings = {} does; leave one out",
+                            scenario.duration ? "duration" : "turns", scenario.pings));
+  }
+  if (scenario.turns && std::ranges::none_of(scenario.sonars, [](const SonarConfig& sonar) {
+        return sonar.type == SonarType::kMechanicallyScanned;
+      })) {
+    throw Error("turns needs a scanning sonar (type: msis), and there is none; duration or pings takes any");
+  }
+}
+
 void check_view(const ViewConfig& view) {
   if (view.position == view.look_at) {
     throw Error("view.look_at must differ from view.position");
@@ -226,6 +242,32 @@ SonarConfig Scenario::filled_in(SonarConfig sonar) const {
   return sonar;
 }
 
+std::uint64_t Scenario::ping_count(const SonarConfig& sonar) const {
+  constexpr double kSlack = 1e-9;  // A duration of a whole number of periods must not have one ping more.
+  const auto pings_before = [](double time, double period) {
+    return std::max<std::uint64_t>(1, static_cast<std::uint64_t>(std::ceil(time / period * (1 - kSlack))));
+  };
+  if (duration) {
+    return pings_before(*duration, *sonar.ping_period);
+  }
+  if (!turns) {
+    return static_cast<std::uint64_t>(pings);
+  }
+  const auto pings_of_turns = [&](const SonarConfig& head) {
+    return pings_before(*turns * static_cast<double>(head.pings_per_turn()), 1);
+  };
+  if (sonar.type == SonarType::kMechanicallyScanned) {
+    return pings_of_turns(sonar);
+  }
+  double longest = 0;
+  for (const SonarConfig& head : sonars) {
+    if (head.type == SonarType::kMechanicallyScanned) {
+      longest = std::max(longest, static_cast<double>(pings_of_turns(head)) * *filled_in(head).ping_period);
+    }
+  }
+  return pings_before(longest, *sonar.ping_period);
+}
+
 void Scenario::validate() const {
   check_fields("", *this);
   if (model == EchoModel::kPaper && !points.empty()) {
@@ -251,6 +293,7 @@ void Scenario::validate() const {
   receiver.validate();
   check_materials(materials);
   check_sonars(*this);
+  check_length(*this);
   if (model == EchoModel::kCalibrated) {
     check_beams(*this);
     check_gains(*this);

@@ -4,6 +4,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <numeric>
+
 #include "insonify/error.h"
 
 namespace insonify {
@@ -38,15 +41,22 @@ Twist twist_between(const Pose& first, const Pose& last, double time) {
 }  // namespace
 
 ScenarioRequests::ScenarioRequests(const Scenario& scenario)
-    : ping_count_(static_cast<std::uint64_t>(scenario.pings)),
-      trajectory_(scenario.trajectory),
-      motions_(scenario.motions) {
+    : trajectory_(scenario.trajectory), motions_(scenario.motions) {
   if (scenario.surface) {
     check_depths(scenario);
   }
   for (const SonarConfig& sonar : scenario.sonars) {
     sonars_.push_back(scenario.filled_in(sonar));
+    ping_counts_.push_back(scenario.ping_count(sonars_.back()));
   }
+}
+
+std::uint64_t ScenarioRequests::most_pings() const {
+  return ping_counts_.empty() ? 0 : *std::ranges::max_element(ping_counts_);
+}
+
+std::uint64_t ScenarioRequests::total_pings() const {
+  return std::accumulate(ping_counts_.begin(), ping_counts_.end(), std::uint64_t{0});
 }
 
 void ScenarioRequests::fill(int sonar, std::uint64_t number, PingRequest& request) const {

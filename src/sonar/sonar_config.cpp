@@ -163,6 +163,16 @@ double SonarConfig::head_angle(std::uint64_t ping) const {
   return start + static_cast<double>(position_in_sector) * step;
 }
 
+std::uint64_t SonarConfig::pings_per_turn() const {
+  if (type != SonarType::kMechanicallyScanned) {
+    return 1;
+  }
+  if (sector_width > kFullCircle - kAngleSlack) {
+    return static_cast<std::uint64_t>(std::ceil(kFullCircle / std::abs(step) - kAngleSlack));
+  }
+  return 1 + static_cast<std::uint64_t>((sector_width + kAngleSlack) / std::abs(step));
+}
+
 void SonarConfig::validate(std::string_view object) const {
   check_fields(object, *this);
   check_name(object, name);

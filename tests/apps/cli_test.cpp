@@ -43,8 +43,13 @@ TEST_F(CliTest, RunWritesRecordingAndPictures) {
   EXPECT_THAT(files("out/deep"),
               ElementsAre("ahead.h5", "ahead_fan_0000.png", "ahead_fan_0001.png", "ahead_fan_0002.png",
                           "ahead_polar_0000.png", "ahead_polar_0001.png", "ahead_polar_0002.png", "ahead_view.png"));
-  EXPECT_THAT(outcome.out, ContainsRegex("world: 1 object of [0-9]+ triangles, ready in [0-9.]+ s\n"));
-  EXPECT_THAT(outcome.out, HasSubstr("ahead: 3 pings of 16 beams x 40 bins to 12 m\n  out/deep/ahead.h5\n"));
+  EXPECT_THAT(outcome.out,
+              ContainsRegex("world: 1 object of 2 triangles, 40 x 40 x 0 m \\(x -20 to 20, y -20 to 20, z -2 to -2\\), "
+                            "ready in [0-9.]+ s\n"));
+  EXPECT_THAT(
+      outcome.out,
+      ContainsRegex("ahead: 3 pings of 16 beams x 40 bins to 12 m; its first hears 1 of 1 object, from [0-9.]+ to "
+                    "[0-9.]+ m\n  out/deep/ahead.h5\n"));
   EXPECT_THAT(outcome.out,
               ContainsRegex("3 pings in [0-9.]+ s: [0-9.]+ pings/s to compute, [0-9.]+ pings/s with files"));
 }
@@ -54,7 +59,51 @@ TEST_F(CliTest, RunOfAScanningSonarDrawsItsTurnAsItGoesOn) {
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_THAT(files("out"), ElementsAre("around.h5", "around_polar.png", "around_scan.png", "around_scan_0004.png",
                                         "around_scan_0009.png", "around_scan_0014.png"));
-  EXPECT_THAT(outcome.out, HasSubstr("around: 20 pings of 1 beam x 40 bins to 12 m\n"));
+  EXPECT_THAT(outcome.out, HasSubstr("around: 20 pings of 1 beam x 40 bins to 12 m; its first hears 1 of 1 object"));
+}
+
+TEST_F(CliTest, RunLastsAsLongAsItsSettingsSay) {
+  EXPECT_THAT(shell("insonify run fan.yaml --no-pictures -o a --duration 0.5 --set ping_period=0.1").out,
+              HasSubstr("ahead: 5 pings of"));
+  EXPECT_THAT(shell("insonify run scan.yaml --no-pictures -o b --turns 2").out, HasSubstr("around: 40 pings of"));
+  const Outcome both = shell("insonify run fan.yaml --no-pictures -o c --duration 2 --pings 3");
+  EXPECT_EQ(both.status, 2);
+  EXPECT_THAT(both.err, HasSubstr("--duration excludes --pings"));
+  folder.write("both.yaml", "world: floor.obj\npings: 1\nduration: 3\nsonars: [{name: ahead}]\n");
+  EXPECT_EQ(shell("insonify run both.yaml").err,
+            "insonify: both.yaml:3:1: duration says when pings end, as pings = 1 does; leave one out\n");
+}
+
+// Each in one line, before the first ping.
+TEST_F(CliTest, RunTellsWhatIsOddAboutTheWorldAndTheTrajectory) {
+  folder.write("inside.sdf",
+               "<sdf version='1.9'><model name='crate'><link name='l'><visual name='sides'><geometry><box><size>2 2 "
+               "2</size></box></geometry></visual></link></model></sdf>");
+  EXPECT_THAT(shell("insonify run fan.yaml --no-pictures -o a --set world=inside.sdf").err,
+              HasSubstr("warning: ahead begins inside of crate::l::sides, whose surface it hears from within\n"));
+  EXPECT_EQ(shell("insonify run fan.yaml --no-pictures -o b --set position=[0,0,4]").err, "");
+  folder.write("millimetres.obj",
+               "v -20000 -20000 -2000\nv 20000 -20000 -2000\nv 20000 20000 -2000\nv -20000 20000 -2000\nf 1 2 3 4\n");
+  EXPECT_THAT(shell("insonify run fan.yaml --no-pictures -o c --set world=millimetres.obj").err,
+              HasSubstr("warning: the world is 4e+04 m across, 3.33e+03 times the range of ahead; if its files are in "
+                        "millimetres, scale them by 0.001\n"));
+  const std::string moving = "--set 'trajectory=[{time: 0, position: [0,0,0]}, {time: 9, position: [1,0,0]}]'";
+  EXPECT_THAT(
+      shell("insonify run fan.yaml --no-pictures -o d --set ping_period=0.5 " + moving).out,
+      HasSubstr("note: the last ping of ahead is at 1 s, the trajectory ends at 9 s; duration=9 pings until then\n"));
+  EXPECT_THAT(
+      shell("insonify run fan.yaml --no-pictures -o e --set ping_period=9 " + moving).out,
+      HasSubstr("note: the last ping of ahead is at 18 s, the trajectory ends at 9 s: nothing moves after that\n"));
+}
+
+TEST_F(CliTest, RunWarnsOfValuesThatAPresetsInstrumentCannotHave) {
+  const Outcome outcome = shell("insonify run scan.yaml --no-pictures -o a --set frequency=720 --set max_range=15000");
+  EXPECT_THAT(outcome.err,
+              ContainsRegex("warning: scan.yaml:4:5: sonars\\[0\\].frequency = 720 Hz, and a Tritech Micron "
+                            "DST transmits at [0-9.e+]+ Hz\n"));
+  EXPECT_THAT(outcome.err,
+              ContainsRegex("warning: scan.yaml:4:5: sonars\\[0\\].max_range = 15000 m, and a Tritech Micron "
+                            "DST reaches [0-9]+ m\n"));
 }
 
 TEST_F(CliTest, RunWritesBesideTheUserWhenNoFolderIsNamed) {

@@ -108,7 +108,7 @@ TEST(ScenarioRequestsTest, FollowTheTrajectoriesAtTheSonarsPeriod) {
   scenario.trajectory.waypoints = {{.time = 0}, {.time = 10, .position = {5, 0, -1}, .orientation = {0, 0, 1}}};
   scenario.motions = {{.object = "ball", .trajectory = {{{.time = 0}, {.time = 10, .position = {0, 2, 0}}}}}};
   const ScenarioRequests requests(scenario);
-  EXPECT_EQ(requests.ping_count(), 40U);
+  EXPECT_EQ(requests.ping_count(0), 40U);
   EXPECT_EQ(requests.sonar_count(), 1);
   const PingRequest request = requests.at(0, 4);
   EXPECT_EQ(request.number, 4U);

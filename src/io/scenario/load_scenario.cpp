@@ -42,11 +42,13 @@ void refuse_worlds(const std::filesystem::path& path) {
 // Reads the tree into a scenario and keeps where everything stood.
 class ScenarioReader {
  public:
-  ScenarioReader(const YamlValue& tree, const std::filesystem::path& path) : tree_(tree), path_(path) {}
+  ScenarioReader(const YamlValue& tree, const std::filesystem::path& path, const Log& log)
+      : tree_(tree), path_(path), log_(log) {}
 
   Scenario read() {
     require_map(tree_, path_.filename().string(), "a map of keys such as world and sonars");
     refuse_misplaced_keys();
+    refuse_second_length();
     check_keys(tree_, "", scenario_keys(), part_keys("sonars[0]"));
     scenario_.file = path_;
     read_fields(tree_, "", scenario_, places_);
@@ -77,6 +79,18 @@ class ScenarioReader {
           std::ranges::find(of_sonar, key) != of_sonar.end()) {
         throw Error(
             fmt::format("{}{} is a key of a sonar, not of the scenario; write it under sonars", value.where, key));
+      }
+    }
+  }
+
+  // In a file even `pings: 1` says something.
+  void refuse_second_length() const {
+    const YamlValue* pings = tree_.find("pings");
+    for (const char* key : {"duration", "turns"}) {
+      const YamlValue* given = tree_.find(key);
+      if (pings != nullptr && given != nullptr && given->kind != Kind::kNothing) {
+        throw Error(fmt::format("{}{} says when pings end, as pings = {} does; leave one out", given->where, key,
+                                pings->shown()));
       }
     }
   }
@@ -118,7 +132,7 @@ class ScenarioReader {
     require_list(*given, "sonars", "a list of sonars");
     places_["sonars"] = given->where;
     for (std::size_t i = 0; i < given->items.size(); ++i) {
-      scenario_.sonars.push_back(read_sonar(given->items[i], fmt::format("sonars[{}]", i), scenario_, places_));
+      scenario_.sonars.push_back(read_sonar(given->items[i], fmt::format("sonars[{}]", i), scenario_, places_, log_));
     }
   }
 
@@ -157,13 +171,14 @@ class ScenarioReader {
 
   const YamlValue& tree_;
   const std::filesystem::path& path_;
+  const Log& log_;
   Scenario scenario_;
   Places places_;
 };
 
 }  // namespace
 
-Scenario load_scenario(const std::filesystem::path& path, std::span<const std::string> settings) {
+Scenario load_scenario(const std::filesystem::path& path, std::span<const std::string> settings, const Log& log) {
   refuse_worlds(path);
   const std::string text = read_text(path);
   YamlValue tree = parse_yaml(text, path.string());
@@ -173,7 +188,7 @@ Scenario load_scenario(const std::filesystem::path& path, std::span<const std::s
   for (const std::string& setting : settings) {
     apply_setting(tree, setting, scenario_keys(), sonar_keys(), part_keys());
   }
-  Scenario scenario = ScenarioReader(tree, path).read();
+  Scenario scenario = ScenarioReader(tree, path, log).read();
   scenario.text = settings.empty() ? text : write_yaml(tree);
   return scenario;
 }

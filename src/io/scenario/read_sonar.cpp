@@ -85,7 +85,8 @@ void fit_to_range(const YamlValue& value, const Preset& preset, const Scenario& 
 
 }  // namespace
 
-SonarConfig read_sonar(const YamlValue& value, const std::string& object, const Scenario& scenario, Places& places) {
+SonarConfig read_sonar(const YamlValue& value, const std::string& object, const Scenario& scenario, Places& places,
+                       const Log& log) {
   require_map(value, object, "a map of keys such as preset and max_range");
   places[object] = value.where;
   check_keys(value, object, sonar_keys(), part_keys());
@@ -97,6 +98,9 @@ SonarConfig read_sonar(const YamlValue& value, const std::string& object, const 
   refuse_head_keys(value, object, sonar);
   if (preset) {
     fit_to_range(value, *preset, scenario, sonar);
+    for (const std::string& text : log ? preset->exceeded_by(sonar) : std::vector<std::string>()) {
+      log(Severity::kWarning, value.where + object + "." + text);
+    }
   }
   return sonar;
 }

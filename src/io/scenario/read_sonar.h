@@ -12,8 +12,9 @@ namespace insonify {
 /// @param object    What messages call it: "sonars[0]".
 /// @param scenario  Its water, surface and trajectory give the speed of sound for the ping period of a preset.
 /// @param places    Gains what the entry gives.
+/// @param log       Takes a warning for each value that the instrument of a preset cannot have.
 /// @throws Error with the place of the value that is wrong.
 [[nodiscard]] SonarConfig read_sonar(const YamlValue& value, const std::string& object, const Scenario& scenario,
-                                     Places& places);
+                                     Places& places, const Log& log);
 
 }  // namespace insonify

@@ -129,6 +129,15 @@ bool contains(std::span<const std::string> keys, const std::string& key) {
   return std::ranges::find(keys, key) != keys.end();
 }
 
+// Of the keys that say when pings end only one can be there: a new one takes the place of the others.
+void remove_other_lengths(YamlValue& scenario, const std::string& key) {
+  const std::vector<std::string> lengths = {"pings", "duration", "turns"};
+  if (contains(lengths, key)) {
+    std::erase_if(scenario.entries,
+                  [&](const auto& entry) { return entry.key != key && contains(lengths, entry.key); });
+  }
+}
+
 }  // namespace
 
 void apply_setting(YamlValue& scenario, const std::string& text, std::span<const std::string> scenario_keys,
@@ -136,6 +145,9 @@ void apply_setting(YamlValue& scenario, const std::string& text, std::span<const
   const Setting setting = parse_setting(text);
   const std::string& first = setting.steps.front().name;
   if (contains(scenario_keys, first)) {
+    if (setting.value.kind != Kind::kNothing) {
+      remove_other_lengths(scenario, first);
+    }
     put(scenario, setting.steps, "", setting.value, setting.where);
     return;
   }
