@@ -122,9 +122,10 @@ void bend(int rows, const float* __restrict__ direction_x, const float* __restri
   }
 }
 
+// paper_strength() of primary echoes, in single precision.
 INSONIFY_VECTOR_CLONES
-void shade(int rows, float neper_per_metre, const float* __restrict__ range, const float* __restrict__ facing,
-           const float* __restrict__ reflectivity, float* __restrict__ strength) {
+void fill_strengths(int rows, float neper_per_metre, const float* __restrict__ range, const float* __restrict__ facing,
+                    const float* __restrict__ reflectivity, float* __restrict__ strength) {
   for (int row = 0; row < rows; ++row) {
     strength[row] = std::abs(facing[row]) * reflectivity[row] * fast_exp(-2 * neper_per_metre * range[row]);
   }
@@ -217,14 +218,18 @@ void aim_column(const Lattice& lattice, int column, const ColumnAxes& axes, cons
   }
 }
 
-void evaluate_column(const PingPlan& plan, SecondarySampling sampling, int column, const ColumnAxes& axes,
-                     const HitColumn& hits, FootprintSegments& segments) {
+void measure_column(const PingPlan& plan, int column, const ColumnAxes& axes, const HitColumn& hits,
+                    FootprintSegments& segments) {
   const Lattice& lattice = plan.lattice;
   Rows rows = rows_of(lattice, column);
-  rows.count = std::min(hits.rows + 1, lattice.rows);
+  rows.count = evaluated_rows(lattice, hits);
+
+  // Unit normals, cosines of incidence, and the position and half width of each sample's footprint.
   measure(rows, axes.along, axes.across, axes.up, plan.bins_per_metre, plan.first_bin_at, hits.normal_x, hits.normal_y,
           hits.normal_z, hits.range, segments.normal_along.data(), segments.normal_up.data(), hits.facing,
           segments.position.data(), segments.reach.data());
+
+  // Which neighbours lie on one unbroken surface.
   if (lattice.shape == BeamShape::kCone) {
     measure_beside(rows, axes.across, axes.beside, lattice.sin_azimuth[column] / lattice.cos_azimuth[column],
                    plan.bins_per_metre, hits.normal_x, hits.normal_y, hits.normal_z, hits.range,
@@ -235,21 +240,40 @@ void evaluate_column(const PingPlan& plan, SecondarySampling sampling, int colum
     join(rows, 1 / plan.bins_per_metre, hits.range, segments.normal_along.data(), segments.normal_up.data(),
          hits.facing, hits.surface, segments.joined.data());
   }
+
+  // From here on normals and cosines of incidence are those of the relief.
   if (hits.has_relief) {
     bend(rows.count, hits.direction_x, hits.direction_y, hits.direction_z, hits.gradient_x, hits.gradient_y,
          hits.gradient_z, hits.normal_x, hits.normal_y, hits.normal_z, hits.facing, hits.escapes);
   }
+}
+
+void fill_powers(const PingPlan& plan, const HitColumn& hits) {
+  const int rows = evaluated_rows(plan.lattice, hits);
   if (plan.model == EchoModel::kCalibrated) {
-    plan.scatter.fill_powers(rows.count, plan.neper_per_metre, hits);
+    plan.scatter.fill_powers(rows, plan.neper_per_metre, hits);
   } else {
-    shade(rows.count, plan.neper_per_metre, hits.range, hits.facing, hits.reflectivity, hits.strength);
-    plan.shape.apply(rows.count, hits.strength, hits.power);
+    fill_strengths(rows, plan.neper_per_metre, hits.range, hits.facing, hits.reflectivity, hits.strength);
+    plan.shape.apply(rows, hits.strength, hits.power);
   }
-  fill_segments(rows.count, static_cast<float>(plan.sonar.bin_count), lattice.intervals(column),
+}
+
+void finish_column(const PingPlan& plan, SecondarySampling sampling, int column, const HitColumn& hits,
+                   FootprintSegments& segments) {
+  const Lattice& lattice = plan.lattice;
+  const int rows = evaluated_rows(lattice, hits);
+  fill_segments(rows, static_cast<float>(plan.sonar.bin_count), lattice.intervals(column),
                 lattice.column_measure[column], lattice.elevations(column), segments.position.data(),
                 segments.reach.data(), hits.power, segments.low.data(), segments.high.data(), segments.power.data(),
                 segments.half_rise.data(), segments.density.data(), segments.elevation.data());
-  select_hits(plan, sampling, column, rows.count, hits, segments.turned.data());
+  select_hits(plan, sampling, column, rows, hits, segments.turned.data());
+}
+
+void evaluate_column(const PingPlan& plan, SecondarySampling sampling, int column, const ColumnAxes& axes,
+                     const HitColumn& hits, FootprintSegments& segments) {
+  measure_column(plan, column, axes, hits, segments);
+  fill_powers(plan, hits);
+  finish_column(plan, sampling, column, hits, segments);
 }
 
 }  // namespace insonify

@@ -2,6 +2,7 @@
 
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -89,12 +90,28 @@ ColumnAxes column_axes(const Lattice& lattice, int column, const Eigen::Matrix3f
 /// Fills in the directions of a column's rays.
 void aim_column(const Lattice& lattice, int column, const ColumnAxes& axes, const HitColumn& hits);
 
-/// Works out everything above for column `column` of the lattice; normals are made unit length and bent by relief. How
-/// samples hang together is taken from the surface without its relief.
-///
-/// Strength: paper, sections "Rasterized reflections" and "Unified reflections"; e^(-2 gamma r) is the two-way loss of
-/// a pressure amplitude (PHYSICS 1.4).
+/// Computes everything that follows from the hits of column `column` of the lattice: measure_column(), fill_powers()
+/// and finish_column(), one after another.
 void evaluate_column(const PingPlan& plan, SecondarySampling sampling, int column, const ColumnAxes& axes,
                      const HitColumn& hits, FootprintSegments& segments);
+
+/// Geometry of the column: makes normals unit length, finds which neighbours lie on one unbroken surface, and tilts the
+/// normals by the relief. Fills in `facing`, `escapes` and the per-sample values of the segments, which are those of
+/// the surface without its relief.
+void measure_column(const PingPlan& plan, int column, const ColumnAxes& axes, const HitColumn& hits,
+                    FootprintSegments& segments);
+
+/// Fills in `power`, and in the `paper` model `strength`: paper_strength() with PaperModel::shape(), or
+/// primary_intensity(), in single precision.
+void fill_powers(const PingPlan& plan, const HitColumn& hits);
+
+/// Fills in the segments between neighbours, and `selected`.
+void finish_column(const PingPlan& plan, SecondarySampling sampling, int column, const HitColumn& hits,
+                   FootprintSegments& segments);
+
+/// Rows of a column that are evaluated: those up to the last hit and one more, which ends the last segment.
+[[nodiscard]] inline int evaluated_rows(const Lattice& lattice, const HitColumn& hits) {
+  return std::min(hits.rows + 1, lattice.rows);
+}
 
 }  // namespace insonify

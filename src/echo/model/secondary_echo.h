@@ -25,10 +25,10 @@ inline Echo secondary_echo(const PingPlan& plan, int column, int row, float sele
           .surface = surface};
 }
 
-/// Powers of many secondary echoes: S of both surfaces' |cos| x reflectivity and of the absorption of pressure along
-/// the whole path.
-/// @param strength  The product of both surfaces' strengths; the first holds the loss of twice its range already.
-/// @param rest      The rest of the path, that has still to be paid for [m].
+/// S of the strengths of many secondary echoes, in single precision; each strength loses the absorption of the rest of
+/// its path first, see paper_strength().
+/// @param strength  Product of the strengths of both surfaces; the first includes the loss of twice its range.
+/// @param rest      Length of the path less twice the range of the first surface [m].
 void secondary_powers(const PingPlan& plan, int count, const float* strength, const float* rest, float* power);
 
 }  // namespace insonify

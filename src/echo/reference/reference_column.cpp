@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "echo/model/mirror_facet.h"
-#include "echo/model/mirror_paths.h"
 #include "echo/model/ray_limits.h"
 #include "echo/model/secondary_echo.h"
 
@@ -90,14 +89,36 @@ void ReferenceColumn::store_hit(int row) {
   hits_.direction_z[row] = direction.z();
 }
 
-// docs/concepts/calibrated-model.md, "An echo", and paper-model.md.
+// What each row's echo adds to the grid per unit of solid angle: docs/concepts/calibrated-model.md, "An echo", and
+// paper-model.md, "From a hit to an echo".
+void ReferenceColumn::compute_powers() {
+  const double gamma = plan_.neper_per_metre;
+  for (int row = 0; row < rows_; ++row) {
+    if (!first_[row].met()) {
+      hits_.strength[row] = hits_.power[row] = 0;
+    } else if (plan_.model == EchoModel::kCalibrated) {
+      const double texture = hits_.has_relief ? first_[row].texture : 1.0F;
+      hits_.power[row] = static_cast<float>(primary_intensity(plan_.scatter.scattering(hits_.surface[row]),
+                                                              hits_.facing[row], texture, gamma, first_[row].distance));
+    } else {
+      const double strength =
+          paper_strength(hits_.facing[row], first_[row].reflectivity, gamma, 2 * first_[row].distance);
+      hits_.strength[row] = static_cast<float>(strength);
+      hits_.power[row] = static_cast<float>(plan_.shape.model().shape(strength));
+    }
+  }
+}
+
+// How the echoes of the rows are spread over range bins: paper-model.md, "From echoes to bins".
 void ReferenceColumn::deposit_primary_echoes(EchoGrid& grid) {
   SurfaceSums sums;
   sums.prepare(plan_.sonar.bin_count);
-  evaluate_column(
-      plan_, sampling_, column_,
+  measure_column(
+      plan_, column_,
       {frame_.along.cast<float>(), frame_.across.cast<float>(), frame_.up.cast<float>(), frame_.beside.cast<float>()},
       hits_, segments_);
+  compute_powers();
+  finish_column(plan_, sampling_, column_, hits_, segments_);
   deposit_column(plan_, column_, hits_, segments_, sums, grid);
 }
 
@@ -167,52 +188,49 @@ bool ReferenceColumn::return_leg_is_clear(const Reflection& path) {
   return !scene_.blocked({path.point, path.back.normalized(), kRayClearance, path.back.norm() - double{kRayClearance}});
 }
 
-// paper-model.md: one echo, in the beam of launch, as strong as both surfaces' |cos| x reflectivity and the absorption
-// along the whole path make it.
+// paper-model.md, "Secondary echoes": one echo, in the beam of launch. Its strength is the product of both surfaces'
+// and of the absorption along the whole path.
 void ReferenceColumn::deposit_paper_echo(const Reflection& path, EchoGrid& grid) {
   if (0.5F * path.path_length >= plan_.reach() || !return_leg_is_clear(path)) {
     return;
   }
-  const int row = path.row;
-  const auto incidence = static_cast<float>(std::abs(path.second.bent.dot(path.ray.direction)));
-  const float strength = hits_.strength[row] * incidence * path.second.reflectivity;
-  const float rest = path.path_length - 2 * hits_.range[row];
-  Echo echo = secondary_echo(plan_, column_, row, hits_.selected[row], path.path_length, path.second.surface());
+  const double rest = double{path.path_length} - 2 * first_[path.row].distance;
+  const double strength =
+      double{hits_.strength[path.row]} *
+      paper_strength(path.second.bent.dot(path.ray.direction), path.second.reflectivity, plan_.neper_per_metre, rest);
+  Echo echo =
+      secondary_echo(plan_, column_, path.row, hits_.selected[path.row], path.path_length, path.second.surface());
   echo.half_length = path.footprint.once;
-  secondary_powers(plan_, 1, &strength, &rest, &echo.power);
+  echo.power = static_cast<float>(plan_.shape.model().shape(strength));
   deposit(plan_, echo, grid);
 }
 
 // multipath.md, "Three echoes": their intensities, I_1 and I_2 there.
-MirrorPowers ReferenceColumn::mirror_powers(const Reflection& path) const {
-  const int row = path.row;
+MirrorIntensities ReferenceColumn::intensities(const Reflection& path) const {
+  const RayHit& mirror = first_[path.row];
   const Vec3 in = -path.ray.direction, out = path.back.normalized();
-  const float texture = hits_.has_relief ? hits_.texture[row] : 1.0F;
-  const auto across = static_cast<float>(path.second.distance);
-  const RayTube tube = scene_.tube(first_[row], rays_[row].direction);
-  MirrorPaths paths = {};
-  std::ranges::fill(paths.surface, kNoSurface);
-  paths.reflectance[0] = plan_.scatter.reflectance(hits_.surface[row]) * texture * texture;
-  paths.share[0] = path.share;
-  paths.steepness[0] = plan_.scatter.steepness(hits_.surface[row]);
-  paths.there[0] = path.there;
-  paths.spread[0] =
-      std::abs(tube.constant + across * (tube.linear + across * tube.quadratic)) / (path.there * path.there);
-  paths.back[0] = static_cast<float>(path.back.norm());
-  paths.in[0] = static_cast<float>(path.second.bent.dot(in));
-  paths.out[0] = static_cast<float>(path.second.bent.dot(out));
-  paths.half[0] = static_cast<float>(path.second.bent.dot((in + out).normalized()));
-  paths.texture[0] = path.second.texture;
-  paths.surface[0] = path.second.surface();
-  MirrorPowers powers;
-  fill_mirror_powers(plan_.scatter, plan_.neper_per_metre, paths, powers);
-  return powers;
+  const double across = path.second.distance, there = mirror.distance + across;
+  const RayTube tube = scene_.tube(mirror, rays_[path.row].direction);
+  const double tube_area =
+      std::abs(double{tube.constant} + across * (double{tube.linear} + across * double{tube.quadratic}));
+  return mirror_intensities({.mirror = plan_.scatter.scattering(mirror.surface()),
+                             .second = plan_.scatter.scattering(path.second.surface()),
+                             .mirror_texture = mirror.texture,
+                             .second_texture = path.second.texture,
+                             .share = path.share,
+                             .there = there,
+                             .back = path.back.norm(),
+                             .spread = tube_area / (there * there),
+                             .in = path.second.bent.dot(in),
+                             .out = path.second.bent.dot(out),
+                             .half = path.second.bent.dot((in + out).normalized())},
+                            plan_.neper_per_metre);
 }
 
 // multipath.md, "Three echoes": back the way it came, by the mirror both ways; from the second surface straight back;
 // and the reciprocal of that, which arrives from the second surface, perhaps in another beam.
 void ReferenceColumn::deposit_mirror_echoes(const Reflection& path, EchoGrid& grid, std::vector<Echo>& arrivals) {
-  const MirrorPowers powers = mirror_powers(path);
+  const MirrorIntensities intensity = intensities(path);
   Echo echo =
       secondary_echo(plan_, column_, path.row, hits_.selected[path.row], path.path_length, path.second.surface());
   if (plan_.max_surfaces > 2 && path.there < plan_.reach()) {
@@ -220,18 +238,18 @@ void ReferenceColumn::deposit_mirror_echoes(const Reflection& path, EchoGrid& gr
     twice.order = 3;
     twice.path_length = 2 * path.there;
     twice.half_length = path.footprint.twice;
-    twice.power = powers.twice[0] * plan_.lattice.pattern_in(column_)[path.row];
+    twice.power = static_cast<float>(intensity.twice) * plan_.lattice.pattern_in(column_)[path.row];
     deposit(plan_, twice, grid);
   }
   const Vec3 towards = world_from_sonar_.orientation.inverse() * -path.back.normalized();
   const Vec3f arrival_direction = towards.cast<float>();
-  if (powers.once[0] == 0 || 0.5F * echo.path_length >= plan_.reach() || !plan_.receives(arrival_direction) ||
+  if (intensity.once == 0 || 0.5F * echo.path_length >= plan_.reach() || !plan_.receives(arrival_direction) ||
       !return_leg_is_clear(path)) {
     return;
   }
   const PingPlan::Arrival arrival = plan_.arrival_from(arrival_direction);
   echo.half_length = path.footprint.once;
-  echo.power = powers.once[0] * arrival.pattern;
+  echo.power = static_cast<float>(intensity.once) * arrival.pattern;
   deposit(plan_, echo, grid);
   echo.azimuth = arrival.bearing;
   echo.elevation = arrival.elevation;

@@ -7,7 +7,7 @@
 
 #include "echo/grid/echo.h"
 #include "echo/model/deposit.h"
-#include "echo/model/mirror_paths.h"
+#include "echo/model/echo_laws.h"
 #include "echo/model/path_footprint.h"
 #include "echo/model/secondary_sampling.h"
 #include "echo/reference/triangle_scene.h"
@@ -39,7 +39,7 @@ class ReferenceColumn {
   // A path from the sonar by way of a mirror, the first surface, to a second one.
   struct Reflection {
     int row = 0;                // Of the hit on the mirror.
-    float share = 1;            // See MirrorPaths.
+    float share = 1;            // See MirrorPath.
     Ray ray = {};               // From the mirror on.
     RayHit second = {};         // What it meets,
     Vec3 point = Vec3::Zero();  // where,
@@ -52,13 +52,14 @@ class ReferenceColumn {
   [[nodiscard]] Ray ray_of(int column, int row) const;
   void trace_primary_rays();
   void store_hit(int row);
+  void compute_powers();
   void deposit_primary_echoes(EchoGrid& grid);
   [[nodiscard]] MirrorChange change_along(int row) const;
   [[nodiscard]] MirrorChange change_across(int row) const;
   [[nodiscard]] std::optional<Reflection> reflect(int row);
   [[nodiscard]] bool return_leg_is_clear(const Reflection& path);
   void deposit_paper_echo(const Reflection& path, EchoGrid& grid);
-  [[nodiscard]] MirrorPowers mirror_powers(const Reflection& path) const;
+  [[nodiscard]] MirrorIntensities intensities(const Reflection& path) const;
   void deposit_mirror_echoes(const Reflection& path, EchoGrid& grid, std::vector<Echo>& arrivals);
 
   const TriangleScene& scene_;
