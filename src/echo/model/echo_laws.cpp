@@ -20,7 +20,7 @@ double incidence_of(double cosine) {
   return std::acos(std::min(std::abs(cosine), 1.0));
 }
 
-// Share of the lobe that an echo by way of a mirror has: see mirror_intensities().
+// Share of the second surface's lobe that counts in `once`: see mirror_intensities().
 double lobe_share(double mirror_slope, double second_slope) {
   if (mirror_slope == second_slope) {
     return 0.5;

@@ -35,7 +35,7 @@ inline constexpr float kLeastSpread = 0.01F;
 
 /// A path from the sonar to a mirror, the first surface, and on to a second surface.
 struct MirrorPath {
-  Scattering mirror, second;  ///< Of the two surfaces.
+  Scattering mirror, second;  ///< Scattering parameters of both surfaces.
   double mirror_texture = 1;  ///< ReliefPoint::reflectivity of the mirror.
   double second_texture = 1;  ///< The same of the second surface.
   double share = 1;           ///< MirrorFacet::share of the facet that reflects the sound; 1 for a smooth mirror.

@@ -20,11 +20,11 @@ struct alignas(64) MirrorPaths {
   float in[kPathLanes];           ///< Cosines at the second surface.
   float out[kPathLanes];
   float half[kPathLanes];
-  float texture[kPathLanes];         ///< Of the second surface.
-  SurfaceLabel surface[kPathLanes];  ///< Of the second surface; kNoSurface where nothing was met.
+  float texture[kPathLanes];         ///< Texture of the second surface.
+  SurfaceLabel surface[kPathLanes];  ///< The second surface; kNoSurface where nothing was hit.
 };
 
-/// MirrorIntensities of sixteen paths; 0 where nothing was met.
+/// MirrorIntensities of sixteen paths; 0 where nothing was hit.
 struct alignas(64) MirrorPowers {
   float once[kPathLanes], twice[kPathLanes];
 };

@@ -12,7 +12,7 @@ struct Logistic {
   Real slope = 1, midpoint = 0, scale = 1, offset = 0;
 };
 
-/// PaperModel::shape() in single precision, with its constants worked out.
+/// PaperModel::shape() in single precision, with precomputed constants.
 class PaperShape {
  public:
   explicit PaperShape(const PaperModel& model);

@@ -1,4 +1,4 @@
-// secondary_echo.h -- what comes back by way of a second surface.
+// secondary_echo.h -- secondary echoes: their place in the grid, and their powers in the `paper` model.
 
 #pragma once
 
@@ -8,12 +8,11 @@
 
 namespace insonify {
 
-/// The secondary echo of the `paper` model, all but its power: heard in the beam it was launched in, as its reciprocal
-/// path is (DESIGN, "the return leg"). Its weight is by what is sent that way; what is heard of it is its power's.
-/// @param column, row  Of the lattice: the sample whose hit was followed.
-/// @param selected     How many hits the reflected ray stands for.
-/// @param path_length  Out, across and back [m].
-/// @param surface      The second.
+/// A secondary echo without its power, in the beam of the launched ray, where the reciprocal path arrives too.
+/// @param column, row  Sample of the lattice whose hit reflected the ray.
+/// @param selected     Number of hits that the reflected ray stands for.
+/// @param path_length  Length out, across and back [m].
+/// @param surface      The second surface.
 inline Echo secondary_echo(const PingPlan& plan, int column, int row, float selected, float path_length,
                            SurfaceLabel surface) {
   const Lattice& lattice = plan.lattice;
