@@ -1,4 +1,4 @@
-// reference_column.cpp -- the echoes of one lattice column, paragraph by paragraph as docs/concepts has them.
+// reference_column.cpp -- the echoes of one lattice column, in the order of docs/concepts.
 
 #include "echo/reference/reference_column.h"
 
@@ -59,7 +59,7 @@ Ray ReferenceColumn::ray_of(int column, int row) const {
   return {world_from_sonar_.position, frame.direction(plan_.lattice, column, row), 0, plan_.true_max_range};
 }
 
-// One ray a row, and what it meets first.
+// Traces one ray per row to its first surface.
 void ReferenceColumn::trace_primary_rays() {
   for (int row = 0; row < rows_; ++row) {
     rays_[row] = ray_of(column_, row);
@@ -122,7 +122,7 @@ void ReferenceColumn::deposit_primary_echoes(EchoGrid& grid) {
   deposit_column(plan_, column_, hits_, segments_, sums, grid);
 }
 
-// multipath.md, "Footprints": the change to the next row on the same surface, above or else below.
+// multipath.md, "Footprints": the change to the next row above, or else below, if it hit the same surface.
 MirrorChange ReferenceColumn::change_along(int row) const {
   for (const int other : {row + 1, row - 1}) {
     if (other >= 0 && other < rows_ && hits_.surface[other] == hits_.surface[row]) {
@@ -132,7 +132,7 @@ MirrorChange ReferenceColumn::change_along(int row) const {
   return {};
 }
 
-// The same to the neighbouring column.
+// The same for the neighbouring column.
 MirrorChange ReferenceColumn::change_across(int row) const {
   const int other = column_ ^ 1;
   if (other < plan_.lattice.columns) {
@@ -145,8 +145,8 @@ MirrorChange ReferenceColumn::change_across(int row) const {
   return {};
 }
 
-// multipath.md, "Three echoes": sound goes on from a hit as from a mirror. With rough mirrors it is mirrored about one
-// facet of the surface; see "Rough mirrors" there.
+// multipath.md, "Three echoes": traces the reflected ray of a hit. With rough mirrors it is reflected by one facet of
+// the surface; see "Rough mirrors" there. None if the ray hits nothing.
 std::optional<ReferenceColumn::Reflection> ReferenceColumn::reflect(int row) {
   Vec3 normal = first_[row].bent;
   float share = 1;
@@ -182,7 +182,7 @@ std::optional<ReferenceColumn::Reflection> ReferenceColumn::reflect(int row) {
   return path;
 }
 
-// Whether nothing is in the way from the second surface to the sonar.
+// Whether the straight line from the second surface to the sonar is unobstructed.
 bool ReferenceColumn::return_leg_is_clear(const Reflection& path) {
   ++counts_.return_legs;
   return !scene_.blocked({path.point, path.back.normalized(), kRayClearance, path.back.norm() - double{kRayClearance}});
@@ -205,7 +205,7 @@ void ReferenceColumn::deposit_paper_echo(const Reflection& path, EchoGrid& grid)
   deposit(plan_, echo, grid);
 }
 
-// multipath.md, "Three echoes": their intensities, I_1 and I_2 there.
+// multipath.md, "Three echoes": the intensities dI_1 and dI_2.
 MirrorIntensities ReferenceColumn::intensities(const Reflection& path) const {
   const RayHit& mirror = first_[path.row];
   const Vec3 in = -path.ray.direction, out = path.back.normalized();
@@ -227,8 +227,8 @@ MirrorIntensities ReferenceColumn::intensities(const Reflection& path) const {
                             plan_.neper_per_metre);
 }
 
-// multipath.md, "Three echoes": back the way it came, by the mirror both ways; from the second surface straight back;
-// and the reciprocal of that, which arrives from the second surface, perhaps in another beam.
+// multipath.md, "Three echoes": the echo by the mirror both ways, and the two reciprocal echoes by the mirror one way.
+// One of these arrives from the mirror; the other from the second surface, so that it may be in another beam.
 void ReferenceColumn::deposit_mirror_echoes(const Reflection& path, EchoGrid& grid, std::vector<Echo>& arrivals) {
   const MirrorIntensities intensity = intensities(path);
   Echo echo =
