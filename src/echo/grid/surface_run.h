@@ -32,7 +32,7 @@ struct SurfaceSums {
   std::vector<float> square;  ///< Sum of energy x (elevation - datum)^2 [rad^2]; with GroundTruth::kFull only. The
                               ///< datum keeps the squares small, so that they lose fewer digits.
 
-  /// Gets ready for so many bins; allocates only when it needs more memory than any before.
+  /// Prepares for a number of bins. Allocates only if it needs more memory than ever before.
   void prepare(int bins) {
     for (auto* sums : {&energy, &weight, &moment, &square}) {
       sums->resize(std::max(sums->size(), static_cast<std::size_t>(bins) + std::size_t{2} * kLanes), 0.0F);
