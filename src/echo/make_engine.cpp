@@ -1,4 +1,4 @@
-// make_engine.cpp -- the list of engines, and what all engines do alike.
+// make_engine.cpp -- the list of engines, and defaults of the interface.
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

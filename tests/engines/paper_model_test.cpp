@@ -2,7 +2,6 @@
 
 #include "insonify/paper_model.h"
 
-#include "echo/model/paper_shape.h"
 #include "engines/test_scenes.h"
 #include "insonify/absorption.h"
 
@@ -27,22 +26,6 @@ TEST(PaperModelTest, LogisticRunsFromZeroToOneThroughItsMidpoint) {
   EXPECT_NEAR(model.shape(1), 1, 1e-15);
   // 1 / (1 + e^4.8) = 0.008163, 1 / (1 + e^-7.2) = 0.999254: (0.5 - 0.008163) / 0.991091 = 0.496258.
   EXPECT_NEAR(model.shape(0.4), 0.496258, 1e-5);
-}
-
-TEST(PaperModelTest, FastShapeIsTheExactOne) {
-  for (const PaperModel& model :
-       {PaperModel{}, PaperModel{.sigmoid = Sigmoid::kAuthors}, PaperModel{.sigmoid = Sigmoid::kNone}}) {
-    const PaperShape shape(model);
-    std::vector<float> strengths, many(101);
-    for (int i = 0; i <= 100; ++i) {
-      strengths.push_back(0.01F * static_cast<float>(i));
-    }
-    shape.apply(101, strengths.data(), many.data());
-    for (int i = 0; i <= 100; ++i) {
-      EXPECT_NEAR(many[i], model.shape(0.01 * i), 2e-6) << i;
-      EXPECT_NEAR(shape(0.01F * static_cast<float>(i)), model.shape(0.01 * i), 2e-6) << i;
-    }
-  }
 }
 
 // A beam so narrow that all its samples have the same range and incidence.

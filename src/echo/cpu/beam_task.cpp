@@ -1,4 +1,5 @@
-// beam_task.cpp -- out and straight back.
+// beam_task.cpp -- traces or rasterises primary rays strip by strip, deposits their echoes and starts the secondary
+// ones.
 
 #include "echo/cpu/beam_task.h"
 
@@ -10,7 +11,7 @@
 namespace insonify {
 namespace {
 
-// Four rows of one column, to or from their four lanes of a packet.
+// Copies four rows of a column to four lanes of a packet, or back.
 template <typename Value>
 void copy_four(const Value* from, Value* to) {
   std::memcpy(to, from, 4 * sizeof(Value));
@@ -63,7 +64,7 @@ void BeamTask::aim_strip(int first_column) {
   }
 }
 
-// Points the packet at a tile; lanes beyond the lattice are switched off. Returns how many are on.
+// Loads the directions of a tile into the packet and disables lanes outside the lattice. Returns the number of rays.
 int BeamTask::load_tile(int first_column, int first_row) {
   const int columns = std::min(kTile, columns_ - first_column);
   const int rows = std::min(kTile, plan_->lattice.rows - first_row);
@@ -80,8 +81,8 @@ int BeamTask::load_tile(int first_column, int first_row) {
   return columns * rows;
 }
 
-// Takes what the packet met over into the strip's columns; rows beyond the lattice land in their padding. Returns
-// whether it met anything.
+// Copies the packet's hits to the columns of the strip; rows beyond the lattice go to their padding. Returns whether
+// there are any hits.
 bool BeamTask::read_tile(int first_row) {
   if (primary_.nothing_hit()) {
     for (int i = 0; i < kTile; ++i) {
@@ -133,7 +134,7 @@ void BeamTask::trace_strip(int first_column) {
   }
 }
 
-// The same strip from the raster.
+// Fills the strip from the raster instead.
 void BeamTask::read_strip(int first_column) {
   aim_strip(first_column);
   int rows_met = 0;
@@ -151,7 +152,7 @@ void BeamTask::read_strip(int first_column) {
   }
 }
 
-// To a column that was read from the raster.
+// Adds relief to a column that was read from the raster.
 void BeamTask::add_relief(const HitColumn& hits) {
   for (int row = 0; row < std::min(hits.rows + 1, plan_->lattice.rows); ++row) {
     ReliefPoint point;
@@ -188,8 +189,8 @@ void BeamTask::run(const Pose& world_from_sonar, int first_beam, int last_beam, 
   arrivals.clear();
   secondary_.start(*plan_, sonar_, sonar_axes_, grid, arrivals, log);
 
-  // Sums depend on the order of their terms. Secondary echoes come as packets fill, so that packets end where
-  // the smallest tasks would: then the order is the same whatever the task.
+  // Rounding errors of sums depend on the order of their terms, and secondary echoes are added when a packet is full.
+  // So that a ping does not depend on how beams are divided into tasks, packets end where the smallest tasks would end.
   const int columns_together = kLeastBeamsTogether * plan_->lattice.columns_per_beam;
   for (int first_column = 0; first_column < columns_; first_column += kTile) {
     if (first_column % columns_together == 0) {
@@ -206,8 +207,8 @@ void BeamTask::run(const Pose& world_from_sonar, int first_beam, int last_beam, 
       deposit_column(*plan_, first_column_ + column, hits, segments_, sums_, grid);
     }
     if (sampling_ != SecondarySampling::kNone) {
-      secondary_.follow(hits_[0], strip_.stride(), first_column_ + first_column,
-                        std::min(kTile, columns_ - first_column));
+      secondary_.reflect(hits_[0], strip_.stride(), first_column_ + first_column,
+                         std::min(kTile, columns_ - first_column));
     }
   }
   secondary_.finish();

@@ -1,4 +1,4 @@
-// beam_task.h -- the echoes of a few neighbouring beams: what one worker does at a time, and the memory it does it in.
+// beam_task.h -- computes the echoes of a few neighbouring beams; holds the scratch memory of one worker.
 
 #pragma once
 
@@ -15,23 +15,25 @@
 
 namespace insonify {
 
+/// The scratch memory of one worker, and the ping's steps for neighbouring beams.
 struct BeamTask {
   BeamTask(const CpuScene& scene, const RasterScene& raster_scene)
       : scene_(scene), raster_scene_(raster_scene), secondary_(scene) {}
 
-  /// Gets ready for a ping; allocates only when it needs more memory than any before.
+  /// Prepares for a ping. Allocates only if it needs more memory than any ping before.
   void prepare(const PingPlan& plan, SecondarySampling sampling);
 
   /// Fills the beams [first_beam, last_beam) of the grid.
-  /// @param view  What the ping sees of the raster scene, to draw the primaries; null to trace them.
-  /// @param arrivals  Takes echoes that may arrive in beams of other tasks; see deposit().
+  /// @param view      The visible part of the raster scene, to rasterise primaries; null to ray-trace them.
+  /// @param arrivals  Receives echoes that may arrive in beams of other tasks, for deposit().
+  /// @param log       Receives the packets of reflected rays and return legs, unless null.
   void run(const Pose& world_from_sonar, int first_beam, int last_beam, const FanView* view, EchoGrid& grid,
            std::vector<Echo>& arrivals, SecondaryTask::Log* log = nullptr);
 
-  /// Only traces the beams' primary rays: the floor that run() stands on.
+  /// Traces the primary rays of the beams and nothing else, see Engine::time_traversal().
   void trace_only(const Pose& world_from_sonar, int first_beam, int last_beam);
 
-  /// Since prepare().
+  /// Numbers of rays since prepare().
   [[nodiscard]] RayCounts counts() const { return {primary_count_, secondary_.sent(), secondary_.returned()}; }
 
  private:
@@ -48,17 +50,17 @@ struct BeamTask {
   FanRaster raster_;
   const PingPlan* plan_ = nullptr;
   SecondarySampling sampling_ = SecondarySampling::kNone;
-  int first_column_ = 0, columns_ = 0;  // Of the lattice; columns below count from first_column_.
-  Vec3f sonar_;                         // Position in the scene's coordinates.
+  int first_column_ = 0, columns_ = 0;  // Columns of the lattice; columns below count from first_column_.
+  Vec3f sonar_;                         // Position relative to the scene's origin [m].
   Eigen::Matrix3f sonar_axes_;          // Forward, port and up, as columns.
-  std::vector<ColumnAxes> axes_;        // Of each column.
-  HitStrip strip_{kTile, 0};            // Of tiles.
-  HitColumn hits_[kTile] = {};          // Of the strip.
+  std::vector<ColumnAxes> axes_;        // [column]
+  HitStrip strip_{kTile, 0};            // A strip is kTile columns that are traced and shaded together.
+  HitColumn hits_[kTile] = {};          // Columns of the strip.
   FootprintSegments segments_;
   SurfaceSums sums_;
 
   std::uint64_t primary_count_ = 0;
-  ReliefPoint reliefs_[kPacketSize];  // Of the packet's hits, where there is any.
+  ReliefPoint reliefs_[kPacketSize];  // Relief at the packet's hits.
   RayPacket primary_;
   CpuScene::Shading shading_;
   SecondaryTask secondary_;

@@ -1,4 +1,4 @@
-// beam_tasks.cpp -- blocks of a cache line, the last of each worker in pieces.
+// beam_tasks.cpp -- tasks of one cache line of beams, the last of each worker in smaller tasks.
 
 #include "echo/cpu/beam_tasks.h"
 
@@ -8,7 +8,7 @@ namespace insonify {
 
 void cut_beams(int beams, int workers, std::vector<int>& first_beams) {
   const int blocks = (beams + kMostBeamsTogether - 1) / kMostBeamsTogether;
-  // Drawn primaries cost more in more tasks: no smaller ones than need be.
+  // Rasterising takes longer in more tasks; where every worker has many, the last ones need not be the smallest.
   constexpr int kManyBlocks = 4;
   const int small = blocks >= kManyBlocks * workers ? kMostBeamsTogether / 2 : kLeastBeamsTogether;
   first_beams.clear();

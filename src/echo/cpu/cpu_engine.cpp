@@ -1,4 +1,4 @@
-// cpu_engine.cpp -- a ping cut into tasks.
+// cpu_engine.cpp -- divides a ping into tasks and runs them on all workers.
 
 #include "echo/cpu/cpu_engine.h"
 

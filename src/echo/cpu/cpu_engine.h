@@ -13,8 +13,9 @@
 
 namespace insonify {
 
-/// Tasks of a few beams: primaries in coherent 16-wide packets of 4 columns by 4 rows, shading a column at a time,
-/// secondaries and return legs packed in the same order. A task writes its own beams of the grid and nothing else.
+/// A ping is divided into tasks of neighbouring beams. Primary rays are traced in packets of 4 columns by 4 rows, or
+/// rasterised; shading is done a column at a time; reflected rays and return legs are collected into packets in the
+/// same order. A task writes only its own beams of the grid.
 class CpuEngine final : public Engine {
  public:
   explicit CpuEngine(int threads);
@@ -35,7 +36,7 @@ class CpuEngine final : public Engine {
                                                    int repetitions) override;
 
  private:
-  // What the ping sees of the raster scene when its primaries are to be drawn, else null.
+  // The visible part of the raster scene if primaries are to be rasterised, else null.
   const FanView* look(const PingPlan& plan, const Pose& world_from_sonar);
 
   SecondarySampling choose_sampling(const PingPlan& plan, const Pose& world_from_sonar);
@@ -47,15 +48,15 @@ class CpuEngine final : public Engine {
 
   Workers workers_;
   CpuScene scene_;
-  // What raster_scene_ is still to be made from, by the first ping that needs it.
+  // Scene that raster_scene_ will be made from by the first ping that needs it; null afterwards.
   const Scene* raster_source_ = nullptr;
   std::size_t triangle_count_ = 0;
-  std::vector<Pose> poses_;  // Of the instances.
+  std::vector<Pose> poses_;  // [instance] World from mesh.
   RasterScene raster_scene_;
   FanView view_;
-  std::vector<std::unique_ptr<BeamTask>> scratch_;  // One a worker.
-  std::vector<int> first_beams_;                    // Of the tasks of a ping, see cut_beams().
-  std::vector<std::vector<Echo>> arrivals_;         // Of each task.
+  std::vector<std::unique_ptr<BeamTask>> scratch_;  // [worker]
+  std::vector<int> first_beams_;                    // [task] See cut_beams().
+  std::vector<std::vector<Echo>> arrivals_;         // [task] Echoes that may arrive in beams of other tasks.
   SamplingProbes probes_;
   RayCounts counts_;
 };

@@ -29,7 +29,7 @@ void place(RTCGeometry geometry, const Pose& world_from_mesh, const Vec3& origin
   rtcCommitGeometry(geometry);
 }
 
-// The normals at the corners of the triangles that sixteen rays met.
+// Normals at the corners of the triangles that sixteen rays hit.
 struct alignas(64) Corners {
   float x[3][kPacketSize], y[3][kPacketSize], z[3][kPacketSize];
 };
@@ -48,7 +48,7 @@ void interpolate(const RTCHit16& __restrict__ hits, const Corners& __restrict__ 
 }  // namespace
 
 CpuScene::CpuScene() {
-  device_ = rtcNewDevice(nullptr);  // Naming a thread count here would limit every other user of oneTBB in the process.
+  device_ = rtcNewDevice(nullptr);  // A thread count here would limit all users of oneTBB in the process.
   if (device_ == nullptr) {
     fail("cannot start", rtcGetDeviceError(nullptr));
   }
@@ -91,7 +91,7 @@ void CpuScene::set(const Scene& scene) {
     reflectivity_.push_back(static_cast<float>(material.effective_reflectivity()));
   }
 
-  // Two levels that can be rebuilt apart: a cheap top over geometries that are each built well.
+  // Two levels: a top that is cheap to rebuild, over geometries that are built once at higher quality.
   scene_ = rtcNewScene(device_);
   rtcSetSceneFlags(scene_, RTC_SCENE_FLAG_DYNAMIC);
   rtcSetSceneBuildQuality(scene_, RTC_BUILD_QUALITY_LOW);
@@ -139,7 +139,7 @@ void CpuScene::add_still(const Instance& instance, unsigned id) {
   }
   part.own_vertices.emplace_back(Vec3f::Zero());  // Embree reads 16 bytes at the last vertex.
 
-  // Normals only turn; where nothing turns the mesh's own serve.
+  // Normals are only rotated; without rotation those of the mesh are used.
   if (instance.world_from_mesh.orientation.isApprox(Eigen::Quaterniond::Identity())) {
     part.normals = mesh.normals.data();
   } else {
@@ -175,7 +175,7 @@ void CpuScene::add_moving(const Instance& instance, unsigned id) {
   rtcAttachGeometryByID(scene_, part.placed, id);
 }
 
-// First what each ray met is looked up, then all are worked out together.
+// Looks up the corners of each hit in turn, then interpolates all normals in one vector loop.
 void CpuScene::shade(const RTCHit16& hits, Shading& shading) const {
   Corners corners;
   std::fill_n(shading.texture, kPacketSize, 1.0F);

@@ -1,4 +1,4 @@
-// cpu_scene.h -- a Scene as Embree holds it, with what shading needs beside it.
+// cpu_scene.h -- a Scene in Embree, and the normals and materials for shading its hits.
 
 #pragma once
 
@@ -15,8 +15,8 @@
 
 namespace insonify {
 
-/// What stands still is one Embree geometry an instance, its vertices already in place; what moves is an Embree
-/// instance of a scene of its own, so that moving it rebuilds nothing but the top of the tree.
+/// A static instance is an Embree geometry with vertices in scene coordinates. A moving instance is an Embree instance
+/// of a scene of its own, so that moving it rebuilds only the top level of the hierarchy.
 class CpuScene {
  public:
   CpuScene();
@@ -27,61 +27,61 @@ class CpuScene {
   void set(const Scene& scene);
   void move(int instance, const Pose& world_from_mesh);
 
-  /// Makes the moves since the last call count for the rays that follow.
+  /// Makes the moves since the last call effective for the rays that follow.
   void commit_moves();
 
   [[nodiscard]] RTCScene handle() const { return scene_; }
 
-  /// RayPacket::occlude(). Embree as GCC 12 compiles it may never return from coherent packets among instances: of a
-  /// mask of 16 bits it reads 64 from its stack (github.com/RenderKit/embree/pull/574).
+  /// Calls RayPacket::occlude(). Coherent packets are avoided if there are Embree instances: there, Embree compiled by
+  /// GCC 12 may never return, because it reads 64 bits of a mask that has 16 (github.com/RenderKit/embree/pull/574).
   void occlude(RayPacket& packet) const {
     packet.occlude(scene_, any_moving_ ? Coherence::kScattered : Coherence::kAlike);
   }
 
-  /// Around all that is there.
+  /// Boxes around all triangles.
   [[nodiscard]] const BoxCut& boxes() const { return boxes_; }
 
-  /// World position that Embree's coordinates are relative to: single precision goes to where the scene is.
+  /// World position that Embree's coordinates are relative to, so that single precision suffices.
   [[nodiscard]] const Vec3& origin() const { return origin_; }
 
-  /// Bytes kept beside the meshes themselves and what Embree allocates.
+  /// Bytes in addition to the meshes and to what Embree allocates.
   [[nodiscard]] std::size_t bytes() const;
   [[nodiscard]] std::size_t embree_bytes() const { return static_cast<std::size_t>(embree_bytes_.load()); }
 
-  /// What sixteen rays met. Normals are neither of unit length nor on any particular side.
+  /// Surfaces hit by sixteen rays. Normals have any length and may point to either side.
   struct alignas(64) Shading {
     float normal_x[kPacketSize], normal_y[kPacketSize], normal_z[kPacketSize];
-    float reflectivity[kPacketSize];    ///< 0 where nothing was met.
-    float texture[kPacketSize];         ///< ReliefPoint::reflectivity, which `reflectivity` holds already.
-    SurfaceLabel surface[kPacketSize];  ///< kNoSurface where nothing was met.
+    float reflectivity[kPacketSize];    ///< 0 where nothing was hit.
+    float texture[kPacketSize];         ///< ReliefPoint::reflectivity; `reflectivity` includes it.
+    SurfaceLabel surface[kPacketSize];  ///< kNoSurface where nothing was hit.
 
     [[nodiscard]] Vec3f normal(int lane) const { return {normal_x[lane], normal_y[lane], normal_z[lane]}; }
   };
   void shade(const RTCHit16& hits, Shading& shading) const;
 
-  /// What a mirror makes of sound that meets it.
-  /// @param surface, triangle  Of the mirror.
+  /// Ray-tube spreading by a mirror, see ray_tube().
+  /// @param surface, triangle  The mirror's label and triangle.
   [[nodiscard]] RayTube tube(SurfaceLabel surface, std::uint32_t triangle, const Vec3f& direction, const Vec3f& normal,
                              float range) const;
 
-  /// The small shape of the surfaces.
+  /// Relief of all surfaces.
   [[nodiscard]] const Reliefs& reliefs() const { return reliefs_; }
 
-  /// What relief there is where sixteen rays met something, after shade(): changes reflectivities.
-  /// @param reliefs  Of each ray; none where nothing was met.
+  /// After shade(): evaluates the relief at the hits of sixteen rays and multiplies reflectivities by it.
+  /// @param reliefs  Receives the relief at each hit; flat where nothing was hit.
   void add_relief(const RTCRayHit16& rays, Shading& shading, ReliefPoint* reliefs) const;
 
-  /// The same, and bends the normals.
+  /// The same, and tilts the normals.
   void bend_normals(const RTCRayHit16& rays, Shading& shading) const;
 
  private:
   // One instance of the scene.
   struct Part {
     const std::array<std::uint32_t, 3>* triangles = nullptr;
-    const Vec3f* normals = nullptr;  // In the world; of a moving part in its own frame.
+    const Vec3f* normals = nullptr;  // In the world frame; of a moving part in its own frame.
     const std::uint16_t* slots = nullptr;
-    std::vector<SurfaceLabel> surfaces;                      // Of each slot.
-    Eigen::Matrix3f rotation = Eigen::Matrix3f::Identity();  // Of a moving part.
+    std::vector<SurfaceLabel> surfaces;                      // [material slot]
+    Eigen::Matrix3f rotation = Eigen::Matrix3f::Identity();  // World from mesh, of a moving part.
     std::vector<Vec3f> own_vertices, own_normals;
     RTCScene own_scene = nullptr;
     RTCGeometry placed = nullptr;  // The Embree instance of a moving part.

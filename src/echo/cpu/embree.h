@@ -10,10 +10,10 @@
 
 namespace insonify {
 
-/// Whether the rays of a packet start and point alike, which tells Embree how to walk its tree.
+/// Whether the rays of a packet have similar origins and directions, which selects Embree's traversal.
 enum class Coherence { kAlike, kScattered };
 
-/// Finds the nearest hit of each of sixteen rays; `valid` is -1 for the lanes that are rays, 0 for the others.
+/// Finds the nearest hit of each of sixteen rays; `valid` is -1 for lanes in use, else 0.
 inline void embree_intersect(RTCScene scene, const int* valid, RTCRayHit16& rays, Coherence coherence) {
 #if INSONIFY_EMBREE_MAJOR >= 4
   RTCIntersectArguments arguments;
@@ -29,7 +29,7 @@ inline void embree_intersect(RTCScene scene, const int* valid, RTCRayHit16& rays
 #endif
 }
 
-/// Finds whether each of sixteen rays hits anything; those that do end with a negative tfar.
+/// Finds whether each of sixteen rays hits anything; tfar of those that do becomes negative.
 inline void embree_occluded(RTCScene scene, const int* valid, RTCRay16& rays, Coherence coherence) {
 #if INSONIFY_EMBREE_MAJOR >= 4
   RTCOccludedArguments arguments;

@@ -1,4 +1,4 @@
-// facets.cpp -- edges and planes of sixteen triangles at a time.
+// facets.cpp -- computes edges and planes of sixteen triangles in one vector loop.
 
 #include "echo/cpu/facets.h"
 
@@ -11,14 +11,15 @@ namespace {
 
 constexpr float kPi = 3.14159265F;
 
-// Added to both ends of an azimuth interval [rad]: more than fast_azimuth() and rounding can be wrong by.
+// Added at both ends of an azimuth interval [rad]: more than the error of fast_azimuth() and of rounding.
 constexpr float kAzimuthMargin = 3e-4F;
 
-// An edge in a half-plane of one azimuth bounds nothing there, or everything: such a steep one as good as does, once
-// shifted so that a half-plane in which it lies is drawn by the triangles on both sides.
+// A vertical edge is no bound of t: on one side of its azimuth all of the column is inside, on the other nothing. It is
+// replaced by a bound so steep that it acts the same, shifted so that a column exactly at its azimuth belongs to the
+// triangles on both sides.
 constexpr float kSteep = 1e20F, kSteepShift = -1e12F;
 
-// Azimuth of (x, y), absolute error below 1e-4 rad: a polynomial for atan on 0..1 and the symmetries of the circle.
+// Azimuth of (x, y), absolute error below 1e-4 rad: a polynomial for atan on 0..1 and symmetries.
 [[gnu::always_inline]] inline float fast_azimuth(float x, float y) {
   const float ax = std::abs(x), ay = std::abs(y);
   const float small = ax < ay ? ax : ay, large = (ax < ay ? ay : ax) + 1e-30F;
@@ -33,8 +34,8 @@ struct Corner {
   float x, y, z;
 };
 
-// Normal of the plane through the origin and two corners, seen from whichever of them comes first: a triangle on the
-// other side of the edge gets the same numbers, negated.
+// Normal of the plane through the origin and two corners, computed from the lesser of both in a fixed order, so that
+// the triangle on the other side of the edge gets exactly the same numbers, negated.
 [[gnu::always_inline]] inline Corner edge_between(Corner a, Corner b) {
   const bool swapped = (a.x > b.x) | ((a.x == b.x) & ((a.y > b.y) | ((a.y == b.y) & (a.z > b.z))));
   const Corner p{swapped ? b.x : a.x, swapped ? b.y : a.y, swapped ? b.z : a.z};
@@ -44,7 +45,7 @@ struct Corner {
   return {sign * (p.y * dz - p.z * dy), sign * (p.z * dx - p.x * dz), sign * (p.x * dy - p.y * dx)};
 }
 
-// An edge as a bound of t: side (x cos az + y sin az + z t) >= 0.
+// Solves side (x cos az + y sin az + z t) >= 0 for t.
 struct Bound {
   float x, y, shift, upper;
 };
@@ -63,11 +64,12 @@ struct Azimuths {
   const float az0 = fast_azimuth(a.x, a.y), az1 = fast_azimuth(b.x, b.y), az2 = fast_azimuth(c.x, c.y);
   const float least01 = az0 < az1 ? az0 : az1, most01 = az0 < az1 ? az1 : az0;
   const float least = least01 < az2 ? least01 : az2, most = most01 < az2 ? az2 : most01;
-  const bool around = most - least > kPi - kAzimuthMargin;  // Behind the sonar, or around its axis: everywhere.
+  const bool around = most - least > kPi - kAzimuthMargin;  // Behind the sonar or around its axis: any azimuth.
   return {around ? -4.0F : least - kAzimuthMargin, around ? 4.0F : most + kAzimuthMargin};
 }
 
-// Above the upper edge of a fan is a convex cone, and below the lower one: what has its corners there is all there.
+// Whether a triangle lies outside the elevation aperture. The region above the fan is a convex cone if tan_high >= 0: a
+// triangle with all corners in it is entirely in it. The same holds below.
 [[gnu::always_inline]] inline bool is_outside(Corner a, Corner b, Corner c, float tan_low, float tan_high) {
   const float r0 = std::sqrt(a.x * a.x + a.y * a.y), r1 = std::sqrt(b.x * b.x + b.y * b.y),
               r2 = std::sqrt(c.x * c.x + c.y * c.y);
@@ -97,7 +99,7 @@ void make_facets(const TriangleBlock& __restrict__ block, const FanView::Placeme
   };
   for (int lane = 0; lane < kBlockSize; ++lane) {
     const Corner a = corner(0, lane), b = corner(1, lane), c = corner(2, lane);
-    // From differences: products of whole coordinates would lose the plane of a small triangle far away.
+    // From differences of corners, to keep precision for small triangles far away.
     const float ux = b.x - a.x, uy = b.y - a.y, uz = b.z - a.z, vx = c.x - a.x, vy = c.y - a.y, vz = c.z - a.z;
     const float nx = uy * vz - uz * vy, ny = uz * vx - ux * vz, nz = ux * vy - uy * vx;
     const float distance = nx * a.x + ny * a.y + nz * a.z;

@@ -1,4 +1,4 @@
-// fan_raster.cpp -- every triangle into the columns it may touch, sixteen columns and then sixteen rows at a time.
+// fan_raster.cpp -- draws triangles: row intervals in sixteen columns at a time, then sixteen rows at a time.
 
 #include "echo/cpu/fan_raster.h"
 
@@ -13,20 +13,20 @@ namespace {
 
 constexpr int kTogether = FanRaster::kTogether;
 
-// Triangles reach beyond their edges by this share of a row, so that no sample falls between those that meet in one
-// corner: more than single precision loses, far less than shows.
+// Triangles extend beyond their edges by this share of a row, so that no sample falls between triangles that meet in a
+// corner: more than the rounding error of single precision.
 constexpr float kOverlap = 3e-5F;
 
-// Rows by tan(elevation).
+// Conversion between tan(elevation) and rows.
 struct RowScale {
   float tan_step, rows_per_tan, last_row;
 };
 
-// How far a triangle reaches in sixteen columns.
+// Interval of rows that a triangle covers in each of sixteen columns, and its nearness there.
 struct Reach {
   int first_row[kTogether], last_row[kTogether];
   float nearness[kTogether];  // At row 0.
-  float per_row;
+  float per_row;              // Change of nearness per row.
 };
 
 [[gnu::always_inline]] inline void find_reach(const Facets& facets, int lane, const float* __restrict__ cos_az,
@@ -54,7 +54,7 @@ struct Reach {
   }
 }
 
-// Sixteen rows from first_row on, or fewer up to last_row.
+// Depth test of sixteen rows from first_row on, or fewer up to last_row.
 [[gnu::always_inline]] inline void draw_rows(std::uint32_t triangle, float at_row_0, float per_row, int first_row,
                                              int last_row, float* __restrict__ nearness,
                                              std::uint32_t* __restrict__ nearest) {
@@ -70,6 +70,7 @@ struct Reach {
   }
 }
 
+// Sets nearness to that of the maximum range, so that farther triangles fail the depth test.
 INSONIFY_VECTOR_CLONES
 void fill_nearness(int rows, float max_range, const float* __restrict__ cos_el, float* __restrict__ nearness) {
   for (int row = 0; row < rows; ++row) {
@@ -120,7 +121,6 @@ void FanRaster::clear(float max_range) {
     nearest_.resize(cells);
   }
   std::fill_n(nearest_.begin(), cells, kNothing);
-  // What is farther than the range never gets in: |d| = 1 / cos(elevation).
   for (int column = 0; column < columns_.count; ++column) {
     fill_nearness(lattice.rows, max_range, lattice.cosines(first_column_ + column),
                   &nearness_[static_cast<std::size_t>(column) * stride_]);
@@ -128,6 +128,8 @@ void FanRaster::clear(float max_range) {
   shadings_.assign(kShadings, {});
 }
 
+// For every triangle of the cluster that may touch the columns: finds its rows in sixteen columns at a time, then makes
+// the depth test in each of these columns.
 INSONIFY_VECTOR_CLONES
 void FanRaster::draw_cluster(const TriangleCluster& cluster, int first_column, int last_column) {
   const Lattice& lattice = plan_->lattice;

@@ -1,4 +1,4 @@
-// fan_raster.h -- primary echoes without rays: triangles drawn straight into a fan's columns and rows.
+// fan_raster.h -- rasterises triangles into the columns and rows of a fan, instead of tracing primary rays.
 
 #pragma once
 
@@ -10,27 +10,27 @@
 
 namespace insonify {
 
-/// Draws neighbouring columns of a lattice: for every column and row the nearest triangle, exactly where a ray would
-/// meet it. Rows are uniform in tan(elevation), along which the edges of a triangle are straight for any one azimuth,
-/// so that nothing needs to be clipped: not behind the sonar, not around it. Edges that two triangles share are worked
-/// out from the same end, so that no sample falls between them.
+/// Finds the nearest triangle for every column and row of neighbouring columns of a lattice, at exactly the point where
+/// a ray would hit it. Rows are equally spaced in tan(elevation), in which the edges of a triangle are straight lines
+/// at any azimuth, so that triangles need no clipping, even behind or around the sonar. An edge that two triangles
+/// share is computed from the same end for both, so that no sample falls between them.
 class FanRaster {
  public:
-  static constexpr int kTogether = 16;  ///< Columns, and rows, worked on side by side.
+  static constexpr int kTogether = 16;  ///< Columns, or rows, processed together.
 
   /// Draws columns [first, last).
   void draw(const RasterScene& scene, const FanView& view, const PingPlan& plan, int first_column, int last_column);
 
-  /// Takes one of these columns over into `hits`, the group that engines fill in except directions.
-  /// @return Rows up to the last that met something.
+  /// Fills in the engine's group of `hits` for one of these columns, except directions.
+  /// @return Number of rows up to the last hit.
   int read(int column, const HitColumn& hits);
 
  private:
   static constexpr std::size_t kShadings = 256;
   static constexpr std::uint32_t kNothing = 0xffffffff;
 
-  // Of one triangle: its normal at d, on the side that it winds to, is the sum of d's components times these, of any
-  // length.
+  // A triangle's label, and its interpolated normal as a linear function of the direction d: d.x edges[0] + d.y
+  // edges[1] + d.z edges[2], of any length, on the side given by the winding.
   struct Shading {
     std::uint32_t triangle = kNothing;  // As in nearest_.
     std::uint32_t in_mesh = 0;
@@ -39,7 +39,7 @@ class FanRaster {
     std::array<Vec3f, 3> edges = {Vec3f::Zero(), Vec3f::Zero(), Vec3f::Zero()};
   };
 
-  // The columns that are drawn, filled up to a multiple of kTogether.
+  // The columns that are drawn, padded to a multiple of kTogether.
   struct Columns {
     int count = 0;
     std::vector<float> cos_azimuth, sin_azimuth, first_tan;
@@ -56,9 +56,9 @@ class FanRaster {
   const PingPlan* plan_ = nullptr;
   int first_column_ = 0, stride_ = 0;
   Columns columns_;
-  std::vector<float> nearness_;  // [column][row]: 1 over the distance along the column's axis, which is what is linear.
-  std::vector<std::uint32_t> nearest_;  // [column][row]: block and lane.
-  std::vector<Shading> shadings_;       // Of triangles read last, each at the place that its number ends with.
+  std::vector<float> nearness_;         // [column][row] 1 / horizontal distance: linear in tan(elevation), see Facets.
+  std::vector<std::uint32_t> nearest_;  // [column][row] Nearest triangle: block x kBlockSize + lane, or kNothing.
+  std::vector<Shading> shadings_;       // Cache of triangles read recently, at index triangle modulo kShadings.
   Shading no_shading_;
 };
 

@@ -1,4 +1,4 @@
-// fan_shade.cpp -- from which triangle is nearest to what an engine has to tell of it.
+// fan_shade.cpp -- fills in the hits of a column from the nearest triangles of the raster.
 
 #include <algorithm>
 
@@ -36,7 +36,7 @@ int FanRaster::read(int column, const HitColumn& hits) {
   float* __restrict__ reflectivity = hits.reflectivity;
   int rows_met = 0;
   for (int row = 0; row < rows;) {
-    // Rows one after another that see the same triangle; sixteen are written at a time, those beyond soon again.
+    // Consecutive rows with the same triangle. Sixteen are written at a time; surplus ones are overwritten later.
     const std::uint32_t triangle = nearest[row];
     int end = row + 1;
     while (end < rows && nearest[end] == triangle) {
@@ -73,8 +73,9 @@ const FanRaster::Shading& FanRaster::known_shading(std::uint32_t triangle) {
   return shading;
 }
 
-// The weights of a triangle's corners are its edge functions, linear in the direction d = (cos az, sin az, tan el): so
-// is their sum of vertex normals, which need not be of unit length.
+// The barycentric weights of a triangle's corners are, up to a common factor, its edge functions, which are linear in
+// the direction d = (cos az, sin az, tan el). So the interpolated normal is linear in d too; its length does not
+// matter.
 FanRaster::Shading FanRaster::shading_of(std::uint32_t triangle) const {
   const int lane = static_cast<int>(triangle % kBlockSize);
   const std::uint32_t number = triangle / kBlockSize;
@@ -89,7 +90,7 @@ FanRaster::Shading FanRaster::shading_of(std::uint32_t triangle) const {
     normal[k] = part.turn * part.mesh->normals[corners[k]];
   }
   const Vec3f edge[3] = {at[1].cross(at[2] - at[1]), at[2].cross(at[0] - at[2]), at[0].cross(at[1] - at[0])};
-  // Seen from the side they wind to, the weights are all negative.
+  // Seen from the side that the winding points to, all weights are negative.
   const float side = at[0].dot((at[1] - at[0]).cross(at[2] - at[0])) < 0 ? -1.0F : 1.0F;
   const float size =
       side / (edge[0].cwiseAbs().maxCoeff() + edge[1].cwiseAbs().maxCoeff() + edge[2].cwiseAbs().maxCoeff());

@@ -1,4 +1,4 @@
-// fan_view.cpp -- what of a scene lies in a fan, cluster by cluster.
+// fan_view.cpp -- tests the bounding spheres of clusters against the fan.
 
 #include "echo/cpu/fan_view.h"
 
@@ -17,7 +17,7 @@ void ColumnFinder::prepare(const Lattice& lattice) {
   first_.resize(static_cast<std::size_t>(steps) + 2);
   int column = 0;
   for (int step = 0; step < steps + 2; ++step) {
-    // A step early, for rounding.
+    // One step early, to allow for rounding.
     const float edge = port_ - static_cast<float>(step - 1) / steps_per_radian_;
     while (column < lattice.columns && lattice.azimuth[column] > edge) {
       ++column;
@@ -38,7 +38,7 @@ ColumnFinder::Columns ColumnFinder::between(float low, float high) const {
   return {first, last};
 }
 
-// Columns that a sphere around the sonar may touch; none where it lies outside the range or the elevation aperture.
+// Columns that a sphere may touch; none if it lies outside the range or the elevation aperture.
 ColumnFinder::Columns FanView::columns_of(const Sphere& sphere, const Placement& placement,
                                           const PingPlan& plan) const {
   const Lattice& lattice = plan.lattice;
@@ -47,7 +47,7 @@ ColumnFinder::Columns FanView::columns_of(const Sphere& sphere, const Placement&
   if (centre.norm() > plan.true_max_range + radius) {
     return {0, 0};
   }
-  // In the half-plane of its azimuth a centre is so far above the upper edge of the fan, and below the lower.
+  // Distances of the centre above the upper and below the lower edge of the fan, in the half-plane of its azimuth.
   const float across = std::hypot(centre.x(), centre.y());
   const Lattice::Edges& edges = lattice.edges_of(0);
   if (centre.z() * edges.cos_high - across * edges.sin_high > radius ||

@@ -1,4 +1,4 @@
-// fan_view.h -- which of a scene's triangles lie in a fan, and in which of its columns.
+// fan_view.h -- finds the clusters of triangles that lie in a fan, and their columns.
 
 #pragma once
 
@@ -9,13 +9,13 @@
 
 namespace insonify {
 
-/// Which columns of a lattice an interval of azimuths may touch.
+/// Finds the columns of a lattice in an interval of azimuths, by a table.
 class ColumnFinder {
  public:
-  /// Allocates only when it needs more memory than any before.
+  /// Allocates only if it needs more memory than ever before.
   void prepare(const Lattice& lattice);
 
-  /// Columns [first, last) that hold every column with low <= azimuth <= high, perhaps a few more.
+  /// Columns [first, last) that contain all with low <= azimuth <= high, and perhaps a few more.
   struct Columns {
     int first, last;
   };
@@ -23,24 +23,26 @@ class ColumnFinder {
 
  private:
   int columns_ = 0;
-  std::vector<int> first_;  // [step]: first column whose azimuth is not above that of the step's upper edge.
+  std::vector<int> first_;  // [step] First column whose azimuth is at most that of the step's upper edge.
   float port_ = 0;          // Azimuth of the first column [rad].
   float steps_per_radian_ = 0;
 };
 
-/// What one ping sees of a RasterScene: how its parts lie around the sonar, and which clusters are in reach.
+/// The part of a RasterScene that one ping can hit: poses of its parts relative to the sonar, and the clusters in the
+/// fan.
 class FanView {
  public:
-  /// Allocates only when it needs more memory than any before.
+  /// Allocates only if it needs more memory than ever before.
   void look(const RasterScene& scene, const PingPlan& plan, const Pose& scene_from_sonar);
 
   struct Placement {
     Eigen::Matrix3f sonar_from_part;
-    Vec3f sonar;  // In the part's coordinates: taken away before turning, so that far-off scenes lose no precision.
+    Vec3f sonar;  // Position in the part's frame. It is subtracted before rotating, to keep precision far from the
+                  // origin.
   };
   struct Visible {
     std::uint32_t cluster;
-    int first_column, last_column;  // Of the lattice, [first, last).
+    int first_column, last_column;  // Columns of the lattice, [first, last).
   };
   [[nodiscard]] const Placement& placement(int instance) const { return placements_[instance]; }
   [[nodiscard]] const std::vector<Visible>& visible() const { return visible_; }

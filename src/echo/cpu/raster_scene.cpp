@@ -1,4 +1,4 @@
-// raster_scene.cpp -- sorting triangles so that neighbours share a cluster.
+// raster_scene.cpp -- sorts triangles along a space-filling curve, so that neighbours share a cluster.
 
 #include "echo/cpu/raster_scene.h"
 
@@ -11,7 +11,7 @@ namespace {
 constexpr std::size_t kClusterSize = 64;
 static_assert(kClusterSize % kBlockSize == 0);
 
-// Spreads ten bits over thirty.
+// Inserts two zero bits after each of the ten lowest bits.
 std::uint32_t spread_bits(std::uint32_t x) {
   x = (x | x << 16) & 0x030000ffU;
   x = (x | x << 8) & 0x0300f00fU;
@@ -19,7 +19,7 @@ std::uint32_t spread_bits(std::uint32_t x) {
   return (x | x << 2) & 0x09249249U;
 }
 
-// Where a point lies on the Z-shaped curve through a box (Morton, 1966): points close on the curve are close in space.
+// Position of a point on the Z-order curve through a box (Morton, 1966): points close on the curve are close in space.
 std::uint32_t morton_code(const Vec3f& point, const Vec3f& low, const Vec3f& scale) {
   std::uint32_t code = 0;
   for (int axis = 0; axis < 3; ++axis) {
@@ -29,7 +29,7 @@ std::uint32_t morton_code(const Vec3f& point, const Vec3f& low, const Vec3f& sca
   return code;
 }
 
-// The triangles of a mesh along that curve.
+// Indices of a mesh's triangles in the order of their centres on that curve.
 std::vector<std::uint32_t> near_order(const Mesh& mesh, const std::vector<Vec3f>& vertices) {
   Vec3f low = vertices.front(), high = low;
   for (const Vec3f& vertex : vertices) {

@@ -1,4 +1,4 @@
-// raster_scene.h -- a Scene's triangles as the fan rasteriser reads them: sixteen side by side, near ones together.
+// raster_scene.h -- the triangles of a Scene for the fan rasteriser, in blocks of sixteen and clusters of neighbours.
 
 #pragma once
 
@@ -12,18 +12,18 @@ namespace insonify {
 
 inline constexpr int kBlockSize = 16;
 
-/// Corners of sixteen triangles, coordinate by coordinate. The last block of a cluster is filled up with its last
-/// triangle.
+/// Corners of sixteen triangles, as arrays of coordinates: [corner][triangle]. The last block of a cluster is padded
+/// with copies of its last triangle.
 struct TriangleBlock {
   float x[3][kBlockSize], y[3][kBlockSize], z[3][kBlockSize];
 };
 
-/// Holds things, in the coordinates that they have.
+/// Bounding sphere.
 struct Sphere {
   Vec3f centre = Vec3f::Zero();
   float radius = 0;
 
-  /// Around a box, rounding included.
+  /// Bounding sphere of a box, enlarged for rounding.
   static Sphere around(const Vec3f& low, const Vec3f& high) {
     return {0.5F * (low + high), 0.5F * (high - low).norm() * 1.0001F};
   }
@@ -37,10 +37,10 @@ struct TriangleCluster {
   std::uint32_t triangle_count = 0;
 };
 
-/// What stands still lies in the world's coordinates, relative to the middle of the scene; what moves in its mesh's.
+/// Static instances have coordinates relative to the middle of the scene, moving ones those of their mesh.
 class RasterScene {
  public:
-  /// The scene must outlive this or the next call.
+  /// The scene must outlive this object or the next call.
   void set(const Scene& scene);
   void move(int instance, const Pose& world_from_mesh);
 
@@ -48,7 +48,7 @@ class RasterScene {
   [[nodiscard]] const std::vector<TriangleBlock>& blocks() const { return blocks_; }
   [[nodiscard]] const Vec3& origin() const { return origin_; }
 
-  /// Of the lane of a block: which triangle of the instance's mesh it is.
+  /// Index in the instance's mesh of the triangle in a lane of a block.
   [[nodiscard]] std::uint32_t triangle(std::uint32_t block, int lane) const {
     return triangles_[static_cast<std::size_t>(block) * kBlockSize + lane];
   }
@@ -57,17 +57,17 @@ class RasterScene {
 
   struct Part {
     const Mesh* mesh = nullptr;
-    Pose scene_from_part;                // Identity for what stands still.
-    Eigen::Matrix3f turn;                // Of the mesh's normals into the scene's frame.
-    std::vector<SurfaceLabel> surfaces;  // Of each slot.
+    Pose scene_from_part;                // Identity for static instances.
+    Eigen::Matrix3f turn;                // Rotation of the mesh's normals into the world frame.
+    std::vector<SurfaceLabel> surfaces;  // [material slot]
     bool moving = false;
-    Sphere sphere;                                      // Around all of it.
+    Sphere sphere;                                      // Around all clusters.
     std::uint32_t first_cluster = 0, last_cluster = 0;  // [first, last)
   };
   [[nodiscard]] const std::vector<Part>& parts() const { return parts_; }
   [[nodiscard]] float reflectivity(SurfaceLabel surface) const { return reflectivity_[material_of(surface)]; }
 
-  /// Bytes kept.
+  /// Bytes of memory in use.
   [[nodiscard]] std::size_t bytes() const;
 
  private:

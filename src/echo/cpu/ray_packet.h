@@ -1,4 +1,4 @@
-// ray_packet.h -- sixteen rays for Embree at a time.
+// ray_packet.h -- a packet of sixteen rays for Embree.
 
 #pragma once
 
@@ -11,10 +11,10 @@ namespace insonify {
 
 inline constexpr int kPacketSize = kRayLanes;
 
-/// Columns and rows of a packet: the shape in which sixteen neighbours spread least.
+/// A packet of primary rays is kTile columns by kTile rows: the most compact shape.
 inline constexpr int kTile = 4;
 
-/// Rays that lie close together: Embree then walks them through the tree as one.
+/// Sixteen rays. Embree traverses its hierarchy with all of them at once, which is fast if they are close together.
 struct alignas(64) RayPacket {
   RTCRayHit16 rays;
   int valid[kPacketSize];
@@ -62,7 +62,7 @@ struct alignas(64) RayPacket {
     return {ray.org_x, ray.org_y, ray.org_z, ray.dir_x, ray.dir_y, ray.dir_z, ray.tnear, ray.tfar};
   }
 
-  /// The first `count` lanes are rays, the others are not.
+  /// Enables the first `count` lanes.
   void set_count(int count) {
     for (int lane = 0; lane < kPacketSize; ++lane) {
       valid[lane] = lane < count ? -1 : 0;
@@ -75,14 +75,14 @@ struct alignas(64) RayPacket {
     }
   }
 
-  /// One bit a lane: those set are rays, the others are not.
+  /// Enables the lanes whose bit is set.
   void set_lanes(unsigned lanes) {
     for (int lane = 0; lane < kPacketSize; ++lane) {
       valid[lane] = (lanes >> lane & 1U) != 0 ? -1 : 0;
     }
   }
 
-  /// Finds what each ray meets within its own tfar; lanes that meet nothing have no hit().
+  /// Finds the nearest hit of each ray within its tfar; see hit().
   void intersect(RTCScene scene) {
     for (int lane = 0; lane < kPacketSize; ++lane) {
       rays.hit.geomID[lane] = RTC_INVALID_GEOMETRY_ID;
@@ -91,7 +91,7 @@ struct alignas(64) RayPacket {
     embree_intersect(scene, valid, rays, Coherence::kAlike);
   }
 
-  /// Finds whether anything is met within each ray's own tfar; afterwards blocked() tells.
+  /// Finds whether each ray hits anything within its tfar; see blocked().
   void occlude(RTCScene scene, Coherence coherence) { embree_occluded(scene, valid, rays.ray, coherence); }
   [[nodiscard]] bool blocked(int lane) const { return rays.ray.tfar[lane] < 0; }
 };

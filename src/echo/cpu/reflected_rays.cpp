@@ -1,4 +1,4 @@
-// reflected_rays.cpp -- from hits of a strip to rays.
+// reflected_rays.cpp -- computes reflected rays and their neighbours' changes in vector loops.
 
 #include "echo/cpu/reflected_rays.h"
 

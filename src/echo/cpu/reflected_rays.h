@@ -1,4 +1,4 @@
-// reflected_rays.h -- sixteen rays on from where sound met a mirror.
+// reflected_rays.h -- sets up packets of reflected rays.
 
 #pragma once
 
@@ -9,33 +9,34 @@
 
 namespace insonify {
 
-/// Where a packet of reflected rays left the first surface.
+/// The hits on the first surface that a packet of reflected rays starts from.
 struct ReflectedOrigins {
-  int column[kPacketSize], row[kPacketSize];  ///< Of the lattice.
+  int column[kPacketSize], row[kPacketSize];  ///< Sample of the lattice.
   float range[kPacketSize], selected[kPacketSize];
-  float strength[kPacketSize];                                                 ///< `paper`
+  float strength[kPacketSize];                                                 ///< `paper`: HitColumn::strength.
   float reflectance[kPacketSize], share[kPacketSize], steepness[kPacketSize];  ///< `calibrated`: see MirrorPaths.
-  RayTube tube[kPacketSize];   ///< `calibrated`, where sound comes back by the mirror.
-  MirrorChanges above, aside;  ///< To samples beside each.
+  RayTube tube[kPacketSize];   ///< `calibrated` with more than two surfaces.
+  MirrorChanges above, aside;  ///< Changes to the neighbours in the column and in the next column.
 };
 
-/// The mirrors that a packet left, as long as their strip is at hand: see MirrorSample.
+/// MirrorSample of sixteen hits.
 struct Mirrors {
   float place_x[kPacketSize], place_y[kPacketSize], place_z[kPacketSize];
   float normal_x[kPacketSize], normal_y[kPacketSize], normal_z[kPacketSize];
   float reflected_x[kPacketSize], reflected_y[kPacketSize], reflected_z[kPacketSize];
 };
 
-/// Readies the first `count` lanes of a packet: on from the hits at the given places of a strip, in the mirror
-/// direction, as far as an echo may come from.
+/// Sets up the first `count` lanes of a packet: reflected rays from the hits at the given indices of a strip, as long
+/// as reflected_reach().
 void aim_reflected(const HitColumn& strip, const int* place, int count, const Vec3f& sonar, float max_range,
                    RTCRay16& rays, ReflectedOrigins& origins, Mirrors& mirrors);
 
-/// The changes from those hits to others beside them in the strip.
+/// Computes the changes from those hits to their neighbours at the indices `beside` of the strip.
 void compare_beside(const HitColumn& strip, const int* beside, int count, const float* range, const Mirrors& mirrors,
                     MirrorChanges& changes);
 
-/// Turns rays that aim_reflected() readied to facets of their mirrors, whose roughness and share origins tell and take.
+/// Reflects the rays of aim_reflected() by facets of their mirrors instead, and sets ReflectedOrigins::share. Reads
+/// their steepness.
 void turn_to_facets(const HitColumn& strip, const int* place, int count, float max_range, std::uint32_t seed,
                     const Mirrors& mirrors, RTCRay16& rays, ReflectedOrigins& origins);
 

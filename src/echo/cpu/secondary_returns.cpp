@@ -1,4 +1,4 @@
-// secondary_returns.cpp -- what reflected rays met, and straight back from there.
+// secondary_returns.cpp -- from the hits of reflected rays to return legs and echoes.
 
 #include <bit>
 #include <cmath>
@@ -14,14 +14,14 @@ namespace {
 
 static_assert(kPathLanes == kPacketSize);
 
-constexpr float kTiny = 1e-20F;  // Keeps what divides from being zero.
+constexpr float kTiny = 1e-20F;  // Added to divisors that may be zero.
 
-// Where the hits of a packet of reflected rays lie, and how far it is back from there.
+// The hits of a packet of reflected rays, and the straight paths from there to the sonar.
 struct Returns {
   float x[kPacketSize], y[kPacketSize], z[kPacketSize];                 // Second surface.
   float back_x[kPacketSize], back_y[kPacketSize], back_z[kPacketSize];  // Unit vector from there to the sonar.
-  float distance[kPacketSize];                                          // Of the way back.
-  float there[kPacketSize];                                             // Out and across.
+  float distance[kPacketSize];                                          // Length of the straight path [m].
+  float there[kPacketSize];                                             // Length out and across [m].
   float once[kPacketSize], twice[kPacketSize];                          // See PathFootprint.
 
   [[nodiscard]] Vec3f point(int lane) const { return {x[lane], y[lane], z[lane]}; }
@@ -67,7 +67,7 @@ void measure_footprints(const RTCRay16& __restrict__ rays, const CpuScene::Shadi
   }
 }
 
-// The paper model's strengths, see secondary_powers(), and whether echoes are from within the range: 1 or 0.
+// Strengths in the `paper` model, see secondary_powers(); and 1 where the echo is within the range, else 0.
 INSONIFY_VECTOR_CLONES
 void weigh_returns(const RTCRay16& __restrict__ rays, const CpuScene::Shading& __restrict__ met,
                    const ReflectedOrigins& __restrict__ origins, const Returns& __restrict__ returns, float max_range,
@@ -82,7 +82,7 @@ void weigh_returns(const RTCRay16& __restrict__ rays, const CpuScene::Shading& _
   }
 }
 
-// How the sound meets the second surface; see MirrorPaths.
+// Fills in the arguments of fill_mirror_powers().
 INSONIFY_VECTOR_CLONES
 void fill_paths(const RTCRay16& __restrict__ rays, const CpuScene::Shading& __restrict__ met,
                 const ReflectedOrigins& __restrict__ origins, const Returns& __restrict__ returns,
@@ -122,7 +122,7 @@ void SecondaryTask::send_back(const Vec3f& point, const Vec3f& direction, float 
   }
 }
 
-// The paper model's: one echo, heard where it was launched.
+// `paper`: one echo, in the beam of the launched ray.
 void SecondaryTask::return_shaped(const RTCRay16& rays, const ReflectedOrigins& origins, unsigned lanes) {
   Returns returns;
   float strength[kPacketSize], within[kPacketSize];
@@ -141,7 +141,8 @@ void SecondaryTask::return_shaped(const RTCRay16& rays, const ReflectedOrigins& 
   }
 }
 
-// The calibrated model's: back the same way at once, and both ways round once the way straight back is known clear.
+// `calibrated`: deposits the echo by the mirror both ways at once. The two reciprocal echoes by the mirror one way wait
+// until finish_returns() knows that the straight path back is unobstructed.
 void SecondaryTask::return_mirrored(const RTCRay16& rays, const ReflectedOrigins& origins, unsigned lanes) {
   Returns returns;
   MirrorPaths paths;
@@ -180,7 +181,7 @@ void SecondaryTask::return_mirrored(const RTCRay16& rays, const ReflectedOrigins
   }
 }
 
-// Deposits those of the returning echoes whose way back is clear.
+// Traces the return legs and deposits the echoes of those that are unobstructed.
 void SecondaryTask::finish_returns() {
   back_.set_count(returning_count_);
   if (log_ != nullptr) {

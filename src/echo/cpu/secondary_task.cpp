@@ -1,4 +1,4 @@
-// secondary_task.cpp -- on to a second surface, and back from there.
+// secondary_task.cpp -- collects, culls and traces reflected rays.
 
 #include "echo/cpu/secondary_task.h"
 
@@ -13,10 +13,10 @@
 namespace insonify {
 namespace {
 
-// So many of sixteen fill a packet well enough.
+// A packet with at least this many of sixteen rays is traced at once.
 constexpr int kMany = 12;
 
-// After a packet that passed the boxes whole, as many of its strip are let through without a look.
+// After a packet of which no ray was culled, this many packets of the strip are not tested.
 constexpr int kUnculled = 2;
 
 }  // namespace
@@ -39,7 +39,7 @@ void SecondaryTask::start(const PingPlan& plan, const Vec3f& sonar, const Eigen:
   log_ = log;
 }
 
-void SecondaryTask::follow(const HitColumn& strip, int stride, int first_column, int columns) {
+void SecondaryTask::reflect(const HitColumn& strip, int stride, int first_column, int columns) {
   const int rows = strip.rows;
   const float* selected = strip.selected;
   unculled_ = 0;
@@ -70,8 +70,11 @@ void SecondaryTask::follow(const HitColumn& strip, int stride, int first_column,
   cull_and_trace(strip);
 }
 
-// Sends those of the candidates that may meet something in time: at once where they are many, else in packets with
-// others. The rest would give no echo.
+// Traces the reflected rays of the candidates, without those that can give no echo:
+// 1. Sets up their rays; with rough mirrors a facet reflects each, and rays into the mirror are dropped.
+// 2. With kSelective, drops rays that pass no box of the scene before their echo would be out of range.
+// 3. For the rest, computes the changes to neighbouring samples (for the footprint) and the ray tubes.
+// 4. Traces the packet if at least kMany rays are left; else adds these to `reflected_`, which is traced when full.
 void SecondaryTask::cull_and_trace(const HitColumn& strip) {
   const int count = candidate_count_;
   candidate_count_ = 0;
@@ -137,7 +140,7 @@ void SecondaryTask::cull_and_trace(const HitColumn& strip) {
   }
 }
 
-// Of the candidates that are sent.
+// Sets the ray tubes of the given candidates.
 void SecondaryTask::compute_ray_tubes(const HitColumn& strip, unsigned lanes) {
   for (; lanes != 0; lanes &= lanes - 1) {
     const int lane = std::countr_zero(lanes), at = place_[lane];
@@ -154,7 +157,7 @@ void SecondaryTask::trace_collected() {
   trace(reflected_, origins_, lanes);
 }
 
-// Traces reflected rays in the mirror directions, and readies the return legs of what they meet.
+// Traces a packet of reflected rays, and sets up the return legs of its hits.
 void SecondaryTask::trace(RayPacket& packet, const ReflectedOrigins& origins, unsigned lanes) {
   packet.set_lanes(lanes);
   if (log_ != nullptr) {

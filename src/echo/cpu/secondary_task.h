@@ -1,4 +1,4 @@
-// secondary_task.h -- the secondary echoes of a few neighbouring beams, sixteen rays at a time.
+// secondary_task.h -- computes the secondary echoes of a few neighbouring beams, in packets of sixteen rays.
 
 #pragma once
 
@@ -14,29 +14,30 @@
 
 namespace insonify {
 
-/// Sends rays on from selected hits in the mirror direction, and back from what they meet to the sonar.
+/// Traces reflected rays from selected hits, and return legs from the surfaces they hit back to the sonar.
 class SecondaryTask {
  public:
-  /// Reflected rays and return legs as they were sent, when somebody wants to send them again.
+  /// Copies of the packets that were traced, for Engine::time_traversal().
   struct Log {
     std::vector<RayPacket> reflected, back;
   };
 
   explicit SecondaryTask(const CpuScene& scene);
 
-  /// @param sonar     Position in the scene's coordinates.
-  /// @param axes      Of the sonar in the scene: forward, port and up, as columns.
-  /// @param arrivals  Takes echoes that may arrive in any beam.
+  /// @param sonar     Position relative to the scene's origin [m].
+  /// @param axes      The sonar's axes as columns: forward, port and up.
+  /// @param arrivals  Receives echoes that may arrive in any beam.
+  /// @param log       May be null.
   void start(const PingPlan& plan, const Vec3f& sonar, const Eigen::Matrix3f& axes, EchoGrid& grid,
              std::vector<Echo>& arrivals, Log* log);
 
-  /// Follows the selected hits of a strip, in the order of its tiles so that packets stay together. Echoes are
-  /// deposited as packets fill.
+  /// Traces reflected rays from the selected hits of a strip, tile by tile, so that the rays of a packet are close
+  /// together. Echoes are deposited whenever a packet of return legs is full.
   /// @param strip         Its first column; the same sample of the next is `stride` values further.
-  /// @param first_column  Of the lattice.
-  void follow(const HitColumn& strip, int stride, int first_column, int columns);
+  /// @param first_column  Column of the lattice.
+  void reflect(const HitColumn& strip, int stride, int first_column, int columns);
 
-  /// Deposits what is still on its way.
+  /// Traces the packets that are not full yet, and deposits their echoes.
   void finish();
 
   void reset_counts() { sent_ = returned_ = 0; }
@@ -65,13 +66,14 @@ class SecondaryTask {
   std::vector<Echo>* arrivals_ = nullptr;
   Log* log_ = nullptr;
 
-  // In the strip: of the hits that are followed, and of samples beside them on the same surface, if there are any.
+  // Candidates for reflected rays: indices in the strip of the hit, and of its neighbours in the column and in the next
+  // column. A neighbour on another surface is replaced by the hit itself.
   int place_[kPacketSize], above_[kPacketSize], aside_[kPacketSize];
   int candidate_count_ = 0, reflected_count_ = 0;
-  int unculled_ = 0;             // Packets that are yet to be let through without a look.
-  Echo returning_[kPacketSize];  // Met a second surface; their return legs are in back_.
+  int unculled_ = 0;             // Number of packets still to be passed without a test against the boxes.
+  Echo returning_[kPacketSize];  // Echoes whose return legs are in back_.
   float returning_strength_[kPacketSize], returning_rest_[kPacketSize];  // `paper`: see secondary_powers().
-  Echo arriving_[kPacketSize];  // `calibrated`: heard straight from the second surface.
+  Echo arriving_[kPacketSize];  // `calibrated`: their reciprocals, which arrive from the second surface.
   int returning_count_ = 0;
   std::uint64_t sent_ = 0, returned_ = 0;
 };

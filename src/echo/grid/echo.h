@@ -1,13 +1,13 @@
-// echo.h -- returned arrivals, as engines and targets give them to an EchoGrid.
+// echo.h -- single arrivals, as engines and targets pass them to an EchoGrid.
 //
-// There are three forms, since they carry different things:
-// - FootprintSegment (surface_run.h): a primary echo, spread over the range interval between two neighbouring samples
-// of
-//   a column. There are a quarter of a million in a ping; those of a run on one surface are summed before they go to
-//   the cells, which an Echo by itself would make several times as dear.
-// - Echo: one arrival by way of mirrors, which may fall into any beam.
-// - DiscreteEcho: one arrival that keeps its exact bearing and phase, as of an ideal point, and interferes with others.
-//   Cells hold sums over many scatterers, whose phases are drawn afterwards.
+// There are three kinds, because they are added in different ways:
+// - FootprintSegment (surface_run.h): a primary echo between two neighbouring samples of a column. A ping has some 200
+// 000;
+//   those of one surface are summed by bin before the grid is touched, which takes a fraction of the time.
+// - Echo: a secondary echo, which may arrive in any beam. Its footprint is spread over the bins of that beam by
+// deposit().
+// - DiscreteEcho: the echo of a point target or another sonar's pulse. It keeps its bearing and phase, so that it can
+//   interfere with others; cells hold sums of intensity, whose phase the receiver draws.
 
 #pragma once
 
@@ -15,7 +15,7 @@
 
 namespace insonify {
 
-/// Instance and material of a surface in one word, compared as one.
+/// Instance (upper 16 bits) and material (lower 16 bits) of a surface.
 using SurfaceLabel = std::uint32_t;
 inline constexpr SurfaceLabel kNoSurface = 0xffffffff;
 
@@ -29,26 +29,25 @@ constexpr std::uint16_t material_of(SurfaceLabel label) {
   return static_cast<std::uint16_t>(label);
 }
 
-/// One arrival by way of mirrors: what deposit() takes.
+/// A secondary echo: what deposit() adds to the grid.
 struct Echo {
-  float azimuth = 0;    ///< Bearing of arrival in the sonar frame [rad]. `paper`: that of launch, the reciprocal path.
-  float elevation = 0;  ///< Of the same [rad].
-  float path_length = 0;              ///< What the sound really travelled, out and back [m].
-  float half_length = 0;              ///< Of the segment in range that it is spread over evenly [m].
-  float power = 0;                    ///< Per unit of weight. `paper`: S of the echo's strength, 0..1.
-  float phase = 0;                    ///< Turned at surfaces, besides what the path length gives [rad]. `paper`: 0.
-  float weight = 0;                   ///< Solid angle of the sector that it stands for [sr].
-  int order = 1;                      ///< Surfaces met, 1..kPathOrders.
-  SurfaceLabel surface = kNoSurface;  ///< The last surface: the one the echo is labelled with.
+  float azimuth = 0;      ///< Bearing of arrival in the sonar frame [rad]; in the `paper` model, of the launched ray.
+  float elevation = 0;    ///< Elevation of the same direction [rad].
+  float path_length = 0;  ///< Length of the whole path, out and back [m].
+  float half_length = 0;  ///< Half the range interval that the echo is spread over evenly [m].
+  float power = 0;        ///< Echo intensity per unit of weight; in the `paper` model S(strength), 0..1.
+  float weight = 0;       ///< Solid angle of launched sound that the echo stands for [sr].
+  int order = 1;          ///< Number of surfaces on the path, 1..kPathOrders.
+  SurfaceLabel surface = kNoSurface;  ///< The last surface of the path, which labels the echo.
 };
 
-/// One arrival with a bearing and phase of its own; order 0 is what is no echo, such as another sonar's pulse.
+/// An arrival with its own bearing and phase. Order 0 marks what is no echo: another sonar's pulse.
 struct DiscreteEcho {
   int beam = 0, bin = 0;
-  int order = 1;           ///< Surfaces met.
+  int order = 1;           ///< Number of surfaces on the path.
   float bearing_sine = 0;  ///< Sine of the bearing of arrival.
   float intensity = 0;     ///< Relative to the source's at 1 m.
-  float turns = 0;         ///< Phase, 0..1.
+  float turns = 0;         ///< Phase in full turns, 0..1.
 };
 
 }  // namespace insonify

@@ -1,4 +1,4 @@
-// echo_grid.cpp -- the cells of one ping.
+// echo_grid.cpp -- clears cells, adds echoes of further surfaces to them, and copies them.
 
 #include "echo/grid/echo_grid.h"
 
@@ -36,7 +36,7 @@ EchoGrid::EchoGrid(int beam_count, int bin_count, int order_count, GroundTruth g
   }
 }
 
-// Where there is no surface the rest of the label means nothing.
+// Marks cells as having no surface; the other label layers are set by the first echo.
 void EchoGrid::set_up(int beam, BinRange bins) {
   if (!labelled_ || bins.empty()) {
     return;
@@ -75,6 +75,8 @@ void EchoGrid::set_strongest(std::size_t cell, const SurfaceEcho& echo) {
   }
 }
 
+// Finds the surface in the cell's list, or appends it, adds the echo, and swaps it with the strongest surface if it has
+// become the stronger of the two.
 inline void EchoGrid::add_surface(int beam, std::size_t cell, const SurfaceEcho& echo) {
   std::vector<FurtherSurface>& surfaces = further_surfaces_[beam];
   std::uint32_t place = further_[cell];

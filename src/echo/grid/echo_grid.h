@@ -13,13 +13,15 @@
 
 namespace insonify {
 
-/// The echo of one surface in one cell.
+struct SurfaceSums;
+
+/// Sums over the echoes of one surface in one cell.
 struct SurfaceEcho {
   SurfaceLabel surface = kNoSurface;
   float energy = 0;
   float elevation_moment = 0;  ///< Sum of energy x elevation [rad].
-  float elevation_square = 0;  ///< Sum of energy x the square of the elevation's difference from the aperture's middle
-                               ///< [rad^2]; only with GroundTruth::kFull.
+  float elevation_square = 0;  ///< Sum of energy x (elevation - middle of the aperture)^2 [rad^2]; only with
+                               ///< GroundTruth::kFull.
 };
 
 /// Bins [first, last).
@@ -41,13 +43,12 @@ struct BinRange {
 /// Sums over echoes in cells of beam x bin. Layers are beam-major: the bins of one beam are contiguous.
 ///
 /// `energy` and `weight` are kept per path order. In the `paper` model they are the sum of the shaped echo intensities
-/// and of the sample weights they belong to; their ratio is the mean the paper's eq. (energy_norm) asks for.
+/// and of the weights of their samples; their ratio is the mean in the paper's eq. (energy_norm).
 ///
-/// Where labels are kept the energy of each surface is summed by itself, over all path orders. The label of a cell is
-/// the surface with the most energy there, of equals the one with the lower number, and the mean elevation of its
-/// energy. It does not depend on the order in which echoes arrive, but for the rounding of sums.
-struct SurfaceSums;
-
+/// With labels, energy is also summed per surface, over all path orders. The label of a cell is the surface with the
+/// most energy there (of equal ones, that with the lower SurfaceLabel), and the mean elevation of that energy. Apart
+/// from the rounding of sums it does not depend on the order in which echoes arrive. The strongest surface of each cell
+/// so far is in layers of its own; the others of a beam are in a list, since most cells have one surface only.
 class EchoGrid {
  public:
   EchoGrid() = default;
@@ -81,8 +82,9 @@ class EchoGrid {
   };
   [[nodiscard]] Label label(int beam, int bin) const;
 
-  /// Cells of one beam to be added to: pointers to the first of them, null for layers that are not kept. The last four
-  /// are of the strongest surface of each cell so far; where nothing echoed yet only `surface` means anything.
+  /// Pointers to neighbouring cells of one beam that echoes are added to; null for layers that are not kept. The last
+  /// four layers describe the strongest surface of each cell so far. Where `surface` is kNoSurface, the other three are
+  /// not set.
   struct Cells {
     float* energy = nullptr;
     float* weight = nullptr;
@@ -93,10 +95,11 @@ class EchoGrid {
   };
   [[nodiscard]] Cells to_fill(int order, int beam, BinRange bins);
 
-  /// Adds the echo of a surface that is not the strongest of its cell so far. Makes it so if now it is.
+  /// Adds the echo of a surface that is not the strongest of its cell so far. If its sum is the greatest now, the two
+  /// surfaces change places.
   void add_further(int beam, int bin, const SurfaceEcho& echo);
 
-  /// The same with the sums of a run in several cells of a beam, wherever they have a weight; leaves zeros behind.
+  /// The same for several cells of a beam: adds `sums` wherever their weight is positive, and sets them to zero there.
   void add_further(int beam, BinRange bins, SurfaceLabel surface, SurfaceSums& sums);
 
   /// Calls visit(const SurfaceEcho&) for every surface that echoed in a cell, the strongest first.
@@ -114,11 +117,11 @@ class EchoGrid {
     return {&surface_[cell], &label_energy_[cell], &elevation_moment_[cell]};
   }
 
-  /// Discrete echoes, which are not in cells. Whoever fills them in clears them first.
+  /// Discrete echoes, which are not part of the cells. clear() does not remove them.
   [[nodiscard]] std::vector<DiscreteEcho>& discrete_echoes() { return discrete_echoes_; }
   [[nodiscard]] const std::vector<DiscreteEcho>& discrete_echoes() const { return discrete_echoes_; }
 
-  /// Solid angle of one beam that surfaces take before the near edge of bin 0 [sr]; with GroundTruth::kFull only.
+  /// Solid angle of one beam that is blocked by surfaces nearer than bin 0 [sr]; with GroundTruth::kFull only.
   [[nodiscard]] float& met_before(int beam) { return met_before_[beam]; }
   [[nodiscard]] float met_before(int beam) const { return met_before_[beam]; }
 
@@ -151,15 +154,15 @@ class EchoGrid {
   template <typename Value>
   using Layer = std::vector<Value, ZeroedMemory<Value>>;
   Layer<float> energy_, weight_;  // [order][beam][bin]; zero where nothing is filled.
-  // Of the strongest surface in each cell, [beam][bin]; set up when they are filled.
+  // The strongest surface of each cell, [beam][bin]; set only inside filled().
   Layer<SurfaceLabel> surface_;
   Layer<float> label_energy_, elevation_moment_, elevation_square_;
-  Layer<std::uint32_t> further_;  // Place in the beam's list of the cell's next surface, plus 1; 0 for none.
+  Layer<std::uint32_t> further_;  // Index + 1 of the cell's second surface in the beam's list; 0 for none.
 
-  // The other surfaces of a beam's cells, in the order in which they first echoed.
+  // The other surfaces of a beam's cells: linked lists, one per cell, in one array.
   struct FurtherSurface {
     SurfaceEcho echo;
-    std::uint32_t next;  // As further_.
+    std::uint32_t next;  // Index + 1 of the cell's next surface; 0 for none.
   };
   std::vector<std::vector<FurtherSurface>> further_surfaces_;  // [beam]
   std::vector<float> met_before_;                              // [beam]
@@ -201,7 +204,7 @@ void EchoGrid::for_each_surface(int beam, int bin, Visit&& visit) const {
   }
 }
 
-/// Takes the beams of a grid as they are completed, while their cells are still in the nearest memory.
+/// Receives the beams of a grid as soon as they are complete, while their cells are still in the cache.
 class BeamSink {
  public:
   virtual ~BeamSink() = default;

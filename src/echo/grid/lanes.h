@@ -1,4 +1,4 @@
-// lanes.h -- neighbouring cells of a beam, a few at a time.
+// lanes.h -- vectors of four floats or labels, for loops over neighbouring cells of a beam.
 
 #pragma once
 
@@ -42,7 +42,7 @@ template <typename Value>
   return a < b ? a : b;
 }
 
-// One instruction each, which the compiler does not find by itself.
+// One instruction each; GCC 12 does not find them by itself.
 #ifdef __SSE__
 template <>
 [[gnu::always_inline]] inline Floats larger(Floats a, Floats b) {

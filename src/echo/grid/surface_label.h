@@ -1,4 +1,4 @@
-// surface_label.h -- adds an echo to the strongest surface of a cell, or tells that it belongs to another.
+// surface_label.h -- adds an echo to the strongest surface of a cell, or reports that it belongs to another surface.
 
 #pragma once
 
@@ -6,21 +6,21 @@
 
 namespace insonify {
 
-/// The strongest surface of a cell, or of as many as vectors have lanes; see EchoGrid::Cells.
+/// The strongest surface of one cell, or of kLanes cells if Label and Value are vectors; see EchoGrid::Cells.
 template <typename Label, typename Value>
 struct StrongestSurface {
   Label surface;
   Value energy, moment;
 };
 
-/// The cells after an echo, and where its surface is another than the strongest: all ones there, else 0. There nothing
-/// was added; EchoGrid::add_further() takes the echo. Nothing changes where `weight` is 0.
+/// What add_to_strongest() returns.
 template <typename Label, typename Value>
 struct LabelledEcho {
-  StrongestSurface<Label, Value> cell;
-  Label elsewhere;
+  StrongestSurface<Label, Value> cell;  ///< The cell, with the echo added where it belongs to the strongest surface.
+  Label elsewhere;  ///< All bits set where it belongs to another, so that EchoGrid::add_further() must add it; else 0.
 };
 
+/// Adds an echo where the cell has no surface yet or the same one. Nothing changes where `weight` is 0.
 template <typename Label, typename Value>
 [[gnu::always_inline]] inline LabelledEcho<Label, Value> add_to_strongest(const StrongestSurface<Label, Value>& cell,
                                                                           Label surface, Value energy, Value moment,

@@ -1,4 +1,4 @@
-// surface_run.h -- what a run of neighbouring samples on one surface gives to the bins of their beam.
+// surface_run.h -- sums the echoes of a run of neighbouring samples on one surface, by range bin.
 
 #pragma once
 
@@ -9,28 +9,30 @@
 
 namespace insonify {
 
-/// Half the least length of a segment at a position, on either side of bin 0 [bins]: keeps its density finite in single
+/// Least half length of a segment at a position, which may be negative [bins]: keeps its density finite in single
 /// precision.
 constexpr float least_half_length(float position) {
   return 1e-7F * std::max(position < 0 ? -position : position, 500.0F);
 }
 
-/// Echo spread evenly over an interval of positions [bins, from the near edge of bin 0], its power changing linearly.
+/// The echo of the surface between two neighbouring samples: its weight is spread evenly over an interval of positions,
+/// over which its power changes linearly. Positions are in bins from the near edge of bin 0.
 struct FootprintSegment {
-  float low, high;  ///< Ends. Nothing is spread unless low < high.
-  float power;      ///< Of the straight line through the powers, at position 0.
+  float low, high;  ///< Ends of the interval [bins]. An empty interval, low >= high, adds nothing.
+  float power;      ///< Power at position 0, by extrapolation.
   float half_rise;  ///< Half the change of power per bin.
   float density;    ///< Weight per bin [sr].
-  float elevation;  ///< Of the echo [rad].
+  float elevation;  ///< Elevation of the echo [rad].
 };
 
-/// Sums over one run, of each bin: little enough to stay in the nearest cache. All zero between runs. The square is
-/// that of the elevation's difference from a datum, since squares keep more digits when they are small; it is summed
-/// with GroundTruth::kFull only.
+/// Sums over one run, per bin: four short arrays that stay in the first-level cache. All zero between runs.
 struct SurfaceSums {
-  std::vector<float> energy, weight, moment, square;  ///< Sums of energy, weight, energy x elevation and x square.
+  std::vector<float> energy, weight;
+  std::vector<float> moment;  ///< Sum of energy x elevation [rad].
+  std::vector<float> square;  ///< Sum of energy x (elevation - datum)^2 [rad^2]; with GroundTruth::kFull only. The
+                              ///< datum keeps the squares small, so that they lose fewer digits.
 
-  /// Gets ready for so many bins; allocates only when it needs more memory than any before.
+  /// Prepares for a number of bins. Allocates only if it needs more memory than ever before.
   void prepare(int bins) {
     for (auto* sums : {&energy, &weight, &moment, &square}) {
       sums->resize(std::max(sums->size(), static_cast<std::size_t>(bins) + std::size_t{2} * kLanes), 0.0F);
@@ -38,9 +40,9 @@ struct SurfaceSums {
   }
 };
 
-/// Adds segments to sums, and keeps track of where. Held by value in the loop that adds, so that it lives in
-/// registers.
-/// @tparam kSquares  Whether squares are summed too.
+/// Adds segments to sums, and keeps track of the bins. A local variable of the loop that adds, so that its members are
+/// held in registers.
+/// @tparam kSquares  Whether to sum squares.
 template <bool kSquares>
 class SurfaceRun {
  public:
@@ -52,7 +54,7 @@ class SurfaceRun {
         moment_(sums.moment.data()),
         square_(sums.square.data()) {}
 
-  /// @param segment  With 0 <= low and high within the bins that the sums were prepared for.
+  /// @param segment  0 <= low, and high at most the number of bins that the sums were prepared for.
   [[gnu::always_inline]] void add(const FootprintSegment& segment) {
     int bin = static_cast<int>(segment.low);
     first_ = std::min(first_, bin);
@@ -75,7 +77,7 @@ class SurfaceRun {
     last_ = std::max(last_, bin);
   }
 
-  /// Bins that anything was added to since restart() are in [first, last); none where first is not below last.
+  /// Bins added to since restart(): [first, last), empty if first >= last. `last` is rounded up to whole vectors.
   [[nodiscard]] int first() const { return first_; }
   [[nodiscard]] int last() const { return last_; }
   void restart() {

@@ -1,4 +1,4 @@
-// box_cut.cpp -- the box that encloses most is parted until there are enough of them.
+// box_cut.cpp -- splits the box of greatest volume, by the surface area heuristic, until there are kMostBoxes.
 
 #include "echo/model/box_cut.h"
 
@@ -12,16 +12,17 @@
 namespace insonify {
 namespace {
 
-// Of what stands still. Each costs a dozen instructions for sixteen rays.
+// Most boxes of static objects. Each costs a dozen instructions for sixteen rays.
 constexpr std::size_t kMostBoxes = 64;
 
-// Of what is sorted into boxes: in larger scenes neighbouring triangles go together.
+// Most pieces that are sorted into boxes. In larger scenes a piece consists of several consecutive triangles.
 constexpr std::size_t kMostPieces = 1 << 12;
 
-// Less than the clearance of a ray at its start: rays that leave a flat wall leave its box.
+// Enlarges boxes on all sides [m]. Less than kRayClearance, so that a ray that starts on a flat wall is outside its
+// box.
 constexpr float kMargin = 1e-4F;
 
-// The fourth coordinate is for the processor, which takes four at a time.
+// Four coordinates, because that is a vector register; the fourth is not used.
 using Corner = Eigen::Array4f;
 
 struct Box {
@@ -44,17 +45,18 @@ struct Box {
   [[nodiscard]] float volume() const { return (high - low).head<3>().prod(); }
 };
 
-// Pieces [first, last), and how they are best parted: by where along an axis their middles lie.
+// The pieces [first, last) and their best split: those whose centre lies below bin `split` along `axis`, and the rest.
 struct Node {
   std::size_t first, last;
   Box box = {};
-  float area = std::numeric_limits<float>::infinity();  // Of both parts; infinite where it cannot be parted.
-  int axis = 0, parting = 0;
+  float area = std::numeric_limits<float>::infinity();  // Sum over both parts; infinite if there is no split.
+  int axis = 0, split = 0;
 };
 
 constexpr int kBins = 16;
 
-// Bins of a piece's middle, of those that its node's box is cut into along each axis. All 0 where the box is flat.
+// Bin of a piece's centre along each axis: the node's box is divided into kBins slices. 0 along an axis where it is
+// flat.
 using BinOfAxes = Eigen::Array4i;
 class Binning {
  public:
@@ -94,7 +96,7 @@ std::vector<Box> pieces_of(const Instance& instance, const Vec3& origin, std::si
   return pieces;
 }
 
-// Looks for the parting that leaves the least area, as the surface area heuristic does (Goldsmith and Salmon, 1987).
+// Finds the split with the least sum of areas: surface area heuristic, Goldsmith and Salmon (1987).
 Node make_node(const std::vector<Box>& pieces, std::size_t first, std::size_t last) {
   Node node{first, last};
   for (std::size_t i = first; i < last; ++i) {
@@ -110,26 +112,27 @@ Node make_node(const std::vector<Box>& pieces, std::size_t first, std::size_t la
   }
   for (int axis = 0; axis < 3; ++axis) {
     const Box* bins = bins_of_axis[axis];
-    Box above[kBins];  // Of all from a bin on.
+    Box above[kBins];  // Box of this bin and all after it.
     above[kBins - 1] = bins[kBins - 1];
     for (int bin = kBins - 2; bin > 0; --bin) {
       above[bin] = bins[bin];
       above[bin].add(above[bin + 1]);
     }
     Box below;
-    for (int parting = 1; parting < kBins; ++parting) {
-      below.add(bins[parting - 1]);
-      const float area = below.area() + above[parting].area();
-      if (!below.empty() && !above[parting].empty() && area < node.area) {
+    for (int split = 1; split < kBins; ++split) {
+      below.add(bins[split - 1]);
+      const float area = below.area() + above[split].area();
+      if (!below.empty() && !above[split].empty() && area < node.area) {
         node.area = area;
         node.axis = axis;
-        node.parting = parting;
+        node.split = split;
       }
     }
   }
   return node;
 }
 
+// Splits the node of greatest volume again and again; reorders the pieces.
 std::vector<Node> cut(std::vector<Box>& pieces) {
   std::vector<Node> nodes = {make_node(pieces, 0, pieces.size())};
   while (nodes.size() < kMostBoxes) {
@@ -142,10 +145,10 @@ std::vector<Node> cut(std::vector<Box>& pieces) {
     const auto at = [&](std::size_t i) { return pieces.begin() + static_cast<std::ptrdiff_t>(i); };
     const Binning bin_of(node.box);
     const auto middle = std::partition(at(node.first), at(node.last),
-                                       [&](const Box& piece) { return bin_of(piece)[node.axis] < node.parting; });
-    const auto parted = static_cast<std::size_t>(middle - pieces.begin());
-    best = make_node(pieces, node.first, parted);
-    nodes.push_back(make_node(pieces, parted, node.last));
+                                       [&](const Box& piece) { return bin_of(piece)[node.axis] < node.split; });
+    const auto split_at = static_cast<std::size_t>(middle - pieces.begin());
+    best = make_node(pieces, node.first, split_at);
+    nodes.push_back(make_node(pieces, split_at, node.last));
   }
   return nodes;
 }
@@ -227,7 +230,7 @@ unsigned BoxCut::may_meet(const RayLanes& lanes) const {
   const float* __restrict__ far_end = lanes.far;
   float inverse_x[kRayLanes], inverse_y[kRayLanes], inverse_z[kRayLanes], met[kRayLanes];
   for (int lane = 0; lane < kRayLanes; ++lane) {
-    // Next to nothing, instead of nothing: 0 x infinity would be no number.
+    // Replaces zero components, since 0 x infinity is not a number.
     constexpr float kTiny = 1e-20F;
     const float x = direction_x[lane], y = direction_y[lane], z = direction_z[lane];
     inverse_x[lane] = 1 / (std::abs(x) < kTiny ? kTiny : x);

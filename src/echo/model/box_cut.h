@@ -1,4 +1,4 @@
-// box_cut.h -- a few boxes around a scene: rays that miss them all need not be sent.
+// box_cut.h -- some 64 boxes that enclose the scene: rays that miss all of them need not be traced.
 
 #pragma once
 
@@ -9,21 +9,21 @@
 
 namespace insonify {
 
-/// Boxes that together hold every triangle of a scene: first around the objects, then around parts of them where that
-/// leaves more water outside, a cut through the tree of boxes that a ray tracer would build.
+/// Boxes that together contain every triangle of a scene: a cut through the bounding volume hierarchy that a ray tracer
+/// would build, some levels below its root.
 class BoxCut {
  public:
   /// @param origin  World position that the rays' coordinates are relative to.
   void set(const Scene& scene, const Vec3& origin);
 
-  /// Of an instance with `moving` set.
+  /// Moves the box of an instance whose `moving` is set.
   void move(int instance, const Pose& scene_from_mesh);
 
-  /// One bit a lane, set where the ray may meet something between its near and far end. The bits of lanes that
-  /// hold no ray are arbitrary.
+  /// Bit i is set if ray i passes through a box between its near and far end, so that it may hit something. The bits of
+  /// unused lanes are arbitrary.
   [[nodiscard]] unsigned may_meet(const RayLanes& rays) const;
 
-  /// Boxes there are.
+  /// Number of boxes.
   [[nodiscard]] std::size_t size() const { return low_[0].size(); }
 
  private:

@@ -1,4 +1,4 @@
-// choose_sampling.cpp -- aims probes over the fan and counts those whose reflected rays may meet something.
+// choose_sampling.cpp -- counts the probes whose reflected ray may hit something.
 
 #include "echo/model/choose_sampling.h"
 
@@ -13,17 +13,17 @@
 namespace insonify {
 namespace {
 
-// Where no more than this share of the hits may give echoes, following all of them takes four sevenths of the rays of
-// `all` at most, return legs included, and less than half where some find nothing.
+// If at most this share of the hits may give echoes, using all hits takes at most 4/7 of the rays of `all`, return legs
+// included, and less than half if some reflected rays hit nothing.
 constexpr float kOpen = 0.4F;
 
-// One probe for so many samples.
+// Samples of the lattice per probe.
 constexpr int kSamplesPerProbe = 400;
 constexpr int kLeastProbes = 8, kMostProbes = 64;
 
 constexpr std::uint32_t kGoldenTurn = 2654435769U;
 
-// Probes go from port to starboard, their rows by the golden section: even in both.
+// Columns are evenly spaced from port to starboard; rows follow the golden section, which spaces them evenly too.
 Ray probe_ray(const PingPlan& plan, const Pose& world_from_sonar, int probe, int probes) {
   const Lattice& lattice = plan.lattice;
   const int column =
@@ -37,7 +37,7 @@ Ray probe_ray(const PingPlan& plan, const Pose& world_from_sonar, int probe, int
           double{plan.true_max_range}};
 }
 
-// Reflected rays of sixteen probes.
+// The reflected rays of sixteen probes.
 struct alignas(64) ReflectedProbes {
   float origin_x[kRayLanes], origin_y[kRayLanes], origin_z[kRayLanes];
   float direction_x[kRayLanes], direction_y[kRayLanes], direction_z[kRayLanes];

@@ -1,4 +1,5 @@
-// choose_sampling.h -- decides by a few probe rays whether a ping samples all of its hits or some that stand for all.
+// choose_sampling.h -- decides by probe rays whether a ping traces reflected rays from all of its hits or from a
+// sample.
 
 #pragma once
 
@@ -12,17 +13,17 @@
 
 namespace insonify {
 
-/// The probes of one ping. With SecondaryEchoes::kSelective all hits are sampled where boxes cull most reflected rays:
-/// where of 8 to 64 probes, spread evenly over the fan, no more than four in ten of those that meet something have a
-/// reflected ray that may meet anything else. Probes are mirrored by the relief, but not by the facets of rough
-/// mirrors. The choice changes how exact a ping is, not what it is on average.
+/// The probes of one ping: 8 to 64 rays, evenly spaced over the fan. With SecondaryEchoes::kSelective a ping uses all
+/// hits if BoxCut excludes most reflected rays, that is, if at most 40 % of the probes that hit something have a
+/// reflected ray that may hit something else. Probes are reflected by the relief, but not by the facets of rough
+/// mirrors. The choice changes the variance of a ping, not its expected value.
 class SamplingProbes {
  public:
-  /// Aims the probes of a ping.
-  /// @return Rays for the engine to trace; none where the plan alone decides. Allocates at the first call only.
+  /// Sets up the probes of a ping. Allocates only at the first call.
+  /// @return Rays for the engine to trace; none if the plan alone decides.
   [[nodiscard]] std::span<const Ray> aim(const PingPlan& plan, const Pose& world_from_sonar);
 
-  /// Where the engine writes what they met.
+  /// The engine writes the hits of the rays here.
   [[nodiscard]] std::span<Hit> hits() { return hits_; }
 
   /// The choice for the ping that aim() was called for.

@@ -1,4 +1,4 @@
-// deposit.cpp -- the primary echoes of a column into cells.
+// deposit.cpp -- adds the primary echoes of a column to the cells of its beam.
 
 #include "echo/model/deposit.h"
 
@@ -11,11 +11,11 @@
 namespace insonify {
 namespace {
 
-// How much farther a surface may go on past its last sample than between the last two.
+// Greatest length of a segment beyond the last sample of a surface, relative to that between its last two samples.
 constexpr float kMostExtension = 1.5F;
 
-// Adds the sums of a run on one surface to its cells and leaves zeros behind. Where a cell has another strongest
-// surface so far, only energy and weight are added, and the run's sums stay. Returns whether there are such cells.
+// Adds the sums of a run on one surface to its cells and sets them to zero. Where another surface is the strongest of a
+// cell so far, only energy and weight are added, and the run's sums are kept. Returns whether there are such cells.
 INSONIFY_VECTOR_CLONES
 bool add_run(int count, SurfaceLabel surface, float* __restrict__ run_energy, float* __restrict__ run_weight,
              float* __restrict__ run_moment, float* __restrict__ energy, float* __restrict__ weight,
@@ -50,8 +50,8 @@ void add_unlabelled_run(int count, float* __restrict__ run_energy, float* __rest
   }
 }
 
-// Adds squares of elevations and leaves zeros behind, except where the run's surface is not the strongest of a cell. To
-// be called before add_run(), which changes the strongest surfaces.
+// Adds the squares of elevations and sets them to zero, except where another surface is the strongest of a cell so far.
+// To be called before add_run(), which changes the strongest surfaces.
 void add_squares(int count, SurfaceLabel surface, float* run_square, const float* run_weight,
                  const EchoGrid::Cells& cells) {
   for (int i = 0; i < count; ++i) {
@@ -66,7 +66,7 @@ void add_squares(int count, SurfaceLabel surface, float* run_square, const float
 template <GroundTruth kTruth>
 using Run = SurfaceRun<kTruth == GroundTruth::kFull>;
 
-// Adds a run's sums to the cells of its beam and starts the next.
+// Adds the sums of a run to the cells of its beam and starts the next run.
 template <GroundTruth kTruth>
 void finish(Run<kTruth>& run, SurfaceSums& sums, SurfaceLabel surface, int beam, EchoGrid& grid) {
   const int first = run.first();
@@ -88,9 +88,8 @@ void finish(Run<kTruth>& run, SurfaceSums& sums, SurfaceLabel surface, int beam,
   run.restart();
 }
 
-// Where the tangent plane of a sample goes on to in the direction (cos_end, sin_end), if the neighbour on the other
-// side, `behind`, shows that the surface goes on like that; else where the sample is. In bins, like
-// FootprintSegments::position.
+// Position [bins] of a sample's tangent plane in the direction (cos_end, sin_end). If the sample is not joined to the
+// neighbour on its other side, `behind`, nothing shows that the surface continues: then the position of the sample.
 float plane_end(const PingPlan& plan, const HitColumn& hits, const FootprintSegments& segments, int row, int behind,
                 float cos_here, float sin_here, float cos_end, float sin_end) {
   const float here = segments.position[row];
@@ -109,14 +108,16 @@ float plane_end(const PingPlan& plan, const HitColumn& hits, const FootprintSegm
   return wished > here - most ? std::min(wished, here + most) : here - most;  // Also where facing_end is 0.
 }
 
-// A direction of a column.
+// Cosine and sine of t for the direction in a column that a segment extends to; see ColumnAxes.
 struct End {
   float cosine, sine;
 };
 
-// The segment of a sample that ends alone, in a direction on the way to the next; or where its plane passes the last
-// bin before the next, all the way to there, as the next sample would show if it were heard: with the power that
-// changes as from the neighbour behind.
+// The segment from a sample to `end`, for a sample that is not joined to the next. Its power is that of the sample.
+//
+// If the tangent plane passes the last bin on the way to the `next` sample, that one is missing because it is out of
+// range, not because the surface ends. Then the segment extends to `next`, and its power continues to change as it does
+// from the sample `behind`.
 INSONIFY_VECTOR_CLONES
 FootprintSegment open_segment(const PingPlan& plan, int column, const HitColumn& hits,
                               const FootprintSegments& segments, int row, int behind, End end, float weight,
@@ -144,7 +145,12 @@ FootprintSegment open_segment(const PingPlan& plan, int column, const HitColumn&
   return {std::clamp(low, 0.0F, bins), std::min(high, bins), power, half_rise, weight / (high - low), 0};
 }
 
-// See deposit_column().
+// Goes up the column from sample to sample and collects segments in runs, each on one surface: see deposit_column().
+// Runs are added to the grid when the surface changes. There are four kinds of segment:
+// - below the first sample, down to the edge of the aperture;
+// - between two samples that are joined, which is the common case and one vector loop: computed by evaluate_column();
+// - where two samples are not joined, from each half-way to the other;
+// - above the last sample, up to the edge of the aperture.
 template <GroundTruth kTruth>
 [[gnu::always_inline]] inline void deposit_samples(const PingPlan& plan, int column, const HitColumn& hits,
                                                    const FootprintSegments& segments, SurfaceSums& sums,
@@ -196,7 +202,7 @@ template <GroundTruth kTruth>
   finish<kTruth>(run, sums, surface, beam, grid);
 }
 
-// Solid angle of what a column met nearer than the near edge of bin 0.
+// Solid angle of the samples of a column that hit something nearer than bin 0 [sr].
 float met_before(const PingPlan& plan, int column, const HitColumn& hits, const FootprintSegments& segments) {
   const float* interval = plan.lattice.intervals(column);
   const int rows = plan.lattice.rows;

@@ -1,4 +1,4 @@
-// deposit.h -- sorts echoes into the cells of an EchoGrid: the same code for every engine.
+// deposit.h -- adds echoes to the cells of an EchoGrid; all engines use it.
 
 #pragma once
 
@@ -10,15 +10,16 @@
 
 namespace insonify {
 
-/// Deposits the primary echoes of one evaluated column. Neighbours on the same unbroken surface share their
-/// echo over all bins between their ranges, as their footprint does. Elsewhere a sample's segment goes on along its own
-/// tangent plane: half-way to the neighbour it does not connect to, or to the edge of the aperture below the first and
-/// above the last sample.
-/// @param sums  Scratch, prepared for the grid's bins.
+/// Adds the primary echoes of one evaluated column. The echo of two neighbours on one unbroken surface is spread over
+/// all bins between their ranges. Where the surface ends between two samples, the segment of each continues along its
+/// own tangent plane half-way to the other; that of the first and the last sample continues to the edge of the
+/// aperture.
+/// @param sums  Scratch memory, prepared for the grid's bins.
 void deposit_column(const PingPlan& plan, int column, const HitColumn& hits, const FootprintSegments& segments,
                     SurfaceSums& sums, EchoGrid& grid);
 
-/// Deposits one echo about half its path, in the beam it arrives in. Outside the fan or the range it is dropped.
+/// Adds one secondary echo, spread about half of its path length, to the beam it arrives in. Echoes outside the fan or
+/// the range window are dropped.
 void deposit(const PingPlan& plan, const Echo& echo, EchoGrid& grid);
 
 }  // namespace insonify

@@ -1,4 +1,4 @@
-// deposit_echo.cpp -- an echo by itself, spread over the few cells that its footprint touches.
+// deposit_echo.cpp -- spreads one secondary echo over the cells of its footprint.
 
 #include <algorithm>
 
@@ -9,12 +9,12 @@
 namespace insonify {
 namespace {
 
-// In cells from the first it touches; its weight is even over them.
+// Interval that an echo is spread over, counted in cells from the first one it touches, and its weight per cell.
 struct Spread {
   float low, high, density;
 };
 
-// In cells whose near edges are given: of one, or of as many as vectors have lanes.
+// Weight of the echo in the cell with the given near edge, or in kLanes cells if Value is a vector.
 template <typename Value>
 [[gnu::always_inline]] inline Value weight_in(Value edge, const Spread& spread) {
   const Value zero = {};
@@ -28,8 +28,8 @@ template <typename Value>
   return (lanes[0] | lanes[1] | lanes[2] | lanes[3]) != 0;
 }
 
-// Adds to the cells from `i` on. Returns whether some of these have a stronger surface so far: there only energy and
-// weight are added.
+// Adds the echo to cell `i`, or to kLanes cells from `i` on. Where another surface is the strongest so far, only energy
+// and weight are added; returns whether there is such a cell.
 template <typename Label, typename Value>
 [[gnu::always_inline]] inline bool add(const Echo& echo, Value weight, bool labelled, const EchoGrid::Cells& cells,
                                        int i) {
@@ -69,7 +69,7 @@ void deposit(const PingPlan& plan, const Echo& echo, EchoGrid& grid) {
   const float from_middle = echo.elevation - plan.middle_elevation;
   const auto square_of = [&](float energy) { return energy * (from_middle * from_middle); };
 
-  // Squares of elevations, while the cells still tell which have no surface yet.
+  // Squares of elevations, before add() changes the strongest surfaces.
   for (int i = 0; i < count && cells.elevation_square != nullptr; ++i) {
     const bool none = cells.surface[i] == kNoSurface;
     if (weight_of(i) > 0 && (none || cells.surface[i] == echo.surface)) {
@@ -77,7 +77,7 @@ void deposit(const PingPlan& plan, const Echo& echo, EchoGrid& grid) {
     }
   }
 
-  // Four cells at a time; those beyond `last` get nothing.
+  // Four cells at a time, if the beam has as many left; the weight in cells from `last` on is zero.
   bool elsewhere = false;
   int i = 0;
   for (; i < count && first + i + kLanes <= plan.sonar.bin_count; i += kLanes) {
@@ -88,7 +88,7 @@ void deposit(const PingPlan& plan, const Echo& echo, EchoGrid& grid) {
     elsewhere |= add<SurfaceLabel>(echo, weight_of(i), grid.labelled(), cells, i);
   }
 
-  // The cells that have a stronger surface so far.
+  // Labels of the cells where another surface is the strongest so far.
   for (i = 0; i < count && elsewhere; ++i) {
     const float energy = weight_of(i) * echo.power;
     if (weight_of(i) > 0 && cells.surface[i] != echo.surface) {

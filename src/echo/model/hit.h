@@ -1,4 +1,4 @@
-// hit.h -- what a single ray met, for the few rays that are not part of a lattice.
+// hit.h -- the first surface along a ray, for rays that are not part of a lattice.
 
 #pragma once
 
@@ -9,13 +9,13 @@
 
 namespace insonify {
 
-/// Where a ray first meets the scene.
+/// First intersection of a ray with the scene.
 struct Hit {
-  double distance = 0;         ///< From the ray's origin [m]; infinite for a miss.
-  Vec3 normal = Vec3::Zero();  ///< Unit shading normal on the surface's side of the ray, world frame; with relief.
+  double distance = 0;                ///< From the ray's origin [m]; infinite for a miss.
+  Vec3 normal = Vec3::Zero();         ///< Unit shading normal with relief, world frame, on the side the ray comes from.
   std::uint16_t instance = kNoLabel;  ///< Index into Scene::instances, kNoLabel for a miss.
   std::uint16_t material = kNoLabel;  ///< Index into Scene::materials.
-  float reflectivity = 0;             ///< Of the surface there: its material's, times that of its relief.
+  float reflectivity = 0;             ///< That of the material, times ReliefPoint::reflectivity.
 };
 
 }  // namespace insonify

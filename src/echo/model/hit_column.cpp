@@ -1,4 +1,4 @@
-// hit_column.cpp -- the arithmetic of one column, in loops that the compiler turns into vector code.
+// hit_column.cpp -- the arithmetic of one column, in loops that the compiler vectorises.
 
 #include "echo/model/hit_column.h"
 
@@ -11,20 +11,20 @@
 namespace insonify {
 namespace {
 
-// Neighbours lie on one unbroken surface when each is where the other's tangent plane says, give or take a bin and this
-// share of the distance between them: curved surfaces pass, edges and shadows do not.
+// Two neighbours lie on one unbroken surface if the range of each differs from that of the other's tangent plane by at
+// most one bin plus this share of the difference of their ranges. Curved surfaces pass, edges and shadows do not.
 constexpr float kBend = 0.3F;
 
-// Added to the cosine of incidence before it divides: bounds the reach of surfaces that are only grazed.
+// Added to the cosine of incidence in a divisor: bounds the range interval at grazing incidence.
 constexpr float kLeastFacing = 0.1F;
 
-// Of a cone's arc: where it runs along its elevation instead of crossing it, bearings say nothing of range.
+// Least cos t on a cone: towards the end of its arc the bearing no longer changes with the direction across it.
 constexpr float kLeastCosine = 0.2F;
 
-// Keeps what divides from being zero.
+// Added to divisors that may be zero.
 constexpr float kTiny = 1e-20F;
 
-// Everything the loops read, as bare numbers and pointers that the compiler knows to be apart.
+// What the loops read of a lattice column, as plain numbers and pointers without aliases.
 struct Rows {
   int count;
   const float* __restrict__ cos_t;
@@ -43,7 +43,7 @@ void aim(Rows rows, Vec3f along, Vec3f up, float* __restrict__ x, float* __restr
   }
 }
 
-// The rest of a cone's directions.
+// Adds ColumnAxes::beside to the directions of a cone.
 INSONIFY_VECTOR_CLONES
 void aim_beside(int rows, Vec3f beside, float* __restrict__ x, float* __restrict__ y, float* __restrict__ z) {
   const float bx = beside[0], by = beside[1], bz = beside[2];
@@ -54,6 +54,8 @@ void aim_beside(int rows, Vec3f beside, float* __restrict__ x, float* __restrict
   }
 }
 
+// Makes normals unit length; computes the cosine of incidence, the position in bins and the half width of the footprint
+// across the column, from the tangent plane.
 INSONIFY_VECTOR_CLONES
 void measure(Rows rows, Vec3f along, Vec3f across, Vec3f up, float bins_per_metre, float first_bin_at,
              float* __restrict__ x, float* __restrict__ y, float* __restrict__ z, const float* __restrict__ range,
@@ -77,9 +79,9 @@ void measure(Rows rows, Vec3f along, Vec3f across, Vec3f up, float bins_per_metr
   }
 }
 
-// What measure() leaves for cones: `facing` lacks what is beside, and directions change otherwise from one bearing to
-// the next. As in a wedge they do at a constant elevation, so that a level seabed is as far all over a sample's segment
-// of bearings: with sin(elevation) = cos a sin t, d(direction)/da = across - along tan a / cos t.
+// Corrects the results of measure() for cones: adds the part of `facing` along ColumnAxes::beside, and computes `reach`
+// from the change of direction with bearing a at constant elevation, as in a wedge, so that a level seabed has the same
+// range over the whole footprint. With sin(elevation) = cos a sin t, d(direction)/da = across - along tan a / cos t.
 INSONIFY_VECTOR_CLONES
 void measure_beside(Rows rows, Vec3f across, Vec3f beside, float tan_bearing, float bins_per_metre,
                     const float* __restrict__ x, const float* __restrict__ y, const float* __restrict__ z,
@@ -97,8 +99,8 @@ void measure_beside(Rows rows, Vec3f across, Vec3f beside, float tan_bearing, fl
   }
 }
 
-// Bends unit normals by the relief. A facet that faces away is in its own surface's shadow; a ray that is mirrored into
-// the surface would meet it again at once, in a trough that the triangles do not have.
+// Tilts unit normals by the relief. A facet that faces away is in the shadow of its own surface and gives no echo. A
+// ray that is reflected into the surface would hit it again at once, in a trough that the triangles do not have.
 INSONIFY_VECTOR_CLONES
 void bend(int rows, const float* __restrict__ direction_x, const float* __restrict__ direction_y,
           const float* __restrict__ direction_z, const float* __restrict__ gradient_x,
@@ -112,7 +114,7 @@ void bend(int rows, const float* __restrict__ direction_x, const float* __restri
     const float bent_x = x * scale, bent_y = y * scale, bent_z = z * scale;
     const float bent = bent_x * direction_x[row] + bent_y * direction_y[row] + bent_z * direction_z[row];
     const float flat = facing[row];
-    // Of the mirrored ray and the flat normal: d . n - 2 (d . b) (b . n).
+    // Product of the reflected ray and the normal without relief: d . n - 2 (d . b) (b . n).
     const float reflected = flat - 2 * bent * (bent_x * nx + bent_y * ny + bent_z * nz);
     escapes[row] = reflected * flat < 0 ? 1.0F : 0.0F;
     facing[row] = bent * flat > 0 ? bent : 0.0F;
@@ -122,15 +124,17 @@ void bend(int rows, const float* __restrict__ direction_x, const float* __restri
   }
 }
 
+// paper_strength() of primary echoes, in single precision.
 INSONIFY_VECTOR_CLONES
-void shade(int rows, float neper_per_metre, const float* __restrict__ range, const float* __restrict__ facing,
-           const float* __restrict__ reflectivity, float* __restrict__ strength) {
+void fill_strengths(int rows, float neper_per_metre, const float* __restrict__ range, const float* __restrict__ facing,
+                    const float* __restrict__ reflectivity, float* __restrict__ strength) {
   for (int row = 0; row < rows; ++row) {
     strength[row] = std::abs(facing[row]) * reflectivity[row] * fast_exp(-2 * neper_per_metre * range[row]);
   }
 }
 
-// Where the tangent plane of sample `a` is met in the direction of `b`, against where `b` is, and the other way round.
+// Decides for each two neighbours whether they lie on one unbroken surface: compares the range of `b` with that of the
+// tangent plane of `a` in the direction of `b`, and the other way round.
 template <BeamShape shape>
 [[gnu::always_inline]] inline void join_rows(Rows rows, float bin_length, const float* __restrict__ range,
                                              const float* __restrict__ along, const float* __restrict__ up,
@@ -141,7 +145,7 @@ template <BeamShape shape>
     const int b = a + 1;
     const float apart = std::abs(range[a] - range[b]);
     const float tolerance = bin_length + kBend * apart;
-    // Both sides times the cosine that would divide.
+    // Both sides are multiplied by the cosine of incidence, instead of divided.
     float b_from_a = along[a] * rows.cos_t[b] + up[a] * rows.sin_t[b];
     float a_from_b = along[b] * rows.cos_t[a] + up[b] * rows.sin_t[a];
     if constexpr (shape == BeamShape::kCone) {
@@ -170,7 +174,7 @@ void join_on_cone(Rows rows, float bin_length, const float* __restrict__ range, 
   join_rows<BeamShape::kCone>(rows, bin_length, range, along, up, beside, facing, surface, joined);
 }
 
-// The segments between neighbours. Power changes linearly along each.
+// The FootprintSegments between neighbours, whether joined or not. Power changes linearly along each.
 INSONIFY_VECTOR_CLONES
 void fill_segments(int rows, float bins, const float* __restrict__ interval, float width,
                    const float* __restrict__ sample_elevation, const float* __restrict__ position,
@@ -217,14 +221,18 @@ void aim_column(const Lattice& lattice, int column, const ColumnAxes& axes, cons
   }
 }
 
-void evaluate_column(const PingPlan& plan, SecondarySampling sampling, int column, const ColumnAxes& axes,
-                     const HitColumn& hits, FootprintSegments& segments) {
+void measure_column(const PingPlan& plan, int column, const ColumnAxes& axes, const HitColumn& hits,
+                    FootprintSegments& segments) {
   const Lattice& lattice = plan.lattice;
   Rows rows = rows_of(lattice, column);
-  rows.count = std::min(hits.rows + 1, lattice.rows);
+  rows.count = evaluated_rows(lattice, hits);
+
+  // Unit normals, cosines of incidence, and the position and half width of each sample's footprint.
   measure(rows, axes.along, axes.across, axes.up, plan.bins_per_metre, plan.first_bin_at, hits.normal_x, hits.normal_y,
           hits.normal_z, hits.range, segments.normal_along.data(), segments.normal_up.data(), hits.facing,
           segments.position.data(), segments.reach.data());
+
+  // Which neighbours lie on one unbroken surface.
   if (lattice.shape == BeamShape::kCone) {
     measure_beside(rows, axes.across, axes.beside, lattice.sin_azimuth[column] / lattice.cos_azimuth[column],
                    plan.bins_per_metre, hits.normal_x, hits.normal_y, hits.normal_z, hits.range,
@@ -235,21 +243,40 @@ void evaluate_column(const PingPlan& plan, SecondarySampling sampling, int colum
     join(rows, 1 / plan.bins_per_metre, hits.range, segments.normal_along.data(), segments.normal_up.data(),
          hits.facing, hits.surface, segments.joined.data());
   }
+
+  // From here on normals and cosines of incidence are those of the relief.
   if (hits.has_relief) {
     bend(rows.count, hits.direction_x, hits.direction_y, hits.direction_z, hits.gradient_x, hits.gradient_y,
          hits.gradient_z, hits.normal_x, hits.normal_y, hits.normal_z, hits.facing, hits.escapes);
   }
+}
+
+void fill_powers(const PingPlan& plan, const HitColumn& hits) {
+  const int rows = evaluated_rows(plan.lattice, hits);
   if (plan.model == EchoModel::kCalibrated) {
-    plan.scatter.fill_powers(rows.count, plan.neper_per_metre, hits);
+    plan.scatter.fill_powers(rows, plan.neper_per_metre, hits);
   } else {
-    shade(rows.count, plan.neper_per_metre, hits.range, hits.facing, hits.reflectivity, hits.strength);
-    plan.shape.apply(rows.count, hits.strength, hits.power);
+    fill_strengths(rows, plan.neper_per_metre, hits.range, hits.facing, hits.reflectivity, hits.strength);
+    plan.shape.apply(rows, hits.strength, hits.power);
   }
-  fill_segments(rows.count, static_cast<float>(plan.sonar.bin_count), lattice.intervals(column),
+}
+
+void finish_column(const PingPlan& plan, SecondarySampling sampling, int column, const HitColumn& hits,
+                   FootprintSegments& segments) {
+  const Lattice& lattice = plan.lattice;
+  const int rows = evaluated_rows(lattice, hits);
+  fill_segments(rows, static_cast<float>(plan.sonar.bin_count), lattice.intervals(column),
                 lattice.column_measure[column], lattice.elevations(column), segments.position.data(),
                 segments.reach.data(), hits.power, segments.low.data(), segments.high.data(), segments.power.data(),
                 segments.half_rise.data(), segments.density.data(), segments.elevation.data());
-  select_hits(plan, sampling, column, rows.count, hits, segments.turned.data());
+  select_hits(plan, sampling, column, rows, hits, segments.turned.data());
+}
+
+void evaluate_column(const PingPlan& plan, SecondarySampling sampling, int column, const ColumnAxes& axes,
+                     const HitColumn& hits, FootprintSegments& segments) {
+  measure_column(plan, column, axes, hits, segments);
+  fill_powers(plan, hits);
+  finish_column(plan, sampling, column, hits, segments);
 }
 
 }  // namespace insonify

@@ -1,7 +1,8 @@
-// hit_column.h -- what the rays of one lattice column met, and what follows from it sample by sample.
+// hit_column.h -- the hits of one lattice column, and what is computed from them for each sample.
 
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -11,32 +12,32 @@
 
 namespace insonify {
 
-/// One lattice column, row by row from the lower edge of the aperture up; lies in a HitStrip. An engine fills in the
-/// first group; a sample without a hit has kNoSurface, range 0, reflectivity 0 and any normal. evaluate_column() works
-/// out the second.
+/// Pointers to the values of one lattice column, one per row, from the lower edge of the aperture up; a HitStrip has
+/// the memory. An engine fills in the first group: a sample without a hit has kNoSurface, range 0, reflectivity 0 and
+/// any normal. evaluate_column() fills in the second.
 struct HitColumn {
-  int rows;  ///< Nothing is met in this row and beyond, except where it ends the lattice; the rest is not looked at.
+  int rows;  ///< Rows from this one on have no hit. Only this row and those below it are evaluated.
 
   // From the engine.
   SurfaceLabel* surface;
-  std::uint32_t* triangle;                         ///< Of its instance's mesh; anything where nothing was met.
-  float *direction_x, *direction_y, *direction_z;  ///< Of the rays, see aim_column().
+  std::uint32_t* triangle;                         ///< Index in the instance's mesh; arbitrary without a hit.
+  float *direction_x, *direction_y, *direction_z;  ///< Directions of the rays, see aim_column().
   float* range;                                    ///< True distance [m].
-  float *normal_x, *normal_y, *normal_z;           ///< Of any length, in the frame of the ColumnAxes.
-  float* reflectivity;                             ///< Of the surface's material.
-  bool has_relief;  ///< The engine filled in gradients; without them evaluate_column() leaves `escapes` alone.
+  float *normal_x, *normal_y, *normal_z;           ///< Any length, in the frame of the ColumnAxes.
+  float* reflectivity;                             ///< That of the material, times `texture`.
+  bool has_relief;  ///< Whether gradients and textures are set. If not, `escapes` is not set either.
   float *gradient_x, *gradient_y, *gradient_z;  ///< ReliefPoint::gradient, in the frame of the normals.
-  float* texture;                               ///< ReliefPoint::reflectivity, which `reflectivity` holds already.
+  float* texture;                               ///< ReliefPoint::reflectivity; `reflectivity` includes it.
 
-  // Worked out.
-  float* facing;    ///< Of ray and unit normal: the cosine of incidence, of either sign; 0 where relief turns it away.
+  // From evaluate_column().
+  float* facing;    ///< Cosine between ray and unit normal, of either sign; 0 where the relief faces away.
   float* strength;  ///< `paper`: |facing| x reflectivity x absorption there and back, 0..1.
-  float* power;     ///< What is deposited per unit of weight. `paper`: S(strength); `calibrated`: see ScatterTable.
-  float* selected;  ///< How many hits the reflected ray stands for; 0 when none is sent or nothing was hit.
-  float* escapes;   ///< 1, or 0 where relief mirrors the ray into the surface: nothing is sent on from there.
+  float* power;     ///< Energy per unit of weight. `paper`: S(strength); `calibrated`: see ScatterTable.
+  float* selected;  ///< How many hits the reflected ray stands for; 0 if none is traced from here.
+  float* escapes;   ///< 0 where the relief reflects the ray into the surface, so that none is traced; else 1.
 };
 
-/// The memory of neighbouring columns: little enough to stay in the nearest cache.
+/// Memory for neighbouring columns, small enough for the first-level cache.
 class HitStrip {
  public:
   HitStrip(int columns, int rows) { resize(columns, rows); }
@@ -44,8 +45,8 @@ class HitStrip {
 
   [[nodiscard]] HitColumn column(int column);
 
-  /// The same sample of the next column is so many values further. Every row may be written up to kPadding values
-  /// beyond its end; what is written there is never read.
+  /// Distance between the same sample of two neighbouring columns, in values. Up to kPadding values beyond the last row
+  /// may be written; they are never read.
   [[nodiscard]] int stride() const { return stride_; }
   static constexpr int kPadding = 16;
 
@@ -56,45 +57,61 @@ class HitStrip {
   std::vector<float> values_;  // [field][column][row]
 };
 
-/// How the samples of a column hang together: what lies between each and the next.
+/// The range intervals over which the echoes of a column's samples are spread.
 struct FootprintSegments {
   explicit FootprintSegments(int rows = 0) { resize(rows); }
   void resize(int rows);
 
-  // Of each sample.
-  std::vector<float> normal_along, normal_up;  ///< Of the unit normal, along the column's directions.
-  std::vector<float> normal_beside;            ///< Of the unit normal times ColumnAxes::beside; cones only.
-  std::vector<float> position;                 ///< In bins from the near edge of bin 0.
-  std::vector<float> reach;           ///< By how much the position changes from the middle of the column to its edge.
-  std::vector<std::uint32_t> turned;  ///< Sum of the shares that are followed, from some sample up to this one.
+  // Per sample. The normal is the unit normal without relief.
+  std::vector<float> normal_along, normal_up;  ///< Its products with ColumnAxes::along and up.
+  std::vector<float> normal_beside;            ///< Its product with ColumnAxes::beside; for cones only.
+  std::vector<float> position;                 ///< Range, in bins from the near edge of bin 0.
+  std::vector<float> reach;           ///< Change of the position from the middle of the column to its edge [bins].
+  std::vector<std::uint32_t> turned;  ///< Scratch memory of select_hits().
 
-  // From each sample to the next, where both lie on one unbroken surface; see FootprintSegment.
-  std::vector<std::uint8_t> joined;  ///< Whether they do.
-  std::vector<float> low, high;      ///< Ends, reach included, within the bins.
+  // Between each sample and the next; see FootprintSegment.
+  std::vector<std::uint8_t> joined;  ///< Whether both lie on one unbroken surface. If not, the rest has no meaning.
+  std::vector<float> low, high;      ///< Ends, `reach` included, limited to the bins.
   std::vector<float> power, half_rise, density, elevation;
 };
 
-/// A column's directions, along cos t + up sin t + beside, in the frame the normals are given in. Of a bearing a, in
-/// the axes x, y and z of the sonar frame:
+/// The direction of a column's ray is along cos t + up sin t + beside, with t the elevation (on a cone, the angle along
+/// its arc), in the frame that normals are given in. For the bearing a and the axes x, y and z of the sonar:
 struct ColumnAxes {
   Vec3f along;   ///< x cos a + y sin a; on a cone x cos a.
-  Vec3f across;  ///< y cos a - x sin a; on a cone y cos a.
+  Vec3f across;  ///< Derivative of `along` with respect to a: y cos a - x sin a; on a cone y cos a.
   Vec3f up;      ///< z; on a cone z cos a.
   Vec3f beside;  ///< 0; on a cone y sin a.
 };
 
-/// @param axes  Forward, port and up, as columns.
+/// @param axes  The sonar's axes as columns: forward, port and up.
 ColumnAxes column_axes(const Lattice& lattice, int column, const Eigen::Matrix3f& axes);
 
 /// Fills in the directions of a column's rays.
 void aim_column(const Lattice& lattice, int column, const ColumnAxes& axes, const HitColumn& hits);
 
-/// Works out everything above for column `column` of the lattice; normals are made unit length and bent by relief. How
-/// samples hang together is taken from the surface without its relief.
-///
-/// Strength: paper, sections "Rasterized reflections" and "Unified reflections"; e^(-2 gamma r) is the two-way loss of
-/// a pressure amplitude (PHYSICS 1.4).
+/// Computes everything that follows from the hits of column `column` of the lattice: measure_column(), fill_powers()
+/// and finish_column(), one after another.
 void evaluate_column(const PingPlan& plan, SecondarySampling sampling, int column, const ColumnAxes& axes,
                      const HitColumn& hits, FootprintSegments& segments);
+
+/// Geometry of the column: makes normals unit length, finds which neighbours lie on one unbroken surface, and tilts the
+/// normals by the relief. Fills in `facing`, `escapes` and the per-sample values of the segments, which are those of
+/// the surface without its relief.
+void measure_column(const PingPlan& plan, int column, const ColumnAxes& axes, const HitColumn& hits,
+                    FootprintSegments& segments);
+
+/// Fills in `power`, and in the `paper` model `strength`: paper_strength() with PaperModel::shape(), or
+/// primary_intensity(), in single precision.
+void fill_powers(const PingPlan& plan, const HitColumn& hits);
+
+/// Fills in the segments between neighbours, and `selected`.
+void finish_column(const PingPlan& plan, SecondarySampling sampling, int column, const HitColumn& hits,
+                   FootprintSegments& segments);
+
+/// Rows of a column that are evaluated: those up to the last hit and one more, which ends the last segment.
+[[nodiscard]] inline int evaluated_rows(const Lattice& lattice, const HitColumn& hits) {
+  return std::min(hits.rows + 1, lattice.rows);
+}
 
 }  // namespace insonify

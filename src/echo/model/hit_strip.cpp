@@ -1,4 +1,4 @@
-// hit_strip.cpp -- the memory that columns are worked out in.
+// hit_strip.cpp -- memory for HitColumn and FootprintSegments.
 
 #include "echo/model/hit_column.h"
 

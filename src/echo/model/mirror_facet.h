@@ -1,4 +1,4 @@
-// mirror_facet.h -- which way a rough mirror sends a ray on.
+// mirror_facet.h -- draws the facet about which a rough mirror reflects a ray.
 
 #pragma once
 
@@ -11,9 +11,9 @@
 
 namespace insonify {
 
-/// Two independent normal numbers of a sample of the lattice, spread evenly over neighbours: an additive recurrence in
-/// four dimensions (Roberts, "The unreasonable effectiveness of quasirandom sequences", 2018), bent after Box and
-/// Muller.
+/// Two independent standard normal numbers for each sample of the lattice, stratified over neighbouring samples: a
+/// quasirandom sequence (Roberts, "The unreasonable effectiveness of quasirandom sequences", 2018) and the Box-Muller
+/// transform.
 struct FacetSlopes {
   float along, across;
 
@@ -27,26 +27,27 @@ struct FacetSlopes {
   }
 };
 
-/// A facet of a rough mirror, seen from where the sound comes.
+/// A facet of a rough mirror.
 struct MirrorFacet {
-  Triple normal;  ///< Of unit length, towards the sound.
-  float share;    ///< Of the sound on the mirror by that on the facets drawn; 0 where it would go on into the mirror.
+  Triple normal;  ///< Unit normal, on the side of the incident sound.
+  float share;    ///< Weight of the facet: its expected value over all facets is 1. 0 if it reflects into the mirror.
 };
 
-/// Slopes are Gaussian. A facet counts as large as the sound sees it, (i.m) / ((i.n)(m.n)), less what others hide of
-/// it: Smith's masking for Beckmann's distribution in the approximation of Walter et al., "Microfacet models for
-/// refraction through rough surfaces", EGSR 2007, eq. 27. So the shares of all facets add up to one; those that would
-/// send sound into the mirror, many where it is grazed, keep none.
-/// @param direction  In which the sound comes, of unit length.
-/// @param normal     Of the mirror as a whole, with its relief, of unit length, on either side.
-/// @param gradient   Of that relief, see ReliefPoint; 0 where there is none.
-/// @param slope      Rms, along each axis.
+/// Slopes are Gaussian. The weight of a facet of normal m is its area projected towards the incident sound i, (i.m) /
+/// ((i.n)(m.n)), times the share that other facets do not mask: Smith's masking function for Beckmann's distribution,
+/// in the approximation of Walter et al., "Microfacet models for refraction through rough surfaces", EGSR 2007, eq. 27.
+/// Facets that reflect the sound into the mirror, of which there are many at grazing incidence, have weight 0.
+/// @param direction  Direction of the incident sound, unit length.
+/// @param normal     Unit normal n of the mirror with its relief, on either side.
+/// @param gradient   ReliefPoint::gradient; 0 without relief.
+/// @param slope      Rms slope along each axis.
+/// @param slopes     The slopes drawn, in units of `slope`.
 [[gnu::always_inline]] inline MirrorFacet mirror_facet(const Triple& direction, const Triple& normal,
                                                        const Triple& gradient, float slope, const FacetSlopes& slopes) {
   const float side = direction.dot(normal) > 0 ? -1.0F : 1.0F;
   const Triple n = side * normal;
-  // Duff et al., "Building an orthonormal basis, revisited", JCGT 6 (2017); its seam away from upright mirrors, where
-  // the sign of a zero would decide.
+  // Tangents: Duff et al., "Building an orthonormal basis, revisited", JCGT 6 (2017). Its discontinuity is moved from
+  // n.z = 0, where many mirrors are upright, to -0.6.
   const float sign = n.z < -0.6F ? -1.0F : 1.0F, a = -1 / (sign + n.z), b = n.x * n.y * a;
   const Triple along{1 + sign * n.x * n.x * a, sign * b, -sign * n.x}, across{b, sign + n.y * n.y * a, -n.y};
   const Triple tilted = n + (slope * slopes.along) * along + (slope * slopes.across) * across;
@@ -54,7 +55,7 @@ struct MirrorFacet {
   const Triple m = upright * tilted;
   const float met = -direction.dot(m);
   const Triple reflected = direction + (2 * met) * m;
-  // The surface without relief: its unit normal less the gradient is along the one with relief.
+  // Normal of the surface without relief, from n parallel to flat - gradient, |flat| = 1.
   const float level = normal.dot(gradient);
   const float rest = std::sqrt(std::max(level * level - gradient.dot(gradient) + 1, 0.0F)) - level;
   const Triple flat = rest * normal + gradient;

@@ -1,18 +1,14 @@
-// mirror_paths.cpp -- sixteen paths at a time.
+// mirror_paths.cpp -- intensities of sixteen mirror paths in one vector loop.
 
 #include "echo/model/mirror_paths.h"
 
 #include <cmath>
 
 #include "base/vector_math.h"
+#include "echo/model/echo_laws.h"
 
 namespace insonify {
 namespace {
-
-// Cosines below this (89.4 deg) are held there where they divide.
-constexpr float kLeastCosine = 0.01F;
-
-constexpr float kLeastSpread = 0.01F;  // Near a focus.
 
 [[gnu::always_inline]] inline float held(float cosine) {
   return cosine < kLeastCosine ? kLeastCosine : cosine;
@@ -22,8 +18,7 @@ INSONIFY_VECTOR_CLONES
 void fill(const ScatterTable::Laws laws, float neper_per_metre, const MirrorPaths& __restrict__ paths,
           MirrorPowers& __restrict__ powers) {
   for (int lane = 0; lane < kPathLanes; ++lane) {
-    const std::uint32_t label = paths.surface[lane] & 0xffffU;  // material_of()
-    const std::uint32_t material = label < laws.nothing ? label : laws.nothing;
+    const std::uint32_t material = laws.index_of(paths.surface[lane]);
     const float mu = laws.lambert[material], lobe = laws.lobe[material], steepness = laws.steepness[material];
     const float in = held(std::abs(paths.in[lane])), out = std::abs(paths.out[lane]);
     const float half = held(std::abs(paths.half[lane]));
@@ -32,10 +27,9 @@ void fill(const ScatterTable::Laws laws, float neper_per_metre, const MirrorPath
     const float once_reflected =
         paths.share[lane] * paths.reflectance[lane] * paths.texture[lane] * paths.texture[lane];
 
-    const float across = 1 / (half * half), along = 1 / (in * in);
     const float smoother = paths.steepness[lane] > steepness ? 1.0F : paths.steepness[lane] < steepness ? 0.0F : 0.5F;
-    const float glint_across = smoother * lobe * across * across * fast_exp((1 - across) * steepness) / in;
-    const float glint_along = lobe * along * along * fast_exp((1 - along) * steepness) / in;
+    const float glint_across = smoother * facet_lobe(lobe, steepness, half) / in;
+    const float glint_along = facet_lobe(lobe, steepness, in) / in;
     const float once =
         once_reflected * (mu * out + glint_across) / (back * back) * fast_exp(-2 * neper_per_metre * (there + back));
     const float twice = once_reflected * paths.reflectance[lane] * (mu * in + glint_along) / (there * there * spread) *

@@ -1,4 +1,4 @@
-// paper_shape.cpp -- the sigmoid of the paper's eq. (energy_norm).
+// paper_shape.cpp -- the sigmoid of the paper's eq. (energy_norm), for one strength and for many.
 
 #include "echo/model/paper_shape.h"
 
@@ -10,19 +10,24 @@
 namespace insonify {
 namespace {
 
-double logistic(double x, double midpoint, double slope) {
-  return 1 / (1 + std::exp(-slope * (x - midpoint)));
+Logistic<double> logistic_of(const PaperModel& model) {
+  if (model.sigmoid == Sigmoid::kAuthors) {
+    // 0.5 tanh(9 (x - 2/3)) + 0.5, as the authors' code has it, is the logistic of twice the slope.
+    return {.slope = 18, .midpoint = 2.0 / 3.0};
+  }
+  const double slope = model.sigmoid_slope, midpoint = model.sigmoid_midpoint;
+  const double at_zero = 1 / (1 + std::exp(-slope * (0 - midpoint)));
+  const double at_one = 1 / (1 + std::exp(-slope * (1 - midpoint)));
+  return {slope, midpoint, 1 / (at_one - at_zero), -at_zero / (at_one - at_zero)};
 }
 
-// 0.5 tanh(9 (x - 2/3)) + 0.5, as the authors' code has it, is the logistic of twice the slope.
-constexpr double kAuthorsMidpoint = 2.0 / 3.0;
-constexpr double kAuthorsSlope = 18;
-
+// Every value depends on its own strength alone, so that the loop may be vectorised even where both arrays are the
+// same.
 INSONIFY_VECTOR_CLONES
-void apply_logistic(int count, float slope, float midpoint, float scale, float offset, const float* strength,
-                    float* power) {
+void apply_logistic(int count, Logistic<float> terms, const float* strength, float* power) {
+#pragma GCC ivdep
   for (int i = 0; i < count; ++i) {
-    const float shaped = scale / (1 + fast_exp(-slope * (strength[i] - midpoint))) + offset;
+    const float shaped = terms.scale / (1 + fast_exp(-terms.slope * (strength[i] - terms.midpoint))) + terms.offset;
     power[i] = shaped > 0 ? shaped : 0.0F;
   }
 }
@@ -30,43 +35,24 @@ void apply_logistic(int count, float slope, float midpoint, float scale, float o
 }  // namespace
 
 double PaperModel::shape(double strength) const {
-  switch (sigmoid) {
-    case Sigmoid::kAuthors:
-      return logistic(strength, kAuthorsMidpoint, kAuthorsSlope);
-    case Sigmoid::kLogistic: {
-      const double at_zero = logistic(0, sigmoid_midpoint, sigmoid_slope);
-      const double at_one = logistic(1, sigmoid_midpoint, sigmoid_slope);
-      return (logistic(strength, sigmoid_midpoint, sigmoid_slope) - at_zero) / (at_one - at_zero);
-    }
-    case Sigmoid::kNone:
-      break;
+  if (sigmoid == Sigmoid::kNone) {
+    return strength;
   }
-  return strength;
+  const Logistic<double> terms = logistic_of(*this);
+  return std::max(0.0, terms.scale / (1 + std::exp(-terms.slope * (strength - terms.midpoint))) + terms.offset);
 }
 
-PaperShape::PaperShape(const PaperModel& model) : linear_(model.sigmoid == Sigmoid::kNone) {
-  if (model.sigmoid == Sigmoid::kAuthors) {
-    slope_ = static_cast<float>(kAuthorsSlope);
-    midpoint_ = static_cast<float>(kAuthorsMidpoint);
-  } else if (model.sigmoid == Sigmoid::kLogistic) {
-    const double at_zero = logistic(0, model.sigmoid_midpoint, model.sigmoid_slope);
-    const double at_one = logistic(1, model.sigmoid_midpoint, model.sigmoid_slope);
-    slope_ = static_cast<float>(model.sigmoid_slope);
-    midpoint_ = static_cast<float>(model.sigmoid_midpoint);
-    scale_ = static_cast<float>(1 / (at_one - at_zero));
-    offset_ = static_cast<float>(-at_zero / (at_one - at_zero));
-  }
-}
-
-float PaperShape::operator()(float strength) const {
-  return linear_ ? strength : std::max(0.0F, scale_ / (1 + fast_exp(-slope_ * (strength - midpoint_))) + offset_);
+PaperShape::PaperShape(const PaperModel& model) : model_(model) {
+  const Logistic<double> terms = logistic_of(model);
+  logistic_ = {static_cast<float>(terms.slope), static_cast<float>(terms.midpoint), static_cast<float>(terms.scale),
+               static_cast<float>(terms.offset)};
 }
 
 void PaperShape::apply(int count, const float* strength, float* power) const {
-  if (linear_) {
+  if (model_.sigmoid == Sigmoid::kNone) {
     std::copy_n(strength, count, power);
   } else {
-    apply_logistic(count, slope_, midpoint_, scale_, offset_, strength, power);
+    apply_logistic(count, logistic_, strength, power);
   }
 }
 

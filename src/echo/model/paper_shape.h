@@ -1,4 +1,4 @@
-// paper_shape.h -- how strong an echo is in the `paper` model, and how strongly it is drawn.
+// paper_shape.h -- the paper's sigmoid for many strengths at once.
 
 #pragma once
 
@@ -6,20 +6,26 @@
 
 namespace insonify {
 
-/// The paper's sigmoid S with its scaling worked out: S(x) = scale / (1 + exp(-slope (x - midpoint))) + offset.
+/// S(x) = scale / (1 + e^(-slope (x - midpoint))) + offset, at least 0.
+template <typename Real>
+struct Logistic {
+  Real slope = 1, midpoint = 0, scale = 1, offset = 0;
+};
+
+/// PaperModel::shape() in single precision, with precomputed constants.
 class PaperShape {
  public:
   explicit PaperShape(const PaperModel& model);
 
-  /// S of one strength, 0..1.
-  [[nodiscard]] float operator()(float strength) const;
+  /// The model it was made from, whose shape() is the same function in double precision.
+  [[nodiscard]] const PaperModel& model() const { return model_; }
 
-  /// S of `count` strengths; may be done in place.
+  /// S of `count` strengths; `power` may be the same array as `strength`.
   void apply(int count, const float* strength, float* power) const;
 
  private:
-  bool linear_;  // S(x) = x
-  float slope_ = 0, midpoint_ = 0, scale_ = 1, offset_ = 0;
+  PaperModel model_;
+  Logistic<float> logistic_;
 };
 
 }  // namespace insonify

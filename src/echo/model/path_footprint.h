@@ -1,4 +1,4 @@
-// path_footprint.h -- how much the length of a path by way of a mirror differs within the sample it stands for.
+// path_footprint.h -- range interval that an echo by a mirror is spread over: the variation of its path length.
 
 #pragma once
 
@@ -9,26 +9,27 @@
 
 namespace insonify {
 
-/// Where a sample of the lattice met a mirror, and where its sound goes on to.
+/// The hit of a sample of the lattice on a mirror, and the reflected direction.
 struct MirrorSample {
-  Triple place;              ///< From the sonar [m].
-  Triple normal, reflected;  ///< Of unit length; the normal with relief, on either side.
-  float range;               ///< [m]
+  Triple place;              ///< Position relative to the sonar [m].
+  Triple normal, reflected;  ///< Unit vectors. The normal includes relief and may point to either side.
+  float range;               ///< Distance from the sonar [m].
 
   [[gnu::always_inline]] static MirrorSample of(const Triple& direction, const Triple& normal, float range) {
     return {range * direction, normal, direction - 2 * direction.dot(normal) * normal, range};
   }
 };
 
-/// From a sample to one beside it on the same mirror: how much farther that is, where it lies, and how its way on
-/// turns.
+/// Differences between a neighbouring sample on the same mirror and a sample.
 struct MirrorChange {
-  float range = 0;
-  Triple place = {}, turn = {};
+  float range = 0;    ///< [m]
+  Triple place = {};  ///< Position [m].
+  Triple turn = {};   ///< Reflected direction.
 };
 
-/// @return  No change where the other is not on the same segment of surface: where the way there leaves the surface at
-///          more than 30 degrees, or normals differ by more than 26.
+/// @return  Zeros if the neighbour `beside` is not on the same part of the surface: if it lies more than 30 degrees off
+/// the
+///          tangent plane, or the normals differ by more than 26 degrees.
 [[gnu::always_inline]] inline MirrorChange mirror_change(const MirrorSample& here, const MirrorSample& beside) {
   const Triple place = beside.place - here.place, turn = beside.reflected - here.reflected;
   const float off = here.normal.dot(place), alike = here.normal.dot(beside.normal);
@@ -36,7 +37,7 @@ struct MirrorChange {
   return {same_surface * (beside.range - here.range), same_surface * place, same_surface * turn};
 }
 
-/// Those of sixteen samples.
+/// The MirrorChange of sixteen samples.
 struct alignas(64) MirrorChanges {
   float range[16], place_x[16], place_y[16], place_z[16], turn_x[16], turn_y[16], turn_z[16];
 
@@ -54,32 +55,34 @@ struct alignas(64) MirrorChanges {
   }
 };
 
-/// How a path ends: across from the mirror to a second surface, and straight back.
+/// The end of a path: from the mirror across to a second surface, and straight back to the sonar.
 struct PathEnd {
-  float across;       ///< From the mirror [m].
-  Triple direction;   ///< In which it comes from the mirror, of unit length.
-  Triple normal;      ///< Of the second surface, of unit length, on either side.
-  Triple from_sonar;  ///< Unit vector to the second surface from the sonar.
-  float there, back;  ///< Out and across, and straight back [m].
+  float across;       ///< Distance from the mirror to the second surface [m].
+  Triple direction;   ///< Direction from the mirror to the second surface, unit length.
+  Triple normal;      ///< Unit normal of the second surface, on either side.
+  Triple from_sonar;  ///< Direction from the sonar to the second surface, unit length.
+  float there, back;  ///< Length from the sonar by the mirror to the second surface, and of the way straight back [m].
 };
 
-/// No footprint is longer than this share of the path. A convex mirror spreads the sound of one sample over metres of
-/// the second surface: at its limb the reflected rays of neighbouring columns lie 17 degrees apart.
+/// Greatest length of the range interval, relative to that of the path. A convex mirror spreads the sound of one sample
+/// over metres of the second surface: at its limb the reflected rays of neighbouring columns lie 17 degrees apart.
 inline constexpr float kWidestFootprint = 0.05F;
 
 /// The same where the change from one row to the next is extrapolated to the rows that the sample stands for.
 inline constexpr float kWidestExtrapolation = 0.005F;
 
-/// Half lengths, in range, of the even segments with the variance of what a sample hears [m].
+/// Half lengths of range intervals [m]. A uniform distribution over the interval has the variance of the range within
+/// the solid angle of the sample.
 struct PathFootprint {
-  float once, twice;  ///< By the mirror one way, and both ways.
+  float once, twice;  ///< For echoes by the mirror one way, and both ways.
 };
 
-/// Both changes follow the mirror's curvature and relief; the second surface is taken for its tangent plane, at no less
-/// than 12 degrees of grazing, and the segment for no more than kWidestFootprint of the path, since neither goes on for
-/// ever.
-/// @param above, rows  Change to the next sample of the same column, and how many of them this one stands for.
-/// @param aside        To that of a neighbouring column.
+/// docs/concepts/multipath.md, "Footprints". The changes include the curvature and relief of the mirror; the second
+/// surface is replaced by its tangent plane. Since neither extends to infinity, the grazing angle at the second surface
+/// is taken as at least 12 degrees, and the interval is limited to kWidestFootprint of the path.
+/// @param above  Change to the next sample of the same column.
+/// @param rows   Number of samples that this one stands for, see HitColumn::selected.
+/// @param aside  Change to the same row of a neighbouring column.
 [[gnu::always_inline]] inline PathFootprint path_footprint(const MirrorChange& above, float rows,
                                                            const MirrorChange& aside, const PathEnd& end) {
   constexpr float kLeastGrazing = 0.2F;

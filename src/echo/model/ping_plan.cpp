@@ -1,4 +1,4 @@
-// ping_plan.cpp -- settings turned into the constants of the inner loops.
+// ping_plan.cpp -- computes the constants of a plan from its settings.
 
 #include "echo/model/ping_plan.h"
 

@@ -21,7 +21,7 @@
 
 namespace insonify {
 
-/// What a plan is made from.
+/// What a PingPlan is made from.
 struct PingPlanSettings {
   SonarConfig sonar = {};
   Water water = {};
@@ -29,72 +29,75 @@ struct PingPlanSettings {
   PaperModel paper = {};
   std::span<const Material> materials = {};  ///< The scene's, for the calibrated model; read only while planning.
 
-  // Of the calibrated model; others than these are not for kRaster.
+  // For the calibrated model. Primaries can be rasterised only with these defaults.
   BeamShape beam_shape = BeamShape::kWedge;
-  std::optional<ArraySettings> elevation_array = {};  ///< One way, as wide at half power as the elevation aperture;
-                                                      ///< sends and hears. A top hat when absent.
+  /// One-way pattern in elevation of transmitter and receiver; its half-power width is the elevation aperture. Absent:
+  /// a top hat.
+  std::optional<ArraySettings> elevation_array = {};
 
   PrimaryEchoes primary = PrimaryEchoes::kAuto;
   SecondaryEchoes secondary = SecondaryEchoes::kSelective;
-  int max_surfaces = kPathOrders;  ///< Of a path, 1..3; the paper model knows two.
-  bool rough_mirrors = false;      ///< Send sound on about facets drawn from their slopes; calibrated model only.
+  int max_surfaces = kPathOrders;  ///< Most surfaces on a path, 1..3; at most two in the paper model.
+  bool rough_mirrors = false;      ///< Whether facets drawn at random reflect the sound; calibrated model only.
   std::uint64_t seed = 1;
-  int stagger_phase = 0;  ///< >= 0. Others put the samples elsewhere: what changes with it is the sampling's own.
+  int stagger_phase = 0;  ///< Offset of the samples, >= 0: what changes with it is sampling error.
 };
-/// Everything about one sonar that does not change from ping to ping, worked out once.
+
+/// Everything about one sonar that does not change from ping to ping, computed once.
 class PingPlan {
  public:
   explicit PingPlan(const PingPlanSettings& settings);
 
   SonarConfig sonar;
-  std::optional<ElevationPattern> elevation_pattern;  ///< None: a top hat over the aperture.
+  std::optional<ElevationPattern> elevation_pattern;  ///< Absent: a top hat over the aperture.
   Lattice lattice;
   EchoModel model;
   PaperShape shape;      ///< `paper`
   ScatterTable scatter;  ///< `calibrated`
   PrimaryEchoes primary;
-  SecondaryEchoes secondary;  ///< kNone where paths end at one surface.
+  SecondaryEchoes secondary;  ///< kNone if max_surfaces is 1.
   int max_surfaces;
   bool rough_mirrors;  ///< `calibrated`
 
   float neper_per_metre = 0;   ///< Absorption of pressure amplitude [Np/m].
-  float range_per_metre = 1;   ///< Reported range over true range: assumed over true sound speed.
+  float range_per_metre = 1;   ///< Reported range / true range = assumed sound speed / true sound speed.
   float true_max_range = 0;    ///< True distance of the far edge of the last bin [m].
-  float bins_per_metre = 0;    ///< Bins over true distance [1/m].
+  float bins_per_metre = 0;    ///< Bins per true distance [1/m].
   float first_bin_at = 0;      ///< True distance of the near edge of bin 0 [m].
-  float middle_elevation = 0;  ///< Of the aperture [rad].
-  double turns_per_metre = 0;  ///< Of the phase of an echo, over one-way distance [1/m].
+  float middle_elevation = 0;  ///< Middle of the elevation aperture [rad].
+  double turns_per_metre = 0;  ///< Full turns of an echo's phase per metre of range [1/m].
   std::uint64_t seed = 0;
-  std::uint32_t stagger = 0;  ///< Turns the selection of secondary rays and the facets of rough mirrors, from the seed.
+  std::uint32_t stagger = 0;  ///< Random offset of the selection of reflected rays and of facets, from the seed.
 
-  /// How far the middle of an echo by way of a mirror may lie, of which the last bin still hears the near end: true
-  /// distance [m].
+  /// Greatest range of a secondary echo whose footprint still overlaps the last bin: true distance [m].
   [[nodiscard]] float reach() const { return (1 + 0.5F * kWidestFootprint) * true_max_range; }
 
-  /// Whether sound from a direction of the sonar frame, of unit length, is heard at all: in the fan and the elevation
-  /// aperture, or all that the elevation pattern hears.
+  /// Whether sound from a direction is received at all: inside the fan, and inside the elevation aperture or the limits
+  /// of the elevation pattern.
+  /// @param direction  Unit vector in the sonar frame.
   [[nodiscard]] bool receives(const Vec3f& direction) const;
 
-  /// How sound from a direction of the sonar frame, of unit length, arrives.
+  /// How sound from a direction arrives.
   struct Arrival {
     float bearing, elevation;  ///< [rad]
     float pattern;             ///< |p|^2 of the elevation pattern, one way; 1 without one.
   };
+  /// @param direction  Unit vector in the sonar frame.
   [[nodiscard]] Arrival arrival_from(const Vec3f& direction) const;
 
-  /// Beam whose edges hold a bearing; -1 outside the fan.
+  /// Beam that contains a bearing [rad]; -1 outside the fan.
   [[nodiscard]] int beam_of(float bearing) const;
 
-  /// Bin that holds a true range [m]; -1 outside the window.
+  /// Bin that contains a true range [m]; -1 outside the window.
   [[nodiscard]] int bin_of(float range) const;
 
  private:
-  // Azimuth, or the angle off the array's broadside.
+  // Azimuth [rad]; on a cone the angle from the array's broadside.
   [[nodiscard]] float bearing_of(const Vec3f& direction) const;
 
-  std::vector<float> beam_edges_;     // Falling [rad].
+  std::vector<float> beam_edges_;     // In descending order [rad].
   float beams_per_radian_ = 0;        // On average.
-  float tan_low_ = 0, tan_high_ = 0;  // Of the edges of the elevations that are heard.
+  float tan_low_ = 0, tan_high_ = 0;  // Tangents of the lowest and highest elevation that are received.
 };
 
 [[nodiscard]] std::shared_ptr<const PingPlan> make_ping_plan(const PingPlanSettings& settings);
@@ -106,7 +109,8 @@ inline float PingPlan::bearing_of(const Vec3f& direction) const {
 
 inline bool PingPlan::receives(const Vec3f& direction) const {
   const float level = std::sqrt(direction.x() * direction.x() + direction.y() * direction.y());
-  const bool behind = lattice.shape == BeamShape::kCone && direction.x() < 0;  // At the bearing of what is before it.
+  // A line array cannot tell front from back: on a cone what is behind has the bearing of a direction in front.
+  const bool behind = lattice.shape == BeamShape::kCone && direction.x() < 0;
   return direction.z() >= tan_low_ * level && direction.z() <= tan_high_ * level && !behind &&
          beam_of(bearing_of(direction)) >= 0;
 }
@@ -124,7 +128,7 @@ inline int PingPlan::bin_of(float range) const {
 }
 
 inline int PingPlan::beam_of(float bearing) const {
-  // Where beams are even this guess is right but for rounding at the edges; elsewhere it is where the search begins.
+  // First guess, exact but for rounding if all beams are equally wide; then a search.
   const float across = (beam_edges_.front() - bearing) * beams_per_radian_;
   int beam = std::clamp(static_cast<int>(across), 0, sonar.beam_count - 1);
   while (beam > 0 && bearing > beam_edges_[beam]) {

@@ -1,4 +1,4 @@
-// primary_choice.cpp -- what drawing and tracing cost, fitted to `insonify bench primary` (bench/README.md).
+// primary_choice.cpp -- cost model of rasterising and ray tracing, fitted to `insonify bench primary`.
 
 #include "echo/model/primary_choice.h"
 
@@ -9,11 +9,12 @@
 namespace insonify {
 namespace {
 
-// Both above what a sample costs either way [ns].
+// Both functions return the time [ns] that exceeds what a sample takes with either method; see bench/README.md.
 double drawing_costs(double triangles, double azimuth_aperture) {
-  constexpr double kLookedAt = 8;  // Each triangle, to find out whether it lies in the field.
-  constexpr double kDrawn = 280;   // Each triangle there.
-  const double in_field = std::min(1.0, azimuth_aperture / std::numbers::pi);  // Things stand before a sonar.
+  constexpr double kLookedAt = 8;  // Per triangle, to find out whether it lies in the field of view.
+  constexpr double kDrawn = 280;   // Per triangle in the field of view.
+  // Objects are mostly in front of a sonar.
+  const double in_field = std::min(1.0, azimuth_aperture / std::numbers::pi);
   return triangles * (kLookedAt + kDrawn * in_field);
 }
 

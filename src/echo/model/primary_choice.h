@@ -1,4 +1,4 @@
-// primary_choice.h -- whether primary echoes are drawn or traced.
+// primary_choice.h -- whether primary echoes are rasterised or ray-traced.
 
 #pragma once
 
@@ -9,11 +9,12 @@
 
 namespace insonify {
 
-/// What an engine does: kRays or kRaster. For kAuto a cost model of triangles, samples and the azimuth aperture picks
-/// the faster one (bench/README.md), the same for a scenario on every machine.
-/// @param can_draw   Whether the engine can draw primaries, see EngineKind; others always trace.
-/// @param even_rows  Whether columns are wedges and their rows even in tan(elevation), as without an array: others
-///                   cannot be drawn, and kAuto traces them.
+/// Returns kRays or kRaster. For kAuto a cost model of triangles, samples and the azimuth aperture picks the faster
+/// method (bench/README.md); the choice does not depend on the machine.
+/// @param can_draw   Whether the engine can rasterise, see EngineKind; if not, kRays.
+/// @param even_rows  Whether columns are wedges with rows at equal steps of tan(elevation), see Lattice: only these can
+/// be
+///                   rasterised, and kAuto traces all others.
 [[nodiscard]] PrimaryEchoes primary_echoes(PrimaryEchoes asked, const SonarConfig& sonar, std::size_t triangle_count,
                                            bool can_draw, bool even_rows = true);
 

@@ -1,11 +1,11 @@
-// ray_limits.h -- how far a ray keeps clear of the surfaces at its ends.
+// ray_limits.h -- distance that rays keep from the surfaces at their ends.
 
 #pragma once
 
 namespace insonify {
 
-/// FootprintSegment at both ends of a reflected ray or return leg that meets nothing [m]: more than the rounding of
-/// single precision at the distances sonars reach, less than any detail they resolve.
+/// Length at both ends of a reflected ray or return leg within which it hits nothing [m]: more than the rounding error
+/// of single precision at sonar ranges, less than any detail that a sonar resolves.
 inline constexpr float kRayClearance = 1e-3F;
 
 }  // namespace insonify

@@ -1,4 +1,4 @@
-// ray_tube.cpp -- two neighbours of a ray, mirrored beside it.
+// ray_tube.cpp -- differentials of a reflected ray.
 
 #include "echo/model/ray_tube.h"
 
@@ -7,7 +7,7 @@
 namespace insonify {
 namespace {
 
-// A neighbour: where it meets the mirror and where it goes on, relative to the ray, per radian between them.
+// Change of the hit and of the reflected direction from a ray to a neighbouring ray, per radian between them.
 struct Neighbour {
   Vec3f place, turn;
 };
@@ -26,7 +26,7 @@ RayTube ray_tube(const std::array<Vec3f, 3>& corners, const std::array<Vec3f, 3>
   const float cosine = direction.dot(about);
   const auto neighbour = [&](const Vec3f& aside) {
     const Vec3f place = range * (aside - direction * (aside.dot(flat) / facing));
-    // In units of both edges, from the areas that it spans with them.
+    // Coordinates of `place` along both edges, from areas.
     const float along1 = place.cross(edge2).dot(flat) / doubled, along2 = edge1.cross(place).dot(flat) / doubled;
     Vec3f bend = along1 * change1 + along2 * change2;
     bend -= about * about.dot(bend);

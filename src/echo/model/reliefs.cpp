@@ -1,4 +1,4 @@
-// reliefs.cpp -- from the world to a mesh's own frame and back.
+// reliefs.cpp -- transforms points from the world to a mesh's frame, and gradients back.
 
 #include "echo/model/reliefs.h"
 

@@ -1,4 +1,4 @@
-// scatter_table.cpp -- backscatter of many samples at once.
+// scatter_table.cpp -- intensities of the primary echoes of a column, in one vector loop.
 
 #include "echo/model/scatter_table.h"
 
@@ -7,25 +7,22 @@
 #include <numbers>
 
 #include "base/vector_math.h"
+#include "echo/model/echo_laws.h"
 #include "echo/model/hit_column.h"
 
 namespace insonify {
 namespace {
 
-// Below this cosine of incidence (89.4 deg) lobes are held as they are there, where nothing is left of them.
-constexpr float kLeastCosine = 0.01F;
-
+// Where the cosine of incidence is below kLeastCosine, the lobe is computed at kLeastCosine: nothing is left of it
+// there.
 INSONIFY_VECTOR_CLONES
 void scatter(int rows, const ScatterTable::Laws laws, float neper_per_metre, const SurfaceLabel* __restrict__ surface,
              const float* __restrict__ facing, const float* __restrict__ range, float* __restrict__ power) {
   for (int row = 0; row < rows; ++row) {
-    const std::uint32_t label = surface[row] & 0xffffU;  // material_of()
-    const std::uint32_t material = label < laws.nothing ? label : laws.nothing;
+    const std::uint32_t material = laws.index_of(surface[row]);
     const float cosine = std::abs(facing[row]);
     const float held = cosine < kLeastCosine ? kLeastCosine : cosine;
-    const float square = 1 / (held * held);
-    const float glint =
-        laws.lobe[material] * square * square * fast_exp((1 - square) * laws.steepness[material]) / held;
+    const float glint = facet_lobe(laws.lobe[material], laws.steepness[material], held) / held;
     const float spread = fast_exp(-4 * neper_per_metre * range[row]) / (range[row] * range[row]);
     const float echo = (laws.lambert[material] * cosine + glint) * spread;
     power[row] = (range[row] > 0) & (cosine > 0) ? echo : 0.0F;
@@ -37,6 +34,7 @@ void scatter(int rows, const ScatterTable::Laws laws, float neper_per_metre, con
 ScatterTable::ScatterTable(std::span<const Material> materials, double frequency) {
   for (const Material& material : materials) {
     const Scattering scattering = material.scattering(frequency);
+    scattering_.push_back(scattering);
     const double variance = scattering.rms_slope * scattering.rms_slope;
     const double intensity = scattering.reflection * scattering.reflection;
     reflectance_.push_back(static_cast<float>(intensity));

@@ -1,4 +1,4 @@
-// secondary_echo.cpp -- strength and absorption of many echoes at once.
+// secondary_echo.cpp -- powers of secondary echoes in the `paper` model, in vector loops.
 
 #include "echo/model/secondary_echo.h"
 

@@ -1,4 +1,4 @@
-// secondary_echo.h -- what comes back by way of a second surface.
+// secondary_echo.h -- secondary echoes: their place in the grid, and their powers in the `paper` model.
 
 #pragma once
 
@@ -8,12 +8,11 @@
 
 namespace insonify {
 
-/// The secondary echo of the `paper` model, all but its power: heard in the beam it was launched in, as its reciprocal
-/// path is (DESIGN, "the return leg"). Its weight is by what is sent that way; what is heard of it is its power's.
-/// @param column, row  Of the lattice: the sample whose hit was followed.
-/// @param selected     How many hits the reflected ray stands for.
-/// @param path_length  Out, across and back [m].
-/// @param surface      The second.
+/// A secondary echo without its power, in the beam of the launched ray, where the reciprocal path arrives too.
+/// @param column, row  Sample of the lattice whose hit reflected the ray.
+/// @param selected     Number of hits that the reflected ray stands for.
+/// @param path_length  Length out, across and back [m].
+/// @param surface      The second surface.
 inline Echo secondary_echo(const PingPlan& plan, int column, int row, float selected, float path_length,
                            SurfaceLabel surface) {
   const Lattice& lattice = plan.lattice;
@@ -25,10 +24,10 @@ inline Echo secondary_echo(const PingPlan& plan, int column, int row, float sele
           .surface = surface};
 }
 
-/// Powers of many secondary echoes: S of both surfaces' |cos| x reflectivity and of the absorption of pressure along
-/// the whole path.
-/// @param strength  The product of both surfaces' strengths; the first holds the loss of twice its range already.
-/// @param rest      The rest of the path, that has still to be paid for [m].
+/// S of the strengths of many secondary echoes, in single precision; each strength loses the absorption of the rest of
+/// its path first, see paper_strength().
+/// @param strength  Product of the strengths of both surfaces; the first includes the loss of twice its range.
+/// @param rest      Length of the path less twice the range of the first surface [m].
 void secondary_powers(const PingPlan& plan, int count, const float* strength, const float* rest, float* power);
 
 }  // namespace insonify

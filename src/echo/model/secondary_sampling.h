@@ -1,13 +1,13 @@
-// followed.h -- which hits of a ping are followed.
+// secondary_sampling.h -- from which hits of a ping reflected rays are traced.
 
 #pragma once
 
 namespace insonify {
 
-/// From which hits of a ping sound is followed on to a second surface.
+/// From which hits of a ping reflected rays are traced.
 enum class SecondarySampling {
   kNone,
-  kSome,  ///< See select_hits().
+  kSome,  ///< From a sample of them, see select_hits().
   kAll
 };
 

@@ -1,4 +1,4 @@
-// select_hits.h -- from which hits sound is followed on to a second surface.
+// select_hits.h -- selects the hits from which reflected rays are traced.
 
 #pragma once
 
@@ -6,13 +6,13 @@
 
 namespace insonify {
 
-/// Fills in `selected` of the first `rows` hits of a column. Where some are followed, a hit is followed with a
-/// probability that grows with |facing| x reflectivity, within limits, and then counts for all of its kind, so that the
-/// sums of energy and weight stay unbiased. Probabilities add up along the column and whoever completes a whole one is
-/// taken (systematic sampling), from a start that differs from column to column and with the seed: the hits followed
-/// lie evenly over a surface, and a still scene gives the same ping twice.
+/// Fills in HitColumn::selected of the first `rows` hits of a column. With SecondarySampling::kSome the probability p
+/// of a hit grows with |facing| x reflectivity, within limits, and a selected hit has the weight 1/p, so that expected
+/// sums of energy and weight are those of kAll. Selection is systematic sampling: p is summed along the column, from a
+/// start that depends on the column and the seed, and a hit is selected where the sum passes a whole number. So
+/// selected hits are evenly spaced over a surface, and a static scene gives the same ping again.
 ///
-/// @param turned  Scratch, of a column's rows.
+/// @param turned  Scratch memory for `rows` values: the sum of p modulo 1, in units of 2^-32.
 void select_hits(const PingPlan& plan, SecondarySampling sampling, int column, int rows, const HitColumn& hits,
                  std::uint32_t* turned);
 

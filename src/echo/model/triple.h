@@ -1,10 +1,10 @@
-// triple.h -- three numbers in registers.
+// triple.h -- a vector of three floats for loops over lanes.
 
 #pragma once
 
 namespace insonify {
 
-/// A vector that loops over lanes keep in registers.
+/// Plain floats instead of an Eigen vector, so that the compiler vectorises loops over lanes.
 struct Triple {
   float x, y, z;
 

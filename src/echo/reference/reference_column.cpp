@@ -1,4 +1,4 @@
-// reference_column.cpp -- the echoes of one lattice column, paragraph by paragraph as docs/concepts has them.
+// reference_column.cpp -- the echoes of one lattice column, in the order of docs/concepts.
 
 #include "echo/reference/reference_column.h"
 
@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "echo/model/mirror_facet.h"
-#include "echo/model/mirror_paths.h"
 #include "echo/model/ray_limits.h"
 #include "echo/model/secondary_echo.h"
 
@@ -60,7 +59,7 @@ Ray ReferenceColumn::ray_of(int column, int row) const {
   return {world_from_sonar_.position, frame.direction(plan_.lattice, column, row), 0, plan_.true_max_range};
 }
 
-// One ray a row, and what it meets first.
+// Traces one ray per row to its first surface.
 void ReferenceColumn::trace_primary_rays() {
   for (int row = 0; row < rows_; ++row) {
     rays_[row] = ray_of(column_, row);
@@ -90,18 +89,40 @@ void ReferenceColumn::store_hit(int row) {
   hits_.direction_z[row] = direction.z();
 }
 
-// docs/concepts/calibrated-model.md, "An echo", and paper-model.md.
+// What each row's echo adds to the grid per unit of solid angle: docs/concepts/calibrated-model.md, "An echo", and
+// paper-model.md, "From a hit to an echo".
+void ReferenceColumn::compute_powers() {
+  const double gamma = plan_.neper_per_metre;
+  for (int row = 0; row < rows_; ++row) {
+    if (!first_[row].met()) {
+      hits_.strength[row] = hits_.power[row] = 0;
+    } else if (plan_.model == EchoModel::kCalibrated) {
+      const double texture = hits_.has_relief ? first_[row].texture : 1.0F;
+      hits_.power[row] = static_cast<float>(primary_intensity(plan_.scatter.scattering(hits_.surface[row]),
+                                                              hits_.facing[row], texture, gamma, first_[row].distance));
+    } else {
+      const double strength =
+          paper_strength(hits_.facing[row], first_[row].reflectivity, gamma, 2 * first_[row].distance);
+      hits_.strength[row] = static_cast<float>(strength);
+      hits_.power[row] = static_cast<float>(plan_.shape.model().shape(strength));
+    }
+  }
+}
+
+// How the echoes of the rows are spread over range bins: paper-model.md, "From echoes to bins".
 void ReferenceColumn::deposit_primary_echoes(EchoGrid& grid) {
   SurfaceSums sums;
   sums.prepare(plan_.sonar.bin_count);
-  evaluate_column(
-      plan_, sampling_, column_,
+  measure_column(
+      plan_, column_,
       {frame_.along.cast<float>(), frame_.across.cast<float>(), frame_.up.cast<float>(), frame_.beside.cast<float>()},
       hits_, segments_);
+  compute_powers();
+  finish_column(plan_, sampling_, column_, hits_, segments_);
   deposit_column(plan_, column_, hits_, segments_, sums, grid);
 }
 
-// multipath.md, "Footprints": the change to the next row on the same surface, above or else below.
+// multipath.md, "Footprints": the change to the next row above, or else below, if it hit the same surface.
 MirrorChange ReferenceColumn::change_along(int row) const {
   for (const int other : {row + 1, row - 1}) {
     if (other >= 0 && other < rows_ && hits_.surface[other] == hits_.surface[row]) {
@@ -111,7 +132,7 @@ MirrorChange ReferenceColumn::change_along(int row) const {
   return {};
 }
 
-// The same to the neighbouring column.
+// The same for the neighbouring column.
 MirrorChange ReferenceColumn::change_across(int row) const {
   const int other = column_ ^ 1;
   if (other < plan_.lattice.columns) {
@@ -124,8 +145,8 @@ MirrorChange ReferenceColumn::change_across(int row) const {
   return {};
 }
 
-// multipath.md, "Three echoes": sound goes on from a hit as from a mirror. With rough mirrors it is mirrored about one
-// facet of the surface; see "Rough mirrors" there.
+// multipath.md, "Three echoes": traces the reflected ray of a hit. With rough mirrors it is reflected by one facet of
+// the surface; see "Rough mirrors" there. None if the ray hits nothing.
 std::optional<ReferenceColumn::Reflection> ReferenceColumn::reflect(int row) {
   Vec3 normal = first_[row].bent;
   float share = 1;
@@ -161,58 +182,55 @@ std::optional<ReferenceColumn::Reflection> ReferenceColumn::reflect(int row) {
   return path;
 }
 
-// Whether nothing is in the way from the second surface to the sonar.
+// Whether the straight line from the second surface to the sonar is unobstructed.
 bool ReferenceColumn::return_leg_is_clear(const Reflection& path) {
   ++counts_.return_legs;
   return !scene_.blocked({path.point, path.back.normalized(), kRayClearance, path.back.norm() - double{kRayClearance}});
 }
 
-// paper-model.md: one echo, in the beam of launch, as strong as both surfaces' |cos| x reflectivity and the absorption
-// along the whole path make it.
+// paper-model.md, "Secondary echoes": one echo, in the beam of launch. Its strength is the product of both surfaces'
+// and of the absorption along the whole path.
 void ReferenceColumn::deposit_paper_echo(const Reflection& path, EchoGrid& grid) {
   if (0.5F * path.path_length >= plan_.reach() || !return_leg_is_clear(path)) {
     return;
   }
-  const int row = path.row;
-  const auto incidence = static_cast<float>(std::abs(path.second.bent.dot(path.ray.direction)));
-  const float strength = hits_.strength[row] * incidence * path.second.reflectivity;
-  const float rest = path.path_length - 2 * hits_.range[row];
-  Echo echo = secondary_echo(plan_, column_, row, hits_.selected[row], path.path_length, path.second.surface());
+  const double rest = double{path.path_length} - 2 * first_[path.row].distance;
+  const double strength =
+      double{hits_.strength[path.row]} *
+      paper_strength(path.second.bent.dot(path.ray.direction), path.second.reflectivity, plan_.neper_per_metre, rest);
+  Echo echo =
+      secondary_echo(plan_, column_, path.row, hits_.selected[path.row], path.path_length, path.second.surface());
   echo.half_length = path.footprint.once;
-  secondary_powers(plan_, 1, &strength, &rest, &echo.power);
+  echo.power = static_cast<float>(plan_.shape.model().shape(strength));
   deposit(plan_, echo, grid);
 }
 
-// multipath.md, "Three echoes": their intensities, I_1 and I_2 there.
-MirrorPowers ReferenceColumn::mirror_powers(const Reflection& path) const {
-  const int row = path.row;
+// multipath.md, "Three echoes": the intensities dI_1 and dI_2.
+MirrorIntensities ReferenceColumn::intensities(const Reflection& path) const {
+  const RayHit& mirror = first_[path.row];
   const Vec3 in = -path.ray.direction, out = path.back.normalized();
-  const float texture = hits_.has_relief ? hits_.texture[row] : 1.0F;
-  const auto across = static_cast<float>(path.second.distance);
-  const RayTube tube = scene_.tube(first_[row], rays_[row].direction);
-  MirrorPaths paths = {};
-  std::ranges::fill(paths.surface, kNoSurface);
-  paths.reflectance[0] = plan_.scatter.reflectance(hits_.surface[row]) * texture * texture;
-  paths.share[0] = path.share;
-  paths.steepness[0] = plan_.scatter.steepness(hits_.surface[row]);
-  paths.there[0] = path.there;
-  paths.spread[0] =
-      std::abs(tube.constant + across * (tube.linear + across * tube.quadratic)) / (path.there * path.there);
-  paths.back[0] = static_cast<float>(path.back.norm());
-  paths.in[0] = static_cast<float>(path.second.bent.dot(in));
-  paths.out[0] = static_cast<float>(path.second.bent.dot(out));
-  paths.half[0] = static_cast<float>(path.second.bent.dot((in + out).normalized()));
-  paths.texture[0] = path.second.texture;
-  paths.surface[0] = path.second.surface();
-  MirrorPowers powers;
-  fill_mirror_powers(plan_.scatter, plan_.neper_per_metre, paths, powers);
-  return powers;
+  const double across = path.second.distance, there = mirror.distance + across;
+  const RayTube tube = scene_.tube(mirror, rays_[path.row].direction);
+  const double tube_area =
+      std::abs(double{tube.constant} + across * (double{tube.linear} + across * double{tube.quadratic}));
+  return mirror_intensities({.mirror = plan_.scatter.scattering(mirror.surface()),
+                             .second = plan_.scatter.scattering(path.second.surface()),
+                             .mirror_texture = mirror.texture,
+                             .second_texture = path.second.texture,
+                             .share = path.share,
+                             .there = there,
+                             .back = path.back.norm(),
+                             .spread = tube_area / (there * there),
+                             .in = path.second.bent.dot(in),
+                             .out = path.second.bent.dot(out),
+                             .half = path.second.bent.dot((in + out).normalized())},
+                            plan_.neper_per_metre);
 }
 
-// multipath.md, "Three echoes": back the way it came, by the mirror both ways; from the second surface straight back;
-// and the reciprocal of that, which arrives from the second surface, perhaps in another beam.
+// multipath.md, "Three echoes": the echo by the mirror both ways, and the two reciprocal echoes by the mirror one way.
+// One of these arrives from the mirror; the other from the second surface, so that it may be in another beam.
 void ReferenceColumn::deposit_mirror_echoes(const Reflection& path, EchoGrid& grid, std::vector<Echo>& arrivals) {
-  const MirrorPowers powers = mirror_powers(path);
+  const MirrorIntensities intensity = intensities(path);
   Echo echo =
       secondary_echo(plan_, column_, path.row, hits_.selected[path.row], path.path_length, path.second.surface());
   if (plan_.max_surfaces > 2 && path.there < plan_.reach()) {
@@ -220,18 +238,18 @@ void ReferenceColumn::deposit_mirror_echoes(const Reflection& path, EchoGrid& gr
     twice.order = 3;
     twice.path_length = 2 * path.there;
     twice.half_length = path.footprint.twice;
-    twice.power = powers.twice[0] * plan_.lattice.pattern_in(column_)[path.row];
+    twice.power = static_cast<float>(intensity.twice) * plan_.lattice.pattern_in(column_)[path.row];
     deposit(plan_, twice, grid);
   }
   const Vec3 towards = world_from_sonar_.orientation.inverse() * -path.back.normalized();
   const Vec3f arrival_direction = towards.cast<float>();
-  if (powers.once[0] == 0 || 0.5F * echo.path_length >= plan_.reach() || !plan_.receives(arrival_direction) ||
+  if (intensity.once == 0 || 0.5F * echo.path_length >= plan_.reach() || !plan_.receives(arrival_direction) ||
       !return_leg_is_clear(path)) {
     return;
   }
   const PingPlan::Arrival arrival = plan_.arrival_from(arrival_direction);
   echo.half_length = path.footprint.once;
-  echo.power = powers.once[0] * arrival.pattern;
+  echo.power = static_cast<float>(intensity.once) * arrival.pattern;
   deposit(plan_, echo, grid);
   echo.azimuth = arrival.bearing;
   echo.elevation = arrival.elevation;

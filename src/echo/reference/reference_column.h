@@ -1,4 +1,4 @@
-// reference_column.h -- the echoes of one lattice column, worked out one ray at a time.
+// reference_column.h -- computes the echoes of one lattice column, ray by ray.
 
 #pragma once
 
@@ -7,7 +7,7 @@
 
 #include "echo/grid/echo.h"
 #include "echo/model/deposit.h"
-#include "echo/model/mirror_paths.h"
+#include "echo/model/echo_laws.h"
 #include "echo/model/path_footprint.h"
 #include "echo/model/secondary_sampling.h"
 #include "echo/reference/triangle_scene.h"
@@ -15,16 +15,17 @@
 
 namespace insonify {
 
-/// ColumnAxes in double precision, in the world.
+/// ColumnAxes in double precision, in the world frame.
 struct ColumnFrame {
   Vec3 along, across, up, beside;
 
   ColumnFrame(const Lattice& lattice, int column, const Pose& world_from_sonar);
 
-  /// Unit vector of the ray in a row.
+  /// Direction of the ray of a row, unit length.
   [[nodiscard]] Vec3 direction(const Lattice& lattice, int column, int row) const;
 };
 
+/// Traces the rays of one column, reflects them, and deposits the echoes.
 class ReferenceColumn {
  public:
   ReferenceColumn(const TriangleScene& scene, const PingPlan& plan, SecondarySampling sampling, int column,
@@ -32,33 +33,34 @@ class ReferenceColumn {
 
   /// Adds the column's echoes to the grid.
   /// @param arrivals  Takes echoes that may arrive in beams of other columns.
-  /// @return          Rays it took.
+  /// @return          Number of rays traced.
   RayCounts insonify(EchoGrid& grid, std::vector<Echo>& arrivals);
 
  private:
   // A path from the sonar by way of a mirror, the first surface, to a second one.
   struct Reflection {
-    int row = 0;                // Of the hit on the mirror.
-    float share = 1;            // See MirrorPaths.
-    Ray ray = {};               // From the mirror on.
-    RayHit second = {};         // What it meets,
-    Vec3 point = Vec3::Zero();  // where,
-    Vec3 back = Vec3::Zero();   // and the way from there to the sonar [m].
-    float there = 0;            // Out and across [m].
-    float path_length = 0;      // Out, across and straight back [m].
+    int row = 0;                // Row of the hit on the mirror.
+    float share = 1;            // See MirrorPath.
+    Ray ray = {};               // The reflected ray.
+    RayHit second = {};         // Its hit on the second surface.
+    Vec3 point = Vec3::Zero();  // World position of that hit [m].
+    Vec3 back = Vec3::Zero();   // Vector from there to the sonar [m].
+    float there = 0;            // Length out and across [m].
+    float path_length = 0;      // Length out, across and straight back [m].
     PathFootprint footprint = {};
   };
 
   [[nodiscard]] Ray ray_of(int column, int row) const;
   void trace_primary_rays();
   void store_hit(int row);
+  void compute_powers();
   void deposit_primary_echoes(EchoGrid& grid);
   [[nodiscard]] MirrorChange change_along(int row) const;
   [[nodiscard]] MirrorChange change_across(int row) const;
   [[nodiscard]] std::optional<Reflection> reflect(int row);
   [[nodiscard]] bool return_leg_is_clear(const Reflection& path);
   void deposit_paper_echo(const Reflection& path, EchoGrid& grid);
-  [[nodiscard]] MirrorPowers mirror_powers(const Reflection& path) const;
+  [[nodiscard]] MirrorIntensities intensities(const Reflection& path) const;
   void deposit_mirror_echoes(const Reflection& path, EchoGrid& grid, std::vector<Echo>& arrivals);
 
   const TriangleScene& scene_;
@@ -67,10 +69,10 @@ class ReferenceColumn {
   int column_, rows_;
   Pose world_from_sonar_;
   ColumnFrame frame_;
-  std::vector<Ray> rays_;      // Of each row.
-  std::vector<RayHit> first_;  // What each meets first.
+  std::vector<Ray> rays_;      // [row]
+  std::vector<RayHit> first_;  // [row] First hit of each ray.
   HitStrip strip_;
-  HitColumn hits_;  // The same in single precision, as the model's formulas take it.
+  HitColumn hits_;  // The hits in single precision, for deposit_column() and select_hits().
   FootprintSegments segments_;
   RayCounts counts_;
 };

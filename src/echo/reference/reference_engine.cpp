@@ -1,4 +1,4 @@
-// reference_engine.cpp -- columns one by one, and what arrives in beams of other columns.
+// reference_engine.cpp -- computes a ping column by column, then adds the echoes that arrive in other beams.
 
 #include "echo/reference/reference_engine.h"
 

@@ -1,4 +1,4 @@
-// reference_engine.h -- every ray against every triangle, in double precision: the oracle for the other engines.
+// reference_engine.h -- tests every ray against every triangle, in double precision: checks the other engines.
 
 #pragma once
 
@@ -12,6 +12,7 @@
 
 namespace insonify {
 
+/// Slow and simple: no ray-tracing library, scattering laws from echo/model/echo_laws.h.
 class ReferenceEngine final : public Engine {
  public:
   explicit ReferenceEngine(int threads) : workers_(threads) {}
@@ -31,7 +32,7 @@ class ReferenceEngine final : public Engine {
   Workers workers_;
   TriangleScene scene_;
   Vec3 origin_ = Vec3::Zero();  // World position that reliefs and boxes are relative to.
-  BoxCut boxes_;                // Only to choose which hits are sampled, as all engines do.
+  BoxCut boxes_;                // Only for SamplingProbes, so that all engines select the same hits.
   SamplingProbes probes_;
   RayCounts counts_;
 };

@@ -1,4 +1,4 @@
-// triangle_scene.cpp -- rays against triangles by brute force, written to be obviously right.
+// triangle_scene.cpp -- intersects a ray with all triangles.
 
 #include "echo/reference/triangle_scene.h"
 
@@ -11,12 +11,12 @@ namespace {
 
 constexpr double kFar = std::numeric_limits<double>::infinity();
 
-// Where a ray meets a triangle: distance and the weights of its second and third corner.
+// Intersection of a ray and a triangle: distance, and the barycentric weights of the second and third corner.
 struct Crossing {
   double distance = kFar, u = 0, v = 0;
 };
 
-// Moeller and Trumbore, "Fast, minimum storage ray-triangle intersection" (1997); both sides count.
+// Moeller and Trumbore, "Fast, minimum storage ray-triangle intersection" (1997). Both sides of a triangle are hit.
 Crossing cross_triangle(const Ray& ray, const Vec3& corner, const Vec3& edge1, const Vec3& edge2) {
   const Vec3 p = ray.direction.cross(edge2);
   const double determinant = edge1.dot(p);

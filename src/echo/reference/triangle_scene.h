@@ -1,4 +1,4 @@
-// triangle_scene.h -- a Scene as a list of triangles, every one of which is tried with every ray.
+// triangle_scene.h -- a Scene as a list of triangles, without any search structure.
 
 #pragma once
 
@@ -12,13 +12,13 @@
 
 namespace insonify {
 
-/// What a ray met.
+/// First intersection of a ray with the scene.
 struct RayHit {
-  double distance = 0;             ///< [m]; infinite where there was nothing.
-  Vec3 normal = Vec3::Zero();      ///< Unit normal of the triangles alone, on the side they wind to.
+  double distance = 0;             ///< [m]; infinite if nothing was hit.
+  Vec3 normal = Vec3::Zero();      ///< Unit shading normal without relief, on the side given by the winding.
   Vec3 bent = Vec3::Zero();        ///< The same with relief.
   Vec3f gradient = Vec3f::Zero();  ///< ReliefPoint::gradient.
-  float reflectivity = 0;          ///< Of the material, times `texture`.
+  float reflectivity = 0;          ///< That of the material, times `texture`.
   float texture = 1;               ///< ReliefPoint::reflectivity.
   std::uint16_t instance = kNoLabel, material = kNoLabel;
   std::size_t triangle = 0;  ///< Index into the scene's triangles.
@@ -27,7 +27,7 @@ struct RayHit {
   [[nodiscard]] SurfaceLabel surface() const { return surface_label(instance, material); }
 };
 
-/// All triangles in the world, in double precision.
+/// All triangles in world coordinates and double precision.
 class TriangleScene {
  public:
   /// The scene must outlive this or the next call.
@@ -39,15 +39,15 @@ class TriangleScene {
   [[nodiscard]] bool blocked(const Ray& ray) const;
   [[nodiscard]] bool has_relief() const { return reliefs_.any(); }
 
-  /// How the mirror at a hit spreads sound that comes in a direction, of unit length.
+  /// Ray-tube spreading by the surface at a hit.
+  /// @param direction  Direction of the incident sound, unit length.
   [[nodiscard]] RayTube tube(const RayHit& mirror, const Vec3& direction) const;
 
   [[nodiscard]] std::size_t bytes() const { return triangles_.capacity() * sizeof(Triangle); }
 
  private:
-  // Edges from the first corner.
   struct Triangle {
-    Vec3 corner, edge1, edge2;
+    Vec3 corner, edge1, edge2;  // First corner, and the edges from there.
     Vec3 normal[3];
     std::uint16_t instance, material;
   };
@@ -56,8 +56,8 @@ class TriangleScene {
   const Scene* scene_ = nullptr;
   Vec3 origin_ = Vec3::Zero();
   std::vector<Triangle> triangles_;
-  std::vector<std::size_t> first_triangle_;  // Of each instance.
-  std::vector<float> reflectivity_;          // Of each material.
+  std::vector<std::size_t> first_triangle_;  // [instance]
+  std::vector<float> reflectivity_;          // [material]
   Reliefs reliefs_;
 };
 

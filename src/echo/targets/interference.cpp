@@ -1,4 +1,4 @@
-// interference.cpp -- when pulses arrive, and which bins are listening then.
+// interference.cpp -- arrival times of pulses, and the bins that receive them.
 
 #include "echo/targets/interference.h"
 
@@ -10,7 +10,7 @@
 namespace insonify {
 namespace {
 
-constexpr int kNoSurfaceMet = 0;  // As a path order.
+constexpr int kNoEcho = 0;  // DiscreteEcho::order of a pulse.
 
 std::vector<Vec3> places_of(std::span<const Interferer> interferers) {
   std::vector<Vec3> places;
@@ -20,7 +20,7 @@ std::vector<Vec3> places_of(std::span<const Interferer> interferers) {
   return places;
 }
 
-// A pulse's phase wanders from bin to bin: it is not this sonar's.
+// Phase in one bin. It is independent from bin to bin, because the pulse is not coherent with this sonar.
 float phase_of(const PingPlan& plan, std::size_t interferer, std::int64_t pulse, int bin) {
   const PhiloxCounter counter = {static_cast<std::uint32_t>(interferer), static_cast<std::uint32_t>(pulse),
                                  static_cast<std::uint32_t>(bin),
@@ -28,13 +28,13 @@ float phase_of(const PingPlan& plan, std::size_t interferer, std::int64_t pulse,
   return uniform_open(philox(counter, philox_key(plan.seed))[0]);
 }
 
-// One way: 20 log10 r + alpha r.
+// Intensity on arrival, after a one-way transmission loss of 20 log10 r + alpha r.
 double intensity_of(const PingPlan& plan, const Interferer& other, const LinesOfSight::Sight& sight) {
   return std::pow(10.0, (other.source_level_db - plan.sonar.source_level_db) / 10) / (sight.range * sight.range) *
          std::exp(-2 * double{plan.neper_per_metre} * sight.range) * double{sight.arrival.pattern};
 }
 
-// The bin that listens so long after transmission [s]; beyond both ends of the range window -1 and bin_count.
+// The bin that receives at a time after transmission [s]; -1 before the range window, bin_count after it.
 int bin_after(const PingPlan& plan, double time, double sound_speed) {
   const double position = (0.5 * sound_speed * time - double{plan.first_bin_at}) * double{plan.bins_per_metre};
   return static_cast<int>(std::floor(std::clamp(position, -1.0, static_cast<double>(plan.sonar.bin_count))));
@@ -43,11 +43,11 @@ int bin_after(const PingPlan& plan, double time, double sound_speed) {
 }  // namespace
 
 Interference::Interference(std::span<const Interferer> interferers)
-    : interferers_(interferers), ways_(places_of(interferers)) {}
+    : interferers_(interferers), lines_(places_of(interferers)) {}
 
 void Interference::add(const PingPlan& plan, const Pose& world_from_sonar, double time, Engine& engine,
                        EchoGrid& grid) {
-  const auto sights = ways_.look(plan, world_from_sonar, engine);
+  const auto sights = lines_.look(plan, world_from_sonar, engine);
   for (std::size_t i = 0; i < interferers_.size(); ++i) {
     if (sights[i]) {
       add_pulses(plan, i, *sights[i], time, grid);
@@ -55,7 +55,7 @@ void Interference::add(const PingPlan& plan, const Pose& world_from_sonar, doubl
   }
 }
 
-// Those that arrive before the listening is over and end after it has begun.
+// Adds the pulses that overlap the time in which the ping is received.
 void Interference::add_pulses(const PingPlan& plan, std::size_t index, const LinesOfSight::Sight& sight, double time,
                               EchoGrid& grid) {
   const Interferer& other = interferers_[index];
@@ -74,7 +74,7 @@ void Interference::add_pulses(const PingPlan& plan, std::size_t index, const Lin
     for (int bin = first; bin <= last; ++bin) {
       grid.discrete_echoes().push_back({.beam = sight.beam,
                                         .bin = bin,
-                                        .order = kNoSurfaceMet,
+                                        .order = kNoEcho,
                                         .bearing_sine = std::sin(sight.arrival.bearing),
                                         .intensity = intensity,
                                         .turns = phase_of(plan, index, pulse, bin)});

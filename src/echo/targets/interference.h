@@ -1,4 +1,4 @@
-// interference.h -- what is heard of other sonars.
+// interference.h -- pulses received from other sonars.
 
 #pragma once
 
@@ -9,15 +9,16 @@
 
 namespace insonify {
 
-/// The pulses of other sonars, as discrete echoes of a grid of the calibrated model: their source level over this
-/// sonar's, less 20 log10 r + alpha r for the one way, heard by the elevation pattern, in the bins of the time when
-/// they arrive.
+/// Adds the pulses of other sonars to a grid of the calibrated model as discrete echoes, in the bins of their times of
+/// arrival. Their level is the other's source level relative to this sonar's, less the one-way transmission loss 20
+/// log10 r
+/// + alpha r, times the elevation pattern of reception.
 class Interference {
  public:
   explicit Interference(std::span<const Interferer> interferers);
 
   /// Adds to the grid's discrete echoes.
-  /// @param time  Of transmission [s].
+  /// @param time  Time of this sonar's transmission [s].
   void add(const PingPlan& plan, const Pose& world_from_sonar, double time, Engine& engine, EchoGrid& grid);
 
  private:
@@ -25,7 +26,7 @@ class Interference {
                   EchoGrid& grid);
 
   std::span<const Interferer> interferers_;
-  LinesOfSight ways_;
+  LinesOfSight lines_;
 };
 
 }  // namespace insonify

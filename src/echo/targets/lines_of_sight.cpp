@@ -1,4 +1,4 @@
-// lines_of_sight.cpp -- all ways at once, for the engine's sake.
+// lines_of_sight.cpp -- traces all lines of sight in one call of the engine.
 
 #include "echo/targets/lines_of_sight.h"
 

@@ -1,4 +1,4 @@
-// lines_of_sight.h -- places that sound comes from straight, with nothing between.
+// lines_of_sight.h -- which places the sonar receives sound from on a straight, unobstructed path.
 
 #pragma once
 
@@ -11,19 +11,21 @@
 
 namespace insonify {
 
+/// Straight paths between the sonar and given places.
 class LinesOfSight {
  public:
-  /// @param places  In the world [m].
+  /// @param places  World positions [m].
   explicit LinesOfSight(std::vector<Vec3> places);
 
-  /// How a place is heard.
+  /// How sound from a place arrives.
   struct Sight {
     double range;  ///< [m]
     int beam;
     PingPlan::Arrival arrival;
   };
 
-  /// One for each place; none where a surface is in the way or the sonar does not hear. Allocates nothing.
+  /// One value per place; none if a surface is in the way or the place is outside what the sonar receives. Allocates
+  /// nothing.
   std::span<const std::optional<Sight>> look(const PingPlan& plan, const Pose& world_from_sonar, Engine& engine);
 
  private:

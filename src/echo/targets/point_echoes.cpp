@@ -1,4 +1,4 @@
-// point_echoes.cpp -- seen, weakened by spreading and absorption.
+// point_echoes.cpp -- target strength, spreading, absorption and phase of points.
 
 #include "echo/targets/point_echoes.h"
 
@@ -38,10 +38,10 @@ void add_discrete_echo(const PingPlan& plan, const PingPlan::Arrival& arrival, i
   }
 }
 
-PointEchoes::PointEchoes(std::span<const PointTarget> points) : points_(points), ways_(places_of(points)) {}
+PointEchoes::PointEchoes(std::span<const PointTarget> points) : points_(points), lines_(places_of(points)) {}
 
 void PointEchoes::add(const PingPlan& plan, const Pose& world_from_sonar, Engine& engine, EchoGrid& grid) {
-  const auto sights = ways_.look(plan, world_from_sonar, engine);
+  const auto sights = lines_.look(plan, world_from_sonar, engine);
   for (std::size_t i = 0; i < points_.size(); ++i) {
     if (!sights[i]) {
       continue;
@@ -51,7 +51,7 @@ void PointEchoes::add(const PingPlan& plan, const Pose& world_from_sonar, Engine
                              std::exp(-4 * double{plan.neper_per_metre} * range) *
                              std::pow(double{sights[i]->arrival.pattern}, 2);
     const double turns = plan.turns_per_metre * range + own_phase(plan, i);
-    // A point has no extent: it takes no solid angle from what is behind it, and no surface to label a cell with.
+    // A point has no extent: it blocks no solid angle behind it, and has no surface that could label a cell.
     add_discrete_echo(plan, sights[i]->arrival, 1, range, intensity, turns, grid);
   }
 }

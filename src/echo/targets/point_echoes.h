@@ -9,18 +9,20 @@
 
 namespace insonify {
 
-/// The phase that a point gives its echoes, drawn from the seed [turns].
+/// Phase of a point's own reflection, drawn from the seed [turns].
 double own_phase(const PingPlan& plan, std::size_t point);
 
-/// Adds a discrete echo that arrives so from a true range [m], unless that is beyond the bins.
-/// @param order  Surfaces met.
-/// @param turns  Phase.
+/// Adds a discrete echo, unless its range lies outside the bins.
+/// @param order      Number of surfaces on the path.
+/// @param range      True range [m].
+/// @param intensity  Relative to the source's at 1 m.
+/// @param turns      Phase in full turns.
 void add_discrete_echo(const PingPlan& plan, const PingPlan::Arrival& arrival, int order, double range,
                        double intensity, double turns, EchoGrid& grid);
 
-/// The echoes of points, as discrete echoes of a grid of the calibrated model: TS - 40 log10 r - 2 alpha r relative to
-/// the source, sent and heard by the elevation pattern, each with the phase of its way there and back and one of its
-/// own, drawn from the seed. Nothing from behind a surface or where the sonar does not hear.
+/// Adds the echoes of points to a grid of the calibrated model as discrete echoes: TS - 40 log10 r - 2 alpha r relative
+/// to the source level, times the elevation pattern of transmission and reception. The phase is that of the path plus
+/// own_phase(). Points behind a surface or outside what the sonar receives give no echo.
 class PointEchoes {
  public:
   explicit PointEchoes(std::span<const PointTarget> points);
@@ -30,7 +32,7 @@ class PointEchoes {
 
  private:
   std::span<const PointTarget> points_;
-  LinesOfSight ways_;
+  LinesOfSight lines_;
 };
 
 }  // namespace insonify

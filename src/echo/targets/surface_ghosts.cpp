@@ -1,4 +1,4 @@
-// surface_ghosts.cpp -- three rays a point, three echoes.
+// surface_ghosts.cpp -- traces three rays per point, and adds up to three echoes.
 
 #include "echo/targets/surface_ghosts.h"
 
@@ -19,7 +19,7 @@ Ray ray_between(const Vec3& from, const Vec3& to) {
   return {from, length > 0 ? Vec3(there / length) : Vec3(Vec3::UnitX()), clearance, length - clearance};
 }
 
-// How sound from a place of the sonar frame arrives; none where it is not heard.
+// How sound from a place in the sonar frame arrives; none if it is not received.
 std::optional<PingPlan::Arrival> arrival_of(const PingPlan& plan, const Vec3& place) {
   const Vec3f direction = place.normalized().cast<float>();
   return plan.receives(direction) ? std::optional(plan.arrival_from(direction)) : std::nullopt;
@@ -28,7 +28,7 @@ std::optional<PingPlan::Arrival> arrival_of(const PingPlan& plan, const Vec3& pl
 }  // namespace
 
 SurfaceGhosts::SurfaceGhosts(std::span<const PointTarget> points, const Surface& surface)
-    : points_(points), surface_(surface), rays_(kWays * points.size()), hits_(rays_.size()) {}
+    : points_(points), surface_(surface), rays_(kRaysPerPoint * points.size()), hits_(rays_.size()) {}
 
 void SurfaceGhosts::trace(const Vec3& sonar, Engine& engine) {
   for (std::size_t i = 0; i < points_.size(); ++i) {
@@ -37,9 +37,9 @@ void SurfaceGhosts::trace(const Vec3& sonar, Engine& engine) {
     const double share = depth + point_depth > 0 ? depth / (depth + point_depth) : 0.5;
     Vec3 bounce = sonar + share * (point - sonar);
     bounce.z() = surface_.level;
-    rays_[kWays * i] = ray_between(sonar, point);
-    rays_[kWays * i + 1] = ray_between(sonar, bounce);
-    rays_[kWays * i + 2] = ray_between(bounce, point);
+    rays_[kRaysPerPoint * i] = ray_between(sonar, point);
+    rays_[kRaysPerPoint * i + 1] = ray_between(sonar, bounce);
+    rays_[kRaysPerPoint * i + 2] = ray_between(bounce, point);
   }
   engine.trace(rays_, hits_);
 }
@@ -72,7 +72,7 @@ void SurfaceGhosts::add(const PingPlan& plan, const Pose& world_from_sonar, std:
 
 void SurfaceGhosts::add_point(const PingPlan& plan, const Pose& sonar_from_world, std::size_t point,
                               std::uint64_t number, EchoGrid& grid) const {
-  const auto clear = [&](std::size_t way) { return !std::isfinite(hits_[kWays * point + way].distance); };
+  const auto clear = [&](std::size_t ray) { return !std::isfinite(hits_[kRaysPerPoint * point + ray].distance); };
   if (!clear(1) || !clear(2)) {
     return;
   }

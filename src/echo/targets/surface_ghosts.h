@@ -1,4 +1,4 @@
-// surface_ghosts.h -- points mirrored in the sea's surface.
+// surface_ghosts.h -- echoes of points by way of the water's surface.
 
 #pragma once
 
@@ -12,44 +12,45 @@
 
 namespace insonify {
 
-/// The echoes of points by way of the sea's surface, after the image method (Brekhovskikh and Lysanov, Fundamentals of
-/// Ocean Acoustics, ch. 5), as discrete echoes of a grid of the calibrated model. With r1 to the point, r2 to its image
-/// and |R|^2 of the surface:
+/// Adds the echoes of points by way of the water's surface to a grid of the calibrated model as discrete echoes: image
+/// method, Brekhovskikh and Lysanov, Fundamentals of Ocean Acoustics, ch. 5. With the distances r1 to the point and r2
+/// to its image, the point's target strength TS (linear) and |R|^2 of the surface, the intensities are
 ///
-///     out by the surface and straight back, and its reciprocal:  TS |R|^2 / (r1^2 r2^2)  at (r1 + r2) / 2, each;
-///     out and back by the surface:                               TS |R|^4 / r2^4         at r2,
+///     out by the surface and straight back, and its reciprocal:  TS |R|^2 / (r1^2 r2^2)  at range (r1 + r2) / 2, each;
+///     out and back by the surface:                               TS |R|^4 / r2^4         at range r2,
 ///
-/// with absorption and the elevation pattern on their ways. The surface turns the phase by half a turn each time. Both
-/// reciprocal echoes have the same phase: without wind it is that of their way. Waves break each ghost up into many
-/// glints, whose sum has a random phase and an exponential intensity about the mean, drawn anew for each ping.
+/// times absorption and elevation pattern. Each reflection by the surface changes the phase by half a turn. The two
+/// reciprocal echoes have equal phases, without waves that of their path length. Waves break each echo up into many
+/// glints, whose sum has a random phase and an exponentially distributed intensity, drawn anew for each ping.
 class SurfaceGhosts {
  public:
   struct Surface {
-    double level;        ///< Height in the world [m].
-    SurfaceLabel label;  ///< What the plan knows it by.
-    bool glints;         ///< Whether there are waves, and phases count.
+    double level;        ///< World z [m].
+    SurfaceLabel label;  ///< Its material in the plan.
+    bool glints;         ///< Whether waves make phase and intensity random.
   };
   SurfaceGhosts(std::span<const PointTarget> points, const Surface& surface);
 
-  /// Adds to the grid's discrete echoes what the plan's secondary echoes and surfaces allow. Allocates nothing else.
+  /// Adds the echoes that `secondary` and `max_surfaces` of the plan allow. Allocates nothing else.
+  /// @param number  Of the ping.
   void add(const PingPlan& plan, const Pose& world_from_sonar, std::uint64_t number, Engine& engine, EchoGrid& grid);
 
  private:
-  // Straight to the point, to the surface on the way to its image, and on from there.
-  static constexpr std::size_t kWays = 3;
+  // Rays per point: sonar to point, sonar to the reflection on the surface, and from there to the point.
+  static constexpr std::size_t kRaysPerPoint = 3;
 
   void trace(const Vec3& sonar, Engine& engine);
   void add_point(const PingPlan& plan, const Pose& sonar_from_world, std::size_t point, std::uint64_t number,
                  EchoGrid& grid) const;
-  // What waves make of an echo.
+  // Effect of waves on an echo: a factor on its intensity and an addition to its phase.
   struct Glint {
-    double intensity, turns;  // Times, plus.
+    double intensity, turns;
   };
   [[nodiscard]] Glint glint(const PingPlan& plan, std::size_t point, int order, std::uint64_t number) const;
 
   std::span<const PointTarget> points_;
   Surface surface_;
-  std::vector<Ray> rays_;  // [point][way]
+  std::vector<Ray> rays_;  // [point][ray]
   std::vector<Hit> hits_;
 };
 

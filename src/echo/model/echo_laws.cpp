@@ -1,0 +1,73 @@
+// echo_laws.cpp -- strengths and intensities from the scattering laws of insonify/backscatter.h.
+
+#include "echo/model/echo_laws.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "insonify/backscatter.h"
+
+namespace insonify {
+namespace {
+
+double square(double x) {
+  return x * x;
+}
+
+// Angle of a direction on either side of a surface from its normal, 0..pi/2. Cosines from single precision may
+// exceed 1.
+double incidence_of(double cosine) {
+  return std::acos(std::min(std::abs(cosine), 1.0));
+}
+
+// Share of the second surface's lobe that counts in `once`: see mirror_intensities().
+double lobe_share(double mirror_slope, double second_slope) {
+  if (mirror_slope == second_slope) {
+    return 0.5;
+  }
+  return mirror_slope < second_slope ? 1 : 0;
+}
+
+}  // namespace
+
+double paper_strength(double cosine, double reflectivity, double neper_per_metre, double length) {
+  return std::abs(cosine) * reflectivity * std::exp(-neper_per_metre * length);
+}
+
+double primary_intensity(const Scattering& surface, double cosine, double texture, double neper_per_metre,
+                         double range) {
+  if (cosine == 0) {
+    return 0;
+  }
+  const double incidence = incidence_of(cosine);
+  const double scattered = lambert_backscatter(surface.lambert, incidence) +
+                           facet_backscatter(surface.reflection, surface.rms_slope, incidence);
+  return square(texture) * scattered / std::abs(cosine) * std::exp(-4 * neper_per_metre * range) / square(range);
+}
+
+MirrorIntensities mirror_intensities(const MirrorPath& path, double neper_per_metre) {
+  const Scattering& mirror = path.mirror;
+  const Scattering& second = path.second;
+  const double in = std::max(std::abs(path.in), double{kLeastCosine});
+  const double half = std::max(std::abs(path.half), double{kLeastCosine});
+  const double spread = std::max(path.spread, double{kLeastSpread});
+  const double reflectance = square(mirror.reflection * path.mirror_texture);
+  const double reflected = path.share * reflectance * square(path.second_texture);
+  const double arriving = incidence_of(in);
+
+  MirrorIntensities intensities;
+  if (path.in * path.out > 0) {
+    const double scattered = lambert_scatter(second.lambert, arriving, incidence_of(path.out)) +
+                             lobe_share(mirror.rms_slope, second.rms_slope) *
+                                 facet_scatter(second.reflection, second.rms_slope, incidence_of(half));
+    intensities.once =
+        reflected * scattered / (in * square(path.back)) * std::exp(-2 * neper_per_metre * (path.there + path.back));
+  }
+  const double scattered_back =
+      lambert_backscatter(second.lambert, arriving) + facet_backscatter(second.reflection, second.rms_slope, arriving);
+  intensities.twice = reflected * reflectance * scattered_back / (in * square(path.there) * spread) *
+                      std::exp(-4 * neper_per_metre * path.there);
+  return intensities;
+}
+
+}  // namespace insonify
