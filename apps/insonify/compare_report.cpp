@@ -85,9 +85,9 @@ std::string levels_line(const Comparison& comparison) {
     return "";
   }
   if (levels.scale == Scale::kLinear) {
-    return fmt::format("levels from 0 to 1 are intensities from 0 to {:.4g}\n", levels.full_scale);
+    return fmt::format("levels from 0 to 1 are intensities from 0 to {:.4g}", levels.full_scale);
   }
-  return fmt::format("levels from 0 to 1 are decibels from {:.4g} to 0 re an intensity of {:.4g}\n", levels.floor_db,
+  return fmt::format("levels from 0 to 1 are decibels from {:.4g} to 0 re an intensity of {:.4g}", levels.floor_db,
                      levels.full_scale);
 }
 
@@ -153,7 +153,11 @@ nlohmann::ordered_json to_json(const Similarity& similarity) {
 }  // namespace
 
 void print_comparison(const Comparison& comparison) {
-  say("{}\n{}\n", heading(comparison), levels_line(comparison));
+  say("{}\n", heading(comparison));
+  if (const std::string line = levels_line(comparison); !line.empty()) {
+    say("{}\n", line);
+  }
+  say("\n");
   print_similarity(comparison);
   print_controls(comparison);
 }

@@ -33,13 +33,13 @@ void add_run(CLI::App& app, Request& request) {
                     ->type_name("N");
   auto* duration =
       command->add_option("--duration", request.duration, "Instead: ping from time 0 until before then [s]")
-          ->check(number_within({.least = 0, .least_allowed = false, .most = 1e9}))
+          ->check(number_within(above_to(0, 1e9)))
           ->excludes(pings)
           ->type_name("S");
   auto* turns =
       command
           ->add_option("--turns", request.turns, "Instead: full turns of a scanning head, or sweeps across its sector")
-          ->check(number_within({.least = 0, .least_allowed = false, .most = 1e6}))
+          ->check(number_within(above_to(0, 1e6)))
           ->excludes(pings)
           ->excludes(duration)
           ->type_name("N");

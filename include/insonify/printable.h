@@ -14,7 +14,7 @@ inline constexpr std::size_t kLongestMessage = 2000;  ///< Limit for a whole mes
 
 /// Escapes and shortens text that comes from a file, a name or an argument, so that it is safe on a terminal and fits
 /// into one line. Control characters, bidirectional and zero-width characters and bytes that are not valid UTF-8 are
-/// written as escapes (\n, \x1b, \u202e). Other UTF-8 stays as it is. Text longer than the limit is shown by its
+/// written as escapes (`\n`, `\x1b`, `\u202e`). Other UTF-8 stays as it is. Text longer than the limit is shown by its
 /// beginning and its end with three dots between. The function changes nothing in its own results.
 /// @param longest  Limit for the result [bytes], >= 10.
 [[nodiscard]] std::string printable(std::string_view text, std::size_t longest = kLongestQuote);

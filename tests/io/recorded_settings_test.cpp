@@ -19,6 +19,8 @@ Scenario everything() {
   Scenario scenario;
   scenario.world = "/no/such/world.sdf";
   scenario.max_surfaces = 2;
+  scenario.duration = 3;
+  scenario.turns = 2;
   scenario.rough_mirrors = true;
   scenario.water.sound_speed = 1480;
   scenario.water.absorption_db_per_m = 0.1;
