@@ -105,6 +105,9 @@ TEST(PngGridErrorTest, TellsThePathAndTheReason) {
   EXPECT_EQ(message_of([&] { (void)load_height_grid(folder.write("seabed.png", "hello, this is no picture")); }),
             path + ": cannot be read: Not a PNG file");
   (void)write_picture(folder, {2, 2, 8, PNG_COLOR_TYPE_GRAY, {{0, 51}, {102, 255}}});
+  std::filesystem::resize_file(path, std::filesystem::file_size(path) - 12);
+  EXPECT_EQ(message_of([&] { (void)load_height_grid(path); }),
+            path + ": cannot be read: the file ends before its IEND");
   std::filesystem::resize_file(path, 60);
   EXPECT_EQ(message_of([&] { (void)load_height_grid(path); }), path + ": cannot be read: read beyond end of data");
 }

@@ -15,6 +15,9 @@
 namespace insonify {
 namespace {
 
+// The last chunk: no data, its kind and its checksum.
+constexpr std::string_view kEnd("\0\0\0\0IEND\xae\x42\x60\x82", 12);
+
 // Removes the chunks that declare a gamma value or a colour space, because the simplified interface would convert
 // levels accordingly. Heights and normals are numbers, not shades. Without these chunks libpng assumes sRGB for 8 bits
 // and linear levels for 16 bits, which are also its output formats, so that nothing is converted.
@@ -22,7 +25,7 @@ std::string without_colour_space(std::string_view file) {
   constexpr std::size_t kSignature = 8, kAroundData = 12;  // Length, kind and checksum [bytes].
   constexpr std::array<std::string_view, 5> kDropped = {"gAMA", "cHRM", "sRGB", "iCCP", "cICP"};
   std::string kept(file.substr(0, kSignature));
-  for (std::size_t at = kSignature; at < file.size();) {
+  for (std::size_t at = kSignature; at < file.size() && !kept.ends_with(kEnd);) {
     std::size_t length = kAroundData;
     for (std::size_t i = 0; i < 4 && at + i < file.size(); ++i) {
       length += static_cast<std::size_t>(static_cast<unsigned char>(file[at + i])) << (8 * (3 - i));
@@ -87,6 +90,9 @@ void PngReader::read(std::string_view file) {
   is_deep_ = (image.format & PNG_FORMAT_FLAG_LINEAR) != 0;
   pixels_.resize((PNG_IMAGE_SIZE(image) + 1) / 2);
   check(png_image_finish_read(&image, nullptr, pixels_.data(), 0, nullptr));
+  if (!bytes.ends_with(kEnd)) {  // libpng stops after the last pixel.
+    throw Error(name_ + ": cannot be read: the file ends before its IEND");
+  }
 }
 
 }  // namespace insonify
