@@ -40,7 +40,8 @@ void simulate(const std::filesystem::path& folder) {
 
   insonify::Simulator simulator(scenario, scene);
   const insonify::Ping ping = simulator.make_ping(0, 0);
-  insonify::Recording recording(folder / "bow.h5", simulator.scenario(), simulator.scene(), simulator.sonar(0), 1);
+  insonify::Recording recording(folder / "bow.h5", simulator.scenario(), simulator.scene(), simulator.sonar(0),
+                                {.replace = true});
   recording.add(ping);
   recording.close();
 

@@ -38,6 +38,10 @@ Engine& Simulator::engine() {
   return *state_->engine;
 }
 
+void Simulator::stop_when(const std::atomic<bool>* asked) {
+  state_->engine->stop_when(asked);
+}
+
 RayCounts Simulator::ray_counts() const {
   return state_->engine->ray_counts();
 }

@@ -45,6 +45,7 @@ PUBLIC = {
     "error.h": "base",
     "field.h": "base",
     "geometry.h": "base",
+    "interrupted.h": "base",
     "log.h": "base",
     "printable.h": "base",
     "version.h": "base",

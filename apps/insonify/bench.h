@@ -31,6 +31,9 @@ struct PaperBenchOptions {
 /// insonify bench paper: the paper's tables of computing times, on its workload.
 int bench_paper(const PaperBenchOptions& options);
 
+/// insonify bench changes: sonars and objects that change while a simulator runs.
+int bench_changes(const BenchOptions& options);
+
 /// insonify bench primary: primaries traced and drawn, and the choice of `primary: auto`; on one thread.
 int bench_primary(const BenchOptions& options);
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "insonify/error.h"
+#include "picture_options.h"
 
 namespace insonify {
 
@@ -28,19 +29,28 @@ struct RunOptions {
   std::filesystem::path folder;       ///< Empty: the scenario's name with "_pings" after it.
   int threads = 0;                    ///< 0: as many as there are processors.
   std::vector<std::string> settings;  ///< "key=value", in order.
+  bool compress = false;              ///< Recordings, by HDF5's own filters.
+  bool force = false;                 ///< Replace what an earlier run has left.
 
-  std::string pictures = "20";  ///< "all", "last", "none" or how many pings of a fan at most.
-  std::string colour_map = "inferno";
-  std::string scale;      // "" for what suits the model.
-  double floor_db = -50;  ///< [dB]
-  int height = 720;       ///< [pixels]
+  PictureOptions pictures;
   bool view = true;       ///< Draw the scene itself.
   bool channels = false;  ///< Draw distance and intensity by direction.
-  bool quiet = false;     ///< Say nothing but errors.
+  bool quiet = false;     ///< Print only warnings and errors.
 };
 
 /// insonify run: pings of a scenario into recordings and pictures.
 int run(const RunOptions& options);
+
+struct DrawOptions {
+  std::filesystem::path recording;
+  std::filesystem::path folder;      ///< Empty: the recording's own.
+  std::vector<std::uint64_t> pings;  ///< Numbers from 0; none for those that `pictures` chooses.
+  PictureOptions pictures;
+  bool force = false;  ///< Replace pictures that are there.
+};
+
+/// insonify draw: pictures of a recording's pings.
+int draw(const DrawOptions& options);
 
 struct CompareOptions {
   std::filesystem::path a, b;        ///< Recordings, folders of them, or pictures.

@@ -99,7 +99,8 @@ std::string manual_page(const std::vector<CommandWords>& commands) {
     text += command.path.empty() || !command.commands.empty() ? "" : command_text(command);
   }
   return text +
-         ".SH ENVIRONMENT\n.TP\n.B INSONIFY_PRESETS\nFolders of presets that add to the shipped ones, separated by colons.\n"
+         ".SH ENVIRONMENT\n.TP\n.B INSONIFY_PRESETS\nFolders of presets that add to the shipped ones, separated by "
+         "colons.\n"
          ".SH EXIT STATUS\n0 done; 1 failed while running, or stopped; 2 wrong input.\n"
          ".SH SEE ALSO\nThe shipped scenes and presets, in the folder\n.I share/insonify\nbeside the program's\n.IR "
          "bin .\n";

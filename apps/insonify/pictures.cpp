@@ -9,56 +9,14 @@
 #include <limits>
 
 #include "commands.h"
-#include "insonify/files.h"
 
 namespace insonify {
-namespace {
-
-// Whether a run would call a picture so, or one that it was killed at: "sonar_view.png", "sonar_fan_0003.png" with four
-// digits or more, "sonar_view.png.1f2e3d4c.new".
-bool is_picture_of(const std::string& name, std::string_view file) {
-  constexpr std::string_view kUnfinished = ".1f2e3d4c.new";
-  if (file.ends_with(".new")) {
-    file.remove_suffix(std::min(kUnfinished.size(), file.size()));
-  }
-  if (!file.starts_with(name + "_") || !file.ends_with(".png")) {
-    return false;
-  }
-  std::string_view kind = file.substr(name.size() + 1, file.size() - name.size() - 5);
-  if (kind == "view" || kind == "channels" || kind == "scan" || kind == "polar") {
-    return true;
-  }
-  const std::size_t digits = kind.size() - std::min(kind.find_last_not_of("0123456789") + 1, kind.size());
-  kind.remove_suffix(digits);
-  return digits >= 4 && (kind == "fan_" || kind == "scan_" || kind == "polar_");
-}
-
-}  // namespace
-
-std::size_t remove_old_pictures(const std::filesystem::path& folder, const std::string& name) {
-  std::vector<std::filesystem::path> old;
-  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-    if (entry.is_regular_file() && is_picture_of(name, entry.path().filename().string())) {
-      old.push_back(entry.path());
-    }
-  }
-  for (const std::filesystem::path& picture : old) {
-    std::error_code error;
-    std::filesystem::remove(picture, error);
-    if (error) {
-      throw Error(
-          fmt::format("{}: cannot remove this picture of an earlier run: {}", picture.string(), error.message()));
-    }
-  }
-  return old.size();
-}
-
 PictureChoice PictureChoice::parse(const std::string& text) {
   if (text == "all") {
-    return {std::numeric_limits<std::uint64_t>::max()};
+    return {.most = std::numeric_limits<std::uint64_t>::max()};
   }
   if (text == "none" || text == "last") {
-    return {text == "last" ? 1U : 0U};
+    return {.most = text == "last" ? 1U : 0U};
   }
   PictureChoice choice;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), choice.most);
@@ -69,6 +27,9 @@ PictureChoice PictureChoice::parse(const std::string& text) {
 }
 
 bool PictureChoice::takes(std::uint64_t ping, std::uint64_t total) const {
+  if (!only.empty()) {
+    return std::ranges::find(only, ping) != only.end();
+  }
   if (most >= total) {
     return true;
   }
@@ -76,9 +37,15 @@ bool PictureChoice::takes(std::uint64_t ping, std::uint64_t total) const {
   return (ping + 1) * most / total > ping * most / total;
 }
 
-PingPictures::PingPictures(std::filesystem::path folder, const SonarConfig& sonar, EchoModel model, Display display,
+PingPictures::PingPictures(PictureFolder& folder, const SonarConfig& sonar, const PictureStyle& style,
                            PictureChoice choice, std::uint64_t total)
-    : folder_(std::move(folder)), sonar_(sonar), model_(model), display_(display), choice_(choice), total_(total) {
+    : folder_(&folder),
+      sonar_(sonar),
+      model_(style.model),
+      fixed_(style.fixed_levels),
+      display_(style.display),
+      choice_(choice),
+      total_(total) {
   if (sonar_.type == SonarType::kMechanicallyScanned && choice_.most > 0) {
     scan_ = std::make_unique<ScanView>(sonar_);
   }
@@ -90,7 +57,7 @@ void PingPictures::add(const Ping& ping) {
     return;
   }
   const Ping raised = raised_by_range(ping, sonar_, display_.raised_per_decade);
-  if (!scaled_ && scan_ == nullptr) {
+  if (!scaled_ && !fixed_ && scan_ == nullptr) {
     display_.full_scale = fitting_full_scale(raised.intensity);
     scaled_ = true;
   }
@@ -99,7 +66,7 @@ void PingPictures::add(const Ping& ping) {
 
 // One ping of a scan says little of the others: each picture has the scale that fits all it shows.
 void PingPictures::fit_scan() {
-  if (model_ == EchoModel::kCalibrated) {
+  if (model_ == EchoModel::kCalibrated && !fixed_) {
     display_.full_scale = scan_->fitting_full_scale();
   }
 }
@@ -136,9 +103,7 @@ void PingPictures::draw_fan_of(const Ping& ping) {
 }
 
 void PingPictures::write(const std::string& name, const Picture& picture) {
-  const std::filesystem::path path = folder_ / fmt::format("{}_{}.png", sonar_.name, name);
-  write_png(path, picture);
-  files_.push_back(path);
+  files_.push_back(folder_->write(fmt::format("{}_{}.png", sonar_.name, name), picture));
 }
 
 }  // namespace insonify

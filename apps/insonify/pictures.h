@@ -7,14 +7,17 @@
 #include <string>
 #include <vector>
 
-#include "insonify/engine.h"
+#include "earlier_run.h"
 #include "insonify/picture.h"
+#include "picture_options.h"
 
 namespace insonify {
 
 /// How many pings of a run are drawn.
 struct PictureChoice {
   std::uint64_t most = 20;  ///< Evenly spread; the last ping is always among them.
+
+  std::vector<std::uint64_t> only = {};  ///< Where not empty, just these pings, by number.
 
   /// "all", "none", "last" or a number.  @throws InputError
   static PictureChoice parse(const std::string& text);
@@ -23,18 +26,15 @@ struct PictureChoice {
   [[nodiscard]] bool takes(std::uint64_t ping, std::uint64_t total) const;
 };
 
-/// Removes NAME_fan_0000.png and the like of an earlier run, so that they are not taken for this one's.
-/// @return  How many.
-std::size_t remove_old_pictures(const std::filesystem::path& folder, const std::string& name);
-
 /// Draws one sonar's pings into a folder: of a fan NAME_polar_0000.png and NAME_fan_0000.png; of a scanning sonar
 /// NAME_scan_0000.png, what it has seen up to a ping, and at the end NAME_scan.png and the waterfall NAME_polar.png.
 class PingPictures {
  public:
-  /// Levels of the calibrated model are raised by range as the display says. Full scale is that of a fan's first ping,
-  /// for all; of a scan, what fits the pings so far.
-  PingPictures(std::filesystem::path folder, const SonarConfig& sonar, EchoModel model, Display display,
-               PictureChoice choice, std::uint64_t total);
+  /// In the calibrated model levels are raised by range as the display says, and full scale is what fits a fan's first
+  /// ping, for all of them, or the pings so far of a scan, unless the style fixes it.
+  /// @param folder  Where pictures are written; must outlive this.
+  PingPictures(PictureFolder& folder, const SonarConfig& sonar, const PictureStyle& style, PictureChoice choice,
+               std::uint64_t total);
 
   void add(const Ping& ping);
 
@@ -50,10 +50,10 @@ class PingPictures {
   void draw_fan_of(const Ping& ping);
   void write(const std::string& name, const Picture& picture);
 
-  std::filesystem::path folder_;
+  PictureFolder* folder_;
   SonarConfig sonar_;
   EchoModel model_;
-  bool scaled_ = false;  // The full scale of a fan is chosen.
+  bool fixed_ = false, scaled_ = false;  // The full scale is given; that of a fan is chosen.
   Display display_;
   PictureChoice choice_;
   std::uint64_t total_ = 0;

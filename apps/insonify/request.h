@@ -14,6 +14,7 @@ namespace insonify {
 struct Request {
   RunOptions run;
   CompareOptions compare;
+  DrawOptions draw;
   int pings = 1;
   double duration = 0, turns = 0;
   std::uint64_t seed = 1;
@@ -34,6 +35,7 @@ struct Request {
 void add_run(CLI::App& app, Request& request);
 void add_sonars(CLI::App& app, Request& request);
 void add_describe(CLI::App& app, Request& request);
+void add_draw(CLI::App& app, Request& request);
 void add_compare(CLI::App& app, Request& request);
 void add_bench(CLI::App& app, Request& request);
 void add_version(CLI::App& app, Request& request);

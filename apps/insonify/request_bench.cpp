@@ -54,6 +54,11 @@ void add_bench(CLI::App& app, Request& request) {
   add_common(*primary, options);
   primary->footer("Example:\n  insonify bench primary --triangles 1000 10000 100000");
   primary->callback([&request, &options] { request.act = [&options] { return bench_primary(options); }; });
+
+  CLI::App* changes = command->add_subcommand("changes", "Sonars and objects that change while a simulator runs");
+  add_common(*changes, options);
+  changes->footer("Example:\n  insonify bench changes --triangles 1000 100000");
+  changes->callback([&request, &options] { request.act = [&options] { return bench_changes(options); }; });
 }
 
 }  // namespace insonify

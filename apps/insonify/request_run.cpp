@@ -56,10 +56,13 @@ void add_run(CLI::App& app, Request& request) {
       ->type_name("KEY=VALUE")
       ->expected(1)
       ->take_all();
+  command->add_flag("--compress", options.compress,
+                    "Compress the recordings by HDF5's own filters: less than half the size, some time a ping");
+  command->add_flag("-f,--force", options.force, "Replace recordings and pictures of an earlier run");
   command->add_flag("-q,--quiet", options.quiet, "Say nothing but warnings and errors");
 
   const std::string pictures = "Pictures";
-  command->add_option("--pictures", options.pictures, "Pings to draw: all, last, none or how many [20]")
+  command->add_option("--pictures", options.pictures.pictures, "Pings to draw: all, last, none or how many [20]")
       ->type_name("N")
       ->group(pictures);
   command->add_flag("--no-pictures", request.no_pictures, "The same as --pictures none --no-view")->group(pictures);
@@ -72,21 +75,7 @@ void add_run(CLI::App& app, Request& request) {
       ->add_flag("--channels", options.channels,
                  "Also draw what the fan is made of: distance and intensity by direction, at the first ping")
       ->group(pictures);
-  command->add_option("--colour-map", options.colour_map, "inferno, copper, grey or blue [inferno]")
-      ->type_name("NAME")
-      ->group(pictures);
-  command->add_option("--scale", options.scale, "linear or db [linear; db in the calibrated model]")
-      ->check(one_of({"linear", "db"}))
-      ->type_name("NAME")
-      ->group(pictures);
-  command->add_option("--floor-db", options.floor_db, "Darkest level on a decibel scale [-50]")
-      ->check(number_within({.least = -300, .most = 0, .most_allowed = false}))
-      ->type_name("DB")
-      ->group(pictures);
-  command->add_option("--height", options.height, "Height of each picture in pixels, 240 to 8192 [720]")
-      ->check(whole_number(240, 8192))
-      ->type_name("N")
-      ->group(pictures);
+  add_picture_options(*command, options.pictures, pictures);
 
   command->footer(
       "Writes, for each sonar NAME:\n"
@@ -96,14 +85,14 @@ void add_run(CLI::App& app, Request& request) {
       "  DIR/NAME_scan.png        the same at the end; NAME_polar.png its waterfall\n"
       "  DIR/NAME_view.png        the scene, with the sonar and its field\n"
       "  DIR/NAME_channels.png    distance and intensity by direction, with --channels\n"
-      "Pictures of these names that an earlier run left are removed first.\n\n"
+      "What an earlier run left under these names is replaced only with --force, once the new run has ended.\n\n"
       "Keys of --set: pings, water.depth, sonars[0].max_range, sonars.NAME.max_range, or max_range for every sonar;\n"
       "insonify describe tells them all.\n\n"
       "Examples:\n"
       "  insonify run scenes/sphere.yaml\n"
       "  insonify run scenes/ferry.yaml -o out --pings 3 --set max_range=30\n"
-      "  insonify run scenes/tank.yaml -o out --scale db --floor-db -40 --colour-map copper\n\n"
-      "Ctrl-C ends a run and keeps the pings made so far.\n"
+      "  insonify run scenes/tank.yaml -o tank --scale db --floor-db -40 --colour-map copper\n\n"
+      "Ctrl-C ends a run and keeps the pings made so far; a second one ends the program at once.\n"
       "Exit status: 0 done, 1 failed while running or stopped, 2 wrong input.");
   command->callback([&request, &options, pings, duration, turns, engine, seed] {
     const auto set_length = [&](const CLI::Option* option, const char* key, const auto& value) {
@@ -121,7 +110,7 @@ void add_run(CLI::App& app, Request& request) {
       options.settings.push_back(fmt::format("seed={}", request.seed));
     }
     if (request.no_pictures) {
-      options.pictures = "none";
+      options.pictures.pictures = "none";
     }
     options.view = !request.no_view && !request.no_pictures;
     request.act = [&options] { return run(options); };

@@ -1,9 +1,12 @@
 // run.cpp -- insonify run: pings of a scenario into recordings and pictures.
 
+#include <algorithm>
 #include <chrono>
 
 #include "commands.h"
 #include "console.h"
+#include "disk_space.h"
+#include "earlier_run.h"
 #include "hints.h"
 #include "insonify/files.h"
 #include "insonify/scenario_requests.h"
@@ -34,16 +37,6 @@ Log log_to_user(bool quiet) {
   };
 }
 
-Display display_of(const RunOptions& options) {
-  Display display;
-  display.colour_map = colour_map_from_name(options.colour_map);
-  display.scale = options.scale == "db" ? Scale::kDecibel : Scale::kLinear;
-  display.floor_db = options.floor_db;
-  display.height = options.height;
-  display.validate();
-  return display;
-}
-
 std::string counted(std::uint64_t count, const char* what) {
   return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
 }
@@ -72,17 +65,17 @@ void tell_of_reading(const RunOptions& options) {
 }
 
 // All that can only be wrong because the input is.
-Simulator prepare(const RunOptions& options, Display& display) {
+Simulator prepare(const RunOptions& options, const std::filesystem::path& folder, PictureStyle& style) {
   try {
     const Clock::time_point start = Clock::now();
-    display = display_of(options);
     tell_of_reading(options);
     Scenario scenario = load_scenario(options.scenario, options.settings, log_to_user(options.quiet));
+    style = picture_style(options.pictures, scenario.model, scenario.receiver);
+    if (!options.force) {
+      refuse_earlier_run(folder, scenario);
+    }
     Scene scene = load_scene(scenario, log_to_user(options.quiet));
     Simulator simulator(std::move(scenario), std::move(scene), options.threads);
-    if (options.scale.empty() && simulator.scenario().model == EchoModel::kCalibrated) {
-      display.scale = Scale::kDecibel;
-    }
     if (!options.quiet) {
       print_world(simulator.scene(), seconds_since(start));
     }
@@ -92,36 +85,37 @@ Simulator prepare(const RunOptions& options, Display& display) {
   }
 }
 
+std::vector<std::string> names_of(const std::vector<SonarConfig>& sonars) {
+  std::vector<std::string> names;
+  for (const SonarConfig& sonar : sonars) {
+    names.push_back(sonar.name);
+  }
+  return names;
+}
+
 // One sonar's part of a run.
 struct Track {
   std::filesystem::path file;
   Recording recording;
   PingPictures pictures;
-  Ping ping = {};
+  Ping ping = {}, next = {};  // The last that was recorded; the one that is being made.
   std::uint64_t made = 0;
   Loudness loudness = {};
   std::string heard = {};  // Of the first ping: see heard_text().
 };
 
-// Levels are raised by range unless the receiver has done that.
-Display display_of(const Scenario& scenario, Display display) {
-  const bool raised = scenario.receiver.time_varied_gain || !scenario.receiver.gain_ranges.empty();
-  display.of_source = scenario.model == EchoModel::kCalibrated;
-  display.raised_per_decade = display.of_source && !raised ? kShownGainPerDecade : 0;
-  return display;
-}
-
 std::vector<Track> start_tracks(const Simulator& simulator, const ScenarioRequests& requests,
-                                const std::filesystem::path& folder, const Display& display,
-                                const PictureChoice& choice) {
+                                const std::filesystem::path& folder, const PictureStyle& style,
+                                const PictureChoice& choice, PictureFolder& pictures,
+                                const RecordingOptions& recording) {
   const Scenario& scenario = simulator.scenario();
   std::vector<Track> tracks;
   for (std::size_t i = 0; i < scenario.sonars.size(); ++i) {
     const SonarConfig& sonar = simulator.sonar(static_cast<int>(i));
     const std::uint64_t pings = requests.ping_count(static_cast<int>(i));
     const std::filesystem::path file = folder / (sonar.name + ".h5");
-    tracks.push_back({file, Recording(file, scenario, simulator.scene(), sonar, pings),
-                      PingPictures(folder, sonar, scenario.model, display_of(scenario, display), choice, pings)});
+    tracks.push_back({file, Recording(file, scenario, simulator.scene(), sonar, recording),
+                      PingPictures(pictures, sonar, style, choice, pings)});
   }
   return tracks;
 }
@@ -133,17 +127,6 @@ void print_oddities(const Simulator& simulator, const ScenarioRequests& requests
   }
   for (const std::string& text : quiet ? std::vector<std::string>() : lengths_of(simulator, requests)) {
     say("note: {}\n", text);
-  }
-}
-
-// Done once the new recordings are there.
-void clear_old_pictures(const std::filesystem::path& folder, const std::vector<Track>& tracks, bool quiet) {
-  std::size_t count = 0;
-  for (const Track& track : tracks) {
-    count += remove_old_pictures(folder, track.file.stem().string());
-  }
-  if (count > 0 && !quiet) {
-    say("removed {} of an earlier run from {}\n", counted(count, "picture"), folder.string());
   }
 }
 
@@ -161,7 +144,12 @@ double make_pings(Simulator& simulator, const ScenarioRequests& requests, std::v
       Track& track = tracks[i];
       const Clock::time_point start = Clock::now();
       requests.fill(static_cast<int>(i), number, request);
-      simulator.ping(static_cast<int>(i), request, track.ping);
+      try {
+        simulator.ping(static_cast<int>(i), request, track.next);
+      } catch (const Interrupted&) {
+        return computing;
+      }
+      std::swap(track.ping, track.next);
       computing += seconds_since(start);
       track.recording.add(track.ping);
       track.pictures.add(track.ping);
@@ -174,6 +162,66 @@ double make_pings(Simulator& simulator, const ScenarioRequests& requests, std::v
     }
   }
   return computing;
+}
+
+// Where no ping was made, removes recordings and pictures of this run: they would only be in the way of the next.
+// @return  Whether there was none.
+bool discard_without_pings(std::vector<Track>& tracks, PictureFolder& pictures) {
+  if (std::ranges::any_of(tracks, [](const Track& track) { return track.made > 0; })) {
+    return false;
+  }
+  std::vector<std::filesystem::path> files;
+  for (const Track& track : tracks) {
+    files.push_back(track.recording.place());
+  }
+  tracks.clear();
+  for (const std::filesystem::path& file : files) {
+    std::error_code ignored;
+    std::filesystem::remove(file, ignored);
+  }
+  pictures.discard();
+  return true;
+}
+
+// Where recordings are that could not replace those of an earlier run; "" where there are none.
+std::string kept_beside(const std::vector<Track>& tracks) {
+  std::string text;
+  for (const Track& track : tracks) {
+    if (track.made > 0 && track.recording.place() != track.file) {
+      text +=
+          fmt::format("; {} is still that of the earlier run, {} of this one {} in {}", track.file.string(),
+                      counted(track.made, "ping"), track.made == 1 ? "is" : "are", track.recording.place().string());
+    }
+  }
+  return text;
+}
+
+// make_pings(); where it fails, tells where the pings are that were made.
+double make_pings_or_tell(Simulator& simulator, const ScenarioRequests& requests, std::vector<Track>& tracks,
+                          PictureFolder& pictures, bool quiet) {
+  try {
+    return make_pings(simulator, requests, tracks, quiet);
+  } catch (const Error& error) {
+    const std::string kept = kept_beside(tracks);
+    discard_without_pings(tracks, pictures);
+    throw Error(error.what() + kept);
+  }
+}
+
+// Puts recordings and pictures in place of those of an earlier run.
+void finish_tracks(std::vector<Track>& tracks, PictureFolder& pictures, bool quiet) {
+  if (discard_without_pings(tracks, pictures)) {
+    throw Error("interrupted before the first ping");
+  }
+  for (Track& track : tracks) {
+    track.recording.close();
+    if (track.made > 0) {
+      track.pictures.finish(track.ping);
+    }
+  }
+  if (const std::size_t removed = pictures.put_in_place(); removed > 0 && !quiet) {
+    say("removed {} of an earlier run from {}\n", counted(removed, "picture"), pictures.path().string());
+  }
 }
 
 std::string listed(const std::vector<std::filesystem::path>& files) {
@@ -211,32 +259,30 @@ void print_hints(const Simulator& simulator, const std::vector<Track>& tracks, c
 
 int run(const RunOptions& options) {
   end_when_asked();
-  const PictureChoice choice = PictureChoice::parse(options.pictures);
-  Display display;
+  const PictureChoice choice = PictureChoice::parse(options.pictures.pictures);
+  PictureStyle style;
   const std::filesystem::path folder = output_folder(options.folder, options.scenario);
-  Simulator simulator = prepare(options, display);
+  Simulator simulator = prepare(options, folder, style);
   make_output_folder(folder);
 
   const Clock::time_point start = Clock::now();
   const ScenarioRequests requests(simulator.scenario());
   print_oddities(simulator, requests, options.quiet);
-  const std::vector<View> views = draw_views(simulator, requests, options, display, folder);
+  tell_disk_space(simulator.scenario(), requests, folder, options);
+  const std::vector<View> views = draw_views(simulator, requests, options, style.display);
   note_when_asked();
-  std::vector<Track> tracks = start_tracks(simulator, requests, folder, display, choice);
-  clear_old_pictures(folder, tracks, options.quiet);
-  const std::vector<std::filesystem::path> view_files = write_views(views);
+  simulator.stop_when(&stop_asked());
+  PictureFolder pictures(folder, names_of(simulator.scenario().sonars));
+  std::vector<Track> tracks =
+      start_tracks(simulator, requests, folder, style, choice, pictures,
+                   {.compress = options.compress, .threads = options.threads, .replace = options.force});
+  const std::vector<std::filesystem::path> view_files = write_views(views, pictures);
 
-  const double computing = make_pings(simulator, requests, tracks, options.quiet);
+  const double computing = make_pings_or_tell(simulator, requests, tracks, pictures, options.quiet);
+  finish_tracks(tracks, pictures, options.quiet);
   std::uint64_t made = 0;
-  for (Track& track : tracks) {
-    track.recording.close();
-    if (track.made > 0) {
-      track.pictures.finish(track.ping);
-    }
+  for (const Track& track : tracks) {
     made += track.made;
-  }
-  if (made == 0) {
-    throw Error("interrupted before the first ping");
   }
 
   if (!options.quiet) {
@@ -250,7 +296,7 @@ int run(const RunOptions& options) {
     say("{} in {:.2f} s: {:.1f} pings/s to compute, {:.1f} pings/s with files and pictures\n", counted(made, "ping"),
         all, static_cast<double>(made) / computing, static_cast<double>(made) / all);
   }
-  print_hints(simulator, tracks, display, options.quiet);
+  print_hints(simulator, tracks, style.display, options.quiet);
   const std::uint64_t asked_for = requests.total_pings();
   if (made < asked_for) {
     throw Error(fmt::format("stopped after {} of {}; they are kept", made, counted(asked_for, "ping")));

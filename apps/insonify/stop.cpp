@@ -13,7 +13,8 @@
 namespace insonify {
 namespace {
 
-volatile std::sig_atomic_t asked = 0;
+std::atomic<bool> asked = false;
+static_assert(std::atomic<bool>::is_always_lock_free, "handlers of signals must not wait");
 bool terminal = false;  // Somebody waits.
 
 void end_now(int) {
@@ -24,8 +25,8 @@ void end_now(int) {
 }
 
 void note(int signal) {
-  constexpr std::string_view kMessage = "insonify: stopping after this ping; once more stops at once\n";
-  asked = 1;
+  constexpr std::string_view kMessage = "insonify: stopping; once more ends the program at once\n";
+  asked = true;
   if (terminal) {
     clear_status();
     [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, kMessage.data(), kMessage.size());
@@ -52,8 +53,8 @@ void note_when_asked() {
   handle_with(note);
 }
 
-bool stop_asked() {
-  return asked != 0;
+const std::atomic<bool>& stop_asked() {
+  return asked;
 }
 
 }  // namespace insonify

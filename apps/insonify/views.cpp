@@ -3,7 +3,6 @@
 #include "views.h"
 
 #include "console.h"
-#include "insonify/files.h"
 #include "insonify/scene_view.h"
 
 namespace insonify {
@@ -23,7 +22,7 @@ Picture scene_around(Simulator& simulator, const SonarConfig& sonar, const Pose&
 }  // namespace
 
 std::vector<View> draw_views(Simulator& simulator, const ScenarioRequests& requests, const RunOptions& options,
-                             const Display& display, const std::filesystem::path& folder) {
+                             const Display& display) {
   std::vector<View> views;
   if (!options.quiet && (options.view || options.channels)) {
     show_status("Drawing the scene ...");
@@ -34,22 +33,21 @@ std::vector<View> draw_views(Simulator& simulator, const ScenarioRequests& reque
     simulator.place(i, request);
     const Pose world_from_sonar = simulator.world_from_housing(i, request);
     if (options.view) {
-      views.push_back({folder / (sonar.name + "_view.png"), scene_around(simulator, sonar, world_from_sonar)});
+      views.push_back({sonar.name + "_view.png", scene_around(simulator, sonar, world_from_sonar)});
     }
     if (options.channels) {
       const Channels channels =
           look_along_fan(simulator.engine(), sonar, simulator.scenario().water_at(sonar), world_from_sonar);
-      views.push_back({folder / (sonar.name + "_channels.png"), draw_channels(channels, sonar, display)});
+      views.push_back({sonar.name + "_channels.png", draw_channels(channels, sonar, display)});
     }
   }
   return views;
 }
 
-std::vector<std::filesystem::path> write_views(const std::vector<View>& views) {
+std::vector<std::filesystem::path> write_views(const std::vector<View>& views, PictureFolder& folder) {
   std::vector<std::filesystem::path> files;
   for (const View& view : views) {
-    write_png(view.file, view.picture);
-    files.push_back(view.file);
+    files.push_back(folder.write(view.file, view.picture));
   }
   return files;
 }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "commands.h"
+#include "earlier_run.h"
 #include "insonify/picture.h"
 #include "insonify/scenario_requests.h"
 #include "insonify/simulator.h"
@@ -13,16 +14,15 @@
 namespace insonify {
 
 struct View {
-  std::filesystem::path file;
+  std::string file;
   Picture picture;
 };
 
 /// Draws for each sonar NAME what was asked for: the scene, NAME_view.png, and NAME_channels.png. Writes nothing yet.
 [[nodiscard]] std::vector<View> draw_views(Simulator& simulator, const ScenarioRequests& requests,
-                                           const RunOptions& options, const Display& display,
-                                           const std::filesystem::path& folder);
+                                           const RunOptions& options, const Display& display);
 
 /// @return  The files, in order.
-std::vector<std::filesystem::path> write_views(const std::vector<View>& views);
+std::vector<std::filesystem::path> write_views(const std::vector<View>& views, PictureFolder& folder);
 
 }  // namespace insonify

@@ -101,15 +101,28 @@ struct Preset {
 /// @throws Error naming the nearest preset or the modes there are; "path:line:column: ..." for a file that is wrong.
 [[nodiscard]] Preset load_preset(const std::string& name, const std::string& mode = "");
 
-/// Writes one sonar's pings to one HDF5 file, ping by ping: at any moment the file on disk is whole up to the last
-/// ping, so that a killed run leaves one that opens as usual. docs/reference/recording.md lists what it holds.
+struct RecordingOptions {
+  bool compress = false;  ///< By HDF5's filters shuffle and deflate: smaller files, more time per ping.
+  int threads = 0;        ///< Threads that compress, >= 0; 0 for as many as there are processors.
+  bool replace = false;   ///< Whether the recording may take the place of a file that is there already.
+};
+
+/// Bytes on the disk that a recording of that many pings needs at most, without compression.
+[[nodiscard]] std::uint64_t recording_bytes(const Scenario& scenario, const SonarConfig& sonar, std::uint64_t pings);
+
+/// Writes one sonar's pings to one HDF5 file, ping by ping. At any moment the file on disk is complete up to the last
+/// ping: a killed run leaves a file that opens as usual, no larger than what it holds.
+/// docs/reference/recording.md lists its contents.
+///
+/// Where a file is there already and may be replaced, it stays until close(). The new recording is PATH.XXXXXXXX.new
+/// until then, with eight random hexadecimal digits, and stays there if it is never closed and holds a ping.
 class Recording {
  public:
-  /// @param scenario  With `scene` and `sonar` the source of the file's attributes and names.
-  /// @param capacity  Pings it is made for, >= 1.
-  /// @throws Error when the file cannot be made or the disk is full.
+  /// @param scenario  With `scene` and `sonar`, which has everything filled in, the source of the file's attributes and
+  ///                  names.
+  /// @throws Error when the file cannot be made, the disk is full, or `path` is there and may not be replaced.
   Recording(const std::filesystem::path& path, const Scenario& scenario, const Scene& scene, const SonarConfig& sonar,
-            std::uint64_t capacity);
+            const RecordingOptions& options = {});
   ~Recording();
   Recording(Recording&&) noexcept;
   Recording& operator=(Recording&&) noexcept;
@@ -117,9 +130,13 @@ class Recording {
   /// @throws Error when the disk is full; what was written before stays readable.
   void add(const Ping& ping);
 
-  /// Has the system put everything on the disk; nothing more can be added. The destructor does the same in silence.
+  /// Has the system put everything on the disk and replaces the earlier file, if there is one; nothing more can be
+  /// added. The destructor does the same without reporting errors, but leaves an earlier file where it is.
   /// @throws Error when the system could not.
   void close();
+
+  /// Where the recording is now: `path`, or beside it until it replaces an earlier file.
+  [[nodiscard]] const std::filesystem::path& place() const;
 
  private:
   struct State;

@@ -37,6 +37,7 @@ struct Display {
       0;                   ///< Gain that raised_by_range() applied to the pings [dB/decade], >= 0; for the caption.
   bool of_source = false;  ///< Intensities are relative to the source's at 1 m (calibrated model), and so are the
                            ///< levels on the colour bar.
+  bool of_one = false;     ///< Decibels on the colour bar are re an intensity of 1, not re full_scale.
   int height = 720;        ///< Height of the whole picture [pixels], 240..8192; the width follows from the fan's shape.
   bool annotations = true;  ///< Title, rings, radials, axes and colour bar.
 
@@ -53,6 +54,7 @@ struct Display {
         self.raised_per_decade);
     visit(Field{"of_source", "", {}, "Intensities, and levels on the colour bar, are relative to the source's at 1 m."},
           self.of_source);
+    visit(Field{"of_one", "", {}, "Decibels on the colour bar are re an intensity of 1."}, self.of_one);
     visit(Field{"height", "pixels", from_to(240, 8192), "Height of the whole picture."}, self.height);
     visit(Field{"annotations", "", {}, "Draw title, rings, radials, axes and colour bar."}, self.annotations);
   }

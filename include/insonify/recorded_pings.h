@@ -8,7 +8,10 @@
 #include <string>
 #include <vector>
 
+#include "insonify/ping.h"
+#include "insonify/receiver_config.h"
 #include "insonify/similarity.h"
+#include "insonify/sonar_config.h"
 
 namespace insonify {
 
@@ -40,6 +43,17 @@ class RecordedPings {
   /// @param ping  Below ping_count().
   /// @throws Error with the path where the file cannot be read.
   [[nodiscard]] std::vector<double> intensity(std::uint64_t ping) const;
+
+  /// One ping to be drawn: number, time, pose, head angle and intensities; no ground truth.
+  /// @param ping  Below ping_count().
+  /// @throws Error with the path where the file cannot be read, or has no time or pose of its pings.
+  [[nodiscard]] Ping ping(std::uint64_t ping) const;
+
+  /// The settings of the sonar and of its receiver, from the file's group `settings`, as Recording writes it. Settings
+  /// that the file does not have keep their defaults.
+  /// @throws Error with the path where the file has no such group, or a setting of another kind.
+  [[nodiscard]] SonarConfig sonar_config() const;
+  [[nodiscard]] ReceiverConfig receiver_config() const;
 
  private:
   struct State;

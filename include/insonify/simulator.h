@@ -2,6 +2,7 @@
 
 #pragma once
 
+#include <atomic>
 #include <memory>
 #include <optional>
 #include <span>
@@ -10,6 +11,7 @@
 #include <vector>
 
 #include "insonify/engine.h"
+#include "insonify/interrupted.h"
 #include "insonify/ping.h"
 #include "insonify/ping_request.h"
 #include "insonify/scenario.h"
@@ -62,6 +64,11 @@ class Simulator {
   /// Makes many pings of one sonar; pings[i] is that of requests[i].
   /// @throws Error as above, with the pings before it made; and where there are not as many pings as requests.
   void ping(int sonar, std::span<const PingRequest> requests, std::span<Ping> pings);
+
+  /// While `*asked` is true, ping() throws Interrupted, also one that is running, within some beams' time. So another
+  /// thread, or a handler of signals, can end a ping that takes long. Null, as at the start: never.
+  /// @param asked  Must live as long as the simulator, or until the next call.
+  void stop_when(const std::atomic<bool>* asked);
 
   /// Ping `number` of the scenario's own: ping(sonar, ScenarioRequests(scenario()).at(sonar, number)).
   [[nodiscard]] Ping make_ping(int sonar, std::uint64_t number);

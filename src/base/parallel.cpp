@@ -12,6 +12,8 @@
 #include <cstdint>
 #include <thread>
 
+#include "insonify/interrupted.h"
+
 namespace insonify {
 
 struct Workers::Arena {
@@ -81,9 +83,14 @@ Workers::Workers(int threads)
 
 Workers::~Workers() = default;
 
+void Workers::throw_interrupted() {
+  throw Interrupted();
+}
+
 void Workers::call(int tasks, Function function, void* body) {
   if (count_ == 1 || tasks <= 1) {
     for (int task = 0; task < tasks; ++task) {
+      check_stop();
       function(body, task, 0);
     }
     return;
@@ -93,6 +100,7 @@ void Workers::call(int tasks, Function function, void* body) {
     const int worker = tbb::this_task_arena::current_thread_index();
     try {
       for (int task = blocks.take(worker); task >= 0; task = blocks.take(worker)) {
+        check_stop();
         function(body, task, worker);
       }
     } catch (...) {

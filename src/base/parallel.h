@@ -2,6 +2,7 @@
 
 #pragma once
 
+#include <atomic>
 #include <memory>
 #include <type_traits>
 
@@ -16,6 +17,18 @@ class Workers {
   ~Workers();
 
   [[nodiscard]] int count() const { return count_; }
+
+  /// While `*asked` is true, for_each() throws Interrupted, also one that is running, before its next task. Null:
+  /// never.
+  void stop_when(const std::atomic<bool>* asked) { stop_asked_ = asked; }
+
+  /// For tasks that take long: the same between two parts of a task.
+  /// @throws Interrupted
+  void check_stop() const {
+    if (stop_asked_ != nullptr && stop_asked_->load(std::memory_order_relaxed)) {
+      throw_interrupted();
+    }
+  }
 
   /// Calls run(task, worker) for every task in [0, tasks), worker in [0, count()). Returns when all are done; rethrows
   /// the first exception, after which no other task begins.
@@ -34,10 +47,12 @@ class Workers {
  private:
   using Function = void (*)(void* body, int task, int worker);
   void call(int tasks, Function function, void* body);
+  [[noreturn]] static void throw_interrupted();
 
   struct Arena;
   std::unique_ptr<Arena> arena_;
   int count_;
+  const std::atomic<bool>* stop_asked_ = nullptr;
 };
 
 }  // namespace insonify

@@ -2,6 +2,7 @@
 
 #pragma once
 
+#include <atomic>
 #include <memory>
 #include <span>
 #include <string_view>
@@ -59,6 +60,10 @@ class Engine {
   /// Finds the first surface along every ray. `hits` has the length of `rays`. Callers pass many rays in one call,
   /// since a call may be as expensive as a transfer to another device.
   virtual void trace(std::span<const Ray> rays, std::span<Hit> hits) = 0;
+
+  /// While `*asked` is true, insonify() and trace() throw Interrupted, also when they are running already; the next
+  /// insonify() starts afresh. Null: never.
+  virtual void stop_when(const std::atomic<bool>* asked) = 0;
 
   /// Numbers of rays that the last ping took.
   [[nodiscard]] virtual RayCounts ray_counts() const = 0;

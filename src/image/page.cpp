@@ -82,7 +82,7 @@ void Page::draw_title(Picture& picture) const {
 
 std::vector<Page::Tick> Page::bar_ticks(int most_parts) const {
   const bool linear = display_.scale == Scale::kLinear;
-  const double brightest = display_.of_source ? 10 * std::log10(display_.full_scale) : 0;
+  const double brightest = display_.of_source || display_.of_one ? 10 * std::log10(display_.full_scale) : 0;
   const double low = linear ? 0 : brightest + display_.floor_db;
   const double high = linear ? display_.full_scale : brightest;
   std::vector<Tick> ticks;
@@ -96,7 +96,7 @@ std::string Page::bar_caption() const {
   if (display_.scale == Scale::kLinear) {
     return fmt::format("echo intensity (0 to {})", number_text(display_.full_scale));
   }
-  const std::string_view reference = display_.of_source ? "source at 1 m" : "full scale";
+  const std::string_view reference = display_.of_source ? "source at 1 m" : display_.of_one ? "1" : "full scale";
   return display_.raised_per_decade > 0
              ? fmt::format("dB re {}, + {} log r", reference, number_text(display_.raised_per_decade))
              : fmt::format("dB re {}", reference);

@@ -56,6 +56,17 @@ TEST_F(BenchTest, TellsWhatTheChoiceOfPrimariesCosts) {
   }
 }
 
+TEST_F(BenchTest, TimesWhatChangesWhileASimulatorRuns) {
+  ASSERT_EQ(shell("insonify bench changes --triangles 300 --repetitions 1 --json rows.json").status, 0);
+  const json rows = json::parse(text_of("rows.json"));
+  ASSERT_EQ(rows.size(), 10U);
+  EXPECT_EQ(rows[1].at("change"), "set_sonar");
+  EXPECT_GT(rows[1].at("change_ms").get<double>(), 0);
+  for (const json& row : rows) {
+    EXPECT_GT(row.at("ping_ms").get<double>(), 0);
+  }
+}
+
 TEST_F(BenchTest, RowsThatCannotBeWrittenAreAnError) {
   const Outcome outcome = shell("insonify bench primary --triangles 300 --repetitions 1 --json none/rows.json");
   EXPECT_EQ(outcome.status, 1);

@@ -2,6 +2,7 @@
 
 #include <sys/stat.h>
 
+#include <chrono>
 #include <random>
 
 #include "apps/cli.h"
@@ -31,6 +32,64 @@ TEST_F(CliStopTest, CtrlCEndsARunAndDrawsTheLastPing) {
   EXPECT_EQ(outcome.err, fmt::format("insonify: stopped after {} of 100000 pings; they are kept\n", pings));
   EXPECT_THAT(files("out"), ElementsAre("ahead.h5", fmt::format("ahead_fan_{:04}.png", pings - 1),
                                         fmt::format("ahead_polar_{:04}.png", pings - 1)));
+  // 40 x 16 cells of 12 bytes, a time and a pose a ping, with their index; and some 90 kB for all that does not grow.
+  EXPECT_LT(std::filesystem::file_size("out/ahead.h5"), 120'000 + pings * 9000);
+}
+
+TEST_F(CliStopTest, AForcedRunThatIsStoppedReplacesTheEarlierOne) {
+  ASSERT_EQ(shell("insonify run fan.yaml -o out -q").status, 0);
+  const Process process({"run", "fan.yaml", "-o", "out", "--pings", "100000", "--no-pictures", "--force"});
+  const auto beside = [this] {
+    for (const std::string& file : files("out")) {
+      if (file.ends_with(".new")) {
+        return std::filesystem::path("out") / file;
+      }
+    }
+    return std::filesystem::path();
+  };
+  Process::wait_until([&] { return !beside().empty(); });
+  usleep(100'000);
+  EXPECT_EQ(recorded("out/ahead.h5"), 3U);
+  EXPECT_EQ(files("out").size(), 9U) << "pictures of the earlier run stay, too";
+  process.send(SIGINT);
+  const Outcome outcome = process.end();
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_THAT(files("out"), ElementsAre("ahead.h5"));
+  EXPECT_EQ(outcome.err,
+            fmt::format("insonify: stopped after {} of 100000 pings; they are kept\n", recorded("out/ahead.h5")));
+}
+
+// Each of these pings would take many seconds.
+TEST_F(CliStopTest, CtrlCEndsAPingThatTakesLong) {
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> place(-8, 8);
+  std::string mesh;
+  for (int i = 0; i < 60'000; ++i) {
+    mesh += fmt::format("v {:.3f} {:.3f} {:.3f}\n", place(random), place(random), place(random));
+  }
+  for (int i = 1; i < 60'000; i += 3) {
+    mesh += fmt::format("f {} {} {}\n", i, i + 1, i + 2);
+  }
+  folder.write("dense.obj", mesh);
+  const std::vector<std::vector<std::string>> heavy = {
+      {"--engine", "reference", "--set", "world=dense.obj", "--set", "sampling={columns_per_beam: 64, rows: 200}"},
+      {"--engine", "cpu", "--set", "world=dense.obj", "--set", "sampling={columns_per_beam: 256, rows: 8192}"}};
+  for (std::size_t i = 0; i < heavy.size(); ++i) {
+    const std::filesystem::path out = fmt::format("out_{}", i);
+    std::vector<std::string> words = {"run", "fan.yaml", "-o", out, "--no-pictures"};
+    words.insert(words.end(), heavy[i].begin(), heavy[i].end());
+    const Process process(words);
+    Process::wait_until([&] { return std::filesystem::exists(out / "ahead.h5"); });
+    usleep(500'000);
+    const auto asked = std::chrono::steady_clock::now();
+    process.send(SIGINT);
+    const Outcome outcome = process.end();
+    EXPECT_EQ(outcome.status, 1);
+    EXPECT_EQ(outcome.err, "insonify: interrupted before the first ping\n");
+    EXPECT_TRUE(std::filesystem::is_empty(out));
+    // A second on a machine that has nothing else to do.
+    EXPECT_LT(std::chrono::steady_clock::now() - asked, std::chrono::seconds(10));
+  }
 }
 
 TEST_F(CliStopTest, CtrlCLeavesWhatAHeadHasSeen) {
@@ -80,13 +139,14 @@ TEST_F(CliStopTest, CtrlCWhileTheSceneIsDrawnEndsAtOnce) {
 TEST_F(CliStopTest, ASecondRunIntoTheSameFolderIsRefused) {
   const Process first({"run", "fan.yaml", "-o", "out", "--pings", "100000", "--no-pictures"});
   wait_for_pings("out/ahead.h5");
-  const Outcome second = shell("insonify run fan.yaml -o out");
+  EXPECT_EQ(shell("insonify run fan.yaml -o out").status, 2);
+  const Outcome second = shell("insonify run fan.yaml -o out --force");
   EXPECT_EQ(second.status, 1);
   EXPECT_EQ(second.err, "insonify: out/ahead.h5: cannot create: another run is writing it; choose another folder\n");
   first.send(SIGINT);
   EXPECT_EQ(first.end().status, 1);
   EXPECT_THAT(files("out"), ElementsAre("ahead.h5"));
-  EXPECT_EQ(shell("insonify run fan.yaml -o out -q").status, 0);
+  EXPECT_EQ(shell("insonify run fan.yaml -o out -q --force").status, 0);
 }
 
 TEST_F(CliStopTest, ARunWhoseFolderIsRemovedFails) {
@@ -114,12 +174,19 @@ TEST_F(CliStopTest, ARunThatIsKilledAtAnyMomentLeavesARecordingThatOpens) {
   std::mt19937 random(20250117);
   const std::filesystem::path recording = "out/ahead.h5";
   for (int i = 0; i < 30; ++i) {
-    // Kills while a recording is made, over an earlier one or none, and kills while it grows.
+    // Kills at any moment of a run over an earlier recording, which must stay, and kills while a new one grows.
     const bool grows = i % 3 != 0;
     if (grows) {
       std::filesystem::remove(recording);
     }
-    const Process process({"run", "fan.yaml", "-q", "-o", "out", "--no-pictures", "--pings", "100000"});
+    std::vector<std::string> words = {"run", "fan.yaml", "-q", "-o", "out", "--no-pictures", "--pings", "100000"};
+    if (i % 2 == 0) {
+      words.emplace_back("--compress");
+    }
+    if (!grows) {
+      words.emplace_back("--force");
+    }
+    const Process process(words);
     if (grows) {
       wait_for_pings(recording);
     }

@@ -16,7 +16,7 @@ TEST_F(CliStreamsTest, ARecordingDoesNotTakeThePlaceOfAClosedStream) {
   ASSERT_EQ(shell("insonify run fan.yaml --no-pictures -o a").status, 0);
   for (const char* closed : {">&-", "2>&-", "<&-", "<&- >&- 2>&-"}) {
     const Outcome outcome =
-        shell(fmt::format("insonify run fan.yaml --no-pictures -o b {} && cmp a/ahead.h5 b/ahead.h5", closed));
+        shell(fmt::format("insonify run fan.yaml --no-pictures --force -o b {} && cmp a/ahead.h5 b/ahead.h5", closed));
     EXPECT_EQ(outcome.status, 0) << closed << outcome.out;
   }
 }
@@ -48,7 +48,7 @@ TEST_F(CliStreamsTest, AnErrorThatCannotBeToldStillIsAnExitStatus) {
 TEST_F(CliStreamsTest, AFileThatMayNotGrowIsOneLine) {
   const Outcome outcome = shell("ulimit -f 8; insonify run fan.yaml -q -o out --no-pictures");
   EXPECT_EQ(outcome.status, 1);
-  EXPECT_EQ(outcome.err, "insonify: out/ahead.h5: cannot make room for 23232 bytes: File too large\n");
+  EXPECT_EQ(outcome.err, "insonify: out/ahead.h5: cannot create: File too large\n");
   EXPECT_THAT(files("out"), IsEmpty());
 }
 
@@ -63,11 +63,18 @@ TEST_F(CliStreamsTest, AFullDiskIsOneLineAndKeepsWhatWasRecorded) {
       GTEST_SKIP() << "a small disk can only be made by root";
     }
     EXPECT_EQ(outcome.status, 1) << kilobytes;
-    EXPECT_EQ(outcome.err, "insonify: small/ahead.h5: cannot create: No space left on device\n") << kilobytes;
+    EXPECT_EQ(outcome.err,
+              fmt::format("insonify: warning: small: the recordings need 8.5 MB, {} kB are free; a full disk ends the "
+                          "run, which keeps the pings made so far\ninsonify: small/ahead.h5: cannot create: No space "
+                          "left on device\n",
+                          kilobytes))
+        << kilobytes;
   }
   const Outcome outcome = shell(fmt::format(fmt::runtime(with_disk), 400, INSONIFY_CLI));
   EXPECT_EQ(outcome.status, 1);
-  EXPECT_THAT(outcome.err, testing::MatchesRegex("insonify: small/ahead.h5: cannot write ping [0-9]+: No space left on "
+  EXPECT_THAT(outcome.err, testing::MatchesRegex("insonify: warning: small: the recordings need 8.5 MB, 41[0-9] kB are "
+                                                 "free; a full disk ends the run, which keeps the pings made so far\n"
+                                                 "insonify: small/ahead.h5: cannot write ping [0-9]+: No space left on "
                                                  "device; those before it stay readable\n"));
   EXPECT_EQ(shell("h5ls ahead.h5 > listing || true").status, 0);
 }
@@ -82,10 +89,10 @@ TEST_F(CliStreamsTest, APictureLeavesAFolderOfItsNameAlone) {
 }
 
 TEST_F(CliStreamsTest, AScenarioMayComeThroughAPipe) {
-  for (const char* line : {"insonify run /dev/stdin -o out --no-pictures < fan.yaml",
-                           "cat fan.yaml | insonify run /dev/stdin -o out --no-pictures",
-                           "insonify run <(cat fan.yaml) -o out --no-pictures",
-                           "mkfifo pipe; cat fan.yaml > pipe & insonify run pipe -o out --no-pictures"}) {
+  for (const char* line :
+       {"insonify run /dev/stdin -o a --no-pictures < fan.yaml",
+        "cat fan.yaml | insonify run /dev/stdin -o b --no-pictures", "insonify run <(cat fan.yaml) -o c --no-pictures",
+        "mkfifo pipe; cat fan.yaml > pipe & insonify run pipe -o d --no-pictures"}) {
     const Outcome outcome = shell(line);
     EXPECT_EQ(outcome.status, 0) << line << outcome.err;
     EXPECT_THAT(outcome.out, HasSubstr("ahead: 3 pings of 16 beams")) << line;

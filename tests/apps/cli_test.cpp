@@ -2,6 +2,8 @@
 
 #include "apps/cli.h"
 
+#include "io/h5_read.h"
+
 namespace insonify {
 namespace {
 
@@ -21,7 +23,8 @@ TEST_F(CliTest, ARunFollowsNoLinkThatItFindsInItsFolder) {
     std::filesystem::create_symlink("../target", "out/" + name);
     std::filesystem::create_symlink("../target", "out/" + name + ".new");
   }
-  EXPECT_EQ(shell("insonify run fan.yaml -o out -q --pictures 1").status, 0);
+  EXPECT_EQ(shell("insonify run fan.yaml -o out -q --pictures 1").status, 2);
+  EXPECT_EQ(shell("insonify run fan.yaml -o out -q --pictures 1 --force").status, 0);
   EXPECT_EQ(text_of("target"), "precious");
   for (const std::string& name : names) {
     EXPECT_FALSE(std::filesystem::is_symlink("out/" + name)) << name;
@@ -129,10 +132,94 @@ TEST_F(CliTest, PicturesOfAnEarlierRunAreRemoved) {
   for (const char* other : {"ahead_fan_12.png", "ahead_notes_0001.png", "behind_fan_0001.png", "ahead_fan_0001.jpg"}) {
     folder.write(std::filesystem::path("out") / other, "mine");
   }
-  const Outcome outcome = shell("insonify run fan.yaml -o out --pings 1 --no-view");
+  const Outcome outcome = shell("insonify run fan.yaml -o out --pings 1 --no-view --force");
   EXPECT_THAT(outcome.out, HasSubstr("\nremoved 7 pictures of an earlier run from out\n"));
   EXPECT_THAT(files("out"), ElementsAre("ahead.h5", "ahead_fan_0000.png", "ahead_fan_0001.jpg", "ahead_fan_12.png",
                                         "ahead_notes_0001.png", "ahead_polar_0000.png", "behind_fan_0001.png"));
+}
+
+TEST_F(CliTest, ARunReplacesNothingUnlessItIsForcedTo) {
+  ASSERT_EQ(shell("insonify run fan.yaml -o out -q && cp -r out before").status, 0);
+  const Outcome outcome = shell("insonify run fan.yaml -o out --seed 2");
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_EQ(outcome.err,
+            "insonify: out/ahead.h5 is there already, with 7 more of an earlier run: --force replaces them, -o DIR "
+            "writes to another folder\n");
+  EXPECT_EQ(shell("diff -r out before").status, 0);
+  ASSERT_EQ(shell("rm out/*.png").status, 0);
+  EXPECT_EQ(shell("insonify run fan.yaml -o out --seed 2").err,
+            "insonify: out/ahead.h5 is there already: --force replaces it, -o DIR writes to another folder\n");
+  ASSERT_EQ(
+      shell("insonify run fan.yaml -o out -q --seed 2 --force && insonify run fan.yaml -o other -q --seed 2").status,
+      0);
+  EXPECT_EQ(shell("diff -r out other").status, 0);
+}
+
+// A file of at most 204 800 bytes holds the first pings.
+TEST_F(CliTest, AForcedRunThatFailsLeavesTheEarlierOneAlone) {
+  ASSERT_EQ(shell("insonify run fan.yaml -o out -q && cp -r out before").status, 0);
+  const Outcome outcome = shell("ulimit -f 200; insonify run fan.yaml -o out -q --force --pings 1000 --no-view");
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_THAT(outcome.err,
+              testing::MatchesRegex(
+                  "insonify: out/ahead.h5: cannot write ping ([0-9]+): File too large; those before it stay readable; "
+                  "out/ahead.h5 is still that of the earlier run, [0-9]+ pings of this one are in "
+                  "out/ahead.h5.[0-9a-f]+.new\n"));
+  EXPECT_EQ(
+      shell("diff -r out before").out, "Only in out: " + [&] {
+        for (const std::string& file : files("out")) {
+          if (file.ends_with(".new")) {
+            return file + "\n";
+          }
+        }
+        return std::string("nothing");
+      }());
+}
+
+TEST_F(CliTest, ARunThatFailsBeforeTheFirstPingLeavesNothing) {
+  const Outcome outcome =
+      shell("ulimit -f 1000; insonify run fan.yaml -o out -q --height 240 --set beam_count=256 --set bin_count=2000");
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_EQ(outcome.err,
+            "insonify: out/ahead.h5: cannot write ping 0: File too large; those before it stay readable\n");
+  EXPECT_THAT(files("out"), ElementsAre());
+}
+
+// ---------------------------------------------------------------- draw
+
+TEST_F(CliTest, PicturesDrawnFromARecordingAreThoseOfTheRun) {
+  const std::string paper = "--set model=paper --scale db --floor-db -30";
+  for (const std::string& how :
+       {std::string(), paper, std::string("--levels -90:-40 --colour-map grey --height 400")}) {
+    const std::string drawn = how == paper ? "--scale db --floor-db -30" : how;
+    for (const char* sonar : {"fan.yaml", "scan.yaml"}) {
+      const Outcome outcome = shell(fmt::format(
+          "rm -rf run drawn; insonify run {} -o run -q --no-view --pictures 3 {} && insonify draw run/*.h5 -o drawn "
+          "--pictures 3 {} && mv run/*.h5 . && diff -r run drawn",
+          sonar, how, drawn));
+      EXPECT_EQ(outcome.status, 0) << sonar << how << outcome.err << outcome.out;
+    }
+  }
+}
+
+TEST_F(CliTest, DrawTakesThePingsThatAreNamed) {
+  ASSERT_EQ(shell("insonify run fan.yaml -o run -q --no-pictures --pings 5").status, 0);
+  const Outcome outcome = shell("insonify draw run/ahead.h5 --ping 1 --ping 3");
+  EXPECT_EQ(outcome.out,
+            "run/ahead_polar_0001.png\nrun/ahead_fan_0001.png\nrun/ahead_polar_0003.png\nrun/ahead_fan_0003.png\n");
+  EXPECT_EQ(shell("insonify draw run/ahead.h5 --ping 1").err,
+            "insonify: run/ahead_fan_0001.png is there already, with 3 more of an earlier run: --force replaces them, "
+            "-o DIR writes to another folder\n");
+  EXPECT_EQ(shell("insonify draw run/ahead.h5 --ping 0 --force").status, 0);
+  EXPECT_THAT(files("run"), ElementsAre("ahead.h5", "ahead_fan_0000.png", "ahead_polar_0000.png"));
+  const Outcome beyond = shell("insonify draw run/ahead.h5 --ping 5");
+  EXPECT_EQ(beyond.status, 2);
+  EXPECT_EQ(beyond.err, "insonify: run/ahead.h5: --ping 5 must be below 5, the number of its pings\n");
+}
+
+TEST_F(CliTest, DrawTellsWhatIsNoRecording) {
+  EXPECT_EQ(shell("insonify draw nowhere.h5").err, "insonify: nowhere.h5: no such file\n");
+  EXPECT_EQ(shell("insonify draw fan.yaml").status, 2);
 }
 
 TEST_F(CliTest, SilenceIsToldWithWhereTheWorldIs) {
@@ -200,6 +287,18 @@ TEST_F(CliTest, TheSameSeedGivesTheSameFile) {
   EXPECT_EQ(outcome.status, 0) << outcome.out << outcome.err;
 }
 
+TEST_F(CliTest, CompressedRecordingsHoldTheSame) {
+  const Outcome outcome = shell(
+      "insonify run fan.yaml -q --no-pictures -o a --pings 5 && insonify run fan.yaml -q --no-pictures -o b --pings 5 "
+      "--compress");
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  const H5Reader plain("a/ahead.h5"), compressed("b/ahead.h5");
+  EXPECT_EQ(plain.values<float>("intensity"), compressed.values<float>("intensity"));
+  EXPECT_EQ(plain.values<std::uint16_t>("instance"), compressed.values<std::uint16_t>("instance"));
+  EXPECT_EQ(plain.values<double>("time"), compressed.values<double>("time"));
+  EXPECT_LT(compressed.storage("instance"), plain.storage("instance") / 4);
+}
+
 TEST_F(CliTest, InAPipeThereAreOnlyPlainLines) {
   EXPECT_THAT(shell("insonify run fan.yaml -o out").out, Not(testing::AnyOf(HasSubstr("\r"), HasSubstr("\x1b"))));
 }
@@ -256,15 +355,17 @@ TEST_P(MistakeTest, IsOneLineAndAnExitStatus) {
 
 constexpr Mistake kMistakes[] = {
     {"NoCommand", "insonify", 2,
-     "insonify: name a command; the commands are run, sonars, describe, compare, bench, version, completion, manual "
+     "insonify: name a command; the commands are run, draw, sonars, describe, compare, bench, version, completion, "
+     "manual "
      "(insonify --help)"},
     {"UnknownCommand", "insonify rnu fan.yaml", 2,
-     "insonify: there is no command rnu; the commands are run, sonars, describe, compare, bench, version, completion, "
+     "insonify: there is no command rnu; the commands are run, draw, sonars, describe, compare, bench, version, "
+     "completion, "
      "manual (insonify "
      "--help)"},
     {"UnknownOption", "insonify run fan.yaml --frob", 2, "insonify: not understood: --frob (insonify run --help)"},
     {"UnknownOptionBeforeTheCommand", "insonify --frob", 2,
-     "insonify: there is no option --frob; the commands are run, sonars, describe, compare, bench, version, "
+     "insonify: there is no option --frob; the commands are run, draw, sonars, describe, compare, bench, version, "
      "completion, manual (insonify "
      "--help)"},
     {"NoScenario", "insonify run", 2, "insonify: SCENARIO is required (insonify run --help)"},
@@ -292,6 +393,11 @@ constexpr Mistake kMistakes[] = {
      "insonify: --scale: log must be linear or db (insonify run --help)"},
     {"FloorAboveZero", "insonify run fan.yaml --scale db --floor-db 3", 2,
      "insonify: --floor-db: 3 must be a number, at least -300, less than 0 (insonify run --help)"},
+    {"LevelsThatFall", "insonify run fan.yaml --levels -40:-90", 2,
+     "insonify: --levels: -40:-90 must be LOW:HIGH, two rising levels from -400 to 400 dB, as -90:-40 (insonify run "
+     "--help)"},
+    {"LevelsWithAFloor", "insonify run fan.yaml --levels -90:-40 --floor-db -30", 2,
+     "insonify: --floor-db excludes --levels (insonify run --help)"},
     {"TinyPicture", "insonify run fan.yaml --height 3", 2,
      "insonify: --height: 3 must be a whole number, from 240 to 8192 (insonify run --help)"},
     {"SeveralWords", "insonify run fan.yaml a b c", 2, "insonify: not understood: a b c (insonify run --help)"},

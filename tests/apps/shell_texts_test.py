@@ -21,7 +21,7 @@ BASH = BUILD / "share/bash-completion/completions/insonify"
 ZSH = BUILD / "share/zsh/site-functions/_insonify"
 FISH = BUILD / "share/fish/vendor_completions.d/insonify.fish"
 PAGE = BUILD / "share/man/man1/insonify.1"
-COMMANDS = {"run", "sonars", "describe", "compare", "bench", "version", "completion", "manual"}
+COMMANDS = {"run", "draw", "sonars", "describe", "compare", "bench", "version", "completion", "manual"}
 ENVIRONMENT = {**os.environ, "PATH": f"{BUILD}:{os.environ['PATH']}"}
 
 
@@ -80,7 +80,7 @@ class BashCompletion(unittest.TestCase):
     def test_suggests_commands(self):
         self.assertEqual(bash("insonify", ""), COMMANDS)
         self.assertEqual(bash("insonify", "com"), {"compare", "completion"})
-        self.assertEqual(bash("insonify", "bench", ""), {"engine", "paper", "primary"})
+        self.assertEqual(bash("insonify", "bench", ""), {"engine", "paper", "primary", "changes"})
 
     def test_suggests_the_options_of_the_command(self):
         self.assertEqual(bash("insonify", "run", "--no"), {"--no-pictures", "--no-view"})
@@ -108,7 +108,7 @@ class BashCompletion(unittest.TestCase):
 class FishCompletion(unittest.TestCase):
     def test_suggests_commands_options_and_values(self):
         self.assertEqual(fish("insonify "), COMMANDS)
-        self.assertEqual(fish("insonify bench "), {"engine", "paper", "primary"})
+        self.assertEqual(fish("insonify bench "), {"engine", "paper", "primary", "changes"})
         self.assertEqual(fish("insonify run --no-"), {"--no-pictures", "--no-view"})
         self.assertEqual(fish("insonify run --engine "), {"cpu", "reference"})
         self.assertEqual(fish("insonify sonars tritech-micron"), {"tritech-micron-dst"})
@@ -118,7 +118,7 @@ class FishCompletion(unittest.TestCase):
 class ZshCompletion(unittest.TestCase):
     def test_suggests_commands_options_and_values(self):
         self.assertLessEqual(COMMANDS, zsh("insonify "))
-        self.assertLessEqual({"engine", "paper", "primary"}, zsh("insonify bench "))
+        self.assertLessEqual({"engine", "paper", "primary", "changes"}, zsh("insonify bench "))
         self.assertLessEqual({"--no-pictures", "--no-view"}, zsh("insonify run --no-"))
         self.assertLessEqual({"cpu", "reference"}, zsh("insonify run --engine "))
         self.assertLessEqual({"tritech-gemini-720i", "tritech-gemini-720is"}, zsh("insonify sonars tritech-gemini-"))

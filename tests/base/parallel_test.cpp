@@ -9,6 +9,8 @@
 #include <thread>
 #include <vector>
 
+#include "insonify/interrupted.h"
+
 namespace insonify {
 namespace {
 
@@ -79,6 +81,23 @@ TEST(WorkersTest, TheFirstExceptionEndsTheWork) {
     std::atomic<int> after = 0;
     workers.for_each(10, [&](int, int) { ++after; });
     EXPECT_EQ(after, 10);
+  }
+}
+
+// No task begins once a stop is asked for; the next call is as any other.
+TEST(WorkersTest, EndEarlyWhenAskedTo) {
+  for (const int threads : {1, 3}) {
+    Workers workers(threads);
+    std::atomic<bool> asked = false;
+    std::atomic<int> begun = 0;
+    workers.stop_when(&asked);
+    const auto stop_at_fifth = [&](int, int) { asked = asked || ++begun >= 5; };
+    EXPECT_THROW(workers.for_each(1000, stop_at_fifth), Interrupted);
+    EXPECT_LE(begun, 5 + threads);
+    asked = false;
+    begun = 0;
+    workers.for_each(4, stop_at_fifth);
+    EXPECT_EQ(begun, 4);
   }
 }
 

@@ -26,7 +26,8 @@ int main(int, char** arguments) {
 
     insonify::Simulator simulator(scenario, scene);
     const insonify::Ping ping = simulator.make_ping(0, 0);
-    insonify::Recording recording(arguments[1], simulator.scenario(), simulator.scene(), simulator.sonar(0), 1);
+    insonify::Recording recording(arguments[1], simulator.scenario(), simulator.scene(), simulator.sonar(0),
+                                  {.replace = true});
     recording.add(ping);
     recording.close();
 

@@ -29,11 +29,8 @@ class H5Reader {
     return lengths;
   }
 
-  /// Bytes of data, and where they begin in the file (HADDR_UNDEF where there are none).
-  [[nodiscard]] std::pair<hsize_t, haddr_t> storage(const std::string& name) const {
-    const H5Handle data = dataset(name);
-    return {H5Dget_storage_size(data.get()), H5Dget_offset(data.get())};
-  }
+  /// Bytes of data as they are stored.
+  [[nodiscard]] hsize_t storage(const std::string& name) const { return H5Dget_storage_size(dataset(name).get()); }
 
   template <typename Value>
   [[nodiscard]] std::vector<Value> values(const std::string& name) const {

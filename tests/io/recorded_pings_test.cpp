@@ -27,7 +27,7 @@ TEST(RecordedPingsTest, GiveBackWhatARecordingWasGiven) {
   sonar.beam_count = 2;
   sonar.bin_count = 3;
   {
-    Recording recording("a.h5", scenario, Scene(), sonar, 5);
+    Recording recording("a.h5", scenario, Scene(), sonar);
     for (int number = 0; number < 2; ++number) {
       Ping ping;
       ping.number = number;
@@ -48,6 +48,80 @@ TEST(RecordedPingsTest, GiveBackWhatARecordingWasGiven) {
   EXPECT_EQ(pings.full_scale(), 1);
   EXPECT_THAT(pings.intensity(0), ElementsAre(0, 0.25, 0.5, 0.75, 1, 0));
   EXPECT_THAT(pings.intensity(1), ElementsAre(0, 0.25, 0.5, 0.75, 1, 0.5));
+}
+
+// What pictures are drawn from.
+TEST(RecordedPingsTest, GiveBackSettingsAndPings) {
+  const WorkingFolder folder;
+  Scenario scenario;
+  scenario.ground_truth = GroundTruth::kNone;
+  scenario.receiver.time_varied_gain = 30;
+  scenario.receiver.gain_ranges = {1, 2};
+  scenario.receiver.gains_db = {0, 6};
+  scenario.receiver.azimuth_pattern = BeamPattern::kHann;
+  scenario.receiver.noise = false;
+  SonarConfig sonar;
+  sonar.name = "around";
+  sonar.type = SonarType::kMechanicallyScanned;
+  sonar.mounting = Mounting::kVertical;
+  sonar.beam_count = 1;
+  sonar.bin_count = 3;
+  sonar.azimuth_aperture = 0.05;
+  sonar.step = 0.1;
+  sonar.ping_period = 0.25;
+  sonar.position = {1, 2, -3};
+  Ping ping;
+  ping.bin_count = 3;
+  ping.beam_count = 1;
+  ping.intensity = {0.5F, 0.25F, 1e-9F};
+  ping.time = 7.5;
+  ping.head_angle = -0.3;
+  ping.world_from_sonar = {Vec3(4, 5, 6), orientation_from_rpy(0, 0, 1)};
+  Recording("a.h5", scenario, Scene(), sonar).add(ping);
+
+  const RecordedPings pings("a.h5");
+  const Ping back = pings.ping(0);
+  EXPECT_EQ(back.intensity, ping.intensity);
+  EXPECT_EQ(back.time, 7.5);
+  EXPECT_EQ(back.head_angle, -0.3);
+  EXPECT_EQ(back.world_from_sonar.position, ping.world_from_sonar.position);
+  EXPECT_EQ(back.world_from_sonar.orientation.coeffs(), ping.world_from_sonar.orientation.coeffs());
+  const auto expect_same = [](const auto& wanted, const auto& found) {
+    using Config = std::remove_cvref_t<decltype(wanted)>;
+    std::vector<std::string> values[2];
+    for (int i = 0; i < 2; ++i) {
+      Config::visit_fields(i == 0 ? wanted : found, [&](const Field& field, const auto& member) {
+        values[i].push_back(std::string(field.name) + " " + testing::PrintToString(member));
+      });
+    }
+    EXPECT_EQ(values[0], values[1]);
+  };
+  expect_same(sonar, pings.sonar_config());
+  expect_same(scenario.receiver, pings.receiver_config());
+}
+
+TEST(RecordedPingsTest, OfOthersHaveNoSettings) {
+  const WorkingFolder folder;
+  write_intensity("bytes.h5", {1, 1, 3}, H5T_STD_U8LE, {0, 100, 255}, "oculus");
+  const RecordedPings pings("bytes.h5");
+  EXPECT_EQ(message_of([&] { (void)pings.sonar_config(); }),
+            "bytes.h5: settings/sonar is not in the file: it was not recorded by insonify");
+  EXPECT_THAT(message_of([&] { (void)pings.ping(0); }), StartsWith("bytes.h5: cannot read time: "));
+}
+
+TEST(RecordedPingsTest, MayBeCompressed) {
+  const WorkingFolder folder;
+  Scenario scenario;
+  scenario.ground_truth = GroundTruth::kNone;
+  SonarConfig sonar;
+  sonar.beam_count = 20;
+  sonar.bin_count = 30;
+  Ping ping;
+  ping.bin_count = 30;
+  ping.beam_count = 20;
+  ping.intensity.assign(600, 0.5F);
+  Recording("a.h5", scenario, Scene(), sonar, {.compress = true}).add(ping);
+  EXPECT_EQ(RecordedPings("a.h5").intensity(0), std::vector<double>(600, 0.5));
 }
 
 TEST(RecordedPingsTest, MayBeWholeNumbersOfAnyone) {

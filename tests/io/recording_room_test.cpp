@@ -23,7 +23,7 @@ TEST(RecordingRoomTest, AllDatasetsFit) {
   scenario.receiver.full_scale_db = -40;
   Simulator simulator(scenario, plate_at(10, 2, diffuse(-10)), 1);
   const auto path = std::filesystem::path(testing::TempDir()) / "recording_room_test.h5";
-  Recording recording(path, simulator.scenario(), simulator.scene(), simulator.sonar(0), 3);
+  Recording recording(path, simulator.scenario(), simulator.scene(), simulator.sonar(0), {.replace = true});
   const Ping ping = simulator.make_ping(0, 0);
   recording.add(ping);
   recording.close();

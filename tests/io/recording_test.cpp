@@ -3,12 +3,14 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
 #include <new>
 #include <numbers>
+#include <span>
 
 #include "insonify/error.h"
 #include "insonify/files.h"
@@ -60,6 +62,14 @@ SonarConfig scanning_sonar() {
   sonar.type = SonarType::kMechanicallyScanned;
   sonar.beam_count = 1;
   sonar.mounting = Mounting::kVertical;
+  return sonar;
+}
+
+// With tables that are large enough to be compressed.
+SonarConfig large_sonar() {
+  SonarConfig sonar = fan_sonar();
+  sonar.beam_count = 24;
+  sonar.bin_count = 60;
   return sonar;
 }
 
@@ -121,11 +131,19 @@ std::filesystem::path scratch(const std::string& name) {
   return std::filesystem::path(testing::TempDir()) / ("recording_test_" + name + ".h5");
 }
 
+// The same, without what an earlier test has left there.
+std::filesystem::path fresh(const std::string& name) {
+  const std::filesystem::path path = scratch(name);
+  std::filesystem::remove(path);
+  return path;
+}
+
 void record(const std::filesystem::path& path, const SonarConfig& sonar, std::uint64_t pings,
-            GroundTruth ground_truth = GroundTruth::kLabels) {
+            GroundTruth ground_truth = GroundTruth::kLabels, const RecordingOptions& options = {}) {
   Scenario recorded = scenario();
   recorded.ground_truth = ground_truth;
-  Recording recording(path, recorded, scene(), sonar, 5);
+  std::filesystem::remove(path);
+  Recording recording(path, recorded, scene(), sonar, options);
   for (std::uint64_t number = 0; number < pings; ++number) {
     recording.add(make_ping(sonar, number));
   }
@@ -322,6 +340,31 @@ TEST(RecordingTest, IsReadByH5py) {
   }
 }
 
+// Whatever the number of threads that compress.
+TEST(RecordingTest, HoldsTheSameWhenItIsCompressed) {
+  const auto plain = scratch("plain"), compressed = scratch("compressed"), other = scratch("compressed_otherwise");
+  record(plain, large_sonar(), 70, GroundTruth::kFull);
+  record(compressed, large_sonar(), 70, GroundTruth::kFull, {.compress = true, .threads = 4});
+  record(other, large_sonar(), 70, GroundTruth::kFull, {.compress = true, .threads = 1});
+  EXPECT_TRUE(bytes_of(compressed) == bytes_of(other));
+  EXPECT_LT(2 * std::filesystem::file_size(compressed), std::filesystem::file_size(plain));
+  const H5Reader a(plain), b(compressed);
+  const auto expect_same = [&](const char* name, auto value) {
+    using Value = decltype(value);
+    const std::vector<Value> of_a = a.values<Value>(name), of_b = b.values<Value>(name);
+    // By bytes, since NaN differs from itself.
+    EXPECT_TRUE(std::ranges::equal(std::as_bytes(std::span(of_a)), std::as_bytes(std::span(of_b)))) << name;
+  };
+  for (const char* name : {"intensity", "elevation", "strongest_share", "elevation_spread", "shadow"}) {
+    expect_same(name, float{});
+  }
+  expect_same("instance", std::uint16_t{});
+  expect_same("strongest_instance", std::uint16_t{});
+  expect_same("path_order", std::uint8_t{});
+  expect_same("world_from_sonar", double{});
+  expect_same("time", double{});
+}
+
 TEST(RecordingTest, IsTheSameBytesForTheSamePings) {
   record(scratch("once"), fan_sonar(), 3);
   record(scratch("again"), fan_sonar(), 3);
@@ -329,19 +372,22 @@ TEST(RecordingTest, IsTheSameBytesForTheSamePings) {
 }
 
 TEST(RecordingTest, AllocatesNothingWhilePingsCome) {
-  const SonarConfig sonar = fan_sonar();
-  Recording recording(scratch("allocations"), scenario(), scene(), sonar, 5);
-  const Ping ping = make_ping(sonar, 0);
-  recording.add(ping);
-  const std::size_t before = allocation_count;
-  recording.add(ping);
-  recording.add(ping);
-  EXPECT_EQ(allocation_count, before);
+  for (const bool compress : {false, true}) {
+    const SonarConfig sonar = large_sonar();
+    Recording recording(fresh("allocations"), scenario(), scene(), sonar, {.compress = compress, .threads = 1});
+    const Ping ping = make_ping(sonar, 0);
+    recording.add(ping);
+    recording.add(ping);
+    const std::size_t before = allocation_count;
+    recording.add(ping);
+    recording.add(ping);
+    EXPECT_EQ(allocation_count, before) << compress;
+  }
 }
 
 TEST(RecordingTest, RefusesPingsOfAnotherShape) {
-  const auto path = scratch("shape");
-  Recording recording(path, scenario(), scene(), fan_sonar(), 5);
+  const auto path = fresh("shape");
+  Recording recording(path, scenario(), scene(), fan_sonar());
   EXPECT_EQ(message_of([&] { recording.add(make_ping(scanning_sonar(), 8)); }),
             path.string() + ": ping 8 has 4 bins x 1 beams, the recording 4 x 3");
   Ping truncated = make_ping(fan_sonar(), 9);
@@ -352,15 +398,40 @@ TEST(RecordingTest, RefusesPingsOfAnotherShape) {
   full.ground_truth = GroundTruth::kFull;
   Ping unranked = make_ping(fan_sonar(), 9);
   unranked.strongest_share.resize(12);
-  EXPECT_EQ(message_of([&] { Recording(scratch("ranks"), full, scene(), fan_sonar(), 5).add(unranked); }),
+  EXPECT_EQ(message_of([&] { Recording(fresh("ranks"), full, scene(), fan_sonar()).add(unranked); }),
             scratch("ranks").string() + ": ping 9 holds 12 values of strongest_share, not 36");
-  EXPECT_EQ(message_of([&] { Recording(path, scenario(), scene(), fan_sonar(), 0); }),
-            path.string() + ": capacity = 0 must be at least 1");
+}
+
+TEST(RecordingTest, LeavesAnEarlierOneAloneUntilItIsClosed) {
+  const auto path = fresh("earlier");
+  record(path, fan_sonar(), 3);
+  EXPECT_EQ(message_of([&] { Recording(path, scenario(), scene(), fan_sonar()); }),
+            path.string() + ": cannot create: it is there already");
+  Recording next(path, scenario(), scene(), fan_sonar(), {.replace = true});
+  next.add(make_ping(fan_sonar(), 0));
+  EXPECT_EQ(H5Reader(path).shape("time").at(0), 3U);
+  EXPECT_EQ(H5Reader(next.place()).shape("time").at(0), 1U);
+  next.close();
+  EXPECT_EQ(next.place(), path);
+  EXPECT_EQ(H5Reader(path).shape("time").at(0), 1U);
+}
+
+// Compressed or stopped, it needs less.
+TEST(RecordingTest, NeedsNoMoreOnTheDiskThanForetold) {
+  for (const SonarConfig& sonar : {fan_sonar(), large_sonar(), scanning_sonar()}) {
+    for (const int pings : {0, 1, 300}) {
+      const auto path = fresh("foretold");
+      record(path, sonar, pings);
+      const std::uint64_t foretold = recording_bytes(scenario(), sonar, pings);
+      EXPECT_LE(std::filesystem::file_size(path), foretold) << pings;
+      EXPECT_LT(foretold, std::filesystem::file_size(path) + 100'000 + pings * 1500) << pings;
+    }
+  }
 }
 
 TEST(RecordingTest, KeepsItsPingsWhenMoved) {
-  const auto path = scratch("moved");
-  Recording first(path, scenario(), scene(), fan_sonar(), 5);
+  const auto path = fresh("moved");
+  Recording first(path, scenario(), scene(), fan_sonar());
   first.add(make_ping(fan_sonar(), 0));
   Recording second = std::move(first);
   second.add(make_ping(fan_sonar(), 1));

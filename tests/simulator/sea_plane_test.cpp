@@ -63,6 +63,21 @@ TEST_P(SeaPlaneTest, StepsUnheard) {
   EXPECT_LT(across, 2 * elsewhere + 1e-4);
 }
 
+// Wind makes the surface lose more at high frequencies.
+TEST(SeaPlaneFrequencyTest, EverySonarMeetsTheSurfaceAtItsOwnFrequency) {
+  Scenario both = small_scenario(kPingCases[3]);
+  both.surface = SeaSurface{.level = 2, .wind_speed = 6};
+  both.sonars.push_back(small_sonar());
+  both.sonars[1].name = "low";
+  both.sonars[1].frequency = 100e3;
+  Simulator simulator(both, small_world(), 2);
+  for (int i = 0; i < 2; ++i) {
+    Scenario alone = both;
+    alone.sonars = {both.sonars[i]};
+    expect_same(simulator.ping(i, {}), Simulator(alone, small_world(), 2).ping(0, {}));
+  }
+}
+
 // A point at (6, 0, -4), and its image in the surface at (6, 0, 4).
 TEST(SeaPlaneGhostTest, PointsHaveTheirGhostsFarAway) {
   Scenario scenario = small_scenario(kPingCases[3]);

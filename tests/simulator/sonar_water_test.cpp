@@ -68,7 +68,7 @@ TEST(SonarWaterTest, RecordingTellsTheWaterAtTheSonarsDepth) {
   const Scene scene = SceneMaker().add_wall(20).scene();
   const Simulator simulator(scenario, scene, 1);
   const std::filesystem::path path = std::filesystem::path(testing::TempDir()) / "sonar_water_test.h5";
-  Recording(path, simulator.scenario(), simulator.scene(), simulator.sonar(0), 1).close();
+  Recording(path, simulator.scenario(), simulator.scene(), simulator.sonar(0), {.replace = true}).close();
   const H5Reader file(path);
   Water deep;
   deep.depth = 1510;

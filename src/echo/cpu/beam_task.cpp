@@ -193,6 +193,7 @@ void BeamTask::run(const Pose& world_from_sonar, int first_beam, int last_beam, 
   // So that a ping does not depend on how beams are divided into tasks, packets end where the smallest tasks would end.
   const int columns_together = kLeastBeamsTogether * plan_->lattice.columns_per_beam;
   for (int first_column = 0; first_column < columns_; first_column += kTile) {
+    workers_.check_stop();
     if (first_column % columns_together == 0) {
       secondary_.finish();
     }

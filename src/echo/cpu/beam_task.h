@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "base/parallel.h"
 #include "echo/cpu/beam_tasks.h"
 #include "echo/cpu/cpu_scene.h"
 #include "echo/cpu/fan_raster.h"
@@ -17,8 +18,8 @@ namespace insonify {
 
 /// The scratch memory of one worker, and the ping's steps for neighbouring beams.
 struct BeamTask {
-  BeamTask(const CpuScene& scene, const RasterScene& raster_scene)
-      : scene_(scene), raster_scene_(raster_scene), secondary_(scene) {}
+  BeamTask(const CpuScene& scene, const RasterScene& raster_scene, const Workers& workers)
+      : scene_(scene), raster_scene_(raster_scene), workers_(workers), secondary_(scene) {}
 
   /// Prepares for a ping. Allocates only if it needs more memory than any ping before.
   void prepare(const PingPlan& plan, SecondarySampling sampling);
@@ -47,6 +48,7 @@ struct BeamTask {
 
   const CpuScene& scene_;
   const RasterScene& raster_scene_;
+  const Workers& workers_;  // Asked whether to stop.
   FanRaster raster_;
   const PingPlan* plan_ = nullptr;
   SecondarySampling sampling_ = SecondarySampling::kNone;

@@ -25,7 +25,7 @@ const EngineKind CpuEngine::kKind = {
 
 CpuEngine::CpuEngine(int threads) : workers_(threads) {
   for (int worker = 0; worker < workers_.count(); ++worker) {
-    scratch_.push_back(std::make_unique<BeamTask>(scene_, raster_scene_));
+    scratch_.push_back(std::make_unique<BeamTask>(scene_, raster_scene_, workers_));
   }
 }
 

@@ -27,6 +27,12 @@ class UnfinishedFile {
   /// @throws Error "PATH: DOING: REASON".
   void put_in_place();
 
+  /// Where it is until then; empty once it was renamed.
+  [[nodiscard]] const std::filesystem::path& unfinished() const { return unfinished_; }
+
+  /// Leaves it there, under the name it has now.
+  void keep() { unfinished_.clear(); }
+
   /// Gives up the descriptor, which the caller must close.
   [[nodiscard]] int release();
 

@@ -37,6 +37,19 @@ bool is_being_written(const std::filesystem::path& path) {
   return marked;
 }
 
+WriteMark::WriteMark(const std::filesystem::path& path)
+    : file_(open(path.c_str(), O_RDWR | O_CLOEXEC | O_NONBLOCK | O_NOFOLLOW)) {
+  if (file_ >= 0) {
+    mark_as_being_written(file_);
+  }
+}
+
+WriteMark::~WriteMark() {
+  if (file_ >= 0) {
+    close(file_);
+  }
+}
+
 bool is_still_there(int file, const std::filesystem::path& path) {
   // Not by its number: some file systems give the same file another one each time.
   struct stat own = {}, found = {};

@@ -13,6 +13,19 @@ void mark_as_being_written(int file);
 /// Whether somebody else has the file marked as being written. It need not exist.
 [[nodiscard]] bool is_being_written(const std::filesystem::path& path);
 
+/// Keeps a file that exists marked as being written, without writing to it. A file that may not be written to, or where
+/// the file system knows no locks, is not marked.
+class WriteMark {
+ public:
+  explicit WriteMark(const std::filesystem::path& path);
+  ~WriteMark();
+  WriteMark(const WriteMark&) = delete;
+  WriteMark& operator=(const WriteMark&) = delete;
+
+ private:
+  int file_;
+};
+
 /// Whether the open file can still be found: that it was not removed, replaced or moved from its path.
 [[nodiscard]] bool is_still_there(int file, const std::filesystem::path& path);
 

@@ -14,8 +14,6 @@
 #include <system_error>
 #include <utility>
 
-#include "io/file/unfinished_file.h"
-#include "io/recording/file_lock.h"
 #include "io/recording/growing_image.h"
 
 namespace insonify {
@@ -26,8 +24,15 @@ static_assert(std::endian::native == std::endian::little, "rows are written as t
 // In a superblock of version 0, the end of the file: what lies before it is in use.
 constexpr std::size_t kEndOfFileField = 40;
 
-// Rows begin at multiples of this, so that a program that maps the file may read them in place.
+// Chunks begin at multiples of this, so that a program that maps the file may read them in place.
 constexpr std::uint64_t kAlignment = 64;
+
+// Small rows share a chunk of about this size [bytes]: each chunk costs some fifty bytes of index, and the last one is
+// there whole from its first row on.
+constexpr std::uint64_t kSmallChunk = 4096;
+
+// Rows below this are not worth compressing [bytes].
+constexpr std::uint64_t kLeastCompressed = 512;
 
 std::string system_reason() {
   return std::generic_category().message(errno);
@@ -43,19 +48,8 @@ void refuse_while_another_writes(const std::filesystem::path& path) {
   }
 }
 
-// Bytes of all rows of all datasets.
-std::uint64_t total_bytes(const std::filesystem::path& path, std::span<const GrowingDataset> datasets,
-                          std::uint64_t capacity) {
-  // Half of what an off_t holds: room for HDF5's own.
-  constexpr std::uint64_t kMost = std::uint64_t{1} << 62;
-  std::uint64_t row = 0;
-  for (const GrowingDataset& dataset : datasets) {
-    row += dataset.row_bytes();
-  }
-  if (capacity > kMost / row) {
-    fail(path, fmt::format("cannot hold {} pings of {} bytes, at most {}", capacity, row, kMost / row));
-  }
-  return capacity * row;
+std::uint64_t aligned(std::uint64_t position) {
+  return (position + kAlignment - 1) / kAlignment * kAlignment;
 }
 
 }  // namespace
@@ -68,64 +62,83 @@ std::uint64_t GrowingDataset::row_bytes() const {
   return bytes;
 }
 
-GrowingFile::GrowingFile(std::filesystem::path path, std::vector<GrowingDataset> datasets, std::uint64_t capacity,
-                         const std::function<void(hid_t file)>& describe)
-    : path_(std::move(path)),
-      place_(std::filesystem::absolute(path_)),
-      datasets_(std::move(datasets)),
-      capacity_(capacity) {
-  assert(capacity >= 1 && !datasets_.empty());
-  const std::uint64_t bytes = total_bytes(path_, datasets_, capacity_);
-  refuse_while_another_writes(path_);
-  auto [image, addresses] = make_growing_image(path_, datasets_, capacity_, describe);
-  addresses_ = std::move(addresses);
-  find_fields(image);
-  const std::uint64_t end = place_rows(image);
+bool GrowingDataset::is_filtered() const {
+  return compress && row_bytes() >= kLeastCompressed;
+}
 
-  UnfinishedFile unfinished(path_, "cannot create");
-  file_ = unfinished.descriptor();
-  mark_as_being_written(file_);
-  if (ftruncate(file_, static_cast<off_t>(end)) != 0) {
-    fail(path_, fmt::format("cannot make room for {} bytes: {}", bytes, system_reason()));
-  }
-  set_count(0);
-  std::ranges::copy(fields_bytes_, image.begin() + static_cast<std::ptrdiff_t>(fields_begin_));
-  if (!write_at(0, image)) {
-    unfinished.fail_by_errno();
-  }
+std::uint64_t GrowingDataset::chunk_rows() const {
+  return is_filtered() ? 1 : std::max<std::uint64_t>(1, kSmallChunk / row_bytes());
+}
+
+std::vector<std::uint64_t> GrowingDataset::chunk_shape() const {
+  std::vector<std::uint64_t> shape{chunk_rows()};
+  shape.insert(shape.end(), row.begin(), row.end());
+  return shape;
+}
+
+GrowingFile::GrowingFile(std::filesystem::path path, const std::vector<GrowingDataset>& datasets,
+                         const std::function<void(hid_t file)>& describe, const GrowingFileOptions& options)
+    : path_(std::move(path)) {
+  assert(!datasets.empty());
   refuse_while_another_writes(path_);
-  unfinished.put_in_place();
-  file_ = unfinished.release();
+  std::error_code ignored;
+  if (std::filesystem::is_regular_file(path_, ignored)) {
+    if (!options.replace) {
+      fail(path_, "cannot create: it is there already");
+    }
+    earlier_ = std::make_unique<WriteMark>(path_);
+  }
+  for (const GrowingDataset& dataset : datasets) {
+    growths_.emplace_back(dataset);
+  }
+  if (std::ranges::any_of(datasets, &GrowingDataset::is_filtered)) {
+    workers_ = std::make_unique<Workers>(options.threads);
+  }
+  auto [image, headers] = make_growing_image(path_, datasets, describe);
+  find_fields(image, headers);
+  end_ = image.size();
+
+  out_ = std::make_unique<UnfinishedFile>(path_, "cannot create");
+  mark_as_being_written(out_->descriptor());
+  if (!write_at(0, image) || !reserve(end_)) {
+    out_->fail_by_errno();
+  }
+  if (!earlier_) {
+    refuse_while_another_writes(path_);
+    out_->put_in_place();
+  }
+  absolute_ = std::filesystem::absolute(place());
+}
+
+GrowingFile::Growth::Growth(const GrowingDataset& dataset)
+    : row_bytes(dataset.row_bytes()),
+      chunk_rows(dataset.chunk_rows()),
+      index(dataset.chunk_shape(), H5Tget_size(dataset.type)),
+      next_index(index) {
+  if (dataset.is_filtered()) {
+    filter.emplace(H5Tget_size(dataset.type));
+  }
 }
 
 GrowingFile::~GrowingFile() {
-  if (file_ >= 0) {
-    fsync(file_);
-    ::close(file_);
+  if (out_) {
+    (void)finish();
+    if (count_ > 0) {
+      out_->keep();
+    }
   }
 }
 
-GrowingFile::GrowingFile(GrowingFile&& other) noexcept
-    : path_(std::move(other.path_)),
-      place_(std::move(other.place_)),
-      datasets_(std::move(other.datasets_)),
-      capacity_(other.capacity_),
-      count_(other.count_),
-      file_(std::exchange(other.file_, -1)),
-      addresses_(std::move(other.addresses_)),
-      data_(std::move(other.data_)),
-      fields_(std::move(other.fields_)),
-      fields_begin_(other.fields_begin_),
-      fields_bytes_(std::move(other.fields_bytes_)) {}
+GrowingFile::GrowingFile(GrowingFile&& other) noexcept = default;
 
-// Finds what tells the length and place of each dataset, and makes sure that it is what we take it for and lies in one
-// page.
-void GrowingFile::find_fields(std::span<const std::byte> image) {
+// Finds what tells the length and the index of each dataset, and makes sure that it is what we take it for and lies in
+// one page.
+void GrowingFile::find_fields(std::span<const std::byte> image, std::span<const std::uint64_t> headers) {
   std::uint64_t first = ~std::uint64_t{0};
   std::uint64_t last = 0;
-  for (const std::uint64_t address : addresses_) {
-    const GrowthFields& fields = fields_.emplace_back(find_growth_fields(image, address));
-    for (const std::uint64_t field : {fields.dimension, fields.maximum, fields.address, fields.size}) {
+  for (std::size_t i = 0; i < growths_.size(); ++i) {
+    const GrowthFields& fields = growths_[i].fields = find_growth_fields(image, headers[i]);
+    for (const std::uint64_t field : {fields.dimension, fields.maximum, fields.index}) {
       first = std::min(first, field);
       last = std::max(last, field + sizeof(std::uint64_t) - 1);
     }
@@ -137,10 +150,9 @@ void GrowingFile::find_fields(std::span<const std::byte> image) {
   };
   bool as_expected = first != 0 && first / kGrowingPage == last / kGrowingPage && last < image.size() &&
                      value_at(kEndOfFileField) == image.size();
-  for (std::size_t i = 0; as_expected && i < datasets_.size(); ++i) {
-    as_expected = value_at(fields_[i].dimension) == capacity_ && value_at(fields_[i].maximum) == capacity_ &&
-                  value_at(fields_[i].address) == HADDR_UNDEF &&
-                  value_at(fields_[i].size) == capacity_ * datasets_[i].row_bytes();
+  for (const Growth& growth : growths_) {
+    as_expected = as_expected && value_at(growth.fields.dimension) == 0 &&
+                  value_at(growth.fields.maximum) == H5S_UNLIMITED && value_at(growth.fields.index) == HADDR_UNDEF;
   }
   if (!as_expected) {
     unsigned major = 0;
@@ -155,36 +167,21 @@ void GrowingFile::find_fields(std::span<const std::byte> image) {
                        image.begin() + static_cast<std::ptrdiff_t>(last + 1));
 }
 
-// Puts the rows behind what HDF5 made, dataset after dataset, and tells HDF5 where the file ends.
-// @return  Where that is [bytes].
-std::uint64_t GrowingFile::place_rows(std::span<std::byte> image) {
-  std::uint64_t end = image.size();
-  for (const GrowingDataset& dataset : datasets_) {
-    data_.push_back((end + kAlignment - 1) / kAlignment * kAlignment);
-    end = data_.back() + capacity_ * dataset.row_bytes();
-  }
-  std::memcpy(&image[kEndOfFileField], &end, sizeof end);
-  return end;
-}
-
 // Makes every dataset `count` rows long, in memory.
-void GrowingFile::set_count(std::uint64_t count) {
+void GrowingFile::set_fields(std::uint64_t count) {
   const auto set = [this](std::uint64_t position, std::uint64_t value) {
     std::memcpy(&fields_bytes_[position - fields_begin_], &value, sizeof value);
   };
-  for (std::size_t i = 0; i < datasets_.size(); ++i) {
-    set(fields_[i].dimension, count);
-    set(fields_[i].maximum, count);
-    // HDF5 2.0 takes an empty dataset that has an address for a damaged one.
-    set(fields_[i].address, count > 0 ? data_[i] : HADDR_UNDEF);
-    set(fields_[i].size, count * datasets_[i].row_bytes());
+  for (const Growth& growth : growths_) {
+    set(growth.fields.dimension, count);
+    set(growth.fields.index, growth.next_index.root());
   }
 }
 
 // @return  Whether all went well; else errno tells why not.
 bool GrowingFile::write_at(std::uint64_t offset, std::span<const std::byte> bytes) const {
   while (!bytes.empty()) {
-    const ssize_t written = pwrite(file_, bytes.data(), bytes.size(), static_cast<off_t>(offset));
+    const ssize_t written = pwrite(out_->descriptor(), bytes.data(), bytes.size(), static_cast<off_t>(offset));
     if (written < 0 && errno != EINTR) {
       return false;
     }
@@ -194,46 +191,132 @@ bool GrowingFile::write_at(std::uint64_t offset, std::span<const std::byte> byte
   return true;
 }
 
+bool GrowingFile::write_pieces() const {
+  return std::ranges::all_of(pieces_.all(),
+                             [this](const FilePiece& piece) { return write_at(piece.address, piece.bytes); });
+}
+
+// Makes the file end there, for the system and for HDF5: it never ends before HDF5 is told that it does.
+bool GrowingFile::set_end(std::uint64_t end) {
+  const auto tell_system = [&] { return ftruncate(out_->descriptor(), static_cast<off_t>(end)) == 0; };
+  const auto tell_hdf5 = [&] { return write_at(kEndOfFileField, std::as_bytes(std::span(&end, 1))); };
+  if (!(end > reserved_ ? tell_system() && tell_hdf5() : tell_hdf5() && tell_system())) {
+    return false;
+  }
+  reserved_ = end;
+  return true;
+}
+
+// Lets the file end some rows after `end`, or there if there is no room for more. HDF5 reads where a file ends when it
+// opens it, and looks for the rows a moment later: by then there may be more of them, which it must find before the
+// end. Until it is written to, the rest takes no room on the disk.
+bool GrowingFile::reserve(std::uint64_t end) {
+  constexpr std::uint64_t kRowsAhead = 4, kLeastAhead = 65536;
+  std::uint64_t row = 0;
+  for (const Growth& growth : growths_) {
+    row += growth.row_bytes;
+  }
+  return end <= reserved_ || set_end(end + std::max(kLeastAhead, kRowsAhead * row)) || set_end(end);
+}
+
+// Writes a row of one dataset to where nobody looks yet, into the last chunk or into a new one at the end of the file,
+// and works out the index with it.
+bool GrowingFile::add_row(Growth& growth, std::uint64_t& end) {
+  const std::uint64_t row_in_chunk = count_ % growth.chunk_rows;
+  growth.next_chunk = growth.chunk;
+  growth.next_index = growth.index;
+  if (row_in_chunk == 0) {
+    const bool smaller = growth.filter && growth.stored.size() < growth.row_bytes;
+    const std::uint64_t bytes = smaller ? growth.stored.size() : growth.chunk_rows * growth.row_bytes;
+    growth.next_chunk = aligned(end);
+    end = growth.next_chunk + bytes;
+    growth.next_index.add({.first_row = count_,
+                           .address = growth.next_chunk,
+                           .bytes = static_cast<std::uint32_t>(bytes),
+                           .skipped_filters = growth.filter && !smaller ? ChunkFilter::kBoth : 0},
+                          end, pieces_);
+  }
+  return write_at(growth.next_chunk + row_in_chunk * growth.row_bytes, growth.stored);
+}
+
+// All of a row, but not yet as part of any dataset.
+bool GrowingFile::write_row(std::span<const std::span<const std::byte>> rows, std::uint64_t& end) {
+  const auto prepare = [&](int i, int) {
+    Growth& growth = growths_[static_cast<std::size_t>(i)];
+    growth.stored = rows[static_cast<std::size_t>(i)];
+    assert(growth.stored.size() == growth.row_bytes);
+    if (growth.filter) {
+      const std::span<const std::byte> compressed = growth.filter->compress(growth.stored);
+      growth.stored = compressed.empty() ? growth.stored : compressed;
+    }
+  };
+  if (workers_) {
+    workers_->for_each(static_cast<int>(rows.size()), prepare);
+  } else {
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      prepare(static_cast<int>(i), 0);
+    }
+  }
+  pieces_.clear();
+  return std::ranges::all_of(growths_, [&](Growth& growth) { return add_row(growth, end); }) && write_pieces() &&
+         reserve(end);
+}
+
 void GrowingFile::check_is_there() const {
-  if (!is_still_there(file_, place_)) {
+  if (!is_still_there(out_->descriptor(), absolute_)) {
     fail(path_, "is no longer there: it was removed, moved or replaced while it was being written");
   }
 }
 
 void GrowingFile::append(std::span<const std::span<const std::byte>> rows) {
-  assert(rows.size() == datasets_.size());
-  if (file_ < 0) {
+  assert(rows.size() == growths_.size());
+  if (!out_) {
     fail(path_, "cannot write: it is closed");
   }
-  if (count_ == capacity_) {
-    fail(path_, fmt::format("cannot write ping {}: the file was made for {}", count_, capacity_));
-  }
   check_is_there();
-  bool written = true;
-  for (std::size_t i = 0; written && i < rows.size(); ++i) {
-    assert(rows[i].size() == datasets_[i].row_bytes());
-    written = write_at(data_[i] + count_ * rows[i].size(), rows[i]);
+  std::uint64_t end = end_;
+  bool written = write_row(rows, end);
+  if (written) {
+    // One write makes the row a part of every dataset.
+    set_fields(count_ + 1);
+    written = write_at(fields_begin_, fields_bytes_);
   }
-  // One write makes the row a part of every dataset.
-  set_count(count_ + 1);
-  if (!written || !write_at(fields_begin_, fields_bytes_)) {
-    fail(path_, fmt::format("cannot write ping {}: {}; those before it stay readable", count_, system_reason()));
+  if (!written) {
+    const std::string reason = system_reason();
+    (void)set_end(end_);  // Nothing of this row is kept.
+    fail(path_, fmt::format("cannot write ping {}: {}; those before it stay readable", count_, reason));
   }
+  for (Growth& growth : growths_) {
+    growth.chunk = growth.next_chunk;
+    std::swap(growth.index, growth.next_index);
+  }
+  end_ = end;
   ++count_;
 }
 
+// Completes the indices, lets the file end where it does and has the system store everything.
+// @return  Whether it did; else errno tells why not.
+bool GrowingFile::finish() {
+  pieces_.clear();
+  for (const Growth& growth : growths_) {
+    growth.index.close(pieces_);
+  }
+  return write_pieces() && set_end(end_) && fsync(out_->descriptor()) == 0;
+}
+
 void GrowingFile::close() {
-  if (file_ < 0) {
+  if (!out_) {
     return;
   }
   check_is_there();
-  const int file = std::exchange(file_, -1);
-  const bool stored = fsync(file) == 0;
-  const std::string reason = stored ? "" : system_reason();
-  ::close(file);
-  if (!stored) {
-    fail(path_, "cannot write: " + reason);
+  if (!finish()) {
+    fail(path_, "cannot write: " + system_reason());
   }
+  if (is_beside()) {
+    out_->put_in_place();
+  }
+  out_.reset();
+  earlier_.reset();
 }
 
 }  // namespace insonify

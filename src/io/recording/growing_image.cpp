@@ -2,6 +2,8 @@
 
 #include "io/recording/growing_image.h"
 
+#include "io/recording/chunk_filter.h"
+
 namespace insonify {
 namespace {
 
@@ -12,24 +14,30 @@ constexpr hsize_t kMetadataBlock = 65536;
 // Half the entries of a node of a group's tree: small ones, the root's comes before the datasets' headers.
 constexpr unsigned kHalfTreeNode = 2;
 
-// Contiguous, and without a place until written to: its place is ours to choose.
-H5Handle growing_layout(const std::filesystem::path& path) {
+// Chunks of some rows each, in a file without any.
+H5Handle growing_layout(const GrowingDataset& dataset, const std::filesystem::path& path) {
   H5Handle layout = h5_own(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, path, "create");
-  h5_check(H5Pset_layout(layout.get(), H5D_CONTIGUOUS), path, "create");
-  h5_check(H5Pset_alloc_time(layout.get(), H5D_ALLOC_TIME_LATE), path, "create");
+  const std::vector<std::uint64_t> chunk = dataset.chunk_shape();
+  const std::vector<hsize_t> shape(chunk.begin(), chunk.end());
+  h5_check(H5Pset_chunk(layout.get(), static_cast<int>(shape.size()), shape.data()), path, "create");
   h5_check(H5Pset_fill_time(layout.get(), H5D_FILL_TIME_NEVER), path, "create");
   h5_check(H5Pset_obj_track_times(layout.get(), false), path, "create");
+  if (dataset.is_filtered()) {
+    h5_check(H5Pset_shuffle(layout.get()), path, "create");
+    h5_check(H5Pset_deflate(layout.get(), ChunkFilter::kLevel), path, "create");
+  }
   return layout;
 }
 
 // Not yet in any group: the headers lie side by side, with nothing of the group's between them.
-H5Handle create_dataset(hid_t file, const GrowingDataset& dataset, std::uint64_t capacity, hid_t layout,
-                        const std::filesystem::path& path) {
-  std::vector<hsize_t> shape{capacity};
+H5Handle create_dataset(hid_t file, const GrowingDataset& dataset, const std::filesystem::path& path) {
+  std::vector<hsize_t> shape{0}, most{H5S_UNLIMITED};
   shape.insert(shape.end(), dataset.row.begin(), dataset.row.end());
+  most.insert(most.end(), dataset.row.begin(), dataset.row.end());
   const H5Handle space =
-      h5_own(H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr), H5Sclose, path, "create");
-  return h5_own(H5Dcreate_anon(file, dataset.type, space.get(), layout, H5P_DEFAULT), H5Dclose, path,
+      h5_own(H5Screate_simple(static_cast<int>(shape.size()), shape.data(), most.data()), H5Sclose, path, "create");
+  const H5Handle layout = growing_layout(dataset, path);
+  return h5_own(H5Dcreate_anon(file, dataset.type, space.get(), layout.get(), H5P_DEFAULT), H5Dclose, path,
                 "create /" + dataset.name);
 }
 
@@ -62,7 +70,7 @@ std::vector<H5Handle> fill_page(hid_t file, const std::filesystem::path& path) {
 // Has HDF5 make the whole file but the rows, in memory: a disk that fills up could leave it with handles that it can
 // never close, and then it fails when the program ends.
 GrowingImage make_growing_image(const std::filesystem::path& path, std::span<const GrowingDataset> datasets,
-                                std::uint64_t capacity, const std::function<void(hid_t file)>& describe) {
+                                const std::function<void(hid_t file)>& describe) {
   GrowingImage image;
   const H5Quiet quiet;
   // The earliest formats: no checksums over what is to change, and what every program reads.
@@ -78,11 +86,10 @@ GrowingImage make_growing_image(const std::filesystem::path& path, std::span<con
   h5_check(H5Pset_sym_k(creation.get(), kHalfTreeNode, 0), path, "create");
   const H5Handle file =
       h5_own(H5Fcreate(kNowhere, H5F_ACC_TRUNC, creation.get(), access.get()), H5Fclose, path, "create");
-  const H5Handle layout = growing_layout(path);
   std::vector<H5Handle> fillers = fill_page(file.get(), path);
   std::vector<H5Handle> made;
   for (const GrowingDataset& dataset : datasets) {
-    made.push_back(create_dataset(file.get(), dataset, capacity, layout.get(), path));
+    made.push_back(create_dataset(file.get(), dataset, path));
     H5O_info_t info;
     h5_check(H5Oget_info1(made.back().get(), &info), path, "create /" + dataset.name);
     image.addresses.push_back(info.addr);

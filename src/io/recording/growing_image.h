@@ -27,7 +27,7 @@ struct GrowingImage {
 /// @param describe  Adds what does not grow.
 /// @throws Error that names the file.
 [[nodiscard]] GrowingImage make_growing_image(const std::filesystem::path& path,
-                                              std::span<const GrowingDataset> datasets, std::uint64_t capacity,
+                                              std::span<const GrowingDataset> datasets,
                                               const std::function<void(hid_t file)>& describe);
 
 }  // namespace insonify

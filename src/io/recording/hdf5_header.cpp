@@ -48,14 +48,13 @@ GrowthFields find_growth_fields(std::span<const std::byte> file, std::uint64_t a
       const bool has_maxima = (number_at<std::uint8_t>(messages, body + 2) & 1) != 0;
       fields.dimension = where + 8;
       fields.maximum = has_maxima ? where + 8 + std::uint64_t{8} * rank : 0;
-    } else if (type == kLayout && version == 3 && number_at<std::uint8_t>(messages, body + 1) == 1) {
-      // Version, class (1: contiguous), address, size.
-      fields.address = where + 2;
-      fields.size = where + 10;
+    } else if (type == kLayout && version == 3 && number_at<std::uint8_t>(messages, body + 1) == 2) {
+      // Version, class (2: chunked), number of dimensions, address.
+      fields.index = where + 3;
     }
     at = body + size;
   }
-  const bool complete = fields.dimension != 0 && fields.maximum != 0 && fields.address != 0;
+  const bool complete = fields.dimension != 0 && fields.maximum != 0 && fields.index != 0;
   return complete ? fields : GrowthFields{};
 }
 

@@ -8,12 +8,11 @@
 
 namespace insonify {
 
-/// Positions in the file of the four 8-byte numbers that say how many rows a contiguous dataset has [bytes].
+/// Positions in the file of the 8-byte numbers that say how many rows a chunked dataset has [bytes].
 struct GrowthFields {
   std::uint64_t dimension = 0;  ///< First dimension,
-  std::uint64_t maximum = 0;    ///< what it may grow to,
-  std::uint64_t address = 0;    ///< where the data begin (all ones where there are none) and
-  std::uint64_t size = 0;       ///< how many bytes of them there are.
+  std::uint64_t maximum = 0;    ///< what it may grow to (all ones: anything) and
+  std::uint64_t index = 0;      ///< where the root of the chunks' index is (all ones while there are none).
 };
 
 /// Finds them in a version 1 object header: "HDF5 File Format Specification Version 2.0", sections IV.A.1.a (version 1

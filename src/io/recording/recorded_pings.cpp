@@ -10,6 +10,7 @@
 
 #include "io/file/hdf5.h"
 #include "io/file/input_file.h"
+#include "io/recording/recorded_settings.h"
 
 namespace insonify {
 namespace {
@@ -90,6 +91,31 @@ struct RecordedPings::State {
   std::string sonar, model;
 };
 
+namespace {
+
+// One row of a table of numbers [ping] or [ping, width].
+std::vector<double> read_row(const H5Handle& file, const std::filesystem::path& path, const char* name,
+                             std::uint64_t ping, hsize_t width) {
+  const std::string doing = fmt::format("read {}", name);
+  const H5Handle dataset = h5_own(H5Dopen2(file.get(), name, H5P_DEFAULT), H5Dclose, path, doing);
+  const H5Handle from = h5_own(H5Dget_space(dataset.get()), H5Sclose, path, doing);
+  std::array<hsize_t, 2> shape = {0, 1};
+  const int axes = H5Sget_simple_extent_ndims(from.get());
+  if ((axes != 1 && axes != 2) || H5Sget_simple_extent_dims(from.get(), shape.data(), nullptr) < 0 ||
+      shape[0] <= ping || shape[1] != width) {
+    throw Error(fmt::format("{}: {} must have {} for each ping", path.string(), name,
+                            width == 1 ? "a number" : fmt::format("{} numbers", width)));
+  }
+  const std::array<hsize_t, 2> start = {ping, 0}, length = {1, width};
+  h5_check(H5Sselect_hyperslab(from.get(), H5S_SELECT_SET, start.data(), nullptr, length.data(), nullptr), path, doing);
+  const H5Handle to = h5_own(H5Screate_simple(1, &width, nullptr), H5Sclose, path, doing);
+  std::vector<double> values(width);
+  h5_check(H5Dread(dataset.get(), H5T_NATIVE_DOUBLE, to.get(), from.get(), H5P_DEFAULT, values.data()), path, doing);
+  return values;
+}
+
+}  // namespace
+
 RecordedPings::RecordedPings(const std::filesystem::path& path) : state_(std::make_unique<State>()) {
   const H5Quiet quiet;
   state_->path = path;
@@ -144,6 +170,42 @@ std::vector<double> RecordedPings::intensity(std::uint64_t ping) const {
   h5_check(H5Dread(state_->dataset.get(), H5T_NATIVE_DOUBLE, to.get(), from.get(), H5P_DEFAULT, values.data()), path,
            "read intensity");
   return values;
+}
+
+SonarConfig RecordedPings::sonar_config() const {
+  const H5Quiet quiet;
+  SonarConfig sonar = read_settings<SonarConfig>({state_->file.get(), state_->path}, "settings/sonar");
+  sonar.validate();
+  if (sonar.bin_count != bin_count() || sonar.beam_count != beam_count()) {
+    throw Error(fmt::format("{}: intensity has {} bins x {} beams, settings/sonar {} x {}", state_->path.string(),
+                            bin_count(), beam_count(), sonar.bin_count, sonar.beam_count));
+  }
+  return sonar;
+}
+
+ReceiverConfig RecordedPings::receiver_config() const {
+  const H5Quiet quiet;
+  return read_settings<ReceiverConfig>({state_->file.get(), state_->path}, "settings/receiver");
+}
+
+Ping RecordedPings::ping(std::uint64_t number) const {
+  const std::vector<double> values = intensity(number);
+  const H5Quiet quiet;
+  const auto row = [&](const char* name, hsize_t width) {
+    return read_row(state_->file, state_->path, name, number, width);
+  };
+  Ping ping;
+  ping.number = number;
+  ping.bin_count = bin_count();
+  ping.beam_count = beam_count();
+  ping.intensity.assign(values.begin(), values.end());
+  ping.time = row("time", 1).at(0);
+  const std::vector<double> pose = row("world_from_sonar", 7);
+  ping.world_from_sonar = {Vec3(pose[0], pose[1], pose[2]), Eigen::Quaterniond(pose[3], pose[4], pose[5], pose[6])};
+  if (H5Lexists(state_->file.get(), "head_angle", H5P_DEFAULT) > 0) {
+    ping.head_angle = row("head_angle", 1).at(0);
+  }
+  return ping;
 }
 
 }  // namespace insonify

@@ -32,19 +32,20 @@ StoredPose stored_pose(const Pose& pose) {
 }
 
 // In the order in which Recording::add hands over the values.
-std::vector<GrowingDataset> growing_datasets(const SonarConfig& sonar, const std::vector<PingLayer>& layers) {
+std::vector<GrowingDataset> growing_datasets(const SonarConfig& sonar, const std::vector<PingLayer>& layers,
+                                             bool compress) {
   std::vector<GrowingDataset> datasets;
   for (const PingLayer& layer : layers) {
     std::vector<hsize_t> shape{static_cast<hsize_t>(sonar.bin_count), static_cast<hsize_t>(sonar.beam_count)};
     if (layer.each > 0) {
       shape.push_back(layer.each);
     }
-    datasets.push_back({layer.name, layer.type(), shape});
+    datasets.push_back({layer.name, layer.type(), shape, compress});
   }
-  datasets.push_back({"time", H5T_IEEE_F64LE, {}});
-  datasets.push_back({"world_from_sonar", H5T_IEEE_F64LE, {StoredPose{}.size()}});
+  datasets.push_back({"time", H5T_IEEE_F64LE, {}, false});
+  datasets.push_back({"world_from_sonar", H5T_IEEE_F64LE, {StoredPose{}.size()}, false});
   if (sonar.type == SonarType::kMechanicallyScanned) {
-    datasets.push_back({"head_angle", H5T_IEEE_F64LE, {}});
+    datasets.push_back({"head_angle", H5T_IEEE_F64LE, {}, false});
   }
   return datasets;
 }
@@ -130,10 +131,7 @@ struct Recording::State {
 };
 
 Recording::Recording(const std::filesystem::path& path, const Scenario& scenario, const Scene& scene,
-                     const SonarConfig& sonar, std::uint64_t capacity) {
-  if (capacity < 1) {
-    throw Error(fmt::format("{}: capacity = {} must be at least 1", path.string(), capacity));
-  }
+                     const SonarConfig& sonar, const RecordingOptions& options) {
   std::vector<PingLayer> layers = ping_layers(scenario);
   const auto describe = [&](hid_t file) {
     const H5Writer writer(file, path);
@@ -143,7 +141,8 @@ Recording::Recording(const std::filesystem::path& path, const Scenario& scenario
     put_run(writer, scenario, scene, sonar);
     put_settings(writer, scenario, scene, sonar);
   };
-  GrowingFile file(path, growing_datasets(sonar, layers), capacity, describe);
+  GrowingFile file(path, growing_datasets(sonar, layers, options.compress), describe,
+                   {.threads = options.threads, .replace = options.replace});
   state_ = std::make_unique<State>(State{std::move(file), std::move(layers), sonar.bin_count, sonar.beam_count,
                                          sonar.type == SonarType::kMechanicallyScanned});
 }
@@ -180,6 +179,20 @@ void Recording::add(const Ping& ping) {
 
 void Recording::close() {
   state_->file.close();
+}
+
+const std::filesystem::path& Recording::place() const {
+  return state_->file.place();
+}
+
+std::uint64_t recording_bytes(const Scenario& scenario, const SonarConfig& sonar, std::uint64_t pings) {
+  constexpr std::uint64_t kFixed = 100'000;  // Settings, axes and names, and the hole at the end.
+  constexpr std::uint64_t kIndex = 192;      // An entry in two versions of a node, and what aligns a chunk.
+  std::uint64_t ping = 0;
+  for (const GrowingDataset& dataset : growing_datasets(sonar, ping_layers(scenario), false)) {
+    ping += dataset.row_bytes() + kIndex / dataset.chunk_rows();
+  }
+  return kFixed + pings * ping;
 }
 
 }  // namespace insonify

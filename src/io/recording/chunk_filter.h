@@ -1,0 +1,38 @@
+// chunk_filter.h -- makes chunks smaller as HDF5's own filters shuffle and deflate do.
+
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace insonify {
+
+/// Compresses the chunks of one dataset. Every HDF5 reads what it makes.
+class ChunkFilter {
+ public:
+  /// As in a dataset's filter pipeline: shuffle is filter 0, deflate filter 1.
+  static constexpr unsigned kBoth = 3;
+
+  /// Of deflate: more costs much time and saves little (docs/design/recording.md).
+  static constexpr int kLevel = 1;
+
+  /// @param element_size  [bytes]
+  explicit ChunkFilter(std::size_t element_size);
+
+  /// Allocates nothing for as many bytes as before.
+  /// @return  The compressed bytes, until the next call; none where there would be no fewer.
+  [[nodiscard]] std::span<const std::byte> compress(std::span<const std::byte> values);
+
+ private:
+  struct Deflater;
+  struct End {
+    void operator()(Deflater* deflater) const;
+  };
+  std::size_t element_size_;
+  std::vector<std::byte> shuffled_, deflated_;
+  std::unique_ptr<Deflater, End> deflater_;
+};
+
+}  // namespace insonify

@@ -1,0 +1,109 @@
+// chunk_index.h -- the index that tells HDF5 where the chunks of a dataset are, as plain bytes to be written.
+
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace insonify {
+
+/// One chunk of a dataset: some of its rows, all of their values.
+struct Chunk {
+  std::uint64_t first_row = 0;
+  std::uint64_t address = 0;          ///< In the file [bytes].
+  std::uint32_t bytes = 0;            ///< As it is stored.
+  std::uint32_t skipped_filters = 0;  ///< Bit n: it did not go through filter n.
+};
+
+/// Bytes, and where in the file they belong.
+struct FilePiece {
+  std::uint64_t address = 0;
+  std::vector<std::byte> bytes = {};
+};
+
+/// A list of them whose memory is used again.
+class FilePieces {
+ public:
+  void clear() { count_ = 0; }
+
+  /// Adds a piece without bytes.
+  std::vector<std::byte>& add(std::uint64_t address) {
+    if (count_ == pieces_.size()) {
+      pieces_.emplace_back();
+    }
+    FilePiece& piece = pieces_[count_++];
+    piece.address = address;
+    piece.bytes.clear();
+    return piece.bytes;
+  }
+
+  [[nodiscard]] std::span<const FilePiece> all() const { return {pieces_.data(), count_}; }
+
+ private:
+  std::vector<FilePiece> pieces_;
+  std::size_t count_ = 0;
+};
+
+/// A version 1 B-tree of chunks that follow each other along the first axis: "HDF5 File Format Specification Version
+/// 2.0", section III.A.1, node type 1. It only grows at its right edge.
+///
+/// Nodes that a reader may be using are not overwritten by others: each node at the right edge has two places in the
+/// file and its next version goes to the one that is not in use. So what was the tree before add() is still there after
+/// its pieces have been written, and the new tree counts from when the dataset's header has the address of its root.
+/// Once a node is full it stays where it is. Only then do its neighbours point to it: a tree whose last nodes are not
+/// full lacks the links to their right, which searches do not follow; close() completes them.
+class ChunkIndex {
+ public:
+  /// @param shape         Of a chunk: rows, then the values of a row, axis by axis.
+  /// @param element_size  [bytes]
+  ChunkIndex(std::vector<std::uint64_t> shape, std::uint64_t element_size);
+
+  /// Bytes of a node in the file.
+  [[nodiscard]] std::size_t node_bytes() const;
+
+  /// Adds the chunk after the last.
+  /// @param end     Of the file; moves on by the new nodes' places.
+  /// @param pieces  Gains what is to be written before root() counts.
+  void add(const Chunk& chunk, std::uint64_t& end, FilePieces& pieces);
+
+  /// What completes the links between nodes; nothing is added after that.
+  void close(FilePieces& pieces) const;
+
+  /// Address of the root; all ones while there are no chunks.
+  [[nodiscard]] std::uint64_t root() const { return root_; }
+
+ private:
+  // Half of what a node holds at most, with superblocks of version 0.
+  static constexpr std::size_t kHalfNode = 32;
+
+  struct Key {
+    std::uint64_t row = 0;
+    std::uint32_t bytes = 0, skipped_filters = 0;
+    bool end = false;  // Right of the last chunk.
+  };
+  struct Entry {
+    Key key;
+    std::uint64_t child = 0;
+  };
+  // The rightmost node of a level.
+  struct Node {
+    std::array<Entry, 2 * kHalfNode> entries = {};
+    std::size_t count = 0;
+    std::uint64_t left = kNowhere;  // Neighbour.
+    std::array<std::uint64_t, 2> places = {kNowhere, kNowhere};
+    int place = 1;  // Where it was last written.
+  };
+  static constexpr std::uint64_t kNowhere = ~std::uint64_t{0};
+
+  std::uint64_t write(std::size_t level, const Key& last, std::uint64_t& end, FilePieces& pieces);
+  void put_key(const Key& key, std::vector<std::byte>& bytes) const;
+
+  std::vector<std::uint64_t> shape_;  // With the size of an element at its end.
+  std::vector<Node> nodes_;           // Of each level, leaves first.
+  std::uint64_t root_ = kNowhere;
+};
+
+}  // namespace insonify
