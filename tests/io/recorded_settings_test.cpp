@@ -60,7 +60,7 @@ Scene scene() {
 
 std::filesystem::path recorded(const Scenario& scenario) {
   const auto path = std::filesystem::path(testing::TempDir()) / "recorded_settings_test.h5";
-  Recording(path, scenario, scene(), scenario.sonars.at(0), 1).close();
+  Recording(path, scenario, scene(), scenario.sonars.at(0), {.replace = true}).close();
   return path;
 }
 
