@@ -1,6 +1,6 @@
 // canvas.cpp -- anti-aliased rectangles, lines and arcs, by the coverage of pixels.
 //
-// Ours, since the libraries do not make it shorter: filling outlines by FreeType's rasteriser takes as many lines, and
+// Ours, since the libraries do not make it shorter: filling outlines by FreeType's rasteriser takes more lines, and
 // Cairo would load 14 more shared libraries, X11's among them, into a program that runs on robots. See
 // docs/design/libraries.md.
 

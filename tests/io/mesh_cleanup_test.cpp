@@ -1,4 +1,4 @@
-// mesh_cleanup_test.cpp -- normals, polygons and numbers of mesh files; and what is dropped is told.
+// mesh_cleanup_test.cpp -- normals, polygons and numbers of mesh files, and warnings about what is dropped.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

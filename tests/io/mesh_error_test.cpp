@@ -1,4 +1,4 @@
-// mesh_error_test.cpp -- a mesh file that cannot be read is told with the place and the reason.
+// mesh_error_test.cpp -- errors about mesh files name the place and the reason.
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -197,7 +197,7 @@ std::string triangles_of(const std::string& name, const std::string& text) {
 TEST(LoadMeshErrorTest, NoPartIsTakenForTheWhole) {
   struct Whole {
     std::string name, text;
-    std::size_t spare;  // Bytes at the end that nothing is told by.
+    std::size_t spare;  // Unused bytes at the end.
   };
   const std::vector<Whole> files{{"a.stl", ascii_stl_text(), std::string(" corner\n").size()},
                                  {"a.stl", binary_stl_text(), 0},

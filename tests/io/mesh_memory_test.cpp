@@ -1,4 +1,4 @@
-// mesh_memory_test.cpp -- a mesh that is too big for the machine is told with its file.
+// mesh_memory_test.cpp -- the error about a mesh that is too big for the memory names its file.
 
 #include <gtest/gtest.h>
 

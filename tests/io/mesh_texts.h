@@ -82,7 +82,7 @@ struct Dae {
   std::string positions = "0 0 0 2 0 0 0 3 0 0 0 5";
   std::string triangles = R"(<triangles count="4" material="m"><input semantic="VERTEX" source="#v" offset="0"/>)"
                           "<p>0 2 1 0 1 3 0 3 2 1 2 3</p></triangles>";
-  std::string materials = "";  // Of <library_materials>.
+  std::string materials = "";  // Contents of <library_materials>.
   std::string nodes = R"(<node id="n" name="corner"><instance_geometry url="#g"/></node>)";
 };
 

@@ -246,7 +246,7 @@ TEST_F(ScenarioTest, TakesOverTheKeysOfAnAnchor) {
   EXPECT_LT(scenario.sonars.at(1).orientation.z(), 0);
   EXPECT_EQ(scenario.sonars.at(2).name, "down");
   EXPECT_EQ(scenario.sonars.at(2).max_range, 9);
-  EXPECT_EQ(scenario.sonars.at(2).gain, 5);  // Of several maps the first that has a key gives it.
+  EXPECT_EQ(scenario.sonars.at(2).gain, 5);  // The first of several maps that has a key gives it.
   EXPECT_GT(scenario.sonars.at(2).orientation.z(), 0);
 }
 

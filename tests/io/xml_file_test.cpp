@@ -1,4 +1,4 @@
-// xml_file_test.cpp -- elements know their place in the file, and XML that is not well-formed is told with its place.
+// xml_file_test.cpp -- elements know their place in the file; errors about malformed XML name the place.
 
 #include "io/file/xml_file.h"
 

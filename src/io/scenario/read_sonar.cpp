@@ -6,6 +6,7 @@
 
 #include <optional>
 
+#include "base/log_line.h"
 #include "insonify/files.h"
 #include "io/scenario/preset_choice.h"
 #include "io/scenario/preset_file.h"
@@ -98,8 +99,8 @@ SonarConfig read_sonar(const YamlValue& value, const std::string& object, const 
   refuse_head_keys(value, object, sonar);
   if (preset) {
     fit_to_range(value, *preset, scenario, sonar);
-    for (const std::string& text : log ? preset->exceeded_by(sonar) : std::vector<std::string>()) {
-      log(Severity::kWarning, value.where + object + "." + text);
+    for (const std::string& text : preset->exceeded_by(sonar)) {
+      log_line(log, Severity::kWarning, value.where + object + "." + text);
     }
   }
   return sonar;
