@@ -67,7 +67,7 @@ endif()
 if(EXISTS ${prefix}/bin/insonify)
   set(cli ${prefix}/bin/insonify)
   run(${cli} version)
-  run(${cli} run ${prefix}/share/insonify/scenes/car.yaml -o ${WORK_DIR}/out --pings 1 --no-pictures)
+  run(${cli} run ${prefix}/share/insonify/scenes/car.yaml -o ${WORK_DIR}/out --pings 1 --no-pictures --force)
   foreach(file share/man/man1/insonify.1 share/bash-completion/completions/insonify
       share/zsh/site-functions/_insonify share/fish/vendor_completions.d/insonify.fish)
     if(NOT EXISTS ${prefix}/${file})

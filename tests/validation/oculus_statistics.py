@@ -76,7 +76,7 @@ def simulated(insonify, folder):
     folder.mkdir(parents=True, exist_ok=True)
     (folder / "scenario.yaml").write_text(SCENARIO, encoding="utf-8")
     (folder / "floor.obj").write_text(FLOOR, encoding="utf-8")
-    command = [insonify, "run", "scenario.yaml", "-o", "out", "--no-pictures"]
+    command = [insonify, "run", "scenario.yaml", "-o", "out", "--no-pictures", "--force"]
     subprocess.run(command, cwd=folder, check=True, stdout=subprocess.DEVNULL)
     with h5py.File(next((folder / "out").glob("*.h5"))) as file:
         bins = (file["range"][:] > NEAR) & (file["range"][:] < FAR)

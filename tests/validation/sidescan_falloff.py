@@ -93,7 +93,7 @@ def simulated(insonify, folder):
     folder.mkdir(parents=True, exist_ok=True)
     (folder / "scenario.yaml").write_text(SCENARIO, encoding="utf-8")
     (folder / "bed.obj").write_text(BED, encoding="utf-8")
-    command = [insonify, "run", "scenario.yaml", "-o", "out", "--no-pictures", "--pings", "80"]
+    command = [insonify, "run", "scenario.yaml", "-o", "out", "--no-pictures", "--force", "--pings", "80"]
     subprocess.run(command, cwd=folder, check=True, stdout=subprocess.DEVNULL)
     with h5py.File(folder / "out" / "port.h5") as file:
         altitudes = LOWEST + (HIGHEST - LOWEST) * np.arange(80) / 80
