@@ -69,7 +69,7 @@ PUBLIC = {
     "array_pattern.h": "sonar",
     "pulse.h": "sonar",
     "sonar_config.h": "sonar",
-    "receiver_config.h": "receiver",
+    "receiver_config.h": "sonar",
     "ground_truth.h": "echo",
     "engine.h": "echo",
     "paper_model.h": "echo",

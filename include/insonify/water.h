@@ -49,7 +49,8 @@ struct Water {
     visit(
         Field{"volume_backscatter_db", "dB", from_to(-150, -20),
               "Volume backscattering strength S_v re 1/m: -85 in clear, -70 in coastal, -50 in turbid water; no volume "
-              "reverberation when absent (calibrated model)."},
+              "reverberation when absent (calibrated model).",
+              ActsIn::kCalibrated},
         self.volume_backscatter_db);
   }
 };
