@@ -18,7 +18,8 @@ namespace insonify {
 inline constexpr double kGreatestDensity = 30000;
 inline constexpr double kGreatestSoundSpeed = 20000;
 
-/// How a surface scatters and reflects sound in the `calibrated` model; the formulas are those of backscatter.h.
+/// How a surface scatters and reflects sound in the `calibrated` model; the formulas are those of
+/// acoustics/backscatter.h.
 struct Scattering {
   double lambert = 0;     ///< Lambert parameter mu [1/sr]: the diffuse cross section is mu cos^2(incidence).
   double reflection = 0;  ///< |R| at normal incidence, of the facet lobe and of reflected rays.

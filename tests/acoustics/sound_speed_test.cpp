@@ -1,6 +1,6 @@
 // sound_speed_test.cpp -- sound-speed formulas against values from the papers, and refraction in a constant gradient.
 
-#include "insonify/sound_speed.h"
+#include "insonify/acoustics/sound_speed.h"
 
 #include <gtest/gtest.h>
 

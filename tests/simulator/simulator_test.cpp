@@ -6,9 +6,9 @@
 #include <gmock/gmock.h>
 
 #include "engines/test_scenes.h"
+#include "insonify/acoustics/sound_speed.h"
 #include "insonify/error.h"
 #include "insonify/scenario_requests.h"
-#include "insonify/sound_speed.h"
 
 namespace insonify {
 namespace {
