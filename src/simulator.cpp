@@ -94,7 +94,8 @@ void Simulator::ping(int index, const PingRequest& request, Ping& ping) {
     grid.discrete_echoes().clear();
     state.points.add(plan, world_from_sonar, *state.engine, grid);
     if (state.ghosts) {
-      state.ghosts->add(plan, world_from_sonar, request.number, *state.engine, grid);
+      state.ghosts->add(plan, world_from_sonar, request.number, scenario.receiver_of(sonar.config).speckle,
+                        *state.engine, grid);
     }
     state.interference.add(plan, world_from_sonar, request.time, *state.engine, grid);
     const PingMotion motion = scenario.motion_in_ping
@@ -102,8 +103,9 @@ void Simulator::ping(int index, const PingRequest& request, Ping& ping) {
                                   : PingMotion{};
     sonar.receiver->receive(grid, world_from_sonar, motion, state.workers, ping);
   } else {
-    PaperReceiver receiver(grid, sonar.config,
-                           {.model = scenario.paper, .noise = scenario.receiver.noise, .seed = scenario.seed}, ping);
+    PaperReceiver receiver(
+        grid, sonar.config,
+        {.model = scenario.paper, .noise = scenario.receiver_of(sonar.config).noise, .seed = scenario.seed}, ping);
     state.engine->insonify(plan, world_from_sonar, grid, &receiver);
   }
 }

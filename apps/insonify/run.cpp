@@ -105,7 +105,7 @@ struct Track {
 };
 
 std::vector<Track> start_tracks(const Simulator& simulator, const ScenarioRequests& requests,
-                                const std::filesystem::path& folder, const PictureStyle& style,
+                                const std::filesystem::path& folder, const PictureOptions& options,
                                 const PictureChoice& choice, PictureFolder& pictures,
                                 const RecordingOptions& recording) {
   const Scenario& scenario = simulator.scenario();
@@ -114,6 +114,7 @@ std::vector<Track> start_tracks(const Simulator& simulator, const ScenarioReques
     const SonarConfig& sonar = simulator.sonar(static_cast<int>(i));
     const std::uint64_t pings = requests.ping_count(static_cast<int>(i));
     const std::filesystem::path file = folder / (sonar.name + ".h5");
+    const PictureStyle style = picture_style(options, scenario.model, scenario.receiver_of(sonar));
     tracks.push_back({file, Recording(file, scenario, simulator.scene(), sonar, recording),
                       PingPictures(pictures, sonar, style, choice, pings)});
   }
@@ -274,7 +275,7 @@ int run(const RunOptions& options) {
   simulator.stop_when(&stop_asked());
   PictureFolder pictures(folder, names_of(simulator.scenario().sonars));
   std::vector<Track> tracks =
-      start_tracks(simulator, requests, folder, style, choice, pictures,
+      start_tracks(simulator, requests, folder, options.pictures, choice, pictures,
                    {.compress = options.compress, .threads = options.threads, .replace = options.force});
   const std::vector<std::filesystem::path> view_files = write_views(views, pictures);
 

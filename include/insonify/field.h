@@ -53,6 +53,9 @@ constexpr Limits turn() {
   return from_to(-1e6 * std::numbers::pi / 180, 1e6 * std::numbers::pi / 180);
 }
 
+/// Models of the echo in which a field has an effect.
+enum class ActsIn { kEveryModel, kCalibrated, kPaper };
+
 /// One field of a configuration, as file readers, command line and manual need it.
 ///
 /// Every configuration struct has `template <class Self, class Visit> static void visit_fields(Self&, Visit&&)` that
@@ -63,6 +66,8 @@ struct Field {
   std::string_view unit;  ///< "m", "Hz", "rad", "s", "" (a count, a ratio or a word) ...
   Limits limits;          ///< Limits of a number, or of each element of a list; ignored for words.
   std::string_view help;  ///< One sentence, from a capital letter to a full stop.
+  ActsIn acts = ActsIn::kEveryModel;
+  std::string_view instead = {};  ///< What has such an effect in the other model, as messages name it; may be "".
 };
 
 /// A member of a configuration that has fields of its own: a struct, an optional struct, a list or a map of structs.

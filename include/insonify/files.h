@@ -41,10 +41,17 @@ namespace insonify {
 [[nodiscard]] Scenario load_scenario(const std::filesystem::path& path, std::span<const std::string> settings = {},
                                      const Log& log = {});
 
+/// Reads waypoints from a CSV file (.csv; its header names the columns time, x, y, z and qw, qx, qy, qz or roll, pitch,
+/// yaw or roll_deg, pitch_deg, yaw_deg) or a TUM file (.tum, .txt: time x y z qx qy qz qw). Lines that begin with # are
+/// comments. docs/reference/trajectories.md says all.
+/// @throws Error "path:line:column: ..." for what is no number, out of limits or out of order.
+[[nodiscard]] Trajectory load_trajectory(const std::filesystem::path& path);
+
 /// Writes a scenario as the text of a scenario file that load_scenario() reads back as the same: what differs from the
 /// defaults, presets as the numbers they stand for, files by their absolute paths. An angle may differ in its last bit,
-/// as not every number of radians is that of a number of degrees. What has no form in files is left out: a relief given
-/// as values (MaterialOverride::relief), the head's settings of a sonar that has none.
+/// as not every number of radians is that of a number of degrees. What has no effect or no form in files is left out:
+/// settings of the other model, a relief given as values (MaterialOverride::relief), the head's settings of a sonar
+/// that has none.
 [[nodiscard]] std::string to_yaml(const Scenario& scenario);
 
 /// Reads the scene of a scenario and assigns its materials.

@@ -38,6 +38,10 @@ struct Spherical {
   double elevation = 0;  ///< Angle across the fan, positive up [rad], -pi/2..pi/2.
 };
 
+/// The angles of such an orientation: roll and yaw within +-pi, pitch within +-pi/2. Straight up and down, where only a
+/// sum of roll and yaw is defined, it is split so that orientation_from_rpy() gives the orientation again.
+[[nodiscard]] Vec3 rpy_from_orientation(const Eigen::Quaterniond& orientation);
+
 /// Cartesian to spherical coordinates in the sonar frame. Elevation is measured from the x-y plane. (The equation in
 /// the paper gives the polar angle from +z, and jumps at z = 0.) The origin maps to zeros.
 [[nodiscard]] Spherical spherical_from_point(const Vec3& point);

@@ -18,7 +18,8 @@ namespace insonify {
 inline constexpr double kGreatestDensity = 30000;
 inline constexpr double kGreatestSoundSpeed = 20000;
 
-/// How a surface scatters and reflects sound in the `calibrated` model; the formulas are those of backscatter.h.
+/// How a surface scatters and reflects sound in the `calibrated` model; the formulas are those of
+/// acoustics/backscatter.h.
 struct Scattering {
   double lambert = 0;     ///< Lambert parameter mu [1/sr]: the diffuse cross section is mu cos^2(incidence).
   double reflection = 0;  ///< |R| at normal incidence, of the facet lobe and of reflected rays.
@@ -35,29 +36,36 @@ void visit_material_fields(Self& self, Visit&& visit) {
   visit(Field{"sound_speed", "m/s", above_to(0, kGreatestSoundSpeed), "Speed of compressional waves."},
         self.sound_speed);
   visit(Field{"reflectivity", "", from_to(0, 1),
-              "Amplitude reflectivity of the paper model; from the impedance when absent."},
+              "Amplitude reflectivity of the paper model; from the impedance when absent.", ActsIn::kPaper,
+              "reflection for mirrors and glints, lambert_db for diffuse echoes"},
         self.reflectivity);
   visit(Field{"lambert_db", "dB", from_to(-200, kGreatestLambertDb),
-              "Diffuse part: 10 log10 of the Lambert parameter mu (calibrated model)."},
+              "Diffuse part: 10 log10 of the Lambert parameter mu (calibrated model).", ActsIn::kCalibrated,
+              "reflectivity"},
         self.lambert_db);
   visit(Field{"reflection", "", from_to(0, 1),
               "Magnitude of the pressure reflection coefficient at normal incidence (calibrated model); from density, "
-              "sound speed and thickness when absent."},
+              "sound speed and thickness when absent.",
+              ActsIn::kCalibrated, "reflectivity"},
         self.reflection);
   visit(Field{"thickness", "m", above_to(0, 1000),
-              "Thickness of a plate with water on both sides (calibrated model); solid when absent."},
+              "Thickness of a plate with water on both sides (calibrated model); solid when absent.",
+              ActsIn::kCalibrated, "reflectivity"},
         self.thickness);
   visit(Field{"rms_slope", "", from_to(0.005, 1),
               "Root mean square slope of its small facets along each axis, which sets the width of the specular lobe "
-              "(calibrated model)."},
+              "(calibrated model).",
+              ActsIn::kCalibrated, "reflectivity"},
         self.rms_slope);
   visit(Field{"clutter_shape", "", from_to(0.1, 1000),
               "Shape of K-distributed clutter; a smaller one is patchier (calibrated model, with speckle); none when "
-              "absent."},
+              "absent.",
+              ActsIn::kCalibrated},
         self.clutter_shape);
   visit(Field{"scatterer_density", "1/m^2", above_to(0, 1e9),
               "Equal scatterers per unit area; where a cell holds few, its speckle is not Gaussian (calibrated model, "
-              "with speckle); unlimited when absent."},
+              "with speckle); unlimited when absent.",
+              ActsIn::kCalibrated},
         self.scatterer_density);
 }
 

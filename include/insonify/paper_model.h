@@ -32,19 +32,22 @@ struct PaperModel {
 
   template <typename Self, typename Visit>
   static void visit_fields(Self& self, Visit&& visit) {
-    visit(Field{"sigmoid", "", {}, "logistic, authors (their code's) or none."}, self.sigmoid);
-    visit(Field{"sigmoid_midpoint", "", from_to(0, 1), "Echo strength that is drawn at half (logistic)."},
-          self.sigmoid_midpoint);
-    visit(Field{"sigmoid_slope", "", above_to(0, 1e6),
-                "Steepness of the sigmoid, four times its slope at the midpoint (logistic)."},
-          self.sigmoid_slope);
-    visit(Field{"multiplicative_mean", "", from_to(0, 1e6), "Mean of the multiplicative noise."},
-          self.multiplicative_mean);
-    visit(Field{"multiplicative_deviation", "", from_to(0, 1e6), "Standard deviation of the multiplicative noise."},
-          self.multiplicative_deviation);
+    visit(Field{"sigmoid", "", {}, "logistic, authors (their code's) or none.", ActsIn::kPaper}, self.sigmoid);
     visit(
-        Field{"additive_deviation", "", from_to(0, 1e6), "Standard deviation of the additive noise, whose mean is 0."},
-        self.additive_deviation);
+        Field{"sigmoid_midpoint", "", from_to(0, 1), "Echo strength that is drawn at half (logistic).", ActsIn::kPaper},
+        self.sigmoid_midpoint);
+    visit(Field{"sigmoid_slope", "", above_to(0, 1e6),
+                "Steepness of the sigmoid, four times its slope at the midpoint (logistic).", ActsIn::kPaper},
+          self.sigmoid_slope);
+    visit(Field{"multiplicative_mean", "", from_to(0, 1e6), "Mean of the multiplicative noise.", ActsIn::kPaper,
+                "receiver.gains_db"},
+          self.multiplicative_mean);
+    visit(Field{"multiplicative_deviation", "", from_to(0, 1e6), "Standard deviation of the multiplicative noise.",
+                ActsIn::kPaper, "receiver.speckle"},
+          self.multiplicative_deviation);
+    visit(Field{"additive_deviation", "", from_to(0, 1e6), "Standard deviation of the additive noise, whose mean is 0.",
+                ActsIn::kPaper, "receiver.ambient_noise_db"},
+          self.additive_deviation);
   }
 };
 

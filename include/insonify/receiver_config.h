@@ -4,6 +4,7 @@
 
 #include <numbers>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "insonify/array_pattern.h"
@@ -58,75 +59,105 @@ struct ReceiverConfig {
   /// Gain at a range > 0 [m], from time_varied_gain or from the table [dB]; 0 without either.
   [[nodiscard]] double gain_db(double range, double absorption_db_per_m) const;
 
+  /// @param object  Name of this receiver in messages.
   /// @throws Error on the first field that is out of limits or does not go with another.
-  void validate() const;
+  void validate(std::string_view object = "receiver") const;
 
   template <typename Self, typename Visit>
   static void visit_fields(Self& self, Visit&& visit) {
     visit(Field{"noise", "", {}, "Whether noise is drawn: the paper model's own, or thermal noise (calibrated)."},
           self.noise);
-    visit(
-        Field{"ambient_noise_db", "dB", from_to(-100, 200),
-              "Spectral level at the carrier of noise besides thermal, re 1 uPa^2/Hz (calibrated); none when absent."},
-        self.ambient_noise_db);
-    visit(Field{"speckle", "", {}, "Whether echoes interfere, as a coherent sonar receives them (calibrated)."},
+    visit(Field{"ambient_noise_db", "dB", from_to(-100, 200),
+                "Spectral level at the carrier of noise besides thermal, re 1 uPa^2/Hz (calibrated); none when absent.",
+                ActsIn::kCalibrated, "paper.additive_deviation"},
+          self.ambient_noise_db);
+    visit(Field{"speckle",
+                "",
+                {},
+                "Whether echoes interfere, as a coherent sonar receives them (calibrated).",
+                ActsIn::kCalibrated,
+                "paper.multiplicative_deviation"},
           self.speckle);
     visit(Field{"azimuth_pattern",
                 "",
                 {},
                 "Beam pattern across bearings: top_hat, or the window of a line array "
-                "(calibrated)."},
+                "(calibrated).",
+                ActsIn::kCalibrated},
           self.azimuth_pattern);
     visit(Field{"elevation_pattern",
                 "",
                 {},
                 "Transmit and receive pattern across elevations: top_hat, or the window of an array that is "
-                "elevation_aperture wide at half power, one way (calibrated)."},
+                "elevation_aperture wide at half power, one way (calibrated).",
+                ActsIn::kCalibrated},
           self.elevation_pattern);
-    visit(Field{"side_lobe_db", "dB", from_to(-100, -15), "Side lobes re the main lobe (taylor, dolph_chebyshev)."},
+    visit(Field{"side_lobe_db", "dB", from_to(-100, -15), "Side lobes re the main lobe (taylor, dolph_chebyshev).",
+                ActsIn::kCalibrated},
           self.side_lobe_db);
     visit(Field{"beam_shape",
                 "",
                 {},
                 "wedge (a beam has one azimuth at all elevations) or cone (around the array, as real line arrays: "
-                "sin(azimuth) cos(elevation) is constant) (calibrated)."},
+                "sin(azimuth) cos(elevation) is constant) (calibrated).",
+                ActsIn::kCalibrated},
           self.beam_shape);
-    visit(Field{"elements", "", from_to(0, 1024), "Elements of the azimuth_pattern's array; 0: a continuous line."},
+    visit(Field{"elements", "", from_to(0, 1024), "Elements of the azimuth_pattern's array; 0: a continuous line.",
+                ActsIn::kCalibrated},
           self.elements);
-    visit(Field{"element_error_db", "dB", from_to(0, 20), "Standard deviation of their amplitudes, drawn by the seed."},
+    visit(Field{"element_error_db", "dB", from_to(0, 20), "Standard deviation of their amplitudes, drawn by the seed.",
+                ActsIn::kCalibrated},
           self.element_error_db);
-    visit(Field{"element_error", "rad", from_to(0, std::numbers::pi), "Standard deviation of their phases."},
+    visit(Field{"element_error", "rad", from_to(0, std::numbers::pi), "Standard deviation of their phases.",
+                ActsIn::kCalibrated},
           self.element_error);
-    visit(Field{"dead_elements", "", from_to(0, 1023), "Elements that receive nothing, from 0 at the port end."},
+    visit(Field{"dead_elements", "", from_to(0, 1023), "Elements that receive nothing, from 0 at the port end.",
+                ActsIn::kCalibrated},
           self.dead_elements);
     visit(Field{"pulse",
                 "",
                 {},
                 "none (as long as a bin), cw (a tone) or lfm (a chirp), matched-filtered "
-                "(calibrated)."},
+                "(calibrated).",
+                ActsIn::kCalibrated},
           self.pulse);
-    visit(Field{"pulse_duration", "s", above_to(0, 1), "Duration of the tone or the chirp."}, self.pulse_duration);
-    visit(Field{"pulse_bandwidth", "Hz", above_to(0, 1e7), "Bandwidth of the chirp."}, self.pulse_bandwidth);
+    visit(Field{"pulse_duration", "s", above_to(0, 1), "Duration of the tone or the chirp.", ActsIn::kCalibrated},
+          self.pulse_duration);
+    visit(Field{"pulse_bandwidth", "Hz", above_to(0, 1e7), "Bandwidth of the chirp.", ActsIn::kCalibrated},
+          self.pulse_bandwidth);
     visit(Field{"time_varied_gain", "dB/decade", from_to(0, 60),
                 "X of the gain X log10(r / 1 m) + 2 alpha r applied to recorded intensities (calibrated); no gain when "
-                "absent."},
+                "absent.",
+                ActsIn::kCalibrated, "a sonar's gain"},
           self.time_varied_gain);
     visit(Field{"gain_ranges", "m", from_to(0, 1e5),
-                "Rising ranges of a table of gain, instead of time_varied_gain (calibrated)."},
+                "Rising ranges of a table of gain, instead of time_varied_gain (calibrated).", ActsIn::kCalibrated,
+                "a sonar's gain"},
           self.gain_ranges);
     visit(Field{"gains_db", "dB", from_to(-300, 300),
-                "Gain at each of gain_ranges; linear between them, constant beyond."},
+                "Gain at each of gain_ranges; linear between them, constant beyond.", ActsIn::kCalibrated,
+                "a sonar's gain"},
           self.gains_db);
     visit(Field{"saturation_db", "dB", from_to(-400, 100),
                 "Level re the source's at 1 m at which the receiver's input saturates (calibrated); never when "
-                "absent."},
+                "absent.",
+                ActsIn::kCalibrated},
           self.saturation_db);
-    visit(Field{"field", "", {}, "Whether to record the complex field as well (calibrated, with speckle)."},
+    visit(Field{"field",
+                "",
+                {},
+                "Whether to record the complex field as well (calibrated, with speckle).",
+                ActsIn::kCalibrated},
           self.field);
-    visit(Field{"counts", "", {}, "Whether to record counts as well, by the sonar's bits and mapping (calibrated)."},
+    visit(Field{"counts",
+                "",
+                {},
+                "Whether to record counts as well, by the sonar's bits and mapping (calibrated).",
+                ActsIn::kCalibrated},
           self.counts);
-    visit(Field{"full_scale_db", "dB", from_to(-400, 400), "Recorded level of the greatest count."},
-          self.full_scale_db);
+    visit(
+        Field{"full_scale_db", "dB", from_to(-400, 400), "Recorded level of the greatest count.", ActsIn::kCalibrated},
+        self.full_scale_db);
   }
 };
 

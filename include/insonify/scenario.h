@@ -48,7 +48,6 @@ struct Trajectory {
 struct Motion {
   std::string object = {};     ///< A model, link or visual by its scoped name.
   Trajectory trajectory = {};  ///< Where the object's own frame is; its parts move with it.
-  std::string where = {};      ///< "path:line:column: " for messages, may be "".
 
   template <typename Self, typename Visit>
   static void visit_fields(Self& self, Visit&& visit) {
@@ -83,9 +82,9 @@ struct Scenario {
   /// The file as read, with --set applied, which recordings hold. A program that changes a scenario it has read clears
   /// this: recordings hold to_yaml() where it is empty.
   std::string text;
+  Places places;  ///< Where its settings stand in the file, for messages; empty when made in code.
 
   std::filesystem::path world;  ///< SDF world or model, or mesh file; absolute. Empty for open water.
-  std::string world_where;      ///< "path:line:column: " of that entry, for messages.
   bool collisions = false;      ///< Insonify the world's collision shapes instead of its visuals.
   EchoModel model = EchoModel::kCalibrated;
   std::string engine = "cpu";
@@ -102,7 +101,7 @@ struct Scenario {
 
   Water water;
   PaperModel paper;
-  ReceiverConfig receiver;
+  ReceiverConfig receiver;  ///< Of all sonars that have none of their own.
   MaterialRules materials;
   std::vector<PointTarget> points;      ///< Calibrated model only.
   std::vector<Interferer> interferers;  ///< Calibrated model only.
@@ -112,8 +111,14 @@ struct Scenario {
   std::vector<Motion> motions;
   std::optional<ViewConfig> view;  ///< Chosen to show the first sonar's field when absent.
 
-  /// Whether columns are wedges whose rows are even, which is what triangles can be drawn into; see primary_echoes().
-  [[nodiscard]] bool has_even_rows() const;
+  /// The receiver of one of its sonars: the sonar's own, or `receiver`.
+  [[nodiscard]] const ReceiverConfig& receiver_of(const SonarConfig& sonar) const {
+    return sonar.receiver ? *sonar.receiver : receiver;
+  }
+
+  /// Whether a sonar's columns are wedges whose rows are even, which is what triangles can be drawn into; see
+  /// primary_echoes().
+  [[nodiscard]] bool has_even_rows(const SonarConfig& sonar) const;
 
   /// The water around one of its sonars: `water`, and where there is a `surface`, at the depth below it that the sonar
   /// has at the start of the trajectory. All that depends on the speed or the absorption of sound takes it from here.
@@ -195,14 +200,17 @@ template <typename Self, typename Visit>
 void Scenario::visit_parts(Self& self, Visit&& visit) {
   visit(Part{"water", "map", "The water: see `water`.", "The water, alike everywhere."}, self.water);
   visit(Part{"materials", "map of material or visual names", "What surfaces are made of: see `materials`.",
-             "One entry for each name of a visual or a material: `hull: steel` or `hull: {like: steel, reflectivity: "
-             "0.9}`."},
+             "One entry for each name of a visual or a material: `hull: steel` or `hull: {like: steel, lambert_db: "
+             "-15}`."},
         self.materials.overrides);
   visit(Part{"sonars", "list of sonars", "The sonars, at least one: see `sonars`.",
              "One entry for each sonar. The keys beside `preset` override it; without one, the defaults below hold. "
              "With a preset, `bin_count` and `ping_period` follow from the range unless given."},
         self.sonars);
-  visit(Part{"receiver", "map", "What the receiver adds: see `receiver`.", "What the receiver adds, in every model."},
+  visit(Part{"receiver", "map", "What the receiver adds: see `receiver`.",
+             "What the receiver adds. A sonar may have its own `receiver`, which starts from this one. In the paper "
+             "model only "
+             "`noise` has an effect."},
         self.receiver);
   visit(Part{"paper", "map", "The paper model's settings: see `paper`.", "Settings of the paper model."}, self.paper);
   visit(Part{"surface", "map", "The water's surface, none where not named: see `surface`.",
@@ -215,10 +223,12 @@ void Scenario::visit_parts(Self& self, Visit&& visit) {
       Part{"interferers", "list of other sonars", "Other sonars that are heard (calibrated model): see `interferers`.",
            "One entry for each other sonar that is heard (calibrated model)."},
       self.interferers);
-  visit(Part{"trajectory", "list of waypoints", "How the vehicle moves: see `trajectory`.",
-             "One entry for each waypoint, in order of time. Between two, the vehicle moves straight and turns evenly; "
-             "before the first and after the last it stands still."},
-        self.trajectory.waypoints);
+  visit(
+      Part{"trajectory", "list of waypoints", "How the vehicle moves: see `trajectory`.",
+           "One entry for each waypoint, in order of time. Between two, the vehicle moves straight and turns evenly; "
+           "before the first and after the last it stands still. Instead of the list, a CSV or TUM file: `trajectory: "
+           "log.csv` or `trajectory: {file: log.tum, start: 100}` ([trajectory files](trajectories.md))."},
+      self.trajectory.waypoints);
   visit(Part{"motions", "list of motions", "What else moves: see `motions`.",
              "One entry for each object of the world that moves."},
         self.motions);

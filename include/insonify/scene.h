@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "insonify/error.h"
 #include "insonify/field.h"
 #include "insonify/log.h"
 #include "insonify/material.h"
@@ -21,8 +22,7 @@ struct Instance {
   std::string name = {};                  ///< Scoped as in SDF: "ship::hull::visual"; the file's stem for a bare mesh.
   std::shared_ptr<const Mesh> mesh = {};  ///< Never null.
   Pose world_from_mesh = {};
-  std::string user_material = {};  ///< Set by the user for the whole instance, "" when not; must resolve.
-  std::string where = {};          ///< "path:line:column: " of what set user_material, for messages; may be "".
+  std::string user_material = {};             ///< Set by the user for the whole instance, "" when not; must resolve.
   std::vector<std::uint16_t> materials = {};  ///< Index into Scene::materials for each of the mesh's slots.
   std::vector<std::shared_ptr<const Relief>> reliefs = {};  ///< Relief of each slot, null for none; empty: none at all.
   bool moving = false;   ///< Whether its pose may change between pings; engines keep it separate from static instances.
@@ -49,8 +49,6 @@ struct MaterialOverride {
   std::optional<double> scatterer_density = {};  ///< [1/m^2]
   ReliefConfig relief_config = {};               ///< Description from which load_scene() makes `relief`.
   std::shared_ptr<const Relief> relief = {};
-  std::string where = {};       ///< "path:line:column: " of the entry for messages, may be "".
-  std::string like_where = {};  ///< The same for `like`, if it has a place of its own.
 
   template <typename Self, typename Visit>
   static void visit_fields(Self& self, Visit&& visit) {
@@ -65,7 +63,6 @@ struct MaterialOverride {
 struct MaterialRules {
   std::map<std::string, MaterialOverride> overrides = {};
   std::string default_material = "sand";  ///< For material names in meshes that match nothing.
-  std::string default_where = {};         ///< "path:line:column: " of default_material for messages, may be "".
 
   template <typename Self, typename Visit>
   static void visit_fields(Self& self, Visit&& visit) {
@@ -83,6 +80,7 @@ struct Box3 {
 struct Scene {
   std::vector<Material> materials;  ///< The materials in use. At most 65535.
   std::vector<Instance> instances;  ///< At most 65535.
+  Places places = {};               ///< Where the file sets an instance's user_material, by its name; for messages.
 
   [[nodiscard]] std::size_t triangle_count() const;
   [[nodiscard]] Box3 bounds() const;

@@ -9,6 +9,7 @@
 
 #include "insonify/field.h"
 #include "insonify/geometry.h"
+#include "insonify/receiver_config.h"
 
 namespace insonify {
 
@@ -97,6 +98,9 @@ struct SonarConfig {
 
   Sampling sampling;
 
+  /// Receiver of this instrument; absent: that of the scenario, from which a file's `receiver` of a sonar starts.
+  std::optional<ReceiverConfig> receiver = {};
+
   [[nodiscard]] double bin_length() const { return (max_range - min_range) / bin_count; }           ///< [m]
   [[nodiscard]] double bin_range(int bin) const { return min_range + (bin + 0.5) * bin_length(); }  ///< Centre [m].
 
@@ -138,6 +142,10 @@ struct SonarConfig {
     visit(Part{"sampling", "map", "How finely the fan is sampled: see `sampling`.",
                "Part of a sonar. More samples resolve finer detail and take more time."},
           self.sampling);
+    visit(
+        Part{"receiver", "map",
+             "Receiver of this sonar, as `receiver`; what it does not give is that of the scenario's `receiver`.", ""},
+        self.receiver);
   }
 };
 
@@ -151,9 +159,11 @@ void SonarConfig::visit_fields(Self& self, Visit&& visit) {
   visit(Field{"type", "", {}, "fls (the whole fan at once) or msis (one beam, turned by a step each ping)."},
         self.type);
   visit(Field{"frequency", "Hz", above_to(0, 1e8), "Carrier frequency."}, self.frequency);
-  visit(Field{"source_level_db", "dB", from_to(100, 260), "Source level re 1 uPa at 1 m, on the acoustic axis."},
+  visit(Field{"source_level_db", "dB", from_to(100, 260), "Source level re 1 uPa at 1 m, on the acoustic axis.",
+              ActsIn::kCalibrated, "gain"},
         self.source_level_db);
-  visit(Field{"bandwidth", "Hz", above_to(0, 1e8), "Bandwidth of the receiver, for noise (calibrated model)."},
+  visit(Field{"bandwidth", "Hz", above_to(0, 1e8), "Bandwidth of the receiver, for noise (calibrated model).",
+              ActsIn::kCalibrated, "paper.additive_deviation"},
         self.bandwidth);
   visit(Field{"beam_count", "", from_to(1, 4096), "Beams across the azimuth aperture."}, self.beam_count);
   visit(Field{"azimuth_aperture", "rad", above_to(0, 2 * kPi), "Full width of the fan."}, self.azimuth_aperture);
@@ -163,7 +173,8 @@ void SonarConfig::visit_fields(Self& self, Visit&& visit) {
         self.beam_azimuths);
   visit(Field{"azimuth_resolution", "rad", above_to(0, 0.5 * kPi),
               "Width at half power of the unsteered beam, one way; the beam spacing when absent (calibrated model, "
-              "with an azimuth_pattern)."},
+              "with an azimuth_pattern).",
+              ActsIn::kCalibrated},
         self.azimuth_resolution);
   visit(Field{"elevation_aperture", "rad", above_to(0, radians_from_degrees(170)),
               "Full height of every beam; at half power, one way, with an elevation_pattern."},
@@ -177,15 +188,23 @@ void SonarConfig::visit_fields(Self& self, Visit&& visit) {
   visit(Field{"blanking_range", "m", from_to(0, 1e5),
               "Near field: the gain of amplitudes rises linearly from 0 at min_range to 1 here."},
         self.blanking_range);
-  visit(Field{"gain", "", above_to(0, 1e9), "Multiplies the intensity before it is clipped to 1 (paper model)."},
-        self.gain);
-  visit(Field{"bits", "", from_to(1, 16), "Bits of a count (receiver.counts)."}, self.bits);
-  visit(Field{"mapping", "", {}, "gamma (counts follow a power of amplitude) or logarithmic (decibels)."},
+  visit(
+      Field{"gain", "", above_to(0, 1e9), "Multiplies the intensity before it is clipped to 1 (paper model).",
+            ActsIn::kPaper, "receiver.gain_ranges and receiver.gains_db for levels, receiver.full_scale_db for counts"},
+      self.gain);
+  visit(Field{"bits", "", from_to(1, 16), "Bits of a count (receiver.counts).", ActsIn::kCalibrated}, self.bits);
+  visit(Field{"mapping",
+              "",
+              {},
+              "gamma (counts follow a power of amplitude) or logarithmic (decibels).",
+              ActsIn::kCalibrated},
         self.mapping);
-  visit(Field{"mapping_range_db", "dB", above_to(0, 300), "Level range from count 0 to full scale (logarithmic)."},
+  visit(Field{"mapping_range_db", "dB", above_to(0, 300), "Level range from count 0 to full scale (logarithmic).",
+              ActsIn::kCalibrated},
         self.mapping_range_db);
-  visit(Field{"mapping_exponent", "", above_to(0, 4), "Exponent of amplitude; 1 is linear (gamma)."},
-        self.mapping_exponent);
+  visit(
+      Field{"mapping_exponent", "", above_to(0, 4), "Exponent of amplitude; 1 is linear (gamma).", ActsIn::kCalibrated},
+      self.mapping_exponent);
   visit(Field{"assumed_sound_speed", "m/s", from_to(1300, 1700),
               "Sound speed with which the sonar converts time to range; the true one when absent."},
         self.assumed_sound_speed);

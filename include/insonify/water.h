@@ -8,8 +8,8 @@
 
 namespace insonify {
 
-/// A homogeneous body of water. Limits are those of the absorption formula (absorption.h) and, for salinity 0, of the
-/// sound-speed formula (sound_speed.h).
+/// A homogeneous body of water. Limits are those of the absorption formula (acoustics/absorption.h) and, for salinity
+/// 0, of the sound-speed formula (acoustics/sound_speed.h).
 struct Water {
   double temperature_c = 10.0;             ///< Temperature [degC], -6..35.
   double salinity = 35.0;                  ///< Practical salinity [PSU], 0..50. Zero is fresh water.
@@ -49,7 +49,8 @@ struct Water {
     visit(
         Field{"volume_backscatter_db", "dB", from_to(-150, -20),
               "Volume backscattering strength S_v re 1/m: -85 in clear, -70 in coastal, -50 in turbid water; no volume "
-              "reverberation when absent (calibrated model)."},
+              "reverberation when absent (calibrated model).",
+              ActsIn::kCalibrated},
         self.volume_backscatter_db);
   }
 };

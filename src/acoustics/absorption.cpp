@@ -1,6 +1,6 @@
 // absorption.cpp -- absorption of sound in water, after Ainslie and McColm and after Francois and Garrison.
 
-#include "insonify/absorption.h"
+#include "insonify/acoustics/absorption.h"
 
 #include <cassert>
 #include <cmath>

@@ -1,6 +1,6 @@
 // backscatter.cpp -- the two scattering laws of a rough surface: Lambert's (diffuse) and Kirchhoff's facets (specular).
 
-#include "insonify/backscatter.h"
+#include "insonify/acoustics/backscatter.h"
 
 #include <cmath>
 #include <numbers>

@@ -1,6 +1,6 @@
 // bottom_scattering.cpp -- the six-parameter model of bottom backscatter of APL-UW TR 9407, section IV.C.
 
-#include "insonify/bottom_scattering.h"
+#include "insonify/acoustics/bottom_scattering.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 // reflection.cpp -- reflection by half-spaces, plates and absorbing bottoms.
 
-#include "insonify/reflection.h"
+#include "insonify/acoustics/reflection.h"
 
 #include <cassert>
 #include <cmath>

@@ -1,6 +1,6 @@
 // sediment.cpp -- the report's regressions against grain size, and the table of sediments made from them.
 
-#include "insonify/sediment.h"
+#include "insonify/acoustics/sediment.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,7 @@
 
 #include "acoustics/argument.h"
 #include "base/canonical_name.h"
-#include "insonify/reflection.h"
+#include "insonify/acoustics/reflection.h"
 
 namespace insonify {
 namespace {

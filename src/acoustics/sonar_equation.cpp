@@ -1,6 +1,6 @@
 // sonar_equation.cpp -- the sonar equation, and closed forms of the echo of a floor, a wall and the water.
 
-#include "insonify/sonar_equation.h"
+#include "insonify/acoustics/sonar_equation.h"
 
 #include <fmt/format.h>
 
@@ -11,7 +11,7 @@
 #include <string_view>
 
 #include "acoustics/argument.h"
-#include "insonify/absorption.h"
+#include "insonify/acoustics/absorption.h"
 #include "insonify/error.h"
 
 namespace insonify {

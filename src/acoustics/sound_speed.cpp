@@ -1,6 +1,6 @@
 // sound_speed.cpp -- published formulas for the sound speed of water, and sound paths in a constant gradient.
 
-#include "insonify/sound_speed.h"
+#include "insonify/acoustics/sound_speed.h"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 // surface_scattering.cpp -- scattering by the sea surface after APL-UW TR 9407, and after Chapman and Harris.
 
-#include "insonify/surface_scattering.h"
+#include "insonify/acoustics/surface_scattering.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "acoustics/argument.h"
-#include "insonify/backscatter.h"
+#include "insonify/acoustics/backscatter.h"
 #include "insonify/geometry.h"
 
 namespace insonify {

@@ -1,6 +1,6 @@
 // target_strength.cpp -- closed forms of the backscattering cross section of bodies of simple shape.
 
-#include "insonify/target_strength.h"
+#include "insonify/acoustics/target_strength.h"
 
 #include <cmath>
 #include <numbers>

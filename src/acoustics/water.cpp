@@ -2,8 +2,8 @@
 
 #include "insonify/water.h"
 
-#include "insonify/absorption.h"
-#include "insonify/sound_speed.h"
+#include "insonify/acoustics/absorption.h"
+#include "insonify/acoustics/sound_speed.h"
 
 namespace insonify {
 

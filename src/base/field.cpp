@@ -68,9 +68,9 @@ void check_field(std::string_view object, const Field& field, double value, int 
   const std::string must = limits == "any finite number"
                                ? "a finite number"
                                : (std::isinf(value) ? "finite and " : "") + with_unit(limits, file_unit_of(field));
-  const std::string name = (object.empty() ? "" : std::string(object) + ".") + file_name_of(field) +
-                           (index < 0 ? "" : fmt::format("[{}]", index));
-  throw Error(fmt::format("{} = {} must be {}", name, with_unit(number(value * scale), file_unit_of(field)), must));
+  const std::string name = file_name_of(field) + (index < 0 ? "" : fmt::format("[{}]", index));
+  throw Error(object, name,
+              fmt::format(" = {} must be {}", with_unit(number(value * scale), file_unit_of(field)), must));
 }
 
 }  // namespace insonify

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "insonify/absorption.h"
-#include "insonify/sonar_equation.h"
+#include "insonify/acoustics/absorption.h"
+#include "insonify/acoustics/sonar_equation.h"
 #include "receiver/calibrated_receiver.h"
 #include "receiver/line_array.h"
 

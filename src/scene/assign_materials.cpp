@@ -32,12 +32,15 @@ std::string_view last_part(std::string_view scoped_name) {
 }
 
 // The error for an unknown material name that the user wrote.
-Error unknown_material(std::string_view subject, std::string_view name, const Defined& defined) {
+// @param what  What stands between the name of the setting and its value.
+Error unknown_material(std::string_view object, std::string_view field, std::string_view what, std::string_view name,
+                       const Defined& defined) {
   std::vector<std::string> names = known_material_names();
   for (const auto& [meaning, material] : defined) {
     names.push_back(material.name);
   }
-  return Error(fmt::format("{} = {} is not a known material{}", subject, printable(name), suggestion(name, names)));
+  return {object, field,
+          fmt::format("{} = {} is not a known material{}", what, printable(name), suggestion(name, names))};
 }
 
 const Material* find_by_name(std::string_view name, const Defined& defined) {
@@ -55,8 +58,7 @@ const Material* named_base(const std::string& key, const MaterialOverride& chang
   if (const Material* like = find_material(change.like)) {
     return like;
   }
-  const std::string& where = change.like_where.empty() ? change.where : change.like_where;
-  throw unknown_material(fmt::format("{}materials.{}.like", where, printable(key)), change.like, {});
+  throw unknown_material("materials." + key, "like", "", change.like, {});
 }
 
 Material changed(Material base, const std::string& key, const MaterialOverride& change) {
@@ -72,15 +74,15 @@ Material changed(Material base, const std::string& key, const MaterialOverride& 
   base.clutter_shape = change.clutter_shape ? change.clutter_shape : base.clutter_shape;
   base.scatterer_density = change.scatterer_density ? change.scatterer_density : base.scatterer_density;
   base.relief = change.relief;
-  check_fields(fmt::format("{}materials.{}", change.where, key), base);
+  check_fields("materials." + key, base);
   return base;
 }
 
-void define(Defined& defined, Material material, const MaterialOverride& change) {
+void define(Defined& defined, const Material& material) {
   const auto [entry, is_new] = defined.emplace(meaning_of(material.name), material);
   if (!is_new) {
-    throw Error(fmt::format("{}materials.{} means the same as materials.{}", change.where, printable(material.name),
-                            printable(entry->second.name)));
+    throw Error("materials." + material.name, "",
+                fmt::format(" means the same as materials.{}", printable(entry->second.name)));
   }
 }
 
@@ -91,11 +93,12 @@ Material default_base(const MaterialRules& rules, const Defined& defined) {
   }
   for (const auto& [key, change] : rules.overrides) {
     if (meaning_of(key) == meaning_of(rules.default_material)) {
-      throw Error(fmt::format("{}default_material = {} starts from no known material: materials.{}.like is missing",
-                              rules.default_where, printable(rules.default_material), printable(key)));
+      throw Error("", "default_material",
+                  fmt::format(" = {} starts from no known material: materials.{}.like is missing",
+                              printable(rules.default_material), printable(key)));
     }
   }
-  throw unknown_material(rules.default_where + "default_material", rules.default_material, defined);
+  throw unknown_material("", "default_material", "", rules.default_material, defined);
 }
 
 // Defines first the overrides that start from a library material, because the default may be one of them; then those
@@ -104,13 +107,13 @@ Defined define_materials(const MaterialRules& rules) {
   Defined defined;
   for (const auto& [key, change] : rules.overrides) {
     if (const Material* base = named_base(key, change)) {
-      define(defined, changed(*base, key, change), change);
+      define(defined, changed(*base, key, change));
     }
   }
   const Material base = default_base(rules, defined);
   for (const auto& [key, change] : rules.overrides) {
     if (!named_base(key, change)) {
-      define(defined, changed(base, key, change), change);
+      define(defined, changed(base, key, change));
     }
   }
   return defined;
@@ -143,8 +146,8 @@ void check_keys(const Scene& scene, const MaterialRules& rules) {
         find_material(key) || meaning_of(key) == meaning_of(rules.default_material) ||
         std::ranges::any_of(scene.instances, [&key = key](const Instance& i) { return is_for(key, i); });
     if (!is_used) {
-      throw Error(fmt::format("{}materials.{} matches no visual and no material{}", change.where, printable(key),
-                              suggestion(key, names_to_override(scene))));
+      throw Error("materials." + key, "",
+                  fmt::format(" matches no visual and no material{}", suggestion(key, names_to_override(scene))));
     }
   }
 }
@@ -161,7 +164,8 @@ const Material* override_of_visual(const std::string& name, const MaterialRules&
 }
 
 // The material of a whole instance; null if it depends on the slot.
-const Material* material_of(const Instance& instance, const MaterialRules& rules, const Defined& defined) {
+const Material* material_of(const Instance& instance, const MaterialRules& rules, const Defined& defined,
+                            const Places& places) {
   if (const Material* of_visual = override_of_visual(instance.name, rules, defined)) {
     return of_visual;
   }
@@ -171,7 +175,7 @@ const Material* material_of(const Instance& instance, const MaterialRules& rules
   if (const Material* of_user = find_by_name(instance.user_material, defined)) {
     return of_user;
   }
-  throw unknown_material(fmt::format("{}{}: material", instance.where, instance.name), instance.user_material, defined);
+  throw unknown_material(instance.name, "", ": material", instance.user_material, defined).located(places);
 }
 
 std::uint16_t index_of(const Material& material, std::vector<Material>& in_use) {
@@ -219,7 +223,7 @@ void assign_materials(Scene& scene, const MaterialRules& rules, const Log& log) 
   scene.materials.clear();
   std::set<std::string> took_default;
   for (Instance& instance : scene.instances) {
-    const Material* whole = material_of(instance, rules, defined);
+    const Material* whole = material_of(instance, rules, defined, scene.places);
     instance.materials.clear();
     for (const std::string& name : instance.mesh->material_names) {
       const Material* material = whole ? whole : find_by_name(name, defined);

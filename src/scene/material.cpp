@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "base/canonical_name.h"
-#include "insonify/reflection.h"
+#include "insonify/acoustics/reflection.h"
 #include "scene/material_library.h"
 
 namespace insonify {

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <map>
 
+#include "insonify/acoustics/sediment.h"
 #include "insonify/material.h"
-#include "insonify/sediment.h"
 
 namespace insonify {
 namespace {

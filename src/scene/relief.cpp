@@ -15,7 +15,7 @@ constexpr double kLeastLength = 1e-3;  // Shortest length of a relief [m]: finer
 
 void require(bool good, const std::string& object, std::string_view key, std::string_view rest) {
   if (!good) {
-    throw Error(fmt::format("{}.{} {}", object, key, rest));
+    throw Error(object, key, fmt::format(" {}", rest));
   }
 }
 

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "insonify/acoustics/surface_scattering.h"
 #include "insonify/geometry.h"
-#include "insonify/surface_scattering.h"
 
 namespace insonify {
 namespace {

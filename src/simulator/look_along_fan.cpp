@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "echo/engine.h"
-#include "insonify/absorption.h"
+#include "insonify/acoustics/absorption.h"
 #include "insonify/error.h"
 #include "insonify/scene_view.h"
 #include "simulator/insonified_sector.h"

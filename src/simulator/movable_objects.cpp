@@ -62,13 +62,13 @@ void MovableObjects::add(std::span<const Motion> motions, Scene& scene) {
     const Motion& motion = motions[m];
     for (std::size_t i = 0; i < scene.instances.size(); ++i) {
       if (belongs_to(scene.instances[i], motion.object) && find_part(static_cast<int>(i)) != nullptr) {
-        throw Error(fmt::format("{}motions[{}].object = {} moves {} a second time", motion.where, m, motion.object,
-                                scene.instances[i].name));
+        throw Error(fmt::format("motions[{}]", m), "object",
+                    fmt::format(" = {} moves {} a second time", motion.object, scene.instances[i].name));
       }
     }
     if (add_object(motion.object, 0, motion.trajectory.at(0), scene).pieces.empty()) {
-      throw Error(fmt::format("{}motions[{}].object = {} is not in the world; there are {}", motion.where, m,
-                              motion.object, object_names(scene)));
+      throw Error(fmt::format("motions[{}]", m), "object",
+                  fmt::format(" = {} is not in the world; there are {}", motion.object, object_names(scene)));
     }
   }
 }

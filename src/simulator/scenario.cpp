@@ -30,7 +30,8 @@ void check_water(const Scenario& scenario) {
     constexpr double kMost = 7000;
     const double depth = scenario.water_at(scenario.sonars[i]).depth;
     if (depth > kMost) {
-      throw Error(fmt::format("surface.level = {:.7g} m puts sonars[{}] {:.7g} m deep; must be at most {:.7g} m",
+      throw Error("surface", "level",
+                  fmt::format(" = {:.7g} m puts sonars[{}] {:.7g} m deep; must be at most {:.7g} m",
                               scenario.surface->level, i, depth, kMost));
     }
   }
@@ -39,33 +40,37 @@ void check_water(const Scenario& scenario) {
 void check_ping_period(const std::string& object, const SonarConfig& sonar, const Water& water) {
   const double least = sonar.shortest_ping_period(sonar.assumed_sound_speed.value_or(water.true_sound_speed()));
   if (sonar.ping_period.has_value() && *sonar.ping_period < least) {
-    throw Error(fmt::format(
-        "{}.ping_period = {:.10g} s must be at least {:.10g} s, the time sound takes to max_range = {:.10g} m "
-        "and back",
-        object, *sonar.ping_period, rounded_up(least), sonar.max_range));
+    throw Error(object, "ping_period",
+                fmt::format(" = {:.10g} s must be at least {:.10g} s, the time sound takes to max_range = {:.10g} m "
+                            "and back",
+                            *sonar.ping_period, rounded_up(least), sonar.max_range),
+                {object + ".max_range"});
   }
 }
 
 void check_sonars(const Scenario& scenario) {
   const std::vector<SonarConfig>& sonars = scenario.sonars;
   if (sonars.empty()) {
-    throw Error("sonars must have at least one entry");
+    throw Error("", "sonars", " must have at least one entry");
   }
   for (std::size_t i = 0; i < sonars.size(); ++i) {
     const std::string object = fmt::format("sonars[{}]", i);
     const auto same = std::ranges::find(sonars.begin(), sonars.begin() + i, sonars[i].name, &SonarConfig::name);
     if (same != sonars.begin() + i) {
-      throw Error(fmt::format("{}.name = \"{}\" must differ from that of sonars[{}]", object, sonars[i].name,
-                              same - sonars.begin()));
+      throw Error(object, "name",
+                  fmt::format(" = \"{}\" must differ from that of sonars[{}]", sonars[i].name, same - sonars.begin()));
     }
     sonars[i].validate(object);
+    if (sonars[i].receiver) {
+      sonars[i].receiver->validate(object + ".receiver");
+    }
     check_ping_period(object, sonars[i], scenario.water_at(sonars[i]));
   }
 }
 
 // Whether there is an array of this pattern and width.
 template <typename MakeArray>
-void check_array(std::string_view key, BeamPattern pattern, const MakeArray& make_array) {
+void check_array(const std::string& object, std::string_view key, BeamPattern pattern, const MakeArray& make_array) {
   if (pattern == BeamPattern::kTopHat) {
     return;
   }
@@ -73,62 +78,72 @@ void check_array(std::string_view key, BeamPattern pattern, const MakeArray& mak
   try {
     array = make_array();
   } catch (const Error& error) {
-    throw Error(fmt::format("receiver.{} = {}", key, error.what()));
+    throw Error(object, key, fmt::format(" = {}", error.what()));
   }
-  array.validate("receiver");
+  array.validate(object);
 }
 
 // Bearings of an array are told by their sines.
-void check_fan(std::string_view key, std::string_view only, std::size_t index, const SonarConfig& sonar) {
+void check_fan(const std::string& object, std::string_view key, std::string_view only, std::size_t index,
+               const SonarConfig& sonar) {
   if (sonar.azimuth_aperture > std::numbers::pi) {
-    throw Error(fmt::format("receiver.{} must be {} for fans of more than 180 deg; sonars[{}] has {:.4g}", key, only,
-                            index, degrees_from_radians(sonar.azimuth_aperture)));
+    throw Error(object, key,
+                fmt::format(" must be {} for fans of more than 180 deg; sonars[{}] has {:.4g}", only, index,
+                            degrees_from_radians(sonar.azimuth_aperture)),
+                {fmt::format("sonars[{}].azimuth_aperture_deg", index)});
   }
 }
 
-void check_beams(const Scenario& scenario) {
-  const ReceiverConfig& receiver = scenario.receiver;
-  for (std::size_t i = 0; i < scenario.sonars.size(); ++i) {
-    const SonarConfig& sonar = scenario.sonars[i];
-    if (receiver.azimuth_pattern != BeamPattern::kTopHat) {
-      check_fan("azimuth_pattern", "top_hat", i, sonar);
-    }
-    if (receiver.beam_shape == BeamShape::kCone) {
-      check_fan("beam_shape", "wedge", i, sonar);
-    }
-    check_array("azimuth_pattern", receiver.azimuth_pattern, [&] { return azimuth_array(receiver, sonar); });
-    check_array("elevation_pattern", receiver.elevation_pattern, [&] {
-      return line_array(receiver.elevation_pattern, receiver.side_lobe_db, sonar.elevation_aperture);
-    });
+void check_beams(const std::string& object, const ReceiverConfig& receiver, std::size_t index,
+                 const SonarConfig& sonar) {
+  if (receiver.azimuth_pattern != BeamPattern::kTopHat) {
+    check_fan(object, "azimuth_pattern", "top_hat", index, sonar);
   }
-  if (scenario.primary == PrimaryEchoes::kRaster && !scenario.has_even_rows()) {
-    throw Error(
-        "primary = raster needs receiver.beam_shape = wedge and receiver.elevation_pattern = top_hat; auto or rays "
-        "takes any");
+  if (receiver.beam_shape == BeamShape::kCone) {
+    check_fan(object, "beam_shape", "wedge", index, sonar);
   }
+  check_array(object, "azimuth_pattern", receiver.azimuth_pattern, [&] { return azimuth_array(receiver, sonar); });
+  check_array(object, "elevation_pattern", receiver.elevation_pattern,
+              [&] { return line_array(receiver.elevation_pattern, receiver.side_lobe_db, sonar.elevation_aperture); });
 }
 
 // Gains are multiplied into single precision, which ends at 385 dB.
-void check_gains(const Scenario& scenario) {
+void check_gain(const std::string& object, const ReceiverConfig& receiver, std::size_t index, const SonarConfig& sonar,
+                const Water& water) {
   constexpr double kMost = 300;
+  const double range = sonar.bin_range(sonar.bin_count - 1);
+  const double gain = receiver.gain_db(range, water.absorption_db_per_m_at(sonar.frequency));
+  if (gain > kMost) {
+    throw Error(
+        object, receiver.time_varied_gain ? "time_varied_gain" : "gains_db",
+        fmt::format(" comes to {:.4g} dB at {:.4g} m, the far end of sonars[{}]; must be at most {} dB: nothing "
+                    "is left to raise there",
+                    gain, range, index, kMost));
+  }
+}
+
+// Receivers of the calibrated model, each with its sonar.
+void check_receivers(const Scenario& scenario) {
   for (std::size_t i = 0; i < scenario.sonars.size(); ++i) {
     const SonarConfig& sonar = scenario.sonars[i];
-    const double range = sonar.bin_range(sonar.bin_count - 1);
-    const double gain =
-        scenario.receiver.gain_db(range, scenario.water_at(sonar).absorption_db_per_m_at(sonar.frequency));
-    if (gain > kMost) {
+    const ReceiverConfig& receiver = scenario.receiver_of(sonar);
+    const std::string object = sonar.receiver ? fmt::format("sonars[{}].receiver", i) : "receiver";
+    check_beams(object, receiver, i, sonar);
+    if (scenario.primary == PrimaryEchoes::kRaster && !scenario.has_even_rows(sonar)) {
       throw Error(
-          fmt::format("receiver.{} comes to {:.4g} dB at {:.4g} m, the far end of sonars[{}]; must be at most {} dB: "
-                      "nothing is left to raise there",
-                      scenario.receiver.time_varied_gain ? "time_varied_gain" : "gains_db", gain, range, i, kMost));
+          "", "primary",
+          fmt::format(" = raster needs {0}.beam_shape = wedge and {0}.elevation_pattern = top_hat; auto or rays "
+                      "takes any",
+                      object));
     }
+    check_gain(object, receiver, i, sonar, scenario.water_at(sonar));
   }
 }
 
 void check_engine(const std::string& engine) {
   const std::vector<std::string_view> names = engine_names();
   if (std::ranges::find(names, engine) == names.end()) {
-    throw Error(fmt::format("engine = \"{}\" must be {}", engine, fmt::join(names, " or ")));
+    throw Error("", "engine", fmt::format(" = \"{}\" must be {}", engine, fmt::join(names, " or ")));
   }
 }
 
@@ -142,10 +157,10 @@ void check_motions(const std::vector<Motion>& motions) {
   for (std::size_t i = 0; i < motions.size(); ++i) {
     const std::string object = fmt::format("motions[{}]", i);
     if (motions[i].object.empty()) {
-      throw Error(object + ".object is missing: the name of what moves");
+      throw Error(object, "object", " is missing: the name of what moves");
     }
     if (motions[i].trajectory.waypoints.empty()) {
-      throw Error(object + ".trajectory must have at least one waypoint");
+      throw Error(object, "trajectory", " must have at least one waypoint");
     }
     motions[i].trajectory.validate(object + ".trajectory");
   }
@@ -154,22 +169,22 @@ void check_motions(const std::vector<Motion>& motions) {
 // Two ways to say how long it takes are one too many.
 void check_length(const Scenario& scenario) {
   if (scenario.duration && scenario.turns) {
-    throw Error("duration and turns both say when pings end; leave one out");
+    throw Error("", "duration", " and turns both say when pings end; leave one out");
   }
   if ((scenario.duration || scenario.turns) && scenario.pings != Scenario().pings) {
-    throw Error(fmt::format("{} says when pings end, as pings = {} does; leave one out",
-                            scenario.duration ? "duration" : "turns", scenario.pings));
+    throw Error("", scenario.duration ? "duration" : "turns",
+                fmt::format(" says when pings end, as pings = {} does; leave one out", scenario.pings));
   }
   if (scenario.turns && std::ranges::none_of(scenario.sonars, [](const SonarConfig& sonar) {
         return sonar.type == SonarType::kMechanicallyScanned;
       })) {
-    throw Error("turns needs a scanning sonar (type: msis), and there is none; duration or pings takes any");
+    throw Error("", "turns", " needs a scanning sonar (type: msis), and there is none; duration or pings takes any");
   }
 }
 
 void check_view(const ViewConfig& view) {
   if (view.position == view.look_at) {
-    throw Error("view.look_at must differ from view.position");
+    throw Error("view", "look_at", " must differ from view.position", {"view.position"});
   }
 }
 
@@ -198,8 +213,9 @@ void Trajectory::validate(std::string_view object) const {
   for (std::size_t i = 0; i < waypoints.size(); ++i) {
     check_fields(fmt::format("{}[{}]", object, i), waypoints[i]);
     if (i > 0 && waypoints[i].time <= waypoints[i - 1].time) {
-      throw Error(fmt::format("{0}[{1}].time = {2:.10g} s must be greater than {0}[{3}].time = {4:.10g} s", object, i,
-                              waypoints[i].time, i - 1, waypoints[i - 1].time));
+      throw Error(fmt::format("{}[{}]", object, i), "time",
+                  fmt::format(" = {:.10g} s must be greater than {}[{}].time = {:.10g} s", waypoints[i].time, object,
+                              i - 1, waypoints[i - 1].time));
     }
   }
 }
@@ -214,17 +230,18 @@ void check_speeds(const Trajectory& trajectory) {
     const double speed = (points[i].position - points[i - 1].position).norm() / (points[i].time - points[i - 1].time);
     if (!(speed <= kMost)) {
       throw Error(
-          fmt::format("trajectory[{}] comes to {:.4g} m/s from the one before; with motion_in_ping at most {} m/s", i,
-                      speed, kMost));
+          fmt::format("trajectory[{}]", i), "",
+          fmt::format(" comes to {:.4g} m/s from the one before; with motion_in_ping at most {} m/s", speed, kMost));
     }
   }
 }
 
 }  // namespace
 
-bool Scenario::has_even_rows() const {
+bool Scenario::has_even_rows(const SonarConfig& sonar) const {
+  const ReceiverConfig& own = receiver_of(sonar);
   return model == EchoModel::kPaper ||
-         (receiver.beam_shape == BeamShape::kWedge && receiver.elevation_pattern == BeamPattern::kTopHat);
+         (own.beam_shape == BeamShape::kWedge && own.elevation_pattern == BeamPattern::kTopHat);
 }
 
 Water Scenario::water_at(const SonarConfig& sonar) const {
@@ -271,22 +288,22 @@ std::uint64_t Scenario::ping_count(const SonarConfig& sonar) const {
 void Scenario::validate() const {
   check_fields("", *this);
   if (model == EchoModel::kPaper && !points.empty()) {
-    throw Error("points need model = calibrated");
+    throw Error("", "points", " need model = calibrated");
   }
   if (model == EchoModel::kPaper && !interferers.empty()) {
-    throw Error("interferers need model = calibrated");
+    throw Error("", "interferers", " need model = calibrated");
   }
   if (model == EchoModel::kPaper && (receiver.field || receiver.counts)) {
-    throw Error(fmt::format("receiver.{} needs model = calibrated", receiver.field ? "field" : "counts"));
+    throw Error("receiver", receiver.field ? "field" : "counts", " needs model = calibrated");
   }
   if (model == EchoModel::kPaper && motion_in_ping) {
-    throw Error("motion_in_ping needs model = calibrated");
+    throw Error("", "motion_in_ping", " needs model = calibrated");
   }
   if (model == EchoModel::kPaper && rough_mirrors) {
-    throw Error("rough_mirrors needs model = calibrated");
+    throw Error("", "rough_mirrors", " needs model = calibrated");
   }
   if (model == EchoModel::kPaper && ground_truth == GroundTruth::kFull) {
-    throw Error("ground_truth = full needs model = calibrated");
+    throw Error("", "ground_truth", " = full needs model = calibrated");
   }
   check_engine(engine);
   check_water(*this);
@@ -295,8 +312,7 @@ void Scenario::validate() const {
   check_sonars(*this);
   check_length(*this);
   if (model == EchoModel::kCalibrated) {
-    check_beams(*this);
-    check_gains(*this);
+    check_receivers(*this);
   }
   trajectory.validate("trajectory");
   if (motion_in_ping) {

@@ -22,10 +22,10 @@ void check_depths(const Scenario& scenario) {
     for (const double time : times) {
       const double height = (scenario.trajectory.at(time) * scenario.sonars[i].position).z();
       if (height >= scenario.surface->level) {
-        throw Error(
-            fmt::format("surface.level = {:.7g} m must be above the sonars; sonars[{}] is at a height of {:.7g} m "
-                        "at time {:.7g} s",
-                        scenario.surface->level, i, height, time));
+        throw Error("surface", "level",
+                    fmt::format(" = {:.7g} m must be above the sonars; sonars[{}] is at a height of {:.7g} m at time "
+                                "{:.7g} s",
+                                scenario.surface->level, i, height, time));
       }
     }
   }

@@ -15,8 +15,8 @@ namespace insonify {
 namespace {
 
 // The paper model's beams are top hats.
-ReceiverConfig receiver_of(const Scenario& scenario) {
-  ReceiverConfig receiver = scenario.receiver;
+ReceiverConfig receiver_of(const Scenario& scenario, const SonarConfig& sonar) {
+  ReceiverConfig receiver = scenario.receiver_of(sonar);
   if (scenario.model == EchoModel::kPaper) {
     receiver.azimuth_pattern = receiver.elevation_pattern = BeamPattern::kTopHat;
     receiver.beam_shape = BeamShape::kWedge;
@@ -67,7 +67,7 @@ Pose housing_from_head(double head_angle) {
 SimulatedSonar::SimulatedSonar(const Scenario& scenario, const SonarConfig& sonar, std::span<const Material> materials)
     : config(scenario.filled_in(sonar)), vehicle_from_housing(config.vehicle_from_sonar()) {
   const Water water = scenario.water_at(config);
-  const ReceiverConfig beams = receiver_of(scenario);
+  const ReceiverConfig beams = receiver_of(scenario, config);
   const BearingCells cells(config, beams);
   plan = make_ping_plan({.sonar = cells.sonar,
                          .water = water,
@@ -89,7 +89,7 @@ SimulatedSonar::SimulatedSonar(const Scenario& scenario, const SonarConfig& sona
                                                   .cells = cells,
                                                   .cell_angles = angles,
                                                   .water = water,
-                                                  .receiver = scenario.receiver,
+                                                  .receiver = scenario.receiver_of(config),
                                                   .materials = materials,
                                                   .moves = scenario.motion_in_ping,
                                                   .seed = scenario.seed});

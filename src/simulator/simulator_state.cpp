@@ -15,14 +15,17 @@ Simulator::State::State(Scenario the_scenario, Scene the_scene, int threads, std
       workers(threads),
       points(scenario.points),
       interference(scenario.interferers) {
-  objects.add(scenario.motions, scene);
+  try {
+    objects.add(scenario.motions, scene);
+  } catch (const Error& error) {
+    throw error.located(scenario.places);
+  }
   objects.add(movable, scene);
   objects.add_marked(scene);
   if (const std::optional<SeaSurface>& surface = scenario.surface) {
     sea.emplace(scenario, scene);
     const auto label = surface_label(static_cast<std::uint16_t>(sea->instance()), sea->material());
-    const bool glints = surface->wind_speed > 0 && scenario.receiver.speckle;
-    ghosts.emplace(scenario.points, SurfaceGhosts::Surface{surface->level, label, glints});
+    ghosts.emplace(scenario.points, SurfaceGhosts::Surface{surface->level, label, surface->wind_speed > 0});
   }
   for (const SonarConfig& sonar : scenario.sonars) {
     sonars.push_back(simulated(scenario, sonar));

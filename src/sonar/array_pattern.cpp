@@ -76,11 +76,12 @@ bool has_faults(const ArraySettings& settings) {
 
 void check_line(std::string_view object, const ArraySettings& settings) {
   if (settings.window == ArrayWindow::kDolphChebyshev) {
-    throw Error(fmt::format("{0}.window = dolph_chebyshev needs {0}.elements of at least 2", object));
+    throw Error(object, "window", fmt::format(" = dolph_chebyshev needs {}.elements of at least 2", object));
   }
   if (settings.element_error_db > 0 || settings.element_error > 0 || !settings.dead_elements.empty() ||
       settings.dead_share > 0) {
-    throw Error(fmt::format("{0} has faults of elements, which needs {0}.elements of at least 2", object));
+    throw Error(object, "", fmt::format(" has faults of elements, which needs {}.elements of at least 2", object),
+                {member_name(object, "elements")});
   }
 }
 
@@ -89,14 +90,15 @@ void check_dead(std::string_view object, const ArraySettings& settings) {
   for (std::size_t i = 0; i < settings.dead_elements.size(); ++i) {
     const double element = settings.dead_elements[i];
     if (element != std::floor(element) || element >= settings.elements) {
-      throw Error(fmt::format("{}.dead_elements[{}] = {:.10g} must be a whole number less than {}.elements = {}",
-                              object, i, element, object, settings.elements));
+      throw Error(object, fmt::format("dead_elements[{}]", i),
+                  fmt::format(" = {:.10g} must be a whole number less than {}.elements = {}", element, object,
+                              settings.elements));
     }
     listed.insert(element);
   }
   if (static_cast<int>(listed.size()) + drawn_dead(settings) >= settings.elements) {
-    throw Error(
-        fmt::format("{0}.dead_elements and {0}.dead_share leave none of {1} elements", object, settings.elements));
+    throw Error(object, "dead_elements",
+                fmt::format(" and {}.dead_share leave none of {} elements", object, settings.elements));
   }
 }
 
@@ -105,7 +107,7 @@ void check_dead(std::string_view object, const ArraySettings& settings) {
 void ArraySettings::validate(std::string_view object) const {
   check_fields(object, *this);
   if (elements == 1) {
-    throw Error(fmt::format("{}.elements = 1 must be 0 (a continuous line) or at least 2", object));
+    throw Error(object, "elements", " = 1 must be 0 (a continuous line) or at least 2");
   }
   if (elements == 0) {
     check_line(object, *this);

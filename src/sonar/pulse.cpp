@@ -18,8 +18,9 @@ void PulseSettings::validate(std::string_view object) const {
   check_fields(object, *this);
   constexpr double kLeastCompression = 10;
   if (kind == PulseKind::kLfm && bandwidth * duration < kLeastCompression) {
-    throw Error(fmt::format("{0}.bandwidth = {1:.10g} Hz times {0}.duration = {2:.10g} s must be at least {3}", object,
-                            bandwidth, duration, kLeastCompression));
+    throw Error(object, "bandwidth",
+                fmt::format(" = {:.10g} Hz times {}.duration = {:.10g} s must be at least {}", bandwidth, object,
+                            duration, kLeastCompression));
   }
 }
 

@@ -17,8 +17,14 @@ constexpr double kFullCircle = 2 * std::numbers::pi;
 // Tolerance for angles written in degrees, which conversion rounds.
 constexpr double kAngleSlack = radians_from_degrees(1e-6);
 
-[[noreturn]] void fail(std::string_view object, std::string_view fault) {
-  throw Error(fmt::format("{}.{}", object, fault));
+// @param related  Other fields of the same sonar.
+[[noreturn]] void fail(std::string_view object, std::string_view field, std::string_view rest,
+                       std::initializer_list<std::string_view> related = {}) {
+  std::vector<std::string> names;
+  for (const std::string_view name : related) {
+    names.push_back(member_name(object, name));
+  }
+  throw Error(object, field, rest, std::move(names));
 }
 
 std::string degrees(double radians) {
@@ -31,25 +37,27 @@ void check_name(std::string_view object, const std::string& name) {
     return letter == '/' || letter == '\\' || std::iscntrl(static_cast<unsigned char>(letter)) != 0;
   });
   if (name.empty() || name.front() == '.' || !is_plain) {
-    fail(object, "name must not be empty, start with '.' or hold a slash, a backslash or a control character");
+    fail(object, "name", " must not be empty, start with '.' or hold a slash, a backslash or a control character");
   }
   constexpr std::size_t kLongest = 200;  // File systems take 255 bytes, pictures add to the name.
   if (name.size() > kLongest) {
-    fail(object, fmt::format("name has {} bytes; must have at most {}", name.size(), kLongest));
+    fail(object, "name", fmt::format(" has {} bytes; must have at most {}", name.size(), kLongest));
   }
   if (name.find_first_not_of(' ') == std::string::npos) {
-    fail(object, "name must not be blank");
+    fail(object, "name", " must not be blank");
   }
 }
 
 void check_ranges(std::string_view object, const SonarConfig& sonar) {
   if (!(sonar.max_range > sonar.min_range)) {
-    fail(object, fmt::format("max_range = {:.10g} m must be greater than min_range = {:.10g} m", sonar.max_range,
-                             sonar.min_range));
+    fail(object, "max_range",
+         fmt::format(" = {:.10g} m must be greater than min_range = {:.10g} m", sonar.max_range, sonar.min_range),
+         {"min_range"});
   }
   if (sonar.blanking_range > sonar.max_range) {
-    fail(object, fmt::format("blanking_range = {:.10g} m must be at most max_range = {:.10g} m", sonar.blanking_range,
-                             sonar.max_range));
+    fail(object, "blanking_range",
+         fmt::format(" = {:.10g} m must be at most max_range = {:.10g} m", sonar.blanking_range, sonar.max_range),
+         {"max_range"});
   }
 }
 
@@ -58,8 +66,10 @@ void check_cells(std::string_view object, const SonarConfig& sonar) {
   constexpr std::int64_t kMost = 1 << 25;
   const std::int64_t cells = std::int64_t{sonar.beam_count} * sonar.bin_count;
   if (cells > kMost) {
-    fail(object, fmt::format("bin_count = {} makes {} cells with beam_count = {}, must be at most {}", sonar.bin_count,
-                             cells, sonar.beam_count, kMost));
+    fail(object, "bin_count",
+         fmt::format(" = {} makes {} cells with beam_count = {}, must be at most {}", sonar.bin_count, cells,
+                     sonar.beam_count, kMost),
+         {"beam_count"});
   }
 }
 
@@ -69,21 +79,22 @@ void check_beam_azimuths(std::string_view object, const SonarConfig& sonar) {
     return;
   }
   if (azimuths.size() != static_cast<std::size_t>(sonar.beam_count)) {
-    fail(object, fmt::format("beam_azimuths_deg has {} angles, must have one for each of beam_count = {}",
-                             azimuths.size(), sonar.beam_count));
+    fail(object, "beam_azimuths_deg",
+         fmt::format(" has {} angles, must have one for each of beam_count = {}", azimuths.size(), sonar.beam_count),
+         {"beam_count"});
   }
   for (std::size_t beam = 1; beam < azimuths.size(); ++beam) {
     if (!(azimuths[beam] < azimuths[beam - 1])) {
-      fail(object,
-           fmt::format("beam_azimuths_deg[{}] = {} must be less than beam_azimuths_deg[{}] = {}: beams run from "
+      fail(object, fmt::format("beam_azimuths_deg[{}]", beam),
+           fmt::format(" = {} must be less than beam_azimuths_deg[{}] = {}: beams run from "
                        "port to starboard",
-                       beam, degrees(azimuths[beam]), beam - 1, degrees(azimuths[beam - 1])));
+                       degrees(azimuths[beam]), beam - 1, degrees(azimuths[beam - 1])));
     }
   }
   const std::vector<double> edges = sonar.beam_edges();
   if (edges.front() - edges.back() > kFullCircle + kAngleSlack) {
-    fail(object, fmt::format("beam_azimuths_deg make a fan of {}, must be at most 360 deg",
-                             degrees(edges.front() - edges.back())));
+    fail(object, "beam_azimuths_deg",
+         fmt::format(" make a fan of {}, must be at most 360 deg", degrees(edges.front() - edges.back())));
   }
 }
 
@@ -91,9 +102,11 @@ void check_beam_azimuths(std::string_view object, const SonarConfig& sonar) {
 void check_elevations(std::string_view object, const SonarConfig& sonar) {
   const double steepest = std::abs(sonar.elevation_center) + sonar.elevation_aperture / 2;
   if (steepest > kSteepestElevation + kAngleSlack) {
-    fail(object, fmt::format("elevation_center_deg = {} with elevation_aperture_deg = {} reaches {}, must stay within "
-                             "89 deg of level",
-                             degrees(sonar.elevation_center), degrees(sonar.elevation_aperture), degrees(steepest)));
+    fail(object, "elevation_center_deg",
+         fmt::format(" = {} with elevation_aperture_deg = {} reaches {}, must stay within "
+                     "89 deg of level",
+                     degrees(sonar.elevation_center), degrees(sonar.elevation_aperture), degrees(steepest)),
+         {"elevation_aperture_deg"});
   }
 }
 
@@ -102,15 +115,16 @@ void check_head(std::string_view object, const SonarConfig& sonar) {
     return;
   }
   if (sonar.beam_count != 1) {
-    fail(object,
-         fmt::format("beam_count = {} must be 1 for type msis, whose head turns a single beam", sonar.beam_count));
+    fail(object, "beam_count",
+         fmt::format(" = {} must be 1 for type msis, whose head turns a single beam", sonar.beam_count), {"type"});
   }
   if (sonar.step == 0) {
-    fail(object, "step_deg = 0 deg must not be 0 for type msis");
+    fail(object, "step_deg", " = 0 deg must not be 0 for type msis", {"type"});
   }
   if (sonar.sector_width < std::abs(sonar.step) - kAngleSlack) {
-    fail(object, fmt::format("sector_width_deg = {} must be at least one step_deg = {}", degrees(sonar.sector_width),
-                             degrees(sonar.step)));
+    fail(object, "sector_width_deg",
+         fmt::format(" = {} must be at least one step_deg = {}", degrees(sonar.sector_width), degrees(sonar.step)),
+         {"step_deg"});
   }
 }
 

@@ -1,7 +1,7 @@
 // absorption_test.cpp -- absorption against values computed independently from the papers, values computed by hand, and
 // laws that hold for any constants.
 
-#include "insonify/absorption.h"
+#include "insonify/acoustics/absorption.h"
 
 #include <gtest/gtest.h>
 

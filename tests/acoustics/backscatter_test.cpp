@@ -1,7 +1,7 @@
 // backscatter_test.cpp -- scattering laws against independently computed values, and the normalisation of the facet
 // lobe: the total echo of a large plate and of a sphere equals that of a mirror.
 
-#include "insonify/backscatter.h"
+#include "insonify/acoustics/backscatter.h"
 
 #include <gtest/gtest.h>
 

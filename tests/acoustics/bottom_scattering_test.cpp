@@ -1,7 +1,7 @@
 // bottom_scattering_test.cpp -- bottom backscatter against independently computed values. For the Kirchhoff part alone
 // see power_law_relief_test.cpp.
 
-#include "insonify/bottom_scattering.h"
+#include "insonify/acoustics/bottom_scattering.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // reflection_test.cpp -- reflection coefficients against independently computed values and simple special cases.
 
-#include "insonify/reflection.h"
+#include "insonify/acoustics/reflection.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // sediment_test.cpp -- sediments against the report's table, and the fitted parameters against the report's model; both
 // computed independently of this code.
 
-#include "insonify/sediment.h"
+#include "insonify/acoustics/sediment.h"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 #include <regex>
 #include <string>
 
-#include "insonify/backscatter.h"
+#include "insonify/acoustics/backscatter.h"
 #include "insonify/geometry.h"
 #include "insonify/material.h"
 #include "support/message_of.h"

@@ -1,17 +1,17 @@
 // sonar_equation_test.cpp -- the sonar equation against independently computed values; closed forms of floor, wall and
 // volume also against sums over small patches.
 
-#include "insonify/sonar_equation.h"
+#include "insonify/acoustics/sonar_equation.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
-#include "insonify/absorption.h"
-#include "insonify/backscatter.h"
+#include "insonify/acoustics/absorption.h"
+#include "insonify/acoustics/backscatter.h"
+#include "insonify/acoustics/target_strength.h"
 #include "insonify/geometry.h"
-#include "insonify/target_strength.h"
 #include "insonify/water.h"
 #include "support/message_of.h"
 #include "support/relative.h"

@@ -1,6 +1,6 @@
 // sound_speed_test.cpp -- sound-speed formulas against values from the papers, and refraction in a constant gradient.
 
-#include "insonify/sound_speed.h"
+#include "insonify/acoustics/sound_speed.h"
 
 #include <gtest/gtest.h>
 
@@ -14,14 +14,14 @@ namespace insonify {
 namespace {
 
 // Computed from the published equations in double precision, independently of this code.
-struct Place {
+struct Site {
   double temperature_c, salinity, depth, latitude_deg;
   double pressure_mpa, mackenzie, medwin, chen_millero, del_grosso, leroy;
 
   double latitude() const { return radians_from_degrees(latitude_deg); }
 };
 
-constexpr Place kPlaces[] = {
+constexpr Site kSites[] = {
     {10, 35, 0, 45, 0.0, 1489.8034, 1489.99, 1489.8321158656643, 1489.7893816900003, 1489.8195},
     {10, 35, 100, 45, 1.0028164339682568, 1491.435067861, 1491.59, 1491.4832900856118, 1491.4205830081883,
      1491.4350832},
@@ -38,10 +38,10 @@ constexpr Place kPlaces[] = {
      1421.7991134888998},
 };
 
-class SoundSpeedTest : public testing::TestWithParam<Place> {};
+class SoundSpeedTest : public testing::TestWithParam<Site> {};
 
 TEST_P(SoundSpeedTest, IsThatOfEachPaper) {
-  const Place p = GetParam();
+  const Site p = GetParam();
   const double latitude = p.latitude();
   EXPECT_THAT(pressure_mpa(p.depth, latitude), RelativelyNear(p.pressure_mpa));
   EXPECT_THAT(mackenzie_sound_speed(p.temperature_c, p.salinity, p.depth), RelativelyNear(p.mackenzie));
@@ -51,13 +51,13 @@ TEST_P(SoundSpeedTest, IsThatOfEachPaper) {
   EXPECT_THAT(leroy_sound_speed(p.temperature_c, p.salinity, p.depth, latitude), RelativelyNear(p.leroy));
 }
 
-INSTANTIATE_TEST_SUITE_P(Places, SoundSpeedTest, testing::ValuesIn(kPlaces));
+INSTANTIATE_TEST_SUITE_P(Sites, SoundSpeedTest, testing::ValuesIn(kSites));
 
 // Within the limits of all five: sea water, no deeper than Medwin's 1000 m. They were fitted to the same few
 // measurements.
 TEST(SoundSpeedValuesTest, AgreeBetweenPapersInTheSea) {
   constexpr double kSpread = 0.7;  // [m/s]
-  for (const Place& p : kPlaces) {
+  for (const Site& p : kSites) {
     if (p.salinity >= 30 && p.depth <= 1000) {
       const double speed = chen_millero_sound_speed(p.temperature_c, p.salinity, p.depth, p.latitude());
       EXPECT_NEAR(mackenzie_sound_speed(p.temperature_c, p.salinity, p.depth), speed, kSpread);

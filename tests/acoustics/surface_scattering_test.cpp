@@ -1,7 +1,7 @@
 // surface_scattering_test.cpp -- sea-surface scattering against independently computed values, and laws that hold for
 // any constants.
 
-#include "insonify/surface_scattering.h"
+#include "insonify/acoustics/surface_scattering.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // target_strength_test.cpp -- cross sections against independently computed values, their near and far limits, and a
 // direct Kirchhoff sum over a plate.
 
-#include "insonify/target_strength.h"
+#include "insonify/acoustics/target_strength.h"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 #include <numbers>
 
 #include "acoustics/fresnel.h"
-#include "insonify/backscatter.h"
+#include "insonify/acoustics/backscatter.h"
 #include "support/message_of.h"
 #include "support/relative.h"
 

@@ -6,8 +6,8 @@
 
 #include <cmath>
 
-#include "insonify/absorption.h"
-#include "insonify/sound_speed.h"
+#include "insonify/acoustics/absorption.h"
+#include "insonify/acoustics/sound_speed.h"
 #include "support/message_of.h"
 
 namespace insonify {

@@ -84,6 +84,20 @@ TEST(PoseTest, InnerFrameIsPlacedInTheOuter) {
   EXPECT_LE((world_from_sonar * Vec3(5, 6, 7) - Vec3(6, 12, 10)).norm(), 16 * kRounding);
 }
 
+// All around, straight up and down included, where roll and yaw turn about the same axis.
+TEST(OrientationTest, AnglesOfAnOrientationGiveItAgain) {
+  const double right = std::numbers::pi / 2;
+  for (const double pitch : {-right, -1.2, -1e-9, 0.0, 0.4, right - 1e-8, right}) {
+    for (int i = -8; i <= 8; ++i) {
+      const auto given = orientation_from_rpy(0.39 * i, pitch, 0.17 * i * i - 3);
+      const Vec3 rpy = rpy_from_orientation(given);
+      const Eigen::Quaterniond again = orientation_from_rpy(rpy.x(), rpy.y(), rpy.z());
+      EXPECT_LE((again.toRotationMatrix() - given.toRotationMatrix()).norm(), 16 * kRounding) << pitch << " " << i;
+    }
+  }
+  EXPECT_LE((rpy_from_orientation(orientation_from_rpy(0.1, -0.2, 3)) - Vec3(0.1, -0.2, 3)).norm(), 16 * kRounding);
+}
+
 TEST(PoseTest, InverseUndoesIt) {
   const Pose pose{{1, -2, 3}, orientation_from_rpy(0.3, -0.7, 2.1)};
   const Vec3 point(4, 5, -6);

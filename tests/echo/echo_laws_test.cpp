@@ -11,7 +11,7 @@
 #include "echo/model/hit_column.h"
 #include "echo/model/mirror_paths.h"
 #include "echo/model/secondary_echo.h"
-#include "insonify/backscatter.h"
+#include "insonify/acoustics/backscatter.h"
 
 namespace insonify {
 namespace {

@@ -3,7 +3,7 @@
 #include "insonify/paper_model.h"
 
 #include "engines/test_scenes.h"
-#include "insonify/absorption.h"
+#include "insonify/acoustics/absorption.h"
 
 namespace insonify {
 namespace {

@@ -2,10 +2,7 @@
 
 #include <cstdio>
 
-#include "insonify/error.h"
-#include "insonify/files.h"
-#include "insonify/simulator.h"
-#include "insonify/version.h"
+#include <insonify/insonify.h>
 
 int main(int, char** arguments) {
   try {

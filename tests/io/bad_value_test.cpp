@@ -169,6 +169,41 @@ const BadScenario kCases[] = {
     {"ViewAngle", "world: floor.obj\nview: {field_of_view_deg: 175}\nsonars: [{name: fls}]\n",
      "scenario.yaml:2:8: view.field_of_view_deg = 175 deg must be greater than 0, at most 170 deg"},
 
+    {"QuaternionOfThree", "world: floor.obj\nsonars:\n  - orientation_wxyz: [1, 0, 0]\n",
+     "scenario.yaml:3:5: sonars[0].orientation_wxyz = [1, 0, 0] must be a list of four numbers, w x y z"},
+    {"QuaternionOfWords", "world: floor.obj\nsonars:\n  - orientation_wxyz: [1, 0, 0, w]\n",
+     "scenario.yaml:3:33: sonars[0].orientation_wxyz[3] = \"w\" must be a number, from -2 to 2"},
+    {"QuaternionTooLong", "world: floor.obj\nsonars: [{}]\ntrajectory:\n  - {orientation_wxyz: [1, 0, 0, 1]}\n",
+     "scenario.yaml:4:6: trajectory[0].orientation_wxyz = [1, 0, 0, 1] must have a norm of 1, not 1.414"},
+    {"TwoOrientations",
+     "world: floor.obj\nsonars:\n  - orientation_deg: [0, 0, 0]\n    orientation_wxyz: [1, 0, 0, 0]\n",
+     "scenario.yaml:4:5: sonars[0].orientation_wxyz cannot go with orientation_deg: one orientation"},
+    {"TrajectoryWithoutItsFile", "world: floor.obj\nsonars: [{}]\ntrajectory: {start: 3}\n",
+     "scenario.yaml:3:1: trajectory.file is missing: a CSV or TUM file of waypoints"},
+    {"TrajectoryOfAnotherKind", "world: floor.obj\nsonars: [{}]\ntrajectory: track.bag\n",
+     "track.bag: is not a trajectory: CSV ends in .csv, TUM in .tum or .txt"},
+
+    // Keys of the other model.
+    {"GainInTheCalibratedModel", "world: floor.obj\nsonars:\n  - gain: 2\n",
+     "scenario.yaml:3:5: sonars[0].gain has no effect with model = calibrated; set receiver.gain_ranges and "
+     "receiver.gains_db for levels, receiver.full_scale_db for counts"},
+    {"PaperInTheCalibratedModel", "world: floor.obj\nmodel: calibrated\npaper: {sigmoid: none}\nsonars: [{}]\n",
+     "scenario.yaml:3:9: paper.sigmoid has no effect with model = calibrated"},
+    {"ReflectivityInTheCalibratedModel", "world: floor.obj\nmaterials: {sand: {reflectivity: 0.5}}\nsonars: [{}]\n",
+     "scenario.yaml:2:20: materials.sand.reflectivity has no effect with model = calibrated; set reflection for "
+     "mirrors "
+     "and glints, lambert_db for diffuse echoes"},
+    {"PulseInThePaperModel", "world: floor.obj\nmodel: paper\nreceiver: {pulse: cw}\nsonars: [{}]\n",
+     "scenario.yaml:3:12: receiver.pulse has no effect with model = paper"},
+    {"RangeGainInThePaperModel", "world: floor.obj\nmodel: paper\nsonars:\n  - receiver: {time_varied_gain: 30}\n",
+     "scenario.yaml:4:16: sonars[0].receiver.time_varied_gain has no effect with model = paper; set a sonar's gain"},
+    {"SourceLevelInThePaperModel", "world: floor.obj\nmodel: paper\nsonars: [{source_level_db: 210}]\n",
+     "scenario.yaml:3:11: sonars[0].source_level_db has no effect with model = paper; set gain"},
+    {"LambertInThePaperModel", "world: floor.obj\nmodel: paper\nmaterials: {sand: {lambert_db: -20}}\nsonars: [{}]\n",
+     "scenario.yaml:3:20: materials.sand.lambert_db has no effect with model = paper; set reflectivity"},
+    {"OwnReceiverOutOfLimits", "world: floor.obj\nsonars:\n  - receiver: {elements: 1}\n",
+     "scenario.yaml:3:16: sonars[0].receiver.elements = 1 must be 0 (a continuous line) or at least 2"},
+
     // Rules between values.
     {"RangesCross", "world: floor.obj\nsonars:\n  - max_range: 2\n    min_range: 5\n",
      "scenario.yaml:3:5: sonars[0].max_range = 2 m must be greater than min_range = 5 m"},

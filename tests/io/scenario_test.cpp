@@ -98,7 +98,7 @@ TEST_F(ScenarioTest, TakesPlainValues) {
 TEST_F(ScenarioTest, FindsTheWorldFromItsOwnFolder) {
   const Scenario scenario = load(kEverything);
   EXPECT_EQ(scenario.world, folder.path() / "scenes/worlds/floor.obj");
-  EXPECT_EQ(scenario.world_where, "scenes/scenario.yaml:2:1: ");
+  EXPECT_EQ(scenario.places.at("world"), (Place{"scenes/scenario.yaml", 2, 1}));
 }
 
 TEST_F(ScenarioTest, NeedsNoWorldForPointsOrUnderASurface) {
@@ -143,15 +143,39 @@ TEST_F(ScenarioTest, TakesTheWater) {
 TEST_F(ScenarioTest, TakesMaterialsByNameOrByTheirProperties) {
   const MaterialRules rules = load(kEverything).materials;
   EXPECT_EQ(rules.default_material, "mud");
-  EXPECT_EQ(rules.default_where, "scenes/scenario.yaml:9:1: ");
   EXPECT_EQ(rules.overrides.at("hull").like, "steel");
   EXPECT_EQ(rules.overrides.at("hull").reflectivity, 0.9);
-  EXPECT_EQ(rules.overrides.at("hull").where, "scenes/scenario.yaml:12:3: ");
   EXPECT_EQ(rules.overrides.at("deck").like, "wood");
   EXPECT_EQ(rules.overrides.at("tar").like, "");
   EXPECT_EQ(rules.overrides.at("tar").density, 1200);
   EXPECT_EQ(rules.overrides.at("tar").sound_speed, 1400);
   EXPECT_FALSE(rules.overrides.at("tar").reflectivity.has_value());
+}
+
+TEST_F(ScenarioTest, KnowsWhereEachSettingStands) {
+  const Places places = load(kEverything, {"pings=3"}).places;
+  EXPECT_EQ(places.at("default_material"), (Place{"scenes/scenario.yaml", 9, 1}));
+  EXPECT_EQ(places.at("materials.hull"), (Place{"scenes/scenario.yaml", 12, 3}));
+  EXPECT_EQ(places.at("materials.hull.like"), (Place{"scenes/scenario.yaml", 12, 10}));
+  EXPECT_EQ(places.at("sonars[0].sampling.rows"), (Place{"scenes/scenario.yaml", 33, 37}));
+  EXPECT_EQ(places.at("pings"), (Place{"--set pings=3"}));
+  EXPECT_FALSE(places.contains("engines"));
+}
+
+// A fault that is found long after reading.
+TEST_F(ScenarioTest, ErrorsOfMaterialsHaveTheirPlace) {
+  const Scenario scenario = load("world: worlds/floor.obj\nmaterials:\n  floor:\n    like: steal\nsonars: [{}]\n");
+  try {
+    (void)load_scene(scenario);
+    ADD_FAILURE() << "no error";
+  } catch (const Error& error) {
+    EXPECT_STREQ(error.what(),
+                 "scenes/scenario.yaml:4:5: materials.floor.like = steal is not a known material; did you "
+                 "mean steel?");
+    EXPECT_EQ(error.object(), "materials.floor");
+    EXPECT_EQ(error.field(), "like");
+    EXPECT_EQ(error.place(), (Place{"scenes/scenario.yaml", 4, 5}));
+  }
 }
 
 TEST_F(ScenarioTest, TakesAFan) {
@@ -176,6 +200,53 @@ TEST_F(ScenarioTest, TakesAFan) {
   EXPECT_NEAR(sonar.orientation.y(), std::numbers::pi / 9, kAngleTolerance);
   EXPECT_EQ(sonar.sampling.columns_per_beam, 6);
   EXPECT_EQ(sonar.sampling.rows, 77);
+}
+
+TEST_F(ScenarioTest, ASonarsReceiverStartsFromTheScenarios) {
+  const Scenario scenario = load(
+      "world: worlds/floor.obj\nreceiver: {noise: false, time_varied_gain: 30}\n"
+      "sonars:\n  - name: a\n    receiver: {speckle: false, time_varied_gain: none}\n  - name: b\n");
+  const ReceiverConfig& own = scenario.receiver_of(scenario.sonars[0]);
+  EXPECT_FALSE(own.noise);
+  EXPECT_FALSE(own.speckle);
+  EXPECT_FALSE(own.time_varied_gain.has_value());
+  EXPECT_EQ(&scenario.receiver_of(scenario.sonars[1]), &scenario.receiver);
+  EXPECT_EQ(load("world: worlds/floor.obj\nsonars: [{name: a}, {name: b}]\n",
+                 {"sonars.b.receiver.counts=true", "sonars.b.receiver.full_scale_db=-40"})
+                .sonars[1]
+                .receiver->full_scale_db,
+            -40);
+}
+
+TEST_F(ScenarioTest, TakesOrientationsAsQuaternions) {
+  // Half of a quarter turn about z; and of one about y, where roll and yaw are about the same axis.
+  const Scenario scenario = load(
+      "world: worlds/floor.obj\n"
+      "sonars: [{orientation_wxyz: [0.70710678, 0, 0, 0.70710678]}]\n"
+      "trajectory: [{orientation_wxyz: [0.7071067811865476, 0, 0.7071067811865476, 0]}]\n");
+  EXPECT_NEAR(scenario.sonars[0].orientation.z(), std::numbers::pi / 2, 1e-12);
+  EXPECT_NEAR(scenario.sonars[0].orientation.head<2>().norm(), 0, 1e-12);
+  const Eigen::Quaterniond down(Eigen::AngleAxisd(std::numbers::pi / 2, Vec3::UnitY()));
+  EXPECT_NEAR(scenario.trajectory.at(0).orientation.angularDistance(down), 0, 1e-7);
+}
+
+TEST_F(ScenarioTest, TakesATrajectoryFromAFileBesideIt) {
+  folder.write("scenes/logs/track.csv", "time,x,y,z\n100,0,0,-1\n102,4,0,-1\n");
+  const std::string rest = "world: worlds/floor.obj\nsonars: [{}]\n";
+  EXPECT_EQ(load(rest + "trajectory: logs/track.csv\n").trajectory.at(101).position, Vec3(2, 0, -1));
+  const Scenario scenario = load(rest +
+                                 "trajectory: {file: logs/track.csv, start: 100}\n"
+                                 "motions: [{object: floor, trajectory: logs/track.csv}]\n");
+  EXPECT_EQ(scenario.trajectory.at(1).position, Vec3(2, 0, -1));
+  EXPECT_EQ(scenario.motions[0].trajectory.at(101).position, Vec3(2, 0, -1));
+}
+
+// The file is written for the paper's model.
+TEST_F(ScenarioTest, SetModelTakesAFileOfTheOtherModel) {
+  const Scenario scenario = load(kEverything, {"model=calibrated"});
+  EXPECT_EQ(scenario.model, EchoModel::kCalibrated);
+  EXPECT_EQ(scenario.sonars[0].gain, 2.5);
+  EXPECT_EQ(load(scenario.text).model, EchoModel::kCalibrated);  // The text leaves out what has no effect.
 }
 
 TEST_F(ScenarioTest, TakesAScanningHead) {
@@ -205,7 +276,7 @@ TEST_F(ScenarioTest, TakesMotionsAndView) {
   ASSERT_EQ(scenario.motions.size(), 1U);
   EXPECT_EQ(scenario.motions[0].object, "ship::hull");
   EXPECT_EQ(scenario.motions[0].trajectory.at(0).position, Vec3(5, 0, 0));
-  EXPECT_EQ(scenario.motions[0].where, "scenes/scenario.yaml:49:5: ");
+  EXPECT_EQ(scenario.places.at("motions[0]"), (Place{"scenes/scenario.yaml", 49, 5}));
   ASSERT_TRUE(scenario.view.has_value());
   EXPECT_EQ(scenario.view->position, Vec3(-4, 0, 3));
   EXPECT_EQ(scenario.view->look_at, Vec3(9, 0, 0));
@@ -238,7 +309,8 @@ TEST_F(ScenarioTest, ATableOfBeamsSaysHowManyThereAreAndHowWideTheFanIs) {
 
 TEST_F(ScenarioTest, TakesOverTheKeysOfAnAnchor) {
   const Scenario scenario = load(
-      "world: worlds/floor.obj\nsonars:\n  - &port {name: port, max_range: 20, gain: 2, orientation_deg: [0, 0, 40]}\n"
+      "world: worlds/floor.obj\nmodel: paper\nsonars:\n  - &port {name: port, max_range: 20, gain: 2, orientation_deg: "
+      "[0, 0, 40]}\n"
       "  - {<<: *port, name: starboard, orientation_deg: [0, 0, -40]}\n"
       "  - <<: [{name: down, gain: 5}, *port]\n    max_range: 9\n");
   EXPECT_EQ(scenario.sonars.at(1).name, "starboard");
@@ -263,7 +335,8 @@ TEST_F(ScenarioTest, StartsASonarFromItsPreset) {
 
 TEST_F(ScenarioTest, PutsItsOwnFieldsOverThePreset) {
   const SonarConfig sonar =
-      load("world: worlds/floor.obj\nsonars: [{beam_count: 64, preset: tritech-gemini-720i, gain: 3}]\n").sonars.at(0);
+      load("world: worlds/floor.obj\nmodel: paper\nsonars: [{beam_count: 64, preset: tritech-gemini-720i, gain: 3}]\n")
+          .sonars.at(0);
   EXPECT_EQ(sonar.beam_count, 64);
   EXPECT_EQ(sonar.gain, 3);
   EXPECT_EQ(sonar.frequency, 720e3);
@@ -316,13 +389,13 @@ TEST_F(ScenarioTest, ASonarsKeyAloneSetsEverySonar) {
 }
 
 TEST_F(ScenarioTest, KeepsTheTextWithItsSettings) {
-  const Scenario scenario = load(kTwoSonars, {"sonars.fls.max_range=30", "materials.hull.reflectivity=.5", "seed=5"});
+  const Scenario scenario = load(kTwoSonars, {"sonars.fls.max_range=30", "materials.hull.lambert_db=-9", "seed=5"});
   EXPECT_THAT(scenario.text, HasSubstr("max_range: 30"));
   // What is kept is itself a scenario, and the same one.
   const Scenario again = load(scenario.text);
   EXPECT_EQ(again.sonars.at(0).max_range, 30);
   EXPECT_EQ(again.sonars.at(1).model, "Tritech Micron DST");
-  EXPECT_EQ(again.materials.overrides.at("hull").reflectivity, 0.5);
+  EXPECT_EQ(again.materials.overrides.at("hull").lambert_db, -9);
   EXPECT_EQ(again.seed, 5U);
   EXPECT_EQ(again.text, scenario.text);
 }

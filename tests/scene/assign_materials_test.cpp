@@ -161,8 +161,8 @@ TEST(AssignMaterialsTest, AssigningAgainStartsAfresh) {
 
 TEST(AssignMaterialsMessagesTest, NamesTheNearestVisualOrMaterialOfAKey) {
   const Scene scene = scene_with({instance("ship::hull", {"red_paint"})});
-  EXPECT_EQ(fault(scene, {.overrides = {{"hul", {.reflectivity = 0.9, .where = "scene.yaml:4:3: "}}}}),
-            "scene.yaml:4:3: materials.hul matches no visual and no material; did you mean hull?");
+  EXPECT_EQ(fault(scene, {.overrides = {{"hul", {.reflectivity = 0.9}}}}),
+            "materials.hul matches no visual and no material; did you mean hull?");
   EXPECT_EQ(fault(scene, {.overrides = {{"ship::hall", {.reflectivity = 0.9}}}}),
             "materials.ship::hall matches no visual and no material; did you mean ship::hull?");
   EXPECT_EQ(fault(scene, {.overrides = {{"red_pant", {.reflectivity = 0.9}}}}),
@@ -172,15 +172,14 @@ TEST(AssignMaterialsMessagesTest, NamesTheNearestVisualOrMaterialOfAKey) {
 }
 
 TEST(AssignMaterialsMessagesTest, NamesTheNearestMaterialToBeLike) {
-  EXPECT_EQ(
-      fault(scene_with({instance("hull")}), {.overrides = {{"hull", {.like = "steal", .where = "a.yaml:2:9: "}}}}),
-      "a.yaml:2:9: materials.hull.like = steal is not a known material; did you mean steel?");
+  EXPECT_EQ(fault(scene_with({instance("hull")}), {.overrides = {{"hull", {.like = "steal"}}}}),
+            "materials.hull.like = steal is not a known material; did you mean steel?");
 }
 
 TEST(AssignMaterialsMessagesTest, NamesTheNearestMaterialToAUsers) {
   Scene scene = scene_with({instance("ship::hull", {"steel"})});
   scene.instances[0].user_material = "titanum";
-  scene.instances[0].where = "ship.sdf:12: ";
+  scene.places["ship::hull"] = {"ship.sdf", 12};
   EXPECT_EQ(fault(scene, {.overrides = {{"steel", {.density = 7700}}, {"ship::hull", {.density = 7700}}}}), "no error");
   EXPECT_EQ(fault(scene, {}),
             "ship.sdf:12: ship::hull: material = titanum is not a known material; did you mean titanium?");
@@ -188,8 +187,8 @@ TEST(AssignMaterialsMessagesTest, NamesTheNearestMaterialToAUsers) {
 
 TEST(AssignMaterialsMessagesTest, NamesTheNearestMaterialToTheDefault) {
   const Scene scene = scene_with({instance("hull", {"steel"})});
-  EXPECT_EQ(fault(scene, {.default_material = "snad", .default_where = "a.yaml:3:1: "}),
-            "a.yaml:3:1: default_material = snad is not a known material; did you mean sand?");
+  EXPECT_EQ(fault(scene, {.default_material = "snad"}),
+            "default_material = snad is not a known material; did you mean sand?");
   EXPECT_EQ(fault(scene, {.overrides = {{"hull", {.like = "pvc"}}}, .default_material = "hul"}),
             "default_material = hul is not a known material; did you mean hull?");
 }
@@ -202,15 +201,15 @@ TEST(AssignMaterialsMessagesTest, RefusesADefaultThatStartsFromNothing) {
 }
 
 TEST(AssignMaterialsMessagesTest, RefusesTwoOverridesThatMeanTheSame) {
-  EXPECT_EQ(fault(scene_with({instance("hull")}), {.overrides = {{"aluminium", {.density = 2600}},
-                                                                 {"aluminum", {.density = 2800, .where = "b:3:1: "}}}}),
-            "b:3:1: materials.aluminum means the same as materials.aluminium");
+  EXPECT_EQ(fault(scene_with({instance("hull")}),
+                  {.overrides = {{"aluminium", {.density = 2600}}, {"aluminum", {.density = 2800}}}}),
+            "materials.aluminum means the same as materials.aluminium");
 }
 
 TEST(AssignMaterialsMessagesTest, NamesThePropertyOutOfItsLimits) {
   const Scene scene = scene_with({instance("hull")});
-  EXPECT_EQ(fault(scene, {.overrides = {{"hull", {.density = 0, .where = "a.yaml:2:3: "}}}}),
-            "a.yaml:2:3: materials.hull.density = 0 kg/m^3 must be greater than 0, at most 30000 kg/m^3");
+  EXPECT_EQ(fault(scene, {.overrides = {{"hull", {.density = 0}}}}),
+            "materials.hull.density = 0 kg/m^3 must be greater than 0, at most 30000 kg/m^3");
   EXPECT_EQ(fault(scene, {.overrides = {{"hull", {.sound_speed = -3}}}}),
             "materials.hull.sound_speed = -3 m/s must be greater than 0, at most 20000 m/s");
   EXPECT_EQ(fault(scene, {.overrides = {{"hull", {.reflectivity = 1.01}}}}),

@@ -10,7 +10,7 @@
 #include <regex>
 #include <sstream>
 
-#include "insonify/reflection.h"
+#include "insonify/acoustics/reflection.h"
 #include "support/message_of.h"
 #include "support/relative.h"
 

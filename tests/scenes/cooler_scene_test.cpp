@@ -6,7 +6,7 @@
 #include <cmath>
 #include <string>
 
-#include "insonify/absorption.h"
+#include "insonify/acoustics/absorption.h"
 #include "scenes/mesh_probe.h"
 #include "scenes/scene_ping.h"
 

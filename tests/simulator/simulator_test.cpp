@@ -6,9 +6,9 @@
 #include <gmock/gmock.h>
 
 #include "engines/test_scenes.h"
+#include "insonify/acoustics/sound_speed.h"
 #include "insonify/error.h"
 #include "insonify/scenario_requests.h"
-#include "insonify/sound_speed.h"
 
 namespace insonify {
 namespace {
@@ -230,8 +230,7 @@ TEST(SimulatorPeriodTest, PingPeriodIsTheTimeSoundTakesWhenNoneIsGiven) {
 TEST(SimulatorMotionTest, ObjectsMoveBetweenPings) {
   Scenario scenario = quiet_scenario(small_fan());
   scenario.sonars[0].ping_period = 1;
-  scenario.motions = {
-      {.object = "ball", .trajectory = {{{.time = 0}, {.time = 10, .position = {5, 0, 0}}}}, .where = ""}};
+  scenario.motions = {{.object = "ball", .trajectory = {{{.time = 0}, {.time = 10, .position = {5, 0, 0}}}}}};
   const Scene scene = SceneMaker().add("ball", make_sphere(0.3), {.position = {5, 0, 0}}).scene();
   Simulator simulator(scenario, scene, 1);
   const auto nearest_range = [&](int number) {
@@ -252,7 +251,8 @@ TEST(SimulatorMotionTest, ObjectsMoveBetweenPings) {
 
 TEST(SimulatorMotionTest, NamesTheObjectsThereAreWhenOneIsMissing) {
   Scenario scenario = quiet_scenario(small_fan());
-  scenario.motions = {{.object = "whale", .trajectory = {{{.time = 0}}}, .where = "s.yaml:3:5: "}};
+  scenario.motions = {{.object = "whale", .trajectory = {{{.time = 0}}}}};
+  scenario.places["motions[0].object"] = {"s.yaml", 3, 5};
   EXPECT_THAT([&] { Simulator(scenario, busy_scene().scene(), 1); },
               ThrowsMessage<Error>(
                   "s.yaml:3:5: motions[0].object = whale is not in the world; there are box, floor, sphere2, wall"));

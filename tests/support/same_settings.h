@@ -12,12 +12,17 @@
 
 namespace insonify {
 
-/// Every value of a configuration as text, by its name: "sonars[0].max_range = 0x1.ep+4". Floating point exactly.
+/// Every value of a configuration as text, by its name: "sonars[0].max_range = 30 0x1.ep+4". Floating point exactly.
+/// @param idle  Model whose own fields are left out.
 template <typename Config>
-std::vector<std::string> settings_of(const std::string& object, const Config& config) {
+std::vector<std::string> settings_of(const std::string& object, const Config& config,
+                                     ActsIn idle = ActsIn::kEveryModel) {
   std::vector<std::string> list;
   const std::string prefix = object.empty() ? "" : object + ".";
   Config::visit_fields(config, [&](const Field& field, const auto& member) {
+    if (field.acts == idle && idle != ActsIn::kEveryModel) {
+      return;
+    }
     list.push_back(prefix + std::string(field.name) + " = " + testing::PrintToString(member));
     const auto add = [&](double value) {
       char text[32];
@@ -39,7 +44,7 @@ std::vector<std::string> settings_of(const std::string& object, const Config& co
     Config::visit_parts(config, [&](const Part& part, const auto& member) {
       visit_entries(prefix + std::string(part.name), member, [&](const std::string& name, const auto& entry) {
         list.push_back(name);
-        const std::vector<std::string> more = settings_of(name, entry);
+        const std::vector<std::string> more = settings_of(name, entry, idle);
         list.insert(list.end(), more.begin(), more.end());
       });
     });

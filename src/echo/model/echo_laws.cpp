@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "insonify/backscatter.h"
+#include "insonify/acoustics/backscatter.h"
 
 namespace insonify {
 namespace {

@@ -3,7 +3,7 @@
 #include "echo/model/ping_plan.h"
 
 #include "base/philox.h"
-#include "insonify/absorption.h"
+#include "insonify/acoustics/absorption.h"
 
 namespace insonify {
 namespace {

@@ -46,7 +46,7 @@ void SurfaceGhosts::trace(const Vec3& sonar, Engine& engine) {
 
 SurfaceGhosts::Glint SurfaceGhosts::glint(const PingPlan& plan, std::size_t point, int order,
                                           std::uint64_t number) const {
-  if (!surface_.glints) {
+  if (!glints_) {
     return {1, 0};
   }
   const PhiloxCounter counter = {
@@ -56,8 +56,9 @@ SurfaceGhosts::Glint SurfaceGhosts::glint(const PingPlan& plan, std::size_t poin
   return {-std::log(double{uniform_open(words[0])}), double{uniform_open(words[1])}};
 }
 
-void SurfaceGhosts::add(const PingPlan& plan, const Pose& world_from_sonar, std::uint64_t number, Engine& engine,
-                        EchoGrid& grid) {
+void SurfaceGhosts::add(const PingPlan& plan, const Pose& world_from_sonar, std::uint64_t number, bool phases,
+                        Engine& engine, EchoGrid& grid) {
+  glints_ = surface_.waves && phases;
   if (plan.secondary == SecondaryEchoes::kNone || plan.max_surfaces < 2 || points_.empty() ||
       world_from_sonar.position.z() >= surface_.level) {
     return;

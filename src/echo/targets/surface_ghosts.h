@@ -27,13 +27,15 @@ class SurfaceGhosts {
   struct Surface {
     double level;        ///< World z [m].
     SurfaceLabel label;  ///< Its material in the plan.
-    bool glints;         ///< Whether waves make phase and intensity random.
+    bool waves;          ///< Whether there are any.
   };
   SurfaceGhosts(std::span<const PointTarget> points, const Surface& surface);
 
   /// Adds the echoes that `secondary` and `max_surfaces` of the plan allow. Allocates nothing else.
   /// @param number  Of the ping.
-  void add(const PingPlan& plan, const Pose& world_from_sonar, std::uint64_t number, Engine& engine, EchoGrid& grid);
+  /// @param phases  Whether phases count (ReceiverConfig::speckle): then waves make phase and intensity random.
+  void add(const PingPlan& plan, const Pose& world_from_sonar, std::uint64_t number, bool phases, Engine& engine,
+           EchoGrid& grid);
 
  private:
   // Rays per point: sonar to point, sonar to the reflection on the surface, and from there to the point.
@@ -50,6 +52,7 @@ class SurfaceGhosts {
 
   std::span<const PointTarget> points_;
   Surface surface_;
+  bool glints_ = false;    // Whether phase and intensity are random.
   std::vector<Ray> rays_;  // [point][ray]
   std::vector<Hit> hits_;
 };

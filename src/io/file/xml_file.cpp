@@ -27,14 +27,12 @@ XmlFile::XmlFile(std::string_view text, std::string shown) : shown_(std::move(sh
   for (std::size_t end = text.find('\n'); end != std::string_view::npos; end = text.find('\n', end + 1)) {
     line_starts_.push_back(end + 1);
   }
-  const auto refuse = [this](const Place& place, const std::string& reason) {
-    throw Error(fmt::format("{}:{}:{}: {}", shown_, place.line, place.column, reason));
-  };
+  const auto refuse = [this](const Place& place, const std::string& reason) { throw Error(reason).at(place); };
   // Bytes are taken for UTF-8 whatever the declaration says: offsets stay those of the file.
   const pugi::xml_parse_result result =
       document_.load_buffer(text.data(), text.size(), pugi::parse_default, pugi::encoding_utf8);
   if (result.status == pugi::status_no_document_element) {
-    refuse({1, 1}, "there is no XML element in this file");
+    refuse({shown_, 1, 1}, "there is no XML element in this file");
   }
   if (!result) {
     const std::string reason = result.status == pugi::status_end_element_mismatch
@@ -56,20 +54,16 @@ XmlFile::XmlFile(std::string_view text, std::string shown) : shown_(std::move(sh
   }
 }
 
-XmlFile::Place XmlFile::place_of(std::ptrdiff_t offset) const {
+Place XmlFile::place_of(std::ptrdiff_t offset) const {
   const auto next =
       std::ranges::upper_bound(line_starts_, static_cast<std::size_t>(std::max<std::ptrdiff_t>(offset, 0)));
-  return {static_cast<int>(next - line_starts_.begin()),
+  return {shown_, static_cast<int>(next - line_starts_.begin()),
           static_cast<int>(offset - static_cast<std::ptrdiff_t>(*std::prev(next))) + 1};
 }
 
-std::string XmlFile::where(pugi::xml_node element) const {
+Place XmlFile::place(pugi::xml_node element) const {
   const std::ptrdiff_t name = element.offset_debug();
-  if (name < 0) {
-    return shown_ + ": ";
-  }
-  const Place place = place_of(name - 1);  // '<' comes just before the name.
-  return fmt::format("{}:{}:{}: ", shown_, place.line, place.column);
+  return name < 0 ? Place{shown_} : place_of(name - 1);  // '<' comes just before the name.
 }
 
 int XmlFile::line_of(pugi::xml_node element) const {

@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "insonify/error.h"
+
 namespace insonify {
 
 /// Elements inside each other, at most; a scene needs a dozen. Recursive readers overflow the stack on more.
@@ -21,16 +23,16 @@ class XmlFile {
 
   [[nodiscard]] pugi::xml_node root() const { return document_.document_element(); }
 
-  /// "path:line:column: " of an element's '<', counted from 1, columns in bytes; "path: " for one that was added later.
-  [[nodiscard]] std::string where(pugi::xml_node element) const;
+  /// Place of an element's '<', columns in bytes; without a line for one that was added later.
+  [[nodiscard]] Place place(pugi::xml_node element) const;
+
+  /// The same as messages begin: "path:line:column: ".
+  [[nodiscard]] std::string where(pugi::xml_node element) const { return place(element).text(); }
 
   /// Line of an element's '<', from 1; 0 for one that was added later.
   [[nodiscard]] int line_of(pugi::xml_node element) const;
 
  private:
-  struct Place {
-    int line = 0, column = 0;
-  };
   [[nodiscard]] Place place_of(std::ptrdiff_t offset) const;
 
   std::string shown_;

@@ -9,19 +9,19 @@
 namespace insonify {
 namespace {
 
-bool always(const Scenario&) {
+bool always(const Scenario&, const SonarConfig&) {
   return true;
 }
-bool with_field(const Scenario& scenario) {
-  return scenario.receiver.field;
+bool with_field(const Scenario& scenario, const SonarConfig& sonar) {
+  return scenario.receiver_of(sonar).field;
 }
-bool with_counts(const Scenario& scenario) {
-  return scenario.receiver.counts;
+bool with_counts(const Scenario& scenario, const SonarConfig& sonar) {
+  return scenario.receiver_of(sonar).counts;
 }
-bool labelled(const Scenario& scenario) {
+bool labelled(const Scenario& scenario, const SonarConfig&) {
   return scenario.ground_truth != GroundTruth::kNone;
 }
-bool in_full(const Scenario& scenario) {
+bool in_full(const Scenario& scenario, const SonarConfig&) {
   return scenario.ground_truth == GroundTruth::kFull;
 }
 
@@ -126,10 +126,10 @@ std::span<const std::byte> PingLayer::bytes(const Ping& ping) const {
   return std::visit([&](auto member) { return std::as_bytes(std::span(ping.*member)); }, table);
 }
 
-std::vector<PingLayer> ping_layers(const Scenario& scenario) {
+std::vector<PingLayer> ping_layers(const Scenario& scenario, const SonarConfig& sonar) {
   std::vector<PingLayer> layers;
   std::ranges::copy_if(kLayers, std::back_inserter(layers),
-                       [&](const PingLayer& layer) { return layer.recorded(scenario); });
+                       [&](const PingLayer& layer) { return layer.recorded(scenario, sonar); });
   return layers;
 }
 

@@ -19,9 +19,9 @@ struct PingLayer {
   std::variant<std::vector<float> Ping::*, std::vector<std::complex<float>> Ping::*, std::vector<std::uint16_t> Ping::*,
                std::vector<std::uint8_t> Ping::*>
       table;
-  bool (*recorded)(const Scenario&);  ///< Whether it is.
-  hsize_t each;                       ///< Values of each bin; 0 for a single one, without an axis of their own.
-  const char* axis;                   ///< The name of that axis.
+  bool (*recorded)(const Scenario&, const SonarConfig&);  ///< Whether it is.
+  hsize_t each;      ///< Values of each bin; 0 for a single one, without an axis of their own.
+  const char* axis;  ///< The name of that axis.
   H5Note note;
   bool labels = false;  ///< Whether values are rows of a list, kNoLabel for none.
 
@@ -32,7 +32,7 @@ struct PingLayer {
 
 inline constexpr std::size_t kMostPingLayers = 12;
 
-/// Those of a recording, in order; at most kMostPingLayers.
-[[nodiscard]] std::vector<PingLayer> ping_layers(const Scenario& scenario);
+/// Those of a sonar's recording, in order; at most kMostPingLayers.
+[[nodiscard]] std::vector<PingLayer> ping_layers(const Scenario& scenario, const SonarConfig& sonar);
 
 }  // namespace insonify

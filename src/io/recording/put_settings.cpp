@@ -165,6 +165,7 @@ void put_materials(const H5Writer& writer, const Scene& scene, double frequency)
 void put_settings(const H5Writer& writer, const Scenario& scenario, const Scene& scene, const SonarConfig& sonar) {
   Scenario run = scenario;
   run.water = scenario.water_at(sonar);
+  run.receiver = scenario.receiver_of(sonar);
   Scenario::visit_fields(run, [&](const Field& field, const auto& member) {
     put_member(writer, fmt::format("settings/{}", field.name), field, member);
   });
@@ -175,7 +176,9 @@ void put_settings(const H5Writer& writer, const Scenario& scenario, const Scene&
       put_part(writer, fmt::format("settings/{}", part.name), member);
     }
   });
-  put_config(writer, "settings/sonar", sonar);
+  SonarConfig own = sonar;
+  own.receiver.reset();
+  put_config(writer, "settings/sonar", own);
   put_materials(writer, scene, sonar.frequency);
 }
 

@@ -102,8 +102,9 @@ void put_run(const H5Writer& writer, const Scenario& scenario, const Scene& scen
   writer.attribute(root, "version", kVersion);
   writer.attribute(root, "model", std::string(word_of(scenario.model)));
   writer.attribute(root, "engine", scenario.engine);
-  const PrimaryEchoes primary = primary_echoes(scenario.primary, sonar, scene.triangle_count(),
-                                               engine_kind(scenario.engine).draws_primaries, scenario.has_even_rows());
+  const PrimaryEchoes primary =
+      primary_echoes(scenario.primary, sonar, scene.triangle_count(), engine_kind(scenario.engine).draws_primaries,
+                     scenario.has_even_rows(sonar));
   writer.attribute(root, "primary", primary == PrimaryEchoes::kRays ? "rays" : "raster");
   writer.attribute(root, "seed", scenario.seed);
   writer.attribute(root, "scenario", scenario.text.empty() ? to_yaml(scenario) : scenario.text);
@@ -132,7 +133,7 @@ struct Recording::State {
 
 Recording::Recording(const std::filesystem::path& path, const Scenario& scenario, const Scene& scene,
                      const SonarConfig& sonar, const RecordingOptions& options) {
-  std::vector<PingLayer> layers = ping_layers(scenario);
+  std::vector<PingLayer> layers = ping_layers(scenario, sonar);
   const auto describe = [&](hid_t file) {
     const H5Writer writer(file, path);
     describe_datasets(writer, sonar, layers);
@@ -189,7 +190,7 @@ std::uint64_t recording_bytes(const Scenario& scenario, const SonarConfig& sonar
   constexpr std::uint64_t kFixed = 150'000;  // Settings, axes and names, and the hole at the end.
   constexpr std::uint64_t kIndex = 192;      // An entry in two versions of a node, and what aligns a chunk.
   std::uint64_t ping = 0;
-  for (const GrowingDataset& dataset : growing_datasets(sonar, ping_layers(scenario), false)) {
+  for (const GrowingDataset& dataset : growing_datasets(sonar, ping_layers(scenario, sonar), false)) {
     ping += dataset.row_bytes() + kIndex / dataset.chunk_rows();
   }
   return kFixed + scenario.text.size() + pings * ping;

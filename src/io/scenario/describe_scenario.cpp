@@ -8,6 +8,7 @@
 #include "insonify/scenario.h"
 #include "io/file/yaml_words.h"
 #include "io/scenario/preset_choice.h"
+#include "io/scenario/yaml_read.h"
 
 namespace insonify {
 namespace {
@@ -18,7 +19,7 @@ std::string number(double value) {
   return fmt::format("{:.10g}", value);
 }
 
-// What may be written for a member, and what stands for its default.
+// The allowed values and the default of a member, as `describe` prints them.
 struct Texts {
   std::string allowed, default_value;
 };
@@ -69,10 +70,14 @@ void add_keys(SectionDescription& section, const Config& defaults = {}) {
     const Texts texts = texts_of(field, member);
     section.keys.push_back({file_name_of(field), std::string(file_unit_of(field)), texts.allowed, texts.default_value,
                             std::string(field.help)});
+    if (is_orientation(field)) {
+      section.keys.push_back({quaternion_name_of(field), "", "four numbers", kNoDefault,
+                              fmt::format("Instead of {}: a unit quaternion, [w, x, y, z].", file_name_of(field))});
+    }
   });
 }
 
-// What stands for an entry of a part, for its fields' defaults.
+// An entry of a part with its defaults: the struct itself, or one element of an optional, a list or a map.
 template <typename Member>
 auto entry_of(const Member& member) {
   if constexpr (requires { typename Member::mapped_type; }) {

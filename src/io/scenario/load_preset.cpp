@@ -30,7 +30,7 @@ YamlValue preset_tree(const std::filesystem::path& file) {
 const YamlValue& required(const YamlValue& map, const std::string& object, const std::string& key) {
   const YamlValue* value = map.find(key);
   if (value == nullptr) {
-    throw Error(fmt::format("{}{} is missing", map.where, member_name(object, key)));
+    throw Error(object, key, " is missing").at(map.place);
   }
   return *value;
 }
@@ -107,8 +107,10 @@ class FactReader {
       known.push_back(known_name);
     }
     if (sources_.find(short_name) == nullptr) {
-      throw Error(fmt::format("{}{}.source = {} is not one of the sources{}", fact.where, name, quoted_text(short_name),
-                              suggestion(short_name, known)));
+      throw Error(
+          name, "source",
+          fmt::format(" = {} is not one of the sources{}", quoted_text(short_name), suggestion(short_name, known)))
+          .at(fact.place);
     }
     const std::string text = required_text(sources_, "sources", short_name);
     return fact.find("note") == nullptr ? text : fmt::format("{}: {}", text, required_text(fact, name, "note"));
@@ -120,11 +122,11 @@ class FactReader {
     YamlValue value = required(fact, name, "value");
     const std::string confidence = required_text(fact, name, "confidence");
     if (confidence != "A" && confidence != "B" && confidence != "C") {
-      throw Error(fmt::format("{}{}.confidence = {} must be A, B or C", fact.where, name, quoted_text(confidence)));
+      throw Error(name, "confidence", fmt::format(" = {} must be A, B or C", quoted_text(confidence))).at(fact.place);
     }
     const PresetFact read{key, value.kind == Kind::kScalar ? value.scalar : value.shown(), unit_of(key), confidence,
                           source_of(fact, name)};
-    value.where = fact.where;
+    value.place = fact.place;
     if (YamlValue* earlier = values.find(key)) {
       *earlier = value;
       *std::ranges::find(facts, key, &PresetFact::field) = read;
@@ -137,7 +139,8 @@ class FactReader {
   const YamlValue& sources_;
 };
 
-// As few bits as it delivers: what its users mostly record. Its decibels where they are known.
+// Bits and range of the counts: the smallest depth from 8 to 16 bits that the instrument delivers, and its dynamic
+// range if known.
 void fill_in_counts(Preset& preset) {
   const std::vector<double>& depths = preset.instrument.bit_depths;
   const auto usual = std::ranges::find_if(depths, [](double bits) { return bits >= 8 && bits <= 16; });
@@ -169,7 +172,7 @@ void check_preset_name(const std::string& name) {
         fmt::format("{} is not a preset; there are none in {}", quoted_text(name), preset_folders().back().string()));
   }
   if (!std::ranges::binary_search(names, name)) {
-    // "gemini" is far from "tritech-gemini-720i" by letters, but part of it.
+    // "gemini" has a large edit distance to "tritech-gemini-720i", but is a part of it.
     std::vector<std::string> holding_it = names;
     std::erase_if(holding_it,
                   [&](const auto& known) { return name.size() < 3 || known.find(name) == std::string::npos; });
@@ -187,7 +190,7 @@ void check_preset_mode(const std::string& name, const std::string& mode) {
 
 void Preset::fit_to_range(SonarConfig& fitted, double sound_speed) const {
   const double window = fitted.max_range - fitted.min_range;
-  // Rounded first: a window of a whole number of bins must not get one more for the last bit of a double.
+  // The tolerance keeps a window of a whole number of bins from getting one more by rounding.
   const double wanted =
       instrument.range_resolution ? std::ceil(window / *instrument.range_resolution - 1e-6) : instrument.bin_limit;
   fitted.bin_count = std::clamp(static_cast<int>(std::min(wanted, 65536.0)), 1, instrument.bin_limit);
@@ -246,7 +249,7 @@ Preset load_preset(const std::string& name, const std::string& mode) {
   preset.title = required_text(tree, "", "title");
   preset.default_mode = required_text(tree, "", "default_mode");
   preset.modes = modes_of(tree);
-  with_place(required(tree, "", "default_mode").where, [&] { require_mode(name, preset.default_mode, preset.modes); });
+  with_place(required(tree, "", "default_mode").place, [&] { require_mode(name, preset.default_mode, preset.modes); });
   require_mode(name, mode.empty() ? preset.default_mode : mode, preset.modes);
 
   FactReader reader(required(tree, "", "sources"));
@@ -266,7 +269,7 @@ Preset load_preset(const std::string& name, const std::string& mode) {
   fill_in_counts(preset);
   preset.sonar.model = preset.title;  // Not its mode: the frequency stands beside it.
   preset.fit_to_range(preset.sonar, kReferenceSoundSpeed);
-  with_place(preset.file.string() + ":1:1: ", [&] { preset.sonar.validate(name); });
+  with_place({preset.file.string(), 1, 1}, [&] { preset.sonar.validate(name); });
   return preset;
 }
 

@@ -1,4 +1,4 @@
-// preset_file.h -- preset files by name, for those who check a name before they load it.
+// preset_file.h -- checks the names of presets and modes without loading them.
 
 #pragma once
 

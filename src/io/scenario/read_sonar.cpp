@@ -1,4 +1,4 @@
-// read_sonar.cpp -- a preset first, where one is named, then what the entry says itself, then what follows from both.
+// read_sonar.cpp -- applies the preset, then the entry's own keys, then computes what follows from both.
 
 #include "io/scenario/read_sonar.h"
 
@@ -15,30 +15,39 @@
 namespace insonify {
 namespace {
 
+// Calls a check whose messages begin with the value, and adds the key and its place.
+template <typename Check>
+void check_choice(const YamlValue& given, const std::string& object, std::string_view key, const Check& check) {
+  try {
+    check();
+  } catch (const Error& error) {
+    throw Error(object, key, fmt::format(" = {}", error.what())).at(given.place);
+  }
+}
+
 std::optional<Preset> preset_of(const YamlValue& value, const std::string& object, Places& places) {
   PresetChoice choice;
   const YamlValue* given_name = value.find("preset");
   const YamlValue* given_mode = value.find("mode");
   if (given_name == nullptr) {
     if (given_mode != nullptr) {
-      throw Error(fmt::format("{}{}.mode belongs to a preset, and none is named", given_mode->where, object));
+      throw Error(object, "mode", " belongs to a preset, and none is named").at(given_mode->place);
     }
     return std::nullopt;
   }
   read_fields(value, object, choice, places);
-  with_place(fmt::format("{}{}.preset = ", given_name->where, object), [&] { check_preset_name(choice.preset); });
+  check_choice(*given_name, object, "preset", [&] { check_preset_name(choice.preset); });
   if (given_mode != nullptr) {
-    with_place(fmt::format("{}{}.mode = ", given_mode->where, object),
-               [&] { check_preset_mode(choice.preset, choice.mode); });
+    check_choice(*given_mode, object, "mode", [&] { check_preset_mode(choice.preset, choice.mode); });
   }
   return load_preset(choice.preset, choice.mode);
 }
 
-// A table of beams says how many there are and, from two on, how wide the fan is.
+// Derives beam_count and, for two beams or more, azimuth_aperture from a table of beam_azimuths.
 void fit_to_beam_azimuths(const YamlValue& value, const std::string& object, SonarConfig& sonar) {
   if (sonar.beam_azimuths.empty()) {
     if (const YamlValue* given = value.find("beam_azimuths_deg")) {
-      throw Error(fmt::format("{}{}.beam_azimuths_deg must have at least one angle", given->where, object));
+      throw Error(object, "beam_azimuths_deg", " must have at least one angle").at(given->place);
     }
     return;
   }
@@ -49,30 +58,28 @@ void fit_to_beam_azimuths(const YamlValue& value, const std::string& object, Son
     return;
   }
   if (const YamlValue* given = value.find("azimuth_aperture_deg")) {
-    throw Error(
-        fmt::format("{}{}.azimuth_aperture_deg follows from beam_azimuths_deg; leave it out", given->where, object));
+    throw Error(object, "azimuth_aperture_deg", " follows from beam_azimuths_deg; leave it out").at(given->place);
   }
   if (static_cast<int>(sonar.beam_azimuths.size()) == sonar.beam_count) {
     const std::vector<double> edges = sonar.beam_edges();
-    // Of a table that is in order; others are refused later, with the reason.
+    // A table out of order is refused later, by validate().
     sonar.azimuth_aperture = edges.front() > edges.back() ? edges.front() - edges.back() : sonar.azimuth_aperture;
   }
 }
 
-// A key that would have no effect is a mistake.
+// Keys of the scanning head have no effect on other sonars.
 void refuse_head_keys(const YamlValue& value, const std::string& object, const SonarConfig& sonar) {
   if (sonar.type == SonarType::kMechanicallyScanned) {
     return;
   }
   for (const char* key : {"step_deg", "sector_center_deg", "sector_width_deg", "mounting"}) {
     if (const YamlValue* given = value.find(key)) {
-      throw Error(
-          fmt::format("{}{}.{} belongs to a scanning sonar; this one's type is fls", given->where, object, key));
+      throw Error(object, key, " belongs to a scanning sonar; this one's type is fls").at(given->place);
     }
   }
 }
 
-// Bins and period follow the range window unless they are given.
+// Derives bin_count and ping_period from the range window unless they are given.
 void fit_to_range(const YamlValue& value, const Preset& preset, const Scenario& scenario, SonarConfig& sonar) {
   SonarConfig fitted = sonar;
   preset.fit_to_range(fitted, sonar.assumed_sound_speed.value_or(scenario.water_at(sonar).true_sound_speed()));
@@ -89,18 +96,21 @@ void fit_to_range(const YamlValue& value, const Preset& preset, const Scenario& 
 SonarConfig read_sonar(const YamlValue& value, const std::string& object, const Scenario& scenario, Places& places,
                        const Log& log) {
   require_map(value, object, "a map of keys such as preset and max_range");
-  places[object] = value.where;
+  places[object] = value.place;
   check_keys(value, object, sonar_keys(), part_keys());
   const std::optional<Preset> preset = preset_of(value, object, places);
   SonarConfig sonar = preset ? preset->sonar : SonarConfig();
   read_fields(value, object, sonar, places);
+  if (value.find("receiver") != nullptr) {
+    sonar.receiver = scenario.receiver;  // What the sonar's own does not give.
+  }
   read_parts(value, object, sonar, places, [](std::string_view) { return true; });
   fit_to_beam_azimuths(value, object, sonar);
   refuse_head_keys(value, object, sonar);
   if (preset) {
     fit_to_range(value, *preset, scenario, sonar);
     for (const std::string& text : preset->exceeded_by(sonar)) {
-      log_line(log, Severity::kWarning, value.where + object + "." + text);
+      log_line(log, Severity::kWarning, value.place.text() + object + "." + text);
     }
   }
   return sonar;

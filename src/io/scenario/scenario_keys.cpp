@@ -9,7 +9,7 @@
 namespace insonify {
 namespace {
 
-// Paths of the keys of those parts that are single: "water.depth". Of lists, a path would need an index.
+// Adds the keys of parts that are single structs, as paths: "water.depth". Keys within lists have no fixed path.
 template <typename Config>
 void add_paths(const std::string& object, std::vector<std::string>& paths) {
   const Config config{};

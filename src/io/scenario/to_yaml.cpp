@@ -49,7 +49,7 @@ double degrees_to_write(double radians) {
   return nearest;
 }
 
-// Each kind of member as it is read; nothing for what is absent.
+// One overload for each type of member; kNothing for an absent one.
 
 YamlValue written(const Field& field, double member) {
   return scalar(fmt::format("{}", field.unit == "rad" ? degrees_to_write(member) : member));
@@ -91,14 +91,15 @@ bool same(const YamlValue& a, const YamlValue& b) {
   return a.kind == b.kind && a.scalar == b.scalar && std::ranges::equal(a.items, b.items, same);
 }
 
-// Keys that the reader refuses beside others, from which they follow or without which they have no effect.
-bool is_refused(const SonarConfig& sonar, std::string_view name) {
+// Keys that the reader refuses: they follow from others, or have no effect on this type of sonar.
+bool is_refused(const SonarConfig& sonar, const Field& field) {
+  const std::string_view name = field.name;
   const bool head = name == "step" || name == "sector_center" || name == "sector_width" || name == "mounting";
   return (head && sonar.type != SonarType::kMechanicallyScanned) ||
          (name == "azimuth_aperture" && sonar.beam_azimuths.size() > 1);
 }
 template <typename Config>
-bool is_refused(const Config& /*config*/, std::string_view /*name*/) {
+bool is_refused(const Config& /*config*/, const Field& /*field*/) {
   return false;
 }
 
@@ -107,34 +108,35 @@ YamlValue::Entry entry(const std::string& key, YamlValue value) {
 }
 
 template <typename Config>
-YamlValue map_of(const Config& config, const Config& defaults = {});
+YamlValue map_of(ActsIn idle, const Config& config, const Config& defaults = {});
 
 template <typename Member>
-YamlValue written_part(const Member& member, const Member& defaults) {
+YamlValue written_part(ActsIn idle, const Member& member, const Member& defaults) {
   YamlValue part;
   if constexpr (requires { member.has_value(); }) {
-    return member ? map_of(*member) : part;
+    return member ? map_of(idle, *member) : part;
   } else if constexpr (requires { typename Member::mapped_type; }) {
     part.kind = Kind::kMap;
     for (const auto& [key, value] : member) {
-      part.entries.push_back(entry(key, map_of(value)));
+      part.entries.push_back(entry(key, map_of(idle, value)));
     }
     return member.empty() ? YamlValue() : part;
   } else if constexpr (requires { member.begin(); }) {
     part.kind = Kind::kList;
     for (const auto& value : member) {
-      part.items.push_back(map_of(value));
+      part.items.push_back(map_of(idle, value));
     }
     return member.empty() ? YamlValue() : part;
   } else {
-    part = map_of(member, defaults);
+    part = map_of(idle, member, defaults);
     return part.entries.empty() ? YamlValue() : part;
   }
 }
 
 // What differs from the defaults.
+// @param idle  The model in which fields that are left out act: the one that the scenario has not.
 template <typename Config>
-YamlValue map_of(const Config& config, const Config& defaults) {
+YamlValue map_of(ActsIn idle, const Config& config, const Config& defaults) {
   YamlValue map;
   map.kind = Kind::kMap;
   std::vector<YamlValue> usual;
@@ -143,19 +145,29 @@ YamlValue map_of(const Config& config, const Config& defaults) {
   auto next = usual.begin();
   Config::visit_fields(config, [&](const Field& field, const auto& member) {
     YamlValue value = written(field, member);
-    if (!same(value, *next++) && !is_refused(config, field.name)) {
-      map.entries.push_back(entry(file_name_of(field), std::move(value)));
+    if (!same(value, *next++) && field.acts != idle && !is_refused(config, field)) {
+      map.entries.push_back(
+          entry(file_name_of(field), value.kind == Kind::kNothing ? scalar("none") : std::move(value)));
     }
   });
   if constexpr (HasParts<Config>) {
     Config::visit_parts(config, [&]<typename Member>(const Part& part, const Member& member) {
-      YamlValue value = written_part(member, Member{});
+      YamlValue value = written_part(idle, member, Member{});
       if (value.kind != Kind::kNothing) {
         map.entries.push_back(entry(std::string(part.name), std::move(value)));
       }
     });
   }
   return map;
+}
+
+// Replaces each sonar's own receiver by its differences from the scenario's receiver, from which reading starts.
+void write_receivers(ActsIn idle, const Scenario& scenario, YamlValue& map) {
+  for (std::size_t i = 0; i < scenario.sonars.size(); ++i) {
+    if (scenario.sonars[i].receiver) {
+      *map.find("sonars")->items[i].find("receiver") = map_of(idle, *scenario.sonars[i].receiver, scenario.receiver);
+    }
+  }
 }
 
 }  // namespace
@@ -174,7 +186,9 @@ std::string to_yaml(const Scenario& scenario) {
       }
     });
   }
-  YamlValue map = map_of(whole);
+  const ActsIn idle = scenario.model == EchoModel::kPaper ? ActsIn::kCalibrated : ActsIn::kPaper;
+  YamlValue map = map_of(idle, whole);
+  write_receivers(idle, whole, map);
   if (whole.world.empty() && whole.points.empty() && !whole.surface) {
     map.entries.insert(map.entries.begin(), entry("world", scalar("none")));
   }

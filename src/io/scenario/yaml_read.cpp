@@ -1,4 +1,4 @@
-// yaml_read.cpp -- numbers, words and lists out of YAML scalars, and the messages for what is none of them.
+// yaml_read.cpp -- converts YAML scalars and lists to the types of members, with messages for values of another type.
 
 #include "io/scenario/yaml_read.h"
 
@@ -23,9 +23,9 @@ std::string name_of(std::string_view object, const Field& field, int index = -1)
 // The message for a value of the wrong kind.
 [[noreturn]] void refuse(const YamlValue& value, const std::string& name, std::string_view expected) {
   if (value.kind == Kind::kNothing) {
-    throw Error(fmt::format("{}{} has no value; it must be {}", value.where, name, expected));
+    throw Error("", name, fmt::format(" has no value; it must be {}", expected)).at(value.place);
   }
-  throw Error(fmt::format("{}{} = {} must be {}", value.where, name, value.shown(), expected));
+  throw Error("", name, fmt::format(" = {} must be {}", value.shown(), expected)).at(value.place);
 }
 
 std::string number_wanted(const Field& field, std::string_view kind) {
@@ -51,7 +51,7 @@ std::optional<Number> whole_text_as(std::string_view text) {
   return number;
 }
 
-// YAML's numbers, its infinities and NaN included: those are refused later, as values rather than as words.
+// Parses a YAML number. Infinities and NaN are parsed too, so that the message gives the limits of the field.
 std::optional<double> number_in(const YamlValue& value) {
   if (value.kind != Kind::kScalar || value.quoted) {
     return std::nullopt;
@@ -73,7 +73,7 @@ double stored_number(const YamlValue& value, std::string_view object, const Fiel
     refuse(value, name_of(object, field, index), number_wanted(field, "a number"));
   }
   const double stored = field.unit == "rad" ? radians_from_degrees(*written) : *written;
-  with_place(value.where, [&] { check_field(object, field, stored, index); });
+  with_place(value.place, [&] { check_field(object, field, stored, index); });
   return stored;
 }
 
@@ -85,7 +85,7 @@ std::string listed(std::span<const std::string> words) {
   return text;
 }
 
-// What is wrong with an unknown key, where we can tell: an angle without its unit or in radians.
+// The right name of an angle that was written without `_deg`, or as `_rad`.
 std::optional<std::string> misspelt_angle(std::string_view key, std::span<const std::string> known) {
   const std::string_view stem = key.ends_with("_rad") ? key.substr(0, key.size() - 4) : key;
   const std::string in_degrees = std::string(stem) + "_deg";
@@ -93,10 +93,6 @@ std::optional<std::string> misspelt_angle(std::string_view key, std::span<const 
 }
 
 }  // namespace
-
-std::string member_name(std::string_view object, std::string_view key) {
-  return object.empty() ? std::string(key) : fmt::format("{}.{}", object, key);
-}
 
 void require_map(const YamlValue& value, std::string_view object, std::string_view expected) {
   if (value.kind != Kind::kMap) {
@@ -125,9 +121,9 @@ void check_keys(const YamlValue& map, std::string_view object, std::span<const s
     }
     const std::string name = member_name(object, printable(key));
     if (const auto in_degrees = misspelt_angle(key, known)) {
-      throw Error(fmt::format("{}{} must be written {}, in degrees", value.where, name, *in_degrees));
+      throw Error("", name, fmt::format(" must be written {}, in degrees", *in_degrees)).at(value.place);
     }
-    throw Error(fmt::format("{}{} is not a known key{}", value.where, name, key_suggestion(key, known, elsewhere)));
+    throw Error("", name, fmt::format(" is not a known key{}", key_suggestion(key, known, elsewhere))).at(value.place);
   }
 }
 
@@ -138,7 +134,7 @@ void read_member(const YamlValue& value, std::string_view object, const Field& f
 void read_member(const YamlValue& value, std::string_view object, const Field& field, int& member) {
   const std::optional<double> written = number_in(value);
   if (written && std::isfinite(*written) && *written == std::floor(*written)) {
-    with_place(value.where, [&] { check_field(object, field, *written); });
+    with_place(value.place, [&] { check_field(object, field, *written); });
     if (std::abs(*written) <= std::numeric_limits<int>::max()) {
       member = static_cast<int>(*written);
       return;
@@ -193,6 +189,25 @@ void read_member(const YamlValue& value, std::string_view object, const Field& f
   for (const YamlValue& item : value.items) {
     member.push_back(stored_number(item, object, field, static_cast<int>(member.size())));
   }
+}
+
+void read_quaternion(const YamlValue& value, std::string_view object, const Field& field, bool twice, Vec3& rpy) {
+  const std::string key = quaternion_name_of(field);
+  if (twice) {
+    throw Error(object, key, fmt::format(" cannot go with {}: one orientation", file_name_of(field))).at(value.place);
+  }
+  if (value.kind != Kind::kList || value.items.size() != 4) {
+    refuse(value, member_name(object, key), "a list of four numbers, w x y z");
+  }
+  std::vector<double> numbers;
+  read_member(value, object, Field{key, "", from_to(-2, 2), ""}, numbers);
+  const Eigen::Quaterniond quaternion(numbers[0], numbers[1], numbers[2], numbers[3]);
+  constexpr double kTolerance = 0.01;  // Of what was written with few digits.
+  if (!(std::abs(quaternion.norm() - 1) <= kTolerance)) {
+    throw Error(object, key, fmt::format(" = {} must have a norm of 1, not {:.4g}", value.shown(), quaternion.norm()))
+        .at(value.place);
+  }
+  rpy = rpy_from_orientation(quaternion.normalized());
 }
 
 std::size_t read_word(const YamlValue& value, std::string_view object, const Field& field,

@@ -18,33 +18,36 @@
 
 namespace insonify {
 
-/// Where each thing that was read stands ("path:line:column: "), by the name that messages use: "sonars[0].max_range".
-using Places = std::map<std::string, std::string>;
-
-/// "sonars[0]" and "max_range" give "sonars[0].max_range"; an object without a name gives the key alone.
-[[nodiscard]] std::string member_name(std::string_view object, std::string_view key);
-
 /// @throws Error unless the value is of that kind. `expected` completes "must be ...".
 void require_map(const YamlValue& value, std::string_view object, std::string_view expected);
 void require_list(const YamlValue& value, std::string_view object, std::string_view expected);
 
 /// @throws Error for the first key that is not known; it names the nearest one that is.
-/// @param elsewhere  Keys of other parts, as paths such as "water.depth": named to who wrote just the last word.
+/// @param elsewhere  Keys of other parts, as paths such as "water.depth": suggested for an unknown key "depth".
 void check_keys(const YamlValue& map, std::string_view object, std::span<const std::string> known,
                 std::span<const std::string> elsewhere = {});
 
-/// The end of a message on an unknown key: "; did you mean water.depth?", or nothing.
+/// The end of the message for an unknown key: "; did you mean water.depth?", or "".
 [[nodiscard]] std::string key_suggestion(std::string_view key, std::span<const std::string> known,
                                          std::span<const std::string> elsewhere);
 
-/// Calls a function and puts `where` before the message of an Error it throws.
+/// Calls a function and gives an Error that it throws a place.
 template <typename Function>
-void with_place(const std::string& where, Function&& function) {
+void with_place(const Place& place, Function&& function) {
   try {
     function();
   } catch (const Error& error) {
-    throw Error(where + error.what());
+    throw error.at(place);
   }
+}
+
+/// Whether a field is an orientation as roll, pitch and yaw, which files may also write as a quaternion.
+[[nodiscard]] inline bool is_orientation(const Field& field) {
+  return field.name == "orientation" && field.unit == "rad";
+}
+/// The key of such a quaternion: "orientation_wxyz".
+[[nodiscard]] inline std::string quaternion_name_of(const Field& field) {
+  return std::string(field.name) + "_wxyz";
 }
 
 /// Names of a configuration's fields as files spell them, without its parts.
@@ -52,7 +55,12 @@ template <typename Config>
 [[nodiscard]] std::vector<std::string> field_keys_of() {
   std::vector<std::string> keys;
   const Config config{};
-  Config::visit_fields(config, [&](const Field& field, const auto&) { keys.push_back(file_name_of(field)); });
+  Config::visit_fields(config, [&](const Field& field, const auto&) {
+    keys.push_back(file_name_of(field));
+    if (is_orientation(field)) {
+      keys.push_back(quaternion_name_of(field));
+    }
+  });
   return keys;
 }
 
@@ -77,7 +85,7 @@ void read_member(const YamlValue& value, std::string_view object, const Field& f
 void read_member(const YamlValue& value, std::string_view object, const Field& field, Vec3& member);
 void read_member(const YamlValue& value, std::string_view object, const Field& field, std::vector<double>& member);
 
-/// `none`, and null, are as if the key were not there.
+/// `none` and null reset the member.
 template <typename T>
 void read_member(const YamlValue& value, std::string_view object, const Field& field, std::optional<T>& member) {
   if (value.scalar == "none" || value.kind == YamlValue::Kind::kNothing) {
@@ -89,7 +97,7 @@ void read_member(const YamlValue& value, std::string_view object, const Field& f
   member = found;
 }
 
-/// The place in `words` of the word that the value is.
+/// Index in `words` of the word that the value is.
 [[nodiscard]] std::size_t read_word(const YamlValue& value, std::string_view object, const Field& field,
                                     std::span<const std::string> words);
 
@@ -103,14 +111,24 @@ void read_member(const YamlValue& value, std::string_view object, const Field& f
   member = words_of<Enum>()[read_word(value, object, field, words)].second;
 }
 
+/// Reads a quaternion [w, x, y, z], of a norm within 1 % of 1, as roll, pitch and yaw.
+/// @param twice  Whether the map gives the angles as well, which is an error.
+void read_quaternion(const YamlValue& value, std::string_view object, const Field& field, bool twice, Vec3& rpy);
+
 /// Fills those fields of a configuration that a map gives; keys it does not know are left to check_keys().
 template <typename Config>
 void read_fields(const YamlValue& map, std::string_view object, Config& config, Places& places) {
   Config::visit_fields(config, [&](const Field& field, auto& member) {
     const std::string key = file_name_of(field);
     if (const YamlValue* value = map.find(key)) {
-      places[member_name(object, key)] = value->where;
+      places[member_name(object, key)] = value->place;
       read_member(*value, object, field, member);
+    }
+    if constexpr (std::is_same_v<std::remove_cvref_t<decltype(member)>, Vec3>) {
+      const YamlValue* quaternion = is_orientation(field) ? map.find(quaternion_name_of(field)) : nullptr;
+      if (quaternion != nullptr) {
+        read_quaternion(*quaternion, object, field, map.find(key) != nullptr, member);
+      }
     }
   });
 }
@@ -120,7 +138,7 @@ void read_fields(const YamlValue& map, std::string_view object, Config& config, 
 template <typename Config>
 void read_section(const YamlValue& value, std::string_view object, Config& config, Places& places);
 
-// One part, by what it is: a struct, an optional one, a list of them. Null takes away what is optional, and lists.
+// Reads one part: a struct, an optional struct, a list or a map of structs. Null resets an optional and empties a list.
 template <typename Config>
 void read_part(const YamlValue& value, const std::string& name, const Part& /*part*/, Config& config, Places& places) {
   read_section(value, name, config, places);
@@ -128,10 +146,12 @@ void read_part(const YamlValue& value, const std::string& name, const Part& /*pa
 template <typename Config>
 void read_part(const YamlValue& value, const std::string& name, const Part& /*part*/, std::optional<Config>& config,
                Places& places) {
-  config.reset();
-  if (value.kind != YamlValue::Kind::kNothing) {
-    read_section(value, name, config.emplace(), places);
+  if (value.kind == YamlValue::Kind::kNothing) {
+    config.reset();
+    return;
   }
+  config = config.value_or(Config{});
+  read_section(value, name, *config, places);
 }
 template <typename Config>
 void read_part(const YamlValue& value, const std::string& name, const Part& part, std::vector<Config>& configs,
@@ -152,7 +172,7 @@ void read_part(const YamlValue& value, const std::string& name, const Part& part
   require_map(value, name, "a " + std::string(part.kind));
   for (const auto& [key, entry] : value.entries) {
     if (key.empty()) {
-      throw Error(entry.where + name + " has an entry without a name");
+      throw Error("", name, " has an entry without a name").at(entry.place);
     }
     read_section(entry, member_name(name, key), configs[key], places);
   }
@@ -166,7 +186,7 @@ void read_parts(const YamlValue& map, std::string_view object, Config& config, P
     const YamlValue* value = map.find(part.name);
     if (value != nullptr && takes(part.name)) {
       const std::string name = member_name(object, part.name);
-      places[name] = value->where;
+      places[name] = value->place;
       read_part(*value, name, part, member, places);
     }
   });
@@ -176,7 +196,7 @@ template <typename Config>
 void read_section(const YamlValue& value, std::string_view object, Config& config, Places& places) {
   const std::vector<std::string> keys = keys_of<Config>();
   require_map(value, object, "a map of keys such as " + keys.front());
-  places[std::string(object)] = value.where;
+  places[std::string(object)] = value.place;
   check_keys(value, object, keys);
   read_fields(value, object, config, places);
   if constexpr (HasParts<Config>) {

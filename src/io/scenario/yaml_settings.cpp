@@ -1,4 +1,4 @@
-// yaml_settings.cpp -- finds or makes the place in a scenario's tree that a setting's key names.
+// yaml_settings.cpp -- finds or creates the value in a scenario's tree that a setting's key names.
 
 #include "io/scenario/yaml_settings.h"
 
@@ -17,7 +17,7 @@ namespace {
 
 using Kind = YamlValue::Kind;
 
-// One step of a key: a name, or a place in a list.
+// One step of a key: a name, or an index of a list.
 struct Step {
   std::string name;
   int index = -1;
@@ -26,7 +26,7 @@ struct Step {
 };
 
 struct Setting {
-  std::string where;
+  Place place;
   std::vector<Step> steps;
   YamlValue value;
 };
@@ -60,25 +60,26 @@ std::vector<Step> steps_of(std::string_view key) {
 }
 
 Setting parse_setting(const std::string& text) {
-  const std::string where = fmt::format("--set {}: ", printable(text, kLongestName));
+  const Place place{fmt::format("--set {}", printable(text, kLongestName))};
   const std::size_t equals = text.find('=');
   if (equals == std::string::npos || equals == 0) {
-    throw Error(where + "must be key=value, such as pings=3");
+    throw Error("must be key=value, such as pings=3").at(place);
   }
-  Setting setting{where, steps_of(std::string_view(text).substr(0, equals)), {}};
+  Setting setting{place, steps_of(std::string_view(text).substr(0, equals)), {}};
   if (setting.steps.empty()) {
-    throw Error(fmt::format("{}{} is not a key such as water.depth or sonars[0].max_range", where,
-                            quoted_text(text.substr(0, equals))));
+    throw Error(
+        fmt::format("{} is not a key such as water.depth or sonars[0].max_range", quoted_text(text.substr(0, equals))))
+        .at(place);
   }
-  setting.value = parse_yaml_setting(text.substr(equals + 1), where);
+  setting.value = parse_yaml_setting(text.substr(equals + 1), place);
   return setting;
 }
 
-// The entry of a list that a step names: by its place, or by the `name` inside it.
-YamlValue& item_of(YamlValue& list, const Step& step, const std::string& name, const std::string& where) {
+// The entry of a list that a step names: by index, or by its own `name`.
+YamlValue& item_of(YamlValue& list, const Step& step, const std::string& name, const Place& place) {
   if (step.is_index()) {
     if (step.index >= static_cast<int>(list.items.size())) {
-      throw Error(fmt::format("{0}there is no {1}[{2}]; {1} has {3}", where, name, step.index, list.items.size()));
+      throw Error(fmt::format("there is no {0}[{1}]; {0} has {2}", name, step.index, list.items.size())).at(place);
     }
     return list.items[step.index];
   }
@@ -91,38 +92,37 @@ YamlValue& item_of(YamlValue& list, const Step& step, const std::string& name, c
     }
     names.push_back(printable(own));
   }
-  throw Error(
-      fmt::format("{}{} has no entry called {}; it has {}", where, name, printable(step.name), fmt::join(names, ", ")));
+  throw Error(fmt::format("{} has no entry called {}; it has {}", name, printable(step.name), fmt::join(names, ", ")))
+      .at(place);
 }
 
-// Follows the steps from `place`, makes maps where there is nothing yet, and puts the value at the end.
-void put(YamlValue& place, std::span<const Step> steps, std::string name, const YamlValue& value,
-         const std::string& where) {
+// Follows the steps from `tree`, makes maps where there is nothing yet, and puts the value at the end.
+void put(YamlValue& tree, std::span<const Step> steps, std::string name, const YamlValue& value, const Place& place) {
   if (steps.empty()) {
-    place = value;
-    place.where = where;
+    tree = value;
+    tree.place = place;
     return;
   }
   const Step& step = steps.front();
-  if (place.kind == Kind::kList) {
-    put(item_of(place, step, name, where), steps.subspan(1),
+  if (tree.kind == Kind::kList) {
+    put(item_of(tree, step, name, place), steps.subspan(1),
         step.is_index() ? fmt::format("{}[{}]", name, step.index) : fmt::format("{}.{}", name, step.name), value,
-        where);
+        place);
     return;
   }
-  if (place.kind == Kind::kScalar || step.is_index()) {
-    throw Error(fmt::format("{}{} is not {}", where, name, step.is_index() ? "a list" : "a map of keys"));
+  if (tree.kind == Kind::kScalar || step.is_index()) {
+    throw Error(fmt::format("{} is not {}", name, step.is_index() ? "a list" : "a map of keys")).at(place);
   }
-  place.kind = Kind::kMap;
-  if (place.where.empty()) {
-    place.where = where;
+  tree.kind = Kind::kMap;
+  if (tree.place.file.empty()) {
+    tree.place = place;
   }
-  YamlValue* next = place.find(step.name);
+  YamlValue* next = tree.find(step.name);
   if (next == nullptr) {
-    place.entries.push_back({step.name, {}});
-    next = &place.entries.back().value;
+    tree.entries.push_back({step.name, {}});
+    next = &tree.entries.back().value;
   }
-  put(*next, steps.subspan(1), name.empty() ? step.name : fmt::format("{}.{}", name, step.name), value, where);
+  put(*next, steps.subspan(1), name.empty() ? step.name : fmt::format("{}.{}", name, step.name), value, place);
 }
 
 bool contains(std::span<const std::string> keys, const std::string& key) {
@@ -148,23 +148,23 @@ void apply_setting(YamlValue& scenario, const std::string& text, std::span<const
     if (setting.value.kind != Kind::kNothing) {
       remove_other_lengths(scenario, first);
     }
-    put(scenario, setting.steps, "", setting.value, setting.where);
+    put(scenario, setting.steps, "", setting.value, setting.place);
     return;
   }
   if (!contains(sonar_keys, first)) {
     std::vector<std::string> keys(scenario_keys.begin(), scenario_keys.end());
     keys.insert(keys.end(), sonar_keys.begin(), sonar_keys.end());
     const bool angle = contains(keys, first + "_deg");
-    throw Error(
-        angle ? fmt::format("{}{} must be written {}_deg, in degrees", setting.where, first, first)
-              : fmt::format("{}{} is not a known key{}", setting.where, first, key_suggestion(first, keys, part_keys)));
+    throw Error(angle ? fmt::format("{0} must be written {0}_deg, in degrees", first)
+                      : fmt::format("{} is not a known key{}", first, key_suggestion(first, keys, part_keys)))
+        .at(setting.place);
   }
   YamlValue* sonars = scenario.find("sonars");
   if (sonars == nullptr || sonars->kind != Kind::kList) {
-    throw Error(fmt::format("{}{} is a key of sonars, and the scenario has none", setting.where, first));
+    throw Error(fmt::format("{} is a key of sonars, and the scenario has none", first)).at(setting.place);
   }
   for (std::size_t i = 0; i < sonars->items.size(); ++i) {
-    put(sonars->items[i], setting.steps, fmt::format("sonars[{}]", i), setting.value, setting.where);
+    put(sonars->items[i], setting.steps, fmt::format("sonars[{}]", i), setting.value, setting.place);
   }
 }
 

@@ -1,4 +1,4 @@
-// yaml_value.cpp -- yaml-cpp's nodes turned into YamlValue, and back into text.
+// yaml_value.cpp -- converts yaml-cpp's nodes to YamlValue, and YamlValue to text.
 
 #include "io/scenario/yaml_value.h"
 
@@ -23,22 +23,23 @@ using Entry = YamlValue::Entry;
 constexpr int kDeepest = 30;            // Levels of nesting; a scenario needs five.
 constexpr int kMostValues = 1'000'000;  // Aliases can unfold a small text into a huge tree.
 
-// Turns nodes into values. `settings_where` is where everything stands that was not read from a file.
+// Turns nodes into values.
 class Converter {
  public:
-  Converter(std::string path, std::string settings_where)
-      : path_(std::move(path)), settings_where_(std::move(settings_where)) {}
+  // @param base     The file, or the place of all values of a command-line setting.
+  // @param is_file  Whether values have lines and columns of their own.
+  Converter(Place base, bool is_file) : base_(std::move(base)), is_file_(is_file) {}
 
-  std::string where(const YAML::Mark& mark) const {
-    return path_.empty() ? settings_where_ : fmt::format("{}:{}:{}: ", path_, mark.line + 1, mark.column + 1);
+  Place place(const YAML::Mark& mark) const {
+    return is_file_ ? Place{base_.file, mark.line + 1, mark.column + 1} : base_;
   }
 
   // `name` is how messages call the value, "" for the whole document.
   YamlValue convert(const YAML::Node& node, const std::string& name, int depth = 0) {
     YamlValue value;
-    value.where = where(node.Mark());
+    value.place = place(node.Mark());
     if (depth > kDeepest || ++count_ > kMostValues) {
-      throw Error(value.where + "nested too deeply, or unfolds into too many values");
+      throw Error("nested too deeply, or unfolds into too many values").at(value.place);
     }
     if (node.IsScalar()) {
       value.kind = Kind::kScalar;
@@ -61,21 +62,21 @@ class Converter {
     std::vector<YamlValue> bases;  // Maps that `<<` takes keys from.
     for (const auto& entry : node) {
       const YAML::Node& key = entry.first;
-      const std::string where_key = where(key.Mark());
+      const Place key_place = place(key.Mark());
       if (!key.IsScalar()) {
-        throw Error(where_key + "a key must be a word");
+        throw Error("a key must be a word").at(key_place);
       }
       const std::string entry_name = name.empty() ? key.Scalar() : fmt::format("{}.{}", name, key.Scalar());
       const bool merges = key.Scalar() == "<<" && key.Tag() != "!";  // Not in quotes.
       if (merges ? !bases.empty() : map.find(key.Scalar()) != nullptr) {
-        throw Error(fmt::format("{}{} is given twice", where_key, printable(entry_name, kLongestName)));
+        throw Error("", entry_name, " is given twice").at(key_place);
       }
       if (merges) {
-        bases = bases_in(convert(entry.second, name, depth + 1), where_key);
+        bases = bases_in(convert(entry.second, name, depth + 1), key_place);
         continue;
       }
       YamlValue value = convert(entry.second, entry_name, depth + 1);
-      value.where = where_key;
+      value.place = key_place;
       map.entries.push_back(Entry{key.Scalar(), std::move(value)});
     }
     for (YamlValue& base : bases) {
@@ -87,16 +88,17 @@ class Converter {
     }
   }
 
-  static std::vector<YamlValue> bases_in(YamlValue value, const std::string& where_key) {
+  static std::vector<YamlValue> bases_in(YamlValue value, const Place& key_place) {
     std::vector<YamlValue> bases = value.kind == Kind::kList ? std::move(value.items) : std::vector{std::move(value)};
     const auto is_map = [](const YamlValue& base) { return base.kind == Kind::kMap; };
     if (bases.empty() || !std::ranges::all_of(bases, is_map)) {
-      throw Error(where_key + "<< must be a map of keys to take over, such as *name, or a list of such maps");
+      throw Error("<< must be a map of keys to take over, such as *name, or a list of such maps").at(key_place);
     }
     return bases;
   }
 
-  std::string path_, settings_where_;
+  Place base_;
+  bool is_file_;
   int count_ = 0;
 };
 
@@ -132,7 +134,7 @@ class DocumentStarts final : public YAML::EventHandler {
   void OnMapEnd() override {}
 
  private:
-  // What stands first in a document is where it starts, after its dashes.
+  // The first event of a document gives its start, after its dashes.
   void meet(const YAML::Mark& mark) {
     marks.back() = at_start_ ? mark : marks.back();
     at_start_ = false;
@@ -152,30 +154,30 @@ std::vector<YAML::Mark> document_starts(const std::string& text) {
   return starts.marks;
 }
 
-YamlValue parse(const std::string& text, const std::string& path, const std::string& settings_where) {
-  Converter converter(path, settings_where);
+YamlValue parse(const std::string& text, const Place& base, bool is_file) {
+  Converter converter(base, is_file);
   try {
     const std::vector<YAML::Mark> starts = document_starts(text);
     for (std::size_t next = 1; next < starts.size(); ++next) {
       if (starts[next].pos == starts[next - 1].pos) {
-        throw Error(fmt::format("{}not valid YAML: nothing can start here", converter.where(starts[next])));
+        throw Error("not valid YAML: nothing can start here").at(converter.place(starts[next]));
       }
     }
     if (starts.size() > 1) {
-      throw Error(converter.where(starts[1]) + "a second document starts here; one file holds one");
+      throw Error("a second document starts here; one file holds one").at(converter.place(starts[1]));
     }
     YamlValue value = starts.empty() ? YamlValue() : converter.convert(YAML::Load(text), "");
     if (value.kind == Kind::kNothing) {
-      value.where = converter.where({});  // yaml-cpp has no place for nothing.
+      value.place = converter.place({});  // yaml-cpp has no place for nothing.
     }
     return value;
   } catch (const YAML::Exception& error) {
     const YAML::Mark mark = error.mark.is_null() ? YAML::Mark() : error.mark;
     const bool too_deep = dynamic_cast<const YAML::DeepRecursion*>(&error) != nullptr;
-    throw Error(fmt::format("{}not valid YAML: {}", converter.where(mark),
-                            tab_indents(text, mark.line) ? "indent with spaces, not with tabs"
-                            : too_deep                   ? "nested too deeply"
-                                                         : error.msg));
+    throw Error(fmt::format("not valid YAML: {}", tab_indents(text, mark.line) ? "indent with spaces, not with tabs"
+                                                  : too_deep                   ? "nested too deeply"
+                                                                               : error.msg))
+        .at(converter.place(mark));
   }
 }
 
@@ -251,11 +253,11 @@ std::string YamlValue::shown() const {
 }
 
 YamlValue parse_yaml(const std::string& text, const std::string& path) {
-  return parse(text, path, "");
+  return parse(text, {path}, true);
 }
 
-YamlValue parse_yaml_setting(const std::string& text, const std::string& where) {
-  return parse(text, "", where);
+YamlValue parse_yaml_setting(const std::string& text, const Place& place) {
+  return parse(text, place, false);
 }
 
 std::string write_yaml(const YamlValue& value) {

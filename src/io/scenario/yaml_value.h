@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "insonify/error.h"
+
 namespace insonify {
 
 /// One value of a YAML text.
@@ -14,7 +16,7 @@ struct YamlValue {
   struct Entry;
 
   Kind kind = Kind::kNothing;
-  std::string where;             ///< "path:line:column: " for messages: of the key in a map, else of the value itself.
+  Place place;                   ///< For messages: of the key in a map, else of the value itself.
   std::string scalar;            ///< Text of a scalar.
   bool quoted = false;           ///< Whether the scalar was in quotes, and so is text even if it looks like a number.
   std::vector<YamlValue> items;  ///< Of a list.
@@ -38,8 +40,8 @@ struct YamlValue::Entry {
 /// @throws Error "path:line:column: ..." for text that is not YAML, a key given twice, or more than one document.
 [[nodiscard]] YamlValue parse_yaml(const std::string& text, const std::string& path);
 
-/// Reads a value given on the command line: all of it stands at `where`.
-[[nodiscard]] YamlValue parse_yaml_setting(const std::string& text, const std::string& where);
+/// Reads a value given on the command line: all of it stands at `place`.
+[[nodiscard]] YamlValue parse_yaml_setting(const std::string& text, const Place& place);
 
 /// Writes a tree as YAML again.
 [[nodiscard]] std::string write_yaml(const YamlValue& value);

@@ -58,10 +58,14 @@ Scene load_scene(const Scenario& scenario, const Log& log) {
         change.relief = std::move(relief);
       }
     } catch (const Error& error) {
-      throw Error(fmt::format("{}materials.{}: {}", change.where, printable(name), error.what()));
+      throw Error("materials." + name, "", fmt::format(": {}", error.what())).located(scenario.places);
     }
   }
-  assign_materials(scene, rules, log);
+  try {
+    assign_materials(scene, rules, log);
+  } catch (const Error& error) {
+    throw error.located(scenario.places);
+  }
   return scene;
 }
 

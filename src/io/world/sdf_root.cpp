@@ -34,7 +34,7 @@ std::string element_of(const std::string& xml_path) {
 std::string where(const sdf::Error& error, const std::string& file, const SdfSource& source) {
   const std::string path = error.FilePath().value_or(file);
   if (error.LineNumber()) {
-    return source.place(path, *error.LineNumber(), element_of(error.XmlPath().value_or("")));
+    return source.place(path, *error.LineNumber(), element_of(error.XmlPath().value_or(""))).text();
   }
   const std::string text = error.Message();
   for (std::size_t open = text.find('['); open != std::string::npos; open = text.find('[', open + 1)) {

@@ -25,9 +25,10 @@
 namespace insonify {
 namespace {
 
-// A material and the place of the element that names it, as a prefix of messages.
+// A material and the place of the element that names it.
 struct MaterialName {
-  std::string name, where;
+  std::string name = {};
+  Place place = {};
 };
 
 Pose pose_of(const sdf_math::Pose3d& pose) {
@@ -99,10 +100,9 @@ class SceneBuilder {
     }
   }
 
-  // "path:line:column: "
-  [[nodiscard]] std::string place(sdf::Element& element) const {
+  [[nodiscard]] Place place(sdf::Element& element) const {
     if (!element.LineNumber()) {
-      return source_.shown(element.FilePath()) + ": ";
+      return {source_.shown(element.FilePath())};
     }
     const std::string name = element.HasAttribute("name") ? element.GetAttribute("name")->GetAsString() : "";
     return source_.place(element.FilePath(), *element.LineNumber(), element.GetName(), name);
@@ -110,7 +110,7 @@ class SceneBuilder {
 
   // "path:line:column: visual 'a::b::c'"
   [[nodiscard]] std::string what(const char* kind, const std::string& name, sdf::Element& element) const {
-    return fmt::format("{}{} '{}'", place(element), kind, printable(name, kLongestName));
+    return fmt::format("{}{} '{}'", place(element).text(), kind, printable(name, kLongestName));
   }
 
   // Pose of a model, link, visual or collision in its parent.
@@ -171,7 +171,7 @@ class SceneBuilder {
     check_reach(instance, where);
     const MaterialName own = own_or(material, part.Element(), where);
     instance.user_material = own.name;
-    instance.where = own.where;
+    scene_.places[name] = own.place;
     scene_.instances.push_back(std::move(instance));
   }
 

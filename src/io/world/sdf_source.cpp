@@ -158,11 +158,10 @@ std::string SdfSource::shown(const std::string& path) const {
   return whole == fs::absolute(file_).lexically_normal() ? file_.string() : whole;
 }
 
-std::string SdfSource::place(const std::string& path, int line, const std::string& element,
-                             const std::string& name) const {
+Place SdfSource::place(const std::string& path, int line, const std::string& element, const std::string& name) const {
   const auto file = sources_.find(original(path));
   if (file == sources_.end()) {
-    return shown(path) + ": ";
+    return {shown(path)};
   }
   const Source& source = *file->second;
   pugi::xml_node found;
@@ -176,11 +175,10 @@ std::string SdfSource::place(const std::string& path, int line, const std::strin
   }
   const bool is_certain = candidates == 1 || (found && has_name(found));
   if (is_certain) {
-    return source.xml.where(found);
+    return source.xml.place(found);
   }
   const auto any = source.lines.find(line);
-  return any == source.lines.end() ? shown(path) + ": "
-                                   : fmt::format("{}:{}: ", shown(path), source.xml.line_of(any->second));
+  return any == source.lines.end() ? Place{shown(path)} : Place{shown(path), source.xml.line_of(any->second)};
 }
 
 std::string SdfSource::place_of_name(const std::string& name) const {

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "insonify/error.h"
 #include "insonify/log.h"
 #include "io/file/xml_file.h"
 
@@ -40,10 +41,10 @@ class SdfSource {
   /// The same as the user named it, for messages.
   [[nodiscard]] std::string shown(const std::string& path) const;
 
-  /// "path:line:column: " of an element in one of files(), if its line there, its kind and its name identify it; else
-  /// "path:line: ", or "path: " for an element that is not in the user's file.
-  [[nodiscard]] std::string place(const std::string& path, int line, const std::string& element,
-                                  const std::string& name = "") const;
+  /// An element in one of files(), if its line there, its kind and its name identify it; else its line only, or the
+  /// file only for an element that is not in the user's.
+  [[nodiscard]] Place place(const std::string& path, int line, const std::string& element,
+                            const std::string& name = "") const;
 
   /// "path:line:column: " of the first element with an attribute of value `name`, the file itself before its includes;
   /// "" if there is none.

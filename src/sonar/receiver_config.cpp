@@ -12,40 +12,43 @@
 namespace insonify {
 namespace {
 
-void check_gain_table(const ReceiverConfig& receiver) {
+void check_gain_table(std::string_view object, const ReceiverConfig& receiver) {
   const std::vector<double>& ranges = receiver.gain_ranges;
   if (ranges.size() != receiver.gains_db.size()) {
-    throw Error(fmt::format("receiver.gains_db has {} values for the {} of receiver.gain_ranges",
-                            receiver.gains_db.size(), ranges.size()));
+    throw Error(
+        object, "gains_db",
+        fmt::format(" has {} values for the {} of {}.gain_ranges", receiver.gains_db.size(), ranges.size(), object),
+        {member_name(object, "gain_ranges")});
   }
   for (std::size_t i = 1; i < ranges.size(); ++i) {
     if (ranges[i] <= ranges[i - 1]) {
-      throw Error(fmt::format("receiver.gain_ranges[{}] = {} m must be greater than the one before it, {} m", i,
-                              ranges[i], ranges[i - 1]));
+      throw Error(object, fmt::format("gain_ranges[{}]", i),
+                  fmt::format(" = {} m must be greater than the one before it, {} m", ranges[i], ranges[i - 1]));
     }
   }
   if (!ranges.empty() && receiver.time_varied_gain) {
-    throw Error("receiver.time_varied_gain must be none where receiver.gain_ranges has a table");
+    throw Error(object, "time_varied_gain", fmt::format(" must be none where {}.gain_ranges has a table", object));
   }
 }
 
 }  // namespace
 
-void ReceiverConfig::validate() const {
-  check_fields("receiver", *this);
+void ReceiverConfig::validate(std::string_view object) const {
+  check_fields(object, *this);
   if (pulse == PulseKind::kLfm && pulse_duration * pulse_bandwidth < 10) {
     throw Error(
-        fmt::format("receiver.pulse_bandwidth = {:.4g} Hz times receiver.pulse_duration = {:.4g} s is {:.3g}, must be "
-                    "at least 10 for "
-                    "a chirp",
-                    pulse_bandwidth, pulse_duration, pulse_duration * pulse_bandwidth));
+        object, "pulse_bandwidth",
+        fmt::format(" = {:.4g} Hz times {}.pulse_duration = {:.4g} s is {:.3g}, must be at least 10 for a chirp",
+                    pulse_bandwidth, object, pulse_duration, pulse_duration * pulse_bandwidth),
+        {member_name(object, "pulse_duration"), member_name(object, "pulse")});
   }
-  check_gain_table(*this);
+  check_gain_table(object, *this);
   if (field && !speckle) {
-    throw Error("receiver.field needs receiver.speckle: without it echoes have no phase");
+    throw Error(object, "field", fmt::format(" needs {}.speckle: without it echoes have no phase", object),
+                {member_name(object, "speckle")});
   }
   if (counts && !full_scale_db) {
-    throw Error("receiver.counts needs receiver.full_scale_db, the recorded level that fills them");
+    throw Error(object, "counts", fmt::format(" needs {}.full_scale_db, the recorded level that fills them", object));
   }
 }
 

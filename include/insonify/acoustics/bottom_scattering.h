@@ -2,7 +2,7 @@
 
 #pragma once
 
-#include "insonify/sediment.h"
+#include "insonify/acoustics/sediment.h"
 
 namespace insonify {
 

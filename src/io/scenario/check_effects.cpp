@@ -1,0 +1,50 @@
+// check_effects.cpp -- looks for the place of every field that acts in the other model only.
+
+#include "io/scenario/check_effects.h"
+
+#include <fmt/format.h>
+
+#include "insonify/error.h"
+#include "io/file/yaml_words.h"
+
+namespace insonify {
+namespace {
+
+// Calls visit(object, field) for each field of a configuration and of its parts.
+template <typename Config, typename Visit>
+void visit_all_fields(const std::string& object, const Config& config, const Visit& visit) {
+  Config::visit_fields(config, [&](const Field& field, const auto&) { visit(object, field); });
+  if constexpr (HasParts<Config>) {
+    Config::visit_parts(config, [&](const Part& part, const auto& member) {
+      visit_entries(member_name(object, part.name), member,
+                    [&](const std::string& name, const auto& entry) { visit_all_fields(name, entry, visit); });
+    });
+  }
+}
+
+bool is_of_command_line(const Place& place) {
+  return place.line == 0;
+}
+
+}  // namespace
+
+void refuse_idle_keys(const Scenario& scenario) {
+  const ActsIn other = scenario.model == EchoModel::kPaper ? ActsIn::kCalibrated : ActsIn::kPaper;
+  const auto model = scenario.places.find("model");
+  const bool chosen_anew = model != scenario.places.end() && is_of_command_line(model->second);
+  visit_all_fields("", scenario, [&](const std::string& object, const Field& field) {
+    if (field.acts != other) {
+      return;
+    }
+    const std::string key = file_name_of(field);
+    const auto given = scenario.places.find(member_name(object, key));
+    if (given == scenario.places.end() || (chosen_anew && !is_of_command_line(given->second))) {
+      return;
+    }
+    const std::string instead = field.instead.empty() ? "" : fmt::format("; set {}", field.instead);
+    throw Error(object, key, fmt::format(" has no effect with model = {}{}", word_of(scenario.model), instead))
+        .at(given->second);
+  });
+}
+
+}  // namespace insonify

@@ -1,0 +1,14 @@
+// check_effects.h -- refuses keys that a file gives and that have no effect in its model of the echo.
+
+#pragma once
+
+#include "insonify/scenario.h"
+
+namespace insonify {
+
+/// @param scenario  With the places of what was read. Keys of a file whose model `--set model=...` changes are
+/// accepted.
+/// @throws Error with the key's place, naming what acts in this model.
+void refuse_idle_keys(const Scenario& scenario);
+
+}  // namespace insonify
