@@ -90,7 +90,7 @@ void Simulator::ping(int index, const PingRequest& request, Ping& ping) {
   EchoGrid& grid = sonar.grid;
   const PingPlan& plan = *sonar.plan;
   if (scenario.model == EchoModel::kCalibrated) {
-    state.engine->insonify(plan, world_from_sonar, grid, nullptr);
+    state.engine->insonify(plan, world_from_sonar, grid);
     grid.discrete_echoes().clear();
     state.points.add(plan, world_from_sonar, *state.engine, grid);
     if (state.ghosts) {
@@ -106,7 +106,8 @@ void Simulator::ping(int index, const PingRequest& request, Ping& ping) {
     PaperReceiver receiver(
         grid, sonar.config,
         {.model = scenario.paper, .noise = scenario.receiver_of(sonar.config).noise, .seed = scenario.seed}, ping);
-    state.engine->insonify(plan, world_from_sonar, grid, &receiver);
+    state.engine->insonify(plan, world_from_sonar, grid);
+    receiver.receive(state.workers);
   }
 }
 

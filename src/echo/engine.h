@@ -49,9 +49,7 @@ class Engine {
   /// Fills the grid with the echoes of one ping. The grid has the plan's beams and bins; it is cleared first. The
   /// result depends on plan and pose alone, not on threads.
   /// @param world_from_sonar  Pose of the transducer: the head, turned, for a scanning sonar.
-  /// @param sink              Called for every beam as soon as it is complete; may be null. Must be null with secondary
-  ///                          echoes of the calibrated model, since these arrive in any beam.
-  virtual void insonify(const PingPlan& plan, const Pose& world_from_sonar, EchoGrid& grid, BeamSink* sink) = 0;
+  virtual void insonify(const PingPlan& plan, const Pose& world_from_sonar, EchoGrid& grid) = 0;
 
   /// Fills grids[i] with the echoes of a ping from poses[i], all with one plan and the present scene. An engine may
   /// override it to compute many pings in one call; by default they are computed one after another.

@@ -44,7 +44,7 @@ std::unique_ptr<Engine> make_engine(std::string_view name, int threads) {
 void Engine::insonify_all(const PingPlan& plan, std::span<const Pose> poses, std::span<EchoGrid> grids) {
   assert(poses.size() == grids.size());
   for (std::size_t i = 0; i < poses.size(); ++i) {
-    insonify(plan, poses[i], grids[i], nullptr);
+    insonify(plan, poses[i], grids[i]);
   }
 }
 

@@ -179,7 +179,6 @@ void CalibratedReceiver::detect_tile(const EchoGrid& grid, const TilePlace& plac
   const std::vector<float>& energy = bearing_ ? beam_energy_ : cell_energy_;
   const std::vector<std::complex<float>>& field = bearing_ ? beam_field_ : cell_field_;
   for (int b = 0; b < place.beam_count; ++b) {
-    fetch_rows(place, b, labelled, ping);
     const int beam = place.first_beam + b;
     const std::size_t start = static_cast<std::size_t>(beam) * bins_ + place.first_bin;
     if (noisy_) {

@@ -66,19 +66,6 @@ void size_tables(Ping& ping, int beams, int bins, GroundTruth ground_truth) {
   ping.direct_intensity.resize(full);
 }
 
-void fetch_rows(const TilePlace& place, int beam_of_tile, bool labelled, const Ping& ping) {
-  constexpr int kRows = kTileBins / kTileBeams;
-  for (int i = beam_of_tile * kRows; i < std::min((beam_of_tile + 1) * kRows, place.bin_count); ++i) {
-    const std::size_t row = ping.index(place.first_bin + i, place.first_beam);
-    __builtin_prefetch(&ping.intensity[row], 1);
-    if (labelled) {
-      __builtin_prefetch(&ping.instance[row], 1);
-      __builtin_prefetch(&ping.material[row], 1);
-      __builtin_prefetch(&ping.elevation[row], 1);
-    }
-  }
-}
-
 void take_labels(const EchoGrid& grid, int first_row, int rows, const TilePlace& place, int beam_of_tile,
                  OutputTile& tile) {
   SurfaceLabel* surface = tile.surface[beam_of_tile];

@@ -41,11 +41,6 @@ void for_each_tile(int first_beam, int last_beam, int bins, Visit&& visit) {
 /// when they need more memory than before.
 void size_tables(Ping& ping, int beams, int bins, GroundTruth ground_truth);
 
-/// Prefetches the rows of the ping that the tile will be written to. Each beam of the tile prefetches a part of them,
-/// so that they are in the cache when write_tile() is called.
-/// @param labelled  As for write_tile().
-void fetch_rows(const TilePlace& place, int beam_of_tile, bool labelled, const Ping& ping);
-
 /// Sets the labels of one beam of the tile: in each bin, the label with most energy among `rows` rows of the grid (the
 /// cells of the beam's own slice).
 void take_labels(const EchoGrid& grid, int first_row, int rows, const TilePlace& place, int beam_of_tile,

@@ -6,6 +6,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "base/denormals.h"
 #include "base/vector_math.h"
 #include "receiver/normal_numbers.h"
 #include "receiver/output_tile.h"
@@ -20,8 +21,8 @@ namespace {
 // @param floor          Standard deviation of the additive noise eta_a.
 // @param normal         Standard normal numbers, one per bin.
 INSONIFY_VECTOR_CLONES
-void receive(int count, const float* __restrict__ level, float mean, float spread, float floor,
-             const float* __restrict__ normal, float* __restrict__ value) {
+void add_noise_and_gain(int count, const float* __restrict__ level, float mean, float spread, float floor,
+                        const float* __restrict__ normal, float* __restrict__ value) {
   for (int i = 0; i < count; ++i) {
     const float clipped = value[i] < 1 ? value[i] : 1.0F;
     const float deviation = std::sqrt(clipped * clipped * spread * spread + floor * floor);
@@ -48,8 +49,14 @@ PaperReceiver::PaperReceiver(const EchoGrid& grid, const SonarConfig& sonar, con
   size_tables(ping, grid.beam_count(), grid.bin_count(), grid.ground_truth());
 }
 
-void PaperReceiver::take(int first_beam, int last_beam) {
-  for_each_tile(first_beam, last_beam, grid_.bin_count(), [&](const TilePlace& place) { receive_tile(place); });
+void PaperReceiver::receive(Workers& workers) {
+  const int beams = grid_.beam_count();
+  workers.for_each((beams + kTileBeams - 1) / kTileBeams, [&](int block, int) {
+    const DenormalsOff denormals_off;
+    const int first = block * kTileBeams;
+    for_each_tile(first, std::min(first + kTileBeams, beams), grid_.bin_count(),
+                  [&](const TilePlace& place) { receive_tile(place); });
+  });
 }
 
 void PaperReceiver::receive_tile(const TilePlace& place) {
@@ -66,7 +73,6 @@ void PaperReceiver::receive_tile(const TilePlace& place) {
   OutputTile tile = {};
   float noise[kTileBins] = {};
   for (int b = 0; b < place.beam_count; ++b) {
-    fetch_rows(place, b, labelled, ping_);
     const int beam = place.first_beam + b;
     float* values = tile.intensity[b];
     const BinRange bins = grid_.filled(beam) & place.bins();
@@ -77,7 +83,7 @@ void PaperReceiver::receive_tile(const TilePlace& place) {
     if (noisy) {
       draw_normals(RandomPurpose::kPaperNoise, place.first_bin / kTileBins, beam, ping_.number, settings_.seed, noise);
     }
-    receive(place.bin_count, level, mean, spread, floor, noise, values);
+    add_noise_and_gain(place.bin_count, level, mean, spread, floor, noise, values);
     if (labelled) {
       take_labels(grid_, beam, 1, place, b, tile);
     }

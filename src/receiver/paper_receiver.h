@@ -2,6 +2,7 @@
 
 #pragma once
 
+#include "base/parallel.h"
 #include "echo/grid/echo_grid.h"
 #include "insonify/paper_model.h"
 #include "insonify/ping.h"
@@ -20,12 +21,13 @@ struct PaperReceiverSettings {
 /// sonar image on CPU". In each beam and bin, I = min(1, mean S over primary echoes + mean S over secondary echoes). To
 /// this comes noise, I x eta_m + eta_a, drawn anew for each ping, beam and bin; then the sonar's gain and the
 /// near-field ramp; the result is clipped to 0..1.
-class PaperReceiver final : public BeamSink {
+class PaperReceiver {
  public:
   /// Sizes the tables of `ping`, whose number must be set. All arguments must outlive the receiver.
   PaperReceiver(const EchoGrid& grid, const SonarConfig& sonar, const PaperReceiverSettings& settings, Ping& ping);
 
-  void take(int first_beam, int last_beam) override;
+  /// Receives all beams of the grid.
+  void receive(Workers& workers);
 
  private:
   void receive_tile(const TilePlace& place);

@@ -21,6 +21,7 @@ constexpr double kSonarMargin = 0.74;
 constexpr double kMostShown = 0.95;  // Share of what is seen that decides how far off the camera stands.
 constexpr double kNearest = 0.1;     // Of the camera to the sonar, in mean distances of what the sonar sees.
 constexpr double kClearance = 1e-3;  // Share of its length that a line of sight may lack.
+constexpr double kFieldOfViewDeg = 50;
 
 struct Candidate {
   ViewConfig view;
@@ -102,8 +103,8 @@ Candidate fit(const ViewSubject& subject, const Vec3& sonar, const Vec3& towards
   return {view, 0.22 * std::min(across.distance, along.distance) / distance};
 }
 
-// Cameras all around at several heights and with two lenses; the merit prefers the usual look over the sonar's
-// shoulder.
+// Cameras on both sides of the sonar and behind it, at several heights; the merit prefers the usual view over the
+// sonar's shoulder.
 std::vector<Candidate> candidates_around(Engine& engine, const ViewSubject& subject, const Pose& sonar) {
   Vec3 ahead = Vec3::Zero();
   for (const SeenPoint& point : subject.points) {
@@ -119,21 +120,18 @@ std::vector<Candidate> candidates_around(Engine& engine, const ViewSubject& subj
 
   std::vector<Candidate> candidates;
   std::vector<Ray> rays;
-  for (const double turn_deg : {18, -18, 0, 45, -45, 80, -80, 120, -120, 150, -150, 180}) {
-    for (const double height_deg : {32, 20, 45, 60, -15}) {
-      for (const double lens_deg : {50, 80}) {
-        const double turn = radians_from_degrees(turn_deg);
-        const double height = radians_from_degrees(height_deg);
-        const Vec3 level = Eigen::AngleAxisd(turn, Vec3::UnitZ()) * -ahead;
-        const Vec3 towards = std::cos(height) * level + std::sin(height) * Vec3::UnitZ();
-        const double lens = radians_from_degrees(lens_deg);
-        Candidate candidate = fit(subject, sonar.position, towards, lens);
-        const double oblique = std::abs(std::abs(turn_deg) - 18) / 180;
-        candidate.merit += -0.5 * oblique - 0.4 * std::abs(height_deg - 32) / 90 - (lens_deg > 60 ? 0.08 : 0);
-        candidates.push_back(candidate);
-        const Vec3 way = candidate.view.position - sonar.position;
-        rays.push_back({sonar.position, way.normalized(), 0, 1.1 * way.norm()});
-      }
+  for (const double turn_deg : {18, -18, 0, 45, -45, 80, -80}) {
+    for (const double height_deg : {32, 20, 45, 60}) {
+      const double turn = radians_from_degrees(turn_deg);
+      const double height = radians_from_degrees(height_deg);
+      const Vec3 level = Eigen::AngleAxisd(turn, Vec3::UnitZ()) * -ahead;
+      const Vec3 towards = std::cos(height) * level + std::sin(height) * Vec3::UnitZ();
+      Candidate candidate = fit(subject, sonar.position, towards, radians_from_degrees(kFieldOfViewDeg));
+      const double oblique = std::abs(std::abs(turn_deg) - 18) / 180;
+      candidate.merit += -0.5 * oblique - 0.4 * std::abs(height_deg - 32) / 90;
+      candidates.push_back(candidate);
+      const Vec3 way = candidate.view.position - sonar.position;
+      rays.push_back({sonar.position, way.normalized(), 0, 1.1 * way.norm()});
     }
   }
   // A camera behind a wall comes back to the sonar's side of it, and to some distance from it.

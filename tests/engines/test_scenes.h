@@ -61,7 +61,7 @@ class SceneMaker {
 /// Echoes of one ping on one engine, without receiver.
 inline EchoGrid echoes_of(Engine& engine, const PingPlanSettings& settings, const Pose& world_from_sonar = {}) {
   EchoGrid grid(settings.sonar.beam_count, settings.sonar.bin_count, kPathOrders);
-  engine.insonify(*make_ping_plan(settings), world_from_sonar, grid, nullptr);
+  engine.insonify(*make_ping_plan(settings), world_from_sonar, grid);
   return grid;
 }
 

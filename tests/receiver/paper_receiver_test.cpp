@@ -35,7 +35,8 @@ Ping receive(const EchoGrid& grid, const SonarConfig& sonar, const PaperReceiver
              std::uint64_t number = 0) {
   Ping ping;
   ping.number = number;
-  PaperReceiver(grid, sonar, settings, ping).take(0, grid.beam_count());
+  Workers workers(1);
+  PaperReceiver(grid, sonar, settings, ping).receive(workers);
   return ping;
 }
 

@@ -52,8 +52,8 @@ class Scan {
     EchoGrid all(sonar.beam_count, sonar.bin_count, kPathOrders), grid = all;
     for (std::uint64_t ping = 0; ping < static_cast<std::uint64_t>(scenario.pings); ping += step) {
       const Pose pose = simulator_.world_from_head(0, ScenarioRequests(scenario).at(0, ping));
-      simulator_.engine().insonify(*reference, pose, all, nullptr);
-      simulator_.engine().insonify(*plan, pose, grid, nullptr);
+      simulator_.engine().insonify(*reference, pose, all);
+      simulator_.engine().insonify(*plan, pose, grid);
       const RayCounts counts = simulator_.engine().ray_counts();
       tally.rays += static_cast<double>(counts.secondary + counts.return_legs);
       for (int beam = 0; beam < sonar.beam_count; ++beam) {

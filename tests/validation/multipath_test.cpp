@@ -23,7 +23,7 @@ EchoGrid echoes_of(const Method& method, const Scene& scene, const SonarConfig& 
                                     .primary = method.primary,
                                     .secondary = SecondaryEchoes::kAll,
                                     .max_surfaces = max_surfaces}),
-                   {.position = position}, grid, nullptr);
+                   {.position = position}, grid);
   return grid;
 }
 

@@ -153,7 +153,7 @@ Ghost ghost_in(const Method& method, double rms_slope, bool rough, double height
                                     .secondary = SecondaryEchoes::kAll,
                                     .max_surfaces = 3,
                                     .rough_mirrors = rough}),
-                   {.orientation = orientation_from_rpy(90 * kDegree, 0, 0)}, grid, nullptr);
+                   {.orientation = orientation_from_rpy(90 * kDegree, 0, 0)}, grid);
   Ghost ghost;
   double squares = 0;
   for (int beam = 0; beam < sonar.beam_count; ++beam) {

@@ -85,7 +85,7 @@ void CpuEngine::for_each_task(const PingPlan& plan, SecondarySampling sampling, 
   });
 }
 
-void CpuEngine::insonify(const PingPlan& plan, const Pose& world_from_sonar, EchoGrid& grid, BeamSink* sink) {
+void CpuEngine::insonify(const PingPlan& plan, const Pose& world_from_sonar, EchoGrid& grid) {
   scene_.commit_moves();
   const FanView* view = look(plan, world_from_sonar);
   counts_ = {};
@@ -95,9 +95,6 @@ void CpuEngine::insonify(const PingPlan& plan, const Pose& world_from_sonar, Ech
   arrivals_.resize(std::max(arrivals_.size(), static_cast<std::size_t>(task_count())));
   for_each_task(plan, sampling, [&](BeamTask& scratch, int first_beam, int last_beam, int task) {
     scratch.run(world_from_sonar, first_beam, last_beam, view, grid, arrivals_[task]);
-    if (sink != nullptr) {
-      sink->take(first_beam, last_beam);
-    }
   });
   for (int task = 0; task < task_count(); ++task) {
     for (const Echo& echo : arrivals_[task]) {

@@ -204,13 +204,4 @@ void EchoGrid::for_each_surface(int beam, int bin, Visit&& visit) const {
   }
 }
 
-/// Receives the beams of a grid as soon as they are complete, while their cells are still in the cache.
-class BeamSink {
- public:
-  virtual ~BeamSink() = default;
-
-  /// Beams [first, last) are complete. Called once for every beam of a ping, by several threads at a time.
-  virtual void take(int first_beam, int last_beam) = 0;
-};
-
 }  // namespace insonify

@@ -38,7 +38,7 @@ SecondarySampling ReferenceEngine::choose_sampling(const PingPlan& plan, const P
   return probes_.choose(plan, origin_, boxes_);
 }
 
-void ReferenceEngine::insonify(const PingPlan& plan, const Pose& world_from_sonar, EchoGrid& grid, BeamSink* sink) {
+void ReferenceEngine::insonify(const PingPlan& plan, const Pose& world_from_sonar, EchoGrid& grid) {
   const int beams = plan.sonar.beam_count, per_beam = plan.lattice.columns_per_beam;
   const SecondarySampling sampling = choose_sampling(plan, world_from_sonar);
   std::vector<RayCounts> counts(beams);
@@ -59,9 +59,6 @@ void ReferenceEngine::insonify(const PingPlan& plan, const Pose& world_from_sona
   counts_ = {.secondary = probes_.hits().size()};
   for (const RayCounts& of_beam : counts) {
     counts_ += of_beam;
-  }
-  if (sink != nullptr) {
-    sink->take(0, beams);
   }
 }
 

@@ -21,7 +21,7 @@ class ReferenceEngine final : public Engine {
   [[nodiscard]] const EngineKind& kind() const override { return kKind; }
   void set_scene(const Scene& scene) override;
   void move_instance(int instance, const Pose& world_from_mesh) override;
-  void insonify(const PingPlan& plan, const Pose& world_from_sonar, EchoGrid& grid, BeamSink* sink) override;
+  void insonify(const PingPlan& plan, const Pose& world_from_sonar, EchoGrid& grid) override;
   void trace(std::span<const Ray> rays, std::span<Hit> hits) override;
   void stop_when(const std::atomic<bool>* asked) override { workers_.stop_when(asked); }
   [[nodiscard]] RayCounts ray_counts() const override { return counts_; }
