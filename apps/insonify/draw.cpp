@@ -34,7 +34,7 @@ PictureChoice choice_of(const DrawOptions& options, const RecordedPings& recordi
   return choice;
 }
 
-// Of a fan the first ping sets the scale for all; a scan shows all pings so far.
+// The first ping of a fan sets the scale for all; a scan shows all pings so far.
 void draw_pings(const RecordedPings& recording, const SonarConfig& sonar, const PictureChoice& choice,
                 PingPictures& pictures) {
   const std::uint64_t count = recording.ping_count();

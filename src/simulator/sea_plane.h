@@ -23,14 +23,14 @@ class SeaPlane {
   [[nodiscard]] int instance() const { return instance_; }
   [[nodiscard]] std::uint16_t material() const { return material_; }
 
-  /// Fits it to other sonars.
+  /// Adapts size and material of the plane to other sonars.
   /// @return  Whether the scene has changed, so that engines must take it in again.
   bool fit(const Scenario& scenario, Scene& scene);
 
   /// @throws Error for a sonar that is not below it.
   void check(const Vec3& sonar) const;
 
-  /// Has the engine put it over a sonar.
+  /// Moves the plane, in the engine, to the lattice point nearest to a sonar.
   void place(const Vec3& sonar, Engine& engine);
 
   /// Tells that the engine has taken in the scene anew.

@@ -50,7 +50,7 @@ TEST_F(CliStopTest, AForcedRunThatIsStoppedReplacesTheEarlierOne) {
   Process::wait_until([&] { return !beside().empty(); });
   usleep(100'000);
   EXPECT_EQ(recorded("out/ahead.h5"), 3U);
-  EXPECT_EQ(files("out").size(), 9U) << "pictures of the earlier run stay, too";
+  EXPECT_EQ(files("out").size(), 10U) << "seven pictures of the earlier run, a recording and a folder of this one";
   process.send(SIGINT);
   const Outcome outcome = process.end();
   EXPECT_EQ(outcome.status, 1);

@@ -1,4 +1,4 @@
-// chunk_filter.cpp -- zlib, behind a transposition of bytes.
+// chunk_filter.cpp -- shuffles bytes, then compresses them with zlib.
 
 #include "io/recording/chunk_filter.h"
 

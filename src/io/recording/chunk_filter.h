@@ -1,4 +1,4 @@
-// chunk_filter.h -- makes chunks smaller as HDF5's own filters shuffle and deflate do.
+// chunk_filter.h -- compresses chunks as HDF5's filters shuffle and deflate do.
 
 #pragma once
 
@@ -15,7 +15,7 @@ class ChunkFilter {
   /// As in a dataset's filter pipeline: shuffle is filter 0, deflate filter 1.
   static constexpr unsigned kBoth = 3;
 
-  /// Of deflate: more costs much time and saves little (docs/design/recording.md).
+  /// Level of deflate. Higher levels cost much time and save little (docs/design/recording.md).
   static constexpr int kLevel = 1;
 
   /// @param element_size  [bytes]

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t kHeaderBytes = 24;     // Signature, type, level, entries, both neighbours.
 constexpr std::size_t kRightNeighbour = 16;  // Where in a node that is.
-constexpr std::uint64_t kAlignment = 8;      // Of nodes: an address in them lies within one page.
+constexpr std::uint64_t kAlignment = 8;      // Nodes are aligned so that an address in them lies within one page.
 
 // Little-endian, as on every machine this is built for.
 template <typename Number>

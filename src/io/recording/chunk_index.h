@@ -14,7 +14,7 @@ namespace insonify {
 struct Chunk {
   std::uint64_t first_row = 0;
   std::uint64_t address = 0;          ///< In the file [bytes].
-  std::uint32_t bytes = 0;            ///< As it is stored.
+  std::uint32_t bytes = 0;            ///< Size in the file [bytes].
   std::uint32_t skipped_filters = 0;  ///< Bit n: it did not go through filter n.
 };
 
@@ -24,7 +24,7 @@ struct FilePiece {
   std::vector<std::byte> bytes = {};
 };
 
-/// A list of them whose memory is used again.
+/// A list of file pieces that reuses its memory.
 class FilePieces {
  public:
   void clear() { count_ = 0; }
@@ -102,7 +102,7 @@ class ChunkIndex {
   void put_key(const Key& key, std::vector<std::byte>& bytes) const;
 
   std::vector<std::uint64_t> shape_;  // With the size of an element at its end.
-  std::vector<Node> nodes_;           // Of each level, leaves first.
+  std::vector<Node> nodes_;           // The rightmost node of each level, leaves first.
   std::uint64_t root_ = kNowhere;
 };
 

@@ -208,16 +208,16 @@ bool GrowingFile::set_end(std::uint64_t end) {
 }
 
 // Lets the file end at least one row after `end`, or there if there is no room for more. HDF5 reads where a file ends
-// when it opens it, and looks for the rows a moment later: by then there may be one more of them, which it must find
-// before the end. Until it is written to, the rest takes no room on the disk.
+// when it opens it, and looks for the rows a moment later: by then there may be one more, which it must find before the
+// end. Until it is written to, the rest takes no room on the disk.
 bool GrowingFile::reserve(std::uint64_t end) {
-  constexpr std::uint64_t kRowsAhead = 4, kLeastAhead = 65536, kIndex = 4096;
-  std::uint64_t row = 0;  // With a new chunk and a new node of the index for each dataset.
+  constexpr std::uint64_t kRowsAhead = 3;
+  constexpr std::uint64_t kNodes = 4;  // New places of an index with one row more: two on each level that is split.
+  std::uint64_t row = 0;
   for (const Growth& growth : growths_) {
-    row += growth.chunk_rows * growth.row_bytes + kAlignment + kIndex;
+    row += growth.chunk_rows * growth.row_bytes + kAlignment + kNodes * growth.index.node_bytes();
   }
-  return end + row <= reserved_ || set_end(end + std::max(kLeastAhead, kRowsAhead * row)) || end <= reserved_ ||
-         set_end(end);
+  return end + row <= reserved_ || set_end(end + kRowsAhead * row) || end <= reserved_ || set_end(end);
 }
 
 // Writes a row of one dataset to where nobody looks yet, into the last chunk or into a new one at the end of the file,

@@ -25,13 +25,13 @@ namespace insonify {
 /// A dataset that grows along its first axis.
 struct GrowingDataset {
   std::string name;              ///< At the root of the file.
-  hid_t type = H5I_INVALID_HID;  ///< Of one value as it is stored, H5T_IEEE_F32LE or the like.
+  hid_t type = H5I_INVALID_HID;  ///< Type of one value in the file, such as H5T_IEEE_F32LE.
   std::vector<hsize_t> row;      ///< Shape of one row; empty for a single value.
-  bool compress = false;         ///< Whether to make rows smaller that are large enough to be worth it.
+  bool compress = false;         ///< Whether rows of at least 512 bytes are compressed.
 
   [[nodiscard]] std::uint64_t row_bytes() const;
 
-  /// Rows that lie together. Those of one chunk are compressed together, so that such a chunk has one.
+  /// Rows per chunk. A compressed chunk has a single row, since a chunk is compressed as a whole.
   [[nodiscard]] std::uint64_t chunk_rows() const;
   [[nodiscard]] std::vector<std::uint64_t> chunk_shape() const;
   [[nodiscard]] bool is_filtered() const;
@@ -112,7 +112,7 @@ class GrowingFile {
   std::uint64_t count_ = 0;               // Rows.
   std::uint64_t end_ = 0, reserved_ = 0;  // Bytes in use, and where the file ends.
 
-  FilePieces pieces_;                    // Of indices.
+  FilePieces pieces_;                    // Nodes of indices that are to be written.
   std::uint64_t fields_begin_ = 0;       // In the file, of ...
   std::vector<std::byte> fields_bytes_;  // ... the bytes from the first field to the last, as they are there.
 };

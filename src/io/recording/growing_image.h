@@ -19,8 +19,8 @@ namespace insonify {
 inline constexpr std::uint64_t kGrowingPage = 4096;
 
 struct GrowingImage {
-  std::vector<std::byte> bytes;          ///< Of the file.
-  std::vector<std::uint64_t> addresses;  ///< Of the datasets' headers, which have a page to themselves.
+  std::vector<std::byte> bytes;          ///< Contents of the file.
+  std::vector<std::uint64_t> addresses;  ///< Addresses of the datasets' headers, alone in their page.
 };
 
 /// @param path      For messages.

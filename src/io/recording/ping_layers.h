@@ -25,7 +25,7 @@ struct PingLayer {
   H5Note note;
   bool labels = false;  ///< Whether values are rows of a list, kNoLabel for none.
 
-  [[nodiscard]] hid_t type() const;                         ///< Of a value in the file.
+  [[nodiscard]] hid_t type() const;                         ///< HDF5 type of a value in the file.
   [[nodiscard]] std::size_t count(const Ping& ping) const;  ///< Values that the ping holds.
   [[nodiscard]] std::span<const std::byte> bytes(const Ping& ping) const;
 };
