@@ -30,8 +30,8 @@ struct MovedObject {
 ///
 /// Engines keep positions in single precision, relative to the middle of the scene: to 1 mm within 10 km of it.
 struct PingRequest {
-  std::uint64_t number = 0;               ///< Start of its random numbers, and the step of a scanning head.
-  double time = 0;                        ///< Of transmission [s], within 1e10.
+  std::uint64_t number = 0;  ///< With the scenario's `seed` decides its random numbers; the step of a scanning head.
+  double time = 0;           ///< Of transmission [s], within 1e10.
   Pose world_from_vehicle = {};           ///< At transmission; within 1e7 m.
   Twist twist = {};                       ///< At transmission.
   std::vector<MovedObject> moved = {};    ///< In order: of two that move the same instance the later counts.

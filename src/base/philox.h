@@ -9,18 +9,18 @@ namespace insonify {
 
 /// Purpose of a random number; part of the counter or key, so that different purposes use independent streams.
 enum class RandomPurpose : std::uint32_t {
-  kPaperNoise = 1,
-  kSecondarySelection = 2,
-  kRelief = 3,
-  kNoiseInPhase = 4,
-  kNoiseQuadrature = 5,
-  kArrayElements = 6,
-  kSpeckle = 7,
-  kClutter = 8,
-  kPointPhase = 9,
-  kInterference = 10,
-  kScatterers = 11,
-  kWaves = 12
+  kPaperNoise = 1,          // receiver/paper_receiver.cpp
+  kSecondarySelection = 2,  // echo/model/ping_plan.cpp: where selection begins
+  kRelief = 3,              // scene/make_relief.cpp: the surface's height
+  kNoiseInPhase = 4,        // receiver/calibrated_receiver.cpp, real part
+  kNoiseQuadrature = 5,     // ... and imaginary part
+  kArrayElements = 6,       // sonar/array_pattern.cpp: errors of gain and phase
+  kSpeckle = 7,             // receiver/speckle.cpp: phases of cells
+  kClutter = 8,             // receiver/clutter.cpp: texture of K-distributed clutter
+  kPointPhase = 9,          // echo/targets/point_echoes.cpp
+  kInterference = 10,       // echo/targets/interference.cpp
+  kScatterers = 11,         // receiver/sparse_scatterers.cpp
+  kWaves = 12               // echo/targets/surface_ghosts.cpp: highlights of ghosts by waves
 };
 
 using PhiloxCounter = std::array<std::uint32_t, 4>;

@@ -64,15 +64,17 @@ const Material* named_base(const std::string& key, const MaterialOverride& chang
 Material changed(Material base, const std::string& key, const MaterialOverride& change) {
   base.name = key;
   base.source = "scenario";
-  base.density = change.density.value_or(base.density);
-  base.sound_speed = change.sound_speed.value_or(base.sound_speed);
-  base.reflectivity = change.reflectivity;
-  base.lambert_db = change.lambert_db.value_or(base.lambert_db);
-  base.reflection = change.reflection;
-  base.thickness = change.thickness ? change.thickness : base.thickness;
-  base.rms_slope = change.rms_slope.value_or(base.rms_slope);
-  base.clutter_shape = change.clutter_shape ? change.clutter_shape : base.clutter_shape;
-  base.scatterer_density = change.scatterer_density ? change.scatterer_density : base.scatterer_density;
+  // Not inherited: they follow from density, sound speed and thickness, which may be new.
+  base.reflectivity.reset();
+  base.reflection.reset();
+  std::vector<std::optional<double>> given;
+  visit_material_fields(change, [&](const Field&, const auto& value) { given.push_back(value); });
+  std::size_t next = 0;
+  visit_material_fields(base, [&](const Field&, auto& value) {
+    if (const std::optional<double>& changed_value = given[next++]) {
+      value = *changed_value;
+    }
+  });
   base.relief = change.relief;
   check_fields("materials." + key, base);
   return base;

@@ -1,4 +1,4 @@
-// echo_laws.cpp -- strengths and intensities from the scattering laws of insonify/backscatter.h.
+// echo_laws.cpp -- strengths and intensities from the scattering laws of insonify/acoustics/backscatter.h.
 
 #include "echo/model/echo_laws.h"
 

@@ -2,7 +2,7 @@
 //
 // The reference engine uses these functions. The loops over many samples (ScatterTable, fill_mirror_powers(),
 // PaperShape) are single-precision forms of them; tests/echo/echo_laws_test.cpp compares the two. The scattering laws
-// themselves are in insonify/backscatter.h, the paper's sigmoid is PaperModel::shape().
+// themselves are in insonify/acoustics/backscatter.h, the paper's sigmoid is PaperModel::shape().
 
 #pragma once
 

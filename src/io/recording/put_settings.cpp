@@ -149,8 +149,8 @@ void put_config(const H5Writer& writer, const std::string& group, const Config& 
   }
 }
 
-// The materials in use, with what follows from their other properties filled in. Infinite: solid, no texture,
-// countless.
+// The materials in use, with what follows from their other properties filled in. A number that is absent is written as
+// infinity: a solid without thickness, no clutter, unlimited scatterers.
 void put_materials(const H5Writer& writer, const Scene& scene, double frequency) {
   std::vector<Material> materials = scene.materials;
   for (Material& material : materials) {
