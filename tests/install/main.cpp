@@ -1,8 +1,8 @@
 // main.cpp -- what a user of the installed library might write: a ping of a sphere, recorded and drawn.
 
-#include <cstdio>
-
 #include <insonify/insonify.h>
+
+#include <cstdio>
 
 int main(int, char** arguments) {
   try {

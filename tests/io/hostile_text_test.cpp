@@ -37,7 +37,8 @@ std::string with_text(std::string pattern, const std::string& text) {
   return pattern;
 }
 
-// The message for a hostile text: what stands in braces is shown as printable() shows it.
+// The message for a hostile text: what stands in braces is shown as printable() shows it, scoped names with their
+// limit.
 std::string message_with(const std::string& pattern, const std::string& text) {
   std::string message;
   for (std::size_t at = 0; at < pattern.size();) {
@@ -45,7 +46,9 @@ std::string message_with(const std::string& pattern, const std::string& text) {
     const std::size_t close = std::min(pattern.find('}', open), pattern.size());
     message += pattern.substr(at, open - at);
     if (open < close) {
-      message += printable(with_text(pattern.substr(open + 1, close - open - 1), text));
+      const std::string shown = pattern.substr(open + 1, close - open - 1);
+      const bool scoped = shown.starts_with("materials.");
+      message += printable(with_text(shown, text), scoped ? kLongestName : kLongestQuote);
     }
     at = close + 1;
   }
@@ -118,7 +121,7 @@ const HostileCase kCases[] = {
     {"YamlMaterial", "a.yaml", "world: floor.obj\nsonars: [{}]\nmaterials: {hull: {like: \"TEXT\"}}\n",
      "a.yaml:3:20: materials.hull.like = {TEXT} is not a known material"},
     {"YamlMaterialName", "a.yaml", "world: floor.obj\nsonars: [{}]\nmaterials:\n  \"TEXT\": {like: steel}\n",
-     "a.yaml:4:3: materials.{TEXT} matches no visual and no material"},
+     "a.yaml:4:3: {materials.TEXT} matches no visual and no material"},
     {"YamlDefaultMaterial", "a.yaml", "world: floor.obj\nsonars: [{}]\ndefault_material: \"TEXT\"\n",
      "a.yaml:3:1: default_material = {TEXT} is not a known material"},
     {"SdfVersion", "a.sdf", "<sdf version='TEXT'/>",

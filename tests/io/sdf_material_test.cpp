@@ -60,7 +60,7 @@ TEST_F(SdfMaterialTest, GivesAnIncludedModelTheMaterialOfItsInclude) {
 
 TEST_F(SdfMaterialTest, NamesThePlaceOfAMaterialThatDoesNotExist) {
   Scene scene = load(sdf_of(kBox, "<insonify:material>unobtainium</insonify:material>"));
-  EXPECT_EQ(without_folder(scene.instances.at(0).where), "scene.sdf:4:1: ");
+  EXPECT_EQ(scene.places.at(scene.instances.at(0).name).line, 4);
   const std::string message = without_folder(message_of([&] { assign_materials(scene, {}); }));
   EXPECT_THAT(message, testing::StartsWith("scene.sdf:4:1: "));
   EXPECT_THAT(message, testing::HasSubstr("unobtainium"));

@@ -2,8 +2,8 @@
 
 #include <gmock/gmock.h>
 
-#include "insonify/scene.h"
 #include "insonify/mesh.h"
+#include "insonify/scene.h"
 
 namespace insonify {
 namespace {
