@@ -1,4 +1,4 @@
-// simulator.cpp -- the whole simulator on one page: every step is a call into one module, in the order of the data.
+// simulator.cpp -- public functions of Simulator. ping() calls the modules in the order of the data.
 
 #include "insonify/simulator.h"
 
@@ -78,7 +78,7 @@ void Simulator::ping(int index, const PingRequest& request, Ping& ping) {
   const Scenario& scenario = state.scenario;
   SimulatedSonar& sonar = state.sonars.at(index);
 
-  // When and where: what moves in the world, the vehicle, its sonar, and the head on it.
+  // Poses of moved objects, vehicle, sonar and head.
   state.place(sonar, request);
   ping.number = request.number;
   ping.time = request.time;
@@ -86,7 +86,7 @@ void Simulator::ping(int index, const PingRequest& request, Ping& ping) {
   ping.world_from_sonar = request.world_from_vehicle * sonar.vehicle_from_housing;
   const Pose head = housing_from_head(ping.head_angle), world_from_sonar = ping.world_from_sonar * head;
 
-  // What comes back, sorted by beam and range, and what the receiver makes of it.
+  // Echoes sorted by beam and range, then the receiver.
   EchoGrid& grid = sonar.grid;
   const PingPlan& plan = *sonar.plan;
   if (scenario.model == EchoModel::kCalibrated) {

@@ -1,4 +1,4 @@
-// camera.cpp -- perspective projection.
+// camera.cpp -- perspective projection and its inverse.
 
 #include "simulator/camera.h"
 

@@ -1,4 +1,4 @@
-// camera.h -- a pinhole camera: from pixels to rays and back.
+// camera.h -- pinhole camera: converts pixels to rays and points to pixels.
 
 #pragma once
 
@@ -6,10 +6,10 @@
 
 namespace insonify {
 
-/// Pixels count right and down from the upper left corner; (0.5, 0.5) is the middle of the first.
+/// Pixel coordinates run right and down from the upper left corner; the first pixel's centre is (0.5, 0.5).
 class Camera {
  public:
-  /// World z points up in the picture, unless the camera looks straight up or down: then x does.
+  /// World z points up in the picture; world x if the camera looks straight up or down.
   Camera(const ViewConfig& view, int width, int height);
 
   [[nodiscard]] const Vec3& position() const { return position_; }  ///< [m]
@@ -25,7 +25,7 @@ class Camera {
 
   struct Image {
     double x = 0, y = 0;  ///< [pixels]
-    double depth = 0;     ///< Along the optical axis [m]; not positive behind the camera, where x and y mean nothing.
+    double depth = 0;     ///< Along the optical axis [m]; x and y are valid only where it is > 0.
   };
   [[nodiscard]] Image image_of(const Vec3& point) const;
 

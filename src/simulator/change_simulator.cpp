@@ -1,4 +1,4 @@
-// change_simulator.cpp -- other sonars and other objects, between pings.
+// change_simulator.cpp -- changes sonars and objects of a simulator between pings.
 
 #include "insonify/error.h"
 #include "simulator/scene_changes.h"
@@ -22,7 +22,7 @@ int Simulator::add_objects(const Scene& objects, std::span<const MovableObject> 
   State& state = *state_;
   Scene& scene = state.scene;
   const std::size_t instances = scene.instances.size(), materials = scene.materials.size();
-  state.scene_changed = true;  // Also where this fails: instances may lie elsewhere in memory.
+  state.scene_changed = true;  // Also on failure: instances may have been reallocated.
   add_to_scene(objects, scene);
   try {
     MovableObjects moving = state.objects;

@@ -1,4 +1,5 @@
-// fitting_view.cpp -- tries cameras around what the sonar sees and takes the one that shows most of it.
+// fitting_view.cpp -- compares camera poses around the sonar and chooses the one that shows most of what the sonar
+// sees.
 
 #include <algorithm>
 #include <cmath>
@@ -12,23 +13,23 @@
 namespace insonify {
 namespace {
 
-// The view is judged in these proportions.
+// Aspect ratio in which cameras are compared.
 constexpr int kWidth = 4, kHeight = 3;
-constexpr double kInFrame = 0.95;  // Share of the half picture within which something counts as shown.
+constexpr double kInFrame = 0.95;  // Fraction of the half picture within which a point counts as shown.
 constexpr double kMargin =
-    0.80;  // The same for what the camera is placed by: things are larger than the points seen of them.
+    0.80;  // Likewise where a camera is placed: smaller, since objects extend beyond the points seen on them.
 constexpr double kSonarMargin = 0.74;
-constexpr double kMostShown = 0.95;  // Share of what is seen that decides how far off the camera stands.
-constexpr double kNearest = 0.1;     // Of the camera to the sonar, in mean distances of what the sonar sees.
-constexpr double kClearance = 1e-3;  // Share of its length that a line of sight may lack.
+constexpr double kMostShown = 0.95;  // Fraction of the points' weight that determines the camera's distance.
+constexpr double kNearest = 0.1;     // Least camera distance, in mean distances of the points from the sonar.
+constexpr double kClearance = 1e-3;  // Fraction by which lines of sight are shortened.
 constexpr double kFieldOfViewDeg = 50;
 
 struct Candidate {
   ViewConfig view;
-  double merit = 0;  // What speaks for the direction alone.
+  double merit = 0;  // Merit of the viewing direction alone.
 };
 
-// The least value that is at least `values` for a share kMostShown of the weights.
+// The kMostShown quantile of (value, weight) pairs, which it sorts.
 double most_of(std::vector<std::pair<double, double>>& values) {
   std::sort(values.begin(), values.end());
   double total = 0;
@@ -53,7 +54,7 @@ double mean_distance(const std::vector<SeenPoint>& points, const Vec3& from) {
   return sum / static_cast<double>(points.size());
 }
 
-// The camera that looks against `towards` and has most points and the sonar in its frame, no farther off than need be.
+// The nearest camera looking in the direction -towards that has most of the points, and the sonar, in its frame.
 //
 // In its own axes, x right, y up and z towards it, a point is in the frame when |x - cx| <= a (cz - z), with a half the
 // frame's width at distance 1. So a cz must be half the sum of the greatest x + a z and -x + a z, and cx half their
@@ -64,7 +65,7 @@ Candidate fit(const ViewSubject& subject, const Vec3& sonar, const Vec3& towards
   struct Fit {
     double middle, distance;
   };
-  // Places are counted from the sonar on, so that it does not matter how far off the world's origin is.
+  // Positions are relative to the sonar, for precision far from the world's origin.
   const auto fit_along = [&](const Vec3& axis, double half) {
     const auto bound_of_points = [&](double side) {
       const auto bound_of = [&](const Vec3& point) {
@@ -84,7 +85,7 @@ Candidate fit(const ViewSubject& subject, const Vec3& sonar, const Vec3& towards
     const double points_high = bound_of_points(1);
     const double points_low = bound_of_points(-1);
     Fit fit{0, (points_high + points_low) / 2 / (kMargin * half)};
-    // The sonar is drawn with a size that follows from the distance: as if its place were that much wider.
+    // The sonar's symbol is drawn with a size proportional to the distance. Iterates until it fits in the frame too.
     for (int pass = 0; pass < 8; ++pass) {
       const double reach = (kMargin - kSonarMargin) * half * std::max(0.0, fit.distance);
       const double high = std::max(points_high, reach);
@@ -97,14 +98,14 @@ Candidate fit(const ViewSubject& subject, const Vec3& sonar, const Vec3& towards
   const Fit along = fit_along(axes.up(), half_width * kHeight / kWidth);
   const Vec3 middle = sonar + across.middle * axes.right() + along.middle * axes.up();
   const double distance = std::max({across.distance, along.distance, kNearest * mean_distance(subject.points, sonar)});
-  // Looks at a point about as far off as the sonar: any in front of the camera would do.
+  // Any look_at in front of the camera would do; this one is about as far away as the sonar.
   const ViewConfig view{.position = middle + distance * towards, .look_at = middle, .field_of_view = field_of_view};
-  // What fills the frame both ways shows best.
+  // Prefers views that fill the frame in both directions.
   return {view, 0.22 * std::min(across.distance, along.distance) / distance};
 }
 
-// Cameras on both sides of the sonar and behind it, at several heights; the merit prefers the usual view over the
-// sonar's shoulder.
+// Cameras on both sides of the sonar and behind it, at several heights. The merit prefers the view over the sonar's
+// shoulder.
 std::vector<Candidate> candidates_around(Engine& engine, const ViewSubject& subject, const Pose& sonar) {
   Vec3 ahead = Vec3::Zero();
   for (const SeenPoint& point : subject.points) {
@@ -112,7 +113,7 @@ std::vector<Candidate> candidates_around(Engine& engine, const ViewSubject& subj
   }
   const double length = ahead.norm();
   ahead.z() = 0;
-  if (ahead.norm() < 0.05 * length) {  // It looks down, or all around.
+  if (ahead.norm() < 0.05 * length) {  // The sonar looks down, or all around.
     ahead = sonar.orientation * Vec3::UnitX();
     ahead.z() = 0;
   }
@@ -134,7 +135,7 @@ std::vector<Candidate> candidates_around(Engine& engine, const ViewSubject& subj
       rays.push_back({sonar.position, way.normalized(), 0, 1.1 * way.norm()});
     }
   }
-  // A camera behind a wall comes back to the sonar's side of it, and to some distance from it.
+  // A camera behind a wall is moved to the sonar's side of it, with some clearance.
   std::vector<Hit> hits(rays.size());
   engine.trace(rays, hits);
   for (std::size_t i = 0; i < rays.size(); ++i) {
@@ -152,12 +153,11 @@ bool in_frame(const Camera& camera, const Vec3& place) {
          std::abs(2 * image.y / kHeight - 1) < kInFrame;
 }
 
-// What decides between cameras: share of what the sonar sees that the camera sees too, from the same side; half as much
-// again for the sonar itself; less for a camera whose nose touches something. Its rays are traced with those of all
-// other cameras.
+// Worth of a camera: fraction of the points' weight that it sees from their front, plus half if it sees the sonar,
+// minus a penalty for each ray that hits a surface close to the camera. Rays of all cameras are traced together.
 class Worth {
  public:
-  /// Adds the camera's rays to those of others.
+  /// Appends the camera's rays to `rays`.
   Worth(const ViewConfig& view, const std::vector<SeenPoint>& points, const Vec3& sonar, std::vector<Ray>& rays)
       : first_ray_(rays.size()) {
     const Camera camera(view, kWidth, kHeight);
@@ -189,7 +189,7 @@ class Worth {
     ray_count_ = rays.size() - first_ray_;
   }
 
-  /// @param hits  Of all cameras' rays.
+  /// @param hits  Of the rays of all cameras.
   [[nodiscard]] double of(std::span<const Hit> hits) const {
     double worth = 0;
     for (std::size_t i = 0; i < ray_count_; ++i) {
@@ -205,15 +205,15 @@ class Worth {
 
  private:
   std::size_t first_ray_, ray_count_ = 0;
-  std::vector<double> weights_;  // Of the lines of sight, which are the first rays.
+  std::vector<double> weights_;  // Weights of the lines of sight, which are the first rays.
 };
 
-// Turns a camera up or down until what it shows is in the middle of its frame: what is near takes more room below than
-// what is far takes above. Points far outside of the frame do not count.
+// Pitches a camera until the points are vertically centred in its frame: perspective gives near points more room below
+// than far ones above. Points far outside the frame are ignored.
 ViewConfig aimed(ViewConfig view, const ViewSubject& subject, const Vec3& sonar) {
   const Camera camera(view, kWidth, kHeight);
   const double half = camera.width_at_one() / 2;
-  // Upwards from the optical axis, at distance 1.
+  // Height above the optical axis at distance 1.
   const auto height_of = [&](const Vec3& place) {
     const Vec3 way = place - view.position;
     return way.dot(camera.up()) / way.dot(camera.forward());

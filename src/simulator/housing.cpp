@@ -1,4 +1,4 @@
-// housing.cpp -- where a ray meets a capped cylinder.
+// housing.cpp -- intersection of a ray with a capped cylinder.
 
 #include "simulator/housing.h"
 

@@ -1,4 +1,4 @@
-// housing.h -- the sonar itself, as a camera view shows it: a small cylinder.
+// housing.h -- the sonar's housing in a camera view: a small cylinder.
 
 #pragma once
 
@@ -6,7 +6,7 @@
 
 namespace insonify {
 
-/// Looks along the acoustic axis, or stands upright for a scanning head; the transducer is the dark part.
+/// A capped cylinder along the acoustic axis, or upright for a scanning head. The transducer end is darker.
 class Housing {
  public:
   /// @param radius  [m]
@@ -23,7 +23,7 @@ class Housing {
   Pose housing_from_world_;  // z along the cylinder.
   Pose world_from_housing_;
   double radius_, low_, high_;  // The cylinder reaches from low_ to high_ along z.
-  double band_;                 // Above this lies the transducer.
+  double band_;                 // The transducer is above this z.
 };
 
 }  // namespace insonify

@@ -1,4 +1,4 @@
-// insonified_sector.cpp -- a wedge of azimuths, elevations and ranges.
+// insonified_sector.cpp -- limits, edges and containment test of the insonified sector.
 
 #include "simulator/insonified_sector.h"
 
@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kTwoPi = 2 * std::numbers::pi;
 constexpr double kPieceAngle = radians_from_degrees(1);
-constexpr int kPiecesAlong = 64;  // Of a straight edge: pieces are hidden by geometry each on its own.
+constexpr int kPiecesAlong = 64;  // Segments of a straight edge; each is drawn or hidden as a whole.
 
 }  // namespace
 

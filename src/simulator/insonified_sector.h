@@ -1,4 +1,4 @@
-// insonified_sector.h -- the part of space that a sonar looks at, for drawing.
+// insonified_sector.h -- the volume that a sonar insonifies, for drawing.
 
 #pragma once
 
@@ -9,7 +9,8 @@
 
 namespace insonify {
 
-/// Of a scanning sonar all that its head sweeps over, seen from the housing.
+/// Limits in azimuth, elevation and range, in the frame of the housing. A scanning sonar's sector is all that its head
+/// sweeps.
 class InsonifiedSector {
  public:
   InsonifiedSector(const SonarConfig& sonar, const Pose& world_from_sonar);
@@ -17,20 +18,20 @@ class InsonifiedSector {
   [[nodiscard]] const Pose& world_from_sonar() const { return world_from_sonar_; }
   [[nodiscard]] double max_range() const { return max_range_; }  ///< [m]
 
-  // Borders [rad]; of a full circle the azimuths are a whole turn apart.
+  // Limits [rad]; on a full circle the azimuths differ by 2 pi.
   [[nodiscard]] double low_azimuth() const { return low_azimuth_; }
   [[nodiscard]] double high_azimuth() const { return high_azimuth_; }
   [[nodiscard]] double low_elevation() const { return low_elevation_; }
   [[nodiscard]] double high_elevation() const { return high_elevation_; }
 
-  /// Place in the world of a range [m] and two shares of the apertures: 0 starboard or lower, 1 port or upper.
+  /// World position at a range [m] and at fractions of both apertures: 0 is starboard or lower, 1 port or upper.
   [[nodiscard]] Vec3 point_at(double range, double across, double along) const;
 
-  /// How far inside of the sector's borders a point of the world lies, as an angle [rad]; negative outside or out of
-  /// range.
+  /// Angle from a point inside the sector to the nearest azimuth or elevation limit [rad]; negative for points outside
+  /// the sector or its range interval.
   [[nodiscard]] double inside_by(const Vec3& point) const;
 
-  /// Its edges, in straight pieces: from the sonar along the four corners, and around the far end.
+  /// Edges as short line segments: from the sonar along the four corners, and around the far end.
   [[nodiscard]] std::vector<std::pair<Vec3, Vec3>> edges() const;
 
  private:

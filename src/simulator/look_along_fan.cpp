@@ -1,4 +1,4 @@
-// look_along_fan.cpp -- one ray for each direction of a fan.
+// look_along_fan.cpp -- images of distance and intensity, from one ray per direction of a fan.
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-// movable_objects.cpp -- from names to instances, and from the pose of an object to those of its parts.
+// movable_objects.cpp -- resolves object names to instances, and object poses to poses of their parts.
 
 #include "simulator/movable_objects.h"
 
@@ -35,7 +35,7 @@ std::string object_names(const Scene& scene) {
   return fmt::format("{}", fmt::join(names, ", "));
 }
 
-// An object without a frame has that of its first part's mesh.
+// Without a given frame, an object has that of its first part's mesh.
 MovableObjects::Object& MovableObjects::add_object(const std::string& name, std::size_t first,
                                                    const std::optional<Pose>& world_from_object, Scene& scene) {
   Object& object = objects_.emplace_back();
@@ -99,7 +99,7 @@ MovableObjects::Part* MovableObjects::find_part(int instance) {
   return part == parts_.end() ? nullptr : &*part;
 }
 
-// Works out where the parts of one object are to be.
+// Sets `next` of the parts of one object.
 void MovableObjects::set_next(const MovedObject& moved, const Scene& scene) {
   const auto object = std::ranges::find(objects_, moved.name, &Object::name);
   if (moved.instance < 0 && object != objects_.end()) {

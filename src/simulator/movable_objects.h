@@ -1,4 +1,4 @@
-// movable_objects.h -- what requests may move, and where it is now.
+// movable_objects.h -- objects that ping requests can move, and their current poses.
 
 #pragma once
 
@@ -12,32 +12,35 @@
 
 namespace insonify {
 
-/// Objects are instances of a scene: those of the object's very name, and all whose name starts with it and "::".
+/// An object is one or several instances of the scene: the one of that name, and all whose name starts with it and
+/// "::".
 class MovableObjects {
  public:
-  /// Makes the objects that motions name movable, and marks their instances moving. The frame of each is where its
-  /// trajectory has it at time 0.
-  /// @throws Error for one that is not there, or already moves.
+  /// Makes the objects named by `motions` movable and marks their instances as moving. An object's frame is its
+  /// trajectory's pose at time 0.
+  /// @throws Error for an object that is not in the scene or already moves.
   void add(std::span<const Motion> motions, Scene& scene);
 
-  /// The same for objects among the instances from `first` on. They may be parts of others.
+  /// Likewise for objects among the instances from `first` on. An object may be part of another.
   void add(std::span<const MovableObject> movable, Scene& scene, std::size_t first = 0);
 
-  /// Makes instances from `first` on movable that are marked moving already.
+  /// Makes movable all instances from `first` on that are already marked as moving.
   void add_marked(const Scene& scene, std::size_t first = 0);
 
-  /// Has the engine place everything where a request has it, and all else where the scene has it. Allocates nothing.
-  /// @throws Error for what does not move or is not there; everything then is where it was.
+  /// Moves objects in the engine to their poses in a request, and all others to their poses in the scene. Allocates
+  /// nothing.
+  /// @throws Error for an object that does not exist or cannot be moved; then nothing is moved.
   void place(std::span<const MovedObject> moved, const Scene& scene, Engine& engine);
 
-  /// Tells that the engine has taken in the scene anew, perhaps with fewer instances.
+  /// Takes current poses from the scene. To be called after the engine has loaded it again, perhaps with objects
+  /// removed.
   void reset(const Scene& scene);
 
  private:
-  // An instance that moves.
+  // An instance that can move.
   struct Part {
     int instance = 0;
-    Pose now, next;  // World from mesh: as the engine has it, and as this ping is to have it.
+    Pose now, next;  // World from mesh: in the engine now, and at this ping.
   };
   struct Piece {
     std::size_t part = 0;
@@ -57,10 +60,10 @@ class MovableObjects {
   std::vector<Object> objects_;
 };
 
-/// Whether an instance is an object of this name, or part of it.
+/// Whether an instance is the object of this name or part of it.
 [[nodiscard]] bool belongs_to(const Instance& instance, std::string_view object);
 
-/// "box, floor, ship": the first parts of the scoped names of what is there.
+/// "box, floor, ship": the objects of a scene, each by the first part of its scoped name.
 [[nodiscard]] std::string object_names(const Scene& scene);
 
 }  // namespace insonify

@@ -1,4 +1,4 @@
-// ping_request.cpp -- which requests make sense.
+// ping_request.cpp -- validates ping requests.
 
 #include "insonify/ping_request.h"
 
@@ -12,7 +12,7 @@
 namespace insonify {
 namespace {
 
-// Single precision, in which many programs keep poses, is a tenth of this off.
+// Ten times the error of a quaternion in single precision, in which many programs keep poses.
 constexpr double kNormTolerance = 1e-6;
 
 void check_vector(std::string_view object, const Field& field, const Vec3& vector) {

@@ -1,4 +1,5 @@
-// renderer.cpp -- Lambert shading in haze: a light over the camera's shoulder, and yellow where the sonar looks.
+// renderer.cpp -- Lambert shading with haze, a light over the camera's shoulder, and a yellow tint where the sonar
+// insonifies.
 
 #include "simulator/renderer.h"
 
@@ -13,9 +14,9 @@ namespace insonify {
 namespace {
 
 constexpr std::size_t kRaysAtOnce = 1 << 16;
-constexpr double kClearance = 1e-4;  // Share of its length that a ray keeps away from the surfaces at its ends.
-constexpr double kHazyAt = 2.7;      // Distance at which the view turns hazy, in median distances of what is seen.
-constexpr double kGrainSize = 0.03;  // Of the coarsest grain, in median distances.
+constexpr double kClearance = 1e-4;  // Fraction of its length that a ray keeps away from surfaces at its ends.
+constexpr double kHazyAt = 2.7;      // Length scale of the haze, in median distances of the surfaces in view.
+constexpr double kGrainSize = 0.03;  // Size of the coarsest grain, in median distances.
 const Vec3f kLightColour{0.98F, 1.06F, 0.98F};
 constexpr unsigned kHousingColour = 0xffc530;
 constexpr unsigned kTransducerColour = 0x2a2f36;
@@ -40,8 +41,8 @@ std::vector<Renderer::Sample> Renderer::render(std::span<const Point> points) {
   return samples;
 }
 
-// The light is over the camera's left shoulder. Where something is in the way there, as in a tank, it is a lamp before
-// that.
+// The light is directional, over the camera's left shoulder. If a surface is in that direction, as in a tank, the light
+// is a lamp in front of that surface.
 void Renderer::look_around(int width, int height, double otherwise) {
   Vec3 ahead = camera_.forward() - camera_.forward().z() * Vec3::UnitZ();
   ahead = ahead.norm() > 0.1 ? ahead.normalized() : camera_.up();
@@ -106,7 +107,7 @@ void Renderer::render_some(std::span<const Point> points, std::span<Sample> samp
   for_each(points.size(), [&](std::size_t i) { samples[i] = shade(i); });
 }
 
-// Finds out what there is to know of a point that was hit, but for what stands in the way of light and sound.
+// Position, incidence of light and sector of a hit. Occlusion follows in trace_second_rays().
 Renderer::Spot Renderer::spot_at(std::size_t i) const {
   Spot spot;
   if (std::isfinite(hits_[i].distance)) {
@@ -117,7 +118,7 @@ Renderer::Spot Renderer::spot_at(std::size_t i) const {
   return spot;
 }
 
-// Finds which of the points see the light, and which the sonar.
+// Traces occlusion rays: from the points to the light, and from the sonar to the points.
 void Renderer::trace_second_rays() {
   second_rays_.clear();
   const Vec3& sonar = sector_.world_from_sonar().position;
@@ -164,10 +165,10 @@ Renderer::Sample Renderer::shade(std::size_t i) const {
   if (is_clear(spot.light_ray)) {
     light += static_cast<float>(spot.lit) * kLightColour;
   }
-  // Grain fades where it would be finer than pixels.
+  // Grain fades with distance, where it would be finer than pixels.
   const auto grain = static_cast<float>(0.13 / (1 + hit.distance / haze_)) * value_noise(spot.point, grain_);
   Vec3f colour = (1 + grain) * tint(hit).cwiseProduct(light);
-  // The sea shines on edges that are seen flat.
+  // Surfaces seen at grazing angles reflect the colour of the water.
   const auto flat = static_cast<float>(1 - std::min(1.0, -hit.normal.dot(ray.direction)));
   colour += 0.16F * flat * flat * flat * flat * water_colour(hit.normal);
   if (is_clear(spot.sonar_ray)) {
@@ -181,7 +182,7 @@ Renderer::Sample Renderer::shade(std::size_t i) const {
   return {screen_colour(colour), static_cast<float>(hit.distance)};
 }
 
-// Of the material; each instance a little lighter or darker than the others, so that they can be told apart.
+// Tint of the material, varied a little in brightness by instance so that objects can be told apart.
 Vec3f Renderer::tint(const Hit& hit) const {
   const Vec3f base = hit.material < tints_.size() ? tints_[hit.material] : Vec3f::Constant(0.35F);
   return base * (0.92F + 0.16F * static_cast<float>((hit.instance * 2654435761U >> 16U) & 0xffU) / 255.0F);

@@ -1,4 +1,4 @@
-// renderer.h -- what a camera's rays end at, and in which light it is seen.
+// renderer.h -- traces and shades the rays of a camera view.
 
 #pragma once
 
@@ -14,34 +14,34 @@
 
 namespace insonify {
 
-/// Sees and shades one scene from one place.
+/// Renders one scene from one camera.
 class Renderer {
  public:
-  /// What a ray ends at, and how far off.
+  /// Colour and distance of the surface that a ray hits.
   struct Sample {
-    Vec3f colour = Vec3f::Zero();  // For screens.
-    float distance = 0;            // Infinite for open water.
+    Vec3f colour = Vec3f::Zero();  // For display, 0..255: see screen_colour().
+    float distance = 0;            // [m]; infinite in open water.
   };
 
-  /// @param housing  Null: neither it nor what it insonifies is shown. All must outlive this.
+  /// @param housing  Null: neither the housing nor insonified surfaces are shown. All arguments must outlive this.
   Renderer(Engine& engine, const Scene& scene, const Camera& camera, const InsonifiedSector& sector,
            const Housing* housing);
 
-  /// Places the light and finds how hazy the view is; to be called before render(). Haze and grain are in proportion to
-  /// the median distance of what a coarse grid of rays meets.
-  /// @param otherwise  That distance in open water [m].
+  /// Places the light and sets the scales of haze and grain, which are proportional to the median distance of the
+  /// surfaces that a coarse grid of rays hits. To be called before render().
+  /// @param otherwise  That distance if no ray hits anything [m].
   void look_around(int width, int height, double otherwise);
 
-  /// Renders through points of the picture [pixels].
+  /// Renders the picture at these points [pixels].
   [[nodiscard]] std::vector<Sample> render(std::span<const Point> points);
 
  private:
-  // A point of a surface that a ray ended at.
+  // A surface point that a camera ray hits.
   struct Spot {
     Vec3 point = Vec3::Zero();           // World frame [m].
-    double lit = 0;                      // Cosine of the angle at which light falls in, were nothing in the way.
-    double inside_by = -1;               // How far in the sonar's sector [rad].
-    int light_ray = -1, sonar_ray = -1;  // Index of the rays from there; -1 where none was sent.
+    double lit = 0;                      // Cosine of the light's angle of incidence, before occlusion.
+    double inside_by = -1;               // See InsonifiedSector::inside_by() [rad].
+    int light_ray = -1, sonar_ray = -1;  // Indices into second_rays_; -1 where no ray was traced.
   };
 
   [[nodiscard]] Ray ray_to_light(const Vec3& point) const;

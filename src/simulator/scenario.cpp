@@ -1,4 +1,4 @@
-// scenario.cpp -- the rules between the parts of a scenario, and where things are along a trajectory.
+// scenario.cpp -- checks a scenario's parts against each other, and interpolates trajectories.
 
 #include "insonify/scenario.h"
 
@@ -18,13 +18,13 @@ Pose pose_of(const Waypoint& waypoint) {
   return {waypoint.position, orientation_from_rpy(rpy.x(), rpy.y(), rpy.z())};
 }
 
-// Three digits, rounded up: a limit in a message must itself be allowed.
+// Rounds up to three digits, so that the limit in a message is itself allowed.
 double rounded_up(double value) {
   const double digit = std::pow(10, std::floor(std::log10(value)) - 2);
   return std::ceil(value / digit) * digit;
 }
 
-// The depth at which a sonar starts, below the surface, is the water's.
+// The depth of a sonar's water is that at which it starts, below the surface.
 void check_water(const Scenario& scenario) {
   for (std::size_t i = 0; scenario.surface && i < scenario.sonars.size(); ++i) {
     constexpr double kMost = 7000;
@@ -68,7 +68,7 @@ void check_sonars(const Scenario& scenario) {
   }
 }
 
-// Whether there is an array of this pattern and width.
+// Checks that an array of this pattern and width exists.
 template <typename MakeArray>
 void check_array(const std::string& object, std::string_view key, BeamPattern pattern, const MakeArray& make_array) {
   if (pattern == BeamPattern::kTopHat) {
@@ -83,7 +83,7 @@ void check_array(const std::string& object, std::string_view key, BeamPattern pa
   array.validate(object);
 }
 
-// Bearings of an array are told by their sines.
+// Arrays measure the sine of the bearing, which is ambiguous beyond 90 degrees.
 void check_fan(const std::string& object, std::string_view key, std::string_view only, std::size_t index,
                const SonarConfig& sonar) {
   if (sonar.azimuth_aperture > std::numbers::pi) {
@@ -107,7 +107,7 @@ void check_beams(const std::string& object, const ReceiverConfig& receiver, std:
               [&] { return line_array(receiver.elevation_pattern, receiver.side_lobe_db, sonar.elevation_aperture); });
 }
 
-// Gains are multiplied into single precision, which ends at 385 dB.
+// Gains are applied in single precision, which overflows at 385 dB.
 void check_gain(const std::string& object, const ReceiverConfig& receiver, std::size_t index, const SonarConfig& sonar,
                 const Water& water) {
   constexpr double kMost = 300;
@@ -122,7 +122,7 @@ void check_gain(const std::string& object, const ReceiverConfig& receiver, std::
   }
 }
 
-// Receivers of the calibrated model, each with its sonar.
+// Checks each sonar with its receiver, in the calibrated model.
 void check_receivers(const Scenario& scenario) {
   for (std::size_t i = 0; i < scenario.sonars.size(); ++i) {
     const SonarConfig& sonar = scenario.sonars[i];
@@ -166,7 +166,7 @@ void check_motions(const std::vector<Motion>& motions) {
   }
 }
 
-// Two ways to say how long it takes are one too many.
+// At most one of `pings`, `duration` and `turns` may be given.
 void check_length(const Scenario& scenario) {
   if (scenario.duration && scenario.turns) {
     throw Error("", "duration", " and turns both say when pings end; leave one out");
@@ -205,7 +205,7 @@ Pose Trajectory::at(double time) const {
   const double share = (time - before.time) / (after->time - before.time);
   const Pose from = pose_of(before);
   const Pose to = pose_of(*after);
-  // Eigen's slerp turns the shorter way.
+  // Eigen's slerp takes the shorter way.
   return {from.position + share * (to.position - from.position), from.orientation.slerp(share, to.orientation)};
 }
 
@@ -222,7 +222,7 @@ void Trajectory::validate(std::string_view object) const {
 
 namespace {
 
-// What moves in a ping is reckoned with to the first order in speed over that of sound.
+// Motion in a ping is computed to first order in speed over sound speed.
 void check_speeds(const Trajectory& trajectory) {
   constexpr double kMost = 100;  // [m/s]: a fifteenth of the speed of sound.
   const std::vector<Waypoint>& points = trajectory.waypoints;
@@ -260,7 +260,7 @@ SonarConfig Scenario::filled_in(SonarConfig sonar) const {
 }
 
 std::uint64_t Scenario::ping_count(const SonarConfig& sonar) const {
-  constexpr double kSlack = 1e-9;  // A duration of a whole number of periods must not have one ping more.
+  constexpr double kSlack = 1e-9;  // A duration of a whole number of periods must not get one ping more by rounding.
   const auto pings_before = [](double time, double period) {
     return std::max<std::uint64_t>(1, static_cast<std::uint64_t>(std::ceil(time / period * (1 - kSlack))));
   };

@@ -1,4 +1,4 @@
-// scenario_requests.cpp -- a scenario's trajectories at the times of its pings.
+// scenario_requests.cpp -- makes ping requests from a scenario's trajectories.
 
 #include "insonify/scenario_requests.h"
 
@@ -12,7 +12,7 @@
 namespace insonify {
 namespace {
 
-// At every waypoint; between them a vehicle moves straight on.
+// Checks every waypoint; between waypoints a vehicle moves in a straight line.
 void check_depths(const Scenario& scenario) {
   std::vector<double> times = {0};
   for (const Waypoint& waypoint : scenario.trajectory.waypoints) {
@@ -31,7 +31,7 @@ void check_depths(const Scenario& scenario) {
   }
 }
 
-// Steady, from one pose to the next.
+// Constant velocities that lead from one pose to the other in `time` [s].
 Twist twist_between(const Pose& first, const Pose& last, double time) {
   const Eigen::AngleAxisd turn(last.orientation * first.orientation.conjugate());
   const double angle = std::remainder(turn.angle(), 2 * std::numbers::pi);

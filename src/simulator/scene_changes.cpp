@@ -1,4 +1,4 @@
-// scene_changes.cpp -- merges materials, and checks names.
+// scene_changes.cpp -- adds and removes instances; merges materials and checks names.
 
 #include "simulator/scene_changes.h"
 
@@ -44,7 +44,7 @@ void add_to_scene(const Scene& objects, Scene& scene) {
     check_reach(instance, instance.name);
   }
   std::vector<Material> materials = scene.materials;
-  std::vector<std::uint16_t> index_of;  // Index in the scene of each of their materials.
+  std::vector<std::uint16_t> index_of;  // Index in `materials` of each of the objects' materials.
   for (const Material& material : objects.materials) {
     const auto same = std::ranges::find(materials, material);
     index_of.push_back(static_cast<std::uint16_t>(same - materials.begin()));

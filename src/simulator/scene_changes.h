@@ -1,4 +1,4 @@
-// scene_changes.h -- objects that come and go: all others keep their indices.
+// scene_changes.h -- adds objects to a scene and removes them; other instances keep their indices.
 
 #pragma once
 
@@ -8,14 +8,14 @@
 
 namespace insonify {
 
-/// Adds instances after all others, and those of their materials that are not there yet.
+/// Appends instances to the scene, and those of their materials that it does not have yet.
 /// @param objects  With materials assigned.
-/// @throws Error for a name that is there already, materials that are not assigned, and where there would be too many;
-///         nothing has been added then.
+/// @throws Error for a name that exists already, unassigned materials, or too many instances or materials; the scene is
+/// then unchanged.
 void add_to_scene(const Scene& objects, Scene& scene);
 
-/// Takes the object of this name out, with all its parts: they are no longer `present`.
-/// @throws Error where there is none, or it is the sea's surface.
+/// Removes the object of this name and all its parts: they are no longer `present`.
+/// @throws Error if there is none, or if it is the sea surface.
 void remove_from_scene(std::string_view name, Scene& scene);
 
 }  // namespace insonify

@@ -1,4 +1,4 @@
-// scene_view.cpp -- draws what a camera under water would see.
+// scene_view.cpp -- renders the camera view: image, outline of the sector, marks.
 
 #include "insonify/scene_view.h"
 
@@ -12,12 +12,13 @@
 namespace insonify {
 namespace {
 
-constexpr double kHousingSize = 0.011;  // Radius, in widths of the picture.
-constexpr float kEdgeContrast = 14;     // Difference of neighbours [0..255] that calls for more samples.
+constexpr double kHousingSize = 0.011;  // Radius, relative to the width of the picture.
+constexpr float kEdgeContrast =
+    14;  // Difference between neighbouring pixels [0..255] above which they get more samples.
 
 using Sample = Renderer::Sample;
 
-// A pixel whose neighbours look different, for which one sample is not enough.
+// Pixels that differ from a neighbour, for which one sample is not enough.
 std::vector<std::size_t> find_edges(const std::vector<Sample>& samples, int width, int height) {
   std::vector<bool> edge(samples.size());
   const auto compare = [&](std::size_t a, std::size_t b) {
@@ -45,7 +46,7 @@ std::vector<std::size_t> find_edges(const std::vector<Sample>& samples, int widt
   return found;
 }
 
-// One sample a pixel, then four where it matters.
+// One sample per pixel, then four per edge pixel.
 std::vector<Sample> render_picture(Renderer& renderer, int width, int height) {
   std::vector<Point> points;
   points.reserve(static_cast<std::size_t>(width) * height);
@@ -73,7 +74,7 @@ std::vector<Sample> render_picture(Renderer& renderer, int width, int height) {
   return samples;
 }
 
-// Rounds with an ordered pattern, which hides the steps in slow gradients.
+// Quantises with ordered dithering, which hides the steps in slow gradients.
 Picture develop(const std::vector<Sample>& samples, int width, int height) {
   constexpr float kPattern[4][4] = {{0, 8, 2, 10}, {12, 4, 14, 6}, {3, 11, 1, 9}, {15, 7, 13, 5}};
   Picture picture{width, height, std::vector<std::uint8_t>(3 * samples.size())};
@@ -87,7 +88,7 @@ Picture develop(const std::vector<Sample>& samples, int width, int height) {
   return picture;
 }
 
-// Lines and marks over what was rendered, where nothing stands before them.
+// Draws lines and marks over the rendered picture where no surface hides them.
 class Overlay {
  public:
   Overlay(Picture& picture, const std::vector<Sample>& samples, const Camera& camera, double nearest)
@@ -116,7 +117,7 @@ class Overlay {
 
   [[nodiscard]] double hairline() const { return std::max(1.0, picture_.height / 600.0); }
 
-  // What lies outside of the picture is judged by the last pixel before.
+  // Points outside the picture are compared with the nearest pixel.
   [[nodiscard]] bool is_seen(const Vec3& place) const {
     const Camera::Image at = camera_.image_of(place);
     const auto x = static_cast<std::size_t>(std::clamp(at.x, 0.0, picture_.width - 1.0));
@@ -128,7 +129,7 @@ class Overlay {
   Picture& picture_;
   const std::vector<Sample>& samples_;
   const Camera& camera_;
-  double nearest_;  // Depth from which on there is an image [m].
+  double nearest_;  // Least depth that is drawn [m].
 };
 
 }  // namespace

@@ -1,4 +1,4 @@
-// sea_plane.cpp -- a plane on a lattice of places.
+// sea_plane.cpp -- sizes the sea plane and moves it on its lattice.
 
 #include "simulator/sea_plane.h"
 
@@ -14,7 +14,7 @@
 namespace insonify {
 namespace {
 
-// How far sound may come from at most [m]: a sonar may take it for slower than it is, by up to 1700 over 1300 m/s.
+// Largest true range within max_range [m]: the assumed sound speed may be too low by a factor of up to 1700 / 1300.
 double reach_of(const Scenario& scenario) {
   constexpr double kTrueRanges = 1.5;
   double reach = 0;
@@ -41,8 +41,8 @@ SeaPlane::SeaPlane(const Scenario& scenario, Scene& scene)
   fit(scenario, scene);
 }
 
-// Half of the plane's half width is for where the sonar is in its cell of the lattice, half for what it hears. Powers
-// of two: so it mostly stays as it is when a sonar's range changes.
+// Half of the half width allows for the sonar's offset from the lattice point, half for its range. A power of two, so
+// that the size rarely changes with a sonar's range.
 bool SeaPlane::fit(const Scenario& scenario, Scene& scene) {
   scene.materials[material_] = sea_surface_material(*scenario.surface, scenario.sonars.front().frequency);
   const double half_width = std::exp2(std::ceil(std::log2(2 * reach_of(scenario))));

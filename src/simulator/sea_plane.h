@@ -1,4 +1,4 @@
-// sea_plane.h -- the sea's surface as part of a scene: a plane that is moved to where the sonar is.
+// sea_plane.h -- the sea surface as a scene instance: a plane that follows the sonar.
 
 #pragma once
 
@@ -10,40 +10,39 @@
 
 namespace insonify {
 
-/// One large plane is enough of a surface that has no end: wherever the sonar is, it reaches as far as any of the
-/// sonars hears. Its places are those of a lattice, so that it seldom moves; which one it takes depends on the sonar's
-/// position alone.
+/// Represents the unbounded sea surface by one large plane that extends beyond the range of every sonar. Its centre is
+/// a point of a lattice, so that it seldom moves; which point depends only on the sonar's position.
 class SeaPlane {
  public:
-  /// Adds an instance and a material to the scene, wide enough for the scenario's sonars. The material is that of the
-  /// first sonar's frequency, see materials_at().
-  /// @param scenario  Has a surface.
+  /// Adds an instance and a material to the scene, wide enough for the scenario's sonars. The material is computed at
+  /// the first sonar's frequency; materials_at() computes it at others.
+  /// @param scenario  Must have a surface.
   SeaPlane(const Scenario& scenario, Scene& scene);
 
   [[nodiscard]] int instance() const { return instance_; }
   [[nodiscard]] std::uint16_t material() const { return material_; }
 
-  /// Adapts size and material of the plane to other sonars.
-  /// @return  Whether the scene has changed, so that engines must take it in again.
+  /// Adapts size and material of the plane to changed sonars.
+  /// @return  Whether the scene has changed, so that engines must load it again.
   bool fit(const Scenario& scenario, Scene& scene);
 
-  /// @throws Error for a sonar that is not below it.
+  /// @throws Error if the sonar is not below the surface.
   void check(const Vec3& sonar) const;
 
-  /// Moves the plane, in the engine, to the lattice point nearest to a sonar.
+  /// Moves the plane in the engine to the lattice point nearest to the sonar.
   void place(const Vec3& sonar, Engine& engine);
 
-  /// Tells that the engine has taken in the scene anew.
+  /// To be called after the engine has loaded the scene again: the plane is then at its home position.
   void reset() { now_ = home_; }
 
  private:
   int instance_;
   std::uint16_t material_;
   double half_width_ = 0;  // [m]
-  Vec3 home_, now_;        // Middle, as the scene and as the engine has it.
+  Vec3 home_, now_;        // Centre in the scene, and in the engine.
 };
 
-/// The materials of a scene as sound of a frequency meets them: the surface's depends on it.
+/// Materials of the scene at a frequency; only the sea surface's depends on it.
 [[nodiscard]] std::vector<Material> materials_at(double frequency, const Scenario& scenario, const Scene& scene);
 
 }  // namespace insonify

@@ -1,4 +1,4 @@
-// simulated_sonar.cpp -- from settings to plan, grid and receiver.
+// simulated_sonar.cpp -- makes plan, echo grid and receiver from a sonar's settings.
 
 #include "simulator/simulated_sonar.h"
 
@@ -14,7 +14,7 @@
 namespace insonify {
 namespace {
 
-// The paper model's beams are top hats.
+// The paper model has top-hat beams and no speckle.
 ReceiverConfig receiver_of(const Scenario& scenario, const SonarConfig& sonar) {
   ReceiverConfig receiver = scenario.receiver_of(sonar);
   if (scenario.model == EchoModel::kPaper) {
@@ -41,13 +41,13 @@ std::vector<float> cell_angles(const PingPlan& plan) {
   return angles;
 }
 
-// Largest number of surfaces that a path may meet.
+// Path orders of the grid: the largest number of surfaces on a path.
 int order_count(const Scenario& scenario) {
   const int most = scenario.model == EchoModel::kPaper ? 2 : kPathOrders;
   return scenario.secondary == SecondaryEchoes::kNone ? 1 : std::min(most, scenario.max_surfaces);
 }
 
-// Where the vehicle is after a time of steady motion.
+// Pose after a time of constant linear and angular velocity.
 Pose moved_on(const Pose& pose, const Twist& twist, double time) {
   const double rate = twist.angular.norm();
   Pose moved = pose;
@@ -101,7 +101,7 @@ void SimulatedSonar::check(const PingRequest& request, bool moves) const {
     throw Error(fmt::format("head_angle_deg = {:.10g} deg belongs to a scanning sonar; this one's type is fls",
                             degrees_from_radians(*request.head_angle)));
   }
-  // Motion in a ping is computed to the first order in speed over that of sound.
+  // Motion in a ping is computed to first order in speed over sound speed.
   constexpr double kMost = 100;  // [m/s]: a fifteenth of the speed of sound.
   if (const double speed = request.twist.linear.norm(); moves && speed > kMost) {
     throw Error(fmt::format("twist.linear comes to {:.4g} m/s; with motion_in_ping at most {} m/s", speed, kMost));

@@ -1,4 +1,4 @@
-// simulated_sonar.h -- one sonar of a simulator: what is worked out from its settings, and its memory between pings.
+// simulated_sonar.h -- one sonar of a simulator: plan, echo grid and receiver, reused from ping to ping.
 
 #pragma once
 
@@ -13,14 +13,14 @@
 
 namespace insonify {
 
-/// What the plan, the grid and the receiver are made from agrees: one SonarConfig, one water.
+/// Plan, grid and receiver are made from the same SonarConfig and Water, so that they agree.
 struct SimulatedSonar {
   /// @param scenario   Valid; `sonar` need not be one of its sonars.
-  /// @param materials  Of the scene, as sound of this sonar's frequency meets them; read only here.
+  /// @param materials  The scene's materials at this sonar's frequency; not kept.
   SimulatedSonar(const Scenario& scenario, const SonarConfig& sonar, std::span<const Material> materials);
 
-  /// @param moves  Whether it moves while it listens.
-  /// @throws Error for a request that turns a head which is not there, or that has the vehicle too fast.
+  /// @param moves  Whether motion during a ping is simulated (motion_in_ping).
+  /// @throws Error for a head angle where there is no head, and for too high a speed where motion is simulated.
   void check(const PingRequest& request, bool moves) const;
 
   /// Angle of the head at a ping, 0 for a sonar without one [rad].
@@ -28,18 +28,17 @@ struct SimulatedSonar {
     return request.head_angle.value_or(config.head_angle(request.number));
   }
 
-  /// How the transducer moves from transmission until the last echo is back: steady, on the straight way between both
-  /// ends.
+  /// Motion of the transducer from transmission to the last echo, steady and straight between the poses at both times.
   [[nodiscard]] PingMotion motion_while_listening(const PingRequest& request, const Pose& vehicle_from_head) const;
 
-  SonarConfig config;  ///< With everything filled in.
+  SonarConfig config;  ///< With defaults filled in: see Scenario::filled_in().
   Pose vehicle_from_housing;
   std::shared_ptr<const PingPlan> plan;
   EchoGrid grid;
-  std::optional<CalibratedReceiver> receiver;  ///< None in the paper model.
+  std::optional<CalibratedReceiver> receiver;  ///< Empty in the paper model.
 };
 
-/// Turn of the head in its housing.
+/// Pose of the head in its housing, turned about z.
 [[nodiscard]] Pose housing_from_head(double head_angle);
 
 }  // namespace insonify

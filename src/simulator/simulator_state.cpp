@@ -1,4 +1,4 @@
-// simulator_state.cpp -- makes the parts of a simulator, and puts what moves into place.
+// simulator_state.cpp -- sets up a simulator, and moves objects before a ping.
 
 #include "simulator/simulator_state.h"
 

@@ -1,4 +1,4 @@
-// simulator_state.h -- all that a simulator keeps between pings.
+// simulator_state.h -- state of a simulator between pings.
 
 #pragma once
 
@@ -22,27 +22,27 @@ namespace insonify {
 struct Simulator::State {
   State(Scenario the_scenario, Scene the_scene, int threads, std::span<const MovableObject> movable);
 
-  /// A sonar as one of another scenario, in this scene.
+  /// Makes a sonar of the scenario `in` for the scene of this simulator.
   [[nodiscard]] SimulatedSonar simulated(const Scenario& in, const SonarConfig& sonar) const;
 
-  /// Has the engine see what was added to the scene and removed from it.
+  /// Passes the scene to the engine again if it has changed.
   void take_in_scene();
 
-  /// Puts everything where a request has it.
-  /// @throws Error for a request that makes no sense; everything then is where it was.
+  /// Moves objects and sea plane to where a ping request has them.
+  /// @throws Error for an invalid request; nothing is moved then.
   void place(const SimulatedSonar& sonar, const PingRequest& request);
 
   Scenario scenario;
   Scene scene;
   std::unique_ptr<Engine> engine;
-  Workers workers;  ///< For what comes after the engine.
+  Workers workers;  ///< For the steps after the engine.
   MovableObjects objects;
   std::optional<SeaPlane> sea;
   PointEchoes points;
   std::optional<SurfaceGhosts> ghosts;
   Interference interference;
   std::vector<SimulatedSonar> sonars;
-  bool scene_changed = true;  ///< Since the engine has taken it in.
+  bool scene_changed = true;  ///< Since the engine has loaded it.
 };
 
 }  // namespace insonify

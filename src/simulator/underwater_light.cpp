@@ -1,4 +1,4 @@
-// underwater_light.cpp -- colours chosen by eye: clear water by day, and materials one can tell apart in it.
+// underwater_light.cpp -- colours chosen by eye for clear water in daylight and materials that can be told apart in it.
 
 #include "simulator/underwater_light.h"
 
@@ -12,11 +12,11 @@ namespace insonify {
 namespace {
 
 struct Tint {
-  std::string_view part;  // Of the material's name.
+  std::string_view part;  // Part of the material's name.
   unsigned rgb;
 };
 
-// The first that a name contains holds: "sandy_gravel" is gravel, "waterlogged_wood" wood.
+// The first entry whose part occurs in a name is used: "sandy_gravel" is gravel, "waterlogged_wood" wood.
 constexpr std::array kTints = {
     Tint{"yellow", 0xd9a21b},  // Paint: subsea structures are yellow, whatever the steel beneath.
     Tint{"gravel", 0xa59a86},    Tint{"sand", 0xc2b394},      Tint{"silt", 0x9c8f73},     Tint{"mud", 0x83745a},
@@ -28,7 +28,7 @@ constexpr std::array kTints = {
     Tint{"pvc", 0xc8cdd0},       Tint{"glass", 0x9fc4bd},     Tint{"acrylic", 0xb4cfd4},  Tint{"ice", 0xd6e8ee},
     Tint{"grp", 0xd5d2c4},       Tint{"bone", 0xd9d2bd},      Tint{"tissue", 0xc08a7c}};
 
-// For other names: by the density up to which a tint holds [kg/m^3].
+// Tints of other names: each applies up to a density [kg/m^3].
 struct DensityTint {
   double density;
   unsigned rgb;
@@ -94,7 +94,7 @@ Vec3f transmission(double distance) {
 
 Vec3f screen_colour(const Vec3f& linear) {
   const auto channel = [](float value) {
-    constexpr float kShoulder = 0.8F;  // Above this, light is rolled off towards 1.
+    constexpr float kShoulder = 0.8F;  // Larger values are compressed towards 1.
     if (value > kShoulder) {
       value = 1 - (1 - kShoulder) * std::exp((kShoulder - value) / (1 - kShoulder));
     }

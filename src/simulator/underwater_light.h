@@ -1,4 +1,4 @@
-// underwater_light.h -- the looks of a camera view: tints of materials, water, light.
+// underwater_light.h -- colours of a camera view: materials, water and light.
 
 #pragma once
 
@@ -7,25 +7,25 @@
 
 namespace insonify {
 
-// Colours here are red, green and blue, linear in light, 0..1.
+// Colours are linear RGB, 0..1.
 
-/// A colour from 0xRRGGBB as written for screens.
+/// Converts a screen colour 0xRRGGBB to linear RGB.
 [[nodiscard]] Vec3f linear_colour(unsigned rgb);
 
-/// What a surface of that material looks like in white light. A name that tells nothing gets a tint of its own, near
-/// that of other things as dense.
+/// Colour of a material in white light, chosen by words in its name. Other names get a tint by density, varied by a
+/// hash of the name.
 [[nodiscard]] Vec3f tint_of(const Material& material);
 
-/// The open water seen in a direction: brighter towards the surface.
+/// Colour of open water in a direction: brighter upwards.
 [[nodiscard]] Vec3f water_colour(const Vec3& direction);
 
-/// Light that reaches a surface from all around.
+/// Ambient light on a surface with this normal.
 [[nodiscard]] Vec3f ambient_light(const Vec3& normal);
 
-/// Share of each colour that water lets through over a distance, in units of the distance at which a view turns hazy.
+/// Transmittance of water per colour channel over a distance, in units of the haze's length scale.
 [[nodiscard]] Vec3f transmission(double distance);
 
-/// The same as screens want it, 0..255, not rounded: highlights are rolled off, not clipped.
+/// Converts linear RGB to screen values, 0..255, not rounded. Highlights are compressed, not clipped.
 [[nodiscard]] Vec3f screen_colour(const Vec3f& linear);
 
 }  // namespace insonify

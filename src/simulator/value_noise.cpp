@@ -8,7 +8,7 @@
 namespace insonify {
 namespace {
 
-// A value of -1..1 that looks random, for a point of the grid.
+// Pseudo-random value in -1..1 at a grid point.
 float value_at(std::int64_t x, std::int64_t y, std::int64_t z) {
   auto bits = static_cast<std::uint32_t>(x) * 0x9e3779b1U + static_cast<std::uint32_t>(y) * 0x85ebca77U +
               static_cast<std::uint32_t>(z) * 0xc2b2ae3dU;

@@ -1,4 +1,4 @@
-// value_noise.h -- irregular light and dark on surfaces, as nature has it.
+// value_noise.h -- smooth pseudo-random texture of surfaces in a camera view.
 
 #pragma once
 
@@ -6,8 +6,7 @@
 
 namespace insonify {
 
-/// Noise about 0, within -1..1, that varies smoothly in space over lengths of about `size`, half of it and a quarter of
-/// it.
+/// Value noise in -1..1 with zero mean: three octaves with grid spacings `size`, half of it and a quarter of it.
 [[nodiscard]] float value_noise(const Vec3& point, double size);
 
 }  // namespace insonify

@@ -1,4 +1,5 @@
-// view_subject.cpp -- a few hundred rays, and the tips of what they meet.
+// view_subject.cpp -- traces a few hundred rays through the sector and finds the extreme points of the objects they
+// hit.
 
 #include "simulator/view_subject.h"
 
@@ -10,9 +11,10 @@
 namespace insonify {
 namespace {
 
-constexpr double kLargestWhole = 1.5;  // Size of a thing that is shown whole, in its distances to the sonar.
+constexpr double kLargestWhole =
+    1.5;  // Largest size of an object that is shown whole, relative to its distance from the sonar.
 
-// Sends rays through the sector, no more than the eye needs to tell what is there.
+// Traces a coarse grid of rays through the sector.
 std::vector<SeenPoint> look_around(Engine& engine, const InsonifiedSector& sector) {
   constexpr int kAcross = 48, kAlong = 12;
   const Vec3& sonar = sector.world_from_sonar().position;
@@ -31,13 +33,13 @@ std::vector<SeenPoint> look_around(Engine& engine, const InsonifiedSector& secto
       points.push_back({sonar + hits[i].distance * rays[i].direction, hits[i].normal, hits[i].instance, 1});
     }
   }
-  // In open water: the far end of the sector, to be seen from anywhere.
+  // In open water, the far end of the sector, visible from any side.
   if (points.empty()) {
     for (std::size_t i = 0; i < rays.size(); i += 7) {
       points.push_back({sonar + sector.max_range() * rays[i].direction, Vec3::Zero(), kNoLabel, 1});
     }
   }
-  // A small thing on a wide floor counts for more than the few rays that meet it.
+  // Weights small objects more than by their number of rays, so that a wide floor does not dominate.
   std::vector<int> rays_on(1 << 16);
   for (const SeenPoint& point : points) {
     ++rays_on[point.instance];
@@ -48,7 +50,7 @@ std::vector<SeenPoint> look_around(Engine& engine, const InsonifiedSector& secto
   return points;
 }
 
-// The outermost of a thing's vertices in many directions, in the world.
+// Extreme vertices of an instance in many directions, world frame.
 std::vector<Vec3> tips_of(const Instance& thing) {
   std::vector<Vec3> tips;
   for (int x = -1; x <= 1; ++x) {
@@ -64,7 +66,7 @@ std::vector<Vec3> tips_of(const Instance& thing) {
   return tips;
 }
 
-// Diagonal of the box around a thing [m].
+// Diagonal of an instance's bounding box [m].
 double size_of(const Instance& thing) {
   Eigen::AlignedBox3f box;
   for (const Vec3f& vertex : thing.mesh->vertices) {
@@ -73,7 +75,8 @@ double size_of(const Instance& thing) {
   return static_cast<double>(box.diagonal().norm());
 }
 
-// The tips of all that is seen and small enough. The scene does not know where moving things are: they are left out.
+// Extreme points of all visible objects that are small enough. Moving objects are left out, since the scene does not
+// have their current poses.
 std::vector<Vec3> tips_of(const Scene& scene, const std::vector<SeenPoint>& points, const Vec3& sonar) {
   std::map<std::uint16_t, Vec3> seen;
   for (const SeenPoint& point : points) {

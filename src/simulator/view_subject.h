@@ -1,4 +1,4 @@
-// view_subject.h -- what a picture of the scene is to show.
+// view_subject.h -- finds the surface points that a picture of the scene should show.
 
 #pragma once
 
@@ -13,17 +13,17 @@ namespace insonify {
 
 /// A surface point that the sonar sees.
 struct SeenPoint {
-  Vec3 place, normal;      ///< In the world [m]; the normal is zero in open water.
-  std::uint16_t instance;  ///< Index into the scene's, or kNoLabel.
-  double weight;           ///< How much it counts beside the others, > 0.
+  Vec3 place, normal;      ///< World frame [m]; the normal is zero in open water.
+  std::uint16_t instance;  ///< Index into the scene's instances, or kNoLabel.
+  double weight;           ///< Weight in the choice of a camera, > 0.
 };
 
 struct ViewSubject {
   std::vector<SeenPoint> points;  ///< At least one.
-  std::vector<Vec3> tips;         ///< Of things that are seen in part and small enough to be shown whole [m].
+  std::vector<Vec3> tips;         ///< Extreme points of visible objects small enough to be shown whole [m].
 };
 
-/// Looks around from the sonar. The engine must hold the scene.
+/// Traces rays from the sonar through its sector. The engine must hold the scene.
 [[nodiscard]] ViewSubject view_subject(Engine& engine, const Scene& scene, const InsonifiedSector& sector);
 
 }  // namespace insonify
