@@ -1,4 +1,4 @@
-// bench.h -- timings, made by the program itself so that anyone can repeat them.
+// bench.h -- benchmarks of `insonify bench`, part of the program so that anyone can repeat them.
 
 #pragma once
 
@@ -11,30 +11,30 @@ namespace insonify {
 struct BenchOptions {
   std::vector<int> triangles = {1'000, 100'000, 1'000'000};
   std::vector<int> threads = {1, 2};
-  int repetitions = 40;        ///< Timed pings of each row, after a warm-up.
-  std::filesystem::path json;  ///< Where the rows are written too; empty for nowhere.
+  int repetitions = 40;        ///< Timed pings per row, after a warm-up.
+  std::filesystem::path json;  ///< Also write the rows to this file; empty for none.
 };
 
-/// insonify bench engine: a ping, and the bare traversal of its rays, on scenes of growing size; then both models.
+/// insonify bench engine: times a ping and the bare traversal of its rays on scenes of growing size, then both models.
 int bench_engine(const BenchOptions& options);
 
-/// The second of its tables; its rows are added to `rows`.
+/// Times both models, the second table of bench engine; appends its rows to `rows`.
 void bench_models(const BenchOptions& options, nlohmann::json& rows);
 
 struct PaperBenchOptions {
-  int samples = 500;  ///< Scenes of each row.
+  int samples = 500;  ///< Scenes per row.
   int threads = 2;
-  bool filled = false;                   ///< The scene that fills the fan, instead of random ones.
-  std::filesystem::path json, markdown;  ///< Where the rows are written too; empty for nowhere.
+  bool filled = false;                   ///< Use the scene that fills the fan instead of random ones.
+  std::filesystem::path json, markdown;  ///< Also write the rows to these files; empty for none.
 };
 
-/// insonify bench paper: the paper's tables of computing times, on its workload.
+/// insonify bench paper: reproduces the paper's tables of computing times, on its workload.
 int bench_paper(const PaperBenchOptions& options);
 
-/// insonify bench changes: sonars and objects that change while a simulator runs.
+/// insonify bench changes: times changes of sonars and objects while a simulator runs.
 int bench_changes(const BenchOptions& options);
 
-/// insonify bench primary: primaries traced and drawn, and the choice of `primary: auto`; on one thread.
+/// insonify bench primary: times traced and rasterised primary echoes and the choice of `primary: auto`, on one thread.
 int bench_primary(const BenchOptions& options);
 
 }  // namespace insonify

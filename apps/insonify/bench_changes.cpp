@@ -1,4 +1,4 @@
-// bench_changes.cpp -- what it costs to change a sonar or the objects of a scene while a simulator runs.
+// bench_changes.cpp -- times changes of sonars and objects while a simulator runs.
 
 #include <array>
 #include <chrono>
@@ -18,7 +18,7 @@ using Clock = std::chrono::steady_clock;
 constexpr const char* kBuoy = "buoy";
 constexpr int kThreads = 2;
 
-// A change before a ping, and the milliseconds that it and the ping take, turn by turn.
+// A change made before a ping, and the times of each change and the ping after it [ms].
 struct Change {
   const char* name;
   void (*make)(Simulator& simulator, PingRequest& request);
@@ -35,7 +35,7 @@ Scene buoy() {
   return scene;
 }
 
-// To and fro between two ranges.
+// Alternates between two ranges.
 void set_range(Simulator& simulator, PingRequest&) {
   SonarConfig sonar = simulator.scenario().sonars[0];
   sonar.max_range = sonar.max_range > 19 ? 18 : 20;
@@ -56,7 +56,7 @@ void remove_buoy(Simulator& simulator, PingRequest& request) {
   simulator.remove_object(kBuoy);
 }
 
-// One after the other, a ping after each.
+// Makes the changes in turn, each followed by a ping.
 std::array<Change, 5> time_changes(Simulator& simulator, int repetitions) {
   std::array<Change, 5> changes = {Change{"none", [](Simulator&, PingRequest&) {}}, Change{"set_sonar", set_range},
                                    Change{"add_objects", add_buoy}, Change{"moved", move_buoy},

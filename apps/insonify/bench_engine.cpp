@@ -1,4 +1,4 @@
-// bench_engine.cpp -- how long a ping takes, and how far that is from its floor: Embree alone on the same rays.
+// bench_engine.cpp -- time of a ping relative to its lower bound ("floor"): Embree alone on the same rays.
 
 #include <algorithm>
 #include <chrono>
@@ -15,7 +15,7 @@ namespace insonify {
 namespace {
 
 constexpr int kWarmUp = 2;
-constexpr int kBlock = 8;  // Pings or floors in a row.
+constexpr int kBlock = 8;  // Consecutive pings, or consecutive floors.
 
 struct Row {
   int threads = 0;
@@ -23,21 +23,21 @@ struct Row {
   const char* secondary = "";
   RayCounts rays = {};
   double setup_ms = 0;
-  double ping_ms = 0, ping_least_ms = 0;  // Median and least.
+  double ping_ms = 0, ping_least_ms = 0;  // Median and minimum.
   double floor_ms = 0, floor_least_ms = 0;
-  double ratio = 0;                            // Median of ping over floor, block by block.
-  double ping_speedup = 0, floor_speedup = 0;  // Over the first number of threads, likewise.
-  double own_bytes = 0, library_bytes = 0;     // A triangle.
+  double ratio = 0;                            // Median over blocks of ping / floor.
+  double ping_speedup = 0, floor_speedup = 0;  // Relative to the first number of threads, likewise.
+  double own_bytes = 0, library_bytes = 0;     // Per triangle.
 };
 
-// Element by element.
+// Median of the ratios of corresponding elements.
 double median_ratio(const std::vector<double>& above, const std::vector<double>& below) {
   std::vector<double> ratios(above.size());
   std::ranges::transform(above, below, ratios.begin(), std::divides());
   return median(std::move(ratios));
 }
 
-// One number of threads on one scene, timed block by block.
+// Timings with one number of threads on one scene, block by block.
 class Runner {
  public:
   Runner(const Scenario& scenario, const Scene& scene, int threads)
@@ -45,7 +45,7 @@ class Runner {
     setup_ms_ = milliseconds_since(start_);
   }
 
-  // Pings, then floors: neither finds the other's data in its caches.
+  // Pings, then floors, so that neither finds the other's data in the caches.
   void time_block() {
     std::vector<double> block_pings, block_floors;
     for (int i = -kWarmUp; i < kBlock; ++i) {
@@ -66,7 +66,7 @@ class Runner {
     floors_.insert(floors_.end(), block_floors.begin(), block_floors.end());
   }
 
-  // @param first  Of the first number of threads.
+  // @param first  Timings with the first number of threads.
   [[nodiscard]] Row row(const Runner& first, const char* secondary) {
     const Scene& scene = simulator_.scene();
     const auto triangles = static_cast<double>(scene.triangle_count());
@@ -106,11 +106,11 @@ class Runner {
   Ping ping_;
   std::uint64_t number_ = 0;
   RayCounts rays_;
-  std::vector<double> pings_, floors_;              // Every one [ms].
+  std::vector<double> pings_, floors_;              // All times [ms].
   std::vector<double> ping_blocks_, floor_blocks_;  // Median of each block [ms].
 };
 
-// All numbers of threads in turn, block by block: they meet the same weather on a shared machine.
+// Alternates between numbers of threads block by block, so that varying load of a shared machine affects all alike.
 std::vector<Row> time_rows(const Scene& scene, SecondaryEchoes secondary, const char* name,
                            const BenchOptions& options) {
   Scenario scenario;

@@ -1,4 +1,4 @@
-// bench_models.cpp -- what the calibrated model costs beside the paper's on the same rays, stage by stage.
+// bench_models.cpp -- cost of the calibrated model relative to the paper's on the same rays, feature by feature.
 
 #include <algorithm>
 #include <chrono>
@@ -13,7 +13,7 @@
 namespace insonify {
 namespace {
 
-// Each has all that those before it have.
+// Each stage has all features of the stages before it.
 struct Stage {
   const char* name;
   void (*add)(Scenario& scenario);
@@ -40,7 +40,7 @@ constexpr Stage kStages[] = {
 };
 constexpr std::size_t kStageCount = std::size(kStages);
 
-// The same rays for all: primaries traced, up to two surfaces.
+// All stages trace the same rays: traced primaries, paths of up to two surfaces.
 Scenario scenario_of(std::size_t stage) {
   Scenario scenario;
   scenario.sonars = {bench_sonar()};
@@ -55,7 +55,7 @@ Scenario scenario_of(std::size_t stage) {
   return scenario;
 }
 
-// Milliseconds of each stage's pings, which take turns: they meet the same weather on a shared machine.
+// Times of each stage's pings [ms]. Stages alternate, so that varying load of a shared machine affects all alike.
 std::vector<std::vector<double>> time_stages(const Scene& scene, int threads, int repetitions) {
   std::vector<Simulator> simulators;
   for (std::size_t stage = 0; stage < kStageCount; ++stage) {
@@ -76,7 +76,7 @@ std::vector<std::vector<double>> time_stages(const Scene& scene, int threads, in
   return times;
 }
 
-// Median over turns of what a stage takes more than the one before, or times the first.
+// Median over turns of the time of a stage divided by (`times`), or minus, that of an earlier one.
 double median_of(const std::vector<double>& later, const std::vector<double>& earlier, bool times) {
   std::vector<double> values(later.size());
   std::ranges::transform(later, earlier, values.begin(), [times](double a, double b) { return times ? a / b : a - b; });

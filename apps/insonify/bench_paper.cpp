@@ -1,4 +1,4 @@
-// bench_paper.cpp -- the paper's tables of computing times, on its own workload.
+// bench_paper.cpp -- the paper's tables of computing times, on its workload.
 
 #include <algorithm>
 #include <cmath>
@@ -14,7 +14,7 @@
 namespace insonify {
 namespace {
 
-constexpr int kPings = 3;  // Timed in each scene, after one that is not.
+constexpr int kPings = 3;  // Timed pings per scene, after one warm-up.
 
 struct Mode {
   const char* name;
@@ -40,14 +40,14 @@ struct Mean {
   [[nodiscard]] double deviation() const { return std::sqrt(std::max(0.0, squares / count - value() * value())); }
 };
 
-// One sonar in one mode, over all scenes.
+// One sonar in one mode, timed over all scenes.
 struct Row {
   const PaperSetup* setup = nullptr;
   const Mode* mode = nullptr;
   Mean ping_ms = {}, setup_ms = {}, floor_ms = {}, rays_primary = {}, rays_secondary = {};
 };
 
-// A new scene, and pings of it in steady state.
+// Times pings of a new scene in steady state.
 void sample(Row& row, const PaperBenchOptions& options, std::uint64_t number) {
   Scenario scenario;
   scenario.model = EchoModel::kPaper;
@@ -94,7 +94,7 @@ nlohmann::json to_json(const Row& row) {
           {"scene", ""}};
 }
 
-// What the paper prints for the same method; nothing for `full`, which it does not have.
+// Time that the paper prints for the same method; none for `full`, which the paper does not have.
 std::string printed(const Row& row) {
   const std::string mode = row.mode->name;
   return mode == "full" ? ""

@@ -1,4 +1,4 @@
-// bench_paper_scene.cpp -- as in the authors' own benchmark.
+// bench_paper_scene.cpp -- scenes and sonars as in the authors' own benchmark.
 
 #include "bench_paper_scene.h"
 
@@ -8,7 +8,7 @@
 namespace insonify {
 namespace {
 
-constexpr double kEdgeAngle = 0.15;  // Some 40 segments around, as OpenSceneGraph, which the authors use, makes them.
+constexpr double kEdgeAngle = 0.15;  // About 40 segments per circle, as in OpenSceneGraph, which the authors use.
 constexpr double kCube = 20;
 
 void add(Scene& scene, const char* name, Mesh mesh, const Vec3& position) {
@@ -45,7 +45,7 @@ constexpr std::array<PaperSetup, 12> kSetups = {{
 }  // namespace
 
 Scene make_random_scene(std::uint64_t number) {
-  std::mt19937_64 random(number);  // Its numbers are the standard's; a distribution's would be the library's.
+  std::mt19937_64 random(number);  // The standard fixes the engine's numbers, but not those of distributions.
   const auto share = [&] { return static_cast<double>(random() >> 11U) * 0x1p-53; };
   std::array<Vec3, 4> places;
   for (Vec3& place : places) {

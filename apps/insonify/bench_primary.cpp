@@ -1,4 +1,4 @@
-// bench_primary.cpp -- drawn primaries against traced ones, and what `primary: auto` makes of it.
+// bench_primary.cpp -- times rasterised and traced primary echoes, and the choice of `primary: auto`.
 
 #include <algorithm>
 #include <chrono>
@@ -15,7 +15,7 @@ namespace insonify {
 namespace {
 
 constexpr int kWarmUp = 2;
-constexpr int kBlock = 5;  // Pings in a row.
+constexpr int kBlock = 5;  // Consecutive pings.
 
 struct Fan {
   const char* name;
@@ -38,7 +38,7 @@ std::vector<Fan> fans() {
   return {wide, narrow, coarse, single};
 }
 
-// One choice of primaries on one scene, timed block by block.
+// Timings with one setting of `primary` on one scene, block by block.
 class Runner {
  public:
   Runner(const Scene& scene, const SonarConfig& sonar, PrimaryEchoes primary)
@@ -72,7 +72,7 @@ class Runner {
   Simulator simulator_;
   Ping ping_;
   std::uint64_t number_ = 0;
-  std::vector<double> blocks_;  // Median of each [ms].
+  std::vector<double> blocks_;  // Median of each block [ms].
 };
 
 }  // namespace

@@ -1,4 +1,4 @@
-// bench_scene.cpp -- a quay, built from parametric grids.
+// bench_scene.cpp -- builds a quay scene from parametric grids.
 
 #include "bench_scene.h"
 
@@ -43,7 +43,7 @@ void add_instance(Scene& scene, const char* name, Mesh mesh, const char* materia
   scene.instances.push_back(std::move(instance));
 }
 
-// The same objects on every machine.
+// Objects are the same on every machine.
 class Dice {
  public:
   float roll() {

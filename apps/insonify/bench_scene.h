@@ -1,4 +1,4 @@
-// bench_scene.h -- the scenes that engines are timed on.
+// bench_scene.h -- scene and sonar of the engine benchmarks.
 
 #pragma once
 

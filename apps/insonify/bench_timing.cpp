@@ -1,4 +1,4 @@
-// bench_timing.cpp -- see bench_timing.h.
+// bench_timing.cpp -- clocks, medians and output of the benchmarks.
 
 #include "bench_timing.h"
 

@@ -1,4 +1,4 @@
-// command_words.cpp -- walks through CLI11's description of the commands.
+// command_words.cpp -- lists commands, options and arguments from CLI11's description of the command line.
 
 #include "command_words.h"
 
@@ -10,7 +10,7 @@
 namespace insonify {
 namespace {
 
-// CLI11 knows nothing of files: what an option takes is told by the word that stands for its value.
+// CLI11 has no notion of files: the type of an option's value follows from its placeholder in the help.
 WordKind kind_of(const OptionWords& option) {
   if (option.value.empty()) {
     return WordKind::kNothing;
@@ -62,7 +62,7 @@ void add_command(CLI::App& app, const std::string& path, std::vector<CommandWord
   command.help = app.get_description();
   command.footer = app.get_footer();
   for (CLI::Option* option : app.get_options()) {
-    if (!option->get_group().empty()) {  // Hidden where empty.
+    if (!option->get_group().empty()) {  // Hidden options have an empty group.
       (option->get_positional() ? command.arguments : command.options).push_back(option_words(*option));
     }
   }

@@ -1,4 +1,4 @@
-// command_words.h -- what may be typed after `insonify`, read from the description of the command line itself.
+// command_words.h -- commands, options and arguments of `insonify`, read from its CLI11 description.
 
 #pragma once
 
@@ -8,10 +8,10 @@
 
 namespace insonify {
 
-/// What follows an option, or stands as an argument.
+/// Type of an option's value or of an argument.
 enum class WordKind {
   kNothing,  ///< A flag.
-  kAny,      ///< A number or a text, of which nothing can be suggested.
+  kAny,      ///< A number or a text, for which nothing can be suggested.
   kChoice,   ///< One of `choices`.
   kFile,
   kFolder,
@@ -19,10 +19,10 @@ enum class WordKind {
 };
 
 struct OptionWords {
-  std::vector<std::string> short_names, long_names;  ///< Without hyphens; both empty for an argument.
+  std::vector<std::string> short_names, long_names;  ///< Without hyphens; both are empty for an argument.
   std::string help;
-  std::string value;  ///< What stands for the value in texts: N, DIR, SCENARIO; "" for a flag.
-  std::string group;  ///< Heading under which the help lists it.
+  std::string value;  ///< Placeholder of the value in the help: N, DIR, SCENARIO; "" for a flag.
+  std::string group;  ///< Heading of the help under which it is listed.
   WordKind kind = WordKind::kNothing;
   std::vector<std::string> choices;
   bool required = false;
@@ -35,12 +35,12 @@ struct CommandWords {
   std::string path;  ///< "bench engine"; "" for insonify itself.
   std::string name;  ///< "engine"
   std::string help;
-  std::string footer;                 ///< Examples and the like, ready to print.
-  std::vector<std::string> commands;  ///< Paths of the commands that may follow.
+  std::string footer;                 ///< Examples and notes after the options in the help.
+  std::vector<std::string> commands;  ///< Paths of the subcommands.
   std::vector<OptionWords> options, arguments;
 };
 
-/// insonify itself, then every command, each before those that may follow it.
+/// insonify itself, then every command, each before its subcommands.
 [[nodiscard]] std::vector<CommandWords> command_words(CLI::App& app);
 
 }  // namespace insonify

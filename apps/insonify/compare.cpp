@@ -1,4 +1,4 @@
-// compare.cpp -- insonify compare: how alike two recordings or two pictures are.
+// compare.cpp -- insonify compare: similarity of two recordings or two pictures.
 
 #include "compare.h"
 
@@ -13,7 +13,7 @@
 namespace insonify {
 namespace {
 
-// The pings that were asked for, or all that both have.
+// The requested pings, or all that both recordings have.
 std::vector<std::uint64_t> chosen_pings(const CompareSource& a, const CompareSource& b,
                                         const std::vector<std::uint64_t>& wanted) {
   std::uint64_t common = std::numeric_limits<std::uint64_t>::max();
@@ -40,8 +40,8 @@ std::vector<std::uint64_t> chosen_pings(const CompareSource& a, const CompareSou
   return all;
 }
 
-// Raw intensities of the calibrated model are small and span many decades: they count in decibels below the loudest
-// of both recordings, unless the user says otherwise.
+// Raw intensities of the calibrated model are small and span many decades: unless requested otherwise, they are
+// compared in decibels below the largest intensity of both recordings.
 Display levels_of(const CompareOptions& options, const CompareSource& a, const CompareSource& b,
                   const std::vector<std::uint64_t>& pings) {
   const bool calibrated = a.is_calibrated() && b.is_calibrated();
@@ -62,7 +62,7 @@ std::string unmatched(const CompareSource& a, const CompareSource& b) {
   return fmt::format("{} has {}", longer.name(), longer.ping_count());
 }
 
-// Measure by measure.
+// Mean of each measure.
 template <typename Measures>
 Measures mean(const std::vector<Measures>& all) {
   Measures result = all.front();
@@ -78,7 +78,7 @@ Measures mean(const std::vector<Measures>& all) {
   return result;
 }
 
-// Adds what one picture of each is like to what the others were.
+// Accumulates the similarity of pairs of pictures.
 class Tally {
  public:
   Tally(Comparison& comparison, bool ms_ssim) : comparison_(comparison), options_{.ms_ssim = ms_ssim} {}

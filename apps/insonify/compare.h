@@ -1,4 +1,4 @@
-// compare.h -- what a comparison of two files found, and how it is told.
+// compare.h -- result of a comparison of two files, and its output.
 
 #pragma once
 
@@ -14,13 +14,13 @@ namespace insonify {
 /// Two files compared picture by picture, each number a mean over the pictures.
 struct Comparison {
   std::string a, b;                  ///< Names of the files.
-  std::string sonar;                 ///< "" where the files do not tell.
-  int columns = 0, rows = 0;         ///< Of each picture.
-  std::vector<std::uint64_t> pings;  ///< That were compared; none for two pictures.
-  std::string unmatched;             ///< "a.h5 has 12" where the files have unequal numbers of pings; else "".
-  Display levels;                    ///< How intensities of recordings became levels from 0 to 1.
-  bool is_scan = false;              ///< The pings of one beam side by side are one picture.
-  std::vector<Similarity> each;      ///< One for each picture.
+  std::string sonar;                 ///< "" where the files do not contain it.
+  int columns = 0, rows = 0;         ///< Size of each picture [pixels].
+  std::vector<std::uint64_t> pings;  ///< Pings compared; empty for two pictures.
+  std::string unmatched;             ///< "a.h5 has 12" where the files have different numbers of pings; else "".
+  Display levels;                    ///< Maps intensities of recordings to levels from 0 to 1.
+  bool is_scan = false;              ///< Pings of a single beam are compared side by side as one picture.
+  std::vector<Similarity> each;      ///< One per picture.
   Similarity similarity;
   NormalisedSimilarity normalised;
   ControlSimilarities controls;

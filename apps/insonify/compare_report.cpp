@@ -1,4 +1,4 @@
-// compare_report.cpp -- a comparison as tables for people and as JSON for programs.
+// compare_report.cpp -- prints a comparison as tables and writes it as JSON.
 
 #include <fmt/format.h>
 
@@ -15,7 +15,7 @@
 namespace insonify {
 namespace {
 
-// Score of a picture against itself.
+// Score of two identical pictures.
 constexpr Similarity kEqual = {.mse = 0,
                                .psnr_db = std::numeric_limits<double>::infinity(),
                                .ssim = 1,
@@ -51,7 +51,7 @@ std::string number(double value) {
   return std::isnan(value) ? "-" : fmt::format("{:.4g}", value);
 }
 
-// "Local structure." in the middle of a line.
+// Turns "Local structure." into its form in the middle of a sentence.
 std::string words(std::string_view help) {
   std::string text(help.substr(0, help.size() - 1));
   text.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(text.front())));
@@ -78,7 +78,7 @@ std::string heading(const Comparison& comparison) {
   return text + " of " + shape + (count > 1 ? "; each number is the mean over them" : "");
 }
 
-// The intensities that 0 and 1 stand for, unless they are fractions of full scale.
+// The intensities mapped to 0 and 1, unless they are fractions of full scale.
 std::string levels_line(const Comparison& comparison) {
   const Display& levels = comparison.levels;
   if (comparison.pings.empty() || (levels.scale == Scale::kLinear && levels.full_scale == 1)) {
@@ -104,7 +104,7 @@ void print_similarity(const Comparison& comparison) {
   print_table(rows);
 }
 
-// Marks numbers of a control that are no worse than ours.
+// Marks scores of a control that are at least as good as the comparison's.
 Row control_row(const Control& control, const Similarity& ours) {
   const std::vector<Measure> own = measures(ours), equal = measures(kEqual);
   Row row = {control.name};
@@ -140,7 +140,7 @@ void print_controls(const Comparison& comparison) {
   }
 }
 
-// Numbers that are infinite or were left out become null.
+// Infinite and omitted numbers become null.
 nlohmann::ordered_json to_json(const Similarity& similarity) {
   nlohmann::ordered_json object;
   for (const Measure& measure : measures(similarity)) {

@@ -1,4 +1,4 @@
-// compare_source.cpp -- finds the recording or picture that is meant, and takes levels from it.
+// compare_source.cpp -- finds the requested recording or picture, and converts it to levels.
 
 #include "compare_source.h"
 
@@ -13,7 +13,7 @@ namespace {
 
 constexpr const char* kRecordingEnding = ".h5";
 
-// The one recording of a folder that is asked for.
+// The requested recording in a folder.
 std::filesystem::path find_recording(const std::filesystem::path& folder, const std::string& sonar) {
   std::vector<std::string> names;
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {

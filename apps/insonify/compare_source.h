@@ -1,4 +1,4 @@
-// compare_source.h -- one of the two things that are compared: a recording or a picture.
+// compare_source.h -- one side of a comparison: a recording or a picture.
 
 #pragma once
 
@@ -13,15 +13,15 @@
 
 namespace insonify {
 
-/// A recording, or a picture that stands for every ping.
+/// A recording, or a picture that is compared with every ping of the other side.
 class CompareSource {
  public:
   /// @param path    A recording, a folder of recordings, or a picture.
-  /// @param sonar   Which recording of a folder; "" where there is one.
+  /// @param sonar   Sonar whose recording is used in a folder; "" if the folder has only one.
   CompareSource(std::filesystem::path path, const std::string& sonar);
 
-  /// How intensities become levels from 0 to 1; full scale is relative to that of the recording. Before picture() and
-  /// scan().
+  /// Sets the mapping of intensities to levels from 0 to 1; full scale is relative to that of the recording. Must be
+  /// called before picture() and scan().
   void set_levels(const Display& levels);
 
   [[nodiscard]] std::string name() const { return path_.string(); }
@@ -29,15 +29,15 @@ class CompareSource {
   [[nodiscard]] bool is_calibrated() const { return recording_ && recording_->model() == "calibrated"; }
   [[nodiscard]] bool is_recording() const { return recording_.has_value(); }
   [[nodiscard]] bool is_scan() const { return recording_ && recording_->beam_count() == 1; }
-  [[nodiscard]] std::uint64_t ping_count() const { return recording_->ping_count(); }  ///< Of a recording.
+  [[nodiscard]] std::uint64_t ping_count() const { return recording_->ping_count(); }  ///< Only for a recording.
 
-  /// Greatest intensity of some pings of a recording.
+  /// Largest intensity in some pings of a recording.
   [[nodiscard]] double loudest(const std::vector<std::uint64_t>& pings) const;
 
-  /// One ping: bins down, beams across.
+  /// Picture of one ping: rows are bins, columns are beams.
   [[nodiscard]] GreyPicture picture(std::uint64_t ping) const;
 
-  /// Pings of one beam side by side.
+  /// Picture of pings of a single beam, side by side.
   [[nodiscard]] GreyPicture scan(const std::vector<std::uint64_t>& pings) const;
 
  private:

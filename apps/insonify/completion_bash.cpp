@@ -1,4 +1,4 @@
-// completion_bash.cpp -- `insonify completion bash`: a function that looks at the words before the cursor.
+// completion_bash.cpp -- `insonify completion bash`: writes a function that completes from the words before the cursor.
 
 #include <fmt/format.h>
 
@@ -23,7 +23,7 @@ _insonify() {
   COMPREPLY=()
 )script";
 
-// The call that suggests a value.
+// Shell call that suggests values of an option or argument.
 std::string suggested(const OptionWords& option) {
   switch (option.kind) {
     case WordKind::kChoice:
@@ -41,7 +41,7 @@ std::string suggested(const OptionWords& option) {
   return ":";
 }
 
-// Which command the words before the cursor name.
+// Shell code that finds the command among the words before the cursor.
 std::string command_loop(const std::vector<CommandWords>& commands) {
   std::string text = "  for ((i = 1; i < COMP_CWORD; ++i)); do\n    case \"$command ${COMP_WORDS[i]}\" in\n";
   for (const CommandWords& command : commands) {

@@ -1,4 +1,4 @@
-// completion_fish.cpp -- `insonify completion fish`: one line for each word that may follow a command.
+// completion_fish.cpp -- `insonify completion fish`: writes one `complete` line per word that may follow a command.
 
 #include <fmt/format.h>
 
@@ -20,7 +20,7 @@ std::string quoted(const std::string& text) {
   return result + "'";
 }
 
-// The start of a line that holds while the words typed so far name this command.
+// Start of a `complete` line that applies after this command.
 std::string line(const std::string& path) {
   return fmt::format("complete -c insonify -n 'test \"$(__insonify_command)\" = \"{}\"'", path);
 }

@@ -1,4 +1,4 @@
-// completion_zsh.cpp -- `insonify completion zsh`: one function for each command, made of zsh's _arguments.
+// completion_zsh.cpp -- `insonify completion zsh`: writes one function per command, based on zsh's _arguments.
 
 #include <fmt/format.h>
 
@@ -19,7 +19,7 @@ _insonify_presets() {
 }
 )script";
 
-// Inside single quotes, in a part of _arguments' or _describe's words that ends at ':' or ']'.
+// Escapes text in single quotes, within a part of an _arguments or _describe specification that ends at ':' or ']'.
 std::string quoted(const std::string& text) {
   std::string result;
   for (const char letter : text) {
@@ -100,7 +100,8 @@ std::string zsh_completion(const std::vector<CommandWords>& commands) {
   for (const CommandWords& command : commands) {
     text += function(command, commands);
   }
-  // Loaded by compinit as the body of _insonify, or sourced: in both cases it must end up known.
+  // Compinit loads the script as the body of _insonify, or the user sources it: either way the function must be
+  // registered.
   return text +
          "\nif [[ $funcstack[1] == _insonify ]]; then\n  _insonify \"$@\"\nelse\n  compdef _insonify insonify\nfi\n";
 }

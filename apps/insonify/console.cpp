@@ -1,4 +1,4 @@
-// console.cpp -- writes to the standard streams and remembers what went wrong.
+// console.cpp -- writes to the standard streams and keeps the first error.
 
 #include "console.h"
 
@@ -74,7 +74,7 @@ void show_status(std::string_view line) {
   if (!can_redraw()) {
     return;
   }
-  // A character in the last column makes some terminals go on to the next line.
+  // After a character in the last column some terminals start a new line.
   const std::string text = fmt::format("\r{}\x1b[K", printable(line, kLongestMessage).substr(0, terminal_width() - 1));
   std::fwrite(text.data(), 1, text.size(), stdout);
   flush_output();

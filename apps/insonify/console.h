@@ -19,7 +19,7 @@ void open_standard_streams();
 /// Writes to the standard output. finish_output() reports failures.
 void say_text(std::string_view text);
 
-/// An argument of say() as it is printed: strings, which may come from files, are made printable.
+/// Converts an argument of say() for printing: strings, which may come from files, are made printable.
 template <typename Arg>
 [[nodiscard]] decltype(auto) shown(const Arg& arg) {
   if constexpr (std::is_convertible_v<const Arg&, std::string_view>) {
@@ -40,7 +40,7 @@ void say(fmt::format_string<Shown<Args>...> format, const Args&... args) {
 /// Flushes the standard output.
 void flush_output();
 
-/// Writes "insonify: MESSAGE" in one line to the standard error output. A failure of that is ignored.
+/// Writes "insonify: MESSAGE" in one line to the standard error stream. Failures to write are ignored.
 void complain(std::string_view message);
 
 /// Whether a line of the standard output can be overwritten: it is a terminal, and TERM is not "dumb".

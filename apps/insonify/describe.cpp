@@ -1,4 +1,4 @@
-// describe.cpp -- insonify describe: every key of a scenario with its unit, limits and default.
+// describe.cpp -- insonify describe: documents every key of a scenario with its unit, limits and default.
 
 #include "insonify/describe.h"
 

@@ -1,4 +1,4 @@
-// disk_space.cpp -- compares what recordings need with what the file system has free.
+// disk_space.cpp -- compares the size of recordings with the free space of the file system.
 
 #include "disk_space.h"
 
@@ -11,7 +11,7 @@
 namespace insonify {
 namespace {
 
-// "1.5 GB", decimal units.
+// "1.5 GB", in decimal units.
 std::string bytes_text(std::uint64_t bytes) {
   constexpr std::array<const char*, 6> kUnits = {"bytes", "kB", "MB", "GB", "TB", "PB"};
   auto size = static_cast<double>(bytes);
@@ -38,7 +38,7 @@ void tell_disk_space(const Scenario& scenario, const ScenarioRequests& requests,
   }
   const std::filesystem::space_info space = std::filesystem::space(there, error);
   if (error) {
-    return;  // Some file systems do not tell.
+    return;  // Some file systems do not report their free space.
   }
   const std::string text = fmt::format("the recordings need {}{}, {} are free", options.compress ? "at most " : "",
                                        bytes_text(needed), bytes_text(space.available));

@@ -1,4 +1,4 @@
-// disk_space.h -- whether the recordings of a run fit on the disk.
+// disk_space.h -- checks whether the recordings of a run fit on the disk.
 
 #pragma once
 
@@ -9,9 +9,9 @@
 
 namespace insonify {
 
-/// Says what the recordings of a run need and what the disk has free, unless the run is quiet. Where that is too little
-/// it warns: the run ends when the disk is full, and keeps the pings made so far.
-/// @param folder  Where they are written; need not exist yet.
+/// Prints the size of a run's recordings and the free space, unless the run is quiet. Warns if the space is too small:
+/// the run ends when the disk is full, and keeps the pings made so far.
+/// @param folder  Folder of the recordings; need not exist yet.
 void tell_disk_space(const Scenario& scenario, const ScenarioRequests& requests, const std::filesystem::path& folder,
                      const RunOptions& options);
 

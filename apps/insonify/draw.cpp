@@ -1,4 +1,4 @@
-// draw.cpp -- insonify draw: pictures of a recording's pings.
+// draw.cpp -- insonify draw: draws pictures of a recording's pings.
 
 #include <fmt/format.h>
 
@@ -34,7 +34,7 @@ PictureChoice choice_of(const DrawOptions& options, const RecordedPings& recordi
   return choice;
 }
 
-// The first ping of a fan sets the scale for all; a scan shows all pings so far.
+// The first ping of a fan sets the scale for all; a picture of a scan shows all pings so far.
 void draw_pings(const RecordedPings& recording, const SonarConfig& sonar, const PictureChoice& choice,
                 PingPictures& pictures) {
   const std::uint64_t count = recording.ping_count();

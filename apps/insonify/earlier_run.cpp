@@ -1,4 +1,4 @@
-// earlier_run.cpp -- knows the files of a run by their names.
+// earlier_run.cpp -- recognises the files of a run by their names.
 
 #include "earlier_run.h"
 
@@ -17,8 +17,8 @@ namespace {
 
 constexpr std::string_view kUnfinished = ".new";
 
-// Whether a run would call a picture so, or one that it was killed at: "sonar_view.png", "sonar_fan_0003.png" with four
-// digits or more, "sonar_view.png.1f2e3d4c.new".
+// Whether a file name is that of a run's picture, or of one left unfinished when a run was killed: "sonar_view.png",
+// "sonar_fan_0003.png" with at least four digits, "sonar_view.png.1f2e3d4c.new".
 bool is_picture_of(const std::string& name, std::string_view file) {
   constexpr std::string_view kEnding = ".1f2e3d4c.new";
   if (file.ends_with(kUnfinished)) {

@@ -1,4 +1,4 @@
-// earlier_run.h -- what an earlier run has left in the folder that a run writes to.
+// earlier_run.h -- files that an earlier run has left in the output folder.
 
 #pragma once
 
@@ -11,22 +11,21 @@
 
 namespace insonify {
 
-/// Refuses to replace recordings and pictures of an earlier run of a scenario's sonars.
-/// @throws InputError that names the first such file and the options that help.
+/// Refuses to replace recordings and pictures that an earlier run has made for the scenario's sonars.
+/// @throws InputError with the first such file and the options that apply.
 void refuse_earlier_run(const std::filesystem::path& folder, const Scenario& scenario);
 
 /// Refuses to replace pictures of one sonar.
 /// @throws InputError as above.
 void refuse_earlier_pictures(const std::filesystem::path& folder, const std::string& sonar);
 
-/// Takes the pictures that a run draws of its sonars. Where the folder holds pictures of an earlier run of these
-/// sonars, the new ones are collected in a folder of their own inside it, pictures.new.XXXXXX, until put_in_place(): a
-/// run that fails leaves the earlier pictures alone.
+/// Receives the pictures of a run. If the folder has pictures of an earlier run of the same sonars, new ones go to a
+/// subfolder, pictures.new.XXXXXX, until put_in_place(), so that a failing run leaves the earlier pictures as they are.
 class PictureFolder {
  public:
   /// @param sonars  Names; a sonar's pictures begin with its name.
   PictureFolder(std::filesystem::path folder, std::vector<std::string> sonars);
-  /// Removes what was collected and not put in place.
+  /// Removes new pictures that have not been put in place.
   ~PictureFolder();
   PictureFolder(const PictureFolder&) = delete;
   PictureFolder& operator=(const PictureFolder&) = delete;
@@ -41,13 +40,13 @@ class PictureFolder {
   void discard();
 
   /// Removes the pictures of the earlier run and puts the new ones in their place.
-  /// @return  How many were removed.
+  /// @return  Number of pictures removed.
   std::size_t put_in_place();
 
  private:
   std::filesystem::path folder_;
   std::vector<std::string> sonars_;
-  std::filesystem::path collected_;  // Empty where pictures are written into the folder itself.
+  std::filesystem::path collected_;  // Empty if pictures are written directly into the folder.
   std::vector<std::string> written_;
 };
 

@@ -1,4 +1,4 @@
-// hints.cpp -- looks for echoes in pings, and says where they might have come from.
+// hints.cpp -- finds the largest echo of pings, and suggests why there is none or why it is weak.
 
 #include "hints.h"
 
@@ -22,7 +22,7 @@ std::string point_text(const Vec3& point) {
 
 void Loudness::add(const Ping& ping) {
   for (std::size_t i = 0; i < ping.intensity.size(); ++i) {
-    // Without labels, noise passes for an echo.
+    // Without labels, noise cannot be told from an echo.
     if (ping.instance.empty() || ping.instance[i] != kNoLabel) {
       loudest_ = std::max(loudest_, static_cast<double>(ping.intensity[i]));
     }

@@ -1,4 +1,4 @@
-// hints.h -- what to tell of a run that nobody will like: silence, or pictures that are nearly black.
+// hints.h -- hints for a run without echoes or with pictures that are nearly black.
 
 #pragma once
 
@@ -7,23 +7,23 @@
 
 namespace insonify {
 
-/// How loud one sonar's pings are.
+/// Largest echo of one sonar's pings.
 class Loudness {
  public:
   void add(const Ping& ping);
 
-  [[nodiscard]] bool heard() const { return loudest_ >= 0; }  ///< Whether anything echoed.
-  [[nodiscard]] double loudest() const { return loudest_; }   ///< Intensity of the loudest echo; -1 for silence.
+  [[nodiscard]] bool heard() const { return loudest_ >= 0; }  ///< Whether there was any echo.
+  [[nodiscard]] double loudest() const { return loudest_; }   ///< Intensity of the largest echo; -1 if there was none.
   [[nodiscard]] bool dim() const { return heard() && loudest_ < 0.02; }
 
  private:
   double loudest_ = -1;
 };
 
-/// Whether there are echoes without a surface, which no label tells: of points, of the water, or of other sonars.
+/// Whether the scenario has echoes without a surface, which have no label: points, the water, or other sonars.
 [[nodiscard]] bool hears_more_than_surfaces(const Scenario& scenario);
 
-/// "nothing was heard in any ping of fls: ...", with where the world is and where the sonar looked.
+/// "nothing was heard in any ping of fls: ...", with the extent of the world and the sonar's pose.
 [[nodiscard]] std::string silence_text(const Simulator& simulator, int sonar);
 
 /// "the loudest echo of fls is 1.2 % of full scale: ...", with the key that changes it.

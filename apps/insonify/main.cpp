@@ -1,4 +1,4 @@
-// main.cpp -- the command line as a whole, and how it ends.
+// main.cpp -- parses the command line, runs the command and sets the exit status.
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -15,7 +15,7 @@
 namespace insonify {
 namespace {
 
-// What CLI11 did not understand, in one line with a way out.
+// Reports a CLI11 parse error in one line, with a hint.
 std::string explained(const CLI::App& app, const CLI::ParseError& error, const std::string& first) {
   std::vector<std::string> commands;
   for (const CLI::App* command : app.get_subcommands({})) {
@@ -63,14 +63,14 @@ int run_program(int argc, char** argv) {
     say_text(app.help());
     return kDone;
   } catch (const CLI::Success&) {
-    return kDone;  // Version.
+    return kDone;  // --version.
   } catch (const CLI::ParseError& error) {
     throw InputError(explained(app, error, argc > 1 ? argv[1] : ""));
   }
   return request.act();
 }
 
-// What went wrong, in one line and an exit status.
+// Reports an error in one line and returns the exit status.
 int run_guarded(int argc, char** argv) {
   try {
     return run_program(argc, argv);
@@ -90,6 +90,6 @@ int run_guarded(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   insonify::open_standard_streams();
-  std::signal(SIGXFSZ, SIG_IGN);  // A file that may not grow is an error like any other.
+  std::signal(SIGXFSZ, SIG_IGN);  // Exceeding a file size limit becomes an ordinary write error.
   return insonify::finish_output(insonify::run_guarded(argc, argv));
 }

@@ -1,4 +1,4 @@
-// manual.cpp -- `insonify manual`: the page that `man insonify` shows.
+// manual.cpp -- `insonify manual`: writes the manual page for `man insonify`.
 
 #include <fmt/format.h>
 
@@ -10,7 +10,7 @@
 namespace insonify {
 namespace {
 
-// Text as troff takes it: no hyphen turned into a dash, no line taken for a request.
+// Escapes text for troff: hyphens stay hyphens, and no line is read as a request.
 std::string escaped(const std::string& text) {
   std::string result;
   for (const char letter : text) {

@@ -1,4 +1,4 @@
-// output_folder.cpp -- looks for the nearest folder that is there, and whether one may write into it.
+// output_folder.cpp -- checks that the nearest existing parent of the output folder is writable.
 
 #include "output_folder.h"
 

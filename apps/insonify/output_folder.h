@@ -1,4 +1,4 @@
-// output_folder.h -- the folder that a run writes into.
+// output_folder.h -- chooses and checks the folder that a run writes to.
 
 #pragma once
 
@@ -6,8 +6,8 @@
 
 namespace insonify {
 
-/// The one that was chosen, or else the scenario's name + _pings; it need not be there yet.
-/// @throws Error where it cannot be made or written to. Asked before the world is loaded, which can take long.
+/// The requested folder, or the scenario's name + "_pings"; it need not exist yet.
+/// @throws Error if it cannot be made or written to. Checked before the world is loaded, which can take long.
 [[nodiscard]] std::filesystem::path output_folder(const std::filesystem::path& chosen,
                                                   const std::filesystem::path& scenario);
 

@@ -1,4 +1,4 @@
-// picture_options.cpp -- how pictures of pings are drawn: what the commands take, and what comes of it.
+// picture_options.cpp -- command-line options for pictures of pings, converted to a display and a style.
 
 #include "picture_options.h"
 
@@ -16,7 +16,7 @@
 namespace insonify {
 namespace {
 
-// Lowest and highest level [dB]; none for a text that is not two rising numbers.
+// Lowest and highest level [dB]; none if the text is not two increasing numbers.
 std::optional<std::pair<double, double>> parsed_levels(const std::string& text) {
   constexpr double kMost = 400;  // [dB]
   std::pair<double, double> levels;

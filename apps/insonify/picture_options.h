@@ -1,4 +1,4 @@
-// picture_options.h -- how pictures of pings are drawn: what the commands take, and what comes of it.
+// picture_options.h -- command-line options for pictures of pings, shared by run and draw.
 
 #pragma once
 
@@ -15,26 +15,26 @@ class App;
 namespace insonify {
 
 struct PictureOptions {
-  std::string pictures = "20";  ///< "all", "last", "none" or how many pings of a fan at most.
+  std::string pictures = "20";  ///< "all", "last", "none" or the largest number of pings drawn of a fan.
   std::string colour_map = "inferno";
-  std::string scale;      ///< "" for what suits the model.
+  std::string scale;      ///< linear or db; "" for the model's default.
   double floor_db = -50;  ///< [dB]
-  std::string levels;     ///< "LOW:HIGH" [dB]; "" for a range that fits the pings.
+  std::string levels;     ///< "LOW:HIGH" [dB]; "" to fit the pings.
   int height = 720;       ///< [pixels]
 };
 
-/// Adds the options that all commands have which draw pings, in a group of their own.
+/// Adds the options shared by all commands that draw pings, as a group.
 void add_picture_options(CLI::App& command, PictureOptions& options, const std::string& group);
 
-/// How the pings of one sonar are drawn.
+/// Style of the pictures of one sonar's pings.
 struct PictureStyle {
   EchoModel model = EchoModel::kCalibrated;
   Display display = {};
-  bool fixed_levels = false;  ///< The display's full scale is given, and fits no ping.
+  bool fixed_levels = false;  ///< Full scale is given, not fitted to pings.
 };
 
-/// Levels of the calibrated model are decibels raised by range, unless the receiver has raised them.
-/// @throws InputError for options that make no sense.
+/// Levels of the calibrated model are decibels with gain by range, unless the receiver has applied such a gain.
+/// @throws InputError for contradictory options.
 [[nodiscard]] PictureStyle picture_style(const PictureOptions& options, EchoModel model,
                                          const ReceiverConfig& receiver);
 

@@ -1,4 +1,4 @@
-// pictures.cpp -- which pictures a run draws of its pings, and the files they go to.
+// pictures.cpp -- chooses the pings of a run to draw, and writes their pictures.
 
 #include "pictures.h"
 
@@ -33,7 +33,7 @@ bool PictureChoice::takes(std::uint64_t ping, std::uint64_t total) const {
   if (most >= total) {
     return true;
   }
-  // The pings at which the share that is due so far reaches the next whole number.
+  // Pings at which the rounded-down number of pictures due increases.
   return (ping + 1) * most / total > ping * most / total;
 }
 
@@ -64,7 +64,7 @@ void PingPictures::add(const Ping& ping) {
   add_shown(raised);
 }
 
-// One ping of a scan says little of the others: each picture has the scale that fits all it shows.
+// One ping of a scan is not representative of the others: each picture is scaled to fit all that it shows.
 void PingPictures::fit_scan() {
   if (model_ == EchoModel::kCalibrated && !fixed_) {
     display_.full_scale = scan_->fitting_full_scale();
@@ -75,7 +75,7 @@ void PingPictures::add_shown(const Ping& ping) {
   const bool due = choice_.takes(ping.number, total_);
   if (scan_ != nullptr) {
     scan_->add(ping);
-    if (due && ping.number + 1 < total_) {  // finish() draws the last.
+    if (due && ping.number + 1 < total_) {  // finish() draws the last ping.
       fit_scan();
       write(fmt::format("scan_{:04}", ping.number), scan_->draw(display_));
     }

@@ -1,4 +1,4 @@
-// pictures.h -- which pictures a run draws of its pings, and the files they go to.
+// pictures.h -- chooses the pings of a run to draw, and writes their pictures.
 
 #pragma once
 
@@ -13,32 +13,32 @@
 
 namespace insonify {
 
-/// How many pings of a run are drawn.
+/// Which pings of a run are drawn.
 struct PictureChoice {
-  std::uint64_t most = 20;  ///< Evenly spread; the last ping is always among them.
+  std::uint64_t most = 20;  ///< Most pings drawn, evenly spaced; the last ping is always among them.
 
-  std::vector<std::uint64_t> only = {};  ///< Where not empty, just these pings, by number.
+  std::vector<std::uint64_t> only = {};  ///< If not empty, only these pings, by number.
 
   /// "all", "none", "last" or a number.  @throws InputError
   static PictureChoice parse(const std::string& text);
 
-  /// @param total  Pings of the run.
+  /// @param total  Number of pings of the run.
   [[nodiscard]] bool takes(std::uint64_t ping, std::uint64_t total) const;
 };
 
-/// Draws one sonar's pings into a folder: of a fan NAME_polar_0000.png and NAME_fan_0000.png; of a scanning sonar
-/// NAME_scan_0000.png, what it has seen up to a ping, and at the end NAME_scan.png and the waterfall NAME_polar.png.
+/// Draws one sonar's pings into a folder. For a fan: NAME_polar_0000.png and NAME_fan_0000.png. For a scanning sonar:
+/// NAME_scan_0000.png, the scan up to a ping, and at the end NAME_scan.png and the waterfall NAME_polar.png.
 class PingPictures {
  public:
-  /// In the calibrated model levels are raised by range as the display says, and full scale is what fits a fan's first
-  /// ping, for all of them, or the pings so far of a scan, unless the style fixes it.
+  /// In the calibrated model the display may apply gain by range. Unless the style fixes full scale, it is fitted to
+  /// the first ping of a fan, for all of its pictures, or to all pings so far of a scan.
   /// @param folder  Where pictures are written; must outlive this.
   PingPictures(PictureFolder& folder, const SonarConfig& sonar, const PictureStyle& style, PictureChoice choice,
                std::uint64_t total);
 
   void add(const Ping& ping);
 
-  /// Draws what only the whole run shows, and the last ping that was added if a stopped run has left it out.
+  /// Draws the pictures of the whole run, and that of the last ping added if a stopped run has left it out.
   void finish(const Ping& last);
 
   /// Files written so far, in order.
@@ -53,11 +53,11 @@ class PingPictures {
   PictureFolder* folder_;
   SonarConfig sonar_;
   EchoModel model_;
-  bool fixed_ = false, scaled_ = false;  // The full scale is given; that of a fan is chosen.
+  bool fixed_ = false, scaled_ = false;  // Full scale is given; full scale of a fan is fitted.
   Display display_;
   PictureChoice choice_;
   std::uint64_t total_ = 0;
-  std::unique_ptr<ScanView> scan_;  // Of a scanning sonar.
+  std::unique_ptr<ScanView> scan_;  // Only for a scanning sonar.
   bool last_drawn_ = true;
   std::vector<std::filesystem::path> files_;
 };

@@ -1,4 +1,4 @@
-// progress.cpp -- how far a run is, on a terminal or in a pipe.
+// progress.cpp -- draws the progress of a run on a terminal or prints it to a pipe.
 
 #include "progress.h"
 
@@ -23,7 +23,7 @@ std::string duration(double seconds) {
   return whole >= 60 ? fmt::format("{} min {:02} s", whole / 60, whole % 60) : fmt::format("{} s", whole);
 }
 
-// The bar with as much beside it as there is room for.
+// Progress bar with as much text as the width allows.
 std::string bar_line(double share, const std::string& count, const std::string& rate, const std::string& left,
                      std::size_t width) {
   constexpr std::size_t kShortestBar = 8;

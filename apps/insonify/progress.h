@@ -1,4 +1,4 @@
-// progress.h -- how far a run is, on a terminal or in a pipe.
+// progress.h -- progress of a run, on a terminal or in a pipe.
 
 #pragma once
 
@@ -7,17 +7,17 @@
 
 namespace insonify {
 
-/// On a terminal one line that is redrawn, with rate and time left, as far as they fit its width; in a pipe a plain
-/// line at most every two seconds.
+/// On a terminal, one line that is redrawn, with the rate and the remaining time if its width allows; in a pipe, a
+/// plain line at most every two seconds.
 class Progress {
  public:
-  /// @param total  Pings of all sonars together.
+  /// @param total  Number of pings of all sonars.
   Progress(std::uint64_t total, bool quiet);
   ~Progress();
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  /// One more ping is done.
+  /// Counts one more completed ping.
   void advance();
 
  private:

@@ -1,4 +1,4 @@
-// request.h -- from the words on the command line to what is to be done: what each command takes.
+// request.h -- parses the command line into the options of a command.
 
 #pragma once
 
@@ -10,7 +10,7 @@
 
 namespace insonify {
 
-/// What the words on the command line asked for; `act` does it.
+/// The parsed command line; `act` runs the requested command.
 struct Request {
   RunOptions run;
   CompareOptions compare;
@@ -30,8 +30,7 @@ struct Request {
   std::function<int()> act;
 };
 
-/// Each adds one command to the program; once it is parsed, the request's `act` does it. The request must outlive the
-/// app.
+/// Each adds one command to the program. Parsing it sets the request's `act`. The request must outlive the app.
 void add_run(CLI::App& app, Request& request);
 void add_sonars(CLI::App& app, Request& request);
 void add_describe(CLI::App& app, Request& request);

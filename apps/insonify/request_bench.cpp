@@ -1,4 +1,4 @@
-// request_bench.cpp -- what `insonify bench` takes.
+// request_bench.cpp -- options of `insonify bench`.
 
 #include "request.h"
 #include "validators.h"
@@ -6,7 +6,7 @@
 namespace insonify {
 namespace {
 
-// What all benches take.
+// Options shared by all benchmarks.
 void add_common(CLI::App& command, BenchOptions& options) {
   command.add_option("--triangles", options.triangles, "About how many triangles each scene has [1000 100000 1000000]")
       ->check(whole_number(1, 100'000'000))

@@ -1,4 +1,4 @@
-// request_compare.cpp -- what `insonify compare` takes.
+// request_compare.cpp -- options of `insonify compare`.
 
 #include <limits>
 

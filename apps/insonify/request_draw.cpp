@@ -1,4 +1,4 @@
-// request_draw.cpp -- what `insonify draw` takes.
+// request_draw.cpp -- options of `insonify draw`.
 
 #include <limits>
 

@@ -1,4 +1,4 @@
-// request_run.cpp -- what `insonify run` takes.
+// request_run.cpp -- options of `insonify run`.
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-// request_shell.cpp -- what `insonify completion` and `insonify manual` take.
+// request_shell.cpp -- options of `insonify completion` and `insonify manual`.
 
 #include "console.h"
 #include "request.h"

@@ -1,4 +1,4 @@
-// request_texts.cpp -- what the commands take that only tell something: sonars, describe and version.
+// request_texts.cpp -- options of the commands that only print text: sonars, describe and version.
 
 #include "request.h"
 

@@ -1,4 +1,4 @@
-// run.cpp -- insonify run: pings of a scenario into recordings and pictures.
+// run.cpp -- insonify run: computes the pings of a scenario and writes recordings and pictures.
 
 #include <algorithm>
 #include <chrono>
@@ -51,7 +51,7 @@ void print_world(const Scene& scene, double seconds) {
   flush_output();  // The first ping can take long.
 }
 
-// Reading can take long: a world is large, or nobody writes into a pipe.
+// Reading can take long: the world may be large, or the file a pipe without a writer.
 void tell_of_reading(const RunOptions& options) {
   std::error_code ignored;
   if (options.quiet) {
@@ -64,7 +64,7 @@ void tell_of_reading(const RunOptions& options) {
   show_status(fmt::format("Loading {} ...", options.scenario.string()));
 }
 
-// All that can only be wrong because the input is.
+// Loads and checks all input; every failure here is an input error.
 Simulator prepare(const RunOptions& options, const std::filesystem::path& folder, PictureStyle& style) {
   try {
     const Clock::time_point start = Clock::now();
@@ -93,15 +93,15 @@ std::vector<std::string> names_of(const std::vector<SonarConfig>& sonars) {
   return names;
 }
 
-// One sonar's part of a run.
+// State of one sonar in a run.
 struct Track {
   std::filesystem::path file;
   Recording recording;
   PingPictures pictures;
-  Ping ping = {}, next = {};  // The last that was recorded; the one that is being made.
+  Ping ping = {}, next = {};  // The last recorded ping; the ping being computed.
   std::uint64_t made = 0;
   Loudness loudness = {};
-  std::string heard = {};  // Of the first ping: see heard_text().
+  std::string heard = {};  // Text about the first ping: see heard_text().
 };
 
 std::vector<Track> start_tracks(const Simulator& simulator, const ScenarioRequests& requests,
@@ -121,7 +121,7 @@ std::vector<Track> start_tracks(const Simulator& simulator, const ScenarioReques
   return tracks;
 }
 
-// What a look at the world and the trajectories tells before the first ping.
+// Prints what is unusual about the world and the trajectories, before the first ping.
 void print_oddities(const Simulator& simulator, const ScenarioRequests& requests, bool quiet) {
   for (const std::string& text : oddities_of(simulator, requests)) {
     complain("warning: " + text);
@@ -131,8 +131,8 @@ void print_oddities(const Simulator& simulator, const ScenarioRequests& requests
   }
 }
 
-// Makes the pings, in turn for each sonar, until all are there or a stop is asked for.
-// @return  Seconds that computing them took, without recording and drawing.
+// Computes the pings, in turn for each sonar, until all are done or a stop is requested.
+// @return  Computing time without recording and drawing [s].
 double make_pings(Simulator& simulator, const ScenarioRequests& requests, std::vector<Track>& tracks, bool quiet) {
   Progress progress(requests.total_pings(), quiet);
   PingRequest request;
@@ -165,8 +165,8 @@ double make_pings(Simulator& simulator, const ScenarioRequests& requests, std::v
   return computing;
 }
 
-// Where no ping was made, removes recordings and pictures of this run: they would only be in the way of the next.
-// @return  Whether there was none.
+// Removes recordings and pictures of this run if it made no ping: they would only block the next run.
+// @return  Whether it made no ping.
 bool discard_without_pings(std::vector<Track>& tracks, PictureFolder& pictures) {
   if (std::ranges::any_of(tracks, [](const Track& track) { return track.made > 0; })) {
     return false;
@@ -184,7 +184,7 @@ bool discard_without_pings(std::vector<Track>& tracks, PictureFolder& pictures) 
   return true;
 }
 
-// Where recordings are that could not replace those of an earlier run; "" where there are none.
+// Lists recordings that have not replaced those of an earlier run, with their paths; "" if there are none.
 std::string kept_beside(const std::vector<Track>& tracks) {
   std::string text;
   for (const Track& track : tracks) {
@@ -197,7 +197,7 @@ std::string kept_beside(const std::vector<Track>& tracks) {
   return text;
 }
 
-// make_pings(); where it fails, tells where the pings are that were made.
+// make_pings(); adds to its errors where the pings made so far are.
 double make_pings_or_tell(Simulator& simulator, const ScenarioRequests& requests, std::vector<Track>& tracks,
                           PictureFolder& pictures, bool quiet) {
   try {
@@ -209,7 +209,7 @@ double make_pings_or_tell(Simulator& simulator, const ScenarioRequests& requests
   }
 }
 
-// Puts recordings and pictures in place of those of an earlier run.
+// Replaces recordings and pictures of an earlier run by the new ones.
 void finish_tracks(std::vector<Track>& tracks, PictureFolder& pictures, bool quiet) {
   if (discard_without_pings(tracks, pictures)) {
     throw Error("interrupted before the first ping");
@@ -242,7 +242,7 @@ void print_track(const Track& track, const SonarConfig& sonar) {
   }
 }
 
-// What the user can do about a sonar that heard little.
+// Prints hints for sonars with no or only weak echoes.
 void print_hints(const Simulator& simulator, const std::vector<Track>& tracks, const Display& display, bool quiet) {
   for (std::size_t i = 0; i < tracks.size(); ++i) {
     const Loudness& loudness = tracks[i].loudness;

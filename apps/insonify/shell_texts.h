@@ -1,4 +1,4 @@
-// shell_texts.h -- what shells and the manual are told of the command line, made from its own description.
+// shell_texts.h -- shell completions and the manual page, generated from the description of the command line.
 
 #pragma once
 
@@ -9,12 +9,12 @@
 
 namespace insonify {
 
-/// A script that completes what is typed after `insonify`, for the shell that loads it.
+/// Completion script for the arguments of `insonify`, in the shell that loads it.
 [[nodiscard]] std::string bash_completion(const std::vector<CommandWords>& commands);
 [[nodiscard]] std::string zsh_completion(const std::vector<CommandWords>& commands);
 [[nodiscard]] std::string fish_completion(const std::vector<CommandWords>& commands);
 
-/// insonify(1), for man.
+/// The manual page insonify(1).
 [[nodiscard]] std::string manual_page(const std::vector<CommandWords>& commands);
 
 }  // namespace insonify

@@ -1,4 +1,4 @@
-// sonars.cpp -- insonify sonars: the instruments there are, and all that is known of one.
+// sonars.cpp -- insonify sonars: lists the presets, or shows one in full.
 
 #include <fmt/format.h>
 

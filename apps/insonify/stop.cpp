@@ -15,7 +15,7 @@ namespace {
 
 std::atomic<bool> asked = false;
 static_assert(std::atomic<bool>::is_always_lock_free, "handlers of signals must not wait");
-bool terminal = false;  // Somebody waits.
+bool terminal = false;  // Whether the standard error stream is a terminal.
 
 void end_now(int) {
   constexpr std::string_view kMessage = "insonify: interrupted before the first ping\n";

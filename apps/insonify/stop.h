@@ -1,4 +1,4 @@
-// stop.h -- Ctrl-C, and what else asks a run to end.
+// stop.h -- handles requests to end a run: SIGINT (Ctrl-C) and SIGTERM.
 
 #pragma once
 
@@ -6,14 +6,14 @@
 
 namespace insonify {
 
-/// From here on SIGINT and SIGTERM end the program at once, with one line: there is nothing to keep yet. A SIGINT that
-/// was ignored from the start, as for a job in a shell's background, stays ignored.
+/// From this call on SIGINT and SIGTERM end the program at once with a one-line message: there are no results to keep
+/// yet. A SIGINT that was ignored at the start, as in a background job, stays ignored.
 void end_when_asked();
 
-/// From here on they set stop_asked(); a second one ends the program.
+/// From this call on the signals set stop_asked(); a second one ends the program.
 void note_when_asked();
 
-/// Whether one was noted. Lives as long as the program.
+/// Flag set by the signals. Valid as long as the program runs.
 [[nodiscard]] const std::atomic<bool>& stop_asked();
 
 }  // namespace insonify

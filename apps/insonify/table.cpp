@@ -1,4 +1,4 @@
-// table.cpp -- rows of words in columns.
+// table.cpp -- prints tables with aligned columns.
 
 #include "table.h"
 

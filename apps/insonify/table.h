@@ -1,4 +1,4 @@
-// table.h -- rows of words in columns.
+// table.h -- prints tables with aligned columns.
 
 #pragma once
 
@@ -9,7 +9,7 @@ namespace insonify {
 
 using Row = std::vector<std::string>;
 
-/// Prints rows with columns as wide as their widest cell; the last column is left as it is.
+/// Prints rows with columns as wide as their widest cell; the last column is not padded.
 void print_table(const std::vector<Row>& rows);
 
 }  // namespace insonify

@@ -1,4 +1,4 @@
-// validators.cpp -- each gives "" for what is good, or what would be right.
+// validators.cpp -- each returns "" for a valid value, else what would be valid.
 
 #include "validators.h"
 

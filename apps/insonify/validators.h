@@ -1,5 +1,5 @@
-// validators.h -- checks of values on the command line. CLI11's own say "Value 0 not in range 1 to 9"; these speak as
-// the library does.
+// validators.h -- checks of command-line values, with messages in the library's style. CLI11's own say "Value 0 not in
+// range 1 to 9".
 
 #pragma once
 
@@ -16,12 +16,12 @@ namespace insonify {
 
 [[nodiscard]] CLI::Validator number_within(const Limits& limits);
 
-/// @param example  Of what is to be named, for the message.
+/// @param example  An example of what is to be named, for the message.
 [[nodiscard]] CLI::Validator not_empty(const char* example);
 
 [[nodiscard]] CLI::Validator one_of(std::vector<std::string> words);
 
-/// The words that an option's one_of() allows; none where it has no such check.
+/// The words that an option's one_of() allows; empty if it has no such check.
 [[nodiscard]] std::vector<std::string> choices_of(CLI::Option& option);
 
 }  // namespace insonify

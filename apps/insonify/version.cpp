@@ -1,4 +1,4 @@
-// version.cpp -- insonify version.
+// version.cpp -- insonify version: prints the version.
 
 #include "insonify/version.h"
 

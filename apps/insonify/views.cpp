@@ -1,4 +1,4 @@
-// views.cpp -- pictures of what a sonar has before it at its first ping.
+// views.cpp -- pictures of the scene in front of each sonar at its first ping.
 
 #include "views.h"
 

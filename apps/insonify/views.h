@@ -1,4 +1,4 @@
-// views.h -- pictures of what a sonar has before it at its first ping.
+// views.h -- pictures of the scene in front of each sonar at its first ping.
 
 #pragma once
 
@@ -18,7 +18,8 @@ struct View {
   Picture picture;
 };
 
-/// Draws for each sonar NAME what was asked for: the scene, NAME_view.png, and NAME_channels.png. Writes nothing yet.
+/// Draws the requested pictures of each sonar NAME: the camera view, NAME_view.png, and NAME_channels.png. Writes
+/// nothing yet.
 [[nodiscard]] std::vector<View> draw_views(Simulator& simulator, const ScenarioRequests& requests,
                                            const RunOptions& options, const Display& display);
 

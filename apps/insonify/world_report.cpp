@@ -1,4 +1,4 @@
-// world_report.cpp -- a look at the scene and the first ping, before anybody looks at the picture.
+// world_report.cpp -- describes the world and the first ping, and finds likely mistakes.
 
 #include "world_report.h"
 
@@ -11,7 +11,7 @@
 namespace insonify {
 namespace {
 
-// How far a coordinate's text goes: to the millimetre, or to six digits.
+// Rounds a coordinate for printing, to the millimetre or to six digits.
 double rounded(double value) {
   return std::round(value * 1000) / 1000 + 0;  // Adding zero turns -0 into 0.
 }
@@ -20,7 +20,7 @@ bool is_empty(const Box3& box) {
   return box.low.x() > box.high.x();
 }
 
-// A unit that is off by a thousand shows: worlds are a few ranges wide, seabeds of surveys a few hundred.
+// Worlds are a few ranges wide, surveyed seabeds a few hundred: beyond that, a unit is probably wrong by a thousand.
 std::string size_oddity(const Box3& world, const SonarConfig& sonar) {
   constexpr double kTooManyRanges = 1000, kTooFewBins = 3;
   const double across = (world.high - world.low).maxCoeff();

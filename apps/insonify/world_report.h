@@ -1,4 +1,4 @@
-// world_report.h -- how large the world is, how much of it a sonar hears, and what is odd about both.
+// world_report.h -- size of the world, objects in the first ping, and likely mistakes in both.
 
 #pragma once
 
@@ -13,14 +13,14 @@ namespace insonify {
 /// "60 x 60 x 3 m (x -30 to 30, y -30 to 30, z -2.5 to 0.5)"; "open water" without a world.
 [[nodiscard]] std::string size_text(const Scene& scene);
 
-/// What is odd before the first ping, one line each: a sonar inside an object, a world a thousand times as large as a
-/// sonar's range or as small as its bins.
+/// Likely mistakes, one line each: a sonar inside an object, a world a thousand times as large as a sonar's range or as
+/// small as its bins.
 [[nodiscard]] std::vector<std::string> oddities_of(const Simulator& simulator, const ScenarioRequests& requests);
 
-/// Where pings end long before or after a trajectory does, one line each.
+/// Sonars whose pings end long before or after a trajectory does, one line each.
 [[nodiscard]] std::vector<std::string> lengths_of(const Simulator& simulator, const ScenarioRequests& requests);
 
-/// "its first hears 3 of 12 objects, from 2.31 to 14.9 m"; "" where a ping has no labels to tell.
+/// "its first hears 3 of 12 objects, from 2.31 to 14.9 m"; "" if the ping has no labels.
 [[nodiscard]] std::string heard_text(const Scene& scene, const SonarConfig& sonar, const Ping& ping);
 
 }  // namespace insonify
