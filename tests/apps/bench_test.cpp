@@ -1,4 +1,4 @@
-// bench_test.cpp -- what the benches write; how fast they find the machine is no test.
+// bench_test.cpp -- output of the benchmarks; the times themselves are not tested.
 
 #include <nlohmann/json.hpp>
 
@@ -21,7 +21,7 @@ TEST_F(BenchTest, ThePapersTablesHaveThreeRowsASonar) {
     for (const char* key : {"mean_ms", "setup_ms", "pings_per_s", "floor_ms"}) {
       EXPECT_GT(row.at(key).get<double>(), 0) << key << i;
     }
-    EXPECT_EQ(row.at("std_ms"), 0);  // Of a single sample.
+    EXPECT_EQ(row.at("std_ms"), 0);  // Only one sample.
     const double samples = row.at("beams").get<double>() * 4 * 200;
     EXPECT_EQ(row.at("rays_primary"), row.at("mode") == "full" || row.at("beams") == 1 ? samples : 0) << i;
   }

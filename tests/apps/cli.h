@@ -1,4 +1,4 @@
-// cli.h -- insonify as a user meets it: a line of shell, or a process that can be sent signals.
+// cli.h -- runs insonify as a user does: as a shell command, or as a process that receives signals.
 
 #pragma once
 
@@ -29,7 +29,7 @@ inline std::string text_of(const std::filesystem::path& file) {
   return text.str();
 }
 
-// Runs a line of shell in the current folder; `insonify` in it is ours.
+// Runs a shell command in the current folder, with this build's `insonify` on the path.
 inline Outcome shell(const std::string& line) {
   const std::string script = fmt::format("insonify() {{ '{}' \"$@\"; }}\n{}", INSONIFY_CLI, line);
   std::ofstream("script.sh") << script;
@@ -46,7 +46,7 @@ inline Outcome shell(const std::string& line) {
   return outcome;
 }
 
-// insonify by itself, with the usual way to take signals whatever the test was started with.
+// An insonify process with default signal handling, whatever the test was started with.
 class Process {
  public:
   explicit Process(std::vector<std::string> arguments) {
@@ -73,7 +73,7 @@ class Process {
     posix_spawn_file_actions_destroy(&files);
   }
 
-  // Waits for something to have happened.
+  // Waits until a condition holds.
   template <typename Happened>
   static void wait_until(Happened&& happened) {
     for (int i = 0; i < 6000 && !happened(); ++i) {
@@ -84,7 +84,7 @@ class Process {
 
   void send(int signal) const { kill(id_, signal); }
 
-  // Its end; status is -1 where a signal ended it.
+  // Waits for the process to end; status is -1 if a signal ended it.
   [[nodiscard]] Outcome end() const {
     int status = 0;
     waitpid(id_, &status, 0);

@@ -32,7 +32,7 @@ TEST_F(CliStopTest, CtrlCEndsARunAndDrawsTheLastPing) {
   EXPECT_EQ(outcome.err, fmt::format("insonify: stopped after {} of 100000 pings; they are kept\n", pings));
   EXPECT_THAT(files("out"), ElementsAre("ahead.h5", fmt::format("ahead_fan_{:04}.png", pings - 1),
                                         fmt::format("ahead_polar_{:04}.png", pings - 1)));
-  // 40 x 16 cells of 12 bytes, a time and a pose a ping, with their index; and some 90 kB for all that does not grow.
+  // Per ping 40 x 16 cells of 12 bytes, a time, a pose and their chunk index; about 90 kB for everything of fixed size.
   EXPECT_LT(std::filesystem::file_size("out/ahead.h5"), 120'000 + pings * 9000);
 }
 
@@ -59,7 +59,7 @@ TEST_F(CliStopTest, AForcedRunThatIsStoppedReplacesTheEarlierOne) {
             fmt::format("insonify: stopped after {} of 100000 pings; they are kept\n", recorded("out/ahead.h5")));
 }
 
-// Each of these pings would take many seconds.
+// Each ping of this scenario would take many seconds.
 TEST_F(CliStopTest, CtrlCEndsAPingThatTakesLong) {
   std::mt19937 random(1);
   std::uniform_real_distribution<double> place(-8, 8);
@@ -87,7 +87,7 @@ TEST_F(CliStopTest, CtrlCEndsAPingThatTakesLong) {
     EXPECT_EQ(outcome.status, 1);
     EXPECT_EQ(outcome.err, "insonify: interrupted before the first ping\n");
     EXPECT_TRUE(std::filesystem::is_empty(out));
-    // A second on a machine that has nothing else to do.
+    // Takes a second on an idle machine.
     EXPECT_LT(std::chrono::steady_clock::now() - asked, std::chrono::seconds(10));
   }
 }
@@ -100,7 +100,7 @@ TEST_F(CliStopTest, CtrlCLeavesWhatAHeadHasSeen) {
   EXPECT_THAT(files("out"), ElementsAre("around.h5", "around_polar.png", "around_scan.png"));
 }
 
-// A pipe that nobody writes to stands in for a world that takes long to load.
+// A pipe without a writer stands in for a world that takes long to load.
 TEST_F(CliStopTest, CtrlCWhileLoadingEndsAtOnce) {
   for (const int signal : {SIGINT, SIGTERM}) {
     std::filesystem::remove("pipe");
@@ -115,7 +115,7 @@ TEST_F(CliStopTest, CtrlCWhileLoadingEndsAtOnce) {
   }
 }
 
-// Half a million triangles the size of the scene, each behind others: a view of them takes minutes.
+// Half a million triangles as large as the scene, one behind the other: a view of them takes minutes.
 TEST_F(CliStopTest, CtrlCWhileTheSceneIsDrawnEndsAtOnce) {
   std::mt19937 random(1);
   std::uniform_real_distribution<double> place(-20, 20);
@@ -162,7 +162,7 @@ TEST_F(CliStopTest, ARunWhoseFolderIsRemovedFails) {
   }
 }
 
-// As for a job in a shell's background.
+// Ignored, as in a background job of a shell.
 TEST_F(CliStopTest, CtrlCThatWasIgnoredStaysSo) {
   const Outcome outcome =
       shell("mkfifo pipe; (trap '' INT; exec bash -c 'exec \"$0\" run pipe -o out --no-pictures' " INSONIFY_CLI
@@ -174,7 +174,7 @@ TEST_F(CliStopTest, ARunThatIsKilledAtAnyMomentLeavesARecordingThatOpens) {
   std::mt19937 random(20250117);
   const std::filesystem::path recording = "out/ahead.h5";
   for (int i = 0; i < 30; ++i) {
-    // Kills at any moment of a run over an earlier recording, which must stay, and kills while a new one grows.
+    // Kills runs at random moments: over an earlier recording, which must stay, and while a new one grows.
     const bool grows = i % 3 != 0;
     if (grows) {
       std::filesystem::remove(recording);
@@ -204,7 +204,7 @@ TEST_F(CliStopTest, ARunThatIsKilledAtAnyMomentLeavesARecordingThatOpens) {
     EXPECT_EQ(file.shape("instance"), (std::vector<hsize_t>{pings, 40, 16}));
     EXPECT_EQ(file.shape("world_from_sonar"), (std::vector<hsize_t>{pings, 7}));
     if (pings > 0) {
-      // The last ping is whole: the floor fills the same bins each time.
+      // The last ping is complete: the floor fills the same bins in every ping.
       EXPECT_EQ(file.row<std::uint16_t>("instance", pings - 1), file.row<std::uint16_t>("instance", 0));
       EXPECT_EQ(file.row<double>("world_from_sonar", pings - 1), file.row<double>("world_from_sonar", 0));
     }

@@ -1,4 +1,4 @@
-// cli_streams_test.cpp -- streams that are closed or full, disks that are, and scenarios that come through a pipe.
+// cli_streams_test.cpp -- closed and full streams, full disks, and scenarios read from a pipe.
 
 #include "apps/cli.h"
 
@@ -34,7 +34,7 @@ TEST_F(CliStreamsTest, WhatCannotBeSaidIsAnError) {
 
 TEST_F(CliStreamsTest, AReaderThatHasGoneIsNoError) {
   EXPECT_EQ(shell("insonify describe | head -n 1 > first").err, "");
-  // As Python's children have it: the write fails instead of ending the program.
+  // SIGPIPE is ignored, as in children of Python: the write fails instead of ending the program.
   EXPECT_EQ(shell("(trap '' PIPE; insonify describe) | true").err, "");
 }
 

@@ -1,4 +1,4 @@
-// cli_test.cpp -- the command line as a user meets it: exit codes, messages, files made.
+// cli_test.cpp -- exit codes, messages and output files of the command line.
 
 #include "apps/cli.h"
 
@@ -14,7 +14,7 @@ using testing::Not;
 
 // ---------------------------------------------------------------- run
 
-// Anybody may have put links into a folder that others can write to, under any name that a run might take.
+// In a folder that others can write to, anyone may have put links under the names that a run uses.
 TEST_F(CliTest, ARunFollowsNoLinkThatItFindsInItsFolder) {
   folder.write("target", "precious");
   std::filesystem::create_directory("out");
@@ -77,7 +77,7 @@ TEST_F(CliTest, RunLastsAsLongAsItsSettingsSay) {
             "insonify: both.yaml:3:1: duration says when pings end, as pings = 1 does; leave one out\n");
 }
 
-// Each in one line, before the first ping.
+// Each is reported in one line before the first ping.
 TEST_F(CliTest, RunTellsWhatIsOddAboutTheWorldAndTheTrajectory) {
   folder.write("inside.sdf",
                "<sdf version='1.9'><model name='crate'><link name='l'><visual name='sides'><geometry><box><size>2 2 "
@@ -230,7 +230,7 @@ TEST_F(CliTest, SilenceIsToldWithWhereTheWorldIs) {
             "20, -2) m, the sonar was at (0, 0, 0) m at first, looking along (0, 0, 1), and hears from 0.2 to 12 m\n");
 }
 
-// A point 20 dB stronger is as bright, and as the noise is off all else is dark: the colour bar alone tells them apart.
+// A point 20 dB stronger is drawn equally bright, and all else is dark without noise: only the colour bar differs.
 TEST_F(CliTest, ColourBarsTellLevels) {
   folder.write("point.yaml", "sonars: [{max_range: 9}]\nreceiver: {noise: false}\npoints: [{position: [6, 0, 0]}]\n");
   ASSERT_EQ(shell("insonify run point.yaml -o weak -q --no-view").status, 0);
@@ -332,7 +332,7 @@ TEST_F(CliTest, ADumbTerminalGetsPlainLines) {
   EXPECT_THAT(outcome.out, Not(HasSubstr("\x1b")));
 }
 
-// ---------------------------------------------------------------- What goes wrong
+// ---------------------------------------------------------------- Errors
 
 struct Mistake {
   const char* name;
@@ -428,7 +428,7 @@ constexpr Mistake kMistakes[] = {
 INSTANTIATE_TEST_SUITE_P(All, MistakeTest, testing::ValuesIn(kMistakes),
                          [](const auto& mistake) { return std::string(mistake.param.name); });
 
-// The view shows the whole sector, from whichever edge the head sets out.
+// The view shows the whole sector, whichever edge the head starts from.
 TEST_F(CliTest, TheViewOfAScanIsThatOfItsSector) {
   const std::string sector = "insonify run scan.yaml -q --pings 1 --set sector_width_deg=90 --set sector_center_deg=30";
   EXPECT_EQ(shell(sector + " -o forth && " + sector + " -o back --set step_deg=-18").status, 0);
@@ -437,7 +437,7 @@ TEST_F(CliTest, TheViewOfAScanIsThatOfItsSector) {
   EXPECT_NE(shell("cmp -s forth/around_view.png aside/around_view.png").status, 0);
 }
 
-// ---------------------------------------------------------------- The other commands
+// ---------------------------------------------------------------- Other commands
 
 TEST_F(CliTest, VersionNamesTheEngines) {
   const Outcome outcome = shell("insonify version");

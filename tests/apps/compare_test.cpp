@@ -1,4 +1,4 @@
-// compare_test.cpp -- insonify compare as a user meets it: tables, JSON, choices and refusals.
+// compare_test.cpp -- insonify compare: tables, JSON, options and errors.
 
 #include <nlohmann/json.hpp>
 
@@ -15,7 +15,7 @@ using testing::ContainsRegex;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-// JSON holds every digit.
+// JSON has all digits.
 constexpr double kExact = 1e-12;
 
 std::vector<std::uint16_t> words_of(const GreyPicture& picture) {
@@ -109,7 +109,7 @@ TEST_F(CompareTest, TheTableTellsValuesMeaningsAndControls) {
   EXPECT_THAT(table, HasSubstr("\n* no worse than b.png: this number by itself says nothing for it.\n"));
 }
 
-// A picture of noise alone is worth no more than a flat grey one.
+// A picture of noise alone is no better a match than a flat grey one.
 TEST_F(CompareTest, ControlsThatAreNoWorseAreMarked) {
   write_picture("a.png", a);
   write_picture("b.png", changed(a, [](double, double random) { return random; }));
@@ -168,7 +168,7 @@ TEST_F(CompareTest, APictureStandsForEveryPing) {
 }
 
 TEST_F(CompareTest, PingsOfOneBeamAreComparedSideBySide) {
-  // The picture's columns as pings of one beam.
+  // The picture's columns as pings of a single beam.
   const auto scan_of = [](const GreyPicture& picture) {
     std::vector<GreyPicture> pings;
     for (int column = 0; column < picture.columns; ++column) {
@@ -202,7 +202,7 @@ TEST_F(CompareTest, OfAFolderTheSonarsRecordingIsTaken) {
 }
 
 TEST_F(CompareTest, IntensitiesCountAgainstFullScaleAndInDecibelsWhereAskedTo) {
-  // 1e-4 to 1 of 20: with a floor of -40 dB levels go from 0 to 1.
+  // Full scale 20, intensities 1e-4 to 1 of it: with a floor of -40 dB, levels range from 0 to 1.
   const auto loud = [](double value, double) { return 20 * std::pow(10, 4 * value - 4); };
   write_recording("a.h5", {changed(a, loud)});
   write_recording("b.h5", {changed(with_gain(a), loud)});
@@ -211,7 +211,8 @@ TEST_F(CompareTest, IntensitiesCountAgainstFullScaleAndInDecibelsWhereAskedTo) {
   EXPECT_NEAR(told.at("ssim").get<double>(), ssim(a, with_gain(a)), 1e-9);
 }
 
-// Raw intensities of the calibrated model count in decibels below the loudest of both, unless something else is asked.
+// Raw intensities of the calibrated model are compared in decibels below the largest of both, unless requested
+// otherwise.
 TEST_F(CompareTest, CalibratedRecordingsAreComparedInDecibelsBelowTheLoudest) {
   const auto quiet = [](double value, double) { return 1e-6 * std::pow(10, 5 * value - 5); };
   const auto louder = [](double value, double) { return 2e-6 * std::pow(10, 5 * value - 5); };
@@ -224,7 +225,7 @@ TEST_F(CompareTest, CalibratedRecordingsAreComparedInDecibelsBelowTheLoudest) {
   const json told = compared("a.h5 b.h5");
   EXPECT_EQ(told.at("levels").at("scale"), "db");
   EXPECT_NEAR(told.at("levels").at("full_scale").get<double>() / loudest, 1, 1e-6);  // Stored in single precision.
-  // 3.01 dB of 50 apart wherever neither is below the floor.
+  // Where neither is below the floor they differ by 3.01 dB of 50.
   EXPECT_NEAR(std::sqrt(told.at("mse").get<double>()), 10 * std::log10(2) / 50, 2e-4);
   EXPECT_EQ(compared("a.h5 b.h5 --scale linear").at("levels").at("scale"), "linear");
   EXPECT_EQ(compared("a.h5 b.h5 --full-scale 1e-5").at("levels").at("full_scale"), 1e-5);
@@ -241,7 +242,7 @@ TEST_F(CompareTest, TheRunOfAScenarioIsLikeItselfAndLessLikeAnotherNoise) {
   EXPECT_THAT(outcome.out, HasSubstr("one/ahead.h5 and two/ahead.h5, sonar ahead: 3 pings of 16 columns x 40 rows"));
 }
 
-// ---------------------------------------------------------------- What is refused
+// ---------------------------------------------------------------- Errors
 
 struct Refusal {
   const char* name;

@@ -1,4 +1,5 @@
-// Every engine against the oracle, which tries every ray against every triangle: on random scenes.
+// agreement_test.cpp -- every engine against the oracle, which tests every ray against every triangle, on random
+// scenes.
 
 #include <algorithm>
 #include <array>
@@ -15,9 +16,9 @@ using namespace testing_scenes;
 // bins.
 constexpr double kEnergyTolerance = 1e-4;
 
-// The same for each path order. Orders 2 and 3 may differ more: footprints of paths by way of a mirror are computed
-// from differences of ranges, of which single precision leaves four digits, and levels change steeply within specular
-// lobes and near foci.
+// The same per path order. Orders 2 and 3 may differ more: footprints of reflected paths are computed from differences
+// of ranges, of which single precision leaves four digits, and levels change steeply within specular lobes and near
+// foci.
 constexpr double kOrderTolerances[] = {kEnergyTolerance, 5 * kEnergyTolerance, 50 * kEnergyTolerance};
 
 // Sum |a - b| / sum a over all path orders together.
@@ -37,8 +38,8 @@ void expect_agreement(const EchoGrid& a, const EchoGrid& b, int seed) {
   }
 }
 
-// Labels are the same but in cells whose two strongest surfaces have nearly the same energy, whichever order echoes
-// come in.
+// Labels must agree except in cells whose two strongest surfaces have nearly the same energy; the order of summation
+// decides there.
 void expect_same_labels(const EchoGrid& a, const EchoGrid& b, int seed) {
   constexpr double kOtherLabels = 1e-3;  // Share of the cells: single precision moves echoes between neighbouring bins.
   constexpr float kLead = 0.9F;          // The second strongest has at most this share of the strongest.
@@ -58,10 +59,10 @@ void expect_same_labels(const EchoGrid& a, const EchoGrid& b, int seed) {
   EXPECT_LE(others, kOtherLabels * compared + 1) << "seed " << seed;
 }
 
-// At most this share of the samples may hit another surface: rays through a shared edge, where either is right.
+// At most this fraction of the samples may hit another surface: for rays through a shared edge either is right.
 constexpr double kOtherSurface = 1e-5;
 
-// Rays of the lattice through Engine::trace, to compare hit by hit.
+// Traces the rays of the lattice by Engine::trace, to compare hit by hit.
 std::vector<Ray> lattice_rays(const RandomScene& random) {
   std::vector<Ray> rays;
   for (int column = 0; column < random.sonar.beam_count * random.sonar.sampling.columns_per_beam; ++column) {
@@ -157,7 +158,7 @@ TEST_P(EngineAgreementTest, MovesInstancesAsTheReferenceDoes) {
   }
 }
 
-// Fills the stack memory below this frame with ones, which the next function called finds in its uninitialised memory.
+// Fills the stack below this frame with ones, which the next function called then finds in its uninitialised memory.
 [[gnu::noinline]] void fill_stack() {
   std::array<volatile unsigned char, 200'000> bytes;
   for (volatile unsigned char& byte : bytes) {
@@ -165,7 +166,8 @@ TEST_P(EngineAgreementTest, MovesInstancesAsTheReferenceDoes) {
   }
 }
 
-// See CpuScene::occlude(): with coherent packets this never returned, where Embree uses AVX-512 and is compiled so.
+// See CpuScene::occlude(): with coherent packets this call never returned where Embree is compiled for and uses
+// AVX-512.
 TEST(CpuEngineTest, ReturnLegsAmongMovingInstancesEndWhateverTheStackHolds) {
   const RandomScene random(4);
   ASSERT_TRUE(std::ranges::any_of(random.scene.instances, &Instance::moving));
@@ -237,7 +239,8 @@ TEST(RasterAgreementTest, AutoRasterisesFewTrianglesAndTracesMany) {
   EXPECT_EQ(chosen(sonar, 120, 256, 20'000), PrimaryEchoes::kRaster);
   EXPECT_EQ(chosen(sonar, 120, 256, 100'000), PrimaryEchoes::kRays);
   EXPECT_EQ(chosen(sonar, 120, 16, 20'000), PrimaryEchoes::kRays);  // Fewer samples.
-  EXPECT_EQ(chosen(sonar, 3, 1, 1'000), PrimaryEchoes::kRaster);    // A narrow beam culls nearly all.
+  EXPECT_EQ(chosen(sonar, 3, 1, 1'000),
+            PrimaryEchoes::kRaster);  // Nearly everything is outside a narrow beam and is culled.
   EXPECT_EQ(chosen(sonar, 120, 1, 1'000), PrimaryEchoes::kRays);
   EXPECT_EQ(primary_echoes(PrimaryEchoes::kAuto, sonar, 10, false), PrimaryEchoes::kRays);
   EXPECT_EQ(primary_echoes(PrimaryEchoes::kRaster, sonar, 100'000'000, true), PrimaryEchoes::kRaster);

@@ -9,7 +9,7 @@ namespace {
 
 using namespace testing_scenes;
 
-// Where surfaces are received does not depend on the model; in the calibrated one they scatter after Lambert's law.
+// Positions of echoes do not depend on the model; in the calibrated one these surfaces scatter by Lambert's law.
 class EngineGeometryTest : public testing::TestWithParam<EngineAndModel> {
  protected:
   EchoGrid echoes(const Scene& scene, const SonarConfig& sonar, const Pose& pose = {},
@@ -107,9 +107,8 @@ TEST_P(EngineGeometryTest, ShadowReachesToWhereTheRayOverThePlateMeetsTheBed) {
       SceneMaker().add_floor(-3).add("plate", make_box({0.01, 4, 1}), {.position = {10.005, 0, -2.5}});
   const EchoGrid grid = echoes(maker.scene(), sonar);
   const auto energy = grid.energy(1, 0);
-  // From the plate's foot to the end of the shadow, less one bin and the curvature over the beam's width (r (1/cos 1
-  // deg
-  // - 1) = 2 mm).
+  // From the plate's foot to the end of the shadow, less one bin and the curvature over the beam's width (r (1 / cos 1
+  // deg - 1) = 2 mm).
   const int dark_from = static_cast<int>(10.4403 / sonar.bin_length()) + 2;
   const int dark_to = static_cast<int>(15.2971 / sonar.bin_length()) - 1;
   for (int bin = dark_from; bin <= dark_to; ++bin) {
@@ -260,7 +259,7 @@ TEST_P(EngineGeometryTest, EmptyWaterGivesNothing) {
   EXPECT_EQ(grid.label(3, 10).instance, kNoLabel);
 }
 
-// Every part of the aperture is deposited once: the weights of a wall that fills it sum to the aperture's solid angle,
+// Every part of the aperture is deposited exactly once: the weights of a wall that fills it sum to its solid angle,
 // azimuth aperture x 2 sin(half the elevation aperture).
 TEST_P(EngineGeometryTest, WeightsAddUpToTheSolidAngle) {
   const SonarConfig sonar = wall_sonar();

@@ -1,4 +1,4 @@
-// Engines describe themselves: what all of them promise, whichever they are.
+// engine_kind_test.cpp -- properties that every engine reports and must satisfy.
 
 #include <set>
 
@@ -33,7 +33,7 @@ TEST(EngineKindTest, UnknownEnginesAndThreadsAreRefused) {
   EXPECT_EQ(message_of("cpu", 1025), "threads = 1025 must be from 0 to 1024");
 }
 
-// An engine that cannot draw traces its primaries, whatever is asked for.
+// An engine without a rasteriser traces its primary rays, whatever is requested.
 TEST(EngineKindTest, EnginesDrawPrimariesIfTheySaySo) {
   const RandomScene random(1);
   for (const std::string_view name : engine_names()) {

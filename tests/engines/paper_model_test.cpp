@@ -47,7 +47,7 @@ struct ThinBeam {
                 .secondary = SecondaryEchoes::kNone};
   }
 
-  // Mean strength over all that is received.
+  // Mean strength of all samples received.
   [[nodiscard]] double strength(const std::string& engine, const Scene& scene, int order = 1) const {
     const EchoGrid grid = echoes_of(engine, scene, settings);
     double weight = 0;

@@ -1,4 +1,4 @@
-// bad_input_test.cpp -- texts, keys and settings that make no scenario: told in one line, with what would be right.
+// bad_input_test.cpp -- one-line errors for invalid texts, keys and settings of a scenario, with what would be valid.
 
 #include "io/bad_scenario.h"
 
@@ -12,7 +12,7 @@ TEST_P(BadInputTest, IsToldInOneLine) {
 }
 
 const BadScenario kCases[] = {
-    // The text itself.
+    // Text.
     {"EmptyFile", "", "scenario.yaml: the file is empty"},
     {"OnlyComments", "# nothing yet\n",
      "scenario.yaml:1:1: the file is empty; a scenario names a world and its sonars"},
@@ -82,7 +82,7 @@ const BadScenario kCases[] = {
      "2, position: [200, 0, 0]}\nsonars: [{name: fls}]\n",
      "scenario.yaml:6:5: trajectory[2] comes to 150 m/s from the one before; with motion_in_ping at most 100 m/s"},
 
-    // What must be there.
+    // Required values.
     {"NoWorld", "seed: 3\nsonars: [{name: fls}]\n",
      "scenario.yaml:1:1: world is missing: the SDF file or mesh to insonify"},
     {"NoWorldAndNoPoints", "points: []\nsurface: null\nsonars: [{name: fls}]\n",
@@ -99,7 +99,7 @@ const BadScenario kCases[] = {
     {"SonarIsAWord", "world: floor.obj\nsonars: [tritech-gemini-720i]\n",
      "scenario.yaml:2:10: sonars[0] = \"tritech-gemini-720i\" must be a map of keys such as preset and max_range"},
 
-    // Settings of the command line.
+    // Settings on the command line.
     {"SettingWithoutValue", kGoodScenario, "--set pings: must be key=value, such as pings=3", {"pings"}},
     {"SettingWithoutKey", kGoodScenario, "--set =3: must be key=value, such as pings=3", {"=3"}},
     {"SettingOfNothing",

@@ -1,4 +1,4 @@
-// bad_scenario.h -- scenarios with a fault, and the one line that tells it.
+// bad_scenario.h -- invalid scenarios and their one-line errors.
 
 #pragma once
 
@@ -26,7 +26,7 @@ inline void PrintTo(const BadScenario& bad, std::ostream* out) {
   *out << bad.name;
 }
 
-// A scenario without a fault, for settings to put one in.
+// A valid scenario, to which settings add an error.
 constexpr const char* kGoodScenario =
     "world: floor.obj\nsonars:\n  - name: fls\n  - name: dst\n    preset: tritech-micron-dst\n";
 

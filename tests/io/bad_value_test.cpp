@@ -1,4 +1,4 @@
-// bad_value_test.cpp -- values of a scenario that cannot be: types, words, limits, and rules between values.
+// bad_value_test.cpp -- invalid values of a scenario: types, words, limits, and rules between values.
 
 #include "io/bad_scenario.h"
 

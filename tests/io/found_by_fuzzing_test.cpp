@@ -1,4 +1,4 @@
-// found_by_fuzzing_test.cpp -- inputs that once crashed a reader, or kept it busy for ever, are taken or refused.
+// found_by_fuzzing_test.cpp -- inputs that once crashed or hung a reader are now read or refused.
 
 #include <gtest/gtest.h>
 
@@ -17,7 +17,7 @@ std::string bytes_of(const std::filesystem::path& path) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-// As the fuzzer of that name does it, see tests/fuzz.
+// Does what the fuzzer of that name does, see tests/fuzz.
 void read(const std::string& fuzzer, const std::string& bytes, const WorkingFolder& folder) {
   static constexpr const char* kMeshes[] = {"m.obj", "m.stl", "m.dae", "m.ply", "m.gltf", "m.glb"};
   folder.write("world.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");

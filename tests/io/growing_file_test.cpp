@@ -1,5 +1,5 @@
-// growing_file_test.cpp -- a growing file is whole at every moment: when its writer is killed, when the disk is full,
-// when it takes the place of another.
+// growing_file_test.cpp -- a growing file is valid at every moment: when its writer is killed, when the disk is full,
+// when it replaces another.
 
 #include "io/recording/growing_file.h"
 
@@ -24,7 +24,7 @@
 namespace insonify {
 namespace {
 
-// A ping of 30 x 40 cells. Every value tells the row and the cell it belongs to.
+// A ping of 30 x 40 cells. Every value encodes its row and its cell.
 constexpr std::size_t kCells = 30 * 40;
 
 struct Row {
@@ -67,7 +67,7 @@ void record(const std::filesystem::path& path, std::uint64_t rows, Kind kind = K
   file.close();
 }
 
-// Adds a row to all datasets as any program would that uses HDF5.
+// Adds a row to all datasets through HDF5, as any other program would.
 void append_by_hdf5(hid_t file, const Row& row, hsize_t number) {
   const auto append = [&](const char* name, hid_t type, std::vector<hsize_t> shape, const void* values) {
     const H5Handle data(H5Dopen2(file, name, H5P_DEFAULT), H5Dclose);
@@ -86,15 +86,14 @@ void append_by_hdf5(hid_t file, const Row& row, hsize_t number) {
   append("time", H5T_NATIVE_DOUBLE, {}, &row.time);
 }
 
-// Opens the file as anyone would and returns how many rows it has, having looked at the first, the last and one
-// between.
+// Opens the file through HDF5 and returns its number of rows. Checks the first, the last and one between.
 std::uint64_t whole_rows(const std::filesystem::path& path, Kind kind = Kind::kPlain) {
   const H5Reader file(path);
   const std::uint64_t count = file.shape("time").at(0);
   EXPECT_EQ(file.shape("words"), (std::vector<hsize_t>{count, 30, 40}));
   EXPECT_EQ(file.shape("labels"), (std::vector<hsize_t>{count, 30, 40}));
   EXPECT_TRUE(file.has("aside"));
-  // No more than HDF5 itself would have given that many rows. Ascending numbers, shuffled, are nearly nothing.
+  // No larger than a file written by HDF5 itself. Shuffled ascending numbers compress to almost nothing.
   const hsize_t all = count * 4 * kCells;
   EXPECT_EQ(file.storage("words"), kind == Kind::kPlain ? all : std::min(all, file.storage("words")));
   EXPECT_TRUE(kind == Kind::kPlain || file.storage("words") <= all / 2);
@@ -162,7 +161,7 @@ TEST(GrowingFileTest, HoldsThousandsOfRows) {
   }
 }
 
-// What cannot be made smaller is kept as it is.
+// Incompressible rows are stored as they are.
 TEST(GrowingFileTest, HoldsNoiseUncompressed) {
   const auto path = scratch("noise");
   std::mt19937 random(1);
@@ -213,8 +212,8 @@ TEST(GrowingFileTest, CanBeCopiedByHdf5) {
   }
 }
 
-// Beside the rows there are some 70 kB that HDF5 made, an index of a hundred bytes a chunk and the node that is being
-// filled, and the rest of the last 4096 bytes of times.
+// Beside the rows there are about 70 kB made by HDF5, an index of a hundred bytes per chunk, the index node being
+// filled, and the unused rest of the last 4096-byte block of times.
 TEST(GrowingFileTest, IsAsLargeAsTheRowsItHolds) {
   const auto path = scratch("size");
   GrowingFile file = make_file(path);
@@ -232,7 +231,7 @@ TEST(GrowingFileTest, IsAsLargeAsTheRowsItHolds) {
   EXPECT_LT(std::filesystem::file_size(path), most(300));
 }
 
-// It was opened before the rows came that its dataset is then found to have.
+// The reader opened the file before the rows were added that it then finds in its dataset.
 TEST(GrowingFileTest, CanBeReadByOneThatOpenedItARowAgo) {
   const auto path = scratch("live");
   GrowingFile file = make_file(path);
@@ -245,12 +244,12 @@ TEST(GrowingFileTest, CanBeReadByOneThatOpenedItARowAgo) {
 
 // ---- Killed --------------------------------------------------------------------------------------------------------
 
-// What a writer tells while it lives; in memory shared with it.
+// Progress of a writer process, in memory shared with it.
 struct Progress {
   std::atomic<std::uint64_t> started{0}, added{0};
 };
 
-// Runs a writer in a process of its own, and kills it after some microseconds once it has begun a number of rows.
+// Runs a writer in a process of its own, and kills it some microseconds after it has begun a given number of rows.
 template <typename Write>
 void write_and_kill(Progress& progress, std::uint64_t rows_before, useconds_t moment, const Write& write) {
   const pid_t writer = fork();
@@ -293,7 +292,8 @@ TEST_P(KilledTest, FileIsWholeWheneverItsWriterIsKilled) {
   for (int kill_number = 0; kill_number < kKills; ++kill_number) {
     const auto path = scratch(folder);
     progress_->started = progress_->added = 0;
-    const std::uint64_t rows_before = random() % 8 == 0 ? 0 : random() % 200;  // Some die while the file is being made.
+    const std::uint64_t rows_before =
+        random() % 8 == 0 ? 0 : random() % 200;  // Some writers die while the file is being created.
     const auto moment = static_cast<useconds_t>(random() % 2000);
     write_and_kill(*progress_, rows_before, moment, [&] {
       GrowingFile file = make_file(path, GetParam());
@@ -311,7 +311,7 @@ TEST_P(KilledTest, FileIsWholeWheneverItsWriterIsKilled) {
       const std::uint64_t rows = whole_rows(path, GetParam());
       EXPECT_GE(rows, progress_->added);
       EXPECT_LE(rows, progress_->started);
-      // No larger than what it holds, and the hole at its end.
+      // No larger than its contents and the hole at its end.
       EXPECT_LT(std::filesystem::file_size(path), 300'000 + (rows + 1) * (7208 + 2 * 2 * 64));
       ++killed_while_recording;
     }
@@ -320,7 +320,7 @@ TEST_P(KilledTest, FileIsWholeWheneverItsWriterIsKilled) {
   EXPECT_GT(killed_while_recording, kKills / 2);
 }
 
-// What was there before stays; what was added lies beside it.
+// An existing file stays; new rows are in a file beside it.
 TEST_P(KilledTest, EarlierFileStaysWheneverTheWriterOfTheNextIsKilled) {
   const std::string folder = GetParam() == Kind::kPlain ? "killed_over" : "killed_over_compressed";
   std::mt19937 random(8);
@@ -346,8 +346,8 @@ TEST_P(KilledTest, EarlierFileStaysWheneverTheWriterOfTheNextIsKilled) {
   }
 }
 
-// Recordings of a few rows one after the other: some are killed while the last one is being closed. Each replaces the
-// one before it, or takes a free place and is there while it grows.
+// Consecutive recordings of a few rows, some killed while the last one is being closed. Each replaces the one before,
+// or takes a free path and is readable there while it grows.
 TEST_P(KilledTest, FileIsWholeWhileItIsBeingClosed) {
   constexpr int kKills = 40;
   const auto path = scratch(GetParam() == Kind::kPlain ? "closing" : "closing_compressed");
@@ -404,7 +404,7 @@ TEST(GrowingFileTest, SaysWhenAFileMayNotGrowAndKeepsWhatWasWritten) {
                            ": File too large; those before it stay readable");
     EXPECT_EQ(whole_rows(path, kind), added);
     EXPECT_LE(std::filesystem::file_size(path), empty + 60'000);
-    // With room again it goes on where it stopped.
+    // Once there is room again it continues where it stopped.
     for (int more = 0; more < 100; ++more, ++added) {
       Row(added).append_to(file);
     }
@@ -462,7 +462,7 @@ TEST(GrowingFileTest, SaysWhenThereIsNoSpaceForAnEmptyFile) {
   }
 }
 
-// ---- Made, or not --------------------------------------------------------------------------------------------------
+// ---- Created or refused --------------------------------------------------------------------------------------------
 
 std::vector<std::string> files_beside(const std::filesystem::path& path) {
   std::vector<std::string> names;

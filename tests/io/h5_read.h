@@ -1,4 +1,4 @@
-// h5_read.h -- reads HDF5 files back in tests, through HDF5 itself.
+// h5_read.h -- reads HDF5 files in tests, through HDF5 itself.
 
 #pragma once
 
@@ -29,7 +29,7 @@ class H5Reader {
     return lengths;
   }
 
-  /// Bytes of data as they are stored.
+  /// Stored size of a dataset [bytes].
   [[nodiscard]] hsize_t storage(const std::string& name) const { return H5Dget_storage_size(dataset(name).get()); }
 
   template <typename Value>

@@ -1,4 +1,4 @@
-// hdf5_test.cpp -- HDF5 failures arrive as one-line Errors, and handles close what they own.
+// hdf5_test.cpp -- HDF5 failures become one-line Errors, and handles close what they own.
 
 #include "io/file/hdf5.h"
 

@@ -1,4 +1,4 @@
-// hostile_text_test.cpp -- text from files enters messages escaped and shortened, whatever it holds.
+// hostile_text_test.cpp -- text from files is escaped and shortened in messages, whatever it contains.
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -18,14 +18,14 @@ struct HostileCase {
   const char* name;
   const char* file;
   std::string text;     // TEXT stands for the hostile text.
-  std::string message;  // The same; what is in braces is shortened.
+  std::string message;  // Likewise; the part in braces is shortened.
 };
 
 void PrintTo(const HostileCase& one, std::ostream* out) {
   *out << one.name;
 }
 
-// Clears the screen, rings the bell, writes from right to left; the last two characters are readable.
+// Clears the screen, rings the bell and reverses the writing direction; the last two characters are printable.
 const std::string kControls = "\x1b[2J\x07\u202e水ü";
 // Keys of YAML may have 1024 bytes.
 const std::string kLong = "b" + std::string(900, 'x') + "e";
@@ -37,8 +37,8 @@ std::string with_text(std::string pattern, const std::string& text) {
   return pattern;
 }
 
-// The message for a hostile text: what stands in braces is shown as printable() shows it, scoped names with their
-// limit.
+// Expected message for a hostile text: the part in braces is shown as printable() shows it, with the length limit of
+// scoped names.
 std::string message_with(const std::string& pattern, const std::string& text) {
   std::string message;
   for (std::size_t at = 0; at < pattern.size();) {
@@ -55,7 +55,7 @@ std::string message_with(const std::string& pattern, const std::string& text) {
   return message;
 }
 
-// Text in a YAML file: between double quotes, with its escapes.
+// Text in a YAML file: double-quoted, with escapes.
 std::string in_yaml(const std::string& text) {
   const std::string quoted = nlohmann::json(text).dump(-1, ' ', true);
   return quoted.substr(1, quoted.size() - 2);
@@ -69,7 +69,7 @@ const std::string kTriangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
 
 class HostileTextTest : public testing::TestWithParam<HostileCase> {
  protected:
-  // The error or, where there is none, the last message of the log.
+  // The error or, if there is none, the last message of the log.
   std::string message(const std::string& hostile) const {
     const std::filesystem::path file = GetParam().file;
     std::string logged;

@@ -1,4 +1,4 @@
-// load_bag_grid_test.cpp -- heights from BAGs, turned to have the north-west corner first, in metres.
+// load_bag_grid_test.cpp -- heights from BAG files, reordered to have the north-west corner first, in metres.
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -17,14 +17,14 @@ using testing::ElementsAre;
 using testing::IsEmpty;
 using testing::IsNan;
 
-// What varies between the BAGs of the tests; the heights are 2 rows x 3 columns, the southern row first.
+// Parameters of the tests' BAG files; the heights are 2 rows x 3 columns, the southern row first.
 struct Bag {
   std::string row = "4", column = "2";  // Resolution.
   std::string corners = "500000,6000000 500004,6000004";
   std::string reference = "<code>UTM</code>";
   std::string unit = "m";
   std::vector<float> heights{-1, -2, -3, -4, 1e6F, -6};
-  bool varies = false;  // In resolution.
+  bool varies = false;  // Variable resolution.
 };
 
 std::string bag_xml(const Bag& bag) {
@@ -78,7 +78,7 @@ TEST(BagGridTest, TurnsTheNorthernRowFirst) {
   EXPECT_THAT(loaded.grid.heights, ElementsAre(-4, IsNan(), -6, -1, -2, -3));
 }
 
-// An odd number of rows has a middle one, which stays.
+// With an odd number of rows, the middle one stays.
 TEST(BagGridTest, TurnsAnOddNumberOfRows) {
   const ScratchFolder folder;
   const HeightGrid grid = load_height_grid(write_bag(folder, {.heights = {1, 1, 1, 2, 2, 2, 3, 3, 3}}));

@@ -22,7 +22,7 @@ using testing::IsNan;
 
 struct Picture {
   int width, height, bits, type;
-  std::vector<std::vector<png_byte>> rows;  // As PNG packs them; 16 bits high byte first.
+  std::vector<std::vector<png_byte>> rows;  // Packed as in PNG; 16-bit samples have the high byte first.
 };
 
 std::filesystem::path write_picture(const ScratchFolder& folder, const Picture& picture,
@@ -38,7 +38,7 @@ std::filesystem::path write_picture(const ScratchFolder& folder, const Picture& 
   if (picture.type == PNG_COLOR_TYPE_PALETTE) {
     png_set_PLTE(png, info, palette, 2);
   }
-  png_set_gAMA(png, info, 0.45455);  // Says how to show it; heights must not care.
+  png_set_gAMA(png, info, 0.45455);  // A display hint that heights must ignore.
   std::vector<png_bytep> rows;
   for (const auto& row : picture.rows) {
     rows.push_back(const_cast<png_bytep>(row.data()));
@@ -130,8 +130,8 @@ TEST(AscGridTest, RunsFromTheNorthWestCorner) {
   EXPECT_THAT(grid.heights, ElementsAre(-1, -2, -3.5F, -4, IsNan(), 6));
 }
 
-// Lower left by the middle of its cell, two spacings, any case and order, Windows line ends, a byte-order mark, heights
-// wrapped elsewhere than at the ends of rows, and no data where the header says nothing of it.
+// Lower left corner given by the centre of its cell, two spacings, any case and order, Windows line ends, a byte-order
+// mark, line breaks within rows, and missing data although the header defines no value for it.
 TEST(AscGridTest, HeadersOfAllKindsAreRead) {
   const ScratchFolder folder;
   const HeightGrid grid = load_height_grid(

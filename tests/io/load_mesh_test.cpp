@@ -27,7 +27,7 @@ void PrintTo(const Format& format, std::ostream* out) {
   *out << format.name;
 }
 
-// As some editors put it before UTF-8.
+// Byte-order mark that some editors write before UTF-8.
 const std::string kByteOrderMark = "\xef\xbb\xbf";
 
 class MeshFormatTest : public testing::TestWithParam<Format> {};
@@ -213,11 +213,11 @@ TEST(SubmeshTest, UnknownNamesAreAnsweredWithTheKnown) {
 
 // ---------------------------------------------------------------------------------------------------------------------
 
-// Sizes as the files' publishers give them, or as their raw coordinates times the matrices of their nodes.
+// Sizes as the files' publishers state them, or raw coordinates times the matrices of their nodes.
 struct RealMesh {
   std::string file;
   Vec3 size;
-  std::size_t triangles;  // That the file holds.
+  std::size_t triangles;  // In the file.
   std::size_t dropped;
 };
 
@@ -244,7 +244,7 @@ TEST(RealMeshTest, HasItsKnownSize) {
     EXPECT_LT((box.high - box.low - real.size).cwiseAbs().maxCoeff(), 0.005) << real.file;
     EXPECT_EQ(mesh.triangles.size(), real.triangles - real.dropped) << real.file;
     EXPECT_LT(normal_length_error(mesh), kFloat) << real.file;
-    // As clean_mesh promises: no shading normal leans to the far side of its triangle by more than rounding.
+    // As clean_mesh promises: no shading normal is on the back of its triangle, except for rounding.
     EXPECT_GT(least_agreement(mesh), -0.002) << real.file;
   }
 }

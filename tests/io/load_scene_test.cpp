@@ -1,4 +1,4 @@
-// load_scene_test.cpp -- a world is read as what its ending says.
+// load_scene_test.cpp -- the file extension determines how a world is read.
 
 #include "io/sdf_files.h"
 

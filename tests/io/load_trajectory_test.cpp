@@ -1,4 +1,4 @@
-// load_trajectory_test.cpp -- waypoints from CSV and TUM files, and what is said of files that are wrong.
+// load_trajectory_test.cpp -- waypoints from CSV and TUM files, and errors about invalid files.
 
 #include <gtest/gtest.h>
 
@@ -45,7 +45,7 @@ TEST_F(LoadTrajectoryTest, WithoutAnglesItIsLevelAndLooksAlongX) {
   EXPECT_EQ(load("time,x,y,z\n0,1,2,3\n")[0].orientation, Vec3(0, 0, 0));
 }
 
-// A quarter turn to port: half of it has a cosine and a sine of 0.70711. TUM has the scalar last.
+// A quarter turn to port: cosine and sine of half of it are 0.70711. TUM has the scalar last.
 TEST_F(LoadTrajectoryTest, CsvAndTumAgreeOnQuaternions) {
   const Vec3 csv = load(kHeader + "0,0,0,0,0.70711,0,0,0.70711\n")[0].orientation;
   const Vec3 tum = load("# time x y z qx qy qz qw\n0 0 0 0  0 0\t0.70711 0.70711\n", "t.tum")[0].orientation;

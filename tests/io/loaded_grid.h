@@ -1,4 +1,4 @@
-// loaded_grid.h -- a height grid as tests load it, with what was said about it.
+// loaded_grid.h -- loads a height grid and its log messages for tests.
 
 #pragma once
 
@@ -11,7 +11,7 @@
 
 namespace insonify {
 
-/// A grid and what was said about its file.
+/// A grid and the messages logged about its file.
 struct Loaded {
   HeightGrid grid;
   std::vector<std::string> notes;
@@ -25,7 +25,7 @@ inline Loaded load(const std::filesystem::path& path) {
   return loaded;
 }
 
-/// Lowest and highest height, and how many there are.
+/// Lowest and highest height, and number of heights.
 struct Extent {
   float low = INFINITY, high = -INFINITY;
   std::size_t count = 0;

@@ -1,4 +1,4 @@
-// loaded_mesh.h -- a mesh file as tests load it, with what was said about it.
+// loaded_mesh.h -- loads a mesh file and its log messages for tests.
 
 #pragma once
 
@@ -13,10 +13,10 @@
 
 namespace insonify {
 
-/// Rounding of floats in sums and products of a few of them.
+/// Rounding error of sums and products of a few floats.
 inline constexpr double kFloat = 1e-5;
 
-/// A mesh and what was said about its file.
+/// A mesh and the messages logged about its file.
 struct Loaded {
   Mesh mesh;
   std::vector<std::string> notes;

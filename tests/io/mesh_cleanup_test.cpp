@@ -1,4 +1,4 @@
-// mesh_cleanup_test.cpp -- normals, polygons and numbers of mesh files, and warnings about what is dropped.
+// mesh_cleanup_test.cpp -- normals, polygons and numbers of mesh files, and warnings about dropped parts.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -42,7 +42,7 @@ TEST(MeshCleanupTest, ARoundShapeWithoutNormalsIsSmooth) {
     const Mesh mesh = load_mesh(path);
     EXPECT_EQ(mesh.vertices.size(), sphere.vertices.size()) << path;
     for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
-      // The mean of the faces round a vertex errs by much less than the 0.2 rad between faces.
+      // The mean of the normals around a vertex errs by much less than the 0.2 rad between faces.
       ASSERT_GT(mesh.normals[i].dot(mesh.vertices[i].normalized()), std::cos(0.05)) << path;
     }
   }
@@ -57,7 +57,7 @@ TEST(MeshCleanupTest, NormalsOfTheFileAreKept) {
   EXPECT_LT((mesh.normals[1] - Vec3f(0, 0, 1)).norm(), kFloat);
 }
 
-// STL stores one normal a triangle and it is often wrong; here it points sideways.
+// STL stores one normal per triangle, which is often wrong; here it points sideways.
 TEST(MeshCleanupTest, NormalsOfStlAreNot) {
   std::string text = binary_stl({{Vec3f(0, 0, 0), Vec3f(1, 0, 0), Vec3f(0, 1, 0)}});
   text.replace(84, 4, bytes_of(1.0F));
@@ -68,7 +68,7 @@ TEST(MeshCleanupTest, NormalsOfStlAreNot) {
 
 TEST(MeshCleanupTest, PolygonsAreCutIntoTriangles) {
   const ScratchFolder folder;
-  // An L: the square of side 2 without its quarter, 3 m^2; its second corner is concave.
+  // An L: a square of side 2 less a quarter, 3 m^2; its second corner is concave.
   const Mesh mesh =
       load_mesh(folder.write("a.obj", "v 0 0 0\nv 2 0 0\nv 2 1 0\nv 1 1 0\nv 1 2 0\nv 0 2 0\nf 1 2 3 4 5 6\n"));
   EXPECT_EQ(mesh.triangles.size(), 4U);
@@ -115,7 +115,7 @@ TEST(MeshCleanupTest, CornersThatDoNotExistAreDropped) {
   EXPECT_THAT(loaded.notes, ElementsAre("warning: a.ply: 1 of 2 triangles dropped (1 with corners that do not exist)"));
 }
 
-// 2^23 m away a float resolves 1 m.
+// At 2^23 m a float resolves 1 m.
 TEST(MeshCleanupTest, WarnsOfCoordinatesTooFarForTheirDetail) {
   const ScratchFolder folder;
   const Loaded loaded = load(folder.write("a.obj", "v 8388608 0 0\nv 8388618 0 0\nv 8388608 5 0\nf 1 2 3\n"));

@@ -1,4 +1,4 @@
-// mesh_error_test.cpp -- errors about mesh files name the place and the reason.
+// mesh_error_test.cpp -- errors about mesh files contain position and reason.
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -95,7 +95,7 @@ std::string repeated(const std::string& text, int count) {
   return result;
 }
 
-// A recursive parser overflows the stack on them.
+// Nesting on which a recursive parser overflows its stack.
 TEST(LoadMeshErrorTest, TellsWhatIsNestedTooDeeply) {
   constexpr int kLevels = 200'000;
   const std::string lists = "{\"extras\":\n" + repeated("[", kLevels) + repeated("]", kLevels) + "}";
@@ -143,7 +143,8 @@ TEST(LoadMeshErrorTest, BracketsInTextAreNoNesting) {
 }
 
 TEST(LoadMeshErrorTest, CountsThatTheFileCannotHoldAreTold) {
-  const std::string body = "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";  // As binary numbers two vertices of 12 bytes and 2 more.
+  const std::string body =
+      "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";  // Read as binary numbers: two vertices of 12 bytes and 2 more bytes.
   const auto ply = [](std::uint64_t vertices, std::uint64_t faces, const std::string& format) {
     return ply_header(format, vertices, faces);
   };
@@ -192,12 +193,12 @@ std::string triangles_of(const std::string& name, const std::string& text) {
   }
 }
 
-// A disk that was full, a download that broke off. The end of a text may lack what does not matter: a line break, the
-// last word's last digits.
+// Truncated files, as from a full disk or an interrupted download. At the end of a text, a line break or the last
+// digits of the last word may be missing without an error.
 TEST(LoadMeshErrorTest, NoPartIsTakenForTheWhole) {
   struct Whole {
     std::string name, text;
-    std::size_t spare;  // Unused bytes at the end.
+    std::size_t spare;  // Unneeded bytes at the end.
   };
   const std::vector<Whole> files{{"a.stl", ascii_stl_text(), std::string(" corner\n").size()},
                                  {"a.stl", binary_stl_text(), 0},
@@ -206,7 +207,7 @@ TEST(LoadMeshErrorTest, NoPartIsTakenForTheWhole) {
                                  {"a.dae", dae_text(), 0},
                                  {"a.glb", glb_text(), 0}};
   for (const Whole& file : files) {
-    // Each length near the end, where most is there, and some of the others.
+    // All lengths near the end, where most errors are possible, and some others.
     for (std::size_t size = 0; size < file.text.size() - file.spare; size += size + 70 < file.text.size() ? 31 : 1) {
       ASSERT_EQ(triangles_of(file.name, file.text.substr(0, size)), "refused") << file.name << ", " << size << " bytes";
     }

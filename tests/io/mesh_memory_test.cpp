@@ -1,4 +1,4 @@
-// mesh_memory_test.cpp -- the error about a mesh that is too big for the memory names its file.
+// mesh_memory_test.cpp -- the error about a mesh too large for the memory contains its path.
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 #include "support/message_of.h"
 
 namespace {
-// What this program may allocate at once [bytes].
+// Largest single allocation of this program [bytes].
 std::size_t largest = std::numeric_limits<std::size_t>::max();
 }  // namespace
 
@@ -44,8 +44,8 @@ std::size_t largest = std::numeric_limits<std::size_t>::max();
 namespace insonify {
 namespace {
 
-// The first million bytes fail in assimp, which has 12 for each of 100 000 vertices, or in what goes before and after
-// it.
+// Limits up to a million bytes fail in assimp, which needs 12 for each of 100 000 vertices, or in the steps before and
+// after it.
 TEST(MeshMemoryTest, TellsTheFileThatIsTooBig) {
   const ScratchFolder folder;
   std::vector<Vec3f> vertices(100'000, Vec3f::Zero());

@@ -1,4 +1,4 @@
-// mesh_texts.h -- small mesh files, written out by hand in each format.
+// mesh_texts.h -- small mesh files in each format.
 
 #pragma once
 
@@ -10,8 +10,8 @@
 
 namespace insonify {
 
-// The solid of all of them: the corner of a box cut off, with legs of 2 m along x, 3 m along y and 5 m along z, winding
-// outwards. Volume 2 * 3 * 5 / 6 = 5 m^3. In glTF, whose y is up, our (x, y, z) is written (x, z, -y).
+// The solid in all of them: the corner of a box, with legs of 2 m along x, 3 m along y and 5 m along z, wound outwards.
+// Volume 2 * 3 * 5 / 6 = 5 m^3. In glTF, where y is up, our (x, y, z) is (x, z, -y).
 
 inline std::string obj_text() {
   return "# a comment\no corner\nv 0 0 0\nv 2 0 0\nv 0 3 0\nv 0 0 5\n"
@@ -75,7 +75,7 @@ inline std::string binary_ply_text() {
   return binary_ply({{0, 0, 0}, {2, 0, 0}, {0, 3, 0}, {0, 0, 5}}, {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}});
 }
 
-// What varies between the DAE files of the tests.
+// Parameters of the tests' DAE files.
 struct Dae {
   std::string unit = "1";
   std::string up_axis = "Z_UP";
@@ -108,7 +108,7 @@ inline std::string gltf_buffer() {
   return buffer + bytes_of(std::array<std::uint16_t, 12>{0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3});
 }
 
-/// @param uri  Of the file with the buffer; "" where it is the second chunk of a GLB.
+/// @param uri  URI of the file with the buffer; "" if it is the second chunk of a GLB.
 inline std::string gltf_text(const std::string& uri) {
   const std::string at = uri.empty() ? "" : fmt::format(R"("uri":"{}",)", uri);
   return R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"name":"corner","mesh":0}],)"

@@ -1,5 +1,4 @@
-// preset_test.cpp -- every preset loads in every mode, says where its numbers come from, and has those of its data
-// sheet.
+// preset_test.cpp -- every preset loads in every mode, cites its sources, and agrees with its data sheet.
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -20,7 +19,7 @@ using testing::ElementsAre;
 using testing::IsSupersetOf;
 using testing::Not;
 
-// One more digit than the data sheets give.
+// Tolerance: one digit more than the data sheets have.
 constexpr double kSheetTolerance = 1e-9;
 
 TEST(PresetTest, EveryInstrumentOfTheListIsThere) {
@@ -42,7 +41,7 @@ TEST(PresetTest, EveryPresetLoadsInEveryMode) {
       EXPECT_THAT(preset.modes, Contains(preset.default_mode));
       EXPECT_NO_THROW(preset.sonar.validate());
       EXPECT_LE(preset.sonar.bin_count, preset.instrument.bin_limit);
-      // A gap between beams much wider than a beam would be a slip of the pen. The DIDSON's are one and a half apart.
+      // A gap between beams much wider than a beam would be a typing error. The DIDSON's spacing is 1.5 beam widths.
       const double spacing = preset.sonar.azimuth_aperture / preset.sonar.beam_count;
       EXPECT_LT(spacing, 1.6 * preset.sonar.azimuth_resolution.value());
     }
@@ -89,7 +88,7 @@ struct Sheet {
   double near, far;           // [m]
 };
 
-// The table of instruments the presets were made from, row by row; Oculus M1200d and ARIS as their manuals have them.
+// Data sheets of the presets' instruments, row by row; Oculus M1200d and ARIS from their manuals.
 constexpr Sheet kSheets[] = {
     {"tritech-gemini-720i", "", 720e3, 256, 120, 20, .2, 120},
     {"tritech-gemini-720is", "", 720e3, 512, 120, 20, .2, 120},
@@ -205,7 +204,7 @@ TEST(PresetTest, PingsComeAtTheInstrumentsRateOrTheSounds) {
   EXPECT_FALSE(sonar.ping_period.has_value());
 }
 
-// ---------------------------------------------------------------- Mistakes
+// The beams, which reach 5 degrees up, hit the cone at up to 3.8 m of its height of 8 m.
 
 class OwnPresetTest : public testing::Test {
  protected:
@@ -227,7 +226,7 @@ constexpr const char* kHead = "title: Mine\ndefault_mode: wide\nsources: {sheet:
 TEST_F(OwnPresetTest, IsReadFromTheFolderOfTheEnvironment) {
   folder.write("mine.yaml",
                std::string(kHead) + "modes:\n  wide:\n    beam_count: {value: 99, confidence: C, source: sheet}\n");
-  EXPECT_THAT(preset_names(), IsSupersetOf({"mine", "tritech-gemini-720i"}));  // Beside the shipped ones.
+  EXPECT_THAT(preset_names(), IsSupersetOf({"mine", "tritech-gemini-720i"}));  // Beside the installed ones.
   EXPECT_EQ(load_preset("mine").sonar.beam_count, 99);
   EXPECT_EQ(load_preset("mine").sonar.model, "Mine");
   EXPECT_EQ(load_preset("mine").facts.at(0).source, "My own data sheet");

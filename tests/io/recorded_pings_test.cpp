@@ -1,4 +1,4 @@
-// recorded_pings_test.cpp -- what was recorded is read back as it was, or refused with the reason.
+// recorded_pings_test.cpp -- recorded pings are read back unchanged, or refused with the reason.
 
 #include "insonify/recorded_pings.h"
 
@@ -50,7 +50,7 @@ TEST(RecordedPingsTest, GiveBackWhatARecordingWasGiven) {
   EXPECT_THAT(pings.intensity(1), ElementsAre(0, 0.25, 0.5, 0.75, 1, 0.5));
 }
 
-// What pictures are drawn from.
+// Data that pictures are drawn from.
 TEST(RecordedPingsTest, GiveBackSettingsAndPings) {
   const WorkingFolder folder;
   Scenario scenario;

@@ -1,4 +1,4 @@
-// recorded_settings_test.cpp -- a recording holds every setting that a scenario file can have.
+// recorded_settings_test.cpp -- a recording has every setting that a scenario file can have.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@ namespace {
 
 using testing::ElementsAre;
 
-// Everything optional is given, so that everything is recorded.
+// All optional settings are given, so that all are recorded.
 Scenario everything() {
   Scenario scenario;
   scenario.world = "/no/such/world.sdf";
@@ -78,8 +78,8 @@ TEST(RecordedSettingsTest, HaveEveryKeyThatDescribeLists) {
   int count = 0;
   for (const SectionDescription& section : sections) {
     for (const KeyDescription& key : section.keys) {
-      // A preset and a quaternion are other ways to write what the numbers say.
-      const bool is_part = groups.contains(key.key);  // Whose own keys are in their own section.
+      // Presets and quaternions are only other notations for values that are recorded.
+      const bool is_part = groups.contains(key.key);  // Its keys have a section of their own.
       if (is_part || key.key == "preset" || key.key == "mode" || key.key.ends_with("_wxyz")) {
         continue;
       }

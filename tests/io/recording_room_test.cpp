@@ -1,4 +1,4 @@
-// recording_room_test.cpp -- a recording of everything that a ping can hold at once.
+// recording_room_test.cpp -- a recording with every dataset that a ping can fill.
 
 #include <gmock/gmock.h>
 
@@ -9,7 +9,7 @@
 namespace insonify::validation {
 namespace {
 
-// A scanning head has the most: its angle, full truth, counts and the field besides what all have.
+// A scanning head has most datasets: head angle, full ground truth, counts and field beside those of all sonars.
 TEST(RecordingRoomTest, AllDatasetsFit) {
   SonarConfig sonar;
   sonar.name = "head";

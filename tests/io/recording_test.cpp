@@ -1,4 +1,4 @@
-// recording_test.cpp -- a recording holds what was heard and what it was heard with.
+// recording_test.cpp -- a recording contains the pings and the settings they were made with.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@
 #include "io/h5_read.h"
 
 namespace {
-// Counts what this program allocates.
+// Counts the allocations of this program.
 std::size_t allocation_count = 0;
 }  // namespace
 
@@ -65,7 +65,7 @@ SonarConfig scanning_sonar() {
   return sonar;
 }
 
-// With tables that are large enough to be compressed.
+// With datasets large enough to be compressed.
 SonarConfig large_sonar() {
   SonarConfig sonar = fan_sonar();
   sonar.beam_count = 24;
@@ -99,7 +99,7 @@ Scene scene() {
   return scene;
 }
 
-// Every value tells the ping and the cell it belongs to.
+// Every value encodes its ping and its cell.
 Ping make_ping(const SonarConfig& sonar, std::uint64_t number) {
   Ping ping;
   ping.number = number;
@@ -131,7 +131,7 @@ std::filesystem::path scratch(const std::string& name) {
   return std::filesystem::path(testing::TempDir()) / ("recording_test_" + name + ".h5");
 }
 
-// The same, without what an earlier test has left there.
+// Likewise, after removing what an earlier test has left.
 std::filesystem::path fresh(const std::string& name) {
   const std::filesystem::path path = scratch(name);
   std::filesystem::remove(path);
@@ -201,7 +201,7 @@ TEST(RecordingTest, HoldsAsMuchGroundTruthAsIsAskedFor) {
                                       "path_order",         "shadow",          "direct_intensity"};
   for (const GroundTruth truth : {GroundTruth::kNone, GroundTruth::kLabels, GroundTruth::kFull}) {
     const auto path = scratch("truth");
-    record(path, scanning_sonar(), 2, truth);  // With its head angle it has the most datasets there can be.
+    record(path, scanning_sonar(), 2, truth);  // A head angle gives the largest possible number of datasets.
     const H5Reader file(path);
     for (const std::string& name : labels) {
       EXPECT_EQ(file.has(name), truth != GroundTruth::kNone) << name;
@@ -340,7 +340,7 @@ TEST(RecordingTest, IsReadByH5py) {
   }
 }
 
-// Whatever the number of threads that compress.
+// For any number of threads that compress.
 TEST(RecordingTest, HoldsTheSameWhenItIsCompressed) {
   const auto plain = scratch("plain"), compressed = scratch("compressed"), other = scratch("compressed_otherwise");
   record(plain, large_sonar(), 70, GroundTruth::kFull);
@@ -352,7 +352,7 @@ TEST(RecordingTest, HoldsTheSameWhenItIsCompressed) {
   const auto expect_same = [&](const char* name, auto value) {
     using Value = decltype(value);
     const std::vector<Value> of_a = a.values<Value>(name), of_b = b.values<Value>(name);
-    // By bytes, since NaN differs from itself.
+    // Compares bytes, since NaN differs from itself.
     EXPECT_TRUE(std::ranges::equal(std::as_bytes(std::span(of_a)), std::as_bytes(std::span(of_b)))) << name;
   };
   for (const char* name : {"intensity", "elevation", "strongest_share", "elevation_spread", "shadow"}) {
@@ -416,7 +416,7 @@ TEST(RecordingTest, LeavesAnEarlierOneAloneUntilItIsClosed) {
   EXPECT_EQ(H5Reader(path).shape("time").at(0), 1U);
 }
 
-// Compressed or stopped, it needs less.
+// Smaller when compressed or stopped.
 TEST(RecordingTest, NeedsNoMoreOnTheDiskThanForetold) {
   for (const SonarConfig& sonar : {fan_sonar(), large_sonar(), scanning_sonar()}) {
     for (const int pings : {0, 1, 300}) {

@@ -1,4 +1,4 @@
-// relief_file_test.cpp -- small normals from the files of meshes and from scenarios.
+// relief_file_test.cpp -- reliefs from normal maps of mesh files and of scenarios.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -139,7 +139,7 @@ TEST(MeshReliefTest, DaeBringsItsBumpMap) {
   expect_slope(loaded.mesh, kSlope);
 }
 
-// y up in the file; pictures from the top. A scale of the normal texture counts.
+// y up in the file; pictures start at the top. The scale of the normal texture applies.
 std::string gltf(const std::string& image) {
   return R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],
 "meshes":[{"primitives":[{"attributes":{"POSITION":0,"TEXCOORD_0":1},"indices":2,"material":0}]}],
@@ -162,7 +162,7 @@ TEST(MeshReliefTest, GltfBringsItsNormalTexture) {
   EXPECT_THAT(loaded.notes, IsEmpty());
   expect_slope(loaded.mesh, 0.5F * kSlope);
 
-  // The picture inside the file.
+  // Picture embedded in the file.
   std::string bytes;
   {
     std::ifstream file("stone.png", std::ios::binary);

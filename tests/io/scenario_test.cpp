@@ -1,4 +1,4 @@
-// scenario_test.cpp -- a scenario file becomes the values it says.
+// scenario_test.cpp -- a scenario file is read into the values it contains.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::StartsWith;
 
-// An angle goes from degrees to radians by one division and one multiplication: a few units in the last place.
+// Degrees are converted to radians by a division and a multiplication: a few units in the last place.
 constexpr double kAngleTolerance = 1e-15;
 
 constexpr const char* kEverything = R"(# Every key there is.
@@ -162,7 +162,7 @@ TEST_F(ScenarioTest, KnowsWhereEachSettingStands) {
   EXPECT_FALSE(places.contains("engines"));
 }
 
-// A fault that is found long after reading.
+// An error found long after reading still has its position in the file.
 TEST_F(ScenarioTest, ErrorsOfMaterialsHaveTheirPlace) {
   const Scenario scenario = load("world: worlds/floor.obj\nmaterials:\n  floor:\n    like: steal\nsonars: [{}]\n");
   try {
@@ -241,12 +241,12 @@ TEST_F(ScenarioTest, TakesATrajectoryFromAFileBesideIt) {
   EXPECT_EQ(scenario.motions[0].trajectory.at(101).position, Vec3(2, 0, -1));
 }
 
-// The file is written for the paper's model.
+// The file is written for the paper model.
 TEST_F(ScenarioTest, SetModelTakesAFileOfTheOtherModel) {
   const Scenario scenario = load(kEverything, {"model=calibrated"});
   EXPECT_EQ(scenario.model, EchoModel::kCalibrated);
   EXPECT_EQ(scenario.sonars[0].gain, 2.5);
-  EXPECT_EQ(load(scenario.text).model, EchoModel::kCalibrated);  // The text leaves out what has no effect.
+  EXPECT_EQ(load(scenario.text).model, EchoModel::kCalibrated);  // The text leaves out keys without effect.
 }
 
 TEST_F(ScenarioTest, TakesAScanningHead) {
@@ -300,7 +300,7 @@ TEST_F(ScenarioTest, ATableOfBeamsSaysHowManyThereAreAndHowWideTheFanIs) {
     EXPECT_EQ(sonar.beam_count, 3);
     EXPECT_NEAR(sonar.azimuth_aperture, radians_from_degrees(121.5), 4 * kAngleTolerance);
   }
-  // A single azimuth says nothing of the width.
+  // A single azimuth does not determine the width.
   const SonarConfig sonar =
       load("world: worlds/floor.obj\nsonars: [{azimuth_aperture_deg: 3, beam_azimuths_deg: [10]}]\n").sonars.at(0);
   EXPECT_EQ(sonar.beam_count, 1);
@@ -318,7 +318,7 @@ TEST_F(ScenarioTest, TakesOverTheKeysOfAnAnchor) {
   EXPECT_LT(scenario.sonars.at(1).orientation.z(), 0);
   EXPECT_EQ(scenario.sonars.at(2).name, "down");
   EXPECT_EQ(scenario.sonars.at(2).max_range, 9);
-  EXPECT_EQ(scenario.sonars.at(2).gain, 5);  // The first of several maps that has a key gives it.
+  EXPECT_EQ(scenario.sonars.at(2).gain, 5);  // If several maps have a key, the first one applies.
   EXPECT_GT(scenario.sonars.at(2).orientation.z(), 0);
 }
 
@@ -328,7 +328,7 @@ TEST_F(ScenarioTest, StartsASonarFromItsPreset) {
   const SonarConfig sonar =
       load("world: worlds/floor.obj\nsonars: [{preset: blueprint-oculus-m750d, mode: high}]\n").sonars.at(0);
   EXPECT_EQ(sonar.name, "sonar");
-  EXPECT_EQ(sonar.model, "Blueprint Oculus M750d");  // Pictures name the frequency after it.
+  EXPECT_EQ(sonar.model, "Blueprint Oculus M750d");  // Titles of pictures have the frequency from the model.
   EXPECT_EQ(sonar.frequency, 1200e3);
   EXPECT_EQ(sonar.beam_count, 512);
 }
@@ -391,7 +391,7 @@ TEST_F(ScenarioTest, ASonarsKeyAloneSetsEverySonar) {
 TEST_F(ScenarioTest, KeepsTheTextWithItsSettings) {
   const Scenario scenario = load(kTwoSonars, {"sonars.fls.max_range=30", "materials.hull.lambert_db=-9", "seed=5"});
   EXPECT_THAT(scenario.text, HasSubstr("max_range: 30"));
-  // What is kept is itself a scenario, and the same one.
+  // The recorded text is a scenario itself, and the same one.
   const Scenario again = load(scenario.text);
   EXPECT_EQ(again.sonars.at(0).max_range, 30);
   EXPECT_EQ(again.sonars.at(1).model, "Tritech Micron DST");
@@ -407,7 +407,7 @@ TEST_F(ScenarioTest, KeepsQuotedTextQuoted) {
 }
 
 TEST_F(ScenarioTest, FileErrorsOfADefaultNameTheSonar) {
-  // max_range is at its default: the place told is that of the key that conflicts with it.
+  // max_range has its default: the position is that of the key in conflict with it.
   EXPECT_THAT(message_of([&] { (void)load("world: worlds/floor.obj\nsonars:\n  - name: a\n    min_range: 60\n"); }),
               StartsWith("scenes/scenario.yaml:4:5: sonars[0].max_range = 50 m"));
 }
@@ -425,11 +425,11 @@ TEST(ScenarioRulesTest, MessagesHaveNoPlaceWithoutAFile) {
   EXPECT_EQ(
       message_of([&] { scenario.validate(); }),
       "sonars[0].ping_period = 0.05 s must be at least 0.0667 s, the time sound takes to max_range = 50 m and back");
-  scenario.sonars[0].ping_period = 0.0667;  // What the message allows is allowed.
+  scenario.sonars[0].ping_period = 0.0667;  // The limit in the message is allowed.
   EXPECT_EQ(message_of([&] { scenario.validate(); }), "no error");
 }
 
-// What only the calibrated model has does not bind the paper's: its fans may look all round.
+// Limits of the calibrated model do not apply to the paper model, whose fans may cover a full circle.
 TEST(ScenarioRulesTest, ThePaperModelHasNoArray) {
   Scenario scenario;
   scenario.world = "wreck.sdf";

@@ -1,4 +1,4 @@
-// sdf_console_test.cpp -- one thread's errors are kept, the others' are shown.
+// sdf_console_test.cpp -- libsdformat errors are captured for one thread and printed for the others.
 
 #include "io/world/sdf_console.h"
 

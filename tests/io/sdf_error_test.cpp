@@ -1,4 +1,4 @@
-// sdf_error_test.cpp -- what is wrong with an SDF file is said in one line, with its place.
+// sdf_error_test.cpp -- errors about SDF files are one line with the position.
 
 #include "io/sdf_files.h"
 
@@ -127,7 +127,7 @@ TEST_F(SdfErrorTest, FilesOfShapesAreToldWithThePlaceThatNamesThem) {
             where + "hole.asc: no triangles, as no three neighbouring points have data");
 }
 
-// Parts in one line are told apart by their names: 17 + 50 + 9 + 1 letters stand before the second.
+// Parts in one line differ in their column: 17 + 50 + 9 + 1 characters precede the second.
 TEST_F(SdfErrorTest, ColumnsAreThoseOfTheElementAtFault) {
   const std::string box = "<geometry><box><size>1 1 {}</size></box></geometry>";
   EXPECT_EQ(error_of("<sdf version='1.9'><model name='m'><link name='l'>\n<visual name='a'>" +

@@ -1,4 +1,4 @@
-// sdf_files.h -- what the tests of SDF files share: a folder to write them in, loading, and what was said meanwhile.
+// sdf_files.h -- shared by the SDF tests: a folder for files, loading, and captured log messages.
 
 #pragma once
 
@@ -34,7 +34,7 @@ class SdfTest : public testing::Test {
 
   std::string write(const std::string& name, const std::string& text) const { return scratch.write(name, text); }
 
-  /// Writes and loads an SDF file; `said` receives what the log was told, with the test's folder cut off.
+  /// Writes and loads an SDF file; `said` receives the log messages, with the test's folder removed.
   Scene load(const std::string& text, bool collisions = false) {
     return load_file(write("scene.sdf", text), collisions);
   }
@@ -44,7 +44,7 @@ class SdfTest : public testing::Test {
                       [&](Severity, const std::string& line) { said.push_back(without_folder(line)); });
   }
 
-  /// The message that loading fails with, with the test's folder cut off.
+  /// Error message of loading, with the test's folder removed.
   std::string error_of(const std::string& text, bool collisions = false) {
     return error_of_file(write("scene.sdf", text), collisions);
   }
@@ -75,7 +75,7 @@ inline std::string sdf_of(const std::string& geometry, const std::string& more_i
                      geometry, more_in_visual);
 }
 
-/// Corners of everything in an instance, in the world.
+/// Bounding box of all vertices of an instance, world frame.
 inline Box3 world_bounds(const Instance& instance) {
   Box3 box{Vec3::Constant(1e300), Vec3::Constant(-1e300)};
   for (const Vec3f& vertex : instance.mesh->vertices) {

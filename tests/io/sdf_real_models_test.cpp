@@ -1,11 +1,11 @@
-// sdf_real_models_test.cpp -- models that others made, seen through SDF files that use them.
+// sdf_real_models_test.cpp -- third-party models, loaded through SDF files.
 
 #include "io/sdf_files.h"
 
 namespace insonify {
 namespace {
 
-// Extents are taken from the numbers in the files, times the matrix of their node, to four digits.
+// Extents are the coordinates in the files times the matrix of their node, to four digits.
 constexpr double kExtentError = 1e-3;
 
 struct RealModel {
@@ -16,7 +16,7 @@ struct RealModel {
 
 class SdfRealModelsTest : public SdfTest, public testing::WithParamInterface<RealModel> {};
 
-// Turned by a quarter about z and moved, twice as large: x and y change places.
+// Rotated a quarter turn about z, shifted and scaled by 2: x and y are exchanged.
 TEST_P(SdfRealModelsTest, StandsWhereItIsPutInItsRealSize) {
   INSONIFY_REAL_DATA(file, GetParam().file);
   const std::filesystem::path list = file.parent_path().parent_path();

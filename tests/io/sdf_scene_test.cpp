@@ -1,4 +1,4 @@
-// sdf_scene_test.cpp -- where SDF puts things: frames, nesting, includes, versions, names.
+// sdf_scene_test.cpp -- poses and names from SDF: frames, nesting, includes, versions.
 
 #include "io/sdf_files.h"
 
@@ -39,7 +39,7 @@ TEST_F(SdfSceneTest, PutsAVisualAtModelTimesLinkTimesVisual) {
   EXPECT_TRUE(said.empty());
 }
 
-// What Gazebo saves: the poses that models began with, and in <state> those that they had come to, in the world.
+// As saved by Gazebo: initial poses of the models, and in <state> their current poses in the world.
 TEST_F(SdfSceneTest, TakesModelsToWhereASavedStateHasThem) {
   const Scene scene = load(fmt::format(R"(<sdf version="1.6"><world name="sea">
 <model name="wreck"><static>1</static><pose frame="">1 2 3 0 0 0</pose><link name="hull"><pose>1 0 0 0 0 0</pose>
@@ -123,7 +123,7 @@ TEST_F(SdfSceneTest, FollowsIncludesThreeDeepWhereverTheyAre) {
         model_sdf("ship", "<include><uri>\nfile://../bell\n</uri><pose>0 0 100 0 0 0</pose></include>"));
   write("models/fleet/bell/model.config", "<model><name>bell</name><sdf version='1.6'>bell.sdf</sdf></model>");
   write("models/fleet/bell/bell.sdf", model_sdf("bell", "", "1.6"));
-  // Traps: the same names where libsdformat or a lazy search would look.
+  // Decoys: files of the same names where libsdformat or a simple search would look.
   write("parts/ship.sdf", model_sdf("wrong"));
   write("worlds/parts/ship.sdf", model_sdf("wrong"));
   const std::string world = write("worlds/harbour.world", R"(<sdf version="1.9"><world name="harbour">

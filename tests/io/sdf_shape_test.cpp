@@ -1,4 +1,4 @@
-// sdf_shape_test.cpp -- every geometry of SDF has its size, and what is alike is kept once.
+// sdf_shape_test.cpp -- every SDF geometry has its size, and identical ones share a mesh.
 
 #include <png.h>
 
@@ -7,7 +7,7 @@
 namespace insonify {
 namespace {
 
-// Round shapes are cut into facets of at most 0.05 rad: their extent falls short by at most 1 - cos(0.025) = 0.0003.
+// Round shapes have facets of at most 0.05 rad: their extent is too small by at most 1 - cos(0.025) = 0.0003.
 constexpr double kFacetError = 4e-4;
 
 // A corner of three unequal edges, so that each axis shows: 1 along x, 2 along y, 3 along z. Wound outwards.
@@ -15,7 +15,7 @@ constexpr const char* kCorner = "v 0 0 0\nv 1 0 0\nv 0 2 0\nv 0 0 3\nf 1 3 2\nf 
 
 class SdfShapeTest : public SdfTest {
  protected:
-  // Bounds of the one visual, which stands at the origin.
+  // Bounds of the only visual, which is at the origin.
   Box3 bounds_of(const std::string& geometry, bool collision = false) {
     std::string text = sdf_of(geometry);
     if (collision) {

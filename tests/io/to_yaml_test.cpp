@@ -1,4 +1,4 @@
-// to_yaml_test.cpp -- a scenario written and read again is the same scenario.
+// to_yaml_test.cpp -- a scenario written and read again is unchanged.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ class ToYamlTest : public testing::Test {
   WorkingFolder folder;
 };
 
-// No value is that of a default. Angles are whole numbers of degrees, which come back to the last bit.
+// No value is the default. Angles are whole degrees, which are converted back exactly.
 Scenario made_in_code() {
   Scenario scenario;
   scenario.secondary = SecondaryEchoes::kAll;
@@ -31,7 +31,7 @@ Scenario made_in_code() {
   scenario.ground_truth = GroundTruth::kFull;
   scenario.seed = 18'446'744'073'709'551'615U;
   scenario.pings = 12;
-  scenario.water.temperature_c = 0.1;  // No sum of powers of two.
+  scenario.water.temperature_c = 0.1;  // Not exact in binary.
   scenario.water.sound_speed = 1499.75;
   scenario.water.volume_backscatter_db = -70;
   scenario.receiver.elevation_pattern = BeamPattern::kHann;
@@ -50,7 +50,7 @@ Scenario made_in_code() {
   scenario.interferers = {{.position = {30, 4, 1}, .first_pulse = 0.03}};
   scenario.surface = SeaSurface{};
   SonarConfig fan;
-  fan.name = "null";  // A text, though it looks like nothing.
+  fan.name = "null";  // A string that YAML would read as null.
   fan.model = "7 \"seas\"\t#1";
   fan.beam_count = 3;
   fan.beam_azimuths = {radians_from_degrees(20), radians_from_degrees(1), radians_from_degrees(-20)};
@@ -69,7 +69,7 @@ Scenario made_in_code() {
   head.position = {0, 0, -4};
   head.assumed_sound_speed = 1510;
   head.ping_period = 0.4;
-  head.receiver = scenario.receiver;  // Written as what differs from the scenario's.
+  head.receiver = scenario.receiver;  // Written as the difference from the scenario's.
   head.receiver->noise = false;
   head.receiver->ambient_noise_db.reset();
   head.receiver->dead_elements.clear();
@@ -115,7 +115,7 @@ TEST_F(ToYamlTest, SaysNoneForTheWorldThatAProgramGives) {
   EXPECT_TRUE(reread(scenario).world.empty());
 }
 
-// Reading refuses them.
+// Values that reading refuses.
 TEST_F(ToYamlTest, LeavesOutWhatHasNoEffect) {
   Scenario scenario;
   scenario.sonars.emplace_back().gain = 2;
@@ -135,7 +135,7 @@ TEST_F(ToYamlTest, FindsFilesFromAnyFolder) {
   EXPECT_EQ(again.materials.overrides.at("sand").relief_config.normal_map, folder.path() / "here/maps/bed.png");
 }
 
-// Degrees can be the coarser of the two: then there is no number of degrees for every number of radians.
+// Doubles in degrees may be spaced more coarsely than in radians: then some radians have no exact value in degrees.
 TEST_F(ToYamlTest, AnAngleInRadiansComesBackToItsLastBit) {
   Scenario scenario;
   scenario.sonars.emplace_back();

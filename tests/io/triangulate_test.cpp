@@ -1,4 +1,4 @@
-// triangulate_test.cpp -- polygons of every kind keep their area and their winding when they are cut.
+// triangulate_test.cpp -- triangulation preserves area and winding of polygons.
 
 #include "io/mesh/triangulate.h"
 
@@ -11,7 +11,8 @@ namespace {
 
 using Triangles = std::vector<std::array<std::uint32_t, 3>>;
 
-// Twice the area of each triangle, and of all along the polygon's normal. They are equal when all wind alike.
+// Twice the sum of the triangles' areas, and of their projections on the polygon's normal: equal if all have its
+// winding.
 struct Areas {
   double sum = 0;
   Vec3 along = Vec3::Zero();

@@ -1,4 +1,5 @@
-// unfinished_file_test.cpp -- a file is made anew, whatever lies around, and comes into its place whole or not at all.
+// unfinished_file_test.cpp -- a file is created anew, whatever exists beside it, and moved into place complete or not
+// at all.
 
 #include "io/file/unfinished_file.h"
 

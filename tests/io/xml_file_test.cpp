@@ -1,4 +1,4 @@
-// xml_file_test.cpp -- elements know their place in the file; errors about malformed XML name the place.
+// xml_file_test.cpp -- XML elements have their position in the file, and so have errors about malformed XML.
 
 #include "io/file/xml_file.h"
 

@@ -1,4 +1,4 @@
-// allocation_test.cpp -- after its first pings a simulator asks the system for no more memory.
+// allocation_test.cpp -- a simulator allocates no memory after its first pings.
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 #include "insonify/simulator.h"
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__) || !defined(__GLIBC__)
-#define INSONIFY_COUNTS_ALLOCATIONS 0  // Sanitizers bring their own allocator.
+#define INSONIFY_COUNTS_ALLOCATIONS 0  // Sanitizers replace the allocator.
 #else
 #define INSONIFY_COUNTS_ALLOCATIONS 1
 #endif
@@ -23,7 +23,7 @@ std::atomic<int> allocations = 0;
 
 #if INSONIFY_COUNTS_ALLOCATIONS
 
-// What every library of this process allocates with, operator new included.
+// The allocation functions that every library of this process uses, operator new included.
 extern "C" {
 void* __libc_malloc(std::size_t size);
 void* __libc_calloc(std::size_t count, std::size_t size);
@@ -97,7 +97,7 @@ int allocations_of_pings(const Scenario& scenario, int threads) {
     }
     return allocations - before;
   };
-  // Worker threads may first wake up some pings later, on a busy machine many, and then set themselves up.
+  // On a busy machine, worker threads may start only some pings later, and then allocate their own state.
   int last = allocations_of(100);
   for (int i = 0; i < 6 && (i == 0 || last > 0); ++i) {
     last = allocations_of(100);
@@ -121,7 +121,7 @@ TEST(AllocationTest, PingsOfASingleBeamAllocateNothing) {
   EXPECT_EQ(allocations_of_pings(busy_scenario(1), 1), 0);
 }
 
-// All that the calibrated model has.
+// A scenario with every feature of the calibrated model.
 Scenario calibrated_scenario(SonarType type) {
   Scenario scenario = busy_scenario(type == SonarType::kForwardLooking ? 64 : 1);
   SonarConfig& sonar = scenario.sonars[0];
@@ -164,7 +164,7 @@ TEST(AllocationTest, CalibratedPingsOfConesAndElevationPatternsAllocateNothing) 
   EXPECT_EQ(allocations_of_pings(scenario, 2), 0);
 }
 
-// That a count of zero means something.
+// Checks the counter itself: a deliberate allocation is counted.
 TEST(AllocationTest, WhatIsAllocatedIsCounted) {
   if (INSONIFY_COUNTS_ALLOCATIONS == 0) {
     GTEST_SKIP() << "allocations cannot be counted here";

@@ -1,4 +1,4 @@
-// change_simulator_test.cpp -- sonars and objects that change between pings: as if they had always been so.
+// change_simulator_test.cpp -- changed sonars and objects give the same pings as if they had been there from the start.
 
 #include "insonify/simulator.h"
 #include "simulator/small_world.h"
@@ -130,7 +130,7 @@ TEST_P(ChangeSimulatorTest, LabelsKeepTheirMeaning) {
   scenario.receiver.noise = false;
   scenario.surface = SeaSurface{.level = 5};
   Simulator simulator(scenario, small_world(), 2);
-  // Nearest bin with a label in the middle beam.
+  // Nearest labelled bin in the middle beam.
   const auto nearest_label = [&](double height) {
     const Ping ping = simulator.ping(0, {.world_from_vehicle = {.position = {2, 0.5, height}}});
     int bin = 0;

@@ -1,4 +1,4 @@
-// look_along_fan_test.cpp -- distance and intensity of scenes that are known.
+// look_along_fan_test.cpp -- distance and intensity images of simple scenes with known geometry.
 
 #include "engines/test_scenes.h"
 #include "insonify/scene_view.h"
@@ -34,14 +34,14 @@ TEST(LookAlongFanTest, SeesAWall) {
         EXPECT_TRUE(std::isnan(intensity));
       } else {
         EXPECT_NEAR(distance, 5 / cosine, 1e-4);
-        // The paper's e^(-2 gamma r) for amplitudes: 0.1 dB/m over 10 m and a little.
+        // The paper's amplitude factor e^(-2 gamma r): 0.1 dB/m over slightly more than 10 m.
         EXPECT_NEAR(intensity, 0.5 * cosine * std::pow(10, -0.1 * 2 * 5 / cosine / 20), 1e-5);
       }
     }
   }
 }
 
-// Port is left, up is up; a scanning head looks all round.
+// Port is left and up is up; a scanning head covers all directions.
 TEST(LookAlongFanTest, SeesAllThatAHeadSweeps) {
   const Scene scene = SceneMaker().add_sphere({0, 4, 1}, 0.5).scene();
   const auto engine = make_engine("cpu", 2);

@@ -1,4 +1,4 @@
-// moved_object_test.cpp -- objects that requests move.
+// moved_object_test.cpp -- objects moved by ping requests.
 
 #include "insonify/simulator.h"
 #include "simulator/small_world.h"
@@ -13,7 +13,7 @@ INSTANTIATE_TEST_SUITE_P(Cases, MovedObjectTest, testing::ValuesIn(kPingCases), 
 
 const Pose kAside{{5, -1.5, -1.8}, orientation_from_rpy(0.3, -0.2, 0.8)};
 
-// Rounding differs: what moves is kept in its own frame.
+// Rounding differs, since moving instances are kept in their own frame.
 constexpr double kSame = 2e-3;
 
 std::vector<MovableObject> movable(std::initializer_list<const char*> names) {
@@ -24,7 +24,7 @@ std::vector<MovableObject> movable(std::initializer_list<const char*> names) {
   return objects;
 }
 
-// The small world with one instance somewhere else.
+// The small world with one instance at another pose.
 Scene world_with(int instance, const Pose& pose) {
   Scene scene = small_world();
   scene.instances[instance].world_from_mesh = pose;
@@ -62,7 +62,7 @@ TEST_P(MovedObjectTest, TakesItsPartsAlong) {
   const Ping ping = Simulator(scenario, expected, 2).ping(0, {});
   Simulator framed(scenario, small_world(), 2, std::vector<MovableObject>{{"ship", frame}});
   EXPECT_LT(apart(ping, framed.ping(0, {.moved = {{.name = "ship", .world_from_object = there}}})), kSame);
-  // Without a frame it is that of the first part's mesh, here the same.
+  // Without a given frame an object has that of its first part's mesh, which is the same here.
   Simulator unframed(scenario, small_world(), 2, movable({"ship"}));
   EXPECT_LT(apart(ping, unframed.ping(0, {.moved = {{.name = "ship", .world_from_object = there}}})), kSame);
 }
@@ -78,7 +78,7 @@ TEST_P(MovedObjectTest, LaterEntriesCountAndPartsCanMoveByThemselves) {
   expect_same(simulator.ping(0, {.moved = {ship}}), overruled);
 }
 
-// What a scenario's motions do, a request does.
+// A request moves objects as a scenario's motions do.
 TEST_P(MovedObjectTest, MovesAsAMotionOfTheScenarioDoes) {
   Scenario scenario = small_scenario(GetParam());
   scenario.sonars[0].ping_period = 1;
@@ -97,7 +97,7 @@ TEST_P(MovedObjectTest, LabelsTellItWhereverItIs) {
   Scenario scenario = small_scenario(GetParam());
   scenario.receiver.noise = false;
   Simulator simulator(scenario, small_world(), 2, movable({"ball"}));
-  // Straight ahead and nearest of all.
+  // Straight ahead and nearer than everything else.
   const Ping ping = simulator.ping(0, {.moved = {{.name = "ball", .world_from_object = {.position = {2, 0, -0.2}}}}});
   int first = 0;
   while (ping.instance[ping.index(first, 16)] == kNoLabel) {
@@ -107,7 +107,7 @@ TEST_P(MovedObjectTest, LabelsTellItWhereverItIs) {
   EXPECT_NEAR(simulator.sonar(0).bin_range(first), 1.6, 0.1);
 }
 
-// ---- What cannot be moved -------------------------------------------------------------------------------------------
+// ---- Errors ---------------------------------------------------------------------------------------------------------
 
 class ImmovableTest : public testing::Test {
  protected:

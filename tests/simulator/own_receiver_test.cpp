@@ -49,7 +49,7 @@ Ping ping_of(Scenario scenario, int index) {
   return simulator.make_ping(index, 0);
 }
 
-// What either would hear if it were alone, with its receiver that of the scenario.
+// The pings of either sonar alone, with its receiver as that of the scenario.
 TEST(OwnReceiverTest, TwoSonarsHearWithTheirOwnReceivers) {
   for (const EchoModel model : {EchoModel::kCalibrated, EchoModel::kPaper}) {
     const bool calibrated = model == EchoModel::kCalibrated;

@@ -1,4 +1,4 @@
-// ping_count_test.cpp -- how many pings `pings`, `duration` and `turns` are.
+// ping_count_test.cpp -- number of pings given by `pings`, `duration` and `turns`.
 
 #include <gmock/gmock.h>
 

@@ -1,4 +1,4 @@
-// ping_request_test.cpp -- pings made from poses, wherever these come from.
+// ping_request_test.cpp -- pings from requests with given poses.
 
 #include "insonify/ping_request.h"
 
@@ -57,7 +57,7 @@ TEST_P(PingRequestTest, ManyAtOnceAreThoseOneByOne) {
   }
 }
 
-// Both sonars of a vehicle hear from where they are mounted, as each would alone.
+// Each sonar of a vehicle pings from its own mounting pose, as it would alone.
 TEST_P(PingRequestTest, EverySonarOfAVehicleHearsFromItsMounting) {
   Scenario both = small_scenario(GetParam());
   both.sonars.push_back(small_sonar());
@@ -99,7 +99,7 @@ TEST_P(PingRequestTest, HeadTurnsByItsStepsUnlessTheRequestTurnsIt) {
   EXPECT_NEAR((head.orientation * Vec3::UnitX()).y(), -std::sin(15 * kDegree), 1e-12);
 }
 
-// ---- The scenario's own requests ------------------------------------------------------------------------------------
+// ---- Requests of a scenario -----------------------------------------------------------------------------------------
 
 TEST(ScenarioRequestsTest, FollowTheTrajectoriesAtTheSonarsPeriod) {
   Scenario scenario = quiet_scenario(scanning_sonar());
@@ -122,7 +122,7 @@ TEST(ScenarioRequestsTest, FollowTheTrajectoriesAtTheSonarsPeriod) {
   EXPECT_NEAR(*request.head_angle, 28 * kDegree, 1e-12);
 }
 
-// ---- What makes no sense --------------------------------------------------------------------------------------------
+// ---- Errors ---------------------------------------------------------------------------------------------------------
 
 class WrongRequestTest : public testing::Test {
  protected:

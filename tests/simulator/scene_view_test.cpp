@@ -13,7 +13,7 @@
 namespace insonify {
 namespace {
 
-// A scene, an engine that holds it, and a sonar 3 m above its floor looking along x.
+// A scene, an engine that has loaded it, and a sonar 3 m above the scene's floor looking along x.
 class Stage {
  public:
   explicit Stage(const char* engine = "cpu") : engine_(make_engine(engine, 1)) {
@@ -66,7 +66,7 @@ class Stage {
   std::unique_ptr<Engine> engine_;
 };
 
-// Where something is drawn, in halves of the picture from its middle.
+// Image position in half pictures from the middle.
 std::pair<double, double> place_in(const ViewConfig& view, const Vec3& point) {
   const Camera::Image image = Camera(view, 4, 3).image_of(point);
   return image.depth > 0 ? std::pair(image.x / 2 - 1, image.y / 1.5 - 1) : std::pair(1e9, 1e9);
@@ -79,17 +79,17 @@ bool frames(const ViewConfig& view, const Vec3& point) {
 int brightness(const std::uint8_t* pixel) {
   return pixel[0] + pixel[1] + pixel[2];
 }
-// Yellow against blue.
+// Difference of yellow and blue.
 int warmth(const std::uint8_t* pixel) {
   return pixel[0] - pixel[2];
 }
 
-// The outline of a ball, by the distance of its centre from each pixel's ray; pixels on the border may be either.
+// Compares a ball's outline with the distance of its centre from each pixel's ray; pixels on the border may be either.
 TEST(DrawSceneTest, ABallIsWhereItsOutlineIs) {
   Stage stage;
   const Vec3 centre(10, 1, 2);
   const ViewConfig view{.position = {0, 0, 3}, .look_at = {10, 0, 2.5}, .field_of_view = 0.7};
-  stage.add("rubber", make_sphere(30), {0, 0, 5000});  // Out of sight: there must be something.
+  stage.add("rubber", make_sphere(30), {0, 0, 5000});  // Out of sight: a scene cannot be empty.
   const Picture without = stage.draw(view, false);
   stage.add("rubber", make_sphere(1.5), centre);
   const Picture with = stage.draw(view, false);
@@ -99,7 +99,7 @@ TEST(DrawSceneTest, ABallIsWhereItsOutlineIs) {
     for (int x = 0; x < 160; ++x) {
       const Vec3 direction = camera.direction(x + 0.5, y + 0.5);
       const double off = (centre - view.position).cross(direction).norm();
-      // Haze follows what is seen, but open water is as it was. Dithering does not depend on anything but the place.
+      // Haze depends on what is in view, but open water does not; dithering depends on the pixel's position only.
       const bool same = std::equal(with.at(x, y), with.at(x, y) + 3, without.at(x, y));
       if (off > 1.5 + pixel) {
         EXPECT_TRUE(same) << x << ' ' << y;
@@ -136,7 +136,7 @@ TEST(DrawSceneTest, AThingCastsAShadowOnTheFloor) {
   int darker = 0;
   for (int y = 0; y < 120; ++y) {
     for (int x = 0; x < 160; ++x) {
-      // Rays that clear the box by a margin see the floor in both pictures.
+      // Rays that pass the box by a margin hit the floor in both pictures.
       const Vec3 direction = camera.direction(x + 0.5, y + 0.5);
       bool near_box = false;
       for (double t = 0; t < 14; t += 0.1) {
@@ -149,8 +149,8 @@ TEST(DrawSceneTest, AThingCastsAShadowOnTheFloor) {
   EXPECT_GT(darker, 50);
 }
 
-// The sector falls on the floor from 3/tan 35 = 4.3 m on. Behind the box, which the sonar cannot see through, the floor
-// keeps its colour; beside it, it turns yellow.
+// The sector meets the floor from 3 / tan(35 deg) = 4.3 m on. Behind the box, in its acoustic shadow, the floor keeps
+// its colour; beside it, it is tinted yellow.
 TEST(DrawSceneTest, WhatTheSonarInsonifiesIsYellowAndItsShadowIsNot) {
   Stage stage;
   stage.add_floor().add("steel", make_box({1, 2, 2.5}), {8, 0, 1.25});
@@ -205,7 +205,7 @@ TEST(FittingViewTest, ShowsTheSonarAndWhatItSees) {
   EXPECT_TRUE(stage.sees(view.position, ball - 1.01 * to_ball));
 }
 
-// The beams, which reach 5 degrees up, end at 3.8 m of its 8.
+// The beams, which reach 5 degrees up, hit the cone at up to 3.8 m of its height of 8 m.
 TEST(FittingViewTest, ShowsTheTipOfWhatIsSeenInPart) {
   Stage stage;
   stage.add_floor().add("steel", make_cone(2, 8), {9, 0, 4});
@@ -225,7 +225,7 @@ TEST(FittingViewTest, StaysInsideAClosedTank) {
   EXPECT_TRUE(stage.sees(view.position, stage.pose.position));
 }
 
-// The same scene a hundred times as large or as small is seen in the same way.
+// The same scene, a hundred times as large or as small, gives the same picture.
 TEST(FittingViewTest, DoesNotDependOnScale) {
   const auto fit = [](double scale) {
     Stage stage;
@@ -238,13 +238,13 @@ TEST(FittingViewTest, DoesNotDependOnScale) {
   const ViewConfig view = fit(1);
   for (const double scale : {0.01, 100.0}) {
     const ViewConfig other = fit(scale);
-    // A ray that ends just at max_range may be rounded to either side, which moves the camera a little.
+    // A ray that ends at max_range may be rounded to either side, which moves the camera a little.
     EXPECT_TRUE((other.position / scale).isApprox(view.position, 0.03)) << other.position.transpose();
     EXPECT_EQ(other.field_of_view, view.field_of_view);
   }
 }
 
-// Moving the scene and the sonar together moves the camera with them, and no more.
+// Moving scene and sonar together moves the camera with them.
 TEST(FittingViewTest, DoesNotDependOnTheOrigin) {
   const auto fit = [](const Vec3& shift) {
     Stage stage;
@@ -256,7 +256,7 @@ TEST(FittingViewTest, DoesNotDependOnTheOrigin) {
   const ViewConfig view = fit(Vec3::Zero());
   for (const Vec3& shift : {Vec3(-20, 0, -90), Vec3(0, 70, -5), Vec3(-600, 800, -2000), Vec3(9, -3, 11)}) {
     const ViewConfig other = fit(shift);
-    // Floats round the ends of rays, which moves the camera a little.
+    // Rays end at positions in single precision, which moves the camera a little.
     EXPECT_LT((other.position - shift - view.position).norm(), 0.1) << shift.transpose();
     EXPECT_LT((other.look_at - shift - view.look_at).norm(), 0.1) << shift.transpose();
     EXPECT_EQ(other.field_of_view, view.field_of_view);
@@ -294,7 +294,7 @@ TEST(FittingViewTest, WorksForSonarsThatLookDownOrAround) {
   EXPECT_TRUE(frames(view, {-6, 4, 1}));
 }
 
-// A cross at the place, unless something stands before it.
+// A cross is drawn at the position unless a surface hides it.
 TEST(SceneViewTest, MarksWhatIsSeen) {
   Stage stage;
   stage.add_floor().add("steel", make_plane(-Vec3::UnitX(), 4, 4), {10, 0, 2});

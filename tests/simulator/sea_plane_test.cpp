@@ -1,4 +1,4 @@
-// sea_plane_test.cpp -- the sea's surface is wherever the vehicle goes, and the same everywhere.
+// sea_plane_test.cpp -- the sea surface follows the vehicle without any change in the pings.
 
 #include "insonify/simulator.h"
 #include "simulator/small_world.h"
@@ -50,7 +50,7 @@ TEST_P(SeaPlaneTest, PingsDoNotDependOnWhereTheVehicleWasBefore) {
   expect_same(other.ping(0, at(0.3, 0)), first);
 }
 
-// The plane steps along where the vehicle crosses a line of its lattice, here at x = 32; what is heard does not.
+// The plane moves when the vehicle crosses a line of its lattice, here at x = 32; the pings do not change.
 TEST_P(SeaPlaneTest, StepsUnheard) {
   Scenario scenario = below_the_sea();
   scenario.receiver.speckle = GetParam().model == EchoModel::kCalibrated;
@@ -63,7 +63,7 @@ TEST_P(SeaPlaneTest, StepsUnheard) {
   EXPECT_LT(across, 2 * elsewhere + 1e-4);
 }
 
-// Wind makes the surface lose more at high frequencies.
+// With wind, the surface loss is larger at high frequencies.
 TEST(SeaPlaneFrequencyTest, EverySonarMeetsTheSurfaceAtItsOwnFrequency) {
   Scenario both = small_scenario(kPingCases[3]);
   both.surface = SeaSurface{.level = 2, .wind_speed = 6};

@@ -71,7 +71,7 @@ TEST_P(SimulatorTest, NoiseIsDrawnAnewForEachPingAndSeedButRepeats) {
   EXPECT_NE(Simulator(scenario, scene, 2).make_ping(0, 0).intensity, first.intensity);
 }
 
-// T12 without speckle: a still sonar before a still scene hears the same twice when no noise is drawn.
+// T12 without speckle: a still sonar in a still scene gives the same ping twice when there is no noise.
 TEST_P(SimulatorTest, StillSceneGivesTheSamePingTwice) {
   Scenario scenario = quiet_scenario(small_fan(), GetParam());
   scenario.secondary = SecondaryEchoes::kSelective;
@@ -102,7 +102,7 @@ TEST_P(SimulatorTest, WrongSoundSpeedShiftsRange) {
   EXPECT_NEAR(centroid_bin(ping.intensity) * sonar.bin_length(), expected, 0.5 * sonar.bin_length());
 }
 
-// T22. Turning and shifting sonar and world together changes nothing.
+// T22. Rotating and shifting sonar and world together changes nothing.
 TEST_P(SimulatorTest, PingsDoNotDependOnTheWorldFrame) {
   const Pose moved{{120, -40, 7}, orientation_from_rpy(0.4, -0.7, 2.1)};
   Scene scene = busy_scene().scene();
@@ -144,7 +144,7 @@ TEST_P(SimulatorTest, MirroredSceneGivesMirroredPing) {
   EXPECT_LE(apart, 1e-4 * sum);
 }
 
-// T23. Nothing in the water and no noise: all zeros.
+// T23. Without surfaces and noise, a ping is all zeros.
 TEST_P(SimulatorTest, EmptyWaterIsSilent) {
   Scenario scenario = quiet_scenario(small_fan(), GetParam());
   scenario.secondary = SecondaryEchoes::kAll;
@@ -153,10 +153,9 @@ TEST_P(SimulatorTest, EmptyWaterIsSilent) {
   EXPECT_THAT(ping.instance, testing::Each(kNoLabel));
 }
 
-// T15. One pose a ping, head angle ping x step; v = 0.5 m/s along +x, step 0.9 degrees, period 2 x 30 / 1500 = 0.04 s.
-// A target abeam at (0, 10) is heard when the head has reached it: ping 114 (102.6 degrees) at 10.257 m; the one astern
-// at
-// (-10, 0) at ping 200 (180.0 degrees) at 14.000 m; that at (0, -10) at ping 269 (242.1 degrees) at 11.355 m.
+// T15. One pose per ping, head angle ping x step; v = 0.5 m/s along +x, step 0.9 degrees, period 2 x 30 / 1500 = 0.04
+// s. A target abeam at (0, 10) is received when the head points at it: ping 114 (102.6 degrees) at 10.257 m; the one
+// astern at (-10, 0) at ping 200 (180.0 degrees) at 14.000 m; that at (0, -10) at ping 269 (242.1 degrees) at 11.355 m.
 TEST_P(SimulatorTest, MovingScanningSonarShearsItsPicture) {
   SonarConfig sonar;
   sonar.type = SonarType::kMechanicallyScanned;
@@ -208,7 +207,7 @@ TEST_P(SimulatorTest, MovingScanningSonarShearsItsPicture) {
   }
 }
 
-// T28. A ping before sound is back from max_range is refused: 2 x 50 / 1500 = 0.0667 s.
+// T28. A ping period shorter than the two-way travel time to max_range is refused: 2 x 50 / 1500 = 0.0667 s.
 TEST_P(SimulatorTest, RefusesToPingBeforeSoundIsBack) {
   SonarConfig sonar = small_fan();
   sonar.max_range = 50;

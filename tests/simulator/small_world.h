@@ -1,5 +1,5 @@
-// small_world.h -- a few things before a small sonar, for tests of what changes between pings, on every engine, in both
-// models and with both ways of primaries.
+// small_world.h -- a small scene and sonar for tests of changes between pings, on every engine, in both models and with
+// traced and rasterised primaries.
 
 #pragma once
 
@@ -41,7 +41,8 @@ inline SonarConfig small_sonar() {
   return sonar;
 }
 
-/// With all that each model has: secondary echoes, noise and, in the calibrated model, speckle and full ground truth.
+/// With every feature of the model: secondary echoes, noise and, in the calibrated model, speckle and full ground
+/// truth.
 inline Scenario small_scenario(const PingCase& on) {
   Scenario scenario = quiet_scenario(small_sonar());
   scenario.engine = on.engine;

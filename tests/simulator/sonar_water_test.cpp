@@ -1,5 +1,5 @@
-// sonar_water_test.cpp -- each sonar has one water, at its own depth: plan, assumed sound speed, receiver and recording
-// agree on it.
+// sonar_water_test.cpp -- each sonar has one water, at its own depth, used by plan, assumed sound speed, receiver and
+// recording.
 
 #include <gmock/gmock.h>
 
@@ -14,7 +14,7 @@ namespace {
 using namespace testing_scenes;
 using testing::ThrowsMessage;
 
-// One beam straight at a wall, far below a surface.
+// A single beam at a wall, far below the surface.
 SonarConfig pencil() {
   SonarConfig sonar;
   sonar.beam_count = 1;
@@ -32,7 +32,7 @@ class SonarWaterTest : public testing::TestWithParam<EngineAndModel> {};
 INSTANTIATE_TEST_SUITE_P(Engines, SonarWaterTest, testing::ValuesIn(engines_and_models()),
                          [](const auto& test) { return test.param.name; });
 
-// At 2000 m sound travels 2 % faster than at the surface: a sonar that knew only the surface's speed would read 19.56
+// At 2000 m sound travels 2 % faster than at the surface: a sonar that assumed the surface's speed would measure 19.56
 // m.
 TEST_P(SonarWaterTest, WallIsHeardWhereItIsFarBelowTheSurface) {
   Scenario scenario = quiet_scenario(pencil(), GetParam());
@@ -43,8 +43,8 @@ TEST_P(SonarWaterTest, WallIsHeardWhereItIsFarBelowTheSurface) {
   EXPECT_NEAR(centroid_bin(ping.intensity) * bin_length, 20, bin_length);
 }
 
-// The gain that makes up for absorption takes the absorption that the echo has suffered. A wall that scatters after
-// Lambert's law then reads the same with absorption and without it.
+// The gain compensates the absorption that the echo has suffered: a wall that scatters by Lambert's law then has the
+// same level with and without absorption.
 TEST(SonarWaterTest, ReceiverMakesUpForTheAbsorptionThatThereIs) {
   Scenario scenario = quiet_scenario(pencil());
   scenario.model = EchoModel::kCalibrated;
@@ -55,7 +55,7 @@ TEST(SonarWaterTest, ReceiverMakesUpForTheAbsorptionThatThereIs) {
     const Ping ping = Simulator(scenario, without_glints(SceneMaker().add_wall(20).scene()), 1).make_ping(0, 0);
     return 10 * std::log10(*std::ranges::max_element(ping.intensity));
   };
-  // 0.20 dB/m at the surface and 0.17 at 4000 m: the wrong one would be 1.3 dB off after 40 m.
+  // 0.20 dB/m at the surface and 0.17 at 4000 m: the wrong one would give an error of 1.3 dB after 40 m.
   EXPECT_NEAR(loudest(true), loudest(false), 0.02);
 }
 

@@ -1,4 +1,4 @@
-// trajectory_test.cpp -- trajectories lead where they should.
+// trajectory_test.cpp -- interpolation of poses along trajectories.
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// The parts that the camera's view of a scene is made of.
+// view_parts_test.cpp -- parts of the camera view: camera, sector, housing and colours.
 
 #include <gtest/gtest.h>
 
@@ -104,7 +104,7 @@ TEST(UnderwaterLightTest, MaterialsLookDifferent) {
   EXPECT_FALSE(tint("yellow_steel").isApprox(tint("steel"), 0.1F));  // Painted.
   EXPECT_TRUE(tint("very_coarse_sand").isApprox(tint("sand")));
   EXPECT_TRUE(tint("sandy_gravel").isApprox(tint("gravel")));
-  // Names that tell nothing: always the same, different from each other, and dense things darker than aluminium.
+  // Unknown names: always the same tint, different from each other, and dense materials darker than aluminium.
   EXPECT_TRUE(tint("hull", 7850).isApprox(tint("hull", 7850)));
   EXPECT_FALSE(tint("hull", 7850).isApprox(tint("deck", 7850), 0.02F));
   EXPECT_LT(tint("hull", 7850).sum(), tint("hull", 2700).sum());
