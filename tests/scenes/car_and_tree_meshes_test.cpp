@@ -14,8 +14,8 @@ namespace {
 using testing_scenes::kRounding;
 using testing_scenes::Probe;
 
-// The car's own frame: x forward from midway between the axles, y to its left, z up from the road. The tree's: x to its
-// ROV panel, y to its production wing, z up from the mud line.
+// Frame of the car: x forward from midway between the axles, y to its left, z up from the road. Frame of the tree: x to
+// its ROV panel, y to its production wing, z up from the mud line.
 
 TEST(CarMeshTest, RearWheelsStandOnTheRoadAtTheirPlaces) {
   // Axle 1.325 m behind the middle, wheels of 0.31 m radius; a ray along the axle from the left meets the cap, whose
@@ -26,7 +26,7 @@ TEST(CarMeshTest, RearWheelsStandOnTheRoadAtTheirPlaces) {
 }
 
 TEST(CarMeshTest, LeftFrontWheelIsMissing) {
-  // Below the brake's disc, of 0.13 m radius about the axle at 0.31 m, the way is free to the right wheel.
+  // Below the brake disc, of 0.13 m radius about the axle at 0.31 m, nothing is in the way to the right wheel.
   Probe car("car");
   const double left_face = 5 - car.distance({1.325, 5, 0.12}, -Vec3::UnitY());
   EXPECT_LT(left_face, -0.5);
@@ -35,14 +35,14 @@ TEST(CarMeshTest, LeftFrontWheelIsMissing) {
 }
 
 TEST(CarMeshTest, OneLooksInWhereTheLeftDoorWas) {
-  // Over the sill to the seats; behind the rear wheel the side is whole, 0.81 m from the middle of the car.
+  // Over the sill to the seats; behind the rear wheel the side has no opening, 0.81 m from the middle of the car.
   Probe car("car");
   EXPECT_LT(5 - car.distance({0.15, 5, 0.5}, -Vec3::UnitY()), 0.72);
   EXPECT_NEAR(5 - car.distance({-2.0, 5, 0.55}, -Vec3::UnitY()), 0.81, 0.04);
 }
 
 TEST(CarMeshTest, RoofIsCrushedOnTheRightAlone) {
-  // Over the seats, 0.5 m to both sides: sound it stands within a few centimetres of 1.4 m.
+  // Over the seats, 0.5 m to both sides: the undamaged height is within a few centimetres of 1.4 m.
   Probe car("car");
   EXPECT_NEAR(car.height(-0.35, 0.45), 1.38, 0.05);
   EXPECT_LT(car.height(-0.35, -0.45), 1.15);

@@ -14,8 +14,8 @@ namespace {
 
 using testing_scenes::SceneScan;
 
-// As scenes/car.yaml and car.sdf say: the sonar 3 m over the origin, looking along x and 17 degrees down, its beam 1.5
-// degrees wide; the car's left side towards it.
+// As in scenes/car.yaml and car.sdf: the sonar 3 m above the origin, looking along x and 17 degrees down, with a beam
+// 1.5 degrees wide; the car's left side faces it.
 constexpr double kSonarHeight = 3;
 constexpr double kTilt = radians_from_degrees(17);
 constexpr double kHalfBeam = radians_from_degrees(0.75);
@@ -27,7 +27,7 @@ Vec3 world_from_car(const Vec3& p) {
   return Vec3(6.6, 0.2, -0.17) + turn(112, Vec3::UnitZ()) * (turn(-3, Vec3::UnitY()) * (turn(6, Vec3::UnitX()) * p));
 }
 
-// Range and head angle at which a point of the world is seen.
+// Range and head angle of a point of the world.
 struct Sighting {
   double range, bearing_deg;
 };
@@ -51,7 +51,7 @@ TEST(CarSceneTest, LostWheelLiesWhereItWasPut) {
   ASSERT_TRUE(rim);
   EXPECT_NEAR(*rim, wheel.range - 0.31 * std::cos(std::asin(2.9 / wheel.range)), 0.1);
 
-  // It is as wide as a tyre: atan(0.31 / 5.9) = 3.0 degrees to each side, and half a beam and a step.
+  // Its width is that of a tyre: atan(0.31 / 5.9) = 3.0 degrees to each side, plus half a beam and a step.
   for (const double side : {-1.0, 1.0}) {
     EXPECT_TRUE(scan.first_echo(scan.ping_at(wheel.bearing_deg + 2 * side), "debris", wheel.range - 0.5)) << side;
     const auto beside = scan.first_echo(scan.ping_at(wheel.bearing_deg + 4.5 * side), "debris", wheel.range - 0.5);
@@ -60,8 +60,8 @@ TEST(CarSceneTest, LostWheelLiesWhereItWasPut) {
 }
 
 TEST(CarSceneTest, LeftRearWingLiesAtItsRange) {
-  // The nearest point, within the beam, of the flat of the wing behind its wheel: 0.81 m from the car's middle, 0.3 to
-  // 0.85 m above its wheels' feet; by brute force. It is rounded by 3 cm and dented by 3.
+  // The nearest point within the beam on the flat of the wing behind its wheel, by brute force: 0.81 m from the car's
+  // middle, 0.3 to 0.85 m above the feet of the wheels. It is rounded by 3 cm and dented by 3.
   SceneScan scan("car");
   const double bearing = sighting_of(world_from_car({-1.95, 0.81, 0.55})).bearing_deg;
   double nearest = std::numeric_limits<double>::infinity();
@@ -79,8 +79,9 @@ TEST(CarSceneTest, LeftRearWingLiesAtItsRange) {
 }
 
 TEST(CarSceneTest, RoofThrowsAShadowAsLongAsItsHeightSays) {
-  // The roof's sound left half ends the shadow: along the bearing of its middle, whichever of its points throws it
-  // furthest. It is 1.38 m high at its rail (y = 0.45 m) and 1.42 m in the middle; the crush reaches y = 0.35 m.
+  // The undamaged left half of the roof determines the end of the shadow along the bearing of its middle, whichever of
+  // its points casts it furthest. It is 1.38 m high at its rail (y = 0.45 m) and 1.42 m in the middle; the crushed part
+  // reaches y = 0.35 m.
   SceneScan scan("car");
   const double bearing = sighting_of(world_from_car({-0.35, 0.4, 1.39})).bearing_deg;
   double end = 0;  // Horizontal range.
@@ -98,7 +99,8 @@ TEST(CarSceneTest, RoofThrowsAShadowAsLongAsItsHeightSays) {
   const double slant = std::hypot(end, kSonarHeight);
   const auto lit = scan.first_echo(ping, "seabed", 10.0);  // Beyond the car.
   ASSERT_TRUE(lit);
-  EXPECT_NEAR(*lit, slant, 0.35);  // The bed's waves, 0.1 m high, at one in five: half a metre; most of it level.
+  EXPECT_NEAR(*lit, slant, 0.35);  // The bed's waves, 0.1 m high, shift it by up to 0.5 m where rays fall one in five;
+                                   // most of the bed is level.
 }
 
 TEST(CarSceneTest, StrongestEchoesAreNotTheSands) {
@@ -122,7 +124,7 @@ TEST(CarSceneTest, OneSeesTheSeatsThroughTheDoorWays) {
       bins += scan.is_of(ping, bin, "car") && scan.material(ping, bin) == "upholstery" ? 1 : 0;
     }
   }
-  EXPECT_GT(bins, 150);  // From the right, where the doors are shut, it is a few dozen.
+  EXPECT_GT(bins, 150);  // Seen from the right, where the doors are shut, it is a few dozen.
 }
 
 }  // namespace

@@ -26,13 +26,13 @@ constexpr double kRailTop = 4.32;     // Height of their top.
 constexpr double kHalfBeam = radians_from_degrees(0.45);
 constexpr double kHalfSwath = radians_from_degrees(5);
 
-// Tolerance of two bins: the position of an echo within its first bin, and the length of its footprint.
+// Tolerance of two bins, for the position of an echo within its first bin and the length of its footprint.
 double two_bins(const SceneScan& scan) {
   return 2 * scan.sonar().bin_length();
 }
 
 TEST(ChristmasTreeSceneTest, SeafloorLineLiesAtTheSonarsHeight) {
-  // Ahead of the well the bed is level within 0.2 m: waves of 0.12 m, burrowers' mounds of 0.15 m at most.
+  // In front of the well the bed is level within 0.2 m: waves of 0.12 m, burrowers' mounds of at most 0.15 m.
   SceneScan scan("christmas_tree");
   for (const double down_deg : {90.0, 84.0, 78.0, 72.0}) {
     const Ping ping = scan.ping_at(-down_deg);
@@ -44,7 +44,7 @@ TEST(ChristmasTreeSceneTest, SeafloorLineLiesAtTheSonarsHeight) {
 }
 
 TEST(ChristmasTreeSceneTest, RoofLiesAtItsHeight) {
-  // A level plate, met first by the steepest sound of the beam. Angles that miss cap and padeyes.
+  // A level plate, first hit by the steepest rays of the beam. The angles avoid cap and padeyes.
   SceneScan scan("christmas_tree");
   for (const double down_deg : {28.5, 40.0}) {
     const Ping ping = scan.ping_at(-down_deg);
@@ -80,8 +80,9 @@ TEST(ChristmasTreeSceneTest, PanelStandsWhereItsPlaneIs) {
 }
 
 TEST(ChristmasTreeSceneTest, TreeThrowsAShadowAsLongAsItsHeightSays) {
-  // What of the frame's rear upper rail lies nearest to the sonar in the swath ends the shadow. That rail runs aslant:
-  // its middle line is x = well + rail / cos(22 deg) + y tan(22 deg), and the swath reaches 5 degrees to y < 0.
+  // The end of the shadow is determined by the point of the frame's upper rear rail that is nearest to the sonar within
+  // the swath. That rail is oblique: its middle line is x = well + rail / cos(22 deg) + y tan(22 deg), and the swath
+  // reaches 5 degrees to y < 0.
   SceneScan scan("christmas_tree");
   const double turn = std::numbers::pi - kTreeYaw;
   const double axis_x = kWellX + kRailMiddle / std::cos(turn);
@@ -90,11 +91,11 @@ TEST(ChristmasTreeSceneTest, TreeThrowsAShadowAsLongAsItsHeightSays) {
   const double shadow = kRailTop * edge / (kSonarHeight - kRailTop);  // Beyond the rail.
   const double end = std::hypot(edge + shadow, kSonarHeight);
 
-  // From behind the guide base, at 41 degrees down, to 30 degrees no sound reaches the bed ...
+  // From behind the guide base, at 41 degrees down, to 30 degrees the bed is in shadow ...
   for (double down_deg = 41; down_deg >= 30; down_deg -= 0.5) {
     EXPECT_FALSE(scan.first_echo(scan.ping_at(-down_deg), "seabed")) << down_deg;
   }
-  // ... and the first that does reaches it where the shadow ends. 0.25 m: half a step and the bed's waves.
+  // ... and the first echo after it is where the shadow ends. 0.25 m: half a step and the bed's waves.
   std::optional<double> first;
   for (double down_deg = 30; down_deg > 25 && !first; down_deg -= 0.5) {
     first = scan.first_echo(scan.ping_at(-down_deg), "seabed");

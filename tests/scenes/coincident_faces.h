@@ -1,4 +1,4 @@
-// coincident_faces.h -- triangles of a mesh that lie in one place, whether they share corners or not.
+// coincident_faces.h -- finds triangles of a mesh that overlap in one plane, whether they share corners or not.
 
 #pragma once
 
@@ -15,7 +15,7 @@
 
 namespace insonify::testing_scenes {
 
-/// Where two triangles overlap.
+/// Overlap of two triangles.
 struct Coincidence {
   double area;  ///< [m^2]
   Vec3 place;
@@ -39,8 +39,8 @@ inline std::vector<Vec3> clipped(const std::vector<Vec3>& polygon, const Vec3& a
   return kept;
 }
 
-/// Pairs of triangles that overlap by more than `least_area` [m^2], are parallel to 1.1 degrees and in the middle of
-/// the overlap no further apart than the files' rounding.
+/// Pairs of triangles that overlap by more than `least_area` [m^2], are parallel within 1.1 degrees, and are no further
+/// apart in the middle of the overlap than the files' rounding.
 inline std::vector<Coincidence> coincident_faces(const Mesh& mesh, double least_area) {
   constexpr double kParallel = 0.9998, kRounding = 0.6e-3, kCell = 0.5;
   struct Face {
@@ -63,7 +63,7 @@ inline std::vector<Coincidence> coincident_faces(const Mesh& mesh, double least_
     }
   }
 
-  // Faces by the cells of a grid that their boxes reach.
+  // Faces by cell of a grid, for all cells that their bounding boxes touch.
   std::map<std::array<int, 3>, std::vector<std::size_t>> cells;
   const auto cell = [](double v) { return static_cast<int>(std::floor(v / kCell)); };
   for (std::size_t i = 0; i < faces.size(); ++i) {

@@ -44,7 +44,8 @@ TEST(CoolerMeshTest, NinePassesLieTwelveInchesApart) {
     EXPECT_NEAR(0.15 - cooler.distance({kX, kY, axis - 0.15}, Vec3::UnitZ()), kRadius, 0.06 * kRadius + kRounding)
         << pass;
   }
-  EXPECT_LT(0.4 - cooler.distance({kX, kY, 0.4}, -Vec3::UnitZ()), 0.15);  // Nothing more down to the mudmat.
+  EXPECT_LT(0.4 - cooler.distance({kX, kY, 0.4}, -Vec3::UnitZ()),
+            0.15);  // Below it there is nothing down to the mudmat.
 }
 
 TEST(CoolerMeshTest, MudmatIsTwelvePointEightByFivePointNineMetres) {
@@ -55,7 +56,7 @@ TEST(CoolerMeshTest, MudmatIsTwelvePointEightByFivePointNineMetres) {
 }
 
 TEST(PipelinesMeshTest, GasLineIsThreeHundredAndTwentyMillimetresThick) {
-  // Over x = 13..16 m on y = 0 nothing but the gas line passes.
+  // Over x = 13..16 m on y = 0 only the gas line passes.
   Probe lines("pipelines");
   double top = -10;
   double bottom = 10;
@@ -69,13 +70,13 @@ TEST(PipelinesMeshTest, GasLineIsThreeHundredAndTwentyMillimetresThick) {
 }
 
 TEST(PipelinesMeshTest, LinesStayNearTheBed) {
-  // Not sunk in deeper than their coatings are thick, and nowhere higher than a spool's shoulder.
+  // Sunk in by no more than the thickness of their coatings, and nowhere higher than a spool's shoulder.
   const Mesh lines = read_obj(generated_meshes() / "pipelines.obj");
   Probe bed("cooler_bed");
   double highest = -10;
   double lowest = 10;
   for (const Vec3f& vertex : lines.vertices) {
-    // A step aside from the bed's grid lines: a ray straight down an edge may pass between its triangles.
+    // Offset from the bed's grid lines: a ray exactly along an edge may pass between its triangles.
     const double above = vertex.z() - bed.height(vertex.x() + 0.0003, vertex.y() + 0.0004);
     highest = std::max(highest, above);
     lowest = std::min(lowest, above);
@@ -105,8 +106,8 @@ TEST(SsivMeshTest, PipeIsEightInchAndEndsInBlindFlanges) {
 }
 
 TEST(SsivMeshTest, HatchIsAGridOfBarsTwentyCentimetresApart) {
-  // The leaf about x = -0.67 is 1.14 x 1.98 m, parted in 6 by 10. Above its bars one does not look down; between them
-  // one does, but where sling, handle and the beam's edge lie.
+  // The leaf about x = -0.67 is 1.14 x 1.98 m, divided into 6 by 10. Rays above its bars are stopped; rays between them
+  // pass, except at the sling, the handle and the beam's edge.
   Probe ssiv("ssiv");
   const auto x_at = [](double column) { return -0.67 + 1.14 * (column / 6 - 0.5); };
   const auto y_at = [](double row) { return 1.98 * (row / 10 - 0.5); };

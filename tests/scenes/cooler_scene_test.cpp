@@ -16,7 +16,7 @@ namespace {
 using testing_scenes::Probe;
 using testing_scenes::ScenePing;
 
-// Shadows are sought without secondary echoes, which come late and would fall into them.
+// Shadows are measured without secondary echoes, which arrive late and would fill them.
 const ScenePing& primary_ping() {
   static const ScenePing ping("cooler", [](Scenario& scenario) { scenario.secondary = SecondaryEchoes::kNone; });
   return ping;
@@ -49,8 +49,8 @@ TEST(CoolerSceneTest, NearestEchoOfTheCoolerIsTheCornerOfItsMudmat) {
 }
 
 TEST(CoolerSceneTest, MudmatBeginsAlongItsFrontEdgeInEveryBeam) {
-  // Where a beam's plane, which holds the sonar's z axis, cuts the edge from corner to corner. What stands higher on
-  // the cooler and is as far away tells another elevation.
+  // Where a beam's plane, which contains the sonar's z axis, intersects the edge from corner to corner. Higher parts of
+  // the cooler at the same range have another elevation label.
   const ScenePing& ping = primary_ping();
   const Vec3 from = world_from_cooler({-6.2, 2.95, 0});
   const Vec3 to = world_from_cooler({6.2, 2.95, 0});
@@ -68,7 +68,7 @@ TEST(CoolerSceneTest, MudmatBeginsAlongItsFrontEdgeInEveryBeam) {
            !(ping.visual(bin, beam) == "structure" && std::abs(ping.elevation(bin, beam) - edge.elevation) < 0.02)) {
       ++bin;
     }
-    // Half a beam's width to either side the slanting edge is up to 80 mm nearer or farther.
+    // Half a beam's width to either side, the oblique edge is up to 80 mm nearer or farther.
     found += std::abs(ping.sonar().bin_range(bin) - edge.range) < 2 * ping.sonar().bin_length() + 0.08 ? 1 : 0;
     beams += 1;
   }
@@ -77,8 +77,8 @@ TEST(CoolerSceneTest, MudmatBeginsAlongItsFrontEdgeInEveryBeam) {
 }
 
 TEST(CoolerSceneTest, RaisedPipeCastsAShadowThatIsDetachedFromIt) {
-  // The gas line crosses straight ahead of the sonar, held up by bags of grout on both sides. Its top and where that is
-  // are measured on the mesh; the rest is trigonometry.
+  // The gas line crosses in front of the sonar, supported by grout bags on both sides. The height of its top and its
+  // position are measured on the mesh; the rest is trigonometry.
   const ScenePing& ping = primary_ping();
   Probe lines("pipelines");
   Probe bed("cooler_bed");
@@ -116,11 +116,13 @@ TEST(CoolerSceneTest, RaisedPipeCastsAShadowThatIsDetachedFromIt) {
 }
 
 TEST(CoolerSceneTest, CoolerHidesTheBedToTheEndOfTheRange) {
-  // Its pipes reach 3.2 m up, 22 to 26 m away: a ray over them comes down no nearer than 22 * 6 / (6 - 3.2) = 47 m.
+  // Its pipes are up to 3.2 m high, 22 to 26 m away: a ray over them reaches the bed no nearer than 22 * 6 / (6 - 3.2)
+  // = 47 m.
   const ScenePing& ping = primary_ping();
   const auto degrees = [](double value) { return radians_from_degrees(value); };
   EXPECT_LT(ping.share_heard(29, 39.5, degrees(2), degrees(8)), 0.03);
-  EXPECT_GT(ping.share_heard(29, 39.5, degrees(-14), degrees(-9)), 0.7);  // Beside it only mounds and spools hide bed.
+  EXPECT_GT(ping.share_heard(29, 39.5, degrees(-14), degrees(-9)),
+            0.7);  // Beside it only mounds and spools shadow the bed.
 }
 
 TEST(CoolerSceneTest, WaterWeakensEveryEchoOfTheBedByItsRange) {
@@ -148,13 +150,13 @@ TEST(CoolerSceneTest, WaterWeakensEveryEchoOfTheBedByItsRange) {
     }
   }
   EXPECT_GT(count, 5000);
-  EXPECT_LT(worst, 0.02);  // A cell's samples lie up to some 0.3 m from its middle.
+  EXPECT_LT(worst, 0.02);  // A cell's samples are up to about 0.3 m from its centre.
   EXPECT_LT(std::exp(-2 * loss * (39 - 14)), 0.35);
 }
 
 TEST(CoolerSceneTest, SteelStandsOutFromTheBed) {
-  // As strong as cos(incidence) * reflectivity says: bed at 20 m is met at 17 degrees and keeps 0.37, what faces the
-  // sonar is met upright and keeps 0.85 or more.
+  // Level by cos(incidence) * reflectivity: bed at 20 m is at 17 degrees grazing and keeps 0.37, surfaces that face the
+  // sonar are at normal incidence and keep 0.85 or more.
   const ScenePing ping("cooler", [](Scenario& scenario) {
     scenario.paper.sigmoid = Sigmoid::kNone;
     scenario.sonars[0].gain = 1;

@@ -18,7 +18,7 @@ using testing_scenes::kRounding;
 using testing_scenes::Probe;
 
 TEST(TankMeshTest, InsideIsTwentyThreeByEighteenPointEightOneByEight) {
-  // From a point off the middle, at heights that clear windows, pipes and ladders.
+  // From a point off the middle, at heights without windows, pipes and ladders.
   Probe tank("tank");
   const Vec3 inside(1.5, -2.25, -6.0);
   EXPECT_NEAR(tank.distance(inside, Vec3::UnitX()), 23.0 / 2 - 1.5, kRounding);
@@ -36,8 +36,7 @@ TEST(TankMeshTest, WallsRiseAboveTheWater) {
 }
 
 TEST(TankMeshTest, WindowIsSetBackInItsWall) {
-  // The niche in the +x wall: its pane lies 0.3 m behind the wall's face, the frame's bars not in the way of its
-  // middle.
+  // The niche in the +x wall: its pane is 0.3 m behind the wall's face, and the frame's bars do not cover its middle.
   Probe tank("tank");
   EXPECT_NEAR(tank.distance({0, 0, -3.9}, Vec3::UnitX()), 11.5 + 0.3, kRounding);
 }
@@ -52,8 +51,8 @@ TEST(VehicleBoxTest, HidesAllBehindItFromASonarNearby) {
 }
 
 TEST(FerryMeshTest, IsFiftyTwoMetresLongBetweenItsRamps) {
-  // Rays along the ship that pass beside the ramps, which are 4.6 m wide, and meet transom and stem. The stem leans
-  // forward by up to 1.7 m at the deck. Dents move plating across and up, never along.
+  // Rays along the ship that pass beside the ramps, which are 4.6 m wide, and hit transom and stem. The stem leans
+  // forward by up to 1.7 m at the deck. Dents displace plating across and up, never along.
   Probe ferry("ferry");
   EXPECT_NEAR(ferry.distance({-20, 3.5, 2.6}, Vec3::UnitX()), 20, kRounding);
   const double stem = 80 - ferry.distance({80, 2.6, 3.5}, -Vec3::UnitX());
@@ -62,7 +61,7 @@ TEST(FerryMeshTest, IsFiftyTwoMetresLongBetweenItsRamps) {
 }
 
 TEST(FerryMeshTest, IsTwelveMetresBroadAmidships) {
-  // Between her fenders. Dents move plating by up to 5 cm.
+  // Between the fenders. Dents displace plating by up to 5 cm.
   Probe ferry("ferry");
   EXPECT_NEAR(20 - ferry.distance({26, 20, 2.5}, -Vec3::UnitY()), 6.0, 0.05);
   EXPECT_NEAR(20 - ferry.distance({26, -20, 2.5}, Vec3::UnitY()), 6.0, 0.05);
@@ -72,7 +71,7 @@ TEST(FerryMeshTest, TornHoleOpensTheStarboardBowAlone) {
   Probe ferry("ferry");
   const double port = 20 - ferry.distance({39.75, 20, 2.1}, -Vec3::UnitY());
   const double starboard = 20 - ferry.distance({39.75, -20, 2.1}, Vec3::UnitY());
-  EXPECT_GT(port, 4.5);       // Sound plating.
+  EXPECT_GT(port, 4.5);       // Undamaged plating.
   EXPECT_LT(starboard, 3.0);  // Through the hole, to whatever is inside.
 }
 
@@ -93,8 +92,8 @@ TEST(SeabedMeshTest, CoversItsGround) {
   }
 }
 
-// Crest to crest and trough to crest, averaged along a line of heights. Swells of the bed are far longer than ripples,
-// so that a crest is whatever is higher than all within 0.3 m.
+// Mean distance and height from crest to crest and trough along a line of heights. The bed's swells are far longer than
+// ripples, so a crest is any point higher than all others within 0.3 m.
 struct Ripples {
   double count = 0, length = 0, rise = 0;
 
@@ -116,8 +115,7 @@ struct Ripples {
 };
 
 TEST(SeabedMeshTest, RipplesAreAboutAMetreLongAndTenCentimetresHigh) {
-  // The normal map that covers the bed, summed up along the current (azimuth 0.21 rad), over sand that no wreck
-  // disturbs.
+  // Heights by integration of the bed's normal map along the current (azimuth 0.21 rad), over sand away from the wreck.
   const Mesh seabed = load_mesh(generated_meshes() / "seabed.obj");
   ASSERT_EQ(seabed.reliefs.size(), 1U);
   ASSERT_NE(seabed.reliefs[0], nullptr);
@@ -128,7 +126,8 @@ TEST(SeabedMeshTest, RipplesAreAboutAMetreLongAndTenCentimetresHigh) {
     std::vector<double> heights = {0};
     for (int i = 0; i < 800; ++i) {
       const Eigen::Vector2d at = Eigen::Vector2d(7, y) + (i + 0.5) * kStep * current;
-      const Eigen::Vector2f texture = ((at - Eigen::Vector2d(-30, -60)) / 120).cast<float>();  // As the bed lies.
+      const Eigen::Vector2f texture =
+          ((at - Eigen::Vector2d(-30, -60)) / 120).cast<float>();  // Texture coordinates of the bed.
       const Eigen::Vector2f slope = seabed.reliefs[0]->slopes.at(texture.x(), texture.y());
       heights.push_back(heights.back() + kStep * slope.cast<double>().dot(current));
     }
@@ -141,7 +140,7 @@ TEST(SeabedMeshTest, RipplesAreAboutAMetreLongAndTenCentimetresHigh) {
   EXPECT_LT(ripples.rise / ripples.count, 0.12);
 }
 
-// Every vertex of the bed has the texture coordinates of its place.
+// Every vertex of the bed has the texture coordinates of its position.
 TEST(SeabedMeshTest, ItsNormalMapLiesWhereItIs) {
   const Mesh seabed = load_mesh(generated_meshes() / "seabed.obj");
   ASSERT_EQ(seabed.texture_coordinates.size(), seabed.triangles.size());

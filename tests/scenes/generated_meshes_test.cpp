@@ -39,7 +39,7 @@ const std::vector<std::string> kNames = {
     "tree_bed",    "tree_lines", "cooler",           "cooler_bed", "pipelines",  "pipeline_supports",
     "ssiv",        "ssiv_bed",   "ssiv_surroundings"};
 
-// Those made of closed solids alone.
+// Meshes made of closed solids only.
 const std::vector<std::string> kSolids = {"ferry",      "debris",
                                           "tank",       "vehicle_box",
                                           "cone",       "cooler",
@@ -81,7 +81,7 @@ TEST(GeneratedMeshesTest, FerrySceneHasFourHundredThousandTrianglesAtMost) {
   EXPECT_LT(sum, 400'000U);
 }
 
-// Parts of a mesh that hang together by corners: for each triangle the number of its part.
+// Connected components of a mesh, by shared corners: the component of each triangle.
 std::vector<std::uint32_t> parts_of(const Mesh& mesh) {
   std::vector<std::uint32_t> parent(mesh.vertices.size());
   std::iota(parent.begin(), parent.end(), 0U);
@@ -104,7 +104,7 @@ std::vector<std::uint32_t> parts_of(const Mesh& mesh) {
 }
 
 TEST(GeneratedMeshesTest, SolidsAreClosed) {
-  // Round a closed surface every edge is walked as often one way as the other.
+  // On a closed surface every edge is traversed equally often in both directions.
   for (const std::string& name : kSolids) {
     std::map<std::pair<std::uint32_t, std::uint32_t>, int> balance;
     for (const auto& [a, b, c] : read_obj(generated_meshes() / (name + ".obj")).triangles) {
@@ -146,8 +146,8 @@ TEST(GeneratedMeshesTest, NoTwoTrianglesShareAllCorners) {
 }
 
 TEST(GeneratedMeshesTest, NoTwoFacesLieInOnePlace) {
-  // Where two did, a ray would meet either by chance. Smaller than a hand's palm they are let pass: rounded to whole
-  // millimetres, faces that meet at a slant coincide along their meeting line.
+  // Where faces coincide, a ray would hit either by chance. Areas below kPalm are accepted: rounded to whole
+  // millimetres, faces that meet at an angle coincide along their line of intersection.
   constexpr double kPalm = 0.006;  // [m^2]
   for (const std::string& name : kSolids) {
     for (const auto& [area, place] : coincident_faces(read_obj(generated_meshes() / (name + ".obj")), kPalm)) {

@@ -16,10 +16,10 @@
 
 namespace insonify::testing_scenes {
 
-/// The files keep whole millimetres [m].
+/// Coordinates in the files are whole millimetres [m].
 inline constexpr double kRounding = 1e-3;
 
-/// One generated mesh that rays can be sent at, in its own frame.
+/// One generated mesh to trace rays at, in its own frame.
 class Probe {
  public:
   explicit Probe(const std::string& name) {
@@ -41,7 +41,7 @@ class Probe {
     return hits.front().distance;
   }
 
-  /// Height of the uppermost surface under a point.
+  /// Height of the highest surface at a horizontal position.
   double height(double x, double y) { return 50 - distance({x, y, 50}, -Vec3::UnitZ()); }
 
  private:

@@ -23,7 +23,7 @@ inline std::string bytes_of(const std::filesystem::path& path) {
   return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
 }
 
-/// Vertices, triangles and material names as they stand in the file; no normals.
+/// Vertices, triangles and material names as in the file; no normals.
 inline Mesh read_obj(const std::filesystem::path& path) {
   std::ifstream file(path);
   EXPECT_TRUE(file) << path << " is made by the build target scene_meshes";

@@ -13,7 +13,7 @@
 
 namespace insonify::testing_scenes {
 
-/// Ping 0 of the scene's first sonar without noise, after `adjust` has had its way with the scenario.
+/// Ping 0 of the scene's first sonar without noise, after `adjust` has changed the scenario.
 class ScenePing {
  public:
   explicit ScenePing(const std::string& name, const std::function<void(Scenario&)>& adjust = {})
@@ -35,7 +35,7 @@ class ScenePing {
     return simulator_.world_from_head(0, ScenarioRequests(simulator_.scenario()).at(0, 0));
   }
 
-  /// A place of the world as the sonar sees it.
+  /// A world position in the sonar's spherical coordinates.
   struct Sighting {
     double range, azimuth, elevation;
   };
@@ -59,7 +59,7 @@ class ScenePing {
     return best;
   }
 
-  /// Last part of the name of what a cell's strongest echo comes from, "" where nothing echoed.
+  /// Last part of the name of the visual with the cell's strongest echo; "" without an echo.
   [[nodiscard]] std::string visual(int bin, int beam) const {
     const std::uint16_t instance = ping_.instance[ping_.index(bin, beam)];
     if (instance == kNoLabel) {
@@ -75,7 +75,7 @@ class ScenePing {
 
   [[nodiscard]] double elevation(int bin, int beam) const { return ping_.elevation[ping_.index(bin, beam)]; }
 
-  /// First bin of a beam whose echo comes from a visual, -1 where there is none.
+  /// First bin of a beam with an echo of a visual; -1 if there is none.
   [[nodiscard]] int first_bin_of(const std::string& name, int beam) const {
     for (int bin = 0; bin < ping_.bin_count; ++bin) {
       if (visual(bin, beam) == name) {
@@ -85,7 +85,7 @@ class ScenePing {
     return -1;
   }
 
-  /// Share of the cells between two ranges and two azimuths from which anything echoed.
+  /// Fraction of the cells between two ranges and two azimuths that have an echo.
   [[nodiscard]] double share_heard(double from_range, double to_range, double from_azimuth, double to_azimuth) const {
     double received = 0;
     double count = 0;
@@ -100,7 +100,7 @@ class ScenePing {
     return count > 0 ? received / count : std::numeric_limits<double>::quiet_NaN();
   }
 
-  /// Ranges between which nothing echoes in a beam, around `range`. Both are `range` where something does there.
+  /// Limits of the interval around `range` in which a beam has no echo; both are `range` if there is one there.
   struct Silence {
     double from, to;
   };
@@ -122,24 +122,24 @@ class ScenePing {
   Ping ping_;
 };
 
-/// A round pipe: a point of its axis, where that goes, and its radius [m].
+/// A round pipe: a point of its axis, the axis direction, and its radius [m].
 struct StraightPipe {
   Vec3 place, along;
   double radius;
 };
 
-/// What a pipe hides from a beam.
+/// Echo and shadow of a pipe in a beam.
 struct PipeShadow {
   double echo;      ///< Range of its nearest point [m].
-  double from, to;  ///< Ranges between which the bed beyond it cannot be seen [m].
+  double from, to;  ///< Ranges between which the bed beyond it is in shadow [m].
 };
 
-/// Where a ray from `origin` comes down on a bed of which the heights are known: its length [m].
+/// Length of a ray from `origin` to a bed whose heights are known [m].
 inline double range_on_bed(const Vec3& origin, const Vec3& direction,
                            const std::function<double(double, double)>& bed) {
   double range = 0;
   double height = 0;
-  for (int round = 0; round < 30; ++round) {  // Each round reads the height where the last one came down.
+  for (int round = 0; round < 30; ++round) {  // Each iteration uses the height at the end of the previous ray.
     range = (origin.z() - height) / -direction.z();
     const Vec3 place = origin + range * direction;
     height = bed(place.x(), place.y());

@@ -28,7 +28,7 @@ class SceneScan {
   [[nodiscard]] int pings() const { return simulator_.scenario().pings; }
   [[nodiscard]] Ping ping(int number) { return simulator_.make_ping(0, static_cast<std::uint64_t>(number)); }
 
-  /// The ping whose head looks nearest to an angle [degrees].
+  /// The ping whose head angle is nearest to an angle [degrees].
   [[nodiscard]] Ping ping_at(double head_angle_deg) {
     const auto off = [&](int number) {
       const double angle = degrees_from_radians(sonar().head_angle(static_cast<std::uint64_t>(number)));
@@ -41,13 +41,13 @@ class SceneScan {
     return ping(best);
   }
 
-  /// Whether a bin's strongest echo is one of a model's.
+  /// Whether a bin's strongest echo is from a given model.
   [[nodiscard]] bool is_of(const Ping& ping, int bin, const std::string& model) const {
     const std::uint16_t instance = ping.instance[bin];
     return instance != kNoLabel && simulator_.scene().instances[instance].name.starts_with(model + "::");
   }
 
-  /// Range of the first bin from `from` [m] on whose strongest echo is one of a model's [m].
+  /// Range of the first bin beyond `from` [m] whose strongest echo is from a given model [m].
   [[nodiscard]] std::optional<double> first_echo(const Ping& ping, const std::string& model, double from = 0) const {
     for (int bin = 0; bin < ping.bin_count; ++bin) {
       if (sonar().bin_range(bin) >= from && is_of(ping, bin, model)) {
@@ -57,7 +57,7 @@ class SceneScan {
     return std::nullopt;
   }
 
-  /// Name of the material that gave a bin's strongest echo.
+  /// Material name of a bin's strongest echo.
   [[nodiscard]] std::string material(const Ping& ping, int bin) const {
     return simulator_.scene().materials[ping.material[bin]].name;
   }

@@ -15,7 +15,7 @@
 namespace insonify {
 namespace {
 
-// Secondary echoes of a scene's first sonar over some of its pings.
+// Secondary echoes of a scene's first sonar, summed over some of its pings.
 struct Tally {
   double rays = 0;  // Reflected rays and return legs.
   double energy = 0;

@@ -15,7 +15,7 @@ namespace {
 using testing_scenes::Probe;
 using testing_scenes::ScenePing;
 
-// Measures of the mock-up [m].
+// Dimensions of the mock-up [m].
 constexpr double kLegX = 1.3, kLegY = 1.1, kLegRadius = 0.0842;
 constexpr double kRoof = 1.75;  // Axis of the upper ring.
 
@@ -36,13 +36,14 @@ Vec3 world_from_ssiv(const Vec3& p) {
 struct Leg {
   const char* name;
   double x, y;
-  double seen;  // Least share of its height at which its echo must stand alone in its cell.
+  double seen;  // Least fraction of its height at which its echo must be the only one in its cell.
 };
 
 class SsivLegTest : public testing::TestWithParam<Leg> {};
 
-// A leg is upright and round: its echo of each height comes from the generatrix that faces the sonar, R nearer than the
-// axis in plan. Other members lie over it in some cells (the picture has no height); those tell another elevation.
+// A leg is vertical and round: its echo at each height comes from the generatrix that faces the sonar, one radius
+// nearer than the axis in plan. In some cells other members overlay it (a picture has no height); those have another
+// elevation.
 TEST_P(SsivLegTest, StandsAtItsRangeAndBearing) {
   const ScenePing& ping = primary_ping();
   const Vec3 sonar = ping.world_from_sonar().position;
@@ -66,7 +67,7 @@ TEST_P(SsivLegTest, StandsAtItsRangeAndBearing) {
     for (int near = bin - 2; near <= bin + 2; ++near) {
       here = here || is_leg(near, beam);
     }
-    // ... and no wider than it is: a diameter and two beams to the side there is none.
+    // ... and no wider than the leg: there is no echo a diameter and two beams to the side.
     const double width = 2 * kLegRadius / std::hypot(axis.x() - sonar.x(), axis.y() - sonar.y());
     const double beam_width = radians_from_degrees(120.0 / 256);
     bool aside = false;
@@ -121,7 +122,7 @@ TEST(SsivSceneTest, PipeBesideTheFrameCastsTheShadowOfItsHeight) {
     const auto shadow = testing_scenes::shadow_of_pipe(ping.world_from_sonar(), ping.sonar().beam_azimuth(beam), pipe,
                                                        [&](double u, double v) { return bed.height(u, v); });
     const double bin = ping.sonar().bin_length();
-    const double step = 5 * bin;  // 6 cm: where a tangent meets ripples 4 cm high that the beam's width smears.
+    const double step = 5 * bin;  // 6 cm: where a tangent reaches ripples 4 cm high, smeared by the beam's width.
     const auto silence = ping.silence_around((shadow.from + shadow.to) / 2, beam);
     EXPECT_NEAR(silence.from, shadow.from, step) << x;
     EXPECT_NEAR(silence.to, shadow.to, step) << x;
@@ -130,15 +131,15 @@ TEST(SsivSceneTest, PipeBesideTheFrameCastsTheShadowOfItsHeight) {
 }
 
 TEST(SsivSceneTest, SinkerHidesTheBedAsFarAsItsHeightReaches) {
-  // length = height * range / (sonar's height - height), as the ray over its far upper edge finds the bed. The sinker
-  // stands with its sides along the sonar's line of sight, 25 degrees to port; its top is 0.54 m square.
+  // length = height * range / (sonar's height - height), for the ray over its far upper edge to the bed. The sinker's
+  // sides are parallel to the sonar's line of sight, 25 degrees to port; its top is 0.54 m square.
   const ScenePing& ping = primary_ping();
   const Vec3 sonar = ping.world_from_sonar().position;
   Probe things("ssiv_surroundings");
   Probe bed("ssiv_bed");
   const double yaw = radians_from_degrees(25);
   const Vec3 along(std::cos(yaw), std::sin(yaw), 0);
-  Vec3 edge = Vec3(9.0, 4.3, 0) + 0.26 * along + 0.12 * along.cross(Vec3::UnitZ());  // Clear of the eye.
+  Vec3 edge = Vec3(9.0, 4.3, 0) + 0.26 * along + 0.12 * along.cross(Vec3::UnitZ());  // Away from the eye.
   edge.z() = things.height(edge.x(), edge.y());
   ASSERT_GT(edge.z(), 0.35);
   const double end = testing_scenes::range_on_bed(sonar, (edge - sonar).normalized(),

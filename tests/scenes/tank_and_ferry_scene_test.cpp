@@ -14,12 +14,12 @@ namespace {
 using testing_scenes::ScenePing;
 using testing_scenes::SceneScan;
 
-// Where a horizontal ray from the middle of the tank meets its walls [m], 23.0 x 18.81 m apart.
+// Distance from the middle of the tank to its walls along a horizontal ray [m]; the walls are 23.0 and 18.81 m apart.
 double wall_range(double azimuth) {
   return std::min(11.5 / std::abs(std::cos(azimuth)), 9.405 / std::abs(std::sin(azimuth)));
 }
 
-// The first echo is that of the nearest point within the beam, 3 degrees wide. Bearings that miss ladders, inlet and
+// The first echo is from the nearest point within the beam, 3 degrees wide. The bearings avoid ladders, inlet and
 // window.
 TEST(TankSceneTest, WallsLieAtTheirRangesOnEveryBearing) {
   SceneScan scan("tank");
@@ -58,8 +58,8 @@ const Pose kWorldFromWreck{
     {39, 24, -0.9},
     orientation_from_rpy(radians_from_degrees(17), radians_from_degrees(-2.2), radians_from_degrees(-106))};
 
-// The sonar is 8 m above a bed that is level within half a metre and pitched 13 degrees down, half its height 10
-// degrees.
+// The sonar is 8 m above a bed that is level within half a metre. It is pitched 13 degrees down, with half an elevation
+// aperture of 10 degrees.
 TEST(FerrySceneTest, TheBedBeginsWhereTheLowestSoundMeetsIt) {
   const ScenePing scene("ferry");
   const int first = scene.first_bin_of("sand", scene.beam_at(0));
@@ -69,7 +69,7 @@ TEST(FerrySceneTest, TheBedBeginsWhereTheLowestSoundMeetsIt) {
   EXPECT_LT(scene.sonar().bin_range(first), 8.6 / steepest);
 }
 
-// The starboard side, 6 m from the middle line, faces the sonar; plates bulge and are dented by some decimetres.
+// The starboard side, 6 m from the middle line, faces the sonar; plates bulge and have dents of a few decimetres.
 TEST(FerrySceneTest, TheHullLiesAtItsRange) {
   const ScenePing scene("ferry");
   for (const double along : {20.0, 26.0, 32.0, 38.0}) {
@@ -81,8 +81,8 @@ TEST(FerrySceneTest, TheHullLiesAtItsRange) {
   }
 }
 
-// Ripples of the bed's normal map: about a metre from crest to crest along the current, the sonar's x axis nearly.
-// Along a beam over open sand the intensity rises and falls as often.
+// Ripples of the bed's normal map are about a metre from crest to crest along the current, nearly the sonar's x axis.
+// Along a beam over open sand the intensity has the same period.
 TEST(FerrySceneTest, RipplesShowAboutOnceAMetre) {
   const ScenePing scene("ferry", [](Scenario& scenario) { scenario.secondary = SecondaryEchoes::kNone; });
   const Ping& ping = scene.ping();
@@ -105,7 +105,7 @@ TEST(FerrySceneTest, RipplesShowAboutOnceAMetre) {
     }
     metres += (last - first) * scene.sonar().bin_length();
   }
-  // Slant ranges stretch crests less than a tenth; the beam runs some 30 degrees off the current.
+  // Slant ranges lengthen the ripples by less than a tenth; the beam is some 30 degrees off the current.
   EXPECT_GT(crests / metres, 0.7);
   EXPECT_LT(crests / metres, 1.3);
 }
