@@ -84,6 +84,22 @@ void remove_picture(const std::filesystem::path& picture) {
 
 }  // namespace
 
+std::vector<std::filesystem::path> unfinished_recordings(const std::filesystem::path& folder,
+                                                         const Scenario& scenario) {
+  std::vector<std::filesystem::path> files;
+  std::error_code error;
+  for (std::filesystem::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
+    const std::string file = entry->path().filename().string();
+    const bool is_of_sonar = std::ranges::any_of(
+        scenario.sonars, [&](const SonarConfig& sonar) { return file.starts_with(sonar.name + ".h5."); });
+    if (is_of_sonar && file.ends_with(kUnfinished)) {
+      files.push_back(entry->path());
+    }
+  }
+  std::ranges::sort(files);
+  return files;
+}
+
 void refuse_earlier_pictures(const std::filesystem::path& folder, const std::string& sonar) {
   refuse(finished_pictures_in(folder, {sonar}));
 }

@@ -15,6 +15,11 @@ namespace insonify {
 /// @throws InputError with the first such file and the options that apply.
 void refuse_earlier_run(const std::filesystem::path& folder, const Scenario& scenario);
 
+/// Recordings of the scenario's sonars, in alphabetical order, that a run in this folder has not finished: it was
+/// killed, or still goes on.
+[[nodiscard]] std::vector<std::filesystem::path> unfinished_recordings(const std::filesystem::path& folder,
+                                                                       const Scenario& scenario);
+
 /// Refuses to replace pictures of one sonar.
 /// @throws InputError as above.
 void refuse_earlier_pictures(const std::filesystem::path& folder, const std::string& sonar);

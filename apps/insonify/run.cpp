@@ -269,6 +269,11 @@ int run(const RunOptions& options) {
   const Clock::time_point start = Clock::now();
   const ScenarioRequests requests(simulator.scenario());
   print_oddities(simulator, requests, options.quiet);
+  if (const auto unfinished = unfinished_recordings(folder, simulator.scenario()); !unfinished.empty()) {
+    complain(fmt::format("warning: {}{} is an unfinished recording, of a run that was killed or still goes on",
+                         unfinished.front().string(),
+                         unfinished.size() == 1 ? "" : fmt::format(" (and {} more)", unfinished.size() - 1)));
+  }
   tell_disk_space(simulator.scenario(), requests, folder, options);
   const std::vector<View> views = draw_views(simulator, requests, options, style.display);
   note_when_asked();

@@ -22,7 +22,7 @@ bool is_empty(const Box3& box) {
 
 // Worlds are a few ranges wide, surveyed seabeds a few hundred: beyond that, a unit is probably wrong by a thousand.
 std::string size_oddity(const Box3& world, const SonarConfig& sonar) {
-  constexpr double kTooManyRanges = 1000, kTooFewBins = 3;
+  constexpr double kTooManyRanges = 400, kTooFewBins = 3;
   const double across = (world.high - world.low).maxCoeff();
   if (across > kTooManyRanges * sonar.max_range) {
     return fmt::format(
@@ -44,7 +44,13 @@ std::string length_text(const std::string& whose, const Trajectory& trajectory, 
     return "";
   }
   const double period = *sonar.ping_period, last_ping = static_cast<double>(pings - 1) * period;
-  const double end = trajectory.waypoints.back().time;
+  const double begin = trajectory.waypoints.front().time, end = trajectory.waypoints.back().time;
+  if (begin > last_ping) {
+    return fmt::format(
+        "the last ping of {} is at {:.4g} s, the trajectory{} begins at {:.10g} s: nothing moves before that; "
+        "for a file, `start: {:.10g}` makes that time 0",
+        sonar.name, last_ping, whose, begin, begin);
+  }
   if (last_ping + period < end) {
     return fmt::format(
         "the last ping of {} is at {:.4g} s, the trajectory{} ends at {:.4g} s; duration={:.6g} pings until then",

@@ -99,6 +99,32 @@ TEST_F(CliTest, RunTellsWhatIsOddAboutTheWorldAndTheTrajectory) {
       HasSubstr("note: the last ping of ahead is at 24 s, the trajectory ends at 9 s: nothing moves after that\n"));
 }
 
+TEST_F(CliTest, RunTellsWhereATrajectoryBeginsAfterItsPings) {
+  EXPECT_THAT(
+      shell("insonify run fan.yaml --no-pictures -o a --set ping_period=0.5 --set 'trajectory=[{time: 1669110000, "
+            "position: [0,0,0]}, {time: 1669110009, position: [1,0,0]}]'")
+          .out,
+      HasSubstr("note: the last ping of ahead is at 1 s, the trajectory begins at 1669110000 s: nothing moves before "
+                "that; for a file, `start: 1669110000` makes that time 0\n"));
+}
+
+TEST_F(CliTest, RunTellsOfRecordingsThatAKilledRunLeft) {
+  folder.write("out/ahead.h5.0123abcd.new", "unfinished");
+  folder.write("out/another.h5.0123abcd.new", "somebody else's");
+  EXPECT_EQ(
+      shell("insonify run fan.yaml --no-pictures -o out").err,
+      "insonify: warning: out/ahead.h5.0123abcd.new is an unfinished recording, of a run that was killed or still goes "
+      "on\n");
+}
+
+TEST_F(CliTest, AModelFromTheCommandLineLeavesKeysOfTheFileWithoutEffectAndSaysSo) {
+  folder.write("paper.yaml", "world: floor.obj\nmodel: paper\npings: 1\nsonars: [{name: a, gain: 3, max_range: 12}]\n");
+  EXPECT_THAT(shell("insonify run paper.yaml --no-pictures -o out --set model=calibrated").err,
+              HasSubstr("warning: a key of the file has no effect with model = calibrated: sonars[0].gain\n"));
+  EXPECT_THAT(shell("insonify run paper.yaml --no-pictures -o out --force --set model=calibrated --set gain=2").err,
+              HasSubstr("sonars[0].gain has no effect with model = calibrated"));
+}
+
 TEST_F(CliTest, RunWarnsOfValuesThatAPresetsInstrumentCannotHave) {
   const Outcome outcome = shell("insonify run scan.yaml --no-pictures -o a --set frequency=720 --set max_range=15000");
   EXPECT_THAT(outcome.err,

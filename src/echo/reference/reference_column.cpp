@@ -60,8 +60,9 @@ Ray ReferenceColumn::ray_of(int column, int row) const {
 }
 
 // Traces one ray per row to its first surface.
-void ReferenceColumn::trace_primary_rays() {
+void ReferenceColumn::trace_primary_rays(const Workers& workers) {
   for (int row = 0; row < rows_; ++row) {
+    workers.check_stop();
     rays_[row] = ray_of(column_, row);
     first_[row] = scene_.nearest(rays_[row]);
     if (first_[row].met()) {
@@ -256,10 +257,11 @@ void ReferenceColumn::deposit_mirror_echoes(const Reflection& path, EchoGrid& gr
   arrivals.push_back(echo);
 }
 
-RayCounts ReferenceColumn::insonify(EchoGrid& grid, std::vector<Echo>& arrivals) {
-  trace_primary_rays();
+RayCounts ReferenceColumn::insonify(EchoGrid& grid, std::vector<Echo>& arrivals, const Workers& workers) {
+  trace_primary_rays(workers);
   deposit_primary_echoes(grid);
   for (int row = 0; row < rows_ && sampling_ != SecondarySampling::kNone; ++row) {
+    workers.check_stop();
     if (hits_.selected[row] == 0) {
       continue;
     }

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "base/parallel.h"
 #include "echo/grid/echo.h"
 #include "echo/model/deposit.h"
 #include "echo/model/echo_laws.h"
@@ -34,7 +35,7 @@ class ReferenceColumn {
   /// Adds the column's echoes to the grid.
   /// @param arrivals  Takes echoes that may arrive in beams of other columns.
   /// @return          Number of rays traced.
-  RayCounts insonify(EchoGrid& grid, std::vector<Echo>& arrivals);
+  RayCounts insonify(EchoGrid& grid, std::vector<Echo>& arrivals, const Workers& workers);
 
  private:
   // A path from the sonar by way of a mirror, the first surface, to a second one.
@@ -51,7 +52,7 @@ class ReferenceColumn {
   };
 
   [[nodiscard]] Ray ray_of(int column, int row) const;
-  void trace_primary_rays();
+  void trace_primary_rays(const Workers& workers);
   void store_hit(int row);
   void compute_powers();
   void deposit_primary_echoes(EchoGrid& grid);

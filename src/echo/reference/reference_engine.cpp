@@ -46,9 +46,8 @@ void ReferenceEngine::insonify(const PingPlan& plan, const Pose& world_from_sona
   workers_.for_each(beams, [&](int beam, int) {
     grid.clear(beam, beam + 1);
     for (int column = beam * per_beam; column < (beam + 1) * per_beam; ++column) {
-      workers_.check_stop();
       ReferenceColumn of_column(scene_, plan, sampling, column, world_from_sonar);
-      counts[beam] += of_column.insonify(grid, arrivals[beam]);
+      counts[beam] += of_column.insonify(grid, arrivals[beam], workers_);
     }
   });
   for (const std::vector<Echo>& of_beam : arrivals) {

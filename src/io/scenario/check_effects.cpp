@@ -26,25 +26,43 @@ bool is_of_command_line(const Place& place) {
   return place.line == 0;
 }
 
+bool model_is_of_command_line(const Scenario& scenario) {
+  const auto model = scenario.places.find("model");
+  return model != scenario.places.end() && is_of_command_line(model->second);
+}
+
+// Calls visit(object, field, place) for each key given that acts in the other model only.
+template <typename Visit>
+void visit_idle_keys(const Scenario& scenario, const Visit& visit) {
+  const ActsIn other = scenario.model == EchoModel::kPaper ? ActsIn::kCalibrated : ActsIn::kPaper;
+  visit_all_fields("", scenario, [&](const std::string& object, const Field& field) {
+    const auto given = scenario.places.find(member_name(object, file_name_of(field)));
+    if (field.acts == other && given != scenario.places.end()) {
+      visit(object, field, given->second);
+    }
+  });
+}
+
 }  // namespace
 
 void refuse_idle_keys(const Scenario& scenario) {
-  const ActsIn other = scenario.model == EchoModel::kPaper ? ActsIn::kCalibrated : ActsIn::kPaper;
-  const auto model = scenario.places.find("model");
-  const bool chosen_anew = model != scenario.places.end() && is_of_command_line(model->second);
-  visit_all_fields("", scenario, [&](const std::string& object, const Field& field) {
-    if (field.acts != other) {
-      return;
-    }
-    const std::string key = file_name_of(field);
-    const auto given = scenario.places.find(member_name(object, key));
-    if (given == scenario.places.end() || (chosen_anew && !is_of_command_line(given->second))) {
+  visit_idle_keys(scenario, [&](const std::string& object, const Field& field, const Place& place) {
+    if (model_is_of_command_line(scenario) && !is_of_command_line(place)) {
       return;
     }
     const std::string instead = field.instead.empty() ? "" : fmt::format("; set {}", field.instead);
-    throw Error(object, key, fmt::format(" has no effect with model = {}{}", word_of(scenario.model), instead))
-        .at(given->second);
+    throw Error(object, file_name_of(field),
+                fmt::format(" has no effect with model = {}{}", word_of(scenario.model), instead))
+        .at(place);
   });
+}
+
+std::vector<std::string> idle_keys(const Scenario& scenario) {
+  std::vector<std::string> keys;
+  visit_idle_keys(scenario, [&](const std::string& object, const Field& field, const Place&) {
+    keys.push_back(member_name(object, file_name_of(field)));
+  });
+  return keys;
 }
 
 }  // namespace insonify

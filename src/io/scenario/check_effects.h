@@ -11,4 +11,7 @@ namespace insonify {
 /// @throws Error with the key's place, naming what acts in this model.
 void refuse_idle_keys(const Scenario& scenario);
 
+/// Those keys of the file, in order, that have no effect in a model that `--set model=...` chose.
+[[nodiscard]] std::vector<std::string> idle_keys(const Scenario& scenario);
+
 }  // namespace insonify

@@ -204,6 +204,9 @@ std::vector<std::string> Preset::exceeded_by(const SonarConfig& given) const {
   constexpr double kSlack = 1e-6;      // Of what was converted from degrees.
   constexpr double kOtherBand = 0.25;  // Instruments that can be tuned reach about that far.
   std::vector<std::string> texts;
+  if (!(given.max_range > given.min_range)) {
+    return texts;  // Which is an error of its own.
+  }
   const auto tell = [&](bool exceeded, const std::string& text) {
     if (exceeded) {
       texts.push_back(text);

@@ -7,6 +7,7 @@
 #include <cctype>
 #include <sstream>
 
+#include "base/log_line.h"
 #include "insonify/files.h"
 #include "insonify/scenario_requests.h"
 #include "io/file/input_file.h"
@@ -165,6 +166,14 @@ Scenario load_scenario(const std::filesystem::path& path, std::span<const std::s
   Scenario scenario = ScenarioReader(tree, path, log).read();
   const auto model = scenario.places.find("model");
   if (model != scenario.places.end() && model->second.line == 0) {
+    if (const std::vector<std::string> idle = idle_keys(scenario); !idle.empty()) {
+      log_line(
+          log, Severity::kWarning,
+          fmt::format("{} of the file {} no effect with model = {}: {}{}",
+                      idle.size() == 1 ? "a key" : fmt::format("{} keys", idle.size()),
+                      idle.size() == 1 ? "has" : "have", scenario.model == EchoModel::kPaper ? "paper" : "calibrated",
+                      idle.front(), idle.size() == 1 ? "" : " ..."));
+    }
     scenario.text = to_yaml(scenario);  // The file's keys of its own model would be refused beside the other model.
   } else {
     scenario.text = settings.empty() ? text : write_yaml(tree);
