@@ -8,7 +8,7 @@
 #include "insonify/picture.h"
 #include "insonify/receiver_config.h"
 
-namespace CLI {
+namespace CLI {  // NOLINT(readability-identifier-naming)
 class App;
 }
 

@@ -150,7 +150,7 @@ void visit_entries(const std::string& name, Member& member, Visit&& visit) {
     }
   } else if constexpr (requires { typename Member::mapped_type; }) {
     for (auto& [key, entry] : member) {
-      visit(name + "." + key, entry);
+      visit(name + "." + key, entry);  // NOLINT(performance-inefficient-string-concatenation): once per entry of a file
     }
   } else if constexpr (requires { member.begin(); }) {
     int index = 0;
