@@ -42,7 +42,8 @@ class Drawing {
   std::shared_ptr<const PingPlan> plan_;
   RasterScene scene_;
   FanView view_;
-  FanRaster raster_;
+  Workers workers_{1};
+  FanRaster raster_{workers_};
   HitStrip strip_;
 };
 

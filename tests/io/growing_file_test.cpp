@@ -201,7 +201,7 @@ TEST(GrowingFileTest, CanBeCopiedByHdf5) {
     const auto path = scratch("copied"), copy = path.parent_path() / "copy.h5";
     record(path, 200, kind);
     {
-      const H5Handle from = h5_own(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose, path, "open");
+      const H5Handle from = h5_open_to_read(path);
       const H5Handle to =
           h5_own(H5Fcreate(copy.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), H5Fclose, copy, "create");
       for (const char* name : {"words", "labels", "time", "aside"}) {

@@ -16,7 +16,7 @@ namespace insonify {
 class H5Reader {
  public:
   explicit H5Reader(const std::filesystem::path& path)
-      : path_(path), file_(h5_own(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose, path, "open")) {}
+      : path_(path), file_(h5_open_to_read(path)) {}
 
   [[nodiscard]] bool has(const std::string& name) const {
     return H5Lexists(file_.get(), name.c_str(), H5P_DEFAULT) > 0;

@@ -19,7 +19,7 @@ namespace insonify {
 /// The scratch memory of one worker, and the ping's steps for neighbouring beams.
 struct BeamTask {
   BeamTask(const CpuScene& scene, const RasterScene& raster_scene, const Workers& workers)
-      : scene_(scene), raster_scene_(raster_scene), workers_(workers), secondary_(scene) {}
+      : scene_(scene), raster_scene_(raster_scene), workers_(workers), raster_(workers), secondary_(scene) {}
 
   /// Prepares for a ping. Allocates only if it needs more memory than any ping before.
   void prepare(const PingPlan& plan, SecondarySampling sampling);

@@ -107,6 +107,7 @@ void FanRaster::draw(const RasterScene& scene, const FanView& view, const PingPl
     const int first = std::max(first_column, visible.first_column);
     const int last = std::min(last_column, visible.last_column);
     if (first < last) {
+      workers_.check_stop();
       draw_cluster(scene.clusters()[visible.cluster], first - first_column, last - first_column);
     }
   }

@@ -5,6 +5,7 @@
 #include <array>
 #include <vector>
 
+#include "base/parallel.h"
 #include "echo/cpu/fan_view.h"
 #include "echo/model/hit_column.h"
 
@@ -18,7 +19,11 @@ class FanRaster {
  public:
   static constexpr int kTogether = 16;  ///< Columns, or rows, processed together.
 
+  /// @param workers  Asked, between clusters of triangles, whether to stop.
+  explicit FanRaster(const Workers& workers) : workers_(workers) {}
+
   /// Draws columns [first, last).
+  /// @throws Interrupted
   void draw(const RasterScene& scene, const FanView& view, const PingPlan& plan, int first_column, int last_column);
 
   /// Fills in the engine's group of `hits` for one of these columns, except directions.
@@ -51,6 +56,7 @@ class FanRaster {
   [[nodiscard]] Shading shading_of(std::uint32_t triangle) const;
   const Shading& known_shading(std::uint32_t triangle);
 
+  const Workers& workers_;
   const RasterScene* scene_ = nullptr;
   const FanView* view_ = nullptr;
   const PingPlan* plan_ = nullptr;

@@ -37,4 +37,13 @@ std::string h5_failure() {
   return reason;
 }
 
+H5Handle h5_open_to_read(const std::filesystem::path& path) {
+  constexpr int kTries = 4;  // A recording grows once in several pings.
+  hid_t file = H5I_INVALID_HID;
+  for (int i = 0; i < kTries && file < 0; ++i) {
+    file = H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
+  }
+  return h5_own(file, H5Fclose, path, "open it as HDF5");
+}
+
 }  // namespace insonify

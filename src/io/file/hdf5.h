@@ -86,4 +86,9 @@ Result h5_check(Result result, const std::filesystem::path& path, std::string_vi
   return {h5_check(id, path, doing), close};
 }
 
+/// Opens a file for reading, also a recording that is being written: HDF5 asks for the file's size and then reads, at
+/// its start, where it ends, so opening fails if the file grows between the two. It is then tried again.
+/// @throws Error "PATH: cannot open it as HDF5: REASON"
+[[nodiscard]] H5Handle h5_open_to_read(const std::filesystem::path& path);
+
 }  // namespace insonify

@@ -103,7 +103,7 @@ void warn_of_refinements(hid_t file, const HeightGrid& grid, const std::filesyst
 
 HeightGrid load_bag_grid(const std::filesystem::path& path, const Log& log) {
   const H5Quiet quiet;
-  const H5Handle file = h5_own(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose, path, "open it as HDF5");
+  const H5Handle file = h5_open_to_read(path);
 
   HeightGrid grid = read_elevation(file.get(), path);
   const BagMetadata metadata = parse_bag_metadata(read_metadata(file.get(), path));

@@ -19,7 +19,7 @@ constexpr const char* kDataset = "intensity";
 
 H5Handle open_file(const std::filesystem::path& path) {
   check_input_file(path);
-  return h5_own(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose, path, "open it as HDF5");
+  return h5_open_to_read(path);
 }
 
 H5Handle open_dataset(hid_t file, const std::filesystem::path& path) {
