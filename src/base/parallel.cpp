@@ -1,15 +1,13 @@
-// parallel.cpp -- worker threads on oneTBB, with tasks divided into one block per worker.
+// parallel.cpp -- worker threads on oneTBB.
 
 #include "base/parallel.h"
 
+#include <tbb/blocked_range.h>
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
 #include <algorithm>
-#include <array>
-#include <atomic>
-#include <cstdint>
 #include <thread>
 
 #include "insonify/interrupted.h"
@@ -25,56 +23,6 @@ struct Workers::Arena {
   tbb::global_control allowance;  // Permits more threads than processors, if asked for.
   tbb::task_arena arena;
 };
-
-namespace {
-
-// Divides the tasks [0, tasks) into contiguous blocks, one per worker.
-class Blocks {
- public:
-  Blocks(int tasks, int workers) : count_(std::min({tasks, workers, kMost})) {
-    for (int i = 0; i < count_; ++i) {
-      blocks_[i].next = start(tasks, i);
-      blocks_[i].last = start(tasks, i + 1);
-    }
-  }
-
-  [[nodiscard]] int count() const { return count_; }
-
-  // Returns the next task of the worker's own block or, when that is empty, of another worker's; negative when all
-  // blocks are empty.
-  int take(int worker) {
-    for (int i = 0; i < count_; ++i) {
-      Block& block = blocks_[(worker + i) % count_];
-      if (block.next < block.last) {
-        if (const int task = block.next++; task < block.last) {
-          return task;
-        }
-      }
-    }
-    return -1;
-  }
-
-  // Empties all blocks, so that no further task begins.
-  void end() {
-    for (int i = 0; i < count_; ++i) {
-      blocks_[i].next = blocks_[i].last;
-    }
-  }
-
- private:
-  static constexpr int kMost = 256;  // Workers beyond this number get no tasks.
-  struct alignas(64) Block {
-    std::atomic<int> next;
-    int last;
-  };
-
-  [[nodiscard]] int start(int tasks, int block) const { return static_cast<int>(std::int64_t{tasks} * block / count_); }
-
-  std::array<Block, kMost> blocks_;
-  int count_;
-};
-
-}  // namespace
 
 Workers::Workers(int threads)
     : count_(threads > 0 ? threads : std::max(1, static_cast<int>(std::thread::hardware_concurrency()))) {
@@ -95,20 +43,13 @@ void Workers::call(int tasks, Function function, void* body) {
     }
     return;
   }
-  Blocks blocks(tasks, count_);
-  const auto work = [&](int) {
-    const int worker = tbb::this_task_arena::current_thread_index();
-    try {
-      for (int task = blocks.take(worker); task >= 0; task = blocks.take(worker)) {
-        check_stop();
-        function(body, task, worker);
-      }
-    } catch (...) {
-      blocks.end();
-      throw;
+  const auto run = [&](const tbb::blocked_range<int>& range) {
+    for (int task = range.begin(); task < range.end(); ++task) {
+      check_stop();
+      function(body, task, tbb::this_task_arena::current_thread_index());
     }
   };
-  arena_->arena.execute([&] { tbb::parallel_for(0, blocks.count(), work, tbb::simple_partitioner()); });
+  arena_->arena.execute([&] { tbb::parallel_for(tbb::blocked_range<int>(0, tasks), run, tbb::simple_partitioner()); });
 }
 
 }  // namespace insonify
