@@ -62,6 +62,27 @@ std::string unmatched(const CompareSource& a, const CompareSource& b) {
   return fmt::format("{} has {}", longer.name(), longer.ping_count());
 }
 
+// Pictures are compared bin by bin and beam by beam, wherever these lie.
+std::string differing(const CompareSource& a, const CompareSource& b) {
+  const std::optional<SonarConfig> of_a = a.sonar_config(), of_b = b.sonar_config();
+  if (!of_a || !of_b) {
+    return "";
+  }
+  constexpr double kSlack = 1e-6;
+  const auto differ = [](double x, double y) { return std::abs(x - y) > kSlack * std::max(std::abs(x), std::abs(y)); };
+  std::vector<std::string> texts;
+  if (differ(of_a->min_range, of_b->min_range) || differ(of_a->max_range, of_b->max_range)) {
+    texts.push_back(fmt::format("ranges of {:.6g} to {:.6g} m and {:.6g} to {:.6g} m", of_a->min_range, of_a->max_range,
+                                of_b->min_range, of_b->max_range));
+  }
+  if (differ(of_a->azimuth_aperture, of_b->azimuth_aperture)) {
+    texts.push_back(fmt::format("azimuth apertures of {:.6g} and {:.6g} deg",
+                                degrees_from_radians(of_a->azimuth_aperture),
+                                degrees_from_radians(of_b->azimuth_aperture)));
+  }
+  return fmt::format("{}", fmt::join(texts, ", "));
+}
+
 // Mean of each measure.
 template <typename Measures>
 Measures mean(const std::vector<Measures>& all) {
@@ -125,6 +146,7 @@ Comparison compared(const CompareOptions& options) {
   } else {
     comparison.pings = chosen_pings(a, b, options.pings);
     comparison.unmatched = options.pings.empty() ? unmatched(a, b) : "";
+    comparison.differing = differing(a, b);
     comparison.levels = levels_of(options, a, b, comparison.pings);
     a.set_levels(comparison.levels);
     b.set_levels(comparison.levels);

@@ -157,6 +157,9 @@ void print_comparison(const Comparison& comparison) {
   if (const std::string line = levels_line(comparison); !line.empty()) {
     say("{}\n", line);
   }
+  if (!comparison.differing.empty()) {
+    say("warning: different {}; pixels of the same bin and beam are compared all the same\n", comparison.differing);
+  }
   say("\n");
   print_similarity(comparison);
   print_controls(comparison);
@@ -171,6 +174,9 @@ void print_comparison_json(const Comparison& comparison) {
     json["levels"] = {{"scale", comparison.levels.scale == Scale::kDecibel ? "db" : "linear"},
                       {"full_scale", comparison.levels.full_scale},
                       {"floor_db", comparison.levels.floor_db}};
+  }
+  if (!comparison.differing.empty()) {
+    json["differing"] = comparison.differing;
   }
   json.update(to_json(comparison.similarity));
   NormalisedSimilarity::visit_fields(comparison.normalised, [&](const Field& field, double value) {

@@ -66,6 +66,14 @@ void CompareSource::set_levels(const Display& levels) {
   }
 }
 
+std::optional<SonarConfig> CompareSource::sonar_config() const {
+  try {
+    return recording_ ? std::optional(recording_->sonar_config()) : std::nullopt;
+  } catch (const Error&) {
+    return {};  // A recording of another program.
+  }
+}
+
 double CompareSource::loudest(const std::vector<std::uint64_t>& pings) const {
   double loudest = 0;
   for (const std::uint64_t ping : pings) {

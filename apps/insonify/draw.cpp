@@ -34,14 +34,45 @@ PictureChoice choice_of(const DrawOptions& options, const RecordedPings& recordi
   return choice;
 }
 
+struct Recorded {
+  RecordedPings pings;
+  SonarConfig sonar;
+  PictureStyle style;
+  PictureChoice choice;
+  std::filesystem::path folder;  // For the pictures.
+};
+
+// Opens and checks all input; every failure here is an input error.
+Recorded open_recording(const DrawOptions& options) {
+  const std::filesystem::path& file = options.recording;
+  try {
+    RecordedPings pings(file);
+    const SonarConfig sonar = pings.sonar_config();
+    const PictureStyle style = picture_style(options.pictures, model_of(pings, file), pings.receiver_config());
+    const PictureChoice choice = choice_of(options, pings);
+    if (pings.ping_count() == 0) {
+      throw InputError(fmt::format("{}: there is no ping in it", file.string()));
+    }
+    const std::filesystem::path beside = file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
+    const std::filesystem::path folder = output_folder(options.folder.empty() ? beside : options.folder, file);
+    if (!options.force) {
+      refuse_earlier_pictures(folder, sonar.name);
+    }
+    return {std::move(pings), sonar, style, choice, folder};
+  } catch (const InputError&) {
+    throw;
+  } catch (const Error& error) {
+    throw InputError(error.what());
+  }
+}
+
 // The first ping of a fan sets the scale for all; a picture of a scan shows all pings so far.
-void draw_pings(const RecordedPings& recording, const SonarConfig& sonar, const PictureChoice& choice,
-                PingPictures& pictures) {
-  const std::uint64_t count = recording.ping_count();
-  const bool scans = sonar.type == SonarType::kMechanicallyScanned;
+void draw_pings(const Recorded& recorded, PingPictures& pictures) {
+  const std::uint64_t count = recorded.pings.ping_count();
+  const bool scans = recorded.sonar.type == SonarType::kMechanicallyScanned;
   for (std::uint64_t number = 0; number < count; ++number) {
-    if (scans || number == 0 || choice.takes(number, count)) {
-      pictures.add(recording.ping(number));
+    if (scans || number == 0 || recorded.choice.takes(number, count)) {
+      pictures.add(recorded.pings.ping(number));
     }
   }
   if (scans) {
@@ -52,36 +83,20 @@ void draw_pings(const RecordedPings& recording, const SonarConfig& sonar, const 
 }  // namespace
 
 int draw(const DrawOptions& options) {
-  try {
-    const RecordedPings recording(options.recording);
-    const SonarConfig sonar = recording.sonar_config();
-    const PictureStyle style =
-        picture_style(options.pictures, model_of(recording, options.recording), recording.receiver_config());
-    const PictureChoice choice = choice_of(options, recording);
-    if (recording.ping_count() == 0) {
-      throw InputError(fmt::format("{}: there is no ping in it", options.recording.string()));
-    }
-    const std::filesystem::path beside =
-        options.recording.has_parent_path() ? options.recording.parent_path() : std::filesystem::path(".");
-    const std::filesystem::path folder =
-        output_folder(options.folder.empty() ? beside : options.folder, options.recording);
-    if (!options.force) {
-      refuse_earlier_pictures(folder, sonar.name);
-    }
-    make_output_folder(folder);
-    PictureFolder into(folder, {sonar.name});
-    PingPictures pictures(into, sonar, style, choice, recording.ping_count());
-    draw_pings(recording, sonar, choice, pictures);
-    into.put_in_place();
-    for (const std::filesystem::path& file : pictures.files()) {
-      say("{}\n", file.string());
-    }
-    return kDone;
-  } catch (const InputError&) {
-    throw;
-  } catch (const Error& error) {
-    throw InputError(error.what());
+  const Recorded recorded = open_recording(options);
+  const std::string& name = recorded.sonar.name;
+  make_output_folder(recorded.folder);
+  PictureFolder into(recorded.folder, {name});
+  PingPictures pictures(into, recorded.sonar, recorded.style, recorded.choice, recorded.pings.ping_count());
+  draw_pings(recorded, pictures);
+  into.put_in_place();
+  for (const std::filesystem::path& file : pictures.files()) {
+    say("{}\n", file.string());
   }
+  if (const std::string text = pictures.darkness_text(); !text.empty()) {
+    complain("warning: " + text);
+  }
+  return kDone;
 }
 
 }  // namespace insonify

@@ -43,7 +43,7 @@ CLI::Validator levels() {
 }  // namespace
 
 void add_picture_options(CLI::App& command, PictureOptions& options, const std::string& group) {
-  command.add_option("--colour-map", options.colour_map, "inferno, copper, grey or blue [inferno]")
+  command.add_option("--colour-map,--color-map", options.colour_map, "inferno, copper, grey or blue [inferno]")
       ->type_name("NAME")
       ->group(group);
   CLI::Option* scale =

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <limits>
 
 #include "commands.h"
@@ -73,6 +74,9 @@ void PingPictures::fit_scan() {
 
 void PingPictures::add_shown(const Ping& ping) {
   const bool due = choice_.takes(ping.number, total_);
+  if (due || scan_ != nullptr) {
+    note_brightest(ping);
+  }
   if (scan_ != nullptr) {
     scan_->add(ping);
     if (due && ping.number + 1 < total_) {  // finish() draws the last ping.
@@ -93,8 +97,27 @@ void PingPictures::finish(const Ping& last) {
     write("scan", scan_->draw(display_));
     write("polar", scan_->draw_polar(display_));
   } else if (!last_drawn_) {
-    draw_fan_of(model_ == EchoModel::kPaper ? last : raised_by_range(last, sonar_, display_.raised_per_decade));
+    const Ping shown = model_ == EchoModel::kPaper ? last : raised_by_range(last, sonar_, display_.raised_per_decade);
+    note_brightest(shown);
+    draw_fan_of(shown);
   }
+}
+
+void PingPictures::note_brightest(const Ping& ping) {
+  for (const float intensity : ping.intensity) {
+    brightest_ = std::max(brightest_, static_cast<double>(intensity));
+  }
+}
+
+std::string PingPictures::darkness_text() const {
+  const double darkest = display_.full_scale * std::pow(10, display_.floor_db / 10);
+  if (!fixed_ || files_.empty() || brightest_ > darkest) {
+    return "";
+  }
+  return fmt::format("the pictures of {} are black: {}, and --levels begins at {:.4g} dB", sonar_.name,
+                     brightest_ > 0 ? fmt::format("their brightest point has {:.4g} dB", 10 * std::log10(brightest_))
+                                    : "nothing was heard",
+                     10 * std::log10(darkest));
 }
 
 void PingPictures::draw_fan_of(const Ping& ping) {

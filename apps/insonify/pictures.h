@@ -44,8 +44,12 @@ class PingPictures {
   /// Files written so far, in order.
   [[nodiscard]] const std::vector<std::filesystem::path>& files() const { return files_; }
 
+  /// Says so where fixed levels leave every picture black; else "".
+  [[nodiscard]] std::string darkness_text() const;
+
  private:
   void add_shown(const Ping& ping);
+  void note_brightest(const Ping& ping);
   void fit_scan();
   void draw_fan_of(const Ping& ping);
   void write(const std::string& name, const Picture& picture);
@@ -59,6 +63,7 @@ class PingPictures {
   std::uint64_t total_ = 0;
   std::unique_ptr<ScanView> scan_;  // Only for a scanning sonar.
   bool last_drawn_ = true;
+  double brightest_ = 0;  // Largest intensity drawn.
   std::vector<std::filesystem::path> files_;
 };
 

@@ -210,11 +210,14 @@ double make_pings_or_tell(Simulator& simulator, const ScenarioRequests& requests
 }
 
 // Replaces recordings and pictures of an earlier run by the new ones.
-void finish_tracks(std::vector<Track>& tracks, PictureFolder& pictures, bool quiet) {
+// @return  Whether there was an earlier recording.
+bool finish_tracks(std::vector<Track>& tracks, PictureFolder& pictures, bool quiet) {
   if (discard_without_pings(tracks, pictures)) {
     throw Error("interrupted before the first ping");
   }
+  bool replaced = false;
   for (Track& track : tracks) {
+    replaced = replaced || track.recording.place() != track.file;
     track.recording.close();
     if (track.made > 0) {
       track.pictures.finish(track.ping);
@@ -223,6 +226,7 @@ void finish_tracks(std::vector<Track>& tracks, PictureFolder& pictures, bool qui
   if (const std::size_t removed = pictures.put_in_place(); removed > 0 && !quiet) {
     say("removed {} of an earlier run from {}\n", counted(removed, "picture"), pictures.path().string());
   }
+  return replaced;
 }
 
 std::string listed(const std::vector<std::filesystem::path>& files) {
@@ -252,6 +256,9 @@ void print_hints(const Simulator& simulator, const std::vector<Track>& tracks, c
     } else if (simulator.scenario().model == EchoModel::kPaper && loudness.dim() && display.scale == Scale::kLinear &&
                !tracks[i].pictures.files().empty() && !quiet) {
       say("hint: {}\n", dimness_text(loudness, simulator.sonar(sonar)));
+    }
+    if (const std::string text = tracks[i].pictures.darkness_text(); !text.empty()) {
+      complain("warning: " + text);
     }
   }
 }
@@ -285,7 +292,7 @@ int run(const RunOptions& options) {
   const std::vector<std::filesystem::path> view_files = write_views(views, pictures);
 
   const double computing = make_pings_or_tell(simulator, requests, tracks, pictures, options.quiet);
-  finish_tracks(tracks, pictures, options.quiet);
+  const bool replaced = finish_tracks(tracks, pictures, options.quiet);
   std::uint64_t made = 0;
   for (const Track& track : tracks) {
     made += track.made;
@@ -305,7 +312,8 @@ int run(const RunOptions& options) {
   print_hints(simulator, tracks, style.display, options.quiet);
   const std::uint64_t asked_for = requests.total_pings();
   if (made < asked_for) {
-    throw Error(fmt::format("stopped after {} of {}; they are kept", made, counted(asked_for, "ping")));
+    throw Error(fmt::format("stopped after {} of {}; they are kept{}", made, counted(asked_for, "ping"),
+                            replaced ? ", instead of the earlier run's" : ""));
   }
   return kDone;
 }

@@ -8,6 +8,8 @@
 #include <cmath>
 #include <set>
 
+#include "solids_met.h"
+
 namespace insonify {
 namespace {
 
@@ -87,11 +89,8 @@ std::vector<std::string> oddities_of(const Simulator& simulator, const ScenarioR
     }
   }
   for (int i = 0; i < requests.sonar_count(); ++i) {
-    const Vec3 place = simulator.world_from_head(i, requests.at(i, 0)).position;
-    for (const int inside : simulator.scene().solids_around(place)) {
-      texts.push_back(fmt::format("{} begins inside of {}, whose surface it hears from within", simulator.sonar(i).name,
-                                  simulator.scene().instances[inside].name));
-    }
+    const std::vector<std::string> inside = solids_met(simulator, requests, i);
+    texts.insert(texts.end(), inside.begin(), inside.end());
   }
   return texts;
 }

@@ -94,10 +94,14 @@ struct Preset {
   /// @param sound_speed  The one the sonar assumes [m/s].
   void fit_to_range(SonarConfig& sonar, double sound_speed) const;
 
-  /// What a sonar is set to that the instrument cannot do, one line each: "max_range = 15000 m, and a Tritech Gemini
-  /// 720i reaches 120 m".
-  [[nodiscard]] std::vector<std::string> exceeded_by(const SonarConfig& sonar) const;
+  /// A setting of a sonar that the instrument cannot have.
+  struct Excess {
+    std::string field;  ///< As in files: "max_range", "step_deg".
+    std::string text;   ///< " = 15000 m, and a Tritech Gemini 720i reaches 120 m", to follow the field's name.
+  };
+  [[nodiscard]] std::vector<Excess> exceeded_by(const SonarConfig& sonar) const;
 };
+
 /// Names of all presets in alphabetical order: those of the folders that INSONIFY_PRESETS lists (separated by colons)
 /// and those shipped with insonify, in the installed or the source tree's `presets`. Of two with the same name the one
 /// of the earlier folder counts, INSONIFY_PRESETS first.

@@ -18,7 +18,7 @@ enum class PulseKind { kNone, kCw, kLfm };
 struct PulseSettings {
   PulseKind kind = PulseKind::kNone;
   double duration = 50e-6;     ///< Duration of the tone or the chirp [s], in (0, 1].
-  double bandwidth = 100e3;    ///< Bandwidth of the chirp [Hz], in (0, 1e7]; times duration at least 10.
+  double bandwidth = 200e3;    ///< Bandwidth of the chirp [Hz], in (0, 1e7]; times duration at least 10.
   bool matched_filter = true;  ///< CW: the receiver correlates with the tone; if false, it takes the envelope.
   bool hann = false;           ///< LFM: a Hann window over the band, for side lobes of -31 instead of -13 dB.
 

@@ -38,7 +38,7 @@ struct ReceiverConfig {
 
   PulseKind pulse = PulseKind::kNone;  ///< kNone: as long as a bin.
   double pulse_duration = 50e-6;       ///< Duration, kCw and kLfm [s], in (0, 1].
-  double pulse_bandwidth = 100e3;      ///< Bandwidth, kLfm [Hz], in (0, 1e7]; times pulse_duration at least 10.
+  double pulse_bandwidth = 200e3;      ///< Bandwidth, kLfm [Hz], in (0, 1e7]; times pulse_duration at least 10.
 
   /// X of the time-varied gain X log10(r) + 2 alpha r [dB] applied to recorded intensities, with the range r in metres
   /// and the absorption alpha; 0..60. None: no gain. 40 compensates the fall of point targets, 30 of floors, 20 of

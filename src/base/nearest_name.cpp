@@ -38,9 +38,9 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 }  // namespace
 
 std::string nearest_name(std::string_view name, std::span<const std::string> candidates) {
-  // At most 2 slips, or a third of the letters of a long name; always fewer than there are letters.
+  // At most 2 slips, or a third of the letters of a long name; fewer than half of the letters of a short one.
   const std::size_t most_slips =
-      std::min(std::max<std::size_t>(2, name.size() / 3), name.size() - (name.empty() ? 0 : 1));
+      std::min(std::max<std::size_t>(2, name.size() / 3), (name.size() - (name.empty() ? 0 : 1)) / 2);
   const auto slips = [&](const std::string& candidate) {
     // The difference in length is a lower bound, which spares the table of a name of megabytes.
     const std::size_t at_least = std::max(name.size(), candidate.size()) - std::min(name.size(), candidate.size());

@@ -56,7 +56,8 @@ TEST_F(CliStopTest, AForcedRunThatIsStoppedReplacesTheEarlierOne) {
   EXPECT_EQ(outcome.status, 1);
   EXPECT_THAT(files("out"), ElementsAre("ahead.h5"));
   EXPECT_EQ(outcome.err,
-            fmt::format("insonify: stopped after {} of 100000 pings; they are kept\n", recorded("out/ahead.h5")));
+            fmt::format("insonify: stopped after {} of 100000 pings; they are kept, instead of the earlier run's\n",
+                        recorded("out/ahead.h5")));
 }
 
 // Each ping of this scenario would take many seconds.

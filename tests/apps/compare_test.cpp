@@ -242,6 +242,17 @@ TEST_F(CompareTest, TheRunOfAScenarioIsLikeItselfAndLessLikeAnotherNoise) {
   EXPECT_THAT(outcome.out, HasSubstr("one/ahead.h5 and two/ahead.h5, sonar ahead: 3 pings of 16 columns x 40 rows"));
 }
 
+TEST_F(CompareTest, DifferentRangesAndAperturesAreToldOf) {
+  const Outcome outcome = shell(
+      "insonify run fan.yaml -q --no-pictures -o one && insonify run fan.yaml -q --no-pictures -o two --set "
+      "max_range=9 --set azimuth_aperture_deg=100 && insonify compare one two && insonify compare one two --json");
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  const std::string text = "different ranges of 0.2 to 12 m and 0.2 to 9 m, azimuth apertures of 120 and 100 deg";
+  EXPECT_THAT(outcome.out,
+              HasSubstr("warning: " + text + "; pixels of the same bin and beam are compared all the same\n"));
+  EXPECT_THAT(outcome.out, HasSubstr("\"differing\": \"ranges of 0.2 to 12 m"));
+}
+
 // ---------------------------------------------------------------- Errors
 
 struct Refusal {

@@ -36,7 +36,7 @@ TEST(NearestNameTest, TakesTheFirstOfEquals) {
   EXPECT_EQ(nearest_name("mxx_range", std::vector<std::string>{"min_range", "mid_range"}), "min_range");
 }
 
-// Two slips at most, or a third of the letters; "step_dge_rd" of 11 letters may have 3.
+// Two slips at most, or a third of the letters, and less than half of them; "step_dge_rd" of 11 letters may have 3.
 TEST(NearestNameTest, SuggestsNothingWhereNothingIsNear) {
   EXPECT_EQ(nearest_name("noise", kKeys), "");
   EXPECT_EQ(nearest_name("rows", kKeys), "");
@@ -44,6 +44,7 @@ TEST(NearestNameTest, SuggestsNothingWhereNothingIsNear) {
   EXPECT_EQ(nearest_name("step_dge_rd", kKeys), "");
   EXPECT_EQ(nearest_name("step_dge_r", kKeys), "step_deg");
   EXPECT_EQ(nearest_name("ab", std::vector<std::string>{"xy"}), "");
+  EXPECT_EQ(nearest_name("gold", std::vector<std::string>{"wood"}), "");
   EXPECT_EQ(nearest_name("", kKeys), "");
 }
 

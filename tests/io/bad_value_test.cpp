@@ -188,13 +188,13 @@ const BadScenario kCases[] = {
      "scenario.yaml:3:5: sonars[0].gain has no effect with model = calibrated; set receiver.gain_ranges and "
      "receiver.gains_db for levels, receiver.full_scale_db for counts"},
     {"PaperInTheCalibratedModel", "world: floor.obj\nmodel: calibrated\npaper: {sigmoid: none}\nsonars: [{}]\n",
-     "scenario.yaml:3:9: paper.sigmoid has no effect with model = calibrated"},
+     "scenario.yaml:3:9: paper.sigmoid has no effect with model = calibrated; it needs model = paper"},
     {"ReflectivityInTheCalibratedModel", "world: floor.obj\nmaterials: {sand: {reflectivity: 0.5}}\nsonars: [{}]\n",
      "scenario.yaml:2:20: materials.sand.reflectivity has no effect with model = calibrated; set reflection for "
      "mirrors "
      "and glints, lambert_db for diffuse echoes"},
     {"PulseInThePaperModel", "world: floor.obj\nmodel: paper\nreceiver: {pulse: cw}\nsonars: [{}]\n",
-     "scenario.yaml:3:12: receiver.pulse has no effect with model = paper"},
+     "scenario.yaml:3:12: receiver.pulse has no effect with model = paper; it needs model = calibrated"},
     {"RangeGainInThePaperModel", "world: floor.obj\nmodel: paper\nsonars:\n  - receiver: {time_varied_gain: 30}\n",
      "scenario.yaml:4:16: sonars[0].receiver.time_varied_gain has no effect with model = paper; set a sonar's gain"},
     {"SourceLevelInThePaperModel", "world: floor.obj\nmodel: paper\nsonars: [{source_level_db: 210}]\n",

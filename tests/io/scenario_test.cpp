@@ -377,6 +377,28 @@ TEST_F(ScenarioTest, SettingsOverrideTheFile) {
 
 TEST_F(ScenarioTest, ALaterSettingWins) {
   EXPECT_EQ(load(kTwoSonars, {"pings=3", "pings=4"}).pings, 4);
+  EXPECT_THAT(
+      [&] {
+        (void)load(kTwoSonars, {"duration=1", "pings=3"});
+      },
+      testing::ThrowsMessage<Error>("--set pings=3: cannot be set together with --set duration=1; leave one out"));
+}
+
+// Whichever of its keys the file uses.
+TEST_F(ScenarioTest, ASettingTakesThePlaceOfItsAlternatives) {
+  const std::string text =
+      "world: worlds/floor.obj\nduration: 2\nsonars: [{ping_period: 0.5, orientation_deg: [0, 20, 0]}]\n";
+  EXPECT_EQ(load(text, {"pings=3"}).pings, 3);
+  EXPECT_FALSE(load(text, {"pings=3"}).duration.has_value());
+  const Scenario turned = load(text, {"orientation_wxyz=[0, 1, 0, 0]"});
+  EXPECT_NEAR(turned.sonars.at(0).orientation.x(), std::numbers::pi, kAngleTolerance);
+  EXPECT_NEAR(turned.sonars.at(0).orientation.tail<2>().norm(), 0, kAngleTolerance);
+  EXPECT_THAT(
+      [&] {
+        (void)load(text, {"orientation_wxyz=[1, 0, 0, 0]", "orientation_deg=[0, 0, 0]"});
+      },
+      testing::ThrowsMessage<Error>("--set orientation_deg=[0, 0, 0]: cannot be set together with --set "
+                                    "orientation_wxyz=[1, 0, 0, 0]; leave one out"));
 }
 
 TEST_F(ScenarioTest, ASonarsKeyAloneSetsEverySonar) {

@@ -127,6 +127,7 @@ std::string refusal(const PulseSettings& settings) {
 
 TEST(PulseSettingsTest, InvalidSettingsAreRefused) {
   EXPECT_EQ(refusal({}), "accepted");
+  EXPECT_EQ(refusal({.kind = PulseKind::kLfm}), "accepted");
   EXPECT_EQ(refusal({.duration = 0}), "fls.pulse.duration = 0 s must be greater than 0, at most 1 s");
   EXPECT_EQ(refusal({.bandwidth = -1}), "fls.pulse.bandwidth = -1 Hz must be greater than 0, at most 10000000 Hz");
   EXPECT_EQ(refusal({.kind = PulseKind::kLfm, .duration = 1e-4, .bandwidth = 5e4}),

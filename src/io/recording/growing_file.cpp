@@ -285,7 +285,8 @@ void GrowingFile::append(std::span<const std::span<const std::byte>> rows) {
   if (!written) {
     const std::string reason = system_reason();
     (void)set_end(end_);  // Nothing of this row is kept.
-    fail(path_, fmt::format("cannot write ping {}: {}; those before it stay readable", count_, reason));
+    fail(path_, fmt::format("cannot write ping {}: {}{}", count_, reason,
+                            count_ > 0 ? "; those before it stay readable" : ""));
   }
   for (Growth& growth : growths_) {
     growth.chunk = growth.next_chunk;

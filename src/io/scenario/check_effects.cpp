@@ -50,9 +50,11 @@ void refuse_idle_keys(const Scenario& scenario) {
     if (model_is_of_command_line(scenario) && !is_of_command_line(place)) {
       return;
     }
-    const std::string instead = field.instead.empty() ? "" : fmt::format("; set {}", field.instead);
+    const EchoModel other = scenario.model == EchoModel::kPaper ? EchoModel::kCalibrated : EchoModel::kPaper;
+    const std::string instead = field.instead.empty() ? fmt::format("it needs model = {}", word_of(other))
+                                                      : fmt::format("set {}", field.instead);
     throw Error(object, file_name_of(field),
-                fmt::format(" has no effect with model = {}{}", word_of(scenario.model), instead))
+                fmt::format(" has no effect with model = {}; {}", word_of(scenario.model), instead))
         .at(place);
   });
 }

@@ -200,47 +200,49 @@ void Preset::fit_to_range(SonarConfig& fitted, double sound_speed) const {
   }
 }
 
-std::vector<std::string> Preset::exceeded_by(const SonarConfig& given) const {
+std::vector<Preset::Excess> Preset::exceeded_by(const SonarConfig& given) const {
   constexpr double kSlack = 1e-6;      // Of what was converted from degrees.
   constexpr double kOtherBand = 0.25;  // Instruments that can be tuned reach about that far.
-  std::vector<std::string> texts;
+  std::vector<Excess> excesses;
   if (!(given.max_range > given.min_range)) {
-    return texts;  // Which is an error of its own.
+    return excesses;  // Which is an error of its own.
   }
-  const auto tell = [&](bool exceeded, const std::string& text) {
+  const auto tell = [&](bool exceeded, const char* field, const std::string& text) {
     if (exceeded) {
-      texts.push_back(text);
+      excesses.push_back({field, text});
     }
   };
   const auto degrees = [](double angle) { return degrees_from_radians(angle); };
-  tell(std::abs(given.frequency / sonar.frequency - 1) > kOtherBand,
-       fmt::format("frequency = {:.6g} Hz, and a {} transmits at {:.6g} Hz", given.frequency, title, sonar.frequency));
-  tell(given.max_range > sonar.max_range * (1 + kSlack),
-       fmt::format("max_range = {:.6g} m, and a {} reaches {:.6g} m", given.max_range, title, sonar.max_range));
-  tell(given.min_range < sonar.min_range * (1 - kSlack),
-       fmt::format("min_range = {:.6g} m, and a {} begins at {:.6g} m", given.min_range, title, sonar.min_range));
-  tell(given.azimuth_aperture > sonar.azimuth_aperture * (1 + kSlack),
-       fmt::format("azimuth_aperture_deg = {:.6g}, and the fan of a {} has {:.6g} deg", degrees(given.azimuth_aperture),
-                   title, degrees(sonar.azimuth_aperture)));
-  tell(given.elevation_aperture > sonar.elevation_aperture * (1 + kSlack),
-       fmt::format("elevation_aperture_deg = {:.6g}, and the beams of a {} have {:.6g} deg",
-                   degrees(given.elevation_aperture), title, degrees(sonar.elevation_aperture)));
-  tell(given.beam_count > sonar.beam_count,
-       fmt::format("beam_count = {}, and a {} has {}", given.beam_count, title, sonar.beam_count));
-  tell(given.bin_count > instrument.bin_limit,
-       fmt::format("bin_count = {}, and a {} has at most {}", given.bin_count, title, instrument.bin_limit));
+  tell(std::abs(given.frequency / sonar.frequency - 1) > kOtherBand, "frequency",
+       fmt::format(" = {:.6g} Hz, and a {} transmits at {:.6g} Hz", given.frequency, title, sonar.frequency));
+  tell(given.max_range > sonar.max_range * (1 + kSlack), "max_range",
+       fmt::format(" = {:.6g} m, and a {} reaches {:.6g} m", given.max_range, title, sonar.max_range));
+  tell(given.min_range < sonar.min_range * (1 - kSlack), "min_range",
+       fmt::format(" = {:.6g} m, and a {} begins at {:.6g} m", given.min_range, title, sonar.min_range));
+  tell(given.azimuth_aperture > sonar.azimuth_aperture * (1 + kSlack), "azimuth_aperture_deg",
+       fmt::format(" = {:.6g}, and the fan of a {} has {:.6g} deg", degrees(given.azimuth_aperture), title,
+                   degrees(sonar.azimuth_aperture)));
+  tell(given.elevation_aperture > sonar.elevation_aperture * (1 + kSlack), "elevation_aperture_deg",
+       fmt::format(" = {:.6g}, and the beams of a {} have {:.6g} deg", degrees(given.elevation_aperture), title,
+                   degrees(sonar.elevation_aperture)));
+  tell(given.beam_count > sonar.beam_count, "beam_count",
+       fmt::format(" = {}, and a {} has {}", given.beam_count, title, sonar.beam_count));
+  tell(given.bin_count > instrument.bin_limit, "bin_count",
+       fmt::format(" = {}, and a {} has at most {}", given.bin_count, title, instrument.bin_limit));
   const double finest = instrument.range_resolution.value_or(given.bin_length());
-  tell(given.bin_count > std::ceil((given.max_range - given.min_range) / finest - kSlack),
-       fmt::format("bins of {:.4g} m, and those of a {} have at least {:.4g} m", given.bin_length(), title, finest));
+  tell(given.bin_count > std::ceil((given.max_range - given.min_range) / finest - kSlack), "bin_count",
+       fmt::format(" = {} makes bins of {:.4g} m, and those of a {} have at least {:.4g} m", given.bin_count,
+                   given.bin_length(), title, finest));
   tell(instrument.ping_rate_limit && given.ping_period && *given.ping_period * *instrument.ping_rate_limit < 1 - kSlack,
-       fmt::format("ping_period = {:.4g} s, and a {} makes at most {:.4g} pings a second",
-                   given.ping_period.value_or(0), title, instrument.ping_rate_limit.value_or(0)));
+       "ping_period",
+       fmt::format(" = {:.4g} s, and a {} makes at most {:.4g} pings a second", given.ping_period.value_or(0), title,
+                   instrument.ping_rate_limit.value_or(0)));
   const bool head = given.type == SonarType::kMechanicallyScanned && !instrument.steps.empty();
   const double least_step = head ? *std::ranges::min_element(instrument.steps) : 0;
-  tell(head && std::abs(given.step) < least_step * (1 - kSlack),
-       fmt::format("step_deg = {:.4g}, and the head of a {} makes steps of at least {:.4g} deg", degrees(given.step),
-                   title, degrees(least_step)));
-  return texts;
+  tell(head && std::abs(given.step) < least_step * (1 - kSlack), "step_deg",
+       fmt::format(" = {:.4g}, and the head of a {} makes steps of at least {:.4g} deg", degrees(given.step), title,
+                   degrees(least_step)));
+  return excesses;
 }
 
 Preset load_preset(const std::string& name, const std::string& mode) {

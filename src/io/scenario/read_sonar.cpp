@@ -109,8 +109,10 @@ SonarConfig read_sonar(const YamlValue& value, const std::string& object, const 
   refuse_head_keys(value, object, sonar);
   if (preset) {
     fit_to_range(value, *preset, scenario, sonar);
-    for (const std::string& text : preset->exceeded_by(sonar)) {
-      log_line(log, Severity::kWarning, value.place.text() + object + "." + text);
+    for (const Preset::Excess& excess : preset->exceeded_by(sonar)) {
+      const auto given = places.find(member_name(object, excess.field));
+      const Place& place = given != places.end() ? given->second : value.place;
+      log_line(log, Severity::kWarning, place.text() + member_name(object, excess.field) + excess.text);
     }
   }
   return sonar;

@@ -96,6 +96,30 @@ YamlValue& item_of(YamlValue& list, const Step& step, const std::string& name, c
       .at(place);
 }
 
+bool contains(std::span<const std::string> keys, const std::string& key) {
+  return std::ranges::find(keys, key) != keys.end();
+}
+
+// Keys of which a map can have only one.
+const std::vector<std::vector<std::string>> kAlternatives = {{"pings", "duration", "turns"},
+                                                             {"orientation_deg", "orientation_wxyz"}};
+
+// A key given by --set takes the place of its alternatives in the file.
+void remove_alternatives(YamlValue& map, const std::string& key, const Place& place) {
+  for (const std::vector<std::string>& keys : kAlternatives) {
+    if (!contains(keys, key)) {
+      continue;
+    }
+    const auto is_other = [&](const auto& entry) { return entry.key != key && contains(keys, entry.key); };
+    for (const auto& entry : map.entries) {
+      if (is_other(entry) && entry.value.place.line == 0) {
+        throw Error(fmt::format("cannot be set together with {}; leave one out", entry.value.place.file)).at(place);
+      }
+    }
+    std::erase_if(map.entries, is_other);
+  }
+}
+
 // Follows the steps from `tree`, makes maps where there is nothing yet, and puts the value at the end.
 void put(YamlValue& tree, std::span<const Step> steps, std::string name, const YamlValue& value, const Place& place) {
   if (steps.empty()) {
@@ -117,25 +141,15 @@ void put(YamlValue& tree, std::span<const Step> steps, std::string name, const Y
   if (tree.place.file.empty()) {
     tree.place = place;
   }
+  if (value.kind != Kind::kNothing) {
+    remove_alternatives(tree, step.name, place);
+  }
   YamlValue* next = tree.find(step.name);
   if (next == nullptr) {
     tree.entries.push_back({step.name, {}});
     next = &tree.entries.back().value;
   }
   put(*next, steps.subspan(1), name.empty() ? step.name : fmt::format("{}.{}", name, step.name), value, place);
-}
-
-bool contains(std::span<const std::string> keys, const std::string& key) {
-  return std::ranges::find(keys, key) != keys.end();
-}
-
-// Of the keys that say when pings end only one can be there: a new one takes the place of the others.
-void remove_other_lengths(YamlValue& scenario, const std::string& key) {
-  const std::vector<std::string> lengths = {"pings", "duration", "turns"};
-  if (contains(lengths, key)) {
-    std::erase_if(scenario.entries,
-                  [&](const auto& entry) { return entry.key != key && contains(lengths, entry.key); });
-  }
 }
 
 }  // namespace
@@ -145,9 +159,6 @@ void apply_setting(YamlValue& scenario, const std::string& text, std::span<const
   const Setting setting = parse_setting(text);
   const std::string& first = setting.steps.front().name;
   if (contains(scenario_keys, first)) {
-    if (setting.value.kind != Kind::kNothing) {
-      remove_other_lengths(scenario, first);
-    }
     put(scenario, setting.steps, "", setting.value, setting.place);
     return;
   }
