@@ -20,6 +20,7 @@
 #include <random>
 
 #include "io/h5_read.h"
+#include "support/test_files.h"
 
 namespace insonify {
 namespace {
@@ -109,7 +110,7 @@ std::uint64_t whole_rows(const std::filesystem::path& path, Kind kind = Kind::kP
 }
 
 std::filesystem::path scratch(const std::string& name) {
-  const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / ("growing_file_test_" + name);
+  const std::filesystem::path folder = process_folder() / ("growing_file_test_" + name);
   std::filesystem::remove_all(folder);
   std::filesystem::create_directories(folder);
   return folder / "fls.h5";

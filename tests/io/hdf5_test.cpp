@@ -7,12 +7,13 @@
 #include <fstream>
 
 #include "support/message_of.h"
+#include "support/test_files.h"
 
 namespace insonify {
 namespace {
 
 std::filesystem::path scratch(const std::string& name) {
-  return std::filesystem::path(testing::TempDir()) / name;
+  return process_folder() / name;
 }
 
 void open_to_read(const std::filesystem::path& path) {

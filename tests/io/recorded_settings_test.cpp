@@ -8,6 +8,7 @@
 #include "insonify/describe.h"
 #include "insonify/files.h"
 #include "io/h5_read.h"
+#include "support/test_files.h"
 
 namespace insonify {
 namespace {
@@ -59,7 +60,7 @@ Scene scene() {
 }
 
 std::filesystem::path recorded(const Scenario& scenario) {
-  const auto path = std::filesystem::path(testing::TempDir()) / "recorded_settings_test.h5";
+  const auto path = process_folder() / "recorded_settings_test.h5";
   Recording(path, scenario, scene(), scenario.sonars.at(0), {.replace = true}).close();
   return path;
 }

@@ -4,6 +4,7 @@
 
 #include "insonify/files.h"
 #include "io/h5_read.h"
+#include "support/test_files.h"
 #include "validation/calibrated_scene.h"
 
 namespace insonify::validation {
@@ -22,7 +23,7 @@ TEST(RecordingRoomTest, AllDatasetsFit) {
   scenario.receiver.speckle = scenario.receiver.field = scenario.receiver.counts = true;
   scenario.receiver.full_scale_db = -40;
   Simulator simulator(scenario, plate_at(10, 2, diffuse(-10)), 1);
-  const auto path = std::filesystem::path(testing::TempDir()) / "recording_room_test.h5";
+  const auto path = process_folder() / "recording_room_test.h5";
   Recording recording(path, simulator.scenario(), simulator.scene(), simulator.sonar(0), {.replace = true});
   const Ping ping = simulator.make_ping(0, 0);
   recording.add(ping);

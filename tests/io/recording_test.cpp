@@ -15,6 +15,7 @@
 #include "insonify/error.h"
 #include "insonify/files.h"
 #include "io/h5_read.h"
+#include "support/test_files.h"
 
 namespace {
 // Counts the allocations of this program.
@@ -128,7 +129,7 @@ Ping make_ping(const SonarConfig& sonar, std::uint64_t number) {
 }
 
 std::filesystem::path scratch(const std::string& name) {
-  return std::filesystem::path(testing::TempDir()) / ("recording_test_" + name + ".h5");
+  return process_folder() / ("recording_test_" + name + ".h5");
 }
 
 // Likewise, after removing what an earlier test has left.

@@ -7,6 +7,7 @@
 #include "insonify/error.h"
 #include "insonify/files.h"
 #include "io/h5_read.h"
+#include "support/test_files.h"
 
 namespace insonify {
 namespace {
@@ -67,7 +68,7 @@ TEST(SonarWaterTest, RecordingTellsTheWaterAtTheSonarsDepth) {
   scenario.water.absorption = true;
   const Scene scene = SceneMaker().add_wall(20).scene();
   const Simulator simulator(scenario, scene, 1);
-  const std::filesystem::path path = std::filesystem::path(testing::TempDir()) / "sonar_water_test.h5";
+  const std::filesystem::path path = process_folder() / "sonar_water_test.h5";
   Recording(path, simulator.scenario(), simulator.scene(), simulator.sonar(0), {.replace = true}).close();
   const H5Reader file(path);
   Water deep;

@@ -36,6 +36,12 @@ class ScratchFolder {
   std::filesystem::path path_;
 };
 
+/// A folder of this process, gone when it ends: other tests that run at the same time have their own.
+inline const std::filesystem::path& process_folder() {
+  static const ScratchFolder folder;
+  return folder.path();
+}
+
 /// The bytes of a value as files hold them on a little-endian machine.
 template <typename Value>
 std::string bytes_of(const Value& value) {
