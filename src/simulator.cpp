@@ -8,15 +8,14 @@
 #include "insonify/error.h"
 #include "insonify/scenario_requests.h"
 #include "receiver/paper_receiver.h"
+#include "simulator/scene_changes.h"
 #include "simulator/simulator_state.h"
 
 namespace insonify {
 
 Simulator::Simulator(Scenario scenario, Scene scene, int threads, std::span<const MovableObject> movable) {
   scenario.validate();
-  for (const Instance& instance : scene.instances) {
-    check_reach(instance, instance.name);
-  }
+  check_scene(scene);
   state_ = std::make_unique<State>(std::move(scenario), std::move(scene), threads, movable);
 }
 
@@ -31,7 +30,7 @@ const Scene& Simulator::scene() const {
   return state_->scene;
 }
 const SonarConfig& Simulator::sonar(int sonar) const {
-  return state_->sonars.at(sonar).config;
+  return state_->sonar(sonar).config;
 }
 Engine& Simulator::engine() {
   state_->take_in_scene();
@@ -52,7 +51,7 @@ EngineMemory Simulator::engine_memory() const {
 
 std::vector<double> Simulator::time_traversal(int index, const Pose& world_from_sonar, int repetitions) {
   state_->take_in_scene();
-  const PingPlan& plan = *state_->sonars.at(index).plan;
+  const PingPlan& plan = *state_->sonar(index).plan;
   std::vector<double> seconds = state_->engine->time_traversal(plan, world_from_sonar, repetitions);
   if (seconds.empty()) {
     throw Error(fmt::format("engine \"{}\" traces its rays itself: there is no bare traversal to time",
@@ -62,21 +61,21 @@ std::vector<double> Simulator::time_traversal(int index, const Pose& world_from_
 }
 
 Pose Simulator::world_from_housing(int index, const PingRequest& request) const {
-  return request.world_from_vehicle * state_->sonars.at(index).vehicle_from_housing;
+  return request.world_from_vehicle * state_->sonar(index).vehicle_from_housing;
 }
 
 Pose Simulator::world_from_head(int index, const PingRequest& request) const {
-  return world_from_housing(index, request) * housing_from_head(state_->sonars.at(index).head_angle(request));
+  return world_from_housing(index, request) * housing_from_head(state_->sonar(index).head_angle(request));
 }
 
 void Simulator::place(int sonar, const PingRequest& request) {
-  state_->place(state_->sonars.at(sonar), request);
+  state_->place(state_->sonar(sonar), request);
 }
 
 void Simulator::ping(int index, const PingRequest& request, Ping& ping) {
   State& state = *state_;
   const Scenario& scenario = state.scenario;
-  SimulatedSonar& sonar = state.sonars.at(index);
+  SimulatedSonar& sonar = state.sonar(index);
 
   // Poses of moved objects, vehicle, sonar and head.
   state.place(sonar, request);
@@ -127,6 +126,7 @@ void Simulator::ping(int sonar, std::span<const PingRequest> requests, std::span
 }
 
 Ping Simulator::make_ping(int sonar, std::uint64_t number) {
+  (void)state_->sonar(sonar);  // Perhaps none.
   return ping(sonar, ScenarioRequests(state_->scenario).at(sonar, number));
 }
 

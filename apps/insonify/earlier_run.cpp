@@ -110,7 +110,8 @@ void refuse_earlier_run(const std::filesystem::path& folder, const Scenario& sce
   for (const SonarConfig& sonar : scenario.sonars) {
     sonars.push_back(sonar.name);
     std::error_code ignored;
-    if (const auto recording = folder / (sonar.name + ".h5"); std::filesystem::is_regular_file(recording, ignored)) {
+    if (const auto recording = folder / (sonar.name + ".h5");
+        std::filesystem::is_regular_file(recording, ignored) || std::filesystem::is_symlink(recording, ignored)) {
       files.push_back(recording);
     }
   }

@@ -312,8 +312,8 @@ int run(const RunOptions& options) {
   print_hints(simulator, tracks, style.display, options.quiet);
   const std::uint64_t asked_for = requests.total_pings();
   if (made < asked_for) {
-    throw Error(fmt::format("stopped after {} of {}; they are kept{}", made, counted(asked_for, "ping"),
-                            replaced ? ", instead of the earlier run's" : ""));
+    throw Error(fmt::format("stopped after {} of {}; {} kept{}", made, counted(asked_for, "ping"),
+                            made == 1 ? "it is" : "they are", replaced ? ", instead of the earlier run's" : ""));
   }
   return kDone;
 }

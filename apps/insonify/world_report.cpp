@@ -55,7 +55,8 @@ std::string length_text(const std::string& whose, const Trajectory& trajectory, 
   }
   if (last_ping + period < end) {
     return fmt::format(
-        "the last ping of {} is at {:.4g} s, the trajectory{} ends at {:.4g} s; duration={:.6g} pings until then",
+        "the last ping of {} is at {:.4g} s, the trajectory{} ends at {:.4g} s; --duration {:.6g} would ping until "
+        "then",
         sonar.name, last_ping, whose, end, end);
   }
   if (last_ping > end + period) {

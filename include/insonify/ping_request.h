@@ -15,7 +15,7 @@ namespace insonify {
 /// while the sonar listens; without, it has no effect.
 struct Twist {
   Vec3 linear = Vec3::Zero();   ///< Velocity of the vehicle's origin [m/s], at most 100 m/s with motion_in_ping.
-  Vec3 angular = Vec3::Zero();  ///< Axis of its turn times the rate [rad/s].
+  Vec3 angular = Vec3::Zero();  ///< Axis of its turn times the rate [rad/s], at most 100 an axis.
 };
 
 /// Where something that a Simulator can move is at a ping. Either `name` or `instance` says what it is.

@@ -60,7 +60,8 @@ bool has_area(const Mesh& mesh, const Triangle& triangle) {
   const Vec3 b = mesh.vertices[triangle[1]].cast<double>();
   const Vec3 c = mesh.vertices[triangle[2]].cast<double>();
   const double longest = std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
-  return (b - a).cross(c - a).norm() > longest * kRounding;
+  constexpr double kTooLong = 1e8;  // [m] Beyond what a scene can hold: check_reach() refuses it, and says so.
+  return (b - a).cross(c - a).norm() > longest * kRounding || longest > kTooLong * kTooLong;
 }
 
 // Whether a triangle can be traced; if not, counts the reason in the report.

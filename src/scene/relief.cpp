@@ -37,6 +37,16 @@ void ReliefConfig::validate(const std::string& object) const {
   require(has_heights || height == 0, object, "height", "needs height_map, the picture that it is for");
   require(has_normals || normal_strength == 1, object, "normal_strength",
           "needs normal_map, the picture that it is for");
+  const ReliefConfig usual;
+  const bool has_ripples = ripple_height > 0, has_roughness = roughness_height > 0;
+  require(has_ripples || ripple_direction == usual.ripple_direction, object, "ripple_direction_deg",
+          "needs ripple_height");
+  require(has_roughness || roughness_exponent == usual.roughness_exponent, object, "roughness_exponent",
+          "needs roughness_height");
+  require(has_ripples || has_roughness || relief_seed == usual.relief_seed, object, "relief_seed",
+          "needs ripples or roughness");
+  require(tile_size == 0 || has_shape() || has_normals || has_heights || !reflectivity_map.empty(), object, "tile_size",
+          "needs ripples, roughness or a map");
   require(ripple_wavelength == 0 || ripple_height > 0, object, "ripple_wavelength", "needs ripple_height");
   require(ripple_height == 0 || ripple_wavelength > 0, object, "ripple_height", "needs ripple_wavelength");
   if (ripple_wavelength > 0 && tile_size > 0) {

@@ -9,7 +9,8 @@ namespace insonify {
 void Simulator::set_sonar(int index, const SonarConfig& config) {
   State& state = *state_;
   Scenario changed = state.scenario;
-  changed.sonars.at(index) = config;
+  (void)state.sonar(index);
+  changed.sonars[index] = config;
   changed.validate();
   state.sonars[index] = state.simulated(changed, config);
   state.scenario.sonars[index] = config;

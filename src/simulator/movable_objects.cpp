@@ -10,6 +10,7 @@
 
 #include "echo/engine.h"
 #include "insonify/error.h"
+#include "simulator/check_pose.h"
 
 namespace insonify {
 namespace {
@@ -76,6 +77,12 @@ void MovableObjects::add(std::span<const Motion> motions, Scene& scene) {
 void MovableObjects::add(std::span<const MovableObject> movable, Scene& scene, std::size_t first) {
   for (std::size_t m = 0; m < movable.size(); ++m) {
     const std::string& name = movable[m].name;
+    if (name.empty()) {
+      throw Error(fmt::format("movable[{}].name must not be empty", m));
+    }
+    if (movable[m].world_from_object) {
+      check_pose(fmt::format("movable[{}].world_from_object", m), *movable[m].world_from_object);
+    }
     if (std::ranges::find(objects_, name, &Object::name) != objects_.end()) {
       throw Error(fmt::format("movable[{}].name = {} is movable already", m, name));
     }
@@ -135,8 +142,8 @@ void MovableObjects::set_next(const MovedObject& moved, const Scene& scene) {
   }
   std::vector<std::string> names;
   std::ranges::transform(objects_, std::back_inserter(names), &Object::name);
-  throw Error(fmt::format("{} was not made movable when the simulator was built; {}", what,
-                          names.empty() ? "nothing was" : fmt::format("movable are {}", fmt::join(names, ", "))));
+  throw Error(fmt::format("{} is not movable; {}", what,
+                          names.empty() ? "nothing is" : fmt::format("there are {}", fmt::join(names, ", "))));
 }
 
 void MovableObjects::reset(const Scene& scene) {

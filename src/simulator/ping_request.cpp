@@ -8,6 +8,7 @@
 
 #include "insonify/error.h"
 #include "insonify/field.h"
+#include "simulator/check_pose.h"
 
 namespace insonify {
 namespace {
@@ -15,17 +16,11 @@ namespace {
 // Ten times the error of a quaternion in single precision, in which many programs keep poses.
 constexpr double kNormTolerance = 1e-6;
 
+constexpr double kFastestTurn = 100;  // [rad/s]
+
 void check_vector(std::string_view object, const Field& field, const Vec3& vector) {
   for (int axis = 0; axis < 3; ++axis) {
     check_field(object, field, vector[axis], axis);
-  }
-}
-
-void check_pose(std::string_view object, const Pose& pose) {
-  check_vector(object, {"position", "m", coordinate(), ""}, pose.position);
-  const double norm = pose.orientation.norm();
-  if (!(std::abs(norm - 1) <= kNormTolerance)) {
-    throw Error(fmt::format("{}.orientation must be a unit quaternion; the norm of this one is {:.10g}", object, norm));
   }
 }
 
@@ -43,16 +38,24 @@ void check_moved(const MovedObject& moved, std::size_t index) {
 
 }  // namespace
 
+void check_pose(std::string_view object, const Pose& pose) {
+  check_vector(object, {"position", "m", coordinate(), ""}, pose.position);
+  const double norm = pose.orientation.norm();
+  if (!(std::abs(norm - 1) <= kNormTolerance)) {
+    throw Error(fmt::format("{}.orientation must be a unit quaternion; the norm of this one is {:.10g}", object, norm));
+  }
+}
+
 void PingRequest::validate() const {
   check_field("", {"time", "s", from_to(-1e10, 1e10), ""}, time);
   check_pose("world_from_vehicle", world_from_vehicle);
   check_vector("twist", {"linear", "m/s", any_number(), ""}, twist.linear);
-  check_vector("twist", {"angular", "rad/s", any_number(), ""}, twist.angular);
+  check_vector("twist", {"angular", "rad/s", from_to(-kFastestTurn, kFastestTurn), ""}, twist.angular);
   for (std::size_t i = 0; i < moved.size(); ++i) {
     check_moved(moved[i], i);
   }
   if (head_angle) {
-    check_field("", {"head_angle", "rad", turn(), ""}, *head_angle);
+    check_field("", {"head_angle", "", turn(), ""}, *head_angle);  // In radians, as the member is.
   }
 }
 

@@ -9,6 +9,7 @@
 
 #include "echo/engine.h"
 #include "insonify/error.h"
+#include "simulator/check_pose.h"
 #include "simulator/movable_objects.h"
 
 namespace insonify {
@@ -18,6 +19,9 @@ constexpr std::size_t kMostLabels = 65535;  // Labels are 16 bits wide; the last
 
 void check_names(const Scene& objects, const Scene& scene) {
   for (const Instance& instance : objects.instances) {
+    if (instance.name.empty()) {
+      throw Error("an object to be added has no name");
+    }
     const auto has_its_name = [&](const Instance& other) { return other.present && other.name == instance.name; };
     if (std::ranges::any_of(scene.instances, has_its_name) ||
         std::ranges::count_if(objects.instances, has_its_name) > 1) {
@@ -26,23 +30,38 @@ void check_names(const Scene& objects, const Scene& scene) {
   }
 }
 
-void check_materials(const Scene& objects) {
-  for (const Instance& instance : objects.instances) {
-    if (instance.materials.size() != instance.mesh->material_names.size() ||
-        std::ranges::any_of(instance.materials, [&](std::uint16_t m) { return m >= objects.materials.size(); })) {
-      throw Error(fmt::format("{} has no materials: assign_materials() comes first", instance.name));
+void check_materials(const Instance& instance, std::size_t materials) {
+  if (instance.materials.empty()) {
+    throw Error(fmt::format("{} has no materials: assign_materials() comes first", instance.name));
+  }
+  if (instance.materials.size() != instance.mesh->material_names.size()) {
+    throw Error(fmt::format("{} has {} materials, its mesh names {}", instance.name, instance.materials.size(),
+                            instance.mesh->material_names.size()));
+  }
+  for (const std::uint16_t material : instance.materials) {
+    if (material >= materials) {
+      throw Error(fmt::format("{} has the material {}, must be less than {}, the number of the scene's materials",
+                              instance.name, material, materials));
     }
   }
 }
 
 }  // namespace
 
-void add_to_scene(const Scene& objects, Scene& scene) {
-  check_names(objects, scene);
-  check_materials(objects);
-  for (const Instance& instance : objects.instances) {
+void check_scene(const Scene& scene) {
+  for (const Instance& instance : scene.instances) {
+    if (instance.mesh == nullptr) {
+      throw Error(fmt::format("{} has no mesh", instance.name));
+    }
+    check_materials(instance, scene.materials.size());
+    check_pose(instance.name + ".world_from_mesh", instance.world_from_mesh);
     check_reach(instance, instance.name);
   }
+}
+
+void add_to_scene(const Scene& objects, Scene& scene) {
+  check_names(objects, scene);
+  check_scene(objects);
   std::vector<Material> materials = scene.materials;
   std::vector<std::uint16_t> index_of;  // Index in `materials` of each of the objects' materials.
   for (const Material& material : objects.materials) {

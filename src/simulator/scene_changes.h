@@ -8,6 +8,10 @@
 
 namespace insonify {
 
+/// @throws Error for an instance without a mesh, or whose materials are not assigned, and for a pose or a reach out of
+///         limits.
+void check_scene(const Scene& scene);
+
 /// Appends instances to the scene, and those of their materials that it does not have yet.
 /// @param objects  With materials assigned.
 /// @throws Error for a name that exists already, unassigned materials, or too many instances or materials; the scene is

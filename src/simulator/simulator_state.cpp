@@ -37,6 +37,13 @@ SimulatedSonar Simulator::State::simulated(const Scenario& in, const SonarConfig
   return {in, sonar, materials_at(sonar.frequency, in, scene)};
 }
 
+SimulatedSonar& Simulator::State::sonar(int index) {
+  if (index < 0 || index >= static_cast<int>(sonars.size())) {
+    throw Error(fmt::format("sonar = {} must be from 0 to {}, the last", index, sonars.size() - 1));
+  }
+  return sonars[static_cast<std::size_t>(index)];
+}
+
 void Simulator::State::take_in_scene() {
   if (scene_changed) {
     engine->set_scene(scene);

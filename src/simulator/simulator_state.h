@@ -42,6 +42,9 @@ struct Simulator::State {
   std::optional<SurfaceGhosts> ghosts;
   Interference interference;
   std::vector<SimulatedSonar> sonars;
+
+  /// One of `sonars`.  @throws Error for an index that is none.
+  [[nodiscard]] SimulatedSonar& sonar(int index);
   bool scene_changed = true;  ///< Since the engine has loaded it.
 };
 

@@ -88,6 +88,17 @@ TEST_F(CliStreamsTest, APictureLeavesAFolderOfItsNameAlone) {
   EXPECT_THAT(files("out/ahead_fan_0001.png"), ElementsAre("mine"));
 }
 
+// A pipe has a name anybody may give it, in a world as well, and perhaps never a writer.
+TEST_F(CliStreamsTest, APipeIsNoOtherInput) {
+  ASSERT_EQ(shell("mkfifo pipe.obj pipe.csv pipe.h5").status, 0);
+  EXPECT_EQ(shell("insonify run fan.yaml --set world=pipe.obj").err,
+            fmt::format("insonify: {}: is a named pipe, not a file\n",
+                        (std::filesystem::current_path() / "pipe.obj").string()));
+  EXPECT_EQ(shell("insonify run fan.yaml --set trajectory=pipe.csv").err,
+            "insonify: --set trajectory=pipe.csv: pipe.csv: is a named pipe, not a file\n");
+  EXPECT_EQ(shell("insonify draw pipe.h5").err, "insonify: pipe.h5: is a named pipe, not a file\n");
+}
+
 TEST_F(CliStreamsTest, AScenarioMayComeThroughAPipe) {
   for (const char* line :
        {"insonify run /dev/stdin -o a --no-pictures < fan.yaml",

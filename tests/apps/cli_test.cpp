@@ -109,7 +109,8 @@ TEST_F(CliTest, RunTellsWhatIsOddAboutTheWorldAndTheTrajectory) {
   const std::string moving = "--set 'trajectory=[{time: 0, position: [0,0,0]}, {time: 9, position: [1,0,0]}]'";
   EXPECT_THAT(
       shell("insonify run fan.yaml --no-pictures -o d --set ping_period=0.5 " + moving).out,
-      HasSubstr("note: the last ping of ahead is at 1 s, the trajectory ends at 9 s; duration=9 pings until then\n"));
+      HasSubstr(
+          "note: the last ping of ahead is at 1 s, the trajectory ends at 9 s; --duration 9 would ping until then\n"));
   EXPECT_THAT(
       shell("insonify run fan.yaml --no-pictures -o e --pings 4 --set ping_period=8 " + moving).out,
       HasSubstr("note: the last ping of ahead is at 24 s, the trajectory ends at 9 s: nothing moves after that\n"));
@@ -271,6 +272,26 @@ TEST_F(CliTest, DrawFailsWhereItCannotWrite) {
   const Outcome outcome = shell("ulimit -f 4; insonify draw run/ahead.h5 -o drawn");
   EXPECT_EQ(outcome.status, 1);
   EXPECT_EQ(outcome.err, "insonify: drawn/ahead_polar_0000.png: cannot write the picture: File too large\n");
+}
+
+TEST_F(CliTest, KeysThatAnotherKeepsFromActingAreToldOf) {
+  EXPECT_EQ(
+      shell("insonify run fan.yaml -q --no-pictures -o out --set receiver.pulse_bandwidth=3e5 --set "
+            "receiver.ambient_noise_db=30 --set receiver.noise=false")
+          .err,
+      "insonify: warning: --set receiver.pulse_bandwidth=3e5: receiver.pulse_bandwidth has no effect unless pulse is "
+      "lfm\ninsonify: warning: --set receiver.ambient_noise_db=30: receiver.ambient_noise_db has no effect unless "
+      "noise is true\n");
+  EXPECT_EQ(
+      shell("insonify run fan.yaml -q --no-pictures -o lfm --set receiver='{pulse: lfm, pulse_bandwidth: 3e5}'").err,
+      "");
+}
+
+TEST_F(CliTest, ALinkIsAnEarlierRecordingToo) {
+  std::filesystem::create_directory("out");
+  std::filesystem::create_symlink("/not/mounted/ahead.h5", "out/ahead.h5");
+  EXPECT_EQ(shell("insonify run fan.yaml -q -o out").status, 2);
+  EXPECT_TRUE(std::filesystem::is_symlink("out/ahead.h5"));
 }
 
 TEST_F(CliTest, DrawTellsWhatIsNoRecording) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "insonify/scene.h"
 #include "scene/mesh_checks.h"
 #include "support/message_of.h"
 
@@ -257,6 +258,16 @@ TEST(CleanMeshTest, AFanOfManyTrianglesTakesNoTime) {
   }
   (void)clean_mesh(mesh);
   EXPECT_LT(normal_length_error(mesh), kFloat);
+}
+
+// Said by check_reach(), with the coordinate.
+TEST(CleanMeshTest, ATriangleLargerThanTheWorldIsNotDroppedAsOneWithoutArea) {
+  Mesh mesh;
+  mesh.vertices = {{0, 0, 0}, {1e30F, 0, 0}, {0, 1, 0}};
+  mesh.triangles = {{0, 1, 2}};
+  EXPECT_EQ(clean_mesh(mesh).dropped(), 0U);
+  EXPECT_THAT([&] { check_reach({.mesh = std::make_shared<Mesh>(mesh)}, "sheet"); },
+              testing::ThrowsMessage<Error>(testing::HasSubstr("sheet reaches x = 1.000000015e+30 m")));
 }
 
 }  // namespace

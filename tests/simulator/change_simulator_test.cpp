@@ -177,6 +177,8 @@ TEST(AddObjectsTest, RefusesNamesThatAreThereAndMaterialsThatAreNot) {
   bare.instances[0].materials.clear();
   EXPECT_EQ(message_of([&] { simulator.add_objects(bare); }), "buoy has no materials: assign_materials() comes first");
   Scene buoy = only(kBall);
+  buoy.instances[0].name.clear();
+  EXPECT_EQ(message_of([&] { simulator.add_objects(buoy); }), "an object to be added has no name");
   buoy.instances[0].name = "buoy";
   EXPECT_EQ(message_of([&] { simulator.add_objects(buoy, std::vector<MovableObject>{{"boy"}}); }),
             "movable[0].name = boy is not in the world; there are ball, box, buoy, floor, ship");
@@ -191,6 +193,34 @@ TEST(RemoveObjectTest, RefusesWhatIsNotThere) {
   simulator.remove_object("ship");
   EXPECT_EQ(message_of([&] { simulator.remove_object("ship"); }),
             "ship is not in the world; there are ball, box, floor");
+}
+
+// What would be read out of bounds, or place nothing anywhere.
+TEST(WrongSceneTest, IsRefused) {
+  const auto message_with = [](auto&& change) {
+    Scene scene = small_world();
+    change(scene.instances.at(kBall));
+    return message_of([&] { Simulator(quiet_scenario(small_sonar()), scene, 1); });
+  };
+  EXPECT_EQ(message_with([](Instance& ball) { ball.mesh = nullptr; }), "ball has no mesh");
+  EXPECT_EQ(message_with([](Instance& ball) { ball.materials.clear(); }),
+            "ball has no materials: assign_materials() comes first");
+  EXPECT_EQ(message_with([](Instance& ball) { ball.materials.push_back(0); }),
+            "ball has 2 materials, its mesh names 1");
+  EXPECT_THAT(message_with([](Instance& ball) { ball.materials = {999}; }),
+              testing::HasSubstr("ball has the material 999, must be less than "));
+  EXPECT_EQ(message_with([](Instance& ball) { ball.world_from_mesh.orientation.coeffs().setZero(); }),
+            "ball.world_from_mesh.orientation must be a unit quaternion; the norm of this one is 0");
+}
+
+TEST(WrongSonarTest, IsRefused) {
+  Simulator simulator(quiet_scenario(small_sonar()), small_world(), 1);
+  EXPECT_EQ(message_of([&] { (void)simulator.ping(1, PingRequest{}); }), "sonar = 1 must be from 0 to 0, the last");
+  EXPECT_EQ(message_of([&] { (void)simulator.ping(-1, PingRequest{}); }), "sonar = -1 must be from 0 to 0, the last");
+  EXPECT_EQ(message_of([&] { (void)simulator.make_ping(3, 0); }), "sonar = 3 must be from 0 to 0, the last");
+  EXPECT_EQ(message_of([&] { (void)simulator.sonar(5); }), "sonar = 5 must be from 0 to 0, the last");
+  EXPECT_EQ(message_of([&] { (void)simulator.world_from_head(9, {}); }), "sonar = 9 must be from 0 to 0, the last");
+  EXPECT_EQ(message_of([&] { simulator.set_sonar(4, small_sonar()); }), "sonar = 4 must be from 0 to 0, the last");
 }
 
 }  // namespace

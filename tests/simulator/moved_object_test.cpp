@@ -119,14 +119,14 @@ class ImmovableTest : public testing::Test {
 
 TEST_F(ImmovableTest, IsWhatWasNotNamedWhenTheSimulatorWasBuilt) {
   EXPECT_EQ(message_of_moving({.name = "box"}),
-            "ping 7 of fls: moved[1].name = box was not made movable when the simulator was built; movable are ball, "
+            "ping 7 of fls: moved[1].name = box is not movable; there are ball, "
             "ship");
   EXPECT_EQ(message_of_moving({.instance = kFloor}),
-            "ping 7 of fls: moved[1].instance = 0 (floor) was not made movable when the simulator was built; movable "
+            "ping 7 of fls: moved[1].instance = 0 (floor) is not movable; there "
             "are ball, ship");
   Simulator nothing(quiet_scenario(small_sonar()), small_world(), 1);
   EXPECT_EQ(message_of([&] { (void)nothing.ping(0, {.moved = {{.name = "ship"}}}); }),
-            "ping 0 of fls: moved[0].name = ship was not made movable when the simulator was built; nothing was");
+            "ping 0 of fls: moved[0].name = ship is not movable; nothing is");
 }
 
 TEST_F(ImmovableTest, IsWhatIsNotThere) {
@@ -138,6 +138,21 @@ TEST_F(ImmovableTest, IsWhatIsNotThere) {
               Simulator(quiet_scenario(small_sonar()), small_world(), 1, movable({"ball", "whale"}));
             }),
             "movable[1].name = whale is not in the world; there are ball, box, floor, ship");
+}
+
+TEST_F(ImmovableTest, IsWhatHasAFrameThatIsNone) {
+  const auto message_with = [](const Pose& frame) {
+    return message_of([&] {
+      const MovableObject ball{.name = "ball", .world_from_object = frame};
+      Simulator(quiet_scenario(small_sonar()), small_world(), 1, std::span(&ball, 1));
+    });
+  };
+  EXPECT_EQ(message_with({.orientation = Eigen::Quaterniond(5, 0, 0, 0)}),
+            "movable[0].world_from_object.orientation must be a unit quaternion; the norm of this one is 5");
+  EXPECT_THAT(message_with({.position = Vec3(0, std::nan(""), 0)}),
+              testing::HasSubstr("movable[0].world_from_object.position[1] = nan"));
+  EXPECT_EQ(message_of([] { Simulator(quiet_scenario(small_sonar()), small_world(), 1, movable({""})); }),
+            "movable[0].name must not be empty");
 }
 
 TEST_F(ImmovableTest, IsWhatHasNoNameOrTwo) {

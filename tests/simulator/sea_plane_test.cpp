@@ -127,8 +127,7 @@ TEST(SeaPlaneErrorTest, CannotBeMovedOrRemoved) {
   scenario.surface = SeaSurface{.level = 2};
   Simulator simulator(scenario, small_world(), 1);
   EXPECT_EQ(message_of([&] { (void)simulator.ping(0, {.moved = {{.name = "sea_surface"}}}); }),
-            "ping 0 of fls: moved[0].name = sea_surface was not made movable when the simulator was built; nothing "
-            "was");
+            "ping 0 of fls: moved[0].name = sea_surface is not movable; nothing is");
   EXPECT_EQ(message_of([&] { simulator.remove_object("sea_surface"); }),
             "sea_surface cannot be removed: it is the scenario's surface");
 }

@@ -21,6 +21,11 @@ namespace {
 
 constexpr std::size_t kLongestStream = std::size_t{1} << 28;  // [bytes]
 
+// Whether a path is one of the process's own open files, as of a shell's <(command).
+bool is_open_already(const std::string& name) {
+  return name == "/dev/stdin" || name.starts_with("/dev/fd/") || name.starts_with("/proc/");
+}
+
 }  // namespace
 
 bool is_stream(const std::filesystem::path& path) {
@@ -28,8 +33,7 @@ bool is_stream(const std::filesystem::path& path) {
   const std::filesystem::file_status status = std::filesystem::status(path, failure);
   const bool is_special = std::filesystem::exists(status) && !std::filesystem::is_directory(status) &&
                           !std::filesystem::is_regular_file(status);
-  const std::string name = path.string();
-  return is_special || name == "/dev/stdin" || name.starts_with("/dev/fd/") || name.starts_with("/proc/");
+  return is_special || is_open_already(path.string());
 }
 
 void check_input_file(const std::filesystem::path& path) {
@@ -44,6 +48,9 @@ void check_input_file(const std::filesystem::path& path) {
   if (std::filesystem::is_directory(status)) {
     throw Error(path.string() + ": is a folder, not a file");
   }
+  if (std::filesystem::is_fifo(status) && !is_open_already(path.string())) {
+    throw Error(path.string() + ": is a named pipe, not a file");  // Which might never have a writer.
+  }
   errno = 0;
   std::ifstream file(path, std::ios::binary);
   if (!file) {
@@ -55,6 +62,16 @@ void check_input_file(const std::filesystem::path& path) {
 }
 
 std::string read_text(const std::filesystem::path& path) {
+  if (!is_open_already(path.string())) {
+    std::error_code ignored;
+    if (!is_stream(path) || std::filesystem::is_fifo(path, ignored)) {
+      check_input_file(path);
+    }
+  }
+  return read_text_or_pipe(path);
+}
+
+std::string read_text_or_pipe(const std::filesystem::path& path) {
   if (!is_stream(path)) {
     check_input_file(path);
   }

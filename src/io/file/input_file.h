@@ -12,12 +12,15 @@ namespace insonify {
 /// cannot refer to its folder.
 [[nodiscard]] bool is_stream(const std::filesystem::path& path);
 
-/// @throws Error "PATH: no such file", "PATH: is a folder, not a file", "PATH: cannot be opened: REASON" or
-///         "PATH: the file is empty".
+/// @throws Error "PATH: no such file", "PATH: is a folder, not a file", "PATH: is a named pipe, not a file", "PATH:
+///         cannot be opened: REASON" or "PATH: the file is empty".
 void check_input_file(const std::filesystem::path& path);
 
 /// The whole file. Checks it first.
 [[nodiscard]] std::string read_text(const std::filesystem::path& path);
+
+/// The same, also from a named pipe, for which it waits.
+[[nodiscard]] std::string read_text_or_pipe(const std::filesystem::path& path);
 
 /// The path's ending in lower case, with its dot.
 [[nodiscard]] std::string ending_of(const std::filesystem::path& path);

@@ -199,6 +199,12 @@ Ping RecordedPings::ping(std::uint64_t number) const {
   ping.bin_count = bin_count();
   ping.beam_count = beam_count();
   ping.intensity.assign(values.begin(), values.end());
+  for (const float value : ping.intensity) {
+    if (!(value >= 0) || !std::isfinite(value)) {
+      throw Error(fmt::format("{} ping {}: an intensity is {:.6g}, must be at least 0 and finite",
+                              state_->path.string(), number, value));
+    }
+  }
   ping.time = row("time", 1).at(0);
   const std::vector<double> pose = row("world_from_sonar", 7);
   ping.world_from_sonar = {Vec3(pose[0], pose[1], pose[2]), Eigen::Quaterniond(pose[3], pose[4], pose[5], pose[6])};

@@ -43,6 +43,32 @@ void visit_idle_keys(const Scenario& scenario, const Visit& visit) {
   });
 }
 
+// Adds a line for a key that was given and does not act.
+void tell_unless(bool acts, const Scenario& scenario, const std::string& object, const char* key, const char* condition,
+                 std::vector<std::string>& lines) {
+  const std::string name = member_name(object, key);
+  const auto given = scenario.places.find(name);
+  if (!acts && given != scenario.places.end()) {
+    lines.push_back(fmt::format("{}{} has no effect unless {}", given->second.text(), name, condition));
+  }
+}
+
+void tell_of_receiver(const Scenario& scenario, const std::string& object, const ReceiverConfig& receiver,
+                      std::vector<std::string>& lines) {
+  const auto tell = [&](bool acts, const char* key, const char* condition) {
+    tell_unless(acts, scenario, object, key, condition, lines);
+  };
+  const auto has_side_lobes = [](BeamPattern pattern) {
+    return pattern == BeamPattern::kTaylor || pattern == BeamPattern::kDolphChebyshev;
+  };
+  tell(receiver.pulse != PulseKind::kNone, "pulse_duration", "pulse is cw or lfm");
+  tell(receiver.pulse == PulseKind::kLfm, "pulse_bandwidth", "pulse is lfm");
+  tell(receiver.noise, "ambient_noise_db", "noise is true");
+  tell(receiver.counts, "full_scale_db", "counts is true");
+  tell(has_side_lobes(receiver.azimuth_pattern) || has_side_lobes(receiver.elevation_pattern), "side_lobe_db",
+       "a pattern is taylor or dolph_chebyshev");
+}
+
 }  // namespace
 
 void refuse_idle_keys(const Scenario& scenario) {
@@ -65,6 +91,19 @@ std::vector<std::string> idle_keys(const Scenario& scenario) {
     keys.push_back(member_name(object, file_name_of(field)));
   });
   return keys;
+}
+
+std::vector<std::string> keys_idle_beside_others(const Scenario& scenario) {
+  std::vector<std::string> lines;
+  if (scenario.model == EchoModel::kCalibrated) {
+    tell_of_receiver(scenario, "receiver", scenario.receiver, lines);
+    for (std::size_t i = 0; i < scenario.sonars.size(); ++i) {
+      if (const std::optional<ReceiverConfig>& own = scenario.sonars[i].receiver) {
+        tell_of_receiver(scenario, fmt::format("sonars[{}].receiver", i), *own, lines);
+      }
+    }
+  }
+  return lines;
 }
 
 }  // namespace insonify

@@ -155,7 +155,7 @@ class ScenarioReader {
 
 Scenario load_scenario(const std::filesystem::path& path, std::span<const std::string> settings, const Log& log) {
   refuse_worlds(path);
-  const std::string text = read_text(path);
+  const std::string text = read_text_or_pipe(path);
   YamlValue tree = parse_yaml(text, path.string());
   if (tree.kind == Kind::kNothing) {
     throw Error("the file is empty; a scenario names a world and its sonars").at(tree.place);
@@ -164,6 +164,9 @@ Scenario load_scenario(const std::filesystem::path& path, std::span<const std::s
     apply_setting(tree, setting, scenario_keys(), sonar_keys(), part_keys());
   }
   Scenario scenario = ScenarioReader(tree, path, log).read();
+  for (const std::string& line : keys_idle_beside_others(scenario)) {
+    log_line(log, Severity::kWarning, line);
+  }
   const auto model = scenario.places.find("model");
   if (model != scenario.places.end() && model->second.line == 0) {
     if (const std::vector<std::string> idle = idle_keys(scenario); !idle.empty()) {

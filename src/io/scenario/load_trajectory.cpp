@@ -45,7 +45,11 @@ std::vector<Word> words_by_comma(std::string_view line) {
     const std::size_t first = std::min(line.find_first_not_of(" \t", at), end);
     const std::size_t last = line.find_last_not_of(" \t", end - (end > 0 ? 1 : 0));
     const std::size_t length = first < end && last != std::string_view::npos && last >= first ? last - first + 1 : 0;
-    words.push_back({line.substr(first, length), static_cast<int>(first) + 1});
+    std::string_view text = line.substr(first, length);
+    if (text.size() > 1 && text.front() == '"' && text.back() == '"') {  // Some programs quote numbers too.
+      text = text.substr(1, text.size() - 2);
+    }
+    words.push_back({text, static_cast<int>(first) + 1});
     at = end + 1;
   }
   return words;

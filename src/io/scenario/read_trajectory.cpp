@@ -26,7 +26,7 @@ void read_part(const YamlValue& value, const std::string& name, const Part& part
   }
   const std::filesystem::path scenario = places[""].file;
   const std::filesystem::path folder = is_stream(scenario) ? std::filesystem::path() : scenario.parent_path();
-  waypoints = load_trajectory(folder / choice.file).waypoints;
+  with_place(value.place, [&] { waypoints = load_trajectory(folder / choice.file).waypoints; });
   for (Waypoint& waypoint : waypoints) {
     waypoint.time -= choice.start;
   }

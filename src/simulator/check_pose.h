@@ -1,0 +1,15 @@
+// check_pose.h -- refuses poses that are none.
+
+#pragma once
+
+#include <string_view>
+
+#include "insonify/geometry.h"
+
+namespace insonify {
+
+/// @param object  What the pose is, for the message: "world_from_vehicle".
+/// @throws Error for a position out of coordinate()'s limits, and for what is no unit quaternion.
+void check_pose(std::string_view object, const Pose& pose);
+
+}  // namespace insonify
