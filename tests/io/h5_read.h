@@ -15,8 +15,7 @@ namespace insonify {
 
 class H5Reader {
  public:
-  explicit H5Reader(const std::filesystem::path& path)
-      : path_(path), file_(h5_open_to_read(path)) {}
+  explicit H5Reader(const std::filesystem::path& path) : path_(path), file_(h5_open_to_read(path)) {}
 
   [[nodiscard]] bool has(const std::string& name) const {
     return H5Lexists(file_.get(), name.c_str(), H5P_DEFAULT) > 0;
