@@ -97,17 +97,17 @@ void add_run(CLI::App& app, Request& request) {
   command->callback([&request, &options, pings, duration, turns, engine, seed] {
     const auto set_length = [&](const CLI::Option* option, const char* key, const auto& value) {
       if (*option) {
-        options.settings.push_back(fmt::format("{}={}", key, value));
+        options.settings.push_back(fmt::format("--{}={}", key, value));
       }
     };
     set_length(pings, "pings", request.pings);
     set_length(duration, "duration", request.duration);
     set_length(turns, "turns", request.turns);
     if (*engine) {
-      options.settings.push_back("engine=" + request.engine);
+      options.settings.push_back("--engine=" + request.engine);
     }
     if (*seed) {
-      options.settings.push_back(fmt::format("seed={}", request.seed));
+      options.settings.push_back(fmt::format("--seed={}", request.seed));
     }
     if (request.no_pictures) {
       options.pictures.pictures = "none";

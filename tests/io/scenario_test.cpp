@@ -384,6 +384,18 @@ TEST_F(ScenarioTest, ALaterSettingWins) {
       testing::ThrowsMessage<Error>("--set pings=3: cannot be set together with --set duration=1; leave one out"));
 }
 
+// Of a program whose options are settings.
+TEST_F(ScenarioTest, ASettingMayBeNamedAsAnOption) {
+  EXPECT_EQ(load(kTwoSonars, {"--pings=3"}).pings, 3);
+  EXPECT_THAT([&] { (void)load(kTwoSonars, {"--pings=0"}); },
+              testing::ThrowsMessage<Error>(HasSubstr("--pings=0: pings = 0 must be")));
+  EXPECT_THAT(
+      [&] {
+        (void)load(kTwoSonars, {"--pings=3", "duration=1"});
+      },
+      testing::ThrowsMessage<Error>("--set duration=1: cannot be set together with --pings=3; leave one out"));
+}
+
 // Whichever of its keys the file uses.
 TEST_F(ScenarioTest, ASettingTakesThePlaceOfItsAlternatives) {
   const std::string text =

@@ -59,8 +59,11 @@ std::vector<Step> steps_of(std::string_view key) {
   return steps;
 }
 
-Setting parse_setting(const std::string& text) {
-  const Place place{fmt::format("--set {}", printable(text, kLongestName))};
+Setting parse_setting(std::string text) {
+  constexpr std::string_view kOption = "--";
+  const bool is_option = text.starts_with(kOption);
+  const Place place{fmt::format("{}{}", is_option ? "" : "--set ", printable(text, kLongestName))};
+  text.erase(0, is_option ? kOption.size() : 0);
   const std::size_t equals = text.find('=');
   if (equals == std::string::npos || equals == 0) {
     throw Error("must be key=value, such as pings=3").at(place);
