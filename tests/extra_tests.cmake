@@ -9,6 +9,13 @@ set_target_properties(insonify PROPERTIES VERIFY_INTERFACE_HEADER_SETS ON)
 add_test(NAME headers_stand_alone
   COMMAND ${CMAKE_COMMAND} --build ${PROJECT_BINARY_DIR} --target insonify_verify_interface_header_sets)
 
+# The Python package, as a program of Python sees it. A sanitized module would need the sanitizer in Python itself.
+if(TARGET insonify_python AND INSONIFY_BUILD_APPS AND NOT INSONIFY_SANITIZE)
+  add_test(NAME python_package
+    COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/python/package_test.py $<TARGET_FILE:insonify_cli> ${PROJECT_SOURCE_DIR})
+  set_tests_properties(python_package PROPERTIES ENVIRONMENT PYTHONPATH=${PROJECT_BINARY_DIR}/python)
+endif()
+
 # Search paths of what was built, and what guards it.
 if(INSONIFY_SANITIZE OR CMAKE_BUILD_TYPE STREQUAL Debug)
   set(hardened OFF)

@@ -75,6 +75,7 @@ PUBLIC = {
     "simulator.h": "simulator",
     "describe.h": "io",
     "files.h": "io",
+    "words.h": "io",
     "recorded_pings.h": "io",
     "similarity.h": "similarity",
 }

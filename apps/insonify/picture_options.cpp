@@ -70,19 +70,17 @@ void add_picture_options(CLI::App& command, PictureOptions& options, const std::
 }
 
 PictureStyle picture_style(const PictureOptions& options, EchoModel model, const ReceiverConfig& receiver) {
-  PictureStyle style{.model = model};
+  PictureStyle style{.model = model, .display = usual_display(model, receiver)};
   Display& display = style.display;
-  const bool calibrated = model == EchoModel::kCalibrated;
-  const bool raised = receiver.time_varied_gain || !receiver.gain_ranges.empty();
   display.colour_map = colour_map_from_name(options.colour_map);
-  display.scale = options.scale == "db" || (options.scale.empty() && calibrated) ? Scale::kDecibel : Scale::kLinear;
+  if (!options.scale.empty()) {
+    display.scale = options.scale == "db" ? Scale::kDecibel : Scale::kLinear;
+  }
   display.floor_db = options.floor_db;
   display.height = options.height;
-  display.of_source = calibrated;
-  display.raised_per_decade = calibrated && !raised ? kShownGainPerDecade : 0;
   if (const auto levels = parsed_levels(options.levels)) {
     style.fixed_levels = true;
-    display.of_one = !calibrated;
+    display.of_one = model == EchoModel::kPaper;
     display.scale = Scale::kDecibel;
     display.full_scale = std::pow(10, levels->second / 10);
     display.floor_db = levels->first - levels->second;

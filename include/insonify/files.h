@@ -42,6 +42,11 @@ namespace insonify {
 [[nodiscard]] Scenario load_scenario(const std::filesystem::path& path, std::span<const std::string> settings = {},
                                      const Log& log = {});
 
+/// Reads a scenario from text, as load_scenario() from a file; messages call it "FOLDER/scenario". It has no `file`.
+/// @param folder  Where relative paths are from; "" for the current one.
+[[nodiscard]] Scenario parse_scenario(const std::string& text, const std::filesystem::path& folder = {},
+                                      std::span<const std::string> settings = {}, const Log& log = {});
+
 /// Reads waypoints from a CSV file (.csv; its header names the columns time, x, y, z and qw, qx, qy, qz or roll, pitch,
 /// yaw or roll_deg, pitch_deg, yaw_deg) or a TUM file (.tum, .txt: time x y z qx qy qz qw). Lines that begin with # are
 /// comments. docs/reference/trajectories.md says all.

@@ -45,3 +45,4 @@
 #include "insonify/sonar_config.h"
 #include "insonify/version.h"
 #include "insonify/water.h"
+#include "insonify/words.h"

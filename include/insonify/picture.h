@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "insonify/engine.h"
 #include "insonify/field.h"
 #include "insonify/ping.h"
 #include "insonify/sonar_config.h"
@@ -82,6 +83,10 @@ struct Rgb {
 /// Gain over range with which pings of the calibrated model are shown: 30 dB per decade of range, which compensates the
 /// fall of a flat floor's echo. They are shown on a decibel scale that ends at fitting_full_scale().
 inline constexpr double kShownGainPerDecade = 30;
+
+/// The display with which pings are shown unless something else is asked for: linear in the paper's model; in the
+/// calibrated one decibels, with a gain of kShownGainPerDecade where the receiver applies none of its own.
+[[nodiscard]] Display usual_display(EchoModel model, const ReceiverConfig& receiver);
 
 /// The ping with its intensities times r^(X/10), r in metres.
 /// @param decibels_per_decade  X.

@@ -15,6 +15,17 @@ Ping raised_by_range(Ping ping, const SonarConfig& sonar, double decibels_per_de
   return ping;
 }
 
+Display usual_display(EchoModel model, const ReceiverConfig& receiver) {
+  Display display;
+  if (model == EchoModel::kCalibrated) {
+    const bool raised = receiver.time_varied_gain || !receiver.gain_ranges.empty();
+    display.scale = Scale::kDecibel;
+    display.of_source = true;
+    display.raised_per_decade = raised ? 0 : kShownGainPerDecade;
+  }
+  return display;
+}
+
 double fitting_full_scale(std::vector<float> intensities) {
   std::erase_if(intensities, [](float value) { return !(value > 0); });
   if (intensities.empty()) {

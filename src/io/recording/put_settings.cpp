@@ -8,7 +8,7 @@
 #include <limits>
 #include <type_traits>
 
-#include "io/file/yaml_words.h"
+#include "insonify/words.h"
 
 namespace insonify {
 namespace {

@@ -10,8 +10,8 @@
 
 #include "insonify/field.h"
 #include "insonify/geometry.h"
+#include "insonify/words.h"
 #include "io/file/hdf5.h"
-#include "io/file/yaml_words.h"
 
 namespace insonify {
 

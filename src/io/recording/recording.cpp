@@ -10,7 +10,7 @@
 #include "echo/model/primary_choice.h"
 #include "insonify/files.h"
 #include "insonify/version.h"
-#include "io/file/yaml_words.h"
+#include "insonify/words.h"
 #include "io/recording/growing_file.h"
 #include "io/recording/hdf5_writer.h"
 #include "io/recording/ping_layers.h"

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "insonify/error.h"
-#include "io/file/yaml_words.h"
+#include "insonify/words.h"
 
 namespace insonify {
 namespace {

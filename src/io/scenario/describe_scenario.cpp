@@ -6,7 +6,7 @@
 
 #include "insonify/describe.h"
 #include "insonify/scenario.h"
-#include "io/file/yaml_words.h"
+#include "insonify/words.h"
 #include "io/scenario/preset_choice.h"
 #include "io/scenario/yaml_read.h"
 

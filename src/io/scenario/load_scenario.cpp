@@ -151,12 +151,11 @@ class ScenarioReader {
   Scenario scenario_;
 };
 
-}  // namespace
-
-Scenario load_scenario(const std::filesystem::path& path, std::span<const std::string> settings, const Log& log) {
-  refuse_worlds(path);
-  const std::string text = read_text_or_pipe(path);
-  YamlValue tree = parse_yaml(text, path.string());
+// @param path  Its folder is where relative paths are from.
+// @param name  What messages call the text.
+Scenario read_scenario(const std::string& text, const std::filesystem::path& path, const std::string& name,
+                       std::span<const std::string> settings, const Log& log) {
+  YamlValue tree = parse_yaml(text, name);
   if (tree.kind == Kind::kNothing) {
     throw Error("the file is empty; a scenario names a world and its sonars").at(tree.place);
   }
@@ -181,6 +180,21 @@ Scenario load_scenario(const std::filesystem::path& path, std::span<const std::s
   } else {
     scenario.text = settings.empty() ? text : write_yaml(tree);
   }
+  return scenario;
+}
+
+}  // namespace
+
+Scenario load_scenario(const std::filesystem::path& path, std::span<const std::string> settings, const Log& log) {
+  refuse_worlds(path);
+  return read_scenario(read_text_or_pipe(path), path, path.string(), settings, log);
+}
+
+Scenario parse_scenario(const std::string& text, const std::filesystem::path& folder,
+                        std::span<const std::string> settings, const Log& log) {
+  const std::filesystem::path path = folder / "scenario";
+  Scenario scenario = read_scenario(text, path, path.string(), settings, log);
+  scenario.file.clear();
   return scenario;
 }
 

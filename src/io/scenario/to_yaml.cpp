@@ -8,8 +8,8 @@
 #include <cmath>
 
 #include "insonify/files.h"
+#include "insonify/words.h"
 #include "io/file/input_file.h"
-#include "io/file/yaml_words.h"
 #include "io/scenario/yaml_value.h"
 
 namespace insonify {

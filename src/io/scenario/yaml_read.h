@@ -13,7 +13,7 @@
 #include "insonify/error.h"
 #include "insonify/field.h"
 #include "insonify/geometry.h"
-#include "io/file/yaml_words.h"
+#include "insonify/words.h"
 #include "io/scenario/yaml_value.h"
 
 namespace insonify {

@@ -1,4 +1,4 @@
-// yaml_words.h -- how files spell the values that are words.
+// words.h -- how files and Python spell the values that are words.
 
 #pragma once
 

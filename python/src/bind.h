@@ -1,0 +1,51 @@
+// bind.h -- the parts of the module, and what they share.
+
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+#include <memory>
+#include <string>
+
+#include "insonify/log.h"
+#include "insonify/ping.h"
+#include "insonify/scenario.h"
+
+namespace insonify::python {
+
+namespace py = pybind11;
+
+/// What a ping needs to be drawn and measured.
+struct SonarFacts {
+  SonarConfig sonar;  ///< Filled in.
+  EchoModel model = EchoModel::kCalibrated;
+  ReceiverConfig receiver;
+};
+
+/// A ping as Python holds it.
+struct PythonPing : Ping {
+  std::shared_ptr<const SonarFacts> facts;
+};
+
+// Each adds its classes and functions to the module. In this order: a class must be there before it is a default.
+void bind_error(py::module_& module);
+void bind_geometry(py::module_& module);
+void bind_configs(py::module_& module);
+void bind_scene(py::module_& module);
+void bind_ping(py::module_& module);
+void bind_simulator(py::module_& module);
+void bind_recording(py::module_& module);
+void bind_pictures(py::module_& module);
+void bind_acoustics(py::module_& module);
+
+/// Hands warnings to Python's `warnings`, as insonify.Warning; drops what merely informs.
+[[nodiscard]] Log warnings_log();
+
+/// A scenario object made by load_scenario() or parse_scenario().
+[[nodiscard]] py::object load_wrapped(const py::object& path, const py::object& settings);
+[[nodiscard]] py::object parse_wrapped(const std::string& text, const py::object& folder, const py::object& settings);
+
+/// The scenario that a Python object stands for. Its text and places are those of the file only if nothing was changed.
+[[nodiscard]] Scenario scenario_from(const py::object& object);
+
+}  // namespace insonify::python

@@ -1,0 +1,163 @@
+// bind_config.h -- makes a Python class of a configuration from its lists of fields and parts.
+
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+#include <cmath>
+#include <string>
+
+#include "held.h"
+
+namespace insonify::python {
+
+/// Sentence on a field for help(): meaning, unit, limits and default.
+template <typename Member>
+std::string help_of(const Field& field, const Member& default_value, double scale, std::string_view unit) {
+  std::string text = std::string(field.help);
+  std::string facts;
+  const auto add = [&](const std::string& fact) { facts += (facts.empty() ? "" : ", ") + fact; };
+  if (!unit.empty()) {
+    add(std::string(unit));
+  }
+  if (std::isfinite(field.limits.least) || std::isfinite(field.limits.most)) {
+    add(field.limits.text(scale));
+  }
+  if constexpr (std::is_enum_v<Member>) {
+    std::string words;
+    for (const auto& [word, meaning] : words_of<Member>()) {
+      words += (words.empty() ? "" : ", ") + std::string(word);
+    }
+    add("one of " + words);
+  }
+  add("default " + shown(to_python(default_value, scale)));
+  return text + " [" + facts + "]";
+}
+
+template <typename Member>
+void check_value(const Field& field, const Member& member) {
+  detail::check_member("", field, member);
+}
+
+template <typename Config>
+class ConfigClass {
+ public:
+  ConfigClass(py::module_& module, const char* name, const std::string& doc)
+      : class_(module, name,
+               (doc + "\n\nFields can be given by keyword. Angles have two names: `x` in radians and "
+                      "`x_deg` in degrees.")
+                   .c_str()) {
+    class_.def(py::init([](const py::kwargs& given) { return made_from(given); }));
+    const Config defaults{};
+    int index = 0;
+    Config::visit_fields(defaults, [&](const Field& field, const auto& member) { add_field(field, member, index++); });
+    if constexpr (HasParts<Config>) {
+      Config::visit_parts(defaults, [&](const Part& part, const auto&) { add_part(part); });
+    }
+    class_.def(
+        "copy", [](const Held<Config>& self) { return wrap(unwrap<Config>(py::cast(&self), "self")); },
+        "A copy, with copies of its parts.");
+    class_.def("__copy__", [](const Held<Config>& self) { return wrap(unwrap<Config>(py::cast(&self), "self")); });
+    class_.def("__deepcopy__",
+               [](const Held<Config>& self, const py::dict&) { return wrap(unwrap<Config>(py::cast(&self), "self")); });
+    class_.def("__repr__", [name = std::string(name)](const Held<Config>& self) { return name + text_of(self); });
+    class_.attr("__hash__") = py::none();
+  }
+
+  py::class_<Held<Config>>& operator*() { return class_; }
+  py::class_<Held<Config>>* operator->() { return &class_; }
+
+ private:
+  // Calls visit(field, member) on one field.
+  template <typename Self, typename Visit>
+  static void at(Self& config, int wanted, const Visit& visit) {
+    int index = 0;
+    Config::visit_fields(config, [&](const Field& field, auto& member) {
+      if (index++ == wanted) {
+        visit(field, member);
+      }
+    });
+  }
+
+  void add_property(const std::string& name, const std::string& help, int index, double scale) {
+    const auto get = [index, scale](const Held<Config>& self) {
+      py::object value;
+      at(self.value, index, [&](const Field&, const auto& member) { value = to_python(member, scale); });
+      return value;
+    };
+    const auto set = [index, scale, name](Held<Config>& self, const py::object& value) {
+      at(self.value, index, [&](const Field& field, auto& member) {
+        auto found = member;
+        from_python(value, name, scale, found);
+        check_value(field, found);
+        member = found;
+      });
+    };
+    class_.def_property(name.c_str(), get, set, help.c_str());
+  }
+
+  template <typename Member>
+  void add_field(const Field& field, const Member& default_value, int index) {
+    add_property(std::string(field.name), help_of(field, default_value, 1, field.unit), index, 1);
+    const double scale = file_scale_of(field);
+    if (scale != 1) {
+      add_property(file_name_of(field), help_of(field, default_value, scale, file_unit_of(field)), index, scale);
+    }
+  }
+
+  void add_part(const Part& part) {
+    const std::string name(part.name);
+    const auto get = [name](const Held<Config>& self) { return self.parts.at(name); };
+    const auto set = [name](Held<Config>& self, const py::object& value) {
+      Config trial{};
+      Config::visit_parts(trial, [&](const Part& one, auto& member) {
+        if (one.name == name) {
+          unwrap_part(value, name, member);
+        }
+      });
+      const bool is_list = PySequence_Check(value.ptr()) != 0 && !py::isinstance<py::list>(value);
+      self.parts.at(name) = is_list ? py::list(value) : value;
+    };
+    class_.def_property(name.c_str(), get, set, std::string(part.help).c_str());
+  }
+
+  static Held<Config> made_from(const py::kwargs& given) {
+    py::object made = wrap(Config{});
+    for (const auto& [key, value] : given) {
+      if (!py::hasattr(made, key)) {
+        throw py::type_error(type_of(made) + " has no field " + shown(key));
+      }
+      py::setattr(made, key, value);
+    }
+    return made.template cast<Held<Config>>();
+  }
+
+  // "(name='fls', max_range=20.0)": what differs from the defaults.
+  static std::string text_of(const Held<Config>& self) {
+    const Config defaults{};
+    std::string text;
+    int index = 0;
+    Config::visit_fields(self.value, [&](const Field& field, const auto& member) {
+      at(defaults, index++, [&](const Field&, const auto& other) {
+        if constexpr (std::is_same_v<decltype(member), decltype(other)>) {
+          const double scale = file_scale_of(field);
+          const py::object value = to_python(member, scale);
+          if (!value.equal(to_python(other, scale))) {
+            text += (text.empty() ? "" : ", ") + file_name_of(field) + "=" + shown(value);
+          }
+        }
+      });
+    });
+    for (const auto& [name, part] : self.parts) {
+      if (!part.is_none() && !(py::hasattr(part, "__len__") && py::len(part) == 0)) {
+        text += (text.empty() ? "" : ", ") + name + "=" +
+                (py::isinstance<py::list>(part) ? "[" + std::to_string(py::len(part)) + "]" : "...");
+      }
+    }
+    return "(" + text + ")";
+  }
+
+  py::class_<Held<Config>> class_;
+};
+
+}  // namespace insonify::python

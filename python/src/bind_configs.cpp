@@ -1,0 +1,122 @@
+// bind_configs.cpp -- the classes of everything that a scenario holds.
+
+#include <fmt/format.h>
+#include <pybind11/stl.h>
+
+#include "bind.h"
+#include "bind_config.h"
+#include "insonify/describe.h"
+#include "insonify/files.h"
+#include "insonify/scenario.h"
+
+namespace insonify::python {
+namespace {
+
+// What `insonify describe` says of a section.
+std::string about(const std::string& section) {
+  for (const SectionDescription& one : describe_scenario()) {
+    if (one.name == section) {
+      return one.help;
+    }
+  }
+  return "";
+}
+
+void add_receivers_and_sonars(py::module_& module) {
+  ConfigClass<Sampling>(module, "Sampling", "How finely the insonified sector is sampled.");
+  ConfigClass<ReceiverConfig>(module, "ReceiverConfig", about("receiver"));
+  ConfigClass<SonarConfig> sonar(module, "SonarConfig", "An imaging sonar seen as a fan of beams cut into range bins.");
+  sonar->def_static(
+      "preset",
+      [](const std::string& name, const std::string& mode, const py::kwargs& changes) {
+        py::object made = wrap(load_preset(name, mode).sonar);
+        for (const auto& [key, value] : changes) {
+          py::setattr(made, key, value);
+        }
+        return made;
+      },
+      py::arg("name"), py::arg("mode") = "",
+      "The sonar of a shipped or own preset, over the instrument's longest range. Keywords change fields. "
+      "insonify.preset_names() lists the names. Raises Error for an unknown name or mode.");
+  sonar->def(
+      "validate", [](const py::object& self) { unwrap<SonarConfig>(self, "sonar").validate(); },
+      "Raises Error for the first field out of limits, or against a rule between fields.");
+  sonar->def(
+      "bin_ranges",
+      [](const py::object& self) {
+        const auto config = unwrap<SonarConfig>(self, "sonar");
+        py::list ranges;
+        for (int bin = 0; bin < config.bin_count; ++bin) {
+          ranges.append(config.bin_range(bin));
+        }
+        return py::module_::import("numpy").attr("array")(ranges);
+      },
+      "Range of the centre of every bin, an array [bins] in metres.");
+  sonar->def(
+      "azimuths",
+      [](const py::object& self) {
+        const auto config = unwrap<SonarConfig>(self, "sonar");
+        py::list azimuths;
+        for (int beam = 0; beam < config.beam_count; ++beam) {
+          azimuths.append(config.beam_azimuth(beam));
+        }
+        return py::module_::import("numpy").attr("array")(azimuths);
+      },
+      "Azimuth of the centre of every beam, an array [beams] in radians, positive to port, falling.");
+}
+
+}  // namespace
+
+void bind_configs(py::module_& module) {
+  add_receivers_and_sonars(module);
+  ConfigClass<Water>(module, "Water", about("water"));
+  ConfigClass<PaperModel>(module, "PaperModel", about("paper"));
+  ConfigClass<MaterialOverride>(module, "MaterialOverride", about("materials"));
+  ConfigClass<PointTarget>(module, "PointTarget", about("points"));
+  ConfigClass<Interferer>(module, "Interferer", about("interferers"));
+  ConfigClass<SeaSurface>(module, "SeaSurface", about("surface"));
+  ConfigClass<Waypoint>(module, "Waypoint", about("trajectory"));
+  ConfigClass<Motion>(module, "Motion", about("motions"));
+  ConfigClass<ViewConfig>(module, "ViewConfig", about("view"));
+  ConfigClass<Scenario> scenario(module, "Scenario", about("scenario"));
+  scenario->def_static(
+      "load", &load_wrapped, py::arg("path"), py::arg("settings") = py::tuple(),
+      "Reads a scenario from a YAML file.\n\nsettings: texts \"key=value\" as of `insonify run --set`.\n"
+      "Raises Error with file and line for whatever is wrong.");
+  scenario->def_static("from_text", &parse_wrapped, py::arg("text"), py::arg("folder") = "",
+                       py::arg("settings") = py::tuple(),
+                       "Reads a scenario from YAML text. Relative paths are from `folder`, else from the current one.");
+  scenario->def_static(
+      "from_dict",
+      [](const py::dict& dict, const py::object& folder) {
+        // JSON is YAML, except that its words are in quotes: a world "none" would be a file of that name.
+        py::dict rest = dict.attr("copy")();
+        const bool no_world = rest.contains("world") &&
+                              (py::object(rest["world"]).is_none() || py::object(rest["world"]).equal(py::str("none")));
+        if (no_world) {
+          rest.attr("pop")("world");
+        }
+        auto text = py::module_::import("json").attr("dumps")(rest).cast<std::string>();
+        if (no_world) {
+          text.insert(1, rest.empty() ? "\"world\": none" : "\"world\": none, ");
+        }
+        return parse_wrapped(text, folder, py::tuple());
+      },
+      py::arg("dict"), py::arg("folder") = "", "Reads a scenario from nested dicts and lists, with the keys of files.");
+  module.def("preset_names", &preset_names, "Names of all presets, those of INSONIFY_PRESETS included.");
+  module.def(
+      "load_trajectory",
+      [](const py::object& path) {
+        std::filesystem::path file;
+        from_python(path, "path", 1, file);
+        return wrap_part(load_trajectory(file).waypoints);
+      },
+      py::arg("path"), "Reads waypoints from a CSV or TUM file: a list of Waypoint.");
+  scenario->def(
+      "to_yaml", [](const py::object& self) { return to_yaml(scenario_from(self)); },
+      "The text of a scenario file that load() reads back as the same.");
+  scenario->def(
+      "validate", [](const py::object& self) { scenario_from(self).validate(); }, "Raises Error for the first fault.");
+}
+
+}  // namespace insonify::python

@@ -1,0 +1,99 @@
+// bind_pictures.cpp -- pictures of pings as arrays.
+
+#include <fmt/format.h>
+#include <pybind11/numpy.h>
+
+#include <cmath>
+
+#include "bind.h"
+#include "convert.h"
+#include "insonify/files.h"
+#include "insonify/picture.h"
+
+namespace insonify::python {
+namespace {
+
+py::array_t<std::uint8_t> array_of(const Picture& picture) {
+  py::array_t<std::uint8_t> array({picture.height, picture.width, 3});
+  std::copy(picture.rgb.begin(), picture.rgb.end(), array.mutable_data());
+  return array;
+}
+
+struct Looks {
+  py::object levels;
+  std::string colour_map, scale;
+  int height;
+  bool annotations;
+};
+
+// The ping and the display with which `insonify run` draws it.
+Picture drawn(const PythonPing& ping, const Looks& looks,
+              Picture (*draw)(const Ping&, const SonarConfig&, const Display&)) {
+  const SonarFacts& facts = *ping.facts;
+  Display display = usual_display(facts.model, facts.receiver);
+  display.colour_map = colour_map_from_name(looks.colour_map);
+  display.height = looks.height;
+  display.annotations = looks.annotations;
+  if (looks.scale == "linear" || looks.scale == "db") {
+    display.scale = looks.scale == "db" ? Scale::kDecibel : Scale::kLinear;
+  } else if (!looks.scale.empty()) {
+    throw Error("", "scale", fmt::format(" = {} must be linear or db", looks.scale));
+  }
+  const Ping shown = facts.model == EchoModel::kPaper ? static_cast<const Ping&>(ping)
+                                                      : raised_by_range(ping, facts.sonar, display.raised_per_decade);
+  if (!looks.levels.is_none()) {
+    std::vector<double> levels;
+    from_python(looks.levels, "levels", 1, levels);
+    if (levels.size() != 2 || !(levels[0] < levels[1])) {
+      throw Error("", "levels", " must be two rising numbers [dB], such as (-90, -40)");
+    }
+    display.scale = Scale::kDecibel;
+    display.of_one = facts.model == EchoModel::kPaper;
+    display.full_scale = std::pow(10, levels[1] / 10);
+    display.floor_db = levels[0] - levels[1];
+  } else if (facts.model == EchoModel::kCalibrated) {
+    display.full_scale = fitting_full_scale(shown.intensity);
+  }
+  return draw(shown, facts.sonar, display);
+}
+
+void add_drawing(py::module_& module, const char* name,
+                 Picture (*draw)(const Ping&, const SonarConfig&, const Display&), const char* what) {
+  const std::string help = std::string(what) +
+                           "\n\nReturns an array uint8 [height, width, 3]. levels: colour range (low, high) in dB as "
+                           "on the colour bar, None for what "
+                           "fits this ping; for a film give the same to all. colour_map: inferno, copper, grey or "
+                           "blue. scale: linear or db; None: db "
+                           "in the calibrated model, in which intensities are raised by 30 dB per decade of range.";
+  module.def(
+      name,
+      [draw](const PythonPing& ping, const py::object& levels, const std::string& colour_map, const py::object& scale,
+             int height, bool annotations) {
+        return array_of(drawn(
+            ping, {levels, colour_map, scale.is_none() ? "" : scale.cast<std::string>(), height, annotations}, draw));
+      },
+      py::arg("ping"), py::arg("levels") = py::none(), py::arg("colour_map") = "inferno", py::arg("scale") = py::none(),
+      py::arg("height") = 720, py::arg("annotations") = true, help.c_str());
+}
+
+}  // namespace
+
+void bind_pictures(py::module_& module) {
+  add_drawing(module, "draw_fan", &draw_fan, "The fan as seen from above, acoustic axis up, port to the left.");
+  add_drawing(module, "draw_polar", &draw_polar, "The table of beams x bins: beams across, range upwards.");
+  module.def(
+      "write_png",
+      [](const py::object& path, const py::array_t<std::uint8_t, py::array::c_style>& rgb) {
+        if (rgb.ndim() != 3 || rgb.shape(2) != 3) {
+          throw Error("", "rgb", " must be an array uint8 [height, width, 3]");
+        }
+        std::filesystem::path file;
+        from_python(path, "path", 1, file);
+        Picture picture{static_cast<int>(rgb.shape(1)), static_cast<int>(rgb.shape(0)), {}};
+        picture.rgb.assign(rgb.data(), rgb.data() + rgb.size());
+        write_png(file, picture);
+      },
+      py::arg("path"), py::arg("rgb"), "Writes a picture, an array uint8 [height, width, 3].");
+}
+
+}  // namespace insonify::python

@@ -1,0 +1,91 @@
+// bind_ping.cpp -- insonify.Ping: tables as arrays that share the ping's memory.
+
+#include <fmt/format.h>
+#include <pybind11/complex.h>
+#include <pybind11/numpy.h>
+
+#include <memory>
+
+#include "bind.h"
+#include "held.h"
+
+namespace insonify::python {
+namespace {
+
+using PingClass = py::class_<PythonPing, std::shared_ptr<PythonPing>>;
+
+// A table [bins, beams] or [bins, beams, depth] as an array that keeps the ping alive; None where it is empty.
+template <typename Value>
+py::object table(const py::object& owner, const Ping& ping, const std::vector<Value>& values) {
+  const std::size_t cells = static_cast<std::size_t>(ping.bin_count) * ping.beam_count;
+  if (values.empty() || cells == 0) {
+    return py::none();
+  }
+  std::vector<py::ssize_t> shape = {ping.bin_count, ping.beam_count};
+  if (const std::size_t depth = values.size() / cells; depth > 1) {
+    shape.push_back(static_cast<py::ssize_t>(depth));
+  }
+  return py::array_t<Value>(shape, values.data(), owner);
+}
+
+template <typename Value>
+void add_table(PingClass& ping, const char* name, std::vector<Value> Ping::*member, const char* help) {
+  ping.def_property_readonly(
+      name,
+      [member](const py::object& self) {
+        return table(self, self.cast<const PythonPing&>(), self.cast<const PythonPing&>().*member);
+      },
+      help);
+}
+
+}  // namespace
+
+void bind_ping(py::module_& module) {
+  PingClass ping(
+      module, "Ping",
+      "One ping. Tables are arrays [bins, beams] that share the ping's memory and keep it alive: beam 0 is the "
+      "one furthest to port, bin 0 the nearest. What the receiver was not asked for is None.");
+  ping.def_readonly("number", &PythonPing::number, "From 0.")
+      .def_readonly("time", &PythonPing::time, "Of transmission [s].")
+      .def_readonly("pose", &PythonPing::world_from_sonar, "Of the sonar's housing in the world, a Pose.")
+      .def_readonly("head_angle", &PythonPing::head_angle,
+                    "Of a scanning head in the housing, positive to port [rad]; else 0.")
+      .def_property_readonly(
+          "shape", [](const PythonPing& self) { return py::make_tuple(self.bin_count, self.beam_count); },
+          "(bins, beams).")
+      .def_property_readonly(
+          "sonar", [](const PythonPing& self) { return wrap(self.facts->sonar); },
+          "Settings of its sonar, a SonarConfig.")
+      .def_property_readonly(
+          "model", [](const PythonPing& self) { return std::string(word_of(self.facts->model)); },
+          "Model of the echo: calibrated or paper.");
+  add_table(ping, "intensity", &Ping::intensity,
+            "Echo intensity, float32: relative to the source's at 1 m, raw and linear (from about 1e-20: see to_db()); "
+            "0 to 1 "
+            "in the paper model.");
+  add_table(ping, "field", &Ping::field, "Complex field, complex64, whose squared magnitude is the intensity.");
+  add_table(ping, "counts", &Ping::counts, "Counts as the instrument delivers them, uint16.");
+  add_table(ping, "instance", &Ping::instance,
+            "Index into Simulator.instance_names of the strongest echo, uint16; NO_LABEL where nothing echoed.");
+  add_table(ping, "material", &Ping::material, "Index into Simulator.material_names of the same, uint16.");
+  add_table(ping, "elevation", &Ping::elevation,
+            "Mean elevation of the same in the sonar's frame, positive up [rad], float32; NaN where nothing echoed.");
+  add_table(ping, "strongest_instance", &Ping::strongest_instance,
+            "The strongest instances of each bin, strongest first, uint16 [bins, beams, k] (ground_truth full).");
+  add_table(ping, "strongest_share", &Ping::strongest_share, "Their shares of the bin's energy, 0 to 1, float32.");
+  add_table(ping, "elevation_spread", &Ping::elevation_spread,
+            "Standard deviation of the strongest's elevations [rad], float32 (ground_truth full).");
+  add_table(ping, "path_order", &Ping::path_order,
+            "Surfaces met by the paths that gave most, uint8; 0 where none (ground_truth full).");
+  add_table(ping, "shadow", &Ping::shadow,
+            "Share of the beam that nearer surfaces hide, 0 to 1, of bins without a direct echo (ground_truth full).");
+  add_table(ping, "direct_intensity", &Ping::direct_intensity,
+            "What paths with one surface give, noise and speckle left out (ground_truth full).");
+  ping.def("__repr__", [](const PythonPing& self) {
+    return fmt::format("<Ping {} at {:.6g} s, {} bins x {} beams>", self.number, self.time, self.bin_count,
+                       self.beam_count);
+  });
+  module.attr("NO_LABEL") = kNoLabel;
+}
+
+}  // namespace insonify::python

@@ -1,0 +1,143 @@
+// bind_scene.cpp -- insonify.Scene: from files, or built from arrays.
+
+#include <fmt/format.h>
+#include <pybind11/numpy.h>
+
+#include "bind.h"
+#include "convert.h"
+#include "insonify/files.h"
+#include "insonify/mesh.h"
+
+namespace insonify::python {
+namespace {
+
+using Floats = py::array_t<float, py::array::c_style | py::array::forcecast>;
+using Indices = py::array_t<std::int64_t, py::array::c_style>;
+
+void take_vertices(const Floats& vertices, Mesh& mesh) {
+  if (vertices.ndim() != 2 || vertices.shape(1) != 3) {
+    throw Error("", "vertices", fmt::format(" must be an array [n, 3], has {} axes", vertices.ndim()));
+  }
+  const auto from = vertices.unchecked<2>();
+  for (py::ssize_t i = 0; i < vertices.shape(0); ++i) {
+    mesh.vertices.emplace_back(from(i, 0), from(i, 1), from(i, 2));
+  }
+}
+
+void take_faces(const py::object& given, Mesh& mesh) {
+  const py::array array = py::module_::import("numpy").attr("asarray")(given);
+  const bool is_whole = array.dtype().kind() == 'i' || array.dtype().kind() == 'u';
+  const auto faces = is_whole ? Indices::ensure(array) : Indices();
+  if (!faces || faces.ndim() != 2 || faces.shape(1) != 3) {
+    PyErr_Clear();
+    throw Error("", "faces", " must be an array [n, 3] of whole numbers");
+  }
+  const auto from = faces.unchecked<2>();
+  const auto count = static_cast<std::int64_t>(mesh.vertices.size());
+  for (py::ssize_t i = 0; i < faces.shape(0); ++i) {
+    std::array<std::uint32_t, 3> corners{};
+    for (int k = 0; k < 3; ++k) {
+      if (from(i, k) < 0 || from(i, k) >= count) {
+        throw Error("", "faces",
+                    fmt::format("[{}][{}] = {} must be from 0 to {}, the last vertex", i, k, from(i, k), count - 1));
+      }
+      corners[k] = static_cast<std::uint32_t>(from(i, k));
+    }
+    mesh.triangles.push_back(corners);
+  }
+}
+
+// @param material  A name for all faces, or one for each.
+void take_materials(const py::object& material, Mesh& mesh) {
+  if (py::isinstance<py::str>(material)) {
+    mesh.material_names = {material.cast<std::string>()};
+    return;
+  }
+  if (PySequence_Check(material.ptr()) == 0 || py::len(material) != mesh.triangles.size()) {
+    throw Error("", "material",
+                fmt::format(" must be a name, or a list of {} names, one for each face", mesh.triangles.size()));
+  }
+  mesh.material_names.clear();
+  for (const py::handle& name : material) {
+    const std::string word = py::str(name);
+    const auto known = std::ranges::find(mesh.material_names, word);
+    mesh.material_slots.push_back(static_cast<std::uint16_t>(known - mesh.material_names.begin()));
+    if (known == mesh.material_names.end()) {
+      mesh.material_names.push_back(word);
+    }
+  }
+}
+
+void add(Scene& scene, const std::string& name, const Floats& vertices, const py::object& faces,
+         const py::object& material, const py::object& pose) {
+  if (std::ranges::any_of(scene.instances, [&](const Instance& one) { return one.name == name; })) {
+    throw Error("", "name", fmt::format(" = {} is there already", name));
+  }
+  auto mesh = std::make_shared<Mesh>();
+  mesh->name = name;
+  take_vertices(vertices, *mesh);
+  take_faces(faces, *mesh);
+  take_materials(material, *mesh);
+  const MeshReport report = clean_mesh(*mesh);
+  if (const std::string text = report.dropped() > 0 ? report.text() : ""; !text.empty()) {
+    warnings_log()(Severity::kWarning, name + ": " + text);
+  }
+  Instance instance{.name = name, .mesh = mesh};
+  if (!pose.is_none()) {
+    instance.world_from_mesh = pose_from(pose, "pose");
+  }
+  check_reach(instance, name);
+  scene.instances.push_back(std::move(instance));
+}
+
+py::list names_of(const auto& things) {
+  py::list names;
+  for (const auto& thing : things) {
+    names.append(thing.name);
+  }
+  return names;
+}
+
+}  // namespace
+
+void bind_scene(py::module_& module) {
+  py::class_<Scene>(module, "Scene", "What is insonified: instances of meshes, each with a name, a pose and materials.")
+      .def(py::init<>(), "An empty scene, for add().")
+      .def_static(
+          "load",
+          [](const py::object& path, bool collisions) {
+            std::filesystem::path file;
+            from_python(path, "path", 1, file);
+            return load_scene(file, collisions, warnings_log());
+          },
+          py::arg("path"), py::arg("collisions") = false,
+          "Reads an SDF world or model, a mesh (OBJ, STL, DAE, PLY, glTF) or a height grid.\n\n"
+          "collisions: take SDF's collision shapes instead of its visuals. Raises Error with the path.")
+      .def("add", &add, py::arg("name"), py::arg("vertices"), py::arg("faces"), py::arg("material") = "sand",
+           py::arg("pose") = py::none(),
+           "Adds a mesh.\n\nvertices: array [n, 3] in metres. faces: array [m, 3] of indices from 0. material: name of "
+           "a library "
+           "material or of one of the scenario's `materials`, or a list of names, one for each face. pose: where the "
+           "mesh is, "
+           "as of Simulator.ping(). Raises Error for a name that is there, and for what is no mesh; warns of dropped "
+           "faces.")
+      .def_property_readonly(
+          "instance_names", [](const Scene& self) { return names_of(self.instances); },
+          "Names by the index that Ping.instance has.")
+      .def_property_readonly(
+          "material_names", [](const Scene& self) { return names_of(self.materials); },
+          "Names by the index that Ping.material has; empty before materials are assigned.")
+      .def_property_readonly("triangle_count", &Scene::triangle_count)
+      .def_property_readonly(
+          "bounds",
+          [](const Scene& self) {
+            const Box3 box = self.bounds();
+            return py::make_tuple(to_python(box.low, 1), to_python(box.high, 1));
+          },
+          "((x, y, z) of the lowest corner, of the highest) [m].")
+      .def("__repr__", [](const Scene& self) {
+        return fmt::format("<Scene of {} instances, {} triangles>", self.instances.size(), self.triangle_count());
+      });
+}
+
+}  // namespace insonify::python

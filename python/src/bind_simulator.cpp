@@ -1,0 +1,227 @@
+// bind_simulator.cpp -- insonify.Simulator, and loading of scenarios.
+
+#include <fmt/format.h>
+#include <pybind11/numpy.h>
+#include <pybind11/stl.h>
+
+#include "bind.h"
+#include "held.h"
+#include "insonify/files.h"
+#include "python_simulator.h"
+
+namespace insonify::python {
+namespace {
+
+// None, a list of names, or a dict of names and poses of the objects' frames.
+std::vector<MovableObject> movable_from(const py::object& given) {
+  std::vector<MovableObject> movable;
+  if (given.is_none()) {
+    return movable;
+  }
+  if (py::isinstance<py::str>(given) || PySequence_Check(given.ptr()) == 0) {
+    if (!py::isinstance<py::dict>(given)) {
+      throw Error("", "movable",
+                  fmt::format(" = {} must be a list of names, or a dict of names and poses", shown(given)));
+    }
+  }
+  const bool has_poses = py::isinstance<py::dict>(given);
+  for (const py::handle& name : given) {
+    MovableObject one;
+    from_python(name, "movable", 1, one.name);
+    if (has_poses) {
+      one.world_from_object = pose_from(given[name], "movable[" + shown(name) + "]");
+    }
+    movable.push_back(std::move(one));
+  }
+  return movable;
+}
+
+std::unique_ptr<PythonSimulator> make_simulator(const py::object& given, const py::object& scene, int threads,
+                                                const py::object& movable) {
+  Scenario scenario = scenario_from(given);
+  Scene made;
+  if (scene.is_none()) {
+    made = load_scene(scenario, warnings_log());
+  } else {
+    made = scene.cast<Scene>();
+    assign_materials(made, scenario.materials, warnings_log());
+  }
+  const std::vector<MovableObject> objects = movable_from(movable);
+  const py::gil_scoped_release released;
+  return std::make_unique<PythonSimulator>(std::move(scenario), std::move(made), threads, objects);
+}
+
+// Tables of many pings [ping, bin, beam].
+template <typename Value>
+py::object stacked(const std::vector<Ping>& pings, std::vector<Value> Ping::*member) {
+  const std::vector<Value>& first = pings.front().*member;
+  if (first.empty()) {
+    return py::none();
+  }
+  std::vector<py::ssize_t> shape = {static_cast<py::ssize_t>(pings.size()), pings.front().bin_count,
+                                    pings.front().beam_count};
+  const std::size_t cells = static_cast<std::size_t>(shape[1]) * static_cast<std::size_t>(shape[2]);
+  if (first.size() > cells) {
+    shape.push_back(static_cast<py::ssize_t>(first.size() / cells));
+  }
+  py::array_t<Value> all(shape);
+  Value* to = all.mutable_data();
+  for (const Ping& ping : pings) {
+    to = std::copy((ping.*member).begin(), (ping.*member).end(), to);
+  }
+  return all;
+}
+
+py::dict batch(PythonSimulator& self, const py::object& sonar_, const py::object& poses, const py::object& times) {
+  const int sonar = self.sonar(sonar_);
+  if (py::isinstance<py::str>(poses) || PySequence_Check(poses.ptr()) == 0 || py::len(poses) == 0) {
+    throw Error("", "poses", " must be a list of poses, at least one, or an array [n, 4, 4]");
+  }
+  if (!times.is_none() && (PySequence_Check(times.ptr()) == 0 || py::len(times) != py::len(poses))) {
+    throw Error("", "times", fmt::format(" must be a list of {} numbers, one for each pose", py::len(poses)));
+  }
+  std::vector<PingRequest> requests;
+  for (std::size_t i = 0; i < py::len(poses); ++i) {
+    PythonSimulator::Asked asked{poses[py::int_(i)],
+                                 times.is_none() ? py::object(py::none()) : times[py::int_(i)],
+                                 requests.empty() ? py::object(py::none()) : py::int_(requests.back().number + 1),
+                                 py::none(),
+                                 py::none(),
+                                 py::none()};
+    requests.push_back(self.request(sonar, asked));
+  }
+  std::vector<Ping> pings(requests.size());
+  self.ping(sonar, requests, pings);
+  py::dict arrays;
+  const auto put = [&](const char* name, const py::object& values) {
+    if (!values.is_none()) {
+      arrays[name] = values;
+    }
+  };
+  put("intensity", stacked(pings, &Ping::intensity));
+  put("field", stacked(pings, &Ping::field));
+  put("counts", stacked(pings, &Ping::counts));
+  put("instance", stacked(pings, &Ping::instance));
+  put("material", stacked(pings, &Ping::material));
+  put("elevation", stacked(pings, &Ping::elevation));
+  put("strongest_instance", stacked(pings, &Ping::strongest_instance));
+  put("strongest_share", stacked(pings, &Ping::strongest_share));
+  put("elevation_spread", stacked(pings, &Ping::elevation_spread));
+  put("path_order", stacked(pings, &Ping::path_order));
+  put("shadow", stacked(pings, &Ping::shadow));
+  put("direct_intensity", stacked(pings, &Ping::direct_intensity));
+  return arrays;
+}
+
+constexpr const char* kPingHelp =
+    "Makes a ping. Returns a Ping; other threads of Python run meanwhile.\n\n"
+    "sonar: name or index. pose: of the vehicle in the world, a 4 x 4 matrix, a pair (position, quaternion w x y z) or "
+    "a Pose; "
+    "None for the scenario's trajectory. time: of transmission [s]; None: number times the sonar's ping period. "
+    "number: with "
+    "the scenario's seed decides the random numbers, and the step of a scanning head; None: the one after the last. "
+    "twist: "
+    "pair (linear [m/s], angular [rad/s]) along the world's axes, with motion_in_ping. moved: dict of names, or "
+    "indices of "
+    "instances, and poses of movable objects. head_angle: of a scanning head [rad].\n"
+    "Raises Error for what makes no sense; the next request may be a better one.";
+
+}  // namespace
+
+py::object load_wrapped(const py::object& path, const py::object& settings) {
+  std::filesystem::path file;
+  from_python(path, "path", 1, file);
+  return wrap(load_scenario(file, settings.cast<std::vector<std::string>>(), warnings_log()));
+}
+
+py::object parse_wrapped(const std::string& text, const py::object& folder, const py::object& settings) {
+  std::filesystem::path place;
+  from_python(folder, "folder", 1, place);
+  return wrap(parse_scenario(text, place, settings.cast<std::vector<std::string>>(), warnings_log()));
+}
+
+Scenario scenario_from(const py::object& object) {
+  auto scenario = unwrap<Scenario>(object, "");
+  // As it was read, its text and places hold.
+  if (!scenario.text.empty() && to_yaml(scenario) != to_yaml(object.cast<const Held<Scenario>&>().value)) {
+    scenario.text.clear();
+    scenario.places.clear();
+  }
+  return scenario;
+}
+
+void bind_simulator(py::module_& module) {
+  py::class_<PythonSimulator> simulator(
+      module, "Simulator",
+      "Runs the sonars of a scenario in a scene.\n\n"
+      "scenario: a Scenario. scene: a Scene instead of the scenario's world. threads: 0 for as many as there are "
+      "processors; "
+      "pings do not depend on it. movable: names of objects that `moved` may move, or a dict of names and poses of "
+      "their "
+      "frames. Simulators may be used from several threads; one simulator makes one ping at a time.");
+  simulator
+      .def(py::init(&make_simulator), py::arg("scenario"), py::arg("scene") = py::none(), py::arg("threads") = 0,
+           py::arg("movable") = py::none())
+      .def(
+          "ping",
+          [](PythonSimulator& self, const py::object& sonar_, const py::object& pose, const py::object& time,
+             const py::object& number, const py::object& twist, const py::object& moved, const py::object& head_angle) {
+            const int sonar = self.sonar(sonar_);
+            return self.ping(sonar, self.request(sonar, {pose, time, number, twist, moved, head_angle}));
+          },
+          py::arg("sonar") = 0, py::arg("pose") = py::none(), py::arg("time") = py::none(),
+          py::arg("number") = py::none(), py::kw_only(), py::arg("twist") = py::none(), py::arg("moved") = py::none(),
+          py::arg("head_angle") = py::none(), kPingHelp)
+      .def("ping_batch", &batch, py::arg("sonar"), py::arg("poses"), py::arg("times") = py::none(),
+           "Makes a ping at each of many poses. Returns a dict of arrays, as the tables of Ping, with a leading axis: "
+           "\"intensity\" is [poses, bins, beams].\n\nposes: list of poses, or an array [n, 4, 4]. times: n numbers "
+           "[s].")
+      .def(
+          "sonar",
+          [](const PythonSimulator& self, const py::object& sonar) {
+            return wrap(self.simulator().sonar(self.sonar(sonar)));
+          },
+          py::arg("sonar") = 0, "Settings of a sonar, with sound speed and ping period filled in.")
+      .def(
+          "set_sonar",
+          [](PythonSimulator& self, const py::object& sonar, const py::object& config) {
+            self.set_sonar(self.sonar(sonar), unwrap<SonarConfig>(config, "config"));
+          },
+          py::arg("sonar"), py::arg("config"), "Changes range, gain, beams or all of a sonar from the next ping on.")
+      .def(
+          "add",
+          [](PythonSimulator& self, const Scene& objects, const py::object& movable) {
+            return self.add_objects(objects, movable_from(movable));
+          },
+          py::arg("objects"), py::arg("movable") = py::none(),
+          "Adds the instances of a Scene. Returns the index of the first of them. Raises Error for a name that is "
+          "there.")
+      .def("remove", &PythonSimulator::remove_object, py::arg("name"), "Removes an object with all its parts.")
+      .def_property_readonly(
+          "scenario", [](const PythonSimulator& self) { return wrap(self.simulator().scenario()); },
+          "A copy of the scenario.")
+      .def_property_readonly(
+          "scene", [](const PythonSimulator& self) { return self.simulator().scene(); }, "A copy of the scene.")
+      .def_property_readonly(
+          "instance_names",
+          [](const PythonSimulator& self) {
+            std::vector<std::string> names;
+            for (const Instance& instance : self.simulator().scene().instances) {
+              names.push_back(instance.name);
+            }
+            return names;
+          },
+          "Names by the index that Ping.instance has.")
+      .def_property_readonly(
+          "material_names",
+          [](const PythonSimulator& self) {
+            std::vector<std::string> names;
+            for (const Material& material : self.simulator().scene().materials) {
+              names.push_back(material.name);
+            }
+            return names;
+          },
+          "Names by the index that Ping.material has.");
+}
+
+}  // namespace insonify::python

@@ -1,0 +1,104 @@
+// convert.h -- values of fields, vectors, poses and lists between C++ and Python.
+
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+#include "insonify/error.h"
+#include "insonify/geometry.h"
+#include "insonify/words.h"
+
+namespace insonify::python {
+
+namespace py = pybind11;
+
+/// Text of a Python object for a message, shortened: 3, 'three', [1, 2].
+[[nodiscard]] std::string shown(py::handle value);
+
+/// "float", "list": the name of an object's class.
+[[nodiscard]] std::string type_of(py::handle value);
+
+// Values as Python has them: numbers, words, tuples of numbers, None. Tuples rather than lists or arrays, since a
+// change of an element could not reach the configuration.
+inline py::object to_python(double value, double scale) {
+  return py::float_(value * scale);
+}
+inline py::object to_python(int value, double /*scale*/) {
+  return py::int_(value);
+}
+inline py::object to_python(std::uint64_t value, double /*scale*/) {
+  return py::int_(value);
+}
+inline py::object to_python(bool value, double /*scale*/) {
+  return py::bool_(value);
+}
+inline py::object to_python(const std::string& value, double /*scale*/) {
+  return py::str(value);
+}
+inline py::object to_python(const std::filesystem::path& value, double /*scale*/) {
+  return py::str(value.string());
+}
+py::object to_python(const Vec3& value, double scale);
+py::object to_python(const std::vector<double>& value, double scale);
+
+template <typename Enum>
+requires std::is_enum_v<Enum> py::object to_python(Enum value, double /*scale*/) {
+  return py::str(std::string(word_of(value)));
+}
+template <typename T>
+py::object to_python(const std::optional<T>& value, double scale) {
+  return value ? to_python(*value, scale) : py::none();
+}
+
+// The way back: sets a member from a Python value that is `scale` times the member's.
+// @throws Error about `name`, for a value of another kind.
+void from_python(py::handle value, const std::string& name, double scale, double& member);
+void from_python(py::handle value, const std::string& name, double scale, int& member);
+void from_python(py::handle value, const std::string& name, double scale, std::uint64_t& member);
+void from_python(py::handle value, const std::string& name, double scale, bool& member);
+void from_python(py::handle value, const std::string& name, double scale, std::string& member);
+void from_python(py::handle value, const std::string& name, double scale, std::filesystem::path& member);
+void from_python(py::handle value, const std::string& name, double scale, Vec3& member);
+void from_python(py::handle value, const std::string& name, double scale, std::vector<double>& member);
+
+/// @throws Error listing the words there are.
+[[noreturn]] void refuse_word(py::handle value, const std::string& name, const std::vector<std::string>& words);
+
+template <typename Enum>
+requires std::is_enum_v<Enum>
+void from_python(py::handle value, const std::string& name, double /*scale*/, Enum& member) {
+  std::vector<std::string> words;
+  for (const auto& [word, meaning] : words_of<Enum>()) {
+    if (py::isinstance<py::str>(value) && value.cast<std::string>() == word) {
+      member = meaning;
+      return;
+    }
+    words.emplace_back(word);
+  }
+  refuse_word(value, name, words);
+}
+
+template <typename T>
+void from_python(py::handle value, const std::string& name, double scale, std::optional<T>& member) {
+  if (value.is_none()) {
+    member.reset();
+    return;
+  }
+  T found{};
+  from_python(value, name, scale, found);
+  member = found;
+}
+
+/// A pose from a 4 x 4 matrix, a pair (position, quaternion w x y z) or a Pose.
+/// @throws Error about `name`: for another shape, for what is not finite, for a matrix that does not only turn and
+/// move,
+///         and for a quaternion whose norm is not within 1 % of 1.
+[[nodiscard]] Pose pose_from(py::handle value, const std::string& name);
+
+}  // namespace insonify::python
