@@ -35,8 +35,8 @@ namespace insonify {
 
 /// Reads a scenario. Relative paths are from its own folder; presets are looked up by name (load_preset).
 /// @param settings  "key=value" as on the command line, applied in order: "pings=3", "sonars[0].max_range=30",
-///                  "sonars.fls.max_range=30", "max_range=30" (a sonar's field alone means every sonar's). "--pings=3" is the same as
-///                  "pings=3", but messages name it so: for programs that have such an option.
+///                  "sonars.fls.max_range=30", "max_range=30" (a sonar's field alone means every sonar's). "--pings=3"
+///                  is the same as "pings=3", but messages name it so: for programs that have such an option.
 /// @param log       Takes a warning for each value that the instrument of a preset cannot have.
 /// @throws Error "path:line:column: ..." for whatever is wrong; an unknown key names the nearest known one.
 [[nodiscard]] Scenario load_scenario(const std::filesystem::path& path, std::span<const std::string> settings = {},
