@@ -8,6 +8,7 @@
 #include <charconv>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "commands.h"
 
@@ -45,7 +46,7 @@ PingPictures::PingPictures(PictureFolder& folder, const SonarConfig& sonar, cons
       model_(style.model),
       fixed_(style.fixed_levels),
       display_(style.display),
-      choice_(choice),
+      choice_(std::move(choice)),
       total_(total) {
   if (sonar_.type == SonarType::kMechanicallyScanned && choice_.most > 0) {
     scan_ = std::make_unique<ScanView>(sonar_);

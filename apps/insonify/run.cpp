@@ -87,6 +87,7 @@ Simulator prepare(const RunOptions& options, const std::filesystem::path& folder
 
 std::vector<std::string> names_of(const std::vector<SonarConfig>& sonars) {
   std::vector<std::string> names;
+  names.reserve(sonars.size());
   for (const SonarConfig& sonar : sonars) {
     names.push_back(sonar.name);
   }
@@ -172,6 +173,7 @@ bool discard_without_pings(std::vector<Track>& tracks, PictureFolder& pictures) 
     return false;
   }
   std::vector<std::filesystem::path> files;
+  files.reserve(tracks.size());
   for (const Track& track : tracks) {
     files.push_back(track.recording.place());
   }

@@ -46,6 +46,7 @@ std::vector<View> draw_views(Simulator& simulator, const ScenarioRequests& reque
 
 std::vector<std::filesystem::path> write_views(const std::vector<View>& views, PictureFolder& folder) {
   std::vector<std::filesystem::path> files;
+  files.reserve(views.size());
   for (const View& view : views) {
     files.push_back(folder.write(view.file, view.picture));
   }

@@ -31,7 +31,7 @@ constexpr double kTextGap = 0.35;
 }  // namespace
 
 std::string name_of(const SonarConfig& sonar) {
-  const std::string name = printable(sonar.name, kLongestName);
+  std::string name = printable(sonar.name, kLongestName);
   const std::string model = printable(sonar.model, kLongestName);
   if (model.empty()) {
     return name;

@@ -64,7 +64,7 @@ std::vector<std::filesystem::path> preset_folders() {
 std::filesystem::path find_preset_file(const std::string& name) {
   for (const std::filesystem::path& folder : preset_folders()) {
     std::error_code ignored;
-    if (const std::filesystem::path file = folder / (name + ".yaml"); std::filesystem::exists(file, ignored)) {
+    if (std::filesystem::path file = folder / (name + ".yaml"); std::filesystem::exists(file, ignored)) {
       return file;
     }
   }
