@@ -68,6 +68,11 @@ Pose Simulator::world_from_head(int index, const PingRequest& request) const {
   return world_from_housing(index, request) * housing_from_head(state_->sonar(index).head_angle(request));
 }
 
+Scene Simulator::scene_at(const PingRequest& request) {
+  request.validate();
+  return state_->objects.placed(request.moved, state_->scene);
+}
+
 void Simulator::place(int sonar, const PingRequest& request) {
   state_->place(state_->sonar(sonar), request);
 }
@@ -126,7 +131,6 @@ void Simulator::ping(int sonar, std::span<const PingRequest> requests, std::span
 }
 
 Ping Simulator::make_ping(int sonar, std::uint64_t number) {
-  (void)state_->sonar(sonar);  // Perhaps none.
   return ping(sonar, ScenarioRequests(state_->scenario).at(sonar, number));
 }
 

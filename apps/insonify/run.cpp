@@ -42,12 +42,8 @@ std::string counted(std::uint64_t count, const char* what) {
 }
 
 void print_world(const Scene& scene, double seconds) {
-  std::size_t triangles = 0;
-  for (const Instance& instance : scene.instances) {
-    triangles += instance.mesh->triangles.size();
-  }
   say("world: {} of {}, {}, ready in {:.2f} s\n", counted(scene.instances.size(), "object"),
-      counted(triangles, "triangle"), size_text(scene), seconds);
+      counted(scene.triangle_count(), "triangle"), size_text(scene), seconds);
   flush_output();  // The first ping can take long.
 }
 
@@ -123,7 +119,7 @@ std::vector<Track> start_tracks(const Simulator& simulator, const ScenarioReques
 }
 
 // Prints what is unusual about the world and the trajectories, before the first ping.
-void print_oddities(const Simulator& simulator, const ScenarioRequests& requests, bool quiet) {
+void print_oddities(Simulator& simulator, const ScenarioRequests& requests, bool quiet) {
   for (const std::string& text : oddities_of(simulator, requests)) {
     complain("warning: " + text);
   }

@@ -80,7 +80,7 @@ std::string size_text(const Scene& scene) {
                      rounded(box.high.y()), rounded(box.low.z()), rounded(box.high.z()));
 }
 
-std::vector<std::string> oddities_of(const Simulator& simulator, const ScenarioRequests& requests) {
+std::vector<std::string> oddities_of(Simulator& simulator, const ScenarioRequests& requests) {
   std::vector<std::string> texts;
   const Box3 world = simulator.scene().bounds();
   for (int i = 0; i < requests.sonar_count() && !is_empty(world); ++i) {

@@ -15,7 +15,7 @@ namespace insonify {
 
 /// Likely mistakes, one line each: a sonar inside an object, a world a thousand times as large as a sonar's range or as
 /// small as its bins.
-[[nodiscard]] std::vector<std::string> oddities_of(const Simulator& simulator, const ScenarioRequests& requests);
+[[nodiscard]] std::vector<std::string> oddities_of(Simulator& simulator, const ScenarioRequests& requests);
 
 /// Sonars whose pings end long before or after a trajectory does, one line each.
 [[nodiscard]] std::vector<std::string> lengths_of(const Simulator& simulator, const ScenarioRequests& requests);

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "insonify/field.h"
 #include "insonify/geometry.h"
 
 namespace insonify {
@@ -15,7 +16,8 @@ namespace insonify {
 /// while the sonar listens; without, it has no effect.
 struct Twist {
   Vec3 linear = Vec3::Zero();   ///< Velocity of the vehicle's origin [m/s], at most 100 m/s with motion_in_ping.
-  Vec3 angular = Vec3::Zero();  ///< Axis of its turn times the rate [rad/s], at most 100 an axis.
+  Vec3 angular = Vec3::Zero();  ///< Axis of its turn times the rate [rad/s]; with motion_in_ping at most half a turn
+                                ///< while the sonar listens.
 };
 
 /// Where something that a Simulator can move is at a ping. Either `name` or `instance` says what it is.
@@ -24,6 +26,9 @@ struct MovedObject {
   int instance = -1;            ///< Index into Scene::instances; negative: told by its name.
   Pose world_from_object = {};  ///< Of the frame that MovableObject tells; of an instance that of its mesh.
 };
+
+/// Limits of the time of a ping [s].
+inline constexpr Limits kPingTimes = from_to(-1e10, 1e10);
 
 /// One ping of one sonar. A ping follows from its request alone, not from those made before it: what can move and is
 /// not named here is where the scene has it.

@@ -16,7 +16,8 @@ class ScenarioRequests {
   explicit ScenarioRequests(const Scenario& scenario);
 
   /// Pings of one sonar: Scenario::ping_count().
-  [[nodiscard]] std::uint64_t ping_count(int sonar) const { return ping_counts_.at(static_cast<std::size_t>(sonar)); }
+  /// @throws Error for an index that is none; as all here.
+  [[nodiscard]] std::uint64_t ping_count(int sonar) const;
   /// Pings of the sonar that makes most.
   [[nodiscard]] std::uint64_t most_pings() const;
   /// Pings of all sonars together.
@@ -26,10 +27,16 @@ class ScenarioRequests {
   /// Ping `number` of a sonar; numbers beyond ping_count(sonar) go on.
   [[nodiscard]] PingRequest at(int sonar, std::uint64_t number) const;
 
-  /// The same; allocates nothing when the request was made here before.
+  /// The same at another time [s]: vehicle and objects are where they are then.
+  /// @throws Error for a time out of PingRequest's limits.
+  [[nodiscard]] PingRequest at(int sonar, std::uint64_t number, double time) const;
+
+  /// at(sonar, number); allocates nothing when the request was made here before.
   void fill(int sonar, std::uint64_t number, PingRequest& request) const;
 
  private:
+  void fill_at(const SonarConfig& config, std::uint64_t number, double time, PingRequest& request) const;
+
   std::vector<std::uint64_t> ping_counts_;  // Of each sonar.
   std::vector<SonarConfig> sonars_;         // Filled in.
   Trajectory trajectory_;

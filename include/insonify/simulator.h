@@ -99,6 +99,11 @@ class Simulator {
   /// Places everything as at a ping, without making it: for camera views.
   void place(int sonar, const PingRequest& request);
 
+  /// A copy of the scene with everything where a request has it; meshes are shared. The sea's surface, which goes
+  /// with the vehicle, is left where the scene has it.
+  /// @throws Error as ping() for what cannot move.
+  [[nodiscard]] Scene scene_at(const PingRequest& request);
+
   /// The engine, with everything placed as at the last ping or place(): for camera views and counts.
   [[nodiscard]] Engine& engine();
 

@@ -45,7 +45,4 @@ void bind_acoustics(py::module_& module);
 [[nodiscard]] py::object load_wrapped(const py::object& path, const py::object& settings);
 [[nodiscard]] py::object parse_wrapped(const std::string& text, const py::object& folder, const py::object& settings);
 
-/// The scenario that a Python object stands for. Its text and places are those of the file only if nothing was changed.
-[[nodiscard]] Scenario scenario_from(const py::object& object);
-
 }  // namespace insonify::python

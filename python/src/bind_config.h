@@ -91,6 +91,7 @@ class ConfigClass {
         from_python(value, name, scale, found);
         check_value(field, found);
         member = found;
+        forget_text(self.value);
       });
     };
     class_.def_property(name.c_str(), get, set, help.c_str());

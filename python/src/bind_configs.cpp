@@ -1,6 +1,7 @@
 // bind_configs.cpp -- the classes of everything that a scenario holds.
 
 #include <fmt/format.h>
+#include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
 #include "bind.h"
@@ -20,6 +21,15 @@ std::string about(const std::string& section) {
     }
   }
   return "";
+}
+
+template <typename ValueOf>
+py::array_t<double> array_of(int count, const ValueOf& value_of) {
+  py::array_t<double> values(count);
+  for (int i = 0; i < count; ++i) {
+    values.mutable_at(i) = value_of(i);
+  }
+  return values;
 }
 
 void add_receivers_and_sonars(py::module_& module) {
@@ -45,22 +55,14 @@ void add_receivers_and_sonars(py::module_& module) {
       "bin_ranges",
       [](const py::object& self) {
         const auto config = unwrap<SonarConfig>(self, "sonar");
-        py::list ranges;
-        for (int bin = 0; bin < config.bin_count; ++bin) {
-          ranges.append(config.bin_range(bin));
-        }
-        return py::module_::import("numpy").attr("array")(ranges);
+        return array_of(config.bin_count, [&](int bin) { return config.bin_range(bin); });
       },
       "Range of the centre of every bin, an array [bins] in metres.");
   sonar->def(
       "azimuths",
       [](const py::object& self) {
         const auto config = unwrap<SonarConfig>(self, "sonar");
-        py::list azimuths;
-        for (int beam = 0; beam < config.beam_count; ++beam) {
-          azimuths.append(config.beam_azimuth(beam));
-        }
-        return py::module_::import("numpy").attr("array")(azimuths);
+        return array_of(config.beam_count, [&](int beam) { return config.beam_azimuth(beam); });
       },
       "Azimuth of the centre of every beam, an array [beams] in radians, positive to port, falling.");
 }
@@ -106,17 +108,14 @@ void bind_configs(py::module_& module) {
   module.def("preset_names", &preset_names, "Names of all presets, those of INSONIFY_PRESETS included.");
   module.def(
       "load_trajectory",
-      [](const py::object& path) {
-        std::filesystem::path file;
-        from_python(path, "path", 1, file);
-        return wrap_part(load_trajectory(file).waypoints);
-      },
+      [](const py::object& path) { return wrap_part(load_trajectory(path_from(path, "path")).waypoints); },
       py::arg("path"), "Reads waypoints from a CSV or TUM file: a list of Waypoint.");
   scenario->def(
-      "to_yaml", [](const py::object& self) { return to_yaml(scenario_from(self)); },
+      "to_yaml", [](const py::object& self) { return to_yaml(unwrap<Scenario>(self, "")); },
       "The text of a scenario file that load() reads back as the same.");
   scenario->def(
-      "validate", [](const py::object& self) { scenario_from(self).validate(); }, "Raises Error for the first fault.");
+      "validate", [](const py::object& self) { unwrap<Scenario>(self, "").validate(); },
+      "Raises Error for the first fault.");
 }
 
 }  // namespace insonify::python

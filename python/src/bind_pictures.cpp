@@ -87,11 +87,9 @@ void bind_pictures(py::module_& module) {
         if (rgb.ndim() != 3 || rgb.shape(2) != 3) {
           throw Error("", "rgb", " must be an array uint8 [height, width, 3]");
         }
-        std::filesystem::path file;
-        from_python(path, "path", 1, file);
         Picture picture{static_cast<int>(rgb.shape(1)), static_cast<int>(rgb.shape(0)), {}};
         picture.rgb.assign(rgb.data(), rgb.data() + rgb.size());
-        write_png(file, picture);
+        write_png(path_from(path, "path"), picture);
       },
       py::arg("path"), py::arg("rgb"), "Writes a picture, an array uint8 [height, width, 3].");
 }

@@ -8,6 +8,7 @@
 
 #include "bind.h"
 #include "held.h"
+#include "ping_tables.h"
 
 namespace insonify::python {
 namespace {
@@ -59,28 +60,7 @@ void bind_ping(py::module_& module) {
       .def_property_readonly(
           "model", [](const PythonPing& self) { return std::string(word_of(self.facts->model)); },
           "Model of the echo: calibrated or paper.");
-  add_table(ping, "intensity", &Ping::intensity,
-            "Echo intensity, float32: relative to the source's at 1 m, raw and linear (from about 1e-20: see to_db()); "
-            "0 to 1 "
-            "in the paper model.");
-  add_table(ping, "field", &Ping::field, "Complex field, complex64, whose squared magnitude is the intensity.");
-  add_table(ping, "counts", &Ping::counts, "Counts as the instrument delivers them, uint16.");
-  add_table(ping, "instance", &Ping::instance,
-            "Index into Simulator.instance_names of the strongest echo, uint16; NO_LABEL where nothing echoed.");
-  add_table(ping, "material", &Ping::material, "Index into Simulator.material_names of the same, uint16.");
-  add_table(ping, "elevation", &Ping::elevation,
-            "Mean elevation of the same in the sonar's frame, positive up [rad], float32; NaN where nothing echoed.");
-  add_table(ping, "strongest_instance", &Ping::strongest_instance,
-            "The strongest instances of each bin, strongest first, uint16 [bins, beams, k] (ground_truth full).");
-  add_table(ping, "strongest_share", &Ping::strongest_share, "Their shares of the bin's energy, 0 to 1, float32.");
-  add_table(ping, "elevation_spread", &Ping::elevation_spread,
-            "Standard deviation of the strongest's elevations [rad], float32 (ground_truth full).");
-  add_table(ping, "path_order", &Ping::path_order,
-            "Surfaces met by the paths that gave most, uint8; 0 where none (ground_truth full).");
-  add_table(ping, "shadow", &Ping::shadow,
-            "Share of the beam that nearer surfaces hide, 0 to 1, of bins without a direct echo (ground_truth full).");
-  add_table(ping, "direct_intensity", &Ping::direct_intensity,
-            "What paths with one surface give, noise and speckle left out (ground_truth full).");
+  visit_tables([&](const char* name, auto member, const char* help) { add_table(ping, name, member, help); });
   ping.def("__repr__", [](const PythonPing& self) {
     return fmt::format("<Ping {} at {:.6g} s, {} bins x {} beams>", self.number, self.time, self.bin_count,
                        self.beam_count);

@@ -12,17 +12,19 @@
 namespace insonify::python {
 namespace {
 
-std::filesystem::path path_from(const py::object& given) {
-  std::filesystem::path path;
-  from_python(given, "path", 1, path);
-  return path;
-}
+// A recording, and what is known of its sonar once a ping was asked for.
+struct PythonRecording {
+  RecordedPings pings;
+  std::shared_ptr<const SonarFacts> facts = {};
 
-// What is known of a recording's sonar.
-std::shared_ptr<const SonarFacts> facts_of(const RecordedPings& pings) {
-  const EchoModel model = pings.model() == "paper" ? EchoModel::kPaper : EchoModel::kCalibrated;
-  return std::make_shared<SonarFacts>(SonarFacts{pings.sonar_config(), model, pings.receiver_config()});
-}
+  const std::shared_ptr<const SonarFacts>& known() {
+    if (facts == nullptr) {
+      const EchoModel model = pings.model() == "paper" ? EchoModel::kPaper : EchoModel::kCalibrated;
+      facts = std::make_shared<SonarFacts>(SonarFacts{pings.sonar_config(), model, pings.receiver_config()});
+    }
+    return facts;
+  }
+};
 
 std::uint64_t number_from(const RecordedPings& pings, py::ssize_t number) {
   const auto count = static_cast<py::ssize_t>(pings.ping_count());
@@ -33,10 +35,10 @@ std::uint64_t number_from(const RecordedPings& pings, py::ssize_t number) {
   return static_cast<std::uint64_t>(from_start);
 }
 
-std::shared_ptr<PythonPing> recorded_ping(const RecordedPings& pings, py::ssize_t number) {
+std::shared_ptr<PythonPing> recorded_ping(PythonRecording& recording, py::ssize_t number) {
   auto ping = std::make_shared<PythonPing>();
-  static_cast<Ping&>(*ping) = pings.ping(number_from(pings, number));
-  ping->facts = facts_of(pings);
+  static_cast<Ping&>(*ping) = recording.pings.ping(number_from(recording.pings, number));
+  ping->facts = recording.known();
   return ping;
 }
 
@@ -46,12 +48,10 @@ void add_writer(py::module_& module) {
       "Writes one sonar's pings to an HDF5 file, ping by ping; whole at any moment.\n\n"
       "path: the file. simulator, sonar: whose pings they are. compress: by HDF5's own filters. replace: whether "
       "it may take the place of a file that is there. Raises Error when it cannot be made. Use it in a `with`.")
-      .def(py::init([](const py::object& path, const PythonSimulator& simulator, const py::object& sonar, bool compress,
+      .def(py::init([](const py::object& path, PythonSimulator& simulator, const py::object& sonar, bool compress,
                        bool replace) {
-             const Simulator& made = simulator.simulator();
-             return std::make_unique<Recording>(path_from(path), made.scenario(), made.scene(),
-                                                made.sonar(simulator.sonar(sonar)),
-                                                RecordingOptions{.compress = compress, .replace = replace});
+             return simulator.recording(path_from(path, "path"), simulator.sonar(sonar),
+                                        {.compress = compress, .replace = replace});
            }),
            py::arg("path"), py::arg("simulator"), py::arg("sonar") = 0, py::kw_only(), py::arg("compress") = false,
            py::arg("replace") = false)
@@ -70,29 +70,30 @@ void add_writer(py::module_& module) {
 
 void bind_recording(py::module_& module) {
   add_writer(module);
-  py::class_<RecordedPings>(
+  py::class_<PythonRecording>(
       module, "RecordedPings",
       "A recording's pings, read when they are asked for: rec[3], len(rec), `for ping in rec`.\n\n"
       "path: an HDF5 file as `insonify run` writes, perhaps still growing: it has the pings that it had when it "
       "was opened. Raises Error for a file that is none.")
-      .def(py::init([](const py::object& path) { return RecordedPings(path_from(path)); }), py::arg("path"))
-      .def("__len__", &RecordedPings::ping_count)
+      .def(py::init([](const py::object& path) { return PythonRecording{RecordedPings(path_from(path, "path"))}; }),
+           py::arg("path"))
+      .def("__len__", [](const PythonRecording& self) { return self.pings.ping_count(); })
       .def("__getitem__", &recorded_ping, py::arg("number"))
       .def_property_readonly(
           "shape",
-          [](const RecordedPings& self) {
-            return py::make_tuple(self.ping_count(), self.bin_count(), self.beam_count());
+          [](const PythonRecording& self) {
+            return py::make_tuple(self.pings.ping_count(), self.pings.bin_count(), self.pings.beam_count());
           },
           "(pings, bins, beams).")
       .def_property_readonly(
           "intensity",
-          [](const RecordedPings& self) {
-            const std::vector<py::ssize_t> shape = {static_cast<py::ssize_t>(self.ping_count()), self.bin_count(),
-                                                    self.beam_count()};
+          [](const PythonRecording& self) {
+            const std::vector<py::ssize_t> shape = {static_cast<py::ssize_t>(self.pings.ping_count()),
+                                                    self.pings.bin_count(), self.pings.beam_count()};
             py::array_t<float> all(shape);
             float* to = all.mutable_data();
-            for (std::uint64_t ping = 0; ping < self.ping_count(); ++ping) {
-              for (const double value : self.intensity(ping)) {
+            for (std::uint64_t ping = 0; ping < self.pings.ping_count(); ++ping) {
+              for (const double value : self.pings.intensity(ping)) {
                 *to++ = static_cast<float>(value);
               }
             }
@@ -100,8 +101,10 @@ void bind_recording(py::module_& module) {
           },
           "All intensities, read now: float32 [pings, bins, beams].")
       .def_property_readonly(
-          "sonar", [](const RecordedPings& self) { return wrap(self.sonar_config()); }, "A SonarConfig.")
-      .def_property_readonly("model", &RecordedPings::model, "calibrated or paper; \"\" where the file does not say.");
+          "sonar", [](PythonRecording& self) { return wrap(self.known()->sonar); }, "A SonarConfig.")
+      .def_property_readonly(
+          "model", [](const PythonRecording& self) { return self.pings.model(); },
+          "calibrated or paper; \"\" where the file does not say.");
 }
 
 }  // namespace insonify::python

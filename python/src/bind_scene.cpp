@@ -106,9 +106,7 @@ void bind_scene(py::module_& module) {
       .def_static(
           "load",
           [](const py::object& path, bool collisions) {
-            std::filesystem::path file;
-            from_python(path, "path", 1, file);
-            return load_scene(file, collisions, warnings_log());
+            return load_scene(path_from(path, "path"), collisions, warnings_log());
           },
           py::arg("path"), py::arg("collisions") = false,
           "Reads an SDF world or model, a mesh (OBJ, STL, DAE, PLY, glTF) or a height grid.\n\n"

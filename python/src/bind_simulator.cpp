@@ -7,6 +7,7 @@
 #include "bind.h"
 #include "held.h"
 #include "insonify/files.h"
+#include "ping_tables.h"
 #include "python_simulator.h"
 
 namespace insonify::python {
@@ -38,7 +39,7 @@ std::vector<MovableObject> movable_from(const py::object& given) {
 
 std::unique_ptr<PythonSimulator> make_simulator(const py::object& given, const py::object& scene, int threads,
                                                 const py::object& movable) {
-  Scenario scenario = scenario_from(given);
+  Scenario scenario = unwrap<Scenario>(given, "scenario");
   Scene made;
   if (scene.is_none()) {
     made = load_scene(scenario, warnings_log());
@@ -93,72 +94,50 @@ py::dict batch(PythonSimulator& self, const py::object& sonar_, const py::object
   std::vector<Ping> pings(requests.size());
   self.ping(sonar, requests, pings);
   py::dict arrays;
-  const auto put = [&](const char* name, const py::object& values) {
-    if (!values.is_none()) {
-      arrays[name] = values;
+  visit_tables([&](const char* name, auto member, const char*) {
+    if (const py::object all = stacked(pings, member); !all.is_none()) {
+      arrays[name] = all;
     }
-  };
-  put("intensity", stacked(pings, &Ping::intensity));
-  put("field", stacked(pings, &Ping::field));
-  put("counts", stacked(pings, &Ping::counts));
-  put("instance", stacked(pings, &Ping::instance));
-  put("material", stacked(pings, &Ping::material));
-  put("elevation", stacked(pings, &Ping::elevation));
-  put("strongest_instance", stacked(pings, &Ping::strongest_instance));
-  put("strongest_share", stacked(pings, &Ping::strongest_share));
-  put("elevation_spread", stacked(pings, &Ping::elevation_spread));
-  put("path_order", stacked(pings, &Ping::path_order));
-  put("shadow", stacked(pings, &Ping::shadow));
-  put("direct_intensity", stacked(pings, &Ping::direct_intensity));
+  });
   return arrays;
 }
 
-constexpr const char* kPingHelp =
-    "Makes a ping. Returns a Ping; other threads of Python run meanwhile.\n\n"
-    "sonar: name or index. pose: of the vehicle in the world, a 4 x 4 matrix, a pair (position, quaternion w x y z) or "
-    "a Pose; "
-    "None for the scenario's trajectory. time: of transmission [s]; None: number times the sonar's ping period. "
-    "number: with "
-    "the scenario's seed decides the random numbers, and the step of a scanning head; None: the one after the last. "
-    "twist: "
-    "pair (linear [m/s], angular [rad/s]) along the world's axes, with motion_in_ping. moved: dict of names, or "
-    "indices of "
-    "instances, and poses of movable objects. head_angle: of a scanning head [rad].\n"
-    "Raises Error for what makes no sense; the next request may be a better one.";
+constexpr const char* kPingHelp = R"(Makes a ping. Returns a Ping; other threads of Python run meanwhile.
+
+sonar: name or index.
+pose: of the vehicle in the world, a 4 x 4 matrix, a pair (position, quaternion w x y z) or a Pose; None for the scenario's
+    trajectory.
+time: of transmission [s]; None: number times the sonar's ping period.
+number: with the scenario's seed decides the random numbers, and the step of a scanning head; None: the one after the last.
+twist: pair (linear [m/s], angular [rad/s]) along the world's axes, for motion_in_ping; None: the trajectory's, or at rest
+    where a pose is given.
+moved: dict of names, or indices of instances, and poses of movable objects.
+head_angle: of a scanning head [rad].
+
+Raises Error for what makes no sense; the next request may be a better one.)";
+
+constexpr const char* kSimulatorHelp = R"(Runs the sonars of a scenario in a scene.
+
+scenario: a Scenario.
+scene: a Scene instead of the scenario's world.
+threads: 0 for as many as there are processors; pings do not depend on it.
+movable: names of objects that `moved` may move, or a dict of names and poses of their frames.
+
+Simulators may be used from several threads; one simulator makes one ping at a time.)";
 
 }  // namespace
 
 py::object load_wrapped(const py::object& path, const py::object& settings) {
-  std::filesystem::path file;
-  from_python(path, "path", 1, file);
-  return wrap(load_scenario(file, settings.cast<std::vector<std::string>>(), warnings_log()));
+  return wrap(load_scenario(path_from(path, "path"), settings.cast<std::vector<std::string>>(), warnings_log()));
 }
 
 py::object parse_wrapped(const std::string& text, const py::object& folder, const py::object& settings) {
-  std::filesystem::path place;
-  from_python(folder, "folder", 1, place);
-  return wrap(parse_scenario(text, place, settings.cast<std::vector<std::string>>(), warnings_log()));
-}
-
-Scenario scenario_from(const py::object& object) {
-  auto scenario = unwrap<Scenario>(object, "");
-  // As it was read, its text and places hold.
-  if (!scenario.text.empty() && to_yaml(scenario) != to_yaml(object.cast<const Held<Scenario>&>().value)) {
-    scenario.text.clear();
-    scenario.places.clear();
-  }
-  return scenario;
+  return wrap(
+      parse_scenario(text, path_from(folder, "folder"), settings.cast<std::vector<std::string>>(), warnings_log()));
 }
 
 void bind_simulator(py::module_& module) {
-  py::class_<PythonSimulator> simulator(
-      module, "Simulator",
-      "Runs the sonars of a scenario in a scene.\n\n"
-      "scenario: a Scenario. scene: a Scene instead of the scenario's world. threads: 0 for as many as there are "
-      "processors; "
-      "pings do not depend on it. movable: names of objects that `moved` may move, or a dict of names and poses of "
-      "their "
-      "frames. Simulators may be used from several threads; one simulator makes one ping at a time.");
+  py::class_<PythonSimulator> simulator(module, "Simulator", kSimulatorHelp);
   simulator
       .def(py::init(&make_simulator), py::arg("scenario"), py::arg("scene") = py::none(), py::arg("threads") = 0,
            py::arg("movable") = py::none())
@@ -179,7 +158,7 @@ void bind_simulator(py::module_& module) {
       .def(
           "sonar",
           [](const PythonSimulator& self, const py::object& sonar) {
-            return wrap(self.simulator().sonar(self.sonar(sonar)));
+            return wrap(self.known().facts[self.sonar(sonar)]->sonar);
           },
           py::arg("sonar") = 0, "Settings of a sonar, with sound speed and ping period filled in.")
       .def(
@@ -198,29 +177,14 @@ void bind_simulator(py::module_& module) {
           "there.")
       .def("remove", &PythonSimulator::remove_object, py::arg("name"), "Removes an object with all its parts.")
       .def_property_readonly(
-          "scenario", [](const PythonSimulator& self) { return wrap(self.simulator().scenario()); },
+          "scenario", [](const PythonSimulator& self) { return wrap(self.known().scenario); },
           "A copy of the scenario.")
+      .def_property_readonly("scene", &PythonSimulator::scene, "A copy of the scene.")
       .def_property_readonly(
-          "scene", [](const PythonSimulator& self) { return self.simulator().scene(); }, "A copy of the scene.")
-      .def_property_readonly(
-          "instance_names",
-          [](const PythonSimulator& self) {
-            std::vector<std::string> names;
-            for (const Instance& instance : self.simulator().scene().instances) {
-              names.push_back(instance.name);
-            }
-            return names;
-          },
+          "instance_names", [](const PythonSimulator& self) { return self.known().instance_names; },
           "Names by the index that Ping.instance has.")
       .def_property_readonly(
-          "material_names",
-          [](const PythonSimulator& self) {
-            std::vector<std::string> names;
-            for (const Material& material : self.simulator().scene().materials) {
-              names.push_back(material.name);
-            }
-            return names;
-          },
+          "material_names", [](const PythonSimulator& self) { return self.known().material_names; },
           "Names by the index that Ping.material has.");
 }
 

@@ -67,6 +67,13 @@ void from_python(py::handle value, const std::string& name, double scale, std::f
 void from_python(py::handle value, const std::string& name, double scale, Vec3& member);
 void from_python(py::handle value, const std::string& name, double scale, std::vector<double>& member);
 
+/// A path from text or anything with __fspath__.
+[[nodiscard]] inline std::filesystem::path path_from(py::handle value, const std::string& name) {
+  std::filesystem::path path;
+  from_python(value, name, 1, path);
+  return path;
+}
+
 /// @throws Error listing the words there are.
 [[noreturn]] void refuse_word(py::handle value, const std::string& name, const std::vector<std::string>& words);
 

@@ -12,7 +12,7 @@
 
 #include "convert.h"
 #include "insonify/field.h"
-#include "insonify/scene.h"
+#include "insonify/files.h"
 
 namespace insonify::python {
 
@@ -101,6 +101,15 @@ py::object wrap(const Config& config) {
   return py::cast(std::move(held));
 }
 
+/// A scenario's text and places are those of its file only as long as nothing was changed.
+template <typename Config>
+void forget_text(Config& config) {
+  if constexpr (std::is_same_v<Config, Scenario>) {
+    config.text.clear();
+    config.places.clear();
+  }
+}
+
 /// The configuration that a Python object stands for, with its parts as they are now.
 /// @param name  What it is, for messages: "sonars[0]".
 /// @throws Error for an object of another class.
@@ -121,6 +130,11 @@ Config unwrap(py::handle object, const std::string& name) {
     Config::visit_parts(config, [&](const Part& part, auto& member) {
       unwrap_part(held.parts.at(std::string(part.name)), member_name(name, part.name), member);
     });
+  }
+  if constexpr (std::is_same_v<Config, Scenario>) {
+    if (!config.text.empty() && to_yaml(config) != to_yaml(held.value)) {  // A part was changed.
+      forget_text(config);
+    }
   }
   return config;
 }

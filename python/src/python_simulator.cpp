@@ -46,22 +46,28 @@ std::vector<MovedObject> moved_from(py::handle value) {
 
 PythonSimulator::PythonSimulator(Scenario scenario, Scene scene, int threads, const std::vector<MovableObject>& movable)
     : simulator_(std::move(scenario), std::move(scene), threads, movable),
-      requests_(std::make_unique<ScenarioRequests>(simulator_.scenario())),
-      next_(simulator_.scenario().sonars.size(), 0) {
-  note_facts();
-}
+      known_(look()),
+      next_(known_->facts.size(), 0) {}
 
-void PythonSimulator::note_facts() {
+std::shared_ptr<const PythonSimulator::Known> PythonSimulator::look() {
   const Scenario& scenario = simulator_.scenario();
   facts_.clear();
   for (std::size_t i = 0; i < scenario.sonars.size(); ++i) {
     const SonarConfig& sonar = simulator_.sonar(static_cast<int>(i));
     facts_.push_back(std::make_shared<SonarFacts>(SonarFacts{sonar, scenario.model, scenario.receiver_of(sonar)}));
   }
+  auto known = std::make_shared<Known>(Known{scenario, ScenarioRequests(scenario), facts_, {}, {}});
+  for (const Instance& instance : simulator_.scene().instances) {
+    known->instance_names.push_back(instance.name);
+  }
+  for (const Material& material : simulator_.scene().materials) {
+    known->material_names.push_back(material.name);
+  }
+  return known;
 }
 
 int PythonSimulator::sonar(const py::object& sonar) const {
-  const std::vector<SonarConfig>& sonars = simulator_.scenario().sonars;
+  const std::vector<SonarConfig>& sonars = known_->scenario.sonars;
   std::vector<std::string> names;
   if (py::isinstance<py::str>(sonar)) {
     for (std::size_t i = 0; i < sonars.size(); ++i) {
@@ -85,17 +91,12 @@ PingRequest PythonSimulator::request(int sonar, const Asked& asked) {
   if (!asked.number.is_none()) {
     from_python(asked.number, "number", 1, number);
   }
-  PingRequest request = requests_->at(sonar, number);
+  double time = 0;
   if (!asked.time.is_none()) {
-    from_python(asked.time, "time", 1, request.time);
-    const Scenario& scenario = simulator_.scenario();
-    if (std::isfinite(request.time)) {
-      request.world_from_vehicle = scenario.trajectory.at(request.time);
-      for (std::size_t i = 0; i < scenario.motions.size(); ++i) {
-        request.moved[i].world_from_object = scenario.motions[i].trajectory.at(request.time);
-      }
-    }
+    from_python(asked.time, "time", 1, time);
   }
+  const ScenarioRequests& requests = known_->requests;
+  PingRequest request = asked.time.is_none() ? requests.at(sonar, number) : requests.at(sonar, number, time);
   if (!asked.pose.is_none()) {
     request.world_from_vehicle = pose_from(asked.pose, "pose");
     request.twist = {};
@@ -117,9 +118,11 @@ PingRequest PythonSimulator::request(int sonar, const Asked& asked) {
 
 std::shared_ptr<PythonPing> PythonSimulator::ping(int sonar, const PingRequest& request) {
   auto ping = std::make_shared<PythonPing>();
-  locked([&] { simulator_.ping(sonar, request, *ping); });
+  locked([&] {
+    simulator_.ping(sonar, request, *ping);
+    ping->facts = facts_[sonar];
+  });
   next_[sonar] = request.number + 1;
-  ping->facts = facts_[sonar];
   return ping;
 }
 
@@ -129,22 +132,39 @@ void PythonSimulator::ping(int sonar, const std::vector<PingRequest>& requests, 
 }
 
 void PythonSimulator::set_sonar(int sonar, const SonarConfig& config) {
-  locked([&] {
+  known_ = locked([&] {
     simulator_.set_sonar(sonar, config);
-    requests_ = std::make_unique<ScenarioRequests>(simulator_.scenario());
-    note_facts();
+    return look();
   });
 }
 
 int PythonSimulator::add_objects(Scene objects, const std::vector<MovableObject>& movable) {
-  return locked([&] {
+  int first = 0;
+  known_ = locked([&] {
     assign_materials(objects, simulator_.scenario().materials);
-    return simulator_.add_objects(objects, movable);
+    first = simulator_.add_objects(objects, movable);
+    return look();
   });
+  return first;
 }
 
 void PythonSimulator::remove_object(const std::string& name) {
-  locked([&] { simulator_.remove_object(name); });
+  known_ = locked([&] {
+    simulator_.remove_object(name);
+    return look();
+  });
+}
+
+Scene PythonSimulator::scene() {
+  return locked([&] { return simulator_.scene(); });
+}
+
+std::unique_ptr<Recording> PythonSimulator::recording(const std::filesystem::path& path, int sonar,
+                                                      const RecordingOptions& options) {
+  return locked([&] {
+    return std::make_unique<Recording>(path, simulator_.scenario(), simulator_.scene(), simulator_.sonar(sonar),
+                                       options);
+  });
 }
 
 }  // namespace insonify::python

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "bind.h"
+#include "insonify/files.h"
 #include "insonify/scenario_requests.h"
 #include "insonify/simulator.h"
 
@@ -40,9 +41,21 @@ class PythonSimulator {
   int add_objects(Scene objects, const std::vector<MovableObject>& movable);
   void remove_object(const std::string& name);
 
-  [[nodiscard]] const Simulator& simulator() const { return simulator_; }
+  [[nodiscard]] Scene scene();
+  [[nodiscard]] std::unique_ptr<Recording> recording(const std::filesystem::path& path, int sonar,
+                                                     const RecordingOptions& options);
+
+  /// What Python reads of the simulator without waiting for a ping. Replaced as a whole when something changes.
+  struct Known {
+    Scenario scenario;
+    ScenarioRequests requests;
+    std::vector<std::shared_ptr<const SonarFacts>> facts;  ///< [sonar]
+    std::vector<std::string> instance_names, material_names;
+  };
+  [[nodiscard]] const Known& known() const { return *known_; }
 
  private:
+  // Calls action() without the interpreter's lock, while no other thread uses the simulator. It must not touch Python.
   template <typename Action>
   auto locked(const Action& action) {
     const py::gil_scoped_release released;
@@ -50,13 +63,17 @@ class PythonSimulator {
     return action();
   }
 
-  void note_facts();
+  // Sets facts_ and returns what is known now.
+  [[nodiscard]] std::shared_ptr<const Known> look();
 
+  // With mutex_.
   Simulator simulator_;
-  std::vector<std::shared_ptr<const SonarFacts>> facts_;  // Of each sonar.
-  std::unique_ptr<ScenarioRequests> requests_;
-  std::vector<std::uint64_t> next_;  // Number of each sonar's next ping.
+  std::vector<std::shared_ptr<const SonarFacts>> facts_;  // [sonar] Settings with which its next ping is made.
   std::mutex mutex_;
+
+  // With the interpreter's lock.
+  std::shared_ptr<const Known> known_;
+  std::vector<std::uint64_t> next_;  // [sonar] Number of its next ping.
 };
 
 }  // namespace insonify::python

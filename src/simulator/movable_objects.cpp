@@ -156,7 +156,8 @@ void MovableObjects::reset(const Scene& scene) {
   }
 }
 
-void MovableObjects::place(std::span<const MovedObject> moved, const Scene& scene, Engine& engine) {
+// Sets `next` of every part.
+void MovableObjects::set_all_next(std::span<const MovedObject> moved, const Scene& scene) {
   for (Part& part : parts_) {
     part.next = scene.instances[part.instance].world_from_mesh;
   }
@@ -167,6 +168,19 @@ void MovableObjects::place(std::span<const MovedObject> moved, const Scene& scen
       throw Error(fmt::format("moved[{}].{}", i, error.what()));
     }
   }
+}
+
+Scene MovableObjects::placed(std::span<const MovedObject> moved, const Scene& scene) {
+  set_all_next(moved, scene);
+  Scene result = scene;
+  for (const Part& part : parts_) {
+    result.instances[part.instance].world_from_mesh = part.next;
+  }
+  return result;
+}
+
+void MovableObjects::place(std::span<const MovedObject> moved, const Scene& scene, Engine& engine) {
+  set_all_next(moved, scene);
   for (Part& part : parts_) {
     if (scene.instances[part.instance].present && !same(part.now, part.next)) {
       engine.move_instance(part.instance, part.next);

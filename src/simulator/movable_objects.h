@@ -32,6 +32,10 @@ class MovableObjects {
   /// @throws Error for an object that does not exist or cannot be moved; then nothing is moved.
   void place(std::span<const MovedObject> moved, const Scene& scene, Engine& engine);
 
+  /// The scene with everything where a request has it.
+  /// @throws Error as place().
+  [[nodiscard]] Scene placed(std::span<const MovedObject> moved, const Scene& scene);
+
   /// Takes current poses from the scene. To be called after the engine has loaded it again, perhaps with objects
   /// removed.
   void reset(const Scene& scene);
@@ -55,6 +59,7 @@ class MovableObjects {
                      Scene& scene);
   [[nodiscard]] Part* find_part(int instance);
   void set_next(const MovedObject& moved, const Scene& scene);
+  void set_all_next(std::span<const MovedObject> moved, const Scene& scene);
 
   std::vector<Part> parts_;
   std::vector<Object> objects_;

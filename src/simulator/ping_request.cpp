@@ -16,8 +16,6 @@ namespace {
 // Ten times the error of a quaternion in single precision, in which many programs keep poses.
 constexpr double kNormTolerance = 1e-6;
 
-constexpr double kFastestTurn = 100;  // [rad/s]
-
 void check_vector(std::string_view object, const Field& field, const Vec3& vector) {
   for (int axis = 0; axis < 3; ++axis) {
     check_field(object, field, vector[axis], axis);
@@ -47,15 +45,15 @@ void check_pose(std::string_view object, const Pose& pose) {
 }
 
 void PingRequest::validate() const {
-  check_field("", {"time", "s", from_to(-1e10, 1e10), ""}, time);
+  check_field("", {"time", "s", kPingTimes, ""}, time);
   check_pose("world_from_vehicle", world_from_vehicle);
   check_vector("twist", {"linear", "m/s", any_number(), ""}, twist.linear);
-  check_vector("twist", {"angular", "rad/s", from_to(-kFastestTurn, kFastestTurn), ""}, twist.angular);
+  check_vector("twist", {"angular", "rad/s", any_number(), ""}, twist.angular);
   for (std::size_t i = 0; i < moved.size(); ++i) {
     check_moved(moved[i], i);
   }
   if (head_angle) {
-    check_field("", {"head_angle", "", turn(), ""}, *head_angle);  // In radians, as the member is.
+    check_field("", {"head_angle", "", any_number(), ""}, *head_angle);  // In radians; a head may turn on and on.
   }
 }
 

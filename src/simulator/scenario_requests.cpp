@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "insonify/error.h"
+#include "simulator/sonar_index.h"
 
 namespace insonify {
 namespace {
@@ -59,11 +60,20 @@ std::uint64_t ScenarioRequests::total_pings() const {
   return std::accumulate(ping_counts_.begin(), ping_counts_.end(), std::uint64_t{0});
 }
 
+std::uint64_t ScenarioRequests::ping_count(int sonar) const {
+  return ping_counts_[sonar_index(sonar, ping_counts_.size())];
+}
+
 void ScenarioRequests::fill(int sonar, std::uint64_t number, PingRequest& request) const {
-  const SonarConfig& config = sonars_.at(static_cast<std::size_t>(sonar));
+  const SonarConfig& config = sonars_[sonar_index(sonar, sonars_.size())];
+  fill_at(config, number, static_cast<double>(number) * *config.ping_period, request);
+}
+
+void ScenarioRequests::fill_at(const SonarConfig& config, std::uint64_t number, double time,
+                               PingRequest& request) const {
   const double listening = config.shortest_ping_period(*config.assumed_sound_speed);
   request.number = number;
-  request.time = static_cast<double>(number) * *config.ping_period;
+  request.time = time;
   request.world_from_vehicle = trajectory_.at(request.time);
   request.twist = twist_between(request.world_from_vehicle, trajectory_.at(request.time + listening), listening);
   request.moved.resize(motions_.size());
@@ -76,6 +86,13 @@ void ScenarioRequests::fill(int sonar, std::uint64_t number, PingRequest& reques
   if (config.type == SonarType::kMechanicallyScanned) {
     request.head_angle = config.head_angle(number);
   }
+}
+
+PingRequest ScenarioRequests::at(int sonar, std::uint64_t number, double time) const {
+  check_field("", {"time", "s", kPingTimes, ""}, time);
+  PingRequest request;
+  fill_at(sonars_[sonar_index(sonar, sonars_.size())], number, time, request);
+  return request;
 }
 
 PingRequest ScenarioRequests::at(int sonar, std::uint64_t number) const {

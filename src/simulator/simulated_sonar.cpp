@@ -98,18 +98,26 @@ SimulatedSonar::SimulatedSonar(const Scenario& scenario, const SonarConfig& sona
 
 void SimulatedSonar::check(const PingRequest& request, bool moves) const {
   if (request.head_angle && config.type != SonarType::kMechanicallyScanned) {
-    throw Error(fmt::format("head_angle_deg = {:.10g} deg belongs to a scanning sonar; this one's type is fls",
-                            degrees_from_radians(*request.head_angle)));
+    throw Error(fmt::format("head_angle = {:.10g} rad belongs to a scanning sonar; this one's type is fls",
+                            *request.head_angle));
   }
   // Motion in a ping is computed to first order in speed over sound speed.
   constexpr double kMost = 100;  // [m/s]: a fifteenth of the speed of sound.
   if (const double speed = request.twist.linear.norm(); moves && speed > kMost) {
     throw Error(fmt::format("twist.linear comes to {:.4g} m/s; with motion_in_ping at most {} m/s", speed, kMost));
   }
+  // Motion is taken from the poses at the start and the end, which do not tell a turn from one the other way round.
+  constexpr double kHalfTurn = std::numbers::pi * (1 + 1e-9);
+  const double turned = request.twist.angular.norm() * listening_time();
+  if (moves && turned > kHalfTurn) {
+    throw Error(
+        fmt::format("twist.angular turns the sonar by {:.4g} deg while it listens; with motion_in_ping at most 180",
+                    degrees_from_radians(turned)));
+  }
 }
 
 PingMotion SimulatedSonar::motion_while_listening(const PingRequest& request, const Pose& vehicle_from_head) const {
-  const double time = config.shortest_ping_period(*config.assumed_sound_speed);
+  const double time = listening_time();
   const Pose later = moved_on(request.world_from_vehicle, request.twist, time);
   return motion_between(request.world_from_vehicle * vehicle_from_head, later * vehicle_from_head, time);
 }

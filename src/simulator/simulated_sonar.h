@@ -31,6 +31,9 @@ struct SimulatedSonar {
   /// Motion of the transducer from transmission to the last echo, steady and straight between the poses at both times.
   [[nodiscard]] PingMotion motion_while_listening(const PingRequest& request, const Pose& vehicle_from_head) const;
 
+  /// From transmission to the last echo, by the sound speed that the sonar assumes [s].
+  [[nodiscard]] double listening_time() const { return config.shortest_ping_period(*config.assumed_sound_speed); }
+
   SonarConfig config;  ///< With defaults filled in: see Scenario::filled_in().
   Pose vehicle_from_housing;
   std::shared_ptr<const PingPlan> plan;

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "insonify/error.h"
+#include "simulator/sonar_index.h"
 
 namespace insonify {
 
@@ -38,10 +39,7 @@ SimulatedSonar Simulator::State::simulated(const Scenario& in, const SonarConfig
 }
 
 SimulatedSonar& Simulator::State::sonar(int index) {
-  if (index < 0 || index >= static_cast<int>(sonars.size())) {
-    throw Error(fmt::format("sonar = {} must be from 0 to {}, the last", index, sonars.size() - 1));
-  }
-  return sonars[static_cast<std::size_t>(index)];
+  return sonars[sonar_index(index, sonars.size())];
 }
 
 void Simulator::State::take_in_scene() {

@@ -384,7 +384,7 @@ TEST_F(ScenarioTest, ALaterSettingWins) {
       testing::ThrowsMessage<Error>("--set pings=3: cannot be set together with --set duration=1; leave one out"));
 }
 
-// Of a program whose options are settings.
+// For programs whose options are settings.
 TEST_F(ScenarioTest, ASettingMayBeNamedAsAnOption) {
   EXPECT_EQ(load(kTwoSonars, {"--pings=3"}).pings, 3);
   EXPECT_THAT([&] { (void)load(kTwoSonars, {"--pings=0"}); },

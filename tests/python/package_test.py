@@ -205,6 +205,61 @@ class PingTest(unittest.TestCase):
         self.assertEqual(sim.ping(time=4.0, number=0).pose.position, (2, 0, 0))
         self.assertEqual(sim.ping(number=1).intensity.tobytes(), second.intensity.tobytes())
 
+    def test_a_time_has_the_trajectorys_motion(self):
+        turning = [insonify.Waypoint(time=0), insonify.Waypoint(time=1, orientation_deg=(0, 0, 170))]
+        sim = simulator(motion_in_ping=True, trajectory=turning)
+        period = sim.sonar().ping_period
+        usual = sim.ping(number=5)
+        np.testing.assert_array_equal(sim.ping(number=5, time=5 * period).intensity, usual.intensity)
+        resting = sim.ping(number=5, time=5 * period, pose=usual.pose)
+        self.assertGreater(np.abs(insonify.to_db(resting.intensity) - insonify.to_db(usual.intensity)).max(), 0)
+
+    def test_two_sonars_count_for_themselves(self):
+        scenario = insonify.Scenario.from_text(TEXT)
+        own = insonify.ReceiverConfig(speckle=False, noise=False, pulse="cw", pulse_duration=2e-4)
+        scenario.sonars.append(insonify.SonarConfig(name="astern", type="msis", beam_count=1, bin_count=7, max_range=6,
+                                                    azimuth_aperture_deg=3, step_deg=9, orientation_deg=(0, 30, 180),
+                                                    receiver=own))
+        scenario.surface = insonify.SeaSurface(level=3, wind_speed=5)
+        sim = insonify.Simulator(scenario, floor_scene())
+        self.assertEqual([sim.ping("ahead").number, sim.ping("ahead").number, sim.ping("astern").number], [0, 1, 0])
+        turned = sim.ping("astern")
+        self.assertEqual((turned.number, turned.shape), (1, (7, 1)))
+        self.assertAlmostEqual(np.degrees(turned.head_angle), 9)
+        self.assertEqual(turned.sonar.receiver.pulse, "cw")
+        aside = sim.ping("astern", head_angle=0.5)
+        self.assertEqual((aside.number, aside.head_angle), (2, 0.5))
+        with self.assertRaisesRegex(insonify.Error, "belongs to a scanning sonar"):
+            sim.ping("ahead", head_angle=0.5)
+        with self.assertRaisesRegex(insonify.Error, "above|below"):
+            sim.ping("ahead", pose=insonify.Pose.rpy((0, 0, 4)))
+
+    def test_a_simulator_changes_while_another_thread_pings(self):
+        sim = simulator()
+        shapes, failures = set(), []
+
+        def ping():
+            try:
+                for _ in range(60):
+                    made = sim.ping()
+                    shapes.add((made.shape, (made.sonar.bin_count, made.sonar.beam_count)))
+            except Exception as error:  # pylint: disable=broad-except
+                failures.append(error)
+
+        threads = [threading.Thread(target=ping) for _ in range(2)]
+        for thread in threads:
+            thread.start()
+        for number in range(30):
+            sonar = sim.scenario.sonars[0]
+            sonar.bin_count = 30 + number % 2 * 10
+            sim.set_sonar(0, sonar)
+            sim.instance_names  # pylint: disable=pointless-statement
+        for thread in threads:
+            thread.join()
+        self.assertEqual(failures, [])
+        for shape, told in shapes:
+            self.assertEqual(shape, told)
+
     def test_wrong_arguments_are_told_of(self):
         sim = simulator()
         for arguments, text in (
@@ -306,6 +361,37 @@ class RecordingTest(unittest.TestCase):
                 for number in range(pings):
                     recording.add(sim.ping(theirs.stem, number=number))
             self.assertEqual(pathlib.Path(folder, "ours.h5").read_bytes(), theirs.read_bytes())
+
+    def test_the_scenario_told_is_the_one_that_was_run(self):
+        import h5py
+
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder, "s.yaml")
+            path.write_text(TEXT)
+
+            def told(change):
+                scenario = insonify.Scenario.load(path)
+                change(scenario)
+                sim = insonify.Simulator(scenario, floor_scene())
+                with insonify.Recording(f"{folder}/r.h5", sim, replace=True) as recording:
+                    recording.add(sim.ping())
+                with h5py.File(f"{folder}/r.h5") as file:
+                    return file.attrs["scenario"]
+
+            self.assertEqual(told(lambda scenario: None), TEXT)
+            for change, text in (
+                (lambda s: setattr(s, "seed", 5), "seed: 5"),
+                (lambda s: setattr(s.water, "salinity", 3), "salinity: 3"),
+                (lambda s: setattr(s.sonars[0], "gain", 1), None),
+                (lambda s: setattr(s.sonars[0].sampling, "rows", 33), "rows: 33"),
+            ):
+                if text is None:
+                    self.assertEqual(told(change), TEXT)
+                else:
+                    self.assertIn(text, told(change))
+            copied = insonify.Scenario.load(path)
+            copied.sonars[0].max_range = 7
+            self.assertIn("max_range: 7", told(lambda s: setattr(s, "sonars", copied.copy().sonars)))
 
     def test_pings_come_back(self):
         sim = simulator()

@@ -140,6 +140,20 @@ TEST_F(ImmovableTest, IsWhatIsNotThere) {
             "movable[1].name = whale is not in the world; there are ball, box, floor, ship");
 }
 
+TEST_F(ImmovableTest, IsWhereItWasInTheSceneAtARequest) {
+  Simulator simulator(quiet_scenario(small_sonar()), small_world(), 1, movable({"ship"}));
+  const Scene& still = simulator.scene();
+  const Pose away{.position = {5, 6, 7}};
+  const Scene moved = simulator.scene_at({.moved = {{.name = "ship", .world_from_object = away}}});
+  for (std::size_t i = 0; i < still.instances.size(); ++i) {
+    const bool is_ship = still.instances[i].name.starts_with("ship");
+    EXPECT_EQ(is_ship, moved.instances[i].world_from_mesh.position != still.instances[i].world_from_mesh.position) << i;
+    EXPECT_EQ(moved.instances[i].mesh, still.instances[i].mesh);
+  }
+  EXPECT_EQ(message_of([&] { (void)simulator.scene_at({.moved = {{.name = "box"}}}); }),
+            "moved[0].name = box is not movable; there are ship");
+}
+
 TEST_F(ImmovableTest, IsWhatHasAFrameThatIsNone) {
   const auto message_with = [](const Pose& frame) {
     return message_of([&] {

@@ -97,6 +97,8 @@ TEST_P(PingRequestTest, HeadTurnsByItsStepsUnlessTheRequestTurnsIt) {
   EXPECT_NE(aside.intensity, stepped.intensity);
   const Pose head = simulator.world_from_head(0, {.number = 3, .head_angle = -15 * kDegree});
   EXPECT_NEAR((head.orientation * Vec3::UnitX()).y(), -std::sin(15 * kDegree), 1e-12);
+  const PingRequest late = ScenarioRequests(scenario).at(0, 9'000'000);
+  EXPECT_NEAR(simulator.ping(0, late).head_angle, 63'000'000 * kDegree, 1e-6);
 }
 
 // ---- Requests of a scenario -----------------------------------------------------------------------------------------
@@ -122,6 +124,26 @@ TEST(ScenarioRequestsTest, FollowTheTrajectoriesAtTheSonarsPeriod) {
   EXPECT_NEAR(*request.head_angle, 28 * kDegree, 1e-12);
 }
 
+TEST(ScenarioRequestsTest, TellWhereEverythingIsAtAnotherTime) {
+  Scenario scenario = quiet_scenario(small_sonar());
+  scenario.sonars[0].ping_period = 0.5;
+  scenario.trajectory.waypoints = {{.time = 0}, {.time = 4, .position = {8, 0, 0}}, {.time = 5, .position = {8, 3, 0}}};
+  scenario.motions = {{.object = "ball", .trajectory = {{{.time = 0}, {.time = 10, .position = {0, 10, 0}}}}}};
+  const ScenarioRequests requests(scenario);
+  const PingRequest usual = requests.at(0, 9), same = requests.at(0, 9, 4.5);
+  EXPECT_EQ(same.time, usual.time);
+  EXPECT_EQ(same.world_from_vehicle.position, usual.world_from_vehicle.position);
+  EXPECT_EQ(same.twist.linear, usual.twist.linear);
+  const PingRequest earlier = requests.at(0, 9, 1);
+  EXPECT_EQ(earlier.number, 9U);
+  EXPECT_EQ(earlier.world_from_vehicle.position, Vec3(2, 0, 0));
+  EXPECT_LT((earlier.twist.linear - Vec3(2, 0, 0)).norm(), 1e-9);
+  EXPECT_EQ(earlier.moved.at(0).world_from_object.position, Vec3(0, 1, 0));
+  EXPECT_EQ(message_of([&] { (void)requests.at(0, 9, std::nan("")); }), "time = nan s must be from -1e+10 to 1e+10 s");
+  EXPECT_EQ(message_of([&] { (void)requests.at(1, 9); }), "sonar = 1 must be from 0 to 0, the last");
+  EXPECT_EQ(message_of([&] { (void)requests.ping_count(-1); }), "sonar = -1 must be from 0 to 0, the last");
+}
+
 // ---- Errors ---------------------------------------------------------------------------------------------------------
 
 class WrongRequestTest : public testing::Test {
@@ -145,9 +167,27 @@ TEST_F(WrongRequestTest, NamesWhatIsNoNumberOrOutOfLimits) {
             "ping 0 of fls: twist.linear[2] = nan m/s must be a finite number");
 }
 
+// A faster turn cannot be told from a slower one the other way round. Without motion in a ping a turn has no effect,
+// and jumps of a trajectory come to such rates.
+TEST_F(WrongRequestTest, TurnsByMoreThanHalfATurnWhileItListens) {
+  Scenario moving = quiet_scenario(small_sonar());
+  moving.model = EchoModel::kCalibrated;
+  moving.motion_in_ping = true;
+  Simulator simulator(moving, small_world(), 1);
+  const double time = 2 * 16 / *simulator.sonar(0).assumed_sound_speed;
+  const auto turning = [&](double degrees) {
+    return PingRequest{.twist = {.angular = {0, 0, degrees * kDegree / time}}};
+  };
+  EXPECT_EQ(
+      message_of([&] { (void)simulator.ping(0, turning(181)); }),
+      "ping 0 of fls: twist.angular turns the sonar by 181 deg while it listens; with motion_in_ping at most 180");
+  EXPECT_EQ(message_of([&] { (void)simulator.ping(0, turning(-180)); }), "no error");
+  EXPECT_EQ(message_of_ping(turning(1e6)), "no error");
+}
+
 TEST_F(WrongRequestTest, TurnsNoHeadThatIsNotThere) {
-  EXPECT_EQ(message_of_ping({.head_angle = 90 * kDegree}),
-            "ping 0 of fls: head_angle_deg = 90 deg belongs to a scanning sonar; this one's type is fls");
+  EXPECT_EQ(message_of_ping({.head_angle = 1.5}),
+            "ping 0 of fls: head_angle = 1.5 rad belongs to a scanning sonar; this one's type is fls");
 }
 
 TEST_F(WrongRequestTest, NeedsAsManyPingsAsRequests) {

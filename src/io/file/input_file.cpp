@@ -26,6 +26,27 @@ bool is_open_already(const std::string& name) {
   return name == "/dev/stdin" || name.starts_with("/dev/fd/") || name.starts_with("/proc/");
 }
 
+std::string read_all(const std::filesystem::path& path) {
+  // In one pass: a pipe cannot be rewound.
+  errno = 0;
+  std::ifstream file(path, std::ios::binary);
+  std::string text;
+  std::array<char, 65536> part;
+  while (file.read(part.data(), part.size()) || file.gcount() > 0) {
+    text.append(part.data(), static_cast<std::size_t>(file.gcount()));
+    if (text.size() > kLongestStream && is_stream(path)) {
+      throw Error(path.string() + ": is no file and does not end");
+    }
+  }
+  if (!file.eof()) {
+    throw_unreadable(path, errno != 0 ? errno : EIO);
+  }
+  if (text.empty()) {
+    throw Error(path.string() + ": the file is empty");
+  }
+  return text;
+}
+
 }  // namespace
 
 bool is_stream(const std::filesystem::path& path) {
@@ -63,36 +84,16 @@ void check_input_file(const std::filesystem::path& path) {
 
 std::string read_text(const std::filesystem::path& path) {
   if (!is_open_already(path.string())) {
-    std::error_code ignored;
-    if (!is_stream(path) || std::filesystem::is_fifo(path, ignored)) {
-      check_input_file(path);
-    }
+    check_input_file(path);
   }
-  return read_text_or_pipe(path);
+  return read_all(path);
 }
 
 std::string read_text_or_pipe(const std::filesystem::path& path) {
   if (!is_stream(path)) {
     check_input_file(path);
   }
-  // In one pass: a pipe cannot be rewound.
-  errno = 0;
-  std::ifstream file(path, std::ios::binary);
-  std::string text;
-  std::array<char, 65536> part;
-  while (file.read(part.data(), part.size()) || file.gcount() > 0) {
-    text.append(part.data(), static_cast<std::size_t>(file.gcount()));
-    if (text.size() > kLongestStream && is_stream(path)) {
-      throw Error(path.string() + ": is no file and does not end");
-    }
-  }
-  if (!file.eof()) {
-    throw_unreadable(path, errno != 0 ? errno : EIO);
-  }
-  if (text.empty()) {
-    throw Error(path.string() + ": the file is empty");
-  }
-  return text;
+  return read_all(path);
 }
 
 std::string ending_of(const std::filesystem::path& path) {

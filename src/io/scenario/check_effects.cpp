@@ -4,6 +4,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+#include <span>
+
 #include "insonify/error.h"
 #include "insonify/words.h"
 
@@ -43,30 +47,37 @@ void visit_idle_keys(const Scenario& scenario, const Visit& visit) {
   });
 }
 
-// Adds a line for a key that was given and does not act.
-void tell_unless(bool acts, const Scenario& scenario, const std::string& object, const char* key, const char* condition,
-                 std::vector<std::string>& lines) {
-  const std::string name = member_name(object, key);
-  const auto given = scenario.places.find(name);
-  if (!acts && given != scenario.places.end()) {
-    lines.push_back(fmt::format("{}{} has no effect unless {}", given->second.text(), name, condition));
-  }
+// A key of a receiver that acts only beside another setting.
+struct Condition {
+  const char* key;
+  bool (*acts)(const ReceiverConfig& receiver);
+  const char* text;  // Completes "has no effect unless ...".
+};
+bool has_set_side_lobes(BeamPattern pattern) {
+  return pattern == BeamPattern::kTaylor || pattern == BeamPattern::kDolphChebyshev;
 }
+constexpr std::array<Condition, 5> kConditions = {
+    {{"pulse_duration", [](const ReceiverConfig& r) { return r.pulse != PulseKind::kNone; }, "pulse is cw or lfm"},
+     {"pulse_bandwidth", [](const ReceiverConfig& r) { return r.pulse == PulseKind::kLfm; }, "pulse is lfm"},
+     {"ambient_noise_db", [](const ReceiverConfig& r) { return r.noise; }, "noise is true"},
+     {"full_scale_db", [](const ReceiverConfig& r) { return r.counts; }, "counts is true"},
+     {"side_lobe_db",
+      [](const ReceiverConfig& r) {
+        return has_set_side_lobes(r.azimuth_pattern) || has_set_side_lobes(r.elevation_pattern);
+      },
+      "a pattern is taylor or dolph_chebyshev"}}};
 
-void tell_of_receiver(const Scenario& scenario, const std::string& object, const ReceiverConfig& receiver,
+// Adds a line for each key given of a receiver that acts in none of those that have it.
+void tell_of_receiver(const Places& places, const std::string& object, std::span<const ReceiverConfig* const> having_it,
                       std::vector<std::string>& lines) {
-  const auto tell = [&](bool acts, const char* key, const char* condition) {
-    tell_unless(acts, scenario, object, key, condition, lines);
-  };
-  const auto has_side_lobes = [](BeamPattern pattern) {
-    return pattern == BeamPattern::kTaylor || pattern == BeamPattern::kDolphChebyshev;
-  };
-  tell(receiver.pulse != PulseKind::kNone, "pulse_duration", "pulse is cw or lfm");
-  tell(receiver.pulse == PulseKind::kLfm, "pulse_bandwidth", "pulse is lfm");
-  tell(receiver.noise, "ambient_noise_db", "noise is true");
-  tell(receiver.counts, "full_scale_db", "counts is true");
-  tell(has_side_lobes(receiver.azimuth_pattern) || has_side_lobes(receiver.elevation_pattern), "side_lobe_db",
-       "a pattern is taylor or dolph_chebyshev");
+  for (const Condition& condition : kConditions) {
+    const std::string name = member_name(object, condition.key);
+    const auto given = places.find(name);
+    if (given != places.end() &&
+        std::ranges::none_of(having_it, [&](const ReceiverConfig* receiver) { return condition.acts(*receiver); })) {
+      lines.push_back(fmt::format("{}{} has no effect unless {}", given->second.text(), name, condition.text));
+    }
+  }
 }
 
 }  // namespace
@@ -95,14 +106,18 @@ std::vector<std::string> idle_keys(const Scenario& scenario) {
 
 std::vector<std::string> keys_idle_beside_others(const Scenario& scenario) {
   std::vector<std::string> lines;
-  if (scenario.model == EchoModel::kCalibrated) {
-    tell_of_receiver(scenario, "receiver", scenario.receiver, lines);
-    for (std::size_t i = 0; i < scenario.sonars.size(); ++i) {
-      if (const std::optional<ReceiverConfig>& own = scenario.sonars[i].receiver) {
-        tell_of_receiver(scenario, fmt::format("sonars[{}].receiver", i), *own, lines);
-      }
+  if (scenario.model != EchoModel::kCalibrated) {
+    return lines;
+  }
+  std::vector<const ReceiverConfig*> having_the_common_one = {&scenario.receiver};
+  for (std::size_t i = 0; i < scenario.sonars.size(); ++i) {
+    if (const std::optional<ReceiverConfig>& own = scenario.sonars[i].receiver) {
+      const ReceiverConfig* receiver = &*own;
+      tell_of_receiver(scenario.places, fmt::format("sonars[{}].receiver", i), {&receiver, 1}, lines);
+      having_the_common_one.push_back(receiver);  // It starts from the common one.
     }
   }
+  tell_of_receiver(scenario.places, "receiver", having_the_common_one, lines);
   return lines;
 }
 
