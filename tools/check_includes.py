@@ -35,7 +35,16 @@ ROOMS = {
         "scenario": ["file"],
         "recording": ["file"],
     },
+    "apps": {
+        "console": [],
+        "pictures": ["console"],
+        "run": ["console", "pictures"],
+        "*": ["console", "pictures"],  # Commands, each a room.
+    },
 }
+
+# Folders whose files include each other by paths that begin there; elsewhere paths begin at src/.
+ROOTS = {"apps": "apps/insonify/"}
 
 # Libraries that stay in one place: headers that begin so are included there and nowhere else in src/.
 LIBRARIES = {"embree": "src/echo/cpu/", "assimp": "src/io/mesh/", "sdf/": "src/io/world/", "yaml-cpp": "src/io/scenario/"}
@@ -100,9 +109,11 @@ def module_of(path):
 
 
 def room_of(path, module):
-    """Room of a source path or quoted include below src/, "." for the module's own folder; None outside its module."""
+    """Room of a source path or quoted include, "." for the module's own folder; None outside its module."""
+    path = path.removeprefix("src/")
+    if module in ROOTS and not path.startswith("insonify/"):
+        path = f"{module}/{path.removeprefix(ROOTS[module])}"
     parts = pathlib.PurePosixPath(path).parts
-    parts = parts[1:] if parts[0] == "src" else parts
     if module not in ROOMS or parts[0] != module:
         return None
     return parts[1] if len(parts) > 2 else "."

@@ -8,8 +8,9 @@
 #include <csignal>
 #include <new>
 
-#include "commands.h"
-#include "console.h"
+#include "about/about.h"
+#include "console/console.h"
+#include "console/outcome.h"
 #include "request.h"
 
 namespace insonify {

@@ -5,8 +5,10 @@
 #include <CLI/CLI.hpp>
 #include <functional>
 
-#include "bench.h"
-#include "commands.h"
+#include "benchmark/bench.h"
+#include "compare/compare.h"
+#include "pictures/draw.h"
+#include "run/run.h"
 
 namespace insonify {
 

@@ -1,7 +1,7 @@
 // request_bench.cpp -- options of `insonify bench`.
 
+#include "console/validators.h"
 #include "request.h"
-#include "validators.h"
 
 namespace insonify {
 namespace {

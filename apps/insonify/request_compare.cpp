@@ -2,8 +2,8 @@
 
 #include <limits>
 
+#include "console/validators.h"
 #include "request.h"
-#include "validators.h"
 
 namespace insonify {
 

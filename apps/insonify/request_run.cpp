@@ -4,9 +4,9 @@
 
 #include <limits>
 
+#include "console/validators.h"
 #include "insonify/engine.h"
 #include "request.h"
-#include "validators.h"
 
 namespace insonify {
 namespace {

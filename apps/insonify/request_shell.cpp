@@ -1,9 +1,10 @@
 // request_shell.cpp -- options of `insonify completion` and `insonify manual`.
 
-#include "console.h"
+#include "console/console.h"
+#include "console/outcome.h"
+#include "console/validators.h"
 #include "request.h"
-#include "shell_texts.h"
-#include "validators.h"
+#include "shell/shell_texts.h"
 
 namespace insonify {
 

@@ -1,5 +1,6 @@
 // request_texts.cpp -- options of the commands that only print text: sonars, describe and version.
 
+#include "about/about.h"
 #include "request.h"
 
 namespace insonify {

@@ -1,0 +1,193 @@
+// bench_engine.cpp -- time of a ping relative to its lower bound ("floor"): Embree alone on the same rays.
+
+#include <algorithm>
+#include <chrono>
+#include <functional>
+#include <nlohmann/json.hpp>
+
+#include "benchmark/bench.h"
+#include "benchmark/bench_scene.h"
+#include "benchmark/bench_timing.h"
+#include "console/console.h"
+#include "insonify/simulator.h"
+
+namespace insonify {
+namespace {
+
+constexpr int kWarmUp = 2;
+constexpr int kBlock = 8;  // Consecutive pings, or consecutive floors.
+
+struct Row {
+  int threads = 0;
+  std::size_t triangles = 0;
+  const char* secondary = "";
+  RayCounts rays = {};
+  double setup_ms = 0;
+  double ping_ms = 0, ping_least_ms = 0;  // Median and minimum.
+  double floor_ms = 0, floor_least_ms = 0;
+  double ratio = 0;                            // Median over blocks of ping / floor.
+  double ping_speedup = 0, floor_speedup = 0;  // Relative to the first number of threads, likewise.
+  double own_bytes = 0, library_bytes = 0;     // Per triangle.
+};
+
+// Median of the ratios of corresponding elements.
+double median_ratio(const std::vector<double>& above, const std::vector<double>& below) {
+  std::vector<double> ratios(above.size());
+  std::ranges::transform(above, below, ratios.begin(), std::divides());
+  return median(std::move(ratios));
+}
+
+// Timings with one number of threads on one scene, block by block.
+class Runner {
+ public:
+  Runner(const Scenario& scenario, const Scene& scene, int threads)
+      : threads_(threads), start_(std::chrono::steady_clock::now()), simulator_(scenario, scene, threads) {
+    setup_ms_ = milliseconds_since(start_);
+  }
+
+  // Pings, then floors, so that neither finds the other's data in the caches.
+  void time_block() {
+    std::vector<double> block_pings, block_floors;
+    for (int i = -kWarmUp; i < kBlock; ++i) {
+      const auto start = std::chrono::steady_clock::now();
+      simulator_.ping(0, {.number = number_++}, ping_);
+      if (i >= 0) {
+        block_pings.push_back(milliseconds_since(start));
+      }
+    }
+    rays_ = simulator_.ray_counts();
+    for (const double seconds : simulator_.time_traversal(0, simulator_.world_from_head(0, {}), kWarmUp + kBlock)) {
+      block_floors.push_back(seconds * kMilliseconds);
+    }
+    block_floors.erase(block_floors.begin(), block_floors.begin() + kWarmUp);
+    ping_blocks_.push_back(median(block_pings));
+    floor_blocks_.push_back(median(block_floors));
+    pings_.insert(pings_.end(), block_pings.begin(), block_pings.end());
+    floors_.insert(floors_.end(), block_floors.begin(), block_floors.end());
+  }
+
+  // @param first  Timings with the first number of threads.
+  [[nodiscard]] Row row(const Runner& first, const char* secondary) {
+    const Scene& scene = simulator_.scene();
+    const auto triangles = static_cast<double>(scene.triangle_count());
+    const EngineMemory memory = simulator_.engine_memory();
+    return {.threads = threads_,
+            .triangles = scene.triangle_count(),
+            .secondary = secondary,
+            .rays = rays_,
+            .setup_ms = setup_ms_,
+            .ping_ms = median(pings_),
+            .ping_least_ms = std::ranges::min(pings_),
+            .floor_ms = median(floors_),
+            .floor_least_ms = std::ranges::min(floors_),
+            .ratio = median_ratio(ping_blocks_, floor_blocks_),
+            .ping_speedup = median_ratio(first.ping_blocks_, ping_blocks_),
+            .floor_speedup = median_ratio(first.floor_blocks_, floor_blocks_),
+            .own_bytes = static_cast<double>(mesh_bytes(scene) + memory.own) / triangles,
+            .library_bytes = static_cast<double>(memory.library) / triangles};
+  }
+
+ private:
+  static std::size_t mesh_bytes(const Scene& scene) {
+    std::size_t bytes = 0;
+    for (const Instance& instance : scene.instances) {
+      const Mesh& mesh = *instance.mesh;
+      bytes += mesh.vertices.capacity() * sizeof(mesh.vertices[0]) + mesh.normals.capacity() * sizeof(mesh.normals[0]) +
+               mesh.triangles.capacity() * sizeof(mesh.triangles[0]) +
+               mesh.material_slots.capacity() * sizeof(mesh.material_slots[0]);
+    }
+    return bytes;
+  }
+
+  int threads_;
+  std::chrono::steady_clock::time_point start_;
+  Simulator simulator_;
+  double setup_ms_ = 0;
+  Ping ping_;
+  std::uint64_t number_ = 0;
+  RayCounts rays_;
+  std::vector<double> pings_, floors_;              // All times [ms].
+  std::vector<double> ping_blocks_, floor_blocks_;  // Median of each block [ms].
+};
+
+// Alternates between numbers of threads block by block, so that varying load of a shared machine affects all alike.
+std::vector<Row> time_rows(const Scene& scene, SecondaryEchoes secondary, const char* name,
+                           const BenchOptions& options) {
+  Scenario scenario;
+  scenario.model = EchoModel::kPaper;
+  scenario.sonars = {bench_sonar()};
+  scenario.secondary = secondary;
+  std::vector<std::unique_ptr<Runner>> runners;
+  for (const int threads : options.threads) {
+    runners.push_back(std::make_unique<Runner>(scenario, scene, threads));
+  }
+  for (int done = 0; done < options.repetitions; done += kBlock) {
+    for (const auto& runner : runners) {
+      runner->time_block();
+    }
+  }
+  std::vector<Row> rows;
+  rows.reserve(runners.size());
+  for (const auto& runner : runners) {
+    rows.push_back(runner->row(*runners.front(), name));
+  }
+  return rows;
+}
+
+nlohmann::json to_json(const Row& row) {
+  return {{"table", "engine"},
+          {"triangles", row.triangles},
+          {"threads", row.threads},
+          {"secondary", row.secondary},
+          {"rays_primary", row.rays.primary},
+          {"rays_secondary", row.rays.secondary},
+          {"rays_return", row.rays.return_legs},
+          {"setup_ms", row.setup_ms},
+          {"ping_ms", row.ping_ms},
+          {"ping_least_ms", row.ping_least_ms},
+          {"pings_per_s", kMilliseconds / row.ping_ms},
+          {"floor_ms", row.floor_ms},
+          {"floor_least_ms", row.floor_least_ms},
+          {"ratio", row.ratio},
+          {"ping_speedup", row.ping_speedup},
+          {"floor_speedup", row.floor_speedup},
+          {"bytes_per_triangle", row.own_bytes},
+          {"library_bytes_per_triangle", row.library_bytes}};
+}
+
+}  // namespace
+
+int bench_engine(const BenchOptions& options) {
+  say("256 beams x 500 bins, 120 x 20 degrees, 20 m, 4 x 200 samples a beam; medians of {} pings, all effects on.\n"
+      "floor: Embree alone on the lattice's rays and those really sent on, packets set up; ratio: ping over floor.\n"
+      "Where triangles are few the ping draws its primaries (rays 0); the floor traces them all the same.\n"
+      "x: times the rate of {} {}, of the ping and of the floor. Blocks of pings and of floors are timed in turn.\n\n"
+      "{:>9} {:>7} {:>9} {:>8} {:>8} {:>8} | {:>8} {:>8} {:>8} {:>6} | {:>8} {:>6} {:>7} | {:>6} {:>8}\n",
+      options.repetitions, options.threads.front(), options.threads.front() == 1 ? "thread" : "threads", "triangles",
+      "threads", "secondary", "rays", "reflected", "return", "setup ms", "ping ms", "floor ms", "ratio", "pings/s",
+      "ping x", "floor x", "B/tri", "Embree B");
+  nlohmann::json rows = nlohmann::json::array();
+  for (const int count : options.triangles) {
+    const Scene scene = make_bench_scene(count);
+    for (const auto& [secondary, name] :
+         {std::pair{SecondaryEchoes::kNone, "none"}, std::pair{SecondaryEchoes::kSelective, "selective"},
+          std::pair{SecondaryEchoes::kAll, "all"}}) {
+      for (const Row& row : time_rows(scene, secondary, name, options)) {
+        say("{:>9} {:>7} {:>9} {:>8} {:>8} {:>8} | {:>8.2f} {:>8.2f} {:>8.2f} {:>6.2f} | {:>8.1f} {:>6.2f} {:>7.2f} | "
+            "{:>6.0f} {:>8.0f}\n",
+            row.triangles, row.threads, row.secondary, row.rays.primary, row.rays.secondary, row.rays.return_legs,
+            row.setup_ms, row.ping_ms, row.floor_ms, row.ratio, kMilliseconds / row.ping_ms, row.ping_speedup,
+            row.floor_speedup, row.own_bytes, row.library_bytes);
+        flush_output();
+        rows.push_back(to_json(row));
+      }
+    }
+  }
+  bench_models(options, rows);
+  if (!options.json.empty()) {
+    write_rows(options.json, rows);
+  }
+  return 0;
+}
+
+}  // namespace insonify

@@ -1,0 +1,122 @@
+// bench_primary.cpp -- times rasterised and traced primary echoes, and the choice of `primary: auto`.
+
+#include <algorithm>
+#include <chrono>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "benchmark/bench.h"
+#include "benchmark/bench_scene.h"
+#include "benchmark/bench_timing.h"
+#include "console/console.h"
+#include "insonify/simulator.h"
+
+namespace insonify {
+namespace {
+
+constexpr int kWarmUp = 2;
+constexpr int kBlock = 5;  // Consecutive pings.
+
+struct Fan {
+  const char* name;
+  SonarConfig sonar;
+};
+
+// From a wide fan to the single beam of a scanning sonar.
+std::vector<Fan> fans() {
+  Fan wide{"256 beams x 120 deg", bench_sonar()};
+  Fan narrow{"128 beams x 45 deg", bench_sonar()};
+  narrow.sonar.beam_count = 128;
+  narrow.sonar.azimuth_aperture = radians_from_degrees(45);
+  Fan coarse{"64 beams x 120 deg", bench_sonar()};
+  coarse.sonar.beam_count = 64;
+  coarse.sonar.sampling = {.columns_per_beam = 2, .rows = 100};
+  Fan single{"1 beam x 3 deg", bench_sonar()};
+  single.sonar.beam_count = 1;
+  single.sonar.azimuth_aperture = radians_from_degrees(3);
+  single.sonar.elevation_aperture = radians_from_degrees(35);
+  return {wide, narrow, coarse, single};
+}
+
+// Timings with one setting of `primary` on one scene, block by block.
+class Runner {
+ public:
+  Runner(const Scene& scene, const SonarConfig& sonar, PrimaryEchoes primary)
+      : simulator_(scenario_of(sonar, primary), scene, 1) {}
+
+  void time_block() {
+    std::vector<double> block;
+    for (int i = -kWarmUp; i < kBlock; ++i) {
+      const auto start = std::chrono::steady_clock::now();
+      simulator_.ping(0, {.number = number_++}, ping_);
+      if (i >= 0) {
+        block.push_back(milliseconds_since(start));
+      }
+    }
+    blocks_.push_back(median(block));
+  }
+
+  [[nodiscard]] double milliseconds() const { return median(blocks_); }
+  [[nodiscard]] bool drew() { return simulator_.ray_counts().primary == 0; }
+
+ private:
+  static Scenario scenario_of(const SonarConfig& sonar, PrimaryEchoes primary) {
+    Scenario scenario;
+    scenario.model = EchoModel::kPaper;
+    scenario.sonars = {sonar};
+    scenario.primary = primary;
+    scenario.secondary = SecondaryEchoes::kNone;
+    return scenario;
+  }
+
+  Simulator simulator_;
+  Ping ping_;
+  std::uint64_t number_ = 0;
+  std::vector<double> blocks_;  // Median of each block [ms].
+};
+
+}  // namespace
+
+int bench_primary(const BenchOptions& options) {
+  say("Whole pings without secondary echoes, one thread: primaries traced and drawn, medians of {} pings in turn.\n"
+      "auto: what `primary: auto` takes; regret: how much longer that is than the better of the two.\n\n"
+      "{:<20} {:>9} {:>9} | {:>9} {:>9} | {:>6} {:>7}\n",
+      options.repetitions, "fan", "samples", "triangles", "rays ms", "raster ms", "auto", "regret");
+  nlohmann::json rows = nlohmann::json::array();
+  double worst = 0;
+  for (const int count : options.triangles) {
+    const Scene scene = make_bench_scene(count);
+    for (const Fan& fan : fans()) {
+      Runner rays(scene, fan.sonar, PrimaryEchoes::kRays);
+      Runner raster(scene, fan.sonar, PrimaryEchoes::kRaster);
+      Runner chosen(scene, fan.sonar, PrimaryEchoes::kAuto);
+      chosen.time_block();
+      for (int done = 0; done < options.repetitions; done += kBlock) {
+        rays.time_block();
+        raster.time_block();
+      }
+      const double rays_ms = rays.milliseconds(), raster_ms = raster.milliseconds();
+      const double regret = (chosen.drew() ? raster_ms : rays_ms) / std::min(rays_ms, raster_ms) - 1;
+      worst = std::max(worst, regret);
+      const int samples = fan.sonar.beam_count * fan.sonar.sampling.columns_per_beam * fan.sonar.sampling.rows;
+      say("{:<20} {:>9} {:>9} | {:>9.3f} {:>9.3f} | {:>6} {:>5.0f} %\n", fan.name, samples, scene.triangle_count(),
+          rays_ms, raster_ms, chosen.drew() ? "raster" : "rays", 100 * regret);
+      flush_output();
+      rows.push_back({{"beams", fan.sonar.beam_count},
+                      {"samples", samples},
+                      {"azimuth_deg", degrees_from_radians(fan.sonar.azimuth_aperture)},
+                      {"triangles", scene.triangle_count()},
+                      {"rays_ms", rays_ms},
+                      {"raster_ms", raster_ms},
+                      {"auto", chosen.drew() ? "raster" : "rays"},
+                      {"regret", regret}});
+    }
+  }
+  say("\nlargest regret {:.0f} %\n", 100 * worst);
+  if (!options.json.empty()) {
+    write_rows(options.json, rows);
+  }
+  return 0;
+}
+
+}  // namespace insonify

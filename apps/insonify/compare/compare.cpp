@@ -1,0 +1,179 @@
+// compare.cpp -- insonify compare: similarity of two recordings or two pictures.
+
+#include "compare/compare.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numeric>
+
+#include "compare/compare_source.h"
+#include "compare/comparison.h"
+#include "console/outcome.h"
+
+namespace insonify {
+namespace {
+
+// The requested pings, or all that both recordings have.
+std::vector<std::uint64_t> chosen_pings(const CompareSource& a, const CompareSource& b,
+                                        const std::vector<std::uint64_t>& wanted) {
+  std::uint64_t common = std::numeric_limits<std::uint64_t>::max();
+  for (const CompareSource* source : {&a, &b}) {
+    if (!source->is_recording()) {
+      continue;
+    }
+    common = std::min(common, source->ping_count());
+    for (const std::uint64_t ping : wanted) {
+      if (ping >= source->ping_count()) {
+        throw Error(fmt::format("{}: there is no ping {}; it has {}, counted from 0", source->name(), ping,
+                                source->ping_count()));
+      }
+    }
+    if (source->ping_count() == 0) {
+      throw Error(fmt::format("{}: there are no pings in it", source->name()));
+    }
+  }
+  if (!wanted.empty()) {
+    return wanted;
+  }
+  std::vector<std::uint64_t> all(common);
+  std::iota(all.begin(), all.end(), std::uint64_t{0});
+  return all;
+}
+
+// Raw intensities of the calibrated model are small and span many decades: unless requested otherwise, they are
+// compared in decibels below the largest intensity of both recordings.
+Display levels_of(const CompareOptions& options, const CompareSource& a, const CompareSource& b,
+                  const std::vector<std::uint64_t>& pings) {
+  const bool calibrated = a.is_calibrated() && b.is_calibrated();
+  Display display;
+  display.scale = options.scale == "db" || (options.scale.empty() && calibrated) ? Scale::kDecibel : Scale::kLinear;
+  display.floor_db = options.floor_db;
+  const double loudest = calibrated && !options.full_scale ? std::max(a.loudest(pings), b.loudest(pings)) : 0;
+  display.full_scale = loudest > 0 ? loudest : options.full_scale.value_or(1);
+  display.validate();
+  return display;
+}
+
+std::string unmatched(const CompareSource& a, const CompareSource& b) {
+  if (!a.is_recording() || !b.is_recording() || a.ping_count() == b.ping_count()) {
+    return "";
+  }
+  const CompareSource& longer = a.ping_count() > b.ping_count() ? a : b;
+  return fmt::format("{} has {}", longer.name(), longer.ping_count());
+}
+
+// Pictures are compared bin by bin and beam by beam, wherever these lie.
+std::string differing(const CompareSource& a, const CompareSource& b) {
+  const std::optional<SonarConfig> of_a = a.sonar_config(), of_b = b.sonar_config();
+  if (!of_a || !of_b) {
+    return "";
+  }
+  constexpr double kSlack = 1e-6;
+  const auto differ = [](double x, double y) { return std::abs(x - y) > kSlack * std::max(std::abs(x), std::abs(y)); };
+  std::vector<std::string> texts;
+  if (differ(of_a->min_range, of_b->min_range) || differ(of_a->max_range, of_b->max_range)) {
+    texts.push_back(fmt::format("ranges of {:.6g} to {:.6g} m and {:.6g} to {:.6g} m", of_a->min_range, of_a->max_range,
+                                of_b->min_range, of_b->max_range));
+  }
+  if (differ(of_a->azimuth_aperture, of_b->azimuth_aperture)) {
+    texts.push_back(fmt::format("azimuth apertures of {:.6g} and {:.6g} deg",
+                                degrees_from_radians(of_a->azimuth_aperture),
+                                degrees_from_radians(of_b->azimuth_aperture)));
+  }
+  return fmt::format("{}", fmt::join(texts, ", "));
+}
+
+// Mean of each measure.
+template <typename Measures>
+Measures mean(const std::vector<Measures>& all) {
+  Measures result = all.front();
+  std::vector<double*> sums;
+  Measures::visit_fields(result, [&](const Field&, double& sum) { sums.push_back(&sum); });
+  for (auto one = all.begin() + 1; one != all.end(); ++one) {
+    auto sum = sums.begin();
+    Measures::visit_fields(*one, [&](const Field&, double value) { **sum++ += value; });
+  }
+  for (double* sum : sums) {
+    *sum /= static_cast<double>(all.size());
+  }
+  return result;
+}
+
+// Accumulates the similarity of pairs of pictures.
+class Tally {
+ public:
+  Tally(Comparison& comparison, bool ms_ssim) : comparison_(comparison), options_{.ms_ssim = ms_ssim} {}
+
+  void add(const GreyPicture& a, const GreyPicture& b) {
+    options_.ms_ssim = options_.ms_ssim && std::min(a.columns, a.rows) >= kMsSsimSide;
+    const Similarity found = compare_pictures(a, b, options_);
+    const ControlSimilarities controls = compare_controls(a, options_);
+    comparison_.columns = a.columns;
+    comparison_.rows = a.rows;
+    comparison_.each.push_back(found);
+    normalised_.push_back(normalised(found));
+    flat_grey_.push_back(controls.flat_grey);
+    range_profile_.push_back(controls.range_profile);
+    pixel_shuffle_.push_back(controls.pixel_shuffle);
+  }
+
+  void finish() {
+    comparison_.similarity = mean(comparison_.each);
+    comparison_.normalised = mean(normalised_);
+    comparison_.controls = {mean(flat_grey_), mean(range_profile_), mean(pixel_shuffle_)};
+  }
+
+ private:
+  Comparison& comparison_;
+  SimilarityOptions options_;
+  std::vector<NormalisedSimilarity> normalised_;
+  std::vector<Similarity> flat_grey_, range_profile_, pixel_shuffle_;
+};
+
+Comparison compared(const CompareOptions& options) {
+  CompareSource a(options.a, options.sonar);
+  CompareSource b(options.b, options.sonar);
+  Comparison comparison;
+  comparison.a = a.name();
+  comparison.b = b.name();
+  comparison.sonar = a.sonar().empty() ? b.sonar() : a.sonar();
+  Tally tally(comparison, options.ms_ssim);
+  if (!a.is_recording() && !b.is_recording()) {
+    if (!options.sonar.empty() || !options.pings.empty()) {
+      throw Error(fmt::format("{} and {} are pictures; --sonar and --ping choose from recordings", a.name(), b.name()));
+    }
+    tally.add(a.picture(0), b.picture(0));
+  } else {
+    comparison.pings = chosen_pings(a, b, options.pings);
+    comparison.unmatched = options.pings.empty() ? unmatched(a, b) : "";
+    comparison.differing = differing(a, b);
+    comparison.levels = levels_of(options, a, b, comparison.pings);
+    a.set_levels(comparison.levels);
+    b.set_levels(comparison.levels);
+    comparison.is_scan = a.is_scan() || b.is_scan();
+    if (comparison.is_scan) {
+      tally.add(a.scan(comparison.pings), b.scan(comparison.pings));
+    } else {
+      for (const std::uint64_t ping : comparison.pings) {
+        tally.add(a.picture(ping), b.picture(ping));
+      }
+    }
+  }
+  tally.finish();
+  return comparison;
+}
+
+}  // namespace
+
+int compare(const CompareOptions& options) {
+  try {
+    const Comparison comparison = compared(options);
+    options.json ? print_comparison_json(comparison) : print_comparison(comparison);
+    return kDone;
+  } catch (const Error& error) {
+    throw InputError(error.what());
+  }
+}
+
+}  // namespace insonify

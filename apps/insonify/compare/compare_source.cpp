@@ -1,0 +1,127 @@
+// compare_source.cpp -- finds the requested recording or picture, and converts it to levels.
+
+#include "compare/compare_source.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "insonify/error.h"
+
+namespace insonify {
+namespace {
+
+constexpr const char* kRecordingEnding = ".h5";
+
+// The requested recording in a folder.
+std::filesystem::path find_recording(const std::filesystem::path& folder, const std::string& sonar) {
+  std::vector<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    if (entry.path().extension() == kRecordingEnding) {
+      names.push_back(entry.path().stem().string());
+    }
+  }
+  std::ranges::sort(names);
+  if (names.empty()) {
+    throw Error(fmt::format("{}: there is no recording (.h5) in this folder", folder.string()));
+  }
+  const std::string wanted = sonar.empty() && names.size() == 1 ? names.front() : sonar;
+  if (wanted.empty()) {
+    throw Error(fmt::format("{}: there are recordings of {}; choose one with --sonar", folder.string(),
+                            fmt::join(names, ", ")));
+  }
+  if (std::ranges::find(names, wanted) == names.end()) {
+    throw Error(
+        fmt::format("{}: there is no recording of {}, only of {}", folder.string(), wanted, fmt::join(names, ", ")));
+  }
+  return folder / (wanted + kRecordingEnding);
+}
+
+std::string ping_name(const std::string& file, std::uint64_t ping) {
+  return fmt::format("{} ping {}", file, ping);
+}
+
+}  // namespace
+
+CompareSource::CompareSource(std::filesystem::path path, const std::string& sonar)
+    : path_(std::filesystem::is_directory(path) ? find_recording(path, sonar) : std::move(path)) {
+  if (!std::filesystem::exists(path_)) {
+    throw Error(fmt::format("{}: no such file or folder", name()));
+  }
+  const std::filesystem::path ending = path_.extension();
+  if (ending == ".png" || ending == ".PNG") {
+    picture_ = load_grey_picture(path_);
+  } else if (ending == kRecordingEnding || ending == ".hdf5") {
+    recording_.emplace(path_);
+    check_sonar(sonar);
+  } else {
+    throw Error(fmt::format("{}: is neither a recording (.h5, .hdf5) nor a picture (.png)", name()));
+  }
+}
+
+void CompareSource::set_levels(const Display& levels) {
+  levels_ = levels;
+  if (recording_) {
+    levels_.full_scale *= recording_->full_scale();
+  }
+}
+
+std::optional<SonarConfig> CompareSource::sonar_config() const {
+  try {
+    return recording_ ? std::optional(recording_->sonar_config()) : std::nullopt;
+  } catch (const Error&) {
+    return {};  // A recording of another program.
+  }
+}
+
+double CompareSource::loudest(const std::vector<std::uint64_t>& pings) const {
+  double loudest = 0;
+  for (const std::uint64_t ping : pings) {
+    loudest = std::max(loudest, std::ranges::max(recording_->intensity(ping)));
+  }
+  return loudest;
+}
+
+GreyPicture CompareSource::picture(std::uint64_t ping) const {
+  if (!recording_) {
+    return picture_;
+  }
+  return {ping_name(name(), ping), recording_->beam_count(), recording_->bin_count(), levels(ping)};
+}
+
+GreyPicture CompareSource::scan(const std::vector<std::uint64_t>& pings) const {
+  if (!recording_ || !is_scan()) {
+    return picture(pings.front());
+  }
+  GreyPicture picture{name(), static_cast<int>(pings.size()), recording_->bin_count(), {}};
+  picture.values.resize(pings.size() * static_cast<std::size_t>(picture.rows));
+  for (std::size_t column = 0; column < pings.size(); ++column) {
+    const std::vector<double> profile = levels(pings[column]);
+    for (std::size_t row = 0; row < profile.size(); ++row) {
+      picture.values[row * pings.size() + column] = profile[row];
+    }
+  }
+  return picture;
+}
+
+void CompareSource::check_sonar(const std::string& sonar) const {
+  if (!sonar.empty() && recording_->sonar() != sonar) {
+    const std::string found =
+        recording_->sonar().empty() ? "does not tell its sonar" : "is of the sonar " + recording_->sonar();
+    throw Error(fmt::format("{}: {}; --sonar asks for {}", name(), found, sonar));
+  }
+}
+
+std::vector<double> CompareSource::levels(std::uint64_t ping) const {
+  std::vector<double> values = recording_->intensity(ping);
+  for (double& value : values) {
+    if (!(value >= 0 && value <= levels_.full_scale)) {
+      throw Error(fmt::format("{}: an intensity is {:.6g}; it must be from 0 to full scale, {:.6g} (--full-scale)",
+                              ping_name(name(), ping), value, levels_.full_scale));
+    }
+    value = shown_level(levels_, value);
+  }
+  return values;
+}
+
+}  // namespace insonify

@@ -1,0 +1,104 @@
+// draw.cpp -- insonify draw: draws pictures of a recording's pings.
+
+#include "pictures/draw.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "console/console.h"
+#include "console/outcome.h"
+#include "insonify/recorded_pings.h"
+#include "pictures/earlier_run.h"
+#include "pictures/output_folder.h"
+#include "pictures/pictures.h"
+
+namespace insonify {
+namespace {
+
+EchoModel model_of(const RecordedPings& recording, const std::filesystem::path& path) {
+  if (recording.model() != "calibrated" && recording.model() != "paper") {
+    throw InputError(fmt::format("{}: its attribute model is \"{}\", must be calibrated or paper", path.string(),
+                                 recording.model()));
+  }
+  return recording.model() == "paper" ? EchoModel::kPaper : EchoModel::kCalibrated;
+}
+
+PictureChoice choice_of(const DrawOptions& options, const RecordedPings& recording) {
+  PictureChoice choice = PictureChoice::parse(options.pictures.pictures);
+  for (const std::uint64_t ping : options.pings) {
+    if (ping >= recording.ping_count()) {
+      throw InputError(fmt::format("{}: --ping {} must be below {}, the number of its pings",
+                                   options.recording.string(), ping, recording.ping_count()));
+    }
+  }
+  choice.only = options.pings;
+  return choice;
+}
+
+struct Recorded {
+  RecordedPings pings;
+  SonarConfig sonar;
+  PictureStyle style;
+  PictureChoice choice;
+  std::filesystem::path folder;  // For the pictures.
+};
+
+// Opens and checks all input; every failure here is an input error.
+Recorded open_recording(const DrawOptions& options) {
+  const std::filesystem::path& file = options.recording;
+  try {
+    RecordedPings pings(file);
+    const SonarConfig sonar = pings.sonar_config();
+    const PictureStyle style = picture_style(options.pictures, model_of(pings, file), pings.receiver_config());
+    const PictureChoice choice = choice_of(options, pings);
+    if (pings.ping_count() == 0) {
+      throw InputError(fmt::format("{}: there is no ping in it", file.string()));
+    }
+    const std::filesystem::path beside = file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
+    const std::filesystem::path folder = output_folder(options.folder.empty() ? beside : options.folder, file);
+    if (!options.force) {
+      refuse_earlier_pictures(folder, sonar.name);
+    }
+    return {std::move(pings), sonar, style, choice, folder};
+  } catch (const InputError&) {
+    throw;
+  } catch (const Error& error) {
+    throw InputError(error.what());
+  }
+}
+
+// The first ping of a fan sets the scale for all; a picture of a scan shows all pings so far.
+void draw_pings(const Recorded& recorded, PingPictures& pictures) {
+  const std::uint64_t count = recorded.pings.ping_count();
+  const bool scans = recorded.sonar.type == SonarType::kMechanicallyScanned;
+  for (std::uint64_t number = 0; number < count; ++number) {
+    if (scans || number == 0 || recorded.choice.takes(number, count)) {
+      pictures.add(recorded.pings.ping(number));
+    }
+  }
+  if (scans) {
+    pictures.finish({});
+  }
+}
+
+}  // namespace
+
+int draw(const DrawOptions& options) {
+  const Recorded recorded = open_recording(options);
+  const std::string& name = recorded.sonar.name;
+  make_output_folder(recorded.folder);
+  PictureFolder into(recorded.folder, {name});
+  PingPictures pictures(into, recorded.sonar, recorded.style, recorded.choice, recorded.pings.ping_count());
+  draw_pings(recorded, pictures);
+  into.put_in_place();
+  for (const std::filesystem::path& file : pictures.files()) {
+    say("{}\n", file.string());
+  }
+  if (const std::string text = pictures.darkness_text(); !text.empty()) {
+    complain("warning: " + text);
+  }
+  return kDone;
+}
+
+}  // namespace insonify

@@ -1,0 +1,24 @@
+// draw.h -- insonify draw: draws pictures of a recording's pings.
+
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <vector>
+
+#include "pictures/picture_options.h"
+
+namespace insonify {
+
+struct DrawOptions {
+  std::filesystem::path recording;
+  std::filesystem::path folder;      ///< Empty: the folder of the recording.
+  std::vector<std::uint64_t> pings;  ///< Numbers from 0; empty: chosen by `pictures`.
+  PictureOptions pictures;
+  bool force = false;  ///< Replace existing pictures.
+};
+
+/// @return  kDone. @throws InputError for wrong input, Error for a failure while running
+int draw(const DrawOptions& options);
+
+}  // namespace insonify

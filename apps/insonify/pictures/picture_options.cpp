@@ -1,0 +1,92 @@
+// picture_options.cpp -- command-line options for pictures of pings, converted to a display and a style.
+
+#include "pictures/picture_options.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <charconv>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "console/outcome.h"
+#include "console/validators.h"
+
+namespace insonify {
+namespace {
+
+// Lowest and highest level [dB]; none if the text is not two increasing numbers.
+std::optional<std::pair<double, double>> parsed_levels(const std::string& text) {
+  constexpr double kMost = 400;  // [dB]
+  std::pair<double, double> levels;
+  const char* end = text.data() + text.size();
+  const auto low = std::from_chars(text.data(), end, levels.first);
+  if (low.ec != std::errc() || low.ptr == end || *low.ptr != ':') {
+    return {};
+  }
+  const auto high = std::from_chars(low.ptr + 1, end, levels.second);
+  const bool good = high.ec == std::errc() && high.ptr == end && levels.first >= -kMost && levels.second <= kMost &&
+                    levels.first < levels.second;
+  return good ? std::optional(levels) : std::nullopt;
+}
+
+CLI::Validator levels() {
+  const auto check = [](const std::string& text) {
+    return parsed_levels(text)
+               ? std::string()
+               : fmt::format("{} must be LOW:HIGH, two rising levels from -400 to 400 dB, as -90:-40", text);
+  };
+  return CLI::Validator(check, "");
+}
+
+}  // namespace
+
+void add_picture_options(CLI::App& command, PictureOptions& options, const std::string& group) {
+  command.add_option("--colour-map,--color-map", options.colour_map, "inferno, copper, grey or blue [inferno]")
+      ->type_name("NAME")
+      ->group(group);
+  CLI::Option* scale =
+      command.add_option("--scale", options.scale, "linear or db [db in the calibrated model, linear in the paper's]")
+          ->check(one_of({"linear", "db"}))
+          ->type_name("NAME")
+          ->group(group);
+  CLI::Option* floor = command.add_option("--floor-db", options.floor_db, "Darkest level on a decibel scale [-50]")
+                           ->check(number_within({.least = -300, .most = 0, .most_allowed = false}))
+                           ->type_name("DB")
+                           ->group(group);
+  command
+      .add_option("--levels", options.levels,
+                  "Colour range in decibels as on the colour bar, such as -90:-40 [what fits the pings]")
+      ->check(levels())
+      ->type_name("LOW:HIGH")
+      ->excludes(floor)
+      ->excludes(scale)
+      ->group(group);
+  command.add_option("--height", options.height, "Height of each picture in pixels, 240 to 8192 [720]")
+      ->check(whole_number(240, 8192))
+      ->type_name("N")
+      ->group(group);
+}
+
+PictureStyle picture_style(const PictureOptions& options, EchoModel model, const ReceiverConfig& receiver) {
+  PictureStyle style{.model = model, .display = usual_display(model, receiver)};
+  Display& display = style.display;
+  display.colour_map = colour_map_from_name(options.colour_map);
+  if (!options.scale.empty()) {
+    display.scale = options.scale == "db" ? Scale::kDecibel : Scale::kLinear;
+  }
+  display.floor_db = options.floor_db;
+  display.height = options.height;
+  if (const auto levels = parsed_levels(options.levels)) {
+    style.fixed_levels = true;
+    display.of_one = model == EchoModel::kPaper;
+    display.scale = Scale::kDecibel;
+    display.full_scale = std::pow(10, levels->second / 10);
+    display.floor_db = levels->first - levels->second;
+  }
+  display.validate();
+  return style;
+}
+
+}  // namespace insonify

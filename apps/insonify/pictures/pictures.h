@@ -1,0 +1,70 @@
+// pictures.h -- chooses the pings of a run to draw, and writes their pictures.
+
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "insonify/picture.h"
+#include "pictures/earlier_run.h"
+#include "pictures/picture_options.h"
+
+namespace insonify {
+
+/// Which pings of a run are drawn.
+struct PictureChoice {
+  std::uint64_t most = 20;  ///< Most pings drawn, evenly spaced; the last ping is always among them.
+
+  std::vector<std::uint64_t> only = {};  ///< If not empty, only these pings, by number.
+
+  /// "all", "none", "last" or a number.  @throws InputError
+  static PictureChoice parse(const std::string& text);
+
+  /// @param total  Number of pings of the run.
+  [[nodiscard]] bool takes(std::uint64_t ping, std::uint64_t total) const;
+};
+
+/// Draws one sonar's pings into a folder. For a fan: NAME_polar_0000.png and NAME_fan_0000.png. For a scanning sonar:
+/// NAME_scan_0000.png, the scan up to a ping, and at the end NAME_scan.png and the waterfall NAME_polar.png.
+class PingPictures {
+ public:
+  /// In the calibrated model the display may apply gain by range. Unless the style fixes full scale, it is fitted to
+  /// the first ping of a fan, for all of its pictures, or to all pings so far of a scan.
+  /// @param folder  Where pictures are written; must outlive this.
+  PingPictures(PictureFolder& folder, const SonarConfig& sonar, const PictureStyle& style, PictureChoice choice,
+               std::uint64_t total);
+
+  void add(const Ping& ping);
+
+  /// Draws the pictures of the whole run, and that of the last ping added if a stopped run has left it out.
+  void finish(const Ping& last);
+
+  /// Files written so far, in order.
+  [[nodiscard]] const std::vector<std::filesystem::path>& files() const { return files_; }
+
+  /// Says so where fixed levels leave every picture black; else "".
+  [[nodiscard]] std::string darkness_text() const;
+
+ private:
+  void add_shown(const Ping& ping);
+  void note_brightest(const Ping& ping);
+  void fit_scan();
+  void draw_fan_of(const Ping& ping);
+  void write(const std::string& name, const Picture& picture);
+
+  PictureFolder* folder_;
+  SonarConfig sonar_;
+  EchoModel model_;
+  bool fixed_ = false, scaled_ = false;  // Full scale is given; full scale of a fan is fitted.
+  Display display_;
+  PictureChoice choice_;
+  std::uint64_t total_ = 0;
+  std::unique_ptr<ScanView> scan_;  // Only for a scanning sonar.
+  bool last_drawn_ = true;
+  double brightest_ = 0;  // Largest intensity drawn.
+  std::vector<std::filesystem::path> files_;
+};
+
+}  // namespace insonify

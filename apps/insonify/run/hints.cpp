@@ -1,0 +1,59 @@
+// hints.cpp -- finds the largest echo of pings, and suggests why there is none or why it is weak.
+
+#include "run/hints.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "insonify/scenario_requests.h"
+
+namespace insonify {
+namespace {
+
+std::string point_text(const Vec3& point) {
+  // Adding zero turns -0 into 0.
+  const auto rounded = [](double value) { return std::round(value * 100) / 100 + 0; };
+  return fmt::format("({:.7g}, {:.7g}, {:.7g})", rounded(point.x()), rounded(point.y()), rounded(point.z()));
+}
+
+}  // namespace
+
+void Loudness::add(const Ping& ping) {
+  for (std::size_t i = 0; i < ping.intensity.size(); ++i) {
+    // Without labels, noise cannot be told from an echo.
+    if (ping.instance.empty() || ping.instance[i] != kNoLabel) {
+      loudest_ = std::max(loudest_, static_cast<double>(ping.intensity[i]));
+    }
+  }
+}
+
+bool hears_more_than_surfaces(const Scenario& scenario) {
+  return !scenario.points.empty() || !scenario.interferers.empty() || scenario.water.volume_backscatter_db.has_value();
+}
+
+std::string silence_text(const Simulator& simulator, int sonar) {
+  const Box3 world = simulator.scene().bounds();
+  const Pose world_from_head = simulator.world_from_head(sonar, ScenarioRequests(simulator.scenario()).at(sonar, 0));
+  const SonarConfig& config = simulator.sonar(sonar);
+  const std::string where = world.low.x() > world.high.x() ? "there is nothing but the water's surface"
+                                                           : fmt::format("the world reaches from {} to {} m",
+                                                                         point_text(world.low), point_text(world.high));
+  return fmt::format(
+      "nothing was heard in any ping of {}: {}, the sonar was at {} m at first, looking along {}, and hears from "
+      "{:.4g} "
+      "to {:.4g} m",
+      config.name, where, point_text(world_from_head.position), point_text(world_from_head.orientation * Vec3::UnitX()),
+      config.min_range, config.max_range);
+}
+
+std::string dimness_text(const Loudness& loudness, const SonarConfig& sonar) {
+  return fmt::format("the loudest echo of {} is {:.2g} % of full scale, nearly black: --scale db shows it, or raise {}",
+                     sonar.name, 100 * loudness.loudest(),
+                     loudness.loudest() > 0 ? fmt::format("its gain: --set sonars.{}.gain={:.2g}", sonar.name,
+                                                          sonar.gain / loudness.loudest())
+                                            : "its gain");
+}
+
+}  // namespace insonify

@@ -1,0 +1,220 @@
+// run.cpp -- insonify run: computes the pings of a scenario and writes recordings and pictures.
+
+#include "run/run.h"
+
+#include <algorithm>
+#include <chrono>
+
+#include "console/console.h"
+#include "console/outcome.h"
+#include "insonify/files.h"
+#include "insonify/scenario_requests.h"
+#include "insonify/simulator.h"
+#include "pictures/earlier_run.h"
+#include "pictures/output_folder.h"
+#include "pictures/pictures.h"
+#include "run/disk_space.h"
+#include "run/hints.h"
+#include "run/progress.h"
+#include "run/stop.h"
+#include "run/tracks.h"
+#include "run/views.h"
+#include "run/world_report.h"
+
+namespace insonify {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+Log log_to_user(bool quiet) {
+  return [quiet](Severity severity, const std::string& message) {
+    if (severity == Severity::kWarning) {
+      complain("warning: " + message);
+    } else if (!quiet) {
+      say("{}\n", message);
+    }
+  };
+}
+
+void print_world(const Scene& scene, double seconds) {
+  say("world: {} of {}, {}, ready in {:.2f} s\n", counted(scene.instances.size(), "object"),
+      counted(scene.triangle_count(), "triangle"), size_text(scene), seconds);
+  flush_output();  // The first ping can take long.
+}
+
+// Reading can take long: the world may be large, or the file a pipe without a writer.
+void tell_of_reading(const RunOptions& options) {
+  std::error_code ignored;
+  if (options.quiet) {
+    return;
+  }
+  if (std::filesystem::is_fifo(options.scenario, ignored)) {
+    say("reading the scenario from {}, a pipe\n", options.scenario.string());
+    flush_output();
+  }
+  show_status(fmt::format("Loading {} ...", options.scenario.string()));
+}
+
+// Loads and checks all input; every failure here is an input error.
+Simulator prepare(const RunOptions& options, const std::filesystem::path& folder, PictureStyle& style) {
+  try {
+    const Clock::time_point start = Clock::now();
+    tell_of_reading(options);
+    Scenario scenario = load_scenario(options.scenario, options.settings, log_to_user(options.quiet));
+    style = picture_style(options.pictures, scenario.model, scenario.receiver);
+    if (!options.force) {
+      refuse_earlier_run(folder, scenario);
+    }
+    Scene scene = load_scene(scenario, log_to_user(options.quiet));
+    Simulator simulator(std::move(scenario), std::move(scene), options.threads);
+    if (!options.quiet) {
+      print_world(simulator.scene(), seconds_since(start));
+    }
+    return simulator;
+  } catch (const Error& error) {
+    throw InputError(error.what());
+  }
+}
+
+std::vector<std::string> names_of(const std::vector<SonarConfig>& sonars) {
+  std::vector<std::string> names;
+  names.reserve(sonars.size());
+  for (const SonarConfig& sonar : sonars) {
+    names.push_back(sonar.name);
+  }
+  return names;
+}
+
+// Prints what is unusual about the world and the trajectories, before the first ping.
+void print_oddities(Simulator& simulator, const ScenarioRequests& requests, bool quiet) {
+  for (const std::string& text : oddities_of(simulator, requests)) {
+    complain("warning: " + text);
+  }
+  for (const std::string& text : quiet ? std::vector<std::string>() : lengths_of(simulator, requests)) {
+    say("note: {}\n", text);
+  }
+}
+
+// Computes the pings, in turn for each sonar, until all are done or a stop is requested.
+// @return  Computing time without recording and drawing [s].
+double make_pings(Simulator& simulator, const ScenarioRequests& requests, std::vector<Track>& tracks, bool quiet) {
+  Progress progress(requests.total_pings(), quiet);
+  PingRequest request;
+  double computing = 0;
+  for (std::uint64_t number = 0; number < requests.most_pings() && !stop_asked(); ++number) {
+    for (std::size_t i = 0; i < tracks.size() && !stop_asked(); ++i) {
+      if (number >= requests.ping_count(static_cast<int>(i))) {
+        continue;
+      }
+      Track& track = tracks[i];
+      const Clock::time_point start = Clock::now();
+      requests.fill(static_cast<int>(i), number, request);
+      try {
+        simulator.ping(static_cast<int>(i), request, track.next);
+      } catch (const Interrupted&) {
+        return computing;
+      }
+      std::swap(track.ping, track.next);
+      computing += seconds_since(start);
+      track.recording.add(track.ping);
+      track.pictures.add(track.ping);
+      track.loudness.add(track.ping);
+      if (number == 0) {
+        track.heard = heard_text(simulator.scene(), simulator.sonar(static_cast<int>(i)), track.ping);
+      }
+      ++track.made;
+      progress.advance();
+    }
+  }
+  return computing;
+}
+
+// make_pings(); adds to its errors where the pings made so far are.
+double make_pings_or_tell(Simulator& simulator, const ScenarioRequests& requests, std::vector<Track>& tracks,
+                          PictureFolder& pictures, bool quiet) {
+  try {
+    return make_pings(simulator, requests, tracks, quiet);
+  } catch (const Error& error) {
+    const std::string kept = kept_beside(tracks);
+    discard_without_pings(tracks, pictures);
+    throw Error(error.what() + kept);
+  }
+}
+
+// Prints hints for sonars with no or only weak echoes.
+void print_hints(const Simulator& simulator, const std::vector<Track>& tracks, const Display& display, bool quiet) {
+  for (std::size_t i = 0; i < tracks.size(); ++i) {
+    const Loudness& loudness = tracks[i].loudness;
+    const int sonar = static_cast<int>(i);
+    if (tracks[i].made > 0 && !loudness.heard() && !hears_more_than_surfaces(simulator.scenario())) {
+      complain("warning: " + silence_text(simulator, sonar));
+    } else if (simulator.scenario().model == EchoModel::kPaper && loudness.dim() && display.scale == Scale::kLinear &&
+               !tracks[i].pictures.files().empty() && !quiet) {
+      say("hint: {}\n", dimness_text(loudness, simulator.sonar(sonar)));
+    }
+    if (const std::string text = tracks[i].pictures.darkness_text(); !text.empty()) {
+      complain("warning: " + text);
+    }
+  }
+}
+
+}  // namespace
+
+int run(const RunOptions& options) {
+  end_when_asked();
+  const PictureChoice choice = PictureChoice::parse(options.pictures.pictures);
+  PictureStyle style;
+  const std::filesystem::path folder = output_folder(options.folder, options.scenario);
+  Simulator simulator = prepare(options, folder, style);
+  make_output_folder(folder);
+
+  const Clock::time_point start = Clock::now();
+  const ScenarioRequests requests(simulator.scenario());
+  print_oddities(simulator, requests, options.quiet);
+  if (const auto unfinished = unfinished_recordings(folder, simulator.scenario()); !unfinished.empty()) {
+    complain(fmt::format("warning: {}{} is an unfinished recording, of a run that was killed or still goes on",
+                         unfinished.front().string(),
+                         unfinished.size() == 1 ? "" : fmt::format(" (and {} more)", unfinished.size() - 1)));
+  }
+  tell_disk_space(simulator.scenario(), requests, folder, options);
+  const std::vector<View> views = draw_views(simulator, requests, options, style.display);
+  note_when_asked();
+  simulator.stop_when(&stop_asked());
+  PictureFolder pictures(folder, names_of(simulator.scenario().sonars));
+  std::vector<Track> tracks =
+      start_tracks(simulator, requests, folder, options.pictures, choice, pictures,
+                   {.compress = options.compress, .threads = options.threads, .replace = options.force});
+  const std::vector<std::filesystem::path> view_files = write_views(views, pictures);
+
+  const double computing = make_pings_or_tell(simulator, requests, tracks, pictures, options.quiet);
+  const bool replaced = finish_tracks(tracks, pictures, options.quiet);
+  std::uint64_t made = 0;
+  for (const Track& track : tracks) {
+    made += track.made;
+  }
+
+  if (!options.quiet) {
+    for (std::size_t i = 0; i < tracks.size(); ++i) {
+      print_track(tracks[i], simulator.sonar(static_cast<int>(i)));
+    }
+    if (!view_files.empty()) {
+      say("scene: {}\n", listed(view_files));
+    }
+    const double all = seconds_since(start);
+    say("{} in {:.2f} s: {:.1f} pings/s to compute, {:.1f} pings/s with files and pictures\n", counted(made, "ping"),
+        all, static_cast<double>(made) / computing, static_cast<double>(made) / all);
+  }
+  print_hints(simulator, tracks, style.display, options.quiet);
+  const std::uint64_t asked_for = requests.total_pings();
+  if (made < asked_for) {
+    throw Error(fmt::format("stopped after {} of {}; {} kept{}", made, counted(asked_for, "ping"),
+                            made == 1 ? "it is" : "they are", replaced ? ", instead of the earlier run's" : ""));
+  }
+  return kDone;
+}
+
+}  // namespace insonify

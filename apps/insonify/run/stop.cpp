@@ -1,0 +1,60 @@
+// stop.cpp -- signal handlers. What they call is async-signal-safe.
+
+#include "run/stop.h"
+
+#include <unistd.h>
+
+#include <csignal>
+#include <string_view>
+
+#include "console/console.h"
+#include "console/outcome.h"
+
+namespace insonify {
+namespace {
+
+std::atomic<bool> asked = false;
+static_assert(std::atomic<bool>::is_always_lock_free, "handlers of signals must not wait");
+bool terminal = false;  // Whether the standard error stream is a terminal.
+
+void end_now(int) {
+  constexpr std::string_view kMessage = "insonify: interrupted before the first ping\n";
+  clear_status();
+  [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, kMessage.data(), kMessage.size());
+  _exit(kFailed);
+}
+
+void note(int signal) {
+  constexpr std::string_view kMessage = "insonify: stopping; once more ends the program at once\n";
+  asked = true;
+  if (terminal) {
+    clear_status();
+    [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, kMessage.data(), kMessage.size());
+  }
+  std::signal(signal, SIG_DFL);
+}
+
+void handle_with(void (*handler)(int)) {
+  for (const int signal : {SIGINT, SIGTERM}) {
+    if (std::signal(signal, handler) == SIG_IGN) {
+      std::signal(signal, SIG_IGN);
+    }
+  }
+}
+
+}  // namespace
+
+void end_when_asked() {
+  handle_with(end_now);
+}
+
+void note_when_asked() {
+  terminal = isatty(STDERR_FILENO) != 0;
+  handle_with(note);
+}
+
+const std::atomic<bool>& stop_asked() {
+  return asked;
+}
+
+}  // namespace insonify

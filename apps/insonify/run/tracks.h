@@ -1,0 +1,53 @@
+// tracks.h -- what a run keeps of each sonar: its recording, its pictures and what is told at the end.
+
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "insonify/files.h"
+#include "insonify/scenario_requests.h"
+#include "insonify/simulator.h"
+#include "pictures/pictures.h"
+#include "run/hints.h"
+
+namespace insonify {
+
+/// State of one sonar in a run.
+struct Track {
+  std::filesystem::path file;
+  Recording recording;
+  PingPictures pictures;
+  Ping ping = {}, next = {};  ///< The last recorded ping; the ping being computed.
+  std::uint64_t made = 0;
+  Loudness loudness = {};
+  std::string heard = {};  ///< Text about the first ping: see heard_text().
+};
+
+/// Starts the recording and the pictures of each sonar.
+[[nodiscard]] std::vector<Track> start_tracks(const Simulator& simulator, const ScenarioRequests& requests,
+                                              const std::filesystem::path& folder, const PictureOptions& options,
+                                              const PictureChoice& choice, PictureFolder& pictures,
+                                              const RecordingOptions& recording);
+
+/// Removes recordings and pictures of this run if it made no ping: they would only block the next run.
+/// @return  Whether it made no ping.
+bool discard_without_pings(std::vector<Track>& tracks, PictureFolder& pictures);
+
+/// Lists recordings that have not replaced those of an earlier run, with their paths; "" if there are none.
+[[nodiscard]] std::string kept_beside(const std::vector<Track>& tracks);
+
+/// Replaces recordings and pictures of an earlier run by the new ones.
+/// @return  Whether there was an earlier recording.
+bool finish_tracks(std::vector<Track>& tracks, PictureFolder& pictures, bool quiet);
+
+void print_track(const Track& track, const SonarConfig& sonar);
+
+/// "3 pings", "1 ping".
+[[nodiscard]] std::string counted(std::uint64_t count, const char* what);
+
+/// Paths of pictures in one line: all of two, the first and the last of more.
+[[nodiscard]] std::string listed(const std::vector<std::filesystem::path>& files);
+
+}  // namespace insonify

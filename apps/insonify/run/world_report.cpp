@@ -1,0 +1,139 @@
+// world_report.cpp -- describes the world and the first ping, and finds likely mistakes.
+
+#include "run/world_report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "run/solids_met.h"
+
+namespace insonify {
+namespace {
+
+// Rounds a coordinate for printing, to the millimetre or to six digits.
+double rounded(double value) {
+  return std::round(value * 1000) / 1000 + 0;  // Adding zero turns -0 into 0.
+}
+
+bool is_empty(const Box3& box) {
+  return box.low.x() > box.high.x();
+}
+
+// Worlds are a few ranges wide, surveyed seabeds a few hundred: beyond that, a unit is probably wrong by a thousand.
+std::string size_oddity(const Box3& world, const SonarConfig& sonar) {
+  constexpr double kTooManyRanges = 400, kTooFewBins = 3;
+  const double across = (world.high - world.low).maxCoeff();
+  if (across > kTooManyRanges * sonar.max_range) {
+    return fmt::format(
+        "the world is {:.4g} m across, {:.3g} times the range of {}; if its files are in millimetres, scale "
+        "them by 0.001",
+        across, across / sonar.max_range, sonar.name);
+  }
+  if (across < kTooFewBins * sonar.bin_length()) {
+    return fmt::format(
+        "the world is {:.3g} m across, {:.2g} bins of {}; if its files are in kilometres, scale them by 1000", across,
+        across / sonar.bin_length(), sonar.name);
+  }
+  return "";
+}
+
+std::string length_text(const std::string& whose, const Trajectory& trajectory, const SonarConfig& sonar,
+                        std::uint64_t pings) {
+  if (trajectory.waypoints.size() < 2) {
+    return "";
+  }
+  const double period = *sonar.ping_period, last_ping = static_cast<double>(pings - 1) * period;
+  const double begin = trajectory.waypoints.front().time, end = trajectory.waypoints.back().time;
+  if (begin > last_ping) {
+    return fmt::format(
+        "the last ping of {} is at {:.4g} s, the trajectory{} begins at {:.10g} s: nothing moves before that; "
+        "for a file, `start: {:.10g}` makes that time 0",
+        sonar.name, last_ping, whose, begin, begin);
+  }
+  if (last_ping + period < end) {
+    return fmt::format(
+        "the last ping of {} is at {:.4g} s, the trajectory{} ends at {:.4g} s; --duration {:.6g} would ping until "
+        "then",
+        sonar.name, last_ping, whose, end, end);
+  }
+  if (last_ping > end + period) {
+    return fmt::format(
+        "the last ping of {} is at {:.4g} s, the trajectory{} ends at {:.4g} s: nothing moves after that", sonar.name,
+        last_ping, whose, end);
+  }
+  return "";
+}
+
+}  // namespace
+
+std::string size_text(const Scene& scene) {
+  const Box3 box = scene.bounds();
+  if (is_empty(box)) {
+    return "open water";
+  }
+  const Vec3 size = box.high - box.low;
+  return fmt::format("{:.4g} x {:.4g} x {:.4g} m (x {:.6g} to {:.6g}, y {:.6g} to {:.6g}, z {:.6g} to {:.6g})",
+                     size.x(), size.y(), size.z(), rounded(box.low.x()), rounded(box.high.x()), rounded(box.low.y()),
+                     rounded(box.high.y()), rounded(box.low.z()), rounded(box.high.z()));
+}
+
+std::vector<std::string> oddities_of(Simulator& simulator, const ScenarioRequests& requests) {
+  std::vector<std::string> texts;
+  const Box3 world = simulator.scene().bounds();
+  for (int i = 0; i < requests.sonar_count() && !is_empty(world); ++i) {
+    if (const std::string text = size_oddity(world, simulator.sonar(i)); !text.empty()) {
+      texts.push_back(text);
+      break;
+    }
+  }
+  for (int i = 0; i < requests.sonar_count(); ++i) {
+    const std::vector<std::string> inside = solids_met(simulator, requests, i);
+    texts.insert(texts.end(), inside.begin(), inside.end());
+  }
+  return texts;
+}
+
+std::vector<std::string> lengths_of(const Simulator& simulator, const ScenarioRequests& requests) {
+  std::vector<std::string> texts;
+  const Scenario& scenario = simulator.scenario();
+  for (int i = 0; i < requests.sonar_count(); ++i) {
+    std::vector<std::string> of_sonar = {
+        length_text("", scenario.trajectory, simulator.sonar(i), requests.ping_count(i))};
+    for (const Motion& motion : scenario.motions) {
+      of_sonar.push_back(
+          length_text(" of " + motion.object, motion.trajectory, simulator.sonar(i), requests.ping_count(i)));
+    }
+    std::ranges::remove_copy(of_sonar, std::back_inserter(texts), std::string());
+  }
+  return texts;
+}
+
+std::string heard_text(const Scene& scene, const SonarConfig& sonar, const Ping& ping) {
+  if (ping.instance.empty()) {
+    return "";
+  }
+  std::set<std::uint16_t> objects;
+  int nearest = sonar.bin_count, farthest = -1;
+  for (int bin = 0; bin < sonar.bin_count; ++bin) {
+    for (int beam = 0; beam < sonar.beam_count; ++beam) {
+      const std::uint16_t label = ping.instance[static_cast<std::size_t>(bin) * sonar.beam_count + beam];
+      if (label != kNoLabel) {
+        objects.insert(label);
+        nearest = std::min(nearest, bin);
+        farthest = bin;
+      }
+    }
+  }
+  const auto present =
+      std::ranges::count_if(scene.instances, [](const Instance& instance) { return instance.present; });
+  if (objects.empty()) {
+    return fmt::format("its first hears none of {} object{}", present, present == 1 ? "" : "s");
+  }
+  return fmt::format("its first hears {} of {} object{}, from {:.3g} to {:.3g} m", objects.size(), present,
+                     present == 1 ? "" : "s", sonar.bin_range(nearest), sonar.bin_range(farthest));
+}
+
+}  // namespace insonify
