@@ -33,8 +33,8 @@ class Workers {
   /// Calls run(task, worker) for every task in [0, tasks), worker in [0, count()). Returns when all are done; rethrows
   /// the first exception, after which no other task begins.
   ///
-  /// The tasks are divided into contiguous blocks of equal length, one per worker. A worker that has finished its block
-  /// takes tasks from the others'. Idle time at the end is short if the last tasks of each block are small.
+  /// The tasks are halved again and again, down to one; a worker without tasks takes half of another's. Two workers
+  /// begin with one half each. Idle time at the end is short if the last tasks of each half are small.
   template <typename Run>
   void for_each(int tasks, Run&& run) {
     using Body = std::remove_reference_t<Run>;

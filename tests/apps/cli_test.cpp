@@ -1,4 +1,4 @@
-// cli_test.cpp -- exit codes, messages and output files of the command line.
+// cli_test.cpp -- `insonify run`: exit codes, messages and output files.
 
 #include "apps/cli.h"
 
@@ -11,8 +11,6 @@ using testing::ContainsRegex;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::Not;
-
-// ---------------------------------------------------------------- run
 
 // In a folder that others can write to, anyone may have put links under the names that a run uses.
 TEST_F(CliTest, ARunFollowsNoLinkThatItFindsInItsFolder) {
@@ -227,53 +225,6 @@ TEST_F(CliTest, ARunThatFailsBeforeTheFirstPingLeavesNothing) {
   EXPECT_THAT(files("out"), ElementsAre());
 }
 
-// ---------------------------------------------------------------- draw
-
-TEST_F(CliTest, PicturesDrawnFromARecordingAreThoseOfTheRun) {
-  const std::string paper = "--set model=paper --scale db --floor-db -30";
-  for (const std::string& how :
-       {std::string(), paper, std::string("--levels -90:-40 --colour-map grey --height 400")}) {
-    const std::string drawn = how == paper ? "--scale db --floor-db -30" : how;
-    for (const char* sonar : {"fan.yaml", "scan.yaml"}) {
-      const Outcome outcome = shell(fmt::format(
-          "rm -rf run drawn; insonify run {} -o run -q --no-view --pictures 3 {} && insonify draw run/*.h5 -o drawn "
-          "--pictures 3 {} && mv run/*.h5 . && diff -r run drawn",
-          sonar, how, drawn));
-      EXPECT_EQ(outcome.status, 0) << sonar << how << outcome.err << outcome.out;
-    }
-  }
-}
-
-TEST_F(CliTest, DrawTakesThePingsThatAreNamed) {
-  ASSERT_EQ(shell("insonify run fan.yaml -o run -q --no-pictures --pings 5").status, 0);
-  const Outcome outcome = shell("insonify draw run/ahead.h5 --ping 1 --ping 3");
-  EXPECT_EQ(outcome.out,
-            "run/ahead_polar_0001.png\nrun/ahead_fan_0001.png\nrun/ahead_polar_0003.png\nrun/ahead_fan_0003.png\n");
-  EXPECT_EQ(shell("insonify draw run/ahead.h5 --ping 1").err,
-            "insonify: run/ahead_fan_0001.png is there already, with 3 more of an earlier run: --force replaces them, "
-            "-o DIR writes to another folder\n");
-  EXPECT_EQ(shell("insonify draw run/ahead.h5 --ping 0 --force").status, 0);
-  EXPECT_THAT(files("run"), ElementsAre("ahead.h5", "ahead_fan_0000.png", "ahead_polar_0000.png"));
-  const Outcome beyond = shell("insonify draw run/ahead.h5 --ping 5");
-  EXPECT_EQ(beyond.status, 2);
-  EXPECT_EQ(beyond.err, "insonify: run/ahead.h5: --ping 5 must be below 5, the number of its pings\n");
-}
-
-TEST_F(CliTest, PicturesThatAreAllBlackAreToldOf) {
-  const Outcome run = shell("insonify run fan.yaml -o run -q --no-view --levels 10:20");
-  EXPECT_THAT(run.err, ContainsRegex("warning: the pictures of ahead are black: their brightest point has -[0-9.]+ dB, "
-                                     "and --levels begins at 10 dB\n"));
-  EXPECT_EQ(shell("insonify draw run/ahead.h5 -o drawn --color-map grey --levels 10:20").err, run.err);
-  EXPECT_EQ(shell("insonify draw run/ahead.h5 -o again --levels -190:20").err, "");
-}
-
-TEST_F(CliTest, DrawFailsWhereItCannotWrite) {
-  ASSERT_EQ(shell("insonify run fan.yaml -o run -q --no-pictures").status, 0);
-  const Outcome outcome = shell("ulimit -f 4; insonify draw run/ahead.h5 -o drawn");
-  EXPECT_EQ(outcome.status, 1);
-  EXPECT_EQ(outcome.err, "insonify: drawn/ahead_polar_0000.png: cannot write the picture: File too large\n");
-}
-
 TEST_F(CliTest, KeysThatAnotherKeepsFromActingAreToldOf) {
   EXPECT_EQ(
       shell("insonify run fan.yaml -q --no-pictures -o out --set receiver.pulse_bandwidth=3e5 --set "
@@ -299,37 +250,12 @@ TEST_F(CliTest, ALinkIsAnEarlierRecordingToo) {
   EXPECT_TRUE(std::filesystem::is_symlink("out/ahead.h5"));
 }
 
-TEST_F(CliTest, DrawTellsWhatIsNoRecording) {
-  EXPECT_EQ(shell("insonify draw nowhere.h5").err, "insonify: nowhere.h5: no such file\n");
-  EXPECT_EQ(shell("insonify draw fan.yaml").status, 2);
-}
-
 TEST_F(CliTest, SilenceIsToldWithWhereTheWorldIs) {
   const Outcome outcome = shell("insonify run fan.yaml -o out -q --no-pictures --set orientation_deg=[0,-90,0]");
   EXPECT_EQ(outcome.status, 0);
   EXPECT_EQ(outcome.err,
             "insonify: warning: nothing was heard in any ping of ahead: the world reaches from (-20, -20, -2) to (20, "
             "20, -2) m, the sonar was at (0, 0, 0) m at first, looking along (0, 0, 1), and hears from 0.2 to 12 m\n");
-}
-
-// A point 20 dB stronger is drawn equally bright, and all else is dark without noise: only the colour bar differs.
-TEST_F(CliTest, ColourBarsTellLevels) {
-  folder.write("point.yaml", "sonars: [{max_range: 9}]\nreceiver: {noise: false}\npoints: [{position: [6, 0, 0]}]\n");
-  ASSERT_EQ(shell("insonify run point.yaml -o weak -q --no-view").status, 0);
-  ASSERT_EQ(shell("insonify run point.yaml -o strong -q --no-view --set 'points=[{position: [6, 0, 0], "
-                  "target_strength_db: 20}]'")
-                .status,
-            0);
-  ASSERT_EQ(shell("insonify run point.yaml -o again -q --no-view").status, 0);
-  EXPECT_EQ(shell("cmp -s weak/sonar_fan_0000.png again/sonar_fan_0000.png").status, 0);
-  EXPECT_EQ(shell("cmp -s weak/sonar_fan_0000.png strong/sonar_fan_0000.png").status, 1);
-}
-
-TEST_F(CliTest, ViewsMarkPoints) {
-  const std::string run = "insonify run fan.yaml -q --pictures none --set model=calibrated";
-  ASSERT_EQ(shell(run + " -o without").status, 0);
-  ASSERT_EQ(shell(run + " -o with --set 'points=[{position: [6, 0, 0]}]'").status, 0);
-  EXPECT_EQ(shell("cmp -s without/ahead_view.png with/ahead_view.png").status, 1);
 }
 
 TEST_F(CliTest, EchoesOfPointsAreNoSilence) {
@@ -412,153 +338,6 @@ TEST_F(CliTest, ADumbTerminalGetsPlainLines) {
       shell(fmt::format("TERM=dumb script -qec \"'{}' run fan.yaml -o out --no-pictures\" /dev/null", INSONIFY_CLI));
   EXPECT_EQ(outcome.status, 0);
   EXPECT_THAT(outcome.out, Not(HasSubstr("\x1b")));
-}
-
-// ---------------------------------------------------------------- Errors
-
-struct Mistake {
-  const char* name;
-  const char* line;
-  int status;
-  const char* message;
-};
-
-class MistakeTest : public CliTest, public testing::WithParamInterface<Mistake> {};
-
-TEST_P(MistakeTest, IsOneLineAndAnExitStatus) {
-  folder.write("wrong.yaml", "world: floor.obj\nsonars:\n  - name: ahead\n    max_rnage: 12\n");
-  folder.write("likeness.yaml", "world: floor.obj\nmaterials:\n  post: {density: 3000}\nsonars: [{name: ahead}]\n");
-  folder.write("taken", "");
-  const Outcome outcome = shell(GetParam().line);
-  EXPECT_EQ(outcome.err, GetParam().message + std::string("\n"));
-  EXPECT_EQ(outcome.status, GetParam().status);
-  EXPECT_EQ(outcome.out, "");
-}
-
-constexpr Mistake kMistakes[] = {
-    {"NoCommand", "insonify", 2,
-     "insonify: name a command; the commands are run, draw, sonars, describe, compare, bench, version, completion, "
-     "manual "
-     "(insonify --help)"},
-    {"UnknownCommand", "insonify rnu fan.yaml", 2,
-     "insonify: there is no command rnu; the commands are run, draw, sonars, describe, compare, bench, version, "
-     "completion, "
-     "manual (insonify "
-     "--help)"},
-    {"UnknownOption", "insonify run fan.yaml --frob", 2, "insonify: not understood: --frob (insonify run --help)"},
-    {"UnknownOptionBeforeTheCommand", "insonify --frob", 2,
-     "insonify: there is no option --frob; the commands are run, draw, sonars, describe, compare, bench, version, "
-     "completion, manual (insonify "
-     "--help)"},
-    {"NoScenario", "insonify run", 2, "insonify: SCENARIO is required (insonify run --help)"},
-    {"TwoScenarios", "insonify run fan.yaml scan.yaml", 2, "insonify: not understood: scan.yaml (insonify run --help)"},
-    {"MissingScenario", "insonify run nowhere.yaml", 2, "insonify: nowhere.yaml: no such file"},
-    {"MeshForAScenario", "insonify run floor.obj", 2,
-     "insonify: floor.obj: is a mesh, not a scenario; write a YAML file that says world: floor.obj and lists sonars"},
-    {"WrongScenario", "insonify run wrong.yaml", 2,
-     "insonify: wrong.yaml:4:5: sonars[0].max_rnage is not a known key; did you mean max_range?"},
-    {"WrongSetting", "insonify run fan.yaml --set max_range=-3", 2,
-     "insonify: --set max_range=-3: sonars[0].max_range = -3 m must be greater than 0, at most 100000 m"},
-    {"NoPings", "insonify run fan.yaml --pings 0", 2,
-     "insonify: --pings: 0 must be a whole number, from 1 to 1000000000 (insonify run --help)"},
-    {"UnknownEngine", "insonify run fan.yaml --engine gpu", 2,
-     "insonify: --engine: gpu must be cpu or reference (insonify run --help)"},
-    {"NegativeSeed", "insonify run fan.yaml --seed -1", 2,
-     "insonify: --seed: -1 must be a whole number, from 0 to 18446744073709551615 (insonify run --help)"},
-    {"WordForThreads", "insonify run fan.yaml --threads many", 2,
-     "insonify: --threads: many must be a whole number, from 0 to 1024 (insonify run --help)"},
-    {"UnknownPictures", "insonify run fan.yaml --pictures some", 2,
-     "insonify: --pictures some must be all, last, none or a number of pings"},
-    {"UnknownColourMap", "insonify run fan.yaml --colour-map jet", 2,
-     "insonify: colour map \"jet\" must be one of inferno, copper, grey, blue"},
-    {"UnknownScale", "insonify run fan.yaml --scale log", 2,
-     "insonify: --scale: log must be linear or db (insonify run --help)"},
-    {"FloorAboveZero", "insonify run fan.yaml --scale db --floor-db 3", 2,
-     "insonify: --floor-db: 3 must be a number, at least -300, less than 0 (insonify run --help)"},
-    {"LevelsThatFall", "insonify run fan.yaml --levels -40:-90", 2,
-     "insonify: --levels: -40:-90 must be LOW:HIGH, two rising levels from -400 to 400 dB, as -90:-40 (insonify run "
-     "--help)"},
-    {"LevelsWithAFloor", "insonify run fan.yaml --levels -90:-40 --floor-db -30", 2,
-     "insonify: --floor-db excludes --levels (insonify run --help)"},
-    {"TinyPicture", "insonify run fan.yaml --height 3", 2,
-     "insonify: --height: 3 must be a whole number, from 240 to 8192 (insonify run --help)"},
-    {"SeveralWords", "insonify run fan.yaml a b c", 2, "insonify: not understood: a b c (insonify run --help)"},
-    {"NoFolder", "insonify run fan.yaml -o ''", 2,
-     "insonify: --output: must not be empty: name a folder, or . for this one (insonify run --help)"},
-    {"FarSonar", "insonify run fan.yaml --set position=[0,1e18,0]", 2,
-     "insonify: --set position=[0,1e18,0]: sonars[0].position[1] = 1e+18 m must be from -10000000 to 10000000 m"},
-    {"UnknownLikeness", "insonify run likeness.yaml -q --set materials.post.like=stele", 2,
-     "insonify: --set materials.post.like=stele: materials.post.like = stele is not a known material; did you mean "
-     "steel?"},
-    {"EndlessStream", "insonify run /dev/zero -q", 2, "insonify: /dev/zero: is no file and does not end"},
-    {"EmptyStream", "insonify run /dev/null -q", 2, "insonify: /dev/null: the file is empty"},
-    {"FolderThatIsAFile", "insonify run fan.yaml -q -o taken", 1,
-     "insonify: taken: cannot make this folder: Not a directory"},
-    {"FolderInAFile", "insonify run fan.yaml -q -o taken/out", 1,
-     "insonify: taken/out: cannot make this folder: Not a directory"},
-    {"UnknownPreset", "insonify sonars gemini", 2,
-     "insonify: \"gemini\" is not a preset; did you mean tritech-gemini-720i?"},
-    {"UnknownMode", "insonify sonars soundmetrics-didson --mode medium", 2,
-     "insonify: \"medium\" is not a mode of soundmetrics-didson, which has high and low"},
-    {"ModeOfNoPreset", "insonify sonars --mode high", 2,
-     "insonify: --mode high belongs to a preset, and none is named"},
-    {"UnknownSection", "insonify describe sea", 2,
-     "insonify: there is no section sea; there are scenario, water, materials, sonars, sampling, receiver, paper, "
-     "surface, points, interferers, trajectory, motions, view"},
-};
-
-INSTANTIATE_TEST_SUITE_P(All, MistakeTest, testing::ValuesIn(kMistakes),
-                         [](const auto& mistake) { return std::string(mistake.param.name); });
-
-// The view shows the whole sector, whichever edge the head starts from.
-TEST_F(CliTest, TheViewOfAScanIsThatOfItsSector) {
-  const std::string sector = "insonify run scan.yaml -q --pings 1 --set sector_width_deg=90 --set sector_center_deg=30";
-  EXPECT_EQ(shell(sector + " -o forth && " + sector + " -o back --set step_deg=-18").status, 0);
-  EXPECT_EQ(shell("cmp forth/around_view.png back/around_view.png").status, 0);
-  EXPECT_EQ(shell(sector + " -o aside --set sector_center_deg=-30").status, 0);
-  EXPECT_NE(shell("cmp -s forth/around_view.png aside/around_view.png").status, 0);
-}
-
-// ---------------------------------------------------------------- Other commands
-
-TEST_F(CliTest, VersionNamesTheEngines) {
-  const Outcome outcome = shell("insonify version");
-  EXPECT_EQ(outcome.status, 0);
-  EXPECT_THAT(outcome.out, ContainsRegex("^insonify [0-9]+\\.[0-9]+\\.[0-9]+\nengines: cpu, reference\n$"));
-  EXPECT_EQ(shell("insonify --version").out, outcome.out);
-}
-
-TEST_F(CliTest, HelpShowsExamplesAndExitStatus) {
-  const Outcome outcome = shell("insonify run --help");
-  EXPECT_EQ(outcome.status, 0);
-  EXPECT_THAT(outcome.out, HasSubstr("insonify run scenes/ferry.yaml -o out --pings 3 --set max_range=30"));
-  EXPECT_THAT(outcome.out, HasSubstr("0 done, 1 failed while running or stopped, 2 wrong input"));
-}
-
-TEST_F(CliTest, SonarsListsEveryModeOfEveryPreset) {
-  const Outcome outcome = shell("insonify sonars");
-  EXPECT_EQ(outcome.status, 0);
-  EXPECT_THAT(outcome.out, ContainsRegex("\nblueprint-oculus-m750d +low \\* +fls +750 +512 +130 x 20 +0.1 - 120\n"));
-  EXPECT_THAT(outcome.out, ContainsRegex("\n +high +fls +1200 +512 +70 x 12 +0.1 - 40\n"));
-  EXPECT_THAT(outcome.out, ContainsRegex("\ntritech-micron-dst +standard +msis +700 +1 +3 x 35 +0.3 - 75\n"));
-}
-
-TEST_F(CliTest, SonarsTellsConfidenceAndSourceOfEachFact) {
-  const Outcome outcome = shell("insonify sonars tritech-gemini-720i");
-  EXPECT_EQ(outcome.status, 0);
-  EXPECT_THAT(outcome.out, ContainsRegex("\nbeam_count +256 +A +Cerqueira et al."));
-  EXPECT_THAT(outcome.out, ContainsRegex("\nrange_resolution +0.008 +m +B +Tritech data sheet, recalled\n"));
-}
-
-TEST_F(CliTest, DescribeTellsUnitLimitsDefaultAndMeaning) {
-  const Outcome outcome = shell("insonify describe water");
-  EXPECT_EQ(outcome.status, 0);
-  EXPECT_THAT(outcome.out, ContainsRegex("  temperature_c = 10 degC +from -6 to 35\n      Water temperature.\n"));
-}
-
-TEST_F(CliTest, TheReferencePageIsUpToDate) {
-  EXPECT_EQ(shell("insonify describe --markdown").out, text_of(INSONIFY_SOURCE_DIR "/docs/reference/scenario.md"))
-      << "docs/reference/scenario.md: made by insonify describe --markdown; make it again";
 }
 
 }  // namespace

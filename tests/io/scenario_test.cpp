@@ -3,9 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "insonify/files.h"
+#include "io/scenario_file.h"
 #include "support/message_of.h"
-#include "support/working_folder.h"
 
 namespace insonify {
 namespace {
@@ -13,9 +12,6 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::StartsWith;
-
-// Degrees are converted to radians by a division and a multiplication: a few units in the last place.
-constexpr double kAngleTolerance = 1e-15;
 
 constexpr const char* kEverything = R"(# Every key there is.
 world: worlds/floor.obj
@@ -69,18 +65,6 @@ motions:
     trajectory: [{time: 1, position: [5, 0, 0]}]
 view: {position: [-4, 0, 3], look_at: [9, 0, 0], field_of_view_deg: 45}
 )";
-
-class ScenarioTest : public testing::Test {
- protected:
-  ScenarioTest() { folder.write("scenes/worlds/floor.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"); }
-
-  Scenario load(const std::string& yaml, const std::vector<std::string>& settings = {}) const {
-    folder.write("scenes/scenario.yaml", yaml);
-    return load_scenario("scenes/scenario.yaml", settings);
-  }
-
-  WorkingFolder folder;
-};
 
 TEST_F(ScenarioTest, TakesPlainValues) {
   const Scenario scenario = load(kEverything);
@@ -322,8 +306,6 @@ TEST_F(ScenarioTest, TakesOverTheKeysOfAnAnchor) {
   EXPECT_GT(scenario.sonars.at(2).orientation.z(), 0);
 }
 
-// ---------------------------------------------------------------- Presets in a scenario
-
 TEST_F(ScenarioTest, StartsASonarFromItsPreset) {
   const SonarConfig sonar =
       load("world: worlds/floor.obj\nsonars: [{preset: blueprint-oculus-m750d, mode: high}]\n").sonars.at(0);
@@ -357,135 +339,6 @@ TEST_F(ScenarioTest, FitsBinsAndPeriodOfAPresetToTheRange) {
   EXPECT_FALSE(sonar("max_range: 40").ping_period.has_value());
   EXPECT_EQ(sonar("max_range: 40, bin_count: 77").bin_count, 77);
   EXPECT_EQ(sonar("max_range: 40, ping_period: 0.5").ping_period, 0.5);
-}
-
-// ---------------------------------------------------------------- Settings
-
-constexpr const char* kTwoSonars =
-    "world: worlds/floor.obj  # A floor.\nsonars:\n  - name: fls\n    max_range: 20\n  - name: dst\n    preset: "
-    "tritech-micron-dst\n";
-
-TEST_F(ScenarioTest, SettingsOverrideTheFile) {
-  const Scenario scenario = load(kTwoSonars, {"pings=3", "water.depth=4", "sonars[0].max_range=30",
-                                              "sonars.dst.max_range=12", "view={position: [1, 2, 3]}"});
-  EXPECT_EQ(scenario.pings, 3);
-  EXPECT_EQ(scenario.water.depth, 4);
-  EXPECT_EQ(scenario.sonars.at(0).max_range, 30);
-  EXPECT_EQ(scenario.sonars.at(1).max_range, 12);
-  EXPECT_EQ(scenario.view->position, Vec3(1, 2, 3));
-}
-
-TEST_F(ScenarioTest, ALaterSettingWins) {
-  EXPECT_EQ(load(kTwoSonars, {"pings=3", "pings=4"}).pings, 4);
-  EXPECT_THAT(
-      [&] {
-        (void)load(kTwoSonars, {"duration=1", "pings=3"});
-      },
-      testing::ThrowsMessage<Error>("--set pings=3: cannot be set together with --set duration=1; leave one out"));
-}
-
-// For programs whose options are settings.
-TEST_F(ScenarioTest, ASettingMayBeNamedAsAnOption) {
-  EXPECT_EQ(load(kTwoSonars, {"--pings=3"}).pings, 3);
-  EXPECT_THAT([&] { (void)load(kTwoSonars, {"--pings=0"}); },
-              testing::ThrowsMessage<Error>(HasSubstr("--pings=0: pings = 0 must be")));
-  EXPECT_THAT(
-      [&] {
-        (void)load(kTwoSonars, {"--pings=3", "duration=1"});
-      },
-      testing::ThrowsMessage<Error>("--set duration=1: cannot be set together with --pings=3; leave one out"));
-}
-
-// Whichever of its keys the file uses.
-TEST_F(ScenarioTest, ASettingTakesThePlaceOfItsAlternatives) {
-  const std::string text =
-      "world: worlds/floor.obj\nduration: 2\nsonars: [{ping_period: 0.5, orientation_deg: [0, 20, 0]}]\n";
-  EXPECT_EQ(load(text, {"pings=3"}).pings, 3);
-  EXPECT_FALSE(load(text, {"pings=3"}).duration.has_value());
-  const Scenario turned = load(text, {"orientation_wxyz=[0, 1, 0, 0]"});
-  EXPECT_NEAR(turned.sonars.at(0).orientation.x(), std::numbers::pi, kAngleTolerance);
-  EXPECT_NEAR(turned.sonars.at(0).orientation.tail<2>().norm(), 0, kAngleTolerance);
-  EXPECT_THAT(
-      [&] {
-        (void)load(text, {"orientation_wxyz=[1, 0, 0, 0]", "orientation_deg=[0, 0, 0]"});
-      },
-      testing::ThrowsMessage<Error>("--set orientation_deg=[0, 0, 0]: cannot be set together with --set "
-                                    "orientation_wxyz=[1, 0, 0, 0]; leave one out"));
-}
-
-TEST_F(ScenarioTest, ASonarsKeyAloneSetsEverySonar) {
-  const Scenario scenario = load(kTwoSonars, {"max_range=8", "sampling.rows=33", "elevation_aperture_deg=9"});
-  for (const SonarConfig& sonar : scenario.sonars) {
-    EXPECT_EQ(sonar.max_range, 8);
-    EXPECT_EQ(sonar.sampling.rows, 33);
-    EXPECT_NEAR(sonar.elevation_aperture, std::numbers::pi / 20, kAngleTolerance);
-  }
-}
-
-TEST_F(ScenarioTest, KeepsTheTextWithItsSettings) {
-  const Scenario scenario = load(kTwoSonars, {"sonars.fls.max_range=30", "materials.hull.lambert_db=-9", "seed=5"});
-  EXPECT_THAT(scenario.text, HasSubstr("max_range: 30"));
-  // The recorded text is a scenario itself, and the same one.
-  const Scenario again = load(scenario.text);
-  EXPECT_EQ(again.sonars.at(0).max_range, 30);
-  EXPECT_EQ(again.sonars.at(1).model, "Tritech Micron DST");
-  EXPECT_EQ(again.materials.overrides.at("hull").lambert_db, -9);
-  EXPECT_EQ(again.seed, 5U);
-  EXPECT_EQ(again.text, scenario.text);
-}
-
-TEST_F(ScenarioTest, KeepsQuotedTextQuoted) {
-  const Scenario scenario = load("world: worlds/floor.obj\nsonars: [{name: \"007\"}]\n", {"pings=2"});
-  EXPECT_EQ(scenario.sonars.at(0).name, "007");
-  EXPECT_THAT(scenario.text, HasSubstr("name: \"007\""));
-}
-
-TEST_F(ScenarioTest, FileErrorsOfADefaultNameTheSonar) {
-  // max_range has its default: the position is that of the key in conflict with it.
-  EXPECT_THAT(message_of([&] { (void)load("world: worlds/floor.obj\nsonars:\n  - name: a\n    min_range: 60\n"); }),
-              StartsWith("scenes/scenario.yaml:4:5: sonars[0].max_range = 50 m"));
-}
-
-// ---------------------------------------------------------------- Scenarios made in code
-
-TEST(ScenarioRulesTest, MessagesHaveNoPlaceWithoutAFile) {
-  Scenario scenario;
-  scenario.world = "wreck.sdf";
-  EXPECT_EQ(message_of([&] { scenario.validate(); }), "sonars must have at least one entry");
-  scenario.sonars.resize(1);
-  EXPECT_EQ(message_of([&] { scenario.validate(); }), "no error");
-  scenario.sonars[0].ping_period = 0.05;
-  scenario.sonars[0].assumed_sound_speed = 1500;
-  EXPECT_EQ(
-      message_of([&] { scenario.validate(); }),
-      "sonars[0].ping_period = 0.05 s must be at least 0.0667 s, the time sound takes to max_range = 50 m and back");
-  scenario.sonars[0].ping_period = 0.0667;  // The limit in the message is allowed.
-  EXPECT_EQ(message_of([&] { scenario.validate(); }), "no error");
-}
-
-// Limits of the calibrated model do not apply to the paper model, whose fans may cover a full circle.
-TEST(ScenarioRulesTest, ThePaperModelHasNoArray) {
-  Scenario scenario;
-  scenario.world = "wreck.sdf";
-  scenario.sonars.resize(1);
-  scenario.sonars[0].azimuth_aperture = radians_from_degrees(360);
-  EXPECT_EQ(message_of([&] { scenario.validate(); }),
-            "receiver.azimuth_pattern must be top_hat for fans of more than 180 deg; sonars[0] has 360");
-  scenario.model = EchoModel::kPaper;
-  EXPECT_EQ(message_of([&] { scenario.validate(); }), "no error");
-}
-
-TEST(ScenarioRulesTest, TheSonarsOwnSoundSpeedRulesItsPeriod) {
-  Scenario scenario;
-  scenario.world = "wreck.sdf";
-  scenario.water.sound_speed = 1400;
-  scenario.sonars.resize(1);
-  scenario.sonars[0].ping_period = 0.068;  // 100 m take 0.0714 s at 1400 m/s, 0.0667 s at 1500 m/s.
-  EXPECT_EQ(
-      message_of([&] { scenario.validate(); }),
-      "sonars[0].ping_period = 0.068 s must be at least 0.0715 s, the time sound takes to max_range = 50 m and back");
-  scenario.sonars[0].assumed_sound_speed = 1500;
-  EXPECT_EQ(message_of([&] { scenario.validate(); }), "no error");
 }
 
 }  // namespace

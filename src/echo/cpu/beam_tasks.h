@@ -12,10 +12,9 @@ inline constexpr int kMostBeamsTogether = 16;
 /// Fewest beams of a task, except the last. Every task begins at a multiple of it.
 inline constexpr int kLeastBeamsTogether = 4;
 
-/// Each worker's block of tasks (see Workers::for_each) ends with small tasks, so that all workers finish together.
+/// Each of as many equal shares as there are workers ends with small tasks, so that all workers finish together.
 /// @param first_beams  Receives the first beam of every task, and `beams` at the end. Allocates only for more tasks
-/// than
-///                     ever before.
+///                     than ever before.
 void cut_beams(int beams, int workers, std::vector<int>& first_beams);
 
 }  // namespace insonify

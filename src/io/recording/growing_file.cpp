@@ -27,13 +27,6 @@ constexpr std::size_t kEndOfFileField = 40;
 // Chunks begin at multiples of this, so that a program that maps the file may read them in place.
 constexpr std::uint64_t kAlignment = 64;
 
-// Small rows share a chunk of about this size [bytes]: each chunk costs some fifty bytes of index, and the last one is
-// there whole from its first row on.
-constexpr std::uint64_t kSmallChunk = 4096;
-
-// Rows below this are not worth compressing [bytes].
-constexpr std::uint64_t kLeastCompressed = 512;
-
 std::string system_reason() {
   return std::generic_category().message(errno);
 }
@@ -53,28 +46,6 @@ std::uint64_t aligned(std::uint64_t position) {
 }
 
 }  // namespace
-
-std::uint64_t GrowingDataset::row_bytes() const {
-  std::uint64_t bytes = H5Tget_size(type);
-  for (const hsize_t length : row) {
-    bytes *= length;
-  }
-  return bytes;
-}
-
-bool GrowingDataset::is_filtered() const {
-  return compress && row_bytes() >= kLeastCompressed;
-}
-
-std::uint64_t GrowingDataset::chunk_rows() const {
-  return is_filtered() ? 1 : std::max<std::uint64_t>(1, kSmallChunk / row_bytes());
-}
-
-std::vector<std::uint64_t> GrowingDataset::chunk_shape() const {
-  std::vector<std::uint64_t> shape{chunk_rows()};
-  shape.insert(shape.end(), row.begin(), row.end());
-  return shape;
-}
 
 GrowingFile::GrowingFile(std::filesystem::path path, const std::vector<GrowingDataset>& datasets,
                          const std::function<void(hid_t file)>& describe, const GrowingFileOptions& options)

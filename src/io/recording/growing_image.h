@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "io/file/hdf5.h"
-#include "io/recording/growing_file.h"
+#include "io/recording/growing_dataset.h"
 
 namespace insonify {
 

@@ -1,0 +1,91 @@
+// draw_test.cpp -- `insonify draw`, and what pictures of a run show.
+
+#include "apps/cli.h"
+
+namespace insonify {
+namespace {
+
+using testing::ContainsRegex;
+using testing::ElementsAre;
+
+TEST_F(CliTest, PicturesDrawnFromARecordingAreThoseOfTheRun) {
+  const std::string paper = "--set model=paper --scale db --floor-db -30";
+  for (const std::string& how :
+       {std::string(), paper, std::string("--levels -90:-40 --colour-map grey --height 400")}) {
+    const std::string drawn = how == paper ? "--scale db --floor-db -30" : how;
+    for (const char* sonar : {"fan.yaml", "scan.yaml"}) {
+      const Outcome outcome = shell(fmt::format(
+          "rm -rf run drawn; insonify run {} -o run -q --no-view --pictures 3 {} && insonify draw run/*.h5 -o drawn "
+          "--pictures 3 {} && mv run/*.h5 . && diff -r run drawn",
+          sonar, how, drawn));
+      EXPECT_EQ(outcome.status, 0) << sonar << how << outcome.err << outcome.out;
+    }
+  }
+}
+
+TEST_F(CliTest, DrawTakesThePingsThatAreNamed) {
+  ASSERT_EQ(shell("insonify run fan.yaml -o run -q --no-pictures --pings 5").status, 0);
+  const Outcome outcome = shell("insonify draw run/ahead.h5 --ping 1 --ping 3");
+  EXPECT_EQ(outcome.out,
+            "run/ahead_polar_0001.png\nrun/ahead_fan_0001.png\nrun/ahead_polar_0003.png\nrun/ahead_fan_0003.png\n");
+  EXPECT_EQ(shell("insonify draw run/ahead.h5 --ping 1").err,
+            "insonify: run/ahead_fan_0001.png is there already, with 3 more of an earlier run: --force replaces them, "
+            "-o DIR writes to another folder\n");
+  EXPECT_EQ(shell("insonify draw run/ahead.h5 --ping 0 --force").status, 0);
+  EXPECT_THAT(files("run"), ElementsAre("ahead.h5", "ahead_fan_0000.png", "ahead_polar_0000.png"));
+  const Outcome beyond = shell("insonify draw run/ahead.h5 --ping 5");
+  EXPECT_EQ(beyond.status, 2);
+  EXPECT_EQ(beyond.err, "insonify: run/ahead.h5: --ping 5 must be below 5, the number of its pings\n");
+}
+
+TEST_F(CliTest, PicturesThatAreAllBlackAreToldOf) {
+  const Outcome run = shell("insonify run fan.yaml -o run -q --no-view --levels 10:20");
+  EXPECT_THAT(run.err, ContainsRegex("warning: the pictures of ahead are black: their brightest point has -[0-9.]+ dB, "
+                                     "and --levels begins at 10 dB\n"));
+  EXPECT_EQ(shell("insonify draw run/ahead.h5 -o drawn --color-map grey --levels 10:20").err, run.err);
+  EXPECT_EQ(shell("insonify draw run/ahead.h5 -o again --levels -190:20").err, "");
+}
+
+TEST_F(CliTest, DrawFailsWhereItCannotWrite) {
+  ASSERT_EQ(shell("insonify run fan.yaml -o run -q --no-pictures").status, 0);
+  const Outcome outcome = shell("ulimit -f 4; insonify draw run/ahead.h5 -o drawn");
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_EQ(outcome.err, "insonify: drawn/ahead_polar_0000.png: cannot write the picture: File too large\n");
+}
+
+TEST_F(CliTest, DrawTellsWhatIsNoRecording) {
+  EXPECT_EQ(shell("insonify draw nowhere.h5").err, "insonify: nowhere.h5: no such file\n");
+  EXPECT_EQ(shell("insonify draw fan.yaml").status, 2);
+}
+
+// A point 20 dB stronger is drawn equally bright, and all else is dark without noise: only the colour bar differs.
+TEST_F(CliTest, ColourBarsTellLevels) {
+  folder.write("point.yaml", "sonars: [{max_range: 9}]\nreceiver: {noise: false}\npoints: [{position: [6, 0, 0]}]\n");
+  ASSERT_EQ(shell("insonify run point.yaml -o weak -q --no-view").status, 0);
+  ASSERT_EQ(shell("insonify run point.yaml -o strong -q --no-view --set 'points=[{position: [6, 0, 0], "
+                  "target_strength_db: 20}]'")
+                .status,
+            0);
+  ASSERT_EQ(shell("insonify run point.yaml -o again -q --no-view").status, 0);
+  EXPECT_EQ(shell("cmp -s weak/sonar_fan_0000.png again/sonar_fan_0000.png").status, 0);
+  EXPECT_EQ(shell("cmp -s weak/sonar_fan_0000.png strong/sonar_fan_0000.png").status, 1);
+}
+
+TEST_F(CliTest, ViewsMarkPoints) {
+  const std::string run = "insonify run fan.yaml -q --pictures none --set model=calibrated";
+  ASSERT_EQ(shell(run + " -o without").status, 0);
+  ASSERT_EQ(shell(run + " -o with --set 'points=[{position: [6, 0, 0]}]'").status, 0);
+  EXPECT_EQ(shell("cmp -s without/ahead_view.png with/ahead_view.png").status, 1);
+}
+
+// The view shows the whole sector, whichever edge the head starts from.
+TEST_F(CliTest, TheViewOfAScanIsThatOfItsSector) {
+  const std::string sector = "insonify run scan.yaml -q --pings 1 --set sector_width_deg=90 --set sector_center_deg=30";
+  EXPECT_EQ(shell(sector + " -o forth && " + sector + " -o back --set step_deg=-18").status, 0);
+  EXPECT_EQ(shell("cmp forth/around_view.png back/around_view.png").status, 0);
+  EXPECT_EQ(shell(sector + " -o aside --set sector_center_deg=-30").status, 0);
+  EXPECT_NE(shell("cmp -s forth/around_view.png aside/around_view.png").status, 0);
+}
+
+}  // namespace
+}  // namespace insonify

@@ -1,0 +1,105 @@
+// mistake_test.cpp -- mistakes on the command line and in scenarios: one line and an exit status each.
+
+#include "apps/cli.h"
+
+namespace insonify {
+namespace {
+
+using testing::Not;
+
+struct Mistake {
+  const char* name;
+  const char* line;
+  int status;
+  const char* message;
+};
+
+class MistakeTest : public CliTest, public testing::WithParamInterface<Mistake> {};
+
+TEST_P(MistakeTest, IsOneLineAndAnExitStatus) {
+  folder.write("wrong.yaml", "world: floor.obj\nsonars:\n  - name: ahead\n    max_rnage: 12\n");
+  folder.write("likeness.yaml", "world: floor.obj\nmaterials:\n  post: {density: 3000}\nsonars: [{name: ahead}]\n");
+  folder.write("taken", "");
+  const Outcome outcome = shell(GetParam().line);
+  EXPECT_EQ(outcome.err, GetParam().message + std::string("\n"));
+  EXPECT_EQ(outcome.status, GetParam().status);
+  EXPECT_EQ(outcome.out, "");
+}
+
+constexpr Mistake kMistakes[] = {
+    {"NoCommand", "insonify", 2,
+     "insonify: name a command; the commands are run, draw, sonars, describe, compare, bench, version, completion, "
+     "manual "
+     "(insonify --help)"},
+    {"UnknownCommand", "insonify rnu fan.yaml", 2,
+     "insonify: there is no command rnu; the commands are run, draw, sonars, describe, compare, bench, version, "
+     "completion, "
+     "manual (insonify "
+     "--help)"},
+    {"UnknownOption", "insonify run fan.yaml --frob", 2, "insonify: not understood: --frob (insonify run --help)"},
+    {"UnknownOptionBeforeTheCommand", "insonify --frob", 2,
+     "insonify: there is no option --frob; the commands are run, draw, sonars, describe, compare, bench, version, "
+     "completion, manual (insonify "
+     "--help)"},
+    {"NoScenario", "insonify run", 2, "insonify: SCENARIO is required (insonify run --help)"},
+    {"TwoScenarios", "insonify run fan.yaml scan.yaml", 2, "insonify: not understood: scan.yaml (insonify run --help)"},
+    {"MissingScenario", "insonify run nowhere.yaml", 2, "insonify: nowhere.yaml: no such file"},
+    {"MeshForAScenario", "insonify run floor.obj", 2,
+     "insonify: floor.obj: is a mesh, not a scenario; write a YAML file that says world: floor.obj and lists sonars"},
+    {"WrongScenario", "insonify run wrong.yaml", 2,
+     "insonify: wrong.yaml:4:5: sonars[0].max_rnage is not a known key; did you mean max_range?"},
+    {"WrongSetting", "insonify run fan.yaml --set max_range=-3", 2,
+     "insonify: --set max_range=-3: sonars[0].max_range = -3 m must be greater than 0, at most 100000 m"},
+    {"NoPings", "insonify run fan.yaml --pings 0", 2,
+     "insonify: --pings: 0 must be a whole number, from 1 to 1000000000 (insonify run --help)"},
+    {"UnknownEngine", "insonify run fan.yaml --engine gpu", 2,
+     "insonify: --engine: gpu must be cpu or reference (insonify run --help)"},
+    {"NegativeSeed", "insonify run fan.yaml --seed -1", 2,
+     "insonify: --seed: -1 must be a whole number, from 0 to 18446744073709551615 (insonify run --help)"},
+    {"WordForThreads", "insonify run fan.yaml --threads many", 2,
+     "insonify: --threads: many must be a whole number, from 0 to 1024 (insonify run --help)"},
+    {"UnknownPictures", "insonify run fan.yaml --pictures some", 2,
+     "insonify: --pictures some must be all, last, none or a number of pings"},
+    {"UnknownColourMap", "insonify run fan.yaml --colour-map jet", 2,
+     "insonify: colour map \"jet\" must be one of inferno, copper, grey, blue"},
+    {"UnknownScale", "insonify run fan.yaml --scale log", 2,
+     "insonify: --scale: log must be linear or db (insonify run --help)"},
+    {"FloorAboveZero", "insonify run fan.yaml --scale db --floor-db 3", 2,
+     "insonify: --floor-db: 3 must be a number, at least -300, less than 0 (insonify run --help)"},
+    {"LevelsThatFall", "insonify run fan.yaml --levels -40:-90", 2,
+     "insonify: --levels: -40:-90 must be LOW:HIGH, two rising levels from -400 to 400 dB, as -90:-40 (insonify run "
+     "--help)"},
+    {"LevelsWithAFloor", "insonify run fan.yaml --levels -90:-40 --floor-db -30", 2,
+     "insonify: --floor-db excludes --levels (insonify run --help)"},
+    {"TinyPicture", "insonify run fan.yaml --height 3", 2,
+     "insonify: --height: 3 must be a whole number, from 240 to 8192 (insonify run --help)"},
+    {"SeveralWords", "insonify run fan.yaml a b c", 2, "insonify: not understood: a b c (insonify run --help)"},
+    {"NoFolder", "insonify run fan.yaml -o ''", 2,
+     "insonify: --output: must not be empty: name a folder, or . for this one (insonify run --help)"},
+    {"FarSonar", "insonify run fan.yaml --set position=[0,1e18,0]", 2,
+     "insonify: --set position=[0,1e18,0]: sonars[0].position[1] = 1e+18 m must be from -10000000 to 10000000 m"},
+    {"UnknownLikeness", "insonify run likeness.yaml -q --set materials.post.like=stele", 2,
+     "insonify: --set materials.post.like=stele: materials.post.like = stele is not a known material; did you mean "
+     "steel?"},
+    {"EndlessStream", "insonify run /dev/zero -q", 2, "insonify: /dev/zero: is no file and does not end"},
+    {"EmptyStream", "insonify run /dev/null -q", 2, "insonify: /dev/null: the file is empty"},
+    {"FolderThatIsAFile", "insonify run fan.yaml -q -o taken", 1,
+     "insonify: taken: cannot make this folder: Not a directory"},
+    {"FolderInAFile", "insonify run fan.yaml -q -o taken/out", 1,
+     "insonify: taken/out: cannot make this folder: Not a directory"},
+    {"UnknownPreset", "insonify sonars gemini", 2,
+     "insonify: \"gemini\" is not a preset; did you mean tritech-gemini-720i?"},
+    {"UnknownMode", "insonify sonars soundmetrics-didson --mode medium", 2,
+     "insonify: \"medium\" is not a mode of soundmetrics-didson, which has high and low"},
+    {"ModeOfNoPreset", "insonify sonars --mode high", 2,
+     "insonify: --mode high belongs to a preset, and none is named"},
+    {"UnknownSection", "insonify describe sea", 2,
+     "insonify: there is no section sea; there are scenario, water, materials, sonars, sampling, receiver, paper, "
+     "surface, points, interferers, trajectory, motions, view"},
+};
+
+INSTANTIATE_TEST_SUITE_P(All, MistakeTest, testing::ValuesIn(kMistakes),
+                         [](const auto& mistake) { return std::string(mistake.param.name); });
+
+}  // namespace
+}  // namespace insonify
