@@ -28,6 +28,7 @@ ROOMS = {
     },
     "io": {
         "file": [],
+        "message": [],
         "picture": ["file"],
         "grid": ["file", "picture"],
         "mesh": ["file", "picture"],
@@ -84,6 +85,7 @@ PUBLIC = {
     "simulator.h": "simulator",
     "describe.h": "io",
     "files.h": "io",
+    "messages.h": "io",
     "words.h": "io",
     "recorded_pings.h": "io",
     "similarity.h": "similarity",

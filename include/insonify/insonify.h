@@ -25,6 +25,7 @@
 #include "insonify/log.h"
 #include "insonify/material.h"
 #include "insonify/mesh.h"
+#include "insonify/messages.h"
 #include "insonify/paper_model.h"
 #include "insonify/picture.h"
 #include "insonify/ping.h"
