@@ -24,6 +24,7 @@
 #include "insonify/interrupted.h"
 #include "insonify/log.h"
 #include "insonify/material.h"
+#include "insonify/mcap_recording.h"
 #include "insonify/mesh.h"
 #include "insonify/messages.h"
 #include "insonify/paper_model.h"
