@@ -16,6 +16,7 @@
 #include "insonify/describe.h"
 #include "insonify/engine.h"
 #include "insonify/error.h"
+#include "insonify/export.h"
 #include "insonify/field.h"
 #include "insonify/files.h"
 #include "insonify/geometry.h"

@@ -26,6 +26,9 @@ struct McapOptions {
   MessageOptions messages = {};
   RunFacts run = {};
   bool replace = false;  ///< Whether the recording may take the place of a file that is there already.
+
+  /// Whether the file appears under its name only when it is closed, and leaves nothing where it is not.
+  bool only_whole = false;
 };
 
 /// Writes the pings of one or several sonars of a run to one MCAP file: profile "ros2", schemas "ros2msg", messages
