@@ -13,11 +13,11 @@
 #include <vector>
 
 #include "base/parallel.h"
+#include "io/file/file_lock.h"
 #include "io/file/hdf5.h"
 #include "io/file/unfinished_file.h"
 #include "io/recording/chunk_filter.h"
 #include "io/recording/chunk_index.h"
-#include "io/recording/file_lock.h"
 #include "io/recording/growing_dataset.h"
 #include "io/recording/hdf5_header.h"
 
