@@ -8,6 +8,7 @@
 #include <string>
 
 #include "held.h"
+#include "python_types.h"
 
 namespace insonify::python {
 
@@ -46,13 +47,19 @@ class ConfigClass {
       : class_(module, name,
                (doc + "\n\nFields can be given by keyword. Angles have two names: `x` in radians and "
                       "`x_deg` in degrees.")
-                   .c_str()) {
+                   .c_str()),
+        module_(module),
+        name_(name) {
     class_.def(py::init([](const py::kwargs& given) { return made_from(given); }));
     const Config defaults{};
     int index = 0;
     Config::visit_fields(defaults, [&](const Field& field, const auto& member) { add_field(field, member, index++); });
     if constexpr (HasParts<Config>) {
-      Config::visit_parts(defaults, [&](const Part& part, const auto&) { add_part(part); });
+      Config::visit_parts(defaults, [&](const Part& part, const auto& member) {
+        const std::string type = part_type<std::remove_cvref_t<decltype(member)>>();
+        describe(module_, name_, std::string(part.name), {type, type});
+        add_part(part);
+      });
     }
     class_.def(
         "copy", [](const Held<Config>& self) { return wrap(unwrap<Config>(py::cast(&self), "self")); },
@@ -100,9 +107,11 @@ class ConfigClass {
   template <typename Member>
   void add_field(const Field& field, const Member& default_value, int index) {
     add_property(std::string(field.name), help_of(field, default_value, 1, field.unit), index, 1);
+    describe(module_, name_, std::string(field.name), field_type<Member>());
     const double scale = file_scale_of(field);
     if (scale != 1) {
       add_property(file_name_of(field), help_of(field, default_value, scale, file_unit_of(field)), index, scale);
+      describe(module_, name_, file_name_of(field), field_type<Member>());
     }
   }
 
@@ -159,6 +168,8 @@ class ConfigClass {
   }
 
   py::class_<Held<Config>> class_;
+  py::module_ module_;
+  const char* name_;
 };
 
 }  // namespace insonify::python

@@ -67,6 +67,29 @@ void add_receivers_and_sonars(py::module_& module) {
       "Azimuth of the centre of every beam, an array [beams] in radians, positive to port, falling.");
 }
 
+void add_materials(py::module_& module) {
+  ConfigClass<Material> material(module, "Material", "Acoustic properties of a surface.");
+  material
+      ->def_property_readonly(
+          "name", [](const Held<Material>& self) { return self.value.name; }, "As written in scenes.")
+      .def_property_readonly(
+          "source", [](const Held<Material>& self) { return self.value.source; }, "Where the numbers come from.")
+      .def(
+          "reflection_at",
+          [](const Held<Material>& self, double frequency) { return self.value.reflection_at(frequency); },
+          py::arg("frequency"), "|R| in sea water at normal incidence, at a frequency [Hz] > 0 (calibrated model).");
+  module.def(
+      "material_library",
+      [] {
+        py::list all;
+        for (const Material& one : material_library()) {
+          all.append(wrap(one));
+        }
+        return all;
+      },
+      "Every material known by name, in alphabetical order: a list of Material. Typical values, +-5 %.");
+}
+
 }  // namespace
 
 void bind_configs(py::module_& module) {
@@ -74,6 +97,7 @@ void bind_configs(py::module_& module) {
   ConfigClass<Water>(module, "Water", about("water"));
   ConfigClass<PaperModel>(module, "PaperModel", about("paper"));
   ConfigClass<MaterialOverride>(module, "MaterialOverride", about("materials"));
+  add_materials(module);
   ConfigClass<PointTarget>(module, "PointTarget", about("points"));
   ConfigClass<Interferer>(module, "Interferer", about("interferers"));
   ConfigClass<SeaSurface>(module, "SeaSurface", about("surface"));
