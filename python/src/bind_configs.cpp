@@ -65,6 +65,13 @@ void add_receivers_and_sonars(py::module_& module) {
         return array_of(config.beam_count, [&](int beam) { return config.beam_azimuth(beam); });
       },
       "Azimuth of the centre of every beam, an array [beams] in radians, positive to port, falling.");
+  sonar->def(
+      "azimuth_edges",
+      [](const py::object& self) {
+        const std::vector<double> edges = unwrap<SonarConfig>(self, "sonar").beam_edges();
+        return py::array_t<double>(static_cast<py::ssize_t>(edges.size()), edges.data());
+      },
+      "Azimuths of the edges of the beams, an array [beams + 1] in radians, positive to port, falling.");
 }
 
 void add_materials(py::module_& module) {

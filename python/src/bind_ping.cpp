@@ -71,6 +71,17 @@ void bind_ping(py::module_& module) {
     const std::string type = number_name<ValueOf<decltype(member)>>();
     describe(module, "Ping", name, {type, ""});
   });
+  ping.def(
+      "plot",
+      [](const py::object& self, const py::args& args, const py::kwargs& options) {
+        return py::module_::import("insonify._plot").attr("plot")(self, *args, **options);
+      },
+      "plot(kind='fan', levels=None, ax=None, colour_map='inferno')\n\nDraws the ping with matplotlib. Returns the "
+      "axes.\n\nkind: \"fan\", in metres, or \"polar\", azimuth [deg] and range [m]. levels: colour range (low, high) "
+      "in "
+      "dB as on the colour bar; None for what fits this ping, as in insonify.fan(). ax: axes to draw in; None for a "
+      "new "
+      "figure. colour_map: a name that matplotlib knows.\n\nRaises ImportError where there is no matplotlib.");
   ping.def("__repr__", [](const PythonPing& self) {
     return fmt::format("<Ping {} at {:.6g} s, {} bins x {} beams>", self.number, self.time, self.bin_count,
                        self.beam_count);

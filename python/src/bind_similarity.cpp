@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <pybind11/numpy.h>
+#include <pybind11/stl.h>
 
 #include <cmath>
 #include <span>
@@ -113,6 +114,24 @@ void bind_similarity(py::module_& module) {
       py::arg("a"), py::arg("b"), py::arg("ms_ssim") = true,
       "All measures of picture b against picture a: a Similarity. ms_ssim: False for pictures too small for it, NaN "
       "then. Raises Error for a picture that is constant or not from 0 to 1.");
+  m.def(
+      "_mean",
+      [](const std::vector<Similarity>& all) {
+        Similarity mean = all.at(0);
+        std::vector<double> sums;
+        for (const Similarity& one : all) {
+          std::size_t at = 0;
+          Similarity::visit_fields(one, [&](const Field&, double value) {
+            at < sums.size() ? void(sums[at] += value) : sums.push_back(value);
+            ++at;
+          });
+        }
+        auto sum = sums.begin();
+        Similarity::visit_fields(
+            mean, [&](const Field&, double& value) { value = *sum++ / static_cast<double>(all.size()); });
+        return mean;
+      },
+      py::arg("similarities"));
   m.def("normalised", &normalised, py::arg("similarity"), "The measures scaled to 0 to 1: a NormalisedSimilarity.");
   add_control(m, "flat_grey", &flat_grey, "Control: every pixel is the picture's mean.");
   add_control(m, "mean_range_profile", &mean_range_profile, "Control: every row is its own mean.");
