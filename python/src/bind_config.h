@@ -40,6 +40,17 @@ void check_value(const Field& field, const Member& member) {
   detail::check_member("", field, member);
 }
 
+/// Sets fields by keyword.
+/// @throws TypeError for one that is not there.
+inline void set_fields(const py::object& config, const py::kwargs& given) {
+  for (const auto& [key, value] : given) {
+    if (!py::hasattr(config, key)) {
+      throw py::type_error(type_of(config) + " has no field " + shown(key));
+    }
+    py::setattr(config, key, value);
+  }
+}
+
 template <typename Config>
 class ConfigClass {
  public:
@@ -133,12 +144,7 @@ class ConfigClass {
 
   static Held<Config> made_from(const py::kwargs& given) {
     py::object made = wrap(Config{});
-    for (const auto& [key, value] : given) {
-      if (!py::hasattr(made, key)) {
-        throw py::type_error(type_of(made) + " has no field " + shown(key));
-      }
-      py::setattr(made, key, value);
-    }
+    set_fields(made, given);
     return made.template cast<Held<Config>>();
   }
 

@@ -192,6 +192,8 @@ void bind_recording(py::module_& module) {
       .def("__getitem__", &recorded_ping, py::arg("number"),
            "The ping of that number from 0, from the end where negative. Its tables are read when they are asked for. "
            "Raises IndexError.")
+      .def("__iter__",
+           [](const py::object& self) { return py::reinterpret_steal<py::object>(PySeqIter_New(self.ptr())); })
       .def_property_readonly(
           "shape",
           [](const PythonRecording& self) {
