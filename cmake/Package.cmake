@@ -1,11 +1,14 @@
-# `cpack` in the build folder, or ./dev package: Debian packages of the library, of what is needed to build against it, and
-# of the command line with the scenes.
+# `cpack` in the build folder, or ./dev package: Debian packages of the library, of what is needed to build against it, of
+# the command line with the scenes and, where it was built, of the Python package.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME insonify)
 set(CPACK_PACKAGE_CONTACT "The insonify contributors")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_COMPONENTS_ALL library development tools)
+if(TARGET insonify_python)
+  list(APPEND CPACK_COMPONENTS_ALL python)
+endif()
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 
 set(library libinsonify${INSONIFY_ABI})
@@ -28,4 +31,11 @@ set(CPACK_DEBIAN_TOOLS_PACKAGE_NAME insonify)
 set(CPACK_DEBIAN_TOOLS_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_TOOLS_PACKAGE_DEPENDS "${library} (= ${PROJECT_VERSION})")
 set(CPACK_COMPONENT_TOOLS_DESCRIPTION "Simulator of imaging sonars: command line and scenes\n Pings of forward-looking and scanned sonars from 3-D scenes, as HDF5 and as pictures.")
+# The compiled module is of one Python alone.
+math(EXPR next_python_minor "0${Python3_VERSION_MINOR} + 1")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-insonify)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "${library} (= ${PROJECT_VERSION}), python3 (>= ${Python3_VERSION_MAJOR}.${Python3_VERSION_MINOR}), python3 (<< ${Python3_VERSION_MAJOR}.${next_python_minor}~), python3-numpy")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS python3-matplotlib)
+set(CPACK_COMPONENT_PYTHON_DESCRIPTION "Simulator of imaging sonars: Python package\n Pings as NumPy arrays, scenes and scenarios in code, recordings.")
 include(CPack)

@@ -1,4 +1,4 @@
-// simulator.cpp -- public functions of Simulator. ping() calls the modules in the order of the data.
+// simulator.cpp -- public functions of Simulator.
 
 #include "insonify/simulator.h"
 
@@ -7,7 +7,6 @@
 #include "echo/engine.h"
 #include "insonify/error.h"
 #include "insonify/scenario_requests.h"
-#include "receiver/paper_receiver.h"
 #include "simulator/scene_changes.h"
 #include "simulator/simulator_state.h"
 
@@ -38,6 +37,7 @@ Engine& Simulator::engine() {
 }
 
 void Simulator::stop_when(const std::atomic<bool>* asked) {
+  state_->stop_asked = asked;
   state_->engine->stop_when(asked);
 }
 
@@ -79,40 +79,9 @@ void Simulator::place(int sonar, const PingRequest& request) {
 
 void Simulator::ping(int index, const PingRequest& request, Ping& ping) {
   State& state = *state_;
-  const Scenario& scenario = state.scenario;
   SimulatedSonar& sonar = state.sonar(index);
-
-  // Poses of moved objects, vehicle, sonar and head.
   state.place(sonar, request);
-  ping.number = request.number;
-  ping.time = request.time;
-  ping.head_angle = sonar.head_angle(request);
-  ping.world_from_sonar = request.world_from_vehicle * sonar.vehicle_from_housing;
-  const Pose head = housing_from_head(ping.head_angle), world_from_sonar = ping.world_from_sonar * head;
-
-  // Echoes sorted by beam and range, then the receiver.
-  EchoGrid& grid = sonar.grid;
-  const PingPlan& plan = *sonar.plan;
-  if (scenario.model == EchoModel::kCalibrated) {
-    state.engine->insonify(plan, world_from_sonar, grid);
-    grid.discrete_echoes().clear();
-    state.points.add(plan, world_from_sonar, *state.engine, grid);
-    if (state.ghosts) {
-      state.ghosts->add(plan, world_from_sonar, request.number, scenario.receiver_of(sonar.config).speckle,
-                        *state.engine, grid);
-    }
-    state.interference.add(plan, world_from_sonar, request.time, *state.engine, grid);
-    const PingMotion motion = scenario.motion_in_ping
-                                  ? sonar.motion_while_listening(request, sonar.vehicle_from_housing * head)
-                                  : PingMotion{};
-    sonar.receiver->receive(grid, world_from_sonar, motion, state.workers, ping);
-  } else {
-    PaperReceiver receiver(
-        grid, sonar.config,
-        {.model = scenario.paper, .noise = scenario.receiver_of(sonar.config).noise, .seed = scenario.seed}, ping);
-    state.engine->insonify(plan, world_from_sonar, grid);
-    receiver.receive(state.workers);
-  }
+  state.make(request, sonar, state.parts(), ping);
 }
 
 Ping Simulator::ping(int sonar, const PingRequest& request) {
@@ -125,8 +94,14 @@ void Simulator::ping(int sonar, std::span<const PingRequest> requests, std::span
   if (requests.size() != pings.size()) {
     throw Error(fmt::format("{} requests must have as many pings to fill, not {}", requests.size(), pings.size()));
   }
+  (void)state_->sonar(sonar);
   for (std::size_t i = 0; i < requests.size(); ++i) {
     ping(sonar, requests[i], pings[i]);
+    if (i == 0) {
+      const std::size_t together = state_->count_together(sonar, requests);
+      state_->make_together(sonar, requests.subspan(1, together), pings.subspan(1, together));
+      i += together;
+    }
   }
 }
 

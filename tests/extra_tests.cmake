@@ -38,12 +38,16 @@ function(insonify_install_test name)
             -DHARDENED=${hardened} -DWORK_DIR=${CMAKE_CURRENT_BINARY_DIR}/${name}
             -P ${CMAKE_CURRENT_SOURCE_DIR}/install/run.cmake)
 endfunction()
-insonify_install_test(install_and_use -DBUILD_DIR=${PROJECT_BINARY_DIR})
+set(with_python OFF)
+if(TARGET insonify_python)
+  set(with_python $<NOT:$<BOOL:${INSONIFY_SANITIZE}>>)
+endif()
+insonify_install_test(install_and_use -DBUILD_DIR=${PROJECT_BINARY_DIR} -DWITH_PYTHON=${with_python})
 if(CMAKE_BUILD_TYPE STREQUAL Release AND NOT INSONIFY_SANITIZE)
   # ... by way of packages too, where there is what makes them ...
   find_program(dpkg_shlibdeps dpkg-shlibdeps)
   if(dpkg_shlibdeps)
-    insonify_install_test(package_and_use -DBUILD_DIR=${PROJECT_BINARY_DIR} -DPACKAGES=ON)
+    insonify_install_test(package_and_use -DBUILD_DIR=${PROJECT_BINARY_DIR} -DPACKAGES=ON -DWITH_PYTHON=${with_python})
   endif()
   # ... and of the static library. That one has to be built anew.
   insonify_install_test(install_and_use_static -DSOURCE_DIR=${PROJECT_SOURCE_DIR})

@@ -93,6 +93,7 @@ PUBLIC = {
     "recording_info.h": "io",
     "words.h": "io",
     "recorded_pings.h": "io",
+    "recorded_tables.h": "io",
     "similarity.h": "similarity",
 }
 

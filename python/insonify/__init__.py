@@ -5,12 +5,19 @@
     ping = sim.ping("sonar")                    # or sim.ping("sonar", pose=T, time=t)
     ping.intensity                              # float32 [bins, beams], raw and linear
     insonify.write_png("first.png", insonify.fan(ping))
+    ping.plot()                                 # with matplotlib
 """
 
+from __future__ import annotations
+
+import os
+
+from ._compare import compare
 from ._insonify import (
     NO_LABEL,
     Error,
     Interferer,
+    Material,
     MaterialOverride,
     Motion,
     PaperModel,
@@ -35,28 +42,40 @@ from ._insonify import (
     draw_fan,
     draw_polar,
     load_trajectory,
+    material_library,
     preset_names,
+    similarity,
     write_png,
 )
+from ._layers import RecordedLayer
 from ._levels import to_db
 
 fan = draw_fan
 
 
-def open(path):
-    """Opens a recording (HDF5): a RecordedPings, whose pings are read when they are asked for."""
+def open(path: str | os.PathLike[str]) -> RecordedPings:
+    """Opens a recording (HDF5): a RecordedPings, whose pings and layers are read when they are asked for.
+
+    Raises Error with the path for a file that is missing or is no recording.
+    """
     return RecordedPings(path)
 
 
 __all__ = [
+    "__version__",
+    "acoustics",
+    "compare",
     "draw_fan",
     "draw_polar",
     "Error",
     "fan",
     "Interferer",
     "load_trajectory",
+    "Material",
+    "material_library",
     "MaterialOverride",
     "Motion",
+    "NO_LABEL",
     "open",
     "PaperModel",
     "Ping",
@@ -64,12 +83,14 @@ __all__ = [
     "Pose",
     "preset_names",
     "ReceiverConfig",
+    "RecordedLayer",
     "RecordedPings",
     "Recording",
     "Sampling",
     "Scenario",
     "Scene",
     "SeaSurface",
+    "similarity",
     "Simulator",
     "SonarConfig",
     "to_db",

@@ -1,15 +1,18 @@
 """Decibels of raw intensities."""
 
+from __future__ import annotations
+
 import numpy as np
+import numpy.typing as npt
 
 
-def to_db(intensity, floor=-200.0):
-    """10 log10 of intensities, at least `floor`: an array of the same shape, float32.
+def to_db(intensity: npt.ArrayLike, floor: float = -200.0) -> npt.NDArray[np.float32]:
+    """10 log10 of intensities, at least `floor` [dB]: an array of the same shape, float32.
 
     In the calibrated model these are decibels relative to the source's intensity at 1 m: with a source level added they
     are echo levels. Zeros and NaN become `floor`.
     """
-    intensity = np.asarray(intensity)
+    linear = np.asarray(intensity)
     with np.errstate(divide="ignore", invalid="ignore"):
-        levels = 10 * np.log10(intensity)
+        levels = 10 * np.log10(linear)
     return np.where(levels > floor, levels, floor).astype(np.float32)

@@ -22,9 +22,12 @@ struct SonarFacts {
   ReceiverConfig receiver;
 };
 
+struct PythonRecording;
+
 /// A ping as Python holds it.
 struct PythonPing : Ping {
   std::shared_ptr<const SonarFacts> facts;
+  std::shared_ptr<const PythonRecording> source = {};  ///< Of a recorded ping: where its other tables are read from.
 };
 
 // Each adds its classes and functions to the module. In this order: a class must be there before it is a default.
@@ -37,6 +40,7 @@ void bind_simulator(py::module_& module);
 void bind_recording(py::module_& module);
 void bind_pictures(py::module_& module);
 void bind_acoustics(py::module_& module);
+void bind_similarity(py::module_& module);
 
 /// Hands warnings to Python's `warnings`, as insonify.Warning; drops what merely informs.
 [[nodiscard]] Log warnings_log();

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "held.h"
+#include "python_types.h"
 
 namespace insonify::python {
 
@@ -39,6 +40,17 @@ void check_value(const Field& field, const Member& member) {
   detail::check_member("", field, member);
 }
 
+/// Sets fields by keyword.
+/// @throws TypeError for one that is not there.
+inline void set_fields(const py::object& config, const py::kwargs& given) {
+  for (const auto& [key, value] : given) {
+    if (!py::hasattr(config, key)) {
+      throw py::type_error(type_of(config) + " has no field " + shown(key));
+    }
+    py::setattr(config, key, value);
+  }
+}
+
 template <typename Config>
 class ConfigClass {
  public:
@@ -46,13 +58,19 @@ class ConfigClass {
       : class_(module, name,
                (doc + "\n\nFields can be given by keyword. Angles have two names: `x` in radians and "
                       "`x_deg` in degrees.")
-                   .c_str()) {
+                   .c_str()),
+        module_(module),
+        name_(name) {
     class_.def(py::init([](const py::kwargs& given) { return made_from(given); }));
     const Config defaults{};
     int index = 0;
     Config::visit_fields(defaults, [&](const Field& field, const auto& member) { add_field(field, member, index++); });
     if constexpr (HasParts<Config>) {
-      Config::visit_parts(defaults, [&](const Part& part, const auto&) { add_part(part); });
+      Config::visit_parts(defaults, [&](const Part& part, const auto& member) {
+        const std::string type = part_type<std::remove_cvref_t<decltype(member)>>();
+        describe(module_, name_, std::string(part.name), {type, type});
+        add_part(part);
+      });
     }
     class_.def(
         "copy", [](const Held<Config>& self) { return wrap(unwrap<Config>(py::cast(&self), "self")); },
@@ -100,9 +118,11 @@ class ConfigClass {
   template <typename Member>
   void add_field(const Field& field, const Member& default_value, int index) {
     add_property(std::string(field.name), help_of(field, default_value, 1, field.unit), index, 1);
+    describe(module_, name_, std::string(field.name), field_type<Member>());
     const double scale = file_scale_of(field);
     if (scale != 1) {
       add_property(file_name_of(field), help_of(field, default_value, scale, file_unit_of(field)), index, scale);
+      describe(module_, name_, file_name_of(field), field_type<Member>());
     }
   }
 
@@ -124,12 +144,7 @@ class ConfigClass {
 
   static Held<Config> made_from(const py::kwargs& given) {
     py::object made = wrap(Config{});
-    for (const auto& [key, value] : given) {
-      if (!py::hasattr(made, key)) {
-        throw py::type_error(type_of(made) + " has no field " + shown(key));
-      }
-      py::setattr(made, key, value);
-    }
+    set_fields(made, given);
     return made.template cast<Held<Config>>();
   }
 
@@ -159,6 +174,8 @@ class ConfigClass {
   }
 
   py::class_<Held<Config>> class_;
+  py::module_ module_;
+  const char* name_;
 };
 
 }  // namespace insonify::python

@@ -32,22 +32,37 @@ py::array_t<double> array_of(int count, const ValueOf& value_of) {
   return values;
 }
 
+// As `preset: NAME` in a scenario file.
+py::object preset(const std::string& name, const std::string& mode, const py::kwargs& changes) {
+  const Preset known = load_preset(name, mode);
+  py::object made = wrap(known.sonar);
+  set_fields(made, changes);
+  const auto sonar = unwrap<SonarConfig>(made, "sonar");
+  SonarConfig fitted = sonar;
+  known.fit_to_range(fitted, sonar.assumed_sound_speed.value_or(Water().true_sound_speed()));
+  if (!changes.contains("bin_count")) {
+    py::setattr(made, "bin_count", py::int_(fitted.bin_count));
+  }
+  if (!changes.contains("ping_period")) {
+    py::setattr(made, "ping_period", to_python(fitted.ping_period, 1));
+  }
+  for (const Preset::Excess& excess : known.exceeded_by(unwrap<SonarConfig>(made, "sonar"))) {
+    warnings_log()(Severity::kWarning, excess.field + excess.text);
+  }
+  return made;
+}
+
 void add_receivers_and_sonars(py::module_& module) {
   ConfigClass<Sampling>(module, "Sampling", "How finely the insonified sector is sampled.");
   ConfigClass<ReceiverConfig>(module, "ReceiverConfig", about("receiver"));
   ConfigClass<SonarConfig> sonar(module, "SonarConfig", "An imaging sonar seen as a fan of beams cut into range bins.");
-  sonar->def_static(
-      "preset",
-      [](const std::string& name, const std::string& mode, const py::kwargs& changes) {
-        py::object made = wrap(load_preset(name, mode).sonar);
-        for (const auto& [key, value] : changes) {
-          py::setattr(made, key, value);
-        }
-        return made;
-      },
-      py::arg("name"), py::arg("mode") = "",
-      "The sonar of a shipped or own preset, over the instrument's longest range. Keywords change fields. "
-      "insonify.preset_names() lists the names. Raises Error for an unknown name or mode.");
+  sonar->def_static("preset", &preset, py::arg("name"), py::pos_only(), py::arg("mode") = "",
+                    "The sonar of a shipped or own preset, over the instrument's longest range. Keywords change "
+                    "fields; bin_count and "
+                    "ping_period are those that the instrument has over the range window, unless they are given, by "
+                    "assumed_sound_speed or else that of Water(). insonify.preset_names() lists the names. Raises "
+                    "Error for an unknown "
+                    "name or mode, TypeError for an unknown field; warns of what the instrument cannot have.");
   sonar->def(
       "validate", [](const py::object& self) { unwrap<SonarConfig>(self, "sonar").validate(); },
       "Raises Error for the first field out of limits, or against a rule between fields.");
@@ -65,6 +80,36 @@ void add_receivers_and_sonars(py::module_& module) {
         return array_of(config.beam_count, [&](int beam) { return config.beam_azimuth(beam); });
       },
       "Azimuth of the centre of every beam, an array [beams] in radians, positive to port, falling.");
+  sonar->def(
+      "azimuth_edges",
+      [](const py::object& self) {
+        const std::vector<double> edges = unwrap<SonarConfig>(self, "sonar").beam_edges();
+        return py::array_t<double>(static_cast<py::ssize_t>(edges.size()), edges.data());
+      },
+      "Azimuths of the edges of the beams, an array [beams + 1] in radians, positive to port, falling.");
+}
+
+void add_materials(py::module_& module) {
+  ConfigClass<Material> material(module, "Material", "Acoustic properties of a surface.");
+  material
+      ->def_property_readonly(
+          "name", [](const Held<Material>& self) { return self.value.name; }, "As written in scenes.")
+      .def_property_readonly(
+          "source", [](const Held<Material>& self) { return self.value.source; }, "Where the numbers come from.")
+      .def(
+          "reflection_at",
+          [](const Held<Material>& self, double frequency) { return self.value.reflection_at(frequency); },
+          py::arg("frequency"), "|R| in sea water at normal incidence, at a frequency [Hz] > 0 (calibrated model).");
+  module.def(
+      "material_library",
+      [] {
+        py::list all;
+        for (const Material& one : material_library()) {
+          all.append(wrap(one));
+        }
+        return all;
+      },
+      "Every material known by name, in alphabetical order: a list of Material. Typical values, +-5 %.");
 }
 
 }  // namespace
@@ -74,6 +119,7 @@ void bind_configs(py::module_& module) {
   ConfigClass<Water>(module, "Water", about("water"));
   ConfigClass<PaperModel>(module, "PaperModel", about("paper"));
   ConfigClass<MaterialOverride>(module, "MaterialOverride", about("materials"));
+  add_materials(module);
   ConfigClass<PointTarget>(module, "PointTarget", about("points"));
   ConfigClass<Interferer>(module, "Interferer", about("interferers"));
   ConfigClass<SeaSurface>(module, "SeaSurface", about("surface"));

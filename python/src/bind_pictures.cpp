@@ -57,6 +57,18 @@ Picture drawn(const PythonPing& ping, const Looks& looks,
   return draw(shown, facts.sonar, display);
 }
 
+// What draw_fan() shows unless it is asked for something else, for Ping.plot(): intensities [bins, beams], by how many
+// dB per decade of range they were raised, the brightest of them that fits, and the darkest level below that [dB].
+py::tuple usually_shown(const PythonPing& ping) {
+  const SonarFacts& facts = *ping.facts;
+  const Display display = usual_display(facts.model, facts.receiver);
+  const Ping shown = raised_by_range(ping, facts.sonar, display.raised_per_decade);
+  const double full_scale = facts.model == EchoModel::kPaper ? 1 : fitting_full_scale(shown.intensity);
+  py::array_t<float> intensity({shown.bin_count, shown.beam_count});
+  std::copy(shown.intensity.begin(), shown.intensity.end(), intensity.mutable_data());
+  return py::make_tuple(intensity, display.raised_per_decade, full_scale, display.floor_db);
+}
+
 void add_drawing(py::module_& module, const char* name,
                  Picture (*draw)(const Ping&, const SonarConfig&, const Display&), const char* what) {
   const std::string help = std::string(what) +
@@ -81,6 +93,7 @@ void add_drawing(py::module_& module, const char* name,
 void bind_pictures(py::module_& module) {
   add_drawing(module, "draw_fan", &draw_fan, "The fan as seen from above, acoustic axis up, port to the left.");
   add_drawing(module, "draw_polar", &draw_polar, "The table of beams x bins: beams across, range upwards.");
+  module.def("_usually_shown", &usually_shown, py::arg("ping"));
   module.def(
       "write_png",
       [](const py::object& path, const py::array_t<std::uint8_t, py::array::c_style>& rgb) {

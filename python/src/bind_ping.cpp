@@ -9,6 +9,8 @@
 #include "bind.h"
 #include "held.h"
 #include "ping_tables.h"
+#include "python_recording.h"
+#include "python_types.h"
 
 namespace insonify::python {
 namespace {
@@ -33,8 +35,12 @@ template <typename Value>
 void add_table(PingClass& ping, const char* name, std::vector<Value> Ping::*member, const char* help) {
   ping.def_property_readonly(
       name,
-      [member](const py::object& self) {
-        return table(self, self.cast<const PythonPing&>(), self.cast<const PythonPing&>().*member);
+      [name, member](const py::object& self) {
+        auto& ping = self.cast<PythonPing&>();
+        if ((ping.*member).empty() && ping.source != nullptr) {
+          read_table(*ping.source, ping.number, name, ping.*member);
+        }
+        return table(self, ping, ping.*member);
       },
       help);
 }
@@ -60,7 +66,22 @@ void bind_ping(py::module_& module) {
       .def_property_readonly(
           "model", [](const PythonPing& self) { return std::string(word_of(self.facts->model)); },
           "Model of the echo: calibrated or paper.");
-  visit_tables([&](const char* name, auto member, const char* help) { add_table(ping, name, member, help); });
+  visit_tables([&](const char* name, auto member, const char* help) {
+    add_table(ping, name, member, help);
+    const std::string type = number_name<ValueOf<decltype(member)>>();
+    describe(module, "Ping", name, {type, ""});
+  });
+  ping.def(
+      "plot",
+      [](const py::object& self, const py::args& args, const py::kwargs& options) {
+        return py::module_::import("insonify._plot").attr("plot")(self, *args, **options);
+      },
+      "plot(kind='fan', levels=None, ax=None, colour_map='inferno')\n\nDraws the ping with matplotlib. Returns the "
+      "axes.\n\nkind: \"fan\", in metres, or \"polar\", azimuth [deg] and range [m]. levels: colour range (low, high) "
+      "in "
+      "dB as on the colour bar; None for what fits this ping, as in insonify.fan(). ax: axes to draw in; None for a "
+      "new "
+      "figure. colour_map: a name that matplotlib knows.\n\nRaises ImportError where there is no matplotlib.");
   ping.def("__repr__", [](const PythonPing& self) {
     return fmt::format("<Ping {} at {:.6g} s, {} bins x {} beams>", self.number, self.time, self.bin_count,
                        self.beam_count);

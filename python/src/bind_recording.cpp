@@ -2,32 +2,23 @@
 
 #include <fmt/format.h>
 #include <pybind11/numpy.h>
+#include <pybind11/stl.h>
+
+#include <span>
 
 #include "bind.h"
 #include "held.h"
 #include "insonify/files.h"
-#include "insonify/recorded_pings.h"
+#include "ping_tables.h"
+#include "python_recording.h"
 #include "python_simulator.h"
+#include "python_types.h"
 
 namespace insonify::python {
 namespace {
 
-// A recording, and what is known of its sonar once a ping was asked for.
-struct PythonRecording {
-  RecordedPings pings;
-  std::shared_ptr<const SonarFacts> facts = {};
-
-  const std::shared_ptr<const SonarFacts>& known() {
-    if (facts == nullptr) {
-      const EchoModel model = pings.model() == "paper" ? EchoModel::kPaper : EchoModel::kCalibrated;
-      facts = std::make_shared<SonarFacts>(SonarFacts{pings.sonar_config(), model, pings.receiver_config()});
-    }
-    return facts;
-  }
-};
-
-std::uint64_t number_from(const RecordedPings& pings, py::ssize_t number) {
-  const auto count = static_cast<py::ssize_t>(pings.ping_count());
+std::uint64_t number_from(const PythonRecording& recording, py::ssize_t number) {
+  const auto count = static_cast<py::ssize_t>(recording.ping_count());
   const py::ssize_t from_start = number < 0 ? number + count : number;
   if (from_start < 0 || from_start >= count) {
     throw py::index_error(fmt::format("there is no ping {}; the recording has {}", number, count));
@@ -35,11 +26,128 @@ std::uint64_t number_from(const RecordedPings& pings, py::ssize_t number) {
   return static_cast<std::uint64_t>(from_start);
 }
 
-std::shared_ptr<PythonPing> recorded_ping(PythonRecording& recording, py::ssize_t number) {
+std::shared_ptr<PythonPing> recorded_ping(const std::shared_ptr<PythonRecording>& recording, py::ssize_t number) {
   auto ping = std::make_shared<PythonPing>();
-  static_cast<Ping&>(*ping) = recording.pings.ping(number_from(recording.pings, number));
-  ping->facts = recording.known();
+  static_cast<Ping&>(*ping) = recording->pings.ping(number_from(*recording, number));
+  ping->facts = recording->known();
+  ping->source = recording;
   return ping;
+}
+
+py::dtype dtype_of(NumberType type) {
+  switch (type) {
+    case NumberType::kFloat32:
+      return py::dtype::of<float>();
+    case NumberType::kFloat64:
+      return py::dtype::of<double>();
+    case NumberType::kUint8:
+      return py::dtype::of<std::uint8_t>();
+    case NumberType::kUint16:
+      return py::dtype::of<std::uint16_t>();
+    case NumberType::kInt64:
+      return py::dtype::of<std::int64_t>();
+  }
+  return py::dtype::of<double>();
+}
+
+const RecordedTable& find_table(const PythonRecording& self, const std::string& name) {
+  const RecordedTable* table = self.tables.find(name);
+  if (table == nullptr) {
+    throw Error("", "", fmt::format("the recording has no table {}", name));
+  }
+  return *table;
+}
+
+// (dtype, shape, unit, description).
+py::tuple table_facts(const PythonRecording& self, const std::string& name) {
+  const RecordedTable& table = find_table(self, name);
+  py::tuple shape(table.shape.size());
+  for (std::size_t axis = 0; axis < table.shape.size(); ++axis) {
+    shape[axis] = py::int_(axis == 0 && table.by_ping ? self.ping_count() : table.shape[axis]);
+  }
+  return py::make_tuple(dtype_of(table.type), shape, table.unit, table.description);
+}
+
+// A block of a table; slices are (start, count, step), one for each axis.
+py::array read_block(const PythonRecording& self, const std::string& name,
+                     const std::vector<std::tuple<std::uint64_t, std::uint64_t, std::uint64_t>>& slices) {
+  const RecordedTable& table = find_table(self, name);
+  std::vector<TableSlice> wanted;
+  std::vector<py::ssize_t> shape;
+  for (const auto& [start, count, step] : slices) {
+    wanted.push_back({start, count, step});
+    shape.push_back(static_cast<py::ssize_t>(count));
+  }
+  py::array block(dtype_of(table.type), shape);
+  self.tables.read(table, wanted,
+                   std::span(static_cast<std::byte*>(block.mutable_data()), static_cast<std::size_t>(block.nbytes())));
+  return block;
+}
+
+// A whole table of an axis; None where the file does not have it.
+py::object whole_table(const PythonRecording& self, const std::string& name) {
+  const RecordedTable* table = self.tables.find(name);
+  if (table == nullptr) {
+    return py::none();
+  }
+  std::vector<std::tuple<std::uint64_t, std::uint64_t, std::uint64_t>> slices;
+  for (std::size_t axis = 0; axis < table->shape.size(); ++axis) {
+    slices.emplace_back(0, axis == 0 && table->by_ping ? self.ping_count() : table->shape[axis], 1);
+  }
+  return read_block(self, name, slices);
+}
+
+using RecordedClass = py::class_<PythonRecording, std::shared_ptr<PythonRecording>>;
+
+// Tables of pings, which are read as far as they are indexed, and names of those that there are.
+void add_layers(py::module_& module, RecordedClass& recorded) {
+  std::vector<std::string> names;
+  visit_tables([&](const char* name, auto member, const char* help) {
+    names.emplace_back(name);
+    recorded.def_property_readonly(
+        name,
+        [name](const py::object& self) -> py::object {
+          if (self.cast<const PythonRecording&>().tables.find(name) == nullptr) {
+            return py::none();
+          }
+          return py::module_::import("insonify._layers").attr("RecordedLayer")(self, name);
+        },
+        (std::string(help) + " A RecordedLayer [pings, bins, beams ...]; None where it was not recorded.").c_str());
+    describe(module, "RecordedPings", name, {number_name<ValueOf<decltype(member)>>(), ""});
+  });
+  recorded.def_property_readonly(
+      "layers",
+      [names](const PythonRecording& self) {
+        py::list there;
+        for (const std::string& name : names) {
+          if (self.tables.find(name) != nullptr) {
+            there.append(name);
+          }
+        }
+        return there;
+      },
+      "Names of the layers that the recording has: \"intensity\", \"instance\" ...");
+  recorded.def("_facts", &table_facts, py::arg("name"));
+  recorded.def("_read", &read_block, py::arg("name"), py::arg("slices"));
+}
+
+void add_axes(RecordedClass& recorded) {
+  const auto add = [&](const char* name, const char* help) {
+    recorded.def_property_readonly(
+        name, [name](const PythonRecording& self) { return whole_table(self, name); }, help);
+  };
+  add("time", "Times of transmission, float64 [pings], in seconds.");
+  add("world_from_sonar", "Poses of the housing, float64 [pings, 7]: x y z in metres, then the quaternion w x y z.");
+  add("head_angle", "Angles of a scanning head, float64 [pings], in radians, positive to port; else None.");
+  add("range", "Centre of each bin, float64 [bins], in metres.");
+  add("azimuth", "Centre of each beam, float64 [beams], in radians, positive to port, falling.");
+  recorded
+      .def_property_readonly(
+          "instance_names", [](const PythonRecording& self) { return self.tables.texts("instance_names"); },
+          "Names by the index that `instance` has.")
+      .def_property_readonly(
+          "material_names", [](const PythonRecording& self) { return self.tables.texts("material_names"); },
+          "Names by the index that `material` has.");
 }
 
 void add_writer(py::module_& module) {
@@ -70,41 +178,39 @@ void add_writer(py::module_& module) {
 
 void bind_recording(py::module_& module) {
   add_writer(module);
-  py::class_<PythonRecording>(
+  RecordedClass recorded(
       module, "RecordedPings",
       "A recording's pings, read when they are asked for: rec[3], len(rec), `for ping in rec`.\n\n"
       "path: an HDF5 file as `insonify run` writes, perhaps still growing: it has the pings that it had when it "
-      "was opened. Raises Error for a file that is none.")
-      .def(py::init([](const py::object& path) { return PythonRecording{RecordedPings(path_from(path, "path"))}; }),
+      "was opened. Raises Error for a file that is none.\n\n"
+      "Layers such as rec.intensity and rec.instance are RecordedLayers: rec.instance[3, 100:200] reads that much and "
+      "no more, np.asarray(rec.instance) reads all.");
+  recorded
+      .def(py::init([](const py::object& path) { return std::make_shared<PythonRecording>(path_from(path, "path")); }),
            py::arg("path"))
-      .def("__len__", [](const PythonRecording& self) { return self.pings.ping_count(); })
-      .def("__getitem__", &recorded_ping, py::arg("number"))
+      .def("__len__", [](const PythonRecording& self) { return self.ping_count(); })
+      .def("__getitem__", &recorded_ping, py::arg("number"),
+           "The ping of that number from 0, from the end where negative. Its tables are read when they are asked for. "
+           "Raises IndexError.")
+      .def("__iter__",
+           [](const py::object& self) { return py::reinterpret_steal<py::object>(PySeqIter_New(self.ptr())); })
       .def_property_readonly(
           "shape",
           [](const PythonRecording& self) {
-            return py::make_tuple(self.pings.ping_count(), self.pings.bin_count(), self.pings.beam_count());
+            return py::make_tuple(self.ping_count(), self.pings.bin_count(), self.pings.beam_count());
           },
           "(pings, bins, beams).")
       .def_property_readonly(
-          "intensity",
-          [](const PythonRecording& self) {
-            const std::vector<py::ssize_t> shape = {static_cast<py::ssize_t>(self.pings.ping_count()),
-                                                    self.pings.bin_count(), self.pings.beam_count()};
-            py::array_t<float> all(shape);
-            float* to = all.mutable_data();
-            for (std::uint64_t ping = 0; ping < self.pings.ping_count(); ++ping) {
-              for (const double value : self.pings.intensity(ping)) {
-                *to++ = static_cast<float>(value);
-              }
-            }
-            return all;
-          },
-          "All intensities, read now: float32 [pings, bins, beams].")
-      .def_property_readonly(
-          "sonar", [](PythonRecording& self) { return wrap(self.known()->sonar); }, "A SonarConfig.")
+          "sonar", [](PythonRecording& self) { return wrap(self.known()->sonar); }, "Settings of its sonar.")
       .def_property_readonly(
           "model", [](const PythonRecording& self) { return self.pings.model(); },
-          "calibrated or paper; \"\" where the file does not say.");
+          "calibrated or paper; \"\" where the file does not say.")
+      .def("__repr__", [](const PythonRecording& self) {
+        return fmt::format("<RecordedPings of {}: {} pings of {} bins x {} beams>", self.pings.sonar(),
+                           self.ping_count(), self.pings.bin_count(), self.pings.beam_count());
+      });
+  add_layers(module, recorded);
+  add_axes(recorded);
 }
 
 }  // namespace insonify::python

@@ -4,7 +4,7 @@
 #include <pybind11/numpy.h>
 
 #include "bind.h"
-#include "convert.h"
+#include "held.h"
 #include "insonify/files.h"
 #include "insonify/mesh.h"
 
@@ -125,6 +125,40 @@ void bind_scene(py::module_& module) {
       .def_property_readonly(
           "material_names", [](const Scene& self) { return names_of(self.materials); },
           "Names by the index that Ping.material has; empty before materials are assigned.")
+      .def_property_readonly(
+          "materials",
+          [](const Scene& self) {
+            py::list all;
+            for (const Material& material : self.materials) {
+              all.append(wrap(material));
+            }
+            return all;
+          },
+          "Materials by that index, copies.")
+      .def(
+          "triangles",
+          [](const Scene& self, const std::string& name) {
+            const auto found = std::ranges::find(self.instances, name, &Instance::name);
+            if (found == self.instances.end()) {
+              throw Error("", "name", " = " + name + " is not in the scene");
+            }
+            const Mesh& mesh = *found->mesh;
+            py::array_t<double> corners(
+                {static_cast<py::ssize_t>(mesh.triangles.size()), py::ssize_t{3}, py::ssize_t{3}});
+            auto to = corners.mutable_unchecked<3>();
+            for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+              for (int k = 0; k < 3; ++k) {
+                const Vec3 corner = found->world_from_mesh * mesh.vertices[mesh.triangles[i][k]].cast<double>();
+                for (int axis = 0; axis < 3; ++axis) {
+                  to(static_cast<py::ssize_t>(i), k, axis) = corner[axis];
+                }
+              }
+            }
+            return corners;
+          },
+          py::arg("name"),
+          "Triangles of an instance in the world, float64 [triangles, corners, xyz] in metres. Raises Error for a name "
+          "that is not there.")
       .def_property_readonly("triangle_count", &Scene::triangle_count)
       .def_property_readonly(
           "bounds",

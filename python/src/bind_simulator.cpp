@@ -52,26 +52,45 @@ std::unique_ptr<PythonSimulator> make_simulator(const py::object& given, const p
   return std::make_unique<PythonSimulator>(std::move(scenario), std::move(made), threads, objects);
 }
 
-// Tables of many pings [ping, bin, beam].
-template <typename Value>
-py::object stacked(const std::vector<Ping>& pings, std::vector<Value> Ping::*member) {
-  const std::vector<Value>& first = pings.front().*member;
-  if (first.empty()) {
-    return py::none();
+// Arrays of the tables of many pings [ping, bin, beam], allocated by the first pings.
+class Batch {
+ public:
+  explicit Batch(std::size_t count) : count_(count) {}
+
+  void take(std::span<const Ping> pings, std::size_t first) {
+    visit_tables([&](const char* name, auto member, const char*) {
+      if (!(pings.front().*member).empty()) {
+        put(name, pings, first, member);
+      }
+    });
   }
-  std::vector<py::ssize_t> shape = {static_cast<py::ssize_t>(pings.size()), pings.front().bin_count,
-                                    pings.front().beam_count};
-  const std::size_t cells = static_cast<std::size_t>(shape[1]) * static_cast<std::size_t>(shape[2]);
-  if (first.size() > cells) {
-    shape.push_back(static_cast<py::ssize_t>(first.size() / cells));
+  [[nodiscard]] const py::dict& arrays() const { return arrays_; }
+
+ private:
+  template <typename Value>
+  void put(const char* name, std::span<const Ping> pings, std::size_t first, std::vector<Value> Ping::*member) {
+    const std::size_t size = (pings.front().*member).size();
+    if (!arrays_.contains(name)) {
+      arrays_[name] = py::array_t<Value>(shape_of(pings.front(), size));
+    }
+    Value* to = py::array_t<Value>(arrays_[name]).mutable_data() + first * size;
+    for (const Ping& ping : pings) {
+      to = std::copy((ping.*member).begin(), (ping.*member).end(), to);
+    }
   }
-  py::array_t<Value> all(shape);
-  Value* to = all.mutable_data();
-  for (const Ping& ping : pings) {
-    to = std::copy((ping.*member).begin(), (ping.*member).end(), to);
+
+  [[nodiscard]] std::vector<py::ssize_t> shape_of(const Ping& ping, std::size_t size) const {
+    std::vector<py::ssize_t> shape = {static_cast<py::ssize_t>(count_), ping.bin_count, ping.beam_count};
+    const std::size_t cells = static_cast<std::size_t>(ping.bin_count) * static_cast<std::size_t>(ping.beam_count);
+    if (size > cells) {
+      shape.push_back(static_cast<py::ssize_t>(size / cells));
+    }
+    return shape;
   }
-  return all;
-}
+
+  std::size_t count_;
+  py::dict arrays_;
+};
 
 py::dict batch(PythonSimulator& self, const py::object& sonar_, const py::object& poses, const py::object& times) {
   const int sonar = self.sonar(sonar_);
@@ -91,15 +110,9 @@ py::dict batch(PythonSimulator& self, const py::object& sonar_, const py::object
                                  py::none()};
     requests.push_back(self.request(sonar, asked));
   }
-  std::vector<Ping> pings(requests.size());
-  self.ping(sonar, requests, pings);
-  py::dict arrays;
-  visit_tables([&](const char* name, auto member, const char*) {
-    if (const py::object all = stacked(pings, member); !all.is_none()) {
-      arrays[name] = all;
-    }
-  });
-  return arrays;
+  Batch made(requests.size());
+  self.ping(sonar, requests, [&](std::span<const Ping> pings, std::size_t first) { made.take(pings, first); });
+  return made.arrays();
 }
 
 constexpr const char* kPingHelp = R"(Makes a ping. Returns a Ping; other threads of Python run meanwhile.
@@ -154,7 +167,10 @@ void bind_simulator(py::module_& module) {
       .def("ping_batch", &batch, py::arg("sonar"), py::arg("poses"), py::arg("times") = py::none(),
            "Makes a ping at each of many poses. Returns a dict of arrays, as the tables of Ping, with a leading axis: "
            "\"intensity\" is [poses, bins, beams].\n\nposes: list of poses, or an array [n, 4, 4]. times: n numbers "
-           "[s].")
+           "[s].\n\nThreads make a ping each, unless something in the scene moves (a scenario's motions, a sea "
+           "surface): "
+           "then they share each ping. The pings are those of ping(), one after the other, byte for byte. Raises Error "
+           "for the first that makes no sense, and KeyboardInterrupt within 64 pings of Control-C.")
       .def(
           "sonar",
           [](const PythonSimulator& self, const py::object& sonar) {

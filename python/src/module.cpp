@@ -17,4 +17,5 @@ PYBIND11_MODULE(_insonify, module) {
   bind_recording(module);
   bind_pictures(module);
   bind_acoustics(module);
+  bind_similarity(module);
 }

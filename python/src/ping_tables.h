@@ -6,6 +6,16 @@
 
 namespace insonify::python {
 
+/// Type of the values of a table: ValueOf<decltype(&Ping::intensity)> is float.
+template <typename Member>
+struct ValueOfMember;
+template <typename Value>
+struct ValueOfMember<std::vector<Value> Ping::*> {
+  using type = Value;
+};
+template <typename Member>
+using ValueOf = typename ValueOfMember<Member>::type;
+
 /// Calls visit(name, member of Ping, help) for every table.
 template <typename Visit>
 void visit_tables(Visit&& visit) {

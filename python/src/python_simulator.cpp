@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "convert.h"
@@ -126,8 +127,22 @@ std::shared_ptr<PythonPing> PythonSimulator::ping(int sonar, const PingRequest& 
   return ping;
 }
 
-void PythonSimulator::ping(int sonar, const std::vector<PingRequest>& requests, std::vector<Ping>& pings) {
-  locked([&] { simulator_.ping(sonar, requests, pings); });
+void PythonSimulator::ping(int sonar, const std::vector<PingRequest>& requests, const Take& take) {
+  // Enough for the threads to have as much to do as each other, few enough to be stopped and to stay in memory.
+  constexpr std::size_t kAtOnce = 64;
+  locked([&] {
+    std::vector<Ping> pings(std::min(kAtOnce, requests.size()));
+    const std::span<const PingRequest> all(requests);
+    for (std::size_t first = 0; first < all.size(); first += kAtOnce) {
+      const std::size_t count = std::min(kAtOnce, all.size() - first);
+      simulator_.ping(sonar, all.subspan(first, count), std::span(pings).first(count));
+      const py::gil_scoped_acquire held;
+      take(std::span(pings).first(count), first);
+      if (PyErr_CheckSignals() != 0) {  // Control-C.
+        throw py::error_already_set();
+      }
+    }
+  });
   next_[sonar] = requests.empty() ? next_[sonar] : requests.back().number + 1;
 }
 

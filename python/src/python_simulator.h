@@ -4,8 +4,10 @@
 
 #include <pybind11/pybind11.h>
 
+#include <functional>
 #include <memory>
 #include <mutex>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -35,7 +37,10 @@ class PythonSimulator {
 
   /// Makes a ping, without the interpreter's lock; one at a time.
   [[nodiscard]] std::shared_ptr<PythonPing> ping(int sonar, const PingRequest& request);
-  void ping(int sonar, const std::vector<PingRequest>& requests, std::vector<Ping>& pings);
+
+  /// Makes many, some at a time, and calls take(pings, index of the first of them) with the interpreter's lock.
+  using Take = std::function<void(std::span<const Ping> pings, std::size_t first)>;
+  void ping(int sonar, const std::vector<PingRequest>& requests, const Take& take);
 
   void set_sonar(int sonar, const SonarConfig& config);
   int add_objects(Scene objects, const std::vector<MovableObject>& movable);

@@ -55,6 +55,11 @@ class Engine {
   /// override it to compute many pings in one call; by default they are computed one after another.
   virtual void insonify_all(const PingPlan& plan, std::span<const Pose> poses, std::span<EchoGrid> grids);
 
+  /// An engine of one thread that shares the scene of this one, so that several threads can compute pings at once; null
+  /// where the engine cannot share. Its insonify() may run beside those of others that share the scene once this one
+  /// has computed a ping with the same plan and nothing has moved since.
+  [[nodiscard]] virtual std::unique_ptr<Engine> share_scene() { return nullptr; }
+
   /// Finds the first surface along every ray. `hits` has the length of `rays`. Callers pass many rays in one call,
   /// since a call may be as expensive as a transfer to another device.
   virtual void trace(std::span<const Ray> rays, std::span<Hit> hits) = 0;

@@ -13,6 +13,7 @@ void Simulator::set_sonar(int index, const SonarConfig& config) {
   changed.sonars[index] = config;
   changed.validate();
   state.sonars[index] = state.simulated(changed, config);
+  state.lanes.clear();
   state.scenario.sonars[index] = config;
   if (state.sea && state.sea->fit(changed, state.scene)) {
     state.scene_changed = true;
@@ -35,6 +36,7 @@ int Simulator::add_objects(const Scene& objects, std::span<const MovableObject> 
     scene.materials.resize(materials);
     throw;
   }
+  state.lanes.clear();
   if (scene.materials.size() > materials) {  // Plans and receivers have tables of all materials.
     for (std::size_t i = 0; i < state.sonars.size(); ++i) {
       state.sonars[i] = state.simulated(state.scenario, state.scenario.sonars[i]);

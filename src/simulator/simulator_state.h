@@ -28,6 +28,24 @@ struct Simulator::State {
   /// Passes the scene to the engine again if it has changed.
   void take_in_scene();
 
+  /// Turns the echoes of one request into a ping.
+  struct Parts {
+    Engine& engine;
+    Workers& workers;
+    PointEchoes& points;
+    Interference& interference;
+  };
+  void make(const PingRequest& request, SimulatedSonar& sonar, const Parts& parts, Ping& ping);
+  [[nodiscard]] Parts parts() { return {*engine, workers, points, interference}; }
+
+  /// How many of the requests after the first can be made by several threads at once, each ping by one: nothing may
+  /// move in the scene but the sonar, and all must be valid. A multiple of the number of threads, and never the last,
+  /// so that the engine is left as after the last ping.
+  [[nodiscard]] std::size_t count_together(int sonar, std::span<const PingRequest> requests) const;
+
+  /// Makes these pings on all threads at once, after one of the same sonar in the same scene.
+  void make_together(int sonar, std::span<const PingRequest> requests, std::span<Ping> pings);
+
   /// Moves objects and sea plane to where a ping request has them.
   /// @throws Error for an invalid request; nothing is moved then.
   void place(const SimulatedSonar& sonar, const PingRequest& request);
@@ -45,7 +63,21 @@ struct Simulator::State {
 
   /// One of `sonars`.  @throws Error for an index that is none.
   [[nodiscard]] SimulatedSonar& sonar(int index);
-  bool scene_changed = true;  ///< Since the engine has loaded it.
+  const std::atomic<bool>* stop_asked = nullptr;  ///< See Simulator::stop_when().
+  bool scene_changed = true;                      ///< Since the engine has loaded it.
+
+  /// What one thread needs to make pings of one sonar beside others.
+  struct Lane {
+    std::unique_ptr<Engine> own_engine;
+    PointEchoes own_points;
+    Interference own_interference;
+    SimulatedSonar sonar;
+    Workers one_worker{1};
+
+    [[nodiscard]] Parts parts() { return {*own_engine, one_worker, own_points, own_interference}; }
+  };
+  /// [sonar][thread], made by the first batch of a sonar; to be dropped when its settings or materials change.
+  std::vector<std::vector<std::unique_ptr<Lane>>> lanes;
 };
 
 }  // namespace insonify

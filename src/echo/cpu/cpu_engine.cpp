@@ -23,55 +23,62 @@ const EngineKind CpuEngine::kKind = {
       return std::make_unique<CpuEngine>(threads);
     }};
 
-CpuEngine::CpuEngine(int threads) : workers_(threads) {
+CpuEngine::CpuEngine(int threads) : CpuEngine(threads, std::make_shared<World>()) {}
+
+CpuEngine::CpuEngine(int threads, std::shared_ptr<World> world) : workers_(threads), world_(std::move(world)) {
   for (int worker = 0; worker < workers_.count(); ++worker) {
-    scratch_.push_back(std::make_unique<BeamTask>(scene_, raster_scene_, workers_));
+    scratch_.push_back(std::make_unique<BeamTask>(world_->scene, world_->raster_scene, workers_));
   }
 }
 
+std::unique_ptr<Engine> CpuEngine::share_scene() {
+  return std::unique_ptr<Engine>(new CpuEngine(1, world_));
+}
+
 void CpuEngine::set_scene(const Scene& scene) {
-  scene_.set(scene);
-  raster_source_ = &scene;
-  raster_scene_ = {};
-  triangle_count_ = scene.triangle_count();
-  poses_.clear();
+  world_->scene.set(scene);
+  world_->raster_source = &scene;
+  world_->raster_scene = {};
+  world_->triangle_count = scene.triangle_count();
+  world_->poses.clear();
   for (const Instance& instance : scene.instances) {
-    poses_.push_back(instance.world_from_mesh);
+    world_->poses.push_back(instance.world_from_mesh);
   }
 }
 
 void CpuEngine::move_instance(int instance, const Pose& world_from_mesh) {
-  scene_.move(instance, world_from_mesh);
-  poses_[instance] = world_from_mesh;
-  if (raster_source_ == nullptr) {
-    raster_scene_.move(instance, world_from_mesh);
+  world_->scene.move(instance, world_from_mesh);
+  world_->poses[instance] = world_from_mesh;
+  if (world_->raster_source == nullptr) {
+    world_->raster_scene.move(instance, world_from_mesh);
   }
 }
 
 const FanView* CpuEngine::look(const PingPlan& plan, const Pose& world_from_sonar) {
   const bool even_rows = plan.lattice.even_rows;
-  if (primary_echoes(plan.primary, plan.sonar, triangle_count_, kKind.draws_primaries, even_rows) ==
+  if (primary_echoes(plan.primary, plan.sonar, world_->triangle_count, kKind.draws_primaries, even_rows) ==
       PrimaryEchoes::kRays) {
     return nullptr;
   }
   assert(even_rows);
-  if (raster_source_ != nullptr) {
-    raster_scene_.set(*raster_source_);
-    for (std::size_t i = 0; i < poses_.size(); ++i) {
-      if (raster_source_->instances[i].moving) {
-        raster_scene_.move(static_cast<int>(i), poses_[i]);
+  if (world_->raster_source != nullptr) {
+    world_->raster_scene.set(*world_->raster_source);
+    for (std::size_t i = 0; i < world_->poses.size(); ++i) {
+      if (world_->raster_source->instances[i].moving) {
+        world_->raster_scene.move(static_cast<int>(i), world_->poses[i]);
       }
     }
-    raster_source_ = nullptr;
+    world_->raster_source = nullptr;
   }
-  view_.look(raster_scene_, plan, {world_from_sonar.position - raster_scene_.origin(), world_from_sonar.orientation});
+  view_.look(world_->raster_scene, plan,
+             {world_from_sonar.position - world_->raster_scene.origin(), world_from_sonar.orientation});
   return &view_;
 }
 
 SecondarySampling CpuEngine::choose_sampling(const PingPlan& plan, const Pose& world_from_sonar) {
   const std::span<const Ray> rays = probes_.aim(plan, world_from_sonar);
   trace(rays, probes_.hits());
-  return probes_.choose(plan, scene_.origin(), scene_.boxes());
+  return probes_.choose(plan, world_->scene.origin(), world_->scene.boxes());
 }
 
 template <typename Work>
@@ -86,7 +93,7 @@ void CpuEngine::for_each_task(const PingPlan& plan, SecondarySampling sampling, 
 }
 
 void CpuEngine::insonify(const PingPlan& plan, const Pose& world_from_sonar, EchoGrid& grid) {
-  scene_.commit_moves();
+  world_->scene.commit_moves();
   const FanView* view = look(plan, world_from_sonar);
   counts_ = {};
   const SecondarySampling sampling = choose_sampling(plan, world_from_sonar);
@@ -123,11 +130,11 @@ std::vector<double> CpuEngine::time_traversal(const PingPlan& plan, const Pose& 
       scratch.trace_only(world_from_sonar, first_beam, last_beam);
       for (const RayPacket& logged : logs[task].reflected) {
         RayPacket packet = logged;
-        packet.intersect(scene_.handle());
+        packet.intersect(world_->scene.handle());
       }
       for (const RayPacket& logged : logs[task].back) {
         RayPacket packet = logged;
-        scene_.occlude(packet);
+        world_->scene.occlude(packet);
       }
     });
     seconds.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
@@ -136,7 +143,7 @@ std::vector<double> CpuEngine::time_traversal(const PingPlan& plan, const Pose& 
 }
 
 void CpuEngine::trace(std::span<const Ray> rays, std::span<Hit> hits) {
-  scene_.commit_moves();
+  world_->scene.commit_moves();
   workers_.for_each((static_cast<int>(rays.size()) + kRaysPerTask - 1) / kRaysPerTask, [&](int task, int) {
     const DenormalsOff denormals_off;
     const std::size_t end = std::min(rays.size(), static_cast<std::size_t>(task + 1) * kRaysPerTask);
@@ -147,18 +154,18 @@ void CpuEngine::trace(std::span<const Ray> rays, std::span<Hit> hits) {
       float reach = 0;
       for (int lane = 0; lane < count; ++lane) {
         const Ray& ray = rays[first + lane];
-        packet.set_origin(lane, (ray.origin - scene_.origin()).cast<float>());
+        packet.set_origin(lane, (ray.origin - world_->scene.origin()).cast<float>());
         packet.set_direction(lane, ray.direction.cast<float>());
         packet.rays.ray.tnear[lane] = static_cast<float>(ray.min_distance);
         reach = std::max(reach, static_cast<float>(ray.max_distance));
       }
       packet.set_reach(reach);
-      packet.intersect(scene_.handle());
+      packet.intersect(world_->scene.handle());
       CpuScene::Shading shading;
-      scene_.shade(packet.rays.hit, shading);
+      world_->scene.shade(packet.rays.hit, shading);
       const CpuScene::Shading flat = shading;
-      if (scene_.reliefs().any()) {
-        scene_.bend_normals(packet.rays, shading);
+      if (world_->scene.reliefs().any()) {
+        world_->scene.bend_normals(packet.rays, shading);
       }
       for (int lane = 0; lane < count; ++lane) {
         const Ray& ray = rays[first + lane];

@@ -25,18 +25,31 @@ class CpuEngine final : public Engine {
   void set_scene(const Scene& scene) override;
   void move_instance(int instance, const Pose& world_from_mesh) override;
   void insonify(const PingPlan& plan, const Pose& world_from_sonar, EchoGrid& grid) override;
+  [[nodiscard]] std::unique_ptr<Engine> share_scene() override;
   void trace(std::span<const Ray> rays, std::span<Hit> hits) override;
   void stop_when(const std::atomic<bool>* asked) override { workers_.stop_when(asked); }
   [[nodiscard]] RayCounts ray_counts() const override { return counts_; }
 
   [[nodiscard]] EngineMemory memory() const override {
-    return {scene_.bytes() + raster_scene_.bytes(), scene_.embree_bytes()};
+    return {world_->scene.bytes() + world_->raster_scene.bytes(), world_->scene.embree_bytes()};
   }
 
   [[nodiscard]] std::vector<double> time_traversal(const PingPlan& plan, const Pose& world_from_sonar,
                                                    int repetitions) override;
 
  private:
+  // The scene as rays and rasteriser need it.
+  struct World {
+    CpuScene scene;
+    // Scene that raster_scene will be made from by the first ping that needs it; null afterwards.
+    const Scene* raster_source = nullptr;
+    std::size_t triangle_count = 0;
+    std::vector<Pose> poses;  // [instance] World from mesh.
+    RasterScene raster_scene;
+  };
+
+  CpuEngine(int threads, std::shared_ptr<World> world);
+
   // The visible part of the raster scene if primaries are to be rasterised, else null.
   const FanView* look(const PingPlan& plan, const Pose& world_from_sonar);
 
@@ -48,12 +61,7 @@ class CpuEngine final : public Engine {
   [[nodiscard]] int task_count() const { return static_cast<int>(first_beams_.size()) - 1; }
 
   Workers workers_;
-  CpuScene scene_;
-  // Scene that raster_scene_ will be made from by the first ping that needs it; null afterwards.
-  const Scene* raster_source_ = nullptr;
-  std::size_t triangle_count_ = 0;
-  std::vector<Pose> poses_;  // [instance] World from mesh.
-  RasterScene raster_scene_;
+  std::shared_ptr<World> world_;
   FanView view_;
   std::vector<std::unique_ptr<BeamTask>> scratch_;  // [worker]
   std::vector<int> first_beams_;                    // [task] See cut_beams().

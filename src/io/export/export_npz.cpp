@@ -44,14 +44,14 @@ void add_texts(ZipWriter& zip, const std::string& name, const std::vector<std::s
 
 }  // namespace
 
-void export_npz(std::span<const RecordedTables> recordings, const std::filesystem::path& file,
+void export_npz(std::span<const RecordingFile> recordings, const std::filesystem::path& file,
                 const ExportOptions& options) {
   UnfinishedFile out(file, "cannot write");
   ZipWriter zip(out, options.compress);
   for (std::size_t i = 0; i < recordings.size(); ++i) {
-    const RecordedTables& recording = recordings[i];
+    const RecordingFile& recording = recordings[i];
     const std::string prefix = prefix_of(recordings, i);
-    for (const RecordedTable& table : recording.tables()) {
+    for (const RecordingTable& table : recording.tables()) {
       std::vector<std::uint64_t> shape = table.row;
       const std::uint64_t rows = table.by_ping ? recording.ping_count() : 1;
       if (table.by_ping) {

@@ -34,14 +34,14 @@ void check_place(const std::filesystem::path& file, const std::string& ending, b
   }
 }
 
-std::string name_of(const RecordedTables& recording) {
+std::string name_of(const RecordingFile& recording) {
   const std::string sonar = recording.text("sonar");
   return sonar.empty() ? recording.path().stem().string() : sonar;
 }
 
-void check_names(std::span<const RecordedTables> recordings) {
+void check_names(std::span<const RecordingFile> recordings) {
   std::map<std::string, std::filesystem::path> seen;
-  for (const RecordedTables& recording : recordings) {
+  for (const RecordingFile& recording : recordings) {
     const auto [other, is_new] = seen.emplace(name_of(recording), recording.path());
     if (!is_new) {
       throw Error(fmt::format("{} and {} are both of a sonar called {}; one file holds one recording of each",
@@ -52,11 +52,11 @@ void check_names(std::span<const RecordedTables> recordings) {
 
 }  // namespace
 
-std::string prefix_of(std::span<const RecordedTables> recordings, std::size_t index) {
+std::string prefix_of(std::span<const RecordingFile> recordings, std::size_t index) {
   return recordings.size() == 1 ? "" : name_of(recordings[index]) + "/";
 }
 
-nlohmann::json facts_of(const RecordedTables& recording) {
+nlohmann::json facts_of(const RecordingFile& recording) {
   nlohmann::json facts = recording.attributes();
   facts["settings"] = recording.settings();
   return facts;
@@ -96,7 +96,7 @@ void export_recordings(std::span<const std::filesystem::path> recordings, const 
         fmt::format("{}: a video shows one sonar, and there are {} recordings", file.string(), recordings.size()));
   }
   check_place(file, ending, options.replace);
-  std::vector<RecordedTables> tables;
+  std::vector<RecordingFile> tables;
   for (const std::filesystem::path& recording : recordings) {
     if (tables.emplace_back(recording).ping_count() == 0) {
       throw Error(fmt::format("{}: there is no ping in it", recording.string()));

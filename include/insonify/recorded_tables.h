@@ -1,0 +1,69 @@
+// recorded_tables.h -- reads blocks of any table of a recording (HDF5): ground truth, field, axes, names.
+
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace insonify {
+
+/// Type of the numbers of a table, as RecordedTables::read() returns them.
+enum class NumberType { kFloat32, kFloat64, kUint8, kUint16, kInt64 };
+
+/// Size of a number [bytes].
+[[nodiscard]] std::size_t size_of(NumberType type);
+
+/// A table of numbers in a recording. docs/reference/recording.md lists those that insonify writes.
+struct RecordedTable {
+  std::string name;  ///< "instance"
+  NumberType type =
+      NumberType::kFloat32;          ///< Of the file where it has that type, else the next that holds its numbers.
+  std::vector<std::uint64_t> shape;  ///< Length of each axis, at least one axis.
+  bool by_ping = false;              ///< Whether the first axis counts pings.
+  std::string unit, description;     ///< "" where the file does not say.
+};
+
+/// The values `start`, `start + step` ... of an axis, `count` of them.
+struct TableSlice {
+  std::uint64_t start = 0;
+  std::uint64_t count = 0;
+  std::uint64_t step = 1;  ///< >= 1.
+};
+
+/// The tables at the root of an HDF5 file, read when they are asked for.
+///
+/// Of a recording that still grows it has the pings that all tables had when it was opened.
+class RecordedTables {
+ public:
+  /// @throws Error with the path for a file that is missing or is not HDF5.
+  explicit RecordedTables(const std::filesystem::path& path);
+  ~RecordedTables();
+  RecordedTables(RecordedTables&&) noexcept;
+  RecordedTables& operator=(RecordedTables&&) noexcept;
+
+  /// Tables of numbers, in alphabetical order.
+  [[nodiscard]] const std::vector<RecordedTable>& tables() const;
+
+  /// The table of that name, or null.
+  [[nodiscard]] const RecordedTable* find(const std::string& name) const;
+
+  /// Reads a block of a table, row-major, without reading what lies beside it (compressed files: beside its chunks).
+  /// @param slices  One for each axis.
+  /// @param bytes   Is filled: product of the counts times size_of(table.type).
+  /// @throws Error with the path where a slice leaves the table or the file cannot be read.
+  void read(const RecordedTable& table, std::span<const TableSlice> slices, std::span<std::byte> bytes) const;
+
+  /// A list of texts, such as instance_names; empty where the file does not have it.
+  [[nodiscard]] std::vector<std::string> texts(const std::string& name) const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace insonify

@@ -1,0 +1,102 @@
+"""Similarity of two recordings, pings or pictures, as `insonify compare` computes it."""
+
+from __future__ import annotations
+
+import os
+from typing import TYPE_CHECKING, Any, Sequence, Union
+
+import numpy as np
+import numpy.typing as npt
+
+from ._insonify import Error, Ping, RecordedPings, similarity
+
+if TYPE_CHECKING:
+    from ._insonify.similarity import Similarity
+
+Side = Union[RecordedPings, Ping, npt.ArrayLike, "str | os.PathLike[str]"]
+
+SMALLEST_FOR_MS_SSIM = 176  # [pixels]
+
+
+def compare(a: Side, b: Side, pings: Sequence[int] | None = None, scale: str | None = None, floor_db: float = -50.0,
+            full_scale: float | None = None, ms_ssim: bool = True) -> Similarity:
+    """Similarity of b to a: a Similarity, of which each measure is the mean over the pings compared.
+
+    a, b: a recording (RecordedPings, or the path of one), a Ping, an array [rows, columns] of levels from 0 to 1, or the
+        path of a grey PNG. A single picture is compared with every ping of a recording. Pings of a single beam are
+        compared side by side, as one picture.
+    pings: numbers of the pings to compare; None for all that both recordings have.
+    scale: "db" or "linear"; None for db where both are of the calibrated model.
+    floor_db: level that counts as 0 on a decibel scale [dB re full scale], < 0.
+    full_scale: intensity that counts as 1; None for the largest of both where both are calibrated, else 1.
+    ms_ssim: False to leave that measure out (NaN); it is left out of pictures of fewer than 176 x 176 pixels.
+
+    Raises Error for pictures of unequal shape, for constant ones, and for intensities beyond full scale.
+    """
+    left, right = _open(a), _open(b)
+    wanted = _common_pings(left, right, pings)
+    calibrated = all(isinstance(one, (RecordedPings, Ping)) and one.model == "calibrated" for one in (left, right))
+    if scale not in (None, "db", "linear"):
+        raise Error(f"scale = {scale!r} must be db or linear")
+    if not floor_db < 0:
+        raise Error(f"floor_db = {floor_db:g} dB must be less than 0")
+    loudest = max(_loudest(left, wanted), _loudest(right, wanted)) if calibrated and full_scale is None else 1.0
+    of_one: float = full_scale if full_scale is not None else loudest or 1.0
+    if not of_one > 0:
+        raise Error(f"full_scale = {of_one:g} must be greater than 0")
+    in_db = scale == "db" or (scale is None and calibrated)
+
+    def levels(intensity: npt.ArrayLike) -> npt.NDArray[np.float64]:
+        ratio = np.asarray(intensity, dtype=np.float64) / of_one
+        if not (np.all(ratio >= 0) and np.all(ratio <= 1)):
+            raise Error(f"an intensity is not from 0 to full scale, {of_one:.6g}")
+        if not in_db:
+            return ratio
+        with np.errstate(divide="ignore"):
+            shown: npt.NDArray[np.float64] = np.clip(1 - 10 * np.log10(ratio) / floor_db, 0, 1)
+        return shown
+
+    pictures = [_pictures(one, wanted, levels) for one in (left, right)]
+    count = max(len(each) for each in pictures)
+    found = [_compared(pictures[0][i if len(pictures[0]) > 1 else 0], pictures[1][i if len(pictures[1]) > 1 else 0],
+                       ms_ssim) for i in range(count)]
+    return similarity._mean(found)
+
+
+def _open(side: Any) -> Any:
+    if not isinstance(side, (str, os.PathLike)):
+        return side if isinstance(side, (RecordedPings, Ping)) else np.asarray(side, dtype=np.float64)
+    path = os.fspath(side)
+    return similarity.load_grey_picture(path) if path.lower().endswith(".png") else RecordedPings(path)
+
+
+def _common_pings(left: Any, right: Any, wanted: Sequence[int] | None) -> list[int]:
+    counts = [len(one) for one in (left, right) if isinstance(one, RecordedPings)]
+    common = min(counts, default=1)
+    if common == 0:
+        raise Error("there are no pings in a recording to be compared")
+    for number in wanted or []:
+        if not 0 <= number < common:
+            raise Error(f"there is no ping {number} in both; they have {common}, counted from 0")
+    return list(range(common)) if wanted is None else list(wanted)
+
+
+def _loudest(side: Any, wanted: list[int]) -> float:
+    if isinstance(side, Ping):
+        return float(np.max(side.intensity))
+    return max(float(np.max(side.intensity[number])) for number in wanted)
+
+
+def _pictures(side: Any, wanted: list[int], levels: Any) -> list[npt.NDArray[np.float64]]:
+    if isinstance(side, Ping):
+        return [levels(side.intensity)]
+    if not isinstance(side, RecordedPings):
+        return [side]
+    if side.shape[2] == 1:
+        return [levels(np.concatenate([side.intensity[number] for number in wanted], axis=1))]
+    return [levels(side.intensity[number]) for number in wanted]
+
+
+def _compared(a: npt.NDArray[np.float64], b: npt.NDArray[np.float64], ms_ssim: bool) -> Similarity:
+    large = a.ndim == 2 and min(a.shape) >= SMALLEST_FOR_MS_SSIM
+    return similarity.compare_pictures(a, b, ms_ssim and large)

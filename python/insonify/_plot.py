@@ -1,0 +1,75 @@
+"""Plots of pings with matplotlib, which is imported when the first one is made."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ._insonify import Error, _usually_shown
+from ._levels import to_db
+
+if TYPE_CHECKING:
+    from ._insonify import Ping
+
+
+def _pyplot() -> Any:
+    try:
+        import matplotlib.pyplot  # type: ignore[import]
+    except ImportError as error:
+        raise ImportError("Ping.plot() needs matplotlib (Debian: apt-get install python3-matplotlib); insonify.fan(ping) "
+                          "gives a picture without it") from error
+    return matplotlib.pyplot
+
+
+def _shown(ping: Ping) -> tuple[Any, tuple[float, float], str]:
+    """Values to draw, the colour range that fits them and the text of the colour bar: those of insonify.fan()."""
+    intensity, raised, full_scale, floor_db = _usually_shown(ping)
+    if ping.model == "paper":
+        return intensity, (0.0, 1.0), "echo intensity, 0 to 1"
+    high = float(to_db(full_scale, -400))
+    by_range = f", raised by {raised:g} dB per decade of range" if raised else ""
+    return to_db(intensity, -400), (high + floor_db, high), "dB re source at 1 m" + by_range
+
+
+def plot(ping: Ping, kind: str = "fan", levels: tuple[float, float] | None = None, ax: Any = None,
+         colour_map: str = "inferno") -> Any:
+    """Draws a ping with matplotlib. Returns the axes.
+
+    kind: "fan", seen from above in metres, acoustic axis up and port to the left; or "polar", azimuth [deg] across, port
+        to the left, and range [m] upwards.
+    levels: colour range (low, high) in dB as on the colour bar (from 0 to 1 in the paper model); None for those
+        of insonify.fan(), which fit this ping. For a film give the same to all.
+    ax: axes to draw in; None for those of a new figure.
+    colour_map: a name that matplotlib knows.
+
+    Raises Error for another kind or levels that do not rise, ImportError where there is no matplotlib.
+    """
+    pyplot = _pyplot()
+    if kind not in ("fan", "polar"):
+        raise Error(f"kind = {kind!r} must be fan or polar")
+    if levels is not None and not levels[0] < levels[1]:
+        raise Error(f"levels = {levels!r} must be two rising numbers, such as (-90, -40)")
+    sonar = ping.sonar
+    range_edges = np.linspace(sonar.min_range, sonar.max_range, sonar.bin_count + 1)
+    azimuth_edges = sonar.azimuth_edges() + ping.head_angle
+    values, fitting, label = _shown(ping)
+    low, high = fitting if levels is None else levels
+    if ax is None:
+        ax = pyplot.subplots(layout="constrained")[1]
+    if kind == "fan":
+        across = -range_edges[:, None] * np.sin(azimuth_edges)
+        along = range_edges[:, None] * np.cos(azimuth_edges)
+        ax.set_aspect("equal")
+        ax.set_xlabel("port (−) to starboard (+) [m]")
+        ax.set_ylabel("ahead [m]")
+    else:
+        across, along = np.broadcast_arrays(np.degrees(azimuth_edges)[None, :], range_edges[:, None])
+        ax.set_xlabel("azimuth, positive to port [deg]")
+        ax.set_ylabel("range [m]")
+    mesh = ax.pcolormesh(across, along, values, vmin=low, vmax=high, cmap=colour_map, rasterized=True)
+    if kind == "polar":
+        ax.set_xlim(np.degrees(azimuth_edges[0]), np.degrees(azimuth_edges[-1]))  # Port to the left.
+    ax.set_title(f"{sonar.name}, ping {ping.number}, {ping.time:.4g} s")
+    ax.figure.colorbar(mesh, ax=ax, label=label)
+    return ax

@@ -1,0 +1,89 @@
+// make_pings.cpp -- makes one ping, calling the modules in the order of the data, or many on all threads at once.
+
+#include "insonify/error.h"
+#include "receiver/paper_receiver.h"
+#include "simulator/simulator_state.h"
+
+namespace insonify {
+
+void Simulator::State::make(const PingRequest& request, SimulatedSonar& sonar, const Parts& parts, Ping& ping) {
+  // Poses of vehicle, sonar and head.
+  ping.number = request.number;
+  ping.time = request.time;
+  ping.head_angle = sonar.head_angle(request);
+  ping.world_from_sonar = request.world_from_vehicle * sonar.vehicle_from_housing;
+  const Pose head = housing_from_head(ping.head_angle), world_from_sonar = ping.world_from_sonar * head;
+
+  // Echoes sorted by beam and range, then the receiver.
+  EchoGrid& grid = sonar.grid;
+  const PingPlan& plan = *sonar.plan;
+  if (scenario.model == EchoModel::kCalibrated) {
+    parts.engine.insonify(plan, world_from_sonar, grid);
+    grid.discrete_echoes().clear();
+    parts.points.add(plan, world_from_sonar, parts.engine, grid);
+    if (ghosts) {
+      ghosts->add(plan, world_from_sonar, request.number, scenario.receiver_of(sonar.config).speckle, parts.engine,
+                  grid);
+    }
+    parts.interference.add(plan, world_from_sonar, request.time, parts.engine, grid);
+    const PingMotion motion = scenario.motion_in_ping
+                                  ? sonar.motion_while_listening(request, sonar.vehicle_from_housing * head)
+                                  : PingMotion{};
+    sonar.receiver->receive(grid, world_from_sonar, motion, parts.workers, ping);
+  } else {
+    PaperReceiver receiver(
+        grid, sonar.config,
+        {.model = scenario.paper, .noise = scenario.receiver_of(sonar.config).noise, .seed = scenario.seed}, ping);
+    parts.engine.insonify(plan, world_from_sonar, grid);
+    receiver.receive(parts.workers);
+  }
+}
+
+std::size_t Simulator::State::count_together(int index, std::span<const PingRequest> requests) const {
+  const std::size_t threads = workers.count();
+  // Where there are few, a thread that waits for the last of them would cost more than is gained.
+  constexpr std::size_t kFewest = 2;
+  if (threads < 2 || requests.size() <= kFewest * threads || sea) {  // The sea's plane goes with the sonar.
+    return 0;
+  }
+  const SimulatedSonar& sonar = sonars[index];
+  std::size_t count = 0;
+  try {
+    while (count + 2 < requests.size() && requests[count].moved.empty() && requests[count + 1].moved.empty()) {
+      requests[count + 1].validate();
+      sonar.check(requests[count + 1], scenario.motion_in_ping);
+      ++count;
+    }
+  } catch (const Error&) {  // ping() will throw it again, after the pings before it.
+  }
+  return count / threads * threads;
+}
+
+void Simulator::State::make_together(int index, std::span<const PingRequest> requests, std::span<Ping> pings) {
+  if (requests.empty()) {
+    return;
+  }
+  lanes.resize(sonars.size());
+  std::vector<std::unique_ptr<Lane>>& own = lanes[index];
+  while (own.size() < static_cast<std::size_t>(workers.count())) {
+    std::unique_ptr<Engine> sharing = engine->share_scene();
+    if (sharing == nullptr) {  // An engine that cannot.
+      for (std::size_t i = 0; i < requests.size(); ++i) {
+        make(requests[i], sonars[index], parts(), pings[i]);
+      }
+      return;
+    }
+    own.push_back(std::unique_ptr<Lane>(new Lane{std::move(sharing), PointEchoes(scenario.points),
+                                                 Interference(scenario.interferers),
+                                                 simulated(scenario, scenario.sonars[index])}));
+  }
+  for (const auto& lane : own) {
+    lane->own_engine->stop_when(stop_asked);
+  }
+  workers.for_each(static_cast<int>(requests.size()), [&](int ping, int worker) {
+    Lane& lane = *own[worker];
+    make(requests[ping], lane.sonar, lane.parts(), pings[ping]);
+  });
+}
+
+}  // namespace insonify
