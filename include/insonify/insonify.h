@@ -38,6 +38,7 @@
 #include "insonify/receiver_config.h"
 #include "insonify/recorded_pings.h"
 #include "insonify/recorded_tables.h"
+#include "insonify/recording_info.h"
 #include "insonify/relief.h"
 #include "insonify/scenario.h"
 #include "insonify/scenario_requests.h"
