@@ -54,6 +54,6 @@ function fillHelp(commands) {
   const rows = kHeld.map(([, , keys, text]) => row(keys, text));
   rows.push(row(["Shift"], "Three times as fast"));
   for (const [key, text] of commands) rows.push(row([key === " " ? "Space" : key.toUpperCase()], text));
-  rows.push(row(["Alt", "↑", "←"], "Move the cursor, turn the scene"), row(["wheel"], "Closer, where the mouse is"));
+  rows.push(row(["Alt", "arrow"], "Move the cursor, turn the scene"), row(["wheel"], "Closer, where the mouse is"));
   byId("help-keys").replaceChildren(...rows);
 }

@@ -3,7 +3,7 @@
 import { byId, element, write } from "../dom.js";
 
 // Labels of known keys, by the end of their path, in the order in which they are shown; others get their own name.
-const kSonarKeys = [["max_range", "Range"], ["min_range", "Nearest range"], ["bin_count", "Bins"], ["gain", "Gain"], ["time_varied_gain", "Time-varied gain"], ["ping_period", "Ping period"], ["step_deg", "Step of the head"]];
+const kSonarKeys = [["max_range", "Range"], ["min_range", "Nearest range"], ["bin_count", "Bins"], ["gain", "Gain"], ["time_varied_gain", "TVG"], ["ping_period", "Ping period"], ["step_deg", "Step of the head"]];
 const kModelKeys = [["model", "Model"], ["noise", "Noise"], ["speckle", "Speckle"], ["ambient_noise_db", "Ambient noise"], ["surface", "Sea surface"], ["surface.wind_speed", "Wind"], ["surface.level", "Level of the surface"], ["ground_truth", "Ground truth"], ["secondary", "Secondary echoes"], ["max_surfaces", "Surfaces of a path"], ["seed", "Seed"]];
 const kRanges = [1, 2, 3, 5, 7.5, 10, 15, 20, 25, 30, 40, 50, 60, 75, 100, 120, 150, 200, 300, 500];
 const kBins = [64, 125, 250, 500, 750, 1000, 1500, 2000, 4000];
@@ -64,10 +64,11 @@ function makeControl(path, entry, apply) {
     if (input.type === "checkbox") input.checked = value.value === true;
     else if (document.activeElement !== input) input.value = value.value ?? "";
   };
-  const send = (text) => apply([`${path}=${text}`], line, () => {
+  const restore = () => {
     input.blur();
     show(known);
-  });
+  };
+  const send = (text) => (text === "" ? restore() : apply([`${path}=${text}`], line, restore));
   input.addEventListener("change", () => send(input.type === "checkbox" ? String(input.checked) : input.value.trim()));
   if (input.type === "checkbox") {
     return { nodes: [element("label", { class: "switch", title }, input, element("span", {}, labelOf(path))), line], show };

@@ -6,7 +6,8 @@ import { makeProgram, openGl, Table } from "../draw/gl.js";
 import { kLevelGlsl, setLevelUniforms } from "../draw/level_shader.js";
 import { bearing, number, ringSpacing, ticks } from "../format.js";
 
-const kRows = 256;
+const kRows = 512;
+const kPixels = 2;  // height of a ping in CSS pixels
 
 const kVertex = `#version 300 es
 out vec2 place;  // 0 to 1: near to far, old to new
@@ -21,11 +22,12 @@ precision highp float;
 precision highp int;
 ${kLevelGlsl}
 uniform int newest, rows;
+uniform float visible;  // pings from top to bottom
 in vec2 place;
 out vec4 colour;
 void main() {
   ivec2 size = textureSize(levels, 0);
-  int back = int((1.0 - place.y) * float(size.y));
+  int back = int((1.0 - place.y) * visible);
   if (back >= rows) discard;
   int row = (newest - back + size.y) % size.y;
   float bin = place.x * float(size.x);
@@ -98,6 +100,10 @@ export class WaterfallView {
     this.redraw();
   }
 
+  get #visible() {
+    return Math.min(kRows, Math.max(1, this.canvas.clientHeight / kPixels));
+  }
+
   draw() {
     const { gl, store } = this;
     const sonar = store.get("sonar");
@@ -116,6 +122,7 @@ export class WaterfallView {
     setLevelUniforms(gl, at, store, sonar.min_range, sonar.binLength * this.group);
     gl.uniform1i(at.newest, (this.count - 1 + kRows) % kRows);
     gl.uniform1i(at.rows, Math.min(this.count, kRows));
+    gl.uniform1f(at.visible, this.#visible);
     gl.drawArrays(gl.TRIANGLES, 0, 3);
     this.#drawScale(sonar);
   }
@@ -142,7 +149,7 @@ export class WaterfallView {
     }
     context.textAlign = "left";
     for (const part of [0.25, 0.5, 0.75]) {
-      const row = Math.floor(part * kRows);
+      const row = Math.floor(part * this.#visible);
       if (row < this.times.length) text(`${number(this.times[row] - this.times[0], 0)} s`, 4, part * height + 4);
     }
   }
