@@ -23,10 +23,12 @@ export class MockServer {
       "sonars[1].max_range": { value: 15, least: 0, most: 100000, help: "Far edge of the last bin.", unit: "m" },
       model: { value: "calibrated", choices: ["paper", "calibrated"], help: "Model of the echo.", unit: "" },
       ground_truth: { value: "full", choices: ["none", "labels", "full"], help: "What is kept.", unit: "" },
-      "receiver.noise": { value: true, help: "Whether noise is drawn.", unit: "" },
-      "receiver.speckle": { value: true, help: "Whether echoes interfere.", unit: "" },
-      "receiver.time_varied_gain": { value: null, least: 0, most: 60, help: "X of the gain.", unit: "dB/decade" },
-      "surface.wind_speed": { value: null, least: 0, most: 30, help: "Wind speed.", unit: "m/s" },
+      "sonars[0].receiver.noise": { value: true, help: "Whether noise is drawn.", unit: "" },
+      "sonars[0].receiver.speckle": { value: true, help: "Whether echoes interfere.", unit: "" },
+      "sonars[0].receiver.time_varied_gain": { value: null, kind: "number", optional: true, least: 0, most: 60, help: "X of the gain.", unit: "dB/decade" },
+      "water.salinity": { value: 35, least: 0, most: 50, help: "Practical salinity.", unit: "PSU" },
+      surface: { value: false, kind: "part", help: "Whether there is a surface." },
+      "surface.wind_speed": { value: 0, least: 0, most: 30, help: "Wind speed.", unit: "m/s" },
     };
     this.materials = [0, 1, 2];
   }
@@ -95,7 +97,7 @@ export class MockServer {
     for (const setting of settings) {
       const [key, text] = setting.split(/=(.*)/s);
       const entry = this.keys[key];
-      const value = text === "true" ? true : text === "false" ? false : text !== "" && Number.isFinite(Number(text)) ? Number(text) : text;
+      const value = text === "true" ? true : text === "false" ? false : entry.kind === "part" ? text !== "null" : text !== "" && Number.isFinite(Number(text)) ? Number(text) : text;
       if (entry.most !== undefined && !(value > entry.least && value <= entry.most)) {
         this.say({ op: "error", of: "set", text: `--set: ${key} = ${text} must be greater than ${entry.least} and at most ${entry.most}` });
         return;

@@ -50,7 +50,7 @@ export function makePing(sonar, number, vehicle, headAngle, wanted, withNoise) {
       const noise = withNoise ? Math.log10(-Math.log(1 - Math.random()) + 1e-3) : 0;
       const found = echo(sonar, vehicle, azimuth, range, binLength, beamWidth, noise);
       const level = found ? found[0] : withNoise ? -105 + 6 * noise : null;
-      tables.shadow[i] = found || range < 8 ? 0 : 1;
+      tables.shadow[i] = found || range < 8 ? 0 : 255;
       if (level === null) continue;
       tables.level[i] = Math.round((level + 400) * 100);
       if (!found) continue;

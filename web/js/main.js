@@ -2,7 +2,7 @@
 
 import { byId } from "./dom.js";
 import { Frames } from "./frames.js";
-import { setUpDisplay, nextMap, nextOverlay, fitContrast, resetContrast } from "./panels/display.js";
+import { setUpDisplay, nextMap, nextOverlay, fitContrast, followContrast } from "./panels/display.js";
 import { Flight } from "./panels/flight.js";
 import { setUpKeyboard } from "./panels/keyboard.js";
 import { kViews, setUpLayout, setUpSonars } from "./panels/layout.js";
@@ -46,7 +46,7 @@ const session = new Session(store, notes, {
     waterfall.add(ping);
   },
   saved: (message) => keepSaved(message, store, notes),
-  changed: () => resetContrast(store),
+  changed: () => followContrast(store),
 });
 const request = (message) => session.request(message);
 
@@ -88,6 +88,7 @@ setUpKeyboard(flight, [
   ["?", "This help", () => byId("help").showModal()],
 ]);
 byId("help-open").addEventListener("click", () => byId("help").showModal());
+byId("help-close").addEventListener("click", () => byId("help").close());
 
 // For tests and for the browser's console.
 globalThis.insonify = { store, session, frames };

@@ -93,13 +93,12 @@ export class Session {
     const sonar = { ...describeSonar(described), text: JSON.stringify(described) };
     const modes = sonar.scanning ? ["round"] : ["fan", "polar"];
     const same = before?.name === sonar.name;
-    const levelsStay = same && JSON.stringify(before.levels) === JSON.stringify(sonar.levels) && before.reference === sonar.reference;
     store.set({
       sonar, ping: null, shown: null, cursor: null, path: [],
       mode: modes.includes(store.get("mode")) ? store.get("mode") : modes[0],
       beam: same ? Math.min(store.get("beam"), sonar.beams - 1) : Math.floor(sonar.beams / 2),
     });
-    if (!levelsStay) this.changed();
+    this.changed(!same);
   }
 
   #binary(buffer) {
@@ -117,17 +116,19 @@ export class Session {
     const { store } = this;
     const sonar = store.get("sonar");
     if (!sonar || ping.sonar !== sonar.name || ping.beams !== sonar.beams || ping.bins !== sonar.bins) return;
-    this.#arrivals.push(performance.now());
     const path = store.get("path");
     // A change starts anew: pings count from 0.
-    const anew = store.get("ping") && ping.number < store.get("ping").number;
+    const last = store.get("ping");
+    const anew = last && (ping.number < last.number || ping.change !== last.change);
+    const again = last && !anew && ping.number === last.number;  // With the tables that were asked for since.
     const position = (ping.vehicle ?? ping).position;
-    const patch = { ping, path: anew ? [position] : [...path.slice(-kMostPath), position] };
-    if (store.get("frozen")) {
+    if (!again) this.#arrivals.push(performance.now());
+    const patch = { ping, path: again ? path : anew ? [position] : [...path.slice(-kMostPath), position] };
+    if (store.get("frozen") && !(again && store.get("shown")?.number === ping.number)) {
       store.set(patch);
       return;
     }
-    this.taken(ping);
+    if (!again) this.taken(ping);
     store.set({ ...patch, shown: ping });
   }
 

@@ -9,10 +9,7 @@ export function describeSonar(sonar) {
   const azimuths = sonar.azimuths.map(radians);
   const beams = azimuths.length;
   const aperture = radians(sonar.azimuth_aperture ?? 0);
-  const edges = new Array(beams + 1);
-  for (let b = 1; b < beams; ++b) edges[b] = (azimuths[b - 1] + azimuths[b]) / 2;
-  edges[0] = beams > 1 ? 2 * azimuths[0] - edges[1] : azimuths[0] + aperture / 2;
-  edges[beams] = beams > 1 ? 2 * azimuths[beams - 1] - edges[beams - 1] : azimuths[0] - aperture / 2;
+  const edges = sonar.azimuth_edges?.map(radians) ?? edgesOf(azimuths, aperture);
   return {
     ...sonar,
     scanning: sonar.type === "msis",
@@ -20,7 +17,18 @@ export function describeSonar(sonar) {
     edges,
     binLength: (sonar.max_range - sonar.min_range) / sonar.bins,
     elevationAperture: radians(sonar.elevation_aperture ?? 20),
+    elevationCentre: radians(sonar.elevation_center ?? 0),
   };
+}
+
+// Halfway between the centres; the outer edges as far from theirs as the next ones.
+function edgesOf(azimuths, aperture) {
+  const beams = azimuths.length;
+  const edges = new Array(beams + 1);
+  for (let b = 1; b < beams; ++b) edges[b] = (azimuths[b - 1] + azimuths[b]) / 2;
+  edges[0] = beams > 1 ? 2 * azimuths[0] - edges[1] : azimuths[0] + aperture / 2;
+  edges[beams] = beams > 1 ? 2 * azimuths[beams - 1] - edges[beams - 1] : azimuths[0] - aperture / 2;
+  return edges;
 }
 
 export const binRange = (sonar, bin) => sonar.min_range + (bin + 0.5) * sonar.binLength;

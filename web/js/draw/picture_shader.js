@@ -78,7 +78,7 @@ vec3 overlaid(float value, ivec2 cell) {
     vec3 hue = part < 0.0 ? mix(vec3(0.95), vec3(0.10, 0.45, 1.0), -part) : mix(vec3(0.95), vec3(1.0, 0.33, 0.12), part);
     return hue * (0.16 + 0.98 * value);
   }
-  if (overlay == kShadow) return label > 0.0 ? mix(grey, vec3(0.13, 0.42, 0.85), 0.25 + 0.55 * min(label, 1.0)) : grey;
+  if (overlay == kShadow) return label > 0.0 ? mix(grey, vec3(0.13, 0.42, 0.85), 0.15 + 0.65 * label / 255.0) : grey;
   if (label < 1.5) return grey;
   return (label < 2.5 ? vec3(0.1, 0.85, 1.0) : vec3(1.0, 0.25, 0.85)) * (0.22 + 0.9 * value);
 }

@@ -82,8 +82,7 @@ export class PictureRenderer {
     if (!kind || !table || this.group > 1 || this.sonar.scanning) return 0;
     if (this.overlayOf !== table) {
       this.overlayOf = table;
-      const values = table instanceof Float32Array ? table.map((value) => (Number.isNaN(value) ? kNothing : value)) : Float32Array.from(table);
-      // A shadow is either a flag or the part of the beam that is hidden.
+      const values = Float32Array.from(table, (value) => (Number.isNaN(value) ? kNothing : value));
       this.tables.overlay_values.fill(ping.beams, ping.bins, values);
     }
     return kind;

@@ -27,12 +27,12 @@ function boxTriangles(from, to) {
 /** Lines around the insonified sector, and the triangles of its upper and lower face, in the sonar's frame. */
 export function sectorShape(sonar) {
   const [port, starboard] = [sonar.edges[0], sonar.edges[sonar.beams]];
-  const half = sonar.elevationAperture / 2;
+  const [lower, upper] = [-0.5, 0.5].map((part) => sonar.elevationCentre + part * sonar.elevationAperture);
   const steps = Math.max(2, Math.ceil((port - starboard) / 0.06));
   const azimuth = (i) => port + ((starboard - port) * i) / steps;
   const lines = [];
   const faces = [];
-  for (const elevation of [-half, half]) {
+  for (const elevation of [lower, upper]) {
     for (let i = 0; i < steps; ++i) {
       const [a, b] = [sonarPoint(sonar.max_range, azimuth(i), elevation), sonarPoint(sonar.max_range, azimuth(i + 1), elevation)];
       lines.push(...a, ...b);
@@ -41,7 +41,7 @@ export function sectorShape(sonar) {
     for (const edge of [port, starboard]) lines.push(0, 0, 0, ...sonarPoint(sonar.max_range, edge, elevation));
   }
   for (const edge of [port, starboard]) {
-    lines.push(...sonarPoint(sonar.max_range, edge, -half), ...sonarPoint(sonar.max_range, edge, half));
+    lines.push(...sonarPoint(sonar.max_range, edge, lower), ...sonarPoint(sonar.max_range, edge, upper));
   }
   return { lines: new Float32Array(lines), faces: new Float32Array(faces) };
 }

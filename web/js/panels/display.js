@@ -81,8 +81,19 @@ function showModes(store) {
 
 /** The levels that the server proposes for the watched sonar. */
 export function resetContrast(store) {
-  const [low, high] = store.get("sonar")?.levels ?? [];
-  if (Number.isFinite(low) && Number.isFinite(high)) store.set({ low: Math.round(low), high: Math.round(high), gain: 0, tvg: 0 });
+  const { levels: [low, high] = [], shown_gain: tvg = 0, reference } = store.get("sonar") ?? {};
+  if (!Number.isFinite(low) || !Number.isFinite(high)) return;
+  proposed = { low: Math.round(low), high: Math.round(high), gain: 0, tvg, reference };
+  const { reference: _, ...values } = proposed;
+  store.set(values);
+}
+
+let proposed = null;
+
+/** After a change: the new proposal, unless somebody has set the contrast by hand and the decibels are still the same. */
+export function followContrast(store) {
+  const untouched = ["low", "high", "gain", "tvg"].every((name) => proposed && store.get(name) === proposed[name]);
+  if (untouched || proposed?.reference !== store.get("sonar")?.reference) resetContrast(store);
 }
 
 /** Darkest: a third of the echoes are below; brightest: one in two thousand is above. */

@@ -8,12 +8,13 @@ export function setUpObjects(store, request, notes) {
   let known = null;
   store.on(["hello"], () => {
     const hello = store.get("hello");
-    const list = JSON.stringify([hello?.objects ?? [], hello?.materials ?? []]);
+    const names = [...new Set([...(hello?.materials ?? []), ...(hello?.library ?? [])])].sort();
+    const list = JSON.stringify([hello?.objects ?? [], names]);
     if (list === known) return;
     known = list;
     const options = (hello?.objects ?? []).map((name, i) => element("option", { value: String(i) }, name));
     objects.replaceChildren(element("option", { value: "-1" }, options.length > 0 ? "None" : "The scene has no objects"), ...options);
-    materials.replaceChildren(...(hello?.materials ?? []).map((name) => element("option", { value: name }, name)));
+    materials.replaceChildren(...names.map((name) => element("option", { value: name }, name)));
   });
   store.on(["hello", "object"], () => {
     const hello = store.get("hello");

@@ -18,7 +18,7 @@ export function lookUp(store, cursor, roundPings) {
   const names = store.get("hello");
   const label = instance ? instance[cell] : -1;
   const surface = material ? material[cell] : -1;
-  const up = elevation && Number.isFinite(elevation[cell]) ? elevation[cell] : 0;
+  const up = elevation && Number.isFinite(elevation[cell]) ? elevation[cell] : sonar.elevationCentre;
   // The azimuth of a scanning head is that of the head in its housing, which is also how its picture is drawn.
   return {
     ...found,
