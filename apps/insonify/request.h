@@ -9,6 +9,7 @@
 #include "compare/compare.h"
 #include "pictures/draw.h"
 #include "run/run.h"
+#include "serve/serve.h"
 
 namespace insonify {
 
@@ -17,6 +18,7 @@ struct Request {
   RunOptions run;
   CompareOptions compare;
   DrawOptions draw;
+  ServeOptions serve;
   int pings = 1;
   double duration = 0, turns = 0;
   std::uint64_t seed = 1;
@@ -36,6 +38,7 @@ struct Request {
 void add_run(CLI::App& app, Request& request);
 void add_sonars(CLI::App& app, Request& request);
 void add_describe(CLI::App& app, Request& request);
+void add_serve(CLI::App& app, Request& request);
 void add_draw(CLI::App& app, Request& request);
 void add_compare(CLI::App& app, Request& request);
 void add_bench(CLI::App& app, Request& request);

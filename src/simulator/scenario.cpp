@@ -9,6 +9,7 @@
 
 #include "insonify/error.h"
 #include "receiver/line_array.h"
+#include "simulator/check_speeds.h"
 
 namespace insonify {
 namespace {
@@ -220,9 +221,6 @@ void Trajectory::validate(std::string_view object) const {
   }
 }
 
-namespace {
-
-// Motion in a ping is computed to first order in speed over sound speed.
 void check_speeds(const Trajectory& trajectory) {
   constexpr double kMost = 100;  // [m/s]: a fifteenth of the speed of sound.
   const std::vector<Waypoint>& points = trajectory.waypoints;
@@ -235,8 +233,6 @@ void check_speeds(const Trajectory& trajectory) {
     }
   }
 }
-
-}  // namespace
 
 bool Scenario::has_even_rows(const SonarConfig& sonar) const {
   const ReceiverConfig& own = receiver_of(sonar);
