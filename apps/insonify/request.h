@@ -23,6 +23,7 @@ struct Request {
   double duration = 0, turns = 0;
   std::uint64_t seed = 1;
   std::string engine;
+  std::string record = "h5";
   std::string preset, mode;
   std::string section;
   std::string shell;
