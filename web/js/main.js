@@ -1,6 +1,7 @@
 // main.js -- puts the page together.
 
 import { byId } from "./dom.js";
+import { drawColourBar } from "./draw/colour_bar.js";
 import { Frames } from "./frames.js";
 import { setUpDisplay, nextMap, nextOverlay, fitContrast, followContrast } from "./panels/display.js";
 import { Flight } from "./panels/flight.js";
@@ -34,8 +35,13 @@ const picture = new PictureView(store, frames, (cursor) => {
   const { instance } = lookUp(store, cursor, roundPings());
   if (instance >= 0) chooseObject(instance);
 });
-const scene = new SceneView(store, frames, chooseObject);
-const waterfall = new WaterfallView(store, frames);
+let scene = null;
+let waterfall = null;
+// The sonar picture comes first: the shaders of the others take time.
+picture.firstDrawn = () => setTimeout(() => {
+  waterfall = new WaterfallView(store, frames);
+  scene = new SceneView(store, frames, chooseObject);
+});
 new AscanView(store, frames, roundPings);
 setUpReadout(store, frames, roundPings);
 setUpDisplay(store, frames);
@@ -43,7 +49,7 @@ setUpDisplay(store, frames);
 const session = new Session(store, notes, {
   taken: (ping) => {
     picture.add(ping);
-    waterfall.add(ping);
+    waterfall?.add(ping);
   },
   saved: (message) => keepSaved(message, store, notes),
   changed: () => followContrast(store),
@@ -60,8 +66,9 @@ setUpSettings(store, (settings, line, failed) => {
 });
 const redrawAll = () => {
   picture.draw();
-  scene.draw();
-  waterfall.draw();
+  drawColourBar(byId("colour-bar"), store);
+  scene?.draw();
+  waterfall?.draw();
 };
 setUpScreenshot(store, redrawAll, notes);
 const flight = new Flight(store, request, notes);
@@ -91,4 +98,4 @@ byId("help-open").addEventListener("click", () => byId("help").showModal());
 byId("help-close").addEventListener("click", () => byId("help").close());
 
 // For tests and for the browser's console.
-globalThis.insonify = { store, session, frames };
+globalThis.insonify = { store, session, frames, picture };

@@ -1,13 +1,25 @@
 // gl.js -- WebGL2: contexts, programs and textures.
 
-/** The context of a canvas; `redraw` is called when the graphics driver gives it back after it was lost. */
-export function openGl(canvas, redraw) {
-  const gl = canvas.getContext("webgl2", { antialias: true, premultipliedAlpha: true, powerPreference: "high-performance" });
+/** The context of a canvas, with smooth edges where that is asked for; `redraw` is called when the graphics driver gives it back after it was lost. */
+export function openGl(canvas, redraw, antialias = false) {
+  const gl = canvas.getContext("webgl2", { antialias, premultipliedAlpha: true, powerPreference: "high-performance" });
   if (!gl) throw new Error("This browser has no WebGL2, which the pictures are drawn with.");
   gl.pixelStorei(gl.UNPACK_ALIGNMENT, 1);
   canvas.addEventListener("webglcontextlost", (event) => event.preventDefault());
   canvas.addEventListener("webglcontextrestored", redraw);
   return gl;
+}
+
+let software = null;
+
+/** Whether WebGL is computed by the processor, where smooth edges cost too much. */
+export function isSoftware() {
+  if (software !== null) return software;
+  const gl = document.createElement("canvas").getContext("webgl2");
+  const names = gl?.getExtension("WEBGL_debug_renderer_info");
+  software = !names || /swiftshader|llvmpipe|software|basic render/i.test(gl.getParameter(names.UNMASKED_RENDERER_WEBGL));
+  gl?.getExtension("WEBGL_lose_context")?.loseContext();
+  return software;
 }
 
 /** A program with its uniform locations by name. */

@@ -8,11 +8,14 @@ uniform float low, high;           // levels of the darkest and the brightest co
 uniform float gain, tvg;           // gain of the display [dB] and X of its X log10(range / 1 m)
 uniform float min_range, bin_length;
 
-float brightness(uint value, float bin) {
+// Gain of the display at a range [dB].
+float gain_at(float range) {
+  return gain + (tvg == 0.0 ? 0.0 : tvg * 0.4342944819 * log(max(range, 0.01)));
+}
+
+float brightness(uint value, float gain_here) {
   if (value == 0u) return 0.0;
-  float range = max(min_range + (bin + 0.5) * bin_length, 0.01);
-  float db = float(value) / 100.0 - 400.0 + gain + tvg * log(range) / log(10.0);
-  return clamp((db - low) / (high - low), 0.0, 1.0);
+  return clamp((float(value) * 0.01 - 400.0 + gain_here - low) / (high - low), 0.0, 1.0);
 }
 
 vec3 colour_of(float value) {

@@ -40,29 +40,30 @@ float beam_of(float azimuth) {
              texelFetch(beam_table, ivec2(min(below + 1, textureSize(beam_table, 0).x - 1), 0), 0).r, fract(place));
 }
 
-float at(int beam, int bin) {
-  int column = mode == kRound ? (beam + size.x) % size.x : clamp(beam, 0, size.x - 1);
-  int row = clamp(bin, 0, size.y - 1);
-  return brightness(texelFetch(levels, ivec2(column, row), 0).r, float(row));
+uint at(int column, int bin) {
+  return texelFetch(levels, ivec2(column, clamp(bin, 0, size.y - 1)), 0).r;
 }
 
 // Where a pixel covers several bins, the strongest counts: no echo is lost between pixels.
-float along(int beam, float bin, int covered) {
+float along(int beam, float bin, int covered, float gain_here) {
+  int column = mode == kRound ? (beam + size.x) % size.x : clamp(beam, 0, size.x - 1);
   if (covered > 1) {
-    float strongest = 0.0;
+    uint strongest = 0u;
     int first = int(floor(bin)) - covered / 2;
-    for (int i = 0; i < covered; ++i) strongest = max(strongest, at(beam, first + i));
-    return strongest;
+    for (int i = 0; i < covered; ++i) strongest = max(strongest, at(column, first + i));
+    return brightness(strongest, gain_here);
   }
-  if (!smooth_cells) return at(beam, int(floor(bin)));
+  if (!smooth_cells) return brightness(at(column, int(floor(bin))), gain_here);
   float below = floor(bin - 0.5);
-  return mix(at(beam, int(below)), at(beam, int(below) + 1), bin - 0.5 - below);
+  return mix(brightness(at(column, int(below)), gain_here), brightness(at(column, int(below) + 1), gain_here),
+             bin - 0.5 - below);
 }
 
-float shown(vec2 place, int covered) {
-  if (!smooth_cells) return along(int(floor(place.x)), place.y, covered);
+float shown(vec2 place, int covered, float gain_here) {
+  if (!smooth_cells) return along(int(floor(place.x)), place.y, covered, gain_here);
   float below = floor(place.x - 0.5);
-  return mix(along(int(below), place.y, covered), along(int(below) + 1, place.y, covered), place.x - 0.5 - below);
+  return mix(along(int(below), place.y, covered, gain_here), along(int(below) + 1, place.y, covered, gain_here),
+             place.x - 0.5 - below);
 }
 
 vec3 overlaid(float value, ivec2 cell) {
@@ -90,7 +91,7 @@ void main() {
   float step_of_pixel = mode == kPolar ? abs(dFdy(plane.y)) : length(vec2(dFdx(plane.x), dFdy(plane.x)));
   if (beam < 0.0 || beam >= float(size.x) || bin < 0.0 || bin >= float(size.y)) discard;
   int covered = clamp(int(ceil(step_of_pixel / bin_length - 0.2)), 1, 24);
-  float value = shown(vec2(beam, bin), covered);
+  float value = shown(vec2(beam, bin), covered, gain_at(range));
   ivec2 cell = ivec2(int(beam), int(bin));
   colour = vec4(overlay == 0 ? colour_of(value) : overlaid(value, cell), 1);
   if (mode == kRound) {

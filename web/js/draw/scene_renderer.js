@@ -3,7 +3,7 @@
 import { themeColour } from "../dom.js";
 import { norm, poseMatrix, subtract } from "../geometry.js";
 import { colourTable } from "./colour_maps.js";
-import { makeProgram, openGl, poolBins, Table } from "./gl.js";
+import { isSoftware, makeProgram, openGl, poolBins, Table } from "./gl.js";
 import { setLevelUniforms } from "./level_shader.js";
 import { deleteScene, uploadScene, Vertices } from "./meshes.js";
 import { kEcho, kFan, kLine, kSurface, kWater } from "./scene_shaders.js";
@@ -22,7 +22,7 @@ export class SceneRenderer {
     this.gl = openGl(canvas, () => {
       this.#build();
       redraw();
-    });
+    }, !isSoftware());
     this.#build();
   }
 

@@ -95,7 +95,7 @@ out vec4 colour;
 void main() {
   ivec2 size = textureSize(levels, 0);
   ivec2 cell = clamp(ivec2(place), ivec2(0), size - 1);
-  float value = brightness(texelFetch(levels, cell, 0).r, float(cell.y));
+  float value = brightness(texelFetch(levels, cell, 0).r, gain_at(min_range + (float(cell.y) + 0.5) * bin_length));
   float alpha = 0.25 + 0.75 * value;
   colour = vec4(colour_of(value) * alpha, alpha);
 }`];

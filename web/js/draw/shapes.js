@@ -60,7 +60,7 @@ export function fanShape(sonar) {
   return new Float32Array(corners);
 }
 
-const kMostEchoes = 60_000;
+const kMostEchoes = 30_000;
 const kWeakest = 0.2;  // brightness below which an echo is not drawn
 
 /** Echoes with a known elevation, as x, y, z in the sonar's frame and brightness 0 to 1. */
@@ -72,7 +72,7 @@ export function echoPoints(sonar, ping, store) {
   const span = Math.max(store.get("high") - low, 0.1);
   const sines = sonar.beamAzimuths.map(Math.sin);
   const cosines = sonar.beamAzimuths.map(Math.cos);
-  const stride = Math.ceil(level.length / (4 * kMostEchoes));
+  const stride = Math.ceil(level.length / (5 * kMostEchoes));
   let count = 0;
   for (let bin = 0; bin < ping.bins; ++bin) {
     const range = binRange(sonar, bin);

@@ -21,10 +21,18 @@ export class PictureView {
     this.zoom = kHome;
     this.redraw = frames.add(() => this.draw());
     this.redrawLines = frames.add(() => this.drawLines());
+    this.redrawBar = frames.add(() => drawColourBar(byId("colour-bar"), store));
     this.renderer = new PictureRenderer(this.canvas, this.redraw);
-    new ResizeObserver(this.redraw).observe(this.stage);
+    new ResizeObserver(() => {
+      this.redraw();
+      this.redrawBar();
+    }).observe(this.stage);
+    store.on(["low", "high", "gain", "tvg", "map", "theme", "main", "sonar"], this.redrawBar);
     store.on(["sonar"], () => this.#newSonar());
-    store.on(["mode"], () => this.#home());
+    store.on(["mode"], () => {
+      store.set({ cursor: null });
+      this.#home();
+    });
     store.on(["shown", "mode", "low", "high", "gain", "tvg", "map", "overlay", "smooth", "theme", "main"], this.redraw);
     store.on(["grid", "cursor", "beam"], this.redrawLines);
     store.on(["frozen"], () => (byId("frozen").hidden = !store.get("frozen")));
@@ -45,13 +53,16 @@ export class PictureView {
     const { store } = this;
     const sonar = store.get("sonar");
     if (!sonar) return;
-    const { width, height } = fitCanvas(this.canvas);
-    this.plan = makePlan(sonar, store.get("mode"), width, height, this.zoom);
+    const { width } = fitCanvas(this.canvas);
+    this.#arrange();
     this.renderer.draw(this.plan, store);
-    drawColourBar(byId("colour-bar"), store);
     this.drawLines();
     const ping = store.get("shown");
     byId("empty").hidden = Boolean(ping);
+    if (ping && !this.drawn) {
+      this.drawn = performance.now();  // [ms] after the page was asked for
+      this.firstDrawn?.();
+    }
     const title = width < 420 ? sonar.name : `${sonar.name}   ${ping ? `ping ${ping.number}   ${clock(ping.time)} s` : ""}`;
     write(byId("picture-caption"), title);
   }
@@ -68,13 +79,20 @@ export class PictureView {
 
   #newSonar() {
     const sonar = this.store.get("sonar");
-    this.plan = null;
     this.renderer.setSonar(sonar);
     this.#home();
   }
 
+  // The plan holds at once, also for a mouse that moves before the picture is drawn.
+  #arrange() {
+    const sonar = this.store.get("sonar");
+    const { clientWidth, clientHeight } = this.canvas;
+    this.plan = sonar ? makePlan(sonar, this.store.get("mode"), clientWidth, clientHeight, this.zoom) : null;
+  }
+
   #home() {
     this.zoom = kHome;
+    this.#arrange();
     this.redraw();
   }
 
@@ -102,6 +120,7 @@ export class PictureView {
     if (this.zoom.factor === 1) return;
     const { factor, x, y } = this.zoom;
     this.zoom = { factor, x: x + dx / this.plan.width, y: y + dy / this.plan.height };
+    this.#arrange();
     this.redraw();
   }
 
@@ -119,6 +138,7 @@ export class PictureView {
     const [newX, newY] = makePlan(sonar, mode, width, height, this.zoom).toScreen(...point);
     this.zoom.x += (x - newX) / width;
     this.zoom.y += (y - newY) / height;
+    this.#arrange();
     this.redraw();
   }
 

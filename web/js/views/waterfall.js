@@ -32,12 +32,12 @@ void main() {
   int row = (newest - back + size.y) % size.y;
   float bin = place.x * float(size.x);
   int covered = clamp(int(ceil(dFdx(place.x) * float(size.x) - 0.2)), 1, 24);
-  float strongest = 0.0;
+  uint strongest = 0u;
   for (int i = 0; i < covered; ++i) {
     int at = min(int(bin) + i, size.x - 1);
-    strongest = max(strongest, brightness(texelFetch(levels, ivec2(at, row), 0).r, float(at)));
+    strongest = max(strongest, texelFetch(levels, ivec2(at, row), 0).r);
   }
-  colour = vec4(colour_of(strongest), 1);
+  colour = vec4(colour_of(brightness(strongest, gain_at(min_range + (bin + 0.5) * bin_length))), 1);
 }`;
 
 export class WaterfallView {
