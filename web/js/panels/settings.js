@@ -85,7 +85,7 @@ function makeControl(store, path, key, entry, apply) {
   };
   const send = (text) => {
     if (text === "" && !entry.optional) restore();
-    else apply([`${path}=${text === "" ? "null" : text}`], line, restore);
+    else apply([`${path}=${text === "" ? "none" : text}`], line, restore);
   };
   const textOf = () => (kind === "part" ? surfaceText(store, input.checked) : isSwitch ? String(input.checked) : input.value.trim());
   input.addEventListener("change", () => send(textOf()));
