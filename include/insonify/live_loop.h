@@ -70,9 +70,10 @@ struct LiveState {
 };
 
 struct LiveOptions {
-  int threads = 0;                   ///< Of the simulator; 0 for as many as there are processors.
-  std::optional<double> rate_limit;  ///< Most pings a second of each sonar [Hz], above 0; time passes more slowly then.
-  bool paused = false;               ///< Whether it starts paused.
+  int threads = 0;  ///< Of the simulator; 0 for as many as there are processors.
+  std::optional<double> rate_limit =
+      {};               ///< Most pings a second of each sonar [Hz], above 0; time passes more slowly then.
+  bool paused = false;  ///< Whether it starts paused.
 };
 
 /// Velocities of a steered vehicle in its own axes: x ahead, y to port, z up.
@@ -147,9 +148,10 @@ class LiveLoop {
   /// Gives an object, by its full name, a material of the library or of the scenario.
   void set_material(std::string object, std::string material, Done done);
 
-  /// Records every sonar's pings from 0 on. Of a single sonar into `path`; of several, and after each further change,
-  /// into files with the sonar's name or a number before its ending. A scenario that repeats the pings is put beside
-  /// them at the end, with the ending .yaml. Files that are there are not replaced.
+  /// Records every sonar's pings from 0 on, into HDF5 (.h5) or MCAP (.mcap) by the ending of `path`. HDF5 files of
+  /// several sonars have the sonar's name before the ending; after each further change a new file begins, with a number
+  /// before the ending. A scenario that repeats the pings is put beside them at the end, with the ending .yaml. Files
+  /// that are there are not replaced.
   void record(const std::filesystem::path& path, Done done);
   void stop_recording(Done done);
 

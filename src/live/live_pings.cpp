@@ -89,7 +89,7 @@ void LiveLoop::State::begin_run(LiveStart start, Lock& lock) {
   anchor_time = 0;
   anchor = Clock::now();
   last_pings.assign(next_world->sonars.size(), Clock::time_point{});
-  steps = std::max(steps, 1);  // A change shows at once, paused or not.
+  steps = 1;  // A change shows at once, paused or not.
   lock.unlock();
   listener->on_world(next_world);
   lock.lock();
