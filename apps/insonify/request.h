@@ -11,6 +11,7 @@
 #include "info/info.h"
 #include "pictures/draw.h"
 #include "run/run.h"
+#include "serve/serve.h"
 
 namespace insonify {
 
@@ -21,6 +22,7 @@ struct Request {
   DrawOptions draw;
   ExportCommand exported;
   InfoOptions info;
+  ServeOptions serve;
   int pings = 1;
   double duration = 0, turns = 0;
   std::uint64_t seed = 1;
@@ -43,6 +45,7 @@ struct Request {
 void add_run(CLI::App& app, Request& request);
 void add_sonars(CLI::App& app, Request& request);
 void add_describe(CLI::App& app, Request& request);
+void add_serve(CLI::App& app, Request& request);
 void add_draw(CLI::App& app, Request& request);
 void add_replay(CLI::App& app, Request& request);
 void add_info(CLI::App& app, Request& request);

@@ -47,6 +47,11 @@ namespace insonify {
 [[nodiscard]] Scenario parse_scenario(const std::string& text, const std::filesystem::path& folder = {},
                                       std::span<const std::string> settings = {}, const Log& log = {});
 
+/// Reads a scenario from text as if `path`, whose folder relative paths are from, held it: load_scenario() of a file
+/// that has been read before.
+[[nodiscard]] Scenario load_scenario_text(const std::string& text, const std::filesystem::path& path,
+                                          std::span<const std::string> settings = {}, const Log& log = {});
+
 /// Reads waypoints from a CSV file (.csv; its header names the columns time, x, y, z and qw, qx, qy, qz or roll, pitch,
 /// yaw or roll_deg, pitch_deg, yaw_deg) or a TUM file (.tum, .txt: time x y z qx qy qz qw). Lines that begin with # are
 /// comments. docs/reference/trajectories.md says all.
@@ -59,6 +64,10 @@ namespace insonify {
 /// settings of the other model, a relief given as values (MaterialOverride::relief), the head's settings of a sonar
 /// that has none.
 [[nodiscard]] std::string to_yaml(const Scenario& scenario);
+
+/// Assigns a scenario's materials to its world, which load_scene(scenario.world, scenario.collisions) has read; reads
+/// the files of their reliefs.
+void assign_materials(Scene& world, const Scenario& scenario, const Log& log = {});
 
 /// Reads the scene of a scenario and assigns its materials.
 [[nodiscard]] Scene load_scene(const Scenario& scenario, const Log& log = {});

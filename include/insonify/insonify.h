@@ -23,6 +23,7 @@
 #include "insonify/ground_truth.h"
 #include "insonify/interferer.h"
 #include "insonify/interrupted.h"
+#include "insonify/live_loop.h"
 #include "insonify/log.h"
 #include "insonify/material.h"
 #include "insonify/mcap_recording.h"

@@ -34,6 +34,21 @@ class ScenarioRequests {
   /// at(sonar, number); allocates nothing when the request was made here before.
   void fill(int sonar, std::uint64_t number, PingRequest& request) const;
 
+  /// Adds a waypoint to the end of the trajectory, for a vehicle that is steered while its pings are made. A ping
+  /// depends on the trajectory until the sonar has listened: reach().
+  /// @throws Error as Scenario::validate() and the constructor for a waypoint that a scenario cannot have there; the
+  ///         trajectory is as it was.
+  void extend(const Waypoint& waypoint);
+
+  /// Time until which ping `number` of a sonar depends on the trajectory [s].
+  [[nodiscard]] double reach(int sonar, std::uint64_t number) const;
+
+  /// The vehicle's, with what extend() has added.
+  [[nodiscard]] const Trajectory& trajectory() const { return trajectory_; }
+
+  /// The time of a sonar's ping [s].
+  [[nodiscard]] double time_of(int sonar, std::uint64_t number) const;
+
  private:
   void fill_at(const SonarConfig& config, std::uint64_t number, double time, PingRequest& request) const;
 
@@ -41,6 +56,8 @@ class ScenarioRequests {
   std::vector<SonarConfig> sonars_;         // Filled in.
   Trajectory trajectory_;
   std::vector<Motion> motions_;
+  std::optional<SeaSurface> surface_;
+  bool motion_in_ping_ = false;
 };
 
 }  // namespace insonify

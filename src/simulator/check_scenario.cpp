@@ -10,6 +10,7 @@
 #include "insonify/error.h"
 #include "insonify/scenario.h"
 #include "receiver/line_array.h"
+#include "simulator/check_speeds.h"
 
 namespace insonify {
 namespace {
@@ -181,20 +182,6 @@ void check_length(const Scenario& scenario) {
 void check_view(const ViewConfig& view) {
   if (view.position == view.look_at) {
     throw Error("view", "look_at", " must differ from view.position", {"view.position"});
-  }
-}
-
-// Motion in a ping is computed to first order in speed over sound speed.
-void check_speeds(const Trajectory& trajectory) {
-  constexpr double kMost = 100;  // [m/s]: a fifteenth of the speed of sound.
-  const std::vector<Waypoint>& points = trajectory.waypoints;
-  for (std::size_t i = 1; i < points.size(); ++i) {
-    const double speed = (points[i].position - points[i - 1].position).norm() / (points[i].time - points[i - 1].time);
-    if (!(speed <= kMost)) {
-      throw Error(
-          fmt::format("trajectory[{}]", i), "",
-          fmt::format(" comes to {:.4g} m/s from the one before; with motion_in_ping at most {} m/s", speed, kMost));
-    }
   }
 }
 

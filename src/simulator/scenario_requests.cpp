@@ -8,27 +8,31 @@
 #include <numeric>
 
 #include "insonify/error.h"
+#include "simulator/check_speeds.h"
 #include "simulator/sonar_index.h"
 
 namespace insonify {
 namespace {
 
-// Checks every waypoint; between waypoints a vehicle moves in a straight line.
-void check_depths(const Scenario& scenario) {
-  std::vector<double> times = {0};
-  for (const Waypoint& waypoint : scenario.trajectory.waypoints) {
-    times.push_back(waypoint.time);
-  }
-  for (std::size_t i = 0; i < scenario.sonars.size(); ++i) {
-    for (const double time : times) {
-      const double height = (scenario.trajectory.at(time) * scenario.sonars[i].position).z();
-      if (height >= scenario.surface->level) {
-        throw Error("surface", "level",
-                    fmt::format(" = {:.7g} m must be above the sonars; sonars[{}] is at a height of {:.7g} m at time "
-                                "{:.7g} s",
-                                scenario.surface->level, i, height, time));
-      }
+// Checks all sonars of a vehicle at one time.
+void check_depths(const SeaSurface& surface, std::span<const SonarConfig> sonars, const Pose& world_from_vehicle,
+                  double time) {
+  for (std::size_t i = 0; i < sonars.size(); ++i) {
+    const double height = (world_from_vehicle * sonars[i].position).z();
+    if (height >= surface.level) {
+      throw Error("surface", "level",
+                  fmt::format(" = {:.7g} m must be above the sonars; sonars[{}] is at a height of {:.7g} m at time "
+                              "{:.7g} s",
+                              surface.level, i, height, time));
     }
+  }
+}
+
+// Between waypoints a vehicle moves in a straight line.
+void check_depths(const Scenario& scenario) {
+  check_depths(*scenario.surface, scenario.sonars, scenario.trajectory.at(0), 0);
+  for (const Waypoint& waypoint : scenario.trajectory.waypoints) {
+    check_depths(*scenario.surface, scenario.sonars, scenario.trajectory.at(waypoint.time), waypoint.time);
   }
 }
 
@@ -42,7 +46,10 @@ Twist twist_between(const Pose& first, const Pose& last, double time) {
 }  // namespace
 
 ScenarioRequests::ScenarioRequests(const Scenario& scenario)
-    : trajectory_(scenario.trajectory), motions_(scenario.motions) {
+    : trajectory_(scenario.trajectory),
+      motions_(scenario.motions),
+      surface_(scenario.surface),
+      motion_in_ping_(scenario.motion_in_ping) {
   if (scenario.surface) {
     check_depths(scenario);
   }
@@ -66,7 +73,32 @@ std::uint64_t ScenarioRequests::ping_count(int sonar) const {
 
 void ScenarioRequests::fill(int sonar, std::uint64_t number, PingRequest& request) const {
   const SonarConfig& config = sonars_[sonar_index(sonar, sonars_.size())];
-  fill_at(config, number, static_cast<double>(number) * *config.ping_period, request);
+  fill_at(config, number, time_of(sonar, number), request);
+}
+
+double ScenarioRequests::time_of(int sonar, std::uint64_t number) const {
+  return static_cast<double>(number) * *sonars_[sonar_index(sonar, sonars_.size())].ping_period;
+}
+
+double ScenarioRequests::reach(int sonar, std::uint64_t number) const {
+  const SonarConfig& config = sonars_[sonar_index(sonar, sonars_.size())];
+  return time_of(sonar, number) + config.shortest_ping_period(*config.assumed_sound_speed);
+}
+
+void ScenarioRequests::extend(const Waypoint& waypoint) {
+  Trajectory last;  // The last waypoint and the new one.
+  if (!trajectory_.waypoints.empty()) {
+    last.waypoints.push_back(trajectory_.waypoints.back());
+  }
+  last.waypoints.push_back(waypoint);
+  last.validate("trajectory");
+  if (motion_in_ping_) {
+    check_speeds(last);
+  }
+  if (surface_) {
+    check_depths(*surface_, sonars_, last.at(waypoint.time), waypoint.time);
+  }
+  trajectory_.waypoints.push_back(waypoint);
 }
 
 void ScenarioRequests::fill_at(const SonarConfig& config, std::uint64_t number, double time,

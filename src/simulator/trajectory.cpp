@@ -6,6 +6,7 @@
 
 #include "insonify/error.h"
 #include "insonify/scenario.h"
+#include "simulator/check_speeds.h"
 
 namespace insonify {
 namespace {
@@ -43,6 +44,19 @@ void Trajectory::validate(std::string_view object) const {
       throw Error(fmt::format("{}[{}]", object, i), "time",
                   fmt::format(" = {:.10g} s must be greater than {}[{}].time = {:.10g} s", waypoints[i].time, object,
                               i - 1, waypoints[i - 1].time));
+    }
+  }
+}
+
+void check_speeds(const Trajectory& trajectory) {
+  constexpr double kMost = 100;  // [m/s]: a fifteenth of the speed of sound.
+  const std::vector<Waypoint>& points = trajectory.waypoints;
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    const double speed = (points[i].position - points[i - 1].position).norm() / (points[i].time - points[i - 1].time);
+    if (!(speed <= kMost)) {
+      throw Error(
+          fmt::format("trajectory[{}]", i), "",
+          fmt::format(" comes to {:.4g} m/s from the one before; with motion_in_ping at most {} m/s", speed, kMost));
     }
   }
 }

@@ -186,8 +186,14 @@ Scenario read_scenario(const std::string& text, const std::filesystem::path& pat
 }  // namespace
 
 Scenario load_scenario(const std::filesystem::path& path, std::span<const std::string> settings, const Log& log) {
-  refuse_worlds(path);
+  refuse_worlds(path);  // Before it is read: worlds may be large.
   return read_scenario(read_text_or_pipe(path), path, path.string(), settings, log);
+}
+
+Scenario load_scenario_text(const std::string& text, const std::filesystem::path& path,
+                            std::span<const std::string> settings, const Log& log) {
+  refuse_worlds(path);
+  return read_scenario(text, path, path.string(), settings, log);
 }
 
 Scenario parse_scenario(const std::string& text, const std::filesystem::path& folder,

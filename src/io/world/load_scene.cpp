@@ -45,11 +45,7 @@ Scene load_scene(const std::filesystem::path& path, bool collisions, const Log& 
                   path.string(), mesh_file_endings()));
 }
 
-Scene load_scene(const Scenario& scenario, const Log& log) {
-  Scene scene;
-  if (!scenario.world.empty()) {
-    scene = load_scene(scenario.world, scenario.collisions, log);
-  }
+void assign_materials(Scene& world, const Scenario& scenario, const Log& log) {
   MaterialRules rules = scenario.materials;
   const std::filesystem::path folder = is_stream(scenario.file) ? std::filesystem::path() : scenario.file.parent_path();
   for (auto& [name, change] : rules.overrides) {
@@ -62,10 +58,18 @@ Scene load_scene(const Scenario& scenario, const Log& log) {
     }
   }
   try {
-    assign_materials(scene, rules, log);
+    assign_materials(world, rules, log);
   } catch (const Error& error) {
     throw error.located(scenario.places);
   }
+}
+
+Scene load_scene(const Scenario& scenario, const Log& log) {
+  Scene scene;
+  if (!scenario.world.empty()) {
+    scene = load_scene(scenario.world, scenario.collisions, log);
+  }
+  assign_materials(scene, scenario, log);
   return scene;
 }
 

@@ -1,0 +1,151 @@
+// hub.cpp -- hands pings from the loop's thread to the server's, and encodes what all clients get.
+
+#include "serve/hub.h"
+
+#include <fmt/format.h>
+
+#include "console/console.h"
+
+namespace insonify {
+
+const Bytes& SharedPing::frame(unsigned tables) {
+  Bytes& frame = frames_[tables];
+  if (!frame) {
+    frame = ping_frame(*ping_, tables);
+  }
+  return frame;
+}
+
+void Hub::on_ping(const std::shared_ptr<const LivePing>& ping) {
+  constexpr std::size_t kMostWaiting = 8;  // Where the server's thread does not keep up, the oldest fall out.
+  const std::lock_guard lock(mutex_);
+  waiting_.push_back(ping);
+  if (waiting_.size() > kMostWaiting) {
+    waiting_.pop_front();
+  }
+  if (!asked_) {
+    asked_ = true;
+    post([this] { take_pings(); });
+  }
+}
+
+void Hub::on_world(const std::shared_ptr<const LiveWorld>& world) {
+  post([this, world] {
+    const bool new_scene = !world_ || !same_scene(*world_, *world);
+    const bool same_levels =
+        world_ && world_->sonars.size() == world->sonars.size() && world_->scenario.model == world->scenario.model;
+    world_ = world;
+    if (new_scene) {
+      scene_ = scene_frame(*world);
+    }
+    if (!same_levels) {
+      levels_.assign(world->sonars.size(), std::nullopt);
+    }
+    last_pings_.assign(world->sonars.size(), nullptr);
+    hello_ = nullptr;
+    if (same_levels) {
+      greet();
+    }
+  });
+}
+
+void Hub::on_note(const std::string& text) {
+  post([this, text] {
+    complain(text);
+    for (HubMember* member : members_) {
+      member->on_note(text);
+    }
+  });
+}
+
+void Hub::take_pings() {
+  std::deque<std::shared_ptr<const LivePing>> taken;
+  {
+    const std::lock_guard lock(mutex_);
+    taken.swap(waiting_);
+    asked_ = false;
+  }
+  for (const std::shared_ptr<const LivePing>& ping : taken) {
+    if (ping->world != world_) {
+      continue;  // Of the world before; its last one.
+    }
+    ++pings_;
+    computing_time_ += ping->computing_time;
+    const auto shared = std::make_shared<SharedPing>(ping);
+    last_pings_[static_cast<std::size_t>(ping->sonar)] = shared;
+    if (!hello_) {
+      std::optional<ShownLevels>& levels = levels_[static_cast<std::size_t>(ping->sonar)];
+      levels = levels.value_or(shown_levels(*ping));
+      greet();
+    }
+    for (HubMember* member : std::set<HubMember*>(members_)) {
+      member->on_ping(*shared);
+    }
+  }
+}
+
+// Once levels of all sonars are known, from their first pings.
+void Hub::greet() {
+  std::vector<ShownLevels> levels;
+  for (const std::optional<ShownLevels>& one : levels_) {
+    if (!one) {
+      return;
+    }
+    levels.push_back(*one);
+  }
+  hello_ = std::make_shared<const std::string>(hello_text(*world_, levels));
+  for (HubMember* member : std::set<HubMember*>(members_)) {
+    member->on_world();
+  }
+}
+
+void Hub::leave(HubMember& member) {
+  members_.erase(&member);
+  if (member.flies()) {
+    loop_.fly({});
+  }
+}
+
+void Hub::tell_state() {
+  const auto now = std::chrono::steady_clock::now();
+  const double seconds = std::chrono::duration<double>(now - counted_at_).count();
+  if (seconds > 0.9) {
+    const auto count = static_cast<double>(pings_ - counted_pings_);
+    counts_.pings_per_second = count / seconds;
+    counts_.ms_per_ping = count > 0 ? 1000 * computing_time_ / count : counts_.ms_per_ping;
+    counted_pings_ = pings_;
+    computing_time_ = 0;
+    counted_at_ = now;
+  }
+  counts_.clients = members_.size();
+  for (HubMember* member : std::set<HubMember*>(members_)) {
+    member->on_state();
+  }
+}
+
+void Hub::tell_state_soon() {
+  if (!telling_.exchange(true)) {
+    post([this] {
+      telling_ = false;
+      tell_state();
+    });
+  }
+}
+
+std::filesystem::path Hub::recording_path(const std::string& ending) {
+  const std::filesystem::path stem = recording_.parent_path() / recording_.stem();
+  for (int number = 1;; ++number) {
+    std::filesystem::path path = stem.string() + (number == 1 ? "" : fmt::format("_{}", number)) + ending;
+    std::filesystem::path scenario = path;
+    scenario.replace_extension(".yaml");
+    bool taken = std::filesystem::exists(path) || std::filesystem::exists(scenario);
+    for (const SonarConfig& sonar : world_->sonars) {
+      taken = taken || std::filesystem::exists(path.parent_path() / (path.stem().string() + "-" + sonar.name + ending));
+    }
+    if (!taken) {
+      return path;
+    }
+  }
+}
+
+}  // namespace insonify

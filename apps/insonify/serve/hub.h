@@ -1,0 +1,103 @@
+// hub.h -- what all clients share: the live loop, its last pings, and messages that are encoded once.
+
+#pragma once
+
+#include <atomic>
+#include <deque>
+#include <filesystem>
+#include <map>
+#include <mutex>
+#include <set>
+
+#include "insonify/live_loop.h"
+#include "serve/net_server.h"
+#include "serve/viewer_frames.h"
+#include "serve/viewer_texts.h"
+
+namespace insonify {
+
+/// A ping on its way to clients: what is encoded of it is kept for the others.
+class SharedPing {
+ public:
+  explicit SharedPing(std::shared_ptr<const LivePing> ping) : ping_(std::move(ping)) {}
+  [[nodiscard]] const LivePing& ping() const { return *ping_; }
+  /// ping_frame(), made once for each choice of tables.
+  [[nodiscard]] const Bytes& frame(unsigned tables);
+
+ private:
+  std::shared_ptr<const LivePing> ping_;
+  std::map<unsigned, Bytes> frames_;
+};
+
+/// What a hub tells one client. Called in the server's thread.
+class HubMember {
+ public:
+  virtual ~HubMember() = default;
+  virtual void on_ping(SharedPing& ping) = 0;
+  virtual void on_world() = 0;
+  virtual void on_state() = 0;
+  virtual void on_note(const std::string& text) = 0;
+  /// Velocity with which it steers.
+  [[nodiscard]] virtual bool flies() const { return false; }
+};
+
+/// Takes pings from the loop's thread to the server's. Of each sonar only the last few wait there.
+class Hub : public LiveListener {
+ public:
+  Hub(LiveLoop& loop, NetServer*& server, std::filesystem::path recording)
+      : loop_(loop), server_(server), recording_(std::move(recording)) {}
+
+  // Threads of the loop.
+  void on_ping(const std::shared_ptr<const LivePing>& ping) override;
+  void on_world(const std::shared_ptr<const LiveWorld>& world) override;
+  void on_note(const std::string& text) override;
+
+  // The server's thread.
+  void join(HubMember& member) { members_.insert(&member); }
+  void leave(HubMember& member);
+  [[nodiscard]] LiveLoop& loop() { return loop_; }
+  [[nodiscard]] bool ready() const { return hello_ != nullptr; }
+  [[nodiscard]] const Bytes& hello() const { return hello_; }
+  [[nodiscard]] const Bytes& scene() const { return scene_; }
+  [[nodiscard]] const LiveWorld& world() const { return *world_; }
+  [[nodiscard]] const std::shared_ptr<SharedPing>& last_ping(int sonar) const {
+    return last_pings_.at(static_cast<std::size_t>(sonar));
+  }
+  [[nodiscard]] const ServerCounts& counts() const { return counts_; }
+  /// Counts the rate anew and tells all clients how things stand.
+  void tell_state();
+  /// Has tell_state() called soon, in the server's thread. From any thread.
+  void tell_state_soon();
+  /// Has a function called in the server's thread, if that still runs. From any thread.
+  void post(std::function<void()> function) { server_->post(std::move(function)); }
+
+  /// A file name for a recording that is not there yet.
+  [[nodiscard]] std::filesystem::path recording_path(const std::string& ending);
+  [[nodiscard]] std::uint64_t pings() const { return pings_; }
+
+ private:
+  void take_pings();
+  void greet();
+
+  LiveLoop& loop_;
+  NetServer*& server_;
+  std::filesystem::path recording_;
+
+  std::mutex mutex_;  // Guards what follows, up to the blank line.
+  std::deque<std::shared_ptr<const LivePing>> waiting_;
+  bool asked_ = false;
+
+  std::atomic<bool> telling_ = false;
+
+  std::set<HubMember*> members_;
+  std::shared_ptr<const LiveWorld> world_;
+  std::vector<std::shared_ptr<SharedPing>> last_pings_;
+  std::vector<std::optional<ShownLevels>> levels_;
+  Bytes hello_, scene_;
+  std::uint64_t pings_ = 0, counted_pings_ = 0;
+  double computing_time_ = 0;
+  std::chrono::steady_clock::time_point counted_at_ = std::chrono::steady_clock::now();
+  ServerCounts counts_;
+};
+
+}  // namespace insonify

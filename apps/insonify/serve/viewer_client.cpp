@@ -1,0 +1,288 @@
+// viewer_client.cpp -- carries out the requests of a page, and sends it what it watches.
+
+#include "serve/viewer_client.h"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "insonify/error.h"
+#include "insonify/printable.h"
+
+namespace insonify {
+namespace {
+
+using nlohmann::json;
+
+// What is wrong with the form of a message: it ends the connection. What is wrong with a value is answered.
+class FormError : public Error {
+ public:
+  using Error::Error;
+};
+
+const json& member(const json& message, const char* key) {
+  const auto found = message.find(key);
+  if (found == message.end()) {
+    throw FormError(fmt::format("a message of this op must have \"{}\"", key));
+  }
+  return *found;
+}
+
+std::string text_of(const json& message, const char* key) {
+  const json& value = member(message, key);
+  if (!value.is_string()) {
+    throw FormError(fmt::format("\"{}\" must be a text", key));
+  }
+  return value.get<std::string>();
+}
+
+bool switch_of(const json& message, const char* key) {
+  const json& value = member(message, key);
+  if (!value.is_boolean()) {
+    throw FormError(fmt::format("\"{}\" must be true or false", key));
+  }
+  return value.get<bool>();
+}
+
+double number_of(const json& value, const char* key) {
+  if (!value.is_number()) {
+    throw FormError(fmt::format("\"{}\" must be a number", key));
+  }
+  return value.get<double>();
+}
+
+template <int count>
+Eigen::Matrix<double, count, 1> numbers_of(const json& message, const char* key) {
+  const json& value = member(message, key);
+  if (!value.is_array() || value.size() != count) {
+    throw FormError(fmt::format("\"{}\" must be a list of {} numbers", key, count));
+  }
+  Eigen::Matrix<double, count, 1> numbers;
+  for (int i = 0; i < count; ++i) {
+    numbers[i] = number_of(value[static_cast<std::size_t>(i)], key);
+  }
+  return numbers;
+}
+
+std::vector<std::string> texts_of(const json& message, const char* key) {
+  const json& value = member(message, key);
+  std::vector<std::string> texts;
+  for (const json& one : value.is_array() ? value : json::array({nullptr})) {
+    if (!one.is_string()) {
+      throw FormError(fmt::format("\"{}\" must be a list of texts", key));
+    }
+    texts.push_back(one.get<std::string>());
+  }
+  return texts;
+}
+
+class ViewerClient : public Client, public HubMember, public std::enable_shared_from_this<ViewerClient> {
+ public:
+  ViewerClient(Connection& connection, Hub& hub) : connection_(connection), hub_(hub) {}
+
+  void begin() {
+    hub_.join(*this);
+    if (hub_.ready()) {
+      on_world();
+    }
+  }
+
+  void on_binary(std::string_view /*bytes*/) override { end("messages to the server are texts"); }
+
+  void on_text(std::string_view text) override {
+    const json message = json::parse(text, nullptr, false);
+    if (message.is_discarded() || !message.is_object()) {
+      end("the message is no JSON object");
+      return;
+    }
+    std::string op;
+    try {
+      op = text_of(message, "op");
+      carry_out(op, message);
+      hub_.tell_state_soon();
+    } catch (const FormError& error) {
+      end(op.empty() ? error.what() : fmt::format("{}: {}", printable(op), error.what()));
+    } catch (const Error& error) {
+      tell(error_text(error.what(), op));
+    }
+  }
+
+  void on_world() override {
+    tell(hub_.hello());
+    if (hub_.scene() != scene_) {
+      scene_ = hub_.scene();
+      connection_.send({scene_, true, false});
+    }
+    on_state();
+    for (std::size_t i = 0; i < hub_.world().sonars.size(); ++i) {
+      if (const auto& ping = hub_.last_ping(static_cast<int>(i))) {
+        on_ping(*ping);
+      }
+    }
+  }
+
+  void on_state() override {
+    if (hub_.ready()) {
+      tell(state_text(hub_.loop().state(), hub_.counts(), watched_name(), connection_.dropped()));
+    }
+  }
+
+  void on_note(const std::string& text) override { tell(note_text(text)); }
+
+  void on_ping(SharedPing& shared) override {
+    const LivePing& ping = shared.ping();
+    if (!hub_.ready() || ping.world->sonars[static_cast<std::size_t>(ping.sonar)].name != watched_name()) {
+      return;
+    }
+    if (!ping.moved.empty()) {
+      connection_.send({moved_frame(ping), true, true});
+    }
+    connection_.send({shared.frame(tables_), true, true});
+  }
+
+  [[nodiscard]] bool flies() const override { return flies_; }
+
+ private:
+  void tell(std::string text) { tell(std::make_shared<const std::string>(std::move(text))); }
+  void tell(const Bytes& bytes) { connection_.send({bytes, false, false}); }
+
+  void end(const std::string& reason) {
+    tell(closing_text(reason));
+    constexpr std::uint16_t kPolicyError = 1008;
+    connection_.close(kPolicyError, reason);
+  }
+
+  // The sonar it chose; the first, where that is gone.
+  [[nodiscard]] std::string watched_name() const {
+    for (const SonarConfig& sonar : hub_.world().sonars) {
+      if (sonar.name == watched_) {
+        return watched_;
+      }
+    }
+    return hub_.world().sonars.front().name;
+  }
+
+  // Answers a request once it is done, if this client is still there then.
+  [[nodiscard]] LiveLoop::Done answer(const std::string& op) {
+    return [&hub = hub_, weak = weak_from_this(), op](const std::string& error) {
+      hub.post([&hub, weak, op, error] {
+        if (const auto self = weak.lock(); self && !error.empty()) {
+          self->tell(error_text(error, op));
+        }
+        hub.tell_state_soon();
+      });
+    };
+  }
+
+  void watch(const json& message) {
+    const std::string name = text_of(message, "sonar");
+    unsigned tables = kLevelTable;
+    if (message.contains("tables")) {
+      for (const std::string& table : texts_of(message, "tables")) {
+        const unsigned bit = ping_table(table);
+        if (bit == 0) {
+          throw Error(fmt::format("there is no table {}", printable(table)));
+        }
+        tables |= bit;
+      }
+    }
+    const auto& sonars = hub_.world().sonars;
+    if (std::ranges::find(sonars, name, &SonarConfig::name) == sonars.end()) {
+      throw Error(fmt::format("there is no sonar {}", printable(name)));
+    }
+    watched_ = name;
+    tables_ = tables;
+    const auto index = std::ranges::find(sonars, name, &SonarConfig::name) - sonars.begin();
+    if (const auto& ping = hub_.last_ping(static_cast<int>(index))) {
+      on_ping(*ping);
+    }
+  }
+
+  void fly(const json& message) {
+    LiveVelocity velocity;
+    velocity.linear = numbers_of<3>(message, "linear");
+    velocity.angular = numbers_of<3>(message, "angular") * (std::numbers::pi / 180);
+    hub_.loop().fly(velocity);
+    flies_ = !velocity.linear.isZero(0) || !velocity.angular.isZero(0);
+  }
+
+  void record(const json& message) {
+    if (!switch_of(message, "on")) {
+      hub_.loop().stop_recording(answer("record"));
+      return;
+    }
+    const std::string format = message.contains("format") ? text_of(message, "format") : "h5";
+    if (format != "h5") {
+      throw Error(fmt::format("format = \"{}\" must be h5", printable(format)));
+    }
+    hub_.loop().record(hub_.recording_path("." + format), answer("record"));
+  }
+
+  void carry_out(const std::string& op, const json& message) {
+    LiveLoop& loop = hub_.loop();
+    if (op == "watch") {
+      watch(message);
+    } else if (op == "fly") {
+      fly(message);
+    } else if (op == "place") {
+      const auto q = numbers_of<4>(message, "orientation");
+      Pose pose{numbers_of<3>(message, "position"), Eigen::Quaterniond(q[0], q[1], q[2], q[3])};
+      const double norm = pose.orientation.norm();
+      if (!(norm > 0.5 && norm < 2)) {
+        throw Error("orientation must be a unit quaternion");
+      }
+      pose.orientation.normalize();
+      loop.place(pose, answer(op));
+    } else if (op == "follow") {
+      loop.follow(switch_of(message, "on"), answer(op));
+    } else if (op == "pause") {
+      loop.pause(switch_of(message, "on"));
+    } else if (op == "step") {
+      loop.step();
+    } else if (op == "speed") {
+      loop.set_speed(number_of(member(message, "factor"), "factor"));
+    } else if (op == "set") {
+      loop.set(texts_of(message, "settings"), answer(op));
+    } else if (op == "material") {
+      loop.set_material(text_of(message, "object"), text_of(message, "material"), answer(op));
+    } else if (op == "record") {
+      record(message);
+    } else if (op == "save") {
+      tell(saved_text(loop.saved_scenario()));
+    } else {
+      throw FormError("there is no such op");
+    }
+  }
+
+  Connection& connection_;
+  Hub& hub_;
+  Bytes scene_;
+  std::string watched_;
+  unsigned tables_ = kLevelTable;
+  bool flies_ = false;
+};
+
+// Keeps the client known to others by weak pointers only, so that answers which come late find it gone.
+class Holder : public Client {
+ public:
+  Holder(Connection& connection, Hub& hub) : hub_(hub), client_(std::make_shared<ViewerClient>(connection, hub)) {
+    client_->begin();
+  }
+  ~Holder() override { hub_.leave(*client_); }
+  Holder(const Holder&) = delete;
+  Holder& operator=(const Holder&) = delete;
+  void on_text(std::string_view text) override { client_->on_text(text); }
+  void on_binary(std::string_view bytes) override { client_->on_binary(bytes); }
+
+ private:
+  Hub& hub_;
+  std::shared_ptr<ViewerClient> client_;
+};
+
+}  // namespace
+
+std::unique_ptr<Client> make_viewer_client(Connection& connection, Hub& hub) {
+  return std::make_unique<Holder>(connection, hub);
+}
+
+}  // namespace insonify

@@ -1,0 +1,147 @@
+// viewer_texts.cpp -- writes the viewer's text messages as JSON.
+
+#include "serve/viewer_texts.h"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "insonify/picture.h"
+#include "insonify/version.h"
+#include "insonify/words.h"
+#include "serve/scenario_keys.h"
+
+namespace insonify {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// Names come from files, and may not be UTF-8.
+std::string dumped(const Json& json) {
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+Json listed(const Vec3& v) {
+  return {v.x(), v.y(), v.z()};
+}
+
+Json sonar_json(const LiveWorld& world, int index, const ShownLevels& levels) {
+  const SonarConfig& sonar = world.sonars[static_cast<std::size_t>(index)];
+  Json azimuths = Json::array();
+  for (int beam = 0; beam < sonar.beam_count; ++beam) {
+    azimuths.push_back(degrees_from_radians(sonar.beam_azimuth(beam)));
+  }
+  Json edges = Json::array();
+  for (const double edge : sonar.beam_edges()) {
+    edges.push_back(degrees_from_radians(edge));
+  }
+  const bool calibrated = world.scenario.model == EchoModel::kCalibrated;
+  return {{"name", sonar.name},
+          {"model", sonar.model},
+          {"type", word_of(sonar.type)},
+          {"mounting", word_of(sonar.mounting)},
+          {"beams", sonar.beam_count},
+          {"bins", sonar.bin_count},
+          {"min_range", sonar.min_range},
+          {"max_range", sonar.max_range},
+          {"azimuths", azimuths},
+          {"azimuth_edges", edges},
+          {"elevation_aperture", degrees_from_radians(sonar.elevation_aperture)},
+          {"elevation_center", degrees_from_radians(sonar.elevation_center)},
+          {"azimuth_aperture", degrees_from_radians(sonar.azimuth_aperture)},
+          {"step", degrees_from_radians(sonar.step)},
+          {"sector_center", degrees_from_radians(sonar.sector_center)},
+          {"sector_width", degrees_from_radians(sonar.sector_width)},
+          {"gain_db", 10 * std::log10(sonar.gain)},
+          {"period", *sonar.ping_period},
+          {"reference", calibrated ? "dB re the source's level at 1 m" : "dB re full scale"},
+          {"levels", {levels.first, levels.second}},
+          {"shown_gain", shown_gain(world, index)}};
+}
+
+}  // namespace
+
+double shown_gain(const LiveWorld& world, int sonar) {
+  const Scenario& scenario = world.scenario;
+  return usual_display(scenario.model, scenario.receiver_of(world.sonars[static_cast<std::size_t>(sonar)]))
+      .raised_per_decade;
+}
+
+ShownLevels shown_levels(const LivePing& ping) {
+  constexpr double kDepth = 50;  // [dB]
+  const SonarConfig& sonar = ping.world->sonars[static_cast<std::size_t>(ping.sonar)];
+  const double gain = shown_gain(*ping.world, ping.sonar);
+  const double high = 10 * std::log10(fitting_full_scale(raised_by_range(ping.ping, sonar, gain).intensity));
+  return {high - kDepth, high};
+}
+
+std::string hello_text(const LiveWorld& world, const std::vector<ShownLevels>& levels) {
+  Json sonars = Json::array();
+  for (std::size_t i = 0; i < world.sonars.size(); ++i) {
+    sonars.push_back(sonar_json(world, static_cast<int>(i), levels[i]));
+  }
+  Json objects = Json::array(), object_materials = Json::array(), materials = Json::array(), library = Json::array();
+  for (const Instance& instance : world.scene.instances) {
+    objects.push_back(instance.name);
+    object_materials.push_back(instance.materials.empty() ? -1 : instance.materials[0]);
+  }
+  for (const Material& material : world.scene.materials) {
+    materials.push_back(material.name);
+  }
+  for (const Material& material : material_library()) {
+    library.push_back(material.name);
+  }
+  for (const auto& [name, change] : world.scenario.materials.overrides) {
+    if (find_material(name) == nullptr && change.like != name) {
+      library.push_back(name);
+    }
+  }
+  Json trajectory = Json::array();
+  for (const Waypoint& waypoint : world.trajectory.waypoints) {
+    trajectory.push_back(listed(waypoint.position));
+  }
+  const std::string name = world.scenario.file.stem().string();
+  return dumped({{"op", "hello"},
+                 {"version", kVersion},
+                 {"scenario_name", name},
+                 {"change", world.change},
+                 {"sonars", sonars},
+                 {"objects", objects},
+                 {"materials", materials},
+                 {"object_materials", object_materials},
+                 {"library", library},
+                 {"trajectory", trajectory},
+                 {"keys", scenario_keys(world.scenario)}});
+}
+
+std::string state_text(const LiveState& state, const ServerCounts& counts, const std::string& sonar,
+                       std::uint64_t dropped) {
+  return dumped({{"op", "state"},
+                 {"paused", state.paused},
+                 {"follow", state.follows},
+                 {"speed", state.speed},
+                 {"sonar", sonar},
+                 {"recording", state.recording.empty() ? Json() : Json(state.recording)},
+                 {"recorded_pings", state.recorded_pings},
+                 {"pings_per_second", std::round(counts.pings_per_second * 100) / 100},
+                 {"ms_per_ping", std::round(counts.ms_per_ping * 100) / 100},
+                 {"dropped", dropped},
+                 {"clients", counts.clients},
+                 {"pings_since_change", state.pings_since_change},
+                 {"time", state.time},
+                 {"preparing", state.preparing}});
+}
+
+std::string error_text(const std::string& text, const std::string& of) {
+  return dumped({{"op", "error"}, {"text", text}, {"of", of}});
+}
+std::string note_text(const std::string& text) {
+  return dumped({{"op", "note"}, {"text", text}});
+}
+std::string closing_text(const std::string& reason) {
+  return dumped({{"op", "closing"}, {"reason", reason}});
+}
+std::string saved_text(const std::string& yaml) {
+  return dumped({{"op", "saved"}, {"yaml", yaml}, {"path", nullptr}});
+}
+
+}  // namespace insonify

@@ -1,0 +1,72 @@
+// live_change.cpp -- works out what requests come to, and builds simulators for them.
+
+#include "live/live_change.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "insonify/error.h"
+#include "insonify/files.h"
+#include "insonify/printable.h"
+
+namespace insonify {
+
+LiveStart start_after(LiveWay way, const Pose& place, const Scenario& scenario, const LiveStanding& standing) {
+  if (way == LiveWay::kGoesOn && standing.start.follows) {
+    const bool shifts = scenario.motions.empty();
+    return {.follows = true, .world_from_vehicle = {}, .time = shifts ? standing.start.time + standing.next_time : 0};
+  }
+  if (way == LiveWay::kFromStart) {
+    return {};
+  }
+  return {.follows = false, .world_from_vehicle = way == LiveWay::kPlaced ? place : standing.next_pose};
+}
+
+std::unique_ptr<Simulator> LiveBuilder::build(const Scenario& scenario, const LiveStart& start, const Log& log) {
+  if (!scenario.world.empty() && (scenario.world != world_path_ || scenario.collisions != collisions_)) {
+    world_ = load_scene(scenario.world, scenario.collisions, log);
+    world_path_ = scenario.world;
+    collisions_ = scenario.collisions;
+  }
+  Scene scene = scenario.world.empty() ? Scene() : world_;
+  assign_materials(scene, scenario, log);
+  return std::make_unique<Simulator>(scenario_from(scenario, start), std::move(scene), threads_);
+}
+
+LivePrepared LiveBuilder::prepare(std::span<const LiveChange> changes, const LiveSettings& settings,
+                                  const Scenario& scenario, const LiveStanding& standing, const Log& log) {
+  LivePrepared next{.settings = settings, .scenario = scenario};
+  bool text_changes = false, materials_change = false;
+  for (const LiveChange& change : changes) {
+    next.settings.add(change.settings);
+    text_changes = text_changes || !change.settings.empty();
+    if (change.material) {
+      next.settings.materials[change.material->first] = change.material->second;
+      materials_change = true;
+    }
+    if (change.way != LiveWay::kGoesOn) {
+      next.way = change.way;
+      next.place = change.place;
+    }
+    if (!change.recording.empty()) {
+      next.recording = change.recording;
+    }
+  }
+  if (text_changes || materials_change) {
+    next.scenario = next.settings.scenario(log);
+  }
+  next.sonars_change = text_changes;
+  // Under a surface the speed of sound follows from the depth at which the vehicle starts.
+  const bool by_depth = next.scenario.surface.has_value();
+  if (by_depth || ((text_changes || materials_change) && !differ_in_sonars_only(scenario, next.scenario))) {
+    const LiveStart start = start_after(next.way, next.place, next.scenario, standing);
+    next.simulator = build(next.scenario, start, log);
+    if (by_depth) {
+      next.start = start;
+    }
+  }
+  return next;
+}
+
+}  // namespace insonify

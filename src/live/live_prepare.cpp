@@ -1,0 +1,84 @@
+// live_prepare.cpp -- the thread that prepares changes while pings of the state before go on.
+
+#include "insonify/error.h"
+#include "live/live_state.h"
+
+namespace insonify {
+namespace {
+
+void answer(const std::vector<LiveChange>& changes, const std::string& error) {
+  for (const LiveChange& change : changes) {
+    if (change.done) {
+      change.done(error);
+    }
+  }
+}
+
+}  // namespace
+
+Log LiveLoop::State::log() const {
+  return [this](Severity severity, const std::string& message) {
+    if (severity == Severity::kWarning) {
+      note("warning: " + message);
+    }
+  };
+}
+
+void LiveLoop::State::request(LiveChange change) {
+  {
+    const Lock lock(mutex);
+    if (!ending) {
+      wishes.push_back(std::move(change));
+      changed.notify_all();
+      return;
+    }
+  }
+  answer({std::move(change)}, "the simulation ends");
+}
+
+// Prepares changes together; where that fails, one by one, so that those that can be done are done.
+void LiveLoop::State::prepare_batch(std::vector<LiveChange> batch, Lock& lock) {
+  const LiveSettings settings_now = settings;
+  const Scenario scenario_now = scenario;
+  const LiveStanding standing_now = standing();
+  lock.unlock();
+  std::optional<LivePrepared> next;
+  std::string error;
+  try {
+    next = builder.prepare(batch, settings_now, scenario_now, standing_now, log());
+  } catch (const std::exception& failure) {
+    error = failure.what();
+  }
+  if (!next && batch.size() == 1) {
+    answer(batch, error);
+    lock.lock();
+    return;
+  }
+  lock.lock();
+  if (!next) {
+    for (LiveChange& change : batch) {
+      prepare_batch({std::move(change)}, lock);
+    }
+    return;
+  }
+  // The other thread answers.
+  prepared = std::move(next);
+  being_prepared = std::move(batch);
+  wake.notify_all();
+  changed.wait(lock, [this] { return !prepared || ending; });
+}
+
+void LiveLoop::State::prepare_changes() {
+  Lock lock(mutex);
+  while (true) {
+    changed.wait(lock, [this] { return ending || !wishes.empty(); });
+    if (ending) {
+      break;
+    }
+    preparing_now = true;
+    prepare_batch(std::exchange(wishes, {}), lock);
+    preparing_now = false;
+  }
+}
+
+}  // namespace insonify

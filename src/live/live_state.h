@@ -1,0 +1,93 @@
+// live_state.h -- what the threads of a LiveLoop share.
+
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <mutex>
+#include <thread>
+
+#include "insonify/simulator.h"
+#include "live/live_change.h"
+#include "live/live_recorder.h"
+
+namespace insonify {
+
+/// Two threads: one makes pings, the other prepares changes. `mutex` guards all members but those marked otherwise.
+struct LiveLoop::State {
+  using Clock = std::chrono::steady_clock;
+
+  State(const std::filesystem::path& scenario, std::span<const std::string> settings, const LiveOptions& the_options,
+        const Log& log);
+
+  LiveOptions options;
+  LiveListener* listener = nullptr;  // Set once, before the threads start.
+
+  std::mutex mutex;
+  std::condition_variable wake;     // Of the thread that makes pings.
+  std::condition_variable changed;  // Of the thread that prepares changes.
+  std::atomic<bool> ending = false;
+
+  // Wishes.
+  bool paused = false;
+  int steps = 0;  // Still to be made while paused.
+  double speed = 1;
+  LiveVelocity velocity;
+  std::vector<LiveChange> wishes;  // To be prepared.
+  std::optional<std::vector<LiveChange>> being_prepared;
+  std::optional<LivePrepared> prepared;  // To take place between two pings.
+  bool preparing_now = false;
+  bool taking_helm = false;          // Whether a wish to steer is on its way.
+  std::vector<Done> stop_recording;  // To be answered when the recording has ended.
+
+  // What is simulated.
+  LiveSettings settings;
+  Scenario scenario;  // With its own trajectory.
+  std::optional<LiveRun> run;
+  std::shared_ptr<const LiveWorld> world;
+  std::uint64_t pings_made = 0;
+  std::string recording_names;
+  std::uint64_t recorded_pings = 0;
+
+  // Pace: that time of the run is at that time of the clock.
+  double anchor_time = 0;
+  Clock::time_point anchor = Clock::now();
+  std::vector<Clock::time_point> last_pings;  // When each sonar pinged last, for the limit of the rate.
+
+  // Of the thread that makes pings alone.
+  std::unique_ptr<Simulator> simulator;
+  std::unique_ptr<LiveRecorder> recorder;
+  std::filesystem::path recording_path;
+  int recording_part = 0;
+  std::vector<std::shared_ptr<LivePing>> pool;
+  std::string closing_error;
+
+  LiveBuilder builder;  // Of the thread that prepares changes alone.
+  std::thread pinging, preparing;
+
+  using Lock = std::unique_lock<std::mutex>;
+
+  // live_loop.cpp: the thread that makes pings.
+  void make_pings();
+  void make_next(Lock& lock);
+  void take_place(Lock& lock);
+  void begin_run(LiveStart start, Lock& lock);
+  void end_recording(Lock& lock);
+  void answer_stop_recording(Lock& lock);
+  [[nodiscard]] Clock::time_point next_due() const;
+  void keep_pace(Clock::time_point due, double time, std::span<const int> sonars);
+  [[nodiscard]] double time_now() const;
+  [[nodiscard]] std::shared_ptr<LivePing> free_ping();
+
+  // live_prepare.cpp: the thread that prepares changes.
+  void prepare_changes();
+  void prepare_batch(std::vector<LiveChange> batch, Lock& lock);
+
+  [[nodiscard]] LiveStanding standing() const { return {run->start(), run->next_time(), run->next_pose()}; }
+  void request(LiveChange change);
+  void note(const std::string& text) const { listener->on_note(text); }
+  [[nodiscard]] Log log() const;
+};
+
+}  // namespace insonify

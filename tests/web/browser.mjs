@@ -1,0 +1,26 @@
+// browser.mjs -- headless Chromium for the tests, or the reason why there is none.
+
+import { existsSync } from "node:fs";
+
+const kPlaces = [process.env.CHROMIUM, "/usr/bin/chromium", "/usr/bin/chromium-browser", "/usr/bin/google-chrome"];
+const kFlags = ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--hide-scrollbars", "--mute-audio"];
+
+/** Ends this program with 77, which says "skipped", unless Chromium is there. */
+export function needBrowser() {
+  const found = kPlaces.find((place) => place && existsSync(place));
+  if (found) return found;
+  console.log("skipped: no Chromium (apt-get install chromium, or name it in CHROMIUM)");
+  process.exit(77);
+}
+
+/** A browser and a page of that size; what the page reports as an error is collected in `page.faults`. */
+export async function openPage(puppeteer, { width = 1280, height = 720, theme = "dark", touch = false } = {}) {
+  const browser = await puppeteer.launch({ executablePath: needBrowser(), headless: true, args: kFlags });
+  const page = await browser.newPage();
+  await page.setViewport({ width, height, hasTouch: touch, isMobile: false });
+  await page.emulateMediaFeatures([{ name: "prefers-color-scheme", value: theme }]);
+  page.faults = [];
+  page.on("pageerror", (error) => page.faults.push(String(error.stack ?? error)));
+  page.on("console", (message) => message.type() === "error" && page.faults.push(message.text()));
+  return { browser, page };
+}

@@ -1,0 +1,41 @@
+// checks.mjs -- runs named checks one after another, and says which of them fail.
+
+/** Runs { name: async function }; returns how many failed. `after(name)` may add what to tell of a failure. */
+export async function runChecks(checks, { only = process.argv[2] } = {}) {
+  let failed = 0;
+  for (const [name, check] of Object.entries(checks)) {
+    if (only && !name.includes(only)) continue;
+    const start = Date.now();
+    try {
+      await check();
+      console.log(`ok      ${name} (${Date.now() - start} ms)`);
+    } catch (error) {
+      ++failed;
+      console.log(`FAILED  ${name}\n${error.stack}`);
+    }
+  }
+  return failed;
+}
+
+/** Waits until `condition()` gives something true, and returns that. */
+export async function until(condition, what, seconds = 5) {
+  const end = Date.now() + 1000 * seconds;
+  for (;;) {
+    const value = await condition();
+    if (value) return value;
+    if (Date.now() > end) throw new Error(`waited ${seconds} s in vain for ${what}`);
+    await new Promise((done) => setTimeout(done, 25));
+  }
+}
+
+export const pause = (seconds) => new Promise((done) => setTimeout(done, 1000 * seconds));
+
+/** A package of npm, or the end of this program with 77, which says "skipped". */
+export async function need(name) {
+  try {
+    return await import(name);
+  } catch {
+    console.log(`skipped: no npm package ${name} (npm ci, in tests/web)`);
+    process.exit(77);
+  }
+}

@@ -1,0 +1,107 @@
+// mock_sonar.mjs -- pings of a made-up scene: a wall, a bed and a point target at a known place.
+
+export const kPoint = { position: [12, -3, 0], level: -31.25 };
+export const kHostile = '<img src=x onerror="document.title=\'owned\'">';
+
+const azimuthsOf = (beams, aperture) => Array.from({ length: beams }, (_, i) => aperture / 2 - ((i + 0.5) * aperture) / beams);
+
+export function makeSonars() {
+  return [
+    { name: "fls", type: "fls", beams: 256, bins: 500, min_range: 0.2, max_range: 30, azimuths: azimuthsOf(256, 120), elevation_aperture: 20, azimuth_aperture: 120, step: 0, gain_db: 0, period: 0.05, reference: "dB re source at 1 m", levels: [-110, -30] },
+    { name: "head", type: "msis", beams: 1, bins: 300, min_range: 0.3, max_range: 15, azimuths: [0], elevation_aperture: 35, azimuth_aperture: 3, step: 3.6, gain_db: 0, period: 0.05, reference: "dB re source at 1 m", levels: [-110, -30] },
+  ];
+}
+
+export function setBins(sonar, bins) {
+  sonar.bins = bins;
+}
+
+const kWallAt = 18;      // x of a wall [m]
+const kBedBelow = 3;     // depth of the bed below the sonar [m]
+
+/** Echo in a cell as [level in dB, instance, material, elevation], or null. */
+function echo(sonar, vehicle, azimuth, range, binLength, beamWidth, noise) {
+  const dx = kPoint.position[0] - vehicle.position[0];
+  const dy = kPoint.position[1] - vehicle.position[1];
+  const yaw = vehicle.yaw + azimuth;
+  const bearing = Math.atan2(dy, dx);
+  const off = Math.atan2(Math.sin(yaw - bearing), Math.cos(yaw - bearing));
+  if (Math.abs(off) <= beamWidth / 2 && Math.abs(Math.hypot(dx, dy) - range) <= binLength / 2) return [kPoint.level, 0, 0, 0];
+  const wall = (kWallAt - vehicle.position[0]) / Math.cos(yaw);
+  if (wall > 0 && Math.abs(wall - range) < 0.25) return [-45 - 20 * Math.log10(range) + 6 * noise, 1, 1, 0.01];
+  if (wall > 0 && range > wall) return null;
+  const grazing = kBedBelow / range;
+  if (grazing > 0.35 || range < kBedBelow) return null;
+  return [-52 - 30 * Math.log10(range) + 8 * noise, 2, 2, -Math.asin(grazing)];
+}
+
+/** Binary message of one ping. */
+export function makePing(sonar, number, vehicle, headAngle, wanted, withNoise) {
+  const { beams, bins } = sonar;
+  const cells = beams * bins;
+  const tables = { level: new Uint16Array(cells), instance: new Int32Array(cells).fill(-1), material: new Int32Array(cells).fill(-1), elevation: new Float32Array(cells).fill(NaN), shadow: new Uint8Array(cells), multipath: new Uint8Array(cells) };
+  const binLength = (sonar.max_range - sonar.min_range) / bins;
+  const beamWidth = ((sonar.azimuth_aperture / beams) * Math.PI) / 180;
+  for (let bin = 0; bin < bins; ++bin) {
+    const range = sonar.min_range + (bin + 0.5) * binLength;
+    for (let beam = 0; beam < beams; ++beam) {
+      const azimuth = (sonar.azimuths[beam] * Math.PI) / 180 + headAngle;
+      const i = bin * beams + beam;
+      const noise = withNoise ? Math.log10(-Math.log(1 - Math.random()) + 1e-3) : 0;
+      const found = echo(sonar, vehicle, azimuth, range, binLength, beamWidth, noise);
+      const level = found ? found[0] : withNoise ? -105 + 6 * noise : null;
+      tables.shadow[i] = found || range < 8 ? 0 : 255;
+      if (level === null) continue;
+      tables.level[i] = Math.round((level + 400) * 100);
+      if (!found) continue;
+      [, tables.instance[i], tables.material[i], tables.elevation[i]] = found;
+      tables.multipath[i] = found[1] === 1 ? 2 : 1;
+    }
+  }
+  const orientation = [Math.cos(vehicle.yaw / 2), 0, 0, Math.sin(vehicle.yaw / 2)];
+  const pose = { position: vehicle.position, orientation };
+  const header = { sonar: sonar.name, number, time: number * sonar.period, beams, bins, ...pose, vehicle: pose, head_angle: (headAngle * 180) / Math.PI, ms: 7.5 };
+  return encode(1, header, Object.entries(tables).filter(([name]) => wanted.includes(name)));
+}
+
+const kTypes = { Uint8Array: "uint8", Uint16Array: "uint16", Int32Array: "int32", Float32Array: "float32" };
+
+function encode(kind, header, tables) {
+  let offset = 0;
+  const described = tables.map(([name, table]) => {
+    const entry = { name, type: kTypes[table.constructor.name], offset };
+    offset += Math.ceil(table.byteLength / 4) * 4;
+    return entry;
+  });
+  const { message, start } = frame(kind, kind === 1 ? { ...header, tables: described } : header, offset);
+  tables.forEach(([, table], i) => Buffer.from(table.buffer).copy(message, start + described[i].offset));
+  return message;
+}
+
+function frame(kind, header, bytes) {
+  let text = Buffer.from(JSON.stringify(header));
+  text = Buffer.concat([text, Buffer.alloc((4 - (text.length % 4)) % 4, 0x20)]);
+  const message = Buffer.alloc(8 + text.length + bytes);
+  message.writeUInt32LE(kind, 0);
+  message.writeUInt32LE(text.length, 4);
+  text.copy(message, 8);
+  return { message, start: 8 + text.length };
+}
+
+/** Binary message of the scene: a buoy at the point, a wall and a bed. */
+export function makeScene() {
+  const vertices = new Float32Array([-0.3, -0.3, -0.3, 0.3, -0.3, -0.3, 0, 0.3, -0.3, 0, 0, 0.4, kWallAt, -20, -3, kWallAt, 20, -3, kWallAt, 20, 3, kWallAt, -20, 3, -30, -30, -3, 30, -30, -3, 30, 30, -3, -30, 30, -3]);
+  const triangles = new Uint32Array([0, 1, 3, 1, 2, 3, 2, 0, 3, 0, 2, 1, 0, 1, 2, 0, 2, 3, 0, 1, 2, 0, 2, 3]);
+  const identity = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
+  const at = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, ...kPoint.position, 1];
+  const start = vertices.byteLength;
+  const objects = [
+    { name: kHostile, material: "steel", colour: [0.9, 0.3, 0.2], matrix: at, vertices: { offset: 0, count: 4 }, triangles: { offset: start, count: 4 } },
+    { name: "wall", material: "concrete", colour: [0.6, 0.6, 0.65], matrix: identity, vertices: { offset: 48, count: 4 }, triangles: { offset: start + 48, count: 2 } },
+    { name: "bed", material: "sand", colour: [0.65, 0.55, 0.4], matrix: identity, vertices: { offset: 96, count: 4 }, triangles: { offset: start + 72, count: 2 } },
+  ];
+  const { message, start: data } = frame(2, { objects, sonars: [] }, vertices.byteLength + triangles.byteLength);
+  Buffer.from(vertices.buffer).copy(message, data);
+  Buffer.from(triangles.buffer).copy(message, data + vertices.byteLength);
+  return message;
+}

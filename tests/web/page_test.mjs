@@ -1,0 +1,389 @@
+// page_test.mjs -- the viewer's page in a browser, against a stand-in for the server: what is drawn, what each control says to
+// the server, what the page says of errors, and that it can be used with a keyboard, by touch and by a screen reader.
+
+import assert from "node:assert/strict";
+import { openPage, needBrowser } from "./browser.mjs";
+import { need, pause, runChecks, until } from "./checks.mjs";
+
+needBrowser();
+const { default: puppeteer } = await need("puppeteer-core");
+await need("ws");
+const { MockServer } = await import("./mock_server.mjs");
+const { kPoint, kHostile } = await import("./mock_sonar.mjs");
+
+const server = new MockServer({ rate: 10 });
+const address = await server.start();
+const { browser, page } = await openPage(puppeteer);
+
+const text = (id) => page.$eval(`#${id}`, (node) => node.textContent);
+const value = (id) => page.$eval(`[id="${id}"]`, (node) => (node.type === "checkbox" ? node.checked : node.value));
+const press = (id) => page.$eval(`[id="${id}"]`, (node) => node.click());
+const get = (name) => page.evaluate((each) => insonify.store.get(each), name);
+const choose = (id, chosen) => page.$eval(`[id="${id}"]`, (node, to) => {
+  if (node.type === "checkbox") node.checked = to;
+  else node.value = to;
+  node.dispatchEvent(new Event("input", { bubbles: true }));
+  node.dispatchEvent(new Event("change", { bubbles: true }));
+}, chosen);
+const told = (op, what = () => true) => until(() => server.requests.findLast((each) => each.op === op && what(each)), `a request ${op}`);
+
+/** Where a range and an azimuth to port [rad] lie in the window. */
+const placeOf = (range, azimuth) => page.evaluate(async (r, a) => {
+  const { makePlan } = await import("./js/draw/plan.js");
+  const box = document.getElementById("picture-stage").getBoundingClientRect();
+  const plan = makePlan(insonify.store.get("sonar"), insonify.store.get("mode"), box.width, box.height, { factor: 1, x: 0, y: 0 });
+  const [x, y] = plan.place(r, a);
+  return [box.left + x, box.top + y];
+}, range, azimuth);
+
+async function askedFor(path, control, to, expected = `${path}=${to}`) {
+  server.requests.length = 0;
+  await choose(control, to);
+  const request = await told("set");
+  assert.deepEqual(request.settings, [expected]);
+}
+
+const failed = await runChecks({
+  async "the first picture is there within two seconds"() {
+    await page.goto(address);
+    const drawn = await until(() => page.evaluate(() => globalThis.insonify?.picture.drawn), "a picture", 10);
+    assert.ok(drawn < 2000, `${drawn} ms`);
+    console.log(`        first picture after ${drawn.toFixed(0)} ms`);
+    const shades = await page.evaluate(() => {
+      insonify.picture.draw();  // A browser keeps no drawn WebGL picture.
+      const made = document.createElement("canvas");
+      Object.assign(made, { width: 64, height: 64 });
+      const context = made.getContext("2d");
+      context.drawImage(document.getElementById("picture"), 0, 0, 64, 64);
+      const pixels = context.getImageData(0, 0, 64, 64).data;
+      const colours = new Set();
+      for (let i = 0; i < pixels.length; i += 4) if (pixels[i + 3] > 0) colours.add(pixels[i] >> 3);
+      return colours.size;
+    });
+    assert.ok(shades > 4, `only ${shades} shades in the picture`);
+  },
+
+  // The point is at (12, -3, 0), the sonar at the origin looks along x: sqrt(153) = 12.369 m, atan(3 / 12) = 14.04 degrees to
+  // starboard. Bins are 29.8 m / 500 = 0.0596 m: floor((12.369 - 0.2) / 0.0596) = 204. Beams are 120 / 256 = 0.469 degrees, the
+  // first at +60: floor((60 + 14.036) / 0.469) = 157. Its level is -31.25 dB.
+  async "a point reads its range, bearing, level, beam, bin, place, object and material"() {
+    const [x, y] = await placeOf(Math.hypot(12, 3), -Math.atan2(3, 12));
+    await page.mouse.move(x, y);
+    await until(async () => (await text("read-level")).startsWith("\u221231"), "the point's level");
+    assert.ok(Math.abs(parseFloat(await text("read-range")) - 12.369) < 0.06, await text("read-range"));
+    assert.ok(Math.abs(parseFloat(await text("read-bearing")) - 14.036) < 0.24, await text("read-bearing"));
+    assert.match(await text("read-bearing"), /stbd$/);
+    assert.ok(Math.abs(-31.25 + Number((await text("read-level")).slice(1, -3))) < 0.051, await text("read-level"));
+    assert.equal(await text("read-beam"), "157");
+    assert.equal(await text("read-bin"), "204");
+    const world = (await text("read-world")).replaceAll("\u2212", "-").split(",").map(Number);
+    world.forEach((each, i) => assert.ok(Math.abs(each - kPoint.position[i]) < 0.08, `world ${world}`));
+    assert.equal(await text("read-object"), kHostile);
+    assert.equal(await text("read-material"), "steel");
+  },
+
+  async "the polar picture reads the same point"() {
+    await press("mode-polar");
+    const [x, y] = await placeOf(Math.hypot(12, 3), -Math.atan2(3, 12));
+    await page.mouse.move(x, y);
+    await until(async () => (await text("read-beam")) === "157" && (await text("read-bin")) === "204", "beam 157, bin 204");
+    await press("mode-fan");
+  },
+
+  async "names of a hostile scene stay text"() {
+    await press("tab-scene");
+    assert.ok(await page.$$eval("#object option", (nodes, name) => nodes.some((node) => node.textContent === name), kHostile));
+    assert.equal(await page.title(), "mock \u2013 insonify");
+    assert.equal(await page.$("img"), null);
+  },
+
+  async "every setting says itself to the server"() {
+    await press("tab-sonar");
+    await askedFor("sonars[0].max_range", "key-sonars[0].max_range", "25");
+    await until(async () => (await get("sonar")).max_range === 25, "the new range");
+    await askedFor("sonars[0].bin_count", "key-sonars[0].bin_count", "400");
+    await until(async () => (await get("shown"))?.bins === 400, "a ping of 400 bins");
+    await askedFor("sonars[0].gain", "key-sonars[0].gain", "2.5");
+    await askedFor("model", "key-model", "paper");
+    await askedFor("sonars[0].receiver.noise", "key-sonars[0].receiver.noise", false);
+    await askedFor("sonars[0].receiver.speckle", "key-sonars[0].receiver.speckle", false);
+    await askedFor("sonars[0].receiver.time_varied_gain", "key-sonars[0].receiver.time_varied_gain", "30");
+    await askedFor("surface", "key-surface", true, "surface={level: 5}");
+    await askedFor("surface.wind_speed", "key-surface.wind_speed", "7");
+    await askedFor("water.salinity", "key-water.salinity", "12");
+  },
+
+  async "buttons beside a number go to the next usual value"() {
+    server.requests.length = 0;
+    await page.click('[aria-label="Range: more"]');
+    assert.deepEqual((await told("set")).settings, ["sonars[0].max_range=30"]);
+  },
+
+  async "an error is shown beside its control, at the bottom and in the log, and the control goes back"() {
+    await choose("key-sonars[0].max_range", "0");
+    const message = "--set: sonars[0].max_range = 0 must be greater than 0 and at most 100000";
+    await until(async () => (await text("error-sonars[0].max_range".replace(/[[\].]/g, "\\$&"))) === message, "the error");
+    assert.equal(await text("note"), message);
+    assert.ok((await text("log")).includes(message));
+    assert.equal(await value("key-sonars[0].max_range"), "30");
+    assert.equal(await text("log-count"), "1");
+  },
+
+  async "pause, step, speed, follow, record and save say so, and show the server's answer"() {
+    await press("pause");
+    assert.equal((await told("pause")).on, true);
+    await until(async () => (await text("pause-text")) === "Resume", "Resume");
+    const before = (await get("ping")).number;
+    await press("step");
+    await until(async () => (await get("ping")).number === before + 1, "one more ping");
+    await press("pause");
+    assert.equal((await told("pause", (each) => !each.on)).on, false);
+    await choose("speed", "2");
+    assert.equal((await told("speed")).factor, 2);
+    await press("follow");
+    assert.equal((await told("follow")).on, false);
+    await choose("record-format", "mcap");
+    await press("record");
+    assert.deepEqual(await told("record"), { op: "record", on: true, format: "mcap" });
+    await until(() => page.$eval("#record", (node) => node.getAttribute("aria-pressed") === "true"), "a pressed button");
+    await press("record");
+    await told("record", (each) => !each.on);
+    await press("save");
+    await told("save");
+    await until(async () => /^Saved mock_live\.yaml/.test(await text("note")), "the note of what was saved");
+  },
+
+  async "keys fly, and letting go stops"() {
+    await page.evaluate(() => document.activeElement.blur());
+    server.requests.length = 0;
+    await page.keyboard.down("w");
+    const ahead = await told("fly");
+    assert.ok(ahead.linear[0] > 0 && ahead.linear[1] === 0 && ahead.angular[2] === 0, JSON.stringify(ahead));
+    await page.keyboard.down("Shift");
+    const faster = await told("fly", (each) => each.linear[0] > ahead.linear[0] + 0.1);
+    assert.equal(faster.linear[0], 1);
+    await page.keyboard.up("Shift");
+    await page.keyboard.up("w");
+    await told("fly", (each) => each.linear.every((part) => part === 0));
+    for (const [key, part, index, sign] of [["s", "linear", 0, -1], ["a", "linear", 1, 1], ["d", "linear", 1, -1], ["e", "linear", 2, 1], ["q", "linear", 2, -1], ["ArrowLeft", "angular", 2, 1], ["ArrowRight", "angular", 2, -1], ["ArrowUp", "angular", 1, -1]]) {
+      server.requests.length = 0;
+      await page.keyboard.down(key);
+      assert.equal(Math.sign((await told("fly"))[part][index]), sign, key);
+      await page.keyboard.up(key);
+      await told("fly", (each) => [...each.linear, ...each.angular].every((one) => one === 0));
+    }
+  },
+
+  async "keys typed into a field do not fly"() {
+    server.requests.length = 0;
+    await page.focus("#settings-search");
+    await page.keyboard.type("wasd water");
+    await pause(0.2);
+    assert.equal(server.requests.some(({ op }) => op === "fly"), false);
+    await choose("settings-search", "");
+    await page.evaluate(() => document.activeElement.blur());
+  },
+
+  async "a number puts the vehicle somewhere, and something else is refused"() {
+    await press("tab-fly");
+    server.requests.length = 0;
+    for (const [name, to] of Object.entries({ x: "1.5", y: "-2", z: "0", roll: "0", pitch: "0", yaw: "90" })) await choose(`place-${name}`, to);
+    await press("place-go");
+    const { position, orientation } = await told("place");
+    assert.deepEqual(position, [1.5, -2, 0]);
+    orientation.forEach((part, i) => assert.ok(Math.abs(part - [Math.SQRT1_2, 0, 0, Math.SQRT1_2][i]) < 1e-9));
+    server.requests.length = 0;
+    await choose("place-x", "");
+    await press("place-go");
+    assert.equal(await text("error-place"), "x must be a number.");
+    assert.equal(server.requests.some(({ op }) => op === "place"), false);
+  },
+
+  async "the chosen object gets its material"() {
+    await press("tab-scene");
+    await choose("object", "1");
+    assert.equal(await value("material"), "concrete");
+    server.requests.length = 0;
+    await choose("material", "steel");
+    assert.deepEqual(await told("material"), { op: "material", object: "wall", material: "steel" });
+    await until(async () => (await value("material")) === "steel", "the server's answer");
+  },
+
+  async "a click in the picture chooses beam and object"() {
+    await page.evaluate(() => insonify.store.set({ object: -1 }));
+    const position = server.vehicle.position;
+    const bearing = (40 * Math.PI) / 180;
+    await until(async () => (await get("ping")).position[0] === position[0], "the vehicle there");
+    const [x, y] = await placeOf(12, bearing);
+    await page.mouse.click(x, y);
+    await until(async () => (await get("object")) === 2, "the bed");
+    assert.equal(await get("beam"), 42);  // (60 - 40) / 0.469 = 42.7
+  },
+
+  async "a click in the scene chooses an object"() {
+    await page.evaluate(() => insonify.store.set({ object: -1, main: "scene", camera: "chase" }));
+    await pause(0.3);
+    const box = await (await page.$("#scene-stage")).boundingBox();
+    await page.mouse.click(box.x + 40, box.y + box.height - 60);
+    await until(async () => (await get("object")) === 2, "the bed");
+    await page.evaluate(() => insonify.store.set({ main: "picture" }));
+  },
+
+  async "contrast, gain, colours and overlay change the picture, and nothing on the server"() {
+    await press("tab-display");
+    server.requests.length = 0;
+    const shown = async () => {
+      await pause(0.15);
+      return (await page.$("#view-picture")).screenshot({ encoding: "base64" });
+    };
+    await press("freeze");
+    await page.mouse.move(2, 300);
+    let before = await shown();
+    for (const [id, to] of [["low", "-80"], ["high", "-20"], ["gain", "10"], ["tvg", "30"], ["map", "turbo"], ["map", "copper"], ["map", "grey"], ["map", "blue"], ["grid", false], ["smooth", false], ["overlay", "instance"], ["overlay", "material"]]) {
+      await choose(id, to);
+      const after = await shown();
+      assert.notEqual(after, before, `${id} = ${to} changes nothing`);
+      before = after;
+    }
+    assert.equal(server.requests.filter(({ op }) => op !== "watch").length, 0);
+    await press("freeze");
+    await choose("overlay", "multipath");
+    const { tables } = await told("watch", (each) => each.tables.includes("multipath"));
+    assert.ok(tables.includes("level"));
+    for (const [id, to] of [["overlay", "none"], ["map", "inferno"], ["grid", true], ["smooth", true]]) await choose(id, to);
+    await press("contrast-reset");
+    assert.equal(await get("low"), -110);
+    assert.equal(await get("tvg"), 0);
+    await press("auto");
+    assert.ok((await get("low")) > -110 && (await get("high")) < -20);
+  },
+
+  async "a frozen picture stays while pings go on"() {
+    await press("freeze");
+    const { number } = await get("shown");
+    const first = (await get("ping")).number;
+    await until(async () => (await get("ping")).number > first + 2, "more pings");
+    assert.equal((await get("shown")).number, number);
+    await press("freeze");
+    await until(async () => (await get("shown")).number > number, "the picture to go on");
+  },
+
+  async "the scanning head has a round picture that fills"() {
+    await choose("sonar", "head");
+    await told("watch", (each) => each.sonar === "head");
+    await until(async () => (await get("mode")) === "round" && (await get("shown"))?.sonar === "head", "the round picture");
+    assert.equal(await page.$eval("#mode-fan", (node) => node.hidden), true);
+    await pause(1);
+    const [x, y] = await placeOf(12, (await get("shown")).headAngle);
+    await page.mouse.move(x, y);
+    await until(async () => (await text("read-bin")) !== "\u2013", "a readout");
+    await choose("sonar", "fls");
+    await until(async () => (await get("mode")) === "fan", "the fan");
+  },
+
+  async "help opens with ? and closes with Escape"() {
+    await page.evaluate(() => document.activeElement.blur());
+    await page.keyboard.type("?");
+    assert.equal(await page.$eval("#help", (node) => node.open), true);
+    await page.keyboard.press("Escape");
+    assert.equal(await page.$eval("#help", (node) => node.open), false);
+  },
+
+  async "single keys do what the help says"() {
+    await page.keyboard.press("2");
+    assert.equal(await get("main"), "scene");
+    await page.keyboard.press("1");
+    await page.keyboard.press("v");
+    assert.equal(await get("mode"), "polar");
+    await page.keyboard.press("v");
+    await page.keyboard.press("m");
+    assert.equal(await get("map"), "copper");
+    await page.keyboard.press("l");
+    assert.equal(await page.evaluate(() => document.documentElement.dataset.theme), "light");
+    await page.keyboard.press("l");
+    server.requests.length = 0;
+    await page.keyboard.press("Space");
+    await told("pause");
+    await until(async () => (await get("status")).paused, "the pause");
+    await page.keyboard.press("Space");
+    await told("pause", (each) => !each.on);
+  },
+
+  async "what the server cannot be understood in is said, and the page goes on"() {
+    server.say(Buffer.from([9, 0, 0, 0, 0, 0, 0, 0]));
+    await until(async () => (await text("note")).startsWith("A message of the server cannot be read"), "a note");
+    const { number } = await get("ping");
+    await until(async () => (await get("ping")).number !== number, "more pings");
+  },
+
+  async "a screenshot is a picture of the large view with its caption"() {
+    const size = await page.evaluate(async () => {
+      const { composeScreenshot } = await import("./js/panels/screenshot.js");
+      const made = composeScreenshot(insonify.store, () => {});
+      return [made.width, made.height];
+    });
+    assert.ok(size[0] > 400 && size[1] > 300, String(size));
+    await press("shot");
+    await until(async () => /^Screenshot insonify_fls_\d+\.png$/.test(await text("note")), "the note");
+  },
+
+  async "every control has a name that a screen reader finds"() {
+    const nameless = await page.evaluate(() => [...document.querySelectorAll("button, select, input")].filter((node) => {
+      const label = node.getAttribute("aria-label") || node.labels?.[0]?.textContent || (node.tagName === "BUTTON" ? node.textContent : "");
+      return !label.trim();
+    }).map((node) => node.outerHTML));
+    assert.deepEqual(nameless, []);
+    const tree = await page.accessibility.snapshot();
+    assert.ok(JSON.stringify(tree).includes("Brightest"));
+    assert.equal(await page.$eval("#note", (node) => node.getAttribute("aria-live")), "polite");
+  },
+
+  async "nothing is wider than the window, on a desktop and on a tablet"() {
+    for (const [width, height] of [[1280, 720], [1024, 768], [768, 1024]]) {
+      await page.setViewport({ width, height });
+      await pause(0.2);
+      const wide = await page.evaluate(() => [document.documentElement.scrollWidth - innerWidth, document.documentElement.scrollHeight - innerHeight]);
+      assert.ok(wide[0] <= 0 && wide[1] <= 0, `${width} x ${height}: ${wide}`);
+      const cut = await page.evaluate(() => [...document.querySelectorAll("header button, footer button, footer select")]
+        .filter((node) => node.offsetParent && (node.getBoundingClientRect().right > innerWidth + 0.5 || node.getBoundingClientRect().left < -0.5 || node.getBoundingClientRect().bottom > innerHeight + 0.5)).map((node) => node.id));
+      assert.deepEqual(cut, [], `${width} x ${height}`);
+    }
+    await page.setViewport({ width: 1280, height: 720 });
+  },
+
+  async "a lost connection is said, tried again, and found"() {
+    server.requests.length = 0;
+    server.say({ op: "closing", reason: "the test says so" });
+    for (const socket of server.sockets.clients) socket.close(1008, "the test says so");
+    await until(async () => (await text("log")).includes("The server ended the connection: the test says so"), "the reason");
+    await until(async () => (await text("link-text")) === "Connected", "another connection", 5);
+    assert.equal((await told("watch")).sonar, "fls");
+    const { number } = await get("ping");
+    await until(async () => (await get("ping")).number !== number, "pings again");
+  },
+
+  async "the token of the page's address opens the connection"() {
+    await page.goto(`${address}?token=s%26cret`);
+    await until(async () => (await text("link-text")) === "Connected", "a connection");
+    assert.equal(new URL(server.lastUrl, address).searchParams.get("token"), "s&cret");
+  },
+
+  async "without a server, controls say that nothing was changed"() {
+    await until(() => page.$eval("#empty", (node) => node.hidden), "a picture");
+    await server.stop();
+    await until(async () => (await text("link-text")).startsWith("No connection"), "the loss");
+    assert.equal(await page.$eval("#pause", (node) => node.disabled), true);
+    await press("tab-sonar");
+    await choose("key-sonars[0].max_range", "40");
+    await until(async () => (await text("note")) === "No connection: nothing was changed.", "the note");
+    assert.notEqual(await value("key-sonars[0].max_range"), "40");
+  },
+
+  async "the page made no errors of its own"() {
+    const own = page.faults.filter((fault) => !/WebSocket|ERR_CONNECTION/.test(fault));
+    assert.deepEqual(own, []);
+  },
+});
+
+await browser.close();
+process.exit(failed === 0 ? 0 : 1);

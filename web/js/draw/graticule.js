@@ -1,0 +1,147 @@
+// graticule.js -- range rings, radials, labels, sweep line and cursor over the picture.
+
+import { themeColour } from "../dom.js";
+import { bearing, number, ringSpacing, ticks } from "../format.js";
+import { degrees, radians } from "../geometry.js";
+
+const kFont = "11px system-ui, sans-serif";
+
+/** Draws all lines of `plan`; `options` = { grid, cursor, beam, headAngle }. */
+export function drawGraticule(context, plan, options) {
+  context.font = kFont;
+  context.lineWidth = 1;
+  if (options.grid) {
+    if (plan.mode === "polar") drawPolarGrid(context, plan);
+    else drawRings(context, plan);
+  }
+  if (plan.mode === "round") drawSweep(context, plan, options.headAngle);
+  if (options.cursor) drawCursor(context, plan, options.cursor);
+}
+
+const isSmall = (plan) => plan.width < 420;
+
+function drawRings(context, plan) {
+  const { sonar, mode } = plan;
+  const whole = mode === "round";
+  const port = whole ? Math.PI : sonar.edges[0];
+  const starboard = whole ? -Math.PI : sonar.edges[sonar.beams];
+  const spacing = ringSpacing(sonar.max_range);
+  const rings = ticks(spacing, sonar.max_range, spacing);
+  const [apexX, apexY] = plan.toScreen(0, 0);
+  const radiusOf = (range) => plan.toScreen(range, 0)[0] - apexX;
+  const arc = (range) => {
+    context.beginPath();
+    context.arc(apexX, apexY, radiusOf(range), -Math.PI / 2 - port, -Math.PI / 2 - starboard);
+    context.stroke();
+  };
+  context.strokeStyle = themeColour("--ring");
+  rings.forEach(arc);
+  arc(sonar.max_range);
+  if (sonar.min_range > 0.03 * sonar.max_range) arc(sonar.min_range);
+  for (const azimuth of radialsOf(plan, port, starboard)) {
+    context.beginPath();
+    context.moveTo(...plan.place(sonar.min_range, azimuth));
+    context.lineTo(...plan.place(sonar.max_range, azimuth));
+    context.stroke();
+    if (!isSmall(plan)) labelRadial(context, plan, azimuth);
+  }
+  rings.forEach((range) => labelRing(context, plan, range, whole ? -Math.PI / 4 : port));
+}
+
+// Every 20 degrees, beginning at 10 to either side, and both edges; every 30 around a full circle.
+function radialsOf(plan, port, starboard) {
+  if (plan.mode === "round") return ticks(-150, 180, 30).map(radians);
+  const step = port - starboard < radians(50) ? 5 : 10;
+  const found = [port, starboard];
+  for (let at = step; radians(at) < Math.max(port, -starboard) - radians(step / 2); at += 2 * step) {
+    if (radians(at) < port) found.push(radians(at));
+    if (radians(-at) > starboard) found.push(radians(-at));
+  }
+  return found;
+}
+
+function labelRadial(context, plan, azimuth) {
+  const [x, y] = plan.place(plan.sonar.max_range * 1.0, azimuth);
+  const angle = -azimuth;
+  context.fillStyle = themeColour("--soft");
+  context.textAlign = Math.sin(angle) > 0.2 ? "left" : Math.sin(angle) < -0.2 ? "right" : "center";
+  context.textBaseline = Math.cos(angle) < -0.5 ? "top" : "bottom";
+  context.fillText(`${Math.round(Math.abs(degrees(angle)))}°`, x + 5 * Math.sin(angle), y - 4 * Math.cos(angle));
+}
+
+// At the left edge of the fan, beside it.
+function labelRing(context, plan, range, azimuth) {
+  const [x, y] = plan.place(range, azimuth);
+  if (x < -20 || y < 0 || x > plan.width || y > plan.height) return;
+  const text = `${number(range, Number.isInteger(range) ? 0 : 1)} m`;
+  const inside = plan.mode === "round" || x < context.measureText(text).width + 8;
+  context.textAlign = inside ? "left" : "right";
+  context.textBaseline = inside ? "bottom" : "middle";
+  const below = range > 0.97 * plan.sonar.max_range ? 14 : 3;  // The edge's own label is there.
+  const place = inside ? [x + 4, y - 2] : [x - 6, y + below];
+  if (inside) {
+    context.lineWidth = 3;
+    context.strokeStyle = "rgb(0 10 16 / 75%)";
+    context.strokeText(text, ...place);
+    context.lineWidth = 1;
+  }
+  context.fillStyle = inside ? "#e6eff4" : themeColour("--soft");
+  context.fillText(text, ...place);
+  context.strokeStyle = themeColour("--ring");
+}
+
+function drawPolarGrid(context, plan) {
+  const { sonar } = plan;
+  const spacing = ringSpacing(sonar.max_range);
+  const [left] = plan.toScreen(0, 0);
+  const [right] = plan.toScreen(sonar.beams, 0);
+  context.strokeStyle = themeColour("--ring");
+  context.fillStyle = themeColour("--soft");
+  context.textBaseline = "middle";
+  for (const range of ticks(Math.max(spacing, sonar.min_range), sonar.max_range, spacing)) {
+    const [, y] = plan.toScreen(0, range);
+    context.beginPath();
+    context.moveTo(left, y);
+    context.lineTo(right, y);
+    context.stroke();
+    context.textAlign = "right";
+    if (!isSmall(plan)) context.fillText(`${number(range, Number.isInteger(range) ? 0 : 1)} m`, Math.max(left - 5, 32), y);
+  }
+  const [, bottom] = plan.toScreen(0, sonar.min_range);
+  const [, top] = plan.toScreen(0, sonar.max_range);
+  for (const azimuth of radialsOf(plan, sonar.edges[0], sonar.edges[sonar.beams])) {
+    const [x] = plan.place(sonar.max_range, Math.min(Math.max(azimuth, sonar.edges[sonar.beams] + 1e-9), sonar.edges[0]));
+    context.beginPath();
+    context.moveTo(x, bottom);
+    context.lineTo(x, top);
+    context.stroke();
+    context.textAlign = "center";
+    if (!isSmall(plan)) context.fillText(bearing(azimuth).replace(/\.0°/, "°").replace(/ (stbd|port)/, ""), x, bottom + 12);
+  }
+}
+
+function drawSweep(context, plan, headAngle) {
+  context.strokeStyle = "#7dffb0";
+  context.lineWidth = 2;
+  context.beginPath();
+  context.moveTo(...plan.toScreen(0, 0));
+  context.lineTo(...plan.place(plan.sonar.max_range, headAngle));
+  context.stroke();
+  context.lineWidth = 1;
+}
+
+function drawCursor(context, plan, cursor) {
+  const [x, y] = plan.place(cursor.range, cursor.azimuth);
+  for (const [width, colour] of [[3, "rgb(0 10 16 / 70%)"], [1.3, "#7de3ff"]]) {
+    context.lineWidth = width;
+    context.strokeStyle = colour;
+    context.beginPath();
+    context.arc(x, y, 7, 0, 2 * Math.PI);
+    for (const [dx, dy] of [[1, 0], [-1, 0], [0, 1], [0, -1]]) {
+      context.moveTo(x + 4 * dx, y + 4 * dy);
+      context.lineTo(x + 13 * dx, y + 13 * dy);
+    }
+    context.stroke();
+  }
+  context.lineWidth = 1;
+}

@@ -1,0 +1,72 @@
+// plan.js -- where a range and an azimuth lie on the picture, and what lies under a point of it.
+//
+// The plane of fan and round picture has metres to starboard and metres ahead; that of the polar picture beams and ranges.
+
+import { beamAt, binAt, slotAt } from "../sonar.js";
+
+const kMargin = { top: 32, side: 34, bottom: 26 };
+const kSmall = { top: 26, side: 10, bottom: 10 };
+
+/** What the picture shows: mode, size on the screen in CSS pixels, and zoom = { factor, x, y }, x and y parts of the size. */
+export function makePlan(sonar, mode, width, height, zoom) {
+  const margin = width < 420 ? kSmall : kMargin;
+  const bounds = boundsOf(sonar, mode);
+  const free = { width: Math.max(10, width - 2 * margin.side), height: Math.max(10, height - margin.top - margin.bottom) };
+  const span = { x: bounds.right - bounds.left, y: bounds.top - bounds.bottom };
+  let perX = free.width / span.x;  // pixels a unit of the plane
+  let perY = free.height / span.y;
+  if (mode !== "polar") perX = perY = Math.min(perX, perY);
+  perX *= zoom.factor;
+  perY *= zoom.factor;
+  const middle = { x: (bounds.left + bounds.right) / 2, y: (bounds.top + bounds.bottom) / 2 };
+  const left = width / 2 + zoom.x * width;
+  const top = margin.top + free.height / 2 + zoom.y * height;
+  const plan = {
+    sonar, mode, width, height, bounds,
+    toScreen: (x, y) => [left + (x - middle.x) * perX, top - (y - middle.y) * perY],
+    toPlane: (x, y) => [middle.x + (x - left) / perX, middle.y - (y - top) / perY],
+    place: (range, azimuth) => plan.toScreen(...planePoint(sonar, mode, range, azimuth)),
+  };
+  const [x0, y0] = plan.toPlane(0, height);
+  const [x1, y1] = plan.toPlane(width, 0);
+  plan.view = [(x0 + x1) / 2, (y0 + y1) / 2, (x1 - x0) / 2, (y1 - y0) / 2];
+  return plan;
+}
+
+function boundsOf(sonar, mode) {
+  const reach = sonar.max_range;
+  if (mode === "round") return { left: -reach, right: reach, bottom: -reach, top: reach };
+  if (mode === "polar") return { left: 0, right: sonar.beams, bottom: sonar.min_range, top: reach };
+  const [port, starboard] = [sonar.edges[0], sonar.edges[sonar.beams]];
+  const across = (azimuth) => Math.sin(Math.min(Math.abs(azimuth), Math.PI / 2)) * Math.sign(azimuth);
+  const widest = Math.max(Math.abs(across(port)), Math.abs(across(starboard)), 0.15);  // The apex stays in the middle.
+  const back = Math.min(0, Math.cos(Math.max(Math.abs(port), Math.abs(starboard))));
+  return { left: -widest * reach, right: widest * reach, bottom: back * reach, top: reach };
+}
+
+function planePoint(sonar, mode, range, azimuth) {
+  if (mode !== "polar") return [-range * Math.sin(azimuth), range * Math.cos(azimuth)];
+  const beam = beamAt(sonar, azimuth);
+  if (beam < 0) return [azimuth > 0 ? 0 : sonar.beams, range];
+  const [port, starboard] = [sonar.edges[beam], sonar.edges[beam + 1]];
+  return [beam + (port - azimuth) / (port - starboard), range];
+}
+
+/** { range, azimuth, beam, bin } under a point of the screen, or null beside the picture. */
+export function underPoint(plan, x, y) {
+  const { sonar, mode } = plan;
+  const [u, v] = plan.toPlane(x, y);
+  if (mode === "polar") {
+    const beam = Math.floor(u);
+    const bin = binAt(sonar, v);
+    if (beam < 0 || beam >= sonar.beams || bin < 0) return null;
+    const azimuth = sonar.edges[beam] + (u - beam) * (sonar.edges[beam + 1] - sonar.edges[beam]);
+    return { range: v, azimuth, beam, bin };
+  }
+  const range = Math.hypot(u, v);
+  const azimuth = Math.atan2(-u, v);
+  const bin = binAt(sonar, range);
+  const beam = mode === "round" ? 0 : beamAt(sonar, azimuth);
+  if (bin < 0 || beam < 0) return null;
+  return { range, azimuth, beam, bin, slot: mode === "round" ? slotAt(azimuth) : undefined };
+}

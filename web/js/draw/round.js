@@ -1,0 +1,55 @@
+// round.js -- the round picture of a scanning head: what it last heard in each direction.
+
+import { kRoundSlots, slotAt } from "../sonar.js";
+
+/** Echoes by direction. Columns are azimuths (see slotAt), rows are bins. */
+export class RoundPicture {
+  constructor() {
+    this.clear(null);
+  }
+
+  clear(sonar) {
+    this.sonar = sonar;
+    this.pings = new Array(kRoundSlots).fill(null);  // the ping that each column shows
+    this.order = new Float32Array(kRoundSlots).fill(-1);
+    this.count = 0;
+    this.headAngle = 0;
+  }
+
+  /** Takes in a ping; returns the columns that it changed: [{ first, count }]. */
+  add(ping) {
+    const { sonar } = this;
+    // A step of at most three beam widths is drawn as wide as the step, a larger one as wide as the beam.
+    const beam = sonar.edges[0] - sonar.edges[1];
+    const step = Math.abs((sonar.step ?? 0) * Math.PI) / 180;
+    const width = step > 0 && step <= 3 * beam ? Math.max(step, beam * 0.5) : beam;
+    const half = Math.max(width / 2, Math.PI / kRoundSlots);
+    const first = slotAt(ping.headAngle + half);
+    const count = Math.max(1, Math.min(kRoundSlots, Math.round((2 * half * kRoundSlots) / (2 * Math.PI))));
+    this.headAngle = ping.headAngle;
+    ++this.count;
+    for (let i = 0; i < count; ++i) {
+      const slot = (first + i) % kRoundSlots;
+      this.pings[slot] = ping;
+      this.order[slot] = this.count;
+    }
+    const ahead = Math.min(count, kRoundSlots - first);
+    const parts = [{ first, count: ahead }];
+    if (ahead < count) parts.push({ first: 0, count: count - ahead });
+    return parts;
+  }
+
+  /** Age of each column, 0 new to 1 a turn old; below 0 where it was never heard. */
+  ages() {
+    const step = Math.max(Math.abs(this.sonar?.step ?? 1), 0.05);
+    const turn = 360 / step;
+    return this.order.map((order) => (order < 0 ? -1 : Math.min(1, (this.count - order) / turn)));
+  }
+}
+
+/** A block of equal columns from a ping's single beam. */
+export function columnsOf(levels, bins, count) {
+  const block = new Uint16Array(bins * count);
+  for (let bin = 0; bin < bins; ++bin) block.fill(levels[bin], bin * count, (bin + 1) * count);
+  return block;
+}

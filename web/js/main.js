@@ -1,0 +1,101 @@
+// main.js -- puts the page together.
+
+import { byId } from "./dom.js";
+import { drawColourBar } from "./draw/colour_bar.js";
+import { Frames } from "./frames.js";
+import { setUpDisplay, nextMap, nextOverlay, fitContrast, followContrast } from "./panels/display.js";
+import { Flight } from "./panels/flight.js";
+import { setUpKeyboard } from "./panels/keyboard.js";
+import { kViews, setUpLayout, setUpSonars } from "./panels/layout.js";
+import { Notes } from "./panels/notes.js";
+import { setUpObjects } from "./panels/objects.js";
+import { lookUp, setUpReadout } from "./panels/readout.js";
+import { setUpScreenshot } from "./panels/screenshot.js";
+import { setUpSettings } from "./panels/settings.js";
+import { setUpGamepad, setUpSticks } from "./panels/sticks.js";
+import { setUpTabs } from "./panels/tabs.js";
+import { changeSpeed, keepSaved, setUpTransport } from "./panels/transport.js";
+import { Session } from "./session.js";
+import { makeStore } from "./store.js";
+import { AscanView } from "./views/ascan.js";
+import { PictureView } from "./views/picture.js";
+import { SceneView } from "./views/scene.js";
+import { WaterfallView } from "./views/waterfall.js";
+
+const store = makeStore();
+const frames = new Frames();
+const notes = new Notes();
+window.addEventListener("error", (event) => notes.error(event.message));
+window.addEventListener("unhandledrejection", (event) => notes.error(String(event.reason)));
+
+setUpLayout(store);
+const roundPings = () => picture.round.pings;
+const chooseObject = (object) => store.set({ object });
+const picture = new PictureView(store, frames, (cursor) => {
+  const { instance } = lookUp(store, cursor, roundPings());
+  if (instance >= 0) chooseObject(instance);
+});
+let scene = null;
+let waterfall = null;
+// The sonar picture comes first: the shaders of the others take time.
+picture.firstDrawn = () => setTimeout(() => {
+  waterfall = new WaterfallView(store, frames);
+  scene = new SceneView(store, frames, chooseObject);
+});
+new AscanView(store, frames, roundPings);
+setUpReadout(store, frames, roundPings);
+setUpDisplay(store, frames);
+
+const session = new Session(store, notes, {
+  taken: (ping) => {
+    picture.add(ping);
+    waterfall?.add(ping);
+  },
+  saved: (message) => keepSaved(message, store, notes),
+  changed: () => followContrast(store),
+});
+const request = (message) => session.request(message);
+
+setUpTabs();
+setUpSonars(store, (name) => session.choose(name));
+setUpTransport(store, request);
+setUpObjects(store, request, notes);
+setUpSettings(store, (settings, line, failed) => {
+  notes.expect("set", line, failed);
+  request({ op: "set", settings });
+});
+const redrawAll = () => {
+  picture.draw();
+  drawColourBar(byId("colour-bar"), store);
+  scene?.draw();
+  waterfall?.draw();
+};
+setUpScreenshot(store, redrawAll, notes);
+const flight = new Flight(store, request, notes);
+setUpSticks(flight);
+setUpGamepad(flight);
+
+const press = (id) => () => byId(id).click();
+setUpKeyboard(flight, [
+  [" ", "Pause, resume", press("pause")],
+  ["n", "One ping", press("step")],
+  ["+", "Faster", () => changeSpeed(store, request, 1)],
+  ["-", "Slower", () => changeSpeed(store, request, -1)],
+  ["t", "Follow the trajectory", press("follow")],
+  ["f", "Freeze the picture", press("freeze")],
+  ["r", "Record", press("record")],
+  ["y", "Save the scenario", press("save")],
+  ["p", "Screenshot", press("shot")],
+  ["g", "Fit the contrast", () => fitContrast(store)],
+  ["m", "Next colours", () => nextMap(store)],
+  ["o", "Next overlay", () => nextOverlay(store)],
+  ["v", "Fan or polar", () => store.get("sonar")?.scanning || store.set({ mode: store.get("mode") === "fan" ? "polar" : "fan" })],
+  ...kViews.map((name, i) => [String(i + 1), `Enlarge the ${["picture", "scene", "A-scan", "waterfall"][i]}`, () => store.set({ main: name })]),
+  ["l", "Light or dark", press("theme")],
+  ["?", "This help", () => byId("help").showModal()],
+]);
+byId("help-open").addEventListener("click", () => byId("help").showModal());
+byId("help-close").addEventListener("click", () => byId("help").close());
+
+// For tests and for the browser's console.
+globalThis.insonify = { store, session, frames, picture };

@@ -1,0 +1,154 @@
+// display.js -- contrast, gain, colours and overlay of the pictures: nothing here changes the simulation.
+
+import { byId, element, write } from "../dom.js";
+import { labelColour } from "../draw/colour_maps.js";
+import { number } from "../format.js";
+import { levelDb } from "../link/decode.js";
+import { binRange } from "../sonar.js";
+
+const kMaps = ["inferno", "copper", "grey", "turbo", "blue"];
+const kOverlays = ["none", "instance", "material", "elevation", "shadow", "multipath"];
+const kFixedLegends = {
+  elevation: [["rgb(255 84 31)", "above"], ["rgb(242 242 242)", "level"], ["rgb(26 115 255)", "below"]],
+  shadow: [["rgb(40 110 220)", "shadow"]],
+  multipath: [["rgb(26 217 255)", "two surfaces"], ["rgb(255 64 217)", "three surfaces"]],
+};
+const kSwitches = { grid: "grid", smooth: "smooth", truth: "truth", "show-echoes": "showEchoes", "show-fan": "showFan", "show-sector": "showSector", "show-paths": "showPaths" };
+
+export function setUpDisplay(store, frames) {
+  for (const name of ["low", "high", "gain", "tvg"]) slider(store, name);
+  for (const [id, name] of [["map", "map"], ["overlay", "overlay"], ["waterfall-of", "waterfallOf"]]) {
+    byId(id).addEventListener("change", () => store.set({ [name]: byId(id).value }));
+    store.on([name], () => (byId(id).value = store.get(name)));
+  }
+  for (const [id, name] of Object.entries(kSwitches)) {
+    byId(id).addEventListener("change", () => store.set({ [name]: byId(id).checked }));
+    store.on([name], () => (byId(id).checked = store.get(name)));
+  }
+  byId("auto").addEventListener("click", () => fitContrast(store));
+  byId("contrast-reset").addEventListener("click", () => resetContrast(store));
+  for (const mode of ["fan", "polar", "round"]) byId(`mode-${mode}`).addEventListener("click", () => store.set({ mode }));
+  store.on(["mode", "sonar"], () => showModes(store));
+  setUpBeam(store);
+  const redraw = frames.add(() => drawLegend(store));
+  store.on(["shown", "overlay", "hello"], redraw);
+}
+
+function slider(store, name) {
+  const input = byId(name);
+  input.addEventListener("input", () => {
+    const value = Number(input.value);
+    const patch = { [name]: value };
+    // The darkest colour stays below the brightest: the other one gives way.
+    if (name === "low" && value >= store.get("high")) patch.high = value + 1;
+    if (name === "high" && value <= store.get("low")) patch.low = value - 1;
+    store.set(patch);
+  });
+  store.on([name], () => {
+    const value = store.get(name);
+    if (value < Number(input.min)) input.min = value;
+    if (value > Number(input.max)) input.max = value;
+    input.value = value;
+    const text = name === "tvg" ? (value === 0 ? "off" : `${number(value)} lg r`) : `${number(value)} dB`;
+    write(byId(`${name}-text`), text);
+    input.setAttribute("aria-valuetext", text);
+  });
+}
+
+function setUpBeam(store) {
+  const input = byId("beam");
+  const choose = (value) => {
+    const beams = store.get("sonar")?.beams ?? 1;
+    if (Number.isFinite(value)) store.set({ beam: Math.max(0, Math.min(beams - 1, Math.round(value))), waterfallOf: "beam" });
+    input.value = store.get("beam");
+  };
+  input.addEventListener("change", () => choose(Number(input.value)));
+  for (const button of input.parentElement.querySelectorAll("button")) {
+    button.addEventListener("click", () => choose(store.get("beam") + Number(button.dataset.step)));
+  }
+  store.on(["beam", "sonar"], () => {
+    input.max = (store.get("sonar")?.beams ?? 1) - 1;
+    input.value = store.get("beam");
+  });
+}
+
+function showModes(store) {
+  const scanning = store.get("sonar")?.scanning ?? false;
+  byId("mode-fan").hidden = byId("mode-polar").hidden = scanning;
+  byId("mode-round").hidden = !scanning;
+  for (const mode of ["fan", "polar", "round"]) byId(`mode-${mode}`).setAttribute("aria-pressed", String(store.get("mode") === mode));
+}
+
+/** The levels that the server proposes for the watched sonar. */
+export function resetContrast(store) {
+  const { levels: [low, high] = [], shown_gain: tvg = 0, reference } = store.get("sonar") ?? {};
+  if (!Number.isFinite(low) || !Number.isFinite(high)) return;
+  proposed = { low: Math.round(low), high: Math.round(high), gain: 0, tvg, reference };
+  const { reference: _, ...values } = proposed;
+  store.set(values);
+}
+
+let proposed = null;
+
+/** After a change: the new proposal, unless somebody has set the contrast by hand and the decibels are still the same. */
+export function followContrast(store) {
+  const untouched = ["low", "high", "gain", "tvg"].every((name) => proposed && store.get(name) === proposed[name]);
+  if (untouched || proposed?.reference !== store.get("sonar")?.reference) resetContrast(store);
+}
+
+/** Darkest: a third of the echoes are below; brightest: one in two thousand is above. */
+export function fitContrast(store) {
+  const ping = store.get("shown");
+  const sonar = store.get("sonar");
+  if (!ping || !sonar) return;
+  const levels = [];
+  for (let bin = 0; bin < ping.bins; ++bin) {
+    const raised = store.get("gain") + store.get("tvg") * Math.log10(Math.max(binRange(sonar, bin), 0.01));
+    for (let i = bin * ping.beams; i < (bin + 1) * ping.beams; ++i) {
+      const level = levelDb(ping.tables.level[i]);
+      if (level !== null) levels.push(level + raised);
+    }
+  }
+  if (levels.length === 0) return;
+  levels.sort((a, b) => a - b);
+  const high = Math.ceil(levels[Math.floor(levels.length * 0.9995)]);
+  const low = Math.floor(levels[Math.floor(levels.length * 0.33)]);
+  store.set({ high, low: Math.max(high - 90, Math.min(low, high - 12)) });
+}
+
+/** The next colour map or overlay, for the keyboard. */
+export const nextMap = (store) => store.set({ map: kMaps[(kMaps.indexOf(store.get("map")) + 1) % kMaps.length] });
+export const nextOverlay = (store) => store.set({ overlay: kOverlays[(kOverlays.indexOf(store.get("overlay")) + 1) % kOverlays.length] });
+
+function drawLegend(store) {
+  const overlay = store.get("overlay");
+  const ping = store.get("shown");
+  const legend = byId("legend");
+  const error = byId("overlay-error");
+  const missing = overlay !== "none" && ping && !ping.tables[overlay];
+  error.hidden = !missing;
+  if (missing) {
+    const full = overlay === "shadow" || overlay === "multipath";
+    write(error, `The pings hold no ${overlay}: set ground_truth to ${full ? "full" : "labels or full"}.`);
+  }
+  const entries = overlay === "none" || missing || !ping ? [] : (kFixedLegends[overlay] ?? labelEntries(store, ping.tables[overlay], overlay));
+  legend.hidden = entries.length === 0;
+  const key = JSON.stringify(entries);
+  if (legend.dataset.key === key) return;
+  legend.dataset.key = key;
+  legend.replaceChildren(...entries.map(([colour, name]) => {
+    const patch = element("i");
+    patch.style.background = colour;
+    return element("li", {}, patch, name);
+  }));
+}
+
+const kMostEntries = 12;
+
+function labelEntries(store, table, overlay) {
+  const names = store.get("hello")?.[overlay === "instance" ? "objects" : "materials"] ?? [];
+  const counts = new Map();
+  for (let i = 0; i < table.length; i += 7) if (table[i] >= 0) counts.set(table[i], (counts.get(table[i]) ?? 0) + 1);
+  const found = [...counts].sort((a, b) => b[1] - a[1]).slice(0, kMostEntries).map(([label]) => label).sort((a, b) => a - b);
+  return found.map((label) => [`rgb(${labelColour(label % 256).join(" ")})`, names[label] ?? String(label)]);
+}

@@ -1,0 +1,56 @@
+// readout.js -- what lies under the cursor: range, bearing, level, beam, bin, place in the world, object and material.
+
+import { byId, write } from "../dom.js";
+import { bearing, decibels, metres, triple } from "../format.js";
+import { sonarPoint, toWorld } from "../geometry.js";
+import { levelDb } from "../link/decode.js";
+
+const kFields = ["range", "bearing", "level", "beam", "bin", "world", "object", "material"];
+
+/** What the shown ping holds at a cursor; `roundPings` are the pings of the round picture's columns. */
+export function lookUp(store, cursor, roundPings) {
+  const sonar = store.get("sonar");
+  const ping = cursor.slot === undefined ? store.get("shown") : roundPings[cursor.slot];
+  const found = { ...cursor, sonar };
+  if (!ping || !sonar || ping.bins !== sonar.bins || ping.beams !== sonar.beams) return found;
+  const cell = cursor.bin * ping.beams + cursor.beam;
+  const { level, instance, material, elevation } = ping.tables;
+  const names = store.get("hello");
+  const label = instance ? instance[cell] : -1;
+  const surface = material ? material[cell] : -1;
+  const up = elevation && Number.isFinite(elevation[cell]) ? elevation[cell] : sonar.elevationCentre;
+  // The azimuth of a scanning head is that of the head in its housing, which is also how its picture is drawn.
+  return {
+    ...found,
+    ping,
+    level: levelDb(level[cell]),
+    world: toWorld(ping.pose, sonarPoint(cursor.range, cursor.azimuth, up)),
+    instance: label,
+    object: label >= 0 ? (names?.objects[label] ?? `object ${label}`) : null,
+    material: surface >= 0 ? (names?.materials[surface] ?? `material ${surface}`) : null,
+    labelled: Boolean(instance),
+  };
+}
+
+/** Keeps the line of figures up to date. */
+export function setUpReadout(store, frames, roundPings) {
+  const clear = () => kFields.forEach((name) => write(byId(`read-${name}`), "–"));
+  const show = () => {
+    const cursor = store.get("cursor");
+    if (!cursor) {
+      clear();
+      return;
+    }
+    const found = lookUp(store, cursor, roundPings());
+    write(byId("read-range"), metres(found.range, found.sonar.binLength));
+    write(byId("read-bearing"), bearing(found.azimuth));
+    write(byId("read-level"), found.level === null ? "no echo" : found.level === undefined ? "–" : decibels(found.level));
+    write(byId("read-beam"), String(found.beam));
+    write(byId("read-bin"), String(found.bin));
+    write(byId("read-world"), found.world ? triple(found.world) : "–");
+    write(byId("read-object"), found.object ?? "–");
+    write(byId("read-material"), found.material ?? "–");
+    byId("read-object").title = found.object ?? "";
+  };
+  store.on(["cursor", "shown", "hello"], frames.add(show));
+}

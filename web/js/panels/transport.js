@@ -1,0 +1,72 @@
+// transport.js -- pause, step, speed, follow, freeze, record, save, and the figures of the connection.
+
+import { byId, download, element, write } from "../dom.js";
+import { number } from "../format.js";
+
+export function setUpTransport(store, request) {
+  byId("pause").addEventListener("click", () => request({ op: "pause", on: !store.get("status")?.paused }));
+  byId("step").addEventListener("click", () => request({ op: "step" }));
+  byId("follow").addEventListener("click", () => request({ op: "follow", on: !store.get("status")?.follow }));
+  byId("freeze").addEventListener("click", () => store.set({ frozen: !store.get("frozen") }));
+  byId("speed").addEventListener("change", () => request({ op: "speed", factor: Number(byId("speed").value) }));
+  byId("record").addEventListener("click", () => {
+    const on = !store.get("status")?.recording;
+    request(on ? { op: "record", on, format: byId("record-format").value } : { op: "record", on });
+  });
+  byId("save").addEventListener("click", () => request({ op: "save" }));
+  store.on(["status", "link"], () => show(store));
+  store.on(["frozen"], () => press("freeze", store.get("frozen")));
+  store.on(["link"], () => {
+    const { state, text } = store.get("link");
+    byId("link").dataset.state = state;
+    write(byId("link-text"), text);
+  });
+  store.on(["rate"], () => write(byId("rate"), store.get("status") ? number(store.get("rate"), 1) : "–"));
+}
+
+const press = (id, on) => byId(id).setAttribute("aria-pressed", String(Boolean(on)));
+
+function show(store) {
+  const status = store.get("status");
+  const open = store.get("link").state === "open";
+  for (const id of ["pause", "step", "follow", "speed", "record", "save", "record-format"]) byId(id).disabled = !open;
+  if (!status) return;
+  press("pause", status.paused);
+  press("follow", status.follow);
+  press("record", status.recording);
+  write(byId("pause-text"), status.paused ? "Resume" : "Pause");
+  write(byId("record-text"), status.recording ? `${status.recorded_pings ?? 0} pings` : "Record");
+  byId("record").title = status.recording ? `Recording to ${status.recording}. Click to end (R)` : "Record (R)";
+  byId("record-format").disabled = !open || Boolean(status.recording);
+  showSpeed(status.speed);
+  write(byId("cost"), number(status.ms_per_ping, status.ms_per_ping < 10 ? 1 : 0));
+  write(byId("dropped"), number(status.dropped));
+}
+
+// A speed that is none of the usual ones becomes one.
+function showSpeed(speed) {
+  const select = byId("speed");
+  const value = String(speed);
+  if (![...select.options].some((option) => option.value === value)) {
+    select.append(element("option", { value }, `${value} ×`));
+  }
+  select.value = value;
+}
+
+/** The next faster or slower of the speeds. */
+export function changeSpeed(store, request, direction) {
+  const speeds = [...byId("speed").options].map((option) => Number(option.value)).sort((a, b) => a - b);
+  const now = store.get("status")?.speed ?? 1;
+  const next = direction > 0 ? speeds.find((speed) => speed > now) : speeds.findLast((speed) => speed < now);
+  if (next !== undefined) request({ op: "speed", factor: next });
+}
+
+/** Downloads a saved scenario, and says what it is. */
+export function keepSaved(message, store, notes) {
+  const base = (store.get("hello")?.scenario_name || "scenario").replace(/^.*[/\\]/, "").replace(/\.ya?ml$/i, "");
+  const name = `${base.replace(/[^\w.-]+/g, "_") || "scenario"}_live.yaml`;
+  download(name, new Blob([message.yaml], { type: "application/yaml" }));
+  const pings = store.get("status")?.pings_since_change;
+  const path = pings > 0 ? ` with the path of ${pings} pings` : "";
+  notes.note(`Saved ${name}${path}; \`insonify run ${name}\` repeats it.${message.path ? ` Also on the server: ${message.path}` : ""}`);
+}

@@ -1,0 +1,149 @@
+// session.js -- what messages of the server do to the store.
+
+import { Connection } from "./link/connection.js";
+import { decode } from "./link/decode.js";
+import { describeSonar } from "./sonar.js";
+
+const kMostPath = 20_000;
+const kOverlays = ["instance", "material", "elevation", "shadow", "multipath"];
+
+export class Session {
+  #arrivals = [];  // times of the last pings [ms]
+  #scene = null;
+
+  /** `taken(ping)` hears of every ping; `saved(message)` of a saved scenario. */
+  constructor(store, notes, { taken, saved, changed }) {
+    Object.assign(this, { store, notes, taken, saved, changed });
+    this.connection = new Connection({
+      opened: () => this.#watch(),
+      link: (link) => this.#link(link),
+      text: (message) => this.#text(message),
+      binary: (buffer) => this.#binary(buffer),
+    });
+    store.on(["sonar", "overlay", "truth", "showEchoes"], () => this.#watch());
+    store.on(["frozen"], () => store.get("frozen") || store.set({ shown: store.get("ping") }));
+    setInterval(() => this.#rate(), 500);
+  }
+
+  /** Sends a request, or says that there is nobody to send it to. */
+  request(message) {
+    if (this.connection.send(message)) return true;
+    this.notes.error("No connection: nothing was changed.", message.op);
+    return false;
+  }
+
+  choose(name) {
+    const sonar = this.store.get("hello")?.sonars.find((each) => each.name === name);
+    if (sonar) this.#setSonar(sonar);
+  }
+
+  #link(link) {
+    const before = this.store.get("link").state;
+    this.store.set({ link });
+    if (link.state === "lost" && before === "open") {
+      this.notes.error(link.reason ? `The server ended the connection: ${link.reason}` : "The connection is lost.");
+    }
+    if (link.state === "open" && this.store.get("hello")) this.notes.note("Connected again.");
+    if (link.state !== "open") this.#watched = "";
+  }
+
+  #watched = "";
+
+  // Asks for the tables that are shown, and for no others.
+  #watch() {
+    const { store } = this;
+    const sonar = store.get("sonar")?.name;
+    if (!sonar || !this.connection.open) return;
+    const tables = new Set(["level"]);
+    if (store.get("truth")) tables.add("instance").add("material").add("elevation");
+    if (store.get("showEchoes")) tables.add("elevation");
+    if (kOverlays.includes(store.get("overlay"))) tables.add(store.get("overlay"));
+    const request = { op: "watch", sonar, tables: [...tables] };
+    const text = JSON.stringify(request);
+    if (text === this.#watched) return;
+    this.#watched = text;
+    this.connection.send(request);
+  }
+
+  #text(message) {
+    const { store, notes } = this;
+    switch (message.op) {
+      case "hello": this.#hello(message); break;
+      case "state": store.set({ status: message }); break;
+      case "error": notes.error(message.text, message.of); break;
+      case "note": notes.note(message.text); break;
+      case "saved": this.saved(message); break;
+      case "closing": break;  // The connection says it when it is closed.
+      default: notes.error(`The server said ${message.op}, which is not known here.`);
+    }
+  }
+
+  #hello(hello) {
+    const { store } = this;
+    store.set({ hello });
+    const name = store.get("sonar")?.name;
+    this.#setSonar(hello.sonars.find((sonar) => sonar.name === name) ?? hello.sonars[0]);
+    this.#watch();
+  }
+
+  #setSonar(described) {
+    const { store } = this;
+    const before = store.get("sonar");
+    if (before && before.text === JSON.stringify(described)) return;
+    const sonar = { ...describeSonar(described), text: JSON.stringify(described) };
+    const modes = sonar.scanning ? ["round"] : ["fan", "polar"];
+    const same = before?.name === sonar.name;
+    store.set({
+      sonar, ping: null, shown: null, cursor: null, path: [],
+      mode: modes.includes(store.get("mode")) ? store.get("mode") : modes[0],
+      beam: same ? Math.min(store.get("beam"), sonar.beams - 1) : Math.floor(sonar.beams / 2),
+    });
+    this.changed(!same);
+  }
+
+  #binary(buffer) {
+    try {
+      const message = decode(buffer);
+      if (message.kind === "ping") this.#ping(message);
+      else if (message.kind === "scene") this.store.set({ scene: this.#scene = message });
+      else this.#moved(message);
+    } catch (error) {
+      this.notes.error(`A message of the server cannot be read: ${error.message}`);
+    }
+  }
+
+  #ping(ping) {
+    const { store } = this;
+    const sonar = store.get("sonar");
+    if (!sonar || ping.sonar !== sonar.name || ping.beams !== sonar.beams || ping.bins !== sonar.bins) return;
+    const path = store.get("path");
+    // A change starts anew: pings count from 0.
+    const last = store.get("ping");
+    const anew = last && (ping.number < last.number || ping.change !== last.change);
+    const again = last && !anew && ping.number === last.number;  // With the tables that were asked for since.
+    const position = (ping.vehicle ?? ping).position;
+    if (!again) this.#arrivals.push(performance.now());
+    const patch = { ping, path: again ? path : anew ? [position] : [...path.slice(-kMostPath), position] };
+    if (store.get("frozen") && !(again && store.get("shown")?.number === ping.number)) {
+      store.set(patch);
+      return;
+    }
+    if (!again) this.taken(ping);
+    store.set({ ...patch, shown: ping });
+  }
+
+  #moved({ objects }) {
+    for (const { index, matrix } of objects) {
+      if (this.#scene?.objects[index]) this.#scene.objects[index].matrix = matrix;
+    }
+    this.store.set({ moved: {} });
+  }
+
+  #rate() {
+    const now = performance.now();
+    this.#arrivals = this.#arrivals.filter((time) => now - time < 3000);
+    const count = this.#arrivals.length;
+    const span = count > 1 ? this.#arrivals[count - 1] - this.#arrivals[0] : 0;
+    this.store.set({ rate: count > 1 && span > 0 ? Math.min((1000 * (count - 1)) / span, (1000 * count) / 2) : count / 3 });
+  }
+}

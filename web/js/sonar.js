@@ -1,0 +1,75 @@
+// sonar.js -- beams and bins of the watched sonar: from indices to ranges and azimuths, and back.
+
+import { radians } from "./geometry.js";
+
+export const kRoundSlots = 1440;  // columns of a scanning head's round picture
+
+/** Adds to a SONAR of `hello` what drawing needs; angles in rad. */
+export function describeSonar(sonar) {
+  const azimuths = sonar.azimuths.map(radians);
+  const beams = azimuths.length;
+  const aperture = radians(sonar.azimuth_aperture ?? 0);
+  const edges = sonar.azimuth_edges?.map(radians) ?? edgesOf(azimuths, aperture);
+  return {
+    ...sonar,
+    scanning: sonar.type === "msis",
+    beamAzimuths: azimuths,
+    edges,
+    binLength: (sonar.max_range - sonar.min_range) / sonar.bins,
+    elevationAperture: radians(sonar.elevation_aperture ?? 20),
+    elevationCentre: radians(sonar.elevation_center ?? 0),
+  };
+}
+
+// Halfway between the centres; the outer edges as far from theirs as the next ones.
+function edgesOf(azimuths, aperture) {
+  const beams = azimuths.length;
+  const edges = new Array(beams + 1);
+  for (let b = 1; b < beams; ++b) edges[b] = (azimuths[b - 1] + azimuths[b]) / 2;
+  edges[0] = beams > 1 ? 2 * azimuths[0] - edges[1] : azimuths[0] + aperture / 2;
+  edges[beams] = beams > 1 ? 2 * azimuths[beams - 1] - edges[beams - 1] : azimuths[0] - aperture / 2;
+  return edges;
+}
+
+export const binRange = (sonar, bin) => sonar.min_range + (bin + 0.5) * sonar.binLength;
+
+/** Bin at a range, or -1. */
+export function binAt(sonar, range) {
+  const bin = Math.floor((range - sonar.min_range) / sonar.binLength);
+  return bin >= 0 && bin < sonar.bins ? bin : -1;
+}
+
+/** Beam whose slice holds an azimuth [rad], or -1. Edges fall from port to starboard. */
+export function beamAt(sonar, azimuth) {
+  const { edges } = sonar;
+  const beams = edges.length - 1;
+  if (azimuth > edges[0] || azimuth < edges[beams]) return -1;
+  let low = 0;
+  let high = beams - 1;
+  while (low < high) {
+    const middle = (low + high) >> 1;
+    if (azimuth < edges[middle + 1]) low = middle + 1;
+    else high = middle;
+  }
+  return low;
+}
+
+/** Beams by azimuth: table[i] is the beam, with its fraction, at edges[0] down to the last edge, evenly. */
+export function beamTable(sonar, size) {
+  const { edges } = sonar;
+  const beams = edges.length - 1;
+  const table = new Float32Array(size);
+  let beam = 0;
+  for (let i = 0; i < size; ++i) {
+    const azimuth = edges[0] + ((edges[beams] - edges[0]) * i) / (size - 1);
+    while (beam < beams - 1 && azimuth < edges[beam + 1]) ++beam;
+    table[i] = beam + (edges[beam] - azimuth) / (edges[beam] - edges[beam + 1]);
+  }
+  return table;
+}
+
+/** Column of the round picture that an azimuth [rad] falls in: 0 is right behind, clockwise by starboard last. */
+export function slotAt(azimuth) {
+  const turn = 0.5 - azimuth / (2 * Math.PI);
+  return Math.floor((turn - Math.floor(turn)) * kRoundSlots) % kRoundSlots;
+}

@@ -1,0 +1,90 @@
+// store.js -- what the page knows and shows; its parts listen to the entries that they draw.
+
+/** Values by name, with listeners that hear of changes. */
+export class Store {
+  #values;
+  #listeners = [];
+
+  constructor(values) {
+    this.#values = { ...values };
+  }
+
+  get(name) {
+    return this.#values[name];
+  }
+
+  /** Calls `listener(store)` now, and whenever one of `names` changes. */
+  on(names, listener) {
+    this.#listeners.push({ names: new Set(names), listener });
+    listener(this);
+  }
+
+  /** Sets some values. Listeners are called once, however many of their values changed. */
+  set(values) {
+    const changed = Object.keys(values).filter((name) => !Object.is(this.#values[name], values[name]));
+    if (changed.length === 0) return;
+    Object.assign(this.#values, values);
+    for (const { names, listener } of this.#listeners) {
+      if (changed.some((name) => names.has(name))) listener(this);
+    }
+  }
+}
+
+const kKept = ["map", "grid", "smooth", "truth", "theme", "showEchoes", "showFan", "showSector", "showPaths"];
+
+/** The page's store, with what the browser kept of the last visit. */
+export function makeStore() {
+  const store = new Store({
+    link: { state: "connecting", text: "Connecting" },
+    hello: null,        // the server's last `hello`
+    status: null,       // the server's last `state`
+    sonar: null,        // entry of hello.sonars that is watched
+    ping: null,         // last decoded ping of that sonar
+    shown: null,        // the ping that is drawn: `ping`, unless frozen
+    scene: null,        // decoded scene
+    path: [],           // positions of the vehicle at the pings since the last change [m]
+    rate: 0,            // pings a second that arrive here
+    frozen: false,
+    mode: "fan",        // fan, polar or round
+    main: "picture",    // the large view
+    low: -120,          // level of the darkest colour [dB]
+    high: -40,          // level of the brightest colour [dB]
+    gain: 0,            // gain of the display [dB]
+    tvg: 0,             // X of the display's gain X log10(range / 1 m) [dB]
+    map: "inferno",
+    overlay: "none",
+    grid: true,
+    smooth: true,
+    truth: true,        // whether labels are asked for, for the names under the cursor
+    cursor: null,       // { range, azimuth, beam, bin } under the mouse
+    beam: 0,            // beam of A-scan and waterfall while no mouse is over the picture
+    object: -1,         // chosen object
+    waterfallOf: "strongest",
+    camera: "chase",
+    showEchoes: true,
+    showFan: false,
+    showSector: true,
+    showPaths: true,
+    theme: null,        // light, dark, or null: as the system
+    ...kept(),
+  });
+  store.on(kKept, keep);
+  return store;
+}
+
+function kept() {
+  try {
+    const values = JSON.parse(localStorage.getItem("insonify") ?? "{}");
+    return Object.fromEntries(kKept.filter((name) => name in values).map((name) => [name, values[name]]));
+  } catch {
+    return {};  // Storage is off, or holds something else.
+  }
+}
+
+function keep(store) {
+  try {
+    localStorage.setItem("insonify", JSON.stringify(Object.fromEntries(kKept.map((name) => [name, store.get(name)]))));
+  } catch {
+    // Storage is off: the next visit begins with the defaults.
+  }
+}

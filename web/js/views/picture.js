@@ -1,0 +1,163 @@
+// picture.js -- the sonar picture as fan, polar or round picture, its cursor, zoom and colour bar.
+
+import { byId, context2d, fitCanvas, write } from "../dom.js";
+import { drawColourBar } from "../draw/colour_bar.js";
+import { drawGraticule } from "../draw/graticule.js";
+import { makePlan, underPoint } from "../draw/plan.js";
+import { PictureRenderer } from "../draw/renderer.js";
+import { clock } from "../format.js";
+import { binAt, beamAt, slotAt } from "../sonar.js";
+import { watchGestures } from "./gestures.js";
+
+const kHome = { factor: 1, x: 0, y: 0 };
+const kMostZoom = 40;
+
+export class PictureView {
+  constructor(store, frames, choose) {
+    this.store = store;
+    this.stage = byId("picture-stage");
+    this.canvas = byId("picture");
+    this.lines = byId("graticule");
+    this.zoom = kHome;
+    this.redraw = frames.add(() => this.draw());
+    this.redrawLines = frames.add(() => this.drawLines());
+    this.redrawBar = frames.add(() => drawColourBar(byId("colour-bar"), store));
+    this.renderer = new PictureRenderer(this.canvas, this.redraw);
+    new ResizeObserver(() => {
+      this.redraw();
+      this.redrawBar();
+    }).observe(this.stage);
+    store.on(["low", "high", "gain", "tvg", "map", "theme", "main", "sonar"], this.redrawBar);
+    store.on(["sonar"], () => this.#newSonar());
+    store.on(["mode"], () => {
+      store.set({ cursor: null });
+      this.#home();
+    });
+    store.on(["shown", "mode", "low", "high", "gain", "tvg", "map", "overlay", "smooth", "theme", "main"], this.redraw);
+    store.on(["grid", "cursor", "beam"], this.redrawLines);
+    store.on(["frozen"], () => (byId("frozen").hidden = !store.get("frozen")));
+    this.#listen(choose);
+  }
+
+  /** Takes in every ping, also those that come faster than pictures are drawn. */
+  add(ping) {
+    if (this.store.get("sonar")?.scanning) this.renderer.addRound(ping);
+  }
+
+  /** What the round picture holds: its pings by column. */
+  get round() {
+    return this.renderer.round;
+  }
+
+  draw() {
+    const { store } = this;
+    const sonar = store.get("sonar");
+    if (!sonar) return;
+    const { width } = fitCanvas(this.canvas);
+    this.#arrange();
+    this.renderer.draw(this.plan, store);
+    this.drawLines();
+    const ping = store.get("shown");
+    byId("empty").hidden = Boolean(ping);
+    if (ping && !this.drawn) {
+      this.drawn = performance.now();  // [ms] after the page was asked for
+      this.firstDrawn?.();
+    }
+    const title = width < 420 ? sonar.name : `${sonar.name}   ${ping ? `ping ${ping.number}   ${clock(ping.time)} s` : ""}`;
+    write(byId("picture-caption"), title);
+  }
+
+  drawLines() {
+    const { context } = context2d(this.lines);
+    if (!this.plan) return;
+    drawGraticule(context, this.plan, {
+      grid: this.store.get("grid"),
+      cursor: this.store.get("cursor"),
+      headAngle: this.renderer.round.headAngle,
+    });
+  }
+
+  #newSonar() {
+    const sonar = this.store.get("sonar");
+    this.renderer.setSonar(sonar);
+    this.#home();
+  }
+
+  // The plan holds at once, also for a mouse that moves before the picture is drawn.
+  #arrange() {
+    const sonar = this.store.get("sonar");
+    const { clientWidth, clientHeight } = this.canvas;
+    this.plan = sonar ? makePlan(sonar, this.store.get("mode"), clientWidth, clientHeight, this.zoom) : null;
+  }
+
+  #home() {
+    this.zoom = kHome;
+    this.#arrange();
+    this.redraw();
+  }
+
+  #listen(choose) {
+    const { stage, store } = this;
+    watchGestures(stage, {
+      hover: (x, y) => store.set({ cursor: this.plan ? underPoint(this.plan, x, y) : null }),
+      leave: () => store.set({ cursor: null }),
+      click: (x, y) => this.#click(x, y, choose),
+      drag: (dx, dy) => this.#pan(dx, dy),
+      zoom: (factor, x, y) => this.#zoomAt(factor, x, y),
+      home: () => this.#home(),
+    });
+    stage.addEventListener("keydown", (event) => this.#moveCursor(event));
+  }
+
+  #click(x, y, choose) {
+    const cursor = this.plan ? underPoint(this.plan, x, y) : null;
+    if (!cursor) return;
+    this.store.set({ cursor, beam: cursor.beam });
+    choose(cursor);
+  }
+
+  #pan(dx, dy) {
+    if (this.zoom.factor === 1) return;
+    const { factor, x, y } = this.zoom;
+    this.zoom = { factor, x: x + dx / this.plan.width, y: y + dy / this.plan.height };
+    this.#arrange();
+    this.redraw();
+  }
+
+  // The point under the mouse stays where it is.
+  #zoomAt(by, x, y) {
+    if (!this.plan) return;
+    const factor = Math.min(kMostZoom, Math.max(1, this.zoom.factor * by));
+    if (factor === 1) {
+      this.#home();
+      return;
+    }
+    const point = this.plan.toPlane(x, y);
+    this.zoom = { ...this.zoom, factor };
+    const { sonar, mode, width, height } = this.plan;
+    const [newX, newY] = makePlan(sonar, mode, width, height, this.zoom).toScreen(...point);
+    this.zoom.x += (x - newX) / width;
+    this.zoom.y += (y - newY) / height;
+    this.#arrange();
+    this.redraw();
+  }
+
+  // Alt and an arrow move the cursor by a bin or a beam, with Shift by ten.
+  #moveCursor(event) {
+    const sonar = this.store.get("sonar");
+    const moves = { ArrowUp: [1, 0], ArrowDown: [-1, 0], ArrowLeft: [0, 1], ArrowRight: [0, -1] };
+    if (!event.altKey || !(event.key in moves) || !sonar) return;
+    event.preventDefault();
+    const [bins, beams] = moves[event.key].map((count) => count * (event.shiftKey ? 10 : 1));
+    const from = this.store.get("cursor") ?? { range: (sonar.min_range + sonar.max_range) / 2, azimuth: 0 };
+    const width = (sonar.edges[0] - sonar.edges[sonar.beams]) / sonar.beams;
+    const range = from.range + bins * sonar.binLength;
+    let azimuth = from.azimuth + beams * width;
+    const bin = binAt(sonar, range);
+    const round = this.store.get("mode") === "round";
+    if (round) azimuth = Math.atan2(Math.sin(azimuth), Math.cos(azimuth));
+    const beam = round ? 0 : beamAt(sonar, azimuth);
+    if (bin < 0 || beam < 0) return;
+    this.store.set({ cursor: { range, azimuth, beam, bin, slot: round ? slotAt(azimuth) : undefined }, beam });
+  }
+}

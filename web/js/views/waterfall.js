@@ -1,0 +1,156 @@
+// waterfall.js -- pings over time: the chosen beam, or the strongest echo at each range; the newest ping is on top.
+
+import { byId, context2d, fitCanvas, themeColour, write } from "../dom.js";
+import { colourTable } from "../draw/colour_maps.js";
+import { makeProgram, openGl, Table } from "../draw/gl.js";
+import { kLevelGlsl, setLevelUniforms } from "../draw/level_shader.js";
+import { bearing, number, ringSpacing, ticks } from "../format.js";
+
+const kRows = 512;
+const kPixels = 2;  // height of a ping in CSS pixels
+
+const kVertex = `#version 300 es
+out vec2 place;  // 0 to 1: near to far, old to new
+void main() {
+  vec2 clip = vec2(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0);
+  place = clip * 0.5 + 0.5;
+  gl_Position = vec4(clip, 0, 1);
+}`;
+
+const kFragment = `#version 300 es
+precision highp float;
+precision highp int;
+${kLevelGlsl}
+uniform int newest, rows;
+uniform float visible;  // pings from top to bottom
+in vec2 place;
+out vec4 colour;
+void main() {
+  ivec2 size = textureSize(levels, 0);
+  int back = int((1.0 - place.y) * visible);
+  if (back >= rows) discard;
+  int row = (newest - back + size.y) % size.y;
+  float bin = place.x * float(size.x);
+  int covered = clamp(int(ceil(dFdx(place.x) * float(size.x) - 0.2)), 1, 24);
+  uint strongest = 0u;
+  for (int i = 0; i < covered; ++i) {
+    int at = min(int(bin) + i, size.x - 1);
+    strongest = max(strongest, texelFetch(levels, ivec2(at, row), 0).r);
+  }
+  colour = vec4(colour_of(brightness(strongest, gain_at(min_range + (bin + 0.5) * bin_length))), 1);
+}`;
+
+export class WaterfallView {
+  constructor(store, frames) {
+    this.store = store;
+    this.canvas = byId("waterfall");
+    this.redraw = frames.add(() => this.draw());
+    this.gl = openGl(this.canvas, () => {
+      this.#build();
+      this.redraw();
+    });
+    this.#build();
+    new ResizeObserver(this.redraw).observe(this.canvas);
+    store.on(["sonar", "waterfallOf", "beam"], () => this.#clear());
+    store.on(["low", "high", "gain", "tvg", "map", "theme", "main"], this.redraw);
+  }
+
+  #build() {
+    this.program = makeProgram(this.gl, kVertex, kFragment);
+    this.levels = new Table(this.gl, "uint16");
+    this.map = new Table(this.gl, "rgba8");
+    this.limit = this.gl.getParameter(this.gl.MAX_TEXTURE_SIZE);
+    this.times = [];
+    this.#clear();
+  }
+
+  #clear() {
+    const { store } = this;
+    const sonar = store.get("sonar");
+    this.count = 0;
+    this.times = [];
+    if (!sonar) return;
+    this.group = Math.ceil(sonar.bins / this.limit);
+    this.width = Math.ceil(sonar.bins / this.group);
+    this.levels.fill(this.width, kRows, new Uint16Array(this.width * kRows));
+    const beam = store.get("waterfallOf") === "beam";
+    const azimuth = sonar.beamAzimuths[Math.min(store.get("beam"), sonar.beams - 1)];
+    const what = sonar.scanning ? "Head's beam" : beam ? `Beam ${store.get("beam")}   ${bearing(azimuth)}` : "Strongest echo";
+    write(byId("waterfall-caption"), what);
+    this.redraw();
+  }
+
+  /** Takes in every ping, also while the picture is not drawn. */
+  add(ping) {
+    const beam = this.store.get("waterfallOf") === "beam" ? Math.min(this.store.get("beam"), ping.beams - 1) : -1;
+    const row = new Uint16Array(this.width);
+    const { level } = ping.tables;
+    for (let bin = 0; bin < ping.bins; ++bin) {
+      const start = bin * ping.beams;
+      let value = 0;
+      if (beam >= 0) value = level[start + beam];
+      else for (let i = start; i < start + ping.beams; ++i) if (level[i] > value) value = level[i];
+      const column = Math.floor(bin / this.group);
+      if (value > row[column]) row[column] = value;
+    }
+    this.levels.write(0, this.count % kRows, this.width, 1, row);
+    ++this.count;
+    this.times.unshift(ping.time);
+    this.times.length = Math.min(this.times.length, kRows);
+    this.redraw();
+  }
+
+  get #visible() {
+    return Math.min(kRows, Math.max(1, this.canvas.clientHeight / kPixels));
+  }
+
+  draw() {
+    const { gl, store } = this;
+    const sonar = store.get("sonar");
+    fitCanvas(this.canvas);
+    gl.viewport(0, 0, this.canvas.width, this.canvas.height);
+    gl.clearColor(0, 0, 0, 0);
+    gl.clear(gl.COLOR_BUFFER_BIT);
+    if (!sonar) return;
+    const { program, at } = this.program;
+    gl.useProgram(program);
+    this.map.fill(256, 1, colourTable(store.get("map")));
+    this.levels.bind(0);
+    this.map.bind(1);
+    gl.uniform1i(at.levels, 0);
+    gl.uniform1i(at.colour_map, 1);
+    setLevelUniforms(gl, at, store, sonar.min_range, sonar.binLength * this.group);
+    gl.uniform1i(at.newest, (this.count - 1 + kRows) % kRows);
+    gl.uniform1i(at.rows, Math.min(this.count, kRows));
+    gl.uniform1f(at.visible, this.#visible);
+    gl.drawArrays(gl.TRIANGLES, 0, 3);
+    this.#drawScale(sonar);
+  }
+
+  #drawScale(sonar) {
+    const { context, width, height } = context2d(byId("waterfall-scale"));
+    context.font = "10px system-ui, sans-serif";
+    context.textBaseline = "bottom";
+    context.textAlign = "center";
+    const text = (words, x, y) => {
+      context.lineWidth = 3;
+      context.strokeStyle = themeColour("--panel");
+      context.strokeText(words, x, y);
+      context.fillStyle = themeColour("--text");
+      context.fillText(words, x, y);
+    };
+    const spacing = ringSpacing(sonar.max_range);
+    for (const range of ticks(Math.max(sonar.min_range, spacing), sonar.max_range, spacing)) {
+      const x = (width * (range - sonar.min_range)) / (sonar.max_range - sonar.min_range);
+      if (x > width - 14) continue;
+      context.fillStyle = themeColour("--ring");
+      context.fillRect(x, 0, 1, height - 15);
+      text(`${number(range, Number.isInteger(range) ? 0 : 1)} m`, x, height - 3);
+    }
+    context.textAlign = "left";
+    for (const part of [0.25, 0.5, 0.75]) {
+      const row = Math.floor(part * this.#visible);
+      if (row < this.times.length) text(`${number(this.times[row] - this.times[0], 0)} s`, 4, part * height + 4);
+    }
+  }
+}
