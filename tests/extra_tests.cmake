@@ -13,7 +13,21 @@ add_test(NAME headers_stand_alone
 if(TARGET insonify_python AND INSONIFY_BUILD_APPS AND NOT INSONIFY_SANITIZE)
   add_test(NAME python_package
     COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/python/package_test.py $<TARGET_FILE:insonify_cli> ${PROJECT_SOURCE_DIR})
-  set_tests_properties(python_package PROPERTIES ENVIRONMENT PYTHONPATH=${PROJECT_BINARY_DIR}/python)
+  add_test(NAME python_types
+    COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/python/types_test.py ${PROJECT_SOURCE_DIR})
+  set(python_tests python_package python_types)
+  foreach(name layers plot acoustics compare same_bytes)
+    add_test(NAME python_${name}
+      COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/python/${name}_test.py $<TARGET_FILE:insonify_cli> ${PROJECT_SOURCE_DIR})
+    list(APPEND python_tests python_${name})
+  endforeach()
+  foreach(example first_ping fly_a_square dataset gym_environment point_cloud pictures speed)
+    add_test(NAME python_examples.${example}
+      COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/python/examples_test.py ${example} ${PROJECT_SOURCE_DIR})
+    list(APPEND python_tests python_examples.${example})
+  endforeach()
+  set_tests_properties(${python_tests} PROPERTIES ENVIRONMENT "PYTHONPATH=${PROJECT_BINARY_DIR}/python;PYTHONDONTWRITEBYTECODE=1"
+    SKIP_RETURN_CODE 77)
 endif()
 
 # Search paths of what was built, and what guards it.

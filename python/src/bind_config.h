@@ -42,7 +42,7 @@ void check_value(const Field& field, const Member& member) {
 
 /// Sets fields by keyword.
 /// @throws TypeError for one that is not there.
-inline void set_fields(const py::object& config, const py::kwargs& given) {
+inline void set_fields(const py::object& config, const py::dict& given) {
   for (const auto& [key, value] : given) {
     if (!py::hasattr(config, key)) {
       throw py::type_error(type_of(config) + " has no field " + shown(key));
