@@ -86,7 +86,7 @@ PUBLIC = {
     "files.h": "io",
     "words.h": "io",
     "recorded_pings.h": "io",
-    "recorded_tables.h": "io",
+    "stored_tables.h": "io",
     "similarity.h": "similarity",
 }
 

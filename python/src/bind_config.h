@@ -31,7 +31,11 @@ std::string help_of(const Field& field, const Member& default_value, double scal
     }
     add("one of " + words);
   }
-  add("default " + shown(to_python(default_value, scale)));
+  if constexpr (std::is_same_v<Member, double>) {
+    add(fmt::format("default {:.10g}", default_value * scale));  // 120, not 119.99999999999999.
+  } else {
+    add("default " + shown(to_python(default_value, scale)));
+  }
   return text + " [" + facts + "]";
 }
 

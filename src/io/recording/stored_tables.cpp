@@ -1,6 +1,6 @@
-// recorded_tables.cpp -- lists the tables of an HDF5 file and reads blocks of them.
+// stored_tables.cpp -- lists the tables of an HDF5 file and reads blocks of them.
 
-#include "insonify/recorded_tables.h"
+#include "insonify/stored_tables.h"
 
 #include <fmt/format.h>
 
@@ -13,10 +13,10 @@
 
 namespace insonify {
 
-struct RecordedTables::State {
+struct StoredTables::State {
   std::filesystem::path path;
   H5Handle file;
-  std::vector<RecordedTable> tables;
+  std::vector<StoredTable> tables;
 };
 
 namespace {
@@ -95,12 +95,12 @@ std::vector<std::string> dataset_names(hid_t file, const std::filesystem::path& 
 }
 
 // A recording that grows may have one ping more in one table than in another.
-void cut_to_common_pings(std::vector<RecordedTable>& tables) {
+void cut_to_common_pings(std::vector<StoredTable>& tables) {
   std::uint64_t pings = std::numeric_limits<std::uint64_t>::max();
-  for (const RecordedTable& table : tables) {
+  for (const StoredTable& table : tables) {
     pings = table.by_ping ? std::min(pings, table.shape.front()) : pings;
   }
-  for (RecordedTable& table : tables) {
+  for (StoredTable& table : tables) {
     if (table.by_ping) {
       table.shape.front() = pings;
     }
@@ -125,7 +125,7 @@ std::size_t size_of(NumberType type) {
   return 0;
 }
 
-RecordedTables::RecordedTables(const std::filesystem::path& path) : state_(std::make_unique<State>()) {
+StoredTables::StoredTables(const std::filesystem::path& path) : state_(std::make_unique<State>()) {
   const H5Quiet quiet;
   check_input_file(path);
   state_->path = path;
@@ -144,21 +144,21 @@ RecordedTables::RecordedTables(const std::filesystem::path& path) : state_(std::
   cut_to_common_pings(state_->tables);
 }
 
-RecordedTables::~RecordedTables() = default;
-RecordedTables::RecordedTables(RecordedTables&&) noexcept = default;
-RecordedTables& RecordedTables::operator=(RecordedTables&&) noexcept = default;
+StoredTables::~StoredTables() = default;
+StoredTables::StoredTables(StoredTables&&) noexcept = default;
+StoredTables& StoredTables::operator=(StoredTables&&) noexcept = default;
 
-const std::vector<RecordedTable>& RecordedTables::tables() const {
+const std::vector<StoredTable>& StoredTables::tables() const {
   return state_->tables;
 }
 
-const RecordedTable* RecordedTables::find(const std::string& name) const {
-  const auto found = std::ranges::find(state_->tables, name, &RecordedTable::name);
+const StoredTable* StoredTables::find(const std::string& name) const {
+  const auto found = std::ranges::find(state_->tables, name, &StoredTable::name);
   return found == state_->tables.end() ? nullptr : &*found;
 }
 
-void RecordedTables::read(const RecordedTable& table, std::span<const TableSlice> slices,
-                          std::span<std::byte> bytes) const {
+void StoredTables::read(const StoredTable& table, std::span<const TableSlice> slices,
+                        std::span<std::byte> bytes) const {
   const H5Quiet quiet;
   const std::string doing = "read " + table.name;
   bool inside = slices.size() == table.shape.size();
@@ -191,7 +191,7 @@ void RecordedTables::read(const RecordedTable& table, std::span<const TableSlice
            state_->path, doing);
 }
 
-std::vector<std::string> RecordedTables::texts(const std::string& name) const {
+std::vector<std::string> StoredTables::texts(const std::string& name) const {
   const H5Quiet quiet;
   const std::string doing = "read " + name;
   const std::filesystem::path& path = state_->path;
