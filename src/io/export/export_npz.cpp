@@ -67,7 +67,8 @@ void export_npz(std::span<const RecordedTables> recordings, const std::filesyste
     for (const RecordedNames& names : recording.names()) {
       add_texts(zip, prefix + names.name, names.texts, false);
     }
-    add_texts(zip, prefix + "attributes", {facts_of(recording).dump()}, true);
+    add_texts(zip, prefix + "attributes",
+              {facts_of(recording).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace)}, true);
   }
   zip.finish();
   out.put_in_place();

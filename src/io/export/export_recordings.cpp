@@ -7,6 +7,7 @@
 
 #include "base/utf8.h"
 #include "insonify/error.h"
+#include "insonify/printable.h"
 #include "io/export/export_format.h"
 #include "io/file/input_file.h"
 
@@ -42,6 +43,12 @@ std::string name_of(const RecordedTables& recording) {
 void check_names(std::span<const RecordedTables> recordings) {
   std::map<std::string, std::filesystem::path> seen;
   for (const RecordedTables& recording : recordings) {
+    // Names become those of folders and of entries in archives.
+    if (const std::string name = name_of(recording);
+        name == "." || name == ".." || name.find_first_of(std::string_view("/\\\0", 3)) != std::string::npos) {
+      throw Error(fmt::format("{}: its sonar is called {}, which cannot be the name of a folder",
+                              recording.path().string(), printable(name)));
+    }
     const auto [other, is_new] = seen.emplace(name_of(recording), recording.path());
     if (!is_new) {
       throw Error(fmt::format("{} and {} are both of a sonar called {}; one file holds one recording of each",
@@ -81,8 +88,10 @@ UnicodeTable unicode_table(const std::vector<std::string>& texts) {
   return table;
 }
 
-void export_recordings(std::span<const std::filesystem::path> recordings, const std::filesystem::path& file,
+void export_recordings(std::span<const std::filesystem::path> recordings, const std::filesystem::path& place,
                        const ExportOptions& options) {
+  // A folder may be named with a slash at its end.
+  const std::filesystem::path file = place.has_filename() ? place : place.parent_path();
   const std::string ending = ending_of(file);
   const bool video = ending == ".mp4" || ending == ".gif";
   if (!video && ending != ".mcap" && ending != ".npz" && ending != ".zarr") {

@@ -22,9 +22,6 @@ constexpr int kLevel = 1;  // Of zlib.
 class UnfinishedFolder {
  public:
   explicit UnfinishedFolder(std::filesystem::path path) : path_(std::move(path)) {
-    while (path_.has_parent_path() && !path_.has_filename()) {
-      path_ = path_.parent_path();  // Without the slash at the end.
-    }
     std::random_device random;
     unfinished_ = fmt::format("{}.{:08x}.new", path_.string(), random());
     std::error_code error;
@@ -75,7 +72,8 @@ class UnfinishedFolder {
     }
   }
   void write_json(const std::filesystem::path& name, const nlohmann::json& json) const {
-    const std::string text = json.dump(1) + "\n";
+    constexpr bool kAscii = true;  // Which zarr asks for.
+    const std::string text = json.dump(1, ' ', kAscii, nlohmann::json::error_handler_t::replace) + "\n";
     write(name, std::as_bytes(std::span(text)));
   }
   void make(const std::filesystem::path& name) const {

@@ -172,6 +172,9 @@ RecordedTables::RecordedTables(const std::filesystem::path& path) : path_(path) 
 }
 
 void RecordedTables::add_table(const std::string& name) {
+  if (name == "." || name == "..") {
+    throw Error(fmt::format("{}: is no recording: it has a dataset called {}", path_.string(), name));
+  }
   const H5Handle object(H5Oopen(file_.get(), name.c_str(), H5P_DEFAULT), H5Oclose);
   if (!object || H5Iget_type(object.get()) != H5I_DATASET) {
     return;
