@@ -48,6 +48,12 @@ class McapWriterTest : public testing::Test {
   WorkingFolder folder;
 };
 
+// Adds a single message.
+void add(McapWriter& out, std::uint16_t channel, std::uint64_t time, const std::vector<std::byte>& bytes) {
+  const McapWriter::Message message{channel, bytes};
+  out.add(time, std::span(&message, 1));
+}
+
 TEST_F(McapWriterTest, BytesOfTheStartAreThoseOfTheSpecification) {
   McapWriter("a.mcap", "us", false).close();
   // Magic; opcode 1, a length of 4 + 4 + 4 + 2 bytes, profile and library with their lengths.
@@ -62,9 +68,9 @@ TEST_F(McapWriterTest, ReadsBackWhatWasWritten) {
   const auto first = out.add_channel("/a", "p/msg/A", "int32 a\n");
   const auto second = out.add_channel("/b", "p/msg/A", "int32 a\n");
   EXPECT_EQ(out.add_channel("/a", "p/msg/A", "int32 a\n"), first);
-  out.add(second, 5, bytes_of("five"));
-  out.add(first, 3, bytes_of(""));
-  out.add(second, 9, bytes_of("nine"));
+  add(out, second, 5, bytes_of("five"));
+  add(out, first, 3, bytes_of(""));
+  add(out, second, 9, bytes_of("nine"));
   out.close();
   const McapReader in("a.mcap");
   EXPECT_TRUE(in.is_whole());
@@ -81,7 +87,7 @@ TEST_F(McapWriterTest, WritesAChunkInTimeThoughNothingMoreComes) {
   McapWriter out("a.mcap", "us", false);
   const auto channel = out.add_channel("/a", "p/msg/A", "int32 a\n");
   const auto begun = std::chrono::steady_clock::now();
-  out.add(channel, 1, bytes_of("one"));
+  add(out, channel, 1, bytes_of("one"));
   EXPECT_TRUE(McapReader("a.mcap").messages("/a").empty());  // Still in memory.
   while (McapReader("a.mcap").messages("/a").empty()) {
     ASSERT_LT(std::chrono::steady_clock::now() - begun, std::chrono::seconds(20)) << "a busy machine may be late";
@@ -89,7 +95,7 @@ TEST_F(McapWriterTest, WritesAChunkInTimeThoughNothingMoreComes) {
   }
   EXPECT_GE(std::chrono::steady_clock::now() - begun, McapWriter::kLongestChunk);
   EXPECT_FALSE(McapReader("a.mcap").is_whole());
-  out.add(channel, 2, bytes_of("two"));
+  add(out, channel, 2, bytes_of("two"));
   out.close();
   EXPECT_EQ(McapReader("a.mcap").messages("/a").size(), 2);
 }
@@ -97,14 +103,29 @@ TEST_F(McapWriterTest, WritesAChunkInTimeThoughNothingMoreComes) {
 TEST_F(McapWriterTest, LargeChunksDoNotWait) {
   McapWriter out("a.mcap", "us", false);
   const auto channel = out.add_channel("/a", "p/msg/A", "int32 a\n");
-  out.add(channel, 1, std::vector<std::byte>(5'000'000, std::byte{3}));
+  add(out, channel, 1, std::vector<std::byte>(5'000'000, std::byte{3}));
   EXPECT_EQ(McapReader("a.mcap").messages("/a").size(), 1);
+}
+
+TEST_F(McapWriterTest, MessagesOfAPingAreInOneChunk) {
+  McapWriter out("a.mcap", "us", false);
+  const auto channel = out.add_channel("/a", "p/msg/A", "int32 a\n");
+  const std::vector<McapWriter::Message> ping(3, {channel, std::vector<std::byte>(2'000'000, std::byte{3})});
+  out.add(7, ping);  // More than a chunk usually holds.
+  out.add(8, ping);
+  out.close();
+  const McapReader in("a.mcap");
+  std::vector<std::size_t> chunks;
+  for (const McapReader::Entry& entry : in.messages("/a")) {
+    chunks.push_back(entry.chunk);
+  }
+  EXPECT_THAT(chunks, ElementsAre(0, 0, 0, 1, 1, 1));
 }
 
 TEST_F(McapWriterTest, ADestroyedWriterLeavesAWholeFile) {
   {
     McapWriter out("a.mcap", "us", false);
-    out.add(out.add_channel("/a", "p/msg/A", "int32 a\n"), 1, bytes_of("one"));
+    add(out, out.add_channel("/a", "p/msg/A", "int32 a\n"), 1, bytes_of("one"));
   }
   EXPECT_TRUE(McapReader("a.mcap").is_whole());
 }
@@ -115,7 +136,7 @@ TEST_F(McapWriterTest, ReplacesAnEarlierFileOnlyWhenClosed) {
   {
     McapWriter out("a.mcap", "us", true);
     EXPECT_NE(out.place(), "a.mcap");
-    out.add(out.add_channel("/a", "p/msg/A", "int32 a\n"), 1, bytes_of("one"));
+    add(out, out.add_channel("/a", "p/msg/A", "int32 a\n"), 1, bytes_of("one"));
   }
   EXPECT_EQ(text_of("a.mcap"), "earlier");
   EXPECT_EQ(files().size(), 2);  // The new one stays beside it.
@@ -129,7 +150,7 @@ TEST_F(McapWriterTest, ReplacesAnEarlierFileOnlyWhenClosed) {
 TEST_F(McapWriterTest, AnOnlyWholeFileLeavesNothingUnlessClosed) {
   {
     McapWriter out("a.mcap", "us", false, true);
-    out.add(out.add_channel("/a", "p/msg/A", "int32 a\n"), 1, bytes_of("one"));
+    add(out, out.add_channel("/a", "p/msg/A", "int32 a\n"), 1, bytes_of("one"));
     EXPECT_FALSE(std::filesystem::exists("a.mcap"));
   }
   EXPECT_TRUE(files().empty());
@@ -151,7 +172,7 @@ TEST_F(McapWriterTest, ATopicHasOneType) {
 TEST_F(McapWriterTest, SaysSoWhenItsFileIsRemoved) {
   McapWriter out("a.mcap", "us", false);
   const auto channel = out.add_channel("/a", "p/msg/A", "int32 a\n");
-  out.add(channel, 1, bytes_of("one"));
+  add(out, channel, 1, bytes_of("one"));
   std::filesystem::remove("a.mcap");
   EXPECT_THAT(message_of([&] { out.close(); }), HasSubstr("a.mcap: is no longer there"));
 }
@@ -166,14 +187,14 @@ TEST_F(McapWriterTest, AFullDiskKeepsTheChunksBefore) {
     McapWriter out("a.mcap", "us", false);
     const auto channel = out.add_channel("/a", "p/msg/A", "int32 a\n");
     std::vector<std::byte> same(4'200'000, std::byte{1});
-    out.add(channel, 1, same);
+    add(out, channel, 1, same);
     std::vector<std::byte> noise(4'200'000);
     std::uint32_t state = 1;
     for (std::byte& value : noise) {
       state = state * 1664525 + 1013904223;
       value = static_cast<std::byte>(state >> 24U);
     }
-    const std::string message = message_of([&] { out.add(channel, 2, noise); });
+    const std::string message = message_of([&] { add(out, channel, 2, noise); });
     _exit(message == "a.mcap: cannot write: File too large; what was written before stays readable" ? 0 : 1);
   }
   int status = 0;
@@ -190,7 +211,7 @@ TEST_F(McapWriterTest, ReadersRefuseWhatIsBroken) {
   EXPECT_EQ(message_of([] { McapReader("none.mcap"); }), "none.mcap: no such file");
   {
     McapWriter out("a.mcap", "us", false);
-    out.add(out.add_channel("/a", "p/msg/A", "int32 a\n"), 1, bytes_of("one"));
+    add(out, out.add_channel("/a", "p/msg/A", "int32 a\n"), 1, bytes_of("one"));
   }
   const std::string whole = text_of("a.mcap");
   EXPECT_EQ(message_of([] { (void)recording_info("a.mcap"); }),

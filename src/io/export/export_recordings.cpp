@@ -91,7 +91,8 @@ UnicodeTable unicode_table(const std::vector<std::string>& texts) {
 void export_recordings(std::span<const std::filesystem::path> recordings, const std::filesystem::path& place,
                        const ExportOptions& options) {
   // A folder may be named with a slash at its end.
-  const std::filesystem::path file = place.has_filename() ? place : place.parent_path();
+  const bool slash = !place.has_filename() && ending_of(place.parent_path()) == ".zarr";
+  const std::filesystem::path file = slash ? place.parent_path() : place;
   const std::string ending = ending_of(file);
   const bool video = ending == ".mp4" || ending == ".gif";
   if (!video && ending != ".mcap" && ending != ".npz" && ending != ".zarr") {
