@@ -12,7 +12,7 @@ configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/insonifyConfig.cmake.i
   ${PROJECT_BINARY_DIR}/insonifyConfig.cmake INSTALL_DESTINATION ${config_folder})
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/insonifyConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/insonifyConfig.cmake ${PROJECT_BINARY_DIR}/insonifyConfigVersion.cmake
-  DESTINATION ${config_folder} COMPONENT development)
+  ${PROJECT_SOURCE_DIR}/cmake/FindZstd.cmake DESTINATION ${config_folder} COMPONENT development)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/examples DESTINATION ${CMAKE_INSTALL_DATADIR}/insonify COMPONENT development)
 
 if(INSONIFY_BUILD_APPS)

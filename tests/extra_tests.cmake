@@ -111,3 +111,19 @@ endif()
 add_test(NAME version_is_told_alike
   COMMAND sh -c "grep -m 1 '^## ' CHANGELOG.md | grep -F '[${PROJECT_VERSION}]' && grep -Fx 'version: ${PROJECT_VERSION}' CITATION.cff"
   WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
+
+# MCAP recordings as the libraries of npm read them.
+if(INSONIFY_BUILD_APPS)
+  set(node_folder ${PROJECT_BINARY_DIR}/tests/node)
+  add_test(NAME node_packages
+    COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/node/install.py ${node_folder})
+  set_tests_properties(node_packages PROPERTIES FIXTURES_SETUP node_packages SKIP_RETURN_CODE 77)
+  add_test(NAME mcap_readers
+    COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/node/run.py ${node_folder} mcap_test.mjs
+            $<TARGET_FILE:insonify_cli> ${Python3_EXECUTABLE} ${CMAKE_CURRENT_SOURCE_DIR}/node/h5_json.py)
+  set_tests_properties(mcap_readers PROPERTIES FIXTURES_REQUIRED node_packages SKIP_RETURN_CODE 77)
+  # NumPy archives and Zarr groups as NumPy and zarr read them.
+  add_test(NAME exported_arrays
+    COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/python/export_test.py $<TARGET_FILE:insonify_cli>)
+  set_tests_properties(exported_arrays PROPERTIES SKIP_RETURN_CODE 77)
+endif()

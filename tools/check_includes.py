@@ -28,12 +28,15 @@ ROOMS = {
     },
     "io": {
         "file": [],
+        "message": [],
         "picture": ["file"],
         "grid": ["file", "picture"],
         "mesh": ["file", "picture"],
         "world": ["file", "picture", "grid", "mesh"],
         "scenario": ["file"],
         "recording": ["file"],
+        "mcap": ["file", "message"],
+        "export": ["file", "picture", "message", "recording", "mcap"],
     },
     "apps": {
         "console": [],
@@ -47,7 +50,7 @@ ROOMS = {
 ROOTS = {"apps": "apps/insonify/"}
 
 # Libraries that stay in one place: headers that begin so are included there and nowhere else in src/.
-LIBRARIES = {"embree": "src/echo/cpu/", "assimp": "src/io/mesh/", "sdf/": "src/io/world/", "yaml-cpp": "src/io/scenario/"}
+LIBRARIES = {"embree": "src/echo/cpu/", "assimp": "src/io/mesh/", "sdf/": "src/io/world/", "yaml-cpp": "src/io/scenario/", "zstd": "src/io/mcap/"}
 
 # The module that each public header speaks for. Those in a folder of include/insonify/ speak for the module of its name.
 PUBLIC = {
@@ -84,6 +87,10 @@ PUBLIC = {
     "simulator.h": "simulator",
     "describe.h": "io",
     "files.h": "io",
+    "messages.h": "io",
+    "mcap_recording.h": "io",
+    "export.h": "io",
+    "recording_info.h": "io",
     "words.h": "io",
     "recorded_pings.h": "io",
     "stored_tables.h": "io",

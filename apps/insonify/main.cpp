@@ -51,6 +51,9 @@ int run_program(int argc, char** argv) {
       "Tell the version");
   add_run(app, request);
   add_draw(app, request);
+  add_replay(app, request);
+  add_info(app, request);
+  add_export(app, request);
   add_sonars(app, request);
   add_describe(app, request);
   add_compare(app, request);

@@ -56,8 +56,11 @@ void add_run(CLI::App& app, Request& request) {
       ->type_name("KEY=VALUE")
       ->expected(1)
       ->take_all();
+  command->add_option("--record", request.record, "Recordings to make: h5, mcap (ROS 2 messages) or h5,mcap [h5]")
+      ->check(one_of({"h5", "mcap", "h5,mcap"}))
+      ->type_name("KIND");
   command->add_flag("--compress", options.compress,
-                    "Compress the recordings by HDF5's own filters: less than half the size, some time a ping");
+                    "Compress h5 recordings by HDF5's own filters: less than half the size, some time a ping");
   command->add_flag("-f,--force", options.force, "Replace recordings and pictures of an earlier run");
   command->add_flag("-q,--quiet", options.quiet, "Say nothing but warnings and errors");
 
@@ -80,6 +83,7 @@ void add_run(CLI::App& app, Request& request) {
   command->footer(
       "Writes, for each sonar NAME:\n"
       "  DIR/NAME.h5              the recording (HDF5): intensity [ping, bin, beam] and ground truth\n"
+      "  DIR/NAME.mcap            with --record mcap, ROS 2 messages: sonar image, fan, points, pose, scenario\n"
       "  DIR/NAME_fan_0000.png    each ping as seen from above; NAME_polar_0000.png as a table\n"
       "  DIR/NAME_scan_0000.png   what a scanning sonar has seen up to a ping, instead\n"
       "  DIR/NAME_scan.png        the same at the end; NAME_polar.png its waterfall\n"
@@ -109,6 +113,7 @@ void add_run(CLI::App& app, Request& request) {
     if (*seed) {
       options.settings.push_back(fmt::format("--seed={}", request.seed));
     }
+    options.record = RecordKinds::parse(request.record);
     if (request.no_pictures) {
       options.pictures.pictures = "none";
     }

@@ -84,14 +84,16 @@ void remove_picture(const std::filesystem::path& picture) {
 
 }  // namespace
 
-std::vector<std::filesystem::path> unfinished_recordings(const std::filesystem::path& folder,
-                                                         const Scenario& scenario) {
+std::vector<std::filesystem::path> unfinished_recordings(const std::filesystem::path& folder, const Scenario& scenario,
+                                                         const std::vector<std::string>& endings) {
   std::vector<std::filesystem::path> files;
   std::error_code error;
   for (std::filesystem::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
     const std::string file = entry->path().filename().string();
-    const bool is_of_sonar = std::ranges::any_of(
-        scenario.sonars, [&](const SonarConfig& sonar) { return file.starts_with(sonar.name + ".h5."); });
+    const bool is_of_sonar = std::ranges::any_of(scenario.sonars, [&](const SonarConfig& sonar) {
+      return std::ranges::any_of(
+          endings, [&](const std::string& ending) { return file.starts_with(sonar.name + ending + "."); });
+    });
     if (is_of_sonar && file.ends_with(kUnfinished)) {
       files.push_back(entry->path());
     }
@@ -104,15 +106,18 @@ void refuse_earlier_pictures(const std::filesystem::path& folder, const std::str
   refuse(finished_pictures_in(folder, {sonar}));
 }
 
-void refuse_earlier_run(const std::filesystem::path& folder, const Scenario& scenario) {
+void refuse_earlier_run(const std::filesystem::path& folder, const Scenario& scenario,
+                        const std::vector<std::string>& endings) {
   std::vector<std::filesystem::path> files;
   std::vector<std::string> sonars;
   for (const SonarConfig& sonar : scenario.sonars) {
     sonars.push_back(sonar.name);
-    std::error_code ignored;
-    if (const auto recording = folder / (sonar.name + ".h5");
-        std::filesystem::is_regular_file(recording, ignored) || std::filesystem::is_symlink(recording, ignored)) {
-      files.push_back(recording);
+    for (const std::string& ending : endings) {
+      const std::filesystem::path recording = folder / (sonar.name + ending);
+      std::error_code ignored;
+      if (std::filesystem::is_regular_file(recording, ignored) || std::filesystem::is_symlink(recording, ignored)) {
+        files.push_back(recording);
+      }
     }
   }
   const std::vector<std::filesystem::path> pictures = finished_pictures_in(folder, sonars);

@@ -12,13 +12,16 @@
 namespace insonify {
 
 /// Refuses to replace recordings and pictures that an earlier run has made for the scenario's sonars.
+/// @param endings  Of the recordings that are to be made, with their dots.
 /// @throws InputError with the first such file and the options that apply.
-void refuse_earlier_run(const std::filesystem::path& folder, const Scenario& scenario);
+void refuse_earlier_run(const std::filesystem::path& folder, const Scenario& scenario,
+                        const std::vector<std::string>& endings);
 
 /// Recordings of the scenario's sonars, in alphabetical order, that a run in this folder has not finished: it was
 /// killed, or still goes on.
 [[nodiscard]] std::vector<std::filesystem::path> unfinished_recordings(const std::filesystem::path& folder,
-                                                                       const Scenario& scenario);
+                                                                       const Scenario& scenario,
+                                                                       const std::vector<std::string>& endings);
 
 /// Refuses to replace pictures of one sonar.
 /// @throws InputError as above.

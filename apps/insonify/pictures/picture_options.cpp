@@ -89,4 +89,13 @@ PictureStyle picture_style(const PictureOptions& options, EchoModel model, const
   return style;
 }
 
+MessageOptions message_options(const PictureStyle& style) {
+  MessageOptions messages{.colour_map = style.display.colour_map};
+  if (style.fixed_levels) {
+    messages.high_db = 10 * std::log10(style.display.full_scale);
+    messages.low_db = *messages.high_db + style.display.floor_db;
+  }
+  return messages;
+}
+
 }  // namespace insonify

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "insonify/engine.h"
+#include "insonify/messages.h"
 #include "insonify/picture.h"
 #include "insonify/receiver_config.h"
 
@@ -37,5 +38,8 @@ struct PictureStyle {
 /// @throws InputError for contradictory options.
 [[nodiscard]] PictureStyle picture_style(const PictureOptions& options, EchoModel model,
                                          const ReceiverConfig& receiver);
+
+/// Messages with the colours of the style and, where it fixes them, its levels.
+[[nodiscard]] MessageOptions message_options(const PictureStyle& style);
 
 }  // namespace insonify

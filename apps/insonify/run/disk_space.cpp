@@ -29,7 +29,9 @@ void tell_disk_space(const Scenario& scenario, const ScenarioRequests& requests,
                      const RunOptions& options) {
   std::uint64_t needed = 0;
   for (std::size_t i = 0; i < scenario.sonars.size(); ++i) {
-    needed += recording_bytes(scenario, scenario.sonars[i], requests.ping_count(static_cast<int>(i)));
+    const std::uint64_t pings = requests.ping_count(static_cast<int>(i));
+    needed += options.record.h5 ? recording_bytes(scenario, scenario.sonars[i], pings) : 0;
+    needed += options.record.mcap ? mcap_bytes(scenario.sonars[i], pings) : 0;
   }
   std::filesystem::path there = std::filesystem::absolute(folder);
   std::error_code error;
@@ -40,8 +42,9 @@ void tell_disk_space(const Scenario& scenario, const ScenarioRequests& requests,
   if (error) {
     return;  // Some file systems do not report their free space.
   }
-  const std::string text = fmt::format("the recordings need {}{}, {} are free", options.compress ? "at most " : "",
-                                       bytes_text(needed), bytes_text(space.available));
+  const std::string text =
+      fmt::format("the recordings need {}{}, {} are free", options.compress || options.record.mcap ? "at most " : "",
+                  bytes_text(needed), bytes_text(space.available));
   if (needed > space.available) {
     complain(fmt::format("warning: {}: {}; a full disk ends the run, which keeps the pings made so far",
                          folder.string(), text));

@@ -16,7 +16,7 @@
 #include "run/disk_space.h"
 #include "run/hints.h"
 #include "run/progress.h"
-#include "run/stop.h"
+#include "console/stop.h"
 #include "run/tracks.h"
 #include "run/views.h"
 #include "run/world_report.h"
@@ -67,7 +67,7 @@ Simulator prepare(const RunOptions& options, const std::filesystem::path& folder
     Scenario scenario = load_scenario(options.scenario, options.settings, log_to_user(options.quiet));
     style = picture_style(options.pictures, scenario.model, scenario.receiver);
     if (!options.force) {
-      refuse_earlier_run(folder, scenario);
+      refuse_earlier_run(folder, scenario, options.record.endings());
     }
     Scene scene = load_scene(scenario, log_to_user(options.quiet));
     Simulator simulator(std::move(scenario), std::move(scene), options.threads);
@@ -87,6 +87,13 @@ std::vector<std::string> names_of(const std::vector<SonarConfig>& sonars) {
     names.push_back(sonar.name);
   }
   return names;
+}
+
+RecordOptions record_options(const RunOptions& options, const PictureStyle& style) {
+  RecordOptions record{.kinds = options.record,
+                       .h5 = {.compress = options.compress, .threads = options.threads, .replace = options.force},
+                       .mcap = {.messages = message_options(style), .replace = options.force}};
+  return record;
 }
 
 // Prints what is unusual about the world and the trajectories, before the first ping.
@@ -120,7 +127,7 @@ double make_pings(Simulator& simulator, const ScenarioRequests& requests, std::v
       }
       std::swap(track.ping, track.next);
       computing += seconds_since(start);
-      track.recording.add(track.ping);
+      track.recordings.add(track.ping);
       track.pictures.add(track.ping);
       track.loudness.add(track.ping);
       if (number == 0) {
@@ -175,7 +182,8 @@ int run(const RunOptions& options) {
   const Clock::time_point start = Clock::now();
   const ScenarioRequests requests(simulator.scenario());
   print_oddities(simulator, requests, options.quiet);
-  if (const auto unfinished = unfinished_recordings(folder, simulator.scenario()); !unfinished.empty()) {
+  if (const auto unfinished = unfinished_recordings(folder, simulator.scenario(), options.record.endings());
+      !unfinished.empty()) {
     complain(fmt::format("warning: {}{} is an unfinished recording, of a run that was killed or still goes on",
                          unfinished.front().string(),
                          unfinished.size() == 1 ? "" : fmt::format(" (and {} more)", unfinished.size() - 1)));
@@ -186,8 +194,7 @@ int run(const RunOptions& options) {
   simulator.stop_when(&stop_asked());
   PictureFolder pictures(folder, names_of(simulator.scenario().sonars));
   std::vector<Track> tracks =
-      start_tracks(simulator, requests, folder, options.pictures, choice, pictures,
-                   {.compress = options.compress, .threads = options.threads, .replace = options.force});
+      start_tracks(simulator, requests, folder, options.pictures, choice, pictures, record_options(options, style));
   const std::vector<std::filesystem::path> view_files = write_views(views, pictures);
 
   const double computing = make_pings_or_tell(simulator, requests, tracks, pictures, options.quiet);

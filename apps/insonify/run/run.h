@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "pictures/picture_options.h"
+#include "run/recordings.h"
 
 namespace insonify {
 
@@ -15,6 +16,7 @@ struct RunOptions {
   std::filesystem::path folder;       ///< Empty: the scenario's name + "_pings".
   int threads = 0;                    ///< 0: one per processor.
   std::vector<std::string> settings;  ///< "key=value", in order.
+  RecordKinds record = {};            ///< Which recordings are made.
   bool compress = false;              ///< Compress recordings, with HDF5's own filters.
   bool force = false;                 ///< Replace recordings and pictures of an earlier run.
 

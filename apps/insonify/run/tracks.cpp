@@ -12,16 +12,14 @@ std::string counted(std::uint64_t count, const char* what) {
 
 std::vector<Track> start_tracks(const Simulator& simulator, const ScenarioRequests& requests,
                                 const std::filesystem::path& folder, const PictureOptions& options,
-                                const PictureChoice& choice, PictureFolder& pictures,
-                                const RecordingOptions& recording) {
+                                const PictureChoice& choice, PictureFolder& pictures, const RecordOptions& recording) {
   const Scenario& scenario = simulator.scenario();
   std::vector<Track> tracks;
   for (std::size_t i = 0; i < scenario.sonars.size(); ++i) {
     const SonarConfig& sonar = simulator.sonar(static_cast<int>(i));
     const std::uint64_t pings = requests.ping_count(static_cast<int>(i));
-    const std::filesystem::path file = folder / (sonar.name + ".h5");
     const PictureStyle style = picture_style(options, scenario.model, scenario.receiver_of(sonar));
-    tracks.push_back({file, Recording(file, scenario, simulator.scene(), sonar, recording),
+    tracks.push_back({SonarRecordings(folder, simulator, static_cast<int>(i), recording),
                       PingPictures(pictures, sonar, style, choice, pings)});
   }
   return tracks;
@@ -34,7 +32,8 @@ bool discard_without_pings(std::vector<Track>& tracks, PictureFolder& pictures) 
   std::vector<std::filesystem::path> files;
   files.reserve(tracks.size());
   for (const Track& track : tracks) {
-    files.push_back(track.recording.place());
+    const std::vector<std::filesystem::path> places = track.recordings.places();
+    files.insert(files.end(), places.begin(), places.end());
   }
   tracks.clear();
   for (const std::filesystem::path& file : files) {
@@ -48,10 +47,13 @@ bool discard_without_pings(std::vector<Track>& tracks, PictureFolder& pictures) 
 std::string kept_beside(const std::vector<Track>& tracks) {
   std::string text;
   for (const Track& track : tracks) {
-    if (track.made > 0 && track.recording.place() != track.file) {
-      text +=
-          fmt::format("; {} is still that of the earlier run, {} of this one {} in {}", track.file.string(),
-                      counted(track.made, "ping"), track.made == 1 ? "is" : "are", track.recording.place().string());
+    const std::vector<std::filesystem::path> places = track.recordings.places();
+    for (std::size_t i = 0; i < places.size() && track.made > 0; ++i) {
+      const std::filesystem::path& file = track.recordings.files()[i];
+      if (places[i] != file) {
+        text += fmt::format("; {} is still that of the earlier run, {} of this one {} in {}", file.string(),
+                            counted(track.made, "ping"), track.made == 1 ? "is" : "are", places[i].string());
+      }
     }
   }
   return text;
@@ -63,8 +65,8 @@ bool finish_tracks(std::vector<Track>& tracks, PictureFolder& pictures, bool qui
   }
   bool replaced = false;
   for (Track& track : tracks) {
-    replaced = replaced || track.recording.place() != track.file;
-    track.recording.close();
+    replaced = replaced || track.recordings.places() != track.recordings.files();
+    track.recordings.close();
     if (track.made > 0) {
       track.pictures.finish(track.ping);
     }
@@ -83,10 +85,13 @@ std::string listed(const std::vector<std::filesystem::path>& files) {
 }
 
 void print_track(const Track& track, const SonarConfig& sonar) {
-  say("{}: {} of {} x {} to {:.4g} m{}{}\n  {}\n", sonar.name, counted(track.made, "ping"),
+  say("{}: {} of {} x {} to {:.4g} m{}{}\n", sonar.name, counted(track.made, "ping"),
       counted(static_cast<std::uint64_t>(sonar.beam_count), "beam"),
       counted(static_cast<std::uint64_t>(sonar.bin_count), "bin"), sonar.max_range, track.heard.empty() ? "" : "; ",
-      track.heard, track.file.string());
+      track.heard);
+  for (const std::filesystem::path& file : track.recordings.files()) {
+    say("  {}\n", file.string());
+  }
   if (!track.pictures.files().empty()) {
     say("  {}\n", listed(track.pictures.files()));
   }

@@ -11,13 +11,13 @@
 #include "insonify/simulator.h"
 #include "pictures/pictures.h"
 #include "run/hints.h"
+#include "run/recordings.h"
 
 namespace insonify {
 
 /// State of one sonar in a run.
 struct Track {
-  std::filesystem::path file;
-  Recording recording;
+  SonarRecordings recordings;
   PingPictures pictures;
   Ping ping = {}, next = {};  ///< The last recorded ping; the ping being computed.
   std::uint64_t made = 0;
@@ -29,7 +29,7 @@ struct Track {
 [[nodiscard]] std::vector<Track> start_tracks(const Simulator& simulator, const ScenarioRequests& requests,
                                               const std::filesystem::path& folder, const PictureOptions& options,
                                               const PictureChoice& choice, PictureFolder& pictures,
-                                              const RecordingOptions& recording);
+                                              const RecordOptions& recording);
 
 /// Removes recordings and pictures of this run if it made no ping: they would only block the next run.
 /// @return  Whether it made no ping.

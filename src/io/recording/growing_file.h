@@ -17,7 +17,7 @@
 #include "io/file/unfinished_file.h"
 #include "io/recording/chunk_filter.h"
 #include "io/recording/chunk_index.h"
-#include "io/recording/file_lock.h"
+#include "io/file/file_lock.h"
 #include "io/recording/hdf5_header.h"
 
 namespace insonify {

@@ -1,6 +1,6 @@
 // file_lock.cpp -- locks of open file descriptions: flock() would keep HDF5's readers out.
 
-#include "io/recording/file_lock.h"
+#include "io/file/file_lock.h"
 
 #include <fcntl.h>
 #include <sys/stat.h>

@@ -1,0 +1,93 @@
+// mcap_recording.h -- records pings as ROS 2 messages in an MCAP file, for Foxglove, ros2 bag and their like.
+
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "insonify/messages.h"
+#include "insonify/ping.h"
+#include "insonify/scenario.h"
+#include "insonify/version.h"
+
+namespace insonify {
+
+/// What a recording tells of the run that it is from.
+struct RunFacts {
+  std::string version = kVersion;  ///< Of insonify.
+  std::string engine = "cpu";
+  std::uint64_t seed = 1;
+};
+
+struct McapOptions {
+  MessageOptions messages = {};
+  RunFacts run = {};
+  bool replace = false;  ///< Whether the recording may take the place of a file that is there already.
+
+  /// Whether the file appears under its name only when it is closed, and leaves nothing where it is not.
+  bool only_whole = false;
+};
+
+/// Writes the pings of one or several sonars of a run to one MCAP file: profile "ros2", schemas "ros2msg", messages
+/// "cdr", compressed by zstd in chunks with checksums and indexes. docs/reference/messages.md lists the channels.
+///
+/// What was added half a second ago is on the disk: a killed run leaves a file that readers can follow to its last
+/// chunk, though it has no index. Files that are there already are treated as by Recording.
+class McapRecording {
+ public:
+  /// @param sources  One a sonar, whose names must differ.
+  /// @throws Error when the file cannot be made, or `path` is there and may not be replaced; for options out of limits.
+  McapRecording(const std::filesystem::path& path, std::vector<MessageSource> sources, const McapOptions& options = {});
+  ~McapRecording();
+  McapRecording(McapRecording&&) noexcept;
+  McapRecording& operator=(McapRecording&&) noexcept;
+
+  /// @param sonar  Index into the sources.
+  /// @throws Error when the disk is full, with what was written before readable; for a ping that SonarMessages refuses.
+  void add(std::size_t sonar, const Ping& ping);
+
+  /// Writes the index, has the system put everything on the disk and replaces the earlier file, if there is one. The
+  /// destructor does the same without reporting errors, but leaves an earlier file where it is.
+  void close();
+
+  /// Where the recording is now: `path`, or beside it until it replaces an earlier file.
+  [[nodiscard]] const std::filesystem::path& place() const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+/// The pings of one sonar, read back from an MCAP recording that insonify has made, also from an unfinished one. Their
+/// intensities are what the sonar images' values stand for: within half a step of the mapping (0.001 dB with 16 bits),
+/// 0 at and below its lowest level, the highest level above it. There is no ground truth.
+class McapPings {
+ public:
+  /// @param sonar  Its name; "" for the only one.
+  /// @throws Error with the path for a file that is missing, is no MCAP file or was not made by insonify; for a sonar
+  ///         that it does not have, naming those that it has.
+  explicit McapPings(const std::filesystem::path& path, const std::string& sonar = "");
+  ~McapPings();
+  McapPings(McapPings&&) noexcept;
+  McapPings& operator=(McapPings&&) noexcept;
+
+  [[nodiscard]] std::uint64_t ping_count() const;
+  /// Sonar, receiver, model and scenario.
+  [[nodiscard]] const MessageSource& source() const;
+  /// @param ping  Below ping_count().
+  /// @throws Error with the path for a message or a chunk that is damaged.
+  [[nodiscard]] Ping ping(std::uint64_t ping) const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+/// Bytes on the disk that an MCAP recording of that many pings needs at most, about.
+[[nodiscard]] std::uint64_t mcap_bytes(const SonarConfig& sonar, std::uint64_t pings,
+                                       const MessageOptions& options = {});
+
+}  // namespace insonify

@@ -1,0 +1,125 @@
+// messages.h -- pings as ROS 2 messages (CDR): for recordings (MCAP), live viewers and bridges.
+
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "insonify/picture.h"
+#include "insonify/ping.h"
+#include "insonify/scenario.h"
+
+namespace insonify {
+
+/// What messages tell of a sonar beside its pings.
+struct MessageSource {
+  SonarConfig sonar;  ///< With everything filled in, as Simulator::sonar() has it.
+  EchoModel model = EchoModel::kCalibrated;
+  ReceiverConfig receiver;  ///< Of this sonar: Scenario::receiver_of().
+  std::string scenario;     ///< Text of the scenario file, as recordings hold it; "" for none.
+};
+
+/// @param sonar  As Simulator::sonar() has it.
+[[nodiscard]] MessageSource message_source(const Scenario& scenario, const SonarConfig& sonar);
+
+/// How pings become messages.
+struct MessageOptions {
+  int bits = 16;  ///< Bits of a value of ProjectedSonarImage, 8 or 16.
+
+  /// Levels of the darkest and the brightest value, in sonar images and fans [dB]; absent: see SonarMessages::levels().
+  std::optional<double> low_db = {}, high_db = {};
+
+  int fan_height = 480;                        ///< Height of the fan picture [pixels], 240..8192.
+  ColourMap colour_map = ColourMap::kInferno;  ///< Of the fan picture.
+  bool annotations = false;                    ///< Whether the fan picture has rings, axes and a colour bar.
+  double strong_share = 0.01;                  ///< Share of a ping's cells that become points, in (0, 1].
+  std::string world_frame = "world";           ///< Name of the frame of the world, not empty.
+
+  /// @throws Error on the first field out of limits.
+  void validate() const;
+
+  template <typename Self, typename Visit>
+  static void visit_fields(Self& self, Visit&& visit) {
+    constexpr Limits kLevels = from_to(-400, 400);
+    visit(Field{"bits", "", from_to(8, 16), "Bits of a value of a sonar image: 8 or 16."}, self.bits);
+    visit(Field{"low_db", "dB", kLevels, "Level of the darkest value."}, self.low_db);
+    visit(Field{"high_db", "dB", kLevels, "Level of the brightest value."}, self.high_db);
+    visit(Field{"fan_height", "pixels", from_to(240, 8192), "Height of the fan picture."}, self.fan_height);
+    visit(Field{"annotations", "", {}, "Whether the fan picture has rings, axes and a colour bar."}, self.annotations);
+    visit(Field{"strong_share", "", above_to(0, 1), "Share of a ping's cells that become points."}, self.strong_share);
+    visit(Field{"world_frame", "", {}, "Name of the frame of the world."}, self.world_frame);
+  }
+};
+
+/// What a channel tells.
+enum class MessageKind { kSonarImage, kFan, kPoints, kPose, kTransforms, kScenario };
+
+/// Messages of one kind, under one topic.
+struct MessageChannel {
+  MessageKind kind = MessageKind::kSonarImage;
+  std::string topic;       ///< "/fls/points"; "/tf" and "/scenario" are the same for all sonars.
+  std::string type;        ///< "sensor_msgs/msg/PointCloud2"
+  std::string definition;  ///< Of the type and all that it is made of, as MCAP's encoding "ros2msg" has it.
+};
+
+/// A level of intensity mapped to the darkest and the brightest value of an image [dB].
+struct MessageLevels {
+  bool decibels = true;  ///< Whether values are decibels between the two; else linear from 0 to `high_db`.
+  double low_db = 0, high_db = 0;
+  double gain_per_decade = 0;  ///< Gain over range added before the mapping [dB/decade of range in m].
+};
+
+/// Tells the pings of one sonar as ROS 2 messages, encoded as CDR (XCDR1, little-endian, with its four-byte header).
+///
+/// | Kind        | Topic              | Type                                         | Frame       |
+/// | ----------- | ------------------ | -------------------------------------------- | ----------- |
+/// | kSonarImage | /NAME/sonar_image  | marine_acoustic_msgs/msg/ProjectedSonarImage | NAME_beams  |
+/// | kFan        | /NAME/fan          | sensor_msgs/msg/Image, rgb8                  | NAME        |
+/// | kPoints     | /NAME/points       | sensor_msgs/msg/PointCloud2                  | NAME        |
+/// | kPose       | /NAME/pose         | geometry_msgs/msg/PoseStamped                | world       |
+/// | kTransforms | /tf                | tf2_msgs/msg/TFMessage                       |             |
+/// | kScenario   | /scenario          | std_msgs/msg/String                          |             |
+///
+/// NAME is the sonar's, with what ROS does not allow in topics as `_`. Frame NAME is that of the housing (x forward,
+/// y to port, z up). NAME_beams, of the sonar image, has z along the middle of the fan, y to port, x down.
+/// docs/reference/messages.md has every field.
+class SonarMessages {
+ public:
+  /// @throws Error for options out of limits.
+  explicit SonarMessages(MessageSource source, MessageOptions options = {});
+  ~SonarMessages();
+  SonarMessages(SonarMessages&&) noexcept;
+  SonarMessages& operator=(SonarMessages&&) noexcept;
+
+  /// In the order of MessageKind.
+  [[nodiscard]] const std::vector<MessageChannel>& channels() const;
+
+  /// The mapping of levels to values of images. Unless the options say otherwise: from -100 to -40 dB re the source's
+  /// level at 1 m, with a gain of 30 dB per decade of range where the receiver applies none of its own
+  /// (usual_display()); where the receiver has full_scale_db, the sonar's mapping_range_db up to it; in the paper's
+  /// model linear, from 0 to 1.
+  [[nodiscard]] MessageLevels levels() const;
+
+  /// Takes in a ping, of which encode() tells from then on. Of a scanning sonar the fan shows all pings taken in, of
+  /// the last turn of its head.
+  /// @throws Error for a ping that has not the sonar's beams and bins, and for a time that is below 0 or from 2^31 s
+  ///         on, which a ROS time cannot hold.
+  void take(const Ping& ping);
+
+  /// A message about the ping taken in last. Several threads may encode at once.
+  /// @param channel  Index into channels().
+  [[nodiscard]] std::vector<std::byte> encode(std::size_t channel) const;
+
+  /// The time of the ping taken in last [ns].
+  [[nodiscard]] std::uint64_t time_ns() const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace insonify

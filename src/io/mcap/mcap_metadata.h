@@ -1,0 +1,22 @@
+// mcap_metadata.h -- names of the metadata that insonify's MCAP files have.
+
+#pragma once
+
+namespace insonify::mcap_metadata {
+
+inline constexpr const char* kRun = "insonify";       ///< One record about the run ...
+inline constexpr const char* kOfSonar = "insonify/";  ///< ... and one for each sonar: "insonify/NAME".
+
+inline constexpr const char* kVersion = "version";
+inline constexpr const char* kModel = "model";
+inline constexpr const char* kEngine = "engine";
+inline constexpr const char* kSeed = "seed";
+
+inline constexpr const char* kSonar = "sonar";                    ///< Its name as it is, not as topics have it.
+inline constexpr const char* kSettings = "settings";              ///< A scenario file with this sonar alone.
+inline constexpr const char* kScale = "scale";                    ///< Of the values of sonar images: db or linear.
+inline constexpr const char* kLowDb = "low_db";                   ///< Level of the value 0.
+inline constexpr const char* kHighDb = "high_db";                 ///< Level of the greatest value.
+inline constexpr const char* kGainPerDecade = "gain_per_decade";  ///< Gain over range in these levels.
+
+}  // namespace insonify::mcap_metadata

@@ -1,0 +1,383 @@
+// mcap_writer.cpp -- puts records into chunks, chunks into the file, and the summary at its end (mcap.dev/spec).
+
+#include "io/mcap/mcap_writer.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+#include <zlib.h>
+#include <zstd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <system_error>
+#include <utility>
+
+#include "insonify/error.h"
+
+namespace insonify {
+namespace {
+
+constexpr std::size_t kLargeChunk = std::size_t{4} << 20;  // [bytes]
+constexpr int kZstdLevel = 1;                              // The fastest of the ordinary levels.
+constexpr std::string_view kCompression = "zstd";
+
+[[noreturn]] void fail(const std::filesystem::path& path, const std::string& what) {
+  throw Error(fmt::format("{}: {}", path.string(), what));
+}
+
+std::uint32_t crc_of(std::span<const std::byte> bytes, std::uint32_t before = 0) {
+  return static_cast<std::uint32_t>(crc32_z(before, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size()));
+}
+
+std::vector<std::byte> compressed(std::span<const std::byte> bytes) {
+  std::vector<std::byte> result(ZSTD_compressBound(bytes.size()));
+  const std::size_t size = ZSTD_compress(result.data(), result.size(), bytes.data(), bytes.size(), kZstdLevel);
+  if (ZSTD_isError(size) != 0) {
+    throw Error(fmt::format("zstd cannot compress {} bytes: {}", bytes.size(), ZSTD_getErrorName(size)));
+  }
+  result.resize(size);
+  return result;
+}
+
+}  // namespace
+
+McapWriter::McapWriter(std::filesystem::path path, const std::string& library, bool replace, bool only_whole)
+    : path_(std::move(path)), only_whole_(only_whole) {
+  const auto refuse_while_another_writes = [this] {
+    if (is_being_written(path_)) {
+      fail(path_, "cannot create: another run is writing it; choose another folder");
+    }
+  };
+  refuse_while_another_writes();
+  std::error_code ignored;
+  if (std::filesystem::is_regular_file(path_, ignored)) {
+    if (!replace) {
+      fail(path_, "cannot create: it is there already");
+    }
+    earlier_ = std::make_unique<WriteMark>(path_);
+  }
+  out_ = std::make_unique<UnfinishedFile>(path_, "cannot create");
+  mark_as_being_written(out_->descriptor());
+  absolute_ = std::filesystem::absolute(out_->unfinished());
+  McapBytes start;
+  start.append(std::as_bytes(std::span(kMcapMagic)));
+  start.record(McapOp::kHeader, [&] {
+    start.put(std::string_view("ros2"));
+    start.put(std::string_view(library));
+  });
+  write(start.bytes());
+  if (!earlier_ && !only_whole_) {
+    refuse_while_another_writes();
+    out_->put_in_place();
+    absolute_ = std::filesystem::absolute(path_);
+  }
+  thread_ = std::thread([this] { write_chunks_in_time(); });
+}
+
+McapWriter::~McapWriter() {
+  stop_thread();
+  if (out_ && !only_whole_) {
+    try {
+      finish();
+    } catch (const Error&) {  // NOLINT(bugprone-empty-catch): close() reports.
+    }
+    if (message_count_ > 0) {
+      out_->keep();
+    }
+  }
+}
+
+void McapWriter::stop_thread() {
+  {
+    const std::lock_guard lock(mutex_);
+    stopping_ = true;
+  }
+  changed_.notify_all();
+  if (thread_.joinable()) {
+    thread_.join();
+  }
+}
+
+// Body of the thread: writes each chunk that has waited long enough.
+void McapWriter::write_chunks_in_time() {
+  std::unique_lock lock(mutex_);
+  while (!stopping_) {
+    if (chunk_index_.empty()) {
+      changed_.wait(lock);
+    } else if (changed_.wait_until(lock, chunk_begun_ + kLongestChunk) == std::cv_status::timeout && !stopping_ &&
+               !chunk_index_.empty() && Clock::now() >= chunk_begun_ + kLongestChunk) {
+      try {
+        write_chunk();
+      } catch (...) {
+        failure_ = std::current_exception();
+        return;
+      }
+    }
+  }
+}
+
+// Appends to the file.
+void McapWriter::write(std::span<const std::byte> bytes) {
+  if (!is_still_there(out_->descriptor(), absolute_)) {
+    fail(path_, "is no longer there: it was removed, moved or replaced while it was being written");
+  }
+  std::uint64_t at = end_;
+  for (std::span<const std::byte> rest = bytes; !rest.empty();) {
+    const ssize_t written = pwrite(out_->descriptor(), rest.data(), rest.size(), static_cast<off_t>(at));
+    if (written < 0 && errno != EINTR) {
+      const std::string reason = std::generic_category().message(errno);
+      // Nothing of a part remains.
+      [[maybe_unused]] const int cut = ftruncate(out_->descriptor(), static_cast<off_t>(end_));
+      fail(path_, fmt::format("cannot write: {}{}", reason,
+                              message_count_ > 0 ? "; what was written before stays readable" : ""));
+    }
+    const auto count = static_cast<std::size_t>(std::max(written, ssize_t{0}));
+    rest = rest.subspan(count);
+    at += count;
+  }
+  data_crc_ = crc_of(bytes, data_crc_);
+  end_ = at;
+}
+
+void McapWriter::check_open() const {
+  if (failure_) {
+    std::rethrow_exception(failure_);
+  }
+  if (!out_) {
+    fail(path_, "cannot write: it is closed");
+  }
+}
+
+void McapWriter::add_metadata(const std::string& name, const std::map<std::string, std::string>& texts) {
+  const std::lock_guard lock(mutex_);
+  check_open();
+  McapBytes bytes;
+  bytes.record(McapOp::kMetadata, [&] {
+    bytes.put(std::string_view(name));
+    bytes.put(texts);
+  });
+  metadata_indexes_.record(McapOp::kMetadataIndex, [&] {
+    metadata_indexes_.put(end_);
+    metadata_indexes_.put(static_cast<std::uint64_t>(bytes.size()));
+    metadata_indexes_.put(std::string_view(name));
+  });
+  ++metadata_count_;
+  write(bytes.bytes());
+}
+
+std::uint16_t McapWriter::add_channel(const std::string& topic, const std::string& type,
+                                      const std::string& definition) {
+  const std::lock_guard lock(mutex_);
+  for (std::size_t i = 0; i < channels_.size(); ++i) {
+    if (channels_[i].topic == topic) {
+      if (schemas_[channels_[i].schema - 1U].name != type) {
+        fail(path_, fmt::format("topic {} cannot be {} and {}", topic, schemas_[channels_[i].schema - 1U].name, type));
+      }
+      return static_cast<std::uint16_t>(i);
+    }
+  }
+  auto schema = std::ranges::find(schemas_, type, &Schema::name);
+  if (schema == schemas_.end()) {
+    schema = schemas_.insert(schema, {type, definition});
+  }
+  channels_.push_back({static_cast<std::uint16_t>(schema - schemas_.begin() + 1), topic});  // Schema 0 means none.
+  return static_cast<std::uint16_t>(channels_.size() - 1);
+}
+
+void McapWriter::put_schema(McapBytes& into, std::size_t index) const {
+  into.record(McapOp::kSchema, [&] {
+    into.put(static_cast<std::uint16_t>(index + 1));
+    into.put(std::string_view(schemas_[index].name));
+    into.put(std::string_view("ros2msg"));
+    into.put(std::string_view(schemas_[index].definition));
+  });
+}
+
+void McapWriter::put_channel(McapBytes& into, std::size_t index) const {
+  into.record(McapOp::kChannel, [&] {
+    into.put(static_cast<std::uint16_t>(index));
+    into.put(channels_[index].schema);
+    into.put(std::string_view(channels_[index].topic));
+    into.put(std::string_view("cdr"));
+    into.put(std::map<std::string, std::string>{{"offered_qos_profiles", ""}});  // Which rosbag2 looks for.
+  });
+}
+
+// A chunk begins with the schemas and the channels that are new since the last one.
+void McapWriter::begin_chunk() {
+  chunk_begun_ = chunk_index_.empty() ? Clock::now() : chunk_begun_;
+  for (; told_schemas_ < schemas_.size(); ++told_schemas_) {
+    put_schema(chunk_, told_schemas_);
+  }
+  for (; told_channels_ < channels_.size(); ++told_channels_) {
+    put_channel(chunk_, told_channels_);
+  }
+}
+
+void McapWriter::put_message(std::uint64_t time_ns, const Message& message) {
+  Channel& to = channels_[message.channel];
+  chunk_index_[message.channel].push_back({time_ns, chunk_.size()});
+  chunk_.record(McapOp::kMessage, [&] {
+    chunk_.put(message.channel);
+    chunk_.put(to.next_sequence++);
+    chunk_.put(time_ns);
+    chunk_.put(time_ns);
+    chunk_.append(message.bytes);
+  });
+  first_time_ = message_count_ == 0 ? time_ns : std::min(first_time_, time_ns);
+  last_time_ = std::max(last_time_, time_ns);
+  ++message_count_;
+  ++to.count;
+}
+
+void McapWriter::add(std::uint64_t time_ns, std::span<const Message> messages) {
+  const std::lock_guard lock(mutex_);
+  check_open();
+  const bool begins = chunk_index_.empty();
+  if (begins || told_channels_ < channels_.size()) {
+    begin_chunk();
+  }
+  chunk_first_ = begins ? time_ns : std::min(chunk_first_, time_ns);
+  chunk_last_ = begins ? time_ns : std::max(chunk_last_, time_ns);
+  for (const Message& message : messages) {
+    put_message(time_ns, message);
+  }
+  if (chunk_.size() >= kLargeChunk) {
+    write_chunk();
+  } else if (begins) {
+    changed_.notify_all();
+  }
+}
+
+// The chunk and its indexes go to the file in one piece.
+void McapWriter::write_chunk() {
+  if (chunk_index_.empty()) {
+    return;
+  }
+  const std::vector<std::byte> packed = compressed(chunk_.bytes());
+  McapBytes bytes;
+  bytes.record(McapOp::kChunk, [&] {
+    bytes.put(chunk_first_);
+    bytes.put(chunk_last_);
+    bytes.put(static_cast<std::uint64_t>(chunk_.size()));
+    bytes.put(crc_of(chunk_.bytes()));
+    bytes.put(kCompression);
+    bytes.put(static_cast<std::uint64_t>(packed.size()));
+    bytes.append(packed);
+  });
+  const std::size_t chunk_length = bytes.size();
+  std::map<std::uint16_t, std::uint64_t> offsets;
+  for (const auto& [channel, entries] : chunk_index_) {
+    offsets[channel] = end_ + bytes.size();
+    bytes.record(McapOp::kMessageIndex, [&, id = channel, &list = entries] {
+      bytes.put(id);
+      bytes.put(static_cast<std::uint32_t>(list.size() * sizeof(IndexEntry)));
+      bytes.append(std::as_bytes(std::span(list)));
+    });
+  }
+  const std::uint64_t chunk_start = end_;
+  write(bytes.bytes());
+  chunk_indexes_.record(McapOp::kChunkIndex, [&] {
+    chunk_indexes_.put(chunk_first_);
+    chunk_indexes_.put(chunk_last_);
+    chunk_indexes_.put(chunk_start);
+    chunk_indexes_.put(static_cast<std::uint64_t>(chunk_length));
+    chunk_indexes_.put_map(offsets);
+    chunk_indexes_.put(static_cast<std::uint64_t>(bytes.size() - chunk_length));
+    chunk_indexes_.put(kCompression);
+    chunk_indexes_.put(static_cast<std::uint64_t>(packed.size()));
+    chunk_indexes_.put(static_cast<std::uint64_t>(chunk_.size()));
+  });
+  ++chunk_count_;
+  chunk_.clear();
+  chunk_index_.clear();
+}
+
+void McapWriter::write_summary() {
+  McapBytes data_end;
+  data_end.record(McapOp::kDataEnd, [&] { data_end.put(data_crc_); });
+  write(data_end.bytes());
+
+  const std::uint64_t start = end_;
+  McapBytes summary;
+  McapBytes offsets;
+  const auto group = [&](McapOp op, auto&& put_group) {
+    const std::size_t begin = summary.size();
+    put_group();
+    if (summary.size() > begin) {
+      offsets.record(McapOp::kSummaryOffset, [&] {
+        offsets.put(static_cast<std::uint8_t>(op));
+        offsets.put(start + begin);
+        offsets.put(static_cast<std::uint64_t>(summary.size() - begin));
+      });
+    }
+  };
+  group(McapOp::kSchema, [&] {
+    for (std::size_t i = 0; i < told_schemas_; ++i) {
+      put_schema(summary, i);
+    }
+  });
+  group(McapOp::kChannel, [&] {
+    for (std::size_t i = 0; i < told_channels_; ++i) {
+      put_channel(summary, i);
+    }
+  });
+  group(McapOp::kStatistics, [&] {
+    summary.record(McapOp::kStatistics, [&] {
+      std::map<std::uint16_t, std::uint64_t> counts;
+      for (std::size_t i = 0; i < told_channels_; ++i) {
+        counts[static_cast<std::uint16_t>(i)] = channels_[i].count;
+      }
+      summary.put(message_count_);
+      summary.put(static_cast<std::uint16_t>(told_schemas_));
+      summary.put(static_cast<std::uint32_t>(told_channels_));
+      summary.put(std::uint32_t{0});  // Attachments.
+      summary.put(metadata_count_);
+      summary.put(chunk_count_);
+      summary.put(first_time_);
+      summary.put(last_time_);
+      summary.put_map(counts);
+    });
+  });
+  group(McapOp::kChunkIndex, [&] { summary.append(chunk_indexes_.bytes()); });
+  group(McapOp::kMetadataIndex, [&] { summary.append(metadata_indexes_.bytes()); });
+  const std::uint64_t offsets_start = start + summary.size();
+  summary.append(offsets.bytes());
+  // The footer's checksum covers the summary and the footer up to itself.
+  McapBytes footer;
+  constexpr std::uint64_t kFooterContent = 20;
+  footer.put(static_cast<std::uint8_t>(McapOp::kFooter));
+  footer.put(kFooterContent);
+  footer.put(start);
+  footer.put(offsets_start);
+  summary.append(footer.bytes());
+  summary.put(crc_of(summary.bytes()));
+  summary.append(std::as_bytes(std::span(kMcapMagic)));
+  write(summary.bytes());
+}
+
+void McapWriter::finish() {
+  if (failure_) {
+    std::rethrow_exception(failure_);
+  }
+  write_chunk();
+  write_summary();
+  if (fsync(out_->descriptor()) != 0) {
+    fail(path_, "cannot write: " + std::generic_category().message(errno));
+  }
+}
+
+void McapWriter::close() {
+  if (!out_) {
+    return;
+  }
+  stop_thread();
+  finish();
+  if (is_beside()) {
+    out_->put_in_place();
+  }
+  out_.reset();
+  earlier_.reset();
+}
+
+}  // namespace insonify

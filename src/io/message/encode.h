@@ -1,0 +1,58 @@
+// encode.h -- encodes the ROS 2 message types in use.
+
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "insonify/geometry.h"
+#include "insonify/picture.h"
+
+namespace insonify {
+
+/// std_msgs/Header.
+struct MessageHeader {
+  std::uint64_t time_ns = 0;  ///< Below 2^31 s.
+  std::string frame;
+};
+
+/// Where a frame is in another one.
+struct FramePose {
+  MessageHeader parent;
+  std::string child;
+  Pose parent_from_child;
+};
+
+/// marine_acoustic_msgs/ProjectedSonarImage, but for its values.
+struct SonarImageFacts {
+  float frequency = 0, sound_speed = 0;  ///< [Hz], [m/s]
+  std::vector<float> transmit_widths;    ///< One a beam: some readers take the first without looking [rad].
+  std::vector<float> receive_widths;     ///< One a beam [rad].
+  std::vector<Vec3> directions;          ///< Unit vector of each beam, in the frame of the message.
+  std::vector<float> ranges;             ///< Centre of each bin [m].
+};
+
+/// A point of a cloud, as it lies in the message.
+struct CloudPoint {
+  float x = 0, y = 0, z = 0;  ///< [m]
+  float intensity = 0;        ///< [dB]
+};
+
+[[nodiscard]] std::vector<std::byte> encode_text(std::string_view text);
+[[nodiscard]] std::vector<std::byte> encode_pose(const MessageHeader& header, const Pose& pose);
+[[nodiscard]] std::vector<std::byte> encode_transforms(std::span<const FramePose> frames);
+[[nodiscard]] std::vector<std::byte> encode_image(const MessageHeader& header, const Picture& picture);
+[[nodiscard]] std::vector<std::byte> encode_cloud(const MessageHeader& header, std::span<const CloudPoint> points);
+
+/// @param values  One a cell, of 8 or of 16 bits, range-major: a row holds all beams at one range. (The comment in the
+///                .msg file says otherwise; those who read such messages take them so.)
+[[nodiscard]] std::vector<std::byte> encode_sonar_image(const MessageHeader& header, const SonarImageFacts& facts,
+                                                        std::span<const std::uint8_t> values);
+[[nodiscard]] std::vector<std::byte> encode_sonar_image(const MessageHeader& header, const SonarImageFacts& facts,
+                                                        std::span<const std::uint16_t> values);
+
+}  // namespace insonify

@@ -1,0 +1,67 @@
+// message_display.cpp -- from options, receiver and model to one mapping for all pings.
+
+#include "io/message/message_display.h"
+
+#include <cmath>
+
+namespace insonify {
+namespace {
+
+// The range that fits most scenes, of levels re the source's at 1 m, raised by kShownGainPerDecade.
+constexpr double kUsualLowDb = -100;
+constexpr double kUsualHighDb = -40;
+
+}  // namespace
+
+MessageLevels message_levels(const MessageSource& source, const MessageOptions& options) {
+  MessageLevels levels;
+  levels.gain_per_decade = usual_display(source.model, source.receiver).raised_per_decade;
+  levels.decibels = source.model == EchoModel::kCalibrated || options.low_db || options.high_db;
+  if (!levels.decibels) {
+    levels.high_db = 0;  // Intensity 1.
+    return levels;
+  }
+  levels.low_db = kUsualLowDb;
+  levels.high_db = kUsualHighDb;
+  if (source.model == EchoModel::kPaper) {
+    levels.low_db = -50;
+    levels.high_db = 0;
+  } else if (source.receiver.full_scale_db) {
+    levels.high_db = *source.receiver.full_scale_db;
+    levels.low_db = levels.high_db - source.sonar.mapping_range_db;
+    levels.gain_per_decade = 0;  // The receiver's own counts have none.
+  }
+  levels.low_db = options.low_db.value_or(levels.low_db);
+  levels.high_db = options.high_db.value_or(levels.high_db);
+  return levels;
+}
+
+Display message_display(const MessageSource& source, const MessageOptions& options) {
+  const MessageLevels levels = message_levels(source, options);
+  Display display = usual_display(source.model, source.receiver);
+  display.colour_map = options.colour_map;
+  display.height = options.fan_height;
+  display.annotations = options.annotations;
+  display.raised_per_decade = levels.gain_per_decade;
+  display.full_scale = std::pow(10, levels.high_db / 10);
+  if (levels.decibels) {
+    display.scale = Scale::kDecibel;
+    display.floor_db = levels.low_db - levels.high_db;
+    display.of_one = source.model == EchoModel::kPaper;
+  }
+  return display;
+}
+
+double intensity_of_share(const MessageLevels& levels, double share, double range) {
+  if (share <= 0) {
+    return 0;
+  }
+  const double full_scale = std::pow(10, levels.high_db / 10);
+  if (!levels.decibels) {
+    return full_scale * share;
+  }
+  return full_scale * std::pow(10, (1 - share) * (levels.low_db - levels.high_db) / 10) *
+         std::pow(range, -levels.gain_per_decade / 10);
+}
+
+}  // namespace insonify

@@ -1,0 +1,244 @@
+// sonar_messages.cpp -- makes the messages about one ping of one sonar.
+
+#include <fmt/format.h>
+
+#include <cassert>
+#include <cmath>
+#include <deque>
+#include <limits>
+#include <utility>
+
+#include "insonify/files.h"
+#include "insonify/messages.h"
+#include "io/message/definitions.h"
+#include "io/message/encode.h"
+#include "io/message/message_display.h"
+#include "io/message/ros_name.h"
+#include "io/message/strong_points.h"
+
+namespace insonify {
+namespace {
+
+constexpr double kTimeLimit = 2147483648.0;  // Of builtin_interfaces/Time, whose seconds are an int32 [s].
+
+// Most pings of a scanning head that its picture shows.
+constexpr std::uint64_t kMostScanned = 4000;
+
+MessageChannel channel(MessageKind kind, std::string topic, const std::string& package, const std::string& type) {
+  return {kind, std::move(topic), package + "/msg/" + type, message_definition(package + "/" + type)};
+}
+
+std::vector<MessageChannel> channels_of(const std::string& name) {
+  const std::string at = "/" + name;
+  return {channel(MessageKind::kSonarImage, at + "/sonar_image", "marine_acoustic_msgs", "ProjectedSonarImage"),
+          channel(MessageKind::kFan, at + "/fan", "sensor_msgs", "Image"),
+          channel(MessageKind::kPoints, at + "/points", "sensor_msgs", "PointCloud2"),
+          channel(MessageKind::kPose, at + "/pose", "geometry_msgs", "PoseStamped"),
+          channel(MessageKind::kTransforms, "/tf", "tf2_msgs", "TFMessage"),
+          channel(MessageKind::kScenario, "/scenario", "std_msgs", "String")};
+}
+
+// The frame of sonar images in that of the housing: z along the middle of the fan, y to port, x down. An azimuth of the
+// message, atan2(-y, z), is positive to starboard, which readers draw to the right.
+Pose housing_from_beams(const SonarConfig& sonar) {
+  const double up = sonar.elevation_center;
+  Eigen::Matrix3d axes;
+  axes.col(0) = Vec3(std::sin(up), 0, -std::cos(up));
+  axes.col(1) = Vec3(0, 1, 0);
+  axes.col(2) = Vec3(std::cos(up), 0, std::sin(up));
+  return {Vec3::Zero(), Eigen::Quaterniond(axes)};
+}
+
+SonarImageFacts image_facts(const SonarConfig& sonar, double sound_speed) {
+  SonarImageFacts facts;
+  facts.frequency = static_cast<float>(sonar.frequency);
+  facts.sound_speed = static_cast<float>(sound_speed);
+  const std::vector<double> edges = sonar.beam_edges();
+  for (std::size_t beam = 0; beam + 1 < edges.size(); ++beam) {
+    facts.transmit_widths.push_back(static_cast<float>(sonar.elevation_aperture));
+    facts.receive_widths.push_back(
+        static_cast<float>(sonar.azimuth_resolution.value_or(edges[beam] - edges[beam + 1])));
+  }
+  for (int bin = 0; bin < sonar.bin_count; ++bin) {
+    facts.ranges.push_back(static_cast<float>(sonar.bin_range(bin)));
+  }
+  facts.directions.resize(static_cast<std::size_t>(sonar.beam_count));
+  return facts;
+}
+
+template <typename Value>
+std::vector<Value> values_of(const std::vector<float>& raised, const Display& display) {
+  constexpr double kMost = std::numeric_limits<Value>::max();
+  std::vector<Value> values(raised.size());
+  for (std::size_t i = 0; i < raised.size(); ++i) {
+    values[i] = static_cast<Value>(std::lround(kMost * shown_level(display, static_cast<double>(raised[i]))));
+  }
+  return values;
+}
+
+}  // namespace
+
+MessageSource message_source(const Scenario& scenario, const SonarConfig& sonar) {
+  MessageSource source{sonar, scenario.model, scenario.receiver_of(sonar),
+                       scenario.text.empty() ? to_yaml(scenario) : scenario.text};
+  if (!source.sonar.assumed_sound_speed) {
+    source.sonar.assumed_sound_speed = scenario.water_at(sonar).true_sound_speed();
+  }
+  return source;
+}
+
+void MessageOptions::validate() const {
+  check_fields("messages", *this);
+  if (bits != 8 && bits != 16) {
+    throw Error("messages", "bits", fmt::format(" = {} must be 8 or 16", bits));
+  }
+  if (world_frame.empty()) {
+    throw Error("messages", "world_frame", " must not be empty");
+  }
+}
+
+struct SonarMessages::State {
+  MessageSource source;
+  MessageOptions options;
+  std::string name;
+  std::vector<MessageChannel> channels;
+  Display display;
+  SonarImageFacts facts;
+
+  Ping ping = {};    // Without what no message tells; its intensities as they are ...
+  Ping raised = {};  // ... and with the gain over range.
+  std::uint64_t time_ns = 0;
+  std::deque<Ping> scanned = {};  // Of a scanning sonar, the pings of the last turn, raised.
+
+  [[nodiscard]] bool scans() const { return source.sonar.type == SonarType::kMechanicallyScanned; }
+  [[nodiscard]] MessageHeader header(const std::string& frame) const { return {time_ns, frame}; }
+  [[nodiscard]] std::vector<std::byte> sonar_image() const;
+  [[nodiscard]] Picture fan() const;
+  [[nodiscard]] std::vector<std::byte> transforms() const;
+};
+
+std::vector<std::byte> SonarMessages::State::sonar_image() const {
+  SonarImageFacts now = facts;
+  for (int beam = 0; beam < source.sonar.beam_count; ++beam) {
+    const double azimuth = source.sonar.beam_azimuth(beam) + ping.head_angle;
+    now.directions[static_cast<std::size_t>(beam)] = Vec3(0, std::sin(azimuth), std::cos(azimuth));
+  }
+  const MessageHeader head = header(name + "_beams");
+  if (options.bits == 8) {
+    return encode_sonar_image(head, now,
+                              std::span<const std::uint8_t>(values_of<std::uint8_t>(raised.intensity, display)));
+  }
+  return encode_sonar_image(head, now,
+                            std::span<const std::uint16_t>(values_of<std::uint16_t>(raised.intensity, display)));
+}
+
+Picture SonarMessages::State::fan() const {
+  if (!scans()) {
+    return draw_fan(raised, source.sonar, display);
+  }
+  ScanView view(source.sonar);
+  for (const Ping& each : scanned) {
+    view.add(each);
+  }
+  return view.draw(display);
+}
+
+std::vector<std::byte> SonarMessages::State::transforms() const {
+  const FramePose frames[] = {{header(options.world_frame), name, ping.world_from_sonar},
+                              {header(name), name + "_beams", housing_from_beams(source.sonar)}};
+  return encode_transforms(frames);
+}
+
+SonarMessages::SonarMessages(MessageSource source, MessageOptions options) {
+  options.validate();
+  const MessageLevels levels = message_levels(source, options);
+  if (levels.decibels && !(levels.low_db < levels.high_db)) {
+    throw Error("messages", "low_db",
+                fmt::format(" = {:.6g} dB must be less than high_db = {:.6g} dB", levels.low_db, levels.high_db));
+  }
+  const Display display = message_display(source, options);
+  display.validate();
+  const std::string name = ros_name(source.sonar.name);
+  const double sound_speed = source.sonar.assumed_sound_speed.value_or(0);  // 0: unknown, as the .msg file has it.
+  SonarImageFacts facts = image_facts(source.sonar, sound_speed);
+  state_ = std::make_unique<State>(
+      State{std::move(source), std::move(options), name, channels_of(name), display, std::move(facts)});
+}
+
+SonarMessages::~SonarMessages() = default;
+SonarMessages::SonarMessages(SonarMessages&&) noexcept = default;
+SonarMessages& SonarMessages::operator=(SonarMessages&&) noexcept = default;
+
+const std::vector<MessageChannel>& SonarMessages::channels() const {
+  return state_->channels;
+}
+
+MessageLevels SonarMessages::levels() const {
+  return message_levels(state_->source, state_->options);
+}
+
+void SonarMessages::take(const Ping& ping) {
+  const SonarConfig& sonar = state_->source.sonar;
+  const std::size_t cells = static_cast<std::size_t>(sonar.bin_count) * static_cast<std::size_t>(sonar.beam_count);
+  if (ping.bin_count != sonar.bin_count || ping.beam_count != sonar.beam_count) {
+    throw Error(fmt::format("ping {} of {} has {} beams x {} bins, must have {} x {}", ping.number, sonar.name,
+                            ping.beam_count, ping.bin_count, sonar.beam_count, sonar.bin_count));
+  }
+  if (ping.intensity.size() != cells || (!ping.elevation.empty() && ping.elevation.size() != cells)) {
+    throw Error(fmt::format("ping {} of {} has {} {}, must have {}", ping.number, sonar.name,
+                            ping.intensity.size() != cells ? ping.intensity.size() : ping.elevation.size(),
+                            ping.intensity.size() != cells ? "intensities" : "elevations", cells));
+  }
+  if (!(ping.time >= 0 && ping.time < kTimeLimit - 1)) {
+    throw Error(
+        fmt::format("ping {} of {}: time = {:.6g} s must be from 0 to below 2147483647 s, as ROS messages hold "
+                    "it",
+                    ping.number, sonar.name, ping.time));
+  }
+  Ping& kept = state_->ping;
+  kept.number = ping.number;
+  kept.time = ping.time;
+  kept.world_from_sonar = ping.world_from_sonar;
+  kept.head_angle = ping.head_angle;
+  kept.bin_count = ping.bin_count;
+  kept.beam_count = ping.beam_count;
+  kept.intensity = ping.intensity;
+  kept.elevation = ping.elevation;
+  state_->time_ns = static_cast<std::uint64_t>(std::llround(ping.time * 1e9));
+  Ping bare = kept;
+  bare.elevation.clear();
+  state_->raised = raised_by_range(std::move(bare), sonar, state_->display.raised_per_decade);
+  if (state_->scans()) {
+    state_->scanned.push_back(state_->raised);
+    if (state_->scanned.size() > std::min(sonar.pings_per_turn(), kMostScanned)) {
+      state_->scanned.pop_front();
+    }
+  }
+}
+
+std::vector<std::byte> SonarMessages::encode(std::size_t channel) const {
+  const State& state = *state_;
+  assert(channel < state.channels.size());
+  switch (state.channels[channel].kind) {
+    case MessageKind::kSonarImage:
+      return state.sonar_image();
+    case MessageKind::kFan:
+      return encode_image(state.header(state.name), state.fan());
+    case MessageKind::kPoints:
+      return encode_cloud(state.header(state.name), strong_points(state.ping, state.raised.intensity,
+                                                                  state.source.sonar, state.options.strong_share));
+    case MessageKind::kPose:
+      return encode_pose(state.header(state.options.world_frame), state.ping.world_from_sonar);
+    case MessageKind::kTransforms:
+      return state.transforms();
+    case MessageKind::kScenario:
+      break;
+  }
+  return encode_text(state.source.scenario);
+}
+
+std::uint64_t SonarMessages::time_ns() const {
+  return state_->time_ns;
+}
+
+}  // namespace insonify

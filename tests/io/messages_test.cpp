@@ -1,0 +1,380 @@
+// messages_test.cpp -- pings as ROS 2 messages: encoding, frames, levels, points.
+
+#include "insonify/messages.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "io/cdr_read.h"
+#include "io/message/cdr_writer.h"
+#include "io/message/definitions.h"
+#include "io/message/message_display.h"
+#include "io/message/ros_name.h"
+#include "support/message_of.h"
+
+namespace insonify {
+namespace {
+
+using testing::DoubleNear;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+constexpr double kQuarter = std::numbers::pi / 4;
+
+std::vector<int> plain(const std::vector<std::byte>& bytes) {
+  std::vector<int> numbers;
+  for (const std::byte byte : bytes) {
+    numbers.push_back(std::to_integer<int>(byte));
+  }
+  return numbers;
+}
+
+// Three beams at 45, 0 and -45 degrees, two bins centred at 10 and 30 m.
+SonarConfig fan() {
+  SonarConfig sonar;
+  sonar.name = "fls-2";
+  sonar.frequency = 455e3;
+  sonar.beam_count = 3;
+  sonar.beam_azimuths = {kQuarter, 0, -kQuarter};
+  sonar.azimuth_aperture = 3 * kQuarter;
+  sonar.elevation_aperture = 0.5;
+  sonar.bin_count = 2;
+  sonar.min_range = 0;
+  sonar.max_range = 40;
+  sonar.assumed_sound_speed = 1480;
+  return sonar;
+}
+
+// Levels without gain, in dB; the gain of 30 dB per decade adds 30 at 10 m and 44.31 at 30 m.
+Ping ping_of(const SonarConfig& sonar, const std::vector<double>& levels_db) {
+  Ping ping;
+  ping.number = 7;
+  ping.time = 12.25;
+  ping.world_from_sonar = {Vec3(1, 2, -3), orientation_from_rpy(0, 0, 2 * kQuarter)};
+  ping.bin_count = sonar.bin_count;
+  ping.beam_count = sonar.beam_count;
+  for (const double level : levels_db) {
+    ping.intensity.push_back(static_cast<float>(std::pow(10, level / 10)));
+  }
+  return ping;
+}
+
+MessageSource source_of(SonarConfig sonar) {
+  return {std::move(sonar), EchoModel::kCalibrated, {}, "pings: 3\n"};
+}
+
+// Range-major, port to starboard: raised, the levels are -70, -40, -130 at 10 m and -90, -99.9, +5 at 30 m.
+constexpr double kGainAt30 = 44.3136376;
+const std::vector<double> kLevels = {-100, -70, -160, -90 - kGainAt30, -99.9 - kGainAt30, 5 - kGainAt30};
+
+CdrRead encoded(SonarMessages& messages, MessageKind kind) {
+  for (std::size_t i = 0; i < messages.channels().size(); ++i) {
+    if (messages.channels()[i].kind == kind) {
+      return CdrRead(messages.encode(i));
+    }
+  }
+  throw Error("no such channel");
+}
+
+TEST(CdrWriterTest, AlignsNumbersFromTheEndOfItsHeader) {
+  CdrWriter out;
+  out.put(std::string_view("ab"));  // Length 3 with its zero: ends at 7.
+  out.put(std::uint16_t{0x0201});   // At 8.
+  out.put(1.0);                     // At 16.
+  out.put(true);
+  EXPECT_THAT(plain(out.take()), ElementsAre(0, 1, 0, 0, 3, 0, 0, 0, 'a', 'b', 0, 0, 1, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
+                                             0, 0, 0xf0, 0x3f, 1));
+}
+
+TEST(CdrWriterTest, AlignsNoElementsOfAnEmptySequence) {
+  CdrWriter out;
+  out.put(std::span<const double>());
+  out.put(std::uint8_t{9});
+  EXPECT_THAT(plain(out.take()), ElementsAre(0, 1, 0, 0, 0, 0, 0, 0, 9));
+}
+
+TEST(MessageDefinitionTest, ListsEachTypeOnceAfterThoseThatUseIt) {
+  const std::string line(80, '=');
+  EXPECT_EQ(message_definition("geometry_msgs/PoseStamped"),
+            "std_msgs/Header header\ngeometry_msgs/Pose pose\n" + line +
+                "\nMSG: std_msgs/Header\nbuiltin_interfaces/Time stamp\nstring frame_id\n" + line +
+                "\nMSG: builtin_interfaces/Time\nint32 sec\nuint32 nanosec\n" + line +
+                "\nMSG: geometry_msgs/Pose\ngeometry_msgs/Point position\ngeometry_msgs/Quaternion orientation\n" +
+                line + "\nMSG: geometry_msgs/Point\nfloat64 x\nfloat64 y\nfloat64 z\n" + line +
+                "\nMSG: geometry_msgs/Quaternion\nfloat64 x\nfloat64 y\nfloat64 z\nfloat64 w\n");
+}
+
+TEST(RosNameTest, HasOnlyWhatTopicsAllow) {
+  EXPECT_EQ(ros_name("fls"), "fls");
+  EXPECT_EQ(ros_name("front left-2"), "front_left_2");
+  EXPECT_EQ(ros_name("720i"), "_720i");
+  EXPECT_EQ(ros_name("ä"), "__");
+  EXPECT_EQ(ros_name(""), "sonar");
+}
+
+TEST(SonarMessagesTest, NamesTopicsAfterTheSonar) {
+  const SonarMessages messages(source_of(fan()));
+  std::vector<std::string> topics;
+  for (const MessageChannel& channel : messages.channels()) {
+    topics.push_back(channel.topic + " " + channel.type);
+  }
+  EXPECT_THAT(topics, ElementsAre("/fls_2/sonar_image marine_acoustic_msgs/msg/ProjectedSonarImage",
+                                  "/fls_2/fan sensor_msgs/msg/Image", "/fls_2/points sensor_msgs/msg/PointCloud2",
+                                  "/fls_2/pose geometry_msgs/msg/PoseStamped", "/tf tf2_msgs/msg/TFMessage",
+                                  "/scenario std_msgs/msg/String"));
+}
+
+TEST(SonarMessagesTest, SonarImageIsRangeMajorWithStarboardAtPositiveAzimuth) {
+  SonarMessages messages(source_of(fan()), {.bits = 8});
+  messages.take(ping_of(fan(), kLevels));
+  CdrRead in = encoded(messages, MessageKind::kSonarImage);
+  EXPECT_EQ(in.header(), std::tuple(12, 250'000'000U, "fls_2_beams"));
+  EXPECT_EQ(in.number<float>(), 455e3F);
+  EXPECT_EQ(in.number<float>(), 1480.0F);
+  EXPECT_THAT(in.numbers<float>(), ElementsAre(0.5F, 0.5F, 0.5F));  // tx_beamwidths
+  EXPECT_EQ(in.numbers<float>().size(), 3);
+  ASSERT_EQ(in.number<std::uint32_t>(), 3);
+  const std::vector<double> azimuths = {-kQuarter, 0, kQuarter};  // As readers find them: positive to starboard.
+  for (const double azimuth : azimuths) {
+    const std::vector<double> direction = in.doubles(3);
+    EXPECT_EQ(direction[0], 0);
+    EXPECT_NEAR(std::atan2(-direction[1], direction[2]), azimuth, 1e-12);
+    EXPECT_NEAR(std::hypot(direction[1], direction[2]), 1, 1e-12);
+  }
+  EXPECT_THAT(in.numbers<float>(), ElementsAre(10, 30));
+  EXPECT_FALSE(in.number<bool>());
+  EXPECT_EQ(in.number<std::uint32_t>(), 0);  // DTYPE_UINT8
+  EXPECT_EQ(in.number<std::uint32_t>(), 3);
+  // 255 (level + 100) / 60, rounded: -70 gives 127.5, -40 all, -130 none; -90 gives 42.5, -99.9 0.4, +5 all.
+  EXPECT_THAT(in.numbers<std::uint8_t>(),
+              ElementsAre(testing::AnyOf(127, 128), 255, 0, testing::AnyOf(42, 43), 0, 255));
+  EXPECT_TRUE(in.at_end());
+}
+
+TEST(SonarMessagesTest, SixteenBitsResolveAThousandthOfADecibel) {
+  SonarMessages messages(source_of(fan()), {.bits = 16});
+  messages.take(ping_of(fan(), kLevels));
+  CdrRead in = encoded(messages, MessageKind::kSonarImage);
+  (void)in.header();
+  (void)in.number<float>();
+  (void)in.number<float>();
+  (void)in.numbers<float>();
+  (void)in.numbers<float>();
+  const auto directions = in.number<std::uint32_t>();
+  (void)in.doubles(3 * static_cast<int>(directions));
+  (void)in.numbers<float>();
+  (void)in.number<bool>();
+  EXPECT_EQ(in.number<std::uint32_t>(), 2);  // DTYPE_UINT16
+  (void)in.number<std::uint32_t>();
+  const auto bytes = in.numbers<std::uint8_t>();
+  ASSERT_EQ(bytes.size(), 12);
+  // Little-endian; -99.9 dB is 65535 x 0.1 / 60 = 109.2.
+  EXPECT_EQ(bytes[8] + 256 * bytes[9], 109);
+  const double share = (bytes[0] + 256 * bytes[1]) / 65535.0;
+  EXPECT_NEAR(10 * std::log10(intensity_of_share(messages.levels(), share, 10)), -100, 0.001);
+  EXPECT_EQ(intensity_of_share(messages.levels(), 0, 10), 0);
+}
+
+TEST(SonarMessagesTest, LevelsAreTheReceiversOwnWhereItHasAFullScale) {
+  MessageSource source = source_of(fan());
+  source.receiver.full_scale_db = -20;
+  source.sonar.mapping_range_db = 70;
+  const MessageLevels levels = SonarMessages(source).levels();
+  EXPECT_EQ(levels.low_db, -90);
+  EXPECT_EQ(levels.high_db, -20);
+  EXPECT_EQ(levels.gain_per_decade, 0);
+}
+
+TEST(SonarMessagesTest, PaperModelIsLinear) {
+  MessageSource source = source_of(fan());
+  source.model = EchoModel::kPaper;
+  const MessageLevels levels = SonarMessages(source).levels();
+  EXPECT_FALSE(levels.decibels);
+  EXPECT_NEAR(intensity_of_share(levels, 0.25, 30), 0.25, 1e-12);
+}
+
+TEST(SonarMessagesTest, PointsAreWhereTheStrongestEchoesCameFrom) {
+  // Half of six cells: raised, +5 (30 m, starboard), -40 (10 m, ahead), -70 (10 m, port).
+  SonarMessages messages(source_of(fan()), {.strong_share = 0.5});
+  Ping ping = ping_of(fan(), kLevels);
+  const float none = std::numeric_limits<float>::quiet_NaN();
+  ping.elevation = {none, -0.1F, none, none, none, 0.2F};
+  messages.take(ping);
+  CdrRead in = encoded(messages, MessageKind::kPoints);
+  EXPECT_EQ(in.header(), std::tuple(12, 250'000'000U, "fls_2"));
+  EXPECT_EQ(in.number<std::uint32_t>(), 1);
+  ASSERT_EQ(in.number<std::uint32_t>(), 3);
+  ASSERT_EQ(in.number<std::uint32_t>(), 4);
+  for (const auto& [name, offset] :
+       {std::pair("x", 0U), std::pair("y", 4U), std::pair("z", 8U), std::pair("intensity", 12U)}) {
+    EXPECT_EQ(in.text(), name);
+    EXPECT_EQ(in.number<std::uint32_t>(), offset);
+    EXPECT_EQ(in.number<std::uint8_t>(), 7);
+    EXPECT_EQ(in.number<std::uint32_t>(), 1);
+  }
+  EXPECT_FALSE(in.number<bool>());
+  EXPECT_EQ(in.number<std::uint32_t>(), 16);
+  EXPECT_EQ(in.number<std::uint32_t>(), 48);
+  ASSERT_EQ(in.number<std::uint32_t>(), 48);
+  const auto expect_point = [&](double range, double azimuth, double elevation, double level) {
+    const Vec3 place = point_from_spherical({range, azimuth, elevation});
+    EXPECT_NEAR(in.number<float>(), place.x(), 1e-5);
+    EXPECT_NEAR(in.number<float>(), place.y(), 1e-5);
+    EXPECT_NEAR(in.number<float>(), place.z(), 1e-5);
+    EXPECT_NEAR(in.number<float>(), level, 1e-4);
+  };
+  expect_point(10, kQuarter, 0, -100);
+  expect_point(10, 0, -0.1, -70);
+  expect_point(30, -kQuarter, 0.2, 5 - kGainAt30);
+  EXPECT_TRUE(in.number<bool>());
+  EXPECT_TRUE(in.at_end());
+}
+
+TEST(SonarMessagesTest, SilenceHasNoPoints) {
+  SonarMessages messages(source_of(fan()), {.strong_share = 1});
+  Ping ping = ping_of(fan(), kLevels);
+  std::fill(ping.intensity.begin(), ping.intensity.end(), 0.0F);
+  messages.take(ping);
+  CdrRead in = encoded(messages, MessageKind::kPoints);
+  (void)in.header();
+  (void)in.number<std::uint32_t>();
+  EXPECT_EQ(in.number<std::uint32_t>(), 0);
+}
+
+TEST(SonarMessagesTest, FramesLeadFromTheWorldToTheBeams) {
+  SonarConfig sonar = fan();
+  sonar.elevation_center = -0.3;
+  SonarMessages messages(source_of(sonar));
+  messages.take(ping_of(sonar, kLevels));
+  CdrRead in = encoded(messages, MessageKind::kTransforms);
+  ASSERT_EQ(in.number<std::uint32_t>(), 2);
+  EXPECT_EQ(std::get<2>(in.header()), "world");
+  EXPECT_EQ(in.text(), "fls_2");
+  const std::vector<double> housing = in.doubles(7);
+  EXPECT_THAT(housing, ElementsAre(1, 2, -3, DoubleNear(0, 1e-12), DoubleNear(0, 1e-12),
+                                   DoubleNear(std::sin(kQuarter), 1e-12), DoubleNear(std::cos(kQuarter), 1e-12)));
+  EXPECT_EQ(std::get<2>(in.header()), "fls_2");
+  EXPECT_EQ(in.text(), "fls_2_beams");
+  const std::vector<double> beams = in.doubles(7);
+  const Eigen::Quaterniond turn(beams[6], beams[3], beams[4], beams[5]);
+  EXPECT_TRUE((turn * Vec3::UnitZ()).isApprox(Vec3(std::cos(-0.3), 0, std::sin(-0.3)), 1e-12));
+  EXPECT_TRUE((turn * Vec3::UnitY()).isApprox(Vec3::UnitY(), 1e-12));
+  EXPECT_TRUE(in.at_end());
+}
+
+TEST(SonarMessagesTest, PoseIsThatOfTheHousing) {
+  SonarMessages messages(source_of(fan()), {.world_frame = "map"});
+  messages.take(ping_of(fan(), kLevels));
+  CdrRead in = encoded(messages, MessageKind::kPose);
+  EXPECT_EQ(in.header(), std::tuple(12, 250'000'000U, "map"));
+  EXPECT_THAT(in.doubles(3), ElementsAre(1, 2, -3));
+  (void)in.doubles(4);
+  EXPECT_TRUE(in.at_end());
+}
+
+TEST(SonarMessagesTest, FanIsThePictureAtItsFixedLevels) {
+  SonarMessages messages(source_of(fan()), {.low_db = -80, .high_db = -40, .fan_height = 240});
+  const Ping ping = ping_of(fan(), kLevels);
+  messages.take(ping);
+  CdrRead in = encoded(messages, MessageKind::kFan);
+  EXPECT_EQ(std::get<2>(in.header()), "fls_2");
+  Display display = usual_display(EchoModel::kCalibrated, {});
+  display.floor_db = -40;
+  display.full_scale = 1e-4;
+  display.height = 240;
+  display.annotations = false;
+  const Picture picture = draw_fan(raised_by_range(ping, fan(), 30), fan(), display);
+  EXPECT_EQ(in.number<std::uint32_t>(), picture.height);
+  EXPECT_EQ(in.number<std::uint32_t>(), picture.width);
+  EXPECT_EQ(in.text(), "rgb8");
+  EXPECT_EQ(in.number<std::uint8_t>(), 0);
+  EXPECT_EQ(in.number<std::uint32_t>(), 3 * picture.width);
+  EXPECT_TRUE(in.numbers<std::uint8_t>() == picture.rgb);
+  EXPECT_TRUE(in.at_end());
+}
+
+TEST(SonarMessagesTest, ScenarioIsItsText) {
+  SonarMessages messages(source_of(fan()));
+  messages.take(ping_of(fan(), kLevels));
+  CdrRead in = encoded(messages, MessageKind::kScenario);
+  EXPECT_EQ(in.text(), "pings: 3\n");
+  EXPECT_TRUE(in.at_end());
+}
+
+SonarConfig head() {
+  SonarConfig sonar = fan();
+  sonar.type = SonarType::kMechanicallyScanned;
+  sonar.beam_count = 1;
+  sonar.beam_azimuths = {};
+  sonar.azimuth_aperture = 0.05;
+  sonar.step = kQuarter;
+  return sonar;
+}
+
+TEST(SonarMessagesTest, BeamOfAScanningHeadTurnsWithIt) {
+  SonarMessages messages(source_of(head()), {.strong_share = 0.5});
+  Ping ping = ping_of(head(), {-60, -200});
+  ping.head_angle = 2 * kQuarter;  // To port.
+  messages.take(ping);
+  CdrRead in = encoded(messages, MessageKind::kSonarImage);
+  (void)in.header();
+  (void)in.number<float>();
+  (void)in.number<float>();
+  EXPECT_EQ(in.numbers<float>().size(), 1);
+  (void)in.numbers<float>();
+  ASSERT_EQ(in.number<std::uint32_t>(), 1);
+  EXPECT_THAT(in.doubles(3), ElementsAre(0, DoubleNear(1, 1e-12), DoubleNear(0, 1e-12)));
+  CdrRead points = encoded(messages, MessageKind::kPoints);
+  (void)points.header();
+  (void)points.number<std::uint32_t>();
+  EXPECT_EQ(points.number<std::uint32_t>(), 1);
+}
+
+TEST(SonarMessagesTest, FanOfAScanningHeadShowsItsLastTurn) {
+  // Eight steps make a turn: after nine pings the first is forgotten, whose place the ninth takes anyway; so the
+  // picture is that of the last eight alone.
+  SonarMessages all(source_of(head()), {.fan_height = 240});
+  SonarMessages last(source_of(head()), {.fan_height = 240});
+  SonarMessages one(source_of(head()), {.fan_height = 240});
+  for (int i = 0; i < 9; ++i) {
+    Ping ping = ping_of(head(), {-70.0 - i, -90});
+    ping.head_angle = i * kQuarter;
+    all.take(ping);
+    if (i > 0) {
+      last.take(ping);
+    }
+    if (i == 8) {
+      one.take(ping);
+    }
+  }
+  EXPECT_TRUE(all.encode(1) == last.encode(1));
+  EXPECT_FALSE(all.encode(1) == one.encode(1));
+}
+
+TEST(SonarMessagesTest, RefusesWhatRosCannotHold) {
+  SonarMessages messages(source_of(fan()));
+  Ping ping = ping_of(fan(), kLevels);
+  ping.time = -0.5;
+  EXPECT_EQ(message_of([&] { messages.take(ping); }),
+            "ping 7 of fls-2: time = -0.5 s must be from 0 to below 2147483647 s, as ROS messages hold it");
+  ping.time = 3e9;
+  EXPECT_THAT(message_of([&] { messages.take(ping); }), HasSubstr("time = 3e+09 s"));
+  ping.time = 0;
+  ping.intensity.pop_back();
+  EXPECT_EQ(message_of([&] { messages.take(ping); }), "ping 7 of fls-2 has 5 intensities, must have 6");
+}
+
+TEST(SonarMessagesTest, RefusesOptionsOutOfLimits) {
+  EXPECT_EQ(message_of([] { SonarMessages(source_of(fan()), {.bits = 12}); }), "messages.bits = 12 must be 8 or 16");
+  EXPECT_EQ(message_of([] { SonarMessages(source_of(fan()), {.low_db = -30}); }),
+            "messages.low_db = -30 dB must be less than high_db = -40 dB");
+  EXPECT_EQ(message_of([] { SonarMessages(source_of(fan()), {.world_frame = ""}); }),
+            "messages.world_frame must not be empty");
+  EXPECT_EQ(message_of([] { SonarMessages(source_of(fan()), {.strong_share = 0}); }),
+            "messages.strong_share = 0 must be greater than 0, at most 1");
+}
+
+}  // namespace
+}  // namespace insonify
