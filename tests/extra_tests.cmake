@@ -13,7 +13,21 @@ add_test(NAME headers_stand_alone
 if(TARGET insonify_python AND INSONIFY_BUILD_APPS AND NOT INSONIFY_SANITIZE)
   add_test(NAME python_package
     COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/python/package_test.py $<TARGET_FILE:insonify_cli> ${PROJECT_SOURCE_DIR})
-  set_tests_properties(python_package PROPERTIES ENVIRONMENT PYTHONPATH=${PROJECT_BINARY_DIR}/python)
+  add_test(NAME python_types
+    COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/python/types_test.py ${PROJECT_SOURCE_DIR})
+  set(python_tests python_package python_types)
+  foreach(name layers plot acoustics compare same_bytes)
+    add_test(NAME python_${name}
+      COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/python/${name}_test.py $<TARGET_FILE:insonify_cli> ${PROJECT_SOURCE_DIR})
+    list(APPEND python_tests python_${name})
+  endforeach()
+  foreach(example first_ping fly_a_square dataset gym_environment point_cloud pictures speed)
+    add_test(NAME python_examples.${example}
+      COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/python/examples_test.py ${example} ${PROJECT_SOURCE_DIR})
+    list(APPEND python_tests python_examples.${example})
+  endforeach()
+  set_tests_properties(${python_tests} PROPERTIES ENVIRONMENT "PYTHONPATH=${PROJECT_BINARY_DIR}/python;PYTHONDONTWRITEBYTECODE=1"
+    SKIP_RETURN_CODE 77)
 endif()
 
 # Search paths of what was built, and what guards it.
@@ -97,3 +111,19 @@ endif()
 add_test(NAME version_is_told_alike
   COMMAND sh -c "grep -m 1 '^## ' CHANGELOG.md | grep -F '[${PROJECT_VERSION}]' && grep -Fx 'version: ${PROJECT_VERSION}' CITATION.cff"
   WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
+
+# MCAP recordings as the libraries of npm read them.
+if(INSONIFY_BUILD_APPS)
+  set(node_folder ${PROJECT_BINARY_DIR}/tests/node)
+  add_test(NAME node_packages
+    COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/node/install.py ${node_folder})
+  set_tests_properties(node_packages PROPERTIES FIXTURES_SETUP node_packages SKIP_RETURN_CODE 77)
+  add_test(NAME mcap_readers
+    COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/node/run.py ${node_folder} mcap_test.mjs
+            $<TARGET_FILE:insonify_cli> ${Python3_EXECUTABLE} ${CMAKE_CURRENT_SOURCE_DIR}/node/h5_json.py)
+  set_tests_properties(mcap_readers PROPERTIES FIXTURES_REQUIRED node_packages SKIP_RETURN_CODE 77)
+  # NumPy archives and Zarr groups as NumPy and zarr read them.
+  add_test(NAME exported_arrays
+    COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/python/export_test.py $<TARGET_FILE:insonify_cli>)
+  set_tests_properties(exported_arrays PROPERTIES SKIP_RETURN_CODE 77)
+endif()

@@ -94,7 +94,7 @@ PUBLIC = {
     "words.h": "io",
     "live_loop.h": "live",
     "recorded_pings.h": "io",
-    "recorded_tables.h": "io",
+    "stored_tables.h": "io",
     "similarity.h": "similarity",
 }
 

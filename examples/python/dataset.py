@@ -13,6 +13,7 @@ The file has
 import sys
 
 import numpy as np
+import numpy.typing as npt
 
 import insonify
 
@@ -33,9 +34,9 @@ def make_scene(random: np.random.Generator) -> insonify.Scene:
     return scene
 
 
-def boxes_of(ping_number: int, mask: np.ndarray, objects: range) -> list[tuple[int, ...]]:
+def boxes_of(ping_number: int, mask: npt.NDArray[np.uint16], objects: range) -> list[tuple[int, ...]]:
     """(ping, object, first bin, last bin, first beam, last beam) of each object that is seen."""
-    found = []
+    found: list[tuple[int, ...]] = []
     for label in objects:
         bins, beams = np.nonzero(mask == label)
         if len(bins) >= SMALLEST:

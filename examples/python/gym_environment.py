@@ -20,8 +20,8 @@ import numpy as np
 import insonify
 
 try:
-    import gymnasium
-    from gymnasium.spaces import Box
+    import gymnasium  # type: ignore[import]
+    from gymnasium.spaces import Box  # type: ignore[import]
 
     Base: Any = gymnasium.Env
 except ImportError:
@@ -108,7 +108,7 @@ def controller(env: WallEnv, observation: Any) -> Any:
     """Goes ahead or back by the range of the strongest echo in the middle beams."""
     middle = observation[:, 14:18].mean(axis=1)
     error = env.ranges[np.argmax(middle)] - env.wanted
-    return np.array([np.clip(0.8 * error, -1, 1), 0], dtype=np.float32)
+    return np.array([np.clip(2 * error, -1, 1), 0], dtype=np.float32)
 
 
 def main() -> None:

@@ -42,7 +42,7 @@ def main(file: str) -> None:
     # What gave each echo.
     azimuths, ranges = np.degrees(ping.sonar.azimuths()), ping.sonar.bin_ranges()
     labels = np.where(ping.instance == insonify.NO_LABEL, np.nan, ping.instance.astype(float))
-    mesh = axes[1, 0].pcolormesh(azimuths, ranges, labels, cmap="tab10", vmin=-0.5, vmax=len(names) - 0.5, shading="nearest")
+    mesh = axes[1, 0].pcolormesh(azimuths, ranges, labels, cmap=plt.get_cmap("tab10", len(names)), vmin=-0.5, vmax=len(names) - 0.5, shading="nearest")
     axes[1, 0].set(xlabel="azimuth, positive to port [deg]", ylabel="range [m]", title="strongest instance")
     axes[1, 0].invert_xaxis()
     figure.colorbar(mesh, ax=axes[1, 0], ticks=range(len(names))).ax.set_yticklabels(names)

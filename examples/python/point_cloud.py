@@ -4,7 +4,9 @@
     python3 point_cloud.py [FILE.ply]
 
 A sonar measures range and azimuth; elevation is what it cannot tell. Ground truth has it, and so each bin in which a
-surface echoed gives a point: what a perfect 3-D sonar would see, to train or to judge algorithms against.
+surface echoed gives a point: what a perfect 3-D sonar would see, to train or to judge algorithms against. Where a bin
+holds points above each other, such as the upper and the lower side of a ball, ground truth has their mean, which lies on
+neither; its spread tells these bins, and they are left out.
 """
 
 import sys
@@ -31,7 +33,7 @@ def sphere(radius: float, steps: int = 48) -> tuple[npt.NDArray[np.float64], lis
 
 def points_of(ping: insonify.Ping) -> tuple[npt.NDArray[np.float64], npt.NDArray[np.uint16]]:
     """World positions [n, 3] of the bins in which a surface echoed, and the instance of each."""
-    bins, beams = np.nonzero(ping.instance != insonify.NO_LABEL)
+    bins, beams = np.nonzero((ping.instance != insonify.NO_LABEL) & (ping.elevation_spread < np.radians(0.5)))
     ranges, azimuths = ping.sonar.bin_ranges()[bins], ping.sonar.azimuths()[beams]
     elevations = ping.elevation[bins, beams].astype(float)
     in_sonar = np.stack([ranges * np.cos(elevations) * np.cos(azimuths), ranges * np.cos(elevations) * np.sin(azimuths),
@@ -55,7 +57,7 @@ def main(path: str) -> None:
     scene.add("sphere", *sphere(RADIUS), "steel", insonify.Pose.rpy(tuple(CENTRE)))
     # No echoes by way of two surfaces: their range is not that of the surface they name.
     sonar = insonify.SonarConfig.preset("tritech-gemini-720i", max_range=10)
-    scenario = insonify.Scenario(sonars=[sonar], secondary="none", water=insonify.Water(sound_speed=1500))
+    scenario = insonify.Scenario(sonars=[sonar], secondary="none", ground_truth="full", water=insonify.Water(sound_speed=1500))
     sim = insonify.Simulator(scenario, scene)
 
     clouds = []

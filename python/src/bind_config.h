@@ -31,7 +31,11 @@ std::string help_of(const Field& field, const Member& default_value, double scal
     }
     add("one of " + words);
   }
-  add("default " + shown(to_python(default_value, scale)));
+  if constexpr (std::is_same_v<Member, double>) {
+    add(fmt::format("default {:.10g}", default_value * scale));  // 120, not 119.99999999999999.
+  } else {
+    add("default " + shown(to_python(default_value, scale)));
+  }
   return text + " [" + facts + "]";
 }
 
@@ -42,7 +46,7 @@ void check_value(const Field& field, const Member& member) {
 
 /// Sets fields by keyword.
 /// @throws TypeError for one that is not there.
-inline void set_fields(const py::object& config, const py::kwargs& given) {
+inline void set_fields(const py::object& config, const py::dict& given) {
   for (const auto& [key, value] : given) {
     if (!py::hasattr(config, key)) {
       throw py::type_error(type_of(config) + " has no field " + shown(key));

@@ -33,7 +33,17 @@ py::array_t<double> array_of(int count, const ValueOf& value_of) {
 }
 
 // As `preset: NAME` in a scenario file.
-py::object preset(const std::string& name, const std::string& mode, const py::kwargs& changes) {
+// The name of the preset has no keyword: `name` is a field of the sonar.
+py::object preset(const py::args& given, const py::kwargs& keywords) {
+  py::dict changes = keywords.attr("copy")();
+  if (given.empty() || given.size() + changes.contains("mode") > 2) {
+    throw py::type_error("preset() takes the name of a preset, a mode and fields by keyword");
+  }
+  std::string name, mode;
+  from_python(given[0], "preset", 1, name);
+  if (given.size() == 2 || changes.contains("mode")) {
+    from_python(given.size() == 2 ? py::object(given[1]) : changes.attr("pop")("mode"), "mode", 1, mode);
+  }
   const Preset known = load_preset(name, mode);
   py::object made = wrap(known.sonar);
   set_fields(made, changes);
@@ -56,8 +66,9 @@ void add_receivers_and_sonars(py::module_& module) {
   ConfigClass<Sampling>(module, "Sampling", "How finely the insonified sector is sampled.");
   ConfigClass<ReceiverConfig>(module, "ReceiverConfig", about("receiver"));
   ConfigClass<SonarConfig> sonar(module, "SonarConfig", "An imaging sonar seen as a fan of beams cut into range bins.");
-  sonar->def_static("preset", &preset, py::arg("name"), py::pos_only(), py::arg("mode") = "",
-                    "The sonar of a shipped or own preset, over the instrument's longest range. Keywords change "
+  sonar->def_static("preset", &preset,
+                    "preset(name, /, mode='', **fields)\n\nThe sonar of a shipped or own preset, over the instrument's "
+                    "longest range. Keywords change "
                     "fields; bin_count and "
                     "ping_period are those that the instrument has over the range window, unless they are given, by "
                     "assumed_sound_speed or else that of Water(). insonify.preset_names() lists the names. Raises "

@@ -50,8 +50,8 @@ py::dtype dtype_of(NumberType type) {
   return py::dtype::of<double>();
 }
 
-const RecordedTable& find_table(const PythonRecording& self, const std::string& name) {
-  const RecordedTable* table = self.tables.find(name);
+const StoredTable& find_table(const PythonRecording& self, const std::string& name) {
+  const StoredTable* table = self.tables.find(name);
   if (table == nullptr) {
     throw Error("", "", fmt::format("the recording has no table {}", name));
   }
@@ -60,7 +60,7 @@ const RecordedTable& find_table(const PythonRecording& self, const std::string& 
 
 // (dtype, shape, unit, description).
 py::tuple table_facts(const PythonRecording& self, const std::string& name) {
-  const RecordedTable& table = find_table(self, name);
+  const StoredTable& table = find_table(self, name);
   py::tuple shape(table.shape.size());
   for (std::size_t axis = 0; axis < table.shape.size(); ++axis) {
     shape[axis] = py::int_(axis == 0 && table.by_ping ? self.ping_count() : table.shape[axis]);
@@ -71,7 +71,7 @@ py::tuple table_facts(const PythonRecording& self, const std::string& name) {
 // A block of a table; slices are (start, count, step), one for each axis.
 py::array read_block(const PythonRecording& self, const std::string& name,
                      const std::vector<std::tuple<std::uint64_t, std::uint64_t, std::uint64_t>>& slices) {
-  const RecordedTable& table = find_table(self, name);
+  const StoredTable& table = find_table(self, name);
   std::vector<TableSlice> wanted;
   std::vector<py::ssize_t> shape;
   for (const auto& [start, count, step] : slices) {
@@ -86,7 +86,7 @@ py::array read_block(const PythonRecording& self, const std::string& name,
 
 // A whole table of an axis; None where the file does not have it.
 py::object whole_table(const PythonRecording& self, const std::string& name) {
-  const RecordedTable* table = self.tables.find(name);
+  const StoredTable* table = self.tables.find(name);
   if (table == nullptr) {
     return py::none();
   }

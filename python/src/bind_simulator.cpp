@@ -171,6 +171,12 @@ void bind_simulator(py::module_& module) {
            "surface): "
            "then they share each ping. The pings are those of ping(), one after the other, byte for byte. Raises Error "
            "for the first that makes no sense, and KeyboardInterrupt within 64 pings of Control-C.")
+      .def("_time_ping",
+           [](PythonSimulator& self, const py::object& sonar_, const py::object& pose, const py::object& number) {
+             const int sonar = self.sonar(sonar_);
+             const py::none none;
+             return self.time_ping(sonar, self.request(sonar, {pose, none, number, none, none, none}));
+           })
       .def(
           "sonar",
           [](const PythonSimulator& self, const py::object& sonar) {

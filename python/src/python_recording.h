@@ -9,20 +9,20 @@
 
 #include "bind.h"
 #include "insonify/recorded_pings.h"
-#include "insonify/recorded_tables.h"
+#include "insonify/stored_tables.h"
 
 namespace insonify::python {
 
 struct PythonRecording {
   RecordedPings pings;
-  RecordedTables tables;
+  StoredTables tables;
   std::shared_ptr<const SonarFacts> facts = {};  ///< Once a ping was asked for.
 
   explicit PythonRecording(const std::filesystem::path& path) : pings(path), tables(path) {}
 
   /// Pings that every table has; a recording may grow while it is opened.
   [[nodiscard]] std::uint64_t ping_count() const {
-    const RecordedTable* intensity = tables.find("intensity");
+    const StoredTable* intensity = tables.find("intensity");
     return intensity == nullptr ? pings.ping_count() : std::min(pings.ping_count(), intensity->shape.front());
   }
 
@@ -50,7 +50,7 @@ constexpr NumberType number_type_of() {
 template <typename Value>
 void read_table(const PythonRecording& recording, std::uint64_t ping, const std::string& name,
                 std::vector<Value>& values) {
-  const RecordedTable* table = recording.tables.find(name);
+  const StoredTable* table = recording.tables.find(name);
   if (table == nullptr || !table->by_ping || table->type != number_type_of<Value>() || ping >= table->shape[0]) {
     return;
   }

@@ -6,6 +6,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 
 #include "convert.h"
@@ -48,7 +49,16 @@ std::vector<MovedObject> moved_from(py::handle value) {
 PythonSimulator::PythonSimulator(Scenario scenario, Scene scene, int threads, const std::vector<MovableObject>& movable)
     : simulator_(std::move(scenario), std::move(scene), threads, movable),
       known_(look()),
-      next_(known_->facts.size(), 0) {}
+      next_(known_->facts.size(), 0) {
+  make_pools();
+}
+
+void PythonSimulator::make_pools() {
+  pools_.clear();
+  for (std::size_t i = 0; i < known_->facts.size(); ++i) {
+    pools_.push_back(std::make_shared<PingPool>());
+  }
+}
 
 std::shared_ptr<const PythonSimulator::Known> PythonSimulator::look() {
   const Scenario& scenario = simulator_.scenario();
@@ -118,7 +128,7 @@ PingRequest PythonSimulator::request(int sonar, const Asked& asked) {
 }
 
 std::shared_ptr<PythonPing> PythonSimulator::ping(int sonar, const PingRequest& request) {
-  auto ping = std::make_shared<PythonPing>();
+  std::shared_ptr<PythonPing> ping = pools_[sonar]->take();
   locked([&] {
     simulator_.ping(sonar, request, *ping);
     ping->facts = facts_[sonar];
@@ -146,11 +156,20 @@ void PythonSimulator::ping(int sonar, const std::vector<PingRequest>& requests, 
   next_[sonar] = requests.empty() ? next_[sonar] : requests.back().number + 1;
 }
 
+double PythonSimulator::time_ping(int sonar, const PingRequest& request) {
+  return locked([&] {
+    const auto start = std::chrono::steady_clock::now();
+    simulator_.ping(sonar, request, timed_);
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  });
+}
+
 void PythonSimulator::set_sonar(int sonar, const SonarConfig& config) {
   known_ = locked([&] {
     simulator_.set_sonar(sonar, config);
     return look();
   });
+  make_pools();
 }
 
 int PythonSimulator::add_objects(Scene objects, const std::vector<MovableObject>& movable) {

@@ -15,6 +15,7 @@
 #include "insonify/files.h"
 #include "insonify/scenario_requests.h"
 #include "insonify/simulator.h"
+#include "ping_pool.h"
 
 namespace insonify::python {
 
@@ -41,6 +42,9 @@ class PythonSimulator {
   /// Makes many, some at a time, and calls take(pings, index of the first of them) with the interpreter's lock.
   using Take = std::function<void(std::span<const Ping> pings, std::size_t first)>;
   void ping(int sonar, const std::vector<PingRequest>& requests, const Take& take);
+
+  /// Seconds that a ping takes a program in C++, which uses the same Ping again: to measure what Python adds.
+  [[nodiscard]] double time_ping(int sonar, const PingRequest& request);
 
   void set_sonar(int sonar, const SonarConfig& config);
   int add_objects(Scene objects, const std::vector<MovableObject>& movable);
@@ -74,11 +78,14 @@ class PythonSimulator {
   // With mutex_.
   Simulator simulator_;
   std::vector<std::shared_ptr<const SonarFacts>> facts_;  // [sonar] Settings with which its next ping is made.
+  Ping timed_;
   std::mutex mutex_;
 
   // With the interpreter's lock.
   std::shared_ptr<const Known> known_;
-  std::vector<std::uint64_t> next_;  // [sonar] Number of its next ping.
+  std::vector<std::uint64_t> next_;               // [sonar] Number of its next ping.
+  std::vector<std::shared_ptr<PingPool>> pools_;  // [sonar] Made anew where tables may become others.
+  void make_pools();
 };
 
 }  // namespace insonify::python

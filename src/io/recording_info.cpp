@@ -2,13 +2,15 @@
 
 #include "insonify/recording_info.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <charconv>
 #include <cstring>
 #include <fstream>
-#include <limits>
 
 #include "insonify/error.h"
 #include "insonify/mcap_recording.h"
@@ -24,14 +26,15 @@
 namespace insonify {
 namespace {
 
-// A finished HDF5 file ends where its header says; a growing one is longer.
-bool is_longer_than_it_says(const std::filesystem::path& path, std::uint64_t bytes) {
-  constexpr std::streamoff kEndOfFileField = 40;
-  std::ifstream file(path, std::ios::binary);
-  std::uint64_t end = bytes;
-  file.seekg(kEndOfFileField);
-  file.read(reinterpret_cast<char*>(&end), sizeof end);
-  return bytes > end;
+// A growing HDF5 recording ends in a hole, which takes no space on the disk; closing cuts it off (growing_file.h).
+bool ends_in_hole(const std::filesystem::path& path, std::uint64_t bytes) {
+  const int file = open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  const bool hole =
+      file >= 0 && bytes > 0 && lseek(file, static_cast<off_t>(bytes - 1), SEEK_DATA) < 0 && errno == ENXIO;
+  if (file >= 0) {
+    close(file);
+  }
+  return hole;
 }
 
 RecordingState state_of(const std::filesystem::path& path, bool whole) {
@@ -44,7 +47,7 @@ RecordingInfo info_of_hdf5(const std::filesystem::path& path) {
   const RecordedTables tables(path);
   const RecordedPings pings(path);
   RecordingInfo info{.format = "HDF5", .bytes = std::filesystem::file_size(path)};
-  info.state = state_of(path, !is_longer_than_it_says(path, info.bytes));
+  info.state = state_of(path, !is_being_written(path) && !ends_in_hole(path, info.bytes));
   info.version = tables.text("version");
   info.model = tables.text("model");
   info.engine = tables.text("engine");

@@ -453,7 +453,8 @@ class AcousticsTest(unittest.TestCase):
 class HelpTest(unittest.TestCase):
     def test_tells_units_limits_and_defaults(self):
         text = insonify.SonarConfig.max_range.__doc__
-        self.assertEqual(text, "Far edge of the last bin. [m, greater than 0, at most 100000, default 50.0]")
+        self.assertEqual(text, "Far edge of the last bin. [m, greater than 0, at most 100000, default 50]")
+        self.assertIn("default 120]", insonify.SonarConfig.azimuth_aperture_deg.__doc__)
         self.assertIn("one of fls, msis", insonify.SonarConfig.type.__doc__)
         for name in insonify.__all__:
             self.assertTrue(getattr(insonify, name).__doc__, name)

@@ -14,8 +14,8 @@
 namespace insonify {
 namespace {
 
-const RecordingTable* table_named(const RecordingFile& recording, const std::string& name) {
-  for (const RecordingTable& table : recording.tables()) {
+const RecordedTable* table_named(const RecordedTables& recording, const std::string& name) {
+  for (const RecordedTable& table : recording.tables()) {
     if (table.name == name) {
       return &table;
     }
@@ -26,7 +26,7 @@ const RecordingTable* table_named(const RecordingFile& recording, const std::str
 // The pings of one recording, one after the other, with the elevations of the ground truth where there are any.
 class Source {
  public:
-  explicit Source(const RecordingFile& recording)
+  explicit Source(const RecordedTables& recording)
       : recording_(&recording), pings_(recording.path()), elevation_(table_named(recording, "elevation")) {
     advance();
   }
@@ -49,15 +49,15 @@ class Source {
   }
 
  private:
-  const RecordingFile* recording_;
+  const RecordedTables* recording_;
   RecordedPings pings_;
-  const RecordingTable* elevation_;
+  const RecordedTable* elevation_;
   std::uint64_t next_ = 0;
   bool done_ = false;
   Ping ping_;
 };
 
-RunFacts run_of(const RecordingFile& recording) {
+RunFacts run_of(const RecordedTables& recording) {
   RunFacts run;
   run.version = recording.text("version");
   run.engine = recording.text("engine");
@@ -67,7 +67,7 @@ RunFacts run_of(const RecordingFile& recording) {
 
 }  // namespace
 
-EchoModel model_of(const RecordingFile& recording) {
+EchoModel model_of(const RecordedTables& recording) {
   const std::string model = recording.text("model");
   for (const auto& [word, value] : words_of<EchoModel>()) {
     if (word == model) {
@@ -78,16 +78,16 @@ EchoModel model_of(const RecordingFile& recording) {
                           printable(model)));
 }
 
-MessageSource message_source(const RecordingFile& recording) {
+MessageSource message_source(const RecordedTables& recording) {
   const RecordedPings pings(recording.path());
   return {pings.sonar_config(), model_of(recording), pings.receiver_config(), recording.text("scenario")};
 }
 
-void export_mcap(std::span<const RecordingFile> recordings, const std::filesystem::path& file,
+void export_mcap(std::span<const RecordedTables> recordings, const std::filesystem::path& file,
                  const ExportOptions& options) {
   std::vector<MessageSource> sources;
   std::vector<Source> pings;
-  for (const RecordingFile& recording : recordings) {
+  for (const RecordedTables& recording : recordings) {
     sources.push_back(message_source(recording));
     pings.emplace_back(recording);
   }

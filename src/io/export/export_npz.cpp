@@ -44,14 +44,14 @@ void add_texts(ZipWriter& zip, const std::string& name, const std::vector<std::s
 
 }  // namespace
 
-void export_npz(std::span<const RecordingFile> recordings, const std::filesystem::path& file,
+void export_npz(std::span<const RecordedTables> recordings, const std::filesystem::path& file,
                 const ExportOptions& options) {
   UnfinishedFile out(file, "cannot write");
   ZipWriter zip(out, options.compress);
   for (std::size_t i = 0; i < recordings.size(); ++i) {
-    const RecordingFile& recording = recordings[i];
+    const RecordedTables& recording = recordings[i];
     const std::string prefix = prefix_of(recordings, i);
-    for (const RecordingTable& table : recording.tables()) {
+    for (const RecordedTable& table : recording.tables()) {
       std::vector<std::uint64_t> shape = table.row;
       const std::uint64_t rows = table.by_ping ? recording.ping_count() : 1;
       if (table.by_ping) {
@@ -67,7 +67,8 @@ void export_npz(std::span<const RecordingFile> recordings, const std::filesystem
     for (const RecordedNames& names : recording.names()) {
       add_texts(zip, prefix + names.name, names.texts, false);
     }
-    add_texts(zip, prefix + "attributes", {facts_of(recording).dump()}, true);
+    add_texts(zip, prefix + "attributes",
+              {facts_of(recording).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace)}, true);
   }
   zip.finish();
   out.put_in_place();

@@ -7,6 +7,7 @@
 
 #include "base/utf8.h"
 #include "insonify/error.h"
+#include "insonify/printable.h"
 #include "io/export/export_format.h"
 #include "io/file/input_file.h"
 
@@ -34,14 +35,20 @@ void check_place(const std::filesystem::path& file, const std::string& ending, b
   }
 }
 
-std::string name_of(const RecordingFile& recording) {
+std::string name_of(const RecordedTables& recording) {
   const std::string sonar = recording.text("sonar");
   return sonar.empty() ? recording.path().stem().string() : sonar;
 }
 
-void check_names(std::span<const RecordingFile> recordings) {
+void check_names(std::span<const RecordedTables> recordings) {
   std::map<std::string, std::filesystem::path> seen;
-  for (const RecordingFile& recording : recordings) {
+  for (const RecordedTables& recording : recordings) {
+    // Names become those of folders and of entries in archives.
+    if (const std::string name = name_of(recording);
+        name == "." || name == ".." || name.find_first_of(std::string_view("/\\\0", 3)) != std::string::npos) {
+      throw Error(fmt::format("{}: its sonar is called {}, which cannot be the name of a folder",
+                              recording.path().string(), printable(name)));
+    }
     const auto [other, is_new] = seen.emplace(name_of(recording), recording.path());
     if (!is_new) {
       throw Error(fmt::format("{} and {} are both of a sonar called {}; one file holds one recording of each",
@@ -52,11 +59,11 @@ void check_names(std::span<const RecordingFile> recordings) {
 
 }  // namespace
 
-std::string prefix_of(std::span<const RecordingFile> recordings, std::size_t index) {
+std::string prefix_of(std::span<const RecordedTables> recordings, std::size_t index) {
   return recordings.size() == 1 ? "" : name_of(recordings[index]) + "/";
 }
 
-nlohmann::json facts_of(const RecordingFile& recording) {
+nlohmann::json facts_of(const RecordedTables& recording) {
   nlohmann::json facts = recording.attributes();
   facts["settings"] = recording.settings();
   return facts;
@@ -81,8 +88,11 @@ UnicodeTable unicode_table(const std::vector<std::string>& texts) {
   return table;
 }
 
-void export_recordings(std::span<const std::filesystem::path> recordings, const std::filesystem::path& file,
+void export_recordings(std::span<const std::filesystem::path> recordings, const std::filesystem::path& place,
                        const ExportOptions& options) {
+  // A folder may be named with a slash at its end.
+  const bool slash = !place.has_filename() && ending_of(place.parent_path()) == ".zarr";
+  const std::filesystem::path file = slash ? place.parent_path() : place;
   const std::string ending = ending_of(file);
   const bool video = ending == ".mp4" || ending == ".gif";
   if (!video && ending != ".mcap" && ending != ".npz" && ending != ".zarr") {
@@ -96,7 +106,7 @@ void export_recordings(std::span<const std::filesystem::path> recordings, const 
         fmt::format("{}: a video shows one sonar, and there are {} recordings", file.string(), recordings.size()));
   }
   check_place(file, ending, options.replace);
-  std::vector<RecordingFile> tables;
+  std::vector<RecordedTables> tables;
   for (const std::filesystem::path& recording : recordings) {
     if (tables.emplace_back(recording).ping_count() == 0) {
       throw Error(fmt::format("{}: there is no ping in it", recording.string()));

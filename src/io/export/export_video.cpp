@@ -92,7 +92,7 @@ class Drawing {
 
 }  // namespace
 
-void export_video(const RecordingFile& recording, const std::filesystem::path& file, const ExportOptions& options) {
+void export_video(const RecordedTables& recording, const std::filesystem::path& file, const ExportOptions& options) {
   check(options.video);
   const RecordedPings pings(recording.path());
   const std::uint64_t count = recording.ping_count();

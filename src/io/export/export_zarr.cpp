@@ -22,9 +22,6 @@ constexpr int kLevel = 1;  // Of zlib.
 class UnfinishedFolder {
  public:
   explicit UnfinishedFolder(std::filesystem::path path) : path_(std::move(path)) {
-    while (path_.has_parent_path() && !path_.has_filename()) {
-      path_ = path_.parent_path();  // Without the slash at the end.
-    }
     std::random_device random;
     unfinished_ = fmt::format("{}.{:08x}.new", path_.string(), random());
     std::error_code error;
@@ -75,7 +72,8 @@ class UnfinishedFolder {
     }
   }
   void write_json(const std::filesystem::path& name, const nlohmann::json& json) const {
-    const std::string text = json.dump(1) + "\n";
+    constexpr bool kAscii = true;  // Which zarr asks for.
+    const std::string text = json.dump(1, ' ', kAscii, nlohmann::json::error_handler_t::replace) + "\n";
     write(name, std::as_bytes(std::span(text)));
   }
   void make(const std::filesystem::path& name) const {
@@ -128,7 +126,7 @@ std::string chunk_name(std::uint64_t first, std::size_t axes) {
 }
 
 // Axes of the tables that recordings hold without them.
-std::vector<std::string> axes_of(const RecordingTable& table) {
+std::vector<std::string> axes_of(const RecordedTable& table) {
   static const std::map<std::string, std::string> kKnown = {
       {"azimuth", "beam"}, {"azimuth_edges", "beam_edge"}, {"range", "bin"}};
   if (!table.axes.empty() && table.axes.size() == table.row.size() + (table.by_ping ? 1 : 0)) {
@@ -147,8 +145,8 @@ std::vector<std::string> axes_of(const RecordingTable& table) {
   return axes;
 }
 
-void write_table(const UnfinishedFolder& out, const std::filesystem::path& folder, const RecordingFile& recording,
-                 const RecordingTable& table, const ExportOptions& options) {
+void write_table(const UnfinishedFolder& out, const std::filesystem::path& folder, const RecordedTables& recording,
+                 const RecordedTable& table, const ExportOptions& options) {
   std::vector<std::uint64_t> shape = table.row;
   std::vector<std::uint64_t> chunk = table.row;
   const std::uint64_t rows = table.by_ping ? recording.ping_count() : 1;
@@ -176,18 +174,18 @@ void write_table(const UnfinishedFolder& out, const std::filesystem::path& folde
 
 }  // namespace
 
-void export_zarr(std::span<const RecordingFile> recordings, const std::filesystem::path& file,
+void export_zarr(std::span<const RecordedTables> recordings, const std::filesystem::path& file,
                  const ExportOptions& options) {
   UnfinishedFolder out(file);
   const nlohmann::json group = {{"zarr_format", 2}};
   out.write_json(".zgroup", group);
   for (std::size_t i = 0; i < recordings.size(); ++i) {
-    const RecordingFile& recording = recordings[i];
+    const RecordedTables& recording = recordings[i];
     const std::filesystem::path folder = prefix_of(recordings, i);
     out.make(folder);
     out.write_json(folder / ".zgroup", group);
     out.write_json(folder / ".zattrs", facts_of(recording));
-    for (const RecordingTable& table : recording.tables()) {
+    for (const RecordedTable& table : recording.tables()) {
       write_table(out, folder / table.name, recording, table, options);
     }
     for (const RecordedNames& names : recording.names()) {

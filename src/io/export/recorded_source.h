@@ -3,12 +3,12 @@
 #pragma once
 
 #include "insonify/messages.h"
-#include "io/recording/recording_file.h"
+#include "io/recording/recorded_tables.h"
 
 namespace insonify {
 
 /// @throws Error with the path for a recording without model or settings.
-[[nodiscard]] EchoModel model_of(const RecordingFile& recording);
-[[nodiscard]] MessageSource message_source(const RecordingFile& recording);
+[[nodiscard]] EchoModel model_of(const RecordedTables& recording);
+[[nodiscard]] MessageSource message_source(const RecordedTables& recording);
 
 }  // namespace insonify

@@ -64,10 +64,9 @@ std::pair<std::string, Texts> find_sonar(const McapReader& file, const std::file
         fmt::format("{}: was not recorded by insonify: it has no metadata {}", path.string(), mcap_metadata::kRun));
   }
   if (found.size() != 1) {
-    throw Error(
-        fmt::format("{}: {}; its sonars are {}", path.string(),
-                    wanted.empty() ? "name one of its sonars" : fmt::format("has no sonar {}", printable(wanted)),
-                    fmt::join(names, ", ")));
+    const std::string what =
+        wanted.empty() ? "holds several sonars: name one" : fmt::format("has no sonar {}", printable(wanted));
+    throw Error(fmt::format("{}: {}; there are {}", path.string(), what, fmt::join(names, ", ")));
   }
   return found.front();
 }

@@ -180,6 +180,9 @@ const std::vector<std::byte>& McapReader::unpacked(std::size_t index) const {
     const Chunk& chunk = chunks_.at(index);
     const std::vector<std::byte> packed = bytes_at(chunk.at, chunk.packed);
     unpacked_chunk_ = static_cast<std::size_t>(-1);
+    if (ZSTD_getFrameContentSize(packed.data(), packed.size()) != chunk.size) {
+      fail(fmt::format("chunk {} is damaged", index));
+    }
     unpacked_.resize(chunk.size);
     const std::size_t size = ZSTD_decompress(unpacked_.data(), unpacked_.size(), packed.data(), packed.size());
     if (size != chunk.size ||

@@ -100,13 +100,15 @@ void McapRecording::add(std::size_t sonar, const Ping& ping) {
   } catch (const Error& error) {
     throw Error(fmt::format("{}: {}", state_->file->place().string(), error.what()));
   }
+  std::vector<McapWriter::Message> encoded;
   for (std::size_t i = 0; i < messages.channels().size(); ++i) {
-    if (messages.channels()[i].kind == MessageKind::kScenario &&
-        !state_->told_scenarios.insert(state_->scenarios[sonar]).second) {
-      continue;
+    const bool told = messages.channels()[i].kind == MessageKind::kScenario &&
+                      !state_->told_scenarios.insert(state_->scenarios[sonar]).second;
+    if (!told) {
+      encoded.push_back({state_->channels[sonar][i], messages.encode(i)});
     }
-    state_->file->add(state_->channels[sonar][i], messages.time_ns(), messages.encode(i));
   }
+  state_->file->add(messages.time_ns(), encoded);
 }
 
 void McapRecording::close() {

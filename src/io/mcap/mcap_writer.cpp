@@ -205,7 +205,7 @@ void McapWriter::put_channel(McapBytes& into, std::size_t index) const {
 
 // A chunk begins with the schemas and the channels that are new since the last one.
 void McapWriter::begin_chunk() {
-  chunk_begun_ = Clock::now();
+  chunk_begun_ = chunk_index_.empty() ? Clock::now() : chunk_begun_;
   for (; told_schemas_ < schemas_.size(); ++told_schemas_) {
     put_schema(chunk_, told_schemas_);
   }
@@ -214,7 +214,23 @@ void McapWriter::begin_chunk() {
   }
 }
 
-void McapWriter::add(std::uint16_t channel, std::uint64_t time_ns, std::span<const std::byte> message) {
+void McapWriter::put_message(std::uint64_t time_ns, const Message& message) {
+  Channel& to = channels_[message.channel];
+  chunk_index_[message.channel].push_back({time_ns, chunk_.size()});
+  chunk_.record(McapOp::kMessage, [&] {
+    chunk_.put(message.channel);
+    chunk_.put(to.next_sequence++);
+    chunk_.put(time_ns);
+    chunk_.put(time_ns);
+    chunk_.append(message.bytes);
+  });
+  first_time_ = message_count_ == 0 ? time_ns : std::min(first_time_, time_ns);
+  last_time_ = std::max(last_time_, time_ns);
+  ++message_count_;
+  ++to.count;
+}
+
+void McapWriter::add(std::uint64_t time_ns, std::span<const Message> messages) {
   const std::lock_guard lock(mutex_);
   check_open();
   const bool begins = chunk_index_.empty();
@@ -223,19 +239,9 @@ void McapWriter::add(std::uint16_t channel, std::uint64_t time_ns, std::span<con
   }
   chunk_first_ = begins ? time_ns : std::min(chunk_first_, time_ns);
   chunk_last_ = begins ? time_ns : std::max(chunk_last_, time_ns);
-  chunk_index_[channel].push_back({time_ns, chunk_.size()});
-  Channel& to = channels_[channel];
-  chunk_.record(McapOp::kMessage, [&] {
-    chunk_.put(channel);
-    chunk_.put(to.next_sequence++);
-    chunk_.put(time_ns);
-    chunk_.put(time_ns);
-    chunk_.append(message);
-  });
-  first_time_ = message_count_ == 0 ? time_ns : std::min(first_time_, time_ns);
-  last_time_ = std::max(last_time_, time_ns);
-  ++message_count_;
-  ++to.count;
+  for (const Message& message : messages) {
+    put_message(time_ns, message);
+  }
   if (chunk_.size() >= kLargeChunk) {
     write_chunk();
   } else if (begins) {

@@ -45,9 +45,15 @@ class McapWriter {
   /// @throws Error where the topic has another type.
   std::uint16_t add_channel(const std::string& topic, const std::string& type, const std::string& definition);
 
-  /// @param time_ns  Time of the message, for log and publication.
+  struct Message {
+    std::uint16_t channel = 0;
+    std::vector<std::byte> bytes = {};
+  };
+
+  /// Adds messages that come into the file together, in one chunk: those about one ping.
+  /// @param time_ns  Their time, for log and publication.
   /// @throws Error when the disk is full; the file then holds the chunks before this one.
-  void add(std::uint16_t channel, std::uint64_t time_ns, std::span<const std::byte> message);
+  void add(std::uint64_t time_ns, std::span<const Message> messages);
 
   /// Writes what is left, the index and the end, has the system put all on the disk and puts the file in its place.
   void close();
@@ -75,6 +81,7 @@ class McapWriter {
   void put_channel(McapBytes& into, std::size_t index) const;
   void check_open() const;
   void begin_chunk();
+  void put_message(std::uint64_t time_ns, const Message& message);
   void write_chunk();
   void write_summary();
   void write(std::span<const std::byte> bytes);

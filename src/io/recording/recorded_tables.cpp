@@ -1,221 +1,272 @@
-// recorded_tables.cpp -- lists the tables of an HDF5 file and reads blocks of them.
+// recorded_tables.cpp -- lists what is at the root of the file, and reads it row by row.
 
-#include "insonify/recorded_tables.h"
+#include "io/recording/recorded_tables.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <functional>
 #include <limits>
-#include <optional>
+#include <numeric>
+#include <sstream>
 
-#include "io/file/hdf5.h"
 #include "io/file/input_file.h"
 
 namespace insonify {
-
-struct RecordedTables::State {
-  std::filesystem::path path;
-  H5Handle file;
-  std::vector<RecordedTable> tables;
-};
-
 namespace {
 
-hid_t native_type(NumberType type) {
-  switch (type) {
-    case NumberType::kFloat32:
-      return H5T_NATIVE_FLOAT;
-    case NumberType::kFloat64:
-      return H5T_NATIVE_DOUBLE;
-    case NumberType::kUint8:
-      return H5T_NATIVE_UINT8;
-    case NumberType::kUint16:
-      return H5T_NATIVE_UINT16;
-    case NumberType::kInt64:
-      return H5T_NATIVE_INT64;
-  }
-  return H5T_NATIVE_DOUBLE;
+constexpr hsize_t kMostValues = 1'000'000;  // Of a list that is read as a whole.
+
+H5Handle native_type(const H5Handle& stored, const std::filesystem::path& path, const std::string& name) {
+  return h5_own(H5Tget_native_type(stored.get(), H5T_DIR_ASCEND), H5Tclose, path, "read the type of " + name);
 }
 
-// None for what holds no numbers.
-std::optional<NumberType> number_type(hid_t dataset, const std::filesystem::path& path) {
-  const H5Handle type = h5_own(H5Dget_type(dataset), H5Tclose, path, "read a type");
-  const std::size_t size = H5Tget_size(type.get());
-  switch (H5Tget_class(type.get())) {
+// As NumPy spells a type of numbers; "" for anything else.
+std::string numpy_type(hid_t type) {
+  const std::size_t size = H5Tget_size(type);
+  const char* order = size == 1 ? "|" : "<";
+  switch (H5Tget_class(type)) {
     case H5T_FLOAT:
-      return size <= sizeof(float) ? NumberType::kFloat32 : NumberType::kFloat64;
+      return fmt::format("{}f{}", order, size);
     case H5T_INTEGER:
-      if (H5Tget_sign(type.get()) == H5T_SGN_NONE && size <= sizeof(std::uint16_t)) {
-        return size == 1 ? NumberType::kUint8 : NumberType::kUint16;
-      }
-      return NumberType::kInt64;
+      return fmt::format("{}{}{}", order, H5Tget_sign(type) == H5T_SGN_NONE ? "u" : "i", size);
     default:
-      return {};
+      return "";
   }
 }
 
-// A text attribute of variable length; "" where there is none.
-std::string text_attribute(hid_t dataset, const char* name, const std::filesystem::path& path) {
-  if (H5Aexists(dataset, name) <= 0) {
-    return "";
-  }
-  const H5Handle attribute = h5_own(H5Aopen(dataset, name, H5P_DEFAULT), H5Aclose, path, "open an attribute");
-  const H5Handle type = h5_own(H5Aget_type(attribute.get()), H5Tclose, path, "read an attribute");
-  const H5Handle space = h5_own(H5Aget_space(attribute.get()), H5Sclose, path, "read an attribute");
-  if (H5Tis_variable_str(type.get()) <= 0 || H5Sget_simple_extent_npoints(space.get()) != 1) {
-    return "";
-  }
-  char* pointer = nullptr;
-  h5_check(H5Aread(attribute.get(), type.get(), static_cast<void*>(&pointer)), path, "read an attribute");
-  std::string text = pointer != nullptr ? pointer : "";
-  H5free_memory(pointer);
-  return text;
+std::vector<hsize_t> shape_of(hid_t space) {
+  std::vector<hsize_t> shape(static_cast<std::size_t>(std::max(0, H5Sget_simple_extent_ndims(space))));
+  H5Sget_simple_extent_dims(space, shape.data(), nullptr);
+  return shape;
 }
 
-std::vector<std::uint64_t> shape_of(hid_t dataset, const std::filesystem::path& path) {
-  const H5Handle space = h5_own(H5Dget_space(dataset), H5Sclose, path, "size a table");
-  const int axes = std::max(0, H5Sget_simple_extent_ndims(space.get()));
-  std::vector<hsize_t> shape(axes);
-  h5_check(H5Sget_simple_extent_dims(space.get(), shape.data(), nullptr), path, "size a table");
-  return {shape.begin(), shape.end()};
+// Texts of variable length, read by `read(type, buffer)`.
+std::vector<std::string> read_texts(const H5Handle& space, hsize_t count,
+                                    const std::function<herr_t(hid_t, void*)>& read) {
+  const H5Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
+  H5Tset_size(type.get(), H5T_VARIABLE);
+  H5Tset_cset(type.get(), H5T_CSET_UTF8);
+  std::vector<char*> pointers(count, nullptr);
+  if (read(type.get(), pointers.data()) < 0) {
+    throw Error(h5_failure());
+  }
+  std::vector<std::string> texts;
+  for (const char* const pointer : pointers) {
+    texts.emplace_back(pointer != nullptr ? pointer : "");
+  }
+  H5Dvlen_reclaim(type.get(), space.get(), H5P_DEFAULT, pointers.data());
+  return texts;
 }
 
-std::vector<std::string> dataset_names(hid_t file, const std::filesystem::path& path) {
-  std::vector<std::string> names;
-  const auto add = [](hid_t, const char* name, const H5L_info_t*, void* list) -> herr_t {
-    static_cast<std::vector<std::string>*>(list)->emplace_back(name);
+// A JSON number cannot be infinite or NaN.
+nlohmann::json number_of(double value) {
+  if (std::isnan(value)) {
+    return "nan";
+  }
+  return std::isinf(value) ? nlohmann::json(value > 0 ? "inf" : "-inf") : nlohmann::json(value);
+}
+
+// Whatever small thing has a type and a space, as JSON: a text, a number, a truth value or lists of those.
+nlohmann::json json_of(hid_t type_id, const H5Handle& space, const std::function<herr_t(hid_t, void*)>& read) {
+  const std::vector<hsize_t> shape = shape_of(space.get());
+  const hsize_t count = std::accumulate(shape.begin(), shape.end(), hsize_t{1}, std::multiplies<>());
+  if (count > kMostValues) {
+    return nullptr;
+  }
+  std::vector<nlohmann::json> values;
+  const H5T_class_t kind = H5Tget_class(type_id);
+  if (kind == H5T_STRING && H5Tis_variable_str(type_id) > 0) {
+    for (std::string& text : read_texts(space, count, read)) {
+      values.emplace_back(std::move(text));
+    }
+  } else if (kind == H5T_ENUM) {
+    std::vector<std::int8_t> bits(count);
+    if (H5Tget_size(type_id) != 1 || read(type_id, bits.data()) < 0) {
+      return nullptr;
+    }
+    for (const std::int8_t bit : bits) {
+      values.emplace_back(bit != 0);
+    }
+  } else if (kind == H5T_INTEGER && H5Tget_sign(type_id) == H5T_SGN_NONE) {
+    std::vector<std::uint64_t> numbers(count);
+    read(H5T_NATIVE_UINT64, numbers.data());
+    values.assign(numbers.begin(), numbers.end());
+  } else if (kind == H5T_INTEGER) {
+    std::vector<std::int64_t> numbers(count);
+    read(H5T_NATIVE_INT64, numbers.data());
+    values.assign(numbers.begin(), numbers.end());
+  } else if (kind == H5T_FLOAT) {
+    std::vector<double> numbers(count);
+    read(H5T_NATIVE_DOUBLE, numbers.data());
+    std::ranges::transform(numbers, std::back_inserter(values), number_of);
+  } else {
+    return nullptr;
+  }
+  if (shape.empty()) {
+    return values.front();
+  }
+  if (shape.size() == 1) {
+    return values;
+  }
+  nlohmann::json rows = nlohmann::json::array();
+  const std::size_t width = values.size() / std::max<hsize_t>(1, shape[0]);
+  for (std::size_t i = 0; width > 0 && i < values.size(); i += width) {
+    rows.push_back(nlohmann::json(std::vector(values.begin() + static_cast<std::ptrdiff_t>(i),
+                                              values.begin() + static_cast<std::ptrdiff_t>(i + width))));
+  }
+  return rows;
+}
+
+nlohmann::json attributes_of(hid_t object) {
+  nlohmann::json found = nlohmann::json::object();
+  const auto take = [](hid_t from, const char* name, const H5A_info_t*, void* into) -> herr_t {
+    const H5Handle attribute(H5Aopen(from, name, H5P_DEFAULT), H5Aclose);
+    const H5Handle type(H5Aget_type(attribute.get()), H5Tclose);
+    const H5Handle space(H5Aget_space(attribute.get()), H5Sclose);
+    if (attribute && type && space) {
+      (*static_cast<nlohmann::json*>(into))[name] = json_of(
+          type.get(), space, [&](hid_t memory, void* buffer) { return H5Aread(attribute.get(), memory, buffer); });
+    }
     return 0;
   };
-  h5_check(H5Literate(file, H5_INDEX_NAME, H5_ITER_INC, nullptr, add, &names), path, "list its datasets");
-  std::erase_if(names, [&](const std::string& name) {
-    const H5Handle object(H5Oopen(file, name.c_str(), H5P_DEFAULT), H5Oclose);
-    return !object || H5Iget_type(object.get()) != H5I_DATASET;
-  });
-  return names;
+  H5Aiterate2(object, H5_INDEX_NAME, H5_ITER_INC, nullptr, take, &found);
+  return found;
 }
 
-// A recording that grows may have one ping more in one table than in another.
-void cut_to_common_pings(std::vector<RecordedTable>& tables) {
-  std::uint64_t pings = std::numeric_limits<std::uint64_t>::max();
-  for (const RecordedTable& table : tables) {
-    pings = table.by_ping ? std::min(pings, table.shape.front()) : pings;
-  }
-  for (RecordedTable& table : tables) {
-    if (table.by_ping) {
-      table.shape.front() = pings;
-    }
-  }
+nlohmann::json dataset_json(hid_t dataset) {
+  const H5Handle type(H5Dget_type(dataset), H5Tclose);
+  const H5Handle space(H5Dget_space(dataset), H5Sclose);
+  return json_of(type.get(), space, [&](hid_t memory, void* buffer) {
+    return H5Dread(dataset, memory, H5S_ALL, H5S_ALL, H5P_DEFAULT, buffer);
+  });
 }
 
 }  // namespace
 
-std::size_t size_of(NumberType type) {
-  switch (type) {
-    case NumberType::kFloat32:
-      return sizeof(float);
-    case NumberType::kFloat64:
-      return sizeof(double);
-    case NumberType::kUint8:
-      return sizeof(std::uint8_t);
-    case NumberType::kUint16:
-      return sizeof(std::uint16_t);
-    case NumberType::kInt64:
-      return sizeof(std::int64_t);
-  }
-  return 0;
+std::size_t RecordedTable::row_bytes() const {
+  return std::accumulate(row.begin(), row.end(), value_bytes, std::multiplies<>());
 }
 
-RecordedTables::RecordedTables(const std::filesystem::path& path) : state_(std::make_unique<State>()) {
+RecordedTables::RecordedTables(const std::filesystem::path& path) : path_(path) {
   const H5Quiet quiet;
   check_input_file(path);
-  state_->path = path;
-  state_->file = h5_open_to_read(path);
-  for (const std::string& name : dataset_names(state_->file.get(), path)) {
-    const H5Handle dataset =
-        h5_own(H5Dopen2(state_->file.get(), name.c_str(), H5P_DEFAULT), H5Dclose, path, "open " + name);
-    const std::optional<NumberType> type = number_type(dataset.get(), path);
-    std::vector<std::uint64_t> shape = shape_of(dataset.get(), path);
-    if (type && !shape.empty()) {
-      const bool by_ping = text_attribute(dataset.get(), "axes", path).starts_with("ping") || name == "intensity";
-      state_->tables.push_back({name, *type, std::move(shape), by_ping, text_attribute(dataset.get(), "units", path),
-                                text_attribute(dataset.get(), "description", path)});
-    }
+  file_ = h5_open_to_read(path);
+  if (H5Lexists(file_.get(), "intensity", H5P_DEFAULT) <= 0) {
+    throw Error(fmt::format("{}: is no recording: it has no dataset intensity", path.string()));
   }
-  cut_to_common_pings(state_->tables);
+  attributes_ = attributes_of(file_.get());
+  std::vector<std::string> names;
+  H5Literate(
+      file_.get(), H5_INDEX_NAME, H5_ITER_INC, nullptr,
+      [](hid_t, const char* name, const H5L_info_t*, void* into) -> herr_t {
+        static_cast<std::vector<std::string>*>(into)->emplace_back(name);
+        return 0;
+      },
+      &names);
+  ping_count_ = std::numeric_limits<std::uint64_t>::max();
+  for (const std::string& name : names) {
+    add_table(name);
+  }
 }
 
-RecordedTables::~RecordedTables() = default;
-RecordedTables::RecordedTables(RecordedTables&&) noexcept = default;
-RecordedTables& RecordedTables::operator=(RecordedTables&&) noexcept = default;
-
-const std::vector<RecordedTable>& RecordedTables::tables() const {
-  return state_->tables;
-}
-
-const RecordedTable* RecordedTables::find(const std::string& name) const {
-  const auto found = std::ranges::find(state_->tables, name, &RecordedTable::name);
-  return found == state_->tables.end() ? nullptr : &*found;
-}
-
-void RecordedTables::read(const RecordedTable& table, std::span<const TableSlice> slices,
-                          std::span<std::byte> bytes) const {
-  const H5Quiet quiet;
-  const std::string doing = "read " + table.name;
-  bool inside = slices.size() == table.shape.size();
-  std::vector<hsize_t> start, count, step;
-  std::size_t numbers = 1;
-  for (std::size_t axis = 0; inside && axis < slices.size(); ++axis) {
-    const TableSlice& slice = slices[axis];
-    const std::uint64_t length = table.shape[axis];
-    inside = slice.step >= 1 && slice.count <= length &&
-             (slice.count == 0 || (slice.start < length && slice.count - 1 <= (length - 1 - slice.start) / slice.step));
-    start.push_back(slice.start);
-    count.push_back(slice.count);
-    step.push_back(slice.step);
-    numbers *= slice.count;
+void RecordedTables::add_table(const std::string& name) {
+  if (name == "." || name == "..") {
+    throw Error(fmt::format("{}: is no recording: it has a dataset called {}", path_.string(), name));
   }
-  if (!inside || bytes.size() != numbers * size_of(table.type)) {
-    throw Error(fmt::format("{}: {} does not have that block", state_->path.string(), table.name));
-  }
-  if (numbers == 0) {
+  const H5Handle object(H5Oopen(file_.get(), name.c_str(), H5P_DEFAULT), H5Oclose);
+  if (!object || H5Iget_type(object.get()) != H5I_DATASET) {
     return;
   }
-  const H5Handle dataset =
-      h5_own(H5Dopen2(state_->file.get(), table.name.c_str(), H5P_DEFAULT), H5Dclose, state_->path, doing);
-  const H5Handle from = h5_own(H5Dget_space(dataset.get()), H5Sclose, state_->path, doing);
-  h5_check(H5Sselect_hyperslab(from.get(), H5S_SELECT_SET, start.data(), step.data(), count.data(), nullptr),
-           state_->path, doing);
-  const H5Handle to =
-      h5_own(H5Screate_simple(static_cast<int>(count.size()), count.data(), nullptr), H5Sclose, state_->path, doing);
-  h5_check(H5Dread(dataset.get(), native_type(table.type), to.get(), from.get(), H5P_DEFAULT, bytes.data()),
-           state_->path, doing);
+  const std::string doing = "read " + name;
+  const H5Handle dataset = h5_own(H5Dopen2(file_.get(), name.c_str(), H5P_DEFAULT), H5Dclose, path_, doing);
+  const H5Handle stored = h5_own(H5Dget_type(dataset.get()), H5Tclose, path_, doing);
+  const H5Handle space = h5_own(H5Dget_space(dataset.get()), H5Sclose, path_, doing);
+  std::vector<hsize_t> shape = shape_of(space.get());
+  if (H5Tget_class(stored.get()) == H5T_STRING) {
+    const nlohmann::json texts = dataset_json(dataset.get());
+    if (texts.is_array()) {
+      names_.push_back({name, texts.get<std::vector<std::string>>()});
+    }
+    return;
+  }
+  RecordedTable table;
+  table.name = name;
+  table.type = numpy_type(stored.get());
+  if (table.type.empty()) {
+    return;
+  }
+  table.value_bytes = H5Tget_size(stored.get());
+  table.notes = attributes_of(dataset.get());
+  std::istringstream words(table.notes.value("axes", ""));
+  for (std::string axis; words >> axis;) {
+    table.axes.push_back(axis);
+  }
+  table.notes.erase("axes");
+  table.by_ping = name == "intensity" || (!table.axes.empty() && table.axes.front() == "ping");
+  if (table.by_ping && !shape.empty()) {
+    ping_count_ = std::min<std::uint64_t>(ping_count_, shape.front());
+    shape.erase(shape.begin());
+  }
+  if (!table.axes.empty() && table.axes.back() == "part" && table.type == "<f4" && !shape.empty() &&
+      shape.back() == 2) {
+    table.type = "<c8";  // Real and imaginary part.
+    table.value_bytes *= 2;
+    table.axes.pop_back();
+    shape.pop_back();
+  }
+  table.row.assign(shape.begin(), shape.end());
+  tables_.push_back(std::move(table));
 }
 
-std::vector<std::string> RecordedTables::texts(const std::string& name) const {
+nlohmann::json RecordedTables::settings() const {
   const H5Quiet quiet;
-  const std::string doing = "read " + name;
-  const std::filesystem::path& path = state_->path;
-  if (H5Lexists(state_->file.get(), name.c_str(), H5P_DEFAULT) <= 0) {
-    return {};
+  nlohmann::json found = nlohmann::json::object();
+  if (H5Lexists(file_.get(), "settings", H5P_DEFAULT) <= 0) {
+    return found;
   }
-  const H5Handle dataset = h5_own(H5Dopen2(state_->file.get(), name.c_str(), H5P_DEFAULT), H5Dclose, path, doing);
-  const H5Handle type = h5_own(H5Dget_type(dataset.get()), H5Tclose, path, doing);
-  const H5Handle space = h5_own(H5Dget_space(dataset.get()), H5Sclose, path, doing);
-  const hssize_t count = H5Sget_simple_extent_npoints(space.get());
-  if (H5Tis_variable_str(type.get()) <= 0 || count < 0) {
-    throw Error(fmt::format("{}: {} must hold texts", path.string(), name));
+  const H5Handle group = h5_own(H5Gopen2(file_.get(), "settings", H5P_DEFAULT), H5Gclose, path_, "read settings");
+  H5Lvisit(
+      group.get(), H5_INDEX_NAME, H5_ITER_INC,
+      [](hid_t from, const char* name, const H5L_info_t*, void* into) -> herr_t {
+        const H5Handle object(H5Oopen(from, name, H5P_DEFAULT), H5Oclose);
+        if (object && H5Iget_type(object.get()) == H5I_DATASET) {
+          const nlohmann::json::json_pointer place("/" + std::string(name));
+          (*static_cast<nlohmann::json*>(into))[place] = dataset_json(object.get());
+        }
+        return 0;
+      },
+      &found);
+  return found;
+}
+
+std::string RecordedTables::text(const std::string& attribute) const {
+  const auto found = attributes_.find(attribute);
+  return found != attributes_.end() && found->is_string() ? found->get<std::string>() : "";
+}
+
+std::vector<std::byte> RecordedTables::row(const RecordedTable& table, std::uint64_t ping) const {
+  const H5Quiet quiet;
+  const std::string doing = "read " + table.name;
+  const H5Handle dataset = h5_own(H5Dopen2(file_.get(), table.name.c_str(), H5P_DEFAULT), H5Dclose, path_, doing);
+  const H5Handle stored = h5_own(H5Dget_type(dataset.get()), H5Tclose, path_, doing);
+  const H5Handle native = native_type(stored, path_, table.name);
+  const H5Handle from = h5_own(H5Dget_space(dataset.get()), H5Sclose, path_, doing);
+  std::vector<hsize_t> length = shape_of(from.get());
+  if (table.by_ping && !length.empty()) {
+    std::vector<hsize_t> start(length.size(), 0);
+    start.front() = ping;
+    length.front() = 1;
+    h5_check(H5Sselect_hyperslab(from.get(), H5S_SELECT_SET, start.data(), nullptr, length.data(), nullptr), path_,
+             doing);
   }
-  std::vector<char*> pointers(count);
-  h5_check(H5Dread(dataset.get(), type.get(), H5S_ALL, H5S_ALL, H5P_DEFAULT, static_cast<void*>(pointers.data())), path,
-           doing);
-  std::vector<std::string> texts;
-  for (const char* text : pointers) {
-    texts.emplace_back(text != nullptr ? text : "");
-  }
-  if (count > 0) {
-    H5Dvlen_reclaim(type.get(), space.get(), H5P_DEFAULT, static_cast<void*>(pointers.data()));
-  }
-  return texts;
+  const H5Handle to = length.empty() ? h5_own(H5Screate(H5S_SCALAR), H5Sclose, path_, doing)
+                                     : h5_own(H5Screate_simple(static_cast<int>(length.size()), length.data(), nullptr),
+                                              H5Sclose, path_, doing);
+  std::vector<std::byte> bytes(table.row_bytes());
+  h5_check(H5Dread(dataset.get(), native.get(), to.get(), from.get(), H5P_DEFAULT, bytes.data()), path_, doing);
+  return bytes;
 }
 
 }  // namespace insonify

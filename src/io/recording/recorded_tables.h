@@ -1,4 +1,4 @@
-// recording_file.h -- everything that an HDF5 recording holds, by name: tables, lists of names, attributes, settings.
+// recorded_tables.h -- everything that an HDF5 recording holds, by name: tables, lists of names, attributes, settings.
 
 #pragma once
 
@@ -15,7 +15,7 @@
 namespace insonify {
 
 /// A table of numbers at the root of a recording.
-struct RecordingTable {
+struct RecordedTable {
   std::string name;
   std::string type;                ///< Of a value, as NumPy spells it: "<f4", "<c8", "<u2", "|u1", "<f8".
   std::size_t value_bytes = 0;     ///< [bytes]
@@ -33,13 +33,13 @@ struct RecordedNames {
   std::vector<std::string> texts;
 };
 
-class RecordingFile {
+class RecordedTables {
  public:
   /// @throws Error with the path for a file that is missing, is not HDF5 or has no dataset `intensity`.
-  explicit RecordingFile(const std::filesystem::path& path);
+  explicit RecordedTables(const std::filesystem::path& path);
 
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-  [[nodiscard]] const std::vector<RecordingTable>& tables() const { return tables_; }
+  [[nodiscard]] const std::vector<RecordedTable>& tables() const { return tables_; }
   [[nodiscard]] const std::vector<RecordedNames>& names() const { return names_; }
 
   /// Pings that all tables have.
@@ -54,14 +54,14 @@ class RecordingFile {
 
   /// One row of a table by ping, or a whole other table, little-endian.
   /// @param ping  Below ping_count(); of other tables 0.
-  [[nodiscard]] std::vector<std::byte> row(const RecordingTable& table, std::uint64_t ping) const;
+  [[nodiscard]] std::vector<std::byte> row(const RecordedTable& table, std::uint64_t ping) const;
 
  private:
   void add_table(const std::string& name);
 
   std::filesystem::path path_;
   H5Handle file_;
-  std::vector<RecordingTable> tables_;
+  std::vector<RecordedTable> tables_;
   std::vector<RecordedNames> names_;
   std::uint64_t ping_count_ = 0;
   nlohmann::json attributes_;

@@ -1,6 +1,6 @@
-// recorded_tables_test.cpp -- blocks of a recording's tables are read back as they were written.
+// stored_tables_test.cpp -- blocks of a recording's tables are read back as they were written.
 
-#include "insonify/recorded_tables.h"
+#include "insonify/stored_tables.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -50,7 +50,7 @@ void write_recording(const std::string& path) {
   }
 }
 
-std::vector<std::uint16_t> block(const RecordedTables& tables, std::vector<TableSlice> slices) {
+std::vector<std::uint16_t> block(const StoredTables& tables, std::vector<TableSlice> slices) {
   std::size_t count = 1;
   for (const TableSlice& slice : slices) {
     count *= slice.count;
@@ -60,11 +60,11 @@ std::vector<std::uint16_t> block(const RecordedTables& tables, std::vector<Table
   return values;
 }
 
-TEST(RecordedTablesTest, ListTypesShapesAndUnits) {
+TEST(StoredTablesTest, ListTypesShapesAndUnits) {
   const WorkingFolder folder;
   write_recording("a.h5");
-  const RecordedTables tables("a.h5");
-  const RecordedTable* elevation = tables.find("elevation");
+  const StoredTables tables("a.h5");
+  const StoredTable* elevation = tables.find("elevation");
   ASSERT_NE(elevation, nullptr);
   EXPECT_EQ(elevation->type, NumberType::kFloat32);
   EXPECT_THAT(elevation->shape, ElementsAre(kPings, kBins, kBeams));
@@ -78,34 +78,34 @@ TEST(RecordedTablesTest, ListTypesShapesAndUnits) {
   EXPECT_EQ(tables.find("instance_names"), nullptr);
 }
 
-TEST(RecordedTablesTest, BlocksAreRead) {
+TEST(StoredTablesTest, BlocksAreRead) {
   const WorkingFolder folder;
   write_recording("a.h5");
-  const RecordedTables tables("a.h5");
+  const StoredTables tables("a.h5");
   EXPECT_THAT(block(tables, {{2, 1}, {1, 2}, {3, 2}}), ElementsAre(213, 214, 223, 224));
   EXPECT_THAT(block(tables, {{0, 2, 2}, {0, 2, 3}, {1, 2, 3}}), ElementsAre(1, 4, 31, 34, 201, 204, 231, 234));
   EXPECT_THAT(block(tables, {{3, 0}, {0, 4}, {0, 5}}), IsEmpty());
 }
 
-TEST(RecordedTablesTest, TextsAreRead) {
+TEST(StoredTablesTest, TextsAreRead) {
   const WorkingFolder folder;
   write_recording("a.h5");
-  const RecordedTables tables("a.h5");
+  const StoredTables tables("a.h5");
   EXPECT_THAT(tables.texts("instance_names"), ElementsAre("floor", "wreck::hull"));
   EXPECT_THAT(tables.texts("nothing"), IsEmpty());
   EXPECT_EQ(message_of([&] { (void)tables.texts("range"); }), "a.h5: range must hold texts");
 }
 
-TEST(RecordedTablesTest, BlocksThatAreNotThereAreRefused) {
+TEST(StoredTablesTest, BlocksThatAreNotThereAreRefused) {
   const WorkingFolder folder;
   write_recording("a.h5");
-  const RecordedTables tables("a.h5");
+  const StoredTables tables("a.h5");
   const std::string text = "a.h5: instance does not have that block";
   EXPECT_EQ(message_of([&] { block(tables, {{0, 4}, {0, 1}, {0, 1}}); }), text);
   EXPECT_EQ(message_of([&] { block(tables, {{0, 1}, {1, 2, 3}, {0, 1}}); }), text);
   EXPECT_EQ(message_of([&] { block(tables, {{0, 1}, {0, 1}}); }), text);
   EXPECT_EQ(message_of([&] { block(tables, {{0, 1}, {0, 1}, {0, 1, 0}}); }), text);
-  EXPECT_EQ(message_of([] { RecordedTables("none.h5"); }), "none.h5: no such file");
+  EXPECT_EQ(message_of([] { StoredTables("none.h5"); }), "none.h5: no such file");
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// recorded_tables.h -- reads blocks of any table of a recording (HDF5): ground truth, field, axes, names.
+// stored_tables.h -- reads blocks of any table of a recording (HDF5): ground truth, field, axes, names.
 
 #pragma once
 
@@ -12,14 +12,14 @@
 
 namespace insonify {
 
-/// Type of the numbers of a table, as RecordedTables::read() returns them.
+/// Type of the numbers of a table, as StoredTables::read() returns them.
 enum class NumberType { kFloat32, kFloat64, kUint8, kUint16, kInt64 };
 
 /// Size of a number [bytes].
 [[nodiscard]] std::size_t size_of(NumberType type);
 
 /// A table of numbers in a recording. docs/reference/recording.md lists those that insonify writes.
-struct RecordedTable {
+struct StoredTable {
   std::string name;  ///< "instance"
   NumberType type =
       NumberType::kFloat32;          ///< Of the file where it has that type, else the next that holds its numbers.
@@ -38,25 +38,25 @@ struct TableSlice {
 /// The tables at the root of an HDF5 file, read when they are asked for.
 ///
 /// Of a recording that still grows it has the pings that all tables had when it was opened.
-class RecordedTables {
+class StoredTables {
  public:
   /// @throws Error with the path for a file that is missing or is not HDF5.
-  explicit RecordedTables(const std::filesystem::path& path);
-  ~RecordedTables();
-  RecordedTables(RecordedTables&&) noexcept;
-  RecordedTables& operator=(RecordedTables&&) noexcept;
+  explicit StoredTables(const std::filesystem::path& path);
+  ~StoredTables();
+  StoredTables(StoredTables&&) noexcept;
+  StoredTables& operator=(StoredTables&&) noexcept;
 
   /// Tables of numbers, in alphabetical order.
-  [[nodiscard]] const std::vector<RecordedTable>& tables() const;
+  [[nodiscard]] const std::vector<StoredTable>& tables() const;
 
   /// The table of that name, or null.
-  [[nodiscard]] const RecordedTable* find(const std::string& name) const;
+  [[nodiscard]] const StoredTable* find(const std::string& name) const;
 
   /// Reads a block of a table, row-major, without reading what lies beside it (compressed files: beside its chunks).
   /// @param slices  One for each axis.
   /// @param bytes   Is filled: product of the counts times size_of(table.type).
   /// @throws Error with the path where a slice leaves the table or the file cannot be read.
-  void read(const RecordedTable& table, std::span<const TableSlice> slices, std::span<std::byte> bytes) const;
+  void read(const StoredTable& table, std::span<const TableSlice> slices, std::span<std::byte> bytes) const;
 
   /// A list of texts, such as instance_names; empty where the file does not have it.
   [[nodiscard]] std::vector<std::string> texts(const std::string& name) const;
