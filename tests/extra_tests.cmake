@@ -93,3 +93,11 @@ endif()
 add_test(NAME version_is_told_alike
   COMMAND sh -c "grep -m 1 '^## ' CHANGELOG.md | grep -F '[${PROJECT_VERSION}]' && grep -Fx 'version: ${PROJECT_VERSION}' CITATION.cff"
   WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
+
+# The viewer in a headless browser: its page against a stand-in for the server, and with `insonify serve`.
+find_program(node node)
+if(node AND INSONIFY_BUILD_APPS AND NOT INSONIFY_SANITIZE)
+  add_test(NAME viewer_page COMMAND ${node} ${CMAKE_CURRENT_SOURCE_DIR}/web/page_test.mjs)
+  add_test(NAME viewer_live COMMAND ${node} ${CMAKE_CURRENT_SOURCE_DIR}/web/live_test.mjs $<TARGET_FILE:insonify_cli>)
+  set_tests_properties(viewer_page viewer_live PROPERTIES SKIP_RETURN_CODE 77 TIMEOUT 900 RUN_SERIAL ON)
+endif()
