@@ -52,6 +52,9 @@ int run_program(int argc, char** argv) {
   add_run(app, request);
   add_serve(app, request);
   add_draw(app, request);
+  add_replay(app, request);
+  add_info(app, request);
+  add_export(app, request);
   add_sonars(app, request);
   add_describe(app, request);
   add_compare(app, request);

@@ -7,6 +7,8 @@
 
 #include "benchmark/bench.h"
 #include "compare/compare.h"
+#include "export/export.h"
+#include "info/info.h"
 #include "pictures/draw.h"
 #include "run/run.h"
 #include "serve/serve.h"
@@ -19,11 +21,15 @@ struct Request {
   CompareOptions compare;
   DrawOptions draw;
   ServeOptions serve;
+  ExportCommand exported;
+  InfoOptions info;
   int pings = 1;
   double duration = 0, turns = 0;
   std::uint64_t seed = 1;
   std::string engine;
   std::string record = "h5";
+  std::string bits;
+  double rate = 0;
   std::string preset, mode;
   std::string section;
   std::string shell;
@@ -41,6 +47,9 @@ void add_sonars(CLI::App& app, Request& request);
 void add_describe(CLI::App& app, Request& request);
 void add_serve(CLI::App& app, Request& request);
 void add_draw(CLI::App& app, Request& request);
+void add_replay(CLI::App& app, Request& request);
+void add_info(CLI::App& app, Request& request);
+void add_export(CLI::App& app, Request& request);
 void add_compare(CLI::App& app, Request& request);
 void add_bench(CLI::App& app, Request& request);
 void add_version(CLI::App& app, Request& request);

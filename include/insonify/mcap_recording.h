@@ -26,6 +26,9 @@ struct McapOptions {
   MessageOptions messages = {};
   RunFacts run = {};
   bool replace = false;  ///< Whether the recording may take the place of a file that is there already.
+
+  /// Whether the file appears under its name only when it is closed, and leaves nothing where it is not.
+  bool only_whole = false;
 };
 
 /// Writes the pings of one or several sonars of a run to one MCAP file: profile "ros2", schemas "ros2msg", messages
@@ -52,6 +55,31 @@ class McapRecording {
 
   /// Where the recording is now: `path`, or beside it until it replaces an earlier file.
   [[nodiscard]] const std::filesystem::path& place() const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+/// The pings of one sonar, read back from an MCAP recording that insonify has made, also from an unfinished one. Their
+/// intensities are what the sonar images' values stand for: within half a step of the mapping (0.001 dB with 16 bits),
+/// 0 at and below its lowest level, the highest level above it. There is no ground truth.
+class McapPings {
+ public:
+  /// @param sonar  Its name; "" for the only one.
+  /// @throws Error with the path for a file that is missing, is no MCAP file or was not made by insonify; for a sonar
+  ///         that it does not have, naming those that it has.
+  explicit McapPings(const std::filesystem::path& path, const std::string& sonar = "");
+  ~McapPings();
+  McapPings(McapPings&&) noexcept;
+  McapPings& operator=(McapPings&&) noexcept;
+
+  [[nodiscard]] std::uint64_t ping_count() const;
+  /// Sonar, receiver, model and scenario.
+  [[nodiscard]] const MessageSource& source() const;
+  /// @param ping  Below ping_count().
+  /// @throws Error with the path for a message or a chunk that is damaged.
+  [[nodiscard]] Ping ping(std::uint64_t ping) const;
 
  private:
   struct State;

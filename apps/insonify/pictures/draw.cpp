@@ -8,23 +8,15 @@
 
 #include "console/console.h"
 #include "console/outcome.h"
-#include "insonify/recorded_pings.h"
 #include "pictures/earlier_run.h"
 #include "pictures/output_folder.h"
 #include "pictures/pictures.h"
+#include "pictures/ping_source.h"
 
 namespace insonify {
 namespace {
 
-EchoModel model_of(const RecordedPings& recording, const std::filesystem::path& path) {
-  if (recording.model() != "calibrated" && recording.model() != "paper") {
-    throw InputError(fmt::format("{}: its attribute model is \"{}\", must be calibrated or paper", path.string(),
-                                 recording.model()));
-  }
-  return recording.model() == "paper" ? EchoModel::kPaper : EchoModel::kCalibrated;
-}
-
-PictureChoice choice_of(const DrawOptions& options, const RecordedPings& recording) {
+PictureChoice choice_of(const DrawOptions& options, const PingSource& recording) {
   PictureChoice choice = PictureChoice::parse(options.pictures.pictures);
   for (const std::uint64_t ping : options.pings) {
     if (ping >= recording.ping_count()) {
@@ -37,7 +29,7 @@ PictureChoice choice_of(const DrawOptions& options, const RecordedPings& recordi
 }
 
 struct Recorded {
-  RecordedPings pings;
+  PingSource pings;
   SonarConfig sonar;
   PictureStyle style;
   PictureChoice choice;
@@ -48,9 +40,9 @@ struct Recorded {
 Recorded open_recording(const DrawOptions& options) {
   const std::filesystem::path& file = options.recording;
   try {
-    RecordedPings pings(file);
-    const SonarConfig sonar = pings.sonar_config();
-    const PictureStyle style = picture_style(options.pictures, model_of(pings, file), pings.receiver_config());
+    PingSource pings(file, options.sonar);
+    const SonarConfig sonar = pings.sonar();
+    const PictureStyle style = picture_style(options.pictures, pings.model(), pings.receiver());
     const PictureChoice choice = choice_of(options, pings);
     if (pings.ping_count() == 0) {
       throw InputError(fmt::format("{}: there is no ping in it", file.string()));

@@ -16,7 +16,7 @@
 #include "run/disk_space.h"
 #include "run/hints.h"
 #include "run/progress.h"
-#include "run/stop.h"
+#include "console/stop.h"
 #include "run/tracks.h"
 #include "run/views.h"
 #include "run/world_report.h"

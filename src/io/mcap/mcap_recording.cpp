@@ -75,7 +75,8 @@ McapRecording::McapRecording(const std::filesystem::path& path, std::vector<Mess
     state_->sonars.emplace_back(source, options.messages);
     state_->scenarios.push_back(source.scenario);
   }
-  state_->file = std::make_unique<McapWriter>(path, "insonify " + options.run.version, options.replace);
+  state_->file =
+      std::make_unique<McapWriter>(path, "insonify " + options.run.version, options.replace, options.only_whole);
   McapWriter& file = *state_->file;
   file.add_metadata(mcap_metadata::kRun, texts_about(options.run, sources.front()));
   for (std::size_t i = 0; i < sources.size(); ++i) {

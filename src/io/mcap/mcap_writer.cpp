@@ -41,7 +41,8 @@ std::vector<std::byte> compressed(std::span<const std::byte> bytes) {
 
 }  // namespace
 
-McapWriter::McapWriter(std::filesystem::path path, const std::string& library, bool replace) : path_(std::move(path)) {
+McapWriter::McapWriter(std::filesystem::path path, const std::string& library, bool replace, bool only_whole)
+    : path_(std::move(path)), only_whole_(only_whole) {
   const auto refuse_while_another_writes = [this] {
     if (is_being_written(path_)) {
       fail(path_, "cannot create: another run is writing it; choose another folder");
@@ -65,7 +66,7 @@ McapWriter::McapWriter(std::filesystem::path path, const std::string& library, b
     start.put(std::string_view(library));
   });
   write(start.bytes());
-  if (!earlier_) {
+  if (!earlier_ && !only_whole_) {
     refuse_while_another_writes();
     out_->put_in_place();
     absolute_ = std::filesystem::absolute(path_);
@@ -75,7 +76,7 @@ McapWriter::McapWriter(std::filesystem::path path, const std::string& library, b
 
 McapWriter::~McapWriter() {
   stop_thread();
-  if (out_) {
+  if (out_ && !only_whole_) {
     try {
       finish();
     } catch (const Error&) {  // NOLINT(bugprone-empty-catch): close() reports.

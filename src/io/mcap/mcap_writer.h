@@ -30,8 +30,9 @@ class McapWriter {
  public:
   static constexpr std::chrono::milliseconds kLongestChunk{500};
 
+  /// @param only_whole  Stay beside `path` until close() in any case, and be removed without.
   /// @throws Error with the path when the file cannot be made, or is there and may not be replaced.
-  McapWriter(std::filesystem::path path, const std::string& library, bool replace);
+  McapWriter(std::filesystem::path path, const std::string& library, bool replace, bool only_whole = false);
   /// Finishes the file without reporting errors and without replacing an earlier one.
   ~McapWriter();
   McapWriter(const McapWriter&) = delete;
@@ -84,8 +85,9 @@ class McapWriter {
   std::filesystem::path path_, absolute_;
   std::unique_ptr<UnfinishedFile> out_;  // Null when closed.
   std::unique_ptr<WriteMark> earlier_;   // On the file that is to be replaced.
-  std::uint64_t end_ = 0;                // Bytes written.
-  std::uint32_t data_crc_ = 0;           // Of all of them.
+  bool only_whole_ = false;
+  std::uint64_t end_ = 0;       // Bytes written.
+  std::uint32_t data_crc_ = 0;  // Of all of them.
 
   std::vector<Schema> schemas_;
   std::vector<Channel> channels_;

@@ -1,6 +1,6 @@
 // stop.cpp -- signal handlers. What they call is async-signal-safe.
 
-#include "run/stop.h"
+#include "console/stop.h"
 
 #include <unistd.h>
 

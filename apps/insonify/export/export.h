@@ -1,0 +1,27 @@
+// export.h -- insonify export: writes recordings in the formats of other tools.
+
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "pictures/picture_options.h"
+
+namespace insonify {
+
+struct ExportCommand {
+  std::vector<std::filesystem::path> recordings;
+  std::filesystem::path file;
+  bool force = false;               ///< Replace a file that is there.
+  int bits = 16;                    ///< Of a value of sonar images in .mcap, 8 or 16.
+  bool store = false;               ///< Leave .npz uncompressed.
+  std::optional<double> rate = {};  ///< Pictures a second of a video.
+  PictureOptions pictures;          ///< Colours and levels.
+};
+
+/// @return  kDone. @throws InputError for wrong input, Error for a failure while running
+int export_command(const ExportCommand& options);
+
+}  // namespace insonify

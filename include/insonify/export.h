@@ -1,0 +1,57 @@
+// export.h -- writes HDF5 recordings in the formats of other tools: MCAP, NumPy, Zarr and video.
+
+#pragma once
+
+#include <atomic>
+#include <filesystem>
+#include <optional>
+#include <span>
+
+#include "insonify/messages.h"
+#include "insonify/picture.h"
+
+namespace insonify {
+
+/// How a video shows pings.
+struct VideoOptions {
+  /// Pictures a second, in (0, 120]; absent: so that the video lasts as long as the pings took, with at most 50.
+  std::optional<double> rate = {};
+
+  /// Levels of the darkest and the brightest colour [dB], as on the colour bar; absent: what fits the first ping of a
+  /// fan, or all pings of a scanning sonar.
+  std::optional<double> low_db = {}, high_db = {};
+
+  ColourMap colour_map = ColourMap::kInferno;
+  int height = 720;         ///< [pixels], 240..8192; the video's is the next even number.
+  bool annotations = true;  ///< Rings, axes and colour bar.
+};
+
+struct ExportOptions {
+  bool replace = false;          ///< Whether the export may take the place of what is there already.
+  bool compress = true;          ///< Whether tables in .npz files are deflated; .zarr and .mcap always are compressed.
+  MessageOptions messages = {};  ///< Of .mcap.
+  VideoOptions video = {};       ///< Of .mp4 and .gif.
+
+  /// While `*stop` is true, export_recordings() throws Interrupted and leaves nothing behind. Null: never.
+  const std::atomic<bool>* stop = nullptr;
+};
+
+/// Writes recordings of one run, one a sonar, to a file in the format of its ending:
+///
+/// - `.mcap`: ROS 2 messages, all sonars in the order of their pings' times (McapRecording).
+/// - `.npz`: NumPy arrays with the names that the recording's tables have; of several sonars NAME/intensity.
+/// `attributes`
+///   is a text, a JSON object with the recording's attributes and settings.
+/// - `.zarr`: a folder, Zarr version 2, one chunk a ping, compressed by zlib; of several sonars a group each. `.zattrs`
+///   has attributes and settings.
+/// - `.mp4`, `.gif`: the fan of one sonar, or what a scanning one has seen, made by the program ffmpeg.
+///
+/// The file appears under its name once it is whole.
+/// @param recordings  HDF5 recordings as Recording writes them, also unfinished ones. At least one.
+/// @throws Error with the path: for another ending, several sonars in a video, sonars with the same name, a file that
+/// is
+///         there already, a full disk; where ffmpeg is not installed.
+void export_recordings(std::span<const std::filesystem::path> recordings, const std::filesystem::path& file,
+                       const ExportOptions& options = {});
+
+}  // namespace insonify

@@ -1,0 +1,49 @@
+// recording_info.h -- what a recording holds, without reading its pings.
+
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "insonify/sonar_config.h"
+
+namespace insonify {
+
+/// Whether a recording was ended as it should.
+enum class RecordingState {
+  kWhole,
+  kGrowing,    ///< A run is writing it.
+  kUnfinished  ///< The run that wrote it was killed; its pings can be read.
+};
+
+/// One sonar's part of a recording.
+struct RecordedSonar {
+  SonarConfig config;  ///< With everything filled in.
+  std::uint64_t pings = 0;
+  double first_time = 0, last_time = 0;  ///< Of its first and last ping [s]; 0 without pings.
+};
+
+struct RecordingInfo {
+  std::string format = {};  ///< "HDF5" or "MCAP".
+  RecordingState state = RecordingState::kWhole;
+  std::uint64_t bytes = 0;  ///< Size of the file.
+  std::string version = {};      ///< Of the insonify that made it.
+  std::string model = {};        ///< "calibrated" or "paper".
+  std::string engine = {};       ///< "cpu", "reference".
+  std::optional<std::uint64_t> seed = {};
+  std::string scenario = {};  ///< Text of the scenario file.
+  std::vector<RecordedSonar> sonars = {};
+  std::vector<std::string> contents = {};  ///< Tables of an HDF5 file, topics of an MCAP file.
+};
+
+/// Reads .h5, .hdf5 and .mcap files that insonify has recorded, also unfinished ones (their names end in .new).
+/// @throws Error with the path for anything else.
+[[nodiscard]] RecordingInfo recording_info(const std::filesystem::path& path);
+
+/// Whether a file begins as MCAP files do.
+[[nodiscard]] bool is_mcap(const std::filesystem::path& path);
+
+}  // namespace insonify

@@ -1,0 +1,44 @@
+// export_format.h -- the formats that recordings are exported to.
+
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <vector>
+
+#include "insonify/export.h"
+#include "insonify/interrupted.h"
+#include "io/recording/recorded_tables.h"
+
+namespace insonify {
+
+/// Each writes to `place`, a file or a folder that is renamed to `file` afterwards; messages name `file`.
+void export_mcap(std::span<const RecordedTables> recordings, const std::filesystem::path& file,
+                 const ExportOptions& options);
+void export_npz(std::span<const RecordedTables> recordings, const std::filesystem::path& file,
+                const ExportOptions& options);
+void export_zarr(std::span<const RecordedTables> recordings, const std::filesystem::path& file,
+                 const ExportOptions& options);
+void export_video(const RecordedTables& recording, const std::filesystem::path& file, const ExportOptions& options);
+
+/// @throws Interrupted when the caller has asked to stop.
+inline void check_stop(const ExportOptions& options) {
+  if (options.stop != nullptr && options.stop->load(std::memory_order_relaxed)) {
+    throw Interrupted();
+  }
+}
+
+/// What names in the export of several recordings begin with: "fls/"; "" for a single one.
+[[nodiscard]] std::string prefix_of(std::span<const RecordedTables> recordings, std::size_t index);
+
+/// Attributes and settings of a recording, as a JSON object.
+[[nodiscard]] nlohmann::json facts_of(const RecordedTables& recording);
+
+/// A list of texts as NumPy holds them: 32-bit characters, each text as long as the longest.
+struct UnicodeTable {
+  std::string type;  ///< "<U12"
+  std::vector<std::byte> bytes;
+};
+[[nodiscard]] UnicodeTable unicode_table(const std::vector<std::string>& texts);
+
+}  // namespace insonify

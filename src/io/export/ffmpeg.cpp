@@ -1,0 +1,145 @@
+// ffmpeg.cpp -- starts the program without a shell, and hands it pictures through a socket: writing to one whose other
+// end is closed can be told not to raise SIGPIPE.
+
+#include "io/export/ffmpeg.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <spawn.h>
+#include <sys/mman.h>
+#include <sys/socket.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <string_view>
+#include <system_error>
+#include <utility>
+
+#include "insonify/error.h"
+#include "io/file/input_file.h"
+
+namespace insonify {
+namespace {
+
+// H.264 in the form that every player knows, which needs even sizes; GIF with the best 256 colours of each picture.
+std::vector<std::string> coding(bool gif) {
+  if (gif) {
+    return {"-vf", "split[a][b];[a]palettegen=stats_mode=single[p];[b][p]paletteuse=new=1:dither=none", "-f", "gif"};
+  }
+  return {"-vf",       "pad=ceil(iw/2)*2:ceil(ih/2)*2",
+          "-c:v",      "libx264",
+          "-crf",      "18",
+          "-pix_fmt",  "yuv420p",
+          "-movflags", "+faststart",
+          "-f",        "mp4"};
+}
+
+}  // namespace
+
+Ffmpeg::Ffmpeg(std::filesystem::path name, const std::filesystem::path& place, int width, int height, double rate)
+    : name_(std::move(name)), width_(width), height_(height) {
+  std::vector<std::string> words = {"ffmpeg",   "-hide_banner",
+                                    "-nostats", "-loglevel",
+                                    "error",    "-y",
+                                    "-f",       "rawvideo",
+                                    "-pix_fmt", "rgb24",
+                                    "-s",       fmt::format("{}x{}", width, height),
+                                    "-r",       fmt::format("{:.6g}", rate),
+                                    "-i",       "pipe:0"};
+  for (std::string& word : coding(ending_of(name_) == ".gif")) {
+    words.push_back(std::move(word));
+  }
+  words.push_back("file:" + std::filesystem::absolute(place).string());  // Never taken for an option or an address.
+  std::vector<char*> arguments;
+  for (std::string& word : words) {
+    arguments.push_back(word.data());
+  }
+  arguments.push_back(nullptr);
+
+  std::array<int, 2> ends{};
+  words_ = memfd_create("ffmpeg", MFD_CLOEXEC);
+  if (words_ < 0 || socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) {
+    throw Error(fmt::format("{}: cannot start ffmpeg: {}", name_.string(), std::generic_category().message(errno)));
+  }
+  pictures_ = ends[0];
+  posix_spawn_file_actions_t files;
+  posix_spawn_file_actions_init(&files);
+  posix_spawn_file_actions_adddup2(&files, ends[1], STDIN_FILENO);
+  posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
+  posix_spawn_file_actions_adddup2(&files, words_, STDERR_FILENO);
+  const int error = posix_spawnp(&child_, "ffmpeg", &files, nullptr, arguments.data(), environ);
+  posix_spawn_file_actions_destroy(&files);
+  close(ends[1]);
+  if (error != 0) {
+    child_ = -1;
+    close(pictures_);
+    close(words_);
+    throw Error(error == ENOENT ? fmt::format("{}: the program ffmpeg makes videos, and it is not installed (Debian, "
+                                              "Ubuntu: apt-get install ffmpeg)",
+                                              name_.string())
+                                : fmt::format("{}: cannot start ffmpeg: {}", name_.string(),
+                                              std::generic_category().message(error)));
+  }
+}
+
+Ffmpeg::~Ffmpeg() {
+  if (child_ > 0) {
+    kill(child_, SIGKILL);
+    wait();
+  }
+  close(pictures_);
+  close(words_);
+}
+
+int Ffmpeg::wait() {
+  int status = 0;
+  while (waitpid(child_, &status, 0) < 0 && errno == EINTR) {
+  }
+  child_ = -1;
+  return status;
+}
+
+// Its last words, which mostly name the reason.
+void Ffmpeg::fail() {
+  std::array<char, 4096> buffer{};
+  const off_t size = lseek(words_, 0, SEEK_END);
+  const auto from = std::max<off_t>(0, size - static_cast<off_t>(buffer.size()));
+  const ssize_t count = pread(words_, buffer.data(), buffer.size(), from);
+  std::string_view text(buffer.data(), static_cast<std::size_t>(std::max<ssize_t>(0, count)));
+  while (text.ends_with('\n')) {
+    text.remove_suffix(1);
+  }
+  text.remove_prefix(text.rfind('\n') + 1);
+  throw Error(fmt::format("{}: ffmpeg has failed: {}", name_.string(),
+                          text.empty() ? "it says nothing" : foreign_reason(text)));
+}
+
+void Ffmpeg::add(const Picture& picture) {
+  if (picture.width != width_ || picture.height != height_) {
+    throw Error(fmt::format("{}: a picture has {} x {} pixels, those before it {} x {}", name_.string(), picture.width,
+                            picture.height, width_, height_));
+  }
+  std::span<const std::uint8_t> rest = picture.rgb;
+  while (!rest.empty()) {
+    const ssize_t sent = send(pictures_, rest.data(), rest.size(), MSG_NOSIGNAL);
+    if (sent < 0 && errno != EINTR) {
+      wait();
+      fail();
+    }
+    rest = rest.subspan(static_cast<std::size_t>(std::max<ssize_t>(0, sent)));
+  }
+}
+
+void Ffmpeg::finish() {
+  shutdown(pictures_, SHUT_WR);
+  const int status = wait();
+  if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) {
+    fail();
+  }
+}
+
+}  // namespace insonify

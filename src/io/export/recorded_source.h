@@ -1,0 +1,14 @@
+// recorded_source.h -- what messages and pictures tell of a sonar, from its recording.
+
+#pragma once
+
+#include "insonify/messages.h"
+#include "io/recording/recorded_tables.h"
+
+namespace insonify {
+
+/// @throws Error with the path for a recording without model or settings.
+[[nodiscard]] EchoModel model_of(const RecordedTables& recording);
+[[nodiscard]] MessageSource message_source(const RecordedTables& recording);
+
+}  // namespace insonify

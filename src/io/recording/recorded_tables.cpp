@@ -1,0 +1,272 @@
+// recorded_tables.cpp -- lists what is at the root of the file, and reads it row by row.
+
+#include "io/recording/recorded_tables.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <numeric>
+#include <sstream>
+
+#include "io/file/input_file.h"
+
+namespace insonify {
+namespace {
+
+constexpr hsize_t kMostValues = 1'000'000;  // Of a list that is read as a whole.
+
+H5Handle native_type(const H5Handle& stored, const std::filesystem::path& path, const std::string& name) {
+  return h5_own(H5Tget_native_type(stored.get(), H5T_DIR_ASCEND), H5Tclose, path, "read the type of " + name);
+}
+
+// As NumPy spells a type of numbers; "" for anything else.
+std::string numpy_type(hid_t type) {
+  const std::size_t size = H5Tget_size(type);
+  const char* order = size == 1 ? "|" : "<";
+  switch (H5Tget_class(type)) {
+    case H5T_FLOAT:
+      return fmt::format("{}f{}", order, size);
+    case H5T_INTEGER:
+      return fmt::format("{}{}{}", order, H5Tget_sign(type) == H5T_SGN_NONE ? "u" : "i", size);
+    default:
+      return "";
+  }
+}
+
+std::vector<hsize_t> shape_of(hid_t space) {
+  std::vector<hsize_t> shape(static_cast<std::size_t>(std::max(0, H5Sget_simple_extent_ndims(space))));
+  H5Sget_simple_extent_dims(space, shape.data(), nullptr);
+  return shape;
+}
+
+// Texts of variable length, read by `read(type, buffer)`.
+std::vector<std::string> read_texts(const H5Handle& space, hsize_t count,
+                                    const std::function<herr_t(hid_t, void*)>& read) {
+  const H5Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
+  H5Tset_size(type.get(), H5T_VARIABLE);
+  H5Tset_cset(type.get(), H5T_CSET_UTF8);
+  std::vector<char*> pointers(count, nullptr);
+  if (read(type.get(), pointers.data()) < 0) {
+    throw Error(h5_failure());
+  }
+  std::vector<std::string> texts;
+  for (const char* const pointer : pointers) {
+    texts.emplace_back(pointer != nullptr ? pointer : "");
+  }
+  H5Dvlen_reclaim(type.get(), space.get(), H5P_DEFAULT, pointers.data());
+  return texts;
+}
+
+// A JSON number cannot be infinite or NaN.
+nlohmann::json number_of(double value) {
+  if (std::isnan(value)) {
+    return "nan";
+  }
+  return std::isinf(value) ? nlohmann::json(value > 0 ? "inf" : "-inf") : nlohmann::json(value);
+}
+
+// Whatever small thing has a type and a space, as JSON: a text, a number, a truth value or lists of those.
+nlohmann::json json_of(hid_t type_id, const H5Handle& space, const std::function<herr_t(hid_t, void*)>& read) {
+  const std::vector<hsize_t> shape = shape_of(space.get());
+  const hsize_t count = std::accumulate(shape.begin(), shape.end(), hsize_t{1}, std::multiplies<>());
+  if (count > kMostValues) {
+    return nullptr;
+  }
+  std::vector<nlohmann::json> values;
+  const H5T_class_t kind = H5Tget_class(type_id);
+  if (kind == H5T_STRING && H5Tis_variable_str(type_id) > 0) {
+    for (std::string& text : read_texts(space, count, read)) {
+      values.emplace_back(std::move(text));
+    }
+  } else if (kind == H5T_ENUM) {
+    std::vector<std::int8_t> bits(count);
+    if (H5Tget_size(type_id) != 1 || read(type_id, bits.data()) < 0) {
+      return nullptr;
+    }
+    for (const std::int8_t bit : bits) {
+      values.emplace_back(bit != 0);
+    }
+  } else if (kind == H5T_INTEGER && H5Tget_sign(type_id) == H5T_SGN_NONE) {
+    std::vector<std::uint64_t> numbers(count);
+    read(H5T_NATIVE_UINT64, numbers.data());
+    values.assign(numbers.begin(), numbers.end());
+  } else if (kind == H5T_INTEGER) {
+    std::vector<std::int64_t> numbers(count);
+    read(H5T_NATIVE_INT64, numbers.data());
+    values.assign(numbers.begin(), numbers.end());
+  } else if (kind == H5T_FLOAT) {
+    std::vector<double> numbers(count);
+    read(H5T_NATIVE_DOUBLE, numbers.data());
+    std::ranges::transform(numbers, std::back_inserter(values), number_of);
+  } else {
+    return nullptr;
+  }
+  if (shape.empty()) {
+    return values.front();
+  }
+  if (shape.size() == 1) {
+    return values;
+  }
+  nlohmann::json rows = nlohmann::json::array();
+  const std::size_t width = values.size() / std::max<hsize_t>(1, shape[0]);
+  for (std::size_t i = 0; width > 0 && i < values.size(); i += width) {
+    rows.push_back(nlohmann::json(std::vector(values.begin() + static_cast<std::ptrdiff_t>(i),
+                                              values.begin() + static_cast<std::ptrdiff_t>(i + width))));
+  }
+  return rows;
+}
+
+nlohmann::json attributes_of(hid_t object) {
+  nlohmann::json found = nlohmann::json::object();
+  const auto take = [](hid_t from, const char* name, const H5A_info_t*, void* into) -> herr_t {
+    const H5Handle attribute(H5Aopen(from, name, H5P_DEFAULT), H5Aclose);
+    const H5Handle type(H5Aget_type(attribute.get()), H5Tclose);
+    const H5Handle space(H5Aget_space(attribute.get()), H5Sclose);
+    if (attribute && type && space) {
+      (*static_cast<nlohmann::json*>(into))[name] = json_of(
+          type.get(), space, [&](hid_t memory, void* buffer) { return H5Aread(attribute.get(), memory, buffer); });
+    }
+    return 0;
+  };
+  H5Aiterate2(object, H5_INDEX_NAME, H5_ITER_INC, nullptr, take, &found);
+  return found;
+}
+
+nlohmann::json dataset_json(hid_t dataset) {
+  const H5Handle type(H5Dget_type(dataset), H5Tclose);
+  const H5Handle space(H5Dget_space(dataset), H5Sclose);
+  return json_of(type.get(), space, [&](hid_t memory, void* buffer) {
+    return H5Dread(dataset, memory, H5S_ALL, H5S_ALL, H5P_DEFAULT, buffer);
+  });
+}
+
+}  // namespace
+
+std::size_t RecordedTable::row_bytes() const {
+  return std::accumulate(row.begin(), row.end(), value_bytes, std::multiplies<>());
+}
+
+RecordedTables::RecordedTables(const std::filesystem::path& path) : path_(path) {
+  const H5Quiet quiet;
+  check_input_file(path);
+  file_ = h5_open_to_read(path);
+  if (H5Lexists(file_.get(), "intensity", H5P_DEFAULT) <= 0) {
+    throw Error(fmt::format("{}: is no recording: it has no dataset intensity", path.string()));
+  }
+  attributes_ = attributes_of(file_.get());
+  std::vector<std::string> names;
+  H5Literate(
+      file_.get(), H5_INDEX_NAME, H5_ITER_INC, nullptr,
+      [](hid_t, const char* name, const H5L_info_t*, void* into) -> herr_t {
+        static_cast<std::vector<std::string>*>(into)->emplace_back(name);
+        return 0;
+      },
+      &names);
+  ping_count_ = std::numeric_limits<std::uint64_t>::max();
+  for (const std::string& name : names) {
+    add_table(name);
+  }
+}
+
+void RecordedTables::add_table(const std::string& name) {
+  if (name == "." || name == "..") {
+    throw Error(fmt::format("{}: is no recording: it has a dataset called {}", path_.string(), name));
+  }
+  const H5Handle object(H5Oopen(file_.get(), name.c_str(), H5P_DEFAULT), H5Oclose);
+  if (!object || H5Iget_type(object.get()) != H5I_DATASET) {
+    return;
+  }
+  const std::string doing = "read " + name;
+  const H5Handle dataset = h5_own(H5Dopen2(file_.get(), name.c_str(), H5P_DEFAULT), H5Dclose, path_, doing);
+  const H5Handle stored = h5_own(H5Dget_type(dataset.get()), H5Tclose, path_, doing);
+  const H5Handle space = h5_own(H5Dget_space(dataset.get()), H5Sclose, path_, doing);
+  std::vector<hsize_t> shape = shape_of(space.get());
+  if (H5Tget_class(stored.get()) == H5T_STRING) {
+    const nlohmann::json texts = dataset_json(dataset.get());
+    if (texts.is_array()) {
+      names_.push_back({name, texts.get<std::vector<std::string>>()});
+    }
+    return;
+  }
+  RecordedTable table;
+  table.name = name;
+  table.type = numpy_type(stored.get());
+  if (table.type.empty()) {
+    return;
+  }
+  table.value_bytes = H5Tget_size(stored.get());
+  table.notes = attributes_of(dataset.get());
+  std::istringstream words(table.notes.value("axes", ""));
+  for (std::string axis; words >> axis;) {
+    table.axes.push_back(axis);
+  }
+  table.notes.erase("axes");
+  table.by_ping = name == "intensity" || (!table.axes.empty() && table.axes.front() == "ping");
+  if (table.by_ping && !shape.empty()) {
+    ping_count_ = std::min<std::uint64_t>(ping_count_, shape.front());
+    shape.erase(shape.begin());
+  }
+  if (!table.axes.empty() && table.axes.back() == "part" && table.type == "<f4" && !shape.empty() &&
+      shape.back() == 2) {
+    table.type = "<c8";  // Real and imaginary part.
+    table.value_bytes *= 2;
+    table.axes.pop_back();
+    shape.pop_back();
+  }
+  table.row.assign(shape.begin(), shape.end());
+  tables_.push_back(std::move(table));
+}
+
+nlohmann::json RecordedTables::settings() const {
+  const H5Quiet quiet;
+  nlohmann::json found = nlohmann::json::object();
+  if (H5Lexists(file_.get(), "settings", H5P_DEFAULT) <= 0) {
+    return found;
+  }
+  const H5Handle group = h5_own(H5Gopen2(file_.get(), "settings", H5P_DEFAULT), H5Gclose, path_, "read settings");
+  H5Lvisit(
+      group.get(), H5_INDEX_NAME, H5_ITER_INC,
+      [](hid_t from, const char* name, const H5L_info_t*, void* into) -> herr_t {
+        const H5Handle object(H5Oopen(from, name, H5P_DEFAULT), H5Oclose);
+        if (object && H5Iget_type(object.get()) == H5I_DATASET) {
+          const nlohmann::json::json_pointer place("/" + std::string(name));
+          (*static_cast<nlohmann::json*>(into))[place] = dataset_json(object.get());
+        }
+        return 0;
+      },
+      &found);
+  return found;
+}
+
+std::string RecordedTables::text(const std::string& attribute) const {
+  const auto found = attributes_.find(attribute);
+  return found != attributes_.end() && found->is_string() ? found->get<std::string>() : "";
+}
+
+std::vector<std::byte> RecordedTables::row(const RecordedTable& table, std::uint64_t ping) const {
+  const H5Quiet quiet;
+  const std::string doing = "read " + table.name;
+  const H5Handle dataset = h5_own(H5Dopen2(file_.get(), table.name.c_str(), H5P_DEFAULT), H5Dclose, path_, doing);
+  const H5Handle stored = h5_own(H5Dget_type(dataset.get()), H5Tclose, path_, doing);
+  const H5Handle native = native_type(stored, path_, table.name);
+  const H5Handle from = h5_own(H5Dget_space(dataset.get()), H5Sclose, path_, doing);
+  std::vector<hsize_t> length = shape_of(from.get());
+  if (table.by_ping && !length.empty()) {
+    std::vector<hsize_t> start(length.size(), 0);
+    start.front() = ping;
+    length.front() = 1;
+    h5_check(H5Sselect_hyperslab(from.get(), H5S_SELECT_SET, start.data(), nullptr, length.data(), nullptr), path_,
+             doing);
+  }
+  const H5Handle to = length.empty() ? h5_own(H5Screate(H5S_SCALAR), H5Sclose, path_, doing)
+                                     : h5_own(H5Screate_simple(static_cast<int>(length.size()), length.data(), nullptr),
+                                              H5Sclose, path_, doing);
+  std::vector<std::byte> bytes(table.row_bytes());
+  h5_check(H5Dread(dataset.get(), native.get(), to.get(), from.get(), H5P_DEFAULT, bytes.data()), path_, doing);
+  return bytes;
+}
+
+}  // namespace insonify

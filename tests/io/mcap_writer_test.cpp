@@ -1,0 +1,212 @@
+// mcap_writer_test.cpp -- records of MCAP files: chunks in time, replacing files, full disks, reading back.
+
+#include "io/mcap/mcap_writer.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+
+#include <csignal>
+#include <fstream>
+#include <sstream>
+
+#include "insonify/mcap_recording.h"
+#include "insonify/recording_info.h"
+#include "io/mcap/mcap_reader.h"
+#include "support/message_of.h"
+#include "support/working_folder.h"
+
+namespace insonify {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+std::vector<std::byte> bytes_of(const std::string& text) {
+  const auto bytes = std::as_bytes(std::span(text));
+  return {bytes.begin(), bytes.end()};
+}
+
+std::string text_of(const std::filesystem::path& file) {
+  std::ostringstream text;
+  text << std::ifstream(file, std::ios::binary).rdbuf();
+  return text.str();
+}
+
+// The files of the current folder.
+std::vector<std::string> files() {
+  std::vector<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(".")) {
+    names.push_back(entry.path().filename().string());
+  }
+  std::ranges::sort(names);
+  return names;
+}
+
+class McapWriterTest : public testing::Test {
+ protected:
+  WorkingFolder folder;
+};
+
+TEST_F(McapWriterTest, BytesOfTheStartAreThoseOfTheSpecification) {
+  McapWriter("a.mcap", "us", false).close();
+  // Magic; opcode 1, a length of 4 + 4 + 4 + 2 bytes, profile and library with their lengths.
+  EXPECT_EQ(text_of("a.mcap").substr(0, 31),
+            std::string("\x89MCAP0\r\n\x01\x0e\0\0\0\0\0\0\0\x04\0\0\0ros2\x02\0\0\0us", 31));
+  EXPECT_TRUE(text_of("a.mcap").ends_with("\x89MCAP0\r\n"));
+}
+
+TEST_F(McapWriterTest, ReadsBackWhatWasWritten) {
+  McapWriter out("a.mcap", "us", false);
+  out.add_metadata("about", {{"seed", "7"}, {"", "x"}});
+  const auto first = out.add_channel("/a", "p/msg/A", "int32 a\n");
+  const auto second = out.add_channel("/b", "p/msg/A", "int32 a\n");
+  EXPECT_EQ(out.add_channel("/a", "p/msg/A", "int32 a\n"), first);
+  out.add(second, 5, bytes_of("five"));
+  out.add(first, 3, bytes_of(""));
+  out.add(second, 9, bytes_of("nine"));
+  out.close();
+  const McapReader in("a.mcap");
+  EXPECT_TRUE(in.is_whole());
+  EXPECT_EQ(in.metadata().at("about").at("seed"), "7");
+  EXPECT_EQ(in.topics().at("/b"), "p/msg/A");
+  ASSERT_EQ(in.messages("/b").size(), 2);
+  EXPECT_EQ(in.messages("/b")[1].time, 9);
+  EXPECT_EQ(in.read(in.messages("/b")[1]), bytes_of("nine"));
+  EXPECT_EQ(in.read(in.messages("/a")[0]), bytes_of(""));
+  EXPECT_TRUE(in.messages("/c").empty());
+}
+
+TEST_F(McapWriterTest, WritesAChunkInTimeThoughNothingMoreComes) {
+  McapWriter out("a.mcap", "us", false);
+  const auto channel = out.add_channel("/a", "p/msg/A", "int32 a\n");
+  const auto begun = std::chrono::steady_clock::now();
+  out.add(channel, 1, bytes_of("one"));
+  EXPECT_TRUE(McapReader("a.mcap").messages("/a").empty());  // Still in memory.
+  while (McapReader("a.mcap").messages("/a").empty()) {
+    ASSERT_LT(std::chrono::steady_clock::now() - begun, std::chrono::seconds(20)) << "a busy machine may be late";
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+  EXPECT_GE(std::chrono::steady_clock::now() - begun, McapWriter::kLongestChunk);
+  EXPECT_FALSE(McapReader("a.mcap").is_whole());
+  out.add(channel, 2, bytes_of("two"));
+  out.close();
+  EXPECT_EQ(McapReader("a.mcap").messages("/a").size(), 2);
+}
+
+TEST_F(McapWriterTest, LargeChunksDoNotWait) {
+  McapWriter out("a.mcap", "us", false);
+  const auto channel = out.add_channel("/a", "p/msg/A", "int32 a\n");
+  out.add(channel, 1, std::vector<std::byte>(5'000'000, std::byte{3}));
+  EXPECT_EQ(McapReader("a.mcap").messages("/a").size(), 1);
+}
+
+TEST_F(McapWriterTest, ADestroyedWriterLeavesAWholeFile) {
+  {
+    McapWriter out("a.mcap", "us", false);
+    out.add(out.add_channel("/a", "p/msg/A", "int32 a\n"), 1, bytes_of("one"));
+  }
+  EXPECT_TRUE(McapReader("a.mcap").is_whole());
+}
+
+TEST_F(McapWriterTest, ReplacesAnEarlierFileOnlyWhenClosed) {
+  folder.write("a.mcap", "earlier");
+  EXPECT_EQ(message_of([] { McapWriter("a.mcap", "us", false); }), "a.mcap: cannot create: it is there already");
+  {
+    McapWriter out("a.mcap", "us", true);
+    EXPECT_NE(out.place(), "a.mcap");
+    out.add(out.add_channel("/a", "p/msg/A", "int32 a\n"), 1, bytes_of("one"));
+  }
+  EXPECT_EQ(text_of("a.mcap"), "earlier");
+  EXPECT_EQ(files().size(), 2);  // The new one stays beside it.
+  { McapWriter unused("a.mcap", "us", true); }
+  EXPECT_EQ(files().size(), 2);
+  McapWriter out("a.mcap", "us", true);
+  out.close();
+  EXPECT_TRUE(McapReader("a.mcap").is_whole());
+}
+
+TEST_F(McapWriterTest, AnOnlyWholeFileLeavesNothingUnlessClosed) {
+  {
+    McapWriter out("a.mcap", "us", false, true);
+    out.add(out.add_channel("/a", "p/msg/A", "int32 a\n"), 1, bytes_of("one"));
+    EXPECT_FALSE(std::filesystem::exists("a.mcap"));
+  }
+  EXPECT_TRUE(files().empty());
+}
+
+TEST_F(McapWriterTest, TwoWritersDoNotShareAFile) {
+  const McapWriter one("a.mcap", "us", false);
+  EXPECT_EQ(message_of([] { McapWriter("a.mcap", "us", true); }),
+            "a.mcap: cannot create: another run is writing it; choose another folder");
+}
+
+TEST_F(McapWriterTest, ATopicHasOneType) {
+  McapWriter out("a.mcap", "us", false);
+  (void)out.add_channel("/a", "p/msg/A", "int32 a\n");
+  EXPECT_EQ(message_of([&] { (void)out.add_channel("/a", "p/msg/B", "int32 b\n"); }),
+            "a.mcap: topic /a cannot be p/msg/A and p/msg/B");
+}
+
+TEST_F(McapWriterTest, SaysSoWhenItsFileIsRemoved) {
+  McapWriter out("a.mcap", "us", false);
+  const auto channel = out.add_channel("/a", "p/msg/A", "int32 a\n");
+  out.add(channel, 1, bytes_of("one"));
+  std::filesystem::remove("a.mcap");
+  EXPECT_THAT(message_of([&] { out.close(); }), HasSubstr("a.mcap: is no longer there"));
+}
+
+TEST_F(McapWriterTest, AFullDiskKeepsTheChunksBefore) {
+  // A limit on files stands for the end of a disk.
+  const pid_t child = fork();
+  if (child == 0) {
+    std::signal(SIGXFSZ, SIG_IGN);
+    const rlimit limit{100'000, 100'000};
+    setrlimit(RLIMIT_FSIZE, &limit);
+    McapWriter out("a.mcap", "us", false);
+    const auto channel = out.add_channel("/a", "p/msg/A", "int32 a\n");
+    std::vector<std::byte> same(4'200'000, std::byte{1});
+    out.add(channel, 1, same);
+    std::vector<std::byte> noise(4'200'000);
+    std::uint32_t state = 1;
+    for (std::byte& value : noise) {
+      state = state * 1664525 + 1013904223;
+      value = static_cast<std::byte>(state >> 24U);
+    }
+    const std::string message = message_of([&] { out.add(channel, 2, noise); });
+    _exit(message == "a.mcap: cannot write: File too large; what was written before stays readable" ? 0 : 1);
+  }
+  int status = 0;
+  waitpid(child, &status, 0);
+  EXPECT_EQ(status, 0);
+  const McapReader in("a.mcap");
+  EXPECT_EQ(in.messages("/a").size(), 1);
+  EXPECT_EQ(in.read(in.messages("/a")[0]).size(), 4'200'000);
+}
+
+TEST_F(McapWriterTest, ReadersRefuseWhatIsBroken) {
+  folder.write("text.mcap", "world: none\n");
+  EXPECT_EQ(message_of([] { McapReader("text.mcap"); }), "text.mcap: is no MCAP file");
+  EXPECT_EQ(message_of([] { McapReader("none.mcap"); }), "none.mcap: no such file");
+  {
+    McapWriter out("a.mcap", "us", false);
+    out.add(out.add_channel("/a", "p/msg/A", "int32 a\n"), 1, bytes_of("one"));
+  }
+  const std::string whole = text_of("a.mcap");
+  EXPECT_EQ(message_of([] { (void)recording_info("a.mcap"); }),
+            "a.mcap: was not recorded by insonify: it has no metadata insonify");
+  // However it is cut or changed: an error or a reader, never a crash.
+  for (std::size_t i = 8; i < whole.size(); ++i) {
+    std::string broken = whole;
+    broken[i] = static_cast<char>(broken[i] ^ 0x41);
+    folder.write("broken.mcap", broken);
+    const std::string changed = message_of([] { McapReader("broken.mcap"); });
+    EXPECT_TRUE(changed == "no error" || changed.starts_with("broken.mcap: ")) << changed;
+    folder.write("cut.mcap", whole.substr(0, i));
+    const std::string cut = message_of([] { McapReader("cut.mcap"); });
+    EXPECT_EQ(cut, "no error") << i;
+  }
+}
+
+}  // namespace
+}  // namespace insonify
