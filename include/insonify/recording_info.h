@@ -29,10 +29,10 @@ struct RecordedSonar {
 struct RecordingInfo {
   std::string format = {};  ///< "HDF5" or "MCAP".
   RecordingState state = RecordingState::kWhole;
-  std::uint64_t bytes = 0;  ///< Size of the file.
-  std::string version = {};      ///< Of the insonify that made it.
-  std::string model = {};        ///< "calibrated" or "paper".
-  std::string engine = {};       ///< "cpu", "reference".
+  std::uint64_t bytes = 0;   ///< Size of the file.
+  std::string version = {};  ///< Of the insonify that made it.
+  std::string model = {};    ///< "calibrated" or "paper".
+  std::string engine = {};   ///< "cpu", "reference".
   std::optional<std::uint64_t> seed = {};
   std::string scenario = {};  ///< Text of the scenario file.
   std::vector<RecordedSonar> sonars = {};

@@ -11,7 +11,7 @@ const kPage = path.resolve(path.dirname(fileURLToPath(import.meta.url)), "../../
 
 export class MockServer {
   constructor({ noise = false, rate = 10 } = {}) {
-    Object.assign(this, { noise, rate, requests: [], watched: "fls", tables: ["level"], number: 0, headAngle: 0 });
+    Object.assign(this, { made: new Map(), noise, rate, requests: [], watched: "fls", tables: ["level"], number: 0, headAngle: 0 });
     this.sonars = makeSonars();
     this.vehicle = { position: [0, 0, 0], yaw: 0 };
     this.fly = { linear: [0, 0, 0], angular: [0, 0, 0] };
@@ -78,7 +78,10 @@ export class MockServer {
     if (op === "pause") this.state.paused = request.on;
     if (op === "follow") this.state.follow = request.on;
     if (op === "speed") this.state.speed = request.factor;
-    if (op === "fly") this.fly = request;
+    if (op === "fly") {
+      this.fly = request;
+      this.state.follow &&= ![...request.linear, ...request.angular].some((part) => part !== 0);
+    }
     if (op === "place") this.vehicle.position = request.position;
     if (op === "step") this.#ping();
     if (op === "record") this.state.recording = request.on ? `out/live.${request.format}` : null;
@@ -126,7 +129,7 @@ export class MockServer {
     const sonar = this.sonars.find(({ name }) => name === this.watched);
     if (sonar.type === "msis") this.headAngle += (sonar.step * Math.PI) / 180;
     const headAngle = sonar.type === "msis" ? Math.atan2(Math.sin(this.headAngle), Math.cos(this.headAngle)) : 0;
-    this.say(makePing(sonar, this.number++, this.vehicle, headAngle, this.tables, this.noise));
+    this.say(makePing(sonar, this.number++, this.vehicle, headAngle, this.tables, this.noise, this.made));
     this.state.pings_since_change = this.number;
   }
 }

@@ -35,8 +35,7 @@ function echo(sonar, vehicle, azimuth, range, binLength, beamWidth, noise) {
   return [-52 - 30 * Math.log10(range) + 8 * noise, 2, 2, -Math.asin(grazing)];
 }
 
-/** Binary message of one ping. */
-export function makePing(sonar, number, vehicle, headAngle, wanted, withNoise) {
+function makeTables(sonar, vehicle, headAngle, withNoise) {
   const { beams, bins } = sonar;
   const cells = beams * bins;
   const tables = { level: new Uint16Array(cells), instance: new Int32Array(cells).fill(-1), material: new Int32Array(cells).fill(-1), elevation: new Float32Array(cells).fill(NaN), shadow: new Uint8Array(cells), multipath: new Uint8Array(cells) };
@@ -58,9 +57,18 @@ export function makePing(sonar, number, vehicle, headAngle, wanted, withNoise) {
       tables.multipath[i] = found[1] === 1 ? 2 : 1;
     }
   }
+  return tables;
+}
+
+/** Binary message of one ping. Without noise, tables that `made` has are not made again. */
+export function makePing(sonar, number, vehicle, headAngle, wanted, withNoise, made) {
+  const key = JSON.stringify([sonar.name, sonar.beams, sonar.bins, sonar.max_range, vehicle, headAngle]);
+  const tables = (!withNoise && made.get(key)) || makeTables(sonar, vehicle, headAngle, withNoise);
+  if (!made.has(key)) made.clear();
+  made.set(key, tables);
   const orientation = [Math.cos(vehicle.yaw / 2), 0, 0, Math.sin(vehicle.yaw / 2)];
   const pose = { position: vehicle.position, orientation };
-  const header = { sonar: sonar.name, number, time: number * sonar.period, beams, bins, ...pose, vehicle: pose, head_angle: (headAngle * 180) / Math.PI, ms: 7.5 };
+  const header = { sonar: sonar.name, number, time: number * sonar.period, beams: sonar.beams, bins: sonar.bins, ...pose, vehicle: pose, head_angle: (headAngle * 180) / Math.PI, ms: 7.5 };
   return encode(1, header, Object.entries(tables).filter(([name]) => wanted.includes(name)));
 }
 

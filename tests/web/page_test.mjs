@@ -3,7 +3,7 @@
 
 import assert from "node:assert/strict";
 import { openPage, needBrowser } from "./browser.mjs";
-import { need, pause, runChecks, until } from "./checks.mjs";
+import { crowd, need, pause, runChecks, until } from "./checks.mjs";
 
 needBrowser();
 const { default: puppeteer } = await need("puppeteer-core");
@@ -11,7 +11,7 @@ await need("ws");
 const { MockServer } = await import("./mock_server.mjs");
 const { kPoint, kHostile } = await import("./mock_sonar.mjs");
 
-const server = new MockServer({ rate: 10 });
+const server = new MockServer({ rate: 5 });
 const address = await server.start();
 const { browser, page } = await openPage(puppeteer);
 
@@ -44,11 +44,12 @@ async function askedFor(path, control, to, expected = `${path}=${to}`) {
 }
 
 const failed = await runChecks({
-  async "the first picture is there within two seconds"() {
+  async "the first picture is there within two seconds, as far as the machine is free"() {
     await page.goto(address);
     const drawn = await until(() => page.evaluate(() => globalThis.insonify?.picture.drawn), "a picture", 10);
-    assert.ok(drawn < 2000, `${drawn} ms`);
-    console.log(`        first picture after ${drawn.toFixed(0)} ms`);
+    const limit = 2000 * crowd();
+    console.log(`        first picture after ${drawn.toFixed(0)} ms, limit ${limit.toFixed(0)} ms`);
+    assert.ok(drawn < limit, `${drawn} ms`);
     const shades = await page.evaluate(() => {
       insonify.picture.draw();  // A browser keeps no drawn WebGL picture.
       const made = document.createElement("canvas");
@@ -383,7 +384,7 @@ const failed = await runChecks({
     const own = page.faults.filter((fault) => !/WebSocket|ERR_CONNECTION/.test(fault));
     assert.deepEqual(own, []);
   },
-});
+}, process.argv[2]);
 
 await browser.close();
 process.exit(failed === 0 ? 0 : 1);

@@ -7,6 +7,7 @@
 
 #include "console/console.h"
 #include "console/outcome.h"
+#include "console/stop.h"
 #include "insonify/files.h"
 #include "insonify/scenario_requests.h"
 #include "insonify/simulator.h"
@@ -16,7 +17,6 @@
 #include "run/disk_space.h"
 #include "run/hints.h"
 #include "run/progress.h"
-#include "console/stop.h"
 #include "run/tracks.h"
 #include "run/views.h"
 #include "run/world_report.h"

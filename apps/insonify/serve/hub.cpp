@@ -117,7 +117,6 @@ void Hub::tell_state() {
     computing_time_ = 0;
     counted_at_ = now;
   }
-  counts_.clients = members_.size();
   for (HubMember* member : std::set<HubMember*>(members_)) {
     member->on_state();
   }

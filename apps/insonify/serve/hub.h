@@ -21,6 +21,7 @@ class SharedPing {
  public:
   explicit SharedPing(std::shared_ptr<const LivePing> ping) : ping_(std::move(ping)) {}
   [[nodiscard]] const LivePing& ping() const { return *ping_; }
+  [[nodiscard]] const std::shared_ptr<const LivePing>& shared() const { return ping_; }
   /// ping_frame(), made once for each choice of tables.
   [[nodiscard]] const Bytes& frame(unsigned tables);
 
@@ -44,7 +45,7 @@ class HubMember {
 /// Takes pings from the loop's thread to the server's. Of each sonar only the last few wait there.
 class Hub : public LiveListener {
  public:
-  Hub(LiveLoop& loop, NetServer*& server, std::filesystem::path recording)
+  Hub(LiveLoop& loop, NetServer& server, std::filesystem::path recording)
       : loop_(loop), server_(server), recording_(std::move(recording)) {}
 
   // Threads of the loop.
@@ -54,6 +55,8 @@ class Hub : public LiveListener {
 
   // The server's thread.
   void join(HubMember& member) { members_.insert(&member); }
+  void client_came() { ++counts_.clients; }
+  void client_left() { --counts_.clients; }
   void leave(HubMember& member);
   [[nodiscard]] LiveLoop& loop() { return loop_; }
   [[nodiscard]] bool ready() const { return hello_ != nullptr; }
@@ -69,7 +72,7 @@ class Hub : public LiveListener {
   /// Has tell_state() called soon, in the server's thread. From any thread.
   void tell_state_soon();
   /// Has a function called in the server's thread, if that still runs. From any thread.
-  void post(std::function<void()> function) { server_->post(std::move(function)); }
+  void post(std::function<void()> function) { server_.post(std::move(function)); }
 
   /// A file name for a recording that is not there yet.
   [[nodiscard]] std::filesystem::path recording_path(const std::string& ending);
@@ -80,7 +83,7 @@ class Hub : public LiveListener {
   void greet();
 
   LiveLoop& loop_;
-  NetServer*& server_;
+  NetServer& server_;
   std::filesystem::path recording_;
 
   std::mutex mutex_;  // Guards what follows, up to the blank line.

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <boost/asio/ip/tcp.hpp>
 #include <boost/asio/post.hpp>
 #include <boost/asio/signal_set.hpp>
@@ -16,6 +17,7 @@
 #include <deque>
 #include <set>
 
+#include "console/outcome.h"
 #include "insonify/error.h"
 #include "insonify/printable.h"
 
@@ -108,14 +110,10 @@ class Session : public std::enable_shared_from_this<Session>, public Connection 
     }
     if (message.droppable) {
       // The one that is being sent stays.
-      std::size_t waiting = 0;
-      for (std::size_t i = writing_ ? 1 : 0; i < queue_.size(); ++i) {
-        waiting += queue_[i].droppable ? 1 : 0;
-      }
-      if (waiting >= kQueuedPings) {
-        const auto oldest = std::find_if(queue_.begin() + (writing_ ? 1 : 0), queue_.end(),
-                                         [](const OutMessage& one) { return one.droppable; });
-        queue_.erase(oldest);
+      const auto first = queue_.begin() + (writing_ ? 1 : 0);
+      const auto is_alike = [&](const OutMessage& one) { return one.droppable && one.stream == message.stream; };
+      if (static_cast<std::size_t>(std::count_if(first, queue_.end(), is_alike)) >= kQueuedPings) {
+        queue_.erase(std::find_if(first, queue_.end(), is_alike));
         ++dropped_;
       }
     } else {
@@ -151,6 +149,8 @@ class Session : public std::enable_shared_from_this<Session>, public Connection 
   }
 
   [[nodiscard]] std::uint64_t dropped() const override { return dropped_; }
+
+  void forget_client() { client_.reset(); }
 
   // At the end of the server.
   void shut() {
@@ -325,10 +325,10 @@ class Session : public std::enable_shared_from_this<Session>, public Connection 
       return;
     }
     writing_ = true;
-    const OutMessage& message = queue_.front();
-    websocket_.binary(message.binary);
-    sending_ = message.bytes;  // Stays alive, whatever happens to the queue.
-    websocket_.async_write(net::buffer(*sending_), [self = shared_from_this()](error_code failure, std::size_t) {
+    websocket_.binary(queue_.front().binary);
+    sending_ = queue_.front();  // Stays alive, whatever happens to the queue.
+    const std::array<net::const_buffer, 2> buffers = {net::buffer(sending_.head), net::buffer(*sending_.bytes)};
+    websocket_.async_write(buffers, [self = shared_from_this()](error_code failure, std::size_t) {
       self->writing_ = false;
       if (failure || self->queue_.empty()) {
         return;
@@ -352,7 +352,7 @@ class Session : public std::enable_shared_from_this<Session>, public Connection 
   std::uint16_t close_code_ = 0;
   bool open_ = false, ending_ = false, writing_ = false, close_sent_ = false;
   std::deque<OutMessage> queue_;
-  std::shared_ptr<const std::string> sending_;
+  OutMessage sending_;
   std::size_t waiting_bytes_ = 0;
   std::uint64_t dropped_ = 0;
 };
@@ -430,7 +430,8 @@ NetServer::NetServer(NetServerOptions options) : state_(std::make_unique<State>(
   error_code failure;
   const net::ip::address address = net::ip::make_address(chosen.address, failure);
   if (failure) {
-    throw Error(fmt::format("--address {} must be an IP address, such as 127.0.0.1 or ::1", printable(chosen.address)));
+    throw InputError(
+        fmt::format("--address {} must be an IP address, such as 127.0.0.1 or ::1", printable(chosen.address)));
   }
   const tcp::endpoint endpoint(address, chosen.port);
   const auto attempt = [&](const auto& function) {
@@ -453,7 +454,7 @@ std::uint16_t NetServer::port() const {
   return state_->acceptor.local_endpoint().port();
 }
 
-void NetServer::run() {
+void NetServer::watch_signals() {
   State& state = *state_;
   state.signals.add(SIGINT);
   state.signals.add(SIGTERM);
@@ -462,8 +463,15 @@ void NetServer::run() {
       state.end();
     }
   });
+}
+
+void NetServer::run() {
+  State& state = *state_;
   state.accept();
   state.context.run();
+  for (Session* session : state.shared->sessions) {
+    session->forget_client();
+  }
 }
 
 void NetServer::stop() {

@@ -18,11 +18,13 @@ namespace insonify {
 /// What goes out to clients. The bytes are shared by all clients they go to.
 struct OutMessage {
   std::shared_ptr<const std::string> bytes;
+  std::string head = {};  ///< Goes before them.
   bool binary = false;
-  bool droppable = false;  ///< A ping: falls out of the queue when more than kQueuedPings wait.
+  bool droppable = false;    ///< A ping: falls out of the queue when more than kQueuedPings of its stream wait.
+  std::uint32_t stream = 0;  ///< Where a connection has several.
 };
 
-/// Pings that wait for one client, at most.
+/// Pings of one stream that wait for one client, at most.
 inline constexpr std::size_t kQueuedPings = 4;
 
 /// One open WebSocket connection. For the server's thread only, as all here where nothing else is said.
@@ -73,7 +75,9 @@ class NetServer {
 
   [[nodiscard]] std::uint16_t port() const;
 
-  /// Serves until SIGINT, SIGTERM or stop(); then closes all connections, within a second.
+  /// From here on SIGINT and SIGTERM end run(), also where it has not begun yet.
+  void watch_signals();
+  /// Serves until a signal or stop(); then closes all connections, within a second. Clients are gone when it returns.
   void run();
   /// From any thread.
   void stop();

@@ -3,9 +3,11 @@
 #include "serve/serve.h"
 
 #include <chrono>
+#include <future>
 
 #include "console/console.h"
 #include "console/outcome.h"
+#include "serve/foxglove_feed.h"
 #include "serve/hub.h"
 #include "serve/page_files.h"
 #include "serve/viewer_client.h"
@@ -41,14 +43,9 @@ void check(const ServeOptions& options) {
   }
 }
 
-}  // namespace
-
-int serve(const ServeOptions& options) {
-  check(options);
-  NetServer* server_pointer = nullptr;
-  std::unique_ptr<LiveLoop> loop;
+std::unique_ptr<LiveLoop> loop_of(const ServeOptions& options) {
   try {
-    loop = std::make_unique<LiveLoop>(
+    return std::make_unique<LiveLoop>(
         options.scenario, options.settings,
         LiveOptions{.threads = options.threads,
                     .rate_limit = options.rate > 0 ? std::optional(options.rate) : std::nullopt,
@@ -57,26 +54,81 @@ int serve(const ServeOptions& options) {
   } catch (const Error& error) {
     throw InputError(error.what());
   }
-  const std::filesystem::path base = options.recording.empty() ? options.scenario.filename() : options.recording;
-  Hub hub(*loop, server_pointer, base);
+}
+
+// Waits for the loop to begin to record.
+void record_from_start(const ServeOptions& options, LiveLoop& loop) {
+  if (options.recording.empty()) {
+    return;
+  }
+  std::promise<std::string> begun;
+  loop.record(options.recording, [&begun](const std::string& error) { begun.set_value(error); });
+  if (const std::string error = begun.get_future().get(); !error.empty()) {
+    throw InputError(error);
+  }
+}
+
+void print_end(const LiveState& state, const std::string& recording, double seconds) {
+  say("{} pings in {:.1f} s\n", state.pings_made, seconds);
+  if (!recording.empty()) {
+    say("recording: {} ({} pings)\n", recording, state.recorded_pings);
+  }
+}
+
+// Ends a loop before what listens to it, whatever happens.
+class LoopEnd {
+ public:
+  explicit LoopEnd(LiveLoop& loop) : loop_(loop) {}
+  ~LoopEnd() {
+    try {
+      loop_.end();
+    } catch (const Error& error) {
+      complain(error.what());
+    }
+  }
+  LoopEnd(const LoopEnd&) = delete;
+  LoopEnd& operator=(const LoopEnd&) = delete;
+
+ private:
+  LiveLoop& loop_;
+};
+
+}  // namespace
+
+int serve(const ServeOptions& options) {
+  check(options);
+  Hub* hub_of_clients = nullptr;
+  FoxgloveFeed* feed_of_clients = nullptr;
   NetServer server(
       {.address = options.address,
        .port = static_cast<std::uint16_t>(options.port),
        .access = {.token = options.token, .origins = options.origins},
-       .protocols = {std::string(kViewerProtocol)},
+       .protocols = {std::string(kViewerProtocol), std::string(kFoxgloveSdkProtocol), std::string(kFoxgloveProtocol)},
        .file = [&options](std::string_view path) { return page_file(path, options.page); },
-       .client = [&hub](Connection& connection, const std::string&) { return make_viewer_client(connection, hub); }});
-  server_pointer = &server;
-  server.every(std::chrono::seconds(1), [&hub] { hub.tell_state(); });
+       .client =
+           [&](Connection& connection, const std::string& protocol) {
+             return protocol == kViewerProtocol ? make_viewer_client(connection, *hub_of_clients)
+                                                : feed_of_clients->client(connection);
+           }});
+  const std::unique_ptr<LiveLoop> loop = loop_of(options);
+  Hub hub(*loop, server, options.recording.empty() ? options.scenario.filename() : options.recording);
+  FoxgloveFeed feed(hub);
+  hub_of_clients = &hub;
+  feed_of_clients = &feed;
+  const LoopEnd end(*loop);
+
   const Clock::time_point start = Clock::now();
+  server.watch_signals();
   loop->start(hub);
+  record_from_start(options, *loop);
+  server.every(std::chrono::seconds(1), [&hub] { hub.tell_state(); });
   say("{}\n", url_of(options, server.port()));
   flush_output();
   server.run();
+  const std::string recording = loop->state().recording;
   loop->end();
   if (!options.quiet) {
-    const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
-    say("{} pings in {:.1f} s\n", loop->state().pings_made, seconds);
+    print_end(loop->state(), recording, std::chrono::duration<double>(Clock::now() - start).count());
   }
   return kDone;
 }

@@ -81,6 +81,7 @@ class ViewerClient : public Client, public HubMember, public std::enable_shared_
   ViewerClient(Connection& connection, Hub& hub) : connection_(connection), hub_(hub) {}
 
   void begin() {
+    hub_.client_came();
     hub_.join(*this);
     if (hub_.ready()) {
       on_world();
@@ -111,7 +112,7 @@ class ViewerClient : public Client, public HubMember, public std::enable_shared_
     tell(hub_.hello());
     if (hub_.scene() != scene_) {
       scene_ = hub_.scene();
-      connection_.send({scene_, true, false});
+      connection_.send({.bytes = scene_, .binary = true});
     }
     on_state();
     for (std::size_t i = 0; i < hub_.world().sonars.size(); ++i) {
@@ -135,16 +136,16 @@ class ViewerClient : public Client, public HubMember, public std::enable_shared_
       return;
     }
     if (!ping.moved.empty()) {
-      connection_.send({moved_frame(ping), true, true});
+      connection_.send({.bytes = moved_frame(ping), .binary = true, .droppable = true, .stream = 1});
     }
-    connection_.send({shared.frame(tables_), true, true});
+    connection_.send({.bytes = shared.frame(tables_), .binary = true, .droppable = true});
   }
 
   [[nodiscard]] bool flies() const override { return flies_; }
 
  private:
   void tell(std::string text) { tell(std::make_shared<const std::string>(std::move(text))); }
-  void tell(const Bytes& bytes) { connection_.send({bytes, false, false}); }
+  void tell(const Bytes& bytes) { connection_.send({.bytes = bytes}); }
 
   void end(const std::string& reason) {
     tell(closing_text(reason));
@@ -212,8 +213,8 @@ class ViewerClient : public Client, public HubMember, public std::enable_shared_
       return;
     }
     const std::string format = message.contains("format") ? text_of(message, "format") : "h5";
-    if (format != "h5") {
-      throw Error(fmt::format("format = \"{}\" must be h5", printable(format)));
+    if (format != "h5" && format != "mcap") {
+      throw Error(fmt::format("format = \"{}\" must be h5 or mcap", printable(format)));
     }
     hub_.loop().record(hub_.recording_path("." + format), answer("record"));
   }
@@ -268,7 +269,10 @@ class Holder : public Client {
   Holder(Connection& connection, Hub& hub) : hub_(hub), client_(std::make_shared<ViewerClient>(connection, hub)) {
     client_->begin();
   }
-  ~Holder() override { hub_.leave(*client_); }
+  ~Holder() override {
+    hub_.leave(*client_);
+    hub_.client_left();
+  }
   Holder(const Holder&) = delete;
   Holder& operator=(const Holder&) = delete;
   void on_text(std::string_view text) override { client_->on_text(text); }

@@ -13,7 +13,6 @@ export class Flight {
   #timer = 0;
 
   constructor(store, request, notes) {
-    this.store = store;
     this.request = request;
     this.notes = notes;
     this.speed = 1;
@@ -52,7 +51,6 @@ export class Flight {
     clearTimeout(this.#timer);
     if (moves) this.#timer = setTimeout(() => { this.#sent = ""; this.#send(); }, kRepeat);
     if (text === this.#sent || (!moves && this.#sent === "")) return;
-    if (moves && this.store.get("status")?.follow) this.request({ op: "follow", on: false });
     this.notes.expect("fly", byId("error-fly"));
     this.request({ op: "fly", linear, angular });
     this.#sent = moves ? text : "";

@@ -4,6 +4,7 @@ import { byId, element } from "../dom.js";
 import { generalKey, groupOf, labelOf, rankOf } from "./setting_names.js";
 
 const kRanges = [1, 2, 3, 5, 7.5, 10, 15, 20, 25, 30, 40, 50, 60, 75, 100, 120, 150, 200, 300, 500];
+const kOfHead = new Set(["S.step_deg", "S.sector_center_deg", "S.sector_width_deg", "S.mounting"]);  // scanning heads only
 const kBins = [64, 125, 250, 500, 750, 1000, 1500, 2000, 4000];
 
 /** Builds and updates the controls; `apply(settings, line, failed)` sends them. */
@@ -40,7 +41,7 @@ function keysOfSonar(store) {
   const index = hello?.sonars.findIndex((sonar) => sonar.name === name) ?? -1;
   return Object.entries(hello?.keys ?? {})
     .map(([path, entry]) => [path, entry, generalKey(path, index, name)])
-    .filter(([, , key]) => key !== null)
+    .filter(([, , key]) => key !== null && (store.get("sonar")?.scanning || !kOfHead.has(key)))
     .sort(([, , a], [, , b]) => rankOf(a) - rankOf(b));
 }
 

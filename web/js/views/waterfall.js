@@ -44,7 +44,7 @@ export class WaterfallView {
   constructor(store, frames) {
     this.store = store;
     this.canvas = byId("waterfall");
-    this.redraw = frames.add(() => this.draw());
+    this.redraw = frames.add(() => this.draw(), () => store.get("main") !== "waterfall");
     this.gl = openGl(this.canvas, () => {
       this.#build();
       this.redraw();

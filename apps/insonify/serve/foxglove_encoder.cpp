@@ -1,0 +1,74 @@
+// foxglove_encoder.cpp -- takes pings from a short queue and encodes them.
+
+#include "serve/foxglove_encoder.h"
+
+#include "console/console.h"
+#include "insonify/error.h"
+
+namespace insonify {
+
+FoxgloveEncoder::FoxgloveEncoder(std::function<void(EncodedMessage)> deliver)
+    : deliver_(std::move(deliver)), thread_([this] { work(); }) {}
+
+FoxgloveEncoder::~FoxgloveEncoder() {
+  {
+    const std::lock_guard lock(mutex_);
+    ending_ = true;
+    wake_.notify_all();
+  }
+  thread_.join();
+}
+
+void FoxgloveEncoder::add(EncoderJob job) {
+  constexpr std::size_t kMostWaiting = 4;
+  const std::lock_guard lock(mutex_);
+  jobs_.push_back(std::move(job));
+  if (jobs_.size() > kMostWaiting) {
+    jobs_.pop_front();
+  }
+  wake_.notify_all();
+}
+
+void FoxgloveEncoder::encode(const EncoderJob& job) {
+  const std::shared_ptr<const LiveWorld>& world = job.ping->world;
+  if (world != world_) {
+    world_ = world;
+    messages_.clear();
+    for (const SonarConfig& sonar : world->sonars) {
+      messages_.emplace_back(message_source(world->scenario, sonar));
+    }
+  }
+  SonarMessages& messages = messages_[static_cast<std::size_t>(job.ping->sonar)];
+  Ping ping = job.ping->ping;
+  ping.time += job.time_offset;
+  messages.take(ping);
+  for (const std::size_t channel : job.channels) {
+    const std::vector<std::byte> bytes = messages.encode(channel);
+    deliver_({.world = world,
+              .sonar = job.ping->sonar,
+              .channel = channel,
+              .time_ns = messages.time_ns(),
+              .bytes = std::make_shared<const std::string>(reinterpret_cast<const char*>(bytes.data()), bytes.size())});
+  }
+}
+
+void FoxgloveEncoder::work() {
+  std::unique_lock lock(mutex_);
+  while (true) {
+    wake_.wait(lock, [this] { return ending_ || !jobs_.empty(); });
+    if (ending_) {
+      return;
+    }
+    const EncoderJob job = std::move(jobs_.front());
+    jobs_.pop_front();
+    lock.unlock();
+    try {
+      encode(job);
+    } catch (const Error& error) {
+      complain(error.what());
+    }
+    lock.lock();
+  }
+}
+
+}  // namespace insonify

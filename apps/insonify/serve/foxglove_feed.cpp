@@ -1,0 +1,269 @@
+// foxglove_feed.cpp -- advertises channels and sends what clients have subscribed to.
+
+#include "serve/foxglove_feed.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cstring>
+#include <nlohmann/json.hpp>
+
+#include "insonify/error.h"
+#include "insonify/printable.h"
+#include "insonify/version.h"
+
+namespace insonify {
+
+using Json = nlohmann::json;
+
+namespace {
+
+std::string dumped(const Json& json) {
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+// Opcode, subscription and time that stand before a message.
+std::string data_head(std::uint32_t subscription, std::uint64_t time_ns) {
+  constexpr char kMessageData = 1;
+  std::array<char, 13> head{kMessageData};
+  std::memcpy(head.data() + 1, &subscription, sizeof(subscription));
+  std::memcpy(head.data() + 5, &time_ns, sizeof(time_ns));
+  return {head.data(), head.size()};
+}
+
+std::uint32_t id_of(const Json& value, const char* what) {
+  if (!value.is_number_unsigned() || value.get<std::uint64_t>() > 0xffffffffU) {
+    throw Error(fmt::format("{} must be a whole number", what));
+  }
+  return value.get<std::uint32_t>();
+}
+
+const Json& list_of(const Json& message, const char* key) {
+  const auto found = message.find(key);
+  if (found == message.end() || !found->is_array()) {
+    throw Error(fmt::format("{} must be a list", key));
+  }
+  return *found;
+}
+
+}  // namespace
+
+/// One client: its subscriptions. Errors of form end the connection, by exception.
+class FoxgloveClient : public Client {
+ public:
+  FoxgloveClient(Connection& connection, FoxgloveFeed& feed) : connection_(connection), feed_(feed) {
+    feed_.clients_.insert(this);
+    feed_.hub_.client_came();
+    tell(feed_.info_text());
+    if (!feed_.channels_.empty()) {
+      tell(feed_.advertise_text());
+    }
+  }
+  ~FoxgloveClient() override {
+    feed_.clients_.erase(this);
+    feed_.hub_.client_left();
+  }
+  FoxgloveClient(const FoxgloveClient&) = delete;
+  FoxgloveClient& operator=(const FoxgloveClient&) = delete;
+
+  void on_binary(std::string_view /*bytes*/) override { warn("nothing can be published here"); }
+
+  void on_text(std::string_view text) override {
+    const Json message = Json::parse(text, nullptr, false);
+    if (message.is_discarded() || !message.is_object() || !message.contains("op") || !message["op"].is_string()) {
+      throw Error("the message is no JSON object with an op");
+    }
+    const std::string op = message["op"].get<std::string>();
+    if (op == "subscribe") {
+      for (const Json& one : list_of(message, "subscriptions")) {
+        subscribe(one);
+      }
+    } else if (op == "unsubscribe") {
+      for (const Json& one : list_of(message, "subscriptionIds")) {
+        subscriptions_.erase(id_of(one, "subscriptionIds"));
+      }
+    } else {
+      warn(fmt::format("{} is not done here", printable(op)));
+    }
+  }
+
+  void tell(std::string text) { connection_.send({.bytes = std::make_shared<const std::string>(std::move(text))}); }
+
+  void tell_status(int level, const std::string& text) {
+    tell(dumped({{"op", "status"}, {"level", level}, {"message", text}}));
+  }
+
+  void send(std::uint32_t channel, const EncodedMessage& message) {
+    for (const auto& [subscription, subscribed] : subscriptions_) {
+      if (subscribed == channel) {
+        connection_.send({.bytes = message.bytes,
+                          .head = data_head(subscription, message.time_ns),
+                          .binary = true,
+                          .droppable = true,
+                          .stream = channel});
+      }
+    }
+  }
+
+  [[nodiscard]] bool wants(std::uint32_t channel) const {
+    return std::ranges::any_of(subscriptions_, [&](const auto& one) { return one.second == channel; });
+  }
+
+  void forget_channels() { subscriptions_.clear(); }
+
+ private:
+  void warn(const std::string& text) {
+    constexpr int kWarning = 1;
+    tell_status(kWarning, text);
+  }
+
+  void subscribe(const Json& one) {
+    if (!one.is_object() || !one.contains("id") || !one.contains("channelId")) {
+      throw Error("a subscription must have an id and a channelId");
+    }
+    constexpr std::size_t kMost = 1000;
+    const std::uint32_t id = id_of(one["id"], "id"), channel = id_of(one["channelId"], "channelId");
+    const auto is_it = [&](const auto& known) { return known.id == channel; };
+    if (std::ranges::none_of(feed_.channels_, is_it)) {
+      warn(fmt::format("there is no channel {}", channel));
+    } else if (subscriptions_.contains(id) || subscriptions_.size() >= kMost) {
+      warn(fmt::format("subscription {} is there already, or there are too many", id));
+    } else {
+      subscriptions_[id] = channel;
+      feed_.want_last(channel);
+    }
+  }
+
+  Connection& connection_;
+  FoxgloveFeed& feed_;
+  std::map<std::uint32_t, std::uint32_t> subscriptions_;  // Channel by subscription.
+};
+
+FoxgloveFeed::FoxgloveFeed(Hub& hub) : hub_(hub) {
+  encoder_ = std::make_unique<FoxgloveEncoder>(
+      [this](const EncodedMessage& message) { hub_.post([this, message] { deliver(message); }); });
+  hub_.join(*this);
+}
+
+FoxgloveFeed::~FoxgloveFeed() {
+  hub_.leave(*this);
+}
+
+std::unique_ptr<Client> FoxgloveFeed::client(Connection& connection) {
+  return std::make_unique<FoxgloveClient>(connection, *this);
+}
+
+std::string FoxgloveFeed::info_text() const {
+  return dumped({{"op", "serverInfo"},
+                 {"name", fmt::format("insonify {}", kVersion)},
+                 {"capabilities", Json::array()},
+                 {"supportedEncodings", Json::array()},
+                 {"metadata", Json::object()},
+                 {"sessionId", fmt::format("{}", std::chrono::system_clock::now().time_since_epoch().count())}});
+}
+
+std::string FoxgloveFeed::advertise_text() const {
+  Json channels = Json::array();
+  for (const Channel& channel : channels_) {
+    channels.push_back({{"id", channel.id},
+                        {"topic", channel.is.topic},
+                        {"encoding", "cdr"},
+                        {"schemaName", channel.is.type},
+                        {"schemaEncoding", "ros2msg"},
+                        {"schema", channel.is.definition}});
+  }
+  return dumped({{"op", "advertise"}, {"channels", channels}});
+}
+
+// Stamps are those of the clock at the start of a run, and go on from those of the run before.
+void FoxgloveFeed::on_world() {
+  const double now = std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
+  time_offset_ = std::max(now, last_time_);
+  std::vector<std::string> names;
+  for (const SonarConfig& sonar : hub_.world().sonars) {
+    names.push_back(sonar.name);
+  }
+  if (names == names_) {
+    return;
+  }
+  Json gone = Json::array();
+  for (const Channel& channel : channels_) {
+    gone.push_back(channel.id);
+  }
+  channels_.clear();
+  names_ = names;
+  for (std::size_t sonar = 0; sonar < names.size(); ++sonar) {
+    const SonarMessages messages(message_source(hub_.world().scenario, hub_.world().sonars[sonar]));
+    for (std::size_t i = 0; i < messages.channels().size(); ++i) {
+      const MessageChannel& is = messages.channels()[i];
+      const auto found = std::ranges::find_if(channels_, [&](const Channel& one) { return one.is.topic == is.topic; });
+      Channel& channel = found != channels_.end() ? *found : channels_.emplace_back();
+      if (found == channels_.end()) {
+        channel.id = next_id_++;
+        channel.is = is;
+      }
+      channel.sources[static_cast<int>(sonar)] = i;
+    }
+  }
+  for (FoxgloveClient* client : clients_) {
+    client->forget_channels();
+    if (!gone.empty()) {
+      client->tell(dumped({{"op", "unadvertise"}, {"channelIds", gone}}));
+    }
+    client->tell(advertise_text());
+  }
+}
+
+bool FoxgloveFeed::is_wanted(std::uint32_t id) const {
+  return std::ranges::any_of(clients_, [id](const FoxgloveClient* client) { return client->wants(id); });
+}
+
+void FoxgloveFeed::on_ping(SharedPing& shared) {
+  EncoderJob job{.ping = shared.shared(), .channels = {}, .time_offset = time_offset_};
+  last_time_ = time_offset_ + job.ping->ping.time;
+  for (const Channel& channel : channels_) {
+    const auto source = channel.sources.find(job.ping->sonar);
+    if (source != channel.sources.end() && is_wanted(channel.id)) {
+      job.channels.push_back(source->second);
+    }
+  }
+  if (!job.channels.empty()) {
+    encoder_->add(std::move(job));
+  }
+}
+
+// A client that comes late, or while nothing is made, gets the last message at once.
+void FoxgloveFeed::want_last(std::uint32_t id) {
+  for (const Channel& channel : channels_) {
+    if (channel.id != id) {
+      continue;
+    }
+    for (const auto& [sonar, source] : channel.sources) {
+      if (const auto& ping = hub_.last_ping(sonar)) {
+        encoder_->add({.ping = ping->shared(), .channels = {source}, .time_offset = time_offset_});
+      }
+    }
+  }
+}
+
+void FoxgloveFeed::deliver(const EncodedMessage& message) {
+  for (const Channel& channel : channels_) {
+    const auto source = channel.sources.find(message.sonar);
+    if (source != channel.sources.end() && source->second == message.channel) {
+      for (FoxgloveClient* client : clients_) {
+        client->send(channel.id, message);
+      }
+    }
+  }
+}
+
+void FoxgloveFeed::on_note(const std::string& text) {
+  constexpr int kInfo = 0;
+  for (FoxgloveClient* client : clients_) {
+    client->tell_status(kInfo, text);
+  }
+}
+
+}  // namespace insonify
