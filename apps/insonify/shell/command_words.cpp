@@ -21,10 +21,10 @@ WordKind kind_of(const OptionWords& option) {
   const auto is_one_of = [&](std::initializer_list<const char*> words) {
     return std::ranges::any_of(words, [&](const char* word) { return option.value == word; });
   };
-  return is_one_of({"FILE", "SCENARIO", "A", "B"}) ? WordKind::kFile
-         : option.value == "DIR"                   ? WordKind::kFolder
-         : option.value == "PRESET"                ? WordKind::kPreset
-                                                   : WordKind::kAny;
+  return is_one_of({"FILE", "SCENARIO", "RECORDING", "A", "B"}) ? WordKind::kFile
+         : option.value == "DIR"                                ? WordKind::kFolder
+         : option.value == "PRESET"                             ? WordKind::kPreset
+                                                                : WordKind::kAny;
 }
 
 std::vector<std::string> section_names() {

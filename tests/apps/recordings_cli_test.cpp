@@ -1,0 +1,139 @@
+// recordings_cli_test.cpp -- insonify run --record, info, replay and export, as a user calls them.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "apps/cli.h"
+
+namespace insonify {
+namespace {
+
+using nlohmann::json;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+class RecordingsCliTest : public CliTest {
+ protected:
+  // What `insonify info` tells of one file.
+  static json info(const std::string& file) {
+    const Outcome told = shell("insonify info " + file + " --json");
+    EXPECT_EQ(told.status, 0) << told.err;
+    return json::parse(told.out).at(0);
+  }
+};
+
+TEST_F(RecordingsCliTest, RecordChoosesTheFiles) {
+  EXPECT_EQ(shell("insonify run fan.yaml -o h5 -q --no-pictures").status, 0);
+  EXPECT_EQ(shell("insonify run fan.yaml -o mcap -q --no-pictures --record mcap").status, 0);
+  EXPECT_EQ(shell("insonify run fan.yaml -o both -q --no-pictures --record h5,mcap").status, 0);
+  EXPECT_THAT(files("h5"), ElementsAre("ahead.h5"));
+  EXPECT_THAT(files("mcap"), ElementsAre("ahead.mcap"));
+  EXPECT_THAT(files("both"), ElementsAre("ahead.h5", "ahead.mcap"));
+  EXPECT_EQ(text_of("both/ahead.mcap"), text_of("mcap/ahead.mcap"));
+  EXPECT_EQ(text_of("both/ahead.h5"), text_of("h5/ahead.h5"));
+}
+
+TEST_F(RecordingsCliTest, RecordNamesItsChoices) {
+  const Outcome outcome = shell("insonify run fan.yaml -o out --record bag");
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_EQ(outcome.err, "insonify: --record: bag must be h5 or mcap or h5,mcap (insonify run --help)\n");
+}
+
+TEST_F(RecordingsCliTest, AnEarlierMcapIsReplacedOnlyWithForce) {
+  EXPECT_EQ(shell("insonify run fan.yaml -o out -q --no-pictures --record mcap --pings 2").status, 0);
+  const Outcome refused = shell("insonify run fan.yaml -o out -q --no-pictures --record mcap");
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_EQ(refused.err,
+            "insonify: out/ahead.mcap is there already: --force replaces it, -o DIR writes to another folder\n");
+  EXPECT_EQ(shell("insonify run fan.yaml -o out -q --no-pictures --record mcap --force").status, 0);
+  EXPECT_EQ(info("out/ahead.mcap").at("sonars").at(0).at("pings"), 3);
+  EXPECT_THAT(files("out"), ElementsAre("ahead.mcap"));
+}
+
+TEST_F(RecordingsCliTest, CtrlCKeepsThePingsMadeSoFar) {
+  const Process process({"run", "fan.yaml", "-o", "out", "--no-pictures", "--record", "h5,mcap", "--pings", "1000000"});
+  Process::wait_until([] {
+    std::error_code ignored;
+    const auto size = std::filesystem::file_size("out/ahead.mcap", ignored);
+    return !ignored && size > 20'000;
+  });
+  process.send(SIGINT);
+  EXPECT_EQ(process.end().status, 1);
+  const json mcap = info("out/ahead.mcap");
+  const json h5 = info("out/ahead.h5");
+  EXPECT_EQ(mcap.at("state"), "whole");
+  EXPECT_EQ(h5.at("state"), "whole");
+  EXPECT_GT(mcap.at("sonars").at(0).at("pings"), 0);
+  EXPECT_EQ(mcap.at("sonars").at(0).at("pings"), h5.at("sonars").at(0).at("pings"));
+}
+
+TEST_F(RecordingsCliTest, InfoTellsWhatARecordingHolds) {
+  ASSERT_EQ(shell("insonify run scan.yaml -o out -q --no-pictures --record h5,mcap --seed 9").status, 0);
+  const json h5 = info("out/around.h5");
+  const json mcap = info("out/around.mcap");
+  EXPECT_EQ(h5.at("format"), "HDF5");
+  EXPECT_EQ(mcap.at("format"), "MCAP");
+  for (const json& told : {h5, mcap}) {
+    EXPECT_EQ(told.at("state"), "whole");
+    EXPECT_EQ(told.at("seed"), 9);
+    EXPECT_EQ(told.at("model"), "calibrated");
+    EXPECT_EQ(told.at("engine"), "cpu");
+    EXPECT_THAT(told.at("scenario").get<std::string>(), HasSubstr("tritech-micron-dst"));
+    const json& sonar = told.at("sonars").at(0);
+    EXPECT_EQ(sonar.at("name"), "around");
+    EXPECT_EQ(sonar.at("type"), "msis");
+    EXPECT_EQ(sonar.at("pings"), 20);
+    EXPECT_EQ(sonar.at("bins"), 40);
+    EXPECT_EQ(sonar.at("max_range"), 12.0);
+    EXPECT_EQ(sonar.at("first_time"), 0.0);
+    EXPECT_NEAR(sonar.at("last_time").get<double>(), h5.at("sonars").at(0).at("last_time").get<double>(), 1e-9);
+    EXPECT_GT(sonar.at("last_time"), 0.1);
+  }
+  const Outcome text = shell("insonify info out/around.mcap");
+  EXPECT_THAT(text.out, HasSubstr("out/around.mcap: MCAP, "));
+  EXPECT_THAT(text.out,
+              HasSubstr("model calibrated, engine cpu, seed 9\n  around: Tritech Micron DST, 20 pings from 0 to "));
+  EXPECT_THAT(text.out, HasSubstr("1 beams x 40 bins from 0.3 to 12 m, 700 kHz, scanning\n"));
+}
+
+TEST_F(RecordingsCliTest, InfoRefusesWhatIsNoRecording) {
+  folder.write("notes.txt", "nothing");
+  const Outcome outcome = shell("insonify info notes.txt");
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_THAT(outcome.err, HasSubstr("insonify: notes.txt: cannot open it as HDF5: "));
+}
+
+TEST_F(RecordingsCliTest, ReplayDrawsWhatTheRunHasDrawn) {
+  ASSERT_EQ(shell("insonify run fan.yaml -o out -q --no-view --record h5,mcap").status, 0);
+  ASSERT_EQ(shell("insonify replay out/ahead.h5 -o again").status, 0);
+  EXPECT_EQ(text_of("again/ahead_fan_0002.png"), text_of("out/ahead_fan_0002.png"));
+  EXPECT_EQ(shell("insonify replay out/ahead.mcap -o mcap").status, 0);
+  EXPECT_EQ(files("mcap"), files("again"));
+  const Outcome outcome = shell("insonify replay out/ahead.mcap -o x --sonar port");
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_EQ(outcome.err, "insonify: out/ahead.mcap: has no sonar port; there are ahead\n");
+}
+
+TEST_F(RecordingsCliTest, ExportWarnsOfAnUnfinishedRecording) {
+  {
+    const Process process({"run", "fan.yaml", "-o", "out", "--no-pictures", "--pings", "1000000"});
+    Process::wait_until([] {
+      std::error_code ignored;
+      const auto size = std::filesystem::file_size("out/ahead.h5", ignored);
+      return !ignored && size > 300'000;
+    });
+    process.send(SIGKILL);
+    EXPECT_EQ(process.end().status, -1);
+  }
+  EXPECT_EQ(info("out/ahead.h5").at("state"), "unfinished");
+  const Outcome outcome = shell("insonify export out/ahead.h5 -o out/run.mcap");
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_EQ(outcome.out, "out/run.mcap\n");
+  EXPECT_THAT(outcome.err, HasSubstr("warning: out/ahead.h5 is unfinished: the run that wrote it was killed; it has "));
+  EXPECT_EQ(info("out/run.mcap").at("sonars").at(0).at("pings"), info("out/ahead.h5").at("sonars").at(0).at("pings"));
+}
+
+}  // namespace
+}  // namespace insonify
