@@ -40,6 +40,7 @@ int run_program(int argc, char** argv) {
   app.get_formatter()->column_width(34);
   app.footer(
       "Start with:  insonify run scenes/sphere.yaml\n"
+      "In a browser: insonify serve scenes/ferry_calibrated.yaml\n"
       "Help on one: insonify run --help");
   Request request;
   app.add_flag_callback(
