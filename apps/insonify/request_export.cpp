@@ -34,7 +34,9 @@ void add_export(CLI::App& app, Request& request) {
       "  .npz          NumPy arrays: numpy.load(FILE)[\"intensity\"]\n"
       "  .zarr         a folder of chunked arrays, one chunk a ping\n"
       "  .mp4, .gif    the fan of one sonar, by the program ffmpeg\n"
-      "--colour-map, --levels and --height act on videos; the first two also on the fan pictures of .mcap.\n\n"
+      "--colour-map, --levels and --height act on videos. In .mcap --levels acts on the values of sonar images and on "
+      "fan\n"
+      "pictures, --colour-map on those.\n\n"
       "Examples:\n"
       "  insonify export out/fls.h5 out/profiler.h5 -o out/run.mcap\n"
       "  insonify export out/fls.h5 -o fls.gif --levels -90:-40 --height 480");

@@ -220,13 +220,81 @@ TEST_F(McapWriterTest, ReadersRefuseWhatIsBroken) {
   for (std::size_t i = 8; i < whole.size(); ++i) {
     std::string broken = whole;
     broken[i] = static_cast<char>(broken[i] ^ 0x41);
+    std::filesystem::remove("broken.mcap");  // Some file systems wait for the disk when a file is cut to nothing.
     folder.write("broken.mcap", broken);
     const std::string changed = message_of([] { McapReader("broken.mcap"); });
     EXPECT_TRUE(changed == "no error" || changed.starts_with("broken.mcap: ")) << changed;
+    std::filesystem::remove("cut.mcap");
     folder.write("cut.mcap", whole.substr(0, i));
     const std::string cut = message_of([] { McapReader("cut.mcap"); });
     EXPECT_EQ(cut, "no error") << i;
   }
+}
+
+// A recording of one small ping.
+void record_ping(const std::filesystem::path& path) {
+  SonarConfig sonar;
+  sonar.name = "fls";
+  sonar.beam_count = 2;
+  sonar.bin_count = 3;
+  sonar.max_range = 9;
+  sonar.assumed_sound_speed = 1500;
+  McapOptions options{.run = {.seed = 77}};
+  options.messages.fan_height = 240;
+  McapRecording out(path, {MessageSource{sonar, EchoModel::kCalibrated, {}, "pings: 1\n"}}, options);
+  Ping ping;
+  ping.time = 1.5;
+  ping.world_from_sonar.position = {1, 2, 3};
+  ping.bin_count = 3;
+  ping.beam_count = 2;
+  ping.intensity = {1e-9F, 0, 1e-8F, 1e-7F, 1e-3F, 1e-30F};
+  out.add(0, ping);
+  out.close();
+}
+
+TEST_F(McapWriterTest, PingsAreReadBackWithinTheirLevels) {
+  record_ping("a.mcap");
+  const McapPings pings("a.mcap");
+  ASSERT_EQ(pings.ping_count(), 1);
+  EXPECT_EQ(pings.source().sonar.max_range, 9);
+  const Ping ping = pings.ping(0);
+  EXPECT_EQ(ping.time, 1.5);
+  EXPECT_EQ(ping.world_from_sonar.position, Vec3(1, 2, 3));
+  // Bins are 2.933 m long from 0.2 m on, centred at 1.667, 4.6 and 7.533 m. Levels in dB, and with 30 log10(range):
+  //   -90, nothing     -83.3
+  //   -80, -70         -60.1, -50.1
+  //   -30, -300        -3.7: above the highest level, -40; -273.7: below the lowest, -100
+  const auto level = [&](std::size_t cell) { return 10 * std::log10(ping.intensity.at(cell)); };
+  EXPECT_NEAR(level(0), -90, 0.0005);
+  EXPECT_EQ(ping.intensity[1], 0);
+  EXPECT_NEAR(level(2), -80, 0.0005);
+  EXPECT_NEAR(level(3), -70, 0.0005);
+  EXPECT_NEAR(level(4), -40 - 30 * std::log10(0.2 + 2.5 * 8.8 / 3), 0.0005);
+  EXPECT_EQ(ping.intensity[5], 0);
+}
+
+TEST_F(McapWriterTest, BrokenRecordingsAreRefusedWithTheirName) {
+  record_ping("a.mcap");
+  const std::string whole = text_of("a.mcap");
+  int refused = 0;
+  for (std::size_t i = 8; i < whole.size(); i += 7) {
+    std::string broken = whole;
+    broken[i] = static_cast<char>(broken[i] ^ 0x05);
+    std::filesystem::remove("broken.mcap");  // Some file systems wait for the disk when a file is cut to nothing.
+    folder.write("broken.mcap", broken);
+    const std::string message = message_of([] {
+      (void)recording_info("broken.mcap");
+      const McapPings pings("broken.mcap");
+      for (std::uint64_t ping = 0; ping < pings.ping_count(); ++ping) {
+        (void)pings.ping(ping);
+      }
+    });
+    EXPECT_TRUE(message == "no error" || message.find("broken.mcap") != std::string::npos ||
+                message.find("scenario:") != std::string::npos)
+        << i << ": " << message;
+    refused += message == "no error" ? 0 : 1;
+  }
+  EXPECT_GT(refused, 50);
 }
 
 }  // namespace

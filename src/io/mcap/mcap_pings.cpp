@@ -73,7 +73,12 @@ std::pair<std::string, Texts> find_sonar(const McapReader& file, const std::file
 
 MessageSource source_of(const Texts& texts, const std::filesystem::path& path) {
   const Scenario alone = parse_scenario(text_of(texts, mcap_metadata::kSettings), path.parent_path());
-  MessageSource source = message_source(alone, alone.sonars.at(0));
+  if (alone.sonars.size() != 1) {
+    throw Error(fmt::format("{}: its metadata {} has {} sonars, must have one", path.string(), mcap_metadata::kSettings,
+                            alone.sonars.size()));
+  }
+  alone.sonars.front().validate();
+  MessageSource source = message_source(alone, alone.sonars.front());
   source.sonar.receiver.reset();
   source.scenario.clear();
   return source;

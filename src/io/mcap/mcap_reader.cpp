@@ -17,7 +17,7 @@
 namespace insonify {
 namespace {
 
-constexpr std::uint64_t kMostUnpacked = std::uint64_t{1} << 32;  // Of a chunk; more would be a broken length [bytes].
+constexpr std::uint64_t kMostUnpacked = std::uint64_t{1} << 30;  // Of a chunk; more would be a broken length [bytes].
 
 // Numbers and texts of a record, one after the other.
 class Fields {

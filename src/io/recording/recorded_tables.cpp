@@ -25,6 +25,9 @@ H5Handle native_type(const H5Handle& stored, const std::filesystem::path& path, 
 // As NumPy spells a type of numbers; "" for anything else.
 std::string numpy_type(hid_t type) {
   const std::size_t size = H5Tget_size(type);
+  if (size > sizeof(double)) {
+    return "";
+  }
   const char* order = size == 1 ? "|" : "<";
   switch (H5Tget_class(type)) {
     case H5T_FLOAT:
@@ -42,21 +45,29 @@ std::vector<hsize_t> shape_of(hid_t space) {
   return shape;
 }
 
-// Texts of variable length, read by `read(type, buffer)`.
-std::vector<std::string> read_texts(const H5Handle& space, hsize_t count,
+// Whether lengths multiply to at most `most`; they may be anything in a file of strangers.
+bool is_at_most(const std::vector<hsize_t>& shape, hsize_t most) {
+  hsize_t product = 1;
+  for (const hsize_t length : shape) {
+    if (length > most || (length > 0 && product > most / length)) {
+      return false;
+    }
+    product *= length;
+  }
+  return true;
+}
+
+// Texts of variable length, read by `read(type, buffer)`; none where they cannot be read.
+std::vector<std::string> read_texts(hid_t type, const H5Handle& space, hsize_t count,
                                     const std::function<herr_t(hid_t, void*)>& read) {
-  const H5Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
-  H5Tset_size(type.get(), H5T_VARIABLE);
-  H5Tset_cset(type.get(), H5T_CSET_UTF8);
   std::vector<char*> pointers(count, nullptr);
-  if (read(type.get(), pointers.data()) < 0) {
-    throw Error(h5_failure());
-  }
   std::vector<std::string> texts;
-  for (const char* const pointer : pointers) {
-    texts.emplace_back(pointer != nullptr ? pointer : "");
+  if (read(type, pointers.data()) >= 0) {
+    for (const char* const pointer : pointers) {
+      texts.emplace_back(pointer != nullptr ? pointer : "");
+    }
+    H5Dvlen_reclaim(type, space.get(), H5P_DEFAULT, pointers.data());
   }
-  H5Dvlen_reclaim(type.get(), space.get(), H5P_DEFAULT, pointers.data());
   return texts;
 }
 
@@ -71,14 +82,14 @@ nlohmann::json number_of(double value) {
 // Whatever small thing has a type and a space, as JSON: a text, a number, a truth value or lists of those.
 nlohmann::json json_of(hid_t type_id, const H5Handle& space, const std::function<herr_t(hid_t, void*)>& read) {
   const std::vector<hsize_t> shape = shape_of(space.get());
-  const hsize_t count = std::accumulate(shape.begin(), shape.end(), hsize_t{1}, std::multiplies<>());
-  if (count > kMostValues) {
+  if (!is_at_most(shape, kMostValues)) {
     return nullptr;
   }
+  const hsize_t count = std::accumulate(shape.begin(), shape.end(), hsize_t{1}, std::multiplies<>());
   std::vector<nlohmann::json> values;
   const H5T_class_t kind = H5Tget_class(type_id);
   if (kind == H5T_STRING && H5Tis_variable_str(type_id) > 0) {
-    for (std::string& text : read_texts(space, count, read)) {
+    for (std::string& text : read_texts(type_id, space, count, read)) {
       values.emplace_back(std::move(text));
     }
   } else if (kind == H5T_ENUM) {
@@ -105,7 +116,7 @@ nlohmann::json json_of(hid_t type_id, const H5Handle& space, const std::function
     return nullptr;
   }
   if (shape.empty()) {
-    return values.front();
+    return values.empty() ? nlohmann::json() : values.front();
   }
   if (shape.size() == 1) {
     return values;
@@ -198,6 +209,13 @@ void RecordedTables::add_table(const std::string& name) {
     return;
   }
   table.value_bytes = H5Tget_size(stored.get());
+  constexpr hsize_t kMostBytes = hsize_t{1} << 34;  // A ping of the most beams and bins, with its ranks, has 3 GB.
+  if (std::vector<hsize_t> row = shape; !row.empty()) {
+    row.front() = 1;
+    if (!is_at_most(row, kMostBytes / table.value_bytes) || (shape.size() == 1 && shape.front() > kMostBytes)) {
+      throw Error(fmt::format("{}: is no recording: a row of {} is too large", path_.string(), name));
+    }
+  }
   table.notes = attributes_of(dataset.get());
   std::istringstream words(table.notes.value("axes", ""));
   for (std::string axis; words >> axis;) {
