@@ -5,6 +5,7 @@ import { spawn } from "node:child_process";
 /** Starts it with these arguments; returns { address, stop(), output() }. Throws what it said where it does not start. */
 export async function startServer(program, scenario, options = []) {
   const child = spawn(program, ["serve", scenario, "--port", "0", ...options]);
+  process.on("exit", () => child.kill("SIGKILL"));  // It never outlives this program.
   let said = "";
   child.stdout.on("data", (data) => (said += data));
   child.stderr.on("data", (data) => (said += data));

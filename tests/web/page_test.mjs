@@ -175,6 +175,56 @@ const failed = await runChecks({
     }
   },
 
+  async "a stick on the screen flies as far as it is pushed"() {
+    await press("tab-fly");
+    await choose("pads", true);
+    const box = await (await page.$("#pad-left")).boundingBox();
+    const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
+    server.requests.length = 0;
+    await page.mouse.move(x, y);
+    await page.mouse.down();
+    await page.mouse.move(x, y - 22);  // half of the stick's reach of 44
+    const half = await told("fly", (each) => each.linear[0] !== 0);
+    assert.ok(Math.abs(half.linear[0] - 0.5) < 0.03 && half.linear[1] === 0, JSON.stringify(half));
+    await page.mouse.move(x + 200, y);
+    await told("fly", (each) => each.linear[1] === -1);
+    await page.mouse.up();
+    await told("fly", (each) => each.linear.every((part) => part === 0));
+    await choose("pads", false);
+  },
+
+  async "a gamepad flies, and its buttons press"() {
+    server.requests.length = 0;
+    await page.evaluate(() => {
+      globalThis.fakePad = { connected: true, id: "Test pad", axes: [0, -1, 0.5, 0], buttons: Array.from({ length: 16 }, () => ({ pressed: false })) };
+      navigator.getGamepads = () => [globalThis.fakePad];
+      window.dispatchEvent(new Event("gamepadconnected"));
+    });
+    const { linear, angular } = await told("fly");
+    assert.equal(linear[0], 1);
+    assert.ok(angular[2] < 0, "the right stick to the right turns to starboard");
+    assert.equal(await text("gamepad-text"), "Gamepad: Test pad");
+    await page.evaluate(() => (fakePad.buttons[1].pressed = true));
+    await until(() => get("frozen"), "the freeze");
+    await page.evaluate(() => (fakePad.connected = false));
+    await told("fly", (each) => [...each.linear, ...each.angular].every((part) => part === 0));
+    await press("freeze");
+  },
+
+  async "the cursor moves by keys, a bin or a beam at a time"() {
+    await page.mouse.move(640, 10);
+    await page.focus("#picture-stage");
+    await page.keyboard.down("Alt");
+    await page.keyboard.press("ArrowUp");
+    const first = await until(() => get("cursor"), "a cursor");
+    await page.keyboard.press("ArrowUp");
+    await until(async () => (await get("cursor")).bin === first.bin + 1, "the next bin");
+    await page.keyboard.press("ArrowRight");
+    await until(async () => (await get("cursor")).beam === first.beam + 1, "the next beam");
+    await page.keyboard.up("Alt");
+    await page.evaluate(() => document.activeElement.blur());
+  },
+
   async "keys typed into a field do not fly"() {
     server.requests.length = 0;
     await page.focus("#settings-search");

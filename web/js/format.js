@@ -14,9 +14,10 @@ export const metres = (value, binLength = 0.1) => `${number(value, binLength < 0
 
 export const decibels = (value) => `${number(value, 1)} dB`;
 
-/** A bearing from an azimuth, which is positive to port [rad]. */
+/** A bearing from an azimuth, which is positive to port [rad]; a turned head's azimuth may exceed half a turn. */
 export function bearing(azimuth) {
-  const degrees = (-azimuth * 180) / Math.PI;
+  const turn = (-azimuth * 180) / Math.PI;
+  const degrees = turn - 360 * Math.round(turn / 360);
   const text = `${Math.abs(degrees).toFixed(1)}°`;
   if (Number(Math.abs(degrees).toFixed(1)) === 0) return text;
   return `${text} ${degrees > 0 ? "stbd" : "port"}`;

@@ -7,6 +7,9 @@ import { describeSonar } from "./sonar.js";
 const kMostPath = 20_000;
 const kOverlays = ["instance", "material", "elevation", "shadow", "multipath"];
 
+/** What pictures of a sonar depend on, as a text. */
+const shapeOf = ({ levels: _levels, shown_gain: _gain, reference: _reference, gain_db: _gainDb, ...shape }) => JSON.stringify(shape);
+
 export class Session {
   #arrivals = [];  // times of the last pings [ms]
   #scene = null;
@@ -80,17 +83,27 @@ export class Session {
 
   #hello(hello) {
     const { store } = this;
-    store.set({ hello });
     const name = store.get("sonar")?.name;
-    this.#setSonar(hello.sonars.find((sonar) => sonar.name === name) ?? hello.sonars[0]);
+    const described = hello.sonars.find((sonar) => sonar.name === name) ?? hello.sonars[0];
+    this.#refresh(described);
+    store.set({ hello });
+    this.#setSonar(described);
     this.#watch();
+  }
+
+  // Where the sonar itself is the same, pictures go on, and only what they are shown with is new.
+  #refresh(described) {
+    const sonar = this.store.get("sonar");
+    if (sonar?.shape !== shapeOf(described)) return;
+    Object.assign(sonar, { levels: described.levels, shown_gain: described.shown_gain, reference: described.reference });
+    this.changed();
   }
 
   #setSonar(described) {
     const { store } = this;
     const before = store.get("sonar");
-    if (before && before.text === JSON.stringify(described)) return;
-    const sonar = { ...describeSonar(described), text: JSON.stringify(described) };
+    if (before?.shape === shapeOf(described)) return;
+    const sonar = { ...describeSonar(described), shape: shapeOf(described) };
     const modes = sonar.scanning ? ["round"] : ["fan", "polar"];
     const same = before?.name === sonar.name;
     store.set({
@@ -98,7 +111,7 @@ export class Session {
       mode: modes.includes(store.get("mode")) ? store.get("mode") : modes[0],
       beam: same ? Math.min(store.get("beam"), sonar.beams - 1) : Math.floor(sonar.beams / 2),
     });
-    this.changed(!same);
+    this.changed();
   }
 
   #binary(buffer) {

@@ -199,8 +199,9 @@ void FoxgloveFeed::on_world() {
     for (std::size_t i = 0; i < messages.channels().size(); ++i) {
       const MessageChannel& is = messages.channels()[i];
       const auto found = std::ranges::find_if(channels_, [&](const Channel& one) { return one.is.topic == is.topic; });
-      Channel& channel = found != channels_.end() ? *found : channels_.emplace_back();
-      if (found == channels_.end()) {
+      const bool is_new = found == channels_.end();
+      Channel& channel = is_new ? channels_.emplace_back() : *found;
+      if (is_new) {
         channel.id = next_id_++;
         channel.is = is;
       }

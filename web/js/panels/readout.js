@@ -45,6 +45,7 @@ export function setUpReadout(store, frames, roundPings) {
     write(byId("read-range"), metres(found.range, found.sonar.binLength));
     write(byId("read-bearing"), bearing(found.azimuth));
     write(byId("read-level"), found.level === null ? "no echo" : found.level === undefined ? "–" : decibels(found.level));
+    byId("read-level").title = found.level > -1000 ? `With the gain of the display: ${decibels(found.level + store.get("gain") + store.get("tvg") * Math.log10(found.range))}` : "";
     write(byId("read-beam"), String(found.beam));
     write(byId("read-bin"), String(found.bin));
     write(byId("read-world"), found.world ? triple(found.world) : "–");

@@ -16,10 +16,11 @@ export function setUpTransport(store, request) {
   byId("save").addEventListener("click", () => request({ op: "save" }));
   store.on(["status", "link"], () => show(store));
   store.on(["frozen"], () => press("freeze", store.get("frozen")));
-  store.on(["link"], () => {
+  store.on(["link", "status"], () => {
     const { state, text } = store.get("link");
-    byId("link").dataset.state = state;
-    write(byId("link-text"), text);
+    const prepares = state === "open" && store.get("status")?.preparing;  // Meanwhile pings of the state before go on.
+    byId("link").dataset.state = prepares ? "preparing" : state;
+    write(byId("link-text"), prepares ? "Preparing the change" : text);
   });
   store.on(["rate"], () => write(byId("rate"), store.get("status") ? number(store.get("rate"), 1) : "–"));
 }

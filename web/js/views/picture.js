@@ -27,7 +27,7 @@ export class PictureView {
       this.redraw();
       this.redrawBar();
     }).observe(this.stage);
-    store.on(["low", "high", "gain", "tvg", "map", "theme", "main", "sonar"], this.redrawBar);
+    store.on(["low", "high", "gain", "tvg", "map", "theme", "main", "sonar", "hello"], this.redrawBar);
     store.on(["sonar"], () => this.#newSonar());
     store.on(["mode"], () => {
       store.set({ cursor: null });

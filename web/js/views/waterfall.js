@@ -7,7 +7,7 @@ import { kLevelGlsl, setLevelUniforms } from "../draw/level_shader.js";
 import { bearing, number, ringSpacing, ticks } from "../format.js";
 
 const kRows = 512;
-const kPixels = 2;  // height of a ping in CSS pixels
+const kPixels = 3;  // height of a ping in CSS pixels
 
 const kVertex = `#version 300 es
 out vec2 place;  // 0 to 1: near to far, old to new

@@ -1,0 +1,480 @@
+#!/usr/bin/python3
+"""insonify serve against clients that are hostile, slow or gone, and how it starts and ends.
+
+serve_test.py INSONIFY
+"""
+
+import base64
+import hashlib
+import json
+import os
+import pathlib
+import signal
+import socket
+import struct
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+
+INSONIFY = os.path.abspath(sys.argv.pop(1))
+VIEWER = "insonify.viewer.v1"
+
+SCENARIO = """
+points: [{position: [5, 1, 0], target_strength_db: -20}]
+sonars:
+  - {name: fls, beam_count: 32, bin_count: 80, azimuth_aperture_deg: 80, max_range: 9, ping_period: 0.03}
+  - {name: side, beam_count: 16, bin_count: 40, azimuth_aperture_deg: 40, max_range: 7, ping_period: 0.05}
+"""
+
+
+class Server:
+    """insonify serve in a folder of its own; `port` is what it told."""
+
+    def __init__(self, *options, scenario=SCENARIO):
+        self.folder = tempfile.TemporaryDirectory()
+        self.path = pathlib.Path(self.folder.name)
+        (self.path / "live.yaml").write_text(scenario)
+        self.process = subprocess.Popen([INSONIFY, "serve", "live.yaml", "--port", "0", *options], cwd=self.path,
+                                        text=True, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+        self.address = self.process.stdout.readline().strip()
+        if not self.address:
+            raise AssertionError(self.process.stderr.read())
+        self.port = int(self.address.split("/?")[0].rstrip("/").rsplit(":", 1)[1])
+
+    def end(self, number=signal.SIGINT):
+        """Returns the exit status, what it said and how long it took."""
+        start = time.monotonic()
+        self.process.send_signal(number)
+        out, err = self.process.communicate(timeout=20)
+        return self.process.returncode, out, err, time.monotonic() - start
+
+    def close(self):
+        if self.process.poll() is None:
+            self.process.kill()
+            self.process.communicate()
+        self.folder.cleanup()
+
+
+class Socket:
+    """A connection that reads and writes bytes, HTTP and frames."""
+
+    def __init__(self, port, host="127.0.0.1"):
+        self.raw = socket.create_connection((host, port), timeout=10)
+        self.rest = b""
+
+    def send(self, data):
+        self.raw.sendall(data if isinstance(data, bytes) else data.encode())
+
+    def read(self, count):
+        while len(self.rest) < count:
+            data = self.raw.recv(1 << 16)
+            if not data:
+                raise EOFError
+            self.rest += data
+        data, self.rest = self.rest[:count], self.rest[count:]
+        return data
+
+    def is_closed(self):
+        try:
+            while self.raw.recv(1 << 16):
+                pass
+        except ConnectionResetError:
+            pass
+        return True
+
+    def response(self):
+        """Status, headers and body."""
+        while b"\r\n\r\n" not in self.rest:
+            data = self.raw.recv(1 << 16)
+            if not data:
+                raise EOFError
+            self.rest += data
+        head, self.rest = self.rest.split(b"\r\n\r\n", 1)
+        lines = head.decode().split("\r\n")
+        headers = {line.split(":", 1)[0].lower(): line.split(":", 1)[1].strip() for line in lines[1:]}
+        status = int(lines[0].split()[1])
+        body = b"" if status == 101 else self.read(int(headers.get("content-length", 0)))
+        return status, headers, body
+
+    def request(self, target, method="GET", headers=(), host="127.0.0.1"):
+        self.send("\r\n".join([f"{method} {target} HTTP/1.1", f"Host: {host}", *headers, "", ""]))
+        return self.response()
+
+    def open(self, protocol=VIEWER, target="/", headers=(), host="127.0.0.1"):
+        """Opens a WebSocket; returns status, headers and body."""
+        key = base64.b64encode(os.urandom(16)).decode()
+        answer = self.request(target, headers=["Upgrade: websocket", "Connection: Upgrade", "Sec-WebSocket-Version: 13",
+                                               f"Sec-WebSocket-Key: {key}", *([f"Sec-WebSocket-Protocol: {protocol}"] if protocol else []),
+                                               *headers], host=host)
+        if answer[0] == 101:
+            wanted = hashlib.sha1((key + "258EAFA5-E914-47DA-95CA-C5AB0DC85B11").encode()).digest()
+            assert answer[1]["sec-websocket-accept"] == base64.b64encode(wanted).decode()
+        return answer
+
+    def send_frame(self, data, opcode=1, length=None, fin=True):
+        data = data if isinstance(data, bytes) else data.encode()
+        mask = os.urandom(4)
+        size = len(data) if length is None else length
+        head = bytes([(0x80 if fin else 0) | opcode])
+        if size < 126:
+            head += bytes([0x80 | size])
+        elif size < 1 << 16:
+            head += bytes([0x80 | 126]) + struct.pack(">H", size)
+        else:
+            head += bytes([0x80 | 127]) + struct.pack(">Q", size)
+        self.send(head + mask + bytes(byte ^ mask[i % 4] for i, byte in enumerate(data)))
+
+    def say(self, **message):
+        self.send_frame(json.dumps(message))
+
+    def frame(self):
+        """Opcode and payload; answers pings."""
+        first, second = self.read(2)
+        size = second & 0x7F
+        if size == 126:
+            size = struct.unpack(">H", self.read(2))[0]
+        elif size == 127:
+            size = struct.unpack(">Q", self.read(8))[0]
+        return first & 15, self.read(size)
+
+    def text(self, op=None, seconds=10):
+        """The next text message, or the next of an op."""
+        end = time.monotonic() + seconds
+        while time.monotonic() < end:
+            opcode, data = self.frame()
+            if opcode == 8:
+                raise AssertionError(f"closed: {data}")
+            if opcode == 1:
+                message = json.loads(data)
+                if op is None or message["op"] == op:
+                    return message
+        raise AssertionError(f"no {op} came")
+
+    def ping(self, sonar=None):
+        """Header and tables of the next ping."""
+        while True:
+            opcode, data = self.frame()
+            if opcode == 8:
+                raise AssertionError(f"closed: {data}")
+            if opcode == 2 and struct.unpack("<I", data[:4])[0] == 1:
+                size = struct.unpack("<I", data[4:8])[0]
+                assert size % 4 == 0
+                header = json.loads(data[8:8 + size])
+                if sonar in (None, header["sonar"]):
+                    return header, data[8 + size:]
+
+    def closing(self):
+        """Close code and reason; what came before is dropped."""
+        while True:
+            opcode, data = self.frame()
+            if opcode == 8:
+                return struct.unpack(">H", data[:2])[0], data[2:].decode()
+
+
+class Serving(unittest.TestCase):
+    """One server for many tests: what one client does must not harm the next."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.server = Server()
+
+    @classmethod
+    def tearDownClass(cls):
+        status, _, err, _ = cls.server.end()
+        cls.server.close()
+        assert status == 0, status
+        assert err == "", err
+
+    def tearDown(self):
+        """After whatever happened, a page gets pings."""
+        page = self.page()
+        page.ping()
+
+    def socket(self):
+        return Socket(self.server.port)
+
+    def page(self, **options):
+        page = self.socket()
+        self.assertEqual(page.open(**options)[0], 101)
+        return page
+
+    # Plain HTTP.
+
+    def test_page_is_served_with_its_types(self):
+        page = self.socket()
+        status, headers, body = page.request("/")
+        self.assertEqual((status, headers["content-type"]), (200, "text/html; charset=utf-8"))
+        self.assertIn(b"<html", body)
+        self.assertIn("default-src 'none'", headers["content-security-policy"])
+        status, _, again = page.request("/index.html?token=x")
+        self.assertEqual((status, again), (200, body), "the same connection, by its whole name")
+        page.send("HEAD / HTTP/1.1\r\nHost: localhost\r\n\r\n")
+        time.sleep(0.2)
+        self.assertEqual(int(page.raw.recv(1 << 16).decode().lower().split("content-length: ")[1].split("\r")[0]), len(body))
+
+    def test_nothing_but_the_page_is_served(self):
+        for target in ("/../live.yaml", "/..%2flive.yaml", "/%2e%2e/live.yaml", "/live.yaml", "//etc/passwd", "/%00", "/%zz",
+                       "/.git/config", "/etc/passwd", "*"):
+            with self.subTest(target):
+                self.assertEqual(self.socket().request(target)[0], 404)
+
+    def test_other_methods_are_refused(self):
+        status, headers, _ = self.socket().request("/", method="POST", headers=["Content-Length: 0"])
+        self.assertEqual((status, headers["allow"]), (405, "GET, HEAD"))
+
+    def test_what_is_no_http_is_answered_and_ended(self):
+        page = self.socket()
+        page.send("\x16\x03\x01 hello\r\n\r\n")
+        self.assertEqual(page.response()[0], 400)
+        self.assertTrue(page.is_closed())
+
+    def test_long_headers_are_refused(self):
+        page = self.socket()
+        page.send("GET / HTTP/1.1\r\nHost: localhost\r\nX: " + "x" * 40000 + "\r\n\r\n")
+        self.assertEqual(page.response()[0], 431)
+
+    # Who may connect.
+
+    def test_names_of_other_sites_are_refused(self):
+        for host in ("evil.example", "evil.example:8765", "127.0.0.1.evil.example", "localhost.evil.example"):
+            with self.subTest(host):
+                self.assertEqual(self.socket().request("/", host=host)[0], 403)
+                self.assertEqual(self.socket().open(host=host)[0], 403)
+        for host in ("localhost", f"127.0.0.1:{self.server.port}", "[::1]:99", "10.0.0.3"):
+            with self.subTest(host):
+                self.assertEqual(self.socket().request("/", host=host)[0], 200)
+
+    def test_pages_of_other_origins_are_refused(self):
+        host = f"localhost:{self.server.port}"
+        for origin in ("http://evil.example", "null", f"http://evil.{host}", "http://localhost:1"):
+            with self.subTest(origin):
+                status, _, body = self.socket().open(host=host, headers=[f"Origin: {origin}"])
+                self.assertEqual(status, 403)
+                self.assertIn(b"--allow-origin", body)
+        self.assertEqual(self.socket().open(host=host, headers=[f"Origin: http://{host}"])[0], 101)
+
+    def test_subprotocol_must_be_known(self):
+        for protocol in (None, "chat", "token.x"):
+            status, _, body = self.socket().open(protocol=protocol)
+            self.assertEqual(status, 400)
+            self.assertIn(VIEWER.encode(), body)
+        self.assertEqual(self.socket().open(protocol=f"chat, {VIEWER}")[1]["sec-websocket-protocol"], VIEWER)
+
+    # What a page gets.
+
+    def test_greeting_scene_state_and_pings(self):
+        page = self.page()
+        hello = page.text("hello")
+        self.assertEqual([sonar["name"] for sonar in hello["sonars"]], ["fls", "side"])
+        fls = hello["sonars"][0]
+        self.assertEqual((fls["beams"], fls["bins"], fls["max_range"], len(fls["azimuths"])), (32, 80, 9, 32))
+        self.assertEqual(hello["keys"]["sonars[0].max_range"]["value"], 9)
+        self.assertEqual(hello["keys"]["model"]["choices"], ["paper", "calibrated"])
+        header, tables = page.ping()
+        self.assertEqual((header["sonar"], header["beams"], header["bins"]), ("fls", 32, 80))
+        self.assertEqual(header["tables"], [{"name": "level", "type": "uint16", "offset": 0}])
+        self.assertEqual(len(tables), 2 * 32 * 80)
+        levels = struct.unpack(f"<{32 * 80}H", tables)
+        loudest = max(range(len(levels)), key=levels.__getitem__)
+        self.assertAlmostEqual((loudest // 32 + 0.5) * 8.8 / 80 + 0.2, 26 ** 0.5, delta=0.12)  # Of the point.
+        self.assertGreater(fls["azimuths"][loudest % 32], 0)  # To port.
+        state = page.text("state")
+        self.assertFalse(state["paused"])
+        page.say(op="watch", sonar="side", tables=["level", "instance"])
+        header, tables = page.ping("side")
+        self.assertEqual([table["name"] for table in header["tables"]], ["level", "instance"])
+        self.assertEqual(len(tables), 6 * 16 * 40)
+
+    def test_wrong_values_are_answered_and_change_nothing(self):
+        page = self.page()
+        for op, message, text in (
+                ("set", {"settings": ["max_range=-2"]}, "--set max_range=-2: sonars[0].max_range = -2 m must be greater than 0, at most 100000 m"),
+                ("set", {"settings": ["maxrange=3"]}, "--set maxrange=3: maxrange is not a known key; did you mean max_range?"),
+                ("speed", {"factor": 0}, "speed = 0 must be from 0.01 to 100"),
+                ("fly", {"linear": [99, 0, 0], "angular": [0, 0, 0]}, "fly.linear[0] = 99 m/s must be from -50 to 50 m/s"),
+                ("watch", {"sonar": "aft"}, "there is no sonar aft"),
+                ("record", {"on": True, "format": "wav"}, "format = \"wav\" must be h5 or mcap"),
+                ("record", {"on": False}, "nothing is being recorded")):
+            with self.subTest(message):
+                page.say(op=op, **message)
+                self.assertEqual(page.text("error"), {"op": "error", "text": text, "of": op})
+
+    def test_malformed_messages_end_the_connection_with_a_reason(self):
+        for data, reason in (("{", "the message is no JSON object"), ("[]", "the message is no JSON object"),
+                             ("{}", "a message of this op must have \"op\""),
+                             ('{"op": "dance"}', "dance: there is no such op"),
+                             ('{"op": "pause", "on": 1}', "pause: \"on\" must be true or false"),
+                             ('{"op": "fly", "linear": [1, 2], "angular": [0, 0, 0]}', "fly: \"linear\" must be a list of 3 numbers"),
+                             ("[" * 100000, "the message is no JSON object")):
+            with self.subTest(data[:20]):
+                page = self.page()
+                page.send_frame(data)
+                self.assertEqual(page.text("closing"), {"op": "closing", "reason": reason})
+                self.assertEqual(page.closing(), (1008, reason))
+
+    def test_bytes_that_are_no_text_end_the_connection(self):
+        page = self.page()
+        page.send_frame(b'{"op": "\xff\xfe"}')
+        self.assertEqual(page.closing()[0], 1007)
+        page = self.page()
+        page.send_frame(b"bytes", opcode=2)
+        self.assertEqual(page.closing(), (1008, "messages to the server are texts"))
+
+    def test_frames_over_a_megabyte_end_the_connection(self):
+        page = self.page()
+        page.send_frame(b"", length=1000001)
+        self.assertEqual(page.closing()[0], 1009)
+        page = self.page()
+        page.send_frame(b"", length=1 << 62)
+        self.assertEqual(page.closing()[0], 1009)
+
+    def test_fragments_are_counted_together(self):
+        page = self.page()
+        page.send_frame(b" " * 600000, fin=False)
+        page.send_frame(b" " * 600000, opcode=0)
+        self.assertEqual(page.closing()[0], 1009)
+
+    def test_steering_saving_and_changing(self):
+        page = self.page()
+        page.say(op="fly", linear=[1, 0, 0], angular=[0, 0, 10])
+        while page.text("state")["follow"]:
+            pass
+        while page.ping()[0]["vehicle"]["position"][0] < 0.05:
+            pass
+        page.say(op="save")
+        yaml = page.text("saved")["yaml"]
+        self.assertIn("trajectory:", yaml)
+        page.say(op="set", settings=["sonars.fls.max_range=12"])
+        self.assertEqual(page.text("hello")["sonars"][0]["max_range"], 12)
+        page.say(op="set", settings=["sonars.fls.max_range=9"])
+        page.say(op="follow", on=True)
+        while not page.text("state")["follow"]:
+            pass
+        while page.ping()[0]["vehicle"]["position"][0] != 0:
+            pass
+
+    # One that flew and vanished would otherwise fly on for ever.
+    def test_a_client_that_flew_and_vanishes_stops_the_vehicle(self):
+        page, other = self.page(), self.page()
+        page.say(op="fly", linear=[0, 1, 0], angular=[0, 0, 0])
+        while other.ping()[0]["vehicle"]["position"][1] < 0.02:
+            pass
+        page.raw.close()
+        places = [other.ping()[0]["vehicle"]["position"][1] for _ in range(40)]
+        self.assertEqual(places[-1], places[-2])
+        other.say(op="follow", on=True)
+
+    def test_a_client_that_reads_nothing_slows_no_other(self):
+        slow, quick = self.page(), self.page()
+        slow.raw.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 4096)
+        start, pings = time.monotonic(), 0
+        numbers = set()
+        while time.monotonic() - start < 2:
+            numbers.add(quick.ping()[0]["number"])
+        self.assertGreater(len(numbers), 20, "of 66 at most")
+
+    def test_half_requests_are_ended(self):
+        page = self.socket()
+        page.raw.settimeout(15)
+        start = time.monotonic()
+        page.send("GET / HTTP/1.1\r\nHost: local")
+        self.assertTrue(page.is_closed())
+        self.assertLess(time.monotonic() - start, 13)
+
+    def test_too_many_connections_are_refused(self):
+        many = [self.socket() for _ in range(300)]
+        self.assertEqual(many[-1].response()[0], 503)
+        for one in many:
+            one.raw.close()
+        time.sleep(0.3)
+
+
+class Starting(unittest.TestCase):
+    """How it starts and ends."""
+
+    def served(self, *options, **more):
+        server = Server(*options, **more)
+        self.addCleanup(server.close)
+        return server
+
+    def refused(self, *options):
+        run = subprocess.run([INSONIFY, "serve", *options], text=True, capture_output=True, timeout=20, check=False)
+        self.assertEqual(run.stdout, "")
+        return run.returncode, run.stderr
+
+    def test_port_in_use_is_one_line(self):
+        server = self.served()
+        status, err = self.refused(str(server.path / "live.yaml"), "--port", str(server.port))
+        self.assertEqual((status, err), (1, f"insonify: cannot listen on port {server.port} of 127.0.0.1: Address already in use\n"))
+
+    def test_bad_addresses_are_one_line(self):
+        self.assertEqual(self.refused("x.yaml", "--address", "12.0.0", "--token", "t"),
+                         (2, "insonify: --address 12.0.0 must be an IP address, such as 127.0.0.1 or ::1\n"))
+        self.assertEqual(self.refused("x.yaml", "--address", "0.0.0.0"),
+                         (2, "insonify: --address 0.0.0.0 can be reached by others: it needs a --token, which they must tell\n"))
+        status, err = self.refused("/nowhere/x.yaml", "--port", "0")
+        self.assertEqual((status, err), (2, "insonify: /nowhere/x.yaml: no such file\n"))
+
+    def test_token_is_told_as_header_query_or_subprotocol(self):
+        server = self.served("--address", "0.0.0.0", "--token", "se.cr-et")
+        self.assertEqual(server.address, f"http://localhost:{server.port}/?token=se.cr-et")
+        def status(**how):
+            return Socket(server.port).open(**how)[0]
+        self.assertEqual(status(), 401)
+        self.assertEqual(status(target="/?token=se.cr-eT"), 401)
+        self.assertEqual(status(target="/?token=se.cr-e"), 401)
+        self.assertEqual(status(target="/?token="), 401)
+        self.assertEqual(status(headers=["Authorization: Bearer wrong"]), 401)
+        self.assertEqual(status(headers=["Authorization: Bearer se.cr-et"]), 101)
+        self.assertEqual(status(target="/?a=b&token=se.cr%2det"), 101)
+        self.assertEqual(status(protocol=f"token.se.cr-et, {VIEWER}"), 101)
+        self.assertEqual(status(target="/?token=se.cr-et", headers=["Origin: http://else.where"], host="my.boat"), 101)
+
+    def test_origins_can_be_allowed(self):
+        server = self.served("--allow-origin", "https://app.example")
+        self.assertEqual(Socket(server.port).open(headers=["Origin: https://app.example"])[0], 101)
+        self.assertEqual(Socket(server.port).open(headers=["Origin: https://app.examples"])[0], 403)
+
+    def test_signals_end_it_within_a_second_with_the_recording_whole(self):
+        for number in (signal.SIGINT, signal.SIGTERM):
+            with self.subTest(number):
+                server = self.served("--record", "dive.h5")
+                page, idle, half = (Socket(server.port) for _ in range(3))
+                self.assertEqual(page.open()[0], 101)
+                self.assertEqual(idle.open()[0], 101)
+                half.send("GET / HT")
+                for _ in range(12):
+                    page.ping()
+                status, out, err, seconds = server.end(number)
+                self.assertEqual((status, err), (0, ""))
+                self.assertLess(seconds, 1)
+                self.assertRegex(out, r"\d+ pings in \d+\.\d s\nrecording: dive-fls.h5, dive-side.h5 \(\d+ pings\)\n")
+                self.assertEqual(page.closing(), (1001, "the server ends"))
+                # The scenario beside it repeats it byte for byte.
+                subprocess.run([INSONIFY, "run", "dive.yaml", "-o", "again", "--no-pictures", "-q"], cwd=server.path, check=True)
+                for sonar in ("fls", "side"):
+                    self.assertEqual(*(dataset_bytes(server.path / file) for file in (f"dive-{sonar}.h5", f"again/{sonar}.h5")))
+
+    def test_recordings_that_are_there_are_kept(self):
+        server = self.served("--record", "dive.mcap")
+        server.end()
+        self.assertTrue((server.path / "dive.mcap").exists())
+        run = subprocess.run([INSONIFY, "serve", "live.yaml", "--port", "0", "--record", "dive.mcap"], cwd=server.path,
+                             text=True, capture_output=True, timeout=20, check=False)
+        self.assertEqual((run.returncode, run.stdout, run.stderr), (2, "", "insonify: dive.yaml: is there already\n"))
+
+
+def dataset_bytes(path):
+    """Times and intensities, by h5py where it is there, else the name of the missing module."""
+    try:
+        import h5py  # pylint: disable=import-outside-toplevel
+    except ImportError:
+        return "no h5py"
+    with h5py.File(path) as file:
+        return file["time"][:].tobytes(), file["intensity"][:].tobytes()
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,137 @@
+// foxglove_test.mjs -- insonify serve as the clients of Foxglove's WebSocket protocol read it.
+//
+// foxglove_test.mjs INSONIFY
+import assert from "node:assert/strict";
+import {spawn} from "node:child_process";
+import {mkdtempSync, rmSync, writeFileSync} from "node:fs";
+import {tmpdir} from "node:os";
+import {join} from "node:path";
+import {parse} from "@foxglove/rosmsg";
+import {MessageReader} from "@foxglove/rosmsg2-serialization";
+import protocol from "@foxglove/ws-protocol";
+import WebSocket from "ws";
+
+const insonify = process.argv[2];
+const folder = mkdtempSync(join(tmpdir(), "insonify-"));
+
+// A point at 6 m, 20 degrees to starboard, and a second sonar.
+writeFileSync(join(folder, "points.yaml"), `
+points: [{position: [5.63816, -2.05212, 0], target_strength_db: -40}]
+receiver: {noise: false}
+sonars:
+  - {name: fls, beam_count: 48, bin_count: 100, azimuth_aperture_deg: 90, max_range: 10, ping_period: 0.05}
+  - {name: side, beam_count: 8, bin_count: 30, azimuth_aperture_deg: 30, max_range: 8, ping_period: 0.1}
+`);
+
+const server = spawn(insonify, ["serve", join(folder, "points.yaml"), "--port", "0"], {cwd: folder});
+let said = "";
+server.stdout.on("data", (bytes) => (said += bytes));
+server.stderr.on("data", (bytes) => process.stderr.write(bytes));
+const ended = new Promise((resolve) => server.on("exit", resolve));
+
+async function until(what, condition) {
+  for (let i = 0; i < 200; ++i) {
+    const value = condition();
+    if (value) {
+      return value;
+    }
+    await new Promise((resolve) => setTimeout(resolve, 50));
+  }
+  throw new Error(`${what} did not come in ten seconds`);
+}
+
+// Subscribes to every channel, and returns what came of each topic.
+async function messagesOf(address, name) {
+  const messages = new Map();
+  const channels = new Map();
+  const statuses = [];
+  const socket = new WebSocket(address, [name]);
+  const client = new protocol.FoxgloveClient({ws: socket});
+  const topics = new Map();
+  let info;
+  client.on("serverInfo", (event) => (info = event));
+  client.on("status", (event) => statuses.push(event));
+  client.on("advertise", (advertised) => {
+    for (const channel of advertised) {
+      channels.set(channel.topic, channel);
+      topics.set(client.subscribe(channel.id), channel);
+    }
+  });
+  client.on("message", ({subscriptionId, timestamp, data}) => {
+    const channel = topics.get(subscriptionId);
+    const reader = new MessageReader(parse(channel.schema, {ros2: true}));
+    const message = reader.readMessage(data);
+    messages.set(channel.topic, [...(messages.get(channel.topic) ?? []), {timestamp, message}]);
+  });
+  await until("every topic", () => channels.size > 0 && [...channels.keys()].every((topic) => messages.has(topic)));
+  await until("twenty sonar images", () => messages.get("/fls/sonar_image").length >= 20);
+  assert.equal(socket.protocol, name);
+  assert.match(info.name, /^insonify /);
+  client.close();
+  return {messages, channels, statuses};
+}
+
+function checkChannels(channels) {
+  const expected = ["/fls/sonar_image", "/fls/fan", "/fls/points", "/fls/pose", "/side/sonar_image", "/side/fan",
+    "/side/points", "/side/pose", "/tf", "/scenario"];
+  assert.deepEqual([...channels.keys()].sort(), expected.sort());
+  for (const channel of channels.values()) {
+    assert.equal(channel.encoding, "cdr");
+    assert.equal(channel.schemaEncoding, "ros2msg");
+  }
+  assert.equal(channels.get("/fls/fan").schemaName, "sensor_msgs/msg/Image");
+}
+
+// The point is where azimuth = atan2(-y, z) and range say it is: 6 m, and starboard is positive there.
+function checkImage(image) {
+  assert.equal(image.beam_directions.length, 48);
+  assert.equal(image.ranges.length, 100);
+  const values = new DataView(image.image.data.buffer, image.image.data.byteOffset);
+  const bytes = image.image.dtype === 0 ? 1 : 2;
+  let loudest = 0, at = 0;
+  for (let i = 0; i < 48 * 100; ++i) {
+    const value = bytes === 1 ? values.getUint8(i) : values.getUint16(2 * i, true);
+    if (value > loudest) {
+      [loudest, at] = [value, i];
+    }
+  }
+  const {y, z} = image.beam_directions[at % 48];
+  assert.ok(Math.abs(image.ranges[Math.floor(at / 48)] - 6) < 0.1, "range");
+  assert.ok(Math.abs(Math.atan2(-y, z) * 180 / Math.PI - 20) < 1.5, "azimuth");
+}
+
+try {
+  const address = (await until("the address", () => /http:\S+/.exec(said)))[0].replace("http", "ws");
+  for (const name of ["foxglove.sdk.v1", "foxglove.websocket.v1"]) {
+    const {messages, channels} = await messagesOf(address, name);
+    checkChannels(channels);
+    checkImage(messages.get("/fls/sonar_image")[0].message);
+    const stamps = messages.get("/fls/sonar_image").map(({timestamp}) => timestamp);
+    assert.ok(stamps.every((stamp, i) => i === 0 || stamp >= stamps[i - 1]), "stamps rise");
+    const off = Math.abs(Number(stamps[0] / 1000000n) - Date.now());
+    assert.ok(off < 60000, `stamps are those of the clock, not ${off} ms off`);
+    const header = messages.get("/fls/sonar_image")[0].message.header.stamp;
+    assert.equal(BigInt(header.sec) * 1000000000n + BigInt(header.nanosec ?? header.nsec), stamps[0]);
+    assert.equal(messages.get("/fls/fan")[0].message.encoding, "rgb8");
+    assert.match(messages.get("/scenario")[0].message.data, /points/);
+    const frames = messages.get("/tf").flatMap(({message}) => message.transforms.map((one) => one.child_frame_id));
+    assert.ok(frames.includes("fls") && frames.includes("side"), `frames: ${[...new Set(frames)]}`);
+  }
+
+  // What it cannot do is answered, and what is no message ends the connection with a reason.
+  const socket = new WebSocket(address, ["foxglove.websocket.v1"]);
+  const texts = [];
+  socket.on("message", (data, binary) => binary || texts.push(JSON.parse(data)));
+  const closed = new Promise((resolve) => socket.on("close", (code, reason) => resolve([code, String(reason)])));
+  await until("the greeting", () => texts.length >= 2);
+  socket.send(JSON.stringify({op: "subscribe", subscriptions: [{id: 1, channelId: 999}]}));
+  socket.send(JSON.stringify({op: "getParameters", parameterNames: []}));
+  await until("two warnings", () => texts.filter(({op}) => op === "status").length === 2);
+  socket.send("{}");
+  assert.deepEqual(await closed, [1008, "the message is no JSON object with an op"]);
+} finally {
+  server.kill("SIGINT");
+  assert.equal(await ended, 0);
+  rmSync(folder, {recursive: true});
+}
+console.log("foxglove: both subprotocols, every channel");

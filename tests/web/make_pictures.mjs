@@ -1,0 +1,136 @@
+// make_pictures.mjs -- makes the documents' pictures of the viewer: docs/images/viewer_*.png, and the moving one, viewer.gif.
+//
+// Usage: node tests/web/make_pictures.mjs INSONIFY [png] [gif]
+// Needs Chromium, ffmpeg and the meshes of the shipped scenes.
+
+import { execFileSync } from "node:child_process";
+import { mkdtempSync, rmSync, writeFileSync, statSync } from "node:fs";
+import { tmpdir } from "node:os";
+import path from "node:path";
+import { fileURLToPath } from "node:url";
+import puppeteer from "puppeteer-core";
+import { openPage } from "./browser.mjs";
+import { pause, until } from "./checks.mjs";
+import { startServer } from "./live_server.mjs";
+
+const kRoot = path.resolve(path.dirname(fileURLToPath(import.meta.url)), "../..");
+const kFerry = path.join(kRoot, "scenes/ferry_calibrated.yaml");
+const kImages = path.join(kRoot, "docs/images");
+const kFrames = 44;
+const kTurn = 330;  // pings of a scanning head: most of a turn
+const kPeriod = 0.5;  // between the pings of the flight [s]
+
+// Towards the wreck, then along it with the bow on it: [time, x, y, z, yaw in degrees].
+const kFlight = [[0, -7, 5, 8, -7], [6, 1, 2, 7.4, -2], [12, 6, -4, 7, 14], [17, 12, -8.5, 6.6, 33], [22, 19, -10, 6.4, 58]];
+const flight = kFlight.map(([time, x, y, z, yaw]) => `{time: ${time}, position: [${x}, ${y}, ${z}], orientation_deg: [0, 0, ${yaw}]}`);
+
+const program = path.resolve(process.argv[2] ?? path.join(kRoot, "build/release/insonify"));
+const wanted = process.argv.length > 3 ? process.argv.slice(3) : ["png", "gif"];
+const scratch = mkdtempSync(path.join(tmpdir(), "insonify-pictures-"));
+
+/** A page on a paused server; `next()` makes a ping and waits until it is drawn. */
+async function visit(scenario, options, look) {
+  const server = await startServer(program, scenario, ["--paused", "--page", path.join(kRoot, "web"), ...options]);
+  const { browser, page } = await openPage(puppeteer, look);
+  await page.goto(server.address);
+  await until(() => page.evaluate(() => globalThis.insonify?.store.get("link").state === "open"), "a connection", 30);
+  const numberOf = () => page.evaluate(() => insonify.store.get("shown")?.number ?? -1);
+  const drawn = () => page.evaluate(() => new Promise((done) => setTimeout(() => requestAnimationFrame(() => requestAnimationFrame(done)), 80)));
+  return {
+    page,
+    set: (values) => page.evaluate((each) => insonify.store.set(each), values),
+    drawn,
+    async next() {
+      const before = await numberOf();
+      await page.evaluate(() => insonify.session.request({ op: "step" }));
+      await until(async () => (await numberOf()) > before, "the next ping", 30);
+      await drawn();
+    },
+    async end() {
+      await browser.close();
+      await server.stop();
+    },
+  };
+}
+
+/** A PNG of 256 colours, which is a third of the size. */
+async function keep(view, name) {
+  await pause(0.6);
+  await view.drawn();
+  const raw = path.join(scratch, "raw.png");
+  const file = path.join(kImages, `viewer_${name}.png`);
+  writeFileSync(raw, await view.page.screenshot());
+  execFileSync("ffmpeg", ["-y", "-loglevel", "error", "-i", raw, "-vf", "split[a][b];[a]palettegen=max_colors=255[p];[b][p]paletteuse=dither=none", file]);
+  console.log(`${file}: ${Math.round(statSync(file).size / 1000)} kB`);
+}
+
+/** Where a range and an azimuth [rad, positive to port] are on the screen. */
+const pointAt = async (view, range, azimuth) => view.page.mouse.move(...(await view.page.evaluate((r, a) => {
+  const box = document.getElementById("picture-stage").getBoundingClientRect();
+  const [x, y] = insonify.picture.plan.place(r, a);
+  return [box.left + x, box.top + y];
+}, range, azimuth)));
+
+async function makePngs() {
+  let view = await visit(kFerry, ["--set", "ground_truth=full"], {});
+  for (let i = 0; i < 12; ++i) await view.next();
+  await pointAt(view, 29, 0.12);
+  await keep(view, "dark");
+  await view.page.evaluate(() => document.getElementById("tab-sonar").click());
+  await view.set({ overlay: "instance" });
+  await view.next();
+  await pointAt(view, 29, 0.12);
+  await keep(view, "objects");
+  await view.set({ overlay: "none", mode: "polar", map: "copper" });
+  await keep(view, "polar");
+  await view.page.evaluate(() => document.getElementById("tab-scene").click());
+  await view.set({ mode: "fan", map: "inferno", main: "scene" });
+  await view.page.evaluate(() => document.getElementById("camera-orbit").click());
+  await keep(view, "scene");
+  await view.set({ main: "picture" });
+  await view.page.evaluate(() => document.getElementById("help").showModal());
+  await keep(view, "help");
+  await view.end();
+
+  view = await visit(kFerry, [], { theme: "light" });
+  for (let i = 0; i < 12; ++i) await view.next();
+  await pointAt(view, 29, 0.12);
+  await keep(view, "light");
+  await view.end();
+
+  view = await visit(kFerry, [], { width: 1024, height: 768, touch: true });
+  for (let i = 0; i < 8; ++i) await view.next();
+  await keep(view, "tablet");
+  await view.end();
+
+  view = await visit(path.join(kRoot, "scenes/tank_calibrated.yaml"), [], {});
+  for (let i = 0; i < kTurn; ++i) await view.next();
+  await keep(view, "round");
+  await view.end();
+}
+
+async function makeGif() {
+  const view = await visit(kFerry, ["--set", `trajectory=[${flight.join(", ")}]`, "--set", `ping_period=${kPeriod}`], {});
+  // It is paused between the frames, and makes pings as fast as they can be kept: neither is of interest.
+  await view.page.evaluate(() => {
+    document.querySelector(".rates").style.visibility = "hidden";
+    insonify.store.on(["status"], (store) => store.get("status")?.paused && store.set({ status: { ...store.get("status"), paused: false } }));
+  });
+  for (let i = 0; i < kFrames; ++i) {
+    await view.next();
+    if (i === 0) await pause(2);
+    if (i < kFrames * 0.45) await pointAt(view, 31 - 0.4 * i, 0.12);
+    if (i === Math.round(kFrames * 0.45)) await view.set({ main: "scene" });
+    await view.drawn();
+    writeFileSync(path.join(scratch, `frame_${String(i).padStart(3, "0")}.png`), await view.page.screenshot());
+  }
+  await view.end();
+  const file = path.join(kImages, "viewer.gif");
+  const filter = "scale=860:-1:flags=area,split[a][b];[a]palettegen=max_colors=72:stats_mode=full[p];[b][p]paletteuse=dither=none:diff_mode=rectangle";
+  execFileSync("ffmpeg", ["-y", "-loglevel", "error", "-framerate", "6", "-i", path.join(scratch, "frame_%03d.png"), "-filter_complex", filter, "-loop", "0", file]);
+  console.log(`${file}: ${(statSync(file).size / 1e6).toFixed(2)} MB`);
+}
+
+if (wanted.includes("png")) await makePngs();
+if (wanted.includes("gif")) await makeGif();
+rmSync(scratch, { recursive: true });
