@@ -3,8 +3,9 @@
 
     tools/run_doc_blocks.py --build build/dev README.md docs/tutorial.md    # exit status 1 where a block fails
 
-The blocks of a file run from top to bottom in one scratch folder of their own, which has the source tree's `scenes`
-and `presets` in it, the build as `build/release`, and the command line as `insonify` on the path.
+The blocks of a file run from top to bottom in one scratch folder of their own, which has the source tree's `scenes`,
+`presets` and `examples` in it, the build as `build/release`, and the command line as `insonify` on the path. `python3`
+is the Python that runs this, and finds the Python package of the build.
 
     ```bash      run by bash, stopping at the first command that fails
     ```python    run by python3
@@ -18,6 +19,9 @@ Other blocks are only shown. A comment before a block says otherwise:
     <!-- file: NAME -->          the block is the file NAME: written, not run (but a cpp program is compiled and run too)
     <!-- run: no (REASON) -->    the block is not run; REASON tells a reader of the source why
     <!-- run: fails -->          the block must fail: the exit status is not 0
+    <!-- run: needs MODULE -->   the block is run where Python can import MODULE, else only shown
+    <!-- from: PATH -->          the block is not run; its lines are those of the file PATH of the source tree, in order,
+                                 with `...` for lines that are left out
 
 A comment anywhere says where a picture that the page shows comes from; blocks must have made it when the page ends:
 
@@ -37,7 +41,7 @@ import sys
 import tempfile
 
 SECONDS_PER_BLOCK = 300
-MARKER = re.compile(r"^\s*<!--\s*(file|run):\s*(.*?)\s*-->\s*$")
+MARKER = re.compile(r"^\s*<!--\s*(file|run|from):\s*(.*?)\s*-->\s*$")
 IMAGE = re.compile(r"^\s*<!--\s*image:\s*(\S+)\s*=\s*(\S+)\s*-->\s*$")
 TIME = re.compile(r"\b\d+(\.\d+)?(?= (s|ms|pings/s)\b)")
 FENCE = re.compile(r"^(\s*)(`{3,})(\w*)[^`]*$")
@@ -50,6 +54,7 @@ class Block:
     text: str
     file: str | None = None
     run: str | None = None
+    source: str | None = None
 
 
 class Fault(Exception):
@@ -71,7 +76,8 @@ def blocks_of(path):
                 inside.text += line.removeprefix(indent) + "\n"
         elif fence:
             indent, ticks = fence.group(1), fence.group(2)
-            inside = Block(number, fence.group(3), "", markers.get("file"), markers.get("run"))
+            inside = Block(number, fence.group(3), "", markers.get("file"), markers.get("run"),
+                           markers.get("from"))
             markers = {}
         elif marker:
             markers[marker.group(1)] = marker.group(2)
@@ -92,14 +98,36 @@ def execute(command, folder, environment):
         return 124, f"took longer than {SECONDS_PER_BLOCK} s"
 
 
+def check_excerpt(block, root):
+    """The lines of a block that shows a file must be in it."""
+    path = root / block.source
+    if not path.is_file():
+        raise Fault(f"from: there is no {block.source}")
+    # "# ..." in a program stands for lines that are left out, too.
+    shown = re.sub(r"(?m)^\s*# \.\.\.$", "...", block.text)
+    lines = [line for line in path.read_text(encoding="utf-8").splitlines() if line.strip()]
+    wrong = mismatch("...\n" + "\n".join(line for line in shown.splitlines() if line.strip()), "\n".join(lines))
+    if wrong is not None:
+        raise Fault(f"this line is not in {block.source}, or not there: {wrong}")
+
+
+def is_there(module, environment):
+    """Whether Python can import a module."""
+    return execute([sys.executable, "-c", f"import {module}"], None, environment)[0] == 0
+
+
 def run_block(block, folder, arguments, environment):
     """Runs one block. Returns its exit status and output, or None where it is only shown."""
     if block.run is not None and block.run.startswith("no"):
         if not re.fullmatch(r"no \(.+\)", block.run):
             raise Fault("run: no must tell why, as in <!-- run: no (needs a network) -->")
         return None
-    if block.run not in (None, "fails"):
-        raise Fault(f"run: {block.run} must be no (REASON) or fails")
+    needed = re.fullmatch(r"needs ([\w.]+)", block.run or "")
+    if needed and not is_there(needed.group(1), environment):
+        print(f"  only shown: a block that needs {needed.group(1)}")
+        return None
+    if block.run not in (None, "fails") and not needed:
+        raise Fault(f"run: {block.run} must be no (REASON), fails or needs MODULE")
     if block.file is not None:
         file = folder / block.file
         file.parent.mkdir(parents=True, exist_ok=True)
@@ -160,14 +188,25 @@ def run_document(path, arguments):
     count = 0
     with tempfile.TemporaryDirectory(prefix="insonify_docs_") as name:
         folder = pathlib.Path(name)
-        for shared in ("scenes", "presets"):
+        for shared in ("scenes", "presets", "examples"):
             (folder / shared).symlink_to(root / shared)
         (folder / "build").mkdir()
         (folder / "build/release").symlink_to(build)
-        environment = dict(os.environ, PATH=f"{build}:{os.environ['PATH']}", TMPDIR=name)
-        output = None
+        (folder / ".bin").mkdir()
+        (folder / ".bin/python3").symlink_to(sys.executable)
+        environment = dict(os.environ, PATH=f"{build}:{folder}/.bin:{os.environ['PATH']}", TMPDIR=name,
+                           PYTHONPATH=str(build / "python"), PYTHONDONTWRITEBYTECODE="1", MPLBACKEND="Agg")
+        output, all_ran = None, True
         for block in blocks_of(path):
+            if block.source is not None:
+                try:
+                    check_excerpt(block, root)
+                except Fault as fault:
+                    raise Fault(f"{path}:{block.line}: {fault}") from fault
+                continue
             if block.language == "console" and block.run is None:
+                if not all_ran:
+                    continue
                 if output is None:
                     raise Fault(f"{path}:{block.line}: nothing ran before this block")
                 wrong = mismatch(block.text, output)
@@ -179,13 +218,15 @@ def run_document(path, arguments):
             except Fault as fault:
                 raise Fault(f"{path}:{block.line}: {fault}") from fault
             if result is None:
+                all_ran = all_ran and not (block.run or "").startswith("needs")
                 continue
             count += 1
             status, output = result
             if (status != 0) != (block.run == "fails"):
                 wanted = "should have failed" if status == 0 else f"failed with status {status}"
                 raise Fault(f"{path}:{block.line}: the block {wanted}\n{block.text}\n{output}")
-        take_images(path, folder, arguments.images)
+        if all_ran:
+            take_images(path, folder, arguments.images)
     return count
 
 

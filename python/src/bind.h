@@ -41,6 +41,7 @@ void bind_recording(py::module_& module);
 void bind_pictures(py::module_& module);
 void bind_acoustics(py::module_& module);
 void bind_similarity(py::module_& module);
+void bind_export(py::module_& module);
 
 /// Hands warnings to Python's `warnings`, as insonify.Warning; drops what merely informs.
 [[nodiscard]] Log warnings_log();

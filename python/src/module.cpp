@@ -18,4 +18,5 @@ PYBIND11_MODULE(_insonify, module) {
   bind_pictures(module);
   bind_acoustics(module);
   bind_similarity(module);
+  bind_export(module);
 }

@@ -14,11 +14,12 @@
 namespace insonify::python {
 
 struct PythonRecording {
+  std::filesystem::path path;
   RecordedPings pings;
   StoredTables tables;
   std::shared_ptr<const SonarFacts> facts = {};  ///< Once a ping was asked for.
 
-  explicit PythonRecording(const std::filesystem::path& path) : pings(path), tables(path) {}
+  explicit PythonRecording(const std::filesystem::path& file) : path(file), pings(file), tables(file) {}
 
   /// Pings that every table has; a recording may grow while it is opened.
   [[nodiscard]] std::uint64_t ping_count() const {

@@ -56,6 +56,27 @@ class RunDocBlocksTest(unittest.TestCase):
         page = block("", "./no-such-thing") + block("json", "{") + block("bash", "exit 2", "<!-- run: no (a test) -->")
         self.assertEqual(run(page), (0, "page.md: 0 blocks ran\n"))
 
+    def test_a_block_that_needs_a_module_is_run_where_it_is(self):
+        page = block("python", "print(3)", "<!-- run: needs json -->") + block("console", "3")
+        self.assertEqual(run(page), (0, "page.md: 1 blocks ran\n"))
+        self.assertEqual(run(block("python", "1/0", "<!-- run: needs json -->"))[0], 1)
+        page = block("python", "1/0", "<!-- run: needs no_such_module -->") + block("console", "3")
+        self.assertEqual(run(page), (0, "  only shown: a block that needs no_such_module\npage.md: 0 blocks ran\n"))
+        self.assertIn("run: sometimes must be", run(block("bash", "true", "<!-- run: sometimes -->"))[1])
+
+    def test_an_excerpt_is_what_the_file_has(self):
+        marker = "<!-- from: tests/tools/run_doc_blocks_test.py -->"
+        page = block("python", "import pathlib\nimport subprocess\n\n# ...\ndef run(text):", marker)
+        self.assertEqual(run(page), (0, "page.md: 0 blocks ran\n"))
+        for wrong in ("import pathlib\nimport sys", "import sys\n...\nimport pathlib", "import  pathlib"):
+            status, output = run(block("python", wrong, marker))
+            self.assertEqual(status, 1, wrong)
+            self.assertIn("page.md:2: this line is not in tests/tools/run_doc_blocks_test.py, or not there: ", output)
+        self.assertIn("from: there is no no.py", run(block("python", "a", "<!-- from: no.py -->"))[1])
+
+    def test_python3_finds_the_package_of_the_build(self):
+        self.assertEqual(run(block("bash", 'test "$PYTHONPATH" = "$(readlink -f build/release)/python"; python3 -c ""'))[0], 0)
+
     def test_skipping_needs_a_reason(self):
         status, output = run(block("bash", "exit 2", "<!-- run: no -->"))
         self.assertEqual(status, 1)

@@ -1,0 +1,121 @@
+// bind_export.cpp -- insonify.export(): recordings in the formats of other tools.
+
+#include <fmt/format.h>
+
+#include <atomic>
+#include <chrono>
+#include <future>
+
+#include "bind.h"
+#include "convert.h"
+#include "insonify/export.h"
+#include "python_recording.h"
+
+namespace insonify::python {
+namespace {
+
+std::filesystem::path recording_path(py::handle given) {
+  return py::isinstance<PythonRecording>(given) ? given.cast<const PythonRecording&>().path
+                                                : path_from(given, "recordings");
+}
+
+// One recording or a list of them.
+std::vector<std::filesystem::path> recording_paths(const py::object& given) {
+  if (!py::isinstance<py::list>(given) && !py::isinstance<py::tuple>(given)) {
+    return {recording_path(given)};
+  }
+  std::vector<std::filesystem::path> paths;
+  for (const py::handle& one : given) {
+    paths.push_back(recording_path(one));
+  }
+  return paths;
+}
+
+void take_levels(py::handle value, ExportOptions& options) {
+  std::vector<double> levels;
+  from_python(value, "levels", 1, levels);
+  if (levels.size() != 2 || !(levels[0] < levels[1])) {
+    throw Error("", "levels", " must be two rising numbers [dB], such as (-90, -40)");
+  }
+  options.messages.low_db = options.video.low_db = levels[0];
+  options.messages.high_db = options.video.high_db = levels[1];
+}
+
+void take_option(const std::string& name, py::handle value, ExportOptions& options) {
+  bool known = true;
+  if (name == "replace") {
+    from_python(value, name, 1, options.replace);
+  } else if (name == "compress") {
+    from_python(value, name, 1, options.compress);
+  } else if (name == "levels") {
+    take_levels(value, options);
+  } else if (name == "rate") {
+    from_python(value, name, 1, options.video.rate);
+  } else if (name == "height") {
+    from_python(value, name, 1, options.video.height);
+  } else if (name == "colour_map") {
+    std::string word;
+    from_python(value, name, 1, word);
+    options.messages.colour_map = options.video.colour_map = colour_map_from_name(word);
+  } else {
+    known = false;
+  }
+  if (name == "annotations") {
+    from_python(value, name, 1, options.video.annotations);
+  }
+  MessageOptions::visit_fields(options.messages, [&](const Field& field, auto& member) {
+    if (field.name == name) {
+      from_python(value, name, 1, member);
+      known = true;
+    }
+  });
+  if (!known) {
+    throw py::type_error("export() has no option " + shown(py::str(name)));
+  }
+}
+
+void export_all(const py::object& recordings, const py::object& file, const py::kwargs& given) {
+  const std::vector<std::filesystem::path> paths = recording_paths(recordings);
+  const std::filesystem::path to = path_from(file, "file");
+  std::atomic<bool> stop = false;
+  ExportOptions options;
+  for (const auto& [name, value] : given) {
+    take_option(name.cast<std::string>(), value, options);
+  }
+  options.stop = &stop;
+  // In a thread of its own, so that this one can look for Control-C.
+  std::future<void> done;
+  {
+    const py::gil_scoped_release released;
+    done = std::async(std::launch::async, [&] { export_recordings(paths, to, options); });
+    constexpr std::chrono::milliseconds kLook(50);
+    while (done.wait_for(kLook) != std::future_status::ready) {
+      const py::gil_scoped_acquire held;
+      if (PyErr_CheckSignals() != 0) {
+        PyErr_Clear();  // Interrupted becomes KeyboardInterrupt.
+        stop = true;
+      }
+    }
+  }
+  done.get();
+}
+
+}  // namespace
+
+void bind_export(py::module_& module) {
+  module.def(
+      "export", &export_all, py::arg("recordings"), py::arg("file"),
+      "export(recordings, file, **options)\n\nWrites recordings of one run, one a sonar, to a file in the format of "
+      "its "
+      "ending: .mcap (ROS 2 messages), .npz, .zarr, .mp4 or .gif, as `insonify export`.\n\n"
+      "recordings: a path or a RecordedPings, or a list of them. Options: replace (False: an error where the file is "
+      "there). compress (True), of .npz. levels (low, high) in dB as on the colour bar, of videos and .mcap; None "
+      "fits. "
+      "colour_map. annotations. rate, pictures a second, and height in pixels, 240 to 8192, of videos. bits (8 or 16), "
+      "strong_share, fan_height in pixels and world_frame, of .mcap.\n\n"
+      "Raises Error with the path for another ending, several sonars in a video, a file that is there, a full disk, "
+      "and "
+      "where a video is asked for and ffmpeg is not installed; KeyboardInterrupt on Control-C, nothing is left then.");
+}
+
+}  // namespace insonify::python
