@@ -67,7 +67,7 @@ namespace insonify {
 
 /// Assigns a scenario's materials to its world, which load_scene(scenario.world, scenario.collisions) has read; reads
 /// the files of their reliefs.
-void assign_materials(Scene& world, const Scenario& scenario, const Log& log = {});
+void assign_scenario_materials(Scene& world, const Scenario& scenario, const Log& log = {});
 
 /// Reads the scene of a scenario and assigns its materials.
 [[nodiscard]] Scene load_scene(const Scenario& scenario, const Log& log = {});

@@ -30,7 +30,7 @@ std::unique_ptr<Simulator> LiveBuilder::build(const Scenario& scenario, const Li
     collisions_ = scenario.collisions;
   }
   Scene scene = scenario.world.empty() ? Scene() : world_;
-  assign_materials(scene, scenario, log);
+  assign_scenario_materials(scene, scenario, log);
   return std::make_unique<Simulator>(scenario_from(scenario, start), std::move(scene), threads_);
 }
 

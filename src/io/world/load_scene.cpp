@@ -45,7 +45,7 @@ Scene load_scene(const std::filesystem::path& path, bool collisions, const Log& 
                   path.string(), mesh_file_endings()));
 }
 
-void assign_materials(Scene& world, const Scenario& scenario, const Log& log) {
+void assign_scenario_materials(Scene& world, const Scenario& scenario, const Log& log) {
   MaterialRules rules = scenario.materials;
   const std::filesystem::path folder = is_stream(scenario.file) ? std::filesystem::path() : scenario.file.parent_path();
   for (auto& [name, change] : rules.overrides) {
@@ -69,7 +69,7 @@ Scene load_scene(const Scenario& scenario, const Log& log) {
   if (!scenario.world.empty()) {
     scene = load_scene(scenario.world, scenario.collisions, log);
   }
-  assign_materials(scene, scenario, log);
+  assign_scenario_materials(scene, scenario, log);
   return scene;
 }
 
