@@ -100,14 +100,19 @@ void export_video(const RecordedTables& recording, const std::filesystem::path& 
   drawing.fit(pings, count, options);
   const double rate = options.video.rate.value_or(usual_rate(pings, count));
   UnfinishedFile out(file, "cannot create");
-  Picture picture = drawing.draw(pings.ping(0));
+  const Picture picture = drawing.draw(pings.ping(0));
   Ffmpeg ffmpeg(file, out.unfinished(), picture.width, picture.height, rate);
-  ffmpeg.add(picture);
-  for (std::uint64_t i = 1; i < count; ++i) {
-    check_stop(options);
-    ffmpeg.add(drawing.draw(pings.ping(i)));
+  try {
+    ffmpeg.add(picture);
+    for (std::uint64_t i = 1; i < count; ++i) {
+      check_stop(options);
+      ffmpeg.add(drawing.draw(pings.ping(i)));
+    }
+    ffmpeg.finish();
+  } catch (const Error&) {
+    check_stop(options);  // Ctrl-C reaches ffmpeg too, which then ends.
+    throw;
   }
-  ffmpeg.finish();
   out.put_in_place();
 }
 
