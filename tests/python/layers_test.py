@@ -114,6 +114,23 @@ class LayersTest(unittest.TestCase):
                 self.assertTrue(np.shares_memory(getattr(read, name), getattr(read, name)))
             self.assertEqual((read.number, read.time), (made.number, made.time))
 
+    def test_it_is_exported(self):
+        with tempfile.TemporaryDirectory() as folder:
+            file = pathlib.Path(folder, "r.npz")
+            insonify.export(self.recording, file)
+            with np.load(file) as exported:
+                for name in self.recording.layers:
+                    np.testing.assert_array_equal(exported[name], np.asarray(getattr(self.recording, name)), name)
+            with self.assertRaisesRegex(insonify.Error, "r.npz"):
+                insonify.export([self.path], file)
+            insonify.export([self.path], file, replace=True, compress=False)
+            with self.assertRaisesRegex(TypeError, "^export.. has no option 'replaec'$"):
+                insonify.export(self.path, file, replaec=True)
+            with self.assertRaisesRegex(insonify.Error, "levels must be two rising numbers"):
+                insonify.export(self.path, file, levels=(3, 2))
+            with self.assertRaisesRegex(insonify.Error, "r.txt"):
+                insonify.export(self.path, pathlib.Path(folder, "r.txt"))
+
     def test_what_was_not_recorded_is_none(self):
         with tempfile.TemporaryDirectory() as folder:
             path = pathlib.Path(folder, "other.h5")
