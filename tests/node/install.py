@@ -1,5 +1,6 @@
 #!/usr/bin/python3
-"""Installs the npm packages of the tests: install.py FOLDER. Exit status 77 where there is no node, npm or registry."""
+"""Installs the npm packages of the tests, and copies the tests beside them: install.py FOLDER. Exit status 77 where there
+is no node, npm or registry."""
 
 import pathlib
 import shutil
@@ -21,8 +22,10 @@ def main():
             return SKIPPED
     lock = (HERE / "package-lock.json").read_bytes()
     done = folder / "installed"
-    for file in HERE.glob("*.mjs"):
-        shutil.copy(file, folder)
+    for source, target in ((HERE, folder), (HERE.parent / "web", folder / "web")):
+        target.mkdir(exist_ok=True)
+        for file in [*source.glob("*.mjs"), *source.glob("*.yaml")]:
+            shutil.copy(file, target)
     if done.exists() and done.read_bytes() == lock:
         return 0
     done.unlink(missing_ok=True)

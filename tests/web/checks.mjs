@@ -1,6 +1,11 @@
 // checks.mjs -- runs named checks one after another, and says which of them fail.
 
 import { cpus, loadavg } from "node:os";
+import path from "node:path";
+import { fileURLToPath } from "node:url";
+
+/** The source tree: tests run as copies in the build tree, beside their packages (tests/node/run.py). */
+export const sourceRoot = () => process.env.INSONIFY_ROOT ?? path.resolve(path.dirname(fileURLToPath(import.meta.url)), "../..");
 
 /** Runs { name: async function }, or those whose names hold `only`; returns how many failed. */
 export async function runChecks(checks, only) {
@@ -40,7 +45,7 @@ export async function need(name) {
   try {
     return await import(name);
   } catch {
-    console.log(`skipped: no npm package ${name} (npm ci, in tests/web)`);
+    console.log(`skipped: no npm package ${name} (ctest -R node_packages installs it)`);
     process.exit(77);
   }
 }

@@ -1,19 +1,17 @@
 // make_pictures.mjs -- makes the documents' pictures of the viewer: docs/images/viewer_*.png, and the moving one, viewer.gif.
 //
-// Usage: node tests/web/make_pictures.mjs INSONIFY [png] [gif]
-// Needs Chromium, ffmpeg and the meshes of the shipped scenes.
+// Usage: ./dev pictures [png] [gif]. It makes both unless one is named.
 
 import { execFileSync } from "node:child_process";
 import { mkdtempSync, rmSync, writeFileSync, statSync } from "node:fs";
 import { tmpdir } from "node:os";
 import path from "node:path";
-import { fileURLToPath } from "node:url";
 import puppeteer from "puppeteer-core";
 import { openPage } from "./browser.mjs";
-import { pause, until } from "./checks.mjs";
+import { pause, sourceRoot, until } from "./checks.mjs";
 import { startServer } from "./live_server.mjs";
 
-const kRoot = path.resolve(path.dirname(fileURLToPath(import.meta.url)), "../..");
+const kRoot = sourceRoot();
 const kFerry = path.join(kRoot, "scenes/ferry_calibrated.yaml");
 const kImages = path.join(kRoot, "docs/images");
 const kFrames = 44;

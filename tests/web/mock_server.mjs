@@ -4,10 +4,11 @@
 import path from "node:path";
 import { fileURLToPath } from "node:url";
 import { WebSocketServer } from "ws";
+import { sourceRoot } from "./checks.mjs";
 import { kHostile, makePing, makeScene, makeSonars } from "./mock_sonar.mjs";
 import { serveFiles } from "./static_files.mjs";
 
-const kPage = path.resolve(path.dirname(fileURLToPath(import.meta.url)), "../../web");
+const kPage = path.join(sourceRoot(), "web");
 
 export class MockServer {
   constructor({ noise = false, rate = 10 } = {}) {
