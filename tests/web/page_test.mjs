@@ -228,6 +228,7 @@ const failed = await runChecks({
 
   async "keys typed into a field do not fly"() {
     server.requests.length = 0;
+    await press("tab-sonar");
     await page.focus("#settings-search");
     await page.keyboard.type("wasd water");
     await pause(0.2);
