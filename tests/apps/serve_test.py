@@ -297,6 +297,8 @@ class Serving(unittest.TestCase):
         for op, message, text in (
                 ("set", {"settings": ["max_range=-2"]}, "--set max_range=-2: sonars[0].max_range = -2 m must be greater than 0, at most 100000 m"),
                 ("set", {"settings": ["maxrange=3"]}, "--set maxrange=3: maxrange is not a known key; did you mean max_range?"),
+                ("set", {"settings": ["seed=4", "world=/etc/passwd"]}, "world can name files, and cannot be set by a client"),
+                ("set", {"settings": ["--materials.hull={relief: x.png}"]}, "materials can name files, and cannot be set by a client"),
                 ("speed", {"factor": 0}, "speed = 0 must be from 0.01 to 100"),
                 ("fly", {"linear": [99, 0, 0], "angular": [0, 0, 0]}, "fly.linear[0] = 99 m/s must be from -50 to 50 m/s"),
                 ("watch", {"sonar": "aft"}, "there is no sonar aft"),
