@@ -42,6 +42,7 @@ struct LivePing {
   Pose world_from_vehicle;
   std::vector<MovedInstance> moved;
   double computing_time = 0;  ///< [s]
+  double made_at = 0;         ///< Unix time at which it was done [s].
 };
 
 /// Receives what a LiveLoop makes, in threads of its own: each function must return soon, and may be called while

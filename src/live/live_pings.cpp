@@ -225,6 +225,7 @@ void LiveLoop::State::make_next(Lock& lock) {
       ping->world_from_vehicle = requests[i].world_from_vehicle;
       ping->moved = moved_instances(*simulator, requests[i]);
       ping->computing_time = std::chrono::duration<double>(Clock::now() - start).count();
+      ping->made_at = std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
       listener->on_ping(ping);
       pings.push_back(ping);
     }

@@ -28,7 +28,7 @@ export async function runChecks(checks, only) {
 export const crowd = () => Math.min(15, Math.max(1, (2 * loadavg()[0]) / cpus().length));
 
 /** Waits until `condition()` gives something true, and returns that; longer on a machine that others use. */
-export async function until(condition, what, seconds = 5) {
+export async function until(condition, what, seconds = 8) {
   const end = Date.now() + 1000 * seconds * crowd();
   for (;;) {
     const value = await condition();

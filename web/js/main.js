@@ -96,6 +96,8 @@ setUpKeyboard(flight, [
 ]);
 byId("help-open").addEventListener("click", () => byId("help").showModal());
 byId("help-close").addEventListener("click", () => byId("help").close());
+// The closed dialog keeps no focus: the space bar is not to press its button.
+byId("help").addEventListener("close", () => byId("help").contains(document.activeElement) && document.activeElement.blur());
 
 // For tests and for the browser's console.
 globalThis.insonify = { store, session, frames, picture };

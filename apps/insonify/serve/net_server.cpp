@@ -256,7 +256,7 @@ class Session : public std::enable_shared_from_this<Session>, public Connection 
       response.set(http::field::server, "insonify");
       response.set(http::field::sec_websocket_protocol, protocol);
     }));
-    websocket_.read_message_max(kLongestFrame);
+    websocket_.read_message_max(0);
     websocket_.auto_fragment(false);
     error_code ignored;
     beast::get_lowest_layer(websocket_).socket().set_option(tcp::no_delay(true), ignored);
@@ -283,25 +283,36 @@ class Session : public std::enable_shared_from_this<Session>, public Connection 
     }
   }
 
+  // The limit of messages is kept here, not by Beast: that resets a connection whose client still sends, which then
+  // does not get to read the reason.
   void read_frame() {
-    websocket_.async_read(buffer_, [self = shared_from_this()](error_code failure, std::size_t) {
+    websocket_.async_read_some(buffer_, kLongestFrame, [self = shared_from_this()](error_code failure, std::size_t) {
       if (failure) {
         self->on_end();
         return;
       }
-      const std::string_view bytes(static_cast<const char*>(self->buffer_.data().data()), self->buffer_.size());
-      if (!self->ending_) {
-        self->guarded([&] {
-          if (self->websocket_.got_text()) {
-            self->client_->on_text(bytes);
-          } else {
-            self->client_->on_binary(bytes);
-          }
-        });
-      }
-      self->buffer_.consume(self->buffer_.size());
+      self->on_part();
       self->read_frame();
     });
+  }
+
+  void on_part() {
+    if (!ending_ && buffer_.size() > kLongestFrame) {
+      close(websocket::close_code::too_big, fmt::format("messages are at most {} bytes", kLongestFrame));
+    }
+    if (!ending_ && websocket_.is_message_done()) {
+      const std::string_view bytes(static_cast<const char*>(buffer_.data().data()), buffer_.size());
+      guarded([&] {
+        if (websocket_.got_text()) {
+          client_->on_text(bytes);
+        } else {
+          client_->on_binary(bytes);
+        }
+      });
+    }
+    if (ending_ || websocket_.is_message_done()) {
+      buffer_.consume(buffer_.size());
+    }
   }
 
   void on_end() {
@@ -344,7 +355,7 @@ class Session : public std::enable_shared_from_this<Session>, public Connection 
   std::shared_ptr<Shared> shared_;
   websocket::stream<beast::tcp_stream> websocket_;
   net::steady_timer closing_;
-  beast::flat_buffer buffer_{2 * kLongestFrame};
+  beast::flat_buffer buffer_{3 * kLongestFrame};
   std::optional<http::request_parser<http::string_body>> parser_;
   std::shared_ptr<http::response<http::string_body>> response_;
   std::unique_ptr<Client> client_;

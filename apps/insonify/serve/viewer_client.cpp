@@ -76,6 +76,20 @@ std::vector<std::string> texts_of(const json& message, const char* key) {
   return texts;
 }
 
+// Settings that can name files: a client must not have the server read what lies on its disk.
+void refuse_files(const std::vector<std::string>& settings) {
+  for (const std::string& setting : settings) {
+    std::string_view key = setting;
+    key = key.substr(key.starts_with("--") ? 2 : 0);
+    key = key.substr(0, key.find_first_of("=.["));
+    for (const std::string_view with_files : {"world", "materials", "trajectory", "motions"}) {
+      if (key == with_files) {
+        throw Error(fmt::format("{} can name files, and cannot be set by a client", key));
+      }
+    }
+  }
+}
+
 class ViewerClient : public Client, public HubMember, public std::enable_shared_from_this<ViewerClient> {
  public:
   ViewerClient(Connection& connection, Hub& hub) : connection_(connection), hub_(hub) {}
@@ -243,7 +257,9 @@ class ViewerClient : public Client, public HubMember, public std::enable_shared_
     } else if (op == "speed") {
       loop.set_speed(number_of(member(message, "factor"), "factor"));
     } else if (op == "set") {
-      loop.set(texts_of(message, "settings"), answer(op));
+      std::vector<std::string> settings = texts_of(message, "settings");
+      refuse_files(settings);
+      loop.set(std::move(settings), answer(op));
     } else if (op == "material") {
       loop.set_material(text_of(message, "object"), text_of(message, "material"), answer(op));
     } else if (op == "record") {

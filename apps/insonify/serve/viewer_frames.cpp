@@ -217,6 +217,7 @@ Bytes ping_frame(const LivePing& live, unsigned tables) {
                          {"orientation", listed(live.world_from_vehicle.orientation)}}},
                        {"head_angle", degrees_from_radians(ping.head_angle)},
                        {"ms", 1000 * live.computing_time},
+                       {"made_at", live.made_at},
                        {"tables", listed_tables}};
   return message(kPing, header, body);
 }

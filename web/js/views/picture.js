@@ -6,7 +6,7 @@ import { drawGraticule } from "../draw/graticule.js";
 import { makePlan, underPoint } from "../draw/plan.js";
 import { PictureRenderer } from "../draw/renderer.js";
 import { clock } from "../format.js";
-import { binAt, beamAt, slotAt } from "../sonar.js";
+import { binRange, slotAt } from "../sonar.js";
 import { watchGestures } from "./gestures.js";
 
 const kHome = { factor: 1, x: 0, y: 0 };
@@ -142,22 +142,24 @@ export class PictureView {
     this.redraw();
   }
 
-  // Alt and an arrow move the cursor by a bin or a beam, with Shift by ten.
+  // Alt and an arrow move the cursor to the middle of the next bin or beam, with Shift of the tenth next.
   #moveCursor(event) {
     const sonar = this.store.get("sonar");
-    const moves = { ArrowUp: [1, 0], ArrowDown: [-1, 0], ArrowLeft: [0, 1], ArrowRight: [0, -1] };
+    const moves = { ArrowUp: [1, 0], ArrowDown: [-1, 0], ArrowLeft: [0, -1], ArrowRight: [0, 1] };
     if (!event.altKey || !(event.key in moves) || !sonar) return;
     event.preventDefault();
     const [bins, beams] = moves[event.key].map((count) => count * (event.shiftKey ? 10 : 1));
-    const from = this.store.get("cursor") ?? { range: (sonar.min_range + sonar.max_range) / 2, azimuth: 0 };
-    const width = (sonar.edges[0] - sonar.edges[sonar.beams]) / sonar.beams;
-    const range = from.range + bins * sonar.binLength;
-    let azimuth = from.azimuth + beams * width;
-    const bin = binAt(sonar, range);
-    const round = this.store.get("mode") === "round";
-    if (round) azimuth = Math.atan2(Math.sin(azimuth), Math.cos(azimuth));
-    const beam = round ? 0 : beamAt(sonar, azimuth);
-    if (bin < 0 || beam < 0) return;
-    this.store.set({ cursor: { range, azimuth, beam, bin, slot: round ? slotAt(azimuth) : undefined }, beam });
+    const from = this.store.get("cursor");
+    const clamp = (value, count) => Math.max(0, Math.min(count - 1, value));
+    const bin = clamp((from?.bin ?? Math.floor(sonar.bins / 2)) + bins, sonar.bins);
+    const range = binRange(sonar, bin);
+    if (sonar.scanning) {
+      const turn = (from?.azimuth ?? 0) - beams * (sonar.edges[0] - sonar.edges[1]);
+      const azimuth = Math.atan2(Math.sin(turn), Math.cos(turn));
+      this.store.set({ cursor: { range, azimuth, beam: 0, bin, slot: slotAt(azimuth) } });
+      return;
+    }
+    const beam = clamp((from?.beam ?? Math.floor(sonar.beams / 2)) + beams, sonar.beams);
+    this.store.set({ cursor: { range, azimuth: sonar.beamAzimuths[beam], beam, bin }, beam });
   }
 }
