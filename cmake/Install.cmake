@@ -13,7 +13,8 @@ configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/insonifyConfig.cmake.i
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/insonifyConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/insonifyConfig.cmake ${PROJECT_BINARY_DIR}/insonifyConfigVersion.cmake
   ${PROJECT_SOURCE_DIR}/cmake/FindZstd.cmake DESTINATION ${config_folder} COMPONENT development)
-install(DIRECTORY ${PROJECT_SOURCE_DIR}/examples DESTINATION ${CMAKE_INSTALL_DATADIR}/insonify COMPONENT development)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/examples DESTINATION ${CMAKE_INSTALL_DATADIR}/insonify COMPONENT development
+  PATTERN __pycache__ EXCLUDE)
 
 if(INSONIFY_BUILD_APPS)
   install(TARGETS insonify_cli COMPONENT tools)
