@@ -53,11 +53,15 @@ def main(count: int) -> None:
                 times.append(seconds_of(sim.ping, 0, pose, None, number) if timed else sim._time_ping(0, pose, number))
         added = statistics.median(p - c for p, c in zip(from_python, from_cpp))
 
+        # The same pings by their numbers too, which decide where a scanning head looks: a batch goes on after the last.
         def one_by_one() -> list[insonify.Ping]:
-            return [sim.ping(0, pose, number=number) for number, pose in enumerate(poses)]
+            return [sim.ping(0, pose, number=number) for number, pose in enumerate(poses, start=1)]
 
-        sim.ping_batch(0, poses)
-        alone, batch = zip(*((seconds_of(one_by_one), seconds_of(sim.ping_batch, 0, poses)) for _ in range(5)))
+        alone, batch = [], []
+        for _ in range(5):
+            sim.ping(0, poses[0], number=0)
+            batch.append(seconds_of(sim.ping_batch, 0, poses))
+            alone.append(seconds_of(one_by_one))
         cells = [statistics.median(from_cpp), statistics.median(from_python), added,
                  statistics.median(alone) / count, statistics.median(batch) / count]
         print(f"{title:22} " + " ".join(f"{1e3 * cell:{width}.3f}" for cell, width in zip(cells, (9, 9, 13, 11, 9))))

@@ -62,8 +62,8 @@ class Simulator {
   [[nodiscard]] Ping ping(int sonar, const PingRequest& request);
 
   /// Makes many pings of one sonar; pings[i] is that of requests[i], the same as when made alone. Where nothing but the
-  /// sonar moves and there is no sea surface, threads make a ping each instead of sharing one, which is faster for
-  /// sonars of few beams and takes memory for one ping more for each thread.
+  /// sonar moves and there is no sea surface, threads make a ping each instead of sharing one, which
+  /// takes memory for one ping more for each thread.
   /// @throws Error as above, with the pings before it made; and where there are not as many pings as requests.
   void ping(int sonar, std::span<const PingRequest> requests, std::span<Ping> pings);
 
