@@ -54,15 +54,15 @@ class Client:
                 data = data[gone:]
                 continue
             # The head of a frame, and of a ping its JSON.
+            before = len(self.head)
             self.head += bytes(data[:2048])
-            used = self.take_head()
+            used = self.take_head(before)
             if used is None:
                 return
             data = data[min(used, len(data)):]
 
-    def take_head(self):
-        """Bytes of the data just added that belong to the head; None where more are needed."""
-        before = len(self.head) - min(2048, len(self.head))
+    def take_head(self, before):
+        """Bytes added after the first `before` that belong to the head; None where more are needed."""
         head = self.head
         if len(head) < 14:
             return None
@@ -81,6 +81,8 @@ class Client:
             header = json.loads(payload[8:8 + length])
             self.delays.append(time.time() - header["made_at"])
             self.numbers.add(header["number"])
+        if opcode == 9:  # A ping of the protocol: an answer says that it is still here.
+            self.socket.sendall(b"\x8a" + bytes([0x80 | size, 0, 0, 0, 0]) + payload)
         self.skip = size - wanted
         self.head = b""
         return at + wanted - before
