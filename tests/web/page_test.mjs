@@ -343,6 +343,8 @@ const failed = await runChecks({
   },
 
   async "single keys do what the help says"() {
+    await until(async () => !(await page.$eval("#pause", (node) => node.disabled)), "the connection");
+    await page.evaluate(() => document.activeElement?.blur());  // The space bar presses a button that has the focus.
     await page.keyboard.press("2");
     assert.equal(await get("main"), "scene");
     await page.keyboard.press("1");
