@@ -92,6 +92,51 @@ class Batch {
   py::dict arrays_;
 };
 
+// A PingRequest as it is, or one of a pose.
+PythonSimulator::Asked asked_from(const py::object& pose) {
+  return py::isinstance<PythonSimulator::Asked>(pose) ? pose.cast<PythonSimulator::Asked>()
+                                                      : PythonSimulator::Asked{.pose = pose};
+}
+
+std::shared_ptr<PythonPing> ping(PythonSimulator& self, const py::object& sonar_, const py::object& pose,
+                                 const py::object& time, const py::object& number, const py::object& twist,
+                                 const py::object& moved, const py::object& head_angle) {
+  PythonSimulator::Asked asked = asked_from(pose);
+  const auto set = [&](const char* name, py::object& member, const py::object& value) {
+    if (!value.is_none() && !member.is_none()) {
+      throw Error("", name, " is given twice: in the PingRequest and beside it");
+    }
+    if (!value.is_none()) {
+      member = value;
+    }
+  };
+  set("time", asked.time, time);
+  set("number", asked.number, number);
+  set("twist", asked.twist, twist);
+  set("moved", asked.moved, moved);
+  set("head_angle", asked.head_angle, head_angle);
+  const int sonar = self.sonar(sonar_);
+  return self.ping(sonar, self.request(sonar, asked));
+}
+
+void add_request(py::module_& module) {
+  using Asked = PythonSimulator::Asked;
+  py::class_<Asked>(module, "PingRequest",
+                    "What a ping is asked for: the keywords of Simulator.ping(), to be kept and passed in place of a "
+                    "pose.\n\nValues are checked when the ping is made.")
+      .def(py::init([](const py::object& pose, const py::object& time, const py::object& number,
+                       const py::object& twist, const py::object& moved,
+                       const py::object& head_angle) { return Asked{pose, time, number, twist, moved, head_angle}; }),
+           py::arg("pose") = py::none(), py::arg("time") = py::none(), py::arg("number") = py::none(), py::kw_only(),
+           py::arg("twist") = py::none(), py::arg("moved") = py::none(), py::arg("head_angle") = py::none())
+      .def_readwrite("pose", &Asked::pose, "Of the vehicle in the world; None: the scenario's.")
+      .def_readwrite("time", &Asked::time, "Of transmission [s].")
+      .def_readwrite("number", &Asked::number, "With the seed decides the random numbers; the step of a head.")
+      .def_readwrite("twist", &Asked::twist, "(linear [m/s], angular [rad/s]) along the world's axes.")
+      .def_readwrite("moved", &Asked::moved, "Names, or indices of instances, and poses of movable objects.")
+      .def_readwrite("head_angle", &Asked::head_angle, "Of a scanning head [rad].");
+}
+
 py::dict batch(PythonSimulator& self, const py::object& sonar_, const py::object& poses, const py::object& times) {
   const int sonar = self.sonar(sonar_);
   if (py::isinstance<py::str>(poses) || PySequence_Check(poses.ptr()) == 0 || py::len(poses) == 0) {
@@ -102,12 +147,13 @@ py::dict batch(PythonSimulator& self, const py::object& sonar_, const py::object
   }
   std::vector<PingRequest> requests;
   for (std::size_t i = 0; i < py::len(poses); ++i) {
-    PythonSimulator::Asked asked{poses[py::int_(i)],
-                                 times.is_none() ? py::object(py::none()) : times[py::int_(i)],
-                                 requests.empty() ? py::object(py::none()) : py::int_(requests.back().number + 1),
-                                 py::none(),
-                                 py::none(),
-                                 py::none()};
+    PythonSimulator::Asked asked = asked_from(poses[py::int_(i)]);
+    if (!times.is_none()) {
+      asked.time = times[py::int_(i)];
+    }
+    if (asked.number.is_none() && !requests.empty()) {
+      asked.number = py::int_(requests.back().number + 1);
+    }
     requests.push_back(self.request(sonar, asked));
   }
   Batch made(requests.size());
@@ -119,7 +165,7 @@ constexpr const char* kPingHelp = R"(Makes a ping. Returns a Ping; other threads
 
 sonar: name or index.
 pose: of the vehicle in the world, a 4 x 4 matrix, a pair (position, quaternion w x y z) or a Pose; None for the scenario's
-    trajectory.
+    trajectory. Or a PingRequest, which says the rest too.
 time: of transmission [s]; None: number times the sonar's ping period.
 number: with the scenario's seed decides the random numbers, and the step of a scanning head; None: the one after the last.
 twist: pair (linear [m/s], angular [rad/s]) along the world's axes, for motion_in_ping; None: the trajectory's, or at rest
@@ -150,23 +196,18 @@ py::object parse_wrapped(const std::string& text, const py::object& folder, cons
 }
 
 void bind_simulator(py::module_& module) {
+  add_request(module);
   py::class_<PythonSimulator> simulator(module, "Simulator", kSimulatorHelp);
   simulator
       .def(py::init(&make_simulator), py::arg("scenario"), py::arg("scene") = py::none(), py::arg("threads") = 0,
            py::arg("movable") = py::none())
-      .def(
-          "ping",
-          [](PythonSimulator& self, const py::object& sonar_, const py::object& pose, const py::object& time,
-             const py::object& number, const py::object& twist, const py::object& moved, const py::object& head_angle) {
-            const int sonar = self.sonar(sonar_);
-            return self.ping(sonar, self.request(sonar, {pose, time, number, twist, moved, head_angle}));
-          },
-          py::arg("sonar") = 0, py::arg("pose") = py::none(), py::arg("time") = py::none(),
-          py::arg("number") = py::none(), py::kw_only(), py::arg("twist") = py::none(), py::arg("moved") = py::none(),
-          py::arg("head_angle") = py::none(), kPingHelp)
+      .def("ping", &ping, py::arg("sonar") = 0, py::arg("pose") = py::none(), py::arg("time") = py::none(),
+           py::arg("number") = py::none(), py::kw_only(), py::arg("twist") = py::none(), py::arg("moved") = py::none(),
+           py::arg("head_angle") = py::none(), kPingHelp)
       .def("ping_batch", &batch, py::arg("sonar"), py::arg("poses"), py::arg("times") = py::none(),
            "Makes a ping at each of many poses. Returns a dict of arrays, as the tables of Ping, with a leading axis: "
-           "\"intensity\" is [poses, bins, beams].\n\nposes: list of poses, or an array [n, 4, 4]. times: n numbers "
+           "\"intensity\" is [poses, bins, beams].\n\nposes: list of poses or PingRequests, or an array [n, 4, 4]. "
+           "times: n numbers "
            "[s].\n\nThreads make a ping each, unless something in the scene moves (a scenario's motions, a sea "
            "surface): "
            "then they share each ping. The pings are those of ping(), one after the other, byte for byte. Raises Error "

@@ -28,9 +28,10 @@ class PythonSimulator {
   /// Index of a sonar by index or name.  @throws Error listing the names.
   [[nodiscard]] int sonar(const py::object& sonar) const;
 
-  /// What ping() was asked for; None where the scenario says it.
+  /// What ping() was asked for, a PingRequest of Python; None where the scenario says it.
   struct Asked {
-    py::object pose, time, number, twist, moved, head_angle;
+    py::object pose = py::none(), time = py::none(), number = py::none(), twist = py::none(), moved = py::none(),
+               head_angle = py::none();
   };
 
   /// The request of the next ping, or of the one asked for.

@@ -140,13 +140,24 @@ class Ping:
     def plot(self, kind: Literal["fan", "polar"] = ..., levels: tuple[float, float] | None = ..., ax: Any = ...,
              colour_map: str = ...) -> Any: ...
 
+class PingRequest:
+    pose: _PoseLike | None
+    time: float | None
+    number: int | None
+    twist: _Twist | None
+    moved: Mapping[str, _PoseLike] | Mapping[int, _PoseLike] | None
+    head_angle: float | None
+    def __init__(self, pose: _PoseLike | None = ..., time: float | None = ..., number: int | None = ..., *,
+                 twist: _Twist | None = ..., moved: Mapping[str, _PoseLike] | Mapping[int, _PoseLike] | None = ...,
+                 head_angle: float | None = ...) -> None: ...
+
 class Simulator:
     def __init__(self, scenario: Scenario, scene: Scene | None = ..., threads: int = ..., movable: _Movable = ...) -> None: ...
-    def ping(self, sonar: int | str = ..., pose: _PoseLike | None = ..., time: float | None = ...,
+    def ping(self, sonar: int | str = ..., pose: _PoseLike | PingRequest | None = ..., time: float | None = ...,
              number: int | None = ..., *, twist: _Twist | None = ...,
              moved: Mapping[str, _PoseLike] | Mapping[int, _PoseLike] | None = ...,
              head_angle: float | None = ...) -> Ping: ...
-    def ping_batch(self, sonar: int | str, poses: Sequence[_PoseLike] | npt.NDArray[Any],
+    def ping_batch(self, sonar: int | str, poses: Sequence[_PoseLike] | Sequence[PingRequest] | npt.NDArray[Any],
                    times: Sequence[float] | npt.NDArray[Any] | None = ...) -> dict[str, npt.NDArray[Any]]: ...
     def sonar(self, sonar: int | str = ...) -> SonarConfig: ...
     def _time_ping(self, sonar: int | str, pose: _PoseLike | None, number: int) -> float: ...

@@ -205,6 +205,18 @@ class PingTest(unittest.TestCase):
         self.assertEqual(sim.ping(time=4.0, number=0).pose.position, (2, 0, 0))
         self.assertEqual(sim.ping(number=1).intensity.tobytes(), second.intensity.tobytes())
 
+    def test_a_request_is_what_keywords_say(self):
+        sim = simulator()
+        request = insonify.PingRequest(((1, 2, 0.5), (1, 0, 0, 0)), number=3)
+        by_keywords = sim.ping("ahead", ((1, 2, 0.5), (1, 0, 0, 0)), number=3)
+        self.assertEqual(sim.ping("ahead", request).intensity.tobytes(), by_keywords.intensity.tobytes())
+        request.number = 4
+        together = sim.ping_batch("ahead", [insonify.PingRequest(request.pose, number=3), request])
+        self.assertEqual(together["intensity"][0].tobytes(), by_keywords.intensity.tobytes())
+        self.assertEqual(together["intensity"][1].tobytes(), sim.ping("ahead", request).intensity.tobytes())
+        with self.assertRaisesRegex(insonify.Error, "number is given twice"):
+            sim.ping("ahead", request, number=5)
+
     def test_a_time_has_the_trajectorys_motion(self):
         turning = [insonify.Waypoint(time=0), insonify.Waypoint(time=1, orientation_deg=(0, 0, 170))]
         sim = simulator(motion_in_ping=True, trajectory=turning)
