@@ -10,9 +10,9 @@ def to_db(intensity: npt.ArrayLike, floor: float = -200.0) -> npt.NDArray[np.flo
     """10 log10 of intensities, at least `floor` [dB]: an array of the same shape, float32.
 
     In the calibrated model these are decibels relative to the source's intensity at 1 m: with a source level added they
-    are echo levels. Zeros and NaN become `floor`.
+    are echo levels. Zeros become `floor`; NaN and what is below zero become NaN.
     """
     linear = np.asarray(intensity)
     with np.errstate(divide="ignore", invalid="ignore"):
         levels = 10 * np.log10(linear)
-    return np.where(levels > floor, levels, floor).astype(np.float32)
+    return np.where(levels < floor, floor, levels).astype(np.float32)

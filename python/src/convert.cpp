@@ -38,13 +38,14 @@ double number_from(py::handle value, const std::string& name, const std::string&
 // The whole number that an object with __index__ is.
 template <typename Whole>
 Whole whole_from(py::handle value, const std::string& name) {
-  try {
-    if (py::isinstance<py::bool_>(value)) {
-      throw py::cast_error();
+  if (!py::isinstance<py::bool_>(value)) {
+    // Null for what has no __index__, of which pybind11 could not even name the type.
+    if (const auto whole = py::reinterpret_steal<py::object>(PyNumber_Index(value.ptr()))) {
+      try {
+        return whole.cast<Whole>();
+      } catch (const py::cast_error&) {  // Too large.
+      }
     }
-    return py::reinterpret_steal<py::object>(PyNumber_Index(value.ptr())).cast<Whole>();
-  } catch (const py::cast_error&) {
-  } catch (const py::error_already_set&) {
   }
   PyErr_Clear();
   refuse(value, name, std::is_unsigned_v<Whole> ? "a whole number of at least 0" : "a whole number");

@@ -97,6 +97,31 @@ int PythonSimulator::sonar(const py::object& sonar) const {
   return index;
 }
 
+namespace {
+
+// Takes the numbers of pings before they are made, so that other threads take others; gives them back if that fails.
+// Made and ended with the interpreter's lock held.
+class TakenNumbers {
+ public:
+  TakenNumbers(std::uint64_t& next, std::uint64_t first, std::uint64_t end) : next_(next), first_(first), end_(end) {
+    next_ = end;
+  }
+  ~TakenNumbers() {
+    if (std::uncaught_exceptions() > exceptions_ && next_ == end_) {
+      next_ = first_;
+    }
+  }
+  TakenNumbers(const TakenNumbers&) = delete;
+  TakenNumbers& operator=(const TakenNumbers&) = delete;
+
+ private:
+  std::uint64_t& next_;
+  std::uint64_t first_, end_;
+  int exceptions_ = std::uncaught_exceptions();
+};
+
+}  // namespace
+
 PingRequest PythonSimulator::request(int sonar, const Asked& asked) {
   std::uint64_t number = next_[sonar];
   if (!asked.number.is_none()) {
@@ -129,17 +154,21 @@ PingRequest PythonSimulator::request(int sonar, const Asked& asked) {
 
 std::shared_ptr<PythonPing> PythonSimulator::ping(int sonar, const PingRequest& request) {
   std::shared_ptr<PythonPing> ping = pools_[sonar]->take();
+  const TakenNumbers taken(next_[sonar], request.number, request.number + 1);
   locked([&] {
     simulator_.ping(sonar, request, *ping);
     ping->facts = facts_[sonar];
   });
-  next_[sonar] = request.number + 1;
   return ping;
 }
 
 void PythonSimulator::ping(int sonar, const std::vector<PingRequest>& requests, const Take& take) {
   // Enough for the threads to have as much to do as each other, few enough to be stopped and to stay in memory.
   constexpr std::size_t kAtOnce = 64;
+  if (requests.empty()) {
+    return;
+  }
+  const TakenNumbers taken(next_[sonar], requests.front().number, requests.back().number + 1);
   locked([&] {
     std::vector<Ping> pings(std::min(kAtOnce, requests.size()));
     const std::span<const PingRequest> all(requests);
@@ -153,7 +182,6 @@ void PythonSimulator::ping(int sonar, const std::vector<PingRequest>& requests, 
       }
     }
   });
-  next_[sonar] = requests.empty() ? next_[sonar] : requests.back().number + 1;
 }
 
 double PythonSimulator::time_ping(int sonar, const PingRequest& request) {

@@ -205,6 +205,27 @@ class PingTest(unittest.TestCase):
         self.assertEqual(sim.ping(time=4.0, number=0).pose.position, (2, 0, 0))
         self.assertEqual(sim.ping(number=1).intensity.tobytes(), second.intensity.tobytes())
 
+    def test_what_is_no_whole_number_is_refused(self):
+        scenario, sim = insonify.Scenario.from_text(TEXT), simulator()
+        for value in (1.5, "x", None, [], np.float64(3), 10**30):
+            for act in (lambda: setattr(scenario, "seed", value), lambda: setattr(scenario.sonars[0], "beam_count", value),
+                        lambda: insonify.SonarConfig(bin_count=value), lambda: sim.sonar(value) if value != "x" else sim.ping(number=value)):
+                with self.assertRaises(insonify.Error):
+                    act()
+        self.assertEqual(sim.ping(number=np.int64(7)).number, 7)
+
+    def test_threads_share_the_numbers_of_pings(self):
+        sim, numbers = simulator(), []
+        threads = [threading.Thread(target=lambda: numbers.extend(sim.ping().number for _ in range(10))) for _ in range(4)]
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join()
+        self.assertEqual(sorted(numbers), list(range(40)))
+        with self.assertRaises(insonify.Error):
+            sim.ping(time=1e30)
+        self.assertEqual(sim.ping().number, 40)
+
     def test_a_request_is_what_keywords_say(self):
         sim = simulator()
         request = insonify.PingRequest(((1, 2, 0.5), (1, 0, 0, 0)), number=3)
@@ -426,6 +447,34 @@ class RecordingTest(unittest.TestCase):
             insonify.open("nowhere.h5")
 
 
+    def test_a_failed_with_keeps_the_earlier_file(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = f"{folder}/r.h5"
+            sim = simulator()
+            with insonify.Recording(path, sim) as recording:
+                recording.add(sim.ping())
+                recording.add(sim.ping())
+            with self.assertRaises(KeyError), insonify.Recording(path, sim, replace=True) as recording:
+                recording.add(sim.ping())
+                raise KeyError
+            self.assertEqual(len(insonify.open(path)), 2)
+            with self.assertRaisesRegex(insonify.Error, "closed"):
+                recording.add(sim.ping())
+
+    def test_pings_of_other_settings_are_refused(self):
+        with tempfile.TemporaryDirectory() as folder:
+            sim, other = simulator(), simulator()
+            further = other.sonar()
+            further.max_range = 11
+            with insonify.Recording(f"{folder}/r.h5", sim) as recording:
+                recording.add(other.ping())
+                other.set_sonar(0, further)
+                with self.assertRaisesRegex(insonify.Error, "ping 1 was made with other settings"):
+                    recording.add(other.ping())
+            with self.assertRaisesRegex(insonify.Error, "must not end in .mcap"):
+                insonify.Recording(f"{folder}/r.mcap", sim)
+
+
 class PictureTest(unittest.TestCase):
     def test_fan_and_polar_are_those_of_the_command_line(self):
         with tempfile.TemporaryDirectory() as folder:
@@ -447,7 +496,7 @@ class PictureTest(unittest.TestCase):
 
     def test_decibels(self):
         levels = insonify.to_db(np.array([1, 0.1, 0, np.nan, 1e-30]))
-        np.testing.assert_allclose(levels, [0, -10, -200, -200, -200], atol=1e-5)
+        np.testing.assert_allclose(levels, [0, -10, -200, np.nan, -200], atol=1e-5)
 
 
 class AcousticsTest(unittest.TestCase):
