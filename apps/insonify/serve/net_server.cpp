@@ -439,10 +439,11 @@ NetServer::NetServer(NetServerOptions options) : state_(std::make_unique<State>(
   State& state = *state_;
   const NetServerOptions& chosen = state.shared->options;
   error_code failure;
-  const net::ip::address address = net::ip::make_address(chosen.address, failure);
+  const net::ip::address address =
+      net::ip::make_address(chosen.address == "localhost" ? "127.0.0.1" : chosen.address, failure);
   if (failure) {
-    throw InputError(
-        fmt::format("--address {} must be an IP address, such as 127.0.0.1 or ::1", printable(chosen.address)));
+    throw InputError(fmt::format("--address {} must be an IP address, such as 127.0.0.1 or ::1, or localhost",
+                                 printable(chosen.address)));
   }
   const tcp::endpoint endpoint(address, chosen.port);
   const auto attempt = [&](const auto& function) {
