@@ -100,4 +100,4 @@ byId("help-close").addEventListener("click", () => byId("help").close());
 byId("help").addEventListener("close", () => byId("help").contains(document.activeElement) && document.activeElement.blur());
 
 // For tests and for the browser's console.
-globalThis.insonify = { store, session, frames, picture };
+globalThis.insonify = { store, session, frames, picture, get waterfall() { return waterfall; }, get scene() { return scene; } };
