@@ -141,7 +141,7 @@ class Socket:
         self.send_frame(json.dumps(message))
 
     def frame(self):
-        """Opcode and payload; answers pings."""
+        """Opcode and payload. It answers no pings: a client that lives longer than 30 s has to."""
         first, second = self.read(2)
         size = second & 0x7F
         if size == 126:
@@ -410,12 +410,92 @@ class Serving(unittest.TestCase):
         self.assertTrue(page.is_closed())
         self.assertLess(time.monotonic() - start, 13)
 
-    def test_too_many_connections_are_refused(self):
+    # 256 is the most there may be at a time.
+    def test_connections_that_ask_for_nothing_keep_out_no_others(self):
         many = [self.socket() for _ in range(300)]
-        self.assertEqual(many[-1].response()[0], 503)
+        page = self.page()
+        page.ping()
+        self.assertTrue(many[0].is_closed(), "the one that has waited longest")
+        last = many[-1]
+        self.assertEqual(last.request("/")[0], 200)
         for one in many:
             one.raw.close()
         time.sleep(0.3)
+
+    def test_too_many_connections_are_refused(self):
+        many = [self.socket() for _ in range(256)]
+        for one in many:
+            self.assertEqual(one.open()[0], 101)
+        status, _, body = self.socket().response()
+        self.assertEqual((status, body), (503, b"too many connections\n"))
+        for one in many:
+            one.raw.close()
+        time.sleep(0.5)
+
+
+class Slow(unittest.TestCase):
+    """Clients that read little or nothing, of a sonar whose pings are 256 kB."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.server = Server(scenario="""
+points: [{position: [5, 1, 0], target_strength_db: -20}]
+sonars: [{name: fls, beam_count: 256, bin_count: 500, azimuth_aperture_deg: 80, max_range: 9, ping_period: 0.02,
+          receiver: {noise: false, speckle: false}}]
+""")
+
+    @classmethod
+    def tearDownClass(cls):
+        status, _, err, _ = cls.server.end()
+        cls.server.close()
+        assert (status, err) == (0, ""), (status, err)
+
+    def page(self):
+        page = Socket(self.server.port)
+        self.assertEqual(page.open()[0], 101)
+        return page
+
+    def memory(self):
+        """Of the server [bytes]."""
+        status = pathlib.Path(f"/proc/{self.server.process.pid}/status").read_text()
+        return 1024 * int(status.split("VmRSS:")[1].split()[0])
+
+    # 80 pings are 20 MB. What the system's buffers hold is sent; of what waits behind it the newest four stay.
+    def test_a_slow_client_loses_its_oldest_pings_and_costs_no_memory(self):
+        quick, slow = self.page(), self.page()
+        first = slow.ping()[0]["number"]
+        quick.ping()
+        before, most = self.memory(), 0
+        while True:
+            newest = quick.ping()[0]["number"]
+            most = max(most, self.memory())
+            if newest > first + 80:
+                break
+        self.assertLess(most - before, 8_000_000)
+        numbers = [slow.ping()[0]["number"]]
+        while numbers[-1] < newest:
+            numbers.append(slow.ping()[0]["number"])
+        self.assertEqual(numbers, sorted(numbers))
+        gaps = [b - a for a, b in zip(numbers, numbers[1:])]
+        self.assertGreater(max(gaps), 10, "the oldest fell out")
+        self.assertEqual(gaps[gaps.index(max(gaps)) + 1:][:2], [1, 1], "the newest stayed")
+        while (dropped := slow.text("state")["dropped"]) == 0:
+            pass
+        self.assertGreaterEqual(dropped, max(gaps) - 1)
+
+    # As one whose machine lost its power: the system knows the connection, and nobody answers.
+    def test_a_client_that_gives_no_sign_of_life_is_ended(self):
+        page = self.page()
+        page.raw.settimeout(60)
+        start = time.monotonic()
+        asked = False
+        try:
+            while True:
+                asked = page.frame()[0] == 9 or asked  # A ping of the protocol, which it does not answer.
+        except (EOFError, ConnectionResetError):
+            pass
+        self.assertTrue(asked)
+        self.assertTrue(25 < time.monotonic() - start < 50, f"{time.monotonic() - start} s")
 
 
 class Starting(unittest.TestCase):
@@ -479,6 +559,19 @@ class Starting(unittest.TestCase):
         self.assertEqual(status(target="/?a=b&token=se.cr%2det"), 101)
         self.assertEqual(status(protocol=f"token.se.cr-et, {VIEWER}"), 101)
         self.assertEqual(status(target="/?token=se.cr-et", headers=["Origin: http://else.where"], host="my.boat"), 101)
+
+    # A browser does not tell a page why a WebSocket could not be opened.
+    def test_a_page_can_ask_whether_it_may_connect(self):
+        server = self.served("--token", "right")
+        for target, status, body in (("/access", 401, b"the token is missing or wrong\n"),
+                                     ("/access?token=wrong", 401, b"the token is missing or wrong\n"),
+                                     ("/access?token=right", 200, b"a WebSocket may be opened\n")):
+            answer = Socket(server.port).request(target)
+            self.assertEqual((answer[0], answer[2]), (status, body), target)
+        server = self.served()
+        self.assertEqual(Socket(server.port).request("/access")[0], 200)
+        status, _, body = Socket(server.port).request("/access", headers=["Origin: http://evil.example"])
+        self.assertEqual((status, body), (403, b"pages of another origin must be named by --allow-origin, or tell a token\n"))
 
     def test_origins_can_be_allowed(self):
         server = self.served("--allow-origin", "https://app.example")
