@@ -29,9 +29,13 @@ export async function runChecks(checks, { only, recover } = {}) {
 
 const running = () => Number(readFileSync("/proc/loadavg", "utf8").match(/(\d+)\//)[1]);
 
-/** How many times longer things may take because others use the machine: programs that run now, or did in the last minute, by
- * half the processors. To be asked before what is measured: it counts that too. */
-export const crowd = () => Math.min(15, Math.max(1, (2 * Math.max(loadavg()[0], running())) / cpus().length));
+/** How many times longer things may take because others use the machine: programs that want to run, now or in the last minute,
+ * by half the processors. To be asked before what is measured, which it would count too. */
+export async function crowd() {
+  const now = [];
+  for (let i = 0; i < 5; ++i, await pause(0.1)) now.push(running() - 1);  // Without this program.
+  return Math.min(15, Math.max(1, (2 * Math.max(loadavg()[0], Math.min(...now))) / cpus().length));
+}
 
 /** Tries a measurement of speed until it passes, three times at most: others may use the machine for a moment. */
 export async function bestOfThree(measure) {

@@ -52,7 +52,7 @@ const kLevel = 3 - 40 * Math.log10(kRange) - 2 * 0.05 * kRange;
 const failed = await runChecks({
   async "the first picture is there within two seconds, as far as the machine is free"() {
     await bestOfThree(async () => {
-      const limit = 2000 * crowd();
+      const limit = 2000 * (await crowd());
       await page.goto(server.address);
       const drawn = await until(() => page.evaluate(() => globalThis.insonify?.picture.drawn), "a picture");
       console.log(`        ${drawn.toFixed(0)} ms, limit ${limit.toFixed(0)} ms at a load of ${loadavg()[0].toFixed(1)}`);
@@ -77,6 +77,7 @@ const failed = await runChecks({
     await until(async () => (await get("hello")).keys["sonars[0].receiver.noise"].value === true, "noise");
     await pause(2);
     await bestOfThree(async () => {
+      const others = await crowd();
       const seen = await page.evaluate(() => new Promise((done) => {
         const numbers = [];
         let drawings = 0;
@@ -100,9 +101,9 @@ const failed = await runChecks({
       }));
       const rate = seen.count / seen.seconds;
       console.log(`        ${rate.toFixed(1)} pings/s, ${(seen.drawings / seen.seconds).toFixed(1)} pictures/s, longest gap ${seen.longest.toFixed(0)} ms, ${seen.end - seen.first + 1 - seen.count} left out, load ${loadavg()[0].toFixed(1)}`);
-      assert.ok(rate > 19 / crowd(), `${rate} pings/s`);
+      assert.ok(rate > 19 / others, `${rate} pings/s`);
       // Headless, the processor draws what a graphics card draws elsewhere.
-      assert.ok(seen.drawings / seen.seconds > 4 / crowd(), `${seen.drawings / seen.seconds} pictures/s`);
+      assert.ok(seen.drawings / seen.seconds > 4 / others, `${seen.drawings / seen.seconds} pictures/s`);
     });
   },
 

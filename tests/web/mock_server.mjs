@@ -19,6 +19,7 @@ export class MockServer {
   /** Everything as at the start; pages hear of it when they connect again. */
   reset() {
     const { rate } = this;
+    this.token = undefined;
     Object.assign(this, { watched: "fls", tables: ["level"], number: 0, headAngle: 0 });
     this.sonars = makeSonars();
     this.vehicle = { position: [0, 0, 0], yaw: 0 };
@@ -42,8 +43,8 @@ export class MockServer {
   }
 
   async start(port = 0) {
-    this.http = serveFiles(kPage);
-    this.sockets = new WebSocketServer({ server: this.http, handleProtocols: (offered) => (offered.has("insonify.viewer.v1") ? "insonify.viewer.v1" : false) });
+    this.http = serveFiles(kPage, { "/access": (url) => (this.#admits(url) ? [200, "come in\n"] : [401, "the token is missing or wrong\n"]) });
+    this.sockets = new WebSocketServer({ server: this.http, verifyClient: ({ req }) => this.#admits(new URL(req.url, "http://localhost")), handleProtocols: (offered) => (offered.has("insonify.viewer.v1") ? "insonify.viewer.v1" : false) });
     this.sockets.on("connection", (socket, request) => this.#join(socket, request));
     await new Promise((done) => this.http.listen(port, "127.0.0.1", done));
     this.port = this.http.address().port;
@@ -61,6 +62,11 @@ export class MockServer {
 
   say(message) {
     for (const socket of this.sockets.clients) socket.send(typeof message === "object" && !Buffer.isBuffer(message) ? JSON.stringify(message) : message);
+  }
+
+  /** Where it has a `token`, it wants that. */
+  #admits(url) {
+    return this.token === undefined || url.searchParams.get("token") === this.token;
   }
 
   hello() {
