@@ -64,6 +64,7 @@ struct LiveState {
   double speed = 1;                  ///< Seconds of the scenario in a second, where the machine keeps up.
   std::string recording;             ///< File or files being written, "" for none.
   std::uint64_t recorded_pings = 0;  ///< In them.
+  std::string recording_error;       ///< Why a recording is not whole, "" where none failed.
   std::uint64_t pings_made = 0;      ///< Since the start of the loop.
   std::uint64_t pings_since_change = 0;
   double time = 0;         ///< Of the next ping, since the last change [s].
@@ -123,7 +124,7 @@ class LiveLoop {
 
   /// Stops within some beams' time and closes a recording. Nothing is told to the listener after it. Requests that
   /// were not done are answered with "the simulation ends".
-  /// @throws Error where the recording could not be put on the disk.
+  /// @throws Error where a recording could not be put on the disk, now or before.
   void end();
 
   [[nodiscard]] std::shared_ptr<const LiveWorld> world() const;

@@ -82,7 +82,7 @@ void LiveLoop::end() {
       done("the simulation ends");
     }
   }
-  if (const std::string error = std::exchange(state.closing_error, ""); !error.empty()) {
+  if (const std::string error = std::exchange(state.recording_error, ""); !error.empty()) {
     throw Error(error);
   }
 }
@@ -100,6 +100,7 @@ LiveState LiveLoop::state() const {
           .speed = state.speed,
           .recording = state.recording_names,
           .recorded_pings = state.recorded_pings,
+          .recording_error = state.recording_error,
           .pings_made = state.pings_made,
           .pings_since_change = state.run->made_in_all(),
           .time = state.run->next_time(),

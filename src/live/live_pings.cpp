@@ -112,6 +112,27 @@ void LiveLoop::State::end_recording(Lock& lock) {
   }
   lock.lock();
   closing_error = error;
+  recording_error = error.empty() ? recording_error : "the recording: " + error;
+}
+
+// Ends a recording that cannot go on, with what it holds.
+void LiveLoop::State::fail_recording(const std::string& error, Lock& lock) {
+  recording_error = "the recording ended early: " + error;
+  const std::unique_ptr<LiveRecorder> ended = std::exchange(recorder, nullptr);
+  recording_names.clear();
+  const LiveRun run_of_it = *run;
+  lock.unlock();
+  note("the recording ends here: " + error);
+  try {
+    if (ended) {
+      ended->close(run_of_it);
+    }
+  } catch (const std::exception& failure) {
+    if (failure.what() != error) {
+      note(fmt::format("the recording: {}", failure.what()));
+    }
+  }
+  lock.lock();
 }
 
 void LiveLoop::State::answer_stop_recording(Lock& lock) {
@@ -174,7 +195,7 @@ void LiveLoop::State::take_place(Lock& lock) {
       try {
         recorder = std::make_unique<LiveRecorder>(recording_path, ++recording_part, *world);
       } catch (const std::exception& failure) {
-        note(fmt::format("the recording ends here: {}", failure.what()));
+        fail_recording(failure.what(), lock);
       }
     }
     recording_names = recorder ? recorder->names() : "";
@@ -236,18 +257,20 @@ void LiveLoop::State::make_next(Lock& lock) {
     error = failure.what();
     note("paused: " + error);
   }
+  std::string not_recorded;
   if (error.empty() && recorder) {
     try {
       for (const std::shared_ptr<LivePing>& ping : pings) {
         recorder->add(*ping);
       }
     } catch (const std::exception& failure) {
-      note(fmt::format("the recording ends here: {}", failure.what()));
-      recorder.reset();
+      not_recorded = failure.what();
     }
   }
   lock.lock();
-  recording_names = recorder ? recording_names : "";
+  if (!not_recorded.empty()) {
+    fail_recording(not_recorded, lock);
+  }
   if (!error.empty()) {
     paused = true;
     steps = 0;

@@ -1,5 +1,7 @@
 // live_prepare.cpp -- the thread that prepares changes while pings of the state before go on.
 
+#include <algorithm>
+
 #include "insonify/error.h"
 #include "live/live_state.h"
 
@@ -36,8 +38,17 @@ void LiveLoop::State::request(LiveChange change) {
   answer({std::move(change)}, "the simulation ends");
 }
 
-// Prepares changes together; where that fails, one by one, so that those that can be done are done.
+// Prepares changes together; where that fails, one by one, so that those that can be done are done. The start of a
+// recording is always a change of its own: there can be one recording, and what else was asked for does not depend on
+// it.
 void LiveLoop::State::prepare_batch(std::vector<LiveChange> batch, Lock& lock) {
+  if (batch.size() > 1 &&
+      std::ranges::any_of(batch, [](const LiveChange& change) { return !change.recording.empty(); })) {
+    for (LiveChange& change : batch) {
+      prepare_batch({std::move(change)}, lock);
+    }
+    return;
+  }
   const LiveSettings settings_now = settings;
   const Scenario scenario_now = scenario;
   const LiveStanding standing_now = standing();

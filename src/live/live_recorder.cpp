@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <fstream>
 
 #include "insonify/error.h"
@@ -67,11 +68,17 @@ void LiveRecorder::add(const LivePing& ping) {
 }
 
 void LiveRecorder::close(const LiveRun& run) {
-  for (Recording& recording : recordings_) {
-    recording.close();
-  }
+  std::string error;
+  const auto try_to_close = [&error](auto& recording) {
+    try {
+      recording.close();
+    } catch (const Error& failure) {
+      error = error.empty() ? failure.what() : error;
+    }
+  };
+  std::ranges::for_each(recordings_, try_to_close);
   if (mcap_) {
-    mcap_->close();
+    try_to_close(*mcap_);
   }
   if (pings_ == 0) {
     for (const std::filesystem::path& path : paths_) {
@@ -83,6 +90,9 @@ void LiveRecorder::close(const LiveRun& run) {
   file << to_yaml(run.saved());
   if (!file.flush()) {
     throw Error(fmt::format("{}: cannot be written", scenario_path_.string()));
+  }
+  if (!error.empty()) {
+    throw Error(error);
   }
 }
 

@@ -23,7 +23,8 @@ class LiveRecorder {
   /// @throws Error when the disk is full.
   void add(const LivePing& ping);
 
-  /// Closes the files and writes the scenario of the run beside them; removes them where they hold no ping.
+  /// Closes the files and writes the scenario of the run beside them, also where a file could not be closed whole;
+  /// removes them where they hold no ping.
   /// @throws Error when the system could not.
   void close(const LiveRun& run);
 

@@ -49,6 +49,7 @@ struct LiveLoop::State {
   std::uint64_t pings_made = 0;
   std::string recording_names;
   std::uint64_t recorded_pings = 0;
+  std::string recording_error;  // Of a recording that is not whole, until the end.
 
   // Pace: that time of the run is at that time of the clock.
   double anchor_time = 0;
@@ -74,6 +75,7 @@ struct LiveLoop::State {
   void take_place(Lock& lock);
   void begin_run(LiveStart start, Lock& lock);
   void end_recording(Lock& lock);
+  void fail_recording(const std::string& error, Lock& lock);
   void answer_stop_recording(Lock& lock);
   [[nodiscard]] Clock::time_point next_due() const;
   void keep_pace(Clock::time_point due, double time, std::span<const int> sonars);

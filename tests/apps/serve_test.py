@@ -9,6 +9,7 @@ import hashlib
 import json
 import os
 import pathlib
+import resource
 import signal
 import socket
 import struct
@@ -37,12 +38,17 @@ sonars:
 class Server:
     """insonify serve in a folder of its own; `port` is what it told."""
 
-    def __init__(self, *options, scenario=SCENARIO):
+    def __init__(self, *options, scenario=SCENARIO, largest_file=None):
         self.folder = tempfile.TemporaryDirectory()
         self.path = pathlib.Path(self.folder.name)
         (self.path / "live.yaml").write_text(scenario)
+        limit = None
+        if largest_file:  # Stands for the end of a disk.
+            def limit():
+                signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+                resource.setrlimit(resource.RLIMIT_FSIZE, (largest_file, largest_file))
         self.process = subprocess.Popen([INSONIFY, "serve", "live.yaml", "--port", "0", *options], cwd=self.path,
-                                        text=True, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+                                        text=True, stdout=subprocess.PIPE, stderr=subprocess.PIPE, preexec_fn=limit)
         self.address = self.process.stdout.readline().strip()
         if not self.address:
             raise AssertionError(self.process.stderr.read())
@@ -135,7 +141,7 @@ class Socket:
         self.send_frame(json.dumps(message))
 
     def frame(self):
-        """Opcode and payload; answers pings."""
+        """Opcode and payload. It answers no pings: a client that lives longer than 30 s has to."""
         first, second = self.read(2)
         size = second & 0x7F
         if size == 126:
@@ -364,6 +370,18 @@ class Serving(unittest.TestCase):
         while page.ping()[0]["vehicle"]["position"][0] != 0:
             pass
 
+    def test_a_second_recording_is_refused_with_the_name_of_the_first(self):
+        one, other = self.page(), self.page()
+        one.say(op="record", on=True, format="h5")
+        while not (name := one.text("state")["recording"]):
+            pass
+        for format_ in ("mcap", "h5"):
+            other.say(op="record", on=True, format=format_)
+            self.assertEqual(other.text("error"), {"op": "error", "of": "record", "text": f"{name} is being recorded already"})
+        one.say(op="record", on=False)
+        while one.text("state")["recording"]:
+            pass
+
     # One that flew and vanished would otherwise fly on for ever.
     def test_a_client_that_flew_and_vanishes_stops_the_vehicle(self):
         page, other = self.page(), self.page()
@@ -392,12 +410,92 @@ class Serving(unittest.TestCase):
         self.assertTrue(page.is_closed())
         self.assertLess(time.monotonic() - start, 13)
 
-    def test_too_many_connections_are_refused(self):
+    # 256 is the most there may be at a time.
+    def test_connections_that_ask_for_nothing_keep_out_no_others(self):
         many = [self.socket() for _ in range(300)]
-        self.assertEqual(many[-1].response()[0], 503)
+        page = self.page()
+        page.ping()
+        self.assertTrue(many[0].is_closed(), "the one that has waited longest")
+        last = many[-1]
+        self.assertEqual(last.request("/")[0], 200)
         for one in many:
             one.raw.close()
         time.sleep(0.3)
+
+    def test_too_many_connections_are_refused(self):
+        many = [self.socket() for _ in range(256)]
+        for one in many:
+            self.assertEqual(one.open()[0], 101)
+        status, _, body = self.socket().response()
+        self.assertEqual((status, body), (503, b"too many connections\n"))
+        for one in many:
+            one.raw.close()
+        time.sleep(0.5)
+
+
+class Slow(unittest.TestCase):
+    """Clients that read little or nothing, of a sonar whose pings are 256 kB."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.server = Server(scenario="""
+points: [{position: [5, 1, 0], target_strength_db: -20}]
+sonars: [{name: fls, beam_count: 256, bin_count: 500, azimuth_aperture_deg: 80, max_range: 9, ping_period: 0.02,
+          receiver: {noise: false, speckle: false}}]
+""")
+
+    @classmethod
+    def tearDownClass(cls):
+        status, _, err, _ = cls.server.end()
+        cls.server.close()
+        assert (status, err) == (0, ""), (status, err)
+
+    def page(self):
+        page = Socket(self.server.port)
+        self.assertEqual(page.open()[0], 101)
+        return page
+
+    def memory(self):
+        """Of the server [bytes]."""
+        status = pathlib.Path(f"/proc/{self.server.process.pid}/status").read_text()
+        return 1024 * int(status.split("VmRSS:")[1].split()[0])
+
+    # 80 pings are 20 MB. What the system's buffers hold is sent; of what waits behind it the newest four stay.
+    def test_a_slow_client_loses_its_oldest_pings_and_costs_no_memory(self):
+        quick, slow = self.page(), self.page()
+        first = slow.ping()[0]["number"]
+        quick.ping()
+        before, most = self.memory(), 0
+        while True:
+            newest = quick.ping()[0]["number"]
+            most = max(most, self.memory())
+            if newest > first + 80:
+                break
+        self.assertLess(most - before, 8_000_000)
+        numbers = [slow.ping()[0]["number"]]
+        while numbers[-1] < newest:
+            numbers.append(slow.ping()[0]["number"])
+        self.assertEqual(numbers, sorted(numbers))
+        gaps = [b - a for a, b in zip(numbers, numbers[1:])]
+        self.assertGreater(max(gaps), 10, "the oldest fell out")
+        self.assertEqual(gaps[gaps.index(max(gaps)) + 1:][:2], [1, 1], "the newest stayed")
+        while (dropped := slow.text("state")["dropped"]) == 0:
+            pass
+        self.assertGreaterEqual(dropped, max(gaps) - 1)
+
+    # As one whose machine lost its power: the system knows the connection, and nobody answers.
+    def test_a_client_that_gives_no_sign_of_life_is_ended(self):
+        page = self.page()
+        page.raw.settimeout(60)
+        start = time.monotonic()
+        asked = False
+        try:
+            while True:
+                asked = page.frame()[0] == 9 or asked  # A ping of the protocol, which it does not answer.
+        except (EOFError, ConnectionResetError):
+            pass
+        self.assertTrue(asked)
+        self.assertTrue(25 < time.monotonic() - start < 50, f"{time.monotonic() - start} s")
 
 
 class Starting(unittest.TestCase):
@@ -420,11 +518,32 @@ class Starting(unittest.TestCase):
 
     def test_bad_addresses_are_one_line(self):
         self.assertEqual(self.refused("x.yaml", "--address", "12.0.0", "--token", "t"),
-                         (2, "insonify: --address 12.0.0 must be an IP address, such as 127.0.0.1 or ::1\n"))
+                         (2, "insonify: --address 12.0.0 must be an IP address, such as 127.0.0.1 or ::1, or localhost\n"))
         self.assertEqual(self.refused("x.yaml", "--address", "0.0.0.0"),
                          (2, "insonify: --address 0.0.0.0 can be reached by others: it needs a --token, which they must tell\n"))
         status, err = self.refused("/nowhere/x.yaml", "--port", "0")
         self.assertEqual((status, err), (2, "insonify: /nowhere/x.yaml: no such file\n"))
+
+    def test_the_address_of_this_machine_has_a_name(self):
+        server = self.served("--address", "localhost")
+        self.assertEqual(server.address, f"http://localhost:{server.port}/")
+        self.assertEqual(Socket(server.port).open()[0], 101)
+
+    def test_origins_must_be_origins(self):
+        for origin in ("foo", "app.example", "https://", "https://app.example/", "https://app.example/page", "*", "https://*",
+                       "://app.example", ""):
+            with self.subTest(origin):
+                self.assertEqual(self.refused("x.yaml", "--allow-origin", origin),
+                                 (2, f"insonify: --allow-origin {origin} must be a scheme and a host, such as https://app.example "
+                                     "or http://localhost:8080, without a path\n"))
+
+    # Characters that end a query, or that a browser would read as something else.
+    def test_the_address_holds_any_token(self):
+        token = "a&b#c d%41+e/\u00fc"
+        server = self.served("--token", token)
+        self.assertEqual(server.address, f"http://127.0.0.1:{server.port}/?token=a%26b%23c%20d%2541%2Be%2F%C3%BC")
+        self.assertEqual(Socket(server.port).open(target="/" + server.address.split("/")[-1])[0], 101)
+        self.assertEqual(Socket(server.port).open(target="/?token=" + token.split("#", maxsplit=1)[0])[0], 401)
 
     def test_token_is_told_as_header_query_or_subprotocol(self):
         server = self.served("--address", "0.0.0.0", "--token", "se.cr-et")
@@ -440,6 +559,19 @@ class Starting(unittest.TestCase):
         self.assertEqual(status(target="/?a=b&token=se.cr%2det"), 101)
         self.assertEqual(status(protocol=f"token.se.cr-et, {VIEWER}"), 101)
         self.assertEqual(status(target="/?token=se.cr-et", headers=["Origin: http://else.where"], host="my.boat"), 101)
+
+    # A browser does not tell a page why a WebSocket could not be opened.
+    def test_a_page_can_ask_whether_it_may_connect(self):
+        server = self.served("--token", "right")
+        for target, status, body in (("/access", 401, b"the token is missing or wrong\n"),
+                                     ("/access?token=wrong", 401, b"the token is missing or wrong\n"),
+                                     ("/access?token=right", 200, b"a WebSocket may be opened\n")):
+            answer = Socket(server.port).request(target)
+            self.assertEqual((answer[0], answer[2]), (status, body), target)
+        server = self.served()
+        self.assertEqual(Socket(server.port).request("/access")[0], 200)
+        status, _, body = Socket(server.port).request("/access", headers=["Origin: http://evil.example"])
+        self.assertEqual((status, body), (403, b"pages of another origin must be named by --allow-origin, or tell a token\n"))
 
     def test_origins_can_be_allowed(self):
         server = self.served("--allow-origin", "https://app.example")
@@ -467,6 +599,33 @@ class Starting(unittest.TestCase):
                 subprocess.run([INSONIFY, "run", "dive.yaml", "-o", "again", "--no-pictures", "-q"], cwd=server.path, check=True)
                 for sonar in ("fls", "side"):
                     self.assertEqual(*(dataset_bytes(server.path / file) for file in (f"dive-{sonar}.h5", f"again/{sonar}.h5")))
+
+    # 100 kB are some pings of these sonars.
+    def test_a_full_disk_ends_the_recording_with_a_word_to_all_and_status_one(self):
+        for ending in ("h5", "mcap"):
+            with self.subTest(ending):
+                server = self.served("--record", f"dive.{ending}", "--set", "beam_count=256", "--set", "bin_count=500",
+                                     largest_file=2_000_000)
+                page = Socket(server.port)
+                page.open()
+                note = page.text("note", 30)["text"]
+                self.assertRegex(note, "^the recording ends here: dive.*: File too large; .*stay.* readable$")
+                reason = "the recording ended early" + note.removeprefix("the recording ends here")
+                later = Socket(server.port)  # A page that connects later is told too.
+                later.open()
+                self.assertEqual(later.text("note"), {"op": "note", "text": reason})
+                while later.text("state")["recording"] is not None:
+                    pass
+                later.ping()  # Pings go on.
+                status, _, err, _ = server.end()
+                self.assertEqual((status, err.splitlines()[-1]), (1, f"insonify: {reason}"))
+                self.assertTrue((server.path / "dive.yaml").exists())
+                names = ["dive-fls.h5", "dive-side.h5"] if ending == "h5" else ["dive.mcap"]
+                for name in names:
+                    told = subprocess.run([INSONIFY, "info", name], cwd=server.path, text=True, capture_output=True, check=True)
+                    self.assertRegex(told.stdout, "pings")
+                subprocess.run([INSONIFY, "run", "dive.yaml", "-o", "again", "--pings", "2", "--no-pictures", "-q"],
+                               cwd=server.path, check=True)
 
     def test_recordings_that_are_there_are_kept(self):
         server = self.served("--record", "dive.mcap")

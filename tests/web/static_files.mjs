@@ -7,10 +7,16 @@ import path from "node:path";
 const kTypes = { ".html": "text/html; charset=utf-8", ".js": "text/javascript", ".css": "text/css", ".svg": "image/svg+xml" };
 const kPolicy = "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' blob: data:; connect-src 'self'";
 
-/** An HTTP server of the files under `root`. */
-export function serveFiles(root) {
+/** An HTTP server of the files under `root`, and of `answers`: { path: (url) => [status, text] }. */
+export function serveFiles(root, answers = {}) {
   return http.createServer(async (request, response) => {
-    const name = new URL(request.url, "http://localhost").pathname;
+    const url = new URL(request.url, "http://localhost");
+    const name = url.pathname;
+    if (name in answers) {
+      const [status, text] = answers[name](url);
+      response.writeHead(status, { "Content-Type": "text/plain; charset=utf-8" }).end(text);
+      return;
+    }
     const file = path.join(root, name === "/" ? "index.html" : name);
     try {
       if (!file.startsWith(root)) throw new Error("outside of the page");

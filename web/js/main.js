@@ -14,6 +14,7 @@ import { setUpScreenshot } from "./panels/screenshot.js";
 import { setUpSettings } from "./panels/settings.js";
 import { setUpGamepad, setUpSticks } from "./panels/sticks.js";
 import { setUpTabs } from "./panels/tabs.js";
+import { setUpToken } from "./panels/token.js";
 import { changeSpeed, keepSaved, setUpTransport } from "./panels/transport.js";
 import { Session } from "./session.js";
 import { makeStore } from "./store.js";
@@ -53,6 +54,7 @@ const session = new Session(store, notes, {
   },
   saved: (message) => keepSaved(message, store, notes),
   changed: () => followContrast(store),
+  refused: setUpToken((token) => session.tell(token)),
 });
 const request = (message) => session.request(message);
 
@@ -100,4 +102,4 @@ byId("help-close").addEventListener("click", () => byId("help").close());
 byId("help").addEventListener("close", () => byId("help").contains(document.activeElement) && document.activeElement.blur());
 
 // For tests and for the browser's console.
-globalThis.insonify = { store, session, frames, picture };
+globalThis.insonify = { store, session, frames, picture, get waterfall() { return waterfall; }, get scene() { return scene; } };

@@ -14,12 +14,13 @@ export class Session {
   #arrivals = [];  // times of the last pings [ms]
   #scene = null;
 
-  /** `taken(ping)` hears of every ping; `saved(message)` of a saved scenario. */
-  constructor(store, notes, { taken, saved, changed }) {
+  /** `taken(ping)` hears of every ping; `saved(message)` of a saved scenario; `refused(reason)` where a token is wanted. */
+  constructor(store, notes, { taken, saved, changed, refused }) {
     Object.assign(this, { store, notes, taken, saved, changed });
     this.connection = new Connection({
       opened: () => this.#watch(),
       link: (link) => this.#link(link),
+      refused,
       text: (message) => this.#text(message),
       binary: (buffer) => this.#binary(buffer),
     });
@@ -35,6 +36,11 @@ export class Session {
     return false;
   }
 
+  /** Tries again, with another token. */
+  tell(token) {
+    this.connection.tell(token);
+  }
+
   choose(name) {
     const sonar = this.store.get("hello")?.sonars.find((each) => each.name === name);
     if (sonar) this.#setSonar(sonar);
@@ -43,6 +49,10 @@ export class Session {
   #link(link) {
     const before = this.store.get("link").state;
     this.store.set({ link });
+    if (link.state === "lost" && link.reason && before !== "open" && link.reason !== this.#refusal) {
+      this.notes.error(`The server opens no connection: ${link.reason}`);
+    }
+    this.#refusal = link.state === "connecting" ? this.#refusal : link.reason ?? "";
     if (link.state === "lost" && before === "open") {
       this.notes.error(link.reason ? `The server ended the connection: ${link.reason}` : "The connection is lost.");
     }
@@ -51,6 +61,7 @@ export class Session {
   }
 
   #watched = "";
+  #refusal = "";  // what was said last
 
   // Asks for the tables that are shown, and for no others.
   #watch() {

@@ -71,5 +71,6 @@ export function beamTable(sonar, size) {
 /** Column of the round picture that an azimuth [rad] falls in: 0 is right behind, clockwise by starboard last. */
 export function slotAt(azimuth) {
   const turn = 0.5 - azimuth / (2 * Math.PI);
-  return Math.floor((turn - Math.floor(turn)) * kRoundSlots) % kRoundSlots;
+  // Azimuths that differ by rounding alone are in the same column, also at its edge.
+  return Math.floor((turn - Math.floor(turn)) * kRoundSlots + 1e-6) % kRoundSlots;
 }

@@ -3,6 +3,7 @@
 #include "serve/access.h"
 
 #include <arpa/inet.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cctype>
@@ -96,7 +97,30 @@ bool same_secret(std::string_view a, std::string_view b) {
 }
 
 bool is_loopback(std::string_view address) {
-  return (is_v4(address) && address.starts_with("127.")) || (is_v6(address) && lower(address) == "::1");
+  return address == "localhost" || (is_v4(address) && address.starts_with("127.")) ||
+         (is_v6(address) && lower(address) == "::1");
+}
+
+bool is_origin(std::string_view text) {
+  const std::size_t colon = text.find("://");
+  const std::string scheme = lower(text.substr(0, std::min(colon, text.size())));
+  const auto is_of_scheme = [](unsigned char c) { return std::isalnum(c) != 0 || c == '+' || c == '-' || c == '.'; };
+  if (colon == std::string_view::npos || colon == 0 || !std::ranges::all_of(scheme, is_of_scheme)) {
+    return false;
+  }
+  const std::string_view host = text.substr(colon + 3);
+  return !host.empty() && host.find_first_of("/?#@* ") == std::string_view::npos;
+}
+
+std::string encoded(std::string_view text) {
+  std::string result;
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    const bool plain =
+        byte < 128 && (std::isalnum(byte) != 0 || std::string_view("-._~").find(c) != std::string_view::npos);
+    result += plain ? std::string(1, c) : fmt::format("%{:02X}", byte);
+  }
+  return result;
 }
 
 std::string decoded_path(std::string_view target) {

@@ -32,8 +32,14 @@ struct AccessRequest {
 /// Compares in a time that depends on the lengths alone.
 [[nodiscard]] bool same_secret(std::string_view a, std::string_view b);
 
-/// Whether an address is this machine's own: 127.0.0.0/8 or ::1.
+/// Whether an address is this machine's own: 127.0.0.0/8, ::1 or localhost.
 [[nodiscard]] bool is_loopback(std::string_view address);
+
+/// Whether a text can be an Origin: a scheme and a host, perhaps with a port, and nothing after them (RFC 6454).
+[[nodiscard]] bool is_origin(std::string_view text);
+
+/// A text as the value of a query: all but letters, digits and -._~ become "%41" and the like (RFC 3986).
+[[nodiscard]] std::string encoded(std::string_view text);
 
 /// Decodes "%41" and the like.
 /// @return  The text up to a '?', decoded; "" where it is not well formed or holds a zero byte.

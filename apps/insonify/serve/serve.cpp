@@ -33,10 +33,18 @@ std::string url_of(const ServeOptions& options, std::uint16_t port) {
   const std::string host = any ? "localhost" : options.address;
   const bool bracket = host.find(':') != std::string::npos;
   return fmt::format("http://{}{}{}:{}/{}{}", bracket ? "[" : "", host, bracket ? "]" : "", port,
-                     options.token.empty() ? "" : "?token=", options.token);
+                     options.token.empty() ? "" : "?token=", encoded(options.token));
 }
 
 void check(const ServeOptions& options) {
+  for (const std::string& origin : options.origins) {
+    if (!is_origin(origin)) {
+      throw InputError(
+          fmt::format("--allow-origin {} must be a scheme and a host, such as https://app.example or "
+                      "http://localhost:8080, without a path",
+                      printable(origin)));
+    }
+  }
   if (options.token.empty() && !is_loopback(options.address)) {
     throw InputError(fmt::format("--address {} can be reached by others: it needs a --token, which they must tell",
                                  printable(options.address)));

@@ -100,6 +100,9 @@ class ViewerClient : public Client, public HubMember, public std::enable_shared_
     if (hub_.ready()) {
       on_world();
     }
+    if (const std::string error = hub_.loop().state().recording_error; !error.empty()) {
+      on_note(error);
+    }
   }
 
   void on_binary(std::string_view /*bytes*/) override { end("messages to the server are texts"); }

@@ -25,7 +25,9 @@ export class RoundPicture {
     const width = step > 0 && step <= 3 * beam ? Math.max(step, beam * 0.5) : beam;
     const half = Math.max(width / 2, Math.PI / kRoundSlots);
     const first = slotAt(ping.headAngle + half);
-    const count = Math.max(1, Math.min(kRoundSlots, Math.round((2 * half * kRoundSlots) / (2 * Math.PI))));
+    // Up to the column where the next beam begins: rounded widths would leave a seam of a column between them.
+    const last = slotAt(ping.headAngle - half);
+    const count = half >= Math.PI ? kRoundSlots : Math.max(1, (last - first + kRoundSlots) % kRoundSlots);
     this.headAngle = ping.headAngle;
     ++this.count;
     for (let i = 0; i < count; ++i) {

@@ -3,13 +3,15 @@
 const kProtocol = "insonify.viewer.v1";
 const kWaits = [0.5, 1, 2, 4, 5];  // seconds before each further try; the last one repeats
 
-/** Calls back with what the server sends. Handlers: opened(), link({state, text}), text(object), binary(buffer). */
+/** Calls back with what the server sends. Handlers: opened(), link({state, text, reason}), text(object), binary(buffer), and
+ * refused(reason) where the server wants another token: then there is no further try until `tell`. */
 export class Connection {
   #handlers;
   #socket = null;
   #tries = 0;
   #reason = "";
   #timer = 0;
+  #opens = false;  // whether this socket was ever open
 
   constructor(handlers) {
     this.#handlers = handlers;
@@ -28,6 +30,15 @@ export class Connection {
     return true;
   }
 
+  /** Tells another token, as part of the page's address, where a reload finds it. */
+  tell(token) {
+    const url = new URL(location.href);
+    url.searchParams.set("token", token);
+    history.replaceState(null, "", url);
+    this.#tries = 0;
+    this.#again();
+  }
+
   #connect() {
     // The page's own address names the server and, as `?token=`, the right to talk to it.
     const url = new URL(location.href);
@@ -36,6 +47,7 @@ export class Connection {
     url.hash = "";
     const socket = new WebSocket(url, [kProtocol]);
     this.#socket = socket;
+    this.#opens = false;
     socket.binaryType = "arraybuffer";
     socket.addEventListener("open", () => this.#opened());
     socket.addEventListener("message", ({ data }) => this.#receive(data));
@@ -45,6 +57,7 @@ export class Connection {
   #opened() {
     this.#tries = 0;
     this.#reason = "";
+    this.#opens = true;
     this.#handlers.link({ state: "open", text: "Connected" });
     this.#handlers.opened();
   }
@@ -59,9 +72,16 @@ export class Connection {
     this.#handlers.text(message);
   }
 
-  #closed(event) {
+  async #closed(event) {
+    const refusal = this.#opens ? null : await whyRefused();
+    if (refusal?.status === 401) {
+      const told = new URL(location.href).searchParams.has("token");
+      this.#handlers.link({ state: "lost", text: told ? "Wrong token" : "Token needed" });
+      this.#handlers.refused(told ? "This is not the server's token." : "This server needs a token.");
+      return;
+    }
     const wait = kWaits[Math.min(this.#tries++, kWaits.length - 1)];
-    const reason = this.#reason || event.reason;
+    const reason = this.#reason || event.reason || refusal?.reason;
     this.#handlers.link({ state: "lost", text: `No connection, next try in ${wait} s`, reason });
     clearTimeout(this.#timer);
     this.#timer = setTimeout(() => this.#again(), 1000 * wait);
@@ -72,5 +92,15 @@ export class Connection {
     clearTimeout(this.#timer);
     this.#handlers.link({ state: "connecting", text: "Connecting" });
     this.#connect();
+  }
+}
+
+/** Why the server opens no WebSocket, which the browser does not tell: { status, reason }, or null where it would or is not there. */
+async function whyRefused() {
+  try {
+    const answer = await fetch(`access${location.search}`, { cache: "no-store" });
+    return answer.ok ? null : { status: answer.status, reason: (await answer.text()).trim() };
+  } catch {
+    return null;  // Nobody is there: the connection is tried again.
   }
 }

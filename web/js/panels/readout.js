@@ -1,7 +1,7 @@
 // readout.js -- what lies under the cursor: range, bearing, level, beam, bin, place in the world, object and material.
 
 import { byId, write } from "../dom.js";
-import { bearing, decibels, metres, triple } from "../format.js";
+import { bearing, decibels, metres, number, triple } from "../format.js";
 import { sonarPoint, toWorld } from "../geometry.js";
 import { levelDb } from "../link/decode.js";
 
@@ -32,6 +32,16 @@ export function lookUp(store, cursor, roundPings) {
   };
 }
 
+/** Gain of the display at a range [dB]. */
+const shownGain = (store, range) => store.get("gain") + (store.get("tvg") && store.get("tvg") * Math.log10(Math.max(range, 0.01)));
+
+function levelText({ level }, gain) {
+  if (level === null) return "no echo";
+  if (level === undefined) return "–";
+  const shown = number(level + gain, 1);
+  return shown === number(level, 1) ? decibels(level) : `${decibels(level)} (shown ${shown})`;
+}
+
 /** Keeps the line of figures up to date. */
 export function setUpReadout(store, frames, roundPings) {
   const clear = () => kFields.forEach((name) => write(byId(`read-${name}`), "–"));
@@ -44,8 +54,9 @@ export function setUpReadout(store, frames, roundPings) {
     const found = lookUp(store, cursor, roundPings());
     write(byId("read-range"), metres(found.range, found.sonar.binLength));
     write(byId("read-bearing"), bearing(found.azimuth));
-    write(byId("read-level"), found.level === null ? "no echo" : found.level === undefined ? "–" : decibels(found.level));
-    byId("read-level").title = found.level > -1000 ? `With the gain of the display: ${decibels(found.level + store.get("gain") + store.get("tvg") * Math.log10(found.range))}` : "";
+    const level = levelText(found, shownGain(store, found.range));
+    write(byId("read-level"), level);
+    byId("read-level").title = level.includes("shown") ? `${level}: shown with the gain of the display` : "";
     write(byId("read-beam"), String(found.beam));
     write(byId("read-bin"), String(found.bin));
     write(byId("read-world"), found.world ? triple(found.world) : "–");
@@ -53,5 +64,5 @@ export function setUpReadout(store, frames, roundPings) {
     write(byId("read-material"), found.material ?? "–");
     byId("read-object").title = found.object ?? "";
   };
-  store.on(["cursor", "shown", "hello"], frames.add(show));
+  store.on(["cursor", "shown", "hello", "gain", "tvg"], frames.add(show));
 }

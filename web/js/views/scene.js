@@ -88,7 +88,8 @@ export class SceneView {
     this.renderer.draw(this.camera, this.store);
     if (!vehicle) return;
     const [roll, pitch, yaw] = rollPitchYaw(vehicle.orientation).map(degrees);
-    const turn = width < 300 ? `yaw ${number(yaw, 0)}°` : `roll ${number(roll, 0)}°  pitch ${number(pitch, 0)}°  yaw ${number(yaw, 0)}°`;
-    write(byId("pose"), `${triple(vehicle.position)} m   ${turn}`);
+    const angles = [["yaw", yaw], ["pitch", pitch], ["roll", roll]].map(([name, angle]) => `${name} ${number(angle, 0)}°`);
+    // The narrow view has a line for each: nothing is cut off.
+    write(byId("pose"), `${triple(vehicle.position)} m${width < 480 ? "\n" : "   "}${angles.join(" ")}`);
   }
 }

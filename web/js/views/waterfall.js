@@ -51,7 +51,7 @@ export class WaterfallView {
     });
     this.#build();
     new ResizeObserver(this.redraw).observe(this.canvas);
-    store.on(["sonar", "waterfallOf", "beam"], () => this.#clear());
+    store.on(["sonar", "waterfallOf", "beam"], () => this.clear());
     store.on(["low", "high", "gain", "tvg", "map", "theme", "main"], this.redraw);
   }
 
@@ -60,15 +60,16 @@ export class WaterfallView {
     this.levels = new Table(this.gl, "uint16");
     this.map = new Table(this.gl, "rgba8");
     this.limit = this.gl.getParameter(this.gl.MAX_TEXTURE_SIZE);
-    this.times = [];
-    this.#clear();
+    this.clear();
   }
 
-  #clear() {
+  /** Forgets all rows. */
+  clear() {
     const { store } = this;
     const sonar = store.get("sonar");
     this.count = 0;
-    this.times = [];
+    this.ages = [];
+    this.time = this.between = undefined;
     if (!sonar) return;
     this.group = Math.ceil(sonar.bins / this.limit);
     this.width = Math.ceil(sonar.bins / this.group);
@@ -95,9 +96,17 @@ export class WaterfallView {
     }
     this.levels.write(0, this.count % kRows, this.width, 1, row);
     ++this.count;
-    this.times.unshift(ping.time);
-    this.times.length = Math.min(this.times.length, kRows);
+    this.#note(ping.time);
     this.redraw();
+  }
+
+  // Ages of the rows [s], newest first. Where the time begins anew, a row is as long after the one before as the last two were.
+  #note(time) {
+    const since = time - this.time;
+    this.between = since > 0 ? since : this.between ?? 0;
+    this.time = time;
+    this.ages = [0, ...this.ages.map((age) => age + this.between)];
+    this.ages.length = Math.min(this.ages.length, kRows);
   }
 
   get #visible() {
@@ -150,7 +159,7 @@ export class WaterfallView {
     context.textAlign = "left";
     for (const part of [0.25, 0.5, 0.75]) {
       const row = Math.floor(part * this.#visible);
-      if (row < this.times.length) text(`${number(this.times[row] - this.times[0], 0)} s`, 4, part * height + 4);
+      if (row > 0 && row < this.ages.length) text(`${number(-this.ages[row], this.ages[row] < 10 ? 1 : 0)} s`, 4, part * height + 4);
     }
   }
 }
