@@ -150,5 +150,26 @@ TEST_F(RecordingsCliTest, ExportWarnsOfAnUnfinishedRecording) {
   EXPECT_EQ(info("out/run.mcap").at("sonars").at(0).at("pings"), info("out/ahead.h5").at("sonars").at(0).at("pings"));
 }
 
+TEST_F(RecordingsCliTest, ExportRefusesOptionsWithoutEffect) {
+  ASSERT_EQ(shell("insonify run fan.yaml -o out -q --no-pictures --pings 2").status, 0);
+  const auto message = [](const std::string& options) {
+    const Outcome outcome = shell("insonify export out/ahead.h5 -o out/" + options);
+    EXPECT_EQ(outcome.status, 2) << options;
+    EXPECT_EQ(outcome.out, "") << options;
+    return outcome.err;
+  };
+  EXPECT_EQ(message("z.npz --bits 8 --rate 5"), "insonify: --bits has no effect on .npz, only on .mcap\n");
+  EXPECT_EQ(message("z.npz --rate 5"), "insonify: --rate has no effect on .npz, only on .mp4, .gif\n");
+  EXPECT_EQ(message("z.ZARR/ --store"), "insonify: --store has no effect on .zarr, only on .npz\n");
+  EXPECT_EQ(message("z.mcap --height 300"), "insonify: --height has no effect on .mcap, only on .mp4, .gif\n");
+  EXPECT_EQ(message("z.npz --levels -90:-40"), "insonify: --levels has no effect on .npz, only on .mp4, .gif, .mcap\n");
+  EXPECT_EQ(message("z.zarr --color-map grey"),
+            "insonify: --colour-map has no effect on .zarr, only on .mp4, .gif, .mcap\n");
+  EXPECT_THAT(message("z.txt --bits 8"), HasSubstr("z.txt: its ending must be "));
+  EXPECT_THAT(files("out"), ElementsAre("ahead.h5"));
+  EXPECT_EQ(shell("insonify export out/ahead.h5 -o out/z.npz --store").status, 0);
+  EXPECT_EQ(shell("insonify export out/ahead.h5 -o out/z.mcap --bits 8 --levels -90:-40 --colour-map grey").status, 0);
+}
+
 }  // namespace
 }  // namespace insonify
