@@ -40,7 +40,12 @@ void add_export(CLI::App& app, Request& request) {
       "Examples:\n"
       "  insonify export out/fls.h5 out/profiler.h5 -o out/run.mcap\n"
       "  insonify export out/fls.h5 -o fls.gif --levels -90:-40 --height 480");
-  command->callback([&request, &options, bits, rate] {
+  command->callback([&request, &options, command, bits, rate] {
+    for (const char* name : {"--bits", "--store", "--rate", "--height", "--colour-map", "--levels"}) {
+      if (*command->get_option(name)) {
+        options.given.emplace_back(name);
+      }
+    }
     options.bits = *bits && request.bits == "8" ? 8 : 16;
     if (*rate) {
       options.rate = request.rate;

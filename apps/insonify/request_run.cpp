@@ -56,8 +56,8 @@ void add_run(CLI::App& app, Request& request) {
       ->type_name("KEY=VALUE")
       ->expected(1)
       ->take_all();
-  command->add_option("--record", request.record, "Recordings to make: h5, mcap (ROS 2 messages) or h5,mcap [h5]")
-      ->check(one_of({"h5", "mcap", "h5,mcap"}))
+  command->add_option("--record", request.record, "Recordings to make: h5, mcap (ROS 2 messages) or both: h5,mcap [h5]")
+      ->check(one_of({"h5", "mcap", "h5,mcap", "mcap,h5"}))
       ->type_name("KIND");
   command->add_flag("--compress", options.compress,
                     "Compress h5 recordings by HDF5's own filters: less than half the size, some time a ping");

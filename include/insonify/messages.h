@@ -21,8 +21,11 @@ struct MessageSource {
   EchoModel model = EchoModel::kCalibrated;
   ReceiverConfig receiver;  ///< Of this sonar: Scenario::receiver_of().
   std::string scenario;     ///< Text of the scenario file, as recordings hold it; "" for none.
+  std::string name = {};    ///< Of its topics and frames; "" for the sonar's, with what ROS does not allow as `_`.
 };
 
+/// Sonars of the scenario whose topics would have the same name are told apart: the second gets `_2` at its end, the
+/// third `_3` ...
 /// @param sonar  As Simulator::sonar() has it.
 [[nodiscard]] MessageSource message_source(const Scenario& scenario, const SonarConfig& sonar);
 
@@ -84,7 +87,7 @@ struct MessageLevels {
 /// | kTransforms | /tf                | tf2_msgs/msg/TFMessage                       |             |
 /// | kScenario   | /scenario          | std_msgs/msg/String                          |             |
 ///
-/// NAME is the sonar's, with what ROS does not allow in topics as `_`. Frame NAME is that of the housing (x forward,
+/// NAME is MessageSource::name. Frame NAME is that of the housing (x forward,
 /// y to port, z up). NAME_beams, of the sonar image, has z along the middle of the fan, y to port, x down.
 /// docs/reference/messages.md has every field.
 class SonarMessages {

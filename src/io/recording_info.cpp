@@ -55,6 +55,7 @@ RecordingInfo info_of_hdf5(const std::filesystem::path& path) {
   if (const auto seed = tables.attributes().find("seed"); seed != tables.attributes().end() && seed->is_number()) {
     info.seed = seed->get<std::uint64_t>();
   }
+  static_cast<void>(tables.settings());  // Of a damaged file it throws: what was recorded is then not what it tells.
   RecordedSonar sonar{.config = pings.sonar_config(), .pings = tables.ping_count()};
   for (const RecordedTable& table : tables.tables()) {
     info.contents.push_back(table.name);
@@ -118,6 +119,10 @@ RecordingInfo info_of_mcap(const std::filesystem::path& path) {
 }  // namespace
 
 bool is_mcap(const std::filesystem::path& path) {
+  std::error_code ignored;
+  if (std::filesystem::is_fifo(path, ignored)) {
+    return false;  // Opening it would wait for a writer.
+  }
   std::ifstream file(path, std::ios::binary);
   std::string start(kMcapMagic.size(), '\0');
   file.read(start.data(), static_cast<std::streamsize>(start.size()));
@@ -126,7 +131,14 @@ bool is_mcap(const std::filesystem::path& path) {
 
 RecordingInfo recording_info(const std::filesystem::path& path) {
   check_input_file(path);
-  return is_mcap(path) ? info_of_mcap(path) : info_of_hdf5(path);
+  try {
+    return is_mcap(path) ? info_of_mcap(path) : info_of_hdf5(path);
+  } catch (const std::bad_alloc&) {
+    throw;
+  } catch (const std::exception& error) {  // A damaged file, by what found it: a configuration, a parser ...
+    const std::string what = error.what();
+    throw Error(what.starts_with(path.string()) ? what : path.string() + ": " + what);
+  }
 }
 
 }  // namespace insonify

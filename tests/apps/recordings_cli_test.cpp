@@ -28,9 +28,12 @@ TEST_F(RecordingsCliTest, RecordChoosesTheFiles) {
   EXPECT_EQ(shell("insonify run fan.yaml -o h5 -q --no-pictures").status, 0);
   EXPECT_EQ(shell("insonify run fan.yaml -o mcap -q --no-pictures --record mcap").status, 0);
   EXPECT_EQ(shell("insonify run fan.yaml -o both -q --no-pictures --record h5,mcap").status, 0);
+  EXPECT_EQ(shell("insonify run fan.yaml -o turned -q --no-pictures --record mcap,h5").status, 0);
   EXPECT_THAT(files("h5"), ElementsAre("ahead.h5"));
   EXPECT_THAT(files("mcap"), ElementsAre("ahead.mcap"));
   EXPECT_THAT(files("both"), ElementsAre("ahead.h5", "ahead.mcap"));
+  EXPECT_EQ(files("turned"), files("both"));
+  EXPECT_EQ(text_of("turned/ahead.h5"), text_of("h5/ahead.h5"));
   EXPECT_EQ(text_of("both/ahead.mcap"), text_of("mcap/ahead.mcap"));
   EXPECT_EQ(text_of("both/ahead.h5"), text_of("h5/ahead.h5"));
 }
@@ -38,7 +41,7 @@ TEST_F(RecordingsCliTest, RecordChoosesTheFiles) {
 TEST_F(RecordingsCliTest, RecordNamesItsChoices) {
   const Outcome outcome = shell("insonify run fan.yaml -o out --record bag");
   EXPECT_EQ(outcome.status, 2);
-  EXPECT_EQ(outcome.err, "insonify: --record: bag must be h5 or mcap or h5,mcap (insonify run --help)\n");
+  EXPECT_EQ(outcome.err, "insonify: --record: bag must be h5 or mcap or h5,mcap or mcap,h5 (insonify run --help)\n");
 }
 
 TEST_F(RecordingsCliTest, AnEarlierMcapIsReplacedOnlyWithForce) {
@@ -105,6 +108,18 @@ TEST_F(RecordingsCliTest, InfoRefusesWhatIsNoRecording) {
   EXPECT_THAT(outcome.err, HasSubstr("insonify: notes.txt: cannot open it as HDF5: "));
 }
 
+TEST_F(RecordingsCliTest, InfoGoesOnAfterAFileThatIsNoRecording) {
+  ASSERT_EQ(shell("insonify run fan.yaml -o out -q --no-pictures").status, 0);
+  const Outcome text = shell("insonify info gone.h5 out/ahead.h5 away.mcap");
+  EXPECT_EQ(text.status, 2);
+  EXPECT_EQ(text.err, "insonify: gone.h5: no such file\ninsonify: away.mcap: no such file\n");
+  EXPECT_THAT(text.out, HasSubstr("out/ahead.h5: HDF5, "));
+  const Outcome told = shell("insonify info gone.h5 out/ahead.h5 --json");
+  EXPECT_EQ(told.status, 2);
+  ASSERT_EQ(json::parse(told.out).size(), 1);
+  EXPECT_EQ(json::parse(told.out).at(0).at("file"), "out/ahead.h5");
+}
+
 TEST_F(RecordingsCliTest, ReplayDrawsWhatTheRunHasDrawn) {
   ASSERT_EQ(shell("insonify run fan.yaml -o out -q --no-view --record h5,mcap").status, 0);
   ASSERT_EQ(shell("insonify replay out/ahead.h5 -o again").status, 0);
@@ -133,6 +148,27 @@ TEST_F(RecordingsCliTest, ExportWarnsOfAnUnfinishedRecording) {
   EXPECT_EQ(outcome.out, "out/run.mcap\n");
   EXPECT_THAT(outcome.err, HasSubstr("warning: out/ahead.h5 is unfinished: the run that wrote it was killed; it has "));
   EXPECT_EQ(info("out/run.mcap").at("sonars").at(0).at("pings"), info("out/ahead.h5").at("sonars").at(0).at("pings"));
+}
+
+TEST_F(RecordingsCliTest, ExportRefusesOptionsWithoutEffect) {
+  ASSERT_EQ(shell("insonify run fan.yaml -o out -q --no-pictures --pings 2").status, 0);
+  const auto message = [](const std::string& options) {
+    const Outcome outcome = shell("insonify export out/ahead.h5 -o out/" + options);
+    EXPECT_EQ(outcome.status, 2) << options;
+    EXPECT_EQ(outcome.out, "") << options;
+    return outcome.err;
+  };
+  EXPECT_EQ(message("z.npz --bits 8 --rate 5"), "insonify: --bits has no effect on .npz, only on .mcap\n");
+  EXPECT_EQ(message("z.npz --rate 5"), "insonify: --rate has no effect on .npz, only on .mp4, .gif\n");
+  EXPECT_EQ(message("z.ZARR/ --store"), "insonify: --store has no effect on .zarr, only on .npz\n");
+  EXPECT_EQ(message("z.mcap --height 300"), "insonify: --height has no effect on .mcap, only on .mp4, .gif\n");
+  EXPECT_EQ(message("z.npz --levels -90:-40"), "insonify: --levels has no effect on .npz, only on .mp4, .gif, .mcap\n");
+  EXPECT_EQ(message("z.zarr --color-map grey"),
+            "insonify: --colour-map has no effect on .zarr, only on .mp4, .gif, .mcap\n");
+  EXPECT_THAT(message("z.txt --bits 8"), HasSubstr("z.txt: its ending must be "));
+  EXPECT_THAT(files("out"), ElementsAre("ahead.h5"));
+  EXPECT_EQ(shell("insonify export out/ahead.h5 -o out/z.npz --store").status, 0);
+  EXPECT_EQ(shell("insonify export out/ahead.h5 -o out/z.mcap --bits 8 --levels -90:-40 --colour-map grey").status, 0);
 }
 
 }  // namespace

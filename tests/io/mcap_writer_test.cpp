@@ -241,7 +241,7 @@ void record_ping(const std::filesystem::path& path) {
   sonar.assumed_sound_speed = 1500;
   McapOptions options{.run = {.seed = 77}};
   options.messages.fan_height = 240;
-  McapRecording out(path, {MessageSource{sonar, EchoModel::kCalibrated, {}, "pings: 1\n"}}, options);
+  McapRecording out(path, {MessageSource{sonar, EchoModel::kCalibrated, {}, "pings: 1\n", {}}}, options);
   Ping ping;
   ping.time = 1.5;
   ping.world_from_sonar.position = {1, 2, 3};
@@ -250,6 +250,37 @@ void record_ping(const std::filesystem::path& path) {
   ping.intensity = {1e-9F, 0, 1e-8F, 1e-7F, 1e-3F, 1e-30F};
   out.add(0, ping);
   out.close();
+}
+
+TEST_F(McapWriterTest, SonarsOfTheSameTopicsAreKeptApart) {
+  const auto source = [](const char* name, int bins) {
+    SonarConfig sonar;
+    sonar.name = name;
+    sonar.beam_count = 2;
+    sonar.bin_count = bins;
+    sonar.assumed_sound_speed = 1500;
+    return MessageSource{sonar, EchoModel::kCalibrated, {}, "", {}};
+  };
+  {
+    McapRecording out("a.mcap", {source("fls ä", 3), source("fls ö", 4)});
+    for (int sonar = 0; sonar < 2; ++sonar) {
+      Ping ping;
+      ping.bin_count = 3 + sonar;
+      ping.beam_count = 2;
+      ping.intensity.assign(2 * (3 + sonar), 1e-8F);
+      out.add(sonar, ping);
+    }
+    out.close();
+  }
+  const RecordingInfo info = recording_info("a.mcap");
+  EXPECT_THAT(info.contents, testing::Contains("/fls___/sonar_image marine_acoustic_msgs/msg/ProjectedSonarImage"));
+  EXPECT_THAT(info.contents, testing::Contains("/fls____2/sonar_image marine_acoustic_msgs/msg/ProjectedSonarImage"));
+  EXPECT_EQ(McapPings("a.mcap", "fls ä").ping(0).bin_count, 3);
+  EXPECT_EQ(McapPings("a.mcap", "fls ö").ping(0).bin_count, 4);
+  EXPECT_EQ(message_of([&] {
+              McapRecording("b.mcap", {source("fls", 3), source("fls", 4)});
+            }),
+            "b.mcap: there are two sonars called fls; their names must differ");
 }
 
 TEST_F(McapWriterTest, PingsAreReadBackWithinTheirLevels) {

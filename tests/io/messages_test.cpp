@@ -114,6 +114,25 @@ TEST(RosNameTest, HasOnlyWhatTopicsAllow) {
   EXPECT_EQ(ros_name(""), "sonar");
 }
 
+TEST(RosNameTest, KeepsNamesApart) {
+  EXPECT_THAT(ros_names({"bow", "stern"}), ElementsAre("bow", "stern"));
+  EXPECT_THAT(ros_names({"ä", "ö", "__", "ü"}), ElementsAre("___2", "___3", "__", "___4"));
+  EXPECT_THAT(ros_names({"a b", "a_b_2", "a-b"}), ElementsAre("a_b", "a_b_2", "a_b_3"));
+}
+
+TEST(SonarMessagesTest, SonarsOfAScenarioHaveTopicsOfTheirOwn) {
+  Scenario scenario;
+  for (const char* name : {"à", "é"}) {
+    scenario.sonars.push_back(fan());
+    scenario.sonars.back().name = name;
+  }
+  const auto topic = [&](int sonar) {
+    return SonarMessages(message_source(scenario, scenario.sonars[sonar])).channels().front().topic;
+  };
+  EXPECT_EQ(topic(0), "/__/sonar_image");
+  EXPECT_EQ(topic(1), "/___2/sonar_image");
+}
+
 TEST(SonarMessagesTest, NamesTopicsAfterTheSonar) {
   const SonarMessages messages(source_of(fan()));
   std::vector<std::string> topics;

@@ -3,8 +3,12 @@
 #include "export/export.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
-#include <cmath>
+#include <algorithm>
+#include <cctype>
+#include <map>
+#include <set>
 
 #include "console/console.h"
 #include "console/outcome.h"
@@ -14,6 +18,27 @@
 
 namespace insonify {
 namespace {
+
+// Refuses endings that are no format, and options that do nothing for the format.
+void check_effects(const ExportCommand& options) {
+  static const std::map<std::string, std::vector<std::string>> kActsOn = {
+      {"--bits", {".mcap"}},          {"--store", {".npz"}},
+      {"--rate", {".mp4", ".gif"}},   {"--colour-map", {".mp4", ".gif", ".mcap"}},
+      {"--height", {".mp4", ".gif"}}, {"--levels", {".mp4", ".gif", ".mcap"}}};
+  const std::filesystem::path& file = options.file;
+  std::string ending = (file.has_filename() ? file : file.parent_path()).extension().string();
+  std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  if (!std::set<std::string>{".mcap", ".npz", ".zarr", ".mp4", ".gif"}.contains(ending)) {
+    throw InputError(
+        fmt::format("{}: its ending must be .mcap, .npz, .zarr, .mp4 or .gif, which says the format", file.string()));
+  }
+  for (const std::string& name : options.given) {
+    const std::vector<std::string>& endings = kActsOn.at(name);
+    if (std::ranges::find(endings, ending) == endings.end()) {
+      throw InputError(fmt::format("{} has no effect on {}, only on {}", name, ending, fmt::join(endings, ", ")));
+    }
+  }
+}
 
 // Every fault of the input is found here, before anything is written.
 void check_input(const ExportCommand& options) {
@@ -41,6 +66,7 @@ void check_input(const ExportCommand& options) {
 }  // namespace
 
 int export_command(const ExportCommand& options) {
+  check_effects(options);
   check_input(options);
   const PictureStyle style = picture_style(options.pictures, EchoModel::kCalibrated, {});
   ExportOptions how{.replace = options.force, .compress = !options.store};

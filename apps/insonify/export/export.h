@@ -19,6 +19,7 @@ struct ExportCommand {
   bool store = false;               ///< Leave .npz uncompressed.
   std::optional<double> rate = {};  ///< Pictures a second of a video.
   PictureOptions pictures;          ///< Colours and levels.
+  std::vector<std::string> given;   ///< Names of the options that act on some formats only and were given.
 };
 
 /// @return  kDone. @throws InputError for wrong input, Error for a failure while running

@@ -92,6 +92,7 @@ nlohmann::ordered_json json_of(const std::filesystem::path& path, const Recordin
 
 int info(const InfoOptions& options) {
   nlohmann::ordered_json objects = nlohmann::ordered_json::array();
+  int status = kDone;
   for (const std::filesystem::path& path : options.recordings) {
     try {
       const RecordingInfo found = recording_info(path);
@@ -101,14 +102,15 @@ int info(const InfoOptions& options) {
         print(path, found);
       }
     } catch (const Error& error) {
-      throw InputError(error.what());
+      complain(error.what());
+      status = kWrongInput;
     }
   }
   if (options.json) {
     constexpr bool kAscii = false;
     say_text(objects.dump(2, ' ', kAscii, nlohmann::json::error_handler_t::replace) + "\n");
   }
-  return kDone;
+  return status;
 }
 
 }  // namespace insonify

@@ -12,7 +12,8 @@ struct InfoOptions {
   bool json = false;
 };
 
-/// @return  kDone. @throws InputError for a file that is no recording.
+/// Tells of every recording, also after one that cannot be read.
+/// @return  kDone, or kWrongInput after a message for each file that is no recording.
 int info(const InfoOptions& options);
 
 }  // namespace insonify

@@ -17,7 +17,7 @@ namespace insonify {
 struct RecordKinds {
   bool h5 = true, mcap = false;
 
-  /// @param text  "h5", "mcap" or "h5,mcap".
+  /// @param text  "h5", "mcap", "h5,mcap" or "mcap,h5".
   static RecordKinds parse(const std::string& text);
 
   /// Endings of the files, with their dots.

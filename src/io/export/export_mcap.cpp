@@ -61,7 +61,10 @@ RunFacts run_of(const RecordedTables& recording) {
   RunFacts run;
   run.version = recording.text("version");
   run.engine = recording.text("engine");
-  run.seed = recording.attributes().value("seed", std::uint64_t{0});
+  if (const auto seed = recording.attributes().find("seed");
+      seed != recording.attributes().end() && seed->is_number()) {
+    run.seed = seed->get<std::uint64_t>();
+  }
   return run;
 }
 
@@ -80,7 +83,7 @@ EchoModel model_of(const RecordedTables& recording) {
 
 MessageSource message_source(const RecordedTables& recording) {
   const RecordedPings pings(recording.path());
-  return {pings.sonar_config(), model_of(recording), pings.receiver_config(), recording.text("scenario")};
+  return {pings.sonar_config(), model_of(recording), pings.receiver_config(), recording.text("scenario"), {}};
 }
 
 void export_mcap(std::span<const RecordedTables> recordings, const std::filesystem::path& file,

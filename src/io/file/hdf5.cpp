@@ -3,6 +3,7 @@
 #include "io/file/hdf5.h"
 
 #include <algorithm>
+#include <cstdlib>
 
 namespace insonify {
 namespace {
@@ -24,9 +25,18 @@ std::string system_reason(const std::string& description) {
   return description.substr(first, description.find('\'', first) - first);
 }
 
+// HDF5 1.10 keeps a file open where it is damaged in some ways. It would complain about that on standard error when the
+// program ends, unless it is told to print nothing. Functions of std::atexit run before those registered earlier, which
+// HDF5's is, since it has been called.
+void end_quietly() {
+  static const int kOnce = std::atexit([] { H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr); });
+  static_cast<void>(kOnce);
+}
+
 }  // namespace
 
 std::string h5_failure() {
+  end_quietly();
   std::string description;
   H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, take_first, &description);
   if (description.empty()) {

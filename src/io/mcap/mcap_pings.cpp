@@ -138,6 +138,7 @@ McapPings::McapPings(const std::filesystem::path& path, const std::string& sonar
   levels.high_db = number_of(texts, mcap_metadata::kHighDb, path);
   levels.gain_per_decade = number_of(texts, mcap_metadata::kGainPerDecade, path);
   MessageSource source = source_of(texts, path);
+  source.name = name;
   const std::string topic = "/" + name;
   const std::uint64_t count =
       std::min(file.messages(topic + "/sonar_image").size(), file.messages(topic + "/pose").size());

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "insonify/files.h"
+#include "insonify/printable.h"
 #include "insonify/words.h"
 #include "io/mcap/mcap_metadata.h"
 #include "io/mcap/mcap_writer.h"
@@ -17,13 +18,20 @@
 namespace insonify {
 namespace {
 
-void check_names(const std::filesystem::path& path, const std::vector<MessageSource>& sources) {
-  std::set<std::string> names;
+// Gives each sonar a name of its own for its topics.
+void name_topics(const std::filesystem::path& path, std::vector<MessageSource>& sources) {
+  std::vector<std::string> names;
+  std::set<std::string> sonars;
   for (const MessageSource& source : sources) {
-    if (!names.insert(ros_name(source.sonar.name)).second) {
-      throw Error(fmt::format("{}: there are two sonars with the topics /{}; their names must differ", path.string(),
-                              ros_name(source.sonar.name)));
+    if (!sonars.insert(source.sonar.name).second) {
+      throw Error(fmt::format("{}: there are two sonars called {}; their names must differ", path.string(),
+                              printable(source.sonar.name)));
     }
+    names.push_back(source.name.empty() ? source.sonar.name : source.name);
+  }
+  names = ros_names(names);
+  for (std::size_t i = 0; i < sources.size(); ++i) {
+    sources[i].name = names[i];
   }
 }
 
@@ -70,7 +78,7 @@ McapRecording::McapRecording(const std::filesystem::path& path, std::vector<Mess
   if (sources.empty()) {
     throw Error(fmt::format("{}: there is no sonar to record", path.string()));
   }
-  check_names(path, sources);
+  name_topics(path, sources);
   for (const MessageSource& source : sources) {
     state_->sonars.emplace_back(source, options.messages);
     state_->scenarios.push_back(source.scenario);
@@ -80,8 +88,7 @@ McapRecording::McapRecording(const std::filesystem::path& path, std::vector<Mess
   McapWriter& file = *state_->file;
   file.add_metadata(mcap_metadata::kRun, texts_about(options.run, sources.front()));
   for (std::size_t i = 0; i < sources.size(); ++i) {
-    file.add_metadata(mcap_metadata::kOfSonar + ros_name(sources[i].sonar.name),
-                      texts_about(sources[i], state_->sonars[i]));
+    file.add_metadata(mcap_metadata::kOfSonar + sources[i].name, texts_about(sources[i], state_->sonars[i]));
     std::vector<std::uint16_t>& ids = state_->channels.emplace_back();
     for (const MessageChannel& channel : state_->sonars[i].channels()) {
       ids.push_back(file.add_channel(channel.topic, channel.type, channel.definition));

@@ -2,8 +2,10 @@
 
 #pragma once
 
+#include <algorithm>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace insonify {
 
@@ -19,6 +21,28 @@ namespace insonify {
     return "sonar";
   }
   return is_digit(result.front()) ? "_" + result : result;
+}
+
+/// The names of several sonars, which stay apart: a name that ROS allows stays as it is; of others with the same result
+/// the second gets `_2` at its end, the third `_3` ...
+[[nodiscard]] inline std::vector<std::string> ros_names(const std::vector<std::string>& names) {
+  std::vector<std::string> results(names.size()), taken;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (ros_name(names[i]) == names[i]) {
+      results[i] = names[i];
+      taken.push_back(names[i]);
+    }
+  }
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (results[i].empty()) {
+      results[i] = ros_name(names[i]);
+      for (int number = 2; std::ranges::find(taken, results[i]) != taken.end(); ++number) {
+        results[i] = ros_name(names[i]) + "_" + std::to_string(number);
+      }
+      taken.push_back(results[i]);
+    }
+  }
+  return results;
 }
 
 }  // namespace insonify

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <deque>
@@ -79,10 +80,20 @@ std::vector<Value> values_of(const std::vector<float>& raised, const Display& di
 }  // namespace
 
 MessageSource message_source(const Scenario& scenario, const SonarConfig& sonar) {
-  MessageSource source{sonar, scenario.model, scenario.receiver_of(sonar),
-                       scenario.text.empty() ? to_yaml(scenario) : scenario.text};
+  MessageSource source{sonar,
+                       scenario.model,
+                       scenario.receiver_of(sonar),
+                       scenario.text.empty() ? to_yaml(scenario) : scenario.text,
+                       {}};
   if (!source.sonar.assumed_sound_speed) {
     source.sonar.assumed_sound_speed = scenario.water_at(sonar).true_sound_speed();
+  }
+  std::vector<std::string> names;
+  for (const SonarConfig& other : scenario.sonars) {
+    names.push_back(other.name);
+  }
+  if (const auto own = std::ranges::find(names, sonar.name); own != names.end()) {
+    source.name = ros_names(names)[static_cast<std::size_t>(own - names.begin())];
   }
   return source;
 }
@@ -158,7 +169,7 @@ SonarMessages::SonarMessages(MessageSource source, MessageOptions options) {
   }
   const Display display = message_display(source, options);
   display.validate();
-  const std::string name = ros_name(source.sonar.name);
+  const std::string name = ros_name(source.name.empty() ? source.sonar.name : source.name);
   const double sound_speed = source.sonar.assumed_sound_speed.value_or(0);  // 0: unknown, as the .msg file has it.
   SonarImageFacts facts = image_facts(source.sonar, sound_speed);
   state_ = std::make_unique<State>(

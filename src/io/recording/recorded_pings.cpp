@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "io/file/hdf5.h"
+#include "io/file/hdf5_heap.h"
 #include "io/file/input_file.h"
 #include "io/recording/recorded_settings.h"
 
@@ -123,6 +124,7 @@ RecordedPings::RecordedPings(const std::filesystem::path& path) : state_(std::ma
   state_->dataset = open_dataset(state_->file.get(), path);
   state_->shape = shape_of(state_->dataset.get(), path);
   state_->full_scale = full_scale_of(state_->dataset.get(), path);
+  static_cast<void>(checked_attributes(state_->file.get(), path, "the file"));
   state_->sonar = text_attribute(state_->file.get(), "sonar", path);
   state_->model = text_attribute(state_->file.get(), "model", path);
 }
@@ -175,7 +177,11 @@ std::vector<double> RecordedPings::intensity(std::uint64_t ping) const {
 SonarConfig RecordedPings::sonar_config() const {
   const H5Quiet quiet;
   SonarConfig sonar = read_settings<SonarConfig>({state_->file.get(), state_->path}, "settings/sonar");
-  sonar.validate();
+  try {
+    sonar.validate();
+  } catch (const Error& error) {
+    throw Error(fmt::format("{}: {}", state_->path.string(), error.what()));
+  }
   if (sonar.bin_count != bin_count() || sonar.beam_count != beam_count()) {
     throw Error(fmt::format("{}: intensity has {} bins x {} beams, settings/sonar {} x {}", state_->path.string(),
                             bin_count(), beam_count(), sonar.bin_count, sonar.beam_count));

@@ -7,18 +7,23 @@
 #include <cstdint>
 #include <utility>
 
+#include "io/file/hdf5_heap.h"
+
 namespace insonify {
 
 H5Settings::H5Settings(hid_t file, std::filesystem::path path) : file_(file), path_(std::move(path)) {}
 
 // HDF5 reports an error for a path through a group that is missing, so each part is looked up.
 bool H5Settings::has(const std::string& name) const {
+  const auto exists = [&](const std::string& part) {
+    return h5_check(H5Lexists(file_, part.c_str(), H5P_DEFAULT), path_, "find " + part) > 0;
+  };
   for (std::size_t slash = name.find('/'); slash != std::string::npos; slash = name.find('/', slash + 1)) {
-    if (H5Lexists(file_, name.substr(0, slash).c_str(), H5P_DEFAULT) <= 0) {
+    if (!exists(name.substr(0, slash))) {
       return false;
     }
   }
-  return H5Lexists(file_, name.c_str(), H5P_DEFAULT) > 0;
+  return exists(name);
 }
 
 void H5Settings::fail(const std::string& name, const std::string& what) const {
@@ -37,6 +42,7 @@ std::optional<std::string> H5Settings::text(const std::string& name) const {
       H5Sget_simple_extent_npoints(space.get()) != 1) {
     fail(name, "must hold one text");
   }
+  check_heap_texts(file_, dataset.get(), path_, name);
   char* pointer = nullptr;
   h5_check(H5Dread(dataset.get(), type.get(), H5S_ALL, H5S_ALL, H5P_DEFAULT, &pointer), path_, doing);
   std::string text = pointer != nullptr ? pointer : "";

@@ -11,6 +11,8 @@
 #include <numeric>
 #include <sstream>
 
+#include "insonify/printable.h"
+#include "io/file/hdf5_heap.h"
 #include "io/file/input_file.h"
 
 namespace insonify {
@@ -57,17 +59,16 @@ bool is_at_most(const std::vector<hsize_t>& shape, hsize_t most) {
   return true;
 }
 
-// Texts of variable length, read by `read(type, buffer)`; none where they cannot be read.
+// Texts of variable length, read by `read(type, buffer)`.
 std::vector<std::string> read_texts(hid_t type, const H5Handle& space, hsize_t count,
-                                    const std::function<herr_t(hid_t, void*)>& read) {
+                                    const std::function<void(hid_t, void*)>& read) {
   std::vector<char*> pointers(count, nullptr);
+  read(type, pointers.data());
   std::vector<std::string> texts;
-  if (read(type, pointers.data()) >= 0) {
-    for (const char* const pointer : pointers) {
-      texts.emplace_back(pointer != nullptr ? pointer : "");
-    }
-    H5Dvlen_reclaim(type, space.get(), H5P_DEFAULT, pointers.data());
+  for (const char* const pointer : pointers) {
+    texts.emplace_back(pointer != nullptr ? pointer : "");
   }
+  H5Dvlen_reclaim(type, space.get(), H5P_DEFAULT, pointers.data());
   return texts;
 }
 
@@ -80,7 +81,7 @@ nlohmann::json number_of(double value) {
 }
 
 // Whatever small thing has a type and a space, as JSON: a text, a number, a truth value or lists of those.
-nlohmann::json json_of(hid_t type_id, const H5Handle& space, const std::function<herr_t(hid_t, void*)>& read) {
+nlohmann::json json_of(hid_t type_id, const H5Handle& space, const std::function<void(hid_t, void*)>& read) {
   const std::vector<hsize_t> shape = shape_of(space.get());
   if (!is_at_most(shape, kMostValues)) {
     return nullptr;
@@ -94,9 +95,10 @@ nlohmann::json json_of(hid_t type_id, const H5Handle& space, const std::function
     }
   } else if (kind == H5T_ENUM) {
     std::vector<std::int8_t> bits(count);
-    if (H5Tget_size(type_id) != 1 || read(type_id, bits.data()) < 0) {
+    if (H5Tget_size(type_id) != 1) {
       return nullptr;
     }
+    read(type_id, bits.data());
     for (const std::int8_t bit : bits) {
       values.emplace_back(bit != 0);
     }
@@ -130,27 +132,34 @@ nlohmann::json json_of(hid_t type_id, const H5Handle& space, const std::function
   return rows;
 }
 
-nlohmann::json attributes_of(hid_t object) {
+// Callbacks of iterations only collect names: no exception may pass through HDF5.
+herr_t add_name(hid_t, const char* name, const H5L_info_t*, void* names) {
+  static_cast<std::vector<std::string>*>(names)->emplace_back(name);
+  return 0;
+}
+
+nlohmann::json attributes_of(hid_t object, const std::filesystem::path& path, const std::string& owner) {
+  const std::string doing = "read the attributes of " + owner;
   nlohmann::json found = nlohmann::json::object();
-  const auto take = [](hid_t from, const char* name, const H5A_info_t*, void* into) -> herr_t {
-    const H5Handle attribute(H5Aopen(from, name, H5P_DEFAULT), H5Aclose);
-    const H5Handle type(H5Aget_type(attribute.get()), H5Tclose);
-    const H5Handle space(H5Aget_space(attribute.get()), H5Sclose);
-    if (attribute && type && space) {
-      (*static_cast<nlohmann::json*>(into))[name] = json_of(
-          type.get(), space, [&](hid_t memory, void* buffer) { return H5Aread(attribute.get(), memory, buffer); });
-    }
-    return 0;
-  };
-  H5Aiterate2(object, H5_INDEX_NAME, H5_ITER_INC, nullptr, take, &found);
+  for (const std::string& name : checked_attributes(object, path, owner)) {
+    const H5Handle attribute = h5_own(H5Aopen(object, name.c_str(), H5P_DEFAULT), H5Aclose, path, doing);
+    const H5Handle type = h5_own(H5Aget_type(attribute.get()), H5Tclose, path, doing);
+    const H5Handle space = h5_own(H5Aget_space(attribute.get()), H5Sclose, path, doing);
+    found[name] = json_of(type.get(), space, [&](hid_t memory, void* buffer) {
+      h5_check(H5Aread(attribute.get(), memory, buffer), path, doing);
+    });
+  }
   return found;
 }
 
-nlohmann::json dataset_json(hid_t dataset) {
-  const H5Handle type(H5Dget_type(dataset), H5Tclose);
-  const H5Handle space(H5Dget_space(dataset), H5Sclose);
+nlohmann::json dataset_json(hid_t file, hid_t dataset, const std::filesystem::path& path, const std::string& name) {
+  const H5Handle type = h5_own(H5Dget_type(dataset), H5Tclose, path, "read " + name);
+  if (H5Tget_class(type.get()) == H5T_STRING && H5Tis_variable_str(type.get()) > 0) {
+    check_heap_texts(file, dataset, path, name);
+  }
+  const H5Handle space = h5_own(H5Dget_space(dataset), H5Sclose, path, "read " + name);
   return json_of(type.get(), space, [&](hid_t memory, void* buffer) {
-    return H5Dread(dataset, memory, H5S_ALL, H5S_ALL, H5P_DEFAULT, buffer);
+    h5_check(H5Dread(dataset, memory, H5S_ALL, H5S_ALL, H5P_DEFAULT, buffer), path, "read " + name);
   });
 }
 
@@ -164,18 +173,12 @@ RecordedTables::RecordedTables(const std::filesystem::path& path) : path_(path) 
   const H5Quiet quiet;
   check_input_file(path);
   file_ = h5_open_to_read(path);
-  if (H5Lexists(file_.get(), "intensity", H5P_DEFAULT) <= 0) {
+  if (h5_check(H5Lexists(file_.get(), "intensity", H5P_DEFAULT), path, "find intensity") == 0) {
     throw Error(fmt::format("{}: is no recording: it has no dataset intensity", path.string()));
   }
-  attributes_ = attributes_of(file_.get());
+  attributes_ = attributes_of(file_.get(), path, "the file");
   std::vector<std::string> names;
-  H5Literate(
-      file_.get(), H5_INDEX_NAME, H5_ITER_INC, nullptr,
-      [](hid_t, const char* name, const H5L_info_t*, void* into) -> herr_t {
-        static_cast<std::vector<std::string>*>(into)->emplace_back(name);
-        return 0;
-      },
-      &names);
+  h5_check(H5Literate(file_.get(), H5_INDEX_NAME, H5_ITER_INC, nullptr, add_name, &names), path, "list its datasets");
   ping_count_ = std::numeric_limits<std::uint64_t>::max();
   for (const std::string& name : names) {
     add_table(name);
@@ -186,8 +189,9 @@ void RecordedTables::add_table(const std::string& name) {
   if (name == "." || name == "..") {
     throw Error(fmt::format("{}: is no recording: it has a dataset called {}", path_.string(), name));
   }
-  const H5Handle object(H5Oopen(file_.get(), name.c_str(), H5P_DEFAULT), H5Oclose);
-  if (!object || H5Iget_type(object.get()) != H5I_DATASET) {
+  const H5Handle object =
+      h5_own(H5Oopen(file_.get(), name.c_str(), H5P_DEFAULT), H5Oclose, path_, "open " + printable(name));
+  if (H5Iget_type(object.get()) != H5I_DATASET) {
     return;
   }
   const std::string doing = "read " + name;
@@ -196,7 +200,7 @@ void RecordedTables::add_table(const std::string& name) {
   const H5Handle space = h5_own(H5Dget_space(dataset.get()), H5Sclose, path_, doing);
   std::vector<hsize_t> shape = shape_of(space.get());
   if (H5Tget_class(stored.get()) == H5T_STRING) {
-    const nlohmann::json texts = dataset_json(dataset.get());
+    const nlohmann::json texts = dataset_json(file_.get(), dataset.get(), path_, name);
     if (texts.is_array()) {
       names_.push_back({name, texts.get<std::vector<std::string>>()});
     }
@@ -216,7 +220,10 @@ void RecordedTables::add_table(const std::string& name) {
       throw Error(fmt::format("{}: is no recording: a row of {} is too large", path_.string(), name));
     }
   }
-  table.notes = attributes_of(dataset.get());
+  table.notes = attributes_of(dataset.get(), path_, name);
+  if (table.notes.contains("axes") && !table.notes["axes"].is_string()) {
+    throw Error(fmt::format("{}: the attribute axes of {} cannot be read", path_.string(), name));
+  }
   std::istringstream words(table.notes.value("axes", ""));
   for (std::string axis; words >> axis;) {
     table.axes.push_back(axis);
@@ -241,21 +248,20 @@ void RecordedTables::add_table(const std::string& name) {
 nlohmann::json RecordedTables::settings() const {
   const H5Quiet quiet;
   nlohmann::json found = nlohmann::json::object();
-  if (H5Lexists(file_.get(), "settings", H5P_DEFAULT) <= 0) {
+  if (h5_check(H5Lexists(file_.get(), "settings", H5P_DEFAULT), path_, "find settings") == 0) {
     return found;
   }
   const H5Handle group = h5_own(H5Gopen2(file_.get(), "settings", H5P_DEFAULT), H5Gclose, path_, "read settings");
-  H5Lvisit(
-      group.get(), H5_INDEX_NAME, H5_ITER_INC,
-      [](hid_t from, const char* name, const H5L_info_t*, void* into) -> herr_t {
-        const H5Handle object(H5Oopen(from, name, H5P_DEFAULT), H5Oclose);
-        if (object && H5Iget_type(object.get()) == H5I_DATASET) {
-          const nlohmann::json::json_pointer place("/" + std::string(name));
-          (*static_cast<nlohmann::json*>(into))[place] = dataset_json(object.get());
-        }
-        return 0;
-      },
-      &found);
+  std::vector<std::string> names;
+  h5_check(H5Lvisit(group.get(), H5_INDEX_NAME, H5_ITER_INC, add_name, &names), path_, "list settings");
+  for (const std::string& name : names) {
+    const H5Handle object =
+        h5_own(H5Oopen(group.get(), name.c_str(), H5P_DEFAULT), H5Oclose, path_, "open " + printable(name));
+    if (H5Iget_type(object.get()) == H5I_DATASET) {
+      found[nlohmann::json::json_pointer("/" + name)] =
+          dataset_json(file_.get(), object.get(), path_, "settings/" + name);
+    }
+  }
   return found;
 }
 
