@@ -30,6 +30,9 @@ struct PythonPing : Ping {
   std::shared_ptr<const PythonRecording> source = {};  ///< Of a recorded ping: where its other tables are read from.
 };
 
+/// @throws Error for an object that is no Ping.
+[[nodiscard]] const PythonPing& ping_from(const py::object& given);
+
 // Each adds its classes and functions to the module. In this order: a class must be there before it is a default.
 void bind_error(py::module_& module);
 void bind_geometry(py::module_& module);

@@ -82,6 +82,7 @@ class ConfigClass {
     class_.def("__copy__", [](const Held<Config>& self) { return wrap(unwrap<Config>(py::cast(&self), "self")); });
     class_.def("__deepcopy__",
                [](const Held<Config>& self, const py::dict&) { return wrap(unwrap<Config>(py::cast(&self), "self")); });
+    class_.def(py::pickle(&state_of, &from_state));
     class_.def("__repr__", [name = std::string(name)](const Held<Config>& self) { return name + text_of(self); });
     class_.attr("__hash__") = py::none();
   }
@@ -150,6 +151,44 @@ class ConfigClass {
     py::object made = wrap(Config{});
     set_fields(made, given);
     return made.template cast<Held<Config>>();
+  }
+
+  // For pickle: fields in SI units, parts, and what is no field.
+  static py::tuple state_of(const Held<Config>& self) {
+    py::list fields;
+    Config::visit_fields(self.value, [&](const Field&, const auto& member) { fields.append(to_python(member, 1)); });
+    py::dict parts;
+    for (const auto& [name, part] : self.parts) {
+      parts[py::str(name)] = part;
+    }
+    py::tuple rest;
+    if constexpr (std::is_same_v<Config, Material>) {
+      rest = py::make_tuple(self.value.name, self.value.source);
+    } else if constexpr (std::is_same_v<Config, Scenario>) {
+      rest = py::make_tuple(unwrap<Config>(py::cast(&self), "self").text);
+    }
+    return py::make_tuple(fields, parts, rest);
+  }
+
+  static Held<Config> from_state(const py::tuple& state) {
+    Held<Config> held = wrap(Config{}).template cast<Held<Config>>();
+    const py::list fields = state[0];
+    std::size_t index = 0;
+    Config::visit_fields(held.value, [&](const Field& field, auto& member) {
+      from_python(fields[index++], std::string(field.name), 1, member);
+    });
+    for (const std::pair<py::handle, py::handle> part : py::dict(state[1])) {
+      held.parts.at(part.first.cast<std::string>()) = py::reinterpret_borrow<py::object>(part.second);
+    }
+    Config config = unwrap<Config>(py::cast(&held), "self");
+    if constexpr (std::is_same_v<Config, Material>) {
+      const py::tuple rest = state[2];
+      config.name = rest[0].template cast<std::string>();
+      config.source = rest[1].template cast<std::string>();
+    } else if constexpr (std::is_same_v<Config, Scenario>) {
+      config.text = py::tuple(state[2])[0].template cast<std::string>();
+    }
+    return wrap(config).template cast<Held<Config>>();
   }
 
   // "(name='fls', max_range=20.0)": what differs from the defaults.

@@ -22,6 +22,12 @@ void bind_geometry(py::module_& module) {
             Vec3 place, turn;
             from_python(position, "position", 1, place);
             from_python(angles_deg, "angles_deg", degrees_from_radians(1), turn);
+            if (!place.allFinite()) {
+              throw Error("", "position", fmt::format(" = {} must be finite", shown(position)));
+            }
+            if (!turn.allFinite()) {
+              throw Error("", "angles_deg", fmt::format(" = {} must be finite", shown(angles_deg)));
+            }
             return Pose{place, orientation_from_rpy(turn.x(), turn.y(), turn.z())};
           },
           py::arg("position") = py::make_tuple(0, 0, 0), py::arg("angles_deg") = py::make_tuple(0, 0, 0),
@@ -54,6 +60,18 @@ void bind_geometry(py::module_& module) {
       .def("inverse", &Pose::inverse)
       .def(
           "__mul__", [](const Pose& a, const Pose& b) { return a * b; }, py::is_operator())
+      .def(py::pickle(
+          [](const Pose& self) {
+            const Eigen::Quaterniond& turn = self.orientation;
+            return py::make_tuple(to_python(self.position, 1), turn.w(), turn.x(), turn.y(), turn.z());
+          },
+          [](const py::tuple& state) {
+            Pose pose;
+            from_python(state[0], "position", 1, pose.position);
+            pose.orientation = Eigen::Quaterniond(state[1].cast<double>(), state[2].cast<double>(),
+                                                  state[3].cast<double>(), state[4].cast<double>());
+            return pose;
+          }))
       .def("__repr__", [](const Pose& self) {
         const Vec3& p = self.position;
         const Eigen::Quaterniond& q = self.orientation;

@@ -79,10 +79,11 @@ void add_drawing(py::module_& module, const char* name,
                            "in the calibrated model, in which intensities are raised by 30 dB per decade of range.";
   module.def(
       name,
-      [draw](const PythonPing& ping, const py::object& levels, const std::string& colour_map, const py::object& scale,
+      [draw](const py::object& ping, const py::object& levels, const std::string& colour_map, const py::object& scale,
              int height, bool annotations) {
-        return array_of(drawn(
-            ping, {levels, colour_map, scale.is_none() ? "" : scale.cast<std::string>(), height, annotations}, draw));
+        return array_of(
+            drawn(ping_from(ping),
+                  {levels, colour_map, scale.is_none() ? "" : scale.cast<std::string>(), height, annotations}, draw));
       },
       py::arg("ping"), py::arg("levels") = py::none(), py::arg("colour_map") = "inferno", py::arg("scale") = py::none(),
       py::arg("height") = 720, py::arg("annotations") = true, help.c_str());
@@ -96,7 +97,13 @@ void bind_pictures(py::module_& module) {
   module.def("_usually_shown", &usually_shown, py::arg("ping"));
   module.def(
       "write_png",
-      [](const py::object& path, const py::array_t<std::uint8_t, py::array::c_style>& rgb) {
+      [](const py::object& path, const py::object& given) {
+        if (!py::isinstance<py::array_t<std::uint8_t>>(given)) {
+          const bool is_array = py::isinstance<py::array>(given);
+          const std::string found = is_array ? py::str(given.attr("dtype")).cast<std::string>() : shown(given);
+          throw Error("", "rgb", fmt::format(" must be an array uint8 [height, width, 3], not {}", found));
+        }
+        const auto rgb = py::array_t<std::uint8_t, py::array::c_style>::ensure(given);
         if (rgb.ndim() != 3 || rgb.shape(2) != 3) {
           throw Error("", "rgb", " must be an array uint8 [height, width, 3]");
         }

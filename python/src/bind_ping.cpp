@@ -47,6 +47,13 @@ void add_table(PingClass& ping, const char* name, std::vector<Value> Ping::*memb
 
 }  // namespace
 
+const PythonPing& ping_from(const py::object& given) {
+  if (!py::isinstance<PythonPing>(given)) {
+    throw Error("", "ping", fmt::format(" = {} must be a Ping", shown(given)));
+  }
+  return given.cast<const PythonPing&>();
+}
+
 void bind_ping(py::module_& module) {
   PingClass ping(
       module, "Ping",

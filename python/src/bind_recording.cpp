@@ -34,6 +34,30 @@ std::shared_ptr<PythonPing> recorded_ping(const std::shared_ptr<PythonRecording>
   return ping;
 }
 
+// rec[3] is a ping, rec[1:9:2] a list of pings.
+py::object recorded_item(const std::shared_ptr<PythonRecording>& recording, const py::object& number) {
+  if (py::isinstance<py::slice>(number)) {
+    py::ssize_t start = 0, stop = 0, step = 0, length = 0;
+    if (!number.cast<py::slice>().compute(static_cast<py::ssize_t>(recording->ping_count()), &start, &stop, &step,
+                                          &length)) {
+      throw py::error_already_set();
+    }
+    py::list pings;
+    for (py::ssize_t i = 0; i < length; ++i) {
+      pings.append(recorded_ping(recording, start + i * step));
+    }
+    return pings;
+  }
+  if (PyIndex_Check(number.ptr()) == 0) {
+    throw py::type_error("the number of a ping must be a whole number or a slice, not " + shown(number));
+  }
+  const py::ssize_t index = PyNumber_AsSsize_t(number.ptr(), PyExc_IndexError);
+  if (index == -1 && PyErr_Occurred() != nullptr) {
+    throw py::error_already_set();
+  }
+  return py::cast(recorded_ping(recording, index));
+}
+
 py::dtype dtype_of(NumberType type) {
   switch (type) {
     case NumberType::kFloat32:
@@ -212,9 +236,10 @@ void add_writer(py::module_& module) {
       "it may take the place of a file that is there. Raises Error when it cannot be made. Use it in a `with`.")
       .def(py::init(&start_recording), py::arg("path"), py::arg("simulator"), py::arg("sonar") = 0, py::kw_only(),
            py::arg("compress") = false, py::arg("replace") = false)
-      .def("add", &RecordingInPython::add, py::arg("ping"),
-           "Raises Error for a ping made with other settings, and when the disk is full; what was written before stays "
-           "readable.")
+      .def(
+          "add", [](RecordingInPython& self, const py::object& ping) { self.add(ping_from(ping)); }, py::arg("ping"),
+          "Raises Error for a ping made with other settings, and when the disk is full; what was written before stays "
+          "readable.")
       .def(
           "close", [](RecordingInPython& self) { self.end(false); },
           "Puts everything on the disk, and the file in the place of an earlier one. At the end of a `with` that "
@@ -244,8 +269,9 @@ void bind_recording(py::module_& module) {
       .def(py::init([](const py::object& path) { return std::make_shared<PythonRecording>(path_from(path, "path")); }),
            py::arg("path"))
       .def("__len__", [](const PythonRecording& self) { return self.ping_count(); })
-      .def("__getitem__", &recorded_ping, py::arg("number"),
-           "The ping of that number from 0, from the end where negative. Its tables are read when they are asked for. "
+      .def("__getitem__", &recorded_item, py::arg("number"),
+           "The ping of that number from 0, from the end where negative; of a slice a list of pings. Their tables are "
+           "read when they are asked for. "
            "Raises IndexError.")
       .def("__iter__",
            [](const py::object& self) { return py::reinterpret_steal<py::object>(PySeqIter_New(self.ptr())); })

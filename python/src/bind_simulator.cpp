@@ -37,9 +37,14 @@ std::vector<MovableObject> movable_from(const py::object& given) {
   return movable;
 }
 
-std::unique_ptr<PythonSimulator> make_simulator(const py::object& given, const py::object& scene, int threads,
-                                                const py::object& movable) {
+std::unique_ptr<PythonSimulator> make_simulator(const py::object& given, const py::object& scene,
+                                                const py::object& threads_, const py::object& movable) {
   Scenario scenario = unwrap<Scenario>(given, "scenario");
+  int threads = 0;
+  from_python(threads_, "threads", 1, threads);
+  if (!scene.is_none() && !py::isinstance<Scene>(scene)) {
+    throw Error("", "scene", fmt::format(" = {} must be a Scene or None", shown(scene)));
+  }
   Scene made;
   if (scene.is_none()) {
     made = load_scene(scenario, warnings_log());
@@ -241,8 +246,10 @@ void bind_simulator(py::module_& module) {
       .def("remove", &PythonSimulator::remove_object, py::arg("name"), "Removes an object with all its parts.")
       .def_property_readonly(
           "scenario", [](const PythonSimulator& self) { return wrap(self.known().scenario); },
-          "A copy of the scenario.")
-      .def_property_readonly("scene", &PythonSimulator::scene, "A copy of the scene.")
+          "A copy of the scenario: a change of it changes no ping. set_sonar() changes a sonar.")
+      .def_property_readonly(
+          "scene", &PythonSimulator::scene,
+          "A copy of the scene: a change of it changes no ping. add() and remove() change the scene.")
       .def_property_readonly(
           "instance_names", [](const PythonSimulator& self) { return self.known().instance_names; },
           "Names by the index that Ping.instance has.")

@@ -4,6 +4,30 @@
 #include "insonify/files.h"
 #include "insonify/version.h"
 
+namespace insonify::python {
+namespace {
+
+// pybind11 calls a method of an object without a value, such as Simulator.__new__(Simulator), with memory that it gets
+// here for its type and that holds nothing.
+void* refuse_memory(std::size_t) {
+  throw py::type_error("this object was not initialised: its class must be called, not __new__() alone");
+}
+
+// Has the methods of all classes of a module refuse objects without a value.
+void guard_classes(const py::module_& module) {
+  for (const std::pair<py::handle, py::handle> item : py::dict(module.attr("__dict__"))) {
+    if (PyType_Check(item.second.ptr()) == 0) {
+      continue;
+    }
+    if (auto* const type = py::detail::get_type_info(reinterpret_cast<PyTypeObject*>(item.second.ptr()))) {
+      type->operator_new = refuse_memory;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace insonify::python
+
 PYBIND11_MODULE(_insonify, module) {
   using namespace insonify::python;
   module.doc() = "Imaging-sonar simulator.";
@@ -19,4 +43,7 @@ PYBIND11_MODULE(_insonify, module) {
   bind_acoustics(module);
   bind_similarity(module);
   bind_export(module);
+  guard_classes(module);
+  guard_classes(module.attr("acoustics"));
+  guard_classes(module.attr("similarity"));
 }

@@ -1,7 +1,7 @@
 # Types of the compiled module. The build fills in what is marked, from the module itself: tools/make_python_stubs.py.
 
 import os
-from typing import Any, Iterator, Literal, Mapping, Sequence, Union
+from typing import Any, Iterator, Literal, Mapping, Sequence, Union, overload
 
 import numpy as np
 import numpy.typing as npt
@@ -186,7 +186,10 @@ class Recording:
 class RecordedPings:
     def __init__(self, path: _Path) -> None: ...
     def __len__(self) -> int: ...
+    @overload
     def __getitem__(self, number: int) -> Ping: ...
+    @overload
+    def __getitem__(self, number: slice) -> list[Ping]: ...
     def __iter__(self) -> Iterator[Ping]: ...
     @property
     def shape(self) -> tuple[int, int, int]: ...

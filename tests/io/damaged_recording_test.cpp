@@ -68,6 +68,12 @@ class DamagedRecordingTest : public testing::Test {
     });
   }
 
+  // The same by what Python reads with.
+  static std::string read_tables(const std::string& damaged) {
+    std::ofstream("b.h5", std::ios::binary) << damaged;
+    return message_of([] { static_cast<void>(StoredTables("b.h5").texts("instance_names")); });
+  }
+
   // The 16 bytes that refer to a text: length, address of its heap, number in it.
   [[nodiscard]] std::size_t reference_to(const std::string& text) const {
     for (std::size_t heap = bytes.find("GCOL\1"); heap != std::string::npos; heap = bytes.find("GCOL\1", heap + 1)) {
@@ -127,6 +133,17 @@ TEST_F(DamagedRecordingTest, TextsOfDatasetsMustBeWhereTheyPoint) {
             damaged + "its text is not in the heap of texts");
 }
 
+TEST_F(DamagedRecordingTest, StoredTablesCheckTheirTextsThemselves) {
+  EXPECT_EQ(read_tables(bytes), kNone);
+  const std::size_t names = reference_to("wreck::hull");
+  EXPECT_EQ(read_tables(changed<std::uint32_t>(names + 12, 60'000)),
+            "b.h5: instance_names is damaged: its text is not in the heap of texts");
+  const std::size_t axes = reference_to("ping bin beam");
+  ASSERT_NE(axes, std::string::npos);
+  EXPECT_THAT(read_tables(changed<std::uint32_t>(axes, 100'000)),
+              HasSubstr(" is damaged: its text is not in the heap of texts"));
+}
+
 TEST_F(DamagedRecordingTest, TextsOfAttributesMustBeWhereTheyPoint) {
   const std::size_t model = reference_to("calibrated");
   ASSERT_NE(model, std::string::npos);
@@ -150,6 +167,23 @@ TEST_F(DamagedRecordingTest, HeapsOfTextsMustBeWhole) {
               HasSubstr(" is damaged: its heap of texts has an object larger than itself"));
 }
 
+TEST_F(DamagedRecordingTest, CharactersOfTextsMustHaveOneByte) {
+  // A list of variable length (class 9, version 1), text, UTF-8, 16 bytes; then the type of its characters, whose size
+  // follows after 4 bytes.
+  const std::string text("\x19\x01\x01\0\x10\0\0\0", 8);
+  int found = 0, refused = 0;
+  for (std::size_t type = bytes.find(text); type != std::string::npos; type = bytes.find(text, type + 1)) {
+    ASSERT_EQ(number<std::uint32_t>(type + 12), 1);
+    if (found++ % 5 == 0) {
+      // Each would have HDF5 ask for 2 GiB a character, unless it is of a note that is not read.
+      const std::string message = read_damaged(changed<std::uint32_t>(type + 12, 0x7fffffff));
+      EXPECT_THAT(message, AnyOf(kNone, HasSubstr(" is damaged: its characters do not have 1 byte"))) << type;
+      refused += message == kNone ? 0 : 1;
+    }
+  }
+  EXPECT_GT(refused, 5);
+}
+
 TEST_F(DamagedRecordingTest, RandomDamageIsAMessageOrNothing) {
   constexpr int kSeeds = 300;
   int refused = 0;
@@ -162,6 +196,7 @@ TEST_F(DamagedRecordingTest, RandomDamageIsAMessageOrNothing) {
       damaged[random() % damaged.size()] = static_cast<char>(random());
     }
     SCOPED_TRACE(seed);
+    static_cast<void>(read_tables(damaged));
     const std::string message = read_damaged(damaged);
     EXPECT_THAT(message, AnyOf(kNone, StartsWith("b.h5")));
     EXPECT_EQ(message.find('\n'), std::string::npos);

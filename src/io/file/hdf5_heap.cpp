@@ -18,6 +18,9 @@ constexpr std::uint64_t kHeader = 16;                           // Of a heap, an
 constexpr std::uint64_t kLargestHeap = std::uint64_t{1} << 28;  // More would be a broken length [bytes].
 constexpr std::uint64_t kReference = 16;                        // Length 4, address 8, number in the heap 4 [bytes].
 
+// HDF5 would get memory for each of a text's characters of that size.
+constexpr const char* kWideCharacters = "its characters do not have 1 byte";
+
 template <typename Number>
 Number number_at(std::span<const char> bytes, std::uint64_t place) {
   Number value{};
@@ -139,6 +142,10 @@ std::string checked_attribute(HeapCheck& check, std::span<const char> message) {
     check.fail("an attribute is larger than its message");
   }
   if ((number_at<std::uint8_t>(message, type) & 0x0f) == kVariableLength) {
+    const bool is_text = (number_at<std::uint8_t>(message, type + 1) & 0x0f) == 1;
+    if (is_text && number_at<std::uint32_t>(message, type + 12) != 1) {  // Of the type that it is a list of.
+      check.fail(kWideCharacters);
+    }
     check.check_references(message.subspan(data));
   }
   const std::size_t first = version == 3 ? 9 : 8;
@@ -166,6 +173,11 @@ void check_heap_texts(hid_t file, hid_t dataset, const std::filesystem::path& pa
   }
   const std::string doing = "read " + name;
   HeapCheck check(file, path, name);
+  const H5Handle type = h5_own(H5Dget_type(dataset), H5Tclose, path, doing);
+  const H5Handle character = h5_own(H5Tget_super(type.get()), H5Tclose, path, doing);
+  if (H5Tget_size(character.get()) != 1) {
+    check.fail(kWideCharacters);
+  }
   const H5Handle space = h5_own(H5Dget_space(dataset), H5Sclose, path, doing);
   const auto count = static_cast<std::uint64_t>(h5_check(H5Sget_simple_extent_npoints(space.get()), path, doing));
   if (count > kLargestHeap / kReference) {

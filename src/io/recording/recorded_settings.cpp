@@ -65,7 +65,7 @@ std::optional<std::vector<double>> H5Settings::numbers(const std::string& name) 
     fail(name, "must hold numbers");
   }
   if (kind == H5T_ENUM) {  // Truth values, as H5Writer puts them: 8-bit integers with names.
-    if (H5Tget_size(type.get()) != 1 || count != 1) {
+    if (H5Tget_size(type.get()) != 1 || H5Tget_nmembers(type.get()) != 2 || count != 1) {
       fail(name, "must hold a truth value");
     }
     std::int8_t value = 0;

@@ -95,7 +95,7 @@ nlohmann::json json_of(hid_t type_id, const H5Handle& space, const std::function
     }
   } else if (kind == H5T_ENUM) {
     std::vector<std::int8_t> bits(count);
-    if (H5Tget_size(type_id) != 1) {
+    if (H5Tget_size(type_id) != 1 || H5Tget_nmembers(type_id) != 2) {  // Truth values; HDF5 is slow with thousands.
       return nullptr;
     }
     read(type_id, bits.data());

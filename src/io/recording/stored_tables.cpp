@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "io/file/hdf5.h"
+#include "io/file/hdf5_heap.h"
 #include "io/file/input_file.h"
 
 namespace insonify {
@@ -133,6 +134,7 @@ StoredTables::StoredTables(const std::filesystem::path& path) : state_(std::make
   for (const std::string& name : dataset_names(state_->file.get(), path)) {
     const H5Handle dataset =
         h5_own(H5Dopen2(state_->file.get(), name.c_str(), H5P_DEFAULT), H5Dclose, path, "open " + name);
+    static_cast<void>(checked_attributes(dataset.get(), path, name));
     const std::optional<NumberType> type = number_type(dataset.get(), path);
     std::vector<std::uint64_t> shape = shape_of(dataset.get(), path);
     if (type && !shape.empty()) {
@@ -205,6 +207,7 @@ std::vector<std::string> StoredTables::texts(const std::string& name) const {
   if (H5Tis_variable_str(type.get()) <= 0 || count < 0) {
     throw Error(fmt::format("{}: {} must hold texts", path.string(), name));
   }
+  check_heap_texts(state_->file.get(), dataset.get(), path, name);
   std::vector<char*> pointers(count);
   h5_check(H5Dread(dataset.get(), type.get(), H5S_ALL, H5S_ALL, H5P_DEFAULT, static_cast<void*>(pointers.data())), path,
            doing);

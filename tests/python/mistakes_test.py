@@ -1,0 +1,128 @@
+"""What Python users do wrong is one clear message, and never a crash; what they may do works.
+
+    PYTHONPATH=build/dev/python tests/python/mistakes_test.py INSONIFY_PROGRAM SOURCE_FOLDER
+"""
+
+import copy
+import math
+import os
+import pickle
+import sys
+import tempfile
+import unittest
+
+import numpy as np
+
+import insonify
+
+TEXT = """
+world: none
+seed: 5
+points: [{position: [8, 0.5, 0], target_strength_db: -10}]
+sonars:
+  - {name: ahead, bin_count: 40, beam_count: 16, max_range: 12, ping_period: 0.1, azimuth_aperture_deg: 60}
+"""
+
+
+def scenario():
+    return insonify.Scenario.from_text(TEXT)
+
+
+class MistakesTest(unittest.TestCase):
+    def message(self, act, kind=insonify.Error):
+        with self.assertRaises(kind) as caught:
+            act()
+        return str(caught.exception)
+
+    def test_objects_without_a_value_are_refused(self):
+        text = "this object was not initialised: its class must be called, not __new__() alone"
+        for kind, act in [
+            (insonify.Simulator, lambda empty: empty.ping()),
+            (insonify.Pose, lambda empty: empty.matrix),
+            (insonify.SonarConfig, lambda empty: empty.max_range),
+            (insonify.Scenario, lambda empty: empty.to_yaml()),
+            (insonify.Scene, repr),
+            (insonify.PingRequest, lambda empty: empty.pose),
+            (insonify.RecordedPings, lambda empty: empty.shape),
+            (insonify.Recording, lambda empty: empty.close()),
+        ]:
+            with self.subTest(kind.__name__):
+                empty = kind.__new__(kind)
+                if kind.__repr__ is object.__repr__ and act is repr:
+                    continue
+                self.assertIn("not initialised", self.message(lambda: act(empty), TypeError))
+        self.assertEqual(self.message(lambda: insonify.Simulator.__new__(insonify.Simulator).ping(), TypeError), text)
+
+    def test_poses_must_be_finite(self):
+        self.assertEqual(
+            self.message(lambda: insonify.Pose.rpy((0, math.nan, 1))), "position = (0, nan, 1) must be finite"
+        )
+        self.assertEqual(
+            self.message(lambda: insonify.Pose.rpy((0, 0, 1), (math.inf, 0, 0))),
+            "angles_deg = (inf, 0, 0) must be finite",
+        )
+
+    def test_arguments_of_another_kind_are_named(self):
+        given = scenario()
+        self.assertEqual(
+            self.message(lambda: insonify.Simulator(given, "x")), "scene = 'x' must be a Scene or None"
+        )
+        self.assertEqual(
+            self.message(lambda: insonify.Simulator(given, threads=1.5)), "threads = 1.5 must be a whole number"
+        )
+        self.assertEqual(self.message(lambda: insonify.draw_fan(5)), "ping = 5 must be a Ping")
+        self.assertEqual(self.message(lambda: insonify.draw_polar("x")), "ping = 'x' must be a Ping")
+        self.assertEqual(
+            self.message(lambda: insonify.write_png("x.png", np.zeros((3, 4, 3)))),
+            "rgb must be an array uint8 [height, width, 3], not float64",
+        )
+        self.assertEqual(
+            self.message(lambda: insonify.write_png("x.png", 7)),
+            "rgb must be an array uint8 [height, width, 3], not 7",
+        )
+
+    def test_recordings_take_slices(self):
+        simulator = insonify.Simulator(scenario())
+        with insonify.Recording("a.h5", simulator) as recording:
+            for _ in range(5):
+                recording.add(simulator.ping())
+            self.assertEqual(self.message(lambda: recording.add(5)), "ping = 5 must be a Ping")
+        recorded = insonify.open("a.h5")
+        self.assertEqual([ping.number for ping in recorded[1:5:2]], [1, 3])
+        self.assertEqual([ping.number for ping in recorded[::-2]], [4, 2, 0])
+        self.assertEqual(recorded[9:], [])
+        self.assertEqual(recorded[np.int64(-1)].number, 4)
+        self.assertEqual(
+            self.message(lambda: recorded["x"], TypeError),
+            "the number of a ping must be a whole number or a slice, not 'x'",
+        )
+        self.assertIn("there is no ping 5", self.message(lambda: recorded[5], IndexError))
+
+    def test_settings_can_be_pickled(self):
+        given = scenario()
+        again = pickle.loads(pickle.dumps(given))
+        self.assertEqual(again.to_yaml(), given.to_yaml())
+        sonar = insonify.SonarConfig(name="fls", max_range=0.1 + 12, azimuth_resolution=0.013)
+        other = pickle.loads(pickle.dumps(sonar))
+        self.assertEqual((other.name, other.max_range, other.azimuth_resolution), ("fls", 0.1 + 12, 0.013))
+        given.sonars[0].max_range = 11
+        self.assertEqual(pickle.loads(pickle.dumps(given)).sonars[0].max_range, 11)
+        steel = [material for material in insonify.material_library() if material.name == "steel"][0]
+        self.assertEqual(pickle.loads(pickle.dumps(steel)).name, "steel")
+        pose = insonify.Pose.rpy((1, 2, 3), (10, 20, 30))
+        np.testing.assert_array_equal(pickle.loads(pickle.dumps(pose)).matrix, pose.matrix)
+        np.testing.assert_array_equal(copy.deepcopy(pose).matrix, pose.matrix)
+
+    def test_a_pickled_scenario_makes_the_same_pings(self):
+        given = scenario()
+        ping = insonify.Simulator(given).ping()
+        again = insonify.Simulator(pickle.loads(pickle.dumps(given))).ping()
+        self.assertGreater(ping.intensity.max(), 0)
+        np.testing.assert_array_equal(again.intensity, ping.intensity)
+
+
+if __name__ == "__main__":
+    del sys.argv[1:]
+    with tempfile.TemporaryDirectory() as place:
+        os.chdir(place)
+        unittest.main()
