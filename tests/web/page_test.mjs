@@ -94,6 +94,7 @@ const failed = await runChecks({
     assert.equal(await text("read-bin"), "102");
     const world = (await text("read-world")).replaceAll("\u2212", "-").split(",").map(Number);
     world.forEach((each, i) => assert.ok(Math.abs(each - kPoint.position[i]) < 0.08, `world ${world}`));
+    await until(async () => (await text("read-object")) !== "\u2013", "a ping with labels");
     assert.equal(await text("read-object"), kHostile);
     assert.equal(await text("read-material"), "steel");
   },
@@ -115,6 +116,15 @@ const failed = await runChecks({
     await page.mouse.move(x, y);
     await until(async () => (await text("read-beam")) === "78" && (await text("read-bin")) === "102", "beam 78, bin 102");
     await press("mode-fan");
+  },
+
+  async "labels are asked for while the cursor is over the picture, and no longer"() {
+    await page.mouse.move(640, 10);
+    const without = await told("watch", ({ tables }) => !tables.includes("instance"));
+    assert.deepEqual(without.tables, ["level", "elevation"]);
+    await until(async () => !(await ping()).tables.instance, "a ping without labels");
+    await page.mouse.move(...(await placeOf(12, 0)));
+    await until(async () => (await ping()).tables.instance && (await ping()).tables.material, "a ping with labels");
   },
 
   async "names of a hostile scene stay text"() {
@@ -157,6 +167,7 @@ const failed = await runChecks({
   },
 
   async "pause, step, speed, follow, record and save say so, and show the server's answer"() {
+    await ping();  // Of the settings that the checks before have changed.
     await press("pause");
     assert.equal((await told("pause")).on, true);
     await until(async () => (await text("pause-text")) === "Resume", "Resume");
@@ -352,6 +363,7 @@ const failed = await runChecks({
 
   async "a frozen picture stays while pings go on"() {
     await press("freeze");
+    await until(async () => (await get("shown")).tables.instance, "labels of the picture that stays");
     const { number } = await get("shown");
     const first = (await ping()).number;
     await until(async () => (await ping()).number > first + 2, "more pings");
