@@ -24,7 +24,7 @@ export class Session {
       text: (message) => this.#text(message),
       binary: (buffer) => this.#binary(buffer),
     });
-    store.on(["sonar", "overlay", "truth", "showEchoes"], () => this.#watch());
+    store.on(["sonar", "overlay", "truth", "showEchoes", "cursor", "frozen"], () => this.#watch());
     store.on(["frozen"], () => store.get("frozen") || store.set({ shown: store.get("ping") }));
     setInterval(() => this.#rate(), 500);
   }
@@ -69,7 +69,9 @@ export class Session {
     const sonar = store.get("sonar")?.name;
     if (!sonar || !this.connection.open) return;
     const tables = new Set(["level"]);
-    if (store.get("truth")) tables.add("instance").add("material").add("elevation");
+    // They are five sixths of a ping: only while they are read, or can be on a picture that stays.
+    const reads = store.get("cursor") || store.get("frozen");
+    if (store.get("truth") && reads) tables.add("instance").add("material").add("elevation");
     if (store.get("showEchoes")) tables.add("elevation");
     if (kOverlays.includes(store.get("overlay"))) tables.add(store.get("overlay"));
     const request = { op: "watch", sonar, tables: [...tables] };
@@ -148,7 +150,9 @@ export class Session {
     const position = (ping.vehicle ?? ping).position;
     if (!again) this.#arrivals.push(performance.now());
     const patch = { ping, path: again ? path : anew ? [position] : [...path.slice(-kMostPath), position] };
-    if (store.get("frozen") && !(again && store.get("shown")?.number === ping.number)) {
+    const shown = store.get("shown");
+    const completes = (again && shown?.number === ping.number) || (shown && !shown.tables.instance && ping.tables.instance);
+    if (store.get("frozen") && !completes) {
       store.set(patch);
       return;
     }

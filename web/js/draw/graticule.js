@@ -81,6 +81,7 @@ function labelRing(context, plan, range, azimuth) {
   const place = inside ? [x + 4, y - 2] : [x - 6, y + below];
   if (inside) {
     context.lineWidth = 3;
+    context.lineJoin = "round";
     context.strokeStyle = "rgb(0 10 16 / 75%)";
     context.strokeText(text, ...place);
     context.lineWidth = 1;

@@ -138,13 +138,17 @@ export class WaterfallView {
 
   #drawScale(sonar) {
     const { context, width, height } = context2d(byId("waterfall-scale"));
-    context.font = "10px system-ui, sans-serif";
+    context.font = "11px system-ui, sans-serif";
     context.textBaseline = "bottom";
     context.textAlign = "center";
+    // On a plate: an outline would smear small figures over a picture.
     const text = (words, x, y) => {
-      context.lineWidth = 3;
-      context.strokeStyle = themeColour("--panel");
-      context.strokeText(words, x, y);
+      const wide = context.measureText(words).width + 6;
+      const left = context.textAlign === "center" ? x - wide / 2 : x - 3;
+      context.globalAlpha = 0.78;
+      context.fillStyle = themeColour("--panel");
+      context.fillRect(left, y - 13, wide, 14);
+      context.globalAlpha = 1;
       context.fillStyle = themeColour("--text");
       context.fillText(words, x, y);
     };
