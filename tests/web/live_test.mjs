@@ -75,6 +75,8 @@ const failed = await runChecks({
   async "twenty pings a second are shown for ten seconds"() {
     await choose("key-sonars[0].receiver.noise", true);
     await until(async () => (await get("hello")).keys["sonars[0].receiver.noise"].value === true, "noise");
+    // Away from the picture: over it, labels come with each ping, and the processor that draws here has no time for them.
+    await page.mouse.move(640, 5);
     await pause(2);
     await bestOfThree(async () => {
       const others = await crowd();
@@ -127,10 +129,17 @@ const failed = await runChecks({
   async "pause, step, speed, steering and following act"() {
     await press("pause");
     await status("a pause", (each) => each.paused);
-    await pause(0.5);
-    const { number: before } = await get("ping");
+    const shown = async () => (await get("ping")).number;
+    let before;
+    do {  // A page that is slow shows pings for a while.
+      before = await shown();
+      await pause(1);
+    } while ((await shown()) !== before);
+    const { pings_since_change: made } = await get("status");
     await press("step");
-    await until(async () => (await get("ping")).number === before + 1, "one more ping");
+    await until(async () => (await shown()) > before, "one more ping");
+    assert.equal(await shown(), before + 1);
+    await status("its count", (each) => each.pings_since_change === made + 1);
     await press("pause");
     await status("going on", (each) => !each.paused);
     await choose("speed", "0.5");
@@ -167,7 +176,7 @@ const failed = await runChecks({
     assert.ok(seconds < 2, `${seconds} s to end`);
     assert.ok(code === 0 || code === 130, `exit status ${code}: ${server.output()}`);
   },
-}, { only: process.argv[3] });
+}, { only: process.argv[3], recover: () => page.evaluate(() => insonify.store.get("status").paused && document.getElementById("pause").click()) });
 
 await browser.close();
 process.chdir(tmpdir());
