@@ -63,9 +63,8 @@ if(CMAKE_BUILD_TYPE STREQUAL Release AND NOT INSONIFY_SANITIZE)
   if(dpkg_shlibdeps)
     insonify_install_test(package_and_use -DBUILD_DIR=${PROJECT_BINARY_DIR} -DPACKAGES=ON -DWITH_PYTHON=${with_python})
   endif()
-  # ... and of the static library. That one has to be built anew.
-  insonify_install_test(install_and_use_static -DSOURCE_DIR=${PROJECT_SOURCE_DIR})
-  set_tests_properties(install_and_use_static PROPERTIES TIMEOUT 1800 COST 1000)
+  # ... and of the static library.
+  insonify_install_test(install_and_use_static -DBUILD_DIR=${PROJECT_BINARY_DIR} -DSOURCE_DIR=${PROJECT_SOURCE_DIR})
 endif()
 
 # What the documentation shows is what happens: every code block runs (tools/run_doc_blocks.py).

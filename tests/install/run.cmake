@@ -1,7 +1,7 @@
 # Installs insonify to a fresh prefix, then uses it there: projects outside this build find the library, the command line
 # runs a shipped scene, and nothing has a search path that it should not have.
-#   BUILD_DIR        a built tree of insonify; or
-#   SOURCE_DIR       sources of insonify, to be built first as a static library in WORK_DIR/static
+#   BUILD_DIR        a built tree of insonify
+#   SOURCE_DIR       its sources: a static library is made of its object files first, in WORK_DIR/static
 #   PACKAGES         ON: by way of Debian packages, unpacked in WORK_DIR/root
 #   HARDENED         ON: the build has what cmake/Hardening.cmake gives
 #   WORK_DIR         where to do all this
@@ -26,11 +26,13 @@ function(build_project name sources)
 endfunction()
 
 if(SOURCE_DIR)
+  # Of the same object files: to compile everything once more would take minutes.
+  set(ENV{CMAKE_CXX_COMPILER_LAUNCHER} "${CMAKE_CURRENT_LIST_DIR}/take_object.sh;${BUILD_DIR}")
   set(BUILD_DIR ${WORK_DIR}/static)
-  # -O1: nothing here is timed, and the compiler takes less time.
   run(${CMAKE_COMMAND} -G Ninja -S ${SOURCE_DIR} -B ${BUILD_DIR} -DCMAKE_BUILD_TYPE=Release
-      "-DCMAKE_CXX_FLAGS_RELEASE=-O1 -DNDEBUG" -DCMAKE_CXX_COMPILER=${COMPILER} -DBUILD_SHARED_LIBS=OFF -DINSONIFY_BUILD_TESTS=OFF -DINSONIFY_BUILD_APPS=OFF)
+      -DCMAKE_CXX_COMPILER=${COMPILER} -DBUILD_SHARED_LIBS=OFF -DINSONIFY_BUILD_TESTS=OFF -DINSONIFY_BUILD_APPS=OFF)
   run(${CMAKE_COMMAND} --build ${BUILD_DIR})
+  unset(ENV{CMAKE_CXX_COMPILER_LAUNCHER})
 endif()
 
 if(PACKAGES)
