@@ -8,73 +8,12 @@
 
 #include "insonify/error.h"
 #include "insonify/printable.h"
+#include "serve/message_members.h"
 
 namespace insonify {
 namespace {
 
 using nlohmann::json;
-
-// What is wrong with the form of a message: it ends the connection. What is wrong with a value is answered.
-class FormError : public Error {
- public:
-  using Error::Error;
-};
-
-const json& member(const json& message, const char* key) {
-  const auto found = message.find(key);
-  if (found == message.end()) {
-    throw FormError(fmt::format("a message of this op must have \"{}\"", key));
-  }
-  return *found;
-}
-
-std::string text_of(const json& message, const char* key) {
-  const json& value = member(message, key);
-  if (!value.is_string()) {
-    throw FormError(fmt::format("\"{}\" must be a text", key));
-  }
-  return value.get<std::string>();
-}
-
-bool switch_of(const json& message, const char* key) {
-  const json& value = member(message, key);
-  if (!value.is_boolean()) {
-    throw FormError(fmt::format("\"{}\" must be true or false", key));
-  }
-  return value.get<bool>();
-}
-
-double number_of(const json& value, const char* key) {
-  if (!value.is_number()) {
-    throw FormError(fmt::format("\"{}\" must be a number", key));
-  }
-  return value.get<double>();
-}
-
-template <int count>
-Eigen::Matrix<double, count, 1> numbers_of(const json& message, const char* key) {
-  const json& value = member(message, key);
-  if (!value.is_array() || value.size() != count) {
-    throw FormError(fmt::format("\"{}\" must be a list of {} numbers", key, count));
-  }
-  Eigen::Matrix<double, count, 1> numbers;
-  for (int i = 0; i < count; ++i) {
-    numbers[i] = number_of(value[static_cast<std::size_t>(i)], key);
-  }
-  return numbers;
-}
-
-std::vector<std::string> texts_of(const json& message, const char* key) {
-  const json& value = member(message, key);
-  std::vector<std::string> texts;
-  for (const json& one : value.is_array() ? value : json::array({nullptr})) {
-    if (!one.is_string()) {
-      throw FormError(fmt::format("\"{}\" must be a list of texts", key));
-    }
-    texts.push_back(one.get<std::string>());
-  }
-  return texts;
-}
 
 // Settings that can name files: a client must not have the server read what lies on its disk.
 void refuse_files(const std::vector<std::string>& settings) {
@@ -218,8 +157,8 @@ class ViewerClient : public Client, public HubMember, public std::enable_shared_
 
   void fly(const json& message) {
     LiveVelocity velocity;
-    velocity.linear = numbers_of<3>(message, "linear");
-    velocity.angular = numbers_of<3>(message, "angular") * (std::numbers::pi / 180);
+    velocity.linear = numbers_of(message, "linear", 3);
+    velocity.angular = numbers_of(message, "angular", 3) * (std::numbers::pi / 180);
     hub_.loop().fly(velocity);
     flies_ = !velocity.linear.isZero(0) || !velocity.angular.isZero(0);
   }
@@ -243,8 +182,8 @@ class ViewerClient : public Client, public HubMember, public std::enable_shared_
     } else if (op == "fly") {
       fly(message);
     } else if (op == "place") {
-      const auto q = numbers_of<4>(message, "orientation");
-      Pose pose{numbers_of<3>(message, "position"), Eigen::Quaterniond(q[0], q[1], q[2], q[3])};
+      const Eigen::VectorXd q = numbers_of(message, "orientation", 4);
+      Pose pose{numbers_of(message, "position", 3), Eigen::Quaterniond(q[0], q[1], q[2], q[3])};
       const double norm = pose.orientation.norm();
       if (!(norm > 0.5 && norm < 2)) {
         throw Error("orientation must be a unit quaternion");
@@ -258,7 +197,7 @@ class ViewerClient : public Client, public HubMember, public std::enable_shared_
     } else if (op == "step") {
       loop.step();
     } else if (op == "speed") {
-      loop.set_speed(number_of(member(message, "factor"), "factor"));
+      loop.set_speed(number_of(message, "factor"));
     } else if (op == "set") {
       std::vector<std::string> settings = texts_of(message, "settings");
       refuse_files(settings);
