@@ -35,12 +35,12 @@ struct TableSlice {
   std::uint64_t step = 1;  ///< >= 1.
 };
 
-/// The tables at the root of an HDF5 file, read when they are asked for.
+/// The tables at the root of a recording, read when they are asked for.
 ///
 /// Of a recording that still grows it has the pings that all tables had when it was opened.
 class StoredTables {
  public:
-  /// @throws Error with the path for a file that is missing or is not HDF5.
+  /// @throws Error with the path for a file that is missing, is not HDF5 or has no dataset `intensity`.
   explicit StoredTables(const std::filesystem::path& path);
   ~StoredTables();
   StoredTables(StoredTables&&) noexcept;

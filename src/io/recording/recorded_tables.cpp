@@ -229,8 +229,8 @@ void RecordedTables::add_table(const std::string& name) {
     table.axes.push_back(axis);
   }
   table.notes.erase("axes");
-  table.by_ping = name == "intensity" || (!table.axes.empty() && table.axes.front() == "ping");
-  if (table.by_ping && !shape.empty()) {
+  table.by_ping = !shape.empty() && (name == "intensity" || (!table.axes.empty() && table.axes.front() == "ping"));
+  if (table.by_ping) {
     ping_count_ = std::min<std::uint64_t>(ping_count_, shape.front());
     shape.erase(shape.begin());
   }

@@ -39,6 +39,8 @@ class RecordedTables {
   explicit RecordedTables(const std::filesystem::path& path);
 
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+  /// The open file.
+  [[nodiscard]] hid_t file() const { return file_.get(); }
   [[nodiscard]] const std::vector<RecordedTable>& tables() const { return tables_; }
   [[nodiscard]] const std::vector<RecordedNames>& names() const { return names_; }
 

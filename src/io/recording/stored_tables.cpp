@@ -5,18 +5,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
-#include <optional>
 
 #include "io/file/hdf5.h"
-#include "io/file/hdf5_heap.h"
-#include "io/file/input_file.h"
+#include "io/recording/recorded_tables.h"
 
 namespace insonify {
 
 struct StoredTables::State {
-  std::filesystem::path path;
-  H5Handle file;
+  RecordedTables recorded;
   std::vector<StoredTable> tables;
 };
 
@@ -38,74 +34,31 @@ hid_t native_type(NumberType type) {
   return H5T_NATIVE_DOUBLE;
 }
 
-// None for what holds no numbers.
-std::optional<NumberType> number_type(hid_t dataset, const std::filesystem::path& path) {
-  const H5Handle type = h5_own(H5Dget_type(dataset), H5Tclose, path, "read a type");
-  const std::size_t size = H5Tget_size(type.get());
-  switch (H5Tget_class(type.get())) {
-    case H5T_FLOAT:
-      return size <= sizeof(float) ? NumberType::kFloat32 : NumberType::kFloat64;
-    case H5T_INTEGER:
-      if (H5Tget_sign(type.get()) == H5T_SGN_NONE && size <= sizeof(std::uint16_t)) {
-        return size == 1 ? NumberType::kUint8 : NumberType::kUint16;
-      }
-      return NumberType::kInt64;
-    default:
-      return {};
+NumberType number_type(const RecordedTable& table) {
+  const char kind = table.type[1];
+  if (kind == 'c' || kind == 'f') {
+    return kind == 'c' || table.value_bytes <= sizeof(float) ? NumberType::kFloat32 : NumberType::kFloat64;
   }
+  if (kind == 'u' && table.value_bytes <= sizeof(std::uint16_t)) {
+    return table.value_bytes == 1 ? NumberType::kUint8 : NumberType::kUint16;
+  }
+  return NumberType::kInt64;
 }
 
-// A text attribute of variable length; "" where there is none.
-std::string text_attribute(hid_t dataset, const char* name, const std::filesystem::path& path) {
-  if (H5Aexists(dataset, name) <= 0) {
-    return "";
-  }
-  const H5Handle attribute = h5_own(H5Aopen(dataset, name, H5P_DEFAULT), H5Aclose, path, "open an attribute");
-  const H5Handle type = h5_own(H5Aget_type(attribute.get()), H5Tclose, path, "read an attribute");
-  const H5Handle space = h5_own(H5Aget_space(attribute.get()), H5Sclose, path, "read an attribute");
-  if (H5Tis_variable_str(type.get()) <= 0 || H5Sget_simple_extent_npoints(space.get()) != 1) {
-    return "";
-  }
-  char* pointer = nullptr;
-  h5_check(H5Aread(attribute.get(), type.get(), static_cast<void*>(&pointer)), path, "read an attribute");
-  std::string text = pointer != nullptr ? pointer : "";
-  H5free_memory(pointer);
-  return text;
-}
-
-std::vector<std::uint64_t> shape_of(hid_t dataset, const std::filesystem::path& path) {
-  const H5Handle space = h5_own(H5Dget_space(dataset), H5Sclose, path, "size a table");
-  const int axes = std::max(0, H5Sget_simple_extent_ndims(space.get()));
-  std::vector<hsize_t> shape(axes);
-  h5_check(H5Sget_simple_extent_dims(space.get(), shape.data(), nullptr), path, "size a table");
-  return {shape.begin(), shape.end()};
-}
-
-std::vector<std::string> dataset_names(hid_t file, const std::filesystem::path& path) {
-  std::vector<std::string> names;
-  const auto add = [](hid_t, const char* name, const H5L_info_t*, void* list) -> herr_t {
-    static_cast<std::vector<std::string>*>(list)->emplace_back(name);
-    return 0;
+// Of a recording that grows it has the pings that all tables have.
+StoredTable stored_table(const RecordedTable& table, std::uint64_t pings) {
+  const auto note = [&](const char* name) {
+    const auto found = table.notes.find(name);
+    return found != table.notes.end() && found->is_string() ? found->get<std::string>() : "";
   };
-  h5_check(H5Literate(file, H5_INDEX_NAME, H5_ITER_INC, nullptr, add, &names), path, "list its datasets");
-  std::erase_if(names, [&](const std::string& name) {
-    const H5Handle object(H5Oopen(file, name.c_str(), H5P_DEFAULT), H5Oclose);
-    return !object || H5Iget_type(object.get()) != H5I_DATASET;
-  });
-  return names;
-}
-
-// A recording that grows may have one ping more in one table than in another.
-void cut_to_common_pings(std::vector<StoredTable>& tables) {
-  std::uint64_t pings = std::numeric_limits<std::uint64_t>::max();
-  for (const StoredTable& table : tables) {
-    pings = table.by_ping ? std::min(pings, table.shape.front()) : pings;
+  StoredTable stored{table.name, number_type(table), table.row, table.by_ping, note("units"), note("description")};
+  if (table.by_ping) {
+    stored.shape.insert(stored.shape.begin(), pings);
   }
-  for (StoredTable& table : tables) {
-    if (table.by_ping) {
-      table.shape.front() = pings;
-    }
+  if (table.type[1] == 'c') {
+    stored.shape.push_back(2);  // Real and imaginary part.
   }
+  return stored;
 }
 
 }  // namespace
@@ -126,24 +79,14 @@ std::size_t size_of(NumberType type) {
   return 0;
 }
 
-StoredTables::StoredTables(const std::filesystem::path& path) : state_(std::make_unique<State>()) {
-  const H5Quiet quiet;
-  check_input_file(path);
-  state_->path = path;
-  state_->file = h5_open_to_read(path);
-  for (const std::string& name : dataset_names(state_->file.get(), path)) {
-    const H5Handle dataset =
-        h5_own(H5Dopen2(state_->file.get(), name.c_str(), H5P_DEFAULT), H5Dclose, path, "open " + name);
-    static_cast<void>(checked_attributes(dataset.get(), path, name));
-    const std::optional<NumberType> type = number_type(dataset.get(), path);
-    std::vector<std::uint64_t> shape = shape_of(dataset.get(), path);
-    if (type && !shape.empty()) {
-      const bool by_ping = text_attribute(dataset.get(), "axes", path).starts_with("ping") || name == "intensity";
-      state_->tables.push_back({name, *type, std::move(shape), by_ping, text_attribute(dataset.get(), "units", path),
-                                text_attribute(dataset.get(), "description", path)});
+StoredTables::StoredTables(const std::filesystem::path& path)
+    : state_(std::make_unique<State>(State{RecordedTables(path), {}})) {
+  for (const RecordedTable& table : state_->recorded.tables()) {
+    StoredTable stored = stored_table(table, state_->recorded.ping_count());
+    if (!stored.shape.empty()) {
+      state_->tables.push_back(std::move(stored));
     }
   }
-  cut_to_common_pings(state_->tables);
 }
 
 StoredTables::~StoredTables() = default;
@@ -162,6 +105,7 @@ const StoredTable* StoredTables::find(const std::string& name) const {
 void StoredTables::read(const StoredTable& table, std::span<const TableSlice> slices,
                         std::span<std::byte> bytes) const {
   const H5Quiet quiet;
+  const std::filesystem::path& path = state_->recorded.path();
   const std::string doing = "read " + table.name;
   bool inside = slices.size() == table.shape.size();
   std::vector<hsize_t> start, count, step;
@@ -177,48 +121,28 @@ void StoredTables::read(const StoredTable& table, std::span<const TableSlice> sl
     numbers *= slice.count;
   }
   if (!inside || bytes.size() != numbers * size_of(table.type)) {
-    throw Error(fmt::format("{}: {} does not have that block", state_->path.string(), table.name));
+    throw Error(fmt::format("{}: {} does not have that block", path.string(), table.name));
   }
   if (numbers == 0) {
     return;
   }
   const H5Handle dataset =
-      h5_own(H5Dopen2(state_->file.get(), table.name.c_str(), H5P_DEFAULT), H5Dclose, state_->path, doing);
-  const H5Handle from = h5_own(H5Dget_space(dataset.get()), H5Sclose, state_->path, doing);
-  h5_check(H5Sselect_hyperslab(from.get(), H5S_SELECT_SET, start.data(), step.data(), count.data(), nullptr),
-           state_->path, doing);
+      h5_own(H5Dopen2(state_->recorded.file(), table.name.c_str(), H5P_DEFAULT), H5Dclose, path, doing);
+  const H5Handle from = h5_own(H5Dget_space(dataset.get()), H5Sclose, path, doing);
+  h5_check(H5Sselect_hyperslab(from.get(), H5S_SELECT_SET, start.data(), step.data(), count.data(), nullptr), path,
+           doing);
   const H5Handle to =
-      h5_own(H5Screate_simple(static_cast<int>(count.size()), count.data(), nullptr), H5Sclose, state_->path, doing);
-  h5_check(H5Dread(dataset.get(), native_type(table.type), to.get(), from.get(), H5P_DEFAULT, bytes.data()),
-           state_->path, doing);
+      h5_own(H5Screate_simple(static_cast<int>(count.size()), count.data(), nullptr), H5Sclose, path, doing);
+  h5_check(H5Dread(dataset.get(), native_type(table.type), to.get(), from.get(), H5P_DEFAULT, bytes.data()), path,
+           doing);
 }
 
 std::vector<std::string> StoredTables::texts(const std::string& name) const {
-  const H5Quiet quiet;
-  const std::string doing = "read " + name;
-  const std::filesystem::path& path = state_->path;
-  if (H5Lexists(state_->file.get(), name.c_str(), H5P_DEFAULT) <= 0) {
-    return {};
+  const auto found = std::ranges::find(state_->recorded.names(), name, &RecordedNames::name);
+  if (find(name) != nullptr) {
+    throw Error(fmt::format("{}: {} must hold texts", state_->recorded.path().string(), name));
   }
-  const H5Handle dataset = h5_own(H5Dopen2(state_->file.get(), name.c_str(), H5P_DEFAULT), H5Dclose, path, doing);
-  const H5Handle type = h5_own(H5Dget_type(dataset.get()), H5Tclose, path, doing);
-  const H5Handle space = h5_own(H5Dget_space(dataset.get()), H5Sclose, path, doing);
-  const hssize_t count = H5Sget_simple_extent_npoints(space.get());
-  if (H5Tis_variable_str(type.get()) <= 0 || count < 0) {
-    throw Error(fmt::format("{}: {} must hold texts", path.string(), name));
-  }
-  check_heap_texts(state_->file.get(), dataset.get(), path, name);
-  std::vector<char*> pointers(count);
-  h5_check(H5Dread(dataset.get(), type.get(), H5S_ALL, H5S_ALL, H5P_DEFAULT, static_cast<void*>(pointers.data())), path,
-           doing);
-  std::vector<std::string> texts;
-  for (const char* text : pointers) {
-    texts.emplace_back(text != nullptr ? text : "");
-  }
-  if (count > 0) {
-    H5Dvlen_reclaim(type.get(), space.get(), H5P_DEFAULT, static_cast<void*>(pointers.data()));
-  }
-  return texts;
+  return found == state_->recorded.names().end() ? std::vector<std::string>() : found->texts;
 }
 
 }  // namespace insonify
