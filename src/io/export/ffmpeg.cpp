@@ -17,6 +17,7 @@
 #include <csignal>
 #include <cstdint>
 #include <fstream>
+#include <span>
 #include <string_view>
 #include <system_error>
 #include <utility>
