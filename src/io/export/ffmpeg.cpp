@@ -92,6 +92,7 @@ Ffmpeg::Ffmpeg(std::filesystem::path name, const std::filesystem::path& place, i
   }
   words.push_back("file:" + std::filesystem::absolute(place).string());  // Never taken for an option or an address.
   std::vector<char*> arguments;
+  arguments.reserve(words.size() + 1);
   for (std::string& word : words) {
     arguments.push_back(word.data());
   }
