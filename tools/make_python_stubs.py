@@ -41,6 +41,7 @@ def fields(class_name):
                     f"    def copy(self) -> {class_name}: ...",
                     f"    def __copy__(self) -> {class_name}: ...",
                     f"    def __deepcopy__(self, memo: dict[Any, Any]) -> {class_name}: ...",
+                    "    def __eq__(self, other: Any) -> bool: ...",
                     "    __hash__: None  # type: ignore[assignment]"]
 
 

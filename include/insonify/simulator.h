@@ -79,11 +79,12 @@ class Simulator {
   [[nodiscard]] Pose world_from_housing(int sonar, const PingRequest& request) const;
   [[nodiscard]] Pose world_from_head(int sonar, const PingRequest& request) const;
 
-  /// Changes range, gain, beams or all of a sonar, from the next ping on: as if the simulator had been built with it.
+  /// Changes range, gain, beams or all of a sonar but its name, from the next ping on: as if the simulator had been
+  /// built with it.
   /// Takes milliseconds, for a plan is made anew (bench/README.md); under a sea surface a range that is twice or half
   /// of what it was means that the engine takes in the scene anew, as add_objects() does.
   /// @param config  Not yet filled in: rather scenario().sonars[i] than sonar(i), whose ping period is that of the
-  ///                old range.
+  ///                old range. Its name, which may be that of a preset, is not taken.
   /// @throws Error for what Scenario::validate() refuses; the sonar is as it was.
   void set_sonar(int sonar, const SonarConfig& config);
 

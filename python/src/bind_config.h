@@ -39,6 +39,22 @@ std::string help_of(const Field& field, const Member& default_value, double scal
   return text + " [" + facts + "]";
 }
 
+/// As Python would show a value, but with 12 digits: angles are kept in radians, of which 15 degrees are
+/// 14.999999999999998.
+inline std::string rounded(py::handle value) {
+  if (py::isinstance<py::float_>(value)) {
+    return shown(py::float_(py::str(fmt::format("{:.12g}", value.cast<double>()))));
+  }
+  if (!py::isinstance<py::tuple>(value)) {
+    return shown(value);
+  }
+  std::string text;
+  for (const py::handle one : py::reinterpret_borrow<py::tuple>(value)) {
+    text += (text.empty() ? "" : ", ") + rounded(one);
+  }
+  return "(" + text + (py::len(value) == 1 ? ",)" : ")");
+}
+
 template <typename Member>
 void check_value(const Field& field, const Member& member) {
   detail::check_member("", field, member);
@@ -84,6 +100,7 @@ class ConfigClass {
                [](const Held<Config>& self, const py::dict&) { return wrap(unwrap<Config>(py::cast(&self), "self")); });
     class_.def(py::pickle(&state_of, &from_state));
     class_.def("__repr__", [name = std::string(name)](const Held<Config>& self) { return name + text_of(self); });
+    class_.def("__eq__", &equals, py::is_operator());
     class_.attr("__hash__") = py::none();
   }
 
@@ -170,6 +187,26 @@ class ConfigClass {
     return py::make_tuple(fields, parts, rest);
   }
 
+  // Of the same class, with fields and parts of the same values; the text of a scenario's file may be another.
+  static bool equals(const Held<Config>& self, const Held<Config>& other) {
+    bool same = true;
+    int index = 0;
+    Config::visit_fields(self.value, [&](const Field&, const auto& a) {
+      at(other.value, index++, [&](const Field&, const auto& b) {
+        if constexpr (std::is_same_v<decltype(a), decltype(b)>) {
+          same = same && a == b;
+        }
+      });
+    });
+    if constexpr (std::is_same_v<Config, Material>) {
+      same = same && self.value.name == other.value.name && self.value.source == other.value.source;
+    }
+    for (const auto& [name, part] : self.parts) {
+      same = same && part.equal(other.parts.at(name));
+    }
+    return same;
+  }
+
   static Held<Config> from_state(const py::tuple& state) {
     Held<Config> held = wrap(Config{}).template cast<Held<Config>>();
     const py::list fields = state[0];
@@ -202,7 +239,7 @@ class ConfigClass {
           const double scale = file_scale_of(field);
           const py::object value = to_python(member, scale);
           if (!value.equal(to_python(other, scale))) {
-            text += (text.empty() ? "" : ", ") + file_name_of(field) + "=" + shown(value);
+            text += (text.empty() ? "" : ", ") + file_name_of(field) + "=" + rounded(value);
           }
         }
       });

@@ -60,6 +60,12 @@ void bind_geometry(py::module_& module) {
       .def("inverse", &Pose::inverse)
       .def(
           "__mul__", [](const Pose& a, const Pose& b) { return a * b; }, py::is_operator())
+      .def(
+          "__eq__",
+          [](const Pose& a, const Pose& b) {
+            return a.position == b.position && a.orientation.coeffs() == b.orientation.coeffs();
+          },
+          py::is_operator())
       .def(py::pickle(
           [](const Pose& self) {
             const Eigen::Quaterniond& turn = self.orientation;

@@ -234,7 +234,8 @@ void bind_simulator(py::module_& module) {
           [](PythonSimulator& self, const py::object& sonar, const py::object& config) {
             self.set_sonar(self.sonar(sonar), unwrap<SonarConfig>(config, "config"));
           },
-          py::arg("sonar"), py::arg("config"), "Changes range, gain, beams or all of a sonar from the next ping on.")
+          py::arg("sonar"), py::arg("config"),
+          "Changes range, gain, beams or all of a sonar but its name, from the next ping on.")
       .def(
           "add",
           [](PythonSimulator& self, const Scene& objects, const py::object& movable) {

@@ -10,11 +10,13 @@ void Simulator::set_sonar(int index, const SonarConfig& config) {
   State& state = *state_;
   Scenario changed = state.scenario;
   (void)state.sonar(index);
+  const std::string name = changed.sonars[index].name;
   changed.sonars[index] = config;
+  changed.sonars[index].name = name;
   changed.validate();
-  state.sonars[index] = state.simulated(changed, config);
+  state.sonars[index] = state.simulated(changed, changed.sonars[index]);
   state.lanes.clear();
-  state.scenario.sonars[index] = config;
+  state.scenario.sonars[index] = changed.sonars[index];
   if (state.sea && state.sea->fit(changed, state.scene)) {
     state.scene_changed = true;
   }

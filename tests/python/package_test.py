@@ -464,6 +464,29 @@ class RecordingTest(unittest.TestCase):
             with self.assertRaisesRegex(insonify.Error, "closed"):
                 recording.add(sim.ping())
 
+    def test_a_preset_takes_a_sonar_s_place_but_not_its_name(self):
+        sim = simulator()
+        sim.set_sonar("ahead", insonify.SonarConfig.preset("teledyne-blueview-p900-130", max_range=9))
+        self.assertEqual(sim.sonar("ahead").name, "ahead")
+        self.assertEqual(sim.ping("ahead").intensity.shape[1], insonify.SonarConfig.preset("teledyne-blueview-p900-130").beam_count)
+
+    def test_equal_settings_are_equal(self):
+        one, other = insonify.Scenario.from_text(TEXT), insonify.Scenario.from_text("# A comment.\n" + TEXT)
+        self.assertEqual(one, other)
+        self.assertEqual(one.sonars, other.sonars)
+        other.sonars[0].sampling.rows += 1
+        self.assertNotEqual(one, other)
+        self.assertNotEqual(one.sonars[0], other.sonars[0])
+        self.assertNotEqual(insonify.SonarConfig(), insonify.Water())
+        self.assertNotEqual(*insonify.material_library()[:2])
+        self.assertEqual(insonify.Pose.rpy((1, 2, 3), (4, 5, 6)), insonify.Pose.rpy((1, 2, 3), (4, 5, 6)))
+        self.assertNotEqual(insonify.Pose.rpy((1, 2, 3), (4, 5, 6)), insonify.Pose.rpy((1, 2, 3), (4, 5, 6.1)))
+        with self.assertRaises(TypeError):
+            hash(insonify.Pose())
+
+    def test_angles_are_shown_as_they_were_given(self):
+        self.assertIn("orientation_deg=(0.0, 15.0, -7.3)", repr(insonify.SonarConfig(orientation_deg=(0, 15, -7.3))))
+
     def test_pings_of_other_settings_are_refused(self):
         with tempfile.TemporaryDirectory() as folder:
             sim, other = simulator(), simulator()

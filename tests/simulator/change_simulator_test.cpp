@@ -80,11 +80,17 @@ TEST(SetSonarTest, RefusesWhatAScenarioWouldAndLeavesTheSonarAsItWas) {
   sonar.max_range = 0.1;
   EXPECT_EQ(message_of([&] { simulator.set_sonar(1, sonar); }),
             "sonars[1].max_range = 0.1 m must be greater than min_range = 0.2 m");
-  sonar = scenario.sonars[1];
-  sonar.name = "fls";
-  EXPECT_EQ(message_of([&] { simulator.set_sonar(1, sonar); }),
-            "sonars[1].name = \"fls\" must differ from that of sonars[0]");
   expect_same(simulator.ping(1, {}), before);
+}
+
+TEST(SetSonarTest, ASonarKeepsItsName) {
+  Scenario scenario = quiet_scenario(small_sonar());
+  scenario.sonars.push_back(small_sonar());
+  scenario.sonars[1].name = "stern";
+  Simulator simulator(scenario, small_world(), 1);
+  simulator.set_sonar(1, scenario.sonars[0]);
+  EXPECT_EQ(simulator.scenario().sonars[1].name, "stern");
+  EXPECT_EQ(simulator.sonar(1).name, "stern");
 }
 
 // ---- Objects --------------------------------------------------------------------------------------------------------
