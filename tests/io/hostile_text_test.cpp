@@ -81,7 +81,7 @@ class HostileTextTest : public testing::TestWithParam<HostileCase> {
       if (is_yaml) {
         (void)load_scene(load_scenario(file), log);
       } else {
-        (void)load_scene(file, false, log);
+        (void)load_scene(file, {}, log);
       }
     });
     return error == "no error" ? logged : error;

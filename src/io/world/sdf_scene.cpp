@@ -3,6 +3,7 @@
 #include "io/world/sdf_scene.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <map>
 #include <mutex>
@@ -13,12 +14,15 @@
 #include <sdf/World.hh>
 #include <set>
 
+#include "base/log_line.h"
 #include "insonify/error.h"
 #include "insonify/printable.h"
 #include "io/file/input_file.h"
 #include "io/world/sdf_console.h"
 #include "io/world/sdf_material.h"
 #include "io/world/sdf_math.h"
+#include "io/world/sdf_missing.h"
+#include "io/world/sdf_name_patterns.h"
 #include "io/world/sdf_root.h"
 #include "io/world/sdf_shape.h"
 
@@ -59,8 +63,13 @@ std::map<std::string, Pose> saved_poses(const sdf::World& world) {
 
 class SceneBuilder {
  public:
-  SceneBuilder(const SdfSource& source, bool collisions, const Log& log)
-      : source_(source), collisions_(collisions), log_(log), shapes_(source, log) {}
+  SceneBuilder(const SdfSource& source, const WorldOptions& options, SdfMissing& missing, const Log& log)
+      : source_(source),
+        options_(options),
+        missing_(missing),
+        log_(log),
+        ignored_(options.ignore),
+        shapes_(source, log) {}
 
   void add_world(const sdf::World& world) {
     const std::map<std::string, Pose> saved = saved_poses(world);
@@ -68,27 +77,65 @@ class SceneBuilder {
       const sdf::Model& model = *world.ModelByIndex(i);
       const Pose own = resolve(model, what("model", model.Name(), *model.Element()));
       const auto found = saved.find(model.Name());
-      add_model(model, "", found == saved.end() ? own : found->second, {});
+      add_top_model(model, found == saved.end() ? own : found->second);
     }
   }
 
   void add_model(const sdf::Model& model) {
-    add_model(model, "", resolve(model, what("model", model.Name(), *model.Element())), {});
+    add_top_model(model, resolve(model, what("model", model.Name(), *model.Element())));
   }
 
-  // Returns the scene. Throws if it is empty.
+  // Returns the scene and reports what is not in it. Throws if it is empty.
   Scene finish(const std::string& file) {
+    if (!missing_.empty() && (options_.strict || !scene_.instances.empty())) {
+      missing_.report(file, options_.strict, log_);
+    }
     if (scene_.instances.empty()) {
-      throw Error(nothing_in(file));
+      throw Error(missing_.empty() ? nothing_in(file)
+                                   : fmt::format("{}: nothing is left to insonify: {}", file, missing_.text()));
+    }
+    if (!without_visuals_.empty()) {
+      log_line(
+          log_, Severity::kWarning,
+          fmt::format("{}: of models without visuals the collision shapes are insonified (ignore leaves them out): {}",
+                      file, fmt::join(without_visuals_, ", ")));
+    }
+    for (const std::string& pattern : ignored_.unused()) {
+      log_line(log_, Severity::kWarning,
+               fmt::format("{}: ignore: '{}' is the name of nothing in the world", file, printable(pattern)));
     }
     return std::move(scene_);
   }
 
  private:
+  static std::size_t visual_count(const sdf::Model& model) {
+    std::size_t count = 0;
+    for (std::uint64_t i = 0; i < model.LinkCount(); ++i) {
+      count += model.LinkByIndex(i)->VisualCount();
+    }
+    for (std::uint64_t i = 0; i < model.ModelCount(); ++i) {
+      count += visual_count(*model.ModelByIndex(i));
+    }
+    return count;
+  }
+
+  // A model without a visual has its collision shapes insonified, or a scene would lack it in silence.
+  void add_top_model(const sdf::Model& model, const Pose& world_from_model) {
+    collisions_ = options_.collisions || visual_count(model) == 0;
+    const std::size_t before = scene_.instances.size();
+    add_model(model, "", world_from_model, {});
+    if (!options_.collisions && collisions_ && scene_.instances.size() > before) {
+      without_visuals_.push_back(printable(model.Name(), kLongestName));
+    }
+  }
+
   // `material` applies to all parts that name none themselves.
   void add_model(const sdf::Model& model, const std::string& scope, const Pose& world_from_model,
                  MaterialName material) {
     const std::string name = scope + model.Name();
+    if (ignored_.match(name)) {
+      return;
+    }
     material = own_or(material, model.Element(), what("model", name, *model.Element()));
     for (std::uint64_t i = 0; i < model.LinkCount(); ++i) {
       add_link(*model.LinkByIndex(i), name + "::", world_from_model, material);
@@ -139,6 +186,9 @@ class SceneBuilder {
 
   void add_link(const sdf::Link& link, const std::string& scope, const Pose& world_from_model, MaterialName material) {
     const std::string name = scope + link.Name();
+    if (ignored_.match(name)) {
+      return;
+    }
     const std::string where = what("link", name, *link.Element());
     const Pose world_from_link = world_from_model * resolve(link, where);
     material = own_or(material, link.Element(), where);
@@ -152,12 +202,28 @@ class SceneBuilder {
     }
   }
 
+  std::optional<SdfShape> shape_or_none(const sdf::Geometry& geometry, const std::string& where) {
+    try {
+      return shapes_.shape(geometry, where, collisions_);
+    } catch (const SdfUnreadable& file) {
+      if (file.fuel_uri.empty()) {
+        missing_.add(file.part, file.reason);
+      } else {
+        missing_.add_fuel(file.part, file.reason, file.fuel_uri);
+      }
+      return std::nullopt;
+    }
+  }
+
   template <typename Part>
   void add_part(const Part& part, const char* kind, const std::string& scope, const Pose& world_from_link,
                 const MaterialName& material) {
     const std::string name = scope + part.Name();
+    if (ignored_.match(name)) {
+      return;
+    }
     const std::string where = what(kind, name, *part.Element());
-    const std::optional<SdfShape> shape = shapes_.shape(*part.Geom(), where, collisions_);
+    const std::optional<SdfShape> shape = shape_or_none(*part.Geom(), where);
     if (!shape) {
       return;
     }
@@ -176,15 +242,20 @@ class SceneBuilder {
   }
 
   [[nodiscard]] std::string nothing_in(const std::string& file) const {
-    const std::size_t left_out = collisions_ ? collision_count_ : visual_count_;
-    const std::size_t others = collisions_ ? visual_count_ : collision_count_;
-    const char* other = collisions_ ? "visual" : "collision shape";
-    std::string text = fmt::format("{}: there is no {} to insonify", file, collisions_ ? "collision shape" : "visual");
+    const std::size_t left_out = options_.collisions ? collision_count_ : visual_count_;
+    const std::size_t others = options_.collisions ? visual_count_ : collision_count_;
+    const char* other = options_.collisions ? "visual" : "collision shape";
+    std::string text =
+        fmt::format("{}: there is no {} to insonify", file, options_.collisions ? "collision shape" : "visual");
+    if (ignored_.any()) {
+      return text + " but what `ignore` leaves out";
+    }
     if (left_out > 0) {
       text += fmt::format(", {} left out", left_out);
     }
     if (others > 0) {
-      text += fmt::format(", but {} {}{} (collisions: {})", others, other, others == 1 ? "" : "s", !collisions_);
+      text +=
+          fmt::format(", but {} {}{} (collisions: {})", others, other, others == 1 ? "" : "s", !options_.collisions);
     } else {
       text += fmt::format(", and no {}", other);
     }
@@ -192,28 +263,83 @@ class SceneBuilder {
   }
 
   const SdfSource& source_;
-  bool collisions_;
+  const WorldOptions& options_;
+  SdfMissing& missing_;
   const Log& log_;
+  SdfNamePatterns ignored_;
   SdfShapes shapes_;
+  bool collisions_ = false;  // Whether the model at hand is made of its collision shapes.
+  std::vector<std::string> without_visuals_;
   std::set<std::string> names_;
   std::size_t visual_count_ = 0, collision_count_ = 0;
   Scene scene_;
 };
 
+// The files of a world, and what libsdformat makes of them.
+struct Parsed {
+  std::unique_ptr<SdfSource> source;
+  sdf::Root root;
+};
+
+Parsed parse(const std::filesystem::path& path, bool joints, bool strict, SdfMissing& missing, const Log& log) {
+  Parsed parsed;
+  parsed.source = std::make_unique<SdfSource>(path, joints, missing, log);
+  if (strict) {
+    missing.report(path.string(), strict, log);
+  }
+  try {
+    parsed.root = read_sdf_root(*parsed.source, log);
+  } catch (const Error& error) {
+    throw missing.empty()
+        ? error
+        : Error(fmt::format("{}; what is missing may be the cause: {}", error.what(), missing.text()));
+  }
+  return parsed;
+}
+
+// Faults of joints, which have no shape, do no harm: where the file cannot be read it is tried again without them.
+Parsed parse_with_or_without_joints(const std::filesystem::path& path, bool strict, SdfMissing& missing,
+                                    const Log& log) {
+  std::vector<std::pair<Severity, std::string>> said;
+  const Log keep = [&](Severity severity, const std::string& line) { said.emplace_back(severity, line); };
+  const auto tell = [&] {
+    for (const auto& [severity, line] : said) {
+      log_line(log, severity, line);
+    }
+  };
+  Parsed parsed;
+  SdfMissing found;
+  try {
+    parsed = parse(path, true, strict, found, keep);
+  } catch (const Error& fault) {
+    if (strict) {
+      tell();
+      throw;
+    }
+    said.clear();
+    found = {};
+    parsed = parse(path, false, strict, found, keep);
+    found.add("the joints, which have no shapes,", fmt::format(" for a fault: {}", fault.what()));
+  }
+  tell();
+  missing = found;
+  return parsed;
+}
+
 }  // namespace
 
-Scene load_sdf_scene(const std::filesystem::path& path, bool collisions, const Log& log) {
+Scene load_sdf_scene(const std::filesystem::path& path, const WorldOptions& options, const Log& log) {
   static std::mutex one_at_a_time;  // libsdformat's settings and std::cerr are global.
   const std::lock_guard lock(one_at_a_time);
-  const SdfSource source(path, log);
-  const sdf::Root root = read_sdf_root(source, log);
+  SdfMissing missing;
+  const Parsed parsed = parse_with_or_without_joints(path, options.strict, missing, log);
 
-  SceneBuilder builder(source, collisions, log);
-  for (std::uint64_t w = 0; w < root.WorldCount(); ++w) {
-    builder.add_world(*root.WorldByIndex(w));
+  SceneBuilder builder(*parsed.source, options, missing, log);
+  for (std::uint64_t w = 0; w < parsed.root.WorldCount(); ++w) {
+    builder.add_world(*parsed.root.WorldByIndex(w));
   }
-  if (root.Model() != nullptr) {
-    builder.add_model(*root.Model());
+  if (parsed.root.Model() != nullptr) {
+    builder.add_model(*parsed.root.Model());
   }
   return builder.finish(path.string());
 }

@@ -19,6 +19,7 @@
 #include "io/file/input_file.h"
 #include "io/world/sdf_check.h"
 #include "io/world/sdf_console.h"
+#include "io/world/sdf_fuel.h"
 #include "io/world/sdf_uri.h"
 
 namespace insonify {
@@ -27,7 +28,7 @@ namespace {
 namespace fs = std::filesystem;
 
 // Versions of SDF that libsdformat 12 supports.
-constexpr std::pair kOldest{1, 5}, kNewest{1, 9};
+constexpr std::pair kOldest{1, 4}, kNewest{1, 9};
 
 void check_root(const XmlFile& file, const Log& log) {
   const pugi::xml_node root = file.root();
@@ -38,13 +39,13 @@ void check_root(const XmlFile& file, const Log& log) {
                             name == "robot" ? "; 'gz sdf -p' or 'ign sdf -p' turns URDF into SDF" : ""));
   }
   if (!root.attribute("version")) {
-    throw Error(where + "<sdf> has no version, 1.5 to 1.9 are read");
+    throw Error(where + "<sdf> has no version, 1.4 to 1.9 are read");
   }
   const std::string version = root.attribute("version").value();
   int major = 0, minor = 0, length = 0;
   if (std::sscanf(version.c_str(), "%d.%d%n", &major, &minor, &length) != 2 ||
       length != static_cast<int>(version.size())) {
-    throw Error(fmt::format("{}SDF version '{}' is not two numbers, 1.5 to 1.9 are read", where, printable(version)));
+    throw Error(fmt::format("{}SDF version '{}' is not two numbers, 1.4 to 1.9 are read", where, printable(version)));
   }
   const auto number = std::pair(major, minor);
   if (number < kOldest) {
@@ -92,11 +93,46 @@ bool is_irrelevant(pugi::xml_node element) {
   return kLeftOut.contains({element.parent().name(), element.name()});
 }
 
-// Whether an element is the <uri> of an <include> inside an element that may have includes.
-bool is_include_uri(pugi::xml_node element) {
+// Whether an element is an <include> where one may be.
+bool is_include(pugi::xml_node element) {
   static const std::set<std::string_view> kParents = {"sdf", "world", "model"};
-  return element.name() == std::string_view("uri") && element.parent().name() == std::string_view("include") &&
-         kParents.contains(element.parent().parent().name());
+  return element.name() == std::string_view("include") && kParents.contains(element.parent().name());
+}
+
+// Whether a file holds lights or actors, and nothing else.
+bool holds_only_lights(pugi::xml_node root) {
+  const auto elements = root.children();
+  const auto is_one = [](pugi::xml_node node) {
+    return node.type() != pugi::node_element || node.name() == std::string_view("light") ||
+           node.name() == std::string_view("actor");
+  };
+  return (root.child("light") || root.child("actor")) && std::all_of(elements.begin(), elements.end(), is_one);
+}
+
+// Whether a pose, a frame or a placement may stand relative to something of this name, scoped or not.
+bool is_frame_of_another(pugi::xml_node root, std::string_view name) {
+  const auto names_it = [&](std::string_view text) {
+    const std::size_t colons = text.rfind("::");
+    return (colons == std::string_view::npos ? text : text.substr(colons + 2)) == name;
+  };
+  const pugi::xml_node found = root.find_node([&](pugi::xml_node node) {
+    for (const char* attribute : {"relative_to", "attached_to", "placement_frame", "frame"}) {
+      if (names_it(node.attribute(attribute).value())) {
+        return true;
+      }
+    }
+    return node.name() == std::string_view("placement_frame") && names_it(xml_text(node));
+  });
+  return found;
+}
+
+// libsdformat refuses a model without a link that is not static; one whose included models are missing has none.
+void keep_empty_model_readable(pugi::xml_node parent) {
+  if (parent.name() == std::string_view("model") && !parent.child("link") && !parent.child("model") &&
+      !parent.child("include")) {
+    parent.remove_child("static");
+    parent.append_child("static").text() = "true";
+  }
 }
 
 // Puts several models at the root into a world, because libsdformat reads only one model at the root. Returns whether
@@ -137,8 +173,11 @@ std::string text_of(const XmlFile& file) {
 
 }  // namespace
 
-SdfSource::SdfSource(const fs::path& file, const Log& log) : file_(file) {
-  prepare(fs::absolute(file).lexically_normal(), log);
+SdfSource::SdfSource(const fs::path& file, bool joints, SdfMissing& missing, const Log& log)
+    : file_(file), joints_(joints), missing_(missing), log_(log) {
+  const std::string whole = fs::absolute(file).lexically_normal().string();
+  open(whole);
+  prepare(whole);
 }
 
 SdfSource::~SdfSource() {
@@ -213,71 +252,118 @@ std::string SdfSource::write_copy(const std::string& text, const std::string& or
   return copy;
 }
 
-// Returns the absolute path that replaces the URI of an <include>.
-std::string SdfSource::resolve_include(const std::string& uri, const fs::path& file, const std::string& place,
-                                       const Log& log) {
+// Returns the absolute path that replaces the URI of an <include>; nothing for one to leave out.
+std::optional<std::string> SdfSource::resolve_include(const std::string& uri, const fs::path& file,
+                                                      const std::string& place) {
   const std::string where = fmt::format("{}include '{}'", place, printable(uri));
-  const std::optional<fs::path> found = find_sdf_uri(uri, file);
+  const std::optional<fs::path> found =
+      find_sdf_uri(uri, file, [](const fs::path& path) { return file_of_model(path).has_value(); });
   if (!found) {
-    throw Error(where + " " + sdf_uri_not_found(uri));
+    if (is_fuel_uri(uri)) {
+      missing_.add_fuel(where, " " + sdf_uri_not_found(uri), fuel_model_uri(uri));
+    } else {
+      missing_.add(where, " " + sdf_uri_not_found(uri));
+    }
+    return std::nullopt;
   }
   const std::optional<fs::path> model = file_of_model(*found);
   if (!model) {
-    throw Error(
-        fmt::format("{}: {} holds no model.sdf, nor a model.config that names a file in it", where, found->string()));
+    missing_.add(where,
+                 fmt::format(": {} holds no model.sdf, nor a model.config that names a file in it", found->string()));
+    return std::nullopt;
   }
-  const auto known = ready_.find(model->string());
-  if (known == ready_.end()) {
-    return prepare(*model, log);
+  const std::string name = model->string();
+  if (!ready_.contains(name)) {
+    try {
+      open(name);
+    } catch (const Error& error) {
+      missing_.add(where, fmt::format(": {}", error.what()));
+      return std::nullopt;
+    }
+    return prepare(name);
   }
-  if (!known->second) {
+  if (ready_.at(name).state == Ready::kBegun) {
     throw Error(where + " includes itself");
   }
-  return *known->second;
+  return ready_.at(name).file;
+}
+
+// Resolves the URI of an <include>, or removes the whole element. Returns whether it changed the tree.
+bool SdfSource::prepare_include(pugi::xml_node include, const XmlFile& xml, const fs::path& file) {
+  pugi::xml_node element = include.child("uri");
+  if (!element) {
+    return false;  // libsdformat says so.
+  }
+  const std::string uri = xml_text(element);
+  const std::optional<std::string> path = resolve_include(uri, file, xml.where(element));
+  if (!path) {
+    pugi::xml_node parent = include.parent();
+    parent.remove_child(include);
+    keep_empty_model_readable(parent);
+    return true;
+  }
+  if (*path == uri) {
+    return false;
+  }
+  element.remove_children();
+  element.text() = path->c_str();
+  return true;
 }
 
 // Checks the elements inside `parent`, removes irrelevant ones and resolves includes. Returns whether it changed the
 // tree.
-bool SdfSource::prepare_inside(pugi::xml_node parent, const XmlFile& xml, const fs::path& file, const Log& log) {
+bool SdfSource::prepare_inside(pugi::xml_node parent, const XmlFile& xml, const fs::path& file) {
   bool changed = false;
   for (pugi::xml_node child = parent.first_child(), next; child; child = next) {
     next = child.next_sibling();
     if (child.type() != pugi::node_element) {
       continue;
     }
+    if (!joints_ && child.name() == std::string_view("joint") &&
+        !is_frame_of_another(xml.root(), child.attribute("name").value())) {
+      parent.remove_child(child);
+      changed = true;
+      continue;
+    }
     check_sdf_element(xml, child);
     if (is_irrelevant(child)) {
       if (child.name() == std::string_view("actor")) {
-        log_line(log, Severity::kWarning, xml.where(child) + "an actor is left out");
+        log_line(log_, Severity::kWarning, xml.where(child) + "an actor is left out");
       }
       parent.remove_child(child);
       changed = true;
-    } else if (is_include_uri(child)) {
-      const std::string uri = xml_text(child);
-      const std::string path = resolve_include(uri, file, xml.where(child), log);
-      if (path != uri) {
-        child.remove_children();
-        child.text() = path.c_str();
-        changed = true;
-      }
-    } else {
-      changed = prepare_inside(child, xml, file, log) || changed;
+      continue;
+    }
+    changed = prepare_inside(child, xml, file) || changed;
+    if (is_include(child)) {
+      changed = prepare_include(child, xml, file) || changed;
     }
   }
   return changed;
 }
 
-// Returns the path that libsdformat reads instead of the file.
-std::string SdfSource::prepare(const fs::path& file, const Log& log) {
-  const std::string name = file.string();
-  Source& source = *(sources_[name] = std::make_unique<Source>(XmlFile(read_text(shown(name)), shown(name))));
-  check_root(source.xml, log);
-  ready_[name] = std::nullopt;
+void SdfSource::open(const std::string& name) {
+  auto source = std::make_unique<Source>(XmlFile(read_text(shown(name)), shown(name)));
+  check_root(source->xml, log_);
+  sources_[name] = std::move(source);
+}
 
-  const bool changed_inside = prepare_inside(source.xml.root(), source.xml, file, log);
+// Returns the path that libsdformat reads instead of a file that open() has read; nothing for an included file that
+// holds no models.
+std::optional<std::string> SdfSource::prepare(const std::string& name) {
+  Source& source = *sources_.at(name);
+  const bool is_included = !ready_.empty();
+  const bool is_empty = is_included && holds_only_lights(source.xml.root());
+  ready_[name] = {Ready::kBegun, std::nullopt};
+
+  const bool changed_inside = prepare_inside(source.xml.root(), source.xml, name);
+  if (is_empty) {
+    ready_[name] = {Ready::kDone, std::nullopt};
+    return std::nullopt;
+  }
   const bool changed = put_world_around_models(source.xml.root()) || changed_inside;
   const std::string copy = changed ? text_of(source.xml) : "";
-  std::string to_read = changed ? write_copy(copy, name) : name;
+  const std::string to_read = changed ? write_copy(copy, name) : name;
 
   // libsdformat reports lines of the file that it reads. Those of a copy are found by parsing the copy.
   const std::vector<pugi::xml_node> elements = elements_of(source.xml);
@@ -292,7 +378,7 @@ std::string SdfSource::prepare(const fs::path& file, const Log& log) {
       source.lines.emplace(source.xml.line_of(element), element);
     }
   }
-  ready_[name] = to_read;
+  ready_[name] = {Ready::kDone, to_read};
   files_.push_back(to_read);
   return to_read;
 }
