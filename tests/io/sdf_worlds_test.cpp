@@ -181,15 +181,34 @@ TEST_F(SdfWorldsTest, AbsentFuelModelsAreOneListWithTheCommandThatFetchesThem) {
   const std::string owner = "https://fuel.gazebosim.org/1.0/OpenRobotics/models/";
   const std::string mesh = part("visual", "w", "<mesh><uri>" + owner + "Reef/3/files/meshes/reef.dae</uri></mesh>");
   load(world(include(owner + "Big%20Rock") + include(owner + "Reef/3") + model("m", box("visual", "v") + mesh)));
-  EXPECT_THAT(
-      said, ElementsAre(
-                "scene.sdf: 3 parts of the world are left out (an error with strict: true): scene.sdf:2:10: include '" +
-                owner + "Big%20Rock', scene.sdf:3:10: include '" + owner +
-                "Reef/3', scene.sdf:4:106: visual 'm::l::w': '" + owner +
-                "Reef/3/files/meshes/reef.dae' is not in the caches of Fuel (home/.gz/fuel, home/.ignition/fuel); to "
-                "fetch them: "
-                "for u in '" +
-                owner + "Big%20Rock' '" + owner + "Reef/3'; do gz fuel download -u \"$u\"; done"));
+  EXPECT_THAT(said, ElementsAre("scene.sdf: 3 parts of the world are left out (an error with strict: true): "
+                                "scene.sdf:2:10: include '" +
+                                    owner + "Big%20Rock', scene.sdf:3:10: include '" + owner +
+                                    "Reef/3', scene.sdf:4:129: visual 'm::l::w': '" + owner +
+                                    "Reef/3/files/meshes/reef.dae' is not in the caches of Fuel (home/.gz/fuel, "
+                                    "home/.ignition/fuel)",
+                                "scene.sdf: to fetch what is missing from Fuel: for u in '" + owner + "Big%20Rock' '" +
+                                    owner + "Reef/3'; do gz fuel download -u \"$u\"; done"));
+}
+
+// A message ends at 2000 bytes: no command may be cut, and no URI may be lost.
+TEST_F(SdfWorldsTest, ManyAbsentFuelModelsAreAllInTheCommands) {
+  std::string includes;
+  for (int i = 100; i < 160; ++i) {
+    includes += include(fmt::format("https://fuel.gazebosim.org/1.0/owner/models/Model{}", i));
+  }
+  load(world(includes + model("m", box("visual", "v"))));
+  ASSERT_GT(said.size(), 2);
+  EXPECT_THAT(said[0], HasSubstr("60 parts of the world"));
+  EXPECT_THAT(said[0], HasSubstr(" more is not in the caches of Fuel"));
+  std::string commands;
+  for (std::size_t i = 1; i < said.size(); ++i) {
+    EXPECT_THAT(said[i], testing::EndsWith("'; do gz fuel download -u \"$u\"; done"));
+    commands += said[i];
+  }
+  for (int i = 100; i < 160; ++i) {
+    EXPECT_THAT(commands, HasSubstr(fmt::format("/Model{}'", i)));
+  }
 }
 
 }  // namespace

@@ -14,19 +14,23 @@
 namespace insonify {
 namespace {
 
-constexpr std::size_t kMostListed = 20;  // Parts of one reason.
+// Of the parts in one message, and of a command [bytes]: a message ends at kLongestMessage.
+constexpr std::size_t kListSpace = 1000, kCommandSpace = 1500;
 
-std::string listed(const std::vector<std::string>& parts) {
-  const std::size_t shown = std::min(parts.size(), kMostListed);
-  std::string text =
-      fmt::format("{}", fmt::join(parts.begin(), parts.begin() + static_cast<std::ptrdiff_t>(shown), ", "));
+// The first parts that fit into `space` bytes, at least one, and the number of the others.
+std::string listed(const std::vector<std::string>& parts, std::size_t space) {
+  std::string text = parts.front();
+  std::size_t shown = 1;
+  while (shown < parts.size() && text.size() + parts[shown].size() <= space) {
+    text += ", " + parts[shown++];
+  }
   return parts.size() == shown ? text : fmt::format("{} and {} more", text, parts.size() - shown);
 }
 
 // In single quotes for the shell, as Fuel's names have spaces; a quote itself as '\''.
 std::string for_shell(const std::string& uri) {
   std::string text = "'";
-  for (const char c : printable(uri)) {
+  for (const char c : printable(uri, kCommandSpace)) {
     text += c == '\'' ? std::string("'\\''") : std::string(1, c);
   }
   return text + "'";
@@ -54,16 +58,28 @@ void SdfMissing::add_fuel(const std::string& what, const std::string& reason, co
 std::string SdfMissing::text() const {
   std::vector<std::string> texts;
   for (const Reason& reason : reasons_) {
-    texts.push_back(listed(reason.parts) + reason.text);
+    texts.push_back(listed(reason.parts, kListSpace / reasons_.size()) + reason.text);
   }
-  std::string text = fmt::format("{}", fmt::join(texts, "; "));
-  if (!fuel_uris_.empty()) {
-    std::vector<std::string> words;
-    std::ranges::transform(fuel_uris_, std::back_inserter(words), for_shell);
-    text += fmt::format("; to fetch {}: for u in {}; do gz fuel download -u \"$u\"; done",
-                        fuel_uris_.size() == 1 ? "it" : "them", fmt::join(words, " "));
+  return fmt::format("{}", fmt::join(texts, "; "));
+}
+
+std::string SdfMissing::whole_text() const {
+  return text() + (fuel_uris_.empty() ? "" : "; to fetch from Fuel: " + commands().front());
+}
+
+std::vector<std::string> SdfMissing::commands() const {
+  std::vector<std::string> lists;
+  for (const std::string& uri : fuel_uris_) {
+    const std::string word = " " + for_shell(uri);
+    if (lists.empty() || lists.back().size() + word.size() > kCommandSpace) {
+      lists.emplace_back();
+    }
+    lists.back() += word;
   }
-  return text;
+  for (std::string& list : lists) {
+    list = fmt::format("for u in{}; do gz fuel download -u \"$u\"; done", list);
+  }
+  return lists;
 }
 
 void SdfMissing::report(const std::string& file, bool strict, const Log& log) const {
@@ -71,7 +87,7 @@ void SdfMissing::report(const std::string& file, bool strict, const Log& log) co
     return;
   }
   if (strict) {
-    throw Error(text());
+    throw Error(whole_text());
   }
   std::size_t count = 0;
   for (const Reason& reason : reasons_) {
@@ -80,6 +96,9 @@ void SdfMissing::report(const std::string& file, bool strict, const Log& log) co
   log_line(log, Severity::kWarning,
            fmt::format("{}: {} part{} of the world {} left out (an error with strict: true): {}", file, count,
                        count == 1 ? "" : "s", count == 1 ? "is" : "are", text()));
+  for (const std::string& command : commands()) {
+    log_line(log, Severity::kWarning, fmt::format("{}: to fetch what is missing from Fuel: {}", file, command));
+  }
 }
 
 }  // namespace insonify

@@ -21,10 +21,17 @@ class SdfMissing {
 
   [[nodiscard]] bool empty() const { return reasons_.empty(); }
 
-  /// All parts in one line, those with the same reason together, with the command that fetches those of Fuel.
+  /// All parts in one line, those with the same reason together; of very many the first.
   [[nodiscard]] std::string text() const;
 
-  /// Reports the parts, if there are any, as one warning, or as an Error where `strict`.
+  /// The same with the first of commands(), for an Error.
+  [[nodiscard]] std::string whole_text() const;
+
+  /// Commands for a shell that fetch what is missing of Fuel: one, or several where it would be too long for a message.
+  [[nodiscard]] std::vector<std::string> commands() const;
+
+  /// Reports the parts, if there are any: as one warning, and one for each of commands(), or as an Error where
+  /// `strict`.
   void report(const std::string& file, bool strict, const Log& log) const;
 
  private:

@@ -92,7 +92,7 @@ class SceneBuilder {
     }
     if (scene_.instances.empty()) {
       throw Error(missing_.empty() ? nothing_in(file)
-                                   : fmt::format("{}: nothing is left to insonify: {}", file, missing_.text()));
+                                   : fmt::format("{}: nothing is left to insonify: {}", file, missing_.whole_text()));
     }
     if (!without_visuals_.empty()) {
       log_line(
