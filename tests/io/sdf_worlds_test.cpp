@@ -149,6 +149,22 @@ TEST_F(SdfWorldsTest, ModelsWithoutVisualsAreTheirCollisionShapes) {
                                 "leaves them out): post"));
 }
 
+TEST_F(SdfWorldsTest, WaterAndInvisibleWallsAreTold) {
+  const std::string size = "<geometry><box><size>60 60 0.1</size></box></geometry>";
+  const std::string text = world(
+      model("sea", "<visual name='surface'>" + size +
+                       "<material><script><name>UUVSimulator/StaticWater</name></script></material></visual>\n<visual "
+                       "name='wall'>" +
+                       size + "<transparency>1</transparency></visual>\n<visual name='bed'>" + size +
+                       "<transparency>0.5</transparency><material><script><name>Sand</name></script></material>"
+                       "</visual>"));
+  EXPECT_EQ(load(text).instances.size(), 3);
+  EXPECT_THAT(said, ElementsAre("scene.sdf: what is water or invisible to cameras echoes as a solid surface (ignore "
+                                "leaves it out): sea::l::surface, sea::l::wall"));
+  EXPECT_THAT(names(load(text, {.ignore = {"surface", "wall"}})), ElementsAre("sea::l::bed"));
+  EXPECT_THAT(said, IsEmpty());
+}
+
 TEST_F(SdfWorldsTest, FilesOfOtherFormatsComeWithTheCommandThatConvertsThem) {
   write("meshes/hull.osgb", "osg");
   EXPECT_EQ(error_of(sdf_of("<mesh><uri>meshes/hull.osgb</uri></mesh>")),

@@ -100,6 +100,12 @@ class SceneBuilder {
           fmt::format("{}: of models without visuals the collision shapes are insonified (ignore leaves them out): {}",
                       file, fmt::join(without_visuals_, ", ")));
     }
+    if (!for_eyes_.empty()) {
+      log_line(
+          log_, Severity::kWarning,
+          fmt::format("{}: what is water or invisible to cameras echoes as a solid surface (ignore leaves it out): {}",
+                      file, fmt::join(for_eyes_, ", ")));
+    }
     for (const std::string& pattern : ignored_.unused()) {
       log_line(log_, Severity::kWarning,
                fmt::format("{}: ignore: '{}' is the name of nothing in the world", file, printable(pattern)));
@@ -215,6 +221,12 @@ class SceneBuilder {
     }
   }
 
+  // Whether a visual is water or invisible: not meant to stop anything.
+  [[nodiscard]] bool is_for_eyes_only(const sdf::Visual& visual) const {
+    return visual.Transparency() >= 1 || source_.is_water(place(*visual.Element()).text());
+  }
+  [[nodiscard]] static bool is_for_eyes_only(const sdf::Collision& /*collision*/) { return false; }
+
   template <typename Part>
   void add_part(const Part& part, const char* kind, const std::string& scope, const Pose& world_from_link,
                 const MaterialName& material) {
@@ -236,6 +248,9 @@ class SceneBuilder {
     instance.world_from_mesh = world_from_link * resolve(part, where) * Pose{shape->offset};
     check_reach(instance, where);
     const MaterialName own = own_or(material, part.Element(), where);
+    if (own.name.empty() && is_for_eyes_only(part)) {
+      for_eyes_.push_back(printable(name, kLongestName));
+    }
     instance.user_material = own.name;
     scene_.places[name] = own.place;
     scene_.instances.push_back(std::move(instance));
@@ -269,7 +284,7 @@ class SceneBuilder {
   SdfNamePatterns ignored_;
   SdfShapes shapes_;
   bool collisions_ = false;  // Whether the model at hand is made of its collision shapes.
-  std::vector<std::string> without_visuals_;
+  std::vector<std::string> without_visuals_, for_eyes_;
   std::set<std::string> names_;
   std::size_t visual_count_ = 0, collision_count_ = 0;
   Scene scene_;

@@ -126,6 +126,14 @@ bool is_frame_of_another(pugi::xml_node root, std::string_view name) {
   return found;
 }
 
+// Whether an element is a visual's look whose name says that it is water, as "UUVSimulator/StaticWater".
+bool paints_water(pugi::xml_node element) {
+  std::string name = xml_text(element.child("script").child("name"));
+  std::ranges::transform(name, name.begin(), [](unsigned char c) { return std::tolower(c); });
+  return element.name() == std::string_view("material") && element.parent().name() == std::string_view("visual") &&
+         name.find("water") != std::string::npos;
+}
+
 // libsdformat refuses a model without a link that is not static; one whose included models are missing has none.
 void keep_empty_model_readable(pugi::xml_node parent) {
   if (parent.name() == std::string_view("model") && !parent.child("link") && !parent.child("model") &&
@@ -329,6 +337,9 @@ bool SdfSource::prepare_inside(pugi::xml_node parent, const XmlFile& xml, const 
     if (is_irrelevant(child)) {
       if (child.name() == std::string_view("actor")) {
         log_line(log_, Severity::kWarning, xml.where(child) + "an actor is left out");
+      }
+      if (paints_water(child)) {
+        water_.insert(xml.where(parent));
       }
       parent.remove_child(child);
       changed = true;

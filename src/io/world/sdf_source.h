@@ -6,6 +6,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -56,6 +57,9 @@ class SdfSource {
   /// "" if there is none.
   [[nodiscard]] std::string place_of_name(const std::string& name) const;
 
+  /// Whether the visual at a place, "path:line:column: ", has a look (a script in its <material>) that is named water.
+  [[nodiscard]] bool is_water(const std::string& place) const { return water_.contains(place); }
+
  private:
   // How far the preparation of a file is, and the file to read instead: none where it holds no models.
   struct Ready {
@@ -83,6 +87,7 @@ class SdfSource {
   std::map<std::string, std::string> originals_;            // copy -> original
   std::map<std::string, std::unique_ptr<Source>> sources_;  // by original
   std::map<std::string, Ready> ready_;                      // by original
+  std::set<std::string> water_;                             // Places of visuals.
   bool joints_;
   SdfMissing& missing_;
   const Log& log_;
