@@ -106,8 +106,8 @@ std::string SdfShapes::file(const std::string& uri, const std::string& base, con
   const std::optional<fs::path> found =
       find_sdf_uri(uri, source_.original(base), [](const fs::path& path) { return !fs::is_directory(path); });
   if (!found) {
-    throw SdfUnreadable(fmt::format("{}: '{}'", what, printable(uri, kLongestName)), " " + sdf_uri_not_found(uri),
-                        is_fuel_uri(uri) ? fuel_model_uri(uri) : "");
+    throw SdfUnreadable(fmt::format("{}: '{}'", what, printable(uri, is_fuel_uri(uri) ? kLongestName : kLongestQuote)),
+                        " " + sdf_uri_not_found(uri), is_fuel_uri(uri) ? fuel_model_uri(uri) : "");
   }
   return found->string();
 }

@@ -263,7 +263,8 @@ std::string SdfSource::write_copy(const std::string& text, const std::string& or
 // Returns the absolute path that replaces the URI of an <include>; nothing for one to leave out.
 std::optional<std::string> SdfSource::resolve_include(const std::string& uri, const fs::path& file,
                                                       const std::string& place) {
-  const std::string where = fmt::format("{}include '{}'", place, printable(uri, kLongestName));
+  const std::string where =
+      fmt::format("{}include '{}'", place, printable(uri, is_fuel_uri(uri) ? kLongestName : kLongestQuote));
   const std::optional<fs::path> found =
       find_sdf_uri(uri, file, [](const fs::path& path) { return file_of_model(path).has_value(); });
   if (!found) {
