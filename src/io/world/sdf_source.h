@@ -12,8 +12,8 @@
 
 #include "insonify/error.h"
 #include "insonify/log.h"
+#include "io/file/missing_parts.h"
 #include "io/file/xml_file.h"
-#include "io/world/sdf_missing.h"
 
 namespace insonify {
 
@@ -34,7 +34,7 @@ class SdfSource {
   /// The last two must outlive this object.
   /// @throws Error for a file that is missing, not XML or not SDF, for files that include themselves, and for faults
   /// that check_sdf_element() finds.
-  SdfSource(const std::filesystem::path& file, bool joints, SdfMissing& missing, const Log& log);
+  SdfSource(const std::filesystem::path& file, bool joints, MissingParts& missing, const Log& log);
   ~SdfSource();
   SdfSource(const SdfSource&) = delete;
   SdfSource& operator=(const SdfSource&) = delete;
@@ -89,7 +89,7 @@ class SdfSource {
   std::map<std::string, Ready> ready_;                      // by original
   std::set<std::string> water_;                             // Places of visuals.
   bool joints_;
-  SdfMissing& missing_;
+  MissingParts& missing_;
   const Log& log_;
 };
 

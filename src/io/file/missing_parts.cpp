@@ -1,6 +1,6 @@
-// sdf_missing.cpp -- one line about all missing parts of a world.
+// missing_parts.cpp -- one line about all missing parts of a world.
 
-#include "io/world/sdf_missing.h"
+#include "io/file/missing_parts.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -38,7 +38,7 @@ std::string for_shell(const std::string& uri) {
 
 }  // namespace
 
-void SdfMissing::add(const std::string& what, const std::string& reason) {
+void MissingParts::add(const std::string& what, const std::string& reason) {
   auto known = std::ranges::find(reasons_, reason, &Reason::text);
   if (known == reasons_.end()) {
     known = reasons_.insert(known, Reason{reason, {}});
@@ -48,14 +48,14 @@ void SdfMissing::add(const std::string& what, const std::string& reason) {
   }
 }
 
-void SdfMissing::add_fuel(const std::string& what, const std::string& reason, const std::string& uri) {
+void MissingParts::add_fuel(const std::string& what, const std::string& reason, const std::string& uri) {
   add(what, reason);
   if (std::ranges::find(fuel_uris_, uri) == fuel_uris_.end()) {
     fuel_uris_.push_back(uri);
   }
 }
 
-std::string SdfMissing::text() const {
+std::string MissingParts::text() const {
   std::vector<std::string> texts;
   for (const Reason& reason : reasons_) {
     texts.push_back(listed(reason.parts, kListSpace / reasons_.size()) + reason.text);
@@ -63,11 +63,11 @@ std::string SdfMissing::text() const {
   return fmt::format("{}", fmt::join(texts, "; "));
 }
 
-std::string SdfMissing::whole_text() const {
+std::string MissingParts::whole_text() const {
   return text() + (fuel_uris_.empty() ? "" : "; to fetch from Fuel: " + commands().front());
 }
 
-std::vector<std::string> SdfMissing::commands() const {
+std::vector<std::string> MissingParts::commands() const {
   std::vector<std::string> lists;
   for (const std::string& uri : fuel_uris_) {
     const std::string word = " " + for_shell(uri);
@@ -82,7 +82,7 @@ std::vector<std::string> SdfMissing::commands() const {
   return lists;
 }
 
-void SdfMissing::report(const std::string& file, bool strict, const Log& log) const {
+void MissingParts::report(const std::string& file, bool strict, const Log& log) const {
   if (empty()) {
     return;
   }

@@ -1,14 +1,18 @@
-// sdf_name_patterns.cpp -- compares scoped names with patterns.
+// name_patterns.cpp -- compares scoped names with patterns.
 
-#include "io/world/sdf_name_patterns.h"
+#include "io/file/name_patterns.h"
 
+#include <fmt/format.h>
 #include <fnmatch.h>
 
 #include <algorithm>
 
+#include "base/log_line.h"
+#include "insonify/printable.h"
+
 namespace insonify {
 
-bool SdfNamePatterns::match(const std::string& name) {
+bool NamePatterns::match(const std::string& name) {
   const std::size_t colons = name.rfind("::");
   const std::string last = colons == std::string::npos ? name : name.substr(colons + 2);
   bool found = false;
@@ -22,18 +26,17 @@ bool SdfNamePatterns::match(const std::string& name) {
   return found;
 }
 
-bool SdfNamePatterns::any() const {
+bool NamePatterns::any() const {
   return std::ranges::count(used_, true) > 0;
 }
 
-std::vector<std::string> SdfNamePatterns::unused() const {
-  std::vector<std::string> names;
+void NamePatterns::report_unused(const std::string& file, const Log& log) const {
   for (std::size_t i = 0; i < patterns_.size(); ++i) {
     if (!used_[i]) {
-      names.push_back(patterns_[i]);
+      log_line(log, Severity::kWarning,
+               fmt::format("{}: ignore: '{}' is the name of nothing in the world", file, printable(patterns_[i])));
     }
   }
-  return names;
 }
 
 }  // namespace insonify

@@ -1,4 +1,4 @@
-// sdf_missing.h -- parts of an SDF world that are missing or unreadable: an error, or left out with one warning.
+// missing_parts.h -- parts of a world that are missing or unreadable: an error, or left out with one warning.
 
 #pragma once
 
@@ -10,7 +10,7 @@
 namespace insonify {
 
 /// Collects the parts of a world that had to be left out.
-class SdfMissing {
+class MissingParts {
  public:
   /// @param what    "path:line:column: include 'model://ship'".
   /// @param reason  Follows `what`: " does not exist".
