@@ -36,6 +36,7 @@ struct Request {
   BenchOptions bench;
   PaperBenchOptions paper_bench;
   std::string bench_scene;
+  bool strict = false;
   bool markdown = false;
   bool no_pictures = false, no_view = false, no_ms_ssim = false;
   std::function<int()> act;

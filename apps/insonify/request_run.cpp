@@ -49,6 +49,7 @@ void add_run(CLI::App& app, Request& request) {
   auto* seed = command->add_option("--seed", request.seed, "Start of the random numbers")
                    ->check(whole_number(0, std::numeric_limits<std::uint64_t>::max()))
                    ->type_name("N");
+  command->add_flag("--strict", request.strict, "End with an error where a part of the world is missing");
   command->add_option("--threads", options.threads, "Worker threads; 0 for as many as there are processors [0]")
       ->check(whole_number(0, 1024))
       ->type_name("N");
@@ -112,6 +113,9 @@ void add_run(CLI::App& app, Request& request) {
     }
     if (*seed) {
       options.settings.push_back(fmt::format("--seed={}", request.seed));
+    }
+    if (request.strict) {
+      options.settings.emplace_back("--strict=true");
     }
     options.record = RecordKinds::parse(request.record);
     if (request.no_pictures) {

@@ -33,6 +33,7 @@ void add_serve(CLI::App& app, Request& request) {
       ->type_name("KEY=VALUE")
       ->expected(1)
       ->take_all();
+  command->add_flag("--strict", request.strict, "End with an error where a part of the world is missing");
   command->add_flag("--paused", options.paused, "Start paused");
   command->add_flag("-q,--quiet", options.quiet, "Say nothing but the address, warnings and errors");
   command->add_option("--page", options.page, "Serve the page from this folder")->type_name("DIR")->group("");
@@ -43,7 +44,12 @@ void add_serve(CLI::App& app, Request& request) {
       "  insonify serve scenes/ferry_calibrated.yaml\n"
       "  insonify serve scenes/tank.yaml --port 9000 --rate 10 --record tank.h5\n"
       "  insonify serve scenes/tank.yaml --address 0.0.0.0 --token \"$(openssl rand -hex 16)\"");
-  command->callback([&request, &options] { request.act = [&options] { return serve(options); }; });
+  command->callback([&request, &options] {
+    if (request.strict) {
+      options.settings.emplace_back("--strict=true");
+    }
+    request.act = [&options] { return serve(options); };
+  });
 }
 
 }  // namespace insonify

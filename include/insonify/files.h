@@ -28,10 +28,28 @@ namespace insonify {
 /// @throws Error with the path, and for text the line.
 [[nodiscard]] HeightGrid load_height_grid(const std::filesystem::path& path, const Log& log = {});
 
+/// How to read an SDF world; other files have none of these.
+struct WorldOptions {
+  bool collisions = false;  ///< Take collision shapes instead of visuals.
+  /// Whether a part that is missing or cannot be read (an included model, a mesh, a height grid, a faulty joint) is an
+  /// error; else it is left out, and one warning lists all such parts.
+  bool strict = false;
+  /// Patterns of the names of models, links, visuals and collisions to leave out: `*` stands for any text, `?` for one
+  /// character. A pattern applies to the name in full ("tank::walls::north") and to its last part ("north"). One that
+  /// applies to nothing is told to the log.
+  std::vector<std::string> ignore = {};
+
+  bool operator==(const WorldOptions&) const = default;
+};
+
+/// The options that a scenario has for its world.
+[[nodiscard]] WorldOptions world_options(const Scenario& scenario);
+
 /// Reads what a scenario calls its world: an SDF world or model (.sdf, .world, .xml), a mesh file, or a height grid.
 /// Materials are not assigned yet.
-/// @param collisions  Take collision shapes instead of visuals (SDF only).
-[[nodiscard]] Scene load_scene(const std::filesystem::path& path, bool collisions = false, const Log& log = {});
+/// @throws Error with the path, for SDF "path:line:column: ..."; also when nothing is left to insonify.
+[[nodiscard]] Scene load_scene(const std::filesystem::path& path, const WorldOptions& options = {},
+                               const Log& log = {});
 
 /// Reads a scenario. Relative paths are from its own folder; presets are looked up by name (load_preset).
 /// @param settings  "key=value" as on the command line, applied in order: "pings=3", "sonars[0].max_range=30",
@@ -65,8 +83,8 @@ namespace insonify {
 /// that has none.
 [[nodiscard]] std::string to_yaml(const Scenario& scenario);
 
-/// Assigns a scenario's materials to its world, which load_scene(scenario.world, scenario.collisions) has read; reads
-/// the files of their reliefs.
+/// Assigns a scenario's materials to its world, which load_scene(scenario.world, world_options(scenario)) has read;
+/// reads the files of their reliefs.
 void assign_scenario_materials(Scene& world, const Scenario& scenario, const Log& log = {});
 
 /// Reads the scene of a scenario and assigns its materials.

@@ -84,8 +84,10 @@ struct Scenario {
   std::string text;
   Places places;  ///< Where its settings stand in the file, for messages; empty when made in code.
 
-  std::filesystem::path world;  ///< SDF world or model, or mesh file; absolute. Empty for open water.
-  bool collisions = false;      ///< Insonify the world's collision shapes instead of its visuals.
+  std::filesystem::path world;      ///< SDF world or model, or mesh file; absolute. Empty for open water.
+  bool collisions = false;          ///< Insonify the world's collision shapes instead of its visuals.
+  bool strict = false;              ///< Whether a part of the world that is missing is an error, and not left out.
+  std::vector<std::string> ignore;  ///< Objects of the world to leave out, as WorldOptions::ignore.
   EchoModel model = EchoModel::kCalibrated;
   std::string engine = "cpu";
   PrimaryEchoes primary = PrimaryEchoes::kAuto;
@@ -146,6 +148,17 @@ struct Scenario {
           self.world);
     visit(Field{"collisions", "", {}, "Insonify the world's collision shapes instead of its visuals (SDF)."},
           self.collisions);
+    visit(Field{"strict",
+                "",
+                {},
+                "Whether a model or a file that the world names and that is missing is an error; else the rest is "
+                "insonified, with a warning (SDF)."},
+          self.strict);
+    visit(Field{"ignore",
+                "",
+                {},
+                "Objects of the world to leave out, by patterns of their names: `[water_surface*, box_walls]` (SDF)."},
+          self.ignore);
     visit(Field{"model",
                 "",
                 {},

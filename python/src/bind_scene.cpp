@@ -105,12 +105,17 @@ void bind_scene(py::module_& module) {
       .def(py::init<>(), "An empty scene, for add().")
       .def_static(
           "load",
-          [](const py::object& path, bool collisions) {
-            return load_scene(path_from(path, "path"), collisions, warnings_log());
+          [](const py::object& path, bool collisions, bool strict, const py::object& ignore) {
+            WorldOptions options{.collisions = collisions, .strict = strict};
+            from_python(ignore, "ignore", 1, options.ignore);
+            return load_scene(path_from(path, "path"), options, warnings_log());
           },
-          py::arg("path"), py::arg("collisions") = false,
+          py::arg("path"), py::arg("collisions") = false, py::arg("strict") = false, py::arg("ignore") = py::tuple(),
           "Reads an SDF world or model, a mesh (OBJ, STL, DAE, PLY, glTF) or a height grid.\n\n"
-          "collisions: take SDF's collision shapes instead of its visuals. Raises Error with the path.")
+          "collisions: take SDF's collision shapes instead of its visuals. strict: raise Error for a model or a file "
+          "that "
+          "is missing, instead of leaving it out with a warning. ignore: patterns of the names of objects to leave "
+          "out, such as [\"water_surface*\"]. Raises Error with the path.")
       .def("add", &add, py::arg("name"), py::arg("vertices"), py::arg("faces"), py::arg("material") = "sand",
            py::arg("pose") = py::none(),
            "Adds a mesh.\n\nvertices: array [n, 3] in metres. faces: array [m, 3] of indices from 0. material: name of "

@@ -111,6 +111,14 @@ py::object to_python(const std::vector<double>& value, double scale) {
   return numbers;
 }
 
+py::object to_python(const std::vector<std::string>& value, double /*scale*/) {
+  py::tuple texts(value.size());
+  for (std::size_t i = 0; i < value.size(); ++i) {
+    texts[i] = py::str(value[i]);
+  }
+  return texts;
+}
+
 void from_python(py::handle value, const std::string& name, double scale, double& member) {
   member = number_from(value, name, "a number") / scale;
 }
@@ -159,6 +167,17 @@ void from_python(py::handle value, const std::string& name, double scale, std::v
     number /= scale;
   }
   member = std::move(numbers);
+}
+
+void from_python(py::handle value, const std::string& name, double /*scale*/, std::vector<std::string>& member) {
+  if (py::isinstance<py::str>(value) || PySequence_Check(value.ptr()) == 0) {
+    refuse(value, name, "a list of texts");
+  }
+  std::vector<std::string> texts;
+  for (const py::handle item : py::reinterpret_borrow<py::sequence>(value)) {
+    from_python(item, fmt::format("{}[{}]", name, texts.size()), 1, texts.emplace_back());
+  }
+  member = std::move(texts);
 }
 
 void refuse_word(py::handle value, const std::string& name, const std::vector<std::string>& words) {

@@ -24,10 +24,10 @@ LiveStart start_after(LiveWay way, const Pose& place, const Scenario& scenario, 
 }
 
 std::unique_ptr<Simulator> LiveBuilder::build(const Scenario& scenario, const LiveStart& start, const Log& log) {
-  if (!scenario.world.empty() && (scenario.world != world_path_ || scenario.collisions != collisions_)) {
-    world_ = load_scene(scenario.world, scenario.collisions, log);
+  if (!scenario.world.empty() && (scenario.world != world_path_ || world_options(scenario) != options_)) {
+    world_ = load_scene(scenario.world, world_options(scenario), log);
     world_path_ = scenario.world;
-    collisions_ = scenario.collisions;
+    options_ = world_options(scenario);
   }
   Scene scene = scenario.world.empty() ? Scene() : world_;
   assign_scenario_materials(scene, scenario, log);

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "insonify/files.h"
 #include "insonify/live_loop.h"
 #include "insonify/simulator.h"
 #include "live/live_run.h"
@@ -74,7 +75,7 @@ class LiveBuilder {
  private:
   int threads_;
   std::filesystem::path world_path_;
-  bool collisions_ = false;
+  WorldOptions options_;
   Scene world_;  // As read; no materials assigned.
 };
 

@@ -13,6 +13,7 @@ namespace {
 using nlohmann::json;
 using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::Not;
 
 class RecordingsCliTest : public CliTest {
  protected:
@@ -36,6 +37,41 @@ TEST_F(RecordingsCliTest, RecordChoosesTheFiles) {
   EXPECT_EQ(text_of("turned/ahead.h5"), text_of("h5/ahead.h5"));
   EXPECT_EQ(text_of("both/ahead.mcap"), text_of("mcap/ahead.mcap"));
   EXPECT_EQ(text_of("both/ahead.h5"), text_of("h5/ahead.h5"));
+}
+
+// A world with an include that is missing and walls that are ignored; what remains is a ball.
+void write_pool(const WorkingFolder& folder) {
+  folder.write("pool.sdf", R"(<sdf version='1.7'><world name='pool'>
+  <include><uri>model://gone</uri></include>
+  <model name='box_walls'><pose>3 0 0 0 0 0</pose><static>true</static><link name='l'><visual name='v'>
+    <geometry><box><size>0.1 9 9</size></box></geometry></visual></link></model>
+  <model name='ball'><pose>4.5 0 0 0 0 0</pose><static>true</static><link name='l'><visual name='v'>
+    <geometry><sphere><radius>0.5</radius></sphere></geometry></visual></link></model>
+</world></sdf>)");
+}
+
+TEST_F(RecordingsCliTest, RecordingsOfAWorldInPartsKeepTheirSettingsAndAreReplayed) {
+  write_pool(folder);
+  const std::string pool = " --set world=pool.sdf --set 'ignore=[box_*]' --no-pictures ";
+  const Outcome run = shell("insonify run fan.yaml -o out -q --record h5,mcap" + pool);
+  EXPECT_EQ(run.status, 0);
+  EXPECT_THAT(run.err, HasSubstr("pool.sdf: 1 part of the world is left out (an error with strict: true): "));
+  EXPECT_THAT(run.err, Not(HasSubstr("ignore")));
+  EXPECT_THAT(shell("h5dump -d settings/ignore out/ahead.h5").out, HasSubstr("\"box_*\""));
+  for (const std::string kind : {"h5", "mcap"}) {
+    const Outcome replay = shell("insonify replay out/ahead." + kind + " -o " + kind);
+    EXPECT_EQ(replay.status, 0) << replay.err;
+    EXPECT_FALSE(files(kind).empty()) << kind;
+  }
+}
+
+TEST_F(RecordingsCliTest, AMissingPartOfTheWorldIsAnErrorWithStrict) {
+  write_pool(folder);
+  const Outcome refused = shell("insonify run fan.yaml -o out -q --strict --set world=pool.sdf");
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_THAT(refused.err, HasSubstr("pool.sdf:2:12: include 'model://gone' not found beside this file"));
+  EXPECT_EQ(refused.err, shell("insonify run fan.yaml -o out -q --set strict=true --set world=pool.sdf").err);
+  EXPECT_FALSE(std::filesystem::exists("out"));
 }
 
 TEST_F(RecordingsCliTest, RecordNamesItsChoices) {

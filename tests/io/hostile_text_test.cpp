@@ -81,7 +81,7 @@ class HostileTextTest : public testing::TestWithParam<HostileCase> {
       if (is_yaml) {
         (void)load_scene(load_scenario(file), log);
       } else {
-        (void)load_scene(file, false, log);
+        (void)load_scene(file, {.strict = true}, log);
       }
     });
     return error == "no error" ? logged : error;
@@ -112,7 +112,7 @@ TEST(HugeTextTest, MakesNoHugeMessage) {
 
 const std::string kNotFound =
     " not found beside this file, in the folders above it or in those of INSONIFY_MODEL_PATH, SDF_PATH, "
-    "GZ_SIM_RESOURCE_PATH, IGN_GAZEBO_RESOURCE_PATH, GAZEBO_MODEL_PATH";
+    "GZ_SIM_RESOURCE_PATH, IGN_GAZEBO_RESOURCE_PATH, GAZEBO_MODEL_PATH, GAZEBO_RESOURCE_PATH";
 
 const HostileCase kCases[] = {
     {"YamlKey", "a.yaml", "world: floor.obj\n\"TEXT\": 3\n", "a.yaml:2:1: {TEXT} is not a known key"},
@@ -125,7 +125,7 @@ const HostileCase kCases[] = {
     {"YamlDefaultMaterial", "a.yaml", "world: floor.obj\nsonars: [{}]\ndefault_material: \"TEXT\"\n",
      "a.yaml:3:1: default_material = {TEXT} is not a known material"},
     {"SdfVersion", "a.sdf", "<sdf version='TEXT'/>",
-     "a.sdf:1:1: SDF version '{TEXT}' is not two numbers, 1.5 to 1.9 are read"},
+     "a.sdf:1:1: SDF version '{TEXT}' is not two numbers, 1.4 to 1.9 are read"},
     {"SdfModel", "a.sdf", "<sdf version='1.9'><model name='TEXT'/></sdf>",
      "a.sdf:1:20: model '{TEXT}' must have a link, or be static"},
     {"SdfInclude", "a.sdf", "<sdf version='1.9'><world name='w'><include><uri>TEXT</uri></include></world></sdf>",

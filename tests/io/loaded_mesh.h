@@ -16,7 +16,7 @@ namespace insonify {
 /// Rounding error of sums and products of a few floats.
 inline constexpr double kFloat = 1e-5;
 
-/// A mesh and the messages logged about its file.
+/// A mesh and the messages logged about its file, whose folder is left out.
 struct Loaded {
   Mesh mesh;
   std::vector<std::string> notes;
@@ -24,7 +24,9 @@ struct Loaded {
 
 inline Loaded load(const std::filesystem::path& path, const Submesh& submesh = {}) {
   Loaded loaded;
-  loaded.mesh = load_mesh_file(path, submesh, [&](Severity severity, const std::string& note) {
+  loaded.mesh = load_mesh_file(path, submesh, [&](Severity severity, std::string note) {
+    EXPECT_TRUE(note.starts_with(path.string() + ": ")) << note;
+    note.replace(0, path.string().size(), path.filename().string());
     loaded.notes.push_back((severity == Severity::kWarning ? "warning: " : "info: ") + note);
   });
   return loaded;

@@ -19,6 +19,8 @@ using testing::ElementsAre;
 Scenario everything() {
   Scenario scenario;
   scenario.world = "/no/such/world.sdf";
+  scenario.strict = true;
+  scenario.ignore = {"water_surface*", "tank::walls"};
   scenario.max_surfaces = 2;
   scenario.duration = 3;
   scenario.turns = 2;
@@ -90,6 +92,11 @@ TEST(RecordedSettingsTest, HaveEveryKeyThatDescribeLists) {
     }
   }
   EXPECT_GT(count, 100);
+}
+
+TEST(RecordedSettingsTest, HaveWhatIsLeftOutOfTheWorld) {
+  const H5Reader file(recorded(everything()));
+  EXPECT_THAT(file.texts("settings/ignore"), ElementsAre("water_surface*", "tank::walls"));
 }
 
 TEST(RecordedSettingsTest, HaveARowForEachEntryOfAList) {

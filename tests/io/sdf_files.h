@@ -27,29 +27,33 @@ class SdfTest : public testing::Test {
  protected:
   SdfTest() {
     for (const char* list :
-         {"INSONIFY_MODEL_PATH", "SDF_PATH", "GZ_SIM_RESOURCE_PATH", "IGN_GAZEBO_RESOURCE_PATH", "GAZEBO_MODEL_PATH"}) {
+         {"INSONIFY_MODEL_PATH", "SDF_PATH", "GZ_SIM_RESOURCE_PATH", "IGN_GAZEBO_RESOURCE_PATH", "GAZEBO_MODEL_PATH",
+          "GAZEBO_RESOURCE_PATH", "GZ_FUEL_CACHE_PATH", "IGN_FUEL_CACHE_PATH"}) {
       unsetenv(list);
     }
+    setenv("HOME", (folder / "home").c_str(), 1);  // Of Fuel's caches.
   }
 
   std::string write(const std::string& name, const std::string& text) const { return scratch.write(name, text); }
 
   /// Writes and loads an SDF file; `said` receives the log messages, with the test's folder removed.
   Scene load(const std::string& text, bool collisions = false) {
-    return load_file(write("scene.sdf", text), collisions);
+    return load(text, WorldOptions{.collisions = collisions});
   }
-  Scene load_file(const std::string& path, bool collisions = false) {
+  Scene load(const std::string& text, const WorldOptions& options) {
+    return load_file(write("scene.sdf", text), options);
+  }
+  Scene load_file(const std::string& path, const WorldOptions& options = {}) {
     said.clear();
-    return load_scene(path, collisions,
-                      [&](Severity, const std::string& line) { said.push_back(without_folder(line)); });
+    return load_scene(path, options, [&](Severity, const std::string& line) { said.push_back(without_folder(line)); });
   }
 
-  /// Error message of loading, with the test's folder removed.
+  /// Error message of loading, with the test's folder removed. Whatever is missing is an error here.
   std::string error_of(const std::string& text, bool collisions = false) {
-    return error_of_file(write("scene.sdf", text), collisions);
+    return error_of_file(write("scene.sdf", text), {.collisions = collisions, .strict = true});
   }
-  std::string error_of_file(const std::string& path, bool collisions = false) {
-    return without_folder(message_of([&] { load_file(path, collisions); }));
+  std::string error_of_file(const std::string& path, const WorldOptions& options = {.strict = true}) {
+    return without_folder(message_of([&] { load_file(path, options); }));
   }
 
   [[nodiscard]] std::string without_folder(std::string text) const {

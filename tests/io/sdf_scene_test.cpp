@@ -228,7 +228,7 @@ TEST_F(SdfSceneTest, DoesNotMindFaultsInWhatHasNoShape) {
 }
 
 TEST_F(SdfSceneTest, ReadsOldVersionsAsTheyWereMeant) {
-  for (const char* version : {"1.5", "1.6", "1.7", "1.8", "1.9"}) {
+  for (const char* version : {"1.4", "1.5", "1.6", "1.7", "1.8", "1.9"}) {
     const Scene scene = load(fmt::format(R"(<?xml version="1.0" ?>
 <sdf version="{}"><world name="sea"><light name="sun" type="directional"/>
 <model name="ship"><pose>1 2 3 0 0 0</pose><link name="hull"><pose>0 0 1 0 0 0</pose>
@@ -251,11 +251,11 @@ TEST_F(SdfSceneTest, ReadsNewerVersionsWithAWarning) {
 }
 
 TEST_F(SdfSceneTest, WarnsOfVersionsThatAreTooOld) {
-  for (const char* version : {"1.4", "0.1"}) {
+  for (const char* version : {"1.3", "0.1"}) {
     const Scene scene = load(model_sdf("old", "", version));
     EXPECT_EQ(scene.instances.at(0).name, "old::body::box");
     EXPECT_THAT(said,
-                testing::Contains(fmt::format("scene.sdf:1:1: SDF version {} is older than 1.5, the oldest that is "
+                testing::Contains(fmt::format("scene.sdf:1:1: SDF version {} is older than 1.4, the oldest that is "
                                               "known to be read right",
                                               version)));
   }

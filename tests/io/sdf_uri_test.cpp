@@ -47,8 +47,8 @@ TEST_F(SdfUriTest, TakesFileUrisForPaths) {
 }
 
 TEST_F(SdfUriTest, SearchesThePathListsInOrder) {
-  const std::vector<const char*> lists = {"GAZEBO_MODEL_PATH", "IGN_GAZEBO_RESOURCE_PATH", "GZ_SIM_RESOURCE_PATH",
-                                          "SDF_PATH", "INSONIFY_MODEL_PATH"};
+  const std::vector<const char*> lists = {"GAZEBO_RESOURCE_PATH", "GAZEBO_MODEL_PATH", "IGN_GAZEBO_RESOURCE_PATH",
+                                          "GZ_SIM_RESOURCE_PATH", "SDF_PATH",          "INSONIFY_MODEL_PATH"};
   EXPECT_EQ(find("model://ship", "world.sdf"), "nothing");
   for (const char* list : lists) {  // each is tried before those set so far
     write(fmt::format("{}/ship/model.sdf", list), "");
@@ -60,14 +60,14 @@ TEST_F(SdfUriTest, SearchesThePathListsInOrder) {
 }
 
 TEST_F(SdfUriTest, SaysWhyNothingWasFound) {
-  EXPECT_EQ(find("https://fuel.gazebosim.org/1.0/ship", "world.sdf"), "nothing");
-  EXPECT_EQ(sdf_uri_not_found("https://fuel.gazebosim.org/1.0/ship"),
+  EXPECT_EQ(find("https://fuel.gazebosim.org/ship", "world.sdf"), "nothing");
+  EXPECT_EQ(sdf_uri_not_found("https://fuel.gazebosim.org/ship"),
             "is not on this machine: fetch it and name its folder");
   EXPECT_EQ(sdf_uri_not_found("model://"), "names nothing");
   EXPECT_EQ(sdf_uri_not_found("/no/such/file"), "does not exist");
   EXPECT_EQ(sdf_uri_not_found("model://ship"),
             "not found beside this file, in the folders above it or in those of INSONIFY_MODEL_PATH, SDF_PATH, "
-            "GZ_SIM_RESOURCE_PATH, IGN_GAZEBO_RESOURCE_PATH, GAZEBO_MODEL_PATH");
+            "GZ_SIM_RESOURCE_PATH, IGN_GAZEBO_RESOURCE_PATH, GAZEBO_MODEL_PATH, GAZEBO_RESOURCE_PATH");
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <limits>
 #include <new>
+#include <set>
 
 #include "base/log_line.h"
 #include "insonify/error.h"
@@ -97,7 +98,7 @@ Mesh load_and_clean(const std::filesystem::path& path, const Submesh& submesh, c
     move_to_origin(mesh);
   }
 
-  const std::string name = path.filename().string();
+  const std::string name = path.string();
   log_report(report, lines_and_points, name, log);
   warn_of_rounding(mesh, name, log);
   for (const std::string& note : notes) {
@@ -119,6 +120,12 @@ std::string mesh_file_endings() {
 Mesh load_mesh_file(const std::filesystem::path& path, const Submesh& submesh, const Log& log) {
   check_input_file(path);
   if (!is_mesh_file(path)) {
+    static const std::set<std::string> kOpenSceneGraph = {".osgb", ".osg", ".osgt", ".ive"};
+    if (kOpenSceneGraph.contains(ending_of(path))) {
+      const std::string stem = path.stem().string();
+      throw Error(fmt::format("{0}: OpenSceneGraph's files are not read; convert it: osgconv {1} {2}.obj",
+                              path.string(), path.filename().string(), stem));
+    }
     throw Error(fmt::format("{}: \"{}\" is no known ending of a mesh file; known: {}", path.string(),
                             path.extension().string(), mesh_file_endings()));
   }

@@ -41,6 +41,10 @@ void put_member(const H5Writer& writer, const std::string& name, const Field& fi
     if (member.size() > 0) {
       writer.put(name, std::span<const double>(member.data(), static_cast<std::size_t>(member.size())), note_of(field));
     }
+  } else if constexpr (std::is_same_v<Member, std::vector<std::string>>) {
+    if (!member.empty()) {
+      writer.put(name, member, {"", field.help});
+    }
   } else {
     const auto value = stored(member);
     const bool words = std::is_same_v<decltype(value), const std::string> || std::is_same_v<Member, bool>;

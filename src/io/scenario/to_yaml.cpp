@@ -83,6 +83,14 @@ requires std::is_same_v<List, Vec3> || std::is_same_v<List, std::vector<double>>
   }
   return list;
 }
+YamlValue written(const Field& field, const std::vector<std::string>& member) {
+  YamlValue list;
+  list.kind = Kind::kList;
+  for (const std::string& value : member) {
+    list.items.push_back(written(field, value));
+  }
+  return list;
+}
 YamlValue written(const Field& field, const std::optional<double>& member) {
   return member ? written(field, *member) : YamlValue();
 }

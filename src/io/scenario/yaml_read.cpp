@@ -191,6 +191,18 @@ void read_member(const YamlValue& value, std::string_view object, const Field& f
   }
 }
 
+void read_member(const YamlValue& value, std::string_view object, const Field& field,
+                 std::vector<std::string>& member) {
+  require_list(value, name_of(object, field), "a list of texts");
+  member.clear();
+  for (const YamlValue& item : value.items) {
+    if (item.kind != Kind::kScalar || item.scalar.empty()) {
+      refuse(item, fmt::format("{}[{}]", name_of(object, field), member.size()), "a text");
+    }
+    member.push_back(item.scalar);
+  }
+}
+
 void read_quaternion(const YamlValue& value, std::string_view object, const Field& field, bool twice, Vec3& rpy) {
   const std::string key = quaternion_name_of(field);
   if (twice) {

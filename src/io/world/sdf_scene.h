@@ -4,6 +4,7 @@
 
 #include <filesystem>
 
+#include "insonify/files.h"
 #include "insonify/log.h"
 #include "insonify/scene.h"
 
@@ -11,7 +12,7 @@ namespace insonify {
 
 /// Reads all worlds and models of a file: every visual, or every collision, becomes an instance named
 /// "model::link::visual". docs/reference/sdf.md lists what is read and what is not.
-/// @throws Error "path:line:column: ..." for any fault, and if there is nothing to insonify.
-[[nodiscard]] Scene load_sdf_scene(const std::filesystem::path& path, bool collisions, const Log& log);
+/// @throws Error "path:line:column: ..." for faults, and if there is nothing to insonify.
+[[nodiscard]] Scene load_sdf_scene(const std::filesystem::path& path, const WorldOptions& options, const Log& log);
 
 }  // namespace insonify

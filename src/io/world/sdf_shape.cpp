@@ -21,6 +21,7 @@
 #include "io/file/input_file.h"
 #include "io/file/xml_file.h"
 #include "io/mesh/mesh_file.h"
+#include "io/world/sdf_fuel.h"
 #include "io/world/sdf_heightmap.h"
 #include "io/world/sdf_uri.h"
 
@@ -87,7 +88,7 @@ auto read_for(const std::string& what, Read&& read) {
   try {
     return read();
   } catch (const Error& error) {
-    throw Error(what + ": " + error.what());
+    throw SdfUnreadable(what, fmt::format(": {}", error.what()));
   }
 }
 
@@ -102,9 +103,11 @@ std::shared_ptr<const Mesh> SdfShapes::shared(const std::string& key, const std:
 }
 
 std::string SdfShapes::file(const std::string& uri, const std::string& base, const std::string& what) const {
-  const std::optional<fs::path> found = find_sdf_uri(uri, source_.original(base));
+  const std::optional<fs::path> found =
+      find_sdf_uri(uri, source_.original(base), [](const fs::path& path) { return !fs::is_directory(path); });
   if (!found) {
-    throw Error(fmt::format("{}: '{}' {}", what, printable(uri), sdf_uri_not_found(uri)));
+    throw SdfUnreadable(fmt::format("{}: '{}'", what, printable(uri, is_fuel_uri(uri) ? kLongestName : kLongestQuote)),
+                        " " + sdf_uri_not_found(uri), is_fuel_uri(uri) ? fuel_model_uri(uri) : "");
   }
   return found->string();
 }

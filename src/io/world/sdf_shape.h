@@ -9,6 +9,7 @@
 #include <sdf/Geometry.hh>
 #include <string>
 
+#include "insonify/error.h"
 #include "insonify/geometry.h"
 #include "insonify/log.h"
 #include "insonify/mesh.h"
@@ -25,6 +26,17 @@ struct SdfShape {
   Vec3 offset = Vec3::Zero();  ///< [m]
 };
 
+/// A file of a shape that is missing or cannot be read.
+class SdfUnreadable : public Error {
+ public:
+  /// @param the_part    "path:line:column: visual 'a::b': 'x.dae'"
+  /// @param the_reason  What follows in the message.
+  /// @param model_uri   Of the Fuel model to fetch; "" for a file that is none of Fuel's.
+  SdfUnreadable(const std::string& the_part, const std::string& the_reason, const std::string& model_uri = "")
+      : Error(the_part + the_reason), part(the_part), reason(the_reason), fuel_uri(model_uri) {}
+  std::string part, reason, fuel_uri;
+};
+
 /// Makes each shape once: equal geometries share a mesh.
 class SdfShapes {
  public:
@@ -34,7 +46,7 @@ class SdfShapes {
   /// @param what       "path:line:column: visual 'a::b::c'", for messages.
   /// @param collision  Planes are infinite whatever their size, as in physics engines.
   /// @return           Nothing for an unknown shape, which is reported to `log`.
-  /// @throws Error for sizes out of limits and for files that are missing or wrong.
+  /// @throws SdfUnreadable for files that are missing or wrong, Error for sizes out of limits.
   [[nodiscard]] std::optional<SdfShape> shape(const sdf::Geometry& geometry, const std::string& what, bool collision);
 
  private:

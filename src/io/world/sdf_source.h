@@ -6,11 +6,13 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
 #include "insonify/error.h"
 #include "insonify/log.h"
+#include "io/file/missing_parts.h"
 #include "io/file/xml_file.h"
 
 namespace insonify {
@@ -19,15 +21,20 @@ namespace insonify {
 ///
 /// libsdformat looks for included files in the current folder first and supports no paths relative to the including
 /// file, so every <include> is resolved here (sdf_uri.h). Elements without a shape (looks, lights, sensors, physics)
-/// are removed, so that their faults do not matter. Several models at the root, of which libsdformat reads only one,
-/// are put into a world. A file that was changed is read from a copy in a scratch folder, which is removed with this
-/// object. place() maps the lines of a copy to those of the file.
+/// are removed, so that their faults do not matter; so are includes of files with nothing but lights or actors. Several
+/// models at the root, of which libsdformat reads only one, are put into a world. A file that was changed is read from
+/// a copy in a scratch folder, which is removed with this object. place() maps the lines of a copy to those of the
+/// file.
 class SdfSource {
  public:
-  /// @param log  Receives warnings about versions other than 1.5 to 1.9 and about actors, which are left out.
-  /// @throws Error for files that are missing, not XML, not SDF or include themselves, and for faults that
-  /// check_sdf_element() finds.
-  SdfSource(const std::filesystem::path& file, const Log& log);
+  /// @param joints   Whether joints are kept. They have no shape and can be removed, except those that are the frame of
+  ///                 something else.
+  /// @param missing  Receives included models that are not found or cannot be read, which are removed.
+  /// @param log      Receives warnings about versions other than 1.4 to 1.9 and about actors, which are left out.
+  /// The last two must outlive this object.
+  /// @throws Error for a file that is missing, not XML or not SDF, for files that include themselves, and for faults
+  /// that check_sdf_element() finds.
+  SdfSource(const std::filesystem::path& file, bool joints, MissingParts& missing, const Log& log);
   ~SdfSource();
   SdfSource(const SdfSource&) = delete;
   SdfSource& operator=(const SdfSource&) = delete;
@@ -50,7 +57,15 @@ class SdfSource {
   /// "" if there is none.
   [[nodiscard]] std::string place_of_name(const std::string& name) const;
 
+  /// Whether the visual at a place, "path:line:column: ", has a look (a script in its <material>) that is named water.
+  [[nodiscard]] bool is_water(const std::string& place) const { return water_.contains(place); }
+
  private:
+  // How far the preparation of a file is, and the file to read instead: none where it holds no models.
+  struct Ready {
+    enum State { kBegun, kDone } state = kBegun;
+    std::optional<std::string> file = {};
+  };
   // The tree of a user's file without the removed elements, and its elements by the line where libsdformat sees them.
   struct Source {
     explicit Source(XmlFile file) : xml(std::move(file)) {}
@@ -58,18 +73,24 @@ class SdfSource {
     std::multimap<int, pugi::xml_node> lines;
   };
 
-  std::string prepare(const std::filesystem::path& file, const Log& log);
-  bool prepare_inside(pugi::xml_node parent, const XmlFile& xml, const std::filesystem::path& file, const Log& log);
-  std::string resolve_include(const std::string& uri, const std::filesystem::path& file, const std::string& place,
-                              const Log& log);
+  void open(const std::string& name);
+  std::optional<std::string> prepare(const std::string& name);
+  bool prepare_inside(pugi::xml_node parent, const XmlFile& xml, const std::filesystem::path& file);
+  bool prepare_include(pugi::xml_node include, const XmlFile& xml, const std::filesystem::path& file);
+  std::optional<std::string> resolve_include(const std::string& uri, const std::filesystem::path& file,
+                                             const std::string& place);
   std::string write_copy(const std::string& text, const std::string& original);
 
   std::filesystem::path file_;
   std::filesystem::path scratch_;
   std::vector<std::string> files_;
-  std::map<std::string, std::string> originals_;             // copy -> original
-  std::map<std::string, std::unique_ptr<Source>> sources_;   // by original
-  std::map<std::string, std::optional<std::string>> ready_;  // original -> file to read; empty during preparation
+  std::map<std::string, std::string> originals_;            // copy -> original
+  std::map<std::string, std::unique_ptr<Source>> sources_;  // by original
+  std::map<std::string, Ready> ready_;                      // by original
+  std::set<std::string> water_;                             // Places of visuals.
+  bool joints_;
+  MissingParts& missing_;
+  const Log& log_;
 };
 
 }  // namespace insonify

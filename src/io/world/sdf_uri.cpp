@@ -7,13 +7,15 @@
 #include <sstream>
 #include <vector>
 
+#include "io/world/sdf_fuel.h"
+
 namespace insonify {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array kPathLists = {"INSONIFY_MODEL_PATH", "SDF_PATH", "GZ_SIM_RESOURCE_PATH",
-                                   "IGN_GAZEBO_RESOURCE_PATH", "GAZEBO_MODEL_PATH"};
+constexpr std::array kPathLists = {"INSONIFY_MODEL_PATH",      "SDF_PATH",          "GZ_SIM_RESOURCE_PATH",
+                                   "IGN_GAZEBO_RESOURCE_PATH", "GAZEBO_MODEL_PATH", "GAZEBO_RESOURCE_PATH"};
 
 struct Uri {
   std::string scheme;  // "" for a plain path
@@ -61,24 +63,36 @@ std::vector<fs::path> search_folders(const Uri& uri, const fs::path& base) {
 
 }  // namespace
 
-std::optional<fs::path> find_sdf_uri(const std::string& text, const fs::path& base) {
+std::optional<fs::path> find_sdf_uri(const std::string& text, const fs::path& base,
+                                     const std::function<bool(const fs::path&)>& accepts) {
+  if (is_fuel_uri(text)) {
+    return find_fuel_uri(text);
+  }
   const Uri uri = split_uri(text);
   if (!is_local(uri) || uri.path.empty()) {
     return std::nullopt;
   }
   // An absolute path replaces whatever folder it is appended to. After model:// nothing is absolute.
   const fs::path path = names_model(uri) ? fs::path(uri.path).relative_path() : fs::path(uri.path);
+  std::optional<fs::path> first;
   for (const fs::path& folder : search_folders(uri, base)) {
     std::error_code ignored;
     const fs::path candidate = (folder / path).lexically_normal();
-    if (fs::exists(candidate, ignored)) {
+    if (!fs::exists(candidate, ignored)) {
+      continue;
+    }
+    if (!accepts || accepts(candidate)) {
       return candidate;
     }
+    first = first.value_or(candidate);
   }
-  return std::nullopt;
+  return first;
 }
 
 std::string sdf_uri_not_found(const std::string& text) {
+  if (is_fuel_uri(text)) {
+    return fuel_uri_not_found();
+  }
   const Uri uri = split_uri(text);
   if (!is_local(uri)) {
     return "is not on this machine: fetch it and name its folder";

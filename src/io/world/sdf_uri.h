@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -12,12 +13,15 @@ namespace insonify {
 ///
 /// "model://ship/x", "package://ship/x" and plain relative paths are looked for beside the file, then in each folder
 /// above it (and in its `models`, for the two schemes), then in each folder of the path lists INSONIFY_MODEL_PATH,
-/// SDF_PATH, GZ_SIM_RESOURCE_PATH, IGN_GAZEBO_RESOURCE_PATH and GAZEBO_MODEL_PATH. "file://" takes a path, absolute or
-/// not.
-/// @param base  The SDF file that holds the URI.
-/// @return      Absolute path, or nothing.
-[[nodiscard]] std::optional<std::filesystem::path> find_sdf_uri(const std::string& uri,
-                                                                const std::filesystem::path& base);
+/// SDF_PATH, GZ_SIM_RESOURCE_PATH, IGN_GAZEBO_RESOURCE_PATH, GAZEBO_MODEL_PATH and GAZEBO_RESOURCE_PATH. "file://"
+/// takes a path, absolute or not. A URI of the Fuel server is looked for in its caches (sdf_fuel.h).
+/// @param base     The SDF file that holds the URI.
+/// @param accepts  Whether an existing path is what is looked for; the search goes on past those that are not. Empty:
+///                 any is.
+/// @return         Absolute path; where none is accepted the first that exists, or nothing.
+[[nodiscard]] std::optional<std::filesystem::path> find_sdf_uri(
+    const std::string& uri, const std::filesystem::path& base,
+    const std::function<bool(const std::filesystem::path&)>& accepts = {});
 
 /// The reason why find_sdf_uri found nothing, as the end of a message: "not found beside this file, ...".
 [[nodiscard]] std::string sdf_uri_not_found(const std::string& uri);

@@ -27,17 +27,22 @@ Scene scene_of(const std::filesystem::path& path, Mesh mesh) {
 
 }  // namespace
 
-Scene load_scene(const std::filesystem::path& path, bool collisions, const Log& log) {
+WorldOptions world_options(const Scenario& scenario) {
+  return {scenario.collisions, scenario.strict, scenario.ignore};
+}
+
+Scene load_scene(const std::filesystem::path& path, const WorldOptions& options, const Log& log) {
   static const std::set<std::string> kSdf = {".sdf", ".world", ".xml"};
-  static const std::set<std::string> kHeights = {".asc", ".bag", ".png"};
+  static const std::set<std::string> kHeights = {".asc", ".bag", ".png", ".tif", ".tiff"};
+  static const std::set<std::string> kMeshesToConvert = {".osgb", ".osg", ".osgt", ".ive"};
   const std::string ending = ending_of(path);
   if (kSdf.contains(ending)) {
-    return load_sdf_scene(path, collisions, log);
+    return load_sdf_scene(path, options, log);
   }
   if (kHeights.contains(ending)) {
     return scene_of(path, make_height_field(load_height_grid(path, log)));
   }
-  if (is_mesh_file(path)) {
+  if (is_mesh_file(path) || kMeshesToConvert.contains(ending)) {
     return scene_of(path, load_mesh(path, log));
   }
   throw Error(
@@ -67,7 +72,7 @@ void assign_scenario_materials(Scene& world, const Scenario& scenario, const Log
 Scene load_scene(const Scenario& scenario, const Log& log) {
   Scene scene;
   if (!scenario.world.empty()) {
-    scene = load_scene(scenario.world, scenario.collisions, log);
+    scene = load_scene(scenario.world, world_options(scenario), log);
   }
   assign_scenario_materials(scene, scenario, log);
   return scene;

@@ -1,0 +1,98 @@
+// sdf_elements.cpp -- tells which elements of SDF matter to a scene, and changes those that libsdformat would refuse.
+
+#include "io/world/sdf_elements.h"
+
+#include <algorithm>
+#include <cctype>
+#include <iterator>
+#include <set>
+#include <string>
+#include <string_view>
+#include <utility>
+
+namespace insonify {
+
+bool is_irrelevant_sdf(pugi::xml_node element) {
+  static const std::set<std::pair<std::string, std::string>> kLeftOut = {
+      {"visual", "material"}, {"collision", "surface"}, {"link", "inertial"},
+      {"link", "sensor"},     {"link", "light"},        {"link", "particle_emitter"},
+      {"joint", "sensor"},    {"world", "light"},       {"world", "physics"},
+      {"world", "gui"},       {"world", "scene"},       {"world", "actor"},
+      {"state", "light"},     {"state", "insertions"},  {"state", "deletions"},
+      {"sdf", "light"},       {"sdf", "actor"}};
+  return kLeftOut.contains({element.parent().name(), element.name()});
+}
+
+bool is_sdf_include(pugi::xml_node element) {
+  static const std::set<std::string_view> kParents = {"sdf", "world", "model"};
+  return element.name() == std::string_view("include") && kParents.contains(element.parent().name());
+}
+
+bool holds_only_sdf_lights(pugi::xml_node root) {
+  const auto elements = root.children();
+  const auto is_one = [](pugi::xml_node node) {
+    return node.type() != pugi::node_element || node.name() == std::string_view("light") ||
+           node.name() == std::string_view("actor");
+  };
+  return (root.child("light") || root.child("actor")) && std::all_of(elements.begin(), elements.end(), is_one);
+}
+
+bool is_sdf_frame_of_another(pugi::xml_node root, std::string_view name) {
+  const auto names_it = [&](std::string_view text) {
+    const std::size_t colons = text.rfind("::");
+    return (colons == std::string_view::npos ? text : text.substr(colons + 2)) == name;
+  };
+  const pugi::xml_node found = root.find_node([&](pugi::xml_node node) {
+    for (const char* attribute : {"relative_to", "attached_to", "placement_frame", "frame"}) {
+      if (names_it(node.attribute(attribute).value())) {
+        return true;
+      }
+    }
+    return node.name() == std::string_view("placement_frame") && names_it(xml_text(node));
+  });
+  return found;
+}
+
+bool paints_sdf_water(pugi::xml_node element) {
+  std::string name = xml_text(element.child("script").child("name"));
+  std::ranges::transform(name, name.begin(), [](unsigned char c) { return std::tolower(c); });
+  return element.name() == std::string_view("material") && element.parent().name() == std::string_view("visual") &&
+         name.find("water") != std::string::npos;
+}
+
+void keep_empty_sdf_model_readable(pugi::xml_node parent) {
+  if (parent.name() == std::string_view("model") && !parent.child("link") && !parent.child("model") &&
+      !parent.child("include")) {
+    parent.remove_child("static");
+    parent.append_child("static").text() = "true";
+  }
+}
+
+bool put_world_around_sdf_models(pugi::xml_node root) {
+  const auto count = [&](const char* name) {
+    const auto children = root.children(name);
+    return std::distance(children.begin(), children.end());
+  };
+  if (count("model") + count("include") < 2 || count("world") > 0) {
+    return false;
+  }
+  pugi::xml_node world = root.append_child("world");
+  world.append_attribute("name") = "world_of_models";
+  while (root.first_child() != world) {
+    world.append_move(root.first_child());
+  }
+  return true;
+}
+
+std::vector<pugi::xml_node> sdf_elements_of(const XmlFile& file) {
+  std::vector<pugi::xml_node> elements{file.root()};
+  file.root().find_node([&](pugi::xml_node node) {
+    if (node.type() == pugi::node_element) {
+      elements.push_back(node);
+    }
+    return false;
+  });
+  return elements;
+}
+
+}  // namespace insonify

@@ -1,0 +1,87 @@
+// sdf_scene_builder.h -- walks through worlds, models and links and adds their visuals or collisions to a scene.
+
+#pragma once
+
+#include <sdf/Collision.hh>
+#include <sdf/Link.hh>
+#include <sdf/Model.hh>
+#include <sdf/Visual.hh>
+#include <sdf/World.hh>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "insonify/files.h"
+#include "insonify/log.h"
+#include "insonify/scene.h"
+#include "io/file/missing_parts.h"
+#include "io/file/name_patterns.h"
+#include "io/world/sdf_shape.h"
+#include "io/world/sdf_source.h"
+
+namespace insonify {
+
+/// Makes one scene of all that is added.
+class SdfSceneBuilder {
+ public:
+  /// @param missing  Receives files of meshes and heightmaps that are not found or cannot be read.
+  /// All arguments must outlive this object.
+  SdfSceneBuilder(const SdfSource& source, const WorldOptions& options, MissingParts& missing, const Log& log)
+      : source_(source),
+        options_(options),
+        missing_(missing),
+        log_(log),
+        ignored_(options.ignore),
+        shapes_(source, log) {}
+
+  /// Adds all models of a world, where its <state> has them if there is one.
+  /// @throws Error "path:line:column: ..." for faults.
+  void add_world(const sdf::World& world);
+
+  /// Adds a model outside of worlds.
+  void add_model(const sdf::Model& model);
+
+  /// Returns the scene, and tells the log what is not in it, or not as it seems.
+  /// @param file  As messages name it.
+  /// @throws Error if the scene is empty, or, with WorldOptions::strict, parts of it are missing.
+  Scene finish(const std::string& file);
+
+ private:
+  // A material and the place of the element that names it.
+  struct MaterialName {
+    std::string name = {};
+    Place place = {};
+  };
+
+  void add_top_model(const sdf::Model& model, const Pose& world_from_model);
+  void add_model(const sdf::Model& model, const std::string& scope, const Pose& world_from_model,
+                 MaterialName material);
+  void add_link(const sdf::Link& link, const std::string& scope, const Pose& world_from_model, MaterialName material);
+  template <typename Part>
+  void add_part(const Part& part, const char* kind, const std::string& scope, const Pose& world_from_link,
+                const MaterialName& material);
+
+  [[nodiscard]] Place place(sdf::Element& element) const;
+  [[nodiscard]] std::string what(const char* kind, const std::string& name, sdf::Element& element) const;
+  [[nodiscard]] MaterialName own_or(const MaterialName& inherited, const sdf::ElementPtr& element,
+                                    const std::string& where) const;
+  [[nodiscard]] std::optional<SdfShape> shape_or_none(const sdf::Geometry& geometry, const std::string& where);
+  [[nodiscard]] bool is_for_eyes_only(const sdf::Visual& visual) const;
+  [[nodiscard]] static bool is_for_eyes_only(const sdf::Collision& /*collision*/) { return false; }
+  void tell(const std::string& file, const std::string& text, const std::vector<std::string>& names) const;
+  [[nodiscard]] std::string nothing_in(const std::string& file) const;
+
+  const SdfSource& source_;
+  const WorldOptions& options_;
+  MissingParts& missing_;
+  const Log& log_;
+  NamePatterns ignored_;
+  SdfShapes shapes_;
+  bool collisions_ = false;  // Whether the model at hand is made of its collision shapes.
+  std::vector<std::string> without_visuals_, for_eyes_;
+  std::set<std::string> names_;
+  std::size_t visual_count_ = 0, collision_count_ = 0;
+  Scene scene_;
+};
+
+}  // namespace insonify

@@ -1,0 +1,231 @@
+// sdf_worlds_test.cpp -- worlds as Gazebo's users have them: with missing files, lights, water planes, Fuel models.
+
+#include "io/sdf_files.h"
+
+namespace insonify {
+namespace {
+
+class SdfWorldsTest : public SdfTest {
+ protected:
+  static std::vector<std::string> names(const Scene& scene) {
+    std::vector<std::string> found;
+    for (const Instance& instance : scene.instances) {
+      found.push_back(instance.name);
+    }
+    return found;
+  }
+};
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+constexpr const char* kPlace =
+    " not found beside this file, in the folders above it or in those of INSONIFY_MODEL_PATH, SDF_PATH, "
+    "GZ_SIM_RESOURCE_PATH, IGN_GAZEBO_RESOURCE_PATH, GAZEBO_MODEL_PATH, GAZEBO_RESOURCE_PATH";
+
+std::string part(const std::string& kind, const std::string& name, const std::string& geometry) {
+  return fmt::format("<{0} name='{1}'><geometry>{2}</geometry></{0}>", kind, name, geometry);
+}
+std::string box(const std::string& kind, const std::string& name) {
+  return part(kind, name, "<box><size>1 2 3</size></box>");
+}
+std::string model(const std::string& name, const std::string& parts, const std::string& more = "") {
+  return fmt::format("<model name='{}'><static>true</static><link name='l'>{}</link>{}</model>", name, parts, more);
+}
+std::string world(const std::string& inside) {
+  return "<sdf version='1.6'><world name='w'>\n" + inside + "\n</world></sdf>";
+}
+std::string include(const std::string& uri) {
+  return "<include><uri>" + uri + "</uri></include>\n";
+}
+std::string model_file(const std::string& name) {
+  return "<sdf version='1.6'>" + model(name, box("visual", "v")) + "</sdf>";
+}
+
+TEST_F(SdfWorldsTest, IncludesOfLightsAndActorsLeaveTheRest) {
+  write("models/sun/model.config", "<model><name>Sun</name><sdf version='1.5'>model.sdf</sdf></model>");
+  write("models/sun/model.sdf",
+        "<?xml version='1.0'?>\n<sdf version='1.5'><!-- noon --><light type='directional' name='sun'/></sdf>");
+  write("models/diver/model.sdf", "<sdf version='1.6'>\n<actor name='diver'/></sdf>");
+  const Scene scene = load(world(include("model://sun") + include("model://sun") + include("model://diver") +
+                                 model("m", box("visual", "v"))));
+  EXPECT_THAT(names(scene), ElementsAre("m::l::v"));
+  EXPECT_THAT(said, ElementsAre("models/diver/model.sdf:2:1: an actor is left out"));
+  EXPECT_EQ(error_of(world(include("model://sun") + model("m", box("visual", "v")))), "no error");
+}
+
+// A model with nothing but an include of a light stays readable though no link is left in it.
+TEST_F(SdfWorldsTest, IncludesOfLightsInModelsToo) {
+  write("sun.sdf", "<sdf version='1.5'><light type='directional' name='sun'/></sdf>");
+  const Scene scene =
+      load(world("<model name='lamp'>" + include("sun.sdf") + "</model>" + model("m", box("visual", "v"))));
+  EXPECT_THAT(names(scene), ElementsAre("m::l::v"));
+  EXPECT_THAT(said, IsEmpty());
+}
+
+TEST_F(SdfWorldsTest, AFolderOfTheModelsNameDoesNotHideTheModelPath) {
+  write("elsewhere/tank/model.sdf", model_file("tank"));
+  write("elsewhere/tank/hull.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  std::filesystem::create_directories(folder / "tank/hull.obj");
+  setenv("GAZEBO_RESOURCE_PATH", (folder / "elsewhere").c_str(), 1);
+  const std::string mesh = part("visual", "v", "<mesh><uri>model://tank/hull.obj</uri></mesh>");
+  const Scene scene = load_file(write("tank/tank.world", world(include("model://tank") + model("m", mesh))));
+  EXPECT_THAT(names(scene), testing::UnorderedElementsAre("tank::l::v", "m::l::v"));
+  EXPECT_THAT(said, IsEmpty());
+}
+
+TEST_F(SdfWorldsTest, OneWarningListsWhatIsMissingAndTheRestIsInsonified) {
+  write("bad.stl", "no mesh");
+  write("broken/model.sdf", "<sdf version='1.6'>\n<model>");
+  const std::string text = world(
+      include("model://rock") + include("model://broken") +
+      model("m", box("visual", "v") + "\n" + part("visual", "w", "<mesh><uri>model://rock/rock.dae</uri></mesh>") +
+                     "\n" + part("visual", "x", "<heightmap><uri>sea.tif</uri></heightmap>")));
+  write("sea.tif", "II*");
+  EXPECT_THAT(names(load(text)), ElementsAre("m::l::v"));
+  ASSERT_EQ(said.size(), 1);
+  EXPECT_THAT(said[0], testing::StartsWith("scene.sdf: 4 parts of the world are left out (an error with strict: true): "
+                                           "scene.sdf:2:10: include 'model://rock', scene.sdf:5:1: visual 'm::l::w': "
+                                           "'model://rock/rock.dae'" +
+                                           std::string(kPlace) + "; scene.sdf:3:10: include 'model://broken': "));
+  EXPECT_THAT(said[0], HasSubstr("broken/model.sdf:2:"));
+  EXPECT_THAT(said[0], HasSubstr("visual 'm::l::x': sea.tif: TIFF is not read; convert it: gdal_translate -of AAIGrid "
+                                 "sea.tif sea.asc"));
+  EXPECT_THAT(error_of(text), testing::StartsWith("scene.sdf:2:10: include 'model://rock'" + std::string(kPlace)));
+}
+
+TEST_F(SdfWorldsTest, NothingLeftIsAnError) {
+  EXPECT_EQ(error_of_file(write("scene.sdf", world(include("model://rock"))), {}),
+            "scene.sdf: nothing is left to insonify: scene.sdf:2:10: include 'model://rock'" + std::string(kPlace));
+  EXPECT_EQ(error_of_file(write("scene.sdf", world(model("m", box("visual", "v")))), {.ignore = {"v"}}),
+            "scene.sdf: there is no visual to insonify but what `ignore` leaves out");
+}
+
+TEST_F(SdfWorldsTest, AFaultyJointCostsNoShapes) {
+  const std::string joint = "\n<joint name='j' type='fixed'><parent>mast</parent><child>l</child></joint>";
+  const std::string text = world(model("m", box("visual", "v"), joint));
+  EXPECT_THAT(names(load(text)), ElementsAre("m::l::v"));
+  ASSERT_EQ(said.size(), 1);
+  EXPECT_THAT(said[0], testing::StartsWith("scene.sdf: 1 part of the world is left out (an error with strict: true): "
+                                           "the joints, which have no shapes, for a fault: scene.sdf:"));
+  EXPECT_THAT(said[0], HasSubstr("mast"));
+  EXPECT_THAT(error_of(text), HasSubstr("mast"));
+}
+
+TEST_F(SdfWorldsTest, FaultsThatAreNotOfJointsStayErrors) {
+  const std::string text = world("<model name='m'><link name='l'><pose>1 2 x 0 0 0</pose></link></model>");
+  EXPECT_EQ(error_of_file(write("scene.sdf", text), {}),
+            "scene.sdf:2:32: <pose> = '1 2 x 0 0 0' must be 6 finite numbers");
+}
+
+TEST_F(SdfWorldsTest, PatternsLeaveOutModelsLinksAndVisuals) {
+  const std::string text = world(model("water_surface_2", box("visual", "v")) + model("box_walls", box("visual", "v")) +
+                                 model("m", box("visual", "keel") + box("visual", "deck")));
+  const Scene scene = load(text, {.ignore = {"water_surface*", "box_walls", "m::l::d?ck", "mast"}});
+  EXPECT_THAT(names(scene), ElementsAre("m::l::keel"));
+  EXPECT_THAT(said, ElementsAre("scene.sdf: ignore: 'mast' is the name of nothing in the world"));
+}
+
+TEST_F(SdfWorldsTest, AScenarioHasTheSameOptions) {
+  write("scene.sdf", world(model("m", box("visual", "v")) + model("wall", box("visual", "v"))));
+  const Scenario scenario =
+      load_scenario(write("s.yaml", "world: scene.sdf\nstrict: true\nignore: [wa*, other]\nsonars: [{name: fls}]\n"));
+  EXPECT_EQ(world_options(scenario), (WorldOptions{.strict = true, .ignore = {"wa*", "other"}}));
+  EXPECT_THAT(names(load_scene(scenario)), ElementsAre("m::l::v"));
+  EXPECT_THAT(to_yaml(scenario), HasSubstr("wa*"));
+  EXPECT_EQ(
+      without_folder(message_of([&] {
+        static_cast<void>(load_scenario(write("s.yaml", "world: scene.sdf\nignore: wall\nsonars: [{name: fls}]\n")));
+      })),
+      "s.yaml:2:1: ignore = \"wall\" must be a list of texts");
+}
+
+TEST_F(SdfWorldsTest, ModelsWithoutVisualsAreTheirCollisionShapes) {
+  const Scene scene =
+      load(world(model("post", box("collision", "c")) + model("m", box("visual", "v") + box("collision", "c"))));
+  EXPECT_THAT(names(scene), ElementsAre("post::l::c", "m::l::v"));
+  EXPECT_THAT(said, ElementsAre("scene.sdf: of models without visuals the collision shapes are insonified (ignore "
+                                "leaves them out): post"));
+}
+
+TEST_F(SdfWorldsTest, WaterAndInvisibleWallsAreTold) {
+  const std::string size = "<geometry><box><size>60 60 0.1</size></box></geometry>";
+  const std::string text = world(
+      model("sea", "<visual name='surface'>" + size +
+                       "<material><script><name>UUVSimulator/StaticWater</name></script></material></visual>\n<visual "
+                       "name='wall'>" +
+                       size + "<transparency>1</transparency></visual>\n<visual name='bed'>" + size +
+                       "<transparency>0.5</transparency><material><script><name>Sand</name></script></material>"
+                       "</visual>"));
+  EXPECT_EQ(load(text).instances.size(), 3);
+  EXPECT_THAT(said, ElementsAre("scene.sdf: what is water or invisible to cameras echoes as a solid surface (ignore "
+                                "leaves it out): sea::l::surface, sea::l::wall"));
+  EXPECT_THAT(names(load(text, {.ignore = {"surface", "wall"}})), ElementsAre("sea::l::bed"));
+  EXPECT_THAT(said, IsEmpty());
+}
+
+TEST_F(SdfWorldsTest, FilesOfOtherFormatsComeWithTheCommandThatConvertsThem) {
+  write("meshes/hull.osgb", "osg");
+  EXPECT_EQ(error_of(sdf_of("<mesh><uri>meshes/hull.osgb</uri></mesh>")),
+            "scene.sdf:4:1: visual 'ship::hull::plate': meshes/hull.osgb: OpenSceneGraph's files are not read; convert "
+            "it: osgconv hull.osgb hull.obj");
+}
+
+TEST_F(SdfWorldsTest, DroppedTrianglesAreToldWithTheWholePath) {
+  write("meshes/hull.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 1 2\n");
+  load(sdf_of("<mesh><uri>meshes/hull.obj</uri></mesh>"));
+  EXPECT_THAT(said, ElementsAre("meshes/hull.obj: 1 of 2 triangles dropped (1 of zero area)"));
+}
+
+TEST_F(SdfWorldsTest, FuelModelsComeFromTheCachesOfGazebo) {
+  write("home/.ignition/fuel/fuel.ignitionrobotics.org/openrobotics/models/big rock/2/model.sdf", model_file("old"));
+  write("home/.ignition/fuel/fuel.ignitionrobotics.org/openrobotics/models/big rock/10/model.sdf", model_file("new"));
+  const std::string uri = "https://fuel.gazebosim.org/1.0/OpenRobotics/models/Big%20Rock";
+  EXPECT_THAT(names(load(world(include(uri)))), ElementsAre("new::l::v"));
+  EXPECT_THAT(names(load(world(include(uri + "/tip")))), ElementsAre("new::l::v"));
+  EXPECT_THAT(names(load(world(include(uri + "/2")))), ElementsAre("old::l::v"));
+  write("cache/fuel.gazebosim.org/openrobotics/models/big rock/1/model.sdf", model_file("mine"));
+  write("cache/fuel.gazebosim.org/openrobotics/models/big rock/1/r.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  setenv("GZ_FUEL_CACHE_PATH", (folder / "cache").c_str(), 1);
+  EXPECT_THAT(names(load(world(include(uri)))), ElementsAre("mine::l::v"));
+  EXPECT_THAT(names(load(sdf_of("<mesh><uri>" + uri + "/1/files/r.obj</uri></mesh>"))),
+              ElementsAre("ship::hull::plate"));
+}
+
+TEST_F(SdfWorldsTest, AbsentFuelModelsAreOneListWithTheCommandThatFetchesThem) {
+  const std::string owner = "https://fuel.gazebosim.org/1.0/OpenRobotics/models/";
+  const std::string mesh = part("visual", "w", "<mesh><uri>" + owner + "Reef/3/files/meshes/reef.dae</uri></mesh>");
+  load(world(include(owner + "Big%20Rock") + include(owner + "Reef/3") + model("m", box("visual", "v") + mesh)));
+  EXPECT_THAT(said, ElementsAre("scene.sdf: 3 parts of the world are left out (an error with strict: true): "
+                                "scene.sdf:2:10: include '" +
+                                    owner + "Big%20Rock', scene.sdf:3:10: include '" + owner +
+                                    "Reef/3', scene.sdf:4:129: visual 'm::l::w': '" + owner +
+                                    "Reef/3/files/meshes/reef.dae' is not in the caches of Fuel (home/.gz/fuel, "
+                                    "home/.ignition/fuel)",
+                                "scene.sdf: to fetch what is missing from Fuel: for u in '" + owner + "Big%20Rock' '" +
+                                    owner + "Reef/3'; do gz fuel download -u \"$u\"; done"));
+}
+
+// A message ends at 2000 bytes: no command may be cut, and no URI may be lost.
+TEST_F(SdfWorldsTest, ManyAbsentFuelModelsAreAllInTheCommands) {
+  std::string includes;
+  for (int i = 100; i < 160; ++i) {
+    includes += include(fmt::format("https://fuel.gazebosim.org/1.0/owner/models/Model{}", i));
+  }
+  load(world(includes + model("m", box("visual", "v"))));
+  ASSERT_GT(said.size(), 2);
+  EXPECT_THAT(said[0], HasSubstr("60 parts of the world"));
+  EXPECT_THAT(said[0], HasSubstr(" more is not in the caches of Fuel"));
+  std::string commands;
+  for (std::size_t i = 1; i < said.size(); ++i) {
+    EXPECT_THAT(said[i], testing::EndsWith("'; do gz fuel download -u \"$u\"; done"));
+    commands += said[i];
+  }
+  for (int i = 100; i < 160; ++i) {
+    EXPECT_THAT(commands, HasSubstr(fmt::format("/Model{}'", i)));
+  }
+}
+
+}  // namespace
+}  // namespace insonify
