@@ -142,6 +142,10 @@ if(INSONIFY_BUILD_APPS)
       COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/apps/serve_test.py $<TARGET_FILE:insonify_cli>)
     set_tests_properties(serve PROPERTIES TIMEOUT 300 COST 1000)  # It waits most of a minute: others run beside it.
   endif()
+  # Emulated instruments as a driver meets them.
+  add_test(NAME emulate_ping360
+    COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/apps/ping360_test.py $<TARGET_FILE:insonify_cli>)
+  set_tests_properties(emulate_ping360 PROPERTIES TIMEOUT 120)
   # NumPy archives and Zarr groups as NumPy and zarr read them.
   add_test(NAME exported_arrays
     COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/python/export_test.py $<TARGET_FILE:insonify_cli>)

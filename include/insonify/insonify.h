@@ -51,4 +51,7 @@
 #include "insonify/stored_tables.h"
 #include "insonify/version.h"
 #include "insonify/water.h"
+#include "insonify/wire/ping360.h"
+#include "insonify/wire/ping360_sonar.h"
+#include "insonify/wire/ping_protocol.h"
 #include "insonify/words.h"
