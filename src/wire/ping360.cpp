@@ -138,12 +138,13 @@ Ping360Answer Ping360::requested(std::uint16_t id) const {
       return {.frames = {frame(id, {1, 0, 0, 0})}};
     case kDeviceId:
       return {.frames = {frame(id, {device_, 0})}};
-    case kDeviceData:
+    case kDeviceData: {  // Also while another client's scan goes on: drivers ask for it first of all.
+      Ping360 still = *this;
+      still.stop();
+      return {.frames = {still.data({})}};
+    }
     case kAutoDeviceData:
-      if ((id == kAutoDeviceData) != sector_.has_value()) {
-        return refused(id, sector_ ? "the sonar is scanning" : "the sonar is not scanning");
-      }
-      return {.frames = {data({})}};
+      return sector_ ? Ping360Answer{.frames = {data({})}} : refused(id, "the sonar is not scanning");
     default:
       return refused(id, "unknown message");
   }

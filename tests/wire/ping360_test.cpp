@@ -96,6 +96,8 @@ TEST(Ping360Test, AScanTellsItsSectorAndEndsWithTheMotor) {
   Ping360 sonar;
   EXPECT_TRUE(sonar.take(kScan).scan_changed);
   sonar.turn_to(1);
+  EXPECT_EQ(sonar.take(request(2300)).frames.at(0).id, 2300);
+  EXPECT_EQ(sonar.take(request(2301)).frames.at(0).id, 2301);
   const PingFrame data = sonar.data({});
   EXPECT_EQ(data.id, 2301);
   EXPECT_THAT(data.payload, ElementsAre(1, 2, 394 & 255, 1, 45, 0, 91, 0, 0xf3, 2, 0x86, 1, 9, 0, 4, 7, 4, 1, 0, 0));
@@ -104,6 +106,7 @@ TEST(Ping360Test, AScanTellsItsSectorAndEndsWithTheMotor) {
   EXPECT_EQ(answer.frames.at(0).id, 1);
   EXPECT_THAT(answer.frames.at(0).payload, ElementsAre(2903 & 255, 2903 >> 8));
   EXPECT_FALSE(sonar.sector());
+  EXPECT_EQ(nack_of(sonar.take(request(2301))), "the sonar is not scanning");
   EXPECT_FALSE(sonar.take(PingFrame{.id = 2903}).scan_changed);
 }
 

@@ -163,6 +163,8 @@ void Ping360Server::transmit_once(const Command& command, const Ping360& before)
       pinging_ = false;
       work();
     });
+  } catch (const Interrupted&) {
+    throw;  // The end of the program, not a wrong setting: run() catches it.
   } catch (const Error& error) {
     instrument_ = before;
     refuse(command.event.frame.id, error, command.client);
@@ -187,6 +189,8 @@ void Ping360Server::scan(std::uint64_t ping) {
         }
       });
     });
+  } catch (const Interrupted&) {
+    throw;  // The end of the program, not a wrong setting: run() catches it.
   } catch (const Error& error) {
     instrument_.stop();
     refuse(kAutoTransmit, error, scan_client_);
