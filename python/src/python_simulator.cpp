@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <utility>
 
 #include "convert.h"
 
@@ -103,12 +104,10 @@ namespace {
 // Made and ended with the interpreter's lock held.
 class TakenNumbers {
  public:
-  TakenNumbers(std::uint64_t& next, std::uint64_t first, std::uint64_t end) : next_(next), first_(first), end_(end) {
-    next_ = end;
-  }
+  TakenNumbers(std::uint64_t& next, std::uint64_t end) : next_(next), before_(std::exchange(next, end)), end_(end) {}
   ~TakenNumbers() {
     if (std::uncaught_exceptions() > exceptions_ && next_ == end_) {
-      next_ = first_;
+      next_ = before_;
     }
   }
   TakenNumbers(const TakenNumbers&) = delete;
@@ -116,7 +115,7 @@ class TakenNumbers {
 
  private:
   std::uint64_t& next_;
-  std::uint64_t first_, end_;
+  std::uint64_t before_, end_;
   int exceptions_ = std::uncaught_exceptions();
 };
 
@@ -154,7 +153,7 @@ PingRequest PythonSimulator::request(int sonar, const Asked& asked) {
 
 std::shared_ptr<PythonPing> PythonSimulator::ping(int sonar, const PingRequest& request) {
   std::shared_ptr<PythonPing> ping = pools_[sonar]->take();
-  const TakenNumbers taken(next_[sonar], request.number, request.number + 1);
+  const TakenNumbers taken(next_[sonar], request.number + 1);
   locked([&] {
     simulator_.ping(sonar, request, *ping);
     ping->facts = facts_[sonar];
@@ -168,7 +167,7 @@ void PythonSimulator::ping(int sonar, const std::vector<PingRequest>& requests, 
   if (requests.empty()) {
     return;
   }
-  const TakenNumbers taken(next_[sonar], requests.front().number, requests.back().number + 1);
+  const TakenNumbers taken(next_[sonar], requests.back().number + 1);
   locked([&] {
     std::vector<Ping> pings(std::min(kAtOnce, requests.size()));
     const std::span<const PingRequest> all(requests);

@@ -32,21 +32,6 @@ std::vector<MovedInstance> moved_instances(Simulator& simulator, const PingReque
 
 }  // namespace
 
-std::shared_ptr<LivePing> LiveLoop::State::free_ping() {
-  for (const std::shared_ptr<LivePing>& ping : pool) {
-    if (ping.use_count() == 1) {
-      std::atomic_thread_fence(std::memory_order_acquire);  // Whoever had it has done with it.
-      return ping;
-    }
-  }
-  constexpr std::size_t kMost = 16;
-  auto ping = std::make_shared<LivePing>();
-  if (pool.size() < kMost) {
-    pool.push_back(ping);
-  }
-  return ping;
-}
-
 // When the next pings are to be made.
 Clock::time_point LiveLoop::State::next_due() const {
   Clock::time_point due = anchor + clock_time((run->next_time() - anchor_time) / speed);
@@ -239,7 +224,7 @@ void LiveLoop::State::make_next(Lock& lock) {
     }
     for (std::size_t i = 0; i < sonars.size(); ++i) {
       const Clock::time_point start = Clock::now();
-      const std::shared_ptr<LivePing> ping = free_ping();
+      const std::shared_ptr<LivePing> ping = pool.take();
       simulator->ping(sonars[i], requests[i], ping->ping);
       ping->world = of_world;
       ping->sonar = sonars[i];

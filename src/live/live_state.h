@@ -11,6 +11,7 @@
 #include "insonify/simulator.h"
 #include "live/live_change.h"
 #include "live/live_recorder.h"
+#include "live/ping_pool.h"
 
 namespace insonify {
 
@@ -61,7 +62,7 @@ struct LiveLoop::State {
   std::unique_ptr<LiveRecorder> recorder;
   std::filesystem::path recording_path;
   int recording_part = 0;
-  std::vector<std::shared_ptr<LivePing>> pool;
+  PingPool pool;
   std::string closing_error;
 
   LiveBuilder builder;  // Of the thread that prepares changes alone.
@@ -80,7 +81,6 @@ struct LiveLoop::State {
   [[nodiscard]] Clock::time_point next_due() const;
   void keep_pace(Clock::time_point due, double time, std::span<const int> sonars);
   [[nodiscard]] double time_now() const;
-  [[nodiscard]] std::shared_ptr<LivePing> free_ping();
 
   // live_prepare.cpp: the thread that prepares changes.
   void prepare_changes();

@@ -162,6 +162,20 @@ class ExportTest(unittest.TestCase):
                          "apt-get install ffmpeg)\n")
         self.assertEqual(list(self.folder.glob("x.*")), [])
 
+    @unittest.skipUnless(shutil.which("ffmpeg"), "ffmpeg is not installed")
+    def test_a_full_disk_keeps_the_earlier_video(self):
+        for ending in ("mp4", "gif"):
+            file = self.folder / f"kept.{ending}"
+            self.insonify("export", "out/büg.h5", "-o", file.name)
+            before = file.read_bytes()
+            blocks = len(before) // 2 // 1024  # Of 1024 bytes: bash's unit.
+            done = subprocess.run(["bash", "-c", f'ulimit -f {blocks}; "$0" export out/büg.h5 -o {file.name} -f', INSONIFY],
+                                  cwd=self.folder, capture_output=True, text=True, check=False)
+            self.assertEqual(done.returncode, 1, done.stderr)
+            self.assertTrue(done.stderr.startswith(f"insonify: {file.name}: "), done.stderr)
+            self.assertEqual(file.read_bytes(), before)
+            file.unlink()
+
     def test_a_full_disk_leaves_nothing(self):
         script = 'ulimit -f 8; "$0" export out/büg.h5 -o full.$1'
         for ending in ("npz", "zarr", "mcap"):

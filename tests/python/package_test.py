@@ -213,6 +213,9 @@ class PingTest(unittest.TestCase):
                 with self.assertRaises(insonify.Error):
                     act()
         self.assertEqual(sim.ping(number=np.int64(7)).number, 7)
+        with self.assertRaises(insonify.Error):
+            sim.ping(number=50, head_angle=1)  # Of a sonar without a head.
+        self.assertEqual(sim.ping().number, 8)  # A refused ping counts for nothing.
 
     def test_threads_share_the_numbers_of_pings(self):
         sim, numbers = simulator(), []

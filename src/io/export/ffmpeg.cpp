@@ -15,6 +15,9 @@
 #include <array>
 #include <cerrno>
 #include <csignal>
+#include <cstdint>
+#include <fstream>
+#include <span>
 #include <string_view>
 #include <system_error>
 #include <utility>
@@ -38,10 +41,44 @@ std::vector<std::string> coding(bool gif) {
           "-f",        "mp4"};
 }
 
+// Whether the boxes of an MP4 file (ISO 14496-12, 4.2) fill it to its end with the index among them, or a GIF has its
+// trailer.
+bool is_whole_video(const std::filesystem::path& path, bool gif) {
+  std::ifstream file(path, std::ios::binary);
+  const std::uint64_t end = std::filesystem::file_size(path);
+  if (gif) {
+    constexpr char kTrailer = 0x3B;
+    return file.seekg(-1, std::ios::end) && file.get() == kTrailer;
+  }
+  bool has_index = false;
+  std::uint64_t place = 0;
+  while (place < end) {
+    std::array<unsigned char, 16> head{};
+    file.seekg(static_cast<std::streamoff>(place));
+    file.read(reinterpret_cast<char*>(head.data()),
+              static_cast<std::streamsize>(std::min<std::uint64_t>(16, end - place)));
+    const auto number = [&head](int first, int count) {
+      std::uint64_t value = 0;
+      for (int i = first; i < first + count; ++i) {
+        value = value << 8 | head[static_cast<std::size_t>(i)];
+      }
+      return value;
+    };
+    constexpr std::uint64_t kLongSize = 1, kHead = 8;
+    const std::uint64_t size = number(0, 4) == kLongSize ? number(8, 8) : number(0, 4);
+    if (!file || size < kHead || size > end - place) {
+      return false;
+    }
+    has_index = has_index || std::string_view(reinterpret_cast<const char*>(head.data()) + 4, 4) == "moov";
+    place += size;
+  }
+  return has_index;
+}
+
 }  // namespace
 
 Ffmpeg::Ffmpeg(std::filesystem::path name, const std::filesystem::path& place, int width, int height, double rate)
-    : name_(std::move(name)), width_(width), height_(height) {
+    : name_(std::move(name)), place_(place), width_(width), height_(height) {
   std::vector<std::string> words = {"ffmpeg",   "-hide_banner",
                                     "-nostats", "-loglevel",
                                     "error",    "-y",
@@ -55,6 +92,7 @@ Ffmpeg::Ffmpeg(std::filesystem::path name, const std::filesystem::path& place, i
   }
   words.push_back("file:" + std::filesystem::absolute(place).string());  // Never taken for an option or an address.
   std::vector<char*> arguments;
+  arguments.reserve(words.size() + 1);
   for (std::string& word : words) {
     arguments.push_back(word.data());
   }
@@ -139,6 +177,10 @@ void Ffmpeg::finish() {
   const int status = wait();
   if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) {
     fail();
+  }
+  if (!is_whole_video(
+          place_, ending_of(name_) == ".gif")) {  // Where the disk is full, ffmpeg may end as if nothing were wrong.
+    throw Error(fmt::format("{}: cannot write: ffmpeg has left half a video; the disk may be full", name_.string()));
   }
 }
 

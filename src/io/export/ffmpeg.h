@@ -27,13 +27,14 @@ class Ffmpeg {
   void add(const Picture& picture);
 
   /// Waits until the video is written.
+  /// @throws Error where it has failed, or the file is no whole video.
   void finish();
 
  private:
   [[noreturn]] void fail();
   int wait();
 
-  std::filesystem::path name_;
+  std::filesystem::path name_, place_;
   int width_, height_;
   int pictures_ = -1;  // Socket to its standard input.
   int words_ = -1;     // A file in memory: its standard error.
