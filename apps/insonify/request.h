@@ -24,7 +24,7 @@ struct Request {
   ExportCommand exported;
   InfoOptions info;
   ServeOptions serve;
-  EmulateOptions emulate_ping360;
+  EmulateOptions emulate_oculus, emulate_ping360;
   int pings = 1;
   double duration = 0, turns = 0;
   std::uint64_t seed = 1;

@@ -28,6 +28,22 @@ void add_common(CLI::App& command, EmulateOptions& options, int port) {
   command.add_flag("-q,--quiet", options.quiet, "Say nothing but addresses, warnings and errors");
 }
 
+void add_oculus(CLI::App& emulate, Request& request) {
+  CLI::App* command =
+      emulate.add_subcommand("oculus", "Blueprint Subsea Oculus: images over TCP, status over UDP port 52102");
+  EmulateOptions& options = request.emulate_oculus;
+  add_common(*command, options, 52100);
+  command->add_option("--high", options.high, "Sonar of the scenario for the high frequency mode [the preset's]")
+      ->check(not_empty("a sonar's name"))
+      ->type_name("NAME");
+  command->footer(
+      "Its range, frequency mode, gain, ping rate and sound speed are as fire messages say; the rest is the\n"
+      "scenario's. Drivers find it by its status messages, and expect port 52100. Ctrl-C ends it; SIGUSR1 prints rate\n"
+      "and latency.\n\n"
+      "Example:\n  insonify emulate oculus dive.yaml");
+  command->callback([&request, &options] { request.act = [&options] { return emulate_oculus(options); }; });
+}
+
 }  // namespace
 
 void add_emulate(CLI::App& app, Request& request) {
@@ -35,6 +51,7 @@ void add_emulate(CLI::App& app, Request& request) {
   command->require_subcommand(1);
   command->footer("Help on one: insonify emulate ping360 --help");
 
+  add_oculus(*command, request);
   CLI::App* ping360 = command->add_subcommand("ping360", "Blue Robotics Ping360: the ping protocol over UDP");
   EmulateOptions& options = request.emulate_ping360;
   add_common(*ping360, options, 9092);

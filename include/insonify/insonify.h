@@ -51,6 +51,8 @@
 #include "insonify/stored_tables.h"
 #include "insonify/version.h"
 #include "insonify/water.h"
+#include "insonify/wire/oculus_messages.h"
+#include "insonify/wire/oculus_sonar.h"
 #include "insonify/wire/ping360.h"
 #include "insonify/wire/ping360_sonar.h"
 #include "insonify/wire/ping_protocol.h"

@@ -11,6 +11,7 @@ namespace insonify {
 struct EmulateOptions {
   std::filesystem::path scenario;
   std::string sonar;  ///< Name; "" for the first of the right type.
+  std::string high;   ///< Name of another for the high frequency mode; "" for that of the preset (oculus).
   std::string address = "127.0.0.1";
   int port = 0;                       ///< 0: any that is free.
   bool serial = false;                ///< Whether to speak on a pseudo terminal too (ping360).
@@ -22,5 +23,6 @@ struct EmulateOptions {
 /// Until SIGINT or SIGTERM.
 /// @return  kDone. @throws InputError for wrong input, Error for a failure while running
 int emulate_ping360(const EmulateOptions& options);
+int emulate_oculus(const EmulateOptions& options);
 
 }  // namespace insonify

@@ -2,6 +2,8 @@
 
 #include "emulate/emulated_sonar.h"
 
+#include <algorithm>
+
 #include "console/console.h"
 #include "console/outcome.h"
 #include "console/stop.h"
@@ -33,26 +35,40 @@ std::string_view name_of(SonarType type) {
   return type == SonarType::kMechanicallyScanned ? "scanning (type: msis)" : "forward-looking (type: fls)";
 }
 
-int sonar_of(const EmulateOptions& options, const Scenario& scenario, SonarType type, std::string_view instrument) {
-  for (std::size_t i = 0; i < scenario.sonars.size(); ++i) {
-    const SonarConfig& sonar = scenario.sonars[i];
-    if (options.sonar.empty() ? sonar.type == type : sonar.name == options.sonar) {
-      if (sonar.type != type) {
-        throw InputError(fmt::format("--sonar {}: is {}; emulate {} needs one that is {}", printable(options.sonar),
-                                     name_of(sonar.type), instrument, name_of(type)));
-      }
-      return static_cast<int>(i);
-    }
-  }
+std::string names_in(const Scenario& scenario) {
   std::string names;
   for (const SonarConfig& sonar : scenario.sonars) {
     names += (names.empty() ? "" : ", ") + sonar.name;
   }
-  throw InputError(options.sonar.empty()
-                       ? fmt::format("{}: has no sonar that is {}, which emulate {} needs",
-                                     printable(options.scenario.string()), name_of(type), instrument)
-                       : fmt::format("--sonar {}: {} has no such sonar; it has {}", printable(options.sonar),
-                                     printable(options.scenario.string()), printable(names)));
+  return names;
+}
+
+// @param option  That gives the name.
+int sonar_named(const Scenario& scenario, const std::string& name, std::string_view option, SonarType type,
+                std::string_view instrument) {
+  for (std::size_t i = 0; i < scenario.sonars.size(); ++i) {
+    if (scenario.sonars[i].name == name) {
+      if (scenario.sonars[i].type != type) {
+        throw InputError(fmt::format("{} {}: is {}; emulate {} needs one that is {}", option, printable(name),
+                                     name_of(scenario.sonars[i].type), instrument, name_of(type)));
+      }
+      return static_cast<int>(i);
+    }
+  }
+  throw InputError(fmt::format("{} {}: {} has no such sonar; it has {}", option, printable(name),
+                               printable(scenario.file.string()), printable(names_in(scenario))));
+}
+
+int sonar_of(const EmulateOptions& options, const Scenario& scenario, SonarType type, std::string_view instrument) {
+  if (!options.sonar.empty()) {
+    return sonar_named(scenario, options.sonar, "--sonar", type, instrument);
+  }
+  const auto first = std::ranges::find(scenario.sonars, type, &SonarConfig::type);
+  if (first == scenario.sonars.end()) {
+    throw InputError(fmt::format("{}: has no sonar that is {}, which emulate {} needs",
+                                 printable(options.scenario.string()), name_of(type), instrument));
+  }
+  return static_cast<int>(first - scenario.sonars.begin());
 }
 
 }  // namespace
@@ -61,6 +77,7 @@ EmulatedSonar::EmulatedSonar(const EmulateOptions& options, SonarType type, std:
     : scenario_(checked([&] { return load_scenario(options.scenario, options.settings, log_to_user(options.quiet)); })),
       index_(sonar_of(options, scenario_, type, instrument)),
       given_(scenario_.sonars[static_cast<std::size_t>(index_)]),
+      high_(options.high.empty() ? -1 : sonar_named(scenario_, options.high, "--high", type, instrument)),
       requests_(checked([&] { return ScenarioRequests(scenario_); })),
       simulator_(checked(
           [&] { return Simulator(scenario_, load_scene(scenario_, log_to_user(options.quiet)), options.threads); })) {
@@ -74,8 +91,7 @@ MessageLevels EmulatedSonar::levels() const {
 
 const Ping& EmulatedSonar::ping(std::optional<double> head_angle) {
   const WallClock::time_point begin = WallClock::now();
-  const double time = std::chrono::duration<double>(begin - start_).count();
-  PingRequest request = requests_.at(index_, number_++, time);
+  PingRequest request = requests_.at(index_, number_++, time_at(begin));
   request.head_angle = head_angle;
   simulator_.ping(index_, request, ping_);
   computing_time_ = std::chrono::duration<double>(WallClock::now() - begin).count();

@@ -22,6 +22,10 @@ class EmulatedSonar {
   /// The sonar as the scenario has it.
   [[nodiscard]] const SonarConfig& given() const { return given_; }
   [[nodiscard]] const Scenario& scenario() const { return scenario_; }
+  /// The sonar that EmulateOptions::high names; null where it names none.
+  [[nodiscard]] const SonarConfig* high() const {
+    return high_ < 0 ? nullptr : &scenario_.sonars[static_cast<std::size_t>(high_)];
+  }
   /// As Simulator::sonar() has it, with what set() has changed.
   [[nodiscard]] const SonarConfig& config() const { return simulator_.sonar(index_); }
   [[nodiscard]] double sound_speed() const { return *config().assumed_sound_speed; }
@@ -35,6 +39,11 @@ class EmulatedSonar {
   /// @return  Valid until the next call. @throws Error as Simulator::ping(); Interrupted at SIGINT.
   const Ping& ping(std::optional<double> head_angle = {});
 
+  /// Time since the start, which is the time on the trajectory [s].
+  [[nodiscard]] double time_at(WallClock::time_point time) const {
+    return std::chrono::duration<double>(time - start_).count();
+  }
+
   /// Time that the last ping took [s].
   [[nodiscard]] double computing_time() const { return computing_time_; }
 
@@ -42,6 +51,7 @@ class EmulatedSonar {
   Scenario scenario_;
   int index_;
   SonarConfig given_;
+  int high_;  // -1: none.
   ScenarioRequests requests_;
   Simulator simulator_;
   WallClock::time_point start_ = WallClock::now();

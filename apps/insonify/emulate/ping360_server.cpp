@@ -2,11 +2,8 @@
 
 #include "emulate/ping360_server.h"
 
-#include <csignal>
-
 #include "console/console.h"
 #include "console/outcome.h"
-#include "console/stop.h"
 #include "emulate/listen_address.h"
 
 namespace insonify {
@@ -17,7 +14,6 @@ using boost::system::error_code;
 namespace {
 
 constexpr std::size_t kLongestDatagram = 2048;  // What is longer is cut, and refused: a command has 24 bytes at most.
-constexpr std::chrono::milliseconds kStopInterval{50};
 
 // Message ids of the commands that ping.
 constexpr std::uint16_t kAutoTransmit = 2602;
@@ -29,7 +25,7 @@ WallClock::duration time_of(double seconds) {
 }  // namespace
 
 Ping360Server::Ping360Server(const EmulateOptions& options, EmulatedSonar& sonar)
-    : sonar_(sonar), socket_(context_), datagram_(kLongestDatagram) {
+    : sonar_(sonar), socket_(loop_.context()), datagram_(kLongestDatagram) {
   const Udp::endpoint endpoint(address_of(options), static_cast<std::uint16_t>(options.port));
   error_code failure;
   socket_.open(endpoint.protocol(), failure);
@@ -42,7 +38,7 @@ Ping360Server::Ping360Server(const EmulateOptions& options, EmulatedSonar& sonar
   }
   socket_.non_blocking(true);
   if (options.serial) {
-    serial_ = std::make_unique<SerialLine>(context_);
+    serial_ = std::make_unique<SerialLine>(loop_.context());
   }
 }
 
@@ -54,30 +50,8 @@ std::string Ping360Server::address() const {
 }
 
 void Ping360Server::run() {
-  watch_stop();
-  report_signal_.add(SIGUSR1);
-  watch_report();
   receive();
-  try {
-    context_.run();
-  } catch (const Interrupted&) {
-    // SIGINT during a ping.
-  }
-}
-
-void Ping360Server::watch_stop() {
-  stop_timer_.expires_after(kStopInterval);
-  stop_timer_.async_wait([this](error_code) { stop_asked() ? context_.stop() : watch_stop(); });
-}
-
-void Ping360Server::watch_report() {
-  report_signal_.async_wait([this](error_code failure, int) {
-    if (!failure) {
-      say("{}\n", report_.text());
-      flush_output();
-      watch_report();
-    }
-  });
+  loop_.run();
 }
 
 void Ping360Server::receive() {

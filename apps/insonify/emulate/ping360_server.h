@@ -2,15 +2,14 @@
 
 #pragma once
 
-#include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/udp.hpp>
-#include <boost/asio/signal_set.hpp>
 #include <boost/asio/steady_timer.hpp>
 #include <deque>
 #include <memory>
 #include <optional>
 
 #include "emulate/emulated_sonar.h"
+#include "emulate/road_loop.h"
 #include "emulate/road_report.h"
 #include "emulate/serial_line.h"
 #include "insonify/wire/ping360_sonar.h"
@@ -59,16 +58,13 @@ class Ping360Server {
   void tell(const Heard& heard, const Client& client);
   void send(const PingFrame& frame, const Client& client);
   void refuse(std::uint16_t id, const Error& error, const Client& client);
-  void watch_stop();
-  void watch_report();
 
-  boost::asio::io_context context_{1};
+  RoadReport report_;
+  RoadLoop loop_{report_};
   EmulatedSonar& sonar_;
   Udp::socket socket_;
   std::unique_ptr<SerialLine> serial_;
-  boost::asio::steady_timer ping_timer_{context_}, scan_timer_{context_}, stop_timer_{context_};
-  boost::asio::signal_set report_signal_{context_};
-  RoadReport report_;
+  boost::asio::steady_timer ping_timer_{loop_.context()}, scan_timer_{loop_.context()};
 
   Ping360 instrument_;
   std::optional<Ping360Settings> applied_;  // What the simulated sonar has.
