@@ -93,7 +93,7 @@ class Client:
     def __init__(self, address, port=DATA_PORT, timeout=10):
         self.socket = socket.create_connection((address, port), timeout=timeout)
         self.socket.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
-        self.data = b""
+        self.data = bytearray()
 
     def send(self, data):
         self.socket.sendall(data)
@@ -105,7 +105,8 @@ class Client:
                 check, source, _, number, _, size, _ = struct.unpack_from(HEADER, self.data)
                 assert (check, source) == (0x4f53, 1), (check, source)
                 if len(self.data) >= 16 + size:
-                    whole, self.data = self.data[:16 + size], self.data[16 + size:]
+                    whole = bytes(self.data[:16 + size])
+                    del self.data[:16 + size]
                     return number, whole
             more = self.socket.recv(1 << 20)
             if not more:

@@ -41,7 +41,7 @@ sonars:
   - {name: fine, beam_count: 40, azimuth_aperture_deg: 60, frequency: 1.9e6, bin_count: 300, max_range: 6,
      sampling: {columns_per_beam: 1, rows: 20}}
 """
-NOISE = ("--set", "receiver.ambient_noise_db=76")  # Fills pixels with values between dark and bright.
+NOISE = ("--set", "receiver.ambient_noise_db=106")  # Fills pixels with values between dark and bright.
 addresses = iter(range(1, 200))
 
 
@@ -231,13 +231,13 @@ class OculusTest(unittest.TestCase):
 
         def mean(**settings):
             image = client.ask(reach=8.0, flags=USUAL | BITS16, **settings).image
-            return sum(map(sum, image[100:])) / (300 * 60)
+            return sum(sum(row[:20]) for row in image[100:]) / (300 * 20)  # To port, where there is no target.
 
         # 6 dB are a factor of 2 in amplitude.
-        quiet, loud = mean(gain=10.0), mean(gain=40.0)
+        quiet, loud = mean(gain=0.0), mean(gain=30.0)
         self.assertAlmostEqual(loud / quiet, 2, delta=0.1)
         # Roots of values below 1 are larger.
-        self.assertGreater(mean(gain=10.0, gamma=127), 3 * quiet)
+        self.assertGreater(mean(gain=0.0, gamma=127), 3 * quiet)
         self.assertEqual(client.ask(reach=8.0, gamma=0).gamma, 0)
         # Assist brings 0.5 percent of the pixels above half: with little gain as with much noise.
         for gain, half in ((50.0, 127.5), (20.0, 127.5 * 10 ** -0.3)):
@@ -292,11 +292,11 @@ class OculusTest(unittest.TestCase):
         self.assertEqual(two.ping().version, 2)
 
     def test_a_client_that_does_not_read_stops_nobody(self):
-        sonar = self.sonar("--set", "sonars.fls.bin_count=4000", "--set", "sonars.fls.beam_count=250")
-        sonar.client().send(fire(reach=5.0, flags=USUAL | BITS16, rate=RATE_40))  # 2 MB a ping, never read.
+        sonar = self.sonar("--set", "sonars.fls.bin_count=2000", "--set", "sonars.fls.beam_count=250")
+        sonar.client().send(fire(reach=5.0, flags=USUAL | BITS16, rate=RATE_40))  # 1 MB a ping, never read.
         reader = sonar.client()
-        for _ in range(8):
-            self.assertEqual(reader.ping().rows, 4000)
+        for _ in range(20):  # More than the system's buffers take.
+            self.assertEqual(reader.ping().rows, 2000)
         _, out, _, _ = sonar.end()
         self.assertIn("messages dropped, for nobody read them", out)
 

@@ -3,6 +3,9 @@
 #include "emulate/oculus_server.h"
 
 #include <algorithm>
+#include <array>
+#include <boost/asio/post.hpp>
+#include <cmath>
 
 #include "console/console.h"
 #include "console/outcome.h"
@@ -123,7 +126,8 @@ void OculusServer::forget(OculusClient& client) {
   std::erase_if(clients_, [&](const Client& other) { return other.get() == &client; });
   if (clients_.empty()) {  // Nobody listens: the next one begins anew.
     asked_.reset();
-    plan_.reset();
+    settings_.reset();
+    wanted_.reset();
     ping_timer_.cancel();
     tell_timer_.cancel();
     last_client_ = {};
@@ -165,114 +169,141 @@ void OculusServer::take(OculusClient& client, const OculusMessage& message) {
 }
 
 void OculusServer::fire(const OculusFire& asked) {
-  if (asked_ == asked) {
-    return;
-  }
-  apply(asked);
-  asked_ = asked;
-  ping_timer_.cancel();
-  if (plan_->period > 0) {
-    const WallClock::time_point now = WallClock::now();
-    schedule(last_due_ ? std::max(now, *last_due_ + time_of(plan_->period)) : now);
+  if (pinging_) {  // Until the ping is made the simulated sonar cannot be changed.
+    wanted_ = asked;
+  } else if (asked_ != asked) {
+    apply(asked);
+    asked_ = asked;
+    schedule();
   }
 }
 
 // Throws where the simulated sonar refuses the settings; then nothing has changed.
 void OculusServer::apply(const OculusFire& asked) {
   const bool high = asked.mode == 2 && modes_.high;
-  OculusPlan plan = oculus_plan(high ? *modes_.high : modes_.low, sonar_.scenario(), asked);
-  if (applied_ != acting(asked)) {
-    if (plan.sonar) {
-      sonar_.set(*plan.sonar);
-      levels_ = sonar_.levels();
-    }
+  Settings settings{.plan = oculus_plan(high ? *modes_.high : modes_.low, sonar_.scenario(), asked)};
+  if (settings.plan.sonar && applied_ != acting(asked)) {
+    sonar_.set(*settings.plan.sonar);
     applied_ = acting(asked);
   }
-  plan_ = std::move(plan);
-  bearings_ = oculus_bearings(sonar_.config());
+  settings.levels = sonar_.levels();
+  settings.bearings = oculus_bearings(sonar_.config());
   if (asked.mode == 2 && !high) {
     warn_once(fmt::format("{} has one mode, which is used for mode 2 (high frequency) too", sonar_.given().name));
   }
-  if (plan_->fire.range < asked.range) {
+  if (settings.plan.fire.range < asked.range) {
     warn_once(fmt::format("range = {:.6g} m is limited to {:.6g} m, the longest in mode {}", asked.range,
-                          plan_->fire.range, asked.mode));
+                          settings.plan.fire.range, asked.mode));
   }
+  settings_ = std::make_shared<const Settings>(std::move(settings));
 }
 
-void OculusServer::schedule(WallClock::time_point due) {
+// A ping that took longer than the period delays the next; those that were due meanwhile are left out.
+void OculusServer::schedule() {
+  ping_timer_.cancel();
+  if (!settings_ || settings_->plan.period == 0) {
+    return;
+  }
+  const WallClock::time_point now = WallClock::now();
+  const WallClock::time_point due = last_due_ ? std::max(now, *last_due_ + time_of(settings_->plan.period)) : now;
   ping_timer_.expires_at(due);
-  ping_timer_.async_wait([this, due](error_code failure) {
-    if (!failure && plan_ && plan_->period > 0) {
+  ping_timer_.async_wait([this, due](error_code cancelled) {
+    if (!cancelled && settings_ && !pinging_) {
       ping(due);
     }
   });
 }
 
 void OculusServer::ping(WallClock::time_point due) {
-  const WallClock::time_point transmitted = WallClock::now();
   last_due_ = due;
-  try {
-    const Ping* heard = plan_->sonar ? &sonar_.ping() : nullptr;
-    const auto result = std::make_shared<const OculusPing>(result_of(heard, transmitted));
-    tell_timer_.expires_at(transmitted + time_of(2 * plan_->range / result->sound_speed));
-    tell_timer_.async_wait([this, result, transmitted](error_code failure) {
-      if (!failure) {
-        tell(*result, transmitted);
-      }
-    });
-  } catch (const Interrupted&) {
-    throw;  // The end of the program, not a wrong setting: RoadLoop catches it.
-  } catch (const Error& error) {
-    warn_once(fmt::format("no ping: {}", error.what()));
-  }
-  // A ping that took longer than the period delays the next; those that were due meanwhile are left out.
-  const WallClock::time_point next = due + time_of(plan_->period);
-  schedule(std::max(next, WallClock::now()));
+  pinging_ = true;
+  net::post(maker_, [this, settings = settings_] {
+    std::shared_ptr<const Heard> heard;
+    std::string failure;
+    try {
+      heard = std::make_shared<const Heard>(make_ping(*settings));
+    } catch (const Interrupted&) {
+      return;  // The end of the program: RoadLoop sees it too.
+    } catch (const Error& error) {
+      failure = error.what();
+    }
+    net::post(loop_.context(), [this, heard, failure] { pinged(heard, failure); });
+  });
 }
 
-OculusPing OculusServer::result_of(const Ping* ping, WallClock::time_point transmitted) {
+// Runs in the other thread.
+OculusServer::Heard OculusServer::make_ping(const Settings& settings) {
+  const WallClock::time_point transmitted = WallClock::now();
   const SonarConfig& sonar = sonar_.config();
   const Water water = sonar_.scenario().water_at(sonar);
-  OculusPing result{.fire = plan_->fire,
-                    .device = kDevice,
-                    .number = number_++,
-                    .frequency = sonar.frequency,
-                    .temperature_c = water.temperature_c,
-                    .pressure_bar = pressure_bar(water),
-                    .sound_speed = sonar_.sound_speed(),
-                    .start_time = sonar_.time_at(transmitted),
-                    .range_resolution = plan_->row_length,
-                    .range_count = static_cast<std::uint16_t>(plan_->rows),
-                    .bearings = bearings_,
-                    .image = oculus_image(*plan_, ping, levels_, sonar.beam_count)};
+  const OculusPlan& plan = settings.plan;
+  const Ping* ping = plan.sonar ? &sonar_.ping() : nullptr;
+  Heard heard{.result = {.fire = plan.fire,
+                         .device = kDevice,
+                         .number = number_++,
+                         .frequency = sonar.frequency,
+                         .temperature_c = water.temperature_c,
+                         .pressure_bar = pressure_bar(water),
+                         .sound_speed = sonar_.sound_speed(),
+                         .start_time = sonar_.time_at(transmitted),
+                         .range_resolution = plan.row_length,
+                         .range_count = static_cast<std::uint16_t>(plan.rows),
+                         .bearings = settings.bearings,
+                         .image = oculus_image(plan, ping, settings.levels, sonar.beam_count)},
+              .computing_time = std::chrono::duration<double>(WallClock::now() - transmitted).count(),
+              .transmitted = transmitted};
   if (ping != nullptr) {
     const Vec3 rpy = rpy_from_orientation(ping->world_from_sonar.orientation);
-    result.heading_deg = std::fmod(450 - degrees_from_radians(rpy.z()), 360);
-    result.pitch_deg = -degrees_from_radians(rpy.y());
-    result.roll_deg = degrees_from_radians(rpy.x());
+    heard.result.heading_deg = std::fmod(450 - degrees_from_radians(rpy.z()), 360);
+    heard.result.pitch_deg = -degrees_from_radians(rpy.y());
+    heard.result.roll_deg = degrees_from_radians(rpy.x());
   }
-  return result;
+  return heard;
 }
 
-void OculusServer::tell(const OculusPing& result, WallClock::time_point transmitted) {
-  OculusClient::Bytes in_layout[2];
+void OculusServer::pinged(const std::shared_ptr<const Heard>& heard, const std::string& failure) {
+  pinging_ = false;
+  if (!failure.empty()) {
+    warn_once("no ping: " + failure);
+  }
+  if (heard && settings_) {
+    const double listening = 2 * heard->result.range_resolution * heard->result.range_count / heard->result.sound_speed;
+    tell_timer_.expires_at(heard->transmitted + time_of(listening));
+    tell_timer_.async_wait([this, heard](error_code cancelled) {
+      if (!cancelled) {
+        tell(*heard);
+      }
+    });
+  }
+  if (wanted_) {
+    try {
+      fire(*std::exchange(wanted_, {}));
+    } catch (const Error& error) {
+      warn_once(fmt::format("not obeyed: {}", error.what()));
+    }
+  }
+  schedule();
+}
+
+void OculusServer::tell(const Heard& heard) {
+  std::array<OculusClient::Bytes, 2> in_layout;
   for (const Client& client : clients_) {
-    OculusClient::Bytes& bytes = in_layout[client->layout - 1];
+    OculusClient::Bytes& bytes = in_layout.at(static_cast<std::size_t>(client->layout - 1));
     if (!bytes) {
-      OculusPing ping = result;
-      ping.fire.layout = client->layout;
-      bytes = shared(encode(ping));
+      OculusPing result = heard.result;
+      result.fire.layout = client->layout;
+      bytes = shared(encode(result));
     }
     if (!client->send_ping(bytes)) {
       report_.note_drop();
     }
   }
-  report_.note(transmitted, sonar_.computing_time());
+  report_.note(heard.transmitted, heard.computing_time);
 }
 
 void OculusServer::beat() {
   send_status();
-  if (!plan_ || plan_->period == 0) {
+  if (!asked_ || oculus_ping_rate(asked_->ping_rate) == 0) {
     const OculusClient::Bytes dummy = shared(encode(OculusMessage{.id = kOculusDummy, .source = kDevice}));
     for (const Client& client : clients_) {
       client->send(dummy);  // One that many wait for is as good as none.

@@ -5,6 +5,7 @@
 #include <boost/asio/ip/tcp.hpp>
 #include <boost/asio/ip/udp.hpp>
 #include <boost/asio/steady_timer.hpp>
+#include <boost/asio/thread_pool.hpp>
 #include <memory>
 #include <optional>
 #include <set>
@@ -20,8 +21,9 @@
 
 namespace insonify {
 
-/// One thread does all. The sonar pings from the first fire message on, while anybody is connected, with the settings
-/// of the fire message that came last; every client gets every ping.
+/// One thread talks, another makes the pings, so that large images flow meanwhile. The sonar pings from the first fire
+/// message on, while anybody is connected, with the settings of the fire message that came last; every client gets
+/// every ping.
 class OculusServer {
  public:
   /// Binds the port.
@@ -43,16 +45,30 @@ class OculusServer {
   using Udp = boost::asio::ip::udp;
   using Client = std::shared_ptr<OculusClient>;
 
+  /// What pings are made with.
+  struct Settings {
+    OculusPlan plan = {};
+    MessageLevels levels = {};
+    std::vector<std::int16_t> bearings = {};
+  };
+  /// A ping whose echoes the instrument still listens to.
+  struct Heard {
+    OculusPing result = {};
+    double computing_time = 0;  ///< [s]
+    WallClock::time_point transmitted = {};
+  };
+
   void accept();
   void welcome(Tcp::socket socket);
   void forget(OculusClient& client);
   void take(OculusClient& client, const OculusMessage& message);
   void fire(const OculusFire& asked);
   void apply(const OculusFire& asked);
-  void schedule(WallClock::time_point due);
+  void schedule();
   void ping(WallClock::time_point due);
-  [[nodiscard]] OculusPing result_of(const Ping* ping, WallClock::time_point transmitted);
-  void tell(const OculusPing& result, WallClock::time_point transmitted);
+  [[nodiscard]] Heard make_ping(const Settings& settings);
+  void pinged(const std::shared_ptr<const Heard>& heard, const std::string& failure);
+  void tell(const Heard& heard);
   void beat();
   void send_status();
   void refuse(const OculusClient& client, const std::string& reason);
@@ -70,14 +86,16 @@ class OculusServer {
 
   std::vector<Client> clients_;
   boost::asio::ip::address_v4 last_client_;
-  std::optional<OculusFire> asked_;    // The fire message that came last; none before the first.
-  std::optional<OculusPlan> plan_;     // What it means.
-  std::optional<OculusFire> applied_;  // What the simulated sonar has: the members that act on it.
-  MessageLevels levels_;
-  std::vector<std::int16_t> bearings_;
+  std::optional<OculusFire> asked_;                // The fire message that is obeyed; none before the first.
+  std::shared_ptr<const Settings> settings_;       // What it means; null without.
+  std::optional<OculusFire> applied_;              // What the simulated sonar has: the members that act on it.
+  std::optional<OculusFire> wanted_;               // A fire message that came during a ping.
+  bool pinging_ = false;                           // While the other thread has the simulated sonar.
   std::optional<WallClock::time_point> last_due_;  // Time of the last ping by the schedule.
-  std::uint32_t number_ = 0;
+  std::uint32_t number_ = 0;                       // Of the other thread.
   std::set<std::string> warnings_;
+
+  boost::asio::thread_pool maker_{1};  // Last: it ends first.
 };
 
 }  // namespace insonify
