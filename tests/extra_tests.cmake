@@ -142,6 +142,16 @@ if(INSONIFY_BUILD_APPS)
       COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/apps/serve_test.py $<TARGET_FILE:insonify_cli>)
     set_tests_properties(serve PROPERTIES TIMEOUT 300 COST 1000)  # It waits most of a minute: others run beside it.
   endif()
+  # Emulated instruments as a driver meets them.
+  foreach(instrument oculus ping360)
+    add_test(NAME emulate_${instrument}
+      COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/apps/${instrument}_test.py $<TARGET_FILE:insonify_cli>)
+    set_tests_properties(emulate_${instrument} PROPERTIES TIMEOUT 120)
+    # A vehicle that follows a wall, as a client of the instrument sees it; for a minute by hand.
+    add_test(NAME follow_wall_${instrument}
+      COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/bench/follow_wall.py ${instrument} $<TARGET_FILE:insonify_cli> --seconds 3)
+    set_tests_properties(follow_wall_${instrument} PROPERTIES TIMEOUT 120)
+  endforeach()
   # NumPy archives and Zarr groups as NumPy and zarr read them.
   add_test(NAME exported_arrays
     COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/python/export_test.py $<TARGET_FILE:insonify_cli>)

@@ -15,7 +15,7 @@ CHAIN = ["base", "acoustics", "scene", "sonar", "echo", "receiver", "image", "si
 
 # Modules at the edge: which internal headers they may include, and that nothing in the chain may include them. Public
 # headers are open to all of them.
-EDGE = {"io": CHAIN, "live": [*CHAIN, "io"], "similarity": ["base"], "apps": [], "python": [], "ros": [], "web": [], "bench": []}
+EDGE = {"io": CHAIN, "live": [*CHAIN, "io"], "wire": CHAIN, "similarity": ["base"], "apps": [], "python": [], "ros": [], "web": [], "bench": []}
 
 # Rooms of a module, and the other rooms of that module that each may include; "*" is any room not named, "." the
 # module's own folder.

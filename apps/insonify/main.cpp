@@ -52,6 +52,7 @@ int run_program(int argc, char** argv) {
       "Tell the version");
   add_run(app, request);
   add_serve(app, request);
+  add_emulate(app, request);
   add_draw(app, request);
   add_replay(app, request);
   add_info(app, request);

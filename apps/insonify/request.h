@@ -7,6 +7,7 @@
 
 #include "benchmark/bench.h"
 #include "compare/compare.h"
+#include "emulate/emulate.h"
 #include "export/export.h"
 #include "info/info.h"
 #include "pictures/draw.h"
@@ -23,6 +24,7 @@ struct Request {
   ExportCommand exported;
   InfoOptions info;
   ServeOptions serve;
+  EmulateOptions emulate_oculus, emulate_ping360;
   int pings = 1;
   double duration = 0, turns = 0;
   std::uint64_t seed = 1;
@@ -47,6 +49,7 @@ void add_run(CLI::App& app, Request& request);
 void add_sonars(CLI::App& app, Request& request);
 void add_describe(CLI::App& app, Request& request);
 void add_serve(CLI::App& app, Request& request);
+void add_emulate(CLI::App& app, Request& request);
 void add_draw(CLI::App& app, Request& request);
 void add_replay(CLI::App& app, Request& request);
 void add_info(CLI::App& app, Request& request);

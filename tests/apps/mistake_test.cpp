@@ -28,19 +28,22 @@ TEST_P(MistakeTest, IsOneLineAndAnExitStatus) {
 
 constexpr Mistake kMistakes[] = {
     {"NoCommand", "insonify", 2,
-     "insonify: name a command; the commands are run, serve, draw, replay, info, export, sonars, describe, compare, "
+     "insonify: name a command; the commands are run, serve, emulate, draw, replay, info, export, sonars, describe, "
+     "compare, "
      "bench, version, completion, "
      "manual "
      "(insonify --help)"},
     {"UnknownCommand", "insonify rnu fan.yaml", 2,
-     "insonify: there is no command rnu; the commands are run, serve, draw, replay, info, export, sonars, describe, "
+     "insonify: there is no command rnu; the commands are run, serve, emulate, draw, replay, info, export, sonars, "
+     "describe, "
      "compare, bench, version, "
      "completion, "
      "manual (insonify "
      "--help)"},
     {"UnknownOption", "insonify run fan.yaml --frob", 2, "insonify: not understood: --frob (insonify run --help)"},
     {"UnknownOptionBeforeTheCommand", "insonify --frob", 2,
-     "insonify: there is no option --frob; the commands are run, serve, draw, replay, info, export, sonars, describe, "
+     "insonify: there is no option --frob; the commands are run, serve, emulate, draw, replay, info, export, sonars, "
+     "describe, "
      "compare, bench, version, "
      "completion, manual (insonify "
      "--help)"},

@@ -1,0 +1,101 @@
+// emulated_sonar.cpp -- loads a scenario, picks the sonar and makes its pings.
+
+#include "emulate/emulated_sonar.h"
+
+#include <algorithm>
+
+#include "console/console.h"
+#include "console/outcome.h"
+#include "console/stop.h"
+#include "insonify/files.h"
+
+namespace insonify {
+namespace {
+
+Log log_to_user(bool quiet) {
+  return [quiet](Severity severity, const std::string& message) {
+    if (severity == Severity::kWarning) {
+      complain("warning: " + message);
+    } else if (!quiet) {
+      say("{}\n", message);
+    }
+  };
+}
+
+template <typename Make>
+auto checked(Make&& make) {
+  try {
+    return make();
+  } catch (const Error& error) {
+    throw InputError(error.what());
+  }
+}
+
+std::string_view name_of(SonarType type) {
+  return type == SonarType::kMechanicallyScanned ? "scanning (type: msis)" : "forward-looking (type: fls)";
+}
+
+std::string names_in(const Scenario& scenario) {
+  std::string names;
+  for (const SonarConfig& sonar : scenario.sonars) {
+    names += (names.empty() ? "" : ", ") + sonar.name;
+  }
+  return names;
+}
+
+// @param option  That gives the name.
+int sonar_named(const Scenario& scenario, const std::string& name, std::string_view option, SonarType type,
+                std::string_view instrument) {
+  for (std::size_t i = 0; i < scenario.sonars.size(); ++i) {
+    if (scenario.sonars[i].name == name) {
+      if (scenario.sonars[i].type != type) {
+        throw InputError(fmt::format("{} {}: is {}; emulate {} needs one that is {}", option, printable(name),
+                                     name_of(scenario.sonars[i].type), instrument, name_of(type)));
+      }
+      return static_cast<int>(i);
+    }
+  }
+  throw InputError(fmt::format("{} {}: {} has no such sonar; it has {}", option, printable(name),
+                               printable(scenario.file.string()), printable(names_in(scenario))));
+}
+
+int sonar_of(const EmulateOptions& options, const Scenario& scenario, SonarType type, std::string_view instrument) {
+  if (!options.sonar.empty()) {
+    return sonar_named(scenario, options.sonar, "--sonar", type, instrument);
+  }
+  const auto first = std::ranges::find(scenario.sonars, type, &SonarConfig::type);
+  if (first == scenario.sonars.end()) {
+    throw InputError(fmt::format("{}: has no sonar that is {}, which emulate {} needs",
+                                 printable(options.scenario.string()), name_of(type), instrument));
+  }
+  return static_cast<int>(first - scenario.sonars.begin());
+}
+
+}  // namespace
+
+EmulatedSonar::EmulatedSonar(const EmulateOptions& options, SonarType type, std::string_view instrument)
+    : scenario_(checked([&] { return load_scenario(options.scenario, options.settings, log_to_user(options.quiet)); })),
+      index_(sonar_of(options, scenario_, type, instrument)),
+      given_(scenario_.sonars[static_cast<std::size_t>(index_)]),
+      high_(options.high.empty() ? -1 : sonar_named(scenario_, options.high, "--high", type, instrument)),
+      requests_(checked([&] { return ScenarioRequests(scenario_); })),
+      simulator_(checked(
+          [&] { return Simulator(scenario_, load_scene(scenario_, log_to_user(options.quiet)), options.threads); })) {
+  note_when_asked();
+  simulator_.stop_when(&stop_asked());
+}
+
+MessageLevels EmulatedSonar::levels() const {
+  return SonarMessages(message_source(scenario_, config())).levels();
+}
+
+const Ping& EmulatedSonar::ping(std::optional<double> head_angle) {
+  const WallClock::time_point begin = WallClock::now();
+  PingRequest request = requests_.at(index_, number_++, time_at(begin));
+  request.head_angle = head_angle;
+  simulator_.ping(index_, request, ping_);
+  computing_time_ = std::chrono::duration<double>(WallClock::now() - begin).count();
+  return ping_;
+}
+
+}  // namespace insonify

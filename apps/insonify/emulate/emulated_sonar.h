@@ -1,0 +1,63 @@
+// emulated_sonar.h -- one sonar of a scenario that pings when a protocol asks for it, at the time of the clock.
+
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "emulate/emulate.h"
+#include "emulate/road_report.h"
+#include "insonify/messages.h"
+#include "insonify/scenario_requests.h"
+#include "insonify/simulator.h"
+
+namespace insonify {
+
+class EmulatedSonar {
+ public:
+  /// @param instrument  For messages: "ping360".
+  /// @throws InputError for a scenario that is wrong, and where there is no such sonar.
+  EmulatedSonar(const EmulateOptions& options, SonarType type, std::string_view instrument);
+
+  /// The sonar as the scenario has it.
+  [[nodiscard]] const SonarConfig& given() const { return given_; }
+  [[nodiscard]] const Scenario& scenario() const { return scenario_; }
+  /// The sonar that EmulateOptions::high names; null where it names none.
+  [[nodiscard]] const SonarConfig* high() const {
+    return high_ < 0 ? nullptr : &scenario_.sonars[static_cast<std::size_t>(high_)];
+  }
+  /// As Simulator::sonar() has it, with what set() has changed.
+  [[nodiscard]] const SonarConfig& config() const { return simulator_.sonar(index_); }
+  [[nodiscard]] double sound_speed() const { return *config().assumed_sound_speed; }
+  /// What the darkest and the brightest value of images stand for.
+  [[nodiscard]] MessageLevels levels() const;
+
+  /// Changes the sonar, from the next ping on. @throws Error as Simulator::set_sonar().
+  void set(const SonarConfig& config) { simulator_.set_sonar(index_, config); }
+
+  /// Makes a ping from where the scenario's trajectory has the vehicle after the seconds since the start.
+  /// @return  Valid until the next call. @throws Error as Simulator::ping(); Interrupted at SIGINT.
+  const Ping& ping(std::optional<double> head_angle = {});
+
+  /// Time since the start, which is the time on the trajectory [s].
+  [[nodiscard]] double time_at(WallClock::time_point time) const {
+    return std::chrono::duration<double>(time - start_).count();
+  }
+
+  /// Time that the last ping took [s].
+  [[nodiscard]] double computing_time() const { return computing_time_; }
+
+ private:
+  Scenario scenario_;
+  int index_;
+  SonarConfig given_;
+  int high_;  // -1: none.
+  ScenarioRequests requests_;
+  Simulator simulator_;
+  WallClock::time_point start_ = WallClock::now();
+  std::uint64_t number_ = 0;
+  Ping ping_;
+  double computing_time_ = 0;
+};
+
+}  // namespace insonify

@@ -1,0 +1,61 @@
+// oculus_client.h -- one TCP connection of an emulated Oculus.
+
+#pragma once
+
+#include <array>
+#include <boost/asio/ip/tcp.hpp>
+#include <deque>
+#include <functional>
+#include <memory>
+
+#include "insonify/wire/oculus_messages.h"
+
+namespace insonify {
+
+/// Lives until the connection ends: its own reads and writes keep it.
+class OculusClient : public std::enable_shared_from_this<OculusClient> {
+ public:
+  using Bytes = std::shared_ptr<const std::vector<std::uint8_t>>;
+  using Socket = boost::asio::ip::tcp::socket;
+
+  struct Events {
+    std::function<void(OculusClient&, const OculusMessage&)> message;
+    std::function<void(OculusClient&, std::uint64_t bytes)> skipped;  ///< Bytes that are no message.
+    std::function<void(OculusClient&)> gone;                          ///< Once, at the end of the connection.
+  };
+
+  OculusClient(Socket socket, Events events);
+
+  /// Begins to read.
+  void start() { read(); }
+
+  /// Sends a ping result. Where an earlier one still waits, because the client reads too slowly, it is replaced.
+  /// @return  Whether none was replaced.
+  bool send_ping(Bytes bytes);
+
+  /// Sends another message. @return  Whether it will be sent: not where too many wait.
+  bool send(Bytes bytes);
+
+  /// Ends the connection, without calling Events::gone.
+  void close();
+
+  [[nodiscard]] const boost::asio::ip::address_v4& address() const { return address_; }
+
+  int layout = 1;  ///< Of the messages that this client sends and receives.
+
+ private:
+  void read();
+  void write();
+  void end();
+
+  Socket socket_;
+  Events events_;
+  boost::asio::ip::address_v4 address_;
+  std::array<std::uint8_t, 4096> in_ = {};
+  OculusParser parser_;
+  std::deque<Bytes> out_;  // The first is being written.
+  Bytes ping_;             // To be written after those.
+  bool ended_ = false;
+};
+
+}  // namespace insonify

@@ -1,0 +1,84 @@
+// ping360_server.h -- a Ping360 on UDP and on a serial line: receives commands, pings and answers.
+
+#pragma once
+
+#include <boost/asio/ip/udp.hpp>
+#include <boost/asio/steady_timer.hpp>
+#include <deque>
+#include <memory>
+#include <optional>
+
+#include "emulate/emulated_sonar.h"
+#include "emulate/road_loop.h"
+#include "emulate/road_report.h"
+#include "emulate/serial_line.h"
+#include "insonify/wire/ping360_sonar.h"
+
+namespace insonify {
+
+/// One thread does all: an instrument makes one ping at a time. What arrives while it pings waits in the system's
+/// buffers, which drop what is too much; a scan can be ended at any time between pings.
+class Ping360Server {
+ public:
+  /// Binds the port.
+  Ping360Server(const EmulateOptions& options, EmulatedSonar& sonar);
+
+  /// The address, and the path of the serial line or "".
+  [[nodiscard]] std::string address() const;
+  [[nodiscard]] std::string serial_path() const { return serial_ ? serial_->path() : ""; }
+
+  /// Serves until SIGINT or SIGTERM.
+  void run();
+
+  [[nodiscard]] const RoadReport& report() const { return report_; }
+
+ private:
+  using Udp = boost::asio::ip::udp;
+  /// Whom to answer; none: the serial line.
+  using Client = std::optional<Udp::endpoint>;
+  struct Command {
+    PingEvent event;
+    Client client;
+  };
+  /// A ping that has been computed and whose echoes the instrument still listens to.
+  struct Heard {
+    std::vector<std::uint8_t> samples = {};
+    WallClock::time_point transmitted = {};
+  };
+
+  void receive();
+  void receive_datagram(std::size_t size);
+  void receive_bytes(std::span<const std::uint8_t> bytes);
+  void work();
+  void act(const Command& command);
+  void transmit_once(const Command& command, const Ping360& before);
+  void scan(std::uint64_t ping);
+  Heard make_ping();
+  void apply_settings();
+  void tell(const Heard& heard, const Client& client);
+  void send(const PingFrame& frame, const Client& client);
+  void refuse(std::uint16_t id, const Error& error, const Client& client);
+
+  RoadReport report_;
+  RoadLoop loop_{report_};
+  EmulatedSonar& sonar_;
+  Udp::socket socket_;
+  std::unique_ptr<SerialLine> serial_;
+  boost::asio::steady_timer ping_timer_{loop_.context()}, scan_timer_{loop_.context()};
+
+  Ping360 instrument_;
+  std::optional<Ping360Settings> applied_;  // What the simulated sonar has.
+  std::optional<SonarConfig> config_;       // The simulated sonar; none where all samples are blank.
+  MessageLevels levels_;
+
+  Client scan_client_;
+  std::uint64_t scan_number_ = 0;  // Counts scans and their ends: what an ended one still waits for is void.
+
+  std::vector<std::uint8_t> datagram_;
+  Udp::endpoint sender_;
+  PingParser serial_parser_;
+  std::deque<Command> commands_;  // Of what has arrived last; no more is received before they are done.
+  bool receiving_datagram_ = false, receiving_bytes_ = false, pinging_ = false, warned_ = false;
+};
+
+}  // namespace insonify

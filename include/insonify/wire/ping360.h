@@ -1,0 +1,93 @@
+// ping360.h -- a Blue Robotics Ping360 as its commands see it: settings, scans and answers, without a sea or a socket.
+
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "insonify/wire/ping_protocol.h"
+
+namespace insonify {
+
+/// Steps of a turn of the head [gradians].
+inline constexpr int kGradiansPerTurn = 400;
+
+/// What a Ping360 has been told. Initial values are those of the instrument when it is switched on, as far as drivers
+/// show them.
+struct Ping360Settings {
+  std::uint8_t mode = 1;                   ///< Reserved; sent back as it came.
+  std::uint8_t gain_setting = 0;           ///< 0 low, 1 normal, 2 high.
+  std::uint16_t angle = 0;                 ///< Of the head [gradians], 0..399.
+  std::uint16_t transmit_duration = 32;    ///< [us], 1..1000.
+  std::uint16_t sample_period = 80;        ///< [25 ns], 80..40000.
+  std::uint16_t transmit_frequency = 740;  ///< [kHz], 500..1000.
+  std::uint16_t sample_count = 200;        ///< "number_of_samples", 200..1200.
+
+  [[nodiscard]] double sample_interval() const { return 25e-9 * sample_period; }            ///< [s]
+  [[nodiscard]] double listening_time() const { return sample_interval() * sample_count; }  ///< [s]
+
+  [[nodiscard]] bool operator==(const Ping360Settings&) const = default;
+};
+
+/// The sector of an auto_transmit.
+struct Ping360Sector {
+  std::uint16_t start_angle = 0;  ///< [gradians], 0..399.
+  std::uint16_t stop_angle = 0;   ///< [gradians], 0..399; from start_angle the head turns to it with rising angles.
+  std::uint8_t step = 1;          ///< "num_steps" [gradians], 1..10.
+  std::uint8_t delay = 0;         ///< Between pings [ms], 0..100.
+
+  /// The angle of ping n of a scan [gradians]. Where start and stop are neighbours across less than a step, the head
+  /// keeps turning; else it sweeps to and fro, and turns back at the last whole step inside the sector.
+  [[nodiscard]] std::uint16_t angle_at(std::uint64_t ping) const;
+};
+
+/// What follows from a frame.
+struct Ping360Answer {
+  std::vector<PingFrame> frames = {};  ///< To be sent at once.
+  bool transmit = false;               ///< A ping is to be made with settings() and told with data().
+  bool scan_changed = false;           ///< A scan has begun, begun anew or ended: see sector().
+};
+
+/// Takes commands and keeps what they set. Wrong values are answered with NACK and change nothing.
+class Ping360 {
+ public:
+  /// Answers a whole frame. Frames for another device are not answered.
+  [[nodiscard]] Ping360Answer take(const PingFrame& frame);
+
+  /// Answers what a parser found. A break ends a scan.
+  [[nodiscard]] Ping360Answer take(const PingEvent& event);
+
+  [[nodiscard]] const Ping360Settings& settings() const { return settings_; }
+  [[nodiscard]] const std::optional<Ping360Sector>& sector() const { return sector_; }  ///< None: not scanning.
+
+  /// Turns the head to ping n of the scan.
+  void turn_to(std::uint64_t ping);
+
+  /// Ends a scan.
+  void stop() { sector_.reset(); }
+
+  /// device_data (2300), or auto_device_data (2301) while scanning.
+  /// @param samples  sample_count of them, or none where nothing was transmitted.
+  [[nodiscard]] PingFrame data(std::span<const std::uint8_t> samples) const;
+
+  /// NACK of a command, with a reason in ASCII.
+  [[nodiscard]] PingFrame refusal(std::uint16_t id, std::string_view reason) const;
+
+ private:
+  [[nodiscard]] PingFrame frame(std::uint16_t id, std::vector<std::uint8_t> payload) const;
+  [[nodiscard]] Ping360Answer accepted(std::uint16_t id) const;
+  [[nodiscard]] Ping360Answer refused(std::uint16_t id, std::string_view reason) const;
+  [[nodiscard]] Ping360Answer requested(std::uint16_t id) const;
+  [[nodiscard]] Ping360Answer set_device(const PingFrame& frame);
+  [[nodiscard]] Ping360Answer set_transducer(const PingFrame& frame);
+  [[nodiscard]] Ping360Answer start_scan(const PingFrame& frame);
+
+  std::uint8_t device_ = 1;
+  Ping360Settings settings_;
+  std::optional<Ping360Sector> sector_;
+};
+
+}  // namespace insonify

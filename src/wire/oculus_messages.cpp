@@ -1,0 +1,237 @@
+// oculus_messages.cpp -- layouts of Oculus messages, as public drivers read and write them. All numbers are
+// little-endian and packed.
+
+#include "insonify/wire/oculus_messages.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "insonify/error.h"
+#include "insonify/field.h"
+#include "wire/little_endian.h"
+
+namespace insonify {
+namespace {
+
+using Bytes = std::vector<std::uint8_t>;
+
+constexpr std::uint16_t kCheck = 0x4f53;                        // First in each header.
+constexpr std::size_t kFirePayload = 37, kFirePayload2 = 73;    // Bytes, in layouts 1 and 2.
+constexpr std::size_t kPingMessage = 122, kPingMessage2 = 202;  // Bytes before the bearings.
+constexpr std::uint16_t kStatus = 1;
+constexpr std::uint16_t kImagingSonar = 1;  // Type of device.
+constexpr std::uint32_t kRunning = 3;       // Status: the main program runs, no error.
+constexpr double kMicroseconds = 1e6;
+constexpr int kTemperatureSensors = 8;
+
+void put_header(Bytes& bytes, std::uint16_t source, std::uint16_t destination, std::uint16_t id, std::uint16_t version,
+                std::size_t payload) {
+  put(bytes, kCheck);
+  put(bytes, source);
+  put(bytes, destination);
+  put(bytes, id);
+  put(bytes, version);
+  put(bytes, static_cast<std::uint32_t>(payload));
+  put(bytes, std::uint16_t{0});
+}
+
+template <typename Range>
+void put_all(Bytes& bytes, const Range& numbers) {
+  for (const auto number : numbers) {
+    put(bytes, number);
+  }
+}
+
+void put_fire(Bytes& bytes, const OculusFire& fire) {
+  put(bytes, fire.mode);
+  put(bytes, fire.ping_rate);
+  put(bytes, fire.network_speed);
+  put(bytes, fire.gamma);
+  put(bytes, fire.flags);
+  put(bytes, fire.range);
+  put(bytes, fire.gain);
+  put(bytes, fire.sound_speed);
+  put(bytes, fire.salinity);
+  if (fire.layout == 2) {
+    put(bytes, fire.extended_flags);
+    put_all(bytes, fire.reserved);
+  }
+}
+
+void check(const char* name, double value, const Limits& limits) {
+  if (!limits.allow(value)) {
+    throw Error(fmt::format("{} = {} must be {}", name, value, limits.text()));
+  }
+}
+
+// Drivers compute the gain from the one that the sonar repeated, which rounds.
+double checked_gain(double gain) {
+  constexpr double kRounding = 1e-6;
+  const double near = std::clamp(gain, 0.0, 100.0);
+  const double rounded = std::abs(gain - near) < kRounding ? near : gain;
+  check("gain", rounded, from_to(0, 100));
+  return rounded;
+}
+
+}  // namespace
+
+Bytes encode(const OculusMessage& message) {
+  Bytes bytes;
+  put_header(bytes, message.source, message.destination, message.id, message.version, message.payload.size());
+  bytes.insert(bytes.end(), message.payload.begin(), message.payload.end());
+  return bytes;
+}
+
+void OculusParser::add(std::span<const std::uint8_t> bytes) {
+  bytes_.erase(bytes_.begin(), bytes_.begin() + static_cast<std::ptrdiff_t>(first_));
+  first_ = 0;
+  bytes_.insert(bytes_.end(), bytes.begin(), bytes.end());
+}
+
+std::optional<OculusMessage> OculusParser::next() {
+  while (bytes_.size() - first_ >= kOculusHeaderSize) {
+    const std::span<const std::uint8_t> rest = std::span(bytes_).subspan(first_);
+    PacketReader reader(rest);
+    OculusMessage message;
+    std::uint16_t check = 0;
+    std::uint32_t size = 0;
+    reader.get(check);
+    reader.get(message.source);
+    reader.get(message.destination);
+    reader.get(message.id);
+    reader.get(message.version);
+    reader.get(size);
+    if (check != kCheck || size > kLongestOculusPayload) {
+      ++first_;
+      ++skipped_;
+      continue;
+    }
+    if (rest.size() < kOculusHeaderSize + size) {
+      return {};
+    }
+    const std::span<const std::uint8_t> payload = rest.subspan(kOculusHeaderSize, size);
+    message.payload.assign(payload.begin(), payload.end());
+    first_ += kOculusHeaderSize + size;
+    return message;
+  }
+  return {};
+}
+
+double oculus_ping_rate(std::uint8_t ping_rate) {
+  constexpr std::array<double, 6> kRates = {10, 15, 40, 5, 2, 0};
+  return ping_rate < kRates.size() ? kRates[ping_rate] : 0;
+}
+
+OculusFire decode_fire(const OculusMessage& message) {
+  const bool second = message.payload.size() == kFirePayload2;
+  if (!second && (message.payload.size() != kFirePayload || message.version == 2)) {
+    throw Error(fmt::format("fire message of version {} has a payload of {} bytes and must have {}", message.version,
+                            message.payload.size(),
+                            message.version == 2 ? fmt::format("{}", kFirePayload2)
+                                                 : fmt::format("{} or {}", kFirePayload, kFirePayload2)));
+  }
+  PacketReader reader(message.payload);
+  OculusFire fire;
+  fire.layout = second ? 2 : 1;
+  reader.get(fire.mode);
+  reader.get(fire.ping_rate);
+  reader.get(fire.network_speed);
+  reader.get(fire.gamma);
+  reader.get(fire.flags);
+  reader.get(fire.range);
+  reader.get(fire.gain);
+  reader.get(fire.sound_speed);
+  reader.get(fire.salinity);
+  if (second) {
+    reader.get(fire.extended_flags);
+    reader.get(fire.reserved);
+  }
+
+  check("mode", fire.mode, from_to(1, 2));
+  check("ping rate", fire.ping_rate, from_to(0, kOculusStandby));
+  check("range", fire.range, fire.has(kOculusRangeInMetres) ? above_to(0, 1e5) : above_to(0, 100));
+  fire.gain = checked_gain(fire.gain);
+  if (fire.sound_speed != 0) {
+    check("sound speed", fire.sound_speed, from_to(1300, 1700));
+  }
+  check("salinity", fire.salinity, from_to(0, 50));
+  if (!fire.has(kOculusSimpleReturn)) {
+    throw Error(
+        fmt::format("flags = 0x{:02x} ask for the full return message, whose format is not public; 0x{:02x} asks "
+                    "for the simple one",
+                    fire.flags, fire.flags | kOculusSimpleReturn));
+  }
+  return fire;
+}
+
+Bytes encode(const OculusPing& ping) {
+  const bool second = ping.fire.layout == 2;
+  const std::size_t image_offset = (second ? kPingMessage2 : kPingMessage) + 2 * ping.bearings.size();
+  const std::size_t size = image_offset + ping.image.size();
+  Bytes bytes;
+  bytes.reserve(size);
+  put_header(bytes, ping.device, 0, kOculusPing, static_cast<std::uint16_t>(ping.fire.layout),
+             size - kOculusHeaderSize);
+  put_fire(bytes, ping.fire);
+  put(bytes, ping.number);
+  put(bytes, std::uint32_t{0});  // Status: no error.
+  put(bytes, ping.frequency);
+  put(bytes, ping.temperature_c);
+  put(bytes, ping.pressure_bar);
+  if (second) {
+    put(bytes, ping.heading_deg);
+    put(bytes, ping.pitch_deg);
+    put(bytes, ping.roll_deg);
+  }
+  put(bytes, ping.sound_speed);
+  if (second) {
+    put(bytes, ping.start_time);
+  } else {  // Microseconds, which begin anew after 2^32.
+    put(bytes, static_cast<std::uint32_t>(static_cast<std::uint64_t>(ping.start_time * kMicroseconds)));
+  }
+  put(bytes, static_cast<std::uint8_t>(ping.fire.has(kOculus16Bits) ? 1 : 0));
+  put(bytes, ping.range_resolution);
+  put(bytes, ping.range_count);
+  put(bytes, static_cast<std::uint16_t>(ping.bearings.size()));
+  if (second) {
+    put_all(bytes, std::array<std::uint32_t, 4>{});  // Reserved.
+  }
+  put(bytes, static_cast<std::uint32_t>(image_offset));
+  put(bytes, static_cast<std::uint32_t>(ping.image.size()));
+  put(bytes, static_cast<std::uint32_t>(size));
+  put_all(bytes, ping.bearings);
+  bytes.insert(bytes.end(), ping.image.begin(), ping.image.end());
+  return bytes;
+}
+
+Bytes encode(const OculusStatus& status) {
+  constexpr std::size_t kPayload = 126;
+  Bytes bytes;
+  put_header(bytes, status.device, 0, kStatus, 0, kPayload);
+  put(bytes, std::uint32_t{status.device});
+  put(bytes, kImagingSonar);
+  put(bytes, status.part_number);
+  put(bytes, kRunning);
+  put_all(bytes, std::array<std::uint32_t, 6>{});  // Versions and dates of the firmware: there is none.
+  put_all(bytes, status.address);
+  put_all(bytes, status.mask);
+  put_all(bytes, status.client);
+  put_all(bytes, std::array<std::uint8_t, 6>{2, 0, 0, 0, 0, 1});  // Hardware address: locally administered.
+  for (int sensor = 0; sensor < kTemperatureSensors; ++sensor) {
+    put(bytes, status.temperature_c);
+  }
+  put(bytes, status.pressure_bar);
+  return bytes;
+}
+
+OculusMessage oculus_user_config(const OculusStatus& status) {
+  OculusMessage message{.id = kOculusUserConfig, .source = status.device};
+  put_all(message.payload, status.address);
+  put_all(message.payload, status.mask);
+  put(message.payload, std::uint32_t{0});
+  return message;
+}
+
+}  // namespace insonify

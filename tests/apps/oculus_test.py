@@ -1,0 +1,407 @@
+#!/usr/bin/python3
+"""insonify emulate oculus as a driver meets it: discovery, layouts, settings, several clients, hostile packets.
+
+oculus_test.py INSONIFY
+"""
+
+import math
+import os
+import pathlib
+import random
+import signal
+import socket
+import struct
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+
+try:
+    import h5py
+except ImportError:
+    h5py = None
+
+from oculus_client import (ASSIST, BEAMS512, BITS16, DUMMY, GAIN_SENT, METRES, PING, RATE_2, RATE_10, RATE_15, RATE_40,
+                           SIMPLE, STANDBY, USER_CONFIG, Client, fire, message, next_status, status_listener)
+
+INSONIFY = os.path.abspath(sys.argv.pop(1))
+USUAL = METRES | SIMPLE | BEAMS512
+
+# A target 4.1 m ahead, and one to starboard: at 3 m forward and 4 m to the right, 5 m away at 53.13 degrees.
+SCENARIO = """
+water: {sound_speed: 1500, temperature_c: 12, salinity: 20}
+points:
+  - {position: [4.1, 0, 0], target_strength_db: -20}
+  - {position: [3, -4, 0], target_strength_db: -16}
+sonars:
+  - {name: head, type: msis, beam_count: 1, bin_count: 100, azimuth_aperture_deg: 2, max_range: 20}
+  - {name: fls, beam_count: 60, azimuth_aperture_deg: 120, bin_count: 400, min_range: 0.5, max_range: 12,
+     sampling: {columns_per_beam: 1, rows: 20}}
+  - {name: fine, beam_count: 40, azimuth_aperture_deg: 60, frequency: 1.9e6, bin_count: 300, max_range: 6,
+     sampling: {columns_per_beam: 1, rows: 20}}
+"""
+NOISE = ("--set", "receiver.ambient_noise_db=106")  # Fills pixels with values between dark and bright.
+addresses = iter(range(1, 200))
+
+
+class Sonar:
+    """insonify emulate oculus in a folder of its own, on a loopback address of its own."""
+
+    def __init__(self, *options, scenario=SCENARIO, **files):
+        self.folder = tempfile.TemporaryDirectory()
+        self.path = pathlib.Path(self.folder.name)
+        for name, text in {"dive.yaml": scenario, **files}.items():
+            (self.path / name).write_text(text)
+        self.address = f"127.{os.getpid() // 250 % 250 + 1}.{os.getpid() % 250 + 1}.{next(addresses)}"
+        self.process = subprocess.Popen([INSONIFY, "emulate", "oculus", "dive.yaml", "--address", self.address, *options],
+                                        cwd=self.path, text=True, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+        line = self.process.stdout.readline()
+        while line and not line.startswith("Oculus"):
+            line = self.process.stdout.readline()
+        if not line:
+            raise AssertionError(self.process.communicate()[1])
+        assert line == f"Oculus fls on TCP {self.address}:52100, status to UDP {self.address}:52102\n", line
+        self.clients = []
+
+    def client(self):
+        self.clients.append(Client(self.address))
+        return self.clients[-1]
+
+    def end(self):
+        start = time.monotonic()
+        self.process.send_signal(signal.SIGINT)
+        out, err = self.process.communicate(timeout=10)
+        return self.process.returncode, out, err, time.monotonic() - start
+
+    def close(self):
+        for client in self.clients:
+            client.close()
+        if self.process.poll() is None:
+            self.process.kill()
+            self.process.communicate()
+        self.process.stdout.close()
+        self.process.stderr.close()
+        self.folder.cleanup()
+
+
+class OculusTest(unittest.TestCase):
+    def sonar(self, *options, **more):
+        sonar = Sonar(*options, **more)
+        self.addCleanup(sonar.close)
+        return sonar
+
+    def test_it_tells_of_itself_and_is_found(self):
+        sonar = self.sonar()
+        listener = status_listener(sonar.address)
+        self.addCleanup(listener.close)
+        address, part, mask, client, temperatures, pressure = next_status(listener)
+        self.assertEqual((address, part, mask, client), (sonar.address, 0, "255.0.0.0", "0.0.0.0"))
+        self.assertEqual(temperatures, [12] * 8)
+        self.assertAlmostEqual(pressure, 1.01325)
+        found = Client(address)
+        self.addCleanup(found.close)
+        self.assertEqual(next_status(listener)[3], found.socket.getsockname()[0])
+        # It knows its own network.
+        found.send(message(USER_CONFIG, bytes(12)))
+        number, data = found.receive()
+        while number == DUMMY:
+            number, data = found.receive()
+        self.assertEqual((number, data[16:]), (USER_CONFIG, socket.inet_aton(sonar.address) + b"\xff\0\0\0" + bytes(4)))
+
+    def test_targets_are_where_the_world_has_them(self):
+        client = self.sonar().client()
+        ping = client.ask(reach=8.0, gain=30.0)
+        # Without a preset rows are as many as the scenario's bins: 400 of 20 mm.
+        self.assertEqual((ping.rows, ping.beams, ping.speed, ping.frequency), (400, 60, 1500, 720e3))
+        self.assertAlmostEqual(ping.resolution, 0.02)
+        # 60 beams of 2 degrees, from port (below 0) to starboard.
+        self.assertEqual(ping.bearings, [2 * beam - 59 for beam in range(60)])
+        for beam, distance in ((29, 4.1), (56, 5.0)):  # 53.13 is in the beam from 52 to 54.
+            loudest = max(range(ping.rows), key=lambda row: ping.image[row][beam])
+            self.assertAlmostEqual(ping.distance(loudest), distance, delta=0.02)
+            self.assertGreater(ping.image[loudest][beam], 60)
+        # To port there is nothing but noise.
+        self.assertLess(max(max(row[:20]) for row in ping.image), 60)
+        # Nearer than 0.5 m, which are 25 rows, the sonar hears nothing.
+        self.assertEqual(max(max(row) for row in ping.image[:25]), 0)
+
+    def test_layouts_pixels_and_gains_are_as_asked(self):
+        client = self.sonar(*NOISE).client()
+        for layout in (1, 2):
+            for bits in (0, BITS16):
+                for gain in (0, GAIN_SENT):
+                    flags = METRES | SIMPLE | bits | gain
+                    ping = client.ask(flags=flags, reach=7.5, layout=layout, extended=7, reserved=range(1, 9))
+                    while ping.version != layout:
+                        ping = client.ping()
+                    # Ping checks all sizes. 400 rows of 60 pixels of 1 or 2 bytes, and of 4 bytes of gain.
+                    self.assertEqual(ping.image_size, 400 * (60 * (2 if bits else 1) + (4 if gain else 0)))
+                    self.assertEqual(ping.offset, (202 if layout == 2 else 122) + 120)
+                    self.assertGreater(max(map(max, ping.image)), 256 if bits else 100)
+                    if layout == 2:
+                        self.assertEqual(ping.extended, (7, *range(1, 9)))
+                        self.assertEqual((ping.heading, ping.pitch, ping.roll), (90, 0, 0))  # x is east.
+
+    def test_the_pose_is_told_as_heading_pitch_and_roll(self):
+        sonar = self.sonar(scenario=SCENARIO + "trajectory:\n"
+                           "  - {time: 0, position: [0, 0, 0], orientation_deg: [11, 7, 30]}\n")
+        ping = sonar.client().ask(layout=2)
+        # A yaw of 30 degrees from east to north is a heading of 60; a positive pitch looks down.
+        for told, expected in ((ping.heading, 60), (ping.pitch, -7), (ping.roll, 11)):
+            self.assertAlmostEqual(told, expected)
+
+    @unittest.skipIf(h5py is None, "no h5py")
+    def test_pixels_are_those_of_the_recording(self):
+        sonar = self.sonar(*NOISE)
+        # 0.5 m are 26.7 rows of 18.75 mm: 27 are blank.
+        blank, row_length = 27, 7.5 / 400
+        settings = [f"min_range={blank * row_length}", "max_range=7.5", f"bin_count={400 - blank}"]
+        subprocess.run([INSONIFY, "run", "dive.yaml", "-o", "out", "--pings", "1", "--no-pictures", *NOISE,
+                        *[word for s in settings for word in ("--set", f"sonars.fls.{s}")]],
+                       cwd=sonar.path, check=True, capture_output=True)
+        with h5py.File(sonar.path / "out/fls.h5") as recording:
+            intensity = recording["intensity"][0]
+        for bits, gamma, gain in ((0, 255, 50.0), (BITS16, 127, 35.0)):
+            sonar = self.sonar(*NOISE)  # Each ping has other noise: the first is that of the recording.
+            ping = sonar.client().ask(flags=USUAL | bits | GAIN_SENT, gamma=gamma, gain=gain, reach=7.5)
+            self.assertEqual(ping.number, 0)
+            self.assertEqual(set(map(max, ping.image[:blank])), {0})
+            full = 65535 if bits else 255
+            different = 0
+            for row, values in enumerate(intensity):
+                # 30 dB per decade of range, 0.2 dB a percent; words stand for a gain of 1/50.
+                decibels = 30 * math.log10((blank + row + 0.5) * row_length) + 0.2 * (gain - 50)
+                word = max(1, round(50 * 10 ** (decibels / 10)))
+                self.assertEqual(ping.gains[blank + row], word)
+                for beam, value in enumerate(values):
+                    # Full amplitude is at -40 dB: docs/reference/messages.md.
+                    amplitude = min(1, math.sqrt(value * 1e4 * word / 50))
+                    expected = full * amplitude ** (gamma / 255)
+                    pixel = ping.image[blank + row][beam]
+                    self.assertLess(abs(pixel - expected), 0.51 + 1e-6 * full)
+                    different += 0 < pixel < full
+            self.assertGreater(different, 5000, "most pixels are neither dark nor bright")
+
+    def test_range_frequency_beams_and_sound_speed_act(self):
+        sonar = self.sonar(scenario=SCENARIO.replace("name: fls, beam_count: 60, azimuth_aperture_deg: 120, bin_count: "
+                                                     "400, min_range: 0.5, max_range: 12",
+                                                     "name: fls, preset: blueprint-oculus-m750d"))
+        client = sonar.client()
+        low = client.ask(reach=6.0)
+        # The preset's rows of 4 mm, at most 1000.
+        self.assertEqual((low.rows, low.beams, low.frequency, low.mode), (1000, 512, 750e3, 1))
+        self.assertEqual(client.ask(reach=2.0).rows, 500)
+        self.assertEqual(client.ask(reach=2.0, flags=METRES | SIMPLE).beams, 256)
+        # 5 percent of 120 m.
+        percent = client.ask(reach=5.0, flags=SIMPLE)
+        self.assertAlmostEqual(percent.rows * percent.resolution, 6)
+        # The other mode of the preset: 40 m is its longest range. Gains are repeated as 40 to 100 percent.
+        high = client.ask(mode=2, reach=70.0, gain=30.0, wanted={"reach": 40})
+        self.assertEqual((high.rows, high.beams, high.frequency, high.reach, high.gain), (1000, 512, 1.2e6, 40, 58))
+        self.assertGreater(high.bearings[0], -35)
+        self.assertAlmostEqual(high.resolution, 0.04)
+        # With another sound speed the target ahead, at 4.1 m, seems elsewhere.
+        for speed in (0.0, 1600.0):
+            ping = client.ask(reach=6.0, speed=speed)
+            self.assertEqual(ping.speed, speed or 1500)
+            row = max(range(300, ping.rows), key=lambda row: max(ping.image[row][250:262]))
+            self.assertAlmostEqual(ping.distance(row), 4.1 * ping.speed / 1500, delta=0.02)
+        # Saltier than the water: 35 for 20 PSU, by 1.2 m/s per PSU or so, is faster.
+        self.assertAlmostEqual(client.ask(salinity=35.0).speed, 1500 + 15 * 1.2, delta=3)
+        _, _, err, _ = sonar.end()
+        self.assertEqual(err, "insonify: warning: range = 70 m is limited to 40 m, the longest in mode 2\n")
+
+    def test_another_sonar_is_the_high_mode(self):
+        client = self.sonar("--sonar", "fls", "--high", "fine").client()
+        ping = client.ask(mode=2, reach=6.0)
+        self.assertEqual((ping.beams, ping.rows, ping.frequency), (40, 300, 1.9e6))
+        ping = client.ask(mode=1, reach=6.0)
+        self.assertEqual((ping.beams, ping.rows, ping.frequency), (60, 400, 720e3))
+
+    def test_without_a_high_mode_there_is_one(self):
+        sonar = self.sonar()
+        ping = sonar.client().ask(mode=2, reach=6.0)
+        self.assertEqual((ping.mode, ping.frequency), (2, 720e3))
+        self.assertEqual(sonar.end()[2],
+                         "insonify: warning: fls has one mode, which is used for mode 2 (high frequency) too\n")
+
+    def test_gain_gamma_and_gain_assist_act(self):
+        client = self.sonar(*NOISE).client()
+
+        def mean(**settings):
+            image = client.ask(reach=8.0, flags=USUAL | BITS16, **settings).image
+            return sum(sum(row[:20]) for row in image[100:]) / (300 * 20)  # To port, where there is no target.
+
+        # 6 dB are a factor of 2 in amplitude.
+        quiet, loud = mean(gain=0.0), mean(gain=30.0)
+        self.assertAlmostEqual(loud / quiet, 2, delta=0.1)
+        # Roots of values below 1 are larger.
+        self.assertGreater(mean(gain=0.0, gamma=127), 3 * quiet)
+        self.assertEqual(client.ask(reach=8.0, gamma=0).gamma, 0)
+        # Assist brings 0.5 percent of the pixels above half: with little gain as with much noise.
+        for gain, half in ((50.0, 127.5), (20.0, 127.5 * 10 ** -0.3)):
+            assisted = client.ask(reach=8.0, gain=gain, flags=USUAL | ASSIST).image
+            bright = sum(pixel > half for row in assisted for pixel in row)
+            self.assertAlmostEqual(bright / (375 * 60), 0.005, delta=0.002)
+
+    def test_pings_come_at_the_rate_asked_for(self):
+        client = self.sonar().client()
+        for rate, period in ((RATE_15, 1 / 15), (RATE_40, 1 / 40), (RATE_10, 1 / 10)):
+            first = client.ask(reach=5.0, rate=rate, layout=2)
+            last = first
+            while last.number < first.number + 5:
+                last = client.ping()
+            # The schedule holds on average, whatever else the machine does.
+            self.assertAlmostEqual((last.start - first.start) / (last.number - first.number), period, delta=0.4 * period)
+
+    def test_the_scenarios_ping_period_is_a_limit(self):
+        client = self.sonar("--set", "sonars.fls.ping_period=0.3").client()
+        first = client.ask(reach=5.0, rate=RATE_40, layout=2)
+        second = client.ping()
+        self.assertAlmostEqual(second.start - first.start, 0.3, delta=0.05)
+
+    def test_it_does_not_ping_unasked_and_keeps_the_connection(self):
+        client = self.sonar().client()
+        client.send(message(DUMMY))
+        self.assertEqual(client.receive(), (DUMMY, struct.pack("<HHHHHIH", 0x4f53, 1, 0, DUMMY, 0, 0, 0)))
+        client.ask(reach=5.0)
+        client.send(fire(reach=5.0, rate=STANDBY))
+        number = PING
+        while number == PING:
+            number, _ = client.receive()
+        self.assertEqual(number, DUMMY)
+        self.assertEqual(client.receive()[0], DUMMY)
+        self.assertEqual(client.ask(reach=4.0).reach, 4)
+
+    def test_each_client_gets_each_ping_in_its_layout(self):
+        sonar = self.sonar()
+        one, two, silent = (sonar.client() for _ in range(3))
+        one.ask(reach=5.0)
+        two.ask(reach=6.0, layout=2)
+        self.assertEqual(two.ping().version, 2)
+        # The last message counts, for all; who has sent none gets layout 1.
+        for client in (one, silent):
+            ping = client.ping()
+            while ping.reach != 6:
+                ping = client.ping()
+            self.assertEqual(ping.version, 1)
+        numbers = [one.ping().number for _ in range(3)]
+        self.assertEqual(numbers, list(range(numbers[0], numbers[0] + 3)))
+        one.close()
+        self.assertEqual(two.ping().version, 2)
+
+    def test_a_client_that_does_not_read_stops_nobody(self):
+        sonar = self.sonar("--set", "sonars.fls.bin_count=2000", "--set", "sonars.fls.beam_count=250")
+        sonar.client().send(fire(reach=5.0, flags=USUAL | BITS16, rate=RATE_40))  # 1 MB a ping, never read.
+        reader = sonar.client()
+        for _ in range(20):  # More than the system's buffers take.
+            self.assertEqual(reader.ping().rows, 2000)
+        _, out, _, _ = sonar.end()
+        self.assertIn("messages dropped, for nobody read them", out)
+
+    def test_a_driver_may_start_again(self):
+        sonar = self.sonar()
+        for reach in (5.0, 6.0):
+            client = sonar.client()
+            self.assertEqual(client.ask(reach=reach).reach, reach)
+            client.close()
+
+    def test_wrong_messages_change_nothing_and_are_told(self):
+        sonar = self.sonar()
+        client = sonar.client()
+        client.ask(reach=5.0)
+        for wrong in (fire(mode=0), fire(mode=3), fire(rate=6), fire(reach=0.0), fire(reach=math.nan), fire(gain=101.0),
+                      fire(speed=1200.0), fire(salinity=-1.0), fire(flags=METRES), fire(reach=101.0, flags=SIMPLE),
+                      message(0x15, bytes(36)), message(0x15, bytes(37), version=2), message(0x22), b"hello" * 9):
+            client.send(wrong)
+        client.send(message(USER_CONFIG, bytes(12)))
+        while client.receive()[0] != USER_CONFIG:
+            pass
+        ping = client.ping()
+        self.assertEqual((ping.reach, ping.mode, ping.gain), (5, 1, 50))
+        _, out, err, _ = sonar.end()
+        told = [line.removeprefix("insonify: warning: not obeyed, from ").split(": ", 1)[1] for line in err.splitlines()]
+        self.assertEqual(told, [
+            "mode = 0 must be from 1 to 2", "mode = 3 must be from 1 to 2", "ping rate = 6 must be from 0 to 5",
+            "range = 0 must be greater than 0, at most 100000", "range = nan must be greater than 0, at most 100000",
+            "gain = 101 must be from 0 to 100", "sound speed = 1200 must be from 1300 to 1700",
+            "salinity = -1 must be from 0 to 50",
+            "flags = 0x01 ask for the full return message, whose format is not public; 0x09 asks for the simple one",
+            "range = 101 must be greater than 0, at most 100",
+            "fire message of version 0 has a payload of 36 bytes and must have 37 or 73",
+            "fire message of version 2 has a payload of 37 bytes and must have 73", "message 0x22, which is unknown",
+            "45 bytes that are no message"])
+        self.assertIn("14 packets refused", out)
+
+    def test_random_packets_do_not_end_it(self):
+        sonar = self.sonar()
+        chance = random.Random(52100)
+        good = [fire(reach=3.0), fire(reach=4.0, layout=2), message(DUMMY), message(USER_CONFIG, bytes(12)),
+                fire(rate=STANDBY)]
+        for _ in range(6):
+            client = sonar.client()
+            for _ in range(300):
+                packet = bytearray(chance.choice(good) if chance.random() < 0.8 else chance.randbytes(chance.randrange(200)))
+                for _ in range(chance.randrange(4)):
+                    if packet:
+                        packet[chance.randrange(len(packet))] = chance.randrange(256)
+                try:
+                    client.send(packet[:chance.randrange(len(packet) + 1)] if chance.random() < 0.1 else packet)
+                except OSError:  # The sonar may not close; the test's buffer may be full.
+                    self.fail("the sonar closed the connection")
+                if chance.random() < 0.02:
+                    time.sleep(0.002)
+            client.close()
+        client = sonar.client()
+        self.assertEqual(client.ask(reach=2.5, rate=RATE_2).reach, 2.5)
+        self.assertEqual(sonar.end()[0], 0)
+
+    def test_it_ends_at_once_and_tells_its_rate(self):
+        sonar = self.sonar()
+        sonar.client().ask(reach=5.0)
+        sonar.process.send_signal(signal.SIGUSR1)
+        self.assertEqual(sonar.process.stdout.readline(), "mode 1 (low): 720 kHz, to 12 m\n")
+        self.assertRegex(sonar.process.stdout.readline(), r"^\d+ pings in")
+        status, out, err, seconds = sonar.end()
+        self.assertEqual((status, err), (0, ""))
+        self.assertIn("ms from transmission to message", out)
+        self.assertLess(seconds, 1)
+
+    def test_in_the_papers_model_pixels_are_intensities(self):
+        sonar = self.sonar(scenario="model: paper\nworld: wall.obj\nsonars:\n"
+                           "  - {name: fls, beam_count: 30, bin_count: 200, max_range: 8}\n",
+                           **{"wall.obj": "v 4 -9 -9\nv 4 9 -9\nv 4 9 9\nv 4 -9 9\nf 4 3 2 1\n"})
+        ping = sonar.client().ask(reach=8.0)
+        row, _ = ping.brightest()
+        self.assertAlmostEqual(ping.distance(row), 4, delta=0.15)
+        subprocess.run([INSONIFY, "run", "dive.yaml", "-o", "out", "--pings", "1", "--no-pictures"], cwd=sonar.path,
+                       check=True, capture_output=True)
+        if h5py is not None:
+            with h5py.File(sonar.path / "out/fls.h5") as recording:
+                brightest = recording["intensity"][0].max()
+            self.assertAlmostEqual(max(map(max, ping.image)), round(255 * brightest), delta=30)
+
+    def test_wrong_input_is_one_line(self):
+        sonar = self.sonar()
+        for options, message_text in (
+                (["--sonar", "head"],
+                 "--sonar head: is scanning (type: msis); emulate oculus needs one that is forward-looking (type: fls)"),
+                (["--high", "head"],
+                 "--high head: is scanning (type: msis); emulate oculus needs one that is forward-looking (type: fls)"),
+                (["--high", "x"], "--high x: dive.yaml has no such sonar; it has head, fls, fine"),
+                (["--address", "::1"],
+                 "--address ::1 must be one IPv4 address: the sonar tells it in its status messages")):
+            done = subprocess.run([INSONIFY, "emulate", "oculus", "dive.yaml", "--port", "0", *options],
+                                  cwd=sonar.path, capture_output=True, text=True, timeout=20, check=False)
+            self.assertEqual((done.returncode, done.stderr), (2, f"insonify: {message_text}\n"))
+        for address, failure in (
+                (sonar.address, f"cannot listen on TCP port 52100 of {sonar.address}: Address already in use"),
+                ("192.0.2.1", "--address 192.0.2.1: no network interface of this machine has it")):
+            done = subprocess.run([INSONIFY, "emulate", "oculus", "dive.yaml", "--address", address],
+                                  cwd=sonar.path, capture_output=True, text=True, timeout=20, check=False)
+            self.assertEqual((done.returncode, done.stderr.splitlines()[-1]), (1, f"insonify: {failure}"))
+
+
+if __name__ == "__main__":
+    unittest.main()
