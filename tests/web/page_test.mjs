@@ -388,6 +388,69 @@ const failed = await runChecks({
     await until(async () => (await get("mode")) === "fan", "the fan");
   },
 
+  async "a vertical scanning head is drawn upright: up is up, the housing's front to the right"() {
+    server.state.paused = true;
+    server.sonars[1].mounting = "vertical";
+    server.say(server.hello());
+    await choose("sonar", "head");
+    await until(async () => (await get("sonar")).vertical && (await get("mode")) === "round", "the upright picture");
+    const box = await page.$eval("#picture-stage", (node) => node.getBoundingClientRect().toJSON());
+    const [middle] = await placeOf(0, 0);
+    const [front] = await placeOf(10, 0);
+    const [, up] = await placeOf(10, Math.PI / 2);
+    const [, level] = await placeOf(10, 0);
+    assert.ok(front > middle + 50 && up < level - 50 && up > box.top, `front ${front - middle}, up ${level - up}`);
+    // Loud everywhere in a beam 60 degrees down and ahead; where the picture is bright, as parts of its reach from the middle.
+    const [right, below] = await page.evaluate(() => {
+      const { picture, store } = insonify;
+      const { beams, bins, max_range: reach } = store.get("sonar");
+      const pose = { position: [0, 0, 0], orientation: [1, 0, 0, 0] };
+      const ping = { number: 0, time: 0, beams, bins, pose, vehicle: pose, headAngle: -Math.PI / 3, tables: { level: new Uint16Array(bins).fill(40_000) } };
+      picture.renderer.round.clear(store.get("sonar"));
+      picture.add(ping);
+      store.set({ shown: ping, grid: false });
+      picture.draw();
+      const canvas = document.getElementById("picture");
+      const made = document.createElement("canvas");
+      Object.assign(made, { width: canvas.width, height: canvas.height });
+      const context = made.getContext("2d");
+      context.drawImage(canvas, 0, 0);
+      const pixels = context.getImageData(0, 0, made.width, made.height).data;
+      let [sumX, sumY, count] = [0, 0, 0];
+      for (let i = 0; i < pixels.length; i += 4) {
+        if (pixels[i] < 200 || pixels[i + 3] < 200) continue;
+        const at = picture.plan.toPlane((((i / 4) % made.width) + 0.5) * canvas.clientWidth / made.width, (Math.floor(i / 4 / made.width) + 0.5) * canvas.clientHeight / made.height);
+        sumX += at[0];
+        sumY += at[1];
+        ++count;
+      }
+      store.set({ grid: true });
+      return [sumX / count / reach, -sumY / count / reach];
+    });
+    // The middle of a narrow sector lies at 2/3 of its reach: cos 60 and sin 60 of that, within a pixel or two.
+    assert.ok(Math.abs(right - 0.333) < 0.05 && Math.abs(below - 0.577) < 0.05, `${right} to the right, ${below} below`);
+    const bearingAt = async (azimuth) => {
+      await page.mouse.move(...(await placeOf(10, (azimuth * Math.PI) / 180)));
+      return until(async () => Math.abs(((await get("cursor"))?.azimuth ?? 9) * 180 / Math.PI - azimuth) < 1 && (await text("read-bearing")) !== "\u2013" && text("read-bearing"), `the bearing ${azimuth}`);
+    };
+    assert.match(await bearingAt(-60), /^(59\.\d|60\.\d)° down$/);
+    assert.match(await bearingAt(30), /^(29\.\d|30\.\d)° up$/);
+    assert.match(await bearingAt(-150), /^(29\.\d|30\.\d)° down, back$/);
+    delete server.sonars[1].mounting;
+    server.state.paused = false;
+    server.say(server.hello());
+    await choose("sonar", "fls");
+    await until(async () => (await get("mode")) === "fan", "the fan");
+  },
+
+  async "bearings of a vertical head are slopes"() {
+    const said = await page.evaluate(async () => {
+      const { bearing } = await import("./js/format.js");
+      return [0, 0.001, 90, -90, -45.04, 134.96, 180, -179.99, 270, 30].map((angle) => bearing((angle * Math.PI) / 180, true));
+    });
+    assert.deepEqual(said, ["front", "front", "up", "down", "45.0° down", "45.0° up, back", "back", "back", "down", "30.0° up"]);
+  },
+
   async "beams of a scanning head leave no column between them, whatever the step"() {
     const gaps = await page.evaluate(async () => {
       const { RoundPicture } = await import("./js/draw/round.js");

@@ -10,9 +10,14 @@ export function describeSonar(sonar) {
   const beams = azimuths.length;
   const aperture = radians(sonar.azimuth_aperture ?? 0);
   const edges = sonar.azimuth_edges?.map(radians) ?? edgesOf(azimuths, aperture);
+  const scanning = sonar.type === "msis";
+  const vertical = scanning && sonar.mounting === "vertical";
   return {
     ...sonar,
-    scanning: sonar.type === "msis",
+    scanning,
+    vertical,
+    // A vertical head's port side points up: up is drawn upwards, and the housing's front to the right.
+    up: vertical ? Math.PI / 2 : 0,  // azimuth that is drawn upwards
     beamAzimuths: azimuths,
     edges,
     binLength: (sonar.max_range - sonar.min_range) / sonar.bins,

@@ -1,8 +1,8 @@
 // graticule.js -- range rings, radials, labels, sweep line and cursor over the picture.
 
 import { themeColour } from "../dom.js";
-import { bearing, number, ringSpacing, ticks } from "../format.js";
-import { degrees, radians } from "../geometry.js";
+import { bearing, number, ringSpacing, slope, ticks } from "../format.js";
+import { degrees, radians, wrapped } from "../geometry.js";
 
 const kFont = "11px system-ui, sans-serif";
 
@@ -31,7 +31,7 @@ function drawRings(context, plan) {
   const radiusOf = (range) => plan.toScreen(range, 0)[0] - apexX;
   const arc = (range) => {
     context.beginPath();
-    context.arc(apexX, apexY, radiusOf(range), -Math.PI / 2 - port, -Math.PI / 2 - starboard);
+    context.arc(apexX, apexY, radiusOf(range), sonar.up - Math.PI / 2 - port, sonar.up - Math.PI / 2 - starboard);
     context.stroke();
   };
   context.strokeStyle = themeColour("--ring");
@@ -45,7 +45,7 @@ function drawRings(context, plan) {
     context.stroke();
     if (!isSmall(plan)) labelRadial(context, plan, azimuth);
   }
-  rings.forEach((range) => labelRing(context, plan, range, whole ? -Math.PI / 4 : port));
+  rings.forEach((range) => labelRing(context, plan, range, whole ? sonar.up - Math.PI / 4 : port));
 }
 
 // Every 20 degrees, beginning at 10 to either side, and both edges; every 30 around a full circle.
@@ -62,12 +62,15 @@ function radialsOf(plan, port, starboard) {
 
 function labelRadial(context, plan, azimuth) {
   const [x, y] = plan.place(plan.sonar.max_range * 1.0, azimuth);
-  const angle = -azimuth;
+  const angle = plan.sonar.up - azimuth;
   context.fillStyle = themeColour("--soft");
   context.textAlign = Math.sin(angle) > 0.2 ? "left" : Math.sin(angle) < -0.2 ? "right" : "center";
   context.textBaseline = Math.cos(angle) < -0.5 ? "top" : "bottom";
-  context.fillText(`${Math.round(Math.abs(degrees(angle)))}°`, x + 5 * Math.sin(angle), y - 4 * Math.cos(angle));
+  context.fillText(radialText(plan.sonar, azimuth), x + 5 * Math.sin(angle), y - 4 * Math.cos(angle));
 }
+
+const radialText = ({ vertical }, azimuth) =>
+  vertical ? slope(degrees(wrapped(azimuth)), 0).replace(/, back$/, "") : `${Math.round(Math.abs(degrees(azimuth)))}°`;
 
 // At the left edge of the fan, beside it.
 function labelRing(context, plan, range, azimuth) {

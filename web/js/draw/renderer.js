@@ -113,6 +113,7 @@ export class PictureRenderer {
     gl.uniform1i(at.mode, kModes[plan.mode]);
     gl.uniform1i(at.smooth_cells, store.get("smooth") ? 1 : 0);
     gl.uniform2f(at.azimuths, sonar.edges[0], sonar.edges[sonar.beams]);
+    gl.uniform1f(at.up, sonar.up);
     gl.uniform2i(at.size, sonar.scanning ? kRoundSlots : sonar.beams, this.rows);
     gl.uniform1i(at.overlay, overlay);
     gl.uniform1f(at.elevation_half, sonar.elevationAperture / 2);

@@ -25,7 +25,7 @@ export class AscanView {
     const ping = slot === undefined ? store.get("shown") : this.roundPings()[slot];
     if (!sonar || !ping || ping.bins !== sonar.bins || beam >= ping.beams) return;
     const azimuth = sonar.scanning ? ping.headAngle : sonar.beamAzimuths[beam];
-    write(byId("ascan-caption"), `${sonar.scanning ? "" : `Beam ${beam}   `}${bearing(azimuth)}${cursor ? "" : sonar.scanning ? "" : "   (chosen)"}`);
+    write(byId("ascan-caption"), `${sonar.scanning ? "" : `Beam ${beam}   `}${bearing(azimuth, sonar.vertical)}${cursor ? "" : sonar.scanning ? "" : "   (chosen)"}`);
     const low = store.get("low");
     const high = Math.max(store.get("high"), low + 1);
     const margin = (high - low) * 0.12;
