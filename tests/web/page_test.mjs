@@ -388,6 +388,60 @@ const failed = await runChecks({
     await until(async () => (await get("mode")) === "fan", "the fan");
   },
 
+  async "of a scanning head the overlay colours the round picture, and no beam can be chosen"() {
+    await press("tab-display");
+    assert.equal(await page.$eval("#beam-field", (node) => node.offsetParent !== null), true);
+    await choose("sonar", "head");
+    await until(async () => (await get("mode")) === "round" && (await get("shown"))?.sonar === "head", "the round picture");
+    for (const id of ["beam-field", "waterfall-of-field"]) assert.equal(await page.$eval(`#${id}`, (node) => node.offsetParent), null, id);
+    assert.match(await text("beam-hint"), /^The head has one beam/);
+    // Colours of the picture that are none of the colour map: hues that grey levels and inferno do not have.
+    const greenish = () => page.evaluate(() => {
+      insonify.picture.draw();
+      const canvas = document.getElementById("picture");
+      const made = document.createElement("canvas");
+      Object.assign(made, { width: canvas.width, height: canvas.height });
+      const context = made.getContext("2d");
+      context.drawImage(canvas, 0, 0);
+      const pixels = context.getImageData(0, 0, made.width, made.height).data;
+      let count = 0;
+      for (let i = 0; i < pixels.length; i += 4) if (pixels[i + 1] > pixels[i] + 20 && pixels[i + 1] > pixels[i + 2] + 20 && pixels[i + 3] > 200) ++count;
+      return count;
+    });
+    await choose("map", "inferno");
+    assert.equal(await greenish(), 0);
+    // Label 2, the bed, has the hue (2 * 0.618 + 0.08) mod 1 = 0.316: green.
+    await choose("overlay", "instance");
+    await until(async () => (await greenish()) > 3, "the bed's colour");
+    await until(async () => (await text("legend")).includes("bed"), "its name");
+    await choose("overlay", "none");
+    await until(async () => (await greenish()) === 0, "the picture without it");
+    await choose("sonar", "fls");
+    await until(async () => (await get("mode")) === "fan", "the fan");
+  },
+
+  async "the A-scan says why it is empty"() {
+    Object.assign(server.sonars[1], { sector_center: 0, sector_width: 90 });
+    server.state.paused = true;
+    server.headAngle = 0;
+    server.say(server.hello());
+    await choose("sonar", "head");
+    await until(async () => (await get("sonar"))?.sector_width === 90, "the sector");
+    assert.equal(await text("ascan-empty"), "Waiting for the first ping");
+    await press("step");
+    await until(() => page.$eval("#ascan-empty", (node) => node.hidden), "a curve");
+    for (const [degrees, reason] of [[-44, "No ping in this direction yet"], [50, "Outside the scanned sector"]]) {
+      await page.mouse.move(...(await placeOf(10, (degrees * Math.PI) / 180)));
+      await until(async () => (await text("ascan-empty")) === reason && !(await page.$eval("#ascan-empty", (node) => node.hidden)), reason);
+      assert.match(await text("ascan-caption"), degrees < 0 ? /^4[34]\.\d° stbd$/ : /^(49|50)\.\d° port$/);
+    }
+    delete server.sonars[1].sector_width;
+    server.state.paused = false;
+    server.say(server.hello());
+    await choose("sonar", "fls");
+    await until(async () => (await get("mode")) === "fan", "the fan");
+  },
+
   async "a vertical scanning head is drawn upright: up is up, the housing's front to the right"() {
     server.state.paused = true;
     server.sonars[1].mounting = "vertical";

@@ -45,7 +45,7 @@ picture.firstDrawn = () => setTimeout(() => {
 });
 new AscanView(store, frames, roundPings);
 setUpReadout(store, frames, roundPings);
-setUpDisplay(store, frames);
+setUpDisplay(store, frames, roundPings);
 
 const session = new Session(store, notes, {
   taken: (ping) => {

@@ -1,6 +1,6 @@
 // sonar.js -- beams and bins of the watched sonar: from indices to ranges and azimuths, and back.
 
-import { radians } from "./geometry.js";
+import { radians, wrapped } from "./geometry.js";
 
 export const kRoundSlots = 1440;  // columns of a scanning head's round picture
 
@@ -35,6 +35,10 @@ function edgesOf(azimuths, aperture) {
   edges[beams] = beams > 1 ? 2 * azimuths[beams - 1] - edges[beams - 1] : azimuths[0] - aperture / 2;
   return edges;
 }
+
+/** Whether a scanning head turns to an azimuth [rad]. */
+export const inSector = (sonar, azimuth) =>
+  Math.abs(wrapped(azimuth - radians(sonar.sector_center ?? 0))) <= radians(sonar.sector_width ?? 360) / 2;
 
 export const binRange = (sonar, bin) => sonar.min_range + (bin + 0.5) * sonar.binLength;
 
