@@ -4,7 +4,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "console/console.h"
+#include "serve/recordings.h"
 
 namespace insonify {
 
@@ -52,10 +55,24 @@ void Hub::on_world(const std::shared_ptr<const LiveWorld>& world) {
 void Hub::on_note(const std::string& text) {
   post([this, text] {
     complain(text);
-    for (HubMember* member : members_) {
-      member->on_note(text);
-    }
+    tell_note(text);
   });
+}
+
+// The server's thread may have ended: the terminal is told at once.
+void Hub::on_recorded(const LiveRecording& recording) {
+  const std::string text = recorded_text(recording);
+  if (!quiet_) {
+    say("{}\n", text);
+    flush_output();
+  }
+  post([this, text] { tell_note(text); });
+}
+
+void Hub::tell_note(const std::string& text) {
+  for (HubMember* member : members_) {
+    member->on_note(text);
+  }
 }
 
 void Hub::take_pings() {
@@ -135,13 +152,8 @@ std::filesystem::path Hub::recording_path(const std::string& ending) {
   const std::filesystem::path stem = recording_.parent_path() / recording_.stem();
   for (int number = 1;; ++number) {
     std::filesystem::path path = stem.string() + (number == 1 ? "" : fmt::format("_{}", number)) + ending;
-    std::filesystem::path scenario = path;
-    scenario.replace_extension(".yaml");
-    bool taken = std::filesystem::exists(path) || std::filesystem::exists(scenario);
-    for (const SonarConfig& sonar : world_->sonars) {
-      taken = taken || std::filesystem::exists(path.parent_path() / (path.stem().string() + "-" + sonar.name + ending));
-    }
-    if (!taken) {
+    const std::vector<std::filesystem::path> files = live_recording_files(path, world_->sonars);
+    if (std::ranges::none_of(files, [](const auto& file) { return std::filesystem::exists(file); })) {
       return path;
     }
   }
