@@ -194,6 +194,45 @@ const failed = await runChecks({
     await until(async () => /^Saved mock_live\.yaml/.test(await text("note")), "the note of what was saved");
   },
 
+  async "rates count over the time there is, and not before half a second of it"() {
+    const seen = await page.evaluate(async () => {
+      const { Rates } = await import("./js/rates.js");
+      // Four pings that had waited at once, then 37 a second; time passes at 0.8 of the clock, which the server's stamps say.
+      const fast = new Rates();
+      const found = { fast: [], slow: [] };
+      const pings = [0, 0, 0, 0];
+      for (let i = 1; i < 37 * 6; ++i) pings.push((1000 * i) / 37);
+      let next = 0;
+      for (const now of [400, 499, 1000, 3000, 5000]) {
+        for (; next < pings.length && pings[next] <= now; ++next) fast.add(pings[next], { time: (0.8 * (next - 3)) / 37, change: 1, made_at: 1.7e9 + (next - 3) / 37 });
+        found.fast.push([fast.pingsPerSecond(now), fast.timeFactor(now)]);
+      }
+      fast.add(5001, { time: 0, change: 2, made_at: 1.7e9 + 5.1 });
+      found.anew = fast.timeFactor(5002);
+      const slow = new Rates();
+      for (const now of [0, 5000, 10_000]) {
+        slow.add(now, { time: now / 500, change: 1 });
+        found.slow.push([slow.pingsPerSecond(now), slow.timeFactor(now)]);
+      }
+      found.stopped = [slow.pingsPerSecond(40_000), slow.timeFactor(40_000)];
+      return found;
+    });
+    const rounded = seen.fast.map(([rate, pace]) => [rate && Math.round(rate), pace && Math.round(pace * 100) / 100]);
+    assert.deepEqual(rounded, [[null, null], [null, 0.8], [37, 0.8], [37, 0.8], [37, 0.8]]);
+    assert.equal(seen.anew, null);
+    assert.deepEqual(seen.slow, [[null, null], [0.2, 2], [0.2, 2]]);
+    assert.deepEqual(seen.stopped, [0, null]);
+  },
+
+  async "the page tells pings a second and the part of real time, and neither while it is paused"() {
+    // The stand-in makes 4 pings a second, 0.05 s of its time apart: 0.2 of real time, and less where its timers are late.
+    await until(async () => /^[1-4]\.\d$/.test(await text("rate")) && /^0\.(0[5-9]|1\d|2[0-2])$/.test(await text("pace")), "both");
+    await press("pause");
+    await until(async () => (await text("rate")) === "\u2013" && (await text("pace")) === "\u2013", "neither");
+    await press("pause");
+    await until(async () => (await text("rate")) !== "\u2013", "a rate again");
+  },
+
   async "keys fly, and letting go stops"() {
     await page.evaluate(() => document.activeElement.blur());
     server.requests.length = 0;
