@@ -371,6 +371,49 @@ const failed = await runChecks({
     assert.deepEqual(ages, [0, 0.5, 1, 1.5, 2, 2.5]);
   },
 
+  async "a smaller view is drawn once a second at least, and at once when it has something to show"() {
+    const seen = await page.evaluate(async () => {
+      const { Frames } = await import("./js/frames.js");
+      // Frames of a clock that is moved by hand, `length` milliseconds each; every frame asks for both drawings again.
+      const drawings = (length, empty = 0) => {
+        let now = 5000;
+        let pending = null;
+        const times = [];
+        const frames = new Frames({ now: () => now, next: (callback) => (pending = callback) });
+        const large = frames.add(() => {});
+        const small = frames.add(() => {
+          times.push(now);
+          return times.length > empty;
+        }, () => true);
+        for (let i = 0; i < 60; ++i) {
+          large();
+          small();
+          now += length;
+          pending();
+        }
+        return times;
+      };
+      const longest = (times) => Math.max(...times.slice(1).map((time, i) => time - times[i]));
+      return { quick: longest(drawings(16)), slow: [60, 150, 300, 700, 990, 1500].map((length) => longest(drawings(length))), empty: drawings(300, 3).slice(0, 4) };
+    });
+    assert.equal(seen.quick, 16);
+    seen.slow.slice(0, 5).forEach((gap) => assert.ok(gap <= 1000, `${gap} ms between drawings`));
+    assert.ok(seen.slow[2] > 500, "frames of 0.3 s leave most drawings out");
+    assert.equal(seen.slow[5], 1500, "every frame");
+    assert.deepEqual(seen.empty, [5300, 5600, 5900, 6200]);
+  },
+
+  async "the waterfall begins with the ping that is shown"() {
+    await until(() => get("shown"), "a ping");
+    const rows = await page.evaluate(async () => {
+      const { WaterfallView } = await import("./js/views/waterfall.js");
+      return new WaterfallView(insonify.store, { add: () => () => {} }).count;
+    });
+    assert.equal(rows, 1);
+    await page.goto(address);  // Without the second view.
+    await ping();
+  },
+
   async "contrast, gain, colours and overlay change the picture, and nothing on the server"() {
     await press("tab-display");
     server.requests.length = 0;
