@@ -648,6 +648,41 @@ class Starting(unittest.TestCase):
                 subprocess.run([INSONIFY, "run", "dive.yaml", "-o", "again", "--pings", "2", "--no-pictures", "-q"],
                                cwd=server.path, check=True)
 
+    # Its first pings hear noise only: levels that fit them would make the noise bright.
+    def test_levels_of_a_scanning_head_follow_its_first_turn(self):
+        server = self.served(scenario="""
+points: [{position: [0, 5, 0], target_strength_db: -10}]
+sonars: [{name: head, type: msis, beam_count: 1, azimuth_aperture_deg: 4, step_deg: 6, bin_count: 100, max_range: 12, ping_period: 0.02}]
+""")
+        page = Socket(server.port)
+        page.open()
+        first = page.text("hello")["sonars"][0]["levels"]
+        self.assertEqual(first[1] - first[0], 50)
+        while True:
+            levels = page.text("levels")
+            self.assertEqual(levels["sonar"], "head")
+            if levels["levels"][1] > first[1] + 20:
+                break
+        while page.ping()[0]["number"] < 130:  # Two turns of 60 pings, and more.
+            pass
+        later = Socket(server.port)
+        later.open()
+        last = later.text("hello")["sonars"][0]["levels"]
+        # The point: -10 - 40 lg 5 - 2 alpha 5, raised by 30 lg 5, is between -20 and -15 dB, of which the brightest level lies 25 dB
+        # below at most, and is a multiple of 5.
+        self.assertIn(last[1], (-45, -40))
+        self.assertEqual(last[1] - last[0], 50)
+
+    def test_the_scene_holds_point_targets(self):
+        page = Socket(self.served().port)
+        page.open()
+        while True:
+            opcode, data = page.frame()
+            if opcode == 2 and struct.unpack("<I", data[:4])[0] == 2:
+                break
+        header = json.loads(data[8:8 + struct.unpack("<I", data[4:8])[0]])
+        self.assertEqual(header["points"], [[5, 1, 0]])
+
     def test_recordings_that_are_there_are_kept(self):
         server = self.served("--record", "dive.mcap")
         page = Socket(server.port)

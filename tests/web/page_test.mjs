@@ -362,6 +362,7 @@ const failed = await runChecks({
   },
 
   async "the waterfall labels ages of rows, also when the time begins anew"() {
+    await until(() => page.evaluate(() => Boolean(insonify.waterfall)), "the waterfall");
     const ages = await page.evaluate(() => {
       const view = insonify.waterfall;
       view.clear();
@@ -405,6 +406,7 @@ const failed = await runChecks({
 
   async "the waterfall begins with the ping that is shown"() {
     await until(() => get("shown"), "a ping");
+    await until(() => page.evaluate(() => Boolean(insonify.waterfall)), "the waterfall");
     const rows = await page.evaluate(async () => {
       const { WaterfallView } = await import("./js/views/waterfall.js");
       return new WaterfallView(insonify.store, { add: () => () => {} }).count;
@@ -412,6 +414,35 @@ const failed = await runChecks({
     assert.equal(rows, 1);
     await page.goto(address);  // Without the second view.
     await ping();
+    await until(() => page.evaluate(() => Boolean(insonify.scene)), "all views");
+  },
+
+  async "range lines of an empty waterfall are seen in both themes"() {
+    const before = await get("theme");
+    await until(() => page.evaluate(() => Boolean(insonify.waterfall)), "the waterfall");
+    for (const theme of ["dark", "light"]) {
+      const contrast = await page.evaluate(async (name) => {
+        const { themeColour } = await import("./js/dom.js");
+        document.documentElement.dataset.theme = name;
+        const view = insonify.waterfall;
+        view.clear();
+        view.draw();
+        const canvas = document.getElementById("waterfall-scale");
+        const [r, g, b] = [1, 3, 5].map((at) => parseInt(themeColour("--panel").slice(at, at + 2), 16));
+        const row = canvas.getContext("2d").getImageData(0, Math.floor(canvas.height / 2), canvas.width, 1).data;
+        let most = 0;  // of the line's colour over the panel
+        for (let i = 0; i < row.length; i += 4) {
+          const part = row[i + 3] / 255;
+          most = Math.max(most, part * (Math.abs(row[i] - r) + Math.abs(row[i + 1] - g) + Math.abs(row[i + 2] - b)));
+        }
+        return most;
+      }, theme);
+      assert.ok(contrast > 8, `${theme}: ${contrast}`);  // A line covers a quarter of a pixel here.
+    }
+    await page.evaluate((theme) => {
+      insonify.store.set({ theme: "dark" });
+      insonify.store.set({ theme });
+    }, before);
   },
 
   async "contrast, gain, colours and overlay change the picture, and nothing on the server"() {
@@ -662,21 +693,36 @@ const failed = await runChecks({
     assert.equal(await page.$eval("#note", (node) => node.getAttribute("aria-live")), "polite");
   },
 
-  async "nothing is wider than the window, on a desktop and on a tablet"() {
-    for (const [width, height] of [[1280, 720], [1024, 768], [768, 1024]]) {
+  async "nothing is wider than the window, on a desktop, on a tablet and on a telephone"() {
+    for (const [width, height] of [[1280, 720], [1024, 768], [768, 1024], [390, 800]]) {
       await resize(width, height);
-      await pause(0.2);
+      await until(() => page.evaluate((w) => innerWidth === w, width), "the width");
       const wide = await page.evaluate(() => [document.documentElement.scrollWidth - innerWidth, document.documentElement.scrollHeight - innerHeight]);
       assert.ok(wide[0] <= 0 && wide[1] <= 0, `${width} x ${height}: ${wide}`);
-      const cut = await page.evaluate(() => [...document.querySelectorAll("header button, footer button, footer select")]
+      const cut = await page.evaluate(() => [...document.querySelectorAll("header button, header dd, footer button, footer select")]
         .filter((node) => node.offsetParent && (node.getBoundingClientRect().right > innerWidth + 0.5 || node.getBoundingClientRect().left < -0.5 || node.getBoundingClientRect().bottom > innerHeight + 0.5)).map((node) => node.id));
       assert.deepEqual(cut, [], `${width} x ${height}`);
-      const [needs, has] = await page.$eval("#read-level", (node) => {
-        node.textContent = "\u2212108.1 dB (shown \u2212108.1)";  // As long as it can be.
-        return [node.scrollWidth, node.clientWidth];
+      // Figures as long as they can be are whole, and within the line or the lines of the readout.
+      const cutFigures = await page.evaluate(() => {
+        const figures = { range: "1234.567 m", bearing: "120.0\u00b0 stbd", level: "\u2212108.1 dB (shown \u2212108.1)", beam: "1023", bin: "12345", world: "\u2212123.45, \u2212123.45, \u2212123.45" };
+        const edge = document.getElementById("readout").getBoundingClientRect();
+        return Object.entries(figures).filter(([name, text]) => {
+          const node = document.getElementById(`read-${name}`);
+          node.textContent = text;
+          const box = node.parentElement.getBoundingClientRect();
+          return node.scrollWidth > node.clientWidth || box.right > edge.right + 0.5 || box.bottom > edge.bottom + 0.5;
+        });
       });
-      assert.ok(needs <= has, `level at ${width} x ${height}: ${needs} of ${has} pixels`);
+      assert.deepEqual(cutFigures, [], `${width} x ${height}`);
     }
+    await resize(390, 800);
+    await until(() => page.evaluate(() => innerWidth === 390), "the telephone");
+    const boxes = await page.$$eval(".view, .readout", (nodes) => nodes.map((node) => node.getBoundingClientRect().toJSON()).sort((a, b) => a.top - b.top));
+    boxes.forEach(({ left, right, top }, i) => {
+      assert.ok(left <= 8 && right >= 382, `from ${left} to ${right}`);
+      assert.ok(i === 0 || top >= boxes[i - 1].bottom, "one below the other");
+    });
+    assert.ok(boxes[0].height > 250 && (await page.$eval("#views", (node) => node.scrollHeight > node.clientHeight)), "the rest is scrolled to");
     await resize(1280, 720);
   },
 
@@ -691,6 +737,84 @@ const failed = await runChecks({
     }
     server.vehicle = before;
     await resize(1280, 720);
+  },
+
+  async "neither the legend nor the frozen tag lies on anything"() {
+    await choose("overlay", "multipath");
+    await until(() => page.$eval("#legend", (node) => node.offsetParent !== null && node.textContent.includes("three surfaces")), "the legend");
+    const overlap = (a, b) => page.evaluate((ids) => {
+      const [one, other] = ids.map((id) => document.getElementById(id).getBoundingClientRect());
+      return one.width > 0 && other.width > 0 && Math.min(one.right, other.right) > Math.max(one.left, other.left) && Math.min(one.bottom, other.bottom) > Math.max(one.top, other.top);
+    }, [a, b]);
+    assert.equal(await overlap("legend", "picture-stage"), false);
+    assert.equal(await overlap("legend", "colour-bar"), false);
+    await choose("overlay", "none");
+    await press("freeze");
+    await press("enlarge-scene");
+    await until(() => page.$eval("#view-picture", (node) => node.dataset.place !== "main"), "the small picture");
+    assert.equal(await overlap("frozen", "enlarge-picture"), false);
+    assert.equal(await overlap("frozen", "picture-caption"), false);
+    await press("enlarge-picture");
+    await press("freeze");
+  },
+
+  async "a fan has its sides and right ahead written on it"() {
+    const written = await page.evaluate(async () => {
+      const { drawGraticule } = await import("./js/draw/graticule.js");
+      const { makePlan } = await import("./js/draw/plan.js");
+      const textsOf = (sonar, mode) => {
+        const texts = [];
+        const context = new Proxy({ fillText: (text, x) => texts.push([text, x]), measureText: () => ({ width: 30 }) }, { get: (real, name) => real[name] ?? (() => {}), set: () => true });
+        drawGraticule(context, makePlan(sonar, mode, 800, 500, { factor: 1, x: 0, y: 0 }), { grid: true, headAngle: 0 });
+        return texts;
+      };
+      const { sonar } = { sonar: insonify.store.get("sonar") };
+      return { fan: textsOf(sonar, "fan"), polar: textsOf(sonar, "polar"), round: textsOf({ ...sonar, scanning: true }, "round") };
+    });
+    for (const mode of ["fan", "polar"]) {
+      const at = new Map(written[mode]);
+      const [port, ahead, starboard] = ["60\u00b0 port", "0\u00b0", "60\u00b0 stbd"].map((text) => at.get(text));
+      assert.ok(port < ahead && ahead < starboard, `${mode}: ${port}, ${ahead}, ${starboard}`);
+    }
+    for (const text of ["90\u00b0 port", "90\u00b0 stbd", "0\u00b0", "180\u00b0"]) assert.ok(written.round.some(([each]) => each === text), text);
+  },
+
+  async "louder levels of a first turn are followed, unless the contrast was set by hand"() {
+    await press("contrast-reset");
+    server.say({ op: "levels", sonar: "fls", levels: [-95, -45] });
+    await until(async () => (await get("high")) === -45 && (await get("low")) === -95, "the new levels");
+    server.say({ op: "levels", sonar: "head", levels: [-75, -25] });
+    await choose("high", "-33");
+    server.say({ op: "levels", sonar: "fls", levels: [-85, -35] });
+    await until(async () => (await get("hello")).sonars[0].levels[1] === -35, "the message");
+    assert.deepEqual([await get("low"), await get("high"), (await get("hello")).sonars[1].levels[1]], [-95, -33, -25]);
+    await press("contrast-reset");
+    assert.deepEqual([await get("low"), await get("high")], [-85, -35]);
+    server.say(server.hello());
+  },
+
+  async "point targets are crosses in the scene, and walls are not between camera and vehicle"() {
+    await until(() => page.evaluate(() => Boolean(insonify.scene && insonify.store.get("scene"))), "the scene");
+    const seen = await page.evaluate(async (point) => {
+      const { clearPoint } = await import("./js/draw/sight.js");
+      const { crossLines } = await import("./js/draw/shapes.js");
+      insonify.scene.draw();
+      const { objects } = insonify.store.get("scene");
+      return {
+        drawn: insonify.scene.renderer.lists.points.count,
+        cross: [...crossLines([point], 0.5)],
+        // The wall is at x = 18, from y = -20 to 20 and z = -3 to 3.
+        through: clearPoint(objects, [10, 0, 0], [30, 0, 0], 1),
+        beside: clearPoint(objects, [10, 25, 0], [30, 25, 0], 1),
+        above: clearPoint(objects, [10, 0, 0], [30, 0, 20], 1),
+        close: clearPoint(objects, [17.5, 0, 0], [27.5, 0, 0], 1),
+      };
+    }, kPoint.position);
+    assert.equal(seen.drawn, 6);
+    assert.deepEqual(seen.cross.slice(0, 12), [11.5, -3, 0, 12.5, -3, 0, 12, -3.5, 0, 12, -2.5, 0]);
+    assert.ok(Math.abs(seen.through[0] - (10 + 0.9 * 8)) < 1e-4 && seen.through[1] === 0, String(seen.through));
+    assert.deepEqual([seen.beside, seen.above], [[30, 25, 0], [30, 0, 20]]);
+    assert.ok(Math.abs(seen.close[0] - 18.5) < 1e-6, "not nearer to the vehicle than that");
   },
 
   async "a lost connection is said, tried again, and found"() {

@@ -89,6 +89,7 @@ export class Session {
     switch (message.op) {
       case "hello": this.#hello(message); break;
       case "state": store.set({ status: message }); break;
+      case "levels": this.#levels(message); break;
       case "error": notes.error(message.text, message.of); break;
       case "note": notes.note(message.text); break;
       case "saved": this.saved(message); break;
@@ -113,6 +114,14 @@ export class Session {
     if (sonar?.shape !== shapeOf(described)) return;
     Object.assign(sonar, { levels: described.levels, shown_gain: described.shown_gain, reference: described.reference });
     this.changed();
+  }
+
+  // As the first turn of a scanning head goes on, louder echoes are known.
+  #levels({ sonar: name, levels }) {
+    const described = this.store.get("hello")?.sonars.find((each) => each.name === name);
+    if (!described) return;
+    described.levels = levels;
+    if (this.store.get("sonar")?.name === name) this.#refresh(described);
   }
 
   #setSonar(described) {

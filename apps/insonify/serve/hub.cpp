@@ -42,7 +42,7 @@ void Hub::on_world(const std::shared_ptr<const LiveWorld>& world) {
       scene_ = scene_frame(*world);
     }
     if (!same_levels) {
-      levels_.assign(world->sonars.size(), std::nullopt);
+      scales_.assign(world->sonars.size(), {});
     }
     last_pings_.assign(world->sonars.size(), nullptr);
     hello_ = nullptr;
@@ -89,11 +89,13 @@ void Hub::take_pings() {
     ++pings_;
     computing_time_ += ping->computing_time;
     const auto shared = std::make_shared<SharedPing>(ping);
-    last_pings_[static_cast<std::size_t>(ping->sonar)] = shared;
+    const auto sonar = static_cast<std::size_t>(ping->sonar);
+    last_pings_[sonar] = shared;
+    const bool other_levels = scales_[sonar].add(*ping);
     if (!hello_) {
-      std::optional<ShownLevels>& levels = levels_[static_cast<std::size_t>(ping->sonar)];
-      levels = levels.value_or(shown_levels(*ping));
       greet();
+    } else if (other_levels) {
+      tell_levels(sonar);
     }
     for (HubMember* member : std::set<HubMember*>(members_)) {
       member->on_ping(*shared);
@@ -102,17 +104,33 @@ void Hub::take_pings() {
 }
 
 // Once levels of all sonars are known, from their first pings.
-void Hub::greet() {
+bool Hub::make_hello() {
   std::vector<ShownLevels> levels;
-  for (const std::optional<ShownLevels>& one : levels_) {
-    if (!one) {
-      return;
+  for (const ShownScale& scale : scales_) {
+    if (!scale.levels()) {
+      return false;
     }
-    levels.push_back(*one);
+    levels.push_back(*scale.levels());
   }
   hello_ = std::make_shared<const std::string>(hello_text(*world_, levels));
+  return true;
+}
+
+void Hub::greet() {
+  if (!make_hello()) {
+    return;
+  }
   for (HubMember* member : std::set<HubMember*>(members_)) {
     member->on_world();
+  }
+}
+
+void Hub::tell_levels(std::size_t sonar) {
+  (void)make_hello();  // For those who come later.
+  const Bytes text =
+      std::make_shared<const std::string>(levels_text(world_->sonars[sonar].name, *scales_[sonar].levels()));
+  for (HubMember* member : std::set<HubMember*>(members_)) {
+    member->on_levels(text);
   }
 }
 

@@ -38,6 +38,8 @@ class HubMember {
   virtual void on_world() = 0;
   virtual void on_state() = 0;
   virtual void on_note(const std::string& text) = 0;
+  /// @param text  levels_text() of a sonar whose pictures are shown with others from now on.
+  virtual void on_levels(const Bytes& /*text*/) {}
   /// Velocity with which it steers.
   [[nodiscard]] virtual bool flies() const { return false; }
 };
@@ -85,6 +87,8 @@ class Hub : public LiveListener {
   void tell_note(const std::string& text);
   void take_pings();
   void greet();
+  void tell_levels(std::size_t sonar);
+  [[nodiscard]] bool make_hello();
 
   LiveLoop& loop_;
   NetServer& server_;
@@ -100,7 +104,7 @@ class Hub : public LiveListener {
   std::set<HubMember*> members_;
   std::shared_ptr<const LiveWorld> world_;
   std::vector<std::shared_ptr<SharedPing>> last_pings_;
-  std::vector<std::optional<ShownLevels>> levels_;
+  std::vector<ShownScale> scales_;
   Bytes hello_, scene_;
   std::uint64_t pings_ = 0, counted_pings_ = 0;
   double computing_time_ = 0;

@@ -97,6 +97,6 @@ void main() {
   colour = vec4(overlay == 0 ? colour_of(value) : overlaid(value, cell), 1);
   if (mode == kRound) {
     float age = texelFetch(ages, ivec2(cell.x, 0), 0).r;
-    colour = age < 0.0 ? vec4(0.06, 0.06, 0.06, 0.12) : vec4(colour.rgb * (1.0 - 0.45 * age), 1);
+    colour = age < 0.0 ? vec4(0.11, 0.145, 0.175, 1) : vec4(colour.rgb * (1.0 - 0.45 * age), 1);
   }
 }`;

@@ -6,7 +6,7 @@
 import { wrapped } from "../geometry.js";
 import { beamAt, binAt, slotAt } from "../sonar.js";
 
-const kMargin = { top: 32, side: 34, bottom: 26 };
+const kMargin = { top: 32, side: 54, bottom: 26 };
 const kSmall = { top: 26, side: 10, bottom: 10 };
 
 /** What the picture shows: mode, size on the screen in CSS pixels, and zoom = { factor, x, y }, x and y parts of the size. */

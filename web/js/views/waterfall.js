@@ -159,8 +159,12 @@ export class WaterfallView {
     for (const range of ticks(Math.max(sonar.min_range, spacing), sonar.max_range, spacing)) {
       const x = (width * (range - sonar.min_range)) / (sonar.max_range - sonar.min_range);
       if (x > width - 14) continue;
+      // Over the rows as over a picture, below them as on the page.
+      const rows = Math.min(height - 15, (height * this.count) / this.#visible);
       context.fillStyle = themeColour("--ring");
-      context.fillRect(x, 0, 1, height - 15);
+      context.fillRect(x, 0, 1, rows);
+      context.fillStyle = themeColour("--line");
+      context.fillRect(x, rows, 1, height - 15 - rows);
       text(`${number(range, Number.isInteger(range) ? 0 : 1)} m`, x, height - 3);
     }
     context.textAlign = "left";
