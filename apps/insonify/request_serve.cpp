@@ -22,7 +22,9 @@ void add_serve(CLI::App& app, Request& request) {
       ->type_name("ORIGIN")
       ->expected(1)
       ->take_all();
-  command->add_option("--record", options.recording, "Record from the start into this file (.h5)")->type_name("FILE");
+  command->add_option("--record", options.recording, "Record from the start into this file (.h5, .mcap)")
+      ->type_name("FILE");
+  command->add_flag("-f,--force", options.force, "Replace what an earlier recording left under the names of --record");
   command->add_option("--rate", options.rate, "Most pings a second of each sonar; time passes more slowly then")
       ->check(number_within(above_to(0, 1e6)))
       ->type_name("N");

@@ -45,6 +45,18 @@ struct LivePing {
   double made_at = 0;         ///< Unix time at which it was done [s].
 };
 
+/// Files of a recording that has ended, and what they hold.
+struct LiveRecording {
+  std::vector<std::filesystem::path> files;  ///< One, or one a sonar. Without a ping none was kept.
+  std::filesystem::path scenario;            ///< Repeats the pings.
+  std::uint64_t pings = 0;                   ///< In all files.
+  std::uintmax_t bytes = 0;                  ///< Of `files` together.
+};
+
+/// Files that LiveLoop::record() writes: the recordings, and last the scenario that repeats them.
+[[nodiscard]] std::vector<std::filesystem::path> live_recording_files(const std::filesystem::path& path,
+                                                                      std::span<const SonarConfig> sonars);
+
 /// Receives what a LiveLoop makes, in threads of its own: each function must return soon, and may be called while
 /// another one runs.
 class LiveListener {
@@ -55,6 +67,8 @@ class LiveListener {
   virtual void on_world(const std::shared_ptr<const LiveWorld>& world) = 0;
   /// A line to show, such as a warning of a setting or why the vehicle stopped.
   virtual void on_note(const std::string& text) = 0;
+  /// Called when the files of a recording are closed, whole or not.
+  virtual void on_recorded(const LiveRecording& /*recording*/) {}
 };
 
 /// How a LiveLoop stands.
@@ -152,9 +166,9 @@ class LiveLoop {
 
   /// Records every sonar's pings from 0 on, into HDF5 (.h5) or MCAP (.mcap) by the ending of `path`. HDF5 files of
   /// several sonars have the sonar's name before the ending; after each further change a new file begins, with a number
-  /// before the ending. A scenario that repeats the pings is put beside them at the end, with the ending .yaml. Files
-  /// that are there are not replaced.
-  void record(const std::filesystem::path& path, Done done);
+  /// before the ending. A scenario that repeats the pings is put beside them at the end, with the ending .yaml.
+  /// @param replace  Whether files that are there are replaced, once those of the recording are closed.
+  void record(const std::filesystem::path& path, Done done, bool replace = false);
   void stop_recording(Done done);
 
   /// The scenario since the last change as a scenario file, see above.

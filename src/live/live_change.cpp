@@ -51,6 +51,7 @@ LivePrepared LiveBuilder::prepare(std::span<const LiveChange> changes, const Liv
     }
     if (!change.recording.empty()) {
       next.recording = change.recording;
+      next.replace = change.replace;
     }
   }
   if (text_changes || materials_change) {

@@ -33,6 +33,7 @@ struct LiveChange {
   LiveWay way = LiveWay::kGoesOn;
   Pose place = {};
   std::filesystem::path recording = {};  ///< To be begun; empty for none.
+  bool replace = false;                  ///< Whether its files may replace others.
   LiveLoop::Done done = {};              ///< May be empty.
 };
 
@@ -50,6 +51,7 @@ struct LivePrepared {
   LiveWay way = LiveWay::kGoesOn;
   Pose place = {};
   std::filesystem::path recording = {};
+  bool replace = false;
   bool sonars_change = false;
   std::unique_ptr<Simulator> simulator = {};  ///< Null: the present one can go on, with the scenario's sonars.
   std::optional<LiveStart> start = {};        ///< That the simulator was built for, where it depends on it.

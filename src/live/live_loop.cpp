@@ -175,8 +175,8 @@ void LiveLoop::set_material(std::string object, std::string material, Done done)
   state_->request({.material = std::pair(std::move(object), std::move(material)), .done = std::move(done)});
 }
 
-void LiveLoop::record(const std::filesystem::path& path, Done done) {
-  state_->request({.recording = path, .done = std::move(done)});
+void LiveLoop::record(const std::filesystem::path& path, Done done, bool replace) {
+  state_->request({.recording = path, .replace = replace, .done = std::move(done)});
 }
 
 void LiveLoop::stop_recording(Done done) {

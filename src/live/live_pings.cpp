@@ -95,6 +95,7 @@ void LiveLoop::State::end_recording(Lock& lock) {
     error = failure.what();
     note("the recording: " + error);
   }
+  listener->on_recorded(ended->recording());
   lock.lock();
   closing_error = error;
   recording_error = error.empty() ? recording_error : "the recording: " + error;
@@ -116,6 +117,9 @@ void LiveLoop::State::fail_recording(const std::string& error, Lock& lock) {
     if (failure.what() != error) {
       note(fmt::format("the recording: {}", failure.what()));
     }
+  }
+  if (ended) {
+    listener->on_recorded(ended->recording());
   }
   lock.lock();
 }
@@ -154,8 +158,9 @@ void LiveLoop::State::take_place(Lock& lock) {
         trial.sonars.push_back(trial.scenario.filled_in(sonar));
       }
       trial.scene = (next.simulator ? *next.simulator : *simulator).scene();
-      recorder = std::make_unique<LiveRecorder>(next.recording, 0, trial);
+      recorder = std::make_unique<LiveRecorder>(next.recording, 0, trial, next.replace);
       recording_path = next.recording;
+      recording_replaces = next.replace;
       recording_part = 0;
     }
     const bool goes_on_recording = recorder && !begins_recording;
@@ -178,7 +183,7 @@ void LiveLoop::State::take_place(Lock& lock) {
     begin_run(start, lock);
     if (goes_on_recording) {
       try {
-        recorder = std::make_unique<LiveRecorder>(recording_path, ++recording_part, *world);
+        recorder = std::make_unique<LiveRecorder>(recording_path, ++recording_part, *world, recording_replaces);
       } catch (const std::exception& failure) {
         fail_recording(failure.what(), lock);
       }

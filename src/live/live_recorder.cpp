@@ -20,39 +20,46 @@ std::filesystem::path with_suffix(const std::filesystem::path& path, const std::
 
 }  // namespace
 
-LiveRecorder::LiveRecorder(const std::filesystem::path& path, int part, const LiveWorld& world) {
+std::vector<std::filesystem::path> live_recording_files(const std::filesystem::path& path,
+                                                        std::span<const SonarConfig> sonars) {
+  std::vector<std::filesystem::path> files;
+  if (path.extension() == ".mcap" || sonars.size() == 1) {
+    files.push_back(path);
+  } else {
+    for (const SonarConfig& sonar : sonars) {
+      files.push_back(with_suffix(path, "-" + sonar.name));
+    }
+  }
+  files.push_back(std::filesystem::path(path).replace_extension(".yaml"));
+  return files;
+}
+
+LiveRecorder::LiveRecorder(const std::filesystem::path& path, int part, const LiveWorld& world, bool replace) {
   const std::filesystem::path base = part == 0 ? path : with_suffix(path, fmt::format("-{}", part + 1));
   const std::string ending = base.extension().string();
   if (ending != ".h5" && ending != ".mcap") {
     throw Error(fmt::format("{}: recordings end in .h5 or .mcap", base.string()));
   }
-  scenario_path_ = base;
-  scenario_path_.replace_extension(".yaml");
-  if (std::filesystem::exists(scenario_path_)) {
-    throw Error(fmt::format("{}: is there already", scenario_path_.string()));
-  }
-  if (ending == ".mcap") {
-    paths_.push_back(base);
-  } else {
-    for (const SonarConfig& sonar : world.sonars) {
-      paths_.push_back(world.sonars.size() == 1 ? base : with_suffix(base, "-" + sonar.name));
-    }
-  }
+  paths_ = live_recording_files(base, world.sonars);
   for (const std::filesystem::path& file : paths_) {
-    if (std::filesystem::exists(file)) {
-      throw Error(fmt::format("{}: is there already", file.string()));
+    if (!replace && std::filesystem::exists(file)) {
+      throw Error(fmt::format("{} is there already", file.string()));
     }
   }
+  scenario_path_ = paths_.back();
+  paths_.pop_back();
   if (ending == ".mcap") {
     std::vector<MessageSource> sources;
     for (const SonarConfig& sonar : world.sonars) {
       sources.push_back(message_source(world.scenario, sonar));
     }
-    const McapOptions options{.run = {.engine = world.scenario.engine, .seed = world.scenario.seed}};
+    const McapOptions options{.run = {.engine = world.scenario.engine, .seed = world.scenario.seed},
+                              .replace = replace};
     mcap_.emplace(base, std::move(sources), options);
   } else {
     for (std::size_t i = 0; i < paths_.size(); ++i) {
-      recordings_.emplace_back(paths_[i], world.scenario, world.scene, world.sonars[i]);
+      recordings_.emplace_back(paths_[i], world.scenario, world.scene, world.sonars[i],
+                               RecordingOptions{.replace = replace});
     }
   }
 }
@@ -67,7 +74,25 @@ void LiveRecorder::add(const LivePing& ping) {
   ++pings_;
 }
 
+// Removes files without a ping. Those that they were to replace stay.
+void LiveRecorder::remove() {
+  std::vector<std::filesystem::path> places;
+  std::ranges::transform(recordings_, std::back_inserter(places), &Recording::place);
+  if (mcap_) {
+    places.push_back(mcap_->place());
+  }
+  recordings_.clear();
+  mcap_.reset();
+  for (const std::filesystem::path& place : places) {
+    std::filesystem::remove(place);
+  }
+}
+
 void LiveRecorder::close(const LiveRun& run) {
+  if (pings_ == 0) {
+    remove();
+    return;
+  }
   std::string error;
   const auto try_to_close = [&error](auto& recording) {
     try {
@@ -80,12 +105,6 @@ void LiveRecorder::close(const LiveRun& run) {
   if (mcap_) {
     try_to_close(*mcap_);
   }
-  if (pings_ == 0) {
-    for (const std::filesystem::path& path : paths_) {
-      std::filesystem::remove(path);
-    }
-    return;
-  }
   std::ofstream file(scenario_path_);
   file << to_yaml(run.saved());
   if (!file.flush()) {
@@ -94,6 +113,16 @@ void LiveRecorder::close(const LiveRun& run) {
   if (!error.empty()) {
     throw Error(error);
   }
+}
+
+LiveRecording LiveRecorder::recording() const {
+  LiveRecording recording{.files = paths_, .scenario = scenario_path_, .pings = pings_};
+  for (std::size_t i = 0; pings_ > 0 && i < paths_.size(); ++i) {
+    std::error_code gone;
+    const std::uintmax_t bytes = std::filesystem::file_size(paths_[i], gone);
+    recording.bytes += gone ? 0 : bytes;
+  }
+  return recording;
 }
 
 std::string LiveRecorder::names() const {

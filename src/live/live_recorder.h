@@ -17,8 +17,9 @@ namespace insonify {
 class LiveRecorder {
  public:
   /// @param part  From 0; counted into the names from 1 on: out.h5, out-2.h5.
+  /// @param replace  Whether files that are there already are replaced when the recording is closed.
   /// @throws Error where a file is there already or cannot be made, and for a name of another ending.
-  LiveRecorder(const std::filesystem::path& path, int part, const LiveWorld& world);
+  LiveRecorder(const std::filesystem::path& path, int part, const LiveWorld& world, bool replace);
 
   /// @throws Error when the disk is full.
   void add(const LivePing& ping);
@@ -29,10 +30,14 @@ class LiveRecorder {
   void close(const LiveRun& run);
 
   [[nodiscard]] std::uint64_t pings() const { return pings_; }
+  /// What it is, once closed.
+  [[nodiscard]] LiveRecording recording() const;
   /// Names of the files, with commas between.
   [[nodiscard]] std::string names() const;
 
  private:
+  void remove();
+
   std::vector<std::filesystem::path> paths_;
   std::filesystem::path scenario_path_;
   std::vector<Recording> recordings_;  // Of each sonar; empty with `mcap_`.

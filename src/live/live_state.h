@@ -61,6 +61,7 @@ struct LiveLoop::State {
   std::unique_ptr<Simulator> simulator;
   std::unique_ptr<LiveRecorder> recorder;
   std::filesystem::path recording_path;
+  bool recording_replaces = false;
   int recording_part = 0;
   PingPool pool;
   std::string closing_error;

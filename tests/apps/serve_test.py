@@ -9,6 +9,7 @@ import hashlib
 import json
 import os
 import pathlib
+import re
 import resource
 import signal
 import socket
@@ -139,6 +140,12 @@ class Socket:
 
     def say(self, **message):
         self.send_frame(json.dumps(message))
+
+    def open_for_ping(self):
+        """Opens a WebSocket and waits for a ping, which is recorded before the next one is made."""
+        self.open()
+        self.ping()
+        self.ping()
 
     def frame(self):
         """Opcode and payload. It answers no pings: a client that lives longer than 30 s has to."""
@@ -547,7 +554,6 @@ class Starting(unittest.TestCase):
 
     def test_token_is_told_as_header_query_or_subprotocol(self):
         server = self.served("--address", "0.0.0.0", "--token", "se.cr-et")
-        self.assertEqual(server.address, f"http://localhost:{server.port}/?token=se.cr-et")
         def status(**how):
             return Socket(server.port).open(**how)[0]
         self.assertEqual(status(), 401)
@@ -559,6 +565,16 @@ class Starting(unittest.TestCase):
         self.assertEqual(status(target="/?a=b&token=se.cr%2det"), 101)
         self.assertEqual(status(protocol=f"token.se.cr-et, {VIEWER}"), 101)
         self.assertEqual(status(target="/?token=se.cr-et", headers=["Origin: http://else.where"], host="my.boat"), 101)
+
+    def test_of_all_addresses_it_tells_one_that_others_can_use(self):
+        server = self.served("--address", "0.0.0.0", "--token", "se.cr-et", "-q")
+        host = server.address.removeprefix("http://").split(":")[0]
+        self.assertEqual(server.address, f"http://{host}:{server.port}/?token=se.cr-et")
+        if re.fullmatch(r"[\d.]+", host):
+            self.assertFalse(host.startswith("127.") or host == "0.0.0.0", host)
+            self.assertEqual(Socket(server.port, host).open(target="/?token=se.cr-et", host=f"{host}:{server.port}")[0], 101)
+        else:  # A machine with no network.
+            self.assertEqual(host, socket.gethostname())
 
     # A browser does not tell a page why a WebSocket could not be opened.
     def test_a_page_can_ask_whether_it_may_connect(self):
@@ -591,7 +607,12 @@ class Starting(unittest.TestCase):
                 status, out, err, seconds = server.end(number)
                 self.assertEqual((status, err), (0, ""))
                 self.assertLess(seconds, 1)
-                self.assertRegex(out, r"\d+ pings in \d+\.\d s\nrecording: dive-fls.h5, dive-side.h5 \(\d+ pings\)\n")
+                told = re.fullmatch(r"recorded (\d+) pings, ([\d.]+) ([kM])B: dive-fls.h5, dive-side.h5, with dive.yaml, in (.*)\n"
+                                    r"\d+ pings in \d+\.\d s\n", out)
+                self.assertTrue(told, out)
+                self.assertEqual(pathlib.Path(told[4]).resolve(), server.path.resolve())
+                size = sum((server.path / f"dive-{sonar}.h5").stat().st_size for sonar in ("fls", "side"))
+                self.assertEqual(told[2], f"{size / 1e3:.0f}" if told[3] == "k" else f"{size / 1e6:.1f}")
                 self.assertEqual(page.closing(), (1001, "the server ends"))
                 # The scenario beside it repeats it byte for byte.
                 if h5py is None:
@@ -627,6 +648,41 @@ class Starting(unittest.TestCase):
                 subprocess.run([INSONIFY, "run", "dive.yaml", "-o", "again", "--pings", "2", "--no-pictures", "-q"],
                                cwd=server.path, check=True)
 
+    # Its first pings hear noise only: levels that fit them would make the noise bright.
+    def test_levels_of_a_scanning_head_follow_its_first_turn(self):
+        server = self.served(scenario="""
+points: [{position: [0, 5, 0], target_strength_db: -10}]
+sonars: [{name: head, type: msis, beam_count: 1, azimuth_aperture_deg: 4, step_deg: 6, bin_count: 100, max_range: 12, ping_period: 0.02}]
+""")
+        page = Socket(server.port)
+        page.open()
+        first = page.text("hello")["sonars"][0]["levels"]
+        self.assertEqual(first[1] - first[0], 50)
+        while True:
+            levels = page.text("levels")
+            self.assertEqual(levels["sonar"], "head")
+            if levels["levels"][1] > first[1] + 20:
+                break
+        while page.ping()[0]["number"] < 130:  # Two turns of 60 pings, and more.
+            pass
+        later = Socket(server.port)
+        later.open()
+        last = later.text("hello")["sonars"][0]["levels"]
+        # The point: -10 - 40 lg 5 - 2 alpha 5, raised by 30 lg 5, is between -20 and -15 dB, of which the brightest level lies 25 dB
+        # below at most, and is a multiple of 5.
+        self.assertIn(last[1], (-45, -40))
+        self.assertEqual(last[1] - last[0], 50)
+
+    def test_the_scene_holds_point_targets(self):
+        page = Socket(self.served().port)
+        page.open()
+        while True:
+            opcode, data = page.frame()
+            if opcode == 2 and struct.unpack("<I", data[:4])[0] == 2:
+                break
+        header = json.loads(data[8:8 + struct.unpack("<I", data[4:8])[0]])
+        self.assertEqual(header["points"], [[5, 1, 0]])
+
     def test_recordings_that_are_there_are_kept(self):
         server = self.served("--record", "dive.mcap")
         page = Socket(server.port)
@@ -637,7 +693,53 @@ class Starting(unittest.TestCase):
         self.assertTrue((server.path / "dive.mcap").exists())
         run = subprocess.run([INSONIFY, "serve", "live.yaml", "--port", "0", "--record", "dive.mcap"], cwd=server.path,
                              text=True, capture_output=True, timeout=20, check=False)
-        self.assertEqual((run.returncode, run.stdout, run.stderr), (2, "", "insonify: dive.yaml: is there already\n"))
+        self.assertEqual((run.returncode, run.stdout, run.stderr),
+                         (2, "", "insonify: --record dive.mcap: dive.mcap is there already; --force replaces it, or give another name\n"))
+        (server.path / "dive.mcap").unlink()
+        run = subprocess.run([INSONIFY, "serve", "live.yaml", "--port", "0", "--record", "dive.mcap"], cwd=server.path,
+                             text=True, capture_output=True, timeout=20, check=False)
+        self.assertEqual((run.returncode, run.stdout, run.stderr),
+                         (2, "", "insonify: --record dive.mcap: dive.yaml is there already, where the scenario that repeats the "
+                                 "recording is to be written; --force replaces it, or give another name\n"))
+
+    def test_a_recording_is_told_to_the_pages_when_it_ends(self):
+        server = self.served()
+        page = Socket(server.port)
+        page.open()
+        page.ping()
+        page.say(op="record", on=True)
+        while page.text("state")["recorded_pings"] <= 3:
+            pass
+        page.say(op="record", on=False)
+        note = page.text("note")["text"]
+        # live.yaml is the scenario, which the recording's does not replace.
+        told = re.fullmatch(r"recorded (\d+) pings, [\d.]+ [kM]B: live_2-fls.h5, live_2-side.h5, with live_2.yaml, in (.*)", note)
+        self.assertTrue(told, note)
+        self.assertEqual(pathlib.Path(told[2]).resolve(), server.path.resolve())
+        self.assertIn(note + "\n", server.end()[1])
+
+    def test_with_force_a_recording_replaces_another_but_never_the_scenario(self):
+        server = self.served("--record", "dive.h5", "-f", "--set", "sonars=[{name: one, max_range: 5}]")
+        Socket(server.port).open_for_ping()
+        server.end()
+        first = (server.path / "dive.h5").read_bytes(), (server.path / "dive.yaml").read_bytes()
+        refused = subprocess.run([INSONIFY, "serve", "dive.yaml", "--port", "0", "--record", "dive.h5", "-f"], cwd=server.path,
+                                 text=True, capture_output=True, timeout=20, check=False)
+        self.assertEqual((refused.returncode, refused.stdout, refused.stderr),
+                         (2, "", "insonify: --record dive.h5: the scenario that repeats the recording would replace dive.yaml, "
+                                 "which is served; give another name\n"))
+        self.assertEqual(first, ((server.path / "dive.h5").read_bytes(), (server.path / "dive.yaml").read_bytes()))
+        again = subprocess.Popen([INSONIFY, "serve", "live.yaml", "--port", "0", "--record", "dive.h5", "--force",
+                                  "--set", "sonars=[{name: two, max_range: 5}]"], cwd=server.path, text=True,
+                                 stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+        Socket(int(again.stdout.readline().rstrip("/\n").rsplit(":", 1)[1])).open_for_ping()
+        self.assertEqual(first[0], (server.path / "dive.h5").read_bytes(), "the earlier one stays until the end")
+        again.send_signal(signal.SIGINT)
+        out, err = again.communicate(timeout=20)
+        self.assertEqual((again.returncode, err), (0, ""))
+        self.assertIn("with dive.yaml", out)
+        self.assertIn("two", (server.path / "dive.yaml").read_text())
+        self.assertNotEqual(first[0], (server.path / "dive.h5").read_bytes())
 
 
 def dataset_bytes(path):

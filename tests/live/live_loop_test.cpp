@@ -191,11 +191,51 @@ TEST_F(LiveLoopTest, RequestsAtOnceBeginOneRecordingAndDoTheOtherChanges) {
 TEST_F(LiveLoopTest, RecordingsReplaceNothing) {
   const auto loop = started(scenario_text(), {.threads = 2, .paused = true});
   folder_.write("out.yaml", "mine");
-  EXPECT_EQ(answer_to([&](auto done) { loop->record("out.h5", done); }), "out.yaml: is there already");
+  EXPECT_EQ(answer_to([&](auto done) { loop->record("out.h5", done); }), "out.yaml is there already");
   folder_.write("other-head.h5", "mine");
-  EXPECT_EQ(answer_to([&](auto done) { loop->record("other.h5", done); }), "other-head.h5: is there already");
+  EXPECT_EQ(answer_to([&](auto done) { loop->record("other.h5", done); }), "other-head.h5 is there already");
   EXPECT_EQ(answer_to([&](auto done) { loop->record("out.png", done); }), "out.png: recordings end in .h5 or .mcap");
   EXPECT_EQ(answer_to([&](auto done) { loop->stop_recording(done); }), "nothing is being recorded");
+}
+
+TEST_F(LiveLoopTest, AnEndedRecordingIsToldWithFilesPingsAndBytes) {
+  const auto loop = started(scenario_text());
+  EXPECT_EQ(answer_to([&](auto done) { loop->record("out.h5", done); }), "");
+  keeper_.wait_for_pings(7);
+  EXPECT_EQ(answer_to([&](auto done) { loop->stop_recording(done); }), "");
+  const std::vector<LiveRecording> told = keeper_.recordings();
+  ASSERT_EQ(told.size(), 1U);
+  EXPECT_THAT(told[0].files, ElementsAre("out-fls.h5", "out-head.h5"));
+  EXPECT_EQ(told[0].scenario, "out.yaml");
+  EXPECT_GE(told[0].pings, 5U);
+  EXPECT_EQ(told[0].bytes, std::filesystem::file_size("out-fls.h5") + std::filesystem::file_size("out-head.h5"));
+}
+
+TEST_F(LiveLoopTest, ARecordingReplacesOthersWhereThatIsAllowedAndNotWithoutAPing) {
+  const auto loop = started(scenario_text());
+  for (const char* name : {"out.yaml", "out.mcap", "none.yaml", "none-fls.h5", "none-head.h5"}) {
+    folder_.write(name, "mine");
+  }
+  EXPECT_EQ(answer_to([&](auto done) { loop->record("out.mcap", done, true); }), "");
+  EXPECT_EQ(std::filesystem::file_size("out.mcap"), 4U) << "the earlier one stays until the end";
+  keeper_.wait_for_pings(4);
+  EXPECT_EQ(answer_to([&](auto done) { loop->stop_recording(done); }), "");
+  EXPECT_GT(std::filesystem::file_size("out.mcap"), 4U);
+  EXPECT_GT(std::filesystem::file_size("out.yaml"), 4U);
+  // It ends before its first ping: requests go before pings.
+  const std::string stopped = answer_to([&](auto done) {
+    loop->record(
+        "none.h5", [&loop, done](const std::string& /*error*/) { loop->stop_recording(done); }, true);
+  });
+  EXPECT_EQ(stopped, "");
+  const std::vector<LiveRecording> told = keeper_.recordings();
+  ASSERT_EQ(told.size(), 2U);
+  EXPECT_EQ(told[0].bytes, std::filesystem::file_size("out.mcap"));
+  EXPECT_EQ(told[1].pings + told[1].bytes, 0U);
+  for (const char* name : {"none.yaml", "none-fls.h5", "none-head.h5"}) {
+    EXPECT_EQ(std::filesystem::file_size(name), 4U) << name << " stays";
+  }
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator("."), {}), 7) << "nothing else is left";
 }
 
 TEST_F(LiveLoopTest, SettingsAreAllOrNothingWithTheMessagesOfTheCommandLine) {

@@ -31,6 +31,10 @@ class LiveKeeper : public LiveListener {
     notes_.push_back(text);
     changed_.notify_all();
   }
+  void on_recorded(const LiveRecording& recording) override {
+    const std::lock_guard lock(mutex_);
+    recordings_.push_back(recording);
+  }
 
   [[nodiscard]] std::vector<LivePing> pings() const {
     const std::lock_guard lock(mutex_);
@@ -39,6 +43,11 @@ class LiveKeeper : public LiveListener {
   [[nodiscard]] std::vector<std::string> notes() const {
     const std::lock_guard lock(mutex_);
     return notes_;
+  }
+  /// Those that have ended.
+  [[nodiscard]] std::vector<LiveRecording> recordings() const {
+    const std::lock_guard lock(mutex_);
+    return recordings_;
   }
   [[nodiscard]] std::size_t world_count() const {
     const std::lock_guard lock(mutex_);
@@ -78,6 +87,7 @@ class LiveKeeper : public LiveListener {
   std::vector<LivePing> pings_;
   std::vector<std::shared_ptr<const LiveWorld>> worlds_;
   std::vector<std::string> notes_;
+  std::vector<LiveRecording> recordings_;
 };
 
 /// Calls a request of a loop with a Done, and waits for the answer.

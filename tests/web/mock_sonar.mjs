@@ -108,7 +108,7 @@ export function makeScene() {
     { name: "wall", material: "concrete", colour: [0.6, 0.6, 0.65], matrix: identity, vertices: { offset: 48, count: 4 }, triangles: { offset: start + 48, count: 2 } },
     { name: "bed", material: "sand", colour: [0.65, 0.55, 0.4], matrix: identity, vertices: { offset: 96, count: 4 }, triangles: { offset: start + 72, count: 2 } },
   ];
-  const { message, start: data } = frame(2, { objects, sonars: [] }, vertices.byteLength + triangles.byteLength);
+  const { message, start: data } = frame(2, { objects, sonars: [], points: [kPoint.position] }, vertices.byteLength + triangles.byteLength);
   Buffer.from(vertices.buffer).copy(message, data);
   Buffer.from(triangles.buffer).copy(message, data + vertices.byteLength);
   return message;

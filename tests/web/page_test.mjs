@@ -194,6 +194,45 @@ const failed = await runChecks({
     await until(async () => /^Saved mock_live\.yaml/.test(await text("note")), "the note of what was saved");
   },
 
+  async "rates count over the time there is, and not before half a second of it"() {
+    const seen = await page.evaluate(async () => {
+      const { Rates } = await import("./js/rates.js");
+      // Four pings that had waited at once, then 37 a second; time passes at 0.8 of the clock, which the server's stamps say.
+      const fast = new Rates();
+      const found = { fast: [], slow: [] };
+      const pings = [0, 0, 0, 0];
+      for (let i = 1; i < 37 * 6; ++i) pings.push((1000 * i) / 37);
+      let next = 0;
+      for (const now of [400, 499, 1000, 3000, 5000]) {
+        for (; next < pings.length && pings[next] <= now; ++next) fast.add(pings[next], { time: (0.8 * (next - 3)) / 37, change: 1, made_at: 1.7e9 + (next - 3) / 37 });
+        found.fast.push([fast.pingsPerSecond(now), fast.timeFactor(now)]);
+      }
+      fast.add(5001, { time: 0, change: 2, made_at: 1.7e9 + 5.1 });
+      found.anew = fast.timeFactor(5002);
+      const slow = new Rates();
+      for (const now of [0, 5000, 10_000]) {
+        slow.add(now, { time: now / 500, change: 1 });
+        found.slow.push([slow.pingsPerSecond(now), slow.timeFactor(now)]);
+      }
+      found.stopped = [slow.pingsPerSecond(40_000), slow.timeFactor(40_000)];
+      return found;
+    });
+    const rounded = seen.fast.map(([rate, pace]) => [rate && Math.round(rate), pace && Math.round(pace * 100) / 100]);
+    assert.deepEqual(rounded, [[null, null], [null, 0.8], [37, 0.8], [37, 0.8], [37, 0.8]]);
+    assert.equal(seen.anew, null);
+    assert.deepEqual(seen.slow, [[null, null], [0.2, 2], [0.2, 2]]);
+    assert.deepEqual(seen.stopped, [0, null]);
+  },
+
+  async "the page tells pings a second and the part of real time, and neither while it is paused"() {
+    // The stand-in makes 4 pings a second, 0.05 s of its time apart: 0.2 of real time, and less where its timers are late.
+    await until(async () => /^[1-4]\.\d$/.test(await text("rate")) && /^0\.(0[5-9]|1\d|2[0-2])$/.test(await text("pace")), "both");
+    await press("pause");
+    await until(async () => (await text("rate")) === "\u2013" && (await text("pace")) === "\u2013", "neither");
+    await press("pause");
+    await until(async () => (await text("rate")) !== "\u2013", "a rate again");
+  },
+
   async "keys fly, and letting go stops"() {
     await page.evaluate(() => document.activeElement.blur());
     server.requests.length = 0;
@@ -323,6 +362,7 @@ const failed = await runChecks({
   },
 
   async "the waterfall labels ages of rows, also when the time begins anew"() {
+    await until(() => page.evaluate(() => Boolean(insonify.waterfall)), "the waterfall");
     const ages = await page.evaluate(() => {
       const view = insonify.waterfall;
       view.clear();
@@ -330,6 +370,79 @@ const failed = await runChecks({
       return view.ages;
     });
     assert.deepEqual(ages, [0, 0.5, 1, 1.5, 2, 2.5]);
+  },
+
+  async "a smaller view is drawn once a second at least, and at once when it has something to show"() {
+    const seen = await page.evaluate(async () => {
+      const { Frames } = await import("./js/frames.js");
+      // Frames of a clock that is moved by hand, `length` milliseconds each; every frame asks for both drawings again.
+      const drawings = (length, empty = 0) => {
+        let now = 5000;
+        let pending = null;
+        const times = [];
+        const frames = new Frames({ now: () => now, next: (callback) => (pending = callback) });
+        const large = frames.add(() => {});
+        const small = frames.add(() => {
+          times.push(now);
+          return times.length > empty;
+        }, () => true);
+        for (let i = 0; i < 60; ++i) {
+          large();
+          small();
+          now += length;
+          pending();
+        }
+        return times;
+      };
+      const longest = (times) => Math.max(...times.slice(1).map((time, i) => time - times[i]));
+      return { quick: longest(drawings(16)), slow: [60, 150, 300, 700, 990, 1500].map((length) => longest(drawings(length))), empty: drawings(300, 3).slice(0, 4) };
+    });
+    assert.equal(seen.quick, 16);
+    seen.slow.slice(0, 5).forEach((gap) => assert.ok(gap <= 1000, `${gap} ms between drawings`));
+    assert.ok(seen.slow[2] > 500, "frames of 0.3 s leave most drawings out");
+    assert.equal(seen.slow[5], 1500, "every frame");
+    assert.deepEqual(seen.empty, [5300, 5600, 5900, 6200]);
+  },
+
+  async "the waterfall begins with the ping that is shown"() {
+    await until(() => get("shown"), "a ping");
+    await until(() => page.evaluate(() => Boolean(insonify.waterfall)), "the waterfall");
+    const rows = await page.evaluate(async () => {
+      const { WaterfallView } = await import("./js/views/waterfall.js");
+      return new WaterfallView(insonify.store, { add: () => () => {} }).count;
+    });
+    assert.equal(rows, 1);
+    await page.goto(address);  // Without the second view.
+    await ping();
+    await until(() => page.evaluate(() => Boolean(insonify.scene)), "all views");
+  },
+
+  async "range lines of an empty waterfall are seen in both themes"() {
+    const before = await get("theme");
+    await until(() => page.evaluate(() => Boolean(insonify.waterfall)), "the waterfall");
+    for (const theme of ["dark", "light"]) {
+      const contrast = await page.evaluate(async (name) => {
+        const { themeColour } = await import("./js/dom.js");
+        document.documentElement.dataset.theme = name;
+        const view = insonify.waterfall;
+        view.clear();
+        view.draw();
+        const canvas = document.getElementById("waterfall-scale");
+        const [r, g, b] = [1, 3, 5].map((at) => parseInt(themeColour("--panel").slice(at, at + 2), 16));
+        const row = canvas.getContext("2d").getImageData(0, Math.floor(canvas.height / 2), canvas.width, 1).data;
+        let most = 0;  // of the line's colour over the panel
+        for (let i = 0; i < row.length; i += 4) {
+          const part = row[i + 3] / 255;
+          most = Math.max(most, part * (Math.abs(row[i] - r) + Math.abs(row[i + 1] - g) + Math.abs(row[i + 2] - b)));
+        }
+        return most;
+      }, theme);
+      assert.ok(contrast > 8, `${theme}: ${contrast}`);  // A line covers a quarter of a pixel here.
+    }
+    await page.evaluate((theme) => {
+      insonify.store.set({ theme: "dark" });
+      insonify.store.set({ theme });
+    }, before);
   },
 
   async "contrast, gain, colours and overlay change the picture, and nothing on the server"() {
@@ -386,6 +499,123 @@ const failed = await runChecks({
     await until(async () => (await text("read-bin")) !== "\u2013", "a readout");
     await choose("sonar", "fls");
     await until(async () => (await get("mode")) === "fan", "the fan");
+  },
+
+  async "of a scanning head the overlay colours the round picture, and no beam can be chosen"() {
+    await press("tab-display");
+    assert.equal(await page.$eval("#beam-field", (node) => node.offsetParent !== null), true);
+    await choose("sonar", "head");
+    await until(async () => (await get("mode")) === "round" && (await get("shown"))?.sonar === "head", "the round picture");
+    for (const id of ["beam-field", "waterfall-of-field"]) assert.equal(await page.$eval(`#${id}`, (node) => node.offsetParent), null, id);
+    assert.match(await text("beam-hint"), /^The head has one beam/);
+    // Colours of the picture that are none of the colour map: hues that grey levels and inferno do not have.
+    const greenish = () => page.evaluate(() => {
+      insonify.picture.draw();
+      const canvas = document.getElementById("picture");
+      const made = document.createElement("canvas");
+      Object.assign(made, { width: canvas.width, height: canvas.height });
+      const context = made.getContext("2d");
+      context.drawImage(canvas, 0, 0);
+      const pixels = context.getImageData(0, 0, made.width, made.height).data;
+      let count = 0;
+      for (let i = 0; i < pixels.length; i += 4) if (pixels[i + 1] > pixels[i] + 20 && pixels[i + 1] > pixels[i + 2] + 20 && pixels[i + 3] > 200) ++count;
+      return count;
+    });
+    await choose("map", "inferno");
+    assert.equal(await greenish(), 0);
+    // Label 2, the bed, has the hue (2 * 0.618 + 0.08) mod 1 = 0.316: green.
+    await choose("overlay", "instance");
+    await until(async () => (await greenish()) > 3, "the bed's colour");
+    await until(async () => (await text("legend")).includes("bed"), "its name");
+    await choose("overlay", "none");
+    await until(async () => (await greenish()) === 0, "the picture without it");
+    await choose("sonar", "fls");
+    await until(async () => (await get("mode")) === "fan", "the fan");
+  },
+
+  async "the A-scan says why it is empty"() {
+    Object.assign(server.sonars[1], { sector_center: 0, sector_width: 90 });
+    server.state.paused = true;
+    server.headAngle = 0;
+    server.say(server.hello());
+    await choose("sonar", "head");
+    await until(async () => (await get("sonar"))?.sector_width === 90, "the sector");
+    assert.equal(await text("ascan-empty"), "Waiting for the first ping");
+    await press("step");
+    await until(() => page.$eval("#ascan-empty", (node) => node.hidden), "a curve");
+    for (const [degrees, reason] of [[-44, "No ping in this direction yet"], [50, "Outside the scanned sector"]]) {
+      await page.mouse.move(...(await placeOf(10, (degrees * Math.PI) / 180)));
+      await until(async () => (await text("ascan-empty")) === reason && !(await page.$eval("#ascan-empty", (node) => node.hidden)), reason);
+      assert.match(await text("ascan-caption"), degrees < 0 ? /^4[34]\.\d° stbd$/ : /^(49|50)\.\d° port$/);
+    }
+    delete server.sonars[1].sector_width;
+    server.state.paused = false;
+    server.say(server.hello());
+    await choose("sonar", "fls");
+    await until(async () => (await get("mode")) === "fan", "the fan");
+  },
+
+  async "a vertical scanning head is drawn upright: up is up, the housing's front to the right"() {
+    server.state.paused = true;
+    server.sonars[1].mounting = "vertical";
+    server.say(server.hello());
+    await choose("sonar", "head");
+    await until(async () => (await get("sonar")).vertical && (await get("mode")) === "round", "the upright picture");
+    const box = await page.$eval("#picture-stage", (node) => node.getBoundingClientRect().toJSON());
+    const [middle] = await placeOf(0, 0);
+    const [front] = await placeOf(10, 0);
+    const [, up] = await placeOf(10, Math.PI / 2);
+    const [, level] = await placeOf(10, 0);
+    assert.ok(front > middle + 50 && up < level - 50 && up > box.top, `front ${front - middle}, up ${level - up}`);
+    // Loud everywhere in a beam 60 degrees down and ahead; where the picture is bright, as parts of its reach from the middle.
+    const [right, below] = await page.evaluate(() => {
+      const { picture, store } = insonify;
+      const { beams, bins, max_range: reach } = store.get("sonar");
+      const pose = { position: [0, 0, 0], orientation: [1, 0, 0, 0] };
+      const ping = { number: 0, time: 0, beams, bins, pose, vehicle: pose, headAngle: -Math.PI / 3, tables: { level: new Uint16Array(bins).fill(40_000) } };
+      picture.renderer.round.clear(store.get("sonar"));
+      picture.add(ping);
+      store.set({ shown: ping, grid: false });
+      picture.draw();
+      const canvas = document.getElementById("picture");
+      const made = document.createElement("canvas");
+      Object.assign(made, { width: canvas.width, height: canvas.height });
+      const context = made.getContext("2d");
+      context.drawImage(canvas, 0, 0);
+      const pixels = context.getImageData(0, 0, made.width, made.height).data;
+      let [sumX, sumY, count] = [0, 0, 0];
+      for (let i = 0; i < pixels.length; i += 4) {
+        if (pixels[i] < 200 || pixels[i + 3] < 200) continue;
+        const at = picture.plan.toPlane((((i / 4) % made.width) + 0.5) * canvas.clientWidth / made.width, (Math.floor(i / 4 / made.width) + 0.5) * canvas.clientHeight / made.height);
+        sumX += at[0];
+        sumY += at[1];
+        ++count;
+      }
+      store.set({ grid: true });
+      return [sumX / count / reach, -sumY / count / reach];
+    });
+    // The middle of a narrow sector lies at 2/3 of its reach: cos 60 and sin 60 of that, within a pixel or two.
+    assert.ok(Math.abs(right - 0.333) < 0.05 && Math.abs(below - 0.577) < 0.05, `${right} to the right, ${below} below`);
+    const bearingAt = async (azimuth) => {
+      await page.mouse.move(...(await placeOf(10, (azimuth * Math.PI) / 180)));
+      return until(async () => Math.abs(((await get("cursor"))?.azimuth ?? 9) * 180 / Math.PI - azimuth) < 1 && (await text("read-bearing")) !== "\u2013" && text("read-bearing"), `the bearing ${azimuth}`);
+    };
+    assert.match(await bearingAt(-60), /^(59\.\d|60\.\d)° down$/);
+    assert.match(await bearingAt(30), /^(29\.\d|30\.\d)° up$/);
+    assert.match(await bearingAt(-150), /^(29\.\d|30\.\d)° down, back$/);
+    delete server.sonars[1].mounting;
+    server.state.paused = false;
+    server.say(server.hello());
+    await choose("sonar", "fls");
+    await until(async () => (await get("mode")) === "fan", "the fan");
+  },
+
+  async "bearings of a vertical head are slopes"() {
+    const said = await page.evaluate(async () => {
+      const { bearing } = await import("./js/format.js");
+      return [0, 0.001, 90, -90, -45.04, 134.96, 180, -179.99, 270, 30].map((angle) => bearing((angle * Math.PI) / 180, true));
+    });
+    assert.deepEqual(said, ["front", "front", "up", "down", "45.0° down", "45.0° up, back", "back", "back", "down", "30.0° up"]);
   },
 
   async "beams of a scanning head leave no column between them, whatever the step"() {
@@ -463,21 +693,36 @@ const failed = await runChecks({
     assert.equal(await page.$eval("#note", (node) => node.getAttribute("aria-live")), "polite");
   },
 
-  async "nothing is wider than the window, on a desktop and on a tablet"() {
-    for (const [width, height] of [[1280, 720], [1024, 768], [768, 1024]]) {
+  async "nothing is wider than the window, on a desktop, on a tablet and on a telephone"() {
+    for (const [width, height] of [[1280, 720], [1024, 768], [768, 1024], [390, 800]]) {
       await resize(width, height);
-      await pause(0.2);
+      await until(() => page.evaluate((w) => innerWidth === w, width), "the width");
       const wide = await page.evaluate(() => [document.documentElement.scrollWidth - innerWidth, document.documentElement.scrollHeight - innerHeight]);
       assert.ok(wide[0] <= 0 && wide[1] <= 0, `${width} x ${height}: ${wide}`);
-      const cut = await page.evaluate(() => [...document.querySelectorAll("header button, footer button, footer select")]
+      const cut = await page.evaluate(() => [...document.querySelectorAll("header button, header dd, footer button, footer select")]
         .filter((node) => node.offsetParent && (node.getBoundingClientRect().right > innerWidth + 0.5 || node.getBoundingClientRect().left < -0.5 || node.getBoundingClientRect().bottom > innerHeight + 0.5)).map((node) => node.id));
       assert.deepEqual(cut, [], `${width} x ${height}`);
-      const [needs, has] = await page.$eval("#read-level", (node) => {
-        node.textContent = "\u2212108.1 dB (shown \u2212108.1)";  // As long as it can be.
-        return [node.scrollWidth, node.clientWidth];
+      // Figures as long as they can be are whole, and within the line or the lines of the readout.
+      const cutFigures = await page.evaluate(() => {
+        const figures = { range: "1234.567 m", bearing: "120.0\u00b0 stbd", level: "\u2212108.1 dB (shown \u2212108.1)", beam: "1023", bin: "12345", world: "\u2212123.45, \u2212123.45, \u2212123.45" };
+        const edge = document.getElementById("readout").getBoundingClientRect();
+        return Object.entries(figures).filter(([name, text]) => {
+          const node = document.getElementById(`read-${name}`);
+          node.textContent = text;
+          const box = node.parentElement.getBoundingClientRect();
+          return node.scrollWidth > node.clientWidth || box.right > edge.right + 0.5 || box.bottom > edge.bottom + 0.5;
+        });
       });
-      assert.ok(needs <= has, `level at ${width} x ${height}: ${needs} of ${has} pixels`);
+      assert.deepEqual(cutFigures, [], `${width} x ${height}`);
     }
+    await resize(390, 800);
+    await until(() => page.evaluate(() => innerWidth === 390), "the telephone");
+    const boxes = await page.$$eval(".view, .readout", (nodes) => nodes.map((node) => node.getBoundingClientRect().toJSON()).sort((a, b) => a.top - b.top));
+    boxes.forEach(({ left, right, top }, i) => {
+      assert.ok(left <= 8 && right >= 382, `from ${left} to ${right}`);
+      assert.ok(i === 0 || top >= boxes[i - 1].bottom, "one below the other");
+    });
+    assert.ok(boxes[0].height > 250 && (await page.$eval("#views", (node) => node.scrollHeight > node.clientHeight)), "the rest is scrolled to");
     await resize(1280, 720);
   },
 
@@ -492,6 +737,84 @@ const failed = await runChecks({
     }
     server.vehicle = before;
     await resize(1280, 720);
+  },
+
+  async "neither the legend nor the frozen tag lies on anything"() {
+    await choose("overlay", "multipath");
+    await until(() => page.$eval("#legend", (node) => node.offsetParent !== null && node.textContent.includes("three surfaces")), "the legend");
+    const overlap = (a, b) => page.evaluate((ids) => {
+      const [one, other] = ids.map((id) => document.getElementById(id).getBoundingClientRect());
+      return one.width > 0 && other.width > 0 && Math.min(one.right, other.right) > Math.max(one.left, other.left) && Math.min(one.bottom, other.bottom) > Math.max(one.top, other.top);
+    }, [a, b]);
+    assert.equal(await overlap("legend", "picture-stage"), false);
+    assert.equal(await overlap("legend", "colour-bar"), false);
+    await choose("overlay", "none");
+    await press("freeze");
+    await press("enlarge-scene");
+    await until(() => page.$eval("#view-picture", (node) => node.dataset.place !== "main"), "the small picture");
+    assert.equal(await overlap("frozen", "enlarge-picture"), false);
+    assert.equal(await overlap("frozen", "picture-caption"), false);
+    await press("enlarge-picture");
+    await press("freeze");
+  },
+
+  async "a fan has its sides and right ahead written on it"() {
+    const written = await page.evaluate(async () => {
+      const { drawGraticule } = await import("./js/draw/graticule.js");
+      const { makePlan } = await import("./js/draw/plan.js");
+      const textsOf = (sonar, mode) => {
+        const texts = [];
+        const context = new Proxy({ fillText: (text, x) => texts.push([text, x]), measureText: () => ({ width: 30 }) }, { get: (real, name) => real[name] ?? (() => {}), set: () => true });
+        drawGraticule(context, makePlan(sonar, mode, 800, 500, { factor: 1, x: 0, y: 0 }), { grid: true, headAngle: 0 });
+        return texts;
+      };
+      const { sonar } = { sonar: insonify.store.get("sonar") };
+      return { fan: textsOf(sonar, "fan"), polar: textsOf(sonar, "polar"), round: textsOf({ ...sonar, scanning: true }, "round") };
+    });
+    for (const mode of ["fan", "polar"]) {
+      const at = new Map(written[mode]);
+      const [port, ahead, starboard] = ["60\u00b0 port", "0\u00b0", "60\u00b0 stbd"].map((text) => at.get(text));
+      assert.ok(port < ahead && ahead < starboard, `${mode}: ${port}, ${ahead}, ${starboard}`);
+    }
+    for (const text of ["90\u00b0 port", "90\u00b0 stbd", "0\u00b0", "180\u00b0"]) assert.ok(written.round.some(([each]) => each === text), text);
+  },
+
+  async "louder levels of a first turn are followed, unless the contrast was set by hand"() {
+    await press("contrast-reset");
+    server.say({ op: "levels", sonar: "fls", levels: [-95, -45] });
+    await until(async () => (await get("high")) === -45 && (await get("low")) === -95, "the new levels");
+    server.say({ op: "levels", sonar: "head", levels: [-75, -25] });
+    await choose("high", "-33");
+    server.say({ op: "levels", sonar: "fls", levels: [-85, -35] });
+    await until(async () => (await get("hello")).sonars[0].levels[1] === -35, "the message");
+    assert.deepEqual([await get("low"), await get("high"), (await get("hello")).sonars[1].levels[1]], [-95, -33, -25]);
+    await press("contrast-reset");
+    assert.deepEqual([await get("low"), await get("high")], [-85, -35]);
+    server.say(server.hello());
+  },
+
+  async "point targets are crosses in the scene, and walls are not between camera and vehicle"() {
+    await until(() => page.evaluate(() => Boolean(insonify.scene && insonify.store.get("scene"))), "the scene");
+    const seen = await page.evaluate(async (point) => {
+      const { clearPoint } = await import("./js/draw/sight.js");
+      const { crossLines } = await import("./js/draw/shapes.js");
+      insonify.scene.draw();
+      const { objects } = insonify.store.get("scene");
+      return {
+        drawn: insonify.scene.renderer.lists.points.count,
+        cross: [...crossLines([point], 0.5)],
+        // The wall is at x = 18, from y = -20 to 20 and z = -3 to 3.
+        through: clearPoint(objects, [10, 0, 0], [30, 0, 0], 1),
+        beside: clearPoint(objects, [10, 25, 0], [30, 25, 0], 1),
+        above: clearPoint(objects, [10, 0, 0], [30, 0, 20], 1),
+        close: clearPoint(objects, [17.5, 0, 0], [27.5, 0, 0], 1),
+      };
+    }, kPoint.position);
+    assert.equal(seen.drawn, 6);
+    assert.deepEqual(seen.cross.slice(0, 12), [11.5, -3, 0, 12.5, -3, 0, 12, -3.5, 0, 12, -2.5, 0]);
+    assert.ok(Math.abs(seen.through[0] - (10 + 0.9 * 8)) < 1e-4 && seen.through[1] === 0, String(seen.through));
+    assert.deepEqual([seen.beside, seen.above], [[30, 25, 0], [30, 0, 20]]);
+    assert.ok(Math.abs(seen.close[0] - 18.5) < 1e-6, "not nearer to the vehicle than that");
   },
 
   async "a lost connection is said, tried again, and found"() {

@@ -14,13 +14,24 @@ export const metres = (value, binLength = 0.1) => `${number(value, binLength < 0
 
 export const decibels = (value) => `${number(value, 1)} dB`;
 
-/** A bearing from an azimuth, which is positive to port [rad]; a turned head's azimuth may exceed half a turn. */
-export function bearing(azimuth) {
+/** A bearing from an azimuth, which is positive to port [rad]; a turned head's azimuth may exceed half a turn. That of a
+ * `vertical` head is positive up, and its bearing the slope: "60.0° down". */
+export function bearing(azimuth, vertical = false) {
   const turn = (-azimuth * 180) / Math.PI;
   const degrees = turn - 360 * Math.round(turn / 360);
+  if (vertical) return slope(-degrees, 1);
   const text = `${Math.abs(degrees).toFixed(1)}°`;
   if (Number(Math.abs(degrees).toFixed(1)) === 0) return text;
   return `${text} ${degrees > 0 ? "stbd" : "port"}`;
+}
+
+/** An angle above the front of a vertical head's housing, within half a turn [degrees], as the angle from the horizontal. */
+export function slope(angle, digits) {
+  const steep = Number(Math.min(Math.abs(angle), 180 - Math.abs(angle)).toFixed(digits));
+  const back = Math.abs(angle) > 90;
+  if (steep === 0) return back ? "back" : "front";
+  if (steep === 90) return angle > 0 ? "up" : "down";
+  return `${steep.toFixed(digits)}° ${angle > 0 ? "up" : "down"}${back ? ", back" : ""}`;
 }
 
 export const triple = (point, digits = 2) => point.map((value) => number(value, digits)).join(", ");

@@ -2,6 +2,7 @@
 
 const kSlow = 45;      // milliseconds a frame above which the smaller views wait
 const kShare = 5;      // of these slow frames, one in so many draws them too
+const kLongest = 1000; // milliseconds that these are at most apart, as far as frames come
 const kMemory = 0.8;   // part that the mean duration of a frame keeps of what it was
 
 export class Frames {
@@ -9,9 +10,16 @@ export class Frames {
   #asked = false;
   #begun = 0;
   #mean = 16;  // duration of a frame [ms]
-  #drawn = new Map();  // when the patient ones were drawn last
+  #drawn = new Map();  // when each was drawn last
+  #clock;
 
-  /** Registers a drawing; returns the function that asks for it. A `patient` one may wait while frames are slow. */
+  /** `clock` = { now(), next(callback) } tells milliseconds and calls back at the next frame of the screen. */
+  constructor(clock = { now: () => performance.now(), next: (callback) => requestAnimationFrame(callback) }) {
+    this.#clock = clock;
+  }
+
+  /** Registers a drawing; returns the function that asks for it. A `patient` one may wait while frames are slow, but not after
+   * it returned false, which says that it had nothing to show. */
   add(draw, patient = () => false) {
     const entry = { draw, patient };
     return () => {
@@ -23,24 +31,25 @@ export class Frames {
   #ask() {
     if (this.#asked) return;
     this.#asked = true;
-    this.#begun = performance.now();
-    requestAnimationFrame(() => this.#frame());
+    this.#begun = this.#clock.now();
+    this.#clock.next(() => this.#frame());
   }
 
   // A frame is asked for right after a drawing as long as pings come: what passes until it comes is how long frames take.
   #frame() {
-    const now = performance.now();
-    this.#mean = kMemory * this.#mean + (1 - kMemory) * Math.min(now - this.#begun, 2000);
+    const now = this.#clock.now();
+    const took = now - this.#begun;
+    this.#mean = kMemory * this.#mean + (1 - kMemory) * Math.min(took, 2000);
     this.#asked = false;
+    const wait = this.#mean > kSlow ? Math.min(kShare * this.#mean, kLongest - Math.max(this.#mean, took)) : 0;
     const later = new Set();
     for (const entry of this.#waiting) {
-      const wait = this.#mean > kSlow && entry.patient() ? Math.min(kShare * this.#mean, 2000) : 0;
-      if (now - (this.#drawn.get(entry) ?? 0) < wait) {
+      if (now - (this.#drawn.get(entry) ?? -Infinity) < wait && entry.patient()) {
         later.add(entry);
         continue;
       }
-      this.#drawn.set(entry, now);
-      entry.draw();
+      const drawn = entry.draw() !== false;
+      this.#drawn.set(entry, drawn ? now : -Infinity);
     }
     this.#waiting = later;
     if (later.size > 0) this.#ask();

@@ -3,6 +3,9 @@
 export const radians = (degrees) => (degrees * Math.PI) / 180;
 export const degrees = (angle) => (angle * 180) / Math.PI;
 
+/** An angle within half a turn of 0 [rad]. */
+export const wrapped = (angle) => angle - 2 * Math.PI * Math.round(angle / (2 * Math.PI));
+
 export const add = (a, b) => [a[0] + b[0], a[1] + b[1], a[2] + b[2]];
 export const subtract = (a, b) => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
 export const scale = (a, factor) => [a[0] * factor, a[1] * factor, a[2] * factor];

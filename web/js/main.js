@@ -41,11 +41,11 @@ let waterfall = null;
 // The sonar picture comes first: the shaders of the others take time.
 picture.firstDrawn = () => setTimeout(() => {
   waterfall = new WaterfallView(store, frames);
-  scene = new SceneView(store, frames, chooseObject);
+  setTimeout(() => (scene = new SceneView(store, frames, chooseObject)), 50);
 });
 new AscanView(store, frames, roundPings);
 setUpReadout(store, frames, roundPings);
-setUpDisplay(store, frames);
+setUpDisplay(store, frames, roundPings);
 
 const session = new Session(store, notes, {
   taken: (ping) => {

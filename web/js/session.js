@@ -2,6 +2,7 @@
 
 import { Connection } from "./link/connection.js";
 import { decode } from "./link/decode.js";
+import { Rates } from "./rates.js";
 import { describeSonar } from "./sonar.js";
 
 const kMostPath = 20_000;
@@ -11,7 +12,7 @@ const kOverlays = ["instance", "material", "elevation", "shadow", "multipath"];
 const shapeOf = ({ levels: _levels, shown_gain: _gain, reference: _reference, gain_db: _gainDb, ...shape }) => JSON.stringify(shape);
 
 export class Session {
-  #arrivals = [];  // times of the last pings [ms]
+  #rates = new Rates();
   #scene = null;
 
   /** `taken(ping)` hears of every ping; `saved(message)` of a saved scenario; `refused(reason)` where a token is wanted. */
@@ -26,7 +27,7 @@ export class Session {
     });
     store.on(["sonar", "overlay", "truth", "showEchoes", "cursor", "frozen"], () => this.#watch());
     store.on(["frozen"], () => store.get("frozen") || store.set({ shown: store.get("ping") }));
-    setInterval(() => this.#rate(), 500);
+    setInterval(() => this.#rate(), 250);
   }
 
   /** Sends a request, or says that there is nobody to send it to. */
@@ -57,7 +58,9 @@ export class Session {
       this.notes.error(link.reason ? `The server ended the connection: ${link.reason}` : "The connection is lost.");
     }
     if (link.state === "open" && this.store.get("hello")) this.notes.note("Connected again.");
-    if (link.state !== "open") this.#watched = "";
+    if (link.state === "open") return;
+    this.#watched = "";
+    this.#rates.reset();
   }
 
   #watched = "";
@@ -86,6 +89,7 @@ export class Session {
     switch (message.op) {
       case "hello": this.#hello(message); break;
       case "state": store.set({ status: message }); break;
+      case "levels": this.#levels(message); break;
       case "error": notes.error(message.text, message.of); break;
       case "note": notes.note(message.text); break;
       case "saved": this.saved(message); break;
@@ -112,6 +116,14 @@ export class Session {
     this.changed();
   }
 
+  // As the first turn of a scanning head goes on, louder echoes are known.
+  #levels({ sonar: name, levels }) {
+    const described = this.store.get("hello")?.sonars.find((each) => each.name === name);
+    if (!described) return;
+    described.levels = levels;
+    if (this.store.get("sonar")?.name === name) this.#refresh(described);
+  }
+
   #setSonar(described) {
     const { store } = this;
     const before = store.get("sonar");
@@ -119,6 +131,7 @@ export class Session {
     const sonar = { ...describeSonar(described), shape: shapeOf(described) };
     const modes = sonar.scanning ? ["round"] : ["fan", "polar"];
     const same = before?.name === sonar.name;
+    if (!same) this.#rates.reset();
     store.set({
       sonar, ping: null, shown: null, cursor: null, path: [],
       mode: modes.includes(store.get("mode")) ? store.get("mode") : modes[0],
@@ -148,7 +161,7 @@ export class Session {
     const anew = last && (ping.number < last.number || ping.change !== last.change);
     const again = last && !anew && ping.number === last.number;  // With the tables that were asked for since.
     const position = (ping.vehicle ?? ping).position;
-    if (!again) this.#arrivals.push(performance.now());
+    if (!again) this.#rates.add(performance.now(), ping);
     const patch = { ping, path: again ? path : anew ? [position] : [...path.slice(-kMostPath), position] };
     const shown = store.get("shown");
     const completes = (again && shown?.number === ping.number) || (shown && !shown.tables.instance && ping.tables.instance);
@@ -169,9 +182,6 @@ export class Session {
 
   #rate() {
     const now = performance.now();
-    this.#arrivals = this.#arrivals.filter((time) => now - time < 3000);
-    const count = this.#arrivals.length;
-    const span = count > 1 ? this.#arrivals[count - 1] - this.#arrivals[0] : 0;
-    this.store.set({ rate: count > 1 && span > 0 ? Math.min((1000 * (count - 1)) / span, (1000 * count) / 2) : count / 3 });
+    this.store.set({ rate: this.#rates.pingsPerSecond(now), pace: this.#rates.timeFactor(now) });
   }
 }

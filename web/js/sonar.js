@@ -1,6 +1,6 @@
 // sonar.js -- beams and bins of the watched sonar: from indices to ranges and azimuths, and back.
 
-import { radians } from "./geometry.js";
+import { radians, wrapped } from "./geometry.js";
 
 export const kRoundSlots = 1440;  // columns of a scanning head's round picture
 
@@ -10,9 +10,14 @@ export function describeSonar(sonar) {
   const beams = azimuths.length;
   const aperture = radians(sonar.azimuth_aperture ?? 0);
   const edges = sonar.azimuth_edges?.map(radians) ?? edgesOf(azimuths, aperture);
+  const scanning = sonar.type === "msis";
+  const vertical = scanning && sonar.mounting === "vertical";
   return {
     ...sonar,
-    scanning: sonar.type === "msis",
+    scanning,
+    vertical,
+    // A vertical head's port side points up: up is drawn upwards, and the housing's front to the right.
+    up: vertical ? Math.PI / 2 : 0,  // azimuth that is drawn upwards
     beamAzimuths: azimuths,
     edges,
     binLength: (sonar.max_range - sonar.min_range) / sonar.bins,
@@ -30,6 +35,10 @@ function edgesOf(azimuths, aperture) {
   edges[beams] = beams > 1 ? 2 * azimuths[beams - 1] - edges[beams - 1] : azimuths[0] - aperture / 2;
   return edges;
 }
+
+/** Whether a scanning head turns to an azimuth [rad]. */
+export const inSector = (sonar, azimuth) =>
+  Math.abs(wrapped(azimuth - radians(sonar.sector_center ?? 0))) <= radians(sonar.sector_width ?? 360) / 2;
 
 export const binRange = (sonar, bin) => sonar.min_range + (bin + 0.5) * sonar.binLength;
 

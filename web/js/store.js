@@ -43,7 +43,8 @@ export function makeStore() {
     shown: null,        // the ping that is drawn: `ping`, unless frozen
     scene: null,        // decoded scene
     path: [],           // positions of the vehicle at the pings since the last change [m]
-    rate: 0,            // pings a second that arrive here
+    rate: null,         // pings a second that arrive here; null: not known yet
+    pace: null,         // seconds of the scenario in a second of the clock
     frozen: false,
     mode: "fan",        // fan, polar or round
     main: "picture",    // the large view

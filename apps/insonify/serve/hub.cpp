@@ -4,7 +4,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "console/console.h"
+#include "serve/recordings.h"
 
 namespace insonify {
 
@@ -39,7 +42,7 @@ void Hub::on_world(const std::shared_ptr<const LiveWorld>& world) {
       scene_ = scene_frame(*world);
     }
     if (!same_levels) {
-      levels_.assign(world->sonars.size(), std::nullopt);
+      scales_.assign(world->sonars.size(), {});
     }
     last_pings_.assign(world->sonars.size(), nullptr);
     hello_ = nullptr;
@@ -52,10 +55,24 @@ void Hub::on_world(const std::shared_ptr<const LiveWorld>& world) {
 void Hub::on_note(const std::string& text) {
   post([this, text] {
     complain(text);
-    for (HubMember* member : members_) {
-      member->on_note(text);
-    }
+    tell_note(text);
   });
+}
+
+// The server's thread may have ended: the terminal is told at once.
+void Hub::on_recorded(const LiveRecording& recording) {
+  const std::string text = recorded_text(recording);
+  if (!quiet_) {
+    say("{}\n", text);
+    flush_output();
+  }
+  post([this, text] { tell_note(text); });
+}
+
+void Hub::tell_note(const std::string& text) {
+  for (HubMember* member : members_) {
+    member->on_note(text);
+  }
 }
 
 void Hub::take_pings() {
@@ -72,11 +89,13 @@ void Hub::take_pings() {
     ++pings_;
     computing_time_ += ping->computing_time;
     const auto shared = std::make_shared<SharedPing>(ping);
-    last_pings_[static_cast<std::size_t>(ping->sonar)] = shared;
+    const auto sonar = static_cast<std::size_t>(ping->sonar);
+    last_pings_[sonar] = shared;
+    const bool other_levels = scales_[sonar].add(*ping);
     if (!hello_) {
-      std::optional<ShownLevels>& levels = levels_[static_cast<std::size_t>(ping->sonar)];
-      levels = levels.value_or(shown_levels(*ping));
       greet();
+    } else if (other_levels) {
+      tell_levels(sonar);
     }
     for (HubMember* member : std::set<HubMember*>(members_)) {
       member->on_ping(*shared);
@@ -85,17 +104,33 @@ void Hub::take_pings() {
 }
 
 // Once levels of all sonars are known, from their first pings.
-void Hub::greet() {
+bool Hub::make_hello() {
   std::vector<ShownLevels> levels;
-  for (const std::optional<ShownLevels>& one : levels_) {
-    if (!one) {
-      return;
+  for (const ShownScale& scale : scales_) {
+    if (!scale.levels()) {
+      return false;
     }
-    levels.push_back(*one);
+    levels.push_back(*scale.levels());
   }
   hello_ = std::make_shared<const std::string>(hello_text(*world_, levels));
+  return true;
+}
+
+void Hub::greet() {
+  if (!make_hello()) {
+    return;
+  }
   for (HubMember* member : std::set<HubMember*>(members_)) {
     member->on_world();
+  }
+}
+
+void Hub::tell_levels(std::size_t sonar) {
+  (void)make_hello();  // For those who come later.
+  const Bytes text =
+      std::make_shared<const std::string>(levels_text(world_->sonars[sonar].name, *scales_[sonar].levels()));
+  for (HubMember* member : std::set<HubMember*>(members_)) {
+    member->on_levels(text);
   }
 }
 
@@ -135,13 +170,8 @@ std::filesystem::path Hub::recording_path(const std::string& ending) {
   const std::filesystem::path stem = recording_.parent_path() / recording_.stem();
   for (int number = 1;; ++number) {
     std::filesystem::path path = stem.string() + (number == 1 ? "" : fmt::format("_{}", number)) + ending;
-    std::filesystem::path scenario = path;
-    scenario.replace_extension(".yaml");
-    bool taken = std::filesystem::exists(path) || std::filesystem::exists(scenario);
-    for (const SonarConfig& sonar : world_->sonars) {
-      taken = taken || std::filesystem::exists(path.parent_path() / (path.stem().string() + "-" + sonar.name + ending));
-    }
-    if (!taken) {
+    const std::vector<std::filesystem::path> files = live_recording_files(path, world_->sonars);
+    if (std::ranges::none_of(files, [](const auto& file) { return std::filesystem::exists(file); })) {
       return path;
     }
   }

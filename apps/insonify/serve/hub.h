@@ -38,6 +38,8 @@ class HubMember {
   virtual void on_world() = 0;
   virtual void on_state() = 0;
   virtual void on_note(const std::string& text) = 0;
+  /// @param text  levels_text() of a sonar whose pictures are shown with others from now on.
+  virtual void on_levels(const Bytes& /*text*/) {}
   /// Velocity with which it steers.
   [[nodiscard]] virtual bool flies() const { return false; }
 };
@@ -45,13 +47,16 @@ class HubMember {
 /// Takes pings from the loop's thread to the server's. Of each sonar only the last few wait there.
 class Hub : public LiveListener {
  public:
-  Hub(LiveLoop& loop, NetServer& server, std::filesystem::path recording)
-      : loop_(loop), server_(server), recording_(std::move(recording)) {}
+  /// @param recording  A file that names of recordings are made from.
+  /// @param quiet      Whether recordings that have ended are not told on the terminal.
+  Hub(LiveLoop& loop, NetServer& server, std::filesystem::path recording, bool quiet)
+      : loop_(loop), server_(server), recording_(std::move(recording)), quiet_(quiet) {}
 
   // Threads of the loop.
   void on_ping(const std::shared_ptr<const LivePing>& ping) override;
   void on_world(const std::shared_ptr<const LiveWorld>& world) override;
   void on_note(const std::string& text) override;
+  void on_recorded(const LiveRecording& recording) override;
 
   // The server's thread.
   void join(HubMember& member) { members_.insert(&member); }
@@ -79,12 +84,16 @@ class Hub : public LiveListener {
   [[nodiscard]] std::uint64_t pings() const { return pings_; }
 
  private:
+  void tell_note(const std::string& text);
   void take_pings();
   void greet();
+  void tell_levels(std::size_t sonar);
+  [[nodiscard]] bool make_hello();
 
   LiveLoop& loop_;
   NetServer& server_;
   std::filesystem::path recording_;
+  bool quiet_;
 
   std::mutex mutex_;  // Guards what follows, up to the blank line.
   std::deque<std::shared_ptr<const LivePing>> waiting_;
@@ -95,7 +104,7 @@ class Hub : public LiveListener {
   std::set<HubMember*> members_;
   std::shared_ptr<const LiveWorld> world_;
   std::vector<std::shared_ptr<SharedPing>> last_pings_;
-  std::vector<std::optional<ShownLevels>> levels_;
+  std::vector<ShownScale> scales_;
   Bytes hello_, scene_;
   std::uint64_t pings_ = 0, counted_pings_ = 0;
   double computing_time_ = 0;

@@ -9,7 +9,9 @@
 #include "console/outcome.h"
 #include "serve/foxglove_feed.h"
 #include "serve/hub.h"
+#include "serve/own_addresses.h"
 #include "serve/page_files.h"
+#include "serve/recordings.h"
 #include "serve/viewer_client.h"
 
 namespace insonify {
@@ -28,12 +30,21 @@ Log log_to_user(bool quiet) {
 }
 
 // What a browser must be told.
-std::string url_of(const ServeOptions& options, std::uint16_t port) {
-  const bool any = options.address == "0.0.0.0" || options.address == "::";
-  const std::string host = any ? "localhost" : options.address;
+std::string url_of(const ServeOptions& options, const std::string& host, std::uint16_t port) {
   const bool bracket = host.find(':') != std::string::npos;
   return fmt::format("http://{}{}{}:{}/{}{}", bracket ? "[" : "", host, bracket ? "]" : "", port,
                      options.token.empty() ? "" : "?token=", encoded(options.token));
+}
+
+// The first line is the address; where all interfaces are listened on, others may follow.
+void print_addresses(const ServeOptions& options, std::uint16_t port) {
+  const bool all = options.address == "0.0.0.0" || options.address == "::";
+  std::vector<std::string> hosts = all ? own_addresses(options.address == "::") : std::vector{options.address};
+  hosts.resize(options.quiet ? 1 : hosts.size());
+  for (const std::string& host : hosts) {
+    say("{}\n", url_of(options, host, port));
+  }
+  flush_output();
 }
 
 void check(const ServeOptions& options) {
@@ -69,17 +80,12 @@ void record_from_start(const ServeOptions& options, LiveLoop& loop) {
   if (options.recording.empty()) {
     return;
   }
+  refuse_recordings(options.recording, loop.world()->sonars, options.force, options.scenario);
   std::promise<std::string> begun;
-  loop.record(options.recording, [&begun](const std::string& error) { begun.set_value(error); });
+  loop.record(
+      options.recording, [&begun](const std::string& error) { begun.set_value(error); }, options.force);
   if (const std::string error = begun.get_future().get(); !error.empty()) {
     throw InputError(error);
-  }
-}
-
-void print_end(const LiveState& state, const std::string& recording, double seconds) {
-  say("{} pings in {:.1f} s\n", state.pings_made, seconds);
-  if (!recording.empty()) {
-    say("recording: {} ({} pings)\n", recording, state.recorded_pings);
   }
 }
 
@@ -119,7 +125,7 @@ int serve(const ServeOptions& options) {
                                                 : feed_of_clients->client(connection);
            }});
   const std::unique_ptr<LiveLoop> loop = loop_of(options);
-  Hub hub(*loop, server, options.recording.empty() ? options.scenario.filename() : options.recording);
+  Hub hub(*loop, server, options.recording.empty() ? options.scenario.filename() : options.recording, options.quiet);
   FoxgloveFeed feed(hub);
   hub_of_clients = &hub;
   feed_of_clients = &feed;
@@ -130,13 +136,12 @@ int serve(const ServeOptions& options) {
   loop->start(hub);
   record_from_start(options, *loop);
   server.every(std::chrono::seconds(1), [&hub] { hub.tell_state(); });
-  say("{}\n", url_of(options, server.port()));
-  flush_output();
+  print_addresses(options, server.port());
   server.run();
-  const std::string recording = loop->state().recording;
   loop->end();
   if (!options.quiet) {
-    print_end(loop->state(), recording, std::chrono::duration<double>(Clock::now() - start).count());
+    say("{} pings in {:.1f} s\n", loop->state().pings_made,
+        std::chrono::duration<double>(Clock::now() - start).count());
   }
   return kDone;
 }

@@ -16,6 +16,7 @@ struct ServeOptions {
   std::string token;                  ///< "" for none: loopback only.
   std::vector<std::string> origins;   ///< Other pages that may connect without a token.
   std::filesystem::path recording;    ///< Recorded from the start; empty: not.
+  bool force = false;                 ///< Whether its files may replace others.
   double rate = 0;                    ///< Most pings a second of each sonar; 0: no limit.
   int threads = 0;                    ///< 0: one per processor.
   std::vector<std::string> settings;  ///< "key=value", in order.

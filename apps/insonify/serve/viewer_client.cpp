@@ -85,6 +85,7 @@ class ViewerClient : public Client, public HubMember, public std::enable_shared_
   }
 
   void on_note(const std::string& text) override { tell(note_text(text)); }
+  void on_levels(const Bytes& text) override { tell(text); }
 
   void on_ping(SharedPing& shared) override {
     const LivePing& ping = shared.ping();

@@ -261,7 +261,11 @@ Bytes scene_frame(const LiveWorld& world) {
     const Pose mounting = sonar.vehicle_from_sonar();
     sonars.push_back({{"position", listed(mounting.position)}, {"orientation", listed(mounting.orientation)}});
   }
-  Json header = {{"objects", objects}, {"sonars", sonars}};
+  Json points = Json::array();
+  for (const PointTarget& point : world.scenario.points) {
+    points.push_back(listed(point.position));
+  }
+  Json header = {{"objects", objects}, {"sonars", sonars}, {"points", points}};
   if (thin_count > 0) {
     header["note"] = "meshes of more than " + std::to_string(kMostTriangles) + " triangles are drawn with fewer";
   }
@@ -287,7 +291,8 @@ bool same_scene(const LiveWorld& a, const LiveWorld& b) {
   };
   return std::ranges::equal(a.scene.instances, b.scene.instances, same) &&
          std::ranges::equal(a.scene.materials, b.scene.materials, {}, &Material::name, &Material::name) &&
-         std::ranges::equal(a.sonars, b.sonars, same_mounting);
+         std::ranges::equal(a.sonars, b.sonars, same_mounting) &&
+         std::ranges::equal(a.scenario.points, b.scenario.points, {}, &PointTarget::position, &PointTarget::position);
 }
 
 }  // namespace insonify

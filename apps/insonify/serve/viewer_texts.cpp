@@ -5,7 +5,6 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "insonify/picture.h"
 #include "insonify/version.h"
 #include "insonify/words.h"
 #include "serve/scenario_keys.h"
@@ -59,20 +58,6 @@ Json sonar_json(const LiveWorld& world, int index, const ShownLevels& levels) {
 }
 
 }  // namespace
-
-double shown_gain(const LiveWorld& world, int sonar) {
-  const Scenario& scenario = world.scenario;
-  return usual_display(scenario.model, scenario.receiver_of(world.sonars[static_cast<std::size_t>(sonar)]))
-      .raised_per_decade;
-}
-
-ShownLevels shown_levels(const LivePing& ping) {
-  constexpr double kDepth = 50;  // [dB]
-  const SonarConfig& sonar = ping.world->sonars[static_cast<std::size_t>(ping.sonar)];
-  const double gain = shown_gain(*ping.world, ping.sonar);
-  const double high = 10 * std::log10(fitting_full_scale(raised_by_range(ping.ping, sonar, gain).intensity));
-  return {high - kDepth, high};
-}
 
 std::string hello_text(const LiveWorld& world, const std::vector<ShownLevels>& levels) {
   Json sonars = Json::array();
@@ -131,6 +116,9 @@ std::string state_text(const LiveState& state, const ServerCounts& counts, const
                  {"preparing", state.preparing}});
 }
 
+std::string levels_text(const std::string& sonar, const ShownLevels& levels) {
+  return dumped({{"op", "levels"}, {"sonar", sonar}, {"levels", {levels.first, levels.second}}});
+}
 std::string error_text(const std::string& text, const std::string& of) {
   return dumped({{"op", "error"}, {"text", text}, {"of", of}});
 }

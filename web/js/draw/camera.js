@@ -1,6 +1,7 @@
 // camera.js -- where the 3-D view is seen from: behind the vehicle, around a point, or from above.
 
 import { add, cross, lookAt, multiply, perspective, radians, rollPitchYaw, rotate, scale, subtract, unit } from "../geometry.js";
+import { clearPoint } from "./sight.js";
 
 const kUp = [0, 0, 1];
 const kFieldOfView = radians(48);
@@ -10,24 +11,29 @@ const kStarts = {
   orbit: { yaw: radians(35), pitch: radians(32), distance: 1.1 },
   top: { yaw: 0, pitch: radians(89.5), distance: 1.25 },
 };
+// Of a scanning head, which looks to all sides.
+const kAround = { yaw: 0, pitch: radians(42), distance: 0.75 };
+const kNearest = 1.5;  // distance from the vehicle at which the camera stays, even behind a wall [m]
 
 export class Camera {
   constructor() {
     this.reach = 30;
+    this.around = false;  // whether the sonar looks to all sides
+    this.objects = [];    // of the scene
     this.start("chase", null);
   }
 
   /** Begins a mode: chase and top follow the vehicle, orbit stays where the vehicle looks at now. */
   start(mode, vehicle) {
     this.mode = mode;
-    const { yaw, pitch, distance } = kStarts[mode];
+    const { yaw, pitch, distance } = mode === "chase" && this.around ? kAround : kStarts[mode];
     Object.assign(this, { yaw, pitch, distance: distance * this.reach, shift: [0, 0, 0] });
     this.target = vehicle ? this.#ahead(vehicle) : [0, 0, 0];
     if (mode === "orbit" && vehicle) this.yaw += headingOf(vehicle);
   }
 
   #ahead(vehicle) {
-    const part = { chase: 0.14, orbit: 0.35, top: 0.4 }[this.mode];
+    const part = this.around ? 0 : { chase: 0.14, orbit: 0.35, top: 0.4 }[this.mode];
     const heading = headingOf(vehicle);
     return add(vehicle.position, scale([Math.cos(heading), Math.sin(heading), 0], part * this.reach));
   }
@@ -57,6 +63,8 @@ export class Camera {
     this.centre = add(this.target, this.shift);
     const back = [-Math.cos(this.pitch) * Math.cos(yaw), -Math.cos(this.pitch) * Math.sin(yaw), Math.sin(this.pitch)];
     this.eye = add(this.centre, scale(back, this.distance));
+    // Behind the vehicle it comes closer where a wall would be between them.
+    if (this.mode === "chase" && vehicle) this.eye = clearPoint(this.objects, vehicle.position, this.eye, kNearest);
     const far = this.distance + 6 * this.reach;
     this.view = lookAt(this.eye, this.centre, kUp);
     this.projection = perspective(kFieldOfView, aspect, Math.max(0.02, far / 5000), far);

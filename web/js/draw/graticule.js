@@ -1,8 +1,8 @@
 // graticule.js -- range rings, radials, labels, sweep line and cursor over the picture.
 
 import { themeColour } from "../dom.js";
-import { bearing, number, ringSpacing, ticks } from "../format.js";
-import { degrees, radians } from "../geometry.js";
+import { number, ringSpacing, slope, ticks } from "../format.js";
+import { degrees, radians, wrapped } from "../geometry.js";
 
 const kFont = "11px system-ui, sans-serif";
 
@@ -31,7 +31,7 @@ function drawRings(context, plan) {
   const radiusOf = (range) => plan.toScreen(range, 0)[0] - apexX;
   const arc = (range) => {
     context.beginPath();
-    context.arc(apexX, apexY, radiusOf(range), -Math.PI / 2 - port, -Math.PI / 2 - starboard);
+    context.arc(apexX, apexY, radiusOf(range), sonar.up - Math.PI / 2 - port, sonar.up - Math.PI / 2 - starboard);
     context.stroke();
   };
   context.strokeStyle = themeColour("--ring");
@@ -43,9 +43,10 @@ function drawRings(context, plan) {
     context.moveTo(...plan.place(sonar.min_range, azimuth));
     context.lineTo(...plan.place(sonar.max_range, azimuth));
     context.stroke();
-    if (!isSmall(plan)) labelRadial(context, plan, azimuth);
+    if (!isSmall(plan)) labelRadial(context, plan, azimuth, !whole && (azimuth === port || azimuth === starboard));
   }
-  rings.forEach((range) => labelRing(context, plan, range, whole ? -Math.PI / 4 : port));
+  if (!whole && port > 0 && starboard < 0) drawAhead(context, plan);
+  rings.forEach((range) => labelRing(context, plan, range, whole ? sonar.up - Math.PI / 4 : port));
 }
 
 // Every 20 degrees, beginning at 10 to either side, and both edges; every 30 around a full circle.
@@ -60,13 +61,33 @@ function radialsOf(plan, port, starboard) {
   return found;
 }
 
-function labelRadial(context, plan, azimuth) {
+// A tick at the outer arc: a radial would hide echoes right ahead.
+function drawAhead(context, plan) {
+  const [x, y] = plan.place(plan.sonar.max_range, 0);
+  context.strokeStyle = themeColour("--soft");
+  context.beginPath();
+  context.moveTo(x, y - 4);
+  context.lineTo(x, y + 7);
+  context.stroke();
+  context.strokeStyle = themeColour("--ring");
+  if (!isSmall(plan)) labelRadial(context, plan, 0);
+}
+
+// With its side at the edges of a fan, and abeam of a round picture.
+function labelRadial(context, plan, azimuth, isEdge = false) {
   const [x, y] = plan.place(plan.sonar.max_range * 1.0, azimuth);
-  const angle = -azimuth;
+  const angle = plan.sonar.up - azimuth;
   context.fillStyle = themeColour("--soft");
   context.textAlign = Math.sin(angle) > 0.2 ? "left" : Math.sin(angle) < -0.2 ? "right" : "center";
   context.textBaseline = Math.cos(angle) < -0.5 ? "top" : "bottom";
-  context.fillText(`${Math.round(Math.abs(degrees(angle)))}°`, x + 5 * Math.sin(angle), y - 4 * Math.cos(angle));
+  const withSide = isEdge || (plan.mode === "round" && Math.abs(Math.abs(azimuth) - Math.PI / 2) < 1e-6);
+  context.fillText(radialText(plan.sonar, azimuth, withSide), x + 5 * Math.sin(angle), y - (azimuth === 0 && plan.mode === "fan" ? 6 : 4) * Math.cos(angle));
+}
+
+function radialText({ vertical }, azimuth, withSide) {
+  if (vertical) return slope(degrees(wrapped(azimuth)), 0).replace(/, back$/, "");
+  const side = withSide && azimuth !== 0 ? (azimuth > 0 ? " port" : " stbd") : "";
+  return `${Number(Math.abs(degrees(azimuth)).toFixed(1))}°${side}`;
 }
 
 // At the left edge of the fan, beside it.
@@ -74,20 +95,28 @@ function labelRing(context, plan, range, azimuth) {
   const [x, y] = plan.place(range, azimuth);
   if (x < -20 || y < 0 || x > plan.width || y > plan.height) return;
   const text = `${number(range, Number.isInteger(range) ? 0 : 1)} m`;
-  const inside = plan.mode === "round" || x < context.measureText(text).width + 8;
-  context.textAlign = inside ? "left" : "right";
-  context.textBaseline = inside ? "bottom" : "middle";
-  const below = range > 0.97 * plan.sonar.max_range ? 14 : 3;  // The edge's own label is there.
-  const place = inside ? [x + 4, y - 2] : [x - 6, y + below];
-  if (inside) {
-    context.lineWidth = 3;
-    context.lineJoin = "round";
-    context.strokeStyle = "rgb(0 10 16 / 75%)";
-    context.strokeText(text, ...place);
-    context.lineWidth = 1;
+  if (plan.mode === "round" || x < context.measureText(text).width + 8) {
+    writeInside(context, text, x + 4, y - 2);
+    return;
   }
-  context.fillStyle = inside ? "#e6eff4" : themeColour("--soft");
-  context.fillText(text, ...place);
+  context.textAlign = "right";
+  context.textBaseline = "middle";
+  context.fillStyle = themeColour("--soft");
+  const below = range > 0.97 * plan.sonar.max_range ? 14 : 3;  // The edge's own label is there.
+  context.fillText(text, x - 6, y + below);
+}
+
+// Over the picture, with an outline; its lower left corner is at x, y.
+function writeInside(context, text, x, y) {
+  context.textAlign = "left";
+  context.textBaseline = "bottom";
+  context.lineWidth = 3;
+  context.lineJoin = "round";
+  context.strokeStyle = "rgb(0 10 16 / 75%)";
+  context.strokeText(text, x, y);
+  context.lineWidth = 1;
+  context.fillStyle = "#e6eff4";
+  context.fillText(text, x, y);
   context.strokeStyle = themeColour("--ring");
 }
 
@@ -97,27 +126,35 @@ function drawPolarGrid(context, plan) {
   const [left] = plan.toScreen(0, 0);
   const [right] = plan.toScreen(sonar.beams, 0);
   context.strokeStyle = themeColour("--ring");
-  context.fillStyle = themeColour("--soft");
-  context.textBaseline = "middle";
   for (const range of ticks(Math.max(spacing, sonar.min_range), sonar.max_range, spacing)) {
     const [, y] = plan.toScreen(0, range);
     context.beginPath();
     context.moveTo(left, y);
     context.lineTo(right, y);
     context.stroke();
+    const text = `${number(range, Number.isInteger(range) ? 0 : 1)} m`;
+    if (isSmall(plan)) {
+      if (y > 40) writeInside(context, text, left + 4, y - 2);  // Above is the caption.
+      continue;
+    }
+    context.fillStyle = themeColour("--soft");
+    context.textBaseline = "middle";
     context.textAlign = "right";
-    if (!isSmall(plan)) context.fillText(`${number(range, Number.isInteger(range) ? 0 : 1)} m`, Math.max(left - 5, 32), y);
+    context.fillText(text, Math.max(left - 5, 32), y);
   }
+  context.fillStyle = themeColour("--soft");
+  context.textBaseline = "middle";
   const [, bottom] = plan.toScreen(0, sonar.min_range);
   const [, top] = plan.toScreen(0, sonar.max_range);
-  for (const azimuth of radialsOf(plan, sonar.edges[0], sonar.edges[sonar.beams])) {
-    const [x] = plan.place(sonar.max_range, Math.min(Math.max(azimuth, sonar.edges[sonar.beams] + 1e-9), sonar.edges[0]));
+  const [port, starboard] = [sonar.edges[0], sonar.edges[sonar.beams]];
+  for (const azimuth of [...radialsOf(plan, port, starboard), ...(port > 0 && starboard < 0 ? [0] : [])]) {
+    const [x] = plan.place(sonar.max_range, Math.min(Math.max(azimuth, starboard + 1e-9), port));
     context.beginPath();
     context.moveTo(x, bottom);
-    context.lineTo(x, top);
+    context.lineTo(x, azimuth === 0 ? bottom - 7 : top);
     context.stroke();
     context.textAlign = "center";
-    if (!isSmall(plan)) context.fillText(bearing(azimuth).replace(/\.0°/, "°").replace(/ (stbd|port)/, ""), x, bottom + 12);
+    if (!isSmall(plan)) context.fillText(radialText(sonar, azimuth, azimuth === port || azimuth === starboard), x, bottom + 12);
   }
 }
 

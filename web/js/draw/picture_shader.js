@@ -25,10 +25,11 @@ uniform sampler2D ages;          // of each column of the round picture, 0 new t
 uniform sampler2D overlay_values;
 uniform sampler2D palette;
 uniform vec2 azimuths;           // port and starboard edge of the fan [rad]
+uniform float up;                // azimuth that is drawn upwards [rad]
 uniform ivec2 size;              // beams, bins
 uniform int overlay;
 uniform float elevation_half;    // elevation of the strongest colours [rad]
-in vec2 plane;                   // fan, round: metres to starboard and ahead; polar: beam and range
+in vec2 plane;                   // fan, round: metres to the right and upwards; polar: beam and range
 out vec4 colour;
 
 float beam_of(float azimuth) {
@@ -86,7 +87,7 @@ vec3 overlaid(float value, ivec2 cell) {
 
 void main() {
   float range = mode == kPolar ? plane.y : length(plane);
-  float beam = mode == kPolar ? plane.x : beam_of(atan(-plane.x, plane.y));
+  float beam = mode == kPolar ? plane.x : beam_of(atan(-plane.x, plane.y) + up);
   float bin = (range - min_range) / bin_length;
   float step_of_pixel = mode == kPolar ? abs(dFdy(plane.y)) : length(vec2(dFdx(plane.x), dFdy(plane.x)));
   if (beam < 0.0 || beam >= float(size.x) || bin < 0.0 || bin >= float(size.y)) discard;
@@ -96,6 +97,6 @@ void main() {
   colour = vec4(overlay == 0 ? colour_of(value) : overlaid(value, cell), 1);
   if (mode == kRound) {
     float age = texelFetch(ages, ivec2(cell.x, 0), 0).r;
-    colour = age < 0.0 ? vec4(0.06, 0.06, 0.06, 0.12) : vec4(colour.rgb * (1.0 - 0.45 * age), 1);
+    colour = age < 0.0 ? vec4(0.11, 0.145, 0.175, 1) : vec4(colour.rgb * (1.0 - 0.45 * age), 1);
   }
 }`;

@@ -1,10 +1,12 @@
 // plan.js -- where a range and an azimuth lie on the picture, and what lies under a point of it.
 //
-// The plane of fan and round picture has metres to starboard and metres ahead; that of the polar picture beams and ranges.
+// The plane of fan and round picture has metres to starboard and metres ahead, of a vertical scanning head metres ahead and
+// metres up; that of the polar picture beams and ranges.
 
+import { wrapped } from "../geometry.js";
 import { beamAt, binAt, slotAt } from "../sonar.js";
 
-const kMargin = { top: 32, side: 34, bottom: 26 };
+const kMargin = { top: 32, side: 54, bottom: 26 };
 const kSmall = { top: 26, side: 10, bottom: 10 };
 
 /** What the picture shows: mode, size on the screen in CSS pixels, and zoom = { factor, x, y }, x and y parts of the size. */
@@ -45,7 +47,7 @@ function boundsOf(sonar, mode) {
 }
 
 function planePoint(sonar, mode, range, azimuth) {
-  if (mode !== "polar") return [-range * Math.sin(azimuth), range * Math.cos(azimuth)];
+  if (mode !== "polar") return [-range * Math.sin(azimuth - sonar.up), range * Math.cos(azimuth - sonar.up)];
   const beam = beamAt(sonar, azimuth);
   if (beam < 0) return [azimuth > 0 ? 0 : sonar.beams, range];
   const [port, starboard] = [sonar.edges[beam], sonar.edges[beam + 1]];
@@ -64,7 +66,7 @@ export function underPoint(plan, x, y) {
     return { range: v, azimuth, beam, bin };
   }
   const range = Math.hypot(u, v);
-  const azimuth = Math.atan2(-u, v);
+  const azimuth = wrapped(Math.atan2(-u, v) + sonar.up);
   const bin = binAt(sonar, range);
   const beam = mode === "round" ? 0 : beamAt(sonar, azimuth);
   if (bin < 0 || beam < 0) return null;

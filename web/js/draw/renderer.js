@@ -12,6 +12,10 @@ const kOverlays = { none: 0, instance: 1, material: 1, elevation: 2, shadow: 3, 
 const kBeamTable = 2048;
 const kNothing = -10;  // overlay value of a cell without one
 
+/** An overlay's values of a ping as the shader reads them; undefined where the ping has none. */
+const overlayValues = (ping, name) =>
+  ping?.tables[name] && Float32Array.from(ping.tables[name], (value) => (Number.isNaN(value) ? kNothing : value));
+
 export class PictureRenderer {
   constructor(canvas, redraw) {
     this.canvas = canvas;
@@ -47,6 +51,7 @@ export class PictureRenderer {
   setSonar(sonar) {
     this.sonar = sonar;
     this.uploaded = null;
+    this.overlayOf = null;
     this.round.clear(sonar);
     if (!sonar) return;
     this.tables.beam_table.fill(kBeamTable, 1, beamTable(sonar, kBeamTable));
@@ -60,8 +65,10 @@ export class PictureRenderer {
   /** Takes in a ping of a scanning head; every ping counts, also those that are not drawn by themselves. */
   addRound(ping) {
     const { levels, bins } = poolBins(ping.tables.level, 1, ping.bins, this.limit);
+    const values = this.overlayOf && (overlayValues(ping, this.overlayOf) ?? new Float32Array(bins).fill(kNothing));
     for (const { first, count } of this.round.add(ping)) {
       this.tables.levels.write(first, 0, count, bins, columnsOf(levels, bins, count));
+      if (values) this.tables.overlay_values.write(first, 0, count, bins, columnsOf(values, bins, count));
     }
     this.tables.ages.fill(kRoundSlots, 1, this.round.ages());
   }
@@ -79,13 +86,27 @@ export class PictureRenderer {
   #uploadOverlay(ping, name) {
     const kind = kOverlays[name];
     const table = ping?.tables[name];
-    if (!kind || !table || this.group > 1 || this.sonar.scanning) return 0;
+    if (!kind || this.group > 1) return 0;
+    if (this.sonar.scanning) {
+      if (this.overlayOf !== name) this.#fillRoundOverlay(name);
+      return kind;
+    }
+    if (!table) return 0;
     if (this.overlayOf !== table) {
       this.overlayOf = table;
-      const values = Float32Array.from(table, (value) => (Number.isNaN(value) ? kNothing : value));
-      this.tables.overlay_values.fill(ping.beams, ping.bins, values);
+      this.tables.overlay_values.fill(ping.beams, ping.bins, overlayValues(ping, name));
     }
     return kind;
+  }
+
+  // Pings that came before the table was asked for have none.
+  #fillRoundOverlay(name) {
+    this.overlayOf = name;
+    this.tables.overlay_values.fill(kRoundSlots, this.rows, new Float32Array(kRoundSlots * this.rows).fill(kNothing));
+    this.round.pings.forEach((ping, slot) => {
+      const values = overlayValues(ping, name);
+      if (values) this.tables.overlay_values.write(slot, 0, 1, this.rows, values);
+    });
   }
 
   /** Draws what `plan` shows. */
@@ -113,6 +134,7 @@ export class PictureRenderer {
     gl.uniform1i(at.mode, kModes[plan.mode]);
     gl.uniform1i(at.smooth_cells, store.get("smooth") ? 1 : 0);
     gl.uniform2f(at.azimuths, sonar.edges[0], sonar.edges[sonar.beams]);
+    gl.uniform1f(at.up, sonar.up);
     gl.uniform2i(at.size, sonar.scanning ? kRoundSlots : sonar.beams, this.rows);
     gl.uniform1i(at.overlay, overlay);
     gl.uniform1f(at.elevation_half, sonar.elevationAperture / 2);

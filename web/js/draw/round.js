@@ -49,9 +49,9 @@ export class RoundPicture {
   }
 }
 
-/** A block of equal columns from a ping's single beam. */
-export function columnsOf(levels, bins, count) {
-  const block = new Uint16Array(bins * count);
-  for (let bin = 0; bin < bins; ++bin) block.fill(levels[bin], bin * count, (bin + 1) * count);
+/** A block of equal columns from the values of a ping's single beam, of the same type as these. */
+export function columnsOf(values, bins, count) {
+  const block = new values.constructor(bins * count);
+  for (let bin = 0; bin < bins; ++bin) block.fill(values[bin], bin * count, (bin + 1) * count);
   return block;
 }

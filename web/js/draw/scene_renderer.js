@@ -7,13 +7,14 @@ import { isSoftware, makeProgram, openGl, poolBins, Table } from "./gl.js";
 import { setLevelUniforms } from "./level_shader.js";
 import { deleteScene, uploadScene, Vertices } from "./meshes.js";
 import { kEcho, kFan, kLine, kSurface, kWater } from "./scene_shaders.js";
-import { echoPoints, fanShape, sectorShape, vehicleParts } from "./shapes.js";
+import { crossLines, echoPoints, fanShape, sectorShape, vehicleParts } from "./shapes.js";
 
 const kIdentity = new Float32Array([1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]);
 const kTrajectory = [0.55, 0.75, 0.9, 0.75];
 const kFlown = [1.0, 0.66, 0.15, 0.95];
 const kSector = [0.35, 0.85, 1.0, 0.55];
 const kFace = [0.35, 0.85, 1.0, 0.05];
+const kPoint = [1.0, 0.3, 0.35, 1.0];  // of a point target
 
 export class SceneRenderer {
   constructor(canvas, redraw) {
@@ -30,7 +31,7 @@ export class SceneRenderer {
     const { gl } = this;
     const programs = { water: kWater, surface: kSurface, line: kLine, echo: kEcho, fan: kFan };
     this.programs = Object.fromEntries(Object.entries(programs).map(([name, texts]) => [name, makeProgram(gl, ...texts)]));
-    this.lists = { trajectory: new Vertices(gl, 3), flown: new Vertices(gl, 3), sector: new Vertices(gl, 3), face: new Vertices(gl, 3), echoes: new Vertices(gl, 4), fan: new Vertices(gl, 4) };
+    this.lists = { trajectory: new Vertices(gl, 3), flown: new Vertices(gl, 3), sector: new Vertices(gl, 3), face: new Vertices(gl, 3), echoes: new Vertices(gl, 4), fan: new Vertices(gl, 4), points: new Vertices(gl, 3) };
     this.vehicle = vehicleParts().map(({ colour, vertices }) => {
       const list = new Vertices(gl, 3);
       list.fill(vertices);
@@ -64,6 +65,7 @@ export class SceneRenderer {
     gl.enable(gl.BLEND);
     gl.blendFunc(gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
     gl.depthMask(false);
+    this.#drawPoints(camera);
     if (store.get("showPaths")) this.#drawPaths(camera, store);
     const sonar = store.get("sonar");
     if (ping && sonar && ping.beams === sonar.beams && ping.bins === sonar.bins) this.#drawSonar(camera, store, sonar, ping);
@@ -141,6 +143,15 @@ export class SceneRenderer {
       gl.uniform3f(at.tint, ...colour);
       list.draw(gl.TRIANGLES);
     }
+  }
+
+  // As large as they can be seen in the whole of the sonar's reach.
+  #drawPoints(camera) {
+    const { gl, lists } = this;
+    this.#once("points", this.scene?.points.length > 0 && this.scene, ({ points }) => lists.points.fill(crossLines(points, Math.max(0.15, camera.reach / 60))));
+    if (!this.scene?.points.length) return;
+    gl.uniform4f(this.#use("line", camera).tint, ...kPoint);
+    lists.points.draw(gl.LINES);
   }
 
   #drawPaths(camera, store) {

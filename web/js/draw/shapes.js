@@ -46,6 +46,12 @@ export function sectorShape(sonar) {
   return { lines: new Float32Array(lines), faces: new Float32Array(faces) };
 }
 
+/** Crosses at points, three lines each, `reach` [m] to either side. */
+export function crossLines(points, reach) {
+  const ends = (point, axis) => [-reach, reach].flatMap((shift) => point.map((x, i) => (i === axis ? x + shift : x)));
+  return new Float32Array(points.flatMap((point) => [0, 1, 2].flatMap((axis) => ends(point, axis))));
+}
+
 /** The fan as triangles of x, y, beam, bin. */
 export function fanShape(sonar) {
   const corners = [];

@@ -44,7 +44,7 @@ function decodeScene(header, buffer, start) {
     triangles: new Uint32Array(buffer, start + object.triangles.offset, 3 * object.triangles.count),
     shape: `${object.vertices.offset}:${object.triangles.offset}`,  // Objects of one shape share it.
   }));
-  return { kind: "scene", objects, sonars: header.sonars, note: header.note ?? "" };
+  return { kind: "scene", objects, sonars: header.sonars, points: header.points ?? [], note: header.note ?? "" };
 }
 
 /** Level of a value of the table `level` [dB]; null: no echo. */

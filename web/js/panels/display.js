@@ -15,7 +15,7 @@ const kFixedLegends = {
 };
 const kSwitches = { grid: "grid", smooth: "smooth", truth: "truth", "show-echoes": "showEchoes", "show-fan": "showFan", "show-sector": "showSector", "show-paths": "showPaths" };
 
-export function setUpDisplay(store, frames) {
+export function setUpDisplay(store, frames, roundPings) {
   for (const name of ["low", "high", "gain", "tvg"]) slider(store, name);
   for (const [id, name] of [["map", "map"], ["overlay", "overlay"], ["waterfall-of", "waterfallOf"]]) {
     byId(id).addEventListener("change", () => store.set({ [name]: byId(id).value }));
@@ -30,7 +30,7 @@ export function setUpDisplay(store, frames) {
   for (const mode of ["fan", "polar", "round"]) byId(`mode-${mode}`).addEventListener("click", () => store.set({ mode }));
   store.on(["mode", "sonar"], () => showModes(store));
   setUpBeam(store);
-  const redraw = frames.add(() => drawLegend(store));
+  const redraw = frames.add(() => drawLegend(store, roundPings));
   store.on(["shown", "overlay", "hello"], redraw);
 }
 
@@ -66,6 +66,12 @@ function setUpBeam(store) {
   for (const button of input.parentElement.querySelectorAll("button")) {
     button.addEventListener("click", () => choose(store.get("beam") + Number(button.dataset.step)));
   }
+  store.on(["sonar"], () => {
+    // A scanning head has a single beam: there is nothing to choose.
+    const scanning = store.get("sonar")?.scanning ?? false;
+    byId("waterfall-of-field").hidden = byId("beam-field").hidden = scanning;
+    write(byId("beam-hint"), scanning ? "The head has one beam: each row is a ping, in the direction that the head had then. A click on the picture chooses the object." : "A click on the picture chooses the beam, and the object.");
+  });
   store.on(["beam", "sonar"], () => {
     input.max = (store.get("sonar")?.beams ?? 1) - 1;
     input.value = store.get("beam");
@@ -120,7 +126,7 @@ export function fitContrast(store) {
 export const nextMap = (store) => store.set({ map: kMaps[(kMaps.indexOf(store.get("map")) + 1) % kMaps.length] });
 export const nextOverlay = (store) => store.set({ overlay: kOverlays[(kOverlays.indexOf(store.get("overlay")) + 1) % kOverlays.length] });
 
-function drawLegend(store) {
+function drawLegend(store, roundPings) {
   const overlay = store.get("overlay");
   const ping = store.get("shown");
   const legend = byId("legend");
@@ -131,7 +137,7 @@ function drawLegend(store) {
     const full = overlay === "shadow" || overlay === "multipath";
     write(error, `The pings hold no ${overlay}: set ground_truth to ${full ? "full" : "labels or full"}.`);
   }
-  const entries = overlay === "none" || missing || !ping ? [] : (kFixedLegends[overlay] ?? labelEntries(store, ping.tables[overlay], overlay));
+  const entries = overlay === "none" || missing || !ping ? [] : (kFixedLegends[overlay] ?? labelEntries(store, tablesOf(store, ping, overlay, roundPings), overlay));
   legend.hidden = entries.length === 0;
   const key = JSON.stringify(entries);
   if (legend.dataset.key === key) return;
@@ -145,10 +151,18 @@ function drawLegend(store) {
 
 const kMostEntries = 12;
 
-function labelEntries(store, table, overlay) {
+// The tables that the picture shows: a scanning head's picture has one for each ping of a turn.
+function tablesOf(store, ping, overlay, roundPings) {
+  const pings = store.get("sonar")?.scanning ? new Set(roundPings()) : [ping];
+  return [...pings].map((each) => each?.tables[overlay]).filter(Boolean);
+}
+
+function labelEntries(store, tables, overlay) {
   const names = store.get("hello")?.[overlay === "instance" ? "objects" : "materials"] ?? [];
   const counts = new Map();
-  for (let i = 0; i < table.length; i += 7) if (table[i] >= 0) counts.set(table[i], (counts.get(table[i]) ?? 0) + 1);
+  for (const table of tables) {
+    for (let i = 0; i < table.length; i += 7) if (table[i] >= 0) counts.set(table[i], (counts.get(table[i]) ?? 0) + 1);
+  }
   const found = [...counts].sort((a, b) => b[1] - a[1]).slice(0, kMostEntries).map(([label]) => label).sort((a, b) => a - b);
   return found.map((label) => [`rgb(${labelColour(label % 256).join(" ")})`, names[label] ?? String(label)]);
 }

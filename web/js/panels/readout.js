@@ -53,7 +53,7 @@ export function setUpReadout(store, frames, roundPings) {
     }
     const found = lookUp(store, cursor, roundPings());
     write(byId("read-range"), metres(found.range, found.sonar.binLength));
-    write(byId("read-bearing"), bearing(found.azimuth));
+    write(byId("read-bearing"), bearing(found.azimuth, found.sonar.vertical));
     const level = levelText(found, shownGain(store, found.range));
     write(byId("read-level"), level);
     byId("read-level").title = level.includes("shown") ? `${level}: shown with the gain of the display` : "";

@@ -22,7 +22,10 @@ export function setUpTransport(store, request) {
     byId("link").dataset.state = prepares ? "preparing" : state;
     write(byId("link-text"), prepares ? "Preparing the change" : text);
   });
-  store.on(["rate"], () => write(byId("rate"), store.get("status") ? number(store.get("rate"), 1) : "–"));
+  store.on(["rate", "pace", "status"], () => {
+    const runs = store.get("status")?.paused === false;
+    for (const [name, digits] of [["rate", 1], ["pace", 2]]) write(byId(name), runs ? number(store.get(name) ?? NaN, digits) : "–");
+  });
 }
 
 const press = (id, on) => byId(id).setAttribute("aria-pressed", String(Boolean(on)));

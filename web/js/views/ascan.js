@@ -3,7 +3,7 @@
 import { byId, context2d, themeColour, write } from "../dom.js";
 import { bearing, niceStep, number, ringSpacing, ticks } from "../format.js";
 import { levelDb } from "../link/decode.js";
-import { binRange } from "../sonar.js";
+import { binRange, inSector } from "../sonar.js";
 
 export class AscanView {
   constructor(store, frames, roundPings) {
@@ -22,10 +22,12 @@ export class AscanView {
     const cursor = store.get("cursor");
     const beam = cursor?.beam ?? store.get("beam");
     const slot = cursor?.slot;
-    const ping = slot === undefined ? store.get("shown") : this.roundPings()[slot];
-    if (!sonar || !ping || ping.bins !== sonar.bins || beam >= ping.beams) return;
+    const found = slot === undefined ? store.get("shown") : this.roundPings()[slot];
+    const ping = found?.bins === sonar?.bins && beam < found?.beams ? found : null;
+    this.#explain(sonar, ping, cursor);
+    if (!sonar || !ping) return;
     const azimuth = sonar.scanning ? ping.headAngle : sonar.beamAzimuths[beam];
-    write(byId("ascan-caption"), `${sonar.scanning ? "" : `Beam ${beam}   `}${bearing(azimuth)}${cursor ? "" : sonar.scanning ? "" : "   (chosen)"}`);
+    write(byId("ascan-caption"), `${sonar.scanning ? "" : `Beam ${beam}   `}${bearing(azimuth, sonar.vertical)}${cursor ? "" : sonar.scanning ? "" : "   (chosen)"}`);
     const low = store.get("low");
     const high = Math.max(store.get("high"), low + 1);
     const margin = (high - low) * 0.12;
@@ -37,6 +39,16 @@ export class AscanView {
     drawAxes(context, frame, low, high);
     drawTrace(context, frame, sonar, ping, beam, store);
     if (cursor) drawLine(context, frame, cursor.range);
+  }
+
+  // Says why there is no curve.
+  #explain(sonar, ping, cursor) {
+    const line = byId("ascan-empty");
+    line.hidden = Boolean(ping);
+    if (ping) return;
+    const aside = cursor?.slot !== undefined;
+    if (aside) write(byId("ascan-caption"), bearing(cursor.azimuth, sonar.vertical));
+    write(line, !aside ? "Waiting for the first ping" : inSector(sonar, cursor.azimuth) ? "No ping in this direction yet" : "Outside the scanned sector");
   }
 }
 

@@ -18,7 +18,9 @@ export class SceneView {
     this.renderer = new SceneRenderer(this.canvas, this.redraw);
     new ResizeObserver(this.redraw).observe(this.canvas);
     store.on(["scene"], () => {
-      if (store.get("scene")) this.renderer.setScene(store.get("scene"));
+      const scene = store.get("scene");
+      if (scene) this.renderer.setScene(scene);
+      this.camera.objects = scene?.objects ?? [];
       this.redraw();
     });
     store.on(["sonar"], () => this.#newSonar());
@@ -45,10 +47,13 @@ export class SceneView {
   }
 
   #newSonar() {
-    const reach = this.store.get("sonar")?.max_range;
-    if (!reach || reach === this.camera.reach) return;
+    const { max_range: reach, scanning } = this.store.get("sonar") ?? {};
+    if (!reach || (reach === this.camera.reach && scanning === this.camera.around)) return;
     this.camera.distance *= reach / this.camera.reach;
     this.camera.reach = reach;
+    const other = scanning !== this.camera.around;
+    this.camera.around = scanning;
+    if (other) this.#begin(this.store.get("camera"));
     this.redraw();
   }
 

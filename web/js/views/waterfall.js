@@ -52,6 +52,7 @@ export class WaterfallView {
     this.#build();
     new ResizeObserver(this.redraw).observe(this.canvas);
     store.on(["sonar", "waterfallOf", "beam"], () => this.clear());
+    if (store.get("shown")) this.add(store.get("shown"));
     store.on(["low", "high", "gain", "tvg", "map", "theme", "main"], this.redraw);
   }
 
@@ -113,6 +114,7 @@ export class WaterfallView {
     return Math.min(kRows, Math.max(1, this.canvas.clientHeight / kPixels));
   }
 
+  /** Returns whether there was a row to show. */
   draw() {
     const { gl, store } = this;
     const sonar = store.get("sonar");
@@ -120,7 +122,7 @@ export class WaterfallView {
     gl.viewport(0, 0, this.canvas.width, this.canvas.height);
     gl.clearColor(0, 0, 0, 0);
     gl.clear(gl.COLOR_BUFFER_BIT);
-    if (!sonar) return;
+    if (!sonar) return false;
     const { program, at } = this.program;
     gl.useProgram(program);
     this.map.fill(256, 1, colourTable(store.get("map")));
@@ -134,6 +136,7 @@ export class WaterfallView {
     gl.uniform1f(at.visible, this.#visible);
     gl.drawArrays(gl.TRIANGLES, 0, 3);
     this.#drawScale(sonar);
+    return this.count > 0;
   }
 
   #drawScale(sonar) {
@@ -156,8 +159,12 @@ export class WaterfallView {
     for (const range of ticks(Math.max(sonar.min_range, spacing), sonar.max_range, spacing)) {
       const x = (width * (range - sonar.min_range)) / (sonar.max_range - sonar.min_range);
       if (x > width - 14) continue;
+      // Over the rows as over a picture, below them as on the page.
+      const rows = Math.min(height - 15, (height * this.count) / this.#visible);
       context.fillStyle = themeColour("--ring");
-      context.fillRect(x, 0, 1, height - 15);
+      context.fillRect(x, 0, 1, rows);
+      context.fillStyle = themeColour("--line");
+      context.fillRect(x, rows, 1, height - 15 - rows);
       text(`${number(range, Number.isInteger(range) ? 0 : 1)} m`, x, height - 3);
     }
     context.textAlign = "left";

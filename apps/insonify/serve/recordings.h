@@ -1,0 +1,25 @@
+// recordings.h -- what `insonify serve` says of recordings: which files one may not replace, and what it has kept.
+
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string>
+
+#include "insonify/live_loop.h"
+
+namespace insonify {
+
+/// Refuses a recording whose files are there already, unless they may be replaced, and one whose scenario would replace
+/// that which is served.
+/// @throws InputError with the first such file and what to do.
+void refuse_recordings(const std::filesystem::path& recording, std::span<const SonarConfig> sonars, bool replace,
+                       const std::filesystem::path& served);
+
+/// One line with pings, size, names and folder.
+[[nodiscard]] std::string recorded_text(const LiveRecording& recording);
+
+/// "812 bytes", "34 kB", "2.6 MB", in powers of 1000.
+[[nodiscard]] std::string size_text(std::uintmax_t bytes);
+
+}  // namespace insonify
