@@ -26,7 +26,9 @@ bool LiveLoop::State::drive_to_next(Lock& lock) {
   std::string refusal;
   try {
     if (!driving) {
-      begin_run({.follows = false, .world_from_vehicle = drive->world_from_vehicle, .time = 0}, lock);
+      const LiveStart start{.follows = false, .world_from_vehicle = drive->world_from_vehicle, .time = 0};
+      (void)LiveRun(scenario_from(scenario, start), start);  // Throws before anything changes.
+      begin_run(start, lock);
       driving = true;
     }
     refusal = run->drive_to_next(drive->world_from_vehicle);
