@@ -91,6 +91,7 @@ PUBLIC = {
     "mcap_recording.h": "io",
     "export.h": "io",
     "recording_info.h": "io",
+    "rock.h": "io",
     "words.h": "io",
     "live_loop.h": "live",
     "recorded_pings.h": "io",
