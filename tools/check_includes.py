@@ -36,7 +36,8 @@ ROOMS = {
         "scenario": ["file"],
         "recording": ["file"],
         "mcap": ["file", "message"],
-        "export": ["file", "picture", "message", "recording", "mcap"],
+        "bag": ["file"],
+        "export": ["file", "picture", "message", "recording", "mcap", "bag"],
     },
     "apps": {
         "console": [],

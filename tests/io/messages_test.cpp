@@ -97,7 +97,7 @@ TEST(CdrWriterTest, AlignsNoElementsOfAnEmptySequence) {
 
 TEST(MessageDefinitionTest, ListsEachTypeOnceAfterThoseThatUseIt) {
   const std::string line(80, '=');
-  EXPECT_EQ(message_definition("geometry_msgs/PoseStamped"),
+  EXPECT_EQ(message_definition("geometry_msgs/PoseStamped", MessageForm::kRos2),
             "std_msgs/Header header\ngeometry_msgs/Pose pose\n" + line +
                 "\nMSG: std_msgs/Header\nbuiltin_interfaces/Time stamp\nstring frame_id\n" + line +
                 "\nMSG: builtin_interfaces/Time\nint32 sec\nuint32 nanosec\n" + line +
