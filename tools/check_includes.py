@@ -36,7 +36,8 @@ ROOMS = {
         "scenario": ["file"],
         "recording": ["file"],
         "mcap": ["file", "message"],
-        "export": ["file", "picture", "message", "recording", "mcap"],
+        "recorded": ["file", "recording", "mcap"],
+        "export": ["file", "picture", "recorded"],
     },
     "apps": {
         "console": [],

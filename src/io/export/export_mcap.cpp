@@ -6,7 +6,6 @@
 
 #include "insonify/mcap_recording.h"
 #include "insonify/printable.h"
-#include "insonify/recorded_pings.h"
 #include "insonify/words.h"
 #include "io/export/export_format.h"
 #include "io/export/recorded_source.h"
@@ -27,7 +26,7 @@ const RecordedTable* table_named(const RecordedTables& recording, const std::str
 class Source {
  public:
   explicit Source(const RecordedTables& recording)
-      : recording_(&recording), pings_(recording.path()), elevation_(table_named(recording, "elevation")) {
+      : recording_(&recording), pings_(pings_of(recording)), elevation_(table_named(recording, "elevation")) {
     advance();
   }
 
@@ -70,6 +69,10 @@ RunFacts run_of(const RecordedTables& recording) {
 
 }  // namespace
 
+RecordedPings pings_of(const RecordedTables& recording) {
+  return RecordedPings(recording.path(), recording.text("sonar"));
+}
+
 EchoModel model_of(const RecordedTables& recording) {
   const std::string model = recording.text("model");
   for (const auto& [word, value] : words_of<EchoModel>()) {
@@ -82,21 +85,20 @@ EchoModel model_of(const RecordedTables& recording) {
 }
 
 MessageSource message_source(const RecordedTables& recording) {
-  const RecordedPings pings(recording.path());
+  const RecordedPings pings = pings_of(recording);
   return {pings.sonar_config(), model_of(recording), pings.receiver_config(), recording.text("scenario"), {}};
 }
 
-void export_mcap(std::span<const RecordedTables> recordings, const std::filesystem::path& file,
-                 const ExportOptions& options) {
+void export_mcap(RecordedSonars recordings, const std::filesystem::path& file, const ExportOptions& options) {
   std::vector<MessageSource> sources;
   std::vector<Source> pings;
-  for (const RecordedTables& recording : recordings) {
-    sources.push_back(message_source(recording));
-    pings.emplace_back(recording);
+  for (const auto& recording : recordings) {
+    sources.push_back(message_source(*recording));
+    pings.emplace_back(*recording);
   }
   McapRecording out(file, std::move(sources),
                     {.messages = options.messages,
-                     .run = run_of(recordings.front()),
+                     .run = run_of(*recordings.front()),
                      .replace = options.replace,
                      .only_whole = true});
   while (true) {

@@ -3,9 +3,13 @@
 #pragma once
 
 #include "insonify/messages.h"
-#include "io/recording/recorded_tables.h"
+#include "insonify/recorded_pings.h"
+#include "io/file/recorded_tables.h"
 
 namespace insonify {
+
+/// The pings that the tables are of.
+[[nodiscard]] RecordedPings pings_of(const RecordedTables& recording);
 
 /// @throws Error with the path for a recording without model or settings.
 [[nodiscard]] EchoModel model_of(const RecordedTables& recording);

@@ -11,6 +11,7 @@
 
 #include "insonify/files.h"
 #include "insonify/messages.h"
+#include "insonify/printable.h"
 #include "io/message/definitions.h"
 #include "io/message/encode.h"
 #include "io/message/message_display.h"
@@ -192,8 +193,9 @@ void SonarMessages::take(const Ping& ping) {
   const SonarConfig& sonar = state_->source.sonar;
   const std::size_t cells = static_cast<std::size_t>(sonar.bin_count) * static_cast<std::size_t>(sonar.beam_count);
   if (ping.bin_count != sonar.bin_count || ping.beam_count != sonar.beam_count) {
-    throw Error(fmt::format("ping {} of {} has {} beams x {} bins, must have {} x {}", ping.number, sonar.name,
-                            ping.beam_count, ping.bin_count, sonar.beam_count, sonar.bin_count));
+    throw Error(fmt::format("ping {} of {} has {} x {}, must have {} x {}", ping.number, sonar.name,
+                            counted(ping.beam_count, "beam"), counted(ping.bin_count, "bin"), sonar.beam_count,
+                            sonar.bin_count));
   }
   if (ping.intensity.size() != cells || (!ping.elevation.empty() && ping.elevation.size() != cells)) {
     throw Error(fmt::format("ping {} of {} has {} {}, must have {}", ping.number, sonar.name,
