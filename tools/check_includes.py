@@ -37,7 +37,8 @@ ROOMS = {
         "recording": ["file"],
         "mcap": ["file", "message"],
         "bag": ["file"],
-        "export": ["file", "picture", "message", "recording", "mcap", "bag"],
+        "recorded": ["file", "recording", "mcap"],
+        "export": ["file", "picture", "recorded", "bag"],
     },
     "apps": {
         "console": [],

@@ -29,6 +29,10 @@ struct MessageSource {
 /// @param sonar  As Simulator::sonar() has it.
 [[nodiscard]] MessageSource message_source(const Scenario& scenario, const SonarConfig& sonar);
 
+/// Gives the sonars of one run names that topics can tell apart, as message_source() does for those of a scenario.
+/// @throws Error for two sonars of the same name.
+void name_topics(std::vector<MessageSource>& sources);
+
 /// How pings become messages.
 struct MessageOptions {
   int bits = 16;  ///< Bits of a value of ProjectedSonarImage, 8 or 16.

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "insonify/messages.h"
 #include "insonify/sonar_config.h"
 
 namespace insonify {
@@ -19,11 +20,19 @@ enum class RecordingState {
   kUnfinished  ///< The run that wrote it was killed; its pings can be read.
 };
 
+/// How exactly a recording holds intensities.
+struct RecordedLevels {
+  MessageLevels levels;
+  int bits = 16;          ///< Of a value, 8 or 16.
+  std::string text = {};  ///< "-100 to -40 dB in steps of 0.00092 dB ...".
+};
+
 /// One sonar's part of a recording.
 struct RecordedSonar {
   SonarConfig config;  ///< With everything filled in.
   std::uint64_t pings = 0;
-  double first_time = 0, last_time = 0;  ///< Of its first and last ping [s]; 0 without pings.
+  double first_time = 0, last_time = 0;       ///< Of its first and last ping [s]; 0 without pings.
+  std::optional<RecordedLevels> levels = {};  ///< Of an MCAP file; absent: 32-bit numbers (HDF5).
 };
 
 struct RecordingInfo {

@@ -7,6 +7,7 @@
 
 #include "console/console.h"
 #include "console/outcome.h"
+#include "insonify/printable.h"
 #include "serve/foxglove_feed.h"
 #include "serve/hub.h"
 #include "serve/page_files.h"
@@ -77,9 +78,9 @@ void record_from_start(const ServeOptions& options, LiveLoop& loop) {
 }
 
 void print_end(const LiveState& state, const std::string& recording, double seconds) {
-  say("{} pings in {:.1f} s\n", state.pings_made, seconds);
+  say("{} in {:.1f} s\n", counted(state.pings_made, "ping"), seconds);
   if (!recording.empty()) {
-    say("recording: {} ({} pings)\n", recording, state.recorded_pings);
+    say("recording: {} ({})\n", recording, counted(state.recorded_pings, "ping"));
   }
 }
 

@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::string_view kStart = "#ROSBAG V2.0\n";
 constexpr std::size_t kLargeChunk = 768 * 1024;  // As rosbag's own [bytes].
-constexpr std::size_t kBagHeader = 4096;         // Length of the first record: room to write it again.
+constexpr std::size_t kBagHeaderLength = 4096;   // Length of the first record: room to write it again.
 constexpr std::uint64_t kNanoseconds = 1'000'000'000;
 
 enum class Op : std::uint8_t { kMessage = 2, kBagHeader = 3, kIndex = 4, kChunk = 5, kChunkFacts = 6, kConnection = 7 };
@@ -101,7 +101,7 @@ void BagWriter::put_bag_header(std::vector<std::byte>& into, std::uint64_t index
                          {"index_pos", bytes_of(index_position)},
                          {"op", bytes_of(Op::kBagHeader)}});
   into.insert(into.end(), header.begin(), header.end());
-  append_data(into, std::vector<std::byte>(kBagHeader - header.size() - sizeof(std::uint32_t), std::byte{' '}));
+  append_data(into, std::vector<std::byte>(kBagHeaderLength - header.size() - sizeof(std::uint32_t), std::byte{' '}));
 }
 
 void BagWriter::add(std::uint64_t time_ns, std::uint32_t connection, std::span<const std::byte> message) {

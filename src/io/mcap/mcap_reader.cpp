@@ -131,6 +131,9 @@ void McapReader::read_records() {
     } else if (op == McapOp::kMessageIndex) {
       const std::vector<std::byte> bytes = bytes_at(at, length);
       Fields fields(bytes);
+      if (chunks_.empty()) {
+        fail("has an index before its first chunk");
+      }
       std::vector<Entry>& entries = entries_[fields.get<std::uint16_t>()];
       for (std::uint32_t count = fields.get<std::uint32_t>() / 16; count > 0; --count) {
         const auto time = fields.get<std::uint64_t>();

@@ -7,10 +7,12 @@
 #include <cmath>
 #include <deque>
 #include <limits>
+#include <set>
 #include <utility>
 
 #include "insonify/files.h"
 #include "insonify/messages.h"
+#include "insonify/printable.h"
 #include "io/message/definitions.h"
 #include "io/message/encode.h"
 #include "io/message/message_display.h"
@@ -100,6 +102,21 @@ MessageSource message_source(const Scenario& scenario, const SonarConfig& sonar)
     source.name = ros_names(names)[static_cast<std::size_t>(own - names.begin())];
   }
   return source;
+}
+
+void name_topics(std::vector<MessageSource>& sources) {
+  std::vector<std::string> names;
+  std::set<std::string> sonars;
+  for (const MessageSource& source : sources) {
+    if (!sonars.insert(source.sonar.name).second) {
+      throw Error(fmt::format("there are two sonars called {}; their names must differ", printable(source.sonar.name)));
+    }
+    names.push_back(source.name.empty() ? source.sonar.name : source.name);
+  }
+  names = ros_names(names);
+  for (std::size_t i = 0; i < sources.size(); ++i) {
+    sources[i].name = names[i];
+  }
 }
 
 void MessageOptions::validate() const {
@@ -199,8 +216,9 @@ void SonarMessages::take(const Ping& ping) {
   const SonarConfig& sonar = state_->source.sonar;
   const std::size_t cells = static_cast<std::size_t>(sonar.bin_count) * static_cast<std::size_t>(sonar.beam_count);
   if (ping.bin_count != sonar.bin_count || ping.beam_count != sonar.beam_count) {
-    throw Error(fmt::format("ping {} of {} has {} beams x {} bins, must have {} x {}", ping.number, sonar.name,
-                            ping.beam_count, ping.bin_count, sonar.beam_count, sonar.bin_count));
+    throw Error(fmt::format("ping {} of {} has {} x {}, must have {} x {}", ping.number, sonar.name,
+                            counted(ping.beam_count, "beam"), counted(ping.bin_count, "bin"), sonar.beam_count,
+                            sonar.bin_count));
   }
   if (ping.intensity.size() != cells || (!ping.elevation.empty() && ping.elevation.size() != cells)) {
     throw Error(fmt::format("ping {} of {} has {} {}, must have {}", ping.number, sonar.name,
