@@ -16,8 +16,9 @@ namespace insonify {
 /// Whether a recording was ended as it should.
 enum class RecordingState {
   kWhole,
-  kGrowing,    ///< A run is writing it.
-  kUnfinished  ///< The run that wrote it was killed; its pings can be read.
+  kGrowing,     ///< A run is writing it.
+  kUnfinished,  ///< The run that wrote it was killed (of MCAP: or its disk was full); its pings can be read.
+  kDiskFull     ///< It ends as it should, before its run did, because the disk was full. Only MCAP tells.
 };
 
 /// How exactly a recording holds intensities.

@@ -13,6 +13,7 @@
 #include "insonify/recorded_pings.h"
 #include "io/file/file_lock.h"
 #include "io/file/input_file.h"
+#include "io/mcap/mcap_metadata.h"
 #include "io/mcap/mcap_tables.h"
 #include "io/recording/hdf5_tables.h"
 
@@ -68,7 +69,8 @@ RecordingInfo info_of_mcap(const std::filesystem::path& path) {
   const McapReader file(path);
   const nlohmann::json run = mcap_run_facts(file, path);
   RecordingInfo info{.format = "MCAP", .bytes = std::filesystem::file_size(path)};
-  info.state = state_of(path, file.is_whole());
+  info.state = file.metadata().contains(mcap_metadata::kEnd) ? RecordingState::kDiskFull
+                                                             : state_of(path, file.is_whole());
   info.version = run.at("version");
   info.model = run.at("model");
   info.engine = run.at("engine");

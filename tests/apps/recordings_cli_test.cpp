@@ -205,5 +205,33 @@ TEST_F(RecordingsCliTest, ExportRefusesRecordingsOfDifferentRuns) {
       "file of its own\n");
 }
 
+TEST_F(RecordingsCliTest, ARunOnAFullDiskLeavesAFileThatSaysSo) {
+  // A limit on files, in blocks of 1024 bytes, stands for the end of the disk.
+  const Outcome run = shell("ulimit -f 900; insonify run fan.yaml -o out -q --no-pictures --record mcap --pings 1000");
+  EXPECT_EQ(run.status, 1);
+  EXPECT_EQ(run.err,
+            "insonify: out/ahead.mcap: cannot write: File too large; what was written before stays readable\n");
+  const json told = info("out/ahead.mcap");
+  EXPECT_EQ(told.at("state"), "disk_full");
+  EXPECT_GT(told.at("sonars").at(0).at("pings"), 0);
+  EXPECT_THAT(shell("insonify info out/ahead.mcap").out, HasSubstr(" MB, cut short: the disk was full\n"));
+  const Outcome exported = shell("insonify export out/ahead.mcap -o x.npz --store");
+  EXPECT_EQ(exported.status, 0);
+  EXPECT_THAT(exported.err, HasSubstr("warning: out/ahead.mcap is cut short: the disk was full; it has "));
+  // An export that does not fit leaves nothing, and says no more.
+  const Outcome full = shell("ulimit -f 30; insonify export out/ahead.mcap -o y.mcap");
+  EXPECT_EQ(full.status, 1);
+  EXPECT_THAT(full.err, testing::EndsWith("insonify: y.mcap: cannot write: File too large\n"));
+  EXPECT_EQ(files(".").count("y.mcap"), 0);
+}
+
+TEST_F(RecordingsCliTest, CompressHasNoEffectOnMcapAlone) {
+  const Outcome outcome = shell("insonify run fan.yaml -o out -q --no-pictures --record mcap --compress");
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_EQ(outcome.err,
+            "insonify: --compress has no effect on --record mcap, only on h5: MCAP is compressed anyway\n");
+  EXPECT_EQ(shell("insonify run fan.yaml -o out -q --no-pictures --record h5,mcap --compress").status, 0);
+}
+
 }  // namespace
 }  // namespace insonify

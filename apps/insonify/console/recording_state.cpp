@@ -10,18 +10,23 @@ const char* state_word(RecordingState state) {
       return "growing";
     case RecordingState::kUnfinished:
       return "unfinished";
+    case RecordingState::kDiskFull:
+      return "disk_full";
     case RecordingState::kWhole:
       break;
   }
   return "whole";
 }
 
-const char* state_text(RecordingState state) {
-  switch (state) {
+const char* state_text(const RecordingInfo& info) {
+  switch (info.state) {
     case RecordingState::kGrowing:
       return "being written";
     case RecordingState::kUnfinished:
-      return "unfinished: the run that wrote it was killed";
+      return info.format == "MCAP" ? "unfinished: the run that wrote it was killed, or the disk was full"
+                                   : "unfinished: the run that wrote it was killed";
+    case RecordingState::kDiskFull:
+      return "cut short: the disk was full";
     case RecordingState::kWhole:
       break;
   }

@@ -48,7 +48,7 @@ void tell_if_unfinished(const std::filesystem::path& path, const RecordingInfo& 
   for (const RecordedSonar& sonar : info.sonars) {
     pings.push_back(counted(sonar.pings, "ping") + (info.sonars.size() > 1 ? " of " + sonar.config.name : ""));
   }
-  complain(fmt::format("warning: {} is {}; it has {}", path.string(), state_text(info.state), fmt::join(pings, ", ")));
+  complain(fmt::format("warning: {} is {}; it has {}", path.string(), state_text(info), fmt::join(pings, ", ")));
 }
 
 // Every fault of the input is found here, before anything is written.

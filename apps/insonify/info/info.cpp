@@ -32,7 +32,7 @@ void print_sonar(const RecordedSonar& sonar) {
 }
 
 void print(const std::filesystem::path& path, const RecordingInfo& info) {
-  const std::string state = state_text(info.state);
+  const std::string state = state_text(info);
   say("{}: {}, {:.1f} MB{}{}\n", path.string(), info.format, static_cast<double>(info.bytes) / 1e6,
       state.empty() ? "" : ", ", state);
   say("  insonify {}, model {}, engine {}, seed {}\n", info.version, info.model, info.engine,

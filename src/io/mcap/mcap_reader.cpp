@@ -61,6 +61,7 @@ class Fields {
 
 McapReader::McapReader(const std::filesystem::path& path) : path_(path) {
   check_input_file(path);
+  file_.rdbuf()->pubsetbuf(nullptr, 0);  // Else each head of a record would cost 8 KB.
   file_.open(path, std::ios::binary);
   size_ = std::filesystem::file_size(path);
   if (const auto start = size_ < kMcapMagic.size() ? std::vector<std::byte>() : bytes_at(0, kMcapMagic.size());
