@@ -13,6 +13,12 @@ configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/insonifyConfig.cmake.i
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/insonifyConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/insonifyConfig.cmake ${PROJECT_BINARY_DIR}/insonifyConfigVersion.cmake
   ${PROJECT_SOURCE_DIR}/cmake/FindZstd.cmake DESTINATION ${config_folder} COMPONENT development)
+# For builds that ask pkg-config, as Rock's do. A static library's users need CMake, which finds what it uses.
+if(BUILD_SHARED_LIBS)
+  file(RELATIVE_PATH prefix_from_pkgconfig /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
+  configure_file(${PROJECT_SOURCE_DIR}/cmake/insonify.pc.in ${PROJECT_BINARY_DIR}/insonify.pc @ONLY)
+  install(FILES ${PROJECT_BINARY_DIR}/insonify.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT development)
+endif()
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/examples DESTINATION ${CMAKE_INSTALL_DATADIR}/insonify COMPONENT development
   PATTERN __pycache__ EXCLUDE)
 

@@ -16,7 +16,7 @@ if(TARGET insonify_python AND INSONIFY_BUILD_APPS AND NOT INSONIFY_SANITIZE)
   add_test(NAME python_types
     COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/python/types_test.py ${PROJECT_SOURCE_DIR})
   set(python_tests python_package python_types)
-  foreach(name layers plot acoustics compare same_bytes mistakes)
+  foreach(name layers plot acoustics compare same_bytes mistakes mcap_input)
     add_test(NAME python_${name}
       COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/python/${name}_test.py $<TARGET_FILE:insonify_cli> ${PROJECT_SOURCE_DIR})
     list(APPEND python_tests python_${name})
@@ -121,6 +121,10 @@ if(INSONIFY_BUILD_APPS)
     COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/node/run.py ${node_folder} mcap_test.mjs
             $<TARGET_FILE:insonify_cli> ${Python3_EXECUTABLE} ${CMAKE_CURRENT_SOURCE_DIR}/node/h5_json.py)
   set_tests_properties(mcap_readers PROPERTIES FIXTURES_REQUIRED node_packages SKIP_RETURN_CODE 77)
+  add_test(NAME bag_readers
+    COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/node/run.py ${node_folder} bag_test.mjs
+            $<TARGET_FILE:insonify_cli> ${Python3_EXECUTABLE})
+  set_tests_properties(bag_readers PROPERTIES FIXTURES_REQUIRED node_packages SKIP_RETURN_CODE 77)
   # The channels of `insonify serve` as Foxglove's client reads them.
   add_test(NAME foxglove_client
     COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/node/run.py ${node_folder} foxglove_test.mjs

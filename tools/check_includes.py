@@ -36,7 +36,9 @@ ROOMS = {
         "scenario": ["file"],
         "recording": ["file"],
         "mcap": ["file", "message"],
-        "export": ["file", "picture", "message", "recording", "mcap"],
+        "bag": ["file"],
+        "recorded": ["file", "recording", "mcap"],
+        "export": ["file", "picture", "recorded", "bag"],
     },
     "apps": {
         "console": [],
@@ -91,6 +93,7 @@ PUBLIC = {
     "mcap_recording.h": "io",
     "export.h": "io",
     "recording_info.h": "io",
+    "rock.h": "io",
     "words.h": "io",
     "live_loop.h": "live",
     "recorded_pings.h": "io",

@@ -10,9 +10,11 @@ namespace insonify {
 void add_compare(CLI::App& app, Request& request) {
   CLI::App* command = app.add_subcommand("compare", "Tell how alike two recordings or two grey pictures are");
   CompareOptions& options = request.compare;
-  command->add_option("A", options.a, "Recording (.h5), folder of recordings, or grey picture (.png)")->required();
+  command->add_option("A", options.a, "Recording (.h5, .mcap), folder of recordings, or grey picture (.png)")
+      ->required();
   command->add_option("B", options.b, "The same, of the same shape: what is judged against A")->required();
-  command->add_option("--sonar", options.sonar, "Which recording of a folder")->type_name("NAME");
+  command->add_option("--sonar", options.sonar, "Which recording of a folder, or which sonar of an .mcap file")
+      ->type_name("NAME");
   command->add_option("--ping", options.pings, "Ping to compare, from 0; may be repeated [all that both have]")
       ->check(whole_number(0, std::numeric_limits<std::uint64_t>::max()))
       ->type_name("N")

@@ -8,15 +8,18 @@ namespace insonify {
 void add_export(CLI::App& app, Request& request) {
   CLI::App* command = app.add_subcommand("export", "Write recordings in a format that other tools read");
   ExportCommand& options = request.exported;
-  command->add_option("RECORDING", options.recordings, "Recordings (.h5) of one run, one a sonar")->required();
+  command->add_option("RECORDING", options.recordings, "Recordings (.h5, .mcap) of one run")->required();
   command->add_option("-o,--output", options.file, "File to write, whose ending says the format")
       ->required()
       ->check(not_empty("a file, such as run.mcap"))
       ->type_name("FILE");
+  command->add_option("--sonar", options.sonar, "Only this sonar of a recording that has several [all]")
+      ->type_name("NAME");
   command->add_flag("-f,--force", options.force, "Replace FILE if it is there");
-  auto* bits = command->add_option("--bits", request.bits, "Bits of the values of sonar images in .mcap, 8 or 16 [16]")
-                   ->check(one_of({"8", "16"}))
-                   ->type_name("N");
+  auto* bits =
+      command->add_option("--bits", request.bits, "Bits of the values of sonar images in .mcap and .bag, 8 or 16 [16]")
+          ->check(one_of({"8", "16"}))
+          ->type_name("N");
   command->add_flag("--store", options.store, "Do not compress .npz");
   auto* rate = command
                    ->add_option("--rate", request.rate,
@@ -31,14 +34,15 @@ void add_export(CLI::App& app, Request& request) {
   command->footer(
       "Formats, by the ending of FILE:\n"
       "  .mcap         ROS 2 messages of all sonars, for Foxglove and ros2 bag\n"
+      "  .bag          ROS 1 messages of all sonars, for rosbag\n"
       "  .npz          NumPy arrays: numpy.load(FILE)[\"intensity\"]\n"
       "  .zarr         a folder of chunked arrays, one chunk a ping\n"
       "  .mp4, .gif    the fan of one sonar, by the program ffmpeg\n"
-      "--colour-map, --levels and --height act on videos. In .mcap --levels acts on the values of sonar images and on "
-      "fan\n"
-      "pictures, --colour-map on those.\n\n"
+      "--colour-map, --levels and --height act on videos. In .mcap and .bag --levels acts on the values of sonar\n"
+      "images and on fan pictures, --colour-map on those.\n\n"
       "Examples:\n"
       "  insonify export out/fls.h5 out/profiler.h5 -o out/run.mcap\n"
+      "  insonify export run.mcap --sonar fls -o fls.npz\n"
       "  insonify export out/fls.h5 -o fls.gif --levels -90:-40 --height 480");
   command->callback([&request, &options, command, bits, rate] {
     for (const char* name : {"--bits", "--store", "--rate", "--height", "--colour-map", "--levels"}) {

@@ -40,6 +40,7 @@
 #include "insonify/recorded_pings.h"
 #include "insonify/recording_info.h"
 #include "insonify/relief.h"
+#include "insonify/rock.h"
 #include "insonify/scenario.h"
 #include "insonify/scenario_requests.h"
 #include "insonify/scene.h"

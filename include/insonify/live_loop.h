@@ -14,6 +14,7 @@
 
 #include "insonify/log.h"
 #include "insonify/ping.h"
+#include "insonify/ping_request.h"
 #include "insonify/scenario.h"
 #include "insonify/scene.h"
 
@@ -34,6 +35,14 @@ struct MovedInstance {
   Pose world_from_mesh;
 };
 
+/// Where a vehicle is that another program moves, and what else it has moved.
+struct LiveDrive {
+  Pose world_from_vehicle;
+  Twist twist = {};                     ///< Has an effect with Scenario::motion_in_ping.
+  std::vector<MovedObject> moved = {};  ///< In order, as PingRequest::moved.
+  double stamp = 0;                     ///< When it was there, by the clock of that program [s].
+};
+
 /// One ping of a LiveLoop.
 struct LivePing {
   std::shared_ptr<const LiveWorld> world;  ///< Never null.
@@ -43,6 +52,8 @@ struct LivePing {
   std::vector<MovedInstance> moved;
   double computing_time = 0;  ///< [s]
   double made_at = 0;         ///< Unix time at which it was done [s].
+  double stamp = 0;           ///< Of the LiveDrive that it was made from [s], 0 for none ...
+  double told_at = 0;         ///< ... and the Unix time at which drive() was called [s].
 };
 
 /// Files of a recording that has ended, and what they hold.
@@ -88,8 +99,10 @@ struct LiveState {
 struct LiveOptions {
   int threads = 0;  ///< Of the simulator; 0 for as many as there are processors.
   std::optional<double> rate_limit =
-      {};               ///< Most pings a second of each sonar [Hz], above 0; time passes more slowly then.
-  bool paused = false;  ///< Whether it starts paused.
+      {};                ///< Most pings a second of each sonar [Hz], above 0; time passes more slowly then.
+  bool paused = false;   ///< Whether it starts paused.
+  bool driven = false;   ///< Whether another program moves the vehicle: see LiveLoop::drive().
+  bool clocked = false;  ///< Whether another program tells the time: see LiveLoop::advance().
 };
 
 /// Velocities of a steered vehicle in its own axes: x ahead, y to port, z up.
@@ -158,6 +171,19 @@ class LiveLoop {
   void place(const Pose& world_from_vehicle, Done done = {});
   /// Takes the vehicle back to the start of the trajectory, or off it.
   void follow(bool on, Done done = {});
+
+  /// With LiveOptions::driven: where the vehicle is from now on. There is no ping before the first call; of several
+  /// calls between two pings the last counts. Where a sonar cannot ping from there, the listener is told why and no
+  /// ping is made until the next call. fly() has no effect then, place() and follow() are refused. saved_scenario() has
+  /// a waypoint at each ping, to a micrometre; it has neither `twist` nor `moved`.
+  /// @throws Error for what PingRequest refuses, and without LiveOptions::driven.
+  void drive(LiveDrive drive);
+
+  /// With LiveOptions::clocked: the time by the clock of another program [s]. A ping is due when as much time has
+  /// passed by that clock as since the ping before in the scenario; of those that are more than a period late only the
+  /// last is made. A clock that is set back goes on from there.
+  /// @throws Error for a time that is not finite, and without LiveOptions::clocked.
+  void advance(double time);
 
   /// Changes settings, all or none, with the rules and messages of load_scenario(). Those of before hold on.
   void set(std::vector<std::string> settings, Done done);

@@ -35,7 +35,7 @@ struct McapOptions {
 /// "cdr", compressed by zstd in chunks with checksums and indexes. docs/reference/messages.md lists the channels.
 ///
 /// What was added half a second ago is on the disk: a killed run leaves a file that readers can follow to its last
-/// chunk, though it has no index. Files that are there already are treated as by Recording.
+/// chunk, though it has no index. Files that are there already are treated as by Recording. RecordedPings reads them.
 class McapRecording {
  public:
   /// @param sources  One a sonar, whose names must differ.
@@ -55,31 +55,6 @@ class McapRecording {
 
   /// Where the recording is now: `path`, or beside it until it replaces an earlier file.
   [[nodiscard]] const std::filesystem::path& place() const;
-
- private:
-  struct State;
-  std::unique_ptr<State> state_;
-};
-
-/// The pings of one sonar, read back from an MCAP recording that insonify has made, also from an unfinished one. Their
-/// intensities are what the sonar images' values stand for: within half a step of the mapping (0.001 dB with 16 bits),
-/// 0 at and below its lowest level, the highest level above it. There is no ground truth.
-class McapPings {
- public:
-  /// @param sonar  Its name; "" for the only one.
-  /// @throws Error with the path for a file that is missing, is no MCAP file or was not made by insonify; for a sonar
-  ///         that it does not have, naming those that it has.
-  explicit McapPings(const std::filesystem::path& path, const std::string& sonar = "");
-  ~McapPings();
-  McapPings(McapPings&&) noexcept;
-  McapPings& operator=(McapPings&&) noexcept;
-
-  [[nodiscard]] std::uint64_t ping_count() const;
-  /// Sonar, receiver, model and scenario.
-  [[nodiscard]] const MessageSource& source() const;
-  /// @param ping  Below ping_count().
-  /// @throws Error with the path for a message or a chunk that is damaged.
-  [[nodiscard]] Ping ping(std::uint64_t ping) const;
 
  private:
   struct State;

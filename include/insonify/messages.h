@@ -1,4 +1,4 @@
-// messages.h -- pings as ROS 2 messages (CDR): for recordings (MCAP), live viewers and bridges.
+// messages.h -- pings as ROS messages, of ROS 2 (CDR) and ROS 1: for recordings, live viewers and bridges.
 
 #pragma once
 
@@ -29,6 +29,10 @@ struct MessageSource {
 /// @param sonar  As Simulator::sonar() has it.
 [[nodiscard]] MessageSource message_source(const Scenario& scenario, const SonarConfig& sonar);
 
+/// Gives the sonars of one run names that topics can tell apart, as message_source() does for those of a scenario.
+/// @throws Error for two sonars of the same name.
+void name_topics(std::vector<MessageSource>& sources);
+
 /// How pings become messages.
 struct MessageOptions {
   int bits = 16;  ///< Bits of a value of ProjectedSonarImage, 8 or 16.
@@ -58,6 +62,9 @@ struct MessageOptions {
   }
 };
 
+/// Whose messages are made: the types are the same, their bytes and definitions are not.
+enum class MessageForm { kRos2, kRos1 };
+
 /// What a channel tells.
 enum class MessageKind { kSonarImage, kFan, kPoints, kPose, kTransforms, kScenario };
 
@@ -65,8 +72,10 @@ enum class MessageKind { kSonarImage, kFan, kPoints, kPose, kTransforms, kScenar
 struct MessageChannel {
   MessageKind kind = MessageKind::kSonarImage;
   std::string topic;       ///< "/fls/points"; "/tf" and "/scenario" are the same for all sonars.
-  std::string type;        ///< "sensor_msgs/msg/PointCloud2"
-  std::string definition;  ///< Of the type and all that it is made of, as MCAP's encoding "ros2msg" has it.
+  std::string type;        ///< "sensor_msgs/msg/PointCloud2"; of ROS 1 "sensor_msgs/PointCloud2".
+  std::string definition;  ///< Of the type and all that it is made of, as MCAP's encodings "ros2msg" and "ros1msg" have
+                           ///< it, and bags of ROS 1.
+  std::string md5 = {};    ///< Checksum of the definition by which ROS 1 knows the type; of ROS 2 empty.
 };
 
 /// A level of intensity mapped to the darkest and the brightest value of an image [dB].
@@ -76,7 +85,8 @@ struct MessageLevels {
   double gain_per_decade = 0;  ///< Gain over range added before the mapping [dB/decade of range in m].
 };
 
-/// Tells the pings of one sonar as ROS 2 messages, encoded as CDR (XCDR1, little-endian, with its four-byte header).
+/// Tells the pings of one sonar as ROS messages: of ROS 2 encoded as CDR (XCDR1, little-endian, with its four-byte
+/// header), of ROS 1 in the form of its topics and bags, with the ping's number as `header.seq`.
 ///
 /// | Kind        | Topic              | Type                                         | Frame       |
 /// | ----------- | ------------------ | -------------------------------------------- | ----------- |
@@ -93,7 +103,7 @@ struct MessageLevels {
 class SonarMessages {
  public:
   /// @throws Error for options out of limits.
-  explicit SonarMessages(MessageSource source, MessageOptions options = {});
+  explicit SonarMessages(MessageSource source, MessageOptions options = {}, MessageForm form = MessageForm::kRos2);
   ~SonarMessages();
   SonarMessages(SonarMessages&&) noexcept;
   SonarMessages& operator=(SonarMessages&&) noexcept;

@@ -1,8 +1,9 @@
-// printable.h -- makes text from outside safe to show: escapes control characters and limits the length.
+// printable.h -- makes text fit for messages: escapes control characters, limits the length, tells counts.
 
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -18,5 +19,9 @@ inline constexpr std::size_t kLongestMessage = 2000;  ///< Limit for a whole mes
 /// beginning and its end with three dots between. The function changes nothing in its own results.
 /// @param longest  Limit for the result [bytes], >= 10.
 [[nodiscard]] std::string printable(std::string_view text, std::size_t longest = kLongestQuote);
+
+/// A count and what is counted: "1 beam", "256 beams".
+/// @param what  Its singular; the plural has an s more.
+[[nodiscard]] std::string counted(std::uint64_t count, std::string_view what);
 
 }  // namespace insonify

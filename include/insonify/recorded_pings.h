@@ -1,4 +1,4 @@
-// recorded_pings.h -- reads pings from recordings (HDF5) and grey pictures from PNG files, for comparison.
+// recorded_pings.h -- reads pings from recordings (HDF5, MCAP) and grey pictures from PNG files.
 
 #pragma once
 
@@ -15,13 +15,20 @@
 
 namespace insonify {
 
-/// The intensities of an HDF5 recording: any file with a numeric dataset `intensity` [ping, bin, beam] at its root,
-/// such as Recording writes. A file that is still being written can be read too, up to the pings it had when it was
-/// opened.
+/// The pings of one sonar, of which a file that is still being written has those that it had when it was opened. By
+/// what the file's first bytes say it is
+///
+/// - HDF5: any file with a numeric dataset `intensity` [ping, bin, beam] at its root, such as Recording writes;
+/// - MCAP: one that insonify has written (McapRecording), also an unfinished one. Its intensities are what the values
+/// of
+///   the sonar images stand for: within half a step of their levels (0.0005 dB with 16 bits), 0 at and below the lowest
+///   level, the highest level above it. docs/reference/messages.md has the levels.
 class RecordedPings {
  public:
-  /// @throws Error with the path for a file that is missing, is not HDF5, or has no such dataset.
-  explicit RecordedPings(const std::filesystem::path& path);
+  /// @param sonar  Name of the sonar; "" for the only one.
+  /// @throws Error with the path for a file that is missing or is neither, and for a sonar that it does not have,
+  ///         naming those that it has.
+  explicit RecordedPings(const std::filesystem::path& path, const std::string& sonar = "");
   ~RecordedPings();
   RecordedPings(RecordedPings&&) noexcept;
   RecordedPings& operator=(RecordedPings&&) noexcept;
@@ -49,9 +56,9 @@ class RecordedPings {
   /// @throws Error with the path where the file cannot be read, or has no time or pose of its pings.
   [[nodiscard]] Ping ping(std::uint64_t ping) const;
 
-  /// The settings of the sonar and of its receiver, from the file's group `settings`, as Recording writes it. Settings
-  /// that the file does not have keep their defaults.
-  /// @throws Error with the path where the file has no such group, or a setting of another kind.
+  /// The settings of the sonar and of its receiver, as the recording holds them. Settings that it does not have keep
+  /// their defaults.
+  /// @throws Error with the path where the file has none, or a setting of another kind.
   [[nodiscard]] SonarConfig sonar_config() const;
   [[nodiscard]] ReceiverConfig receiver_config() const;
 

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "insonify/messages.h"
 #include "insonify/sonar_config.h"
 
 namespace insonify {
@@ -15,15 +16,24 @@ namespace insonify {
 /// Whether a recording was ended as it should.
 enum class RecordingState {
   kWhole,
-  kGrowing,    ///< A run is writing it.
-  kUnfinished  ///< The run that wrote it was killed; its pings can be read.
+  kGrowing,     ///< A run is writing it.
+  kUnfinished,  ///< The run that wrote it was killed (of MCAP: or its disk was full); its pings can be read.
+  kDiskFull     ///< It ends as it should, before its run did, because the disk was full. Only MCAP tells.
+};
+
+/// How exactly a recording holds intensities.
+struct RecordedLevels {
+  MessageLevels levels;
+  int bits = 16;          ///< Of a value, 8 or 16.
+  std::string text = {};  ///< "-100 to -40 dB in steps of 0.00092 dB ...".
 };
 
 /// One sonar's part of a recording.
 struct RecordedSonar {
   SonarConfig config;  ///< With everything filled in.
   std::uint64_t pings = 0;
-  double first_time = 0, last_time = 0;  ///< Of its first and last ping [s]; 0 without pings.
+  double first_time = 0, last_time = 0;       ///< Of its first and last ping [s]; 0 without pings.
+  std::optional<RecordedLevels> levels = {};  ///< Of an MCAP file; absent: 32-bit numbers (HDF5).
 };
 
 struct RecordingInfo {

@@ -1,4 +1,4 @@
-// stored_tables.h -- reads blocks of any table of a recording (HDF5): ground truth, field, axes, names.
+// stored_tables.h -- reads blocks of any table of a recording (HDF5, MCAP): intensity, ground truth, axes, names.
 
 #pragma once
 
@@ -35,13 +35,15 @@ struct TableSlice {
   std::uint64_t step = 1;  ///< >= 1.
 };
 
-/// The tables at the root of a recording, read when they are asked for.
+/// The tables of one sonar's recording, read when they are asked for: those at the root of an HDF5 file; of an MCAP
+/// file intensity, time, world_from_sonar, head_angle of a scanning sonar, and the axes. MCAP has no ground truth.
 ///
 /// Of a recording that still grows it has the pings that all tables had when it was opened.
 class StoredTables {
  public:
-  /// @throws Error with the path for a file that is missing, is not HDF5 or has no dataset `intensity`.
-  explicit StoredTables(const std::filesystem::path& path);
+  /// @param sonar  Name of the sonar; "" for the only one.
+  /// @throws Error with the path for a file that is missing or is no recording, and for a sonar that it does not have.
+  explicit StoredTables(const std::filesystem::path& path, const std::string& sonar = "");
   ~StoredTables();
   StoredTables(StoredTables&&) noexcept;
   StoredTables& operator=(StoredTables&&) noexcept;
@@ -52,7 +54,8 @@ class StoredTables {
   /// The table of that name, or null.
   [[nodiscard]] const StoredTable* find(const std::string& name) const;
 
-  /// Reads a block of a table, row-major, without reading what lies beside it (compressed files: beside its chunks).
+  /// Reads a block of a table, row-major, without reading what lies beside it (compressed files and MCAP: beside its
+  /// chunks).
   /// @param slices  One for each axis.
   /// @param bytes   Is filled: product of the counts times size_of(table.type).
   /// @throws Error with the path where a slice leaves the table or the file cannot be read.

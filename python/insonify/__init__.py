@@ -55,12 +55,14 @@ from ._levels import to_db
 fan = draw_fan
 
 
-def open(path: str | os.PathLike[str]) -> RecordedPings:
-    """Opens a recording (HDF5): a RecordedPings, whose pings and layers are read when they are asked for.
+def open(path: str | os.PathLike[str], sonar: str | None = None) -> RecordedPings:
+    """Opens a recording (HDF5, MCAP): a RecordedPings, whose pings and layers are read when they are asked for.
 
-    Raises Error with the path for a file that is missing or is no recording.
+    sonar: which one of an MCAP file that holds several.
+
+    Raises Error with the path for a file that is missing or is no recording, and for a sonar that it does not have.
     """
-    return RecordedPings(path)
+    return RecordedPings(path, sonar)
 
 
 __all__ = [

@@ -14,21 +14,24 @@
 namespace insonify::python {
 namespace {
 
-std::filesystem::path recording_path(py::handle given) {
-  return py::isinstance<PythonRecording>(given) ? given.cast<const PythonRecording&>().path
-                                                : path_from(given, "recordings");
+RecordingPart recording_part(py::handle given) {
+  if (!py::isinstance<PythonRecording>(given)) {
+    return {path_from(given, "recordings")};
+  }
+  const auto& recording = given.cast<const PythonRecording&>();
+  return {recording.path, recording.pings.sonar()};
 }
 
 // One recording or a list of them.
-std::vector<std::filesystem::path> recording_paths(const py::object& given) {
+std::vector<RecordingPart> recording_parts(const py::object& given) {
   if (!py::isinstance<py::list>(given) && !py::isinstance<py::tuple>(given)) {
-    return {recording_path(given)};
+    return {recording_part(given)};
   }
-  std::vector<std::filesystem::path> paths;
+  std::vector<RecordingPart> parts;
   for (const py::handle& one : given) {
-    paths.push_back(recording_path(one));
+    parts.push_back(recording_part(one));
   }
-  return paths;
+  return parts;
 }
 
 void take_levels(py::handle value, ExportOptions& options) {
@@ -75,7 +78,7 @@ void take_option(const std::string& name, py::handle value, ExportOptions& optio
 }
 
 void export_all(const py::object& recordings, const py::object& file, const py::kwargs& given) {
-  const std::vector<std::filesystem::path> paths = recording_paths(recordings);
+  const std::vector<RecordingPart> parts = recording_parts(recordings);
   const std::filesystem::path to = path_from(file, "file");
   std::atomic<bool> stop = false;
   ExportOptions options;
@@ -87,7 +90,8 @@ void export_all(const py::object& recordings, const py::object& file, const py::
   std::future<void> done;
   {
     const py::gil_scoped_release released;
-    done = std::async(std::launch::async, [&] { export_recordings(paths, to, options); });
+    done =
+        std::async(std::launch::async, [&] { export_recordings(std::span<const RecordingPart>(parts), to, options); });
     constexpr std::chrono::milliseconds kLook(50);
     while (done.wait_for(kLook) != std::future_status::ready) {
       const py::gil_scoped_acquire held;
@@ -107,12 +111,14 @@ void bind_export(py::module_& module) {
       "export", &export_all, py::arg("recordings"), py::arg("file"),
       "export(recordings, file, **options)\n\nWrites recordings of one run, one a sonar, to a file in the format of "
       "its "
-      "ending: .mcap (ROS 2 messages), .npz, .zarr, .mp4 or .gif, as `insonify export`.\n\n"
-      "recordings: a path or a RecordedPings, or a list of them. Options: replace (False: an error where the file is "
-      "there). compress (True), of .npz. levels (low, high) in dB as on the colour bar, of videos and .mcap; None "
+      "ending: .mcap (ROS 2 messages), .bag (of ROS 1), .npz, .zarr, .mp4 or .gif, as `insonify export`.\n\n"
+      "recordings: a path or a RecordedPings, or a list of them; the path of an MCAP file stands for all sonars in it. "
+      "Options: replace (False: an error where the file is "
+      "there). compress (True), of .npz. levels (low, high) in dB as on the colour bar, of videos, .mcap and .bag; "
+      "None "
       "fits. "
       "colour_map. annotations. rate, pictures a second, and height in pixels, 240 to 8192, of videos. bits (8 or 16), "
-      "strong_share, fan_height in pixels and world_frame, of .mcap.\n\n"
+      "strong_share, fan_height in pixels and world_frame, of .mcap and .bag.\n\n"
       "Raises Error with the path for another ending, several sonars in a video, a file that is there, a full disk, "
       "and "
       "where a video is asked for and ffmpeg is not installed; KeyboardInterrupt on Control-C, nothing is left then.");

@@ -8,6 +8,7 @@
 
 #include "bind.h"
 #include "held.h"
+#include "insonify/printable.h"
 #include "ping_tables.h"
 #include "python_recording.h"
 #include "python_types.h"
@@ -90,8 +91,8 @@ void bind_ping(py::module_& module) {
       "new "
       "figure. colour_map: a name that matplotlib knows.\n\nRaises ImportError where there is no matplotlib.");
   ping.def("__repr__", [](const PythonPing& self) {
-    return fmt::format("<Ping {} at {:.6g} s, {} bins x {} beams>", self.number, self.time, self.bin_count,
-                       self.beam_count);
+    return fmt::format("<Ping {} at {:.6g} s, {} x {}>", self.number, self.time, counted(self.bin_count, "bin"),
+                       counted(self.beam_count, "beam"));
   });
   module.attr("NO_LABEL") = kNoLabel;
 }

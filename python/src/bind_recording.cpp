@@ -9,6 +9,7 @@
 #include "bind.h"
 #include "held.h"
 #include "insonify/files.h"
+#include "insonify/printable.h"
 #include "ping_tables.h"
 #include "python_recording.h"
 #include "python_simulator.h"
@@ -261,13 +262,20 @@ void bind_recording(py::module_& module) {
   RecordedClass recorded(
       module, "RecordedPings",
       "A recording's pings, read when they are asked for: rec[3], len(rec), `for ping in rec`.\n\n"
-      "path: an HDF5 file as `insonify run` writes, perhaps still growing: it has the pings that it had when it "
-      "was opened. Raises Error for a file that is none.\n\n"
+      "path: an HDF5 or MCAP file as `insonify run` writes, perhaps still growing: it has the pings that it had when "
+      "it "
+      "was opened. sonar: which one of an MCAP file that holds several. Raises Error for a file that is none, and for "
+      "a "
+      "sonar that it does not have, naming those that it has.\n\n"
+      "MCAP holds no ground truth, and intensities as levels: rec.intensity.description tells their steps, 0.0009 dB "
+      "unless it was made otherwise; 0 below the lowest level, cut at the highest.\n\n"
       "Layers such as rec.intensity and rec.instance are RecordedLayers: rec.instance[3, 100:200] reads that much and "
       "no more, np.asarray(rec.instance) reads all.");
   recorded
-      .def(py::init([](const py::object& path) { return std::make_shared<PythonRecording>(path_from(path, "path")); }),
-           py::arg("path"))
+      .def(py::init([](const py::object& path, const std::optional<std::string>& sonar) {
+             return std::make_shared<PythonRecording>(path_from(path, "path"), sonar.value_or(""));
+           }),
+           py::arg("path"), py::arg("sonar") = py::none())
       .def("__len__", [](const PythonRecording& self) { return self.ping_count(); })
       .def("__getitem__", &recorded_item, py::arg("number"),
            "The ping of that number from 0, from the end where negative; of a slice a list of pings. Their tables are "
@@ -287,8 +295,9 @@ void bind_recording(py::module_& module) {
           "model", [](const PythonRecording& self) { return self.pings.model(); },
           "calibrated or paper; \"\" where the file does not say.")
       .def("__repr__", [](const PythonRecording& self) {
-        return fmt::format("<RecordedPings of {}: {} pings of {} bins x {} beams>", self.pings.sonar(),
-                           self.ping_count(), self.pings.bin_count(), self.pings.beam_count());
+        return fmt::format("<RecordedPings of {}: {} of {} x {}>", self.pings.sonar(),
+                           counted(self.ping_count(), "ping"), counted(self.pings.bin_count(), "bin"),
+                           counted(self.pings.beam_count(), "beam"));
       });
   add_layers(module, recorded);
   add_axes(recorded);

@@ -7,6 +7,7 @@
 #include "held.h"
 #include "insonify/files.h"
 #include "insonify/mesh.h"
+#include "insonify/printable.h"
 
 namespace insonify::python {
 namespace {
@@ -173,7 +174,8 @@ void bind_scene(py::module_& module) {
           },
           "((x, y, z) of the lowest corner, of the highest) [m].")
       .def("__repr__", [](const Scene& self) {
-        return fmt::format("<Scene of {} instances, {} triangles>", self.instances.size(), self.triangle_count());
+        return fmt::format("<Scene of {}, {}>", counted(self.instances.size(), "instance"),
+                           counted(self.triangle_count(), "triangle"));
       });
 }
 

@@ -19,7 +19,9 @@ struct PythonRecording {
   StoredTables tables;
   std::shared_ptr<const SonarFacts> facts = {};  ///< Once a ping was asked for.
 
-  explicit PythonRecording(const std::filesystem::path& file) : path(file), pings(file), tables(file) {}
+  /// @param sonar  Its name; "" for the only one.
+  explicit PythonRecording(const std::filesystem::path& file, const std::string& sonar = "")
+      : path(file), pings(file, sonar), tables(file, sonar) {}
 
   /// Pings that every table has; a recording may grow while it is opened.
   [[nodiscard]] std::uint64_t ping_count() const {

@@ -92,4 +92,8 @@ std::string printable(std::string_view text, std::size_t longest) {
   return fmt::format("{}{}{}", head, kDots, end_of(text, tail));
 }
 
+std::string counted(std::uint64_t count, std::string_view what) {
+  return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+}
+
 }  // namespace insonify

@@ -8,13 +8,15 @@
 #include <cmath>
 
 #include "insonify/error.h"
+#include "insonify/printable.h"
 
 namespace insonify {
 
 void check_ping(const Ping& ping, const SonarConfig& sonar) {
   if (ping.beam_count != sonar.beam_count || ping.bin_count != sonar.bin_count) {
-    throw Error(fmt::format("ping {} of {} has {} beams x {} bins, must have {} x {}", ping.number, sonar.name,
-                            ping.beam_count, ping.bin_count, sonar.beam_count, sonar.bin_count));
+    throw Error(fmt::format("ping {} of {} has {} x {}, must have {} x {}", ping.number, sonar.name,
+                            counted(ping.beam_count, "beam"), counted(ping.bin_count, "bin"), sonar.beam_count,
+                            sonar.bin_count));
   }
   const std::size_t cells = static_cast<std::size_t>(ping.beam_count) * static_cast<std::size_t>(ping.bin_count);
   if (ping.intensity.size() != cells) {

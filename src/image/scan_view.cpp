@@ -13,6 +13,7 @@
 #include "image/scales.h"
 #include "image/scan_slots.h"
 #include "insonify/error.h"
+#include "insonify/printable.h"
 
 namespace insonify {
 namespace {
@@ -58,8 +59,8 @@ std::string count_text(std::size_t pings) {
 
 ScanView::ScanView(const SonarConfig& sonar) : sonar_(sonar) {
   if (sonar.beam_count != 1 || sonar.step == 0) {
-    throw Error(fmt::format("{} turns {} beams by {} deg: a scan view must have one beam that turns", sonar.name,
-                            sonar.beam_count, degrees_from_radians(sonar.step)));
+    throw Error(fmt::format("{} turns {} by {} deg: a scan view must have one beam that turns", sonar.name,
+                            counted(sonar.beam_count, "beam"), degrees_from_radians(sonar.step)));
   }
 }
 

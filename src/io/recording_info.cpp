@@ -6,22 +6,16 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <cerrno>
-#include <charconv>
 #include <cstring>
-#include <fstream>
 
 #include "insonify/error.h"
-#include "insonify/mcap_recording.h"
 #include "insonify/recorded_pings.h"
 #include "io/file/file_lock.h"
 #include "io/file/input_file.h"
-#include "io/mcap/mcap_bytes.h"
 #include "io/mcap/mcap_metadata.h"
-#include "io/mcap/mcap_reader.h"
-#include "io/message/cdr_reader.h"
-#include "io/recording/recorded_tables.h"
+#include "io/mcap/mcap_tables.h"
+#include "io/recording/hdf5_tables.h"
 
 namespace insonify {
 namespace {
@@ -44,7 +38,7 @@ RecordingState state_of(const std::filesystem::path& path, bool whole) {
 }
 
 RecordingInfo info_of_hdf5(const std::filesystem::path& path) {
-  const RecordedTables tables(path);
+  const Hdf5Tables tables(path);
   const RecordedPings pings(path);
   RecordingInfo info{.format = "HDF5", .bytes = std::filesystem::file_size(path)};
   info.state = state_of(path, !is_being_written(path) && !ends_in_hole(path, info.bytes));
@@ -73,40 +67,24 @@ RecordingInfo info_of_hdf5(const std::filesystem::path& path) {
 
 RecordingInfo info_of_mcap(const std::filesystem::path& path) {
   const McapReader file(path);
-  const auto about = file.metadata().find(mcap_metadata::kRun);
-  if (about == file.metadata().end()) {
-    throw Error(
-        fmt::format("{}: was not recorded by insonify: it has no metadata {}", path.string(), mcap_metadata::kRun));
-  }
-  const auto text = [&](const char* key) {
-    const auto found = about->second.find(key);
-    return found == about->second.end() ? std::string() : found->second;
-  };
+  const nlohmann::json run = mcap_run_facts(file, path);
   RecordingInfo info{.format = "MCAP", .bytes = std::filesystem::file_size(path)};
-  info.state = state_of(path, file.is_whole());
-  info.version = text(mcap_metadata::kVersion);
-  info.model = text(mcap_metadata::kModel);
-  info.engine = text(mcap_metadata::kEngine);
-  const std::string seed = text(mcap_metadata::kSeed);
-  std::uint64_t number = 0;
-  if (std::from_chars(seed.data(), seed.data() + seed.size(), number).ec == std::errc()) {
-    info.seed = number;
+  info.state = file.metadata().contains(mcap_metadata::kEnd) ? RecordingState::kDiskFull
+                                                             : state_of(path, file.is_whole());
+  info.version = run.at("version");
+  info.model = run.at("model");
+  info.engine = run.at("engine");
+  info.scenario = run.at("scenario");
+  if (const auto seed = run.find("seed"); seed != run.end()) {
+    info.seed = seed->get<std::uint64_t>();
   }
-  if (const auto& scenarios = file.messages("/scenario"); !scenarios.empty()) {
-    const std::vector<std::byte> message = file.read(scenarios.front());
-    info.scenario = CdrReader(message).text();
-  }
-  for (const auto& [name, texts] : file.metadata()) {
-    if (!name.starts_with(mcap_metadata::kOfSonar)) {
-      continue;
-    }
-    const auto called = texts.find(mcap_metadata::kSonar);
-    const McapPings pings(path, called == texts.end() ? "" : called->second);
-    RecordedSonar sonar{.config = pings.source().sonar, .pings = pings.ping_count()};
-    const auto& images = file.messages("/" + name.substr(std::strlen(mcap_metadata::kOfSonar)) + "/sonar_image");
+  for (const std::string& name : mcap_sonars(file, path)) {
+    const McapPings pings(path, name);
+    RecordedSonar sonar{.config = pings.sonar_config(), .pings = pings.ping_count()};
+    sonar.levels = {pings.levels(), pings.bits(), levels_text(pings.levels(), pings.bits())};
     if (sonar.pings > 0) {
-      sonar.first_time = static_cast<double>(images.front().time) * 1e-9;
-      sonar.last_time = static_cast<double>(images[sonar.pings - 1].time) * 1e-9;
+      sonar.first_time = pings.time(0);
+      sonar.last_time = pings.time(sonar.pings - 1);
     }
     info.sonars.push_back(std::move(sonar));
   }
@@ -117,17 +95,6 @@ RecordingInfo info_of_mcap(const std::filesystem::path& path) {
 }
 
 }  // namespace
-
-bool is_mcap(const std::filesystem::path& path) {
-  std::error_code ignored;
-  if (std::filesystem::is_fifo(path, ignored)) {
-    return false;  // Opening it would wait for a writer.
-  }
-  std::ifstream file(path, std::ios::binary);
-  std::string start(kMcapMagic.size(), '\0');
-  file.read(start.data(), static_cast<std::streamsize>(start.size()));
-  return start == kMcapMagic;
-}
 
 RecordingInfo recording_info(const std::filesystem::path& path) {
   check_input_file(path);

@@ -17,6 +17,12 @@ bool is_still(const LiveVelocity& velocity) {
   return velocity.linear.isZero(0) && velocity.angular.isZero(0);
 }
 
+void refuse(const LiveLoop::Done& done) {
+  if (done) {
+    done("another program moves the vehicle");
+  }
+}
+
 }  // namespace
 
 LiveLoop::State::State(const std::filesystem::path& path, std::span<const std::string> changes,
@@ -140,6 +146,9 @@ void LiveLoop::set_speed(double factor) {
 void LiveLoop::fly(const LiveVelocity& velocity) {
   check_fields("fly", velocity);
   State& state = *state_;
+  if (state.options.driven) {
+    return;
+  }
   bool takes_helm = false;
   {
     const State::Lock lock(state.mutex);
@@ -160,10 +169,16 @@ void LiveLoop::place(const Pose& world_from_vehicle, Done done) {
   PingRequest request;
   request.world_from_vehicle = world_from_vehicle;
   request.validate();
+  if (state_->options.driven) {
+    return refuse(done);
+  }
   state_->request({.way = LiveWay::kPlaced, .place = world_from_vehicle, .done = std::move(done)});
 }
 
 void LiveLoop::follow(bool on, Done done) {
+  if (state_->options.driven) {
+    return refuse(done);
+  }
   state_->request({.way = on ? LiveWay::kFromStart : LiveWay::kFromHere, .done = std::move(done)});
 }
 

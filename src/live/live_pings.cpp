@@ -73,6 +73,7 @@ void LiveLoop::State::begin_run(LiveStart start, Lock& lock) {
   world = next_world;
   anchor_time = 0;
   anchor = Clock::now();
+  clock_anchor = clock.value_or(0);
   last_pings.assign(next_world->sonars.size(), Clock::time_point{});
   steps = 1;  // A change shows at once, paused or not.
   lock.unlock();
@@ -208,16 +209,27 @@ void LiveLoop::State::take_place(Lock& lock) {
 // Makes the pings of all sonars that are next. They count once all are made.
 void LiveLoop::State::make_next(Lock& lock) {
   const Clock::time_point due = paused ? Clock::now() : next_due();
-  const std::string obstacle = run->fly_to_next(velocity);
-  if (!obstacle.empty()) {
-    velocity = {};
+  std::string obstacle;
+  if (options.driven) {
+    if (!drive_to_next(lock)) {
+      return;
+    }
+  } else {
+    obstacle = run->fly_to_next(velocity);
+    velocity = obstacle.empty() ? velocity : LiveVelocity();
   }
   const double time = run->next_time();
   const std::vector<int> sonars = run->next_sonars();
   std::vector<PingRequest> requests(sonars.size());
   for (std::size_t i = 0; i < sonars.size(); ++i) {
     run->fill(sonars[i], requests[i]);
+    if (drive) {
+      requests[i].twist = drive->twist;
+      requests[i].moved.insert(requests[i].moved.end(), drive->moved.begin(), drive->moved.end());
+    }
   }
+  const double stamp = drive ? drive->stamp : 0, told_at = drive_told_at;
+  keep_clock();
   keep_pace(due, time, sonars);
   const std::shared_ptr<const LiveWorld> of_world = world;
   lock.unlock();
@@ -237,6 +249,8 @@ void LiveLoop::State::make_next(Lock& lock) {
       ping->moved = moved_instances(*simulator, requests[i]);
       ping->computing_time = std::chrono::duration<double>(Clock::now() - start).count();
       ping->made_at = std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
+      ping->stamp = stamp;
+      ping->told_at = told_at;
       listener->on_ping(ping);
       pings.push_back(ping);
     }
@@ -281,9 +295,9 @@ void LiveLoop::State::make_pings() {
       take_place(lock);
     } else if (!stop_recording.empty()) {
       answer_stop_recording(lock);
-    } else if (paused && steps == 0) {
+    } else if ((paused && steps == 0) || waits_for_others()) {
       wake.wait(lock);
-    } else if (!paused && Clock::now() < next_due()) {
+    } else if (!paused && !options.clocked && Clock::now() < next_due()) {
       wake.wait_until(lock, next_due());
     } else {
       make_next(lock);

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 #include "insonify/error.h"
@@ -88,6 +89,22 @@ std::string LiveRun::fly_to_next(const LiveVelocity& velocity) {
     reach = std::max(reach, requests_.reach(sonar, numbers_[static_cast<std::size_t>(sonar)]));
   }
   return fly_until(reach, velocity);
+}
+
+// Up to a microsecond after the pings, so that what the path has after it changes nothing before it.
+std::string LiveRun::drive_to_next(const Pose& world_from_vehicle) {
+  constexpr double kMicroseconds = 1e6;
+  const double time = std::ceil(next_time() * kMicroseconds) / kMicroseconds;
+  if (time <= requests_.trajectory().waypoints.back().time) {
+    return "";
+  }
+  try {
+    requests_.extend(exact_waypoint(time, world_from_vehicle));
+  } catch (const Error& error) {
+    return error.what();
+  }
+  pose_ = world_from_vehicle;
+  return "";
 }
 
 void LiveRun::fill(int sonar, PingRequest& request) const {

@@ -39,6 +39,10 @@ class LiveRun {
   /// Extends it as far as the next pings reach.
   std::string fly_to_next(const LiveVelocity& velocity);
 
+  /// Ends the path at the next pings, with a pose that another program tells.
+  /// @return  "" or why the vehicle cannot be there.
+  std::string drive_to_next(const Pose& world_from_vehicle);
+
   /// The next ping of a sonar. The path must reach it.
   void fill(int sonar, PingRequest& request) const;
   /// Counts the next ping of a sonar as made.

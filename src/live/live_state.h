@@ -35,6 +35,10 @@ struct LiveLoop::State {
   int steps = 0;  // Still to be made while paused.
   double speed = 1;
   LiveVelocity velocity;
+  std::optional<LiveDrive> drive;  // The newest.
+  double drive_told_at = 0;        // Unix time [s].
+  bool drive_refused = false;      // Whether no ping can be made from there.
+  std::optional<double> clock;     // With LiveOptions::clocked: the newest time [s].
   std::vector<LiveChange> wishes;  // To be prepared.
   std::optional<std::vector<LiveChange>> being_prepared;
   std::optional<LivePrepared> prepared;  // To take place between two pings.
@@ -47,6 +51,7 @@ struct LiveLoop::State {
   Scenario scenario;  // With its own trajectory.
   std::optional<LiveRun> run;
   std::shared_ptr<const LiveWorld> world;
+  bool driving = false;  // Whether the run begins where drive() has had the vehicle.
   std::uint64_t pings_made = 0;
   std::string recording_names;
   std::uint64_t recorded_pings = 0;
@@ -55,6 +60,7 @@ struct LiveLoop::State {
   // Pace: that time of the run is at that time of the clock.
   double anchor_time = 0;
   Clock::time_point anchor = Clock::now();
+  double clock_anchor = 0;                    // The same by the clock of LiveOptions::clocked [s].
   std::vector<Clock::time_point> last_pings;  // When each sonar pinged last, for the limit of the rate.
 
   // Of the thread that makes pings alone.
@@ -71,7 +77,12 @@ struct LiveLoop::State {
 
   using Lock = std::unique_lock<std::mutex>;
 
-  // live_loop.cpp: the thread that makes pings.
+  // live_drive.cpp: what other programs tell.
+  [[nodiscard]] bool waits_for_others() const;
+  [[nodiscard]] bool drive_to_next(Lock& lock);
+  void keep_clock();
+
+  // live_pings.cpp: the thread that makes pings.
   void make_pings();
   void make_next(Lock& lock);
   void take_place(Lock& lock);

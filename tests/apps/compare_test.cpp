@@ -293,7 +293,7 @@ constexpr Refusal kRefusals[] = {
     {"Constant", "a.png flat.png", "flat.png: every value is 0.2; there is nothing to compare in a constant picture"},
     {"Coloured", "colour.png a.png",
      "colour.png: the pixel in column 0, row 0 is coloured; a comparison needs a grey picture"},
-    {"OfUnknownKind", "a.png a.bmp", "a.bmp: is neither a recording (.h5, .hdf5) nor a picture (.png)"},
+    {"OfUnknownKind", "a.png a.bmp", "a.bmp: is neither a recording (.h5, .hdf5, .mcap) nor a picture (.png)"},
     {"AboveFullScale", "a.h5 loud.h5",
      "loud.h5 ping 1: an intensity is 1.2; it must be from 0 to full scale, 1 (--full-scale)"},
     {"ConstantPing", "a.h5 silent.h5",
@@ -304,10 +304,10 @@ constexpr Refusal kRefusals[] = {
      "a.png and a.png are pictures; --sonar and --ping choose from recordings"},
     {"NegativePing", "a.h5 a.h5 --ping -1",
      "--ping: -1 must be a whole number, from 0 to 18446744073709551615 (insonify compare --help)"},
-    {"OtherSonar", "a.h5 a.h5 --sonar down", "a.h5: is of the sonar fls; --sonar asks for down"},
+    {"OtherSonar", "a.h5 a.h5 --sonar down", "a.h5: has no sonar down; its sonar is fls"},
     {"NoSonarChosen", "two two", "two: there are recordings of ahead, down; choose one with --sonar"},
     {"NoSuchSonar", "two two --sonar up", "two: there is no recording of up, only of ahead, down"},
-    {"EmptyFolder", "no two", "no: there is no recording (.h5) in this folder"},
+    {"EmptyFolder", "no two", "no: there is no recording (.h5, .mcap) in this folder"},
     {"NoFullScale", "a.h5 a.h5 --full-scale 0", "display.full_scale = 0 must be greater than 0"},
 };
 

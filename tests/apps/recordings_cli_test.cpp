@@ -134,7 +134,7 @@ TEST_F(RecordingsCliTest, InfoTellsWhatARecordingHolds) {
   EXPECT_THAT(text.out, HasSubstr("out/around.mcap: MCAP, "));
   EXPECT_THAT(text.out,
               HasSubstr("model calibrated, engine cpu, seed 9\n  around: Tritech Micron DST, 20 pings from 0 to "));
-  EXPECT_THAT(text.out, HasSubstr("1 beams x 40 bins from 0.3 to 12 m, 700 kHz, scanning\n"));
+  EXPECT_THAT(text.out, HasSubstr("1 beam x 40 bins from 0.3 to 12 m, 700 kHz, scanning\n"));
 }
 
 TEST_F(RecordingsCliTest, InfoRefusesWhatIsNoRecording) {
@@ -164,7 +164,7 @@ TEST_F(RecordingsCliTest, ReplayDrawsWhatTheRunHasDrawn) {
   EXPECT_EQ(files("mcap"), files("again"));
   const Outcome outcome = shell("insonify replay out/ahead.mcap -o x --sonar port");
   EXPECT_EQ(outcome.status, 2);
-  EXPECT_EQ(outcome.err, "insonify: out/ahead.mcap: has no sonar port; there are ahead\n");
+  EXPECT_EQ(outcome.err, "insonify: out/ahead.mcap: has no sonar port; its sonar is ahead\n");
 }
 
 TEST_F(RecordingsCliTest, ExportWarnsOfAnUnfinishedRecording) {
@@ -205,6 +205,68 @@ TEST_F(RecordingsCliTest, ExportRefusesOptionsWithoutEffect) {
   EXPECT_THAT(files("out"), ElementsAre("ahead.h5"));
   EXPECT_EQ(shell("insonify export out/ahead.h5 -o out/z.npz --store").status, 0);
   EXPECT_EQ(shell("insonify export out/ahead.h5 -o out/z.mcap --bits 8 --levels -90:-40 --colour-map grey").status, 0);
+}
+
+TEST_F(RecordingsCliTest, ARecordingWithoutPingsIsWrongInputForAll) {
+  ASSERT_EQ(shell("insonify run fan.yaml -o out -q --no-pictures --record h5,mcap").status, 0);
+  // A killed run has left the start of its file.
+  const std::string whole = text_of("out/ahead.mcap");
+  const std::size_t chunk = whole.find("zstd") - 41;  // Opcode, length, two times, size, checksum, length of "zstd".
+  folder.write("empty.mcap", whole.substr(0, chunk + 5));
+  EXPECT_EQ(info("empty.mcap").at("sonars").at(0).at("pings"), 0);
+  for (const char* words : {"replay empty.mcap", "export empty.mcap -o x.npz", "export empty.mcap -o x.mcap"}) {
+    const Outcome outcome = shell(std::string("insonify ") + words);
+    EXPECT_EQ(outcome.status, 2) << words;
+    EXPECT_EQ(outcome.err, "insonify: empty.mcap: there is no ping in it\n") << words;
+  }
+}
+
+TEST_F(RecordingsCliTest, ExportRefusesRecordingsOfDifferentRuns) {
+  ASSERT_EQ(shell("insonify run fan.yaml -o a -q --no-pictures --record h5,mcap").status, 0);
+  ASSERT_EQ(shell("insonify run scan.yaml -o b -q --no-pictures").status, 0);
+  ASSERT_EQ(shell("insonify run scan.yaml -o c -q --no-pictures --seed 7").status, 0);
+  for (const char* ending : {"npz", "mcap", "zarr"}) {
+    const Outcome scenarios = shell(fmt::format("insonify export a/ahead.h5 b/around.h5 -o x.{}", ending));
+    EXPECT_EQ(scenarios.status, 2);
+    EXPECT_EQ(
+        scenarios.err,
+        "insonify: a/ahead.h5 and b/around.h5 are of different runs: their scenarios differ; export each run to a "
+        "file of its own\n");
+  }
+  const Outcome seeds = shell("insonify export a/ahead.mcap c/around.h5 -o x.npz");
+  EXPECT_EQ(seeds.status, 2);
+  EXPECT_EQ(
+      seeds.err,
+      "insonify: a/ahead.mcap and c/around.h5 are of different runs: their seeds are 1 and 7; export each run to a "
+      "file of its own\n");
+}
+
+TEST_F(RecordingsCliTest, ARunOnAFullDiskLeavesAFileThatSaysSo) {
+  // A limit on files, in blocks of 1024 bytes, stands for the end of the disk.
+  const Outcome run = shell("ulimit -f 900; insonify run fan.yaml -o out -q --no-pictures --record mcap --pings 1000");
+  EXPECT_EQ(run.status, 1);
+  EXPECT_EQ(run.err,
+            "insonify: out/ahead.mcap: cannot write: File too large; what was written before stays readable\n");
+  const json told = info("out/ahead.mcap");
+  EXPECT_EQ(told.at("state"), "disk_full");
+  EXPECT_GT(told.at("sonars").at(0).at("pings"), 0);
+  EXPECT_THAT(shell("insonify info out/ahead.mcap").out, HasSubstr(" MB, cut short: the disk was full\n"));
+  const Outcome exported = shell("insonify export out/ahead.mcap -o x.npz --store");
+  EXPECT_EQ(exported.status, 0);
+  EXPECT_THAT(exported.err, HasSubstr("warning: out/ahead.mcap is cut short: the disk was full; it has "));
+  // An export that does not fit leaves nothing, and says no more.
+  const Outcome full = shell("ulimit -f 30; insonify export out/ahead.mcap -o y.mcap");
+  EXPECT_EQ(full.status, 1);
+  EXPECT_THAT(full.err, testing::EndsWith("insonify: y.mcap: cannot write: File too large\n"));
+  EXPECT_EQ(files(".").count("y.mcap"), 0);
+}
+
+TEST_F(RecordingsCliTest, CompressHasNoEffectOnMcapAlone) {
+  const Outcome outcome = shell("insonify run fan.yaml -o out -q --no-pictures --record mcap --compress");
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_EQ(outcome.err,
+            "insonify: --compress has no effect on --record mcap, only on h5: MCAP is compressed anyway\n");
+  EXPECT_EQ(shell("insonify run fan.yaml -o out -q --no-pictures --record h5,mcap --compress").status, 0);
 }
 
 }  // namespace

@@ -77,6 +77,20 @@ if(NOT SOURCE_DIR AND NOT output MATCHES "preset from ${prefix}/share/insonify/p
   message(FATAL_ERROR "The presets installed in ${prefix} were not used")
 endif()
 
+# The same by pkg-config, where a shared library is installed and its own packages are known to it.
+file(GLOB_RECURSE pkgconfig ${prefix}/lib*/insonify.pc)
+find_program(pkg_config pkg-config)
+if(pkgconfig AND pkg_config)
+  cmake_path(GET pkgconfig PARENT_PATH pkgconfig_folder)
+  run(${CMAKE_COMMAND} -E env PKG_CONFIG_PATH=${pkgconfig_folder} ${pkg_config} --cflags --libs insonify)
+  separate_arguments(flags UNIX_COMMAND "${output}")
+  run(${COMPILER} ${CMAKE_CURRENT_LIST_DIR}/main.cpp -o ${WORK_DIR}/by_pkgconfig ${flags})
+  cmake_path(GET pkgconfig_folder PARENT_PATH library_folder)
+  run(${CMAKE_COMMAND} -E env LD_LIBRARY_PATH=${library_folder} ${WORK_DIR}/by_pkgconfig ${WORK_DIR}/ping_by_pkgconfig.h5)
+elseif(NOT SOURCE_DIR AND NOT pkgconfig)
+  message(FATAL_ERROR "insonify.pc was not installed")
+endif()
+
 if(EXISTS ${prefix}/bin/insonify)
   set(cli ${prefix}/bin/insonify)
   run(${cli} version)

@@ -97,7 +97,7 @@ TEST(CdrWriterTest, AlignsNoElementsOfAnEmptySequence) {
 
 TEST(MessageDefinitionTest, ListsEachTypeOnceAfterThoseThatUseIt) {
   const std::string line(80, '=');
-  EXPECT_EQ(message_definition("geometry_msgs/PoseStamped"),
+  EXPECT_EQ(message_definition("geometry_msgs/PoseStamped", MessageForm::kRos2),
             "std_msgs/Header header\ngeometry_msgs/Pose pose\n" + line +
                 "\nMSG: std_msgs/Header\nbuiltin_interfaces/Time stamp\nstring frame_id\n" + line +
                 "\nMSG: builtin_interfaces/Time\nint32 sec\nuint32 nanosec\n" + line +
@@ -110,13 +110,15 @@ TEST(RosNameTest, HasOnlyWhatTopicsAllow) {
   EXPECT_EQ(ros_name("fls"), "fls");
   EXPECT_EQ(ros_name("front left-2"), "front_left_2");
   EXPECT_EQ(ros_name("720i"), "_720i");
-  EXPECT_EQ(ros_name("ä"), "__");
+  EXPECT_EQ(ros_name("ä"), "_");
+  EXPECT_EQ(ros_name("büg 深"), "b_g__");
+  EXPECT_EQ(ros_name("\xff\xc3"), "__");
   EXPECT_EQ(ros_name(""), "sonar");
 }
 
 TEST(RosNameTest, KeepsNamesApart) {
   EXPECT_THAT(ros_names({"bow", "stern"}), ElementsAre("bow", "stern"));
-  EXPECT_THAT(ros_names({"ä", "ö", "__", "ü"}), ElementsAre("___2", "___3", "__", "___4"));
+  EXPECT_THAT(ros_names({"ä", "ö", "_", "ü"}), ElementsAre("__2", "__3", "_", "__4"));
   EXPECT_THAT(ros_names({"a b", "a_b_2", "a-b"}), ElementsAre("a_b", "a_b_2", "a_b_3"));
 }
 

@@ -135,10 +135,10 @@ class ExportTest(unittest.TestCase):
         self.insonify("export", "out/around.h5", "-o", "again.zarr", "--force")
         (self.folder / "mine.zarr").mkdir()
         (self.folder / "mine.zarr/letter.txt").write_text("dear")
-        self.assertEqual(self.insonify("export", "out/around.h5", "-o", "mine.zarr", "-f", status=1),
+        self.assertEqual(self.insonify("export", "out/around.h5", "-o", "mine.zarr", "-f", status=2),
                          "insonify: mine.zarr: cannot replace: it is a folder without .zgroup, no Zarr group\n")
         self.assertTrue((self.folder / "mine.zarr/letter.txt").exists())
-        self.assertEqual(self.insonify("export", "out/around.h5", "-o", "mine.zarr/x.npz/", status=1)[:25],
+        self.assertEqual(self.insonify("export", "out/around.h5", "-o", "mine.zarr/x.npz/", status=2)[:25],
                          "insonify: mine.zarr/x.npz")
         self.assertEqual(list(self.folder.glob("*.new*")), [])
 
@@ -146,9 +146,9 @@ class ExportTest(unittest.TestCase):
         for status, words, message in (
             (2, ["out/around.h5", "-o", "run.bag"],
              "run.bag: its ending must be .mcap, .npz, .zarr, .mp4 or .gif, which says the format"),
-            (1, ["out/around.h5", "out/büg.h5", "-o", "two.gif"],
-             "two.gif: a video shows one sonar, and there are 2 recordings"),
-            (1, ["out/around.h5", "out/around.h5", "-o", "x.npz"],
+            (2, ["out/around.h5", "out/büg.h5", "-o", "two.gif"],
+             "two.gif: a video shows one sonar, and there are 2: around, büg"),
+            (2, ["out/around.h5", "out/around.h5", "-o", "x.npz"],
              "out/around.h5 and out/around.h5 are both of a sonar called around; one file holds one recording of each"),
         ):
             self.assertEqual(self.insonify("export", *words, status=status), f"insonify: {message}\n")

@@ -11,6 +11,7 @@
 #include "compare/comparison.h"
 #include "console/console.h"
 #include "console/table.h"
+#include "insonify/printable.h"
 
 namespace insonify {
 namespace {
@@ -59,7 +60,8 @@ std::string words(std::string_view help) {
 }
 
 std::string heading(const Comparison& comparison) {
-  const std::string shape = fmt::format("{} columns x {} rows", comparison.columns, comparison.rows);
+  const std::string shape =
+      fmt::format("{} x {}", counted(comparison.columns, "column"), counted(comparison.rows, "row"));
   std::string text = fmt::format("{} and {}", comparison.a, comparison.b);
   if (!comparison.sonar.empty()) {
     text += ", sonar " + comparison.sonar;

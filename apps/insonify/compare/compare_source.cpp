@@ -5,36 +5,45 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 
 #include "insonify/error.h"
 
 namespace insonify {
 namespace {
 
-constexpr const char* kRecordingEnding = ".h5";
+bool is_recording_ending(const std::filesystem::path& ending) {
+  return ending == ".h5" || ending == ".hdf5" || ending == ".mcap";
+}
 
-// The requested recording in a folder.
+// The requested recording in a folder; of a sonar recorded in both formats the HDF5 one, which is exact.
 std::filesystem::path find_recording(const std::filesystem::path& folder, const std::string& sonar) {
-  std::vector<std::string> names;
+  std::map<std::string, std::filesystem::path> found;
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-    if (entry.path().extension() == kRecordingEnding) {
-      names.push_back(entry.path().stem().string());
+    const std::filesystem::path ending = entry.path().extension();
+    if (ending == ".h5") {
+      found[entry.path().stem().string()] = entry.path();
+    } else if (ending == ".mcap") {
+      found.emplace(entry.path().stem().string(), entry.path());
     }
   }
-  std::ranges::sort(names);
+  std::vector<std::string> names;
+  for (const auto& [name, path] : found) {
+    names.push_back(name);
+  }
   if (names.empty()) {
-    throw Error(fmt::format("{}: there is no recording (.h5) in this folder", folder.string()));
+    throw Error(fmt::format("{}: there is no recording (.h5, .mcap) in this folder", folder.string()));
   }
   const std::string wanted = sonar.empty() && names.size() == 1 ? names.front() : sonar;
   if (wanted.empty()) {
     throw Error(fmt::format("{}: there are recordings of {}; choose one with --sonar", folder.string(),
                             fmt::join(names, ", ")));
   }
-  if (std::ranges::find(names, wanted) == names.end()) {
+  if (!found.contains(wanted)) {
     throw Error(
         fmt::format("{}: there is no recording of {}, only of {}", folder.string(), wanted, fmt::join(names, ", ")));
   }
-  return folder / (wanted + kRecordingEnding);
+  return found.at(wanted);
 }
 
 std::string ping_name(const std::string& file, std::uint64_t ping) {
@@ -51,11 +60,10 @@ CompareSource::CompareSource(std::filesystem::path path, const std::string& sona
   const std::filesystem::path ending = path_.extension();
   if (ending == ".png" || ending == ".PNG") {
     picture_ = load_grey_picture(path_);
-  } else if (ending == kRecordingEnding || ending == ".hdf5") {
-    recording_.emplace(path_);
-    check_sonar(sonar);
+  } else if (is_recording_ending(ending)) {
+    recording_.emplace(path_, sonar);
   } else {
-    throw Error(fmt::format("{}: is neither a recording (.h5, .hdf5) nor a picture (.png)", name()));
+    throw Error(fmt::format("{}: is neither a recording (.h5, .hdf5, .mcap) nor a picture (.png)", name()));
   }
 }
 
@@ -102,14 +110,6 @@ GreyPicture CompareSource::scan(const std::vector<std::uint64_t>& pings) const {
     }
   }
   return picture;
-}
-
-void CompareSource::check_sonar(const std::string& sonar) const {
-  if (!sonar.empty() && recording_->sonar() != sonar) {
-    const std::string found =
-        recording_->sonar().empty() ? "does not tell its sonar" : "is of the sonar " + recording_->sonar();
-    throw Error(fmt::format("{}: {}; --sonar asks for {}", name(), found, sonar));
-  }
 }
 
 std::vector<double> CompareSource::levels(std::uint64_t ping) const {

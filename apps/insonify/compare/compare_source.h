@@ -17,7 +17,7 @@ namespace insonify {
 class CompareSource {
  public:
   /// @param path    A recording, a folder of recordings, or a picture.
-  /// @param sonar   Sonar whose recording is used in a folder; "" if the folder has only one.
+  /// @param sonar   Sonar whose recording is used of a folder or of an MCAP file; "" if there is only one.
   CompareSource(std::filesystem::path path, const std::string& sonar);
 
   /// Sets the mapping of intensities to levels from 0 to 1; full scale is relative to that of the recording. Must be
@@ -43,7 +43,6 @@ class CompareSource {
   [[nodiscard]] GreyPicture scan(const std::vector<std::uint64_t>& pings) const;
 
  private:
-  void check_sonar(const std::string& sonar) const;
   [[nodiscard]] std::vector<double> levels(std::uint64_t ping) const;
 
   std::filesystem::path path_;

@@ -8,10 +8,10 @@
 #include <algorithm>
 #include <cctype>
 #include <map>
-#include <set>
 
 #include "console/console.h"
 #include "console/outcome.h"
+#include "console/recording_state.h"
 #include "console/stop.h"
 #include "insonify/export.h"
 #include "insonify/recording_info.h"
@@ -19,18 +19,17 @@
 namespace insonify {
 namespace {
 
-// Refuses endings that are no format, and options that do nothing for the format.
+// Refuses options that do nothing for the format.
 void check_effects(const ExportCommand& options) {
   static const std::map<std::string, std::vector<std::string>> kActsOn = {
-      {"--bits", {".mcap"}},          {"--store", {".npz"}},
-      {"--rate", {".mp4", ".gif"}},   {"--colour-map", {".mp4", ".gif", ".mcap"}},
-      {"--height", {".mp4", ".gif"}}, {"--levels", {".mp4", ".gif", ".mcap"}}};
+      {"--bits", {".mcap", ".bag"}},          {"--store", {".npz"}},
+      {"--rate", {".mp4", ".gif"}},   {"--colour-map", {".mp4", ".gif", ".mcap", ".bag"}},
+      {"--height", {".mp4", ".gif"}}, {"--levels", {".mp4", ".gif", ".mcap", ".bag"}}};
   const std::filesystem::path& file = options.file;
   std::string ending = (file.has_filename() ? file : file.parent_path()).extension().string();
   std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  if (!std::set<std::string>{".mcap", ".npz", ".zarr", ".mp4", ".gif"}.contains(ending)) {
-    throw InputError(
-        fmt::format("{}: its ending must be .mcap, .npz, .zarr, .mp4 or .gif, which says the format", file.string()));
+  if (std::ranges::find(export_endings(), ending) == export_endings().end()) {
+    return;  // check_export() says so.
   }
   for (const std::string& name : options.given) {
     const std::vector<std::string>& endings = kActsOn.at(name);
@@ -40,34 +39,37 @@ void check_effects(const ExportCommand& options) {
   }
 }
 
-// Every fault of the input is found here, before anything is written.
-void check_input(const ExportCommand& options) {
-  try {
-    for (const std::filesystem::path& recording : options.recordings) {
-      const RecordingInfo info = recording_info(recording);
-      if (info.format == "MCAP") {
-        throw Error(fmt::format("{}: is an MCAP file; insonify exports HDF5 recordings (.h5), which hold more",
-                                recording.string()));
-      }
-      if (info.state == RecordingState::kUnfinished) {
-        complain(fmt::format("warning: {} is unfinished: the run that wrote it was killed; it has {} pings",
-                             recording.string(), info.sonars.front().pings));
-      }
-    }
-  } catch (const Error& error) {
-    throw InputError(error.what());
+// The run may have ended before its time.
+void tell_if_unfinished(const std::filesystem::path& path, const RecordingInfo& info) {
+  if (info.state == RecordingState::kWhole) {
+    return;
   }
+  std::vector<std::string> pings;
+  for (const RecordedSonar& sonar : info.sonars) {
+    pings.push_back(counted(sonar.pings, "ping") + (info.sonars.size() > 1 ? " of " + sonar.config.name : ""));
+  }
+  complain(fmt::format("warning: {} is {}; it has {}", path.string(), state_text(info), fmt::join(pings, ", ")));
+}
+
+// Every fault of the input is found here, before anything is written.
+void check_input(const ExportCommand& options, const std::vector<RecordingPart>& parts, const ExportOptions& how) {
   std::error_code ignored;
   if (std::filesystem::exists(std::filesystem::symlink_status(options.file, ignored)) && !options.force) {
     throw InputError(fmt::format("{} is there already: --force replaces it", options.file.string()));
+  }
+  try {
+    check_export(parts, options.file, how);
+    for (const std::filesystem::path& recording : options.recordings) {
+      tell_if_unfinished(recording, recording_info(recording));
+    }
+  } catch (const Error& error) {
+    throw InputError(error.what());
   }
 }
 
 }  // namespace
 
 int export_command(const ExportCommand& options) {
-  check_effects(options);
-  check_input(options);
   const PictureStyle style = picture_style(options.pictures, EchoModel::kCalibrated, {});
   ExportOptions how{.replace = options.force, .compress = !options.store};
   how.messages = message_options(style);
@@ -77,10 +79,16 @@ int export_command(const ExportCommand& options) {
   how.video.high_db = how.messages.high_db;
   how.video.colour_map = style.display.colour_map;
   how.video.height = style.display.height;
+  std::vector<RecordingPart> parts;
+  for (const std::filesystem::path& recording : options.recordings) {
+    parts.push_back({recording, options.sonar});
+  }
+  check_effects(options);
+  check_input(options, parts, how);
   note_when_asked();
   how.stop = &stop_asked();
   show_status(fmt::format("Writing {} ...", options.file.string()));
-  export_recordings(options.recordings, options.file, how);
+  export_recordings(std::span<const RecordingPart>(parts), options.file, how);
   say("{}\n", options.file.string());
   return kDone;
 }

@@ -13,6 +13,7 @@ namespace insonify {
 
 struct ExportCommand {
   std::vector<std::filesystem::path> recordings;
+  std::string sonar;  ///< Of recordings with several; "" for all.
   std::filesystem::path file;
   bool force = false;               ///< Replace a file that is there.
   int bits = 16;                    ///< Of a value of sonar images in .mcap, 8 or 16.

@@ -9,50 +9,32 @@
 
 #include "console/console.h"
 #include "console/outcome.h"
+#include "console/recording_state.h"
 #include "insonify/recording_info.h"
 #include "insonify/words.h"
 
 namespace insonify {
 namespace {
 
-const char* state_word(RecordingState state) {
-  switch (state) {
-    case RecordingState::kGrowing:
-      return "growing";
-    case RecordingState::kUnfinished:
-      return "unfinished";
-    case RecordingState::kWhole:
-      break;
-  }
-  return "whole";
-}
-
-const char* state_text(RecordingState state) {
-  switch (state) {
-    case RecordingState::kGrowing:
-      return ", being written";
-    case RecordingState::kUnfinished:
-      return ", unfinished: the run that wrote it was killed";
-    case RecordingState::kWhole:
-      break;
-  }
-  return "";
-}
-
 void print_sonar(const RecordedSonar& sonar) {
   const SonarConfig& config = sonar.config;
-  say("  {}: {}{}{} pings", config.name, config.model, config.model.empty() ? "" : ", ", sonar.pings);
+  say("  {}: {}{}{}", config.name, config.model, config.model.empty() ? "" : ", ", counted(sonar.pings, "ping"));
   if (sonar.pings > 0) {
     say(" from {:.6g} to {:.6g} s", sonar.first_time, sonar.last_time);
   }
-  say("\n    {} beams x {} bins from {:.6g} to {:.6g} m, {:.6g} kHz{}\n", config.beam_count, config.bin_count,
-      config.min_range, config.max_range, config.frequency / 1000,
-      config.type == SonarType::kMechanicallyScanned ? ", scanning" : "");
+  say("\n    {} x {} from {:.6g} to {:.6g} m, {:.6g} kHz{}\n",
+      counted(static_cast<std::uint64_t>(config.beam_count), "beam"),
+      counted(static_cast<std::uint64_t>(config.bin_count), "bin"), config.min_range, config.max_range,
+      config.frequency / 1000, config.type == SonarType::kMechanicallyScanned ? ", scanning" : "");
+  if (sonar.levels) {
+    say("    intensity from levels of {}\n", sonar.levels->text);
+  }
 }
 
 void print(const std::filesystem::path& path, const RecordingInfo& info) {
-  say("{}: {}, {:.1f} MB{}\n", path.string(), info.format, static_cast<double>(info.bytes) / 1e6,
-      state_text(info.state));
+  const std::string state = state_text(info);
+  say("{}: {}, {:.1f} MB{}{}\n", path.string(), info.format, static_cast<double>(info.bytes) / 1e6,
+      state.empty() ? "" : ", ", state);
   say("  insonify {}, model {}, engine {}, seed {}\n", info.version, info.model, info.engine,
       info.seed ? std::to_string(*info.seed) : "unknown");
   for (const RecordedSonar& sonar : info.sonars) {
@@ -64,12 +46,21 @@ void print(const std::filesystem::path& path, const RecordingInfo& info) {
 
 nlohmann::ordered_json json_of(const RecordedSonar& sonar) {
   const SonarConfig& config = sonar.config;
-  return {{"name", config.name},           {"model", config.model},
-          {"type", word_of(config.type)},  {"pings", sonar.pings},
-          {"beams", config.beam_count},    {"bins", config.bin_count},
-          {"min_range", config.min_range}, {"max_range", config.max_range},
-          {"frequency", config.frequency}, {"first_time", sonar.first_time},
-          {"last_time", sonar.last_time}};
+  nlohmann::ordered_json object = {{"name", config.name},           {"model", config.model},
+                                   {"type", word_of(config.type)},  {"pings", sonar.pings},
+                                   {"beams", config.beam_count},    {"bins", config.bin_count},
+                                   {"min_range", config.min_range}, {"max_range", config.max_range},
+                                   {"frequency", config.frequency}, {"first_time", sonar.first_time},
+                                   {"last_time", sonar.last_time}};
+  if (sonar.levels) {
+    const MessageLevels& levels = sonar.levels->levels;
+    object["levels"] = {{"scale", levels.decibels ? "db" : "linear"},
+                        {"low_db", levels.low_db},
+                        {"high_db", levels.high_db},
+                        {"gain_per_decade", levels.gain_per_decade},
+                        {"bits", sonar.levels->bits}};
+  }
+  return object;
 }
 
 nlohmann::ordered_json json_of(const std::filesystem::path& path, const RecordingInfo& info) {

@@ -8,15 +8,15 @@
 
 #include "console/console.h"
 #include "console/outcome.h"
+#include "insonify/recorded_pings.h"
 #include "pictures/earlier_run.h"
 #include "pictures/output_folder.h"
 #include "pictures/pictures.h"
-#include "pictures/ping_source.h"
 
 namespace insonify {
 namespace {
 
-PictureChoice choice_of(const DrawOptions& options, const PingSource& recording) {
+PictureChoice choice_of(const DrawOptions& options, const RecordedPings& recording) {
   PictureChoice choice = PictureChoice::parse(options.pictures.pictures);
   for (const std::uint64_t ping : options.pings) {
     if (ping >= recording.ping_count()) {
@@ -28,8 +28,16 @@ PictureChoice choice_of(const DrawOptions& options, const PingSource& recording)
   return choice;
 }
 
+EchoModel model_of(const RecordedPings& pings, const std::filesystem::path& file) {
+  if (pings.model() != "calibrated" && pings.model() != "paper") {
+    throw InputError(
+        fmt::format("{}: its attribute model is \"{}\", must be calibrated or paper", file.string(), pings.model()));
+  }
+  return pings.model() == "paper" ? EchoModel::kPaper : EchoModel::kCalibrated;
+}
+
 struct Recorded {
-  PingSource pings;
+  RecordedPings pings;
   SonarConfig sonar;
   PictureStyle style;
   PictureChoice choice;
@@ -40,9 +48,9 @@ struct Recorded {
 Recorded open_recording(const DrawOptions& options) {
   const std::filesystem::path& file = options.recording;
   try {
-    PingSource pings(file, options.sonar);
-    const SonarConfig sonar = pings.sonar();
-    const PictureStyle style = picture_style(options.pictures, pings.model(), pings.receiver());
+    RecordedPings pings(file, options.sonar);
+    const SonarConfig sonar = pings.sonar_config();
+    const PictureStyle style = picture_style(options.pictures, model_of(pings, file), pings.receiver_config());
     const PictureChoice choice = choice_of(options, pings);
     if (pings.ping_count() == 0) {
       throw InputError(fmt::format("{}: there is no ping in it", file.string()));

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "console/console.h"
+#include "insonify/printable.h"
 
 namespace insonify {
 namespace {
@@ -68,7 +69,7 @@ void Progress::draw() {
     show_status(
         bar_line(static_cast<double>(done_) / static_cast<double>(total_), count, rate, left, terminal_width() - 1));
   } else {
-    say("{} of {} pings, {}, {}\n", done_, total_, rate, left);
+    say("{} of {}, {}, {}\n", done_, counted(total_, "ping"), rate, left);
     flush_output();
   }
 }

@@ -173,6 +173,9 @@ void print_hints(const Simulator& simulator, const std::vector<Track>& tracks, c
 
 int run(const RunOptions& options) {
   end_when_asked();
+  if (options.compress && !options.record.h5) {
+    throw InputError("--compress has no effect on --record mcap, only on h5: MCAP is compressed anyway");
+  }
   const PictureChoice choice = PictureChoice::parse(options.pictures.pictures);
   PictureStyle style;
   const std::filesystem::path folder = output_folder(options.folder, options.scenario);

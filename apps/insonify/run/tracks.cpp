@@ -6,10 +6,6 @@
 
 namespace insonify {
 
-std::string counted(std::uint64_t count, const char* what) {
-  return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
-}
-
 std::vector<Track> start_tracks(const Simulator& simulator, const ScenarioRequests& requests,
                                 const std::filesystem::path& folder, const PictureOptions& options,
                                 const PictureChoice& choice, PictureFolder& pictures, const RecordOptions& recording) {
@@ -81,7 +77,7 @@ std::string listed(const std::vector<std::filesystem::path>& files) {
   if (files.size() <= 2) {
     return files.empty() ? "" : files.front().string() + (files.size() == 2 ? ", " + files.back().string() : "");
   }
-  return fmt::format("{} ... {} ({} pictures)", files.front().string(), files.back().string(), files.size());
+  return fmt::format("{} ... {} ({})", files.front().string(), files.back().string(), counted(files.size(), "picture"));
 }
 
 void print_track(const Track& track, const SonarConfig& sonar) {

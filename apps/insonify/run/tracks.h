@@ -44,9 +44,6 @@ bool finish_tracks(std::vector<Track>& tracks, PictureFolder& pictures, bool qui
 
 void print_track(const Track& track, const SonarConfig& sonar);
 
-/// "3 pings", "1 ping".
-[[nodiscard]] std::string counted(std::uint64_t count, const char* what);
-
 /// Paths of pictures in one line: all of two, the first and the last of more.
 [[nodiscard]] std::string listed(const std::vector<std::filesystem::path>& files);
 

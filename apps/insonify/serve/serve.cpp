@@ -7,6 +7,7 @@
 
 #include "console/console.h"
 #include "console/outcome.h"
+#include "insonify/printable.h"
 #include "serve/foxglove_feed.h"
 #include "serve/hub.h"
 #include "serve/own_addresses.h"

@@ -3,22 +3,24 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <span>
 #include <vector>
 
 #include "insonify/export.h"
 #include "insonify/interrupted.h"
-#include "io/recording/recorded_tables.h"
+#include "io/file/recorded_tables.h"
 
 namespace insonify {
 
+/// The sonars of an export, whatever files they come from.
+using RecordedSonars = std::span<const std::unique_ptr<RecordedTables>>;
+
 /// Each writes to `place`, a file or a folder that is renamed to `file` afterwards; messages name `file`.
-void export_mcap(std::span<const RecordedTables> recordings, const std::filesystem::path& file,
-                 const ExportOptions& options);
-void export_npz(std::span<const RecordedTables> recordings, const std::filesystem::path& file,
-                const ExportOptions& options);
-void export_zarr(std::span<const RecordedTables> recordings, const std::filesystem::path& file,
-                 const ExportOptions& options);
+void export_mcap(RecordedSonars recordings, const std::filesystem::path& file, const ExportOptions& options);
+void export_bag(RecordedSonars recordings, const std::filesystem::path& file, const ExportOptions& options);
+void export_npz(RecordedSonars recordings, const std::filesystem::path& file, const ExportOptions& options);
+void export_zarr(RecordedSonars recordings, const std::filesystem::path& file, const ExportOptions& options);
 void export_video(const RecordedTables& recording, const std::filesystem::path& file, const ExportOptions& options);
 
 /// @throws Interrupted when the caller has asked to stop.
@@ -29,7 +31,7 @@ inline void check_stop(const ExportOptions& options) {
 }
 
 /// What names in the export of several recordings begin with: "fls/"; "" for a single one.
-[[nodiscard]] std::string prefix_of(std::span<const RecordedTables> recordings, std::size_t index);
+[[nodiscard]] std::string prefix_of(RecordedSonars recordings, std::size_t index);
 
 /// Attributes and settings of a recording, as a JSON object.
 [[nodiscard]] nlohmann::json facts_of(const RecordedTables& recording);

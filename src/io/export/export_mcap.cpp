@@ -2,60 +2,15 @@
 
 #include <fmt/format.h>
 
-#include <cstring>
-
 #include "insonify/mcap_recording.h"
 #include "insonify/printable.h"
-#include "insonify/recorded_pings.h"
 #include "insonify/words.h"
 #include "io/export/export_format.h"
+#include "io/export/recorded_sequence.h"
 #include "io/export/recorded_source.h"
 
 namespace insonify {
 namespace {
-
-const RecordedTable* table_named(const RecordedTables& recording, const std::string& name) {
-  for (const RecordedTable& table : recording.tables()) {
-    if (table.name == name) {
-      return &table;
-    }
-  }
-  return nullptr;
-}
-
-// The pings of one recording, one after the other, with the elevations of the ground truth where there are any.
-class Source {
- public:
-  explicit Source(const RecordedTables& recording)
-      : recording_(&recording), pings_(recording.path()), elevation_(table_named(recording, "elevation")) {
-    advance();
-  }
-
-  [[nodiscard]] bool done() const { return done_; }
-  [[nodiscard]] const Ping& ping() const { return ping_; }
-
-  void advance() {
-    done_ = next_ >= recording_->ping_count();
-    if (done_) {
-      return;
-    }
-    ping_ = pings_.ping(next_);
-    if (elevation_ != nullptr && elevation_->type == "<f4") {
-      const std::vector<std::byte> bytes = recording_->row(*elevation_, next_);
-      ping_.elevation.resize(bytes.size() / sizeof(float));
-      std::memcpy(ping_.elevation.data(), bytes.data(), bytes.size());
-    }
-    ++next_;
-  }
-
- private:
-  const RecordedTables* recording_;
-  RecordedPings pings_;
-  const RecordedTable* elevation_;
-  std::uint64_t next_ = 0;
-  bool done_ = false;
-  Ping ping_;
-};
 
 RunFacts run_of(const RecordedTables& recording) {
   RunFacts run;
@@ -70,6 +25,10 @@ RunFacts run_of(const RecordedTables& recording) {
 
 }  // namespace
 
+RecordedPings pings_of(const RecordedTables& recording) {
+  return RecordedPings(recording.path(), recording.text("sonar"));
+}
+
 EchoModel model_of(const RecordedTables& recording) {
   const std::string model = recording.text("model");
   for (const auto& [word, value] : words_of<EchoModel>()) {
@@ -82,36 +41,27 @@ EchoModel model_of(const RecordedTables& recording) {
 }
 
 MessageSource message_source(const RecordedTables& recording) {
-  const RecordedPings pings(recording.path());
+  const RecordedPings pings = pings_of(recording);
   return {pings.sonar_config(), model_of(recording), pings.receiver_config(), recording.text("scenario"), {}};
 }
 
-void export_mcap(std::span<const RecordedTables> recordings, const std::filesystem::path& file,
-                 const ExportOptions& options) {
+std::vector<MessageSource> message_sources(RecordedSonars recordings) {
   std::vector<MessageSource> sources;
-  std::vector<Source> pings;
-  for (const RecordedTables& recording : recordings) {
-    sources.push_back(message_source(recording));
-    pings.emplace_back(recording);
+  for (const auto& recording : recordings) {
+    sources.push_back(message_source(*recording));
   }
-  McapRecording out(file, std::move(sources),
+  return sources;
+}
+
+void export_mcap(RecordedSonars recordings, const std::filesystem::path& file, const ExportOptions& options) {
+  McapRecording out(file, message_sources(recordings),
                     {.messages = options.messages,
-                     .run = run_of(recordings.front()),
+                     .run = run_of(*recordings.front()),
                      .replace = options.replace,
                      .only_whole = true});
-  while (true) {
+  for (RecordedSequence pings(recordings); !pings.done(); pings.advance()) {
     check_stop(options);
-    Source* next = nullptr;
-    for (Source& source : pings) {
-      if (!source.done() && (next == nullptr || source.ping().time < next->ping().time)) {
-        next = &source;
-      }
-    }
-    if (next == nullptr) {
-      break;
-    }
-    out.add(static_cast<std::size_t>(next - pings.data()), next->ping());
-    next->advance();
+    out.add(pings.sonar(), pings.ping());
   }
   out.close();
 }

@@ -44,12 +44,11 @@ void add_texts(ZipWriter& zip, const std::string& name, const std::vector<std::s
 
 }  // namespace
 
-void export_npz(std::span<const RecordedTables> recordings, const std::filesystem::path& file,
-                const ExportOptions& options) {
+void export_npz(RecordedSonars recordings, const std::filesystem::path& file, const ExportOptions& options) {
   UnfinishedFile out(file, "cannot write");
   ZipWriter zip(out, options.compress);
   for (std::size_t i = 0; i < recordings.size(); ++i) {
-    const RecordedTables& recording = recordings[i];
+    const RecordedTables& recording = *recordings[i];
     const std::string prefix = prefix_of(recordings, i);
     for (const RecordedTable& table : recording.tables()) {
       std::vector<std::uint64_t> shape = table.row;

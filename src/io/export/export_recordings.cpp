@@ -1,6 +1,7 @@
 // export_recordings.cpp -- checks recordings and file, and hands them to the format of the file's ending.
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <map>
@@ -10,11 +11,16 @@
 #include "insonify/printable.h"
 #include "io/export/export_format.h"
 #include "io/file/input_file.h"
+#include "io/recorded/open_recording.h"
 
 namespace insonify {
 namespace {
 
-constexpr std::string_view kEndings = ".mcap, .npz, .zarr, .mp4 or .gif";
+constexpr std::string_view kEndings[] = {".mcap", ".bag", ".npz", ".zarr", ".mp4", ".gif"};
+
+bool is_video(const std::string& ending) {
+  return ending == ".mp4" || ending == ".gif";
+}
 
 // Replacing something that is no export would be a mistake of the user's, not what --force means.
 void check_place(const std::filesystem::path& file, const std::string& ending, bool replace) {
@@ -40,27 +46,91 @@ std::string name_of(const RecordedTables& recording) {
   return sonar.empty() ? recording.path().stem().string() : sonar;
 }
 
-void check_names(std::span<const RecordedTables> recordings) {
+void check_names(RecordedSonars recordings) {
   std::map<std::string, std::filesystem::path> seen;
-  for (const RecordedTables& recording : recordings) {
+  for (const auto& recording : recordings) {
     // Names become those of folders and of entries in archives.
-    if (const std::string name = name_of(recording);
-        name == "." || name == ".." || name.find_first_of(std::string_view("/\\\0", 3)) != std::string::npos) {
+    const std::string name = name_of(*recording);
+    if (name == "." || name == ".." || name.find_first_of(std::string_view("/\\\0", 3)) != std::string::npos) {
       throw Error(fmt::format("{}: its sonar is called {}, which cannot be the name of a folder",
-                              recording.path().string(), printable(name)));
+                              recording->path().string(), printable(name)));
     }
-    const auto [other, is_new] = seen.emplace(name_of(recording), recording.path());
+    const auto [other, is_new] = seen.emplace(name, recording->path());
     if (!is_new) {
       throw Error(fmt::format("{} and {} are both of a sonar called {}; one file holds one recording of each",
-                              other->second.string(), recording.path().string(), other->first));
+                              other->second.string(), recording->path().string(), other->first));
     }
   }
 }
 
+// A file tells of one run. Recordings of other programs do not say of which run they are.
+void check_run(RecordedSonars recordings) {
+  const RecordedTables& first = *recordings.front();
+  for (const auto& recording : recordings) {
+    const auto refuse = [&](const std::string& what) {
+      throw Error(fmt::format("{} and {} are of different runs: {}; export each run to a file of its own",
+                              first.path().string(), recording->path().string(), what));
+    };
+    for (const char* name : {"seed", "model", "scenario"}) {
+      const auto one = first.attributes().find(name), other = recording->attributes().find(name);
+      if (one == first.attributes().end() || other == recording->attributes().end() || *one == *other) {
+        continue;
+      }
+      refuse(std::string(name) == "scenario"
+                 ? "their scenarios differ"
+                 : fmt::format("their {}s are {} and {}", name, one->is_string() ? first.text(name) : one->dump(),
+                               other->is_string() ? recording->text(name) : other->dump()));
+    }
+  }
+}
+
+// What an export needs, checked: its sonars, and its file without a slash at the end.
+struct Checked {
+  std::filesystem::path file;
+  std::string ending;
+  std::vector<std::unique_ptr<RecordedTables>> sonars;
+};
+
+Checked checked(std::span<const RecordingPart> recordings, const std::filesystem::path& place,
+                const ExportOptions& options) {
+  Checked found;
+  // A folder may be named with a slash at its end.
+  const bool slash = !place.has_filename() && ending_of(place.parent_path()) == ".zarr";
+  found.file = slash ? place.parent_path() : place;
+  found.ending = ending_of(found.file);
+  if (std::ranges::find(kEndings, found.ending) == std::end(kEndings)) {
+    throw Error(fmt::format("{}: its ending must be {} or {}, which says the format", found.file.string(),
+                            fmt::join(std::begin(kEndings), std::end(kEndings) - 1, ", "), *std::rbegin(kEndings)));
+  }
+  if (recordings.empty()) {
+    throw Error(fmt::format("{}: there is no recording to export", found.file.string()));
+  }
+  check_place(found.file, found.ending, options.replace);
+  for (const RecordingPart& recording : recordings) {
+    for (auto& sonar : open_all_tables(recording.path, recording.sonar)) {
+      if (sonar->ping_count() == 0) {
+        throw Error(fmt::format("{}: there is no ping in it", recording.path.string()));
+      }
+      found.sonars.push_back(std::move(sonar));
+    }
+  }
+  if (is_video(found.ending) && found.sonars.size() > 1) {
+    std::vector<std::string> names;
+    for (const auto& sonar : found.sonars) {
+      names.push_back(name_of(*sonar));
+    }
+    throw Error(fmt::format("{}: a video shows one sonar, and there are {}: {}", found.file.string(), names.size(),
+                            printable(fmt::format("{}", fmt::join(names, ", ")))));
+  }
+  check_names(found.sonars);
+  check_run(found.sonars);
+  return found;
+}
+
 }  // namespace
 
-std::string prefix_of(std::span<const RecordedTables> recordings, std::size_t index) {
-  return recordings.size() == 1 ? "" : name_of(recordings[index]) + "/";
+std::string prefix_of(RecordedSonars recordings, std::size_t index) {
+  return recordings.size() == 1 ? "" : name_of(*recordings[index]) + "/";
 }
 
 nlohmann::json facts_of(const RecordedTables& recording) {
@@ -88,40 +158,38 @@ UnicodeTable unicode_table(const std::vector<std::string>& texts) {
   return table;
 }
 
-void export_recordings(std::span<const std::filesystem::path> recordings, const std::filesystem::path& place,
+std::span<const std::string_view> export_endings() {
+  return kEndings;
+}
+
+void check_export(std::span<const RecordingPart> recordings, const std::filesystem::path& file,
+                  const ExportOptions& options) {
+  static_cast<void>(checked(recordings, file, options));
+}
+
+void export_recordings(std::span<const RecordingPart> recordings, const std::filesystem::path& file,
                        const ExportOptions& options) {
-  // A folder may be named with a slash at its end.
-  const bool slash = !place.has_filename() && ending_of(place.parent_path()) == ".zarr";
-  const std::filesystem::path file = slash ? place.parent_path() : place;
-  const std::string ending = ending_of(file);
-  const bool video = ending == ".mp4" || ending == ".gif";
-  if (!video && ending != ".mcap" && ending != ".npz" && ending != ".zarr") {
-    throw Error(fmt::format("{}: its ending must be {}, which says the format", file.string(), kEndings));
-  }
-  if (recordings.empty()) {
-    throw Error(fmt::format("{}: there is no recording to export", file.string()));
-  }
-  if (video && recordings.size() > 1) {
-    throw Error(
-        fmt::format("{}: a video shows one sonar, and there are {} recordings", file.string(), recordings.size()));
-  }
-  check_place(file, ending, options.replace);
-  std::vector<RecordedTables> tables;
-  for (const std::filesystem::path& recording : recordings) {
-    if (tables.emplace_back(recording).ping_count() == 0) {
-      throw Error(fmt::format("{}: there is no ping in it", recording.string()));
-    }
-  }
-  check_names(tables);
-  if (ending == ".mcap") {
-    export_mcap(tables, file, options);
-  } else if (ending == ".npz") {
-    export_npz(tables, file, options);
-  } else if (ending == ".zarr") {
-    export_zarr(tables, file, options);
+  const Checked found = checked(recordings, file, options);
+  if (found.ending == ".mcap") {
+    export_mcap(found.sonars, found.file, options);
+  } else if (found.ending == ".bag") {
+    export_bag(found.sonars, found.file, options);
+  } else if (found.ending == ".npz") {
+    export_npz(found.sonars, found.file, options);
+  } else if (found.ending == ".zarr") {
+    export_zarr(found.sonars, found.file, options);
   } else {
-    export_video(tables.front(), file, options);
+    export_video(*found.sonars.front(), found.file, options);
   }
+}
+
+void export_recordings(std::span<const std::filesystem::path> recordings, const std::filesystem::path& file,
+                       const ExportOptions& options) {
+  std::vector<RecordingPart> parts;
+  for (const std::filesystem::path& path : recordings) {
+    parts.push_back({path});
+  }
+  export_recordings(std::span<const RecordingPart>(parts), file, options);
 }
 
 }  // namespace insonify

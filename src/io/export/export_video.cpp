@@ -7,7 +7,6 @@
 #include <memory>
 
 #include "insonify/error.h"
-#include "insonify/recorded_pings.h"
 #include "io/export/export_format.h"
 #include "io/export/ffmpeg.h"
 #include "io/export/recorded_source.h"
@@ -94,7 +93,7 @@ class Drawing {
 
 void export_video(const RecordedTables& recording, const std::filesystem::path& file, const ExportOptions& options) {
   check(options.video);
-  const RecordedPings pings(recording.path());
+  const RecordedPings pings = pings_of(recording);
   const std::uint64_t count = recording.ping_count();
   Drawing drawing(message_source(recording), options.video);
   drawing.fit(pings, count, options);

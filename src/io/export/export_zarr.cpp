@@ -174,13 +174,12 @@ void write_table(const UnfinishedFolder& out, const std::filesystem::path& folde
 
 }  // namespace
 
-void export_zarr(std::span<const RecordedTables> recordings, const std::filesystem::path& file,
-                 const ExportOptions& options) {
+void export_zarr(RecordedSonars recordings, const std::filesystem::path& file, const ExportOptions& options) {
   UnfinishedFolder out(file);
   const nlohmann::json group = {{"zarr_format", 2}};
   out.write_json(".zgroup", group);
   for (std::size_t i = 0; i < recordings.size(); ++i) {
-    const RecordedTables& recording = recordings[i];
+    const RecordedTables& recording = *recordings[i];
     const std::filesystem::path folder = prefix_of(recordings, i);
     out.make(folder);
     out.write_json(folder / ".zgroup", group);

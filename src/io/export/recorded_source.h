@@ -3,12 +3,18 @@
 #pragma once
 
 #include "insonify/messages.h"
-#include "io/recording/recorded_tables.h"
+#include "insonify/recorded_pings.h"
+#include "io/export/export_format.h"
+#include "io/file/recorded_tables.h"
 
 namespace insonify {
+
+/// The pings that the tables are of.
+[[nodiscard]] RecordedPings pings_of(const RecordedTables& recording);
 
 /// @throws Error with the path for a recording without model or settings.
 [[nodiscard]] EchoModel model_of(const RecordedTables& recording);
 [[nodiscard]] MessageSource message_source(const RecordedTables& recording);
+[[nodiscard]] std::vector<MessageSource> message_sources(RecordedSonars recordings);
 
 }  // namespace insonify

@@ -7,6 +7,10 @@ namespace insonify::mcap_metadata {
 inline constexpr const char* kRun = "insonify";       ///< One record about the run ...
 inline constexpr const char* kOfSonar = "insonify/";  ///< ... and one for each sonar: "insonify/NAME".
 
+/// Of a file that ends before its run did.
+inline constexpr const char* kEnd = "insonify:end";
+inline constexpr const char* kReason = "reason";  ///< The system's, as "No space left on device".
+
 inline constexpr const char* kVersion = "version";
 inline constexpr const char* kModel = "model";
 inline constexpr const char* kEngine = "engine";

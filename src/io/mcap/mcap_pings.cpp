@@ -1,32 +1,26 @@
-// mcap_pings.cpp -- pings from the sonar images and poses of an MCAP recording.
+// mcap_pings.cpp -- finds the sonar in the metadata, and undoes the mapping of intensities to values.
+
+#include "io/mcap/mcap_pings.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <charconv>
+#include <cmath>
 #include <cstring>
+#include <numbers>
 
 #include "insonify/files.h"
-#include "insonify/mcap_recording.h"
 #include "insonify/printable.h"
+#include "insonify/words.h"
 #include "io/mcap/mcap_metadata.h"
-#include "io/mcap/mcap_reader.h"
 #include "io/message/cdr_reader.h"
 #include "io/message/message_display.h"
 
 namespace insonify {
-
-struct McapPings::State {
-  std::filesystem::path path;
-  McapReader file;
-  MessageSource source;
-  MessageLevels levels;
-  std::string topic;  // "/fls"
-  std::uint64_t count = 0;
-};
-
 namespace {
 
 using Texts = std::map<std::string, std::string>;
@@ -40,8 +34,9 @@ double number_of(const Texts& texts, const char* key, const std::filesystem::pat
   const std::string text = text_of(texts, key);
   double value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size()) {
-    throw Error(fmt::format("{}: its metadata {} is \"{}\", must be a number", path.string(), key, printable(text)));
+  if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value)) {
+    throw Error(
+        fmt::format("{}: its metadata {} is \"{}\", must be a finite number", path.string(), key, printable(text)));
   }
   return value;
 }
@@ -49,44 +44,72 @@ double number_of(const Texts& texts, const char* key, const std::filesystem::pat
 // The metadata of a sonar, and the name that its topics have.
 std::pair<std::string, Texts> find_sonar(const McapReader& file, const std::filesystem::path& path,
                                          const std::string& wanted) {
+  const std::vector<std::string> names = mcap_sonars(file, path);
   std::vector<std::pair<std::string, Texts>> found;
-  std::vector<std::string> names;
   for (const auto& [name, texts] : file.metadata()) {
-    if (name.starts_with(mcap_metadata::kOfSonar)) {
-      names.push_back(text_of(texts, mcap_metadata::kSonar));
-      if (wanted.empty() || names.back() == wanted) {
-        found.emplace_back(name.substr(std::strlen(mcap_metadata::kOfSonar)), texts);
-      }
+    if (name.starts_with(mcap_metadata::kOfSonar) &&
+        (wanted.empty() || text_of(texts, mcap_metadata::kSonar) == wanted)) {
+      found.emplace_back(name.substr(std::strlen(mcap_metadata::kOfSonar)), texts);
     }
-  }
-  if (names.empty()) {
-    throw Error(
-        fmt::format("{}: was not recorded by insonify: it has no metadata {}", path.string(), mcap_metadata::kRun));
   }
   if (found.size() != 1) {
     const std::string what =
         wanted.empty() ? "holds several sonars: name one" : fmt::format("has no sonar {}", printable(wanted));
-    throw Error(fmt::format("{}: {}; there are {}", path.string(), what, fmt::join(names, ", ")));
+    throw Error(fmt::format("{}: {}; {} {}", path.string(), what, names.size() == 1 ? "its sonar is" : "there are",
+                            printable(fmt::format("{}", fmt::join(names, ", ")))));
   }
   return found.front();
 }
 
 MessageSource source_of(const Texts& texts, const std::filesystem::path& path) {
-  const Scenario alone = parse_scenario(text_of(texts, mcap_metadata::kSettings), path.parent_path());
-  if (alone.sonars.size() != 1) {
-    throw Error(fmt::format("{}: its metadata {} has {} sonars, must have one", path.string(), mcap_metadata::kSettings,
-                            alone.sonars.size()));
+  try {
+    const Scenario alone = parse_scenario(text_of(texts, mcap_metadata::kSettings), path.parent_path());
+    if (alone.sonars.size() != 1) {
+      throw Error(fmt::format("it has {} sonars, must have one", alone.sonars.size()));
+    }
+    alone.sonars.front().validate();
+    MessageSource source = message_source(alone, alone.sonars.front());
+    source.sonar.receiver.reset();
+    source.scenario.clear();
+    return source;
+  } catch (const Error& error) {
+    throw Error(fmt::format("{}: its metadata {}: {}", path.string(), mcap_metadata::kSettings, error.what()));
   }
-  alone.sonars.front().validate();
-  MessageSource source = message_source(alone, alone.sonars.front());
-  source.sonar.receiver.reset();
-  source.scenario.clear();
-  return source;
 }
 
-// The values of a sonar image as shares of their greatest, and the azimuth of its first beam [rad].
-std::vector<double> shares_of(std::span<const std::byte> message, double& azimuth) {
+MessageLevels levels_of(const Texts& texts, const std::filesystem::path& path) {
+  MessageLevels levels;
+  const std::string scale = text_of(texts, mcap_metadata::kScale);
+  levels.decibels = scale == "db";
+  if (!levels.decibels && scale != "linear") {
+    throw Error(fmt::format("{}: its metadata {} is \"{}\", must be db or linear", path.string(), mcap_metadata::kScale,
+                            printable(scale)));
+  }
+  const auto number = [&](const char* key) {
+    constexpr double kMost = 1000;  // Beyond it, intensities are no numbers [dB].
+    const double value = number_of(texts, key, path);
+    if (std::abs(value) > kMost) {
+      throw Error(
+          fmt::format("{}: its metadata {} = {:.6g} must be from -{} to {}", path.string(), key, value, kMost, kMost));
+    }
+    return value;
+  };
+  levels.low_db = number(mcap_metadata::kLowDb);
+  levels.high_db = number(mcap_metadata::kHighDb);
+  levels.gain_per_decade = number(mcap_metadata::kGainPerDecade);
+  return levels;
+}
+
+// The part of a sonar image that pings are made of.
+struct Values {
+  double azimuth = 0;  // Of the first beam [rad].
+  int bits = 0;
+  std::span<const std::byte> data;
+};
+
+Values values_of(std::span<const std::byte> message) {
   CdrReader in(message);
+  Values values;
   (void)in.get<std::int32_t>();
   (void)in.get<std::uint32_t>();
   (void)in.text();
@@ -99,20 +122,20 @@ std::vector<double> shares_of(std::span<const std::byte> message, double& azimut
     (void)in.get<double>();
     const auto y = in.get<double>();
     const auto z = in.get<double>();
-    azimuth = beam == 0 ? std::atan2(y, z) : azimuth;
+    values.azimuth = beam == 0 ? std::atan2(y, z) : values.azimuth;
   }
   (void)in.sequence<float>();
-  (void)in.get<bool>();
-  const bool bytes = in.get<std::uint32_t>() == 0;
-  (void)in.get<std::uint32_t>();
-  const std::span<const std::byte> data = in.sequence<std::uint8_t>();
-  std::vector<double> shares;
-  shares.reserve(data.size());
-  for (std::size_t i = 0; i + (bytes ? 0 : 1) < data.size(); i += bytes ? 1 : 2) {
-    const double value = std::to_integer<int>(data[i]);
-    shares.push_back(bytes ? value / 255 : (value + 256 * std::to_integer<int>(data[i + 1])) / 65535);
+  const bool big_endian = in.get<std::uint8_t>() != 0;
+  const auto type = in.get<std::uint32_t>();
+  constexpr std::uint32_t kBytes = 0, kWords = 2;  // DTYPE_UINT8, DTYPE_UINT16.
+  if (big_endian || (type != kBytes && type != kWords)) {
+    throw Error(fmt::format("its values are {}of type {}, must be of 0 (uint8) or 2 (uint16), little-endian",
+                            big_endian ? "big-endian, " : "", type));
   }
-  return shares;
+  values.bits = type == kBytes ? 8 : 16;
+  (void)in.get<std::uint32_t>();
+  values.data = in.sequence<std::uint8_t>();
+  return values;
 }
 
 Pose pose_of(std::span<const std::byte> message) {
@@ -129,64 +152,121 @@ Pose pose_of(std::span<const std::byte> message) {
 
 }  // namespace
 
-McapPings::McapPings(const std::filesystem::path& path, const std::string& sonar) {
-  McapReader file(path);
-  const auto [name, texts] = find_sonar(file, path, sonar);
-  MessageLevels levels;
-  levels.decibels = text_of(texts, mcap_metadata::kScale) == "db";
-  levels.low_db = number_of(texts, mcap_metadata::kLowDb, path);
-  levels.high_db = number_of(texts, mcap_metadata::kHighDb, path);
-  levels.gain_per_decade = number_of(texts, mcap_metadata::kGainPerDecade, path);
-  MessageSource source = source_of(texts, path);
-  source.name = name;
-  const std::string topic = "/" + name;
-  const std::uint64_t count =
-      std::min(file.messages(topic + "/sonar_image").size(), file.messages(topic + "/pose").size());
-  state_ = std::make_unique<State>(State{path, std::move(file), std::move(source), levels, topic, count});
+std::vector<std::string> mcap_sonars(const McapReader& file, const std::filesystem::path& path) {
+  std::vector<std::string> names;
+  for (const auto& [name, texts] : file.metadata()) {
+    if (name.starts_with(mcap_metadata::kOfSonar)) {
+      names.push_back(text_of(texts, mcap_metadata::kSonar));
+    }
+  }
+  if (names.empty()) {
+    throw Error(
+        fmt::format("{}: was not recorded by insonify: it has no metadata {}", path.string(), mcap_metadata::kRun));
+  }
+  return names;
 }
 
-McapPings::~McapPings() = default;
-McapPings::McapPings(McapPings&&) noexcept = default;
-McapPings& McapPings::operator=(McapPings&&) noexcept = default;
-
-std::uint64_t McapPings::ping_count() const {
-  return state_->count;
+McapPings::McapPings(const std::filesystem::path& path, const std::string& sonar) : path_(path), file_(path) {
+  const auto [name, texts] = find_sonar(file_, path, sonar);
+  levels_ = levels_of(texts, path);
+  source_ = source_of(texts, path);
+  source_.name = name;
+  model_ = word_of(source_.model);
+  images_ = &file_.messages("/" + name + "/sonar_image");
+  poses_ = &file_.messages("/" + name + "/pose");
+  count_ = std::min(images_->size(), poses_->size());
+  for (int bin = 0; bin < bin_count(); ++bin) {
+    factors_.push_back(intensity_of_share({.low_db = 0, .high_db = 0, .gain_per_decade = levels_.gain_per_decade}, 1,
+                                          source_.sonar.bin_range(bin)));
+  }
 }
 
-const MessageSource& McapPings::source() const {
-  return state_->source;
+void McapPings::fail(std::uint64_t ping, const std::string& what) const {
+  throw Error(what.starts_with(path_.string())
+                  ? what
+                  : fmt::format("{}: ping {} of {}: {}", path_.string(), ping, printable(sonar()), what));
+}
+
+std::vector<std::byte> McapPings::image(std::uint64_t ping) const {
+  assert(ping < count_);
+  return file_.read((*images_)[ping]);
+}
+
+int McapPings::bits() const {
+  try {
+    return count_ == 0 ? 16 : values_of(image(0)).bits;
+  } catch (const Error& error) {
+    fail(0, error.what());
+  }
+}
+
+double McapPings::time(std::uint64_t ping) const {
+  assert(ping < count_);
+  return static_cast<double>((*images_)[ping].time) * 1e-9;
+}
+
+Pose McapPings::world_from_sonar(std::uint64_t ping) const {
+  assert(ping < count_);
+  try {
+    return pose_of(file_.read((*poses_)[ping]));
+  } catch (const Error& error) {
+    fail(ping, error.what());
+  }
+}
+
+// Intensities at 1 m, by value.
+const std::vector<double>& McapPings::intensities_of(int bits) const {
+  std::vector<double>& table = bits == 8 ? of_bytes_ : of_words_;
+  if (table.empty()) {
+    const int most = (1 << bits) - 1;
+    for (int value = 0; value <= most; ++value) {
+      table.push_back(intensity_of_share(levels_, static_cast<double>(value) / most, 1));
+    }
+  }
+  return table;
 }
 
 Ping McapPings::ping(std::uint64_t number) const {
-  assert(number < ping_count());
-  const SonarConfig& sonar = state_->source.sonar;
-  const McapReader::Entry& image = state_->file.messages(state_->topic + "/sonar_image")[number];
+  const SonarConfig& sonar = source_.sonar;
+  const std::vector<std::byte> message = image(number);
+  Values values;
+  try {
+    values = values_of(message);
+  } catch (const Error& error) {
+    fail(number, error.what());
+  }
   Ping ping;
   ping.number = number;
-  ping.time = static_cast<double>(image.time) * 1e-9;
+  ping.time = time(number);
+  ping.world_from_sonar = world_from_sonar(number);
   ping.bin_count = sonar.bin_count;
   ping.beam_count = sonar.beam_count;
-  double azimuth = 0;
-  std::vector<double> shares;
-  try {
-    shares = shares_of(state_->file.read(image), azimuth);
-    ping.world_from_sonar = pose_of(state_->file.read(state_->file.messages(state_->topic + "/pose")[number]));
-  } catch (const Error& error) {
-    const std::string what = error.what();
-    throw Error(what.starts_with(state_->path.string()) ? what : fmt::format("{}: {}", state_->path.string(), what));
-  }
-  if (shares.size() != static_cast<std::size_t>(sonar.bin_count) * static_cast<std::size_t>(sonar.beam_count)) {
-    throw Error(fmt::format("{}: ping {} has {} values, must have {} x {}", state_->path.string(), number,
-                            shares.size(), sonar.bin_count, sonar.beam_count));
+  const std::size_t cells = static_cast<std::size_t>(sonar.bin_count) * static_cast<std::size_t>(sonar.beam_count);
+  const std::size_t wide = values.bits == 8 ? 1 : 2;
+  if (values.data.size() != cells * wide) {
+    fail(number, fmt::format("it has {}, must have {} x {}", counted(values.data.size() / wide, "value"),
+                             sonar.bin_count, sonar.beam_count));
   }
   if (sonar.type == SonarType::kMechanicallyScanned) {
-    ping.head_angle = azimuth - sonar.beam_azimuth(0);
+    // The head of a run turns on and on; the message tells its direction.
+    constexpr double kTurn = 2 * std::numbers::pi;
+    const double angle = values.azimuth - sonar.beam_azimuth(0);
+    ping.head_angle = angle + kTurn * std::round((sonar.head_angle(number) - angle) / kTurn);
   }
-  for (std::size_t cell = 0; cell < shares.size(); ++cell) {
-    const double range = sonar.bin_range(static_cast<int>(cell / static_cast<std::size_t>(sonar.beam_count)));
-    ping.intensity.push_back(static_cast<float>(intensity_of_share(state_->levels, shares[cell], range)));
+  const std::vector<double>& table = intensities_of(values.bits);
+  ping.intensity.resize(cells);
+  for (std::size_t cell = 0; cell < cells; ++cell) {
+    const auto low = std::to_integer<std::size_t>(values.data[cell * wide]);
+    const std::size_t value = wide == 1 ? low : low + 256 * std::to_integer<std::size_t>(values.data[cell * wide + 1]);
+    const double factor = factors_[cell / static_cast<std::size_t>(sonar.beam_count)];
+    ping.intensity[cell] = static_cast<float>(table[value] * factor);
   }
   return ping;
+}
+
+std::vector<double> McapPings::intensity(std::uint64_t number) const {
+  const Ping read = ping(number);
+  return {read.intensity.begin(), read.intensity.end()};
 }
 
 }  // namespace insonify

@@ -61,6 +61,7 @@ class Fields {
 
 McapReader::McapReader(const std::filesystem::path& path) : path_(path) {
   check_input_file(path);
+  file_.rdbuf()->pubsetbuf(nullptr, 0);  // Else each head of a record would cost 8 KB.
   file_.open(path, std::ios::binary);
   size_ = std::filesystem::file_size(path);
   if (const auto start = size_ < kMcapMagic.size() ? std::vector<std::byte>() : bytes_at(0, kMcapMagic.size());
@@ -131,6 +132,9 @@ void McapReader::read_records() {
     } else if (op == McapOp::kMessageIndex) {
       const std::vector<std::byte> bytes = bytes_at(at, length);
       Fields fields(bytes);
+      if (chunks_.empty()) {
+        fail("has an index before its first chunk");
+      }
       std::vector<Entry>& entries = entries_[fields.get<std::uint16_t>()];
       for (std::uint32_t count = fields.get<std::uint32_t>() / 16; count > 0; --count) {
         const auto time = fields.get<std::uint64_t>();

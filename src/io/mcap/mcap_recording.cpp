@@ -13,27 +13,9 @@
 #include "insonify/words.h"
 #include "io/mcap/mcap_metadata.h"
 #include "io/mcap/mcap_writer.h"
-#include "io/message/ros_name.h"
 
 namespace insonify {
 namespace {
-
-// Gives each sonar a name of its own for its topics.
-void name_topics(const std::filesystem::path& path, std::vector<MessageSource>& sources) {
-  std::vector<std::string> names;
-  std::set<std::string> sonars;
-  for (const MessageSource& source : sources) {
-    if (!sonars.insert(source.sonar.name).second) {
-      throw Error(fmt::format("{}: there are two sonars called {}; their names must differ", path.string(),
-                              printable(source.sonar.name)));
-    }
-    names.push_back(source.name.empty() ? source.sonar.name : source.name);
-  }
-  names = ros_names(names);
-  for (std::size_t i = 0; i < sources.size(); ++i) {
-    sources[i].name = names[i];
-  }
-}
 
 std::map<std::string, std::string> texts_about(const RunFacts& run, const MessageSource& source) {
   return {{mcap_metadata::kVersion, run.version},
@@ -78,7 +60,11 @@ McapRecording::McapRecording(const std::filesystem::path& path, std::vector<Mess
   if (sources.empty()) {
     throw Error(fmt::format("{}: there is no sonar to record", path.string()));
   }
-  name_topics(path, sources);
+  try {
+    name_topics(sources);
+  } catch (const Error& error) {
+    throw Error(fmt::format("{}: {}", path.string(), error.what()));
+  }
   for (const MessageSource& source : sources) {
     state_->sonars.emplace_back(source, options.messages);
     state_->scenarios.push_back(source.scenario);

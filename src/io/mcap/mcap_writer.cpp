@@ -9,10 +9,12 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <limits>
 #include <system_error>
 #include <utility>
 
 #include "insonify/error.h"
+#include "io/mcap/mcap_metadata.h"
 
 namespace insonify {
 namespace {
@@ -81,7 +83,7 @@ McapWriter::~McapWriter() {
       finish();
     } catch (const Error&) {  // NOLINT(bugprone-empty-catch): close() reports.
     }
-    if (message_count_ > 0) {
+    if (written_.messages > 0) {
       out_->keep();
     }
   }
@@ -109,7 +111,7 @@ void McapWriter::write_chunks_in_time() {
       try {
         write_chunk();
       } catch (...) {
-        failure_ = std::current_exception();
+        failure_ = std::current_exception();  // The next call tells.
         return;
       }
     }
@@ -121,22 +123,25 @@ void McapWriter::write(std::span<const std::byte> bytes) {
   if (!is_still_there(out_->descriptor(), absolute_)) {
     fail(path_, "is no longer there: it was removed, moved or replaced while it was being written");
   }
-  std::uint64_t at = end_;
+  std::uint64_t at = written_.bytes;
   for (std::span<const std::byte> rest = bytes; !rest.empty();) {
-    const ssize_t written = pwrite(out_->descriptor(), rest.data(), rest.size(), static_cast<off_t>(at));
-    if (written < 0 && errno != EINTR) {
-      const std::string reason = std::generic_category().message(errno);
+    const ssize_t count = pwrite(out_->descriptor(), rest.data(), rest.size(), static_cast<off_t>(at));
+    if (count < 0 && errno != EINTR) {
+      const int error = errno;
+      const std::string reason = std::generic_category().message(error);
       // Nothing of a part remains.
-      [[maybe_unused]] const int cut = ftruncate(out_->descriptor(), static_cast<off_t>(end_));
-      fail(path_, fmt::format("cannot write: {}{}", reason,
-                              message_count_ > 0 ? "; what was written before stays readable" : ""));
+      [[maybe_unused]] const int cut = ftruncate(out_->descriptor(), static_cast<off_t>(written_.bytes));
+      if (error == ENOSPC || error == EDQUOT || error == EFBIG) {
+        full_disk_ = reason;
+      }
+      fail(path_, "cannot write: " + reason);
     }
-    const auto count = static_cast<std::size_t>(std::max(written, ssize_t{0}));
-    rest = rest.subspan(count);
-    at += count;
+    const auto taken = static_cast<std::size_t>(std::max(count, ssize_t{0}));
+    rest = rest.subspan(taken);
+    at += taken;
   }
-  data_crc_ = crc_of(bytes, data_crc_);
-  end_ = at;
+  written_.crc = crc_of(bytes, written_.crc);
+  written_.bytes = at;
 }
 
 void McapWriter::check_open() const {
@@ -151,18 +156,23 @@ void McapWriter::check_open() const {
 void McapWriter::add_metadata(const std::string& name, const std::map<std::string, std::string>& texts) {
   const std::lock_guard lock(mutex_);
   check_open();
+  put_metadata(name, texts);
+}
+
+void McapWriter::put_metadata(const std::string& name, const std::map<std::string, std::string>& texts) {
   McapBytes bytes;
   bytes.record(McapOp::kMetadata, [&] {
     bytes.put(std::string_view(name));
     bytes.put(texts);
   });
-  metadata_indexes_.record(McapOp::kMetadataIndex, [&] {
-    metadata_indexes_.put(end_);
-    metadata_indexes_.put(static_cast<std::uint64_t>(bytes.size()));
-    metadata_indexes_.put(std::string_view(name));
-  });
-  ++metadata_count_;
+  const std::uint64_t start = written_.bytes;
   write(bytes.bytes());
+  written_.metadata_indexes.record(McapOp::kMetadataIndex, [&] {
+    written_.metadata_indexes.put(start);
+    written_.metadata_indexes.put(static_cast<std::uint64_t>(bytes.size()));
+    written_.metadata_indexes.put(std::string_view(name));
+  });
+  ++written_.metadata;
 }
 
 std::uint16_t McapWriter::add_channel(const std::string& topic, const std::string& type,
@@ -224,10 +234,6 @@ void McapWriter::put_message(std::uint64_t time_ns, const Message& message) {
     chunk_.put(time_ns);
     chunk_.append(message.bytes);
   });
-  first_time_ = message_count_ == 0 ? time_ns : std::min(first_time_, time_ns);
-  last_time_ = std::max(last_time_, time_ns);
-  ++message_count_;
-  ++to.count;
 }
 
 void McapWriter::add(std::uint64_t time_ns, std::span<const Message> messages) {
@@ -237,11 +243,10 @@ void McapWriter::add(std::uint64_t time_ns, std::span<const Message> messages) {
   if (begins || told_channels_ < channels_.size()) {
     begin_chunk();
   }
-  chunk_first_ = begins ? time_ns : std::min(chunk_first_, time_ns);
-  chunk_last_ = begins ? time_ns : std::max(chunk_last_, time_ns);
   for (const Message& message : messages) {
     put_message(time_ns, message);
   }
+  ping_ends_.push_back(chunk_.size());
   if (chunk_.size() >= kLargeChunk) {
     write_chunk();
   } else if (begins) {
@@ -249,56 +254,108 @@ void McapWriter::add(std::uint64_t time_ns, std::span<const Message> messages) {
   }
 }
 
-// The chunk and its indexes go to the file in one piece.
+// Where the disk is full, what fits of the chunk is written, and the end of the file.
 void McapWriter::write_chunk() {
   if (chunk_index_.empty()) {
     return;
   }
-  const std::vector<std::byte> packed = compressed(chunk_.bytes());
+  try {
+    write_pings(ping_ends_.size());
+  } catch (const Error& error) {
+    if (!only_whole_ && !full_disk_.empty()) {
+      save_what_fits();
+    }
+    const bool some = !only_whole_ && written_.messages > 0;
+    failure_ = std::make_exception_ptr(
+        Error(error.what() + std::string(some ? "; what was written before stays readable" : "")));
+    std::rethrow_exception(failure_);
+  }
+  chunk_.clear();
+  chunk_index_.clear();
+  ping_ends_.clear();
+}
+
+// A chunk of the first pings and its indexes go to the file in one piece.
+void McapWriter::write_pings(std::size_t count) {
+  const std::span<const std::byte> records = chunk_.bytes().first(ping_ends_[count - 1]);
+  std::map<std::uint16_t, std::vector<IndexEntry>> index;
+  std::uint64_t first = std::numeric_limits<std::uint64_t>::max(), last = 0;
+  for (const auto& [channel, entries] : chunk_index_) {
+    for (const IndexEntry& entry : entries) {
+      if (entry.offset < records.size()) {
+        index[channel].push_back(entry);
+        first = std::min(first, entry.time);
+        last = std::max(last, entry.time);
+      }
+    }
+  }
+  const std::vector<std::byte> packed = compressed(records);
   McapBytes bytes;
   bytes.record(McapOp::kChunk, [&] {
-    bytes.put(chunk_first_);
-    bytes.put(chunk_last_);
-    bytes.put(static_cast<std::uint64_t>(chunk_.size()));
-    bytes.put(crc_of(chunk_.bytes()));
+    bytes.put(first);
+    bytes.put(last);
+    bytes.put(static_cast<std::uint64_t>(records.size()));
+    bytes.put(crc_of(records));
     bytes.put(kCompression);
     bytes.put(static_cast<std::uint64_t>(packed.size()));
     bytes.append(packed);
   });
   const std::size_t chunk_length = bytes.size();
+  const std::uint64_t chunk_start = written_.bytes;
   std::map<std::uint16_t, std::uint64_t> offsets;
-  for (const auto& [channel, entries] : chunk_index_) {
-    offsets[channel] = end_ + bytes.size();
+  for (const auto& [channel, entries] : index) {
+    offsets[channel] = chunk_start + bytes.size();
     bytes.record(McapOp::kMessageIndex, [&, id = channel, &list = entries] {
       bytes.put(id);
       bytes.put(static_cast<std::uint32_t>(list.size() * sizeof(IndexEntry)));
       bytes.append(std::as_bytes(std::span(list)));
     });
   }
-  const std::uint64_t chunk_start = end_;
   write(bytes.bytes());
-  chunk_indexes_.record(McapOp::kChunkIndex, [&] {
-    chunk_indexes_.put(chunk_first_);
-    chunk_indexes_.put(chunk_last_);
-    chunk_indexes_.put(chunk_start);
-    chunk_indexes_.put(static_cast<std::uint64_t>(chunk_length));
-    chunk_indexes_.put_map(offsets);
-    chunk_indexes_.put(static_cast<std::uint64_t>(bytes.size() - chunk_length));
-    chunk_indexes_.put(kCompression);
-    chunk_indexes_.put(static_cast<std::uint64_t>(packed.size()));
-    chunk_indexes_.put(static_cast<std::uint64_t>(chunk_.size()));
+  written_.chunk_indexes.record(McapOp::kChunkIndex, [&] {
+    written_.chunk_indexes.put(first);
+    written_.chunk_indexes.put(last);
+    written_.chunk_indexes.put(chunk_start);
+    written_.chunk_indexes.put(static_cast<std::uint64_t>(chunk_length));
+    written_.chunk_indexes.put_map(offsets);
+    written_.chunk_indexes.put(static_cast<std::uint64_t>(bytes.size() - chunk_length));
+    written_.chunk_indexes.put(kCompression);
+    written_.chunk_indexes.put(static_cast<std::uint64_t>(packed.size()));
+    written_.chunk_indexes.put(static_cast<std::uint64_t>(records.size()));
   });
-  ++chunk_count_;
-  chunk_.clear();
-  chunk_index_.clear();
+  ++written_.chunks;
+  written_.first_time = written_.messages == 0 ? first : std::min(written_.first_time, first);
+  written_.last_time = std::max(written_.last_time, last);
+  for (const auto& [channel, entries] : index) {
+    written_.by_channel[channel] += entries.size();
+    written_.messages += entries.size();
+  }
+}
+
+// As many pings of the chunk as leave room for the end of the file; where not even that has room, nothing.
+void McapWriter::save_what_fits() {
+  const Written before = written_;
+  for (std::size_t count = ping_ends_.size(); count-- > 0;) {
+    try {
+      if (count > 0) {
+        write_pings(count);
+      }
+      put_metadata(mcap_metadata::kEnd, {{mcap_metadata::kReason, full_disk_}});
+      write_summary();
+      return;
+    } catch (const Error&) {
+      written_ = before;
+      [[maybe_unused]] const int cut = ftruncate(out_->descriptor(), static_cast<off_t>(before.bytes));
+    }
+  }
 }
 
 void McapWriter::write_summary() {
   McapBytes data_end;
-  data_end.record(McapOp::kDataEnd, [&] { data_end.put(data_crc_); });
+  data_end.record(McapOp::kDataEnd, [&] { data_end.put(written_.crc); });
   write(data_end.bytes());
 
-  const std::uint64_t start = end_;
+  const std::uint64_t start = written_.bytes;
   McapBytes summary;
   McapBytes offsets;
   const auto group = [&](McapOp op, auto&& put_group) {
@@ -324,23 +381,23 @@ void McapWriter::write_summary() {
   });
   group(McapOp::kStatistics, [&] {
     summary.record(McapOp::kStatistics, [&] {
-      std::map<std::uint16_t, std::uint64_t> counts;
+      std::map<std::uint16_t, std::uint64_t> counts = written_.by_channel;
       for (std::size_t i = 0; i < told_channels_; ++i) {
-        counts[static_cast<std::uint16_t>(i)] = channels_[i].count;
+        counts.try_emplace(static_cast<std::uint16_t>(i), 0);
       }
-      summary.put(message_count_);
+      summary.put(written_.messages);
       summary.put(static_cast<std::uint16_t>(told_schemas_));
       summary.put(static_cast<std::uint32_t>(told_channels_));
       summary.put(std::uint32_t{0});  // Attachments.
-      summary.put(metadata_count_);
-      summary.put(chunk_count_);
-      summary.put(first_time_);
-      summary.put(last_time_);
+      summary.put(written_.metadata);
+      summary.put(written_.chunks);
+      summary.put(written_.first_time);
+      summary.put(written_.last_time);
       summary.put_map(counts);
     });
   });
-  group(McapOp::kChunkIndex, [&] { summary.append(chunk_indexes_.bytes()); });
-  group(McapOp::kMetadataIndex, [&] { summary.append(metadata_indexes_.bytes()); });
+  group(McapOp::kChunkIndex, [&] { summary.append(written_.chunk_indexes.bytes()); });
+  group(McapOp::kMetadataIndex, [&] { summary.append(written_.metadata_indexes.bytes()); });
   const std::uint64_t offsets_start = start + summary.size();
   summary.append(offsets.bytes());
   // The footer's checksum covers the summary and the footer up to itself.

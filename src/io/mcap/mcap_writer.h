@@ -26,6 +26,9 @@ namespace insonify {
 ///
 /// The file is made beside `path`, as an UnfinishedFile. If nothing is at `path`, it goes there at once. A file that is
 /// there already stays until close(); without close() the new one stays beside it if it has messages.
+///
+/// Where the disk is full the file still ends as it should if that has room: of the chunk that did not fit it has the
+/// first pings, and metadata say why it ends (mcap_metadata::kEnd).
 class McapWriter {
  public:
   static constexpr std::chrono::milliseconds kLongestChunk{500};
@@ -52,7 +55,7 @@ class McapWriter {
 
   /// Adds messages that come into the file together, in one chunk: those about one ping.
   /// @param time_ns  Their time, for log and publication.
-  /// @throws Error when the disk is full; the file then holds the chunks before this one.
+  /// @throws Error when the disk is full, from then on; the file then holds what was written before.
   void add(std::uint64_t time_ns, std::span<const Message> messages);
 
   /// Writes what is left, the index and the end, has the system put all on the disk and puts the file in its place.
@@ -67,13 +70,23 @@ class McapWriter {
     std::uint16_t schema = 0;
     std::string topic;
     std::uint32_t next_sequence = 0;
-    std::uint64_t count = 0;  // Messages.
   };
   struct Schema {
     std::string name, definition;
   };
   struct IndexEntry {
     std::uint64_t time = 0, offset = 0;
+  };
+
+  // What the file holds, and what its summary will tell of it.
+  struct Written {
+    std::uint64_t bytes = 0;
+    std::uint32_t crc = 0;                      // Of all of them.
+    McapBytes chunk_indexes, metadata_indexes;  // Records for the summary.
+    std::uint32_t chunks = 0, metadata = 0;     // How many.
+    std::uint64_t messages = 0;
+    std::map<std::uint16_t, std::uint64_t> by_channel;
+    std::uint64_t first_time = 0, last_time = 0;
   };
 
   [[nodiscard]] bool is_beside() const { return out_ && !out_->unfinished().empty(); }
@@ -83,6 +96,9 @@ class McapWriter {
   void begin_chunk();
   void put_message(std::uint64_t time_ns, const Message& message);
   void write_chunk();
+  void write_pings(std::size_t count);
+  void save_what_fits();
+  void put_metadata(const std::string& name, const std::map<std::string, std::string>& texts);
   void write_summary();
   void write(std::span<const std::byte> bytes);
   void finish();
@@ -93,25 +109,21 @@ class McapWriter {
   std::unique_ptr<UnfinishedFile> out_;  // Null when closed.
   std::unique_ptr<WriteMark> earlier_;   // On the file that is to be replaced.
   bool only_whole_ = false;
-  std::uint64_t end_ = 0;       // Bytes written.
-  std::uint32_t data_crc_ = 0;  // Of all of them.
+  Written written_;
+  std::string full_disk_;  // The system's reason, once the disk was full.
 
   std::vector<Schema> schemas_;
   std::vector<Channel> channels_;
   std::size_t told_schemas_ = 0, told_channels_ = 0;  // In chunks so far.
   McapBytes chunk_;
   std::map<std::uint16_t, std::vector<IndexEntry>> chunk_index_;
-  std::uint64_t chunk_first_ = 0, chunk_last_ = 0;  // Times of its messages.
+  std::vector<std::size_t> ping_ends_;  // Where in the chunk what belongs together ends.
   Clock::time_point chunk_begun_;
-
-  McapBytes chunk_indexes_, metadata_indexes_;  // Records for the summary.
-  std::uint32_t chunk_count_ = 0, metadata_count_ = 0;
-  std::uint64_t first_time_ = 0, last_time_ = 0, message_count_ = 0;
 
   std::mutex mutex_;
   std::condition_variable changed_;
   bool stopping_ = false;
-  std::exception_ptr failure_;  // Of the thread.
+  std::exception_ptr failure_;  // That ended writing.
   std::thread thread_;
 };
 

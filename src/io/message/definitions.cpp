@@ -104,35 +104,61 @@ constexpr std::pair<std::string_view, std::string_view> kTypes[] = {
      "marine_acoustic_msgs/SonarImageData image\n"},
 };
 
+// Where ROS 1 differs.
+constexpr std::pair<std::string_view, std::string_view> kRos1Header = {"std_msgs/Header",
+                                                                       "uint32 seq\n"
+                                                                       "time stamp\n"
+                                                                       "string frame_id\n"};
+
+// MD5 of a definition with each type in it as the MD5 of its own: RosTest.ChecksumsAreThoseOfRos computes them.
+constexpr std::pair<std::string_view, std::string_view> kRos1Checksums[] = {
+    {"geometry_msgs/PoseStamped", "d3812c3cbc69362b77dc0b19b345f8f5"},
+    {"marine_acoustic_msgs/ProjectedSonarImage", "c72fc8e29ab227a547720a36666022fd"},
+    {"sensor_msgs/Image", "060021388200f6f0f447d0fcd9c64743"},
+    {"sensor_msgs/PointCloud2", "1158d486dd51d683ce2f1be655c3c181"},
+    {"std_msgs/String", "992ce8a1687cec8c8bd883ec73ca41d1"},
+    {"tf2_msgs/TFMessage", "94810edda583a504dfda3829e70d7eec"},
+};
+
 // nullptr for a type that is not in the list, such as float64.
-const std::pair<std::string_view, std::string_view>* find(std::string_view type) {
+const std::pair<std::string_view, std::string_view>* find(std::string_view type, MessageForm form) {
+  if (form == MessageForm::kRos1 && type == kRos1Header.first) {
+    return &kRos1Header;
+  }
   const auto* const found = std::ranges::find_if(kTypes, [&](const auto& entry) { return entry.first == type; });
   return found == std::end(kTypes) ? nullptr : found;
 }
 
 // Adds a type and, after it, those of its fields; each once.
-void collect(std::string_view type, std::vector<std::string_view>& types) {
-  const auto* const entry = find(type);
+void collect(std::string_view type, MessageForm form, std::vector<std::string_view>& types) {
+  const auto* const entry = find(type, form);
   if (entry == nullptr || std::ranges::find(types, type) != types.end()) {
     return;
   }
   types.push_back(type);
   for (std::string_view rest = entry->second; !rest.empty(); rest.remove_prefix(rest.find('\n') + 1)) {
-    collect(rest.substr(0, rest.find_first_of(" [")), types);
+    collect(rest.substr(0, rest.find_first_of(" [")), form, types);
   }
 }
 
 }  // namespace
 
-std::string message_definition(std::string_view type) {
-  assert(find(type) != nullptr);
+std::string message_definition(std::string_view type, MessageForm form) {
+  assert(find(type, form) != nullptr);
   std::vector<std::string_view> types;
-  collect(type, types);
-  std::string text(find(type)->second);
+  collect(type, form, types);
+  std::string text(find(type, form)->second);
   for (std::size_t i = 1; i < types.size(); ++i) {
-    text.append(80, '=').append("\nMSG: ").append(types[i]).append("\n").append(find(types[i])->second);
+    text.append(80, '=').append("\nMSG: ").append(types[i]).append("\n").append(find(types[i], form)->second);
   }
   return text;
+}
+
+std::string_view ros1_checksum(std::string_view type) {
+  const auto* const found =
+      std::ranges::find_if(kRos1Checksums, [&](const auto& entry) { return entry.first == type; });
+  assert(found != std::end(kRos1Checksums));
+  return found->second;
 }
 
 }  // namespace insonify

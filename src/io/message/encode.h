@@ -1,4 +1,4 @@
-// encode.h -- encodes the ROS 2 message types in use.
+// encode.h -- encodes the ROS message types in use, as ROS 2 or ROS 1 has them.
 
 #pragma once
 
@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "insonify/geometry.h"
+#include "insonify/messages.h"
 #include "insonify/picture.h"
 
 namespace insonify {
@@ -18,6 +19,7 @@ namespace insonify {
 struct MessageHeader {
   std::uint64_t time_ns = 0;  ///< Below 2^31 s.
   std::string frame;
+  std::uint32_t sequence = 0;  ///< ROS 1 alone has it.
 };
 
 /// Where a frame is in another one.
@@ -42,17 +44,21 @@ struct CloudPoint {
   float intensity = 0;        ///< [dB]
 };
 
-[[nodiscard]] std::vector<std::byte> encode_text(std::string_view text);
-[[nodiscard]] std::vector<std::byte> encode_pose(const MessageHeader& header, const Pose& pose);
-[[nodiscard]] std::vector<std::byte> encode_transforms(std::span<const FramePose> frames);
-[[nodiscard]] std::vector<std::byte> encode_image(const MessageHeader& header, const Picture& picture);
-[[nodiscard]] std::vector<std::byte> encode_cloud(const MessageHeader& header, std::span<const CloudPoint> points);
+[[nodiscard]] std::vector<std::byte> encode_text(MessageForm form, std::string_view text);
+[[nodiscard]] std::vector<std::byte> encode_pose(MessageForm form, const MessageHeader& header, const Pose& pose);
+[[nodiscard]] std::vector<std::byte> encode_transforms(MessageForm form, std::span<const FramePose> frames);
+[[nodiscard]] std::vector<std::byte> encode_image(MessageForm form, const MessageHeader& header,
+                                                  const Picture& picture);
+[[nodiscard]] std::vector<std::byte> encode_cloud(MessageForm form, const MessageHeader& header,
+                                                  std::span<const CloudPoint> points);
 
 /// @param values  One a cell, of 8 or of 16 bits, range-major: a row holds all beams at one range. (The comment in the
 ///                .msg file says otherwise; those who read such messages take them so.)
-[[nodiscard]] std::vector<std::byte> encode_sonar_image(const MessageHeader& header, const SonarImageFacts& facts,
+[[nodiscard]] std::vector<std::byte> encode_sonar_image(MessageForm form, const MessageHeader& header,
+                                                        const SonarImageFacts& facts,
                                                         std::span<const std::uint8_t> values);
-[[nodiscard]] std::vector<std::byte> encode_sonar_image(const MessageHeader& header, const SonarImageFacts& facts,
+[[nodiscard]] std::vector<std::byte> encode_sonar_image(MessageForm form, const MessageHeader& header,
+                                                        const SonarImageFacts& facts,
                                                         std::span<const std::uint16_t> values);
 
 }  // namespace insonify

@@ -7,15 +7,19 @@
 #include <string_view>
 #include <vector>
 
+#include "base/utf8.h"
+
 namespace insonify {
 
-/// ASCII letters, digits and `_`; anything else becomes `_`, one for each byte, and a name that begins with a digit
-/// gets one in front. "" becomes "sonar".
+/// ASCII letters, digits and `_`; any other character becomes `_` (as does a byte that is no UTF-8), and a name that
+/// begins with a digit gets one in front. "" becomes "sonar".
 [[nodiscard]] inline std::string ros_name(std::string_view name) {
   const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
   std::string result;
-  for (const char c : name) {
-    result += (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || is_digit(c) ? c : '_';
+  while (!name.empty()) {
+    const char32_t c = take_code_point(name);
+    const bool allowed = (c >= U'a' && c <= U'z') || (c >= U'A' && c <= U'Z') || (c >= U'0' && c <= U'9');
+    result += allowed ? static_cast<char>(c) : '_';
   }
   if (result.empty()) {
     return "sonar";

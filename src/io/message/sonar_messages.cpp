@@ -7,10 +7,12 @@
 #include <cmath>
 #include <deque>
 #include <limits>
+#include <set>
 #include <utility>
 
 #include "insonify/files.h"
 #include "insonify/messages.h"
+#include "insonify/printable.h"
 #include "io/message/definitions.h"
 #include "io/message/encode.h"
 #include "io/message/message_display.h"
@@ -25,12 +27,16 @@ constexpr double kTimeLimit = 2147483648.0;  // Of builtin_interfaces/Time, whos
 // Most pings of a scanning head that its picture shows.
 constexpr std::uint64_t kMostScanned = 4000;
 
-MessageChannel channel(MessageKind kind, std::string topic, const std::string& package, const std::string& type) {
-  return {kind, std::move(topic), package + "/msg/" + type, message_definition(package + "/" + type)};
-}
-
-std::vector<MessageChannel> channels_of(const std::string& name) {
+std::vector<MessageChannel> channels_of(const std::string& name, MessageForm form) {
   const std::string at = "/" + name;
+  const auto channel = [form](MessageKind kind, std::string topic, const std::string& package,
+                              const std::string& type) -> MessageChannel {
+    const std::string whole = package + "/" + type;
+    const std::string definition = message_definition(whole, form);
+    return form == MessageForm::kRos1
+               ? MessageChannel{kind, std::move(topic), whole, definition, std::string(ros1_checksum(whole))}
+               : MessageChannel{kind, std::move(topic), package + "/msg/" + type, definition};
+  };
   return {channel(MessageKind::kSonarImage, at + "/sonar_image", "marine_acoustic_msgs", "ProjectedSonarImage"),
           channel(MessageKind::kFan, at + "/fan", "sensor_msgs", "Image"),
           channel(MessageKind::kPoints, at + "/points", "sensor_msgs", "PointCloud2"),
@@ -98,6 +104,21 @@ MessageSource message_source(const Scenario& scenario, const SonarConfig& sonar)
   return source;
 }
 
+void name_topics(std::vector<MessageSource>& sources) {
+  std::vector<std::string> names;
+  std::set<std::string> sonars;
+  for (const MessageSource& source : sources) {
+    if (!sonars.insert(source.sonar.name).second) {
+      throw Error(fmt::format("there are two sonars called {}; their names must differ", printable(source.sonar.name)));
+    }
+    names.push_back(source.name.empty() ? source.sonar.name : source.name);
+  }
+  names = ros_names(names);
+  for (std::size_t i = 0; i < sources.size(); ++i) {
+    sources[i].name = names[i];
+  }
+}
+
 void MessageOptions::validate() const {
   check_fields("messages", *this);
   if (bits != 8 && bits != 16) {
@@ -111,6 +132,7 @@ void MessageOptions::validate() const {
 struct SonarMessages::State {
   MessageSource source;
   MessageOptions options;
+  MessageForm form;
   std::string name;
   std::vector<MessageChannel> channels;
   Display display;
@@ -122,7 +144,9 @@ struct SonarMessages::State {
   std::deque<Ping> scanned = {};  // Of a scanning sonar, the pings of the last turn, raised.
 
   [[nodiscard]] bool scans() const { return source.sonar.type == SonarType::kMechanicallyScanned; }
-  [[nodiscard]] MessageHeader header(const std::string& frame) const { return {time_ns, frame}; }
+  [[nodiscard]] MessageHeader header(const std::string& frame) const {
+    return {time_ns, frame, static_cast<std::uint32_t>(ping.number)};
+  }
   [[nodiscard]] std::vector<std::byte> sonar_image() const;
   [[nodiscard]] Picture fan() const;
   [[nodiscard]] std::vector<std::byte> transforms() const;
@@ -136,10 +160,10 @@ std::vector<std::byte> SonarMessages::State::sonar_image() const {
   }
   const MessageHeader head = header(name + "_beams");
   if (options.bits == 8) {
-    return encode_sonar_image(head, now,
+    return encode_sonar_image(form, head, now,
                               std::span<const std::uint8_t>(values_of<std::uint8_t>(raised.intensity, display)));
   }
-  return encode_sonar_image(head, now,
+  return encode_sonar_image(form, head, now,
                             std::span<const std::uint16_t>(values_of<std::uint16_t>(raised.intensity, display)));
 }
 
@@ -157,10 +181,10 @@ Picture SonarMessages::State::fan() const {
 std::vector<std::byte> SonarMessages::State::transforms() const {
   const FramePose frames[] = {{header(options.world_frame), name, ping.world_from_sonar},
                               {header(name), name + "_beams", housing_from_beams(source.sonar)}};
-  return encode_transforms(frames);
+  return encode_transforms(form, frames);
 }
 
-SonarMessages::SonarMessages(MessageSource source, MessageOptions options) {
+SonarMessages::SonarMessages(MessageSource source, MessageOptions options, MessageForm form) {
   options.validate();
   const MessageLevels levels = message_levels(source, options);
   if (levels.decibels && !(levels.low_db < levels.high_db)) {
@@ -173,7 +197,7 @@ SonarMessages::SonarMessages(MessageSource source, MessageOptions options) {
   const double sound_speed = source.sonar.assumed_sound_speed.value_or(0);  // 0: unknown, as the .msg file has it.
   SonarImageFacts facts = image_facts(source.sonar, sound_speed);
   state_ = std::make_unique<State>(
-      State{std::move(source), std::move(options), name, channels_of(name), display, std::move(facts)});
+      State{std::move(source), std::move(options), form, name, channels_of(name, form), display, std::move(facts)});
 }
 
 SonarMessages::~SonarMessages() = default;
@@ -192,8 +216,9 @@ void SonarMessages::take(const Ping& ping) {
   const SonarConfig& sonar = state_->source.sonar;
   const std::size_t cells = static_cast<std::size_t>(sonar.bin_count) * static_cast<std::size_t>(sonar.beam_count);
   if (ping.bin_count != sonar.bin_count || ping.beam_count != sonar.beam_count) {
-    throw Error(fmt::format("ping {} of {} has {} beams x {} bins, must have {} x {}", ping.number, sonar.name,
-                            ping.beam_count, ping.bin_count, sonar.beam_count, sonar.bin_count));
+    throw Error(fmt::format("ping {} of {} has {} x {}, must have {} x {}", ping.number, sonar.name,
+                            counted(ping.beam_count, "beam"), counted(ping.bin_count, "bin"), sonar.beam_count,
+                            sonar.bin_count));
   }
   if (ping.intensity.size() != cells || (!ping.elevation.empty() && ping.elevation.size() != cells)) {
     throw Error(fmt::format("ping {} of {} has {} {}, must have {}", ping.number, sonar.name,
@@ -234,18 +259,19 @@ std::vector<std::byte> SonarMessages::encode(std::size_t channel) const {
     case MessageKind::kSonarImage:
       return state.sonar_image();
     case MessageKind::kFan:
-      return encode_image(state.header(state.name), state.fan());
+      return encode_image(state.form, state.header(state.name), state.fan());
     case MessageKind::kPoints:
-      return encode_cloud(state.header(state.name), strong_points(state.ping, state.raised.intensity,
-                                                                  state.source.sonar, state.options.strong_share));
+      return encode_cloud(
+          state.form, state.header(state.name),
+          strong_points(state.ping, state.raised.intensity, state.source.sonar, state.options.strong_share));
     case MessageKind::kPose:
-      return encode_pose(state.header(state.options.world_frame), state.ping.world_from_sonar);
+      return encode_pose(state.form, state.header(state.options.world_frame), state.ping.world_from_sonar);
     case MessageKind::kTransforms:
       return state.transforms();
     case MessageKind::kScenario:
       break;
   }
-  return encode_text(state.source.scenario);
+  return encode_text(state.form, state.source.scenario);
 }
 
 std::uint64_t SonarMessages::time_ns() const {

@@ -9,6 +9,7 @@
 #include "echo/engine.h"
 #include "echo/model/primary_choice.h"
 #include "insonify/files.h"
+#include "insonify/printable.h"
 #include "insonify/version.h"
 #include "insonify/words.h"
 #include "io/recording/growing_file.h"
@@ -155,8 +156,9 @@ Recording& Recording::operator=(Recording&&) noexcept = default;
 void Recording::add(const Ping& ping) {
   const std::filesystem::path& path = state_->file.path();
   if (ping.bin_count != state_->bin_count || ping.beam_count != state_->beam_count) {
-    throw Error(fmt::format("{}: ping {} has {} bins x {} beams, the recording {} x {}", path.string(), ping.number,
-                            ping.bin_count, ping.beam_count, state_->bin_count, state_->beam_count));
+    throw Error(fmt::format("{}: ping {} has {} x {}, the recording {} x {}", path.string(), ping.number,
+                            counted(ping.bin_count, "bin"), counted(ping.beam_count, "beam"), state_->bin_count,
+                            state_->beam_count));
   }
   const std::size_t cells = static_cast<std::size_t>(ping.bin_count) * static_cast<std::size_t>(ping.beam_count);
   std::array<std::span<const std::byte>, kMostPingLayers + 3> rows;
@@ -164,8 +166,8 @@ void Recording::add(const Ping& ping) {
   for (const PingLayer& layer : state_->layers) {
     const std::size_t wanted = cells * std::max<std::size_t>(layer.each, 1);
     if (layer.count(ping) != wanted) {
-      throw Error(fmt::format("{}: ping {} holds {} values of {}, not {}", path.string(), ping.number,
-                              layer.count(ping), layer.name, wanted));
+      throw Error(fmt::format("{}: ping {} holds {} of {}, not {}", path.string(), ping.number,
+                              counted(layer.count(ping), "value"), layer.name, wanted));
     }
     rows[count++] = layer.bytes(ping);
   }

@@ -1,4 +1,4 @@
-// stored_tables.cpp -- lists the tables of an HDF5 file and reads blocks of them.
+// stored_tables.cpp -- lists the tables of a recording and reads blocks of them.
 
 #include "insonify/stored_tables.h"
 
@@ -6,33 +6,18 @@
 
 #include <algorithm>
 
-#include "io/file/hdf5.h"
-#include "io/recording/recorded_tables.h"
+#include "insonify/error.h"
+#include "io/recorded/open_recording.h"
 
 namespace insonify {
 
 struct StoredTables::State {
-  RecordedTables recorded;
+  std::unique_ptr<RecordedTables> recorded;
   std::vector<StoredTable> tables;
+  std::vector<const RecordedTable*> sources;  // What each is made from.
 };
 
 namespace {
-
-hid_t native_type(NumberType type) {
-  switch (type) {
-    case NumberType::kFloat32:
-      return H5T_NATIVE_FLOAT;
-    case NumberType::kFloat64:
-      return H5T_NATIVE_DOUBLE;
-    case NumberType::kUint8:
-      return H5T_NATIVE_UINT8;
-    case NumberType::kUint16:
-      return H5T_NATIVE_UINT16;
-    case NumberType::kInt64:
-      return H5T_NATIVE_INT64;
-  }
-  return H5T_NATIVE_DOUBLE;
-}
 
 NumberType number_type(const RecordedTable& table) {
   const char kind = table.type[1];
@@ -79,12 +64,13 @@ std::size_t size_of(NumberType type) {
   return 0;
 }
 
-StoredTables::StoredTables(const std::filesystem::path& path)
-    : state_(std::make_unique<State>(State{RecordedTables(path), {}})) {
-  for (const RecordedTable& table : state_->recorded.tables()) {
-    StoredTable stored = stored_table(table, state_->recorded.ping_count());
+StoredTables::StoredTables(const std::filesystem::path& path, const std::string& sonar)
+    : state_(std::make_unique<State>(State{open_tables(path, sonar), {}, {}})) {
+  for (const RecordedTable& table : state_->recorded->tables()) {
+    StoredTable stored = stored_table(table, state_->recorded->ping_count());
     if (!stored.shape.empty()) {
       state_->tables.push_back(std::move(stored));
+      state_->sources.push_back(&table);
     }
   }
 }
@@ -104,45 +90,31 @@ const StoredTable* StoredTables::find(const std::string& name) const {
 
 void StoredTables::read(const StoredTable& table, std::span<const TableSlice> slices,
                         std::span<std::byte> bytes) const {
-  const H5Quiet quiet;
-  const std::filesystem::path& path = state_->recorded.path();
-  const std::string doing = "read " + table.name;
-  bool inside = slices.size() == table.shape.size();
-  std::vector<hsize_t> start, count, step;
+  const auto there = std::ranges::find(state_->tables, table.name, &StoredTable::name);
+  bool inside = there != state_->tables.end() && slices.size() == there->shape.size();
   std::size_t numbers = 1;
   for (std::size_t axis = 0; inside && axis < slices.size(); ++axis) {
     const TableSlice& slice = slices[axis];
-    const std::uint64_t length = table.shape[axis];
+    const std::uint64_t length = there->shape[axis];
     inside = slice.step >= 1 && slice.count <= length &&
              (slice.count == 0 || (slice.start < length && slice.count - 1 <= (length - 1 - slice.start) / slice.step));
-    start.push_back(slice.start);
-    count.push_back(slice.count);
-    step.push_back(slice.step);
     numbers *= slice.count;
   }
-  if (!inside || bytes.size() != numbers * size_of(table.type)) {
-    throw Error(fmt::format("{}: {} does not have that block", path.string(), table.name));
+  if (!inside || bytes.size() != numbers * size_of(there->type)) {
+    throw Error(fmt::format("{}: {} does not have that block", state_->recorded->path().string(), table.name));
   }
-  if (numbers == 0) {
-    return;
+  if (numbers > 0) {
+    state_->recorded->read(*state_->sources[static_cast<std::size_t>(there - state_->tables.begin())], there->type,
+                           slices, bytes);
   }
-  const H5Handle dataset =
-      h5_own(H5Dopen2(state_->recorded.file(), table.name.c_str(), H5P_DEFAULT), H5Dclose, path, doing);
-  const H5Handle from = h5_own(H5Dget_space(dataset.get()), H5Sclose, path, doing);
-  h5_check(H5Sselect_hyperslab(from.get(), H5S_SELECT_SET, start.data(), step.data(), count.data(), nullptr), path,
-           doing);
-  const H5Handle to =
-      h5_own(H5Screate_simple(static_cast<int>(count.size()), count.data(), nullptr), H5Sclose, path, doing);
-  h5_check(H5Dread(dataset.get(), native_type(table.type), to.get(), from.get(), H5P_DEFAULT, bytes.data()), path,
-           doing);
 }
 
 std::vector<std::string> StoredTables::texts(const std::string& name) const {
-  const auto found = std::ranges::find(state_->recorded.names(), name, &RecordedNames::name);
+  const auto found = std::ranges::find(state_->recorded->names(), name, &RecordedNames::name);
   if (find(name) != nullptr) {
-    throw Error(fmt::format("{}: {} must hold texts", state_->recorded.path().string(), name));
+    throw Error(fmt::format("{}: {} must hold texts", state_->recorded->path().string(), name));
   }
-  return found == state_->recorded.names().end() ? std::vector<std::string>() : found->texts;
+  return found == state_->recorded->names().end() ? std::vector<std::string>() : found->texts;
 }
 
 }  // namespace insonify

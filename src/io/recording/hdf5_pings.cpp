@@ -1,6 +1,6 @@
-// recorded_pings.cpp -- reads the intensities of a recording, a ping at a time.
+// hdf5_pings.cpp -- reads the intensities of an HDF5 recording, a ping at a time.
 
-#include "insonify/recorded_pings.h"
+#include "io/recording/hdf5_pings.h"
 
 #include <fmt/format.h>
 
@@ -8,7 +8,7 @@
 #include <cassert>
 #include <cmath>
 
-#include "io/file/hdf5.h"
+#include "insonify/printable.h"
 #include "io/file/hdf5_heap.h"
 #include "io/file/input_file.h"
 #include "io/recording/recorded_settings.h"
@@ -36,7 +36,8 @@ std::array<hsize_t, 3> shape_of(hid_t dataset, const std::filesystem::path& path
   std::array<hsize_t, 3> shape{};
   const int axes = H5Sget_simple_extent_ndims(space.get());
   if (axes != 3) {
-    throw Error(fmt::format("{}: intensity has {} axes; a recording has three: ping, bin, beam", path.string(), axes));
+    throw Error(fmt::format("{}: intensity has {}; a recording has three: ping, bin, beam", path.string(),
+                            axes == 1 ? "1 axis" : fmt::format("{} axes", axes)));
   }
   h5_check(H5Sget_simple_extent_dims(space.get(), shape.data(), nullptr), path, "size intensity");
   if (shape[1] < 1 || shape[2] < 1 || shape[1] > kMost || shape[2] > kMost) {
@@ -82,18 +83,6 @@ std::string text_attribute(hid_t file, const char* name, const std::filesystem::
   return text.substr(0, text.find('\0'));
 }
 
-}  // namespace
-
-struct RecordedPings::State {
-  std::filesystem::path path;
-  H5Handle file, dataset;
-  std::array<hsize_t, 3> shape{};  // Pings, bins, beams.
-  double full_scale = 1;
-  std::string sonar, model;
-};
-
-namespace {
-
 // One row of a table of numbers [ping] or [ping, width].
 std::vector<double> read_row(const H5Handle& file, const std::filesystem::path& path, const char* name,
                              std::uint64_t ping, hsize_t width) {
@@ -117,89 +106,58 @@ std::vector<double> read_row(const H5Handle& file, const std::filesystem::path& 
 
 }  // namespace
 
-RecordedPings::RecordedPings(const std::filesystem::path& path) : state_(std::make_unique<State>()) {
+Hdf5Pings::Hdf5Pings(const std::filesystem::path& path) : path_(path) {
   const H5Quiet quiet;
-  state_->path = path;
-  state_->file = open_file(path);
-  state_->dataset = open_dataset(state_->file.get(), path);
-  state_->shape = shape_of(state_->dataset.get(), path);
-  state_->full_scale = full_scale_of(state_->dataset.get(), path);
-  static_cast<void>(checked_attributes(state_->file.get(), path, "the file"));
-  state_->sonar = text_attribute(state_->file.get(), "sonar", path);
-  state_->model = text_attribute(state_->file.get(), "model", path);
+  file_ = open_file(path);
+  dataset_ = open_dataset(file_.get(), path);
+  shape_ = shape_of(dataset_.get(), path);
+  full_scale_ = full_scale_of(dataset_.get(), path);
+  static_cast<void>(checked_attributes(file_.get(), path, "the file"));
+  sonar_ = text_attribute(file_.get(), "sonar", path);
+  model_ = text_attribute(file_.get(), "model", path);
 }
 
-RecordedPings::~RecordedPings() = default;
-RecordedPings::RecordedPings(RecordedPings&&) noexcept = default;
-RecordedPings& RecordedPings::operator=(RecordedPings&&) noexcept = default;
-
-std::uint64_t RecordedPings::ping_count() const {
-  return state_->shape[0];
-}
-
-int RecordedPings::bin_count() const {
-  return static_cast<int>(state_->shape[1]);
-}
-
-int RecordedPings::beam_count() const {
-  return static_cast<int>(state_->shape[2]);
-}
-
-const std::string& RecordedPings::sonar() const {
-  return state_->sonar;
-}
-
-const std::string& RecordedPings::model() const {
-  return state_->model;
-}
-
-double RecordedPings::full_scale() const {
-  return state_->full_scale;
-}
-
-std::vector<double> RecordedPings::intensity(std::uint64_t ping) const {
+std::vector<double> Hdf5Pings::intensity(std::uint64_t ping) const {
   assert(ping < ping_count());
   const H5Quiet quiet;
-  const std::filesystem::path& path = state_->path;
   const std::array<hsize_t, 3> start = {ping, 0, 0};
-  const std::array<hsize_t, 3> length = {1, state_->shape[1], state_->shape[2]};
-  const H5Handle from = h5_own(H5Dget_space(state_->dataset.get()), H5Sclose, path, "read intensity");
-  h5_check(H5Sselect_hyperslab(from.get(), H5S_SELECT_SET, start.data(), nullptr, length.data(), nullptr), path,
+  const std::array<hsize_t, 3> length = {1, shape_[1], shape_[2]};
+  const H5Handle from = h5_own(H5Dget_space(dataset_.get()), H5Sclose, path_, "read intensity");
+  h5_check(H5Sselect_hyperslab(from.get(), H5S_SELECT_SET, start.data(), nullptr, length.data(), nullptr), path_,
            "read intensity");
-  const H5Handle to = h5_own(H5Screate_simple(static_cast<int>(length.size()), length.data(), nullptr), H5Sclose, path,
+  const H5Handle to = h5_own(H5Screate_simple(static_cast<int>(length.size()), length.data(), nullptr), H5Sclose, path_,
                              "read intensity");
   std::vector<double> values(length[1] * length[2]);
-  h5_check(H5Dread(state_->dataset.get(), H5T_NATIVE_DOUBLE, to.get(), from.get(), H5P_DEFAULT, values.data()), path,
+  h5_check(H5Dread(dataset_.get(), H5T_NATIVE_DOUBLE, to.get(), from.get(), H5P_DEFAULT, values.data()), path_,
            "read intensity");
   return values;
 }
 
-SonarConfig RecordedPings::sonar_config() const {
+SonarConfig Hdf5Pings::sonar_config() const {
   const H5Quiet quiet;
-  SonarConfig sonar = read_settings<SonarConfig>({state_->file.get(), state_->path}, "settings/sonar");
+  SonarConfig sonar = read_settings<SonarConfig>({file_.get(), path_}, "settings/sonar");
   try {
     sonar.validate();
   } catch (const Error& error) {
-    throw Error(fmt::format("{}: {}", state_->path.string(), error.what()));
+    throw Error(fmt::format("{}: {}", path_.string(), error.what()));
   }
   if (sonar.bin_count != bin_count() || sonar.beam_count != beam_count()) {
-    throw Error(fmt::format("{}: intensity has {} bins x {} beams, settings/sonar {} x {}", state_->path.string(),
-                            bin_count(), beam_count(), sonar.bin_count, sonar.beam_count));
+    throw Error(fmt::format("{}: intensity has {} x {}, settings/sonar {} x {}", path_.string(),
+                            counted(bin_count(), "bin"), counted(beam_count(), "beam"), sonar.bin_count,
+                            sonar.beam_count));
   }
   return sonar;
 }
 
-ReceiverConfig RecordedPings::receiver_config() const {
+ReceiverConfig Hdf5Pings::receiver_config() const {
   const H5Quiet quiet;
-  return read_settings<ReceiverConfig>({state_->file.get(), state_->path}, "settings/receiver");
+  return read_settings<ReceiverConfig>({file_.get(), path_}, "settings/receiver");
 }
 
-Ping RecordedPings::ping(std::uint64_t number) const {
+Ping Hdf5Pings::ping(std::uint64_t number) const {
   const std::vector<double> values = intensity(number);
   const H5Quiet quiet;
-  const auto row = [&](const char* name, hsize_t width) {
-    return read_row(state_->file, state_->path, name, number, width);
-  };
+  const auto row = [&](const char* name, hsize_t width) { return read_row(file_, path_, name, number, width); };
   Ping ping;
   ping.number = number;
   ping.bin_count = bin_count();
@@ -207,14 +165,14 @@ Ping RecordedPings::ping(std::uint64_t number) const {
   ping.intensity.assign(values.begin(), values.end());
   for (const float value : ping.intensity) {
     if (!(value >= 0) || !std::isfinite(value)) {
-      throw Error(fmt::format("{} ping {}: an intensity is {:.6g}, must be at least 0 and finite",
-                              state_->path.string(), number, value));
+      throw Error(fmt::format("{} ping {}: an intensity is {:.6g}, must be at least 0 and finite", path_.string(),
+                              number, value));
     }
   }
   ping.time = row("time", 1).at(0);
   const std::vector<double> pose = row("world_from_sonar", 7);
   ping.world_from_sonar = {Vec3(pose[0], pose[1], pose[2]), Eigen::Quaterniond(pose[3], pose[4], pose[5], pose[6])};
-  if (H5Lexists(state_->file.get(), "head_angle", H5P_DEFAULT) > 0) {
+  if (H5Lexists(file_.get(), "head_angle", H5P_DEFAULT) > 0) {
     ping.head_angle = row("head_angle", 1).at(0);
   }
   return ping;

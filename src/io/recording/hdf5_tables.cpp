@@ -1,6 +1,6 @@
-// recorded_tables.cpp -- lists what is at the root of the file, and reads it row by row.
+// hdf5_tables.cpp -- lists what is at the root of the file, and reads it row by row or in blocks.
 
-#include "io/recording/recorded_tables.h"
+#include "io/recording/hdf5_tables.h"
 
 #include <fmt/format.h>
 
@@ -39,6 +39,22 @@ std::string numpy_type(hid_t type) {
     default:
       return "";
   }
+}
+
+hid_t memory_type(NumberType type) {
+  switch (type) {
+    case NumberType::kFloat32:
+      return H5T_NATIVE_FLOAT;
+    case NumberType::kFloat64:
+      return H5T_NATIVE_DOUBLE;
+    case NumberType::kUint8:
+      return H5T_NATIVE_UINT8;
+    case NumberType::kUint16:
+      return H5T_NATIVE_UINT16;
+    case NumberType::kInt64:
+      return H5T_NATIVE_INT64;
+  }
+  return H5T_NATIVE_DOUBLE;
 }
 
 std::vector<hsize_t> shape_of(hid_t space) {
@@ -165,11 +181,7 @@ nlohmann::json dataset_json(hid_t file, hid_t dataset, const std::filesystem::pa
 
 }  // namespace
 
-std::size_t RecordedTable::row_bytes() const {
-  return std::accumulate(row.begin(), row.end(), value_bytes, std::multiplies<>());
-}
-
-RecordedTables::RecordedTables(const std::filesystem::path& path) : path_(path) {
+Hdf5Tables::Hdf5Tables(const std::filesystem::path& path) : RecordedTables(path) {
   const H5Quiet quiet;
   check_input_file(path);
   file_ = h5_open_to_read(path);
@@ -185,7 +197,7 @@ RecordedTables::RecordedTables(const std::filesystem::path& path) : path_(path) 
   }
 }
 
-void RecordedTables::add_table(const std::string& name) {
+void Hdf5Tables::add_table(const std::string& name) {
   if (name == "." || name == "..") {
     throw Error(fmt::format("{}: is no recording: it has a dataset called {}", path_.string(), name));
   }
@@ -245,7 +257,7 @@ void RecordedTables::add_table(const std::string& name) {
   tables_.push_back(std::move(table));
 }
 
-nlohmann::json RecordedTables::settings() const {
+nlohmann::json Hdf5Tables::settings() const {
   const H5Quiet quiet;
   nlohmann::json found = nlohmann::json::object();
   if (h5_check(H5Lexists(file_.get(), "settings", H5P_DEFAULT), path_, "find settings") == 0) {
@@ -265,12 +277,7 @@ nlohmann::json RecordedTables::settings() const {
   return found;
 }
 
-std::string RecordedTables::text(const std::string& attribute) const {
-  const auto found = attributes_.find(attribute);
-  return found != attributes_.end() && found->is_string() ? found->get<std::string>() : "";
-}
-
-std::vector<std::byte> RecordedTables::row(const RecordedTable& table, std::uint64_t ping) const {
+std::vector<std::byte> Hdf5Tables::row(const RecordedTable& table, std::uint64_t ping) const {
   const H5Quiet quiet;
   const std::string doing = "read " + table.name;
   const H5Handle dataset = h5_own(H5Dopen2(file_.get(), table.name.c_str(), H5P_DEFAULT), H5Dclose, path_, doing);
@@ -291,6 +298,25 @@ std::vector<std::byte> RecordedTables::row(const RecordedTable& table, std::uint
   std::vector<std::byte> bytes(table.row_bytes());
   h5_check(H5Dread(dataset.get(), native.get(), to.get(), from.get(), H5P_DEFAULT, bytes.data()), path_, doing);
   return bytes;
+}
+
+void Hdf5Tables::read(const RecordedTable& table, NumberType type, std::span<const TableSlice> slices,
+                      std::span<std::byte> bytes) const {
+  const H5Quiet quiet;
+  const std::string doing = "read " + table.name;
+  std::vector<hsize_t> start, count, step;
+  for (const TableSlice& slice : slices) {
+    start.push_back(slice.start);
+    count.push_back(slice.count);
+    step.push_back(slice.step);
+  }
+  const H5Handle dataset = h5_own(H5Dopen2(file_.get(), table.name.c_str(), H5P_DEFAULT), H5Dclose, path_, doing);
+  const H5Handle from = h5_own(H5Dget_space(dataset.get()), H5Sclose, path_, doing);
+  h5_check(H5Sselect_hyperslab(from.get(), H5S_SELECT_SET, start.data(), step.data(), count.data(), nullptr), path_,
+           doing);
+  const H5Handle to =
+      h5_own(H5Screate_simple(static_cast<int>(count.size()), count.data(), nullptr), H5Sclose, path_, doing);
+  h5_check(H5Dread(dataset.get(), memory_type(type), to.get(), from.get(), H5P_DEFAULT, bytes.data()), path_, doing);
 }
 
 }  // namespace insonify

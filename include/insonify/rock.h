@@ -1,0 +1,112 @@
+// rock.h -- pings as base::samples::Sonar of the Rock framework; needs none of Rock's headers itself.
+
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <type_traits>
+
+#include "insonify/error.h"
+#include "insonify/messages.h"
+#include "insonify/picture.h"
+#include "insonify/ping.h"
+#include "insonify/sonar_config.h"
+
+namespace insonify {
+
+/// How pings become samples of Rock.
+struct RockOptions {
+  std::int64_t epoch_us = 0;  ///< Time at which Ping::time is 0 [us since 1970].
+
+  /// Whether beams run from port to starboard with bearings from negative to positive, as the simulator of Cerqueira et
+  /// al. fills them; Rock's own convention has bearings positive to port.
+  bool mirrored = false;
+
+  /// Whether beam_width is that of the whole fan, as the same simulator has it; else that of one beam.
+  bool fan_width = false;
+};
+
+/// Range bins as base::samples::Sonar counts them: from range 0 on, of a whole number of microseconds one way.
+struct RockBins {
+  std::int64_t duration_us = 0;  ///< One way, at least 1.
+  double sound_speed = 0;        ///< With which a bin of that duration has the sonar's bin length [m/s].
+  int leading = 0;               ///< Bins before the sonar's first, without echoes.
+
+  /// Ranges of the sample less those of the sonar: at most half a bin, where min_range is no whole number of bins [m].
+  double range_error = 0;
+};
+
+/// Bins of 0.1 m at 1500 m/s last 66.7 us; 67 us of 1500 m/s would place bin 400 at 40.2 m. So the sample's sound speed
+/// is the one that makes ranges right, 1492.5 m/s.
+/// @param sonar  As Simulator::sonar() has it.
+[[nodiscard]] inline RockBins rock_bins(const SonarConfig& sonar) {
+  RockBins bins;
+  const double length = sonar.bin_length();
+  const double microseconds = 1e6 * length / sonar.assumed_sound_speed.value_or(1500);
+  bins.duration_us = std::max<std::int64_t>(1, std::llround(microseconds));
+  bins.sound_speed = 1e6 * length / static_cast<double>(bins.duration_us);
+  bins.leading = static_cast<int>(std::llround(sonar.min_range / length));
+  bins.range_error = bins.leading * length - sonar.min_range;
+  return bins;
+}
+
+/// One ping as base::samples::Sonar (rock-core/base-types), bins from 0 to 1 between the levels that images have.
+///
+/// Beams run counter-clockwise seen from above, from starboard to port, each with the bearing of its centre (positive
+/// to port, 0 ahead, with the angle of a scanning head); bins are beam-major. `time` is that of transmission;
+/// `timestamps` stays empty, as all beams are heard at once. Nothing but the names of members is asked of `Sonar`, so
+/// that a program needs base-types only where it has them:
+///
+///     base::samples::Sonar sample = insonify::to_rock<base::samples::Sonar>(ping, sonar, messages.levels());
+///
+/// @param sonar   As Simulator::sonar() has it.
+/// @param levels  SonarMessages::levels(), or others.
+/// @throws Error for a ping that has not the sonar's beams and bins.
+template <typename Sonar>
+[[nodiscard]] Sonar to_rock(const Ping& ping, const SonarConfig& sonar, const MessageLevels& levels,
+                            const RockOptions& options = {}) {
+  using Time = std::remove_cvref_t<decltype(Sonar::time)>;
+  using Angle = std::remove_cvref_t<decltype(Sonar::beam_width)>;
+  if (ping.beam_count != sonar.beam_count || ping.bin_count != sonar.bin_count ||
+      ping.intensity.size() != static_cast<std::size_t>(sonar.beam_count) * static_cast<std::size_t>(sonar.bin_count)) {
+    throw Error("to_rock: the ping has not the sonar's beams and bins");
+  }
+  const RockBins bins = rock_bins(sonar);
+  Sonar sample;
+  sample.time = Time::fromMicroseconds(options.epoch_us + std::llround(1e6 * ping.time));
+  sample.timestamps.clear();
+  sample.bin_duration = Time::fromMicroseconds(bins.duration_us);
+  const std::vector<double> edges = sonar.beam_edges();
+  const double fan = edges.front() - edges.back();
+  sample.beam_width = Angle::fromRad(options.fan_width ? fan : fan / sonar.beam_count);
+  sample.beam_height = Angle::fromRad(sonar.elevation_aperture);
+  sample.speed_of_sound = static_cast<float>(bins.sound_speed);
+  sample.beam_count = static_cast<std::uint32_t>(sonar.beam_count);
+  sample.bin_count = static_cast<std::uint32_t>(bins.leading + sonar.bin_count);
+  sample.bearings.clear();
+  sample.bins.assign(static_cast<std::size_t>(sample.beam_count) * sample.bin_count, 0.0F);
+
+  // What an intensity is multiplied by in each bin, then mapped to 0..1.
+  const auto value = [&](int bin, float intensity) {
+    const double raised = intensity * std::pow(sonar.bin_range(bin), levels.gain_per_decade / 10);
+    if (!levels.decibels) {
+      return std::clamp(raised / levels.high_db, 0.0, 1.0);
+    }
+    const double level = raised > 0 ? 10 * std::log10(raised) : -HUGE_VAL;
+    return std::clamp((level - levels.low_db) / (levels.high_db - levels.low_db), 0.0, 1.0);
+  };
+  for (int i = 0; i < sonar.beam_count; ++i) {
+    const int beam = options.mirrored ? i : sonar.beam_count - 1 - i;
+    const double bearing = sonar.beam_azimuth(beam) + ping.head_angle;
+    sample.bearings.push_back(Angle::fromRad(options.mirrored ? -bearing : bearing));
+    const std::size_t first = static_cast<std::size_t>(i) * sample.bin_count + static_cast<std::size_t>(bins.leading);
+    for (int bin = 0; bin < sonar.bin_count; ++bin) {
+      sample.bins[first + static_cast<std::size_t>(bin)] =
+          static_cast<float>(value(bin, ping.intensity[ping.index(bin, beam)]));
+    }
+  }
+  return sample;
+}
+
+}  // namespace insonify

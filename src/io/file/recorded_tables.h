@@ -1,0 +1,86 @@
+// recorded_tables.h -- everything that the recording of one sonar holds, by name, whatever the format of its file.
+
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <numeric>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "insonify/stored_tables.h"
+
+namespace insonify {
+
+/// A table of numbers in a recording.
+struct RecordedTable {
+  std::string name;
+  std::string type;                ///< Of a value, as NumPy spells it: "<f4", "<c8", "<u2", "|u1", "<f8".
+  std::size_t value_bytes = 0;     ///< [bytes]
+  std::vector<std::uint64_t> row;  ///< Shape of a ping's row; of a table without pings, its whole shape.
+  bool by_ping = false;            ///< Whether it has a row for each ping.
+  std::vector<std::string> axes;   ///< Names of all axes; may be empty.
+  nlohmann::json notes;            ///< `units`, `description`, `none`.
+
+  [[nodiscard]] std::size_t row_bytes() const {
+    return std::accumulate(row.begin(), row.end(), value_bytes, std::multiplies<>());
+  }
+};
+
+/// A list of texts in a recording.
+struct RecordedNames {
+  std::string name;
+  std::vector<std::string> texts;
+};
+
+/// The tables of one sonar, read when they are asked for.
+class RecordedTables {
+ public:
+  explicit RecordedTables(std::filesystem::path path) : path_(std::move(path)) {}
+  virtual ~RecordedTables() = default;
+  RecordedTables(const RecordedTables&) = delete;
+  RecordedTables& operator=(const RecordedTables&) = delete;
+
+  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+  [[nodiscard]] const std::vector<RecordedTable>& tables() const { return tables_; }
+  [[nodiscard]] const std::vector<RecordedNames>& names() const { return names_; }
+
+  /// Pings that all tables have.
+  [[nodiscard]] std::uint64_t ping_count() const { return ping_count_; }
+
+  /// Facts about the run and its sonar: an object of texts and numbers.
+  [[nodiscard]] const nlohmann::json& attributes() const { return attributes_; }
+
+  /// An attribute that is a text; "" where it is missing.
+  [[nodiscard]] std::string text(const std::string& attribute) const {
+    const auto found = attributes_.find(attribute);
+    return found != attributes_.end() && found->is_string() ? found->get<std::string>() : "";
+  }
+
+  /// The settings of the run, as nested objects; {} where there are none.
+  [[nodiscard]] virtual nlohmann::json settings() const = 0;
+
+  /// One row of a table by ping, or a whole other table, little-endian.
+  /// @param ping  Below ping_count(); of other tables 0.
+  [[nodiscard]] virtual std::vector<std::byte> row(const RecordedTable& table, std::uint64_t ping) const = 0;
+
+  /// Reads a block of a table, row-major.
+  /// @param type    Type of the numbers read; of complex ones kFloat32, with the parts as the last axis.
+  /// @param slices  One for each axis, inside the table.
+  /// @param bytes   Is filled: product of the counts times size_of(type).
+  virtual void read(const RecordedTable& table, NumberType type, std::span<const TableSlice> slices,
+                    std::span<std::byte> bytes) const = 0;
+
+ protected:
+  std::filesystem::path path_;
+  std::vector<RecordedTable> tables_;
+  std::vector<RecordedNames> names_;
+  std::uint64_t ping_count_ = 0;
+  nlohmann::json attributes_ = nlohmann::json::object();
+};
+
+}  // namespace insonify

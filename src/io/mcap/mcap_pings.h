@@ -1,0 +1,65 @@
+// mcap_pings.h -- the pings of one sonar, read back from the sonar images and poses of an MCAP recording.
+
+#pragma once
+
+#include <filesystem>
+
+#include "insonify/messages.h"
+#include "io/file/ping_reader.h"
+#include "io/mcap/mcap_reader.h"
+
+namespace insonify {
+
+/// Pings of an MCAP recording that insonify has made, also of an unfinished one. Their intensities are what the sonar
+/// images' values stand for: within half a step of the mapping (0.0005 dB with 16 bits), 0 at and below its lowest
+/// level, the highest level above it. There is no ground truth.
+class McapPings : public PingReader {
+ public:
+  /// @param sonar  Its name; "" for the only one.
+  /// @throws Error with the path for a file that is missing, is no MCAP file or was not made by insonify; for a sonar
+  ///         that it does not have, naming those that it has.
+  explicit McapPings(const std::filesystem::path& path, const std::string& sonar = "");
+
+  [[nodiscard]] std::uint64_t ping_count() const override { return count_; }
+  [[nodiscard]] int bin_count() const override { return source_.sonar.bin_count; }
+  [[nodiscard]] int beam_count() const override { return source_.sonar.beam_count; }
+  [[nodiscard]] const std::string& sonar() const override { return source_.sonar.name; }
+  [[nodiscard]] const std::string& model() const override { return model_; }
+  [[nodiscard]] double full_scale() const override { return 1; }
+  [[nodiscard]] std::vector<double> intensity(std::uint64_t ping) const override;
+  /// @throws Error with the path for a message or a chunk that is damaged.
+  [[nodiscard]] Ping ping(std::uint64_t ping) const override;
+  [[nodiscard]] SonarConfig sonar_config() const override { return source_.sonar; }
+  [[nodiscard]] ReceiverConfig receiver_config() const override { return source_.receiver; }
+
+  [[nodiscard]] const McapReader& file() const { return file_; }
+  /// Sonar, receiver and model; `name` is that of its topics.
+  [[nodiscard]] const MessageSource& source() const { return source_; }
+  [[nodiscard]] const MessageLevels& levels() const { return levels_; }
+  /// Bits of a value, as the first ping has them; 16 where there is none.
+  [[nodiscard]] int bits() const;
+  /// Time of transmission, without reading messages [s].
+  [[nodiscard]] double time(std::uint64_t ping) const;
+  [[nodiscard]] Pose world_from_sonar(std::uint64_t ping) const;
+
+ private:
+  [[nodiscard]] std::vector<std::byte> image(std::uint64_t ping) const;
+  [[nodiscard]] const std::vector<double>& intensities_of(int bits) const;
+  [[noreturn]] void fail(std::uint64_t ping, const std::string& what) const;
+
+  std::filesystem::path path_;
+  McapReader file_;
+  MessageSource source_;
+  std::string model_;
+  MessageLevels levels_;
+  const std::vector<McapReader::Entry>*images_ = nullptr, *poses_ = nullptr;
+  std::uint64_t count_ = 0;
+  std::vector<double> factors_;                      // What takes the gain back, of each bin.
+  mutable std::vector<double> of_bytes_, of_words_;  // Intensities by value, before that; made when asked for.
+};
+
+/// Names of the sonars that an MCAP recording holds.
+/// @throws Error with the path for a file that insonify has not made.
+[[nodiscard]] std::vector<std::string> mcap_sonars(const McapReader& file, const std::filesystem::path& path);
+
+}  // namespace insonify

@@ -1,0 +1,219 @@
+// mcap_tables.cpp -- makes rows of tables from pings and from the settings in the metadata.
+
+#include "io/mcap/mcap_tables.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cstring>
+
+#include "insonify/words.h"
+#include "io/mcap/mcap_metadata.h"
+#include "io/message/cdr_reader.h"
+
+namespace insonify {
+namespace {
+
+// A member of a configuration as JSON, as recordings hold it: words as texts, angles in radians.
+template <typename Member>
+nlohmann::json json_of_member(const Member& member) {
+  if constexpr (std::is_enum_v<Member>) {
+    return std::string(word_of(member));
+  } else if constexpr (std::is_same_v<Member, Vec3>) {
+    return std::vector<double>(member.begin(), member.end());
+  } else if constexpr (std::is_same_v<Member, std::filesystem::path>) {
+    return member.string();
+  } else {
+    return member;
+  }
+}
+
+// A configuration without what is absent; its parts that are structs are objects of their own.
+template <typename Config>
+nlohmann::json json_of(const Config& config) {
+  nlohmann::json object = nlohmann::json::object();
+  Config::visit_fields(config, [&](const Field& field, const auto& member) {
+    const std::string name(field.name);
+    if constexpr (requires { member.has_value(); }) {
+      if (member.has_value()) {
+        object[name] = json_of_member(*member);
+      }
+    } else if constexpr (std::is_same_v<std::remove_cvref_t<decltype(member)>, std::vector<double>>) {
+      if (!member.empty()) {
+        object[name] = json_of_member(member);
+      }
+    } else {
+      object[name] = json_of_member(member);
+    }
+  });
+  if constexpr (HasParts<Config>) {
+    Config::visit_parts(config, [&](const Part& part, const auto& member) {
+      if constexpr (requires { member.has_value(); }) {
+        if (member.has_value()) {
+          object[std::string(part.name)] = json_of(*member);
+        }
+      } else {
+        object[std::string(part.name)] = json_of(member);
+      }
+    });
+  }
+  return object;
+}
+
+template <typename Number>
+std::vector<std::byte> bytes_of(const std::vector<Number>& values) {
+  const auto bytes = std::as_bytes(std::span(values));
+  return {bytes.begin(), bytes.end()};
+}
+
+std::vector<std::byte> bytes_of(const Pose& pose) {
+  const Vec3& p = pose.position;
+  const Eigen::Quaterniond& q = pose.orientation;
+  return bytes_of(std::vector<double>{p.x(), p.y(), p.z(), q.w(), q.x(), q.y(), q.z()});
+}
+
+// Appends the part of a row-major block that slices of its axes choose.
+void take_block(std::span<const std::byte> block, std::size_t value_bytes, std::span<const std::uint64_t> shape,
+                std::span<const TableSlice> slices, std::byte*& into) {
+  if (shape.empty()) {
+    std::memcpy(into, block.data(), value_bytes);
+    into += value_bytes;
+    return;
+  }
+  const std::size_t each = block.size() / shape.front();
+  for (std::uint64_t i = 0; i < slices.front().count; ++i) {
+    const std::uint64_t at = slices.front().start + i * slices.front().step;
+    take_block(block.subspan(at * each, each), value_bytes, shape.subspan(1), slices.subspan(1), into);
+  }
+}
+
+}  // namespace
+
+std::string levels_text(const MessageLevels& levels, int bits) {
+  const int steps = (1 << bits) - 1;
+  if (!levels.decibels) {
+    return fmt::format("linear from 0 to 1 in {} steps", steps);
+  }
+  return fmt::format("{:.6g} to {:.6g} dB in steps of {:.2g} dB{}; 0 below, cut above", levels.low_db, levels.high_db,
+                     (levels.high_db - levels.low_db) / steps,
+                     levels.gain_per_decade == 0
+                         ? ""
+                         : fmt::format(", with {:.6g} dB a decade of range added", levels.gain_per_decade));
+}
+
+nlohmann::json mcap_run_facts(const McapReader& file, const std::filesystem::path& path) {
+  const auto about = file.metadata().find(mcap_metadata::kRun);
+  if (about == file.metadata().end()) {
+    throw Error(
+        fmt::format("{}: was not recorded by insonify: it has no metadata {}", path.string(), mcap_metadata::kRun));
+  }
+  nlohmann::json facts = nlohmann::json::object();
+  for (const char* key : {mcap_metadata::kVersion, mcap_metadata::kModel, mcap_metadata::kEngine}) {
+    const auto found = about->second.find(key);
+    facts[key] = found == about->second.end() ? "" : found->second;
+  }
+  if (const auto seed = about->second.find(mcap_metadata::kSeed); seed != about->second.end()) {
+    std::uint64_t number = 0;
+    const char* const end = seed->second.data() + seed->second.size();
+    if (const auto read = std::from_chars(seed->second.data(), end, number);
+        read.ec == std::errc() && read.ptr == end) {
+      facts[mcap_metadata::kSeed] = number;
+    }
+  }
+  facts["scenario"] = "";
+  if (const auto& scenarios = file.messages("/scenario"); !scenarios.empty()) {
+    const std::vector<std::byte> message = file.read(scenarios.front());
+    try {
+      facts["scenario"] = CdrReader(message).text();
+    } catch (const Error& error) {
+      throw Error(fmt::format("{}: its /scenario cannot be read: {}", path.string(), error.what()));
+    }
+  }
+  return facts;
+}
+
+McapTables::McapTables(const std::filesystem::path& path, const std::string& sonar)
+    : RecordedTables(path), pings_(path, sonar) {
+  const SonarConfig& config = pings_.source().sonar;
+  ping_count_ = pings_.ping_count();
+  attributes_ = mcap_run_facts(pings_.file(), path);
+  attributes_[mcap_metadata::kModel] = pings_.model();
+  attributes_["sonar"] = config.name;
+  attributes_["sonar_model"] = config.model;
+  attributes_["frequency"] = config.frequency;
+  attributes_["source_level_db"] = config.source_level_db;
+  attributes_["levels"] = levels_text(pings_.levels(), pings_.bits());
+  add_tables();
+}
+
+// In alphabetical order, as HDF5 lists them.
+void McapTables::add_tables() {
+  const SonarConfig& config = pings_.source().sonar;
+  const auto beams = static_cast<std::uint64_t>(config.beam_count), bins = static_cast<std::uint64_t>(config.bin_count);
+  const auto add = [this](const char* name, const char* type, std::vector<std::uint64_t> row,
+                          std::vector<std::string> axes, const char* units, const std::string& description) {
+    const bool by_ping = !axes.empty();
+    tables_.push_back({name,
+                       type,
+                       std::string(type) == "<f4" ? sizeof(float) : sizeof(double),
+                       std::move(row),
+                       by_ping,
+                       std::move(axes),
+                       {{"units", units}, {"description", description}}});
+  };
+  add("azimuth", "<f8", {beams}, {}, "rad", "Centre of each beam, positive to port.");
+  add("azimuth_edges", "<f8", {beams + 1}, {}, "rad", "Beam b covers edges b to b + 1.");
+  if (config.type == SonarType::kMechanicallyScanned) {
+    add("head_angle", "<f8", {}, {"ping"}, "rad", "Turn of the head in its housing, positive to port.");
+  }
+  add("intensity", "<f4", {bins, beams}, {"ping", "bin", "beam"}, "1",
+      "Echo intensity, from levels of " + levels_text(pings_.levels(), pings_.bits()) + ".");
+  add("range", "<f8", {bins}, {}, "m", "Centre of each bin.");
+  add("time", "<f8", {}, {"ping"}, "s", "Time of transmission.");
+  add("world_from_sonar", "<f8", {7}, {"ping", "pose"}, "m m m 1 1 1 1",
+      "Pose of the housing: x y z, then the quaternion qw qx qy qz; sonar to world.");
+}
+
+nlohmann::json McapTables::settings() const {
+  return {{"sonar", json_of(pings_.source().sonar)}, {"receiver", json_of(pings_.source().receiver)}};
+}
+
+std::vector<std::byte> McapTables::row(const RecordedTable& table, std::uint64_t ping) const {
+  const SonarConfig& config = pings_.source().sonar;
+  if (table.name == "intensity") {
+    return bytes_of(pings_.ping(ping).intensity);
+  }
+  if (table.name == "time") {
+    return bytes_of(std::vector{pings_.time(ping)});
+  }
+  if (table.name == "world_from_sonar") {
+    return bytes_of(pings_.world_from_sonar(ping));
+  }
+  if (table.name == "head_angle") {
+    return bytes_of(std::vector{pings_.ping(ping).head_angle});
+  }
+  if (table.name == "azimuth_edges") {
+    return bytes_of(config.beam_edges());
+  }
+  std::vector<double> centres;
+  for (std::uint64_t i = 0; i < table.row.front(); ++i) {
+    const int at = static_cast<int>(i);
+    centres.push_back(table.name == "range" ? config.bin_range(at) : config.beam_azimuth(at));
+  }
+  return bytes_of(centres);
+}
+
+void McapTables::read(const RecordedTable& table, NumberType /*type: that of the table*/,
+                      std::span<const TableSlice> slices, std::span<std::byte> bytes) const {
+  std::byte* into = bytes.data();
+  if (!table.by_ping) {
+    take_block(row(table, 0), table.value_bytes, table.row, slices, into);
+    return;
+  }
+  for (std::uint64_t i = 0; i < slices.front().count; ++i) {
+    take_block(row(table, slices.front().start + i * slices.front().step), table.value_bytes, table.row,
+               slices.subspan(1), into);
+  }
+}
+
+}  // namespace insonify

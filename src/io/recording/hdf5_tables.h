@@ -1,0 +1,26 @@
+// hdf5_tables.h -- everything that an HDF5 recording holds at its root: tables, lists of names, attributes, settings.
+
+#pragma once
+
+#include "io/file/hdf5.h"
+#include "io/file/recorded_tables.h"
+
+namespace insonify {
+
+class Hdf5Tables : public RecordedTables {
+ public:
+  /// @throws Error with the path for a file that is missing, is not HDF5 or has no dataset `intensity`.
+  explicit Hdf5Tables(const std::filesystem::path& path);
+
+  [[nodiscard]] nlohmann::json settings() const override;
+  [[nodiscard]] std::vector<std::byte> row(const RecordedTable& table, std::uint64_t ping) const override;
+  void read(const RecordedTable& table, NumberType type, std::span<const TableSlice> slices,
+            std::span<std::byte> bytes) const override;
+
+ private:
+  void add_table(const std::string& name);
+
+  H5Handle file_;
+};
+
+}  // namespace insonify

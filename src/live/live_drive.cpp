@@ -1,0 +1,95 @@
+// live_drive.cpp -- poses and time that other programs tell.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "insonify/error.h"
+#include "live/live_state.h"
+
+namespace insonify {
+
+// Whether the next pings need a pose or a time that has not been told.
+bool LiveLoop::State::waits_for_others() const {
+  if (options.driven && (!drive || drive_refused)) {
+    return true;
+  }
+  constexpr double kSameTime = 1e-9;  // [s]
+  return options.clocked && (!clock || *clock - clock_anchor < run->next_time() - anchor_time - kSameTime);
+}
+
+// Ends the path where the vehicle is now; the first time, the run begins there.
+// @return  Whether pings can be made from there.
+bool LiveLoop::State::drive_to_next(Lock& lock) {
+  std::string refusal;
+  try {
+    if (!driving) {
+      const LiveStart start{.follows = false, .world_from_vehicle = drive->world_from_vehicle, .time = 0};
+      (void)LiveRun(scenario_from(scenario, start), start);  // Throws before anything changes.
+      begin_run(start, lock);
+      driving = true;
+    }
+    refusal = run->drive_to_next(drive->world_from_vehicle);
+  } catch (const Error& error) {
+    refusal = error.what();
+  }
+  drive_refused = !refusal.empty();
+  if (drive_refused) {
+    lock.unlock();
+    note("no ping: " + refusal);
+    lock.lock();
+  }
+  return !drive_refused;
+}
+
+// As keep_pace(), for the clock of another program.
+void LiveLoop::State::keep_clock() {
+  if (!options.clocked || !clock) {
+    return;
+  }
+  const double due = clock_anchor + run->next_time() - anchor_time;
+  double period = 0;
+  for (const int sonar : run->next_sonars()) {
+    period = std::max(period, world->sonars[static_cast<std::size_t>(sonar)].ping_period.value_or(0));
+  }
+  clock_anchor = *clock - due < period ? due : *clock;
+}
+
+void LiveLoop::drive(LiveDrive drive) {
+  State& state = *state_;
+  if (!state.options.driven) {
+    throw Error("drive: the loop was started without LiveOptions::driven");
+  }
+  PingRequest request;
+  request.world_from_vehicle = drive.world_from_vehicle;
+  request.twist = drive.twist;
+  request.moved = drive.moved;
+  request.validate();
+  const double now = std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
+  const State::Lock lock(state.mutex);
+  state.drive = std::move(drive);
+  state.drive_told_at = now;
+  state.drive_refused = false;
+  state.wake.notify_all();
+}
+
+void LiveLoop::advance(double time) {
+  State& state = *state_;
+  if (!state.options.clocked) {
+    throw Error("advance: the loop was started without LiveOptions::clocked");
+  }
+  if (!std::isfinite(time)) {
+    throw Error("", "time", fmt::format(" = {} s must be finite", time));
+  }
+  const State::Lock lock(state.mutex);
+  if (!state.clock || time < *state.clock) {
+    state.clock_anchor = time;
+    state.anchor_time = state.run->next_time();
+  }
+  state.clock = time;
+  state.wake.notify_all();
+}
+
+}  // namespace insonify
