@@ -99,7 +99,8 @@ TEST_F(McapPingsTest, ValuesMustBeOfATypeThatIsWritten) {
   SonarImageFacts facts;
   facts.directions.resize(2, Vec3::UnitZ());
   const std::vector<std::uint16_t> values(6, 7);
-  const std::vector<std::byte> good = encode_sonar_image({}, facts, std::span<const std::uint16_t>(values));
+  const std::vector<std::byte> good =
+      encode_sonar_image(MessageForm::kRos2, {}, facts, std::span<const std::uint16_t>(values));
   write_changed({}, good);
   EXPECT_EQ(refusal(), "no error");
   // The message ends in: is_bigendian, 3 bytes to align, dtype, beam_count, number of bytes, 12 bytes.

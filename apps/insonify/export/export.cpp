@@ -22,7 +22,7 @@ namespace {
 // Refuses options that do nothing for the format.
 void check_effects(const ExportCommand& options) {
   static const std::map<std::string, std::vector<std::string>> kActsOn = {
-      {"--bits", {".mcap", ".bag"}},          {"--store", {".npz"}},
+      {"--bits", {".mcap", ".bag"}},  {"--store", {".npz"}},
       {"--rate", {".mp4", ".gif"}},   {"--colour-map", {".mp4", ".gif", ".mcap", ".bag"}},
       {"--height", {".mp4", ".gif"}}, {"--levels", {".mp4", ".gif", ".mcap", ".bag"}}};
   const std::filesystem::path& file = options.file;

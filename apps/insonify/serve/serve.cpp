@@ -141,7 +141,7 @@ int serve(const ServeOptions& options) {
   server.run();
   loop->end();
   if (!options.quiet) {
-    say("{} pings in {:.1f} s\n", loop->state().pings_made,
+    say("{} in {:.1f} s\n", counted(loop->state().pings_made, "ping"),
         std::chrono::duration<double>(Clock::now() - start).count());
   }
   return kDone;
