@@ -5,6 +5,7 @@
 
 #include "image/lettering.h"
 
+#include <fmt/format.h>
 #include <ft2build.h>
 #include FT_FREETYPE_H
 #include FT_OUTLINE_H
@@ -23,6 +24,13 @@ namespace insonify {
 namespace {
 
 constexpr double kFixedPoint = 64;  // FreeType's unit is 1/64 pixel.
+
+// As C++ and Python write such characters.
+std::string escaped(char32_t point) {
+  constexpr char32_t kLongestShort = 0xffff;
+  const auto number = static_cast<std::uint32_t>(point);
+  return point <= kLongestShort ? fmt::format("\\u{:04x}", number) : fmt::format("\\U{:08x}", number);
+}
 
 }  // namespace
 
@@ -56,9 +64,8 @@ struct Lettering::Face {
   const Glyph& glyph_of(char32_t point) {
     const auto [place, is_new] = glyphs.try_emplace(point);
     if (is_new) {
-      const FT_UInt own = FT_Get_Char_Index(face, point);
-      place->second.index = own != 0 ? own : FT_Get_Char_Index(face, '?');
-      if (load(place->second.index)) {
+      place->second.index = FT_Get_Char_Index(face, point);
+      if (place->second.index != 0 && load(place->second.index)) {
         place->second.advance = static_cast<double>(face->glyph->linearHoriAdvance) / 65536;
       }
     }
@@ -70,8 +77,7 @@ struct Lettering::Face {
   double each_glyph(std::string_view text, Visit&& visit) {
     double x = 0;
     FT_UInt before = 0;
-    while (!text.empty()) {
-      const Glyph& glyph = glyph_of(take_code_point(text));
+    const auto place = [&](const Glyph& glyph) {
       FT_Vector kerning{0, 0};
       if (before != 0 && FT_Get_Kerning(face, before, glyph.index, FT_KERNING_UNFITTED, &kerning) == 0) {
         x += static_cast<double>(kerning.x) / kFixedPoint;
@@ -79,6 +85,16 @@ struct Lettering::Face {
       visit(glyph.index, x);
       x += glyph.advance;
       before = glyph.index;
+    };
+    while (!text.empty()) {
+      const char32_t point = take_code_point(text);
+      if (const Glyph& glyph = glyph_of(point); glyph.index != 0) {
+        place(glyph);
+        continue;
+      }
+      for (const char letter : escaped(point)) {
+        place(glyph_of(static_cast<unsigned char>(letter)));
+      }
     }
     return x;
   }

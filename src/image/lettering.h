@@ -13,8 +13,8 @@ namespace insonify {
 /// Which point of a text is placed at the given position.
 enum class Anchor { kStart, kMiddle, kEnd };
 
-/// DejaVu Sans in one size. A character that the font does not have, such as a Chinese one, is shown as a question
-/// mark.
+/// DejaVu Sans in one size: Latin, Greek, Cyrillic, Arabic, Hebrew and others. A character that the font does not have,
+/// such as a Chinese one, is shown by its number, as `\u6df1`.
 class Lettering {
  public:
   /// @param size  Size of the em square [pixels], >= 1.

@@ -96,9 +96,9 @@ TEST(LetteringTest, TextThatLeavesThePictureIsCutOff) {
   EXPECT_EQ(picture.rgb.size(), 900U);
 }
 
-TEST(LetteringTest, LettersThatTheFontLacksBecomeQuestionMarks) {
+TEST(LetteringTest, LettersThatTheFontLacksAreShownByTheirNumbers) {
   const Lettering lettering(20);
-  EXPECT_DOUBLE_EQ(lettering.width("声纳 A"), lettering.width("?? A"));
+  EXPECT_DOUBLE_EQ(lettering.width("声纳 A"), lettering.width("\\u58f0\\u7eb3 A"));
 }
 
 }  // namespace

@@ -184,6 +184,30 @@ TEST_F(DamagedRecordingTest, CharactersOfTextsMustHaveOneByte) {
   EXPECT_GT(refused, 5);
 }
 
+// HDF5 copies the values of an enumeration by the size of one type into memory for the other: 3 of 3700 files with
+// random damage ended it so.
+TEST_F(DamagedRecordingTest, WordsMustBeNumbersOfTheirType) {
+  // A truth value: an enumeration (class 8, version 1) of 2 words and 1 byte, then the type of its numbers, whose size
+  // follows after 4 bytes.
+  const std::string truth("\x18\x02\0\0\x01\0\0\0\x10", 9);
+  int found = 0;
+  for (std::size_t type = bytes.find(truth); type != std::string::npos; type = bytes.find(truth, type + 1), ++found) {
+    ASSERT_EQ(number<std::uint32_t>(type + 12), 1);
+    if (found % 5 != 0) {
+      continue;
+    }
+    const std::string message = "is damaged: its words are not numbers of their type";
+    EXPECT_THAT(read_damaged(changed<std::uint32_t>(type + 12, 0x10000)), HasSubstr(message)) << type;
+    EXPECT_THAT(read_damaged(changed<std::uint32_t>(type + 4, 0x10000)), HasSubstr(message)) << type;
+    EXPECT_THAT(read_damaged(changed<std::uint8_t>(type + 8, 0x13)), HasSubstr(message)) << type;  // Texts.
+    EXPECT_THAT(read_damaged(changed<std::uint16_t>(type + 1, 60'000)),
+                testing::AnyOf(HasSubstr("is damaged: its type is longer than its message"),
+                               HasSubstr("is damaged: a name in its type does not end")))
+        << type;
+  }
+  EXPECT_GT(found, 3);
+}
+
 TEST_F(DamagedRecordingTest, RandomDamageIsAMessageOrNothing) {
   constexpr int kSeeds = 300;
   int refused = 0;

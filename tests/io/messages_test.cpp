@@ -131,8 +131,8 @@ TEST(SonarMessagesTest, SonarsOfAScenarioHaveTopicsOfTheirOwn) {
   const auto topic = [&](int sonar) {
     return SonarMessages(message_source(scenario, scenario.sonars[sonar])).channels().front().topic;
   };
-  EXPECT_EQ(topic(0), "/__/sonar_image");
-  EXPECT_EQ(topic(1), "/___2/sonar_image");
+  EXPECT_EQ(topic(0), "/_/sonar_image");
+  EXPECT_EQ(topic(1), "/__2/sonar_image");
 }
 
 TEST(SonarMessagesTest, NamesTopicsAfterTheSonar) {

@@ -2,14 +2,13 @@
 
 #include "io/file/hdf5_heap.h"
 
-#include <fmt/format.h>
-
 #include <cstdint>
 #include <cstring>
-#include <fstream>
 #include <map>
 #include <span>
-#include <vector>
+
+#include "io/file/hdf5_bytes.h"
+#include "io/file/hdf5_type.h"
 
 namespace insonify {
 namespace {
@@ -21,49 +20,9 @@ constexpr std::uint64_t kReference = 16;                        // Length 4, add
 // HDF5 would get memory for each of a text's characters of that size.
 constexpr const char* kWideCharacters = "its characters do not have 1 byte";
 
-template <typename Number>
-Number number_at(std::span<const char> bytes, std::uint64_t place) {
-  Number value{};
-  if (place <= bytes.size() && sizeof value <= bytes.size() - place) {
-    std::memcpy(&value, bytes.data() + place, sizeof value);
-  }
-  return value;
-}
-
-class HeapCheck {
+class HeapCheck : public Hdf5Bytes {
  public:
-  HeapCheck(hid_t file, const std::filesystem::path& path, const std::string& name)
-      : path_(path), name_(name), file_(path, std::ios::binary), end_(std::filesystem::file_size(path)) {
-    const std::string doing = "read " + name;
-    const H5Handle made = h5_own(H5Fget_create_plist(file), H5Pclose, path, doing);
-    std::size_t address_bytes = 0, length_bytes = 0;
-    hsize_t base = 0;
-    h5_check(H5Pget_sizes(made.get(), &address_bytes, &length_bytes), path, doing);
-    h5_check(H5Pget_userblock(made.get(), &base), path, doing);
-    base_ = base;
-    if (address_bytes != 8 || length_bytes != 8) {
-      fail("its addresses do not have 8 bytes");
-    }
-  }
-
-  // Where the addresses in the file count from [bytes].
-  [[nodiscard]] std::uint64_t base() const { return base_; }
-
-  [[noreturn]] void fail(const std::string& reason) const {
-    throw Error(fmt::format("{}: {} is damaged: {}", path_.string(), name_, reason));
-  }
-
-  std::vector<char> read(std::uint64_t place, std::uint64_t count) {
-    if (place > end_ || count > end_ - place) {
-      fail("it points past the end of the file");
-    }
-    std::vector<char> bytes(count);
-    file_.seekg(static_cast<std::streamoff>(place));
-    if (!file_.read(bytes.data(), static_cast<std::streamsize>(count))) {
-      fail("it cannot be read");
-    }
-    return bytes;
-  }
+  using Hdf5Bytes::Hdf5Bytes;
 
   // Fails unless each reference names an object of its own length.
   void check_references(std::span<const char> references) {
@@ -90,15 +49,15 @@ class HeapCheck {
   }
 
   std::map<std::uint16_t, std::uint64_t> walk(std::uint64_t address) {
-    if (address > end_) {
+    if (address > end()) {
       fail("it points past the end of the file");
     }
-    const std::vector<char> start = read(base_ + address, kHeader);
+    const std::vector<char> start = read(base() + address, kHeader);
     const auto size = number_at<std::uint64_t>(start, 8);
     if (std::memcmp(start.data(), "GCOL\1", 5) != 0 || size < kHeader || size > kLargestHeap) {
       fail("there is no heap of texts where it points");
     }
-    const std::vector<char> bytes = read(base_ + address, size);
+    const std::vector<char> bytes = read(base() + address, size);
     std::map<std::uint16_t, std::uint64_t> objects;
     for (std::uint64_t place = kHeader; size - place >= kHeader;) {
       const auto index = number_at<std::uint16_t>(bytes, place);
@@ -116,42 +75,28 @@ class HeapCheck {
     return objects;
   }
 
-  const std::filesystem::path& path_;
-  const std::string& name_;
-  std::uint64_t base_ = 0;
-  std::ifstream file_;
-  std::uint64_t end_;
   std::map<std::uint64_t, std::map<std::uint16_t, std::uint64_t>> heaps_;
 };
 
-// Name of the attribute that a message holds (HDF5 File Format Specification 3.0, IV.A.2.m), after a check of its data
-// if they are texts of variable length. Parts are name, datatype, dataspace, data; version 1 pads the first three to 8
-// bytes.
+// Name of the attribute that a message holds, after a check of its type, and of its data if they are texts of variable
+// length.
 std::string checked_attribute(HeapCheck& check, std::span<const char> message) {
   constexpr std::uint8_t kVariableLength = 9;  // Class of a datatype.
-  const auto version = number_at<std::uint8_t>(message, 0);
-  const std::uint64_t padding = version == 1 ? 8 : 1;
-  const auto padded = [&](std::uint64_t size) { return (size + padding - 1) / padding * padding; };
-  if (version < 1 || version > 3 || (version > 1 && number_at<std::uint8_t>(message, 1) != 0)) {
+  const Hdf5Attribute attribute = attribute_parts(check, message);
+  if (attribute.shared) {
     check.fail("an attribute is of a kind that recordings do not have");
   }
-  const std::uint64_t type = (version == 3 ? 9 : 8) + padded(number_at<std::uint16_t>(message, 2));
-  const std::uint64_t data =
-      type + padded(number_at<std::uint16_t>(message, 4)) + padded(number_at<std::uint16_t>(message, 6));
-  if (data > message.size()) {
-    check.fail("an attribute is larger than its message");
+  if (const std::string fault = datatype_fault(attribute.type); !fault.empty()) {
+    check.fail(fault);
   }
-  if ((number_at<std::uint8_t>(message, type) & 0x0f) == kVariableLength) {
-    const bool is_text = (number_at<std::uint8_t>(message, type + 1) & 0x0f) == 1;
-    if (is_text && number_at<std::uint32_t>(message, type + 12) != 1) {  // Of the type that it is a list of.
+  if ((number_at<std::uint8_t>(attribute.type, 0) & 0x0f) == kVariableLength) {
+    const bool is_text = (number_at<std::uint8_t>(attribute.type, 1) & 0x0f) == 1;
+    if (is_text && number_at<std::uint32_t>(attribute.type, 12) != 1) {  // Of the type that it is a list of.
       check.fail(kWideCharacters);
     }
-    check.check_references(message.subspan(data));
+    check.check_references(attribute.data);
   }
-  const std::size_t first = version == 3 ? 9 : 8;
-  const std::string name(message.begin() + static_cast<std::ptrdiff_t>(first),
-                         message.begin() + static_cast<std::ptrdiff_t>(first + number_at<std::uint16_t>(message, 2)));
-  return name.substr(0, name.find('\0'));
+  return attribute.name;
 }
 
 std::vector<std::string> listed_attributes(hid_t object, const std::filesystem::path& path, const std::string& doing) {
@@ -187,46 +132,18 @@ void check_heap_texts(hid_t file, hid_t dataset, const std::filesystem::path& pa
 }
 
 std::vector<std::string> checked_attributes(hid_t object, const std::filesystem::path& path, const std::string& name) {
-  constexpr std::uint64_t kPrefix = 16;        // Version, message count, reference count, size, padding.
-  constexpr std::uint64_t kMessagePrefix = 8;  // Type, size, flags, reserved.
-  constexpr std::uint16_t kAttribute = 0x000c, kContinuation = 0x0010;
-  constexpr std::size_t kMostBlocks = 1024;
   const std::string doing = "read the attributes of " + name;
   const H5Handle file = h5_own(H5Iget_file_id(object), H5Fclose, path, doing);
   H5O_info_t info;
   h5_check(H5Oget_info(object, &info), path, doing);
   HeapCheck check(file.get(), path, name);
-  const std::vector<char> prefix = check.read(check.base() + info.addr, kPrefix);
-  if (number_at<std::uint8_t>(prefix, 0) != 1) {
-    return listed_attributes(object, path, doing);  // A version 2 header, which no recording has.
-  }
   std::vector<std::string> names;
-  struct Block {
-    std::uint64_t place, size;
-  };
-  std::vector<Block> blocks = {{check.base() + info.addr + kPrefix, number_at<std::uint32_t>(prefix, 8)}};
-  for (std::size_t i = 0; i < blocks.size(); ++i) {
-    const std::vector<char> block = check.read(blocks[i].place, blocks[i].size);
-    for (std::uint64_t at = 0; block.size() - at >= kMessagePrefix;) {
-      const auto type = number_at<std::uint16_t>(block, at);
-      const auto size = number_at<std::uint16_t>(block, at + 2);
-      at += kMessagePrefix;
-      if (size > block.size() - at) {
-        check.fail("a message of its header is larger than the header");
-      }
-      const std::span<const char> message = std::span(block).subspan(at, size);
-      if (type == kAttribute) {
-        names.push_back(checked_attribute(check, message));
-      } else if (type == kContinuation) {
-        if (blocks.size() == kMostBlocks) {
-          check.fail("its header does not end");
-        }
-        blocks.push_back({check.base() + number_at<std::uint64_t>(message, 0), number_at<std::uint64_t>(message, 8)});
-      }
-      at += size;
+  const bool visited = check.each_message(info.addr, [&](const Hdf5Message& message) {
+    if (message.type == Hdf5Message::kAttribute) {
+      names.push_back(checked_attribute(check, message.content));
     }
-  }
-  return names;
+  });
+  return visited ? names : listed_attributes(object, path, doing);  // A version 2 header, which no recording has.
 }
 
 }  // namespace insonify

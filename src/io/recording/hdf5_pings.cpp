@@ -10,6 +10,7 @@
 
 #include "insonify/printable.h"
 #include "io/file/hdf5_heap.h"
+#include "io/file/hdf5_type.h"
 #include "io/file/input_file.h"
 #include "io/recording/recorded_settings.h"
 
@@ -27,6 +28,7 @@ H5Handle open_dataset(hid_t file, const std::filesystem::path& path) {
   if (H5Lexists(file, kDataset, H5P_DEFAULT) <= 0) {
     throw Error(fmt::format("{}: is no recording: it has no dataset intensity", path.string()));
   }
+  check_object(file, kDataset, path);
   return h5_own(H5Dopen2(file, kDataset, H5P_DEFAULT), H5Dclose, path, "open intensity");
 }
 
@@ -87,6 +89,7 @@ std::string text_attribute(hid_t file, const char* name, const std::filesystem::
 std::vector<double> read_row(const H5Handle& file, const std::filesystem::path& path, const char* name,
                              std::uint64_t ping, hsize_t width) {
   const std::string doing = fmt::format("read {}", name);
+  check_object(file.get(), name, path);
   const H5Handle dataset = h5_own(H5Dopen2(file.get(), name, H5P_DEFAULT), H5Dclose, path, doing);
   const H5Handle from = h5_own(H5Dget_space(dataset.get()), H5Sclose, path, doing);
   std::array<hsize_t, 2> shape = {0, 1};

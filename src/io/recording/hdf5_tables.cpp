@@ -13,6 +13,7 @@
 
 #include "insonify/printable.h"
 #include "io/file/hdf5_heap.h"
+#include "io/file/hdf5_type.h"
 #include "io/file/input_file.h"
 
 namespace insonify {
@@ -201,6 +202,7 @@ void Hdf5Tables::add_table(const std::string& name) {
   if (name == "." || name == "..") {
     throw Error(fmt::format("{}: is no recording: it has a dataset called {}", path_.string(), name));
   }
+  check_object(file_.get(), name, path_);
   const H5Handle object =
       h5_own(H5Oopen(file_.get(), name.c_str(), H5P_DEFAULT), H5Oclose, path_, "open " + printable(name));
   if (H5Iget_type(object.get()) != H5I_DATASET) {
@@ -267,6 +269,7 @@ nlohmann::json Hdf5Tables::settings() const {
   std::vector<std::string> names;
   h5_check(H5Lvisit(group.get(), H5_INDEX_NAME, H5_ITER_INC, add_name, &names), path_, "list settings");
   for (const std::string& name : names) {
+    check_object(file_.get(), "settings/" + name, path_);
     const H5Handle object =
         h5_own(H5Oopen(group.get(), name.c_str(), H5P_DEFAULT), H5Oclose, path_, "open " + printable(name));
     if (H5Iget_type(object.get()) == H5I_DATASET) {

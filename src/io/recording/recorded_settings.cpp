@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "io/file/hdf5_heap.h"
+#include "io/file/hdf5_type.h"
 
 namespace insonify {
 
@@ -35,6 +36,7 @@ std::optional<std::string> H5Settings::text(const std::string& name) const {
     return {};
   }
   const std::string doing = "read " + name;
+  check_object(file_, name, path_);
   const H5Handle dataset = h5_own(H5Dopen2(file_, name.c_str(), H5P_DEFAULT), H5Dclose, path_, doing);
   const H5Handle type = h5_own(H5Dget_type(dataset.get()), H5Tclose, path_, doing);
   const H5Handle space = h5_own(H5Dget_space(dataset.get()), H5Sclose, path_, doing);
@@ -56,6 +58,7 @@ std::optional<std::vector<double>> H5Settings::numbers(const std::string& name) 
   }
   constexpr hssize_t kMost = 65536;  // Beams of a fan; more would be some other table.
   const std::string doing = "read " + name;
+  check_object(file_, name, path_);
   const H5Handle dataset = h5_own(H5Dopen2(file_, name.c_str(), H5P_DEFAULT), H5Dclose, path_, doing);
   const H5Handle type = h5_own(H5Dget_type(dataset.get()), H5Tclose, path_, doing);
   const H5Handle space = h5_own(H5Dget_space(dataset.get()), H5Sclose, path_, doing);
