@@ -153,7 +153,7 @@ if(INSONIFY_BUILD_APPS)
     set_tests_properties(emulate_${instrument} PROPERTIES TIMEOUT 120)
     # A vehicle that follows a wall, as a client of the instrument sees it; for a minute by hand.
     add_test(NAME follow_wall_${instrument}
-      COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/bench/follow_wall.py ${instrument} $<TARGET_FILE:insonify_cli> --seconds 3)
+      COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/bench/follow_wall.py ${instrument} $<TARGET_FILE:insonify_cli> --seconds 3 --slowest 5)
     set_tests_properties(follow_wall_${instrument} PROPERTIES TIMEOUT 120)
   endforeach()
   # NumPy archives and Zarr groups as NumPy and zarr read them.

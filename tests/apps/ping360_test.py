@@ -24,6 +24,8 @@ try:
 except ImportError:
     h5py = None
 
+from ping360_client import ACK, AUTO_DATA, DATA, NACK, auto_transmit, frame, loudest, parsed, samples_of, transducer
+
 INSONIFY = os.path.abspath(sys.argv.pop(1))
 
 # A target 4.1 m ahead, and one 5.3 m to starboard. 80 ticks of 25 ns are 2 us; with 1500 m/s a sample is 1.5 mm.
@@ -38,41 +40,6 @@ sonars:
      min_range: 0.75, max_range: 20, step_deg: -0.9, sampling: {columns_per_beam: 4, rows: 20}}
 """
 NOISE = ("--set", "receiver.ambient_noise_db=76")  # Fills samples with values between dark and bright.
-DATA, AUTO_DATA, ACK, NACK = 2300, 2301, 1, 2
-
-
-def frame(number, payload=b"", destination=0):
-    data = b"BR" + struct.pack("<HHBB", len(payload), number, 0, destination) + payload
-    return data + struct.pack("<H", sum(data) & 0xffff)
-
-
-def transducer(angle, gain=1, duration=40, period=400, frequency=750, count=1000, transmit=1):
-    return frame(2601, struct.pack("<BBHHHHHBB", 1, gain, angle, duration, period, frequency, count, transmit, 0))
-
-
-def auto_transmit(start, stop, step, gain=1, duration=40, period=250, frequency=750, count=200, delay=0):
-    return frame(2602, struct.pack("<BBHHHHHHBB", 1, gain, duration, period, frequency, count, start, stop, step, delay))
-
-
-def parsed(data):
-    """Id and payload of a frame, whose checksum must hold."""
-    assert data[:2] == b"BR", data
-    length, number = struct.unpack_from("<HH", data, 2)
-    assert len(data) == length + 10, (len(data), length)
-    assert struct.unpack_from("<H", data, len(data) - 2)[0] == sum(data[:-2]) & 0xffff
-    return number, data[8:-2]
-
-
-def samples_of(payload, header="<BBHHHHHH"):
-    """Fields and samples of device_data."""
-    fields = struct.unpack_from(header, payload)
-    samples = payload[struct.calcsize(header):]
-    assert fields[-1] == len(samples)
-    return fields[:-1], samples
-
-
-def loudest(samples):
-    return max(range(len(samples)), key=lambda i: samples[i])
 
 
 class Instrument:

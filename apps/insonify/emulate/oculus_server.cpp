@@ -5,11 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <boost/asio/post.hpp>
-#include <cmath>
 
 #include "console/console.h"
 #include "console/outcome.h"
-#include "insonify/acoustics/sound_speed.h"
 
 namespace insonify {
 
@@ -22,24 +20,9 @@ constexpr unsigned short kStatusPort = 52102;
 constexpr std::size_t kMostClients = 32;
 constexpr std::size_t kMostWarnings = 100;
 constexpr std::chrono::seconds kBeat{1};
-constexpr std::uint16_t kDevice = 1;
 
 WallClock::duration time_of(double seconds) {
   return std::chrono::duration_cast<WallClock::duration>(std::chrono::duration<double>(seconds));
-}
-
-double pressure_bar(const Water& water) {
-  constexpr double kAtmosphere = 1.01325, kBarPerMegapascal = 10;
-  return kAtmosphere + kBarPerMegapascal * pressure_mpa(water.depth, radians_from_degrees(45));
-}
-
-// The members of a fire message that act on the simulated sonar.
-OculusFire acting(const OculusFire& fire) {
-  return {.mode = fire.mode,
-          .flags = static_cast<std::uint8_t>(fire.flags & (kOculusRangeInMetres | kOculus512Beams)),
-          .range = fire.range,
-          .sound_speed = fire.sound_speed,
-          .salinity = fire.salinity};
 }
 
 OculusClient::Bytes shared(std::vector<std::uint8_t> bytes) {
@@ -49,8 +32,7 @@ OculusClient::Bytes shared(std::vector<std::uint8_t> bytes) {
 }  // namespace
 
 OculusServer::OculusServer(const EmulateOptions& options, EmulatedSonar& sonar)
-    : sonar_(sonar),
-      modes_(oculus_modes(sonar.scenario(), sonar.given(), sonar.high())),
+    : pings_(sonar),
       network_(network_of(options)),
       acceptor_(loop_.context()),
       status_socket_(loop_.context(), Udp::v4()) {
@@ -151,7 +133,8 @@ void OculusServer::take(OculusClient& client, const OculusMessage& message) {
       try {
         const OculusFire asked = decode_fire(message);
         client.layout = asked.layout;
-        fire(asked);
+        wanted_ = asked;
+        net::post(loop_.context(), [this] { obey(); });  // Once for all that have arrived together.
       } catch (const Error& error) {
         refuse(client, error.what());
       }
@@ -168,34 +151,27 @@ void OculusServer::take(OculusClient& client, const OculusMessage& message) {
   }
 }
 
-void OculusServer::fire(const OculusFire& asked) {
-  if (pinging_) {  // Until the ping is made the simulated sonar cannot be changed.
-    wanted_ = asked;
-  } else if (asked_ != asked) {
-    apply(asked);
+// Changes the settings to those of the last fire message. While a ping is made that has to wait.
+void OculusServer::obey() {
+  if (pinging_ || !wanted_) {
+    return;
+  }
+  const OculusFire asked = *std::exchange(wanted_, {});
+  if (asked_ == asked) {
+    return;
+  }
+  std::vector<std::string> notes;
+  try {
+    settings_ = pings_.apply(asked, notes);
     asked_ = asked;
     schedule();
+  } catch (const Error& error) {
+    report_.note_refusal();
+    notes.push_back(fmt::format("not obeyed: {}", error.what()));
   }
-}
-
-// Throws where the simulated sonar refuses the settings; then nothing has changed.
-void OculusServer::apply(const OculusFire& asked) {
-  const bool high = asked.mode == 2 && modes_.high;
-  Settings settings{.plan = oculus_plan(high ? *modes_.high : modes_.low, sonar_.scenario(), asked)};
-  if (settings.plan.sonar && applied_ != acting(asked)) {
-    sonar_.set(*settings.plan.sonar);
-    applied_ = acting(asked);
+  for (const std::string& note : notes) {
+    warn_once(note);
   }
-  settings.levels = sonar_.levels();
-  settings.bearings = oculus_bearings(sonar_.config());
-  if (asked.mode == 2 && !high) {
-    warn_once(fmt::format("{} has one mode, which is used for mode 2 (high frequency) too", sonar_.given().name));
-  }
-  if (settings.plan.fire.range < asked.range) {
-    warn_once(fmt::format("range = {:.6g} m is limited to {:.6g} m, the longest in mode {}", asked.range,
-                          settings.plan.fire.range, asked.mode));
-  }
-  settings_ = std::make_shared<const Settings>(std::move(settings));
 }
 
 // A ping that took longer than the period delays the next; those that were due meanwhile are left out.
@@ -218,10 +194,10 @@ void OculusServer::ping(WallClock::time_point due) {
   last_due_ = due;
   pinging_ = true;
   net::post(maker_, [this, settings = settings_] {
-    std::shared_ptr<const Heard> heard;
+    std::shared_ptr<const OculusPings::Heard> heard;
     std::string failure;
     try {
-      heard = std::make_shared<const Heard>(make_ping(*settings));
+      heard = std::make_shared<const OculusPings::Heard>(pings_.make(*settings));
     } catch (const Interrupted&) {
       return;  // The end of the program: RoadLoop sees it too.
     } catch (const Error& error) {
@@ -231,61 +207,24 @@ void OculusServer::ping(WallClock::time_point due) {
   });
 }
 
-// Runs in the other thread.
-OculusServer::Heard OculusServer::make_ping(const Settings& settings) {
-  const WallClock::time_point transmitted = WallClock::now();
-  const SonarConfig& sonar = sonar_.config();
-  const Water water = sonar_.scenario().water_at(sonar);
-  const OculusPlan& plan = settings.plan;
-  const Ping* ping = plan.sonar ? &sonar_.ping() : nullptr;
-  Heard heard{.result = {.fire = plan.fire,
-                         .device = kDevice,
-                         .number = number_++,
-                         .frequency = sonar.frequency,
-                         .temperature_c = water.temperature_c,
-                         .pressure_bar = pressure_bar(water),
-                         .sound_speed = sonar_.sound_speed(),
-                         .start_time = sonar_.time_at(transmitted),
-                         .range_resolution = plan.row_length,
-                         .range_count = static_cast<std::uint16_t>(plan.rows),
-                         .bearings = settings.bearings,
-                         .image = oculus_image(plan, ping, settings.levels, sonar.beam_count)},
-              .computing_time = std::chrono::duration<double>(WallClock::now() - transmitted).count(),
-              .transmitted = transmitted};
-  if (ping != nullptr) {
-    const Vec3 rpy = rpy_from_orientation(ping->world_from_sonar.orientation);
-    heard.result.heading_deg = std::fmod(450 - degrees_from_radians(rpy.z()), 360);
-    heard.result.pitch_deg = -degrees_from_radians(rpy.y());
-    heard.result.roll_deg = degrees_from_radians(rpy.x());
-  }
-  return heard;
-}
-
-void OculusServer::pinged(const std::shared_ptr<const Heard>& heard, const std::string& failure) {
+void OculusServer::pinged(const std::shared_ptr<const OculusPings::Heard>& heard, const std::string& failure) {
   pinging_ = false;
   if (!failure.empty()) {
     warn_once("no ping: " + failure);
   }
   if (heard && settings_) {
-    const double listening = 2 * heard->result.range_resolution * heard->result.range_count / heard->result.sound_speed;
-    tell_timer_.expires_at(heard->transmitted + time_of(listening));
+    tell_timer_.expires_at(heard->heard());
     tell_timer_.async_wait([this, heard](error_code cancelled) {
       if (!cancelled) {
         tell(*heard);
       }
     });
   }
-  if (wanted_) {
-    try {
-      fire(*std::exchange(wanted_, {}));
-    } catch (const Error& error) {
-      warn_once(fmt::format("not obeyed: {}", error.what()));
-    }
-  }
+  obey();
   schedule();
 }
 
-void OculusServer::tell(const Heard& heard) {
+void OculusServer::tell(const OculusPings::Heard& heard) {
   std::array<OculusClient::Bytes, 2> in_layout;
   for (const Client& client : clients_) {
     OculusClient::Bytes& bytes = in_layout.at(static_cast<std::size_t>(client->layout - 1));
@@ -304,7 +243,8 @@ void OculusServer::tell(const Heard& heard) {
 void OculusServer::beat() {
   send_status();
   if (!asked_ || oculus_ping_rate(asked_->ping_rate) == 0) {
-    const OculusClient::Bytes dummy = shared(encode(OculusMessage{.id = kOculusDummy, .source = kDevice}));
+    const OculusClient::Bytes dummy =
+        shared(encode(OculusMessage{.id = kOculusDummy, .source = pings_.status().device}));
     for (const Client& client : clients_) {
       client->send(dummy);  // One that many wait for is as good as none.
     }
@@ -314,14 +254,11 @@ void OculusServer::beat() {
 }
 
 OculusStatus OculusServer::status() const {
-  const Water water = sonar_.scenario().water_at(sonar_.config());
-  return {.device = kDevice,
-          .part_number = modes_.part_number,
-          .address = network_.address.to_bytes(),
-          .mask = network_.mask.to_bytes(),
-          .client = last_client_.to_bytes(),
-          .temperature_c = water.temperature_c,
-          .pressure_bar = pressure_bar(water)};
+  OculusStatus status = pings_.status();
+  status.address = network_.address.to_bytes();
+  status.mask = network_.mask.to_bytes();
+  status.client = last_client_.to_bytes();
+  return status;
 }
 
 void OculusServer::send_status() {

@@ -12,12 +12,11 @@
 #include <string>
 #include <vector>
 
-#include "emulate/emulated_sonar.h"
 #include "emulate/ipv4_network.h"
 #include "emulate/oculus_client.h"
+#include "emulate/oculus_pings.h"
 #include "emulate/road_loop.h"
 #include "emulate/road_report.h"
-#include "insonify/wire/oculus_sonar.h"
 
 namespace insonify {
 
@@ -33,7 +32,7 @@ class OculusServer {
   [[nodiscard]] std::string address() const;
   /// "127.0.0.1:52102"
   [[nodiscard]] std::string status_address() const;
-  [[nodiscard]] const OculusModes& modes() const { return modes_; }
+  [[nodiscard]] const OculusModes& modes() const { return pings_.modes(); }
 
   /// Serves until SIGINT or SIGTERM.
   void run();
@@ -45,30 +44,15 @@ class OculusServer {
   using Udp = boost::asio::ip::udp;
   using Client = std::shared_ptr<OculusClient>;
 
-  /// What pings are made with.
-  struct Settings {
-    OculusPlan plan = {};
-    MessageLevels levels = {};
-    std::vector<std::int16_t> bearings = {};
-  };
-  /// A ping whose echoes the instrument still listens to.
-  struct Heard {
-    OculusPing result = {};
-    double computing_time = 0;  ///< [s]
-    WallClock::time_point transmitted = {};
-  };
-
   void accept();
   void welcome(Tcp::socket socket);
   void forget(OculusClient& client);
   void take(OculusClient& client, const OculusMessage& message);
-  void fire(const OculusFire& asked);
-  void apply(const OculusFire& asked);
+  void obey();
   void schedule();
   void ping(WallClock::time_point due);
-  [[nodiscard]] Heard make_ping(const Settings& settings);
-  void pinged(const std::shared_ptr<const Heard>& heard, const std::string& failure);
-  void tell(const Heard& heard);
+  void pinged(const std::shared_ptr<const OculusPings::Heard>& heard, const std::string& failure);
+  void tell(const OculusPings::Heard& heard);
   void beat();
   void send_status();
   void refuse(const OculusClient& client, const std::string& reason);
@@ -77,8 +61,7 @@ class OculusServer {
 
   RoadReport report_;
   RoadLoop loop_{report_};
-  EmulatedSonar& sonar_;
-  OculusModes modes_;
+  OculusPings pings_;
   Ipv4Network network_;
   Tcp::acceptor acceptor_;
   Udp::socket status_socket_;
@@ -86,13 +69,11 @@ class OculusServer {
 
   std::vector<Client> clients_;
   boost::asio::ip::address_v4 last_client_;
-  std::optional<OculusFire> asked_;                // The fire message that is obeyed; none before the first.
-  std::shared_ptr<const Settings> settings_;       // What it means; null without.
-  std::optional<OculusFire> applied_;              // What the simulated sonar has: the members that act on it.
-  std::optional<OculusFire> wanted_;               // A fire message that came during a ping.
-  bool pinging_ = false;                           // While the other thread has the simulated sonar.
-  std::optional<WallClock::time_point> last_due_;  // Time of the last ping by the schedule.
-  std::uint32_t number_ = 0;                       // Of the other thread.
+  std::optional<OculusFire> wanted_;                       // The fire message that came last, until it is obeyed.
+  std::optional<OculusFire> asked_;                        // The one that is obeyed; none before the first.
+  std::shared_ptr<const OculusPings::Settings> settings_;  // What it means; null without.
+  bool pinging_ = false;                                   // While the other thread has the simulated sonar.
+  std::optional<WallClock::time_point> last_due_;          // Time of the last ping by the schedule.
   std::set<std::string> warnings_;
 
   boost::asio::thread_pool maker_{1};  // Last: it ends first.

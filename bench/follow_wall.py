@@ -1,0 +1,147 @@
+#!/usr/bin/python3
+"""A vehicle follows a wall, and a client of an emulated instrument measures how far away it is.
+
+    bench/follow_wall.py oculus|ping360 build/release/insonify [--seconds 60] [--slowest HZ]
+
+Exit status 1 where a distance is wrong by more than a bin, where a ping is lost, where they come more slowly than
+`--slowest` a second, or where they take longer from pose to message than a period and the time to compute them.
+"""
+
+import argparse
+import os
+import pathlib
+import re
+import signal
+import socket
+import statistics
+import subprocess
+import sys
+import tempfile
+import time
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "tests/apps"))
+import oculus_client as oculus  # noqa: E402
+import ping360_client as ping360  # noqa: E402
+
+WALL = -5.0  # y [m]
+RATE = 20.0  # [Hz]
+REACH = 10.0  # [m]
+SOUND_SPEED = 1500.0
+SCENARIO = """
+world: wall.obj
+water: {sound_speed: 1500}
+sonars:
+  - {name: fls, beam_count: 256, bin_count: 400, max_range: 10, ping_period: 0.05, orientation_deg: [0, 0, -90],
+     elevation_aperture_deg: 12, sampling: {columns_per_beam: 1, rows: 40}}
+  - {name: head, type: msis, beam_count: 1, bin_count: 400, azimuth_aperture_deg: 2, elevation_aperture_deg: 12,
+     min_range: 0.75, max_range: 10, step_deg: -0.9, sampling: {columns_per_beam: 4, rows: 40}}
+trajectory:
+"""
+
+
+def waypoint(i):
+    """Time and y of a waypoint: it comes nearer and goes away again, by 0.2 m/s."""
+    return 5.0 * i, 1.0 if i % 2 else 0.0
+
+
+def distance_at(seconds):
+    """Of the wall [m]."""
+    i = max(0, int(seconds / 5.0))
+    (begin, near), (end, far) = waypoint(i), waypoint(i + 1)
+    return near + (far - near) * max(0.0, seconds - begin) / (end - begin) - WALL
+
+
+def first_echo(profile, threshold):
+    """The first sample that reaches a threshold."""
+    return next(i for i, value in enumerate(profile) if value >= threshold)
+
+
+def follow_with_oculus(address, seconds, _):
+    """Distances measured and true, and how many pings were lost."""
+    client = oculus.Client(address)
+    flags = oculus.METRES | oculus.SIMPLE | oculus.BITS16
+    client.send(oculus.fire(layout=2, flags=flags, rate=oculus.RATE_40, reach=REACH, speed=SOUND_SPEED, gain=50.0))
+    found, last, lost = [], None, 0
+    end = time.monotonic() + seconds
+    while time.monotonic() < end:
+        ping = client.ping()
+        lost += 0 if last is None else ping.number - last - 1
+        last = ping.number
+        ahead = [beam for beam, bearing in enumerate(ping.bearings) if abs(bearing) < 3]
+        profile = [sum(row[beam] for beam in ahead) for row in map(ping.row, range(ping.rows))]
+        found.append((ping.distance(first_echo(profile, max(profile) / 2)), distance_at(ping.start)))
+    client.close()
+    return found, ping.resolution, lost
+
+
+def follow_with_ping360(address, seconds, start):
+    """As follow_with_oculus; a Ping360 does not number its pings."""
+    host, port = address.split(":")
+    client = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
+    client.settimeout(10)
+    # 700 samples of 800 ticks of 25 ns: 14 ms of listening, and 34 ms of delay. The head stays at 100: starboard.
+    client.sendto(ping360.auto_transmit(100, 100, 1, duration=20, period=800, count=700, delay=34), (host, int(port)))
+    found = []
+    bin_length = SOUND_SPEED / 2 * 800 * 25e-9
+    end = time.monotonic() + seconds
+    while time.monotonic() < end:
+        number, payload = ping360.parsed(client.recv(65536))
+        assert number == ping360.AUTO_DATA, number
+        heard = time.monotonic() - start
+        _, samples = ping360.samples_of(payload, "<BBHHHHHHBBHH")
+        edge = first_echo(samples, max(samples) - 6 / 60 * 255)  # 6 dB of the 60 dB that samples cover.
+        found.append(((edge + 0.5) * bin_length, distance_at(heard - 0.014)))
+    client.sendto(ping360.frame(2903), (host, int(port)))
+    return found, bin_length, 0
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("instrument", choices=("oculus", "ping360"))
+    parser.add_argument("insonify")
+    parser.add_argument("--seconds", type=float, default=60)
+    parser.add_argument("--slowest", type=float, help="pings a second; 19.5 of 20, and 18 of a Ping360, which adds its delay "
+                                                       "to the time that a ping takes")
+    options = parser.parse_args()
+    insonify = os.path.abspath(options.insonify)
+    with tempfile.TemporaryDirectory() as folder:
+        path = pathlib.Path(folder)
+        (path / "wall.obj").write_text(f"v -99 {WALL} -9\nv 199 {WALL} -9\nv 199 {WALL} 9\nv -99 {WALL} 9\nf 4 3 2 1\n")
+        points = [waypoint(i) for i in range(int(options.seconds / 5) + 4)]
+        (path / "follow.yaml").write_text(SCENARIO + "".join(
+            f"  - {{time: {seconds}, position: [{0.5 * seconds}, {y}, 0]}}\n" for seconds, y in points))
+        own = f"127.{os.getpid() // 250 % 250 + 1}.{os.getpid() % 250 + 1}.200"
+        words = ["--address", own] if options.instrument == "oculus" else ["--port", "0"]
+        with subprocess.Popen([insonify, "emulate", options.instrument, "follow.yaml", *words], cwd=path, text=True,
+                              stdout=subprocess.PIPE) as program:
+            line = program.stdout.readline()
+            while line and not line.startswith(("Oculus", "Ping360")):
+                line = program.stdout.readline()
+            start = time.monotonic()
+            try:
+                address = own if options.instrument == "oculus" else line.split()[-1]
+                follow = follow_with_oculus if options.instrument == "oculus" else follow_with_ping360
+                found, bin_length, lost = follow(address, options.seconds, start)
+            finally:
+                program.send_signal(signal.SIGINT)
+                report = program.communicate(timeout=20)[0].splitlines()[-1]
+
+    errors = [measured - true for measured, true in found]
+    worst = max(map(abs, errors))
+    rate, latency, computing = (float(re.search(pattern, report).group(1)) for pattern in (
+        r"\(([\d.]+) Hz\)", r"([\d.]+) ms from transmission", r"([\d.]+) of them computing"))
+    print(f"{options.instrument}: {len(found)} distances from {min(t for _, t in found):.2f} to "
+          f"{max(t for _, t in found):.2f} m; wrong by {statistics.mean(errors) * 1e3:.1f} mm on average and "
+          f"{worst * 1e3:.1f} mm at most, bins of {bin_length * 1e3:.1f} mm; {lost} lost")
+    print(report)
+    slowest = options.slowest or (19.5 if options.instrument == "oculus" else 18)
+    wrong = [text for text, failed in (
+        ("a distance is wrong by more than a bin", worst > bin_length), ("pings were lost", lost > 0),
+        ("messages were dropped", "dropped" in report), ("too slow", rate < slowest),
+        ("too late", latency > 1000 / RATE + computing)) if failed]
+    print("; ".join(wrong) or "as it must be")
+    return 1 if wrong else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
