@@ -74,6 +74,7 @@ function drawAxes(context, frame, low, high) {
     context.stroke();
     context.fillText(number(level), frame.left - 4, y);
   }
+  context.fillText("dB", frame.left - 4, frame.top - 8);
   context.textAlign = "center";
   context.textBaseline = "top";
   const spacing = ringSpacing(frame.far);
