@@ -722,6 +722,13 @@ const failed = await runChecks({
       assert.ok(left <= 8 && right >= 382, `from ${left} to ${right}`);
       assert.ok(i === 0 || top >= boxes[i - 1].bottom, "one below the other");
     });
+    await press("drawer");
+    await until(() => page.$eval("#controls", (node) => {
+      const { left, right, top } = node.getBoundingClientRect();
+      return left >= 0 && right <= innerWidth && top >= document.getElementById("drawer").getBoundingClientRect().bottom;
+    }), "controls that leave the button free which closes them");
+    await press("drawer");
+    await until(() => page.$eval("#controls", (node) => getComputedStyle(node).visibility === "hidden"), "no controls");
     assert.ok(boxes[0].height > 250 && (await page.$eval("#views", (node) => node.scrollHeight > node.clientHeight)), "the rest is scrolled to");
     await resize(1280, 720);
   },
