@@ -722,6 +722,13 @@ const failed = await runChecks({
       assert.ok(left <= 8 && right >= 382, `from ${left} to ${right}`);
       assert.ok(i === 0 || top >= boxes[i - 1].bottom, "one below the other");
     });
+    await press("drawer");
+    await until(() => page.$eval("#controls", (node) => {
+      const { left, right, top } = node.getBoundingClientRect();
+      return left >= 0 && right <= innerWidth && top >= document.getElementById("drawer").getBoundingClientRect().bottom;
+    }), "controls that leave the button free which closes them");
+    await press("drawer");
+    await until(() => page.$eval("#controls", (node) => getComputedStyle(node).visibility === "hidden"), "no controls");
     assert.ok(boxes[0].height > 250 && (await page.$eval("#views", (node) => node.scrollHeight > node.clientHeight)), "the rest is scrolled to");
     await resize(1280, 720);
   },
@@ -807,14 +814,16 @@ const failed = await runChecks({
         through: clearPoint(objects, [10, 0, 0], [30, 0, 0], 1),
         beside: clearPoint(objects, [10, 25, 0], [30, 25, 0], 1),
         above: clearPoint(objects, [10, 0, 0], [30, 0, 20], 1),
-        close: clearPoint(objects, [17.5, 0, 0], [27.5, 0, 0], 1),
+        close: clearPoint(objects, [17.3, 0, 0], [27.3, 0, 0], 1),
+        touching: clearPoint(objects, [17.5, 0, 0], [27.5, 0, 0], 1),
       };
     }, kPoint.position);
     assert.equal(seen.drawn, 6);
     assert.deepEqual(seen.cross.slice(0, 12), [11.5, -3, 0, 12.5, -3, 0, 12, -3.5, 0, 12, -2.5, 0]);
     assert.ok(Math.abs(seen.through[0] - (10 + 0.9 * 8)) < 1e-4 && seen.through[1] === 0, String(seen.through));
     assert.deepEqual([seen.beside, seen.above], [[30, 25, 0], [30, 0, 20]]);
-    assert.ok(Math.abs(seen.close[0] - 18.5) < 1e-6, "not nearer to the vehicle than that");
+    assert.ok(Math.abs(seen.close[0] - 18.3) < 1e-6, "not nearer to the vehicle than that");
+    assert.deepEqual(seen.touching, [27.5, 0, 0], "what touches the vehicle is looked over");
   },
 
   async "a lost connection is said, tried again, and found"() {

@@ -33,7 +33,7 @@ export class Camera {
   }
 
   #ahead(vehicle) {
-    const part = this.around ? 0 : { chase: 0.14, orbit: 0.35, top: 0.4 }[this.mode];
+    const part = this.around ? 0.15 : { chase: 0.14, orbit: 0.35, top: 0.4 }[this.mode];
     const heading = headingOf(vehicle);
     return add(vehicle.position, scale([Math.cos(heading), Math.sin(heading), 0], part * this.reach));
   }

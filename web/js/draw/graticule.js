@@ -95,8 +95,9 @@ function labelRing(context, plan, range, azimuth) {
   const [x, y] = plan.place(range, azimuth);
   if (x < -20 || y < 0 || x > plan.width || y > plan.height) return;
   const text = `${number(range, Number.isInteger(range) ? 0 : 1)} m`;
-  if (plan.mode === "round" || x < context.measureText(text).width + 8) {
-    writeInside(context, text, x + 4, y - 2);
+  const wide = context.measureText(text).width;
+  if (plan.mode === "round" || x < wide + 8) {
+    writeInside(context, text, plan.mode === "round" ? x - wide - 3 : x + 4, plan.mode === "round" ? y + 9 : y - 2);
     return;
   }
   context.textAlign = "right";

@@ -4,14 +4,14 @@ import { add, cross, dot, scale, subtract } from "../geometry.js";
 
 const kMostTriangles = 50_000;  // Larger meshes are looked through: testing them would slow the picture.
 
-/** Part of the way from one point to another [m, world] up to the first surface; 1 where there is none. */
-export function clearPart(objects, from, to) {
+/** Part of the way from one point to another [m, world] up to the first surface after the part `least`; 1 where there is none. */
+export function clearPart(objects, from, to, least) {
   let part = 1;
   for (const object of objects) {
     const count = object.triangles.length / 3;
     if (count === 0 || count > kMostTriangles) continue;
     const [start, end] = [from, to].map((point) => intoObject(object.matrix, point));
-    if (meetsBox(boxOf(object.vertices), start, end)) part = Math.min(part, firstHit(object, start, subtract(end, start)));
+    if (meetsBox(boxOf(object.vertices), start, end)) part = Math.min(part, firstHit(object, start, subtract(end, start), least));
   }
   return part;
 }
@@ -41,7 +41,7 @@ function meetsBox([least, most], start, end) {
 }
 
 // T. Moeller and B. Trumbore, Fast, minimum storage ray/triangle intersection (1997), for both sides of each triangle.
-function firstHit({ vertices, triangles }, start, way) {
+function firstHit({ vertices, triangles }, start, way, least) {
   let first = 1;
   const corner = (i) => vertices.subarray(3 * i, 3 * i + 3);
   for (let i = 0; i < triangles.length; i += 3) {
@@ -58,16 +58,18 @@ function firstHit({ vertices, triangles }, start, way) {
     const v = dot(way, along) / size;
     if (v < 0 || u + v > 1) continue;
     const part = dot(ac, along) / size;
-    if (part > 0 && part < first) first = part;
+    if (part > least && part < first) first = part;
   }
   return first;
 }
+
+const kTouch = 0.6;  // What is nearer than that touches the vehicle, and is looked over [m].
 
 /** A point on the way from `from` to `to`, before the first surface by a tenth of the way to it, but not nearer than `least` [m]. */
 export function clearPoint(objects, from, to, least) {
   const way = subtract(to, from);
   const length = Math.hypot(...way);
-  const part = clearPart(objects, from, to);
-  if (part === 1 || length === 0) return to;
+  const part = clearPart(objects, from, to, kTouch / length);
+  if (part === 1) return to;
   return add(from, scale(way, Math.min(1, Math.max(0.9 * part, least / length))));
 }

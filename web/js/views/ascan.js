@@ -74,8 +74,9 @@ function drawAxes(context, frame, low, high) {
     context.stroke();
     context.fillText(number(level), frame.left - 4, y);
   }
-  context.textAlign = "center";
   context.textBaseline = "top";
+  context.fillText("dB", frame.left - 4, frame.bottom + 5);
+  context.textAlign = "center";
   const spacing = ringSpacing(frame.far);
   for (const range of ticks(frame.near, frame.far, spacing)) {
     const x = xOf(frame, range);

@@ -158,7 +158,7 @@ export class WaterfallView {
     const spacing = ringSpacing(sonar.max_range);
     for (const range of ticks(Math.max(sonar.min_range, spacing), sonar.max_range, spacing)) {
       const x = (width * (range - sonar.min_range)) / (sonar.max_range - sonar.min_range);
-      if (x > width - 14) continue;
+      if (x < 14 || x > width - 14) continue;
       // Over the rows as over a picture, below them as on the page.
       const rows = Math.min(height - 15, (height * this.count) / this.#visible);
       context.fillStyle = themeColour("--ring");
