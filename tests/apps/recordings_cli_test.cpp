@@ -194,13 +194,14 @@ TEST_F(RecordingsCliTest, ExportRefusesOptionsWithoutEffect) {
     EXPECT_EQ(outcome.out, "") << options;
     return outcome.err;
   };
-  EXPECT_EQ(message("z.npz --bits 8 --rate 5"), "insonify: --bits has no effect on .npz, only on .mcap\n");
+  EXPECT_EQ(message("z.npz --bits 8 --rate 5"), "insonify: --bits has no effect on .npz, only on .mcap, .bag\n");
   EXPECT_EQ(message("z.npz --rate 5"), "insonify: --rate has no effect on .npz, only on .mp4, .gif\n");
   EXPECT_EQ(message("z.ZARR/ --store"), "insonify: --store has no effect on .zarr, only on .npz\n");
   EXPECT_EQ(message("z.mcap --height 300"), "insonify: --height has no effect on .mcap, only on .mp4, .gif\n");
-  EXPECT_EQ(message("z.npz --levels -90:-40"), "insonify: --levels has no effect on .npz, only on .mp4, .gif, .mcap\n");
+  EXPECT_EQ(message("z.npz --levels -90:-40"),
+            "insonify: --levels has no effect on .npz, only on .mp4, .gif, .mcap, .bag\n");
   EXPECT_EQ(message("z.zarr --color-map grey"),
-            "insonify: --colour-map has no effect on .zarr, only on .mp4, .gif, .mcap\n");
+            "insonify: --colour-map has no effect on .zarr, only on .mp4, .gif, .mcap, .bag\n");
   EXPECT_THAT(message("z.txt --bits 8"), HasSubstr("z.txt: its ending must be "));
   EXPECT_THAT(files("out"), ElementsAre("ahead.h5"));
   EXPECT_EQ(shell("insonify export out/ahead.h5 -o out/z.npz --store").status, 0);
