@@ -105,6 +105,9 @@ TEST(DatatypeFaultTest, PartsMustFit) {
   EXPECT_EQ(datatype_fault(integer), "a number has more bits than its type");
   integer[8] = 0;
   EXPECT_EQ(datatype_fault(integer), "");
+  integer[7] = 1;
+  EXPECT_EQ(datatype_fault(integer), "a number has more than 64 bytes");
+  integer[7] = 0;
   integer[4] = 0;
   EXPECT_EQ(datatype_fault(integer), "its type has no size");
   // An enumeration of a word "ab" whose numbers have 2 bytes, and itself 4.

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <limits>
 #include <utility>
 
 namespace insonify {
@@ -79,6 +80,23 @@ bool Hdf5Bytes::each_message(std::uint64_t address, const std::function<void(con
   return true;
 }
 
+namespace {
+
+// Values that a dataspace message says there are (IV.A.2.b); too many for a number become the most it can be.
+std::uint64_t points_of(std::span<const char> space) {
+  constexpr std::uint64_t kMost = std::numeric_limits<std::uint64_t>::max();
+  const auto version = number_at<std::uint8_t>(space, 0), axes = number_at<std::uint8_t>(space, 1);
+  const bool none = version == 2 && number_at<std::uint8_t>(space, 3) == 2;
+  std::uint64_t points = none ? 0 : 1;
+  for (std::uint64_t axis = 0; axis < axes; ++axis) {
+    const auto length = number_at<std::uint64_t>(space, (version == 1 ? 8 : 4) + 8 * axis);
+    points = length != 0 && points > kMost / length ? kMost : points * length;
+  }
+  return points;
+}
+
+}  // namespace
+
 // Parts are name, datatype, dataspace, data; version 1 pads the first three to 8 bytes.
 Hdf5Attribute attribute_parts(const Hdf5Bytes& bytes, std::span<const char> message) {
   const auto version = number_at<std::uint8_t>(message, 0);
@@ -90,14 +108,20 @@ Hdf5Attribute attribute_parts(const Hdf5Bytes& bytes, std::span<const char> mess
   const auto name_size = number_at<std::uint16_t>(message, 2), type_size = number_at<std::uint16_t>(message, 4);
   const std::uint64_t first = version == 3 ? 9 : 8;
   const std::uint64_t type = first + padded(name_size);
-  const std::uint64_t data = type + padded(type_size) + padded(number_at<std::uint16_t>(message, 6));
+  const auto space_size = number_at<std::uint16_t>(message, 6);
+  const std::uint64_t space = type + padded(type_size), data = space + padded(space_size);
   if (data > message.size()) {
     bytes.fail("an attribute is larger than its message");
   }
+  const bool shared = version > 1 && number_at<std::uint8_t>(message, 1) != 0;
+  const auto value_size = number_at<std::uint32_t>(message.subspan(type, type_size), 4);
+  const std::uint64_t points = shared ? 0 : points_of(message.subspan(space, space_size));
+  if (value_size > 0 && points > (message.size() - data) / value_size) {
+    bytes.fail("an attribute has more values than its message");
+  }
   const std::string name(message.begin() + static_cast<std::ptrdiff_t>(first),
                          message.begin() + static_cast<std::ptrdiff_t>(first + name_size));
-  return {name.substr(0, name.find('\0')), message.subspan(type, type_size), message.subspan(data),
-          version > 1 && number_at<std::uint8_t>(message, 1) != 0};
+  return {name.substr(0, name.find('\0')), message.subspan(type, type_size), message.subspan(data), shared};
 }
 
 }  // namespace insonify

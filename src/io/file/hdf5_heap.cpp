@@ -30,8 +30,8 @@ class HeapCheck : public Hdf5Bytes {
       const auto length = number_at<std::uint32_t>(references, place);
       const auto address = number_at<std::uint64_t>(references, place + 4);
       const auto index = number_at<std::uint32_t>(references, place + 12);
-      if (address == 0 || length == 0) {
-        continue;  // No text; HDF5 does not follow it.
+      if (address == 0) {
+        continue;  // No text. HDF5 follows the reference of an empty one.
       }
       const auto& objects = heap(address);
       const auto object = index <= UINT16_MAX ? objects.find(static_cast<std::uint16_t>(index)) : objects.end();

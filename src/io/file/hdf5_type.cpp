@@ -95,8 +95,10 @@ class TypeWalk {
     take(version >= 3 ? length : (length + 7) / 8 * 8);
   }
 
-  // First bit and number of bits of a number.
+  // First bit and number of bits of a number. HDF5 would get memory for one of gigabytes.
   void require_bits(std::uint64_t size) {
+    constexpr std::uint64_t kLargest = 64;
+    require(size <= kLargest, "a number has more than 64 bytes");
     const std::uint64_t offset = get<std::uint16_t>(), precision = get<std::uint16_t>();
     require(precision > 0 && offset + precision <= 8 * size, "a number has more bits than its type");
   }
