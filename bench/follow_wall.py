@@ -14,6 +14,7 @@ import re
 import signal
 import socket
 import statistics
+import struct
 import subprocess
 import sys
 import tempfile
@@ -23,6 +24,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "tests/a
 import oculus_client as oculus  # noqa: E402
 import ping360_client as ping360  # noqa: E402
 
+SO_TIMESTAMPNS = 35  # Linux: the time at which a datagram arrived.
 WALL = -5.0  # y [m]
 RATE = 20.0  # [Hz]
 REACH = 10.0  # [m]
@@ -34,7 +36,8 @@ sonars:
   - {name: fls, beam_count: 256, bin_count: 400, max_range: 10, ping_period: 0.05, orientation_deg: [0, 0, -90],
      elevation_aperture_deg: 12, sampling: {columns_per_beam: 1, rows: 40}}
   - {name: head, type: msis, beam_count: 1, bin_count: 400, azimuth_aperture_deg: 2, elevation_aperture_deg: 12,
-     min_range: 0.75, max_range: 10, step_deg: -0.9, sampling: {columns_per_beam: 4, rows: 40}}
+     min_range: 0.75, max_range: 10, step_deg: -0.9, sampling: {columns_per_beam: 4, rows: 40},
+     receiver: {speckle: false}}  # With it, the near edge of a single beam's echo fades in one ping of a hundred.
 trajectory:
 """
 
@@ -79,15 +82,18 @@ def follow_with_ping360(address, seconds, start):
     host, port = address.split(":")
     client = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
     client.settimeout(10)
+    client.setsockopt(socket.SOL_SOCKET, SO_TIMESTAMPNS, 1)  # A late reader shall not mistake the time.
     # 700 samples of 800 ticks of 25 ns: 14 ms of listening, and 34 ms of delay. The head stays at 100: starboard.
     client.sendto(ping360.auto_transmit(100, 100, 1, duration=20, period=800, count=700, delay=34), (host, int(port)))
     found = []
     bin_length = SOUND_SPEED / 2 * 800 * 25e-9
     end = time.monotonic() + seconds
     while time.monotonic() < end:
-        number, payload = ping360.parsed(client.recv(65536))
+        data, [(_, _, stamp)], _, _ = client.recvmsg(65536, 64)
+        number, payload = ping360.parsed(data)
         assert number == ping360.AUTO_DATA, number
-        heard = time.monotonic() - start
+        seconds, nanoseconds = struct.unpack("@qq", stamp)
+        heard = seconds + 1e-9 * nanoseconds - start
         _, samples = ping360.samples_of(payload, "<BBHHHHHHBBHH")
         edge = first_echo(samples, max(samples) - 6 / 60 * 255)  # 6 dB of the 60 dB that samples cover.
         found.append(((edge + 0.5) * bin_length, distance_at(heard - 0.014)))
@@ -117,7 +123,7 @@ def main():
             line = program.stdout.readline()
             while line and not line.startswith(("Oculus", "Ping360")):
                 line = program.stdout.readline()
-            start = time.monotonic()
+            start = time.time()
             try:
                 address = own if options.instrument == "oculus" else line.split()[-1]
                 follow = follow_with_oculus if options.instrument == "oculus" else follow_with_ping360

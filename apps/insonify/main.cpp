@@ -16,17 +16,34 @@
 namespace insonify {
 namespace {
 
-// Reports a CLI11 parse error in one line, with a hint.
-std::string explained(const CLI::App& app, const CLI::ParseError& error, const std::string& first) {
+std::vector<std::string> commands_of(const CLI::App& app) {
   std::vector<std::string> commands;
   for (const CLI::App* command : app.get_subcommands({})) {
     commands.push_back(command->get_name());
   }
-  if (std::ranges::find(commands, first) != commands.end()) {
-    if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr) {
-      return fmt::format("not understood: {} (insonify {} --help)", fmt::join(app.remaining(true), " "), first);
+  return commands;
+}
+
+bool contains(const std::vector<std::string>& words, const std::string& word) {
+  return std::ranges::find(words, word) != words.end();
+}
+
+// Reports a CLI11 parse error in one line, with a hint.
+std::string explained(const CLI::App& app, const CLI::ParseError& error, const std::string& first,
+                      const std::string& second) {
+  const std::vector<std::string> commands = commands_of(app);
+  if (contains(commands, first)) {
+    const std::vector<std::string> inner = commands_of(*app.get_subcommand(first));
+    if (!inner.empty() && !contains(inner, second)) {
+      return fmt::format("{}: name one of {} (insonify {} --help)",
+                         second.empty() ? first : fmt::format("there is no {} {}", first, second),
+                         fmt::join(inner, ", "), first);
     }
-    return fmt::format("{} (insonify {} --help)", error.what(), first);
+    const std::string named = inner.empty() ? first : fmt::format("{} {}", first, second);
+    if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr) {
+      return fmt::format("not understood: {} (insonify {} --help)", fmt::join(app.remaining(true), " "), named);
+    }
+    return fmt::format("{} (insonify {} --help)", error.what(), named);
   }
   const std::string unknown = first.empty()
                                   ? "name a command"
@@ -72,7 +89,7 @@ int run_program(int argc, char** argv) {
   } catch (const CLI::Success&) {
     return kDone;  // --version.
   } catch (const CLI::ParseError& error) {
-    throw InputError(explained(app, error, argc > 1 ? argv[1] : ""));
+    throw InputError(explained(app, error, argc > 1 ? argv[1] : "", argc > 2 ? argv[2] : ""));
   }
   return request.act();
 }

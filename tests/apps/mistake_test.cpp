@@ -99,6 +99,13 @@ constexpr Mistake kMistakes[] = {
      "insonify: \"medium\" is not a mode of soundmetrics-didson, which has high and low"},
     {"ModeOfNoPreset", "insonify sonars --mode high", 2,
      "insonify: --mode high belongs to a preset, and none is named"},
+    {"NoInstrument", "insonify emulate", 2, "insonify: emulate: name one of oculus, ping360 (insonify emulate --help)"},
+    {"UnknownInstrument", "insonify emulate ping36 scan.yaml", 2,
+     "insonify: there is no emulate ping36: name one of oculus, ping360 (insonify emulate --help)"},
+    {"NothingToEmulate", "insonify emulate oculus", 2,
+     "insonify: SCENARIO is required (insonify emulate oculus --help)"},
+    {"UnknownSonarToEmulate", "insonify emulate oculus scan.yaml --sonar nobody --port 0", 2,
+     "insonify: --sonar nobody: scan.yaml has no such sonar; it has around"},
     {"UnknownSection", "insonify describe sea", 2,
      "insonify: there is no section sea; there are scenario, water, materials, sonars, sampling, receiver, paper, "
      "surface, points, interferers, trajectory, motions, view"},
