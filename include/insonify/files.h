@@ -28,7 +28,7 @@ namespace insonify {
 /// @throws Error with the path, and for text the line.
 [[nodiscard]] HeightGrid load_height_grid(const std::filesystem::path& path, const Log& log = {});
 
-/// How to read an SDF world; other files have none of these.
+/// How to read an SDF world or a Stonefish scenario; other files have none of these.
 struct WorldOptions {
   bool collisions = false;  ///< Take collision shapes instead of visuals.
   /// Whether a part that is missing or cannot be read (an included model, a mesh, a height grid, a faulty joint) is an
@@ -45,13 +45,15 @@ struct WorldOptions {
 /// The options that a scenario has for its world.
 [[nodiscard]] WorldOptions world_options(const Scenario& scenario);
 
-/// Reads what a scenario calls its world: an SDF world or model (.sdf, .world, .xml), a mesh file, or a height grid.
-/// Materials are not assigned yet.
-/// @throws Error with the path, for SDF "path:line:column: ..."; also when nothing is left to insonify.
+/// Reads what a scenario calls its world: an SDF world or model (.sdf, .world, .xml), a Stonefish scenario (.scn), a
+/// mesh file, or a height grid. Materials are not assigned yet.
+/// @throws Error with the path, for SDF and Stonefish "path:line:column: ..."; also when nothing is left to insonify.
 [[nodiscard]] Scene load_scene(const std::filesystem::path& path, const WorldOptions& options = {},
                                const Log& log = {});
 
-/// Reads a scenario. Relative paths are from its own folder; presets are looked up by name (load_preset).
+/// Reads a scenario. Relative paths are from its own folder; presets are looked up by name (load_preset). A scenario
+/// without `sonars` whose world is a Stonefish scenario has the sonars of that; a Stonefish scenario itself (.scn) is
+/// read as one that names it as its world.
 /// @param settings  "key=value" as on the command line, applied in order: "pings=3", "sonars[0].max_range=30",
 ///                  "sonars.fls.max_range=30", "max_range=30" (a sonar's field alone means every sonar's). "--pings=3"
 ///                  is the same as "pings=3", but messages name it so: for programs that have such an option.

@@ -84,7 +84,8 @@ struct Scenario {
   std::string text;
   Places places;  ///< Where its settings stand in the file, for messages; empty when made in code.
 
-  std::filesystem::path world;      ///< SDF world or model, or mesh file; absolute. Empty for open water.
+  std::filesystem::path
+      world;  ///< SDF world or model, Stonefish scenario, mesh or height grid; absolute. Empty for open water.
   bool collisions = false;          ///< Insonify the world's collision shapes instead of its visuals.
   bool strict = false;              ///< Whether a part of the world that is missing is an error, and not left out.
   std::vector<std::string> ignore;  ///< Objects of the world to leave out, as WorldOptions::ignore.
@@ -143,21 +144,24 @@ struct Scenario {
     visit(Field{"world",
                 "",
                 {},
-                "SDF world or model, mesh or height grid; relative paths are from the scenario's folder. Without it "
+                "SDF world or model, Stonefish scenario, mesh or height grid; relative paths are from the scenario's "
+                "folder. "
+                "Without it "
                 "there is open water, for `points` and under a `surface`; `none` is for programs that give the scene."},
           self.world);
-    visit(Field{"collisions", "", {}, "Insonify the world's collision shapes instead of its visuals (SDF)."},
+    visit(Field{"collisions", "", {}, "Insonify the world's collision shapes instead of its visuals (SDF, Stonefish)."},
           self.collisions);
     visit(Field{"strict",
                 "",
                 {},
                 "Whether a model or a file that the world names and that is missing is an error; else the rest is "
-                "insonified, with a warning (SDF)."},
+                "insonified, with a warning (SDF, Stonefish)."},
           self.strict);
     visit(Field{"ignore",
                 "",
                 {},
-                "Objects of the world to leave out, by patterns of their names: `[water_surface*, box_walls]` (SDF)."},
+                "Objects of the world to leave out, by patterns of their names: `[water_surface*, box_walls]` (SDF, "
+                "Stonefish)."},
           self.ignore);
     visit(Field{"model",
                 "",

@@ -1,4 +1,4 @@
-// load_scene.cpp -- reads a scenario's world: an SDF file, a mesh or a height grid, by its ending.
+// load_scene.cpp -- reads a scenario's world by its ending: SDF, Stonefish, a mesh or a height grid.
 
 #include <fmt/format.h>
 
@@ -10,6 +10,7 @@
 #include "io/file/input_file.h"
 #include "io/mesh/mesh_file.h"
 #include "io/mesh/relief_file.h"
+#include "io/stonefish/stonefish_scene.h"
 #include "io/world/sdf_scene.h"
 
 namespace insonify {
@@ -39,6 +40,9 @@ Scene load_scene(const std::filesystem::path& path, const WorldOptions& options,
   if (kSdf.contains(ending)) {
     return load_sdf_scene(path, options, log);
   }
+  if (ending == ".scn") {
+    return load_stonefish_scene(path, options, log);
+  }
   if (kHeights.contains(ending)) {
     return scene_of(path, make_height_field(load_height_grid(path, log)));
   }
@@ -46,7 +50,8 @@ Scene load_scene(const std::filesystem::path& path, const WorldOptions& options,
     return scene_of(path, load_mesh(path, log));
   }
   throw Error(
-      fmt::format("{}: is not a world: SDF ends in .sdf, .world or .xml, a mesh in {}, heights in .asc, .bag or .png",
+      fmt::format("{}: is not a world: SDF ends in .sdf, .world or .xml, a Stonefish scenario in .scn, a mesh in {}, "
+                  "heights in .asc, .bag or .png",
                   path.string(), mesh_file_endings()));
 }
 

@@ -16,6 +16,7 @@
 #include "io/scenario/read_sonar.h"
 #include "io/scenario/read_trajectory.h"
 #include "io/scenario/scenario_keys.h"
+#include "io/scenario/stonefish_world.h"
 #include "io/scenario/yaml_read.h"
 #include "io/scenario/yaml_settings.h"
 
@@ -159,8 +160,12 @@ Scenario read_scenario(const std::string& text, const std::filesystem::path& pat
   if (tree.kind == Kind::kNothing) {
     throw Error("the file is empty; a scenario names a world and its sonars").at(tree.place);
   }
+  const bool has_stonefish_sonars = add_stonefish_sonars(tree, path, settings, log);
   for (const std::string& setting : settings) {
     apply_setting(tree, setting, scenario_keys(), sonar_keys(), part_keys());
+  }
+  if (has_stonefish_sonars) {
+    remove_idle_stonefish_gains(tree);
   }
   Scenario scenario = ScenarioReader(tree, path, log).read();
   for (const std::string& line : keys_idle_beside_others(scenario)) {
@@ -178,7 +183,7 @@ Scenario read_scenario(const std::string& text, const std::filesystem::path& pat
     }
     scenario.text = to_yaml(scenario);  // The file's keys of its own model would be refused beside the other model.
   } else {
-    scenario.text = settings.empty() ? text : write_yaml(tree);
+    scenario.text = settings.empty() && !has_stonefish_sonars ? text : write_yaml(tree);
   }
   return scenario;
 }
@@ -187,6 +192,10 @@ Scenario read_scenario(const std::string& text, const std::filesystem::path& pat
 
 Scenario load_scenario(const std::filesystem::path& path, std::span<const std::string> settings, const Log& log) {
   refuse_worlds(path);  // Before it is read: worlds may be large.
+  if (is_stonefish_file(path)) {
+    check_input_file(path);
+    return read_scenario(stonefish_as_scenario(path), path, path.string(), settings, log);
+  }
   return read_scenario(read_text_or_pipe(path), path, path.string(), settings, log);
 }
 

@@ -1,0 +1,160 @@
+// stonefish_shapes.cpp -- solids, planes, terrains and mesh files.
+
+#include "io/stonefish/stonefish_shapes.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/log_line.h"
+#include "insonify/files.h"
+#include "insonify/material.h"
+#include "insonify/printable.h"
+#include "io/mesh/mesh_file.h"
+#include "io/stonefish/stonefish_files.h"
+#include "io/stonefish/stonefish_torus.h"
+
+namespace insonify {
+namespace {
+
+constexpr double kPlaneSide = 10000;  // [m], that of the square which Stonefish draws.
+
+// The name by which a material is looked up: that of the material, or of the look where only the library knows that.
+std::string material_name(const StonefishElement& body) {
+  const std::string material = body.child("material").name(), look = body.child("look").name();
+  const bool by_look = find_material(material) == nullptr && find_material(look) != nullptr;
+  return by_look || material.empty() ? look : material;
+}
+
+// The file that a child of an element names.
+std::string found_file(const StonefishElement& body, const StonefishElement& element, const char* child) {
+  const std::string name = stonefish_text(element, child, "filename");
+  const auto path = find_stonefish_file(name, element.path);
+  if (!path) {
+    throw StonefishUnreadable(fmt::format("{}: '{}'", body.what(), printable(name, kLongestName)),
+                              stonefish_file_not_found(name));
+  }
+  return path->string();
+}
+
+// Calls a function that reads a file; what it throws is about a part that is left out.
+template <typename Read>
+auto read_for(const StonefishElement& element, Read&& read) {
+  try {
+    return read();
+  } catch (const Error& error) {
+    throw StonefishUnreadable(element.what(), fmt::format(": {}", error.what()));
+  }
+}
+
+// Stonefish's terrain: columns along x, rows along y, the darkest pixel at the body's origin and a white one as much
+// higher as `height` says of a black one.
+Mesh terrain_mesh(const std::string& path, double scale_x, double scale_y, double height, const Log& log) {
+  HeightGrid grid = load_height_grid(path, log);
+  grid.spacing_x = scale_x;
+  grid.spacing_y = scale_y;
+  float low = std::numeric_limits<float>::infinity();
+  for (const float level : grid.heights) {  // NaN compares false.
+    low = level < low ? level : low;
+  }
+  for (float& level : grid.heights) {
+    level = static_cast<float>(static_cast<double>(level - low) * height);
+  }
+  return make_height_field(grid);
+}
+
+}  // namespace
+
+std::shared_ptr<const Mesh> StonefishShapes::shared(const std::string& key, const StonefishElement& body,
+                                                    const std::function<Mesh()>& make) {
+  const std::string material = material_name(body);
+  std::shared_ptr<const Mesh>& mesh = meshes_[key + " of " + material];
+  if (mesh == nullptr) {
+    Mesh made = make();
+    made.material_slots.clear();  // Stonefish does not read the materials of mesh files.
+    made.material_names = {material};
+    made.reliefs.clear();
+    mesh = std::make_shared<const Mesh>(std::move(made));
+  }
+  return mesh;
+}
+
+StonefishShape StonefishShapes::model(const StonefishElement& body, bool physical) {
+  const StonefishElement visual = body.child("visual"), solid = body.child("physical");
+  const StonefishElement given = visual && !(physical && solid) ? visual : solid;
+  if (!given) {
+    throw Error(body.what() + ": <physical> is missing");
+  }
+  const std::string path = found_file(body, given, "mesh");
+  const double scale = stonefish_number_or(given, "mesh", "scale", 1);
+  if (!(scale > 0)) {
+    throw Error(fmt::format("{}: <mesh> scale = {} must be greater than 0", body.what(), scale));
+  }
+  const auto make = [&] {
+    Mesh mesh = read_for(body, [&] { return load_mesh_file(path, {}, log_); });
+    for (Vec3f& vertex : mesh.vertices) {
+      vertex *= static_cast<float>(scale);
+    }
+    return mesh;
+  };
+  return {shared(fmt::format("model {} {}", scale, path), body, make), stonefish_pose(given, "origin")};
+}
+
+StonefishShape StonefishShapes::terrain(const StonefishElement& body) {
+  const std::string path = found_file(body, body, "height_map");
+  const double x = stonefish_length(body, "dimensions", "scalex");
+  const double y = stonefish_length(body, "dimensions", "scaley");
+  const double height = stonefish_length(body, "dimensions", "height");
+  const auto make = [&] { return read_for(body, [&] { return terrain_mesh(path, x, y, height, log_); }); };
+  // A height grid has z up.
+  return {shared(fmt::format("terrain {} {} {} {}", x, y, height, path), body, make), up_from_down()};
+}
+
+std::optional<StonefishShape> StonefishShapes::shape(const StonefishElement& body, bool physical) {
+  const std::string type = stonefish_text(body, "", "type");
+  if (type == "empty") {
+    return std::nullopt;
+  }
+  if (type == "model") {
+    return model(body, physical);
+  }
+  if (type == "terrain") {
+    return terrain(body);
+  }
+  if (type == "plane") {
+    return StonefishShape{shared("plane", body, [] { return make_plane(-Vec3::UnitZ(), kPlaneSide, kPlaneSide); })};
+  }
+  const Pose origin = body.child("origin") ? stonefish_pose(body, "origin") : Pose{};
+  const auto length = [&](const char* name) { return stonefish_length(body, "dimensions", name); };
+  if (type == "box") {
+    const Vec3 size = stonefish_vector(body, "dimensions", "xyz");
+    if (!(size.array() > 0).all()) {
+      throw Error(fmt::format("{}: <dimensions> xyz = {} {} {} m must be greater than 0 m in each direction",
+                              body.what(), size.x(), size.y(), size.z()));
+    }
+    const std::string key = fmt::format("box {} {} {}", size.x(), size.y(), size.z());
+    return StonefishShape{shared(key, body, [&] { return make_box(size); }), origin};
+  }
+  if (type == "sphere") {
+    const double radius = length("radius");
+    return StonefishShape{shared(fmt::format("sphere {}", radius), body, [&] { return make_sphere(radius); }), origin};
+  }
+  if (type == "cylinder") {
+    const double radius = length("radius"), height = length("height");
+    return StonefishShape{
+        shared(fmt::format("cylinder {} {}", radius, height), body, [&] { return make_cylinder(radius, height); }),
+        origin};
+  }
+  if (type == "torus") {
+    const double major = length("major_radius"), minor = length("minor_radius");
+    return StonefishShape{
+        shared(fmt::format("torus {} {}", major, minor), body, [&] { return make_torus(major, minor); }), origin};
+  }
+  log_line(log_, Severity::kWarning,
+           fmt::format("{} is left out: insonify has no shape of type '{}'", body.what(), printable(type)));
+  return std::nullopt;
+}
+
+}  // namespace insonify

@@ -1,0 +1,45 @@
+// stonefish_source.h -- a Stonefish scenario with the files that it includes.
+
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "io/file/missing_parts.h"
+#include "io/stonefish/stonefish_element.h"
+
+namespace insonify {
+
+/// Files that a scenario includes, at most; one included twice counts twice.
+inline constexpr int kMostStonefishIncludes = 1000;
+/// Length of an attribute in which arguments have been replaced, at most [bytes].
+inline constexpr std::size_t kLongestStonefishAttribute = 4096;
+
+/// Reads a scenario, replaces each <include> by what its file holds, $(arg ...) by the include's arguments and
+/// $(find ...) by the package's folder.
+class StonefishSource {
+ public:
+  /// @param missing  Receives included files that are not found or cannot be read, which are left out.
+  /// @throws Error for a file that is missing, not XML or no scenario, for one that includes itself, and for more than
+  /// the limits above.
+  StonefishSource(const std::filesystem::path& file, MissingParts& missing);
+
+  /// The elements inside <scenario>, those of included files after those of the file itself.
+  [[nodiscard]] const std::vector<StonefishElement>& elements() const { return elements_; }
+
+ private:
+  using Arguments = std::map<std::string, std::string>;
+  void read(const std::shared_ptr<const XmlFile>& file, const std::filesystem::path& path, const Arguments& arguments);
+  void include(const StonefishElement& element);
+  static Arguments arguments_of(const StonefishElement& include);
+
+  MissingParts& missing_;
+  std::vector<StonefishElement> elements_;
+  std::set<std::filesystem::path> open_;
+  int included_ = 0;
+};
+
+}  // namespace insonify
