@@ -225,11 +225,12 @@ TEST_F(StonefishTest, WhatIsNotReadIsTold) {
       "<light name='l'/><comm name='c' type='usbl'/><sensor name='cam' type='camera'/>" +
       ball("a", "0 0 0") + "<robot name='r' fixed='false'><actuator name='t' type='thruster'/><ros_publisher/>" +
       link("base_link", "base") + transform("world_transform", "0 0 5") + "</robot>");
-  EXPECT_THAT(said, ElementsAre("pool.scn: z is down there: x stays, y and z change their signs",
-                                "pool.scn: not read: actuator (1), comm (1), current (2), light (1), sensor of type "
-                                "camera (1)",
-                                "pool.scn: the sea's surface is not in the scene; `surface` in a scenario of insonify "
-                                "adds one"));
+  EXPECT_THAT(said,
+              ElementsAre("pool.scn: z is down there: x stays, y and z change their signs",
+                          "pool.scn: not read: actuator (1), comm (1), current (2), light (1), sensor of type "
+                          "camera (1)",
+                          "pool.scn: the ocean's surface is not read: it is where `surface` of a scenario of insonify "
+                          "says"));
 }
 
 TEST_F(StonefishTest, WingsAreLeftOut) {
