@@ -21,7 +21,7 @@ std::vector<std::string> engines() {
 void add_run(CLI::App& app, Request& request) {
   CLI::App* command = app.add_subcommand("run", "Simulate a scenario: pings into recordings and pictures");
   RunOptions& options = request.run;
-  command->add_option("SCENARIO", options.scenario, "Scenario file (YAML)")->required();
+  command->add_option("SCENARIO", options.scenario, "Scenario file (YAML, or Stonefish's .scn)")->required();
   command
       ->add_option("-o,--output", options.folder,
                    "Folder for what is written, made if missing [SCENARIO's name + _pings]")

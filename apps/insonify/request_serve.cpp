@@ -8,7 +8,7 @@ namespace insonify {
 void add_serve(CLI::App& app, Request& request) {
   CLI::App* command = app.add_subcommand("serve", "Make pings while you watch and steer in a browser");
   ServeOptions& options = request.serve;
-  command->add_option("SCENARIO", options.scenario, "Scenario file (YAML)")->required();
+  command->add_option("SCENARIO", options.scenario, "Scenario file (YAML, or Stonefish's .scn)")->required();
   command->add_option("--port", options.port, "Port; 0 for any that is free [8765]")
       ->check(whole_number(0, 65535))
       ->type_name("N");

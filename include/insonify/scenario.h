@@ -149,18 +149,19 @@ struct Scenario {
                 "Without it "
                 "there is open water, for `points` and under a `surface`; `none` is for programs that give the scene."},
           self.world);
-    visit(Field{"collisions", "", {}, "Insonify the world's collision shapes instead of its visuals (SDF)."},
+    visit(Field{"collisions", "", {}, "Insonify the world's collision shapes instead of its visuals (SDF, Stonefish)."},
           self.collisions);
     visit(Field{"strict",
                 "",
                 {},
                 "Whether a model or a file that the world names and that is missing is an error; else the rest is "
-                "insonified, with a warning (SDF)."},
+                "insonified, with a warning (SDF, Stonefish)."},
           self.strict);
     visit(Field{"ignore",
                 "",
                 {},
-                "Objects of the world to leave out, by patterns of their names: `[water_surface*, box_walls]` (SDF)."},
+                "Objects of the world to leave out, by patterns of their names: `[water_surface*, box_walls]` (SDF, "
+                "Stonefish)."},
           self.ignore);
     visit(Field{"model",
                 "",

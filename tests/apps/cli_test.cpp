@@ -104,6 +104,12 @@ TEST_F(CliTest, RunTellsWhatIsOddAboutTheWorldAndTheTrajectory) {
   EXPECT_THAT(shell("insonify run fan.yaml --no-pictures -o c --set world=millimetres.obj").err,
               HasSubstr("warning: the world is 4e+04 m across, 3.33e+03 times the range of ahead; if its files are in "
                         "millimetres, scale them by 0.001\n"));
+  // A plane without a size is 10 km wide, and stands for a ground without an end.
+  folder.write("ground.sdf",
+               "<sdf version='1.9'><model name='m'><static>true</static><link name='l'><visual name='ground'><pose>0 0 "
+               "-2 0 0 0</pose><geometry><plane/></geometry></visual><visual name='pile'><pose>6 0 -1 0 0 0</pose>"
+               "<geometry><box><size>1 1 2</size></box></geometry></visual></link></model></sdf>");
+  EXPECT_EQ(shell("insonify run fan.yaml --no-pictures -o h --set world=ground.sdf").err, "");
   const std::string moving = "--set 'trajectory=[{time: 0, position: [0,0,0]}, {time: 9, position: [1,0,0]}]'";
   EXPECT_THAT(
       shell("insonify run fan.yaml --no-pictures -o d --set ping_period=0.5 " + moving).out,

@@ -225,11 +225,12 @@ TEST_F(StonefishTest, WhatIsNotReadIsTold) {
       "<light name='l'/><comm name='c' type='usbl'/><sensor name='cam' type='camera'/>" +
       ball("a", "0 0 0") + "<robot name='r' fixed='false'><actuator name='t' type='thruster'/><ros_publisher/>" +
       link("base_link", "base") + transform("world_transform", "0 0 5") + "</robot>");
-  EXPECT_THAT(said, ElementsAre("pool.scn: z is down there: x stays, y and z change their signs",
-                                "pool.scn: not read: actuator (1), comm (1), current (2), light (1), sensor of type "
-                                "camera (1)",
-                                "pool.scn: the sea's surface is not in the scene; `surface` in a scenario of insonify "
-                                "adds one"));
+  EXPECT_THAT(said,
+              ElementsAre("pool.scn: z is down there: x stays, y and z change their signs",
+                          "pool.scn: not read: actuator (1), comm (1), current (2), light (1), sensor of type "
+                          "camera (1)",
+                          "pool.scn: the ocean's surface is not read: it is where `surface` of a scenario of insonify "
+                          "says"));
 }
 
 TEST_F(StonefishTest, WingsAreLeftOut) {
@@ -280,11 +281,12 @@ TEST_F(StonefishTest, WhatIsMissingIsLeftOut) {
   ASSERT_FALSE(said.empty());
   EXPECT_EQ(
       said[0],
-      "pool.scn: 5 parts of the world are left out (errors with strict: true): pool.scn:2:1: <include>: file = "
-      "'$(find nowhere)/robot.scn', pool.scn:5:1: static 'p': <world_transform> xyz = '$(param position)': has no "
-      "value here, write it into the file; pool.scn:3:1: <include> 'gone.scn', pool.scn:4:1: static 'm': "
-      "'gone.obj' not found in the scenario's folder, those above it, their folders data, Data and resources, or "
-      "those of INSONIFY_MODEL_PATH; pool.scn:6:1: static 'q': <dimensions> radius = '${2*0.5}': formulas are not "
+      "pool.scn: 5 parts of the world are left out (an error with strict: true): pool.scn:2:1: <include>: file = "
+      "'$(find nowhere)/robot.scn': no such package above the scenario or in AMENT_PREFIX_PATH or "
+      "ROS_PACKAGE_PATH; pool.scn:3:1: <include> 'gone.scn', pool.scn:4:1: static 'm': 'gone.obj' not found in the "
+      "scenario's folder, those above it, their folders data, Data and resources, or those of "
+      "INSONIFY_MODEL_PATH; pool.scn:5:1: static 'p': <world_transform> xyz = '$(param position)': has no value "
+      "here, write it into the file; pool.scn:6:1: static 'q': <dimensions> radius = '${2*0.5}': formulas are not "
       "worked out, write the number");
   EXPECT_THAT(error_of(broken), HasSubstr("pool.scn: nothing is left to insonify: pool.scn:2:1: "));
 }

@@ -92,8 +92,7 @@ TEST_F(StonefishSonarsTest, ASensorLooksAlongItsZ) {
 // What the whole chain comes to: a ball to the right of the axis, which is where azimuths are negative.
 TEST_F(StonefishSonarsTest, AnEchoIsOnTheSideOfTheObject) {
   const Scenario scenario = sonars(robot(sensor("fls", "fls", kFls), "0 0 2") + ball("ball", "6 3 2"), "seed: 3\n");
-  Simulator simulator(load_scene(scenario), scenario);
-  const Ping ping = simulator.ping(0);
+  const Ping ping = Simulator(scenario, load_scene(scenario), 1).make_ping(0, 0);
   std::size_t strongest = 0;
   for (std::size_t i = 0; i < ping.intensity.size(); ++i) {
     strongest = ping.intensity[i] > ping.intensity[strongest] ? i : strongest;

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <set>
 
 #include "run/solids_met.h"
@@ -20,6 +21,16 @@ double rounded(double value) {
 
 bool is_empty(const Box3& box) {
   return box.low.x() > box.high.x();
+}
+
+// Bounds of the scene without its planes, which stand for grounds without an end; of all where there is nothing else.
+Box3 extent_of(const Scene& scene) {
+  constexpr std::size_t kTrianglesOfAPlane = 2;
+  Scene solids;
+  std::ranges::copy_if(scene.instances, std::back_inserter(solids.instances),
+                       [](const Instance& instance) { return instance.mesh->triangles.size() > kTrianglesOfAPlane; });
+  const Box3 bounds = solids.bounds();
+  return is_empty(bounds) ? scene.bounds() : bounds;
 }
 
 // Worlds are a few ranges wide, surveyed seabeds a few hundred: beyond that, a unit is probably wrong by a thousand.
@@ -82,7 +93,7 @@ std::string size_text(const Scene& scene) {
 
 std::vector<std::string> oddities_of(Simulator& simulator, const ScenarioRequests& requests) {
   std::vector<std::string> texts;
-  const Box3 world = simulator.scene().bounds();
+  const Box3 world = extent_of(simulator.scene());
   for (int i = 0; i < requests.sonar_count() && !is_empty(world); ++i) {
     if (const std::string text = size_oddity(world, simulator.sonar(i)); !text.empty()) {
       texts.push_back(text);

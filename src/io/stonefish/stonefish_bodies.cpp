@@ -207,7 +207,7 @@ void StonefishBodies::report_not_read(const std::string& file, const Log& log) c
     tell(fmt::format("where their trajectories begin: animated bodies ({})", animated_));
   }
   if (has_ocean_) {
-    tell("the sea's surface is not in the scene; `surface` in a scenario of insonify adds one");
+    tell("the ocean's surface is not read: it is where `surface` of a scenario of insonify says");
   }
 }
 

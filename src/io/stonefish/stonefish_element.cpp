@@ -22,6 +22,15 @@ std::string what_of(const StonefishElement& element, const char* child, const ch
   return fmt::format("{}: {}{}", element.what(), tag, attribute);
 }
 
+// Why a text cannot be read that still has something to replace in it, as a message goes on; null if it has not.
+const char* reason_unreadable(std::string_view text) {
+  const auto has = [&](std::string_view what) { return text.find(what) != std::string_view::npos; };
+  return has("${")       ? ": formulas are not worked out, write the number"
+         : has("$(find") ? ": no such package above the scenario or in AMENT_PREFIX_PATH or ROS_PACKAGE_PATH"
+         : has("$(")     ? ": has no value here, write it into the file"
+                         : nullptr;
+}
+
 // The attribute's text. Nothing in it is left to replace.
 std::string text_of(const StonefishElement& element, const char* child, const char* attribute) {
   const pugi::xml_node node = *child == '\0' ? element.node : element.node.child(child);
@@ -33,11 +42,8 @@ std::string text_of(const StonefishElement& element, const char* child, const ch
     throw Error(what_of(element, child, attribute) + " is missing");
   }
   const std::string_view text = found.value();
-  const bool is_formula = text.find("${") != std::string_view::npos;
-  if (is_formula || text.find("$(") != std::string_view::npos) {
-    throw StonefishUnreadable(
-        fmt::format("{} = '{}'", what_of(element, child, attribute), printable(text)),
-        is_formula ? ": formulas are not worked out, write the number" : ": has no value here, write it into the file");
+  if (const char* reason = reason_unreadable(text)) {
+    throw StonefishUnreadable(fmt::format("{} = '{}'", what_of(element, child, attribute), printable(text)), reason);
   }
   return std::string(text);
 }
