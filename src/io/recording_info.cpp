@@ -69,8 +69,8 @@ RecordingInfo info_of_mcap(const std::filesystem::path& path) {
   const McapReader file(path);
   const nlohmann::json run = mcap_run_facts(file, path);
   RecordingInfo info{.format = "MCAP", .bytes = std::filesystem::file_size(path)};
-  info.state = file.metadata().contains(mcap_metadata::kEnd) ? RecordingState::kDiskFull
-                                                             : state_of(path, file.is_whole());
+  info.state =
+      file.metadata().contains(mcap_metadata::kEnd) ? RecordingState::kDiskFull : state_of(path, file.is_whole());
   info.version = run.at("version");
   info.model = run.at("model");
   info.engine = run.at("engine");
