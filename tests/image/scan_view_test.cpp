@@ -213,14 +213,14 @@ TEST(ScanViewTest, RefusesSonarsThatDoNotScan) {
   EXPECT_EQ(message_of([&] { ScanView view(fan); }),
             "scanner turns 4 beams by 10 deg: a scan view must have one beam that turns");
   EXPECT_EQ(message_of([&] { ScanView view(scanner(0)); }),
-            "scanner turns 1 beams by 0 deg: a scan view must have one beam that turns");
+            "scanner turns 1 beam by 0 deg: a scan view must have one beam that turns");
 }
 
 TEST(ScanViewTest, RefusesPingsOfAnotherSonar) {
   ScanView view(scanner(10));
   Ping ping = ping_at(0, 0);
   ping.bin_count = 49;
-  EXPECT_EQ(message_of([&] { view.add(ping); }), "ping 0 of scanner has 1 beams x 49 bins, must have 1 x 50");
+  EXPECT_EQ(message_of([&] { view.add(ping); }), "ping 0 of scanner has 1 beam x 49 bins, must have 1 x 50");
   ping = ping_at(0, 0);
   ping.head_angle = std::nan("");
   EXPECT_EQ(message_of([&] { view.add(ping); }), "ping 0 of scanner has head_angle = nan rad, must be a finite number");

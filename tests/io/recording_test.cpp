@@ -390,7 +390,7 @@ TEST(RecordingTest, RefusesPingsOfAnotherShape) {
   const auto path = fresh("shape");
   Recording recording(path, scenario(), scene(), fan_sonar());
   EXPECT_EQ(message_of([&] { recording.add(make_ping(scanning_sonar(), 8)); }),
-            path.string() + ": ping 8 has 4 bins x 1 beams, the recording 4 x 3");
+            path.string() + ": ping 8 has 4 bins x 1 beam, the recording 4 x 3");
   Ping truncated = make_ping(fan_sonar(), 9);
   truncated.elevation.pop_back();
   EXPECT_EQ(message_of([&] { recording.add(truncated); }),
