@@ -104,6 +104,7 @@ class McapWriter {
   void finish();
   void write_chunks_in_time();
   void stop_thread();
+  [[noreturn]] void fail(const std::string& what) const;
 
   std::filesystem::path path_, absolute_;
   std::unique_ptr<UnfinishedFile> out_;  // Null when closed.

@@ -1,0 +1,240 @@
+// mcap_writer_file.cpp -- what of an McapWriter goes to its file: metadata, chunks and the summary.
+
+#include <fmt/format.h>
+#include <unistd.h>
+#include <zlib.h>
+#include <zstd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <limits>
+#include <system_error>
+
+#include "insonify/error.h"
+#include "io/mcap/mcap_metadata.h"
+#include "io/mcap/mcap_writer.h"
+
+namespace insonify {
+namespace {
+
+constexpr int kZstdLevel = 1;  // The fastest of the ordinary levels.
+constexpr std::string_view kCompression = "zstd";
+
+std::uint32_t crc_of(std::span<const std::byte> bytes, std::uint32_t before = 0) {
+  return static_cast<std::uint32_t>(crc32_z(before, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size()));
+}
+
+std::vector<std::byte> compressed(std::span<const std::byte> bytes) {
+  std::vector<std::byte> result(ZSTD_compressBound(bytes.size()));
+  const std::size_t size = ZSTD_compress(result.data(), result.size(), bytes.data(), bytes.size(), kZstdLevel);
+  if (ZSTD_isError(size) != 0) {
+    throw Error(fmt::format("zstd cannot compress {} bytes: {}", bytes.size(), ZSTD_getErrorName(size)));
+  }
+  result.resize(size);
+  return result;
+}
+
+}  // namespace
+
+// Appends to the file.
+void McapWriter::write(std::span<const std::byte> bytes) {
+  if (!is_still_there(out_->descriptor(), absolute_)) {
+    fail("is no longer there: it was removed, moved or replaced while it was being written");
+  }
+  std::uint64_t at = written_.bytes;
+  for (std::span<const std::byte> rest = bytes; !rest.empty();) {
+    const ssize_t count = pwrite(out_->descriptor(), rest.data(), rest.size(), static_cast<off_t>(at));
+    if (count < 0 && errno != EINTR) {
+      const int error = errno;
+      const std::string reason = std::generic_category().message(error);
+      // Nothing of a part remains.
+      [[maybe_unused]] const int cut = ftruncate(out_->descriptor(), static_cast<off_t>(written_.bytes));
+      if (error == ENOSPC || error == EDQUOT || error == EFBIG) {
+        full_disk_ = reason;
+      }
+      fail("cannot write: " + reason);
+    }
+    const auto taken = static_cast<std::size_t>(std::max(count, ssize_t{0}));
+    rest = rest.subspan(taken);
+    at += taken;
+  }
+  written_.crc = crc_of(bytes, written_.crc);
+  written_.bytes = at;
+}
+
+void McapWriter::put_metadata(const std::string& name, const std::map<std::string, std::string>& texts) {
+  McapBytes bytes;
+  bytes.record(McapOp::kMetadata, [&] {
+    bytes.put(std::string_view(name));
+    bytes.put(texts);
+  });
+  const std::uint64_t start = written_.bytes;
+  write(bytes.bytes());
+  written_.metadata_indexes.record(McapOp::kMetadataIndex, [&] {
+    written_.metadata_indexes.put(start);
+    written_.metadata_indexes.put(static_cast<std::uint64_t>(bytes.size()));
+    written_.metadata_indexes.put(std::string_view(name));
+  });
+  ++written_.metadata;
+}
+
+// Where the disk is full, what fits of the chunk is written, and the end of the file.
+void McapWriter::write_chunk() {
+  if (chunk_index_.empty()) {
+    return;
+  }
+  try {
+    write_pings(ping_ends_.size());
+  } catch (const Error& error) {
+    if (!only_whole_ && !full_disk_.empty()) {
+      save_what_fits();
+    }
+    const bool some = !only_whole_ && written_.messages > 0;
+    failure_ = std::make_exception_ptr(
+        Error(error.what() + std::string(some ? "; what was written before stays readable" : "")));
+    std::rethrow_exception(failure_);
+  }
+  chunk_.clear();
+  chunk_index_.clear();
+  ping_ends_.clear();
+}
+
+// A chunk of the first pings and its indexes go to the file in one piece.
+void McapWriter::write_pings(std::size_t count) {
+  const std::span<const std::byte> records = chunk_.bytes().first(ping_ends_[count - 1]);
+  std::map<std::uint16_t, std::vector<IndexEntry>> index;
+  std::uint64_t first = std::numeric_limits<std::uint64_t>::max(), last = 0;
+  for (const auto& [channel, entries] : chunk_index_) {
+    for (const IndexEntry& entry : entries) {
+      if (entry.offset < records.size()) {
+        index[channel].push_back(entry);
+        first = std::min(first, entry.time);
+        last = std::max(last, entry.time);
+      }
+    }
+  }
+  const std::vector<std::byte> packed = compressed(records);
+  McapBytes bytes;
+  bytes.record(McapOp::kChunk, [&] {
+    bytes.put(first);
+    bytes.put(last);
+    bytes.put(static_cast<std::uint64_t>(records.size()));
+    bytes.put(crc_of(records));
+    bytes.put(kCompression);
+    bytes.put(static_cast<std::uint64_t>(packed.size()));
+    bytes.append(packed);
+  });
+  const std::size_t chunk_length = bytes.size();
+  const std::uint64_t chunk_start = written_.bytes;
+  std::map<std::uint16_t, std::uint64_t> offsets;
+  for (const auto& [channel, entries] : index) {
+    offsets[channel] = chunk_start + bytes.size();
+    bytes.record(McapOp::kMessageIndex, [&, id = channel, &list = entries] {
+      bytes.put(id);
+      bytes.put(static_cast<std::uint32_t>(list.size() * sizeof(IndexEntry)));
+      bytes.append(std::as_bytes(std::span(list)));
+    });
+  }
+  write(bytes.bytes());
+  written_.chunk_indexes.record(McapOp::kChunkIndex, [&] {
+    written_.chunk_indexes.put(first);
+    written_.chunk_indexes.put(last);
+    written_.chunk_indexes.put(chunk_start);
+    written_.chunk_indexes.put(static_cast<std::uint64_t>(chunk_length));
+    written_.chunk_indexes.put_map(offsets);
+    written_.chunk_indexes.put(static_cast<std::uint64_t>(bytes.size() - chunk_length));
+    written_.chunk_indexes.put(kCompression);
+    written_.chunk_indexes.put(static_cast<std::uint64_t>(packed.size()));
+    written_.chunk_indexes.put(static_cast<std::uint64_t>(records.size()));
+  });
+  ++written_.chunks;
+  written_.first_time = written_.messages == 0 ? first : std::min(written_.first_time, first);
+  written_.last_time = std::max(written_.last_time, last);
+  for (const auto& [channel, entries] : index) {
+    written_.by_channel[channel] += entries.size();
+    written_.messages += entries.size();
+  }
+}
+
+// As many pings of the chunk as leave room for the end of the file; where not even that has room, nothing.
+void McapWriter::save_what_fits() {
+  const Written before = written_;
+  for (std::size_t count = ping_ends_.size(); count-- > 0;) {
+    try {
+      if (count > 0) {
+        write_pings(count);
+      }
+      put_metadata(mcap_metadata::kEnd, {{mcap_metadata::kReason, full_disk_}});
+      write_summary();
+      return;
+    } catch (const Error&) {
+      written_ = before;
+      [[maybe_unused]] const int cut = ftruncate(out_->descriptor(), static_cast<off_t>(before.bytes));
+    }
+  }
+}
+
+void McapWriter::write_summary() {
+  McapBytes data_end;
+  data_end.record(McapOp::kDataEnd, [&] { data_end.put(written_.crc); });
+  write(data_end.bytes());
+
+  const std::uint64_t start = written_.bytes;
+  McapBytes summary;
+  McapBytes offsets;
+  const auto group = [&](McapOp op, auto&& put_group) {
+    const std::size_t begin = summary.size();
+    put_group();
+    if (summary.size() > begin) {
+      offsets.record(McapOp::kSummaryOffset, [&] {
+        offsets.put(static_cast<std::uint8_t>(op));
+        offsets.put(start + begin);
+        offsets.put(static_cast<std::uint64_t>(summary.size() - begin));
+      });
+    }
+  };
+  group(McapOp::kSchema, [&] {
+    for (std::size_t i = 0; i < told_schemas_; ++i) {
+      put_schema(summary, i);
+    }
+  });
+  group(McapOp::kChannel, [&] {
+    for (std::size_t i = 0; i < told_channels_; ++i) {
+      put_channel(summary, i);
+    }
+  });
+  group(McapOp::kStatistics, [&] {
+    summary.record(McapOp::kStatistics, [&] {
+      std::map<std::uint16_t, std::uint64_t> counts = written_.by_channel;
+      for (std::size_t i = 0; i < told_channels_; ++i) {
+        counts.try_emplace(static_cast<std::uint16_t>(i), 0);
+      }
+      summary.put(written_.messages);
+      summary.put(static_cast<std::uint16_t>(told_schemas_));
+      summary.put(static_cast<std::uint32_t>(told_channels_));
+      summary.put(std::uint32_t{0});  // Attachments.
+      summary.put(written_.metadata);
+      summary.put(written_.chunks);
+      summary.put(written_.first_time);
+      summary.put(written_.last_time);
+      summary.put_map(counts);
+    });
+  });
+  group(McapOp::kChunkIndex, [&] { summary.append(written_.chunk_indexes.bytes()); });
+  group(McapOp::kMetadataIndex, [&] { summary.append(written_.metadata_indexes.bytes()); });
+  const std::uint64_t offsets_start = start + summary.size();
+  summary.append(offsets.bytes());
+  // The footer's checksum covers the summary and the footer up to itself.
+  McapBytes footer;
+  constexpr std::uint64_t kFooterContent = 20;
+  footer.put(static_cast<std::uint8_t>(McapOp::kFooter));
+  footer.put(kFooterContent);
+  footer.put(start);
+  footer.put(offsets_start);
+  summary.append(footer.bytes());
+  summary.put(crc_of(summary.bytes()));
+  summary.append(std::as_bytes(std::span(kMcapMagic)));
+  write(summary.bytes());
+}
+
+}  // namespace insonify
