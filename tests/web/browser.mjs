@@ -3,7 +3,8 @@
 import { existsSync } from "node:fs";
 
 const kPlaces = [process.env.CHROMIUM, "/usr/bin/chromium", "/usr/bin/chromium-browser", "/usr/bin/google-chrome"];
-const kFlags = ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--hide-scrollbars", "--mute-audio"];
+// On a machine that is busy for long, Chromium is not to hold the drawing process for dead, which would lose all WebGL contexts.
+const kFlags = ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--disable-gpu-watchdog", "--disable-domain-blocking-for-3d-apis", "--hide-scrollbars", "--mute-audio"];
 
 /** Ends this program with 77, which says "skipped", unless Chromium is there. */
 export function needBrowser() {

@@ -385,7 +385,7 @@ const failed = await runChecks({
         const small = frames.add(() => {
           times.push(now);
           return times.length > empty;
-        }, () => true);
+        }, () => 1000);
         for (let i = 0; i < 60; ++i) {
           large();
           small();

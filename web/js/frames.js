@@ -2,7 +2,6 @@
 
 const kSlow = 45;      // milliseconds a frame above which the smaller views wait
 const kShare = 5;      // of these slow frames, one in so many draws them too
-const kLongest = 1000; // milliseconds that these are at most apart, as far as frames come
 const kMemory = 0.8;   // part that the mean duration of a frame keeps of what it was
 
 export class Frames {
@@ -18,10 +17,11 @@ export class Frames {
     this.#clock = clock;
   }
 
-  /** Registers a drawing; returns the function that asks for it. A `patient` one may wait while frames are slow, but not after
-   * it returned false, which says that it had nothing to show. */
-  add(draw, patient = () => false) {
-    const entry = { draw, patient };
+  /** Registers a drawing; returns the function that asks for it. While frames are slow it may wait until `patience()`
+   * milliseconds after the one before, as far as frames come; but not after it returned false, which says that it had nothing to
+   * show. */
+  add(draw, patience = () => 0) {
+    const entry = { draw, patience };
     return () => {
       this.#waiting.add(entry);
       this.#ask();
@@ -41,10 +41,11 @@ export class Frames {
     const took = now - this.#begun;
     this.#mean = kMemory * this.#mean + (1 - kMemory) * Math.min(took, 2000);
     this.#asked = false;
-    const wait = this.#mean > kSlow ? Math.min(kShare * this.#mean, kLongest - Math.max(this.#mean, took)) : 0;
+    const share = this.#mean > kSlow ? kShare * this.#mean : 0;
     const later = new Set();
     for (const entry of this.#waiting) {
-      if (now - (this.#drawn.get(entry) ?? -Infinity) < wait && entry.patient()) {
+      const wait = Math.min(share, entry.patience() - Math.max(this.#mean, took));
+      if (now - (this.#drawn.get(entry) ?? -Infinity) < wait) {
         later.add(entry);
         continue;
       }

@@ -10,7 +10,7 @@ export class AscanView {
     this.store = store;
     this.canvas = byId("ascan");
     this.roundPings = roundPings;
-    const redraw = frames.add(() => this.draw(), () => store.get("main") !== "ascan");
+    const redraw = frames.add(() => this.draw(), () => (store.get("main") === "ascan" ? 0 : 1000));
     new ResizeObserver(redraw).observe(this.canvas);
     store.on(["shown", "cursor", "beam", "low", "high", "gain", "tvg", "theme", "main", "sonar"], redraw);
   }

@@ -14,7 +14,7 @@ export class SceneView {
     this.store = store;
     this.canvas = byId("scene");
     this.camera = new Camera();
-    this.redraw = frames.add(() => this.draw(), () => store.get("main") !== "scene");
+    this.redraw = frames.add(() => this.draw(), () => (store.get("main") === "scene" ? 0 : 4000));  // It costs most.
     this.renderer = new SceneRenderer(this.canvas, this.redraw);
     new ResizeObserver(this.redraw).observe(this.canvas);
     store.on(["scene"], () => {

@@ -44,7 +44,7 @@ export class WaterfallView {
   constructor(store, frames) {
     this.store = store;
     this.canvas = byId("waterfall");
-    this.redraw = frames.add(() => this.draw(), () => store.get("main") !== "waterfall");
+    this.redraw = frames.add(() => this.draw(), () => (store.get("main") === "waterfall" ? 0 : 1000));
     this.gl = openGl(this.canvas, () => {
       this.#build();
       this.redraw();
