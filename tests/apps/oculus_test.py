@@ -109,6 +109,33 @@ class OculusTest(unittest.TestCase):
             number, data = found.receive()
         self.assertEqual((number, data[16:]), (USER_CONFIG, socket.inet_aton(sonar.address) + b"\xff\0\0\0" + bytes(4)))
 
+    def test_a_network_is_told_by_broadcast(self):
+        with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as probe:
+            try:
+                probe.connect(("198.51.100.1", 9))  # Sends nothing: it tells the address that would be used.
+            except OSError:
+                self.skipTest("this machine has no network")
+            own = probe.getsockname()[0]
+        listener = status_listener()
+        self.addCleanup(listener.close)
+        sonar = self.sonar()
+        with subprocess.Popen([INSONIFY, "emulate", "oculus", "dive.yaml", "--address", own, "--port", "0"],
+                              cwd=sonar.path, text=True, stdout=subprocess.PIPE, stderr=subprocess.PIPE) as program:
+            try:
+                line = program.stdout.readline()
+                self.assertRegex(line, rf"^Oculus fls on TCP {own}:\d+, status to UDP [\d.]+:52102$")
+                status = next_status(listener)
+                while status[0] != own:  # Others on this machine tell of themselves too.
+                    status = next_status(listener)
+                # The broadcast address is the own one with all bits set that the mask has not.
+                number = [int.from_bytes(socket.inet_aton(text), "big") for text in (own, status[2], line.split()[-1][:-6])]
+                self.assertEqual(number[2], number[0] | ~number[1] & 0xffffffff)
+            finally:
+                program.send_signal(signal.SIGINT)
+                err = program.communicate(timeout=10)[1]
+        self.assertEqual(err, f"insonify: warning: whoever reaches {own} can command this sonar: its protocol knows no "
+                              "password\n")
+
     def test_targets_are_where_the_world_has_them(self):
         client = self.sonar().client()
         ping = client.ask(reach=8.0, gain=30.0)
@@ -397,7 +424,7 @@ class OculusTest(unittest.TestCase):
             self.assertEqual((done.returncode, done.stderr), (2, f"insonify: {message_text}\n"))
         for address, failure in (
                 (sonar.address, f"cannot listen on TCP port 52100 of {sonar.address}: Address already in use"),
-                ("192.0.2.1", "--address 192.0.2.1: no network interface of this machine has it")):
+                ("203.0.113.77", "--address 203.0.113.77: no network interface of this machine has it")):
             done = subprocess.run([INSONIFY, "emulate", "oculus", "dive.yaml", "--address", address],
                                   cwd=sonar.path, capture_output=True, text=True, timeout=20, check=False)
             self.assertEqual((done.returncode, done.stderr.splitlines()[-1]), (1, f"insonify: {failure}"))
