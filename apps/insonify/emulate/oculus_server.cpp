@@ -179,17 +179,17 @@ void OculusServer::obey() {
   }
 }
 
-// A ping that took longer than the period delays the next; those that were due meanwhile are left out.
+// A ping that took longer than the period delays the next, and those after it catch up; where a whole period is lost,
+// the schedule begins anew.
 void OculusServer::schedule() {
   ping_timer_.cancel();
   if (!settings_ || settings_->plan.period == 0) {
     return;
   }
-  WallClock::time_point due = std::max(WallClock::now(), listening_until_);
-  if (last_due_) {
-    due = std::max(due, *last_due_ + time_of(settings_->plan.period));
-  }
-  ping_timer_.expires_at(due);
+  const WallClock::duration period = time_of(settings_->plan.period);
+  const WallClock::time_point earliest = std::max(WallClock::now(), listening_until_);
+  const WallClock::time_point due = last_due_ && *last_due_ + 2 * period > earliest ? *last_due_ + period : earliest;
+  ping_timer_.expires_at(std::max(due, earliest));
   ping_timer_.async_wait([this, due](error_code cancelled) {
     if (!cancelled && settings_ && !pinging_) {
       ping(due);
