@@ -288,6 +288,25 @@ class OculusTest(unittest.TestCase):
         second = client.ping()
         self.assertAlmostEqual(second.start - first.start, 0.3, delta=0.05)
 
+    def test_no_ping_is_lost_when_settings_change(self):
+        client = self.sonar("--set", "sonars.fls.max_range=120").client()
+        client.send(fire(reach=110.0, rate=RATE_40))  # 147 ms of listening ...
+        numbers = [client.ping().number]
+        client.send(fire(reach=2.0, rate=RATE_40))  # ... and then a ping each 25 ms.
+        numbers += [client.ping().number for _ in range(8)]
+        self.assertEqual(numbers, list(range(9)))
+
+    def test_a_flood_of_fire_messages_holds_nothing_up(self):
+        sonar = self.sonar()
+        client = sonar.client()
+        client.send(b"".join(fire(reach=2 + i / 1000, rate=RATE_40) for i in range(3000)))
+        end = time.monotonic() + 20
+        while abs(client.ping().reach - 4.999) > 1e-9:
+            self.assertLess(time.monotonic(), end)
+        status, _, err, seconds = sonar.end()
+        self.assertEqual((status, err), (0, ""))
+        self.assertLess(seconds, 1)
+
     def test_it_does_not_ping_unasked_and_keeps_the_connection(self):
         client = self.sonar().client()
         client.send(message(DUMMY))

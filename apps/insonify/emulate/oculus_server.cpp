@@ -79,10 +79,12 @@ void OculusServer::accept() {
   acceptor_.async_accept([this](error_code failure, Tcp::socket socket) {
     if (!failure) {
       welcome(std::move(socket));
+      accept();
     } else {
       warn_once(fmt::format("a client could not connect: {}", failure.message()));
+      accept_timer_.expires_after(kBeat);  // Such as without free file descriptors, which may pass.
+      accept_timer_.async_wait([this](error_code) { accept(); });
     }
-    accept();
   });
 }
 
@@ -124,6 +126,9 @@ void OculusServer::refuse(const OculusClient& client, const std::string& reason)
 void OculusServer::warn_once(const std::string& text) {
   if (warnings_.size() < kMostWarnings && warnings_.insert(text).second) {
     complain("warning: " + text);
+    if (warnings_.size() == kMostWarnings) {
+      complain("warning: further ones are counted only, for the report");
+    }
   }
 }
 
@@ -174,15 +179,17 @@ void OculusServer::obey() {
   }
 }
 
-// A ping that took longer than the period delays the next; those that were due meanwhile are left out.
+// A ping that took longer than the period delays the next, and those after it catch up; where a whole period is lost,
+// the schedule begins anew.
 void OculusServer::schedule() {
   ping_timer_.cancel();
   if (!settings_ || settings_->plan.period == 0) {
     return;
   }
-  const WallClock::time_point now = WallClock::now();
-  const WallClock::time_point due = last_due_ ? std::max(now, *last_due_ + time_of(settings_->plan.period)) : now;
-  ping_timer_.expires_at(due);
+  const WallClock::duration period = time_of(settings_->plan.period);
+  const WallClock::time_point earliest = std::max(WallClock::now(), listening_until_);
+  const WallClock::time_point due = last_due_ && *last_due_ + 2 * period > earliest ? *last_due_ + period : earliest;
+  ping_timer_.expires_at(std::max(due, earliest));
   ping_timer_.async_wait([this, due](error_code cancelled) {
     if (!cancelled && settings_ && !pinging_) {
       ping(due);
@@ -213,7 +220,8 @@ void OculusServer::pinged(const std::shared_ptr<const OculusPings::Heard>& heard
     warn_once("no ping: " + failure);
   }
   if (heard && settings_) {
-    tell_timer_.expires_at(heard->heard());
+    listening_until_ = heard->heard();
+    tell_timer_.expires_at(listening_until_);
     tell_timer_.async_wait([this, heard](error_code cancelled) {
       if (!cancelled) {
         tell(*heard);

@@ -65,7 +65,8 @@ class OculusServer {
   Ipv4Network network_;
   Tcp::acceptor acceptor_;
   Udp::socket status_socket_;
-  boost::asio::steady_timer beat_timer_{loop_.context()}, ping_timer_{loop_.context()}, tell_timer_{loop_.context()};
+  boost::asio::steady_timer beat_timer_{loop_.context()}, ping_timer_{loop_.context()}, tell_timer_{loop_.context()},
+      accept_timer_{loop_.context()};
 
   std::vector<Client> clients_;
   boost::asio::ip::address_v4 last_client_;
@@ -74,6 +75,7 @@ class OculusServer {
   std::shared_ptr<const OculusPings::Settings> settings_;  // What it means; null without.
   bool pinging_ = false;                                   // While the other thread has the simulated sonar.
   std::optional<WallClock::time_point> last_due_;          // Time of the last ping by the schedule.
+  WallClock::time_point listening_until_;                  // To the last ping.
   std::set<std::string> warnings_;
 
   boost::asio::thread_pool maker_{1};  // Last: it ends first.
