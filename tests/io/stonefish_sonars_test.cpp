@@ -1,5 +1,8 @@
 // stonefish_sonars_test.cpp -- sonars of our scenarios from the sensors of Stonefish's.
 
+#include <fstream>
+#include <sstream>
+
 #include "insonify/simulator.h"
 #include "io/stonefish_files.h"
 
@@ -17,6 +20,12 @@ constexpr double kQuarter = 1.5707963267948966;
 
 void expect_near(const Vec3& value, const Vec3& expected, double error = kTextError) {
   EXPECT_LT((value - expected).norm(), error) << value.transpose() << " is not " << expected.transpose();
+}
+
+std::string text_of(const std::string& path) {
+  std::stringstream text;
+  text << std::ifstream(path).rdbuf();
+  return text.str();
 }
 
 // Acoustic axis and up of a sonar without a trajectory, in the world.
@@ -210,6 +219,8 @@ TEST_F(StonefishSonarsTest, AStonefishScenarioIsOneOfOurs) {
   EXPECT_EQ(scenario.pings, 4);
   EXPECT_EQ(scenario.sonars.size(), 1U);
   EXPECT_EQ(load_scene(scenario).instances.size(), 1U);
+  // As a program does that reads the file itself, to change the scenario later.
+  EXPECT_EQ(to_yaml(load_scenario_text(text_of(path), path)), to_yaml(load_scenario(path)));
   // What a recording holds is read back as the same.
   const Scenario again = load_scenario_text(scenario.text, path);
   EXPECT_EQ(to_yaml(again), to_yaml(scenario));

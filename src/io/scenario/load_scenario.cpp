@@ -11,6 +11,7 @@
 #include "insonify/files.h"
 #include "insonify/scenario_requests.h"
 #include "io/file/input_file.h"
+#include "io/file/xml_file.h"
 #include "io/scenario/check_effects.h"
 #include "io/scenario/read_material.h"
 #include "io/scenario/read_sonar.h"
@@ -192,17 +193,17 @@ Scenario read_scenario(const std::string& text, const std::filesystem::path& pat
 
 Scenario load_scenario(const std::filesystem::path& path, std::span<const std::string> settings, const Log& log) {
   refuse_worlds(path);  // Before it is read: worlds may be large.
-  if (is_stonefish_file(path)) {
-    check_input_file(path);
-    return read_scenario(stonefish_as_scenario(path), path, path.string(), settings, log);
-  }
-  return read_scenario(read_text_or_pipe(path), path, path.string(), settings, log);
+  return load_scenario_text(read_text_or_pipe(path), path, settings, log);
 }
 
 Scenario load_scenario_text(const std::string& text, const std::filesystem::path& path,
                             std::span<const std::string> settings, const Log& log) {
   refuse_worlds(path);
-  return read_scenario(text, path, path.string(), settings, log);
+  // A program that has read a Stonefish scenario passes its text, or the text of ours that was made of it.
+  constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
+  const bool is_xml = text.starts_with(kByteOrderMark) || without_outer_space(text).starts_with('<');
+  const bool is_stonefish = is_stonefish_file(path) && is_xml;
+  return read_scenario(is_stonefish ? stonefish_as_scenario(path) : text, path, path.string(), settings, log);
 }
 
 Scenario parse_scenario(const std::string& text, const std::filesystem::path& folder,

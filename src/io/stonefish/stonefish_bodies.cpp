@@ -94,36 +94,38 @@ void StonefishBodies::add_body(const StonefishElement& element) {
   }
 }
 
-// Places the links that joints connect to links with a place, until there are no more.
+// Places the base link, then the links that joints connect to it, outwards.
 void StonefishBodies::add_links(const StonefishElement& robot, const Pose& world_from_base,
                                 std::map<std::string, Pose>& links) {
-  std::map<std::string, StonefishElement> loose;
-  for (const StonefishElement& link : children(robot, "link")) {
-    loose.emplace(name_of(link), link);
-  }
   const StonefishElement base = robot.child("base_link");
   if (!base) {
     throw Error(robot.what() + ": <base_link> is missing");
   }
-  links[name_of(base)] = world_from_base;
-  bodies_.push_back({robot.name() + "::" + name_of(base), base, world_from_base});
-  std::vector<StonefishElement> joints = children(robot, "joint");
-  for (bool more = true; more;) {
-    more = false;
-    for (const StonefishElement& joint : joints) {
-      const auto parent = links.find(stonefish_text(joint, "parent", "name"));
-      const auto child = loose.find(stonefish_text(joint, "child", "name"));
-      if (parent == links.end() || child == loose.end()) {
+  std::map<std::string, StonefishElement> loose;
+  for (const StonefishElement& link : children(robot, "link")) {
+    loose.emplace(name_of(link), link);
+  }
+  std::multimap<std::string, StonefishElement> joints;  // By their parents.
+  for (const StonefishElement& joint : children(robot, "joint")) {
+    joints.emplace(stonefish_text(joint, "parent", "name"), joint);
+  }
+  std::vector<std::string> placed;
+  const auto place = [&](const std::string& name, const StonefishElement& link, const Pose& pose) {
+    links[name] = pose;
+    bodies_.push_back({robot.name() + "::" + name, link, pose});
+    placed.push_back(name);
+  };
+  place(name_of(base), base, world_from_base);
+  for (std::size_t i = 0; i < placed.size(); ++i) {
+    const std::string parent = placed[i];
+    for (auto [joint, end] = joints.equal_range(parent); joint != end; ++joint) {
+      const auto child = loose.find(stonefish_text(joint->second, "child", "name"));
+      if (child == loose.end()) {
         continue;
       }
-      const Pose pose = parent->second * stonefish_pose(joint, "origin");
-      links[child->first] = pose;
-      bodies_.push_back({robot.name() + "::" + child->first, child->second, pose});
+      place(child->first, child->second, links.at(parent) * stonefish_pose(joint->second, "origin"));
       loose.erase(child);
-      if (joint.type() != "fixed") {
-        ++joints_;
-      }
-      more = true;
+      joints_ += joint->second.type() != "fixed" ? 1 : 0;
     }
   }
   for (const auto& [name, link] : loose) {

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <map>
 #include <set>
 #include <utility>
 
@@ -66,8 +67,8 @@ class StonefishSceneBuilder {
   // Names in a scenario need not differ.
   std::string unique(const std::string& name) {
     std::string tried = name;
-    for (int i = 2; !names_.insert(tried).second; ++i) {
-      tried = fmt::format("{}_{}", name, i);
+    for (int& copies = copies_[name]; !names_.insert(tried).second;) {
+      tried = fmt::format("{}_{}", name, ++copies + 1);
     }
     return tried;
   }
@@ -97,6 +98,7 @@ class StonefishSceneBuilder {
   NamePatterns ignored_;
   StonefishShapes shapes_;
   std::set<std::string> names_;
+  std::map<std::string, int> copies_;  // By name, how many have got another.
   Scene scene_;
 };
 
