@@ -18,7 +18,7 @@ enum class RecordingState {
   kWhole,
   kGrowing,     ///< A run is writing it.
   kUnfinished,  ///< The run that wrote it was killed (of MCAP: or its disk was full); its pings can be read.
-  kDiskFull     ///< It ends as it should, before its run did, because the disk was full. Only MCAP tells.
+  kDiskFull     ///< It ends as it should, before its run did, because the disk was full.
 };
 
 /// How exactly a recording holds intensities.

@@ -2,11 +2,8 @@
 
 #include "insonify/recording_info.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <unistd.h>
 
-#include <cerrno>
 #include <cstring>
 
 #include "insonify/error.h"
@@ -20,17 +17,6 @@
 namespace insonify {
 namespace {
 
-// A growing HDF5 recording ends in a hole, which takes no space on the disk; closing cuts it off (growing_file.h).
-bool ends_in_hole(const std::filesystem::path& path, std::uint64_t bytes) {
-  const int file = open(path.c_str(), O_RDONLY | O_CLOEXEC);
-  const bool hole =
-      file >= 0 && bytes > 0 && lseek(file, static_cast<off_t>(bytes - 1), SEEK_DATA) < 0 && errno == ENXIO;
-  if (file >= 0) {
-    close(file);
-  }
-  return hole;
-}
-
 RecordingState state_of(const std::filesystem::path& path, bool whole) {
   return whole                    ? RecordingState::kWhole
          : is_being_written(path) ? RecordingState::kGrowing
@@ -41,7 +27,9 @@ RecordingInfo info_of_hdf5(const std::filesystem::path& path) {
   const Hdf5Tables tables(path);
   const RecordedPings pings(path);
   RecordingInfo info{.format = "HDF5", .bytes = std::filesystem::file_size(path)};
-  info.state = state_of(path, !is_being_written(path) && !ends_in_hole(path, info.bytes));
+  info.state = tables.state() == GrowingState::kCutShort
+                   ? RecordingState::kDiskFull
+                   : state_of(path, tables.state() != GrowingState::kGrowing && !is_being_written(path));
   info.version = tables.text("version");
   info.model = tables.text("model");
   info.engine = tables.text("engine");

@@ -103,7 +103,7 @@ TEST_F(CliStopTest, CtrlCLeavesWhatAHeadHasSeen) {
 
 // A pipe without a writer stands in for a world that takes long to load.
 TEST_F(CliStopTest, CtrlCWhileLoadingEndsAtOnce) {
-  for (const int signal : {SIGINT, SIGTERM}) {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     std::filesystem::remove("pipe");
     ASSERT_EQ(mkfifo("pipe", 0600), 0);
     const Process process({"run", "pipe", "-o", "out"});

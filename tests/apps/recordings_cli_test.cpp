@@ -179,11 +179,29 @@ TEST_F(RecordingsCliTest, ExportWarnsOfAnUnfinishedRecording) {
     EXPECT_EQ(process.end().status, -1);
   }
   EXPECT_EQ(info("out/ahead.h5").at("state"), "unfinished");
+  ASSERT_EQ(shell("cp --sparse=never out/ahead.h5 copy.h5").status, 0);
+  EXPECT_EQ(info("copy.h5").at("state"), "unfinished");
   const Outcome outcome = shell("insonify export out/ahead.h5 -o out/run.mcap");
   EXPECT_EQ(outcome.status, 0);
   EXPECT_EQ(outcome.out, "out/run.mcap\n");
   EXPECT_THAT(outcome.err, HasSubstr("warning: out/ahead.h5 is unfinished: the run that wrote it was killed; it has "));
   EXPECT_EQ(info("out/run.mcap").at("sonars").at(0).at("pings"), info("out/ahead.h5").at("sonars").at(0).at("pings"));
+}
+
+// Whatever the size of the file, and however much of it a file system or a copy leaves out as holes.
+TEST_F(RecordingsCliTest, AWholeRecordingIsToldFromOthersByWhatItSays) {
+  for (int pings = 17; pings < 23; ++pings) {
+    ASSERT_EQ(shell(fmt::format("insonify run fan.yaml -o out -q --no-pictures --force --pings {}", pings)).status, 0);
+    EXPECT_EQ(info("out/ahead.h5").at("state"), "whole") << pings;
+    ASSERT_EQ(shell("cp --sparse=always out/ahead.h5 copy.h5").status, 0);
+    EXPECT_EQ(info("copy.h5").at("state"), "whole") << pings;
+  }
+  const Outcome full =
+      shell("bash -c 'ulimit -f 400; " INSONIFY_CLI " run fan.yaml -o full -q --no-pictures --pings 100000'");
+  EXPECT_EQ(full.status, 1) << full.err;
+  EXPECT_EQ(info("full/ahead.h5").at("state"), "disk_full");
+  ASSERT_EQ(shell("cp --sparse=never full/ahead.h5 copy.h5").status, 0);
+  EXPECT_EQ(info("copy.h5").at("state"), "disk_full");
 }
 
 TEST_F(RecordingsCliTest, ExportRefusesOptionsWithoutEffect) {

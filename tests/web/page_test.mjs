@@ -254,6 +254,25 @@ const failed = await runChecks({
     }
   },
 
+  async "keys fly after a button was pressed and a list chosen from with the mouse"() {
+    const flies = async (what) => {
+      server.requests.length = 0;
+      await page.keyboard.down("w");
+      assert.ok((await told("fly")).linear[0] > 0, what);
+      await page.keyboard.up("w");
+      await told("fly", (each) => each.linear.every((part) => part === 0));
+    };
+    await page.focus("#record");
+    await flies("from a button");
+    await page.evaluate(() => {
+      const list = document.querySelector("#speed");
+      list.focus();
+      list.dispatchEvent(new PointerEvent("pointerdown", { bubbles: true }));
+      list.dispatchEvent(new Event("change", { bubbles: true }));
+    });
+    await flies("from a list");
+  },
+
   async "a stick on the screen flies as far as it is pushed"() {
     await press("tab-fly");
     await choose("pads", true);

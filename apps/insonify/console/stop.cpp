@@ -35,7 +35,7 @@ void note(int signal) {
 }
 
 void handle_with(void (*handler)(int)) {
-  for (const int signal : {SIGINT, SIGTERM}) {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     if (std::signal(signal, handler) == SIG_IGN) {
       std::signal(signal, SIG_IGN);
     }

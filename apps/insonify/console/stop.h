@@ -1,4 +1,4 @@
-// stop.h -- handles requests to end a run: SIGINT (Ctrl-C) and SIGTERM.
+// stop.h -- handles requests to end a run: SIGINT (Ctrl-C), SIGTERM, and SIGHUP (the terminal is gone).
 
 #pragma once
 
@@ -6,8 +6,8 @@
 
 namespace insonify {
 
-/// From this call on SIGINT and SIGTERM end the program at once with a one-line message: there are no results to keep
-/// yet. A SIGINT that was ignored at the start, as in a background job, stays ignored.
+/// From this call on these signals end the program at once with a one-line message: there are no results to keep yet.
+/// One that was ignored at the start, as SIGINT in a background job and SIGHUP under nohup, stays ignored.
 void end_when_asked();
 
 /// From this call on the signals set stop_asked(); a second one ends the program.

@@ -128,6 +128,7 @@ void NetServer::watch_signals() {
   State& state = *state_;
   state.signals.add(SIGINT);
   state.signals.add(SIGTERM);
+  state.signals.add(SIGHUP);
   state.signals.async_wait([&state](error_code failure, int) {
     if (!failure) {
       state.end();

@@ -65,13 +65,14 @@ GrowingFile::GrowingFile(std::filesystem::path path, const std::vector<GrowingDa
   if (std::ranges::any_of(datasets, &GrowingDataset::is_filtered)) {
     workers_ = std::make_unique<Workers>(options.threads);
   }
-  auto [image, headers] = make_growing_image(path_, datasets, describe);
-  find_fields(image, headers);
-  end_ = image.size();
+  const GrowingImage image = make_growing_image(path_, datasets, describe);
+  find_fields(image.bytes, image.addresses);
+  state_address_ = image.state_address;
+  end_ = image.bytes.size();
 
   out_ = std::make_unique<UnfinishedFile>(path_, "cannot create");
   mark_as_being_written(out_->descriptor());
-  if (!write_at(0, image) || !reserve(end_)) {
+  if (!write_at(0, image.bytes) || !reserve(end_)) {
     out_->fail_by_errno();
   }
   if (!earlier_) {
@@ -256,6 +257,7 @@ void GrowingFile::append(std::span<const std::span<const std::byte>> rows) {
   if (!written) {
     const std::string reason = system_reason();
     (void)set_end(end_);  // Nothing of this row is kept.
+    state_ = GrowingState::kCutShort;
     fail(path_, fmt::format("cannot write ping {}: {}{}", count_, reason,
                             count_ > 0 ? "; those before it stay readable" : ""));
   }
@@ -265,16 +267,18 @@ void GrowingFile::append(std::span<const std::span<const std::byte>> rows) {
   }
   end_ = end;
   ++count_;
+  state_ = GrowingState::kWhole;  // There may be room again.
 }
 
-// Completes the indices, lets the file end where it does and has the system store everything.
+// Completes the indices, lets the file end where it does, says so in it and has the system store everything.
 // @return  Whether it did; else errno tells why not.
 bool GrowingFile::finish() {
   pieces_.clear();
   for (const Growth& growth : growths_) {
     growth.index.close(pieces_);
   }
-  return write_pieces() && set_end(end_) && fsync(out_->descriptor()) == 0;
+  return write_pieces() && set_end(end_) && write_at(state_address_, std::as_bytes(std::span(&state_, 1))) &&
+         fsync(out_->descriptor()) == 0;
 }
 
 void GrowingFile::close() {

@@ -19,6 +19,7 @@
 #include "io/recording/chunk_filter.h"
 #include "io/recording/chunk_index.h"
 #include "io/recording/growing_dataset.h"
+#include "io/recording/growing_image.h"
 #include "io/recording/hdf5_header.h"
 
 namespace insonify {
@@ -97,6 +98,9 @@ class GrowingFile {
   std::unique_ptr<Workers> workers_;      // Where anything is compressed.
   std::uint64_t count_ = 0;               // Rows.
   std::uint64_t end_ = 0, reserved_ = 0;  // Bytes in use, and where the file ends.
+
+  std::uint64_t state_address_ = 0;            // In the file.
+  GrowingState state_ = GrowingState::kWhole;  // That it is ended with.
 
   FilePieces pieces_;                    // Nodes of indices that are to be written.
   std::uint64_t fields_begin_ = 0;       // In the file, of ...

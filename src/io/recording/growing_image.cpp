@@ -2,6 +2,10 @@
 
 #include "io/recording/growing_image.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+
 #include "io/recording/chunk_filter.h"
 
 namespace insonify {
@@ -65,6 +69,29 @@ std::vector<H5Handle> fill_page(hid_t file, const std::filesystem::path& path) {
   return fillers;
 }
 
+// What no other 8 bytes of a file are.
+constexpr std::uint64_t kStateMark = 0xd1ce'5a7e'0f17'b1e5;
+
+void create_state(hid_t file, const std::filesystem::path& path) {
+  const H5Handle space = h5_own(H5Screate(H5S_SCALAR), H5Sclose, path, "create");
+  const H5Handle attribute =
+      h5_own(H5Acreate2(file, kStateAttribute, H5T_STD_U64LE, space.get(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose, path,
+             "create");
+  h5_check(H5Awrite(attribute.get(), H5T_NATIVE_UINT64, &kStateMark), path, "create");
+}
+
+// Where the state lies; its value becomes kGrowing.
+std::uint64_t find_state(std::vector<std::byte>& image, const std::filesystem::path& path) {
+  const auto mark = std::as_bytes(std::span(&kStateMark, 1));
+  const auto found = std::ranges::search(image, mark);
+  const auto again = found.empty() ? found : std::ranges::search(found.end(), image.end(), mark.begin(), mark.end());
+  if (found.empty() || !again.empty()) {
+    throw Error(fmt::format("{}: cannot create: HDF5 has put the state of the file elsewhere", path.string()));
+  }
+  std::ranges::fill(found, std::byte{0});
+  return static_cast<std::uint64_t>(found.begin() - image.begin());
+}
+
 }  // namespace
 
 // Has HDF5 make the whole file but the rows, in memory: a disk that fills up could leave it with handles that it can
@@ -101,9 +128,11 @@ GrowingImage make_growing_image(const std::filesystem::path& path, std::span<con
   made.clear();
   fillers.clear();
   describe(file.get());
+  create_state(file.get(), path);
   h5_check(H5Fflush(file.get(), H5F_SCOPE_LOCAL), path, "create");
   image.bytes.resize(static_cast<std::size_t>(h5_check(H5Fget_file_image(file.get(), nullptr, 0), path, "create")));
   h5_check(H5Fget_file_image(file.get(), image.bytes.data(), image.bytes.size()), path, "create");
+  image.state_address = find_state(image.bytes, path);
   return image;
 }
 

@@ -18,8 +18,19 @@ namespace insonify {
 /// signals between pages only.
 inline constexpr std::uint64_t kGrowingPage = 4096;
 
+/// Attribute of the file that says whether a recording was ended as it should.
+inline constexpr const char* kStateAttribute = "state";
+
+/// Its values.
+enum class GrowingState : std::uint64_t {
+  kGrowing = 0,  ///< It is being written, or what wrote it was killed.
+  kWhole = 1,
+  kCutShort = 2  ///< A row could not be written, the disk being full; those before it are there.
+};
+
 struct GrowingImage {
   std::vector<std::byte> bytes;          ///< Contents of the file.
+  std::uint64_t state_address = 0;       ///< Of the value of kStateAttribute, 8 bytes.
   std::vector<std::uint64_t> addresses;  ///< Addresses of the datasets' headers, alone in their page.
 };
 

@@ -190,6 +190,12 @@ Hdf5Tables::Hdf5Tables(const std::filesystem::path& path) : RecordedTables(path)
     throw Error(fmt::format("{}: is no recording: it has no dataset intensity", path.string()));
   }
   attributes_ = attributes_of(file_.get(), path, "the file");
+  if (const auto state = attributes_.find(kStateAttribute); state != attributes_.end()) {
+    if (state->is_number_unsigned()) {
+      state_ = static_cast<GrowingState>(state->get<std::uint64_t>());
+    }
+    attributes_.erase(state);
+  }
   std::vector<std::string> names;
   h5_check(H5Literate(file_.get(), H5_INDEX_NAME, H5_ITER_INC, nullptr, add_name, &names), path, "list its datasets");
   ping_count_ = std::numeric_limits<std::uint64_t>::max();

@@ -4,6 +4,7 @@
 
 #include "io/file/hdf5.h"
 #include "io/file/recorded_tables.h"
+#include "io/recording/growing_image.h"
 
 namespace insonify {
 
@@ -17,10 +18,15 @@ class Hdf5Tables : public RecordedTables {
   void read(const RecordedTable& table, NumberType type, std::span<const TableSlice> slices,
             std::span<std::byte> bytes) const override;
 
+  /// Of a file that insonify has begun since it tells it: see GrowingState. attributes() does not have it, for it is
+  /// not of the run.
+  [[nodiscard]] std::optional<GrowingState> state() const { return state_; }
+
  private:
   void add_table(const std::string& name);
 
   H5Handle file_;
+  std::optional<GrowingState> state_;
 };
 
 }  // namespace insonify

@@ -46,7 +46,19 @@ export function setUpKeyboard(flight, commands) {
     if (held.delete(event.code) || event.key === "Shift") fly(event);
   });
   window.addEventListener("blur", () => held.clear());
+  giveBackKeys();
   fillHelp(commands);
+}
+
+// A list that was chosen from with the mouse lets go of the keys, so that W A S D fly at once. With the keyboard one may
+// go on choosing.
+function giveBackKeys() {
+  let pointed = false;
+  window.addEventListener("pointerdown", () => { pointed = true; }, true);
+  window.addEventListener("keydown", () => { pointed = false; }, true);
+  window.addEventListener("change", ({ target }) => {
+    if (pointed && target instanceof HTMLSelectElement) target.blur();
+  });
 }
 
 function fillHelp(commands) {
