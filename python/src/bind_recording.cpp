@@ -218,10 +218,12 @@ struct RecordingInPython {
 std::unique_ptr<RecordingInPython> start_recording(const py::object& given, PythonSimulator& simulator,
                                                    const py::object& sonar_, bool compress, bool replace) {
   const std::filesystem::path path = path_from(given, "path");
-  if (path.extension() == ".mcap" || path.extension() == ".npz" || path.extension() == ".zarr") {
-    throw Error("", "path",
-                fmt::format(" = {} must not end in {}: a Recording is HDF5; insonify.export() writes that of it",
-                            path.string(), path.extension().string()));
+  if (path.extension() != ".h5" && path.extension() != ".hdf5") {
+    throw Error(
+        "", "path",
+        fmt::format(" = {} must end in .h5 or .hdf5: a Recording is HDF5; insonify.export() writes other formats "
+                    "of it",
+                    path.string()));
   }
   const int sonar = simulator.sonar(sonar_);
   return std::make_unique<RecordingInPython>(

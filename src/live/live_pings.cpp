@@ -233,6 +233,9 @@ void LiveLoop::State::make_next(Lock& lock) {
   keep_pace(due, time, sonars);
   const std::shared_ptr<const LiveWorld> of_world = world;
   lock.unlock();
+  if (run->made_in_all() == 0) {
+    solids.forget();
+  }
   std::vector<std::shared_ptr<LivePing>> pings;
   std::string error;
   try {
@@ -252,6 +255,9 @@ void LiveLoop::State::make_next(Lock& lock) {
       ping->stamp = stamp;
       ping->told_at = told_at;
       listener->on_ping(ping);
+      for (const std::string& text : solids.entered(*simulator, sonars[i], requests[i])) {
+        note(text);
+      }
       pings.push_back(ping);
     }
   } catch (const Interrupted&) {

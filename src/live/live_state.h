@@ -12,6 +12,7 @@
 #include "live/live_change.h"
 #include "live/live_recorder.h"
 #include "live/ping_pool.h"
+#include "live/solids_watch.h"
 
 namespace insonify {
 
@@ -70,6 +71,7 @@ struct LiveLoop::State {
   bool recording_replaces = false;
   int recording_part = 0;
   PingPool pool;
+  SolidsWatch solids;
   std::string closing_error;
 
   LiveBuilder builder;  // Of the thread that prepares changes alone.

@@ -141,7 +141,7 @@ TEST_F(RecordingsCliTest, InfoRefusesWhatIsNoRecording) {
   folder.write("notes.txt", "nothing");
   const Outcome outcome = shell("insonify info notes.txt");
   EXPECT_EQ(outcome.status, 2);
-  EXPECT_THAT(outcome.err, HasSubstr("insonify: notes.txt: cannot open it as HDF5: "));
+  EXPECT_THAT(outcome.err, HasSubstr("insonify: notes.txt: is no recording: it is neither HDF5 nor MCAP"));
 }
 
 TEST_F(RecordingsCliTest, InfoGoesOnAfterAFileThatIsNoRecording) {

@@ -143,7 +143,7 @@ TEST(RecordedPingsTest, WhatIsNoRecordingIsToldWhy) {
   const auto refusal = [](const char* path) { return message_of([=] { RecordedPings pings(path); }); };
   EXPECT_EQ(refusal("none.h5"), "none.h5: no such file");
   folder.write("text.h5", "intensity");
-  EXPECT_THAT(refusal("text.h5"), StartsWith("text.h5: cannot open it as HDF5: "));
+  EXPECT_THAT(refusal("text.h5"), StartsWith("text.h5: is no recording: it is neither HDF5 nor MCAP"));
   write_intensity("flat.h5", {2, 3}, H5T_IEEE_F32LE, std::vector<double>(6));
   EXPECT_EQ(refusal("flat.h5"), "flat.h5: intensity has 2 axes; a recording has three: ping, bin, beam");
   write_intensity("empty.h5", {2, 0, 3}, H5T_IEEE_F32LE, {});

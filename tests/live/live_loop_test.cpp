@@ -100,6 +100,18 @@ TEST_F(LiveLoopTest, FollowsTheTrajectoryAsARunDoes) {
   expect_repeats(loop->saved_scenario(), keeper_.pings());
 }
 
+TEST_F(LiveLoopTest, ASonarInsideOfAnObjectIsTold) {
+  const auto loop = started(scenario_text(kTrack), {.threads = 2});
+  keeper_.wait_for_pings(3);
+  EXPECT_THAT(keeper_.notes(), IsEmpty());
+  EXPECT_EQ(answer_to([&](auto done) { loop->place({Vec3(7, 1, -1.2), Eigen::Quaterniond::Identity()}, done); }), "");
+  keeper_.wait_for_notes(2);  // Of both sonars, once.
+  keeper_.wait_for_pings(20);
+  EXPECT_THAT(keeper_.notes(),
+              testing::UnorderedElementsAre("fls is inside of ball::link::ball, whose surface it hears from within",
+                                            "head is inside of ball::link::ball, whose surface it hears from within"));
+}
+
 class LiveMotionTest : public LiveLoopTest, public testing::WithParamInterface<bool> {};
 INSTANTIATE_TEST_SUITE_P(MotionInPing, LiveMotionTest, testing::Bool(),
                          [](const auto& test) { return test.param ? "On" : "Off"; });

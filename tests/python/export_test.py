@@ -153,7 +153,7 @@ class ExportTest(unittest.TestCase):
         ):
             self.assertEqual(self.insonify("export", *words, status=status), f"insonify: {message}\n")
         for words, message in (
-            (["s.yaml", "-o", "x.npz"], "s.yaml: cannot open it as HDF5: "),
+            (["s.yaml", "-o", "x.npz"], "s.yaml: is no recording: it is neither HDF5 nor MCAP"),
             (["nowhere.h5", "-o", "x.npz"], "nowhere.h5: no such file"),
         ):
             self.assertTrue(self.insonify("export", *words, status=2).startswith(f"insonify: {message}"))

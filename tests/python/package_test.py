@@ -497,8 +497,9 @@ class RecordingTest(unittest.TestCase):
                 other.set_sonar(0, further)
                 with self.assertRaisesRegex(insonify.Error, "ping 1 was made with other settings"):
                     recording.add(other.ping())
-            with self.assertRaisesRegex(insonify.Error, "must not end in .mcap"):
-                insonify.Recording(f"{folder}/r.mcap", sim)
+            for name in ("r.mcap", "r.foo", "r"):
+                with self.assertRaisesRegex(insonify.Error, f"{name} must end in .h5 or .hdf5"):
+                    insonify.Recording(f"{folder}/{name}", sim)
 
 
 class PictureTest(unittest.TestCase):

@@ -2,8 +2,12 @@
 
 #include "io/file/hdf5.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cstdlib>
+#include <fstream>
+#include <string_view>
 
 namespace insonify {
 namespace {
@@ -54,6 +58,21 @@ H5Handle h5_open_to_read(const std::filesystem::path& path) {
     file = H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
   }
   return h5_own(file, H5Fclose, path, "open it as HDF5");
+}
+
+H5Handle h5_open_recording(const std::filesystem::path& path) {
+  // The signature may stand after a block of the user's: at 512 bytes, 1024, 2048 ...
+  constexpr std::string_view kSignature("\x89HDF\r\n\x1a\n", 8);
+  std::ifstream in(path, std::ios::binary);
+  std::string found(kSignature.size(), '\0');
+  for (std::streamoff at = 0; in && found != kSignature; at = at == 0 ? 512 : 2 * at) {
+    in.seekg(at);
+    in.read(found.data(), static_cast<std::streamsize>(found.size()));
+  }
+  if (in.is_open() && found != kSignature) {
+    throw Error(fmt::format("{}: is no recording: it is neither HDF5 nor MCAP", path.string()));
+  }
+  return h5_open_to_read(path);
 }
 
 }  // namespace insonify

@@ -91,4 +91,8 @@ Result h5_check(Result result, const std::filesystem::path& path, std::string_vi
 /// @throws Error "PATH: cannot open it as HDF5: REASON"
 [[nodiscard]] H5Handle h5_open_to_read(const std::filesystem::path& path);
 
+/// The same of a recording.
+/// @throws Error "PATH: is no recording: it is neither HDF5 nor MCAP" too.
+[[nodiscard]] H5Handle h5_open_recording(const std::filesystem::path& path);
+
 }  // namespace insonify

@@ -21,7 +21,7 @@ constexpr const char* kDataset = "intensity";
 
 H5Handle open_file(const std::filesystem::path& path) {
   check_input_file(path);
-  return h5_open_to_read(path);
+  return h5_open_recording(path);
 }
 
 H5Handle open_dataset(hid_t file, const std::filesystem::path& path) {

@@ -185,7 +185,7 @@ nlohmann::json dataset_json(hid_t file, hid_t dataset, const std::filesystem::pa
 Hdf5Tables::Hdf5Tables(const std::filesystem::path& path) : RecordedTables(path) {
   const H5Quiet quiet;
   check_input_file(path);
-  file_ = h5_open_to_read(path);
+  file_ = h5_open_recording(path);
   if (h5_check(H5Lexists(file_.get(), "intensity", H5P_DEFAULT), path, "find intensity") == 0) {
     throw Error(fmt::format("{}: is no recording: it has no dataset intensity", path.string()));
   }
