@@ -9,6 +9,7 @@
 #include <string>
 #include <string_view>
 
+#include "insonify/log.h"
 #include "insonify/messages.h"
 #include "insonify/picture.h"
 
@@ -33,6 +34,9 @@ struct ExportOptions {
   bool compress = true;          ///< Whether tables in .npz files are deflated; .zarr and .mcap always are compressed.
   MessageOptions messages = {};  ///< Of .mcap and .bag.
   VideoOptions video = {};       ///< Of .mp4 and .gif.
+
+  /// Is told of values of sonar images that are cut: SonarMessages::cut_text().
+  Log log = {};
 
   /// While `*stop` is true, export_recordings() throws Interrupted and leaves nothing behind. Null: never.
   const std::atomic<bool>* stop = nullptr;

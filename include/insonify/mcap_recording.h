@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "insonify/log.h"
 #include "insonify/messages.h"
 #include "insonify/ping.h"
 #include "insonify/scenario.h"
@@ -25,6 +26,7 @@ struct RunFacts {
 struct McapOptions {
   MessageOptions messages = {};
   RunFacts run = {};
+  Log log = {};          ///< Is told at the end of values that were cut: SonarMessages::cut_text().
   bool replace = false;  ///< Whether the recording may take the place of a file that is there already.
 
   /// Whether the file appears under its name only when it is closed, and leaves nothing where it is not.

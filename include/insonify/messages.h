@@ -127,6 +127,10 @@ class SonarMessages {
   /// @param channel  Index into channels().
   [[nodiscard]] std::vector<std::byte> encode(std::size_t channel) const;
 
+  /// "286 of 64000 values of fls are above the highest level, -40 dB, and are cut there; the loudest has -30.4 dB", of
+  /// all pings taken in; "" where none is.
+  [[nodiscard]] std::string cut_text() const;
+
   /// The time of the ping taken in last [ns].
   [[nodiscard]] std::uint64_t time_ns() const;
 

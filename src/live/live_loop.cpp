@@ -120,7 +120,7 @@ void LiveLoop::pause(bool on) {
     state.anchor = State::Clock::now();
   }
   state.paused = on;
-  state.steps = 0;
+  state.steps = on && state.run->made_in_all() == 0 ? 1 : 0;  // A change shows, paused or not.
   state.wake.notify_all();
 }
 

@@ -204,6 +204,20 @@ TEST_F(RecordingsCliTest, AWholeRecordingIsToldFromOthersByWhatItSays) {
   EXPECT_EQ(info("copy.h5").at("state"), "disk_full");
 }
 
+TEST_F(RecordingsCliTest, ValuesThatAreCutAreTold) {
+  const char* const cut = " of ahead are above the highest level, -150 dB, and are cut there; the loudest has -";
+  const Outcome run = shell("insonify run fan.yaml -o out -q --no-pictures --record h5,mcap --levels=-200:-150");
+  EXPECT_EQ(run.status, 0);
+  EXPECT_THAT(run.err, HasSubstr("insonify: warning: out/ahead.mcap: "));
+  EXPECT_THAT(run.err, HasSubstr(cut));
+  for (const char* ending : {"mcap", "bag"}) {
+    const Outcome outcome = shell(fmt::format("insonify export out/ahead.h5 -o cut.{} --levels=-200:-150", ending));
+    EXPECT_EQ(outcome.status, 0);
+    EXPECT_THAT(outcome.err, HasSubstr(cut));
+    EXPECT_EQ(shell(fmt::format("insonify export out/ahead.h5 -o whole.{} --levels=-200:0", ending)).err, "");
+  }
+}
+
 TEST_F(RecordingsCliTest, ExportRefusesOptionsWithoutEffect) {
   ASSERT_EQ(shell("insonify run fan.yaml -o out -q --no-pictures --pings 2").status, 0);
   const auto message = [](const std::string& options) {

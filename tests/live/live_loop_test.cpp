@@ -100,6 +100,22 @@ TEST_F(LiveLoopTest, FollowsTheTrajectoryAsARunDoes) {
   expect_repeats(loop->saved_scenario(), keeper_.pings());
 }
 
+TEST_F(LiveLoopTest, AChangeShowsAlsoWhereAPauseComesBeforeItsFirstPing) {
+  const auto loop = started(scenario_text());
+  keeper_.wait_for_pings(3);
+  for (int i = 0; i < 20; ++i) {
+    std::promise<void> changed;
+    loop->set({"seed=" + std::to_string(20 + i)}, [&](const std::string& error) {  // Before the first ping of it.
+      EXPECT_EQ(error, "");
+      loop->pause(true);
+      changed.set_value();
+    });
+    changed.get_future().wait();
+    keeper_.wait_for_change(static_cast<std::uint64_t>(i) + 1, 2);
+    loop->pause(false);
+  }
+}
+
 TEST_F(LiveLoopTest, ASonarInsideOfAnObjectIsTold) {
   const auto loop = started(scenario_text(kTrack), {.threads = 2});
   keeper_.wait_for_pings(3);

@@ -74,6 +74,7 @@ int export_command(const ExportCommand& options) {
   ExportOptions how{.replace = options.force, .compress = !options.store};
   how.messages = message_options(style);
   how.messages.bits = options.bits;
+  how.log = [](Severity, const std::string& message) { complain("warning: " + message + "; --levels changes that"); };
   how.video.rate = options.rate;
   how.video.low_db = how.messages.low_db;
   how.video.high_db = how.messages.high_db;

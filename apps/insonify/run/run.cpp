@@ -90,9 +90,13 @@ std::vector<std::string> names_of(const std::vector<SonarConfig>& sonars) {
 }
 
 RecordOptions record_options(const RunOptions& options, const PictureStyle& style) {
-  RecordOptions record{.kinds = options.record,
-                       .h5 = {.compress = options.compress, .threads = options.threads, .replace = options.force},
-                       .mcap = {.messages = message_options(style), .replace = options.force}};
+  RecordOptions record{
+      .kinds = options.record,
+      .h5 = {.compress = options.compress, .threads = options.threads, .replace = options.force},
+      .mcap = {.messages = message_options(style),
+               .log = [](Severity,
+                         const std::string& message) { complain("warning: " + message + "; --levels changes that"); },
+               .replace = options.force}};
   return record;
 }
 

@@ -1,5 +1,7 @@
 // export_bag.cpp -- pings as messages of ROS 1 in a bag.
 
+#include <fmt/format.h>
+
 #include <set>
 
 #include "insonify/messages.h"
@@ -37,6 +39,11 @@ void export_bag(RecordedSonars recordings, const std::filesystem::path& file, co
     }
   }
   out.close();
+  for (const SonarMessages& of_sonar : messages) {
+    if (const std::string text = of_sonar.cut_text(); !text.empty() && options.log) {
+      options.log(Severity::kWarning, fmt::format("{}: {}", file.string(), text));
+    }
+  }
 }
 
 }  // namespace insonify

@@ -57,6 +57,7 @@ void export_mcap(RecordedSonars recordings, const std::filesystem::path& file, c
   McapRecording out(file, message_sources(recordings),
                     {.messages = options.messages,
                      .run = run_of(*recordings.front()),
+                     .log = options.log,
                      .replace = options.replace,
                      .only_whole = true});
   for (RecordedSequence pings(recordings); !pings.done(); pings.advance()) {

@@ -52,6 +52,8 @@ struct McapRecording::State {
   std::vector<std::vector<std::uint16_t>> channels;  // Of the file, for each of a sonar's.
   std::vector<std::string> scenarios;                // One a sonar ...
   std::set<std::string> told_scenarios;              // ... and those that the file has.
+  std::filesystem::path path;
+  Log log;
 };
 
 McapRecording::McapRecording(const std::filesystem::path& path, std::vector<MessageSource> sources,
@@ -60,6 +62,8 @@ McapRecording::McapRecording(const std::filesystem::path& path, std::vector<Mess
   if (sources.empty()) {
     throw Error(fmt::format("{}: there is no sonar to record", path.string()));
   }
+  state_->path = path;
+  state_->log = options.log;
   try {
     name_topics(sources);
   } catch (const Error& error) {
@@ -106,6 +110,12 @@ void McapRecording::add(std::size_t sonar, const Ping& ping) {
 
 void McapRecording::close() {
   state_->file->close();
+  for (const SonarMessages& messages : state_->sonars) {
+    if (const std::string text = messages.cut_text(); !text.empty() && state_->log) {
+      state_->log(Severity::kWarning, fmt::format("{}: {}", state_->path.string(), text));
+    }
+  }
+  state_->log = {};  // Once.
 }
 
 const std::filesystem::path& McapRecording::place() const {

@@ -141,7 +141,9 @@ struct SonarMessages::State {
   Ping ping = {};    // Without what no message tells; its intensities as they are ...
   Ping raised = {};  // ... and with the gain over range.
   std::uint64_t time_ns = 0;
-  std::deque<Ping> scanned = {};  // Of a scanning sonar, the pings of the last turn, raised.
+  std::uint64_t values = 0, cut = 0;  // Of all pings: how many, and those above the highest level.
+  double loudest = 0;                 // Intensity, raised.
+  std::deque<Ping> scanned = {};      // Of a scanning sonar, the pings of the last turn, raised.
 
   [[nodiscard]] bool scans() const { return source.sonar.type == SonarType::kMechanicallyScanned; }
   [[nodiscard]] MessageHeader header(const std::string& frame) const {
@@ -244,6 +246,15 @@ void SonarMessages::take(const Ping& ping) {
   Ping bare = kept;
   bare.elevation.clear();
   state_->raised = raised_by_range(std::move(bare), sonar, state_->display.raised_per_decade);
+  const MessageLevels highest = levels();
+  const auto limit = static_cast<float>(highest.decibels ? std::pow(10, highest.high_db / 10) : highest.high_db);
+  for (const float value : state_->raised.intensity) {
+    if (value > limit) {
+      ++state_->cut;
+      state_->loudest = std::max(state_->loudest, static_cast<double>(value));
+    }
+  }
+  state_->values += cells;
   if (state_->scans()) {
     state_->scanned.push_back(state_->raised);
     if (state_->scanned.size() > std::min(sonar.pings_per_turn(), kMostScanned)) {
@@ -272,6 +283,18 @@ std::vector<std::byte> SonarMessages::encode(std::size_t channel) const {
       break;
   }
   return encode_text(state.form, state.source.scenario);
+}
+
+std::string SonarMessages::cut_text() const {
+  if (state_->cut == 0) {
+    return "";
+  }
+  const MessageLevels highest = levels();
+  const char* const unit = highest.decibels ? " dB" : "";
+  return fmt::format(
+      "{} of {} values of {} are above the highest level, {:.4g}{}, and are cut there; the loudest has {:.4g}{}",
+      state_->cut, state_->values, printable(state_->source.sonar.name), highest.high_db, unit,
+      highest.decibels ? 10 * std::log10(state_->loudest) : state_->loudest, unit);
 }
 
 std::uint64_t SonarMessages::time_ns() const {
