@@ -39,7 +39,7 @@ ROOMS = {
         "mcap": ["file", "message"],
         "bag": ["file"],
         "recorded": ["file", "recording", "mcap"],
-        "export": ["file", "picture", "recorded", "bag"],
+        "export": ["file", "picture", "message", "recorded", "bag"],
     },
     "apps": {
         "console": [],

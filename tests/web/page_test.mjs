@@ -30,6 +30,13 @@ const choose = (id, chosen) => page.$eval(`[id="${id}"]`, (node, to) => {
 const ping = () => until(() => get("ping"), "a ping");
 const told = (op, what = () => true) => until(() => server.requests.findLast((each) => each.op === op && what(each)), `a request ${op}`);
 
+/** Pauses the server, or lets it go on, and waits until the page knows: it asks for the opposite of what it knows. */
+async function serverPauses(on) {
+  server.state.paused = on;
+  server.say(server.state);
+  await until(async () => (await get("status")).paused === on, on ? "a server that pauses" : "a server that goes on");
+}
+
 /** Where a range and an azimuth to port [rad] lie in the window. */
 const placeOf = (range, azimuth) => page.evaluate(async (r, a) => {
   const { makePlan } = await import("./js/draw/plan.js");
@@ -554,7 +561,7 @@ const failed = await runChecks({
 
   async "the A-scan says why it is empty"() {
     Object.assign(server.sonars[1], { sector_center: 0, sector_width: 90 });
-    server.state.paused = true;
+    await serverPauses(true);
     server.headAngle = 0;
     server.say(server.hello());
     await choose("sonar", "head");
@@ -568,14 +575,14 @@ const failed = await runChecks({
       assert.match(await text("ascan-caption"), degrees < 0 ? /^4[34]\.\d° stbd$/ : /^(49|50)\.\d° port$/);
     }
     delete server.sonars[1].sector_width;
-    server.state.paused = false;
+    await serverPauses(false);
     server.say(server.hello());
     await choose("sonar", "fls");
     await until(async () => (await get("mode")) === "fan", "the fan");
   },
 
   async "a vertical scanning head is drawn upright: up is up, the housing's front to the right"() {
-    server.state.paused = true;
+    await serverPauses(true);
     server.sonars[1].mounting = "vertical";
     server.say(server.hello());
     await choose("sonar", "head");
@@ -623,7 +630,7 @@ const failed = await runChecks({
     assert.match(await bearingAt(30), /^(29\.\d|30\.\d)° up$/);
     assert.match(await bearingAt(-150), /^(29\.\d|30\.\d)° down, back$/);
     delete server.sonars[1].mounting;
-    server.state.paused = false;
+    await serverPauses(false);
     server.say(server.hello());
     await choose("sonar", "fls");
     await until(async () => (await get("mode")) === "fan", "the fan");

@@ -6,13 +6,12 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <cstring>
 #include <string_view>
-#include <system_error>
 #include <utility>
 
 #include "insonify/error.h"
+#include "io/file/write_at.h"
 
 namespace insonify {
 namespace {
@@ -152,14 +151,8 @@ void BagWriter::write_chunk() {
 }
 
 void BagWriter::write(std::span<const std::byte> bytes, std::uint64_t at) {
-  while (!bytes.empty()) {
-    const ssize_t written = pwrite(out_.descriptor(), bytes.data(), bytes.size(), static_cast<off_t>(at));
-    if (written < 0 && errno != EINTR) {
-      throw Error(fmt::format("{}: cannot write: {}", path_.string(), std::generic_category().message(errno)));
-    }
-    const auto count = static_cast<std::size_t>(std::max(written, ssize_t{0}));
-    bytes = bytes.subspan(count);
-    at += count;
+  if (!write_at(out_.descriptor(), at, bytes)) {
+    out_.fail_by_errno();
   }
 }
 

@@ -1,49 +1,35 @@
 // export_bag.cpp -- pings as messages of ROS 1 in a bag.
 
-#include <fmt/format.h>
-
-#include <set>
-
-#include "insonify/messages.h"
 #include "io/bag/bag_writer.h"
 #include "io/export/export_format.h"
 #include "io/export/recorded_sequence.h"
 #include "io/export/recorded_source.h"
+#include "io/message/message_stream.h"
 
 namespace insonify {
 
 void export_bag(RecordedSonars recordings, const std::filesystem::path& file, const ExportOptions& options) {
+  MessageStream messages(message_sources(recordings), options.messages, MessageForm::kRos1);
   BagWriter out(file);
-  std::vector<SonarMessages> messages;
-  std::vector<std::vector<std::uint32_t>> connections;  // Of each sonar's channels.
-  std::vector<std::string> scenarios;                   // One a sonar ...
-  std::set<std::string> told;                           // ... and those that the bag has.
-  std::vector<MessageSource> sources = message_sources(recordings);
-  name_topics(sources);
-  for (MessageSource& source : sources) {
-    scenarios.push_back(source.scenario);
-    messages.emplace_back(std::move(source), options.messages, MessageForm::kRos1);
-    std::vector<std::uint32_t>& of_sonar = connections.emplace_back();
-    for (const MessageChannel& channel : messages.back().channels()) {
-      of_sonar.push_back(out.add_connection(channel.topic, channel.type, channel.md5, channel.definition));
+  std::vector<std::vector<std::uint32_t>> connections(messages.sonar_count());  // In the bag, by sonar and channel.
+  for (std::size_t sonar = 0; sonar < messages.sonar_count(); ++sonar) {
+    for (const MessageChannel& channel : messages.sonar(sonar).channels()) {
+      connections[sonar].push_back(out.add_connection(channel.topic, channel.type, channel.md5, channel.definition));
     }
   }
   for (RecordedSequence pings(recordings); !pings.done(); pings.advance()) {
     check_stop(options);
-    SonarMessages& of_sonar = messages[pings.sonar()];
-    of_sonar.take(pings.ping());
-    for (std::size_t i = 0; i < of_sonar.channels().size(); ++i) {
-      if (of_sonar.channels()[i].kind != MessageKind::kScenario || told.insert(scenarios[pings.sonar()]).second) {
-        out.add(of_sonar.time_ns(), connections[pings.sonar()][i], of_sonar.encode(i));
-      }
+    std::vector<std::pair<std::uint32_t, std::vector<std::byte>>> encoded;
+    const std::uint64_t time_ns =
+        messages.tell(pings.sonar(), pings.ping(), [&](std::size_t channel, std::vector<std::byte> message) {
+          encoded.emplace_back(connections[pings.sonar()][channel], std::move(message));
+        });
+    for (const auto& [connection, message] : encoded) {
+      out.add(time_ns, connection, message);
     }
   }
   out.close();
-  for (const SonarMessages& of_sonar : messages) {
-    if (const std::string text = of_sonar.cut_text(); !text.empty() && options.log) {
-      options.log(Severity::kWarning, fmt::format("{}: {}", file.string(), text));
-    }
-  }
+  messages.tell_cuts(file, options.log);
 }
 
 }  // namespace insonify

@@ -2,14 +2,13 @@
 
 #include "io/export/zip_writer.h"
 
-#include <unistd.h>
-
 #include <algorithm>
-#include <cerrno>
 #include <cstring>
 #include <stdexcept>
 #include <string_view>
 #include <type_traits>
+
+#include "io/file/write_at.h"
 
 namespace insonify {
 namespace {
@@ -57,17 +56,11 @@ ZipWriter::~ZipWriter() {
   deflateEnd(&stream_);
 }
 
-void ZipWriter::write_at(std::uint64_t offset, std::span<const std::byte> bytes) {
-  while (!bytes.empty()) {
-    const ssize_t written = pwrite(file_->descriptor(), bytes.data(), bytes.size(), static_cast<off_t>(offset));
-    if (written < 0 && errno != EINTR) {
-      file_->fail_by_errno();
-    }
-    const auto count = static_cast<std::size_t>(std::max(written, ssize_t{0}));
-    bytes = bytes.subspan(count);
-    offset += count;
+void ZipWriter::put_at(std::uint64_t offset, std::span<const std::byte> bytes) {
+  if (!write_at(file_->descriptor(), offset, bytes)) {
+    file_->fail_by_errno();
   }
-  end_ = std::max(end_, offset);
+  end_ = std::max(end_, offset + bytes.size());
 }
 
 void ZipWriter::begin(const std::string& name) {
@@ -79,8 +72,8 @@ void ZipWriter::begin(const std::string& name) {
   head.put(std::uint16_t{0}).put(kDay).put(std::uint32_t{0}).put(kInZip64Size).put(kInZip64Size);
   head.put(static_cast<std::uint16_t>(name.size())).put(static_cast<std::uint16_t>(zip64.bytes().size()));
   head.put(std::string_view(name));
-  write_at(end_, head.bytes());
-  write_at(end_, zip64.bytes());
+  put_at(end_, head.bytes());
+  put_at(end_, zip64.bytes());
   deflateReset(&stream_);
 }
 
@@ -91,7 +84,7 @@ void ZipWriter::deflate_rest(int flush) {
     stream_.avail_out = static_cast<uInt>(packed_.size());
     state = deflate(&stream_, flush);
     const std::size_t count = packed_.size() - stream_.avail_out;
-    write_at(end_, std::span(packed_).first(count));
+    put_at(end_, std::span(packed_).first(count));
     entries_.back().stored += count;
   } while (stream_.avail_out == 0 || (flush == Z_FINISH && state == Z_OK));
 }
@@ -102,7 +95,7 @@ void ZipWriter::add(std::span<const std::byte> bytes) {
       static_cast<std::uint32_t>(crc32_z(entry.crc, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size()));
   entry.size += bytes.size();
   if (!compress_) {
-    write_at(end_, bytes);
+    put_at(end_, bytes);
     entry.stored += bytes.size();
     return;
   }
@@ -122,9 +115,9 @@ void ZipWriter::end() {
   }
   const Entry& entry = entries_.back();
   constexpr std::uint64_t kCrcField = 14, kNameField = 30, kZip64Head = 4;
-  write_at(entry.offset + kCrcField, Fields().put(entry.crc).bytes());
-  write_at(entry.offset + kNameField + entry.name.size() + kZip64Head,
-           Fields().put(entry.size).put(entry.stored).bytes());
+  put_at(entry.offset + kCrcField, Fields().put(entry.crc).bytes());
+  put_at(entry.offset + kNameField + entry.name.size() + kZip64Head,
+         Fields().put(entry.size).put(entry.stored).bytes());
 }
 
 void ZipWriter::finish() {
@@ -138,7 +131,7 @@ void ZipWriter::finish() {
     constexpr std::uint32_t kReadableFile = 0100644U << 16U;
     fields.put(kReadableFile).put(kInZip64Size).put(std::string_view(entry.name));
     fields.put(std::uint16_t{1}).put(std::uint16_t{24}).put(entry.size).put(entry.stored).put(entry.offset);
-    write_at(end_, fields.bytes());
+    put_at(end_, fields.bytes());
   }
   const std::uint64_t end_of_directory = end_;
   const std::uint64_t count = entries_.size();
@@ -149,7 +142,7 @@ void ZipWriter::finish() {
   fields.put(std::uint32_t{0x07064b50}).put(std::uint32_t{0}).put(end_of_directory).put(std::uint32_t{1});
   fields.put(std::uint32_t{0x06054b50}).put(std::uint16_t{0}).put(std::uint16_t{0}).put(kInZip64).put(kInZip64);
   fields.put(kInZip64Size).put(kInZip64Size).put(std::uint16_t{0});
-  write_at(end_, fields.bytes());
+  put_at(end_, fields.bytes());
   if (fsync(file_->descriptor()) != 0) {
     file_->fail_by_errno();
   }

@@ -36,7 +36,7 @@ class ZipWriter {
     std::uint64_t offset = 0, stored = 0, size = 0;  // [bytes]
     std::uint32_t crc = 0;
   };
-  void write_at(std::uint64_t offset, std::span<const std::byte> bytes);
+  void put_at(std::uint64_t offset, std::span<const std::byte> bytes);
   void deflate_rest(int flush);
 
   UnfinishedFile* file_;

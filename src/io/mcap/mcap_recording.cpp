@@ -13,6 +13,7 @@
 #include "insonify/words.h"
 #include "io/mcap/mcap_metadata.h"
 #include "io/mcap/mcap_writer.h"
+#include "io/message/message_stream.h"
 
 namespace insonify {
 namespace {
@@ -47,40 +48,38 @@ std::map<std::string, std::string> texts_about(const MessageSource& source, cons
 }  // namespace
 
 struct McapRecording::State {
-  std::unique_ptr<McapWriter> file;
-  std::vector<SonarMessages> sonars;
-  std::vector<std::vector<std::uint16_t>> channels;  // Of the file, for each of a sonar's.
-  std::vector<std::string> scenarios;                // One a sonar ...
-  std::set<std::string> told_scenarios;              // ... and those that the file has.
+  MessageStream messages;
+  McapWriter file;
   std::filesystem::path path;
   Log log;
+  std::vector<std::vector<std::uint16_t>> channels = {};  // In the file, by sonar and channel of the sonar.
 };
 
 McapRecording::McapRecording(const std::filesystem::path& path, std::vector<MessageSource> sources,
-                             const McapOptions& options)
-    : state_(std::make_unique<State>()) {
+                             const McapOptions& options) {
   if (sources.empty()) {
     throw Error(fmt::format("{}: there is no sonar to record", path.string()));
   }
-  state_->path = path;
-  state_->log = options.log;
-  try {
-    name_topics(sources);
-  } catch (const Error& error) {
-    throw Error(fmt::format("{}: {}", path.string(), error.what()));
-  }
-  for (const MessageSource& source : sources) {
-    state_->sonars.emplace_back(source, options.messages);
-    state_->scenarios.push_back(source.scenario);
-  }
-  state_->file =
-      std::make_unique<McapWriter>(path, "insonify " + options.run.version, options.replace, options.only_whole);
-  McapWriter& file = *state_->file;
-  file.add_metadata(mcap_metadata::kRun, texts_about(options.run, sources.front()));
-  for (std::size_t i = 0; i < sources.size(); ++i) {
-    file.add_metadata(mcap_metadata::kOfSonar + sources[i].name, texts_about(sources[i], state_->sonars[i]));
+  const auto messages_of = [&] {
+    try {
+      return MessageStream(std::move(sources), options.messages, MessageForm::kRos2);
+    } catch (const Error& error) {
+      throw Error(fmt::format("{}: {}", path.string(), error.what()));
+    }
+  };
+  state_ =
+      std::unique_ptr<State>(new State{messages_of(),
+                                       {path, "insonify " + options.run.version, options.replace, options.only_whole},
+                                       path,
+                                       options.log});
+  McapWriter& file = state_->file;
+  const MessageStream& messages = state_->messages;
+  file.add_metadata(mcap_metadata::kRun, texts_about(options.run, messages.source(0)));
+  for (std::size_t i = 0; i < messages.sonar_count(); ++i) {
+    const MessageSource& source = messages.source(i);
+    file.add_metadata(mcap_metadata::kOfSonar + source.name, texts_about(source, messages.sonar(i)));
     std::vector<std::uint16_t>& ids = state_->channels.emplace_back();
-    for (const MessageChannel& channel : state_->sonars[i].channels()) {
+    for (const MessageChannel& channel : messages.sonar(i).channels()) {
       ids.push_back(file.add_channel(channel.topic, channel.type, channel.definition));
     }
   }
@@ -91,35 +90,25 @@ McapRecording::McapRecording(McapRecording&&) noexcept = default;
 McapRecording& McapRecording::operator=(McapRecording&&) noexcept = default;
 
 void McapRecording::add(std::size_t sonar, const Ping& ping) {
-  SonarMessages& messages = state_->sonars.at(sonar);
-  try {
-    messages.take(ping);
-  } catch (const Error& error) {
-    throw Error(fmt::format("{}: {}", state_->file->place().string(), error.what()));
-  }
   std::vector<McapWriter::Message> encoded;
-  for (std::size_t i = 0; i < messages.channels().size(); ++i) {
-    const bool told = messages.channels()[i].kind == MessageKind::kScenario &&
-                      !state_->told_scenarios.insert(state_->scenarios[sonar]).second;
-    if (!told) {
-      encoded.push_back({state_->channels[sonar][i], messages.encode(i)});
-    }
+  std::uint64_t time_ns = 0;
+  try {
+    time_ns = state_->messages.tell(sonar, ping, [&](std::size_t channel, std::vector<std::byte> message) {
+      encoded.push_back({state_->channels[sonar][channel], std::move(message)});
+    });
+  } catch (const Error& error) {
+    throw Error(fmt::format("{}: {}", state_->file.place().string(), error.what()));
   }
-  state_->file->add(messages.time_ns(), encoded);
+  state_->file.add(time_ns, encoded);
 }
 
 void McapRecording::close() {
-  state_->file->close();
-  for (const SonarMessages& messages : state_->sonars) {
-    if (const std::string text = messages.cut_text(); !text.empty() && state_->log) {
-      state_->log(Severity::kWarning, fmt::format("{}: {}", state_->path.string(), text));
-    }
-  }
-  state_->log = {};  // Once.
+  state_->file.close();
+  state_->messages.tell_cuts(state_->path, std::exchange(state_->log, {}));  // Once.
 }
 
 const std::filesystem::path& McapRecording::place() const {
-  return state_->file->place();
+  return state_->file.place();
 }
 
 std::uint64_t mcap_bytes(const SonarConfig& sonar, std::uint64_t pings, const MessageOptions& options) {

@@ -11,6 +11,7 @@
 #include <system_error>
 
 #include "insonify/error.h"
+#include "io/file/write_at.h"
 #include "io/mcap/mcap_metadata.h"
 #include "io/mcap/mcap_writer.h"
 
@@ -41,25 +42,18 @@ void McapWriter::write(std::span<const std::byte> bytes) {
   if (!is_still_there(out_->descriptor(), absolute_)) {
     fail("is no longer there: it was removed, moved or replaced while it was being written");
   }
-  std::uint64_t at = written_.bytes;
-  for (std::span<const std::byte> rest = bytes; !rest.empty();) {
-    const ssize_t count = pwrite(out_->descriptor(), rest.data(), rest.size(), static_cast<off_t>(at));
-    if (count < 0 && errno != EINTR) {
-      const int error = errno;
-      const std::string reason = std::generic_category().message(error);
-      // Nothing of a part remains.
-      [[maybe_unused]] const int cut = ftruncate(out_->descriptor(), static_cast<off_t>(written_.bytes));
-      if (error == ENOSPC || error == EDQUOT || error == EFBIG) {
-        full_disk_ = reason;
-      }
-      fail("cannot write: " + reason);
+  if (!write_at(out_->descriptor(), written_.bytes, bytes)) {
+    const int error = errno;
+    const std::string reason = std::generic_category().message(error);
+    // Nothing of a part remains.
+    [[maybe_unused]] const int cut = ftruncate(out_->descriptor(), static_cast<off_t>(written_.bytes));
+    if (error == ENOSPC || error == EDQUOT || error == EFBIG) {
+      full_disk_ = reason;
     }
-    const auto taken = static_cast<std::size_t>(std::max(count, ssize_t{0}));
-    rest = rest.subspan(taken);
-    at += taken;
+    fail("cannot write: " + reason);
   }
   written_.crc = crc_of(bytes, written_.crc);
-  written_.bytes = at;
+  written_.bytes += bytes.size();
 }
 
 void McapWriter::put_metadata(const std::string& name, const std::map<std::string, std::string>& texts) {

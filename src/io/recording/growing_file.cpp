@@ -14,6 +14,7 @@
 #include <system_error>
 #include <utility>
 
+#include "io/file/write_at.h"
 #include "io/recording/growing_image.h"
 
 namespace insonify {
@@ -72,7 +73,7 @@ GrowingFile::GrowingFile(std::filesystem::path path, const std::vector<GrowingDa
 
   out_ = std::make_unique<UnfinishedFile>(path_, "cannot create");
   mark_as_being_written(out_->descriptor());
-  if (!write_at(0, image.bytes) || !reserve(end_)) {
+  if (!write_at(out_->descriptor(), 0, image.bytes) || !reserve(end_)) {
     out_->fail_by_errno();
   }
   if (!earlier_) {
@@ -150,28 +151,18 @@ void GrowingFile::set_fields(std::uint64_t count) {
   }
 }
 
-// @return  Whether all went well; else errno tells why not.
-bool GrowingFile::write_at(std::uint64_t offset, std::span<const std::byte> bytes) const {
-  while (!bytes.empty()) {
-    const ssize_t written = pwrite(out_->descriptor(), bytes.data(), bytes.size(), static_cast<off_t>(offset));
-    if (written < 0 && errno != EINTR) {
-      return false;
-    }
-    bytes = bytes.subspan(static_cast<std::size_t>(std::max(written, ssize_t{0})));
-    offset += static_cast<std::uint64_t>(std::max(written, ssize_t{0}));
-  }
-  return true;
-}
-
 bool GrowingFile::write_pieces() const {
-  return std::ranges::all_of(pieces_.all(),
-                             [this](const FilePiece& piece) { return write_at(piece.address, piece.bytes); });
+  return std::ranges::all_of(pieces_.all(), [this](const FilePiece& piece) {
+    return write_at(out_->descriptor(), piece.address, piece.bytes);
+  });
 }
 
 // Makes the file end there, for the system and for HDF5: it never ends before HDF5 is told that it does.
 bool GrowingFile::set_end(std::uint64_t end) {
   const auto tell_system = [&] { return ftruncate(out_->descriptor(), static_cast<off_t>(end)) == 0; };
-  const auto tell_hdf5 = [&] { return write_at(kEndOfFileField, std::as_bytes(std::span(&end, 1))); };
+  const auto tell_hdf5 = [&] {
+    return write_at(out_->descriptor(), kEndOfFileField, std::as_bytes(std::span(&end, 1)));
+  };
   if (!(end > reserved_ ? tell_system() && tell_hdf5() : tell_hdf5() && tell_system())) {
     return false;
   }
@@ -209,7 +200,7 @@ bool GrowingFile::add_row(Growth& growth, std::uint64_t& end) {
                            .skipped_filters = growth.filter && !smaller ? ChunkFilter::kBoth : 0},
                           end, pieces_);
   }
-  return write_at(growth.next_chunk + row_in_chunk * growth.row_bytes, growth.stored);
+  return write_at(out_->descriptor(), growth.next_chunk + row_in_chunk * growth.row_bytes, growth.stored);
 }
 
 // All of a row, but not yet as part of any dataset.
@@ -252,7 +243,7 @@ void GrowingFile::append(std::span<const std::span<const std::byte>> rows) {
   if (written) {
     // One write makes the row a part of every dataset.
     set_fields(count_ + 1);
-    written = write_at(fields_begin_, fields_bytes_);
+    written = write_at(out_->descriptor(), fields_begin_, fields_bytes_);
   }
   if (!written) {
     const std::string reason = system_reason();
@@ -277,7 +268,8 @@ bool GrowingFile::finish() {
   for (const Growth& growth : growths_) {
     growth.index.close(pieces_);
   }
-  return write_pieces() && set_end(end_) && write_at(state_address_, std::as_bytes(std::span(&state_, 1))) &&
+  return write_pieces() && set_end(end_) &&
+         write_at(out_->descriptor(), state_address_, std::as_bytes(std::span(&state_, 1))) &&
          fsync(out_->descriptor()) == 0;
 }
 

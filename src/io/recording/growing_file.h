@@ -87,7 +87,6 @@ class GrowingFile {
   [[nodiscard]] bool write_row(std::span<const std::span<const std::byte>> rows, std::uint64_t& end);
   [[nodiscard]] bool set_end(std::uint64_t end);
   [[nodiscard]] bool reserve(std::uint64_t end);
-  [[nodiscard]] bool write_at(std::uint64_t offset, std::span<const std::byte> bytes) const;
   [[nodiscard]] bool write_pieces() const;
   [[nodiscard]] bool finish();
 
