@@ -368,6 +368,10 @@ class OculusTest(unittest.TestCase):
         self.assertEqual((ping.reach, ping.mode, ping.gain), (5, 1, 50))
         _, out, err, _ = sonar.end()
         told = [line.removeprefix("insonify: warning: not obeyed, from ").split(": ", 1)[1] for line in err.splitlines()]
+        # The stream may deliver the last in pieces, each told by itself.
+        pieces = [int(line.split()[0]) for line in told if line.endswith(" bytes that are no message")]
+        told = told[:len(told) - len(pieces)]
+        self.assertEqual(sum(pieces), 45)
         self.assertEqual(told, [
             "mode = 0 must be from 1 to 2", "mode = 3 must be from 1 to 2", "ping rate = 6 must be from 0 to 5",
             "range = 0 must be greater than 0, at most 100000", "range = nan must be greater than 0, at most 100000",
@@ -376,9 +380,8 @@ class OculusTest(unittest.TestCase):
             "flags = 0x01 ask for the full return message, whose format is not public; 0x09 asks for the simple one",
             "range = 101 must be greater than 0, at most 100",
             "fire message of version 0 has a payload of 36 bytes and must have 37 or 73",
-            "fire message of version 2 has a payload of 37 bytes and must have 73", "message 0x22, which is unknown",
-            "45 bytes that are no message"])
-        self.assertIn("14 packets refused", out)
+            "fire message of version 2 has a payload of 37 bytes and must have 73", "message 0x22, which is unknown"])
+        self.assertIn(f"{len(told) + len(pieces)} packets refused", out)
 
     def test_random_packets_do_not_end_it(self):
         sonar = self.sonar()
