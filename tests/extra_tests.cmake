@@ -145,6 +145,10 @@ if(INSONIFY_BUILD_APPS)
     add_test(NAME serve
       COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/apps/serve_test.py $<TARGET_FILE:insonify_cli>)
     set_tests_properties(serve PROPERTIES TIMEOUT 300 COST 1000)  # It waits most of a minute: others run beside it.
+    # `insonify replay --view`.
+    add_test(NAME replay_view
+      COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/apps/replay_view_test.py $<TARGET_FILE:insonify_cli>)
+    set_tests_properties(replay_view PROPERTIES TIMEOUT 120 SKIP_RETURN_CODE 77)
   endif()
   # Emulated instruments as a driver meets them.
   foreach(instrument oculus ping360)

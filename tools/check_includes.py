@@ -45,6 +45,7 @@ ROOMS = {
         "console": [],
         "pictures": ["console"],
         "run": ["console", "pictures"],
+        "replay": ["console", "serve"],
         "*": ["console", "pictures"],  # Commands, each a room.
     },
 }

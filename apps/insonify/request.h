@@ -11,6 +11,7 @@
 #include "export/export.h"
 #include "info/info.h"
 #include "pictures/draw.h"
+#include "replay/replay.h"
 #include "run/run.h"
 #include "serve/serve.h"
 
@@ -24,6 +25,7 @@ struct Request {
   ExportCommand exported;
   InfoOptions info;
   ServeOptions serve;
+  ReplayOptions replay;
   EmulateOptions emulate_oculus, emulate_ping360;
   int pings = 1;
   double duration = 0, turns = 0;
@@ -40,9 +42,14 @@ struct Request {
   std::string bench_scene;
   bool strict = false;
   bool markdown = false;
+  bool in_viewer = false;
   bool no_pictures = false, no_view = false, no_ms_ssim = false;
   std::function<int()> act;
 };
+
+/// Options that two commands have: those that draw a recording's pings, and those that serve the viewer's page.
+void add_draw_options(CLI::App& command, DrawOptions& options);
+void add_server_options(CLI::App& command, PageServerOptions& options, const std::string& group);
 
 /// Each adds one command to the program. Parsing it sets the request's `act`. The request must outlive the app.
 void add_run(CLI::App& app, Request& request);

@@ -1,4 +1,4 @@
-// request_draw.cpp -- options of `insonify draw` and `insonify replay`.
+// request_draw.cpp -- options of `insonify draw`.
 
 #include <limits>
 
@@ -6,49 +6,35 @@
 #include "request.h"
 
 namespace insonify {
-namespace {
-
-CLI::App* add_drawing(CLI::App& app, Request& request, const char* name, const char* about) {
-  CLI::App* command = app.add_subcommand(name, about);
-  DrawOptions& options = request.draw;
-  command->add_option("RECORDING", options.recording, "Recording (.h5, .mcap) that insonify run or export has made")
-      ->required();
-  command->add_option("-o,--output", options.folder, "Folder for the pictures, made if missing [RECORDING's own]")
+void add_draw_options(CLI::App& command, DrawOptions& options) {
+  command.add_option("-o,--output", options.folder, "Folder for the pictures, made if missing [RECORDING's own]")
       ->check(not_empty("a folder, or . for this one"))
       ->type_name("DIR");
-  command->add_option("--sonar", options.sonar, "Which sonar of a recording that has several")->type_name("NAME");
-  command->add_option("--pictures", options.pictures.pictures, "Pings to draw: all, last, none or how many [20]")
+  command.add_option("--pictures", options.pictures.pictures, "Pings to draw: all, last, none or how many [20]")
       ->type_name("N");
-  command->add_option("--ping", options.pings, "Ping to draw, from 0; may be repeated [those of --pictures]")
+  command.add_option("--ping", options.pings, "Ping to draw, from 0; may be repeated [those of --pictures]")
       ->check(whole_number(0, std::numeric_limits<std::uint64_t>::max()))
       ->type_name("N")
       ->expected(1)
       ->take_all();
-  command->add_flag("-f,--force", options.force, "Replace pictures of this sonar that are there");
-  add_picture_options(*command, options.pictures, "Pictures");
-  command->callback([&request, &options] { request.act = [&options] { return draw(options); }; });
-  return command;
+  command.add_flag("-f,--force", options.force, "Replace pictures of this sonar that are there");
+  add_picture_options(command, options.pictures, "Pictures");
 }
-
-}  // namespace
 
 void add_draw(CLI::App& app, Request& request) {
-  add_drawing(app, request, "draw", "Draw pictures of a recording's pings")
-      ->footer(
-          "Draws the pictures that insonify run draws, without simulating anything: NAME_fan_0000.png and\n"
-          "NAME_polar_0000.png of a fan, NAME_scan.png and NAME_polar.png of a scanning sonar.\n\n"
-          "Examples:\n"
-          "  insonify draw out/fls.h5 -o pictures --levels -90:-40\n"
-          "  insonify draw out/fls.mcap -o pictures --ping 3 --colour-map copper --height 1080");
-}
-
-void add_replay(CLI::App& app, Request& request) {
-  add_drawing(app, request, "replay", "Show a recording's pings again: as pictures")
-      ->footer(
-          "The same as insonify draw.\n\n"
-          "Examples:\n"
-          "  insonify replay out/fls.h5 -o pictures\n"
-          "  insonify replay run.mcap --sonar fls -o pictures --pictures last");
+  CLI::App* command = app.add_subcommand("draw", "Draw pictures of a recording's pings");
+  DrawOptions& options = request.draw;
+  command->add_option("RECORDING", options.recording, "Recording (.h5, .mcap) that insonify run or export has made")
+      ->required();
+  command->add_option("--sonar", options.sonar, "Which sonar of a recording that has several")->type_name("NAME");
+  add_draw_options(*command, options);
+  command->footer(
+      "Draws the pictures that insonify run draws, without simulating anything: NAME_fan_0000.png and\n"
+      "NAME_polar_0000.png of a fan, NAME_scan.png and NAME_polar.png of a scanning sonar.\n\n"
+      "Examples:\n"
+      "  insonify draw out/fls.h5 -o pictures --levels -90:-40\n"
+      "  insonify draw out/fls.mcap -o pictures --ping 3 --colour-map copper --height 1080");
+  command->callback([&request, &options] { request.act = [&options] { return draw(options); }; });
 }
 
 }  // namespace insonify

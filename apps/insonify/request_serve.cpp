@@ -5,23 +5,33 @@
 
 namespace insonify {
 
+void add_server_options(CLI::App& command, PageServerOptions& options, const std::string& group) {
+  command.add_option("--port", options.port, "Port; 0 for any that is free [8765]")
+      ->check(whole_number(0, 65535))
+      ->type_name("N")
+      ->group(group);
+  command
+      .add_option("--address", options.address, "Address to listen on; others than loopback need --token [127.0.0.1]")
+      ->type_name("IP")
+      ->group(group);
+  command.add_option("--token", options.token, "Secret that every connection must tell")
+      ->check(not_empty("a secret"))
+      ->type_name("T")
+      ->group(group);
+  command.add_option("--allow-origin", options.origins, "Web page of another origin that may connect; may be repeated")
+      ->type_name("ORIGIN")
+      ->expected(1)
+      ->take_all()
+      ->group(group);
+  command.add_flag("-q,--quiet", options.quiet, "Say nothing but the address, warnings and errors")->group(group);
+  command.add_option("--page", options.page, "Serve the page from this folder")->type_name("DIR")->group("");
+}
+
 void add_serve(CLI::App& app, Request& request) {
   CLI::App* command = app.add_subcommand("serve", "Make pings while you watch and steer in a browser");
   ServeOptions& options = request.serve;
   command->add_option("SCENARIO", options.scenario, "Scenario file (YAML, or Stonefish's .scn)")->required();
-  command->add_option("--port", options.port, "Port; 0 for any that is free [8765]")
-      ->check(whole_number(0, 65535))
-      ->type_name("N");
-  command
-      ->add_option("--address", options.address, "Address to listen on; others than loopback need --token [127.0.0.1]")
-      ->type_name("IP");
-  command->add_option("--token", options.token, "Secret that every connection must tell")
-      ->check(not_empty("a secret"))
-      ->type_name("T");
-  command->add_option("--allow-origin", options.origins, "Web page of another origin that may connect; may be repeated")
-      ->type_name("ORIGIN")
-      ->expected(1)
-      ->take_all();
+  add_server_options(*command, options.server, "Options");
   command->add_option("--record", options.recording, "Record from the start into this file (.h5, .mcap)")
       ->type_name("FILE");
   command->add_flag("-f,--force", options.force, "Replace what an earlier recording left under the names of --record");
@@ -37,8 +47,6 @@ void add_serve(CLI::App& app, Request& request) {
       ->take_all();
   command->add_flag("--strict", request.strict, "End with an error where a part of the world is missing");
   command->add_flag("--paused", options.paused, "Start paused");
-  command->add_flag("-q,--quiet", options.quiet, "Say nothing but the address, warnings and errors");
-  command->add_option("--page", options.page, "Serve the page from this folder")->type_name("DIR")->group("");
   command->footer(
       "Prints the address of a page that shows the sonar's picture and steers the vehicle. Foxglove connects to the\n"
       "same port. Ctrl-C ends it.\n\n"

@@ -27,8 +27,8 @@ const wanted = process.argv.length > 3 ? process.argv.slice(3) : ["png", "gif"];
 const scratch = mkdtempSync(path.join(tmpdir(), "insonify-pictures-"));
 
 /** A page on a paused server; `next()` makes a ping and waits until it is drawn. */
-async function visit(scenario, options, look) {
-  const server = await startServer(program, scenario, ["--paused", "--page", path.join(kRoot, "web"), ...options]);
+async function visit(scenario, options, look, command) {
+  const server = await startServer(program, scenario, ["--paused", "--page", path.join(kRoot, "web"), ...options], command);
   const { browser, page } = await openPage(puppeteer, look);
   await page.goto(server.address);
   await until(() => page.evaluate(() => globalThis.insonify?.store.get("link").state === "open"), "a connection", 30);
@@ -104,6 +104,15 @@ async function makePngs() {
   view = await visit(path.join(kRoot, "scenes/tank_calibrated.yaml"), [], {});
   for (let i = 0; i < kTurn; ++i) await view.next();
   await keep(view, "round");
+  await view.end();
+
+  const along = ["--set", `trajectory=[${flight.join(", ")}]`];
+  execFileSync(program, ["run", kFerry, "-o", scratch, "--no-pictures", "--duration", "12", "--set", "ground_truth=full", ...along, "--set", "ping_period=0.2"]);
+  view = await visit(kFerry, [], {}, ["replay", path.join(scratch, "fls.h5"), "--view", "--folder", path.dirname(kFerry)]);
+  for (let i = 0; i < 40; ++i) await view.next();
+  await view.page.evaluate(() => document.getElementById("tab-sonar").click());
+  await pointAt(view, 20, 0.1);
+  await keep(view, "replay");
   await view.end();
 }
 

@@ -40,6 +40,7 @@ export class MockServer {
       "surface.wind_speed": { value: 0, least: 0, most: 30, help: "Wind speed.", unit: "m/s" },
     };
     this.materials = [0, 1, 2];
+    this.recording = null;
   }
 
   async start(port = 0) {
@@ -71,7 +72,7 @@ export class MockServer {
 
   hello() {
     return {
-      op: "hello", version: "0.0.0", scenario_name: "mock", sonars: this.sonars, objects: [kHostile, "wall", "bed"], materials: ["steel", "concrete", "sand"],
+      op: "hello", version: "0.0.0", scenario_name: "mock", recording: this.recording, sonars: this.sonars, objects: [kHostile, "wall", "bed"], materials: ["steel", "concrete", "sand"],
       object_materials: this.materials, trajectory: [[-8, 0, 0], [0, 0, 0], [8, 2, 0]], keys: this.keys,
     };
   }
@@ -97,7 +98,9 @@ export class MockServer {
       this.state.follow &&= ![...request.linear, ...request.angular].some((part) => part !== 0);
     }
     if (op === "place") this.vehicle.position = request.position;
-    if (op === "step") this.#ping();
+    if (op === "seek") this.number = Math.round(request.time / this.sonars.find(({ name }) => name === this.watched).period);
+    if (op === "step" && request.back) this.number -= 2;
+    if (op === "step" || op === "seek") this.#ping();
     if (op === "record") this.state.recording = request.on ? `out/live.${request.format}` : null;
     if (op === "save") this.say({ op: "saved", yaml: "world: none\n", path: null });
     if (op === "material") this.#setMaterial(request);

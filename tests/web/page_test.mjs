@@ -852,6 +852,47 @@ const failed = await runChecks({
     assert.deepEqual(seen.touching, [27.5, 0, 0], "what touches the vehicle is looked over");
   },
 
+  async "a recording has a line of time, and nothing to steer or to change"() {
+    await serverPauses(true);
+    server.recording = { first_time: 2, last_time: 4002.5, pings: 16000 };
+    server.say(server.hello());
+    const hidden = (id) => page.$eval(`#${id}`, (node) => node.closest("[hidden]") !== null);
+    await until(async () => !(await hidden("timeline")), "the line of time");
+    for (const id of ["follow", "record", "record-format", "save", "tab-fly"]) assert.equal(await hidden(id), true, id);
+    assert.equal(await page.$eval('[id="key-sonars[0].max_range"]', (node) => node.matches(":disabled")), true);
+    assert.equal(await page.$eval("#material", (node) => node.disabled), true);
+    server.requests.length = 0;
+    await page.$eval("#time", (node) => {
+      node.value = 1502;
+      node.dispatchEvent(new Event("input", { bubbles: true }));
+      node.dispatchEvent(new Event("change", { bubbles: true }));
+    });
+    assert.equal((await told("seek")).time, 1502);
+    await until(async () => (await text("time-text")) === "25:00.0 / 1:06:40.5", "the time of that ping");
+    const { number } = await ping();
+    await page.evaluate(() => document.activeElement?.blur());
+    await page.keyboard.press("b");
+    assert.equal((await told("step")).back, true);
+    await until(async () => (await ping()).number === number - 1, "the ping before");
+    await until(async () => Math.abs(Number(await value("time")) - 1502) < 1, "the line's end at the ping");
+    server.requests.length = 0;
+    for (const key of ["w", "t", "r", "y"]) await page.keyboard.press(key);
+    await page.keyboard.press("n");
+    await told("step");
+    assert.deepEqual(server.requests.map(({ op }) => op), ["step"]);
+    for (const width of [1280, 390]) {
+      await resize(width, 720);
+      await until(() => page.evaluate((w) => innerWidth === w, width), "the width");
+      assert.ok((await page.evaluate(() => document.documentElement.scrollWidth)) <= width, `${width}: wider than the window`);
+    }
+    await resize(1280, 720);
+    server.recording = null;
+    server.say(server.hello());
+    await until(() => hidden("timeline"), "no line of time");
+    assert.equal(await hidden("record"), false);
+    await serverPauses(false);
+  },
+
   async "a lost connection is said, tried again, and found"() {
     server.requests.length = 0;
     server.say({ op: "closing", reason: "the test says so" });

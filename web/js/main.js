@@ -13,6 +13,7 @@ import { lookUp, setUpReadout } from "./panels/readout.js";
 import { setUpScreenshot } from "./panels/screenshot.js";
 import { setUpSettings } from "./panels/settings.js";
 import { setUpGamepad, setUpSticks } from "./panels/sticks.js";
+import { isRecording, setUpTimeline } from "./panels/timeline.js";
 import { setUpTabs } from "./panels/tabs.js";
 import { setUpToken } from "./panels/token.js";
 import { changeSpeed, keepSaved, setUpTransport } from "./panels/transport.js";
@@ -61,6 +62,7 @@ const request = (message) => session.request(message);
 setUpTabs();
 setUpSonars(store, (name) => session.choose(name));
 setUpTransport(store, request);
+setUpTimeline(store, request);
 setUpObjects(store, request, notes);
 setUpSettings(store, (settings, line, failed) => {
   notes.expect("set", line, failed);
@@ -73,7 +75,7 @@ const redrawAll = () => {
   waterfall?.draw();
 };
 setUpScreenshot(store, redrawAll, notes);
-const flight = new Flight(store, request, notes);
+const flight = new Flight(store, (message) => isRecording(store) || request(message), notes);
 setUpSticks(flight);
 setUpGamepad(flight);
 
@@ -81,6 +83,7 @@ const press = (id) => () => byId(id).click();
 setUpKeyboard(flight, [
   [" ", "Pause, resume", press("pause")],
   ["n", "One ping", press("step")],
+  ["b", "One ping back, of a recording", press("back")],
   ["+", "Faster", () => changeSpeed(store, request, 1)],
   ["-", "Slower", () => changeSpeed(store, request, -1)],
   ["t", "Follow the trajectory", press("follow")],

@@ -1,4 +1,4 @@
-// hub.cpp -- hands pings from the loop's thread to the server's, and encodes what all clients get.
+// hub.cpp -- hands pings from the source's thread to the server's, and encodes what all clients get.
 
 #include "serve/hub.h"
 
@@ -20,10 +20,11 @@ const Bytes& SharedPing::frame(unsigned tables) {
 }
 
 void Hub::on_ping(const std::shared_ptr<const LivePing>& ping) {
-  constexpr std::size_t kMostWaiting = 8;  // Where the server's thread does not keep up, the oldest fall out.
+  // Where the server's thread does not keep up, the oldest fall out; not one of each sonar, for all are waited for.
+  const std::size_t most_waiting = 8 + ping->world->sonars.size();
   const std::lock_guard lock(mutex_);
   waiting_.push_back(ping);
-  if (waiting_.size() > kMostWaiting) {
+  if (waiting_.size() > most_waiting) {
     waiting_.pop_front();
   }
   if (!asked_) {
@@ -112,7 +113,7 @@ bool Hub::make_hello() {
     }
     levels.push_back(*scale.levels());
   }
-  hello_ = std::make_shared<const std::string>(hello_text(*world_, levels));
+  hello_ = std::make_shared<const std::string>(hello_text(*world_, levels, source_.playback()));
   return true;
 }
 
@@ -136,8 +137,8 @@ void Hub::tell_levels(std::size_t sonar) {
 
 void Hub::leave(HubMember& member) {
   members_.erase(&member);
-  if (member.flies()) {
-    loop_.fly({});
+  if (LiveLoop* const simulation = source_.simulation(); simulation != nullptr && member.flies()) {
+    simulation->fly({});
   }
 }
 

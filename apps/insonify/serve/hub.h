@@ -1,4 +1,4 @@
-// hub.h -- what all clients share: the live loop, its last pings, and messages that are encoded once.
+// hub.h -- what all clients share: the source of pings, the last of them, and messages that are encoded once.
 
 #pragma once
 
@@ -11,6 +11,7 @@
 
 #include "insonify/live_loop.h"
 #include "serve/net_server.h"
+#include "serve/ping_source.h"
 #include "serve/viewer_frames.h"
 #include "serve/viewer_texts.h"
 
@@ -44,15 +45,15 @@ class HubMember {
   [[nodiscard]] virtual bool flies() const { return false; }
 };
 
-/// Takes pings from the loop's thread to the server's. Of each sonar only the last few wait there.
+/// Takes pings from the source's thread to the server's. Of each sonar only the last few wait there.
 class Hub : public LiveListener {
  public:
   /// @param recording  A file that names of recordings are made from.
   /// @param quiet      Whether recordings that have ended are not told on the terminal.
-  Hub(LiveLoop& loop, NetServer& server, std::filesystem::path recording, bool quiet)
-      : loop_(loop), server_(server), recording_(std::move(recording)), quiet_(quiet) {}
+  Hub(PingSource& source, NetServer& server, std::filesystem::path recording, bool quiet)
+      : source_(source), server_(server), recording_(std::move(recording)), quiet_(quiet) {}
 
-  // Threads of the loop.
+  // Threads of the source.
   void on_ping(const std::shared_ptr<const LivePing>& ping) override;
   void on_world(const std::shared_ptr<const LiveWorld>& world) override;
   void on_note(const std::string& text) override;
@@ -63,7 +64,7 @@ class Hub : public LiveListener {
   void client_came() { ++counts_.clients; }
   void client_left() { --counts_.clients; }
   void leave(HubMember& member);
-  [[nodiscard]] LiveLoop& loop() { return loop_; }
+  [[nodiscard]] PingSource& source() { return source_; }
   [[nodiscard]] bool ready() const { return hello_ != nullptr; }
   [[nodiscard]] const Bytes& hello() const { return hello_; }
   [[nodiscard]] const Bytes& scene() const { return scene_; }
@@ -90,7 +91,7 @@ class Hub : public LiveListener {
   void tell_levels(std::size_t sonar);
   [[nodiscard]] bool make_hello();
 
-  LiveLoop& loop_;
+  PingSource& source_;
   NetServer& server_;
   std::filesystem::path recording_;
   bool quiet_;

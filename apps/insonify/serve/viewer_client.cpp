@@ -39,7 +39,7 @@ class ViewerClient : public Client, public HubMember, public std::enable_shared_
     if (hub_.ready()) {
       on_world();
     }
-    if (const std::string error = hub_.loop().state().recording_error; !error.empty()) {
+    if (const std::string error = hub_.source().state().recording_error; !error.empty()) {
       on_note(error);
     }
   }
@@ -80,7 +80,7 @@ class ViewerClient : public Client, public HubMember, public std::enable_shared_
 
   void on_state() override {
     if (hub_.ready()) {
-      tell(state_text(hub_.loop().state(), hub_.counts(), watched_name(), connection_.dropped()));
+      tell(state_text(hub_.source().state(), hub_.counts(), watched_name(), connection_.dropped()));
     }
   }
 
@@ -160,24 +160,38 @@ class ViewerClient : public Client, public HubMember, public std::enable_shared_
     LiveVelocity velocity;
     velocity.linear = numbers_of(message, "linear", 3);
     velocity.angular = numbers_of(message, "angular", 3) * (std::numbers::pi / 180);
-    hub_.loop().fly(velocity);
+    simulation().fly(velocity);
     flies_ = !velocity.linear.isZero(0) || !velocity.angular.isZero(0);
   }
 
   void record(const json& message) {
     if (!switch_of(message, "on")) {
-      hub_.loop().stop_recording(answer("record"));
+      simulation().stop_recording(answer("record"));
       return;
     }
     const std::string format = message.contains("format") ? text_of(message, "format") : "h5";
     if (format != "h5" && format != "mcap") {
       throw Error(fmt::format("format = \"{}\" must be h5 or mcap", printable(format)));
     }
-    hub_.loop().record(hub_.recording_path("." + format), answer("record"));
+    simulation().record(hub_.recording_path("." + format), answer("record"));
+  }
+
+  [[nodiscard]] LiveLoop& simulation() {
+    if (LiveLoop* const simulation = hub_.source().simulation()) {
+      return *simulation;
+    }
+    throw Error("this is a recording: its pings are made, and cannot be changed");
+  }
+
+  [[nodiscard]] Playback& playback() {
+    if (Playback* const playback = hub_.source().playback()) {
+      return *playback;
+    }
+    throw Error("this is a simulation: only recordings have a time to go to");
   }
 
   void carry_out(const std::string& op, const json& message) {
-    LiveLoop& loop = hub_.loop();
+    PingSource& source = hub_.source();
     if (op == "watch") {
       watch(message);
     } else if (op == "fly") {
@@ -190,25 +204,27 @@ class ViewerClient : public Client, public HubMember, public std::enable_shared_
         throw Error("orientation must be a unit quaternion");
       }
       pose.orientation.normalize();
-      loop.place(pose, answer(op));
+      simulation().place(pose, answer(op));
     } else if (op == "follow") {
-      loop.follow(switch_of(message, "on"), answer(op));
+      simulation().follow(switch_of(message, "on"), answer(op));
     } else if (op == "pause") {
-      loop.pause(switch_of(message, "on"));
+      source.pause(switch_of(message, "on"));
     } else if (op == "step") {
-      loop.step();
+      message.contains("back") && switch_of(message, "back") ? playback().step_back() : source.step();
+    } else if (op == "seek") {
+      playback().seek(number_of(message, "time"));
     } else if (op == "speed") {
-      loop.set_speed(number_of(message, "factor"));
+      source.set_speed(number_of(message, "factor"));
     } else if (op == "set") {
       std::vector<std::string> settings = texts_of(message, "settings");
       refuse_files(settings);
-      loop.set(std::move(settings), answer(op));
+      simulation().set(std::move(settings), answer(op));
     } else if (op == "material") {
-      loop.set_material(text_of(message, "object"), text_of(message, "material"), answer(op));
+      simulation().set_material(text_of(message, "object"), text_of(message, "material"), answer(op));
     } else if (op == "record") {
       record(message);
     } else if (op == "save") {
-      tell(saved_text(loop.saved_scenario()));
+      tell(saved_text(simulation().saved_scenario()));
     } else {
       throw FormError("there is no such op");
     }

@@ -59,7 +59,7 @@ Json sonar_json(const LiveWorld& world, int index, const ShownLevels& levels) {
 
 }  // namespace
 
-std::string hello_text(const LiveWorld& world, const std::vector<ShownLevels>& levels) {
+std::string hello_text(const LiveWorld& world, const std::vector<ShownLevels>& levels, const Playback* playback) {
   Json sonars = Json::array();
   for (std::size_t i = 0; i < world.sonars.size(); ++i) {
     sonars.push_back(sonar_json(world, static_cast<int>(i), levels[i]));
@@ -84,10 +84,14 @@ std::string hello_text(const LiveWorld& world, const std::vector<ShownLevels>& l
   for (const Waypoint& waypoint : world.trajectory.waypoints) {
     trajectory.push_back(listed(waypoint.position));
   }
-  const std::string name = world.scenario.file.stem().string();
+  const Json recording = playback == nullptr ? Json()
+                                             : Json{{"first_time", playback->first_time()},
+                                                    {"last_time", playback->last_time()},
+                                                    {"pings", playback->ping_count()}};
   return dumped({{"op", "hello"},
                  {"version", kVersion},
-                 {"scenario_name", name},
+                 {"scenario_name", playback == nullptr ? world.scenario.file.stem().string() : playback->name()},
+                 {"recording", recording},
                  {"change", world.change},
                  {"sonars", sonars},
                  {"objects", objects},

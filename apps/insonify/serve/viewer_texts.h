@@ -6,12 +6,15 @@
 #include <vector>
 
 #include "insonify/live_loop.h"
+#include "serve/ping_source.h"
 #include "serve/shown_scale.h"
 
 namespace insonify {
 
-/// @param levels  Of each sonar.
-[[nodiscard]] std::string hello_text(const LiveWorld& world, const std::vector<ShownLevels>& levels);
+/// @param levels    Those of each sonar.
+/// @param playback  The recording that is shown; null for a simulation.
+[[nodiscard]] std::string hello_text(const LiveWorld& world, const std::vector<ShownLevels>& levels,
+                                     const Playback* playback);
 
 /// What the server measures.
 struct ServerCounts {

@@ -1,6 +1,7 @@
 // objects.js -- the chosen object and its material.
 
 import { byId, element } from "../dom.js";
+import { isRecording } from "./timeline.js";
 
 export function setUpObjects(store, request, notes) {
   const objects = byId("object");
@@ -21,7 +22,7 @@ export function setUpObjects(store, request, notes) {
     const object = store.get("object");
     const known = object >= 0 && object < (hello?.objects.length ?? 0);
     objects.value = String(known ? object : -1);
-    materials.disabled = !known;
+    materials.disabled = !known || isRecording(store);
     materials.value = known ? (hello.materials[hello.object_materials[object]] ?? "") : "";
   });
   objects.addEventListener("change", () => store.set({ object: Number(objects.value) }));

@@ -14,13 +14,14 @@ export function choosePage(chosen) {
 }
 
 export function setUpTabs() {
-  kTabs.forEach((name, i) => {
+  kTabs.forEach((name) => {
     const tab = byId(`tab-${name}`);
     tab.addEventListener("click", () => choosePage(name));
     tab.addEventListener("keydown", ({ key }) => {
       const step = { ArrowRight: 1, ArrowLeft: -1 }[key];
       if (!step) return;
-      const next = kTabs[(i + step + kTabs.length) % kTabs.length];
+      const shown = kTabs.filter((each) => !byId(`tab-${each}`).hidden);
+      const next = shown[(shown.indexOf(name) + step + shown.length) % shown.length];
       byId(`tab-${next}`).focus();
       byId(`tab-${next}`).click();
     });

@@ -2,6 +2,7 @@
 
 import { byId, download, element, write } from "../dom.js";
 import { number } from "../format.js";
+import { isRecording } from "./timeline.js";
 
 export function setUpTransport(store, request) {
   byId("pause").addEventListener("click", () => request({ op: "pause", on: !store.get("status")?.paused }));
@@ -14,7 +15,7 @@ export function setUpTransport(store, request) {
     request(on ? { op: "record", on, format: byId("record-format").value } : { op: "record", on });
   });
   byId("save").addEventListener("click", () => request({ op: "save" }));
-  store.on(["status", "link"], () => show(store));
+  store.on(["status", "link", "hello"], () => show(store));
   store.on(["frozen"], () => press("freeze", store.get("frozen")));
   store.on(["link", "status"], () => {
     const { state, text } = store.get("link");
@@ -33,7 +34,9 @@ const press = (id, on) => byId(id).setAttribute("aria-pressed", String(Boolean(o
 function show(store) {
   const status = store.get("status");
   const open = store.get("link").state === "open";
-  for (const id of ["pause", "step", "follow", "speed", "record", "save", "record-format"]) byId(id).disabled = !open;
+  for (const id of ["pause", "step", "speed"]) byId(id).disabled = !open;
+  const fixed = !open || isRecording(store);
+  for (const id of ["follow", "record", "save", "record-format"]) byId(id).disabled = fixed;
   if (!status) return;
   press("pause", status.paused);
   press("follow", status.follow);
@@ -41,7 +44,7 @@ function show(store) {
   write(byId("pause-text"), status.paused ? "Resume" : "Pause");
   write(byId("record-text"), status.recording ? `${status.recorded_pings ?? 0} pings` : "Record");
   byId("record").title = status.recording ? `Recording to ${status.recording}. Click to end (R)` : "Record (R)";
-  byId("record-format").disabled = !open || Boolean(status.recording);
+  byId("record-format").disabled = fixed || Boolean(status.recording);
   showSpeed(status.speed);
   write(byId("cost"), number(status.ms_per_ping, status.ms_per_ping < 10 ? 1 : 0));
   write(byId("dropped"), number(status.dropped));

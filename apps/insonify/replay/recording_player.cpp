@@ -1,0 +1,171 @@
+// recording_player.cpp -- the thread that reads pings when they are due.
+
+#include "replay/recording_player.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "insonify/error.h"
+
+namespace insonify {
+
+RecordingPlayer::RecordingPlayer(RecordedRun& run, std::string name, bool paused)
+    : run_(run),
+      moments_(run.moments()),
+      name_(std::move(name)),
+      paused_(paused),
+      goal_(moments_.front().time),
+      anchor_time_(moments_.front().time) {}
+
+void RecordingPlayer::start(LiveListener& listener) {
+  listener_ = &listener;
+  playing_ = std::thread([this] { play(); });
+}
+
+void RecordingPlayer::end() {
+  {
+    const Lock lock(mutex_);
+    ending_ = true;
+  }
+  wake_.notify_all();
+  if (playing_.joinable()) {
+    playing_.join();
+  }
+}
+
+LiveState RecordingPlayer::state() const {
+  const Lock lock(mutex_);
+  LiveState state;
+  state.paused = paused_;
+  state.speed = speed_;
+  state.pings_made = shown_;
+  state.pings_since_change = next_;
+  state.time = shown_time();
+  return state;
+}
+
+void RecordingPlayer::pause(bool on) {
+  const Lock lock(mutex_);
+  if (!on && paused_ && next_ == moments_.size()) {
+    goal_ = first_time();
+  }
+  paused_ = on;
+  steps_ = 0;
+  keep_pace();
+  wake_.notify_all();
+}
+
+void RecordingPlayer::step() {
+  const Lock lock(mutex_);
+  steps_ += paused_ ? 1 : 0;
+  wake_.notify_all();
+}
+
+void RecordingPlayer::set_speed(double factor) {
+  if (!(factor >= 0.01 && factor <= 100)) {
+    throw Error(fmt::format("speed = {} must be from 0.01 to 100", factor));
+  }
+  const Lock lock(mutex_);
+  keep_pace();
+  speed_ = factor;
+  wake_.notify_all();
+}
+
+void RecordingPlayer::seek(double time) {
+  if (!std::isfinite(time)) {
+    throw Error(fmt::format("time = {} s must be a number", time));
+  }
+  const Lock lock(mutex_);
+  goal_ = time;
+  wake_.notify_all();
+}
+
+void RecordingPlayer::step_back() {
+  const Lock lock(mutex_);
+  paused_ = true;
+  steps_ = 0;
+  const double from = goal_.value_or(shown_time());
+  const auto at = std::ranges::lower_bound(moments_, from, {}, &RecordedMoment::time);
+  goal_ = at == moments_.begin() ? first_time() : std::prev(at)->time;
+  wake_.notify_all();
+}
+
+// Of the pings that are shown.
+double RecordingPlayer::shown_time() const {
+  return next_ == 0 ? first_time() : moments_[next_ - 1].time;
+}
+
+// From now on time passes from where it is.
+void RecordingPlayer::keep_pace() {
+  anchor_time_ = shown_time();
+  anchor_ = Clock::now();
+}
+
+RecordingPlayer::Clock::time_point RecordingPlayer::next_due() const {
+  const std::chrono::duration<double> wait((moments_[next_].time - anchor_time_) / speed_);
+  return anchor_ + std::chrono::duration_cast<Clock::duration>(wait);
+}
+
+void RecordingPlayer::show(const RecordedMoment& moment, Lock& lock) {
+  lock.unlock();
+  try {
+    listener_->on_ping(run_.ping(moment));
+    lock.lock();
+    ++shown_;
+  } catch (const Error& error) {
+    listener_->on_note(error.what());
+    lock.lock();
+    paused_ = true;
+  }
+}
+
+// The last ping of each sonar until then, or its first.
+void RecordingPlayer::go_to(double time, Lock& lock) {
+  const auto after = std::ranges::upper_bound(moments_, std::max(time, first_time()), {}, &RecordedMoment::time);
+  next_ = static_cast<std::size_t>(after - moments_.begin());
+  const std::size_t sonars = run_.world()->sonars.size();
+  std::vector<const RecordedMoment*> last(sonars, nullptr);
+  for (std::size_t i = next_, left = sonars; i > 0 && left > 0; --i) {
+    const RecordedMoment*& of_sonar = last[static_cast<std::size_t>(moments_[i - 1].sonar)];
+    left -= of_sonar == nullptr ? 1 : 0;
+    of_sonar = of_sonar == nullptr ? &moments_[i - 1] : of_sonar;
+  }
+  for (std::size_t sonar = 0; sonar < sonars; ++sonar) {
+    if (last[sonar] == nullptr) {
+      last[sonar] = &*std::ranges::find(moments_, static_cast<int>(sonar), &RecordedMoment::sonar);
+    }
+    show(*last[sonar], lock);
+  }
+  keep_pace();
+}
+
+void RecordingPlayer::play() {
+  listener_->on_world(run_.world());
+  Lock lock(mutex_);
+  while (!ending_) {
+    if (goal_) {
+      go_to(*std::exchange(goal_, {}), lock);
+    } else if (next_ == moments_.size()) {
+      paused_ = true;
+      steps_ = 0;
+      wake_.wait(lock);
+    } else if (paused_ && steps_ == 0) {
+      wake_.wait(lock);
+    } else if (!paused_ && Clock::now() < next_due()) {
+      wake_.wait_until(lock, next_due());
+    } else {
+      // A step is of all sonars that ping then.
+      const double time = moments_[next_].time;
+      do {
+        const RecordedMoment& moment = moments_[next_++];
+        show(moment, lock);
+      } while (!goal_ && !ending_ && next_ < moments_.size() && moments_[next_].time == time);
+      steps_ -= steps_ > 0 ? 1 : 0;
+    }
+  }
+}
+
+}  // namespace insonify

@@ -1,0 +1,74 @@
+// recording_player.h -- plays a recording as if its pings were made now: in their own time, faster, slower, one by one.
+
+#pragma once
+
+#include <condition_variable>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "replay/recorded_run.h"
+#include "serve/ping_source.h"
+
+namespace insonify {
+
+/// Pauses at the end; going on from there begins anew.
+class RecordingPlayer : public PingSource, public Playback {
+ public:
+  /// @param name    What the viewer calls it.
+  /// @param paused  Whether it waits at the first pings.
+  RecordingPlayer(RecordedRun& run, std::string name, bool paused);
+  ~RecordingPlayer() override { RecordingPlayer::end(); }
+  RecordingPlayer(const RecordingPlayer&) = delete;
+  RecordingPlayer& operator=(const RecordingPlayer&) = delete;
+
+  void start(LiveListener& listener) override;
+  void end() override;
+  [[nodiscard]] LiveState state() const override;
+  void pause(bool on) override;
+  void step() override;
+  void set_speed(double factor) override;
+  [[nodiscard]] Playback* playback() override { return this; }
+
+  [[nodiscard]] const std::string& name() const override { return name_; }
+  [[nodiscard]] std::uint64_t ping_count() const override { return moments_.size(); }
+  [[nodiscard]] double first_time() const override { return moments_.front().time; }
+  [[nodiscard]] double last_time() const override { return moments_.back().time; }
+  void seek(double time) override;
+  void step_back() override;
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  using Lock = std::unique_lock<std::mutex>;
+
+  void play();
+  void go_to(double time, Lock& lock);
+  void show(const RecordedMoment& moment, Lock& lock);
+  void keep_pace();
+  [[nodiscard]] double shown_time() const;
+  [[nodiscard]] Clock::time_point next_due() const;
+
+  RecordedRun& run_;
+  std::span<const RecordedMoment> moments_;
+  std::string name_;
+  LiveListener* listener_ = nullptr;
+
+  mutable std::mutex mutex_;  // Guards what follows.
+  std::condition_variable wake_;
+  bool ending_ = false;
+  bool paused_;
+  int steps_ = 0;               // Still to be shown while paused.
+  std::optional<double> goal_;  // Time to go to [s].
+  double speed_ = 1;
+  std::size_t next_ = 0;  // Of the moments.
+  std::uint64_t shown_ = 0;
+  // Pace: the recording's time [s] at a time of the clock.
+  double anchor_time_;
+  Clock::time_point anchor_ = Clock::now();
+
+  std::thread playing_;
+};
+
+}  // namespace insonify
