@@ -1,7 +1,10 @@
 #!/usr/bin/python3
-"""A vehicle follows a wall, and a client of an emulated instrument measures how far away it is.
+"""A vehicle follows a wall, and a client of an emulated instrument, or a node behind a bridge, measures how far away it is.
 
     bench/follow_wall.py oculus|ping360 build/release/insonify [--seconds 60] [--slowest HZ]
+    bench/follow_wall.py dds build/dev/insonify --vehicle build/dev/tests/bridges/dds/wall_vehicle [--seconds 60]
+    bench/follow_wall.py gazebo build/dev/insonify --vehicle build/dev/tests/bridges/gazebo/gazebo_wall_vehicle [--seconds 60]
+    bench/follow_wall.py ros1 build/dev/insonify [--seconds 60]
 
 Exit status 1 where a distance is wrong by more than a bin, where a ping is lost, where they come more slowly than
 `--slowest` a second, or where they take longer from pose to message than a period and the time to compute them.
@@ -21,6 +24,9 @@ import tempfile
 import time
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "tests/apps"))
+import follow_wall_dds  # noqa: E402
+import follow_wall_gazebo  # noqa: E402
+import follow_wall_ros1  # noqa: E402
 import oculus_client as oculus  # noqa: E402
 import ping360_client as ping360  # noqa: E402
 
@@ -29,16 +35,19 @@ WALL = -5.0  # y [m]
 RATE = 20.0  # [Hz]
 REACH = 10.0  # [m]
 SOUND_SPEED = 1500.0
-SCENARIO = """
+WORLD = """
 world: wall.obj
 water: {sound_speed: 1500}
 sonars:
+"""
+FLS = """\
   - {name: fls, beam_count: 256, bin_count: 400, max_range: 10, ping_period: 0.05, orientation_deg: [0, 0, -90],
      elevation_aperture_deg: 12, sampling: {columns_per_beam: 1, rows: 40}}
+"""
+HEAD = """\
   - {name: head, type: msis, beam_count: 1, bin_count: 400, azimuth_aperture_deg: 2, elevation_aperture_deg: 12,
      min_range: 0.75, max_range: 10, step_deg: -0.9, sampling: {columns_per_beam: 4, rows: 40},
      receiver: {speckle: false}}  # With it, the near edge of a single beam's echo fades in one ping of a hundred.
-trajectory:
 """
 
 
@@ -101,50 +110,69 @@ def follow_with_ping360(address, seconds, start):
     return found, bin_length, 0
 
 
+def follow_emulated(path, insonify, instrument, seconds):
+    """Distances measured and true, length of a bin, pings lost, and the report of `insonify emulate`."""
+    own = f"127.{os.getpid() // 250 % 250 + 1}.{os.getpid() % 250 + 1}.200"
+    words = ["--address", own] if instrument == "oculus" else ["--port", "0"]
+    with subprocess.Popen([insonify, "emulate", instrument, "follow.yaml", *words], cwd=path, text=True,
+                          stdout=subprocess.PIPE) as program:
+        line = program.stdout.readline()
+        while line and not line.startswith(("Oculus", "Ping360")):
+            line = program.stdout.readline()
+        start = time.time()
+        try:
+            address = own if instrument == "oculus" else line.split()[-1]
+            follow = follow_with_oculus if instrument == "oculus" else follow_with_ping360
+            found, bin_length, lost = follow(address, seconds, start)
+        finally:
+            program.send_signal(signal.SIGINT)
+            report = program.communicate(timeout=20)[0].splitlines()[-1]
+    return found, bin_length, lost, report
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("instrument", choices=("oculus", "ping360"))
+    parser.add_argument("road", choices=("oculus", "ping360", "dds", "ros1", "gazebo"))
     parser.add_argument("insonify")
     parser.add_argument("--seconds", type=float, default=60)
     parser.add_argument("--slowest", type=float, help="pings a second; 19.5 of 20, and 18 of a Ping360, which adds its delay "
                                                        "to the time that a ping takes")
+    parser.add_argument("--vehicle", help="the program wall_vehicle, for dds; gazebo_wall_vehicle, for gazebo")
     options = parser.parse_args()
     insonify = os.path.abspath(options.insonify)
     with tempfile.TemporaryDirectory() as folder:
         path = pathlib.Path(folder)
         (path / "wall.obj").write_text(f"v -99 {WALL} -9\nv 199 {WALL} -9\nv 199 {WALL} 9\nv -99 {WALL} 9\nf 4 3 2 1\n")
         points = [waypoint(i) for i in range(int(options.seconds / 5) + 4)]
-        (path / "follow.yaml").write_text(SCENARIO + "".join(
+        sonars = FLS if options.road in ("dds", "ros1", "gazebo") else FLS + HEAD
+        (path / "follow.yaml").write_text(WORLD + sonars + "trajectory:\n" + "".join(
             f"  - {{time: {seconds}, position: [{0.5 * seconds}, {y}, 0]}}\n" for seconds, y in points))
-        own = f"127.{os.getpid() // 250 % 250 + 1}.{os.getpid() % 250 + 1}.200"
-        words = ["--address", own] if options.instrument == "oculus" else ["--port", "0"]
-        with subprocess.Popen([insonify, "emulate", options.instrument, "follow.yaml", *words], cwd=path, text=True,
-                              stdout=subprocess.PIPE) as program:
-            line = program.stdout.readline()
-            while line and not line.startswith(("Oculus", "Ping360")):
-                line = program.stdout.readline()
-            start = time.time()
-            try:
-                address = own if options.instrument == "oculus" else line.split()[-1]
-                follow = follow_with_oculus if options.instrument == "oculus" else follow_with_ping360
-                found, bin_length, lost = follow(address, options.seconds, start)
-            finally:
-                program.send_signal(signal.SIGINT)
-                report = program.communicate(timeout=20)[0].splitlines()[-1]
+        if options.road in ("dds", "gazebo"):
+            follow = follow_wall_dds.follow if options.road == "dds" else follow_wall_gazebo.follow
+            found, bin_length, lost, latencies, report = follow(
+                path, insonify, os.path.abspath(options.vehicle), options.seconds, distance_at)
+        elif options.road == "ros1":
+            found, bin_length, lost, latencies, report = follow_wall_ros1.follow(path, insonify, options.seconds, distance_at)
+        else:
+            found, bin_length, lost, report = follow_emulated(path, insonify, options.road, options.seconds)
+            latencies = []
 
     errors = [measured - true for measured, true in found]
     worst = max(map(abs, errors))
     rate, latency, computing = (float(re.search(pattern, report).group(1)) for pattern in (
         r"\(([\d.]+) Hz\)", r"([\d.]+) ms from transmission", r"([\d.]+) of them computing"))
-    print(f"{options.instrument}: {len(found)} distances from {min(t for _, t in found):.2f} to "
+    print(f"{options.road}: {len(found)} distances from {min(t for _, t in found):.2f} to "
           f"{max(t for _, t in found):.2f} m; wrong by {statistics.mean(errors) * 1e3:.1f} mm on average and "
           f"{worst * 1e3:.1f} mm at most, bins of {bin_length * 1e3:.1f} mm; {lost} lost")
     print(report)
-    slowest = options.slowest or (19.5 if options.instrument == "oculus" else 18)
+    if latencies:  # Measured by the one who reads, which is later than the report's.
+        latency = 1e3 * statistics.mean(latencies)
+        print(f"from pose to message {latency:.1f} ms on average, {1e3 * max(latencies):.1f} at most")
+    slowest = options.slowest or (18 if options.road == "ping360" else 19.5)
     wrong = [text for text, failed in (
         ("a distance is wrong by more than a bin", worst > bin_length), ("pings were lost", lost > 0),
         ("messages were dropped", "dropped" in report), ("too slow", rate < slowest),
-        ("too late", latency > 1000 / RATE + computing)) if failed]
+        ("too late", latency > 1000 / min(RATE, rate) + computing)) if failed]
     print("; ".join(wrong) or "as it must be")
     return 1 if wrong else 0
 

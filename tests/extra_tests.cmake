@@ -7,7 +7,8 @@ add_test(NAME include_directions
 # Each public header can be included first.
 set_target_properties(insonify PROPERTIES VERIFY_INTERFACE_HEADER_SETS ON)
 add_test(NAME headers_stand_alone
-  COMMAND ${CMAKE_COMMAND} --build ${PROJECT_BINARY_DIR} --target insonify_verify_interface_header_sets)
+  COMMAND ${CMAKE_COMMAND} --build ${PROJECT_BINARY_DIR} --parallel 2 --target insonify_verify_interface_header_sets)
+set_tests_properties(headers_stand_alone PROPERTIES PROCESSORS 2)
 
 # The Python package, as a program of Python sees it. A sanitized module would need the sanitizer in Python itself.
 if(TARGET insonify_python AND INSONIFY_BUILD_APPS AND NOT INSONIFY_SANITIZE)
@@ -16,7 +17,7 @@ if(TARGET insonify_python AND INSONIFY_BUILD_APPS AND NOT INSONIFY_SANITIZE)
   add_test(NAME python_types
     COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/python/types_test.py ${PROJECT_SOURCE_DIR})
   set(python_tests python_package python_types)
-  foreach(name layers plot acoustics compare same_bytes mistakes mcap_input)
+  foreach(name layers plot acoustics compare same_bytes mistakes mcap_input unfinished pickle message_options from_dict pose_forms arguments)
     add_test(NAME python_${name}
       COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/python/${name}_test.py $<TARGET_FILE:insonify_cli> ${PROJECT_SOURCE_DIR})
     list(APPEND python_tests python_${name})
@@ -61,10 +62,17 @@ if(CMAKE_BUILD_TYPE STREQUAL Release AND NOT INSONIFY_SANITIZE)
   # ... by way of packages too, where there is what makes them ...
   find_program(dpkg_shlibdeps dpkg-shlibdeps)
   if(dpkg_shlibdeps)
-    insonify_install_test(package_and_use -DBUILD_DIR=${PROJECT_BINARY_DIR} -DPACKAGES=ON -DWITH_PYTHON=${with_python})
+    set(bridge_count 0)
+    foreach(bridge ros1 dds gazebo)
+      if(TARGET insonify_bridge_${bridge})
+        math(EXPR bridge_count "${bridge_count} + 1")
+      endif()
+    endforeach()
+    insonify_install_test(package_and_use -DBUILD_DIR=${PROJECT_BINARY_DIR} -DPACKAGES=ON -DWITH_PYTHON=${with_python}
+      -DBRIDGES=${bridge_count})
   endif()
   # ... and of the static library.
-  insonify_install_test(install_and_use_static -DBUILD_DIR=${PROJECT_BINARY_DIR} -DSOURCE_DIR=${PROJECT_SOURCE_DIR})
+  insonify_install_test(install_and_use_static -DUNITY=$<BOOL:${CMAKE_UNITY_BUILD}> -DBUILD_DIR=${PROJECT_BINARY_DIR} -DSOURCE_DIR=${PROJECT_SOURCE_DIR})
 endif()
 
 # What the documentation shows is what happens: every code block runs (tools/run_doc_blocks.py).
@@ -111,6 +119,15 @@ add_test(NAME version_is_told_alike
   COMMAND sh -c "grep -m 1 '^## ' CHANGELOG.md | grep -F '[${PROJECT_VERSION}]' && grep -Fx 'version: ${PROJECT_VERSION}' CITATION.cff"
   WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
 
+# The package for ROS 2, as far as it goes without ROS 2, and the layout for Foxglove.
+if(INSONIFY_BUILD_APPS)
+  add_test(NAME ros2_package
+    COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/bridges/ros2_package_test.py $<TARGET_FILE:insonify_cli> ${PROJECT_VERSION})
+  set_tests_properties(ros2_package PROPERTIES SKIP_RETURN_CODE 77)
+  add_test(NAME ros2_type_hashes
+    COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/bridges/type_hash_test.py $<TARGET_FILE:insonify_cli>)
+endif()
+
 # MCAP recordings as the libraries of npm read them.
 if(INSONIFY_BUILD_APPS)
   set(node_folder ${PROJECT_BINARY_DIR}/tests/node)
@@ -142,19 +159,23 @@ if(INSONIFY_BUILD_APPS)
   endif()
   # `insonify serve` against hostile and unlucky clients.
   if(NOT INSONIFY_SANITIZE)
-    add_test(NAME serve
-      COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/apps/serve_test.py $<TARGET_FILE:insonify_cli>)
-    set_tests_properties(serve PROPERTIES TIMEOUT 300 COST 1000)  # It waits most of a minute: others run beside it.
+    foreach(name serve serve_slow serve_starting)
+      add_test(NAME ${name}
+        COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/apps/${name}_test.py $<TARGET_FILE:insonify_cli>)
+      set_tests_properties(${name} PROPERTIES TIMEOUT 300 COST 1000)  # They wait most of the time: others run beside them.
+    endforeach()
     # `insonify replay --view`.
     add_test(NAME replay_view
       COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/apps/replay_view_test.py $<TARGET_FILE:insonify_cli>)
     set_tests_properties(replay_view PROPERTIES TIMEOUT 120 SKIP_RETURN_CODE 77)
   endif()
   # Emulated instruments as a driver meets them.
+  foreach(test oculus oculus_clients ping360)
+    add_test(NAME emulate_${test}
+      COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/apps/${test}_test.py $<TARGET_FILE:insonify_cli>)
+    set_tests_properties(emulate_${test} PROPERTIES TIMEOUT 120)
+  endforeach()
   foreach(instrument oculus ping360)
-    add_test(NAME emulate_${instrument}
-      COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/apps/${instrument}_test.py $<TARGET_FILE:insonify_cli>)
-    set_tests_properties(emulate_${instrument} PROPERTIES TIMEOUT 120)
     # A vehicle that follows a wall, as a client of the instrument sees it; for a minute by hand.
     add_test(NAME follow_wall_${instrument}
       COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/bench/follow_wall.py ${instrument} $<TARGET_FILE:insonify_cli> --seconds 3 --slowest 5)
@@ -164,4 +185,18 @@ if(INSONIFY_BUILD_APPS)
   add_test(NAME exported_arrays
     COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/python/export_test.py $<TARGET_FILE:insonify_cli>)
   set_tests_properties(exported_arrays PROPERTIES SKIP_RETURN_CODE 77)
+endif()
+# The node of ROS 1 with a roscore of its own.
+if(INSONIFY_BUILD_APPS AND NOT INSONIFY_SANITIZE)
+  foreach(subject recording settings roscore poses)
+    add_test(NAME ros1_${subject}
+      COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/bridges/ros1/${subject}_test.py $<TARGET_FILE:insonify_cli>)
+    set_tests_properties(ros1_${subject} PROPERTIES SKIP_RETURN_CODE 77 TIMEOUT 180)
+  endforeach()
+  add_test(NAME ros1_launch
+    COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/bridges/ros1/launch_test.py $<TARGET_FILE:insonify_cli> ${PROJECT_VERSION})
+  set_tests_properties(ros1_launch PROPERTIES SKIP_RETURN_CODE 77 TIMEOUT 180)
+  add_test(NAME follow_wall_ros1
+    COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/bench/follow_wall.py ros1 $<TARGET_FILE:insonify_cli> --seconds 4 --slowest 5)
+  set_tests_properties(follow_wall_ros1 PROPERTIES SKIP_RETURN_CODE 77 TIMEOUT 120)
 endif()

@@ -34,7 +34,7 @@ ROOMS = {
         "mesh": ["file", "picture"],
         "world": ["file", "picture", "grid", "mesh"],
         "stonefish": ["file", "picture", "grid", "mesh"],
-        "scenario": ["file", "stonefish"],
+        "scenario": ["file", "stonefish", "world"],
         "recording": ["file"],
         "mcap": ["file", "message"],
         "bag": ["file"],
@@ -46,12 +46,18 @@ ROOMS = {
         "pictures": ["console"],
         "run": ["console", "pictures"],
         "replay": ["console", "serve"],
+        "road": ["console"],
+        "emulate": ["console", "road"],
+        "bridge": ["console", "road"],
+        "ros1": ["console", "road"],  # Of apps/bridges/, each a program.
+        "dds": ["console", "road"],
+        "gazebo": ["console", "road"],
         "*": ["console", "pictures"],  # Commands, each a room.
     },
 }
 
 # Folders whose files include each other by paths that begin there; elsewhere paths begin at src/.
-ROOTS = {"apps": "apps/insonify/"}
+ROOTS = {"apps": ("apps/insonify/", "apps/bridges/")}
 
 # Libraries that stay in one place: headers that begin so are included there and nowhere else in src/.
 LIBRARIES = {"embree": "src/echo/cpu/", "assimp": "src/io/mesh/", "sdf/": "src/io/world/", "yaml-cpp": "src/io/scenario/", "zstd": "src/io/mcap/"}
@@ -97,6 +103,7 @@ PUBLIC = {
     "recording_info.h": "io",
     "rock.h": "io",
     "words.h": "io",
+    "world_parts.h": "io",
     "live_loop.h": "live",
     "recorded_pings.h": "io",
     "stored_tables.h": "io",
@@ -126,7 +133,9 @@ def room_of(path, module):
     """Room of a source path or quoted include, "." for the module's own folder; None outside its module."""
     path = path.removeprefix("src/")
     if module in ROOTS and not path.startswith("insonify/"):
-        path = f"{module}/{path.removeprefix(ROOTS[module])}"
+        for root in ROOTS[module]:
+            path = path.removeprefix(root)
+        path = f"{module}/{path}"
     parts = pathlib.PurePosixPath(path).parts
     if module not in ROOMS or parts[0] != module:
         return None

@@ -19,7 +19,8 @@ Other blocks are only shown. A comment before a block says otherwise:
     <!-- file: NAME -->          the block is the file NAME: written, not run (but a cpp program is compiled and run too)
     <!-- run: no (REASON) -->    the block is not run; REASON tells a reader of the source why
     <!-- run: fails -->          the block must fail: the exit status is not 0
-    <!-- run: needs MODULE -->   the block is run where Python can import MODULE, else only shown
+    <!-- run: needs MODULE -->   the block is run where Python can import MODULE, else only shown; a name with
+                                 a dash, as insonify-bridge-dds, is that of a program on the path
     <!-- from: PATH -->          the block is not run; its lines are those of the file PATH of the source tree, in order,
                                  with `...` for lines that are left out
 
@@ -111,9 +112,11 @@ def check_excerpt(block, root):
         raise Fault(f"this line is not in {block.source}, or not there: {wrong}")
 
 
-def is_there(module, environment):
-    """Whether Python can import a module."""
-    return execute([sys.executable, "-c", f"import {module}"], None, environment)[0] == 0
+def is_there(name, environment):
+    """Whether Python can import a module, or a program is there: a name with a dash is a program's."""
+    if "-" in name:
+        return shutil.which(name, path=environment["PATH"]) is not None
+    return execute([sys.executable, "-c", f"import {name}"], None, environment)[0] == 0
 
 
 def run_block(block, folder, arguments, environment):
@@ -122,7 +125,7 @@ def run_block(block, folder, arguments, environment):
         if not re.fullmatch(r"no \(.+\)", block.run):
             raise Fault("run: no must tell why, as in <!-- run: no (needs a network) -->")
         return None
-    needed = re.fullmatch(r"needs ([\w.]+)", block.run or "")
+    needed = re.fullmatch(r"needs ([\w.-]+)", block.run or "")
     if needed and not is_there(needed.group(1), environment):
         print(f"  only shown: a block that needs {needed.group(1)}")
         return None
@@ -194,7 +197,7 @@ def run_document(path, arguments):
         (folder / "build/release").symlink_to(build)
         (folder / ".bin").mkdir()
         (folder / ".bin/python3").symlink_to(sys.executable)
-        environment = dict(os.environ, PATH=f"{build}:{folder}/.bin:{os.environ['PATH']}", TMPDIR=name,
+        environment = dict(os.environ, PATH=f"{build}:{build}/bin:{folder}/.bin:{os.environ['PATH']}", TMPDIR=name,
                            PYTHONPATH=str(build / "python"), PYTHONDONTWRITEBYTECODE="1", MPLBACKEND="Agg")
         output, all_ran = None, True
         for block in blocks_of(path):

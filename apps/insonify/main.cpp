@@ -5,11 +5,10 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <csignal>
-#include <new>
 
 #include "about/about.h"
 #include "console/console.h"
+#include "console/guarded.h"
 #include "console/outcome.h"
 #include "request.h"
 
@@ -60,6 +59,7 @@ int run_program(int argc, char** argv) {
       "In a browser: insonify serve scenes/ferry_calibrated.yaml\n"
       "Help on one: insonify run --help");
   Request request;
+  request.words.assign(argv + std::min(argc, 1), argv + argc);
   app.add_flag_callback(
       "--version",
       [] {
@@ -70,6 +70,7 @@ int run_program(int argc, char** argv) {
   add_run(app, request);
   add_serve(app, request);
   add_emulate(app, request);
+  add_bridge(app, request);
   add_draw(app, request);
   add_replay(app, request);
   add_info(app, request);
@@ -94,26 +95,9 @@ int run_program(int argc, char** argv) {
   return request.act();
 }
 
-// Reports an error in one line and returns the exit status.
-int run_guarded(int argc, char** argv) {
-  try {
-    return run_program(argc, argv);
-  } catch (const InputError& error) {
-    complain(error.what());
-    return kWrongInput;
-  } catch (const std::bad_alloc&) {
-    complain("out of memory");
-  } catch (const std::exception& error) {
-    complain(error.what());
-  }
-  return kFailed;
-}
-
 }  // namespace
 }  // namespace insonify
 
 int main(int argc, char** argv) {
-  insonify::open_standard_streams();
-  std::signal(SIGXFSZ, SIG_IGN);  // Exceeding a file size limit becomes an ordinary write error.
-  return insonify::finish_output(insonify::run_guarded(argc, argv));
+  return insonify::run_guarded([&] { return insonify::run_program(argc, argv); });
 }

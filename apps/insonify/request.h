@@ -3,7 +3,10 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <deque>
 #include <functional>
+#include <string>
+#include <vector>
 
 #include "benchmark/bench.h"
 #include "compare/compare.h"
@@ -12,6 +15,7 @@
 #include "info/info.h"
 #include "pictures/draw.h"
 #include "replay/replay.h"
+#include "road/bridge_options.h"
 #include "run/run.h"
 #include "serve/serve.h"
 
@@ -44,6 +48,8 @@ struct Request {
   bool markdown = false;
   bool in_viewer = false;
   bool no_pictures = false, no_view = false, no_ms_ssim = false;
+  std::deque<BridgeRequest> bridges;  // One for each of bridge_kinds().
+  std::vector<std::string> words;     // The command line, without the program.
   std::function<int()> act;
 };
 
@@ -57,6 +63,7 @@ void add_sonars(CLI::App& app, Request& request);
 void add_describe(CLI::App& app, Request& request);
 void add_serve(CLI::App& app, Request& request);
 void add_emulate(CLI::App& app, Request& request);
+void add_bridge(CLI::App& app, Request& request);
 void add_draw(CLI::App& app, Request& request);
 void add_replay(CLI::App& app, Request& request);
 void add_info(CLI::App& app, Request& request);

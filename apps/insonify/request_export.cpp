@@ -20,6 +20,7 @@ void add_export(CLI::App& app, Request& request) {
       command->add_option("--bits", request.bits, "Bits of the values of sonar images in .mcap and .bag, 8 or 16 [16]")
           ->check(one_of({"8", "16"}))
           ->type_name("N");
+  add_message_choice(*command, options.messages, "in .mcap and .bag", "[that of the recordings, else 1970]");
   command->add_flag("--store", options.store, "Do not compress .npz");
   auto* rate = command
                    ->add_option("--rate", request.rate,
@@ -49,6 +50,9 @@ void add_export(CLI::App& app, Request& request) {
       if (*command->get_option(name)) {
         options.given.emplace_back(name);
       }
+    }
+    for (const std::string& name : options.messages.given()) {
+      options.given.push_back(name);
     }
     options.bits = *bits && request.bits == "8" ? 8 : 16;
     if (*rate) {

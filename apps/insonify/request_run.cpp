@@ -60,6 +60,7 @@ void add_run(CLI::App& app, Request& request) {
   command->add_option("--record", request.record, "Recordings to make: h5, mcap (ROS 2 messages) or both: h5,mcap [h5]")
       ->check(one_of({"h5", "mcap", "h5,mcap", "mcap,h5"}))
       ->type_name("KIND");
+  add_message_choice(*command, options.messages, "in mcap recordings", "[1970]");
   command->add_flag("--compress", options.compress,
                     "Compress h5 recordings by HDF5's own filters: less than half the size, some time a ping");
   command->add_flag("-f,--force", options.force, "Replace recordings and pictures of an earlier run");

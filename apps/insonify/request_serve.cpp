@@ -1,5 +1,6 @@
 // request_serve.cpp -- options of `insonify serve`.
 
+#include "console/levels.h"
 #include "console/validators.h"
 #include "request.h"
 
@@ -34,6 +35,11 @@ void add_serve(CLI::App& app, Request& request) {
   add_server_options(*command, options.server, "Options");
   command->add_option("--record", options.recording, "Record from the start into this file (.h5, .mcap)")
       ->type_name("FILE");
+  command
+      ->add_option("--levels", options.levels,
+                   "Levels of the darkest and the brightest value in .mcap and for Foxglove, such as -90:-40 [dB]")
+      ->check(levels())
+      ->type_name("LOW:HIGH");
   command->add_flag("-f,--force", options.force, "Replace what an earlier recording left under the names of --record");
   command->add_option("--rate", options.rate, "Most pings a second of each sonar; time passes more slowly then")
       ->check(number_within(above_to(0, 1e6)))
@@ -57,6 +63,10 @@ void add_serve(CLI::App& app, Request& request) {
   command->callback([&request, &options] {
     if (request.strict) {
       options.settings.emplace_back("--strict=true");
+    }
+    if (const auto levels = parsed_levels(options.levels)) {
+      options.server.messages.low_db = levels->first;
+      options.server.messages.high_db = levels->second;
     }
     request.act = [&options] { return serve(options); };
   });

@@ -52,8 +52,8 @@ struct WorldOptions {
                                const Log& log = {});
 
 /// Reads a scenario. Relative paths are from its own folder; presets are looked up by name (load_preset). A scenario
-/// without `sonars` whose world is a Stonefish scenario has the sonars of that; a Stonefish scenario itself (.scn) is
-/// read as one that names it as its world.
+/// without `sonars` whose world is a Stonefish scenario, or an SDF file with sonars in it, has the sonars of that; a
+/// Stonefish scenario (.scn) or an SDF file itself is read as one that names it as its world.
 /// @param settings  "key=value" as on the command line, applied in order: "pings=3", "sonars[0].max_range=30",
 ///                  "sonars.fls.max_range=30", "max_range=30" (a sonar's field alone means every sonar's). "--pings=3"
 ///                  is the same as "pings=3", but messages name it so: for programs that have such an option.
@@ -96,7 +96,7 @@ void assign_scenario_materials(Scene& world, const Scenario& scenario, const Log
 struct PresetFact {
   std::string field;       ///< As in the file.
   std::string value;       ///< As in the file.
-  std::string unit;        ///< Of that value; may be "".
+  std::string unit;        ///< Unit of that value; may be "".
   std::string confidence;  ///< A (read in the source), B (data-sheet knowledge, cross-checked) or C (uncertain).
   std::string source;
 };
@@ -119,7 +119,7 @@ struct Preset {
   std::string default_mode;
   std::vector<std::string> modes;  ///< At least one.
   std::filesystem::path file;
-  std::vector<PresetFact> facts;  ///< Of the mode it was loaded in.
+  std::vector<PresetFact> facts;  ///< Facts of the mode it was loaded in.
   Instrument instrument;          ///< In that mode.
   SonarConfig sonar;              ///< In that mode, over its longest range, in water of 1500 m/s.
 

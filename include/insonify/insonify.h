@@ -58,3 +58,4 @@
 #include "insonify/wire/ping360_sonar.h"
 #include "insonify/wire/ping_protocol.h"
 #include "insonify/words.h"
+#include "insonify/world_parts.h"

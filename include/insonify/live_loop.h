@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "insonify/log.h"
+#include "insonify/messages.h"
 #include "insonify/ping.h"
 #include "insonify/ping_request.h"
 #include "insonify/scenario.h"
@@ -35,12 +36,27 @@ struct MovedInstance {
   Pose world_from_mesh;
 };
 
+/// A sonar that something else than the vehicle carries, such as a link of another model.
+struct CarriedSonar {
+  std::string sonar;        ///< Its name.
+  Pose world_from_carrier;  ///< Takes the place of the vehicle's pose.
+  Twist twist = {};
+};
+
 /// Where a vehicle is that another program moves, and what else it has moved.
 struct LiveDrive {
   Pose world_from_vehicle;
   Twist twist = {};                     ///< Has an effect with Scenario::motion_in_ping.
   std::vector<MovedObject> moved = {};  ///< In order, as PingRequest::moved.
   double stamp = 0;                     ///< When it was there, by the clock of that program [s].
+  std::vector<CarriedSonar> carried = {};
+};
+
+/// Objects that come to a world and go from it while pings are made.
+struct LiveObjects {
+  std::vector<std::string> removed = {};  ///< Full names of instances that change_objects() has added before.
+  Scene added = {};  ///< As load_scene() returns it: materials are assigned by the scenario's rules. drive() can move
+                     ///< instances marked `moving`, by their full names.
 };
 
 /// One ping of a LiveLoop.
@@ -52,8 +68,9 @@ struct LivePing {
   std::vector<MovedInstance> moved;
   double computing_time = 0;  ///< [s]
   double made_at = 0;         ///< Unix time at which it was done [s].
-  double stamp = 0;           ///< Of the LiveDrive that it was made from [s], 0 for none ...
+  double stamp = 0;           ///< Stamp of the LiveDrive that it was made from [s], 0 for none ...
   double told_at = 0;         ///< ... and the Unix time at which drive() was called [s].
+  double clock = 0;           ///< Time told by advance() when it was transmitted [s], 0 without.
 };
 
 /// Files of a recording that has ended, and what they hold.
@@ -92,17 +109,20 @@ struct LiveState {
   std::string recording_error;       ///< Why a recording is not whole, "" where none failed.
   std::uint64_t pings_made = 0;      ///< Since the start of the loop.
   std::uint64_t pings_since_change = 0;
-  double time = 0;         ///< Of the next ping, since the last change [s].
+  double time = 0;         ///< Time of the next ping since the last change [s].
   bool preparing = false;  ///< Whether a change is being prepared while pings of the state before go on.
 };
 
 struct LiveOptions {
-  int threads = 0;  ///< Of the simulator; 0 for as many as there are processors.
+  int threads = 0;  ///< Threads of the simulator; 0 for as many as there are processors.
   std::optional<double> rate_limit =
-      {};                ///< Most pings a second of each sonar [Hz], above 0; time passes more slowly then.
-  bool paused = false;   ///< Whether it starts paused.
-  bool driven = false;   ///< Whether another program moves the vehicle: see LiveLoop::drive().
-  bool clocked = false;  ///< Whether another program tells the time: see LiveLoop::advance().
+      {};                 ///< Most pings a second of each sonar [Hz], above 0; time passes more slowly then.
+  bool paused = false;    ///< Whether it starts paused.
+  bool driven = false;    ///< Whether another program moves the vehicle: see LiveLoop::drive().
+  bool clocked = false;   ///< Whether another program tells the time: see LiveLoop::advance().
+  bool followed = false;  ///< Whether another program gives the world, by LiveLoop::change_objects(): the scenario's
+                          ///< own is not read, and `materials` may name what is not there.
+  MessageOptions messages = {};  ///< How MCAP recordings tell pings.
 };
 
 /// Velocities of a steered vehicle in its own axes: x ahead, y to port, z up.
@@ -172,10 +192,18 @@ class LiveLoop {
   /// Takes the vehicle back to the start of the trajectory, or off it.
   void follow(bool on, Done done = {});
 
+  /// Removes objects, then adds others, before the next ping; numbers of pings and time go on. What is added stays when
+  /// settings change. While a recording is made, a further file of it begins, and the run with it. saved_scenario() has
+  /// none of these objects.
+  /// An object that cannot be added, for its material is not known, is told to the listener and left out.
+  /// @throws Error for a name to be removed that is not there, and one to be added that is; nothing has changed then.
+  void change_objects(LiveObjects change);
+
   /// With LiveOptions::driven: where the vehicle is from now on. There is no ping before the first call; of several
   /// calls between two pings the last counts. Where a sonar cannot ping from there, the listener is told why and no
   /// ping is made until the next call. fly() has no effect then, place() and follow() are refused. saved_scenario() has
-  /// a waypoint at each ping, to a micrometre; it has neither `twist` nor `moved`.
+  /// a waypoint at each ping, to a micrometre; it has none of `twist`, `moved` and `carried`.
+  /// With LiveOptions::followed, objects in `moved` that are not there are passed over.
   /// @throws Error for what PingRequest refuses, and without LiveOptions::driven.
   void drive(LiveDrive drive);
 
@@ -192,7 +220,8 @@ class LiveLoop {
 
   /// Records every sonar's pings from 0 on, into HDF5 (.h5) or MCAP (.mcap) by the ending of `path`. HDF5 files of
   /// several sonars have the sonar's name before the ending; after each further change a new file begins, with a number
-  /// before the ending. A scenario that repeats the pings is put beside them at the end, with the ending .yaml.
+  /// before the ending. A scenario that repeats the pings is put beside them at the end, with the ending .yaml. At the
+  /// end the listener is told of values that an MCAP recording has cut: SonarMessages::cut_text().
   /// @param replace  Whether files that are there are replaced, once those of the recording are closed.
   void record(const std::filesystem::path& path, Done done, bool replace = false);
   void stop_recording(Done done);

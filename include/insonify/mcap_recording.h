@@ -12,16 +12,23 @@
 #include "insonify/messages.h"
 #include "insonify/ping.h"
 #include "insonify/scenario.h"
+#include "insonify/scene.h"
 #include "insonify/version.h"
 
 namespace insonify {
 
 /// What a recording tells of the run that it is from.
 struct RunFacts {
-  std::string version = kVersion;  ///< Of insonify.
+  std::string version = kVersion;  ///< Version of insonify that writes it.
   std::string engine = "cpu";
   std::uint64_t seed = 1;
+
+  /// Names of the scene's instances and materials, by the labels that an HDF5 recording of the run has.
+  std::vector<std::string> instance_names = {}, material_names = {};
 };
+
+/// The facts about a run of the scenario in the scene.
+[[nodiscard]] RunFacts run_facts(const Scenario& scenario, const Scene& scene);
 
 struct McapOptions {
   MessageOptions messages = {};

@@ -1,4 +1,4 @@
-// messages.h -- pings as ROS messages, of ROS 2 (CDR) and ROS 1: for recordings, live viewers and bridges.
+// messages.h -- pings as messages of ROS 2 (CDR), ROS 1 and Gazebo: for recordings, live viewers and bridges.
 
 #pragma once
 
@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "insonify/picture.h"
@@ -19,9 +20,9 @@ namespace insonify {
 struct MessageSource {
   SonarConfig sonar;  ///< With everything filled in, as Simulator::sonar() has it.
   EchoModel model = EchoModel::kCalibrated;
-  ReceiverConfig receiver;  ///< Of this sonar: Scenario::receiver_of().
+  ReceiverConfig receiver;  ///< Receiver of this sonar: Scenario::receiver_of().
   std::string scenario;     ///< Text of the scenario file, as recordings hold it; "" for none.
-  std::string name = {};    ///< Of its topics and frames; "" for the sonar's, with what ROS does not allow as `_`.
+  std::string name = {};    ///< Name in its topics and frames; "" for the sonar's, with what ROS does not allow as `_`.
 };
 
 /// Sonars of the scenario whose topics would have the same name are told apart: the second gets `_2` at its end, the
@@ -41,10 +42,25 @@ struct MessageOptions {
   std::optional<double> low_db = {}, high_db = {};
 
   int fan_height = 480;                        ///< Height of the fan picture [pixels], 240..8192.
-  ColourMap colour_map = ColourMap::kInferno;  ///< Of the fan picture.
+  ColourMap colour_map = ColourMap::kInferno;  ///< Colour map of the fan picture.
   bool annotations = false;                    ///< Whether the fan picture has rings, axes and a colour bar.
+  bool raw = false;                            ///< Whether there is a channel kRaw.
   double strong_share = 0.01;                  ///< Share of a ping's cells that become points, in (0, 1].
   std::string world_frame = "world";           ///< Name of the frame of the world, not empty.
+
+  /// Fan pictures of each sonar that a file holds for a second of the pings' times, at most, 0..1000 [1/s]; 0: none.
+  /// Absent: kScanningFanRate for a scanning sonar, whose picture changes by a beam a ping; a picture of every ping for
+  /// others.
+  std::optional<double> fan_rate = {};
+
+  static constexpr double kScanningFanRate = 2;  ///< [1/s]
+
+  /// When the run started: the pings' time 0, since 1970-01-01T00:00:00Z, below 2^31 s [ns]. Absent: 0, or in an export
+  /// the start that the recordings have.
+  std::optional<std::uint64_t> start_ns = {};
+
+  /// The rate at which a file holds fan pictures of a sonar [1/s]; absent: one of every ping.
+  [[nodiscard]] std::optional<double> fan_rate_of(const SonarConfig& sonar) const;
 
   /// @throws Error on the first field out of limits.
   void validate() const;
@@ -57,25 +73,41 @@ struct MessageOptions {
     visit(Field{"high_db", "dB", kLevels, "Level of the brightest value."}, self.high_db);
     visit(Field{"fan_height", "pixels", from_to(240, 8192), "Height of the fan picture."}, self.fan_height);
     visit(Field{"annotations", "", {}, "Whether the fan picture has rings, axes and a colour bar."}, self.annotations);
+    visit(Field{"raw", "", {}, "Whether there is a topic of images with a pixel for each beam and bin."}, self.raw);
     visit(Field{"strong_share", "", above_to(0, 1), "Share of a ping's cells that become points."}, self.strong_share);
     visit(Field{"world_frame", "", {}, "Name of the frame of the world."}, self.world_frame);
+    visit(
+        Field{
+            "fan_rate", "1/s", from_to(0, 1000),
+            "Fan pictures in a file for a second of the pings' times, at most; when absent 2 for scanning sonars, and "
+            "a picture of every ping for others."},
+        self.fan_rate);
   }
 };
 
-/// Whose messages are made: the types are the same, their bytes and definitions are not.
-enum class MessageForm { kRos2, kRos1 };
+/// Reads the start of a run, a time of ISO 8601 with its zone: "2026-06-01T10:00:00Z", "2026-06-01T12:00:00.25+02:00".
+/// @return  Time since 1970-01-01T00:00:00Z, below 2^31 s [ns].
+/// @throws Error for anything else; the message begins with the text.
+[[nodiscard]] std::uint64_t start_from_text(std::string_view text);
+
+/// A start as text, in UTC: "2026-06-01T10:00:00.25Z".
+[[nodiscard]] std::string start_text(std::uint64_t start_ns);
+
+/// Whose messages are made. The types of ROS 2 and ROS 1 are the same, their bytes and definitions are not.
+enum class MessageForm { kRos2, kRos1, kGazebo };
 
 /// What a channel tells.
-enum class MessageKind { kSonarImage, kFan, kPoints, kPose, kTransforms, kScenario };
+enum class MessageKind { kSonarImage, kFan, kPoints, kPose, kTransforms, kScenario, kRaw };
 
 /// Messages of one kind, under one topic.
 struct MessageChannel {
   MessageKind kind = MessageKind::kSonarImage;
   std::string topic;       ///< "/fls/points"; "/tf" and "/scenario" are the same for all sonars.
-  std::string type;        ///< "sensor_msgs/msg/PointCloud2"; of ROS 1 "sensor_msgs/PointCloud2".
-  std::string definition;  ///< Of the type and all that it is made of, as MCAP's encodings "ros2msg" and "ros1msg" have
-                           ///< it, and bags of ROS 1.
-  std::string md5 = {};    ///< Checksum of the definition by which ROS 1 knows the type; of ROS 2 empty.
+  std::string type;        ///< "sensor_msgs/msg/PointCloud2"; of ROS 1 "sensor_msgs/PointCloud2"; of Gazebo
+                           ///< "gz.msgs.PointCloudPacked".
+  std::string definition;  ///< Definition of the type and of all types in it, as MCAP's encodings "ros2msg" and
+                           ///< "ros1msg" have it, and bags of ROS 1; of Gazebo empty.
+  std::string md5 = {};    ///< Checksum of the definition by which ROS 1 knows the type; of others empty.
 };
 
 /// A level of intensity mapped to the darkest and the brightest value of an image [dB].
@@ -96,10 +128,15 @@ struct MessageLevels {
 /// | kPose       | /NAME/pose         | geometry_msgs/msg/PoseStamped                | world       |
 /// | kTransforms | /tf                | tf2_msgs/msg/TFMessage                       |             |
 /// | kScenario   | /scenario          | std_msgs/msg/String                          |             |
+/// | kRaw        | /NAME/raw          | sensor_msgs/msg/Image, mono8 or mono16       | NAME        |
 ///
-/// NAME is MessageSource::name. Frame NAME is that of the housing (x forward,
-/// y to port, z up). NAME_beams, of the sonar image, has z along the middle of the fan, y to port, x down.
-/// docs/reference/messages.md has every field.
+/// kRaw is there with MessageOptions::raw only: the values of the sonar image, row i its bin i, column 0 the beam
+/// furthest to port. NAME is MessageSource::name. Frame NAME is that of the housing (x forward, y to port, z up).
+/// NAME_beams, of the sonar image, has z along the middle of the fan, y to port, x down. docs/reference/messages.md has
+/// every field.
+///
+/// Of Gazebo they are gz.msgs.Image (kSonarImage, kFan, kRaw), PointCloudPacked, Pose, Pose_V and StringMsg in the form
+/// of Protocol Buffers, which is that of ignition.msgs too.
 class SonarMessages {
  public:
   /// @throws Error for options out of limits.
@@ -119,9 +156,18 @@ class SonarMessages {
 
   /// Takes in a ping, of which encode() tells from then on. Of a scanning sonar the fan shows all pings taken in, of
   /// the last turn of its head.
-  /// @throws Error for a ping that has not the sonar's beams and bins, and for a time that is below 0 or from 2^31 s
-  ///         on, which a ROS time cannot hold.
-  void take(const Ping& ping);
+  /// @throws Error for a ping that has not the sonar's beams and bins, and for a time that is below 0 or, counted from
+  ///         1970 where there is a start, from 2^31 s on, which a ROS time cannot hold.
+  void take(const Ping& ping) { take(ping, ping.time); }
+
+  /// The same by another clock than the scenario's.
+  /// @param time  Of transmission, by that clock [s].
+  void take(const Ping& ping, double time);
+
+  /// Whether a file holds the message about the ping taken in last. It leaves out fan pictures beyond
+  /// MessageOptions::fan_rate; programs that send messages when they are asked for need not look.
+  /// @param channel  Index into channels().
+  [[nodiscard]] bool is_due(std::size_t channel) const;
 
   /// A message about the ping taken in last. Several threads may encode at once.
   /// @param channel  Index into channels().
@@ -131,7 +177,7 @@ class SonarMessages {
   /// all pings taken in; "" where none is.
   [[nodiscard]] std::string cut_text() const;
 
-  /// The time of the ping taken in last [ns].
+  /// The time of the ping taken in last, counted from 1970 where there is a start [ns].
   [[nodiscard]] std::uint64_t time_ns() const;
 
  private:

@@ -14,9 +14,9 @@ namespace insonify {
 /// One ping. Tables are bin-major: the value of bin i in beam j is at [i * beam_count + j], so that a row is one range.
 struct Ping {
   std::uint64_t number = 0;  ///< From 0.
-  double time = 0;           ///< Of transmission [s].
-  Pose world_from_sonar;     ///< Of the housing.
-  double head_angle = 0;     ///< Of a scanning head in the housing, positive to port [rad]; else 0.
+  double time = 0;           ///< Time of transmission [s].
+  Pose world_from_sonar;     ///< Pose of the housing.
+  double head_angle = 0;     ///< Angle of a scanning head in the housing, positive to port [rad]; else 0.
 
   int bin_count = 0;
   int beam_count = 0;
@@ -39,7 +39,7 @@ struct Ping {
   std::vector<float> strongest_share;    ///< What each gave of the energy of the bin's echoes, 0..1; 0 beyond the last.
   std::vector<float> elevation_spread;   ///< Standard deviation of the strongest's elevations [rad]; NaN where none.
   std::vector<std::uint8_t> path_order;  ///< Surfaces met by the paths that gave most, 1..kPathOrders; 0 where none.
-  std::vector<float> shadow;             ///< Of bins without a direct echo: the share of the beam that nearer surfaces
+  std::vector<float> shadow;             ///< For bins without a direct echo: the share of the beam that nearer surfaces
                                          ///< hide, 0..1; of others 0.
   std::vector<float> direct_intensity;   ///< What paths with one surface give, noise and speckle left out.
 

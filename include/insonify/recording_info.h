@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "insonify/messages.h"
@@ -21,10 +22,21 @@ enum class RecordingState {
   kDiskFull     ///< It ends as it should, before its run did, because the disk was full.
 };
 
+/// The state as files and Python name it: "whole", "growing", "unfinished", "disk_full".
+[[nodiscard]] const char* state_word(RecordingState state);
+
+/// The state in words: "unfinished: the run that wrote it was killed"; "" for a whole recording.
+/// @param format  Format of the recording: RecordingInfo::format.
+[[nodiscard]] const char* state_text(RecordingState state, std::string_view format);
+
+/// Reads the state of a recording and nothing else.
+/// @throws Error with the path for a file that is missing or is no recording.
+[[nodiscard]] RecordingState recording_state(const std::filesystem::path& path);
+
 /// How exactly a recording holds intensities.
 struct RecordedLevels {
   MessageLevels levels;
-  int bits = 16;          ///< Of a value, 8 or 16.
+  int bits = 16;          ///< Bits of a value, 8 or 16.
   std::string text = {};  ///< "-100 to -40 dB in steps of 0.00092 dB ...".
 };
 
@@ -32,18 +44,20 @@ struct RecordedLevels {
 struct RecordedSonar {
   SonarConfig config;  ///< With everything filled in.
   std::uint64_t pings = 0;
-  double first_time = 0, last_time = 0;       ///< Of its first and last ping [s]; 0 without pings.
-  std::optional<RecordedLevels> levels = {};  ///< Of an MCAP file; absent: 32-bit numbers (HDF5).
+  double first_time = 0, last_time = 0;       ///< Times of its first and last ping [s]; 0 without pings.
+  std::optional<RecordedLevels> levels = {};  ///< Levels of an MCAP file's values; absent: 32-bit numbers (HDF5).
 };
 
 struct RecordingInfo {
   std::string format = {};  ///< "HDF5" or "MCAP".
   RecordingState state = RecordingState::kWhole;
   std::uint64_t bytes = 0;   ///< Size of the file.
-  std::string version = {};  ///< Of the insonify that made it.
+  std::string version = {};  ///< Version of insonify that made it.
   std::string model = {};    ///< "calibrated" or "paper".
   std::string engine = {};   ///< "cpu", "reference".
   std::optional<std::uint64_t> seed = {};
+  std::optional<std::uint64_t> start_ns =
+      {};                     ///< Time 0 of the pings, since 1970-01-01T00:00:00Z [ns]; absent: unknown.
   std::string scenario = {};  ///< Text of the scenario file.
   std::vector<RecordedSonar> sonars = {};
   std::vector<std::string> contents = {};  ///< Tables of an HDF5 file, topics of an MCAP file.
@@ -52,6 +66,10 @@ struct RecordingInfo {
 /// Reads .h5, .hdf5 and .mcap files that insonify has recorded, also unfinished ones (their names end in .new).
 /// @throws Error with the path for anything else.
 [[nodiscard]] RecordingInfo recording_info(const std::filesystem::path& path);
+
+/// A warning about a recording that may end before its run did: "fls.h5 is unfinished: the run that wrote it was
+/// killed; it has 12 pings"; "" for a whole recording.
+[[nodiscard]] std::string unfinished_text(const std::filesystem::path& path, const RecordingInfo& info);
 
 /// Whether a file begins as MCAP files do.
 [[nodiscard]] bool is_mcap(const std::filesystem::path& path);

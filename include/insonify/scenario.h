@@ -63,7 +63,7 @@ struct Motion {
 
 /// A camera for a look at the scene beside the ping.
 struct ViewConfig {
-  Vec3 position = Vec3::Zero();                     ///< Of the camera, in the world [m], within 1e8.
+  Vec3 position = Vec3::Zero();                     ///< Position of the camera in the world [m], within 1e8.
   Vec3 look_at = Vec3::UnitX();                     ///< [m], within 1e8.
   double field_of_view = radians_from_degrees(50);  ///< Horizontal [rad], in (0, 170 deg].
 
@@ -93,7 +93,7 @@ struct Scenario {
   std::string engine = "cpu";
   PrimaryEchoes primary = PrimaryEchoes::kAuto;
   SecondaryEchoes secondary = SecondaryEchoes::kSelective;
-  int max_surfaces = kPathOrders;  ///< Of a path, 1..3.
+  int max_surfaces = kPathOrders;  ///< Most surfaces that a path meets, 1..3.
   bool rough_mirrors = false;      ///< Whether mirrors send sound on about facets drawn from their slopes.
   bool motion_in_ping = false;     ///< Whether the sonar moves on while it listens.
   GroundTruth ground_truth = GroundTruth::kLabels;
@@ -104,13 +104,13 @@ struct Scenario {
 
   Water water;
   PaperModel paper;
-  ReceiverConfig receiver;  ///< Of all sonars that have none of their own.
+  ReceiverConfig receiver;  ///< Receiver of all sonars that have none of their own.
   MaterialRules materials;
   std::vector<PointTarget> points;      ///< Calibrated model only.
   std::vector<Interferer> interferers;  ///< Calibrated model only.
   std::optional<SeaSurface> surface;    ///< None where not named.
   std::vector<SonarConfig> sonars;
-  Trajectory trajectory;  ///< Of the vehicle.
+  Trajectory trajectory;  ///< Trajectory of the vehicle.
   std::vector<Motion> motions;
   std::optional<ViewConfig> view;  ///< Chosen to show the first sonar's field when absent.
 

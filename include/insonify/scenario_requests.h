@@ -52,7 +52,7 @@ class ScenarioRequests {
  private:
   void fill_at(const SonarConfig& config, std::uint64_t number, double time, PingRequest& request) const;
 
-  std::vector<std::uint64_t> ping_counts_;  // Of each sonar.
+  std::vector<std::uint64_t> ping_counts_;  // Pings of each sonar.
   std::vector<SonarConfig> sonars_;         // Filled in.
   Trajectory trajectory_;
   std::vector<Motion> motions_;

@@ -22,7 +22,8 @@ struct Instance {
   std::string name = {};                  ///< Scoped as in SDF: "ship::hull::visual"; the file's stem for a bare mesh.
   std::shared_ptr<const Mesh> mesh = {};  ///< Never null.
   Pose world_from_mesh = {};
-  std::string user_material = {};             ///< Set by the user for the whole instance, "" when not; must resolve.
+  std::string user_material = {};  ///< Set by the user for the whole instance, "" when not; must resolve.
+  bool names_resolve = false;      ///< Whether the user wrote the mesh's material names: each but "" must be known.
   std::vector<std::uint16_t> materials = {};  ///< Index into Scene::materials for each of the mesh's slots.
   std::vector<std::shared_ptr<const Relief>> reliefs = {};  ///< Relief of each slot, null for none; empty: none at all.
   bool moving = false;   ///< Whether its pose may change between pings; engines keep it separate from static instances.
@@ -63,6 +64,7 @@ struct MaterialOverride {
 struct MaterialRules {
   std::map<std::string, MaterialOverride> overrides = {};
   std::string default_material = "sand";  ///< For material names in meshes that match nothing.
+  bool for_more = false;  ///< Whether the scene is only a part of what the rules are for: keys may match nothing then.
 
   template <typename Self, typename Visit>
   static void visit_fields(Self& self, Visit&& visit) {
@@ -102,9 +104,8 @@ struct Scene {
 /// the default. user_material and the default may name an override too. Each override becomes a material of its own,
 /// named by its key. Slot names that took the default are reported to `log` in one line. The relief of a slot is that
 /// of its material, or else of its mesh.
-/// @throws Error for a name written by the user (an override's key or `like`, a user_material, the default) that
-/// matches
-///         nothing, and for a property out of its limits.
+/// @throws Error for a name written by the user (an override's key or `like`, a user_material, a name of an
+///         instance with names_resolve, the default) that matches nothing, and for a property out of its limits.
 void assign_materials(Scene& scene, const MaterialRules& rules, const Log& log = {});
 
 }  // namespace insonify

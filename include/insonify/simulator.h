@@ -19,11 +19,28 @@
 
 namespace insonify {
 
+struct SimulatedSonar;
+
 /// Something in the world that requests may move.
 struct MovableObject {
   std::string name;                            ///< A model, link or visual by its scoped name; its parts move with it.
   std::optional<Pose> world_from_object = {};  ///< Where the object's own frame is in the scene as given; absent: where
                                                ///< the mesh of its first part is.
+};
+
+/// A sonar that Simulator::prepare_sonar() has made for Simulator::set_sonar().
+class PreparedSonar {
+ public:
+  PreparedSonar();
+  ~PreparedSonar();
+  PreparedSonar(PreparedSonar&&) noexcept;
+  PreparedSonar& operator=(PreparedSonar&&) noexcept;
+
+ private:
+  friend class Simulator;
+  SonarConfig config_;
+  std::size_t material_count_ = 0;  // Of the scene.
+  std::unique_ptr<SimulatedSonar> made_;
 };
 
 /// Runs the sonars of a scenario in a scene.
@@ -87,6 +104,16 @@ class Simulator {
   ///                old range. Its name, which may be that of a preset, is not taken.
   /// @throws Error for what Scenario::validate() refuses; the sonar is as it was.
   void set_sonar(int sonar, const SonarConfig& config);
+
+  /// The part of set_sonar() that takes long with thousands of beams, made beside pings: it shares nothing with the
+  /// simulator.
+  /// @param scenario  As scenario(), with the new settings in `sonars`.
+  /// @param scene     As scene(): its materials count.
+  /// @throws Error for an index that is none.
+  [[nodiscard]] static PreparedSonar prepare_sonar(const Scenario& scenario, int sonar, const Scene& scene);
+
+  /// As set_sonar() with the settings that were prepared.
+  void set_sonar(int sonar, PreparedSonar prepared);
 
   /// Adds the instances of a scene, whose materials are assigned, and its materials. The engine takes in the whole
   /// scene anew before the next ping, which can take as long as at the start: add many things at once.

@@ -13,7 +13,7 @@
 
 namespace insonify {
 
-/// Largest elevation that is sampled, up or down [rad]: rows are spaced by tan(elevation).
+/// Largest elevation that is sampled, up or down [rad]: straight up every azimuth is the same direction.
 inline constexpr double kSteepestElevation = radians_from_degrees(89);
 
 /// How finely the insonified sector is sampled. More samples cost time and do not change expected levels.

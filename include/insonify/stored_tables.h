@@ -20,12 +20,11 @@ enum class NumberType { kFloat32, kFloat64, kUint8, kUint16, kInt64 };
 
 /// A table of numbers in a recording. docs/reference/recording.md lists those that insonify writes.
 struct StoredTable {
-  std::string name;  ///< "instance"
-  NumberType type =
-      NumberType::kFloat32;          ///< Of the file where it has that type, else the next that holds its numbers.
-  std::vector<std::uint64_t> shape;  ///< Length of each axis, at least one axis.
-  bool by_ping = false;              ///< Whether the first axis counts pings.
-  std::string unit, description;     ///< "" where the file does not say.
+  std::string name;                        ///< "instance"
+  NumberType type = NumberType::kFloat32;  ///< Type in the file, or the next that holds its numbers.
+  std::vector<std::uint64_t> shape;        ///< Length of each axis, at least one axis.
+  bool by_ping = false;                    ///< Whether the first axis counts pings.
+  std::string unit, description;           ///< "" where the file does not say.
 };
 
 /// The values `start`, `start + step` ... of an axis, `count` of them.
@@ -38,7 +37,7 @@ struct TableSlice {
 /// The tables of one sonar's recording, read when they are asked for: those at the root of an HDF5 file; of an MCAP
 /// file intensity, time, world_from_sonar, head_angle of a scanning sonar, and the axes. MCAP has no ground truth.
 ///
-/// Of a recording that still grows it has the pings that all tables had when it was opened.
+/// A recording that still grows has the pings that all tables had when it was opened.
 class StoredTables {
  public:
   /// @param sonar  Name of the sonar; "" for the only one.

@@ -11,6 +11,7 @@
 from __future__ import annotations
 
 import os
+import warnings
 
 from ._compare import compare
 from ._insonify import (
@@ -60,9 +61,15 @@ def open(path: str | os.PathLike[str], sonar: str | None = None) -> RecordedPing
 
     sonar: which one of an MCAP file that holds several.
 
+    Warns (insonify.Warning) of a recording that ends before its run did, because that was killed or the disk was full;
+    the recording's `state` says so too.
+
     Raises Error with the path for a file that is missing or is no recording, and for a sonar that it does not have.
     """
-    return RecordedPings(path, sonar)
+    recorded = RecordedPings(path, sonar)
+    if text := recorded._unfinished_text():
+        warnings.warn(text, Warning, stacklevel=2)
+    return recorded
 
 
 __all__ = [

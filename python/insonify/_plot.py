@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+import numpy.typing as npt
 
 from ._insonify import Error, _usually_shown
 from ._levels import to_db
@@ -32,8 +33,18 @@ def _shown(ping: Ping) -> tuple[Any, tuple[float, float], str]:
     return to_db(intensity, -400), (high + floor_db, high), "dB re source at 1 m" + by_range
 
 
+def _widen(ax: Any, across: npt.NDArray[np.float64], along: npt.NDArray[np.float64]) -> None:
+    """Makes the axes of a narrow fan, such as that of a single beam, half as wide as they are long: the labels of a sliver
+    would lie on each other."""
+    lengths = [float(np.ptp(values)) for values in (across, along)]
+    for values, length, set_limits in ((across, lengths[0], ax.set_xlim), (along, lengths[1], ax.set_ylim)):
+        if length < max(lengths) / 2:
+            middle = float(np.max(values) + np.min(values)) / 2
+            set_limits(middle - max(lengths) / 4, middle + max(lengths) / 4)
+
+
 def plot(ping: Ping, kind: str = "fan", levels: tuple[float, float] | None = None, ax: Any = None,
-         colour_map: str = "inferno") -> Any:
+         colour_map: str | None = None, *, color_map: str | None = None) -> Any:
     """Draws a ping with matplotlib. Returns the axes.
 
     kind: "fan", seen from above in metres, acoustic axis up and port to the left; or "polar", azimuth [deg] across, port
@@ -41,7 +52,7 @@ def plot(ping: Ping, kind: str = "fan", levels: tuple[float, float] | None = Non
     levels: colour range (low, high) in dB as on the colour bar (from 0 to 1 in the paper model); None for those
         of insonify.fan(), which fit this ping. For a film give the same to all.
     ax: axes to draw in; None for those of a new figure.
-    colour_map: a name that matplotlib knows.
+    colour_map, or color_map: a name that matplotlib knows; None for inferno.
 
     Raises Error for another kind or levels that do not rise, ImportError where there is no matplotlib.
     """
@@ -50,6 +61,10 @@ def plot(ping: Ping, kind: str = "fan", levels: tuple[float, float] | None = Non
         raise Error(f"kind = {kind!r} must be fan or polar")
     if levels is not None and not levels[0] < levels[1]:
         raise Error(f"levels = {levels!r} must be two rising numbers, such as (-90, -40)")
+    if colour_map is not None and color_map is not None:
+        raise Error("colour_map is given twice: color_map is the same")
+    if ax is not None and not hasattr(ax, "pcolormesh"):
+        raise Error(f"ax = {ax!r} must be axes of matplotlib, such as those of figure.add_subplot(); not a {type(ax).__name__}")
     sonar = ping.sonar
     range_edges = np.linspace(sonar.min_range, sonar.max_range, sonar.bin_count + 1)
     azimuth_edges = sonar.azimuth_edges() + ping.head_angle
@@ -67,8 +82,10 @@ def plot(ping: Ping, kind: str = "fan", levels: tuple[float, float] | None = Non
         across, along = np.broadcast_arrays(np.degrees(azimuth_edges)[None, :], range_edges[:, None])
         ax.set_xlabel("azimuth, positive to port [deg]")
         ax.set_ylabel("range [m]")
-    mesh = ax.pcolormesh(across, along, values, vmin=low, vmax=high, cmap=colour_map, rasterized=True)
-    if kind == "polar":
+    mesh = ax.pcolormesh(across, along, values, vmin=low, vmax=high, cmap=colour_map or color_map or "inferno", rasterized=True)
+    if kind == "fan":
+        _widen(ax, across, along)
+    else:
         ax.set_xlim(np.degrees(azimuth_edges[0]), np.degrees(azimuth_edges[-1]))  # Port to the left.
     ax.set_title(f"{sonar.name}, ping {ping.number}, {ping.time:.4g} s")
     ax.figure.colorbar(mesh, ax=ax, label=label)

@@ -10,6 +10,7 @@
 #include "insonify/log.h"
 #include "insonify/ping.h"
 #include "insonify/scenario.h"
+#include "insonify/scene.h"
 
 namespace insonify::python {
 
@@ -22,12 +23,15 @@ struct SonarFacts {
   ReceiverConfig receiver;
 };
 
+/// A copy of a simulator's scene. It refuses to be added to: the simulator would not know.
+struct SimulatorsScene : Scene {};
+
 struct PythonRecording;
 
 /// A ping as Python holds it.
 struct PythonPing : Ping {
   std::shared_ptr<const SonarFacts> facts;
-  std::shared_ptr<const PythonRecording> source = {};  ///< Of a recorded ping: where its other tables are read from.
+  std::shared_ptr<const PythonRecording> source = {};  ///< Where a recorded ping's other tables are read from.
 };
 
 /// @throws Error for an object that is no Ping.
@@ -40,6 +44,7 @@ void bind_configs(py::module_& module);
 void bind_scene(py::module_& module);
 void bind_ping(py::module_& module);
 void bind_simulator(py::module_& module);
+void bind_recording_writer(py::module_& module);
 void bind_recording(py::module_& module);
 void bind_pictures(py::module_& module);
 void bind_acoustics(py::module_& module);

@@ -4,6 +4,7 @@
 #include <pybind11/numpy.h>
 
 #include "bind.h"
+#include "formula.h"
 #include "held.h"
 #include "insonify/acoustics/absorption.h"
 #include "insonify/acoustics/backscatter.h"
@@ -23,9 +24,10 @@ using py::arg;
 void add_water(py::module_& m) {
   m.def(
       "absorption_db_per_m",
-      [](const py::array_t<double>& frequency, const py::object& water) {
+      [](const Numbers& frequency, const py::object& water) {
         const auto in = unwrap<Water>(water, "water");
-        return py::vectorize([&in](double f) { return absorption_db_per_m(f, in); })(frequency);
+        return py::vectorize([&in](double f) { return absorption_db_per_m(f, in); })(
+            array_from(frequency, "frequency"));
       },
       arg("frequency"), arg("water"),
       "Absorption one way [dB/m] at a frequency [Hz], >= 0, in a Water. Ainslie and McColm, J. Acoust. Soc. Am. "
@@ -33,34 +35,36 @@ void add_water(py::module_& m) {
       "1671 (1998): within 10 % of Francois and Garrison from 100 Hz to 1 MHz.");
   m.def(
       "francois_garrison_db_per_m",
-      [](const py::array_t<double>& frequency, const py::object& water) {
+      [](const Numbers& frequency, const py::object& water) {
         const auto in = unwrap<Water>(water, "water");
-        return py::vectorize([&in](double f) { return francois_garrison_db_per_m(f, in); })(frequency);
+        return py::vectorize([&in](double f) { return francois_garrison_db_per_m(f, in); })(
+            array_from(frequency, "frequency"));
       },
       arg("frequency"), arg("water"),
       "Absorption one way [dB/m] after Francois and Garrison, J. Acoust. Soc. Am. 72(3), 896 and 72(6), 1879 (1982): "
       "200 Hz to "
       "1 MHz, +-5 %.");
   m.attr("NEPER_PER_DECIBEL") = kNeperPerDecibel;
-  m.def("pressure_mpa", py::vectorize(pressure_mpa), arg("depth"), arg("latitude"),
-        "Gauge pressure [MPa] at a depth [m], 0 to 12000, at a latitude [rad]. Leroy and Parthiot, J. Acoust. Soc. Am. "
-        "103(3), 1346 (1998), common oceans.");
+  add_formula(
+      m, "pressure_mpa", &pressure_mpa, arg("depth"), arg("latitude"),
+      "Gauge pressure [MPa] at a depth [m], 0 to 12000, at a latitude [rad]. Leroy and Parthiot, J. Acoust. Soc. Am. "
+      "103(3), 1346 (1998), common oceans.");
   constexpr double kLatitude = 0.7853981633974483;
-  m.def("chen_millero_sound_speed", py::vectorize(chen_millero_sound_speed), arg("temperature_c"), arg("salinity"),
-        arg("depth"), arg("latitude") = kLatitude,
-        "Sound speed [m/s] after Chen and Millero (1977) with the coefficients of Wong and Zhu (1995): 0 to 40 degC, 0 "
-        "to 40 PSU. "
-        "depth [m], latitude [rad].");
-  m.def("del_grosso_sound_speed", py::vectorize(del_grosso_sound_speed), arg("temperature_c"), arg("salinity"),
-        arg("depth"), arg("latitude") = kLatitude,
-        "Sound speed [m/s] after Del Grosso (1974): 0 to 30 degC, 30 to 40 PSU.");
-  m.def("mackenzie_sound_speed", py::vectorize(mackenzie_sound_speed), arg("temperature_c"), arg("salinity"),
-        arg("depth"), "Sound speed [m/s] after Mackenzie (1981): -2 to 30 degC, 25 to 40 PSU, to 8000 m.");
-  m.def("medwin_sound_speed", py::vectorize(medwin_sound_speed), arg("temperature_c"), arg("salinity"), arg("depth"),
-        "Sound speed [m/s] after Medwin (1975): 0 to 35 degC, 0 to 45 PSU, to 1000 m.");
-  m.def("leroy_sound_speed", py::vectorize(leroy_sound_speed), arg("temperature_c"), arg("salinity"), arg("depth"),
-        arg("latitude"),
-        "Sound speed [m/s] after Leroy, Robinson and Goldsmith (2008): all oceans, +-0.2 m/s. latitude [rad].");
+  add_formula(
+      m, "chen_millero_sound_speed", &chen_millero_sound_speed, arg("temperature_c"), arg("salinity"), arg("depth"),
+      arg("latitude") = kLatitude,
+      "Sound speed [m/s] after Chen and Millero (1977) with the coefficients of Wong and Zhu (1995): 0 to 40 degC, 0 "
+      "to 40 PSU. "
+      "depth [m], latitude [rad].");
+  add_formula(m, "del_grosso_sound_speed", &del_grosso_sound_speed, arg("temperature_c"), arg("salinity"), arg("depth"),
+              arg("latitude") = kLatitude, "Sound speed [m/s] after Del Grosso (1974): 0 to 30 degC, 30 to 40 PSU.");
+  add_formula(m, "mackenzie_sound_speed", &mackenzie_sound_speed, arg("temperature_c"), arg("salinity"), arg("depth"),
+              "Sound speed [m/s] after Mackenzie (1981): -2 to 30 degC, 25 to 40 PSU, to 8000 m.");
+  add_formula(m, "medwin_sound_speed", &medwin_sound_speed, arg("temperature_c"), arg("salinity"), arg("depth"),
+              "Sound speed [m/s] after Medwin (1975): 0 to 35 degC, 0 to 45 PSU, to 1000 m.");
+  add_formula(m, "leroy_sound_speed", &leroy_sound_speed, arg("temperature_c"), arg("salinity"), arg("depth"),
+              arg("latitude"),
+              "Sound speed [m/s] after Leroy, Robinson and Goldsmith (2008): all oceans, +-0.2 m/s. latitude [rad].");
   py::class_<BentPath>(m, "BentPath", "A sound path in a constant sound-speed gradient, an arc of a circle.")
       .def_readonly("radius", &BentPath::radius, "Of the circle [m], with the sign of c0/(g cos(launch angle)).")
       .def_readonly("drop", &BentPath::drop, "Depth gained, positive down [m].")
@@ -74,53 +78,55 @@ void add_water(py::module_& m) {
 }
 
 void add_levels(py::module_& m) {
-  m.def(
-      "transmission_loss_db", py::vectorize(transmission_loss_db), arg("range"), arg("absorption_db_per_m") = 0.0,
+  add_formula(
+      m, "transmission_loss_db", &transmission_loss_db, arg("range"), arg("absorption_db_per_m") = 0.0,
       "One way, 20 log10 r + alpha r [dB re 1 m]. range [m] > 0. Urick, Principles of Underwater Sound (1983), ch. 2.");
-  m.def("echo_level_db", py::vectorize(echo_level_db), arg("source_level_db"), arg("one_way_loss_db"), arg("target_db"),
-        "SL - 2 TL + TS [dB re 1 uPa].");
-  m.def("thermal_noise_level_db", py::vectorize(thermal_noise_level_db), arg("frequency"),
-        "-15 + 20 log10(f/kHz) [dB re 1 uPa^2/Hz]. Mellen, J. Acoust. Soc. Am. 24(5), 478 (1952).");
-  m.def("sector_directivity_index_db", py::vectorize(sector_directivity_index_db), arg("azimuth_width"),
-        arg("elevation_width"), "Of a top-hat beam [dB]; full angles [rad].");
-  m.def("noise_level_db", py::vectorize(noise_level_db), arg("spectral_level_db"), arg("bandwidth"),
-        arg("directivity_index_db"), "NL + 10 log10 B - DI [dB re 1 uPa]; bandwidth [Hz].");
+  add_formula(m, "echo_level_db", &echo_level_db, arg("source_level_db"), arg("one_way_loss_db"), arg("target_db"),
+              "SL - 2 TL + TS [dB re 1 uPa].");
+  add_formula(m, "thermal_noise_level_db", &thermal_noise_level_db, arg("frequency"),
+              "-15 + 20 log10(f/kHz) [dB re 1 uPa^2/Hz]. Mellen, J. Acoust. Soc. Am. 24(5), 478 (1952).");
+  add_formula(m, "sector_directivity_index_db", &sector_directivity_index_db, arg("azimuth_width"),
+              arg("elevation_width"), "Of a top-hat beam [dB]; full angles [rad].");
+  add_formula(m, "noise_level_db", &noise_level_db, arg("spectral_level_db"), arg("bandwidth"),
+              arg("directivity_index_db"), "NL + 10 log10 B - DI [dB re 1 uPa]; bandwidth [Hz].");
   // Closed forms of simple scenes.
-  m.def("lambert_floor_intensity", py::vectorize(lambert_floor_intensity), arg("mu"), arg("altitude"),
-        arg("azimuth_width"), arg("bin_start"), arg("bin_end"), arg("absorption_db_per_m") = 0.0,
-        "Echo intensity, re the source's at 1 m, of a flat Lambert floor in one bin [m] of a beam [rad]: mu h^2 width "
-        "(r1^-4 - r2^-4)/4 without absorption [dB/m]. altitude h [m] > 0; nothing echoes from nearer.");
-  m.def("lambert_wall_intensity", py::vectorize(lambert_wall_intensity), arg("mu"), arg("distance"), arg("azimuth"),
-        arg("azimuth_width"), arg("elevation_width"),
-        "The same of a plane Lambert wall across the acoustic axis at a distance [m], summed over all bins, without "
-        "absorption. Full angles [rad]; azimuth of the beam's middle within +-pi/2.");
-  m.def("volume_reverberation_intensity", py::vectorize(volume_reverberation_intensity), arg("volume_backscatter"),
-        arg("azimuth_width"), arg("elevation_width"), arg("bin_start"), arg("bin_end"),
-        arg("absorption_db_per_m") = 0.0,
-        "Volume reverberation in one bin: s_v width 2 sin(height/2) (1/r1 - 1/r2) without absorption. "
-        "volume_backscatter s_v [1/m], linear, >= 0.");
+  add_formula(
+      m, "lambert_floor_intensity", &lambert_floor_intensity, arg("mu"), arg("altitude"), arg("azimuth_width"),
+      arg("bin_start"), arg("bin_end"), arg("absorption_db_per_m") = 0.0,
+      "Echo intensity, re the source's at 1 m, of a flat Lambert floor in one bin [m] of a beam [rad]: mu h^2 width "
+      "(r1^-4 - r2^-4)/4 without absorption [dB/m]. altitude h [m] > 0; nothing echoes from nearer.");
+  add_formula(
+      m, "lambert_wall_intensity", &lambert_wall_intensity, arg("mu"), arg("distance"), arg("azimuth"),
+      arg("azimuth_width"), arg("elevation_width"),
+      "The same of a plane Lambert wall across the acoustic axis at a distance [m], summed over all bins, without "
+      "absorption. Full angles [rad]; azimuth of the beam's middle within +-pi/2.");
+  add_formula(m, "volume_reverberation_intensity", &volume_reverberation_intensity, arg("volume_backscatter"),
+              arg("azimuth_width"), arg("elevation_width"), arg("bin_start"), arg("bin_end"),
+              arg("absorption_db_per_m") = 0.0,
+              "Volume reverberation in one bin: s_v width 2 sin(height/2) (1/r1 - 1/r2) without absorption. "
+              "volume_backscatter s_v [1/m], linear, >= 0.");
 }
 
 void add_targets(py::module_& m) {
   m.attr("FAR_FIELD") = kFarField;
-  m.def("target_strength_db", py::vectorize(target_strength_db), arg("cross_section"),
-        "10 log10 of a backscattering cross section [m^2].");
-  m.def("convex_cross_section", py::vectorize(convex_cross_section), arg("radius1"), arg("radius2"),
-        arg("range") = kFarField, "Specular highlight of a smooth convex body [m^2]. Urick (1983), table 9.1.");
-  m.def("sphere_cross_section", py::vectorize(sphere_cross_section), arg("radius"), arg("range") = kFarField,
-        "Rigid sphere [m^2]: a^2/4 in the far field.");
-  m.def("cylinder_cross_section", py::vectorize(cylinder_cross_section), arg("radius"), arg("length"),
-        arg("wavelength"), arg("range") = kFarField, "Rigid cylinder at broadside [m^2].");
-  m.def("plate_cross_section", py::vectorize(plate_cross_section), arg("width"), arg("height"), arg("wavelength"),
-        arg("range") = kFarField, "Rigid rectangular plate at normal incidence [m^2].");
-  m.def("lambert_sphere_cross_section", py::vectorize(lambert_sphere_cross_section), arg("mu"), arg("radius"),
-        "Sphere that scatters by Lambert's law [m^2]: 2 pi mu a^2/3.");
-  m.def("dihedral_cross_section", py::vectorize(dihedral_cross_section), arg("width"), arg("height"), arg("wavelength"),
-        "Corner of two plates along its axis [m^2].");
-  m.def("triangular_trihedral_cross_section", py::vectorize(triangular_trihedral_cross_section), arg("edge"),
-        arg("wavelength"), "Corner of three right triangles along its axis [m^2].");
-  m.def("square_trihedral_cross_section", py::vectorize(square_trihedral_cross_section), arg("edge"), arg("wavelength"),
-        "Corner of three squares along its axis [m^2].");
+  add_formula(m, "target_strength_db", &target_strength_db, arg("cross_section"),
+              "10 log10 of a backscattering cross section [m^2].");
+  add_formula(m, "convex_cross_section", &convex_cross_section, arg("radius1"), arg("radius2"),
+              arg("range") = kFarField, "Specular highlight of a smooth convex body [m^2]. Urick (1983), table 9.1.");
+  add_formula(m, "sphere_cross_section", &sphere_cross_section, arg("radius"), arg("range") = kFarField,
+              "Rigid sphere [m^2]: a^2/4 in the far field.");
+  add_formula(m, "cylinder_cross_section", &cylinder_cross_section, arg("radius"), arg("length"), arg("wavelength"),
+              arg("range") = kFarField, "Rigid cylinder at broadside [m^2].");
+  add_formula(m, "plate_cross_section", &plate_cross_section, arg("width"), arg("height"), arg("wavelength"),
+              arg("range") = kFarField, "Rigid rectangular plate at normal incidence [m^2].");
+  add_formula(m, "lambert_sphere_cross_section", &lambert_sphere_cross_section, arg("mu"), arg("radius"),
+              "Sphere that scatters by Lambert's law [m^2]: 2 pi mu a^2/3.");
+  add_formula(m, "dihedral_cross_section", &dihedral_cross_section, arg("width"), arg("height"), arg("wavelength"),
+              "Corner of two plates along its axis [m^2].");
+  add_formula(m, "triangular_trihedral_cross_section", &triangular_trihedral_cross_section, arg("edge"),
+              arg("wavelength"), "Corner of three right triangles along its axis [m^2].");
+  add_formula(m, "square_trihedral_cross_section", &square_trihedral_cross_section, arg("edge"), arg("wavelength"),
+              "Corner of three squares along its axis [m^2].");
 }
 
 // A Sediment, or the name of one.
@@ -193,11 +199,13 @@ void add_sediments(py::module_& m) {
 void add_surfaces(py::module_& m) {
   m.attr("GREATEST_LAMBERT_PARAMETER") = kGreatestLambertParameter;
   m.attr("REPORT_SOUND_SPEED") = kReportSoundSpeed;
-  m.def("lambert_scatter", py::vectorize(lambert_scatter), arg("mu"), arg("incidence_in"), arg("incidence_out"),
-        "Lambert's law between two directions, mu cos(in) cos(out), per unit area; angles from the normal [rad].");
-  m.def("facet_scatter", py::vectorize(facet_scatter), arg("reflection"), arg("rms_slope"), arg("half_tilt"),
-        "facet_backscatter() between two directions on the side of the normal, by the angle between the normal and the "
-        "vector halfway between them [rad], 0 to pi/2.");
+  add_formula(
+      m, "lambert_scatter", &lambert_scatter, arg("mu"), arg("incidence_in"), arg("incidence_out"),
+      "Lambert's law between two directions, mu cos(in) cos(out), per unit area; angles from the normal [rad].");
+  add_formula(
+      m, "facet_scatter", &facet_scatter, arg("reflection"), arg("rms_slope"), arg("half_tilt"),
+      "facet_backscatter() between two directions on the side of the normal, by the angle between the normal and the "
+      "vector halfway between them [rad], 0 to pi/2.");
   m.def(
       "half_vector_tilt",
       [](const py::object& normal, const py::object& towards_source, const py::object& towards_receiver) {
@@ -210,41 +218,45 @@ void add_surfaces(py::module_& m) {
       arg("normal"), arg("towards_source"), arg("towards_receiver"),
       "Angle between a surface's normal and the vector halfway between two directions away from it [rad]. Unit vectors "
       "of three numbers, not opposite to each other.");
-  m.def("lambert_backscatter", py::vectorize(lambert_backscatter), arg("mu"), arg("incidence"),
-        "mu cos^2(incidence), per unit area; incidence from the normal [rad].");
-  m.def("facet_backscatter", py::vectorize(facet_backscatter), arg("reflection"), arg("rms_slope"), arg("incidence"),
-        "Echo of facets with normally distributed slopes, per unit area. Beckmann and Spizzichino (1963), ch. 5.");
-  m.def("reflection_coefficient", py::vectorize(reflection_coefficient), arg("water_impedance"), arg("impedance"),
-        "Pressure reflection of a half-space at normal incidence; impedances [kg/(m^2 s)].");
-  m.def("plate_reflection", py::vectorize(plate_reflection), arg("water_impedance"), arg("density"), arg("sound_speed"),
-        arg("thickness"), arg("frequency"), "|R| of a lossless plate in water at normal incidence.");
-  m.def("bottom_reflection", py::vectorize(bottom_reflection), arg("density_ratio"), arg("sound_speed_ratio"),
-        arg("loss"), arg("grazing"),
-        "Complex R of an absorbing fluid bottom at a grazing angle [rad]. APL-UW TR 9407 (1994), section IV.");
+  add_formula(m, "lambert_backscatter", &lambert_backscatter, arg("mu"), arg("incidence"),
+              "mu cos^2(incidence), per unit area; incidence from the normal [rad].");
+  add_formula(
+      m, "facet_backscatter", &facet_backscatter, arg("reflection"), arg("rms_slope"), arg("incidence"),
+      "Echo of facets with normally distributed slopes, per unit area. Beckmann and Spizzichino (1963), ch. 5.");
+  add_formula(m, "reflection_coefficient", &reflection_coefficient, arg("water_impedance"), arg("impedance"),
+              "Pressure reflection of a half-space at normal incidence; impedances [kg/(m^2 s)].");
+  add_formula(m, "plate_reflection", &plate_reflection, arg("water_impedance"), arg("density"), arg("sound_speed"),
+              arg("thickness"), arg("frequency"), "|R| of a lossless plate in water at normal incidence.");
+  add_formula(m, "bottom_reflection", &bottom_reflection, arg("density_ratio"), arg("sound_speed_ratio"), arg("loss"),
+              arg("grazing"),
+              "Complex R of an absorbing fluid bottom at a grazing angle [rad]. APL-UW TR 9407 (1994), section IV.");
   m.def(
       "bottom_backscatter",
-      [](const py::object& given, const py::array_t<double>& grazing, const py::array_t<double>& frequency,
-         const py::array_t<double>& sound_speed) {
+      [](const py::object& given, const Numbers& grazing, const Numbers& frequency, const Numbers& sound_speed) {
         const Sediment& sediment = sediment_from(given);
+        const std::array<std::string, 3> names = {"grazing", "frequency", "sound_speed"};
+        const std::array<py::array_t<double>, 3> arrays = {
+            array_from(grazing, names[0]), array_from(frequency, names[1]), array_from(sound_speed, names[2])};
+        check_shapes(arrays.data(), names.data(), arrays.size());
         return py::vectorize([&sediment](double angle, double f, double speed) {
           return bottom_backscatter(sediment, angle, f, speed);
-        })(grazing, frequency, sound_speed);
+        })(arrays[0], arrays[1], arrays[2]);
       },
       arg("sediment"), arg("grazing"), arg("frequency"), arg("sound_speed") = kReportSoundSpeed,
       "Backscattering cross section of the bottom per unit area, of a Sediment or the name of one. grazing [rad] to "
       "pi/2; frequency [Hz], 10e3 to 100e3; sound_speed of the water above [m/s], 1400 to 1600. APL-UW TR 9407 (1994), "
       "IV.C: accurate to 3 dB on sand and silt that were measured, to 10 dB on rock.");
-  m.def("sea_surface_backscatter", py::vectorize(sea_surface_backscatter), arg("grazing"), arg("frequency"),
-        arg("wind_speed"), "Of the rough sea surface from below, per unit area. APL-UW TR 9407 (1994), II.B.");
-  m.def("surface_bubble_loss_db", py::vectorize(surface_bubble_loss_db), arg("grazing"), arg("frequency"),
-        arg("wind_speed"), "Loss in the bubble layer, to the surface and back [dB].");
-  m.def("sea_surface_reflection", py::vectorize(sea_surface_reflection), arg("grazing"), arg("frequency"),
-        arg("wind_speed"), "|R| of the rough surface for all energy about the specular direction.");
-  m.def("coherent_reflection", py::vectorize(coherent_reflection), arg("rms_height"), arg("wavelength"), arg("grazing"),
-        "Coherent reflection of a rough surface relative to a smooth one, exp(-2 k^2 h^2 sin^2).");
-  m.def("chapman_harris_db", py::vectorize(chapman_harris_db), arg("grazing"), arg("frequency"), arg("wind_speed"),
-        "Surface scattering strength [dB] of Chapman and Harris (1962), 400 to 6400 Hz; for comparison only. "
-        "wind_speed [m/s] > 0.");
+  add_formula(m, "sea_surface_backscatter", &sea_surface_backscatter, arg("grazing"), arg("frequency"),
+              arg("wind_speed"), "Of the rough sea surface from below, per unit area. APL-UW TR 9407 (1994), II.B.");
+  add_formula(m, "surface_bubble_loss_db", &surface_bubble_loss_db, arg("grazing"), arg("frequency"), arg("wind_speed"),
+              "Loss in the bubble layer, to the surface and back [dB].");
+  add_formula(m, "sea_surface_reflection", &sea_surface_reflection, arg("grazing"), arg("frequency"), arg("wind_speed"),
+              "|R| of the rough surface for all energy about the specular direction.");
+  add_formula(m, "coherent_reflection", &coherent_reflection, arg("rms_height"), arg("wavelength"), arg("grazing"),
+              "Coherent reflection of a rough surface relative to a smooth one, exp(-2 k^2 h^2 sin^2).");
+  add_formula(m, "chapman_harris_db", &chapman_harris_db, arg("grazing"), arg("frequency"), arg("wind_speed"),
+              "Surface scattering strength [dB] of Chapman and Harris (1962), 400 to 6400 Hz; for comparison only. "
+              "wind_speed [m/s] > 0.");
 }
 
 }  // namespace

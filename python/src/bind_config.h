@@ -62,10 +62,20 @@ void check_value(const Field& field, const Member& member) {
 
 /// Sets fields by keyword.
 /// @throws TypeError for one that is not there.
+/// @throws Error for an angle that is given by both of its names.
 inline void set_fields(const py::object& config, const py::dict& given) {
+  const py::object property = py::module_::import("builtins").attr("property");
   for (const auto& [key, value] : given) {
-    if (!py::hasattr(config, key)) {
-      throw py::type_error(type_of(config) + " has no field " + shown(key));
+    const py::object type = py::type::of(config);
+    // Methods such as copy are no fields.
+    if (!py::hasattr(type, key) || !py::isinstance(type.attr("__dict__").attr("get")(key), property)) {
+      const bool is_preset = py::hasattr(type, "preset") && key.equal(py::str("preset"));
+      throw py::type_error(type_of(config) + " has no field " + shown(key) +
+                           (is_preset ? "; SonarConfig.preset(name, **fields) makes the sonar of a preset" : ""));
+    }
+    if (const py::str in_degrees(key.cast<std::string>() + "_deg"); given.contains(in_degrees)) {
+      throw Error("", key.cast<std::string>(),
+                  " is given twice: in radians, and in degrees as " + in_degrees.cast<std::string>());
     }
     py::setattr(config, key, value);
   }
@@ -94,7 +104,7 @@ class ConfigClass {
     }
     class_.def(
         "copy", [](const Held<Config>& self) { return wrap(unwrap<Config>(py::cast(&self), "self")); },
-        "A copy, with copies of its parts.");
+        "A copy that can be changed, with copies of its parts.");
     class_.def("__copy__", [](const Held<Config>& self) { return wrap(unwrap<Config>(py::cast(&self), "self")); });
     class_.def("__deepcopy__",
                [](const Held<Config>& self, const py::dict&) { return wrap(unwrap<Config>(py::cast(&self), "self")); });
@@ -119,17 +129,31 @@ class ConfigClass {
     });
   }
 
+  static void check_thawed(const Held<Config>& self, const char* owner, const std::string& name) {
+    if (self.frozen != nullptr) {
+      throw py::attribute_error(fmt::format("{}.{} cannot be set: {}", owner, name, self.frozen));
+    }
+  }
+
   void add_property(const std::string& name, const std::string& help, int index, double scale) {
     const auto get = [index, scale](const Held<Config>& self) {
       py::object value;
       at(self.value, index, [&](const Field&, const auto& member) { value = to_python(member, scale); });
       return value;
     };
-    const auto set = [index, scale, name](Held<Config>& self, const py::object& value) {
+    const auto set = [index, scale, name, owner = name_](Held<Config>& self, const py::object& value) {
+      check_thawed(self, owner, name);
       at(self.value, index, [&](const Field& field, auto& member) {
         auto found = member;
         from_python(value, name, scale, found);
         check_value(field, found);
+        if constexpr (std::is_same_v<Config, SonarConfig> && std::is_same_v<decltype(found), std::string>) {
+          if (field.name == "name") {
+            SonarConfig named;
+            named.name = found;
+            named.validate();
+          }
+        }
         member = found;
         forget_text(self.value);
       });
@@ -151,7 +175,8 @@ class ConfigClass {
   void add_part(const Part& part) {
     const std::string name(part.name);
     const auto get = [name](const Held<Config>& self) { return self.parts.at(name); };
-    const auto set = [name](Held<Config>& self, const py::object& value) {
+    const auto set = [name, owner = name_](Held<Config>& self, const py::object& value) {
+      check_thawed(self, owner, name);
       Config trial{};
       Config::visit_parts(trial, [&](const Part& one, auto& member) {
         if (one.name == name) {
@@ -176,7 +201,7 @@ class ConfigClass {
     Config::visit_fields(self.value, [&](const Field&, const auto& member) { fields.append(to_python(member, 1)); });
     py::dict parts;
     for (const auto& [name, part] : self.parts) {
-      parts[py::str(name)] = part;
+      parts[py::str(name)] = thawed(part);
     }
     py::tuple rest;
     if constexpr (std::is_same_v<Config, Material>) {
@@ -187,7 +212,8 @@ class ConfigClass {
     return py::make_tuple(fields, parts, rest);
   }
 
-  // Of the same class, with fields and parts of the same values; the text of a scenario's file may be another.
+  // Whether both are of the same class, with fields and parts of the same values; the text of a scenario's file may be
+  // another.
   static bool equals(const Held<Config>& self, const Held<Config>& other) {
     bool same = true;
     int index = 0;
@@ -202,7 +228,7 @@ class ConfigClass {
       same = same && self.value.name == other.value.name && self.value.source == other.value.source;
     }
     for (const auto& [name, part] : self.parts) {
-      same = same && part.equal(other.parts.at(name));
+      same = same && thawed(part).equal(thawed(other.parts.at(name)));
     }
     return same;
   }
@@ -247,7 +273,7 @@ class ConfigClass {
     for (const auto& [name, part] : self.parts) {
       if (!part.is_none() && !(py::hasattr(part, "__len__") && py::len(part) == 0)) {
         text += (text.empty() ? "" : ", ") + name + "=" +
-                (py::isinstance<py::list>(part) ? "[" + std::to_string(py::len(part)) + "]" : "...");
+                (py::isinstance<py::list>(thawed(part)) ? "[" + std::to_string(py::len(part)) + "]" : "...");
       }
     }
     return "(" + text + ")";

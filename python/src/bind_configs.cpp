@@ -9,6 +9,7 @@
 #include "insonify/describe.h"
 #include "insonify/files.h"
 #include "insonify/scenario.h"
+#include "plain_values.h"
 
 namespace insonify::python {
 namespace {
@@ -149,7 +150,7 @@ void bind_configs(py::module_& module) {
       "from_dict",
       [](const py::dict& dict, const py::object& folder) {
         // JSON is YAML, except that its words are in quotes: a world "none" would be a file of that name.
-        py::dict rest = dict.attr("copy")();
+        py::dict rest = plain_value(dict, "");
         const bool no_world = rest.contains("world") &&
                               (py::object(rest["world"]).is_none() || py::object(rest["world"]).equal(py::str("none")));
         if (no_world) {
@@ -161,7 +162,9 @@ void bind_configs(py::module_& module) {
         }
         return parse_wrapped(text, folder, py::tuple());
       },
-      py::arg("dict"), py::arg("folder") = "", "Reads a scenario from nested dicts and lists, with the keys of files.");
+      py::arg("dict"), py::arg("folder") = "",
+      "Reads a scenario from nested dicts and lists, with the keys of files. Values may be NumPy's scalars and arrays, "
+      "tuples and paths (pathlib). Raises Error with the key of a value that is something else.");
   module.def("preset_names", &preset_names, "Names of all presets, those of INSONIFY_PRESETS included.");
   module.def(
       "load_trajectory",

@@ -35,6 +35,9 @@ std::vector<RecordingPart> recording_parts(const py::object& given) {
 }
 
 void take_levels(py::handle value, ExportOptions& options) {
+  if (value.is_none()) {
+    return;
+  }
   std::vector<double> levels;
   from_python(value, "levels", 1, levels);
   if (levels.size() != 2 || !(levels[0] < levels[1])) {
@@ -42,6 +45,21 @@ void take_levels(py::handle value, ExportOptions& options) {
   }
   options.messages.low_db = options.video.low_db = levels[0];
   options.messages.high_db = options.video.high_db = levels[1];
+}
+
+// Text, or a datetime with its time zone.
+void take_start(const py::object& value, ExportOptions& options) {
+  options.messages.start_ns.reset();
+  if (value.is_none()) {
+    return;
+  }
+  std::string text;
+  from_python(py::hasattr(value, "isoformat") ? py::object(value.attr("isoformat")()) : value, "start", 1, text);
+  try {
+    options.messages.start_ns = start_from_text(text);
+  } catch (const Error& error) {
+    throw Error("", "start", std::string(" = ") + error.what());
+  }
 }
 
 void take_option(const std::string& name, py::handle value, ExportOptions& options) {
@@ -52,11 +70,13 @@ void take_option(const std::string& name, py::handle value, ExportOptions& optio
     from_python(value, name, 1, options.compress);
   } else if (name == "levels") {
     take_levels(value, options);
+  } else if (name == "start") {
+    take_start(py::reinterpret_borrow<py::object>(value), options);
   } else if (name == "rate") {
     from_python(value, name, 1, options.video.rate);
   } else if (name == "height") {
     from_python(value, name, 1, options.video.height);
-  } else if (name == "colour_map") {
+  } else if (name == "colour_map" || name == "color_map") {
     std::string word;
     from_python(value, name, 1, word);
     options.messages.colour_map = options.video.colour_map = colour_map_from_name(word);
@@ -82,10 +102,19 @@ void export_all(const py::object& recordings, const py::object& file, const py::
   const std::filesystem::path to = path_from(file, "file");
   std::atomic<bool> stop = false;
   ExportOptions options;
+  if (given.contains("colour_map") && given.contains("color_map")) {
+    throw Error("", "colour_map", " is given twice: color_map is the same");
+  }
   for (const auto& [name, value] : given) {
     take_option(name.cast<std::string>(), value, options);
   }
   options.stop = &stop;
+  std::vector<std::string> warnings;
+  options.log = [&](Severity severity, const std::string& message) {
+    if (severity == Severity::kWarning) {
+      warnings.push_back(message + "; levels=(low, high) changes that");
+    }
+  };
   // In a thread of its own, so that this one can look for Control-C.
   std::future<void> done;
   {
@@ -102,6 +131,9 @@ void export_all(const py::object& recordings, const py::object& file, const py::
     }
   }
   done.get();
+  for (const std::string& text : warnings) {  // In this thread: where warnings are errors, one of them is raised here.
+    warnings_log()(Severity::kWarning, text);
+  }
 }
 
 }  // namespace
@@ -117,8 +149,12 @@ void bind_export(py::module_& module) {
       "there). compress (True), of .npz. levels (low, high) in dB as on the colour bar, of videos, .mcap and .bag; "
       "None "
       "fits. "
-      "colour_map. annotations. rate, pictures a second, and height in pixels, 240 to 8192, of videos. bits (8 or 16), "
-      "strong_share, fan_height in pixels and world_frame, of .mcap and .bag.\n\n"
+      "colour_map (or color_map). annotations. rate, pictures a second, and height in pixels, 240 to 8192, of videos. "
+      "bits (8 or 16), "
+      "strong_share, fan_height in pixels, fan_rate (fan pictures a second at most, 0 for none; 2 for scanning sonars "
+      "unless given), world_frame and start (the run's time 0, \"2026-06-01T10:00:00Z\" or a datetime with its time "
+      "zone), of .mcap and .bag.\n\n"
+      "Warns (insonify.Warning) of values above the highest level of .mcap and .bag, which are cut there. "
       "Raises Error with the path for another ending, several sonars in a video, a file that is there, a full disk, "
       "and "
       "where a video is asked for and ffmpeg is not installed; KeyboardInterrupt on Control-C, nothing is left then.");

@@ -9,6 +9,8 @@
 #include "convert.h"
 #include "insonify/files.h"
 #include "insonify/picture.h"
+#include "insonify/printable.h"
+#include "keywords.h"
 
 namespace insonify::python {
 namespace {
@@ -21,9 +23,9 @@ py::array_t<std::uint8_t> array_of(const Picture& picture) {
 
 struct Looks {
   py::object levels;
-  std::string colour_map, scale;
-  int height;
-  bool annotations;
+  std::string colour_map, scale = {};
+  int height = 720;
+  bool annotations = true;
 };
 
 // The ping and the display with which `insonify run` draws it.
@@ -71,22 +73,30 @@ py::tuple usually_shown(const PythonPing& ping) {
 
 void add_drawing(py::module_& module, const char* name,
                  Picture (*draw)(const Ping&, const SonarConfig&, const Display&), const char* what) {
-  const std::string help = std::string(what) +
-                           "\n\nReturns an array uint8 [height, width, 3]. levels: colour range (low, high) in dB as "
-                           "on the colour bar, None for what "
-                           "fits this ping; for a film give the same to all. colour_map: inferno, copper, grey or "
-                           "blue. scale: linear or db; None: db "
-                           "in the calibrated model, in which intensities are raised by 30 dB per decade of range.";
+  const std::string help =
+      std::string(what) +
+      "\n\nReturns an array uint8 [height, width, 3]. levels: colour range (low, high) in dB as "
+      "on the colour bar, None for what "
+      "fits this ping; for a film give the same to all. colour_map, or color_map: inferno (which None stands "
+      "for), copper, grey or blue. scale: linear or db; None: db "
+      "in the calibrated model, in which intensities are raised by 30 dB per decade of range.";
   module.def(
       name,
-      [draw](const py::object& ping, const py::object& levels, const std::string& colour_map, const py::object& scale,
-             int height, bool annotations) {
-        return array_of(
-            drawn(ping_from(ping),
-                  {levels, colour_map, scale.is_none() ? "" : scale.cast<std::string>(), height, annotations}, draw));
+      [name, draw](const py::object& ping, const py::object& levels, const py::object& colour_map,
+                   const py::object& scale, const py::object& height, const py::object& annotations,
+                   const py::object& color_map, const py::kwargs& others) {
+        refuse_others(name, others, "ping, levels, colour_map (or color_map), scale, height and annotations");
+        Looks looks{.levels = levels, .colour_map = colour_map_name(colour_map, color_map)};
+        if (!scale.is_none()) {
+          from_python(scale, "scale", 1, looks.scale);
+        }
+        from_python(height, "height", 1, looks.height);
+        from_python(annotations, "annotations", 1, looks.annotations);
+        return array_of(drawn(ping_from(ping), looks, draw));
       },
-      py::arg("ping"), py::arg("levels") = py::none(), py::arg("colour_map") = "inferno", py::arg("scale") = py::none(),
-      py::arg("height") = 720, py::arg("annotations") = true, help.c_str());
+      py::arg("ping"), py::arg("levels") = py::none(), py::arg("colour_map") = py::none(),
+      py::arg("scale") = py::none(), py::arg("height") = 720, py::arg("annotations") = true, py::kw_only(),
+      py::arg("color_map") = py::none(), help.c_str());
 }
 
 }  // namespace
@@ -107,11 +117,19 @@ void bind_pictures(py::module_& module) {
         if (rgb.ndim() != 3 || rgb.shape(2) != 3) {
           throw Error("", "rgb", " must be an array uint8 [height, width, 3]");
         }
+        const std::filesystem::path file = path_from(path, "path");
+        std::string ending = file.extension().string();
+        std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return std::tolower(c); });
+        if (ending != ".png") {
+          throw Error("", "path", fmt::format(" = {} must end in .png", printable(file.string())));
+        }
         Picture picture{static_cast<int>(rgb.shape(1)), static_cast<int>(rgb.shape(0)), {}};
         picture.rgb.assign(rgb.data(), rgb.data() + rgb.size());
-        write_png(path_from(path, "path"), picture);
+        write_png(file, picture);
       },
-      py::arg("path"), py::arg("rgb"), "Writes a picture, an array uint8 [height, width, 3].");
+      py::arg("path"), py::arg("rgb"),
+      "Writes a picture, an array uint8 [height, width, 3], to a file whose name ends "
+      "in .png.");
 }
 
 }  // namespace insonify::python

@@ -46,6 +46,43 @@ void add_table(PingClass& ping, const char* name, std::vector<Value> Ping::*memb
       help);
 }
 
+// For pickle and copy: all that the ping holds, with the tables of a recorded one that were not read yet.
+py::tuple pickled_ping(const py::object& self) {
+  const auto& ping = self.cast<const PythonPing&>();
+  py::dict tables;
+  visit_tables([&](const char* name, auto, const char*) {
+    if (const py::object values = self.attr(name); !values.is_none()) {
+      tables[name] = values;
+    }
+  });
+  return py::make_tuple(ping.number, ping.time, ping.world_from_sonar, ping.head_angle, ping.bin_count, ping.beam_count,
+                        tables, wrap(ping.facts->sonar), std::string(word_of(ping.facts->model)),
+                        wrap(ping.facts->receiver));
+}
+
+std::shared_ptr<PythonPing> unpickled_ping(const py::tuple& state) {
+  auto ping = std::make_shared<PythonPing>();
+  ping->number = state[0].cast<std::uint64_t>();
+  ping->time = state[1].cast<double>();
+  ping->world_from_sonar = state[2].cast<Pose>();
+  ping->head_angle = state[3].cast<double>();
+  ping->bin_count = state[4].cast<int>();
+  ping->beam_count = state[5].cast<int>();
+  const py::dict tables = state[6];
+  visit_tables([&](const char* name, auto member, const char*) {
+    using Value = ValueOf<decltype(member)>;
+    if (tables.contains(name)) {
+      const py::array_t<Value, py::array::c_style> values(tables[name]);
+      ((*ping).*member).assign(values.data(), values.data() + values.size());
+    }
+  });
+  SonarFacts facts{.sonar = unwrap<SonarConfig>(state[7], "sonar"),
+                   .receiver = unwrap<ReceiverConfig>(state[9], "receiver")};
+  from_python(state[8], "model", 1, facts.model);
+  ping->facts = std::make_shared<SonarFacts>(std::move(facts));
+  return ping;
+}
+
 }  // namespace
 
 const PythonPing& ping_from(const py::object& given) {
@@ -69,8 +106,8 @@ void bind_ping(py::module_& module) {
           "shape", [](const PythonPing& self) { return py::make_tuple(self.bin_count, self.beam_count); },
           "(bins, beams).")
       .def_property_readonly(
-          "sonar", [](const PythonPing& self) { return wrap(self.facts->sonar); },
-          "Settings of its sonar, a SonarConfig.")
+          "sonar", [](const PythonPing& self) { return wrap(self.facts->sonar, kPingsSonar); },
+          "Settings of its sonar, a SonarConfig that cannot be changed; its copy() can.")
       .def_property_readonly(
           "model", [](const PythonPing& self) { return std::string(word_of(self.facts->model)); },
           "Model of the echo: calibrated or paper.");
@@ -84,12 +121,15 @@ void bind_ping(py::module_& module) {
       [](const py::object& self, const py::args& args, const py::kwargs& options) {
         return py::module_::import("insonify._plot").attr("plot")(self, *args, **options);
       },
-      "plot(kind='fan', levels=None, ax=None, colour_map='inferno')\n\nDraws the ping with matplotlib. Returns the "
+      "plot(kind='fan', levels=None, ax=None, colour_map=None, *, color_map=None)\n\nDraws the ping with matplotlib. "
+      "Returns the "
       "axes.\n\nkind: \"fan\", in metres, or \"polar\", azimuth [deg] and range [m]. levels: colour range (low, high) "
       "in "
       "dB as on the colour bar; None for what fits this ping, as in insonify.fan(). ax: axes to draw in; None for a "
       "new "
-      "figure. colour_map: a name that matplotlib knows.\n\nRaises ImportError where there is no matplotlib.");
+      "figure. colour_map, or color_map: a name that matplotlib knows; None for inferno.\n\nRaises ImportError where "
+      "there is no matplotlib.");
+  ping.def(py::pickle(&pickled_ping, &unpickled_ping));
   ping.def("__repr__", [](const PythonPing& self) {
     return fmt::format("<Ping {} at {:.6g} s, {} x {}>", self.number, self.time, counted(self.bin_count, "bin"),
                        counted(self.beam_count, "beam"));

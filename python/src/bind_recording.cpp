@@ -1,4 +1,4 @@
-// bind_recording.cpp -- insonify.Recording writes, insonify.RecordedPings reads.
+// bind_recording.cpp -- insonify.RecordedPings, which reads recordings.
 
 #include <fmt/format.h>
 #include <pybind11/numpy.h>
@@ -175,92 +175,9 @@ void add_axes(RecordedClass& recorded) {
           "Names by the index that `material` has.");
 }
 
-// A recording that is being made, and what its pings must be of.
-struct RecordingInPython {
-  std::unique_ptr<Recording> file;
-  std::shared_ptr<const SonarFacts> facts;
-  bool replace = false;
-
-  [[nodiscard]] Recording& open() const {
-    if (file == nullptr) {
-      throw Error("the recording is closed");
-    }
-    return *file;
-  }
-
-  void add(const PythonPing& ping) {
-    if (ping.facts != facts) {
-      const auto text = [](const SonarFacts& of) {
-        Scenario one;
-        one.model = of.model;
-        one.receiver = of.receiver;
-        one.sonars = {of.sonar};
-        return to_yaml(one);
-      };
-      if (ping.facts == nullptr || text(*ping.facts) != text(*facts)) {
-        throw Error(
-            fmt::format("{}: ping {} was made with other settings than its own; they need a recording of their own",
-                        open().place().string(), ping.number));
-      }
-    }
-    open().add(ping);
-  }
-
-  // A file that was to replace another one stays beside it when its pings could not all be made.
-  void end(bool failed) {
-    if (file != nullptr && !(failed && replace)) {
-      file->close();
-    }
-    file.reset();
-  }
-};
-
-std::unique_ptr<RecordingInPython> start_recording(const py::object& given, PythonSimulator& simulator,
-                                                   const py::object& sonar_, bool compress, bool replace) {
-  const std::filesystem::path path = path_from(given, "path");
-  if (path.extension() != ".h5" && path.extension() != ".hdf5") {
-    throw Error(
-        "", "path",
-        fmt::format(" = {} must end in .h5 or .hdf5: a Recording is HDF5; insonify.export() writes other formats "
-                    "of it",
-                    path.string()));
-  }
-  const int sonar = simulator.sonar(sonar_);
-  return std::make_unique<RecordingInPython>(
-      RecordingInPython{simulator.recording(path, sonar, {.compress = compress, .replace = replace}),
-                        simulator.known().facts[sonar], replace});
-}
-
-void add_writer(py::module_& module) {
-  py::class_<RecordingInPython>(
-      module, "Recording",
-      "Writes one sonar's pings to an HDF5 file, ping by ping; whole at any moment.\n\n"
-      "path: the file. simulator, sonar: whose pings they are. compress: by HDF5's own filters. replace: whether "
-      "it may take the place of a file that is there. Raises Error when it cannot be made. Use it in a `with`.")
-      .def(py::init(&start_recording), py::arg("path"), py::arg("simulator"), py::arg("sonar") = 0, py::kw_only(),
-           py::arg("compress") = false, py::arg("replace") = false)
-      .def(
-          "add", [](RecordingInPython& self, const py::object& ping) { self.add(ping_from(ping)); }, py::arg("ping"),
-          "Raises Error for a ping made with other settings, and when the disk is full; what was written before stays "
-          "readable.")
-      .def(
-          "close", [](RecordingInPython& self) { self.end(false); },
-          "Puts everything on the disk, and the file in the place of an earlier one. At the end of a `with` that "
-          "failed "
-          "the earlier one stays, and the new one beside it.")
-      .def_property_readonly(
-          "place", [](const RecordingInPython& self) { return self.open().place().string(); },
-          "Where the file is now: beside `path` until it replaces an earlier one.")
-      .def("__enter__", [](const py::object& self) { return self; })
-      .def("__exit__", [](RecordingInPython& self, const py::object& type, const py::object&, const py::object&) {
-        self.end(!type.is_none());
-      });
-}
-
 }  // namespace
 
 void bind_recording(py::module_& module) {
-  add_writer(module);
   RecordedClass recorded(
       module, "RecordedPings",
       "A recording's pings, read when they are asked for: rec[3], len(rec), `for ping in rec`.\n\n"
@@ -292,10 +209,29 @@ void bind_recording(py::module_& module) {
           },
           "(pings, bins, beams).")
       .def_property_readonly(
-          "sonar", [](PythonRecording& self) { return wrap(self.known()->sonar); }, "Settings of its sonar.")
+          "sonar", [](PythonRecording& self) { return wrap(self.known()->sonar, kPingsSonar); },
+          "Settings of its sonar, a SonarConfig that cannot be changed; its copy() can.")
       .def_property_readonly(
           "model", [](const PythonRecording& self) { return self.pings.model(); },
           "calibrated or paper; \"\" where the file does not say.")
+      .def_property_readonly(
+          "state", [](const PythonRecording& self) { return state_word(self.state); },
+          "How it ended, as it was when it was opened: \"whole\"; \"growing\" while a run writes it; \"unfinished\" "
+          "where "
+          "that run was killed; \"disk_full\" where it ends early because the disk was full.")
+      .def("_unfinished_text",
+           [](const PythonRecording& self) {
+             const bool ends_early =
+                 self.state == RecordingState::kUnfinished || self.state == RecordingState::kDiskFull;
+             return ends_early ? unfinished_text(self.path, recording_info(self.path)) : std::string();
+           })
+      .def(py::pickle(
+          [](const PythonRecording& self) {
+            return py::make_tuple(std::filesystem::absolute(self.path).string(), self.pings.sonar());
+          },
+          [](const py::tuple& state) {
+            return std::make_shared<PythonRecording>(path_from(state[0], "path"), state[1].cast<std::string>());
+          }))
       .def("__repr__", [](const PythonRecording& self) {
         return fmt::format("<RecordedPings of {}: {} of {} x {}>", self.pings.sonar(),
                            counted(self.ping_count(), "ping"), counted(self.pings.bin_count(), "bin"),

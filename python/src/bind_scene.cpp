@@ -28,7 +28,14 @@ void take_vertices(const Floats& vertices, Mesh& mesh) {
 void take_faces(const py::object& given, Mesh& mesh) {
   const py::array array = py::module_::import("numpy").attr("asarray")(given);
   const bool is_whole = array.dtype().kind() == 'i' || array.dtype().kind() == 'u';
-  const auto faces = is_whole ? Indices::ensure(array) : Indices();
+  // Indices of 64 bits without a sign are beyond any mesh where they do not fit.
+  const bool is_wide = array.dtype().kind() == 'u' && array.itemsize() == 8;
+  const py::object signed_array = is_wide
+                                      ? py::module_::import("numpy")
+                                            .attr("minimum")(array, py::int_(std::numeric_limits<std::int64_t>::max()))
+                                            .attr("astype")("int64")
+                                      : py::object(array);
+  const auto faces = is_whole ? Indices::ensure(signed_array) : Indices();
   if (!faces || faces.ndim() != 2 || faces.shape(1) != 3) {
     PyErr_Clear();
     throw Error("", "faces", " must be an array [n, 3] of whole numbers");
@@ -83,7 +90,7 @@ void add(Scene& scene, const std::string& name, const Floats& vertices, const py
   if (const std::string text = report.dropped() > 0 ? report.text() : ""; !text.empty()) {
     warnings_log()(Severity::kWarning, name + ": " + text);
   }
-  Instance instance{.name = name, .mesh = mesh};
+  Instance instance{.name = name, .mesh = mesh, .names_resolve = true};
   if (!pose.is_none()) {
     instance.world_from_mesh = pose_from(pose, "pose");
   }
@@ -124,7 +131,7 @@ void bind_scene(py::module_& module) {
            "material or of one of the scenario's `materials`, or a list of names, one for each face. pose: where the "
            "mesh is, "
            "as of Simulator.ping(). Raises Error for a name that is there, and for what is no mesh; warns of dropped "
-           "faces.")
+           "faces. A material that nobody knows is an Error of the Simulator that is made with the scene.")
       .def_property_readonly(
           "instance_names", [](const Scene& self) { return names_of(self.instances); },
           "Names by the index that Ping.instance has.")
@@ -176,6 +183,11 @@ void bind_scene(py::module_& module) {
       .def("__repr__", [](const Scene& self) {
         return fmt::format("<Scene of {}, {}>", counted(self.instances.size(), "instance"),
                            counted(self.triangle_count(), "triangle"));
+      });
+  py::class_<SimulatorsScene, Scene>(module, "_SimulatorsScene", "A copy of a simulator's scene.")
+      .def("add", [](const py::object&, const py::args&, const py::kwargs&) {
+        throw py::attribute_error(
+            "this is a copy of a simulator's scene; Simulator.add() adds objects to the simulator's");
       });
 }
 

@@ -7,6 +7,7 @@
 #include "bind.h"
 #include "held.h"
 #include "insonify/files.h"
+#include "keywords.h"
 #include "ping_tables.h"
 #include "python_simulator.h"
 
@@ -105,7 +106,8 @@ PythonSimulator::Asked asked_from(const py::object& pose) {
 
 std::shared_ptr<PythonPing> ping(PythonSimulator& self, const py::object& sonar_, const py::object& pose,
                                  const py::object& time, const py::object& number, const py::object& twist,
-                                 const py::object& moved, const py::object& head_angle) {
+                                 const py::object& moved, const py::object& head_angle, const py::kwargs& others) {
+  refuse_others("ping", others, "sonar, pose, time, number, twist, moved and head_angle");
   PythonSimulator::Asked asked = asked_from(pose);
   const auto set = [&](const char* name, py::object& member, const py::object& value) {
     if (!value.is_none() && !member.is_none()) {
@@ -134,6 +136,11 @@ void add_request(py::module_& module) {
                        const py::object& head_angle) { return Asked{pose, time, number, twist, moved, head_angle}; }),
            py::arg("pose") = py::none(), py::arg("time") = py::none(), py::arg("number") = py::none(), py::kw_only(),
            py::arg("twist") = py::none(), py::arg("moved") = py::none(), py::arg("head_angle") = py::none())
+      .def(py::pickle(
+          [](const Asked& self) {
+            return py::make_tuple(self.pose, self.time, self.number, self.twist, self.moved, self.head_angle);
+          },
+          [](const py::tuple& state) { return Asked{state[0], state[1], state[2], state[3], state[4], state[5]}; }))
       .def_readwrite("pose", &Asked::pose, "Of the vehicle in the world; None: the scenario's.")
       .def_readwrite("time", &Asked::time, "Of transmission [s].")
       .def_readwrite("number", &Asked::number, "With the seed decides the random numbers; the step of a head.")
@@ -142,24 +149,81 @@ void add_request(py::module_& module) {
       .def_readwrite("head_angle", &Asked::head_angle, "Of a scanning head [rad].");
 }
 
-py::dict batch(PythonSimulator& self, const py::object& sonar_, const py::object& poses, const py::object& times) {
-  const int sonar = self.sonar(sonar_);
-  if (py::isinstance<py::str>(poses) || PySequence_Check(poses.ptr()) == 0 || py::len(poses) == 0) {
-    throw Error("", "poses", " must be a list of poses, at least one, or an array [n, 4, 4]");
+// The poses of ping_batch() as something with a length and items.
+py::object pose_items(const py::object& poses) {
+  constexpr const char* kExpected =
+      " must be a list of poses, at least one, an array [n, 4, 4] or [n, 7], or a tuple of arrays [n, 3] and [n, 4]";
+  const auto has_columns = [](const py::object& one, py::ssize_t columns) {
+    return py::isinstance<py::array>(one) && one.cast<py::array>().ndim() == 2 &&
+           one.cast<py::array>().shape(1) == columns;
+  };
+  py::object items = poses;
+  if (py::isinstance<py::array>(poses)) {
+    const auto array = poses.cast<py::array>();
+    const bool fits = (array.ndim() == 3 && array.shape(1) == 4 && array.shape(2) == 4) || has_columns(poses, 7) ||
+                      (array.ndim() == 1 && array.dtype().kind() == 'O');
+    if (!fits) {
+      throw Error("", "poses", fmt::format("{}, not one {}", kExpected, shown(poses.attr("shape"))));
+    }
+  } else if (py::isinstance<py::tuple>(poses) && py::len(poses) == 2 && has_columns(poses[py::int_(0)], 3) &&
+             has_columns(poses[py::int_(1)], 4)) {
+    const std::size_t positions = py::len(poses[py::int_(0)]), quaternions = py::len(poses[py::int_(1)]);
+    if (positions != quaternions) {
+      throw Error("", "poses", fmt::format(" has {} positions and {} quaternions", positions, quaternions));
+    }
+    items = py::module_::import("numpy").attr("hstack")(poses);
+  } else if (py::isinstance<py::str>(poses) || py::isinstance<py::dict>(poses)) {
+    throw Error("", "poses", kExpected);
+  } else if (PySequence_Check(poses.ptr()) == 0) {
+    if (!py::hasattr(poses, "__iter__")) {
+      throw Error("", "poses", kExpected);
+    }
+    items = py::list(poses);  // A generator; it may raise errors of its own.
   }
+  if (py::len(items) == 0) {
+    throw Error("", "poses", kExpected);
+  }
+  return items;
+}
+
+// The same error with the index of the pose that it is about.
+[[noreturn]] void throw_with_index(const Error& error, std::size_t index, bool is_request) {
+  const std::string owner = fmt::format("poses[{}]", index);
+  const std::string name = member_name(error.object(), error.field()), text = error.what();
+  if (name.empty() || !text.starts_with(name)) {
+    throw Error(owner + ": " + text);
+  }
+  const std::string rest = text.substr(name.size());
+  const bool of_pose = name == "pose" || name.starts_with("world_from_vehicle");
+  throw of_pose ? Error("", owner + (is_request ? ".pose" : ""),
+                        name == "pose" ? rest : name.substr(name.find_last_of('.')) + rest)
+                : Error(owner, name, rest);
+}
+
+py::dict batch(PythonSimulator& self, const py::object& sonar_, const py::object& given, const py::object& times) {
+  const int sonar = self.sonar(sonar_);
+  const py::object poses = pose_items(given);
   if (!times.is_none() && (PySequence_Check(times.ptr()) == 0 || py::len(times) != py::len(poses))) {
     throw Error("", "times", fmt::format(" must be a list of {} numbers, one for each pose", py::len(poses)));
   }
   std::vector<PingRequest> requests;
   for (std::size_t i = 0; i < py::len(poses); ++i) {
-    PythonSimulator::Asked asked = asked_from(poses[py::int_(i)]);
+    const py::object pose = poses[py::int_(i)];
+    PythonSimulator::Asked asked = asked_from(pose);
     if (!times.is_none()) {
-      asked.time = times[py::int_(i)];
+      double time = 0;
+      from_python(times[py::int_(i)], fmt::format("times[{}]", i), 1, time);
+      asked.time = py::float_(time);
     }
     if (asked.number.is_none() && !requests.empty()) {
       asked.number = py::int_(requests.back().number + 1);
     }
-    requests.push_back(self.request(sonar, asked));
+    try {
+      requests.push_back(self.request(sonar, asked));
+      requests.back().validate();
+    } catch (const Error& error) {
+      throw_with_index(error, i, py::isinstance<PythonSimulator::Asked>(pose));
+    }
   }
   Batch made(requests.size());
   self.ping(sonar, requests, [&](std::span<const Ping> pings, std::size_t first) { made.take(pings, first); });
@@ -169,8 +233,8 @@ py::dict batch(PythonSimulator& self, const py::object& sonar_, const py::object
 constexpr const char* kPingHelp = R"(Makes a ping. Returns a Ping; other threads of Python run meanwhile.
 
 sonar: name or index.
-pose: of the vehicle in the world, a 4 x 4 matrix, a pair (position, quaternion w x y z) or a Pose; None for the scenario's
-    trajectory. Or a PingRequest, which says the rest too.
+pose: of the vehicle in the world, a 4 x 4 matrix, a pair (position, quaternion w x y z), these seven numbers in a row or a
+    Pose; None for the scenario's trajectory. Or a PingRequest, which says the rest too.
 time: of transmission [s]; None: number times the sonar's ping period.
 number: with the scenario's seed decides the random numbers, and the step of a scanning head; None: the one after the last.
 twist: pair (linear [m/s], angular [rad/s]) along the world's axes, for motion_in_ping; None: the trajectory's, or at rest
@@ -211,9 +275,11 @@ void bind_simulator(py::module_& module) {
            py::arg("head_angle") = py::none(), kPingHelp)
       .def("ping_batch", &batch, py::arg("sonar"), py::arg("poses"), py::arg("times") = py::none(),
            "Makes a ping at each of many poses. Returns a dict of arrays, as the tables of Ping, with a leading axis: "
-           "\"intensity\" is [poses, bins, beams].\n\nposes: list of poses or PingRequests, or an array [n, 4, 4]. "
-           "times: n numbers "
-           "[s].\n\nThreads make a ping each, unless something in the scene moves (a scenario's motions, a sea "
+           "\"intensity\" is [poses, bins, beams].\n\nposes: poses or PingRequests, in a list or a generator; or an "
+           "array "
+           "[n, 4, 4]; or one [n, 7] of positions and quaternions w x y z, as RecordedPings.world_from_sonar; or these "
+           "two as a tuple of arrays [n, 3] and [n, 4]. times: n numbers [s].\n\nThreads make a ping each, unless "
+           "something in the scene moves (a scenario's motions, a sea "
            "surface): "
            "then they share each ping. The pings are those of ping(), one after the other, byte for byte. Raises Error "
            "for the first that makes no sense, and KeyboardInterrupt within 64 pings of Control-C.")
@@ -226,16 +292,27 @@ void bind_simulator(py::module_& module) {
       .def(
           "sonar",
           [](const PythonSimulator& self, const py::object& sonar) {
-            return wrap(self.known().facts[self.sonar(sonar)]->sonar);
+            return wrap(self.known().facts[self.sonar(sonar)]->sonar, kSimulatorsSonar);
           },
-          py::arg("sonar") = 0, "Settings of a sonar, with sound speed and ping period filled in.")
+          py::arg("sonar") = 0,
+          "Settings of a sonar, with sound speed and ping period filled in. They cannot be changed: pass a changed "
+          "copy() to set_sonar().")
       .def(
           "set_sonar",
           [](PythonSimulator& self, const py::object& sonar, const py::object& config) {
-            self.set_sonar(self.sonar(sonar), unwrap<SonarConfig>(config, "config"));
+            const int index = self.sonar(sonar);
+            const auto given = unwrap<SonarConfig>(config, "config");
+            const std::string& own = self.known().facts[index]->sonar.name;
+            if (given.name != own && given.name != SonarConfig().name) {  // The default's: none was given.
+              throw Error("config", "name", fmt::format(" = {} cannot be set: the sonar stays {}", given.name, own));
+            }
+            self.set_sonar(index, given);
           },
           py::arg("sonar"), py::arg("config"),
-          "Changes range, gain, beams or all of a sonar but its name, from the next ping on.")
+          "Changes range, gain, beams or all of a sonar but its name, from the next ping on. Raises Error for a name "
+          "that "
+          "is another one, unless it is the default's:\n\n"
+          "    config = sim.sonar(\"fls\").copy()\n    config.max_range = 3\n    sim.set_sonar(\"fls\", config)")
       .def(
           "add",
           [](PythonSimulator& self, const Scene& objects, const py::object& movable) {
@@ -246,11 +323,12 @@ void bind_simulator(py::module_& module) {
           "there.")
       .def("remove", &PythonSimulator::remove_object, py::arg("name"), "Removes an object with all its parts.")
       .def_property_readonly(
-          "scenario", [](const PythonSimulator& self) { return wrap(self.known().scenario); },
-          "A copy of the scenario: a change of it changes no ping. set_sonar() changes a sonar.")
+          "scenario", [](const PythonSimulator& self) { return wrap(self.known().scenario, kSimulatorsScenario); },
+          "A copy of the scenario, which cannot be changed: pass a changed copy() of a sonar to set_sonar(), of the "
+          "scenario to a new Simulator.")
       .def_property_readonly(
-          "scene", &PythonSimulator::scene,
-          "A copy of the scene: a change of it changes no ping. add() and remove() change the scene.")
+          "scene", [](PythonSimulator& self) { return SimulatorsScene{self.scene()}; },
+          "A copy of the scene, which takes no more objects: Simulator.add() and remove() change the simulator's.")
       .def_property_readonly(
           "instance_names", [](const PythonSimulator& self) { return self.known().instance_names; },
           "Names by the index that Ping.instance has.")

@@ -6,6 +6,7 @@
 #include <fmt/ranges.h>
 #include <pybind11/numpy.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "insonify/printable.h"
@@ -17,9 +18,18 @@ namespace {
   throw Error("", name, fmt::format(" = {} must be {}", shown(value), expected));
 }
 
+// Python would drop the imaginary part of NumPy's numbers with a warning.
+bool is_complex(py::handle value) {
+  return PyComplex_Check(value.ptr()) != 0 ||
+         (py::hasattr(value, "dtype") && py::str(value.attr("dtype").attr("kind")).equal(py::str("c")));
+}
+
 bool is_number(py::handle value) {
-  return !py::isinstance<py::bool_>(value) && !py::isinstance<py::str>(value) && (PyNumber_Check(value.ptr()) != 0) &&
-         !py::isinstance<py::sequence>(value);
+  if (PyFloat_Check(value.ptr()) != 0) {  // Also NumPy's float64.
+    return true;
+  }
+  return !is_complex(value) && !py::isinstance<py::bool_>(value) && !py::isinstance<py::str>(value) &&
+         (PyNumber_Check(value.ptr()) != 0) && !py::isinstance<py::sequence>(value);
 }
 
 // The number that an object with __float__ is: also NumPy's.
@@ -80,6 +90,9 @@ Pose pose_from_parts(const std::vector<double>& position, const std::vector<doub
     throw Error(
         "", name,
         fmt::format(" must be (position, quaternion) of 3 and 4 numbers, not {} and {}", position.size(), wxyz.size()));
+  }
+  if (!std::ranges::all_of(position, [](double number) { return std::isfinite(number); })) {
+    throw Error("", name, fmt::format("[0] = [{:.6g}] must be finite", fmt::join(position, ", ")));
   }
   const Eigen::Quaterniond turn(wxyz[0], wxyz[1], wxyz[2], wxyz[3]);
   if (!(std::abs(turn.norm() - 1) < 0.01)) {
@@ -188,7 +201,8 @@ Pose pose_from(py::handle value, const std::string& name) {
   if (py::isinstance<Pose>(value)) {
     return value.cast<Pose>();
   }
-  constexpr const char* kExpected = "a 4 x 4 matrix, a pair (position, quaternion w x y z) or a Pose";
+  constexpr const char* kExpected =
+      "a 4 x 4 matrix, a pair (position, quaternion w x y z), the seven numbers of these or a Pose";
   if (py::isinstance<py::str>(value) || PySequence_Check(value.ptr()) == 0) {
     refuse(value, name, kExpected);
   }
@@ -197,11 +211,19 @@ Pose pose_from(py::handle value, const std::string& name) {
     return pose_from_parts(numbers_from(items[0], name + "[0]", "three numbers"),
                            numbers_from(items[1], name + "[1]", "four numbers, w x y z"), name);
   }
+  if (items.size() == 7) {
+    const std::vector<double> numbers = numbers_from(items, name, "seven numbers");
+    return pose_from_parts({numbers.begin(), numbers.begin() + 3}, {numbers.begin() + 3, numbers.end()}, name);
+  }
   if (items.size() != 4) {
     refuse(value, name, kExpected);
   }
   Eigen::Matrix4d matrix;
   for (int row = 0; row < 4; ++row) {
+    // Four numbers, such as a row of a single matrix where many matrices were expected.
+    if (PySequence_Check(py::object(items[row]).ptr()) == 0) {
+      refuse(value, name, kExpected);
+    }
     const std::vector<double> numbers = numbers_from(items[row], fmt::format("{}[{}]", name, row), "four numbers");
     if (numbers.size() != 4) {
       refuse(value, name, kExpected);

@@ -104,7 +104,7 @@ void from_python(py::handle value, const std::string& name, double scale, std::o
   member = found;
 }
 
-/// A pose from a 4 x 4 matrix, a pair (position, quaternion w x y z) or a Pose.
+/// A pose from a 4 x 4 matrix, a pair (position, quaternion w x y z), these seven numbers in a row, or a Pose.
 /// @throws Error about `name`: for another shape, for what is not finite, for a matrix that does not only turn and
 /// move,
 ///         and for a quaternion whose norm is not within 1 % of 1.

@@ -23,37 +23,59 @@ template <typename Config>
 struct Held {
   Config value = {};                        ///< Its parts are those it was made with, perhaps no longer current.
   std::map<std::string, py::object> parts;  ///< By the part's name.
+  const char* frozen = nullptr;             ///< Why its fields and parts cannot be set; null where they can.
 };
 
+// A frozen object refuses to be changed where the change would reach nobody; its copy() can be changed.
+inline constexpr const char* kSimulatorsSonar =
+    "this is a copy of a simulator's sonar; change a copy() of it and pass that to Simulator.set_sonar()";
+inline constexpr const char* kSimulatorsScenario =
+    "this is a copy of a simulator's scenario; pass a changed copy() of a sonar to Simulator.set_sonar(), of the "
+    "scenario to a new Simulator()";
+inline constexpr const char* kPingsSonar = "a ping was made with these settings; change a copy() of them";
+
+/// @param frozen  Why it and its parts cannot be changed; lists are tuples then. Null where they can.
 template <typename Config>
-py::object wrap(const Config& config);
+py::object wrap(const Config& config, const char* frozen = nullptr);
 template <typename Config>
 Config unwrap(py::handle object, const std::string& name);
 
 // A part as Python object.
 template <typename Config>
-py::object wrap_part(const Config& part) {
-  return wrap(part);
+py::object wrap_part(const Config& part, const char* frozen = nullptr) {
+  return wrap(part, frozen);
 }
 template <typename Config>
-py::object wrap_part(const std::optional<Config>& part) {
-  return part ? wrap(*part) : py::none();
+py::object wrap_part(const std::optional<Config>& part, const char* frozen = nullptr) {
+  return part ? wrap(*part, frozen) : py::none();
 }
 template <typename Config>
-py::object wrap_part(const std::vector<Config>& part) {
+py::object wrap_part(const std::vector<Config>& part, const char* frozen = nullptr) {
   py::list list;
   for (const Config& config : part) {
-    list.append(wrap(config));
+    list.append(wrap(config, frozen));
   }
-  return list;
+  return frozen == nullptr ? py::object(list) : py::object(py::tuple(list));
 }
 template <typename Config>
-py::object wrap_part(const std::map<std::string, Config>& part) {
+py::object wrap_part(const std::map<std::string, Config>& part, const char* frozen = nullptr) {
   py::dict dict;
   for (const auto& [key, config] : part) {
-    dict[py::str(key)] = wrap(config);
+    dict[py::str(key)] = wrap(config, frozen);
   }
-  return dict;
+  return frozen == nullptr ? py::object(dict) : py::reinterpret_steal<py::object>(PyDictProxy_New(dict.ptr()));
+}
+
+/// Whether it is a dict, or the read-only view of one that a frozen object has.
+inline bool is_mapping(py::handle object) {
+  return py::isinstance<py::dict>(object) || Py_IS_TYPE(object.ptr(), &PyDictProxy_Type);
+}
+
+/// A part with the tuple or view of a frozen object made a list or dict again.
+inline py::object thawed(const py::object& part) {
+  return py::isinstance<py::tuple>(part) ? py::object(py::list(part))
+         : is_mapping(part)              ? py::object(py::dict(part))
+                                         : part;
 }
 
 // The way back.
@@ -78,11 +100,11 @@ void unwrap_part(py::handle object, const std::string& name, std::vector<Config>
 }
 template <typename Config>
 void unwrap_part(py::handle object, const std::string& name, std::map<std::string, Config>& part) {
-  if (!py::isinstance<py::dict>(object)) {
+  if (!is_mapping(object)) {
     throw Error("", name, fmt::format(" = {} must be a dict", shown(object)));
   }
   part.clear();
-  for (const std::pair<py::handle, py::handle> item : py::reinterpret_borrow<py::dict>(object)) {
+  for (const std::pair<py::handle, py::handle> item : py::dict(py::reinterpret_borrow<py::object>(object))) {
     const py::handle key = item.first, value = item.second;
     if (!py::isinstance<py::str>(key)) {
       throw Error("", name, fmt::format(" has the key {}, must be text", shown(key)));
@@ -92,11 +114,12 @@ void unwrap_part(py::handle object, const std::string& name, std::map<std::strin
 }
 
 template <typename Config>
-py::object wrap(const Config& config) {
-  Held<Config> held{config, {}};
+py::object wrap(const Config& config, const char* frozen) {
+  Held<Config> held{config, {}, frozen};
   if constexpr (HasParts<Config>) {
-    Config::visit_parts(
-        config, [&](const Part& part, const auto& member) { held.parts[std::string(part.name)] = wrap_part(member); });
+    Config::visit_parts(config, [&](const Part& part, const auto& member) {
+      held.parts[std::string(part.name)] = wrap_part(member, frozen);
+    });
   }
   return py::cast(std::move(held));
 }

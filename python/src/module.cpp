@@ -38,6 +38,7 @@ PYBIND11_MODULE(_insonify, module) {
   bind_scene(module);
   bind_ping(module);
   bind_simulator(module);
+  bind_recording_writer(module);
   bind_recording(module);
   bind_pictures(module);
   bind_acoustics(module);

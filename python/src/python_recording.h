@@ -9,6 +9,7 @@
 
 #include "bind.h"
 #include "insonify/recorded_pings.h"
+#include "insonify/recording_info.h"
 #include "insonify/stored_tables.h"
 
 namespace insonify::python {
@@ -17,11 +18,12 @@ struct PythonRecording {
   std::filesystem::path path;
   RecordedPings pings;
   StoredTables tables;
+  RecordingState state;                          ///< When it was opened.
   std::shared_ptr<const SonarFacts> facts = {};  ///< Once a ping was asked for.
 
   /// @param sonar  Its name; "" for the only one.
   explicit PythonRecording(const std::filesystem::path& file, const std::string& sonar = "")
-      : path(file), pings(file, sonar), tables(file, sonar) {}
+      : path(file), pings(file, sonar), tables(file, sonar), state(recording_state(file)) {}
 
   /// Pings that every table has; a recording may grow while it is opened.
   [[nodiscard]] std::uint64_t ping_count() const {

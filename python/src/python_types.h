@@ -62,7 +62,7 @@ std::string class_name() {
   return py::str(py::type::of<Held<Config>>().attr("__name__")).cast<std::string>();
 }
 
-/// Of a part: a struct, an optional one, a list or a dict of them.
+/// Type stub of a part: a struct, an optional one, a list or a dict of them.
 template <typename Member>
 std::string part_type() {
   if constexpr (IsOptional<Member>::value) {

@@ -8,12 +8,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+
+#include "image/two_pi.h"
 
 namespace insonify {
 namespace {
-
-constexpr double kTwoPi = 2 * std::numbers::pi;
 
 double clamp01(double value) {
   return std::clamp(value, 0.0, 1.0);

@@ -8,6 +8,7 @@
 #include "image/palette.h"
 #include "image/plot.h"
 #include "image/scales.h"
+#include "image/spacing.h"
 #include "insonify/channels.h"
 #include "insonify/error.h"
 
@@ -16,8 +17,7 @@ namespace {
 
 constexpr int kPanels = 3;
 constexpr double kCaptionHeight = 1.9;  // Height of the caption above a panel [em].
-constexpr double kTickLength = 0.3, kTextGap = 0.35;
-constexpr int kLeastPanel = 40;  // [pixels]
+constexpr int kLeastPanel = 40;         // [pixels]
 
 enum class Panel { kDistance, kIntensity, kBoth };
 

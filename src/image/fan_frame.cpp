@@ -8,14 +8,14 @@
 
 #include "image/palette.h"
 #include "image/scales.h"
+#include "image/spacing.h"
 
 namespace insonify {
 namespace {
 
-constexpr double kLabelGap = 0.45;  // Gap between a fan and its labels [em].
-constexpr double kBarGap = 1.5;     // Gap between the fan with its labels and the colour bar [em].
-constexpr double kWidestFan = 2;    // Greatest width of a fan, in heights of the picture.
-constexpr double kLeastBar = 10;    // Height of the colour bar beside a flat sector [em].
+constexpr double kFanLabelGap = 0.45;  // Gap between a fan and its labels [em].
+constexpr double kWidestFan = 2;       // Greatest width of a fan, in heights of the picture.
+constexpr double kLeastBar = 10;       // Height of the colour bar beside a flat sector [em].
 // Aperture from which a fan has no room for labels at its edges.
 constexpr double kOpenFan = radians_from_degrees(300);
 // Aperture from which a fan is marked as a full circle.
@@ -67,7 +67,7 @@ class LabelPlacer {
 
   // Puts a text beside a point, clear of it in a direction given as a unit vector.
   bool put_beside(Point point, Point away, const std::string& text) {
-    const double reach = kLabelGap * page_.em() + std::abs(away.x) * page_.lettering().width(text) / 2 +
+    const double reach = kFanLabelGap * page_.em() + std::abs(away.x) * page_.lettering().width(text) / 2 +
                          std::abs(away.y) * page_.lettering().height() / 2;
     return put({point.x + reach * away.x, point.y + reach * away.y}, text, false);
   }

@@ -6,16 +6,17 @@
 #include <cmath>
 #include <numbers>
 
+#include "image/two_pi.h"
+
 namespace insonify {
 namespace {
 
-constexpr double kTwoPi = 2 * std::numbers::pi;
-constexpr double kRounding = 1e-6;  // Tolerance for apertures summed over beams [rad].
+constexpr double kApertureTolerance = 1e-6;  // Tolerance for apertures summed over beams [rad].
 
 }  // namespace
 
 bool FanShape::full_circle() const {
-  return aperture() >= kTwoPi - kRounding;
+  return aperture() >= kTwoPi - kApertureTolerance;
 }
 
 FanExtent extent_of(const FanShape& shape) {

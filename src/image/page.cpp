@@ -9,6 +9,7 @@
 
 #include "image/palette.h"
 #include "image/scales.h"
+#include "image/spacing.h"
 #include "insonify/printable.h"
 
 namespace insonify {
@@ -25,8 +26,6 @@ constexpr double kWidestTitle = 1.2;
 constexpr double kLineSpacing = 1.5;  // [em]
 constexpr double kTitleGap = 1.0;     // Gap between name and details [em].
 constexpr double kBarThickness = 0.9;
-constexpr double kTickLength = 0.3;
-constexpr double kTextGap = 0.35;
 
 }  // namespace
 

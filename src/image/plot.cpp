@@ -8,15 +8,13 @@
 
 #include "image/palette.h"
 #include "image/scales.h"
+#include "image/spacing.h"
 
 namespace insonify {
 namespace {
 
 constexpr double kShape = 4.0 / 3.0;  // Ratio of the picture's width to its height.
-constexpr double kTickLength = 0.3;   // [em]
-constexpr double kTextGap = 0.35;
 constexpr double kCaptionGap = 0.7;
-constexpr double kBarGap = 1.5;
 constexpr double kLabelGap = 0.6;  // Gap between neighbouring labels.
 
 double widest_text(const Lettering& lettering, const std::vector<AxisTick>& ticks) {

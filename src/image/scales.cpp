@@ -11,12 +11,12 @@
 namespace insonify {
 namespace {
 
-constexpr double kRounding = 1e-9;  // Relative tolerance, so that rounding does not exclude ticks at the ends.
+constexpr double kTickTolerance = 1e-9;  // Relative tolerance, so that rounding does not exclude ticks at the ends.
 
 }  // namespace
 
 double nice_step(double length, int most_parts) {
-  const double least = length / most_parts * (1 - kRounding);
+  const double least = length / most_parts * (1 - kTickTolerance);
   const double power = std::pow(10, std::floor(std::log10(least)));
   for (const double factor : {1.0, 2.0, 2.5, 5.0}) {
     if (factor * power >= least) {
@@ -28,7 +28,7 @@ double nice_step(double length, int most_parts) {
 
 std::vector<double> multiples_within(double low, double high, double step) {
   std::vector<double> values;
-  const double slack = kRounding * (std::abs(low) + std::abs(high));
+  const double slack = kTickTolerance * (std::abs(low) + std::abs(high));
   for (double n = std::ceil((low - slack) / step); n * step <= high + slack; ++n) {
     values.push_back(n * step);
   }

@@ -4,12 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+
+#include "image/two_pi.h"
 
 namespace insonify {
 namespace {
 
-constexpr double kTwoPi = 2 * std::numbers::pi;
 // A slot is 0.022 degrees wide: half a pixel at the border of a picture of 2600 pixels.
 constexpr int kSlots = 16384;
 constexpr double kSlotsPerRadian = kSlots / kTwoPi;

@@ -12,13 +12,12 @@
 #include "image/plot.h"
 #include "image/scales.h"
 #include "image/scan_slots.h"
+#include "image/two_pi.h"
 #include "insonify/error.h"
 #include "insonify/printable.h"
 
 namespace insonify {
 namespace {
-
-constexpr double kTwoPi = 2 * std::numbers::pi;
 
 // A ping fills its whole step if that is at most this many beam widths, as displays of scanning sonars do in their
 // coarse modes. With longer steps most of the circle is not scanned, and each ping is drawn as wide as its beam.

@@ -18,18 +18,24 @@ namespace insonify {
 namespace {
 
 RecordingState state_of(const std::filesystem::path& path, bool whole) {
-  return whole                    ? RecordingState::kWhole
-         : is_being_written(path) ? RecordingState::kGrowing
-                                  : RecordingState::kUnfinished;
+  return whole ? RecordingState::kWhole : is_growing(path) ? RecordingState::kGrowing : RecordingState::kUnfinished;
+}
+
+RecordingState state_of(const std::filesystem::path& path, const Hdf5Tables& tables) {
+  return tables.state() == GrowingState::kCutShort
+             ? RecordingState::kDiskFull
+             : state_of(path, tables.state() != GrowingState::kGrowing && !is_growing(path));
+}
+
+RecordingState state_of(const std::filesystem::path& path, const McapReader& file) {
+  return file.metadata().contains(mcap_metadata::kEnd) ? RecordingState::kDiskFull : state_of(path, file.is_whole());
 }
 
 RecordingInfo info_of_hdf5(const std::filesystem::path& path) {
   const Hdf5Tables tables(path);
   const RecordedPings pings(path);
   RecordingInfo info{.format = "HDF5", .bytes = std::filesystem::file_size(path)};
-  info.state = tables.state() == GrowingState::kCutShort
-                   ? RecordingState::kDiskFull
-                   : state_of(path, tables.state() != GrowingState::kGrowing && !is_being_written(path));
+  info.state = state_of(path, tables);
   info.version = tables.text("version");
   info.model = tables.text("model");
   info.engine = tables.text("engine");
@@ -37,7 +43,7 @@ RecordingInfo info_of_hdf5(const std::filesystem::path& path) {
   if (const auto seed = tables.attributes().find("seed"); seed != tables.attributes().end() && seed->is_number()) {
     info.seed = seed->get<std::uint64_t>();
   }
-  static_cast<void>(tables.settings());  // Of a damaged file it throws: what was recorded is then not what it tells.
+  static_cast<void>(tables.settings());  // Throws for a damaged file: what was recorded is then not what it tells.
   RecordedSonar sonar{.config = pings.sonar_config(), .pings = tables.ping_count()};
   for (const RecordedTable& table : tables.tables()) {
     info.contents.push_back(table.name);
@@ -57,8 +63,7 @@ RecordingInfo info_of_mcap(const std::filesystem::path& path) {
   const McapReader file(path);
   const nlohmann::json run = mcap_run_facts(file, path);
   RecordingInfo info{.format = "MCAP", .bytes = std::filesystem::file_size(path)};
-  info.state =
-      file.metadata().contains(mcap_metadata::kEnd) ? RecordingState::kDiskFull : state_of(path, file.is_whole());
+  info.state = state_of(path, file);
   info.version = run.at("version");
   info.model = run.at("model");
   info.engine = run.at("engine");
@@ -66,6 +71,7 @@ RecordingInfo info_of_mcap(const std::filesystem::path& path) {
   if (const auto seed = run.find("seed"); seed != run.end()) {
     info.seed = seed->get<std::uint64_t>();
   }
+  info.start_ns = mcap_start_ns(file, path);
   for (const std::string& name : mcap_sonars(file, path)) {
     const McapPings pings(path, name);
     RecordedSonar sonar{.config = pings.sonar_config(), .pings = pings.ping_count()};
@@ -83,6 +89,11 @@ RecordingInfo info_of_mcap(const std::filesystem::path& path) {
 }
 
 }  // namespace
+
+RecordingState recording_state(const std::filesystem::path& path) {
+  check_input_file(path);
+  return is_mcap(path) ? state_of(path, McapReader(path)) : state_of(path, Hdf5Tables(path));
+}
 
 RecordingInfo recording_info(const std::filesystem::path& path) {
   check_input_file(path);

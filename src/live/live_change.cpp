@@ -23,19 +23,24 @@ LiveStart start_after(LiveWay way, const Pose& place, const Scenario& scenario, 
   return {.follows = false, .world_from_vehicle = way == LiveWay::kPlaced ? place : standing.next_pose};
 }
 
-std::unique_ptr<Simulator> LiveBuilder::build(const Scenario& scenario, const LiveStart& start, const Log& log) {
+std::unique_ptr<Simulator> LiveBuilder::build(const Scenario& scenario, const LiveStart& start,
+                                              const LiveObjectList& objects, const Log& log) {
   if (!scenario.world.empty() && (scenario.world != world_path_ || world_options(scenario) != options_)) {
     world_ = load_scene(scenario.world, world_options(scenario), log);
     world_path_ = scenario.world;
     options_ = world_options(scenario);
   }
   Scene scene = scenario.world.empty() ? Scene() : world_;
+  for (const LiveObject& object : objects) {
+    scene.instances.push_back(object.instance);
+  }
   assign_scenario_materials(scene, scenario, log);
   return std::make_unique<Simulator>(scenario_from(scenario, start), std::move(scene), threads_);
 }
 
 LivePrepared LiveBuilder::prepare(std::span<const LiveChange> changes, const LiveSettings& settings,
-                                  const Scenario& scenario, const LiveStanding& standing, const Log& log) {
+                                  const Scenario& scenario, const LiveStanding& standing, const LiveObjectList& objects,
+                                  const Scene& scene, const Log& log) {
   LivePrepared next{.settings = settings, .scenario = scenario};
   bool text_changes = false, materials_change = false;
   for (const LiveChange& change : changes) {
@@ -57,14 +62,18 @@ LivePrepared LiveBuilder::prepare(std::span<const LiveChange> changes, const Liv
   if (text_changes || materials_change) {
     next.scenario = next.settings.scenario(log);
   }
-  next.sonars_change = text_changes;
   // Under a surface the speed of sound follows from the depth at which the vehicle starts.
   const bool by_depth = next.scenario.surface.has_value();
   if (by_depth || ((text_changes || materials_change) && !differ_in_sonars_only(scenario, next.scenario))) {
     const LiveStart start = start_after(next.way, next.place, next.scenario, standing);
-    next.simulator = build(next.scenario, start, log);
+    next.simulator = build(next.scenario, start, objects, log);
+    next.objects = objects;
     if (by_depth) {
       next.start = start;
+    }
+  } else if (text_changes) {
+    for (std::size_t i = 0; i < next.scenario.sonars.size(); ++i) {
+      next.sonars.push_back(Simulator::prepare_sonar(next.scenario, static_cast<int>(i), scene));
     }
   }
   return next;

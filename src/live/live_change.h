@@ -13,6 +13,7 @@
 #include "insonify/files.h"
 #include "insonify/live_loop.h"
 #include "insonify/simulator.h"
+#include "live/live_objects.h"
 #include "live/live_run.h"
 #include "live/live_settings.h"
 
@@ -29,7 +30,7 @@ enum class LiveWay {
 /// One request.
 struct LiveChange {
   std::vector<std::string> settings = {};
-  std::optional<std::pair<std::string, std::string>> material = {};  ///< Of an object.
+  std::optional<std::pair<std::string, std::string>> material = {};  ///< Names of an object and of its new material.
   LiveWay way = LiveWay::kGoesOn;
   Pose place = {};
   std::filesystem::path recording = {};  ///< To be begun; empty for none.
@@ -52,9 +53,10 @@ struct LivePrepared {
   Pose place = {};
   std::filesystem::path recording = {};
   bool replace = false;
-  bool sonars_change = false;
-  std::unique_ptr<Simulator> simulator = {};  ///< Null: the present one can go on, with the scenario's sonars.
+  std::unique_ptr<Simulator> simulator = {};  ///< Null: the present one can go on, with `sonars`.
+  std::vector<PreparedSonar> sonars = {};     ///< All sonars, or empty where they stay.
   std::optional<LiveStart> start = {};        ///< That the simulator was built for, where it depends on it.
+  LiveObjectList objects = {};                ///< That the simulator was built with.
 };
 
 /// Where a run begins after a change.
@@ -66,13 +68,17 @@ class LiveBuilder {
  public:
   explicit LiveBuilder(int threads) : threads_(threads) {}
 
-  /// @param log  Takes warnings of settings and worlds.
+  /// @param objects  Beside the scenario's world.
+  /// @param scene    That pings are made in.
+  /// @param log      Takes warnings of settings and worlds.
   /// @throws Error for what cannot be done.
-  [[nodiscard]] std::unique_ptr<Simulator> build(const Scenario& scenario, const LiveStart& start, const Log& log);
+  [[nodiscard]] std::unique_ptr<Simulator> build(const Scenario& scenario, const LiveStart& start,
+                                                 const LiveObjectList& objects, const Log& log);
 
   /// Requests in their order, on top of what was prepared last.
   [[nodiscard]] LivePrepared prepare(std::span<const LiveChange> changes, const LiveSettings& settings,
-                                     const Scenario& scenario, const LiveStanding& standing, const Log& log);
+                                     const Scenario& scenario, const LiveStanding& standing,
+                                     const LiveObjectList& objects, const Scene& scene, const Log& log);
 
  private:
   int threads_;

@@ -67,6 +67,12 @@ void LiveLoop::drive(LiveDrive drive) {
   request.twist = drive.twist;
   request.moved = drive.moved;
   request.validate();
+  for (const CarriedSonar& carried : drive.carried) {
+    PingRequest of_sonar;
+    of_sonar.world_from_vehicle = carried.world_from_carrier;
+    of_sonar.twist = carried.twist;
+    of_sonar.validate();
+  }
   const double now = std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
   const State::Lock lock(state.mutex);
   state.drive = std::move(drive);

@@ -30,9 +30,10 @@ LiveLoop::State::State(const std::filesystem::path& path, std::span<const std::s
     : options(the_options), paused(the_options.paused), builder(the_options.threads) {
   settings = {.text = read_text_or_pipe(path), .path = path};
   settings.settings.assign(changes.begin(), changes.end());
+  settings.followed = options.followed;
   scenario = settings.scenario(log);
   const LiveStart start;
-  simulator = builder.build(scenario, start, log);
+  simulator = builder.build(scenario, start, {}, log);
   simulator->stop_when(&ending);
   run.emplace(scenario_from(scenario, start), start);
 }

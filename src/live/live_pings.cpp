@@ -1,4 +1,4 @@
-// live_pings.cpp -- the thread that makes pings: pace, changes between pings, recordings.
+// live_pings.cpp -- the thread that makes pings: their pace, and changes between them.
 
 #include <fmt/format.h>
 
@@ -61,82 +61,28 @@ double LiveLoop::State::time_now() const {
 }
 
 void LiveLoop::State::begin_run(LiveStart start, Lock& lock) {
+  run.emplace(scenario_from(scenario, start), start);
+  anchor_time = 0;
+  anchor = Clock::now();
+  clock_anchor = clock.value_or(0);
+  last_pings.assign(scenario.sonars.size(), Clock::time_point{});
+  tell_world(lock);
+}
+
+// Makes the world of pings from now on, and tells the listener.
+void LiveLoop::State::tell_world(Lock& lock) {
   auto next_world = std::make_shared<LiveWorld>();
   next_world->change = world ? world->change + 1 : 0;
-  next_world->scenario = scenario_from(scenario, start);
+  next_world->scenario = scenario_from(scenario, run->start());
   next_world->trajectory = scenario.trajectory;
   next_world->scene = simulator->scene();
   for (const SonarConfig& sonar : next_world->scenario.sonars) {
     next_world->sonars.push_back(next_world->scenario.filled_in(sonar));
   }
-  run.emplace(next_world->scenario, start);
   world = next_world;
-  anchor_time = 0;
-  anchor = Clock::now();
-  clock_anchor = clock.value_or(0);
-  last_pings.assign(next_world->sonars.size(), Clock::time_point{});
   steps = 1;  // A change shows at once, paused or not.
   lock.unlock();
   listener->on_world(next_world);
-  lock.lock();
-}
-
-void LiveLoop::State::end_recording(Lock& lock) {
-  if (!recorder) {
-    return;
-  }
-  const std::unique_ptr<LiveRecorder> ended = std::exchange(recorder, nullptr);
-  recording_names.clear();
-  const LiveRun run_of_it = *run;
-  lock.unlock();
-  std::string error;
-  try {
-    ended->close(run_of_it);
-  } catch (const std::exception& failure) {
-    error = failure.what();
-    note("the recording: " + error);
-  }
-  listener->on_recorded(ended->recording());
-  lock.lock();
-  closing_error = error;
-  recording_error = error.empty() ? recording_error : "the recording: " + error;
-}
-
-// Ends a recording that cannot go on, with what it holds.
-void LiveLoop::State::fail_recording(const std::string& error, Lock& lock) {
-  recording_error = "the recording ended early: " + error;
-  const std::unique_ptr<LiveRecorder> ended = std::exchange(recorder, nullptr);
-  recording_names.clear();
-  const LiveRun run_of_it = *run;
-  lock.unlock();
-  note("the recording ends here: " + error);
-  try {
-    if (ended) {
-      ended->close(run_of_it);
-    }
-  } catch (const std::exception& failure) {
-    if (failure.what() != error) {
-      note(fmt::format("the recording: {}", failure.what()));
-    }
-  }
-  if (ended) {
-    listener->on_recorded(ended->recording());
-  }
-  lock.lock();
-}
-
-void LiveLoop::State::answer_stop_recording(Lock& lock) {
-  const std::vector<Done> done = std::exchange(stop_recording, {});
-  const bool is_recording = recorder != nullptr;
-  closing_error.clear();
-  end_recording(lock);
-  const std::string error = is_recording ? closing_error : "nothing is being recorded";
-  lock.unlock();
-  for (const Done& answer : done) {
-    if (answer) {
-      answer(error);
-    }
-  }
   lock.lock();
 }
 
@@ -159,7 +105,7 @@ void LiveLoop::State::take_place(Lock& lock) {
         trial.sonars.push_back(trial.scenario.filled_in(sonar));
       }
       trial.scene = (next.simulator ? *next.simulator : *simulator).scene();
-      recorder = std::make_unique<LiveRecorder>(next.recording, 0, trial, next.replace);
+      recorder = std::make_unique<LiveRecorder>(next.recording, 0, trial, next.replace, options.messages, log());
       recording_path = next.recording;
       recording_replaces = next.replace;
       recording_part = 0;
@@ -171,10 +117,11 @@ void LiveLoop::State::take_place(Lock& lock) {
     if (next.simulator) {
       simulator = std::move(next.simulator);
       simulator->stop_when(&ending);
-    } else if (next.sonars_change) {
-      for (std::size_t i = 0; i < next.scenario.sonars.size(); ++i) {
-        simulator->set_sonar(static_cast<int>(i), next.scenario.sonars[i]);
-      }
+      simulated_objects = std::move(next.objects);
+      objects_changed = true;  // Perhaps, since it was prepared.
+    }
+    for (std::size_t i = 0; i < next.sonars.size(); ++i) {
+      simulator->set_sonar(static_cast<int>(i), std::move(next.sonars[i]));
     }
     settings = std::move(next.settings);
     scenario = std::move(next.scenario);
@@ -183,11 +130,7 @@ void LiveLoop::State::take_place(Lock& lock) {
     }
     begin_run(start, lock);
     if (goes_on_recording) {
-      try {
-        recorder = std::make_unique<LiveRecorder>(recording_path, ++recording_part, *world, recording_replaces);
-      } catch (const std::exception& failure) {
-        fail_recording(failure.what(), lock);
-      }
+      begin_next_recording(lock);
     }
     recording_names = recorder ? recorder->names() : "";
     recorded_pings = 0;
@@ -225,10 +168,19 @@ void LiveLoop::State::make_next(Lock& lock) {
     run->fill(sonars[i], requests[i]);
     if (drive) {
       requests[i].twist = drive->twist;
-      requests[i].moved.insert(requests[i].moved.end(), drive->moved.begin(), drive->moved.end());
+      const auto is_there = [&](const MovedObject& moved) {
+        return !options.followed || moved.instance >= 0 || simulated_names.contains(moved.name);
+      };
+      std::ranges::copy_if(drive->moved, std::back_inserter(requests[i].moved), is_there);
+      for (const CarriedSonar& carried : drive->carried) {
+        if (carried.sonar == scenario.sonars[static_cast<std::size_t>(sonars[i])].name) {
+          requests[i].world_from_vehicle = carried.world_from_carrier;
+          requests[i].twist = carried.twist;
+        }
+      }
     }
   }
-  const double stamp = drive ? drive->stamp : 0, told_at = drive_told_at;
+  const double stamp = drive ? drive->stamp : 0, told_at = drive_told_at, clock_now = clock.value_or(0);
   keep_clock();
   keep_pace(due, time, sonars);
   const std::shared_ptr<const LiveWorld> of_world = world;
@@ -254,6 +206,7 @@ void LiveLoop::State::make_next(Lock& lock) {
       ping->made_at = std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
       ping->stamp = stamp;
       ping->told_at = told_at;
+      ping->clock = clock_now;
       listener->on_ping(ping);
       for (const std::string& text : solids.entered(*simulator, sonars[i], requests[i])) {
         note(text);
@@ -292,6 +245,12 @@ void LiveLoop::State::make_next(Lock& lock) {
   pings_made += sonars.size();
   recorded_pings = recorder ? recorder->pings() : recorded_pings;
   steps = std::max(0, steps - 1);
+  if (recorder && recorder->scenario_is_due()) {
+    const LiveRun run_now = *run;
+    lock.unlock();
+    recorder->write_scenario(run_now);
+    lock.lock();
+  }
 }
 
 void LiveLoop::State::make_pings() {
@@ -299,6 +258,8 @@ void LiveLoop::State::make_pings() {
   while (!ending) {
     if (prepared) {
       take_place(lock);
+    } else if (objects_changed) {
+      take_objects(lock);
     } else if (!stop_recording.empty()) {
       answer_stop_recording(lock);
     } else if ((paused && steps == 0) || waits_for_others()) {

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 
+#include "base/interruption.h"
 #include "insonify/error.h"
+#include "insonify/interrupted.h"
 #include "live/live_state.h"
 
 namespace insonify {
@@ -52,11 +54,15 @@ void LiveLoop::State::prepare_batch(std::vector<LiveChange> batch, Lock& lock) {
   const LiveSettings settings_now = settings;
   const Scenario scenario_now = scenario;
   const LiveStanding standing_now = standing();
+  const LiveObjectList objects_now = objects;
+  const std::shared_ptr<const LiveWorld> world_now = world;
   lock.unlock();
   std::optional<LivePrepared> next;
   std::string error;
   try {
-    next = builder.prepare(batch, settings_now, scenario_now, standing_now, log());
+    next = builder.prepare(batch, settings_now, scenario_now, standing_now, objects_now, world_now->scene, log());
+  } catch (const Interrupted&) {
+    error = "the simulation ends";
   } catch (const std::exception& failure) {
     error = failure.what();
   }
@@ -80,6 +86,7 @@ void LiveLoop::State::prepare_batch(std::vector<LiveChange> batch, Lock& lock) {
 }
 
 void LiveLoop::State::prepare_changes() {
+  const InterruptionScope scope(ending);  // What is being prepared at the end is given up.
   Lock lock(mutex);
   while (true) {
     changed.wait(lock, [this] { return ending || !wishes.empty(); });

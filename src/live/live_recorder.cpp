@@ -5,10 +5,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
+#include <span>
 
 #include "insonify/error.h"
 #include "insonify/printable.h"
+#include "insonify/recording_info.h"
+#include "io/file/unfinished_file.h"
+#include "io/file/write_at.h"
 
 namespace insonify {
 namespace {
@@ -16,6 +19,15 @@ namespace {
 // PATH with something put before its ending.
 std::filesystem::path with_suffix(const std::filesystem::path& path, const std::string& suffix) {
   return path.parent_path() / (path.stem().string() + suffix + path.extension().string());
+}
+
+// Puts a text in the place of what was there, or leaves that.
+void write_text(const std::filesystem::path& path, const std::string& text) {
+  UnfinishedFile file(path, "cannot be written");
+  if (!write_at(file.descriptor(), 0, std::as_bytes(std::span(text)))) {
+    file.fail_by_errno();
+  }
+  file.put_in_place();
 }
 
 }  // namespace
@@ -34,7 +46,8 @@ std::vector<std::filesystem::path> live_recording_files(const std::filesystem::p
   return files;
 }
 
-LiveRecorder::LiveRecorder(const std::filesystem::path& path, int part, const LiveWorld& world, bool replace) {
+LiveRecorder::LiveRecorder(const std::filesystem::path& path, int part, const LiveWorld& world, bool replace,
+                           const MessageOptions& messages, const Log& log) {
   const std::filesystem::path base = part == 0 ? path : with_suffix(path, fmt::format("-{}", part + 1));
   const std::string ending = base.extension().string();
   if (ending != ".h5" && ending != ".mcap") {
@@ -48,44 +61,101 @@ LiveRecorder::LiveRecorder(const std::filesystem::path& path, int part, const Li
   }
   scenario_path_ = paths_.back();
   paths_.pop_back();
-  if (ending == ".mcap") {
+  scenario_is_earlier_ = std::filesystem::exists(scenario_path_);
+  try {
+    begin(world, replace, messages, log);
+  } catch (const Error&) {
+    remove();  // Files of the sonars before.
+    throw;
+  }
+}
+
+void LiveRecorder::begin(const LiveWorld& world, bool replace, const MessageOptions& messages, const Log& log) {
+  if (paths_.front().extension() == ".mcap") {
     std::vector<MessageSource> sources;
     for (const SonarConfig& sonar : world.sonars) {
       sources.push_back(message_source(world.scenario, sonar));
     }
-    const McapOptions options{.run = {.engine = world.scenario.engine, .seed = world.scenario.seed},
-                              .replace = replace};
-    mcap_.emplace(base, std::move(sources), options);
-  } else {
-    for (std::size_t i = 0; i < paths_.size(); ++i) {
-      recordings_.emplace_back(paths_[i], world.scenario, world.scene, world.sonars[i],
-                               RecordingOptions{.replace = replace});
-    }
+    const McapOptions options{
+        .messages = messages, .run = run_facts(world.scenario, world.scene), .log = log, .replace = replace};
+    mcap_.emplace(paths_.front(), std::move(sources), options);
+    return;
+  }
+  for (std::size_t i = 0; i < paths_.size(); ++i) {
+    recordings_.emplace_back(paths_[i], world.scenario, world.scene, world.sonars[i],
+                             RecordingOptions{.replace = replace});
   }
 }
 
 void LiveRecorder::add(const LivePing& ping) {
   const auto sonar = static_cast<std::size_t>(ping.sonar);
+  whole_ = false;  // Unless it is written.
   if (mcap_) {
     mcap_->add(sonar, ping.ping);
   } else {
     recordings_[sonar].add(ping.ping);
   }
+  whole_ = true;
   ++pings_;
 }
 
-// Removes files without a ping. Those that they were to replace stay.
-void LiveRecorder::remove() {
+std::vector<std::filesystem::path> LiveRecorder::places() const {
   std::vector<std::filesystem::path> places;
   std::ranges::transform(recordings_, std::back_inserter(places), &Recording::place);
   if (mcap_) {
     places.push_back(mcap_->place());
   }
+  return places;
+}
+
+// Removes files without a ping. Those that they were to replace stay.
+void LiveRecorder::remove() {
+  std::vector<std::filesystem::path> gone = places();
+  gone.push_back(unfinished_path_);
   recordings_.clear();
   mcap_.reset();
-  for (const std::filesystem::path& place : places) {
-    std::filesystem::remove(place);
+  for (const std::filesystem::path& place : gone) {
+    std::error_code ignored;
+    std::filesystem::remove(place, ignored);
   }
+  pings_ = 0;
+}
+
+// Counts the pings that the files hold, where not all were written.
+void LiveRecorder::count_what_is_there() {
+  pings_ = 0;
+  for (const std::filesystem::path& place : places()) {
+    try {
+      for (const RecordedSonar& sonar : recording_info(place).sonars) {
+        pings_ += sonar.pings;
+      }
+    } catch (const Error&) {
+      continue;  // Not even its head was written.
+    }
+  }
+}
+
+bool LiveRecorder::scenario_is_due() const {
+  return pings_ > 0 && Clock::now() >= scenario_due_;
+}
+
+void LiveRecorder::write_scenario(const LiveRun& run) {
+  constexpr std::chrono::seconds kBetween(2);
+  constexpr int kShare = 50;  // Long paths take long: at most that part of the time goes into writing them.
+  const Clock::time_point start = Clock::now();
+  try {
+    std::filesystem::path path = scenario_path_;
+    if (const std::filesystem::path place = places().front(); place != paths_.front()) {
+      path = std::filesystem::path(place).replace_extension(".yaml");
+    }
+    if (!scenario_is_earlier_ || path != scenario_path_) {
+      write_text(path, to_yaml(run.saved()));
+      unfinished_path_ = path;
+    }
+  } catch (const Error&) {  // close() tells.
+  }
+  const Clock::duration taken = Clock::now() - start;
+  scenario_due_ = Clock::now() + std::max<Clock::duration>(kBetween, kShare * taken);
 }
 
 void LiveRecorder::close(const LiveRun& run) {
@@ -94,21 +164,31 @@ void LiveRecorder::close(const LiveRun& run) {
     return;
   }
   std::string error;
-  const auto try_to_close = [&error](auto& recording) {
+  const auto try_to = [&error](auto&& act) {
     try {
-      recording.close();
+      act();
     } catch (const Error& failure) {
       error = error.empty() ? failure.what() : error;
     }
   };
-  std::ranges::for_each(recordings_, try_to_close);
-  if (mcap_) {
-    try_to_close(*mcap_);
+  for (Recording& recording : recordings_) {
+    try_to([&] { recording.close(); });
   }
-  std::ofstream file(scenario_path_);
-  file << to_yaml(run.saved());
-  if (!file.flush()) {
-    throw Error(fmt::format("{}: cannot be written", scenario_path_.string()));
+  if (mcap_) {
+    try_to([&] { mcap_->close(); });
+  }
+  if (!whole_ || !error.empty()) {
+    count_what_is_there();
+    paths_ = places();
+  }
+  if (pings_ == 0) {
+    remove();
+  } else {
+    try_to([&] { write_text(scenario_path_, to_yaml(run.saved())); });
+    if (std::filesystem::exists(scenario_path_) && unfinished_path_ != scenario_path_) {
+      std::error_code ignored;
+      std::filesystem::remove(unfinished_path_, ignored);
+    }
   }
   if (!error.empty()) {
     throw Error(error);

@@ -15,7 +15,7 @@ namespace insonify {
 struct LiveStart {
   bool follows = true;      ///< The scenario's trajectory.
   Pose world_from_vehicle;  ///< Where it is not followed.
-  double time = 0;          ///< Of the scenario's trajectory at time 0 of the run [s].
+  double time = 0;          ///< Time on the scenario's trajectory at time 0 of the run [s].
 };
 
 /// The scenario of a run: its trajectory begins at `start`. Where objects move by themselves, theirs and the vehicle's
@@ -65,9 +65,9 @@ class LiveRun {
   Scenario scenario_;
   LiveStart start_;
   ScenarioRequests requests_;
-  std::vector<std::uint64_t> numbers_;  // Of the next ping of each sonar.
+  std::vector<std::uint64_t> numbers_;  // Number of the next ping of each sonar.
   Pose pose_;                           // At the end of the path, not rounded.
-  std::size_t steps_ = 0;               // Of the path.
+  std::size_t steps_ = 0;               // Steps of the path.
 };
 
 }  // namespace insonify

@@ -45,6 +45,10 @@ Scenario LiveSettings::scenario(const Log& log) const {
     scenario.materials.overrides[object] = MaterialOverride{.like = material};
     scenario.text.clear();
   }
+  if (followed) {
+    scenario.world.clear();
+    scenario.materials.for_more = true;
+  }
   return scenario;
 }
 

@@ -20,6 +20,7 @@ struct LiveSettings {
   std::filesystem::path path;
   std::vector<std::string> settings = {};             ///< "key=value", in order.
   std::map<std::string, std::string> materials = {};  ///< By the full name of the object.
+  bool followed = false;                              ///< LiveOptions::followed.
 
   /// Adds settings; each takes the place of an earlier one of the same key. With a change of the model, those of before
   /// become part of the text: there, unlike in a setting, a key may have no effect in the model.

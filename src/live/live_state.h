@@ -6,10 +6,12 @@
 #include <chrono>
 #include <condition_variable>
 #include <mutex>
+#include <set>
 #include <thread>
 
 #include "insonify/simulator.h"
 #include "live/live_change.h"
+#include "live/live_objects.h"
 #include "live/live_recorder.h"
 #include "live/ping_pool.h"
 #include "live/solids_watch.h"
@@ -27,8 +29,8 @@ struct LiveLoop::State {
   LiveListener* listener = nullptr;  // Set once, before the threads start.
 
   std::mutex mutex;
-  std::condition_variable wake;     // Of the thread that makes pings.
-  std::condition_variable changed;  // Of the thread that prepares changes.
+  std::condition_variable wake;     // Wakes the thread that makes pings.
+  std::condition_variable changed;  // Wakes the thread that prepares changes.
   std::atomic<bool> ending = false;
 
   // Wishes.
@@ -40,6 +42,9 @@ struct LiveLoop::State {
   double drive_told_at = 0;        // Unix time [s].
   bool drive_refused = false;      // Whether no ping can be made from there.
   std::optional<double> clock;     // With LiveOptions::clocked: the newest time [s].
+  LiveObjectList objects;          // That change_objects() has added and not removed.
+  std::uint64_t next_object = 0;   // Serial number.
+  bool objects_changed = false;    // Since the simulator had them.
   std::vector<LiveChange> wishes;  // To be prepared.
   std::optional<std::vector<LiveChange>> being_prepared;
   std::optional<LivePrepared> prepared;  // To take place between two pings.
@@ -56,7 +61,7 @@ struct LiveLoop::State {
   std::uint64_t pings_made = 0;
   std::string recording_names;
   std::uint64_t recorded_pings = 0;
-  std::string recording_error;  // Of a recording that is not whole, until the end.
+  std::string recording_error;  // Why a recording is not whole, kept until the end.
 
   // Pace: that time of the run is at that time of the clock.
   double anchor_time = 0;
@@ -64,8 +69,10 @@ struct LiveLoop::State {
   double clock_anchor = 0;                    // The same by the clock of LiveOptions::clocked [s].
   std::vector<Clock::time_point> last_pings;  // When each sonar pinged last, for the limit of the rate.
 
-  // Of the thread that makes pings alone.
+  // Used by the thread that makes pings alone.
   std::unique_ptr<Simulator> simulator;
+  LiveObjectList simulated_objects;       // In it ...
+  std::set<std::string> simulated_names;  // ... and their names.
   std::unique_ptr<LiveRecorder> recorder;
   std::filesystem::path recording_path;
   bool recording_replaces = false;
@@ -74,7 +81,7 @@ struct LiveLoop::State {
   SolidsWatch solids;
   std::string closing_error;
 
-  LiveBuilder builder;  // Of the thread that prepares changes alone.
+  LiveBuilder builder;  // Used by the thread that prepares changes alone.
   std::thread pinging, preparing;
 
   using Lock = std::unique_lock<std::mutex>;
@@ -84,11 +91,16 @@ struct LiveLoop::State {
   [[nodiscard]] bool drive_to_next(Lock& lock);
   void keep_clock();
 
+  // live_objects.cpp: objects that come and go.
+  void take_objects(Lock& lock);
+
   // live_pings.cpp: the thread that makes pings.
   void make_pings();
   void make_next(Lock& lock);
   void take_place(Lock& lock);
   void begin_run(LiveStart start, Lock& lock);
+  void tell_world(Lock& lock);
+  void begin_next_recording(Lock& lock);
   void end_recording(Lock& lock);
   void fail_recording(const std::string& error, Lock& lock);
   void answer_stop_recording(Lock& lock);

@@ -6,6 +6,8 @@
 #include <cassert>
 #include <cmath>
 
+#include "base/interruption.h"
+
 namespace insonify {
 namespace {
 
@@ -33,6 +35,7 @@ BearingResponse::BearingResponse(const ArrayPattern& pattern, double length, std
     quadrature_ = GainMatrix(beams, cells);
   }
   for (int beam = 0; beam < beams; ++beam) {
+    check_interruption();  // Thousands of beams take seconds.
     int first = cells, last = 0;
     for (int cell = 0; cell < cells; ++cell) {
       const std::complex<double> gain = this->gain(beam, cell_sines[cell]);

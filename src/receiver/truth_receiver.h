@@ -68,7 +68,7 @@ class TruthReceiver {
   }
 
   int beams_, bins_, cells_, first_cell_, cells_per_beam_;
-  float middle_elevation_;                    // Of the aperture [rad].
+  float middle_elevation_;                    // Elevation of the middle of the aperture [rad].
   std::vector<float> beam_angle_;             // [beam]: solid angle [sr].
   std::vector<Instances> instances_;          // [worker]: scratch.
   std::vector<float> direct_, direct_beams_;  // [cell][bin] and [beam][bin].

@@ -220,7 +220,9 @@ void assign_materials(Scene& scene, const MaterialRules& rules, const Log& log) 
     throw Error(fmt::format("the scene has {} objects, must be at most {}", scene.instances.size(), kMostLabels));
   }
   const Defined defined = define_materials(rules);
-  check_keys(scene, rules);
+  if (!rules.for_more) {
+    check_keys(scene, rules);
+  }
 
   scene.materials.clear();
   std::set<std::string> took_default;
@@ -229,6 +231,9 @@ void assign_materials(Scene& scene, const MaterialRules& rules, const Log& log) 
     instance.materials.clear();
     for (const std::string& name : instance.mesh->material_names) {
       const Material* material = whole ? whole : find_by_name(name, defined);
+      if (!material && instance.names_resolve && !name.empty()) {
+        throw unknown_material(instance.name, "", ": material", name, defined);
+      }
       if (!material) {
         material = find_by_name(rules.default_material, defined);
         took_default.insert(printable(name));

@@ -12,7 +12,7 @@
 namespace insonify {
 namespace {
 
-constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+constexpr std::uint32_t kNoVertex = std::numeric_limits<std::uint32_t>::max();
 
 void check(const HeightGrid& grid) {
   check_field(grid.name, {"columns", "", at_least(2), ""}, grid.columns);
@@ -24,7 +24,7 @@ void check(const HeightGrid& grid) {
     throw Error(fmt::format("{}: {} heights, {} columns x {} rows need {}", grid.name, grid.heights.size(),
                             grid.columns, grid.rows, cells));
   }
-  if (cells >= kNone) {
+  if (cells >= kNoVertex) {
     throw Error(
         fmt::format("{}: {} columns x {} rows must be less than 2^32 points", grid.name, grid.columns, grid.rows));
   }
@@ -131,14 +131,14 @@ std::size_t count_triangles(const HeightGrid& grid) {
 class VertexRows {
  public:
   VertexRows(const HeightGrid& grid, Mesh& mesh)
-      : heights_(grid), mesh_(mesh), upper_(grid.columns, kNone), lower_(upper_) {}
+      : heights_(grid), mesh_(mesh), upper_(grid.columns, kNoVertex), lower_(upper_) {}
 
   std::uint32_t vertex(int column, int row) {
     while (row_ + 1 < row) {  // `row` is the cell's upper or lower row.
       next_row();
     }
     std::uint32_t& index = (row == row_ ? upper_ : lower_)[column];
-    if (index == kNone) {
+    if (index == kNoVertex) {
       index = static_cast<std::uint32_t>(mesh_.vertices.size());
       mesh_.vertices.push_back(heights_.position(column, row));
       mesh_.normals.push_back(heights_.normal(column, row));
@@ -150,7 +150,7 @@ class VertexRows {
   void next_row() {
     ++row_;
     std::swap(upper_, lower_);
-    lower_.assign(lower_.size(), kNone);
+    lower_.assign(lower_.size(), kNoVertex);
   }
 
   Heights heights_;

@@ -9,7 +9,7 @@
 namespace insonify {
 namespace {
 
-constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+constexpr std::uint32_t kNoEntry = std::numeric_limits<std::uint32_t>::max();
 
 std::uint64_t mixed(std::uint64_t hash, float value) {
   hash ^= std::bit_cast<std::uint32_t>(value + 0.0F);  // -0 + 0 = 0: both zeros hash alike.
@@ -40,9 +40,9 @@ std::vector<bool> used_vertices(const Mesh& mesh) {
 // Compacts the vertices to the distinct used ones and returns the new index of each.
 std::vector<std::uint32_t> join(Mesh& mesh, const std::vector<bool>& used) {
   // At most half full, so that runs of occupied places stay short.
-  std::vector<std::uint32_t> table(std::bit_ceil(2 * mesh.vertices.size() + 1), kNone);
+  std::vector<std::uint32_t> table(std::bit_ceil(2 * mesh.vertices.size() + 1), kNoEntry);
   const std::size_t mask = table.size() - 1;
-  std::vector<std::uint32_t> moved(mesh.vertices.size(), kNone);
+  std::vector<std::uint32_t> moved(mesh.vertices.size(), kNoEntry);
 
   std::uint32_t kept = 0;
   for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
@@ -52,10 +52,11 @@ std::vector<std::uint32_t> join(Mesh& mesh, const std::vector<bool>& used) {
     const Vec3f position = mesh.vertices[i];
     const Vec3f normal = mesh.normals[i];
     std::size_t place = hash_of(position, normal) & mask;
-    while (table[place] != kNone && (mesh.vertices[table[place]] != position || mesh.normals[table[place]] != normal)) {
+    while (table[place] != kNoEntry &&
+           (mesh.vertices[table[place]] != position || mesh.normals[table[place]] != normal)) {
       place = (place + 1) & mask;
     }
-    if (table[place] == kNone) {
+    if (table[place] == kNoEntry) {
       table[place] = kept;
       mesh.vertices[kept] = position;
       mesh.normals[kept] = normal;

@@ -3,8 +3,23 @@
 #include "insonify/error.h"
 #include "simulator/scene_changes.h"
 #include "simulator/simulator_state.h"
+#include "simulator/sonar_index.h"
 
 namespace insonify {
+
+PreparedSonar::PreparedSonar() = default;
+PreparedSonar::~PreparedSonar() = default;
+PreparedSonar::PreparedSonar(PreparedSonar&&) noexcept = default;
+PreparedSonar& PreparedSonar::operator=(PreparedSonar&&) noexcept = default;
+
+void Simulator::State::set(int index, SimulatedSonar sonar, const Scenario& changed) {
+  sonars[index] = std::move(sonar);
+  lanes.clear();
+  scenario.sonars[index] = changed.sonars[index];
+  if (sea && sea->fit(changed, scene)) {
+    scene_changed = true;
+  }
+}
 
 void Simulator::set_sonar(int index, const SonarConfig& config) {
   State& state = *state_;
@@ -14,12 +29,31 @@ void Simulator::set_sonar(int index, const SonarConfig& config) {
   changed.sonars[index] = config;
   changed.sonars[index].name = name;
   changed.validate();
-  state.sonars[index] = state.simulated(changed, changed.sonars[index]);
-  state.lanes.clear();
-  state.scenario.sonars[index] = changed.sonars[index];
-  if (state.sea && state.sea->fit(changed, state.scene)) {
-    state.scene_changed = true;
+  state.set(index, state.simulated(changed, changed.sonars[index]), changed);
+}
+
+PreparedSonar Simulator::prepare_sonar(const Scenario& scenario, int sonar, const Scene& scene) {
+  const SonarConfig& config = scenario.sonars[sonar_index(sonar, scenario.sonars.size())];
+  PreparedSonar prepared;
+  prepared.config_ = config;
+  prepared.material_count_ = scene.materials.size();
+  prepared.made_ = std::make_unique<SimulatedSonar>(scenario, config, materials_at(config.frequency, scenario, scene));
+  return prepared;
+}
+
+void Simulator::set_sonar(int index, PreparedSonar prepared) {
+  State& state = *state_;
+  (void)state.sonar(index);
+  const bool fits = prepared.made_ && prepared.material_count_ == state.scene.materials.size() &&
+                    prepared.config_.name == state.scenario.sonars[index].name;
+  if (!fits) {  // Objects have brought materials since.
+    set_sonar(index, prepared.config_);
+    return;
   }
+  Scenario changed = state.scenario;
+  changed.sonars[index] = prepared.config_;
+  changed.validate();
+  state.set(index, std::move(*prepared.made_), changed);
 }
 
 int Simulator::add_objects(const Scene& objects, std::span<const MovableObject> movable) {

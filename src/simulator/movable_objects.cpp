@@ -33,7 +33,7 @@ std::string object_names(const Scene& scene) {
       names.insert(instance.name.substr(0, instance.name.find("::")));
     }
   }
-  return fmt::format("{}", fmt::join(names, ", "));
+  return names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", "));
 }
 
 // Without a given frame, an object has that of its first part's mesh.

@@ -14,9 +14,9 @@ namespace insonify {
 namespace {
 
 constexpr std::size_t kRaysAtOnce = 1 << 16;
-constexpr double kClearance = 1e-4;  // Fraction of its length that a ray keeps away from surfaces at its ends.
-constexpr double kHazyAt = 2.7;      // Length scale of the haze, in median distances of the surfaces in view.
-constexpr double kGrainSize = 0.03;  // Size of the coarsest grain, in median distances.
+constexpr double kEndClearance = 1e-4;  // Fraction of its length that a ray keeps away from surfaces at its ends.
+constexpr double kHazyAt = 2.7;         // Length scale of the haze, in median distances of the surfaces in view.
+constexpr double kGrainSize = 0.03;     // Size of the coarsest grain, in median distances.
 const Vec3f kLightColour{0.98F, 1.06F, 0.98F};
 constexpr unsigned kHousingColour = 0xffc530;
 constexpr unsigned kTransducerColour = 0x2a2f36;
@@ -124,7 +124,7 @@ void Renderer::trace_second_rays() {
   const Vec3& sonar = sector_.world_from_sonar().position;
   for (std::size_t i = 0; i < spots_.size(); ++i) {
     Spot& spot = spots_[i];
-    const double clear = kClearance * hits_[i].distance;
+    const double clear = kEndClearance * hits_[i].distance;
     if (spot.lit > 0) {
       spot.light_ray = static_cast<int>(second_rays_.size());
       second_rays_.push_back(ray_to_light(spot.point));

@@ -25,6 +25,9 @@ struct Simulator::State {
   /// Makes a sonar of the scenario `in` for the scene of this simulator.
   [[nodiscard]] SimulatedSonar simulated(const Scenario& in, const SonarConfig& sonar) const;
 
+  /// Puts one in the place of a sonar, whose settings `changed` has.
+  void set(int index, SimulatedSonar sonar, const Scenario& changed);
+
   /// Passes the scene to the engine again if it has changed.
   void take_in_scene();
 

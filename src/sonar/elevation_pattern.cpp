@@ -9,7 +9,7 @@
 namespace insonify {
 namespace {
 
-constexpr int kSteps = 8192;                        // Steps of the tables.
+constexpr int kTableSteps = 8192;                   // Steps of the tables.
 constexpr double kLobeStep = 0.02;                  // Search step [wavelength / L], a small part of a lobe.
 constexpr double kWidest = 0.5 * std::numbers::pi;  // Largest angle off the axis [rad].
 
@@ -40,12 +40,12 @@ ElevationPattern::ElevationPattern(const ArraySettings& array, const SonarConfig
   const double axis = sonar.elevation_center;
   low_ = axis - outermost(pattern, length, std::min(kWidest, kSteepestElevation + axis));
   high_ = axis + outermost(pattern, length, std::min(kWidest, kSteepestElevation - axis));
-  steps_per_radian_ = kSteps / (high_ - low_);
+  steps_per_radian_ = kTableSteps / (high_ - low_);
 
   const double floor = floor_intensity();
-  intensity_.resize(kSteps + 1);
-  envelope_.resize(kSteps + 1);
-  for (int i = 0; i <= kSteps; ++i) {
+  intensity_.resize(kTableSteps + 1);
+  envelope_.resize(kTableSteps + 1);
+  for (int i = 0; i <= kTableSteps; ++i) {
     const double elevation = low_ + i / steps_per_radian_;
     intensity_[i] = static_cast<float>(pattern.intensity(length * std::sin(elevation - axis)));
     envelope_[i] = static_cast<float>(std::sqrt(std::max(static_cast<double>(intensity_[i]), floor)));
@@ -55,14 +55,14 @@ ElevationPattern::ElevationPattern(const ArraySettings& array, const SonarConfig
   for (int i = 1; i <= middle; ++i) {
     envelope_[i] = std::max(envelope_[i], envelope_[i - 1]);
   }
-  for (int i = kSteps - 1; i > middle; --i) {
+  for (int i = kTableSteps - 1; i > middle; --i) {
     envelope_[i] = std::max(envelope_[i], envelope_[i + 1]);
   }
 }
 
 double ElevationPattern::look_up(const std::vector<float>& table, double elevation) const {
-  const double at = std::clamp((elevation - low_) * steps_per_radian_, 0.0, static_cast<double>(kSteps));
-  const int below = std::min(static_cast<int>(at), kSteps - 1);
+  const double at = std::clamp((elevation - low_) * steps_per_radian_, 0.0, static_cast<double>(kTableSteps));
+  const int below = std::min(static_cast<int>(at), kTableSteps - 1);
   return std::lerp(static_cast<double>(table[below]), static_cast<double>(table[below + 1]), at - below);
 }
 

@@ -73,20 +73,22 @@ void add_row_set(const RowSet& set, const auto& sent_below, const auto& received
   }
 }
 
-// Adds one set of rows per stagger phase, evenly spaced in tan(elevation).
-void make_even_rows(double low, double high, Lattice& lattice) {
+// Adds one set of rows per stagger phase, evenly spaced in slope.
+void make_even_rows(double middle, double half, Lattice& lattice) {
   const int phases = lattice.columns_per_beam;
-  const double first = std::tan(low);
-  const double step = (std::tan(high) - first) / lattice.rows;
+  const double first = std::tan(-half);
+  const double step = (std::tan(half) - first) / lattice.rows;
   const auto sine = [](double t) { return std::sin(t); };
-  lattice.tan_step = to_float(step);
+  lattice.cos_middle = to_float(std::cos(middle));
+  lattice.sin_middle = to_float(std::sin(middle));
+  lattice.slope_step = to_float(step);
   for (int phase = 0; phase < phases; ++phase) {
-    lattice.first_tans.push_back(to_float(first + step * (phase + 0.5) / phases));
-    RowSet set{{low}, 1, nullptr};
+    lattice.first_slopes.push_back(to_float(first + step * (phase + 0.5) / phases));
+    RowSet set{{middle - half}, 1, nullptr};
     for (int row = 0; row < lattice.rows; ++row) {
-      set.ts.push_back(std::atan(first + step * (row + (phase + 0.5) / phases)));
+      set.ts.push_back(middle + std::atan(first + step * (row + (phase + 0.5) / phases)));
     }
-    set.ts.push_back(high);
+    set.ts.push_back(middle + half);
     add_row_set(set, sine, sine, lattice);
   }
 }
@@ -131,7 +133,7 @@ Lattice::Lattice(const SonarConfig& sonar, int first_phase, BeamShape beam_shape
     return;
   }
   if (even_rows) {
-    make_even_rows(sector.low, sector.high, *this);
+    make_even_rows(sonar.elevation_center, half, *this);
   } else {
     arc.set(shape, 0, sector);
     for (int phase = 0; phase < phases; ++phase) {

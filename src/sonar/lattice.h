@@ -19,9 +19,9 @@ namespace insonify {
 ///     wedge:  (cos a cos t, sin a cos t, sin t)        t = elevation
 ///     cone:   (cos a cos t, sin a, cos a sin t)        sin(elevation) = cos a sin t
 ///
-/// Without an elevation pattern (top hat), rows fill the elevation aperture: evenly spaced in tan(elevation) for
-/// wedges, because the edge functions of triangles are linear in it, and in t for cones. With a pattern, rows fill its
-/// sector with a density proportional to its envelope, so that most lie in the main lobe. The rows of neighbouring
+/// Without an elevation pattern (top hat), rows fill the elevation aperture: evenly spaced in the slope tan(t - m) for
+/// wedges, m being the aperture's middle, because depth is linear in it, and in t for cones. With a pattern, rows fill
+/// its sector with a density proportional to its envelope, so that most lie in the main lobe. The rows of neighbouring
 /// columns are staggered by fractions of a row. The stagger is mirror-symmetric about the axis, so that a mirrored
 /// scene gives a mirrored ping.
 struct Lattice {
@@ -31,7 +31,7 @@ struct Lattice {
                    const ElevationPattern* pattern = nullptr);
 
   BeamShape shape;
-  bool even_rows;  ///< Whether rows are evenly spaced in tan(elevation): see tan_step and first_tan().
+  bool even_rows;  ///< Whether rows are evenly spaced in the slope: see slope_step and first_slope().
   int columns = 0, rows = 0, columns_per_beam = 0;
 
   // [column].
@@ -60,10 +60,11 @@ struct Lattice {
   /// One-way gain |p|^2 in the direction of the row; 1 without a pattern. [set][row].
   std::vector<float> row_pattern;
 
-  // With even_rows.
-  float tan_step = 0;  ///< Difference of tan(elevation) between rows.
-  [[nodiscard]] float first_tan(int column) const { return first_tans[row_set[column]]; }  ///< tan(elevation) of row 0.
-  std::vector<float> first_tans;                                                           // [set].
+  // With even_rows. Slopes are tan(elevation - m).
+  float cos_middle = 1, sin_middle = 0;  ///< Of m, the middle of the elevation aperture.
+  float slope_step = 0;                  ///< Difference of slope between rows.
+  [[nodiscard]] float first_slope(int column) const { return first_slopes[row_set[column]]; }  ///< Of row 0.
+  std::vector<float> first_slopes;                                                             // [set].
 
   /// Lower and upper edge of an arc, as cosines and sines of t.
   struct Edges {

@@ -98,7 +98,7 @@ void check_beam_azimuths(std::string_view object, const SonarConfig& sonar) {
   }
 }
 
-// Elevations are sampled evenly in their tangent, which is infinite straight up.
+// Straight up every azimuth is the same direction.
 void check_elevations(std::string_view object, const SonarConfig& sonar) {
   const double steepest = std::abs(sonar.elevation_center) + sonar.elevation_aperture / 2;
   if (steepest > kSteepestElevation + kAngleSlack) {

@@ -93,7 +93,7 @@ std::optional<PingEvent> PingParser::last() {
     if (rest.empty()) {
       return {};
     }
-    ++first_;  // Of a header that is not whole not even the id is known.
+    ++first_;  // A header that is not whole does not even tell its id.
   }
 }
 

@@ -93,6 +93,30 @@ TEST_F(CliStopTest, CtrlCEndsAPingThatTakesLong) {
   }
 }
 
+// Pings are made in the order of their times: each sonar has made all before the time of the stop, and none after it.
+TEST_F(CliStopTest, RecordingsOfSeveralSonarsThatAreStoppedEndAtTheSameTime) {
+  const std::vector<double> periods = {0.3, 0.05, 1};
+  std::string yaml = "world: floor.obj\nsonars:\n";
+  for (std::size_t i = 0; i < periods.size(); ++i) {
+    yaml += fmt::format(
+        "  - {{name: s{}, beam_count: 16, bin_count: 40, max_range: 12, orientation_deg: [0, 20, 0], ping_period: {}, "
+        "sampling: {{columns_per_beam: 2, rows: 20}}}}\n",
+        i, periods[i]);
+  }
+  folder.write("three.yaml", yaml);
+  const Process process({"run", "three.yaml", "-o", "out", "--pings", "100000", "--no-pictures", "-q"});
+  wait_for_pings("out/s2.h5");
+  Process::wait_until([&] { return recorded("out/s2.h5") > 3; });
+  process.send(SIGINT);
+  EXPECT_EQ(process.end().status, 1);
+  const double next = static_cast<double>(recorded("out/s1.h5")) * periods[1];
+  EXPECT_GT(next, 2.9);
+  for (std::size_t i = 0; i < periods.size(); ++i) {
+    const double next_of_sonar = static_cast<double>(recorded(fmt::format("out/s{}.h5", i))) * periods[i];
+    EXPECT_NEAR(next_of_sonar, next, periods[i] + 1e-6) << i;
+  }
+}
+
 TEST_F(CliStopTest, CtrlCLeavesWhatAHeadHasSeen) {
   const Process process({"run", "scan.yaml", "-o", "out", "--pings", "100000", "--pictures", "1", "--no-view"});
   wait_for_pings("out/around.h5");

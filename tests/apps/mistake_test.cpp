@@ -28,13 +28,15 @@ TEST_P(MistakeTest, IsOneLineAndAnExitStatus) {
 
 constexpr Mistake kMistakes[] = {
     {"NoCommand", "insonify", 2,
-     "insonify: name a command; the commands are run, serve, emulate, draw, replay, info, export, sonars, describe, "
+     "insonify: name a command; the commands are run, serve, emulate, bridge, draw, replay, info, export, sonars, "
+     "describe, "
      "compare, "
      "bench, version, completion, "
      "manual "
      "(insonify --help)"},
     {"UnknownCommand", "insonify rnu fan.yaml", 2,
-     "insonify: there is no command rnu; the commands are run, serve, emulate, draw, replay, info, export, sonars, "
+     "insonify: there is no command rnu; the commands are run, serve, emulate, bridge, draw, replay, info, export, "
+     "sonars, "
      "describe, "
      "compare, bench, version, "
      "completion, "
@@ -42,7 +44,8 @@ constexpr Mistake kMistakes[] = {
      "--help)"},
     {"UnknownOption", "insonify run fan.yaml --frob", 2, "insonify: not understood: --frob (insonify run --help)"},
     {"UnknownOptionBeforeTheCommand", "insonify --frob", 2,
-     "insonify: there is no option --frob; the commands are run, serve, emulate, draw, replay, info, export, sonars, "
+     "insonify: there is no option --frob; the commands are run, serve, emulate, bridge, draw, replay, info, export, "
+     "sonars, "
      "describe, "
      "compare, bench, version, "
      "completion, manual (insonify "
@@ -102,6 +105,19 @@ constexpr Mistake kMistakes[] = {
     {"NoInstrument", "insonify emulate", 2, "insonify: emulate: name one of oculus, ping360 (insonify emulate --help)"},
     {"UnknownInstrument", "insonify emulate ping36 scan.yaml", 2,
      "insonify: there is no emulate ping36: name one of oculus, ping360 (insonify emulate --help)"},
+    {"NoBridge", "insonify bridge", 2, "insonify: bridge: name one of ros1, dds, gazebo (insonify bridge --help)"},
+    {"UnknownBridge", "insonify bridge ros fan.yaml", 2,
+     "insonify: there is no bridge ros: name one of ros1, dds, gazebo (insonify bridge --help)"},
+    {"NothingToBridge", "insonify bridge ros1", 2, "insonify: SCENARIO is required (insonify bridge ros1 --help)"},
+    {"UnknownWordForABridge", "insonify bridge ros1 fan.yaml __name:=sonar more", 2,
+     "insonify: not understood: more (insonify bridge ros1 --help)"},
+    {"WordsOfRos1ForAnotherBridge", "insonify bridge dds fan.yaml __name:=sonar", 2,
+     "insonify: not understood: __name:=sonar (insonify bridge dds --help)"},
+    {"BitsOfABridge", "insonify bridge dds fan.yaml --bits 12", 2,
+     "insonify: --bits: 12 must be 8 or 16 (insonify bridge dds --help)"},
+    {"LevelsOfABridge", "insonify bridge gazebo fan.yaml --levels -40:-90", 2,
+     "insonify: --levels: -40:-90 must be LOW:HIGH, two rising levels from -400 to 400 dB, as -90:-40 (insonify bridge "
+     "gazebo --help)"},
     {"NothingToEmulate", "insonify emulate oculus", 2,
      "insonify: SCENARIO is required (insonify emulate oculus --help)"},
     {"UnknownSonarToEmulate", "insonify emulate oculus scan.yaml --sonar nobody --port 0", 2,

@@ -6,15 +6,12 @@ ping360_test.py INSONIFY
 
 import math
 import os
-import pathlib
 import random
 import select
 import signal
 import socket
 import struct
 import subprocess
-import sys
-import tempfile
 import time
 import tty
 import unittest
@@ -24,9 +21,8 @@ try:
 except ImportError:
     h5py = None
 
+from emulated import INSONIFY, Emulated
 from ping360_client import ACK, AUTO_DATA, DATA, NACK, auto_transmit, frame, loudest, parsed, samples_of, transducer
-
-INSONIFY = os.path.abspath(sys.argv.pop(1))
 
 # A target 4.1 m ahead, and one 5.3 m to starboard. 80 ticks of 25 ns are 2 us; with 1500 m/s a sample is 1.5 mm.
 SCENARIO = """
@@ -42,15 +38,11 @@ sonars:
 NOISE = ("--set", "receiver.ambient_noise_db=76")  # Fills samples with values between dark and bright.
 
 
-class Instrument:
+class Instrument(Emulated):
     """insonify emulate ping360 in a folder of its own, and a socket that talks with it."""
 
     def __init__(self, *options, scenario=SCENARIO):
-        self.folder = tempfile.TemporaryDirectory()
-        self.path = pathlib.Path(self.folder.name)
-        (self.path / "scan.yaml").write_text(scenario)
-        self.process = subprocess.Popen([INSONIFY, "emulate", "ping360", "scan.yaml", "--port", "0", *options],
-                                        cwd=self.path, text=True, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+        super().__init__("ping360", "scan.yaml", "--port", "0", *options, files={"scan.yaml": scenario})
         line = self.process.stdout.readline()
         if not line:
             raise AssertionError(self.process.communicate()[1])
@@ -72,18 +64,9 @@ class Instrument:
     def quiet(self, seconds=0.3):
         return not select.select([self.socket], [], [], seconds)[0]
 
-    def end(self):
-        start = time.monotonic()
-        self.process.send_signal(signal.SIGINT)
-        out, err = self.process.communicate(timeout=10)
-        return self.process.returncode, out, err, time.monotonic() - start
-
     def close(self):
         self.socket.close()
-        if self.process.poll() is None:
-            self.process.kill()
-            self.process.communicate()
-        self.folder.cleanup()
+        super().close()
 
 
 class Ping360Test(unittest.TestCase):

@@ -11,6 +11,7 @@ namespace insonify {
 namespace {
 
 using nlohmann::json;
+using testing::AnyOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::Not;
@@ -173,7 +174,7 @@ TEST_F(RecordingsCliTest, ExportWarnsOfAnUnfinishedRecording) {
     Process::wait_until([] {
       std::error_code ignored;
       const auto size = std::filesystem::file_size("out/ahead.h5", ignored);
-      return !ignored && size > 300'000;
+      return !ignored && size > 3'000'000;  // Some pings: the first does not fill the file that it begins.
     });
     process.send(SIGKILL);
     EXPECT_EQ(process.end().status, -1);
@@ -204,6 +205,20 @@ TEST_F(RecordingsCliTest, AWholeRecordingIsToldFromOthersByWhatItSays) {
   EXPECT_EQ(info("copy.h5").at("state"), "disk_full");
 }
 
+TEST_F(RecordingsCliTest, AVideoThatFindsTheDiskFullSaysSo) {
+  if (shell("ffmpeg -version").status != 0) {
+    GTEST_SKIP() << "there is no ffmpeg";
+  }
+  ASSERT_EQ(shell("insonify run fan.yaml -o out -q --no-pictures --pings 20").status, 0);
+  const Outcome full =
+      shell("bash -c 'trap \"\" XFSZ; ulimit -f 4; " INSONIFY_CLI " export out/ahead.h5 -o ahead.mp4'");
+  EXPECT_EQ(full.status, 1);
+  EXPECT_THAT(full.err,
+              AnyOf("insonify: ahead.mp4: cannot write: File too large\n",  // Where ffmpeg ends with a failure.
+                    "insonify: ahead.mp4: cannot write: ffmpeg has left half a video; the disk may be full\n"));
+  EXPECT_FALSE(std::filesystem::exists("ahead.mp4"));
+}
+
 TEST_F(RecordingsCliTest, ValuesThatAreCutAreTold) {
   const char* const cut = " of ahead are above the highest level, -150 dB, and are cut there; the loudest has -";
   const Outcome run = shell("insonify run fan.yaml -o out -q --no-pictures --record h5,mcap --levels=-200:-150");
@@ -215,6 +230,8 @@ TEST_F(RecordingsCliTest, ValuesThatAreCutAreTold) {
     EXPECT_EQ(outcome.status, 0);
     EXPECT_THAT(outcome.err, HasSubstr(cut));
     EXPECT_EQ(shell(fmt::format("insonify export out/ahead.h5 -o whole.{} --levels=-200:0", ending)).err, "");
+    // What was cut has the highest level now, and is told again as it is.
+    EXPECT_EQ(shell(fmt::format("insonify export cut.mcap -o again.{} --levels=-200:-150", ending)).err, "") << ending;
   }
 }
 

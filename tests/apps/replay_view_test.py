@@ -98,6 +98,20 @@ class Replaying(unittest.TestCase):
             if what(state):
                 return state
 
+    def shown(self, sonar, number, time):
+        """Waits for a ping of the sonar and for a state at its time, whichever comes first."""
+        missing = {"ping", "state"}
+        while missing:
+            opcode, data = self.page.frame()
+            if opcode == 1:
+                message = json.loads(data)
+                if message["op"] == "state" and abs(message["time"] - time) < 1e-6:
+                    missing.discard("state")
+            elif opcode == 2 and data[0] == 1:
+                header = json.loads(data[8:8 + int.from_bytes(data[4:8], "little")])
+                if (header["sonar"], header["number"]) == (sonar, number):
+                    missing.discard("ping")
+
     def refused(self, **message):
         self.page.say(**message)
         error = self.page.text("error")
@@ -154,14 +168,27 @@ class Replaying(unittest.TestCase):
                 return
         self.fail("the ball was not seen where it was at that time")
 
-    def test_steps_go_on_and_back_one_time_at_a_time(self):
-        self.seek(0.5)
-        before = self.state(lambda state: abs(state["time"] - 0.5) < 0.05)["time"]
-        after = self.times[self.times.index(before) + 1]
-        self.page.say(op="step")
-        self.state(lambda state: state["time"] == after)
+    def test_steps_go_to_pings_of_the_sonar_that_is_watched(self):
+        for sonar in ("fls", "head"):
+            self.seek(0.5)
+            self.state(lambda state: abs(state["time"] - 0.5) < 0.05)
+            self.watched(sonar, ["level"])
+            times = list(self.files[sonar]["time"][:])
+            number = self.number_at(sonar, 0.5) + 1
+            for back, to in ((False, number), (False, number + 1), (True, number), (True, number - 1)):
+                self.page.say(op="step", back=back)
+                self.shown(sonar, to, times[to])
+
+    def test_past_the_last_ping_of_the_watched_sonar_steps_go_on(self):
+        last = self.files["fls"]["time"][-1]
+        self.seek(last)
+        rest = [time for time in self.times if time > last]
+        self.assertGreater(len(rest), 0)
+        for time in rest:
+            self.page.say(op="step")
+            self.state(lambda state, time=time: abs(state["time"] - time) < 1e-6)
         self.page.say(op="step", back=True)
-        self.state(lambda state: state["time"] == before)
+        self.state(lambda state: state["time"] == self.files["fls"]["time"][-1 if rest[-1] > last else -2])
 
     def test_it_ends_paused_and_begins_anew(self):
         self.page.say(op="seek", time=1e9)
@@ -226,28 +253,30 @@ class Starting(unittest.TestCase):
             server.close()
 
     def test_without_its_world_names_stay(self):
-        server = replay("--folder", "out", files=("out/fls.h5",))
-        try:
-            page = Socket(server.port)
-            page.open()
-            self.assertIn("ball::l::v", page.text("hello")["objects"])
-            page.ping("fls")
-            _, _, err, _ = server.end()
-            self.assertEqual(err.count("\n"), 1)
-            self.assertIn("the scene is shown without its objects", err)
-        finally:
-            server.close()
+        for ending in ("h5", "mcap"):
+            server = replay("--folder", "out", files=(f"out/fls.{ending}",), before=((*RUN, "--record", ending),))
+            try:
+                page = Socket(server.port)
+                page.open()
+                self.assertIn("ball::l::v", page.text("hello")["objects"], ending)
+                page.ping("fls")
+                _, _, err, _ = server.end()
+                self.assertEqual(err.count("\n"), 1)
+                self.assertIn("the scene is shown without its objects", err)
+            finally:
+                server.close()
 
     def test_a_world_that_has_changed_is_not_shown(self):
-        server = replay()
+        server = replay(before=((*RUN, "--record", "h5,mcap"),))
         try:
             server.end()
             (server.path / "world.sdf").write_text(WORLD.replace("<visual name=\"v\">", "<visual name=\"w\">"))
-            done = subprocess.Popen([INSONIFY, "replay", "out/fls.h5", "--view", "--port", "0"], cwd=server.path, text=True,
-                                    stdout=subprocess.PIPE, stderr=subprocess.PIPE)
-            done.stdout.readline()
-            done.send_signal(signal.SIGTERM)
-            self.assertIn("has other objects than the recording", done.communicate(timeout=20)[1])
+            for file in ("out/fls.h5", "out/fls.mcap"):
+                done = subprocess.Popen([INSONIFY, "replay", file, "--view", "--port", "0"], cwd=server.path, text=True,
+                                        stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+                done.stdout.readline()
+                done.send_signal(signal.SIGTERM)
+                self.assertIn("has other objects than the recording", done.communicate(timeout=20)[1], file)
         finally:
             server.close()
 
@@ -263,6 +292,22 @@ class Starting(unittest.TestCase):
             while not numbers or numbers[-1] < 29:
                 numbers.append(page.ping("head")[0]["number"])
             self.assertEqual(numbers, sorted(numbers))
+        finally:
+            server.close()
+
+    def test_of_an_unfinished_recording_it_says_so(self):
+        server = replay(files=("run.mcap",), before=(RUN, ("export", "out/fls.h5", "-o", "run.mcap")))
+        try:
+            server.end()
+            whole = (server.path / "run.mcap").read_bytes()
+            (server.path / "run.mcap").write_bytes(whole[:-100])  # Of the summary at its end.
+            done = subprocess.Popen([INSONIFY, "replay", "run.mcap", "--view", "--port", "0"], cwd=server.path, text=True,
+                                    stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+            done.stdout.readline()
+            done.send_signal(signal.SIGTERM)
+            told = done.communicate(timeout=20)[1]
+            self.assertIn("run.mcap is unfinished: the run that wrote it was killed", told)
+            self.assertIn("it has 12 pings", told)
         finally:
             server.close()
 

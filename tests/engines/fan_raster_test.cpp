@@ -101,9 +101,10 @@ TEST(FanRasterTest, ATriangleCoversTheDirectionsBetweenItsCorners) {
 // A spherical shell of triangles whose vertices are in the directions of the samples: every sample lies on an edge, and
 // must hit one of the triangles.
 TEST(FanRasterTest, NoSampleFallsBetweenTriangles) {
-  for (const int columns_per_beam : {1, 3}) {
+  for (const auto& [columns_per_beam, tilt] : {std::pair{1, 0.0}, {3, 0.0}, {1, -43.0}, {3, 31.0}}) {
     SonarConfig sonar = fan_of(60, 40);
     sonar.sampling.columns_per_beam = columns_per_beam;
+    sonar.elevation_center = tilt * kDegree;
     Drawing blank({}, sonar, {});
     const Lattice& lattice = blank.lattice();
     Mesh shell;
@@ -153,13 +154,18 @@ TEST(FanRasterTest, SurfacesBeyondTheRangeAreNotHit) {
   }
 }
 
-// Hit by hit against rays on random scenes, a quarter of them with a fan of 360 degrees.
+// Hit by hit against rays on random scenes, a quarter of them with a fan of 360 degrees, a third of them with one that
+// looks steeply up or down.
 TEST(FanRasterTest, HitsWhatRaysHit) {
   double samples = 0, met = 0, one_only = 0, other = 0, range_apart = 0, normal_apart = 0;
   for (int seed = 0; seed < kScenes; ++seed) {
     RandomScene random(seed);
     if (seed % 4 == 3) {
       random.sonar.azimuth_aperture = 360 * kDegree;
+    }
+    if (seed % 3 == 2) {
+      const double half = random.sonar.elevation_aperture / 2;
+      random.sonar.elevation_center = (seed % 2 == 0 ? 1 : -1) * (75 * kDegree - half);
     }
     const auto engine = make_engine("cpu", 2);
     engine->set_scene(random.scene);

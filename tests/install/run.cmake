@@ -2,12 +2,14 @@
 # runs a shipped scene, and nothing has a search path that it should not have.
 #   BUILD_DIR        a built tree of insonify
 #   SOURCE_DIR       its sources: a static library is made of its object files first, in WORK_DIR/static
+#   UNITY            what CMAKE_UNITY_BUILD was for them
 #   PACKAGES         ON: by way of Debian packages, unpacked in WORK_DIR/root
 #   HARDENED         ON: the build has what cmake/Hardening.cmake gives
 #   WORK_DIR         where to do all this
 #   COMPILER         C++ compiler
 #   PYTHON           Python 3
 #   WITH_PYTHON      ON: the Python package was built
+#   BRIDGES          how many programs of bridges were built
 set(prefix ${WORK_DIR}/prefix)
 file(REMOVE_RECURSE ${prefix} ${WORK_DIR}/staged ${WORK_DIR}/consumer ${WORK_DIR}/examples ${WORK_DIR}/root ${WORK_DIR}/packages ${WORK_DIR}/other)
 function(run)
@@ -26,11 +28,12 @@ function(build_project name sources)
 endfunction()
 
 if(SOURCE_DIR)
-  # Of the same object files: to compile everything once more would take minutes.
+  # Takes the same object files: to compile everything once more would take minutes.
   set(ENV{CMAKE_CXX_COMPILER_LAUNCHER} "${CMAKE_CURRENT_LIST_DIR}/take_object.sh;${BUILD_DIR}")
   set(BUILD_DIR ${WORK_DIR}/static)
   run(${CMAKE_COMMAND} -G Ninja -S ${SOURCE_DIR} -B ${BUILD_DIR} -DCMAKE_BUILD_TYPE=Release
-      -DCMAKE_CXX_COMPILER=${COMPILER} -DBUILD_SHARED_LIBS=OFF -DINSONIFY_BUILD_TESTS=OFF -DINSONIFY_BUILD_APPS=OFF)
+      -DCMAKE_CXX_COMPILER=${COMPILER} -DBUILD_SHARED_LIBS=OFF -DCMAKE_UNITY_BUILD=${UNITY}
+      -DINSONIFY_BUILD_TESTS=OFF -DINSONIFY_BUILD_APPS=OFF)
   run(${CMAKE_COMMAND} --build ${BUILD_DIR})
   unset(ENV{CMAKE_CXX_COMPILER_LAUNCHER})
 endif()
@@ -40,9 +43,9 @@ if(PACKAGES)
   run(cpack --config ${BUILD_DIR}/CPackConfig.cmake -B ${WORK_DIR}/packages -D CPACK_DEBIAN_COMPRESSION_TYPE=gzip)
   file(GLOB packages ${WORK_DIR}/packages/*.deb)
   list(LENGTH packages count)
-  set(expected 3)
+  math(EXPR expected "3 + ${BRIDGES}")
   if(WITH_PYTHON)
-    set(expected 4)
+    math(EXPR expected "${expected} + 1")
   endif()
   if(NOT count EQUAL expected)
     message(FATAL_ERROR "There should be ${expected} packages, and there are: ${packages}")

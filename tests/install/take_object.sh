@@ -12,7 +12,7 @@ for word; do
   previous=$word
 done
 case $object in
-  *.cpp.o)
+  *.cpp.o | *.cxx.o)
     if [ -f "$build/$object" ]; then
       echo "$object:" >"$depfile"
       exec cp "$build/$object" "$object"

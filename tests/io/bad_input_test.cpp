@@ -87,6 +87,8 @@ const BadScenario kCases[] = {
      "scenario.yaml:1:1: world is missing: the SDF file or mesh to insonify"},
     {"NoWorldAndNoPoints", "points: []\nsurface: null\nsonars: [{name: fls}]\n",
      "scenario.yaml:1:1: world is missing: the SDF file or mesh to insonify"},
+    {"WrongValueWithoutAWorld", "sonars:\n  - max_range: -3\n",
+     "scenario.yaml:2:5: sonars[0].max_range = -3 m must be greater than 0, at most 100000 m"},
     {"WorldIsNotThere", "world: wreck.sdf\nsonars: [{name: fls}]\n",
      "scenario.yaml:1:1: world = \"wreck.sdf\" is not there: no file FOLDER/wreck.sdf"},
     {"WorldWithoutAName", "world:\nsonars: [{name: fls}]\n",
@@ -185,8 +187,11 @@ TEST_F(WrongFileTest, MeshInsteadOfAScenario) {
 }
 
 TEST_F(WrongFileTest, WorldInsteadOfAScenario) {
-  EXPECT_EQ(message_of([] { (void)load_scenario("tank.sdf"); }),
-            "tank.sdf: is an SDF world, not a scenario; write a YAML file that says world: tank.sdf and lists sonars");
+  folder.write("tank.sdf", "<sdf version='1.9'><world name='tank'/></sdf>");
+  EXPECT_EQ(
+      message_of([] { (void)load_scenario("tank.sdf"); }),
+      "tank.sdf: is an SDF world, not a scenario; write a YAML file that says world: tank.sdf and lists sonars, or put "
+      "<insonify:sonar> into a link");
 }
 
 }  // namespace

@@ -69,6 +69,7 @@ TEST_F(LiveDriveTest, PingsAreMadeWhereTheVehicleWasToldToBe) {
     EXPECT_EQ(pings[i].ping.number, i);
     EXPECT_NEAR(pings[i].ping.time, kPeriod * index, 1e-9);
     EXPECT_EQ(pings[i].stamp, 70 + index);
+    EXPECT_EQ(pings[i].clock, 1000 + kPeriod * index);
     EXPECT_GE(pings[i].made_at, pings[i].told_at);
     EXPECT_LT(pings[i].made_at - pings[i].told_at, 10);
     const Pose told = pose_at(0.3 * index, 0.2 * index);

@@ -4,6 +4,9 @@
 
 #include <gmock/gmock.h>
 
+#include <future>
+#include <thread>
+
 #include "insonify/files.h"
 #include "insonify/scenario_requests.h"
 #include "insonify/simulator.h"
@@ -121,7 +124,7 @@ TEST_F(LiveLoopTest, ASonarInsideOfAnObjectIsTold) {
   keeper_.wait_for_pings(3);
   EXPECT_THAT(keeper_.notes(), IsEmpty());
   EXPECT_EQ(answer_to([&](auto done) { loop->place({Vec3(7, 1, -1.2), Eigen::Quaterniond::Identity()}, done); }), "");
-  keeper_.wait_for_notes(2);  // Of both sonars, once.
+  keeper_.wait_for_notes(2);  // One note of each sonar.
   keeper_.wait_for_pings(20);
   EXPECT_THAT(keeper_.notes(),
               testing::UnorderedElementsAre("fls is inside of ball::link::ball, whose surface it hears from within",
@@ -239,6 +242,72 @@ TEST_F(LiveLoopTest, AnEndedRecordingIsToldWithFilesPingsAndBytes) {
   EXPECT_EQ(told[0].bytes, std::filesystem::file_size("out-fls.h5") + std::filesystem::file_size("out-head.h5"));
 }
 
+TEST_F(LiveLoopTest, ValuesThatARecordingHasCutAreToldAtItsEnd) {
+  LiveOptions options{.threads = 2};
+  options.messages.low_db = -200;
+  options.messages.high_db = -150;
+  const auto loop = started(scenario_text(), options);
+  EXPECT_EQ(answer_to([&](auto done) { loop->record("out.mcap", done); }), "");
+  keeper_.wait_for_pings(5);
+  EXPECT_THAT(keeper_.notes(), IsEmpty());
+  EXPECT_EQ(answer_to([&](auto done) { loop->stop_recording(done); }), "");
+  ASSERT_EQ(keeper_.notes().size(), 2U);
+  EXPECT_THAT(keeper_.notes()[0], testing::StartsWith("warning: out.mcap: "));
+  EXPECT_THAT(keeper_.notes()[0], HasSubstr(" values of fls are above the highest level, -150 dB, and are cut there"));
+  EXPECT_THAT(keeper_.notes()[1], HasSubstr(" values of head are above the highest level, -150 dB"));
+}
+
+// A session that is killed has what was written until then.
+TEST_F(LiveLoopTest, TheScenarioIsBesideARecordingFromItsFirstPingOn) {
+  const auto loop = started(scenario_text());
+  loop->place({{0.2, -0.5, 0.3}, orientation_from_rpy(0, 0, 0.1)});
+  EXPECT_EQ(answer_to([&](auto done) { loop->record("out.h5", done); }), "");
+  keeper_.wait_for_pings(6);
+  const Scenario scenario = load_scenario("out.yaml");
+  EXPECT_NEAR(scenario.trajectory.at(0).position.y(), -0.5, 1e-6);
+  EXPECT_GE(ScenarioRequests(scenario).ping_count(0), 1U);
+  // Earlier files that are to be replaced stay until the end, with their scenario.
+  EXPECT_EQ(answer_to([&](auto done) { loop->stop_recording(done); }), "");
+  const auto size = std::filesystem::file_size("out.yaml");
+  folder_.write("out-fls.h5", "mine");
+  EXPECT_EQ(answer_to([&](auto done) { loop->record("out.h5", done, true); }), "");
+  keeper_.wait_for_pings(6);
+  EXPECT_EQ(std::filesystem::file_size("out.yaml"), size);
+  int beside = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(".")) {
+    const std::string name = entry.path().filename();
+    beside += name.starts_with("out-fls.h5.") && name.ends_with(".yaml") ? 1 : 0;
+  }
+  EXPECT_EQ(beside, 1);
+  EXPECT_EQ(answer_to([&](auto done) { loop->stop_recording(done); }), "");
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator("."), {}), 5) << "nothing else is left";
+}
+
+TEST_F(LiveLoopTest, ARecordingThatCannotBeginLeavesNoFile) {
+  const std::string name(200, 'n'), stem(46, 'o');  // Of the name with its ending .new, more than the system takes.
+  const auto loop = started(scenario_text(), {.threads = 2}, {"sonars.head.name=" + name});
+  const std::string error = answer_to([&](auto done) { loop->record(stem + ".h5", done); });
+  EXPECT_THAT(error, HasSubstr("File name too long"));
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator("."), {}), 2) << "world and scenario";
+}
+
+// Of thousands of beams, whose tables take seconds.
+TEST_F(LiveLoopTest, PingsGoOnWhileBeamsArePreparedAndTheEndDoesNotWaitForThem) {
+  const auto loop = started(scenario_text());
+  keeper_.wait_for_pings(2);
+  const auto answer = std::make_shared<std::promise<std::string>>();
+  std::future<std::string> told = answer->get_future();
+  loop->set({"sonars.fls.beam_count=4000"}, [answer](const std::string& error) { answer->set_value(error); });
+  for (int i = 0; i < 500 && !loop->state().preparing; ++i) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  }
+  keeper_.wait_for_pings(8);
+  EXPECT_TRUE(loop->state().preparing);
+  EXPECT_EQ(keeper_.last(0).ping.beam_count, 24);
+  loop->end();
+  EXPECT_EQ(told.get(), "the simulation ends");
+}
+
 TEST_F(LiveLoopTest, ARecordingReplacesOthersWhereThatIsAllowedAndNotWithoutAPing) {
   const auto loop = started(scenario_text());
   for (const char* name : {"out.yaml", "out.mcap", "none.yaml", "none-fls.h5", "none-head.h5"}) {
@@ -282,7 +351,7 @@ TEST_F(LiveLoopTest, SettingsAreAllOrNothingWithTheMessagesOfTheCommandLine) {
   EXPECT_EQ(loop->world()->scenario.seed, 3U) << "settings of before hold on";
 }
 
-// Of sonars alone, which a simulator takes in; of the model, for which it is built anew.
+// A change of sonars alone, which a simulator takes in; and of the model, for which it is built anew.
 TEST_F(LiveLoopTest, ChangedSettingsMakeThePingsOfAScenarioThatHadThem) {
   const auto loop = started(scenario_text(kTrack));
   for (const std::vector<std::string>& settings :

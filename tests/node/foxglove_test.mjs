@@ -71,6 +71,30 @@ async function messagesOf(address, name) {
   return {messages, channels, statuses};
 }
 
+// Subscribes to every channel in one message, and counts what comes of each topic.
+async function counting(address) {
+  const socket = new WebSocket(address, ["foxglove.sdk.v1"]);
+  const counts = new Map();
+  const topics = [];
+  socket.on("message", (data, binary) => {
+    if (binary) {
+      const topic = topics[data.readUInt32LE(1)];
+      counts.set(topic, counts.get(topic) + 1);
+      return;
+    }
+    const message = JSON.parse(data);
+    if (message.op === "advertise") {
+      const subscriptions = message.channels.map(({id, topic}) => {
+        counts.set(topic, 0);
+        return {id: topics.push(topic) - 1, channelId: id};
+      });
+      socket.send(JSON.stringify({op: "subscribe", subscriptions}));
+    }
+  });
+  await until("the channels", () => topics.length > 0);
+  return {socket, counts};
+}
+
 function checkChannels(channels) {
   const expected = ["/fls/sonar_image", "/fls/fan", "/fls/points", "/fls/pose", "/side/sonar_image", "/side/fan",
     "/side/points", "/side/pose", "/tf", "/scenario"];
@@ -116,6 +140,36 @@ try {
     assert.match(messages.get("/scenario")[0].message.data, /points/);
     const frames = messages.get("/tf").flatMap(({message}) => message.transforms.map((one) => one.child_frame_id));
     assert.ok(frames.includes("fls") && frames.includes("side"), `frames: ${[...new Set(frames)]}`);
+  }
+
+  // While nothing is made, subscriptions to every channel in one message get the last ping of each sonar: a message on
+  // each topic of a sonar, one of each sonar on /tf, and the scenario once. A client that was there gets none again.
+  const viewer = new WebSocket(address, ["insonify.viewer.v1"]);
+  let state = {};
+  viewer.on("message", (data, binary) => {
+    const text = binary ? {} : JSON.parse(data);
+    state = text.op === "state" ? text : state;
+  });
+  await until("the viewer's state", () => "paused" in state);
+  viewer.send(JSON.stringify({op: "pause", on: true}));
+  await until("the pause", () => state.paused);
+  const first = await counting(address);
+  const of = (topic) => (topic === "/tf" ? 2 : 1);
+  const complete = (counts) => [...counts].every(([topic, count]) => count >= of(topic));
+  await until("every topic, while paused", () => complete(first.counts));
+  const second = await counting(address);
+  await until("every topic for another client", () => complete(second.counts));
+  await new Promise((resolve) => setTimeout(resolve, 300));
+  for (const {counts} of [first, second]) {
+    assert.deepEqual(Object.fromEntries(counts), Object.fromEntries([...counts.keys()].map((topic) => [topic, of(topic)])));
+  }
+  viewer.send(JSON.stringify({op: "pause", on: false}));
+  await until("pings again", () => first.counts.get("/fls/sonar_image") > 10);
+  assert.equal(first.counts.get("/scenario"), 1);
+  viewer.send(JSON.stringify({op: "set", settings: ["water.salinity=20"]}));
+  await until("the scenario after a change", () => first.counts.get("/scenario") === 2);
+  for (const {socket} of [first, second, {socket: viewer}]) {
+    socket.close();
   }
 
   // What it cannot do is answered, and what is no message ends the connection with a reason.

@@ -122,11 +122,31 @@ class McapInputTest(unittest.TestCase):
         self.assertEqual(layer.description, "Echo intensity, from levels of -100 to -40 dB in steps of 0.00092 dB, with "
                          "30 dB a decade of range added; 0 below, cut above.")
 
-    def test_there_is_no_ground_truth(self):
-        recorded = insonify.open("out/büg.mcap")
-        self.assertEqual(recorded.layers, ["intensity"])
-        self.assertIsNone(recorded.instance)
-        self.assertEqual(recorded.instance_names, [])
+    def test_there_is_no_ground_truth_but_its_names(self):
+        exact = insonify.open("out/büg.h5")
+        self.assertEqual(len(exact.instance_names), 1)
+        self.assertIn("sand", exact.material_names)
+        for path in ("out/büg.mcap", "both.mcap"):
+            recorded = insonify.open(path, "büg")
+            self.assertEqual(recorded.layers, ["intensity"])
+            self.assertIsNone(recorded.instance)
+            self.assertEqual(recorded.instance_names, exact.instance_names)
+            self.assertEqual(recorded.material_names, exact.material_names)
+        # From HDF5 to MCAP and on to NumPy.
+        self.run_insonify("export", "out/büg.h5", "-o", "names.mcap")
+        self.run_insonify("export", "names.mcap", "-o", "names.npz")
+        with np.load("names.npz") as archive:
+            self.assertEqual(list(archive["instance_names"]), exact.instance_names)
+            self.assertEqual(list(archive["material_names"]), exact.material_names)
+
+    def test_names_that_are_no_list_are_refused(self):
+        data = pathlib.Path("out/büg.mcap").read_bytes()
+        name = b'["' + insonify.open("out/büg.h5").instance_names[0].encode() + b'"]'
+        self.assertEqual(data.count(name), 1)
+        # The checksum of the file is that of its messages and summary.
+        pathlib.Path("wrong.mcap").write_bytes(data.replace(name, name[:-1] + b" "))
+        with self.assertRaisesRegex(insonify.Error, "^wrong.mcap: its metadata instance_names must be a list of texts$"):
+            insonify.open("wrong.mcap")
 
     def test_pings_can_be_drawn(self):
         for sonar in ("büg", "around"):
@@ -202,7 +222,7 @@ class McapInputTest(unittest.TestCase):
                                     "--duration", "1e6"])
         file = pathlib.Path("killed/büg.mcap")
         deadline = time.monotonic() + 60
-        while (not file.exists() or len(chunks_of(file.read_bytes())) < 6) and time.monotonic() < deadline:
+        while (not file.exists() or len(chunks_of(file.read_bytes())) < 9) and time.monotonic() < deadline:
             time.sleep(0.02)
         process.send_signal(signal.SIGKILL)
         process.wait()
@@ -210,7 +230,7 @@ class McapInputTest(unittest.TestCase):
         killed = insonify.open(file)
         self.assertGreaterEqual(len(killed), 2)
         np.testing.assert_array_equal(killed.intensity[1], whole.intensity[1])
-        # Of all its chunks a ping costs the one that it is in; the first is read for the scenario.
+        # A ping costs the one chunk that it is in; the first chunk is read for the scenario.
         before = bytes_read()
         self.assertGreater(insonify.open(file).intensity[1].max(), 0)
         self.assertLess(bytes_read() - before, 0.7 * file.stat().st_size)

@@ -120,6 +120,73 @@ class MistakesTest(unittest.TestCase):
         self.assertGreater(ping.intensity.max(), 0)
         np.testing.assert_array_equal(again.intensity, ping.intensity)
 
+    def test_copies_of_settings_refuse_a_change_that_would_reach_nobody(self):
+        simulator = insonify.Simulator(scenario())
+        sonars = "this is a copy of a simulator's sonar; change a copy() of it and pass that to Simulator.set_sonar()"
+        self.assertEqual(
+            self.message(lambda: setattr(simulator.sonar("ahead"), "max_range", 3), AttributeError),
+            "SonarConfig.max_range cannot be set: " + sonars,
+        )
+        self.assertEqual(
+            self.message(lambda: setattr(simulator.sonar().sampling, "columns_per_beam", 9), AttributeError),
+            "Sampling.columns_per_beam cannot be set: " + sonars,
+        )
+        self.assertEqual(
+            self.message(lambda: setattr(simulator.scenario, "seed", 3), AttributeError),
+            "Scenario.seed cannot be set: this is a copy of a simulator's scenario; pass a changed copy() of a sonar to "
+            "Simulator.set_sonar(), of the scenario to a new Simulator()",
+        )
+        self.assertIn(
+            "SonarConfig.azimuth_aperture_deg cannot be set",
+            self.message(lambda: setattr(simulator.scenario.sonars[0], "azimuth_aperture_deg", 3), AttributeError),
+        )
+        self.message(lambda: simulator.scenario.points.clear(), AttributeError)
+        with self.assertRaises(TypeError):
+            simulator.scenario.materials["steel"] = insonify.MaterialOverride()
+        self.assertEqual(
+            self.message(lambda: setattr(simulator.ping().sonar, "bits", 3), AttributeError),
+            "SonarConfig.bits cannot be set: a ping was made with these settings; change a copy() of them",
+        )
+        self.assertEqual(
+            self.message(lambda: simulator.scene.add("x", [[0, 0, 0]], [[0, 0, 0]]), AttributeError),
+            "this is a copy of a simulator's scene; Simulator.add() adds objects to the simulator's",
+        )
+
+    def test_a_copy_of_a_simulators_settings_can_be_changed_and_set(self):
+        given = scenario()
+        given.materials = {"hull": "steel"}
+        given.points[0].position = (5, 0, 0)
+        scene = insonify.Scene()
+        scene.add("plate", [[3, -1, -1], [3, 1, -1], [3, 0, 1]], [[0, 1, 2]], material="hull")
+        simulator = insonify.Simulator(given, scene)
+        for copied in (insonify.SonarConfig.copy, copy.copy, copy.deepcopy, lambda x: pickle.loads(pickle.dumps(x))):
+            sonar = copied(simulator.sonar("ahead"))
+            sonar.max_range = 9
+            simulator.set_sonar("ahead", sonar)
+            self.assertEqual(simulator.sonar().max_range, 9)
+            simulator.set_sonar("ahead", given.sonars[0])
+        again = simulator.scenario.copy()
+        self.assertEqual(again, simulator.scenario)
+        self.assertEqual(pickle.loads(pickle.dumps(simulator.scenario)), again)
+        again.materials["hull"].density = 7000
+        again.points.append(insonify.PointTarget(position=(7, 0, 0)))
+        self.assertNotEqual(again, simulator.scenario)
+        brighter = insonify.Simulator(again, simulator.scene).ping()
+        self.assertGreater(np.count_nonzero(brighter.intensity != simulator.ping().intensity), 0)
+        self.assertIn("points=[1]", repr(simulator.scenario))
+
+    def test_a_material_that_nobody_knows_is_told_of(self):
+        scene = insonify.Scene()
+        scene.add("hull", [[3, -1, -1], [3, 1, -1], [3, 0, 1], [4, 0, 1]], [[0, 1, 2], [1, 2, 3]],
+                  material=["steel", "steal"])
+        text = "hull: material = steal is not a known material; did you mean steel?"
+        self.assertEqual(self.message(lambda: insonify.Simulator(scenario(), scene)), text)
+        simulator = insonify.Simulator(scenario())
+        self.assertEqual(self.message(lambda: simulator.add(scene)), text)
+        given = scenario()
+        given.materials = {"steal": insonify.MaterialOverride(like="steel", density=7000)}
+        self.assertEqual(insonify.Simulator(given, scene).material_names, ["steel", "steal"])
+
 
 if __name__ == "__main__":
     del sys.argv[1:]

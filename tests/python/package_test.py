@@ -214,7 +214,7 @@ class PingTest(unittest.TestCase):
                     act()
         self.assertEqual(sim.ping(number=np.int64(7)).number, 7)
         with self.assertRaises(insonify.Error):
-            sim.ping(number=50, head_angle=1)  # Of a sonar without a head.
+            sim.ping(number=50, head_angle=1)  # A sonar without a head.
         self.assertEqual(sim.ping().number, 8)  # A refused ping counts for nothing.
 
     def test_threads_share_the_numbers_of_pings(self):
@@ -286,7 +286,7 @@ class PingTest(unittest.TestCase):
         for thread in threads:
             thread.start()
         for number in range(30):
-            sonar = sim.scenario.sonars[0]
+            sonar = sim.scenario.sonars[0].copy()
             sonar.bin_count = 30 + number % 2 * 10
             sim.set_sonar(0, sonar)
             sim.instance_names  # pylint: disable=pointless-statement
@@ -347,7 +347,7 @@ class PingTest(unittest.TestCase):
 
     def test_sonars_change(self):
         sim = simulator()
-        sonar = sim.scenario.sonars[0]
+        sonar = sim.scenario.sonars[0].copy()
         sonar.max_range, sonar.bin_count = 6, 25
         sim.set_sonar("ahead", sonar)
         ping = sim.ping()
@@ -490,7 +490,7 @@ class RecordingTest(unittest.TestCase):
     def test_pings_of_other_settings_are_refused(self):
         with tempfile.TemporaryDirectory() as folder:
             sim, other = simulator(), simulator()
-            further = other.sonar()
+            further = other.sonar().copy()
             further.max_range = 11
             with insonify.Recording(f"{folder}/r.h5", sim) as recording:
                 recording.add(other.ping())

@@ -44,6 +44,39 @@ class PlotTest(unittest.TestCase):
             bin_, beam = np.unravel_index(np.argmax(np.where(before_the_wall, level, -400)), level.shape)
             np.testing.assert_allclose(centres[bin_, beam], expected, atol=0.2 if kind == "fan" else 1.2)
 
+    def test_labels_of_a_narrow_fan_do_not_overlap(self):
+        # Ahead, and turned to port: 15 m long, and 0.26 m wide.
+        for turn in (0, 90):
+            config = insonify.SonarConfig(name="side", type="msis", beam_count=1, bin_count=50, max_range=15,
+                                          azimuth_aperture_deg=1, step_deg=90)
+            scenario = insonify.Scenario(sonars=[config], points=[insonify.PointTarget(position=(9, 0, 0))])
+            ping = insonify.Simulator(scenario).ping(head_angle=np.radians(turn))
+            axes = ping.plot()
+            axes.figure.canvas.draw()
+            for axis in (axes.xaxis, axes.yaxis):
+                low, high = sorted(axis.get_view_interval())
+                boxes = [tick.label1.get_window_extent() for tick in axis.get_major_ticks()
+                         if low <= tick.get_loc() <= high and tick.label1.get_text()]
+                self.assertGreater(len(boxes), 1)
+                for i, one in enumerate(boxes):
+                    self.assertFalse(any(one.overlaps(other) for other in boxes[i + 1:]), f"{turn}: {boxes}")
+            self.assertEqual(axes.get_aspect(), 1)
+
+    def test_what_are_no_axes_is_refused(self):
+        _, ping = make_ping()
+        figure = plt.figure()
+        with self.assertRaises(insonify.Error) as caught:
+            ping.plot(ax=figure)
+        self.assertEqual(str(caught.exception), "ax = <Figure size 640x480 with 0 Axes> must be axes of matplotlib, such as "
+                                                "those of figure.add_subplot(); not a Figure")
+
+    def test_the_colour_map_has_both_spellings(self):
+        _, ping = make_ping()
+        for options, name in (({}, "inferno"), ({"color_map": "viridis"}, "viridis"), ({"colour_map": "turbo"}, "turbo")):
+            self.assertEqual(ping.plot(**options).collections[0].get_cmap().name, name)
+        with self.assertRaisesRegex(insonify.Error, "colour_map is given twice: color_map is the same"):
+            ping.plot(colour_map="grey", color_map="grey")
+
     def test_axes_and_colour_bar_have_units(self):
         _, ping = make_ping()
         fan, polar = ping.plot(), ping.plot("polar")

@@ -91,7 +91,7 @@ class SameBytesTest(unittest.TestCase):
         sim = self.expect_same()
         for sonar in ("ahead", "round"):
             recorded = insonify.open(self.folder / f"cli/{sonar}.h5")
-            scenario = sim.scenario
+            scenario = sim.scenario.copy()
             del scenario.sonars[0 if sonar == "round" else 1]
             alone = insonify.Simulator(scenario, sim.scene, threads=2)
             count = len(recorded)

@@ -29,6 +29,13 @@ def run(*command, folder=None):
 
 
 class TypesTest(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        # One for all runs: NumPy's types are analysed once. Runs of other options than --strict could not use it.
+        cache = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(cache.cleanup)
+        cls.strict_mypy = ("/usr/bin/mypy", "--strict", f"--cache-dir={cache.name}")
+
     def test_stubs_are_those_that_the_module_gives(self):
         with tempfile.TemporaryDirectory() as folder:
             done = run(sys.executable, SOURCES / "tools/make_python_stubs.py", SOURCES / "python/stubs", folder)
@@ -54,13 +61,12 @@ class TypesTest(unittest.TestCase):
         self.assertIn("insonify.SonarConfig", done.stdout)  # It has looked: there are the metaclasses at least.
 
     def test_mypy_finds_nothing(self):
-        with tempfile.TemporaryDirectory() as cache:
-            done = run("/usr/bin/mypy", "--strict", f"--cache-dir={cache}", "-p", "insonify")
-            self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
-            examples = sorted((SOURCES / "examples/python").glob("*.py"))
-            self.assertGreater(len(examples), 5)
-            done = run("/usr/bin/mypy", "--strict", f"--cache-dir={cache}", *examples)
-            self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        done = run(*self.strict_mypy, "-p", "insonify")
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        examples = sorted((SOURCES / "examples/python").glob("*.py"))
+        self.assertGreater(len(examples), 5)
+        done = run(*self.strict_mypy, *examples)
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
 
     def test_mypy_finds_what_is_wrong(self):
         with tempfile.TemporaryDirectory() as folder:
@@ -70,9 +76,11 @@ class TypesTest(unittest.TestCase):
                                "insonify.SonarConfig().max_rnage\n"
                                "insonify.SonarConfig(type='flx')\n"
                                "x: str = insonify.acoustics.sphere_cross_section(0.5)\n"
-                               "y: float = insonify.acoustics.sphere_cross_section(0.5)\n")
-            done = run("/usr/bin/mypy", f"--cache-dir={folder}/cache", program)
-            self.assertEqual([int(line.split(":")[1]) for line in done.stdout.splitlines() if "error:" in line], [2, 3, 4, 5],
+                               "y: float = insonify.acoustics.sphere_cross_section(0.5)\n"
+                               "insonify.export('a.h5', 'a.npz', replace=True, levels=(-90, -40), color_map='grey')\n"
+                               "insonify.export('a.h5', 'a.npz', force=True)\n")
+            done = run(*self.strict_mypy, program)
+            self.assertEqual([int(line.split(":")[1]) for line in done.stdout.splitlines() if "error:" in line], [2, 3, 4, 5, 8],
                              done.stdout)
 
 

@@ -185,6 +185,14 @@ TEST(AssignMaterialsMessagesTest, NamesTheNearestMaterialToAUsers) {
             "ship.sdf:12: ship::hull: material = titanum is not a known material; did you mean titanium?");
 }
 
+TEST(AssignMaterialsMessagesTest, NamesTheNearestMaterialToAMeshsWhereTheUserWroteIt) {
+  Scene scene = scene_with({instance("hull", {"", "steel", "titanum"})});
+  scene.instances[0].names_resolve = true;
+  EXPECT_EQ(fault(scene, {}), "hull: material = titanum is not a known material; did you mean titanium?");
+  EXPECT_EQ(fault(scene, {.overrides = {{"Titanum", {.like = "pvc"}}}}), "no error");
+  EXPECT_EQ(fault(scene, {.overrides = {{"hull", {.like = "pvc"}}}}), "no error");
+}
+
 TEST(AssignMaterialsMessagesTest, NamesTheNearestMaterialToTheDefault) {
   const Scene scene = scene_with({instance("hull", {"steel"})});
   EXPECT_EQ(fault(scene, {.default_material = "snad"}),

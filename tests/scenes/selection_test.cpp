@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include "echo/engine.h"
 #include "echo/model/ping_plan.h"
@@ -15,11 +16,12 @@
 namespace insonify {
 namespace {
 
-// Secondary echoes of a scene's first sonar, summed over some of its pings.
+// Secondary echoes of a scene's first sonar, summed over some of its pings, beside those of `all` in the first stagger
+// phase.
 struct Tally {
   double rays = 0;  // Reflected rays and return legs.
   double energy = 0;
-  double difference = 0;  // Sum over cells of the difference from `all`; below, of its square.
+  double difference = 0;  // Sum over cells of the difference from that `all`; below, of its square.
   double squares = 0, squared_difference = 0;
 };
 
@@ -35,43 +37,53 @@ class Scan {
   [[nodiscard]] int phases() const { return simulator_.sonar(0).sampling.columns_per_beam; }
 
   Tally tally(SecondaryEchoes secondary, int stagger_phase) {
-    const Scenario& scenario = simulator_.scenario();
-    const auto plan_of = [&](SecondaryEchoes of, int phase) {
-      PingPlanSettings settings{.sonar = simulator_.sonar(0),
-                                .water = scenario.water,
-                                .paper = scenario.paper,
-                                .secondary = of,
-                                .seed = scenario.seed,
-                                .stagger_phase = phase};
-      return make_ping_plan(settings);
-    };
-    const auto reference = plan_of(SecondaryEchoes::kAll, 0), plan = plan_of(secondary, stagger_phase);
+    if (reference_.empty()) {
+      for_pings(SecondaryEchoes::kAll, 0, [&](const EchoGrid& grid) { reference_.push_back(grid); });
+    }
     const SonarConfig& sonar = simulator_.sonar(0);
-    const std::uint64_t step = sonar.beam_count == 1 ? 10 : 1;  // Every tenth ping of a scanning head.
     Tally tally;
-    EchoGrid all(sonar.beam_count, sonar.bin_count, kPathOrders), grid = all;
-    for (std::uint64_t ping = 0; ping < static_cast<std::uint64_t>(scenario.pings); ping += step) {
-      const Pose pose = simulator_.world_from_head(0, ScenarioRequests(scenario).at(0, ping));
-      simulator_.engine().insonify(*reference, pose, all);
-      simulator_.engine().insonify(*plan, pose, grid);
+    auto all = reference_.cbegin();
+    for_pings(secondary, stagger_phase, [&](const EchoGrid& grid) {
       const RayCounts counts = simulator_.engine().ray_counts();
       tally.rays += static_cast<double>(counts.secondary + counts.return_legs);
       for (int beam = 0; beam < sonar.beam_count; ++beam) {
         for (int bin = 0; bin < sonar.bin_count; ++bin) {
           const double energy = grid.energy(2, beam)[bin];
           tally.energy += energy;
-          const double apart = energy - static_cast<double>(all.energy(2, beam)[bin]);
+          const double apart = energy - static_cast<double>(all->energy(2, beam)[bin]);
           tally.difference += std::abs(apart);
           tally.squares += energy * energy;
           tally.squared_difference += apart * apart;
         }
       }
-    }
+      ++all;
+    });
     return tally;
   }
 
  private:
+  // Calls visit(grid) with the echoes of each ping; of a scanning head, of every tenth.
+  template <typename Visit>
+  void for_pings(SecondaryEchoes secondary, int stagger_phase, const Visit& visit) {
+    const Scenario& scenario = simulator_.scenario();
+    const SonarConfig& sonar = simulator_.sonar(0);
+    const PingPlanSettings settings{.sonar = sonar,
+                                    .water = scenario.water,
+                                    .paper = scenario.paper,
+                                    .secondary = secondary,
+                                    .seed = scenario.seed,
+                                    .stagger_phase = stagger_phase};
+    const auto plan = make_ping_plan(settings);
+    const std::uint64_t step = sonar.beam_count == 1 ? 10 : 1;
+    EchoGrid grid(sonar.beam_count, sonar.bin_count, kPathOrders);
+    for (std::uint64_t ping = 0; ping < static_cast<std::uint64_t>(scenario.pings); ping += step) {
+      simulator_.engine().insonify(*plan, simulator_.world_from_head(0, ScenarioRequests(scenario).at(0, ping)), grid);
+      visit(grid);
+    }
+  }
+
   Simulator simulator_;
+  std::vector<EchoGrid> reference_;  // Echoes of each ping with `all`, first stagger phase.
 };
 
 class SceneSelectionTest : public testing::TestWithParam<std::string> {};

@@ -62,6 +62,16 @@ class RunDocBlocksTest(unittest.TestCase):
         self.assertEqual(run(block("python", "1/0", "<!-- run: needs json -->"))[0], 1)
         page = block("python", "1/0", "<!-- run: needs no_such_module -->") + block("console", "3")
         self.assertEqual(run(page), (0, "  only shown: a block that needs no_such_module\npage.md: 0 blocks ran\n"))
+
+    def test_a_block_that_needs_a_program_is_run_where_it_is(self):
+        with tempfile.TemporaryDirectory() as folder:
+            program = pathlib.Path(folder) / "bin/sonar-tool"
+            program.parent.mkdir()
+            program.write_text("#!/bin/sh\necho 3\n", encoding="utf-8")
+            program.chmod(0o755)
+            page = block("bash", "sonar-tool", "<!-- run: needs sonar-tool -->") + block("console", "3")
+            self.assertEqual(run_in(folder, page), (0, "page.md: 1 blocks ran\n"))
+        self.assertEqual(run(page), (0, "  only shown: a block that needs sonar-tool\npage.md: 0 blocks ran\n"))
         self.assertIn("run: sometimes must be", run(block("bash", "true", "<!-- run: sometimes -->"))[1])
 
     def test_an_excerpt_is_what_the_file_has(self):

@@ -84,6 +84,41 @@ TEST_P(LevelTest, SeabedFallsOffWithTheFifthPowerOfRange) {
   }
 }
 
+// The same for tall fans that look along, down and up, with as many rows as a fan of 20 degrees has by default, where
+// sound meets the seabed at 5 degrees or more.
+TEST_P(LevelTest, TallFansHearTheSeabedAsItIs) {
+  struct {
+    double aperture, centre, height;
+  } constexpr kFans[] = {{88, -45, -3.7}, {120, 0, -2.2}, {110, -29, -5.1}, {120, 28, 4.3}, {67, -55, -6}};
+  for (const auto& [aperture, centre, height] : kFans) {
+    SonarConfig sonar;
+    sonar.beam_count = 12;
+    sonar.azimuth_aperture = 30 * kDegree;
+    sonar.elevation_aperture = aperture * kDegree;
+    sonar.elevation_center = centre * kDegree;
+    sonar.min_range = 0;
+    sonar.max_range = 31;
+    sonar.bin_count = 310;
+    const Ping ping = ping_of(calibrated(sonar, GetParam()), seabed_at(height, diffuse(-27)));
+    // The bins that the fan sees whole.
+    const double steepest = (height < 0 ? aperture / 2 - centre : aperture / 2 + centre) * kDegree;
+    const double flattest =
+        std::max(5 * kDegree, (height < 0 ? -centre - aperture / 2 : centre - aperture / 2) * kDegree);
+    const double distance = std::abs(height), nearest = distance / std::sin(std::min(steepest, 89 * kDegree));
+    const double farthest = std::min(30.0, distance / std::sin(flattest));
+    int compared = 0;
+    for (int bin = static_cast<int>(10 * nearest) + 2; bin < 10 * farthest - 1; ++bin, ++compared) {
+      const double r1 = 0.1 * bin, r2 = r1 + 0.1, width = 2.5 * kDegree;
+      const double wanted =
+          -27 + 10 * std::log10(distance * distance * width * (std::pow(r1, -4) - std::pow(r2, -4)) / 4);
+      for (const int beam : {0, 5, 11}) {
+        EXPECT_NEAR(cell_db(ping, bin, beam), wanted, 0.7) << aperture << " about " << centre << ", bin " << bin;
+      }
+    }
+    EXPECT_GT(compared, 30);
+  }
+}
+
 // T6. The levels of the same bin with and without absorption differ by 2 alpha r.
 TEST_P(LevelTest, AbsorptionIsTwoWay) {
   for (const auto& [distance, loss] : {std::pair{10.01, 4.469220773725542}, {50.01, 22.34610386862771}}) {

@@ -151,6 +151,7 @@ export class MockServer {
       if (socket.bufferedAmount === 0) socket.send(ping);  // A slow page gets fewer, as of the real server.
     }
     this.state.pings_since_change = this.number;
+    this.state.time = (this.number - 1) * sonar.period;
   }
 }
 

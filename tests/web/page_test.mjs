@@ -177,7 +177,7 @@ const failed = await runChecks({
   },
 
   async "pause, step, speed, follow, record and save say so, and show the server's answer"() {
-    await ping();  // Of the settings that the checks before have changed.
+    await ping();  // A ping with the settings that the checks before have changed.
     await press("pause");
     assert.equal((await told("pause")).on, true);
     await until(async () => (await text("pause-text")) === "Resume", "Resume");
@@ -326,6 +326,12 @@ const failed = await runChecks({
     await until(async () => (await get("cursor")).bin === first.bin + 1, "the next bin");
     await page.keyboard.press("ArrowRight");
     await until(async () => (await get("cursor")).beam === first.beam + 1, "the next beam");
+    // Without the focus too, where the browser would go back.
+    await page.evaluate(() => document.activeElement.blur());
+    await page.keyboard.press("ArrowLeft");
+    await until(async () => (await get("cursor"))?.beam === first.beam, "the beam before");
+    await page.keyboard.press("ArrowLeft");
+    await until(async () => (await get("cursor"))?.beam === first.beam - 1, "one beam for each key");
     await page.keyboard.up("Alt");
     await page.evaluate(() => document.activeElement.blur());
   },
@@ -503,6 +509,24 @@ const failed = await runChecks({
     assert.ok((await get("low")) > -110 && (await get("high")) < -20);
   },
 
+  async "of the paper's model the overlays that it cannot have need the calibrated one"() {
+    server.keys.model.value = "paper";
+    server.say(server.hello());
+    const disabled = () => page.$$eval("#overlay option", (all) => all.filter((each) => each.disabled).map(({ value }) => value));
+    await until(async () => (await disabled()).length > 0, "choices that are disabled");
+    assert.deepEqual(await disabled(), ["shadow", "multipath"]);
+    // As a page shows it that had the overlay before; the pings hold none.
+    await page.evaluate(() => insonify.store.set({ overlay: "shadow", shown: { ...insonify.store.get("shown"), tables: { level: insonify.store.get("shown").tables.level } }, frozen: true }));
+    await until(async () => (await text("overlay-error")) === "The pings hold no shadow: it needs the calibrated model.", "what it needs");
+    await page.evaluate(() => insonify.store.set({ overlay: "elevation", frozen: false }));
+    await page.evaluate(() => document.activeElement?.blur());
+    await page.keyboard.press("o");
+    assert.equal(await get("overlay"), "none");
+    server.keys.model.value = "calibrated";
+    server.say(server.hello());
+    await until(async () => (await disabled()).length === 0, "all choices again");
+  },
+
   async "a frozen picture stays while pings go on"() {
     await press("freeze");
     await until(async () => (await get("shown")).tables.instance, "labels of the picture that stays");
@@ -525,6 +549,53 @@ const failed = await runChecks({
     await until(async () => (await text("read-bin")) !== "\u2013", "a readout");
     await choose("sonar", "fls");
     await until(async () => (await get("mode")) === "fan", "the fan");
+  },
+
+  async "a very narrow sonar begins as polar picture, and the next one as before"() {
+    const narrow = { ...server.sonars[0], name: "side", beams: 1, azimuths: [0], azimuth_aperture: 1 };
+    server.sonars.push(narrow);
+    server.say(server.hello());
+    await until(() => page.$eval("#sonar", (node) => [...node.options].some(({ value }) => value === "side")), "the narrow sonar");
+    await choose("sonar", "side");
+    await until(async () => (await get("mode")) === "polar" && (await get("shown"))?.sonar === "side", "its polar picture");
+    await press("mode-fan");
+    assert.equal(await get("mode"), "fan");
+    await choose("sonar", "fls");
+    await until(async () => (await get("mode")) === "fan" && (await get("shown"))?.sonar === "fls", "the fan");
+    await choose("sonar", "side");
+    await until(async () => (await get("mode")) === "polar", "the polar picture");
+    await choose("sonar", "fls");
+    await until(async () => (await get("mode")) === "fan", "the fan again");
+    server.sonars.pop();
+    server.say(server.hello());
+  },
+
+  async "labels of the picture do not lie on each other"() {
+    const written = (beams, aperture, mode) => page.evaluate(async (count, degrees, way) => {
+      const [{ drawGraticule }, { makePlan }, { describeSonar }] = await Promise.all(["draw/graticule", "draw/plan", "sonar"].map((name) => import(`./js/${name}.js`)));
+      const azimuths = Array.from({ length: count }, (_, i) => degrees / 2 - ((i + 0.5) * degrees) / count);
+      const sonar = describeSonar({ type: "fls", beams: count, bins: 100, min_range: 0.2, max_range: 15, azimuths, azimuth_aperture: degrees });
+      const context = document.createElement("canvas").getContext("2d");
+      const labels = [];
+      context.fillText = (label, x, y) => {
+        if (!label.includes("°")) return;
+        const width = context.measureText(label).width;
+        const left = x - { left: 0, center: width / 2, right: width }[context.textAlign];
+        labels.push({ label, left, right: left + width, y });
+      };
+      drawGraticule(context, makePlan(sonar, way, 900, 600, { factor: 1, x: 0, y: 0 }), { grid: true, headAngle: 0 });
+      return labels;
+    }, beams, aperture, mode);
+    for (const [beams, aperture, mode] of [[1, 1, "fan"], [32, 3, "fan"], [32, 7.5, "fan"], [64, 16, "polar"], [128, 120, "fan"]]) {
+      const labels = await written(beams, aperture, mode);
+      for (const [i, one] of labels.entries()) {
+        const other = labels.slice(i + 1).find((each) => Math.abs(each.y - one.y) < 12 && each.left < one.right && one.left < each.right);
+        assert.equal(other, undefined, `${aperture} deg, ${mode}: ${one.label} on ${other?.label}`);
+      }
+    }
+    assert.deepEqual((await written(1, 1, "fan")).map(({ label }) => label), ["0°"]);
+    const wide = (await written(128, 120, "fan")).map(({ label }) => label).sort();
+    assert.deepEqual(wide, ["60° port", "60° stbd", "0°", ..."10 10 30 30 50 50".split(" ").map((each) => `${each}°`)].sort());
   },
 
   async "of a scanning head the overlay colours the round picture, and no beam can be chosen"() {
@@ -875,6 +946,11 @@ const failed = await runChecks({
     assert.equal((await told("step")).back, true);
     await until(async () => (await ping()).number === number - 1, "the ping before");
     await until(async () => Math.abs(Number(await value("time")) - 1502) < 1, "the line's end at the ping");
+    // Pings of another sonar are shown, whose recording is the longer one.
+    server.state.time = 3000.5;
+    server.say(server.state);
+    await until(async () => (await text("time-text")) === "49:58.5 / 1:06:40.5", "where the playback is");
+    assert.equal(Number(await value("time")), 3000.5);
     server.requests.length = 0;
     for (const key of ["w", "t", "r", "y"]) await page.keyboard.press(key);
     await page.keyboard.press("n");

@@ -85,7 +85,7 @@ TEST(OculusMessagesTest, MessagesAreFoundInAnyPiecesAndBetweenOtherBytes) {
       }
     }
     EXPECT_THAT(found, ElementsAre(first, second, first));
-    EXPECT_EQ(parser.skipped(), 4 + 3 + 1);  // Of the zeros the last 15 may begin a header.
+    EXPECT_EQ(parser.skipped(), 4 + 3 + 1);  // The last 15 of the zeros may begin a header.
   }
 }
 

@@ -33,7 +33,7 @@ export class Rates {
     return this.#slowRate(now);
   }
 
-  // Of pings further apart than the window.
+  // For pings further apart than the window.
   #slowRate(now) {
     const [before, last] = this.#pings.slice(-2);
     if (!last) return 0;

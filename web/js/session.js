@@ -2,6 +2,7 @@
 
 import { Connection } from "./link/connection.js";
 import { decode } from "./link/decode.js";
+import { radians } from "./geometry.js";
 import { Rates } from "./rates.js";
 import { describeSonar } from "./sonar.js";
 
@@ -129,16 +130,28 @@ export class Session {
     const before = store.get("sonar");
     if (before?.shape === shapeOf(described)) return;
     const sonar = { ...describeSonar(described), shape: shapeOf(described) };
-    const modes = sonar.scanning ? ["round"] : ["fan", "polar"];
     const same = before?.name === sonar.name;
     if (!same) this.#rates.reset();
     store.set({
       sonar, ping: null, shown: null, cursor: null, path: [],
-      mode: modes.includes(store.get("mode")) ? store.get("mode") : modes[0],
+      mode: this.#modeFor(sonar, same),
       beam: same ? Math.min(store.get("beam"), sonar.beams - 1) : Math.floor(sonar.beams / 2),
     });
     this.changed();
   }
+
+  // The fan of a very narrow sonar is a line: it begins as polar picture, and the next sonar as the one before it.
+  #modeFor(sonar, same) {
+    const now = this.store.get("mode");
+    const kNarrow = radians(4);
+    const isNarrow = !sonar.scanning && (sonar.beams === 1 || sonar.edges[0] - sonar.edges[sonar.beams] < kNarrow);
+    const wanted = same ? now : isNarrow ? "polar" : this.#modeBefore || now;
+    if (!same) this.#modeBefore = isNarrow ? this.#modeBefore || now : "";
+    const modes = sonar.scanning ? ["round"] : ["fan", "polar"];
+    return modes.includes(wanted) ? wanted : modes[0];
+  }
+
+  #modeBefore = "";  // that of the sonar before a narrow one
 
   #binary(buffer) {
     try {

@@ -63,14 +63,12 @@ int tell_one(const std::string& name, const std::string& mode) {
 }  // namespace
 
 int sonars(const std::string& name, const std::string& mode) {
-  try {
+  return checked_input([&] {
     if (name.empty() && !mode.empty()) {
       throw Error(fmt::format("--mode {} belongs to a preset, and none is named", mode));
     }
     return name.empty() ? list_all() : tell_one(name, mode);
-  } catch (const Error& error) {
-    throw InputError(error.what());
-  }
+  });
 }
 
 }  // namespace insonify

@@ -14,10 +14,10 @@
 namespace insonify {
 namespace {
 
-constexpr int kWarmUp = 2;
-constexpr int kBlock = 8;  // Consecutive pings, or consecutive floors.
+constexpr int kEngineWarmUp = 2;
+constexpr int kEngineBlock = 8;  // Consecutive pings, or consecutive floors.
 
-struct Row {
+struct EngineRow {
   int threads = 0;
   std::size_t triangles = 0;
   const char* secondary = "";
@@ -38,9 +38,9 @@ double median_ratio(const std::vector<double>& above, const std::vector<double>&
 }
 
 // Timings with one number of threads on one scene, block by block.
-class Runner {
+class EngineRunner {
  public:
-  Runner(const Scenario& scenario, const Scene& scene, int threads)
+  EngineRunner(const Scenario& scenario, const Scene& scene, int threads)
       : threads_(threads), start_(std::chrono::steady_clock::now()), simulator_(scenario, scene, threads) {
     setup_ms_ = milliseconds_since(start_);
   }
@@ -48,7 +48,7 @@ class Runner {
   // Pings, then floors, so that neither finds the other's data in the caches.
   void time_block() {
     std::vector<double> block_pings, block_floors;
-    for (int i = -kWarmUp; i < kBlock; ++i) {
+    for (int i = -kEngineWarmUp; i < kEngineBlock; ++i) {
       const auto start = std::chrono::steady_clock::now();
       simulator_.ping(0, {.number = number_++}, ping_);
       if (i >= 0) {
@@ -56,10 +56,11 @@ class Runner {
       }
     }
     rays_ = simulator_.ray_counts();
-    for (const double seconds : simulator_.time_traversal(0, simulator_.world_from_head(0, {}), kWarmUp + kBlock)) {
+    for (const double seconds :
+         simulator_.time_traversal(0, simulator_.world_from_head(0, {}), kEngineWarmUp + kEngineBlock)) {
       block_floors.push_back(seconds * kMilliseconds);
     }
-    block_floors.erase(block_floors.begin(), block_floors.begin() + kWarmUp);
+    block_floors.erase(block_floors.begin(), block_floors.begin() + kEngineWarmUp);
     ping_blocks_.push_back(median(block_pings));
     floor_blocks_.push_back(median(block_floors));
     pings_.insert(pings_.end(), block_pings.begin(), block_pings.end());
@@ -67,7 +68,7 @@ class Runner {
   }
 
   // @param first  Timings with the first number of threads.
-  [[nodiscard]] Row row(const Runner& first, const char* secondary) {
+  [[nodiscard]] EngineRow row(const EngineRunner& first, const char* secondary) {
     const Scene& scene = simulator_.scene();
     const auto triangles = static_cast<double>(scene.triangle_count());
     const EngineMemory memory = simulator_.engine_memory();
@@ -111,22 +112,22 @@ class Runner {
 };
 
 // Alternates between numbers of threads block by block, so that varying load of a shared machine affects all alike.
-std::vector<Row> time_rows(const Scene& scene, SecondaryEchoes secondary, const char* name,
-                           const BenchOptions& options) {
+std::vector<EngineRow> time_rows(const Scene& scene, SecondaryEchoes secondary, const char* name,
+                                 const BenchOptions& options) {
   Scenario scenario;
   scenario.model = EchoModel::kPaper;
   scenario.sonars = {bench_sonar()};
   scenario.secondary = secondary;
-  std::vector<std::unique_ptr<Runner>> runners;
+  std::vector<std::unique_ptr<EngineRunner>> runners;
   for (const int threads : options.threads) {
-    runners.push_back(std::make_unique<Runner>(scenario, scene, threads));
+    runners.push_back(std::make_unique<EngineRunner>(scenario, scene, threads));
   }
-  for (int done = 0; done < options.repetitions; done += kBlock) {
+  for (int done = 0; done < options.repetitions; done += kEngineBlock) {
     for (const auto& runner : runners) {
       runner->time_block();
     }
   }
-  std::vector<Row> rows;
+  std::vector<EngineRow> rows;
   rows.reserve(runners.size());
   for (const auto& runner : runners) {
     rows.push_back(runner->row(*runners.front(), name));
@@ -134,7 +135,7 @@ std::vector<Row> time_rows(const Scene& scene, SecondaryEchoes secondary, const 
   return rows;
 }
 
-nlohmann::json to_json(const Row& row) {
+nlohmann::json to_json(const EngineRow& row) {
   return {{"table", "engine"},
           {"triangles", row.triangles},
           {"threads", row.threads},
@@ -172,7 +173,7 @@ int bench_engine(const BenchOptions& options) {
     for (const auto& [secondary, name] :
          {std::pair{SecondaryEchoes::kNone, "none"}, std::pair{SecondaryEchoes::kSelective, "selective"},
           std::pair{SecondaryEchoes::kAll, "all"}}) {
-      for (const Row& row : time_rows(scene, secondary, name, options)) {
+      for (const EngineRow& row : time_rows(scene, secondary, name, options)) {
         say("{:>9} {:>7} {:>9} {:>8} {:>8} {:>8} | {:>8.2f} {:>8.2f} {:>8.2f} {:>6.2f} | {:>8.1f} {:>6.2f} {:>7.2f} | "
             "{:>6.0f} {:>8.0f}\n",
             row.triangles, row.threads, row.secondary, row.rays.primary, row.rays.secondary, row.rays.return_legs,

@@ -41,14 +41,14 @@ struct Mean {
 };
 
 // One sonar in one mode, timed over all scenes.
-struct Row {
+struct PaperRow {
   const PaperSetup* setup = nullptr;
   const Mode* mode = nullptr;
   Mean ping_ms = {}, setup_ms = {}, floor_ms = {}, rays_primary = {}, rays_secondary = {};
 };
 
 // Times pings of a new scene in steady state.
-void sample(Row& row, const PaperBenchOptions& options, std::uint64_t number) {
+void sample(PaperRow& row, const PaperBenchOptions& options, std::uint64_t number) {
   Scenario scenario;
   scenario.model = EchoModel::kPaper;
   scenario.sonars = {sonar_of(*row.setup, options.filled ? 10 : 0)};
@@ -77,7 +77,7 @@ void sample(Row& row, const PaperBenchOptions& options, std::uint64_t number) {
   row.floor_ms.add(floors.back() * kMilliseconds);
 }
 
-nlohmann::json to_json(const Row& row) {
+nlohmann::json to_json(const PaperRow& row) {
   return {{"beams", row.setup->beams},
           {"bins", row.setup->bins},
           {"azimuth_deg", row.setup->azimuth_deg},
@@ -95,7 +95,7 @@ nlohmann::json to_json(const Row& row) {
 }
 
 // Time that the paper prints for the same method; none for `full`, which the paper does not have.
-std::string printed(const Row& row) {
+std::string printed(const PaperRow& row) {
   const std::string mode = row.mode->name;
   return mode == "full" ? ""
                         : fmt::format("{:.1f}", mode == "primary" ? row.setup->printed_2017_ms : row.setup->printed_ms);
@@ -106,7 +106,7 @@ std::string name_of(const PaperSetup& setup) {
                      setup.azimuth_deg, setup.elevation_deg);
 }
 
-void print_row(const Row& row) {
+void print_row(const PaperRow& row) {
   say("{} {:<8}| {:>8.3f} {:>7.3f} {:>9.1f} | {:>8.2f} {:>8.2f} | {:>8.0f} {:>9.0f} | {:>8.3f} | {:>7}\n",
       name_of(*row.setup), row.mode->name, row.ping_ms.value(), row.ping_ms.deviation(),
       kMilliseconds / row.ping_ms.value(), row.setup_ms.value(), row.setup_ms.value() + row.ping_ms.value(),
@@ -114,13 +114,13 @@ void print_row(const Row& row) {
   flush_output();
 }
 
-std::string markdown_of(const std::vector<Row>& rows) {
+std::string markdown_of(const std::vector<PaperRow>& rows) {
   std::string text =
       "| Beams x bins | Field [deg] | Mode | Ping [ms] | Deviation | Pings/s | Set-up [ms] | Both [ms] | Primary rays "
       "| "
       "Secondary rays | Floor [ms] | The paper prints [ms] |\n"
       "| ---: | ---: | --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: |\n";
-  for (const Row& row : rows) {
+  for (const PaperRow& row : rows) {
     text += fmt::format(
         "| {} x {} | {} x {} | {} | {:.3f} | {:.3f} | {:.0f} | {:.2f} | {:.2f} | {:.0f} | {:.0f} | "
         "{:.3f} | {} |\n",
@@ -146,19 +146,19 @@ int bench_paper(const PaperBenchOptions& options) {
       options.samples, options.filled ? "a scene that fills the fan" : "a cylinder, box, sphere and cone at random",
       options.threads, "sonar", "mode", "ms", "std", "pings/s", "set-up", "both", "1st rays", "2nd rays", "floor ms",
       "printed");
-  std::vector<Row> rows;
+  std::vector<PaperRow> rows;
   nlohmann::json json = nlohmann::json::array();
   for (const PaperSetup& setup : paper_setups()) {
-    std::vector<Row> three;
+    std::vector<PaperRow> three;
     for (const Mode& mode : kModes) {
       three.push_back({.setup = &setup, .mode = &mode});
     }
     for (int number = 0; number < options.samples; ++number) {
-      for (Row& row : three) {
+      for (PaperRow& row : three) {
         sample(row, options, static_cast<std::uint64_t>(number));
       }
     }
-    for (const Row& row : three) {
+    for (const PaperRow& row : three) {
       print_row(row);
       json.push_back(to_json(row));
       json.back()["scene"] = options.filled ? "filled" : "random";

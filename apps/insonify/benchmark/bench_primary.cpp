@@ -14,8 +14,8 @@
 namespace insonify {
 namespace {
 
-constexpr int kWarmUp = 2;
-constexpr int kBlock = 5;  // Consecutive pings.
+constexpr int kPrimaryWarmUp = 2;
+constexpr int kPrimaryBlock = 5;  // Consecutive pings.
 
 struct Fan {
   const char* name;
@@ -39,14 +39,14 @@ std::vector<Fan> fans() {
 }
 
 // Timings with one setting of `primary` on one scene, block by block.
-class Runner {
+class PrimaryRunner {
  public:
-  Runner(const Scene& scene, const SonarConfig& sonar, PrimaryEchoes primary)
+  PrimaryRunner(const Scene& scene, const SonarConfig& sonar, PrimaryEchoes primary)
       : simulator_(scenario_of(sonar, primary), scene, 1) {}
 
   void time_block() {
     std::vector<double> block;
-    for (int i = -kWarmUp; i < kBlock; ++i) {
+    for (int i = -kPrimaryWarmUp; i < kPrimaryBlock; ++i) {
       const auto start = std::chrono::steady_clock::now();
       simulator_.ping(0, {.number = number_++}, ping_);
       if (i >= 0) {
@@ -87,11 +87,11 @@ int bench_primary(const BenchOptions& options) {
   for (const int count : options.triangles) {
     const Scene scene = make_bench_scene(count);
     for (const Fan& fan : fans()) {
-      Runner rays(scene, fan.sonar, PrimaryEchoes::kRays);
-      Runner raster(scene, fan.sonar, PrimaryEchoes::kRaster);
-      Runner chosen(scene, fan.sonar, PrimaryEchoes::kAuto);
+      PrimaryRunner rays(scene, fan.sonar, PrimaryEchoes::kRays);
+      PrimaryRunner raster(scene, fan.sonar, PrimaryEchoes::kRaster);
+      PrimaryRunner chosen(scene, fan.sonar, PrimaryEchoes::kAuto);
       chosen.time_block();
-      for (int done = 0; done < options.repetitions; done += kBlock) {
+      for (int done = 0; done < options.repetitions; done += kPrimaryBlock) {
         rays.time_block();
         raster.time_block();
       }

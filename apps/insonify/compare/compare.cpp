@@ -167,13 +167,11 @@ Comparison compared(const CompareOptions& options) {
 }  // namespace
 
 int compare(const CompareOptions& options) {
-  try {
+  return checked_input([&] {
     const Comparison comparison = compared(options);
     options.json ? print_comparison_json(comparison) : print_comparison(comparison);
     return kDone;
-  } catch (const Error& error) {
-    throw InputError(error.what());
-  }
+  });
 }
 
 }  // namespace insonify

@@ -2,6 +2,8 @@
 
 #pragma once
 
+#include <utility>
+
 #include "insonify/error.h"
 
 namespace insonify {
@@ -16,5 +18,16 @@ class InputError : public Error {
  public:
   using Error::Error;
 };
+
+/// Result of `make`, which reads or checks input.
+/// @throws InputError with the message of an Error that `make` throws.
+template <typename Make>
+auto checked_input(Make&& make) {
+  try {
+    return std::forward<Make>(make)();
+  } catch (const Error& error) {
+    throw InputError(error.what());
+  }
+}
 
 }  // namespace insonify

@@ -4,32 +4,14 @@
 
 #include <algorithm>
 
-#include "console/console.h"
+#include "console/log_to_user.h"
 #include "console/outcome.h"
 #include "console/stop.h"
 #include "insonify/files.h"
+#include "insonify/printable.h"
 
 namespace insonify {
 namespace {
-
-Log log_to_user(bool quiet) {
-  return [quiet](Severity severity, const std::string& message) {
-    if (severity == Severity::kWarning) {
-      complain("warning: " + message);
-    } else if (!quiet) {
-      say("{}\n", message);
-    }
-  };
-}
-
-template <typename Make>
-auto checked(Make&& make) {
-  try {
-    return make();
-  } catch (const Error& error) {
-    throw InputError(error.what());
-  }
-}
 
 std::string_view name_of(SonarType type) {
   return type == SonarType::kMechanicallyScanned ? "scanning (type: msis)" : "forward-looking (type: fls)";
@@ -74,12 +56,13 @@ int sonar_of(const EmulateOptions& options, const Scenario& scenario, SonarType 
 }  // namespace
 
 EmulatedSonar::EmulatedSonar(const EmulateOptions& options, SonarType type, std::string_view instrument)
-    : scenario_(checked([&] { return load_scenario(options.scenario, options.settings, log_to_user(options.quiet)); })),
+    : scenario_(
+          checked_input([&] { return load_scenario(options.scenario, options.settings, log_to_user(options.quiet)); })),
       index_(sonar_of(options, scenario_, type, instrument)),
       given_(scenario_.sonars[static_cast<std::size_t>(index_)]),
       high_(options.high.empty() ? -1 : sonar_named(scenario_, options.high, "--high", type, instrument)),
-      requests_(checked([&] { return ScenarioRequests(scenario_); })),
-      simulator_(checked(
+      requests_(checked_input([&] { return ScenarioRequests(scenario_); })),
+      simulator_(checked_input(
           [&] { return Simulator(scenario_, load_scene(scenario_, log_to_user(options.quiet)), options.threads); })) {
   note_when_asked();
   simulator_.stop_when(&stop_asked());

@@ -6,10 +6,10 @@
 #include <optional>
 
 #include "emulate/emulate.h"
-#include "emulate/road_report.h"
 #include "insonify/messages.h"
 #include "insonify/scenario_requests.h"
 #include "insonify/simulator.h"
+#include "road/road_report.h"
 
 namespace insonify {
 

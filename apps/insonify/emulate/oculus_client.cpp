@@ -11,7 +11,7 @@ using boost::system::error_code;
 
 namespace {
 
-constexpr std::size_t kMostWaiting = 16;  // Messages other than pings.
+constexpr std::size_t kMostWaitingMessages = 16;  // Messages other than pings.
 
 }  // namespace
 
@@ -57,7 +57,7 @@ bool OculusClient::send_ping(Bytes bytes) {
 }
 
 bool OculusClient::send(Bytes bytes) {
-  if (ended_ || out_.size() >= kMostWaiting) {
+  if (ended_ || out_.size() >= kMostWaitingMessages) {
     return ended_;
   }
   out_.push_back(std::move(bytes));

@@ -41,7 +41,7 @@ class OculusClient : public std::enable_shared_from_this<OculusClient> {
 
   [[nodiscard]] const boost::asio::ip::address_v4& address() const { return address_; }
 
-  int layout = 1;  ///< Of the messages that this client sends and receives.
+  int layout = 1;  ///< Layout of the messages that this client sends and receives.
 
  private:
   void read();

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "emulate/emulated_sonar.h"
-#include "emulate/road_report.h"
 #include "insonify/wire/oculus_sonar.h"
+#include "road/road_report.h"
 
 namespace insonify {
 

@@ -21,10 +21,6 @@ constexpr std::size_t kMostClients = 32;
 constexpr std::size_t kMostWarnings = 100;
 constexpr std::chrono::seconds kBeat{1};
 
-WallClock::duration time_of(double seconds) {
-  return std::chrono::duration_cast<WallClock::duration>(std::chrono::duration<double>(seconds));
-}
-
 OculusClient::Bytes shared(std::vector<std::uint8_t> bytes) {
   return std::make_shared<const std::vector<std::uint8_t>>(std::move(bytes));
 }
@@ -186,7 +182,7 @@ void OculusServer::schedule() {
   if (!settings_ || settings_->plan.period == 0) {
     return;
   }
-  const WallClock::duration period = time_of(settings_->plan.period);
+  const WallClock::duration period = wall_clock_duration(settings_->plan.period);
   const WallClock::time_point earliest = std::max(WallClock::now(), listening_until_);
   const WallClock::time_point due = last_due_ && *last_due_ + 2 * period > earliest ? *last_due_ + period : earliest;
   ping_timer_.expires_at(std::max(due, earliest));

@@ -15,8 +15,8 @@
 #include "emulate/ipv4_network.h"
 #include "emulate/oculus_client.h"
 #include "emulate/oculus_pings.h"
-#include "emulate/road_loop.h"
-#include "emulate/road_report.h"
+#include "road/road_loop.h"
+#include "road/road_report.h"
 
 namespace insonify {
 

@@ -18,10 +18,6 @@ constexpr std::size_t kLongestDatagram = 2048;  // What is longer is cut, and re
 // Message ids of the commands that ping.
 constexpr std::uint16_t kAutoTransmit = 2602;
 
-WallClock::duration time_of(double seconds) {
-  return std::chrono::duration_cast<WallClock::duration>(std::chrono::duration<double>(seconds));
-}
-
 }  // namespace
 
 Ping360Server::Ping360Server(const EmulateOptions& options, EmulatedSonar& sonar)
@@ -71,7 +67,7 @@ void Ping360Server::receive() {
   }
 }
 
-// Of several damaged frames in one datagram the first is refused, so that answers are not much longer than what they
+// The first of several damaged frames in one datagram is refused, so that answers are not much longer than what they
 // answer.
 void Ping360Server::receive_datagram(std::size_t size) {
   PingParser parser;
@@ -131,7 +127,7 @@ void Ping360Server::transmit_once(const Command& command, const Ping360& before)
   try {
     const Heard heard = make_ping();
     pinging_ = true;
-    ping_timer_.expires_at(heard.transmitted + time_of(instrument_.settings().listening_time()));
+    ping_timer_.expires_at(heard.transmitted + wall_clock_duration(instrument_.settings().listening_time()));
     ping_timer_.async_wait([this, heard, client = command.client](error_code) {
       tell(heard, client);
       pinging_ = false;
@@ -150,7 +146,7 @@ void Ping360Server::scan(std::uint64_t ping) {
   instrument_.turn_to(ping);
   try {
     const Heard heard = make_ping();
-    scan_timer_.expires_at(heard.transmitted + time_of(instrument_.settings().listening_time()));
+    scan_timer_.expires_at(heard.transmitted + wall_clock_duration(instrument_.settings().listening_time()));
     scan_timer_.async_wait([this, heard, ping, scan = scan_number_](error_code) {
       if (scan != scan_number_) {
         return;

@@ -9,10 +9,10 @@
 #include <optional>
 
 #include "emulate/emulated_sonar.h"
-#include "emulate/road_loop.h"
-#include "emulate/road_report.h"
 #include "emulate/serial_line.h"
 #include "insonify/wire/ping360_sonar.h"
+#include "road/road_loop.h"
+#include "road/road_report.h"
 
 namespace insonify {
 
@@ -77,7 +77,7 @@ class Ping360Server {
   std::vector<std::uint8_t> datagram_;
   Udp::endpoint sender_;
   PingParser serial_parser_;
-  std::deque<Command> commands_;  // Of what has arrived last; no more is received before they are done.
+  std::deque<Command> commands_;  // Commands of what has arrived last; no more is received before they are done.
   bool receiving_datagram_ = false, receiving_bytes_ = false, pinging_ = false, warned_ = false;
 };
 

@@ -21,8 +21,8 @@ using boost::system::error_code;
 
 namespace {
 
-constexpr std::size_t kMostWaiting = 16 * 1024;  // [bytes]; a message has up to 1.2 KiB.
-constexpr std::size_t kMostAtOnce = 512;         // Bytes received in one piece.
+constexpr std::size_t kMostWaitingBytes = 16 * 1024;  // [bytes]; a message has up to 1.2 KiB.
+constexpr std::size_t kMostAtOnce = 512;              // Bytes received in one piece.
 
 [[noreturn]] void fail() {
   throw Error(fmt::format("cannot open a pseudo terminal: {}", std::strerror(errno)));
@@ -68,7 +68,7 @@ void SerialLine::receive(std::function<void(std::span<const std::uint8_t>)> func
 }
 
 bool SerialLine::send(Bytes bytes) {
-  if (writing_.size() + out_.size() + bytes.size() > kMostWaiting) {
+  if (writing_.size() + out_.size() + bytes.size() > kMostWaitingBytes) {
     return false;
   }
   out_.insert(out_.end(), bytes.begin(), bytes.end());

@@ -11,7 +11,6 @@
 
 #include "console/console.h"
 #include "console/outcome.h"
-#include "console/recording_state.h"
 #include "console/stop.h"
 #include "insonify/export.h"
 #include "insonify/recording_info.h"
@@ -22,7 +21,8 @@ namespace {
 // Refuses options that do nothing for the format.
 void check_effects(const ExportCommand& options) {
   static const std::map<std::string, std::vector<std::string>> kActsOn = {
-      {"--bits", {".mcap", ".bag"}},  {"--store", {".npz"}},
+      {"--bits", {".mcap", ".bag"}},  {"--fan-rate", {".mcap", ".bag"}},
+      {"--start", {".mcap", ".bag"}}, {"--store", {".npz"}},
       {"--rate", {".mp4", ".gif"}},   {"--colour-map", {".mp4", ".gif", ".mcap", ".bag"}},
       {"--height", {".mp4", ".gif"}}, {"--levels", {".mp4", ".gif", ".mcap", ".bag"}}};
   const std::filesystem::path& file = options.file;
@@ -39,32 +39,20 @@ void check_effects(const ExportCommand& options) {
   }
 }
 
-// The run may have ended before its time.
-void tell_if_unfinished(const std::filesystem::path& path, const RecordingInfo& info) {
-  if (info.state == RecordingState::kWhole) {
-    return;
-  }
-  std::vector<std::string> pings;
-  for (const RecordedSonar& sonar : info.sonars) {
-    pings.push_back(counted(sonar.pings, "ping") + (info.sonars.size() > 1 ? " of " + sonar.config.name : ""));
-  }
-  complain(fmt::format("warning: {} is {}; it has {}", path.string(), state_text(info), fmt::join(pings, ", ")));
-}
-
 // Every fault of the input is found here, before anything is written.
 void check_input(const ExportCommand& options, const std::vector<RecordingPart>& parts, const ExportOptions& how) {
   std::error_code ignored;
   if (std::filesystem::exists(std::filesystem::symlink_status(options.file, ignored)) && !options.force) {
     throw InputError(fmt::format("{} is there already: --force replaces it", options.file.string()));
   }
-  try {
+  checked_input([&] {
     check_export(parts, options.file, how);
     for (const std::filesystem::path& recording : options.recordings) {
-      tell_if_unfinished(recording, recording_info(recording));
+      if (const std::string text = unfinished_text(recording, recording_info(recording)); !text.empty()) {
+        complain("warning: " + text);
+      }
     }
-  } catch (const Error& error) {
-    throw InputError(error.what());
-  }
+  });
 }
 
 }  // namespace
@@ -72,7 +60,7 @@ void check_input(const ExportCommand& options, const std::vector<RecordingPart>&
 int export_command(const ExportCommand& options) {
   const PictureStyle style = picture_style(options.pictures, EchoModel::kCalibrated, {});
   ExportOptions how{.replace = options.force, .compress = !options.store};
-  how.messages = message_options(style);
+  how.messages = message_options(style, options.messages);
   how.messages.bits = options.bits;
   how.log = [](Severity, const std::string& message) { complain("warning: " + message + "; --levels changes that"); };
   how.video.rate = options.rate;

@@ -7,16 +7,17 @@
 #include <string>
 #include <vector>
 
-#include "pictures/picture_options.h"
+#include "pictures/message_choice.h"
 
 namespace insonify {
 
 struct ExportCommand {
   std::vector<std::filesystem::path> recordings;
-  std::string sonar;  ///< Of recordings with several; "" for all.
+  std::string sonar;  ///< Sonar of recordings with several; "" for all.
   std::filesystem::path file;
   bool force = false;               ///< Replace a file that is there.
-  int bits = 16;                    ///< Of a value of sonar images in .mcap, 8 or 16.
+  int bits = 16;                    ///< Bits of a value of sonar images in .mcap, 8 or 16.
+  MessageChoice messages;           ///< Of .mcap and .bag.
   bool store = false;               ///< Leave .npz uncompressed.
   std::optional<double> rate = {};  ///< Pictures a second of a video.
   PictureOptions pictures;          ///< Colours and levels.

@@ -9,7 +9,6 @@
 
 #include "console/console.h"
 #include "console/outcome.h"
-#include "console/recording_state.h"
 #include "insonify/recording_info.h"
 #include "insonify/words.h"
 
@@ -32,11 +31,14 @@ void print_sonar(const RecordedSonar& sonar) {
 }
 
 void print(const std::filesystem::path& path, const RecordingInfo& info) {
-  const std::string state = state_text(info);
+  const std::string state = state_text(info.state, info.format);
   say("{}: {}, {:.1f} MB{}{}\n", path.string(), info.format, static_cast<double>(info.bytes) / 1e6,
       state.empty() ? "" : ", ", state);
   say("  insonify {}, model {}, engine {}, seed {}\n", info.version, info.model, info.engine,
       info.seed ? std::to_string(*info.seed) : "unknown");
+  if (info.start_ns) {
+    say("  started at {}\n", start_text(*info.start_ns));
+  }
   for (const RecordedSonar& sonar : info.sonars) {
     print_sonar(sonar);
   }
@@ -64,12 +66,21 @@ nlohmann::ordered_json json_of(const RecordedSonar& sonar) {
 }
 
 nlohmann::ordered_json json_of(const std::filesystem::path& path, const RecordingInfo& info) {
-  nlohmann::ordered_json object = {
-      {"file", path.string()}, {"format", info.format},   {"state", state_word(info.state)},
-      {"bytes", info.bytes},   {"version", info.version}, {"model", info.model},
-      {"engine", info.engine}, {"seed", nullptr},         {"sonars", nlohmann::ordered_json::array()}};
+  nlohmann::ordered_json object = {{"file", path.string()},
+                                   {"format", info.format},
+                                   {"state", state_word(info.state)},
+                                   {"bytes", info.bytes},
+                                   {"version", info.version},
+                                   {"model", info.model},
+                                   {"engine", info.engine},
+                                   {"seed", nullptr},
+                                   {"start", nullptr},
+                                   {"sonars", nlohmann::ordered_json::array()}};
   if (info.seed) {
     object["seed"] = *info.seed;
+  }
+  if (info.start_ns) {
+    object["start"] = start_text(*info.start_ns);
   }
   for (const RecordedSonar& sonar : info.sonars) {
     object["sonars"].push_back(json_of(sonar));

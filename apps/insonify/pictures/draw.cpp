@@ -47,7 +47,7 @@ struct Recorded {
 // Opens and checks all input; every failure here is an input error.
 Recorded open_recording(const DrawOptions& options) {
   const std::filesystem::path& file = options.recording;
-  try {
+  return checked_input([&] {
     RecordedPings pings(file, options.sonar);
     const SonarConfig sonar = pings.sonar_config();
     const PictureStyle style = picture_style(options.pictures, model_of(pings, file), pings.receiver_config());
@@ -60,12 +60,8 @@ Recorded open_recording(const DrawOptions& options) {
     if (!options.force) {
       refuse_earlier_pictures(folder, sonar.name);
     }
-    return {std::move(pings), sonar, style, choice, folder};
-  } catch (const InputError&) {
-    throw;
-  } catch (const Error& error) {
-    throw InputError(error.what());
-  }
+    return Recorded{std::move(pings), sonar, style, choice, folder};
+  });
 }
 
 // The first ping of a fan sets the scale for all; a picture of a scan shows all pings so far.

@@ -13,7 +13,7 @@ namespace insonify {
 
 struct DrawOptions {
   std::filesystem::path recording;
-  std::string sonar;                 ///< Of a recording with several; "" for the only one.
+  std::string sonar;                 ///< Sonar of a recording with several; "" for the only one.
   std::filesystem::path folder;      ///< Empty: the folder of the recording.
   std::vector<std::uint64_t> pings;  ///< Numbers from 0; empty: chosen by `pictures`.
   PictureOptions pictures;

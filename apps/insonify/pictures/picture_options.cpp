@@ -5,42 +5,13 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <charconv>
 #include <cmath>
-#include <optional>
-#include <utility>
 
+#include "console/levels.h"
 #include "console/outcome.h"
 #include "console/validators.h"
 
 namespace insonify {
-namespace {
-
-// Lowest and highest level [dB]; none if the text is not two increasing numbers.
-std::optional<std::pair<double, double>> parsed_levels(const std::string& text) {
-  constexpr double kMost = 400;  // [dB]
-  std::pair<double, double> levels;
-  const char* end = text.data() + text.size();
-  const auto low = std::from_chars(text.data(), end, levels.first);
-  if (low.ec != std::errc() || low.ptr == end || *low.ptr != ':') {
-    return {};
-  }
-  const auto high = std::from_chars(low.ptr + 1, end, levels.second);
-  const bool good = high.ec == std::errc() && high.ptr == end && levels.first >= -kMost && levels.second <= kMost &&
-                    levels.first < levels.second;
-  return good ? std::optional(levels) : std::nullopt;
-}
-
-CLI::Validator levels() {
-  const auto check = [](const std::string& text) {
-    return parsed_levels(text)
-               ? std::string()
-               : fmt::format("{} must be LOW:HIGH, two rising levels from -400 to 400 dB, as -90:-40", text);
-  };
-  return CLI::Validator(check, "");
-}
-
-}  // namespace
 
 void add_picture_options(CLI::App& command, PictureOptions& options, const std::string& group) {
   command.add_option("--colour-map,--color-map", options.colour_map, "inferno, copper, grey or blue [inferno]")
@@ -87,15 +58,6 @@ PictureStyle picture_style(const PictureOptions& options, EchoModel model, const
   }
   display.validate();
   return style;
-}
-
-MessageOptions message_options(const PictureStyle& style) {
-  MessageOptions messages{.colour_map = style.display.colour_map};
-  if (style.fixed_levels) {
-    messages.high_db = 10 * std::log10(style.display.full_scale);
-    messages.low_db = *messages.high_db + style.display.floor_db;
-  }
-  return messages;
 }
 
 }  // namespace insonify

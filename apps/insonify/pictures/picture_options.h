@@ -39,7 +39,4 @@ struct PictureStyle {
 [[nodiscard]] PictureStyle picture_style(const PictureOptions& options, EchoModel model,
                                          const ReceiverConfig& receiver);
 
-/// Messages with the colours of the style and, where it fixes them, its levels.
-[[nodiscard]] MessageOptions message_options(const PictureStyle& style);
-
 }  // namespace insonify

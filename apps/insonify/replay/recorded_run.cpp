@@ -70,6 +70,9 @@ void RecordedRun::open(const RecordedRunOptions& options, LiveWorld& world, cons
   std::map<std::string, std::filesystem::path> seen;
   for (const std::filesystem::path& file : options.files) {
     const RecordingInfo info = recording_info(file);
+    if (const std::string text = unfinished_text(file, info); !text.empty()) {
+      log(Severity::kWarning, text);
+    }
     if (first) {
       check_run(*first, options.files.front(), info, file);
     } else {

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ranges>
 #include <utility>
 
 #include "insonify/error.h"
@@ -53,15 +54,17 @@ void RecordingPlayer::pause(bool on) {
     goal_ = first_time();
   }
   paused_ = on;
-  steps_ = 0;
+  until_.reset();
   keep_pace();
   wake_.notify_all();
 }
 
-void RecordingPlayer::step() {
+void RecordingPlayer::step(int sonar) {
   const Lock lock(mutex_);
-  steps_ += paused_ ? 1 : 0;
-  wake_.notify_all();
+  if (paused_) {
+    until_ = time_after(goal_.value_or(until_.value_or(shown_time())), sonar);
+    wake_.notify_all();
+  }
 }
 
 void RecordingPlayer::set_speed(double factor) {
@@ -80,17 +83,33 @@ void RecordingPlayer::seek(double time) {
   }
   const Lock lock(mutex_);
   goal_ = time;
+  until_.reset();
   wake_.notify_all();
 }
 
-void RecordingPlayer::step_back() {
+void RecordingPlayer::step_back(int sonar) {
   const Lock lock(mutex_);
+  goal_ = time_before(goal_.value_or(shown_time()), sonar).value_or(first_time());
   paused_ = true;
-  steps_ = 0;
-  const double from = goal_.value_or(shown_time());
-  const auto at = std::ranges::lower_bound(moments_, from, {}, &RecordedMoment::time);
-  goal_ = at == moments_.begin() ? first_time() : std::prev(at)->time;
+  until_.reset();
   wake_.notify_all();
+}
+
+// Of the next ping of a sonar, or where it has none, of any; absent at the end.
+std::optional<double> RecordingPlayer::time_after(double time, int sonar) const {
+  const auto next = std::ranges::upper_bound(moments_, time, {}, &RecordedMoment::time);
+  const auto of_sonar = std::ranges::find(next, moments_.end(), sonar, &RecordedMoment::sonar);
+  const auto found = of_sonar == moments_.end() ? next : of_sonar;
+  return found == moments_.end() ? std::nullopt : std::optional(found->time);
+}
+
+// Likewise of the ping before; absent at the first.
+std::optional<double> RecordingPlayer::time_before(double time, int sonar) const {
+  const auto end = std::ranges::lower_bound(moments_, time, {}, &RecordedMoment::time);
+  const auto before = std::ranges::reverse_view(std::ranges::subrange(moments_.begin(), end));
+  const auto of_sonar = std::ranges::find(before, sonar, &RecordedMoment::sonar);
+  const auto found = of_sonar == before.end() ? before.begin() : of_sonar;
+  return found == before.end() ? std::nullopt : std::optional(found->time);
 }
 
 // Of the pings that are shown.
@@ -119,6 +138,7 @@ void RecordingPlayer::show(const RecordedMoment& moment, Lock& lock) {
     listener_->on_note(error.what());
     lock.lock();
     paused_ = true;
+    until_.reset();
   }
 }
 
@@ -150,9 +170,10 @@ void RecordingPlayer::play() {
       go_to(*std::exchange(goal_, {}), lock);
     } else if (next_ == moments_.size()) {
       paused_ = true;
-      steps_ = 0;
+      until_.reset();
       wake_.wait(lock);
-    } else if (paused_ && steps_ == 0) {
+    } else if (paused_ && !(until_ && moments_[next_].time <= *until_)) {
+      until_.reset();
       wake_.wait(lock);
     } else if (!paused_ && Clock::now() < next_due()) {
       wake_.wait_until(lock, next_due());
@@ -163,7 +184,6 @@ void RecordingPlayer::play() {
         const RecordedMoment& moment = moments_[next_++];
         show(moment, lock);
       } while (!goal_ && !ending_ && next_ < moments_.size() && moments_[next_].time == time);
-      steps_ -= steps_ > 0 ? 1 : 0;
     }
   }
 }

@@ -28,7 +28,7 @@ class RecordingPlayer : public PingSource, public Playback {
   void end() override;
   [[nodiscard]] LiveState state() const override;
   void pause(bool on) override;
-  void step() override;
+  void step(int sonar) override;
   void set_speed(double factor) override;
   [[nodiscard]] Playback* playback() override { return this; }
 
@@ -37,7 +37,7 @@ class RecordingPlayer : public PingSource, public Playback {
   [[nodiscard]] double first_time() const override { return moments_.front().time; }
   [[nodiscard]] double last_time() const override { return moments_.back().time; }
   void seek(double time) override;
-  void step_back() override;
+  void step_back(int sonar) override;
 
  private:
   using Clock = std::chrono::steady_clock;
@@ -48,6 +48,8 @@ class RecordingPlayer : public PingSource, public Playback {
   void show(const RecordedMoment& moment, Lock& lock);
   void keep_pace();
   [[nodiscard]] double shown_time() const;
+  [[nodiscard]] std::optional<double> time_after(double time, int sonar) const;
+  [[nodiscard]] std::optional<double> time_before(double time, int sonar) const;
   [[nodiscard]] Clock::time_point next_due() const;
 
   RecordedRun& run_;
@@ -59,8 +61,8 @@ class RecordingPlayer : public PingSource, public Playback {
   std::condition_variable wake_;
   bool ending_ = false;
   bool paused_;
-  int steps_ = 0;               // Still to be shown while paused.
-  std::optional<double> goal_;  // Time to go to [s].
+  std::optional<double> until_;  // Time up to which pings are shown while paused [s].
+  std::optional<double> goal_;   // Time to go to [s].
   double speed_ = 1;
   std::size_t next_ = 0;  // Of the moments.
   std::uint64_t shown_ = 0;

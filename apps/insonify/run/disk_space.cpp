@@ -26,12 +26,12 @@ std::string bytes_text(std::uint64_t bytes) {
 }  // namespace
 
 void tell_disk_space(const Scenario& scenario, const ScenarioRequests& requests, const std::filesystem::path& folder,
-                     const RunOptions& options) {
+                     const RunOptions& options, const MessageOptions& messages) {
   std::uint64_t needed = 0;
   for (std::size_t i = 0; i < scenario.sonars.size(); ++i) {
     const std::uint64_t pings = requests.ping_count(static_cast<int>(i));
     needed += options.record.h5 ? recording_bytes(scenario, scenario.sonars[i], pings) : 0;
-    needed += options.record.mcap ? mcap_bytes(scenario.sonars[i], pings) : 0;
+    needed += options.record.mcap ? mcap_bytes(scenario.sonars[i], pings, messages) : 0;
   }
   std::filesystem::path there = std::filesystem::absolute(folder);
   std::error_code error;

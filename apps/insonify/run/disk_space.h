@@ -11,8 +11,9 @@ namespace insonify {
 
 /// Prints the size of a run's recordings and the free space, unless the run is quiet. Warns if the space is too small:
 /// the run ends when the disk is full, and keeps the pings made so far.
+/// @param messages  What MCAP recordings hold.
 /// @param folder  Folder of the recordings; need not exist yet.
 void tell_disk_space(const Scenario& scenario, const ScenarioRequests& requests, const std::filesystem::path& folder,
-                     const RunOptions& options);
+                     const RunOptions& options, const MessageOptions& messages);
 
 }  // namespace insonify

@@ -31,8 +31,7 @@ SonarRecordings::SonarRecordings(const std::filesystem::path& folder, const Simu
   }
   if (options.kinds.mcap) {
     McapOptions mcap = options.mcap;
-    mcap.run.engine = scenario.engine;
-    mcap.run.seed = scenario.seed;
+    mcap.run = run_facts(scenario, simulator.scene());
     mcap_.emplace(files_.back(), std::vector{message_source(scenario, config)}, mcap);
   }
 }

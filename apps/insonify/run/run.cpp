@@ -6,6 +6,7 @@
 #include <chrono>
 
 #include "console/console.h"
+#include "console/log_to_user.h"
 #include "console/outcome.h"
 #include "console/stop.h"
 #include "insonify/files.h"
@@ -30,16 +31,6 @@ double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-Log log_to_user(bool quiet) {
-  return [quiet](Severity severity, const std::string& message) {
-    if (severity == Severity::kWarning) {
-      complain("warning: " + message);
-    } else if (!quiet) {
-      say("{}\n", message);
-    }
-  };
-}
-
 void print_world(const Scene& scene, double seconds) {
   say("world: {} of {}, {}, ready in {:.2f} s\n", counted(scene.instances.size(), "object"),
       counted(scene.triangle_count(), "triangle"), size_text(scene), seconds);
@@ -61,7 +52,7 @@ void tell_of_reading(const RunOptions& options) {
 
 // Loads and checks all input; every failure here is an input error.
 Simulator prepare(const RunOptions& options, const std::filesystem::path& folder, PictureStyle& style) {
-  try {
+  return checked_input([&] {
     const Clock::time_point start = Clock::now();
     tell_of_reading(options);
     Scenario scenario = load_scenario(options.scenario, options.settings, log_to_user(options.quiet));
@@ -75,9 +66,7 @@ Simulator prepare(const RunOptions& options, const std::filesystem::path& folder
       print_world(simulator.scene(), seconds_since(start));
     }
     return simulator;
-  } catch (const Error& error) {
-    throw InputError(error.what());
-  }
+  });
 }
 
 std::vector<std::string> names_of(const std::vector<SonarConfig>& sonars) {
@@ -93,7 +82,7 @@ RecordOptions record_options(const RunOptions& options, const PictureStyle& styl
   RecordOptions record{
       .kinds = options.record,
       .h5 = {.compress = options.compress, .threads = options.threads, .replace = options.force},
-      .mcap = {.messages = message_options(style),
+      .mcap = {.messages = message_options(style, options.messages),
                .log = [](Severity,
                          const std::string& message) { complain("warning: " + message + "; --levels changes that"); },
                .replace = options.force}};
@@ -110,36 +99,51 @@ void print_oddities(Simulator& simulator, const ScenarioRequests& requests, bool
   }
 }
 
-// Computes the pings, in turn for each sonar, until all are done or a stop is requested.
+// The sonar whose next ping is the earliest, the first of those that ping at the same time; -1 where all are done.
+// @param made  Pings made so far of each sonar.
+int next_sonar(const ScenarioRequests& requests, const std::vector<std::uint64_t>& made) {
+  constexpr double kSameTime = 1 + 1e-8;  // Ratio of times that are the same but for the rounding of the periods.
+  int next = -1;
+  double earliest = 0;
+  for (int sonar = 0; sonar < requests.sonar_count(); ++sonar) {
+    const std::uint64_t number = made[static_cast<std::size_t>(sonar)];
+    const double time = requests.time_of(sonar, number);
+    if (number < requests.ping_count(sonar) && (next < 0 || time * kSameTime < earliest)) {
+      next = sonar;
+      earliest = time;
+    }
+  }
+  return next;
+}
+
+// Computes the pings of all sonars in the order of their times, until all are done or a stop is requested. A run that
+// is stopped or killed so leaves recordings that end at the same time.
 // @return  Computing time without recording and drawing [s].
 double make_pings(Simulator& simulator, const ScenarioRequests& requests, std::vector<Track>& tracks, bool quiet) {
   Progress progress(requests.total_pings(), quiet);
   PingRequest request;
+  std::vector<std::uint64_t> made(tracks.size());  // Pings of each sonar.
   double computing = 0;
-  for (std::uint64_t number = 0; number < requests.most_pings() && !stop_asked(); ++number) {
-    for (std::size_t i = 0; i < tracks.size() && !stop_asked(); ++i) {
-      if (number >= requests.ping_count(static_cast<int>(i))) {
-        continue;
-      }
-      Track& track = tracks[i];
-      const Clock::time_point start = Clock::now();
-      requests.fill(static_cast<int>(i), number, request);
-      try {
-        simulator.ping(static_cast<int>(i), request, track.next);
-      } catch (const Interrupted&) {
-        return computing;
-      }
-      std::swap(track.ping, track.next);
-      computing += seconds_since(start);
-      track.recordings.add(track.ping);
-      track.pictures.add(track.ping);
-      track.loudness.add(track.ping);
-      if (number == 0) {
-        track.heard = heard_text(simulator.scene(), simulator.sonar(static_cast<int>(i)), track.ping);
-      }
-      ++track.made;
-      progress.advance();
+  for (int sonar = next_sonar(requests, made); sonar >= 0 && !stop_asked(); sonar = next_sonar(requests, made)) {
+    const auto i = static_cast<std::size_t>(sonar);
+    Track& track = tracks[i];
+    const Clock::time_point start = Clock::now();
+    requests.fill(sonar, made[i], request);
+    try {
+      simulator.ping(sonar, request, track.next);
+    } catch (const Interrupted&) {
+      return computing;
     }
+    std::swap(track.ping, track.next);
+    computing += seconds_since(start);
+    track.recordings.add(track.ping);
+    track.pictures.add(track.ping);
+    track.loudness.add(track.ping);
+    if (made[i] == 0) {
+      track.heard = heard_text(simulator.scene(), simulator.sonar(sonar), track.ping);
+    }
+    track.made = ++made[i];
+    progress.advance();
   }
   return computing;
 }
@@ -180,6 +184,9 @@ int run(const RunOptions& options) {
   if (options.compress && !options.record.h5) {
     throw InputError("--compress has no effect on --record mcap, only on h5: MCAP is compressed anyway");
   }
+  if (const std::vector<std::string> given = options.messages.given(); !given.empty() && !options.record.mcap) {
+    throw InputError(given.front() + " has no effect on --record h5, only on mcap");
+  }
   const PictureChoice choice = PictureChoice::parse(options.pictures.pictures);
   PictureStyle style;
   const std::filesystem::path folder = output_folder(options.folder, options.scenario);
@@ -195,7 +202,7 @@ int run(const RunOptions& options) {
                          unfinished.front().string(),
                          unfinished.size() == 1 ? "" : fmt::format(" (and {} more)", unfinished.size() - 1)));
   }
-  tell_disk_space(simulator.scenario(), requests, folder, options);
+  tell_disk_space(simulator.scenario(), requests, folder, options, message_options(style, options.messages));
   const std::vector<View> views = draw_views(simulator, requests, options, style.display);
   note_when_asked();
   simulator.stop_when(&stop_asked());

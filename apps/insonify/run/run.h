@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "pictures/picture_options.h"
+#include "pictures/message_choice.h"
 #include "run/recordings.h"
 
 namespace insonify {
@@ -17,6 +17,7 @@ struct RunOptions {
   int threads = 0;                    ///< 0: one per processor.
   std::vector<std::string> settings;  ///< "key=value", in order.
   RecordKinds record = {};            ///< Which recordings are made.
+  MessageChoice messages = {};        ///< Of MCAP recordings.
   bool compress = false;              ///< Compress recordings, with HDF5's own filters.
   bool force = false;                 ///< Replace recordings and pictures of an earlier run.
 

@@ -11,7 +11,7 @@ namespace insonify {
 
 struct AccessRules {
   std::string token;                 ///< That every WebSocket must tell; "" for none.
-  std::vector<std::string> origins;  ///< Of other pages that may connect without a token.
+  std::vector<std::string> origins;  ///< Origins of other pages that may connect without a token.
 };
 
 /// What a request tells of itself; "" where it does not.

@@ -2,13 +2,15 @@
 
 #include "serve/foxglove_encoder.h"
 
+#include <algorithm>
+
 #include "console/console.h"
 #include "insonify/error.h"
 
 namespace insonify {
 
-FoxgloveEncoder::FoxgloveEncoder(std::function<void(EncodedMessage)> deliver)
-    : deliver_(std::move(deliver)), thread_([this] { work(); }) {}
+FoxgloveEncoder::FoxgloveEncoder(const MessageOptions& options, std::function<void(EncodedMessage)> deliver)
+    : options_(options), deliver_(std::move(deliver)), thread_([this] { work(); }) {}
 
 FoxgloveEncoder::~FoxgloveEncoder() {
   {
@@ -20,13 +22,22 @@ FoxgloveEncoder::~FoxgloveEncoder() {
 }
 
 void FoxgloveEncoder::add(EncoderJob job) {
-  constexpr std::size_t kMostWaiting = 4;
+  constexpr std::ptrdiff_t kMostWaiting = 4;
   const std::lock_guard lock(mutex_);
-  jobs_.push_back(std::move(job));
-  if (jobs_.size() > kMostWaiting) {
-    jobs_.pop_front();
-  }
   wake_.notify_all();
+  if (job.again) {
+    const auto same =
+        std::ranges::find_if(jobs_, [&](const EncoderJob& one) { return one.again && one.ping == job.ping; });
+    if (same != jobs_.end()) {
+      same->channels.merge(job.channels);
+      return;
+    }
+  }
+  jobs_.push_back(std::move(job));
+  const auto is_new = [](const EncoderJob& one) { return !one.again; };
+  if (std::ranges::count_if(jobs_, is_new) > kMostWaiting) {
+    jobs_.erase(std::ranges::find_if(jobs_, is_new));
+  }
 }
 
 void FoxgloveEncoder::encode(const EncoderJob& job) {
@@ -35,18 +46,24 @@ void FoxgloveEncoder::encode(const EncoderJob& job) {
     world_ = world;
     messages_.clear();
     for (const SonarConfig& sonar : world->sonars) {
-      messages_.emplace_back(message_source(world->scenario, sonar));
+      messages_.emplace_back(message_source(world->scenario, sonar), options_);
     }
+    taken_.assign(messages_.size(), nullptr);
   }
-  SonarMessages& messages = messages_[static_cast<std::size_t>(job.ping->sonar)];
-  Ping ping = job.ping->ping;
-  ping.time += job.time_offset;
-  messages.take(ping);
+  const auto sonar = static_cast<std::size_t>(job.ping->sonar);
+  SonarMessages& messages = messages_[sonar];
+  if (taken_[sonar] != job.ping) {
+    Ping ping = job.ping->ping;
+    ping.time += job.time_offset;
+    messages.take(ping);
+    taken_[sonar] = job.ping;
+  }
   for (const std::size_t channel : job.channels) {
     const std::vector<std::byte> bytes = messages.encode(channel);
     deliver_({.world = world,
               .sonar = job.ping->sonar,
               .channel = channel,
+              .again = job.again,
               .time_ns = messages.time_ns(),
               .bytes = std::make_shared<const std::string>(reinterpret_cast<const char*>(bytes.data()), bytes.size())});
   }

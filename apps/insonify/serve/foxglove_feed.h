@@ -19,7 +19,7 @@ class FoxgloveClient;
 /// What all Foxglove clients share. In the server's thread.
 class FoxgloveFeed : public HubMember {
  public:
-  explicit FoxgloveFeed(Hub& hub);
+  FoxgloveFeed(Hub& hub, const MessageOptions& options);
   ~FoxgloveFeed() override;
   FoxgloveFeed(const FoxgloveFeed&) = delete;
   FoxgloveFeed& operator=(const FoxgloveFeed&) = delete;
@@ -42,7 +42,7 @@ class FoxgloveFeed : public HubMember {
   };
 
   void deliver(const EncodedMessage& message);
-  [[nodiscard]] bool is_wanted(std::uint32_t id) const;
+  [[nodiscard]] bool is_wanted(const Channel& channel) const;
   [[nodiscard]] std::string info_text() const;
   [[nodiscard]] std::string advertise_text() const;
   void want_last(std::uint32_t id);
@@ -50,7 +50,7 @@ class FoxgloveFeed : public HubMember {
   Hub& hub_;
   std::set<FoxgloveClient*> clients_;
   std::vector<Channel> channels_;
-  std::vector<std::string> names_;  // Of the sonars, when channels were made.
+  std::vector<std::string> names_;  // Names of the sonars when channels were made.
   std::uint32_t next_id_ = 1;
   double time_offset_ = 0, last_time_ = 0;  // [s]
   std::unique_ptr<FoxgloveEncoder> encoder_;

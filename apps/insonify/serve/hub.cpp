@@ -54,13 +54,10 @@ void Hub::on_world(const std::shared_ptr<const LiveWorld>& world) {
 }
 
 void Hub::on_note(const std::string& text) {
-  post([this, text] {
-    complain(text);
-    tell_note(text);
-  });
+  complain(text);
+  post([this, text] { tell_note(text); });
 }
 
-// The server's thread may have ended: the terminal is told at once.
 void Hub::on_recorded(const LiveRecording& recording) {
   const std::string text = recorded_text(recording);
   if (!quiet_) {
@@ -85,7 +82,7 @@ void Hub::take_pings() {
   }
   for (const std::shared_ptr<const LivePing>& ping : taken) {
     if (ping->world != world_) {
-      continue;  // Of the world before; its last one.
+      continue;  // Last ping of the world before.
     }
     ++pings_;
     computing_time_ += ping->computing_time;
@@ -101,6 +98,17 @@ void Hub::take_pings() {
     for (HubMember* member : std::set<HubMember*>(members_)) {
       member->on_ping(*shared);
     }
+  }
+  tell_position();
+}
+
+// Where a recording is, also to those whose sonar has no ping there.
+void Hub::tell_position() {
+  constexpr std::chrono::milliseconds kBetween(100);
+  const auto now = std::chrono::steady_clock::now();
+  if (source_.playback() != nullptr && (source_.state().paused || now - told_position_at_ > kBetween)) {
+    told_position_at_ = now;
+    tell_state();
   }
 }
 

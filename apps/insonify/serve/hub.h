@@ -53,7 +53,7 @@ class Hub : public LiveListener {
   Hub(PingSource& source, NetServer& server, std::filesystem::path recording, bool quiet)
       : source_(source), server_(server), recording_(std::move(recording)), quiet_(quiet) {}
 
-  // Threads of the source.
+  // Threads of the source. The terminal is told at once, as the server's thread may have ended.
   void on_ping(const std::shared_ptr<const LivePing>& ping) override;
   void on_world(const std::shared_ptr<const LiveWorld>& world) override;
   void on_note(const std::string& text) override;
@@ -87,6 +87,7 @@ class Hub : public LiveListener {
  private:
   void tell_note(const std::string& text);
   void take_pings();
+  void tell_position();
   void greet();
   void tell_levels(std::size_t sonar);
   [[nodiscard]] bool make_hello();
@@ -110,6 +111,7 @@ class Hub : public LiveListener {
   std::uint64_t pings_ = 0, counted_pings_ = 0;
   double computing_time_ = 0;
   std::chrono::steady_clock::time_point counted_at_ = std::chrono::steady_clock::now();
+  std::chrono::steady_clock::time_point told_position_at_;
   ServerCounts counts_;
 };
 

@@ -27,10 +27,10 @@ using net::ip::tcp;
 
 constexpr std::size_t kMostConnections = 256;
 constexpr std::uint32_t kLongestHeader = 16 * 1024;  // [bytes]
-constexpr std::size_t kLongestFrame = 1'000'000;     // Of a client [bytes].
+constexpr std::size_t kLongestFrame = 1'000'000;     // Longest frame of a client [bytes].
 constexpr std::chrono::seconds kRequestTime{10};     // For a whole request to come in.
 constexpr std::chrono::seconds kIdleTime{30};        // Without a sign of life of a WebSocket.
-constexpr std::size_t kLongestReason = 120;          // Of a close frame [bytes].
+constexpr std::size_t kLongestReason = 120;          // Longest reason in a close frame [bytes].
 
 class Session : public std::enable_shared_from_this<Session>, public NetSession {
  public:

@@ -90,7 +90,7 @@ PageServer::~PageServer() = default;
 void PageServer::show(PingSource& source, const std::filesystem::path& recording,
                       const std::function<void()>& started) {
   Hub hub(source, *server_, recording, options_.quiet);
-  FoxgloveFeed feed(hub);
+  FoxgloveFeed feed(hub, options_.messages);
   hub_ = &hub;
   feed_ = &feed;
   const SourceEnd end(source);

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "insonify/messages.h"
 #include "serve/ping_source.h"
 
 namespace insonify {
@@ -22,6 +23,7 @@ struct PageServerOptions {
   std::string token;                 ///< "" for none: loopback only.
   std::vector<std::string> origins;  ///< Other pages that may connect without a token.
   bool quiet = false;                ///< Print only the address, warnings and errors.
+  MessageOptions messages;           ///< How Foxglove is told of pings.
   std::filesystem::path page;        ///< Folder to serve the page from; empty: that in the program.
 };
 

@@ -24,8 +24,8 @@ class Playback {
   /// @param time  [s]; before the first ping is at it, after the last one at that.
   /// @throws Error for a time that is not finite.
   virtual void seek(double time) = 0;
-  /// Shows the pings before those that are shown, and pauses.
-  virtual void step_back() = 0;
+  /// Goes back to the ping before of that sonar, or where it has none, of any, and pauses.
+  virtual void step_back(int sonar) = 0;
 };
 
 /// Makes or reads pings in threads of its own, and hands them to a listener. All functions may be called from any
@@ -40,7 +40,8 @@ class PingSource {
   [[nodiscard]] virtual LiveState state() const = 0;
   virtual void pause(bool on) = 0;
   /// The next ping, while paused.
-  virtual void step() = 0;
+  /// @param sonar  The one that is watched: a recording goes on to its next ping, or where it has none, to that of any.
+  virtual void step(int sonar) = 0;
   /// @throws Error unless the factor is from 0.01 to 100.
   virtual void set_speed(double factor) = 0;
   /// The simulation, which can be steered and changed; null for a recording.

@@ -3,14 +3,12 @@
 #include "serve/scenario_keys.h"
 
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "insonify/words.h"
+#include "serve/json_text.h"
 
 namespace insonify {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 void put_limits(const Field& field, Json& entry) {
   const double scale = file_scale_of(field);

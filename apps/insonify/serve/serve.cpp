@@ -6,6 +6,7 @@
 #include <future>
 
 #include "console/console.h"
+#include "console/log_to_user.h"
 #include "console/outcome.h"
 #include "insonify/words.h"
 #include "serve/recordings.h"
@@ -15,32 +16,21 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-Log log_to_user(bool quiet) {
-  return [quiet](Severity severity, const std::string& message) {
-    if (severity == Severity::kWarning) {
-      complain("warning: " + message);
-    } else if (!quiet) {
-      say("{}\n", message);
-    }
-  };
-}
-
 std::unique_ptr<LiveLoop> loop_of(const ServeOptions& options) {
   const std::string ending = options.scenario.extension().string();
   if (ending == ".h5" || ending == ".hdf5" || ending == ".mcap") {
     throw InputError(fmt::format("{0}: is a recording, no scenario; insonify replay {0} --view shows it",
                                  options.scenario.string()));
   }
-  try {
+  return checked_input([&] {
     return std::make_unique<LiveLoop>(
         options.scenario, options.settings,
         LiveOptions{.threads = options.threads,
                     .rate_limit = options.rate > 0 ? std::optional(options.rate) : std::nullopt,
-                    .paused = options.paused},
+                    .paused = options.paused,
+                    .messages = options.server.messages},
         log_to_user(options.server.quiet));
-  } catch (const Error& error) {
-    throw InputError(error.what());
-  }
+  });
 }
 
 // Waits for the loop to begin to record.
@@ -65,7 +55,7 @@ class Simulation : public PingSource {
   void end() override { loop_.end(); }
   [[nodiscard]] LiveState state() const override { return loop_.state(); }
   void pause(bool on) override { loop_.pause(on); }
-  void step() override { loop_.step(); }
+  void step(int /*sonar*/) override { loop_.step(); }
   void set_speed(double factor) override { loop_.set_speed(factor); }
   [[nodiscard]] LiveLoop* simulation() override { return &loop_; }
 

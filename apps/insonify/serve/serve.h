@@ -15,6 +15,7 @@ struct ServeOptions {
   PageServerOptions server;
   std::filesystem::path recording;    ///< Recorded from the start; empty: not.
   bool force = false;                 ///< Whether its files may replace others.
+  std::string levels;                 ///< MessageOptions::low_db and high_db, "-90:-40"; "" for none.
   double rate = 0;                    ///< Most pings a second of each sonar; 0: no limit.
   int threads = 0;                    ///< 0: one per processor.
   std::vector<std::string> settings;  ///< "key=value", in order.

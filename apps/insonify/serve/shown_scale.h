@@ -29,7 +29,7 @@ class ShownScale {
 
  private:
   std::optional<ShownLevels> levels_;
-  std::vector<float> intensities_;  // Of the pings so far, until it is complete.
+  std::vector<float> intensities_;  // Intensities of the pings so far, until the scale is complete.
   double full_scale_ = 0;
   std::size_t pings_ = 0;
   bool complete_ = false;

@@ -120,6 +120,12 @@ class ViewerClient : public Client, public HubMember, public std::enable_shared_
     return hub_.world().sonars.front().name;
   }
 
+  // Its index.
+  [[nodiscard]] int watched() const {
+    const auto& sonars = hub_.world().sonars;
+    return static_cast<int>(std::ranges::find(sonars, watched_name(), &SonarConfig::name) - sonars.begin());
+  }
+
   // Answers a request once it is done, if this client is still there then.
   [[nodiscard]] LiveLoop::Done answer(const std::string& op) {
     return [&hub = hub_, weak = weak_from_this(), op](const std::string& error) {
@@ -150,8 +156,7 @@ class ViewerClient : public Client, public HubMember, public std::enable_shared_
     }
     watched_ = name;
     tables_ = tables;
-    const auto index = std::ranges::find(sonars, name, &SonarConfig::name) - sonars.begin();
-    if (const auto& ping = hub_.last_ping(static_cast<int>(index))) {
+    if (const auto& ping = hub_.last_ping(watched())) {
       on_ping(*ping);
     }
   }
@@ -210,7 +215,7 @@ class ViewerClient : public Client, public HubMember, public std::enable_shared_
     } else if (op == "pause") {
       source.pause(switch_of(message, "on"));
     } else if (op == "step") {
-      message.contains("back") && switch_of(message, "back") ? playback().step_back() : source.step();
+      message.contains("back") && switch_of(message, "back") ? playback().step_back(watched()) : source.step(watched());
     } else if (op == "seek") {
       playback().seek(number_of(message, "time"));
     } else if (op == "speed") {

@@ -8,27 +8,18 @@
 #include <cmath>
 #include <cstring>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <span>
 #include <unordered_map>
 
 #include "insonify/words.h"
+#include "serve/json_text.h"
 
 namespace insonify {
 namespace {
 
 static_assert(std::endian::native == std::endian::little, "messages are little-endian");
 
-using Json = nlohmann::ordered_json;
-
 constexpr std::uint32_t kPing = 1, kScene = 2, kMoved = 3;
-
-Json listed(const Vec3& v) {
-  return {v.x(), v.y(), v.z()};
-}
-Json listed(const Eigen::Quaterniond& q) {
-  return {q.w(), q.x(), q.y(), q.z()};
-}
 
 // A 4 x 4 matrix, column by column.
 Json matrix_of(const Pose& pose) {

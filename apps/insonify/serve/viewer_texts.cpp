@@ -3,25 +3,14 @@
 #include "serve/viewer_texts.h"
 
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "insonify/version.h"
 #include "insonify/words.h"
+#include "serve/json_text.h"
 #include "serve/scenario_keys.h"
 
 namespace insonify {
 namespace {
-
-using Json = nlohmann::ordered_json;
-
-// Names come from files, and may not be UTF-8.
-std::string dumped(const Json& json) {
-  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
-}
-
-Json listed(const Vec3& v) {
-  return {v.x(), v.y(), v.z()};
-}
 
 Json sonar_json(const LiveWorld& world, int index, const ShownLevels& levels) {
   const SonarConfig& sonar = world.sonars[static_cast<std::size_t>(index)];

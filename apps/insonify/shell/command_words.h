@@ -2,9 +2,12 @@
 
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <string>
 #include <vector>
+
+namespace CLI {  // NOLINT(readability-identifier-naming)
+class App;
+}
 
 namespace insonify {
 

@@ -104,16 +104,16 @@ struct OculusPing {
   std::uint16_t device = 1;  ///< Source of the message.
   std::uint32_t number = 0;
   double frequency = 0;         ///< [Hz]
-  double temperature_c = 0;     ///< Of the water [degC].
+  double temperature_c = 0;     ///< Temperature of the water [degC].
   double pressure_bar = 0;      ///< Absolute [bar].
   double heading_deg = 0;       ///< From +y (north) clockwise [deg], 0..360; layout 2 only, as are pitch and roll.
   double pitch_deg = 0;         ///< Nose up [deg].
   double roll_deg = 0;          ///< Starboard side down [deg].
   double sound_speed = 0;       ///< Used for ranges [m/s].
-  double start_time = 0;        ///< Of the transmission, since power-up [s].
+  double start_time = 0;        ///< Time of transmission since power-up [s].
   double range_resolution = 0;  ///< Length of a row [m].
   std::uint16_t range_count = 0;
-  std::vector<std::int16_t> bearings = {};  ///< Of the beams, positive to starboard, rising [0.01 deg].
+  std::vector<std::int16_t> bearings = {};  ///< Bearing of each beam, positive to starboard, rising [0.01 deg].
 
   /// Rows from the nearest range to the farthest; in each, with kOculusGainSent, the gain (u32), then a pixel of 1 or 2
   /// bytes for each beam.
@@ -129,7 +129,7 @@ struct OculusStatus {
   std::array<std::uint8_t, 4> address = {};  ///< IPv4, most significant byte first; as the next two.
   std::array<std::uint8_t, 4> mask = {};
   std::array<std::uint8_t, 4> client = {};  ///< Connected last; 0.0.0.0 for none.
-  double temperature_c = 0;                 ///< Of the water, and of all inside [degC].
+  double temperature_c = 0;                 ///< Temperature of the water and of all inside [degC].
   double pressure_bar = 0;                  ///< Absolute [bar].
 };
 

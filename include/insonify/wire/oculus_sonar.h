@@ -35,7 +35,7 @@ struct OculusMode {
 struct OculusModes {
   OculusMode low;
   std::optional<OculusMode> high = {};  ///< None: the instrument has one mode.
-  std::uint16_t part_number = 0;        ///< Of the model; 0 for one that is no Oculus.
+  std::uint16_t part_number = 0;        ///< Part number of the model; 0 for one that is no Oculus.
 };
 
 /// The modes of a sonar. One that has been made from a preset has the preset's modes "low" and "high", whichever it
@@ -49,7 +49,7 @@ struct OculusModes {
 struct OculusPlan {
   OculusFire fire;        ///< As the sonar repeats it: a range beyond the longest is that; of the high mode, gains are
                           ///< from 40 to 100 percent.
-  int rows = 0;           ///< Of the image, from range 0 on.
+  int rows = 0;           ///< Rows of the image, from range 0 on.
   int blank_rows = 0;     ///< Nearer than min_range: 0.
   double row_length = 0;  ///< [m]
   double range = 0;       ///< Far edge of the last row [m].

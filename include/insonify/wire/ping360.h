@@ -20,7 +20,7 @@ inline constexpr int kGradiansPerTurn = 400;
 struct Ping360Settings {
   std::uint8_t mode = 1;                   ///< Reserved; sent back as it came.
   std::uint8_t gain_setting = 0;           ///< 0 low, 1 normal, 2 high.
-  std::uint16_t angle = 0;                 ///< Of the head [gradians], 0..399.
+  std::uint16_t angle = 0;                 ///< Angle of the head [gradians], 0..399.
   std::uint16_t transmit_duration = 32;    ///< [us], 1..1000.
   std::uint16_t sample_period = 80;        ///< [25 ns], 80..40000.
   std::uint16_t transmit_frequency = 740;  ///< [kHz], 500..1000.

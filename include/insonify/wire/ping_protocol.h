@@ -59,7 +59,7 @@ class PingParser {
   std::optional<PingEvent> damaged(std::uint16_t id, std::string_view reason);
 
   std::vector<std::uint8_t> bytes_;
-  std::size_t first_ = 0;  // Of bytes_ that has not been looked at.
+  std::size_t first_ = 0;  // Index of the first of bytes_ that has not been parsed.
 };
 
 }  // namespace insonify

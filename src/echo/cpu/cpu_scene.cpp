@@ -81,9 +81,33 @@ void CpuScene::clear() {
   }
 }
 
+// Whether a part is what an instance would become.
+bool CpuScene::has(const Part& part, const Instance& instance) const {
+  if (!instance.present || part.mesh != instance.mesh || (part.placed != nullptr) != instance.moving) {
+    return false;
+  }
+  return instance.moving ||
+         (part.world_from_mesh.position == instance.world_from_mesh.position &&
+          part.world_from_mesh.orientation.coeffs() == instance.world_from_mesh.orientation.coeffs());
+}
+
+void CpuScene::remove(unsigned id) {
+  Part& part = parts_[id];
+  rtcDetachGeometry(scene_, id);
+  if (part.placed != nullptr) {
+    rtcReleaseGeometry(part.placed);
+    rtcReleaseScene(part.own_scene);
+  }
+  part = {};
+}
+
 void CpuScene::set(const Scene& scene) {
-  clear();
-  origin_ = scene.middle();
+  const Vec3 origin = scene.middle();
+  if (!whole_ || origin != origin_ || scene.instances.size() < parts_.size()) {
+    clear();
+  }
+  whole_ = false;
+  origin_ = origin;
   boxes_.set(scene, origin_);
   reliefs_.set(scene, origin_);
   reflectivity_.clear();
@@ -92,31 +116,51 @@ void CpuScene::set(const Scene& scene) {
   }
 
   // Two levels: a top that is cheap to rebuild, over geometries that are built once at higher quality.
-  scene_ = rtcNewScene(device_);
-  rtcSetSceneFlags(scene_, RTC_SCENE_FLAG_DYNAMIC);
-  rtcSetSceneBuildQuality(scene_, RTC_BUILD_QUALITY_LOW);
+  if (scene_ == nullptr) {
+    scene_ = rtcNewScene(device_);
+    rtcSetSceneFlags(scene_, RTC_SCENE_FLAG_DYNAMIC);
+    rtcSetSceneBuildQuality(scene_, RTC_BUILD_QUALITY_LOW);
+  }
+  any_moving_ = false;
   parts_.resize(scene.instances.size());
   for (std::size_t i = 0; i < scene.instances.size(); ++i) {
     const Instance& instance = scene.instances[i];
+    const auto id = static_cast<unsigned>(i);
+    Part& part = parts_[i];
+    if (part.mesh != nullptr && !has(part, instance)) {
+      remove(id);
+    }
     if (!instance.present) {
       continue;
     }
-    Part& part = parts_[i];
-    part.triangles = instance.mesh->triangles.data();
-    part.slots = instance.mesh->material_slots.empty() ? nullptr : instance.mesh->material_slots.data();
+    part.surfaces.clear();
     for (const std::uint16_t material : instance.materials) {
       part.surfaces.push_back(surface_label(static_cast<std::uint16_t>(i), material));
     }
+    any_moving_ |= instance.moving;
+    if (part.mesh != nullptr) {
+      if (instance.moving) {
+        part.rotation = instance.world_from_mesh.orientation.toRotationMatrix().cast<float>();
+        place(part.placed, instance.world_from_mesh, origin_);
+      }
+      continue;
+    }
+    part.mesh = instance.mesh;
+    part.world_from_mesh = instance.world_from_mesh;
+    part.triangles = instance.mesh->triangles.data();
+    part.slots = instance.mesh->material_slots.empty() ? nullptr : instance.mesh->material_slots.data();
     if (instance.moving) {
-      add_moving(instance, static_cast<unsigned>(i));
+      add_moving(instance, id);
     } else {
-      add_still(instance, static_cast<unsigned>(i));
+      add_still(instance, id);
     }
   }
   rtcCommitScene(scene_);
   if (const RTCError error = rtcGetDeviceError(device_); error != RTC_ERROR_NONE) {
     fail(fmt::format("cannot build the scene of {} triangles", scene.triangle_count()), error);
   }
+  moved_ = false;
+  whole_ = true;
 }
 
 RTCGeometry CpuScene::make_triangles(const Mesh& mesh, const std::vector<Vec3f>& vertices) {
@@ -167,7 +211,6 @@ void CpuScene::add_moving(const Instance& instance, unsigned id) {
   rtcReleaseGeometry(geometry);
   rtcCommitScene(part.own_scene);
 
-  any_moving_ = true;
   part.placed = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_INSTANCE);
   rtcSetGeometryInstancedScene(part.placed, part.own_scene);
   part.rotation = instance.world_from_mesh.orientation.toRotationMatrix().cast<float>();

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <atomic>
+#include <memory>
 #include <vector>
 
 #include "echo/cpu/embree.h"
@@ -24,6 +25,8 @@ class CpuScene {
   CpuScene(const CpuScene&) = delete;
   CpuScene& operator=(const CpuScene&) = delete;
 
+  /// Takes in a scene. Instances that stand as in the last scene, at the same index and with the same mesh, are not
+  /// built again where the middle of the scene, from which positions are measured, is the same.
   void set(const Scene& scene);
   void move(int instance, const Pose& world_from_mesh);
 
@@ -77,6 +80,8 @@ class CpuScene {
  private:
   // One instance of the scene.
   struct Part {
+    std::shared_ptr<const Mesh> mesh;  // Null where the instance is not present.
+    Pose world_from_mesh;              // Of a static part.
     const std::array<std::uint32_t, 3>* triangles = nullptr;
     const Vec3f* normals = nullptr;  // In the world frame; of a moving part in its own frame.
     const std::uint16_t* slots = nullptr;
@@ -88,6 +93,8 @@ class CpuScene {
   };
 
   void clear();
+  [[nodiscard]] bool has(const Part& part, const Instance& instance) const;
+  void remove(unsigned id);
   void add_still(const Instance& instance, unsigned id);
   void add_moving(const Instance& instance, unsigned id);
   RTCGeometry make_triangles(const Mesh& mesh, const std::vector<Vec3f>& vertices);
@@ -101,6 +108,7 @@ class CpuScene {
   std::vector<float> reflectivity_;
   Vec3 origin_ = Vec3::Zero();
   bool any_moving_ = false, moved_ = false;
+  bool whole_ = false;  // Whether set() has succeeded.
 };
 
 }  // namespace insonify

@@ -17,30 +17,42 @@ constexpr int kTogether = FanRaster::kTogether;
 // corner: more than the rounding error of single precision.
 constexpr float kOverlap = 3e-5F;
 
-// Conversion between tan(elevation) and rows.
+// Conversion between slope and rows.
 struct RowScale {
-  float tan_step, rows_per_tan, last_row;
+  float slope_step, rows_per_slope, last_row;
+  float cos_middle, sin_middle;  // As in Lattice.
 };
+
+// The slope tan(e - m) of an elevation e from its tangent. Where e is 90 deg or more from m, which is outside every
+// aperture, the slope is beyond all others on that side.
+[[gnu::always_inline]] inline float slope_of(float tan_elevation, RowScale scale) {
+  constexpr float kBeyond = 1e20F, kLeast = 1e-6F;
+  const float along = scale.cos_middle + tan_elevation * scale.sin_middle;
+  const float across = tan_elevation * scale.cos_middle - scale.sin_middle;
+  const float beyond = scale.sin_middle < 0 ? kBeyond : -kBeyond;
+  return along > kLeast ? across / along : beyond;
+}
 
 // Interval of rows that a triangle covers in each of sixteen columns, and its nearness there.
 struct Reach {
   int first_row[kTogether], last_row[kTogether];
   float nearness[kTogether];  // At row 0.
-  float per_row;              // Change of nearness per row.
+  float per_row[kTogether];   // Change of nearness per row.
 };
 
+// @tparam tilted  Whether the middle elevation is not 0: an edge then takes a division.
+template <bool tilted>
 [[gnu::always_inline]] inline void find_reach(const Facets& facets, int lane, const float* __restrict__ cos_az,
-                                              const float* __restrict__ sin_az, const float* __restrict__ first_tan,
+                                              const float* __restrict__ sin_az, const float* __restrict__ first_slope,
                                               RowScale scale, Reach& __restrict__ reach) {
-  reach.per_row = facets.plane_z[lane] * scale.tan_step;
 #pragma GCC unroll 1
 #pragma GCC ivdep
   for (int i = 0; i < kTogether; ++i) {
-    const float x = cos_az[i], y = sin_az[i], t0 = first_tan[i];
+    const float x = cos_az[i], y = sin_az[i], first = first_slope[i];
     float low = 0, high = scale.last_row;
     for (int k = 0; k < 3; ++k) {
-      const float at =
-          (facets.edge_x[k][lane] * x + facets.edge_y[k][lane] * y + facets.edge_0[k][lane] - t0) * scale.rows_per_tan;
+      const float edge = facets.edge_x[k][lane] * x + facets.edge_y[k][lane] * y + facets.edge_0[k][lane];
+      const float at = ((tilted ? slope_of(edge, scale) : edge) - first) * scale.rows_per_slope;
       const bool upper = facets.upper[k][lane] > 0;
       low = !upper & (at > low) ? at : low;
       high = upper & (at < high) ? at : high;
@@ -50,7 +62,11 @@ struct Reach {
     const int first_row = static_cast<int>(low);
     reach.first_row[i] = first_row + (static_cast<float>(first_row) < low ? 1 : 0);
     reach.last_row[i] = static_cast<int>(high + 1) - 1;
-    reach.nearness[i] = facets.plane_x[lane] * x + facets.plane_y[lane] * y + facets.plane_z[lane] * t0;
+    const float level = facets.plane_x[lane] * x + facets.plane_y[lane] * y, up = facets.plane_z[lane];
+    const float along = tilted ? level * scale.cos_middle + up * scale.sin_middle : level;
+    const float across = tilted ? up * scale.cos_middle - level * scale.sin_middle : up;
+    reach.nearness[i] = along + across * first;
+    reach.per_row[i] = across * scale.slope_step;
   }
 }
 
@@ -72,9 +88,10 @@ struct Reach {
 
 // Sets nearness to that of the maximum range, so that farther triangles fail the depth test.
 INSONIFY_VECTOR_CLONES
-void fill_nearness(int rows, float max_range, const float* __restrict__ cos_el, float* __restrict__ nearness) {
-  for (int row = 0; row < rows; ++row) {
-    nearness[row] = 1 / (cos_el[row] * max_range);
+void fill_nearness(const Lattice& lattice, int column, float max_range, float* __restrict__ nearness) {
+  const float *cos_el = lattice.cosines(column), *sin_el = lattice.sines(column);
+  for (int row = 0; row < lattice.rows; ++row) {
+    nearness[row] = 1 / ((cos_el[row] * lattice.cos_middle + sin_el[row] * lattice.sin_middle) * max_range);
   }
 }
 
@@ -84,14 +101,14 @@ void FanRaster::Columns::set(const Lattice& lattice, int first, int last) {
   count = last - first;
   const std::size_t padded = (static_cast<std::size_t>(count) + kTogether - 1) / kTogether * kTogether;
   if (cos_azimuth.size() < padded + kTogether) {
-    for (std::vector<float>* values : {&cos_azimuth, &sin_azimuth, &first_tan}) {
+    for (std::vector<float>* values : {&cos_azimuth, &sin_azimuth, &first_slope}) {
       values->resize(padded + kTogether);
     }
   }
   for (int i = 0; i < count; ++i) {
     cos_azimuth[i] = lattice.cos_azimuth[first + i];
     sin_azimuth[i] = lattice.sin_azimuth[first + i];
-    first_tan[i] = lattice.first_tan(first + i);
+    first_slope[i] = lattice.first_slope(first + i);
   }
 }
 
@@ -123,8 +140,7 @@ void FanRaster::clear(float max_range) {
   }
   std::fill_n(nearest_.begin(), cells, kNothing);
   for (int column = 0; column < columns_.count; ++column) {
-    fill_nearness(lattice.rows, max_range, lattice.cosines(first_column_ + column),
-                  &nearness_[static_cast<std::size_t>(column) * stride_]);
+    fill_nearness(lattice, first_column_ + column, max_range, &nearness_[static_cast<std::size_t>(column) * stride_]);
   }
   shadings_.assign(kShadings, {});
 }
@@ -136,7 +152,9 @@ void FanRaster::draw_cluster(const TriangleCluster& cluster, int first_column, i
   const Lattice& lattice = plan_->lattice;
   const Lattice::Edges& edges = lattice.edges_of(0);
   const float tan_low = edges.sin_low / edges.cos_low, tan_high = edges.sin_high / edges.cos_high;
-  const RowScale scale{lattice.tan_step, 1 / lattice.tan_step, static_cast<float>(lattice.rows - 1)};
+  const RowScale scale{lattice.slope_step, 1 / lattice.slope_step, static_cast<float>(lattice.rows - 1),
+                       lattice.cos_middle, lattice.sin_middle};
+  const bool tilted = lattice.sin_middle != 0;
   Facets facets;
   Reach reach;
   for (std::uint32_t done = 0; done < cluster.triangle_count; done += kBlockSize) {
@@ -151,12 +169,17 @@ void FanRaster::draw_cluster(const TriangleCluster& cluster, int first_column, i
       const int end = std::min(last - first_column_, last_column);
       const std::uint32_t triangle = block * kBlockSize + static_cast<std::uint32_t>(lane);
       for (int begin = std::max(first - first_column_, first_column); begin < end; begin += kTogether) {
-        find_reach(facets, lane, &columns_.cos_azimuth[begin], &columns_.sin_azimuth[begin], &columns_.first_tan[begin],
-                   scale, reach);
+        const float *cos_az = &columns_.cos_azimuth[begin], *sin_az = &columns_.sin_azimuth[begin],
+                    *first_slope = &columns_.first_slope[begin];
+        if (tilted) {
+          find_reach<true>(facets, lane, cos_az, sin_az, first_slope, scale, reach);
+        } else {
+          find_reach<false>(facets, lane, cos_az, sin_az, first_slope, scale, reach);
+        }
         for (int i = 0; i < std::min(kTogether, end - begin); ++i) {
           const std::size_t column = static_cast<std::size_t>(begin + i) * stride_;
           for (int row = reach.first_row[i]; row <= reach.last_row[i]; row += kTogether) {
-            draw_rows(triangle, reach.nearness[i], reach.per_row, row, reach.last_row[i], &nearness_[column + row],
+            draw_rows(triangle, reach.nearness[i], reach.per_row[i], row, reach.last_row[i], &nearness_[column + row],
                       &nearest_[column + row]);
           }
         }

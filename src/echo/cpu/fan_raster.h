@@ -12,9 +12,9 @@
 namespace insonify {
 
 /// Finds the nearest triangle for every column and row of neighbouring columns of a lattice, at exactly the point where
-/// a ray would hit it. Rows are equally spaced in tan(elevation), in which the edges of a triangle are straight lines
-/// at any azimuth, so that triangles need no clipping, even behind or around the sonar. An edge that two triangles
-/// share is computed from the same end for both, so that no sample falls between them.
+/// a ray would hit it. Rows are equally spaced in slope (see Lattice), in which a triangle's depth is linear; its edges
+/// are linear in tan(elevation) at any azimuth, so that triangles need no clipping, even behind or around the sonar. An
+/// edge that two triangles share is computed from the same end for both, so that no sample falls between them.
 class FanRaster {
  public:
   static constexpr int kTogether = 16;  ///< Columns, or rows, processed together.
@@ -47,7 +47,7 @@ class FanRaster {
   // The columns that are drawn, padded to a multiple of kTogether.
   struct Columns {
     int count = 0;
-    std::vector<float> cos_azimuth, sin_azimuth, first_tan;
+    std::vector<float> cos_azimuth, sin_azimuth, first_slope;
     void set(const Lattice& lattice, int first, int last);
   };
 
@@ -62,7 +62,7 @@ class FanRaster {
   const PingPlan* plan_ = nullptr;
   int first_column_ = 0, stride_ = 0;
   Columns columns_;
-  std::vector<float> nearness_;         // [column][row] 1 / horizontal distance: linear in tan(elevation), see Facets.
+  std::vector<float> nearness_;         // [column][row] 1 / distance along the middle elevation: linear in slope.
   std::vector<std::uint32_t> nearest_;  // [column][row] Nearest triangle: block x kBlockSize + lane, or kNothing.
   std::vector<Shading> shadings_;       // Cache of triangles read recently, at index triangle modulo kShadings.
   Shading no_shading_;

@@ -10,9 +10,10 @@ namespace {
 
 INSONIFY_VECTOR_CLONES
 void measure_ranges(int rows, std::uint32_t nothing, const std::uint32_t* __restrict__ nearest,
-                    const float* __restrict__ nearness, const float* __restrict__ cos_el, float* __restrict__ range) {
+                    const float* __restrict__ nearness, const Lattice& lattice, int column, float* __restrict__ range) {
+  const float *cos_el = lattice.cosines(column), *sin_el = lattice.sines(column);
   for (int row = 0; row < rows; ++row) {
-    const float met = 1 / (cos_el[row] * nearness[row]);
+    const float met = 1 / ((cos_el[row] * lattice.cos_middle + sin_el[row] * lattice.sin_middle) * nearness[row]);
     range[row] = nearest[row] == nothing ? 0.0F : met;
   }
 }
@@ -25,9 +26,9 @@ int FanRaster::read(int column, const HitColumn& hits) {
   const std::size_t start = static_cast<std::size_t>(column - first_column_) * stride_;
   const std::uint32_t* nearest = &nearest_[start];
   const int rows = lattice.rows;
-  measure_ranges(rows, kNothing, nearest, &nearness_[start], lattice.cosines(column), hits.range);
+  measure_ranges(rows, kNothing, nearest, &nearness_[start], lattice, column, hits.range);
   const float cos_az = lattice.cos_azimuth[column], sin_az = lattice.sin_azimuth[column];
-  const float first_tan = lattice.first_tan(column), tan_step = lattice.tan_step;
+  const float first_slope = lattice.first_slope(column), slope_step = lattice.slope_step;
   SurfaceLabel* __restrict__ surface = hits.surface;
   std::uint32_t* __restrict__ in_mesh = hits.triangle;
   float* __restrict__ normal_x = hits.normal_x;
@@ -44,19 +45,22 @@ int FanRaster::read(int column, const HitColumn& hits) {
     }
     const Shading& shading = triangle == kNothing ? no_shading_ : known_shading(triangle);
     rows_met = triangle == kNothing ? rows_met : end;
-    const float x0 = shading.edges[0][0] * cos_az + shading.edges[1][0] * sin_az, x1 = shading.edges[2][0];
-    const float y0 = shading.edges[0][1] * cos_az + shading.edges[1][1] * sin_az, y1 = shading.edges[2][1];
-    const float z0 = shading.edges[0][2] * cos_az + shading.edges[1][2] * sin_az, z1 = shading.edges[2][2];
+    // The normal in the direction of slope s in this column is normal_0 + s normal_1: see shading_of().
+    const Vec3f level = shading.edges[0] * cos_az + shading.edges[1] * sin_az, up = shading.edges[2];
+    const Vec3f normal_0 = lattice.cos_middle * level + lattice.sin_middle * up;
+    const Vec3f normal_1 = lattice.cos_middle * up - lattice.sin_middle * level;
+    const float x0 = normal_0.x(), y0 = normal_0.y(), z0 = normal_0.z();
+    const float x1 = normal_1.x(), y1 = normal_1.y(), z1 = normal_1.z();
     for (; row < end; row += kTogether) {
 #pragma GCC unroll 1
 #pragma GCC ivdep
       for (int i = 0; i < kTogether; ++i) {
-        const float tan_el = first_tan + tan_step * static_cast<float>(row + i);
+        const float slope = first_slope + slope_step * static_cast<float>(row + i);
         surface[row + i] = shading.surface;
         in_mesh[row + i] = shading.in_mesh;
-        normal_x[row + i] = x0 + x1 * tan_el;
-        normal_y[row + i] = y0 + y1 * tan_el;
-        normal_z[row + i] = z0 + z1 * tan_el;
+        normal_x[row + i] = x0 + x1 * slope;
+        normal_y[row + i] = y0 + y1 * slope;
+        normal_z[row + i] = z0 + z1 * slope;
         reflectivity[row + i] = shading.reflectivity;
       }
     }

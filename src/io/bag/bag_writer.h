@@ -60,8 +60,8 @@ class BagWriter {
   std::vector<Connection> connections_;
   std::size_t told_ = 0;  // Connections in chunks so far.
   std::vector<std::byte> chunk_;
-  std::map<std::uint32_t, std::vector<Entry>> entries_;  // Of the chunk.
-  std::uint64_t first_ns_ = 0, last_ns_ = 0;             // Of the chunk.
+  std::map<std::uint32_t, std::vector<Entry>> entries_;  // Messages of the chunk, by connection.
+  std::uint64_t first_ns_ = 0, last_ns_ = 0;             // Times of the chunk's first and last message [ns].
   std::vector<ChunkFacts> chunks_;
 };
 

@@ -9,7 +9,7 @@
 namespace insonify {
 
 void export_bag(RecordedSonars recordings, const std::filesystem::path& file, const ExportOptions& options) {
-  MessageStream messages(message_sources(recordings), options.messages, MessageForm::kRos1);
+  MessageStream messages(message_sources(recordings), with_start(options.messages, recordings), MessageForm::kRos1);
   BagWriter out(file);
   std::vector<std::vector<std::uint32_t>> connections(messages.sonar_count());  // In the bag, by sonar and channel.
   for (std::size_t sonar = 0; sonar < messages.sonar_count(); ++sonar) {

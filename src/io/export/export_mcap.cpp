@@ -20,6 +20,13 @@ RunFacts run_of(const RecordedTables& recording) {
       seed != recording.attributes().end() && seed->is_number()) {
     run.seed = seed->get<std::uint64_t>();
   }
+  for (const RecordedNames& names : recording.names()) {
+    if (names.name == "instance_names") {
+      run.instance_names = names.texts;
+    } else if (names.name == "material_names") {
+      run.material_names = names.texts;
+    }
+  }
   return run;
 }
 
@@ -53,9 +60,18 @@ std::vector<MessageSource> message_sources(RecordedSonars recordings) {
   return sources;
 }
 
+MessageOptions with_start(MessageOptions options, RecordedSonars recordings) {
+  for (const auto& recording : recordings) {
+    if (const std::string start = recording->text("start"); !start.empty() && !options.start_ns) {
+      options.start_ns = start_from_text(start);
+    }
+  }
+  return options;
+}
+
 void export_mcap(RecordedSonars recordings, const std::filesystem::path& file, const ExportOptions& options) {
   McapRecording out(file, message_sources(recordings),
-                    {.messages = options.messages,
+                    {.messages = with_start(options.messages, recordings),
                      .run = run_of(*recordings.front()),
                      .log = options.log,
                      .replace = options.replace,

@@ -71,7 +71,7 @@ void check_run(RecordedSonars recordings) {
       throw Error(fmt::format("{} and {} are of different runs: {}; export each run to a file of its own",
                               first.path().string(), recording->path().string(), what));
     };
-    for (const char* name : {"seed", "model", "scenario"}) {
+    for (const char* name : {"seed", "model", "scenario", "start"}) {
       const auto one = first.attributes().find(name), other = recording->attributes().find(name);
       if (one == first.attributes().end() || other == recording->attributes().end() || *one == *other) {
         continue;

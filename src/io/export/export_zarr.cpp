@@ -16,7 +16,7 @@
 namespace insonify {
 namespace {
 
-constexpr int kLevel = 1;  // Of zlib.
+constexpr int kZlibLevel = 1;  // Compression level of zlib, 1..9.
 
 // A new folder beside the one that is to be, removed unless it is put in place.
 class UnfinishedFolder {
@@ -92,7 +92,7 @@ std::vector<std::byte> compressed(std::span<const std::byte> bytes) {
   uLongf size = compressBound(bytes.size());
   std::vector<std::byte> packed(size);
   if (compress2(reinterpret_cast<Bytef*>(packed.data()), &size, reinterpret_cast<const Bytef*>(bytes.data()),
-                bytes.size(), kLevel) != Z_OK) {
+                bytes.size(), kZlibLevel) != Z_OK) {
     throw std::bad_alloc();
   }
   packed.resize(size);
@@ -111,7 +111,7 @@ void begin_array(const UnfinishedFolder& out, const std::filesystem::path& folde
                                                     {"order", "C"},
                                                     {"fill_value", nullptr},
                                                     {"filters", nullptr},
-                                                    {"compressor", {{"id", "zlib"}, {"level", kLevel}}}});
+                                                    {"compressor", {{"id", "zlib"}, {"level", kZlibLevel}}}});
   notes["_ARRAY_DIMENSIONS"] = axes;
   out.write_json(folder / ".zattrs", notes);
 }

@@ -17,6 +17,7 @@
 #include <csignal>
 #include <cstdint>
 #include <fstream>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <system_error>
@@ -141,6 +142,21 @@ int Ffmpeg::wait() {
   return status;
 }
 
+namespace {
+
+// The reason why a file does not grow, where the program's words have it.
+std::optional<std::string> full_disk_in(std::string_view text) {
+  for (const int error : {ENOSPC, EDQUOT, EFBIG}) {
+    const std::string reason = std::generic_category().message(error);
+    if (text.find(reason) != std::string_view::npos) {
+      return reason;
+    }
+  }
+  return {};
+}
+
+}  // namespace
+
 // Its last words, which mostly name the reason.
 void Ffmpeg::fail() {
   std::array<char, 4096> buffer{};
@@ -148,6 +164,9 @@ void Ffmpeg::fail() {
   const auto from = std::max<off_t>(0, size - static_cast<off_t>(buffer.size()));
   const ssize_t count = pread(words_, buffer.data(), buffer.size(), from);
   std::string_view text(buffer.data(), static_cast<std::size_t>(std::max<ssize_t>(0, count)));
+  if (const std::optional<std::string> reason = full_disk_in(text)) {
+    throw Error(fmt::format("{}: cannot write: {}", name_.string(), *reason));
+  }
   while (text.ends_with('\n')) {
     text.remove_suffix(1);
   }

@@ -13,13 +13,13 @@
 namespace insonify {
 namespace {
 
-constexpr std::uint16_t kVersion = 45;  // That zip64 needs.
+constexpr std::uint16_t kZipVersion = 45;  // That zip64 needs.
 constexpr std::uint16_t kStored = 0, kDeflated = 8;
 constexpr std::uint16_t kUtf8 = 1U << 11U;      // Flag: names are UTF-8.
 constexpr std::uint16_t kDay = (1U << 5U) | 1;  // 1 January 1980: the same bytes whenever they are made.
 constexpr std::uint16_t kInZip64 = 0xffff;
 constexpr std::uint32_t kInZip64Size = 0xffffffff;
-constexpr int kLevel = 1;  // Of deflate: most that can be gained is gained.
+constexpr int kDeflateLevel = 1;  // Compression level of deflate, 1..9: higher ones gain little.
 
 // Numbers one after the other, little-endian.
 class Fields {
@@ -47,7 +47,7 @@ class Fields {
 ZipWriter::ZipWriter(UnfinishedFile& file, bool compress) : file_(&file), compress_(compress), packed_(1U << 18U) {
   constexpr int kRaw = -MAX_WBITS;  // Without zlib's own header.
   constexpr int kMemory = 8;
-  if (deflateInit2(&stream_, kLevel, Z_DEFLATED, kRaw, kMemory, Z_DEFAULT_STRATEGY) != Z_OK) {
+  if (deflateInit2(&stream_, kDeflateLevel, Z_DEFLATED, kRaw, kMemory, Z_DEFAULT_STRATEGY) != Z_OK) {
     throw std::bad_alloc();
   }
 }
@@ -68,7 +68,7 @@ void ZipWriter::begin(const std::string& name) {
   const Fields zip64 =
       Fields().put(std::uint16_t{1}).put(std::uint16_t{16}).put(std::uint64_t{0}).put(std::uint64_t{0});
   Fields head;
-  head.put(std::uint32_t{0x04034b50}).put(kVersion).put(kUtf8).put(compress_ ? kDeflated : kStored);
+  head.put(std::uint32_t{0x04034b50}).put(kZipVersion).put(kUtf8).put(compress_ ? kDeflated : kStored);
   head.put(std::uint16_t{0}).put(kDay).put(std::uint32_t{0}).put(kInZip64Size).put(kInZip64Size);
   head.put(static_cast<std::uint16_t>(name.size())).put(static_cast<std::uint16_t>(zip64.bytes().size()));
   head.put(std::string_view(name));
@@ -124,7 +124,7 @@ void ZipWriter::finish() {
   const std::uint64_t directory = end_;
   for (const Entry& entry : entries_) {
     Fields fields;
-    fields.put(std::uint32_t{0x02014b50}).put(kVersion).put(kVersion).put(kUtf8);
+    fields.put(std::uint32_t{0x02014b50}).put(kZipVersion).put(kZipVersion).put(kUtf8);
     fields.put(compress_ ? kDeflated : kStored).put(std::uint16_t{0}).put(kDay).put(entry.crc);
     fields.put(kInZip64Size).put(kInZip64Size).put(static_cast<std::uint16_t>(entry.name.size()));
     fields.put(std::uint16_t{28}).put(std::uint16_t{0}).put(std::uint16_t{0}).put(std::uint16_t{0});
@@ -136,7 +136,7 @@ void ZipWriter::finish() {
   const std::uint64_t end_of_directory = end_;
   const std::uint64_t count = entries_.size();
   Fields fields;
-  fields.put(std::uint32_t{0x06064b50}).put(std::uint64_t{44}).put(kVersion).put(kVersion);
+  fields.put(std::uint32_t{0x06064b50}).put(std::uint64_t{44}).put(kZipVersion).put(kZipVersion);
   fields.put(std::uint32_t{0}).put(std::uint32_t{0}).put(count).put(count);
   fields.put(end_of_directory - directory).put(directory);
   fields.put(std::uint32_t{0x07064b50}).put(std::uint32_t{0}).put(end_of_directory).put(std::uint32_t{1});

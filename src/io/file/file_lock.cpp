@@ -11,36 +11,52 @@
 namespace insonify {
 namespace {
 
-// The whole file, however long it grows.
-struct flock whole_file(short type) {
+// The first byte is locked where the file itself is written, the rest also where another is to take its place.
+struct Range {
+  off_t start, length;  // Length 0: to the end, however long the file grows.
+};
+constexpr Range kWhole = {0, 0}, kFirstByte = {0, 1}, kRest = {1, 0};
+
+struct flock lock_of(short type, Range range) {
   struct flock lock = {};
   lock.l_type = type;
   lock.l_whence = SEEK_SET;
+  lock.l_start = range.start;
+  lock.l_len = range.length;
   return lock;
+}
+
+bool is_locked(const std::filesystem::path& path, Range range) {
+  const int file = open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
+  if (file < 0) {
+    return false;
+  }
+  struct flock lock = lock_of(F_RDLCK, range);
+  const bool locked = fcntl(file, F_OFD_GETLK, &lock) == 0 && lock.l_type != F_UNLCK;
+  close(file);
+  return locked;
 }
 
 }  // namespace
 
 void mark_as_being_written(int file) {
-  struct flock lock = whole_file(F_WRLCK);
+  struct flock lock = lock_of(F_WRLCK, kWhole);
   fcntl(file, F_OFD_SETLK, &lock);
 }
 
 bool is_being_written(const std::filesystem::path& path) {
-  const int file = open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
-  if (file < 0) {
-    return false;
-  }
-  struct flock lock = whole_file(F_RDLCK);
-  const bool marked = fcntl(file, F_OFD_GETLK, &lock) == 0 && lock.l_type != F_UNLCK;
-  close(file);
-  return marked;
+  return is_locked(path, kWhole);
+}
+
+bool is_growing(const std::filesystem::path& path) {
+  return is_locked(path, kFirstByte);
 }
 
 WriteMark::WriteMark(const std::filesystem::path& path)
     : file_(open(path.c_str(), O_RDWR | O_CLOEXEC | O_NONBLOCK | O_NOFOLLOW)) {
   if (file_ >= 0) {
-    mark_as_being_written(file_);
+    struct flock lock = lock_of(F_WRLCK, kRest);
+    fcntl(file_, F_OFD_SETLK, &lock);
   }
 }
 

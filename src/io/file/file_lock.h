@@ -10,11 +10,14 @@ namespace insonify {
 /// system knows no locks nothing is marked.
 void mark_as_being_written(int file);
 
-/// Whether somebody else has the file marked as being written. It need not exist.
+/// Whether somebody else has the file marked as being written, or by a WriteMark. It need not exist.
 [[nodiscard]] bool is_being_written(const std::filesystem::path& path);
 
-/// Keeps a file that exists marked as being written, without writing to it. A file that may not be written to, or where
-/// the file system knows no locks, is not marked.
+/// Whether somebody else writes the file itself: as is_being_written(), but for a WriteMark.
+[[nodiscard]] bool is_growing(const std::filesystem::path& path);
+
+/// Keeps a file that is to be replaced by another one marked, without writing to it. A file that may not be written to,
+/// or where the file system knows no locks, is not marked.
 class WriteMark {
  public:
   explicit WriteMark(const std::filesystem::path& path);

@@ -46,7 +46,7 @@ bool Hdf5Bytes::each_message(std::uint64_t address, const std::function<void(con
   constexpr std::uint64_t kPrefix = 16;        // Version, message count, reference count, size, padding.
   constexpr std::uint64_t kMessagePrefix = 8;  // Type, size, flags, reserved.
   constexpr std::size_t kMostBlocks = 1024;
-  constexpr unsigned kShared = 0x02;  // Of the flags.
+  constexpr unsigned kShared = 0x02;  // Bit of the flags.
   const std::vector<char> prefix = read(base_ + address, kPrefix);
   if (number_at<std::uint8_t>(prefix, 0) != 1) {
     return false;

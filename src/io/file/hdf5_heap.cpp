@@ -13,9 +13,9 @@
 namespace insonify {
 namespace {
 
-constexpr std::uint64_t kHeader = 16;                           // Of a heap, and of each of its objects [bytes].
+constexpr std::uint64_t kHeader = 16;                           // Header of a heap, and of each of its objects [bytes].
 constexpr std::uint64_t kLargestHeap = std::uint64_t{1} << 28;  // More would be a broken length [bytes].
-constexpr std::uint64_t kReference = 16;                        // Length 4, address 8, number in the heap 4 [bytes].
+constexpr std::uint64_t kReferenceSize = 16;                    // Length 4, address 8, number in the heap 4 [bytes].
 
 // HDF5 would get memory for each of a text's characters of that size.
 constexpr const char* kWideCharacters = "its characters do not have 1 byte";
@@ -26,7 +26,7 @@ class HeapCheck : public Hdf5Bytes {
 
   // Fails unless each reference names an object of its own length.
   void check_references(std::span<const char> references) {
-    for (std::size_t place = 0; references.size() - place >= kReference; place += kReference) {
+    for (std::size_t place = 0; references.size() - place >= kReferenceSize; place += kReferenceSize) {
       const auto length = number_at<std::uint32_t>(references, place);
       const auto address = number_at<std::uint64_t>(references, place + 4);
       const auto index = number_at<std::uint32_t>(references, place + 12);
@@ -91,7 +91,7 @@ std::string checked_attribute(HeapCheck& check, std::span<const char> message) {
   }
   if ((number_at<std::uint8_t>(attribute.type, 0) & 0x0f) == kVariableLength) {
     const bool is_text = (number_at<std::uint8_t>(attribute.type, 1) & 0x0f) == 1;
-    if (is_text && number_at<std::uint32_t>(attribute.type, 12) != 1) {  // Of the type that it is a list of.
+    if (is_text && number_at<std::uint32_t>(attribute.type, 12) != 1) {  // Size of the type that it is a list of.
       check.fail(kWideCharacters);
     }
     check.check_references(attribute.data);
@@ -125,10 +125,10 @@ void check_heap_texts(hid_t file, hid_t dataset, const std::filesystem::path& pa
   }
   const H5Handle space = h5_own(H5Dget_space(dataset), H5Sclose, path, doing);
   const auto count = static_cast<std::uint64_t>(h5_check(H5Sget_simple_extent_npoints(space.get()), path, doing));
-  if (count > kLargestHeap / kReference) {
+  if (count > kLargestHeap / kReferenceSize) {
     check.fail("it has too many texts");
   }
-  check.check_references(check.read(offset, count * kReference));
+  check.check_references(check.read(offset, count * kReferenceSize));
 }
 
 std::vector<std::string> checked_attributes(hid_t object, const std::filesystem::path& path, const std::string& name) {

@@ -32,7 +32,7 @@ class TypeWalk {
 
   struct Type {
     Class kind = kInteger;
-    std::uint64_t size = 0;  // Of a value [bytes].
+    std::uint64_t size = 0;  // Size of a value [bytes].
   };
 
   Type walk(int depth = 0) {

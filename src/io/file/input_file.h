@@ -8,6 +8,9 @@
 
 namespace insonify {
 
+/// The byte-order mark that some programs write before text in UTF-8. Readers skip it.
+inline constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
+
 /// Whether a path names something that can be read only once, such as a pipe or the standard input. Relative paths
 /// cannot refer to its folder.
 [[nodiscard]] bool is_stream(const std::filesystem::path& path);

@@ -14,7 +14,7 @@
 namespace insonify {
 namespace {
 
-// Of the parts in one message, and of a command [bytes]: a message ends at kLongestMessage.
+// Most bytes of the parts in one message, and of a command: a message ends at kLongestMessage.
 constexpr std::size_t kListSpace = 1000, kCommandSpace = 1500;
 
 // The first parts that fit into `space` bytes, at least one, and the number of the others.

@@ -19,7 +19,7 @@ namespace insonify {
 /// A table of numbers in a recording.
 struct RecordedTable {
   std::string name;
-  std::string type;                ///< Of a value, as NumPy spells it: "<f4", "<c8", "<u2", "|u1", "<f8".
+  std::string type;                ///< Type of a value, as NumPy spells it: "<f4", "<c8", "<u2", "|u1", "<f8".
   std::size_t value_bytes = 0;     ///< [bytes]
   std::vector<std::uint64_t> row;  ///< Shape of a ping's row; of a table without pings, its whole shape.
   bool by_ping = false;            ///< Whether it has a row for each ping.

@@ -26,7 +26,6 @@ std::string in_lower_case(std::string_view word) {
 class Words {
  public:
   Words(const std::filesystem::path& path, std::string_view text) : path_(path), text_(text) {
-    constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
     at_ = text.starts_with(kByteOrderMark) ? kByteOrderMark.size() : 0;
     next();
   }

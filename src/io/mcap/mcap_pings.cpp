@@ -102,7 +102,7 @@ MessageLevels levels_of(const Texts& texts, const std::filesystem::path& path) {
 
 // The part of a sonar image that pings are made of.
 struct Values {
-  double azimuth = 0;  // Of the first beam [rad].
+  double azimuth = 0;  // Azimuth of the first beam [rad].
   int bits = 0;
   std::span<const std::byte> data;
 };
@@ -166,12 +166,23 @@ std::vector<std::string> mcap_sonars(const McapReader& file, const std::filesyst
   return names;
 }
 
+std::optional<std::uint64_t> mcap_start_ns(const McapReader& file, const std::filesystem::path& path) {
+  const auto run = file.metadata().find(mcap_metadata::kRun);
+  const std::string text = run == file.metadata().end() ? "" : text_of(run->second, mcap_metadata::kStart);
+  try {
+    return text.empty() ? std::nullopt : std::optional(start_from_text(text));
+  } catch (const Error& error) {
+    throw Error(fmt::format("{}: its metadata {}: {}", path.string(), mcap_metadata::kStart, error.what()));
+  }
+}
+
 McapPings::McapPings(const std::filesystem::path& path, const std::string& sonar) : path_(path), file_(path) {
   const auto [name, texts] = find_sonar(file_, path, sonar);
   levels_ = levels_of(texts, path);
   source_ = source_of(texts, path);
   source_.name = name;
   model_ = word_of(source_.model);
+  start_ns_ = mcap_start_ns(file_, path).value_or(0);
   images_ = &file_.messages("/" + name + "/sonar_image");
   poses_ = &file_.messages("/" + name + "/pose");
   count_ = std::min(images_->size(), poses_->size());
@@ -202,7 +213,8 @@ int McapPings::bits() const {
 
 double McapPings::time(std::uint64_t ping) const {
   assert(ping < count_);
-  return static_cast<double>((*images_)[ping].time) * 1e-9;
+  // Exact to the nanosecond, which times since 1970 in seconds would not be.
+  return static_cast<double>(static_cast<std::int64_t>((*images_)[ping].time - start_ns_)) / 1e9;
 }
 
 Pose McapPings::world_from_sonar(std::uint64_t ping) const {

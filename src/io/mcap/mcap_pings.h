@@ -38,7 +38,7 @@ class McapPings : public PingReader {
   [[nodiscard]] const MessageLevels& levels() const { return levels_; }
   /// Bits of a value, as the first ping has them; 16 where there is none.
   [[nodiscard]] int bits() const;
-  /// Time of transmission, without reading messages [s].
+  /// Time of transmission after the run's start, without reading messages [s].
   [[nodiscard]] double time(std::uint64_t ping) const;
   [[nodiscard]] Pose world_from_sonar(std::uint64_t ping) const;
 
@@ -51,12 +51,17 @@ class McapPings : public PingReader {
   McapReader file_;
   MessageSource source_;
   std::string model_;
+  std::uint64_t start_ns_ = 0;  // Time 0 of the pings, since 1970.
   MessageLevels levels_;
   const std::vector<McapReader::Entry>*images_ = nullptr, *poses_ = nullptr;
   std::uint64_t count_ = 0;
   std::vector<double> factors_;                      // What takes the gain back, of each bin.
   mutable std::vector<double> of_bytes_, of_words_;  // Intensities by value, before that; made when asked for.
 };
+
+/// Time 0 of a file's pings, since 1970-01-01T00:00:00Z [ns]; absent where its run had no start.
+/// @throws Error with the path for metadata that are no time.
+[[nodiscard]] std::optional<std::uint64_t> mcap_start_ns(const McapReader& file, const std::filesystem::path& path);
 
 /// Names of the sonars that an MCAP recording holds.
 /// @throws Error with the path for a file that insonify has not made.

@@ -17,7 +17,8 @@
 namespace insonify {
 namespace {
 
-constexpr std::uint64_t kMostUnpacked = std::uint64_t{1} << 30;  // Of a chunk; more would be a broken length [bytes].
+constexpr std::uint64_t kMostUnpacked = std::uint64_t{1}
+                                        << 30;  // Most bytes of a chunk; more would be a broken length [bytes].
 
 // Numbers and texts of a record, one after the other.
 class Fields {
@@ -199,7 +200,7 @@ const std::vector<std::byte>& McapReader::unpacked(std::size_t index) const {
 }
 
 std::vector<std::byte> McapReader::read(const Entry& entry) const {
-  constexpr std::uint64_t kFields = 22;  // Of a message before its data: channel, sequence, two times.
+  constexpr std::uint64_t kFields = 22;  // Bytes of a message before its data: channel, sequence, two times.
   const std::vector<std::byte>& records = unpacked(entry.chunk);
   try {
     if (entry.offset > records.size()) {

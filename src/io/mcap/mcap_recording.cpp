@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
 #include <set>
 #include <utility>
 
@@ -18,11 +20,24 @@
 namespace insonify {
 namespace {
 
-std::map<std::string, std::string> texts_about(const RunFacts& run, const MessageSource& source) {
-  return {{mcap_metadata::kVersion, run.version},
-          {mcap_metadata::kModel, std::string(word_of(source.model))},
-          {mcap_metadata::kEngine, run.engine},
-          {mcap_metadata::kSeed, std::to_string(run.seed)}};
+std::map<std::string, std::string> texts_about(const RunFacts& run, const MessageSource& source,
+                                               std::optional<std::uint64_t> start_ns) {
+  std::map<std::string, std::string> texts = {{mcap_metadata::kVersion, run.version},
+                                              {mcap_metadata::kModel, std::string(word_of(source.model))},
+                                              {mcap_metadata::kEngine, run.engine},
+                                              {mcap_metadata::kSeed, std::to_string(run.seed)}};
+  if (start_ns) {
+    texts[mcap_metadata::kStart] = start_text(*start_ns);
+  }
+  const auto add = [&](const char* key, const std::vector<std::string>& names) {
+    constexpr bool kAscii = false;
+    if (!names.empty()) {
+      texts[key] = nlohmann::json(names).dump(-1, ' ', kAscii, nlohmann::json::error_handler_t::replace);
+    }
+  };
+  add(mcap_metadata::kInstances, run.instance_names);
+  add(mcap_metadata::kMaterials, run.material_names);
+  return texts;
 }
 
 // The sonar's settings as a scenario file of its own, in open water.
@@ -55,6 +70,17 @@ struct McapRecording::State {
   std::vector<std::vector<std::uint16_t>> channels = {};  // In the file, by sonar and channel of the sonar.
 };
 
+RunFacts run_facts(const Scenario& scenario, const Scene& scene) {
+  RunFacts facts{.engine = scenario.engine, .seed = scenario.seed};
+  for (const Instance& instance : scene.instances) {
+    facts.instance_names.push_back(instance.name);
+  }
+  for (const Material& material : scene.materials) {
+    facts.material_names.push_back(material.name);
+  }
+  return facts;
+}
+
 McapRecording::McapRecording(const std::filesystem::path& path, std::vector<MessageSource> sources,
                              const McapOptions& options) {
   if (sources.empty()) {
@@ -74,7 +100,7 @@ McapRecording::McapRecording(const std::filesystem::path& path, std::vector<Mess
                                        options.log});
   McapWriter& file = state_->file;
   const MessageStream& messages = state_->messages;
-  file.add_metadata(mcap_metadata::kRun, texts_about(options.run, messages.source(0)));
+  file.add_metadata(mcap_metadata::kRun, texts_about(options.run, messages.source(0), options.messages.start_ns));
   for (std::size_t i = 0; i < messages.sonar_count(); ++i) {
     const MessageSource& source = messages.source(i);
     file.add_metadata(mcap_metadata::kOfSonar + source.name, texts_about(source, messages.sonar(i)));
@@ -111,6 +137,23 @@ const std::filesystem::path& McapRecording::place() const {
   return state_->file.place();
 }
 
+namespace {
+
+// Fan pictures that a file of that many pings holds at most.
+std::uint64_t fan_pictures(const SonarConfig& sonar, std::uint64_t pings, const MessageOptions& options) {
+  const std::optional<double> rate = options.fan_rate_of(sonar);
+  if (!rate || *rate == 0) {
+    return rate ? 0 : pings;
+  }
+  constexpr double kSlowWater = 1400;  // Pings take longer the slower the sound is [m/s].
+  const double period =
+      sonar.ping_period.value_or(sonar.shortest_ping_period(sonar.assumed_sound_speed.value_or(kSlowWater)));
+  const double pictures = std::ceil(static_cast<double>(pings) * period * *rate) + 1;
+  return pictures < static_cast<double>(pings) ? static_cast<std::uint64_t>(pictures) : pings;
+}
+
+}  // namespace
+
 std::uint64_t mcap_bytes(const SonarConfig& sonar, std::uint64_t pings, const MessageOptions& options) {
   constexpr std::uint64_t kFixed = 100'000;  // Definitions, scenario, summary.
   constexpr std::uint64_t kAround = 2'000;   // Fields beside the tables, indexes.
@@ -118,11 +161,11 @@ std::uint64_t mcap_bytes(const SonarConfig& sonar, std::uint64_t pings, const Me
   constexpr std::uint64_t kPoint = 16;
   const auto cells = static_cast<std::uint64_t>(sonar.bin_count) * static_cast<std::uint64_t>(sonar.beam_count);
   const auto height = static_cast<std::uint64_t>(options.fan_height);
-  const std::uint64_t ping = cells * static_cast<std::uint64_t>(options.bits) / 8 + 3 * kAspect * height * height +
+  const std::uint64_t ping = cells * static_cast<std::uint64_t>(options.bits) / 8 +
                              static_cast<std::uint64_t>(options.strong_share * static_cast<double>(cells * kPoint)) +
                              static_cast<std::uint64_t>(sonar.beam_count) * 32 +
                              static_cast<std::uint64_t>(sonar.bin_count) * 4 + kAround;
-  return kFixed + pings * ping;
+  return kFixed + pings * ping + fan_pictures(sonar, pings, options) * 3 * kAspect * height * height;
 }
 
 }  // namespace insonify

@@ -138,12 +138,31 @@ McapTables::McapTables(const std::filesystem::path& path, const std::string& son
   ping_count_ = pings_.ping_count();
   attributes_ = mcap_run_facts(pings_.file(), path);
   attributes_[mcap_metadata::kModel] = pings_.model();
+  if (const auto start = mcap_start_ns(pings_.file(), path)) {
+    attributes_[mcap_metadata::kStart] = start_text(*start);
+  }
   attributes_["sonar"] = config.name;
   attributes_["sonar_model"] = config.model;
   attributes_["frequency"] = config.frequency;
   attributes_["source_level_db"] = config.source_level_db;
   attributes_["levels"] = levels_text(pings_.levels(), pings_.bits());
   add_tables();
+  add_names();
+}
+
+void McapTables::add_names() {
+  const std::map<std::string, std::string>& run = pings_.file().metadata().at(mcap_metadata::kRun);
+  for (const char* key : {mcap_metadata::kInstances, mcap_metadata::kMaterials}) {
+    const auto found = run.find(key);
+    if (found == run.end()) {
+      continue;
+    }
+    try {
+      names_.push_back({key, nlohmann::json::parse(found->second).get<std::vector<std::string>>()});
+    } catch (const nlohmann::json::exception&) {
+      throw Error(fmt::format("{}: its metadata {} must be a list of texts", path_.string(), key));
+    }
+  }
 }
 
 // In alphabetical order, as HDF5 lists them.

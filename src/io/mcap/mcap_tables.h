@@ -7,8 +7,9 @@
 
 namespace insonify {
 
-/// Tables `intensity`, `time`, `world_from_sonar`, `head_angle` of a scanning sonar, and the axes; no ground truth,
-/// which messages do not tell. Attributes and settings are those that the file's metadata have.
+/// Tables `intensity`, `time`, `world_from_sonar`, `head_angle` of a scanning sonar, and the axes; the names of the
+/// scene's instances and materials, where the file has them, but no ground truth, which messages do not tell.
+/// Attributes and settings are those that the file's metadata have.
 class McapTables : public RecordedTables {
  public:
   /// @throws Error as McapPings does.
@@ -22,6 +23,7 @@ class McapTables : public RecordedTables {
 
  private:
   void add_tables();
+  void add_names();
 
   McapPings pings_;
 };

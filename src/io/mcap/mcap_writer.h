@@ -81,7 +81,7 @@ class McapWriter {
   // What the file holds, and what its summary will tell of it.
   struct Written {
     std::uint64_t bytes = 0;
-    std::uint32_t crc = 0;                      // Of all of them.
+    std::uint32_t crc = 0;                      // CRC-32 of all of them.
     McapBytes chunk_indexes, metadata_indexes;  // Records for the summary.
     std::uint32_t chunks = 0, metadata = 0;     // How many.
     std::uint64_t messages = 0;

@@ -14,11 +14,10 @@
 
 #include "insonify/error.h"
 #include "insonify/printable.h"
+#include "io/file/input_file.h"
 
 namespace insonify {
 namespace {
-
-constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
 
 // A number, or a list: a count followed by that many numbers.
 struct Property {

@@ -25,8 +25,6 @@
 namespace insonify {
 namespace {
 
-constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
-
 bool has_byte_order_mark(const std::filesystem::path& path) {
   std::array<char, kByteOrderMark.size()> start{};
   std::ifstream(path, std::ios::binary).read(start.data(), start.size());

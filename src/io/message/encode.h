@@ -1,4 +1,4 @@
-// encode.h -- encodes the ROS message types in use, as ROS 2 or ROS 1 has them.
+// encode.h -- encodes the message types in use, as ROS 2, ROS 1 or Gazebo has them.
 
 #pragma once
 
@@ -49,6 +49,11 @@ struct CloudPoint {
 [[nodiscard]] std::vector<std::byte> encode_transforms(MessageForm form, std::span<const FramePose> frames);
 [[nodiscard]] std::vector<std::byte> encode_image(MessageForm form, const MessageHeader& header,
                                                   const Picture& picture);
+/// @param values  One a pixel, of 8 or of 16 bits, row after row.
+[[nodiscard]] std::vector<std::byte> encode_grey_image(MessageForm form, const MessageHeader& header, std::size_t width,
+                                                       std::span<const std::uint8_t> values);
+[[nodiscard]] std::vector<std::byte> encode_grey_image(MessageForm form, const MessageHeader& header, std::size_t width,
+                                                       std::span<const std::uint16_t> values);
 [[nodiscard]] std::vector<std::byte> encode_cloud(MessageForm form, const MessageHeader& header,
                                                   std::span<const CloudPoint> points);
 

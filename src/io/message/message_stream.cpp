@@ -23,6 +23,9 @@ std::uint64_t MessageStream::tell(
   messages.take(ping);
   for (std::size_t i = 0; i < messages.channels().size(); ++i) {
     const bool is_scenario = messages.channels()[i].kind == MessageKind::kScenario;
+    if (!messages.is_due(i)) {
+      continue;
+    }
     if (!is_scenario || told_scenarios_.insert(sources_[sonar].scenario).second) {
       visit(i, messages.encode(i));
     }

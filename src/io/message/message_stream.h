@@ -26,7 +26,8 @@ class MessageStream {
   [[nodiscard]] const MessageSource& source(std::size_t sonar) const { return sources_[sonar]; }
   [[nodiscard]] const SonarMessages& sonar(std::size_t sonar) const { return sonars_[sonar]; }
 
-  /// Calls visit(channel, message) with each message about a ping; `channel` counts those of the sonar.
+  /// Calls visit(channel, message) with each message about a ping that a file holds: SonarMessages::is_due(). `channel`
+  /// counts those of the sonar.
   /// @return  The time of all of them [ns].
   /// @throws Error as SonarMessages::take().
   std::uint64_t tell(std::size_t sonar, const Ping& ping,

@@ -21,27 +21,53 @@
 namespace insonify {
 namespace {
 
-constexpr double kTimeLimit = 2147483648.0;  // Of builtin_interfaces/Time, whose seconds are an int32 [s].
+constexpr double kTimeLimit = 2147483648.0;  // Limit of builtin_interfaces/Time, whose seconds are an int32 [s].
 
 // Most pings of a scanning head that its picture shows.
 constexpr std::uint64_t kMostScanned = 4000;
 
-std::vector<MessageChannel> channels_of(const std::string& name, MessageForm form) {
+std::string_view gazebo_type(MessageKind kind) {
+  switch (kind) {
+    case MessageKind::kPoints:
+      return "gz.msgs.PointCloudPacked";
+    case MessageKind::kPose:
+      return "gz.msgs.Pose";
+    case MessageKind::kTransforms:
+      return "gz.msgs.Pose_V";
+    case MessageKind::kScenario:
+      return "gz.msgs.StringMsg";
+    case MessageKind::kSonarImage:
+    case MessageKind::kFan:
+    case MessageKind::kRaw:
+      break;
+  }
+  return "gz.msgs.Image";
+}
+
+std::vector<MessageChannel> channels_of(const std::string& name, MessageForm form, bool raw) {
   const std::string at = "/" + name;
   const auto channel = [form](MessageKind kind, std::string topic, const std::string& package,
                               const std::string& type) -> MessageChannel {
+    if (form == MessageForm::kGazebo) {
+      return {kind, std::move(topic), std::string(gazebo_type(kind)), ""};
+    }
     const std::string whole = package + "/" + type;
     const std::string definition = message_definition(whole, form);
     return form == MessageForm::kRos1
                ? MessageChannel{kind, std::move(topic), whole, definition, std::string(ros1_checksum(whole))}
                : MessageChannel{kind, std::move(topic), package + "/msg/" + type, definition};
   };
-  return {channel(MessageKind::kSonarImage, at + "/sonar_image", "marine_acoustic_msgs", "ProjectedSonarImage"),
-          channel(MessageKind::kFan, at + "/fan", "sensor_msgs", "Image"),
-          channel(MessageKind::kPoints, at + "/points", "sensor_msgs", "PointCloud2"),
-          channel(MessageKind::kPose, at + "/pose", "geometry_msgs", "PoseStamped"),
-          channel(MessageKind::kTransforms, "/tf", "tf2_msgs", "TFMessage"),
-          channel(MessageKind::kScenario, "/scenario", "std_msgs", "String")};
+  std::vector<MessageChannel> channels = {
+      channel(MessageKind::kSonarImage, at + "/sonar_image", "marine_acoustic_msgs", "ProjectedSonarImage"),
+      channel(MessageKind::kFan, at + "/fan", "sensor_msgs", "Image"),
+      channel(MessageKind::kPoints, at + "/points", "sensor_msgs", "PointCloud2"),
+      channel(MessageKind::kPose, at + "/pose", "geometry_msgs", "PoseStamped"),
+      channel(MessageKind::kTransforms, "/tf", "tf2_msgs", "TFMessage"),
+      channel(MessageKind::kScenario, "/scenario", "std_msgs", "String")};
+  if (raw) {
+    channels.push_back(channel(MessageKind::kRaw, at + "/raw", "sensor_msgs", "Image"));
+  }
+  return channels;
 }
 
 // The frame of sonar images in that of the housing: z along the middle of the fan, y to port, x down. An azimuth of the
@@ -82,6 +108,15 @@ std::vector<Value> values_of(const std::vector<float>& raised, const Display& di
   return values;
 }
 
+// The intensity from which on a value counts as cut: half a step above the brightest one. What is below it is as exact
+// as other values are, such as the brightest ones of a recording that is told again.
+double lowest_cut(const MessageLevels& levels, int bits) {
+  const double half_step = 0.5 / (std::pow(2, bits) - 1);
+  const double highest = std::pow(10, levels.high_db / 10);
+  return levels.decibels ? highest * std::pow(10, half_step * (levels.high_db - levels.low_db) / 10)
+                         : highest * (1 + half_step);
+}
+
 }  // namespace
 
 void MessageOptions::validate() const {
@@ -89,9 +124,18 @@ void MessageOptions::validate() const {
   if (bits != 8 && bits != 16) {
     throw Error("messages", "bits", fmt::format(" = {} must be 8 or 16", bits));
   }
+  constexpr std::uint64_t kStartLimit = std::uint64_t{1'000'000'000} << 31U;  // [ns]
+  if (start_ns && *start_ns >= kStartLimit) {
+    throw Error("messages", "start_ns", fmt::format(" = {} ns must be below 2^31 s", *start_ns));
+  }
   if (world_frame.empty()) {
     throw Error("messages", "world_frame", " must not be empty");
   }
+}
+
+std::optional<double> MessageOptions::fan_rate_of(const SonarConfig& sonar) const {
+  const bool scans = sonar.type == SonarType::kMechanicallyScanned;
+  return fan_rate || !scans ? fan_rate : std::optional(kScanningFanRate);
 }
 
 struct SonarMessages::State {
@@ -106,15 +150,19 @@ struct SonarMessages::State {
   Ping ping = {};    // Without what no message tells; its intensities as they are ...
   Ping raised = {};  // ... and with the gain over range.
   std::uint64_t time_ns = 0;
-  std::uint64_t values = 0, cut = 0;  // Of all pings: how many, and those above the highest level.
-  double loudest = 0;                 // Intensity, raised.
-  std::deque<Ping> scanned = {};      // Of a scanning sonar, the pings of the last turn, raised.
+  std::uint64_t values = 0, cut = 0;        // Values of all pings, and those above the highest level.
+  double loudest = 0;                       // Intensity, raised.
+  std::deque<Ping> scanned = {};            // Pings of a scanning sonar's last turn, raised.
+  std::optional<double> fan_interval = {};  // Interval of time, counted from time 0, of the last fan picture in a file.
+  bool fan_is_due = true;                   // Whether the ping taken in last has one.
 
   [[nodiscard]] bool scans() const { return source.sonar.type == SonarType::kMechanicallyScanned; }
   [[nodiscard]] MessageHeader header(const std::string& frame) const {
     return {time_ns, frame, static_cast<std::uint32_t>(ping.number)};
   }
+  void look_for_fan();
   [[nodiscard]] std::vector<std::byte> sonar_image() const;
+  [[nodiscard]] std::vector<std::byte> raw_image() const;
   [[nodiscard]] Picture fan() const;
   [[nodiscard]] std::vector<std::byte> transforms() const;
 };
@@ -132,6 +180,27 @@ std::vector<std::byte> SonarMessages::State::sonar_image() const {
   }
   return encode_sonar_image(form, head, now,
                             std::span<const std::uint16_t>(values_of<std::uint16_t>(raised.intensity, display)));
+}
+
+// A fan picture is due at the first ping of each interval of 1 / fan_rate.
+void SonarMessages::State::look_for_fan() {
+  const std::optional<double> rate = options.fan_rate_of(source.sonar);
+  if (!rate) {
+    return;
+  }
+  constexpr double kRounding = 1e-6;  // Rounding of times such as 3 * 0.1 [intervals].
+  const double interval = std::floor(ping.time * *rate + kRounding);
+  fan_is_due = *rate > 0 && fan_interval != interval;
+  fan_interval = interval;
+}
+
+std::vector<std::byte> SonarMessages::State::raw_image() const {
+  const auto width = static_cast<std::size_t>(source.sonar.beam_count);
+  const auto encode = [&]<typename Value>(Value) {
+    return encode_grey_image(form, header(name), width,
+                             std::span<const Value>(values_of<Value>(raised.intensity, display)));
+  };
+  return options.bits == 8 ? encode(std::uint8_t{}) : encode(std::uint16_t{});
 }
 
 Picture SonarMessages::State::fan() const {
@@ -163,8 +232,9 @@ SonarMessages::SonarMessages(MessageSource source, MessageOptions options, Messa
   const std::string name = ros_name(source.name.empty() ? source.sonar.name : source.name);
   const double sound_speed = source.sonar.assumed_sound_speed.value_or(0);  // 0: unknown, as the .msg file has it.
   SonarImageFacts facts = image_facts(source.sonar, sound_speed);
+  std::vector<MessageChannel> channels = channels_of(name, form, options.raw);
   state_ = std::make_unique<State>(
-      State{std::move(source), std::move(options), form, name, channels_of(name, form), display, std::move(facts)});
+      State{std::move(source), std::move(options), form, name, std::move(channels), display, std::move(facts)});
 }
 
 SonarMessages::~SonarMessages() = default;
@@ -179,7 +249,7 @@ MessageLevels SonarMessages::levels() const {
   return message_levels(state_->source, state_->options);
 }
 
-void SonarMessages::take(const Ping& ping) {
+void SonarMessages::take(const Ping& ping, double time) {
   const SonarConfig& sonar = state_->source.sonar;
   const std::size_t cells = static_cast<std::size_t>(sonar.bin_count) * static_cast<std::size_t>(sonar.beam_count);
   if (ping.bin_count != sonar.bin_count || ping.beam_count != sonar.beam_count) {
@@ -192,11 +262,12 @@ void SonarMessages::take(const Ping& ping) {
                             ping.intensity.size() != cells ? ping.intensity.size() : ping.elevation.size(),
                             ping.intensity.size() != cells ? "intensities" : "elevations", cells));
   }
-  if (!(ping.time >= 0 && ping.time < kTimeLimit - 1)) {
+  const std::uint64_t start_ns = state_->options.start_ns.value_or(0);
+  if (!(time >= 0 && static_cast<double>(start_ns) * 1e-9 + time < kTimeLimit - 1)) {
     throw Error(
-        fmt::format("ping {} of {}: time = {:.6g} s must be from 0 to below 2147483647 s, as ROS messages hold "
-                    "it",
-                    ping.number, sonar.name, ping.time));
+        fmt::format("ping {} of {}: time = {:.6g} s{} must be from 0 to below 2147483647 s{}, as ROS messages hold it",
+                    ping.number, sonar.name, time, start_ns == 0 ? "" : " after " + start_text(start_ns),
+                    start_ns == 0 ? "" : " after 1970-01-01T00:00:00Z"));
   }
   Ping& kept = state_->ping;
   kept.number = ping.number;
@@ -207,12 +278,12 @@ void SonarMessages::take(const Ping& ping) {
   kept.beam_count = ping.beam_count;
   kept.intensity = ping.intensity;
   kept.elevation = ping.elevation;
-  state_->time_ns = static_cast<std::uint64_t>(std::llround(ping.time * 1e9));
+  state_->time_ns = start_ns + static_cast<std::uint64_t>(std::llround(time * 1e9));
+  state_->look_for_fan();
   Ping bare = kept;
   bare.elevation.clear();
   state_->raised = raised_by_range(std::move(bare), sonar, state_->display.raised_per_decade);
-  const MessageLevels highest = levels();
-  const auto limit = static_cast<float>(highest.decibels ? std::pow(10, highest.high_db / 10) : highest.high_db);
+  const auto limit = static_cast<float>(lowest_cut(levels(), state_->options.bits));
   for (const float value : state_->raised.intensity) {
     if (value > limit) {
       ++state_->cut;
@@ -226,6 +297,11 @@ void SonarMessages::take(const Ping& ping) {
       state_->scanned.pop_front();
     }
   }
+}
+
+bool SonarMessages::is_due(std::size_t channel) const {
+  assert(channel < state_->channels.size());
+  return state_->channels[channel].kind != MessageKind::kFan || state_->fan_is_due;
 }
 
 std::vector<std::byte> SonarMessages::encode(std::size_t channel) const {
@@ -244,6 +320,8 @@ std::vector<std::byte> SonarMessages::encode(std::size_t channel) const {
       return encode_pose(state.form, state.header(state.options.world_frame), state.ping.world_from_sonar);
     case MessageKind::kTransforms:
       return state.transforms();
+    case MessageKind::kRaw:
+      return state.raw_image();
     case MessageKind::kScenario:
       break;
   }
@@ -258,7 +336,8 @@ std::string SonarMessages::cut_text() const {
   const char* const unit = highest.decibels ? " dB" : "";
   return fmt::format(
       "{} of {} values of {} are above the highest level, {:.4g}{}, and are cut there; the loudest has {:.4g}{}",
-      state_->cut, state_->values, printable(state_->source.sonar.name), highest.high_db, unit,
+      state_->cut, state_->values, printable(state_->source.sonar.name),
+      highest.decibels ? highest.high_db : std::pow(10, highest.high_db / 10), unit,
       highest.decibels ? 10 * std::log10(state_->loudest) : state_->loudest, unit);
 }
 

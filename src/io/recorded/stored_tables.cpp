@@ -30,7 +30,7 @@ NumberType number_type(const RecordedTable& table) {
   return NumberType::kInt64;
 }
 
-// Of a recording that grows it has the pings that all tables have.
+// A recording that grows has the pings that all tables have.
 StoredTable stored_table(const RecordedTable& table, std::uint64_t pings) {
   const auto note = [&](const char* name) {
     const auto found = table.notes.find(name);

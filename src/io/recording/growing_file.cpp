@@ -26,7 +26,7 @@ static_assert(std::endian::native == std::endian::little, "rows are written as t
 constexpr std::size_t kEndOfFileField = 40;
 
 // Chunks begin at multiples of this, so that a program that maps the file may read them in place.
-constexpr std::uint64_t kAlignment = 64;
+constexpr std::uint64_t kDataAlignment = 64;
 
 std::string system_reason() {
   return std::generic_category().message(errno);
@@ -43,7 +43,7 @@ void refuse_while_another_writes(const std::filesystem::path& path) {
 }
 
 std::uint64_t aligned(std::uint64_t position) {
-  return (position + kAlignment - 1) / kAlignment * kAlignment;
+  return (position + kDataAlignment - 1) / kDataAlignment * kDataAlignment;
 }
 
 }  // namespace
@@ -178,7 +178,7 @@ bool GrowingFile::reserve(std::uint64_t end) {
   constexpr std::uint64_t kNodes = 4;  // New places of an index with one row more: two on each level that is split.
   std::uint64_t row = 0;
   for (const Growth& growth : growths_) {
-    row += growth.chunk_rows * growth.row_bytes + kAlignment + kNodes * growth.index.node_bytes();
+    row += growth.chunk_rows * growth.row_bytes + kDataAlignment + kNodes * growth.index.node_bytes();
   }
   return end + row <= reserved_ || set_end(end + kRowsAhead * row) || end <= reserved_ || set_end(end);
 }

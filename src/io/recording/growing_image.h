@@ -30,7 +30,7 @@ enum class GrowingState : std::uint64_t {
 
 struct GrowingImage {
   std::vector<std::byte> bytes;          ///< Contents of the file.
-  std::uint64_t state_address = 0;       ///< Of the value of kStateAttribute, 8 bytes.
+  std::uint64_t state_address = 0;       ///< Address of the value of kStateAttribute, 8 bytes.
   std::vector<std::uint64_t> addresses;  ///< Addresses of the datasets' headers, alone in their page.
 };
 

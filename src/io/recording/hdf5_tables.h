@@ -18,8 +18,8 @@ class Hdf5Tables : public RecordedTables {
   void read(const RecordedTable& table, NumberType type, std::span<const TableSlice> slices,
             std::span<std::byte> bytes) const override;
 
-  /// Of a file that insonify has begun since it tells it: see GrowingState. attributes() does not have it, for it is
-  /// not of the run.
+  /// State of a file by a version of insonify that writes it: see GrowingState. attributes() does not have it, for it
+  /// is not of the run.
   [[nodiscard]] std::optional<GrowingState> state() const { return state_; }
 
  private:

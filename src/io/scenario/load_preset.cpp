@@ -201,7 +201,7 @@ void Preset::fit_to_range(SonarConfig& fitted, double sound_speed) const {
 }
 
 std::vector<Preset::Excess> Preset::exceeded_by(const SonarConfig& given) const {
-  constexpr double kSlack = 1e-6;      // Of what was converted from degrees.
+  constexpr double kSlack = 1e-6;      // Tolerance for angles converted from degrees.
   constexpr double kOtherBand = 0.25;  // Instruments that can be tuned reach about that far.
   std::vector<Excess> excesses;
   if (!(given.max_range > given.min_range)) {

@@ -17,7 +17,9 @@
 #include "io/scenario/read_sonar.h"
 #include "io/scenario/read_trajectory.h"
 #include "io/scenario/scenario_keys.h"
+#include "io/scenario/sdf_world.h"
 #include "io/scenario/stonefish_world.h"
+#include "io/scenario/world_sonars.h"
 #include "io/scenario/yaml_read.h"
 #include "io/scenario/yaml_settings.h"
 
@@ -26,18 +28,14 @@ namespace {
 
 using Kind = YamlValue::Kind;
 
-// Explains how to make a scenario of a world, for users who pass the world itself.
+// Explains how to make a scenario of a mesh or a grid, for users who pass it itself.
 void refuse_worlds(const std::filesystem::path& path) {
   constexpr std::array meshes = {".obj", ".stl", ".dae", ".ply", ".gltf", ".glb"};
-  constexpr std::array worlds = {".sdf", ".world", ".xml"};
   constexpr std::array grids = {".asc", ".bag", ".png"};
   std::string ending = path.extension().string();
   std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return std::tolower(c); });
   const auto is_one_of = [&](const auto& endings) { return std::ranges::find(endings, ending) != endings.end(); };
-  const char* kind = is_one_of(meshes)   ? "a mesh"
-                     : is_one_of(worlds) ? "an SDF world"
-                     : is_one_of(grids)  ? "a height grid"
-                                         : nullptr;
+  const char* kind = is_one_of(meshes) ? "a mesh" : is_one_of(grids) ? "a height grid" : nullptr;
   if (kind != nullptr) {
     throw Error(fmt::format("{}: is {}, not a scenario; write a YAML file that says world: {} and lists sonars",
                             path.string(), kind, path.filename().string()));
@@ -63,7 +61,11 @@ class ScenarioReader {
     // Sonars last: a preset's ping period follows from the speed of sound at their depth.
     read_parts(tree_, "", scenario_, scenario_.places, [](std::string_view part) { return part != "sonars"; });
     read_sonars();
+    if (scenario_.sonars.empty()) {
+      refuse_missing_world();
+    }
     validate();
+    refuse_missing_world();  // After wrong values: a sonar may be tried out in a text without a world.
     return std::move(scenario_);
   }
 
@@ -100,9 +102,6 @@ class ScenarioReader {
   void read_world() {
     const YamlValue* given = tree_.find("world");
     if (given == nullptr) {
-      if (!open_water()) {
-        throw Error("", "world", " is missing: the SDF file or mesh to insonify").at(tree_.place);
-      }
       return;
     }
     if (scenario_.world == "none" && !given->quoted) {
@@ -115,6 +114,12 @@ class ScenarioReader {
     if (!std::filesystem::exists(scenario_.world, ignored)) {
       throw Error("", "world", fmt::format(" = {} is not there: no file {}", given->shown(), scenario_.world.string()))
           .at(given->place);
+    }
+  }
+
+  void refuse_missing_world() const {
+    if (tree_.find("world") == nullptr && !open_water()) {
+      throw Error("", "world", " is missing: the SDF file or mesh to insonify").at(tree_.place);
     }
   }
 
@@ -162,6 +167,7 @@ Scenario read_scenario(const std::string& text, const std::filesystem::path& pat
     throw Error("the file is empty; a scenario names a world and its sonars").at(tree.place);
   }
   const bool has_stonefish_sonars = add_stonefish_sonars(tree, path, settings, log);
+  const bool has_world_sonars = has_stonefish_sonars || add_sdf_sonars(tree, path, settings, log);
   for (const std::string& setting : settings) {
     apply_setting(tree, setting, scenario_keys(), sonar_keys(), part_keys());
   }
@@ -184,7 +190,7 @@ Scenario read_scenario(const std::string& text, const std::filesystem::path& pat
     }
     scenario.text = to_yaml(scenario);  // The file's keys of its own model would be refused beside the other model.
   } else {
-    scenario.text = settings.empty() && !has_stonefish_sonars ? text : write_yaml(tree);
+    scenario.text = settings.empty() && !has_world_sonars ? text : write_yaml(tree);
   }
   return scenario;
 }
@@ -199,11 +205,10 @@ Scenario load_scenario(const std::filesystem::path& path, std::span<const std::s
 Scenario load_scenario_text(const std::string& text, const std::filesystem::path& path,
                             std::span<const std::string> settings, const Log& log) {
   refuse_worlds(path);
-  // A program that has read a Stonefish scenario passes its text, or the text of ours that was made of it.
-  constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
+  // A program that has read a world with sonars passes its text, or the text of the scenario that was made of it.
   const bool is_xml = text.starts_with(kByteOrderMark) || without_outer_space(text).starts_with('<');
-  const bool is_stonefish = is_stonefish_file(path) && is_xml;
-  return read_scenario(is_stonefish ? stonefish_as_scenario(path) : text, path, path.string(), settings, log);
+  const bool is_world = (is_stonefish_file(path) || is_sdf_file(path)) && is_xml;
+  return read_scenario(is_world ? world_as_scenario(path) : text, path, path.string(), settings, log);
 }
 
 Scenario parse_scenario(const std::string& text, const std::filesystem::path& folder,

@@ -9,7 +9,7 @@ namespace insonify {
 
 [[nodiscard]] std::vector<std::string> scenario_keys();
 
-/// Of one entry of `sonars`.
+/// Keys of one entry of `sonars`.
 [[nodiscard]] std::vector<std::string> sonar_keys();
 
 /// Those of their parts, as paths: "water.depth", "receiver.noise", "sampling.rows".

@@ -13,6 +13,7 @@
 #include "insonify/files.h"
 #include "insonify/printable.h"
 #include "io/file/input_file.h"
+#include "io/scenario/world_sonars.h"
 #include "io/stonefish/stonefish_sonars.h"
 
 namespace insonify {
@@ -20,29 +21,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using Kind = YamlValue::Kind;
-
-// The world's file after the settings, as the user wrote it; "" where there is none.
-std::string world_of(const YamlValue& scenario, std::span<const std::string> settings) {
-  const YamlValue* given = scenario.find("world");
-  std::string world = given != nullptr && given->kind == Kind::kScalar ? given->scalar : "";
-  for (std::string_view setting : settings) {
-    setting.remove_prefix(setting.starts_with("--") ? 2 : 0);
-    if (setting.starts_with("world=")) {
-      world = parse_yaml_setting(std::string(setting.substr(6)), {}).scalar;
-    }
-  }
-  return world;
-}
-
-void set_place(YamlValue& value, const Place& place) {
-  value.place = place;
-  for (YamlValue& item : value.items) {
-    set_place(item, place);
-  }
-  for (YamlValue::Entry& entry : value.entries) {
-    set_place(entry.value, place);
-  }
-}
 
 // One sonar as an entry of `sonars`, all of it at the place of its sensor.
 YamlValue entry_of(const StonefishSonar& from) {
@@ -55,31 +33,15 @@ YamlValue entry_of(const StonefishSonar& from) {
   return entry;
 }
 
-bool is_given(const YamlValue& scenario, const char* key) {
-  const YamlValue* value = scenario.find(key);
-  return value != nullptr && value->kind != Kind::kNothing;
-}
-
 }  // namespace
 
 bool is_stonefish_file(const fs::path& path) {
   return ending_of(path) == ".scn";
 }
 
-std::string stonefish_as_scenario(const fs::path& path) {
-  YamlValue world;
-  world.kind = Kind::kScalar;
-  world.scalar = path.filename().string();
-  world.quoted = true;
-  YamlValue scenario;
-  scenario.kind = Kind::kMap;
-  scenario.entries.push_back({"world", std::move(world)});
-  return write_yaml(scenario);
-}
-
 bool add_stonefish_sonars(YamlValue& scenario, const fs::path& path, std::span<const std::string> settings,
                           const Log& log) {
-  const std::string world = world_of(scenario, settings);
+  const std::string world = world_of_scenario(scenario, settings);
   if (scenario.kind != Kind::kMap || !is_stonefish_file(world) || is_given(scenario, "sonars")) {
     return false;
   }

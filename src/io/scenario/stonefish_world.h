@@ -14,9 +14,6 @@ namespace insonify {
 /// Whether a file name ends as that of a Stonefish scenario: .scn.
 [[nodiscard]] bool is_stonefish_file(const std::filesystem::path& path);
 
-/// The text of a scenario whose world is this Stonefish scenario, and whose sonars are those in it.
-[[nodiscard]] std::string stonefish_as_scenario(const std::filesystem::path& path);
-
 /// Adds `sonars` to a scenario that has none and whose world, after the settings, is a Stonefish scenario. What comes
 /// from there has its place there. With a `trajectory` their poses are on the vehicle, else in the world.
 /// @param path  The scenario, whose folder the world's path starts from.

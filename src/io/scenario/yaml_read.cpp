@@ -214,7 +214,7 @@ void read_quaternion(const YamlValue& value, std::string_view object, const Fiel
   std::vector<double> numbers;
   read_member(value, object, Field{key, "", from_to(-2, 2), ""}, numbers);
   const Eigen::Quaterniond quaternion(numbers[0], numbers[1], numbers[2], numbers[3]);
-  constexpr double kTolerance = 0.01;  // Of what was written with few digits.
+  constexpr double kTolerance = 0.01;  // Tolerance for values written with few digits.
   if (!(std::abs(quaternion.norm() - 1) <= kTolerance)) {
     throw Error(object, key, fmt::format(" = {} must have a norm of 1, not {:.4g}", value.shown(), quaternion.norm()))
         .at(value.place);

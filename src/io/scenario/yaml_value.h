@@ -19,8 +19,8 @@ struct YamlValue {
   Place place;                   ///< For messages: of the key in a map, else of the value itself.
   std::string scalar;            ///< Text of a scalar.
   bool quoted = false;           ///< Whether the scalar was in quotes, and so is text even if it looks like a number.
-  std::vector<YamlValue> items;  ///< Of a list.
-  std::vector<Entry> entries;    ///< Of a map, in order; keys differ.
+  std::vector<YamlValue> items;  ///< Items of a list.
+  std::vector<Entry> entries;    ///< Entries of a map, in order; keys differ.
 
   /// The value of a key, or null.
   [[nodiscard]] const YamlValue* find(std::string_view key) const;

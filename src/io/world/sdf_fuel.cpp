@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 struct FuelUri {
   std::string server, owner, name;
   std::string version;             // "" for the highest.
-  std::vector<std::string> parts;  // Of a path within the model.
+  std::vector<std::string> parts;  // Folders of a path within the model.
 };
 
 std::string lower(std::string text) {

@@ -18,6 +18,11 @@ std::string text_of(const sdf::ElementPtr& element) {
   return element->GetValue() == nullptr ? "" : without_outer_space(element->GetValue()->GetAsString());
 }
 
+// Whether an element may carry a sonar: load_sdf_sonars() reads it.
+bool may_carry_sonar(const sdf::ElementPtr& element) {
+  return element->GetName() == "link" || element->GetName() == "model";
+}
+
 // Reads one of insonify's elements; `name` is without prefix.
 void take(const sdf::ElementPtr& element, const std::string& name, const std::string& what, std::string& material) {
   if (name != "material") {
@@ -37,14 +42,20 @@ void take(const sdf::ElementPtr& element, const std::string& name, const std::st
 
 std::string sdf_material(const sdf::ElementPtr& element, const std::string& what) {
   std::string material;
+  const auto is_sonar = [&](const std::string& name) { return name == "sonar" && may_carry_sonar(element); };
   for (sdf::ElementPtr child = element->GetFirstElement(); child; child = child->GetNextElement()) {
     const std::string& name = child->GetName();
+    if (name.starts_with(kPrefix) && is_sonar(name.substr(kPrefix.size()))) {
+      continue;
+    }
     if (name.starts_with(kPrefix)) {
       take(child, name.substr(kPrefix.size()), what, material);
     } else if (name == "plugin" && child->HasAttribute("name") &&
                child->GetAttribute("name")->GetAsString() == kPlugin) {
       for (sdf::ElementPtr inner = child->GetFirstElement(); inner; inner = inner->GetNextElement()) {
-        take(inner, inner->GetName(), what, material);
+        if (!is_sonar(inner->GetName())) {
+          take(inner, inner->GetName(), what, material);
+        }
       }
     }
   }

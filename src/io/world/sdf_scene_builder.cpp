@@ -67,10 +67,10 @@ SdfSceneBuilder::MaterialName SdfSceneBuilder::own_or(const MaterialName& inheri
   return own.empty() ? inherited : MaterialName{own, place(*element)};
 }
 
-std::optional<SdfShape> SdfSceneBuilder::shape_or_none(const sdf::Geometry& geometry, const std::string& where) {
+std::optional<PlacedMesh> SdfSceneBuilder::shape_or_none(const sdf::Geometry& geometry, const std::string& where) {
   try {
     return shapes_.shape(geometry, where, collisions_);
-  } catch (const SdfUnreadable& file) {
+  } catch (const UnreadableShape& file) {
     if (file.fuel_uri.empty()) {
       missing_.add(file.part, file.reason);
     } else {
@@ -93,7 +93,7 @@ void SdfSceneBuilder::add_part(const Part& part, const char* kind, const std::st
     return;
   }
   const std::string where = what(kind, name, *part.Element());
-  const std::optional<SdfShape> shape = shape_or_none(*part.Geom(), where);
+  const std::optional<PlacedMesh> shape = shape_or_none(*part.Geom(), where);
   if (!shape) {
     return;
   }

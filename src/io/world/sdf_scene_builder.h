@@ -65,7 +65,7 @@ class SdfSceneBuilder {
   [[nodiscard]] std::string what(const char* kind, const std::string& name, sdf::Element& element) const;
   [[nodiscard]] MaterialName own_or(const MaterialName& inherited, const sdf::ElementPtr& element,
                                     const std::string& where) const;
-  [[nodiscard]] std::optional<SdfShape> shape_or_none(const sdf::Geometry& geometry, const std::string& where);
+  [[nodiscard]] std::optional<PlacedMesh> shape_or_none(const sdf::Geometry& geometry, const std::string& where);
   [[nodiscard]] bool is_for_eyes_only(const sdf::Visual& visual) const;
   [[nodiscard]] static bool is_for_eyes_only(const sdf::Collision& /*collision*/) { return false; }
   void tell(const std::string& file, const std::string& text, const std::vector<std::string>& names) const;

@@ -57,12 +57,9 @@ std::string SdfSource::shown(const std::string& path) const {
   return whole == fs::absolute(file_).lexically_normal() ? file_.string() : whole;
 }
 
-Place SdfSource::place(const std::string& path, int line, const std::string& element, const std::string& name) const {
-  const auto file = sources_.find(original(path));
-  if (file == sources_.end()) {
-    return {shown(path)};
-  }
-  const Source& source = *file->second;
+// The element at a line; null where it cannot be told.
+pugi::xml_node SdfSource::find(const Source& source, int line, const std::string& element,
+                               const std::string& name) const {
   pugi::xml_node found;
   int candidates = 0;
   const auto has_name = [&](pugi::xml_node node) { return node.attribute("name").value() == name; };
@@ -73,11 +70,29 @@ Place SdfSource::place(const std::string& path, int line, const std::string& ele
     }
   }
   const bool is_certain = candidates == 1 || (found && has_name(found));
-  if (is_certain) {
+  return is_certain ? found : pugi::xml_node();
+}
+
+Place SdfSource::place(const std::string& path, int line, const std::string& element, const std::string& name) const {
+  const auto file = sources_.find(original(path));
+  if (file == sources_.end()) {
+    return {shown(path)};
+  }
+  const Source& source = *file->second;
+  if (const pugi::xml_node found = find(source, line, element, name)) {
     return source.xml.place(found);
   }
   const auto any = source.lines.find(line);
   return any == source.lines.end() ? Place{shown(path)} : Place{shown(path), source.xml.line_of(any->second)};
+}
+
+Place SdfSource::place_within(const std::string& path, int line, const std::string& element, const std::string& name,
+                              const std::string& inner, const std::string& inner_name) const {
+  const auto file = sources_.find(original(path));
+  const pugi::xml_node outer = file == sources_.end() ? pugi::xml_node() : find(*file->second, line, element, name);
+  const pugi::xml_node found = outer.find_node(
+      [&](pugi::xml_node node) { return node.name() == inner && node.attribute("name").value() == inner_name; });
+  return found ? file->second->xml.place(found) : place(path, line, element, name);
 }
 
 std::string SdfSource::place_of_name(const std::string& name) const {

@@ -53,6 +53,12 @@ class SdfSource {
   [[nodiscard]] Place place(const std::string& path, int line, const std::string& element,
                             const std::string& name = "") const;
 
+  /// An element within such an element, for which libsdformat has no line: one that it does not know. By its kind, its
+  /// name, and the text of its attribute `name`; where it is not found, the place of the outer one.
+  [[nodiscard]] Place place_within(const std::string& path, int line, const std::string& element,
+                                   const std::string& name, const std::string& inner,
+                                   const std::string& inner_name) const;
+
   /// "path:line:column: " of the first element with an attribute of value `name`, the file itself before its includes;
   /// "" if there is none.
   [[nodiscard]] std::string place_of_name(const std::string& name) const;
@@ -73,6 +79,8 @@ class SdfSource {
     std::multimap<int, pugi::xml_node> lines;
   };
 
+  [[nodiscard]] pugi::xml_node find(const Source& source, int line, const std::string& element,
+                                    const std::string& name) const;
   void open(const std::string& name);
   std::optional<std::string> prepare(const std::string& name);
   bool prepare_inside(pugi::xml_node parent, const XmlFile& xml, const std::filesystem::path& file);

@@ -24,7 +24,7 @@ using testing::AnyOf;
 using testing::HasSubstr;
 using testing::StartsWith;
 
-const std::string kNone = "no error";  // Of message_of().
+const std::string kNone = "no error";  // Answer of message_of() without an error.
 
 class DamagedRecordingTest : public testing::Test {
  protected:
@@ -175,7 +175,7 @@ TEST_F(DamagedRecordingTest, CharactersOfTextsMustHaveOneByte) {
   for (std::size_t type = bytes.find(text); type != std::string::npos; type = bytes.find(text, type + 1)) {
     ASSERT_EQ(number<std::uint32_t>(type + 12), 1);
     if (found++ % 5 == 0) {
-      // Of a note that is not read, nothing is said.
+      // Nothing is said of a note that is not read.
       const std::string message = read_damaged(changed<std::uint32_t>(type + 12, 48));
       EXPECT_THAT(message, AnyOf(kNone, HasSubstr(" is damaged: its characters do not have 1 byte"))) << type;
       EXPECT_THAT(read_damaged(changed<std::uint32_t>(type + 12, 0x7fffffff)),

@@ -329,6 +329,16 @@ TEST_F(McapWriterTest, SonarsOfTheSameTopicsAreKeptApart) {
             "b.mcap: there are two sonars called fls; their names must differ");
 }
 
+TEST_F(McapWriterTest, AnEarlierFileThatIsToBeReplacedIsNotTheOneBeingWritten) {
+  record_ping("a.mcap");
+  EXPECT_EQ(recording_state("a.mcap"), RecordingState::kWhole);
+  std::filesystem::resize_file("a.mcap", std::filesystem::file_size("a.mcap") - 100);  // Its run was killed.
+  const McapWriter next("a.mcap", "us", true);
+  EXPECT_EQ(recording_state("a.mcap"), RecordingState::kUnfinished);
+  EXPECT_EQ(message_of([] { McapWriter("a.mcap", "us", true); }),
+            "a.mcap: cannot create: another run is writing it; choose another folder");
+}
+
 TEST_F(McapWriterTest, PingsAreReadBackWithinTheirLevels) {
   record_ping("a.mcap");
   const RecordedPings pings("a.mcap");

@@ -316,6 +316,28 @@ TEST(SonarMessagesTest, FanIsThePictureAtItsFixedLevels) {
   EXPECT_TRUE(in.at_end());
 }
 
+// The values of the sonar image, as a picture of its own.
+TEST(SonarMessagesTest, RawImageHasAPixelForEachBeamAndBin) {
+  for (const int bits : {8, 16}) {
+    SonarMessages messages(source_of(fan()), {.bits = bits, .raw = true});
+    messages.take(ping_of(fan(), kLevels));
+    CdrRead in = encoded(messages, MessageKind::kRaw);
+    EXPECT_EQ(std::get<2>(in.header()), "fls_2");
+    EXPECT_EQ(in.number<std::uint32_t>(), 2U);  // Bins.
+    EXPECT_EQ(in.number<std::uint32_t>(), 3U);  // Beams.
+    EXPECT_EQ(in.text(), bits == 8 ? "mono8" : "mono16");
+    EXPECT_EQ(in.number<std::uint8_t>(), 0);
+    EXPECT_EQ(in.number<std::uint32_t>(), 3U * static_cast<unsigned>(bits) / 8);
+    const std::vector<std::uint8_t> bytes = in.numbers<std::uint8_t>();
+    EXPECT_TRUE(in.at_end());
+    const std::vector<std::byte> image = messages.encode(0);  // Its last field are the values.
+    ASSERT_EQ(bytes.size(), 6U * static_cast<unsigned>(bits) / 8);
+    EXPECT_TRUE(std::equal(bytes.rbegin(), bytes.rend(), plain(image).rbegin()));
+  }
+  SonarMessages without(source_of(fan()));
+  EXPECT_THROW((void)encoded(without, MessageKind::kRaw), Error);
+}
+
 TEST(SonarMessagesTest, ScenarioIsItsText) {
   SonarMessages messages(source_of(fan()));
   messages.take(ping_of(fan(), kLevels));

@@ -53,7 +53,7 @@ TEST_F(StonefishTest, SolidsHaveTheirSizes) {
                                                    dimensions, transform("world_transform", "0 0 0"))));
     return Vec3(bounds.high - bounds.low);
   };
-  constexpr double kFacets = 2e-3;  // Of circles cut into facets of 0.05 rad: 1 - cos(0.025), twice, of 3 m.
+  constexpr double kFacets = 2e-3;  // Error of circles cut into facets of 0.05 rad: 1 - cos(0.025), twice, of 3 m.
   expect_near(size("sphere", "radius='1.5'"), {3, 3, 3}, kFacets);
   expect_near(size("cylinder", "radius='0.5' height='3'"), {1, 1, 3}, kFacets);
   expect_near(size("torus", "major_radius='1' minor_radius='0.25'"), {2.5, 0.5, 2.5}, kFacets);

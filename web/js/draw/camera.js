@@ -11,7 +11,7 @@ const kStarts = {
   orbit: { yaw: radians(35), pitch: radians(32), distance: 1.1 },
   top: { yaw: 0, pitch: radians(89.5), distance: 1.25 },
 };
-// Of a scanning head, which looks to all sides.
+// Camera of a scanning head, which looks to all sides.
 const kAround = { yaw: 0, pitch: radians(42), distance: 0.75 };
 const kNearest = 1.5;  // distance from the vehicle at which the camera stays, even behind a wall [m]
 

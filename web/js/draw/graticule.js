@@ -43,9 +43,11 @@ function drawRings(context, plan) {
     context.moveTo(...plan.place(sonar.min_range, azimuth));
     context.lineTo(...plan.place(sonar.max_range, azimuth));
     context.stroke();
-    if (!isSmall(plan)) labelRadial(context, plan, azimuth, !whole && (azimuth === port || azimuth === starboard));
   }
-  if (!whole && port > 0 && starboard < 0) drawAhead(context, plan);
+  const hasAhead = !whole && port > 0 && starboard < 0;
+  if (hasAhead) drawAhead(context, plan);
+  const labelled = [...radialsOf(plan, port, starboard), ...(hasAhead ? [0] : [])];
+  writeApart(context, plan, labelled.map((azimuth) => radialLabel(plan, azimuth, !whole && (azimuth === port || azimuth === starboard))));
   rings.forEach((range) => labelRing(context, plan, range, whole ? sonar.up - Math.PI / 4 : port));
 }
 
@@ -70,18 +72,47 @@ function drawAhead(context, plan) {
   context.lineTo(x, y + 7);
   context.stroke();
   context.strokeStyle = themeColour("--ring");
-  if (!isSmall(plan)) labelRadial(context, plan, 0);
 }
 
 // With its side at the edges of a fan, and abeam of a round picture.
-function labelRadial(context, plan, azimuth, isEdge = false) {
+function radialLabel(plan, azimuth, isEdge = false) {
   const [x, y] = plan.place(plan.sonar.max_range * 1.0, azimuth);
   const angle = plan.sonar.up - azimuth;
-  context.fillStyle = themeColour("--soft");
-  context.textAlign = Math.sin(angle) > 0.2 ? "left" : Math.sin(angle) < -0.2 ? "right" : "center";
-  context.textBaseline = Math.cos(angle) < -0.5 ? "top" : "bottom";
   const withSide = isEdge || (plan.mode === "round" && Math.abs(Math.abs(azimuth) - Math.PI / 2) < 1e-6);
-  context.fillText(radialText(plan.sonar, azimuth, withSide), x + 5 * Math.sin(angle), y - (azimuth === 0 && plan.mode === "fan" ? 6 : 4) * Math.cos(angle));
+  return {
+    isEdge,
+    text: radialText(plan.sonar, azimuth, withSide),
+    align: Math.sin(angle) > 0.2 ? "left" : Math.sin(angle) < -0.2 ? "right" : "center",
+    baseline: Math.cos(angle) < -0.5 ? "top" : "bottom",
+    x: x + 5 * Math.sin(angle),
+    y: y - (azimuth === 0 && plan.mode === "fan" ? 6 : 4) * Math.cos(angle),
+  };
+}
+
+// Leaves out labels that would lie on others. Those of the edges come first, unless they lie on each other.
+function writeApart(context, plan, labels) {
+  if (isSmall(plan)) return;
+  const boxOf = ({ text, align, baseline, x, y }) => {
+    const width = context.measureText(text).width;
+    const [height, gap] = [12, 4];  // Of the font, and between labels [pixels].
+    const left = x - { left: 0, center: width / 2, right: width }[align];
+    const top = y - { top: 0, middle: height / 2, bottom: height }[baseline];
+    return { left, right: left + width + gap, top, bottom: top + height };
+  };
+  const overlap = (a, b) => a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
+  const edges = labels.filter(({ isEdge }) => isEdge);
+  const others = labels.filter(({ isEdge }) => !isEdge);
+  const crossed = edges.length === 2 && overlap(boxOf(edges[0]), boxOf(edges[1]));
+  const written = [];
+  context.fillStyle = themeColour("--soft");
+  for (const label of crossed ? [...others.reverse(), ...edges] : [...edges, ...others]) {
+    const box = boxOf(label);
+    if (written.some((other) => overlap(box, other))) continue;
+    written.push(box);
+    context.textAlign = label.align;
+    context.textBaseline = label.baseline;
+    context.fillText(label.text, label.x, label.y);
+  }
 }
 
 function radialText({ vertical }, azimuth, withSide) {
@@ -143,8 +174,7 @@ function drawPolarGrid(context, plan) {
     context.textAlign = "right";
     context.fillText(text, Math.max(left - 5, 32), y);
   }
-  context.fillStyle = themeColour("--soft");
-  context.textBaseline = "middle";
+  const labels = [];
   const [, bottom] = plan.toScreen(0, sonar.min_range);
   const [, top] = plan.toScreen(0, sonar.max_range);
   const [port, starboard] = [sonar.edges[0], sonar.edges[sonar.beams]];
@@ -154,9 +184,10 @@ function drawPolarGrid(context, plan) {
     context.moveTo(x, bottom);
     context.lineTo(x, azimuth === 0 ? bottom - 7 : top);
     context.stroke();
-    context.textAlign = "center";
-    if (!isSmall(plan)) context.fillText(radialText(sonar, azimuth, azimuth === port || azimuth === starboard), x, bottom + 12);
+    const isEdge = azimuth === port || azimuth === starboard;
+    labels.push({ isEdge, text: radialText(sonar, azimuth, isEdge), align: "center", baseline: "middle", x, y: bottom + 12 });
   }
+  writeApart(context, plan, labels);
 }
 
 function drawSweep(context, plan, headAngle) {

@@ -8,6 +8,7 @@ import { binRange } from "../sonar.js";
 
 const kMaps = ["inferno", "copper", "grey", "turbo", "blue"];
 const kOverlays = ["none", "instance", "material", "elevation", "shadow", "multipath"];
+const kCalibrated = ["shadow", "multipath"];  // Overlays that the calibrated model alone has.
 const kFixedLegends = {
   elevation: [["rgb(255 84 31)", "above"], ["rgb(242 242 242)", "level"], ["rgb(26 115 255)", "below"]],
   shadow: [["rgb(40 110 220)", "shadow"]],
@@ -25,6 +26,12 @@ export function setUpDisplay(store, frames, roundPings) {
     byId(id).addEventListener("change", () => store.set({ [name]: byId(id).checked }));
     store.on([name], () => (byId(id).checked = store.get(name)));
   }
+  store.on(["hello"], () => {
+    for (const option of byId("overlay").options) {
+      option.disabled = !isThere(store, option.value);
+      option.title = option.disabled ? "Needs the calibrated model" : "";
+    }
+  });
   byId("auto").addEventListener("click", () => fitContrast(store));
   byId("contrast-reset").addEventListener("click", () => resetContrast(store));
   for (const mode of ["fan", "polar", "round"]) byId(`mode-${mode}`).addEventListener("click", () => store.set({ mode }));
@@ -124,7 +131,14 @@ export function fitContrast(store) {
 
 /** The next colour map or overlay, for the keyboard. */
 export const nextMap = (store) => store.set({ map: kMaps[(kMaps.indexOf(store.get("map")) + 1) % kMaps.length] });
-export const nextOverlay = (store) => store.set({ overlay: kOverlays[(kOverlays.indexOf(store.get("overlay")) + 1) % kOverlays.length] });
+export function nextOverlay(store) {
+  const from = kOverlays.indexOf(store.get("overlay"));
+  const order = [...kOverlays.slice(from + 1), ...kOverlays.slice(0, from + 1)];
+  store.set({ overlay: order.find((overlay) => isThere(store, overlay)) });
+}
+
+// The paper's model has no shadows and no paths in its ground truth.
+const isThere = (store, overlay) => !kCalibrated.includes(overlay) || store.get("hello")?.keys?.model?.value !== "paper";
 
 function drawLegend(store, roundPings) {
   const overlay = store.get("overlay");
@@ -134,8 +148,8 @@ function drawLegend(store, roundPings) {
   const missing = overlay !== "none" && ping && !ping.tables[overlay];
   error.hidden = !missing;
   if (missing) {
-    const full = overlay === "shadow" || overlay === "multipath";
-    write(error, `The pings hold no ${overlay}: set ground_truth to ${full ? "full" : "labels or full"}.`);
+    const needs = kCalibrated.includes(overlay) ? "full" : "labels or full";
+    write(error, isThere(store, overlay) ? `The pings hold no ${overlay}: set ground_truth to ${needs}.` : `The pings hold no ${overlay}: it needs the calibrated model.`);
   }
   const entries = overlay === "none" || missing || !ping ? [] : (kFixedLegends[overlay] ?? labelEntries(store, tablesOf(store, ping, overlay, roundPings), overlay));
   legend.hidden = entries.length === 0;

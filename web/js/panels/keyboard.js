@@ -26,6 +26,7 @@ export function setUpKeyboard(flight, commands) {
   const isHeld = (code) => kHeld.some(([codes]) => codes.includes(code));
 
   window.addEventListener("keydown", (event) => {
+    if (event.altKey && event.code.startsWith("Arrow") && !isTyping(event) && !byId("help").open) passToView(event);
     if (isTyping(event) || event.ctrlKey || event.metaKey || event.altKey || byId("help").open) return;
     if (event.code.startsWith("Arrow") && event.target.closest?.("[role=tab], input[type=range]")) return;
     if (isHeld(event.code)) {
@@ -48,6 +49,16 @@ export function setUpKeyboard(flight, commands) {
   window.addEventListener("blur", () => held.clear());
   giveBackKeys();
   fillHelp(commands);
+}
+
+// Alt and an arrow act on picture or scene, whichever is large, also where neither has the focus. The browser would go back.
+function passToView(event) {
+  if (event.target.closest?.(".stage")) return;
+  event.preventDefault();
+  const large = document.querySelector('.view[data-place="main"] .stage[tabindex]') ?? byId("picture-stage");
+  large.focus({ preventScroll: true });
+  const { key, code, altKey, shiftKey } = event;
+  large.dispatchEvent(new KeyboardEvent("keydown", { key, code, altKey, shiftKey, cancelable: true }));
 }
 
 // A list that was chosen from with the mouse lets go of the keys, so that W A S D fly at once. With the keyboard one may

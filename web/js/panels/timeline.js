@@ -30,8 +30,9 @@ export function setUpTimeline(store, request) {
   store.on(["link", "hello"], () => {
     byId("back").disabled = slider.disabled = store.get("link").state !== "open" || !isRecording(store);
   });
-  store.on(["ping", "hello"], () => {
-    const time = store.get("ping")?.time;
+  // Where the playback is, not the last ping of the sonar that is watched: its recording may be the shorter one.
+  store.on(["status", "hello"], () => {
+    const time = store.get("status")?.time;
     if (!isRecording(store) || dragged || time === undefined) return;
     slider.value = time;
     tell(store, time);

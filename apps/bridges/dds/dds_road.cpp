@@ -1,0 +1,69 @@
+// dds_road.cpp -- makes a writer for each topic.
+
+#include "dds/dds_road.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "dds/dds_names.h"
+#include "dds/type_hash.h"
+
+namespace insonify {
+namespace {
+
+// How ROS 2 has these topics. A reader that asks for less, as one of sensor data does, is served too; one that asks for
+// more is not.
+DdsQos qos_of(const MessageChannel& channel, bool best_effort) {
+  constexpr int kKept = 10, kKeptTransforms = 100;
+  DdsQos qos(dds_create_qos());
+  const bool is_scenario = channel.kind == MessageKind::kScenario;
+  const bool is_transform = channel.kind == MessageKind::kTransforms;
+  const bool is_lossy = best_effort && !is_scenario && !is_transform;
+  dds_qset_reliability(qos.get(), is_lossy ? DDS_RELIABILITY_BEST_EFFORT : DDS_RELIABILITY_RELIABLE, DDS_MSECS(100));
+  dds_qset_durability(qos.get(), is_scenario ? DDS_DURABILITY_TRANSIENT_LOCAL : DDS_DURABILITY_VOLATILE);
+  dds_qset_history(qos.get(), DDS_HISTORY_KEEP_LAST, is_scenario ? 1 : is_transform ? kKeptTransforms : kKept);
+  return qos;
+}
+
+}  // namespace
+
+void DdsRoad::open(std::size_t sonar, const std::vector<MessageChannel>& channels) {
+  channels_.resize(std::max(channels_.size(), sonar + 1));
+  channels_[sonar].clear();
+  for (const MessageChannel& channel : channels) {
+    const std::string name = dds_topic_name(channel.topic);
+    auto found = writers_.find(name);
+    if (found == writers_.end()) {
+      RawTopic topic(participant_, name, dds_type_name(channel.type), nullptr);
+      const DdsQos qos = qos_of(channel, best_effort_);
+      tell_type_hash(qos.get(), dds_type_name(channel.type));
+      DdsEntity writer(dds_create_writer(participant_, topic.get(), qos.get(), nullptr),
+                       fmt::format("make a writer of {}", name));
+      found = writers_.emplace(name, Writer{channel.topic, std::move(topic), std::move(writer)}).first;
+    }
+    channels_[sonar].push_back(&found->second);
+  }
+}
+
+bool DdsRoad::is_read(std::size_t sonar, std::size_t channel) const {
+  dds_publication_matched_status_t status{};
+  return dds_get_publication_matched_status(writer(sonar, channel).writer.get(), &status) == DDS_RETCODE_OK &&
+         status.current_count > 0;
+}
+
+void DdsRoad::send(std::size_t sonar, std::size_t channel, std::uint64_t /*time_ns*/,
+                   const std::vector<std::byte>& message) {
+  const Writer& to = writer(sonar, channel);
+  check_dds(write_raw(to.writer.get(), to.topic, message, pace_), fmt::format("send a message of {}", to.name));
+}
+
+void DdsRoad::finish() {
+  const dds_time_t end = dds_time() + DDS_MSECS(300);
+  for (const auto& [name, each] : writers_) {
+    if (const dds_duration_t rest = end - dds_time(); rest > 0) {
+      (void)dds_wait_for_acks(each.writer.get(), rest);
+    }
+  }
+}
+
+}  // namespace insonify

@@ -1,0 +1,309 @@
+// gazebo_follower.cpp -- the thread that follows Gazebo.
+
+#include "gazebo/gazebo_follower.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <ignition/msgs/uint32_v.pb.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "gazebo/environment.h"
+#include "gazebo/gazebo_names.h"
+#include "insonify/error.h"
+#include "insonify/printable.h"
+
+namespace insonify {
+namespace {
+
+constexpr std::chrono::milliseconds kLook{300};       // Between looks at what is served.
+constexpr std::chrono::milliseconds kRequest{200};    // Between requests for the scene.
+constexpr std::chrono::milliseconds kSettling{1000};  // Until it is known whether Gazebo tells what is static.
+
+double seconds(const ignition::msgs::Time& time) {
+  return static_cast<double>(time.sec()) + 1e-9 * time.nsec();
+}
+
+}  // namespace
+
+GazeboFollower::GazeboFollower(FollowerOptions options, WorldParts parts, LiveLoop& loop, Log log)
+    : options_(std::move(options)), loop_(loop), log_(std::move(log)), keeper_(std::move(parts), options_.materials) {}
+
+void GazeboFollower::start() {
+  thread_ = std::thread([this] { follow(); });
+}
+
+void GazeboFollower::end() {
+  if (!thread_.joinable()) {
+    return;
+  }
+  for (const std::string& topic : node_.SubscribedTopics()) {
+    node_.Unsubscribe(topic);
+  }
+  {
+    const std::lock_guard lock(mutex_);
+    ending_ = true;
+  }
+  arrived_.notify_all();
+  thread_.join();
+}
+
+void GazeboFollower::follow() {
+  std::unique_lock lock(mutex_);
+  while (!ending_) {
+    arrived_.wait_for(lock, kLook / 2,
+                      [this] { return ending_ || !mail_.news.empty() || mail_.poses || mail_.dynamic_poses; });
+    if (ending_) {
+      return;
+    }
+    Mail mail = std::exchange(mail_, {});
+    lock.unlock();
+    try {
+      if (Clock::now() >= next_look_) {
+        if (look_for_server()) {
+          mail = {};  // Of the one before.
+        }
+        next_look_ = Clock::now() + kLook;
+      }
+      take(std::move(mail));
+      if (served_ && needs_scene_ && Clock::now() >= next_request_) {
+        read_scene();
+        next_request_ = Clock::now() + kRequest;
+      }
+      if (has_scene_) {
+        update_objects();
+        drive();
+      }
+    } catch (const std::exception& error) {
+      warn_once(error.what());
+    }
+    lock.lock();
+  }
+}
+
+void GazeboFollower::warn_once(const std::string& text) {
+  if (text != last_warning_) {
+    log_(Severity::kWarning, text);
+    last_warning_ = text;
+  }
+}
+
+// Finds the world to follow; notices that Gazebo ended.
+// @return  Whether it has begun, perhaps anew.
+bool GazeboFollower::look_for_server() {
+  std::vector<ServedWorld> worlds = server_.worlds();
+  std::vector<std::string> names;
+  for (const ServedWorld& world : worlds) {
+    names.push_back(printable(world.name));
+  }
+  const std::string& wanted = options_.world.empty() ? subscribed_ : options_.world;
+  if (!wanted.empty()) {
+    std::erase_if(worlds, [&](const ServedWorld& world) { return world.name != wanted; });
+  }
+  if (worlds.size() > 1) {
+    warn_once(fmt::format("Gazebo has several worlds: {}; choose one by --world", fmt::join(names, ", ")));
+    return false;
+  }
+  if (worlds.empty()) {
+    if (!std::exchange(told_waiting_, true)) {
+      const std::string partition = gazebo_partition();
+      log_(Severity::kWarning,
+           fmt::format("there is no Gazebo{}{}{}: waiting for it",
+                       wanted.empty() ? "" : " with the world " + printable(wanted),
+                       partition.empty() ? "" : " in the partition " + printable(partition),
+                       names.empty() ? "" : fmt::format(", but one with {}", fmt::join(names, ", "))));
+    }
+    served_.reset();
+    return false;
+  }
+  const ServedWorld& found = worlds.front();
+  if (served_ && served_->process == found.process) {
+    return false;
+  }
+  served_ = found;
+  told_waiting_ = false;
+  told_world_ = false;
+  needs_scene_ = true;
+  world_.clear();
+  has_scene_ = false;
+  settled_at_ = Clock::now() + kSettling;
+  seen_.clear();
+  last_warning_.clear();
+  newest_changes_ = false;
+  stamp_ = 0;
+  subscribe();
+  return true;
+}
+
+void GazeboFollower::subscribe() {
+  if (subscribed_ == served_->name) {
+    return;
+  }
+  subscribed_ = served_->name;
+  const WorldTopics topics(subscribed_);
+  using ignition::transport::MessageInfo;
+  const auto keep = [this](std::optional<std::string> Mail::*of) {
+    return [this, of](const char* bytes, std::size_t size, const MessageInfo&) {
+      const std::lock_guard lock(mutex_);
+      (mail_.*of).emplace(bytes, size);
+      arrived_.notify_all();
+    };
+  };
+  const auto queue = [this](bool is_deletion) {
+    return [this, is_deletion](const char* bytes, std::size_t size, const MessageInfo&) {
+      const std::lock_guard lock(mutex_);
+      mail_.news.push_back({is_deletion, std::string(bytes, size)});
+      arrived_.notify_all();
+    };
+  };
+  if (!node_.SubscribeRaw(topics.poses, keep(&Mail::poses)) ||
+      !node_.SubscribeRaw(topics.dynamic_poses, keep(&Mail::dynamic_poses)) ||
+      !node_.SubscribeRaw(topics.scene, queue(false)) || !node_.SubscribeRaw(topics.deletion, queue(true))) {
+    throw Error(fmt::format("the topics of the world {} cannot be subscribed to", printable(subscribed_)));
+  }
+}
+
+void GazeboFollower::read_scene() {
+  const std::optional<ignition::msgs::Scene> scene = server_.scene(*served_);
+  if (!scene) {
+    warn_once(
+        fmt::format("Gazebo does not answer with the scene of the world {}: asking again", printable(served_->name)));
+    return;
+  }
+  world_.set(*scene);
+  world_.accept();
+  needs_scene_ = false;
+  needs_update_ = true;
+  has_scene_ = true;
+}
+
+void GazeboFollower::take_poses(const std::string& bytes, bool dynamic) {
+  ignition::msgs::Pose_V poses;
+  if (!poses.ParseFromString(bytes)) {
+    throw Error(fmt::format("a message about poses of the world {} cannot be read", printable(subscribed_)));
+  }
+  world_.take(poses, dynamic);
+  stamp_ = std::max(newest_changes_ ? stamp_ : 0, seconds(poses.header().stamp()));
+  newest_changes_ = true;
+}
+
+void GazeboFollower::take(Mail mail) {
+  for (const Mail::News& news : mail.news) {
+    if (news.is_deletion) {
+      ignition::msgs::UInt32_V ids;
+      if (ids.ParseFromString(news.bytes)) {
+        world_.remove(std::vector<Id>(ids.data().begin(), ids.data().end()));
+      }
+    } else if (ignition::msgs::Scene scene; has_scene_ && scene.ParseFromString(news.bytes)) {
+      world_.add(scene);
+    }
+    needs_update_ = true;
+  }
+  if (mail.poses) {
+    take_poses(*mail.poses, false);
+    needs_scene_ = needs_scene_ || world_.is_outdated();
+  }
+  if (mail.dynamic_poses) {
+    take_poses(*mail.dynamic_poses, true);
+  }
+  needs_update_ = needs_update_ || newest_changes_;
+}
+
+// Null where nothing carries it.
+const Carrier* GazeboFollower::carrier_of(const SonarConfig& sonar) const {
+  for (const std::string& name : {sonar.name, std::string()}) {
+    if (const auto found = options_.carriers.find(name); found != options_.carriers.end()) {
+      return &found->second;
+    }
+  }
+  return nullptr;
+}
+
+std::set<GazeboFollower::Id> GazeboFollower::carriers() const {
+  std::set<Id> ids;
+  for (const SonarConfig& sonar : loop_.world()->scenario.sonars) {
+    const Carrier* carrier = carrier_of(sonar);
+    if (const std::optional<Id> id = carrier == nullptr ? std::nullopt : world_.find(carrier->name)) {
+      ids.insert(*id);
+    }
+  }
+  return ids;
+}
+
+void GazeboFollower::update_objects() {
+  if (!needs_update_ || (!world_.knows_dynamic() && Clock::now() < settled_at_)) {
+    return;
+  }
+  needs_update_ = false;
+  const std::string name = fmt::format("the world {}", printable(served_ ? served_->name : subscribed_));
+  const SceneKeeper::Change change = keeper_.update(world_, carriers(), name, loop_, log_);
+  if (!std::exchange(told_world_, true)) {
+    log_(Severity::kInfo, fmt::format("following {}: {} visuals, {} of them in models that move", name,
+                                      keeper_.object_count(), keeper_.moving_count()));
+    keeper_.report_unused_patterns(name);
+  } else if (change.added + change.removed > 0) {
+    log_(Severity::kInfo, fmt::format("{}: {} visuals added, {} removed", name, change.added, change.removed));
+  }
+}
+
+// Velocities follow from two poses.
+Twist GazeboFollower::twist_of(const std::string& sonar, const Pose& pose) {
+  constexpr double kLongest = 0.5;  // Between poses that a velocity follows from [s].
+  Seen& seen = seen_[sonar];
+  const double passed = stamp_ - seen.stamp;
+  if (passed > 0 || passed < -kLongest) {
+    seen.twist = {};
+    if (passed > 0 && passed <= kLongest) {
+      const Eigen::AngleAxisd turn(pose.orientation * seen.pose.orientation.conjugate());
+      seen.twist = {.linear = (pose.position - seen.pose.position) / passed,
+                    .angular = turn.axis() * (turn.angle() / passed)};
+    }
+    seen.pose = pose;
+    seen.stamp = stamp_;
+  }
+  return seen.twist;
+}
+
+// Where the sonars' carriers are; empty where one is not in the world.
+std::optional<std::vector<CarriedSonar>> GazeboFollower::carried_sonars() {
+  std::vector<CarriedSonar> carried;
+  const std::shared_ptr<const LiveWorld> live = loop_.world();
+  for (const SonarConfig& sonar : live->scenario.sonars) {
+    const Carrier* carrier = carrier_of(sonar);
+    if (carrier == nullptr) {
+      carried.push_back({.sonar = sonar.name, .world_from_carrier = live->trajectory.at(stamp_)});
+      continue;
+    }
+    const std::optional<Id> id = world_.find(carrier->name);
+    if (!id) {
+      warn_once(fmt::format("no ping: {}, which carries {}, is not in the world; its models are {}",
+                            printable(carrier->name), printable(sonar.name), world_.model_names()));
+      return std::nullopt;
+    }
+    const Pose pose = world_.world_from(*id) * carrier->carrier_from_vehicle;
+    const Twist twist = live->scenario.motion_in_ping ? twist_of(sonar.name, pose) : Twist();
+    carried.push_back({.sonar = sonar.name, .world_from_carrier = pose, .twist = twist});
+  }
+  return carried;
+}
+
+// A pose that came before a time counts for the pings of that time, so the time is told last.
+void GazeboFollower::drive() {
+  if (!told_world_ || !std::exchange(newest_changes_, false)) {
+    return;
+  }
+  if (std::optional<std::vector<CarriedSonar>> carried = carried_sonars()) {
+    LiveDrive drive{.world_from_vehicle = carried->front().world_from_carrier,
+                    .twist = carried->front().twist,
+                    .moved = keeper_.moved(world_),
+                    .stamp = stamp_,
+                    .carried = std::move(*carried)};
+    loop_.drive(std::move(drive));
+    if (options_.clock) {
+      loop_.advance(stamp_);
+    }
+  }
+}
+
+}  // namespace insonify

@@ -1,0 +1,47 @@
+// gazebo_server.cpp -- services of either generation of Gazebo.
+
+#include "gazebo/gazebo_server.h"
+
+#include <gz_types.pb.h>
+#include <ignition/msgs/empty.pb.h>
+
+#include <algorithm>
+
+#include "gazebo/gazebo_names.h"
+
+namespace insonify {
+
+std::vector<ServedWorld> GazeboServer::worlds() const {
+  std::vector<std::string> services;
+  node_.ServiceList(services);
+  std::ranges::sort(services);
+  std::vector<ServedWorld> worlds;
+  for (const std::string& service : services) {
+    std::vector<ignition::transport::ServicePublisher> publishers;
+    const std::optional<std::string> name = world_of_service(service);
+    if (name && node_.ServiceInfo(service, publishers) && !publishers.empty()) {
+      const auto& last = publishers.back();  // Of two the older may be one that died.
+      worlds.push_back({*name, last.PUuid(), last.RepTypeName().starts_with("gz.")});
+    }
+  }
+  return worlds;
+}
+
+std::optional<ignition::msgs::Scene> GazeboServer::scene(const ServedWorld& world) {
+  constexpr unsigned kTimeout = 500;  // [ms]
+  const std::string service = WorldTopics(world.name).scene;
+  bool done = false;
+  ignition::msgs::Scene scene;
+  if (!world.newer) {
+    return node_.Request(service, ignition::msgs::Empty(), kTimeout, scene, done) && done ? std::optional(scene)
+                                                                                          : std::nullopt;
+  }
+  gz::msgs::Scene bytes;
+  if (node_.Request(service, gz::msgs::Empty(), kTimeout, bytes, done) && done &&
+      scene.ParseFromString(bytes.SerializeAsString())) {
+    return scene;
+  }
+  return std::nullopt;
+}
+
+}  // namespace insonify

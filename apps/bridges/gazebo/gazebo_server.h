@@ -1,0 +1,35 @@
+// gazebo_server.h -- finds a running Gazebo and asks it for its scene.
+
+#pragma once
+
+#include <ignition/msgs/scene.pb.h>
+
+#include <ignition/transport/Node.hh>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace insonify {
+
+/// A world that Gazebo serves.
+struct ServedWorld {
+  std::string name;
+  std::string process;  ///< Differs after each start of Gazebo.
+  bool newer = false;   ///< Whether its types are called gz.msgs.
+};
+
+class GazeboServer {
+ public:
+  explicit GazeboServer(ignition::transport::Node& node) : node_(node) {}
+
+  /// Worlds that are served now, in alphabetical order.
+  [[nodiscard]] std::vector<ServedWorld> worlds() const;
+
+  /// The scene of a world, within half a second.
+  [[nodiscard]] std::optional<ignition::msgs::Scene> scene(const ServedWorld& world);
+
+ private:
+  ignition::transport::Node& node_;
+};
+
+}  // namespace insonify

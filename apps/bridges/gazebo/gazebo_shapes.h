@@ -1,0 +1,22 @@
+// gazebo_shapes.h -- the shapes of Gazebo's visuals as ours.
+
+#pragma once
+
+#include <ignition/msgs/geometry.pb.h>
+#include <ignition/msgs/pose.pb.h>
+
+#include <string>
+#include <variant>
+
+#include "insonify/geometry.h"
+#include "insonify/world_parts.h"
+
+namespace insonify {
+
+/// @return  The shape, or why there is none: "it has no shape".
+[[nodiscard]] std::variant<Shape, std::string> shape_of(const ignition::msgs::Geometry& geometry);
+
+/// An orientation of norm 0, as a message has that was never filled, is taken for none.
+[[nodiscard]] Pose pose_of(const ignition::msgs::Pose& pose);
+
+}  // namespace insonify

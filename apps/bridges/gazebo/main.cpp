@@ -1,0 +1,103 @@
+// main.cpp -- insonify-bridge-gazebo: sonars in a running Gazebo, their pictures on its topics.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <string>
+
+#include "console/console.h"
+#include "console/outcome.h"
+#include "console/stop.h"
+#include "gazebo/environment.h"
+#include "gazebo/gazebo_follower.h"
+#include "gazebo/gazebo_road.h"
+#include "insonify/files.h"
+#include "road/bridge_program.h"
+#include "road/road_loop.h"
+
+namespace insonify {
+namespace {
+
+// Materials that the SDF file of a scenario gives visuals: Gazebo does not pass them on.
+std::map<std::string, std::string> materials_of(const Scenario& scenario, const Log& log) {
+  std::map<std::string, std::string> materials;
+  if (scenario.world.empty()) {
+    return materials;
+  }
+  try {
+    for (const Instance& instance : load_scene(scenario.world, world_options(scenario)).instances) {
+      if (!instance.user_material.empty()) {
+        materials[instance.name] = instance.user_material;
+      }
+    }
+  } catch (const Error& error) {
+    log(Severity::kWarning, fmt::format("materials are not read from the world's file: {}", error.what()));
+  }
+  return materials;
+}
+
+// What carries the sonars: what the options say before what the world's file does.
+std::map<std::string, Carrier> carriers_of(const BridgeRequest& request, const Scenario& scenario) {
+  std::map<std::string, Carrier> carriers;
+  for (const SonarCarrier& found : load_sonar_carriers(scenario)) {
+    carriers[found.sonar] = {.name = found.carrier, .carrier_from_vehicle = found.carrier_from_vehicle};
+  }
+  for (const std::string& vehicle : request.vehicles) {
+    const std::size_t mark = vehicle.find('=');
+    const std::string sonar = mark == std::string::npos ? "" : vehicle.substr(0, mark);
+    if (!sonar.empty() && std::ranges::find(scenario.sonars, sonar, &SonarConfig::name) == scenario.sonars.end()) {
+      throw InputError(fmt::format("--vehicle {}: there is no sonar {}", vehicle, sonar));
+    }
+    carriers[sonar] = {.name = vehicle.substr(mark == std::string::npos ? 0 : mark + 1), .carrier_from_vehicle = {}};
+  }
+  return carriers;
+}
+
+int run(const BridgeRequest& request) {
+  end_when_asked();
+  take_gz_environment();
+  const bool quiet = request.bridge.quiet;
+  const Log log = [quiet](Severity severity, const std::string& text) {
+    if (severity == Severity::kWarning) {
+      complain(text);
+    } else if (!quiet) {
+      say("{}\n", text);
+      flush_output();
+    }
+  };
+  BridgeOptions options = request.bridge;
+  options.live.driven = true;
+  options.live.followed = true;
+  options.live.clocked = request.clock != "wall";
+  GazeboRoad road;
+  Bridge bridge(options, road, MessageForm::kGazebo);
+  note_when_asked();
+  RoadLoop loop(bridge.report());
+  const Scenario scenario = load_scenario(options.scenario, options.settings);
+  bridge.start();
+  GazeboFollower follower(
+      {.world = request.world,
+       .carriers = carriers_of(request, scenario),
+       .clock = options.live.clocked,
+       .materials = materials_of(scenario, log)},
+      WorldParts(scenario.world.empty() ? scenario.file : scenario.world, world_options(scenario), log), bridge.loop(),
+      log);
+  follower.start();
+  loop.run();
+  follower.end();
+  bridge.end();
+  if (!quiet) {
+    say("{}\n", bridge.report().text());
+  }
+  return kDone;
+}
+
+}  // namespace
+}  // namespace insonify
+
+int main(int argc, char** argv) {
+  return insonify::run_bridge("gazebo", argc, argv, [](const insonify::BridgeRequest& request, int&, char**) {
+    return insonify::run(request);
+  });
+}

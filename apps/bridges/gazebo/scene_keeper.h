@@ -1,0 +1,66 @@
+// scene_keeper.h -- keeps the objects of a LiveLoop as a Gazebo world has them.
+
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "gazebo/gazebo_world.h"
+#include "insonify/live_loop.h"
+#include "insonify/world_parts.h"
+
+namespace insonify {
+
+class SceneKeeper {
+ public:
+  using Id = GazeboWorld::Id;
+
+  /// @param materials  Acoustic materials of visuals, by their full names.
+  SceneKeeper(WorldParts parts, std::map<std::string, std::string> materials)
+      : parts_(std::move(parts)), materials_(std::move(materials)) {}
+
+  /// How many objects changed.
+  struct Change {
+    std::size_t removed = 0, added = 0;
+  };
+
+  /// Adds visuals that are new, removes those that are gone, and makes those movable that stand elsewhere than before.
+  /// @param left_out  What carries a sonar: visuals in it are left out.
+  /// @param name      Of the world, for messages.
+  /// @throws Error with WorldOptions::strict for a visual that cannot be made.
+  Change update(const GazeboWorld& world, const std::set<Id>& left_out, const std::string& name, LiveLoop& loop,
+                const Log& log);
+
+  /// Where all objects are that move.
+  [[nodiscard]] std::vector<MovedObject> moved(const GazeboWorld& world) const;
+
+  [[nodiscard]] std::size_t object_count() const;
+  [[nodiscard]] std::size_t moving_count() const;
+  void report_unused_patterns(const std::string& name) const { parts_.report_unused_patterns(name); }
+
+ private:
+  struct Kept {
+    GazeboVisual visual;
+    std::string name;
+    Pose world_from_part;  // When it was added.
+    Pose part_from_mesh;
+    bool moving = false;
+    bool made = false;  // Else it cannot be, or is not to be.
+  };
+
+  [[nodiscard]] bool is_as_before(const GazeboWorld& world, Id id, const GazeboWorld::Entity& entity, const Kept& kept,
+                                  bool is_left_out);
+  [[nodiscard]] std::string material_of(const std::string& name) const;
+
+  WorldParts parts_;
+  std::map<std::string, std::string> materials_;
+  std::map<Id, Kept> kept_;
+  std::set<Id> restless_;  // Static ones that moved.
+  std::set<std::string> told_;
+};
+
+}  // namespace insonify

@@ -1,0 +1,119 @@
+// main.cpp -- insonify-bridge-ros1: a scenario's pings as topics of ROS 1.
+
+#include <fmt/format.h>
+#include <ros/init.h>
+#include <ros/param.h>
+#include <ros/this_node.h>
+
+#include <chrono>
+#include <filesystem>
+#include <string>
+#include <thread>
+
+#include "console/console.h"
+#include "console/outcome.h"
+#include "console/stop.h"
+#include "insonify/messages.h"
+#include "insonify/printable.h"
+#include "road/bridge_program.h"
+#include "road/road_loop.h"
+#include "ros1/end_guard.h"
+#include "ros1/ros_inputs.h"
+#include "ros1/ros_master.h"
+#include "ros1/ros_parameters.h"
+#include "ros1/ros_road.h"
+#include "ros1/ros_settings.h"
+#include "ros1/ros_topics.h"
+#include "ros1/ros_watch.h"
+
+namespace insonify {
+namespace {
+
+// Tells mistakes in the scenario before there is a roscore. What can be read once only is left for later.
+void check_scenario(const BridgeOptions& options) {
+  if (std::filesystem::is_regular_file(options.scenario)) {
+    (void)scenario_of(options);
+  }
+}
+
+// --clock, or else what all nodes go by.
+bool is_simulated(const std::string& clock) {
+  bool use_sim_time = false;
+  ros::param::get("/use_sim_time", use_sim_time);
+  return clock.empty() ? use_sim_time : clock == "simulated";
+}
+
+// With the frame of a sonar as the vehicle's, the node would follow what it publishes itself.
+void check_frame(const std::string& vehicle, const LiveWorld& world) {
+  for (const SonarConfig& sonar : world.sonars) {
+    const std::string name = message_source(world.scenario, sonar).name;
+    if (bare_frame(vehicle) == name || bare_frame(vehicle) == name + "_beams") {
+      throw InputError(
+          fmt::format("--tf {}: this frame is published by the node itself, as that of sonar {}; name the "
+                      "vehicle's, or set the parameter publish_tf to false",
+                      printable(vehicle), printable(sonar.name)));
+    }
+  }
+}
+
+int run(const BridgeRequest& given, int& argc, char** argv) {
+  end_when_asked();
+  check_scenario(given.bridge);
+  const RosMaster master(ros_master_uri(argc, argv));
+  const int pid = master.wait();
+  ros::init(argc, argv, "insonify", ros::init_options::NoSigintHandler);
+  ros::start();
+  const RosParameters parameters = with_parameters({argv + 1, argv + argc});
+  const BridgeRequest& request = parameters.request;
+  BridgeOptions options = request.bridge;
+  options.messages.raw = true;
+  options.live.driven = !request.odometry.empty() || !request.tf.empty();
+  options.live.clocked = is_simulated(request.clock);
+
+  RosRoad road(parameters.transforms);
+  Bridge bridge(options, road, MessageForm::kRos1);
+  RosInputs inputs({.odometry = request.odometry,
+                    .tf = request.tf,
+                    .world_frame = options.messages.world_frame,
+                    .clock = options.live.clocked},
+                   bridge.loop());
+  bridge.start();
+  if (parameters.transforms && !request.tf.empty()) {
+    check_frame(request.tf, *bridge.loop().world());
+  }
+  RosSettings settings(bridge);
+  inputs.start();
+  note_when_asked();
+  RoadLoop loop(bridge.report());
+  RosWatch watch(master, pid, settings.services(), [&loop] { loop.context().stop(); });
+  if (!options.quiet) {
+    say("node {} of ROS 1, roscore at {}\n", ros::this_node::getName(), master.uri());
+    flush_output();
+  }
+  loop.run();
+  const auto report = [&options, &bridge] {
+    if (!options.quiet) {
+      say("{}\n", bridge.report().text());
+      flush_output();
+    }
+  };
+  EndGuard guard(report);
+  bridge.end();
+  report();
+  guard.said();
+  watch.end();
+  settings.end();
+  inputs.end();
+  ros::shutdown();
+  while (ros::ok()) {  // ROS is ending the node in a thread of its own.
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+  return kDone;
+}
+
+}  // namespace
+}  // namespace insonify
+
+int main(int argc, char** argv) {
+  return insonify::run_bridge("ros1", argc, argv, insonify::run);
+}

@@ -1,0 +1,114 @@
+// ros_inputs.cpp -- takes poses from nav_msgs/Odometry or tf, and time from /clock.
+
+#include "ros1/ros_inputs.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "console/console.h"
+#include "insonify/error.h"
+#include "insonify/printable.h"
+
+namespace insonify {
+namespace {
+
+// Programs that keep orientations in single precision, or add small turns up, let their norm drift: so far they are
+// taken for what is meant.
+Eigen::Quaterniond without_drift(const Eigen::Quaterniond& given) {
+  constexpr double kDrift = 0.01;
+  return std::abs(given.norm() - 1) < kDrift ? given.normalized() : given;
+}
+
+double unix_time() {
+  return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
+}
+
+}  // namespace
+
+RosInputs::RosInputs(const RosInputOptions& options, LiveLoop& loop) : options_(options), loop_(loop) {
+  options_.world_frame = bare_frame(options_.world_frame);
+}
+
+void RosInputs::start() {
+  const auto drive_to = [this](const RosPlace& place) { drive(place); };
+  if (!options_.odometry.empty()) {
+    const auto take = [this](const RosPlace& place) { take_odometry(place); };
+    missed_.push_back({subscribe_odometry(node_, options_.odometry, take), "nav_msgs/Odometry"});
+  }
+  if (!options_.tf.empty()) {
+    frames_ = std::make_unique<RosFrames>(node_, options_.world_frame, options_.tf, drive_to);
+    missed_.push_back({frames_->subscriber(), "tf2_msgs/TFMessage"});
+  }
+  if (options_.clock) {
+    missed_.push_back(
+        {subscribe_clock(node_, "/clock", [this](double time) { take_time(time); }), "rosgraph_msgs/Clock"});
+  }
+  look_ = node_.createWallTimer(ros::WallDuration(0.5), [this](const ros::WallTimerEvent&) { look_for_publishers(); });
+  begin_ = Clock::now();
+  spinner_.start();
+}
+
+void RosInputs::end() {
+  spinner_.stop();
+}
+
+void RosInputs::take_odometry(const RosPlace& place) {
+  if (!place.frame.empty() && place.frame != options_.world_frame && !told_frame_) {
+    complain(fmt::format(
+        "{}: its poses are in the frame {}; they are taken for poses in the world's, {} "
+        "(--world-frame {} names it so)",
+        options_.odometry, printable(place.frame), printable(options_.world_frame), printable(place.frame)));
+    told_frame_ = true;
+  }
+  drive(place);
+}
+
+void RosInputs::take_time(double time) {
+  if (time_ && time < *time_ && frames_) {  // A simulation or a recording begins again.
+    frames_->clear();
+  }
+  time_ = time;
+  loop_.advance(time);
+}
+
+void RosInputs::drive(const RosPlace& place) {
+  const Pose pose{place.position, without_drift(place.orientation)};
+  std::string refusal;
+  try {
+    // A message without a stamp is of now; simulated time begins at 0.
+    loop_.drive({.world_from_vehicle = pose,
+                 .twist = {pose.orientation * place.linear, pose.orientation * place.angular},
+                 .stamp = place.stamp != 0 || options_.clock ? place.stamp : unix_time()});
+  } catch (const Error& error) {
+    refusal = fmt::format("{}: {}", frames_ ? "/tf" : options_.odometry, error.what());
+  }
+  if (!refusal.empty() && refusal_.empty()) {  // Once, and not with each message.
+    complain(refusal);
+  }
+  refusal_ = refusal;
+}
+
+// Says who is missing, after a time in which those who are there have been found, and when they have come.
+void RosInputs::look_for_publishers() {
+  const bool patient = Clock::now() - begin_ < std::chrono::seconds(3);
+  for (Missed& each : missed_) {
+    const bool there = each.subscriber.getNumPublishers() > 0;
+    if (!there && !each.told && (each.seen || !patient)) {
+      complain(fmt::format("{}: nobody publishes {} to it{}", each.subscriber.getTopic(), each.type,
+                           each.seen ? " any more" : ""));
+      each.told = true;
+    } else if (there && each.told) {
+      complain(fmt::format("{}: is published now", each.subscriber.getTopic()));
+      each.told = false;
+    }
+    each.seen = each.seen || there;
+  }
+  if (frames_ && !patient && !told_dead_end_ && !frames_->dead_end().empty()) {
+    complain(fmt::format("/tf: leads from {} up to {}, not to {}", printable(options_.tf),
+                         printable(frames_->dead_end()), printable(options_.world_frame)));
+    told_dead_end_ = true;
+  }
+}
+
+}  // namespace insonify

@@ -1,0 +1,43 @@
+// ros_reconfigure.h -- a server of dynamic_reconfigure for numbers. As ros_topics.h, for C++17 and C++20.
+
+#pragma once
+
+#include <ros/node_handle.h>
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace insonify {
+
+/// One parameter, as rqt_reconfigure shows it.
+struct RosSetting {
+  std::string name, description;
+  double value = 0;
+  double least = 0, most = 0;  ///< Of the slider.
+};
+
+/// Serves ~set_parameters, and publishes ~parameter_descriptions and ~parameter_updates.
+class RosReconfigure {
+ public:
+  using Read = std::function<std::vector<RosSetting>()>;
+  using Set = std::function<void(const std::string& name, double value)>;
+
+  /// @param node  Its namespace holds them; requests are handled by its callback queue.
+  /// @param read  The settings as they are now.
+  /// @param set   Changes one; what it throws goes back to who asked.
+  RosReconfigure(ros::NodeHandle& node, Read read, Set set);
+  ~RosReconfigure();
+  RosReconfigure(const RosReconfigure&) = delete;
+  RosReconfigure& operator=(const RosReconfigure&) = delete;
+
+  /// Name of the service.
+  [[nodiscard]] std::string service() const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace insonify

@@ -1,0 +1,87 @@
+// ros_road.cpp -- makes a publisher for each topic; messages go out as the bytes that they are.
+
+#include "ros1/ros_road.h"
+
+#include <ros/serialization.h>
+#include <ros/this_node.h>
+
+#include <algorithm>
+#include <string_view>
+
+namespace insonify {
+namespace {
+
+const char* name_of(MessageKind kind) {
+  switch (kind) {
+    case MessageKind::kSonarImage:
+      return "image";
+    case MessageKind::kFan:
+      return "fan";
+    case MessageKind::kPoints:
+      return "points";
+    case MessageKind::kPose:
+      return "pose";
+    case MessageKind::kTransforms:
+      return "tf";
+    case MessageKind::kScenario:
+      return "scenario";
+    case MessageKind::kRaw:
+      return "raw";
+  }
+  return "";
+}
+
+// "/fls/fan" is of the sonar fls.
+std::string_view sonar_of(std::string_view topic) {
+  return topic.substr(1, topic.find('/', 1) - 1);
+}
+
+}  // namespace
+
+// Absolute: the name of a sonar may begin with "_", as no relative name may.
+std::string RosRoad::topic_name(const MessageChannel& channel) const {
+  if (channel.kind == MessageKind::kTransforms) {
+    return "/tf";
+  }
+  const bool below_sonar = several_ && channel.kind != MessageKind::kScenario;
+  return ros::this_node::getName() + "/" + (below_sonar ? std::string(sonar_of(channel.topic)) + "/" : "") +
+         name_of(channel.kind);
+}
+
+void RosRoad::open(std::size_t sonar, const std::vector<MessageChannel>& channels) {
+  constexpr int kKept = 4, kKeptTransforms = 100;  // Messages that wait for a reader that is slow.
+  channels_.resize(std::max(channels_.size(), sonar + 1));
+  channels_[sonar].clear();
+  for (const MessageChannel& channel : channels) {
+    if (channel.kind == MessageKind::kTransforms && !transforms_) {
+      channels_[sonar].push_back(nullptr);
+      continue;
+    }
+    const std::string name = topic_name(channel);
+    Topic& topic = topics_[name];
+    if (!topic.publisher) {
+      topic.message.morph(channel.md5, channel.type, channel.definition, "");
+      topic.publisher =
+          topic.message.advertise(node_, name, channel.kind == MessageKind::kTransforms ? kKeptTransforms : kKept,
+                                  channel.kind == MessageKind::kScenario);
+    }
+    channels_[sonar].push_back(&topic);
+  }
+}
+
+bool RosRoad::is_read(std::size_t sonar, std::size_t channel) const {
+  const Topic* topic = channels_.at(sonar).at(channel);
+  return topic != nullptr && topic->publisher.getNumSubscribers() > 0;
+}
+
+void RosRoad::send(std::size_t sonar, std::size_t channel, std::uint64_t /*time_ns*/,
+                   const std::vector<std::byte>& message) {
+  Topic* topic = channels_.at(sonar).at(channel);
+  // The stream reads only.
+  auto* bytes = reinterpret_cast<std::uint8_t*>(const_cast<std::byte*>(message.data()));
+  ros::serialization::IStream stream(bytes, static_cast<std::uint32_t>(message.size()));
+  topic->message.read(stream);
+  topic->publisher.publish(topic->message);
+}
+
+}  // namespace insonify

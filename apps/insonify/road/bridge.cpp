@@ -1,0 +1,200 @@
+// bridge.cpp -- a queue of pings that never grows, and the messages of each.
+
+#include "road/bridge.h"
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+#include "console/console.h"
+#include "console/outcome.h"
+
+namespace insonify {
+namespace {
+
+double unix_time() {
+  return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
+}
+
+// The same moment by the clock of the report.
+WallClock::time_point wall_time(double unix) {
+  return WallClock::now() -
+         std::chrono::duration_cast<WallClock::duration>(std::chrono::duration<double>(unix_time() - unix));
+}
+
+}  // namespace
+
+Bridge::Bridge(const BridgeOptions& options, Road& road, MessageForm form)
+    : options_(options), road_(road), form_(form) {
+  const Log log = [quiet = options.quiet](Severity severity, const std::string& message) {
+    if (severity == Severity::kWarning) {
+      complain("warning: " + message);
+    } else if (!quiet) {
+      say("{}\n", message);
+    }
+  };
+  try {
+    options_.messages.validate();
+    loop_ = std::make_unique<LiveLoop>(options.scenario, options.settings, options.live, log);
+  } catch (const Error& error) {
+    throw InputError(error.what());
+  }
+}
+
+Bridge::~Bridge() {
+  try {
+    end();
+  } catch (const Error&) {
+    return;  // As the destructor of a LiveLoop.
+  }
+}
+
+void Bridge::start() {
+  translating_ = std::thread([this] { translate(); });
+  loop_->start(*this);
+}
+
+void Bridge::end() {
+  if (!translating_.joinable()) {
+    return;
+  }
+  {
+    const std::lock_guard lock(mutex_);
+    ending_ = true;
+  }
+  changed_.notify_all();
+  loop_->end();
+  translating_.join();
+}
+
+void Bridge::set_gain(std::size_t sonar, double gain_db) {
+  const std::lock_guard lock(mutex_);
+  gains_db_[sonar] = gain_db;
+  gains_changed_ = true;
+}
+
+void Bridge::on_ping(const std::shared_ptr<const LivePing>& ping) {
+  const std::lock_guard lock(mutex_);
+  if (waiting_.size() == kMostWaiting) {
+    waiting_.pop_front();
+    ++dropped_;
+  }
+  waiting_.push_back(ping);
+  changed_.notify_all();
+}
+
+void Bridge::on_world(const std::shared_ptr<const LiveWorld>& world) {
+  const std::lock_guard lock(mutex_);
+  opened_ = world;
+  changed_.notify_all();
+}
+
+void Bridge::on_note(const std::string& text) {
+  complain(text);
+}
+
+// A framework that fails fails at every ping: each reason is told once, until another one.
+void Bridge::complain_once(const std::string& problem) {
+  if (problem != last_problem_) {
+    complain(problem);
+    last_problem_ = problem;
+  }
+}
+
+void Bridge::translate() {
+  std::unique_lock lock(mutex_);
+  while (true) {
+    changed_.wait(lock, [this] { return ending_ || opened_ || !waiting_.empty(); });
+    for (; dropped_ > 0; --dropped_) {
+      report_.note_drop();
+    }
+    if (ending_) {
+      return;
+    }
+    std::shared_ptr<const LivePing> ping;
+    std::shared_ptr<const LiveWorld> world;
+    if (waiting_.empty()) {
+      world = std::move(opened_);
+      opened_.reset();
+    } else {
+      ping = std::move(waiting_.front());
+      waiting_.pop_front();
+    }
+    if (gains_changed_) {
+      gains_changed_ = false;
+      applied_gains_db_ = gains_db_;
+      world_.reset();
+    }
+    lock.unlock();
+    try {
+      if (ping) {
+        send(*ping);
+      } else if (!world_ || world_->change < world->change) {
+        open(*world);
+        world_ = world;
+        tell_scenario(static_cast<std::uint64_t>(unix_time() * 1e9));
+      }
+    } catch (const std::exception& error) {
+      complain_once(error.what());
+    }
+    lock.lock();
+  }
+}
+
+MessageOptions Bridge::options_of(const MessageSource& source, std::size_t sonar) const {
+  MessageOptions options = options_.messages;
+  const auto gain = applied_gains_db_.find(sonar);
+  const MessageLevels levels = SonarMessages(source, options, form_).levels();
+  if (gain != applied_gains_db_.end() && levels.decibels) {
+    options.low_db = levels.low_db - gain->second;
+    options.high_db = levels.high_db - gain->second;
+  }
+  return options;
+}
+
+void Bridge::open(const LiveWorld& world) {
+  told_scenario_ = false;
+  messages_.clear();
+  road_.begin(world);
+  for (const SonarConfig& sonar : world.sonars) {
+    const MessageSource source = message_source(world.scenario, sonar);
+    messages_.emplace_back(source, options_of(source, messages_.size()), form_);
+    road_.open(messages_.size() - 1, messages_.back().channels());
+  }
+}
+
+void Bridge::tell_scenario(std::uint64_t time_ns) {
+  const std::vector<MessageChannel>& channels = messages_.front().channels();
+  for (std::size_t channel = 0; channel < channels.size() && !told_scenario_; ++channel) {
+    if (channels[channel].kind == MessageKind::kScenario) {
+      road_.send(0, channel, time_ns, messages_.front().encode(channel));
+      told_scenario_ = true;
+    }
+  }
+}
+
+// A message is stamped with the time of the pose that its ping was made from. Further pings from the same pose are
+// later by the time between them. Along the scenario's own trajectory the stamp is the clock's at transmission.
+void Bridge::send(const LivePing& live) {
+  if (!world_ || live.world->change != world_->change) {
+    open(*live.world);
+    world_ = live.world;
+  }
+  const auto sonar = static_cast<std::size_t>(live.sonar);
+  SonarMessages& messages = messages_[sonar];
+  const double transmitted = live.made_at - live.computing_time;
+  const bool told = live.told_at > 0;
+  const bool new_pose = told && std::exchange(told_at_[live.sonar], live.told_at) != live.told_at;
+  const double by_clock =
+      options_.live.clocked ? std::max(live.clock, live.stamp) : transmitted + (told ? live.stamp - live.told_at : 0);
+  messages.take(live.ping, new_pose ? live.stamp : by_clock);
+  tell_scenario(messages.time_ns());
+  for (std::size_t channel = 0; channel < messages.channels().size(); ++channel) {
+    if (messages.channels()[channel].kind != MessageKind::kScenario && road_.is_read(sonar, channel)) {
+      road_.send(sonar, channel, messages.time_ns(), messages.encode(channel));
+    }
+  }
+  report_.note(wall_time(new_pose ? live.told_at : transmitted), live.computing_time);
+}
+
+}  // namespace insonify

@@ -1,0 +1,41 @@
+// road_report.h -- counts the pings that go out to other programs, with their rate and latency.
+
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <mutex>
+#include <string>
+
+namespace insonify {
+
+using WallClock = std::chrono::steady_clock;
+
+/// A time span on the wall clock, cut to whole ticks of it.
+/// @param seconds  [s]
+[[nodiscard]] inline WallClock::duration wall_clock_duration(double seconds) {
+  return std::chrono::duration_cast<WallClock::duration>(std::chrono::duration<double>(seconds));
+}
+
+/// May be used by several threads.
+class RoadReport {
+ public:
+  /// Notes a ping whose message has just been sent.
+  /// @param transmitted  When it was transmitted: the time of the pose that it was made from.
+  /// @param computing    Time that the simulation took [s].
+  void note(WallClock::time_point transmitted, double computing);
+
+  void note_refusal();
+  void note_drop();
+
+  /// "421 pings in 21.1 s (20.0 Hz); 12.1 ms from transmission to message (19.3 at most), 8.0 of them computing"
+  [[nodiscard]] std::string text() const;
+
+ private:
+  mutable std::mutex mutex_;
+  WallClock::time_point start_ = WallClock::now(), first_, last_;
+  std::uint64_t pings_ = 0, refusals_ = 0, drops_ = 0;
+  double latency_ = 0, longest_ = 0, computing_ = 0;  // Sums and maximum [s].
+};
+
+}  // namespace insonify

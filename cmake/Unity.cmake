@@ -1,0 +1,25 @@
+# With CMAKE_UNITY_BUILD, as the preset `release` has it, the files of one folder are compiled as one: headers are parsed, and
+# templates instantiated, once for all of them, which halves the time of a build. Names of a file's own (in anonymous
+# namespaces) must therefore be unique within a folder; the other presets compile file by file.
+# insonify_unity(TARGET [EXCEPT REGEX]): files whose paths match REGEX are compiled one by one.
+function(insonify_unity target)
+  if(NOT CMAKE_UNITY_BUILD)
+    return()
+  endif()
+  cmake_parse_arguments(PARSE_ARGV 1 given "" EXCEPT "")
+  get_target_property(sources ${target} SOURCES)
+  list(FILTER sources INCLUDE REGEX "\\.cpp$")
+  foreach(source IN LISTS sources)
+    cmake_path(ABSOLUTE_PATH source)
+    cmake_path(RELATIVE_PATH source BASE_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR} OUTPUT_VARIABLE path)
+    if((given_EXCEPT AND path MATCHES "${given_EXCEPT}") OR path MATCHES "^\\.\\./")
+      continue()
+    endif()
+    cmake_path(GET path PARENT_PATH folder)
+    string(MAKE_C_IDENTIFIER "in_${folder}" group)
+    math(EXPR count_${group} "${count_${group}} + 1")
+    math(EXPR part "${count_${group}} / 10")  # A larger folder in parts, so that every processor has some.
+    set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${group}_${part})
+  endforeach()
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+endfunction()

@@ -1,0 +1,81 @@
+// plain_values.cpp -- takes nested dicts and lists apart, with the name of each value for messages.
+
+#include "plain_values.h"
+
+#include <fmt/format.h>
+
+#include "convert.h"
+
+namespace insonify::python {
+namespace {
+
+// Raises RecursionError instead of exhausting the stack, where a list or dict holds itself.
+class RecursionGuard {
+ public:
+  RecursionGuard() {
+    if (Py_EnterRecursiveCall(" in a scenario's dict") != 0) {
+      throw py::error_already_set();
+    }
+  }
+  ~RecursionGuard() { Py_LeaveRecursiveCall(); }
+  RecursionGuard(const RecursionGuard&) = delete;
+  RecursionGuard& operator=(const RecursionGuard&) = delete;
+};
+
+[[noreturn]] void refuse_value(py::handle value, const std::string& name, const std::string& expected) {
+  throw Error("", name, fmt::format(" = {} must be {}", shown(value), expected));
+}
+
+py::dict plain_dict(const py::dict& given, const std::string& name) {
+  py::dict plain;
+  for (const std::pair<py::handle, py::handle> item : given) {
+    if (!py::isinstance<py::str>(item.first)) {
+      throw Error("", name, fmt::format("{}has the key {}, must be text", name.empty() ? "" : " ", shown(item.first)));
+    }
+    plain[item.first] = plain_value(item.second, member_name(name, item.first.cast<std::string>()));
+  }
+  return plain;
+}
+
+py::list plain_list(const py::sequence& given, const std::string& name) {
+  py::list plain;
+  for (std::size_t i = 0; i < given.size(); ++i) {
+    plain.append(plain_value(given[i], fmt::format("{}[{}]", name, i)));
+  }
+  return plain;
+}
+
+// Whether json.dumps() writes it as it is.
+bool is_scalar(py::handle value) {
+  return value.is_none() || py::isinstance<py::bool_>(value) || py::isinstance<py::str>(value) ||
+         py::isinstance<py::int_>(value) || py::isinstance<py::float_>(value);
+}
+
+}  // namespace
+
+py::object plain_value(py::handle value, const std::string& name) {
+  constexpr const char* kExpected = "a number, a text, True, False, None, a list or a dict";
+  const RecursionGuard guard;
+  if (is_scalar(value)) {
+    return py::reinterpret_borrow<py::object>(value);
+  }
+  if (py::isinstance<py::dict>(value)) {
+    return plain_dict(py::reinterpret_borrow<py::dict>(value), name);
+  }
+  if (py::hasattr(value, "__fspath__")) {
+    return py::module_::import("os").attr("fsdecode")(value);
+  }
+  if (py::hasattr(value, "dtype") && py::hasattr(value, "tolist")) {  // NumPy's arrays and scalars.
+    const py::object list = value.attr("tolist")();
+    if (py::type::of(list).is(py::type::handle_of(value))) {  // Such as a scalar that Python has no type for.
+      refuse_value(value, name, kExpected);
+    }
+    return plain_value(list, name);
+  }
+  if (py::isinstance<py::list>(value) || py::isinstance<py::tuple>(value)) {
+    return plain_list(py::reinterpret_borrow<py::sequence>(value), name);
+  }
+  refuse_value(value, name, kExpected);
+}
+
+}  // namespace insonify::python

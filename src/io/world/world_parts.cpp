@@ -1,0 +1,108 @@
+// world_parts.cpp -- makes instances of parts, and tells of those left out.
+
+#include "insonify/world_parts.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "base/log_line.h"
+#include "insonify/error.h"
+#include "insonify/printable.h"
+#include "io/file/missing_parts.h"
+#include "io/file/name_patterns.h"
+#include "io/world/shape_maker.h"
+
+namespace insonify {
+
+struct WorldParts::State {
+  State(std::filesystem::path the_base, WorldOptions the_options, Log the_log)
+      : base(std::move(the_base)),
+        options(std::move(the_options)),
+        log(std::move(the_log)),
+        ignored(options.ignore),
+        maker(log) {}
+
+  std::filesystem::path base;
+  WorldOptions options;
+  Log log;
+  NamePatterns ignored;
+  ShapeMaker maker;
+
+  // Whether a part, or what it belongs to, is to be left out: "ship" of "ship::hull::plate" too.
+  [[nodiscard]] bool is_ignored(const std::string& name) {
+    for (std::size_t end = name.find("::"); end != std::string::npos; end = name.find("::", end + 2)) {
+      if (ignored.match(name.substr(0, end))) {
+        return true;
+      }
+    }
+    return ignored.match(name);
+  }
+  void add(const WorldPart& part, MissingParts& missing, Scene& scene);
+};
+
+void WorldParts::State::add(const WorldPart& part, MissingParts& missing, Scene& scene) {
+  const std::string what = fmt::format("visual '{}'", printable(part.name, kLongestName));
+  try {
+    const PlacedMesh made = maker.make(part.shape, base, what);
+    Instance instance{.name = part.name,
+                      .mesh = made.mesh,
+                      .world_from_mesh = part.world_from_part * Pose{made.offset},
+                      .user_material = part.material,
+                      .moving = part.moving};
+    check_reach(instance, what);
+    scene.instances.push_back(std::move(instance));
+  } catch (const UnreadableShape& file) {
+    if (file.fuel_uri.empty()) {
+      missing.add(file.part, file.reason);
+    } else {
+      missing.add_fuel(file.part, file.reason, file.fuel_uri);
+    }
+  } catch (const Error& error) {
+    missing.add(error.what(), "");
+  }
+}
+
+WorldParts::WorldParts(std::filesystem::path base, WorldOptions options, Log log)
+    : state_(std::make_unique<State>(std::move(base), std::move(options), std::move(log))) {}
+WorldParts::~WorldParts() = default;
+WorldParts::WorldParts(WorldParts&&) noexcept = default;
+WorldParts& WorldParts::operator=(WorldParts&&) noexcept = default;
+
+Scene WorldParts::scene(std::span<const WorldPart> parts, const std::string& name) {
+  State& state = *state_;
+  Scene scene;
+  MissingParts missing;
+  std::set<std::string> names;
+  std::vector<std::string> for_eyes;
+  for (const WorldPart& part : parts) {
+    if (state.is_ignored(part.name)) {
+      continue;
+    }
+    if (!names.insert(part.name).second) {
+      throw Error(fmt::format("visual '{}' has the name of another one", printable(part.name, kLongestName)));
+    }
+    const std::size_t before = scene.instances.size();
+    state.add(part, missing, scene);
+    if (part.for_eyes_only && part.material.empty() && scene.instances.size() > before) {
+      for_eyes.push_back(printable(part.name, kLongestName));
+    }
+  }
+  missing.report(name, state.options.strict, state.log);
+  if (!for_eyes.empty()) {
+    log_line(state.log, Severity::kWarning,
+             fmt::format("{}: what is water or invisible to cameras echoes as a solid surface (ignore leaves it out): "
+                         "{}",
+                         name, fmt::join(for_eyes, ", ")));
+  }
+  return scene;
+}
+
+void WorldParts::report_unused_patterns(const std::string& name) const {
+  state_->ignored.report_unused(name, state_->log);
+}
+
+}  // namespace insonify

@@ -1,0 +1,80 @@
+// live_recordings.cpp -- ends recordings of a live loop: when they are stopped, and where they cannot go on.
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "live/live_state.h"
+
+namespace insonify {
+
+void LiveLoop::State::end_recording(Lock& lock) {
+  if (!recorder) {
+    return;
+  }
+  const std::unique_ptr<LiveRecorder> ended = std::exchange(recorder, nullptr);
+  recording_names.clear();
+  const LiveRun run_of_it = *run;
+  lock.unlock();
+  std::string error;
+  try {
+    ended->close(run_of_it);
+  } catch (const std::exception& failure) {
+    error = failure.what();
+    note("the recording: " + error);
+  }
+  listener->on_recorded(ended->recording());
+  lock.lock();
+  closing_error = error;
+  recording_error = error.empty() ? recording_error : "the recording: " + error;
+}
+
+// Ends a recording that cannot go on, with what it holds.
+void LiveLoop::State::fail_recording(const std::string& error, Lock& lock) {
+  recording_error = "the recording ended early: " + error;
+  const std::unique_ptr<LiveRecorder> ended = std::exchange(recorder, nullptr);
+  recording_names.clear();
+  const LiveRun run_of_it = *run;
+  lock.unlock();
+  note("the recording ends here: " + error);
+  try {
+    if (ended) {
+      ended->close(run_of_it);
+    }
+  } catch (const std::exception& failure) {
+    if (failure.what() != error) {
+      note(fmt::format("the recording: {}", failure.what()));
+    }
+  }
+  if (ended) {
+    listener->on_recorded(ended->recording());
+  }
+  lock.lock();
+}
+
+void LiveLoop::State::answer_stop_recording(Lock& lock) {
+  const std::vector<Done> done = std::exchange(stop_recording, {});
+  const bool is_recording = recorder != nullptr;
+  closing_error.clear();
+  end_recording(lock);
+  const std::string error = is_recording ? closing_error : "nothing is being recorded";
+  lock.unlock();
+  for (const Done& answer : done) {
+    if (answer) {
+      answer(error);
+    }
+  }
+  lock.lock();
+}
+
+// Goes on with a recording after a change, in a further file.
+void LiveLoop::State::begin_next_recording(Lock& lock) {
+  try {
+    recorder = std::make_unique<LiveRecorder>(recording_path, ++recording_part, *world, recording_replaces,
+                                              options.messages, log());
+  } catch (const std::exception& failure) {
+    fail_recording(failure.what(), lock);
+  }
+}
+
+}  // namespace insonify

@@ -1,0 +1,38 @@
+"""A program `insonify emulate` in a folder of its own, for tests. The program is their first argument."""
+
+import os
+import pathlib
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+
+INSONIFY = os.path.abspath(sys.argv.pop(1))
+
+
+class Emulated:
+    """`files` are written into the folder first. What the program prints is read by those who derive from this."""
+
+    def __init__(self, *words, files):
+        self.folder = tempfile.TemporaryDirectory()
+        self.path = pathlib.Path(self.folder.name)
+        for name, text in files.items():
+            (self.path / name).write_text(text)
+        self.process = subprocess.Popen([INSONIFY, "emulate", *words], cwd=self.path, text=True,
+                                        stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+
+    def end(self):
+        """Exit status, what was printed on both streams, and how long it took [s]."""
+        start = time.monotonic()
+        self.process.send_signal(signal.SIGINT)
+        out, err = self.process.communicate(timeout=10)
+        return self.process.returncode, out, err, time.monotonic() - start
+
+    def close(self):
+        if self.process.poll() is None:
+            self.process.kill()
+            self.process.communicate()
+        self.process.stdout.close()
+        self.process.stderr.close()
+        self.folder.cleanup()

@@ -1,0 +1,80 @@
+#!/usr/bin/python3
+"""insonify serve against clients that are slow, or give no sign of life.
+
+serve_slow_test.py INSONIFY
+"""
+
+import pathlib
+import time
+import unittest
+
+from serve_client import Server, Socket
+
+
+class Slow(unittest.TestCase):
+    """Clients that read little or nothing, of a sonar whose pings are 256 kB."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.server = Server(scenario="""
+points: [{position: [5, 1, 0], target_strength_db: -20}]
+sonars: [{name: fls, beam_count: 256, bin_count: 500, azimuth_aperture_deg: 80, max_range: 9, ping_period: 0.02,
+          receiver: {noise: false, speckle: false}}]
+""")
+
+    @classmethod
+    def tearDownClass(cls):
+        status, _, err, _ = cls.server.end()
+        cls.server.close()
+        assert (status, err) == (0, ""), (status, err)
+
+    def page(self):
+        page = Socket(self.server.port)
+        self.assertEqual(page.open()[0], 101)
+        return page
+
+    def memory(self):
+        """Of the server [bytes]."""
+        status = pathlib.Path(f"/proc/{self.server.process.pid}/status").read_text()
+        return 1024 * int(status.split("VmRSS:")[1].split()[0])
+
+    # 80 pings are 20 MB. What the system's buffers hold is sent; of what waits behind it the newest four stay.
+    def test_a_slow_client_loses_its_oldest_pings_and_costs_no_memory(self):
+        quick, slow = self.page(), self.page()
+        first = slow.ping()[0]["number"]
+        quick.ping()
+        before, most = self.memory(), 0
+        while True:
+            newest = quick.ping()[0]["number"]
+            most = max(most, self.memory())
+            if newest > first + 80:
+                break
+        self.assertLess(most - before, 8_000_000)
+        numbers = [slow.ping()[0]["number"]]
+        while numbers[-1] < newest:
+            numbers.append(slow.ping()[0]["number"])
+        self.assertEqual(numbers, sorted(numbers))
+        gaps = [b - a for a, b in zip(numbers, numbers[1:])]
+        self.assertGreater(max(gaps), 10, "the oldest fell out")
+        self.assertEqual(gaps[gaps.index(max(gaps)) + 1:][:2], [1, 1], "the newest stayed")
+        while (dropped := slow.text("state")["dropped"]) == 0:
+            pass
+        self.assertGreaterEqual(dropped, max(gaps) - 1)
+
+    # As one whose machine lost its power: the system knows the connection, and nobody answers.
+    def test_a_client_that_gives_no_sign_of_life_is_ended(self):
+        page = self.page()
+        page.raw.settimeout(60)
+        start = time.monotonic()
+        asked = False
+        try:
+            while True:
+                asked = page.frame()[0] == 9 or asked  # A ping of the protocol, which it does not answer.
+        except (EOFError, ConnectionResetError):
+            pass
+        self.assertTrue(asked)
+        self.assertTrue(25 < time.monotonic() - start < 50, f"{time.monotonic() - start} s")
+
+
+if __name__ == "__main__":
+    unittest.main(warnings="ignore")

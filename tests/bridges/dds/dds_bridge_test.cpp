@@ -1,0 +1,209 @@
+// dds_bridge_test.cpp -- the bridge to DDS, read and steered by another vendor's DDS over loopback.
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+
+#include <chrono>
+#include <map>
+#include <thread>
+
+#include "bridges/dds/fast_node.h"
+#include "bridges/dds/own_domain.h"
+#include "bridges/dds/ros_messages.h"
+#include "bridges/dds/started_bridge.h"
+#include "dds/dds_names.h"
+#include "dds/frame_tree.h"
+#include "dds/type_hash.h"
+#include "insonify/recorded_pings.h"
+#include "io/mcap/mcap_reader.h"
+#include "support/working_folder.h"
+
+namespace insonify {
+namespace {
+
+constexpr double kPeriod = 0.0625;  // A power of two: times of poses are exact [s].
+constexpr int kPings = 6;
+
+double x_at(int ping) {
+  return 0.25 * ping;
+}
+
+std::string scenario() {
+  std::string text = R"(world: none
+points: [{position: [6, 0.5, 0], target_strength_db: -10}]
+sonars:
+  - {name: fls, beam_count: 24, bin_count: 90, azimuth_aperture_deg: 70, elevation_aperture_deg: 25, max_range: 12,
+     ping_period: 0.0625, sampling: {columns_per_beam: 2, rows: 40}}
+pings: 6
+trajectory:
+)";
+  for (int i = 0; i <= kPings; ++i) {
+    text += "  - {time: " + std::to_string(i * kPeriod) + ", position: [" + std::to_string(x_at(i)) + ", 0.5, 0]}\n";
+  }
+  return text;
+}
+
+// Without the up to three bytes that fill the last four.
+Bytes cut_to(Bytes message, std::size_t size) {
+  if (message.size() >= size && message.size() < size + 4) {
+    message.resize(size);
+  }
+  return message;
+}
+
+class DdsBridgeTest : public testing::Test {
+ protected:
+  [[nodiscard]] StartedBridge start(const std::vector<std::string>& words) const { return {domain_.number(), words}; }
+
+  WorkingFolder folder_;
+  OwnDomain domain_;
+  FastNode node_{domain_.number()};
+};
+
+TEST(DdsNamesTest, AreThoseOfRos2) {
+  EXPECT_EQ(dds_topic_name("/fls/fan"), "rt/fls/fan");
+  EXPECT_EQ(dds_topic_name("odom"), "rt/odom");
+  EXPECT_EQ(dds_type_name("tf2_msgs/msg/TFMessage"), "tf2_msgs::msg::dds_::TFMessage_");
+}
+
+TEST(TypeHashTest, IsThatWhichRos2Prints) {
+  EXPECT_EQ(type_hash("std_msgs::msg::dds_::String_"),
+            "RIHS01_df668c740482bbd48fb39d76a70dfd4bd59db1288021743503259e948f6b1a18");
+  EXPECT_EQ(type_hash("std_msgs::msg::dds_::Strings_"), "");
+}
+
+TEST(FrameTreeTest, ComposesTransformsUpwards) {
+  FrameTree tree;
+  tree.tell("odom", "/base_link", {Vec3(1, 2, 0), orientation_from_rpy(0, 0, radians_from_degrees(90))}, 5);
+  tree.tell("world", "odom", {Vec3(10, 0, 0), Eigen::Quaterniond::Identity()}, 3);
+  tree.tell("base_link", "sonar", {Vec3(1, 0, 0), Eigen::Quaterniond::Identity()}, 0);
+  const auto place = tree.find("world", "sonar");
+  ASSERT_TRUE(place);
+  EXPECT_LT((place->pose.position - Vec3(11, 3, 0)).norm(), 1e-12);  // 10 + 1, and 2 + 1 turned to y.
+  EXPECT_EQ(place->stamp, 5);
+  EXPECT_FALSE(tree.find("map", "sonar"));
+  EXPECT_EQ(tree.top("sonar"), "world");
+  tree.tell("sonar", "world", {}, 1);  // A circle.
+  EXPECT_FALSE(tree.find("map", "sonar"));
+}
+
+// The levels of all cells, to a step of their 16 bits.
+void expect_levels_of(const RecordedPings& recording, std::uint64_t ping, const Bytes& message) {
+  constexpr double kLowest = -100, kStep = 60.0 / 65535, kGainPerDecade = 30;  // docs/reference/messages.md [dB]
+  const SonarImage image = sonar_image(message);
+  const std::vector<double> intensities = recording.intensity(ping);
+  ASSERT_EQ(image.values.size(), intensities.size());
+  ASSERT_EQ(image.ranges.size(), static_cast<std::size_t>(recording.bin_count()));
+  EXPECT_NEAR(image.time, recording.ping(ping).time, 1e-9);
+  int shown = 0;
+  for (std::size_t i = 0; i < intensities.size(); ++i) {
+    const double range = image.ranges[i / image.azimuths.size()];
+    const double level = 10 * std::log10(intensities[i]) + kGainPerDecade * std::log10(range);  // -inf for 0.
+    const double value = std::clamp((level - kLowest) / kStep, 0.0, 65535.0);
+    ASSERT_NEAR(image.values[i], value, 1) << "cell " << i << " of ping " << ping;
+    shown += image.values[i] > 0 && image.values[i] < 65535 ? 1 : 0;
+  }
+  EXPECT_GT(shown, 20);  // There are echoes.
+}
+
+// Poses and time of another vendor's program in, messages out: the same bytes as the recording of the same pings has.
+TEST_F(DdsBridgeTest, MessagesAreThoseOfTheRecordings) {
+  folder_.write("dive.yaml", scenario());
+  ASSERT_EQ(std::system(INSONIFY_CLI " run dive.yaml -o out --record h5,mcap --no-pictures > said.txt"), 0);
+  std::filesystem::path recorded;
+  for (const auto& entry : std::filesystem::directory_iterator("out")) {
+    recorded = entry.path().extension() == ".mcap" ? entry.path() : recorded;
+  }
+  const McapReader mcap(recorded);
+
+  StartedBridge bridge = start({"--odometry", "/auv/odom", "--clock", "simulated"});
+  std::map<std::string, std::unique_ptr<FastReader>> readers;
+  for (const auto& [topic, type] : mcap.topics()) {
+    if (topic != "/scenario") {
+      readers[topic] = node_.reader(dds_topic_name(topic), dds_type_name(type));
+    }
+  }
+  ASSERT_EQ(readers.size(), 5U);
+  const auto odom = node_.writer("rt/auv/odom", "nav_msgs::msg::dds_::Odometry_");
+  const auto clock = node_.writer("rt/clock", "rosgraph_msgs::msg::dds_::Clock_", {.reliable = false});
+  ASSERT_TRUE(odom->wait_for_reader());
+  ASSERT_TRUE(clock->wait_for_reader());
+  for (const auto& [topic, reader] : readers) {
+    ASSERT_TRUE(reader->wait_for_writer()) << topic;
+  }
+  std::this_thread::sleep_for(kDiscovery);
+  for (int i = 0; i < kPings; ++i) {
+    for (int attempt = 0; attempt < 10; ++attempt) {  // The same pose and time again change nothing.
+      odom->write(odometry(i * kPeriod, x_at(i), 0.5));
+      std::this_thread::sleep_for(std::chrono::milliseconds(20));
+      clock->write(clock_message(i * kPeriod));
+      if (readers.begin()->second->wait_for(static_cast<std::size_t>(i) + 1, std::chrono::seconds(1))) {
+        break;
+      }
+    }
+    for (const auto& [topic, reader] : readers) {
+      ASSERT_TRUE(reader->wait_for(static_cast<std::size_t>(i) + 1)) << topic << ", ping " << i;
+    }
+  }
+  for (const auto& [topic, reader] : readers) {
+    const std::vector<McapReader::Entry>& entries = mcap.messages(topic);
+    ASSERT_EQ(entries.size(), static_cast<std::size_t>(kPings)) << topic;
+    const std::vector<Bytes> messages = reader->messages();
+    for (std::size_t i = 0; i < entries.size(); ++i) {
+      const Bytes expected = mcap.read(entries[i]);
+      EXPECT_TRUE(cut_to(messages[i], expected.size()) == expected) << topic << ", ping " << i;
+    }
+  }
+  const RecordedPings hdf5("out/fls.h5");
+  ASSERT_EQ(hdf5.ping_count(), static_cast<std::uint64_t>(kPings));
+  for (std::uint64_t i = 0; i < kPings; ++i) {
+    expect_levels_of(hdf5, i, readers.at("/fls/sonar_image")->messages().at(i));
+  }
+  const auto late = node_.reader("rt/scenario", "std_msgs::msg::dds_::String_", {.transient_local = true});
+  EXPECT_TRUE(late->wait_for(1));  // Long after it was sent.
+  double seconds = 0;
+  EXPECT_EQ(bridge.end(&seconds), 0);
+  EXPECT_LT(seconds, 1);
+}
+
+TEST_F(DdsBridgeTest, AMessageOfMegabytesGetsThrough) {
+  folder_.write("dive.yaml", scenario());
+  StartedBridge bridge = start({"--fan-height", "900"});
+  const auto reader = node_.reader("rt/fls/fan", "sensor_msgs::msg::dds_::Image_");
+  ASSERT_TRUE(reader->wait_for(5));
+  for (const Bytes& message : reader->messages()) {
+    EXPECT_GT(message.size(), std::size_t{2} << 20);
+    EXPECT_EQ(message.size(), reader->messages().front().size());
+  }
+}
+
+TEST_F(DdsBridgeTest, SettingsActAndAreAnswered) {
+  folder_.write("dive.yaml", scenario());
+  StartedBridge bridge = start({});
+  const auto set = node_.writer("rt/insonify/set", "std_msgs::msg::dds_::String_");
+  const auto answers = node_.reader("rt/insonify/set_result", "std_msgs::msg::dds_::String_");
+  ASSERT_TRUE(set->wait_for_reader());
+  ASSERT_TRUE(answers->wait_for_writer());
+  std::this_thread::sleep_for(kDiscovery);
+  const auto ask = [&](std::string_view text, std::size_t count) {
+    CdrWriter cdr;
+    cdr.put(text);
+    set->write(cdr.take());
+    EXPECT_TRUE(answers->wait_for(count));
+    if (answers->messages().empty()) {
+      return std::string();
+    }
+    const Bytes answer = answers->messages().back();
+    return CdrReader(answer).text();
+  };
+  const std::string hash = fmt::format("typehash={};", type_hash("std_msgs::msg::dds_::String_"));
+  for (const char* topic : {"rt/insonify/set", "rt/insonify/set_result", "rt/scenario"}) {
+    EXPECT_EQ(node_.user_data(topic), hash) << topic;
+  }
+  EXPECT_EQ(ask("max_range=9", 1), "done: max_range=9");
+  EXPECT_THAT(ask("max_range=-3", 2), testing::StartsWith("refused: "));
+  EXPECT_THAT(ask("", 3), testing::StartsWith("refused: "));
+}
+
+}  // namespace
+}  // namespace insonify

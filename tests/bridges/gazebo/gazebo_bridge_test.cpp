@@ -1,0 +1,287 @@
+// gazebo_bridge_test.cpp -- the bridge, beside a process that plays Gazebo and a reader of its topics.
+
+#include <gmock/gmock.h>
+#include <ignition/msgs/pointcloud_packed.pb.h>
+#include <ignition/msgs/stringmsg.pb.h>
+
+#include <cmath>
+#include <memory>
+
+#include "bridges/gazebo/gazebo_reader.h"
+#include "bridges/gazebo/processes.h"
+#include "insonify/recorded_pings.h"
+#include "support/working_folder.h"
+
+namespace insonify {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+
+constexpr double kPeriod = 0.0625;  // A power of two: times of poses are exact [s].
+constexpr double kBin = 12.0 / 90;  // [m]
+constexpr const char* kSaid = "said.txt";
+
+constexpr const char* kSonar = R"(
+  - {name: fls, beam_count: 24, bin_count: 90, azimuth_aperture_deg: 70, elevation_aperture_deg: 25, max_range: 12,
+     ping_period: 0.0625, position: [0.25, 0, 0], sampling: {columns_per_beam: 2, rows: 40}}
+)";
+
+// Every test has a partition of its own, so that tests do not hear each other.
+class GazeboBridgeTest : public testing::TestWithParam<std::string> {
+ protected:
+  GazeboBridgeTest() {
+    const std::string partition = "insonify-" + std::to_string(getpid());
+    setenv("IGN_PARTITION", partition.c_str(), 1);
+    setenv("IGN_IP", "127.0.0.1", 1);
+    folder_.write("dive.yaml", std::string("world: none\nsonars:") + kSonar);
+  }
+
+  Program bridge(std::vector<std::string> words = {"dive.yaml", "--vehicle", "rov::link"}) {
+    words.insert(words.begin(), INSONIFY_BRIDGE_GAZEBO);
+    return Program(std::move(words), kSaid);
+  }
+
+  // A wall whose near side is at x = 8, and a vehicle at the origin.
+  static std::unique_ptr<Player> tank(const std::string& generation, double wall = 8.5) {
+    auto player = std::make_unique<Player>("tank", generation);
+    player->tell("add 10 wall " + std::to_string(wall) + " 0 0 0 static box 1 20 20");
+    player->tell("add 20 rov 0 0 0 0 free box 0.4 0.4 0.4");
+    return player;
+  }
+
+  // Tells poses until there is a message more; the last of them.
+  static GazeboSonarImage next(Player& player, GazeboReader& reader, double time) {
+    const std::size_t before = reader.count();
+    for (int attempt = 0; attempt < 40 && reader.count() == before; ++attempt) {  // The same again changes nothing.
+      player.tell("poses " + std::to_string(time));
+      (void)reader.wait_for(before + 1, 0.25);
+    }
+    EXPECT_GT(reader.count(), before) << "no ping at " << time << "; " << contents(kSaid);
+    return GazeboSonarImage(reader.messages().back());
+  }
+
+  WorkingFolder folder_;
+};
+
+class BothGenerations : public GazeboBridgeTest {};
+INSTANTIATE_TEST_SUITE_P(Of, BothGenerations, testing::Values("ignition", "gz"));
+
+TEST_P(BothGenerations, PingsAreMadeWhereGazeboHasTheVehicle) {
+  Program bridge = this->bridge();
+  GazeboReader ignition("/fls/sonar_image", "ignition.msgs.Image"), gz("/fls/sonar_image", "gz.msgs.Image");
+  const auto player = tank(GetParam());
+  player->tell("followed");
+  for (int i = 0; i < 5; ++i) {
+    const double x = 0.5 * i, time = 3 + kPeriod * i;
+    player->tell("move 20 " + std::to_string(x) + " 0 0 0");
+    const GazeboSonarImage image = next(*player, ignition, time);
+    EXPECT_NEAR(image.first_echo(), 8 - 0.25 - x, kBin) << i;
+    EXPECT_NEAR(image.time, time, 1e-9);
+    EXPECT_EQ(image.number, static_cast<unsigned long>(i));
+    EXPECT_EQ(image.image.width(), 24U);
+    EXPECT_EQ(image.image.height(), 90U);
+    EXPECT_EQ(image.image.step(), 48U);
+    EXPECT_EQ(image.image.pixel_format_type(), ignition::msgs::L_INT16);
+    EXPECT_EQ(image.frame, "fls_beams");
+  }
+  EXPECT_TRUE(gz.wait_for(5));
+  EXPECT_EQ(gz.messages().back(), ignition.messages().back());
+  double seconds = 0;
+  EXPECT_EQ(bridge.end(SIGINT, &seconds), 0);
+  EXPECT_LT(seconds, 1);
+  EXPECT_THAT(contents(kSaid),
+              AllOf(HasSubstr("following the world tank: 1 visuals, 0 of them in models that move"),
+                    HasSubstr("5 pings in"), HasSubstr("from transmission to message"), Not(HasSubstr("dropped"))));
+}
+
+TEST_P(BothGenerations, SpawnedModelsAreInTheNextPingAndRemovedOnesAreNot) {
+  Program bridge = this->bridge();
+  GazeboReader reader("/fls/sonar_image", "gz.msgs.Image");
+  const auto player = tank(GetParam());
+  player->tell("followed");
+  EXPECT_NEAR(next(*player, reader, 1).first_echo(), 7.75, kBin);
+  player->tell("add 30 buoy 4 0 0 0 free box 1 1 1");
+  EXPECT_NEAR(next(*player, reader, 1 + kPeriod).first_echo(), 3.25, kBin);
+  player->tell("move 30 5 0 0 0");
+  EXPECT_NEAR(next(*player, reader, 1 + 2 * kPeriod).first_echo(), 4.25, kBin);
+  player->tell("move 32 -1 0 0 0");  // Its visual in the link.
+  EXPECT_NEAR(next(*player, reader, 1 + 3 * kPeriod).first_echo(), 3.25, kBin);
+  player->tell("remove 30");
+  const GazeboSonarImage after = next(*player, reader, 1 + 4 * kPeriod);
+  EXPECT_NEAR(after.first_echo(), 7.75, kBin);
+  EXPECT_EQ(after.number, 4U);  // Numbers go on.
+  player->tell("add 40 buoy 3 0 0 0 static box 1 1 1");
+  EXPECT_NEAR(next(*player, reader, 1 + 5 * kPeriod).first_echo(), 2.25, kBin);
+}
+
+TEST_F(GazeboBridgeTest, WhatMessagesDidNotTellIsFoundByThePoses) {
+  Program bridge = this->bridge();
+  GazeboReader reader("/fls/sonar_image", "gz.msgs.Image");
+  const auto player = tank("ignition");
+  player->tell("followed");
+  EXPECT_NEAR(next(*player, reader, 1).first_echo(), 7.75, kBin);
+  player->tell("add-silently 30 buoy 4 0 0 0 free box 1 1 1");
+  player->tell("poses 1.01");
+  ASSERT_TRUE(says(kSaid, "1 visuals added"));
+  EXPECT_NEAR(next(*player, reader, 1 + kPeriod).first_echo(), 3.25, kBin);
+  player->tell("remove-silently 30");
+  player->tell("poses 1.1");
+  ASSERT_TRUE(says(kSaid, "1 removed"));
+  EXPECT_NEAR(next(*player, reader, 1 + 3 * kPeriod).first_echo(), 7.75, kBin);
+  // A static model that is put somewhere else all the same.
+  player->tell("move 10 6.5 0 0 0");
+  EXPECT_NEAR(next(*player, reader, 1 + 4 * kPeriod).first_echo(), 5.75, kBin);
+}
+
+TEST_F(GazeboBridgeTest, WaitsForGazeboAndSurvivesItsRestart) {
+  Program bridge = this->bridge();
+  ASSERT_TRUE(says(kSaid, "there is no Gazebo in the partition insonify-"));
+  GazeboReader reader("/fls/sonar_image", "gz.msgs.Image");
+  auto player = tank("gz");
+  player->tell("followed");
+  EXPECT_NEAR(next(*player, reader, 50).first_echo(), 7.75, kBin);
+  player->die();
+  player = tank("gz", 6.5);  // The same ids, other places, and time from the start.
+  player->tell("followed");
+  EXPECT_NEAR(next(*player, reader, 0.25).time, 0.25, 1e-9);
+  EXPECT_NEAR(next(*player, reader, 0.25 + kPeriod).first_echo(), 5.75, kBin);
+}
+
+TEST_F(GazeboBridgeTest, EndsWithinASecondWithoutGazebo) {
+  Program bridge = this->bridge();
+  ASSERT_TRUE(says(kSaid, "waiting for it"));
+  bridge.signal(SIGUSR1);
+  EXPECT_TRUE(says(kSaid, "0 pings in"));
+  double seconds = 0;
+  EXPECT_EQ(bridge.end(SIGINT, &seconds), 0);
+  EXPECT_LT(seconds, 1);
+  std::size_t lines = 0;
+  for (std::size_t at = 0; (at = contents(kSaid).find("waiting for it", at)) != std::string::npos; ++at) {
+    ++lines;
+  }
+  EXPECT_EQ(lines, 1U);
+}
+
+// The sonars in a world's SDF file, and what it says of materials; `run` of the file makes the same pings.
+TEST_F(GazeboBridgeTest, MessagesAgreeWithTheRecordingOfTheSameWorld) {
+  folder_.write("tank.sdf", R"(<sdf version="1.9" xmlns:insonify="https://insonify.org/sdf"><world name="tank">
+    <model name="wall"><static>true</static><pose>8.5 0 0 0 0 0</pose><link name="link">
+      <visual name="visual"><geometry><box><size>1 20 20</size></box></geometry>
+        <insonify:material>steel</insonify:material></visual></link></model>
+    <model name="rov"><pose>1 0.5 0 0 0 0.2</pose><link name="link">
+      <visual name="visual"><geometry><box><size>0.4 0.4 0.4</size></box></geometry></visual>
+      <insonify:sonar name="bow"><pose>0.3 0 0 0 0.1 0</pose><beam_count>24</beam_count><bin_count>90</bin_count>
+        <azimuth_aperture_deg>70</azimuth_aperture_deg><elevation_aperture_deg>25</elevation_aperture_deg>
+        <max_range>12</max_range><ping_period>0.0625</ping_period>
+        <sampling>{columns_per_beam: 2, rows: 40}</sampling></insonify:sonar></link></model>
+  </world></sdf>)");
+  ASSERT_EQ(std::system(INSONIFY_CLI " run tank.sdf -o out --record h5 --no-pictures --pings 2 > run.txt"), 0);
+  const RecordedPings recording("out/bow.h5");
+  Program bridge = this->bridge({"tank.sdf"});
+  GazeboReader reader("/bow/sonar_image", "gz.msgs.Image");
+  const auto player = tank("gz");
+  player->tell("move 20 1 0.5 0 0.2");
+  player->tell("followed");
+  for (std::uint64_t ping = 0; ping < 2; ++ping) {
+    const GazeboSonarImage image = next(*player, reader, kPeriod * static_cast<double>(ping));
+    const std::vector<double> intensities = recording.intensity(ping);
+    ASSERT_EQ(image.values.size(), intensities.size());
+    constexpr double kLowest = -100, kStep = 60.0 / 65535, kGainPerDecade = 30;  // docs/reference/messages.md [dB]
+    int shown = 0;
+    for (std::size_t i = 0; i < intensities.size(); ++i) {
+      const double range = image.ranges[i / image.azimuths.size()];
+      const double level = 10 * std::log10(intensities[i]) + kGainPerDecade * std::log10(range);  // -inf for 0.
+      ASSERT_NEAR(image.values[i], std::clamp((level - kLowest) / kStep, 0.0, 65535.0), 1) << "cell " << i;
+      shown += image.values[i] > 0 && image.values[i] < 65535 ? 1 : 0;
+    }
+    EXPECT_GT(shown, 20);  // There are echoes.
+  }
+}
+
+TEST_F(GazeboBridgeTest, AllKindsOfMessagesAreThere) {
+  Program bridge = this->bridge();
+  GazeboReader image("/fls/sonar_image", "ignition.msgs.Image"), fan("/fls/fan", "ignition.msgs.Image"),
+      points("/fls/points", "gz.msgs.PointCloudPacked"), pose("/fls/pose", "gz.msgs.Pose"),
+      transforms("/tf", "ignition.msgs.Pose_V"), scenario("/scenario", "gz.msgs.StringMsg");
+  const auto player = tank("ignition");
+  player->tell("move 20 1 2 3 0");
+  player->tell("followed");
+  (void)next(*player, image, 1);
+  (void)next(*player, image, 1 + kPeriod);
+  for (GazeboReader* reader : {&fan, &points, &pose, &transforms, &scenario}) {
+    ASSERT_TRUE(reader->wait_for(1));
+  }
+  const GazeboSonarImage picture(fan.messages().back());
+  EXPECT_EQ(picture.image.pixel_format_type(), ignition::msgs::RGB_INT8);
+  EXPECT_EQ(picture.image.height(), 480U);
+  EXPECT_EQ(picture.image.data().size(), std::size_t{3} * picture.image.width() * picture.image.height());
+  ignition::msgs::PointCloudPacked cloud;
+  ASSERT_TRUE(cloud.ParseFromString(points.messages().back()));
+  EXPECT_EQ(cloud.field_size(), 4);
+  EXPECT_EQ(cloud.field(3).name(), "intensity");
+  EXPECT_EQ(cloud.data().size(), std::size_t{16} * cloud.width());
+  EXPECT_EQ(cloud.width(), 22U);  // The strongest hundredth of 24 x 90.
+  ignition::msgs::Pose place;
+  ASSERT_TRUE(place.ParseFromString(pose.messages().back()));
+  EXPECT_NEAR(place.position().x(), 1.25, 1e-9);
+  EXPECT_NEAR(place.position().z(), 3, 1e-9);
+  ignition::msgs::Pose_V frames;
+  ASSERT_TRUE(frames.ParseFromString(transforms.messages().back()));
+  ASSERT_EQ(frames.pose_size(), 2);
+  EXPECT_EQ(frames.pose(1).name(), "fls_beams");
+  ignition::msgs::StringMsg text;
+  ASSERT_TRUE(text.ParseFromString(scenario.messages().back()));
+  EXPECT_THAT(text.data(), HasSubstr("sonars:"));
+}
+
+TEST_F(GazeboBridgeTest, WhatCannotBeMadeIsToldOnceAndTheRestIsInsonified) {
+  folder_.write("models/dock/wall.obj", "v 5 -9 -9\nv 5 9 -9\nv 5 9 9\nv 5 -9 9\nf 4 3 2 1\n");
+  setenv("GZ_SIM_RESOURCE_PATH", (folder_.path() / "models").c_str(), 1);
+  Program bridge = this->bridge();
+  GazeboReader reader("/fls/sonar_image", "gz.msgs.Image");
+  const auto player = tank("gz");
+  player->tell("add 30 dock 0 0 0 0 static mesh model://dock/wall.obj");
+  player->tell("add 40 lost 0 0 0 0 static mesh model://lost/hull.dae");
+  player->tell("add 50 marker 0 0 0 0 static empty");
+  player->tell("followed");
+  EXPECT_NEAR(next(*player, reader, 1).first_echo(), 4.75, kBin);
+  EXPECT_NEAR(next(*player, reader, 1 + kPeriod).first_echo(), 4.75, kBin);
+  bridge.end(SIGINT);
+  const std::string said = contents(kSaid);
+  EXPECT_THAT(said, AllOf(HasSubstr("the world tank: 1 part of the world is left out (an error with strict: true): "
+                                    "visual 'lost::link::visual': 'model://lost/hull.dae' not found beside this file"),
+                          HasSubstr("visual 'marker::link::visual' is left out: it has no shape")));
+  EXPECT_EQ(said.find("hull.dae"), said.rfind("hull.dae"));
+}
+
+TEST_F(GazeboBridgeTest, AVehicleThatIsNotThereIsTold) {
+  Program bridge = this->bridge({"dive.yaml", "--vehicle", "fls=boat::hull"});
+  const auto player = tank("gz");
+  player->tell("followed");
+  for (int i = 0; i < 20 && !says(kSaid, "no ping", 0.1); ++i) {
+    player->tell("poses 1");
+  }
+  EXPECT_THAT(contents(kSaid), HasSubstr("no ping: boat::hull, which carries fls, is not in the world; its models are "
+                                         "rov, wall"));
+  player->tell("add 60 boat 2 0 0 0 free empty");
+  EXPECT_EQ(bridge.end(SIGINT), 0);
+  Program other = this->bridge({"dive.yaml", "--vehicle", "sls=boat"});
+  EXPECT_TRUE(says(kSaid, "--vehicle sls=boat: there is no sonar sls"));
+}
+
+TEST_F(GazeboBridgeTest, ObjectsAreLeftOutAndGivenMaterialsAsTheScenarioSays) {
+  folder_.write("dive.yaml",
+                std::string("world: none\nignore: [buo*, unused]\nmaterials: {later: steel}\nsonars:") + kSonar);
+  Program bridge = this->bridge();
+  GazeboReader reader("/fls/sonar_image", "gz.msgs.Image");
+  const auto player = tank("gz");
+  player->tell("add 30 buoy 4 0 0 0 free box 1 1 1");
+  player->tell("followed");
+  EXPECT_NEAR(next(*player, reader, 1).first_echo(), 7.75, kBin);
+  EXPECT_THAT(contents(kSaid), HasSubstr("unused"));
+}
+
+}  // namespace
+}  // namespace insonify

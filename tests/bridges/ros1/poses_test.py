@@ -1,0 +1,179 @@
+#!/usr/bin/python3
+"""Where the vehicle is: by tf, by odometry, by simulated time, and what the node says where they are missing.
+
+poses_test.py INSONIFY
+"""
+
+import math
+import signal
+import subprocess
+import time
+import unittest
+
+import ros1_kit as kit
+from geometry_msgs.msg import PoseStamped, TransformStamped
+from tf2_msgs.msg import TFMessage
+
+
+def transform(parent, child, stamp, x=0.0, y=0.0, yaw=0.0):
+    each = TransformStamped()
+    each.header.frame_id, each.child_frame_id = parent, child
+    each.header.stamp = kit.rospy.Time.from_sec(stamp)
+    each.transform.translation.x, each.transform.translation.y = x, y
+    each.transform.rotation.w, each.transform.rotation.z = math.cos(yaw / 2), math.sin(yaw / 2)
+    return TFMessage([each])
+
+
+def values(image):
+    """Of a sonar image with 16 bits, in order."""
+    data = image.image.data
+    return [low + 256 * high for low, high in zip(data[::2], data[1::2])]
+
+
+class Poses:
+    """Those that the node publishes, newest last."""
+
+    def __init__(self, node="/insonify"):
+        self.all = []
+        self._subscriber = kit.rospy.Subscriber(f"{node}/pose", PoseStamped, self.all.append)
+        kit.wait_for(lambda: self._subscriber.get_num_connections(), message="nobody publishes poses")
+
+    def wait(self, right, again=lambda: None):
+        """The first for which right() is true, doing something again and again until then."""
+        def found():
+            again()
+            return next(filter(right, list(self.all)), None)
+        return kit.wait_for(found, message=f"no such pose among {self.all[-1:]}")
+
+
+class PosesTest(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        kit.write("dive.yaml", kit.SCENARIO)
+        cls.master = kit.Master()
+        kit.rospy.init_node("tester", disable_signals=True)
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.master.end()
+
+    def start(self, *words, **options):
+        node = kit.node(*words, **options)
+        self.addCleanup(node.end, signal.SIGKILL)
+        return node
+
+    def publisher(self, topic, kind, **options):
+        publisher = kit.rospy.Publisher(topic, kind, queue_size=10, **options)
+        self.addCleanup(publisher.unregister)
+        return kit.connected(publisher)
+
+    # From world over odom, 10 m ahead and turned by a quarter, to base_link, 2 m further: at (10, 2), heading to +y.
+    def test_tf_is_composed_at_the_newest_time_that_all_have(self):
+        self.start("--tf", "base_link", "__name:=by_tf")
+        poses = Poses("/by_tf")
+        static = self.publisher("/tf_static", TFMessage, latch=True)
+        static.publish(transform("world", "odom", 0, x=10, yaw=math.pi / 2))
+        tf = self.publisher("/tf", TFMessage)
+        now = math.floor(time.time())
+        tf.publish(transform("odom", "base_link", now + 0.25, x=1))
+        tf.publish(transform("odom", "base_link", now + 0.5, x=2))
+        pose = poses.wait(lambda pose: abs(pose.pose.position.y - 2) < 1e-9)
+        self.assertAlmostEqual(pose.pose.position.x, 10)
+        self.assertAlmostEqual(pose.pose.orientation.z, math.sin(math.pi / 4))
+        self.assertEqual(pose.header.stamp.to_sec(), now + 0.5)
+        # An older one that comes late changes nothing.
+        tf.publish(transform("odom", "base_link", now + 0.4, x=7))
+        tf.publish(transform("odom", "base_link", now + 0.75, x=3))
+        poses.wait(lambda pose: abs(pose.pose.position.y - 3) < 1e-9)
+        self.assertFalse([pose for pose in poses.all if pose.pose.position.y > 3.5])
+
+    def test_a_tree_that_does_not_lead_to_the_world_is_told(self):
+        node = self.start("--tf", "base_link", "--world-frame", "map", "__name:=lost")
+        kit.wait_for(lambda: self.master.connections("/lost") or True)
+        tf = self.publisher("/tf", TFMessage)
+        kit.wait_for(lambda: tf.publish(transform("island", "base_link", time.time())) or "leads from" in node.said()
+                     or time.sleep(0.1), message="it did not say so")
+        self.assertIn("/tf: leads from base_link up to island, not to map", node.said())
+
+    def test_missing_publishers_are_told_and_found(self):
+        node = self.start("--odometry", "/auv/odom", "__name:=patient")
+        node.wait_to_say("/auv/odom: nobody publishes nav_msgs/Odometry to it")
+        odom = self.publisher("/auv/odom", kit.nav_msgs.msg.Odometry)
+        node.wait_to_say("/auv/odom: is published now")
+        poses = Poses("/patient")
+        pose = poses.wait(lambda pose: True, lambda: odom.publish(kit.odometry(time.time(), 3, frame="map")))
+        self.assertEqual(pose.pose.position.x, 3)
+        node.wait_to_say("its poses are in the frame map; they are taken for poses in the world's, world")
+
+    def test_a_pose_that_is_none_is_told_once(self):
+        node = self.start("--odometry", "/auv/odom2", "__name:=strict")
+        odom = self.publisher("/auv/odom2", kit.nav_msgs.msg.Odometry)
+        poses = Poses("/strict")
+        for _ in range(3):
+            odom.publish(kit.odometry(time.time(), 1, yaw_wz=(0.5, 0.1)))
+            time.sleep(0.1)
+        node.wait_to_say("/auv/odom2: ")
+        poses.wait(lambda pose: pose.pose.position.x == 2, lambda: odom.publish(kit.odometry(time.time(), 2)))
+        self.assertEqual(node.said().count("/auv/odom2: "), 1, node.said())
+        self.assertFalse([pose for pose in poses.all if pose.pose.position.x == 1])
+
+    # Heading to +y at 9 m/s: along the axes of the vehicle that is (9, 0, 0). While a sonar listens to 40 m it moves by
+    # half a metre, as the echoes of `insonify run` show on a trajectory of that speed.
+    def test_the_twist_of_odometry_is_along_the_axes_of_the_vehicle(self):
+        text = kit.SCENARIO.replace("max_range: 12", "max_range: 40").replace("[6, 0.5", "[0.5, 30").replace(
+            "ping_period: 0.0625", "ping_period: 0.25").replace("bin_count: 90", "bin_count: 900") + "motion_in_ping: true\npings: 1\n"
+        kit.write("moving.yaml", text + "trajectory:\n  - {time: 0, position: [0, 0, 0], orientation_deg: [0, 0, 90]}\n"
+                                        "  - {time: 10, position: [0, 90, 0], orientation_deg: [0, 0, 90]}\n")
+        subprocess.run([kit.INSONIFY, "run", "moving.yaml", "-o", "moving", "--no-pictures", "--record", "h5"],
+                       cwd=kit.FOLDER, check=True, stdout=subprocess.DEVNULL)
+        subprocess.run([kit.INSONIFY, "export", "moving/fls.h5", "-o", "moving.bag"], cwd=kit.FOLDER, check=True,
+                       stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        with kit.rosbag.Bag(str(kit.FOLDER / "moving.bag")) as bag:
+            expected = values(next(bag.read_messages("/fls/sonar_image")).message)
+
+        images = {}
+        for name, speed in (("moving", 9), ("still", 0)):
+            self.start("--odometry", f"/{name}/odom", "--clock", "simulated", f"__name:={name}", scenario="moving.yaml")
+            listener = kit.Listener(f"/{name}/image")
+            odom = self.publisher(f"/{name}/odom", kit.nav_msgs.msg.Odometry)
+            clock = self.publisher("/clock", kit.rosgraph_msgs.msg.Clock)
+            message = kit.odometry(0, 0, yaw_wz=(math.cos(math.pi / 4), math.sin(math.pi / 4)))
+            message.twist.twist.linear.x = speed
+            odom.publish(message)
+            time.sleep(0.2)
+            clock.publish(kit.clock(0))
+            images[name] = values(kit.decoded(listener.wait(1)))
+        self.assertGreater(max(expected), 10000)
+        self.assertLessEqual(max(abs(a - b) for a, b in zip(images["moving"], expected)), 1)
+        self.assertGreater(max(abs(a - b) for a, b in zip(images["still"], expected)), 1000)
+
+    def test_use_sim_time_holds_unless_the_command_line_says_otherwise(self):
+        self.master.set("/use_sim_time", True)
+        self.addCleanup(self.master.proxy.deleteParam, "/test", "/use_sim_time")
+        node = self.start("__name:=simulated")
+        poses = Poses("/simulated")
+        node.wait_to_say("/clock: nobody publishes rosgraph_msgs/Clock to it")
+        self.assertEqual(poses.all, [])
+        clock = self.publisher("/clock", kit.rosgraph_msgs.msg.Clock)
+        ticks = iter(range(1000))
+        poses.wait(lambda pose: pose.header.stamp.to_sec() > 500.3, lambda: clock.publish(kit.clock(500 + next(ticks) / 32)))
+        stamps = [pose.header.stamp.to_sec() for pose in poses.all]
+        self.assertTrue(all(500 <= stamp < 560 for stamp in stamps), stamps)
+        self.assertEqual(stamps, sorted(stamps))
+        # A simulation that begins again.
+        count = len(poses.all)
+        ticks = iter(range(1000))
+        poses.wait(lambda pose: pose.header.stamp.to_sec() < 100, lambda: clock.publish(kit.clock(20 + next(ticks) / 32)))
+        self.assertGreater(len(poses.all), count)
+
+        self.start("--clock", "wall", "__name:=awake")
+        self.assertGreater(Poses("/awake").wait(lambda pose: True).header.stamp.to_sec(), time.time() - 60)
+
+    def test_the_vehicle_must_not_be_what_the_node_publishes(self):
+        node = self.start("--tf", "fls", "__name:=circle")
+        self.assertEqual(node.process.wait(timeout=20), 2)
+        self.assertIn("--tf fls", node.said())
+
+
+if __name__ == "__main__":
+    kit.main()

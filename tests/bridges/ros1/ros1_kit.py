@@ -1,0 +1,235 @@
+"""What tests of the bridge to ROS 1 share: a roscore of their own, the node, and rosbag.
+
+A test program is called with the path of `insonify`, of which the node's program is a neighbour. Where something is missing
+it ends with status 77 and says what.
+"""
+
+import atexit
+import os
+import pathlib
+import shutil
+import signal
+import socket
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+import warnings
+import xmlrpc.client
+
+warnings.simplefilter("ignore")  # Of rospy's own code.
+SKIPPED = 77
+
+
+def skip(reason):
+    print(f"skipped: {reason}")
+    sys.exit(SKIPPED)
+
+
+INSONIFY = os.path.abspath(sys.argv.pop(1))
+BRIDGE = os.path.join(os.path.dirname(os.path.realpath(INSONIFY)), "insonify-bridge-ros1")
+if not os.path.exists(BRIDGE):
+    skip(f"{BRIDGE} was not built (./dev bridges, or INSONIFY_BRIDGES=ON)")
+for tool in ("rosmaster", "rosbag"):
+    if shutil.which(tool) is None:
+        skip(f"there is no {tool} (packages python3-rosmaster, python3-rosbag)")
+FOLDER = pathlib.Path(os.environ.get("INSONIFY_ROS1_FOLDER") or tempfile.mkdtemp(prefix="insonify-ros1-"))
+if "INSONIFY_ROS1_FOLDER" not in os.environ:  # Programs that a test starts share its folder.
+    os.environ["INSONIFY_ROS1_FOLDER"] = str(FOLDER)
+    atexit.register(shutil.rmtree, FOLDER, ignore_errors=True)
+
+
+def free_port():
+    with socket.socket() as probe:
+        probe.bind(("127.0.0.1", 0))
+        return probe.getsockname()[1]
+
+
+PORT = free_port()
+# Before rospy is imported, which reads them then.
+os.environ.update(ROS_MASTER_URI=f"http://127.0.0.1:{PORT}", ROS_IP="127.0.0.1", ROS_HOME=str(FOLDER / "ros"),
+                  ROS_LOG_DIR=str(FOLDER / "log"), ROSCONSOLE_FORMAT="${severity}: ${message}")
+os.environ.pop("ROS_HOSTNAME", None)
+try:
+    import dynamic_reconfigure.client  # noqa: F401
+    import nav_msgs.msg
+    import rosbag  # noqa: F401
+    import rosgraph_msgs.msg
+    import rospy
+    import tf2_msgs.msg  # noqa: F401
+except ImportError as missing:
+    skip(f"{missing} (packages python3-rospy, python3-rosbag, python3-nav-msgs, python3-tf2-msgs, "
+         "python3-dynamic-reconfigure, for the Python that runs the tests)")
+
+# The strongest target is 6.02 m ahead and a little to port.
+SCENARIO = """world: none
+points:
+  - {position: [6, 0.5, 0], target_strength_db: -20}
+  - {position: [4, -1.5, 0.2], target_strength_db: -32}
+  - {position: [8, 3, 0.5], target_strength_db: -35}
+  - {position: [9, -4, 0], target_strength_db: -30}
+sonars:
+  - {name: fls, beam_count: 24, bin_count: 90, azimuth_aperture_deg: 70, elevation_aperture_deg: 25, max_range: 12,
+     ping_period: 0.0625, sampling: {columns_per_beam: 2, rows: 40}}
+"""
+
+
+def wait_for(what, seconds=30.0, message="it did not happen"):
+    """The first true value of what(), looked for again and again."""
+    end = time.monotonic() + seconds
+    while time.monotonic() < end:
+        value = what()
+        if value:
+            return value
+        time.sleep(0.02)
+    raise AssertionError(f"{message} within {seconds} s")
+
+
+class Program:
+    """A process that does not outlive the test, with the lines that it prints."""
+
+    def __init__(self, *words):
+        self._said = tempfile.TemporaryFile(mode="w+")
+        self.process = subprocess.Popen([str(word) for word in words], cwd=FOLDER, stdout=self._said,
+                                        stderr=subprocess.STDOUT)
+
+    def said(self):
+        return os.pread(self._said.fileno(), 1 << 20, 0).decode()
+
+    def wait_to_say(self, text, seconds=30.0):
+        end = time.monotonic() + seconds
+        while text not in self.said() and self.process.poll() is None and time.monotonic() < end:
+            time.sleep(0.02)
+        assert text in self.said(), f"it said\n{self.said()}\nbut not {text!r} within {seconds} s"
+
+    def end(self, how=signal.SIGINT):
+        """Its exit status and the seconds that it took to end."""
+        begin = time.monotonic()
+        if self.process.poll() is None:
+            self.process.send_signal(how)
+        try:
+            return self.process.wait(timeout=20), time.monotonic() - begin
+        finally:
+            self.process.kill()
+
+
+def write(name, text):
+    (FOLDER / name).write_text(text)
+
+
+def node(*words, scenario="dive.yaml"):
+    return Program(INSONIFY, "bridge", "ros1", scenario, *words)
+
+
+class Master:
+    """roscore's heart, at PORT."""
+
+    def __init__(self):
+        self.program = Program("rosmaster", "--core", "-p", PORT)
+        self.proxy = xmlrpc.client.ServerProxy(os.environ["ROS_MASTER_URI"])
+        wait_for(self.answers, message="rosmaster did not answer")
+
+    def answers(self):
+        try:
+            return self.proxy.getPid("/test")[0] == 1
+        except OSError:
+            return False
+
+    def set(self, name, value):
+        assert self.proxy.setParam("/test", name, value)[0] == 1
+
+    def connections(self, name):
+        """Topics by the node they go to, of those that a node's connections are made for."""
+        code, _, uri = self.proxy.lookupNode("/test", name)
+        if code != 1:
+            return {}
+        found = {}
+        for _, other, direction, _, topic, connected, *_ in xmlrpc.client.ServerProxy(uri).getBusInfo("/test")[2]:
+            if connected:
+                found.setdefault((topic, direction), []).append(other)
+        return found
+
+    def publishes(self, name, topic):
+        """Whether a node is known as a publisher of a topic."""
+        published = dict(self.proxy.getSystemState("/test")[2][0])
+        return name in published.get(topic, [])
+
+    def end(self):
+        self.program.end(signal.SIGKILL)
+
+
+class Listener:
+    """Keeps the messages of a topic, as bytes."""
+
+    def __init__(self, topic):
+        self.messages = []
+        self.times = []
+        self._subscriber = rospy.Subscriber(topic, rospy.AnyMsg, self._take, queue_size=100)
+        wait_for(lambda: self._subscriber.get_num_connections() > 0, message=f"nobody publishes {topic}")
+
+    def _take(self, message):
+        self.times.append(time.time())
+        self.messages.append(message._buff)
+
+    def wait(self, count, seconds=30.0):
+        wait_for(lambda: len(self.messages) >= count, seconds, f"only {len(self.messages)} messages of {count}")
+        return self.messages[count - 1]
+
+    def next(self, seconds=30.0):
+        """The next message that comes from now on."""
+        return self.wait(len(self.messages) + 1, seconds)
+
+
+def connected(publisher, count=1):
+    wait_for(lambda: publisher.get_num_connections() >= count, message=f"nobody reads {publisher.name}")
+    return publisher
+
+
+def odometry(stamp, x, y=0.0, yaw_wz=(1.0, 0.0), frame="world"):
+    message = nav_msgs.msg.Odometry()
+    message.header.stamp = rospy.Time.from_sec(stamp)
+    message.header.frame_id = frame
+    message.child_frame_id = "base_link"
+    message.pose.pose.position.x, message.pose.pose.position.y = x, y
+    message.pose.pose.orientation.w, message.pose.pose.orientation.z = yaw_wz
+    return message
+
+
+def clock(time_now):
+    return rosgraph_msgs.msg.Clock(rospy.Time.from_sec(time_now))
+
+
+def far_edge(image):
+    """Centre of the last bin of an encoded ProjectedSonarImage [m]."""
+    return decoded(image).ranges[-1]
+
+
+_type = None
+
+
+def decoded(image):
+    """A ProjectedSonarImage from its bytes, by the definition that an exported bag has."""
+    global _type
+    if _type is None:
+        subprocess.run([INSONIFY, "run", "dive.yaml", "-o", "definition", "--pings", "1", "--no-pictures", "--record", "h5"],
+                       cwd=FOLDER, check=True, stdout=subprocess.DEVNULL)
+        subprocess.run([INSONIFY, "export", next((FOLDER / "definition").glob("*.h5")), "-o", "definition.bag"],
+                       cwd=FOLDER, check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        with rosbag.Bag(str(FOLDER / "definition.bag")) as bag:
+            _type = next(bag.read_messages("/fls/sonar_image", raw=True))[1][4]
+    return _type().deserialize(image)
+
+
+def close_bag(program):
+    """Ends `rosbag record`."""
+    status, _ = program.end(signal.SIGINT)
+    assert status == 0, program.said()
+
+
+def main():
+    """Runs the tests of the program."""
+    status = 0 if unittest.main(exit=False, verbosity=2, warnings="ignore").result.wasSuccessful() else 1
+    shutil.rmtree(FOLDER, ignore_errors=True)
+    sys.stdout.flush()
+    os._exit(status)  # rospy's threads do not end where roscore is gone.

@@ -1,0 +1,251 @@
+// bridge_test.cpp -- pings of a live scenario as messages on a road of the test's own.
+
+#include "road/bridge.h"
+
+#include <gmock/gmock.h>
+
+#include <chrono>
+#include <future>
+
+#include "console/outcome.h"
+#include "support/message_of.h"
+#include "support/working_folder.h"
+
+namespace insonify {
+namespace {
+
+using testing::AllOf;
+using testing::Each;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+
+using Clock = std::chrono::steady_clock;
+
+constexpr const char* kScenario = R"(world: none
+points: [{position: [3, 0.2, 0], target_strength_db: -10}]
+sonars:
+  - {name: fls, beam_count: 12, bin_count: 30, max_range: 6, ping_period: 0.01, sampling: {columns_per_beam: 1, rows: 4}}
+)";
+
+struct Sent {
+  std::size_t sonar, channel;
+  std::uint64_t time_ns;
+  std::vector<std::byte> message;
+};
+
+// Keeps what is sent, and fails or waits as told.
+class KeptRoad : public Road {
+ public:
+  void begin(const LiveWorld& world) override {
+    const std::lock_guard lock(mutex_);
+    begun_with_ = world.sonars.size();
+  }
+  void open(std::size_t /*sonar*/, const std::vector<MessageChannel>& channels) override {
+    const std::lock_guard lock(mutex_);
+    EXPECT_EQ(begun_with_, 1U);  // Before.
+    channels_ = channels;
+    ++opened_;
+  }
+  [[nodiscard]] bool is_read(std::size_t /*sonar*/, std::size_t channel) const override {
+    const std::lock_guard lock(mutex_);
+    return channels_[channel].kind == read;
+  }
+  void send(std::size_t sonar, std::size_t channel, std::uint64_t time_ns,
+            const std::vector<std::byte>& message) override {
+    std::this_thread::sleep_for(takes);
+    const std::lock_guard lock(mutex_);
+    if (channels_[channel].kind != MessageKind::kScenario && fails-- > 0) {
+      throw std::runtime_error("the road is closed");
+    }
+    sent_.push_back({sonar, channel, time_ns, message});
+    changed_.notify_all();
+  }
+
+  // What was sent of a kind, once so many are there.
+  std::vector<Sent> wait_for(MessageKind kind, std::size_t count) {
+    std::unique_lock lock(mutex_);
+    EXPECT_TRUE(changed_.wait_for(lock, std::chrono::seconds(10), [&] { return of(kind).size() >= count; }));
+    return of(kind);
+  }
+  [[nodiscard]] std::vector<Sent> all() const {
+    const std::lock_guard lock(mutex_);
+    return sent_;
+  }
+  [[nodiscard]] int opened() const {
+    const std::lock_guard lock(mutex_);
+    return opened_;
+  }
+
+  std::optional<MessageKind> read = MessageKind::kSonarImage;
+  std::chrono::milliseconds takes{0};
+  int fails = 0;
+
+ private:
+  [[nodiscard]] std::vector<Sent> of(MessageKind kind) const {
+    std::vector<Sent> found;
+    for (const Sent& each : sent_) {
+      if (channels_[each.channel].kind == kind) {
+        found.push_back(each);
+      }
+    }
+    return found;
+  }
+
+  mutable std::mutex mutex_;
+  std::condition_variable changed_;
+  std::vector<MessageChannel> channels_;
+  std::vector<Sent> sent_;
+  int opened_ = 0;
+  std::size_t begun_with_ = 0;
+};
+
+class BridgeTest : public testing::Test {
+ protected:
+  BridgeTest() { folder_.write("dive.yaml", kScenario); }
+
+  std::unique_ptr<Bridge> bridge(const LiveOptions& live = {}) {
+    return std::make_unique<Bridge>(BridgeOptions{.scenario = "dive.yaml", .live = live, .quiet = true}, road_,
+                                    MessageForm::kRos1);
+  }
+
+  WorkingFolder folder_;
+  KeptRoad road_;
+};
+
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+// Number of the ping, the first field of a message's header in ROS 1.
+std::uint32_t sequence(const Sent& sent) {
+  std::uint32_t number = 0;
+  std::memcpy(&number, sent.message.data(), sizeof number);
+  return number;
+}
+
+TEST_F(BridgeTest, SendsEveryPingInOrder) {
+  const auto bridge = this->bridge();
+  bridge->start();
+  const std::vector<Sent> images = road_.wait_for(MessageKind::kSonarImage, 20);
+  bridge->end();
+  for (std::size_t i = 0; i < images.size(); ++i) {
+    EXPECT_EQ(sequence(images[i]), i);
+    EXPECT_TRUE(i == 0 || images[i].time_ns > images[i - 1].time_ns);
+  }
+  EXPECT_THAT(bridge->report().text(), AllOf(HasSubstr("Hz"), Not(HasSubstr("dropped"))));
+}
+
+TEST_F(BridgeTest, OpensAndTellsTheScenarioBeforeThereIsAPing) {
+  const auto bridge = this->bridge({.driven = true});
+  bridge->start();
+  EXPECT_EQ(road_.wait_for(MessageKind::kScenario, 1).size(), 1U);
+  EXPECT_EQ(road_.opened(), 1);
+  bridge->end();
+  EXPECT_EQ(road_.all().size(), 1U);
+}
+
+TEST_F(BridgeTest, WhatNobodyReadsIsNotSent) {
+  road_.read.reset();
+  const auto bridge = this->bridge();
+  bridge->start();
+  std::this_thread::sleep_for(std::chrono::milliseconds(150));
+  bridge->end();
+  EXPECT_GE(bridge->loop().state().pings_made, 3U);
+  EXPECT_EQ(road_.all().size(), 1U);  // The scenario.
+}
+
+// A ping takes 60 ms to be sent, and one comes each 10 ms: five wait at most, and all others are counted.
+TEST_F(BridgeTest, ARoadThatIsTooSlowMakesNoQueue) {
+  road_.takes = std::chrono::milliseconds(60);
+  const auto bridge = this->bridge();
+  bridge->start();
+  const std::vector<Sent> images = road_.wait_for(MessageKind::kSonarImage, 8);
+  const std::uint64_t made = bridge->loop().state().pings_made;
+  bridge->end();
+  EXPECT_LE(made - sequence(images.back()), Bridge::kMostWaiting + 8);
+  EXPECT_GT(sequence(images.back()), 12U);
+  const std::string text = bridge->report().text();
+  const std::size_t end = text.find(" pings dropped");
+  ASSERT_NE(end, std::string::npos) << text;
+  const double dropped = std::stod(text.substr(text.rfind(' ', end - 1)));
+  EXPECT_GE(dropped, sequence(images.back()) + 1.0 - static_cast<double>(images.size()));
+}
+
+TEST_F(BridgeTest, SurvivesARoadThatFails) {
+  road_.fails = 3;
+  const auto bridge = this->bridge();
+  testing::internal::CaptureStderr();
+  bridge->start();
+  const std::vector<Sent> images = road_.wait_for(MessageKind::kSonarImage, 2);
+  bridge->end();
+  EXPECT_EQ(sequence(images.front()), 3U);
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "insonify: the road is closed\n");  // Once.
+}
+
+TEST_F(BridgeTest, MessagesHaveTheStampOfThePose) {
+  const auto bridge = this->bridge({.driven = true});
+  bridge->start();
+  const Pose pose{Vec3(0.5, 0, 0), Eigen::Quaterniond::Identity()};
+  bridge->loop().drive({.world_from_vehicle = pose, .stamp = 70});
+  const std::vector<Sent> images = road_.wait_for(MessageKind::kSonarImage, 3);
+  EXPECT_EQ(images[0].time_ns, 70'000'000'000U);
+  for (std::size_t i = 1; i < images.size(); ++i) {  // From the same pose, later.
+    EXPECT_NEAR(1e-9 * static_cast<double>(images[i].time_ns), 70.0 + 0.01 * static_cast<double>(i), 2.0);
+    EXPECT_GT(images[i].time_ns, images[i - 1].time_ns);
+  }
+}
+
+TEST_F(BridgeTest, WithAClockMessagesHaveItsTime) {
+  const auto bridge = this->bridge({.clocked = true});
+  bridge->start();
+  for (int i = 0; i < 3; ++i) {
+    bridge->loop().advance(500 + 0.01 * i);
+    EXPECT_NEAR(1e-9 * static_cast<double>(
+                           road_.wait_for(MessageKind::kSonarImage, static_cast<std::size_t>(i) + 1).back().time_ns),
+                500 + 0.01 * i, 1e-6);
+  }
+}
+
+TEST_F(BridgeTest, GainLowersTheLevelsOfValues) {
+  const auto bridge = this->bridge();
+  bridge->start();
+  const std::vector<std::byte> before = road_.wait_for(MessageKind::kSonarImage, 1).back().message;
+  bridge->set_gain(0, 12);
+  const std::size_t so_far = road_.all().size();
+  const std::vector<std::byte> after = road_.wait_for(MessageKind::kSonarImage, so_far + 6).back().message;
+  ASSERT_EQ(after.size(), before.size());
+  const auto sum = [](const std::vector<std::byte>& message) {  // Of the values, the last field.
+    double all = 0;
+    for (std::size_t i = message.size() - 2 * 12 * 30; i < message.size(); i += 2) {
+      std::uint16_t value = 0;
+      std::memcpy(&value, &message[i], sizeof value);
+      all += value;
+    }
+    return all;
+  };
+  EXPECT_GT(sum(after), sum(before));
+}
+
+TEST_F(BridgeTest, EndsWhileAPingIsMade) {
+  folder_.write("dive.yaml",
+                "world: wall.obj\nsonars:\n  - {name: slow, beam_count: 1024, bin_count: 2000, max_range: 40, "
+                "sampling: {columns_per_beam: 64, rows: 4096}}\n");
+  folder_.write("wall.obj", "v 5 -90 -90\nv 5 90 -90\nv 5 0 90\nf 1 2 3\n");
+  const auto bridge = this->bridge();
+  bridge->start();
+  std::this_thread::sleep_for(std::chrono::milliseconds(300));
+  EXPECT_EQ(bridge->loop().state().pings_made, 0U);
+  const Clock::time_point start = Clock::now();
+  bridge->end();
+  EXPECT_LT(seconds_since(start), 1);
+}
+
+TEST_F(BridgeTest, WrongInputIsToldAsSuch) {
+  folder_.write("dive.yaml", "world: none\nsonars: [{name: fls, max_rnage: 3}]\n");
+  EXPECT_THROW((void)bridge(), InputError);
+  EXPECT_THAT(message_of([&] { (void)bridge(); }), HasSubstr("max_rnage"));
+}
+
+}  // namespace
+}  // namespace insonify
