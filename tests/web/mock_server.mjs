@@ -146,7 +146,9 @@ export class MockServer {
     const sonar = this.sonars.find(({ name }) => name === this.watched);
     if (sonar.type === "msis") this.headAngle += (sonar.step * Math.PI) / 180;
     const headAngle = sonar.type === "msis" ? Math.atan2(Math.sin(this.headAngle), Math.cos(this.headAngle)) : 0;
-    const ping = makePing(sonar, this.number++, this.vehicle, headAngle, this.tables, this.noise, this.made);
+    const lacks = this.keys.model.value === "paper" ? ["shadow", "multipath"] : [];
+    const tables = this.tables.filter((table) => !lacks.includes(table));
+    const ping = makePing(sonar, this.number++, this.vehicle, headAngle, tables, this.noise, this.made);
     for (const socket of this.sockets.clients) {
       if (socket.bufferedAmount === 0) socket.send(ping);  // A slow page gets fewer, as of the real server.
     }

@@ -516,9 +516,9 @@ const failed = await runChecks({
     await until(async () => (await disabled()).length > 0, "choices that are disabled");
     assert.deepEqual(await disabled(), ["shadow", "multipath"]);
     // As a page shows it that had the overlay before; the pings hold none.
-    await page.evaluate(() => insonify.store.set({ overlay: "shadow", shown: { ...insonify.store.get("shown"), tables: { level: insonify.store.get("shown").tables.level } }, frozen: true }));
+    await page.evaluate(() => insonify.store.set({ overlay: "shadow" }));
     await until(async () => (await text("overlay-error")) === "The pings hold no shadow: it needs the calibrated model.", "what it needs");
-    await page.evaluate(() => insonify.store.set({ overlay: "elevation", frozen: false }));
+    await page.evaluate(() => insonify.store.set({ overlay: "elevation" }));
     await page.evaluate(() => document.activeElement?.blur());
     await page.keyboard.press("o");
     assert.equal(await get("overlay"), "none");
