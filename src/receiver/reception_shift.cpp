@@ -2,9 +2,16 @@
 
 #include "receiver/reception_shift.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace insonify {
+namespace {
+
+// Least cosine of the fan's elevation that a bearing is taken across: straight up there is none.
+constexpr double kLeastLevel = 0.1;
+
+}  // namespace
 
 PingMotion motion_between(const Pose& first, const Pose& last, double time) {
   const Eigen::Quaterniond back = first.orientation.conjugate();
@@ -29,6 +36,15 @@ double ReceptionShift::approach(double azimuth) const {
   return (v.x() * std::cos(azimuth) + v.y() * std::sin(azimuth)) * std::cos(elevation) + v.z() * std::sin(elevation);
 }
 
+// By how much an echo from an azimuth appears further to starboard because the sonar has moved to port by u t, with t =
+// 2 r / c, when it arrives: u t / r, at the middle of the elevation aperture [rad].
+double ReceptionShift::parallax(double azimuth) const {
+  const Vec3& v = motion_.velocity;
+  const double across = v.y() * std::cos(azimuth) - v.x() * std::sin(azimuth);
+  const double level_share = std::max(std::cos(cells_config_.elevation_center), kLeastLevel);
+  return 2 * across / (sound_speed_ * level_share);
+}
+
 void ReceptionShift::prepare(const PingMotion& motion, Workers& workers) {
   motion_ = motion;
   source_.resize(static_cast<std::size_t>(cells_) * bins_);
@@ -43,7 +59,8 @@ void ReceptionShift::prepare_cell(int cell) {
   for (int bin = 0; bin < bins_; ++bin) {
     const double received = range_scale_ * cells_config_.bin_range(bin);
     const double time = 2 * received / sound_speed_;
-    const double azimuth = cells_config_.beam_azimuth(cell) + motion_.turn_rate * time;
+    const double shown = cells_config_.beam_azimuth(cell) + motion_.turn_rate * time;
+    const double azimuth = shown + parallax(shown);
     while (from > 0 && azimuth > edges_[from]) {
       --from;
     }
@@ -61,10 +78,11 @@ void ReceptionShift::prepare_cell(int cell) {
 
 DiscreteEcho ReceptionShift::moved(DiscreteEcho echo) const {
   const double range = range_scale_ * cells_config_.bin_range(echo.bin), azimuth = std::asin(double{echo.bearing_sine});
-  const double speed = echo.order > 0 ? approach(azimuth) : 0;  // Order 0: another sonar's pulse, not timed by ours.
+  const bool is_ours = echo.order > 0;  // Order 0: another sonar's pulse, not timed by ours.
+  const double speed = is_ours ? approach(azimuth) : 0;
   const double received = range - speed * (range / sound_speed_ + bias_);
   const double position = (received / range_scale_ - cells_config_.min_range) / cells_config_.bin_length();
-  const double bearing = azimuth - motion_.turn_rate * 2 * received / sound_speed_;
+  const double bearing = azimuth - (is_ours ? parallax(azimuth) : 0) - motion_.turn_rate * 2 * received / sound_speed_;
   echo.bearing_sine = static_cast<float>(std::sin(bearing));
   const bool within = position >= 0 && position < bins_ && bearing <= edges_.front() && bearing > edges_.back();
   echo.bin = within ? static_cast<int>(position) : -1;

@@ -20,7 +20,8 @@ namespace insonify {
 /// r / c, at
 ///
 ///     range    r - (v . d) r / c - b (v . d)     half of the path out and back, less the Doppler bias of a chirp
-///     bearing  azimuth - w t                     relative to the beams as they point at reception
+///     bearing  azimuth - 2 u / c - w t           u: v across d, to port; relative to the beams as they point at
+///     reception
 ///
 /// where b [s] is the range error of a chirp per unit of approach speed (Pulse::doppler_bias()). Cells are moved whole,
 /// to the nearest bin and cell. Speckle is computed for the pose at transmission.
@@ -45,6 +46,7 @@ class ReceptionShift {
 
  private:
   [[nodiscard]] double approach(double azimuth) const;
+  [[nodiscard]] double parallax(double azimuth) const;
   void prepare_cell(int cell);
 
   SonarConfig cells_config_;

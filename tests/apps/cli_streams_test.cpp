@@ -76,7 +76,6 @@ TEST_F(CliStreamsTest, AFullDiskIsOneLineAndKeepsWhatWasRecorded) {
                                     "free; a full disk ends the run, which keeps the pings made so far\n"
                                     "insonify: small/ahead.h5: cannot write ping [0-9]+: No space left on "
                                     "device; those before it stay readable\n"));
-  EXPECT_EQ(shell("h5ls ahead.h5 > listing || true").status, 0);
 }
 
 TEST_F(CliStreamsTest, APictureLeavesAFolderOfItsNameAlone) {

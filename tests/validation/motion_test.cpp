@@ -62,6 +62,36 @@ TEST_F(MotionInPingTest, TurningShiftsTheBearing) {
   }
 }
 
+// A sonar that moves across has passed by u t, t = 2 r / c, when the echo arrives: it appears behind by 2 u / c, at
+// every range. From the positions at transmission and at reception, without that formula.
+TEST_F(MotionInPingTest, MovingAcrossShiftsTheBearing) {
+  const Vec3 point = kRange * Vec3(std::cos(10 * kDegree), std::sin(10 * kDegree), 0);
+  for (const Vec3& velocity : {Vec3(0, 9, 0), Vec3(0, -14, 0), Vec3(-12, 6, 0), Vec3(18, 0, 0)}) {
+    const Vec3 way = point - velocity * (2 * kRange / kSoundSpeed);
+    const double expected = std::atan2(way.y(), way.x()) / kDegree;
+    EXPECT_GT(std::abs(expected - 10), 0.2);
+    EXPECT_NEAR(peak(scenario_of(velocity, 0)).second, expected, 0.07)  // Half a beam, and the square of v / c.
+        << velocity.transpose();
+  }
+}
+
+// The same for surfaces, for a fan that looks down, whose bearings are those of level distances, and while it turns.
+TEST_F(MotionInPingTest, SurfacesAppearBehindASonarThatMovesAcross) {
+  constexpr double kDown = 35 * kDegree;
+  Scenario scenario = scenario_of({0, 12, 0}, -20 * kDegree);
+  scenario.points.clear();
+  SonarConfig& sonar = scenario.sonars[0];
+  sonar.elevation_center = -kDown;
+  sonar.elevation_aperture = 8 * kDegree;
+  const Vec3 middle = 40 * Vec3(std::cos(kDown), 0, -std::sin(kDown));
+  Scene scene = plate_at(40, 0.3, diffuse(-10));
+  scene.instances[0].world_from_mesh.position = middle;
+  scene.instances[0].world_from_mesh.orientation = orientation_from_rpy(0, kDown, 0);
+  const double t = 2 * 40 / kSoundSpeed;
+  const Vec3 way = middle - Vec3(0, 12, 0) * t;
+  EXPECT_NEAR(peak(scenario, scene).second, std::atan2(way.y(), way.x()) / kDegree + 20 * t, 0.3);  // Half the plate.
+}
+
 // With a rising chirp, the Doppler shift f = 2 v f0 / c shortens the measured range by f T c / (2 B) (Cook and
 // Bernfeld, Radar Signals (1967); docs/concepts/motion-in-ping.md).
 TEST_F(MotionInPingTest, ChirpsHaveADopplerBias) {

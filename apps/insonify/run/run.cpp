@@ -100,13 +100,12 @@ void print_oddities(Simulator& simulator, const ScenarioRequests& requests, bool
 }
 
 // The sonar whose next ping is the earliest, the first of those that ping at the same time; -1 where all are done.
-// @param made  Pings made so far of each sonar.
-int next_sonar(const ScenarioRequests& requests, const std::vector<std::uint64_t>& made) {
+int next_sonar(const ScenarioRequests& requests, const std::vector<Track>& tracks) {
   constexpr double kSameTime = 1 + 1e-8;  // Ratio of times that are the same but for the rounding of the periods.
   int next = -1;
   double earliest = 0;
   for (int sonar = 0; sonar < requests.sonar_count(); ++sonar) {
-    const std::uint64_t number = made[static_cast<std::size_t>(sonar)];
+    const std::uint64_t number = tracks[static_cast<std::size_t>(sonar)].made;
     const double time = requests.time_of(sonar, number);
     if (number < requests.ping_count(sonar) && (next < 0 || time * kSameTime < earliest)) {
       next = sonar;
@@ -122,13 +121,11 @@ int next_sonar(const ScenarioRequests& requests, const std::vector<std::uint64_t
 double make_pings(Simulator& simulator, const ScenarioRequests& requests, std::vector<Track>& tracks, bool quiet) {
   Progress progress(requests.total_pings(), quiet);
   PingRequest request;
-  std::vector<std::uint64_t> made(tracks.size());  // Pings of each sonar.
   double computing = 0;
-  for (int sonar = next_sonar(requests, made); sonar >= 0 && !stop_asked(); sonar = next_sonar(requests, made)) {
-    const auto i = static_cast<std::size_t>(sonar);
-    Track& track = tracks[i];
+  for (int sonar = next_sonar(requests, tracks); sonar >= 0 && !stop_asked(); sonar = next_sonar(requests, tracks)) {
+    Track& track = tracks[static_cast<std::size_t>(sonar)];
     const Clock::time_point start = Clock::now();
-    requests.fill(sonar, made[i], request);
+    requests.fill(sonar, track.made, request);
     try {
       simulator.ping(sonar, request, track.next);
     } catch (const Interrupted&) {
@@ -139,10 +136,10 @@ double make_pings(Simulator& simulator, const ScenarioRequests& requests, std::v
     track.recordings.add(track.ping);
     track.pictures.add(track.ping);
     track.loudness.add(track.ping);
-    if (made[i] == 0) {
+    if (track.made == 0) {
       track.heard = heard_text(simulator.scene(), simulator.sonar(sonar), track.ping);
     }
-    track.made = ++made[i];
+    ++track.made;
     progress.advance();
   }
   return computing;

@@ -20,7 +20,7 @@ struct Track {
   SonarRecordings recordings;
   PingPictures pictures;
   Ping ping = {}, next = {};  ///< The last recorded ping; the ping being computed.
-  std::uint64_t made = 0;
+  std::uint64_t made = 0;     ///< Pings so far.
   Loudness loudness = {};
   std::string heard = {};  ///< Text about the first ping: see heard_text().
 };

@@ -49,7 +49,9 @@ McapWriter::McapWriter(std::filesystem::path path, const std::string& library, b
     out_->put_in_place();
     absolute_ = std::filesystem::absolute(path_);
   }
-  thread_ = std::thread([this] { write_chunks_in_time(); });
+  if (!only_whole_) {  // Nobody reads it before it is whole: its chunks, and so its bytes, do not depend on the time.
+    thread_ = std::thread([this] { write_chunks_in_time(); });
+  }
 }
 
 McapWriter::~McapWriter() {

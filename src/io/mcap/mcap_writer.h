@@ -33,7 +33,8 @@ class McapWriter {
  public:
   static constexpr std::chrono::milliseconds kLongestChunk{500};
 
-  /// @param only_whole  Stay beside `path` until close() in any case, and be removed without.
+  /// @param only_whole  Stay beside `path` until close() in any case, and be removed without; chunks end by their size
+  ///                    alone, so that the same messages are the same bytes.
   /// @throws Error with the path when the file cannot be made, or is there and may not be replaced.
   McapWriter(std::filesystem::path path, const std::string& library, bool replace, bool only_whole = false);
   /// Finishes the file without reporting errors and without replacing an earlier one.

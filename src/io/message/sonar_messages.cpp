@@ -12,8 +12,8 @@
 #include "insonify/files.h"
 #include "insonify/messages.h"
 #include "insonify/printable.h"
-#include "io/message/definitions.h"
 #include "io/message/encode.h"
+#include "io/message/message_channels.h"
 #include "io/message/message_display.h"
 #include "io/message/ros_name.h"
 #include "io/message/strong_points.h"
@@ -25,50 +25,6 @@ constexpr double kTimeLimit = 2147483648.0;  // Limit of builtin_interfaces/Time
 
 // Most pings of a scanning head that its picture shows.
 constexpr std::uint64_t kMostScanned = 4000;
-
-std::string_view gazebo_type(MessageKind kind) {
-  switch (kind) {
-    case MessageKind::kPoints:
-      return "gz.msgs.PointCloudPacked";
-    case MessageKind::kPose:
-      return "gz.msgs.Pose";
-    case MessageKind::kTransforms:
-      return "gz.msgs.Pose_V";
-    case MessageKind::kScenario:
-      return "gz.msgs.StringMsg";
-    case MessageKind::kSonarImage:
-    case MessageKind::kFan:
-    case MessageKind::kRaw:
-      break;
-  }
-  return "gz.msgs.Image";
-}
-
-std::vector<MessageChannel> channels_of(const std::string& name, MessageForm form, bool raw) {
-  const std::string at = "/" + name;
-  const auto channel = [form](MessageKind kind, std::string topic, const std::string& package,
-                              const std::string& type) -> MessageChannel {
-    if (form == MessageForm::kGazebo) {
-      return {kind, std::move(topic), std::string(gazebo_type(kind)), ""};
-    }
-    const std::string whole = package + "/" + type;
-    const std::string definition = message_definition(whole, form);
-    return form == MessageForm::kRos1
-               ? MessageChannel{kind, std::move(topic), whole, definition, std::string(ros1_checksum(whole))}
-               : MessageChannel{kind, std::move(topic), package + "/msg/" + type, definition};
-  };
-  std::vector<MessageChannel> channels = {
-      channel(MessageKind::kSonarImage, at + "/sonar_image", "marine_acoustic_msgs", "ProjectedSonarImage"),
-      channel(MessageKind::kFan, at + "/fan", "sensor_msgs", "Image"),
-      channel(MessageKind::kPoints, at + "/points", "sensor_msgs", "PointCloud2"),
-      channel(MessageKind::kPose, at + "/pose", "geometry_msgs", "PoseStamped"),
-      channel(MessageKind::kTransforms, "/tf", "tf2_msgs", "TFMessage"),
-      channel(MessageKind::kScenario, "/scenario", "std_msgs", "String")};
-  if (raw) {
-    channels.push_back(channel(MessageKind::kRaw, at + "/raw", "sensor_msgs", "Image"));
-  }
-  return channels;
-}
 
 // The frame of sonar images in that of the housing: z along the middle of the fan, y to port, x down. An azimuth of the
 // message, atan2(-y, z), is positive to starboard, which readers draw to the right.
@@ -232,7 +188,7 @@ SonarMessages::SonarMessages(MessageSource source, MessageOptions options, Messa
   const std::string name = ros_name(source.name.empty() ? source.sonar.name : source.name);
   const double sound_speed = source.sonar.assumed_sound_speed.value_or(0);  // 0: unknown, as the .msg file has it.
   SonarImageFacts facts = image_facts(source.sonar, sound_speed);
-  std::vector<MessageChannel> channels = channels_of(name, form, options.raw);
+  std::vector<MessageChannel> channels = message_channels(name, form, options.raw);
   state_ = std::make_unique<State>(
       State{std::move(source), std::move(options), form, name, std::move(channels), display, std::move(facts)});
 }

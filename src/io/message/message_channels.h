@@ -1,0 +1,16 @@
+// message_channels.h -- topics and types of the messages about one sonar.
+
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "insonify/messages.h"
+
+namespace insonify {
+
+/// Channels of the sonar called `name`, as it stands in topics.
+/// @param raw  Whether there is one of raw images.
+[[nodiscard]] std::vector<MessageChannel> message_channels(const std::string& name, MessageForm form, bool raw);
+
+}  // namespace insonify
