@@ -191,11 +191,11 @@ if(INSONIFY_BUILD_APPS AND NOT INSONIFY_SANITIZE)
   foreach(subject recording settings roscore poses)
     add_test(NAME ros1_${subject}
       COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/bridges/ros1/${subject}_test.py $<TARGET_FILE:insonify_cli>)
-    set_tests_properties(ros1_${subject} PROPERTIES SKIP_RETURN_CODE 77 TIMEOUT 180)
+    set_tests_properties(ros1_${subject} PROPERTIES SKIP_RETURN_CODE 77 TIMEOUT 600)
   endforeach()
   add_test(NAME ros1_launch
     COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/bridges/ros1/launch_test.py $<TARGET_FILE:insonify_cli> ${PROJECT_VERSION})
-  set_tests_properties(ros1_launch PROPERTIES SKIP_RETURN_CODE 77 TIMEOUT 180)
+  set_tests_properties(ros1_launch PROPERTIES SKIP_RETURN_CODE 77 TIMEOUT 600)
   add_test(NAME follow_wall_ros1
     COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/bench/follow_wall.py ros1 $<TARGET_FILE:insonify_cli> --seconds 4 --slowest 5)
   set_tests_properties(follow_wall_ros1 PROPERTIES SKIP_RETURN_CODE 77 TIMEOUT 120)

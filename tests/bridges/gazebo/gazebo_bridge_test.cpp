@@ -54,9 +54,9 @@ class GazeboBridgeTest : public testing::TestWithParam<std::string> {
   // Tells poses until there is a message more; the last of them.
   static GazeboSonarImage next(Player& player, GazeboReader& reader, double time) {
     const std::size_t before = reader.count();
-    for (int attempt = 0; attempt < 40 && reader.count() == before; ++attempt) {  // The same again changes nothing.
+    for (int attempt = 0; attempt < 120 && reader.count() == before; ++attempt) {  // The same again changes nothing.
       player.tell("poses " + std::to_string(time));
-      (void)reader.wait_for(before + 1, 0.25);
+      (void)reader.wait_for(before + 1, 0.5);
     }
     EXPECT_GT(reader.count(), before) << "no ping at " << time << "; " << contents(kSaid);
     return GazeboSonarImage(reader.messages().back());
@@ -90,7 +90,7 @@ TEST_P(BothGenerations, PingsAreMadeWhereGazeboHasTheVehicle) {
   EXPECT_EQ(gz.messages().back(), ignition.messages().back());
   double seconds = 0;
   EXPECT_EQ(bridge.end(SIGINT, &seconds), 0);
-  EXPECT_LT(seconds, 1);
+  EXPECT_LT(seconds, kPrompt);
   EXPECT_THAT(contents(kSaid),
               AllOf(HasSubstr("following the world tank: 1 visuals, 0 of them in models that move"),
                     HasSubstr("5 pings in"), HasSubstr("from transmission to message"), Not(HasSubstr("dropped"))));
@@ -149,14 +149,14 @@ TEST_F(GazeboBridgeTest, WaitsForGazeboAndSurvivesItsRestart) {
   EXPECT_NEAR(next(*player, reader, 0.25 + kPeriod).first_echo(), 5.75, kBin);
 }
 
-TEST_F(GazeboBridgeTest, EndsWithinASecondWithoutGazebo) {
+TEST_F(GazeboBridgeTest, EndsWhenAskedWithoutGazebo) {
   Program bridge = this->bridge();
   ASSERT_TRUE(says(kSaid, "waiting for it"));
   bridge.signal(SIGUSR1);
   EXPECT_TRUE(says(kSaid, "0 pings in"));
   double seconds = 0;
   EXPECT_EQ(bridge.end(SIGINT, &seconds), 0);
-  EXPECT_LT(seconds, 1);
+  EXPECT_LT(seconds, kPrompt);
   std::size_t lines = 0;
   for (std::size_t at = 0; (at = contents(kSaid).find("waiting for it", at)) != std::string::npos; ++at) {
     ++lines;
@@ -260,7 +260,7 @@ TEST_F(GazeboBridgeTest, AVehicleThatIsNotThereIsTold) {
   Program bridge = this->bridge({"dive.yaml", "--vehicle", "fls=boat::hull"});
   const auto player = tank("gz");
   player->tell("followed");
-  for (int i = 0; i < 20 && !says(kSaid, "no ping", 0.1); ++i) {
+  for (int i = 0; i < 200 && !says(kSaid, "no ping", 0.1); ++i) {
     player->tell("poses 1");
   }
   EXPECT_THAT(contents(kSaid), HasSubstr("no ping: boat::hull, which carries fls, is not in the world; its models are "

@@ -29,7 +29,7 @@ class GazeboReader {
   }
 
   /// Whether so many have come, within some seconds.
-  bool wait_for(std::size_t count, double seconds = 10) {
+  bool wait_for(std::size_t count, double seconds = 60) {
     std::unique_lock lock(mutex_);
     return arrived_.wait_for(lock, std::chrono::duration<double>(seconds), [&] { return messages_.size() >= count; });
   }

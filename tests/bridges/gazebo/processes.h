@@ -21,6 +21,10 @@
 
 namespace insonify {
 
+/// Limits only end a test that fails: on a busy machine all that is waited for can take seconds.
+inline constexpr double kPatience = 60;  // For what must happen [s].
+inline constexpr double kPrompt = 20;    // For the end of a bridge [s].
+
 /// A process with files for its streams; ended with this object.
 class Program {
  public:
@@ -123,7 +127,7 @@ inline std::string contents(const std::string& file) {
 }
 
 /// Waits until a file holds a text.
-inline bool says(const std::string& file, const std::string& text, double seconds = 10) {
+inline bool says(const std::string& file, const std::string& text, double seconds = kPatience) {
   for (int attempt = 0; attempt < seconds * 20; ++attempt) {
     if (contents(file).find(text) != std::string::npos) {
       return true;
