@@ -6,10 +6,8 @@ poses_test.py INSONIFY
 
 import itertools
 import math
-import signal
 import subprocess
 import time
-import unittest
 
 import ros1_kit as kit
 from geometry_msgs.msg import PoseStamped, TransformStamped
@@ -47,22 +45,7 @@ class Poses:
         return kit.wait_for(found, message=f"no such pose among {self.all[-1:]}")
 
 
-class PosesTest(unittest.TestCase):
-    @classmethod
-    def setUpClass(cls):
-        kit.write("dive.yaml", kit.SCENARIO)
-        cls.master = kit.Master()
-        kit.rospy.init_node("tester", disable_signals=True)
-
-    @classmethod
-    def tearDownClass(cls):
-        cls.master.end()
-
-    def start(self, *words, **options):
-        node = kit.node(*words, **options)
-        self.addCleanup(node.end, signal.SIGKILL)
-        return node
-
+class PosesTest(kit.MasterTest):
     def publisher(self, topic, kind, **options):
         publisher = kit.rospy.Publisher(topic, kind, queue_size=10, **options)
         self.addCleanup(publisher.unregister)

@@ -5,7 +5,6 @@ recording_test.py INSONIFY
 """
 
 import subprocess
-import unittest
 
 import ros1_kit as kit
 from std_msgs.msg import String
@@ -35,11 +34,12 @@ def raw_messages(bag, topic):
     return [message[1] for _, message, _ in bag.read_messages(topic, raw=True)]
 
 
-class RecordingTest(unittest.TestCase):
+class RecordingTest(kit.MasterTest):
     """The vehicle moves by odometry and simulated time; rosbag records."""
 
     @classmethod
     def setUpClass(cls):
+        super().setUpClass()
         poses = "".join(f"  - {{time: {i * PERIOD}, position: [{x_at(i)}, 0.5, 0]}}\n" for i in range(PINGS + 1))
         kit.write("dive.yaml", f"{kit.SCENARIO}pings: {PINGS}\ntrajectory:\n{poses}")
         insonify("run", "dive.yaml", "-o", "out", "--no-pictures", "--record", "h5")
@@ -48,9 +48,8 @@ class RecordingTest(unittest.TestCase):
         cls.recording = h5py.File(recording)
         cls.expected = kit.rosbag.Bag(str(kit.FOLDER / "expected.bag"))
 
-        cls.master = kit.Master()
-        kit.rospy.init_node("tester", disable_signals=True)
-        cls.node = kit.node("--odometry", "/auv/odom", "--clock", "simulated")
+        node = kit.node("--odometry", "/auv/odom", "--clock", "simulated")
+        cls.addClassCleanup(node.end)
         odom = kit.connected(kit.rospy.Publisher("/auv/odom", kit.nav_msgs.msg.Odometry, queue_size=10))
         clock = kit.connected(kit.rospy.Publisher("/clock", kit.rosgraph_msgs.msg.Clock, queue_size=1))
         topics = [*TOPICS, "/insonify/raw"]
@@ -68,12 +67,7 @@ class RecordingTest(unittest.TestCase):
         cls.image_count = len(images.messages)
         cls.scenario = kit.rospy.wait_for_message("/insonify/scenario", String, kit.PATIENCE)  # It was sent long ago.
         cls.bag = kit.rosbag.Bag(str(kit.FOLDER / "x.bag"))
-        cls.status, cls.seconds = cls.node.end()
-
-    @classmethod
-    def tearDownClass(cls):
-        cls.node.end()
-        cls.master.end()
+        cls.status, cls.seconds = node.end()
 
     def test_bytes_are_those_of_the_exported_bag(self):
         for topic, exported in TOPICS.items():

@@ -248,6 +248,31 @@ def decoded(image):
     return _type().deserialize(image)
 
 
+class NodeTest(unittest.TestCase):
+    """With the scenario as dive.yaml. A roscore is the test's own affair."""
+
+    @classmethod
+    def setUpClass(cls):
+        write("dive.yaml", SCENARIO)
+
+    def start(self, *words, **options):
+        """The node, which does not outlive the test."""
+        program = node(*words, **options)
+        self.addCleanup(program.end, signal.SIGKILL)
+        return program
+
+
+class MasterTest(NodeTest):
+    """With a roscore, and the test program as a node of its own."""
+
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+        cls.master = Master()
+        cls.addClassCleanup(cls.master.end)
+        rospy.init_node("tester", disable_signals=True)
+
+
 def close_bag(program):
     """Waits until `rosbag record` has recorded as many messages of each topic as it was told."""
     wait_for(lambda: program.process.poll() is not None, message="rosbag has not recorded enough")

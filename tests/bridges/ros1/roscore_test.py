@@ -7,21 +7,12 @@ roscore_test.py INSONIFY
 import os
 import signal
 import time
-import unittest
 
 import ros1_kit as kit
 from dynamic_reconfigure.client import Client
 
 
-class RoscoreTest(unittest.TestCase):
-    def setUp(self):
-        kit.write("dive.yaml", kit.SCENARIO)
-
-    def start(self, *words, **options):
-        node = kit.node(*words, **options)
-        self.addCleanup(node.end, signal.SIGKILL)
-        return node
-
+class RoscoreTest(kit.NodeTest):
     def master(self):
         master = kit.Master()
         self.addCleanup(master.end)
@@ -108,7 +99,7 @@ class RoscoreTest(unittest.TestCase):
         self.assertNotIn("does not answer", node.said())
 
     def last_y(self):
-        """Of the third of the poses that come from now on."""
+        """y of the third of the poses that come from now on [m]."""
         record = kit.Program("rosbag", "record", "-l", 3, "-O", "pose.bag", "/insonify/pose")
         self.addCleanup(record.end, signal.SIGKILL)
         kit.wait_for(lambda: record.process.poll() is not None, message="no poses")

@@ -6,7 +6,6 @@ settings_test.py INSONIFY
 
 import signal
 import time
-import unittest
 
 import ros1_kit as kit
 from dynamic_reconfigure.client import Client
@@ -31,23 +30,7 @@ def total(image):
     return sum(data[::2]) + 256 * sum(data[1::2])
 
 
-class SettingsTest(unittest.TestCase):
-    @classmethod
-    def setUpClass(cls):
-        kit.write("dive.yaml", kit.SCENARIO)
-        kit.write("two.yaml", TWO_SONARS)
-        cls.master = kit.Master()
-        kit.rospy.init_node("tester", disable_signals=True)
-
-    @classmethod
-    def tearDownClass(cls):
-        cls.master.end()
-
-    def start(self, *words, **options):
-        node = kit.node(*words, **options)
-        self.addCleanup(node.end, signal.SIGKILL)
-        return node
-
+class SettingsTest(kit.MasterTest):
     def test_range_and_gain_act_on_the_next_ping(self):
         node = self.start()
         images = kit.Listener("/insonify/image")
@@ -131,6 +114,7 @@ class SettingsTest(unittest.TestCase):
     def test_several_sonars_have_names_below_the_node(self):
         self.master.set("/insonify", {"gain": 1.5, "_2nd_fls": {"gain": -2.5, "range": 7, "colour": "red"}, "3rd": {"range": 4}})
         self.addCleanup(self.master.proxy.deleteParam, "/test", "/insonify")
+        kit.write("two.yaml", TWO_SONARS)
         node = self.start(scenario="two.yaml")
         self.assertEqual(Client("/insonify/fls", timeout=kit.PATIENCE).get_configuration()["gain"], 1.5)
         self.assertEqual(Client("/insonify/_2nd_fls", timeout=kit.PATIENCE).get_configuration()["range"], 7)
