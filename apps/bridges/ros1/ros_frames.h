@@ -23,7 +23,7 @@ class RosFrames {
   RosFrames(const RosFrames&) = delete;
   RosFrames& operator=(const RosFrames&) = delete;
 
-  /// Of /tf.
+  /// The subscriber to /tf.
   [[nodiscard]] const ros::Subscriber& subscriber() const;
 
   // The rest must be called from that thread.

@@ -63,7 +63,7 @@ class RosInputs {
   ros::AsyncSpinner spinner_{1};
   Clock::time_point begin_ = Clock::now();
 
-  // Of the thread.
+  // Used by the thread of the callbacks alone.
   std::optional<double> time_;  // Last one [s].
   bool told_frame_ = false, told_dead_end_ = false;
   std::string refusal_;  // Why the last pose was no good.

@@ -37,7 +37,7 @@ Bytes transform(const std::string& parent, const std::string& child, const Pose&
   return cdr.take();
 }
 
-// Of geometry_msgs/msg/PoseStamped.
+// What is read of geometry_msgs/msg/PoseStamped.
 struct Stamped {
   std::string frame;
   Vec3 position;

@@ -24,7 +24,7 @@ def transform(parent, child, stamp, x=0.0, y=0.0, yaw=0.0):
 
 
 def values(image):
-    """Of a sonar image with 16 bits, in order."""
+    """The values of a sonar image with 16 bits, in order."""
     data = image.image.data
     return [low + 256 * high for low, high in zip(data[::2], data[1::2])]
 
