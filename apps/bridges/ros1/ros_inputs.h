@@ -9,7 +9,6 @@
 
 #include <chrono>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -64,7 +63,6 @@ class RosInputs {
   Clock::time_point begin_ = Clock::now();
 
   // Used by the thread of the callbacks alone.
-  std::optional<double> time_;  // Last one [s].
   bool told_frame_ = false, told_dead_end_ = false;
   std::string refusal_;  // Why the last pose was no good.
 };
