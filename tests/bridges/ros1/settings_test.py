@@ -125,6 +125,14 @@ class SettingsTest(kit.MasterTest):
         edges = [kit.far_edge(kit.Listener(f"/insonify/{name}/image").next()) for name in ("fls", "_2nd_fls")]
         self.assertAlmostEqual(edges[0], edge(12, 30), places=5)
         self.assertAlmostEqual(edges[1], edge(6, 30), places=5)
+        # 20 dB are a third of the 60 dB that values cover; what a sonar hears changes little from ping to ping.
+        images = [kit.Listener(f"/insonify/{name}/image") for name in ("fls", "_2nd_fls")]
+        before = [total(kit.decoded(each.next())) for each in images]
+        client.update_configuration({"gain": 17.5})
+        moment = time.time()
+        rises = [total(each.image_after(moment)) - old for each, old in zip(images, before)]
+        self.assertGreater(rises[1], 65535)
+        self.assertLess(abs(rises[0]), rises[1] / 2)
 
     def test_it_reports_when_asked_and_ends_when_killed_by_ros(self):
         node = self.start("__name:=asked")
