@@ -136,7 +136,8 @@ def main():
     parser.add_argument("insonify")
     parser.add_argument("--seconds", type=float, default=60)
     parser.add_argument("--slowest", type=float, help="pings a second; 19.5 of 20, and 18 of a Ping360, which adds its delay "
-                                                       "to the time that a ping takes")
+                                                       "to the time that a ping takes; 0: time does not count, as "
+                                                       "in tests on a busy machine")
     parser.add_argument("--vehicle", help="the program wall_vehicle, for dds; gazebo_wall_vehicle, for gazebo")
     options = parser.parse_args()
     insonify = os.path.abspath(options.insonify)
@@ -168,11 +169,12 @@ def main():
     if latencies:  # Measured by the one who reads, which is later than the report's.
         latency = 1e3 * statistics.mean(latencies)
         print(f"from pose to message {latency:.1f} ms on average, {1e3 * max(latencies):.1f} at most")
-    slowest = options.slowest or (18 if options.road == "ping360" else 19.5)
+    slowest = options.slowest if options.slowest is not None else 18 if options.road == "ping360" else 19.5
+    in_time = slowest == 0 or latency <= 1000 / min(RATE, rate) + computing
     wrong = [text for text, failed in (
         ("a distance is wrong by more than a bin", worst > bin_length), ("pings were lost", lost > 0),
         ("messages were dropped", "dropped" in report), ("too slow", rate < slowest),
-        ("too late", latency > 1000 / min(RATE, rate) + computing)) if failed]
+        ("too late", not in_time)) if failed]
     print("; ".join(wrong) or "as it must be")
     return 1 if wrong else 0
 
