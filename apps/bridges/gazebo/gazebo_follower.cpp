@@ -46,22 +46,24 @@ void GazeboFollower::end() {
     node_.Unsubscribe(topic);
   }
   {
-    const std::lock_guard lock(mutex_);
-    ending_ = true;
+    const std::lock_guard lock(mail_box_->mutex);
+    mail_box_->ending = true;
   }
-  arrived_.notify_all();
+  mail_box_->arrived.notify_all();
   thread_.join();
 }
 
 void GazeboFollower::follow() {
-  std::unique_lock lock(mutex_);
-  while (!ending_) {
-    arrived_.wait_for(lock, kLook / 2,
-                      [this] { return ending_ || !mail_.news.empty() || mail_.poses || mail_.dynamic_poses; });
-    if (ending_) {
+  MailBox& box = *mail_box_;
+  std::unique_lock lock(box.mutex);
+  while (!box.ending) {
+    box.arrived.wait_for(lock, kLook / 2, [&box] {
+      return box.ending || !box.mail.news.empty() || box.mail.poses || box.mail.dynamic_poses;
+    });
+    if (box.ending) {
       return;
     }
-    Mail mail = std::exchange(mail_, {});
+    Mail mail = std::exchange(box.mail, {});
     lock.unlock();
     try {
       if (Clock::now() >= next_look_) {
@@ -148,17 +150,17 @@ void GazeboFollower::subscribe() {
   const WorldTopics topics(subscribed_);
   using ignition::transport::MessageInfo;
   const auto keep = [this](std::optional<std::string> Mail::*of) {
-    return [this, of](const char* bytes, std::size_t size, const MessageInfo&) {
-      const std::lock_guard lock(mutex_);
-      (mail_.*of).emplace(bytes, size);
-      arrived_.notify_all();
+    return [box = mail_box_, of](const char* bytes, std::size_t size, const MessageInfo&) {
+      const std::lock_guard lock(box->mutex);
+      (box->mail.*of).emplace(bytes, size);
+      box->arrived.notify_all();
     };
   };
   const auto queue = [this](bool is_deletion) {
-    return [this, is_deletion](const char* bytes, std::size_t size, const MessageInfo&) {
-      const std::lock_guard lock(mutex_);
-      mail_.news.push_back({is_deletion, std::string(bytes, size)});
-      arrived_.notify_all();
+    return [box = mail_box_, is_deletion](const char* bytes, std::size_t size, const MessageInfo&) {
+      const std::lock_guard lock(box->mutex);
+      box->mail.news.push_back({is_deletion, std::string(bytes, size)});
+      box->arrived.notify_all();
     };
   };
   if (!node_.SubscribeRaw(topics.poses, keep(&Mail::poses)) ||

@@ -10,6 +10,7 @@
 #include <condition_variable>
 #include <ignition/transport/Node.hh>
 #include <map>
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -59,6 +60,14 @@ class GazeboFollower {
     std::vector<News> news;
   };
 
+  // Callbacks own it too: one that runs while its topic is unsubscribed from is not waited for.
+  struct MailBox {
+    std::mutex mutex;
+    std::condition_variable arrived;
+    Mail mail;
+    bool ending = false;
+  };
+
   void follow();
   [[nodiscard]] bool look_for_server();
   void subscribe();
@@ -72,10 +81,7 @@ class GazeboFollower {
   FollowerOptions options_;
   LiveLoop& loop_;
   Log log_;
-  std::mutex mutex_;
-  std::condition_variable arrived_;
-  Mail mail_;
-  bool ending_ = false;
+  std::shared_ptr<MailBox> mail_box_ = std::make_shared<MailBox>();
 
   ignition::transport::Node node_;
   GazeboServer server_{node_};

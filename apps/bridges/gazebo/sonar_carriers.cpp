@@ -35,7 +35,7 @@ std::set<SonarCarriers::Id> SonarCarriers::ids(const std::vector<SonarConfig>& s
 
 Twist SonarCarriers::twist_of(const std::string& sonar, const Pose& pose, double stamp) {
   constexpr double kLongest = 0.5;  // Between poses that a velocity follows from [s].
-  Seen& seen = seen_[sonar];
+  Seen& seen = seen_.try_emplace(sonar, Seen{.pose = pose, .stamp = stamp, .twist = {}}).first->second;
   const double passed = stamp - seen.stamp;
   if (passed > 0 || passed < -kLongest) {
     seen.twist = {};
