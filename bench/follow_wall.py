@@ -140,6 +140,7 @@ def main():
                                                        "in tests on a busy machine")
     parser.add_argument("--vehicle", help="the program wall_vehicle, for dds; gazebo_wall_vehicle, for gazebo")
     options = parser.parse_args()
+    signal.signal(signal.SIGINT, signal.default_int_handler)  # In the background of a shell it is ignored, by children too.
     insonify = os.path.abspath(options.insonify)
     with tempfile.TemporaryDirectory() as folder:
         path = pathlib.Path(folder)

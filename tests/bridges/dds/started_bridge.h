@@ -36,6 +36,7 @@ class StartedBridge {
     process_ = fork();
     if (process_ == 0) {
       prctl(PR_SET_PDEATHSIG, SIGKILL);
+      std::signal(SIGINT, SIG_DFL);  // Ignored where a shell has started the test in the background.
       const int said = open("said", O_WRONLY | O_CREAT | O_TRUNC, 0666);
       dup2(said, STDOUT_FILENO);
       dup2(said, STDERR_FILENO);

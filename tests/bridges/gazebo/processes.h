@@ -33,6 +33,7 @@ class Program {
     process_ = fork();
     if (process_ == 0) {
       prctl(PR_SET_PDEATHSIG, SIGKILL);
+      std::signal(SIGINT, SIG_DFL);  // Ignored where a shell has started the test in the background.
       const int file = said.empty() ? -1 : ::open(said.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0666);
       for (const auto& [from, to] : {std::pair(file, 1), {file, 2}, {input, 0}, {output, 1}}) {
         if (from >= 0) {

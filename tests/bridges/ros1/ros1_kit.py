@@ -19,6 +19,7 @@ import warnings
 import xmlrpc.client
 
 warnings.simplefilter("ignore")  # Of rospy's own code.
+signal.signal(signal.SIGINT, signal.default_int_handler)  # In the background of a shell it is ignored, by children too.
 SKIPPED = 77
 
 
