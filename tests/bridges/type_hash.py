@@ -29,8 +29,8 @@ def described(name, text):
 
 
 def type_hash(name, definition):
-    """Of a type, as "std_msgs/msg/String", by its definition in the form of "ros2msg" schemas: the types that it is made
-    of follow, each after a line of `=` and one with its name."""
+    """The hash of a type, as "std_msgs/msg/String", by its definition in the form of "ros2msg" schemas: the types that it
+    is made of follow, each after a line of `=` and one with its name."""
     texts = re.split(r"(?m)^=+\nMSG: ", definition)
     descriptions = [described(name, texts[0])]
     for text in texts[1:]:

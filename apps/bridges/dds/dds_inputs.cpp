@@ -5,9 +5,7 @@
 #include <fmt/format.h>
 #include <ros_types.h>
 
-#include <algorithm>
 #include <cmath>
-#include <string_view>
 #include <utility>
 
 #include "console/console.h"
@@ -15,6 +13,7 @@
 #include "dds/type_hash.h"
 #include "insonify/error.h"
 #include "insonify/printable.h"
+#include "road/set_request.h"
 
 namespace insonify {
 namespace {
@@ -44,18 +43,6 @@ Eigen::Quaterniond orientation(const geometry_msgs_msg_dds__Quaternion_& from) {
 
 double unix_time() {
   return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
-}
-
-std::vector<std::string> lines_of(std::string_view text) {
-  std::vector<std::string> lines;
-  while (!text.empty()) {
-    const std::size_t end = std::min(text.find('\n'), text.size());
-    if (end > 0) {
-      lines.emplace_back(text.substr(0, end));
-    }
-    text.remove_prefix(std::min(end + 1, text.size()));
-  }
-  return lines;
 }
 
 }  // namespace
@@ -199,18 +186,7 @@ void DdsInputs::drive(const Pose& world_from_vehicle, const Twist& twist, double
 
 void DdsInputs::take_settings() {
   settings_->take<Text>([this](const Text& message) {
-    const std::string text = message.data;
-    std::vector<std::string> settings = lines_of(text);
-    if (settings.empty()) {
-      answers_->tell("refused: a message holds settings, one a line, such as max_range=20");
-      return;
-    }
-    loop_.set(std::move(settings), [answers = answers_, text](const std::string& error) {
-      if (!error.empty()) {
-        complain(error);
-      }
-      answers->tell(error.empty() ? fmt::format("done: {}", text) : fmt::format("refused: {}", error));
-    });
+    request_settings(loop_, message.data, [answers = answers_](const std::string& answer) { answers->tell(answer); });
   });
 }
 

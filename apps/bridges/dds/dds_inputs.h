@@ -70,7 +70,7 @@ class DdsInputs {
   std::atomic<bool> ending_ = false;
   std::thread thread_;
 
-  // Of the thread.
+  // Used by the thread alone.
   FrameTree frames_;
   bool placed_ = false;      // Whether they led from the world to the vehicle, or that they do not was told.
   bool told_frame_ = false;  // Whether it was told that poses are in another frame than messages.

@@ -15,7 +15,7 @@ class FrameTree {
  public:
   struct Place {
     Pose pose;
-    double stamp = 0;  ///< Of the newest transform on the way [s].
+    double stamp = 0;  ///< Time of the newest transform on the way [s].
   };
 
   /// Where a frame is in its parent.

@@ -48,7 +48,7 @@ void copy_to(const ddsi_serdata* message, std::size_t offset, std::size_t size, 
   std::memcpy(buffer, raw(message).bytes.data() + offset, size);
 }
 
-// Of the thread that writes a message, for as long as it does; those that send fragments again have none.
+// Set in the thread that writes a message, while it writes. Threads that send fragments again have none.
 thread_local SendPace* current_pace = nullptr;
 
 // Called for each fragment, right before it is sent.

@@ -28,7 +28,11 @@ double seconds(const ignition::msgs::Time& time) {
 }  // namespace
 
 GazeboFollower::GazeboFollower(FollowerOptions options, WorldParts parts, LiveLoop& loop, Log log)
-    : options_(std::move(options)), loop_(loop), log_(std::move(log)), keeper_(std::move(parts), options_.materials) {}
+    : options_(std::move(options)),
+      loop_(loop),
+      log_(std::move(log)),
+      carriers_(options_.carriers),
+      keeper_(std::move(parts), options_.materials) {}
 
 void GazeboFollower::start() {
   thread_ = std::thread([this] { follow(); });
@@ -42,27 +46,29 @@ void GazeboFollower::end() {
     node_.Unsubscribe(topic);
   }
   {
-    const std::lock_guard lock(mutex_);
-    ending_ = true;
+    const std::lock_guard lock(mail_box_->mutex);
+    mail_box_->ending = true;
   }
-  arrived_.notify_all();
+  mail_box_->arrived.notify_all();
   thread_.join();
 }
 
 void GazeboFollower::follow() {
-  std::unique_lock lock(mutex_);
-  while (!ending_) {
-    arrived_.wait_for(lock, kLook / 2,
-                      [this] { return ending_ || !mail_.news.empty() || mail_.poses || mail_.dynamic_poses; });
-    if (ending_) {
+  MailBox& box = *mail_box_;
+  std::unique_lock lock(box.mutex);
+  while (!box.ending) {
+    box.arrived.wait_for(lock, kLook / 2, [&box] {
+      return box.ending || !box.mail.news.empty() || box.mail.poses || box.mail.dynamic_poses;
+    });
+    if (box.ending) {
       return;
     }
-    Mail mail = std::exchange(mail_, {});
+    Mail mail = std::exchange(box.mail, {});
     lock.unlock();
     try {
       if (Clock::now() >= next_look_) {
         if (look_for_server()) {
-          mail = {};  // Of the one before.
+          mail = {};  // The server before has sent it.
         }
         next_look_ = Clock::now() + kLook;
       }
@@ -128,7 +134,7 @@ bool GazeboFollower::look_for_server() {
   world_.clear();
   has_scene_ = false;
   settled_at_ = Clock::now() + kSettling;
-  seen_.clear();
+  carriers_.forget_poses();
   last_warning_.clear();
   newest_changes_ = false;
   stamp_ = 0;
@@ -144,17 +150,17 @@ void GazeboFollower::subscribe() {
   const WorldTopics topics(subscribed_);
   using ignition::transport::MessageInfo;
   const auto keep = [this](std::optional<std::string> Mail::*of) {
-    return [this, of](const char* bytes, std::size_t size, const MessageInfo&) {
-      const std::lock_guard lock(mutex_);
-      (mail_.*of).emplace(bytes, size);
-      arrived_.notify_all();
+    return [box = mail_box_, of](const char* bytes, std::size_t size, const MessageInfo&) {
+      const std::lock_guard lock(box->mutex);
+      (box->mail.*of).emplace(bytes, size);
+      box->arrived.notify_all();
     };
   };
   const auto queue = [this](bool is_deletion) {
-    return [this, is_deletion](const char* bytes, std::size_t size, const MessageInfo&) {
-      const std::lock_guard lock(mutex_);
-      mail_.news.push_back({is_deletion, std::string(bytes, size)});
-      arrived_.notify_all();
+    return [box = mail_box_, is_deletion](const char* bytes, std::size_t size, const MessageInfo&) {
+      const std::lock_guard lock(box->mutex);
+      box->mail.news.push_back({is_deletion, std::string(bytes, size)});
+      box->arrived.notify_all();
     };
   };
   if (!node_.SubscribeRaw(topics.poses, keep(&Mail::poses)) ||
@@ -210,34 +216,14 @@ void GazeboFollower::take(Mail mail) {
   needs_update_ = needs_update_ || newest_changes_;
 }
 
-// Null where nothing carries it.
-const Carrier* GazeboFollower::carrier_of(const SonarConfig& sonar) const {
-  for (const std::string& name : {sonar.name, std::string()}) {
-    if (const auto found = options_.carriers.find(name); found != options_.carriers.end()) {
-      return &found->second;
-    }
-  }
-  return nullptr;
-}
-
-std::set<GazeboFollower::Id> GazeboFollower::carriers() const {
-  std::set<Id> ids;
-  for (const SonarConfig& sonar : loop_.world()->scenario.sonars) {
-    const Carrier* carrier = carrier_of(sonar);
-    if (const std::optional<Id> id = carrier == nullptr ? std::nullopt : world_.find(carrier->name)) {
-      ids.insert(*id);
-    }
-  }
-  return ids;
-}
-
 void GazeboFollower::update_objects() {
   if (!needs_update_ || (!world_.knows_dynamic() && Clock::now() < settled_at_)) {
     return;
   }
   needs_update_ = false;
   const std::string name = fmt::format("the world {}", printable(served_ ? served_->name : subscribed_));
-  const SceneKeeper::Change change = keeper_.update(world_, carriers(), name, loop_, log_);
+  const SceneKeeper::Change change =
+      keeper_.update(world_, carriers_.ids(loop_.world()->scenario.sonars, world_), name, loop_, log_);
   if (!std::exchange(told_world_, true)) {
     log_(Severity::kInfo, fmt::format("following {}: {} visuals, {} of them in models that move", name,
                                       keeper_.object_count(), keeper_.moving_count()));
@@ -247,62 +233,20 @@ void GazeboFollower::update_objects() {
   }
 }
 
-// Velocities follow from two poses.
-Twist GazeboFollower::twist_of(const std::string& sonar, const Pose& pose) {
-  constexpr double kLongest = 0.5;  // Between poses that a velocity follows from [s].
-  Seen& seen = seen_[sonar];
-  const double passed = stamp_ - seen.stamp;
-  if (passed > 0 || passed < -kLongest) {
-    seen.twist = {};
-    if (passed > 0 && passed <= kLongest) {
-      const Eigen::AngleAxisd turn(pose.orientation * seen.pose.orientation.conjugate());
-      seen.twist = {.linear = (pose.position - seen.pose.position) / passed,
-                    .angular = turn.axis() * (turn.angle() / passed)};
-    }
-    seen.pose = pose;
-    seen.stamp = stamp_;
-  }
-  return seen.twist;
-}
-
-// Where the sonars' carriers are; empty where one is not in the world.
-std::optional<std::vector<CarriedSonar>> GazeboFollower::carried_sonars() {
-  std::vector<CarriedSonar> carried;
-  const std::shared_ptr<const LiveWorld> live = loop_.world();
-  for (const SonarConfig& sonar : live->scenario.sonars) {
-    const Carrier* carrier = carrier_of(sonar);
-    if (carrier == nullptr) {
-      carried.push_back({.sonar = sonar.name, .world_from_carrier = live->trajectory.at(stamp_)});
-      continue;
-    }
-    const std::optional<Id> id = world_.find(carrier->name);
-    if (!id) {
-      warn_once(fmt::format("no ping: {}, which carries {}, is not in the world; its models are {}",
-                            printable(carrier->name), printable(sonar.name), world_.model_names()));
-      return std::nullopt;
-    }
-    const Pose pose = world_.world_from(*id) * carrier->carrier_from_vehicle;
-    const Twist twist = live->scenario.motion_in_ping ? twist_of(sonar.name, pose) : Twist();
-    carried.push_back({.sonar = sonar.name, .world_from_carrier = pose, .twist = twist});
-  }
-  return carried;
-}
-
 // A pose that came before a time counts for the pings of that time, so the time is told last.
 void GazeboFollower::drive() {
   if (!told_world_ || !std::exchange(newest_changes_, false)) {
     return;
   }
-  if (std::optional<std::vector<CarriedSonar>> carried = carried_sonars()) {
-    LiveDrive drive{.world_from_vehicle = carried->front().world_from_carrier,
-                    .twist = carried->front().twist,
-                    .moved = keeper_.moved(world_),
-                    .stamp = stamp_,
-                    .carried = std::move(*carried)};
-    loop_.drive(std::move(drive));
-    if (options_.clock) {
-      loop_.advance(stamp_);
-    }
+  std::vector<CarriedSonar> carried = carriers_.poses(*loop_.world(), world_, stamp_);
+  LiveDrive drive{.world_from_vehicle = carried.front().world_from_carrier,
+                  .twist = carried.front().twist,
+                  .moved = keeper_.moved(world_),
+                  .stamp = stamp_,
+                  .carried = std::move(carried)};
+  loop_.drive(std::move(drive));
+  if (options_.clock) {
+    loop_.advance(stamp_);
   }
 }
 

@@ -10,9 +10,9 @@
 #include <condition_variable>
 #include <ignition/transport/Node.hh>
 #include <map>
+#include <memory>
 #include <mutex>
 #include <optional>
-#include <set>
 #include <string>
 #include <thread>
 #include <vector>
@@ -20,24 +20,17 @@
 #include "gazebo/gazebo_server.h"
 #include "gazebo/gazebo_world.h"
 #include "gazebo/scene_keeper.h"
+#include "gazebo/sonar_carriers.h"
 #include "insonify/live_loop.h"
 #include "insonify/log.h"
 
 namespace insonify {
 
-/// A model or link that carries a sonar.
-struct Carrier {
-  std::string name;           ///< In full: "rov::base_link".
-  Pose carrier_from_vehicle;  ///< The frame that the sonar's position and orientation are in.
-};
-
 struct FollowerOptions {
-  std::string world = {};  ///< Name; "" for the only one that there is.
-  /// What carries the sonars, by their names; of "" those that have no entry. One that nothing carries is on the
-  /// scenario's trajectory.
-  std::map<std::string, Carrier> carriers = {};
+  std::string world = {};                             ///< Name; "" for the only one that there is.
+  std::map<std::string, Carrier> carriers = {};       ///< What carries the sonars; see SonarCarriers.
   bool clock = true;                                  ///< Whether stamps of poses tell the time.
-  std::map<std::string, std::string> materials = {};  ///< Of visuals, by their full names.
+  std::map<std::string, std::string> materials = {};  ///< By the full names of visuals.
 };
 
 /// A thread that waits for Gazebo, follows it, and waits for it again when it ends.
@@ -57,7 +50,7 @@ class GazeboFollower {
   using Clock = std::chrono::steady_clock;
   using Id = GazeboWorld::Id;
 
-  // What came since the last look, of poses the newest.
+  // What came since the last look: all news, the newest poses.
   struct Mail {
     std::optional<std::string> poses, dynamic_poses;
     struct News {
@@ -65,6 +58,14 @@ class GazeboFollower {
       std::string bytes;
     };
     std::vector<News> news;
+  };
+
+  // Callbacks own it too: one that runs while its topic is unsubscribed from is not waited for.
+  struct MailBox {
+    std::mutex mutex;
+    std::condition_variable arrived;
+    Mail mail;
+    bool ending = false;
   };
 
   void follow();
@@ -75,37 +76,25 @@ class GazeboFollower {
   void take_poses(const std::string& bytes, bool dynamic);
   void update_objects();
   void drive();
-  [[nodiscard]] std::optional<std::vector<CarriedSonar>> carried_sonars();
-  [[nodiscard]] std::set<Id> carriers() const;
-  [[nodiscard]] const Carrier* carrier_of(const SonarConfig& sonar) const;
-  [[nodiscard]] Twist twist_of(const std::string& sonar, const Pose& pose);
   void warn_once(const std::string& text);
 
   FollowerOptions options_;
   LiveLoop& loop_;
   Log log_;
-  std::mutex mutex_;
-  std::condition_variable arrived_;
-  Mail mail_;
-  bool ending_ = false;
+  std::shared_ptr<MailBox> mail_box_ = std::make_shared<MailBox>();
 
   ignition::transport::Node node_;
   GazeboServer server_{node_};
   GazeboWorld world_;
+  SonarCarriers carriers_;
   SceneKeeper keeper_;
   std::optional<ServedWorld> served_;
   std::string subscribed_;  // Name of the world.
   bool told_waiting_ = false;
   bool needs_scene_ = false, has_scene_ = false, needs_update_ = false, told_world_ = false;
   bool newest_changes_ = false;  // Whether poses came since the last drive.
-  double stamp_ = 0;             // Of the newest poses [s].
+  double stamp_ = 0;             // Time of the newest poses [s].
   Clock::time_point next_look_, next_request_, settled_at_;
-  struct Seen {
-    Pose pose;
-    double stamp = 0;
-    Twist twist;
-  };
-  std::map<std::string, Seen> seen_;  // By sonar, for velocities.
   std::string last_warning_;
   std::thread thread_;
 };

@@ -20,7 +20,7 @@ std::vector<ServedWorld> GazeboServer::worlds() const {
     std::vector<ignition::transport::ServicePublisher> publishers;
     const std::optional<std::string> name = world_of_service(service);
     if (name && node_.ServiceInfo(service, publishers) && !publishers.empty()) {
-      const auto& last = publishers.back();  // Of two the older may be one that died.
+      const auto& last = publishers.back();  // One that died may be listed before it.
       worlds.push_back({*name, last.PUuid(), last.RepTypeName().starts_with("gz.")});
     }
   }

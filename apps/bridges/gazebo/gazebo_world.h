@@ -37,7 +37,7 @@ class GazeboWorld {
     Id parent = 0;     ///< 0: the world.
     std::string name;  ///< In full: "ship::hull::plate".
     Pose parent_from_entity;
-    bool is_static = false;  ///< Of a model that Gazebo says is static, and all in it.
+    bool is_static = false;  ///< Whether Gazebo says so, or says it of a model that this is in.
     bool is_new = false;     ///< Whether add() has brought it.
     std::optional<GazeboVisual> visual = {};
   };
@@ -85,7 +85,7 @@ class GazeboWorld {
   std::set<std::string> names_;
   std::map<Id, Pose> poses_;                    // Told by messages.
   std::set<Id> posed_;                          // Ids of the last message of all poses.
-  std::set<Id> dynamic_;                        // Ids that were in a message of those that are not static.
+  std::set<Id> dynamic_;                        // Ids that a message named that is about what is not static.
   std::set<Id> without_entity_, without_pose_;  // Accepted.
   bool has_dynamic_ = false, has_poses_ = false;
 };

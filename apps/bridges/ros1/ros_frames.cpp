@@ -12,6 +12,11 @@
 #include <utility>
 
 namespace insonify {
+namespace {
+
+constexpr double kMostAhead = 2;  // By which a transform may be later than the simulated time [s].
+
+}  // namespace
 
 struct RosFrames::State {
   using Event = ros::MessageEvent<const tf2_msgs::TFMessage>;
@@ -22,6 +27,7 @@ struct RosFrames::State {
   std::function<void(const RosPlace&)> take;
   tf2::BufferCore frames;
   std::optional<RosPlace> newest;
+  std::optional<double> now;  // Simulated time, once it is known [s].
   ros::Subscriber transforms, static_transforms;
 };
 
@@ -31,6 +37,9 @@ void RosFrames::State::receive(const Event& event, bool is_static) {
     return;
   }
   for (const geometry_msgs::TransformStamped& each : event.getConstMessage()->transforms) {
+    if (!is_static && now && each.header.stamp.toSec() > *now + kMostAhead) {
+      continue;  // Sent before the time was set back: beside it all that follow would be too old for tf.
+    }
     frames.setTransform(each, publisher, is_static);  // Says itself what is wrong with one.
   }
   if (!frames.canTransform(world, vehicle, ros::Time(0))) {
@@ -73,9 +82,12 @@ const ros::Subscriber& RosFrames::subscriber() const {
   return state_->transforms;
 }
 
-void RosFrames::clear() {
-  state_->frames.clear();
-  state_->newest.reset();
+void RosFrames::take_time(double now) {
+  if (state_->now && now < *state_->now) {  // A simulation or a recording begins again.
+    state_->frames.clear();
+    state_->newest.reset();
+  }
+  state_->now = now;
 }
 
 std::string RosFrames::dead_end() const {

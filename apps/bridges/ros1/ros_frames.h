@@ -23,13 +23,14 @@ class RosFrames {
   RosFrames(const RosFrames&) = delete;
   RosFrames& operator=(const RosFrames&) = delete;
 
-  /// Of /tf.
+  /// The subscriber to /tf.
   [[nodiscard]] const ros::Subscriber& subscriber() const;
 
   // The rest must be called from that thread.
 
-  /// Forgets all but the static transforms: time was set back.
-  void clear();
+  /// Tells the simulated time. Where it is set back, all but the static transforms are forgotten. Transforms that are
+  /// later by more than 2 s do not count.
+  void take_time(double now);
   /// The highest frame above the vehicle's while they do not lead to the world; "" where there is no such frame, and
   /// where all is well.
   [[nodiscard]] std::string dead_end() const;

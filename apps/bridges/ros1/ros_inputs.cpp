@@ -65,10 +65,9 @@ void RosInputs::take_odometry(const RosPlace& place) {
 }
 
 void RosInputs::take_time(double time) {
-  if (time_ && time < *time_ && frames_) {  // A simulation or a recording begins again.
-    frames_->clear();
+  if (frames_) {
+    frames_->take_time(time);
   }
-  time_ = time;
   loop_.advance(time);
 }
 

@@ -9,7 +9,6 @@
 
 #include <chrono>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -63,8 +62,7 @@ class RosInputs {
   ros::AsyncSpinner spinner_{1};
   Clock::time_point begin_ = Clock::now();
 
-  // Of the thread.
-  std::optional<double> time_;  // Last one [s].
+  // Used by the thread of the callbacks alone.
   bool told_frame_ = false, told_dead_end_ = false;
   std::string refusal_;  // Why the last pose was no good.
 };

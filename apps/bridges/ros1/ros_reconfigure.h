@@ -15,7 +15,7 @@ namespace insonify {
 struct RosSetting {
   std::string name, description;
   double value = 0;
-  double least = 0, most = 0;  ///< Of the slider.
+  double least = 0, most = 0;  ///< Ends of the slider.
 };
 
 /// Serves ~set_parameters, and publishes ~parameter_descriptions and ~parameter_updates.

@@ -21,7 +21,7 @@ class RosRoad : public Road {
   /// @param transforms  Whether /tf has where the sonars are.
   explicit RosRoad(bool transforms) : transforms_(transforms) {}
 
-  /// Of a single sonar the topics are ~image, ~fan ..., of several ~NAME/image ...
+  /// The topics of a single sonar are ~image, ~fan ...; those of several are ~NAME/image ...
   void begin(const LiveWorld& world) override { several_ = world.sonars.size() > 1; }
   void open(std::size_t sonar, const std::vector<MessageChannel>& channels) override;
   [[nodiscard]] bool is_read(std::size_t sonar, std::size_t channel) const override;

@@ -6,15 +6,13 @@
 #include <ros/param.h>
 #include <ros/this_node.h>
 
-#include <algorithm>
 #include <future>
-#include <string_view>
 #include <utility>
 
-#include "console/console.h"
 #include "console/outcome.h"
 #include "insonify/messages.h"
 #include "insonify/printable.h"
+#include "road/set_request.h"
 #include "ros1/ros_topics.h"
 
 namespace insonify {
@@ -37,18 +35,6 @@ void set_now(LiveLoop& loop, std::string setting) {
   if (const std::string error = answer->get_future().get(); !error.empty()) {
     throw Error(error);
   }
-}
-
-std::vector<std::string> lines_of(std::string_view text) {
-  std::vector<std::string> lines;
-  while (!text.empty()) {
-    const std::size_t end = std::min(text.find('\n'), text.size());
-    if (end > 0) {
-      lines.emplace_back(text.substr(0, end));
-    }
-    text.remove_prefix(std::min(end + 1, text.size()));
-  }
-  return lines;
 }
 
 }  // namespace
@@ -114,7 +100,8 @@ RosSettings::RosSettings(Bridge& bridge) : bridge_(bridge) {
     sonars_.back()->start(gain);
   }
   answer_ = advertise_text(node_, "set_result");
-  settings_ = subscribe_text(node_, "set", [this](const std::string& text) { take(text); });
+  settings_ = subscribe_text(node_, "set",
+                             [this](const std::string& text) { request_settings(bridge_.loop(), text, answer_); });
   spinner_.start();
 }
 
@@ -124,20 +111,6 @@ std::vector<std::string> RosSettings::services() const {
     names.push_back(sonar->service());
   }
   return names;
-}
-
-void RosSettings::take(const std::string& text) {
-  std::vector<std::string> settings = lines_of(text);
-  if (settings.empty()) {
-    answer_("refused: a message holds settings, one a line, such as max_range=20");
-    return;
-  }
-  bridge_.loop().set(std::move(settings), [answer = answer_, text](const std::string& error) {
-    if (!error.empty()) {
-      complain(error);
-    }
-    answer(error.empty() ? fmt::format("done: {}", text) : fmt::format("refused: {}", error));
-  });
 }
 
 }  // namespace insonify

@@ -61,8 +61,6 @@ class RosSettings {
   [[nodiscard]] std::vector<std::string> services() const;
 
  private:
-  void take(const std::string& text);
-
   Bridge& bridge_;
   ros::CallbackQueue queue_;
   ros::NodeHandle node_{"~"};

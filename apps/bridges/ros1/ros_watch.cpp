@@ -44,7 +44,7 @@ void connect_to(const std::string& topic, const XmlRpcValue& publishers, const s
 
 RosWatch::RosWatch(RosMaster master, int pid, std::vector<std::string> services, std::function<void()> on_end)
     : master_(std::move(master)), pid_(pid), services_(std::move(services)), on_end_(std::move(on_end)) {
-  for (const char* name : {"~get_loggers", "~set_logger_level"}) {  // Of every node.
+  for (const char* name : {"~get_loggers", "~set_logger_level"}) {  // Every node has them.
     services_.push_back(ros::names::resolve(name));
   }
   own_uri_ = ros::XMLRPCManager::instance()->getServerURI();

@@ -87,7 +87,7 @@ class Bridge : private LiveListener {
   bool ending_ = false;
   std::thread translating_;
 
-  // Of the thread that sends.
+  // Used by the thread that sends alone.
   std::shared_ptr<const LiveWorld> world_;  // That `messages_` are of.
   std::vector<SonarMessages> messages_;
   std::map<std::size_t, double> applied_gains_db_;

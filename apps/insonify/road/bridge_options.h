@@ -32,9 +32,9 @@ struct BridgeRequest {
   std::string odometry;  ///< Topic of nav_msgs/Odometry that tells poses; "" for none.
   std::string tf;        ///< Frame of the vehicle, whose transform from the world's tells poses; "" for none.
   std::string clock;     ///< wall or simulated; "" for what the bridge has as default.
-  DdsOptions dds;        ///< Of the bridge to DDS.
-  std::string world;     ///< Of Gazebo; "" for the only one.
-  std::vector<std::string> vehicles = {};  ///< Of Gazebo: "NAME" or "SONAR=NAME", what carries the sonars.
+  DdsOptions dds;        ///< For the bridge to DDS.
+  std::string world;     ///< World of Gazebo; "" for the only one.
+  std::vector<std::string> vehicles = {};  ///< What carries sonars in Gazebo: "NAME" or "SONAR=NAME".
 };
 
 /// A bridge to another framework, the program insonify-bridge-NAME.
@@ -42,7 +42,7 @@ struct BridgeKind {
   const char* name;      ///< "ros1"
   const char* help;      ///< One line.
   const char* packages;  ///< Debian packages that it is built with, beside insonify's own.
-  const char* footer;    ///< Of its help.
+  const char* footer;    ///< Last lines of its help.
   bool ros1_words;       ///< Whether words as `name:=value` are left to ROS 1.
   void (*add_options)(CLI::App& command, BridgeRequest& request);
 };

@@ -107,8 +107,8 @@ class FoxgloveClient : public Client {
     tell(foxglove_text({{"op", "status"}, {"level", level}, {"message", text}}));
   }
 
-  // Of a scenario each subscription gets the text once, and what is there again goes to those that have nothing of the
-  // sonar yet.
+  // A scenario's text (`once`) goes to each subscription once. A message that is sent again goes to subscriptions that
+  // have none of its sonar yet.
   void send(std::uint32_t channel, bool once, const EncodedMessage& message) {
     for (auto& [id, subscription] : subscriptions_) {
       if (subscription.channel != channel || (once && !subscription.told.empty()) ||

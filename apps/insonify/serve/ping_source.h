@@ -15,7 +15,7 @@ class Playback {
   virtual ~Playback() = default;
   /// Name of what is played.
   [[nodiscard]] virtual const std::string& name() const = 0;
-  /// Of all sonars together.
+  /// Number of pings of all sonars together.
   [[nodiscard]] virtual std::uint64_t ping_count() const = 0;
   /// Times of the first and of the last ping [s].
   [[nodiscard]] virtual double first_time() const = 0;

@@ -12,7 +12,7 @@
 namespace insonify::gazebo {
 namespace {
 
-constexpr std::size_t kAroundData = 512;  // Of a message beside its table [bytes], about.
+constexpr std::size_t kAroundData = 512;  // About what a message holds beside its table [bytes].
 
 using Texts = std::vector<std::string>;
 using Entry = std::pair<std::string_view, Texts>;
@@ -150,7 +150,7 @@ std::vector<std::byte> encode_sonar_image(const MessageHeader& header, const Son
                            {"ranges", texts_of(facts.ranges)},
                            {"transmit_widths", texts_of(facts.transmit_widths)},
                            {"receive_widths", texts_of(facts.receive_widths)}};
-  constexpr std::size_t kText = 14;  // Of a number [bytes], at most.
+  constexpr std::size_t kText = 14;  // Largest length of a number as text [bytes].
   const std::size_t width = facts.directions.size();
   const std::size_t step = width * (format == PixelFormat::kGrey16 ? 2 : 1);
   return encode_image(header, entries, format, width, step, values, kText * (3 * width + facts.ranges.size()));

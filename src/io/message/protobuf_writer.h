@@ -23,7 +23,7 @@ class ProtobufWriter {
     bytes_.reserve(bytes);
   }
 
-  /// Of the types int32, int64, uint32, bool and enum; negative numbers converted to std::uint64_t.
+  /// Writes an int32, int64, uint32, bool or enum; a negative number must be converted to std::uint64_t.
   void put(std::uint32_t field, std::uint64_t value) {
     if (value != 0) {
       put_varint(key(field, kVarint));
@@ -31,6 +31,7 @@ class ProtobufWriter {
     }
   }
 
+  /// Writes a double.
   void put(std::uint32_t field, double value) {
     if (std::bit_cast<std::uint64_t>(value) != 0) {  // -0 is written.
       put_varint(key(field, kFixed64));
@@ -38,7 +39,7 @@ class ProtobufWriter {
     }
   }
 
-  /// Of the types string and bytes.
+  /// Writes a string or bytes.
   void put(std::uint32_t field, std::string_view text) {
     if (!text.empty()) {
       put_element(field, text);

@@ -37,7 +37,7 @@ Bytes transform(const std::string& parent, const std::string& child, const Pose&
   return cdr.take();
 }
 
-// Of geometry_msgs/msg/PoseStamped.
+// What is read of geometry_msgs/msg/PoseStamped.
 struct Stamped {
   std::string frame;
   Vec3 position;
@@ -66,7 +66,7 @@ sonars:
 
   // Writes a message until a pose comes that is at a place.
   bool reaches(FastWriter& writer, const Bytes& message, const FastReader& poses, const Vec3& place) {
-    for (int i = 0; i < 100; ++i) {
+    for (int i = 0; i < 600; ++i) {
       writer.write(message);
       std::this_thread::sleep_for(std::chrono::milliseconds(100));
       const std::vector<Bytes> messages = poses.messages();
@@ -116,7 +116,7 @@ TEST_F(DdsInputsTest, AVehicleThatComesLateAndStartsAnewIsFollowed) {
                         "world would agree\n"));
   double seconds = 0;
   EXPECT_EQ(bridge.end(&seconds), 0);
-  EXPECT_LT(seconds, 1);
+  EXPECT_LT(seconds, kPrompt);
 }
 
 TEST_F(DdsInputsTest, APoseThatIsNoneIsToldOnceAndTheOneBeforeHolds) {
@@ -128,12 +128,14 @@ TEST_F(DdsInputsTest, APoseThatIsNoneIsToldOnceAndTheOneBeforeHolds) {
   for (int i = 0; i < 3; ++i) {
     writer->write(odometry(3, nowhere, 0.25));
   }
-  EXPECT_TRUE(StartedBridge::wait_for("insonify: /auv/odom: "));
+  const std::string refusal =
+      "insonify: /auv/odom: world_from_vehicle.position[0] = nan m must be from -10000000 to 10000000 m\n";
+  EXPECT_TRUE(StartedBridge::wait_for(refusal));
   const std::size_t before = poses->messages().size();
   EXPECT_TRUE(poses->wait_for(before + 3));
   EXPECT_LT((stamped(poses->messages().back()).position - Vec3(3, 0.25, 0)).norm(), 1e-9);
-  EXPECT_EQ(StartedBridge::said(),
-            "insonify: /auv/odom: world_from_vehicle.position[0] = nan m must be from -10000000 to 10000000 m\n");
+  const std::string said = StartedBridge::said();
+  EXPECT_EQ(said.find("world_from_vehicle"), said.rfind("world_from_vehicle")) << said;
 }
 
 }  // namespace

@@ -28,16 +28,16 @@ class FastReader {
   [[nodiscard]] virtual std::vector<Bytes> messages() const = 0;
   /// Waits until there are so many in all. @return  Whether they came.
   [[nodiscard]] virtual bool wait_for(std::size_t count,
-                                      std::chrono::seconds most = std::chrono::seconds(20)) const = 0;
+                                      std::chrono::seconds most = std::chrono::seconds(60)) const = 0;
   /// Waits until the bridge is found.
-  [[nodiscard]] virtual bool wait_for_writer(std::chrono::seconds most = std::chrono::seconds(20)) const = 0;
+  [[nodiscard]] virtual bool wait_for_writer(std::chrono::seconds most = std::chrono::seconds(60)) const = 0;
 };
 
 class FastWriter {
  public:
   virtual ~FastWriter() = default;
   virtual void write(const Bytes& message) = 0;
-  [[nodiscard]] virtual bool wait_for_reader(std::chrono::seconds most = std::chrono::seconds(20)) const = 0;
+  [[nodiscard]] virtual bool wait_for_reader(std::chrono::seconds most = std::chrono::seconds(60)) const = 0;
 };
 
 /// A participant that talks over the loopback interface alone and finds others without multicast.

@@ -28,18 +28,25 @@ inline Bytes clock_message(double time) {
   return cdr.take();
 }
 
-/// nav_msgs/msg/Odometry of a vehicle that looks along x.
-inline Bytes odometry(double time, double x, double y) {
+/// nav_msgs/msg/Odometry.
+/// @param yaw    Heading, from x to y [rad].
+/// @param speed  Along the vehicle's own x axis [m/s].
+inline Bytes odometry(double time, double x, double y, double yaw = 0, double speed = 0) {
   CdrWriter cdr;
   put_time(cdr, time);
   cdr.put(std::string_view("world"));
   cdr.put(std::string_view("base_link"));
-  for (const double value : {x, y, 0.0, 0.0, 0.0, 0.0, 1.0}) {
+  for (const double value : {x, y, 0.0, 0.0, 0.0, std::sin(yaw / 2), std::cos(yaw / 2)}) {
     cdr.put(value);
   }
-  for (int i = 0; i < 36 + 6 + 36; ++i) {
-    cdr.put(0.0);
-  }
+  const auto put_zeros = [&cdr](int count) {
+    for (int i = 0; i < count; ++i) {
+      cdr.put(0.0);
+    }
+  };
+  put_zeros(36);  // Covariance.
+  cdr.put(speed);
+  put_zeros(5 + 36);
   return cdr.take();
 }
 

@@ -7,10 +7,7 @@
 // the time when it came [s since the start], the distance measured and the length of a bin [m].
 
 #include <fmt/format.h>
-#include <poll.h>
-#include <unistd.h>
 
-#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
@@ -22,42 +19,13 @@
 #include "bridges/dds/fast_node.h"
 #include "bridges/dds/own_domain.h"
 #include "bridges/dds/ros_messages.h"
+#include "bridges/wall_ride.h"
 
 namespace insonify {
 namespace {
 
 double unix_time() {
   return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
-}
-
-// Along the wall at 0.5 m/s, and nearer and away again by 1 m in 5 s each.
-Bytes pose_at(double time, double seconds) {
-  const double phase = std::fmod(seconds, 10.0) / 5;
-  return odometry(time, 0.5 * seconds, phase < 1 ? phase : 2 - phase);
-}
-
-// The first bin whose level, a mean over the beams within 3 degrees, is within 6 dB of the highest.
-double first_echo(const SonarImage& image, double decibels_per_value) {
-  constexpr double kAhead = 3.0 / 180 * 3.14159265358979;
-  std::vector<double> levels(image.ranges.size(), 0.0);
-  int beams = 0;
-  for (std::size_t beam = 0; beam < image.azimuths.size(); ++beam) {
-    if (std::abs(image.azimuths[beam]) < kAhead) {
-      ++beams;
-      for (std::size_t bin = 0; bin < levels.size(); ++bin) {
-        levels[bin] += image.value(bin, beam) * decibels_per_value;
-      }
-    }
-  }
-  const double threshold = *std::max_element(levels.begin(), levels.end()) - 6.0 * beams;
-  const auto edge = std::find_if(levels.begin(), levels.end(), [&](double level) { return level >= threshold; });
-  return image.ranges[static_cast<std::size_t>(edge - levels.begin())];
-}
-
-bool input_is_closed() {
-  pollfd input{.fd = STDIN_FILENO, .events = POLLIN, .revents = 0};
-  char byte = 0;
-  return poll(&input, 1, 0) > 0 && read(STDIN_FILENO, &byte, 1) <= 0;
 }
 
 void ride(int domain, double decibels_per_value) {
@@ -73,7 +41,8 @@ void ride(int domain, double decibels_per_value) {
         const SonarImage image = sonar_image(message);
         const std::lock_guard lock(mutex);
         lines += fmt::format("{:.6f} {:.6f} {:.4f} {:.6f}\n", image.time - start, now - start,
-                             first_echo(image, decibels_per_value), image.ranges.at(1) - image.ranges.at(0));
+                             first_echo(image.azimuths, image.ranges, image.values, decibels_per_value),
+                             image.ranges.at(1) - image.ranges.at(0));
       });
   if (!odometry_writer->wait_for_reader() || !reader->wait_for_writer()) {
     throw std::runtime_error("the bridge is not found");
@@ -85,7 +54,8 @@ void ride(int domain, double decibels_per_value) {
   for (auto next = std::chrono::steady_clock::now(); !input_is_closed(); next += kPosePeriod) {
     std::this_thread::sleep_until(next);
     const double now = unix_time();
-    odometry_writer->write(pose_at(now, now - start));
+    const Vec3 place = place_at(now - start);
+    odometry_writer->write(odometry(now, place.x(), place.y()));
   }
   reader.reset();
   fmt::print("{}", lines);

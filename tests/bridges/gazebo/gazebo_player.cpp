@@ -187,7 +187,7 @@ void GazeboPlayer::tell_poses(double time) {
       }
     }
   }
-  auto& light = *all.add_pose();  // Of which the scene says nothing in its models.
+  auto& light = *all.add_pose();  // The models of the scene do not have it.
   light.set_id(4'000'000);
   light.set_name("sun");
   publish(poses_, all);

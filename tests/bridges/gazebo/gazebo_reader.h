@@ -8,6 +8,7 @@
 #include <condition_variable>
 #include <cstring>
 #include <ignition/transport/Node.hh>
+#include <memory>
 #include <mutex>
 #include <string>
 #include <vector>
@@ -20,30 +21,35 @@ class GazeboReader {
   GazeboReader(const std::string& topic, const std::string& type) {
     node_.SubscribeRaw(
         topic,
-        [this](const char* bytes, std::size_t size, const ignition::transport::MessageInfo&) {
-          const std::lock_guard lock(mutex_);
-          messages_.emplace_back(bytes, size);
-          arrived_.notify_all();
+        [kept = kept_](const char* bytes, std::size_t size, const ignition::transport::MessageInfo&) {
+          const std::lock_guard lock(kept->mutex);
+          kept->messages.emplace_back(bytes, size);
+          kept->arrived.notify_all();
         },
         type);
   }
 
   /// Whether so many have come, within some seconds.
-  bool wait_for(std::size_t count, double seconds = 10) {
-    std::unique_lock lock(mutex_);
-    return arrived_.wait_for(lock, std::chrono::duration<double>(seconds), [&] { return messages_.size() >= count; });
+  bool wait_for(std::size_t count, double seconds = 60) {
+    std::unique_lock lock(kept_->mutex);
+    return kept_->arrived.wait_for(lock, std::chrono::duration<double>(seconds),
+                                   [&] { return kept_->messages.size() >= count; });
   }
   std::vector<std::string> messages() {
-    const std::lock_guard lock(mutex_);
-    return messages_;
+    const std::lock_guard lock(kept_->mutex);
+    return kept_->messages;
   }
   std::size_t count() { return messages().size(); }
 
  private:
-  std::mutex mutex_;
-  std::condition_variable arrived_;
-  std::vector<std::string> messages_;
-  ignition::transport::Node node_;  // Last: its callbacks use the others.
+  // Callbacks own it too: one that runs while its topic is unsubscribed from is not waited for.
+  struct Kept {
+    std::mutex mutex;
+    std::condition_variable arrived;
+    std::vector<std::string> messages;
+  };
+  std::shared_ptr<Kept> kept_ = std::make_shared<Kept>();
+  ignition::transport::Node node_;
 };
 
 /// The sonar image of a message, as docs/how-to/gazebo.md has it.

@@ -7,8 +7,6 @@
 // the time when it came [s since the start], the distance measured and the length of a bin [m].
 
 #include <fmt/format.h>
-#include <poll.h>
-#include <unistd.h>
 
 #include <chrono>
 #include <cmath>
@@ -22,6 +20,7 @@
 
 #include "bridges/gazebo/gazebo_player.h"
 #include "bridges/gazebo/gazebo_reader.h"
+#include "bridges/wall_ride.h"
 
 namespace insonify {
 namespace {
@@ -32,43 +31,13 @@ double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-// Along the wall at 0.5 m/s, and nearer and away again by 1 m in 5 s each.
-Pose pose_at(double seconds) {
-  const double phase = std::fmod(seconds, 10.0) / 5;
-  return {Vec3(0.5 * seconds, phase < 1 ? phase : 2 - phase, 0)};
-}
-
-// The first bin whose level, a mean over the beams within 3 degrees, is within 6 dB of the highest.
-double first_echo(const GazeboSonarImage& image, double decibels_per_value) {
-  const double ahead = radians_from_degrees(3);
-  std::vector<double> levels(image.ranges.size(), 0.0);
-  int beams = 0;
-  for (std::size_t beam = 0; beam < image.azimuths.size(); ++beam) {
-    if (std::abs(image.azimuths[beam]) < ahead) {
-      ++beams;
-      for (std::size_t bin = 0; bin < levels.size(); ++bin) {
-        levels[bin] += image.values[bin * image.azimuths.size() + beam] * decibels_per_value;
-      }
-    }
-  }
-  const double threshold = *std::max_element(levels.begin(), levels.end()) - 6.0 * beams;
-  const auto edge = std::find_if(levels.begin(), levels.end(), [&](double level) { return level >= threshold; });
-  return image.ranges[static_cast<std::size_t>(edge - levels.begin())];
-}
-
-bool input_is_closed() {
-  pollfd input{.fd = STDIN_FILENO, .events = POLLIN, .revents = 0};
-  char byte = 0;
-  return poll(&input, 1, 0) > 0 && read(STDIN_FILENO, &byte, 1) <= 0;
-}
-
 // Gazebo publishes poses 60 times a second, after steps of a millisecond.
 void ride(double decibels_per_value) {
   constexpr double kPoses = 60, kStep = 1e-3;  // [Hz], [s]
   constexpr double kWall = -5;                 // y of its near side [m].
   GazeboPlayer player("sea", true);
   player.add(10, "wall", {Vec3(50, kWall - 0.5, 0)}, true, "box 300 1 18");
-  player.add(20, "auv", pose_at(0), false, "sphere 0.3");
+  player.add(20, "auv", Pose{place_at(0)}, false, "sphere 0.3");
   std::mutex mutex;
   std::vector<std::pair<double, std::string>> arrived;
   const Clock::time_point start = Clock::now();
@@ -80,12 +49,12 @@ void ride(double decibels_per_value) {
         arrived.emplace_back(seconds_since(start), std::string(bytes, size));
       },
       "gz.msgs.Image");
-  std::optional<double> begin;  // Of the ride: until then the vehicle lies still.
+  std::optional<double> begin;  // When the ride begins; until then the vehicle lies still.
   for (int i = 0; begin || seconds_since(start) < 20; ++i) {
     const double now = std::round(i / kPoses / kStep) * kStep;
     std::this_thread::sleep_until(start +
                                   std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(now)));
-    player.move(20, pose_at(begin ? now - *begin : 0));
+    player.move(20, Pose{place_at(begin ? now - *begin : 0)});
     player.tell_poses(now);
     const std::lock_guard lock(mutex);
     if (!begin && !arrived.empty()) {
@@ -105,7 +74,8 @@ void ride(double decibels_per_value) {
   for (const auto& [when, message] : arrived) {
     const GazeboSonarImage image(message);
     fmt::print("{:.6f} {:.6f} {:.4f} {:.6f} {}\n", image.time - *begin, when - *begin,
-               first_echo(image, decibels_per_value), image.ranges.at(1) - image.ranges.at(0), image.number);
+               first_echo(image.azimuths, image.ranges, image.values, decibels_per_value),
+               image.ranges.at(1) - image.ranges.at(0), image.number);
   }
 }
 

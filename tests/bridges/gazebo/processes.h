@@ -21,6 +21,10 @@
 
 namespace insonify {
 
+/// Limits only end a test that fails: on a busy machine all that is waited for can take seconds.
+inline constexpr double kPatience = 60;  // For what must happen [s].
+inline constexpr double kPrompt = 20;    // For the end of a bridge [s].
+
 /// A process with files for its streams; ended with this object.
 class Program {
  public:
@@ -29,6 +33,7 @@ class Program {
     process_ = fork();
     if (process_ == 0) {
       prctl(PR_SET_PDEATHSIG, SIGKILL);
+      std::signal(SIGINT, SIG_DFL);  // Ignored where a shell has started the test in the background.
       const int file = said.empty() ? -1 : ::open(said.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0666);
       for (const auto& [from, to] : {std::pair(file, 1), {file, 2}, {input, 0}, {output, 1}}) {
         if (from >= 0) {
@@ -123,7 +128,7 @@ inline std::string contents(const std::string& file) {
 }
 
 /// Waits until a file holds a text.
-inline bool says(const std::string& file, const std::string& text, double seconds = 10) {
+inline bool says(const std::string& file, const std::string& text, double seconds = kPatience) {
   for (int attempt = 0; attempt < seconds * 20; ++attempt) {
     if (contents(file).find(text) != std::string::npos) {
       return true;

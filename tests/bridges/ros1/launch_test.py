@@ -42,7 +42,7 @@ class LaunchTest(unittest.TestCase):
                              f"scenario:={kit.FOLDER / 'dive.yaml'}", "name:=dory", "range:=8", "gain:=3", "tf:=base_link",
                              "publish_tf:=false", "world_frame:=odom", "levels:=-95:-45", "options:=--bits 8")
         self.addCleanup(launch.end, signal.SIGINT)  # Which ends its children too.
-        launch.wait_to_say("node /dory of ROS 1", 60)
+        launch.wait_to_say("node /dory of ROS 1")
         master = kit.xmlrpc.client.ServerProxy(os.environ["ROS_MASTER_URI"])
         expected = {f"/dory/{topic}" for topic in TOPICS}
 
@@ -55,7 +55,7 @@ class LaunchTest(unittest.TestCase):
         self.assertEqual(master.getParam("/test", "/dory/levels")[2], "-95:-45")
         kit.rospy.init_node("tester", disable_signals=True)
         from dynamic_reconfigure.client import Client
-        settings = Client("/dory", timeout=20).get_configuration()
+        settings = Client("/dory", timeout=kit.PATIENCE).get_configuration()
         self.assertEqual((settings["range"], settings["gain"]), (8, 3))
         from geometry_msgs.msg import TransformStamped
         from tf2_msgs.msg import TFMessage

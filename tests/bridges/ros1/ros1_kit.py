@@ -19,6 +19,7 @@ import warnings
 import xmlrpc.client
 
 warnings.simplefilter("ignore")  # Of rospy's own code.
+signal.signal(signal.SIGINT, signal.default_int_handler)  # In the background of a shell it is ignored, by children too.
 SKIPPED = 77
 
 
@@ -41,9 +42,18 @@ if "INSONIFY_ROS1_FOLDER" not in os.environ:  # Programs that a test starts shar
 
 
 def free_port():
-    with socket.socket() as probe:
-        probe.bind(("127.0.0.1", 0))
-        return probe.getsockname()[1]
+    """A port below those that Linux gives to connections: none takes it while a roscore is started again."""
+    first, count = 20000, 12000
+    for offset in range(count):
+        port = first + (os.getpid() + offset) % count  # Tests that run at the same time begin at different ports.
+        with socket.socket() as probe:
+            probe.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+            try:
+                probe.bind(("127.0.0.1", port))
+                return port
+            except OSError:
+                pass
+    raise AssertionError(f"no port from {first} to {first + count - 1} is free")
 
 
 PORT = free_port()
@@ -62,6 +72,10 @@ except ImportError as missing:
     skip(f"{missing} (packages python3-rospy, python3-rosbag, python3-nav-msgs, python3-tf2-msgs, "
          "python3-dynamic-reconfigure, for the Python that runs the tests)")
 
+# Limits only end a test that fails: on a busy machine all that is waited for can take seconds.
+PATIENCE = 60.0  # For what must happen [s].
+PROMPT = 20.0  # For the end of a node [s]. Calls of roscpp to a roscore that hangs last minutes.
+
 # The strongest target is 6.02 m ahead and a little to port.
 SCENARIO = """world: none
 points:
@@ -75,7 +89,7 @@ sonars:
 """
 
 
-def wait_for(what, seconds=30.0, message="it did not happen"):
+def wait_for(what, seconds=PATIENCE, message="it did not happen"):
     """The first true value of what(), looked for again and again."""
     end = time.monotonic() + seconds
     while time.monotonic() < end:
@@ -97,7 +111,7 @@ class Program:
     def said(self):
         return os.pread(self._said.fileno(), 1 << 20, 0).decode()
 
-    def wait_to_say(self, text, seconds=30.0):
+    def wait_to_say(self, text, seconds=PATIENCE):
         end = time.monotonic() + seconds
         while text not in self.said() and self.process.poll() is None and time.monotonic() < end:
             time.sleep(0.02)
@@ -109,7 +123,7 @@ class Program:
         if self.process.poll() is None:
             self.process.send_signal(how)
         try:
-            return self.process.wait(timeout=20), time.monotonic() - begin
+            return self.process.wait(timeout=PATIENCE), time.monotonic() - begin
         finally:
             self.process.kill()
 
@@ -150,6 +164,12 @@ class Master:
                 found.setdefault((topic, direction), []).append(other)
         return found
 
+    def received(self, name, topic):
+        """How many messages of a topic a node has received, from all of its publishers."""
+        uri = self.proxy.lookupNode("/test", name)[2]
+        subscribed = xmlrpc.client.ServerProxy(uri).getBusStats("/test")[1]  # roscpp leaves out status and message.
+        return sum(link[2] for each, links in subscribed if each == topic for link in links)
+
     def publishes(self, name, topic):
         """Whether a node is known as a publisher of a topic."""
         published = dict(self.proxy.getSystemState("/test")[2][0])
@@ -172,13 +192,21 @@ class Listener:
         self.times.append(time.time())
         self.messages.append(message._buff)
 
-    def wait(self, count, seconds=30.0):
+    def wait(self, count, seconds=PATIENCE):
         wait_for(lambda: len(self.messages) >= count, seconds, f"only {len(self.messages)} messages of {count}")
         return self.messages[count - 1]
 
-    def next(self, seconds=30.0):
+    def next(self, seconds=PATIENCE):
         """The next message that comes from now on."""
         return self.wait(len(self.messages) + 1, seconds)
+
+    def image_after(self, moment):
+        """The first sonar image, decoded, whose ping began after a moment [s since 1970]."""
+        def found():
+            images = (decoded(each) for each in list(self.messages[seen:]))
+            return next((image for image in images if image.header.stamp.to_sec() > moment), None)
+        seen = max(0, len(self.messages) - 10)
+        return wait_for(found, message="no image came")
 
 
 def connected(publisher, count=1):
@@ -221,10 +249,35 @@ def decoded(image):
     return _type().deserialize(image)
 
 
+class NodeTest(unittest.TestCase):
+    """With the scenario as dive.yaml. A roscore is the test's own affair."""
+
+    @classmethod
+    def setUpClass(cls):
+        write("dive.yaml", SCENARIO)
+
+    def start(self, *words, **options):
+        """The node, which does not outlive the test."""
+        program = node(*words, **options)
+        self.addCleanup(program.end, signal.SIGKILL)
+        return program
+
+
+class MasterTest(NodeTest):
+    """With a roscore, and the test program as a node of its own."""
+
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+        cls.master = Master()
+        cls.addClassCleanup(cls.master.end)
+        rospy.init_node("tester", disable_signals=True)
+
+
 def close_bag(program):
-    """Ends `rosbag record`."""
-    status, _ = program.end(signal.SIGINT)
-    assert status == 0, program.said()
+    """Waits until `rosbag record` has recorded as many messages of each topic as it was told."""
+    wait_for(lambda: program.process.poll() is not None, message="rosbag has not recorded enough")
+    assert program.process.returncode == 0, program.said()
 
 
 def main():
