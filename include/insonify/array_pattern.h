@@ -19,7 +19,8 @@ enum class ArrayWindow { kRectangular, kHann, kHamming, kCosine, kTaylor, kDolph
 struct ArraySettings {
   ArrayWindow window = ArrayWindow::kRectangular;
   double side_lobe_db = -30;  ///< Side lobes re the main lobe, Taylor and Dolph-Chebyshev [dB], -100..-15.
-  int nbar = 4;               ///< Taylor: side lobes before number nbar are level, 2..20.
+  int nbar = 0;               ///< Taylor: side lobes before number nbar are level, 2..40; 0: 4, or as many as
+                              ///< side_lobe_db needs.
   int elements = 0;           ///< Number of elements, evenly spaced, 0..1024; 0: a continuous line.
 
   // Faults of the elements, one way. Random ones are drawn once per instrument, not per ping.
@@ -111,7 +112,9 @@ void ArraySettings::visit_fields(Self& self, Visit&& visit) {
   visit(Field{"window", "", {}, "rectangular, hann, hamming, cosine, taylor or dolph_chebyshev."}, self.window);
   visit(Field{"side_lobe_db", "dB", from_to(-100, -15), "Side lobes re the main lobe (taylor, dolph_chebyshev)."},
         self.side_lobe_db);
-  visit(Field{"nbar", "", from_to(2, 20), "Side lobes before this number are level (taylor)."}, self.nbar);
+  visit(
+      Field{"nbar", "", from_to(0, 40), "Side lobes before this number are level (taylor); 0: as side_lobe_db needs."},
+      self.nbar);
   visit(Field{"elements", "", from_to(0, 1024), "Elements evenly spaced along the array; 0 is a continuous line."},
         self.elements);
   visit(Field{"element_error_db", "dB", from_to(0, 20), "Standard deviation of the elements' amplitudes."},

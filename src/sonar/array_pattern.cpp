@@ -106,6 +106,9 @@ void check_dead(std::string_view object, const ArraySettings& settings) {
 
 void ArraySettings::validate(std::string_view object) const {
   check_fields(object, *this);
+  if (nbar == 1) {
+    throw Error(object, "nbar", " = 1 must be 0 (as side_lobe_db needs) or at least 2");
+  }
   if (elements == 1) {
     throw Error(object, "elements", " = 1 must be 0 (a continuous line) or at least 2");
   }

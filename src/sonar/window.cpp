@@ -3,6 +3,7 @@
 
 #include "sonar/window.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -16,10 +17,13 @@ double lobe_ratio(const ArraySettings& settings) {
   return std::pow(10, -settings.side_lobe_db / 20);
 }
 
-// Taylor (1955): side lobes are level up to number nbar, as in Dolph's pattern, and fall as 1/x beyond.
+// Taylor (1955): side lobes are level up to number nbar, as in Dolph's pattern, and fall as 1/x beyond. The pattern
+// reaches the level only with an nbar of at least 2 A^2 + 1/2; with a smaller one the first side lobes are higher.
 std::vector<WindowCosine> taylor_weight(const ArraySettings& settings) {
-  const int nbar = settings.nbar;
+  constexpr int kLeastLevel = 4;  // Side lobes that are level, where fewer would do.
   const double a = std::acosh(lobe_ratio(settings)) / pi;
+  const int nbar =
+      settings.nbar > 0 ? settings.nbar : std::max(kLeastLevel, static_cast<int>(std::lround(2 * a * a + 0.5)));
   const double dilation_squared = nbar * nbar / (a * a + (nbar - 0.5) * (nbar - 0.5));
   std::vector<WindowCosine> weight{{0, 1}};
   for (int m = 1; m < nbar; ++m) {

@@ -137,6 +137,32 @@ TEST(ArrayPatternTest, WindowsHaveTheReferenceLobes) {
   }
 }
 
+// Taylor (1955): half-power width beta sigma, with beta = 2 / pi sqrt(acosh^2 R - acosh^2(R / sqrt 2)) that of Dolph's
+// ideal pattern, R the ratio of main to side lobes, and sigma = nbar / sqrt(A^2 + (nbar - 1/2)^2), A = acosh(R) / pi.
+// It holds for nbar >= 2 A^2 + 1/2 (Balanis, Antenna Theory (2005), section 7.7), which is 3.98 for -30 dB, 8.93 for
+// -50 dB and 30.7 for -100 dB: with that many the side lobes are at the level asked for.
+TEST(ArrayPatternTest, TaylorReachesTheLevelAskedFor) {
+  for (const auto& [level, nbar, width] : {std::tuple{-25.0, 4, 1.0630},
+                                           {-30.0, 4, 1.1302},
+                                           {-40.0, 6, 1.2515},
+                                           {-50.0, 9, 1.3667},
+                                           {-70.0, 16, 1.5772},
+                                           {-100.0, 31, 1.8537}}) {
+    for (const int elements : {0, 256}) {
+      const ArrayPattern array({.window = ArrayWindow::kTaylor, .side_lobe_db = level, .elements = elements});
+      EXPECT_LE(array.highest_side_lobe().level_db, level) << elements;
+      EXPECT_GT(array.highest_side_lobe().level_db, level - 0.5) << elements;
+      EXPECT_NEAR(array.width(), width, 0.01 * width) << level << ", " << elements;
+      const ArrayPattern same(
+          {.window = ArrayWindow::kTaylor, .side_lobe_db = level, .nbar = nbar, .elements = elements});
+      EXPECT_EQ(array.intensity(1.7), same.intensity(1.7)) << level;
+    }
+  }
+  // Four lobes are too few for -50 dB.
+  const ArrayPattern four({.window = ArrayWindow::kTaylor, .side_lobe_db = -50, .nbar = 4});
+  EXPECT_NEAR(four.highest_side_lobe().level_db, -44.7, 0.1);
+}
+
 TEST(ArrayPatternTest, DolphsSideLobesAreLevel) {
   const ArrayPattern array({.window = ArrayWindow::kDolphChebyshev, .side_lobe_db = -30, .elements = 15});
   EXPECT_NEAR(array.highest_side_lobe().level_db, -30, 1e-9);
@@ -283,7 +309,9 @@ TEST(ArraySettingsTest, InvalidSettingsAreRefused) {
   EXPECT_THAT(ArraySettings{}, is_refused("accepted"));
   EXPECT_THAT(ArraySettings{.side_lobe_db = -10},
               is_refused("fls.array.side_lobe_db = -10 dB must be from -100 to -15 dB"));
-  EXPECT_THAT(ArraySettings{.nbar = 1}, is_refused("fls.array.nbar = 1 must be from 2 to 20"));
+  EXPECT_THAT(ArraySettings{.nbar = 1},
+              is_refused("fls.array.nbar = 1 must be 0 (as side_lobe_db needs) or at least 2"));
+  EXPECT_THAT(ArraySettings{.nbar = 41}, is_refused("fls.array.nbar = 41 must be from 0 to 40"));
   EXPECT_THAT(ArraySettings{.elements = -1}, is_refused("fls.array.elements = -1 must be from 0 to 1024"));
   EXPECT_THAT(ArraySettings{.elements = 1},
               is_refused("fls.array.elements = 1 must be 0 (a continuous line) or at least 2"));
