@@ -13,10 +13,10 @@ namespace insonify {
 ///
 /// With a top-hat beam pattern each cell is a beam. An array pattern needs a finer grid, because a beam receives echoes
 /// from between and outside the beam directions: two cells per beam for a fan. The single beam of a scanning head is
-/// divided into eight cells, and the grid extends by up to two beam widths on either side of it.
+/// divided into eight cells, and the grid extends by up to two beam widths on either side of it. Where beams are
+/// narrower than their spacing, there are more cells per beam: none is wider than half a beam.
 struct BearingCells {
-  static constexpr int kMaxPerBeam = 8;
-
+  /// @throws Error if that takes more than 32768 cells.
   BearingCells(const SonarConfig& sonar, const ReceiverConfig& receiver);
 
   SonarConfig sonar;  ///< The sonar with one beam per cell: the configuration that engines sample.

@@ -130,6 +130,35 @@ TEST(ArrayPingTest, BeamTakesTheLabelOfItsStrongestCell) {
   EXPECT_EQ(ping.instance[ping.index(static_cast<int>(10.02 / sonar.bin_length()), 0)], 1);
 }
 
+// Beams much narrower than their spacing receive the floor by the integral of their pattern: without a window that is
+// 2 sin(width / 2) / 0.88589 in u, straight ahead; a Hann window collects 1.5 times 1 / 1.44058 of the half-power
+// width. The floor's echo: mu h^2 psi (r1^-4 - r2^-4) / 4.
+TEST(ArrayPingTest, NarrowBeamsFarApartReceiveTheirShareOfAFloor) {
+  for (const Method& method : {kRays, kReference}) {
+    for (const auto& [width, spacing] : {std::pair{0.35, 1.4}, {0.5, 0.8}, {0.9, 1.1}, {1.0, 0.5}}) {
+      SonarConfig sonar;
+      sonar.beam_count = 21;
+      sonar.azimuth_aperture = sonar.beam_count * spacing * kDegree;
+      sonar.azimuth_resolution = width * kDegree;
+      sonar.elevation_center = -15 * kDegree;
+      sonar.min_range = 8;
+      sonar.max_range = 16;
+      sonar.bin_count = 80;
+      sonar.sampling = {8, 400};
+      for (const auto& [pattern, share] :
+           {std::pair{BeamPattern::kRectangular, 1 / 0.8858929}, {BeamPattern::kHann, 1.5 / 1.4405795}}) {
+        Scenario scenario = calibrated(sonar, method);
+        scenario.receiver.azimuth_pattern = pattern;
+        const Ping ping = ping_of(scenario, seabed_at(-3, diffuse(-27)));
+        const double near = sonar.bin_range(40) - 0.05, far = near + 0.1;
+        const double expected =
+            decibels(std::pow(10, -2.7) * 9 * share * width * kDegree * (std::pow(near, -4) - std::pow(far, -4)) / 4);
+        EXPECT_NEAR(cell_db(ping, 40, 10), expected, 0.1) << method.name << ", " << width << ", " << spacing;
+      }
+    }
+  }
+}
+
 Ping two_plates(PulseKind pulse) {
   SonarConfig sonar = fan();
   sonar.beam_count = 8;
