@@ -40,6 +40,9 @@ struct ReceiverConfig {
   double pulse_duration = 50e-6;       ///< Duration, kCw and kLfm [s], in (0, 1].
   double pulse_bandwidth = 200e3;      ///< Bandwidth, kLfm [Hz], in (0, 1e7]; times pulse_duration at least 10.
 
+  PulseWindow pulse_window = PulseWindow::kRectangular;  ///< Weights of the band, kLfm.
+  double pulse_side_lobe_db = -40;  ///< Side lobes in range of pulse_window kTaylor [dB], -100..-15.
+
   /// X of the time-varied gain X log10(r) + 2 alpha r [dB] applied to recorded intensities, with the range r in metres
   /// and the absorption alpha; 0..60. None: no gain. 40 compensates the fall of point targets, 30 of floors, 20 of
   /// volume reverberation.
@@ -125,6 +128,15 @@ struct ReceiverConfig {
           self.pulse_duration);
     visit(Field{"pulse_bandwidth", "Hz", above_to(0, 1e7), "Bandwidth of the chirp.", ActsIn::kCalibrated},
           self.pulse_bandwidth);
+    visit(Field{"pulse_window",
+                "",
+                {},
+                "Weights over the band of the chirp, for lower side lobes in range.",
+                ActsIn::kCalibrated},
+          self.pulse_window);
+    visit(Field{"pulse_side_lobe_db", "dB", from_to(-100, -15), "Side lobes in range of the pulse_window taylor.",
+                ActsIn::kCalibrated},
+          self.pulse_side_lobe_db);
     visit(Field{"time_varied_gain", "dB/decade", from_to(0, 60),
                 "X of the gain X log10(r / 1 m) + 2 alpha r applied to recorded intensities (calibrated); no gain when "
                 "absent.",

@@ -55,7 +55,7 @@ struct SonarConfig {
 
   double frequency = 720e3;      ///< Carrier frequency [Hz], in (0, 1e8].
   double source_level_db = 200;  ///< SL on the acoustic axis [dB re 1 uPa at 1 m], 100..260.
-  double bandwidth = 25e3;       ///< Receiver bandwidth, for noise [Hz], in (0, 1e8].
+  double bandwidth = 25e3;       ///< Receiver bandwidth, for noise, without a pulse [Hz], in (0, 1e8].
 
   // Fan of beams.
   int beam_count = 256;                                 ///< Beams across the azimuth aperture, 1..4096.
@@ -162,7 +162,8 @@ void SonarConfig::visit_fields(Self& self, Visit&& visit) {
   visit(Field{"source_level_db", "dB", from_to(100, 260), "Source level re 1 uPa at 1 m, on the acoustic axis.",
               ActsIn::kCalibrated, "gain"},
         self.source_level_db);
-  visit(Field{"bandwidth", "Hz", above_to(0, 1e8), "Bandwidth of the receiver, for noise (calibrated model).",
+  visit(Field{"bandwidth", "Hz", above_to(0, 1e8),
+              "Bandwidth of the receiver, for noise, where receiver.pulse is none (calibrated model).",
               ActsIn::kCalibrated, "paper.additive_deviation"},
         self.bandwidth);
   visit(Field{"beam_count", "", from_to(1, 4096), "Beams across the azimuth aperture."}, self.beam_count);

@@ -70,6 +70,14 @@ constexpr auto words_of<PulseKind>() {
   return Words<PulseKind, 3>{{{"none", PulseKind::kNone}, {"cw", PulseKind::kCw}, {"lfm", PulseKind::kLfm}}};
 }
 template <>
+constexpr auto words_of<PulseWindow>() {
+  return Words<PulseWindow, 5>{{{"rectangular", PulseWindow::kRectangular},
+                                {"hann", PulseWindow::kHann},
+                                {"hamming", PulseWindow::kHamming},
+                                {"cosine", PulseWindow::kCosine},
+                                {"taylor", PulseWindow::kTaylor}}};
+}
+template <>
 constexpr auto words_of<SecondaryEchoes>() {
   return Words<SecondaryEchoes, 3>{
       {{"none", SecondaryEchoes::kNone}, {"selective", SecondaryEchoes::kSelective}, {"all", SecondaryEchoes::kAll}}};

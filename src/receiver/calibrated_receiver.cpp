@@ -6,8 +6,6 @@
 #include <cmath>
 #include <functional>
 
-#include "receiver/normal_numbers.h"
-
 namespace insonify {
 namespace {
 
@@ -152,6 +150,9 @@ void CalibratedReceiver::receive(const EchoGrid& still, const Pose& world_from_s
   }
   const DiscreteEchoes discrete(bearing_ ? &*bearing_ : nullptr, range_ ? &*range_ : nullptr, beams_, bins_);
   receive_discrete_echoes(grid, discrete);
+  if (noise_) {
+    noise_->draw(ping.number, workers);
+  }
 
   // Noise and detection by tiles of beams x bins, each transposed into the ping's bins x beams.
   const int tiles_along = (bins_ + kTileBins - 1) / kTileBins, tiles_across = (beams_ + kTileBeams - 1) / kTileBeams;
@@ -174,22 +175,19 @@ void CalibratedReceiver::receive(const EchoGrid& still, const Pose& world_from_s
 void CalibratedReceiver::detect_tile(const EchoGrid& grid, const TilePlace& place, Ping& ping) const {
   const bool labelled = grid.ground_truth() == GroundTruth::kLabels;
   OutputTile tile = {};
-  float in_phase[kTileBins] = {}, quadrature[kTileBins] = {};
-  const auto deviation = noisy_ ? static_cast<float>(std::sqrt(0.5 * noise_intensity_)) : 0.0F;
+  constexpr float kSilence[kTileBins] = {};
   const std::vector<float>& energy = bearing_ ? beam_energy_ : cell_energy_;
   const std::vector<std::complex<float>>& field = bearing_ ? beam_field_ : cell_field_;
   for (int b = 0; b < place.beam_count; ++b) {
     const int beam = place.first_beam + b;
     const std::size_t start = static_cast<std::size_t>(beam) * bins_ + place.first_bin;
-    if (noisy_) {
-      const int block = place.first_bin / kTileBins;
-      draw_normals(RandomPurpose::kNoiseInPhase, block, beam, ping.number, seed_, in_phase);
-      draw_normals(RandomPurpose::kNoiseQuadrature, block, beam, ping.number, seed_, quadrature);
-    }
+    const float* const in_phase = noise_ ? noise_->in_phase(beam) + place.first_bin : kSilence;
+    const float* const quadrature = noise_ ? noise_->quadrature(beam) + place.first_bin : kSilence;
     for (int i = 0; i < place.bin_count; ++i) {
       // Without speckle there is no phase: the field is sqrt(energy), so that noise can be added to it.
-      const float real = (speckle_ ? field[start + i].real() : std::sqrt(energy[start + i])) + deviation * in_phase[i];
-      const float imaginary = (speckle_ ? field[start + i].imag() : 0.0F) + deviation * quadrature[i];
+      const float real =
+          (speckle_ ? field[start + i].real() : std::sqrt(energy[start + i])) + noise_deviation_ * in_phase[i];
+      const float imaginary = (speckle_ ? field[start + i].imag() : 0.0F) + noise_deviation_ * quadrature[i];
       tile.intensity[b][i] = std::min(real * real + imaginary * imaginary, saturation_) * gain_[place.first_bin + i];
       if (has_field_) {
         const float part = std::sqrt(tile.intensity[b][i] / std::max(real * real + imaginary * imaginary, kTiny));

@@ -18,6 +18,7 @@
 #include "receiver/clutter.h"
 #include "receiver/digitizer.h"
 #include "receiver/discrete_echoes.h"
+#include "receiver/noise_field.h"
 #include "receiver/output_tile.h"
 #include "receiver/range_response.h"
 #include "receiver/reception_shift.h"
@@ -37,7 +38,8 @@ namespace insonify {
 ///      Without speckle the energies themselves are passed on.
 ///   4. Pulse and array pattern: convolution along range with p and along bearing with g; energies with |p|^2, |g|^2.
 ///   5. Discrete echoes (ideal points, interference) are added to each beam and bin with the gain g p.
-///   6. Thermal noise, a complex Gaussian field drawn anew for each ping, beam and bin, is added to the field.
+///   6. Thermal noise, a complex Gaussian field drawn anew for each ping, is added to the field: as array and matched
+///      filter pass it, see NoiseField.
 ///   7. Detection: squared magnitude, clipped at saturation, times near-field ramp and gain; then counts.
 class CalibratedReceiver {
  public:
@@ -83,9 +85,9 @@ class CalibratedReceiver {
   std::vector<float> volume_;      // [bin]: volume reverberation per unit solid angle [1/sr]; empty without any.
   std::vector<float> cell_angle_;  // [cell]: solid angle, weighted by the pattern both ways [sr].
   TruthReceiver truth_;
-  double noise_intensity_ = 0;  // Mean intensity of the noise re the source's at 1 m.
-  float saturation_;            // Largest intensity before gain.
-  bool noisy_, has_field_;
+  float noise_deviation_ = 0;  // Standard deviation of either part of the noise, re the source's amplitude at 1 m.
+  float saturation_;           // Largest intensity before gain.
+  bool has_field_;
   std::uint64_t seed_;
   std::optional<ReceptionShift> shift_;
   EchoGrid moved_;
@@ -95,6 +97,7 @@ class CalibratedReceiver {
   std::optional<Digitizer> digitizer_;
   std::optional<RangeResponse> range_;
   std::optional<BearingResponse> bearing_;
+  std::optional<NoiseField> noise_;
 
   std::vector<Row> rows_;  // [worker].
   // [cell][bin] and [beam][bin]. With speckle the fields are used, without it the energies; the others are empty.

@@ -5,25 +5,12 @@
 #include <limits>
 
 #include "insonify/acoustics/absorption.h"
-#include "insonify/acoustics/sonar_equation.h"
 #include "receiver/calibrated_receiver.h"
 #include "receiver/line_array.h"
+#include "receiver/noise_level.h"
 
 namespace insonify {
 namespace {
-
-// Mean intensity of the noise in a beam, re the source's at 1 m: thermal and ambient noise in the receiver's bandwidth,
-// less the directivity index of a top-hat beam (Urick, Principles of Underwater Sound (1983), ch. 2).
-double noise_intensity_of(const SonarConfig& sonar, const ReceiverConfig& receiver) {
-  const double width = sonar.azimuth_aperture / sonar.beam_count;
-  const double directivity = sector_directivity_index_db(width, sonar.elevation_aperture);
-  double spectrum = std::pow(10.0, thermal_noise_level_db(sonar.frequency) / 10);
-  if (receiver.ambient_noise_db) {
-    spectrum += std::pow(10.0, *receiver.ambient_noise_db / 10);
-  }
-  const double level = noise_level_db(10 * std::log10(spectrum), sonar.bandwidth, directivity);
-  return std::pow(10.0, (level - sonar.source_level_db) / 10);
-}
 
 // Volume reverberation of one bin per unit solid angle, s_v (1/r1 - 1/r2) with absorption at the bin's middle: the
 // integral of s_v r^2 / r^4 from r1 to r2 (Urick 1983, ch. 8). Ranges start at a millimetre: 1/r has a pole at 0.
@@ -67,11 +54,9 @@ CalibratedReceiver::CalibratedReceiver(const Settings& settings)
       cells_per_beam_(settings.cells.per_beam),
       cell_angle_(settings.cell_angles.begin(), settings.cell_angles.end()),
       truth_(settings.sonar, settings.cells, settings.cell_angles),
-      noise_intensity_(noise_intensity_of(settings.sonar, settings.receiver)),
       saturation_(settings.receiver.saturation_db
                       ? static_cast<float>(std::pow(10.0, *settings.receiver.saturation_db / 10))
                       : std::numeric_limits<float>::infinity()),
-      noisy_(settings.receiver.noise),
       has_field_(settings.receiver.field),
       seed_(settings.seed) {
   assert(cell_angle_.size() == static_cast<std::size_t>(cells_));
@@ -83,16 +68,34 @@ CalibratedReceiver::CalibratedReceiver(const Settings& settings)
   const double range_scale = true_speed / shown_speed, wavelength = true_speed / sonar.frequency;
   gain_ = gain_of(sonar, receiver, settings.water.absorption_db_per_m_at(sonar.frequency));
   volume_ = volume_of(sonar, settings.water, range_scale);
-  const Pulse pulse(
-      {.kind = receiver.pulse, .duration = receiver.pulse_duration, .bandwidth = receiver.pulse_bandwidth}, shown_speed,
-      sonar.bin_length());
+  const Pulse pulse({.kind = receiver.pulse,
+                     .duration = receiver.pulse_duration,
+                     .bandwidth = receiver.pulse_bandwidth,
+                     .window = receiver.pulse_window,
+                     .side_lobe_db = receiver.pulse_side_lobe_db},
+                    shown_speed, sonar.bin_length());
   if (receiver.pulse != PulseKind::kNone) {
     range_.emplace(pulse, sonar.bin_length());
   }
+  const std::vector<double> beam_sines = BearingCells::sines(sonar);
+  std::optional<ArrayPattern> perfect;  // The array without faults, one way, as noise is received.
+  double length = 0;                    // [wavelengths]
   if (receiver.azimuth_pattern != BeamPattern::kTopHat) {
     const ArrayPattern array(azimuth_array(receiver, sonar), seed_);
-    bearing_.emplace(array, array.length(wavelength, beam_width(sonar)) / wavelength, BearingCells::sines(cells.sonar),
-                     BearingCells::sines(sonar));
+    perfect.emplace(receiving_array(receiver, sonar));
+    length = array.length(wavelength, beam_width(sonar)) / wavelength;
+    bearing_.emplace(array, length, BearingCells::sines(cells.sonar), beam_sines);
+  }
+  if (receiver.noise) {
+    noise_deviation_ = static_cast<float>(std::sqrt(0.5 * noise_intensity(sonar, receiver, pulse)));
+    noise_.emplace(NoiseField::Settings{.beams = beams_,
+                                        .bins = bins_,
+                                        .pulse = pulse,
+                                        .bin_length = sonar.bin_length(),
+                                        .array = perfect ? &*perfect : nullptr,
+                                        .length = length,
+                                        .beam_sines = beam_sines,
+                                        .seed = seed_});
   }
   if (settings.moves) {
     const double bias = pulse.doppler_bias(doppler_shift(1, sonar.frequency, true_speed));

@@ -70,6 +70,14 @@ ArraySettings azimuth_array(const ReceiverConfig& receiver, const SonarConfig& s
   return array;
 }
 
+ArraySettings receiving_array(const ReceiverConfig& receiver, const SonarConfig& sonar) {
+  ArraySettings array = azimuth_array(receiver, sonar);
+  array.element_error_db = array.element_error = 0;
+  array.dead_elements.clear();
+  array.two_way = false;
+  return array;
+}
+
 double beam_width(const SonarConfig& sonar) {
   return sonar.azimuth_resolution.value_or(sonar.azimuth_aperture / sonar.beam_count);
 }

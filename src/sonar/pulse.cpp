@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -24,6 +25,47 @@ void PulseSettings::validate(std::string_view object) const {
   }
 }
 
+namespace {
+
+ArrayWindow window_of(PulseWindow window) {
+  switch (window) {
+    case PulseWindow::kHann:
+      return ArrayWindow::kHann;
+    case PulseWindow::kHamming:
+      return ArrayWindow::kHamming;
+    case PulseWindow::kCosine:
+      return ArrayWindow::kCosine;
+    case PulseWindow::kTaylor:
+      return ArrayWindow::kTaylor;
+    case PulseWindow::kRectangular:
+      break;
+  }
+  return ArrayWindow::kRectangular;
+}
+
+// Scaled so that its integral, the peak of its transform, is 1.
+std::vector<WindowCosine> of_mean_1(std::vector<WindowCosine> window) {
+  const double mean = line_pattern(window, 0);
+  for (WindowCosine& part : window) {
+    part.share /= mean;
+  }
+  return window;
+}
+
+// cos a cos b = (cos(a + b) + cos(a - b)) / 2.
+std::vector<WindowCosine> squared(const std::vector<WindowCosine>& window) {
+  std::vector<WindowCosine> square;
+  for (const WindowCosine& a : window) {
+    for (const WindowCosine& b : window) {
+      square.push_back({a.turns + b.turns, 0.5 * a.share * b.share});
+      square.push_back({std::abs(a.turns - b.turns), 0.5 * a.share * b.share});
+    }
+  }
+  return square;
+}
+
+}  // namespace
+
 double doppler_shift(double speed, double frequency, double sound_speed) {
   return 2 * speed * frequency / sound_speed;
 }
@@ -42,13 +84,13 @@ Pulse::Pulse(const PulseSettings& settings, double sound_speed, double bin_lengt
       shape_ = Shape::kChirp;
       reach_ = sound_speed * settings.duration / 2;
       cell_ = sound_speed / (2 * settings.bandwidth);
-      // Weights of mean 1, so that the peak is 1.
-      band_ = {{0, 1}};
-      if (settings.hann) {
-        band_.push_back({1, 1});
-      }
+      band_ = of_mean_1(line_weight({.window = window_of(settings.window), .side_lobe_db = settings.side_lobe_db}));
+      power_ = of_mean_1(squared(band_));
       bias_per_hertz_ = settings.duration * cell_;
       break;
+  }
+  if (settings.kind != PulseKind::kNone) {
+    noise_bandwidth_ = (shape_ == Shape::kChirp ? line_power(band_) : 1) / settings.duration;
   }
 }
 
@@ -70,6 +112,14 @@ double Pulse::amplitude(double dr) const {
       break;
   }
   return 1;
+}
+
+double Pulse::noise_correlation(double dr) const {
+  if (shape_ == Shape::kChirp) {
+    return std::abs(dr) < reach_ ? line_pattern(power_, dr / cell_) : 0;
+  }
+  const double tone = shape_ == Shape::kTriangle ? reach_ : 2 * reach_;  // Length of the tone or bin [m].
+  return std::max(0.0, 1 - std::abs(dr) / tone);
 }
 
 double Pulse::width() const {

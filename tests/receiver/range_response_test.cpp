@@ -20,7 +20,12 @@ Pulse tone(double duration, bool matched_filter = true) {
 }
 
 Pulse chirp(double bandwidth, bool hann = false) {
-  return {{.kind = PulseKind::kLfm, .duration = 1e-3, .bandwidth = bandwidth, .hann = hann}, kSoundSpeed, 0.1};
+  return {{.kind = PulseKind::kLfm,
+           .duration = 1e-3,
+           .bandwidth = bandwidth,
+           .window = hann ? PulseWindow::kHann : PulseWindow::kRectangular},
+          kSoundSpeed,
+          0.1};
 }
 
 std::vector<float> receive(const RangeResponse& response, const std::vector<float>& cells) {

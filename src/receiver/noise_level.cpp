@@ -1,0 +1,67 @@
+// noise_level.cpp -- noise of the sonar equation: spectral level, bandwidth and directivity of a beam.
+
+#include "receiver/noise_level.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "insonify/acoustics/sonar_equation.h"
+#include "receiver/line_array.h"
+
+namespace insonify {
+namespace {
+
+// Integral of |g|^2 over bearing, one way: scanning heads transmit with the array too, but noise is only received. The
+// integral over x = (D / wavelength) u is that over all x of a continuous line. The pattern of N elements repeats after
+// N; where more than one period lies in front of the array, |u| < 1, grating lobes receive noise as well.
+double bearing_width(const SonarConfig& sonar, const ReceiverConfig& receiver) {
+  if (receiver.azimuth_pattern == BeamPattern::kTopHat) {
+    return beam_width(sonar);
+  }
+  const ArraySettings settings = receiving_array(receiver, sonar);
+  const ArrayPattern array(settings);
+  const double length = array.length(1, beam_width(sonar));  // [wavelengths]
+  const double periods = settings.elements > 0 ? 2 * length / settings.elements : 1;
+  return std::max(1.0, periods) * array.equivalent_beam() / length;
+}
+
+// Integral of |p|^2 cos(elevation) over elevation, one way; the array is baffled.
+double elevation_width(const SonarConfig& sonar, const ReceiverConfig& receiver) {
+  const double middle = sonar.elevation_center, half = 0.5 * sonar.elevation_aperture;
+  if (receiver.elevation_pattern == BeamPattern::kTopHat) {
+    return std::sin(middle + half) - std::sin(middle - half);
+  }
+  const ArrayPattern array(line_array(receiver.elevation_pattern, receiver.side_lobe_db, sonar.elevation_aperture));
+  const double length = array.length(1, sonar.elevation_aperture);
+  // Midpoints, at least 32 in each lobe.
+  const auto steps = static_cast<int>(std::ceil(64 * std::max(1.0, length)));
+  const double step = std::numbers::pi / steps;
+  double sum = 0;
+  for (int i = 0; i < steps; ++i) {
+    const double elevation = (i + 0.5) * step - 0.5 * std::numbers::pi;
+    if (std::abs(elevation - middle) < 0.5 * std::numbers::pi) {
+      sum += array.intensity(length * std::sin(elevation - middle)) * std::cos(elevation) * step;
+    }
+  }
+  return sum;
+}
+
+}  // namespace
+
+double receive_solid_angle(const SonarConfig& sonar, const ReceiverConfig& receiver) {
+  return bearing_width(sonar, receiver) * elevation_width(sonar, receiver);
+}
+
+double noise_intensity(const SonarConfig& sonar, const ReceiverConfig& receiver, const Pulse& pulse) {
+  double spectrum = std::pow(10.0, thermal_noise_level_db(sonar.frequency) / 10);
+  if (receiver.ambient_noise_db) {
+    spectrum += std::pow(10.0, *receiver.ambient_noise_db / 10);
+  }
+  const double directivity = 10 * std::log10(4 * std::numbers::pi / receive_solid_angle(sonar, receiver));
+  const double bandwidth = pulse.noise_bandwidth() > 0 ? pulse.noise_bandwidth() : sonar.bandwidth;
+  const double level = noise_level_db(10 * std::log10(spectrum), bandwidth, directivity);
+  return std::pow(10.0, (level - sonar.source_level_db) / 10);
+}
+
+}  // namespace insonify

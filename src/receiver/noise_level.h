@@ -1,0 +1,25 @@
+// noise_level.h -- mean intensity of the noise that a beam receives.
+
+#pragma once
+
+#include "insonify/receiver_config.h"
+#include "insonify/sonar_config.h"
+
+namespace insonify {
+
+/// Solid angle of the receive pattern of an unsteered beam, the integral of |g p|^2 over all directions [sr]: with it
+/// the directivity index is 10 log10(4 pi / solid angle) (Urick, Principles of Underwater Sound (1983), ch. 3).
+///
+/// In bearing it is that of the array without faults, beam_width() wide at half power, by Parseval's theorem; a top hat
+/// is as wide as the beam, however far apart beams are. In elevation it is that of the aperture or of the elevation
+/// pattern. It is the same for all beams: the directivity of a line array does not depend on steering (Van Trees,
+/// Optimum Array Processing (2002), section 2.6).
+[[nodiscard]] double receive_solid_angle(const SonarConfig& sonar, const ReceiverConfig& receiver);
+
+/// Mean intensity of the noise in a beam, re the source's at 1 m: thermal and ambient noise in the receiver's
+/// bandwidth, less the directivity index (Urick 1983, ch. 2). The bandwidth is that of the pulse's filter, so that a
+/// matched filter has a signal to noise ratio of 2 E / N0, whatever the pulse (Turin, IRE Trans. IT-6, 311 (1960));
+/// without a pulse it is the sonar's `bandwidth`.
+[[nodiscard]] double noise_intensity(const SonarConfig& sonar, const ReceiverConfig& receiver, const Pulse& pulse);
+
+}  // namespace insonify
