@@ -86,7 +86,7 @@ void CalibratedReceiver::receive_cell(const EchoGrid& grid, int cell, const Spec
   clear_outside(filled, drawn);
   speckle_->draw(view, row.scatterers, row.energy, drawn);
   if (sparse_->any()) {
-    sparse_->draw(view, row.scatterers, grid, cell, row.energy, drawn);
+    sparse_->draw(view, row.scatterers, grid, cell, row.energy, static_cast<float>(speckle_->turns_per_bin()), drawn);
   }
   if (range_) {
     range_->receive_field(within(row.field), within(beam));

@@ -6,6 +6,7 @@
 
 #include "insonify/acoustics/absorption.h"
 #include "receiver/calibrated_receiver.h"
+#include "receiver/carrier_band.h"
 #include "receiver/line_array.h"
 #include "receiver/noise_level.h"
 
@@ -102,7 +103,7 @@ CalibratedReceiver::CalibratedReceiver(const Settings& settings)
     shift_.emplace(cells.sonar, range_scale, true_speed, bias);
   }
   if (receiver.speckle) {
-    speckle_.emplace(cells.sonar, range_scale, wavelength, seed_);
+    speckle_.emplace(cells.sonar, range_scale, wavelength, carrier_band(pulse, sonar.bin_length()), seed_);
     const double bins = range_ ? range_->equivalent_cells() : 1.0;
     sparse_.emplace(settings.materials, cells.sonar, range_scale);
     clutter_.emplace(settings.materials, cells.per_beam, std::max(1, static_cast<int>(std::lround(bins))));

@@ -52,7 +52,8 @@ double SparseScatterers::area(const EchoGrid& grid, int cell, int bin) const {
 }
 
 void SparseScatterers::draw(const Speckle::View& view, const Speckle::Row& row, const EchoGrid& grid, int cell,
-                            std::span<const float> energy, std::span<std::complex<float>> field) const {
+                            std::span<const float> energy, float turns_per_bin,
+                            std::span<std::complex<float>> field) const {
   for (int bin = row.bins.first; bin < row.bins.last; ++bin) {
     const double density = row.surface[bin] == kNoSurface ? std::numeric_limits<double>::infinity()
                                                           : density_[material_of(row.surface[bin])];
@@ -63,13 +64,16 @@ void SparseScatterers::draw(const Speckle::View& view, const Speckle::Row& row, 
     if (!(mean < kMany)) {
       continue;
     }
-    // Field of `count` scatterers of equal amplitude: the phase of each is random plus that of the path.
+    // Field of `count` scatterers of equal amplitude: the phase of each is random plus that of the path, to its place
+    // in the cell, which is drawn from the bits that uniform_open() leaves.
     const int count = poisson(mean, double{uniform_open(words_of(view, row, bin, 0)[0])});
     std::complex<float> sum;
     PhiloxPair words{};
     for (int i = 0; i < count; ++i) {
       words = i % 2 == 0 ? words_of(view, row, bin, 1 + i / 2) : words;
-      sum += std::polar(1.0F, 2 * std::numbers::pi_v<float> * (uniform_open(words[i % 2]) + row.turns[bin]));
+      const float beyond = (static_cast<float>(words[i % 2] & 511U) + 0.5F) / 512 - 0.5F;
+      const float turns = uniform_open(words[i % 2]) + row.turns[bin] + turns_per_bin * beyond;
+      sum += std::polar(1.0F, 2 * std::numbers::pi_v<float> * turns);
     }
     field[bin] = std::sqrt(energy[bin] / static_cast<float>(mean)) * sum;
   }

@@ -33,10 +33,11 @@ class SparseScatterers {
   [[nodiscard]] bool any() const { return any_; }
 
   /// Replaces Gaussian speckle by discrete scatterers in the cells of a row with fewer than kMany.
-  /// @param energy  Mean energy, [bin].
-  /// @param field   Complex field, [bin], from Speckle::draw(); overwritten where scatterers are sparse.
+  /// @param energy         Mean energy, [bin].
+  /// @param turns_per_bin  Speckle::turns_per_bin().
+  /// @param field          Complex field, [bin], from Speckle::draw(); overwritten where scatterers are sparse.
   void draw(const Speckle::View& view, const Speckle::Row& row, const EchoGrid& grid, int cell,
-            std::span<const float> energy, std::span<std::complex<float>> field) const;
+            std::span<const float> energy, float turns_per_bin, std::span<std::complex<float>> field) const;
 
  private:
   [[nodiscard]] double area(const EchoGrid& grid, int cell, int bin) const;

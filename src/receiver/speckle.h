@@ -24,7 +24,8 @@ namespace insonify {
 /// - when the sonar turns or moves along a bearing, a cell takes over the random numbers of its neighbour;
 /// - when it moves sideways, the phases change with the path lengths: an array of length D sees speckle that
 ///   decorrelates over a shift of D / 2 (docs/concepts/speckle.md);
-/// - when it passes the middle between two anchors, all numbers are drawn anew.
+/// - when it passes the middle between two anchors, all numbers are drawn anew;
+/// - pings at another carrier frequency see the same scatterers with other phases, see carrier_band().
 class Speckle {
  public:
   /// Distance between anchors [m].
@@ -33,7 +34,8 @@ class Speckle {
   /// @param cells        The grids' cells, see BearingCells::sonar.
   /// @param range_scale  True range / reported range.
   /// @param wavelength   [m]
-  Speckle(const SonarConfig& cells, double range_scale, double wavelength, std::uint64_t seed);
+  /// @param band         See carrier_band(), > 0.
+  Speckle(const SonarConfig& cells, double range_scale, double wavelength, double band, std::uint64_t seed);
 
   /// The anchor nearest to a transducer, relative to it.
   struct View {
@@ -49,8 +51,11 @@ class Speckle {
     std::vector<std::uint32_t> surface;  ///< Label: instance and material, see echo/grid/echo.h.
     std::uint32_t bearing = 0;           ///< Bearing index, the same for the whole row.
     std::vector<std::uint32_t> range;    ///< Range index.
-    std::vector<float> turns;            ///< Phase of the path out and back, less that from the anchor [turns of 2 pi].
+    std::vector<float> turns;            ///< Phase of the path out and back, to the middle of the cell [turns of 2 pi].
   };
+  /// Change of that phase over the length of a cell [turns].
+  [[nodiscard]] double turns_per_bin() const { return turns_per_bin_; }
+
   /// Finds the scatterers of the given bins of a cell.
   void locate(const View& view, int cell, BinRange bins, const EchoGrid& grid, Row& row) const;
 
@@ -63,7 +68,9 @@ class Speckle {
   float first_range_, bin_length_;  // True range of bin 0's middle, and true bin length [m].
   float cell_width_;                // Width of the narrowest cell [rad].
   float turns_per_metre_;           // Phase per metre of range, out and back [turns/m].
-  std::vector<float> azimuth_;      // [cell]: azimuth of the centre [rad].
+  double turns_per_bin_;
+  float carrier_;               // Carrier frequency in bands, see carrier_band().
+  std::vector<float> azimuth_;  // [cell]: azimuth of the centre [rad].
   std::uint64_t seed_;
 };
 
