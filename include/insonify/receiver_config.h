@@ -17,6 +17,9 @@ namespace insonify {
 /// with a window.
 enum class BeamPattern { kTopHat, kRectangular, kHann, kHamming, kCosine, kTaylor, kDolphChebyshev };
 
+/// What a range bin keeps of the samples of a pulse that is shorter than it: the greatest, their mean, or one of them.
+enum class Decimation { kPeak, kMean, kSample };
+
 /// Settings of the receiver. All except `noise` apply to the calibrated model only.
 struct ReceiverConfig {
   bool noise = true;  ///< Whether noise is drawn: that of the paper model, or thermal noise in the calibrated model.
@@ -41,7 +44,8 @@ struct ReceiverConfig {
   double pulse_bandwidth = 200e3;      ///< Bandwidth, kLfm [Hz], in (0, 1e7]; times pulse_duration at least 10.
 
   PulseWindow pulse_window = PulseWindow::kRectangular;  ///< Weights of the band, kLfm.
-  double pulse_side_lobe_db = -40;  ///< Side lobes in range of pulse_window kTaylor [dB], -100..-15.
+  double pulse_side_lobe_db = -40;            ///< Side lobes in range of pulse_window kTaylor [dB], -100..-15.
+  Decimation decimation = Decimation::kSample;  ///< What bins longer than the pulse's resolution keep.
 
   /// X of the time-varied gain X log10(r) + 2 alpha r [dB] applied to recorded intensities, with the range r in metres
   /// and the absorption alpha; 0..60. None: no gain. 40 compensates the fall of point targets, 30 of floors, 20 of
@@ -137,6 +141,13 @@ struct ReceiverConfig {
     visit(Field{"pulse_side_lobe_db", "dB", from_to(-100, -15), "Side lobes in range of the pulse_window taylor.",
                 ActsIn::kCalibrated},
           self.pulse_side_lobe_db);
+    visit(Field{"decimation",
+                "",
+                {},
+                "What a bin longer than the pulse's resolution keeps of it: peak, mean, or sample (one look) "
+                "(calibrated).",
+                ActsIn::kCalibrated},
+          self.decimation);
     visit(Field{"time_varied_gain", "dB/decade", from_to(0, 60),
                 "X of the gain X log10(r / 1 m) + 2 alpha r applied to recorded intensities (calibrated); no gain when "
                 "absent.",

@@ -78,6 +78,11 @@ constexpr auto words_of<PulseWindow>() {
                                 {"taylor", PulseWindow::kTaylor}}};
 }
 template <>
+constexpr auto words_of<Decimation>() {
+  return Words<Decimation, 3>{
+      {{"peak", Decimation::kPeak}, {"mean", Decimation::kMean}, {"sample", Decimation::kSample}}};
+}
+template <>
 constexpr auto words_of<SecondaryEchoes>() {
   return Words<SecondaryEchoes, 3>{
       {{"none", SecondaryEchoes::kNone}, {"selective", SecondaryEchoes::kSelective}, {"all", SecondaryEchoes::kAll}}};

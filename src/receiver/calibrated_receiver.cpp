@@ -64,6 +64,11 @@ void CalibratedReceiver::receive_cell(const EchoGrid& grid, int cell, const Spec
   const auto within = [&](auto&& of_row) {
     return std::span(of_row).subspan(received.first, received.last - received.first);
   };
+  if (keeps_looks_ && speckle_) {
+    receive_mean(grid, cell, row);
+  } else if (coarse_) {
+    coarse_->receive(row.energy);
+  }
   if (!speckle_) {
     const std::span<float> beam(&cell_energy_[bins * cell], bins);
     std::ranges::copy(row.energy, beam.begin());
@@ -93,6 +98,30 @@ void CalibratedReceiver::receive_cell(const EchoGrid& grid, int cell, const Spec
   }
 }
 
+// Replaces a row's energy by that of one look, and computes what its intensity is distributed about, after the pulse.
+void CalibratedReceiver::receive_mean(const EchoGrid& grid, int cell, Row& row) {
+  const auto bins = static_cast<std::size_t>(bins_);
+  const BinRange received = received_bins(grid, cell);
+  row.extended.resize(bins);
+  coarse_->receive(row.energy, row.extended);
+  const auto receive_row = [&](std::span<const float> energy, std::vector<float>& cells) {
+    const std::span<float> beam(&cells[bins * cell], bins);
+    clear_outside(received, beam);
+    const std::size_t count = received.empty() ? 0 : received.last - received.first;
+    range_->receive_energy(energy.subspan(received.first, count), beam.subspan(received.first, count));
+  };
+  receive_row(row.energy, cell_energy_);
+  receive_row(row.extended, cell_extended_);
+}
+
+// Intensity that a bin keeps, from that of one look, at the index `at` of beams x bins.
+float CalibratedReceiver::kept(float intensity, std::size_t at) const {
+  const float noise = 2 * noise_deviation_ * noise_deviation_;
+  const float mean = (bearing_ ? beam_energy_ : cell_energy_)[at] + noise;
+  const float extended = speckle_ ? (bearing_ ? beam_extended_ : cell_extended_)[at] + noise : noise;
+  return mean > 0 ? coarse_->kept(intensity, mean, std::min(extended / mean, 1.0F)) : intensity;
+}
+
 // Forms the beams from the cells. Tasks divide the ping by blocks of bins.
 void CalibratedReceiver::receive_bearings(const EchoGrid& grid, Workers& workers) {
   BinRange received;
@@ -103,13 +132,18 @@ void CalibratedReceiver::receive_bearings(const EchoGrid& grid, Workers& workers
     const BinRange bins{task * kBinsPerTask, std::min((task + 1) * kBinsPerTask, bins_)};
     speckle_ ? bearing_->receive_field(cell_field_, beam_field_, bins_, bins, received)
              : bearing_->receive_energy(cell_energy_, beam_energy_, bins_, bins, received);
+    if (keeps_looks_ && speckle_) {
+      bearing_->receive_energy(cell_energy_, beam_energy_, bins_, bins, received);
+      bearing_->receive_energy(cell_extended_, beam_extended_, bins_, bins, received);
+    }
   });
 }
 
 void CalibratedReceiver::receive_discrete_echoes(const EchoGrid& grid, const DiscreteEchoes& discrete) {
   if (speckle_) {
     discrete.add(grid.discrete_echoes(), bearing_ ? beam_field_ : cell_field_);
-  } else {
+  }
+  if (!speckle_ || keeps_looks_) {
     discrete.add(grid.discrete_echoes(), bearing_ ? beam_energy_ : cell_energy_);
   }
 }
@@ -148,7 +182,8 @@ void CalibratedReceiver::receive(const EchoGrid& still, const Pose& world_from_s
   if (bearing_) {
     receive_bearings(grid, workers);
   }
-  const DiscreteEchoes discrete(bearing_ ? &*bearing_ : nullptr, range_ ? &*range_ : nullptr, beams_, bins_);
+  const DiscreteEchoes discrete(bearing_ ? &*bearing_ : nullptr, range_ ? &*range_ : nullptr, beams_, bins_,
+                                coarse_ ? coarse_->discrete() : 1.0F);
   receive_discrete_echoes(grid, discrete);
   if (noise_) {
     noise_->draw(ping.number, workers);
@@ -167,7 +202,10 @@ void CalibratedReceiver::receive(const EchoGrid& still, const Pose& world_from_s
     });
   }
   if (grid.ground_truth() == GroundTruth::kFull) {
-    truth_.write(grid, {range_ ? &*range_ : nullptr, bearing_ ? &*bearing_ : nullptr, &discrete, gain_}, workers, ping);
+    truth_.write(
+        grid,
+        {range_ ? &*range_ : nullptr, bearing_ ? &*bearing_ : nullptr, coarse_ ? &*coarse_ : nullptr, &discrete, gain_},
+        workers, ping);
   }
 }
 
@@ -188,9 +226,11 @@ void CalibratedReceiver::detect_tile(const EchoGrid& grid, const TilePlace& plac
       const float real =
           (speckle_ ? field[start + i].real() : std::sqrt(energy[start + i])) + noise_deviation_ * in_phase[i];
       const float imaginary = (speckle_ ? field[start + i].imag() : 0.0F) + noise_deviation_ * quadrature[i];
-      tile.intensity[b][i] = std::min(real * real + imaginary * imaginary, saturation_) * gain_[place.first_bin + i];
+      const float look = real * real + imaginary * imaginary;
+      const float received = keeps_looks_ ? kept(look, start + i) : look;
+      tile.intensity[b][i] = std::min(received, saturation_) * gain_[place.first_bin + i];
       if (has_field_) {
-        const float part = std::sqrt(tile.intensity[b][i] / std::max(real * real + imaginary * imaginary, kTiny));
+        const float part = std::sqrt(tile.intensity[b][i] / std::max(look, kTiny));
         ping.field[ping.index(place.first_bin + i, beam)] = {part * real, part * imaginary};
       }
     }

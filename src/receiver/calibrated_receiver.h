@@ -16,6 +16,7 @@
 #include "receiver/bearing_cells.h"
 #include "receiver/bearing_response.h"
 #include "receiver/clutter.h"
+#include "receiver/coarse_bins.h"
 #include "receiver/digitizer.h"
 #include "receiver/discrete_echoes.h"
 #include "receiver/noise_field.h"
@@ -36,11 +37,13 @@ namespace insonify {
 ///      water's volume reverberation is added from directions in which no surface was hit at a shorter range.
 ///   3. Speckle: each cell's energy becomes a complex Gaussian field of that mean intensity, fixed in the world.
 ///      Without speckle the energies themselves are passed on.
-///   4. Pulse and array pattern: convolution along range with p and along bearing with g; energies with |p|^2, |g|^2.
+///   4. Pulse and array pattern (where bins are longer than the pulse: the energy of one look, see CoarseBins):
+///   convolution along range with p and along bearing with g; energies with |p|^2, |g|^2.
 ///   5. Discrete echoes (ideal points, interference) are added to each beam and bin with the gain g p.
 ///   6. Thermal noise, a complex Gaussian field drawn anew for each ping, is added to the field: as array and matched
 ///      filter pass it, see NoiseField.
-///   7. Detection: squared magnitude, clipped at saturation, times near-field ramp and gain; then counts.
+///   7. Detection: squared magnitude, decimation to bins longer than the pulse, clipped at saturation, times near-field
+///   ramp and gain; then counts.
 class CalibratedReceiver {
  public:
   struct Settings {
@@ -65,7 +68,7 @@ class CalibratedReceiver {
  private:
   // Buffers of one worker thread for one cell's row of bins, before the pulse is applied.
   struct Row {
-    std::vector<float> energy;
+    std::vector<float> energy, extended;
     std::vector<std::complex<float>> field;
     Speckle::Row scatterers;
   };
@@ -76,6 +79,8 @@ class CalibratedReceiver {
   [[nodiscard]] BinRange received_bins(const EchoGrid& grid, int cell) const;
   void sum_energy(const EchoGrid& grid, int cell, std::span<float> energy) const;
   void receive_cell(const EchoGrid& grid, int cell, const Speckle::View& view, Row& row);
+  void receive_mean(const EchoGrid& grid, int cell, Row& row);
+  [[nodiscard]] float kept(float intensity, std::size_t at) const;
   void receive_bearings(const EchoGrid& grid, Workers& workers);
   void receive_discrete_echoes(const EchoGrid& grid, const DiscreteEchoes& discrete);
   void detect_tile(const EchoGrid& grid, const TilePlace& place, Ping& ping) const;
@@ -96,12 +101,15 @@ class CalibratedReceiver {
   std::optional<SparseScatterers> sparse_;
   std::optional<Digitizer> digitizer_;
   std::optional<RangeResponse> range_;
+  std::optional<CoarseBins> coarse_;  // With range_.
+  bool keeps_looks_ = false;          // Whether intensities are transformed by CoarseBins::kept().
   std::optional<BearingResponse> bearing_;
   std::optional<NoiseField> noise_;
 
   std::vector<Row> rows_;  // [worker].
-  // [cell][bin] and [beam][bin]. With speckle the fields are used, without it the energies; the others are empty.
-  std::vector<float> cell_energy_, beam_energy_;
+  // [cell][bin] and [beam][bin]. With speckle the fields are used, without it the energies; the others are empty. With
+  // keeps_looks_ and speckle the energies are used too, and in `extended` the part of them that is in every look.
+  std::vector<float> cell_energy_, beam_energy_, cell_extended_, beam_extended_;
   std::vector<std::complex<float>> cell_field_, beam_field_;
 };
 

@@ -77,6 +77,8 @@ CalibratedReceiver::CalibratedReceiver(const Settings& settings)
                     shown_speed, sonar.bin_length());
   if (receiver.pulse != PulseKind::kNone) {
     range_.emplace(pulse, sonar.bin_length());
+    coarse_.emplace(pulse, sonar.bin_length(), *range_, receiver.decimation);
+    keeps_looks_ = coarse_->has_looks() && (receiver.speckle || receiver.noise);
   }
   const std::vector<double> beam_sines = BearingCells::sines(sonar);
   std::optional<ArrayPattern> perfect;  // The array without faults, one way, as noise is received.
@@ -113,8 +115,10 @@ CalibratedReceiver::CalibratedReceiver(const Settings& settings)
   }
   const std::size_t cell_count = static_cast<std::size_t>(cells_) * bins_;
   const std::size_t beam_count = bearing_ ? static_cast<std::size_t>(beams_) * bins_ : 0;
-  cell_energy_.resize(receiver.speckle ? 0 : cell_count);
-  beam_energy_.resize(receiver.speckle ? 0 : beam_count);
+  cell_energy_.resize(receiver.speckle && !keeps_looks_ ? 0 : cell_count);
+  beam_energy_.resize(receiver.speckle && !keeps_looks_ ? 0 : beam_count);
+  cell_extended_.resize(receiver.speckle && keeps_looks_ ? cell_count : 0);
+  beam_extended_.resize(receiver.speckle && keeps_looks_ ? beam_count : 0);
   cell_field_.resize(receiver.speckle ? cell_count : 0);
   beam_field_.resize(receiver.speckle ? beam_count : 0);
 }

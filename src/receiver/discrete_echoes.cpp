@@ -31,7 +31,7 @@ void DiscreteEchoes::for_each_cell(const DiscreteEcho& echo, const Add& add) con
 
 void DiscreteEchoes::add_one(const DiscreteEcho& echo, std::span<float> beams) const {
   for_each_cell(echo,
-                [&](std::size_t cell, std::complex<float> gain) { beams[cell] += std::norm(gain) * echo.intensity; });
+                [&](std::size_t cell, std::complex<float> gain) { beams[cell] += std::norm(gain) * intensity(echo); });
 }
 
 void DiscreteEchoes::add(std::span<const DiscreteEcho> echoes, std::span<float> beams) const {
@@ -50,7 +50,8 @@ void DiscreteEchoes::add_direct(std::span<const DiscreteEcho> echoes, std::span<
 
 void DiscreteEchoes::add(std::span<const DiscreteEcho> echoes, std::span<std::complex<float>> beams) const {
   for (const DiscreteEcho& echo : echoes) {
-    const std::complex<float> field = std::polar(std::sqrt(echo.intensity), 2 * std::numbers::pi_v<float> * echo.turns);
+    const std::complex<float> field =
+        std::polar(std::sqrt(intensity(echo)), 2 * std::numbers::pi_v<float> * echo.turns);
     for_each_cell(echo, [&](std::size_t cell, std::complex<float> gain) { beams[cell] += gain * field; });
   }
 }

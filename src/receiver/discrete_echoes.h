@@ -19,8 +19,10 @@ class DiscreteEchoes {
   static constexpr double kFloorDb = BearingResponse::kFloorDb;
 
   /// @param bearing, range  Array pattern and pulse; null for none. Must outlive this object.
-  DiscreteEchoes(const BearingResponse* bearing, const RangeResponse* range, int beams, int bins)
-      : bearing_(bearing), range_(range), beams_(beams), bins_(bins) {}
+  /// @param share           Share of the intensity of echoes that bins keep, see CoarseBins::discrete(); other sonars'
+  ///                        pulses are kept as they are.
+  DiscreteEchoes(const BearingResponse* bearing, const RangeResponse* range, int beams, int bins, float share = 1)
+      : bearing_(bearing), range_(range), beams_(beams), bins_(bins), share_(share) {}
 
   /// Adds |g p|^2 x intensity to energies, or g p x field to complex fields.
   /// @param beams  [beam][bin], added to.
@@ -37,7 +39,12 @@ class DiscreteEchoes {
 
   const BearingResponse* bearing_;
   const RangeResponse* range_;
+  [[nodiscard]] float intensity(const DiscreteEcho& echo) const {
+    return echo.order > 0 ? share_ * echo.intensity : echo.intensity;
+  }
+
   int beams_, bins_;
+  float share_;
 };
 
 }  // namespace insonify

@@ -102,13 +102,17 @@ void TruthReceiver::write(const EchoGrid& grid, const Reception& reception, Work
 void TruthReceiver::receive_direct(const EchoGrid& grid, const Reception& reception, Workers& workers, Ping& ping) {
   direct_.resize(static_cast<std::size_t>(cells_) * bins_);
   direct_beams_.resize(reception.bearing != nullptr ? static_cast<std::size_t>(beams_) * bins_ : 0);
-  workers.for_each(cells_, [&](int cell, int) {
+  looks_.resize(std::max(looks_.size(), static_cast<std::size_t>(workers.count())));
+  workers.for_each(cells_, [&](int cell, int worker) {
     const std::span<float> beam(&direct_[static_cast<std::size_t>(cell) * bins_], static_cast<std::size_t>(bins_));
     std::ranges::copy(grid.energy(1, cell), beam.begin());
     if (reception.range != nullptr) {
+      std::vector<float>& look = looks_[worker];
+      look.assign(beam.begin(), beam.end());
+      reception.coarse->receive(look);
       const BinRange received = reception.range->reached_from(grid.filled(cell), bins_);
       const auto within = [&](auto of_row) { return of_row.subspan(received.first, received.last - received.first); };
-      reception.range->receive_energy(within(grid.energy(1, cell)), within(beam));
+      reception.range->receive_energy(within(std::span<const float>(look)), within(beam));
     }
   });
   BinRange received;

@@ -13,6 +13,7 @@
 #include "insonify/sonar_config.h"
 #include "receiver/bearing_cells.h"
 #include "receiver/bearing_response.h"
+#include "receiver/coarse_bins.h"
 #include "receiver/discrete_echoes.h"
 #include "receiver/instances.h"
 #include "receiver/output_tile.h"
@@ -36,6 +37,7 @@ class TruthReceiver {
   struct Reception {
     const RangeResponse* range;      ///< Pulse; null for none.
     const BearingResponse* bearing;  ///< Array pattern; null for none.
+    const CoarseBins* coarse;        ///< Decimation; null without a pulse.
     const DiscreteEchoes* discrete;
     std::span<const float> gain;  ///< Intensity gain, [bin].
   };
@@ -72,6 +74,7 @@ class TruthReceiver {
   std::vector<float> beam_angle_;             // [beam]: solid angle [sr].
   std::vector<Instances> instances_;          // [worker]: scratch.
   std::vector<float> direct_, direct_beams_;  // [cell][bin] and [beam][bin].
+  std::vector<std::vector<float>> looks_;     // [worker][bin]: energies of one look.
 };
 
 }  // namespace insonify

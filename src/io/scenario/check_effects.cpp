@@ -56,13 +56,14 @@ struct Condition {
 bool has_set_side_lobes(BeamPattern pattern) {
   return pattern == BeamPattern::kTaylor || pattern == BeamPattern::kDolphChebyshev;
 }
-constexpr std::array<Condition, 7> kConditions = {
+constexpr std::array<Condition, 8> kConditions = {
     {{"pulse_duration", [](const ReceiverConfig& r) { return r.pulse != PulseKind::kNone; }, "pulse is cw or lfm"},
      {"pulse_bandwidth", [](const ReceiverConfig& r) { return r.pulse == PulseKind::kLfm; }, "pulse is lfm"},
      {"pulse_window", [](const ReceiverConfig& r) { return r.pulse == PulseKind::kLfm; }, "pulse is lfm"},
      {"pulse_side_lobe_db",
       [](const ReceiverConfig& r) { return r.pulse == PulseKind::kLfm && r.pulse_window == PulseWindow::kTaylor; },
       "pulse is lfm and pulse_window is taylor"},
+     {"decimation", [](const ReceiverConfig& r) { return r.pulse != PulseKind::kNone; }, "pulse is cw or lfm"},
      {"ambient_noise_db", [](const ReceiverConfig& r) { return r.noise; }, "noise is true"},
      {"full_scale_db", [](const ReceiverConfig& r) { return r.counts; }, "counts is true"},
      {"side_lobe_db",
