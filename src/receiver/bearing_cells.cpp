@@ -1,9 +1,12 @@
-// bearing_cells.cpp -- divides the beams of a sonar into bearing cells.
+// bearing_cells.cpp -- divides the beams of a sonar into bearing cells, and adds those that its outermost beams hear.
 
 #include "receiver/bearing_cells.h"
 
 #include <algorithm>
 #include <cmath>
+
+#include "insonify/array_pattern.h"
+#include "receiver/line_array.h"
 
 namespace insonify {
 namespace {
@@ -13,31 +16,93 @@ constexpr int kPerScannedBeam = BearingCells::kMaxPerBeam;
 constexpr int kNeighbourBeams = 2;                     // Beam widths covered on either side of a scanning head's beam.
 constexpr double kWidest = radians_from_degrees(178);  // Bearings are sines: all must be less than 90 deg off the axis.
 
+// The array without faults, which raise side lobes everywhere: cells need not reach further because of them.
+ArrayPattern perfect_array(const SonarConfig& sonar, const ReceiverConfig& receiver) {
+  ArraySettings array = azimuth_array(receiver, sonar);
+  array.element_error_db = array.element_error = 0;
+  array.dead_elements.clear();
+  return ArrayPattern(array);
+}
+
+// Least distance from the main lobe's middle beyond which, on one side, less than `share` of the pattern's energy lies
+// [wavelength / D].
+double tail_begins(const ArrayPattern& pattern, double share) {
+  constexpr double kStep = 1.0 / 64;
+  double tail = 0.5 - share, x = 0;  // Energy still to be passed, re that of the whole pattern.
+  const double whole = pattern.equivalent_beam();
+  for (; tail > 0; x += kStep) {
+    tail -= kStep * pattern.intensity(x + 0.5 * kStep) / whole;
+  }
+  return x;
+}
+
+// Distance between the middle of a steered beam and the end of the guard cells, as a difference of sines.
+double guard_reach(const SonarConfig& sonar, const ReceiverConfig& receiver) {
+  const ArrayPattern pattern = perfect_array(sonar, receiver);
+  return tail_begins(pattern, BearingCells::kGuardLoss) / pattern.length(1, beam_width(sonar));
+}
+
+// Number of guard cells on the side of an outermost beam.
+// @param beam, edge  Azimuths of the beam's centre and of the outer edge, counted from the axis to that side [rad].
+// @param width       Of a guard cell [rad].
+int guard_cells(double beam, double edge, double width, double reach) {
+  const double end = std::min(std::asin(std::min(std::sin(beam) + reach, 1.0)), BearingCells::kGuardEnd);
+  const double beyond = (end - edge) / width;
+  const double room = (BearingCells::kGuardEnd - edge) / width;
+  return static_cast<int>(std::max(0.0, std::min(std::ceil(beyond), std::floor(room))));
+}
+
 }  // namespace
 
 BearingCells::BearingCells(const SonarConfig& fan, const ReceiverConfig& receiver) : sonar(fan) {
   if (receiver.azimuth_pattern == BeamPattern::kTopHat) {
     return;
   }
-  per_beam = fan.type == SonarType::kMechanicallyScanned ? kPerScannedBeam : kPerBeam;
+  const bool scanning = fan.type == SonarType::kMechanicallyScanned;
+  per_beam = scanning ? kPerScannedBeam : kPerBeam;
   sonar.sampling.columns_per_beam = std::max(1, (fan.sampling.columns_per_beam + per_beam - 1) / per_beam);
-  if (fan.type == SonarType::kMechanicallyScanned) {
-    const int neighbours = std::clamp(static_cast<int>(0.5 * (kWidest / fan.azimuth_aperture - 1)), 0, kNeighbourBeams);
-    sonar.beam_count = per_beam * (1 + 2 * neighbours);
-    sonar.azimuth_aperture = fan.azimuth_aperture * (1 + 2 * neighbours);
-    first = per_beam * neighbours;
+  if (scanning) {
+    set_head(fan);
+  } else {
+    set_fan(fan, guard_reach(fan, receiver));
+  }
+}
+
+void BearingCells::set_head(const SonarConfig& head) {
+  const int neighbours = std::clamp(static_cast<int>(0.5 * (kWidest / head.azimuth_aperture - 1)), 0, kNeighbourBeams);
+  sonar.beam_count = per_beam * (1 + 2 * neighbours);
+  sonar.azimuth_aperture = head.azimuth_aperture * (1 + 2 * neighbours);
+  first = per_beam * neighbours;
+}
+
+// Cuts each beam's slice in half, and adds guard cells as wide as the outermost halves.
+// @param reach  See guard_reach().
+void BearingCells::set_fan(const SonarConfig& fan, double reach) {
+  const std::vector<double> edges = fan.beam_edges();
+  const int last = fan.beam_count - 1;
+  const double port_width = 0.5 * (edges[0] - edges[1]), starboard_width = 0.5 * (edges[last] - edges[last + 1]);
+  int to_port = guard_cells(fan.beam_azimuth(0), edges.front(), port_width, reach);
+  int to_starboard = guard_cells(-fan.beam_azimuth(last), -edges.back(), starboard_width, reach);
+  if (fan.beam_azimuths.empty()) {
+    to_port = to_starboard = std::max(to_port, to_starboard);  // An even fan stays centred; they differ by rounding.
+  }
+  first = to_port;
+  sonar.beam_count = to_port + per_beam * fan.beam_count + to_starboard;
+  if (fan.beam_azimuths.empty()) {
+    sonar.azimuth_aperture = fan.azimuth_aperture + (to_port + to_starboard) * port_width;
     return;
   }
-  sonar.beam_count = per_beam * fan.beam_count;
-  if (!fan.beam_azimuths.empty()) {
-    // Beams at explicit azimuths: each beam's slice is cut in half.
-    const std::vector<double> edges = fan.beam_edges();
-    sonar.beam_azimuths.clear();
-    for (int beam = 0; beam < fan.beam_count; ++beam) {
-      const double quarter = 0.25 * (edges[beam] - edges[beam + 1]);
-      sonar.beam_azimuths.push_back(edges[beam] - quarter);
-      sonar.beam_azimuths.push_back(edges[beam + 1] + quarter);
-    }
+  sonar.beam_azimuths.clear();
+  for (int cell = to_port; cell > 0; --cell) {
+    sonar.beam_azimuths.push_back(edges.front() + (cell - 0.5) * port_width);
+  }
+  for (int beam = 0; beam < fan.beam_count; ++beam) {
+    const double quarter = 0.25 * (edges[beam] - edges[beam + 1]);
+    sonar.beam_azimuths.push_back(edges[beam] - quarter);
+    sonar.beam_azimuths.push_back(edges[beam + 1] + quarter);
+  }
+  for (int cell = 0; cell < to_starboard; ++cell) {
+    sonar.beam_azimuths.push_back(edges.back() - (cell + 0.5) * starboard_width);
   }
 }
 

@@ -12,10 +12,15 @@ namespace insonify {
 /// Cells in bearing, from which beams are formed.
 ///
 /// With a top-hat beam pattern each cell is a beam. An array pattern needs a finer grid, because a beam receives echoes
-/// from between and outside the beam directions: two cells per beam for a fan. The single beam of a scanning head is
-/// divided into eight cells, and the grid extends by up to two beam widths on either side of it.
+/// from between and outside the beam directions: two cells per beam for a fan, and guard cells on either side of it.
+/// They reach so far that the outermost beam loses less than kGuardLoss of its energy.
 struct BearingCells {
   static constexpr int kMaxPerBeam = 8;
+
+  /// Share of the pattern's energy that may lie outside the guard cells, for the outermost beam of a fan. Guard cells
+  /// end at kGuardEnd even where more is lost.
+  static constexpr double kGuardLoss = 0.02;
+  static constexpr double kGuardEnd = radians_from_degrees(89);  ///< [rad]; patterns are functions of the sine.
 
   BearingCells(const SonarConfig& sonar, const ReceiverConfig& receiver);
 
@@ -25,6 +30,10 @@ struct BearingCells {
 
   /// Returns u = sin(azimuth) of the centre of each beam of `fan`; with `sonar`, of each cell.
   [[nodiscard]] static std::vector<double> sines(const SonarConfig& fan);
+
+ private:
+  void set_fan(const SonarConfig& fan, double reach);
+  void set_head(const SonarConfig& head);
 };
 
 }  // namespace insonify
