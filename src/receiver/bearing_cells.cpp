@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kPerBeam = 2;
 constexpr int kPerScannedBeam = BearingCells::kMaxPerBeam;
-constexpr int kNeighbourBeams = 2;                     // Beam widths covered on either side of a scanning head's beam.
+constexpr int kNeighbourBeams = 2;                     // Least beam widths covered on either side of a head's beam.
 constexpr double kWidest = radians_from_degrees(178);  // Bearings are sines: all must be less than 90 deg off the axis.
 
 // The array without faults, which raise side lobes everywhere: cells need not reach further because of them.
@@ -42,6 +42,19 @@ double guard_reach(const SonarConfig& sonar, const ReceiverConfig& receiver) {
   return tail_begins(pattern, BearingCells::kGuardLoss) / pattern.length(1, beam_width(sonar));
 }
 
+// Azimuth beyond which a head's two-way pattern stays below the floor [rad].
+double head_reach(const SonarConfig& head, const ReceiverConfig& receiver) {
+  constexpr double kStep = 1.0 / 64, kRounding = 1.001;  // Dolph's lobes have exactly their level.
+  const ArrayPattern pattern = perfect_array(head, receiver);
+  const double length = pattern.length(1, beam_width(head));
+  const double floor = kRounding * std::pow(10, BearingCells::kHeadFloorDb / 10);
+  double x = length;  // 90 degrees off.
+  while (x > kStep && pattern.intensity(x) < floor && pattern.intensity(x - 0.5 * kStep) < floor) {
+    x -= kStep;
+  }
+  return std::min(std::asin(std::min(x / length, 1.0)), BearingCells::kGuardEnd);
+}
+
 // Number of guard cells on the side of an outermost beam.
 // @param beam, edge  Azimuths of the beam's centre and of the outer edge, counted from the axis to that side [rad].
 // @param width       Of a guard cell [rad].
@@ -62,17 +75,50 @@ BearingCells::BearingCells(const SonarConfig& fan, const ReceiverConfig& receive
   per_beam = scanning ? kPerScannedBeam : kPerBeam;
   sonar.sampling.columns_per_beam = std::max(1, (fan.sampling.columns_per_beam + per_beam - 1) / per_beam);
   if (scanning) {
-    set_head(fan);
+    set_head(fan, head_reach(fan, receiver));
   } else {
     set_fan(fan, guard_reach(fan, receiver));
   }
 }
 
-void BearingCells::set_head(const SonarConfig& head) {
-  const int neighbours = std::clamp(static_cast<int>(0.5 * (kWidest / head.azimuth_aperture - 1)), 0, kNeighbourBeams);
+// Cuts the beam into eight, with as narrow neighbours, and adds wide cells up to the azimuth `end`.
+void BearingCells::set_head(const SonarConfig& head, double end) {
+  const double beam = head.azimuth_aperture, narrow = beam / per_beam;
+  const double middle = head.beam_azimuths.empty() ? 0 : head.beam_azimuths.front();
+  const int room = std::max(0, static_cast<int>((0.5 * kWidest - std::abs(middle)) / beam - 0.5));
+  const int wanted = static_cast<int>(std::ceil(end / beam - 0.5));
+  const int neighbours = std::min(room, std::clamp(wanted, kNeighbourBeams, kNarrowNeighbours));
   sonar.beam_count = per_beam * (1 + 2 * neighbours);
-  sonar.azimuth_aperture = head.azimuth_aperture * (1 + 2 * neighbours);
+  sonar.azimuth_aperture = beam * (1 + 2 * neighbours);
   first = per_beam * neighbours;
+
+  // SonarConfig::beam_edges() are midway between centres, so that the first wide cell's centre is half a narrow cell
+  // beyond its inner edge.
+  const double inner = 0.5 * sonar.azimuth_aperture, first_centre = inner + 0.5 * narrow;
+  const int most = static_cast<int>(std::floor((kGuardEnd - std::abs(middle) - first_centre) / beam + 0.5));
+  const int needed = end > inner ? static_cast<int>(std::ceil((end - first_centre) / beam + 0.5)) : 0;
+  const int wide = std::max(0, std::min(most, needed));
+  if (wide == 0 && head.beam_azimuths.empty()) {
+    return;
+  }
+  const int narrow_count = sonar.beam_count;
+  sonar.beam_azimuths.clear();
+  for (int cell = wide - 1; cell >= 0; --cell) {
+    sonar.beam_azimuths.push_back(middle + first_centre + cell * beam);
+  }
+  for (int cell = 0; cell < narrow_count; ++cell) {
+    sonar.beam_azimuths.push_back(middle + inner - (cell + 0.5) * narrow);
+  }
+  for (int cell = 0; cell < wide; ++cell) {
+    sonar.beam_azimuths.push_back(middle - first_centre - cell * beam);
+  }
+  sonar.beam_count = narrow_count + 2 * wide;
+  first += wide;
+  const std::vector<double> edges = sonar.beam_edges();
+  sonar.azimuth_aperture = edges.front() - edges.back();
+  for (const double edge : edges) {
+    edge_sines.push_back(std::sin(edge));
+  }
 }
 
 // Cuts each beam's slice in half, and adds guard cells as wide as the outermost halves.

@@ -92,7 +92,7 @@ CalibratedReceiver::CalibratedReceiver(const Settings& settings)
   if (receiver.azimuth_pattern != BeamPattern::kTopHat) {
     const ArrayPattern array(azimuth_array(receiver, sonar), seed_);
     bearing_.emplace(array, array.length(wavelength, beam_width(sonar)) / wavelength, BearingCells::sines(cells.sonar),
-                     BearingCells::sines(sonar));
+                     BearingCells::sines(sonar), BearingResponse::kFloorDb, cells.edge_sines);
   }
   if (settings.moves) {
     const double bias = pulse.doppler_bias(doppler_shift(1, sonar.frequency, true_speed));

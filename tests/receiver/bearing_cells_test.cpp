@@ -120,5 +120,59 @@ TEST(BearingCellsTest, FaultsDoNotChangeTheCells) {
   EXPECT_GT(perfect.first, 0);
 }
 
+SonarConfig head(double width_deg) {
+  SonarConfig sonar = fan(width_deg);
+  sonar.type = SonarType::kMechanicallyScanned;
+  sonar.beam_count = 1;
+  sonar.azimuth_aperture = width_deg * kDegree;
+  return sonar;
+}
+
+TEST(BearingCellsTest, HeadsWithLowSideLobesHaveTwoNeighboursOnEitherSide) {
+  const BearingCells cells(head(3), with(BeamPattern::kHann));
+  EXPECT_EQ(cells.sonar.beam_count, 8 * 5);
+  EXPECT_EQ(cells.first, 8 * 2);
+  EXPECT_EQ(cells.per_beam, 8);
+  EXPECT_NEAR(cells.sonar.azimuth_aperture / kDegree, 15, 1e-9);
+  EXPECT_TRUE(cells.sonar.beam_azimuths.empty());
+  EXPECT_TRUE(cells.edge_sines.empty());
+}
+
+// sinc^4 is above -60 dB up to x = 9.5975: with D / wavelength = 0.88589 / (2 sin 1.5 deg) = 16.9212 up to 34.55
+// degrees. Narrow cells end at 4.5 x 3 = 13.5 degrees; the wide ones at 13.6875 + 1.5 + n x 3, n = 7 being the least.
+TEST(BearingCellsTest, HeadsHearTheirSideLobesDownToSixtyDecibels) {
+  const BearingCells cells(head(3), with(BeamPattern::kRectangular));
+  EXPECT_EQ(cells.sonar.beam_count, 8 * 9 + 2 * 8);
+  EXPECT_EQ(cells.first, 8 * 4 + 8);
+  const std::vector<double> edges = cells.sonar.beam_edges();
+  EXPECT_NEAR(edges.front() / kDegree, 13.6875 + 1.5 + 7 * 3, 1e-9);
+  EXPECT_NEAR(edges[7] / kDegree, 13.6875 + 1.5, 1e-9);
+  EXPECT_NEAR(edges[8] / kDegree, 13.5, 1e-9);
+  EXPECT_NEAR(edges[9] / kDegree, 13.125, 1e-9);
+  EXPECT_NEAR(edges[cells.first] / kDegree, 1.5, 1e-9);
+  EXPECT_NEAR(edges[cells.first + 8] / kDegree, -1.5, 1e-9);
+  EXPECT_NEAR(edges.back(), -edges.front(), 1e-12);
+  ASSERT_EQ(cells.edge_sines.size(), edges.size());
+  EXPECT_NEAR(cells.edge_sines[8], std::sin(13.5 * kDegree), 1e-12);
+}
+
+// 30 degrees wide: side lobes reach 90 degrees off, cells must not.
+TEST(BearingCellsTest, CellsOfWideHeadsEndNinetyDegreesOff) {
+  const BearingCells cells(head(30), with(BeamPattern::kRectangular));
+  const std::vector<double> edges = cells.sonar.beam_edges();
+  EXPECT_LE(edges.front(), BearingCells::kGuardEnd);
+  EXPECT_GT(edges.front(), radians_from_degrees(70));
+  EXPECT_NEAR(edges[cells.first] / kDegree, 15, 1e-9);
+}
+
+TEST(BearingCellsTest, BeamOfAHeadMayPointAside) {
+  SonarConfig aside = head(2);
+  aside.beam_azimuths = {25 * kDegree};
+  const BearingCells cells(aside, with(BeamPattern::kHann));
+  ASSERT_EQ(cells.sonar.beam_azimuths.size(), 40U);
+  EXPECT_NEAR(cells.sonar.beam_edges()[cells.first] / kDegree, 26, 1e-9);
+  EXPECT_NEAR(cells.sonar.beam_edges()[cells.first + 8] / kDegree, 24, 1e-9);
+}
+
 }  // namespace
 }  // namespace insonify
