@@ -43,6 +43,7 @@ struct Request {
   std::string shell;
   BenchOptions bench;
   PaperBenchOptions paper_bench;
+  SamplingBenchOptions sampling_bench;
   std::string bench_scene;
   bool strict = false;
   bool markdown = false;

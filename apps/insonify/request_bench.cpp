@@ -1,5 +1,10 @@
 // request_bench.cpp -- options of `insonify bench`.
 
+#include <fmt/format.h>
+
+#include <charconv>
+#include <optional>
+
 #include "console/validators.h"
 #include "request.h"
 
@@ -15,6 +20,78 @@ void add_common(CLI::App& command, BenchOptions& options) {
       ->check(whole_number(1, 1'000'000))
       ->type_name("N");
   command.add_option("--json", options.json, "Write the rows to this file too")->type_name("FILE");
+}
+
+// "4x200" as columns per beam and rows; none if it is not of that form or out of their limits.
+std::optional<Sampling> sampling_from(const std::string& text) {
+  Sampling sampling;
+  const char* const end = text.data() + text.size();
+  const auto [cross, no_columns] = std::from_chars(text.data(), end, sampling.columns_per_beam);
+  if (no_columns != std::errc() || cross == end || *cross != 'x') {
+    return {};
+  }
+  const auto [rest, no_rows] = std::from_chars(cross + 1, end, sampling.rows);
+  const bool good = no_rows == std::errc() && rest == end;
+  return good && sampling.columns_per_beam >= 1 && sampling.columns_per_beam <= 256 && sampling.rows >= 2 &&
+                 sampling.rows <= 8192
+             ? std::optional(sampling)
+             : std::nullopt;
+}
+
+CLI::Validator a_sampling() {
+  return CLI::Validator(
+      [](const std::string& text) {
+        return sampling_from(text) ? std::string()
+                                   : fmt::format(
+                                         "{} must be columns per beam, from 1 to 256, and rows, from 2 to 8192, "
+                                         "such as 4x200",
+                                         text);
+      },
+      "");
+}
+
+void add_sampling_bench(CLI::App& bench, Request& request) {
+  SamplingBenchOptions& options = request.sampling_bench;
+  CLI::App* command =
+      bench.add_subcommand("sampling", "The error of a ping's finite sampling against its computing time");
+  command
+      ->add_option("SCENARIO", options.scenarios, "Scenarios of the calibrated model, besides the benchmarks' scenes")
+      ->type_name("FILE ...");
+  command->add_option("--triangles", options.triangles, "Sizes of the benchmarks' scenes; 0 for none [1000 100000]")
+      ->check(whole_number(0, 100'000'000))
+      ->type_name("N ...");
+  command
+      ->add_option_function<std::vector<std::string>>(
+          "--sampling",
+          [&options](const std::vector<std::string>& texts) {
+            options.samplings.clear();
+            for (const std::string& text : texts) {
+              options.samplings.push_back(sampling_from(text).value());
+            }
+          },
+          "Samples of a beam to compare, columns x rows [2x100 4x100 2x200 4x200 4x400 8x400]")
+      ->check(a_sampling())
+      ->type_name("CxR ...");
+  command
+      ->add_option_function<std::string>(
+          "--converged", [&options](const std::string& text) { options.converged = sampling_from(text).value(); },
+          "Samples of the pings they are compared with [32x1600]")
+      ->check(a_sampling())
+      ->type_name("CxR");
+  command->add_option("--pings", options.pings, "Pings of each scene, spread over the scenario's [3]")
+      ->check(whole_number(1, 1'000))
+      ->type_name("N");
+  command->add_option("--repetitions", options.repetitions, "Times that each is timed [7]")
+      ->check(whole_number(1, 1'000'000))
+      ->type_name("N");
+  command->add_option("--threads", options.threads, "Worker threads [2]")->check(whole_number(1, 1024))->type_name("N");
+  command->add_option("--json", options.json, "Write the rows to this file too")->type_name("FILE");
+  command->footer(
+      "Example:\n  insonify bench sampling scenes/ferry_calibrated.yaml --triangles 1000 --sampling 4x100 4x200");
+  command->callback([&request, &options] {
+    std::erase(options.triangles, 0);
+    request.act = [&options] { return bench_sampling(options); };
+  });
 }
 
 }  // namespace
@@ -59,6 +136,8 @@ void add_bench(CLI::App& app, Request& request) {
   add_common(*changes, options);
   changes->footer("Example:\n  insonify bench changes --triangles 1000 100000");
   changes->callback([&request, &options] { request.act = [&options] { return bench_changes(options); }; });
+
+  add_sampling_bench(*command, request);
 }
 
 }  // namespace insonify

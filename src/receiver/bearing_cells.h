@@ -12,19 +12,38 @@ namespace insonify {
 /// Cells in bearing, from which beams are formed.
 ///
 /// With a top-hat beam pattern each cell is a beam. An array pattern needs a finer grid, because a beam receives echoes
-/// from between and outside the beam directions: two cells per beam for a fan. The single beam of a scanning head is
-/// divided into eight cells, and the grid extends by up to two beam widths on either side of it. Where beams are
-/// narrower than their spacing, there are more cells per beam: none is wider than half a beam.
+/// from between and outside the beam directions: two cells per beam for a fan, and guard cells on either side of it.
+/// They reach so far that the outermost beam loses less than kGuardLoss of its energy. Where beams are narrower than
+/// their spacing, there are more cells per beam: none is wider than half a beam.
+///
+/// The single beam of a scanning head is divided into eight cells. The grid extends by two beam widths on either side,
+/// and further to where the two-way pattern of the perfect array stays below kHeadFloorDb: in cells as narrow up to
+/// kNarrowNeighbours beam widths on either side, beyond in cells as wide as the beam, so that they take little time.
 struct BearingCells {
-  /// @throws Error if that takes more than 32768 cells.
+  /// Share of the pattern's energy that may lie outside the guard cells, for the outermost beam of a fan. Guard cells
+  /// end at kGuardEnd even where more is lost.
+  static constexpr double kGuardLoss = 0.02;
+  static constexpr double kGuardEnd = radians_from_degrees(89);  ///< [rad]; patterns are functions of the sine.
+
+  static constexpr double kHeadFloorDb = -60;  ///< Re the main lobe, as BearingResponse::kFloorDb [dB].
+  static constexpr int kNarrowNeighbours = 4;  ///< Beyond, side lobes of a uniform line are below -45 dB.
+
+  /// @throws Error if beams narrower than their spacing take more than 32768 cells.
   BearingCells(const SonarConfig& sonar, const ReceiverConfig& receiver);
 
   SonarConfig sonar;  ///< The sonar with one beam per cell: the configuration that engines sample.
   int first = 0;      ///< Index of the cell at the port edge of beam 0.
   int per_beam = 1;   ///< Cells per beam: those within the beam's own slice of azimuth.
 
+  /// u of the cells' edges, one more than cells, where some are wider than side lobes; else empty.
+  std::vector<double> edge_sines;
+
   /// Returns u = sin(azimuth) of the centre of each beam of `fan`; with `sonar`, of each cell.
   [[nodiscard]] static std::vector<double> sines(const SonarConfig& fan);
+
+ private:
+  void set_fan(const SonarConfig& fan, double reach);
+  void set_head(const SonarConfig& head, double end);
 };
 
 }  // namespace insonify

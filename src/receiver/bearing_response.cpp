@@ -25,11 +25,16 @@ void clear_outside(std::span<Value> beams, int bin_count, BinRange bins, BinRang
 }  // namespace
 
 BearingResponse::BearingResponse(const ArrayPattern& pattern, double length, std::span<const double> cell_sines,
-                                 std::span<const double> beam_sines, double floor_db)
+                                 std::span<const double> beam_sines, double floor_db,
+                                 std::span<const double> cell_edges)
     : pattern_(pattern), length_(length), beam_sines_(beam_sines.begin(), beam_sines.end()) {
   const auto cells = static_cast<int>(cell_sines.size());
   const auto beams = static_cast<int>(beam_sines.size());
   const double floor = std::pow(10, floor_db / 10);
+  assert(cell_edges.empty() || cell_edges.size() == cell_sines.size() + 1);
+  const auto is_wide = [&](int cell) {
+    return !cell_edges.empty() && length * (cell_edges[cell] - cell_edges[cell + 1]) > kWideCell;
+  };
   energy_ = in_phase_ = GainMatrix(beams, cells);
   if (!pattern.is_real()) {
     quadrature_ = GainMatrix(beams, cells);
@@ -38,7 +43,9 @@ BearingResponse::BearingResponse(const ArrayPattern& pattern, double length, std
     check_interruption();  // Thousands of beams take seconds.
     int first = cells, last = 0;
     for (int cell = 0; cell < cells; ++cell) {
-      const std::complex<double> gain = this->gain(beam, cell_sines[cell]);
+      const std::complex<double> gain = is_wide(cell)
+                                            ? std::sqrt(mean_intensity(beam, cell_edges[cell + 1], cell_edges[cell]))
+                                            : this->gain(beam, cell_sines[cell]);
       energy_.set(beam, cell, static_cast<float>(std::norm(gain)));
       in_phase_.set(beam, cell, static_cast<float>(gain.real()));
       if (!pattern.is_real()) {
@@ -55,6 +62,17 @@ BearingResponse::BearingResponse(const ArrayPattern& pattern, double length, std
       }
     }
   }
+}
+
+// Mean of |g|^2 between two sines.
+double BearingResponse::mean_intensity(int beam, double from, double to) const {
+  constexpr double kStep = 1.0 / 16;  // [wavelength / D]
+  const int steps = static_cast<int>(std::ceil(length_ * (to - from) / kStep));
+  double sum = 0;
+  for (int i = 0; i < steps; ++i) {
+    sum += std::norm(gain(beam, from + (i + 0.5) / steps * (to - from)));
+  }
+  return sum / steps;
 }
 
 void BearingResponse::receive_energy(std::span<const float> cells, std::span<float> beams, int bin_count, BinRange bins,

@@ -22,19 +22,23 @@ namespace insonify {
 /// the beam width.
 ///
 /// Cells must be no wider than wavelength / D, or the correlation of speckle between neighbouring beams is wrong; half
-/// a beam spacing is fine enough. A bearing is given by its sine, so all bearings must be within 90 degrees of the
-/// axis.
+/// a beam spacing is fine enough. Where the edges of cells are given, those wider than kWideCell are received with the
+/// mean of |g|^2 over the cell, since their middle may be at a zero of the pattern. A bearing is given by its sine, so
+/// all bearings must be within 90 degrees of the axis.
 class BearingResponse {
  public:
   static constexpr double kFloorDb = -60;
+  static constexpr double kWideCell = 0.5;  ///< [wavelength / D]; side lobes are one wide.
 
   /// @param length      D / wavelength, > 0.
   /// @param cell_sines  u of each cell's centre, in the order of the cells.
   /// @param beam_sines  u0 of each beam, in the order of the beams.
   /// @param floor_db    Energy gain re the main lobe [dB]: the cells beyond the outermost one that reaches it are left
   ///                    out of a beam's sum.
+  /// @param cell_edges  u of the cells' edges, one more than cells; empty: every cell has the gain of its centre.
   BearingResponse(const ArrayPattern& pattern, double length, std::span<const double> cell_sines,
-                  std::span<const double> beam_sines, double floor_db = kFloorDb);
+                  std::span<const double> beam_sines, double floor_db = kFloorDb,
+                  std::span<const double> cell_edges = {});
 
   [[nodiscard]] int beam_count() const { return energy_.beam_count(); }
   [[nodiscard]] int cell_count() const { return energy_.cell_count(); }
@@ -62,6 +66,8 @@ class BearingResponse {
                      BinRange bins, BinRange filled) const;
 
  private:
+  [[nodiscard]] double mean_intensity(int beam, double from, double to) const;
+
   ArrayPattern pattern_;
   double length_;
   std::vector<double> beam_sines_;

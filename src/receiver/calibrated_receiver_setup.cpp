@@ -87,7 +87,8 @@ CalibratedReceiver::CalibratedReceiver(const Settings& settings)
     const ArrayPattern array(azimuth_array(receiver, sonar), seed_);
     perfect.emplace(receiving_array(receiver, sonar));
     length = array.length(wavelength, beam_width(sonar)) / wavelength;
-    bearing_.emplace(array, length, BearingCells::sines(cells.sonar), beam_sines);
+    bearing_.emplace(array, length, BearingCells::sines(cells.sonar), beam_sines, BearingResponse::kFloorDb,
+                     cells.edge_sines);
   }
   if (receiver.noise) {
     noise_deviation_ = static_cast<float>(std::sqrt(0.5 * noise_intensity(sonar, receiver, pulse)));

@@ -70,10 +70,14 @@ ArraySettings azimuth_array(const ReceiverConfig& receiver, const SonarConfig& s
   return array;
 }
 
-ArraySettings receiving_array(const ReceiverConfig& receiver, const SonarConfig& sonar) {
-  ArraySettings array = azimuth_array(receiver, sonar);
+ArraySettings without_faults(ArraySettings array) {
   array.element_error_db = array.element_error = 0;
   array.dead_elements.clear();
+  return array;
+}
+
+ArraySettings receiving_array(const ReceiverConfig& receiver, const SonarConfig& sonar) {
+  ArraySettings array = without_faults(azimuth_array(receiver, sonar));
   array.two_way = false;
   return array;
 }

@@ -10,6 +10,7 @@ namespace {
 
 // Least cosine of the fan's elevation that a bearing is taken across: straight up there is none.
 constexpr double kLeastLevel = 0.1;
+constexpr double kMostUneven = 1.5;  // Ratio of the widths of a head's cells between which energy moves.
 
 }  // namespace
 
@@ -67,7 +68,12 @@ void ReceptionShift::prepare_cell(int cell) {
     while (from + 1 < cells_ && azimuth <= edges_[from + 1]) {
       ++from;
     }
-    const bool inside = azimuth <= edges_[from] && azimuth > edges_[from + 1];
+    // Cells move whole. The energy of a wide outer cell of a scanning head does not fit a narrow one, nor the other way
+    // round: of the far side lobes, what crosses that border is lost.
+    const double ratio = (edges_[cell] - edges_[cell + 1]) / (edges_[from] - edges_[from + 1]);
+    const bool fits =
+        cells_config_.type != SonarType::kMechanicallyScanned || (ratio < kMostUneven && ratio > 1 / kMostUneven);
+    const bool inside = azimuth <= edges_[from] && azimuth > edges_[from + 1] && fits;
     const double speed = approach(azimuth);
     const double range = (received + bias_ * speed) / (1 - speed / sound_speed_);
     const double position = (range / range_scale_ - cells_config_.min_range) / cells_config_.bin_length();

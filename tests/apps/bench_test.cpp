@@ -67,6 +67,53 @@ TEST_F(BenchTest, TimesWhatChangesWhileASimulatorRuns) {
   }
 }
 
+// A ball above a floor of steel, which mirrors it.
+constexpr const char* kBall = R"(<sdf version='1.9'><model name='m'><static>true</static><link name='l'>
+<visual name='ball'><pose>5 0.3 -0.8 0 0 0</pose><geometry><sphere><radius>0.5</radius></sphere></geometry></visual>
+<visual name='steel'><pose>6 0 -2 0 0 0</pose><geometry><box><size>9 9 0.2</size></box></geometry></visual>
+</link></model></sdf>)";
+
+// The converged sampling among the others has no error; a coarser one has a larger error than a finer one.
+TEST_F(BenchTest, SamplingHasAnErrorThatVanishesWithItsSize) {
+  folder.write("ball.sdf", kBall);
+  folder.write(
+      "fan.yaml",
+      "world: ball.sdf\nsonars:\n  - {beam_count: 32, azimuth_aperture_deg: 40, bin_count: 100, max_range: 12, "
+      "orientation_deg: [0, 15, 0], sampling: {columns_per_beam: 2, rows: 30}}\n");
+  ASSERT_EQ(shell("insonify bench sampling fan.yaml --triangles 0 --sampling 4x120 8x400 --converged 8x400 --pings 1 "
+                  "--repetitions 1 --json rows.json")
+                .status,
+            0);
+  const json rows = json::parse(text_of("rows.json"));
+  ASSERT_EQ(rows.size(), 3U);
+  EXPECT_EQ(rows[0].at("scene"), "fan");
+  EXPECT_EQ(rows[0].at("columns_per_beam"), 2);
+  EXPECT_EQ(rows[0].at("rows"), 30);
+  EXPECT_GT(rows[1].at("rms_db").get<double>(), 0);
+  EXPECT_GT(rows[0].at("rms_db").get<double>(), rows[1].at("rms_db").get<double>());
+  EXPECT_GT(rows[0].at("secondary_rms_db").get<double>(), rows[1].at("secondary_rms_db").get<double>());
+  EXPECT_LT(std::abs(rows[0].at("level_db").get<double>()), 1);
+  for (const char* key : {"rms_db", "spots", "holes", "level_db", "secondary_rms_db", "secondary_level_db"}) {
+    EXPECT_EQ(rows[2].at(key), 0) << key;
+  }
+  for (const json& row : rows) {
+    EXPECT_GT(row.at("ping_ms").get<double>(), 0);
+    EXPECT_GT(row.at("rays_secondary").get<double>(), 0);
+  }
+}
+
+TEST_F(BenchTest, SamplingIsOfTheCalibratedModel) {
+  const Outcome form = shell("insonify bench sampling --triangles 0 --sampling 4");
+  EXPECT_EQ(form.status, 2);
+  EXPECT_THAT(form.err,
+              testing::HasSubstr("4 must be columns per beam, from 1 to 256, and rows, from 2 to 8192, such as "
+                                 "4x200"));
+  folder.write("ball.sdf", kBall);
+  folder.write("paper.yaml", "world: ball.sdf\nmodel: paper\nsonars: [{max_range: 12}]\n");
+  EXPECT_EQ(shell("insonify bench sampling paper.yaml --triangles 0").err,
+            "insonify: paper.yaml: has model: paper; bench sampling takes scenarios of the calibrated model\n");
+}
+
 TEST_F(BenchTest, RowsThatCannotBeWrittenAreAnError) {
   const Outcome outcome = shell("insonify bench primary --triangles 300 --repetitions 1 --json none/rows.json");
   EXPECT_EQ(outcome.status, 1);

@@ -6,6 +6,8 @@
 #include <nlohmann/json_fwd.hpp>
 #include <vector>
 
+#include "insonify/sonar_config.h"
+
 namespace insonify {
 
 struct BenchOptions {
@@ -36,5 +38,19 @@ int bench_changes(const BenchOptions& options);
 
 /// insonify bench primary: times traced and rasterised primary echoes and the choice of `primary: auto`, on one thread.
 int bench_primary(const BenchOptions& options);
+
+struct SamplingBenchOptions {
+  std::vector<std::filesystem::path> scenarios;   ///< Scenarios of the calibrated model, after the benchmarks' scenes.
+  std::vector<int> triangles = {1'000, 100'000};  ///< Sizes of the benchmarks' scenes.
+  std::vector<Sampling> samplings = {{2, 100}, {4, 100}, {2, 200}, {4, 200}, {4, 400}, {8, 400}};
+  Sampling converged = {32, 1600};
+  int pings = 3;        ///< Of each scene, spread over those of its scenario.
+  int repetitions = 7;  ///< Times that the pings are timed, after a warm-up.
+  int threads = 2;
+  std::filesystem::path json;  ///< Also write the rows to this file; empty for none.
+};
+
+/// insonify bench sampling: prints the sampling error of pings beside their computing times.
+int bench_sampling(const SamplingBenchOptions& options);
 
 }  // namespace insonify
