@@ -42,6 +42,7 @@ void BeamTask::prepare(const PingPlan& plan, SecondarySampling sampling) {
     }
   }
   sums_.prepare(plan.sonar.bin_count);
+  turns_.prepare(plan.lattice.rows);
 }
 
 void BeamTask::aim(const Pose& world_from_sonar, int first_beam, int last_beam) {
@@ -202,14 +203,20 @@ void BeamTask::run(const Pose& world_from_sonar, int first_beam, int last_beam, 
     } else {
       trace_strip(first_column);
     }
-    for (int column = first_column; column < std::min(first_column + kTile, columns_); ++column) {
+    const int columns = std::min(kTile, columns_ - first_column);
+    for (int i = 0; i < columns; ++i) {
+      make_normals_unit(*plan_, hits_[i]);
+    }
+    if (plan_->model == EchoModel::kCalibrated) {
+      turns_.find(*plan_, first_column_ + first_column, {hits_, static_cast<std::size_t>(columns)});
+    }
+    for (int column = first_column; column < first_column + columns; ++column) {
       const HitColumn& hits = hits_[column - first_column];
       evaluate_column(*plan_, sampling_, first_column_ + column, axes_[column], hits, segments_);
       deposit_column(*plan_, first_column_ + column, hits, segments_, sums_, grid);
     }
     if (sampling_ != SecondarySampling::kNone) {
-      secondary_.reflect(hits_[0], strip_.stride(), first_column_ + first_column,
-                         std::min(kTile, columns_ - first_column));
+      secondary_.reflect(hits_[0], strip_.stride(), first_column_ + first_column, columns);
     }
   }
   secondary_.finish();

@@ -12,6 +12,7 @@
 #include "echo/cpu/secondary_task.h"
 #include "echo/grid/surface_run.h"
 #include "echo/model/hit_column.h"
+#include "echo/model/normal_turns.h"
 #include "echo/model/ping_plan.h"
 
 namespace insonify {
@@ -58,6 +59,8 @@ struct BeamTask {
   std::vector<ColumnAxes> axes_;        // [column]
   HitStrip strip_{kTile, 0};            // A strip is kTile columns that are traced and shaded together.
   HitColumn hits_[kTile] = {};          // Columns of the strip.
+  static_assert(kTile == NormalTurns::kColumns && kLeastBeamsTogether % NormalTurns::kColumns == 0);
+  NormalTurns turns_;
   FootprintSegments segments_;
   SurfaceSums sums_;
 

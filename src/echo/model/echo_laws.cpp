@@ -34,15 +34,18 @@ double paper_strength(double cosine, double reflectivity, double neper_per_metre
   return std::abs(cosine) * reflectivity * std::exp(-neper_per_metre * length);
 }
 
-double primary_intensity(const Scattering& surface, double cosine, double texture, double neper_per_metre,
-                         double range) {
+double primary_intensity(const Scattering& surface, double cosine, double texture, double neper_per_metre, double range,
+                         const LobeWidening<double>& widening) {
   if (cosine == 0) {
     return 0;
   }
-  const double incidence = incidence_of(cosine);
-  const double scattered = lambert_backscatter(surface.lambert, incidence) +
-                           facet_backscatter(surface.reflection, surface.rms_slope, incidence);
-  return square(texture) * scattered / std::abs(cosine) * std::exp(-4 * neper_per_metre * range) / square(range);
+  const double incidence = incidence_of(cosine), cosine_square = square(std::cos(incidence));
+  const double diffuse = lambert_backscatter(surface.lambert, incidence) / std::abs(cosine);
+  const double glint = facet_backscatter(surface.reflection, surface.rms_slope,
+                                         incidence_of(std::sqrt(cosine_square + widening.spared))) *
+                       std::sqrt(widening.share) /
+                       std::sqrt(cosine_square + (1 - widening.share) * (1 - cosine_square));
+  return square(texture) * (diffuse + glint) * std::exp(-4 * neper_per_metre * range) / square(range);
 }
 
 MirrorIntensities mirror_intensities(const MirrorPath& path, double neper_per_metre) {

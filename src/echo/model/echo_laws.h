@@ -6,6 +6,7 @@
 
 #pragma once
 
+#include "echo/model/lobe_widening.h"
 #include "insonify/material.h"
 
 namespace insonify {
@@ -30,8 +31,9 @@ inline constexpr float kLeastSpread = 0.01F;
 /// @param cosine   Of the angle of incidence, of either sign; 0 gives no echo.
 /// @param texture  Factor on the amplitude, ReliefPoint::reflectivity.
 /// @param range    r [m], > 0.
+/// @param widening By the turn of the normal within the footprint: docs/concepts/scattering.md, "Curved surfaces".
 [[nodiscard]] double primary_intensity(const Scattering& surface, double cosine, double texture, double neper_per_metre,
-                                       double range);
+                                       double range, const LobeWidening<double>& widening = {});
 
 /// A path from the sonar to a mirror, the first surface, and on to a second surface.
 struct MirrorPath {

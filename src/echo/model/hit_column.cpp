@@ -54,21 +54,27 @@ void aim_beside(int rows, Vec3f beside, float* __restrict__ x, float* __restrict
   }
 }
 
-// Makes normals unit length; computes the cosine of incidence, the position in bins and the half width of the footprint
-// across the column, from the tangent plane.
 INSONIFY_VECTOR_CLONES
-void measure(Rows rows, Vec3f along, Vec3f across, Vec3f up, float bins_per_metre, float first_bin_at,
-             float* __restrict__ x, float* __restrict__ y, float* __restrict__ z, const float* __restrict__ range,
-             float* __restrict__ normal_along, float* __restrict__ normal_up, float* __restrict__ facing,
-             float* __restrict__ position, float* __restrict__ reach) {
-  const float ax = along[0], ay = along[1], az = along[2];
-  const float sx = across[0], sy = across[1], sz = across[2];
-  const float ux = up[0], uy = up[1], uz = up[2];
-  for (int row = 0; row < rows.count; ++row) {
+void normalise(int rows, float* __restrict__ x, float* __restrict__ y, float* __restrict__ z) {
+  for (int row = 0; row < rows; ++row) {
     const float scale = 1 / std::sqrt(x[row] * x[row] + y[row] * y[row] + z[row] * z[row] + kTiny);
     x[row] *= scale;
     y[row] *= scale;
     z[row] *= scale;
+  }
+}
+
+// Computes the cosine of incidence, the position in bins and the half width of the footprint across the column, from
+// the tangent plane.
+INSONIFY_VECTOR_CLONES
+void measure(Rows rows, Vec3f along, Vec3f across, Vec3f up, float bins_per_metre, float first_bin_at,
+             const float* __restrict__ x, const float* __restrict__ y, const float* __restrict__ z,
+             const float* __restrict__ range, float* __restrict__ normal_along, float* __restrict__ normal_up,
+             float* __restrict__ facing, float* __restrict__ position, float* __restrict__ reach) {
+  const float ax = along[0], ay = along[1], az = along[2];
+  const float sx = across[0], sy = across[1], sz = across[2];
+  const float ux = up[0], uy = up[1], uz = up[2];
+  for (int row = 0; row < rows.count; ++row) {
     normal_along[row] = x[row] * ax + y[row] * ay + z[row] * az;
     normal_up[row] = x[row] * ux + y[row] * uy + z[row] * uz;
     facing[row] = normal_along[row] * rows.cos_t[row] + normal_up[row] * rows.sin_t[row];
@@ -221,13 +227,17 @@ void aim_column(const Lattice& lattice, int column, const ColumnAxes& axes, cons
   }
 }
 
+void make_normals_unit(const PingPlan& plan, const HitColumn& hits) {
+  normalise(evaluated_rows(plan.lattice, hits), hits.normal_x, hits.normal_y, hits.normal_z);
+}
+
 void measure_column(const PingPlan& plan, int column, const ColumnAxes& axes, const HitColumn& hits,
                     FootprintSegments& segments) {
   const Lattice& lattice = plan.lattice;
   Rows rows = rows_of(lattice, column);
   rows.count = evaluated_rows(lattice, hits);
 
-  // Unit normals, cosines of incidence, and the position and half width of each sample's footprint.
+  // Cosines of incidence, and the position and half width of each sample's footprint.
   measure(rows, axes.along, axes.across, axes.up, plan.bins_per_metre, plan.first_bin_at, hits.normal_x, hits.normal_y,
           hits.normal_z, hits.range, segments.normal_along.data(), segments.normal_up.data(), hits.facing,
           segments.position.data(), segments.reach.data());

@@ -35,6 +35,11 @@ struct HitColumn {
   float* power;     ///< Energy per unit of weight. `paper`: S(strength); `calibrated`: see ScatterTable.
   float* selected;  ///< How many hits the reflected ray stands for; 0 if none is traced from here.
   float* escapes;   ///< 0 where the relief reflects the ray into the surface, so that none is traced; else 1.
+
+  // From NormalTurns: change of the unit normal, without relief, over the footprint of the sample.
+  bool curved;                                     ///< Whether it changes anywhere; if not, the turns are not set.
+  float *turn_up_x, *turn_up_y, *turn_up_z;        ///< From row to row.
+  float *turn_side_x, *turn_side_y, *turn_side_z;  ///< From column to column, at constant elevation.
 };
 
 /// Memory for neighbouring columns, small enough for the first-level cache.
@@ -90,14 +95,17 @@ ColumnAxes column_axes(const Lattice& lattice, int column, const Eigen::Matrix3f
 /// Fills in the directions of a column's rays.
 void aim_column(const Lattice& lattice, int column, const ColumnAxes& axes, const HitColumn& hits);
 
+/// Makes the normals of a column's hits unit length.
+void make_normals_unit(const PingPlan& plan, const HitColumn& hits);
+
 /// Computes everything that follows from the hits of column `column` of the lattice: measure_column(), fill_powers()
-/// and finish_column(), one after another.
+/// and finish_column(), one after another. Normals are unit length.
 void evaluate_column(const PingPlan& plan, SecondarySampling sampling, int column, const ColumnAxes& axes,
                      const HitColumn& hits, FootprintSegments& segments);
 
-/// Geometry of the column: makes normals unit length, finds which neighbours lie on one unbroken surface, and tilts the
-/// normals by the relief. Fills in `facing`, `escapes` and the per-sample values of the segments, which are those of
-/// the surface without its relief.
+/// Geometry of the column: finds which neighbours lie on one unbroken surface, and tilts the normals by the relief.
+/// Fills in `facing`, `escapes` and the per-sample values of the segments, which are those of the surface without its
+/// relief.
 void measure_column(const PingPlan& plan, int column, const ColumnAxes& axes, const HitColumn& hits,
                     FootprintSegments& segments);
 

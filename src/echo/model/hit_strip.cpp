@@ -5,12 +5,13 @@
 namespace insonify {
 namespace {
 
-constexpr float* HitColumn::*kFields[] = {&HitColumn::direction_x, &HitColumn::direction_y,  &HitColumn::direction_z,
-                                          &HitColumn::range,       &HitColumn::normal_x,     &HitColumn::normal_y,
-                                          &HitColumn::normal_z,    &HitColumn::reflectivity, &HitColumn::facing,
-                                          &HitColumn::strength,    &HitColumn::power,        &HitColumn::selected,
-                                          &HitColumn::gradient_x,  &HitColumn::gradient_y,   &HitColumn::gradient_z,
-                                          &HitColumn::texture,     &HitColumn::escapes};
+constexpr float* HitColumn::*kFields[] = {
+    &HitColumn::direction_x, &HitColumn::direction_y, &HitColumn::direction_z, &HitColumn::range,
+    &HitColumn::normal_x,    &HitColumn::normal_y,    &HitColumn::normal_z,    &HitColumn::reflectivity,
+    &HitColumn::facing,      &HitColumn::strength,    &HitColumn::power,       &HitColumn::selected,
+    &HitColumn::gradient_x,  &HitColumn::gradient_y,  &HitColumn::gradient_z,  &HitColumn::texture,
+    &HitColumn::escapes,     &HitColumn::turn_up_x,   &HitColumn::turn_up_y,   &HitColumn::turn_up_z,
+    &HitColumn::turn_side_x, &HitColumn::turn_side_y, &HitColumn::turn_side_z};
 
 }  // namespace
 

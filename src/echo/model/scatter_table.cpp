@@ -29,6 +29,37 @@ void scatter(int rows, const ScatterTable::Laws laws, float neper_per_metre, con
   }
 }
 
+// The same where the normal turns within the footprints.
+INSONIFY_VECTOR_CLONES
+void scatter_curved(int rows, const ScatterTable::Laws laws, float neper_per_metre, const HitColumn& hits) {
+  const SurfaceLabel* const surface = hits.surface;
+  const float *const range = hits.range, *const facing = hits.facing;
+  const float *const dx = hits.direction_x, *const dy = hits.direction_y, *const dz = hits.direction_z;
+  const float *const nx = hits.normal_x, *const ny = hits.normal_y, *const nz = hits.normal_z;
+  const float *const ux = hits.turn_up_x, *const uy = hits.turn_up_y, *const uz = hits.turn_up_z;
+  const float *const vx = hits.turn_side_x, *const vy = hits.turn_side_y, *const vz = hits.turn_side_z;
+  float* __restrict__ const power = hits.power;
+  for (int row = 0; row < rows; ++row) {
+    const std::uint32_t material = laws.index_of(surface[row]);
+    const TurnProducts<float> turns = {
+        ux[row] * ux[row] + uy[row] * uy[row] + uz[row] * uz[row],
+        vx[row] * vx[row] + vy[row] * vy[row] + vz[row] * vz[row],
+        ux[row] * vx[row] + uy[row] * vy[row] + uz[row] * vz[row],
+        ux[row] * dx[row] + uy[row] * dy[row] + uz[row] * dz[row],
+        vx[row] * dx[row] + vy[row] * dy[row] + vz[row] * dz[row],
+        ux[row] * nx[row] + uy[row] * ny[row] + uz[row] * nz[row],
+        vx[row] * nx[row] + vy[row] * ny[row] + vz[row] * nz[row],
+    };
+    const LobeWidening<float> widening = widen_lobe(turns, facing[row], laws.steepness[material]);
+    const float cosine = std::abs(facing[row]);
+    const float held = cosine < kLeastCosine ? kLeastCosine : cosine;
+    const float glint = widened_lobe(laws.lobe[material], laws.steepness[material], held, widening);
+    const float spread = fast_exp(-4 * neper_per_metre * range[row]) / (range[row] * range[row]);
+    const float echo = (laws.lambert[material] * cosine + glint) * spread;
+    power[row] = (range[row] > 0) & (cosine > 0) ? echo : 0.0F;
+  }
+}
+
 }  // namespace
 
 ScatterTable::ScatterTable(std::span<const Material> materials, double frequency) {
@@ -48,7 +79,11 @@ ScatterTable::ScatterTable(std::span<const Material> materials, double frequency
 }
 
 void ScatterTable::fill_powers(int rows, float neper_per_metre, const HitColumn& hits) const {
-  scatter(rows, laws(), neper_per_metre, hits.surface, hits.facing, hits.range, hits.power);
+  if (hits.curved) {
+    scatter_curved(rows, laws(), neper_per_metre, hits);
+  } else {
+    scatter(rows, laws(), neper_per_metre, hits.surface, hits.facing, hits.range, hits.power);
+  }
   if (hits.has_relief) {
     for (int row = 0; row < rows; ++row) {
       hits.power[row] *= hits.texture[row] * hits.texture[row];

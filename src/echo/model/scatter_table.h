@@ -7,6 +7,7 @@
 
 #include "base/vector_math.h"
 #include "echo/grid/echo.h"
+#include "echo/model/lobe_widening.h"
 #include "insonify/material.h"
 
 namespace insonify {
@@ -66,6 +67,16 @@ class ScatterTable {
 [[gnu::always_inline]] inline float facet_lobe(float lobe, float steepness, float cosine) {
   const float secant_square = 1 / (cosine * cosine);
   return lobe * secant_square * secant_square * fast_exp((1 - secant_square) * steepness);
+}
+
+/// The lobe of a footprint whose normal turns, divided by the cosine of incidence: per unit of solid angle. Without
+/// widening facet_lobe() / cosine, bit by bit.
+[[gnu::always_inline]] inline float widened_lobe(float lobe, float steepness, float cosine,
+                                                 const LobeWidening<float>& widening) {
+  const float square = cosine * cosine;
+  const float secant_square = 1 / (square + widening.spared);
+  const float peak = lobe * secant_square * secant_square * fast_exp((1 - secant_square) * steepness);
+  return peak * std::sqrt(widening.share) / std::sqrt(square + (1 - widening.share) * (1 - square));
 }
 
 }  // namespace insonify

@@ -70,6 +70,7 @@ void ReferenceColumn::trace_primary_rays(const Workers& workers) {
     }
   }
   counts_.primary += rows_;
+  make_normals_unit(plan_, hits_);
 }
 
 void ReferenceColumn::store_hit(int row) {
@@ -90,6 +91,24 @@ void ReferenceColumn::store_hit(int row) {
   hits_.direction_z[row] = direction.z();
 }
 
+// scattering.md, "Curved surfaces": the share sqrt(s^4 / det S) and the sine s sqrt(w' S^-1 w), from the matrix.
+LobeWidening<double> ReferenceColumn::widening(int row) const {
+  if (!hits_.curved) {
+    return {};
+  }
+  const Vec3 ray = rays_[row].direction, normal = hits_.has_relief ? first_[row].bent : first_[row].normal;
+  const Vec3 up = Vec3f(hits_.turn_up_x[row], hits_.turn_up_y[row], hits_.turn_up_z[row]).cast<double>();
+  const Vec3 side = Vec3f(hits_.turn_side_x[row], hits_.turn_side_y[row], hits_.turn_side_z[row]).cast<double>();
+  const Vec3 one = ray.unitOrthogonal(), two = ray.cross(one);
+  const auto across = [&](const Vec3& v) { return Eigen::Vector2d(v.dot(one), v.dot(two)); };
+  const Eigen::Vector2d u = across(up), v = across(side), w = across(normal);
+  const double variance = std::pow(plan_.scatter.scattering(hits_.surface[row]).rms_slope, 2);
+  const Eigen::Matrix2d covariance =
+      variance * Eigen::Matrix2d::Identity() + double{kFootprintVariance} * (u * u.transpose() + v * v.transpose());
+  const double sine_square = variance * w.dot(covariance.inverse() * w);
+  return {.share = variance * variance / covariance.determinant(), .spared = w.dot(w) - sine_square};
+}
+
 // What each row's echo adds to the grid per unit of solid angle: docs/concepts/calibrated-model.md, "An echo", and
 // paper-model.md, "From a hit to an echo".
 void ReferenceColumn::compute_powers() {
@@ -99,8 +118,9 @@ void ReferenceColumn::compute_powers() {
       hits_.strength[row] = hits_.power[row] = 0;
     } else if (plan_.model == EchoModel::kCalibrated) {
       const double texture = hits_.has_relief ? first_[row].texture : 1.0F;
-      hits_.power[row] = static_cast<float>(primary_intensity(plan_.scatter.scattering(hits_.surface[row]),
-                                                              hits_.facing[row], texture, gamma, first_[row].distance));
+      hits_.power[row] =
+          static_cast<float>(primary_intensity(plan_.scatter.scattering(hits_.surface[row]), hits_.facing[row], texture,
+                                               gamma, first_[row].distance, widening(row)));
     } else {
       const double strength =
           paper_strength(hits_.facing[row], first_[row].reflectivity, gamma, 2 * first_[row].distance);
@@ -258,7 +278,6 @@ void ReferenceColumn::deposit_mirror_echoes(const Reflection& path, EchoGrid& gr
 }
 
 RayCounts ReferenceColumn::insonify(EchoGrid& grid, std::vector<Echo>& arrivals, const Workers& workers) {
-  trace_primary_rays(workers);
   deposit_primary_echoes(grid);
   for (int row = 0; row < rows_ && sampling_ != SecondarySampling::kNone; ++row) {
     workers.check_stop();

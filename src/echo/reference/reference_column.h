@@ -26,13 +26,17 @@ struct ColumnFrame {
   [[nodiscard]] Vec3 direction(const Lattice& lattice, int column, int row) const;
 };
 
-/// Traces the rays of one column, reflects them, and deposits the echoes.
+/// Traces the rays of one column, and in a second step reflects them and deposits the echoes.
 class ReferenceColumn {
  public:
   ReferenceColumn(const TriangleScene& scene, const PingPlan& plan, SecondarySampling sampling, int column,
                   const Pose& world_from_sonar);
 
-  /// Adds the column's echoes to the grid.
+  /// Traces the primary rays. The normals of the hits are unit length.
+  void trace_primary_rays(const Workers& workers);
+  [[nodiscard]] HitColumn& hits() { return hits_; }
+
+  /// Adds the column's echoes to the grid, after NormalTurns::find().
   /// @param arrivals  Takes echoes that may arrive in beams of other columns.
   /// @return          Number of rays traced.
   RayCounts insonify(EchoGrid& grid, std::vector<Echo>& arrivals, const Workers& workers);
@@ -52,8 +56,8 @@ class ReferenceColumn {
   };
 
   [[nodiscard]] Ray ray_of(int column, int row) const;
-  void trace_primary_rays(const Workers& workers);
   void store_hit(int row);
+  [[nodiscard]] LobeWidening<double> widening(int row) const;
   void compute_powers();
   void deposit_primary_echoes(EchoGrid& grid);
   [[nodiscard]] MirrorChange change_along(int row) const;

@@ -2,9 +2,18 @@
 
 #include "echo/reference/reference_engine.h"
 
+#include <algorithm>
+
+#include "echo/model/normal_turns.h"
 #include "echo/reference/reference_column.h"
 
 namespace insonify {
+namespace {
+
+// A task has whole groups of columns whose normals are compared.
+constexpr int kBeamsTogether = NormalTurns::kColumns;
+
+}  // namespace
 
 const EngineKind ReferenceEngine::kKind = {.name = "reference", .make = [](int threads) -> std::unique_ptr<Engine> {
                                              return std::make_unique<ReferenceEngine>(threads);
@@ -43,11 +52,27 @@ void ReferenceEngine::insonify(const PingPlan& plan, const Pose& world_from_sona
   const SecondarySampling sampling = choose_sampling(plan, world_from_sonar);
   std::vector<RayCounts> counts(beams);
   std::vector<std::vector<Echo>> arrivals(beams);
-  workers_.for_each(beams, [&](int beam, int) {
-    grid.clear(beam, beam + 1);
-    for (int column = beam * per_beam; column < (beam + 1) * per_beam; ++column) {
-      ReferenceColumn of_column(scene_, plan, sampling, column, world_from_sonar);
-      counts[beam] += of_column.insonify(grid, arrivals[beam], workers_);
+  workers_.for_each((beams + kBeamsTogether - 1) / kBeamsTogether, [&](int task, int) {
+    const int first_beam = task * kBeamsTogether, last_beam = std::min(first_beam + kBeamsTogether, beams);
+    grid.clear(first_beam, last_beam);
+    for (int first = first_beam * per_beam; first < last_beam * per_beam; first += NormalTurns::kColumns) {
+      std::vector<ReferenceColumn> columns;
+      columns.reserve(NormalTurns::kColumns);
+      std::vector<HitColumn> hits;
+      for (int column = first; column < std::min(first + NormalTurns::kColumns, last_beam * per_beam); ++column) {
+        columns.emplace_back(scene_, plan, sampling, column, world_from_sonar).trace_primary_rays(workers_);
+        hits.push_back(columns.back().hits());
+      }
+      if (plan.model == EchoModel::kCalibrated) {
+        NormalTurns turns;
+        turns.prepare(plan.lattice.rows);
+        turns.find(plan, first, hits);
+      }
+      for (std::size_t i = 0; i < columns.size(); ++i) {
+        const int beam = (first + static_cast<int>(i)) / per_beam;
+        columns[i].hits().curved = hits[i].curved;
+        counts[beam] += columns[i].insonify(grid, arrivals[beam], workers_);
+      }
     }
   });
   for (const std::vector<Echo>& of_beam : arrivals) {

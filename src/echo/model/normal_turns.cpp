@@ -1,0 +1,183 @@
+// normal_turns.cpp -- differences of normals between neighbouring samples, in loops that the compiler vectorises.
+
+#include "echo/model/normal_turns.h"
+
+#include <algorithm>
+#include <cassert>
+
+#include "base/vector_math.h"
+
+namespace insonify {
+namespace {
+
+constexpr float kMostTurn = 0.9F;      // Length of the difference of two unit normals that are 53 degrees apart.
+constexpr float kMostOffPlane = 0.5F;  // Sine of 30 degrees.
+constexpr float kFlat = 1e-5F;         // Differences by rounding are smaller.
+constexpr float kTiniest = 1e-30F;     // Added to divisors that may be zero.
+
+// What is compared of a column.
+struct Samples {
+  const SurfaceLabel* surface;
+  const float *range, *x, *y, *z, *direction_x, *direction_y, *direction_z;
+
+  explicit Samples(const HitColumn& hits, int first = 0)
+      : surface(hits.surface + first),
+        range(hits.range + first),
+        x(hits.normal_x + first),
+        y(hits.normal_y + first),
+        z(hits.normal_z + first),
+        direction_x(hits.direction_x + first),
+        direction_y(hits.direction_y + first),
+        direction_z(hits.direction_z + first) {}
+};
+
+// Writes the differences from the samples `a` to their neighbours `b`, less `shear` times the turns of `a` from row to
+// row. Returns the square of the greatest.
+template <bool kSheared>
+[[gnu::always_inline]] inline float subtract(int rows, const Samples& a, const Samples& b, float shear,
+                                             const float* up_x, const float* up_y, const float* up_z,
+                                             float* __restrict__ x, float* __restrict__ y, float* __restrict__ z,
+                                             float* __restrict__ joined) {
+  float most = 0;
+  for (int i = 0; i < rows; ++i) {
+    float dx = b.x[i] - a.x[i], dy = b.y[i] - a.y[i], dz = b.z[i] - a.z[i];
+    if constexpr (kSheared) {
+      dx -= shear * up_x[i];
+      dy -= shear * up_y[i];
+      dz -= shear * up_z[i];
+    }
+    const float turn = dx * dx + dy * dy + dz * dz;
+    const float px = b.range[i] * b.direction_x[i] - a.range[i] * a.direction_x[i];
+    const float py = b.range[i] * b.direction_y[i] - a.range[i] * a.direction_y[i];
+    const float pz = b.range[i] * b.direction_z[i] - a.range[i] * a.direction_z[i];
+    const float off = a.x[i] * px + a.y[i] * py + a.z[i] * pz;
+    const bool near_plane = off * off <= kMostOffPlane * kMostOffPlane * (px * px + py * py + pz * pz);
+    const bool same = (a.surface[i] == b.surface[i]) & (a.surface[i] != kNoSurface);
+    const float both = same & near_plane & (turn < kMostTurn * kMostTurn) ? 1.0F : 0.0F;
+    x[i] = both * dx;
+    y[i] = both * dy;
+    z[i] = both * dz;
+    joined[i] = both;
+    most = std::max(most, both * turn);
+  }
+  return most;
+}
+
+INSONIFY_VECTOR_CLONES
+float subtract_rows(int rows, const Samples& a, const Samples& b, float* __restrict__ x, float* __restrict__ y,
+                    float* __restrict__ z, float* __restrict__ joined) {
+  return subtract<false>(rows, a, b, 0, nullptr, nullptr, nullptr, x, y, z, joined);
+}
+
+INSONIFY_VECTOR_CLONES
+float subtract_columns(int rows, const Samples& a, const Samples& b, float shear, const float* up_x, const float* up_y,
+                       const float* up_z, float* __restrict__ x, float* __restrict__ y, float* __restrict__ z,
+                       float* __restrict__ joined) {
+  return subtract<true>(rows, a, b, shear, up_x, up_y, up_z, x, y, z, joined);
+}
+
+// Mean of the differences `a` and `b` to the neighbours on either side, or that of the side which is joined. Where they
+// differ much the mean decreases to 0, which it is where the surface is flat on one side.
+// @tparam kBeyond  `b` lies beyond `a` on the same side, and counts only where `a` is joined.
+template <bool kBeyond>
+[[gnu::always_inline]] inline void average(int rows, const float* ax, const float* ay, const float* az,
+                                           const float* a_joined, const float* bx, const float* by, const float* bz,
+                                           const float* b_joined, float* __restrict__ x, float* __restrict__ y,
+                                           float* __restrict__ z) {
+  for (int i = 0; i < rows; ++i) {
+    const float seen = kBeyond ? a_joined[i] : 1.0F;
+    const float no_a = 1 - a_joined[i], no_b = 1 - seen * b_joined[i];
+    const float b_x = seen * bx[i], b_y = seen * by[i], b_z = seen * bz[i];
+    const float one_x = ax[i] + no_a * b_x, two_x = b_x + no_b * ax[i];
+    const float one_y = ay[i] + no_a * b_y, two_y = b_y + no_b * ay[i];
+    const float one_z = az[i] + no_a * b_z, two_z = b_z + no_b * az[i];
+    const float product = one_x * two_x + one_y * two_y + one_z * two_z;
+    const float squares = one_x * one_x + one_y * one_y + one_z * one_z + two_x * two_x + two_y * two_y + two_z * two_z;
+    const float alike = 4 * product / (squares + kTiniest);
+    const float half = 0.5F * (alike < 0 ? 0.0F : alike < 1 ? alike : 1.0F);
+    x[i] = half * (one_x + two_x);
+    y[i] = half * (one_y + two_y);
+    z[i] = half * (one_z + two_z);
+  }
+}
+
+INSONIFY_VECTOR_CLONES
+void average_between(int rows, const float* ax, const float* ay, const float* az, const float* a_joined,
+                     const float* bx, const float* by, const float* bz, const float* b_joined, float* __restrict__ x,
+                     float* __restrict__ y, float* __restrict__ z) {
+  average<false>(rows, ax, ay, az, a_joined, bx, by, bz, b_joined, x, y, z);
+}
+
+INSONIFY_VECTOR_CLONES
+void average_beyond(int rows, const float* ax, const float* ay, const float* az, const float* a_joined, const float* bx,
+                    const float* by, const float* bz, const float* b_joined, float* __restrict__ x,
+                    float* __restrict__ y, float* __restrict__ z) {
+  average<true>(rows, ax, ay, az, a_joined, bx, by, bz, b_joined, x, y, z);
+}
+
+// How many rows higher the samples of the next column lie: the stagger.
+float stagger_between(const Lattice& lattice, int column) {
+  const float *here = lattice.elevations(column), *next = lattice.elevations(column + 1);
+  const int row = (lattice.rows - 1) / 2;
+  return (next[row] - here[row]) / (here[row + 1] - here[row]);
+}
+
+}  // namespace
+
+void NormalTurns::prepare(int rows) {
+  stride_ = std::max(stride_, static_cast<std::size_t>(rows) + 1);
+  values_.resize(4 * stride_ * (kColumns + 1), 0.0F);
+}
+
+NormalTurns::Differences NormalTurns::differences(int which) {
+  float* const at = &values_[4 * stride_ * static_cast<std::size_t>(which)];
+  return {at, at + stride_, at + 2 * stride_, at + 3 * stride_};
+}
+
+void NormalTurns::find(const PingPlan& plan, int first, std::span<HitColumn> strip) {
+  assert(first % kColumns == 0 && strip.size() <= kColumns);
+  const int count = static_cast<int>(strip.size()), rows = evaluated_rows(plan.lattice, strip[0]);
+  float most = 0;
+
+  // From row to row. The first and the last difference of a column stay 0.
+  const Differences along = differences(kColumns);
+  for (const HitColumn& hits : strip) {
+    most = std::max(most, subtract_rows(rows - 1, Samples(hits), Samples(hits, 1), along.x + 1, along.y + 1,
+                                        along.z + 1, along.joined + 1));
+    for (float* const values : {along.x, along.y, along.z, along.joined}) {
+      values[0] = values[rows] = 0;
+    }
+    average_between(rows, along.x, along.y, along.z, along.joined, along.x + 1, along.y + 1, along.z + 1,
+                    along.joined + 1, hits.turn_up_x, hits.turn_up_y, hits.turn_up_z);
+  }
+
+  // From column to column, where the next one is.
+  for (int i = 0; i + 1 < count; ++i) {
+    const HitColumn& hits = strip[i];
+    const Differences across = differences(i);
+    most = std::max(most, subtract_columns(rows, Samples(hits), Samples(strip[i + 1]),
+                                           stagger_between(plan.lattice, first + i), hits.turn_up_x, hits.turn_up_y,
+                                           hits.turn_up_z, across.x, across.y, across.z, across.joined));
+  }
+  for (HitColumn& hits : strip) {
+    hits.curved = most > kFlat * kFlat;
+  }
+  if (!strip[0].curved) {
+    return;
+  }
+  const Differences none = differences(kColumns);
+  for (float* const values : {none.x, none.y, none.z, none.joined}) {
+    std::fill_n(values, rows, 0.0F);
+  }
+  for (int i = 0; i < count; ++i) {
+    const bool at_edge = i == 0 || i + 1 == count;
+    const int near = i == 0 ? 0 : i - 1, far = i == 0 ? 1 : at_edge ? i - 2 : i;
+    const Differences a = near + 1 < count ? differences(near) : none;
+    const Differences b = far >= 0 && far + 1 < count ? differences(far) : none;
+    const HitColumn& hits = strip[i];
+    const auto mean = at_edge ? average_beyond : average_between;
+    mean(rows, a.x, a.y, a.z, a.joined, b.x, b.y, b.z, b.joined, hits.turn_side_x, hits.turn_side_y, hits.turn_side_z);
+  }
+}
+
+}  // namespace insonify

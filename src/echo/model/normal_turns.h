@@ -1,0 +1,43 @@
+// normal_turns.h -- how far the normal of a surface turns from sample to sample of neighbouring columns.
+
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "echo/model/hit_column.h"
+#include "echo/model/ping_plan.h"
+
+namespace insonify {
+
+/// Fills in the turns of neighbouring columns; holds the scratch memory.
+class NormalTurns {
+ public:
+  /// Columns that are compared with each other: those from 4 k to 4 k + 3, so that results do not depend on where tasks
+  /// begin.
+  static constexpr int kColumns = 4;
+
+  /// Prepares for a number of rows. Allocates only if it needs more memory than ever before.
+  void prepare(int rows);
+
+  /// Sets HitColumn::curved and the turns: the mean change of the normal to the neighbours on either side. A change is
+  /// 0 between neighbours that are not on one smooth surface: of different labels, of normals more than 53 degrees
+  /// apart, or the second more than 30 degrees off the tangent plane of the first. The mean is 0 where the surface is
+  /// flat on one side, as at the crease between two faces.
+  /// @param first  Index of the first column in the lattice, a multiple of kColumns.
+  /// @param strip  At most kColumns columns, evaluated up to the same row, with unit normals.
+  void find(const PingPlan& plan, int first, std::span<HitColumn> strip);
+
+ private:
+  // Differences of the normals of neighbouring samples, and whether (1 or 0) both lie on one smooth surface. Where they
+  // do not, the differences are 0.
+  struct Differences {
+    float *x, *y, *z, *joined;
+  };
+  [[nodiscard]] Differences differences(int which);
+
+  std::size_t stride_ = 0;
+  std::vector<float> values_;
+};
+
+}  // namespace insonify
