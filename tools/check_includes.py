@@ -24,6 +24,7 @@ ROOMS = {
         "grid": [],
         "model": ["grid"],
         "targets": ["grid", "model", "."],
+        "walks": ["grid", "model", "."],
         "*": ["grid", "model", "."],  # Engines, each a room.
     },
     "io": {

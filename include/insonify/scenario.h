@@ -95,6 +95,7 @@ struct Scenario {
   SecondaryEchoes secondary = SecondaryEchoes::kSelective;
   int max_surfaces = kPathOrders;  ///< Most surfaces that a path meets, 1..3.
   bool rough_mirrors = false;      ///< Whether mirrors send sound on about facets drawn from their slopes.
+  int random_walks = 0;            ///< Random walks of a ping, 0..1e6: reverberation of closed spaces; 0: none.
   bool motion_in_ping = false;     ///< Whether the sonar moves on while it listens.
   GroundTruth ground_truth = GroundTruth::kLabels;
   std::uint64_t seed = 1;
@@ -183,6 +184,10 @@ struct Scenario {
               "Whether mirrors send sound on about facets drawn from their rms_slope, not as the smooth surface would "
               "(calibrated)."},
         self.rough_mirrors);
+    visit(Field{"random_walks", "", from_to(0, 1e6),
+                "Walks of a ping over many surfaces, for the reverberation of closed spaces: 1000 to 5000 in a tank, 0 "
+                "for none (calibrated)."},
+          self.random_walks);
     visit(
         Field{
             "motion_in_ping", "", {}, "Whether the sonar moves on along its trajectory while it listens (calibrated)."},

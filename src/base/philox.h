@@ -20,7 +20,8 @@ enum class RandomPurpose : std::uint32_t {
   kPointPhase = 9,          // echo/targets/point_echoes.cpp
   kInterference = 10,       // echo/targets/interference.cpp
   kScatterers = 11,         // receiver/sparse_scatterers.cpp
-  kWaves = 12               // echo/targets/surface_ghosts.cpp: highlights of ghosts by waves
+  kWaves = 12,              // echo/targets/surface_ghosts.cpp: highlights of ghosts by waves
+  kWalks = 13               // echo/walks/random_walks.cpp
 };
 
 using PhiloxCounter = std::array<std::uint32_t, 4>;

@@ -150,6 +150,22 @@ void check_materials(const MaterialRules& rules) {
   }
 }
 
+// Walks hold the paths that secondary echoes leave out.
+void check_walks(const Scenario& scenario) {
+  if (scenario.random_walks > 0 && scenario.secondary == SecondaryEchoes::kNone) {
+    throw Error("", "random_walks",
+                fmt::format(" = {} needs secondary = selective or all, since it adds to these echoes; or 0 for none",
+                            scenario.random_walks),
+                {"secondary"});
+  }
+  if (scenario.random_walks > 0 && scenario.max_surfaces < kPathOrders) {
+    throw Error("", "random_walks",
+                fmt::format(" = {} needs max_surfaces = {}, not {}: the paths meet three surfaces and more",
+                            scenario.random_walks, kPathOrders, scenario.max_surfaces),
+                {"max_surfaces"});
+  }
+}
+
 void check_motions(const std::vector<Motion>& motions) {
   for (std::size_t i = 0; i < motions.size(); ++i) {
     const std::string object = fmt::format("motions[{}]", i);
@@ -204,6 +220,10 @@ void Scenario::validate() const {
   if (model == EchoModel::kPaper && rough_mirrors) {
     throw Error("", "rough_mirrors", " needs model = calibrated");
   }
+  if (model == EchoModel::kPaper && random_walks > 0) {
+    throw Error("", "random_walks", " needs model = calibrated");
+  }
+  check_walks(*this);
   if (model == EchoModel::kPaper && ground_truth == GroundTruth::kFull) {
     throw Error("", "ground_truth", " = full needs model = calibrated");
   }

@@ -19,6 +19,9 @@ void Simulator::State::make(const PingRequest& request, SimulatedSonar& sonar, c
   const PingPlan& plan = *sonar.plan;
   if (scenario.model == EchoModel::kCalibrated) {
     parts.engine.insonify(plan, world_from_sonar, grid);
+    if (sonar.walks) {
+      sonar.walks->add(plan, world_from_sonar, request.number, parts.engine, grid);
+    }
     grid.discrete_echoes().clear();
     parts.points.add(plan, world_from_sonar, parts.engine, grid);
     if (ghosts) {

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "base/name_hash.h"
 #include "echo/model/ping_plan.h"
 #include "insonify/error.h"
 #include "receiver/line_array.h"
@@ -47,6 +48,14 @@ int order_count(const Scenario& scenario) {
   return scenario.secondary == SecondaryEchoes::kNone ? 1 : std::min(most, scenario.max_surfaces);
 }
 
+// Walks start in the sonar's own beams: on either side of a scanning head's beam there are cells that only receive.
+RandomWalks::Settings walk_settings(const Scenario& scenario, const SonarConfig& sonar, const BearingCells& cells) {
+  return {.count = scenario.random_walks,
+          .first_beam = cells.first,
+          .beam_count = cells.per_beam * sonar.beam_count,
+          .seed = scenario.seed ^ (std::uint64_t{name_hash(sonar.name)} << 32)};
+}
+
 // Pose after a time of constant linear and angular velocity.
 Pose moved_on(const Pose& pose, const Twist& twist, double time) {
   const double rate = twist.angular.norm();
@@ -83,6 +92,9 @@ SimulatedSonar::SimulatedSonar(const Scenario& scenario, const SonarConfig& sona
                          .seed = scenario.seed});
   grid =
       EchoGrid(cells.sonar.beam_count, config.bin_count, order_count(scenario), scenario.ground_truth, beams.speckle);
+  if (scenario.random_walks > 0) {
+    walks.emplace(walk_settings(scenario, config, cells));
+  }
   if (scenario.model == EchoModel::kCalibrated) {
     const std::vector<float> angles = cell_angles(*plan);
     receiver.emplace(CalibratedReceiver::Settings{.sonar = config,

@@ -7,6 +7,7 @@
 #include <span>
 
 #include "echo/model/ping_plan.h"
+#include "echo/walks/random_walks.h"
 #include "insonify/ping_request.h"
 #include "insonify/scenario.h"
 #include "receiver/calibrated_receiver.h"
@@ -38,6 +39,7 @@ struct SimulatedSonar {
   Pose vehicle_from_housing;
   std::shared_ptr<const PingPlan> plan;
   EchoGrid grid;
+  std::optional<RandomWalks> walks;            ///< Where the scenario has random_walks.
   std::optional<CalibratedReceiver> receiver;  ///< Empty in the paper model.
 };
 

@@ -8,6 +8,8 @@
 #include <cstdint>
 #include <string_view>
 
+#include "base/name_hash.h"
+
 namespace insonify {
 namespace {
 
@@ -37,15 +39,6 @@ constexpr std::array kDensityTints = {
     DensityTint{800, 0xcbb27a},  DensityTint{1150, 0x5d646b}, DensityTint{1500, 0xb9c0c4}, DensityTint{2250, 0xb5a789},
     DensityTint{2650, 0xa5a49c}, DensityTint{4800, 0xadb3b6}, DensityTint{1e9, 0x9c6b48}};
 
-// FNV-1a, so that a name has the same hash on every machine.
-std::uint32_t hash_of(std::string_view name) {
-  std::uint32_t hash = 2166136261U;
-  for (const char letter : name) {
-    hash = (hash ^ static_cast<unsigned char>(letter)) * 16777619U;
-  }
-  return hash;
-}
-
 }  // namespace
 
 Vec3f linear_colour(unsigned rgb) {
@@ -63,7 +56,7 @@ Vec3f tint_of(const Material& material) {
   }
   const auto* tint = std::find_if(kDensityTints.begin(), kDensityTints.end() - 1,
                                   [&](const DensityTint& entry) { return material.density <= entry.density; });
-  const std::uint32_t hash = hash_of(material.name);
+  const std::uint32_t hash = name_hash(material.name);
   const auto vary = [&](unsigned shift) { return 0.8F + 0.4F * static_cast<float>((hash >> shift) & 0xffU) / 255.0F; };
   return vary(16) * linear_colour(tint->rgb).cwiseProduct(Vec3f(vary(8), 1, vary(0)));
 }

@@ -138,6 +138,7 @@ Scenario calibrated_scenario(SonarType type) {
   scenario.receiver.pulse_duration = 1e-3;
   scenario.receiver.speckle = true;
   scenario.receiver.time_varied_gain = 30;
+  scenario.random_walks = 100;
   return scenario;
 }
 

@@ -175,8 +175,12 @@ void CpuEngine::trace(std::span<const Ray> rays, std::span<Hit> hits) {
         if (packet.hit(lane) && distance <= ray.max_distance) {
           const Vec3 normal = shading.normal(lane).cast<double>().normalized();
           const bool from_behind = flat.normal(lane).cast<double>().dot(ray.direction) > 0;
-          hit = {distance, from_behind ? Vec3(-normal) : normal, instance_of(shading.surface[lane]),
-                 material_of(shading.surface[lane]), shading.reflectivity[lane]};
+          hit = {distance,
+                 from_behind ? Vec3(-normal) : normal,
+                 instance_of(shading.surface[lane]),
+                 material_of(shading.surface[lane]),
+                 shading.reflectivity[lane],
+                 shading.texture[lane]};
         }
       }
     }

@@ -113,6 +113,15 @@ void EchoGrid::add_further(int beam, BinRange bins, SurfaceLabel surface, Surfac
   }
 }
 
+void EchoGrid::keep_spare_surfaces() {
+  constexpr std::size_t kLeast = 64;
+  for (std::vector<FurtherSurface>& surfaces : further_surfaces_) {
+    if (const std::size_t needed = surfaces.size() + surfaces.size() / 2 + kLeast; surfaces.capacity() < needed) {
+      surfaces.reserve(2 * needed);
+    }
+  }
+}
+
 void EchoGrid::take_cell(const EchoGrid& other, std::size_t from, int beam, int bin) {
   const std::size_t to = start(1, beam) + bin;
   for (int order = 1; order <= order_count_; ++order) {

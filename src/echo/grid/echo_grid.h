@@ -102,6 +102,10 @@ class EchoGrid {
   /// The same for several cells of a beam: adds `sums` wherever their weight is positive, and sets them to zero there.
   void add_further(int beam, BinRange bins, SurfaceLabel surface, SurfaceSums& sums);
 
+  /// Makes room for half as many further surfaces again in each beam as it has now, so that a ping like this one, with
+  /// other random numbers, allocates nothing.
+  void keep_spare_surfaces();
+
   /// Calls visit(const SurfaceEcho&) for every surface that echoed in a cell, the strongest first.
   template <typename Visit>
   void for_each_surface(int beam, int bin, Visit&& visit) const;

@@ -16,6 +16,7 @@ struct Hit {
   std::uint16_t instance = kNoLabel;  ///< Index into Scene::instances, kNoLabel for a miss.
   std::uint16_t material = kNoLabel;  ///< Index into Scene::materials.
   float reflectivity = 0;             ///< That of the material, times ReliefPoint::reflectivity.
+  float texture = 1;                  ///< ReliefPoint::reflectivity.
 };
 
 }  // namespace insonify

@@ -27,6 +27,17 @@ struct FacetSlopes {
   }
 };
 
+/// Least cosine of incidence at which facets are weighted.
+inline constexpr float kLeastFacing = 1e-3F;
+
+/// Share of the facets that others do not mask: Smith's masking function for Beckmann's distribution, in the
+/// approximation of Walter et al., "Microfacet models for refraction through rough surfaces", EGSR 2007, eq. 27.
+/// @param held  Cosine of incidence on the mirror, at least kLeastFacing.
+[[gnu::always_inline]] inline float facet_masking(float held, float slope) {
+  const float wide = held / (1.41421356F * slope * std::sqrt(std::max(1 - held * held, 1e-6F)));
+  return wide < 1.6F ? wide * (3.535F + 2.181F * wide) / (1 + wide * (2.276F + 2.577F * wide)) : 1.0F;
+}
+
 /// A facet of a rough mirror.
 struct MirrorFacet {
   Triple normal;  ///< Unit normal, on the side of the incident sound.
@@ -34,9 +45,8 @@ struct MirrorFacet {
 };
 
 /// Slopes are Gaussian. The weight of a facet of normal m is its area projected towards the incident sound i, (i.m) /
-/// ((i.n)(m.n)), times the share that other facets do not mask: Smith's masking function for Beckmann's distribution,
-/// in the approximation of Walter et al., "Microfacet models for refraction through rough surfaces", EGSR 2007, eq. 27.
-/// Facets that reflect the sound into the mirror, of which there are many at grazing incidence, have weight 0.
+/// ((i.n)(m.n)), times facet_masking(). Facets that reflect the sound into the mirror, of which there are many at
+/// grazing incidence, have weight 0.
 /// @param direction  Direction of the incident sound, unit length.
 /// @param normal     Unit normal n of the mirror with its relief, on either side.
 /// @param gradient   ReliefPoint::gradient; 0 without relief.
@@ -61,9 +71,8 @@ struct MirrorFacet {
   const Triple flat = rest * normal + gradient;
   const bool out_of_relief = reflected.dot(flat) * direction.dot(flat) < 0;
 
-  const float held = std::max(-direction.dot(n), 1e-3F);
-  const float wide = held / (1.41421356F * slope * std::sqrt(std::max(1 - held * held, 1e-6F)));
-  const float seen = wide < 1.6F ? wide * (3.535F + 2.181F * wide) / (1 + wide * (2.276F + 2.577F * wide)) : 1.0F;
+  const float held = std::max(-direction.dot(n), kLeastFacing);
+  const float seen = facet_masking(held, slope);
   const bool visible = (met > 0) & (reflected.dot(n) > 0) & out_of_relief;
   return {{visible ? m.x : n.x, visible ? m.y : n.y, visible ? m.z : n.z},
           visible ? met / (held * upright) * seen : 0.0F};

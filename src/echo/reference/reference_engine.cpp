@@ -36,7 +36,8 @@ void ReferenceEngine::trace(std::span<const Ray> rays, std::span<Hit> hits) {
     hits[i] = {.distance = hit.distance};
     if (hit.met()) {
       const bool from_behind = hit.normal.dot(rays[i].direction) > 0;
-      hits[i] = {hit.distance, from_behind ? Vec3(-hit.bent) : hit.bent, hit.instance, hit.material, hit.reflectivity};
+      hits[i] = {hit.distance, from_behind ? Vec3(-hit.bent) : hit.bent, hit.instance, hit.material, hit.reflectivity,
+                 hit.texture};
     }
   });
 }

@@ -1,0 +1,200 @@
+// random_walks.cpp -- walks all walks of a ping together, bounce by bounce, so that engines get many rays at once.
+
+#include "echo/walks/random_walks.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/philox.h"
+#include "echo/model/deposit.h"
+#include "echo/model/ray_limits.h"
+
+namespace insonify {
+namespace {
+
+// Share of energy from which on Russian roulette ends walks: the rest of them carry as much as they have then.
+constexpr float kLeastShare = 1e-5F;
+
+// Half of the range interval that an echo is spread over, relative to its range: the widest of a secondary echo.
+constexpr float kHalfSpread = 0.5F * kWidestFootprint;
+
+// Cosine between the normals of two hits on one surface that count as the same mirror.
+constexpr float kSameMirror = 0.9F;
+
+// Four uniform numbers of one bounce of a walk; those of the launch are of bounce 0.
+struct Draws {
+  float a, b, c, d;
+
+  Draws(std::uint64_t seed, std::uint64_t number, std::uint32_t walk, int bounce) {
+    const PhiloxCounter counter = {
+        walk, static_cast<std::uint32_t>(number), static_cast<std::uint32_t>(number >> 32),
+        (static_cast<std::uint32_t>(bounce) << 8) + static_cast<std::uint32_t>(RandomPurpose::kWalks)};
+    const PhiloxCounter words = philox(counter, philox_key(seed));
+    a = uniform_open(words[0]);
+    b = uniform_open(words[1]);
+    c = uniform_open(words[2]);
+    d = uniform_open(words[3]);
+  }
+};
+
+// Direction of a sample of the lattice in the sonar frame.
+Vec3 lattice_direction(const Lattice& lattice, int column, int row) {
+  const double cos_a = lattice.cos_azimuth[column], sin_a = lattice.sin_azimuth[column];
+  const double cos_t = lattice.cosines(column)[row], sin_t = lattice.sines(column)[row];
+  const bool cone = lattice.shape == BeamShape::kCone;
+  return Vec3(cos_a * cos_t, cone ? sin_a : sin_a * cos_t, cone ? cos_a * sin_t : sin_t).normalized();
+}
+
+SurfaceLabel label_of(const Hit& hit) {
+  return surface_label(hit.instance, hit.material);
+}
+
+}  // namespace
+
+RandomWalks::RandomWalks(const Settings& settings)
+    : settings_(settings), walks_(settings.count), rays_(2 * walks_.size()), hits_(rays_.size()) {
+  legs_.reserve(walks_.size());
+  echoes_.reserve(walks_.size());
+}
+
+// Launches the walks evenly over the columns, in rows drawn at random. Each sample of the lattice stands for its share
+// of the sound transmitted, pattern included.
+void RandomWalks::launch(const PingPlan& plan, const Pose& world_from_sonar) {
+  const Lattice& lattice = plan.lattice;
+  const int columns = settings_.beam_count * lattice.columns_per_beam;
+  const int first_column = settings_.first_beam * lattice.columns_per_beam;
+  const auto count = static_cast<double>(settings_.count);
+  const double samples_per_walk = static_cast<double>(columns) * lattice.rows / count;
+  for (std::uint32_t i = 0; i < walks_.size(); ++i) {
+    const Draws draws(settings_.seed, number_, i, 0);
+    const double across = (i + double{draws.a}) / count;
+    const int column = first_column + std::min(static_cast<int>(across * columns), columns - 1);
+    const int row = std::min(static_cast<int>(double{draws.b} * lattice.rows), lattice.rows - 1);
+    const Vec3 direction = world_from_sonar.orientation * lattice_direction(lattice, column, row);
+    walks_[i] = {.point = world_from_sonar.position,
+                 .direction = direction.cast<float>(),
+                 .weight = static_cast<float>(double{lattice.shares(column)[row]} *
+                                              double{lattice.column_measure[column]} * samples_per_walk),
+                 .index = i};
+    rays_[i] = {world_from_sonar.position, direction, 0, double{plan.reach()}};
+  }
+  walking_ = walks_.size();
+}
+
+// Energy per steradian that goes straight back to the sonar, without what other echoes hold: see the class.
+float RandomWalks::per_steradian(const SurfaceLaw& law, const Hit& hit, const Vec3f& in, const Vec3f& out, int order,
+                                 const Walk& walk) const {
+  const Vec3f normal = hit.normal.cast<float>();
+  if (order == 2) {
+    return walk.first_mirrored ? 0.0F : law.diffuse_into(normal, out);
+  }
+  const bool by_one_mirror = order == 3 && walk.first_mirrored && walk.first_surface == label_of(hit) &&
+                             walk.first_normal.dot(normal) > kSameMirror;
+  return law.diffuse_into(normal, out) + (by_one_mirror ? 0.0F : law.mirrored_into(normal, in, out));
+}
+
+// Prepares the leg from the end of a walk back to the sonar, and the echo that it brings.
+void RandomWalks::connect(const PingPlan& plan, const Pose& world_from_sonar, const Hit& hit, const Vec3f& in,
+                          int order, const Walk& walk) {
+  const Vec3 back = world_from_sonar.position - walk.point;
+  const double distance = back.norm();
+  const double length = double{walk.length} + distance;
+  if (order < 2 || !(0.5 * length < double{plan.reach()}) || !(distance > 2 * double{kRayClearance})) {
+    return;
+  }
+  const Vec3 out = back / distance;
+  const Vec3f towards = (world_from_sonar.orientation.inverse() * -out).cast<float>();
+  if (!plan.receives(towards)) {
+    return;
+  }
+  const SurfaceLaw law = SurfaceLaw::of(plan.scatter.scattering(label_of(hit)), hit.texture);
+  const float sent_back = walk.share * per_steradian(law, hit, in, out.cast<float>(), order, walk);
+  if (!(sent_back > 0)) {
+    return;
+  }
+  const PingPlan::Arrival arrival = plan.arrival_from(towards);
+  const double lost = std::exp(-2 * double{plan.neper_per_metre} * length) / (distance * distance);
+  legs_.push_back({walk.point, out, double{kRayClearance}, distance - double{kRayClearance}});
+  echoes_.push_back({.azimuth = arrival.bearing,
+                     .elevation = arrival.elevation,
+                     .path_length = static_cast<float>(length),
+                     .half_length = kHalfSpread * static_cast<float>(0.5 * length),
+                     .power = static_cast<float>(double{sent_back * arrival.pattern} * lost),
+                     .weight = walk.weight,
+                     .order = std::min(order, kPathOrders),
+                     .surface = label_of(hit)});
+}
+
+// Draws the direction in which a walk goes on; false where it ends.
+bool RandomWalks::bounce(const PingPlan& plan, const Hit& hit, int order, Walk& walk) {
+  const Draws draws(settings_.seed, number_, walk.index, order);
+  const SurfaceLaw law = SurfaceLaw::of(plan.scatter.scattering(label_of(hit)), hit.texture);
+  const Vec3f normal = hit.normal.cast<float>();
+  const SurfaceLaw::Next next = law.draw(normal, walk.direction, draws.a, draws.b, draws.c);
+  if (order == 1) {
+    walk.first_mirrored = next.mirrored;
+    walk.first_surface = label_of(hit);
+    walk.first_normal = normal;
+  }
+  walk.share *= next.share;
+  walk.direction = next.direction;
+  if (walk.share < kLeastShare) {  // Russian roulette.
+    if (!(draws.d * kLeastShare < walk.share)) {
+      return false;
+    }
+    walk.share = kLeastShare;
+  }
+  return true;
+}
+
+// Takes the walks to the surfaces that their rays have hit and on from there. Those that leave the scene, or could not
+// come back in time, end.
+void RandomWalks::bounce_all(const PingPlan& plan, const Pose& world_from_sonar, int order) {
+  legs_.clear();
+  echoes_.clear();
+  std::size_t going_on = 0;
+  for (std::size_t i = 0; i < walking_; ++i) {
+    const Hit& hit = hits_[i];
+    if (!std::isfinite(hit.distance)) {
+      continue;
+    }
+    Walk walk = walks_[i];
+    walk.point += hit.distance * rays_[i].direction;
+    walk.length += static_cast<float>(hit.distance);
+    connect(plan, world_from_sonar, hit, walk.direction, order, walk);
+    const double home = (world_from_sonar.position - walk.point).norm();
+    const double left = 2 * double{plan.reach()} - double{walk.length} - home;
+    if (left > 0 && bounce(plan, hit, order, walk)) {
+      walks_[going_on] = walk;
+      rays_[going_on] = {walk.point, walk.direction.cast<double>().normalized(), double{kRayClearance}, home + left};
+      ++going_on;
+    }
+  }
+  walking_ = going_on;
+  std::ranges::copy(legs_, rays_.begin() + static_cast<std::ptrdiff_t>(walking_));
+}
+
+void RandomWalks::deposit_clear_legs(const PingPlan& plan, EchoGrid& grid) {
+  for (std::size_t i = 0; i < echoes_.size(); ++i) {
+    if (!std::isfinite(hits_[walking_ + i].distance)) {
+      deposit(plan, echoes_[i], grid);
+    }
+  }
+}
+
+void RandomWalks::add(const PingPlan& plan, const Pose& world_from_sonar, std::uint64_t number, Engine& engine,
+                      EchoGrid& grid) {
+  number_ = number;
+  legs_.clear();
+  echoes_.clear();
+  launch(plan, world_from_sonar);
+  for (int order = 1; walking_ + legs_.size() > 0; ++order) {
+    const std::size_t rays = walking_ + legs_.size();
+    engine.trace(std::span(rays_).first(rays), std::span(hits_).first(rays));
+    deposit_clear_legs(plan, grid);
+    bounce_all(plan, world_from_sonar, order);
+  }
+  grid.keep_spare_surfaces();
+}
+
+}  // namespace insonify

@@ -1,0 +1,95 @@
+// surface_law.cpp -- densities of scattered sound, and directions drawn from them.
+
+#include "echo/walks/surface_law.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "echo/model/mirror_facet.h"
+
+namespace insonify {
+namespace {
+
+constexpr float kPi = std::numbers::pi_v<float>;
+
+// Two unit vectors across the normal: Duff et al., "Building an orthonormal basis, revisited", JCGT 6 (2017).
+struct Tangents {
+  Vec3f along, across;
+
+  explicit Tangents(const Vec3f& n) {
+    const float sign = std::copysign(1.0F, n.z()), a = -1 / (sign + n.z()), b = n.x() * n.y() * a;
+    along = {1 + sign * n.x() * n.x() * a, sign * b, -sign * n.x()};
+    across = {b, sign + n.y() * n.y() * a, -n.y()};
+  }
+};
+
+// Density cos / pi about the normal: a point of the unit disc, lifted to the hemisphere (Malley's method).
+Vec3f lambert_direction(const Vec3f& n, float radius, float turn) {
+  const Tangents tangents(n);
+  const float sine = std::sqrt(radius), angle = 2 * kPi * turn;
+  return (sine * std::cos(angle) * tangents.along + sine * std::sin(angle) * tangents.across +
+          std::sqrt(1 - radius) * n)
+      .normalized();
+}
+
+// A direction and its image in the surface.
+Vec3f folded(const Vec3f& normal, const Vec3f& direction) {
+  return direction - 2 * direction.dot(normal) * normal;
+}
+
+// Density of the directions into which facets reflect, before those into the surface are folded back [1/sr].
+float facet_density(const SurfaceLaw& law, const Vec3f& normal, const Vec3f& in, const Vec3f& out) {
+  const Vec3f half = (out - in).normalized();
+  const float upright = half.dot(normal);
+  if (!(upright > 0) || !(half.dot(in) < 0)) {
+    return 0;
+  }
+  const float held = std::max(-in.dot(normal), kLeastFacing);
+  const float secant_square = 1 / (upright * upright), variance = law.slope * law.slope;
+  const float facets = secant_square * secant_square * std::exp((1 - secant_square) / (2 * variance));
+  return law.mirrored / (8 * kPi * variance) * facets * facet_masking(held, law.slope) / held;
+}
+
+}  // namespace
+
+SurfaceLaw SurfaceLaw::of(const Scattering& scattering, float texture) {
+  const double intensity = double{texture} * double{texture};
+  const double diffuse = intensity * std::numbers::pi * scattering.lambert;
+  const double mirrored = intensity * scattering.reflection * scattering.reflection;
+  const double most = std::max(1.0, diffuse + mirrored);
+  return {.diffuse = static_cast<float>(diffuse / most),
+          .mirrored = static_cast<float>(mirrored / most),
+          .slope = static_cast<float>(std::max(scattering.rms_slope, kLeastWalkSlope))};
+}
+
+float SurfaceLaw::diffuse_into(const Vec3f& normal, const Vec3f& out) const {
+  return diffuse / kPi * std::max(normal.dot(out), 0.0F);
+}
+
+float SurfaceLaw::mirrored_into(const Vec3f& normal, const Vec3f& in, const Vec3f& out) const {
+  if (mirrored == 0 || !(normal.dot(out) > 0)) {
+    return 0;
+  }
+  return facet_density(*this, normal, in, out) + facet_density(*this, normal, in, folded(normal, out));
+}
+
+SurfaceLaw::Next SurfaceLaw::draw(const Vec3f& normal, const Vec3f& in, float choice, float radius, float turn) const {
+  const float both = diffuse + mirrored;
+  if (choice * both < diffuse) {
+    return {.direction = lambert_direction(normal, radius, turn), .share = both};
+  }
+  // Slopes of a facet (Box and Muller), and its weight: see mirror_facet().
+  const Tangents tangents(normal);
+  const float reach = slope * std::sqrt(-2 * std::log(radius)), angle = 2 * kPi * turn;
+  const Vec3f tilted = normal + reach * std::cos(angle) * tangents.along + reach * std::sin(angle) * tangents.across;
+  const float upright = 1 / tilted.norm();
+  const Vec3f facet = upright * tilted;
+  const float met = -in.dot(facet), held = std::max(-in.dot(normal), kLeastFacing);
+  const Vec3f out = (in + 2 * met * facet).normalized();
+  return {.direction = out.dot(normal) > 0 ? out : folded(normal, out),
+          .share = met > 0 ? both * met / (held * upright) * facet_masking(held, slope) : 0.0F,
+          .mirrored = true};
+}
+
+}  // namespace insonify

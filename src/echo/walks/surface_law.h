@@ -1,0 +1,50 @@
+// surface_law.h -- what a surface does with the sound that a random walk brings to it.
+
+#pragma once
+
+#include "insonify/geometry.h"
+#include "insonify/material.h"
+
+namespace insonify {
+
+/// Least rms slope of the facets that reflect random walks. The lobe of a smoother mirror is so narrow that few
+/// connections to the sonar meet it, with very high levels: it is widened, at equal energy.
+inline constexpr double kLeastWalkSlope = 0.1;
+
+/// The laws of acoustics/backscatter.h as shares of the energy that falls on a surface, which may be smaller than 1
+/// together: the rest is absorbed. Normals are on the side that the sound comes from.
+///
+///     diffuse:   pi mu, into `out` with the density cos(out) / pi
+///     mirrored:  |R|^2, by facets of Gaussian slopes: into `out` with the density facet_scatter() facet_masking() /
+///                cos(in), as mirror_facet() draws them. What a facet reflects into the surface leaves it again: as if
+///                the surface without facets reflected it
+///
+/// A surface whose material would send out more than falls on it sends out exactly that: both shares are reduced by
+/// the same factor.
+struct SurfaceLaw {
+  float diffuse = 0;                                  ///< Share that is scattered diffusely, 0..1.
+  float mirrored = 0;                                 ///< Share that is reflected by facets, 0..1.
+  float slope = static_cast<float>(kLeastWalkSlope);  ///< Rms slope of the facets along each axis.
+
+  /// @param texture  Factor on the amplitude, ReliefPoint::reflectivity.
+  [[nodiscard]] static SurfaceLaw of(const Scattering& scattering, float texture);
+
+  /// Energy per steradian in a direction, relative to that which falls on the surface [1/sr].
+  /// @param in   Direction in which the incident sound travels; a unit vector, as all of these.
+  /// @param out  Direction in which it leaves.
+  [[nodiscard]] float diffuse_into(const Vec3f& normal, const Vec3f& out) const;
+  [[nodiscard]] float mirrored_into(const Vec3f& normal, const Vec3f& in, const Vec3f& out) const;
+
+  /// A direction drawn at random in which the sound goes on.
+  struct Next {
+    Vec3f direction;
+    float share = 0;  ///< Factor on the energy that the walk carries, so that its mean over all draws is right; 0: none
+                      ///< goes on.
+    bool mirrored = false;
+  };
+  /// Draws diffuse or mirrored sound in proportion to their shares, and its direction after the densities above.
+  /// @param choice, radius, turn  Uniform in (0, 1).
+  [[nodiscard]] Next draw(const Vec3f& normal, const Vec3f& in, float choice, float radius, float turn) const;
+};
+
+}  // namespace insonify

@@ -1,0 +1,142 @@
+// surface_law_test.cpp -- energy and densities of the sound that surfaces send on to random walks.
+
+#include "echo/walks/surface_law.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "base/philox.h"
+
+namespace insonify {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+Vec3f direction_of(double cosine, double azimuth) {
+  const double sine = std::sqrt(1 - cosine * cosine);
+  return Vec3(sine * std::cos(azimuth), sine * std::sin(azimuth), cosine).cast<float>();
+}
+
+// Integral of a density over the hemisphere, by the midpoint rule in cosine and azimuth.
+template <typename Density>
+double integral(const Density& density, double first_cosine = 0, double last_cosine = 1) {
+  constexpr int kCosines = 600, kAzimuths = 600;
+  double sum = 0;
+  for (int i = 0; i < kCosines; ++i) {
+    const double cosine = first_cosine + (last_cosine - first_cosine) * (i + 0.5) / kCosines;
+    for (int j = 0; j < kAzimuths; ++j) {
+      sum += density(direction_of(cosine, 2 * kPi * (j + 0.5) / kAzimuths));
+    }
+  }
+  return sum * (last_cosine - first_cosine) / kCosines * 2 * kPi / kAzimuths;
+}
+
+// Sound that comes down at an angle of incidence.
+Vec3f coming_in(double cosine) {
+  return -direction_of(cosine, 0.3);
+}
+
+const Vec3f kUp = Vec3f::UnitZ();
+
+TEST(SurfaceLawTest, SharesAreThoseOfTheMaterial) {
+  const SurfaceLaw law = SurfaceLaw::of({.lambert = 0.05, .reflection = 0.6, .rms_slope = 0.25}, 1);
+  EXPECT_NEAR(law.diffuse, 0.157080, 1e-6);  // pi 0.05
+  EXPECT_NEAR(law.mirrored, 0.36, 1e-6);
+  EXPECT_NEAR(law.slope, 0.25, 1e-6);
+  const SurfaceLaw faint = SurfaceLaw::of({.lambert = 0.05, .reflection = 0.6, .rms_slope = 0.02}, 0.5F);
+  EXPECT_NEAR(faint.diffuse, 0.0392699, 1e-6);  // A texture of 1/2 is a quarter of the energy.
+  EXPECT_NEAR(faint.mirrored, 0.09, 1e-6);
+  EXPECT_NEAR(faint.slope, kLeastWalkSlope, 1e-6);
+}
+
+TEST(SurfaceLawTest, NoSurfaceSendsOutMoreThanFallsOnIt) {
+  const SurfaceLaw law = SurfaceLaw::of({.lambert = 0.25, .reflection = 0.9, .rms_slope = 0.2}, 1.2F);
+  EXPECT_NEAR(law.diffuse + law.mirrored, 1, 1e-6);
+  EXPECT_NEAR(law.diffuse / law.mirrored, kPi * 0.25 / 0.81, 1e-5);
+}
+
+TEST(SurfaceLawTest, DiffuseSoundHasItsEnergy) {
+  const SurfaceLaw law{.diffuse = 0.37F};
+  EXPECT_NEAR(integral([&](const Vec3f& out) { return law.diffuse_into(kUp, out); }), 0.37, 1e-4);
+  EXPECT_EQ(law.diffuse_into(kUp, -direction_of(0.4, 1)), 0);
+}
+
+// Sum over facets of the slopes p and q: each shows the sound the area (i.m) / ((i.n)(m.n)) = (i.z - p i.x - q i.y) /
+// i.z, less what others mask, and reflects |R|^2 of it. Smith's function as it
+// is, 2 / (1 + erf(a) + exp(-a^2) / (a sqrt(pi))), a = cot(incidence) / (sqrt(2) slope).
+double energy_of_facets(double reflectance, double slope, const Vec3f& in) {
+  const Vec3 i = -in.cast<double>();
+  const double a = i.z() / (std::sqrt(1 - i.z() * i.z()) * std::sqrt(2) * slope);
+  const double seen = 2 / (1 + std::erf(a) + std::exp(-a * a) / (a * std::sqrt(kPi)));
+  constexpr int kSteps = 1000;
+  double sum = 0;
+  for (int k = 0; k < kSteps; ++k) {
+    for (int l = 0; l < kSteps; ++l) {
+      const double p = (k + 0.5) / kSteps * 12 - 6, q = (l + 0.5) / kSteps * 12 - 6;  // [slope]
+      const Vec3 m = Vec3(-slope * p, -slope * q, 1).normalized();
+      sum += i.dot(m) > 0 ? std::exp(-0.5 * (p * p + q * q)) / (2 * kPi) * i.dot(m) / (i.z() * m.z()) : 0;
+    }
+  }
+  return reflectance * seen * sum * std::pow(12.0 / kSteps, 2);
+}
+
+// The approximation of Smith's function is within 0.4 %, the integral within 0.1 %.
+TEST(SurfaceLawTest, MirroredSoundHasTheEnergyThatFacetsReflect) {
+  for (const double slope : {0.1, 0.3}) {
+    const SurfaceLaw law{.mirrored = 0.8F, .slope = static_cast<float>(slope)};
+    for (const double cosine : {0.999, 0.8, 0.5, 0.2}) {
+      const Vec3f in = coming_in(cosine);
+      const double expected = energy_of_facets(0.8, slope, in);
+      EXPECT_NEAR(integral([&](const Vec3f& out) { return law.mirrored_into(kUp, in, out); }), expected, 0.005 * 0.8)
+          << slope << ", " << cosine;
+      EXPECT_NEAR(expected, 0.8, 0.001);
+    }
+  }
+}
+
+// s_b(in, out) / cos(in) of the calibrated model, at normal incidence, where nothing is masked: |R|^2/(8 pi s^2 cos^4
+// b) exp(-tan^2 b / (2 s^2)), b half the angle to the normal.
+TEST(SurfaceLawTest, MirroredSoundFollowsTheFacetLobe) {
+  const SurfaceLaw law{.mirrored = 0.5F, .slope = 0.2F};
+  const double b = 0.15;
+  const double expected =
+      0.5 / (8 * kPi * 0.04 * std::pow(std::cos(b), 4)) * std::exp(-std::pow(std::tan(b), 2) / (2 * 0.04));
+  EXPECT_NEAR(law.mirrored_into(kUp, -kUp, direction_of(std::cos(2 * b), 2)), expected, 1e-4 * expected);
+}
+
+// Energy drawn into four rings of directions, against the integrals of the densities. 200 000 draws; tolerance four
+// standard deviations of the sum, from the squares of the shares.
+TEST(SurfaceLawTest, DrawsFollowTheDensities) {
+  constexpr int kDraws = 200'000, kRings = 4;
+  const SurfaceLaw law{.diffuse = 0.3F, .mirrored = 0.45F, .slope = 0.3F};
+  for (const double cosine : {0.95, 0.6, 0.25}) {
+    const Vec3f in = coming_in(cosine);
+    std::array<double, kRings> sum{}, square{}, mirrored{};
+    for (std::uint32_t i = 0; i < kDraws; ++i) {
+      const PhiloxCounter words = philox({i, 1, 2, 3}, {4, 5});
+      const SurfaceLaw::Next next =
+          law.draw(kUp, in, uniform_open(words[0]), uniform_open(words[1]), uniform_open(words[2]));
+      if (next.share > 0) {
+        ASSERT_NEAR(next.direction.norm(), 1, 1e-5);
+        ASSERT_GT(next.direction.z(), 0);
+        const int ring = std::min(static_cast<int>(next.direction.z() * kRings), kRings - 1);
+        sum[ring] += next.share / kDraws;
+        square[ring] += std::pow(next.share / kDraws, 2);
+        mirrored[ring] += next.mirrored ? next.share / kDraws : 0;
+      }
+    }
+    for (int ring = 0; ring < kRings; ++ring) {
+      const double low = static_cast<double>(ring) / kRings, high = static_cast<double>(ring + 1) / kRings;
+      const double mirror = integral([&](const Vec3f& out) { return law.mirrored_into(kUp, in, out); }, low, high);
+      const double both = mirror + integral([&](const Vec3f& out) { return law.diffuse_into(kUp, out); }, low, high);
+      EXPECT_NEAR(sum[ring], both, 4 * std::sqrt(square[ring])) << cosine << ", ring " << ring;
+      EXPECT_NEAR(mirrored[ring], mirror, 4 * std::sqrt(square[ring])) << cosine << ", ring " << ring;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace insonify

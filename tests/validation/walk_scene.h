@@ -1,0 +1,80 @@
+// walk_scene.h -- grids of random walks alone, for the tests of reverberation.
+
+#pragma once
+
+#include "echo/engine.h"
+#include "echo/walks/random_walks.h"
+#include "validation/calibrated_scene.h"
+
+namespace insonify::validation {
+
+/// Walks of one sonar in one scene.
+struct WalkScene {
+  WalkScene(const char* engine_name, Scene the_scene, const PingPlanSettings& settings, const Vec3& position, int walks,
+            std::uint64_t seed = 5)
+      : scene(std::move(the_scene)),
+        engine(make_engine(engine_name, 2)),
+        plan(planned(settings)),
+        grid(settings.sonar.beam_count, settings.sonar.bin_count, kPathOrders),
+        world_from_sonar{.position = position},
+        random_walks({.count = walks, .first_beam = 0, .beam_count = settings.sonar.beam_count, .seed = seed}) {
+    engine->set_scene(scene);
+  }
+
+  /// The grid of the walks of one ping; nothing else is in it.
+  const EchoGrid& ping(std::uint64_t number) {
+    grid.clear();
+    random_walks.add(*plan, world_from_sonar, number, *engine, grid);
+    return grid;
+  }
+
+  [[nodiscard]] double energy(int order, double near = 0, double far = 1e9) const {
+    double sum = 0;
+    for (int beam = 0; beam < grid.beam_count(); ++beam) {
+      for (int bin = 0; bin < grid.bin_count(); ++bin) {
+        const double range = plan->sonar.bin_range(bin);
+        sum += range >= near && range < far ? grid.energy(order, beam)[bin] : 0;
+      }
+    }
+    return sum;
+  }
+
+  /// Number of bins whose middle is in an interval of range.
+  [[nodiscard]] double bins(double near, double far) const {
+    int count = 0;
+    for (int bin = 0; bin < grid.bin_count(); ++bin) {
+      const double range = plan->sonar.bin_range(bin);
+      count += range >= near && range < far ? 1 : 0;
+    }
+    return count;
+  }
+
+  [[nodiscard]] std::shared_ptr<const PingPlan> planned(PingPlanSettings settings) const {
+    settings.model = EchoModel::kCalibrated;
+    settings.materials = scene.materials;
+    return make_ping_plan(settings);
+  }
+
+  Scene scene;
+  std::unique_ptr<Engine> engine;
+  std::shared_ptr<const PingPlan> plan;
+  EchoGrid grid;
+  Pose world_from_sonar;
+  RandomWalks random_walks;
+};
+
+/// Mean and standard error of values.
+struct Mean {
+  double sum = 0, square = 0;
+  int count = 0;
+
+  void add(double value) {
+    sum += value;
+    square += value * value;
+    ++count;
+  }
+  [[nodiscard]] double value() const { return sum / count; }
+  [[nodiscard]] double error() const { return std::sqrt((square / count - value() * value()) / (count - 1)); }
+};
+
+}  // namespace insonify::validation
