@@ -122,5 +122,74 @@ TEST(SecondarySelectionTest, PreservesTheSumsOfEnergyAndWeight) {
   EXPECT_LT(std::abs(weight.deviations()), 3.3);
 }
 
+// The same in the calibrated model, with patterns, cones and rough mirrors: reciprocal echoes and those reflected
+// twice.
+TEST(SecondarySelectionTest, PreservesTheSumsOfCalibratedEnergy) {
+  Surplus once, twice;
+  double sent = 0, sent_by_all = 0;
+  for (int number = 0; number < 60; ++number) {
+    const RandomScene random(number);
+    const auto engine = make_engine("cpu", 2);
+    engine->set_scene(random.scene);
+    PingPlanSettings settings{.sonar = random.sonar,
+                              .model = EchoModel::kCalibrated,
+                              .materials = random.scene.materials,
+                              .beam_shape = number % 4 < 2 ? BeamShape::kWedge : BeamShape::kCone,
+                              .elevation_array = number % 2 == 0 ? std::optional<ArraySettings>()
+                                                                 : ArraySettings{.window = ArrayWindow::kHann},
+                              .secondary = SecondaryEchoes::kSelective,
+                              .rough_mirrors = number % 3 == 0};
+    settings.sonar.sampling = {4, 100};
+    for (int seed = 0; seed < 8; ++seed) {
+      settings.seed = 100ULL * number + seed;
+      const EchoGrid selective = echoes_of(*engine, settings, random.pose);
+      sent += static_cast<double>(engine->ray_counts().secondary);
+      settings.secondary = SecondaryEchoes::kAll;  // With the same facets, which the seed draws.
+      const EchoGrid every = echoes_of(*engine, settings, random.pose);
+      sent_by_all += static_cast<double>(engine->ray_counts().secondary);
+      settings.secondary = SecondaryEchoes::kSelective;
+      once.add(total(selective, 2), total(every, 2));
+      twice.add(total(selective, 3), total(every, 3));
+    }
+  }
+  EXPECT_LT(sent, 0.5 * sent_by_all);
+  EXPECT_LT(std::abs(once.deviations()), 3.3);  // Exceeded by chance once in a thousand.
+  EXPECT_LT(std::abs(twice.deviations()), 3.3);
+  EXPECT_LT(once.resolution(), 0.01);
+}
+
+// In the calibrated model the probability p of a hit is |R| / sqrt(2) where all samples have the same solid angle:
+// 0.212 and 0.424 for |R| of 0.3 and 0.6. Some half of the hits are on a wall above the sonar; their reflected rays go
+// into open water, and most, not all, are left out. By |facing| x reflectivity the share was 0.24 for both.
+TEST(SecondarySelectionTest, FollowsHitsByTheEnergyThatTheyReflect) {
+  SonarConfig sonar;
+  sonar.beam_count = 64;
+  sonar.elevation_aperture = 40 * kDegree;
+  sonar.azimuth_aperture = 60 * kDegree;
+  Scene scene = SceneMaker().add_floor(-3).add_wall(8).scene();
+  const auto engine = make_engine("cpu", 2);
+  std::vector<double> shares;
+  for (const double reflection : {0.3, 0.6}) {
+    for (Material& material : scene.materials) {
+      material.reflection = reflection;
+    }
+    engine->set_scene(scene);
+    PingPlanSettings settings{.sonar = sonar,
+                              .model = EchoModel::kCalibrated,
+                              .materials = scene.materials,
+                              .secondary = SecondaryEchoes::kAll};
+    const EchoGrid all = echoes_of(*engine, settings);
+    const auto rays_all = static_cast<double>(engine->ray_counts().secondary);
+    settings.secondary = SecondaryEchoes::kSelective;
+    const EchoGrid selective = echoes_of(*engine, settings);
+    const auto rays = static_cast<double>(engine->ray_counts().secondary);
+    shares.push_back(rays / rays_all);
+    EXPECT_GT(shares.back(), 0.4 * reflection / std::sqrt(2));
+    EXPECT_LT(shares.back(), reflection / std::sqrt(2));
+    EXPECT_NEAR(total(selective, 2) / total(all, 2), 1, 0.05) << reflection;
+  }
+  EXPECT_GT(shares[1], 1.25 * shares[0]);
+}
+
 }  // namespace
 }  // namespace insonify

@@ -10,9 +10,15 @@
 namespace insonify {
 namespace {
 
-// Probability of a hit: the square root of |facing| x reflectivity / kFullProbability, within limits. Fitted to scenes
-// in which half the rays of `all` give the same picture within its own sampling error (docs/concepts/paper-model.md).
+// Probability of a hit in the `paper` model: the square root of |facing| x reflectivity / kFullProbability, within
+// limits. Fitted to scenes in which half the rays of `all` give the same picture within its own sampling error
+// (docs/concepts/paper-model.md).
 constexpr float kFullProbability = 0.33F;
+
+// The same in the `calibrated` model, see share_out_energy(). Chosen by `insonify bench sampling` (bench/README.md).
+constexpr float kFullEnergy = 2;
+constexpr float kLeastReflectance = 1e-6F;  // A hit that reflects nothing has the least probability, too.
+
 constexpr float kLeastShare = 1.0F / 16, kMostShare = 0.498F;
 
 // From one column to the next the start of the sum advances by the golden section, so that neighbours differ most.
@@ -50,9 +56,46 @@ void select(int rows, const std::uint32_t* __restrict__ turned, float* __restric
   }
 }
 
+// Replaces reflectances by probabilities, see share_out_energy().
+INSONIFY_VECTOR_CLONES
+void share_out_reflectance(int rows, const float* __restrict__ sent, float scale, float* __restrict__ reflectance,
+                           std::uint32_t* __restrict__ turn) {
+  for (int row = 0; row < rows; ++row) {
+    const float energy = reflectance[row];
+    const float wish = std::sqrt(energy * sent[row] * scale);
+    const float limited = wish < kLeastShare ? kLeastShare : wish > kMostShare ? kMostShare : wish;
+    reflectance[row] = energy > 0 ? limited : 0.0F;
+    turn[row] = turn_of(reflectance[row]);
+  }
+}
+
+// `calibrated`: the probability is the square root of the energy that a hit reflects, |R|^2 times the solid angle of
+// its sample weighted by the pattern on transmission, re kFullEnergy times the greatest solid angle of the column.
+void share_out_energy(const PingPlan& plan, int column, int rows, const HitColumn& hits, float* share,
+                      std::uint32_t* turn) {
+  const float* const sent = plan.lattice.shares(column);
+  const float most = *std::max_element(sent, sent + plan.lattice.rows);
+  for (int row = 0; row < rows; ++row) {
+    const bool hit = hits.surface[row] != kNoSurface;
+    share[row] = hit ? std::max(plan.scatter.reflectance(hits.surface[row]), kLeastReflectance) : 0.0F;
+  }
+  if (hits.has_relief) {
+    for (int row = 0; row < rows; ++row) {
+      share[row] *= std::max(hits.texture[row] * hits.texture[row], kLeastReflectance);
+    }
+  }
+  const float scale = most > 0 ? 1 / (kFullEnergy * most) : 0;  // A cone beyond the sector has no solid angle.
+  share_out_reflectance(rows, sent, scale, share, turn);
+}
+
 // Systematic sampling, see select_hits().
-void select_some(int rows, std::uint32_t start, const HitColumn& hits, std::uint32_t* turned) {
-  share_out(rows, hits.range, hits.facing, hits.reflectivity, hits.selected, turned);
+void select_some(const PingPlan& plan, int column, int rows, const HitColumn& hits, std::uint32_t* turned) {
+  if (plan.model == EchoModel::kCalibrated) {
+    share_out_energy(plan, column, rows, hits, hits.selected, turned);
+  } else {
+    share_out(rows, hits.range, hits.facing, hits.reflectivity, hits.selected, turned);
+  }
+  const std::uint32_t start = static_cast<std::uint32_t>(column) * kGoldenTurn + plan.stagger;
   for (int first = 0; first < rows; first += kSelectionRows) {
     std::uint32_t sum = start;
     for (int row = first; row < std::min(first + kSelectionRows, rows); ++row) {
@@ -71,7 +114,7 @@ void select_hits(const PingPlan& plan, SecondarySampling sampling, int column, i
       hits.selected[row] = hits.surface[row] == kNoSurface ? 0.0F : 1.0F;
     }
   } else if (sampling == SecondarySampling::kSome) {
-    select_some(rows, static_cast<std::uint32_t>(column) * kGoldenTurn + plan.stagger, hits, turned);
+    select_some(plan, column, rows, hits, turned);
   }
   if (hits.has_relief && sampling != SecondarySampling::kNone) {
     for (int row = 0; row < rows; ++row) {
