@@ -8,6 +8,7 @@
 #include "base/canonical_name.h"
 #include "insonify/acoustics/reflection.h"
 #include "scene/material_library.h"
+#include "scene/sea_scattering.h"
 
 namespace insonify {
 
@@ -28,7 +29,12 @@ double Material::reflection_at(double frequency) const {
 }
 
 Scattering Material::scattering(double frequency) const {
-  return {.lambert = std::pow(10.0, lambert_db / 10), .reflection = reflection_at(frequency), .rms_slope = rms_slope};
+  Scattering scattering{
+      .lambert = std::pow(10.0, lambert_db / 10), .reflection = reflection_at(frequency), .rms_slope = rms_slope};
+  if (sea_wind) {
+    scattering.by_angle = sea_scattering(*sea_wind, frequency, scattering.reflection, rms_slope);
+  }
+  return scattering;
 }
 
 const Material* find_material(std::string_view name) {
