@@ -88,7 +88,8 @@ struct Material {
   [[nodiscard]] double effective_reflectivity() const;
 
   /// |R| in sea water at normal incidence, for the `calibrated` model: `reflection` if given; plate_reflection() where
-  /// there is a `thickness`; else |reflection_coefficient|.
+  /// there is a `thickness`; else |reflection_coefficient|. Where it is not given, at most sqrt(1 - pi mu): what is
+  /// scattered diffusely is not reflected.
   /// @param frequency  [Hz], > 0.
   [[nodiscard]] double reflection_at(double frequency) const;
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "base/canonical_name.h"
 #include "insonify/acoustics/reflection.h"
@@ -11,6 +12,10 @@
 #include "scene/sea_scattering.h"
 
 namespace insonify {
+
+double reflectance_left(double lambert_db) {
+  return std::max(0.0, 1 - std::numbers::pi * std::pow(10.0, lambert_db / 10));
+}
 
 double Material::reflection_coefficient(double water_impedance) const {
   return insonify::reflection_coefficient(water_impedance, density * sound_speed);
@@ -24,8 +29,9 @@ double Material::reflection_at(double frequency) const {
   if (reflection) {
     return *reflection;
   }
-  return thickness ? plate_reflection(kSeaWaterImpedance, density, sound_speed, *thickness, frequency)
-                   : std::abs(reflection_coefficient(kSeaWaterImpedance));
+  const double whole = thickness ? plate_reflection(kSeaWaterImpedance, density, sound_speed, *thickness, frequency)
+                                 : std::abs(reflection_coefficient(kSeaWaterImpedance));
+  return std::min(whole, std::sqrt(reflectance_left(lambert_db)));
 }
 
 Scattering Material::scattering(double frequency) const {
