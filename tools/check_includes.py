@@ -94,6 +94,7 @@ PUBLIC = {
     "ping_request.h": "simulator",
     "scenario.h": "simulator",
     "scenario_requests.h": "simulator",
+    "scattering.h": "scene",
     "scene_view.h": "simulator",
     "simulator.h": "simulator",
     "describe.h": "io",

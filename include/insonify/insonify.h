@@ -41,6 +41,7 @@
 #include "insonify/recording_info.h"
 #include "insonify/relief.h"
 #include "insonify/rock.h"
+#include "insonify/scattering.h"
 #include "insonify/scenario.h"
 #include "insonify/scenario_requests.h"
 #include "insonify/scene.h"

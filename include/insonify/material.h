@@ -10,6 +10,7 @@
 
 #include "insonify/field.h"
 #include "insonify/relief.h"
+#include "insonify/scattering.h"
 
 namespace insonify {
 
@@ -17,14 +18,6 @@ namespace insonify {
 /// them must be in wrong units.
 inline constexpr double kGreatestDensity = 30000;
 inline constexpr double kGreatestSoundSpeed = 20000;
-
-/// How a surface scatters and reflects sound in the `calibrated` model; the formulas are those of
-/// acoustics/backscatter.h.
-struct Scattering {
-  double lambert = 0;     ///< Lambert parameter mu [1/sr]: the diffuse cross section is mu cos^2(incidence).
-  double reflection = 0;  ///< |R| at normal incidence, of the facet lobe and of reflected rays.
-  double rms_slope = 0;   ///< Root mean square slope of the facets that make the lobe, along each axis.
-};
 
 /// 10 log10(1/pi): a Lambert surface that scatters back into the water all the energy that falls on it.
 inline constexpr double kGreatestLambertDb = -4.971498726941338;
@@ -83,8 +76,9 @@ struct Material {
   std::optional<double> clutter_shape = {};      ///< Shape nu of K-distributed clutter, 0.1..1000: smaller is patchier;
                                                  ///< absent: none.
   std::optional<double> scatterer_density = {};  ///< Equal scatterers per area [1/m^2], in (0, 1e9]; absent: unlimited.
-  std::string source = {};                       ///< Where the numbers come from.
-  std::shared_ptr<const Relief> relief = {};     ///< Relief of all surfaces of this material; null: the mesh's, if any.
+  std::optional<double> sea_wind = {};        ///< Wind speed over it [m/s], in (0, 30], where this is the sea surface.
+  std::string source = {};                    ///< Where the numbers come from.
+  std::shared_ptr<const Relief> relief = {};  ///< Relief of all surfaces of this material; null: the mesh's, if any.
 
   /// Pressure reflection coefficient at normal incidence against water of the given impedance [kg/(m^2 s)], -1..1:
   /// (Z2 - Z1)/(Z2 + Z1).
@@ -94,11 +88,13 @@ struct Material {
   [[nodiscard]] double effective_reflectivity() const;
 
   /// |R| in sea water at normal incidence, for the `calibrated` model: `reflection` if given; plate_reflection() where
-  /// there is a `thickness`; else |reflection_coefficient|.
+  /// there is a `thickness`; else |reflection_coefficient|. Where it is not given, at most sqrt(1 - pi mu): what is
+  /// scattered diffusely is not reflected.
   /// @param frequency  [Hz], > 0.
   [[nodiscard]] double reflection_at(double frequency) const;
 
-  /// The scattering parameters of the `calibrated` model at a frequency [Hz].
+  /// The scattering parameters of the `calibrated` model at a frequency [Hz]. With a `sea_wind`, echo and reflection
+  /// are those of acoustics/surface_scattering.h at every angle.
   [[nodiscard]] Scattering scattering(double frequency) const;
 
   template <typename Self, typename Visit>

@@ -248,6 +248,10 @@ void add_surfaces(py::module_& m) {
       "IV.C: accurate to 3 dB on sand and silt that were measured, to 10 dB on rock.");
   add_formula(m, "sea_surface_backscatter", &sea_surface_backscatter, arg("grazing"), arg("frequency"),
               arg("wind_speed"), "Of the rough sea surface from below, per unit area. APL-UW TR 9407 (1994), II.B.");
+  add_formula(
+      m, "sea_surface_diffuse_backscatter", &sea_surface_diffuse_backscatter, arg("grazing"), arg("frequency"),
+      arg("wind_speed"),
+      "The part of sea_surface_backscatter() that is not the lobe of facets: small-scale roughness and bubbles.");
   add_formula(m, "surface_bubble_loss_db", &surface_bubble_loss_db, arg("grazing"), arg("frequency"), arg("wind_speed"),
               "Loss in the bubble layer, to the surface and back [dB].");
   add_formula(m, "sea_surface_reflection", &sea_surface_reflection, arg("grazing"), arg("frequency"), arg("wind_speed"),

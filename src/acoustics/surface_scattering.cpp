@@ -69,11 +69,14 @@ double facet_edge(double s2) {
 }
 
 // The rough surface without bubbles: facets near vertical incidence, ripples at lower grazing angles, blended.
-double interface_backscatter(double q, double u) {
+struct Interface {
+  double facets, ripples;
+};
+Interface interface_backscatter(double q, double u) {
   const double s2 = square_slope(u);
   const double facets = facet_backscatter(1, std::sqrt(s2 / 2), kPi / 2 - q);
   const double share = 1 / (1 + std::exp(0.524 * degrees_from_radians(facet_edge(s2) - q)));
-  return share * facets + (1 - share) * ripple_backscatter(q, u);
+  return {share * facets, (1 - share) * ripple_backscatter(q, u)};
 }
 
 }  // namespace
@@ -81,7 +84,16 @@ double interface_backscatter(double q, double u) {
 double sea_surface_backscatter(double grazing, double frequency, double wind_speed) {
   check("sea_surface_backscatter", grazing, frequency, wind_speed);
   const double f = clamped_kilohertz(frequency);
-  return interface_backscatter(grazing, wind_speed) * std::pow(10, -bubble_loss_db(grazing, f, wind_speed) / 10) +
+  const Interface interface = interface_backscatter(grazing, wind_speed);
+  return (interface.facets + interface.ripples) * std::pow(10, -bubble_loss_db(grazing, f, wind_speed) / 10) +
+         bubble_backscatter(grazing, f, wind_speed);
+}
+
+double sea_surface_diffuse_backscatter(double grazing, double frequency, double wind_speed) {
+  check("sea_surface_diffuse_backscatter", grazing, frequency, wind_speed);
+  const double f = clamped_kilohertz(frequency);
+  const double ripples = interface_backscatter(grazing, wind_speed).ripples;
+  return ripples * std::pow(10, -bubble_loss_db(grazing, f, wind_speed) / 10) +
          bubble_backscatter(grazing, f, wind_speed);
 }
 

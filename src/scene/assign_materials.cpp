@@ -4,6 +4,8 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <set>
 
 #include "base/canonical_name.h"
@@ -61,6 +63,19 @@ const Material* named_base(const std::string& key, const MaterialOverride& chang
   throw unknown_material("materials." + key, "like", "", change.like, {});
 }
 
+// A surface cannot send back more than falls on it: pi mu + |R|^2 is at most 1. A hundredth more may be rounding.
+void check_energy(const std::string& key, const Material& material) {
+  const double returned =
+      std::numbers::pi * std::pow(10.0, material.lambert_db / 10) + std::pow(material.reflection.value_or(0), 2);
+  if (material.reflection && returned > 1.01) {
+    throw Error(key, "reflection",
+                fmt::format(" = {:.6g} must be at most {:.3f}: with lambert_db = {:.6g} dB the surface would send back "
+                            "{:.2f} times the sound that falls on it",
+                            *material.reflection, std::sqrt(reflectance_left(material.lambert_db)), material.lambert_db,
+                            returned));
+  }
+}
+
 Material changed(Material base, const std::string& key, const MaterialOverride& change) {
   base.name = key;
   base.source = "scenario";
@@ -77,6 +92,7 @@ Material changed(Material base, const std::string& key, const MaterialOverride& 
   });
   base.relief = change.relief;
   check_fields("materials." + key, base);
+  check_energy("materials." + key, base);
   return base;
 }
 

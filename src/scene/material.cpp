@@ -4,12 +4,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "base/canonical_name.h"
 #include "insonify/acoustics/reflection.h"
 #include "scene/material_library.h"
+#include "scene/sea_scattering.h"
 
 namespace insonify {
+
+double reflectance_left(double lambert_db) {
+  return std::max(0.0, 1 - std::numbers::pi * std::pow(10.0, lambert_db / 10));
+}
 
 double Material::reflection_coefficient(double water_impedance) const {
   return insonify::reflection_coefficient(water_impedance, density * sound_speed);
@@ -23,12 +29,18 @@ double Material::reflection_at(double frequency) const {
   if (reflection) {
     return *reflection;
   }
-  return thickness ? plate_reflection(kSeaWaterImpedance, density, sound_speed, *thickness, frequency)
-                   : std::abs(reflection_coefficient(kSeaWaterImpedance));
+  const double whole = thickness ? plate_reflection(kSeaWaterImpedance, density, sound_speed, *thickness, frequency)
+                                 : std::abs(reflection_coefficient(kSeaWaterImpedance));
+  return std::min(whole, std::sqrt(reflectance_left(lambert_db)));
 }
 
 Scattering Material::scattering(double frequency) const {
-  return {.lambert = std::pow(10.0, lambert_db / 10), .reflection = reflection_at(frequency), .rms_slope = rms_slope};
+  Scattering scattering{
+      .lambert = std::pow(10.0, lambert_db / 10), .reflection = reflection_at(frequency), .rms_slope = rms_slope};
+  if (sea_wind) {
+    scattering.by_angle = sea_scattering(*sea_wind, frequency, scattering.reflection, rms_slope);
+  }
+  return scattering;
 }
 
 const Material* find_material(std::string_view name) {

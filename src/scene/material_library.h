@@ -8,6 +8,9 @@
 
 namespace insonify {
 
+/// Share of the incident energy that Lambert's law leaves for mirror and lobe: 1 - pi mu, at least 0.
+[[nodiscard]] double reflectance_left(double lambert_db);
+
 /// The library's name for another common name of a material ("aluminum"); `name` itself when it is none. Takes and
 /// gives canonical names (canonical_name.h).
 [[nodiscard]] const std::string& resolve_alias(const std::string& name);

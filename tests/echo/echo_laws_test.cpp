@@ -178,7 +178,7 @@ TEST(EchoLawsTest, VectorLoopHasTheMirrorIntensities) {
             const std::size_t lane = expected.size();
             const float side = lane % 2 == 0 ? 1.0F : -1.0F, other_side = lane % 5 == 0 ? -side : side;
             const float texture = 0.8F, spread = lane % 4 == 0 ? 0.003F : 1.7F;
-            paths.reflectance[lane] = table.reflectance(mirror) * texture * texture;
+            paths.reflectance[lane] = table.reflectance(mirror, 1) * texture * texture;
             paths.share[lane] = 0.9F;
             paths.steepness[lane] = table.steepness(mirror);
             paths.there[lane] = 12.5F;

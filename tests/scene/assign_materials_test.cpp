@@ -224,5 +224,19 @@ TEST(AssignMaterialsMessagesTest, NamesThePropertyOutOfItsLimits) {
             "materials.hull.reflectivity = 1.01 must be from 0 to 1");
 }
 
+// pi 10^-1 + 0.9^2 = 0.31416 + 0.81 = 1.12416; what is left for |R| is sqrt(1 - 0.31416) = 0.82816.
+TEST(AssignMaterialsMessagesTest, RefusesASurfaceThatGivesMoreThanItGets) {
+  const Scene scene = scene_with({instance("hull")});
+  EXPECT_EQ(
+      fault(scene, {.overrides = {{"hull", {.lambert_db = -10, .reflection = 0.9}}}}),
+      "materials.hull.reflection = 0.9 must be at most 0.828: with lambert_db = -10 dB the surface would send back "
+      "1.12 times the sound that falls on it");
+  Scene allowed = scene;
+  assign_materials(allowed, {.overrides = {{"hull", {.lambert_db = -10, .reflection = 0.83}}}});
+  EXPECT_EQ(allowed.materials[0].reflection, 0.83);
+  assign_materials(allowed, {.overrides = {{"hull", {.like = "steel", .lambert_db = -5}}}});
+  EXPECT_LT(allowed.materials[0].reflection_at(720e3), 0.1);
+}
+
 }  // namespace
 }  // namespace insonify

@@ -10,6 +10,7 @@
 #include <regex>
 #include <sstream>
 
+#include "insonify/acoustics/backscatter.h"
 #include "insonify/acoustics/reflection.h"
 #include "support/message_of.h"
 #include "support/relative.h"
@@ -177,11 +178,56 @@ TEST(MaterialReflectionTest, IsThatOfItsImpedanceUnlessItIsGiven) {
   EXPECT_EQ(sand.reflection_at(100e3), 0.3);
 }
 
+// pi mu of Lambert's law, plus |R|^2 of the mirror, which the lobe of facets has too: the hemisphere of directions out,
+// summed at an incidence of 0, 30 and 60 degrees, gets no more than falls on the surface.
+TEST(MaterialEnergyTest, NoneOfTheLibraryGivesMoreThanItGets) {
+  constexpr double kPi = 3.14159265358979323846, kStep = 0.5 * kPi / 180;
+  for (const Material& material : material_library()) {
+    for (const double frequency : {100e3, 720e3, 2.1e6}) {
+      const Scattering surface = material.scattering(frequency);
+      EXPECT_LE(kPi * surface.lambert + surface.reflection * surface.reflection, 1 + 1e-12) << material.name;
+    }
+    if (material.rms_slope < 0.1) {
+      continue;  // The lobe is too narrow for these steps; its share is |R|^2 (facet lobes conserve energy).
+    }
+    const Scattering surface = material.scattering(720e3);
+    for (const double incidence : {0.0, 30.0, 60.0}) {
+      const Vec3 in(std::sin(incidence * kPi / 180), 0, std::cos(incidence * kPi / 180));
+      double sum = 0;
+      for (double polar = 0.5 * kStep; polar < kPi / 2; polar += kStep) {
+        for (double azimuth = 0; azimuth < 2 * kPi; azimuth += 4 * kStep) {
+          const Vec3 out(std::sin(polar) * std::cos(azimuth), std::sin(polar) * std::sin(azimuth), std::cos(polar));
+          const double tilt = half_vector_tilt(Vec3::UnitZ(), in, out);
+          sum += (lambert_scatter(surface.lambert, incidence * kPi / 180, polar) +
+                  facet_scatter(surface.reflection, surface.rms_slope, tilt)) *
+                 std::sin(polar) * kStep * 4 * kStep;
+        }
+      }
+      // Facets see the sound under cos / cos(tilt), not cos: rough ones send out up to 1 + s^2 tan^2 too much.
+      const double facets = std::pow(surface.rms_slope * std::tan(incidence * kPi / 180), 2);
+      EXPECT_LE(sum / in.z(), 1.01 + facets) << material.name << ", " << incidence << " degrees";
+    }
+  }
+}
+
+// Rock scatters back nearly all, so that as a mirror it is left 1 - pi 10^-0.5 = 0.00654 = 0.0809^2, instead of the
+// 0.724^2 of its impedance; sand keeps its own.
+TEST(MaterialEnergyTest, WhatIsScatteredIsNotReflected) {
+  EXPECT_NEAR(find_material("rock")->reflection_at(720e3), 0.08088, 1e-5);
+  EXPECT_NEAR(find_material("sand")->reflection_at(720e3), 0.36977, 1e-4);
+  Material steel = *find_material("steel");
+  steel.lambert_db = -8;  // 1 - pi 10^-0.8 = 0.50209.
+  EXPECT_NEAR(steel.reflection_at(720e3), std::sqrt(0.50209), 1e-5);
+  steel.reflection = 0.9;
+  EXPECT_EQ(steel.reflection_at(720e3), 0.9);
+}
+
 // A sheet of steel a tenth of a wavelength of its own thick lets something through, one of half a wavelength all.
 TEST(MaterialReflectionTest, PlatesLetSoundThrough) {
   Material steel;
   steel.density = 7850;
   steel.sound_speed = 5900;
+  steel.lambert_db = -40;
   steel.thickness = 5900 / 700e3 / 10;
   EXPECT_NEAR(steel.reflection_at(700e3), plate_reflection(kSeaWaterImpedance, 7850, 5900, *steel.thickness, 700e3),
               1e-12);

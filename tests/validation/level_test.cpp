@@ -161,6 +161,30 @@ TEST_P(LevelTest, LargePlateIsAMirror) {
   EXPECT_NEAR(within(0.29522), 0.95, 0.005);
 }
 
+// A plate that is narrower than the lobe of its facets, on the sonar's axis at the distance d: the share of the
+// mirror's echo is the integral of the slopes' density, exp(-x^2 / (2 (d s)^2)) along both sides a: erf^2(a / (2
+// sqrt(2) d s)). By hand: -3.3155 dB for 1 m at 10 m with s = 0.05, -1.0857e-1 dB with s = 0.02; -8.3377 dB for 0.7 m
+// at 14 m, s = 0.05.
+TEST_P(LevelTest, PlateNarrowerThanItsLobeFallsBelowTheMirror) {
+  struct Plate {
+    double side, distance, slope, expected_db;
+  };
+  for (const auto& [side, distance, slope, expected] :
+       {Plate{1, 10, 0.05, -3.3155}, Plate{1, 10, 0.02, -0.1086}, Plate{0.7, 14, 0.05, -8.3377}}) {
+    SonarConfig sonar;
+    sonar.beam_count = 16;
+    sonar.azimuth_aperture = 8 * kDegree;
+    sonar.elevation_aperture = 8 * kDegree;
+    sonar.min_range = distance - 0.1;
+    sonar.max_range = distance + 0.1;
+    sonar.bin_count = 50;
+    sonar.sampling = {16, 800};
+    const Ping ping = ping_of(calibrated(sonar, GetParam()), plate_at(distance, side, glinting(0.9, slope)));
+    const double mirror = 20 * std::log10(0.9 / (2 * distance));
+    EXPECT_NEAR(total_db(ping) - mirror, expected, 0.15) << side << " m at " << distance << " m, slope " << slope;
+  }
+}
+
 // T19.
 TEST_P(LevelTest, MaterialsDifferByTheirReflectionCoefficients) {
   SonarConfig sonar = fine_sonar();

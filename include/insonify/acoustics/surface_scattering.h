@@ -16,6 +16,10 @@ namespace insonify {
 /// @param wind_speed  Wind speed U 10 m above the sea [m/s], 0..30.
 [[nodiscard]] double sea_surface_backscatter(double grazing, double frequency, double wind_speed);
 
+/// The part of it that is not the lobe of facets: small-scale roughness behind the bubbles, and the bubbles.
+/// Parameters as above.
+[[nodiscard]] double sea_surface_diffuse_backscatter(double grazing, double frequency, double wind_speed);
+
 /// Loss of intensity in the bubble layer on the way to the surface and back [dB]: TR 9407, II.B. With theta the grazing
 /// angle, 1.26e-3/sin(theta) U^1.57 (f/kHz)^0.85 for U >= 6 m/s; below, the value at 6 m/s times exp(1.2 (U - 6)).
 /// Limits as above; above 100 kHz the value for 100 kHz is used.

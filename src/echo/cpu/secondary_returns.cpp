@@ -93,10 +93,12 @@ void fill_paths(const RTCRay16& __restrict__ rays, const CpuScene::Shading& __re
     const float hx = ix + bx, hy = iy + by, hz = iz + bz;
     const float nx = met.normal_x[lane], ny = met.normal_y[lane], nz = met.normal_z[lane];
     const float length = 1 / std::sqrt(nx * nx + ny * ny + nz * nz + kTiny);
-    const float half_length = length / std::sqrt(hx * hx + hy * hy + hz * hz + kTiny);
+    const float half_scale = 1 / std::sqrt(hx * hx + hy * hy + hz * hz + kTiny);
+    const float half_length = length * half_scale;
     paths.in[lane] = (nx * ix + ny * iy + nz * iz) * length;
     paths.out[lane] = (nx * bx + ny * by + nz * bz) * length;
     paths.half[lane] = (nx * hx + ny * hy + nz * hz) * half_length;
+    paths.facet[lane] = (ix * hx + iy * hy + iz * hz) * half_scale;
     paths.reflectance[lane] = origins.reflectance[lane];
     paths.share[lane] = origins.share[lane];
     paths.steepness[lane] = origins.steepness[lane];

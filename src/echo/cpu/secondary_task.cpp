@@ -86,7 +86,7 @@ void SecondaryTask::cull_and_trace(const HitColumn& strip) {
     for (int lane = 0; lane < count; ++lane) {
       const float texture = strip.has_relief ? strip.texture[place_[lane]] : 1.0F;
       candidate_origins_.reflectance[lane] =
-          plan_->scatter.reflectance(strip.surface[place_[lane]]) * texture * texture;
+          plan_->scatter.reflectance(strip.surface[place_[lane]], strip.facing[place_[lane]]) * texture * texture;
       candidate_origins_.share[lane] = 1;
       candidate_origins_.steepness[lane] = plan_->scatter.steepness(strip.surface[place_[lane]]);
     }

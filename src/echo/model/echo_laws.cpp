@@ -20,6 +20,21 @@ double incidence_of(double cosine) {
   return std::acos(std::min(std::abs(cosine), 1.0));
 }
 
+// Backscattering cross section s_b: both laws, and what comes on top.
+double backscatter(const Scattering& surface, double cosine) {
+  const double incidence = incidence_of(cosine);
+  const double on_top = surface.by_angle ? surface.by_angle->backscatter.at(cosine) * cosine : 0;
+  return lambert_backscatter(surface.lambert, incidence) +
+         facet_backscatter(surface.reflection, surface.rms_slope, incidence) + on_top;
+}
+
+// Diffuse cross section between two directions.
+double diffuse_scatter(const Scattering& surface, double in, double out) {
+  const double on_top =
+      surface.by_angle ? surface.by_angle->diffuse.at(in) * surface.by_angle->diffuse.at(out) * in * out : 0;
+  return lambert_scatter(surface.lambert, incidence_of(in), incidence_of(out)) + on_top;
+}
+
 // Share of the second surface's lobe that counts in `once`: see mirror_intensities().
 double lobe_share(double mirror_slope, double second_slope) {
   if (mirror_slope == second_slope) {
@@ -40,7 +55,8 @@ double primary_intensity(const Scattering& surface, double cosine, double textur
     return 0;
   }
   const double incidence = incidence_of(cosine), cosine_square = square(std::cos(incidence));
-  const double diffuse = lambert_backscatter(surface.lambert, incidence) / std::abs(cosine);
+  const double on_top = surface.by_angle ? surface.by_angle->backscatter.at(std::abs(cosine)) : 0;
+  const double diffuse = lambert_backscatter(surface.lambert, incidence) / std::abs(cosine) + on_top;
   const double glint = facet_backscatter(surface.reflection, surface.rms_slope,
                                          incidence_of(std::sqrt(cosine_square + widening.spared))) *
                        std::sqrt(widening.share) /
@@ -54,21 +70,19 @@ MirrorIntensities mirror_intensities(const MirrorPath& path, double neper_per_me
   const double in = std::max(std::abs(path.in), double{kLeastCosine});
   const double half = std::max(std::abs(path.half), double{kLeastCosine});
   const double spread = std::max(path.spread, double{kLeastSpread});
-  const double reflectance = square(mirror.reflection * path.mirror_texture);
+  const double reflectance = mirror.reflectance(std::abs(path.incidence)) * square(path.mirror_texture);
   const double reflected = path.share * reflectance * square(path.second_texture);
-  const double arriving = incidence_of(in);
 
   MirrorIntensities intensities;
   if (path.in * path.out > 0) {
-    const double scattered = lambert_scatter(second.lambert, arriving, incidence_of(path.out)) +
+    const double reflection = std::sqrt(second.reflectance(path.facet));
+    const double scattered = diffuse_scatter(second, in, std::abs(path.out)) +
                              lobe_share(mirror.rms_slope, second.rms_slope) *
-                                 facet_scatter(second.reflection, second.rms_slope, incidence_of(half));
+                                 facet_scatter(reflection, second.rms_slope, incidence_of(half));
     intensities.once =
         reflected * scattered / (in * square(path.back)) * std::exp(-2 * neper_per_metre * (path.there + path.back));
   }
-  const double scattered_back =
-      lambert_backscatter(second.lambert, arriving) + facet_backscatter(second.reflection, second.rms_slope, arriving);
-  intensities.twice = reflected * reflectance * scattered_back / (in * square(path.there) * spread) *
+  intensities.twice = reflected * reflectance * backscatter(second, in) / (in * square(path.there) * spread) *
                       std::exp(-4 * neper_per_metre * path.there);
   return intensities;
 }

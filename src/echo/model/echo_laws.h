@@ -27,7 +27,8 @@ inline constexpr float kLeastSpread = 0.01F;
 [[nodiscard]] double paper_strength(double cosine, double reflectivity, double neper_per_metre, double length);
 
 /// Intensity of a primary echo in the `calibrated` model, relative to the source's at 1 m, per steradian of launched
-/// sound: s_b / cos x e^(-4 gamma r) / r^2. docs/concepts/calibrated-model.md, "An echo".
+/// sound: s_b / cos x e^(-4 gamma r) / r^2, where s_b includes AngularScattering::backscatter.
+/// docs/concepts/calibrated-model.md, "An echo".
 /// @param cosine   Of the angle of incidence, of either sign; 0 gives no echo.
 /// @param texture  Factor on the amplitude, ReliefPoint::reflectivity.
 /// @param range    r [m], > 0.
@@ -38,6 +39,7 @@ inline constexpr float kLeastSpread = 0.01F;
 /// A path from the sonar to a mirror, the first surface, and on to a second surface.
 struct MirrorPath {
   Scattering mirror, second;  ///< Scattering parameters of both surfaces.
+  double incidence = 1;       ///< Cosine of incidence on the mirror, of either sign.
   double mirror_texture = 1;  ///< ReliefPoint::reflectivity of the mirror.
   double second_texture = 1;  ///< The same of the second surface.
   double share = 1;           ///< MirrorFacet::share of the facet that reflects the sound; 1 for a smooth mirror.
@@ -47,6 +49,7 @@ struct MirrorPath {
   double in = 1;              ///< Cosine between the second surface's normal and the direction the sound comes from.
   double out = 1;             ///< Cosine between that normal and the direction to the sonar.
   double half = 1;            ///< Cosine between that normal and the half vector of both directions.
+  double facet = 1;           ///< Cosine between the half vector and either direction: incidence on the facets.
 };
 
 /// Intensities relative to the source's at 1 m, per steradian of launched sound.
@@ -62,7 +65,8 @@ struct MirrorIntensities {
 ///     once  = share |R|^2 s_b(in, out) / (in back^2)          e^(-2 gamma (there + back))
 ///     twice = share |R|^4 s_b(in, in)  / (in there^2 spread)  e^(-4 gamma there)
 ///
-/// The lobe of s_b(in, out) is that at the half vector. `in` is held at kLeastCosine and `spread` at kLeastSpread.
+/// R of the mirror is that at `incidence`. The lobe of s_b(in, out) is that at the half vector, with R at `facet`. `in`
+/// is held at kLeastCosine and `spread` at kLeastSpread.
 ///
 /// Where both surfaces have a lobe, the same reciprocal path is also found from the other end, with the second surface
 /// as the mirror. The lobe therefore counts in `once` only where the mirror is the smoother of the two surfaces, and

@@ -19,7 +19,7 @@ constexpr float kBend = 0.3F;
 constexpr float kLeastFacing = 0.1F;
 
 // Least cos t on a cone: towards the end of its arc the bearing no longer changes with the direction across it.
-constexpr float kLeastCosine = 0.2F;
+constexpr float kLeastConeCosine = 0.2F;
 
 // Added to divisors that may be zero.
 constexpr float kTiny = 1e-20F;
@@ -98,7 +98,7 @@ void measure_beside(Rows rows, Vec3f across, Vec3f beside, float tan_bearing, fl
   for (int row = 0; row < rows.count; ++row) {
     normal_beside[row] = x[row] * bx + y[row] * by + z[row] * bz;
     facing[row] += normal_beside[row];
-    const float cosine = rows.cos_t[row] > kLeastCosine ? rows.cos_t[row] : kLeastCosine;
+    const float cosine = rows.cos_t[row] > kLeastConeCosine ? rows.cos_t[row] : kLeastConeCosine;
     const float across_normal = x[row] * sx + y[row] * sy + z[row] * sz;
     const float sideways = std::abs(across_normal - tan_bearing / cosine * normal_along[row]);
     reach[row] = bins_per_metre * rows.half_width * range[row] * sideways / (std::abs(facing[row]) + kLeastFacing);

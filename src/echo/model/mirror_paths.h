@@ -11,7 +11,7 @@ inline constexpr int kPathLanes = 16;
 
 /// MirrorPath of sixteen paths, in single precision.
 struct alignas(64) MirrorPaths {
-  float reflectance[kPathLanes];  ///< |R|^2 of the mirror times the square of its texture.
+  float reflectance[kPathLanes];  ///< |R|^2 of the mirror at its angle, times the square of its texture.
   float share[kPathLanes];        ///< See MirrorPath, as for the others.
   float steepness[kPathLanes];    ///< 1 / (2 s^2) of the mirror.
   float there[kPathLanes];        ///< [m]
@@ -20,6 +20,7 @@ struct alignas(64) MirrorPaths {
   float in[kPathLanes];           ///< Cosines at the second surface.
   float out[kPathLanes];
   float half[kPathLanes];
+  float facet[kPathLanes];
   float texture[kPathLanes];         ///< Texture of the second surface.
   SurfaceLabel surface[kPathLanes];  ///< The second surface; kNoSurface where nothing was hit.
 };

@@ -13,25 +13,39 @@
 namespace insonify {
 namespace {
 
+// What an AngularScattering adds to both laws.
+template <bool by_angle>
+[[gnu::always_inline]] inline float on_top(const ScatterTable::Laws& laws, std::uint32_t material, float cosine) {
+  if constexpr (by_angle) {
+    return ScatterTable::at_angle(laws.by_angle + ScatterTable::kAngleStride * material, cosine,
+                                  ScatterTable::kBackscatter);
+  } else {
+    return 0;
+  }
+}
+
 // Where the cosine of incidence is below kLeastCosine, the lobe is computed at kLeastCosine: nothing is left of it
 // there.
-INSONIFY_VECTOR_CLONES
-void scatter(int rows, const ScatterTable::Laws laws, float neper_per_metre, const SurfaceLabel* __restrict__ surface,
-             const float* __restrict__ facing, const float* __restrict__ range, float* __restrict__ power) {
+template <bool by_angle>
+[[gnu::always_inline]] inline void scatter_rows(int rows, const ScatterTable::Laws& laws, float neper_per_metre,
+                                                const SurfaceLabel* __restrict__ surface,
+                                                const float* __restrict__ facing, const float* __restrict__ range,
+                                                float* __restrict__ power) {
   for (int row = 0; row < rows; ++row) {
     const std::uint32_t material = laws.index_of(surface[row]);
     const float cosine = std::abs(facing[row]);
     const float held = cosine < kLeastCosine ? kLeastCosine : cosine;
     const float glint = facet_lobe(laws.lobe[material], laws.steepness[material], held) / held;
     const float spread = fast_exp(-4 * neper_per_metre * range[row]) / (range[row] * range[row]);
-    const float echo = (laws.lambert[material] * cosine + glint) * spread;
-    power[row] = (range[row] > 0) & (cosine > 0) ? echo : 0.0F;
+    const float scattered = laws.lambert[material] * cosine + glint + on_top<by_angle>(laws, material, cosine);
+    power[row] = (range[row] > 0) & (cosine > 0) ? scattered * spread : 0.0F;
   }
 }
 
 // The same where the normal turns within the footprints.
-INSONIFY_VECTOR_CLONES
-void scatter_curved(int rows, const ScatterTable::Laws laws, float neper_per_metre, const HitColumn& hits) {
+template <bool by_angle>
+[[gnu::always_inline]] inline void scatter_curved_rows(int rows, const ScatterTable::Laws& laws, float neper_per_metre,
+                                                       const HitColumn& hits) {
   const SurfaceLabel* const surface = hits.surface;
   const float *const range = hits.range, *const facing = hits.facing;
   const float *const dx = hits.direction_x, *const dy = hits.direction_y, *const dz = hits.direction_z;
@@ -55,9 +69,39 @@ void scatter_curved(int rows, const ScatterTable::Laws laws, float neper_per_met
     const float held = cosine < kLeastCosine ? kLeastCosine : cosine;
     const float glint = widened_lobe(laws.lobe[material], laws.steepness[material], held, widening);
     const float spread = fast_exp(-4 * neper_per_metre * range[row]) / (range[row] * range[row]);
-    const float echo = (laws.lambert[material] * cosine + glint) * spread;
-    power[row] = (range[row] > 0) & (cosine > 0) ? echo : 0.0F;
+    const float scattered = laws.lambert[material] * cosine + glint + on_top<by_angle>(laws, material, cosine);
+    power[row] = (range[row] > 0) & (cosine > 0) ? scattered * spread : 0.0F;
   }
+}
+
+INSONIFY_VECTOR_CLONES
+void scatter(int rows, const ScatterTable::Laws laws, float neper_per_metre, const SurfaceLabel* __restrict__ surface,
+             const float* __restrict__ facing, const float* __restrict__ range, float* __restrict__ power) {
+  scatter_rows<false>(rows, laws, neper_per_metre, surface, facing, range, power);
+}
+
+INSONIFY_VECTOR_CLONES
+void scatter_by_angle(int rows, const ScatterTable::Laws laws, float neper_per_metre,
+                      const SurfaceLabel* __restrict__ surface, const float* __restrict__ facing,
+                      const float* __restrict__ range, float* __restrict__ power) {
+  scatter_rows<true>(rows, laws, neper_per_metre, surface, facing, range, power);
+}
+
+INSONIFY_VECTOR_CLONES
+void scatter_curved(int rows, const ScatterTable::Laws laws, float neper_per_metre, const HitColumn& hits) {
+  scatter_curved_rows<false>(rows, laws, neper_per_metre, hits);
+}
+
+INSONIFY_VECTOR_CLONES
+void scatter_curved_by_angle(int rows, const ScatterTable::Laws laws, float neper_per_metre, const HitColumn& hits) {
+  scatter_curved_rows<true>(rows, laws, neper_per_metre, hits);
+}
+
+void append(const AngleTable& table, std::vector<float>& values) {
+  for (const double value : table.values()) {
+    values.push_back(static_cast<float>(value));
+  }
+  values.push_back(values.back());
 }
 
 }  // namespace
@@ -72,17 +116,28 @@ ScatterTable::ScatterTable(std::span<const Material> materials, double frequency
     lambert_.push_back(static_cast<float>(scattering.lambert));
     lobe_.push_back(static_cast<float>(intensity / (8 * std::numbers::pi * variance)));
     steepness_.push_back(static_cast<float>(1 / (2 * variance)));
+    facets_.push_back(static_cast<float>(1 / (8 * std::numbers::pi * variance)));
   }
-  for (auto* values : {&lambert_, &lobe_, &steepness_}) {
+  for (auto* values : {&lambert_, &lobe_, &steepness_, &facets_}) {
     values->push_back(0);
+  }
+  if (std::ranges::any_of(scattering_, [](const Scattering& scattering) { return scattering.by_angle != nullptr; })) {
+    for (const Scattering& scattering : scattering_) {
+      const auto constant = AngleTable([&](double) { return scattering.reflection * scattering.reflection; });
+      append(scattering.by_angle ? scattering.by_angle->reflectance : constant, by_angle_);
+      append(scattering.by_angle ? scattering.by_angle->backscatter : AngleTable(), by_angle_);
+      append(scattering.by_angle ? scattering.by_angle->diffuse : AngleTable(), by_angle_);
+    }
+    by_angle_.resize(by_angle_.size() + kAngleStride, 0);
   }
 }
 
 void ScatterTable::fill_powers(int rows, float neper_per_metre, const HitColumn& hits) const {
   if (hits.curved) {
-    scatter_curved(rows, laws(), neper_per_metre, hits);
+    (by_angle_.empty() ? scatter_curved : scatter_curved_by_angle)(rows, laws(), neper_per_metre, hits);
   } else {
-    scatter(rows, laws(), neper_per_metre, hits.surface, hits.facing, hits.range, hits.power);
+    (by_angle_.empty() ? scatter : scatter_by_angle)(rows, laws(), neper_per_metre, hits.surface, hits.facing,
+                                                     hits.range, hits.power);
   }
   if (hits.has_relief) {
     for (int row = 0; row < rows; ++row) {

@@ -2,6 +2,8 @@
 
 #pragma once
 
+#include <cmath>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -18,8 +20,8 @@ struct HitColumn;
 ///
 ///     s_b(theta) = mu cos^2 theta + |R|^2 / (8 pi s^2 cos^4 theta) exp(-tan^2 theta / (2 s^2))
 ///
-/// that do not depend on the angle of incidence theta, per material and in single precision. The law itself is
-/// lambert_backscatter() and facet_backscatter().
+/// that do not depend on the angle of incidence theta, per material and in single precision, and where a material has
+/// them the tables of its AngularScattering. The law itself is lambert_backscatter() and facet_backscatter().
 class ScatterTable {
  public:
   /// @param frequency  [Hz]
@@ -33,7 +35,12 @@ class ScatterTable {
   [[nodiscard]] const Scattering& scattering(SurfaceLabel surface) const { return scattering_[material_of(surface)]; }
 
   /// |R|^2 of a surface: the share of the intensity that it reflects.
-  [[nodiscard]] float reflectance(SurfaceLabel surface) const { return reflectance_[material_of(surface)]; }
+  /// @param cosine  Of the angle of incidence, of either sign.
+  [[nodiscard]] float reflectance(SurfaceLabel surface, float cosine) const {
+    const std::uint16_t material = material_of(surface);
+    return by_angle_.empty() ? reflectance_[material]
+                             : at_angle(&by_angle_[kAngleStride * material], std::abs(cosine), kReflectance);
+  }
 
   /// 1 / (2 s^2) of a surface.
   [[nodiscard]] float steepness(SurfaceLabel surface) const { return steepness_[material_of(surface)]; }
@@ -44,6 +51,8 @@ class ScatterTable {
     const float* lambert;    ///< mu
     const float* lobe;       ///< |R|^2 / (8 pi s^2)
     const float* steepness;  ///< 1 / (2 s^2)
+    const float* facets;     ///< 1 / (8 pi s^2)
+    const float* by_angle;   ///< [material][kAngleStride]; null where no material has an AngularScattering.
 
     [[nodiscard, gnu::always_inline]] std::uint32_t index_of(SurfaceLabel surface) const {
       const std::uint32_t material = surface & 0xffffU;  // material_of()
@@ -51,7 +60,28 @@ class ScatterTable {
     }
   };
   [[nodiscard]] Laws laws() const {
-    return {static_cast<std::uint32_t>(reflectance_.size()), lambert_.data(), lobe_.data(), steepness_.data()};
+    return {static_cast<std::uint32_t>(reflectance_.size()),
+            lambert_.data(),
+            lobe_.data(),
+            steepness_.data(),
+            facets_.data(),
+            by_angle_.empty() ? nullptr : by_angle_.data()};
+  }
+
+  /// Places of the three tables of an AngularScattering in the numbers of one material.
+  static constexpr std::uint32_t kAngleNodes = AngleTable::kSteps + 2;  ///< The last is repeated.
+  static constexpr std::uint32_t kReflectance = 0, kBackscatter = kAngleNodes, kDiffuse = 2 * kAngleNodes;
+  static constexpr std::uint32_t kAngleStride = 3 * kAngleNodes;
+
+  /// AngleTable::at() in single precision, for vector loops.
+  /// @param material  First of the numbers of one material.
+  /// @param cosine    0..1.
+  [[nodiscard, gnu::always_inline]] static float at_angle(const float* material, float cosine, std::uint32_t table) {
+    const float rest = cosine < 1 ? 1 - cosine : 0.0F;
+    const float place = AngleTable::kSteps * std::sqrt(rest < 1 ? rest : 1.0F);
+    const auto node = static_cast<std::int32_t>(place);
+    const float* here = material + table + node;
+    return here[0] + (place - static_cast<float>(node)) * (here[1] - here[0]);
   }
 
  private:
@@ -60,6 +90,8 @@ class ScatterTable {
   std::vector<float> lambert_;
   std::vector<float> lobe_;
   std::vector<float> steepness_;
+  std::vector<float> facets_;
+  std::vector<float> by_angle_;  // [material][kAngleStride]; empty where no material has an AngularScattering.
 };
 
 /// facet_backscatter() in single precision, for vector loops: lobe / cos^4 x exp(-tan^2 x steepness).

@@ -77,7 +77,8 @@ void share_out_energy(const PingPlan& plan, int column, int rows, const HitColum
   const float most = *std::max_element(sent, sent + plan.lattice.rows);
   for (int row = 0; row < rows; ++row) {
     const bool hit = hits.surface[row] != kNoSurface;
-    share[row] = hit ? std::max(plan.scatter.reflectance(hits.surface[row]), kLeastReflectance) : 0.0F;
+    share[row] =
+        hit ? std::max(plan.scatter.reflectance(hits.surface[row], hits.facing[row]), kLeastReflectance) : 0.0F;
   }
   if (hits.has_relief) {
     for (int row = 0; row < rows; ++row) {

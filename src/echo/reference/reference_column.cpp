@@ -236,6 +236,7 @@ MirrorIntensities ReferenceColumn::intensities(const Reflection& path) const {
       std::abs(double{tube.constant} + across * (double{tube.linear} + across * double{tube.quadratic}));
   return mirror_intensities({.mirror = plan_.scatter.scattering(mirror.surface()),
                              .second = plan_.scatter.scattering(path.second.surface()),
+                             .incidence = mirror.bent.dot(rays_[path.row].direction),
                              .mirror_texture = mirror.texture,
                              .second_texture = path.second.texture,
                              .share = path.share,
@@ -244,7 +245,8 @@ MirrorIntensities ReferenceColumn::intensities(const Reflection& path) const {
                              .spread = tube_area / (there * there),
                              .in = path.second.bent.dot(in),
                              .out = path.second.bent.dot(out),
-                             .half = path.second.bent.dot((in + out).normalized())},
+                             .half = path.second.bent.dot((in + out).normalized()),
+                             .facet = in.dot((in + out).normalized())},
                             plan_.neper_per_metre);
 }
 

@@ -66,12 +66,12 @@ void SurfaceGhosts::add(const PingPlan& plan, const Pose& world_from_sonar, std:
   trace(world_from_sonar.position, engine);
   for (std::size_t i = 0; i < points_.size(); ++i) {
     if (points_[i].position.z() < surface_.level) {
-      add_point(plan, world_from_sonar.inverse(), i, number, grid);
+      add_point(plan, world_from_sonar, i, number, grid);
     }
   }
 }
 
-void SurfaceGhosts::add_point(const PingPlan& plan, const Pose& sonar_from_world, std::size_t point,
+void SurfaceGhosts::add_point(const PingPlan& plan, const Pose& world_from_sonar, std::size_t point,
                               std::uint64_t number, EchoGrid& grid) const {
   const auto clear = [&](std::size_t ray) { return !std::isfinite(hits_[kRaysPerPoint * point + ray].distance); };
   if (!clear(1) || !clear(2)) {
@@ -79,6 +79,7 @@ void SurfaceGhosts::add_point(const PingPlan& plan, const Pose& sonar_from_world
   }
   const Vec3& place = points_[point].position;
   const Vec3 image(place.x(), place.y(), 2 * surface_.level - place.z());
+  const Pose sonar_from_world = world_from_sonar.inverse();
   const Vec3 straight = sonar_from_world * place, mirrored = sonar_from_world * image;
   const std::optional<PingPlan::Arrival> by_surface = arrival_of(plan, mirrored);
   if (!by_surface) {
@@ -86,7 +87,8 @@ void SurfaceGhosts::add_point(const PingPlan& plan, const Pose& sonar_from_world
   }
   const double near = straight.norm(), far = mirrored.norm();
   const double strength = std::pow(10.0, points_[point].target_strength_db / 10);
-  const double reflectance = double{plan.scatter.reflectance(surface_.label)},
+  const double rise = surface_.level - world_from_sonar.position.z() + surface_.level - place.z();
+  const double reflectance = plan.scatter.scattering(surface_.label).reflectance(rise / far),
                absorption = 2 * double{plan.neper_per_metre};
   const double own_turns = own_phase(plan, point);
   const std::optional<PingPlan::Arrival> direct = arrival_of(plan, straight);

@@ -14,7 +14,7 @@ namespace insonify {
 
 /// Adds the echoes of points by way of the water's surface to a grid of the calibrated model as discrete echoes: image
 /// method, Brekhovskikh and Lysanov, Fundamentals of Ocean Acoustics, ch. 5. With the distances r1 to the point and r2
-/// to its image, the point's target strength TS (linear) and |R|^2 of the surface, the intensities are
+/// to its image, the point's target strength TS (linear) and |R|^2 of the surface at their angle, the intensities are
 ///
 ///     out by the surface and straight back, and its reciprocal:  TS |R|^2 / (r1^2 r2^2)  at range (r1 + r2) / 2, each;
 ///     out and back by the surface:                               TS |R|^4 / r2^4         at range r2,
@@ -42,7 +42,7 @@ class SurfaceGhosts {
   static constexpr std::size_t kRaysPerPoint = 3;
 
   void trace(const Vec3& sonar, Engine& engine);
-  void add_point(const PingPlan& plan, const Pose& sonar_from_world, std::size_t point, std::uint64_t number,
+  void add_point(const PingPlan& plan, const Pose& world_from_sonar, std::size_t point, std::uint64_t number,
                  EchoGrid& grid) const;
   // Effect of waves on an echo: a factor on its intensity and an addition to its phase.
   struct Glint {
