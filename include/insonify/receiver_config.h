@@ -44,7 +44,7 @@ struct ReceiverConfig {
   double pulse_bandwidth = 200e3;      ///< Bandwidth, kLfm [Hz], in (0, 1e7]; times pulse_duration at least 10.
 
   PulseWindow pulse_window = PulseWindow::kRectangular;  ///< Weights of the band, kLfm.
-  double pulse_side_lobe_db = -40;            ///< Side lobes in range of pulse_window kTaylor [dB], -100..-15.
+  double pulse_side_lobe_db = -40;              ///< Side lobes in range of pulse_window kTaylor [dB], -100..-15.
   Decimation decimation = Decimation::kSample;  ///< What bins longer than the pulse's resolution keep.
 
   /// X of the time-varied gain X log10(r) + 2 alpha r [dB] applied to recorded intensities, with the range r in metres
