@@ -19,8 +19,10 @@ class Emulated:
         self.path = pathlib.Path(self.folder.name)
         for name, text in files.items():
             (self.path / name).write_text(text)
+        # As a shell's script starts it with `&`: it must end on SIGINT all the same.
         self.process = subprocess.Popen([INSONIFY, "emulate", *words], cwd=self.path, text=True,
-                                        stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+                                        stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                                        preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_IGN))
 
     def end(self):
         """Exit status, what was printed on both streams, and how long it took [s]."""

@@ -145,6 +145,9 @@ TEST_F(RecordingsCliTest, InfoRefusesWhatIsNoRecording) {
   const Outcome outcome = shell("insonify info notes.txt");
   EXPECT_EQ(outcome.status, 2);
   EXPECT_THAT(outcome.err, HasSubstr("insonify: notes.txt: is no recording: it is neither HDF5 nor MCAP"));
+  folder.write("dive.bag", "#ROSBAG V2.0\n");
+  EXPECT_EQ(shell("insonify info dive.bag").err,
+            "insonify: dive.bag: is no recording: it is a bag of ROS, which insonify writes and does not read\n");
 }
 
 TEST_F(RecordingsCliTest, InfoGoesOnAfterAFileThatIsNoRecording) {

@@ -229,7 +229,8 @@ const BadScenario kCases[] = {
      "world: floor.obj\nsonars:\n  - beam_azimuths_deg: [20, 0, -20]\n    azimuth_aperture_deg: 90\n",
      "scenario.yaml:4:5: sonars[0].azimuth_aperture_deg follows from beam_azimuths_deg; leave it out"},
     {"FanThatTurns", "world: floor.obj\nsonars:\n  - type: msis\n",
-     "scenario.yaml:3:5: sonars[0].beam_count = 256 must be 1 for type msis, whose head turns a single beam"},
+     "scenario.yaml:3:5: sonars[0].beam_count = 256 must be 1 for type msis, whose head turns a single beam: say "
+     "beam_count: 1"},
     {"TimeStandsStill",
      "world: floor.obj\nsonars: [{name: fls}]\ntrajectory:\n  - {time: 0}\n  - {time: 2}\n  - time: 2\n",
      "scenario.yaml:6:5: trajectory[2].time = 2 s must be greater than trajectory[1].time = 2 s"},

@@ -215,7 +215,7 @@ TEST(ScenarioReliefTest, PicturesAreLaidByTextureOrByPosition) {
 
   scene = scene_of(folder, "{ripple_wavelength: 0.5, ripple_height: 0.05, ripple_direction_deg: 30}");
   EXPECT_EQ(scene.instances[0].reliefs[0]->tile_size, 12);
-  EXPECT_TRUE(scene_of(folder, "{reflection: 0.5}").instances[0].reliefs.empty());
+  EXPECT_TRUE(scene_of(folder, "{reflection: 0.05}").instances[0].reliefs.empty());
 }
 
 TEST(ScenarioReliefTest, SixteenBitsCountInFull) {

@@ -87,8 +87,9 @@ TEST(BearingCellsTest, GuardCellsEndNinetyDegreesOff) {
   EXPECT_EQ(BearingCells(sonar, with(BeamPattern::kRectangular)).first, 0);
 }
 
-// Slices of 8, 9, 6 and 4 degrees, from 34 to 7: the outermost cells are 4 and 2 degrees wide. D / wavelength is 8.459
-// for 6 degrees: asin(sin 30 + 0.29865) = 53.0 degrees, and asin(0.29865 - sin 9) = 8.2 degrees to starboard.
+// Slices of 8, 9, 6.5 and 3 degrees, from 34 to 7.5, in three cells each, so that none is wider than half a beam in u:
+// the outermost cells are 8/3 and 1 degree wide. D / wavelength is 8.459 for 6 degrees: asin(sin 30 + 0.29865) = 53.0
+// degrees, and asin(0.29865 - sin 9) = 8.2 degrees to starboard.
 TEST(BearingCellsTest, ExplicitBeamsHaveGuardCellsAsWideAsTheOutermost) {
   SonarConfig sonar = fan(6);
   sonar.beam_azimuths = {30 * kDegree, 22 * kDegree, 12 * kDegree, 9 * kDegree};
@@ -97,16 +98,17 @@ TEST(BearingCellsTest, ExplicitBeamsHaveGuardCellsAsWideAsTheOutermost) {
   ASSERT_NEAR(edges.front() / kDegree, 34, 1e-9);
   ASSERT_NEAR(edges.back() / kDegree, 7.5, 1e-9);
   const BearingCells cells(sonar, with(BeamPattern::kRectangular));
-  EXPECT_EQ(cells.first, 5);                      // (53.0 - 34) / 4 = 4.75
-  EXPECT_EQ(cells.sonar.beam_count, 5 + 8 + 11);  // (8.2 + 7.5) / 1.5 = 10.5
-  EXPECT_NEAR(cells.sonar.beam_azimuths[4] / kDegree, 36, 1e-9);
-  EXPECT_NEAR(cells.sonar.beam_azimuths[5] / kDegree, 32, 1e-9);
-  EXPECT_NEAR(cells.sonar.beam_azimuths[12] / kDegree, 8.25, 1e-9);
-  EXPECT_NEAR(cells.sonar.beam_azimuths[13] / kDegree, 6.75, 1e-9);
-  EXPECT_NEAR(cells.sonar.beam_azimuths[23] / kDegree, -8.25, 1e-9);
+  EXPECT_EQ(cells.per_beam, 3);
+  EXPECT_EQ(cells.first, 8);                       // (53.0 - 34) / (8 / 3) = 7.1
+  EXPECT_EQ(cells.sonar.beam_count, 8 + 12 + 16);  // (8.2 + 7.5) / 1 = 15.7
+  EXPECT_NEAR(cells.sonar.beam_azimuths[7] / kDegree, 34 + 4.0 / 3, 1e-9);
+  EXPECT_NEAR(cells.sonar.beam_azimuths[8] / kDegree, 34 - 4.0 / 3, 1e-9);
+  EXPECT_NEAR(cells.sonar.beam_azimuths[19] / kDegree, 8, 1e-9);
+  EXPECT_NEAR(cells.sonar.beam_azimuths[20] / kDegree, 7, 1e-9);
+  EXPECT_NEAR(cells.sonar.beam_azimuths[35] / kDegree, -8, 1e-9);
   // The fan's own edges stay.
-  EXPECT_NEAR(cells.sonar.beam_edges()[5] / kDegree, 34, 1e-9);
-  EXPECT_NEAR(cells.sonar.beam_edges()[13] / kDegree, 7.5, 1e-9);
+  EXPECT_NEAR(cells.sonar.beam_edges()[8] / kDegree, 34, 1e-9);
+  EXPECT_NEAR(cells.sonar.beam_edges()[20] / kDegree, 7.5, 1e-9);
 }
 
 // Dead elements raise side lobes everywhere; the cells stay those of the array without faults.

@@ -319,7 +319,7 @@ TEST(SonarValidateTest, ElevationsMustStayOffTheVertical) {
 
 TEST(SonarValidateTest, AScanningHeadMustTurnASingleBeam) {
   EXPECT_EQ(msis([](auto& s) { s.beam_count = 4; }),
-            "sonars[1].beam_count = 4 must be 1 for type msis, whose head turns a single beam");
+            "sonars[1].beam_count = 4 must be 1 for type msis, whose head turns a single beam: say beam_count: 1");
   EXPECT_EQ(msis([](auto& s) { s.step = 0; }), "sonars[1].step_deg = 0 deg must not be 0 for type msis");
   EXPECT_EQ(msis([](auto& s) { s.step = deg(-2), s.sector_width = deg(1.5); }),
             "sonars[1].sector_width_deg = 1.5 deg must be at least one step_deg = -2 deg");

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cstdint>
+#include <cstdlib>
 #include <string>
 
 #include "console/console.h"
@@ -29,13 +30,15 @@ void pass_on(void* whole, const dds_log_data_t* piece) {
 }
 
 int run(const BridgeRequest& request) {
-  end_when_asked();
+  end_when_asked(IgnoredInterrupt::kEnds);
   const DdsOptions options = with_environment(request.dds);
   const auto domain_id = static_cast<dds_domainid_t>(options.domain.value_or(0));
   static std::string line;
   dds_set_log_sink(pass_on, &line);
-  const DdsEntity domain(dds_create_domain(domain_id, dds_configuration(options).c_str()),
-                         fmt::format("enter DDS domain {}", domain_id));
+  const bool has_uri = std::getenv("CYCLONEDDS_URI") != nullptr;
+  const DdsEntity domain(
+      dds_create_domain(domain_id, dds_configuration(options).c_str()),
+      fmt::format("enter DDS domain {}{}", domain_id, has_uri ? " with what CYCLONEDDS_URI says" : ""));
   const DdsEntity participant(dds_create_participant(domain_id, nullptr, nullptr),
                               fmt::format("enter DDS domain {}", domain_id));
 
@@ -52,7 +55,7 @@ int run(const BridgeRequest& request) {
                     .clock = bridge_options.live.clocked,
                     .set_topic = options.set_topic},
                    bridge.loop());
-  note_when_asked();
+  note_when_asked(IgnoredInterrupt::kEnds);
   RoadLoop loop(bridge.report());
   bridge.start();
   inputs.start();

@@ -55,7 +55,7 @@ std::map<std::string, Carrier> carriers_of(const BridgeRequest& request, const S
 }
 
 int run(const BridgeRequest& request) {
-  end_when_asked();
+  end_when_asked(IgnoredInterrupt::kEnds);
   take_gz_environment();
   const bool quiet = request.bridge.quiet;
   const Log log = [quiet](Severity severity, const std::string& text) {
@@ -72,7 +72,7 @@ int run(const BridgeRequest& request) {
   options.live.clocked = request.clock != "wall";
   GazeboRoad road;
   Bridge bridge(options, road, MessageForm::kGazebo);
-  note_when_asked();
+  note_when_asked(IgnoredInterrupt::kEnds);
   RoadLoop loop(bridge.report());
   const Scenario scenario = load_scenario(options.scenario, options.settings);
   bridge.start();

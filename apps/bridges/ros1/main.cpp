@@ -56,13 +56,21 @@ void check_frame(const std::string& vehicle, const LiveWorld& world) {
   }
 }
 
+// roscpp subscribes to this parameter when a node logs for the first time. Where that is to say that another node has
+// taken its name, roscore would give the name back to it and end the other.
+void ask_what_logging_asks() {
+  bool ignored = false;
+  ros::param::getCached("/rosout_disable_topics_generation", ignored);
+}
+
 int run(const BridgeRequest& given, int& argc, char** argv) {
-  end_when_asked();
+  end_when_asked(IgnoredInterrupt::kEnds);
   check_scenario(given.bridge);
   const RosMaster master(ros_master_uri(argc, argv));
   const int pid = master.wait();
   ros::init(argc, argv, "insonify", ros::init_options::NoSigintHandler);
   ros::start();
+  ask_what_logging_asks();
   const RosParameters parameters = with_parameters({argv + 1, argv + argc});
   const BridgeRequest& request = parameters.request;
   BridgeOptions options = request.bridge;
@@ -83,7 +91,7 @@ int run(const BridgeRequest& given, int& argc, char** argv) {
   }
   RosSettings settings(bridge);
   inputs.start();
-  note_when_asked();
+  note_when_asked(IgnoredInterrupt::kEnds);
   RoadLoop loop(bridge.report());
   RosWatch watch(master, pid, settings.services(), [&loop] { loop.context().stop(); });
   if (!options.quiet) {

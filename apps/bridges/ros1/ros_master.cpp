@@ -64,7 +64,9 @@ std::optional<RosRegistration> RosMaster::lookup(const std::string& node) const 
   if (!answer) {
     return {};
   }
-  return RosRegistration{.known = static_cast<int>((*answer)[0]) == kDoneCode};
+  const bool known = static_cast<int>((*answer)[0]) == kDoneCode;
+  const bool has_uri = known && (*answer)[2].getType() == XmlRpc::XmlRpcValue::TypeString;
+  return RosRegistration{.known = known, .uri = has_uri ? static_cast<std::string>((*answer)[2]) : std::string()};
 }
 
 std::optional<XmlRpc::XmlRpcValue> RosMaster::call(const char* method, const XmlRpc::XmlRpcValue& request) const {

@@ -12,6 +12,7 @@ namespace insonify {
 /// What roscore says of a node.
 struct RosRegistration {
   bool known = false;
+  std::string uri = {};  ///< Of the program that has the node's name, if known.
 };
 
 /// Speaks with roscore, or with a node. The calls of roscpp itself would wait until it answers.

@@ -80,6 +80,10 @@ void RosWatch::look() {
     const auto registration = pid ? master_.lookup(ros::this_node::getName()) : std::nullopt;
     if (ros::isShuttingDown()) {
       // It is taken out of roscore just now.
+    } else if (registration && registration->known && registration->uri != own_uri_) {
+      complain(fmt::format("node {} ends: another program has its name now", ros::this_node::getName()));
+      on_end_();
+      return;
     } else if (!registration && is_there) {
       complain(fmt::format("roscore at {} does not answer any more; waiting for it", master_.uri()));
     } else if (registration && (!registration->known || *pid != pid_)) {

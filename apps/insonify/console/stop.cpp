@@ -34,9 +34,10 @@ void note(int signal) {
   std::signal(signal, SIG_DFL);
 }
 
-void handle_with(void (*handler)(int)) {
+void handle_with(void (*handler)(int), IgnoredInterrupt ignored) {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
-    if (std::signal(signal, handler) == SIG_IGN) {
+    const bool ends = signal == SIGINT && ignored == IgnoredInterrupt::kEnds;
+    if (std::signal(signal, handler) == SIG_IGN && !ends) {
       std::signal(signal, SIG_IGN);
     }
   }
@@ -44,13 +45,13 @@ void handle_with(void (*handler)(int)) {
 
 }  // namespace
 
-void end_when_asked() {
-  handle_with(end_now);
+void end_when_asked(IgnoredInterrupt ignored) {
+  handle_with(end_now, ignored);
 }
 
-void note_when_asked() {
+void note_when_asked(IgnoredInterrupt ignored) {
   terminal = isatty(STDERR_FILENO) != 0;
-  handle_with(note);
+  handle_with(note, ignored);
 }
 
 const std::atomic<bool>& stop_asked() {

@@ -6,12 +6,18 @@
 
 namespace insonify {
 
+/// What a SIGINT means that was ignored at the start, as in what a shell's script starts with `&`.
+enum class IgnoredInterrupt {
+  kStays,  ///< It stays ignored: the program ends by itself.
+  kEnds,   ///< It ends the program, which goes on until it is told to end.
+};
+
 /// From this call on these signals end the program at once with a one-line message: there are no results to keep yet.
-/// One that was ignored at the start, as SIGINT in a background job and SIGHUP under nohup, stays ignored.
-void end_when_asked();
+/// A SIGHUP that was ignored at the start, as under nohup, stays ignored.
+void end_when_asked(IgnoredInterrupt ignored = IgnoredInterrupt::kStays);
 
 /// From this call on the signals set stop_asked(); a second one ends the program.
-void note_when_asked();
+void note_when_asked(IgnoredInterrupt ignored = IgnoredInterrupt::kStays);
 
 /// Flag set by the signals. Valid as long as the program runs.
 [[nodiscard]] const std::atomic<bool>& stop_asked();

@@ -9,7 +9,7 @@
 namespace insonify {
 
 int emulate_ping360(const EmulateOptions& options) {
-  end_when_asked();
+  end_when_asked(IgnoredInterrupt::kEnds);
   EmulatedSonar sonar(options, SonarType::kMechanicallyScanned, "ping360");
   Ping360Server server(options, sonar);
   if (sonar.scenario().model == EchoModel::kPaper) {

@@ -64,7 +64,7 @@ EmulatedSonar::EmulatedSonar(const EmulateOptions& options, SonarType type, std:
       requests_(checked_input([&] { return ScenarioRequests(scenario_); })),
       simulator_(checked_input(
           [&] { return Simulator(scenario_, load_scene(scenario_, log_to_user(options.quiet)), options.threads); })) {
-  note_when_asked();
+  note_when_asked(IgnoredInterrupt::kEnds);
   simulator_.stop_when(&stop_asked());
 }
 

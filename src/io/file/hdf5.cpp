@@ -65,12 +65,16 @@ H5Handle h5_open_recording(const std::filesystem::path& path) {
   constexpr std::string_view kSignature("\x89HDF\r\n\x1a\n", 8);
   std::ifstream in(path, std::ios::binary);
   std::string found(kSignature.size(), '\0');
+  bool is_bag = false;
   for (std::streamoff at = 0; in && found != kSignature; at = at == 0 ? 512 : 2 * at) {
     in.seekg(at);
     in.read(found.data(), static_cast<std::streamsize>(found.size()));
+    is_bag = is_bag || (at == 0 && found.starts_with("#ROSBAG"));
   }
   if (in.is_open() && found != kSignature) {
-    throw Error(fmt::format("{}: is no recording: it is neither HDF5 nor MCAP", path.string()));
+    throw Error(
+        fmt::format("{}: is no recording: it is {}", path.string(),
+                    is_bag ? "a bag of ROS, which insonify writes and does not read" : "neither HDF5 nor MCAP"));
   }
   return h5_open_to_read(path);
 }

@@ -83,6 +83,19 @@ class RoscoreTest(kit.NodeTest):
         self.assertEqual(status, 0)
         self.assertLess(seconds, kit.PROMPT)
 
+    def test_a_second_node_of_its_name_takes_its_place(self):
+        master = self.master()
+        first = self.start()
+        first.wait_to_say("node /insonify of ROS 1")
+        second = self.start()
+        second.wait_to_say("node /insonify of ROS 1")
+        first.process.wait(timeout=kit.PATIENCE)
+        self.assertIn("/insonify", first.said())
+        self.assertEqual(self.images("second.bag", 3), 3)
+        self.assertIsNone(second.process.poll(), second.said())
+        self.assertNotIn("Shutdown", second.said())
+        self.assertTrue(master.proxy.lookupNode("/test", "/insonify")[2])
+
     # Between two looks of the node's.
     def test_it_survives_a_restart_that_it_did_not_see(self):
         master = self.master()
