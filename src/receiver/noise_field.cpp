@@ -28,7 +28,8 @@ double bohman(double x) {
 std::vector<double> correlation_of(const Pulse& pulse, double bin_length) {
   const double wanted = std::ceil(kTapsPerPulse * pulse.equivalent_length() / bin_length);
   const int taps = std::clamp(static_cast<int>(std::min<double>(wanted, kMostTaps)), kLeastTaps, kMostTaps);
-  const int reach = std::max(1, static_cast<int>(std::ceil(std::min(pulse.reach() / bin_length, 1e6))));
+  constexpr double kRounding = 1e-6;  // A pulse of a whole number of bins has as many taps, whatever their rounding.
+  const int reach = std::max(1, static_cast<int>(std::ceil(std::min(pulse.reach() / bin_length, 1e6) - kRounding)));
   const int end = std::min(reach, taps);
   const bool has_side_lobes = std::isfinite(pulse.side_lobe_db());  // Cut short, they leave no correlation.
   std::vector<double> correlation;
