@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <map>
 #include <set>
+#include <string_view>
 
 #include "console/console.h"
 #include "console/outcome.h"
@@ -102,12 +103,28 @@ RosParameters with_parameters(const std::vector<std::string>& words) {
   }
   std::set<std::string> known = {"publish_tf", "range", "gain"};
   RosParameters result;
-  result.request = parsed_bridge(bridge_kind("ros1"), words, [&](const std::string& option) {
+  std::map<std::string, std::string> taken;  // Names of parameters by the options that they stand for.
+  const auto value_of = [&](const std::string& option) {
     std::string name = option;
     std::ranges::replace(name, '-', '_');
     known.insert(name);
-    return parameters.hasMember(name) ? texts_of(name, parameters[name]) : std::vector<std::string>();
-  });
+    if (!parameters.hasMember(name)) {
+      return std::vector<std::string>();
+    }
+    taken[option] = name;
+    return texts_of(name, parameters[name]);
+  };
+  try {
+    result.request = parsed_bridge(bridge_kind("ros1"), words, value_of);
+  } catch (const InputError& error) {
+    for (const auto& [option, name] : taken) {
+      if (std::string_view(error.what()).starts_with("--" + option)) {
+        throw InputError(fmt::format("parameter {0}/{1}: {2}; rosparam delete {0}/{1} takes it away",
+                                     ros::this_node::getName(), name, error.what()));
+      }
+    }
+    throw;
+  }
   const std::vector<std::string> ranges = range_settings(parameters, result.request.bridge);
   std::vector<std::string>& settings = result.request.bridge.settings;
   settings.insert(settings.begin(), ranges.begin(), ranges.end());
