@@ -67,7 +67,7 @@ def distance_of(directions, ranges, values):
     profile = 10 ** (level / 10) * (values > 0)
     ahead = np.abs(np.degrees(np.arctan2(-directions[:, 1], directions[:, 2]))) < 3
     profile = profile[:, ahead].sum(axis=1)
-    return float(ranges[np.argmax(profile >= profile.max() / 2)])
+    return float(ranges[np.argmax(profile >= profile.max() / 4)])  # As wall_ride.h has it: within 6 dB.
 
 
 def start_master():
