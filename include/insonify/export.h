@@ -32,8 +32,8 @@ struct VideoOptions {
 struct ExportOptions {
   bool replace = false;          ///< Whether the export may take the place of what is there already.
   bool compress = true;          ///< Whether tables in .npz files are deflated; .zarr and .mcap always are compressed.
-  MessageOptions messages = {};  ///< Of .mcap and .bag.
-  VideoOptions video = {};       ///< Of .mp4 and .gif.
+  MessageOptions messages = {};  ///< How messages of .mcap and .bag are made.
+  VideoOptions video = {};       ///< How .mp4 and .gif are made.
 
   /// Is told of values of sonar images that are cut: SonarMessages::cut_text().
   Log log = {};

@@ -78,7 +78,7 @@ struct LiveRecording {
   std::vector<std::filesystem::path> files;  ///< One, or one a sonar. Without a ping none was kept.
   std::filesystem::path scenario;            ///< Repeats the pings.
   std::uint64_t pings = 0;                   ///< In all files.
-  std::uintmax_t bytes = 0;                  ///< Of `files` together.
+  std::uintmax_t bytes = 0;                  ///< Size of all `files` together [bytes].
 };
 
 /// Files that LiveLoop::record() writes: the recordings, and last the scenario that repeats them.

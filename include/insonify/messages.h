@@ -135,8 +135,8 @@ struct MessageLevels {
 /// NAME_beams, of the sonar image, has z along the middle of the fan, y to port, x down. docs/reference/messages.md has
 /// every field.
 ///
-/// Of Gazebo they are gz.msgs.Image (kSonarImage, kFan, kRaw), PointCloudPacked, Pose, Pose_V and StringMsg in the form
-/// of Protocol Buffers, which is that of ignition.msgs too.
+/// In MessageForm::kGazebo they are gz.msgs.Image (kSonarImage, kFan, kRaw), PointCloudPacked, Pose, Pose_V and
+/// StringMsg, as Protocol Buffers; ignition.msgs have the same bytes.
 class SonarMessages {
  public:
   /// @throws Error for options out of limits.

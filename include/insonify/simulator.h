@@ -39,7 +39,7 @@ class PreparedSonar {
  private:
   friend class Simulator;
   SonarConfig config_;
-  std::size_t material_count_ = 0;  // Of the scene.
+  std::size_t material_count_ = 0;  // Materials of the scene.
   std::unique_ptr<SimulatedSonar> made_;
 };
 

@@ -60,7 +60,7 @@ class LiveRecorder {
   std::uint64_t pings_ = 0;
   bool scenario_is_earlier_ = false;       // Whether another scenario has the name that is to be replaced at the end.
   bool whole_ = true;                      // Whether all pings were written.
-  std::filesystem::path unfinished_path_;  // Of the scenario that write_scenario() has written; empty before.
+  std::filesystem::path unfinished_path_;  // The scenario that write_scenario() has written; empty before.
   Clock::time_point scenario_due_ = Clock::time_point::min();
 };
 

@@ -8,7 +8,7 @@ namespace insonify {
 
 /// Correlation of the complex speckle of two carriers, f apart, in a pulse: the mean of e^(i 4 pi f r / c) over its
 /// energy |p(r)|^2, for scatterers spread evenly in range (Goodman, Speckle Phenomena in Optics (2007), section 5.3).
-/// Of intensities it is the square.
+/// The correlation of the intensities is its square.
 /// @param turns_per_metre  2 f / c [1/m].
 [[nodiscard]] double carrier_correlation(const Pulse& pulse, double turns_per_metre);
 

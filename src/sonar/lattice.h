@@ -61,9 +61,9 @@ struct Lattice {
   std::vector<float> row_pattern;
 
   // With even_rows. Slopes are tan(elevation - m).
-  float cos_middle = 1, sin_middle = 0;  ///< Of m, the middle of the elevation aperture.
+  float cos_middle = 1, sin_middle = 0;  ///< Cosine and sine of m, the middle of the elevation aperture.
   float slope_step = 0;                  ///< Difference of slope between rows.
-  [[nodiscard]] float first_slope(int column) const { return first_slopes[row_set[column]]; }  ///< Of row 0.
+  [[nodiscard]] float first_slope(int column) const { return first_slopes[row_set[column]]; }  ///< Slope of row 0.
   std::vector<float> first_slopes;                                                             // [set].
 
   /// Lower and upper edge of an arc, as cosines and sines of t.

@@ -31,7 +31,7 @@ class SdfTest : public testing::Test {
           "GAZEBO_RESOURCE_PATH", "GZ_FUEL_CACHE_PATH", "IGN_FUEL_CACHE_PATH"}) {
       unsetenv(list);
     }
-    setenv("HOME", (folder / "home").c_str(), 1);  // Of Fuel's caches.
+    setenv("HOME", (folder / "home").c_str(), 1);  // Where Fuel's caches are.
   }
 
   std::string write(const std::string& name, const std::string& text) const { return scratch.write(name, text); }

@@ -170,14 +170,14 @@ TEST_F(LiveRecordingTest, TheScenarioIsBesideARecordingFromItsFirstPingOn) {
 }
 
 TEST_F(LiveRecordingTest, ARecordingThatCannotBeginLeavesNoFile) {
-  const std::string name(200, 'n'), stem(46, 'o');  // Of the name with its ending .new, more than the system takes.
+  const std::string name(200, 'n'), stem(46, 'o');  // With the ending .new the name is longer than the system takes.
   const auto loop = started(scenario_text(), {.threads = 2}, {"sonars.head.name=" + name});
   const std::string error = answer_to([&](auto done) { loop->record(stem + ".h5", done); });
   EXPECT_THAT(error, HasSubstr("File name too long"));
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator("."), {}), 2) << "world and scenario";
 }
 
-// Of thousands of beams, whose tables take seconds.
+// The tables of thousands of beams take seconds.
 TEST_F(LiveRecordingTest, PingsGoOnWhileBeamsArePreparedAndTheEndDoesNotWaitForThem) {
   const auto loop = started(scenario_text());
   keeper_.wait_for_pings(2);

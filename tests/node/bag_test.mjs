@@ -32,7 +32,7 @@ sonars:
      ping_period: 0.07, sampling: {columns_per_beam: 2, rows: 40}}
 `;
 
-// Of Debian's and of marine_acoustic_msgs' packages for ROS 1.
+// Checksums in Debian's and in marine_acoustic_msgs' packages for ROS 1.
 const CHECKSUMS = {
   "geometry_msgs/PoseStamped": "d3812c3cbc69362b77dc0b19b345f8f5",
   "marine_acoustic_msgs/ProjectedSonarImage": "c72fc8e29ab227a547720a36666022fd",

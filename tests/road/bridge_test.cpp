@@ -215,7 +215,7 @@ TEST_F(BridgeTest, GainLowersTheLevelsOfValues) {
   const std::size_t so_far = road_.all().size();
   const std::vector<std::byte> after = road_.wait_for(MessageKind::kSonarImage, so_far + 6).back().message;
   ASSERT_EQ(after.size(), before.size());
-  const auto sum = [](const std::vector<std::byte>& message) {  // Of the values, the last field.
+  const auto sum = [](const std::vector<std::byte>& message) {  // Sum of the values, the last field.
     double all = 0;
     for (std::size_t i = message.size() - 2 * 12 * 30; i < message.size(); i += 2) {
       std::uint16_t value = 0;

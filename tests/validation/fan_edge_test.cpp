@@ -8,7 +8,7 @@ namespace {
 class FanEdgeTest : public testing::TestWithParam<Method> {};
 
 constexpr double kPi = std::numbers::pi;
-constexpr double kEdge = 50;       // Of the fan, to port [deg].
+constexpr double kEdge = 50;       // Edge of the fan, to port [deg].
 constexpr double kResolution = 2;  // [deg]
 
 // 128 beams over 100 degrees, with a uniform array.

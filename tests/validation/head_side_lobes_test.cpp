@@ -9,7 +9,7 @@ class HeadSideLobesTest : public testing::TestWithParam<Method> {};
 
 constexpr double kPi = std::numbers::pi;
 constexpr double kLength = 0.8858929413781328;  // D / wavelength times 2 sin(width / 2), uniform line.
-constexpr double kWidth = 3;                    // Of the beam [deg].
+constexpr double kWidth = 3;                    // Width of the beam [deg].
 
 // Peaks of the second and the sixth side lobe of sinc^4 [wavelength / D], and their levels [dB].
 constexpr double kSecond = 2.45902, kSecondDb = -35.660842;

@@ -67,7 +67,7 @@ SonarConfig sonar_over(double azimuths, double lowest, double highest) {
 }
 
 constexpr double kAbsorption = 0.4;                             // [dB/m]
-constexpr double kLoss = 2 * kAbsorption * 0.1151292546497023;  // Of intensity, one way [1/m].
+constexpr double kLoss = 2 * kAbsorption * 0.1151292546497023;  // Loss of intensity, one way [1/m].
 const Water kLossyWater{.absorption_db_per_m = kAbsorption};
 
 // Energy of order 2, and of 3 and more, of walks: means over pings.

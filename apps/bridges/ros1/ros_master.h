@@ -12,7 +12,7 @@ namespace insonify {
 /// What roscore says of a node.
 struct RosRegistration {
   bool known = false;
-  std::string uri = {};  ///< Of the program that has the node's name, if known.
+  std::string uri = {};  ///< Address of the program that has the node's name, "http://host:port/"; empty where unknown.
 };
 
 /// Speaks with roscore, or with a node. The calls of roscpp itself would wait until it answers.

@@ -44,7 +44,7 @@ struct SamplingBenchOptions {
   std::vector<int> triangles = {1'000, 100'000};  ///< Sizes of the benchmarks' scenes.
   std::vector<Sampling> samplings = {{2, 100}, {4, 100}, {2, 200}, {4, 200}, {4, 400}, {8, 400}};
   Sampling converged = {32, 1600};
-  int pings = 3;        ///< Of each scene, spread over those of its scenario.
+  int pings = 3;        ///< Pings of each scene, spread over those of its scenario.
   int repetitions = 7;  ///< Times that the pings are timed, after a warm-up.
   int threads = 2;
   std::filesystem::path json;  ///< Also write the rows to this file; empty for none.

@@ -17,7 +17,7 @@ struct ExportCommand {
   std::filesystem::path file;
   bool force = false;               ///< Replace a file that is there.
   int bits = 16;                    ///< Bits of a value of sonar images in .mcap, 8 or 16.
-  MessageChoice messages;           ///< Of .mcap and .bag.
+  MessageChoice messages;           ///< What the messages of .mcap and .bag hold.
   bool store = false;               ///< Leave .npz uncompressed.
   std::optional<double> rate = {};  ///< Pictures a second of a video.
   PictureOptions pictures;          ///< Colours and levels.

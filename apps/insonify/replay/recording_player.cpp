@@ -95,7 +95,7 @@ void RecordingPlayer::step_back(int sonar) {
   wake_.notify_all();
 }
 
-// Of the next ping of a sonar, or where it has none, of any; absent at the end.
+// Time of the next ping of a sonar or, where it has none, of any sonar [s]; absent at the end.
 std::optional<double> RecordingPlayer::time_after(double time, int sonar) const {
   const auto next = std::ranges::upper_bound(moments_, time, {}, &RecordedMoment::time);
   const auto of_sonar = std::ranges::find(next, moments_.end(), sonar, &RecordedMoment::sonar);
@@ -103,7 +103,7 @@ std::optional<double> RecordingPlayer::time_after(double time, int sonar) const 
   return found == moments_.end() ? std::nullopt : std::optional(found->time);
 }
 
-// Likewise of the ping before; absent at the first.
+// Time of the ping before, in the same way [s]; absent at the first.
 std::optional<double> RecordingPlayer::time_before(double time, int sonar) const {
   const auto end = std::ranges::lower_bound(moments_, time, {}, &RecordedMoment::time);
   const auto before = std::ranges::reverse_view(std::ranges::subrange(moments_.begin(), end));
@@ -112,7 +112,7 @@ std::optional<double> RecordingPlayer::time_before(double time, int sonar) const
   return found == before.end() ? std::nullopt : std::optional(found->time);
 }
 
-// Of the pings that are shown.
+// Time of the ping that is shown [s].
 double RecordingPlayer::shown_time() const {
   return next_ == 0 ? first_time() : moments_[next_ - 1].time;
 }

@@ -64,7 +64,7 @@ class RecordingPlayer : public PingSource, public Playback {
   std::optional<double> until_;  // Time up to which pings are shown while paused [s].
   std::optional<double> goal_;   // Time to go to [s].
   double speed_ = 1;
-  std::size_t next_ = 0;  // Of the moments.
+  std::size_t next_ = 0;  // Index of the next of the moments.
   std::uint64_t shown_ = 0;
   // Pace: the recording's time [s] at a time of the clock.
   double anchor_time_;

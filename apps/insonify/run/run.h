@@ -17,7 +17,7 @@ struct RunOptions {
   int threads = 0;                    ///< 0: one per processor.
   std::vector<std::string> settings;  ///< "key=value", in order.
   RecordKinds record = {};            ///< Which recordings are made.
-  MessageChoice messages = {};        ///< Of MCAP recordings.
+  MessageChoice messages = {};        ///< What the messages of MCAP recordings hold.
   bool compress = false;              ///< Compress recordings, with HDF5's own filters.
   bool force = false;                 ///< Replace recordings and pictures of an earlier run.
 

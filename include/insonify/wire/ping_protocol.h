@@ -34,7 +34,7 @@ inline constexpr std::size_t kLongestPingPayload = 256;
 struct PingEvent {
   enum class Kind {
     kFrame,    ///< `frame` is whole.
-    kDamaged,  ///< Of `frame` only the id holds; `reason` says what is wrong.
+    kDamaged,  ///< Only the id of `frame` holds; `reason` says what is wrong.
     kBreak,    ///< A 'U' outside of frames: what follows a line break, for the baud rate to be found.
   };
   Kind kind = Kind::kFrame;

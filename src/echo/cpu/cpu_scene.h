@@ -81,7 +81,7 @@ class CpuScene {
   // One instance of the scene.
   struct Part {
     std::shared_ptr<const Mesh> mesh;  // Null where the instance is not present.
-    Pose world_from_mesh;              // Of a static part.
+    Pose world_from_mesh;              // Pose of a static part.
     const std::array<std::uint32_t, 3>* triangles = nullptr;
     const Vec3f* normals = nullptr;  // In the world frame; of a moving part in its own frame.
     const std::uint16_t* slots = nullptr;

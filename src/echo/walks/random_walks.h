@@ -44,7 +44,7 @@ class RandomWalks {
   struct Walk {
     Vec3 point = Vec3::Zero();        // World frame [m].
     Vec3f direction = Vec3f::Zero();  // In which its next leg goes.
-    float length = 0;                 // Of the path so far [m].
+    float length = 0;                 // Length of the path so far [m].
     float weight = 0;                 // Solid angle of launched sound that it stands for [sr].
     float share = 1;                  // Energy that is left of it, relative to that launched.
     std::uint32_t index = 0;          // Its random numbers.

@@ -58,7 +58,7 @@ Shape heightmap(const sdf::Heightmap& heightmap) {
   return shape;
 }
 
-// Of shapes that libsdformat knows.
+// Shapes that libsdformat knows by themselves; absent for others.
 std::optional<Shape> known_shape(const sdf::Geometry& geometry, bool collision) {
   switch (geometry.Type()) {
     case sdf::GeometryType::BOX:

@@ -235,7 +235,7 @@ trajectory: [{time: 0, position: [3, 1, 0]}, )";
   Player player("tank", "gz");
   player.tell("add 20 rov 3 1 0 0 free box 0.4 0.4 0.4");
   player.tell("followed");
-  constexpr double kBegin = 0.25, kStep = 0.125;  // Of Gazebo's time, which begins at 0 as a start does [s].
+  constexpr double kBegin = 0.25, kStep = 0.125;  // Gazebo's time, which begins at 0 as a start does [s].
   const GazeboSonarImage first = next(player, reader, kBegin);
   player.tell(fmt::format("move 20 {} {} 0 {}", 3 + 7 * kStep, 1 + 3 * kStep, radians_from_degrees(40 * kStep)));
   const GazeboSonarImage second = next(player, reader, kBegin + kStep);

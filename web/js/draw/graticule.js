@@ -94,7 +94,7 @@ function writeApart(context, plan, labels) {
   if (isSmall(plan)) return;
   const boxOf = ({ text, align, baseline, x, y }) => {
     const width = context.measureText(text).width;
-    const [height, gap] = [12, 4];  // Of the font, and between labels [pixels].
+    const [height, gap] = [12, 4];  // Height of the font, and gap between labels [pixels].
     const left = x - { left: 0, center: width / 2, right: width }[align];
     const top = y - { top: 0, middle: height / 2, bottom: height }[baseline];
     return { left, right: left + width + gap, top, bottom: top + height };
