@@ -27,6 +27,12 @@ ROOMS = {
         "walks": ["grid", "model", "."],
         "*": ["grid", "model", "."],  # Engines, each a room.
     },
+    "receiver": {
+        "array": ["."],
+        "pulse": ["."],
+        "speckle": ["."],
+        "noise": ["array", "."],
+    },
     "io": {
         "file": [],
         "message": [],

@@ -15,11 +15,11 @@ enum class RandomPurpose : std::uint32_t {
   kNoiseInPhase = 4,        // receiver/calibrated_receiver.cpp, real part
   kNoiseQuadrature = 5,     // ... and imaginary part
   kArrayElements = 6,       // sonar/array_pattern.cpp: errors of gain and phase
-  kSpeckle = 7,             // receiver/speckle.cpp: phases of cells
-  kClutter = 8,             // receiver/clutter.cpp: texture of K-distributed clutter
+  kSpeckle = 7,             // receiver/speckle/speckle.cpp: phases of cells
+  kClutter = 8,             // receiver/speckle/clutter.cpp: texture of K-distributed clutter
   kPointPhase = 9,          // echo/targets/point_echoes.cpp
   kInterference = 10,       // echo/targets/interference.cpp
-  kScatterers = 11,         // receiver/sparse_scatterers.cpp
+  kScatterers = 11,         // receiver/speckle/sparse_scatterers.cpp
   kWaves = 12,              // echo/targets/surface_ghosts.cpp: highlights of ghosts by waves
   kWalks = 13               // echo/walks/random_walks.cpp
 };

@@ -5,10 +5,10 @@
 #include <limits>
 
 #include "insonify/acoustics/absorption.h"
+#include "receiver/array/line_array.h"
 #include "receiver/calibrated_receiver.h"
-#include "receiver/carrier_band.h"
-#include "receiver/line_array.h"
-#include "receiver/noise_level.h"
+#include "receiver/noise/noise_level.h"
+#include "receiver/pulse/carrier_band.h"
 
 namespace insonify {
 namespace {

@@ -6,8 +6,8 @@
 #include <span>
 
 #include "echo/grid/echo_grid.h"
-#include "receiver/bearing_response.h"
-#include "receiver/range_response.h"
+#include "receiver/array/bearing_response.h"
+#include "receiver/pulse/range_response.h"
 
 namespace insonify {
 

@@ -11,13 +11,13 @@
 #include "echo/grid/echo_grid.h"
 #include "insonify/ping.h"
 #include "insonify/sonar_config.h"
-#include "receiver/bearing_cells.h"
-#include "receiver/bearing_response.h"
-#include "receiver/coarse_bins.h"
+#include "receiver/array/bearing_cells.h"
+#include "receiver/array/bearing_response.h"
 #include "receiver/discrete_echoes.h"
 #include "receiver/instances.h"
 #include "receiver/output_tile.h"
-#include "receiver/range_response.h"
+#include "receiver/pulse/coarse_bins.h"
+#include "receiver/pulse/range_response.h"
 
 namespace insonify {
 

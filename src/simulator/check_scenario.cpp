@@ -9,7 +9,7 @@
 
 #include "insonify/error.h"
 #include "insonify/scenario.h"
-#include "receiver/line_array.h"
+#include "receiver/array/line_array.h"
 #include "simulator/check_speeds.h"
 
 namespace insonify {

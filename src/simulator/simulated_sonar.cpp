@@ -10,7 +10,7 @@
 #include "base/name_hash.h"
 #include "echo/model/ping_plan.h"
 #include "insonify/error.h"
-#include "receiver/line_array.h"
+#include "receiver/array/line_array.h"
 
 namespace insonify {
 namespace {

@@ -116,7 +116,9 @@ void check_head(std::string_view object, const SonarConfig& sonar) {
   }
   if (sonar.beam_count != 1) {
     fail(object, "beam_count",
-         fmt::format(" = {} must be 1 for type msis, whose head turns a single beam: say beam_count: 1", sonar.beam_count), {"type"});
+         fmt::format(" = {} must be 1 for type msis, whose head turns a single beam: say beam_count: 1",
+                     sonar.beam_count),
+         {"type"});
   }
   if (sonar.step == 0) {
     fail(object, "step_deg", " = 0 deg must not be 0 for type msis", {"type"});

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "receiver/line_array.h"
+#include "receiver/array/line_array.h"
 
 namespace insonify {
 namespace {

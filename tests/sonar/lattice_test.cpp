@@ -7,7 +7,7 @@
 #include <cmath>
 #include <optional>
 
-#include "receiver/line_array.h"
+#include "receiver/array/line_array.h"
 
 namespace insonify {
 namespace {

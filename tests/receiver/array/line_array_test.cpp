@@ -1,6 +1,6 @@
 // line_array_test.cpp -- the array that each beam pattern selects.
 
-#include "receiver/line_array.h"
+#include "receiver/array/line_array.h"
 
 #include <gtest/gtest.h>
 

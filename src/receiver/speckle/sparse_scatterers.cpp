@@ -1,6 +1,6 @@
 // sparse_scatterers.cpp -- draws the number of scatterers in each cell and sums their echoes.
 
-#include "receiver/sparse_scatterers.h"
+#include "receiver/speckle/sparse_scatterers.h"
 
 #include <cmath>
 #include <limits>

@@ -6,25 +6,12 @@
 #include <span>
 #include <vector>
 
+#include "base/gamma_quantiles.h"
 #include "echo/grid/echo_grid.h"
 #include "insonify/material.h"
-#include "receiver/speckle.h"
+#include "receiver/speckle/speckle.h"
 
 namespace insonify {
-
-/// Table of quantiles of the gamma distribution with mean 1 and shape nu.
-class GammaQuantiles {
- public:
-  /// @param shape  nu, > 0.
-  explicit GammaQuantiles(double shape);
-
-  /// Quantile of the probability u, given as v = log(u / (1 - u)): the table is evenly spaced in v, so that both tails
-  /// are resolved.
-  [[nodiscard]] float at(float v) const;
-
- private:
-  std::vector<float> values_;  // Quantiles at evenly spaced v.
-};
 
 /// Texture of materials with a `clutter_shape` nu: the mean energy of each patch of cells is multiplied by a
 /// gamma-distributed number of mean 1 and variance 1 / nu, fixed in the world. With speckle, which multiplies it by an

@@ -9,7 +9,7 @@
 #include "echo/grid/echo_grid.h"
 #include "insonify/material.h"
 #include "insonify/sonar_config.h"
-#include "receiver/speckle.h"
+#include "receiver/speckle/speckle.h"
 
 namespace insonify {
 

@@ -1,7 +1,7 @@
 // range_response_test.cpp -- convolution with the pulse along range: discrete and extended echoes, two plates, and the
 // sum by brute force. T numbers are those of docs/concepts/physics-tests.md.
 
-#include "receiver/range_response.h"
+#include "receiver/pulse/range_response.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // bearing_cells_test.cpp -- number and directions of the bearing cells, and the energy that they leave out.
 
-#include "receiver/bearing_cells.h"
+#include "receiver/array/bearing_cells.h"
 
 #include <gtest/gtest.h>
 

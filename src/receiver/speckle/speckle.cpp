@@ -1,6 +1,6 @@
 // speckle.cpp -- polar coordinates of scatterers about an anchor, and the random numbers hashed from them.
 
-#include "receiver/speckle.h"
+#include "receiver/speckle/speckle.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 // bearing_cells.cpp -- divides the beams of a sonar into bearing cells, and adds those that its outermost beams hear.
 
-#include "receiver/bearing_cells.h"
+#include "receiver/array/bearing_cells.h"
 
 #include <fmt/format.h>
 
@@ -9,7 +9,7 @@
 
 #include "insonify/array_pattern.h"
 #include "insonify/error.h"
-#include "receiver/line_array.h"
+#include "receiver/array/line_array.h"
 
 namespace insonify {
 namespace {

@@ -1,7 +1,7 @@
 // noise_level_test.cpp -- solid angle of the receive pattern and level of the noise in a beam, against closed forms and
 // brute force.
 
-#include "receiver/noise_level.h"
+#include "receiver/noise/noise_level.h"
 
 #include <gtest/gtest.h>
 

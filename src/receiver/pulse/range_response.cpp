@@ -1,6 +1,6 @@
 // range_response.cpp -- convolves rows of bins with the pulse directly, not by FFT: pulses are short.
 
-#include "receiver/range_response.h"
+#include "receiver/pulse/range_response.h"
 
 #include <algorithm>
 #include <cassert>

@@ -1,6 +1,6 @@
 // coarse_bins.cpp -- separates compact from extended echoes and transforms the distribution of one look.
 
-#include "receiver/coarse_bins.h"
+#include "receiver/pulse/coarse_bins.h"
 
 #include <algorithm>
 #include <cmath>

@@ -11,7 +11,7 @@
 #include "base/parallel.h"
 #include "insonify/array_pattern.h"
 #include "insonify/pulse.h"
-#include "receiver/gain_matrix.h"
+#include "receiver/array/gain_matrix.h"
 
 namespace insonify {
 

@@ -1,6 +1,6 @@
 // noise_field.cpp -- filters white noise along range and forms beams of it.
 
-#include "receiver/noise_field.h"
+#include "receiver/noise/noise_field.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,9 +5,9 @@
 #include <optional>
 #include <span>
 
+#include "base/gamma_quantiles.h"
 #include "insonify/receiver_config.h"
-#include "receiver/clutter.h"
-#include "receiver/range_response.h"
+#include "receiver/pulse/range_response.h"
 
 namespace insonify {
 

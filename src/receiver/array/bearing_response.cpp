@@ -1,6 +1,6 @@
 // bearing_response.cpp -- tabulates the array's beam pattern as gain matrices, once for all pings.
 
-#include "receiver/bearing_response.h"
+#include "receiver/array/bearing_response.h"
 
 #include <algorithm>
 #include <cassert>

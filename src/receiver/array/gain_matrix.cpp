@@ -5,7 +5,7 @@
 // as fast as separate multiplications and additions. Eigen's product takes four times as long, because Eigen is
 // compiled for the oldest supported processor.
 
-#include "receiver/gain_matrix.h"
+#include "receiver/array/gain_matrix.h"
 
 #include <algorithm>
 

@@ -1,13 +1,13 @@
 // noise_level.cpp -- noise of the sonar equation: spectral level, bandwidth and directivity of a beam.
 
-#include "receiver/noise_level.h"
+#include "receiver/noise/noise_level.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "insonify/acoustics/sonar_equation.h"
-#include "receiver/line_array.h"
+#include "receiver/array/line_array.h"
 
 namespace insonify {
 namespace {

@@ -1,6 +1,6 @@
 // carrier_band.cpp -- fits the width of a cell's frequency bands to the correlation of the pulse.
 
-#include "receiver/carrier_band.h"
+#include "receiver/pulse/carrier_band.h"
 
 #include <algorithm>
 #include <cmath>

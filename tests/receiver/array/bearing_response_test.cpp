@@ -1,7 +1,7 @@
 // bearing_response_test.cpp -- beams formed from a bearing grid: discrete echoes, side lobes, correlation of speckle
 // between beams, and the matrix product by brute force. T numbers are those of docs/concepts/physics-tests.md.
 
-#include "receiver/bearing_response.h"
+#include "receiver/array/bearing_response.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

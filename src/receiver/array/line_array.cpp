@@ -1,6 +1,6 @@
 // line_array.cpp -- maps beam patterns to array windows and chooses the number of elements by the beam width.
 
-#include "receiver/line_array.h"
+#include "receiver/array/line_array.h"
 
 #include <fmt/format.h>
 

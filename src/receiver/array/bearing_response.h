@@ -8,7 +8,7 @@
 
 #include "echo/grid/echo_grid.h"
 #include "insonify/array_pattern.h"
-#include "receiver/gain_matrix.h"
+#include "receiver/array/gain_matrix.h"
 
 namespace insonify {
 

@@ -1,13 +1,9 @@
-// clutter.cpp -- tabulates gamma quantiles and draws one for each patch of cells.
+// gamma_quantiles.cpp -- integrates the gamma density and inverts the integral at evenly spaced points.
 
-#include "receiver/clutter.h"
+#include "base/gamma_quantiles.h"
 
 #include <algorithm>
 #include <cmath>
-
-#include "base/philox.h"
-#include "base/vector_math.h"
-#include "echo/grid/echo.h"
 
 namespace insonify {
 namespace {
@@ -47,29 +43,6 @@ float GammaQuantiles::at(float v) const {
   const float place = (std::clamp(v, -kGreatest, kGreatest) + kGreatest) * kStepsPerUnit;
   const auto below = static_cast<int>(place);
   return values_[below] + (place - static_cast<float>(below)) * (values_[below + 1] - values_[below]);
-}
-
-Clutter::Clutter(std::span<const Material> materials, int cells, int bins)
-    : cells_(static_cast<std::uint32_t>(cells)), bins_(static_cast<std::uint32_t>(bins)) {
-  for (const Material& material : materials) {
-    table_.push_back(material.clutter_shape ? static_cast<int>(quantiles_.size()) : -1);
-    if (material.clutter_shape) {
-      quantiles_.emplace_back(*material.clutter_shape);
-    }
-  }
-}
-
-void Clutter::texture(const Speckle::View& view, const Speckle::Row& row, std::span<float> energy) const {
-  const std::uint32_t key = view.key ^ static_cast<std::uint32_t>(RandomPurpose::kClutter) << 24;
-  for (int bin = row.bins.first; bin < row.bins.last; ++bin) {
-    const SurfaceLabel surface = row.surface[bin];
-    const int table = surface == kNoSurface ? -1 : table_[material_of(surface)];
-    if (table >= 0) {
-      const PhiloxPair words = philox({row.range[bin] / bins_, row.bearing / cells_}, key);
-      const float share = uniform_open(words[0]);
-      energy[bin] *= quantiles_[table].at(fast_log(share) - fast_log(1 - share));
-    }
-  }
 }
 
 }  // namespace insonify
