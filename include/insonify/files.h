@@ -109,6 +109,10 @@ struct Instrument {
   std::vector<double> bit_depths;          ///< Bits a sample that it can deliver.
   std::vector<double> steps;               ///< Steps its head can make [rad].
 
+  // Duration of its pulse by max_range, where it depends on it: linear between, constant beyond the ends.
+  std::vector<double> pulse_ranges;     ///< Rising [m].
+  std::vector<double> pulse_durations;  ///< One per range [s].
+
   template <typename Self, typename Visit>
   static void visit_fields(Self& self, Visit&& visit);
 };
@@ -123,9 +127,10 @@ struct Preset {
   Instrument instrument;          ///< In that mode.
   SonarConfig sonar;              ///< In that mode, over its longest range, in water of 1500 m/s.
 
-  /// Gives a sonar the bins and the ping period that the instrument has over its range window: bins of
-  /// `range_resolution` as far as `bin_limit` allows, else `bin_limit` longer ones; pings at `ping_rate_limit` as far
-  /// as the range allows.
+  /// Gives a sonar the bins, the ping period and the duration of the pulse that the instrument has over its range
+  /// window: bins of `range_resolution` as far as `bin_limit` allows, else `bin_limit` longer ones; pings at
+  /// `ping_rate_limit` as far as the range allows; the duration of the pulse by `pulse_durations`, in whole
+  /// microseconds.
   /// @param sound_speed  The one the sonar assumes [m/s].
   void fit_to_range(SonarConfig& sonar, double sound_speed) const;
 
@@ -202,6 +207,10 @@ void Instrument::visit_fields(Self& self, Visit&& visit) {
   visit(Field{"dynamic_range_db", "dB", greater_than(0), "Dynamic range of the receiver."}, self.dynamic_range_db);
   visit(Field{"bit_depths", "", from_to(1, 64), "Bits a sample that it can deliver."}, self.bit_depths);
   visit(Field{"steps", "rad", greater_than(0), "Steps its head can make."}, self.steps);
+  visit(Field{"pulse_ranges", "m", greater_than(0), "Values of max_range that pulse_durations are for."},
+        self.pulse_ranges);
+  visit(Field{"pulse_durations", "s", above_to(0, 1), "Duration of the pulse at each of pulse_ranges."},
+        self.pulse_durations);
 }
 
 }  // namespace insonify

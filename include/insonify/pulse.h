@@ -11,18 +11,21 @@
 namespace insonify {
 
 /// kNone: a rectangle as long as a range bin. kCw: a tone. kLfm: a linear frequency-modulated chirp, compressed by its
-/// matched filter.
-enum class PulseKind { kNone, kCw, kLfm };
+/// matched filter. kInstrument: the sonar's own, see SonarConfig::transmitted().
+enum class PulseKind { kNone, kCw, kLfm, kInstrument };
 
 /// Window over the band of a chirp, with which the receiver lowers its side lobes in range.
 enum class PulseWindow { kRectangular, kHann, kHamming, kCosine, kTaylor };
 
+/// Least product of duration and bandwidth with which a chirp's compressed pulse is as it is described below.
+inline constexpr double kLeastCompression = 10;
+
 /// The transmitted pulse and its processing in the receiver.
 struct PulseSettings {
-  PulseKind kind = PulseKind::kNone;
-  double duration = 50e-6;     ///< Duration of the tone or the chirp [s], in (0, 1].
-  double bandwidth = 200e3;    ///< Bandwidth of the chirp [Hz], in (0, 1e7]; times duration at least 10.
-  bool matched_filter = true;  ///< CW: the receiver correlates with the tone; if false, it takes the envelope.
+  PulseKind kind = PulseKind::kNone;  ///< Not kInstrument.
+  double duration = 50e-6;            ///< Duration of the tone or the chirp [s], in (0, 1].
+  double bandwidth = 200e3;           ///< Bandwidth of the chirp [Hz], in (0, 1e7]; times duration at least 10.
+  bool matched_filter = true;         ///< CW: the receiver correlates with the tone; if false, it takes the envelope.
   PulseWindow window = PulseWindow::kRectangular;  ///< LFM: weights of the band; kRectangular has lobes of -13 dB.
   double side_lobe_db = -40;                       ///< LFM with kTaylor: side lobes re the peak [dB], -100..-15.
 

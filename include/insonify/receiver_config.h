@@ -39,9 +39,9 @@ struct ReceiverConfig {
   double element_error = 0;                ///< Standard deviation of their phases [rad], 0..180 deg.
   std::vector<double> dead_elements = {};  ///< Indices of elements that receive nothing, from 0 at the port end.
 
-  PulseKind pulse = PulseKind::kNone;  ///< kNone: as long as a bin.
-  double pulse_duration = 50e-6;       ///< Duration, kCw and kLfm [s], in (0, 1].
-  double pulse_bandwidth = 200e3;      ///< Bandwidth, kLfm [Hz], in (0, 1e7]; times pulse_duration at least 10.
+  PulseKind pulse = PulseKind::kInstrument;  ///< kInstrument: the sonar's own. kNone: as long as a bin.
+  double pulse_duration = 50e-6;             ///< Duration, kCw and kLfm [s], in (0, 1].
+  double pulse_bandwidth = 200e3;            ///< Bandwidth, kLfm [Hz], in (0, 1e7]; times pulse_duration at least 10.
 
   PulseWindow pulse_window = PulseWindow::kRectangular;  ///< Weights of the band, kLfm.
   double pulse_side_lobe_db = -40;              ///< Side lobes in range of pulse_window kTaylor [dB], -100..-15.
@@ -124,7 +124,7 @@ struct ReceiverConfig {
     visit(Field{"pulse",
                 "",
                 {},
-                "none (as long as a bin), cw (a tone) or lfm (a chirp), matched-filtered "
+                "instrument (the sonar's own), none (as long as a bin), cw (a tone) or lfm (a chirp), matched-filtered "
                 "(calibrated).",
                 ActsIn::kCalibrated},
           self.pulse);

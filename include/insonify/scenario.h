@@ -227,7 +227,7 @@ void Scenario::visit_parts(Self& self, Visit&& visit) {
         self.materials.overrides);
   visit(Part{"sonars", "list of sonars", "The sonars, at least one: see `sonars`.",
              "One entry for each sonar. The keys beside `preset` override it; without one, the defaults below hold. "
-             "With a preset, `bin_count` and `ping_period` follow from the range unless given."},
+             "With a preset, `bin_count`, `ping_period` and `pulse_duration` follow from the range unless given."},
         self.sonars);
   visit(Part{"receiver", "map", "What the receiver adds: see `receiver`.",
              "What the receiver adds. A sonar may have its own `receiver`, which starts from this one. In the paper "

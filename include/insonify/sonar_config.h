@@ -57,6 +57,12 @@ struct SonarConfig {
   double source_level_db = 200;  ///< SL on the acoustic axis [dB re 1 uPa at 1 m], 100..260.
   double bandwidth = 25e3;       ///< Receiver bandwidth, for noise, without a pulse [Hz], in (0, 1e8].
 
+  // What the instrument transmits; ReceiverConfig::pulse may replace it.
+  PulseKind pulse = PulseKind::kNone;  ///< kNone: as long as a bin. Not kInstrument.
+  double pulse_duration = 50e-6;       ///< Duration, kCw and kLfm [s], in (0, 1].
+  double pulse_bandwidth = 200e3;      ///< Bandwidth, kLfm [Hz], in (0, 1e7]; times pulse_duration at least 10.
+  PulseWindow pulse_window = PulseWindow::kRectangular;  ///< Weights of the band, kLfm.
+
   // Fan of beams.
   int beam_count = 256;                                 ///< Beams across the azimuth aperture, 1..4096.
   double azimuth_aperture = radians_from_degrees(120);  ///< Full width of the fan [rad], in (0, 2 pi].
@@ -103,6 +109,10 @@ struct SonarConfig {
 
   [[nodiscard]] double bin_length() const { return (max_range - min_range) / bin_count; }           ///< [m]
   [[nodiscard]] double bin_range(int bin) const { return min_range + (bin + 0.5) * bin_length(); }  ///< Centre [m].
+
+  /// The pulse that this sonar transmits beside a receiver: the receiver's, or the sonar's own where that is
+  /// kInstrument, with the receiver's side lobes of a kTaylor window.
+  [[nodiscard]] PulseSettings transmitted(const ReceiverConfig& with) const;
 
   /// Azimuth of the centre of beam `beam` [rad]; falls from port (beam 0) to starboard.
   [[nodiscard]] double beam_azimuth(int beam) const;
@@ -163,9 +173,22 @@ void SonarConfig::visit_fields(Self& self, Visit&& visit) {
               ActsIn::kCalibrated, "gain"},
         self.source_level_db);
   visit(Field{"bandwidth", "Hz", above_to(0, 1e8),
-              "Bandwidth of the receiver, for noise, where receiver.pulse is none (calibrated model).",
-              ActsIn::kCalibrated, "paper.additive_deviation"},
+              "Bandwidth of the receiver, for noise, where the pulse is none (calibrated model).", ActsIn::kCalibrated,
+              "paper.additive_deviation"},
         self.bandwidth);
+  visit(Field{"pulse",
+              "",
+              {},
+              "What the instrument transmits: none (as long as a bin), cw (a tone) or lfm (a chirp), where "
+              "receiver.pulse is instrument (calibrated model).",
+              ActsIn::kCalibrated},
+        self.pulse);
+  visit(Field{"pulse_duration", "s", above_to(0, 1), "Duration of that tone or chirp.", ActsIn::kCalibrated},
+        self.pulse_duration);
+  visit(Field{"pulse_bandwidth", "Hz", above_to(0, 1e7), "Bandwidth of that chirp.", ActsIn::kCalibrated},
+        self.pulse_bandwidth);
+  visit(Field{"pulse_window", "", {}, "Weights over its band, for lower side lobes in range.", ActsIn::kCalibrated},
+        self.pulse_window);
   visit(Field{"beam_count", "", from_to(1, 4096), "Beams across the azimuth aperture."}, self.beam_count);
   visit(Field{"azimuth_aperture", "rad", above_to(0, 2 * kPi), "Full width of the fan."}, self.azimuth_aperture);
   visit(Field{"beam_azimuths", "rad", from_to(-kPi, kPi),

@@ -67,7 +67,10 @@ constexpr auto words_of<BeamShape>() {
 }
 template <>
 constexpr auto words_of<PulseKind>() {
-  return Words<PulseKind, 3>{{{"none", PulseKind::kNone}, {"cw", PulseKind::kCw}, {"lfm", PulseKind::kLfm}}};
+  return Words<PulseKind, 4>{{{"none", PulseKind::kNone},
+                              {"cw", PulseKind::kCw},
+                              {"lfm", PulseKind::kLfm},
+                              {"instrument", PulseKind::kInstrument}}};
 }
 template <>
 constexpr auto words_of<PulseWindow>() {

@@ -57,6 +57,9 @@ py::object preset(const py::args& given, const py::kwargs& keywords) {
   if (!changes.contains("ping_period")) {
     py::setattr(made, "ping_period", to_python(fitted.ping_period, 1));
   }
+  if (!changes.contains("pulse_duration")) {
+    py::setattr(made, "pulse_duration", py::float_(fitted.pulse_duration));
+  }
   for (const Preset::Excess& excess : known.exceeded_by(unwrap<SonarConfig>(made, "sonar"))) {
     warnings_log()(Severity::kWarning, excess.field + excess.text);
   }
@@ -70,8 +73,9 @@ void add_receivers_and_sonars(py::module_& module) {
   sonar->def_static("preset", &preset,
                     "preset(name, /, mode='', **fields)\n\nThe sonar of a shipped or own preset, over the instrument's "
                     "longest range. Keywords change "
-                    "fields; bin_count and "
-                    "ping_period are those that the instrument has over the range window, unless they are given, by "
+                    "fields; bin_count, "
+                    "ping_period and pulse_duration are those that the instrument has over the range window, unless "
+                    "they are given, by "
                     "assumed_sound_speed or else that of Water(). insonify.preset_names() lists the names. Raises "
                     "Error for an unknown "
                     "name or mode, TypeError for an unknown field; warns of what the instrument cannot have.");

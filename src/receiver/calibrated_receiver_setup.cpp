@@ -69,13 +69,9 @@ CalibratedReceiver::CalibratedReceiver(const Settings& settings)
   const double range_scale = true_speed / shown_speed, wavelength = true_speed / sonar.frequency;
   gain_ = gain_of(sonar, receiver, settings.water.absorption_db_per_m_at(sonar.frequency));
   volume_ = volume_of(sonar, settings.water, range_scale);
-  const Pulse pulse({.kind = receiver.pulse,
-                     .duration = receiver.pulse_duration,
-                     .bandwidth = receiver.pulse_bandwidth,
-                     .window = receiver.pulse_window,
-                     .side_lobe_db = receiver.pulse_side_lobe_db},
-                    shown_speed, sonar.bin_length());
-  if (receiver.pulse != PulseKind::kNone) {
+  const PulseSettings transmitted = sonar.transmitted(receiver);
+  const Pulse pulse(transmitted, shown_speed, sonar.bin_length());
+  if (transmitted.kind != PulseKind::kNone) {
     range_.emplace(pulse, sonar.bin_length());
     coarse_.emplace(pulse, sonar.bin_length(), *range_, receiver.decimation);
     keeps_looks_ = coarse_->has_looks() && (receiver.speckle || receiver.noise);

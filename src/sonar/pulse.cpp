@@ -17,7 +17,9 @@ namespace insonify {
 
 void PulseSettings::validate(std::string_view object) const {
   check_fields(object, *this);
-  constexpr double kLeastCompression = 10;
+  if (kind == PulseKind::kInstrument) {
+    throw Error(object, "kind", " = instrument must be none, cw or lfm");
+  }
   if (kind == PulseKind::kLfm && bandwidth * duration < kLeastCompression) {
     throw Error(object, "bandwidth",
                 fmt::format(" = {:.10g} Hz times {}.duration = {:.10g} s must be at least {}", bandwidth, object,
@@ -73,6 +75,7 @@ double doppler_shift(double speed, double frequency, double sound_speed) {
 Pulse::Pulse(const PulseSettings& settings, double sound_speed, double bin_length) {
   settings.validate();
   switch (settings.kind) {
+    case PulseKind::kInstrument:  // Refused above.
     case PulseKind::kNone:
       reach_ = bin_length / 2;
       break;

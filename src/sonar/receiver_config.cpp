@@ -35,7 +35,7 @@ void check_gain_table(std::string_view object, const ReceiverConfig& receiver) {
 
 void ReceiverConfig::validate(std::string_view object) const {
   check_fields(object, *this);
-  if (pulse == PulseKind::kLfm && pulse_duration * pulse_bandwidth < 10) {
+  if (pulse == PulseKind::kLfm && pulse_duration * pulse_bandwidth < kLeastCompression) {
     throw Error(
         object, "pulse_bandwidth",
         fmt::format(" = {:.4g} Hz times {}.pulse_duration = {:.4g} s is {:.3g}, must be at least 10 for a chirp",

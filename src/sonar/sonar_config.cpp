@@ -130,7 +130,35 @@ void check_head(std::string_view object, const SonarConfig& sonar) {
   }
 }
 
+void check_pulse(std::string_view object, const SonarConfig& sonar) {
+  if (sonar.pulse == PulseKind::kInstrument) {
+    fail(object, "pulse", " = instrument must be none, cw or lfm: it is the instrument's");
+  }
+  if (sonar.pulse == PulseKind::kLfm && sonar.pulse_duration * sonar.pulse_bandwidth < kLeastCompression) {
+    fail(object, "pulse_bandwidth",
+         fmt::format(" = {:.4g} Hz times {}.pulse_duration = {:.4g} s is {:.3g}, must be at least {} for a chirp",
+                     sonar.pulse_bandwidth, object, sonar.pulse_duration, sonar.pulse_duration * sonar.pulse_bandwidth,
+                     kLeastCompression),
+         {"pulse_duration", "pulse"});
+  }
+}
+
 }  // namespace
+
+PulseSettings SonarConfig::transmitted(const ReceiverConfig& with) const {
+  if (with.pulse == PulseKind::kInstrument) {
+    return {.kind = pulse,
+            .duration = pulse_duration,
+            .bandwidth = pulse_bandwidth,
+            .window = pulse_window,
+            .side_lobe_db = with.pulse_side_lobe_db};
+  }
+  return {.kind = with.pulse,
+          .duration = with.pulse_duration,
+          .bandwidth = with.pulse_bandwidth,
+          .window = with.pulse_window,
+          .side_lobe_db = with.pulse_side_lobe_db};
+}
 
 double SonarConfig::beam_azimuth(int beam) const {
   if (!beam_azimuths.empty()) {
@@ -197,6 +225,7 @@ void SonarConfig::validate(std::string_view object) const {
   check_beam_azimuths(object, *this);
   check_elevations(object, *this);
   check_head(object, *this);
+  check_pulse(object, *this);
 }
 
 }  // namespace insonify

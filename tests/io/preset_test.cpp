@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "insonify/files.h"
 #include "support/message_of.h"
@@ -182,6 +183,54 @@ TEST(PresetTest, BinsFollowFromTheRange) {
   sonar.max_range = 15;
   aris.fit_to_range(sonar, 1500);
   EXPECT_EQ(sonar.bin_count, 1000);
+}
+
+// ---------------------------------------------------------------- Pulse
+
+TEST(PresetTest, EveryInstrumentHasAPulseThatEndsBeforeItsShortestRange) {
+  for (const std::string& name : preset_names()) {
+    for (const std::string& mode : load_preset(name).modes) {
+      SCOPED_TRACE(name + " " + mode);
+      const SonarConfig& sonar = load_preset(name, mode).sonar;
+      EXPECT_NE(sonar.pulse, PulseKind::kNone);
+      if (sonar.pulse == PulseKind::kLfm) {
+        EXPECT_LE(sonar.pulse_duration, 2 * sonar.min_range / 1500);
+        EXPECT_NE(sonar.pulse_window, PulseWindow::kRectangular);
+      }
+    }
+  }
+}
+
+// Of the Ping360 8000 range / c microseconds, from 5 to 500; of the ARIS 3000 2 us a metre from 5 to 16 (high) and
+// 7 + 1.75 (range - 4) from 8 to 24 (low); of the ARIS 1800 2 (range - 5) from 6 to 25 and 7 + range up to 40.
+TEST(PresetTest, PulsesGrowWithTheRangeAsTheInstrumentsDo) {
+  const auto microseconds = [](const char* name, const char* mode, double range) {
+    const Preset preset = load_preset(name, mode);
+    SonarConfig sonar = preset.sonar;
+    sonar.max_range = range;
+    preset.fit_to_range(sonar, 1500);
+    EXPECT_EQ(sonar.pulse, PulseKind::kCw);
+    return std::round(sonar.pulse_duration * 1e9) / 1e3;
+  };
+  const auto over = [&](const char* name, const char* mode, std::vector<double> ranges) {
+    std::ranges::transform(ranges, ranges.begin(), [&](double range) { return microseconds(name, mode, range); });
+    return ranges;
+  };
+  EXPECT_THAT(over("bluerobotics-ping360", "", {0.8, 3, 20, 50}), ElementsAre(5, 16, 107, 267));
+  EXPECT_THAT(over("soundmetrics-aris-explorer-3000", "high", {1, 3, 4.2, 5}), ElementsAre(5, 6, 8, 10));
+  EXPECT_THAT(over("soundmetrics-aris-explorer-3000", "low", {4, 8, 12, 15}), ElementsAre(8, 14, 21, 24));
+  EXPECT_THAT(over("soundmetrics-aris-explorer-1800", "high", {7, 10, 15}), ElementsAre(6, 10, 20));
+  EXPECT_THAT(over("soundmetrics-aris-explorer-1800", "low", {6, 20, 35}), ElementsAre(13, 27, 40));
+}
+
+TEST(PresetTest, AScenariosOwnPulseDurationStays) {
+  const WorkingFolder folder;
+  folder.write("a.yaml",
+               "world: none\nsonars: [{preset: bluerobotics-ping360, max_range: 20}, {name: b, preset: "
+               "bluerobotics-ping360, max_range: 20, pulse_duration: 30e-6}]\n");
+  const Scenario scenario = load_scenario("a.yaml");
+  EXPECT_NEAR(scenario.sonars[0].pulse_duration, 107e-6, 1e-12);
+  EXPECT_EQ(scenario.sonars[1].pulse_duration, 30e-6);
 }
 
 TEST(PresetTest, TheDidsonHas512BinsOverAnyRange) {

@@ -47,39 +47,56 @@ void visit_idle_keys(const Scenario& scenario, const Visit& visit) {
   });
 }
 
-// A key of a receiver that acts only beside another setting.
+// A sonar and the receiver that it has.
+struct Received {
+  const SonarConfig& sonar;
+  const ReceiverConfig& receiver;
+  PulseSettings pulse = sonar.transmitted(receiver);
+};
+
+// A key that acts only beside another setting.
 struct Condition {
   const char* key;
-  bool (*acts)(const ReceiverConfig& receiver);
+  bool (*acts)(const Received& with);
   const char* text;  // Completes "has no effect unless ...".
 };
 bool has_set_side_lobes(BeamPattern pattern) {
   return pattern == BeamPattern::kTaylor || pattern == BeamPattern::kDolphChebyshev;
 }
-constexpr std::array<Condition, 8> kConditions = {
-    {{"pulse_duration", [](const ReceiverConfig& r) { return r.pulse != PulseKind::kNone; }, "pulse is cw or lfm"},
-     {"pulse_bandwidth", [](const ReceiverConfig& r) { return r.pulse == PulseKind::kLfm; }, "pulse is lfm"},
-     {"pulse_window", [](const ReceiverConfig& r) { return r.pulse == PulseKind::kLfm; }, "pulse is lfm"},
+constexpr std::array<Condition, 8> kOfReceiver = {
+    {{"pulse_duration",
+      [](const Received& r) { return r.receiver.pulse == PulseKind::kCw || r.receiver.pulse == PulseKind::kLfm; },
+      "pulse is cw or lfm"},
+     {"pulse_bandwidth", [](const Received& r) { return r.receiver.pulse == PulseKind::kLfm; }, "pulse is lfm"},
+     {"pulse_window", [](const Received& r) { return r.receiver.pulse == PulseKind::kLfm; }, "pulse is lfm"},
      {"pulse_side_lobe_db",
-      [](const ReceiverConfig& r) { return r.pulse == PulseKind::kLfm && r.pulse_window == PulseWindow::kTaylor; },
-      "pulse is lfm and pulse_window is taylor"},
-     {"decimation", [](const ReceiverConfig& r) { return r.pulse != PulseKind::kNone; }, "pulse is cw or lfm"},
-     {"ambient_noise_db", [](const ReceiverConfig& r) { return r.noise; }, "noise is true"},
-     {"full_scale_db", [](const ReceiverConfig& r) { return r.counts; }, "counts is true"},
+      [](const Received& r) { return r.pulse.kind == PulseKind::kLfm && r.pulse.window == PulseWindow::kTaylor; },
+      "the pulse is lfm and its window taylor"},
+     {"decimation", [](const Received& r) { return r.pulse.kind != PulseKind::kNone; }, "the pulse is cw or lfm"},
+     {"ambient_noise_db", [](const Received& r) { return r.receiver.noise; }, "noise is true"},
+     {"full_scale_db", [](const Received& r) { return r.receiver.counts; }, "counts is true"},
      {"side_lobe_db",
-      [](const ReceiverConfig& r) {
-        return has_set_side_lobes(r.azimuth_pattern) || has_set_side_lobes(r.elevation_pattern);
+      [](const Received& r) {
+        return has_set_side_lobes(r.receiver.azimuth_pattern) || has_set_side_lobes(r.receiver.elevation_pattern);
       },
       "a pattern is taylor or dolph_chebyshev"}}};
+constexpr std::array<Condition, 5> kOfSonar = {
+    {{"pulse", [](const Received& r) { return r.receiver.pulse == PulseKind::kInstrument; },
+      "receiver.pulse is instrument"},
+     {"pulse_duration", [](const Received& r) { return r.sonar.pulse != PulseKind::kNone; }, "pulse is cw or lfm"},
+     {"pulse_bandwidth", [](const Received& r) { return r.sonar.pulse == PulseKind::kLfm; }, "pulse is lfm"},
+     {"pulse_window", [](const Received& r) { return r.sonar.pulse == PulseKind::kLfm; }, "pulse is lfm"},
+     {"bandwidth", [](const Received& r) { return r.receiver.noise && r.pulse.kind == PulseKind::kNone; },
+      "noise is true and the pulse is none"}}};
 
-// Adds a line for each key given of a receiver that acts in none of those that have it.
-void tell_of_receiver(const Places& places, const std::string& object, std::span<const ReceiverConfig* const> having_it,
-                      std::vector<std::string>& lines) {
-  for (const Condition& condition : kConditions) {
+// Adds a line for each key given of `object` that acts in none of those that have it.
+void tell_of(const Places& places, const std::string& object, std::span<const Condition> conditions,
+             std::span<const Received> having_it, std::vector<std::string>& lines) {
+  for (const Condition& condition : conditions) {
     const std::string name = member_name(object, condition.key);
     const auto given = places.find(name);
     if (given != places.end() &&
-        std::ranges::none_of(having_it, [&](const ReceiverConfig* receiver) { return condition.acts(*receiver); })) {
+        std::ranges::none_of(having_it, [&](const Received& with) { return condition.acts(with); })) {
       lines.push_back(fmt::format("{}{} has no effect unless {}", given->second.text(), name, condition.text));
     }
   }
@@ -114,15 +131,18 @@ std::vector<std::string> keys_idle_beside_others(const Scenario& scenario) {
   if (scenario.model != EchoModel::kCalibrated) {
     return lines;
   }
-  std::vector<const ReceiverConfig*> having_the_common_one = {&scenario.receiver};
+  std::vector<Received> all;  // Each receiver of a sonar's own starts from the common one.
   for (std::size_t i = 0; i < scenario.sonars.size(); ++i) {
-    if (const std::optional<ReceiverConfig>& own = scenario.sonars[i].receiver) {
-      const ReceiverConfig* receiver = &*own;
-      tell_of_receiver(scenario.places, fmt::format("sonars[{}].receiver", i), {&receiver, 1}, lines);
-      having_the_common_one.push_back(receiver);  // It starts from the common one.
+    const SonarConfig& sonar = scenario.sonars[i];
+    const Received with{.sonar = sonar, .receiver = scenario.receiver_of(sonar)};
+    const std::string object = fmt::format("sonars[{}]", i);
+    tell_of(scenario.places, object, kOfSonar, {&with, 1}, lines);
+    if (sonar.receiver) {
+      tell_of(scenario.places, object + ".receiver", kOfReceiver, {&with, 1}, lines);
     }
+    all.push_back(with);
   }
-  tell_of_receiver(scenario.places, "receiver", having_the_common_one, lines);
+  tell_of(scenario.places, "receiver", kOfReceiver, all, lines);
   return lines;
 }
 

@@ -139,6 +139,27 @@ class FactReader {
   const YamlValue& sources_;
 };
 
+void check_pulse_table(const Preset& preset) {
+  const std::vector<double>& ranges = preset.instrument.pulse_ranges;
+  const std::size_t durations = preset.instrument.pulse_durations.size();
+  if (ranges.size() != durations) {
+    throw Error(preset.name, "pulse_durations",
+                fmt::format(" has {} values for the {} of pulse_ranges", durations, ranges.size()));
+  }
+  if (std::ranges::adjacent_find(ranges, std::ranges::greater_equal()) != ranges.end()) {
+    throw Error(preset.name, "pulse_ranges", fmt::format(" = [{:g}] must rise", fmt::join(ranges, ", ")));
+  }
+}
+
+double linear_in(const std::vector<double>& places, const std::vector<double>& values, double place) {
+  const auto above = std::ranges::upper_bound(places, place) - places.begin();
+  if (above == 0 || above == std::ssize(places)) {
+    return above == 0 ? values.front() : values.back();
+  }
+  const double part = (place - places[above - 1]) / (places[above] - places[above - 1]);
+  return std::lerp(values[above - 1], values[above], part);
+}
+
 // Bits and range of the counts: the smallest depth from 8 to 16 bits that the instrument delivers, and its dynamic
 // range if known.
 void fill_in_counts(Preset& preset) {
@@ -194,6 +215,11 @@ void Preset::fit_to_range(SonarConfig& fitted, double sound_speed) const {
   const double wanted =
       instrument.range_resolution ? std::ceil(window / *instrument.range_resolution - 1e-6) : instrument.bin_limit;
   fitted.bin_count = std::clamp(static_cast<int>(std::min(wanted, 65536.0)), 1, instrument.bin_limit);
+  if (!instrument.pulse_ranges.empty()) {
+    constexpr double kMicro = 1e-6;  // Instruments count their pulses' durations in microseconds.
+    const double duration = linear_in(instrument.pulse_ranges, instrument.pulse_durations, fitted.max_range);
+    fitted.pulse_duration = std::max(1.0, std::round(duration / kMicro)) * kMicro;
+  }
   fitted.ping_period.reset();
   if (instrument.ping_rate_limit && 1 / *instrument.ping_rate_limit > fitted.shortest_ping_period(sound_speed)) {
     fitted.ping_period = 1 / *instrument.ping_rate_limit;
@@ -271,6 +297,7 @@ Preset load_preset(const std::string& name, const std::string& mode) {
   if (const YamlValue* sampling = tree.find("sampling")) {
     read_section(*sampling, "sampling", preset.sonar.sampling, places);
   }
+  with_place({preset.file.string(), 1, 1}, [&] { check_pulse_table(preset); });
   fill_in_counts(preset);
   preset.sonar.model = preset.title;  // Not its mode: the frequency stands beside it.
   preset.fit_to_range(preset.sonar, kReferenceSoundSpeed);

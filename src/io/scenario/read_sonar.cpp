@@ -79,7 +79,7 @@ void refuse_head_keys(const YamlValue& value, const std::string& object, const S
   }
 }
 
-// Derives bin_count and ping_period from the range window unless they are given.
+// Derives bin_count, ping_period and pulse_duration from the range window unless they are given.
 void fit_to_range(const YamlValue& value, const Preset& preset, const Scenario& scenario, SonarConfig& sonar) {
   SonarConfig fitted = sonar;
   preset.fit_to_range(fitted, sonar.assumed_sound_speed.value_or(scenario.water_at(sonar).true_sound_speed()));
@@ -88,6 +88,9 @@ void fit_to_range(const YamlValue& value, const Preset& preset, const Scenario& 
   }
   if (value.find("ping_period") == nullptr) {
     sonar.ping_period = fitted.ping_period;
+  }
+  if (value.find("pulse_duration") == nullptr) {
+    sonar.pulse_duration = fitted.pulse_duration;
   }
 }
 
