@@ -249,6 +249,31 @@ TEST_F(CliTest, KeysThatAnotherKeepsFromActingAreToldOf) {
       "");
 }
 
+TEST_F(CliTest, KeysOfAnInstrumentsPulseThatDoNotActAreToldOf) {
+  const auto told = [](const std::string& settings) {
+    return shell("insonify run fan.yaml -q --no-pictures --force -o out " + settings).err;
+  };
+  EXPECT_EQ(told("--set sonars.ahead.pulse_duration=1e-4"),
+            "insonify: warning: --set sonars.ahead.pulse_duration=1e-4: sonars[0].pulse_duration has no effect unless "
+            "pulse is cw or lfm\n");
+  EXPECT_EQ(told("--set sonars.ahead.pulse=cw --set receiver.pulse=none"),
+            "insonify: warning: --set sonars.ahead.pulse=cw: sonars[0].pulse has no effect unless receiver.pulse is "
+            "instrument\n");
+  EXPECT_EQ(
+      told("--set sonars.ahead.pulse=cw --set sonars.ahead.bandwidth=3e4"),
+      "insonify: warning: --set sonars.ahead.bandwidth=3e4: sonars[0].bandwidth has no effect unless noise is true "
+      "and the pulse is none\n");
+  EXPECT_EQ(told("--set sonars.ahead.pulse=cw --set sonars.ahead.pulse_duration=1e-4 --set receiver.decimation=mean"),
+            "");
+  EXPECT_EQ(
+      told("--set sonars.ahead.pulse=instrument"),
+      "insonify: --set sonars.ahead.pulse=instrument: sonars[0].pulse = instrument must be none, cw or lfm: it is "
+      "the instrument's\n");
+  EXPECT_EQ(told("--set sonars.ahead.pulse=lfm --set sonars.ahead.pulse_bandwidth=1e4"),
+            "insonify: --set sonars.ahead.pulse_bandwidth=1e4: sonars[0].pulse_bandwidth = 1e+04 Hz times "
+            "sonars[0].pulse_duration = 5e-05 s is 0.5, must be at least 10 for a chirp\n");
+}
+
 TEST_F(CliTest, ALinkIsAnEarlierRecordingToo) {
   std::filesystem::create_directory("out");
   std::filesystem::create_symlink("/not/mounted/ahead.h5", "out/ahead.h5");

@@ -187,5 +187,32 @@ TEST(PulsePingTest, ChirpResolvesWhatAToneDoesNot) {
   EXPECT_LT(dip(two_plates(PulseKind::kCw)), 2);
 }
 
+// What the instrument transmits acts as the receiver's own pulse of the same values; the receiver's replaces it.
+TEST(PulsePingTest, TheInstrumentsPulseActsUnlessTheReceiverNamesAnother) {
+  const Scene scene = plate_at(15, 4, diffuse(-20), 0.5);
+  const auto ping_with = [&](const SonarConfig& sonar, const ReceiverConfig& receiver) {
+    Scenario scenario = calibrated(sonar, kRays);
+    scenario.receiver = receiver;  // With speckle and noise.
+    return ping_of(scenario, scene);
+  };
+  ReceiverConfig chirp;
+  chirp.pulse = PulseKind::kLfm;
+  chirp.pulse_duration = 700e-6;
+  chirp.pulse_bandwidth = 30e3;
+  chirp.pulse_window = PulseWindow::kTaylor;
+  chirp.pulse_side_lobe_db = -33;
+  SonarConfig instrument = fan();
+  instrument.pulse = PulseKind::kLfm;
+  instrument.pulse_duration = 700e-6;
+  instrument.pulse_bandwidth = 30e3;
+  instrument.pulse_window = PulseWindow::kTaylor;
+  ReceiverConfig plain, none;
+  plain.pulse_side_lobe_db = -33;
+  none.pulse = PulseKind::kNone;
+  EXPECT_EQ(ping_with(instrument, plain).intensity, ping_with(fan(), chirp).intensity);
+  EXPECT_EQ(ping_with(instrument, none).intensity, ping_with(fan(), plain).intensity);
+  EXPECT_NE(ping_with(instrument, plain).intensity, ping_with(fan(), plain).intensity);
+}
+
 }  // namespace
 }  // namespace insonify::validation
