@@ -333,6 +333,17 @@ TEST_F(OwnPresetTest, RefusesWhatASonarRefuses) {
   EXPECT_EQ(
       message(std::string(kHead) + "modes:\n  wide:\n    max_range: {value: 0.1, confidence: C, source: sheet}\n"),
       "mine.yaml:1:1: mine.max_range = 0.1 m must be greater than min_range = 0.2 m");
+  const auto pulses = [&](const char* ranges, const char* durations) {
+    return message(
+        fmt::format("{}modes:\n  wide:\n    pulse_ranges: {{value: {}, confidence: C, source: sheet}}\n    "
+                    "pulse_durations: {{value: {}, confidence: C, source: sheet}}\n",
+                    kHead, ranges, durations));
+  };
+  EXPECT_EQ(pulses("[1, 2]", "[1e-5]"),
+            "mine.yaml:1:1: mine.pulse_durations has 1 values, must have one for each of the 2 of pulse_ranges");
+  EXPECT_EQ(pulses("[2, 2]", "[1e-5, 2e-5]"), "mine.yaml:1:1: mine.pulse_ranges = [2, 2] must rise");
+  EXPECT_EQ(pulses("[1, 2]", "[1e-5, -2e-5]"),
+            "mine.yaml:7:37: pulse_durations[1] = -2e-05 s must be greater than 0, at most 1 s");
 }
 
 TEST(PresetNameTest, TheNearestIsNamed) {

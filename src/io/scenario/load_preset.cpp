@@ -143,8 +143,9 @@ void check_pulse_table(const Preset& preset) {
   const std::vector<double>& ranges = preset.instrument.pulse_ranges;
   const std::size_t durations = preset.instrument.pulse_durations.size();
   if (ranges.size() != durations) {
-    throw Error(preset.name, "pulse_durations",
-                fmt::format(" has {} values for the {} of pulse_ranges", durations, ranges.size()));
+    throw Error(
+        preset.name, "pulse_durations",
+        fmt::format(" has {} values, must have one for each of the {} of pulse_ranges", durations, ranges.size()));
   }
   if (std::ranges::adjacent_find(ranges, std::ranges::greater_equal()) != ranges.end()) {
     throw Error(preset.name, "pulse_ranges", fmt::format(" = [{:g}] must rise", fmt::join(ranges, ", ")));
