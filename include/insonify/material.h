@@ -50,6 +50,11 @@ void visit_material_fields(Self& self, Visit&& visit) {
               "(calibrated model).",
               ActsIn::kCalibrated, "reflectivity"},
         self.rms_slope);
+  visit(Field{"rms_height", "m", from_to(0, 100),
+              "Root mean square height of the roughness made of these facets: the share exp(-4 k^2 h^2 cos^2) of the "
+              "reflected sound is a mirror's, the facets spread the rest (calibrated model).",
+              ActsIn::kCalibrated, "reflectivity"},
+        self.rms_height);
   visit(Field{"clutter_shape", "", from_to(0.1, 1000),
               "Shape of K-distributed clutter; a smaller one is patchier (calibrated model, with speckle); none when "
               "absent.",
@@ -73,6 +78,7 @@ struct Material {
   std::optional<double> thickness = {};          ///< Thickness of a plate with water on both sides [m], in (0, 1000];
                                                  ///< absent: solid.
   double rms_slope = 0.1;                        ///< Root mean square slope of small facets, along each axis, 0.005..1.
+  double rms_height = 0;                         ///< Root mean square height of that roughness [m], 0..100.
   std::optional<double> clutter_shape = {};      ///< Shape nu of K-distributed clutter, 0.1..1000: smaller is patchier;
                                                  ///< absent: none.
   std::optional<double> scatterer_density = {};  ///< Equal scatterers per area [1/m^2], in (0, 1e9]; absent: unlimited.
@@ -105,8 +111,10 @@ struct Material {
   [[nodiscard]] bool operator==(const Material&) const = default;
 };
 
-/// Impedance of sea water to which reflection coefficients refer: 1026 kg/m^3 x 1500 m/s.
-inline constexpr double kSeaWaterImpedance = 1026.0 * 1500.0;
+/// Sea water to which reflection refers: density [kg/m^3], sound speed [m/s] and their product, its impedance.
+inline constexpr double kSeaWaterDensity = 1026;
+inline constexpr double kSeaWaterSoundSpeed = 1500;
+inline constexpr double kSeaWaterImpedance = kSeaWaterDensity * kSeaWaterSoundSpeed;
 
 /// Every material known by name, in alphabetical order. Typical values, +-5 %.
 [[nodiscard]] std::span<const Material> material_library();

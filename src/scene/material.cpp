@@ -37,6 +37,8 @@ double Material::reflection_at(double frequency) const {
 Scattering Material::scattering(double frequency) const {
   Scattering scattering{
       .lambert = std::pow(10.0, lambert_db / 10), .reflection = reflection_at(frequency), .rms_slope = rms_slope};
+  const double phase = 2 * std::numbers::pi * frequency / kSeaWaterSoundSpeed * rms_height;
+  scattering.roughness = 4 * phase * phase;
   if (sea_wind) {
     scattering.by_angle = sea_scattering(*sea_wind, frequency, scattering.reflection, rms_slope);
   }

@@ -116,6 +116,8 @@ ScatterTable::ScatterTable(std::span<const Material> materials, double frequency
     lambert_.push_back(static_cast<float>(scattering.lambert));
     lobe_.push_back(static_cast<float>(intensity / (8 * std::numbers::pi * variance)));
     steepness_.push_back(static_cast<float>(1 / (2 * variance)));
+    roughness_.push_back(static_cast<float>(scattering.roughness));
+    any_rough_ |= roughness_.back() > 0;
     facets_.push_back(static_cast<float>(1 / (8 * std::numbers::pi * variance)));
   }
   for (auto* values : {&lambert_, &lobe_, &steepness_, &facets_}) {

@@ -45,6 +45,12 @@ class ScatterTable {
   /// 1 / (2 s^2) of a surface.
   [[nodiscard]] float steepness(SurfaceLabel surface) const { return steepness_[material_of(surface)]; }
 
+  /// Scattering::roughness of a surface.
+  [[nodiscard]] float roughness(SurfaceLabel surface) const { return roughness_[material_of(surface)]; }
+
+  /// Whether any material has a roughness.
+  [[nodiscard]] bool any_rough() const { return any_rough_; }
+
   /// The tables by material, for loops. Index `nothing` holds zeros, for samples without a hit.
   struct Laws {
     std::uint32_t nothing;
@@ -91,6 +97,8 @@ class ScatterTable {
   std::vector<float> lobe_;
   std::vector<float> steepness_;
   std::vector<float> facets_;
+  std::vector<float> roughness_;
+  bool any_rough_ = false;
   std::vector<float> by_angle_;  // [material][kAngleStride]; empty where no material has an AngularScattering.
 };
 
