@@ -28,6 +28,15 @@ void visit_material_fields(Self& self, Visit&& visit) {
   visit(Field{"density", "kg/m^3", above_to(0, kGreatestDensity), "Density."}, self.density);
   visit(Field{"sound_speed", "m/s", above_to(0, kGreatestSoundSpeed), "Speed of compressional waves."},
         self.sound_speed);
+  visit(Field{"shear_speed", "m/s", above_to(0, kGreatestSoundSpeed),
+              "Speed of shear waves in a solid, below 0.86 of the sound speed, for reflection at oblique incidence "
+              "(calibrated model); a fluid when absent.",
+              ActsIn::kCalibrated},
+        self.shear_speed);
+  visit(Field{"loss", "", from_to(0, 1),
+              "Absorption of sound in it: imaginary over real part of the wavenumber (calibrated model).",
+              ActsIn::kCalibrated},
+        self.loss);
   visit(Field{"reflectivity", "", from_to(0, 1),
               "Amplitude reflectivity of the paper model; from the impedance when absent.", ActsIn::kPaper,
               "reflection for mirrors and glints, lambert_db for diffuse echoes"},
@@ -69,18 +78,20 @@ void visit_material_fields(Self& self, Visit&& visit) {
 
 /// Acoustic properties of a surface.
 struct Material {
-  std::string name = {};                         ///< Lower case, as written in scenes.
-  double density = 2500;                         ///< [kg/m^3], in (0, 30000].
-  double sound_speed = 3000;                     ///< Speed of compressional waves [m/s], in (0, 20000].
-  std::optional<double> reflectivity = {};       ///< Amplitude reflectivity of the `paper` model, 0..1; absent: |R|.
-  double lambert_db = -20;                       ///< 10 log10 of Scattering::lambert [dB], -200..kGreatestLambertDb.
-  std::optional<double> reflection = {};         ///< |R| at normal incidence, 0..1; absent: see reflection_at().
-  std::optional<double> thickness = {};          ///< Thickness of a plate with water on both sides [m], in (0, 1000];
-                                                 ///< absent: solid.
-  double rms_slope = 0.1;                        ///< Root mean square slope of small facets, along each axis, 0.005..1.
-  double rms_height = 0;                         ///< Root mean square height of that roughness [m], 0..100.
-  std::optional<double> clutter_shape = {};      ///< Shape nu of K-distributed clutter, 0.1..1000: smaller is patchier;
-                                                 ///< absent: none.
+  std::string name = {};                     ///< Lower case, as written in scenes.
+  double density = 2500;                     ///< [kg/m^3], in (0, 30000].
+  double sound_speed = 3000;                 ///< Speed of compressional waves [m/s], in (0, 20000].
+  std::optional<double> shear_speed = {};    ///< Speed of shear waves [m/s], in (0, 0.86 sound_speed]; absent: fluid.
+  double loss = 0;                           ///< Imaginary over real part of the wavenumber, 0..1.
+  std::optional<double> reflectivity = {};   ///< Amplitude reflectivity of the `paper` model, 0..1; absent: |R|.
+  double lambert_db = -20;                   ///< 10 log10 of Scattering::lambert [dB], -200..kGreatestLambertDb.
+  std::optional<double> reflection = {};     ///< |R| at normal incidence, 0..1; absent: see reflection_at().
+  std::optional<double> thickness = {};      ///< Thickness of a plate with water on both sides [m], in (0, 1000];
+                                             ///< absent: solid.
+  double rms_slope = 0.1;                    ///< Root mean square slope of small facets, along each axis, 0.005..1.
+  double rms_height = 0;                     ///< Root mean square height of that roughness [m], 0..100.
+  std::optional<double> clutter_shape = {};  ///< Shape nu of K-distributed clutter, 0.1..1000: smaller is patchier;
+                                             ///< absent: none.
   std::optional<double> scatterer_density = {};  ///< Equal scatterers per area [1/m^2], in (0, 1e9]; absent: unlimited.
   std::optional<double> sea_wind = {};        ///< Wind speed over it [m/s], in (0, 30], where this is the sea surface.
   std::string source = {};                    ///< Where the numbers come from.
@@ -99,8 +110,9 @@ struct Material {
   /// @param frequency  [Hz], > 0.
   [[nodiscard]] double reflection_at(double frequency) const;
 
-  /// The scattering parameters of the `calibrated` model at a frequency [Hz]. With a `sea_wind`, echo and reflection
-  /// are those of acoustics/surface_scattering.h at every angle.
+  /// The scattering parameters of the `calibrated` model at a frequency [Hz]. Reflection depends on the angle as that
+  /// of a half-space or plate with these speeds, unless `reflection` is given: then |R| is the same at all angles. With
+  /// a `sea_wind`, echo and reflection are those of acoustics/surface_scattering.h at every angle.
   [[nodiscard]] Scattering scattering(double frequency) const;
 
   template <typename Self, typename Visit>

@@ -41,6 +41,8 @@ struct MaterialOverride {
   std::string like = {};  ///< Name of a library material to start from; "" for the one of this name, else the default.
   std::optional<double> density = {};            ///< [kg/m^3]
   std::optional<double> sound_speed = {};        ///< [m/s]
+  std::optional<double> shear_speed = {};        ///< [m/s]
+  std::optional<double> loss = {};               ///< 0..1
   std::optional<double> reflectivity = {};       ///< 0..1
   std::optional<double> lambert_db = {};         ///< [dB]
   std::optional<double> reflection = {};         ///< 0..1

@@ -42,6 +42,9 @@ class ScatterTable {
                              : at_angle(&by_angle_[kAngleStride * material], std::abs(cosine), kReflectance);
   }
 
+  /// The same of many samples; 0 where nothing was hit.
+  void fill_reflectances(int rows, const SurfaceLabel* surface, const float* facing, float* reflectance) const;
+
   /// 1 / (2 s^2) of a surface.
   [[nodiscard]] float steepness(SurfaceLabel surface) const { return steepness_[material_of(surface)]; }
 
@@ -66,12 +69,8 @@ class ScatterTable {
     }
   };
   [[nodiscard]] Laws laws() const {
-    return {static_cast<std::uint32_t>(reflectance_.size()),
-            lambert_.data(),
-            lobe_.data(),
-            steepness_.data(),
-            facets_.data(),
-            by_angle_.empty() ? nullptr : by_angle_.data()};
+    return {nothing_,          lambert_.data(), lobe_.data(),
+            steepness_.data(), facets_.data(),  by_angle_.empty() ? nullptr : by_angle_.data()};
   }
 
   /// Places of the three tables of an AngularScattering in the numbers of one material.
@@ -92,6 +91,7 @@ class ScatterTable {
 
  private:
   std::vector<Scattering> scattering_;
+  std::uint32_t nothing_ = 0;  // Number of materials.
   std::vector<float> reflectance_;
   std::vector<float> lambert_;
   std::vector<float> lobe_;
@@ -99,6 +99,7 @@ class ScatterTable {
   std::vector<float> facets_;
   std::vector<float> roughness_;
   bool any_rough_ = false;
+  bool any_on_top_ = false;      // Whether any AngularScattering::backscatter is not 0.
   std::vector<float> by_angle_;  // [material][kAngleStride]; empty where no material has an AngularScattering.
 };
 
