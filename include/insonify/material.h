@@ -28,6 +28,15 @@ void visit_material_fields(Self& self, Visit&& visit) {
   visit(Field{"density", "kg/m^3", above_to(0, kGreatestDensity), "Density."}, self.density);
   visit(Field{"sound_speed", "m/s", above_to(0, kGreatestSoundSpeed), "Speed of compressional waves."},
         self.sound_speed);
+  visit(Field{"shear_speed", "m/s", above_to(0, kGreatestSoundSpeed),
+              "Speed of shear waves in a solid, below 0.86 of the sound speed, for reflection at oblique incidence "
+              "(calibrated model); a fluid when absent.",
+              ActsIn::kCalibrated},
+        self.shear_speed);
+  visit(Field{"loss", "", from_to(0, 1),
+              "Absorption of sound in it: imaginary over real part of the wavenumber (calibrated model).",
+              ActsIn::kCalibrated},
+        self.loss);
   visit(Field{"reflectivity", "", from_to(0, 1),
               "Amplitude reflectivity of the paper model; from the impedance when absent.", ActsIn::kPaper,
               "reflection for mirrors and glints, lambert_db for diffuse echoes"},
@@ -50,6 +59,11 @@ void visit_material_fields(Self& self, Visit&& visit) {
               "(calibrated model).",
               ActsIn::kCalibrated, "reflectivity"},
         self.rms_slope);
+  visit(Field{"rms_height", "m", from_to(0, 100),
+              "Root mean square height of the roughness made of these facets: the share exp(-4 k^2 h^2 cos^2) of the "
+              "reflected sound is a mirror's, the facets spread the rest (calibrated model).",
+              ActsIn::kCalibrated, "reflectivity"},
+        self.rms_height);
   visit(Field{"clutter_shape", "", from_to(0.1, 1000),
               "Shape of K-distributed clutter; a smaller one is patchier (calibrated model, with speckle); none when "
               "absent.",
@@ -64,17 +78,20 @@ void visit_material_fields(Self& self, Visit&& visit) {
 
 /// Acoustic properties of a surface.
 struct Material {
-  std::string name = {};                         ///< Lower case, as written in scenes.
-  double density = 2500;                         ///< [kg/m^3], in (0, 30000].
-  double sound_speed = 3000;                     ///< Speed of compressional waves [m/s], in (0, 20000].
-  std::optional<double> reflectivity = {};       ///< Amplitude reflectivity of the `paper` model, 0..1; absent: |R|.
-  double lambert_db = -20;                       ///< 10 log10 of Scattering::lambert [dB], -200..kGreatestLambertDb.
-  std::optional<double> reflection = {};         ///< |R| at normal incidence, 0..1; absent: see reflection_at().
-  std::optional<double> thickness = {};          ///< Thickness of a plate with water on both sides [m], in (0, 1000];
-                                                 ///< absent: solid.
-  double rms_slope = 0.1;                        ///< Root mean square slope of small facets, along each axis, 0.005..1.
-  std::optional<double> clutter_shape = {};      ///< Shape nu of K-distributed clutter, 0.1..1000: smaller is patchier;
-                                                 ///< absent: none.
+  std::string name = {};                     ///< Lower case, as written in scenes.
+  double density = 2500;                     ///< [kg/m^3], in (0, 30000].
+  double sound_speed = 3000;                 ///< Speed of compressional waves [m/s], in (0, 20000].
+  std::optional<double> shear_speed = {};    ///< Speed of shear waves [m/s], in (0, 0.86 sound_speed]; absent: fluid.
+  double loss = 0;                           ///< Imaginary over real part of the wavenumber, 0..1.
+  std::optional<double> reflectivity = {};   ///< Amplitude reflectivity of the `paper` model, 0..1; absent: |R|.
+  double lambert_db = -20;                   ///< 10 log10 of Scattering::lambert [dB], -200..kGreatestLambertDb.
+  std::optional<double> reflection = {};     ///< |R| at normal incidence, 0..1; absent: see reflection_at().
+  std::optional<double> thickness = {};      ///< Thickness of a plate with water on both sides [m], in (0, 1000];
+                                             ///< absent: solid.
+  double rms_slope = 0.1;                    ///< Root mean square slope of small facets, along each axis, 0.005..1.
+  double rms_height = 0;                     ///< Root mean square height of that roughness [m], 0..100.
+  std::optional<double> clutter_shape = {};  ///< Shape nu of K-distributed clutter, 0.1..1000: smaller is patchier;
+                                             ///< absent: none.
   std::optional<double> scatterer_density = {};  ///< Equal scatterers per area [1/m^2], in (0, 1e9]; absent: unlimited.
   std::optional<double> sea_wind = {};        ///< Wind speed over it [m/s], in (0, 30], where this is the sea surface.
   std::string source = {};                    ///< Where the numbers come from.
@@ -93,8 +110,9 @@ struct Material {
   /// @param frequency  [Hz], > 0.
   [[nodiscard]] double reflection_at(double frequency) const;
 
-  /// The scattering parameters of the `calibrated` model at a frequency [Hz]. With a `sea_wind`, echo and reflection
-  /// are those of acoustics/surface_scattering.h at every angle.
+  /// The scattering parameters of the `calibrated` model at a frequency [Hz]. Reflection depends on the angle as that
+  /// of a half-space or plate with these speeds, unless `reflection` is given: then |R| is the same at all angles. With
+  /// a `sea_wind`, echo and reflection are those of acoustics/surface_scattering.h at every angle.
   [[nodiscard]] Scattering scattering(double frequency) const;
 
   template <typename Self, typename Visit>
@@ -105,8 +123,10 @@ struct Material {
   [[nodiscard]] bool operator==(const Material&) const = default;
 };
 
-/// Impedance of sea water to which reflection coefficients refer: 1026 kg/m^3 x 1500 m/s.
-inline constexpr double kSeaWaterImpedance = 1026.0 * 1500.0;
+/// Sea water to which reflection refers: density [kg/m^3], sound speed [m/s] and their product, its impedance.
+inline constexpr double kSeaWaterDensity = 1026;
+inline constexpr double kSeaWaterSoundSpeed = 1500;
+inline constexpr double kSeaWaterImpedance = kSeaWaterDensity * kSeaWaterSoundSpeed;
 
 /// Every material known by name, in alphabetical order. Typical values, +-5 %.
 [[nodiscard]] std::span<const Material> material_library();

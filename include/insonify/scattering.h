@@ -56,6 +56,7 @@ struct Scattering {
   double lambert = 0;     ///< Lambert parameter mu [1/sr]: the diffuse cross section is mu cos^2(incidence).
   double reflection = 0;  ///< |R| at normal incidence, of the facet lobe and of reflected rays.
   double rms_slope = 0;   ///< Root mean square slope of the facets that make the lobe, along each axis.
+  double roughness = 0;   ///< 4 k^2 h^2 of the rms height h: a mirror reflects exp(-roughness cos^2) coherently.
   std::shared_ptr<const AngularScattering> by_angle = {};  ///< Null: |R| is the same at all angles, and nothing on top.
 
   /// |R|^2 at an angle of incidence.

@@ -94,7 +94,7 @@ struct Scenario {
   PrimaryEchoes primary = PrimaryEchoes::kAuto;
   SecondaryEchoes secondary = SecondaryEchoes::kSelective;
   int max_surfaces = kPathOrders;  ///< Most surfaces that a path meets, 1..3.
-  bool rough_mirrors = false;      ///< Whether mirrors send sound on about facets drawn from their slopes.
+  bool rough_mirrors = false;      ///< Whether mirrors reflect by their facets alone, whatever their rms_height.
   int random_walks = 0;            ///< Random walks of a ping, 0..1e6: reverberation of closed spaces; 0: none.
   bool motion_in_ping = false;     ///< Whether the sonar moves on while it listens.
   GroundTruth ground_truth = GroundTruth::kLabels;
@@ -177,13 +177,12 @@ struct Scenario {
                 "Surfaces that a path may meet: 2 adds echoes by way of a mirror, 3 those by a mirror both ways "
                 "(calibrated)."},
           self.max_surfaces);
-    visit(
-        Field{"rough_mirrors",
-              "",
-              {},
-              "Whether mirrors send sound on about facets drawn from their rms_slope, not as the smooth surface would "
-              "(calibrated)."},
-        self.rough_mirrors);
+    visit(Field{"rough_mirrors",
+                "",
+                {},
+                "Whether mirrors reflect all sound by facets drawn from their rms_slope; else the share that their "
+                "rms_height says (calibrated)."},
+          self.rough_mirrors);
     visit(Field{"random_walks", "", from_to(0, 1e6),
                 "Walks of a ping over many surfaces, for the reverberation of closed spaces: 1000 to 5000 in a tank, 0 "
                 "for none (calibrated)."},

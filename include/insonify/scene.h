@@ -41,11 +41,14 @@ struct MaterialOverride {
   std::string like = {};  ///< Name of a library material to start from; "" for the one of this name, else the default.
   std::optional<double> density = {};            ///< [kg/m^3]
   std::optional<double> sound_speed = {};        ///< [m/s]
+  std::optional<double> shear_speed = {};        ///< [m/s]
+  std::optional<double> loss = {};               ///< 0..1
   std::optional<double> reflectivity = {};       ///< 0..1
   std::optional<double> lambert_db = {};         ///< [dB]
   std::optional<double> reflection = {};         ///< 0..1
   std::optional<double> thickness = {};          ///< [m]
   std::optional<double> rms_slope = {};          ///< 0.005..1
+  std::optional<double> rms_height = {};         ///< [m]
   std::optional<double> clutter_shape = {};      ///< 0.1..1000
   std::optional<double> scatterer_density = {};  ///< [1/m^2]
   ReliefConfig relief_config = {};               ///< Description from which load_scene() makes `relief`.

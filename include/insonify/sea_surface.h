@@ -22,9 +22,11 @@ struct SeaSurface {
 };
 
 /// The sea surface at one frequency, as a material of the calibrated model. The rms slope is that of Cox and Munk, J.
-/// Opt. Soc. Am. 44(11), 838 (1954): a total variance of 0.003 + 0.00512 U, half of it along each axis. Backscatter and
-/// the loss to bubbles are those of TR 9407 (acoustics/surface_scattering.h) at every angle; Material::reflection is
-/// that straight up. Without wind the surface is a lossless mirror.
+/// Opt. Soc. Am. 44(11), 838 (1954): a total variance of 0.003 + 0.00512 U, half of it along each axis, and the rms
+/// height a quarter of the significant wave height 0.21 U^2/g of Pierson and Moskowitz, J. Geophys. Res. 69(24), 5181
+/// (1964): at sonar frequencies waves leave no coherent reflection but near grazing incidence. Backscatter and the loss
+/// to bubbles are those of TR 9407 (acoustics/surface_scattering.h) at every angle; Material::reflection is that
+/// straight up. Without wind the surface is a lossless mirror.
 /// @param frequency  [Hz], > 0.
 [[nodiscard]] Material sea_surface_material(const SeaSurface& surface, double frequency);
 

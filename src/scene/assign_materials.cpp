@@ -76,12 +76,25 @@ void check_energy(const std::string& key, const Material& material) {
   }
 }
 
+// A solid resists compression: its shear waves are slower than sqrt(3)/2 of the others.
+void check_shear(const std::string& key, const Material& material) {
+  constexpr double kMost = 0.86;
+  if (material.shear_speed && *material.shear_speed > kMost * material.sound_speed) {
+    throw Error(key, "shear_speed",
+                fmt::format(" = {:.6g} m/s must be at most {} of sound_speed = {:.6g} m/s", *material.shear_speed,
+                            kMost, material.sound_speed));
+  }
+}
+
 Material changed(Material base, const std::string& key, const MaterialOverride& change) {
   base.name = key;
   base.source = "scenario";
   // Not inherited: they follow from density, sound speed and thickness, which may be new.
   base.reflectivity.reset();
   base.reflection.reset();
+  if (change.sound_speed) {
+    base.shear_speed.reset();
+  }
   std::vector<std::optional<double>> given;
   visit_material_fields(change, [&](const Field&, const auto& value) { given.push_back(value); });
   std::size_t next = 0;
@@ -92,6 +105,7 @@ Material changed(Material base, const std::string& key, const MaterialOverride& 
   });
   base.relief = change.relief;
   check_fields("materials." + key, base);
+  check_shear("materials." + key, base);
   check_energy("materials." + key, base);
   return base;
 }

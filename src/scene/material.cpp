@@ -4,14 +4,37 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <numbers>
+#include <utility>
 
+#include "acoustics/solid_reflection.h"
 #include "base/canonical_name.h"
 #include "insonify/acoustics/reflection.h"
 #include "scene/material_library.h"
 #include "scene/sea_scattering.h"
 
 namespace insonify {
+namespace {
+
+// |R|^2 of a material at every angle, at most what is not scattered diffusely.
+std::shared_ptr<const AngularScattering> reflectance_by_angle(const Material& material, double frequency) {
+  const ReflectingMedium medium{.density = material.density / kSeaWaterDensity,
+                                .sound_speed = material.sound_speed / kSeaWaterSoundSpeed,
+                                .shear_speed = material.shear_speed.value_or(0) / kSeaWaterSoundSpeed,
+                                .loss = material.loss};
+  const double turns = material.thickness.value_or(0) * frequency / kSeaWaterSoundSpeed;
+  const double most = reflectance_left(material.lambert_db);
+  AngularScattering scattering;
+  scattering.reflectance = AngleTable([&](double cosine) {
+    const std::complex<double> reflection =
+        turns > 0 ? plate_reflection(medium, turns, cosine) : half_space_reflection(medium, cosine);
+    return std::min(std::norm(reflection), most);
+  });
+  return std::make_shared<const AngularScattering>(std::move(scattering));
+}
+
+}  // namespace
 
 double reflectance_left(double lambert_db) {
   return std::max(0.0, 1 - std::numbers::pi * std::pow(10.0, lambert_db / 10));
@@ -37,8 +60,12 @@ double Material::reflection_at(double frequency) const {
 Scattering Material::scattering(double frequency) const {
   Scattering scattering{
       .lambert = std::pow(10.0, lambert_db / 10), .reflection = reflection_at(frequency), .rms_slope = rms_slope};
+  const double phase = 2 * std::numbers::pi * frequency / kSeaWaterSoundSpeed * rms_height;
+  scattering.roughness = 4 * phase * phase;
   if (sea_wind) {
     scattering.by_angle = sea_scattering(*sea_wind, frequency, scattering.reflection, rms_slope);
+  } else if (!reflection) {
+    scattering.by_angle = reflectance_by_angle(*this, frequency);
   }
   return scattering;
 }

@@ -18,12 +18,16 @@ constexpr double kLowestFrequency = 10e3;  // Lowest frequency of TR 9407 [Hz].
 constexpr double kStraightUp = 0.5 * std::numbers::pi;
 constexpr double kFlattest = 0.005;  // Smallest rms slope of a material.
 
+// Rms height of a fully developed sea over the square of the wind speed [s^2/m]: a quarter of the significant wave
+// height 0.21 U^2/g of Pierson and Moskowitz, J. Geophys. Res. 69(24), 5181 (1964).
+constexpr double kHeightPerSquaredWind = 0.25 * 0.21 / 9.81;
+
 }  // namespace
 
 Material sea_surface_material(const SeaSurface& surface, double frequency) {
   Material material;
   material.name = "sea_surface";
-  material.source = "Cox and Munk (1954); APL-UW TR 9407 (1994)";
+  material.source = "Cox and Munk (1954); Pierson and Moskowitz (1964); APL-UW TR 9407 (1994)";
   material.density = 1.204;
   material.sound_speed = 343.2;
   material.reflectivity = 1;
@@ -34,6 +38,7 @@ Material sea_surface_material(const SeaSurface& surface, double frequency) {
     material.sea_wind = surface.wind_speed;
     material.reflection =
         sea_surface_reflection(kStraightUp, std::max(frequency, kLowestFrequency), surface.wind_speed);
+    material.rms_height = kHeightPerSquaredWind * surface.wind_speed * surface.wind_speed;
     material.rms_slope = std::sqrt(0.5 * (0.003 + 0.00512 * surface.wind_speed));
   }
   return material;

@@ -238,5 +238,14 @@ TEST(AssignMaterialsMessagesTest, RefusesASurfaceThatGivesMoreThanItGets) {
   EXPECT_LT(allowed.materials[0].reflection_at(720e3), 0.1);
 }
 
+// Shear waves are slower than sqrt(3)/2 of the others in any solid. Another sound speed makes a fluid.
+TEST(AssignMaterialsTest, ShearIsSlowerThanSound) {
+  Scene scene = scene_with({instance("hull")});
+  assign_materials(scene, {.overrides = {{"hull", {.like = "steel", .sound_speed = 2000}}}});
+  EXPECT_FALSE(scene.materials[0].shear_speed.has_value());
+  EXPECT_EQ(fault(scene, {.overrides = {{"hull", {.like = "steel", .shear_speed = 5500}}}}),
+            "materials.hull.shear_speed = 5500 m/s must be at most 0.86 of sound_speed = 5900 m/s");
+}
+
 }  // namespace
 }  // namespace insonify

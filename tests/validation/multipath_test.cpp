@@ -149,6 +149,8 @@ TEST(SeaSurfaceTest, WindMakesItRoughAndLossy) {
   const Material calm = sea_surface_material({}, 100e3), windy = sea_surface_material({.wind_speed = 8}, 100e3);
   EXPECT_EQ(calm.reflection_at(720e3), 1);
   EXPECT_NEAR(windy.rms_slope, std::sqrt(0.5 * (0.003 + 0.00512 * 8)), 1e-12);
+  EXPECT_NEAR(windy.rms_height, 0.25 * 0.21 * 8 * 8 / 9.81, 1e-12);
+  EXPECT_EQ(calm.rms_height, 0);
   const double straight_up_db = 1.26e-3 * std::pow(8, 1.57) * std::pow(100, 0.85);
   EXPECT_NEAR(windy.reflection_at(720e3), std::pow(10, -straight_up_db / 20), 1e-9);
   for (const double grazing : {6.0, 20.0, 45.0}) {

@@ -58,6 +58,44 @@ TEST(MirrorFacetTest, SharesSumToTheReflectedFraction) {
   }
 }
 
+// Reference values: e^-g with g = 4 k^2 h^2 cos^2 (Brekhovskikh and Lysanov, ch. 9) and c = 1500 m/s, by hand: at 720
+// kHz k is 3015.9 per m, so that 0.1 mm at normal incidence has g = 0.36383 and 1.5801 dB.
+TEST(FacetSlopeTest, ReflectsTheCoherentShareAsASmoothMirror) {
+  struct Case {
+    double frequency, height, incidence_deg, loss_db;
+  };
+  for (const Case& c :
+       {Case{720e3, 0.1e-3, 0, 1.5801}, Case{720e3, 0.3e-3, 0, 14.2210}, Case{720e3, 0.3e-3, 60, 3.5552},
+        Case{375e3, 0.3e-3, 0, 3.8577}, Case{1200e3, 0.1e-3, 30, 3.2919}, Case{100e3, 2e-3, 75, 0.8167}}) {
+    Material material = glinting(1, 0.1);
+    material.rms_height = c.height;
+    const auto roughness = static_cast<float>(material.scattering(c.frequency).roughness);
+    constexpr int kPicks = 200000;
+    int smooth = 0;
+    for (int i = 0; i < kPicks; ++i) {
+      const float pick = (static_cast<float>(i) + 0.5F) / kPicks;
+      smooth += facet_slope(0.1F, roughness, static_cast<float>(std::cos(c.incidence_deg * kDegree)), pick) == 0;
+    }
+    EXPECT_NEAR(-10 * std::log10(static_cast<double>(smooth) / kPicks), c.loss_db, 0.002) << c.height;
+  }
+}
+
+// The variance of all orders together is that of the roughness, whatever its height; above g = 8 of every order. Orders
+// beyond the last of sixteen have 0.4 % of the energy, and count as the last.
+TEST(FacetSlopeTest, VariancesSumToThatOfTheRoughness) {
+  for (const float g : {0.02F, 0.4F, 2.0F, 7.9F, 8.1F, 300.0F}) {
+    constexpr int kPicks = 200000;
+    double sum = 0;
+    for (int i = 0; i < kPicks; ++i) {
+      const float slope = facet_slope(0.05F, 4 * g, 0.5F, (static_cast<float>(i) + 0.5F) / kPicks);
+      sum += slope * slope;
+    }
+    EXPECT_NEAR(sum / kPicks / (0.05 * 0.05), 1, 0.005) << g;
+  }
+  EXPECT_EQ(facet_slope(0.05F, 0, 1, 0.999F), 0);
+  EXPECT_EQ(facet_slope(0.05F, kAllRough, 0.3F, 1e-4F), 0.05F);
+}
+
 // Engines differ in the sign of zero components of normals; it must not matter.
 TEST(MirrorFacetTest, TheSignOfZeroDoesNotMatter) {
   const Triple direction{0.8F, 0.6F, 0};
@@ -123,13 +161,17 @@ struct Ghost {
   double energy = 0;               // Energy of path order 2 from the mirror's side.
   double mean = 0, deviation = 0;  // Mean and standard deviation of its elevation [deg].
   double both_ways = 0;            // Energy of path order 3.
+  double sharp = 0;                // Share of `energy` within kSharp of the image's elevation.
 };
 
+constexpr double kSharp = 2;  // [deg]
+
 // @param height  Height of the sonar above the floor; that of the sphere is 10 m - height.
-Ghost ghost_in(const Method& method, double rms_slope, bool rough, double height = 5) {
+Ghost ghost_in(const Method& method, double rms_slope, bool rough, double height = 5, double rms_height = 0) {
   Scene scene = sphere_at({10, 0, 10 - 2 * height}, 0.3, diffuse(-10));
-  const Scene floor =
-      scene_of(make_plane(Vec3::UnitZ(), 60, 60), glinting(1, rms_slope), {.position = {5, 0, -height}});
+  Material mirror = glinting(1, rms_slope);
+  mirror.rms_height = rms_height;
+  const Scene floor = scene_of(make_plane(Vec3::UnitZ(), 60, 60), mirror, {.position = {5, 0, -height}});
   scene.materials.push_back(floor.materials.front());
   scene.instances.push_back(floor.instances.front());
   scene.instances.back().materials.assign(scene.instances.back().materials.size(), 1);
@@ -162,6 +204,7 @@ Ghost ghost_in(const Method& method, double rms_slope, bool rough, double height
       if (elevation < -25) {  // The reciprocal path arrives from the sphere itself.
         ghost.energy += energy;
         ghost.mean += energy * elevation;
+        ghost.sharp += std::abs(elevation + 45) < kSharp ? energy : 0;
         squares += energy * elevation * elevation;
       }
     }
@@ -169,6 +212,7 @@ Ghost ghost_in(const Method& method, double rms_slope, bool rough, double height
       ghost.both_ways += energy;
     }
   }
+  ghost.sharp /= ghost.energy;
   ghost.mean /= ghost.energy;
   ghost.deviation = std::sqrt(squares / ghost.energy - ghost.mean * ghost.mean);
   return ghost;
@@ -201,6 +245,27 @@ TEST_P(RoughMirrorTest, WithoutSlopesIsSmooth) {
   EXPECT_NEAR(rough.deviation, smooth.deviation, 0.01);
 }
 
+// A mirror of a small roughness has a sharp image with the coherent share of the energy, over a wide one that holds the
+// rest: orders n of a Poisson distribution, each a Gaussian of 2 R2/(R1 + R2) s sqrt(n/g) = s sqrt(n/g) here, where R1
+// = R2. Incidence is at 45 degrees: g = 2 k^2 h^2.
+TEST_P(RoughMirrorTest, ImageOfASmallRoughnessIsSharpAndWide) {
+  constexpr double kSlope = 0.06, kFrequency = 720e3;
+  for (const double height : {0.05e-3, 0.1e-3, 0.2e-3}) {
+    const double wavenumber = 2 * kDegree * 180 * kFrequency / 1500;
+    const double g = 2 * std::pow(wavenumber * height, 2);
+    double sharp = 0, share = std::exp(-g);
+    for (int n = 0; n < 40; ++n) {
+      const double deviation = kSlope * std::sqrt(n / g);
+      sharp += share * (n == 0 ? 1 : std::erf(kSharp * kDegree / (std::sqrt(2) * deviation)));
+      share *= g / (n + 1);
+    }
+    const Ghost ghost = ghost_in(GetParam(), kSlope, false, 5, height), smooth = ghost_in(GetParam(), kSlope, false);
+    EXPECT_NEAR(ghost.sharp, sharp, 0.05) << height;
+    EXPECT_NEAR(10 * std::log10(ghost.energy / smooth.energy), 0, 0.3) << height;
+    EXPECT_NEAR(10 * std::log10(ghost.both_ways / smooth.both_ways), 0, 0.3) << height;
+  }
+}
+
 // From scenario to ping: ghosts in a windy sea are wider.
 TEST(RoughMirrorScenarioTest, WidensTheGhostsOfAWindySea) {
   Scene scene = sphere_at({8, 0, -3}, 0.3, diffuse(-10));
@@ -208,7 +273,6 @@ TEST(RoughMirrorScenarioTest, WidensTheGhostsOfAWindySea) {
   scenario.water.absorption = false;
   scenario.receiver.noise = scenario.receiver.speckle = false;
   scenario.secondary = SecondaryEchoes::kAll;
-  scenario.surface = SeaSurface{.level = 0, .wind_speed = 3};
   SonarConfig sonar;
   sonar.name = "upright";
   sonar.azimuth_aperture = 120 * kDegree;
@@ -218,7 +282,7 @@ TEST(RoughMirrorScenarioTest, WidensTheGhostsOfAWindySea) {
   scenario.sonars = {sonar};
   double deviation[2] = {};
   for (const bool rough : {false, true}) {
-    scenario.rough_mirrors = rough;
+    scenario.surface = SeaSurface{.level = 0, .wind_speed = rough ? 3.0 : 0.0};
     const Ping ping = Simulator(scenario, scene, 2).make_ping(0, 0);
     double sum = 0, moment = 0, squares = 0;
     for (int beam = 0; beam < ping.beam_count; ++beam) {
@@ -238,6 +302,7 @@ TEST(RoughMirrorScenarioTest, WidensTheGhostsOfAWindySea) {
   EXPECT_GT(deviation[1], 3 * deviation[0]);
 
   scenario.model = EchoModel::kPaper;
+  scenario.rough_mirrors = true;
   scenario.surface.reset();
   EXPECT_THROW(scenario.validate(), Error);
 }

@@ -82,17 +82,19 @@ void turn(const HitColumn& strip, const int* __restrict__ place_of, int count, f
     const Triple direction = (1 / out) * place;
     const FacetSlopes slopes = FacetSlopes::of(static_cast<std::uint32_t>(origins.column[lane]),
                                                static_cast<std::uint32_t>(origins.row[lane]), seed);
-    const float slope = 1 / std::sqrt(2 * origins.steepness[lane]);
+    const float slope = facet_slope(1 / std::sqrt(2 * origins.steepness[lane]), origins.roughness[lane],
+                                    origins.incidence[lane], slopes.pick);
     const int at = place_of[lane];
     const Triple gradient = relief * Triple{gradient_x[at], gradient_y[at], gradient_z[at]};
     const MirrorFacet facet = mirror_facet(
         direction, {mirrors.normal_x[lane], mirrors.normal_y[lane], mirrors.normal_z[lane]}, gradient, slope, slopes);
     const Triple reflected = direction - 2 * direction.dot(facet.normal) * facet.normal;
-    rays.tfar[lane] = reflected_reach(out, direction.dot(reflected), max_range);
-    rays.dir_x[lane] = reflected.x;
-    rays.dir_y[lane] = reflected.y;
-    rays.dir_z[lane] = reflected.z;
-    origins.share[lane] = facet.share;
+    const bool turned = slope > 0;
+    rays.tfar[lane] = turned ? reflected_reach(out, direction.dot(reflected), max_range) : rays.tfar[lane];
+    rays.dir_x[lane] = turned ? reflected.x : rays.dir_x[lane];
+    rays.dir_y[lane] = turned ? reflected.y : rays.dir_y[lane];
+    rays.dir_z[lane] = turned ? reflected.z : rays.dir_z[lane];
+    origins.share[lane] = turned ? facet.share : 1.0F;
   }
 }
 

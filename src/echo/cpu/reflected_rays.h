@@ -15,6 +15,7 @@ struct ReflectedOrigins {
   float range[kPacketSize], selected[kPacketSize];
   float strength[kPacketSize];                                                 ///< `paper`: HitColumn::strength.
   float reflectance[kPacketSize], share[kPacketSize], steepness[kPacketSize];  ///< `calibrated`: see MirrorPaths.
+  float roughness[kPacketSize], incidence[kPacketSize];                        ///< Arguments of facet_slope().
   RayTube tube[kPacketSize];   ///< `calibrated` with more than two surfaces.
   MirrorChanges above, aside;  ///< Changes to the neighbours in the column and in the next column.
 };
@@ -35,8 +36,8 @@ void aim_reflected(const HitColumn& strip, const int* place, int count, const Ve
 void compare_beside(const HitColumn& strip, const int* beside, int count, const float* range, const Mirrors& mirrors,
                     MirrorChanges& changes);
 
-/// Reflects the rays of aim_reflected() by facets of their mirrors instead, and sets ReflectedOrigins::share. Reads
-/// their steepness.
+/// Reflects the rays of aim_reflected() by facets of their mirrors where facet_slope() is not 0, and sets
+/// ReflectedOrigins::share of these. Reads their steepness, roughness and incidence.
 void turn_to_facets(const HitColumn& strip, const int* place, int count, float max_range, std::uint32_t seed,
                     const Mirrors& mirrors, RTCRay16& rays, ReflectedOrigins& origins);
 

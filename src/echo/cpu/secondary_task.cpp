@@ -71,7 +71,7 @@ void SecondaryTask::reflect(const HitColumn& strip, int stride, int first_column
 }
 
 // Traces the reflected rays of the candidates, without those that can give no echo:
-// 1. Sets up their rays; with rough mirrors a facet reflects each, and rays into the mirror are dropped.
+// 1. Sets up their rays. Those that a facet of a rough mirror reflects into the mirror are dropped.
 // 2. With kSelective, drops rays that pass no box of the scene before their echo would be out of range.
 // 3. For the rest, computes the changes to neighbouring samples (for the footprint) and the ray tubes.
 // 4. Traces the packet if at least kMany rays are left; else adds these to `reflected_`, which is traced when full.
@@ -88,9 +88,11 @@ void SecondaryTask::cull_and_trace(const HitColumn& strip) {
       candidate_origins_.reflectance[lane] =
           plan_->scatter.reflectance(strip.surface[place_[lane]], strip.facing[place_[lane]]) * texture * texture;
       candidate_origins_.share[lane] = 1;
+      candidate_origins_.roughness[lane] = plan_->mirror_roughness(strip.surface[place_[lane]]);
+      candidate_origins_.incidence[lane] = strip.facing[place_[lane]];
       candidate_origins_.steepness[lane] = plan_->scatter.steepness(strip.surface[place_[lane]]);
     }
-    if (plan_->rough_mirrors) {
+    if (plan_->has_facets()) {
       turn_to_facets(strip, place_, count, plan_->reach(), plan_->stagger, mirrors, candidates_.rays.ray,
                      candidate_origins_);
       lanes &= positive_of_sixteen(candidate_origins_.share);

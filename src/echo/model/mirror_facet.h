@@ -11,21 +11,56 @@
 
 namespace insonify {
 
-/// Two independent standard normal numbers for each sample of the lattice, stratified over neighbouring samples: a
+/// Random numbers of a mirror's facets for each sample of the lattice, stratified over neighbouring samples: a
 /// quasirandom sequence (Roberts, "The unreasonable effectiveness of quasirandom sequences", 2018) and the Box-Muller
 /// transform.
 struct FacetSlopes {
-  float along, across;
+  float along, across;  ///< Standard normal numbers.
+  float pick = 0.5F;    ///< Uniform, 0..1, for facet_slope().
 
   [[gnu::always_inline]] static FacetSlopes of(std::uint32_t column, std::uint32_t row, std::uint32_t seed) {
     const std::uint32_t radius = 3679390610U * row + 3152041523U * column + seed;
     const std::uint32_t turn = 2700274806U * row + 2313257605U * column + 2654435769U * seed;
+    const std::uint32_t choice = 3144134277U * row + 1779033703U * column + 2246822519U * seed;
     const float open = (static_cast<float>(static_cast<std::int32_t>(radius >> 9)) + 0.5F) * (1.0F / 8388608.0F);
     const float reach = std::sqrt(-2 * fast_log(open));
     const SineCosine at = fast_sine_cosine(static_cast<float>(static_cast<std::int32_t>(turn >> 8)) / 16777216.0F);
-    return {reach * at.cosine, reach * at.sine};
+    return {reach * at.cosine, reach * at.sine,
+            (static_cast<float>(static_cast<std::int32_t>(choice >> 9)) + 0.5F) * (1.0F / 8388608.0F)};
   }
 };
+
+/// Rms slope of the facets that reflect a ray, 0 where the mirror reflects it as a smooth one. In the Kirchhoff
+/// approximation, with Gaussian heights and a Gaussian correlation, the intensity is a series in g = roughness cos^2:
+/// order n has the share e^-g g^n/n! of the energy, and facets of the variance n s^2/g. Order 0 is the coherent
+/// reflection. The mean variance is s^2, and that of all orders where g is large. Beckmann and Spizzichino, The
+/// Scattering of Electromagnetic Waves from Rough Surfaces (1963), ch. 5.3; Ogilvy, Theory of Wave Scattering from
+/// Random Rough Surfaces (1991), ch. 4.
+/// @param slope      s, rms slope of the whole roughness.
+/// @param roughness  Scattering::roughness; kAllRough for facets of the slope s alone.
+/// @param cosine     Of the angle of incidence, of either sign.
+/// @param pick       FacetSlopes::pick, which chooses the order.
+[[gnu::always_inline]] inline float facet_slope(float slope, float roughness, float cosine, float pick) {
+  constexpr int kOrders = 16;       // At kManyOrders, 0.4 % of the energy is beyond.
+  constexpr float kManyOrders = 8;  // Where g is larger, all have about the same variance.
+  constexpr float kSteepest = 1;    // Masking is known for slopes up to about 1.
+  constexpr float kLeastSquare = 1e-6F;
+  const float square = cosine * cosine;
+  const float g = roughness * (square < kLeastSquare ? kLeastSquare : square);
+  const float held = g < kManyOrders ? g : kManyOrders;
+  float share = fast_exp(-held), sum = share, order = 0;
+  for (int n = 1; n <= kOrders; ++n) {
+    order += pick > sum ? 1.0F : 0.0F;
+    share *= held / static_cast<float>(n);
+    sum += share;
+  }
+  const float variance = g < kManyOrders ? order / (held > kLeastSquare ? held : kLeastSquare) : 1.0F;
+  const float drawn = slope * std::sqrt(variance);
+  return drawn < kSteepest ? drawn : kSteepest;
+}
+
+/// A roughness without a coherent reflection.
+inline constexpr float kAllRough = 1e30F;
 
 /// Least cosine of incidence at which facets are weighted.
 inline constexpr float kLeastFacing = 1e-3F;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <optional>
 
+#include "echo/model/mirror_facet.h"
 #include "echo/model/paper_shape.h"
 #include "echo/model/path_footprint.h"
 #include "echo/model/scatter_table.h"
@@ -38,7 +39,7 @@ struct PingPlanSettings {
   PrimaryEchoes primary = PrimaryEchoes::kAuto;
   SecondaryEchoes secondary = SecondaryEchoes::kSelective;
   int max_surfaces = kPathOrders;  ///< Most surfaces on a path, 1..3; at most two in the paper model.
-  bool rough_mirrors = false;      ///< Whether facets drawn at random reflect the sound; calibrated model only.
+  bool rough_mirrors = false;      ///< Whether mirrors reflect by facets alone; calibrated model only.
   std::uint64_t seed = 1;
   int stagger_phase = 0;  ///< Offset of the samples, >= 0: what changes with it is sampling error.
 };
@@ -57,7 +58,17 @@ class PingPlan {
   PrimaryEchoes primary;
   SecondaryEchoes secondary;  ///< kNone if max_surfaces is 1.
   int max_surfaces;
-  bool rough_mirrors;  ///< `calibrated`
+  bool rough_mirrors;  ///< `calibrated`: mirrors have no coherent reflection.
+
+  /// Whether facets reflect any rays: see facet_slope().
+  [[nodiscard]] bool has_facets() const {
+    return model == EchoModel::kCalibrated && (rough_mirrors || scatter.any_rough());
+  }
+
+  /// The argument of facet_slope() for a surface.
+  [[nodiscard]] float mirror_roughness(SurfaceLabel surface) const {
+    return rough_mirrors ? kAllRough : scatter.roughness(surface);
+  }
 
   float neper_per_metre = 0;   ///< Absorption of pressure amplitude [Np/m].
   float range_per_metre = 1;   ///< Reported range / true range = assumed sound speed / true sound speed.

@@ -97,6 +97,27 @@ void scatter_curved_by_angle(int rows, const ScatterTable::Laws laws, float nepe
   scatter_curved_rows<true>(rows, laws, neper_per_metre, hits);
 }
 
+INSONIFY_VECTOR_CLONES
+void look_up_reflectances(int rows, const float* by_angle, std::uint32_t nothing,
+                          const SurfaceLabel* __restrict__ surface, const float* __restrict__ facing,
+                          float* __restrict__ reflectance) {
+  for (int row = 0; row < rows; ++row) {
+    const std::uint32_t own = surface[row] & 0xffffU;  // material_of()
+    const std::uint32_t material = own < nothing ? own : nothing;
+    reflectance[row] = ScatterTable::at_angle(by_angle + ScatterTable::kAngleStride * material, std::abs(facing[row]),
+                                              ScatterTable::kReflectance);
+  }
+}
+
+INSONIFY_VECTOR_CLONES
+void look_up_constants(int rows, const float* constants, std::uint32_t nothing,
+                       const SurfaceLabel* __restrict__ surface, float* __restrict__ reflectance) {
+  for (int row = 0; row < rows; ++row) {
+    const std::uint32_t own = surface[row] & 0xffffU;
+    reflectance[row] = constants[own < nothing ? own : nothing];
+  }
+}
+
 void append(const AngleTable& table, std::vector<float>& values) {
   for (const double value : table.values()) {
     values.push_back(static_cast<float>(value));
@@ -116,9 +137,12 @@ ScatterTable::ScatterTable(std::span<const Material> materials, double frequency
     lambert_.push_back(static_cast<float>(scattering.lambert));
     lobe_.push_back(static_cast<float>(intensity / (8 * std::numbers::pi * variance)));
     steepness_.push_back(static_cast<float>(1 / (2 * variance)));
+    roughness_.push_back(static_cast<float>(scattering.roughness));
+    any_rough_ |= roughness_.back() > 0;
     facets_.push_back(static_cast<float>(1 / (8 * std::numbers::pi * variance)));
   }
-  for (auto* values : {&lambert_, &lobe_, &steepness_, &facets_}) {
+  nothing_ = static_cast<std::uint32_t>(reflectance_.size());
+  for (auto* values : {&reflectance_, &lambert_, &lobe_, &steepness_, &facets_}) {
     values->push_back(0);
   }
   if (std::ranges::any_of(scattering_, [](const Scattering& scattering) { return scattering.by_angle != nullptr; })) {
@@ -127,17 +151,28 @@ ScatterTable::ScatterTable(std::span<const Material> materials, double frequency
       append(scattering.by_angle ? scattering.by_angle->reflectance : constant, by_angle_);
       append(scattering.by_angle ? scattering.by_angle->backscatter : AngleTable(), by_angle_);
       append(scattering.by_angle ? scattering.by_angle->diffuse : AngleTable(), by_angle_);
+      any_on_top_ |= scattering.by_angle && std::ranges::any_of(scattering.by_angle->backscatter.values(),
+                                                                [](double value) { return value != 0; });
     }
     by_angle_.resize(by_angle_.size() + kAngleStride, 0);
   }
 }
 
+void ScatterTable::fill_reflectances(int rows, const SurfaceLabel* surface, const float* facing,
+                                     float* reflectance) const {
+  if (by_angle_.empty()) {
+    look_up_constants(rows, reflectance_.data(), nothing_, surface, reflectance);
+  } else {
+    look_up_reflectances(rows, by_angle_.data(), nothing_, surface, facing, reflectance);
+  }
+}
+
 void ScatterTable::fill_powers(int rows, float neper_per_metre, const HitColumn& hits) const {
   if (hits.curved) {
-    (by_angle_.empty() ? scatter_curved : scatter_curved_by_angle)(rows, laws(), neper_per_metre, hits);
+    (any_on_top_ ? scatter_curved_by_angle : scatter_curved)(rows, laws(), neper_per_metre, hits);
   } else {
-    (by_angle_.empty() ? scatter : scatter_by_angle)(rows, laws(), neper_per_metre, hits.surface, hits.facing,
-                                                     hits.range, hits.power);
+    (any_on_top_ ? scatter_by_angle : scatter)(rows, laws(), neper_per_metre, hits.surface, hits.facing, hits.range,
+                                               hits.power);
   }
   if (hits.has_relief) {
     for (int row = 0; row < rows; ++row) {

@@ -42,8 +42,17 @@ class ScatterTable {
                              : at_angle(&by_angle_[kAngleStride * material], std::abs(cosine), kReflectance);
   }
 
+  /// The same of many samples; 0 where nothing was hit.
+  void fill_reflectances(int rows, const SurfaceLabel* surface, const float* facing, float* reflectance) const;
+
   /// 1 / (2 s^2) of a surface.
   [[nodiscard]] float steepness(SurfaceLabel surface) const { return steepness_[material_of(surface)]; }
+
+  /// Scattering::roughness of a surface.
+  [[nodiscard]] float roughness(SurfaceLabel surface) const { return roughness_[material_of(surface)]; }
+
+  /// Whether any material has a roughness.
+  [[nodiscard]] bool any_rough() const { return any_rough_; }
 
   /// The tables by material, for loops. Index `nothing` holds zeros, for samples without a hit.
   struct Laws {
@@ -60,12 +69,8 @@ class ScatterTable {
     }
   };
   [[nodiscard]] Laws laws() const {
-    return {static_cast<std::uint32_t>(reflectance_.size()),
-            lambert_.data(),
-            lobe_.data(),
-            steepness_.data(),
-            facets_.data(),
-            by_angle_.empty() ? nullptr : by_angle_.data()};
+    return {nothing_,          lambert_.data(), lobe_.data(),
+            steepness_.data(), facets_.data(),  by_angle_.empty() ? nullptr : by_angle_.data()};
   }
 
   /// Places of the three tables of an AngularScattering in the numbers of one material.
@@ -86,11 +91,15 @@ class ScatterTable {
 
  private:
   std::vector<Scattering> scattering_;
+  std::uint32_t nothing_ = 0;  // Number of materials.
   std::vector<float> reflectance_;
   std::vector<float> lambert_;
   std::vector<float> lobe_;
   std::vector<float> steepness_;
   std::vector<float> facets_;
+  std::vector<float> roughness_;
+  bool any_rough_ = false;
+  bool any_on_top_ = false;      // Whether any AngularScattering::backscatter is not 0.
   std::vector<float> by_angle_;  // [material][kAngleStride]; empty where no material has an AngularScattering.
 };
 

@@ -75,10 +75,9 @@ void share_out_energy(const PingPlan& plan, int column, int rows, const HitColum
                       std::uint32_t* turn) {
   const float* const sent = plan.lattice.shares(column);
   const float most = *std::max_element(sent, sent + plan.lattice.rows);
+  plan.scatter.fill_reflectances(rows, hits.surface, hits.facing, share);
   for (int row = 0; row < rows; ++row) {
-    const bool hit = hits.surface[row] != kNoSurface;
-    share[row] =
-        hit ? std::max(plan.scatter.reflectance(hits.surface[row], hits.facing[row]), kLeastReflectance) : 0.0F;
+    share[row] = hits.surface[row] != kNoSurface ? std::max(share[row], kLeastReflectance) : 0.0F;
   }
   if (hits.has_relief) {
     for (int row = 0; row < rows; ++row) {

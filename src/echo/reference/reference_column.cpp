@@ -166,15 +166,18 @@ MirrorChange ReferenceColumn::change_across(int row) const {
   return {};
 }
 
-// multipath.md, "Three echoes": traces the reflected ray of a hit. With rough mirrors it is reflected by one facet of
-// the surface; see "Rough mirrors" there. None if the ray hits nothing.
+// multipath.md, "Three echoes": traces the reflected ray of a hit. A rough mirror reflects it by one facet or as a
+// smooth one; see "Rough mirrors" there. None if the ray hits nothing.
 std::optional<ReferenceColumn::Reflection> ReferenceColumn::reflect(int row) {
   Vec3 normal = first_[row].bent;
   float share = 1;
-  if (plan_.rough_mirrors && plan_.model == EchoModel::kCalibrated) {
-    const float slope = 1 / std::sqrt(2 * plan_.scatter.steepness(hits_.surface[row]));
-    const FacetSlopes slopes =
-        FacetSlopes::of(static_cast<std::uint32_t>(column_), static_cast<std::uint32_t>(row), plan_.stagger);
+  const FacetSlopes slopes =
+      FacetSlopes::of(static_cast<std::uint32_t>(column_), static_cast<std::uint32_t>(row), plan_.stagger);
+  const float slope = plan_.has_facets()
+                          ? facet_slope(1 / std::sqrt(2 * plan_.scatter.steepness(hits_.surface[row])),
+                                        plan_.mirror_roughness(hits_.surface[row]), hits_.facing[row], slopes.pick)
+                          : 0;
+  if (slope > 0) {
     const MirrorFacet facet = mirror_facet(triple(rays_[row].direction), triple(normal),
                                            triple(first_[row].gradient.cast<double>()), slope, slopes);
     normal = Vec3(facet.normal.x, facet.normal.y, facet.normal.z).normalized();

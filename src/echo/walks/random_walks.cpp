@@ -107,7 +107,8 @@ void RandomWalks::connect(const PingPlan& plan, const Pose& world_from_sonar, co
   if (!plan.receives(towards)) {
     return;
   }
-  const SurfaceLaw law = SurfaceLaw::of(plan.scatter.scattering(label_of(hit)), hit.texture);
+  const SurfaceLaw law =
+      SurfaceLaw::of(plan.scatter.scattering(label_of(hit)), hit.texture, hit.normal.cast<float>().dot(in));
   const float sent_back = walk.share * per_steradian(law, hit, in, out.cast<float>(), order, walk);
   if (!(sent_back > 0)) {
     return;
@@ -128,8 +129,9 @@ void RandomWalks::connect(const PingPlan& plan, const Pose& world_from_sonar, co
 // Draws the direction in which a walk goes on; false where it ends.
 bool RandomWalks::bounce(const PingPlan& plan, const Hit& hit, int order, Walk& walk) {
   const Draws draws(settings_.seed, number_, walk.index, order);
-  const SurfaceLaw law = SurfaceLaw::of(plan.scatter.scattering(label_of(hit)), hit.texture);
   const Vec3f normal = hit.normal.cast<float>();
+  const SurfaceLaw law =
+      SurfaceLaw::of(plan.scatter.scattering(label_of(hit)), hit.texture, normal.dot(walk.direction));
   const SurfaceLaw::Next next = law.draw(normal, walk.direction, draws.a, draws.b, draws.c);
   if (order == 1) {
     walk.first_mirrored = next.mirrored;

@@ -53,10 +53,10 @@ float facet_density(const SurfaceLaw& law, const Vec3f& normal, const Vec3f& in,
 
 }  // namespace
 
-SurfaceLaw SurfaceLaw::of(const Scattering& scattering, float texture) {
+SurfaceLaw SurfaceLaw::of(const Scattering& scattering, float texture, float cosine) {
   const double intensity = double{texture} * double{texture};
   const double diffuse = intensity * std::numbers::pi * scattering.lambert;
-  const double mirrored = intensity * scattering.reflection * scattering.reflection;
+  const double mirrored = intensity * scattering.reflectance(std::min(std::abs(double{cosine}), 1.0));
   const double most = std::max(1.0, diffuse + mirrored);
   return {.diffuse = static_cast<float>(diffuse / most),
           .mirrored = static_cast<float>(mirrored / most),

@@ -27,7 +27,8 @@ struct SurfaceLaw {
   float slope = static_cast<float>(kLeastWalkSlope);  ///< Rms slope of the facets along each axis.
 
   /// @param texture  Factor on the amplitude, ReliefPoint::reflectivity.
-  [[nodiscard]] static SurfaceLaw of(const Scattering& scattering, float texture);
+  /// @param cosine   Of the angle of incidence on the surface, of either sign, at which it reflects.
+  [[nodiscard]] static SurfaceLaw of(const Scattering& scattering, float texture, float cosine = 1);
 
   /// Energy per steradian in a direction, relative to that which falls on the surface [1/sr].
   /// @param in   Direction in which the incident sound travels; a unit vector, as all of these.
