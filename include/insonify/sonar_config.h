@@ -81,6 +81,13 @@ struct SonarConfig {
   double blanking_range = 0;  ///< Near field: the gain rises from 0 at min_range to 1 here [m], 0..1e5.
   double gain = 1.0;          ///< Multiplies the displayed intensity before it is clipped to 1, in (0, 1e9].
 
+  // The transmitter in the receiver's ears (docs/concepts/transmit-leak.md).
+  std::optional<double> leak_db = {};  ///< Level of the outgoing pulse in the receiver [dB re the source's at 1 m],
+                                       ///< -300..100; absent: none is heard.
+  double ring_down = 530e3;            ///< Decay of the transducer's ringing after the pulse [dB/s], 1e3..1e9.
+  double leak_spread_db = 0;           ///< Standard deviation of the leak's level between beams [dB], 0..20.
+  double dead_range = 0;               ///< The overloaded receiver hears no echo and no noise nearer than this [m], 0..1e5.
+
   // Counts, if ReceiverConfig::counts asks for them.
   int bits = 8;  ///< Bits of a count, 1..16.
   Mapping mapping = Mapping::kLogarithmic;
@@ -216,6 +223,22 @@ void SonarConfig::visit_fields(Self& self, Visit&& visit) {
       Field{"gain", "", above_to(0, 1e9), "Multiplies the intensity before it is clipped to 1 (paper model).",
             ActsIn::kPaper, "receiver.gain_ranges and receiver.gains_db for levels, receiver.full_scale_db for counts"},
       self.gain);
+  visit(Field{"leak_db", "dB", from_to(-300, 100),
+              "Level of the outgoing pulse in the receiver, re the source's at 1 m (calibrated); not heard when absent.",
+              ActsIn::kCalibrated},
+        self.leak_db);
+  visit(Field{"ring_down", "dB/s", from_to(1e3, 1e9), "Decay of the transducer's ringing after the pulse (leak_db).",
+              ActsIn::kCalibrated},
+        self.ring_down);
+  visit(Field{"leak_spread_db", "dB", from_to(0, 20),
+              "Standard deviation of the leak's level between beams, drawn by the seed (leak_db).",
+              ActsIn::kCalibrated},
+        self.leak_spread_db);
+  visit(Field{"dead_range", "m", from_to(0, 1e5),
+              "The receiver, overloaded by the transmission, hears no echo and no noise nearer than this "
+              "(calibrated).",
+              ActsIn::kCalibrated, "blanking_range"},
+        self.dead_range);
   visit(Field{"bits", "", from_to(1, 16), "Bits of a count (receiver.counts).", ActsIn::kCalibrated}, self.bits);
   visit(Field{"mapping",
               "",

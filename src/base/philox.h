@@ -21,7 +21,8 @@ enum class RandomPurpose : std::uint32_t {
   kInterference = 10,       // echo/targets/interference.cpp
   kScatterers = 11,         // receiver/speckle/sparse_scatterers.cpp
   kWaves = 12,              // echo/targets/surface_ghosts.cpp: highlights of ghosts by waves
-  kWalks = 13               // echo/walks/random_walks.cpp
+  kWalks = 13,              // echo/walks/random_walks.cpp
+  kTransmitLeak = 14        // receiver/transmit_leak.cpp: level and phase in each beam
 };
 
 using PhiloxCounter = std::array<std::uint32_t, 4>;

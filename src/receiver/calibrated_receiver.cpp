@@ -148,6 +148,22 @@ void CalibratedReceiver::receive_discrete_echoes(const EchoGrid& grid, const Dis
   }
 }
 
+// Adds the transmit leak to echoes, and takes away echoes and noise where it makes the receiver deaf.
+void CalibratedReceiver::receive_leak() {
+  if (speckle_) {
+    leak_->receive_field(bearing_ ? beam_field_ : cell_field_);
+  }
+  if (!speckle_ || keeps_looks_) {
+    leak_->receive_energy(bearing_ ? beam_energy_ : cell_energy_);
+  }
+  if (speckle_ && keeps_looks_) {
+    leak_->clear_dead(bearing_ ? beam_extended_ : cell_extended_);
+  }
+  if (noise_) {
+    noise_->silence(leak_->dead_bins());
+  }
+}
+
 // Fills moved_ with the cells and discrete echoes of `grid` as the moving sonar receives them. EchoGrid::met_before()
 // of each cell is not shifted.
 void CalibratedReceiver::move(const EchoGrid& grid, const PingMotion& motion, Workers& workers) {
@@ -188,6 +204,9 @@ void CalibratedReceiver::receive(const EchoGrid& still, const Pose& world_from_s
   if (noise_) {
     noise_->draw(ping.number, workers);
   }
+  if (leak_) {
+    receive_leak();
+  }
 
   // Noise and detection by tiles of beams x bins, each transposed into the ping's bins x beams.
   const int tiles_along = (bins_ + kTileBins - 1) / kTileBins, tiles_across = (beams_ + kTileBeams - 1) / kTileBeams;
@@ -206,6 +225,9 @@ void CalibratedReceiver::receive(const EchoGrid& still, const Pose& world_from_s
         grid,
         {range_ ? &*range_ : nullptr, bearing_ ? &*bearing_ : nullptr, coarse_ ? &*coarse_ : nullptr, &discrete, gain_},
         workers, ping);
+  }
+  if (leak_) {
+    leak_->clear_truth(ping);
   }
 }
 

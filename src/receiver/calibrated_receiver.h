@@ -25,6 +25,7 @@
 #include "receiver/speckle/clutter.h"
 #include "receiver/speckle/sparse_scatterers.h"
 #include "receiver/speckle/speckle.h"
+#include "receiver/transmit_leak.h"
 #include "receiver/truth_receiver.h"
 
 namespace insonify {
@@ -42,7 +43,8 @@ namespace insonify {
 ///   5. Discrete echoes (ideal points, interference) are added to each beam and bin with the gain g p.
 ///   6. Thermal noise, a complex Gaussian field drawn anew for each ping, is added to the field: as array and matched
 ///      filter pass it, see NoiseField.
-///   7. Detection: squared magnitude, decimation to bins longer than the pulse, clipped at saturation, times near-field
+///   7. The transmitter's own pulse is added to the field; nearer than `dead_range` it is all that is heard.
+///   8. Detection: squared magnitude, decimation to bins longer than the pulse, clipped at saturation, times near-field
 ///   ramp and gain; then counts.
 class CalibratedReceiver {
  public:
@@ -83,6 +85,7 @@ class CalibratedReceiver {
   [[nodiscard]] float kept(float intensity, std::size_t at) const;
   void receive_bearings(const EchoGrid& grid, Workers& workers);
   void receive_discrete_echoes(const EchoGrid& grid, const DiscreteEchoes& discrete);
+  void receive_leak();
   void detect_tile(const EchoGrid& grid, const TilePlace& place, Ping& ping) const;
 
   int beams_, bins_, cells_, first_cell_, cells_per_beam_;
@@ -105,6 +108,7 @@ class CalibratedReceiver {
   bool keeps_looks_ = false;          // Whether intensities are transformed by CoarseBins::kept().
   std::optional<BearingResponse> bearing_;
   std::optional<NoiseField> noise_;
+  std::optional<TransmitLeak> leak_;
 
   std::vector<Row> rows_;  // [worker].
   // [cell][bin] and [beam][bin]. With speckle the fields are used, without it the energies; the others are empty. With

@@ -97,6 +97,9 @@ CalibratedReceiver::CalibratedReceiver(const Settings& settings)
                                         .beam_sines = beam_sines,
                                         .seed = seed_});
   }
+  if (TransmitLeak::is_in(sonar)) {
+    leak_.emplace(sonar, receiver, shown_speed, seed_);
+  }
   if (settings.moves) {
     const double bias = pulse.doppler_bias(doppler_shift(1, sonar.frequency, true_speed));
     shift_.emplace(cells.sonar, range_scale, true_speed, bias);

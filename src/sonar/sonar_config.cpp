@@ -59,6 +59,11 @@ void check_ranges(std::string_view object, const SonarConfig& sonar) {
          fmt::format(" = {:.10g} m must be at most max_range = {:.10g} m", sonar.blanking_range, sonar.max_range),
          {"max_range"});
   }
+  if (sonar.dead_range > sonar.max_range) {
+    fail(object, "dead_range",
+         fmt::format(" = {:.10g} m must be at most max_range = {:.10g} m", sonar.dead_range, sonar.max_range),
+         {"max_range"});
+  }
 }
 
 // Limits the number of cells (beams x bins): a ping takes some twenty bytes per cell, in memory and in the recording.

@@ -119,7 +119,7 @@ constexpr Sheet kSheets[] = {
     {"tritech-micron-dst", "", 700e3, 1, 3, 35, .3, 75},
     {"tritech-super-seaking", "low", 325e3, 1, 3, 20, .4, 300},
     {"tritech-super-seaking", "high", 675e3, 1, 1.5, 40, .4, 100},
-    {"bluerobotics-ping360", "", 750e3, 1, 2, 25, .75, 50},
+    {"bluerobotics-ping360", "", 750e3, 1, 2, 25, 0, 50},  // From 0.75 m by its sheet, but it records from 0.
     {"imagenex-881a", "310khz", 310e3, 1, 4, 40, .15, 200},
     {"imagenex-881a", "675khz", 675e3, 1, 1.8, 20, .15, 200},
     {"imagenex-881a", "1000khz", 1000e3, 1, .9, 10, .15, 200},

@@ -127,6 +127,8 @@ Scenario calibrated_scenario(SonarType type) {
   SonarConfig& sonar = scenario.sonars[0];
   sonar.type = type;
   sonar.sector_width = radians_from_degrees(20);
+  sonar.leak_db = -30;
+  sonar.dead_range = 0.5;
   scenario.model = EchoModel::kCalibrated;
   scenario.ground_truth = GroundTruth::kFull;
   scenario.surface = SeaSurface{.level = 4, .wind_speed = 3};

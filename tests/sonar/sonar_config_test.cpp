@@ -287,6 +287,10 @@ TEST(SonarValidateTest, RangesMustFollowEachOther) {
   EXPECT_EQ(fls([](auto& s) { s.blanking_range = 60, s.max_range = 40; }),
             "sonars[1].blanking_range = 60 m must be at most max_range = 40 m");
   EXPECT_EQ(fls([](auto& s) { s.blanking_range = 40, s.max_range = 40; }), "no error");
+  EXPECT_EQ(fls([](auto& s) { s.dead_range = 45, s.max_range = 40; }),
+            "sonars[1].dead_range = 45 m must be at most max_range = 40 m");
+  EXPECT_EQ(fls([](auto& s) { s.ring_down = 100; }),
+            "sonars[1].ring_down = 100 dB/s must be from 1000 to 1000000000 dB/s");
 }
 
 TEST(SonarValidateTest, BeamAzimuthsMustFallOneForEachBeam) {

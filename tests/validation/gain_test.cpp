@@ -34,6 +34,51 @@ TEST(GainTest, SaturationLimitsTheInput) {
   EXPECT_NEAR(total_db(ping_of(scenario, {})), 0, 0.001);
 }
 
+// What is limited is the squared sum of echo, leak and noise, after array and pulse. Of exponentially distributed intensities
+// of mean m, a limit at s leaves the mean m (1 - e^(-s/m)), and the share e^(-s/m) is at the limit. Noise alone, at -147.0403
+// dB (T23); and with echoes of volume reverberation with speckle, whose mean adds to it.
+TEST(SaturationTest, LimitsTheSumOfEchoesLeakAndNoise) {
+  for (const bool echoes : {false, true}) {
+    SonarConfig sonar;
+    sonar.beam_count = 64;
+    sonar.azimuth_aperture = 64 * kDegree;
+    sonar.min_range = 10;
+    sonar.max_range = 12;
+    sonar.bin_count = 2000;
+    sonar.sampling = {1, 20};
+    Scenario scenario = calibrated(sonar, kRays);
+    scenario.receiver.noise = scenario.receiver.speckle = true;
+    if (echoes) {
+      scenario.water.volume_backscatter_db = -75;  // 10 lg(psi 2 sin 10 deg (1/r - 1/(r + .001))) = -22.2 - 50.8 dB.
+    }
+    const double mean = std::pow(10, (total_db(ping_of(scenario, {})) - 10 * std::log10(64 * 2000)) / 10);
+    if (!echoes) {
+      EXPECT_NEAR(10 * std::log10(mean), -147.0403, 0.05);
+    } else {
+      EXPECT_GT(10 * std::log10(mean), -146);
+    }
+    for (const double over : {0.5, 1.0, 3.0}) {
+      scenario.receiver.saturation_db = 10 * std::log10(over * mean);
+      const Ping ping = ping_of(scenario, {});
+      const float limit = *std::ranges::max_element(ping.intensity);
+      const double share = static_cast<double>(std::ranges::count(ping.intensity, limit)) / (64 * 2000);
+      EXPECT_NEAR(limit, over * mean, 1e-5 * over * mean);
+      EXPECT_NEAR(share, std::exp(-over), 4 * std::sqrt(std::exp(-over) / 20000)) << over;  // 2000 bins, 10 of range.
+      EXPECT_NEAR(std::pow(10, (total_db(ping) - 10 * std::log10(64 * 2000)) / 10) / mean, 1 - std::exp(-over),
+                  4 / std::sqrt(20000.0))
+          << over;
+    }
+    // A leak 20 dB above the limit saturates every bin while it lasts.
+    scenario.water.volume_backscatter_db = {};
+    scenario.sonars[0].leak_db = 10 * std::log10(100 * mean);
+    scenario.receiver.pulse = PulseKind::kCw;
+    scenario.receiver.pulse_duration = 0.02;  // 15 m.
+    scenario.receiver.saturation_db = 10 * std::log10(mean);
+    const Ping drowned = ping_of(scenario, {});
+    EXPECT_NEAR(*std::ranges::min_element(drowned.intensity), mean, 1e-5 * mean);
+  }
+}
+
 TEST(CountsTest, FollowTheRecordedLevel) {
   Scenario scenario = point_at(10.025);
   scenario.receiver.counts = true;

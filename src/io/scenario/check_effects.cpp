@@ -80,12 +80,14 @@ constexpr std::array<Condition, 8> kOfReceiver = {
         return has_set_side_lobes(r.receiver.azimuth_pattern) || has_set_side_lobes(r.receiver.elevation_pattern);
       },
       "a pattern is taylor or dolph_chebyshev"}}};
-constexpr std::array<Condition, 5> kOfSonar = {
+constexpr std::array<Condition, 7> kOfSonar = {
     {{"pulse", [](const Received& r) { return r.receiver.pulse == PulseKind::kInstrument; },
       "receiver.pulse is instrument"},
      {"pulse_duration", [](const Received& r) { return r.sonar.pulse != PulseKind::kNone; }, "pulse is cw or lfm"},
      {"pulse_bandwidth", [](const Received& r) { return r.sonar.pulse == PulseKind::kLfm; }, "pulse is lfm"},
      {"pulse_window", [](const Received& r) { return r.sonar.pulse == PulseKind::kLfm; }, "pulse is lfm"},
+     {"ring_down", [](const Received& r) { return r.sonar.leak_db.has_value(); }, "leak_db is given"},
+     {"leak_spread_db", [](const Received& r) { return r.sonar.leak_db.has_value(); }, "leak_db is given"},
      {"bandwidth", [](const Received& r) { return r.receiver.noise && r.pulse.kind == PulseKind::kNone; },
       "noise is true and the pulse is none"}}};
 

@@ -153,4 +153,11 @@ void NoiseField::draw(std::uint64_t ping, Workers& workers) {
   }
 }
 
+void NoiseField::silence(int bins) {
+  std::vector<float>& values = gains_ ? beam_values_ : row_values_;
+  for (std::size_t row = 0; row < 2 * static_cast<std::size_t>(beams_); ++row) {
+    std::fill_n(&values[row * bins_], bins, 0.0F);
+  }
+}
+
 }  // namespace insonify

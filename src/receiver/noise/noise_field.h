@@ -41,6 +41,9 @@ class NoiseField {
   /// Draws the noise of a ping. Allocates nothing but once for each worker.
   void draw(std::uint64_t ping, Workers& workers);
 
+  /// Sets the noise of the first `bins` bins of all beams to 0, until it is drawn again.
+  void silence(int bins);
+
   /// Real and imaginary parts of a beam's bins.
   [[nodiscard]] const float* in_phase(int beam) const { return beam_row(beam); }
   [[nodiscard]] const float* quadrature(int beam) const { return beam_row(beam) + bins_; }
