@@ -88,6 +88,13 @@ struct SonarConfig {
   double leak_spread_db = 0;           ///< Standard deviation of the leak's level between beams [dB], 0..20.
   double dead_range = 0;               ///< The overloaded receiver hears no echo and no noise nearer than this [m], 0..1e5.
 
+  // Channels of the receiver (docs/concepts/channels.md).
+  std::vector<double> group_gains_db = {};  ///< Gains of as many equal groups of neighbouring beams, from port [dB],
+                                            ///< -300..60; at most one per beam.
+  std::vector<double> missing_beams = {};   ///< Indices of beams that deliver nothing, from 0 at port.
+  std::optional<double> crosstalk_db = {};  ///< Share of all beams' echoes that each beam receives besides its own
+                                            ///< [dB], -200..0; absent: none.
+
   // Counts, if ReceiverConfig::counts asks for them.
   int bits = 8;  ///< Bits of a count, 1..16.
   Mapping mapping = Mapping::kLogarithmic;
@@ -239,6 +246,17 @@ void SonarConfig::visit_fields(Self& self, Visit&& visit) {
               "(calibrated).",
               ActsIn::kCalibrated, "blanking_range"},
         self.dead_range);
+  visit(Field{"group_gains_db", "dB", from_to(-300, 60),
+              "Gains of as many equal groups of neighbouring beams, from port (calibrated).", ActsIn::kCalibrated},
+        self.group_gains_db);
+  visit(Field{"missing_beams", "", from_to(0, 4095), "Beams that deliver nothing, from 0 at port (calibrated).",
+              ActsIn::kCalibrated},
+        self.missing_beams);
+  visit(Field{"crosstalk_db", "dB", from_to(-200, 0),
+              "Share of the sum of all beams' echoes at a range that each beam receives besides its own (calibrated); "
+              "none when absent.",
+              ActsIn::kCalibrated},
+        self.crosstalk_db);
   visit(Field{"bits", "", from_to(1, 16), "Bits of a count (receiver.counts).", ActsIn::kCalibrated}, self.bits);
   visit(Field{"mapping",
               "",

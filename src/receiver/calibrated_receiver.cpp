@@ -148,6 +148,18 @@ void CalibratedReceiver::receive_discrete_echoes(const EchoGrid& grid, const Dis
   }
 }
 
+void CalibratedReceiver::couple_channels(Workers& workers) {
+  if (speckle_) {
+    channels_->couple_field(bearing_ ? beam_field_ : cell_field_, workers);
+  }
+  if (!speckle_ || keeps_looks_) {
+    channels_->couple_energy(bearing_ ? beam_energy_ : cell_energy_, workers);
+  }
+  if (speckle_ && keeps_looks_) {
+    channels_->couple_energy(bearing_ ? beam_extended_ : cell_extended_, workers);
+  }
+}
+
 // Adds the transmit leak to echoes, and takes away echoes and noise where it makes the receiver deaf.
 void CalibratedReceiver::receive_leak() {
   if (speckle_) {
@@ -201,6 +213,9 @@ void CalibratedReceiver::receive(const EchoGrid& still, const Pose& world_from_s
   const DiscreteEchoes discrete(bearing_ ? &*bearing_ : nullptr, range_ ? &*range_ : nullptr, beams_, bins_,
                                 coarse_ ? coarse_->discrete() : 1.0F);
   receive_discrete_echoes(grid, discrete);
+  if (channels_) {
+    couple_channels(workers);
+  }
   if (noise_) {
     noise_->draw(ping.number, workers);
   }
@@ -229,6 +244,9 @@ void CalibratedReceiver::receive(const EchoGrid& still, const Pose& world_from_s
   if (leak_) {
     leak_->clear_truth(ping);
   }
+  if (channels_) {
+    channels_->receive_truth(ping);
+  }
 }
 
 // Adds noise to a tile of beams and bins, detects it and writes intensity, complex field and labels into the ping.
@@ -238,8 +256,10 @@ void CalibratedReceiver::detect_tile(const EchoGrid& grid, const TilePlace& plac
   constexpr float kSilence[kTileBins] = {};
   const std::vector<float>& energy = bearing_ ? beam_energy_ : cell_energy_;
   const std::vector<std::complex<float>>& field = bearing_ ? beam_field_ : cell_field_;
+  const std::span<const float> channel_gains = channels_ ? channels_->gains() : std::span<const float>();
   for (int b = 0; b < place.beam_count; ++b) {
     const int beam = place.first_beam + b;
+    const float channel = channel_gains.empty() ? 1.0F : channel_gains[beam];
     const std::size_t start = static_cast<std::size_t>(beam) * bins_ + place.first_bin;
     const float* const in_phase = noise_ ? noise_->in_phase(beam) + place.first_bin : kSilence;
     const float* const quadrature = noise_ ? noise_->quadrature(beam) + place.first_bin : kSilence;
@@ -250,7 +270,7 @@ void CalibratedReceiver::detect_tile(const EchoGrid& grid, const TilePlace& plac
       const float imaginary = (speckle_ ? field[start + i].imag() : 0.0F) + noise_deviation_ * quadrature[i];
       const float look = real * real + imaginary * imaginary;
       const float received = keeps_looks_ ? kept(look, start + i) : look;
-      tile.intensity[b][i] = std::min(received, saturation_) * gain_[place.first_bin + i];
+      tile.intensity[b][i] = std::min(channel * received, saturation_) * gain_[place.first_bin + i];
       if (has_field_) {
         const float part = std::sqrt(tile.intensity[b][i] / std::max(look, kTiny));
         ping.field[ping.index(place.first_bin + i, beam)] = {part * real, part * imaginary};

@@ -15,6 +15,7 @@
 #include "insonify/water.h"
 #include "receiver/array/bearing_cells.h"
 #include "receiver/array/bearing_response.h"
+#include "receiver/array/receiver_channels.h"
 #include "receiver/digitizer.h"
 #include "receiver/discrete_echoes.h"
 #include "receiver/noise/noise_field.h"
@@ -41,11 +42,12 @@ namespace insonify {
 ///   4. Pulse and array pattern (where bins are longer than the pulse: the energy of one look, see CoarseBins):
 ///   convolution along range with p and along bearing with g; energies with |p|^2, |g|^2.
 ///   5. Discrete echoes (ideal points, interference) are added to each beam and bin with the gain g p.
-///   6. Thermal noise, a complex Gaussian field drawn anew for each ping, is added to the field: as array and matched
+///   6. Crosstalk: a share of all beams' echoes is added to each. Thermal noise, a complex Gaussian field drawn anew
+///   for each ping, is added to the field: as array and matched
 ///      filter pass it, see NoiseField.
 ///   7. The transmitter's own pulse is added to the field; nearer than `dead_range` it is all that is heard.
-///   8. Detection: squared magnitude, decimation to bins longer than the pulse, clipped at saturation, times near-field
-///   ramp and gain; then counts.
+///   8. Detection: squared magnitude, times the gain of the beam's channel, decimation to bins longer than the pulse,
+///   clipped at saturation, times near-field ramp and gain; then counts.
 class CalibratedReceiver {
  public:
   struct Settings {
@@ -85,6 +87,7 @@ class CalibratedReceiver {
   [[nodiscard]] float kept(float intensity, std::size_t at) const;
   void receive_bearings(const EchoGrid& grid, Workers& workers);
   void receive_discrete_echoes(const EchoGrid& grid, const DiscreteEchoes& discrete);
+  void couple_channels(Workers& workers);
   void receive_leak();
   void detect_tile(const EchoGrid& grid, const TilePlace& place, Ping& ping) const;
 
@@ -108,6 +111,7 @@ class CalibratedReceiver {
   bool keeps_looks_ = false;          // Whether intensities are transformed by CoarseBins::kept().
   std::optional<BearingResponse> bearing_;
   std::optional<NoiseField> noise_;
+  std::optional<ReceiverChannels> channels_;
   std::optional<TransmitLeak> leak_;
 
   std::vector<Row> rows_;  // [worker].

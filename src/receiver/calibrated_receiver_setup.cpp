@@ -97,6 +97,9 @@ CalibratedReceiver::CalibratedReceiver(const Settings& settings)
                                         .beam_sines = beam_sines,
                                         .seed = seed_});
   }
+  if (ReceiverChannels::differ_in(sonar)) {
+    channels_.emplace(sonar);
+  }
   if (TransmitLeak::is_in(sonar)) {
     leak_.emplace(sonar, receiver, shown_speed, seed_);
   }

@@ -103,6 +103,23 @@ void check_beam_azimuths(std::string_view object, const SonarConfig& sonar) {
   }
 }
 
+void check_channels(std::string_view object, const SonarConfig& sonar) {
+  if (sonar.group_gains_db.size() > static_cast<std::size_t>(sonar.beam_count)) {
+    fail(object, "group_gains_db",
+         fmt::format(" has {} gains, must have at most one for each of beam_count = {}", sonar.group_gains_db.size(),
+                     sonar.beam_count),
+         {"beam_count"});
+  }
+  for (std::size_t i = 0; i < sonar.missing_beams.size(); ++i) {
+    const double beam = sonar.missing_beams[i];
+    if (beam != std::floor(beam) || beam >= sonar.beam_count) {
+      fail(object, fmt::format("missing_beams[{}]", i),
+           fmt::format(" = {:.10g} must be a whole number less than beam_count = {}", beam, sonar.beam_count),
+           {"beam_count"});
+    }
+  }
+}
+
 // Straight up every azimuth is the same direction.
 void check_elevations(std::string_view object, const SonarConfig& sonar) {
   const double steepest = std::abs(sonar.elevation_center) + sonar.elevation_aperture / 2;
@@ -227,6 +244,7 @@ void SonarConfig::validate(std::string_view object) const {
   check_name(object, name);
   check_ranges(object, *this);
   check_cells(object, *this);
+  check_channels(object, *this);
   check_beam_azimuths(object, *this);
   check_elevations(object, *this);
   check_head(object, *this);

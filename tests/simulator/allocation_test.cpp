@@ -129,6 +129,8 @@ Scenario calibrated_scenario(SonarType type) {
   sonar.sector_width = radians_from_degrees(20);
   sonar.leak_db = -30;
   sonar.dead_range = 0.5;
+  sonar.group_gains_db = {1};
+  sonar.crosstalk_db = -40;
   scenario.model = EchoModel::kCalibrated;
   scenario.ground_truth = GroundTruth::kFull;
   scenario.surface = SeaSurface{.level = 4, .wind_speed = 3};
