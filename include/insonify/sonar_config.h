@@ -36,6 +36,9 @@ enum class SonarType { kForwardLooking, kMechanicallyScanned };
 /// Axis about which a scanning head turns: the housing's z (a plan view), or its y, rolled by 90 degrees (a slice).
 enum class Mounting { kHorizontal, kVertical };
 
+/// How a fan's beams get their directions: by delays between elements, or by a lens.
+enum class Steering { kElectronic, kLens };
+
 /// How an instrument maps intensities to counts: a power of amplitude, or decibels.
 enum class Mapping { kGamma, kLogarithmic };
 
@@ -86,7 +89,7 @@ struct SonarConfig {
                                        ///< -300..100; absent: none is heard.
   double ring_down = 530e3;            ///< Decay of the transducer's ringing after the pulse [dB/s], 1e3..1e9.
   double leak_spread_db = 0;           ///< Standard deviation of the leak's level between beams [dB], 0..20.
-  double dead_range = 0;               ///< The overloaded receiver hears no echo and no noise nearer than this [m], 0..1e5.
+  double dead_range = 0;  ///< The overloaded receiver hears no echo and no noise nearer than this [m], 0..1e5.
 
   // Channels of the receiver (docs/concepts/channels.md).
   std::vector<double> group_gains_db = {};  ///< Gains of as many equal groups of neighbouring beams, from port [dB],
@@ -103,6 +106,7 @@ struct SonarConfig {
 
   // Time.
   std::optional<double> assumed_sound_speed;  ///< Converts time to range [m/s], 1300..1700; absent: the true one.
+  Steering steering = Steering::kElectronic;  ///< Whether bearings follow assumed_sound_speed as well; fans only.
   std::optional<double> ping_period;          ///< Time between pings [s], 2 max_range / c (when absent) to 1e6.
 
   // Scanning head (MSIS only).
@@ -230,17 +234,18 @@ void SonarConfig::visit_fields(Self& self, Visit&& visit) {
       Field{"gain", "", above_to(0, 1e9), "Multiplies the intensity before it is clipped to 1 (paper model).",
             ActsIn::kPaper, "receiver.gain_ranges and receiver.gains_db for levels, receiver.full_scale_db for counts"},
       self.gain);
-  visit(Field{"leak_db", "dB", from_to(-300, 100),
-              "Level of the outgoing pulse in the receiver, re the source's at 1 m (calibrated); not heard when absent.",
-              ActsIn::kCalibrated},
-        self.leak_db);
+  visit(
+      Field{"leak_db", "dB", from_to(-300, 100),
+            "Level of the outgoing pulse in the receiver, re the source's at 1 m (calibrated); not heard when absent.",
+            ActsIn::kCalibrated},
+      self.leak_db);
   visit(Field{"ring_down", "dB/s", from_to(1e3, 1e9), "Decay of the transducer's ringing after the pulse (leak_db).",
               ActsIn::kCalibrated},
         self.ring_down);
-  visit(Field{"leak_spread_db", "dB", from_to(0, 20),
-              "Standard deviation of the leak's level between beams, drawn by the seed (leak_db).",
-              ActsIn::kCalibrated},
-        self.leak_spread_db);
+  visit(
+      Field{"leak_spread_db", "dB", from_to(0, 20),
+            "Standard deviation of the leak's level between beams, drawn by the seed (leak_db).", ActsIn::kCalibrated},
+      self.leak_spread_db);
   visit(Field{"dead_range", "m", from_to(0, 1e5),
               "The receiver, overloaded by the transmission, hears no echo and no noise nearer than this "
               "(calibrated).",
@@ -273,6 +278,12 @@ void SonarConfig::visit_fields(Self& self, Visit&& visit) {
   visit(Field{"assumed_sound_speed", "m/s", from_to(1300, 1700),
               "Sound speed with which the sonar converts time to range; the true one when absent."},
         self.assumed_sound_speed);
+  visit(Field{"steering",
+              "",
+              {},
+              "electronic (bearings of a fan are computed with the assumed sound speed as well) or lens (calibrated).",
+              ActsIn::kCalibrated},
+        self.steering);
   visit(Field{"ping_period", "s", above_to(0, 1e6), "Time between pings; 2 max_range / c when absent, and never less."},
         self.ping_period);
   visit(Field{"step", "rad", from_to(-kPi, kPi), "Turn of a scanning head between pings, positive to port."},

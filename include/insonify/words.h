@@ -37,6 +37,11 @@ constexpr auto words_of<Mapping>() {
 }
 
 template <>
+constexpr auto words_of<Steering>() {
+  return Words<Steering, 2>{{{"electronic", Steering::kElectronic}, {"lens", Steering::kLens}}};
+}
+
+template <>
 constexpr auto words_of<Sigmoid>() {
   return Words<Sigmoid, 3>{
       {{"logistic", Sigmoid::kLogistic}, {"authors", Sigmoid::kAuthors}, {"none", Sigmoid::kNone}}};

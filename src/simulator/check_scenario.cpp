@@ -10,6 +10,7 @@
 #include "insonify/error.h"
 #include "insonify/scenario.h"
 #include "receiver/array/line_array.h"
+#include "receiver/array/steering.h"
 #include "simulator/check_speeds.h"
 
 namespace insonify {
@@ -61,7 +62,11 @@ void check_sonars(const Scenario& scenario) {
     if (sonars[i].receiver) {
       sonars[i].receiver->validate(object + ".receiver");
     }
-    check_ping_period(object, sonars[i], scenario.water_at(sonars[i]));
+    const Water water = scenario.water_at(sonars[i]);
+    check_ping_period(object, sonars[i], water);
+    if (scenario.model == EchoModel::kCalibrated) {
+      static_cast<void>(steered_by_assumed_speed(sonars[i], water.true_sound_speed(), object));
+    }
   }
 }
 

@@ -11,6 +11,7 @@
 #include "echo/model/ping_plan.h"
 #include "insonify/error.h"
 #include "receiver/array/line_array.h"
+#include "receiver/array/steering.h"
 
 namespace insonify {
 namespace {
@@ -77,7 +78,9 @@ SimulatedSonar::SimulatedSonar(const Scenario& scenario, const SonarConfig& sona
     : config(scenario.filled_in(sonar)), vehicle_from_housing(config.vehicle_from_sonar()) {
   const Water water = scenario.water_at(config);
   const ReceiverConfig beams = receiver_of(scenario, config);
-  const BearingCells cells(config, beams);
+  const bool calibrated = scenario.model == EchoModel::kCalibrated;
+  const SonarConfig steered = calibrated ? steered_by_assumed_speed(config, water.true_sound_speed()) : config;
+  const BearingCells cells(steered, beams);
   plan = make_ping_plan({.sonar = cells.sonar,
                          .water = water,
                          .model = scenario.model,
@@ -95,9 +98,9 @@ SimulatedSonar::SimulatedSonar(const Scenario& scenario, const SonarConfig& sona
   if (scenario.random_walks > 0) {
     walks.emplace(walk_settings(scenario, config, cells));
   }
-  if (scenario.model == EchoModel::kCalibrated) {
+  if (calibrated) {
     const std::vector<float> angles = cell_angles(*plan);
-    receiver.emplace(CalibratedReceiver::Settings{.sonar = config,
+    receiver.emplace(CalibratedReceiver::Settings{.sonar = steered,
                                                   .cells = cells,
                                                   .cell_angles = angles,
                                                   .water = water,

@@ -285,6 +285,7 @@ TEST(VolumeReverberationTest, FallsWithTheSquareOfRange) {
   scenario.points.clear();
   scenario.water.sound_speed = 1500;
   scenario.sonars[0].assumed_sound_speed = 1600;
+  scenario.sonars[0].steering = Steering::kLens;  // A line's beams would be narrower.
   const double true_range = 15.025 * 1500 / 1600;
   EXPECT_NEAR(cell_db(ping_of(scenario, {}), 300, 7),
               cell_db(ping, 300, 7) + 20 * std::log10(15.025 / true_range) + 10 * std::log10(1500.0 / 1600), 0.01);
