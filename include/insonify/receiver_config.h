@@ -24,6 +24,11 @@ enum class Decimation { kPeak, kMean, kSample };
 struct ReceiverConfig {
   bool noise = true;  ///< Whether noise is drawn: that of the paper model, or thermal noise in the calibrated model.
   std::optional<double> ambient_noise_db = {};  ///< Noise besides thermal noise [dB re 1 uPa^2/Hz], -100..200; or none.
+
+  // The sea's noise by its causes, added to ambient_noise_db (docs/concepts/reverberation-and-noise.md).
+  std::optional<double> wind_noise = {};  ///< Wind speed 10 m above the sea [m/s], 0..60; absent: none.
+  std::optional<double> rain_noise = {};  ///< Rain [mm/h], 0..300; absent: none.
+  std::optional<double> ship_noise = {};  ///< Shipping, from 0 (little) to 1 (heavy); absent: none.
   bool speckle = true;                          ///< Whether echoes interfere.
 
   /// Pattern across bearings. It applies twice on scanning heads, which transmit and receive with the same array, and
@@ -78,6 +83,17 @@ struct ReceiverConfig {
                 "Spectral level at the carrier of noise besides thermal, re 1 uPa^2/Hz (calibrated); none when absent.",
                 ActsIn::kCalibrated, "paper.additive_deviation"},
           self.ambient_noise_db);
+    visit(Field{"wind_noise", "m/s", from_to(0, 60),
+                "Wind speed whose noise is added (calibrated); none when absent.", ActsIn::kCalibrated,
+                "paper.additive_deviation"},
+          self.wind_noise);
+    visit(Field{"rain_noise", "mm/h", from_to(0, 300), "Rain whose noise is added (calibrated); none when absent.",
+                ActsIn::kCalibrated, "paper.additive_deviation"},
+          self.rain_noise);
+    visit(Field{"ship_noise", "", from_to(0, 1),
+                "Distant shipping whose noise is added, from 0, little, to 1, heavy (calibrated); none when absent.",
+                ActsIn::kCalibrated, "paper.additive_deviation"},
+          self.ship_noise);
     visit(Field{"speckle",
                 "",
                 {},

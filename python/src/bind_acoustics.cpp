@@ -85,6 +85,12 @@ void add_levels(py::module_& m) {
               "SL - 2 TL + TS [dB re 1 uPa].");
   add_formula(m, "thermal_noise_level_db", &thermal_noise_level_db, arg("frequency"),
               "-15 + 20 log10(f/kHz) [dB re 1 uPa^2/Hz]. Mellen, J. Acoust. Soc. Am. 24(5), 478 (1952).");
+  add_formula(m, "wind_noise_level_db", &wind_noise_level_db, arg("frequency"), arg("wind_speed"),
+              "Spectral level of the noise of the sea in wind [dB re 1 uPa^2/Hz].");
+  add_formula(m, "ship_noise_level_db", &ship_noise_level_db, arg("frequency"), arg("shipping"),
+              "Spectral level of the noise of distant ships, shipping from 0 to 1 [dB re 1 uPa^2/Hz].");
+  add_formula(m, "rain_noise_level_db", &rain_noise_level_db, arg("frequency"), arg("rain"),
+              "Spectral level of the noise of rain, in mm/h [dB re 1 uPa^2/Hz].");
   add_formula(m, "sector_directivity_index_db", &sector_directivity_index_db, arg("azimuth_width"),
               arg("elevation_width"), "Of a top-hat beam [dB]; full angles [rad].");
   add_formula(m, "noise_level_db", &noise_level_db, arg("spectral_level_db"), arg("bandwidth"),

@@ -102,6 +102,27 @@ double thermal_noise_level_db(double frequency) {
   return -15 + 20 * std::log10(frequency / kHertzPerKilohertz);
 }
 
+double wind_noise_level_db(double frequency, double wind_speed) {
+  check_argument("wind_noise_level_db", "frequency", "Hz", greater_than(0), frequency);
+  check_argument("wind_noise_level_db", "wind_speed", "m/s", at_least(0), wind_speed);
+  const double f = frequency / kHertzPerKilohertz;
+  return 50 + 7.5 * std::sqrt(wind_speed) + 20 * std::log10(f) - 40 * std::log10(f + 0.4);
+}
+
+double ship_noise_level_db(double frequency, double shipping) {
+  check_argument("ship_noise_level_db", "frequency", "Hz", greater_than(0), frequency);
+  check_argument("ship_noise_level_db", "shipping", "", from_to(0, 1), shipping);
+  const double f = frequency / kHertzPerKilohertz;
+  return 40 + 20 * (shipping - 0.5) + 26 * std::log10(f) - 60 * std::log10(f + 0.03);
+}
+
+double rain_noise_level_db(double frequency, double rain) {
+  check_argument("rain_noise_level_db", "frequency", "Hz", greater_than(0), frequency);
+  check_argument("rain_noise_level_db", "rain", "mm/h", greater_than(0), rain);
+  constexpr double kFlatTo = 10e3;  // [Hz]
+  return 42.4 + 15.4 * std::log10(rain) - 20 * std::log10(std::max(1.0, frequency / kFlatTo));
+}
+
 double sector_directivity_index_db(double azimuth_width, double elevation_width) {
   check_beam("sector_directivity_index_db", azimuth_width, elevation_width);
   return 10 * std::log10(4 * kPi / sector_solid_angle(azimuth_width, elevation_width));

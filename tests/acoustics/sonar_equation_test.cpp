@@ -218,5 +218,26 @@ TEST(SonarEquationTest, RefusesArgumentsOutOfLimits) {
             "lambert_wall_intensity.azimuth_deg = 114.591559 deg must be from -90 to 90 deg");
 }
 
+// By hand, f in kHz. Wind 9 m/s at 0.6 kHz: 50 + 22.5 - 4.436975 - 40 lg 1.0 = 68.063025. Wind 10 at 100: 50
+// + 23.717082
+// + 40 - 40 lg 100.4 = 33.647734. Calm at 300: 50 + 49.542425 - 40 lg 300.4 = 0.434428. Ships 0.7 at 0.07: 40 + 4 + 26
+// lg 0.07 - 60 lg 0.1 = 73.972549. Rain of 10 mm/h at 2, 10 and 200: 57.8, 57.8, 57.8 - 26.0206.
+TEST(AmbientNoiseTest, HasTheLevelsOfWindShipsAndRain) {
+  EXPECT_NEAR(wind_noise_level_db(600, 9), 68.063025, 1e-6);
+  EXPECT_NEAR(wind_noise_level_db(100e3, 10), 33.647734, 1e-6);
+  EXPECT_NEAR(wind_noise_level_db(300e3, 0), 0.434428, 1e-6);
+  EXPECT_NEAR(ship_noise_level_db(70, 0.7), 73.972549, 1e-6);
+  EXPECT_NEAR(rain_noise_level_db(2e3, 10), 57.8, 1e-6);
+  EXPECT_NEAR(rain_noise_level_db(10e3, 10), 57.8, 1e-6);
+  EXPECT_NEAR(rain_noise_level_db(200e3, 10), 31.779400, 1e-6);
+}
+
+// Above 10 kHz wind and rain fall by 20 dB a decade, to 0.05 dB, and ships by 34.
+TEST(AmbientNoiseTest, FallsWithFrequency) {
+  EXPECT_NEAR(wind_noise_level_db(50e3, 5) - wind_noise_level_db(500e3, 5), 20, 0.15);
+  EXPECT_NEAR(rain_noise_level_db(50e3, 5) - rain_noise_level_db(500e3, 5), 20, 1e-9);
+  EXPECT_NEAR(ship_noise_level_db(50e3, 0) - ship_noise_level_db(500e3, 0), 34, 0.02);
+}
+
 }  // namespace
 }  // namespace insonify

@@ -24,6 +24,24 @@ namespace insonify {
 /// @param frequency  [Hz], > 0.
 [[nodiscard]] double thermal_noise_level_db(double frequency);
 
+/// Spectral level of the noise of a sea surface in wind, 50 + 7.5 sqrt(w) + 20 log10 f - 40 log10(f + 0.4), f in kHz
+/// [dB re 1 uPa^2/Hz]: a fit to the curves of Wenz, J. Acoust. Soc. Am. 34(12), 1936 (1962), by Coates, Underwater
+/// Acoustic Systems (1990). The curves end at 100 kHz; beyond it is continued, by 20 dB a decade.
+/// @param frequency   [Hz], > 0.
+/// @param wind_speed  10 m above the surface [m/s], >= 0.
+[[nodiscard]] double wind_noise_level_db(double frequency, double wind_speed);
+
+/// Spectral level of the noise of distant ships, 40 + 20 (s - 0.5) + 26 log10 f - 60 log10(f + 0.03), f in kHz [dB re 1
+/// uPa^2/Hz]: as above. Of weight below 1 kHz only.
+/// @param shipping  From 0, little, to 1, heavy.
+[[nodiscard]] double ship_noise_level_db(double frequency, double shipping);
+
+/// Spectral level of the noise of rain on the surface [dB re 1 uPa^2/Hz]: 42.4 + 15.4 log10(rain) at 5 kHz (Ma and
+/// Nystuen, J. Atmos. Oceanic Technol. 22, 1225 (2005)), here the same up to 10 kHz, where drops of heavy rain ring,
+/// and falling by 20 dB a decade beyond, as the noise of wind does: an extrapolation.
+/// @param rain  [mm/h], > 0.
+[[nodiscard]] double rain_noise_level_db(double frequency, double rain);
+
 /// Directivity index of a top-hat beam: 10 log10(4 pi/(width 2 sin(height/2))) [dB].
 /// @param azimuth_width    Full angle [rad], in (0, 2 pi].
 /// @param elevation_width  Full angle, symmetric about the horizontal [rad], in (0, pi].

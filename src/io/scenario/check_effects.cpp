@@ -63,7 +63,7 @@ struct Condition {
 bool has_set_side_lobes(BeamPattern pattern) {
   return pattern == BeamPattern::kTaylor || pattern == BeamPattern::kDolphChebyshev;
 }
-constexpr std::array<Condition, 8> kOfReceiver = {
+constexpr std::array<Condition, 11> kOfReceiver = {
     {{"pulse_duration",
       [](const Received& r) { return r.receiver.pulse == PulseKind::kCw || r.receiver.pulse == PulseKind::kLfm; },
       "pulse is cw or lfm"},
@@ -74,6 +74,9 @@ constexpr std::array<Condition, 8> kOfReceiver = {
       "the pulse is lfm and its window taylor"},
      {"decimation", [](const Received& r) { return r.pulse.kind != PulseKind::kNone; }, "the pulse is cw or lfm"},
      {"ambient_noise_db", [](const Received& r) { return r.receiver.noise; }, "noise is true"},
+     {"wind_noise", [](const Received& r) { return r.receiver.noise; }, "noise is true"},
+     {"rain_noise", [](const Received& r) { return r.receiver.noise; }, "noise is true"},
+     {"ship_noise", [](const Received& r) { return r.receiver.noise; }, "noise is true"},
      {"full_scale_db", [](const Received& r) { return r.receiver.counts; }, "counts is true"},
      {"side_lobe_db",
       [](const Received& r) {

@@ -53,14 +53,29 @@ double receive_solid_angle(const SonarConfig& sonar, const ReceiverConfig& recei
   return bearing_width(sonar, receiver) * elevation_width(sonar, receiver);
 }
 
-double noise_intensity(const SonarConfig& sonar, const ReceiverConfig& receiver, const Pulse& pulse) {
-  double spectrum = std::pow(10.0, thermal_noise_level_db(sonar.frequency) / 10);
+double noise_spectrum_db(const ReceiverConfig& receiver, double frequency) {
+  double spectrum = 0;
+  const auto add = [&](double level_db) { spectrum += std::pow(10.0, level_db / 10); };
+  add(thermal_noise_level_db(frequency));
   if (receiver.ambient_noise_db) {
-    spectrum += std::pow(10.0, *receiver.ambient_noise_db / 10);
+    add(*receiver.ambient_noise_db);
   }
+  if (receiver.wind_noise) {
+    add(wind_noise_level_db(frequency, *receiver.wind_noise));
+  }
+  if (receiver.rain_noise.value_or(0) > 0) {
+    add(rain_noise_level_db(frequency, *receiver.rain_noise));
+  }
+  if (receiver.ship_noise) {
+    add(ship_noise_level_db(frequency, *receiver.ship_noise));
+  }
+  return 10 * std::log10(spectrum);
+}
+
+double noise_intensity(const SonarConfig& sonar, const ReceiverConfig& receiver, const Pulse& pulse) {
   const double directivity = 10 * std::log10(4 * std::numbers::pi / receive_solid_angle(sonar, receiver));
   const double bandwidth = pulse.noise_bandwidth() > 0 ? pulse.noise_bandwidth() : sonar.bandwidth;
-  const double level = noise_level_db(10 * std::log10(spectrum), bandwidth, directivity);
+  const double level = noise_level_db(noise_spectrum_db(receiver, sonar.frequency), bandwidth, directivity);
   return std::pow(10.0, (level - sonar.source_level_db) / 10);
 }
 

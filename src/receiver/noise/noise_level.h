@@ -16,7 +16,12 @@ namespace insonify {
 /// Optimum Array Processing (2002), section 2.6).
 [[nodiscard]] double receive_solid_angle(const SonarConfig& sonar, const ReceiverConfig& receiver);
 
-/// Mean intensity of the noise in a beam, re the source's at 1 m: thermal and ambient noise in the receiver's
+/// Spectral level of thermal noise, of the receiver's `ambient_noise_db`, and of the wind, rain and ships that it
+/// names: the sum of their powers [dB re 1 uPa^2/Hz].
+/// @param frequency  [Hz].
+[[nodiscard]] double noise_spectrum_db(const ReceiverConfig& receiver, double frequency);
+
+/// Mean intensity of the noise in a beam, re the source's at 1 m: noise_spectrum_db() in the receiver's
 /// bandwidth, less the directivity index (Urick 1983, ch. 2). The bandwidth is that of the pulse's filter, so that a
 /// matched filter has a signal to noise ratio of 2 E / N0, whatever the pulse (Turin, IRE Trans. IT-6, 311 (1960));
 /// without a pulse it is the sonar's `bandwidth`.

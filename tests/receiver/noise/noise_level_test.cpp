@@ -114,5 +114,22 @@ TEST(NoiseLevelTest, IsThatOfTheSonarEquation) {
               -147.04027 - 3.0103, 1e-5);
 }
 
+// Powers add. At 150 kHz: thermal 28.5218 dB; wind of 7 m/s 50 + 19.8431 + 43.5218 - 40 lg 150.4 = 26.2750; rain of 4
+// mm/h 42.4 + 9.2717 - 23.5218 = 28.1499; ships 1: 50 + 56.5784 - 60 lg 150.03 = -23.9923; ambient 20. Powers: 711.51 +
+// 424.14 = 1135.65; with 653.12, 0.0040 and 100: 1888.77.
+TEST(NoiseSpectrumTest, SumsThePowersOfItsCauses) {
+  ReceiverConfig receiver;
+  EXPECT_NEAR(noise_spectrum_db(receiver, 150e3), 28.521825, 1e-6);
+  receiver.wind_noise = 7;
+  EXPECT_NEAR(noise_spectrum_db(receiver, 150e3), 30.552437, 1e-5);
+  receiver.rain_noise = 4;
+  receiver.ship_noise = 1;
+  receiver.ambient_noise_db = 20;
+  EXPECT_NEAR(noise_spectrum_db(receiver, 150e3), 32.761785, 1e-5);
+  receiver = {};
+  receiver.rain_noise = 0;  // Dry.
+  EXPECT_NEAR(noise_spectrum_db(receiver, 150e3), 28.521825, 1e-6);
+}
+
 }  // namespace
 }  // namespace insonify
