@@ -31,6 +31,8 @@ void add_compare(CLI::App& app, Request& request) {
       ->type_name("NAME");
   command->add_option("--floor-db", options.floor_db, "Level that counts as 0 on a decibel scale [-50]")
       ->type_name("DB");
+  command->add_flag("--counts", options.counts,
+                    "Compare the counts of recordings, as the instrument delivers them: linear, up to the greatest");
   command->add_flag("--no-ms-ssim", request.no_ms_ssim,
                     "Leave out MS-SSIM (smaller than 176 x 176 it is left out anyway)");
   command->add_flag("--json", options.json, "As JSON, with the numbers of each ping");

@@ -29,7 +29,7 @@ struct ReceiverConfig {
   std::optional<double> wind_noise = {};  ///< Wind speed 10 m above the sea [m/s], 0..60; absent: none.
   std::optional<double> rain_noise = {};  ///< Rain [mm/h], 0..300; absent: none.
   std::optional<double> ship_noise = {};  ///< Shipping, from 0 (little) to 1 (heavy); absent: none.
-  bool speckle = true;                          ///< Whether echoes interfere.
+  bool speckle = true;                    ///< Whether echoes interfere.
 
   /// Pattern across bearings. It applies twice on scanning heads, which transmit and receive with the same array, and
   /// once (on reception) on fans.
@@ -68,6 +68,10 @@ struct ReceiverConfig {
   bool counts = false;                       ///< Whether pings also hold counts, see SonarConfig::bits.
   std::optional<double> full_scale_db = {};  ///< Recorded level of the greatest count [dB], -400..400.
 
+  /// Automatic gain instead of full_scale_db: share of each ping's bins whose level is at least that of the greatest
+  /// count, (0, 1].
+  std::optional<double> full_scale_share = {};
+
   /// Gain at a range > 0 [m], from time_varied_gain or from the table [dB]; 0 without either.
   [[nodiscard]] double gain_db(double range, double absorption_db_per_m) const;
 
@@ -83,9 +87,8 @@ struct ReceiverConfig {
                 "Spectral level at the carrier of noise besides thermal, re 1 uPa^2/Hz (calibrated); none when absent.",
                 ActsIn::kCalibrated, "paper.additive_deviation"},
           self.ambient_noise_db);
-    visit(Field{"wind_noise", "m/s", from_to(0, 60),
-                "Wind speed whose noise is added (calibrated); none when absent.", ActsIn::kCalibrated,
-                "paper.additive_deviation"},
+    visit(Field{"wind_noise", "m/s", from_to(0, 60), "Wind speed whose noise is added (calibrated); none when absent.",
+                ActsIn::kCalibrated, "paper.additive_deviation"},
           self.wind_noise);
     visit(Field{"rain_noise", "mm/h", from_to(0, 300), "Rain whose noise is added (calibrated); none when absent.",
                 ActsIn::kCalibrated, "paper.additive_deviation"},
@@ -197,6 +200,10 @@ struct ReceiverConfig {
     visit(
         Field{"full_scale_db", "dB", from_to(-400, 400), "Recorded level of the greatest count.", ActsIn::kCalibrated},
         self.full_scale_db);
+    visit(Field{"full_scale_share", "", above_to(0, 1),
+                "Automatic gain: share of each ping's bins that reach the greatest count, instead of full_scale_db.",
+                ActsIn::kCalibrated},
+          self.full_scale_share);
   }
 };
 

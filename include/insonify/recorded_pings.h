@@ -51,6 +51,12 @@ class RecordedPings {
   /// @throws Error with the path where the file cannot be read.
   [[nodiscard]] std::vector<double> intensity(std::uint64_t ping) const;
 
+  /// The greatest count of the instrument, 2^bits - 1; 0 for a recording without counts (ReceiverConfig::counts).
+  [[nodiscard]] double greatest_count() const;
+
+  /// The counts of one ping, as intensity(); only where there are any.
+  [[nodiscard]] std::vector<double> counts(std::uint64_t ping) const;
+
   /// One ping to be drawn: number, time, pose, head angle and intensities; no ground truth.
   /// @param ping  Below ping_count().
   /// @throws Error with the path where the file cannot be read, or has no time or pose of its pings.

@@ -231,6 +231,7 @@ void CalibratedReceiver::receive(const EchoGrid& still, const Pose& world_from_s
   });
   if (digitizer_) {
     const auto beams = static_cast<std::size_t>(beams_);
+    digitizer_->adapt(ping.intensity);
     workers.for_each(bins_, [&](int bin, int) {
       digitizer_->digitize({&ping.intensity[bin * beams], beams}, {&ping.counts[bin * beams], beams});
     });

@@ -114,7 +114,7 @@ CalibratedReceiver::CalibratedReceiver(const Settings& settings)
     clutter_.emplace(settings.materials, cells.per_beam, std::max(1, static_cast<int>(std::lround(bins))));
   }
   if (receiver.counts) {
-    digitizer_.emplace(sonar, receiver.full_scale_db.value());
+    digitizer_.emplace(sonar, receiver.full_scale_db.value_or(0), receiver.full_scale_share);
   }
   const std::size_t cell_count = static_cast<std::size_t>(cells_) * bins_;
   const std::size_t beam_count = bearing_ ? static_cast<std::size_t>(beams_) * bins_ : 0;

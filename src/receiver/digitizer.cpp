@@ -2,6 +2,8 @@
 
 #include "receiver/digitizer.h"
 
+#include <algorithm>
+#include <bit>
 #include <cassert>
 #include <cmath>
 
@@ -38,14 +40,35 @@ void map_powers(std::size_t count, const float* __restrict__ intensities, float 
 
 }  // namespace
 
-Digitizer::Digitizer(const SonarConfig& sonar, double full_scale_db)
+Digitizer::Digitizer(const SonarConfig& sonar, double full_scale_db, std::optional<double> full_scale_share)
     : mapping_(sonar.mapping),
       max_count_(static_cast<float>((1 << sonar.bits) - 1)),
-      per_full_scale_(static_cast<float>(std::pow(10.0, -full_scale_db / 10))) {
+      per_full_scale_(static_cast<float>(std::pow(10.0, -full_scale_db / 10))),
+      share_(full_scale_share),
+      histogram_(full_scale_share ? kLevels : 0) {
   const double decibels_per_unit = 10 / std::log(10.0);
   exponent_ =
       static_cast<float>(mapping_ == Mapping::kGamma ? 0.5 * sonar.mapping_exponent
                                                      : double{max_count_} * decibels_per_unit / sonar.mapping_range_db);
+}
+
+// Floats that are not negative are in the order of their bits, of which a histogram counts the upper 16.
+void Digitizer::adapt(std::span<const float> intensities) {
+  if (!share_) {
+    return;
+  }
+  constexpr int kLowerBits = 15;  // Without the sign, 31 bits are left.
+  std::ranges::fill(histogram_, 0U);
+  for (const float intensity : intensities) {
+    ++histogram_[std::bit_cast<std::uint32_t>(intensity) >> kLowerBits];
+  }
+  const auto wanted = std::max(1.0, std::floor(*share_ * static_cast<double>(intensities.size())));
+  double reached = 0;
+  int level = kLevels;
+  while (reached < wanted && level > 0) {
+    reached += histogram_[static_cast<std::size_t>(--level)];
+  }
+  per_full_scale_ = 1 / std::max(std::bit_cast<float>(static_cast<std::uint32_t>(level) << kLowerBits), kLeast);
 }
 
 void Digitizer::digitize(std::span<const float> intensities, std::span<std::uint16_t> counts) const {

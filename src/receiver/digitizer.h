@@ -3,8 +3,11 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
+#include <vector>
 
+#include "insonify/receiver_config.h"
 #include "insonify/sonar_config.h"
 
 namespace insonify {
@@ -17,16 +20,26 @@ namespace insonify {
 /// Results are rounded to the nearest integer, halves to the even one, and clipped to 0..N.
 class Digitizer {
  public:
-  /// @param full_scale_db  Recorded level that gives the count N [dB re the source's at 1 m, after gain].
-  Digitizer(const SonarConfig& sonar, double full_scale_db);
+  /// @param full_scale_db     Recorded level that gives the count N [dB re the source's at 1 m, after gain].
+  /// @param full_scale_share  Automatic gain: share of a ping's intensities that are to have the count N, (0, 1];
+  ///                          the level is then set by adapt().
+  Digitizer(const SonarConfig& sonar, double full_scale_db, std::optional<double> full_scale_share = {});
+
+  /// With a full_scale_share, sets full scale to the level that this share of a ping's intensities reach, to 0.02 dB
+  /// (0.4 %). Allocates nothing.
+  void adapt(std::span<const float> intensities);
 
   /// @param counts  One per intensity; written.
   void digitize(std::span<const float> intensities, std::span<std::uint16_t> counts) const;
 
  private:
+  static constexpr int kLevels = 1 << 16;
+
   Mapping mapping_;
   float max_count_, per_full_scale_;  // N, and 1 / the intensity of full scale.
-  float exponent_ = 0;                // kGamma: exponent of intensity. kLogarithmic: counts per unit of its logarithm.
+  std::optional<double> share_;
+  std::vector<std::uint32_t> histogram_;  // Of the upper halves of intensities: exponent and 8 bits of mantissa.
+  float exponent_ = 0;  // kGamma: exponent of intensity. kLogarithmic: counts per unit of its logarithm.
 };
 
 }  // namespace insonify

@@ -47,7 +47,11 @@ void ReceiverConfig::validate(std::string_view object) const {
     throw Error(object, "field", fmt::format(" needs {}.speckle: without it echoes have no phase", object),
                 {member_name(object, "speckle")});
   }
-  if (counts && !full_scale_db) {
+  if (full_scale_db && full_scale_share) {
+    throw Error(object, "full_scale_share", fmt::format(" must be none where {}.full_scale_db is given", object),
+                {member_name(object, "full_scale_db")});
+  }
+  if (counts && !full_scale_db && !full_scale_share) {
     throw Error(object, "counts", fmt::format(" needs {}.full_scale_db, the recorded level that fills them", object));
   }
 }

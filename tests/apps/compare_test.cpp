@@ -314,5 +314,27 @@ constexpr Refusal kRefusals[] = {
 INSTANTIATE_TEST_SUITE_P(All, CompareRefusalTest, testing::ValuesIn(kRefusals),
                          [](const auto& refusal) { return std::string(refusal.param.name); });
 
+// ---------------------------------------------------------------- Counts
+
+// 8-bit counts of a recording are compared as the grey levels of a picture that shows them: those of one ping with
+// itself as a picture are equal.
+TEST_F(CompareTest, CountsAreComparedAsTheInstrumentDeliversThem) {
+  folder.write("wall.yaml", R"(world: wall.obj
+receiver: {counts: true, full_scale_db: -60}
+sonars: [{beam_count: 180, azimuth_aperture_deg: 60, bin_count: 180, max_range: 20, bits: 8}]
+)");
+  folder.write("wall.obj", "v 8 -9 -3\nv 8 9 -3\nv 12 9 3\nv 12 -9 3\nf 1 2 3 4\n");
+  EXPECT_EQ(shell("insonify run wall.yaml -o wall --no-pictures").status, 0);
+  const json told = compared("wall wall --counts");
+  EXPECT_EQ(told.at("mse"), 0);
+  EXPECT_EQ(told.at("levels").at("scale"), "linear");
+  EXPECT_EQ(told.at("levels").at("full_scale"), 1);
+  EXPECT_EQ(shell("insonify run wall.yaml -o other --no-pictures --set seed=2").status, 0);
+  EXPECT_NE(compared("wall other --counts").at("mse"), compared("wall other").at("mse"));
+  EXPECT_EQ(shell("insonify run wall.yaml -o none --no-pictures --set receiver.counts=false").status, 0);
+  EXPECT_THAT(shell("insonify compare wall none --counts").err,
+              HasSubstr("sonar.h5: has no counts (receiver.counts); --counts compares those of recordings"));
+}
+
 }  // namespace
 }  // namespace insonify

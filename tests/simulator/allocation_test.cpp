@@ -142,6 +142,8 @@ Scenario calibrated_scenario(SonarType type) {
   scenario.receiver.pulse_duration = 1e-3;
   scenario.receiver.speckle = true;
   scenario.receiver.time_varied_gain = 30;
+  scenario.receiver.counts = true;
+  scenario.receiver.full_scale_share = 0.01;
   scenario.random_walks = 100;
   return scenario;
 }

@@ -34,9 +34,9 @@ TEST(GainTest, SaturationLimitsTheInput) {
   EXPECT_NEAR(total_db(ping_of(scenario, {})), 0, 0.001);
 }
 
-// What is limited is the squared sum of echo, leak and noise, after array and pulse. Of exponentially distributed intensities
-// of mean m, a limit at s leaves the mean m (1 - e^(-s/m)), and the share e^(-s/m) is at the limit. Noise alone, at -147.0403
-// dB (T23); and with echoes of volume reverberation with speckle, whose mean adds to it.
+// What is limited is the squared sum of echo, leak and noise, after array and pulse. Of exponentially distributed
+// intensities of mean m, a limit at s leaves the mean m (1 - e^(-s/m)), and the share e^(-s/m) is at the limit. Noise
+// alone, at -147.0403 dB (T23); and with echoes of volume reverberation with speckle, whose mean adds to it.
 TEST(SaturationTest, LimitsTheSumOfEchoesLeakAndNoise) {
   for (const bool echoes : {false, true}) {
     SonarConfig sonar;
@@ -90,6 +90,50 @@ TEST(CountsTest, FollowTheRecordedLevel) {
   EXPECT_TRUE(ping_of(scenario, {}).counts.empty());
 }
 
+// With the share q of exponentially distributed intensities at full scale, that is -ln q means: 4.605 for 1 % (6.6325
+// dB), 0.2231 for 80 %. Logarithmic counts fall by 255 / 60 a decibel from there; a louder receiver changes nothing.
+TEST(CountsTest, AutomaticGainFillsItsShareOfBins) {
+  for (const double share : {0.01, 0.8}) {
+    SonarConfig sonar;
+    sonar.beam_count = 100;
+    sonar.azimuth_aperture = 100 * kDegree;
+    sonar.sampling = {1, 20};
+    Scenario scenario = calibrated(sonar, kRays);
+    scenario.receiver.noise = true;
+    scenario.receiver.counts = true;
+    scenario.receiver.full_scale_share = share;
+    const Ping ping = ping_of(scenario, {});
+    const auto count = static_cast<double>(ping.counts.size());
+    const auto full = static_cast<double>(std::ranges::count(ping.counts, 255));
+    // Half a count below full scale rounds to it too: 0.1176 dB, by which -ln q is multiplied by 0.9733.
+    const double expected = std::pow(share, 0.9733);
+    EXPECT_NEAR(full / count, expected, 4 * std::sqrt(expected / count) + 0.02 * expected)
+        << share;  // And 0.4 % of -ln q.
+    const double scale_db = 10 * std::log10(-std::log(share)) + total_db(ping) - 10 * std::log10(count);
+    for (std::size_t at = 0; at < 300; ++at) {
+      const double level = 10 * std::log10(double{ping.intensity[at]}) - scale_db;
+      // The sample's own quantile and mean: 4 x 100 % / sqrt(500) of it, 0.3 dB.
+      EXPECT_NEAR(ping.counts[at], std::clamp(255 * (1 + level / 60), 0.0, 255.0), 0.5 + 0.3 * 255 / 60) << at;
+    }
+    scenario.receiver.gain_ranges = {0};
+    scenario.receiver.gains_db = {40};
+    const Ping louder = ping_of(scenario, {});
+    int changed = 0;
+    for (std::size_t at = 0; at < louder.counts.size(); ++at) {
+      changed = std::max(changed, std::abs(louder.counts[at] - ping.counts[at]));
+    }
+    EXPECT_LE(changed, 1);  // 0.02 dB.
+  }
+}
+
+TEST(CountsTest, AutomaticGainOfNothingIsNothing) {
+  Scenario scenario = point_at(10.025);
+  scenario.points.clear();
+  scenario.receiver.counts = true;
+  scenario.receiver.full_scale_share = 1;
+  EXPECT_EQ(std::ranges::count(ping_of(scenario, {}).counts, 0), 16 * 500);
+}
+
 // The squared magnitude of the field is the intensity, and the phase of a point changes by 4 pi / wavelength per metre
 // of range.
 TEST(FieldTest, PhaseTurnsTwicePerWavelengthOfRange) {
@@ -131,6 +175,9 @@ TEST(ReceiverConfigTest, RefusesSettingsThatExcludeEachOther) {
             "receiver.field needs receiver.speckle: without it echoes have no phase");
   EXPECT_EQ(message([](ReceiverConfig& r) { r.counts = true; }),
             "receiver.counts needs receiver.full_scale_db, the recorded level that fills them");
+  EXPECT_EQ(message([](ReceiverConfig& r) { r.counts = true, r.full_scale_share = 0.1; }), "");
+  EXPECT_EQ(message([](ReceiverConfig& r) { r.full_scale_db = 0, r.full_scale_share = 0.1; }),
+            "receiver.full_scale_share must be none where receiver.full_scale_db is given");
   EXPECT_EQ(message([](ReceiverConfig& r) { r.saturation_db = 200; }),
             "receiver.saturation_db = 200 dB must be from -400 to 100 dB");
 }

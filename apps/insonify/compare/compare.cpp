@@ -45,7 +45,7 @@ std::vector<std::uint64_t> chosen_pings(const CompareSource& a, const CompareSou
 // compared in decibels below the largest intensity of both recordings.
 Display levels_of(const CompareOptions& options, const CompareSource& a, const CompareSource& b,
                   const std::vector<std::uint64_t>& pings) {
-  const bool calibrated = a.is_calibrated() && b.is_calibrated();
+  const bool calibrated = a.is_calibrated() && b.is_calibrated() && !options.counts;
   Display display;
   display.scale = options.scale == "db" || (options.scale.empty() && calibrated) ? Scale::kDecibel : Scale::kLinear;
   display.floor_db = options.floor_db;
@@ -134,6 +134,11 @@ class Tally {
 Comparison compared(const CompareOptions& options) {
   CompareSource a(options.a, options.sonar);
   CompareSource b(options.b, options.sonar);
+  if (options.counts) {
+    for (CompareSource* source : {&a, &b}) {
+      source->use_counts();
+    }
+  }
   Comparison comparison;
   comparison.a = a.name();
   comparison.b = b.name();

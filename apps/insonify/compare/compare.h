@@ -18,6 +18,7 @@ struct CompareOptions {
   double floor_db = -50;             ///< [dB]
   std::optional<double>
       full_scale;       ///< When absent: the largest intensity of both recordings in the calibrated model, else 1.
+  bool counts = false;  ///< Compare the counts of recordings, linear from 0 to the greatest.
   bool ms_ssim = true;  ///< Compute MS-SSIM where pictures are large enough.
   bool json = false;
 };

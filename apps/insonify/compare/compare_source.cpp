@@ -70,8 +70,19 @@ CompareSource::CompareSource(std::filesystem::path path, const std::string& sona
 void CompareSource::set_levels(const Display& levels) {
   levels_ = levels;
   if (recording_) {
-    levels_.full_scale *= recording_->full_scale();
+    levels_.full_scale *= full_scale();
   }
+}
+
+void CompareSource::use_counts() {
+  counts_ = recording_ && recording_->greatest_count() > 0;
+  if (recording_ && !counts_ && recording_->full_scale() == 1) {
+    throw Error(fmt::format("{}: has no counts (receiver.counts); --counts compares those of recordings", name()));
+  }
+}
+
+double CompareSource::full_scale() const {
+  return counts_ ? recording_->greatest_count() : recording_->full_scale();
 }
 
 std::optional<SonarConfig> CompareSource::sonar_config() const {
@@ -113,7 +124,7 @@ GreyPicture CompareSource::scan(const std::vector<std::uint64_t>& pings) const {
 }
 
 std::vector<double> CompareSource::levels(std::uint64_t ping) const {
-  std::vector<double> values = recording_->intensity(ping);
+  std::vector<double> values = counts_ ? recording_->counts(ping) : recording_->intensity(ping);
   for (double& value : values) {
     if (!(value >= 0 && value <= levels_.full_scale)) {
       throw Error(fmt::format("{}: an intensity is {:.6g}; it must be from 0 to full scale, {:.6g} (--full-scale)",

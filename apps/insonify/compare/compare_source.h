@@ -24,6 +24,11 @@ class CompareSource {
   /// called before picture() and scan().
   void set_levels(const Display& levels);
 
+  /// Uses a recording's counts instead of its intensities; must be called before all below. A recording of integers has
+  /// no others.
+  /// @throws Error for a recording of neither.
+  void use_counts();
+
   [[nodiscard]] std::string name() const { return path_.string(); }
   [[nodiscard]] std::string sonar() const { return recording_ ? recording_->sonar() : ""; }
   [[nodiscard]] bool is_calibrated() const { return recording_ && recording_->model() == "calibrated"; }
@@ -44,9 +49,11 @@ class CompareSource {
 
  private:
   [[nodiscard]] std::vector<double> levels(std::uint64_t ping) const;
+  [[nodiscard]] double full_scale() const;
 
   std::filesystem::path path_;
   Display levels_;
+  bool counts_ = false;
   std::optional<RecordedPings> recording_;
   GreyPicture picture_;
 };

@@ -27,6 +27,8 @@ class PingReader {
   [[nodiscard]] virtual const std::string& model() const = 0;
   [[nodiscard]] virtual double full_scale() const = 0;
   [[nodiscard]] virtual std::vector<double> intensity(std::uint64_t ping) const = 0;
+  [[nodiscard]] virtual double greatest_count() const = 0;
+  [[nodiscard]] virtual std::vector<double> counts(std::uint64_t ping) const = 0;
   [[nodiscard]] virtual Ping ping(std::uint64_t ping) const = 0;
   [[nodiscard]] virtual SonarConfig sonar_config() const = 0;
   [[nodiscard]] virtual ReceiverConfig receiver_config() const = 0;

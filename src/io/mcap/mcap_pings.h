@@ -27,6 +27,8 @@ class McapPings : public PingReader {
   [[nodiscard]] const std::string& model() const override { return model_; }
   [[nodiscard]] double full_scale() const override { return 1; }
   [[nodiscard]] std::vector<double> intensity(std::uint64_t ping) const override;
+  [[nodiscard]] double greatest_count() const override { return 0; }  // MCAP files hold levels.
+  [[nodiscard]] std::vector<double> counts(std::uint64_t /*ping*/) const override { return {}; }
   /// @throws Error with the path for a message or a chunk that is damaged.
   [[nodiscard]] Ping ping(std::uint64_t ping) const override;
   [[nodiscard]] SonarConfig sonar_config() const override { return source_.sonar; }

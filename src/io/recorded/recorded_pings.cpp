@@ -45,6 +45,14 @@ std::vector<double> RecordedPings::intensity(std::uint64_t ping) const {
   return state_->reader->intensity(ping);
 }
 
+double RecordedPings::greatest_count() const {
+  return state_->reader->greatest_count();
+}
+
+std::vector<double> RecordedPings::counts(std::uint64_t ping) const {
+  return state_->reader->counts(ping);
+}
+
 Ping RecordedPings::ping(std::uint64_t ping) const {
   return state_->reader->ping(ping);
 }

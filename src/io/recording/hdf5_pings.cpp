@@ -18,6 +18,7 @@ namespace insonify {
 namespace {
 
 constexpr const char* kDataset = "intensity";
+constexpr const char* kCounts = "counts";
 
 H5Handle open_file(const std::filesystem::path& path) {
   check_input_file(path);
@@ -32,19 +33,19 @@ H5Handle open_dataset(hid_t file, const std::filesystem::path& path) {
   return h5_own(H5Dopen2(file, kDataset, H5P_DEFAULT), H5Dclose, path, "open intensity");
 }
 
-std::array<hsize_t, 3> shape_of(hid_t dataset, const std::filesystem::path& path) {
+std::array<hsize_t, 3> shape_of(hid_t dataset, const std::filesystem::path& path, const char* name = kDataset) {
   constexpr hsize_t kMost = 1'000'000;  // Bins or beams: more would be some other table.
-  const H5Handle space = h5_own(H5Dget_space(dataset), H5Sclose, path, "size intensity");
+  const H5Handle space = h5_own(H5Dget_space(dataset), H5Sclose, path, fmt::format("size {}", name));
   std::array<hsize_t, 3> shape{};
   const int axes = H5Sget_simple_extent_ndims(space.get());
   if (axes != 3) {
-    throw Error(fmt::format("{}: intensity has {}; a recording has three: ping, bin, beam", path.string(),
+    throw Error(fmt::format("{}: {} has {}; a recording has three: ping, bin, beam", path.string(), name,
                             axes == 1 ? "1 axis" : fmt::format("{} axes", axes)));
   }
-  h5_check(H5Sget_simple_extent_dims(space.get(), shape.data(), nullptr), path, "size intensity");
+  h5_check(H5Sget_simple_extent_dims(space.get(), shape.data(), nullptr), path, fmt::format("size {}", name));
   if (shape[1] < 1 || shape[2] < 1 || shape[1] > kMost || shape[2] > kMost) {
-    throw Error(fmt::format("{}: intensity has {} bins and {} beams; a recording has from 1 to {} of each",
-                            path.string(), shape[1], shape[2], kMost));
+    throw Error(fmt::format("{}: {} has {} bins and {} beams; a recording has from 1 to {} of each", path.string(),
+                            name, shape[1], shape[2], kMost));
   }
   return shape;
 }
@@ -120,20 +121,39 @@ Hdf5Pings::Hdf5Pings(const std::filesystem::path& path) : path_(path) {
   model_ = text_attribute(file_.get(), "model", path);
 }
 
-std::vector<double> Hdf5Pings::intensity(std::uint64_t ping) const {
+std::vector<double> Hdf5Pings::values(const H5Handle& dataset, const char* name, std::uint64_t ping) const {
   assert(ping < ping_count());
-  const H5Quiet quiet;
+  const std::string doing = fmt::format("read {}", name);
   const std::array<hsize_t, 3> start = {ping, 0, 0};
   const std::array<hsize_t, 3> length = {1, shape_[1], shape_[2]};
-  const H5Handle from = h5_own(H5Dget_space(dataset_.get()), H5Sclose, path_, "read intensity");
+  const H5Handle from = h5_own(H5Dget_space(dataset.get()), H5Sclose, path_, doing);
   h5_check(H5Sselect_hyperslab(from.get(), H5S_SELECT_SET, start.data(), nullptr, length.data(), nullptr), path_,
-           "read intensity");
-  const H5Handle to = h5_own(H5Screate_simple(static_cast<int>(length.size()), length.data(), nullptr), H5Sclose, path_,
-                             "read intensity");
+           doing);
+  const H5Handle to =
+      h5_own(H5Screate_simple(static_cast<int>(length.size()), length.data(), nullptr), H5Sclose, path_, doing);
   std::vector<double> values(length[1] * length[2]);
-  h5_check(H5Dread(dataset_.get(), H5T_NATIVE_DOUBLE, to.get(), from.get(), H5P_DEFAULT, values.data()), path_,
-           "read intensity");
+  h5_check(H5Dread(dataset.get(), H5T_NATIVE_DOUBLE, to.get(), from.get(), H5P_DEFAULT, values.data()), path_, doing);
   return values;
+}
+
+std::vector<double> Hdf5Pings::intensity(std::uint64_t ping) const {
+  const H5Quiet quiet;
+  return values(dataset_, kDataset, ping);
+}
+
+double Hdf5Pings::greatest_count() const {
+  const H5Quiet quiet;
+  return H5Lexists(file_.get(), kCounts, H5P_DEFAULT) > 0 ? std::ldexp(1, sonar_config().bits) - 1 : 0;
+}
+
+std::vector<double> Hdf5Pings::counts(std::uint64_t ping) const {
+  const H5Quiet quiet;
+  check_object(file_.get(), kCounts, path_);
+  const H5Handle dataset = h5_own(H5Dopen2(file_.get(), kCounts, H5P_DEFAULT), H5Dclose, path_, "open counts");
+  if (shape_of(dataset.get(), path_, kCounts) != shape_) {
+    throw Error(fmt::format("{}: counts and intensity have different sizes", path_.string()));
+  }
+  return values(dataset, kCounts, ping);
 }
 
 SonarConfig Hdf5Pings::sonar_config() const {

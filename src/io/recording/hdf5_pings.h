@@ -22,11 +22,15 @@ class Hdf5Pings : public PingReader {
   [[nodiscard]] const std::string& model() const override { return model_; }
   [[nodiscard]] double full_scale() const override { return full_scale_; }
   [[nodiscard]] std::vector<double> intensity(std::uint64_t ping) const override;
+  [[nodiscard]] double greatest_count() const override;
+  [[nodiscard]] std::vector<double> counts(std::uint64_t ping) const override;
   [[nodiscard]] Ping ping(std::uint64_t ping) const override;
   [[nodiscard]] SonarConfig sonar_config() const override;
   [[nodiscard]] ReceiverConfig receiver_config() const override;
 
  private:
+  [[nodiscard]] std::vector<double> values(const H5Handle& dataset, const char* name, std::uint64_t ping) const;
+
   std::filesystem::path path_;
   H5Handle file_, dataset_;
   std::array<hsize_t, 3> shape_{};  // Pings, bins, beams.
