@@ -30,7 +30,7 @@ ROOMS = {
     "receiver": {
         "array": ["."],
         "pulse": ["."],
-        "speckle": ["."],
+        "speckle": ["pulse", "."],
         "noise": ["array", "."],
     },
     "io": {

@@ -15,7 +15,7 @@ enum class RandomPurpose : std::uint32_t {
   kNoiseInPhase = 4,        // receiver/calibrated_receiver.cpp, real part
   kNoiseQuadrature = 5,     // ... and imaginary part
   kArrayElements = 6,       // sonar/array_pattern.cpp: errors of gain and phase
-  kSpeckle = 7,             // receiver/speckle/speckle.cpp: phases of cells
+  kSpeckle = 7,             // receiver/speckle/scatterer_lattice.cpp: key of a bearing
   kClutter = 8,             // receiver/speckle/clutter.cpp: texture of K-distributed clutter
   kPointPhase = 9,          // echo/targets/point_echoes.cpp
   kInterference = 10,       // echo/targets/interference.cpp

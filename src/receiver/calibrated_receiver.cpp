@@ -56,7 +56,7 @@ void CalibratedReceiver::sum_energy(const EchoGrid& grid, int cell, std::span<fl
 
 // Computes one cell's row of bins up to and including the convolution with the pulse, into cell_energy_ or cell_field_.
 // Bins that neither echoes nor the pulse reach are zero.
-void CalibratedReceiver::receive_cell(const EchoGrid& grid, int cell, const Speckle::View& view, Row& row) {
+void CalibratedReceiver::receive_cell(const EchoGrid& grid, int cell, Row& row) {
   const auto bins = static_cast<std::size_t>(bins_);
   const BinRange filled = filled_bins(grid, cell), received = received_bins(grid, cell);
   row.energy.resize(bins);
@@ -82,17 +82,18 @@ void CalibratedReceiver::receive_cell(const EchoGrid& grid, int cell, const Spec
   if (filled.empty()) {
     return;
   }
-  speckle_->locate(view, cell, filled, grid, row.scatterers);
+  lattice_->locate(views_, cell, filled, grid, row.scatterers);
   if (clutter_->any()) {
-    clutter_->texture(view, row.scatterers, row.energy);
+    clutter_->texture(row.scatterers, row.energy);
   }
   row.field.resize(range_ ? bins : 0);
   const std::span<std::complex<float>> drawn = range_ ? std::span(row.field) : beam;
   clear_outside(filled, drawn);
-  speckle_->draw(view, row.scatterers, row.energy, drawn);
+  speckle_->draw(row.scatterers, row.energy, drawn);
   if (sparse_->any()) {
-    sparse_->draw(view, row.scatterers, grid, cell, row.energy, static_cast<float>(speckle_->turns_per_bin()), drawn);
+    sparse_->draw(row.scatterers, grid, cell, row.energy, *speckle_, drawn);
   }
+  speckle_->share(row.scatterers, drawn);
   if (range_) {
     range_->receive_field(within(row.field), within(beam));
   }
@@ -193,8 +194,8 @@ void CalibratedReceiver::move(const EchoGrid& grid, const PingMotion& motion, Wo
   }
 }
 
-void CalibratedReceiver::receive(const EchoGrid& still, const Pose& world_from_sonar, const PingMotion& motion,
-                                 Workers& workers, Ping& ping) {
+void CalibratedReceiver::receive(const EchoGrid& still, std::span<const DisplacedInstance> displaced,
+                                 const Pose& world_from_sonar, const PingMotion& motion, Workers& workers, Ping& ping) {
   if (shift_) {
     move(still, motion, workers);
   }
@@ -202,11 +203,13 @@ void CalibratedReceiver::receive(const EchoGrid& still, const Pose& world_from_s
   size_tables(ping, beams_, bins_, grid.ground_truth());
   ping.field.resize(has_field_ ? ping.intensity.size() : 0);
   ping.counts.resize(digitizer_ ? ping.intensity.size() : 0);
-  const Speckle::View view = speckle_ ? speckle_->seen_from(world_from_sonar) : Speckle::View{};
+  if (speckle_) {
+    views_.set(world_from_sonar, displaced);
+  }
   rows_.resize(std::max(rows_.size(), static_cast<std::size_t>(workers.count())));
 
   // Sum, speckle and pulse, cell by cell; then the array pattern, and the echoes that are not in cells.
-  workers.for_each(cells_, [&](int cell, int worker) { receive_cell(grid, cell, view, rows_[worker]); });
+  workers.for_each(cells_, [&](int cell, int worker) { receive_cell(grid, cell, rows_[worker]); });
   if (bearing_) {
     receive_bearings(grid, workers);
   }

@@ -18,14 +18,18 @@
 #include "receiver/array/receiver_channels.h"
 #include "receiver/digitizer.h"
 #include "receiver/discrete_echoes.h"
+#include "receiver/displaced_instance.h"
 #include "receiver/noise/noise_field.h"
 #include "receiver/output_tile.h"
 #include "receiver/pulse/coarse_bins.h"
 #include "receiver/pulse/range_response.h"
 #include "receiver/reception_shift.h"
 #include "receiver/speckle/clutter.h"
+#include "receiver/speckle/scatterer_lattice.h"
+#include "receiver/speckle/scatterer_row.h"
 #include "receiver/speckle/sparse_scatterers.h"
 #include "receiver/speckle/speckle.h"
+#include "receiver/speckle/speckle_view.h"
 #include "receiver/transmit_leak.h"
 #include "receiver/truth_receiver.h"
 
@@ -64,17 +68,18 @@ class CalibratedReceiver {
   explicit CalibratedReceiver(const Settings& settings);
 
   /// Writes the tables of `ping`, whose number must be set; allocates only when they need more memory than before.
+  /// @param displaced         Instances that are not where the scene has them: their speckle goes with them.
   /// @param world_from_sonar  Pose of the transducer at transmission.
   /// @param motion            Its motion after transmission; ignored unless Settings::moves.
-  void receive(const EchoGrid& grid, const Pose& world_from_sonar, const PingMotion& motion, Workers& workers,
-               Ping& ping);
+  void receive(const EchoGrid& grid, std::span<const DisplacedInstance> displaced, const Pose& world_from_sonar,
+               const PingMotion& motion, Workers& workers, Ping& ping);
 
  private:
   // Buffers of one worker thread for one cell's row of bins, before the pulse is applied.
   struct Row {
     std::vector<float> energy, extended;
     std::vector<std::complex<float>> field;
-    Speckle::Row scatterers;
+    ScattererRow scatterers;
   };
 
   void move(const EchoGrid& grid, const PingMotion& motion, Workers& workers);
@@ -82,7 +87,7 @@ class CalibratedReceiver {
   [[nodiscard]] BinRange filled_bins(const EchoGrid& grid, int cell) const;
   [[nodiscard]] BinRange received_bins(const EchoGrid& grid, int cell) const;
   void sum_energy(const EchoGrid& grid, int cell, std::span<float> energy) const;
-  void receive_cell(const EchoGrid& grid, int cell, const Speckle::View& view, Row& row);
+  void receive_cell(const EchoGrid& grid, int cell, Row& row);
   void receive_mean(const EchoGrid& grid, int cell, Row& row);
   [[nodiscard]] float kept(float intensity, std::size_t at) const;
   void receive_bearings(const EchoGrid& grid, Workers& workers);
@@ -102,7 +107,9 @@ class CalibratedReceiver {
   std::uint64_t seed_;
   std::optional<ReceptionShift> shift_;
   EchoGrid moved_;
-  std::optional<Speckle> speckle_;
+  std::optional<ScattererLattice> lattice_;
+  std::optional<Speckle> speckle_;  // With lattice_.
+  SpeckleViews views_;
   std::optional<Clutter> clutter_;
   std::optional<SparseScatterers> sparse_;
   std::optional<Digitizer> digitizer_;

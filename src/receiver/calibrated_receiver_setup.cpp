@@ -1,5 +1,6 @@
 // calibrated_receiver_setup.cpp -- computes the tables and parts of a CalibratedReceiver that no ping changes.
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <limits>
@@ -8,7 +9,7 @@
 #include "receiver/array/line_array.h"
 #include "receiver/calibrated_receiver.h"
 #include "receiver/noise/noise_level.h"
-#include "receiver/pulse/carrier_band.h"
+#include "receiver/pulse/carrier_spread.h"
 
 namespace insonify {
 namespace {
@@ -108,10 +109,14 @@ CalibratedReceiver::CalibratedReceiver(const Settings& settings)
     shift_.emplace(cells.sonar, range_scale, true_speed, bias);
   }
   if (receiver.speckle) {
-    speckle_.emplace(cells.sonar, range_scale, wavelength, carrier_band(pulse, sonar.bin_length()), seed_);
+    const double window = std::min(sonar.bin_length(), pulse.equivalent_length());  // One look.
+    lattice_.emplace(cells.sonar, range_scale, wavelength, range_scale * window, seed_);
+    CarrierSpread spread = carrier_spread(pulse, sonar.bin_length(), window);
+    spread.length *= range_scale;
+    speckle_.emplace(*lattice_, range_ ? &*range_ : nullptr, spread);
     const double bins = range_ ? range_->equivalent_cells() : 1.0;
-    sparse_.emplace(settings.materials, cells.sonar, range_scale);
-    clutter_.emplace(settings.materials, cells.per_beam, std::max(1, static_cast<int>(std::lround(bins))));
+    sparse_.emplace(settings.materials, cells.sonar, *lattice_);
+    clutter_.emplace(settings.materials, std::max(1, static_cast<int>(std::lround(bins))));
   }
   if (receiver.counts) {
     digitizer_.emplace(sonar, receiver.full_scale_db.value_or(0), receiver.full_scale_share);

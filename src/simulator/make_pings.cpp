@@ -32,7 +32,7 @@ void Simulator::State::make(const PingRequest& request, SimulatedSonar& sonar, c
     const PingMotion motion = scenario.motion_in_ping
                                   ? sonar.motion_while_listening(request, sonar.vehicle_from_housing * head)
                                   : PingMotion{};
-    sonar.receiver->receive(grid, world_from_sonar, motion, parts.workers, ping);
+    sonar.receiver->receive(grid, objects.displaced(), world_from_sonar, motion, parts.workers, ping);
   } else {
     PaperReceiver receiver(
         grid, sonar.config,

@@ -181,10 +181,16 @@ Scene MovableObjects::placed(std::span<const MovedObject> moved, const Scene& sc
 
 void MovableObjects::place(std::span<const MovedObject> moved, const Scene& scene, Engine& engine) {
   set_all_next(moved, scene);
+  displaced_.clear();
+  displaced_.reserve(parts_.size());
   for (Part& part : parts_) {
-    if (scene.instances[part.instance].present && !same(part.now, part.next)) {
+    const Instance& instance = scene.instances[part.instance];
+    if (instance.present && !same(part.now, part.next)) {
       engine.move_instance(part.instance, part.next);
       part.now = part.next;
+    }
+    if (instance.present && !same(part.now, instance.world_from_mesh)) {
+      displaced_.push_back({static_cast<std::uint16_t>(part.instance), instance.world_from_mesh * part.now.inverse()});
     }
   }
 }

@@ -9,6 +9,7 @@
 
 #include "insonify/scenario.h"
 #include "insonify/simulator.h"
+#include "receiver/displaced_instance.h"
 
 namespace insonify {
 
@@ -31,6 +32,9 @@ class MovableObjects {
   /// nothing.
   /// @throws Error for an object that does not exist or cannot be moved; then nothing is moved.
   void place(std::span<const MovedObject> moved, const Scene& scene, Engine& engine);
+
+  /// The instances that place() has put elsewhere than the scene has them.
+  [[nodiscard]] std::span<const DisplacedInstance> displaced() const { return displaced_; }
 
   /// The scene with everything where a request has it.
   /// @throws Error as place().
@@ -63,6 +67,7 @@ class MovableObjects {
 
   std::vector<Part> parts_;
   std::vector<Object> objects_;
+  std::vector<DisplacedInstance> displaced_;
 };
 
 /// Whether an instance is the object of this name or part of it.

@@ -8,8 +8,7 @@
 
 namespace insonify {
 
-Clutter::Clutter(std::span<const Material> materials, int cells, int bins)
-    : cells_(static_cast<std::uint32_t>(cells)), bins_(static_cast<std::uint32_t>(bins)) {
+Clutter::Clutter(std::span<const Material> materials, int bins) : bins_(static_cast<std::uint32_t>(bins)) {
   for (const Material& material : materials) {
     table_.push_back(material.clutter_shape ? static_cast<int>(quantiles_.size()) : -1);
     if (material.clutter_shape) {
@@ -18,15 +17,17 @@ Clutter::Clutter(std::span<const Material> materials, int cells, int bins)
   }
 }
 
-void Clutter::texture(const Speckle::View& view, const Speckle::Row& row, std::span<float> energy) const {
-  const std::uint32_t key = view.key ^ static_cast<std::uint32_t>(RandomPurpose::kClutter) << 24;
-  for (int bin = row.bins.first; bin < row.bins.last; ++bin) {
-    const SurfaceLabel surface = row.surface[bin];
-    const int table = surface == kNoSurface ? -1 : table_[material_of(surface)];
-    if (table >= 0) {
-      const PhiloxPair words = philox({row.range[bin] / bins_, row.bearing / cells_}, key);
-      const float share = uniform_open(words[0]);
-      energy[bin] *= quantiles_[table].at(fast_log(share) - fast_log(1 - share));
+void Clutter::texture(const ScattererRow& row, std::span<float> energy) const {
+  for (const ScattererRow::Run& run : row.runs) {
+    const std::uint32_t key = run.key[0] ^ static_cast<std::uint32_t>(RandomPurpose::kClutter) << 24;
+    for (int bin = run.bins.first; bin < run.bins.last; ++bin) {
+      const SurfaceLabel surface = row.surface[bin];
+      const int table = surface == kNoSurface ? -1 : table_[material_of(surface)];
+      if (table >= 0) {
+        const PhiloxPair words = philox({row.index[bin] / (2 * bins_), row.patch[bin]}, key);
+        const float share = uniform_open(words[0]);
+        energy[bin] *= quantiles_[table].at(fast_log(share) - fast_log(1 - share));
+      }
     }
   }
 }

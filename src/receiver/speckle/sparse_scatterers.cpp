@@ -8,6 +8,7 @@
 
 #include "base/philox.h"
 #include "echo/grid/echo.h"
+#include "receiver/speckle/scatterer_hash.h"
 
 namespace insonify {
 namespace {
@@ -24,16 +25,20 @@ int poisson(double mean, double share) {
   return count;
 }
 
-// Two random words of a cell, from the stream at index `number`.
-PhiloxPair words_of(const Speckle::View& view, const Speckle::Row& row, int bin, int number) {
+// Two random words of a lattice step, from the stream at index `number`.
+ScattererWords words_of(const ScattererRow& row, const ScattererRow::Run& run, int bin, int step, int number) {
   const std::uint32_t purpose = static_cast<std::uint32_t>(RandomPurpose::kScatterers) << 24;
-  return philox({row.range[bin], row.bearing}, view.key ^ (purpose + static_cast<std::uint32_t>(number)));
+  const PhiloxPair words =
+      philox({row.index[bin] + static_cast<std::uint32_t>(step), patch_hash(row.patch[bin], run.key)},
+             run.key[1] ^ (purpose + static_cast<std::uint32_t>(number)));
+  return {words[0], words[1]};
 }
 
 }  // namespace
 
-SparseScatterers::SparseScatterers(std::span<const Material> materials, const SonarConfig& cells, double range_scale)
-    : first_range_(range_scale * cells.bin_range(0)), bin_length_(range_scale * cells.bin_length()) {
+SparseScatterers::SparseScatterers(std::span<const Material> materials, const SonarConfig& cells,
+                                   const ScattererLattice& lattice)
+    : first_range_(lattice.first_range()), bin_length_(lattice.bin_length()), window_(lattice.window()) {
   const std::vector<double> edges = cells.beam_edges();
   for (int cell = 0; cell < cells.beam_count; ++cell) {
     width_.push_back(edges[cell] - edges[cell + 1]);
@@ -44,38 +49,48 @@ SparseScatterers::SparseScatterers(std::span<const Material> materials, const So
   }
 }
 
-// Area of the labelled surface inside a cell [m^2], see the class comment; at the label's elevation.
+// Area of the labelled surface inside a cell's window [m^2], see the class comment; at the label's elevation.
 double SparseScatterers::area(const EchoGrid& grid, int cell, int bin) const {
   const double range = first_range_ + bin * bin_length_;
   const double wide = range * std::cos(double{grid.label(cell, bin).elevation}) * width_[cell];
-  return std::hypot(wide * bin_length_, range * range * double{grid.weight(1, cell)[bin]});
+  const double facing = range * range * double{grid.weight(1, cell)[bin]} * window_ / bin_length_;
+  return std::hypot(wide * window_, facing);
 }
 
-void SparseScatterers::draw(const Speckle::View& view, const Speckle::Row& row, const EchoGrid& grid, int cell,
-                            std::span<const float> energy, float turns_per_bin,
-                            std::span<std::complex<float>> field) const {
-  for (int bin = row.bins.first; bin < row.bins.last; ++bin) {
-    const double density = row.surface[bin] == kNoSurface ? std::numeric_limits<double>::infinity()
-                                                          : density_[material_of(row.surface[bin])];
-    if (energy[bin] == 0 || std::isinf(density)) {
-      continue;
+void SparseScatterers::draw(ScattererRow& row, const EchoGrid& grid, int cell, std::span<const float> energy,
+                            const Speckle& speckle, std::span<std::complex<float>> field) const {
+  for (const ScattererRow::Run& run : row.runs) {
+    for (int bin = run.bins.first; bin < run.bins.last; ++bin) {
+      const double density = row.surface[bin] == kNoSurface ? std::numeric_limits<double>::infinity()
+                                                            : density_[material_of(row.surface[bin])];
+      if (energy[bin] == 0 || std::isinf(density)) {
+        continue;
+      }
+      const double mean = density * area(grid, cell, bin);
+      if (!(mean < kMany)) {
+        continue;
+      }
+      const float length = row.length[bin], extent = std::abs(length), begin = row.begin[bin];
+      const float near = speckle.turns_before(bin);
+      const float amplitude = std::sqrt(energy[bin] / static_cast<float>(mean));
+      field[bin] = row.before[bin] = row.after[bin] = 0;
+      for (int step = begin < 0 ? -1 : 0; static_cast<float>(step) < begin + extent; ++step) {
+        // Scatterers of equal amplitude: the phase of each is random plus that of the path.
+        const int count = poisson(mean / double{extent}, double{uniform_open(words_of(row, run, bin, step, 0).phase)});
+        for (int i = 0; i < count; ++i) {
+          const ScattererWords words = words_of(row, run, bin, step, 1 + i);
+          const float in_step = (static_cast<float>(words.amplitude >> 9) + 0.5F) * (1.0F / 8388608.0F);
+          const float along = (static_cast<float>(step) + in_step - begin) / extent;
+          const float place = length < 0 ? 1 - along : along;
+          if (place >= 0 && place < 1) {
+            const float turns = uniform_open(words.phase) + near + place * speckle.turns_across() +
+                                place_across(words) * run.across_turns;
+            const float phase = 2 * std::numbers::pi_v<float> * (turns - std::floor(turns));
+            speckle.add(std::polar(amplitude, phase), place, bin, row, field);
+          }
+        }
+      }
     }
-    const double mean = density * area(grid, cell, bin);
-    if (!(mean < kMany)) {
-      continue;
-    }
-    // Field of `count` scatterers of equal amplitude: the phase of each is random plus that of the path, to its place
-    // in the cell, which is drawn from the bits that uniform_open() leaves.
-    const int count = poisson(mean, double{uniform_open(words_of(view, row, bin, 0)[0])});
-    std::complex<float> sum;
-    PhiloxPair words{};
-    for (int i = 0; i < count; ++i) {
-      words = i % 2 == 0 ? words_of(view, row, bin, 1 + i / 2) : words;
-      const float beyond = (static_cast<float>(words[i % 2] & 511U) + 0.5F) / 512 - 0.5F;
-      const float turns = uniform_open(words[i % 2]) + row.turns[bin] + turns_per_bin * beyond;
-      sum += std::polar(1.0F, 2 * std::numbers::pi_v<float> * turns);
-    }
-    field[bin] = std::sqrt(energy[bin] / static_cast<float>(mean)) * sum;
   }
 }
 

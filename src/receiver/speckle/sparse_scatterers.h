@@ -9,6 +9,7 @@
 #include "echo/grid/echo_grid.h"
 #include "insonify/material.h"
 #include "insonify/sonar_config.h"
+#include "receiver/speckle/scatterer_row.h"
 #include "receiver/speckle/speckle.h"
 
 namespace insonify {
@@ -16,36 +17,37 @@ namespace insonify {
 /// Speckle of materials with a `scatterer_density`. In a cell with N scatterers on average, their number is
 /// Poisson-distributed, and each has the amplitude sqrt(energy / N) and a random phase. The mean intensity is unchanged
 /// and <I^2> = (2 + 1/N) <I>^2: many cells are empty, and a few stand out (Jakeman and Pusey, IEEE Trans. AP-24, 806
-/// (1976)). As with Speckle, the random numbers are fixed in the world. Cells with N >= kMany keep Gaussian speckle.
+/// (1976)). They are fixed in the steps of the lattice that Speckle uses: each has a Poisson-distributed number of
+/// them, anywhere in it, and a bin sums those in its window. Cells with N >= kMany keep Gaussian speckle.
 ///
-/// N is the density times the area of surface in the cell. At range r, with a cell w wide and dr long, and a surface
-/// that takes the solid angle W of it, the area is sqrt((w dr)^2 + (r^2 W)^2): w dr is right at grazing incidence, r^2
-/// W at normal incidence. Where the surface fills only part of the cell, N is too large.
+/// N is the density times the area of surface in the window that a bin hears. At range r, with a cell w wide and dr
+/// long, and a surface that takes the solid angle W of it, the area is sqrt((w dr)^2 + (r^2 W)^2): w dr is right at
+/// grazing incidence, r^2 W at normal incidence. Where the surface fills only part of the cell, N is too large.
 class SparseScatterers {
  public:
   static constexpr double kMany = 32;  ///< N from which speckle is Gaussian: <I^2> would be 1.5 % larger.
 
-  /// @param cells        The grids' cells, see BearingCells::sonar.
-  /// @param range_scale  True range / reported range.
-  SparseScatterers(std::span<const Material> materials, const SonarConfig& cells, double range_scale);
+  /// @param cells    The grids' cells, see BearingCells::sonar.
+  /// @param lattice  Used in the constructor only.
+  SparseScatterers(std::span<const Material> materials, const SonarConfig& cells, const ScattererLattice& lattice);
 
   /// Whether any material has a `scatterer_density`.
   [[nodiscard]] bool any() const { return any_; }
 
   /// Replaces Gaussian speckle by discrete scatterers in the cells of a row with fewer than kMany.
-  /// @param energy         Mean energy, [bin].
-  /// @param turns_per_bin  Speckle::turns_per_bin().
-  /// @param field          Complex field, [bin], from Speckle::draw(); overwritten where scatterers are sparse.
-  void draw(const Speckle::View& view, const Speckle::Row& row, const EchoGrid& grid, int cell,
-            std::span<const float> energy, float turns_per_bin, std::span<std::complex<float>> field) const;
+  /// @param energy  Mean energy, [bin].
+  /// @param field   Complex field, [bin], from Speckle::draw(); it and the row's are overwritten where scatterers are
+  /// sparse.
+  void draw(ScattererRow& row, const EchoGrid& grid, int cell, std::span<const float> energy, const Speckle& speckle,
+            std::span<std::complex<float>> field) const;
 
  private:
   [[nodiscard]] double area(const EchoGrid& grid, int cell, int bin) const;
 
   bool any_ = false;
-  double first_range_, bin_length_;  // True range of bin 0's middle, and true bin length [m].
-  std::vector<double> width_;        // [cell]: width in azimuth [rad].
-  std::vector<double> density_;      // [material]: scatterers per area [1/m^2]; infinite without scatterer_density.
+  double first_range_, bin_length_, window_;  // True range of bin 0's middle, bin length, and length that it hears [m].
+  std::vector<double> width_;                 // [cell]: width in azimuth [rad].
+  std::vector<double> density_;  // [material]: scatterers per area [1/m^2]; infinite without scatterer_density.
 };
 
 }  // namespace insonify
