@@ -1,0 +1,59 @@
+// coarse_bins_test.cpp -- what a bin keeps of extended and compact echoes, by hand.
+
+#include "receiver/pulse/coarse_bins.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+namespace insonify {
+namespace {
+
+// A tone of 80 us is 40 mm long after its filter (c tau / 3): bins of 160 mm hold four looks.
+constexpr double kSoundSpeed = 1500, kBin = 0.16;
+
+CoarseBins bins_that_keep(Decimation decimation) {
+  const Pulse tone({.kind = PulseKind::kCw, .duration = 80e-6}, kSoundSpeed, kBin);
+  return {tone, kBin, RangeResponse(tone, kBin), decimation};
+}
+
+// Of a row with the extended energy 1 and a compact echo in the middle, each bin keeps a quarter of what is extended.
+// Beside its neighbours the middle has 11, of which twice theirs, 2, count as extended and 9 as compact.
+TEST(CoarseBinsTest, AQuarterOfExtendedEchoesAndAllOfCompactOnesIsKept) {
+  const CoarseBins bins = bins_that_keep(Decimation::kPeak);
+  std::vector<float> energy = {1, 1, 11, 1, 1}, extended(5);
+  bins.receive(energy, extended);
+  const std::vector<float> kept = {0.25F, 0.25F, 9 + 0.5F, 0.25F, 0.25F};
+  for (std::size_t i = 0; i < 5; ++i) {
+    EXPECT_NEAR(energy[i], kept[i], 1e-5) << i;
+    EXPECT_NEAR(extended[i], i == 2 ? 0.5 : 0.25, 1e-5) << i;
+  }
+}
+
+// The greatest of 1 + 3 s looks, s the share that every look has. P(I < y) = (1 - e^-y)^n must be the 1 - e^-x of the x
+// that y is made of.
+TEST(CoarseBinsTest, OnlyTheShareThatIsInEveryLookCountsAsManyLooks) {
+  const CoarseBins bins = bins_that_keep(Decimation::kPeak);
+  for (const float share : {0.0F, 0.5F, 1.0F}) {
+    const double looks = 1 + 3 * share;
+    for (const float x : {0.01F, 0.5F, 1.0F, 3.0F, 8.0F}) {
+      const double y = bins.kept(2 * x, 2, share) / 2.0;
+      EXPECT_NEAR(std::pow(-std::expm1(-y), looks), -std::expm1(-double{x}), 2e-3) << share << ", " << x;
+    }
+  }
+}
+
+// Of a mean with the share s in every look, the rest fluctuates as one look does.
+TEST(CoarseBinsTest, AMeanLeavesAloneWhatIsInOneLook) {
+  const CoarseBins bins = bins_that_keep(Decimation::kMean);
+  for (const float x : {0.1F, 1.0F, 4.0F}) {
+    EXPECT_FLOAT_EQ(bins.kept(3 * x, 3, 0), 3 * x);
+    const float all = bins.kept(3 * x, 3, 1);
+    EXPECT_NEAR(bins.kept(3 * x, 3, 0.3F), 0.3F * all + 0.7F * 3 * x, 1e-4);
+    EXPECT_NE(all, 3 * x);
+  }
+}
+
+}  // namespace
+}  // namespace insonify
