@@ -25,6 +25,11 @@ Simulator& Simulator::operator=(Simulator&&) noexcept = default;
 const Scenario& Simulator::scenario() const {
   return state_->scenario;
 }
+std::span<const std::string> Simulator::too_many_thin_parts() const {
+  const std::shared_ptr<const ThinParts>& parts = state_->thin_parts;
+  return parts ? std::span<const std::string>(parts->left_out) : std::span<const std::string>();
+}
+
 const Scene& Simulator::scene() const {
   return state_->scene;
 }

@@ -11,6 +11,7 @@
 #include "echo/grid/echo_grid.h"
 #include "echo/model/hit.h"
 #include "echo/model/ping_plan.h"
+#include "echo/model/thin_triangles.h"
 #include "insonify/engine.h"
 #include "insonify/scene.h"
 
@@ -21,6 +22,7 @@ namespace insonify {
 struct EngineKind {
   std::string_view name;         ///< Lower case, as in scenarios and on the command line.
   bool draws_primaries = false;  ///< Whether it can rasterise primary echoes (PrimaryEchoes::kRaster).
+  bool brute_force = false;      ///< Whether trace() tests every triangle: too slow to examine a whole scene.
   std::unique_ptr<Engine> (*make)(int threads) = nullptr;
 };
 
@@ -42,6 +44,10 @@ class Engine {
   /// no precision. The scene must outlive the engine or the next call.
   virtual void set_scene(const Scene& scene) = 0;
   void set_scene(const Scene&& scene) = delete;  ///< It would not outlive the call.
+
+  /// Sets the parts that are too thin for the lattice: insonify() leaves out their primary echoes from then on, until
+  /// the next set_scene(). Engines that share the scene share this too. Null: none.
+  virtual void leave_out(std::shared_ptr<const ThinTriangles> thin) = 0;
 
   /// Moves an instance whose `moving` is set. Static instances are not rebuilt.
   virtual void move_instance(int instance, const Pose& world_from_mesh) = 0;

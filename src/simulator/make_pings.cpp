@@ -19,6 +19,7 @@ void Simulator::State::make(const PingRequest& request, SimulatedSonar& sonar, c
   const PingPlan& plan = *sonar.plan;
   if (scenario.model == EchoModel::kCalibrated) {
     parts.engine.insonify(plan, world_from_sonar, grid);
+    parts.thin.add(plan, world_from_sonar, poses, parts.engine, parts.workers, grid);
     if (sonar.walks) {
       sonar.walks->add(plan, world_from_sonar, request.number, parts.engine, grid);
     }
@@ -77,7 +78,7 @@ void Simulator::State::make_together(int index, std::span<const PingRequest> req
       return;
     }
     own.push_back(std::unique_ptr<Lane>(new Lane{std::move(sharing), PointEchoes(scenario.points),
-                                                 Interference(scenario.interferers),
+                                                 Interference(scenario.interferers), ThinEchoes(thin_parts),
                                                  simulated(scenario, scenario.sonars[index])}));
   }
   for (const auto& lane : own) {

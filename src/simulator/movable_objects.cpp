@@ -195,4 +195,12 @@ void MovableObjects::place(std::span<const MovedObject> moved, const Scene& scen
   }
 }
 
+void MovableObjects::store(std::vector<Pose>& world_from_mesh) const {
+  for (const Part& part : parts_) {
+    if (!world_from_mesh.empty()) {
+      world_from_mesh[part.instance] = part.now;
+    }
+  }
+}
+
 }  // namespace insonify

@@ -36,6 +36,9 @@ class MovableObjects {
   /// The instances that place() has put elsewhere than the scene has them.
   [[nodiscard]] std::span<const DisplacedInstance> displaced() const { return displaced_; }
 
+  /// Stores the poses in the engine of all that can move; `world_from_mesh` has one of each instance, or none at all.
+  void store(std::vector<Pose>& world_from_mesh) const;
+
   /// The scene with everything where a request has it.
   /// @throws Error as place().
   [[nodiscard]] Scene placed(std::span<const MovedObject> moved, const Scene& scene);

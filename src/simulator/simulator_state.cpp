@@ -49,7 +49,30 @@ void Simulator::State::take_in_scene() {
     if (sea) {
       sea->reset();
     }
+    find_thin();
     scene_changed = false;
+  }
+}
+
+void Simulator::State::find_thin() {
+  if (scenario.model != EchoModel::kCalibrated) {
+    return;
+  }
+  ThinParts found;
+  if (engine->kind().brute_force) {
+    const std::unique_ptr<Engine> faster = make_engine("cpu", workers.count());
+    faster->set_scene(scene);
+    found = find_thin_parts(scene, *faster);
+  } else {
+    found = find_thin_parts(scene, *engine);
+  }
+  engine->leave_out(found.triangles);
+  thin_parts = std::make_shared<const ThinParts>(std::move(found));
+  thin = ThinEchoes(thin_parts);
+  lanes.clear();
+  poses.clear();
+  for (const Instance& instance : scene.instances) {
+    poses.push_back(instance.world_from_mesh);
   }
 }
 
@@ -63,6 +86,7 @@ void Simulator::State::place(const SimulatedSonar& sonar, const PingRequest& req
     }
     take_in_scene();
     objects.place(request.moved, scene, *engine);
+    objects.store(poses);
     if (sea) {
       sea->place(position, *engine);
     }

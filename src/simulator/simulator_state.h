@@ -12,6 +12,7 @@
 #include "echo/targets/interference.h"
 #include "echo/targets/point_echoes.h"
 #include "echo/targets/surface_ghosts.h"
+#include "echo/targets/thin_echoes.h"
 #include "insonify/simulator.h"
 #include "simulator/movable_objects.h"
 #include "simulator/sea_plane.h"
@@ -31,15 +32,19 @@ struct Simulator::State {
   /// Passes the scene to the engine again if it has changed.
   void take_in_scene();
 
+  /// Finds the parts that are too thin for the lattice, and has the engine leave them out.
+  void find_thin();
+
   /// Turns the echoes of one request into a ping.
   struct Parts {
     Engine& engine;
     Workers& workers;
     PointEchoes& points;
     Interference& interference;
+    ThinEchoes& thin;
   };
   void make(const PingRequest& request, SimulatedSonar& sonar, const Parts& parts, Ping& ping);
-  [[nodiscard]] Parts parts() { return {*engine, workers, points, interference}; }
+  [[nodiscard]] Parts parts() { return {*engine, workers, points, interference, thin}; }
 
   /// How many of the requests after the first can be made by several threads at once, each ping by one: nothing may
   /// move in the scene but the sonar, and all must be valid. A multiple of the number of threads, and never the last,
@@ -62,6 +67,9 @@ struct Simulator::State {
   PointEchoes points;
   std::optional<SurfaceGhosts> ghosts;
   Interference interference;
+  std::shared_ptr<const ThinParts> thin_parts;  ///< Null in the paper model.
+  ThinEchoes thin;
+  std::vector<Pose> poses;  ///< [instance] World from mesh, at the last ping or place().
   std::vector<SimulatedSonar> sonars;
 
   /// One of `sonars`.  @throws Error for an index that is none.
@@ -74,10 +82,11 @@ struct Simulator::State {
     std::unique_ptr<Engine> own_engine;
     PointEchoes own_points;
     Interference own_interference;
+    ThinEchoes own_thin;
     SimulatedSonar sonar;
     Workers one_worker{1};
 
-    [[nodiscard]] Parts parts() { return {*own_engine, one_worker, own_points, own_interference}; }
+    [[nodiscard]] Parts parts() { return {*own_engine, one_worker, own_points, own_interference, own_thin}; }
   };
   /// [sonar][thread], made by the first batch of a sonar; to be dropped when its settings or materials change.
   std::vector<std::vector<std::unique_ptr<Lane>>> lanes;

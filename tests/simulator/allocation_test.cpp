@@ -84,6 +84,7 @@ int allocations_of_pings(const Scenario& scenario, int threads) {
   maker.add_floor(-2);
   maker.add_wall(8);
   maker.add_sphere({5, 0.3, -1}, 0.6, 0.8, 0.2);
+  maker.add("rope", make_cylinder(0.006, 1), {.position = {4, -0.2, -0.5}});
   Simulator simulator(scenario, maker.scene(), threads);
   const ScenarioRequests requests(simulator.scenario());
   PingRequest request;

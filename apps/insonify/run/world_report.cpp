@@ -104,6 +104,13 @@ std::vector<std::string> oddities_of(Simulator& simulator, const ScenarioRequest
     const std::vector<std::string> inside = solids_met(simulator, requests, i);
     texts.insert(texts.end(), inside.begin(), inside.end());
   }
+  for (const std::string& name : simulator.too_many_thin_parts()) {
+    texts.push_back(
+        fmt::format("{} has more ropes, rods or meshes than can be sampled on the object itself: its echo varies with "
+                    "its place among "
+                    "the samples; objects of their own, or fewer, would not",
+                    name));
+  }
   return texts;
 }
 

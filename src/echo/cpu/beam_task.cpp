@@ -26,8 +26,9 @@ void set_relief(const HitColumn& hits, int row, const ReliefPoint& relief) {
 
 }  // namespace
 
-void BeamTask::prepare(const PingPlan& plan, SecondarySampling sampling) {
+void BeamTask::prepare(const PingPlan& plan, SecondarySampling sampling, const ThinTriangles* thin) {
   plan_ = &plan;
+  thin_ = thin;
   sampling_ = sampling;
   primary_count_ = 0;
   secondary_.reset_counts();
@@ -212,7 +213,7 @@ void BeamTask::run(const Pose& world_from_sonar, int first_beam, int last_beam, 
     }
     for (int column = first_column; column < first_column + columns; ++column) {
       const HitColumn& hits = hits_[column - first_column];
-      evaluate_column(*plan_, sampling_, first_column_ + column, axes_[column], hits, segments_);
+      evaluate_column(*plan_, sampling_, first_column_ + column, axes_[column], thin_, hits, segments_);
       deposit_column(*plan_, first_column_ + column, hits, segments_, sums_, grid);
     }
     if (sampling_ != SecondarySampling::kNone) {

@@ -23,6 +23,7 @@ class CpuEngine final : public Engine {
   static const EngineKind kKind;
   [[nodiscard]] const EngineKind& kind() const override { return kKind; }
   void set_scene(const Scene& scene) override;
+  void leave_out(std::shared_ptr<const ThinTriangles> thin) override { world_->thin = std::move(thin); }
   void move_instance(int instance, const Pose& world_from_mesh) override;
   void insonify(const PingPlan& plan, const Pose& world_from_sonar, EchoGrid& grid) override;
   [[nodiscard]] std::unique_ptr<Engine> share_scene() override;
@@ -46,6 +47,7 @@ class CpuEngine final : public Engine {
     std::size_t triangle_count = 0;
     std::vector<Pose> poses;  // [instance] World from mesh.
     RasterScene raster_scene;
+    std::shared_ptr<const ThinTriangles> thin;
   };
 
   CpuEngine(int threads, std::shared_ptr<World> world);

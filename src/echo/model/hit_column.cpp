@@ -7,6 +7,7 @@
 #include "base/vector_math.h"
 #include "echo/grid/surface_run.h"
 #include "echo/model/select_hits.h"
+#include "echo/model/thin_triangles.h"
 
 namespace insonify {
 namespace {
@@ -283,9 +284,12 @@ void finish_column(const PingPlan& plan, SecondarySampling sampling, int column,
 }
 
 void evaluate_column(const PingPlan& plan, SecondarySampling sampling, int column, const ColumnAxes& axes,
-                     const HitColumn& hits, FootprintSegments& segments) {
+                     const ThinTriangles* thin, const HitColumn& hits, FootprintSegments& segments) {
   measure_column(plan, column, axes, hits, segments);
   fill_powers(plan, hits);
+  if (thin != nullptr) {
+    mute_thin(*thin, plan, hits);
+  }
   finish_column(plan, sampling, column, hits, segments);
 }
 

@@ -36,9 +36,10 @@ Vec3 ColumnFrame::direction(const Lattice& lattice, int column, int row) const {
   return (along * double{lattice.cosines(column)[row]} + up * double{lattice.sines(column)[row]} + beside).normalized();
 }
 
-ReferenceColumn::ReferenceColumn(const TriangleScene& scene, const PingPlan& plan, SecondarySampling sampling,
-                                 int column, const Pose& world_from_sonar)
+ReferenceColumn::ReferenceColumn(const TriangleScene& scene, const ThinTriangles* thin, const PingPlan& plan,
+                                 SecondarySampling sampling, int column, const Pose& world_from_sonar)
     : scene_(scene),
+      thin_(thin),
       plan_(plan),
       sampling_(sampling),
       column_(column),
@@ -77,6 +78,7 @@ void ReferenceColumn::store_hit(int row) {
   const RayHit& hit = first_[row];
   const Vec3f normal = hit.normal.cast<float>(), direction = rays_[row].direction.cast<float>();
   hits_.surface[row] = hit.surface();
+  hits_.triangle[row] = scene_.in_mesh(hit);
   hits_.range[row] = static_cast<float>(hit.distance);
   hits_.normal_x[row] = normal.x();
   hits_.normal_y[row] = normal.y();
@@ -139,6 +141,9 @@ void ReferenceColumn::deposit_primary_echoes(EchoGrid& grid) {
       {frame_.along.cast<float>(), frame_.across.cast<float>(), frame_.up.cast<float>(), frame_.beside.cast<float>()},
       hits_, segments_);
   compute_powers();
+  if (thin_ != nullptr) {
+    mute_thin(*thin_, plan_, hits_);
+  }
   finish_column(plan_, sampling_, column_, hits_, segments_);
   deposit_column(plan_, column_, hits_, segments_, sums, grid);
 }

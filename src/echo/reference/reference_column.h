@@ -11,6 +11,7 @@
 #include "echo/model/echo_laws.h"
 #include "echo/model/path_footprint.h"
 #include "echo/model/secondary_sampling.h"
+#include "echo/model/thin_triangles.h"
 #include "echo/reference/triangle_scene.h"
 #include "insonify/engine.h"
 
@@ -29,8 +30,9 @@ struct ColumnFrame {
 /// Traces the rays of one column, and in a second step reflects them and deposits the echoes.
 class ReferenceColumn {
  public:
-  ReferenceColumn(const TriangleScene& scene, const PingPlan& plan, SecondarySampling sampling, int column,
-                  const Pose& world_from_sonar);
+  /// @param thin  Parts whose primary echoes are left out; null: none.
+  ReferenceColumn(const TriangleScene& scene, const ThinTriangles* thin, const PingPlan& plan,
+                  SecondarySampling sampling, int column, const Pose& world_from_sonar);
 
   /// Traces the primary rays. The normals of the hits are unit length.
   void trace_primary_rays(const Workers& workers);
@@ -69,6 +71,7 @@ class ReferenceColumn {
   void deposit_mirror_echoes(const Reflection& path, EchoGrid& grid, std::vector<Echo>& arrivals);
 
   const TriangleScene& scene_;
+  const ThinTriangles* thin_;
   const PingPlan& plan_;
   SecondarySampling sampling_;
   int column_, rows_;

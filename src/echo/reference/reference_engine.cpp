@@ -15,14 +15,16 @@ constexpr int kBeamsTogether = NormalTurns::kColumns;
 
 }  // namespace
 
-const EngineKind ReferenceEngine::kKind = {.name = "reference", .make = [](int threads) -> std::unique_ptr<Engine> {
-                                             return std::make_unique<ReferenceEngine>(threads);
-                                           }};
+const EngineKind ReferenceEngine::kKind = {
+    .name = "reference", .brute_force = true, .make = [](int threads) -> std::unique_ptr<Engine> {
+      return std::make_unique<ReferenceEngine>(threads);
+    }};
 
 void ReferenceEngine::set_scene(const Scene& scene) {
   origin_ = scene.middle();
   scene_.set(scene, origin_);
   boxes_.set(scene, origin_);
+  thin_ = nullptr;
 }
 
 void ReferenceEngine::move_instance(int instance, const Pose& world_from_mesh) {
@@ -61,7 +63,8 @@ void ReferenceEngine::insonify(const PingPlan& plan, const Pose& world_from_sona
       columns.reserve(NormalTurns::kColumns);
       std::vector<HitColumn> hits;
       for (int column = first; column < std::min(first + NormalTurns::kColumns, last_beam * per_beam); ++column) {
-        columns.emplace_back(scene_, plan, sampling, column, world_from_sonar).trace_primary_rays(workers_);
+        columns.emplace_back(scene_, thin_.get(), plan, sampling, column, world_from_sonar)
+            .trace_primary_rays(workers_);
         hits.push_back(columns.back().hits());
       }
       if (plan.model == EchoModel::kCalibrated) {

@@ -37,6 +37,10 @@ class TriangleScene {
 
   [[nodiscard]] RayHit nearest(const Ray& ray) const;
   [[nodiscard]] bool blocked(const Ray& ray) const;
+  /// Index of the triangle that was hit in the mesh of its instance.
+  [[nodiscard]] std::uint32_t in_mesh(const RayHit& hit) const {
+    return static_cast<std::uint32_t>(hit.triangle - first_triangle_[hit.instance]);
+  }
   [[nodiscard]] bool has_relief() const { return reliefs_.any(); }
 
   /// Ray-tube spreading by the surface at a hit.

@@ -1,0 +1,283 @@
+// cut_thin_triangles.cpp -- cuts the surface of thin parts into slabs across their axes, and sorts it by its normals.
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <unordered_map>
+
+#include "echo/model/lobe_widening.h"
+#include "echo/targets/thin_parts.h"
+
+namespace insonify {
+namespace {
+
+constexpr float kSlab = 3;            // Length of a piece along the coordinate of its axis, in thicknesses.
+constexpr int kWidest = 6;            // Most cells of one thickness from the first of a piece to its last.
+constexpr float kTurnStep = 0.2618F;  // Spacing of the normals that a curved surface is sorted by: 15 degrees [rad].
+constexpr float kFineTurn = 0.13F;    // Most turn of the normal within a facet that is sorted as one [rad].
+constexpr float kFlat = 1e-3F;        // Differences of unit normals that are due to rounding.
+
+struct Corner {
+  Vec3f place, normal;
+};
+Corner between(const Corner& a, const Corner& b, float share) {
+  return {a.place + share * (b.place - a.place), a.normal + share * (b.normal - a.normal)};
+}
+
+// A small part of the surface, with about one normal.
+struct Facet {
+  Vec3f middle, normal;
+  float area;
+  Eigen::Matrix3f spread;  // Covariance of its places [m^2].
+  bool curved;
+};
+
+// Part of a convex polygon on one side of a plane across a coordinate.
+std::vector<Corner> clipped(const std::vector<Corner>& polygon, int along, float at, float side) {
+  std::vector<Corner> rest;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Corner &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
+    const float to_a = side * (a.place[along] - at), to_b = side * (b.place[along] - at);
+    if (to_a >= 0) {
+      rest.push_back(a);
+    }
+    if ((to_a < 0) != (to_b < 0)) {
+      rest.push_back(between(a, b, to_a / (to_a - to_b)));
+    }
+  }
+  return rest;
+}
+
+// Divides a triangle until the normal hardly turns within it.
+template <typename Add>
+void divide(const std::array<Corner, 3>& corners, bool curved, int depth, const Add& add) {
+  constexpr int kDeepest = 12;
+  int edge = 0;
+  float most = 0;
+  for (int k = 0; k < 3; ++k) {
+    const float turn = (corners[(k + 1) % 3].normal - corners[k].normal).norm();
+    edge = turn > most ? k : edge;
+    most = std::max(most, turn);
+  }
+  if (most > kFineTurn && depth < kDeepest) {
+    const Corner &a = corners[edge], &b = corners[(edge + 1) % 3], &c = corners[(edge + 2) % 3];
+    const Corner half = between(a, b, 0.5F);
+    divide({a, half, c}, curved, depth + 1, add);
+    divide({half, b, c}, curved, depth + 1, add);
+    return;
+  }
+  const Vec3f cross = (corners[1].place - corners[0].place).cross(corners[2].place - corners[0].place);
+  const float area = 0.5F * cross.norm();
+  const Vec3f normal = corners[0].normal + corners[1].normal + corners[2].normal;
+  if (area > 0 && normal.squaredNorm() > 0) {
+    const Vec3f middle = (corners[0].place + corners[1].place + corners[2].place) / 3;
+    Eigen::Matrix3f spread = Eigen::Matrix3f::Zero();
+    for (const Corner& corner : corners) {  // A triangle's is a twelfth of the sum over its corners.
+      spread += (corner.place - middle) * (corner.place - middle).transpose() / 12;
+    }
+    add(Facet{middle, normal.normalized(), area, spread, curved});
+  }
+}
+
+// A cell of the surface: one thickness wide in two coordinates, a slab long in that of the axis.
+struct CellKey {
+  SurfaceLabel surface;
+  int along, thickness;  // In fourths of octaves above 1 mm.
+  std::array<int, 3> cell;
+  auto operator<=>(const CellKey&) const = default;
+};
+
+struct Cell {
+  std::vector<Facet> facets;
+  bool taken = false;
+};
+using Cells = std::map<CellKey, Cell>;
+
+void add_triangle(const Instance& instance, int index, const ThinTriangle& thin, Cells& cells) {
+  const Mesh& mesh = *instance.mesh;
+  const auto& vertices = mesh.triangles[thin.triangle];
+  const float slab = kSlab * thin.thickness;
+  std::vector<Corner> triangle;
+  for (const std::uint32_t vertex : vertices) {
+    triangle.push_back({mesh.vertices[vertex], mesh.normals[vertex]});
+  }
+  float turn = 0, low = triangle[0].place[thin.along], high = low;
+  for (const Corner& corner : triangle) {
+    turn = std::max(turn, (corner.normal - triangle[0].normal).norm());
+    low = std::min(low, corner.place[thin.along]);
+    high = std::max(high, corner.place[thin.along]);
+  }
+  CellKey key{surface_label(static_cast<std::uint16_t>(index), instance.materials[mesh.slot_of(thin.triangle)]),
+              thin.along,
+              static_cast<int>(std::lround(4 * std::log2(thin.thickness / 1e-3F))),
+              {}};
+  const auto first = static_cast<int>(std::floor(low / slab)), last = static_cast<int>(std::floor(high / slab));
+  for (int i = first; i <= last; ++i) {
+    const std::vector<Corner> above = clipped(triangle, thin.along, slab * static_cast<float>(i), 1);
+    const std::vector<Corner> polygon = clipped(above, thin.along, slab * static_cast<float>(i + 1), -1);
+    for (std::size_t k = 2; k < polygon.size(); ++k) {
+      divide({polygon[0], polygon[k - 1], polygon[k]}, turn > kFlat, 0, [&](const Facet& facet) {
+        for (int d = 0; d < 3; ++d) {
+          key.cell[d] = d == thin.along ? i : static_cast<int>(std::floor(facet.middle[d] / thin.thickness));
+        }
+        cells[key].facets.push_back(facet);
+      });
+    }
+  }
+}
+
+// Collects the facets of a cell and of all that touch it in its slab.
+void take(const CellKey& seed, const CellKey& key, Cells& cells, std::vector<Facet>& facets) {
+  const auto found = cells.find(key);
+  if (found == cells.end() || found->second.taken) {
+    return;
+  }
+  found->second.taken = true;
+  facets.insert(facets.end(), found->second.facets.begin(), found->second.facets.end());
+  const int one = (key.along + 1) % 3, two = (key.along + 2) % 3;
+  for (int i = -1; i <= 1; ++i) {
+    for (int j = -1; j <= 1; ++j) {
+      CellKey next = key;
+      next.cell[one] += i;
+      next.cell[two] += j;
+      if (std::abs(next.cell[one] - seed.cell[one]) <= kWidest &&
+          std::abs(next.cell[two] - seed.cell[two]) <= kWidest) {
+        take(seed, next, cells, facets);
+      }
+    }
+  }
+}
+
+// Sums over the facets that are sorted together.
+struct Sorted {
+  float area = 0, along = 0, along_square = 0;  // Angle of the normals above the plane across the axis.
+  Vec3f normal = Vec3f::Zero(), place = Vec3f::Zero();
+};
+
+// Middle and axis of a piece, and its patches.
+class PieceMaker {
+ public:
+  explicit PieceMaker(const std::vector<Facet>& facets) {
+    for (const Facet& facet : facets) {
+      area_ += facet.area;
+      middle_ += facet.area * facet.middle;
+    }
+    middle_ /= area_;
+    Eigen::Matrix3f covariance = Eigen::Matrix3f::Zero();
+    for (const Facet& facet : facets) {
+      const Vec3f from = facet.middle - middle_;
+      covariance += facet.area / area_ * (from * from.transpose() + facet.spread);
+    }
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3f> solver(covariance);
+    axis_ = solver.eigenvectors().col(2).normalized();
+    // A straight piece of the length l has a variance of l^2 / 12 along its axis.
+    constexpr float kLong = 2;
+    const Vec3f variance = solver.eigenvalues();
+    half_ = variance[2] > kLong * variance[1] ? Vec3f(std::sqrt(3 * variance[2]) * axis_) : Vec3f(Vec3f::Zero());
+    one_ = axis_.unitOrthogonal();
+    two_ = axis_.cross(one_);
+    for (const Facet& facet : facets) {
+      sort(facet);
+    }
+  }
+
+  [[nodiscard]] const Vec3f& middle() const { return middle_; }
+  [[nodiscard]] const Vec3f& half() const { return half_; }
+
+  void add_patches(std::vector<ThinParts::Patch>& patches) const {
+    for (const auto& [key, sum] : sorted_) {
+      const auto [kind, around, along] = key;
+      ThinParts::Patch patch{};
+      patch.area = sum.area;
+      const Vec3f from = sum.place / sum.area - middle_;
+      patch.offset = from - (half_.isZero() ? 0.0F : from.dot(axis_)) * axis_;
+      if (kind == 0) {
+        patch.normal = sum.normal.normalized();
+        patch.around = patch.along = Vec3f::Zero();
+      } else {
+        const float angle = kTurnStep * static_cast<float>(around), rise = sum.along / sum.area;
+        const Vec3f out = std::cos(angle) * one_ + std::sin(angle) * two_;
+        patch.normal = std::cos(rise) * out + std::sin(rise) * axis_;
+        patch.around = kTurnStep * std::cos(rise) * (std::cos(angle) * two_ - std::sin(angle) * one_);
+        // Twice the variance is that of the tents that the surface is sorted by around the axis.
+        const float variance = std::max(sum.along_square / sum.area - rise * rise, 0.0F);
+        const float turn = variance < kFlat * kFlat ? 0.0F : std::sqrt(2 * variance / kFootprintVariance);
+        patch.along = turn * (std::cos(rise) * axis_ - std::sin(rise) * out);
+      }
+      patches.push_back(patch);
+    }
+  }
+
+ private:
+  void add(const std::array<int, 3>& key, const Facet& facet, float share, float rise) {
+    Sorted& sum = sorted_[key];
+    const float area = share * facet.area;
+    sum.area += area;
+    sum.along += area * rise;
+    sum.along_square += area * rise * rise;
+    sum.normal += area * facet.normal;
+    sum.place += area * facet.middle;
+  }
+
+  // A flat facet is put with those of the same normal. A curved one is shared between the two nearest of the evenly
+  // spaced normals around the axis, so that a round section is even all around.
+  void sort(const Facet& facet) {
+    constexpr float kFlatTurn = 0.01F;
+    if (!facet.curved) {
+      const Vec3f rounded = facet.normal / kFlatTurn;
+      const auto x = static_cast<int>(std::lround(rounded.x())), y = static_cast<int>(std::lround(rounded.y())),
+                 z = static_cast<int>(std::lround(rounded.z()));
+      add({0, x * 512 + y, z}, facet, 1, 0);
+      return;
+    }
+    constexpr int kAround = 24;
+    const float rise = std::asin(std::clamp(facet.normal.dot(axis_), -1.0F, 1.0F));
+    const float angle = std::atan2(facet.normal.dot(two_), facet.normal.dot(one_)) / kTurnStep + kAround;
+    const int below = static_cast<int>(angle), along = static_cast<int>(std::lround(rise / kTurnStep));
+    const float share = angle - static_cast<float>(below);
+    add({1, below % kAround, along}, facet, 1 - share, rise);
+    add({1, (below + 1) % kAround, along}, facet, share, rise);
+  }
+
+  float area_ = 0;
+  Vec3f middle_ = Vec3f::Zero(), half_, axis_, one_, two_;
+  std::map<std::array<int, 3>, Sorted> sorted_;
+};
+
+}  // namespace
+
+bool cut_thin_triangles(const Instance& instance, int index, const std::vector<ThinTriangle>& thin, ThinParts& parts) {
+  Cells cells;
+  constexpr std::size_t kCellsPerPiece = 16;
+  for (const ThinTriangle& triangle : thin) {
+    add_triangle(instance, index, triangle, cells);
+    if (cells.size() > kCellsPerPiece * (ThinParts::kMostPieces - parts.pieces.size())) {
+      return false;
+    }
+  }
+  const std::size_t pieces = parts.pieces.size(), patches = parts.patches.size();
+  std::vector<Facet> facets;
+  for (const auto& [key, cell] : cells) {
+    facets.clear();
+    take(key, key, cells, facets);
+    if (facets.empty()) {
+      continue;
+    }
+    if (parts.pieces.size() == ThinParts::kMostPieces) {
+      parts.pieces.resize(pieces);
+      parts.patches.resize(patches);
+      return false;
+    }
+    const PieceMaker maker(facets);
+    const auto first_patch = static_cast<std::uint32_t>(parts.patches.size());
+    maker.add_patches(parts.patches);
+    parts.pieces.push_back({key.surface, maker.middle(), maker.half(),
+                            1e-3F * std::exp2(0.25F * static_cast<float>(key.thickness)), first_patch,
+                            static_cast<std::uint32_t>(parts.patches.size())});
+  }
+  return true;
+}
+
+}  // namespace insonify

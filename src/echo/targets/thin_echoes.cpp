@@ -1,0 +1,229 @@
+// thin_echoes.cpp -- steps along the pieces, a ray to each, and the echo of its surface.
+
+#include "echo/targets/thin_echoes.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/vector_math.h"
+#include "echo/model/deposit.h"
+#include "echo/model/echo_laws.h"
+#include "echo/model/ray_limits.h"
+
+namespace insonify {
+namespace {
+
+// The solid angle in which the samples of the lattice hit a thin part is in the grid already. Echoes need a weight, for
+// only what has one labels a cell: this share of their own.
+constexpr float kWeight = 1e-3F;
+
+// Along the way to a piece, in thicknesses: where the ray ends in front of its axis, and how far in front of it the
+// same object does not count as in the way.
+constexpr float kInFront = 1, kOwnDepth = 3;
+
+// Area times backscattering coefficient of a patch: both laws, the lobe widened by the turns of the normal.
+// @param cosine  n . d, negative.
+float strength_of(const ThinParts::Patch& patch, const Vec3f& direction, float cosine, const ScatterTable::Laws& laws,
+                  std::uint32_t material) {
+  const float held = std::max(-cosine, kLeastCosine);
+  const TurnProducts<float> turns{patch.around.squaredNorm(),
+                                  patch.along.squaredNorm(),
+                                  patch.around.dot(patch.along),
+                                  patch.around.dot(direction),
+                                  patch.along.dot(direction),
+                                  0,
+                                  0};
+  const LobeWidening<float> widening = widen_lobe(turns, cosine, laws.steepness[material]);
+  const float glint = facet_lobe(laws.lobe[material], laws.steepness[material],
+                                 std::min(std::sqrt(held * held + widening.spared), 1.0F)) *
+                      std::sqrt(widening.share);
+  const float on_top = laws.by_angle == nullptr
+                           ? 0.0F
+                           : held * ScatterTable::at_angle(laws.by_angle + ScatterTable::kAngleStride * material, held,
+                                                           ScatterTable::kBackscatter);
+  return patch.area * (laws.lambert[material] * cosine * cosine + glint + on_top);
+}
+
+// Whether a sphere lies beside the fan, which is symmetric about x. Beyond a right angle on either side: never.
+bool beside(const PingPlan& plan, const Vec3f& middle, float radius) {
+  const float edge = plan.lattice.azimuth.front() + plan.lattice.column_width.front();
+  const float across = std::abs(middle.y());
+  if (!(edge < 0.5F * std::numbers::pi_v<float>)) {
+    return false;
+  }
+  return plan.lattice.shape == BeamShape::kWedge ? across * std::cos(edge) - middle.x() * std::sin(edge) > radius
+                                                 : across - (middle.norm() + radius) * std::sin(edge) > radius;
+}
+
+}  // namespace
+
+ThinEchoes::ThinEchoes(std::shared_ptr<const ThinParts> parts) : parts_(std::move(parts)) {
+  if (parts_ == nullptr || parts_->pieces.empty()) {
+    return;
+  }
+  const std::vector<ThinParts::Piece>& pieces = parts_->pieces;
+  for (std::size_t first = 0, last = 0; first < pieces.size(); first = last) {
+    const std::uint16_t instance = instance_of(pieces[first].surface);
+    Eigen::AlignedBox3f box;
+    for (last = first; last < pieces.size() && instance_of(pieces[last].surface) == instance; ++last) {
+      box.extend(pieces[last].middle);
+    }
+    Group group{instance, first, last, box.center(), 0};
+    for (std::size_t i = first; i < last; ++i) {
+      group.radius = std::max(group.radius, (pieces[i].middle - group.middle).norm() + pieces[i].half.norm());
+    }
+    groups_.push_back(group);
+  }
+  steps_.reserve(kMostSteps);
+  echoes_.resize(kMostSteps);
+  rays_.reserve(kMostRays);
+  own_.reserve(kMostRays);
+  hits_.resize(kMostRays);
+}
+
+// Finds the steps within the fan and the range window that are too thin for the lattice. False where they are too many.
+// @param longer  Factor on their greatest length.
+bool ThinEchoes::find_steps(const PingPlan& plan, const Pose& world_from_sonar, std::span<const Pose> world_from_mesh,
+                            float longer) {
+  steps_.clear();
+  const Pose sonar_from_world = world_from_sonar.inverse();
+  for (const Group& group : groups_) {
+    const Pose sonar_from_mesh = sonar_from_world * world_from_mesh[group.instance];
+    const Vec3f middle = (sonar_from_mesh * group.middle.cast<double>().eval()).cast<float>();
+    const float range = middle.norm();
+    if (range - group.radius < plan.true_max_range && range + group.radius > plan.first_bin_at &&
+        !beside(plan, middle, group.radius) && !add_steps(plan, group, sonar_from_mesh, longer)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+bool ThinEchoes::add_steps(const PingPlan& plan, const Group& group, const Pose& sonar_from_mesh, float longer) {
+  const float per_metre = thin_per_metre(plan);
+  const float column = plan.lattice.column_width[plan.lattice.columns / 2];
+  const Eigen::Matrix3f turn = sonar_from_mesh.orientation.toRotationMatrix().cast<float>();
+  for (std::size_t i = group.first; i < group.last; ++i) {
+    const ThinParts::Piece& piece = parts_->pieces[i];
+    const Vec3f half = turn * piece.half;
+    const Vec3f middle = (sonar_from_mesh * piece.middle.cast<double>().eval()).cast<float>();
+    const float range = middle.norm(), length = half.norm();
+    if (range > plan.true_max_range + length || range + length < plan.first_bin_at || !(range > length) ||
+        !(piece.thickness < per_metre * (range + length)) || beside(plan, middle, length)) {
+      continue;
+    }
+    const float radial = std::abs(half.dot(middle)) / range;
+    const float across = std::sqrt(std::max(length * length - radial * radial, 0.0F)) / range;
+    const float slope = 1 / std::sqrt(2 * plan.scatter.steepness(piece.surface));
+    const float bins = 2 * radial * plan.bins_per_metre, parts = 2 * across / std::min(column, 0.5F * slope);
+    const float wished = std::ceil(std::max(bins, parts) / longer);
+    constexpr float kMostOfPiece = 256;
+    const auto count = static_cast<std::uint32_t>(std::clamp(wished, 1.0F, kMostOfPiece));
+    const Vec3f axis = length > 0 ? Vec3f(half / length) : Vec3f(Vec3f::Zero());
+    for (std::uint32_t k = 0; k < count; ++k) {
+      const Vec3f place = middle + ((2 * static_cast<float>(k) + 1) / static_cast<float>(count) - 1) * half;
+      const float distance = place.norm();
+      const Vec3f direction = place / distance;
+      if (!(piece.thickness < per_metre * distance) || !plan.receives(direction)) {
+        continue;
+      }
+      if (steps_.size() == kMostSteps) {
+        return false;
+      }
+      steps_.push_back({static_cast<std::uint32_t>(i), count, place, turn.transpose() * direction, axis,
+                        std::abs(half.dot(direction)) / static_cast<float>(count)});
+    }
+  }
+  return true;
+}
+
+// Traces a ray for every n-th step, to a place in front of the piece, beside its axis.
+void ThinEchoes::look(const Pose& world_from_sonar, Engine& engine) {
+  stride_ = (steps_.size() + kMostRays - 1) / kMostRays;
+  rays_.clear();
+  own_.clear();
+  for (std::size_t i = 0; i < steps_.size(); i += stride_) {
+    const Step& step = steps_[i];
+    const ThinParts::Piece& piece = parts_->pieces[step.piece];
+    const Vec3f direction = step.place.normalized();
+    const Vec3f beside_axis = -direction + direction.dot(step.axis) * step.axis;
+    const Vec3f front = beside_axis.squaredNorm() > 1e-6F ? Vec3f(beside_axis.normalized()) : Vec3f(-direction);
+    const Vec3 there = (step.place + kInFront * piece.thickness * front).cast<double>();
+    const double distance = there.norm();
+    rays_.push_back({world_from_sonar.position, world_from_sonar.orientation * (there / distance), 0,
+                     std::max(distance - double{kRayClearance}, 0.0)});
+    own_.push_back({instance_of(piece.surface), distance - double{kOwnDepth * piece.thickness}});
+  }
+  engine.trace(rays_, std::span(hits_).first(rays_.size()));
+}
+
+bool ThinEchoes::visible(std::size_t step) const {
+  const Hit& hit = hits_[step / stride_];
+  const Own& own = own_[step / stride_];
+  return !std::isfinite(hit.distance) || (hit.instance == own.instance && hit.distance > own.from);
+}
+
+Echo ThinEchoes::echo_of(const PingPlan& plan, const Step& step) const {
+  const ThinParts::Piece& piece = parts_->pieces[step.piece];
+  const ScatterTable::Laws laws = plan.scatter.laws();
+  const std::uint32_t material = laws.index_of(piece.surface);
+  float strength = 0, depth = 0, facing = 0;
+  for (std::uint32_t i = piece.first_patch; i < piece.last_patch; ++i) {
+    const ThinParts::Patch& patch = parts_->patches[i];
+    const float cosine = patch.normal.dot(step.in_mesh);
+    if (cosine < 0) {
+      const float of_patch = strength_of(patch, step.in_mesh, cosine, laws, material);
+      strength += of_patch;
+      depth += of_patch * patch.offset.dot(step.in_mesh);
+      facing -= patch.area * cosine;
+    }
+  }
+  if (!(strength > 0)) {
+    return {};
+  }
+  const float distance = step.place.norm();
+  const PingPlan::Arrival arrival = plan.arrival_from(step.place / distance);
+  const float range = distance + depth / strength, square = range * range;
+  const float spread = fast_exp(-4 * plan.neper_per_metre * range) / (square * square);
+  const float weight = kWeight * facing / (square * static_cast<float>(step.count));
+  const float intensity = strength * spread * arrival.pattern * arrival.pattern / static_cast<float>(step.count);
+  return {.azimuth = arrival.bearing,
+          .elevation = arrival.elevation,
+          .path_length = 2 * range,
+          .half_length = step.half_range,
+          .power = intensity / weight,
+          .weight = weight,
+          .surface = piece.surface};
+}
+
+void ThinEchoes::add(const PingPlan& plan, const Pose& world_from_sonar, std::span<const Pose> world_from_mesh,
+                     Engine& engine, Workers& workers, EchoGrid& grid) {
+  if (groups_.empty()) {
+    return;
+  }
+  for (float longer = 1; !find_steps(plan, world_from_sonar, world_from_mesh, longer); longer *= 2) {
+    constexpr float kLongest = 512;  // Every piece is one step then, of which there are fewer.
+    static_assert(ThinParts::kMostPieces < kMostSteps);
+    if (longer > kLongest) {
+      break;
+    }
+  }
+  if (steps_.empty()) {
+    return;
+  }
+  look(world_from_sonar, engine);
+  constexpr std::size_t kTogether = 256;
+  workers.for_each(static_cast<int>((steps_.size() + kTogether - 1) / kTogether), [&](int task, int) {
+    const std::size_t first = static_cast<std::size_t>(task) * kTogether;
+    for (std::size_t i = first; i < std::min(first + kTogether, steps_.size()); ++i) {
+      echoes_[i] = visible(i) ? echo_of(plan, steps_[i]) : Echo{};
+    }
+  });
+  for (std::size_t i = 0; i < steps_.size(); ++i) {
+    if (echoes_[i].weight > 0) {
+      deposit(plan, echoes_[i], grid);
+    }
+  }
+}
+
+}  // namespace insonify

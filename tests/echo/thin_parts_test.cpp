@@ -1,0 +1,92 @@
+// thin_parts_test.cpp -- what counts as thin, and that the pieces have the surface of what they are cut from.
+
+#include "echo/targets/thin_parts.h"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+namespace insonify {
+namespace {
+
+Scene scene_of(Mesh mesh, const Pose& world_from_mesh = {}) {
+  Scene scene;
+  scene.materials.resize(1);
+  Instance instance;
+  instance.name = "thing";
+  instance.mesh = std::make_shared<const Mesh>(std::move(mesh));
+  instance.world_from_mesh = world_from_mesh;
+  instance.materials = {0};
+  scene.instances = {std::move(instance)};
+  return scene;
+}
+
+ThinParts parts_of(const Scene& scene) {
+  const std::unique_ptr<Engine> engine = make_engine("cpu", 2);
+  engine->set_scene(scene);
+  return find_thin_parts(scene, *engine);
+}
+
+double area_of(const ThinParts& parts) {
+  double sum = 0;
+  for (const ThinParts::Patch& patch : parts.patches) {
+    sum += patch.area;
+  }
+  return sum;
+}
+
+TEST(ThinPartsTest, BoxesPlatesAndBallsAreNotThin) {
+  EXPECT_TRUE(parts_of(scene_of(make_box({0.3, 0.3, 0.3}))).pieces.empty());
+  EXPECT_TRUE(parts_of(scene_of(make_box({0.02, 1, 1}))).pieces.empty());
+  EXPECT_TRUE(parts_of(scene_of(make_sphere(0.1, 0.2))).pieces.empty());
+  EXPECT_TRUE(parts_of(scene_of(make_plane(Vec3::UnitZ(), 0.02, 5))).pieces.empty());
+  EXPECT_EQ(parts_of(scene_of(make_box({0.3, 0.3, 0.3}))).triangles, nullptr);
+}
+
+// The side of a rod, without its ends: 2 pi a l, less what a polygon of 21 sides lacks, 0.4 %.
+TEST(ThinPartsTest, PiecesHaveTheSurfaceOfARod) {
+  const Pose aslant{.position = {300, -20, 7}, .orientation = orientation_from_rpy(0.3, 0.5, 0.7)};
+  const ThinParts parts = parts_of(scene_of(make_cylinder(0.006, 2, 0.3), aslant));
+  EXPECT_NEAR(area_of(parts), 2 * std::numbers::pi * 0.006 * 2, 0.01 * 2 * std::numbers::pi * 0.006 * 2);
+  double length = 0;
+  for (const ThinParts::Piece& piece : parts.pieces) {
+    EXPECT_NEAR(piece.middle.x(), 0, 1e-4);
+    EXPECT_NEAR(piece.middle.y(), 0, 1e-4);
+    EXPECT_GE(piece.thickness, 0.0118F);
+    EXPECT_LE(piece.thickness, 0.012F * 1.19F * 1.02F);  // A fourth of an octave, and the directions tried.
+    length += 2 * piece.half.norm();
+  }
+  EXPECT_NEAR(length, 2, 0.02);
+  for (const float thickness : parts.triangles->thickness[0]) {
+    EXPECT_TRUE(thickness < 0.015F || std::isinf(thickness));  // Infinite: the ends.
+  }
+}
+
+// A square rod has four flat sides.
+TEST(ThinPartsTest, FlatSidesKeepTheirNormals) {
+  const ThinParts parts = parts_of(scene_of(make_box({0.02, 0.02, 1})));
+  EXPECT_NEAR(area_of(parts), 4 * 0.02, 1e-5);
+  for (const ThinParts::Patch& patch : parts.patches) {
+    EXPECT_NEAR(patch.normal.cwiseAbs().maxCoeff(), 1, 1e-5);
+    EXPECT_EQ(patch.around.norm() + patch.along.norm(), 0);
+  }
+}
+
+// A bottom that passes through a rod does not make it thinner.
+TEST(ThinPartsTest, OtherSurfacesInsideDoNotCount) {
+  Scene scene = scene_of(make_cylinder(0.01, 1, 0.3), {.orientation = orientation_from_rpy(0, 1.5707963, 0)});
+  scene.instances.push_back(scene_of(make_plane(Vec3::UnitZ(), 4, 4), {.position = {0, 0, 0.002}}).instances[0]);
+  const ThinParts parts = parts_of(scene);
+  EXPECT_NEAR(area_of(parts), 2 * std::numbers::pi * 0.01, 0.01 * 2 * std::numbers::pi * 0.01);
+  EXPECT_TRUE(parts.triangles->thickness[1].empty());
+}
+
+TEST(ThinPartsTest, WhatHasTooManyPiecesIsLeftOut) {
+  const ThinParts parts = parts_of(scene_of(make_cylinder(0.001, 200, 0.5)));  // 200 m in pieces of 6 mm.
+  EXPECT_TRUE(parts.pieces.empty());
+  EXPECT_EQ(parts.left_out, std::vector<std::string>{"thing"});
+  EXPECT_EQ(parts.triangles, nullptr);
+}
+
+}  // namespace
+}  // namespace insonify
