@@ -69,6 +69,11 @@ void visit_material_fields(Self& self, Visit&& visit) {
               "absent.",
               ActsIn::kCalibrated},
         self.clutter_shape);
+  visit(Field{"clutter_length", "m", above_to(0, 1000),
+              "Length over which the clutter of a surface is correlated; resolution cells that are larger see less of "
+              "it (calibrated model, with speckle).",
+              ActsIn::kCalibrated},
+        self.clutter_length);
   visit(Field{"scatterer_density", "1/m^2", above_to(0, 1e9),
               "Equal scatterers per unit area; where a cell holds few, its speckle is not Gaussian (calibrated model, "
               "with speckle); unlimited when absent.",
@@ -92,6 +97,7 @@ struct Material {
   double rms_height = 0;                     ///< Root mean square height of that roughness [m], 0..100.
   std::optional<double> clutter_shape = {};  ///< Shape nu of K-distributed clutter, 0.1..1000: smaller is patchier;
                                              ///< absent: none.
+  double clutter_length = 1;                 ///< Length over which it is correlated [m], in (0, 1000].
   std::optional<double> scatterer_density = {};  ///< Equal scatterers per area [1/m^2], in (0, 1e9]; absent: unlimited.
   std::optional<double> sea_wind = {};        ///< Wind speed over it [m/s], in (0, 30], where this is the sea surface.
   std::string source = {};                    ///< Where the numbers come from.

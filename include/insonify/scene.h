@@ -50,6 +50,7 @@ struct MaterialOverride {
   std::optional<double> rms_slope = {};          ///< 0.005..1
   std::optional<double> rms_height = {};         ///< [m]
   std::optional<double> clutter_shape = {};      ///< 0.1..1000
+  std::optional<double> clutter_length = {};     ///< [m]
   std::optional<double> scatterer_density = {};  ///< [1/m^2]
   ReliefConfig relief_config = {};               ///< Description from which load_scene() makes `relief`.
   std::shared_ptr<const Relief> relief = {};

@@ -84,7 +84,7 @@ void CalibratedReceiver::receive_cell(const EchoGrid& grid, int cell, Row& row) 
   }
   lattice_->locate(views_, cell, filled, grid, row.scatterers);
   if (clutter_->any()) {
-    clutter_->texture(row.scatterers, row.energy);
+    clutter_->texture(row.scatterers, cell, row.energy);
   }
   row.field.resize(range_ ? bins : 0);
   const std::span<std::complex<float>> drawn = range_ ? std::span(row.field) : beam;

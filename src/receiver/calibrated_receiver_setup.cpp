@@ -114,9 +114,8 @@ CalibratedReceiver::CalibratedReceiver(const Settings& settings)
     CarrierSpread spread = carrier_spread(pulse, sonar.bin_length(), window);
     spread.length *= range_scale;
     speckle_.emplace(*lattice_, range_ ? &*range_ : nullptr, spread);
-    const double bins = range_ ? range_->equivalent_cells() : 1.0;
     sparse_.emplace(settings.materials, cells.sonar, *lattice_);
-    clutter_.emplace(settings.materials, std::max(1, static_cast<int>(std::lround(bins))));
+    clutter_.emplace(settings.materials, cells.sonar, *lattice_, seed_);
   }
   if (receiver.counts) {
     digitizer_.emplace(sonar, receiver.full_scale_db.value_or(0), receiver.full_scale_share);

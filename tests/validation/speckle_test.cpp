@@ -177,30 +177,6 @@ TEST_F(SpeckleTest, MovesByBeamsAsTheSonarTurns) {
   EXPECT_GT(correlation(first, speckle_of(scenario_at({0, 0, 0}, beam / 3)), 0, 0), 0.6);
 }
 
-// Gamma-distributed texture makes intensities K-distributed: C_I = sqrt(1 + 2 / nu), and the tail probability P(I > 5)
-// of nu = 2 (Abraham and Lyons, IEEE J. Ocean. Eng. 27, 800 (2002)).
-TEST_F(SpeckleTest, ClutterIsKDistributed) {
-  Scenario scenario = scenario_at({0, 0, 0});
-  scenario.receiver.azimuth_pattern = BeamPattern::kTopHat;  // Each cell is a beam and bin of the ping.
-  for (const auto& [shape, tail] : {std::pair{2.0, 0.02350083910703625}, {0.5, 0.0}, {10.0, 0.0}}) {
-    Material material = diffuse(-20);
-    material.clutter_shape = shape;
-    const std::vector<float> clutter = speckle_of(scenario, material);
-    double n = 0, sum = 0, squares = 0, above = 0;
-    for (int bin = 20; bin < kBins; ++bin) {
-      for (int beam = 0; beam < kBeams; ++beam) {
-        const double value = clutter[bin * kBeams + beam];
-        n += 1, sum += value, squares += value * value, above += value > 5 ? 1 : 0;
-      }
-    }
-    EXPECT_NEAR(sum / n, 1, 0.025) << shape;
-    EXPECT_NEAR(std::sqrt(squares / n / std::pow(sum / n, 2) - 1), std::sqrt(1 + 2 / shape), 0.02 * (2 + 2 / shape));
-    if (tail > 0) {
-      EXPECT_NEAR(above / n, tail, 0.1 * tail);
-    }
-  }
-}
-
 // Sparse scatterers: a cell with N of them on average contains none with the probability e^-N, and intensities have
 // <I^2> = (2 + 1/N) <I>^2. On a flat bed a cell's area is r dr dphi for any height of the sonar.
 TEST_F(SpeckleTest, SparseScatterersHavePoissonStatistics) {

@@ -1,4 +1,4 @@
-// clutter.h -- K-distributed clutter: multiplies the mean energy of patches by gamma-distributed texture.
+// clutter.h -- K-distributed clutter: multiplies energies by a gamma-distributed texture of the surface.
 
 #pragma once
 
@@ -7,32 +7,57 @@
 #include <vector>
 
 #include "base/gamma_quantiles.h"
+#include "base/philox.h"
 #include "echo/grid/echo_grid.h"
 #include "insonify/material.h"
+#include "insonify/sonar_config.h"
+#include "receiver/speckle/scatterer_lattice.h"
 #include "receiver/speckle/scatterer_row.h"
 
 namespace insonify {
 
-/// Texture of materials with a `clutter_shape` nu: the mean energy of each patch of cells is multiplied by a
-/// gamma-distributed number of mean 1 and variance 1 / nu, fixed in the world. With speckle, which multiplies it by an
-/// exponentially distributed one, intensities are K-distributed (Jakeman and Pusey, IEEE Trans. AP-24, 806 (1976);
-/// Abraham and Lyons, IEEE J. Ocean. Eng. 27, 800 (2002)). A patch is one bearing cell of the sonar, as long as its
-/// pulse.
+/// Texture of materials with a `clutter_shape` nu: the mean energy of the echo is multiplied by a number that varies
+/// over the surface, gamma-distributed with mean 1 and variance 1 / nu. With speckle, which multiplies it by an
+/// exponentially distributed one, intensities are K-distributed (Jakeman and Pusey, IEEE Trans. AP-24, 806 (1976)).
+///
+/// The texture is fixed in the world, or on the object where that moves: the mean of four lattices of cubes with edges
+/// of `clutter_length`, turned against each other about the vertical, each with a gamma-distributed number per cube. A
+/// resolution cell much smaller than the cubes has the shape nu; one of area A much larger has the mean of A /
+/// length^2 cubes, and the shape nu A / length^2 (Abraham and Lyons, IEEE J. Ocean. Eng. 27, 800 (2002)).
 class Clutter {
  public:
-  /// @param bins  Length of a patch in range bins, >= 1.
-  Clutter(std::span<const Material> materials, int bins);
+  static constexpr int kLattices = 4;
+
+  /// @param cells    The grids' cells, see BearingCells::sonar.
+  /// @param lattice  Used in the constructor only.
+  Clutter(std::span<const Material> materials, const SonarConfig& cells, const ScattererLattice& lattice,
+          std::uint64_t seed);
 
   /// Whether any material has texture.
-  [[nodiscard]] bool any() const { return !quantiles_.empty(); }
+  [[nodiscard]] bool any() const { return !laws_.empty(); }
 
-  /// Multiplies the energies of one row of bins, `energy` [bin], by the texture of the patch that each bin lies in.
-  void texture(const ScattererRow& row, std::span<float> energy) const;
+  /// Multiplies the energies of one row of bins, `energy` [bin], by the texture. Cells that are wider or longer than
+  /// half a cube take the mean of several points, at most kMostPoints each way.
+  void texture(ScattererRow& row, int cell, std::span<float> energy) const;
 
  private:
-  std::uint32_t bins_;
-  std::vector<int> table_;  // [material]: index into quantiles_, -1 for a material without texture.
-  std::vector<GammaQuantiles> quantiles_;
+  static constexpr int kMostPoints = 16;
+  struct Law {
+    GammaQuantiles quantiles;  // Of one lattice: its shape is nu / kLattices.
+    double length;             // [m]
+  };
+  class Patches;
+
+  [[nodiscard]] bool has_law(const ScattererRow& row, int bin, std::size_t law) const;
+  void add_texture(const ScattererRow::Run& run, BinRange bins, std::size_t law, int cell, ScattererRow& row,
+                   std::span<float> energy) const;
+
+  float first_range_, bin_length_, window_;  // True range of bin 0's middle, bin length, and length it hears [m].
+  std::vector<double> azimuth_;              // [cell]: azimuth of the centre [rad].
+  std::vector<double> width_;                // [cell]: width in azimuth [rad].
+  std::vector<int> table_;                   // [material]: index into laws_, -1 for a material without texture.
+  std::vector<Law> laws_;
+  PhiloxKey key_;
 };
 
 }  // namespace insonify
