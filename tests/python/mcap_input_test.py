@@ -91,7 +91,7 @@ class McapInputTest(unittest.TestCase):
         self.assertGreater(inside.sum(), 20)
         self.assertLessEqual(np.abs(back - level)[inside].max(), step / 2 + ROUNDING)
         self.assertTrue(np.all(found[level < LOW] == 0))
-        np.testing.assert_allclose(back[level >= HIGH], HIGH, atol=ROUNDING)
+        np.testing.assert_allclose(back[level >= HIGH], HIGH, atol=10 * ROUNDING)  # And of gains added to it.
 
     def test_arrays_are_those_of_hdf5_within_half_a_step(self):
         for sonar in ("büg", "around"):

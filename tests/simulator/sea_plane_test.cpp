@@ -30,7 +30,7 @@ TEST_P(SeaPlaneTest, IsHeardAlikeWhereverTheVehicleGoes) {
   for (const double far : {10.0, 32.0, 70.0, 5e3, 2e5, -3e6}) {
     SCOPED_TRACE(far);
     const Ping there = simulator.ping(0, at(far, -0.7 * far));
-    EXPECT_LT(apart(here, there), 1e-3);
+    EXPECT_LT(apart(here, there), 1e-2);  // Rounding may send one of some hundred reflected rays by another facet.
     EXPECT_EQ(there.instance, here.instance);
     EXPECT_EQ(*std::ranges::min_element(there.instance), simulator.scene().find_instance("sea_surface"));
   }

@@ -104,9 +104,10 @@ TEST_P(SeaSurfaceEchoTest, GhostsOfBodiesLoseByTheirGrazingAngle) {
         sonar.elevation_aperture = aperture * kDegree;
         sonar.azimuth_aperture = 2 * kDegree;
         sonar.beam_count = 4;
+        Material sea = sea_surface_material({.wind_speed = of_wind}, sonar.frequency);
+        sea.rms_height = 0;  // A sharp ghost: waves would blur it.
         const Scene scene = scene_of_all(
-            {plane(-Vec3::UnitZ(), Vec3::Zero(), sea_surface_material({.wind_speed = of_wind}, sonar.frequency)),
-             sphere_at({ahead, 0, -kDepth}, 0.25, diffuse(-10), 0.1)});
+            {plane(-Vec3::UnitZ(), Vec3::Zero(), sea), sphere_at({ahead, 0, -kDepth}, 0.25, diffuse(-10), 0.1)});
         const auto engine = make_engine(GetParam().engine, 2);
         engine->set_scene(scene);
         EchoGrid grid(sonar.beam_count, sonar.bin_count, kPathOrders);

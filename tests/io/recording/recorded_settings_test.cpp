@@ -34,6 +34,10 @@ Scenario everything() {
   scenario.receiver.gains_db = {0, 6};
   scenario.receiver.saturation_db = -10;
   scenario.receiver.full_scale_db = -40;
+  scenario.receiver.full_scale_share = 0.01;
+  scenario.receiver.wind_noise = 5;
+  scenario.receiver.rain_noise = 2;
+  scenario.receiver.ship_noise = 0.5;
   scenario.receiver.dead_elements = {2};
   scenario.materials.overrides["hull"] = {.like = "steel", .thickness = 0.012};
   scenario.materials.overrides["mast"] = {.density = 1000};
@@ -46,6 +50,10 @@ Scenario everything() {
   sonar.azimuth_resolution = 0.01;
   sonar.assumed_sound_speed = 1500;
   sonar.ping_period = 1;
+  sonar.leak_db = -20;
+  sonar.group_gains_db = {0, 1};
+  sonar.missing_beams = {1};
+  sonar.crosstalk_db = -40;
   scenario.sonars = {sonar};
   scenario.trajectory.waypoints = {{.time = 1}, {.time = 2, .position = {7, 8, 9}}};
   scenario.motions = {{.object = "ship", .trajectory = {{{.time = 3}}}}};
