@@ -13,6 +13,7 @@ namespace {
 constexpr float kThinnest = 1e-4F;  // Distance from a wall within which rays hit nothing [m].
 constexpr int kAcross = 8;          // Directions in which the extent is measured: the least is at most 2 % too great.
 constexpr int kOthers = 3;          // Most surfaces of other objects within a body that rays pass.
+constexpr double kWidest = 1.5;           // Least altitude of a triangle, over kThickest, that is no side of a rod.
 constexpr std::size_t kTogether = 4096;  // Triangles measured together.
 
 // A triangle in world coordinates.
@@ -63,6 +64,7 @@ Ray probe_ray(const Vec3& from, const Vec3& direction) {
   return {from, direction, double{kThinnest}, double{ThinParts::kThickest}};
 }
 
+// Those of triangles that are narrow enough to be the side of a thin part.
 std::vector<Wall> walls_of(const Instance& instance) {
   const Mesh& mesh = *instance.mesh;
   std::vector<Wall> walls;
@@ -76,7 +78,10 @@ std::vector<Wall> walls_of(const Instance& instance) {
       corners[k] = instance.world_from_mesh * mesh.vertices[mesh.triangles[t][k]].cast<double>().eval();
     }
     const Vec3 normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
-    if (const double length = normal.norm(); length > 0) {
+    const double edge =
+        std::max({(corners[1] - corners[0]).norm(), (corners[2] - corners[1]).norm(), (corners[0] - corners[2]).norm()});
+    const double length = normal.norm();
+    if (length > 0 && length < kWidest * double{ThinParts::kThickest} * edge) {
       walls.push_back({t, (corners[0] + corners[1] + corners[2]) / 3, normal / length});
     }
   }
