@@ -181,6 +181,7 @@ TEST(EchoLawsTest, VectorLoopHasTheMirrorIntensities) {
             paths.reflectance[lane] = table.reflectance(mirror, 1) * texture * texture;
             paths.share[lane] = 0.9F;
             paths.steepness[lane] = table.steepness(mirror);
+            paths.returned[lane] = lane % 3 == 0 ? 1.0F : 0.3F;
             paths.there[lane] = 12.5F;
             paths.back[lane] = 7.25F;
             paths.spread[lane] = spread;
@@ -197,6 +198,7 @@ TEST(EchoLawsTest, VectorLoopHasTheMirrorIntensities) {
                                 .there = 12.5,
                                 .back = 7.25,
                                 .spread = spread,
+                                .returned = double{paths.returned[lane]},
                                 .in = side * in,
                                 .out = other_side * out,
                                 .half = side * half});

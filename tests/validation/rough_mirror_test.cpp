@@ -136,6 +136,7 @@ TEST(MirrorFacetTest, ShareCountsOnceForBothWays) {
     paths.reflectance[lane] = paths.spread[lane] = paths.texture[lane] = 1;
     paths.there[lane] = paths.back[lane] = 5;
     paths.in[lane] = paths.out[lane] = paths.half[lane] = 1;
+    paths.returned[lane] = 1;
     paths.share[lane] = lane == 0 ? 1.0F : 0.5F;
   }
   MirrorPowers powers;

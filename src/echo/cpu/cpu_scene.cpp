@@ -121,7 +121,7 @@ void CpuScene::set(const Scene& scene) {
     rtcSetSceneFlags(scene_, RTC_SCENE_FLAG_DYNAMIC);
     rtcSetSceneBuildQuality(scene_, RTC_BUILD_QUALITY_LOW);
   }
-  any_moving_ = false;
+  any_moving_ = any_faces_ = false;
   parts_.resize(scene.instances.size());
   for (std::size_t i = 0; i < scene.instances.size(); ++i) {
     const Instance& instance = scene.instances[i];
@@ -138,9 +138,14 @@ void CpuScene::set(const Scene& scene) {
       part.surfaces.push_back(surface_label(static_cast<std::uint16_t>(i), material));
     }
     any_moving_ |= instance.moving;
+    part.rotation = instance.world_from_mesh.orientation.toRotationMatrix().cast<float>();
+    part.offset = (instance.world_from_mesh.position - origin_).cast<float>();
+    if (part.mesh == nullptr) {
+      part.faces = find_faces(*instance.mesh);
+    }
+    any_faces_ |= !part.faces->faces.empty();
     if (part.mesh != nullptr) {
       if (instance.moving) {
-        part.rotation = instance.world_from_mesh.orientation.toRotationMatrix().cast<float>();
         place(part.placed, instance.world_from_mesh, origin_);
       }
       continue;
@@ -264,6 +269,20 @@ RayTube CpuScene::tube(SurfaceLabel surface, std::uint32_t triangle, const Vec3f
   return ray_tube(corners, normals, turned * direction, turned * normal, range);
 }
 
+FaceEdges CpuScene::face_edges(SurfaceLabel surface, std::uint32_t triangle, const Vec3f& point) const {
+  const Part& part = parts_[instance_of(surface)];
+  const std::vector<std::uint32_t>& face_of = part.faces->face_of;
+  if (face_of.empty() || face_of[triangle] == MeshFaces::kNone) {
+    return {};
+  }
+  const Face& face = part.faces->faces[face_of[triangle]];
+  const Eigen::Matrix3f back = part.rotation.transpose();
+  const Vec3f& corner = part.own_vertices[face.corner];
+  const Vec3f from_corner =
+      part.placed == nullptr ? Vec3f(back * (point - corner)) : Vec3f(back * (point - part.offset) - corner);
+  return FaceEdges::of(face, from_corner, part.rotation);
+}
+
 void CpuScene::add_relief(const RTCRayHit16& rays, Shading& shading, ReliefPoint* reliefs) const {
   const RTCRay16& ray = rays.ray;
   for (int lane = 0; lane < kPacketSize; ++lane) {
@@ -296,6 +315,7 @@ void CpuScene::bend_normals(const RTCRayHit16& rays, Shading& shading) const {
 void CpuScene::move(int instance, const Pose& world_from_mesh) {
   Part& part = parts_[instance];
   part.rotation = world_from_mesh.orientation.toRotationMatrix().cast<float>();
+  part.offset = (world_from_mesh.position - origin_).cast<float>();
   place(part.placed, world_from_mesh, origin_);
   reliefs_.move(instance, world_from_mesh);
   boxes_.move(instance, {world_from_mesh.position - origin_, world_from_mesh.orientation});

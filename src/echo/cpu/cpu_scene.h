@@ -10,6 +10,7 @@
 #include "echo/cpu/ray_packet.h"
 #include "echo/grid/echo.h"
 #include "echo/model/box_cut.h"
+#include "echo/model/faces.h"
 #include "echo/model/ray_tube.h"
 #include "echo/model/reliefs.h"
 #include "insonify/scene.h"
@@ -67,6 +68,13 @@ class CpuScene {
   [[nodiscard]] RayTube tube(SurfaceLabel surface, std::uint32_t triangle, const Vec3f& direction, const Vec3f& normal,
                              float range) const;
 
+  /// Whether any mesh has plane faces.
+  [[nodiscard]] bool any_faces() const { return any_faces_; }
+
+  /// The edges of the face that a triangle belongs to.
+  /// @param point  A hit on it, relative to origin().
+  [[nodiscard]] FaceEdges face_edges(SurfaceLabel surface, std::uint32_t triangle, const Vec3f& point) const;
+
   /// Relief of all surfaces.
   [[nodiscard]] const Reliefs& reliefs() const { return reliefs_; }
 
@@ -85,8 +93,10 @@ class CpuScene {
     const std::array<std::uint32_t, 3>* triangles = nullptr;
     const Vec3f* normals = nullptr;  // In the world frame; of a moving part in its own frame.
     const std::uint16_t* slots = nullptr;
-    std::vector<SurfaceLabel> surfaces;                      // [material slot]
-    Eigen::Matrix3f rotation = Eigen::Matrix3f::Identity();  // World from mesh, of a moving part.
+    std::vector<SurfaceLabel> surfaces;  // [material slot]
+    std::shared_ptr<const MeshFaces> faces;
+    Eigen::Matrix3f rotation = Eigen::Matrix3f::Identity();  // World from mesh.
+    Vec3f offset = Vec3f::Zero();                            // Of a moving part's mesh from the origin.
     std::vector<Vec3f> own_vertices, own_normals;
     RTCScene own_scene = nullptr;
     RTCGeometry placed = nullptr;  // The Embree instance of a moving part.
@@ -107,7 +117,7 @@ class CpuScene {
   Reliefs reliefs_;
   std::vector<float> reflectivity_;
   Vec3 origin_ = Vec3::Zero();
-  bool any_moving_ = false, moved_ = false;
+  bool any_moving_ = false, moved_ = false, any_faces_ = false;
   bool whole_ = false;  // Whether set() has succeeded.
 };
 

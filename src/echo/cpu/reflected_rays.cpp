@@ -71,7 +71,8 @@ void compare(const HitColumn& strip, const int* __restrict__ beside, int count, 
 
 INSONIFY_VECTOR_CLONES
 void turn(const HitColumn& strip, const int* __restrict__ place_of, int count, float max_range, std::uint32_t seed,
-          const Mirrors& __restrict__ mirrors, RTCRay16& __restrict__ rays, ReflectedOrigins& __restrict__ origins) {
+          const Mirrors& __restrict__ mirrors, const EdgeLanes& __restrict__ edges, RTCRay16& __restrict__ rays,
+          ReflectedOrigins& __restrict__ origins) {
   const float* __restrict__ gradient_x = strip.gradient_x;
   const float* __restrict__ gradient_y = strip.gradient_y;
   const float* __restrict__ gradient_z = strip.gradient_z;
@@ -86,15 +87,39 @@ void turn(const HitColumn& strip, const int* __restrict__ place_of, int count, f
                                     origins.incidence[lane], slopes.pick);
     const int at = place_of[lane];
     const Triple gradient = relief * Triple{gradient_x[at], gradient_y[at], gradient_z[at]};
-    const MirrorFacet facet = mirror_facet(
-        direction, {mirrors.normal_x[lane], mirrors.normal_y[lane], mirrors.normal_z[lane]}, gradient, slope, slopes);
+    const Triple tilt{edges.tilt_x[lane], edges.tilt_y[lane], edges.tilt_z[lane]};
+    const MirrorFacet facet =
+        mirror_facet(direction, {mirrors.normal_x[lane], mirrors.normal_y[lane], mirrors.normal_z[lane]}, gradient,
+                     slope, slopes, tilt);
     const Triple reflected = direction - 2 * direction.dot(facet.normal) * facet.normal;
-    const bool turned = slope > 0;
+    const bool turned = (slope > 0) | (origins.faces.finite[lane] > 0);
     rays.tfar[lane] = turned ? reflected_reach(out, direction.dot(reflected), max_range) : rays.tfar[lane];
     rays.dir_x[lane] = turned ? reflected.x : rays.dir_x[lane];
     rays.dir_y[lane] = turned ? reflected.y : rays.dir_y[lane];
     rays.dir_z[lane] = turned ? reflected.z : rays.dir_z[lane];
     origins.share[lane] = turned ? facet.share : 1.0F;
+  }
+}
+
+INSONIFY_VECTOR_CLONES
+void project(const Mirrors& __restrict__ mirrors, const EdgeLanes& __restrict__ edges,
+             const RTCRay16& __restrict__ rays, ReflectedOrigins& __restrict__ origins) {
+  FaceLanes& faces = origins.faces;
+  for (int lane = 0; lane < kPacketSize; ++lane) {
+    const Triple place{mirrors.place_x[lane], mirrors.place_y[lane], mirrors.place_z[lane]};
+    const Triple direction = (1 / origins.range[lane]) * place;
+    const Triple half = Triple{rays.dir_x[lane], rays.dir_y[lane], rays.dir_z[lane]} - direction;
+    const Triple normal{mirrors.normal_x[lane], mirrors.normal_y[lane], mirrors.normal_z[lane]};
+    const float cosine = std::abs(origins.incidence[lane]), upright = half.dot(normal);
+    const float slope = 1 / std::sqrt(2 * origins.steepness[lane]);
+    for (int axis = 0; axis < 2; ++axis) {
+      const Triple along{edges.axis_x[axis][lane], edges.axis_y[axis][lane], edges.axis_z[axis][lane]};
+      const FaceSide side = face_side(0, 0, half.dot(along) / std::abs(upright), direction.dot(along), cosine, slope);
+      faces.bend[axis][lane] = side.bend;
+      faces.shift[axis][lane] = side.shift;
+      faces.spread[axis][lane] = side.spread;
+    }
+    faces.coherent[lane] = fast_exp(-origins.roughness[lane] * cosine * cosine);
   }
 }
 
@@ -111,8 +136,41 @@ void compare_beside(const HitColumn& strip, const int* beside, int count, const 
 }
 
 void turn_to_facets(const HitColumn& strip, const int* place, int count, float max_range, std::uint32_t seed,
-                    const Mirrors& mirrors, RTCRay16& rays, ReflectedOrigins& origins) {
-  turn(strip, place, count, max_range, seed, mirrors, rays, origins);
+                    const Mirrors& mirrors, const EdgeLanes& edges, RTCRay16& rays, ReflectedOrigins& origins) {
+  turn(strip, place, count, max_range, seed, mirrors, edges, rays, origins);
+}
+
+void set_edges(const FaceEdges& face, int lane, float wavelength, float incidence, std::uint32_t seed, EdgeLanes& edges,
+               ReflectedOrigins& origins) {
+  const FaceTilt drawn = FaceTilt::of(face, static_cast<std::uint32_t>(origins.column[lane]),
+                                      static_cast<std::uint32_t>(origins.row[lane]), seed, wavelength, incidence);
+  edges.tilt_x[lane] = drawn.tilt.x;
+  edges.tilt_y[lane] = drawn.tilt.y;
+  edges.tilt_z[lane] = drawn.tilt.z;
+  origins.faces.finite[lane] = face.finite ? 1.0F : 0.0F;
+  for (int axis = 0; axis < 2; ++axis) {
+    edges.axis_x[axis][lane] = face.axes[axis].x;
+    edges.axis_y[axis][lane] = face.axes[axis].y;
+    edges.axis_z[axis][lane] = face.axes[axis].z;
+    origins.faces.low[axis][lane] = face.low[axis];
+    origins.faces.high[axis][lane] = face.high[axis];
+  }
+}
+
+void project_faces(const Mirrors& mirrors, const EdgeLanes& edges, const RTCRay16& rays, ReflectedOrigins& origins) {
+  project(mirrors, edges, rays, origins);
+}
+
+void FaceLanes::copy(int to, const FaceLanes& from, int lane) {
+  for (int axis = 0; axis < 2; ++axis) {
+    low[axis][to] = from.low[axis][lane];
+    high[axis][to] = from.high[axis][lane];
+    bend[axis][to] = from.bend[axis][lane];
+    shift[axis][to] = from.shift[axis][lane];
+    spread[axis][to] = from.spread[axis][lane];
+  }
+  coherent[to] = from.coherent[lane];
+  finite[to] = from.finite[lane];
 }
 
 }  // namespace insonify

@@ -3,11 +3,31 @@
 #pragma once
 
 #include "echo/cpu/ray_packet.h"
+#include "echo/model/face_return.h"
+#include "echo/model/faces.h"
 #include "echo/model/hit_column.h"
 #include "echo/model/path_footprint.h"
 #include "echo/model/ray_tube.h"
 
 namespace insonify {
+
+/// FaceSide of both sides of the faces of sixteen mirrors, and what else face_return() needs.
+struct FaceLanes {
+  float low[2][kPacketSize], high[2][kPacketSize], bend[2][kPacketSize], shift[2][kPacketSize], spread[2][kPacketSize];
+  float coherent[kPacketSize];
+  float finite[kPacketSize];  ///< 1 where there is a face, 0 where the mirror has no edges.
+
+  [[nodiscard, gnu::always_inline]] FaceSide side(int axis, int lane) const {
+    return {low[axis][lane], high[axis][lane], bend[axis][lane], shift[axis][lane], spread[axis][lane]};
+  }
+  void copy(int to, const FaceLanes& from, int lane);
+};
+
+/// FaceEdges of sixteen mirrors, and the tilts that stand for diffraction at them.
+struct EdgeLanes {
+  float axis_x[2][kPacketSize], axis_y[2][kPacketSize], axis_z[2][kPacketSize];
+  float tilt_x[kPacketSize], tilt_y[kPacketSize], tilt_z[kPacketSize];
+};
 
 /// The hits on the first surface that a packet of reflected rays starts from.
 struct ReflectedOrigins {
@@ -16,6 +36,7 @@ struct ReflectedOrigins {
   float strength[kPacketSize];                                                 ///< `paper`: HitColumn::strength.
   float reflectance[kPacketSize], share[kPacketSize], steepness[kPacketSize];  ///< `calibrated`: see MirrorPaths.
   float roughness[kPacketSize], incidence[kPacketSize];                        ///< Arguments of facet_slope().
+  FaceLanes faces;                                                             ///< `calibrated`
   RayTube tube[kPacketSize];   ///< `calibrated` with more than two surfaces.
   MirrorChanges above, aside;  ///< Changes to the neighbours in the column and in the next column.
 };
@@ -39,6 +60,14 @@ void compare_beside(const HitColumn& strip, const int* beside, int count, const 
 /// Reflects the rays of aim_reflected() by facets of their mirrors where facet_slope() is not 0, and sets
 /// ReflectedOrigins::share of these. Reads their steepness, roughness and incidence.
 void turn_to_facets(const HitColumn& strip, const int* place, int count, float max_range, std::uint32_t seed,
-                    const Mirrors& mirrors, RTCRay16& rays, ReflectedOrigins& origins);
+                    const Mirrors& mirrors, const EdgeLanes& edges, RTCRay16& rays, ReflectedOrigins& origins);
+
+/// Sets an edge of a mirror, or that it has none, and the tilt that stands for diffraction of its ray.
+/// @param incidence  Cosine of the angle of incidence, of either sign.
+void set_edges(const FaceEdges& face, int lane, float wavelength, float incidence, std::uint32_t seed, EdgeLanes& edges,
+               ReflectedOrigins& origins);
+
+/// Fills in FaceLanes for the rays as they are reflected now.
+void project_faces(const Mirrors& mirrors, const EdgeLanes& edges, const RTCRay16& rays, ReflectedOrigins& origins);
 
 }  // namespace insonify

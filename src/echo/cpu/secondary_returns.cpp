@@ -85,7 +85,7 @@ void weigh_returns(const RTCRay16& __restrict__ rays, const CpuScene::Shading& _
 // Fills in the arguments of fill_mirror_powers().
 INSONIFY_VECTOR_CLONES
 void fill_paths(const RTCRay16& __restrict__ rays, const CpuScene::Shading& __restrict__ met,
-                const ReflectedOrigins& __restrict__ origins, const Returns& __restrict__ returns,
+                const ReflectedOrigins& __restrict__ origins, const Returns& __restrict__ returns, float wavelength,
                 MirrorPaths& __restrict__ paths) {
   for (int lane = 0; lane < kPacketSize; ++lane) {
     const float ix = -rays.dir_x[lane], iy = -rays.dir_y[lane], iz = -rays.dir_z[lane];
@@ -107,6 +107,10 @@ void fill_paths(const RTCRay16& __restrict__ rays, const CpuScene::Shading& __re
     const RayTube& tube = origins.tube[lane];
     paths.spread[lane] = std::abs(tube.constant + across * (tube.linear + across * tube.quadratic)) /
                          (returns.there[lane] * returns.there[lane]);
+    const float rho = origins.range[lane] * across / returns.there[lane];
+    const float returned = face_return(origins.faces.side(0, lane), origins.faces.side(1, lane),
+                                       origins.faces.coherent[lane], rho, wavelength);
+    paths.returned[lane] = origins.faces.finite[lane] > 0 ? returned : 1.0F;
     paths.back[lane] = returns.distance[lane];
     paths.texture[lane] = met.texture[lane];
     paths.surface[lane] = met.surface[lane];
@@ -151,7 +155,7 @@ void SecondaryTask::return_mirrored(const RTCRay16& rays, const ReflectedOrigins
   MirrorPowers powers;
   measure_returns(rays, origins, sonar_, returns);
   measure_footprints(rays, shading_, origins, returns);
-  fill_paths(rays, shading_, origins, returns, paths);
+  fill_paths(rays, shading_, origins, returns, plan_->wavelength(), paths);
   fill_mirror_powers(plan_->scatter, plan_->neper_per_metre, paths, powers);
   for (; lanes != 0; lanes &= lanes - 1) {
     const int lane = std::countr_zero(lanes);

@@ -81,6 +81,7 @@ void SecondaryTask::cull_and_trace(const HitColumn& strip) {
   const RTCRay16& from = candidates_.rays.ray;
   Mirrors mirrors;
   aim_reflected(strip, place_, count, sonar_, plan_->reach(), candidates_.rays.ray, candidate_origins_, mirrors);
+  EdgeLanes edges = {};
   unsigned lanes = (1U << count) - 1;
   if (plan_->model == EchoModel::kCalibrated) {
     for (int lane = 0; lane < count; ++lane) {
@@ -91,9 +92,13 @@ void SecondaryTask::cull_and_trace(const HitColumn& strip) {
       candidate_origins_.roughness[lane] = plan_->mirror_roughness(strip.surface[place_[lane]]);
       candidate_origins_.incidence[lane] = strip.facing[place_[lane]];
       candidate_origins_.steepness[lane] = plan_->scatter.steepness(strip.surface[place_[lane]]);
+      candidate_origins_.faces.finite[lane] = 0;
     }
-    if (plan_->has_facets()) {
-      turn_to_facets(strip, place_, count, plan_->reach(), plan_->stagger, mirrors, candidates_.rays.ray,
+    if (scene_.any_faces()) {
+      find_edges(strip, count, edges);
+    }
+    if (plan_->has_facets() || scene_.any_faces()) {
+      turn_to_facets(strip, place_, count, plan_->reach(), plan_->stagger, mirrors, edges, candidates_.rays.ray,
                      candidate_origins_);
       lanes &= positive_of_sixteen(candidate_origins_.share);
     }
@@ -110,6 +115,9 @@ void SecondaryTask::cull_and_trace(const HitColumn& strip) {
   compare_beside(strip, aside_, count, candidate_origins_.range, mirrors, candidate_origins_.aside);
   if (plan_->model == EchoModel::kCalibrated && plan_->max_surfaces > 2) {
     compute_ray_tubes(strip, lanes);
+    if (scene_.any_faces()) {
+      project_faces(mirrors, edges, candidates_.rays.ray, candidate_origins_);
+    }
   }
   if (std::popcount(lanes) >= kMany) {
     trace(candidates_, candidate_origins_, lanes);
@@ -133,12 +141,24 @@ void SecondaryTask::cull_and_trace(const HitColumn& strip) {
     origins_.share[to] = candidate_origins_.share[lane];
     origins_.steepness[to] = candidate_origins_.steepness[lane];
     origins_.tube[to] = candidate_origins_.tube[lane];
+    origins_.faces.copy(to, candidate_origins_.faces, lane);
     origins_.selected[to] = candidate_origins_.selected[lane];
     origins_.above.set(to, candidate_origins_.above.at(lane));
     origins_.aside.set(to, candidate_origins_.aside.at(lane));
     if (++reflected_count_ == kPacketSize) {
       trace_collected();
     }
+  }
+}
+
+// Looks up the edges of the faces that the candidates are on.
+void SecondaryTask::find_edges(const HitColumn& strip, int count, EdgeLanes& edges) {
+  const RTCRay16& rays = candidates_.rays.ray;
+  for (int lane = 0; lane < count; ++lane) {
+    const int at = place_[lane];
+    const FaceEdges face = scene_.face_edges(strip.surface[at], strip.triangle[at],
+                                             {rays.org_x[lane], rays.org_y[lane], rays.org_z[lane]});
+    set_edges(face, lane, plan_->wavelength(), strip.facing[at], plan_->stagger, edges, candidate_origins_);
   }
 }
 

@@ -46,6 +46,7 @@ class SecondaryTask {
 
  private:
   void cull_and_trace(const HitColumn& strip);
+  void find_edges(const HitColumn& strip, int count, EdgeLanes& edges);
   void compute_ray_tubes(const HitColumn& strip, unsigned lanes);
   void trace_collected();
   void trace(RayPacket& packet, const ReflectedOrigins& origins, unsigned lanes);

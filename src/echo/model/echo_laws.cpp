@@ -82,8 +82,8 @@ MirrorIntensities mirror_intensities(const MirrorPath& path, double neper_per_me
     intensities.once =
         reflected * scattered / (in * square(path.back)) * std::exp(-2 * neper_per_metre * (path.there + path.back));
   }
-  intensities.twice = reflected * reflectance * backscatter(second, in) / (in * square(path.there) * spread) *
-                      std::exp(-4 * neper_per_metre * path.there);
+  intensities.twice = reflected * reflectance * path.returned * backscatter(second, in) /
+                      (in * square(path.there) * spread) * std::exp(-4 * neper_per_metre * path.there);
   return intensities;
 }
 

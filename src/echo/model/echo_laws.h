@@ -46,6 +46,7 @@ struct MirrorPath {
   double there = 0;           ///< Length from the sonar to the mirror and on to the second surface [m].
   double back = 0;            ///< Length from the second surface straight to the sonar [m].
   double spread = 1;          ///< Area of the ray tube at the second surface, relative to that by a plane mirror.
+  double returned = 1;        ///< face_return(): intensity that the mirror returns, relative to one without edges.
   double in = 1;              ///< Cosine between the second surface's normal and the direction the sound comes from.
   double out = 1;             ///< Cosine between that normal and the direction to the sonar.
   double half = 1;            ///< Cosine between that normal and the half vector of both directions.
@@ -63,7 +64,7 @@ struct MirrorIntensities {
 /// the ray tube per steradian. The way back by the mirror spreads by A too, by reciprocity:
 ///
 ///     once  = share |R|^2 s_b(in, out) / (in back^2)          e^(-2 gamma (there + back))
-///     twice = share |R|^4 s_b(in, in)  / (in there^2 spread)  e^(-4 gamma there)
+///     twice = share |R|^4 s_b(in, in)  / (in there^2 spread)  e^(-4 gamma there) returned
 ///
 /// R of the mirror is that at `incidence`. The lobe of s_b(in, out) is that at the half vector, with R at `facet`. `in`
 /// is held at kLeastCosine and `spread` at kLeastSpread.

@@ -87,15 +87,17 @@ struct MirrorFacet {
 /// @param gradient   ReliefPoint::gradient; 0 without relief.
 /// @param slope      Rms slope along each axis.
 /// @param slopes     The slopes drawn, in units of `slope`.
+/// @param tilt       Added to them: what stands for diffraction, see diffraction_slope().
 [[gnu::always_inline]] inline MirrorFacet mirror_facet(const Triple& direction, const Triple& normal,
-                                                       const Triple& gradient, float slope, const FacetSlopes& slopes) {
+                                                       const Triple& gradient, float slope, const FacetSlopes& slopes,
+                                                       const Triple& tilt = {0, 0, 0}) {
   const float side = direction.dot(normal) > 0 ? -1.0F : 1.0F;
   const Triple n = side * normal;
   // Tangents: Duff et al., "Building an orthonormal basis, revisited", JCGT 6 (2017). Its discontinuity is moved from
   // n.z = 0, where many mirrors are upright, to -0.6.
   const float sign = n.z < -0.6F ? -1.0F : 1.0F, a = -1 / (sign + n.z), b = n.x * n.y * a;
   const Triple along{1 + sign * n.x * n.x * a, sign * b, -sign * n.x}, across{b, sign + n.y * n.y * a, -n.y};
-  const Triple tilted = n + (slope * slopes.along) * along + (slope * slopes.across) * across;
+  const Triple tilted = n + (slope * slopes.along) * along + (slope * slopes.across) * across + tilt;
   const float upright = 1 / std::sqrt(tilted.dot(tilted));  // Cosine of the tilt.
   const Triple m = upright * tilted;
   const float met = -direction.dot(m);

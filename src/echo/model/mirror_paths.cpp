@@ -42,8 +42,8 @@ template <bool by_angle>
     const float once =
         once_reflected * (mu * out + glint_across) / (back * back) * fast_exp(-2 * neper_per_metre * (there + back));
     const float scattered_back = laws.lambert[material] * in + glint_along + back_on_top;
-    const float twice = once_reflected * paths.reflectance[lane] * scattered_back / (there * there * spread) *
-                        fast_exp(-4 * neper_per_metre * there);
+    const float twice = once_reflected * paths.reflectance[lane] * paths.returned[lane] * scattered_back /
+                        (there * there * spread) * fast_exp(-4 * neper_per_metre * there);
     const bool same_side = paths.in[lane] * paths.out[lane] > 0;
     const bool met = paths.surface[lane] != kNoSurface;
     powers.once[lane] = met & same_side ? once : 0.0F;

@@ -16,6 +16,7 @@ struct alignas(64) MirrorPaths {
   float steepness[kPathLanes];    ///< 1 / (2 s^2) of the mirror.
   float there[kPathLanes];        ///< [m]
   float spread[kPathLanes];       ///< Relative to a plane mirror.
+  float returned[kPathLanes];     ///< See MirrorPath.
   float back[kPathLanes];         ///< [m]
   float in[kPathLanes];           ///< Cosines at the second surface.
   float out[kPathLanes];

@@ -60,6 +60,9 @@ class PingPlan {
   int max_surfaces;
   bool rough_mirrors;  ///< `calibrated`: mirrors have no coherent reflection.
 
+  /// In the water [m].
+  [[nodiscard]] float wavelength() const { return static_cast<float>(2 / turns_per_metre); }
+
   /// Whether facets reflect any rays: see facet_slope().
   [[nodiscard]] bool has_facets() const {
     return model == EchoModel::kCalibrated && (rough_mirrors || scatter.any_rough());

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "echo/model/face_return.h"
 #include "echo/model/mirror_facet.h"
 #include "echo/model/ray_limits.h"
 #include "echo/model/secondary_echo.h"
@@ -182,16 +183,23 @@ std::optional<ReferenceColumn::Reflection> ReferenceColumn::reflect(int row) {
                           ? facet_slope(1 / std::sqrt(2 * plan_.scatter.steepness(hits_.surface[row])),
                                         plan_.mirror_roughness(hits_.surface[row]), hits_.facing[row], slopes.pick)
                           : 0;
-  if (slope > 0) {
-    const MirrorFacet facet = mirror_facet(triple(rays_[row].direction), triple(normal),
-                                           triple(first_[row].gradient.cast<double>()), slope, slopes);
+  const Vec3 point = rays_[row].origin + rays_[row].direction * first_[row].distance;
+  FaceEdges edges;
+  if (plan_.model == EchoModel::kCalibrated) {
+    edges = scene_.face_edges(first_[row], point);
+  }
+  const FaceTilt diffraction = FaceTilt::of(edges, static_cast<std::uint32_t>(column_), static_cast<std::uint32_t>(row),
+                                            plan_.stagger, plan_.wavelength(), hits_.facing[row]);
+  if (slope > 0 || edges.finite) {
+    const MirrorFacet facet =
+        mirror_facet(triple(rays_[row].direction), triple(normal), triple(first_[row].gradient.cast<double>()), slope,
+                     slopes, diffraction.tilt);
     normal = Vec3(facet.normal.x, facet.normal.y, facet.normal.z).normalized();
     share = facet.share;
     if (share == 0) {
       return {};
     }
   }
-  const Vec3 point = rays_[row].origin + rays_[row].direction * first_[row].distance;
   const Vec3 direction = rays_[row].direction - 2 * rays_[row].direction.dot(normal) * normal;
   Reflection path{.row = row, .share = share};
   path.ray = {point, direction.normalized(), kRayClearance, plan_.reach()};
@@ -203,12 +211,29 @@ std::optional<ReferenceColumn::Reflection> ReferenceColumn::reflect(int row) {
   path.point = path.ray.origin + path.ray.direction * path.second.distance;
   path.back = world_from_sonar_.position - path.point;
   path.there = static_cast<float>(first_[row].distance + path.second.distance);
+  path.returned = edges.finite ? returned(edges, row, path) : 1;
   path.path_length = static_cast<float>(first_[row].distance + path.second.distance + path.back.norm());
   path.footprint =
       path_footprint(change_along(row), hits_.selected[row], change_across(row),
                      {static_cast<float>(path.second.distance), triple(path.ray.direction), triple(path.second.bent),
                       triple(-path.back.normalized()), path.there, static_cast<float>(path.back.norm())});
   return path;
+}
+
+// multipath.md, "Mirrors of finite size": the share of the sound that comes back by the face.
+float ReferenceColumn::returned(const FaceEdges& edges, int row, const Reflection& path) const {
+  const Triple direction = triple(rays_[row].direction), normal = triple(first_[row].bent),
+               half = triple(path.ray.direction) - direction;
+  const float cosine = std::abs(hits_.facing[row]);
+  const float slope = 1 / std::sqrt(2 * plan_.scatter.steepness(hits_.surface[row]));
+  const auto side = [&](int axis) {
+    const Triple& along = edges.axes[axis];
+    return face_side(edges.low[axis], edges.high[axis], half.dot(along) / std::abs(half.dot(normal)),
+                     direction.dot(along), cosine, slope);
+  };
+  const double near = first_[row].distance, across = path.second.distance;
+  return face_return(side(0), side(1), fast_exp(-plan_.mirror_roughness(hits_.surface[row]) * cosine * cosine),
+                     static_cast<float>(near * across / (near + across)), plan_.wavelength());
 }
 
 // Whether the straight line from the second surface to the sonar is unobstructed.
@@ -251,6 +276,7 @@ MirrorIntensities ReferenceColumn::intensities(const Reflection& path) const {
                              .there = there,
                              .back = path.back.norm(),
                              .spread = tube_area / (there * there),
+                             .returned = path.returned,
                              .in = path.second.bent.dot(in),
                              .out = path.second.bent.dot(out),
                              .half = path.second.bent.dot((in + out).normalized()),

@@ -48,6 +48,7 @@ class ReferenceColumn {
   struct Reflection {
     int row = 0;                // Row of the hit on the mirror.
     float share = 1;            // See MirrorPath.
+    float returned = 1;         // The same.
     Ray ray = {};               // The reflected ray.
     RayHit second = {};         // Its hit on the second surface.
     Vec3 point = Vec3::Zero();  // World position of that hit [m].
@@ -65,6 +66,7 @@ class ReferenceColumn {
   [[nodiscard]] MirrorChange change_along(int row) const;
   [[nodiscard]] MirrorChange change_across(int row) const;
   [[nodiscard]] std::optional<Reflection> reflect(int row);
+  [[nodiscard]] float returned(const FaceEdges& edges, int row, const Reflection& path) const;
   [[nodiscard]] bool return_leg_is_clear(const Reflection& path);
   void deposit_paper_echo(const Reflection& path, EchoGrid& grid);
   [[nodiscard]] MirrorIntensities intensities(const Reflection& path) const;

@@ -35,6 +35,7 @@ Crossing cross_triangle(const Ray& ray, const Vec3& corner, const Vec3& edge1, c
 }  // namespace
 
 void TriangleScene::place(int index, const Pose& world_from_mesh) {
+  poses_[index] = world_from_mesh;
   const Instance& instance = scene_->instances[index];
   const Mesh& mesh = *instance.mesh;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
@@ -61,6 +62,11 @@ void TriangleScene::set(const Scene& scene, const Vec3& origin) {
   reliefs_.set(scene, origin);
   for (const Material& material : scene.materials) {
     reflectivity_.push_back(static_cast<float>(material.effective_reflectivity()));
+  }
+  faces_.clear();
+  poses_.assign(scene.instances.size(), {});
+  for (const Instance& instance : scene.instances) {
+    faces_.push_back(instance.present ? find_faces(*instance.mesh) : nullptr);
   }
   for (std::size_t i = 0; i < scene.instances.size(); ++i) {
     first_triangle_.push_back(triangles_.size());
@@ -113,6 +119,19 @@ bool TriangleScene::blocked(const Ray& ray) const {
     }
   }
   return false;
+}
+
+FaceEdges TriangleScene::face_edges(const RayHit& mirror, const Vec3& point) const {
+  const MeshFaces& found = *faces_[mirror.instance];
+  const std::size_t number = mirror.triangle - first_triangle_[mirror.instance];
+  if (found.face_of.empty() || found.face_of[number] == MeshFaces::kNone) {
+    return {};
+  }
+  const Face& face = found.faces[found.face_of[number]];
+  const Pose& pose = poses_[mirror.instance];
+  const Vec3 corner = scene_->instances[mirror.instance].mesh->vertices[face.corner].cast<double>();
+  const Vec3 from_corner = pose.orientation.inverse() * (point - pose * corner);
+  return FaceEdges::of(face, from_corner.cast<float>(), pose.orientation.toRotationMatrix().cast<float>());
 }
 
 RayTube TriangleScene::tube(const RayHit& mirror, const Vec3& direction) const {

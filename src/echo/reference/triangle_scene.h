@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "echo/grid/echo.h"
+#include "echo/model/faces.h"
 #include "echo/model/ray_tube.h"
 #include "echo/model/reliefs.h"
 #include "insonify/ground_truth.h"
@@ -47,6 +48,9 @@ class TriangleScene {
   /// @param direction  Direction of the incident sound, unit length.
   [[nodiscard]] RayTube tube(const RayHit& mirror, const Vec3& direction) const;
 
+  /// The edges of the face that was hit.
+  [[nodiscard]] FaceEdges face_edges(const RayHit& mirror, const Vec3& point) const;
+
   [[nodiscard]] std::size_t bytes() const { return triangles_.capacity() * sizeof(Triangle); }
 
  private:
@@ -60,8 +64,10 @@ class TriangleScene {
   const Scene* scene_ = nullptr;
   Vec3 origin_ = Vec3::Zero();
   std::vector<Triangle> triangles_;
-  std::vector<std::size_t> first_triangle_;  // [instance]
-  std::vector<float> reflectivity_;          // [material]
+  std::vector<std::size_t> first_triangle_;              // [instance]
+  std::vector<float> reflectivity_;                      // [material]
+  std::vector<std::shared_ptr<const MeshFaces>> faces_;  // [instance]
+  std::vector<Pose> poses_;                              // [instance]
   Reliefs reliefs_;
 };
 

@@ -1,0 +1,125 @@
+// faces_test.cpp -- plane faces of meshes, and diffraction at mirrors of their size.
+
+#include "echo/model/faces.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "echo/model/face_return.h"
+
+namespace insonify {
+namespace {
+
+constexpr float kWide = 1e6F;
+
+TEST(FacesTest, ABoxHasSixAndASphereNone) {
+  const Mesh box = make_box({0.4, 0.6, 1.2});
+  const auto found = find_faces(box);
+  ASSERT_EQ(found->faces.size(), 6U);
+  std::multiset<int> areas;  // [cm^2]
+  for (const Face& face : found->faces) {
+    areas.insert(static_cast<int>(std::lround(4e4 * face.half[0] * face.half[1])));
+    EXPECT_NEAR(face.axes[0].dot(face.axes[1]), 0, 1e-6);
+    EXPECT_GE(face.half[0], face.half[1]);  // Along the longest outer edge, never along a diagonal.
+  }
+  EXPECT_EQ(areas, (std::multiset<int>{2400, 2400, 4800, 4800, 7200, 7200}));
+  EXPECT_TRUE(find_faces(make_sphere(0.5))->faces.empty());
+}
+
+// The ends of a cylinder are plane, its mantle is not. A disc of radius a has the area of a square of side sqrt(pi) a.
+TEST(FacesTest, EndsOfACylinderAreDiscs) {
+  const auto found = find_faces(make_cylinder(0.3, 2));
+  ASSERT_EQ(found->faces.size(), 2U);
+  for (const Face& face : found->faces) {
+    EXPECT_NEAR(4 * face.half[0] * face.half[1], 3.14159265 * 0.3 * 0.3, 0.002);
+    EXPECT_NEAR(face.half[0] / face.half[1], 1, 0.01);
+  }
+}
+
+// A hit 0.1 m from the middle of a plate of 0.4 x 1 m, turned by a quarter.
+TEST(FacesTest, EdgesAreMeasuredFromTheHit) {
+  const Mesh plate = make_plane(Vec3::UnitX(), 0.4, 1.0);
+  const auto found = find_faces(plate);
+  ASSERT_EQ(found->faces.size(), 1U);
+  const Face& face = found->faces.front();
+  const Vec3f hit(0, 0.1F, -0.3F);
+  const Eigen::Matrix3f turn = orientation_from_rpy(0, 0, 1.5707963267948966).toRotationMatrix().cast<float>();
+  const FaceEdges edges = FaceEdges::of(face, hit - plate.vertices[face.corner], turn);
+  for (int axis = 0; axis < 2; ++axis) {
+    EXPECT_NEAR(edges.high[axis] - edges.low[axis], 2 * face.half[axis], 1e-5);
+    const float along = face.axes[axis].dot(hit);
+    EXPECT_NEAR(edges.low[axis], -face.half[axis] - along, 1e-5);
+    EXPECT_NEAR(edges.axes[axis].x, -face.axes[axis].y(), 1e-6);
+    EXPECT_NEAR(edges.axes[axis].y, face.axes[axis].x(), 1e-6);
+  }
+}
+
+// Reference values: 2 (C(u)^2 + S(u)^2), u = (a/2) sqrt(2/(lambda rho)), by quadrature of the Fresnel integrals; the
+// tolerance is that of their approximation. At 60 degrees in the plane of incidence a side is half as wide.
+TEST(FaceReturnTest, IsThatOfFresnelsIntegrals) {
+  struct Case {
+    float side, frequency, near, across, value;
+  };
+  for (const Case& c : {Case{0.05F, 720e3F, 10, 5, 0.357450F}, Case{0.1F, 720e3F, 10, 5, 1.284052F},
+                        Case{0.2F, 720e3F, 10, 5, 0.820024F}, Case{0.5F, 720e3F, 10, 5, 1.163795F},
+                        Case{0.1F, 375e3F, 20, 20, 0.249145F}, Case{0.05F, 1200e3F, 3, 2, 1.428833F}}) {
+    const float rho = c.near * c.across / (c.near + c.across), wavelength = 1500 / c.frequency;
+    const FaceSide wide{-kWide, kWide, 1, 0, 0};
+    const FaceSide side = face_side(-c.side / 2, c.side / 2, 0, 0, 1, 0);
+    EXPECT_NEAR(face_return(side, wide, 1, rho, wavelength), c.value, 0.01) << c.side;
+    const FaceSide inclined = face_side(-c.side, c.side, 0, std::sqrt(0.75F), 0.5F, 0);
+    EXPECT_NEAR(face_return(wide, inclined, 1, rho, wavelength), c.value, 0.01) << c.side;
+    EXPECT_NEAR(face_return(side, side, 1, rho, wavelength), c.value * c.value, 0.03) << c.side;
+  }
+}
+
+// At the edge of a half plane a quarter of the intensity is left; far beyond it next to nothing.
+TEST(FaceReturnTest, FallsAtTheEdge) {
+  const FaceSide wide{-kWide, kWide, 1, 0, 0};
+  EXPECT_NEAR(face_return({0, kWide, 1, 0, 0}, wide, 1, 3, 2e-3F), 0.25, 0.003);
+  EXPECT_NEAR(face_return({0.5F, kWide, 1, 0, 0}, wide, 1, 3, 2e-3F), 0, 0.001);
+  EXPECT_NEAR(face_return({-0.5F, kWide, 1, 0, 0}, wide, 1, 3, 2e-3F), 1, 0.06);
+  EXPECT_NEAR(face_return(wide, wide, 1, 3, 2e-3F), 1, 0.003);
+}
+
+// Facets return what of the glint lies on the face: a Gaussian of the rms length 2 rho s along the face at normal
+// incidence, about the place where the facet is level that sends sound to the second point. By hand: rho 2, s 0.1: 0.4
+// m; a side of 0.4 m: erf(0.5/sqrt 2) = 0.38292. A facet tilted by 0.1 is 2 rho 0.1 = 0.4 m from the middle of the
+// glint: (erf(1.5/sqrt 2) - erf(0.5/sqrt 2))/2 = 0.24173.
+TEST(FaceReturnTest, OfFacetsIsTheGlintOnTheFace) {
+  const FaceSide wide = face_side(-kWide, kWide, 0, 0, 1, 0.1F);
+  EXPECT_NEAR(face_return(face_side(-0.2F, 0.2F, 0, 0, 1, 0.1F), wide, 0, 2, 2e-3F), 0.38292, 0.001);
+  EXPECT_NEAR(face_return(face_side(-0.2F, 0.2F, 0.1F, 0, 1, 0.1F), wide, 0, 2, 2e-3F), 0.24173, 0.001);
+  // Half coherent: the mean of both.
+  const float coherent = face_return(face_side(-0.2F, 0.2F, 0, 0, 1, 0.1F), wide, 1, 2, 2e-3F);
+  EXPECT_NEAR(face_return(face_side(-0.2F, 0.2F, 0, 0, 1, 0.1F), wide, 0.5F, 2, 2e-3F), 0.5 * (0.38292 + coherent),
+              0.001);
+}
+
+// The tilts spread a ray into a Gaussian beam, whose peak is that of the far field a/lambda sinc^2: deviations of 2 m
+// along the side, of the rms lambda/(sqrt(2 pi) a).
+TEST(FaceTiltTest, HasTheWidthOfTheFarField) {
+  FaceEdges edges;
+  edges.axes = {Triple{0, 1, 0}, Triple{0, 0, 1}};
+  edges.low = {-0.05F, -0.3F};
+  edges.high = {0.05F, 0.3F};
+  edges.finite = true;
+  double squares[2] = {};
+  constexpr int kSide = 100;
+  for (std::uint32_t column = 0; column < kSide; ++column) {
+    for (std::uint32_t row = 0; row < kSide; ++row) {
+      const FaceTilt drawn = FaceTilt::of(edges, column, row, 5, 2e-3F, 1);
+      squares[0] += drawn.tilt.y * drawn.tilt.y;
+      squares[1] += drawn.tilt.z * drawn.tilt.z;
+    }
+  }
+  const double rms_y = 2 * std::sqrt(squares[0]) / kSide, rms_z = 2 * std::sqrt(squares[1]) / kSide;
+  EXPECT_NEAR(rms_y, 2e-3 / (2.50662827 * 0.1), 0.03 * rms_y);
+  EXPECT_NEAR(rms_z, 2e-3 / (2.50662827 * 0.6), 0.03 * rms_z);
+}
+
+}  // namespace
+}  // namespace insonify
