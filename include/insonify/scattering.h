@@ -57,12 +57,20 @@ struct Scattering {
   double reflection = 0;  ///< |R| at normal incidence, of the facet lobe and of reflected rays.
   double rms_slope = 0;   ///< Root mean square slope of the facets that make the lobe, along each axis.
   double roughness = 0;   ///< 4 k^2 h^2 of the rms height h: a mirror reflects exp(-roughness cos^2) coherently.
+  /// Whether facets are mirrors too. Where not, only the coherent share of the reflected sound goes on as from a
+  /// mirror; the rest is diffuse, and random walks alone follow it.
+  bool facets_mirror = true;
   std::shared_ptr<const AngularScattering> by_angle = {};  ///< Null: |R| is the same at all angles, and nothing on top.
 
   /// |R|^2 at an angle of incidence.
   /// @param cosine  Of that angle, 0..1.
   [[nodiscard]] double reflectance(double cosine) const {
     return by_angle ? by_angle->reflectance.at(cosine) : reflection * reflection;
+  }
+
+  /// Share of it that mirrors reflect, 0..1.
+  [[nodiscard]] double mirror_share(double cosine) const {
+    return facets_mirror ? 1 : std::exp(-roughness * cosine * cosine);
   }
 };
 

@@ -57,11 +57,16 @@ double Material::reflection_at(double frequency) const {
   return std::min(whole, std::sqrt(reflectance_left(lambert_db)));
 }
 
+// Facets of a greater rms slope spread sound by more than 11 degrees: no ghost can be told there. Those of the sea are
+// followed whatever their slope, since it reflects all and is above everything.
+constexpr double kSteepestMirror = 0.1;
+
 Scattering Material::scattering(double frequency) const {
   Scattering scattering{
       .lambert = std::pow(10.0, lambert_db / 10), .reflection = reflection_at(frequency), .rms_slope = rms_slope};
   const double phase = 2 * std::numbers::pi * frequency / kSeaWaterSoundSpeed * rms_height;
   scattering.roughness = 4 * phase * phase;
+  scattering.facets_mirror = sea_wind || rms_slope <= kSteepestMirror;
   if (sea_wind) {
     scattering.by_angle = sea_scattering(*sea_wind, frequency, scattering.reflection, rms_slope);
   } else if (!reflection) {

@@ -94,7 +94,7 @@ TEST_F(BenchTest, SamplingHasAnErrorThatVanishesWithItsSize) {
   EXPECT_GT(rows[0].at("secondary_rms_db").get<double>(), rows[1].at("secondary_rms_db").get<double>());
   EXPECT_LT(std::abs(rows[0].at("level_db").get<double>()), 1);
   for (const char* key : {"rms_db", "spots", "holes", "level_db", "secondary_rms_db", "secondary_level_db"}) {
-    EXPECT_NEAR(rows[2].at(key).get<double>(), 0, 1e-6) << key;  // Every hit is followed in both, with rounded weights.
+    EXPECT_NEAR(rows[2].at(key).get<double>(), 0, 1e-5) << key;  // Every hit is followed in both, with rounded weights.
   }
   for (const json& row : rows) {
     EXPECT_GT(row.at("ping_ms").get<double>(), 0);

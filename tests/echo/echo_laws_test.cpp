@@ -148,11 +148,13 @@ TEST(EchoLawsTest, VectorLoopHasTheMirrorIntensities) {
       material.rms_slope = rms_slope;
       material.lambert_db = reflection < 0.1 ? -40 : -12;
       material.reflection = reflection;
+      material.rms_height = reflection < 0.1 ? 0 : 1e-4;
       materials.push_back(material);
     }
   }
   const ScatterTable table(materials, kFrequency);
   constexpr float kGamma = 0.026F;
+  constexpr float kIncidence = 0.85F, kFacet = 0.6F;
   constexpr float kCosines[] = {1, 0.9999F, 0.97F, 0.7F, 0.3F, 0.1F, 0.0101F, 0.009F, 1e-4F, 0};
   std::vector<MirrorPath> expected;
   MirrorPaths paths = {};
@@ -178,7 +180,7 @@ TEST(EchoLawsTest, VectorLoopHasTheMirrorIntensities) {
             const std::size_t lane = expected.size();
             const float side = lane % 2 == 0 ? 1.0F : -1.0F, other_side = lane % 5 == 0 ? -side : side;
             const float texture = 0.8F, spread = lane % 4 == 0 ? 0.003F : 1.7F;
-            paths.reflectance[lane] = table.reflectance(mirror, 1) * texture * texture;
+            paths.reflectance[lane] = table.mirrored(mirror, kIncidence) * texture * texture;
             paths.share[lane] = 0.9F;
             paths.steepness[lane] = table.steepness(mirror);
             paths.returned[lane] = lane % 3 == 0 ? 1.0F : 0.3F;
@@ -188,10 +190,12 @@ TEST(EchoLawsTest, VectorLoopHasTheMirrorIntensities) {
             paths.in[lane] = side * in;
             paths.out[lane] = other_side * out;
             paths.half[lane] = side * half;
+            paths.facet[lane] = kFacet;
             paths.texture[lane] = 0.6F;
             paths.surface[lane] = surface_label(1, second);
             expected.push_back({.mirror = materials[mirror].scattering(kFrequency),
                                 .second = materials[second].scattering(kFrequency),
+                                .incidence = kIncidence,
                                 .mirror_texture = texture,
                                 .second_texture = 0.6F,
                                 .share = 0.9F,
@@ -201,7 +205,8 @@ TEST(EchoLawsTest, VectorLoopHasTheMirrorIntensities) {
                                 .returned = double{paths.returned[lane]},
                                 .in = side * in,
                                 .out = other_side * out,
-                                .half = side * half});
+                                .half = side * half,
+                                .facet = kFacet});
             if (expected.size() == kPathLanes) {
               compare();
             }

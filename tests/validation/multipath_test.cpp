@@ -183,6 +183,26 @@ TEST_P(MultipathTest, CornerOfTwoMirrorsIsOneImage) {
   EXPECT_NEAR(half - whole, 2 * 20 * std::log10(0.5), 0.01);
 }
 
+// Two mirrors whose facets are too steep for ghosts: of their image all is left but what both reflect incoherently,
+// whichever of them is the smoother.
+TEST_P(MultipathTest, CornerOfTwoRoughMirrorsLacksWhatBothScatter) {
+  const auto total = [](double wall_slope, double wall_height, double floor_slope, double floor_height) {
+    Material wall = glinting(1, wall_slope), floor = glinting(1, floor_slope);
+    wall.rms_height = wall_height;
+    floor.rms_height = floor_height;
+    const Scene scene =
+        scene_of_all({plane(-Vec3::UnitX(), {10, 0, 92}, wall), plane(Vec3::UnitZ(), {-90, 0, -8}, floor)});
+    return total_db(echoes_of(GetParam(), scene, corner_sonar(), {0, 0, -5}), 2);
+  };
+  for (const auto& [wall, floor] : {std::pair(0.15, 0.12), std::pair(0.12, 0.15), std::pair(0.13, 0.13)}) {
+    const double smooth = total(wall, 0, floor, 0);
+    EXPECT_NEAR(total(wall, 0.2e-3, floor, 0), smooth, 0.5) << wall;
+    EXPECT_NEAR(total(wall, 0, floor, 1e-3), smooth, 0.5) << wall;
+    EXPECT_LT(total(wall, 0.2e-3, floor, 1e-3), smooth - 1) << wall;
+    EXPECT_LT(total(wall, 1e-3, floor, 5e-3), smooth - 20) << wall;
+  }
+}
+
 // T21. The two reciprocal echoes of a diffuse surface have equal levels; each is received in the beam of its arrival.
 TEST_P(MultipathTest, ReciprocalEchoesHaveEqualLevels) {
   SonarConfig sonar = corner_sonar();

@@ -267,6 +267,22 @@ TEST_P(RoughMirrorTest, ImageOfASmallRoughnessIsSharpAndWide) {
   }
 }
 
+// The facets of a wide lobe are no mirror: the image is sharp, and has the coherent share alone, twice where both ways
+// are by the mirror.
+TEST_P(RoughMirrorTest, WideFacetsLeaveTheCoherentShare) {
+  constexpr double kSlope = 0.3, kFrequency = 720e3;
+  const Ghost smooth = ghost_in(GetParam(), kSlope, false);
+  for (const double height : {0.07e-3, 0.15e-3, 0.25e-3}) {
+    const double g = 2 * std::pow(2 * kDegree * 180 * kFrequency / 1500 * height, 2);
+    const Ghost ghost = ghost_in(GetParam(), kSlope, false, 5, height);
+    EXPECT_GT(ghost.sharp, 0.98) << height;
+    EXPECT_NEAR(10 * std::log10(ghost.energy / smooth.energy), -10 * std::log10(std::exp(g)), 0.2) << height;
+    EXPECT_NEAR(10 * std::log10(ghost.both_ways / smooth.both_ways), -20 * std::log10(std::exp(g)), 0.3) << height;
+  }
+  EXPECT_EQ(ghost_in(GetParam(), kSlope, false, 5, 2e-3).energy, 0);
+  EXPECT_GT(ghost_in(GetParam(), kSlope, true, 5, 2e-3).energy, 0.5 * smooth.energy);
+}
+
 // From scenario to ping: ghosts in a windy sea are wider.
 TEST(RoughMirrorScenarioTest, WidensTheGhostsOfAWindySea) {
   Scene scene = sphere_at({8, 0, -3}, 0.3, diffuse(-10));

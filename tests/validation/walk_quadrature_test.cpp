@@ -139,11 +139,15 @@ double not_masked(double cosine, double slope) {
 }
 
 // Two plates with lobes: paths of three surfaces go from one to the other and back to the first, which is one mirror.
-// So order 3 lacks mirrored-anything-mirrored, which secondary echoes have.
-TEST(WalkQuadratureTest, MirroredSoundIsCountedWhereSecondaryEchoesLeaveItOut) {
+// So order 3 lacks mirrored-anything-mirrored, which secondary echoes have. Of the lobes of rough plates secondary
+// echoes have the coherent share alone, exp(-4 k^2 h^2 cos^2).
+class WalkMirrorTest : public testing::TestWithParam<double> {};
+
+TEST_P(WalkMirrorTest, MirroredSoundIsCountedWhereSecondaryEchoesLeaveItOut) {
   Material first = glinting(0.7, 0.45), second = glinting(0.72, 0.5);
   first.lambert_db = -10;
   second.lambert_db = -9;
+  first.rms_height = second.rms_height = GetParam();
   const std::vector<Plate> plates = {{Vec3::UnitZ(), {2.6, 0.2, -1.2}, 1.6, first},
                                      {-Vec3::UnitX(), {4.2, 0, 0.3}, 1.8, second}};
   const Vec3 sonar(0.1, -0.2, 0.4);
@@ -165,6 +169,10 @@ TEST(WalkQuadratureTest, MirroredSoundIsCountedWhereSecondaryEchoesLeaveItOut) {
   const auto lambert = [&](const Patch& at, const Vec3& to) {
     return std::pow(10, plates[at.plate].material.lambert_db / 10) * at.normal.dot((to - at.place).normalized());
   };
+  const auto coherent = [&](const Patch& at, const Vec3& from) {
+    const double phase = 2 * kPi * 400e3 / 1500 * GetParam() * at.normal.dot((from - at.place).normalized());
+    return std::exp(-4 * phase * phase);
+  };
   const auto arriving = [&](const Patch& at, const Vec3& from) {  // Share of a steradian that a patch fills.
     const Vec3 there = at.place - from;
     const double length = there.norm();
@@ -174,8 +182,8 @@ TEST(WalkQuadratureTest, MirroredSoundIsCountedWhereSecondaryEchoesLeaveItOut) {
     const double range = (at.place - sonar).norm();
     return std::exp(-kLoss * range) / (range * range);
   };
-  // Energy that goes from patch i of one plate to patch j of the other, after a first bounce that was diffuse (0) or
-  // mirrored (1).
+  // Energy that goes from patch i of one plate to patch j of the other, after a first bounce that was diffuse or
+  // incoherent (0) or mirrored (1).
   std::array<Eigen::MatrixXd, 2> going[2];  // [plate of i][kind](i, j)
   double expected_two = 0;
   for (int plate = 0; plate < 2; ++plate) {
@@ -188,9 +196,11 @@ TEST(WalkQuadratureTest, MirroredSoundIsCountedWhereSecondaryEchoesLeaveItOut) {
       for (int j = 0; j < kEach; ++j) {
         const Patch& next = patches[(1 - plate) * kEach + j];
         const double met = sent * arriving(next, here.place);
-        going[plate][0](i, j) = met * lambert(here, next.place);
-        going[plate][1](i, j) = met * lobe(here, sonar, next.place);
-        expected_two += going[plate][0](i, j) * lambert(next, sonar) * back(next);
+        const double mirrored = coherent(here, sonar), glint = lobe(here, sonar, next.place);
+        going[plate][0](i, j) = met * (lambert(here, next.place) + (1 - mirrored) * glint);
+        going[plate][1](i, j) = met * mirrored * glint;
+        expected_two += going[plate][0](i, j) * back(next) *
+                        (lambert(next, sonar) + (1 - coherent(next, here.place)) * lobe(next, here.place, sonar));
       }
     }
   }
@@ -215,8 +225,8 @@ TEST(WalkQuadratureTest, MirroredSoundIsCountedWhereSecondaryEchoesLeaveItOut) {
               sum += going[plate][kind](i, j) * (diffusely + lobe(here, patches[plate * kEach + i].place, next.place));
             }
             after[1 - plate][kind](j, k) = met * sum;
-            const bool left_out = order == 3 && kind == 1;
-            expected_more += met * sum * (ends_diffuse + (left_out ? 0 : ends_mirrored)) * back(next);
+            const double left_out = order == 3 && kind == 1 ? coherent(next, here.place) : 0;
+            expected_more += met * sum * (ends_diffuse + (1 - left_out) * ends_mirrored) * back(next);
           }
         }
       }
@@ -226,6 +236,8 @@ TEST(WalkQuadratureTest, MirroredSoundIsCountedWhereSecondaryEchoesLeaveItOut) {
   }
   expect_mean(more, expected_more, 0.02);
 }
+
+INSTANTIATE_TEST_SUITE_P(Heights, WalkMirrorTest, testing::Values(0, 1.7e-4, 4e-4));
 
 }  // namespace
 }  // namespace insonify::validation

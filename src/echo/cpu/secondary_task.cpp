@@ -87,7 +87,7 @@ void SecondaryTask::cull_and_trace(const HitColumn& strip) {
     for (int lane = 0; lane < count; ++lane) {
       const float texture = strip.has_relief ? strip.texture[place_[lane]] : 1.0F;
       candidate_origins_.reflectance[lane] =
-          plan_->scatter.reflectance(strip.surface[place_[lane]], strip.facing[place_[lane]]) * texture * texture;
+          plan_->scatter.mirrored(strip.surface[place_[lane]], strip.facing[place_[lane]]) * texture * texture;
       candidate_origins_.share[lane] = 1;
       candidate_origins_.roughness[lane] = plan_->mirror_roughness(strip.surface[place_[lane]]);
       candidate_origins_.incidence[lane] = strip.facing[place_[lane]];

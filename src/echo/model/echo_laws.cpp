@@ -70,15 +70,18 @@ MirrorIntensities mirror_intensities(const MirrorPath& path, double neper_per_me
   const double in = std::max(std::abs(path.in), double{kLeastCosine});
   const double half = std::max(std::abs(path.half), double{kLeastCosine});
   const double spread = std::max(path.spread, double{kLeastSpread});
-  const double reflectance = mirror.reflectance(std::abs(path.incidence)) * square(path.mirror_texture);
+  const double incidence = std::abs(path.incidence);
+  const double reflectance =
+      mirror.reflectance(incidence) * mirror.mirror_share(incidence) * square(path.mirror_texture);
   const double reflected = path.share * reflectance * square(path.second_texture);
 
   MirrorIntensities intensities;
   if (path.in * path.out > 0) {
     const double reflection = std::sqrt(second.reflectance(path.facet));
-    const double scattered = diffuse_scatter(second, in, std::abs(path.out)) +
-                             lobe_share(mirror.rms_slope, second.rms_slope) *
-                                 facet_scatter(reflection, second.rms_slope, incidence_of(half));
+    const double scattered =
+        diffuse_scatter(second, in, std::abs(path.out)) +
+        (1 - second.mirror_share(path.facet) * (1 - lobe_share(mirror.rms_slope, second.rms_slope))) *
+            facet_scatter(reflection, second.rms_slope, incidence_of(half));
     intensities.once =
         reflected * scattered / (in * square(path.back)) * std::exp(-2 * neper_per_metre * (path.there + path.back));
   }

@@ -21,7 +21,8 @@ template <bool by_angle>
   for (int lane = 0; lane < kPathLanes; ++lane) {
     const std::uint32_t material = laws.index_of(paths.surface[lane]);
     const float steepness = laws.steepness[material], lobe_back = laws.lobe[material];
-    float mu = laws.lambert[material], lobe = lobe_back, back_on_top = 0;
+    const float smoother = paths.steepness[lane] > steepness ? 1.0F : paths.steepness[lane] < steepness ? 0.0F : 0.5F;
+    float mu = laws.lambert[material], lobe = smoother * lobe_back, back_on_top = 0;
     const float in = held(std::abs(paths.in[lane])), out = std::abs(paths.out[lane]);
     const float half = held(std::abs(paths.half[lane]));
     const float there = paths.there[lane], back = paths.back[lane];
@@ -31,13 +32,14 @@ template <bool by_angle>
 
     if constexpr (by_angle) {
       const float* tables = laws.by_angle + ScatterTable::kAngleStride * material;
-      lobe = laws.facets[material] * ScatterTable::at_angle(tables, paths.facet[lane], ScatterTable::kReflectance);
+      lobe = laws.facets[material] *
+             (ScatterTable::at_angle(tables, paths.facet[lane], ScatterTable::kReflectance) -
+              (1 - smoother) * ScatterTable::at_angle(tables, paths.facet[lane], ScatterTable::kMirrored));
       mu += ScatterTable::at_angle(tables, in, ScatterTable::kDiffuse) *
             ScatterTable::at_angle(tables, out, ScatterTable::kDiffuse);
       back_on_top = ScatterTable::at_angle(tables, in, ScatterTable::kBackscatter);
     }
-    const float smoother = paths.steepness[lane] > steepness ? 1.0F : paths.steepness[lane] < steepness ? 0.0F : 0.5F;
-    const float glint_across = smoother * facet_lobe(lobe, steepness, half) / in;
+    const float glint_across = facet_lobe(lobe, steepness, half) / in;
     const float glint_along = facet_lobe(lobe_back, steepness, in) / in;
     const float once =
         once_reflected * (mu * out + glint_across) / (back * back) * fast_exp(-2 * neper_per_metre * (there + back));

@@ -24,7 +24,7 @@ PingPlan::PingPlan(const PingPlanSettings& settings)
               elevation_pattern ? &*elevation_pattern : nullptr),
       model(settings.model),
       shape(settings.paper),
-      scatter(settings.materials, settings.sonar.frequency),
+      scatter(settings.materials, settings.sonar.frequency, settings.rough_mirrors),
       primary(settings.primary),
       secondary(settings.max_surfaces > 1 ? settings.secondary : SecondaryEchoes::kNone),
       max_surfaces(settings.max_surfaces),

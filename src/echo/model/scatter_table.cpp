@@ -98,23 +98,22 @@ void scatter_curved_by_angle(int rows, const ScatterTable::Laws laws, float nepe
 }
 
 INSONIFY_VECTOR_CLONES
-void look_up_reflectances(int rows, const float* by_angle, std::uint32_t nothing,
-                          const SurfaceLabel* __restrict__ surface, const float* __restrict__ facing,
-                          float* __restrict__ reflectance) {
+void look_up_mirrored(int rows, const float* by_angle, std::uint32_t nothing, const SurfaceLabel* __restrict__ surface,
+                      const float* __restrict__ facing, float* __restrict__ mirrored) {
   for (int row = 0; row < rows; ++row) {
     const std::uint32_t own = surface[row] & 0xffffU;  // material_of()
     const std::uint32_t material = own < nothing ? own : nothing;
-    reflectance[row] = ScatterTable::at_angle(by_angle + ScatterTable::kAngleStride * material, std::abs(facing[row]),
-                                              ScatterTable::kReflectance);
+    mirrored[row] = ScatterTable::at_angle(by_angle + ScatterTable::kAngleStride * material, std::abs(facing[row]),
+                                           ScatterTable::kMirrored);
   }
 }
 
 INSONIFY_VECTOR_CLONES
 void look_up_constants(int rows, const float* constants, std::uint32_t nothing,
-                       const SurfaceLabel* __restrict__ surface, float* __restrict__ reflectance) {
+                       const SurfaceLabel* __restrict__ surface, float* __restrict__ mirrored) {
   for (int row = 0; row < rows; ++row) {
     const std::uint32_t own = surface[row] & 0xffffU;
-    reflectance[row] = constants[own < nothing ? own : nothing];
+    mirrored[row] = constants[own < nothing ? own : nothing];
   }
 }
 
@@ -127,30 +126,35 @@ void append(const AngleTable& table, std::vector<float>& values) {
 
 }  // namespace
 
-ScatterTable::ScatterTable(std::span<const Material> materials, double frequency) {
+ScatterTable::ScatterTable(std::span<const Material> materials, double frequency, bool facets_mirror) {
   for (const Material& material : materials) {
-    const Scattering scattering = material.scattering(frequency);
-    scattering_.push_back(scattering);
+    Scattering scattering = material.scattering(frequency);
+    scattering.facets_mirror |= facets_mirror;
     const double variance = scattering.rms_slope * scattering.rms_slope;
     const double intensity = scattering.reflection * scattering.reflection;
-    reflectance_.push_back(static_cast<float>(intensity));
+    mirrored_.push_back(static_cast<float>(intensity));
     lambert_.push_back(static_cast<float>(scattering.lambert));
     lobe_.push_back(static_cast<float>(intensity / (8 * std::numbers::pi * variance)));
     steepness_.push_back(static_cast<float>(1 / (2 * variance)));
-    roughness_.push_back(static_cast<float>(scattering.roughness));
+    roughness_.push_back(scattering.facets_mirror ? static_cast<float>(scattering.roughness) : 0.0F);
     any_rough_ |= roughness_.back() > 0;
     facets_.push_back(static_cast<float>(1 / (8 * std::numbers::pi * variance)));
+    scattering_.push_back(std::move(scattering));
   }
-  nothing_ = static_cast<std::uint32_t>(reflectance_.size());
-  for (auto* values : {&reflectance_, &lambert_, &lobe_, &steepness_, &facets_}) {
+  nothing_ = static_cast<std::uint32_t>(scattering_.size());
+  for (auto* values : {&mirrored_, &lambert_, &lobe_, &steepness_, &facets_}) {
     values->push_back(0);
   }
-  if (std::ranges::any_of(scattering_, [](const Scattering& scattering) { return scattering.by_angle != nullptr; })) {
+  if (std::ranges::any_of(scattering_, [](const Scattering& scattering) {
+        return scattering.by_angle != nullptr || scattering.mirror_share(1) < 1;
+      })) {
     for (const Scattering& scattering : scattering_) {
-      const auto constant = AngleTable([&](double) { return scattering.reflection * scattering.reflection; });
-      append(scattering.by_angle ? scattering.by_angle->reflectance : constant, by_angle_);
+      append(AngleTable([&](double cosine) { return scattering.reflectance(cosine); }), by_angle_);
       append(scattering.by_angle ? scattering.by_angle->backscatter : AngleTable(), by_angle_);
       append(scattering.by_angle ? scattering.by_angle->diffuse : AngleTable(), by_angle_);
+      append(
+          AngleTable([&](double cosine) { return scattering.reflectance(cosine) * scattering.mirror_share(cosine); }),
+          by_angle_);
       any_on_top_ |= scattering.by_angle && std::ranges::any_of(scattering.by_angle->backscatter.values(),
                                                                 [](double value) { return value != 0; });
     }
@@ -158,12 +162,11 @@ ScatterTable::ScatterTable(std::span<const Material> materials, double frequency
   }
 }
 
-void ScatterTable::fill_reflectances(int rows, const SurfaceLabel* surface, const float* facing,
-                                     float* reflectance) const {
+void ScatterTable::fill_mirrored(int rows, const SurfaceLabel* surface, const float* facing, float* mirrored) const {
   if (by_angle_.empty()) {
-    look_up_constants(rows, reflectance_.data(), nothing_, surface, reflectance);
+    look_up_constants(rows, mirrored_.data(), nothing_, surface, mirrored);
   } else {
-    look_up_reflectances(rows, by_angle_.data(), nothing_, surface, facing, reflectance);
+    look_up_mirrored(rows, by_angle_.data(), nothing_, surface, facing, mirrored);
   }
 }
 

@@ -24,8 +24,9 @@ struct HitColumn;
 /// them the tables of its AngularScattering. The law itself is lambert_backscatter() and facet_backscatter().
 class ScatterTable {
  public:
-  /// @param frequency  [Hz]
-  ScatterTable(std::span<const Material> materials, double frequency);
+  /// @param frequency      [Hz]
+  /// @param facets_mirror  Whether the facets of all materials are mirrors, see Scattering::facets_mirror.
+  ScatterTable(std::span<const Material> materials, double frequency, bool facets_mirror = false);
 
   /// Fills in HitColumn::power of the first `rows` samples: primary_intensity(), in single precision. 0 where nothing
   /// was hit or the relief faces away.
@@ -34,24 +35,24 @@ class ScatterTable {
   /// The parameters of a surface in double precision.
   [[nodiscard]] const Scattering& scattering(SurfaceLabel surface) const { return scattering_[material_of(surface)]; }
 
-  /// |R|^2 of a surface: the share of the intensity that it reflects.
+  /// Share of the intensity that a surface reflects as a mirror.
   /// @param cosine  Of the angle of incidence, of either sign.
-  [[nodiscard]] float reflectance(SurfaceLabel surface, float cosine) const {
+  [[nodiscard]] float mirrored(SurfaceLabel surface, float cosine) const {
     const std::uint16_t material = material_of(surface);
-    return by_angle_.empty() ? reflectance_[material]
-                             : at_angle(&by_angle_[kAngleStride * material], std::abs(cosine), kReflectance);
+    return by_angle_.empty() ? mirrored_[material]
+                             : at_angle(&by_angle_[kAngleStride * material], std::abs(cosine), kMirrored);
   }
 
   /// The same of many samples; 0 where nothing was hit.
-  void fill_reflectances(int rows, const SurfaceLabel* surface, const float* facing, float* reflectance) const;
+  void fill_mirrored(int rows, const SurfaceLabel* surface, const float* facing, float* mirrored) const;
 
   /// 1 / (2 s^2) of a surface.
   [[nodiscard]] float steepness(SurfaceLabel surface) const { return steepness_[material_of(surface)]; }
 
-  /// Scattering::roughness of a surface.
+  /// Scattering::roughness of a surface whose facets are mirrors, 0 of others.
   [[nodiscard]] float roughness(SurfaceLabel surface) const { return roughness_[material_of(surface)]; }
 
-  /// Whether any material has a roughness.
+  /// Whether any surface has such a roughness.
   [[nodiscard]] bool any_rough() const { return any_rough_; }
 
   /// The tables by material, for loops. Index `nothing` holds zeros, for samples without a hit.
@@ -61,7 +62,7 @@ class ScatterTable {
     const float* lobe;       ///< |R|^2 / (8 pi s^2)
     const float* steepness;  ///< 1 / (2 s^2)
     const float* facets;     ///< 1 / (8 pi s^2)
-    const float* by_angle;   ///< [material][kAngleStride]; null where no material has an AngularScattering.
+    const float* by_angle;   ///< [material][kAngleStride]; null where no law depends on the angle.
 
     [[nodiscard, gnu::always_inline]] std::uint32_t index_of(SurfaceLabel surface) const {
       const std::uint32_t material = surface & 0xffffU;  // material_of()
@@ -73,10 +74,11 @@ class ScatterTable {
             steepness_.data(), facets_.data(),  by_angle_.empty() ? nullptr : by_angle_.data()};
   }
 
-  /// Places of the three tables of an AngularScattering in the numbers of one material.
+  /// Places of the tables of one material: those of its AngularScattering, and mirrored().
   static constexpr std::uint32_t kAngleNodes = AngleTable::kSteps + 2;  ///< The last is repeated.
-  static constexpr std::uint32_t kReflectance = 0, kBackscatter = kAngleNodes, kDiffuse = 2 * kAngleNodes;
-  static constexpr std::uint32_t kAngleStride = 3 * kAngleNodes;
+  static constexpr std::uint32_t kReflectance = 0, kBackscatter = kAngleNodes, kDiffuse = 2 * kAngleNodes,
+                                 kMirrored = 3 * kAngleNodes;
+  static constexpr std::uint32_t kAngleStride = 4 * kAngleNodes;
 
   /// AngleTable::at() in single precision, for vector loops.
   /// @param material  First of the numbers of one material.
@@ -92,7 +94,7 @@ class ScatterTable {
  private:
   std::vector<Scattering> scattering_;
   std::uint32_t nothing_ = 0;  // Number of materials.
-  std::vector<float> reflectance_;
+  std::vector<float> mirrored_;
   std::vector<float> lambert_;
   std::vector<float> lobe_;
   std::vector<float> steepness_;
@@ -100,7 +102,7 @@ class ScatterTable {
   std::vector<float> roughness_;
   bool any_rough_ = false;
   bool any_on_top_ = false;      // Whether any AngularScattering::backscatter is not 0.
-  std::vector<float> by_angle_;  // [material][kAngleStride]; empty where no material has an AngularScattering.
+  std::vector<float> by_angle_;  // [material][kAngleStride]; empty where no law depends on the angle.
 };
 
 /// facet_backscatter() in single precision, for vector loops: lobe / cos^4 x exp(-tan^2 x steepness).

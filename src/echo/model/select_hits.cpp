@@ -17,7 +17,7 @@ constexpr float kFullProbability = 0.33F;
 
 // The same in the `calibrated` model, see share_out_energy(). Chosen by `insonify bench sampling` (bench/README.md).
 constexpr float kFullEnergy = 2;
-constexpr float kLeastReflectance = 1e-6F;  // A hit that reflects nothing has the least probability, too.
+constexpr float kNoMirror = 1e-4F;  // Hits that reflect less are not followed.
 
 constexpr float kLeastShare = 1.0F / 16, kMostShare = 0.498F;
 
@@ -64,7 +64,7 @@ void share_out_reflectance(int rows, const float* __restrict__ sent, float scale
     const float energy = reflectance[row];
     const float wish = std::sqrt(energy * sent[row] * scale);
     const float limited = wish < kLeastShare ? kLeastShare : wish > kMostShare ? kMostShare : wish;
-    reflectance[row] = energy > 0 ? limited : 0.0F;
+    reflectance[row] = energy > kNoMirror ? limited : 0.0F;
     turn[row] = turn_of(reflectance[row]);
   }
 }
@@ -75,13 +75,10 @@ void share_out_energy(const PingPlan& plan, int column, int rows, const HitColum
                       std::uint32_t* turn) {
   const float* const sent = plan.lattice.shares(column);
   const float most = *std::max_element(sent, sent + plan.lattice.rows);
-  plan.scatter.fill_reflectances(rows, hits.surface, hits.facing, share);
-  for (int row = 0; row < rows; ++row) {
-    share[row] = hits.surface[row] != kNoSurface ? std::max(share[row], kLeastReflectance) : 0.0F;
-  }
+  plan.scatter.fill_mirrored(rows, hits.surface, hits.facing, share);
   if (hits.has_relief) {
     for (int row = 0; row < rows; ++row) {
-      share[row] *= std::max(hits.texture[row] * hits.texture[row], kLeastReflectance);
+      share[row] *= hits.texture[row] * hits.texture[row];
     }
   }
   const float scale = most > 0 ? 1 / (kFullEnergy * most) : 0;  // A cone beyond the sector has no solid angle.

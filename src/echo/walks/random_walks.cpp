@@ -86,11 +86,13 @@ float RandomWalks::per_steradian(const SurfaceLaw& law, const Hit& hit, const Ve
                                  const Walk& walk) const {
   const Vec3f normal = hit.normal.cast<float>();
   if (order == 2) {
-    return walk.first_mirrored ? 0.0F : law.diffuse_into(normal, out);
+    return walk.first_mirrored
+               ? 0.0F
+               : law.diffuse_into(normal, out) + (1 - law.coherent) * law.mirrored_into(normal, in, out);
   }
   const bool by_one_mirror = order == 3 && walk.first_mirrored && walk.first_surface == label_of(hit) &&
                              walk.first_normal.dot(normal) > kSameMirror;
-  return law.diffuse_into(normal, out) + (by_one_mirror ? 0.0F : law.mirrored_into(normal, in, out));
+  return law.diffuse_into(normal, out) + (by_one_mirror ? 1 - law.coherent : 1.0F) * law.mirrored_into(normal, in, out);
 }
 
 // Prepares the leg from the end of a walk back to the sonar, and the echo that it brings.

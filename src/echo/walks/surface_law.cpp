@@ -60,6 +60,7 @@ SurfaceLaw SurfaceLaw::of(const Scattering& scattering, float texture, float cos
   const double most = std::max(1.0, diffuse + mirrored);
   return {.diffuse = static_cast<float>(diffuse / most),
           .mirrored = static_cast<float>(mirrored / most),
+          .coherent = static_cast<float>(scattering.mirror_share(std::min(std::abs(double{cosine}), 1.0))),
           .slope = static_cast<float>(std::max(scattering.rms_slope, kLeastWalkSlope))};
 }
 
@@ -89,7 +90,7 @@ SurfaceLaw::Next SurfaceLaw::draw(const Vec3f& normal, const Vec3f& in, float ch
   const Vec3f out = (in + 2 * met * facet).normalized();
   return {.direction = out.dot(normal) > 0 ? out : folded(normal, out),
           .share = met > 0 ? both * met / (held * upright) * facet_masking(held, slope) : 0.0F,
-          .mirrored = true};
+          .mirrored = choice * both < diffuse + coherent * mirrored};
 }
 
 }  // namespace insonify

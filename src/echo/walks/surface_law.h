@@ -24,6 +24,7 @@ inline constexpr double kLeastWalkSlope = 0.1;
 struct SurfaceLaw {
   float diffuse = 0;                                  ///< Share that is scattered diffusely, 0..1.
   float mirrored = 0;                                 ///< Share that is reflected by facets, 0..1.
+  float coherent = 1;                                 ///< Share of it that other echoes follow, as from a mirror, 0..1.
   float slope = static_cast<float>(kLeastWalkSlope);  ///< Rms slope of the facets along each axis.
 
   /// @param texture  Factor on the amplitude, ReliefPoint::reflectivity.
@@ -41,7 +42,7 @@ struct SurfaceLaw {
     Vec3f direction;
     float share = 0;  ///< Factor on the energy that the walk carries, so that its mean over all draws is right; 0: none
                       ///< goes on.
-    bool mirrored = false;
+    bool mirrored = false;  ///< By what other echoes follow as a mirror.
   };
   /// Draws diffuse or mirrored sound in proportion to their shares, and its direction after the densities above.
   /// @param choice, radius, turn  Uniform in (0, 1).
