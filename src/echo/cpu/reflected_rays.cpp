@@ -69,35 +69,66 @@ void compare(const HitColumn& strip, const int* __restrict__ beside, int count, 
   }
 }
 
+// Facets that reflect sixteen rays, in loops of their own: as one, compilers branch where a slope is limited or 0, and
+// do not vectorise it.
+struct DrawnFacets {
+  float along[kPacketSize], across[kPacketSize];  // FacetSlopes
+  float slope[kPacketSize];                       // facet_slope()
+  float reflected_x[kPacketSize], reflected_y[kPacketSize], reflected_z[kPacketSize];
+  float reach[kPacketSize], share[kPacketSize];
+};
+
 INSONIFY_VECTOR_CLONES
-void turn(const HitColumn& strip, const int* __restrict__ place_of, int count, float max_range, std::uint32_t seed,
-          const Mirrors& __restrict__ mirrors, const EdgeLanes& __restrict__ edges, RTCRay16& __restrict__ rays,
-          ReflectedOrigins& __restrict__ origins) {
+void draw_slopes(int count, std::uint32_t seed, const ReflectedOrigins& __restrict__ origins,
+                 DrawnFacets& __restrict__ facets) {
+  for (int lane = 0; lane < count; ++lane) {
+    const FacetSlopes slopes = FacetSlopes::of(static_cast<std::uint32_t>(origins.column[lane]),
+                                               static_cast<std::uint32_t>(origins.row[lane]), seed);
+    facets.along[lane] = slopes.along;
+    facets.across[lane] = slopes.across;
+    facets.slope[lane] = facet_slope(1 / std::sqrt(2 * origins.steepness[lane]), origins.roughness[lane],
+                                     origins.incidence[lane], slopes.pick);
+  }
+}
+
+INSONIFY_VECTOR_CLONES
+void reflect_from_facets(const HitColumn& strip, const int* __restrict__ place_of, int count, float max_range,
+                         const Mirrors& __restrict__ mirrors, const EdgeLanes& __restrict__ edges,
+                         const float* __restrict__ range, DrawnFacets& __restrict__ facets) {
   const float* __restrict__ gradient_x = strip.gradient_x;
   const float* __restrict__ gradient_y = strip.gradient_y;
   const float* __restrict__ gradient_z = strip.gradient_z;
   const float relief = strip.has_relief ? 1.0F : 0.0F;
   for (int lane = 0; lane < count; ++lane) {
-    const float out = origins.range[lane];
+    const float out = range[lane];
     const Triple place{mirrors.place_x[lane], mirrors.place_y[lane], mirrors.place_z[lane]};
     const Triple direction = (1 / out) * place;
-    const FacetSlopes slopes = FacetSlopes::of(static_cast<std::uint32_t>(origins.column[lane]),
-                                               static_cast<std::uint32_t>(origins.row[lane]), seed);
-    const float slope = facet_slope(1 / std::sqrt(2 * origins.steepness[lane]), origins.roughness[lane],
-                                    origins.incidence[lane], slopes.pick);
     const int at = place_of[lane];
     const Triple gradient = relief * Triple{gradient_x[at], gradient_y[at], gradient_z[at]};
     const Triple tilt{edges.tilt_x[lane], edges.tilt_y[lane], edges.tilt_z[lane]};
     const MirrorFacet facet =
         mirror_facet(direction, {mirrors.normal_x[lane], mirrors.normal_y[lane], mirrors.normal_z[lane]}, gradient,
-                     slope, slopes, tilt);
+                     facets.slope[lane], {facets.along[lane], facets.across[lane]}, tilt);
     const Triple reflected = direction - 2 * direction.dot(facet.normal) * facet.normal;
-    const bool turned = (slope > 0) | (origins.faces.finite[lane] > 0);
-    rays.tfar[lane] = turned ? reflected_reach(out, direction.dot(reflected), max_range) : rays.tfar[lane];
-    rays.dir_x[lane] = turned ? reflected.x : rays.dir_x[lane];
-    rays.dir_y[lane] = turned ? reflected.y : rays.dir_y[lane];
-    rays.dir_z[lane] = turned ? reflected.z : rays.dir_z[lane];
-    origins.share[lane] = turned ? facet.share : 1.0F;
+    facets.reflected_x[lane] = reflected.x;
+    facets.reflected_y[lane] = reflected.y;
+    facets.reflected_z[lane] = reflected.z;
+    facets.reach[lane] = reflected_reach(out, direction.dot(reflected), max_range);
+    facets.share[lane] = facet.share;
+  }
+}
+
+// Where the slope is 0 and the mirror has no edges, the ray stays as it is.
+INSONIFY_VECTOR_CLONES
+void turn_rays(int count, const DrawnFacets& __restrict__ facets, const float* __restrict__ finite,
+               RTCRay16& __restrict__ rays, float* __restrict__ share) {
+  for (int lane = 0; lane < count; ++lane) {
+    const bool turned = (facets.slope[lane] > 0) | (finite[lane] > 0);
+    rays.tfar[lane] = turned ? facets.reach[lane] : rays.tfar[lane];
+    rays.dir_x[lane] = turned ? facets.reflected_x[lane] : rays.dir_x[lane];
+    rays.dir_y[lane] = turned ? facets.reflected_y[lane] : rays.dir_y[lane];
+    rays.dir_z[lane] = turned ? facets.reflected_z[lane] : rays.dir_z[lane];
+    share[lane] = turned ? facets.share[lane] : 1.0F;
   }
 }
 
@@ -137,7 +168,10 @@ void compare_beside(const HitColumn& strip, const int* beside, int count, const 
 
 void turn_to_facets(const HitColumn& strip, const int* place, int count, float max_range, std::uint32_t seed,
                     const Mirrors& mirrors, const EdgeLanes& edges, RTCRay16& rays, ReflectedOrigins& origins) {
-  turn(strip, place, count, max_range, seed, mirrors, edges, rays, origins);
+  DrawnFacets facets;
+  draw_slopes(count, seed, origins, facets);
+  reflect_from_facets(strip, place, count, max_range, mirrors, edges, origins.range, facets);
+  turn_rays(count, facets, origins.faces.finite, rays, origins.share);
 }
 
 void set_edges(const FaceEdges& face, int lane, float wavelength, float incidence, std::uint32_t seed, EdgeLanes& edges,
