@@ -122,18 +122,26 @@ bool find_windows(BinRange bins, const Windows& windows, const float* __restrict
     const float along = ahead[bin + 1] - ahead[bin], rise = up[bin + 1] - up[bin];
     const float middle_ahead = 0.5F * (ahead[bin + 1] + ahead[bin]), middle_up = 0.5F * (up[bin + 1] + up[bin]);
     const bool rises = std::abs(rise) > std::abs(along);
-    const float extent = w.share * (rises ? rise : along);
+    // One branch for all that depends on it, so that the loop becomes vector code.
+    float extent = w.share * along, middle = w.ahead.rest + middle_ahead;
+    float off = w.up.in_layers + middle_up * w.layers_per_step;
+    std::int32_t layer = w.up.layer;
+    std::uint32_t whole = w.ahead.whole, direction = 0;
+    if (rises) {
+      extent = w.share * rise, middle = w.up.rest + middle_up;
+      off = w.ahead.in_layers + middle_ahead * w.layers_per_step;
+      layer = w.ahead.layer;
+      whole = w.up.whole, direction = 1;
+    }
     const float steps = std::abs(extent);
-    const float low = (rises ? w.up.rest + middle_up : w.ahead.rest + middle_ahead) - 0.5F * steps;
-    const float off =
-        rises ? w.ahead.in_layers + middle_ahead * w.layers_per_step : w.up.in_layers + middle_up * w.layers_per_step;
-    const std::int32_t layer = rounded_down(off) + (rises ? w.ahead.layer : w.up.layer);
+    const float low = middle - 0.5F * steps;
     const std::int32_t first = -rounded_down(kPlace - low);  // Rounded up.
-    patch[bin] = ((static_cast<std::uint32_t>(layer) << 1 | (rises ? 1U : 0U)) << kRungBits);
-    index[bin] = (rises ? w.up.whole : w.ahead.whole) + static_cast<std::uint32_t>(first);
+    patch[bin] = (static_cast<std::uint32_t>(rounded_down(off) + layer) << 1 | direction) << kRungBits;
+    index[bin] = whole + static_cast<std::uint32_t>(first);
     begin[bin] = low - static_cast<float>(first);
     length[bin] = extent;
-    odd |= steps < kShortest || steps >= kShortest * static_cast<float>(kLadder) ? 1U : 0U;
+    const bool is_short = steps < kShortest, is_long = steps >= kShortest * static_cast<float>(kLadder);
+    odd |= static_cast<std::uint32_t>(is_short | is_long);
   }
   return odd != 0;
 }
