@@ -27,6 +27,15 @@
 
 namespace insonify {
 
+/// x held at 0..1. In integers, by the order of their bits: compilers turn comparisons of floats into branches that
+/// they then do not vectorize.
+[[gnu::always_inline]] inline float held_in_unit(float x) {
+  constexpr std::int32_t kOne = 0x3f800000;
+  const auto bits = std::bit_cast<std::int32_t>(x);
+  const std::int32_t positive = bits > 0 ? bits : 0;
+  return std::bit_cast<float>(positive < kOne ? positive : kOne);
+}
+
 /// e^x, relative error below 2e-7 for x in -87..88; clamped there. After Moshier's Cephes library (expf).
 [[gnu::always_inline]] inline float fast_exp(float x) {
   x = x < -87.0F ? -87.0F : x > 88.0F ? 88.0F : x;

@@ -36,5 +36,17 @@ TEST(VectorMathTest, SineAndCosineKeepSixDigitsThroughEveryQuadrant) {
   }
 }
 
+TEST(VectorMathTest, NumbersAreHeldInTheUnitInterval) {
+  for (const float inside : {0.0F, 1e-38F, 0.25F, 0.99999994F, 1.0F}) {
+    EXPECT_EQ(held_in_unit(inside), inside);
+  }
+  for (const float below : {-0.0F, -1e-38F, -0.5F, -1.0F, -1e30F}) {
+    EXPECT_EQ(held_in_unit(below), 0.0F);
+  }
+  for (const float above : {1.0000001F, 2.0F, 1e30F}) {
+    EXPECT_EQ(held_in_unit(above), 1.0F);
+  }
+}
+
 }  // namespace
 }  // namespace insonify

@@ -14,14 +14,42 @@ namespace {
   return cosine < kLeastCosine ? kLeastCosine : cosine;
 }
 
+// What the tables of AngularScattering have for the second surfaces.
+struct AngleLanes {
+  float facets[kPathLanes];                             // ScatterTable::Laws::facets
+  float reflectance[kPathLanes], mirrored[kPathLanes];  // Of facets at the half vector.
+  float diffuse_in[kPathLanes], diffuse_out[kPathLanes], backscatter[kPathLanes];
+};
+
+// A loop of its own: within that of fill_lanes(), compilers branch and do not vectorise it.
+INSONIFY_VECTOR_CLONES
+void look_up_lanes(const ScatterTable::Laws laws, const MirrorPaths& __restrict__ paths,
+                   AngleLanes& __restrict__ angles) {
+  const float* const by_angle = laws.by_angle;
+  for (int lane = 0; lane < kPathLanes; ++lane) {
+    const std::uint32_t material = laws.index_of(paths.surface[lane]);
+    const std::uint32_t tables = ScatterTable::kAngleStride * material;
+    angles.facets[lane] = laws.facets[material];
+    const float in = held(std::abs(paths.in[lane])), out = std::abs(paths.out[lane]), facet = paths.facet[lane];
+    angles.reflectance[lane] = ScatterTable::at_angle(by_angle, tables + ScatterTable::kReflectance, facet);
+    angles.mirrored[lane] = ScatterTable::at_angle(by_angle, tables + ScatterTable::kMirrored, facet);
+    angles.diffuse_in[lane] = ScatterTable::at_angle(by_angle, tables + ScatterTable::kDiffuse, in);
+    angles.diffuse_out[lane] = ScatterTable::at_angle(by_angle, tables + ScatterTable::kDiffuse, out);
+    angles.backscatter[lane] = ScatterTable::at_angle(by_angle, tables + ScatterTable::kBackscatter, in);
+  }
+}
+
 template <bool by_angle>
-[[gnu::always_inline]] inline void fill_lanes(const ScatterTable::Laws& laws, float neper_per_metre,
-                                              const MirrorPaths& __restrict__ paths,
+[[gnu::always_inline]] inline void fill_lanes(const ScatterTable::Laws& laws, const AngleLanes* __restrict__ angles,
+                                              float neper_per_metre, const MirrorPaths& __restrict__ paths,
                                               MirrorPowers& __restrict__ powers) {
   for (int lane = 0; lane < kPathLanes; ++lane) {
     const std::uint32_t material = laws.index_of(paths.surface[lane]);
     const float steepness = laws.steepness[material], lobe_back = laws.lobe[material];
-    const float smoother = paths.steepness[lane] > steepness ? 1.0F : paths.steepness[lane] < steepness ? 0.0F : 0.5F;
+    // 1 where the mirror is the smoother one, 0.5 where both are equal, else 0. Not a choice of three, which would be a
+    // branch.
+    const float smoother = 0.5F * (static_cast<float>(paths.steepness[lane] > steepness) +
+                                   static_cast<float>(paths.steepness[lane] >= steepness));
     float mu = laws.lambert[material], lobe = smoother * lobe_back, back_on_top = 0;
     const float in = held(std::abs(paths.in[lane])), out = std::abs(paths.out[lane]);
     const float half = held(std::abs(paths.half[lane]));
@@ -31,13 +59,9 @@ template <bool by_angle>
         paths.share[lane] * paths.reflectance[lane] * paths.texture[lane] * paths.texture[lane];
 
     if constexpr (by_angle) {
-      const float* tables = laws.by_angle + ScatterTable::kAngleStride * material;
-      lobe = laws.facets[material] *
-             (ScatterTable::at_angle(tables, paths.facet[lane], ScatterTable::kReflectance) -
-              (1 - smoother) * ScatterTable::at_angle(tables, paths.facet[lane], ScatterTable::kMirrored));
-      mu += ScatterTable::at_angle(tables, in, ScatterTable::kDiffuse) *
-            ScatterTable::at_angle(tables, out, ScatterTable::kDiffuse);
-      back_on_top = ScatterTable::at_angle(tables, in, ScatterTable::kBackscatter);
+      lobe = angles->facets[lane] * (angles->reflectance[lane] - (1 - smoother) * angles->mirrored[lane]);
+      mu += angles->diffuse_in[lane] * angles->diffuse_out[lane];
+      back_on_top = angles->backscatter[lane];
     }
     const float glint_across = facet_lobe(lobe, steepness, half) / in;
     const float glint_along = facet_lobe(lobe_back, steepness, in) / in;
@@ -56,13 +80,13 @@ template <bool by_angle>
 INSONIFY_VECTOR_CLONES
 void fill(const ScatterTable::Laws laws, float neper_per_metre, const MirrorPaths& __restrict__ paths,
           MirrorPowers& __restrict__ powers) {
-  fill_lanes<false>(laws, neper_per_metre, paths, powers);
+  fill_lanes<false>(laws, nullptr, neper_per_metre, paths, powers);
 }
 
 INSONIFY_VECTOR_CLONES
-void fill_by_angle(const ScatterTable::Laws laws, float neper_per_metre, const MirrorPaths& __restrict__ paths,
-                   MirrorPowers& __restrict__ powers) {
-  fill_lanes<true>(laws, neper_per_metre, paths, powers);
+void fill_by_angle(const ScatterTable::Laws laws, const AngleLanes& __restrict__ angles, float neper_per_metre,
+                   const MirrorPaths& __restrict__ paths, MirrorPowers& __restrict__ powers) {
+  fill_lanes<true>(laws, &angles, neper_per_metre, paths, powers);
 }
 
 }  // namespace
@@ -70,7 +94,13 @@ void fill_by_angle(const ScatterTable::Laws laws, float neper_per_metre, const M
 void fill_mirror_powers(const ScatterTable& scatter, float neper_per_metre, const MirrorPaths& paths,
                         MirrorPowers& powers) {
   const ScatterTable::Laws laws = scatter.laws();
-  (laws.by_angle != nullptr ? fill_by_angle : fill)(laws, neper_per_metre, paths, powers);
+  if (laws.by_angle == nullptr) {
+    fill(laws, neper_per_metre, paths, powers);
+  } else {
+    AngleLanes angles;
+    look_up_lanes(laws, paths, angles);
+    fill_by_angle(laws, angles, neper_per_metre, paths, powers);
+  }
 }
 
 }  // namespace insonify

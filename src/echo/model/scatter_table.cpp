@@ -13,20 +13,23 @@
 namespace insonify {
 namespace {
 
-// What an AngularScattering adds to both laws.
-template <bool by_angle>
-[[gnu::always_inline]] inline float on_top(const ScatterTable::Laws& laws, std::uint32_t material, float cosine) {
-  if constexpr (by_angle) {
-    return ScatterTable::at_angle(laws.by_angle + ScatterTable::kAngleStride * material, cosine,
-                                  ScatterTable::kBackscatter);
-  } else {
-    return 0;
+// Reads one of the tables of AngularScattering for each sample. A loop of its own: within a longer one, compilers
+// branch and do not vectorise it.
+INSONIFY_VECTOR_CLONES
+void look_up_rows(int rows, const float* by_angle, std::uint32_t table, std::uint32_t nothing,
+                  const SurfaceLabel* __restrict__ surface, const float* __restrict__ facing,
+                  float* __restrict__ values) {
+  for (int row = 0; row < rows; ++row) {
+    const std::uint32_t own = surface[row] & 0xffffU;  // material_of()
+    const std::uint32_t material = own < nothing ? own : nothing;
+    values[row] =
+        ScatterTable::at_angle(by_angle, ScatterTable::kAngleStride * material + table, std::abs(facing[row]));
   }
 }
 
 // Where the cosine of incidence is below kLeastCosine, the lobe is computed at kLeastCosine: nothing is left of it
-// there.
-template <bool by_angle>
+// there. If `on_top`, `power` holds what an AngularScattering adds to both laws.
+template <bool on_top>
 [[gnu::always_inline]] inline void scatter_rows(int rows, const ScatterTable::Laws& laws, float neper_per_metre,
                                                 const SurfaceLabel* __restrict__ surface,
                                                 const float* __restrict__ facing, const float* __restrict__ range,
@@ -37,22 +40,21 @@ template <bool by_angle>
     const float held = cosine < kLeastCosine ? kLeastCosine : cosine;
     const float glint = facet_lobe(laws.lobe[material], laws.steepness[material], held) / held;
     const float spread = fast_exp(-4 * neper_per_metre * range[row]) / (range[row] * range[row]);
-    const float scattered = laws.lambert[material] * cosine + glint + on_top<by_angle>(laws, material, cosine);
+    const float scattered = laws.lambert[material] * cosine + glint + (on_top ? power[row] : 0.0F);
     power[row] = (range[row] > 0) & (cosine > 0) ? scattered * spread : 0.0F;
   }
 }
 
 // The same where the normal turns within the footprints.
-template <bool by_angle>
+template <bool on_top>
 [[gnu::always_inline]] inline void scatter_curved_rows(int rows, const ScatterTable::Laws& laws, float neper_per_metre,
-                                                       const HitColumn& hits) {
+                                                       const HitColumn& hits, float* __restrict__ power) {
   const SurfaceLabel* const surface = hits.surface;
   const float *const range = hits.range, *const facing = hits.facing;
   const float *const dx = hits.direction_x, *const dy = hits.direction_y, *const dz = hits.direction_z;
   const float *const nx = hits.normal_x, *const ny = hits.normal_y, *const nz = hits.normal_z;
   const float *const ux = hits.turn_up_x, *const uy = hits.turn_up_y, *const uz = hits.turn_up_z;
   const float *const vx = hits.turn_side_x, *const vy = hits.turn_side_y, *const vz = hits.turn_side_z;
-  float* __restrict__ const power = hits.power;
   for (int row = 0; row < rows; ++row) {
     const std::uint32_t material = laws.index_of(surface[row]);
     const TurnProducts<float> turns = {
@@ -69,7 +71,7 @@ template <bool by_angle>
     const float held = cosine < kLeastCosine ? kLeastCosine : cosine;
     const float glint = widened_lobe(laws.lobe[material], laws.steepness[material], held, widening);
     const float spread = fast_exp(-4 * neper_per_metre * range[row]) / (range[row] * range[row]);
-    const float scattered = laws.lambert[material] * cosine + glint + on_top<by_angle>(laws, material, cosine);
+    const float scattered = laws.lambert[material] * cosine + glint + (on_top ? power[row] : 0.0F);
     power[row] = (range[row] > 0) & (cosine > 0) ? scattered * spread : 0.0F;
   }
 }
@@ -81,31 +83,22 @@ void scatter(int rows, const ScatterTable::Laws laws, float neper_per_metre, con
 }
 
 INSONIFY_VECTOR_CLONES
-void scatter_by_angle(int rows, const ScatterTable::Laws laws, float neper_per_metre,
-                      const SurfaceLabel* __restrict__ surface, const float* __restrict__ facing,
-                      const float* __restrict__ range, float* __restrict__ power) {
+void scatter_on_top(int rows, const ScatterTable::Laws laws, float neper_per_metre,
+                    const SurfaceLabel* __restrict__ surface, const float* __restrict__ facing,
+                    const float* __restrict__ range, float* __restrict__ power) {
   scatter_rows<true>(rows, laws, neper_per_metre, surface, facing, range, power);
 }
 
 INSONIFY_VECTOR_CLONES
-void scatter_curved(int rows, const ScatterTable::Laws laws, float neper_per_metre, const HitColumn& hits) {
-  scatter_curved_rows<false>(rows, laws, neper_per_metre, hits);
+void scatter_curved(int rows, const ScatterTable::Laws laws, float neper_per_metre, const HitColumn& hits,
+                    float* __restrict__ power) {
+  scatter_curved_rows<false>(rows, laws, neper_per_metre, hits, power);
 }
 
 INSONIFY_VECTOR_CLONES
-void scatter_curved_by_angle(int rows, const ScatterTable::Laws laws, float neper_per_metre, const HitColumn& hits) {
-  scatter_curved_rows<true>(rows, laws, neper_per_metre, hits);
-}
-
-INSONIFY_VECTOR_CLONES
-void look_up_mirrored(int rows, const float* by_angle, std::uint32_t nothing, const SurfaceLabel* __restrict__ surface,
-                      const float* __restrict__ facing, float* __restrict__ mirrored) {
-  for (int row = 0; row < rows; ++row) {
-    const std::uint32_t own = surface[row] & 0xffffU;  // material_of()
-    const std::uint32_t material = own < nothing ? own : nothing;
-    mirrored[row] = ScatterTable::at_angle(by_angle + ScatterTable::kAngleStride * material, std::abs(facing[row]),
-                                           ScatterTable::kMirrored);
-  }
+void scatter_curved_on_top(int rows, const ScatterTable::Laws laws, float neper_per_metre, const HitColumn& hits,
+                           float* __restrict__ power) {
+  scatter_curved_rows<true>(rows, laws, neper_per_metre, hits, power);
 }
 
 INSONIFY_VECTOR_CLONES
@@ -166,16 +159,19 @@ void ScatterTable::fill_mirrored(int rows, const SurfaceLabel* surface, const fl
   if (by_angle_.empty()) {
     look_up_constants(rows, mirrored_.data(), nothing_, surface, mirrored);
   } else {
-    look_up_mirrored(rows, by_angle_.data(), nothing_, surface, facing, mirrored);
+    look_up_rows(rows, by_angle_.data(), kMirrored, nothing_, surface, facing, mirrored);
   }
 }
 
 void ScatterTable::fill_powers(int rows, float neper_per_metre, const HitColumn& hits) const {
+  if (any_on_top_) {
+    look_up_rows(rows, by_angle_.data(), kBackscatter, nothing_, hits.surface, hits.facing, hits.power);
+  }
   if (hits.curved) {
-    (any_on_top_ ? scatter_curved_by_angle : scatter_curved)(rows, laws(), neper_per_metre, hits);
+    (any_on_top_ ? scatter_curved_on_top : scatter_curved)(rows, laws(), neper_per_metre, hits, hits.power);
   } else {
-    (any_on_top_ ? scatter_by_angle : scatter)(rows, laws(), neper_per_metre, hits.surface, hits.facing, hits.range,
-                                               hits.power);
+    (any_on_top_ ? scatter_on_top : scatter)(rows, laws(), neper_per_metre, hits.surface, hits.facing, hits.range,
+                                             hits.power);
   }
   if (hits.has_relief) {
     for (int row = 0; row < rows; ++row) {

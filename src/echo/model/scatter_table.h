@@ -40,7 +40,7 @@ class ScatterTable {
   [[nodiscard]] float mirrored(SurfaceLabel surface, float cosine) const {
     const std::uint16_t material = material_of(surface);
     return by_angle_.empty() ? mirrored_[material]
-                             : at_angle(&by_angle_[kAngleStride * material], std::abs(cosine), kMirrored);
+                             : at_angle(by_angle_.data(), kAngleStride * material + kMirrored, std::abs(cosine));
   }
 
   /// The same of many samples; 0 where nothing was hit.
@@ -81,14 +81,16 @@ class ScatterTable {
   static constexpr std::uint32_t kAngleStride = 4 * kAngleNodes;
 
   /// AngleTable::at() in single precision, for vector loops.
-  /// @param material  First of the numbers of one material.
+  /// @param by_angle  Laws::by_angle.
+  /// @param first     Place in it of a table of a material, kAngleStride x material + kReflectance or so. An
+  ///                  index, since compilers vectorise look-ups only from a fixed address.
   /// @param cosine    0..1.
-  [[nodiscard, gnu::always_inline]] static float at_angle(const float* material, float cosine, std::uint32_t table) {
-    const float rest = cosine < 1 ? 1 - cosine : 0.0F;
-    const float place = AngleTable::kSteps * std::sqrt(rest < 1 ? rest : 1.0F);
+  [[nodiscard, gnu::always_inline]] static float at_angle(const float* by_angle, std::uint32_t first, float cosine) {
+    const float place = AngleTable::kSteps * std::sqrt(held_in_unit(1 - cosine));
     const auto node = static_cast<std::int32_t>(place);
-    const float* here = material + table + node;
-    return here[0] + (place - static_cast<float>(node)) * (here[1] - here[0]);
+    const std::uint32_t at = first + static_cast<std::uint32_t>(node);
+    const float here = by_angle[at];
+    return here + (place - static_cast<float>(node)) * (by_angle[at + 1] - here);
   }
 
  private:

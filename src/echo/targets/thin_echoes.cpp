@@ -37,10 +37,11 @@ float strength_of(const ThinParts::Patch& patch, const Vec3f& direction, float c
   const float glint = facet_lobe(laws.lobe[material], laws.steepness[material],
                                  std::min(std::sqrt(held * held + widening.spared), 1.0F)) *
                       std::sqrt(widening.share);
-  const float on_top = laws.by_angle == nullptr
-                           ? 0.0F
-                           : held * ScatterTable::at_angle(laws.by_angle + ScatterTable::kAngleStride * material, held,
-                                                           ScatterTable::kBackscatter);
+  const float on_top =
+      laws.by_angle == nullptr
+          ? 0.0F
+          : held * ScatterTable::at_angle(laws.by_angle,
+                                          ScatterTable::kAngleStride * material + ScatterTable::kBackscatter, held);
   return patch.area * (laws.lambert[material] * cosine * cosine + glint + on_top);
 }
 
