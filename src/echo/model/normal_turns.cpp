@@ -3,7 +3,9 @@
 #include "echo/model/normal_turns.h"
 
 #include <algorithm>
+#include <bit>
 #include <cassert>
+#include <cstdint>
 
 #include "base/vector_math.h"
 
@@ -38,7 +40,7 @@ template <bool kSheared>
                                              const float* up_x, const float* up_y, const float* up_z,
                                              float* __restrict__ x, float* __restrict__ y, float* __restrict__ z,
                                              float* __restrict__ joined) {
-  float most = 0;
+  std::int32_t most = 0;  // As the bits of a float >= 0, since maxima of floats are not vectorised.
   for (int i = 0; i < rows; ++i) {
     float dx = b.x[i] - a.x[i], dy = b.y[i] - a.y[i], dz = b.z[i] - a.z[i];
     if constexpr (kSheared) {
@@ -53,14 +55,16 @@ template <bool kSheared>
     const float off = a.x[i] * px + a.y[i] * py + a.z[i] * pz;
     const bool near_plane = off * off <= kMostOffPlane * kMostOffPlane * (px * px + py * py + pz * pz);
     const bool same = (a.surface[i] == b.surface[i]) & (a.surface[i] != kNoSurface);
-    const float both = same & near_plane & (turn < kMostTurn * kMostTurn) ? 1.0F : 0.0F;
+    const bool is_joined = same & near_plane & (turn < kMostTurn * kMostTurn);
+    const float both = is_joined ? 1.0F : 0.0F;
     x[i] = both * dx;
     y[i] = both * dy;
     z[i] = both * dz;
     joined[i] = both;
-    most = std::max(most, both * turn);
+    const std::int32_t bits = std::bit_cast<std::int32_t>(turn) & -static_cast<std::int32_t>(is_joined);
+    most = bits > most ? bits : most;
   }
-  return most;
+  return std::bit_cast<float>(most);
 }
 
 INSONIFY_VECTOR_CLONES
