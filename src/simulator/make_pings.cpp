@@ -21,9 +21,10 @@ void Simulator::State::make(const PingRequest& request, SimulatedSonar& sonar, c
     parts.engine.insonify(plan, world_from_sonar, grid);
     parts.thin.add(plan, world_from_sonar, poses, parts.engine, parts.workers, grid);
     if (sonar.walks) {
-      sonar.walks->add(plan, world_from_sonar, request.number, parts.engine, grid);
+      sonar.walks->add(plan, world_from_sonar, request.number, parts.corners.act(plan), parts.engine, grid);
     }
     grid.discrete_echoes().clear();
+    parts.corners.add(plan, world_from_sonar, poses, parts.engine, grid);
     parts.points.add(plan, world_from_sonar, parts.engine, grid);
     if (ghosts) {
       ghosts->add(plan, world_from_sonar, request.number, scenario.receiver_of(sonar.config).speckle, parts.engine,
@@ -79,6 +80,7 @@ void Simulator::State::make_together(int index, std::span<const PingRequest> req
     }
     own.push_back(std::unique_ptr<Lane>(new Lane{std::move(sharing), PointEchoes(scenario.points),
                                                  Interference(scenario.interferers), ThinEchoes(thin_parts),
+                                                 CornerEchoes(corners),
                                                  simulated(scenario, scenario.sonars[index])}));
   }
   for (const auto& lane : own) {

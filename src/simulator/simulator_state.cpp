@@ -50,6 +50,7 @@ void Simulator::State::take_in_scene() {
       sea->reset();
     }
     find_thin();
+    find_corner_echoes();
     scene_changed = false;
   }
 }
@@ -74,6 +75,19 @@ void Simulator::State::find_thin() {
   for (const Instance& instance : scene.instances) {
     poses.push_back(instance.world_from_mesh);
   }
+}
+
+void Simulator::State::find_corner_echoes() {
+  if (scenario.model != EchoModel::kCalibrated) {
+    return;
+  }
+  std::optional<WaterMirror> water;
+  if (sea) {
+    const auto label = surface_label(static_cast<std::uint16_t>(sea->instance()), sea->material());
+    water = WaterMirror{.level = scenario.surface->level, .surface = label};
+  }
+  corners = std::make_shared<const std::vector<Corner>>(find_corners(scene, water));
+  corner_echoes = CornerEchoes(corners);
 }
 
 void Simulator::State::place(const SimulatedSonar& sonar, const PingRequest& request) {

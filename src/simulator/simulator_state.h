@@ -9,6 +9,7 @@
 
 #include "base/parallel.h"
 #include "echo/engine.h"
+#include "echo/targets/corner_echoes.h"
 #include "echo/targets/interference.h"
 #include "echo/targets/point_echoes.h"
 #include "echo/targets/surface_ghosts.h"
@@ -35,6 +36,9 @@ struct Simulator::State {
   /// Finds the parts that are too thin for the lattice, and has the engine leave them out.
   void find_thin();
 
+  /// Finds the corners of three mirrors.
+  void find_corner_echoes();
+
   /// Turns the echoes of one request into a ping.
   struct Parts {
     Engine& engine;
@@ -42,9 +46,10 @@ struct Simulator::State {
     PointEchoes& points;
     Interference& interference;
     ThinEchoes& thin;
+    CornerEchoes& corners;
   };
   void make(const PingRequest& request, SimulatedSonar& sonar, const Parts& parts, Ping& ping);
-  [[nodiscard]] Parts parts() { return {*engine, workers, points, interference, thin}; }
+  [[nodiscard]] Parts parts() { return {*engine, workers, points, interference, thin, corner_echoes}; }
 
   /// How many of the requests after the first can be made by several threads at once, each ping by one: nothing may
   /// move in the scene but the sonar, and all must be valid. A multiple of the number of threads, and never the last,
@@ -69,6 +74,8 @@ struct Simulator::State {
   Interference interference;
   std::shared_ptr<const ThinParts> thin_parts;  ///< Null in the paper model.
   ThinEchoes thin;
+  std::shared_ptr<const std::vector<Corner>> corners;  ///< Null in the paper model.
+  CornerEchoes corner_echoes;
   std::vector<Pose> poses;  ///< [instance] World from mesh, at the last ping or place().
   std::vector<SimulatedSonar> sonars;
 
@@ -83,10 +90,13 @@ struct Simulator::State {
     PointEchoes own_points;
     Interference own_interference;
     ThinEchoes own_thin;
+    CornerEchoes own_corners;
     SimulatedSonar sonar;
     Workers one_worker{1};
 
-    [[nodiscard]] Parts parts() { return {*own_engine, one_worker, own_points, own_interference, own_thin}; }
+    [[nodiscard]] Parts parts() {
+      return {*own_engine, one_worker, own_points, own_interference, own_thin, own_corners};
+    }
   };
   /// [sonar][thread], made by the first batch of a sonar; to be dropped when its settings or materials change.
   std::vector<std::vector<std::unique_ptr<Lane>>> lanes;
