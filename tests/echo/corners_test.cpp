@@ -48,10 +48,14 @@ Scene scene_of_parts(std::vector<Instance> parts) {
   return scene;
 }
 
+std::vector<Corner> corners_of(const Scene& scene, const std::optional<WaterMirror>& water) {
+  return find_corners(scene, find_plane_mirrors(scene, -1), water);
+}
+
 const Pose kPose{.position = {104.3, -51.2, -7.7}, .orientation = orientation_from_rpy(0.31, -0.52, 1.9)};
 
 Corner only_corner(const Scene& scene) {
-  const std::vector<Corner> corners = find_corners(scene, {});
+  const std::vector<Corner> corners = corners_of(scene, {});
   EXPECT_EQ(corners.size(), 1U);
   return corners.at(0);
 }
@@ -215,11 +219,11 @@ TEST(CornersTest, FiveBoxesOfATankHaveFourInside) {
     }
     return count;
   };
-  const std::vector<Corner> dry = find_corners(tank, {});
+  const std::vector<Corner> dry = corners_of(tank, {});
   EXPECT_EQ(inside(dry, -0.9), 4);
   EXPECT_EQ(inside(dry, -0.1), 0);
   // Water up to 10 cm below the rim: four more, with the surface.
-  const std::vector<Corner> wet = find_corners(tank, WaterMirror{.level = -0.1, .surface = 77});
+  const std::vector<Corner> wet = corners_of(tank, WaterMirror{.level = -0.1, .surface = 77});
   EXPECT_EQ(inside(wet, -0.9), 4);
   EXPECT_EQ(inside(wet, -0.1), 4);
 }
@@ -229,30 +233,30 @@ TEST(CornersTest, ThreeCrossingPlatesHaveEight) {
   for (int k = 0; k < 3; ++k) {
     plates.push_back(instance_of(make_plane(Vec3::Unit(k), 0.4, 0.4), kPose));
   }
-  EXPECT_EQ(find_corners(scene_of_parts(plates), {}).size(), 8U);
+  EXPECT_EQ(corners_of(scene_of_parts(plates), {}).size(), 8U);
   // One of them does not reach the others, or is not perpendicular, or has gone.
   std::vector<Instance> apart = plates;
   apart[1].world_from_mesh.position += 0.25 * (kPose.orientation * Vec3::UnitX());
-  EXPECT_EQ(find_corners(scene_of_parts(apart), {}).size(), 0U);
+  EXPECT_EQ(corners_of(scene_of_parts(apart), {}).size(), 0U);
   std::vector<Instance> oblique = plates;
   oblique[1].world_from_mesh.orientation = kPose.orientation * orientation_from_rpy(0.01, 0, 0);
-  EXPECT_EQ(find_corners(scene_of_parts(oblique), {}).size(), 0U);
+  EXPECT_EQ(corners_of(scene_of_parts(oblique), {}).size(), 0U);
   std::vector<Instance> gone = plates;
   gone[2].present = false;
-  EXPECT_EQ(find_corners(scene_of_parts(gone), {}).size(), 0U);
+  EXPECT_EQ(corners_of(scene_of_parts(gone), {}).size(), 0U);
 }
 
 TEST(CornersTest, CurvedAndRuggedSurfacesHaveNone) {
-  EXPECT_EQ(find_corners(scene_of_parts({instance_of(make_sphere(1, 0.3))}), {}).size(), 0U);
+  EXPECT_EQ(corners_of(scene_of_parts({instance_of(make_sphere(1, 0.3))}), {}).size(), 0U);
   Instance rugged = instance_of(reflector(0.3, true));
   rugged.reliefs = {std::make_shared<const Relief>()};
-  EXPECT_EQ(find_corners(scene_of_parts({rugged}), {}).size(), 0U);
+  EXPECT_EQ(corners_of(scene_of_parts({rugged}), {}).size(), 0U);
 }
 
 TEST(CornersTest, OfAMovingObjectGoWithIt) {
   Instance moving = instance_of(reflector(0.3, true), kPose);
   moving.moving = true;
-  const std::vector<Corner> corners = find_corners(scene_of_parts({instance_of(make_box({1, 1, 1})), moving}), {});
+  const std::vector<Corner> corners = corners_of(scene_of_parts({instance_of(make_box({1, 1, 1})), moving}), {});
   const auto own = std::ranges::find(corners, 1, &Corner::instance);
   ASSERT_NE(own, corners.end());
   EXPECT_LT(own->apex.norm(), 1e-6);  // In the frame of its mesh.

@@ -56,6 +56,8 @@ struct Corner {
 
 /// The corners of a scene: those of the instances that do not move, with each other and with the water's surface, and
 /// those of each moving instance by itself. Mirrors are PlaneMirrors.
-[[nodiscard]] std::vector<Corner> find_corners(const Scene& scene, const std::optional<WaterMirror>& water);
+/// @param still  find_plane_mirrors() of all that does not move.
+[[nodiscard]] std::vector<Corner> find_corners(const Scene& scene, const std::vector<PlaneMirror>& still,
+                                               const std::optional<WaterMirror>& water);
 
 }  // namespace insonify

@@ -216,13 +216,14 @@ PlaneMirror mirror_of(const WaterMirror& water) {
 
 }  // namespace
 
-std::vector<Corner> find_corners(const Scene& scene, const std::optional<WaterMirror>& water) {
+std::vector<Corner> find_corners(const Scene& scene, const std::vector<PlaneMirror>& still,
+                                 const std::optional<WaterMirror>& water) {
   std::vector<Corner> corners;
-  std::vector<PlaneMirror> still = find_plane_mirrors(scene, -1);
+  std::vector<PlaneMirror> mirrors = still;
   if (water) {
-    still.push_back(mirror_of(*water));
+    mirrors.push_back(mirror_of(*water));
   }
-  add_corners(still, -1, corners);
+  add_corners(mirrors, -1, corners);
   for (std::size_t i = 0; i < scene.instances.size(); ++i) {
     const Instance& instance = scene.instances[i];
     if (instance.moving && instance.present && !instance.endless) {
