@@ -21,7 +21,9 @@ void Simulator::State::make(const PingRequest& request, SimulatedSonar& sonar, c
     parts.engine.insonify(plan, world_from_sonar, grid);
     parts.thin.add(plan, world_from_sonar, poses, parts.engine, parts.workers, grid);
     if (sonar.walks) {
-      sonar.walks->add(plan, world_from_sonar, request.number, parts.corners.act(plan), parts.engine, grid);
+      sonar.walks->add(plan, world_from_sonar, request.number,
+                       {.corners = parts.corners.act(plan), .water = sea ? sea->label() : kNoSurface}, parts.engine,
+                       grid);
     }
     grid.discrete_echoes().clear();
     parts.corners.add(plan, world_from_sonar, poses, parts.engine, grid);

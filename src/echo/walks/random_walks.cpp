@@ -100,10 +100,16 @@ float RandomWalks::per_steradian(const PingPlan& plan, const SurfaceLaw& law, co
                          std::abs(walk.first_normal.dot(normal)) < kPerpendicular &&
                          std::abs(walk.second_normal.dot(normal)) < kPerpendicular &&
                          std::abs(walk.first_normal.dot(walk.second_normal)) < kPerpendicular;
+  const auto coherent = [&] {
+    return law.coherent * static_cast<float>(coherent_share(plan, label_of(hit), double{normal.dot(in)}));
+  };
   float left = by_one_mirror ? 1 - law.coherent : 1.0F;
   if (in_corner) {
-    left *= 1 - walk.coherent * law.coherent *
-                    static_cast<float>(coherent_share(plan, label_of(hit), double{normal.dot(in)}));
+    left *= 1 - walk.coherent * coherent();
+  }
+  const bool water_first = walk.first_surface == water_, water_last = label_of(hit) == water_;
+  if (order == 3 && walk.first_mirrored && !walk.second_mirrored && water_first != water_last) {
+    left *= 1 - (water_first ? law.coherent * walk.first_coherent : coherent());
   }
   return law.diffuse_into(normal, out) + left * law.mirrored_into(normal, in, out);
 }
@@ -156,6 +162,8 @@ bool RandomWalks::bounce(const PingPlan& plan, const Hit& hit, int order, Walk& 
   if (order <= 2) {
     const auto share = static_cast<float>(coherent_share(plan, label_of(hit), double{normal.dot(walk.direction)}));
     walk.coherent *= next.mirrored ? share : 0.0F;
+    walk.second_mirrored = next.mirrored;
+    walk.first_coherent = order == 1 ? share : walk.first_coherent;
     walk.second_normal = normal;
   }
   walk.share *= next.share;
@@ -204,10 +212,11 @@ void RandomWalks::deposit_clear_legs(const PingPlan& plan, EchoGrid& grid) {
   }
 }
 
-void RandomWalks::add(const PingPlan& plan, const Pose& world_from_sonar, std::uint64_t number, bool corners,
-                      Engine& engine, EchoGrid& grid) {
+void RandomWalks::add(const PingPlan& plan, const Pose& world_from_sonar, std::uint64_t number,
+                      const Elsewhere& elsewhere, Engine& engine, EchoGrid& grid) {
   number_ = number;
-  corners_ = corners;
+  corners_ = elsewhere.corners;
+  water_ = plan.secondary != SecondaryEchoes::kNone && plan.max_surfaces > 2 ? elsewhere.water : kNoSurface;
   legs_.clear();
   echoes_.clear();
   launch(plan, world_from_sonar);
