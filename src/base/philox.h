@@ -20,7 +20,7 @@ enum class RandomPurpose : std::uint32_t {
   kPointPhase = 9,          // echo/targets/point_echoes.cpp
   kInterference = 10,       // echo/targets/interference.cpp
   kScatterers = 11,         // receiver/speckle/sparse_scatterers.cpp
-  kWaves = 12,              // echo/targets/surface_ghosts.cpp: highlights of ghosts by waves
+  kWaves = 12,              // echo/targets/point_ghosts.cpp: highlights of ghosts by waves
   kWalks = 13,              // echo/walks/random_walks.cpp
   kTransmitLeak = 14        // receiver/transmit_leak.cpp: level and phase in each beam
 };

@@ -21,14 +21,15 @@ void Simulator::State::make(const PingRequest& request, SimulatedSonar& sonar, c
     parts.engine.insonify(plan, world_from_sonar, grid);
     parts.thin.add(plan, world_from_sonar, poses, parts.engine, parts.workers, grid);
     if (sonar.walks) {
-      sonar.walks->add(plan, world_from_sonar, request.number, parts.engine, grid);
+      sonar.walks->add(plan, world_from_sonar, request.number,
+                       {.corners = parts.corners.act(plan), .water = sea ? sea->label() : kNoSurface}, parts.engine,
+                       grid);
     }
     grid.discrete_echoes().clear();
+    parts.corners.add(plan, world_from_sonar, poses, parts.engine, grid);
     parts.points.add(plan, world_from_sonar, parts.engine, grid);
-    if (ghosts) {
-      ghosts->add(plan, world_from_sonar, request.number, scenario.receiver_of(sonar.config).speckle, parts.engine,
-                  grid);
-    }
+    parts.ghosts.add(plan, world_from_sonar, request.number, scenario.receiver_of(sonar.config).speckle, parts.engine,
+                     grid);
     parts.interference.add(plan, world_from_sonar, request.time, parts.engine, grid);
     const PingMotion motion = scenario.motion_in_ping
                                   ? sonar.motion_while_listening(request, sonar.vehicle_from_housing * head)
@@ -77,9 +78,9 @@ void Simulator::State::make_together(int index, std::span<const PingRequest> req
       }
       return;
     }
-    own.push_back(std::unique_ptr<Lane>(new Lane{std::move(sharing), PointEchoes(scenario.points),
-                                                 Interference(scenario.interferers), ThinEchoes(thin_parts),
-                                                 simulated(scenario, scenario.sonars[index])}));
+    own.push_back(std::unique_ptr<Lane>(new Lane{
+        std::move(sharing), PointEchoes(scenario.points), Interference(scenario.interferers), ThinEchoes(thin_parts),
+        CornerEchoes(corners), ghosts_of_points(), simulated(scenario, scenario.sonars[index])}));
   }
   for (const auto& lane : own) {
     lane->own_engine->stop_when(stop_asked);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "echo/engine.h"
+#include "echo/grid/echo.h"
 #include "insonify/scenario.h"
 #include "insonify/scene.h"
 
@@ -21,6 +22,7 @@ class SeaPlane {
 
   [[nodiscard]] int instance() const { return instance_; }
   [[nodiscard]] std::uint16_t material() const { return material_; }
+  [[nodiscard]] SurfaceLabel label() const { return surface_label(static_cast<std::uint16_t>(instance_), material_); }
 
   /// Adapts size and material of the plane to changed sonars.
   /// @return  Whether the scene has changed, so that engines must load it again.

@@ -23,10 +23,8 @@ Simulator::State::State(Scenario the_scenario, Scene the_scene, int threads, std
   }
   objects.add(movable, scene);
   objects.add_marked(scene);
-  if (const std::optional<SeaSurface>& surface = scenario.surface) {
+  if (scenario.surface) {
     sea.emplace(scenario, scene);
-    const auto label = surface_label(static_cast<std::uint16_t>(sea->instance()), sea->material());
-    ghosts.emplace(scenario.points, SurfaceGhosts::Surface{surface->level, label, surface->wind_speed > 0});
   }
   for (const SonarConfig& sonar : scenario.sonars) {
     sonars.push_back(simulated(scenario, sonar));
@@ -50,6 +48,7 @@ void Simulator::State::take_in_scene() {
       sea->reset();
     }
     find_thin();
+    find_mirrors();
     scene_changed = false;
   }
 }
@@ -74,6 +73,29 @@ void Simulator::State::find_thin() {
   for (const Instance& instance : scene.instances) {
     poses.push_back(instance.world_from_mesh);
   }
+}
+
+void Simulator::State::find_mirrors() {
+  if (scenario.model != EchoModel::kCalibrated) {
+    return;
+  }
+  std::optional<WaterMirror> water;
+  if (sea) {
+    water = WaterMirror{.level = scenario.surface->level, .surface = sea->label()};
+  }
+  mirrors = std::make_shared<const std::vector<PlaneMirror>>(find_plane_mirrors(scene, -1));
+  corners = std::make_shared<const std::vector<Corner>>(find_corners(scene, *mirrors, water));
+  corner_echoes = CornerEchoes(corners);
+  ghosts = ghosts_of_points();
+}
+
+PointGhosts Simulator::State::ghosts_of_points() const {
+  std::optional<PointGhosts::Surface> water;
+  if (sea) {
+    water = PointGhosts::Surface{
+        .level = scenario.surface->level, .label = sea->label(), .waves = scenario.surface->wind_speed > 0};
+  }
+  return {scenario.points, water, mirrors};
 }
 
 void Simulator::State::place(const SimulatedSonar& sonar, const PingRequest& request) {

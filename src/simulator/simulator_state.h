@@ -9,9 +9,10 @@
 
 #include "base/parallel.h"
 #include "echo/engine.h"
+#include "echo/targets/corner_echoes.h"
 #include "echo/targets/interference.h"
 #include "echo/targets/point_echoes.h"
-#include "echo/targets/surface_ghosts.h"
+#include "echo/targets/point_ghosts.h"
 #include "echo/targets/thin_echoes.h"
 #include "insonify/simulator.h"
 #include "simulator/movable_objects.h"
@@ -35,6 +36,12 @@ struct Simulator::State {
   /// Finds the parts that are too thin for the lattice, and has the engine leave them out.
   void find_thin();
 
+  /// Finds plane mirrors and the corners that they form.
+  void find_mirrors();
+
+  /// Ghosts of the points in the mirrors found.
+  [[nodiscard]] PointGhosts ghosts_of_points() const;
+
   /// Turns the echoes of one request into a ping.
   struct Parts {
     Engine& engine;
@@ -42,9 +49,11 @@ struct Simulator::State {
     PointEchoes& points;
     Interference& interference;
     ThinEchoes& thin;
+    CornerEchoes& corners;
+    PointGhosts& ghosts;
   };
   void make(const PingRequest& request, SimulatedSonar& sonar, const Parts& parts, Ping& ping);
-  [[nodiscard]] Parts parts() { return {*engine, workers, points, interference, thin}; }
+  [[nodiscard]] Parts parts() { return {*engine, workers, points, interference, thin, corner_echoes, ghosts}; }
 
   /// How many of the requests after the first can be made by several threads at once, each ping by one: nothing may
   /// move in the scene but the sonar, and all must be valid. A multiple of the number of threads, and never the last,
@@ -65,10 +74,13 @@ struct Simulator::State {
   MovableObjects objects;
   std::optional<SeaPlane> sea;
   PointEchoes points;
-  std::optional<SurfaceGhosts> ghosts;
   Interference interference;
   std::shared_ptr<const ThinParts> thin_parts;  ///< Null in the paper model.
   ThinEchoes thin;
+  std::shared_ptr<const std::vector<PlaneMirror>> mirrors;  ///< Of what does not move. Null in the paper model.
+  std::shared_ptr<const std::vector<Corner>> corners;       ///< Null in the paper model.
+  CornerEchoes corner_echoes;
+  PointGhosts ghosts;
   std::vector<Pose> poses;  ///< [instance] World from mesh, at the last ping or place().
   std::vector<SimulatedSonar> sonars;
 
@@ -83,10 +95,14 @@ struct Simulator::State {
     PointEchoes own_points;
     Interference own_interference;
     ThinEchoes own_thin;
+    CornerEchoes own_corners;
+    PointGhosts own_ghosts;
     SimulatedSonar sonar;
     Workers one_worker{1};
 
-    [[nodiscard]] Parts parts() { return {*own_engine, one_worker, own_points, own_interference, own_thin}; }
+    [[nodiscard]] Parts parts() {
+      return {*own_engine, one_worker, own_points, own_interference, own_thin, own_corners, own_ghosts};
+    }
   };
   /// [sonar][thread], made by the first batch of a sonar; to be dropped when its settings or materials change.
   std::vector<std::vector<std::unique_ptr<Lane>>> lanes;

@@ -154,6 +154,126 @@ TEST_P(PointTest, CalmSurfaceInvertsThePhase) {
   }
 }
 
+// Between a calm surface at z = 0 (R = -1) and a floor at z = -8 of R = .6: legs by the sums over image sources.
+struct Channel {
+  Vec3 sonar, point;
+
+  // Lengths of the straight leg and of those by surface and floor.
+  [[nodiscard]] std::array<double, 3> lengths() const {
+    const double along = std::hypot(point.x() - sonar.x(), point.y() - sonar.y());
+    return {std::hypot(along, point.z() - sonar.z()), std::hypot(along, -point.z() - sonar.z()),
+            std::hypot(along, -16 - point.z() - sonar.z())};
+  }
+};
+constexpr double kFloor = 0.6;
+const Channel kChannel{{0, 0, -5}, {11, 1, -6.1}};
+
+Scene channel_floor(double size = 60, double rms_height = 0) {
+  Material material = glinting(kFloor, 0.02);
+  material.rms_height = rms_height;
+  return scene_of(make_plane(Vec3::UnitZ(), size, size), material, {.position = {5, 0, -8}});
+}
+
+Scenario channel_scenario(const Method& method) {
+  SonarConfig sonar = fan();
+  sonar.position = kChannel.sonar;
+  sonar.elevation_aperture = 110 * kDegree;
+  sonar.azimuth_aperture = 60 * kDegree;
+  sonar.beam_count = 8;
+  sonar.bin_count = 2500;  // Bins of 1 cm.
+  Scenario scenario = calibrated(sonar, method);
+  scenario.secondary = SecondaryEchoes::kAll;
+  scenario.max_surfaces = 3;
+  scenario.surface = SeaSurface{};
+  scenario.points = {{.position = kChannel.point, .target_strength_db = -7}};
+  return scenario;
+}
+
+// What the point adds to a ping at a range [dB].
+double added_by_point(const Scenario& scenario, const Scene& scene, double range) {
+  Scenario without = scenario;
+  without.points.clear();
+  const std::vector<double> all = by_range(ping_of(scenario, scene)), rest = by_range(ping_of(without, scene));
+  const auto bin = static_cast<std::size_t>(range / scenario.sonars[0].bin_length());
+  double sum = 0;
+  for (std::size_t near = bin - 1; near <= bin + 1; ++near) {
+    sum += all[near] - rest[near];
+  }
+  return 10 * std::log10(std::max(sum, 1e-30));
+}
+
+TEST_P(PointTest, FloorShowsItsGhostsAndPathsByFloorAndSurface) {
+  const Scenario scenario = channel_scenario(GetParam());
+  const Scene scene = channel_floor();
+  const auto [straight, surface, floor] = kChannel.lengths();
+  const auto level = [](double share, double out, double back) {
+    return -7 + 10 * std::log10(share) - 20 * std::log10(out * back);
+  };
+  const double loss = kFloor * kFloor;
+  EXPECT_NEAR(added_by_point(scenario, scene, straight), level(1, straight, straight), 0.01);
+  EXPECT_NEAR(added_by_point(scenario, scene, 0.5 * (straight + floor)), level(2 * loss, straight, floor), 0.01);
+  EXPECT_NEAR(added_by_point(scenario, scene, floor), level(loss * loss, floor, floor), 0.01);
+  EXPECT_NEAR(added_by_point(scenario, scene, 0.5 * (surface + floor)), level(2 * loss, surface, floor), 0.01);
+  Scenario two = scenario;
+  two.max_surfaces = 2;
+  EXPECT_NEAR(added_by_point(two, scene, 0.5 * (straight + floor)), level(2 * loss, straight, floor), 0.01);
+  EXPECT_LT(added_by_point(two, scene, 0.5 * (surface + floor)), -150);
+}
+
+// All echoes in one bin: the field is the square of the sum over all legs, out and back.
+TEST_P(PointTest, AllPathsBetweenFloorAndSurfaceInterfere) {
+  Scenario scenario = channel_scenario(GetParam());
+  scenario.sonars[0].frequency = 12e3;
+  scenario.sonars[0].bin_count = 1;
+  scenario.sonars[0].sampling = {1, 20};
+  scenario.water.sound_speed = 1490;
+  scenario.receiver.speckle = true;
+  const Scene scene = channel_floor();
+  for (const double x : {10.0, 10.7, 12.9}) {
+    const Channel channel{kChannel.sonar, {x, 1, -6.1}};
+    scenario.points = {{.position = channel.point, .target_strength_db = 30}};  // Louder than the floor itself.
+    const auto [straight, surface, floor] = channel.lengths();
+    const auto wave = [](double amplitude, double length) {
+      return std::polar(amplitude / length, 2 * std::numbers::pi * 12e3 / 1490 * length);
+    };
+    const double field = std::abs(wave(1, straight) + wave(-1, surface) + wave(kFloor, floor));
+    EXPECT_NEAR(total_db(ping_of(scenario, scene)), 30 + 40 * std::log10(field), 0.05) << x;
+  }
+}
+
+// The floor reflects the point at x = 5.16 (3 m and 1.9 m above it). A floor that ends before, or whose mirror is
+// behind something, shows nothing; a rough one e^-g, g = 4 k^2 h^2 cos^2; and a small one the share (A cos / (lambda
+// rho))^2.
+TEST_P(PointTest, GhostsInAFloorFollowItsExtentAndRoughness) {
+  const Scenario scenario = channel_scenario(GetParam());
+  const auto [straight, surface, floor] = kChannel.lengths();
+  const double far = floor;  // Bindings cannot be captured.
+  const double expected = -7 + 40 * std::log10(kFloor) - 40 * std::log10(far);
+  const auto both_ways = [&](const Scene& scene) { return added_by_point(scenario, scene, far) - expected; };
+  const double cosine = 4.9 / far;
+  const Vec3 bounce = kChannel.sonar + 3 / 4.9 * (Vec3(11, 1, -9.9) - kChannel.sonar);
+
+  Scene floor_beside = channel_floor(20);
+  floor_beside.instances[0].world_from_mesh.position.x() = bounce.x() - 10.1;
+  EXPECT_LT(both_ways(floor_beside), -100);
+  const Scene covered = scene_of_all(
+      {channel_floor(), scene_of(make_sphere(0.1), diffuse(-200), {.position = 0.5 * (bounce + kChannel.point)})});
+  EXPECT_LT(both_ways(covered), -60);
+
+  const double wave = 2 * std::numbers::pi * scenario.sonars[0].frequency / 1500;
+  Scenario given = scenario;
+  given.water.sound_speed = 1500;
+  const double height = 2e-4, rayleigh = std::pow(2 * wave * height * cosine, 2);
+  EXPECT_NEAR(added_by_point(given, channel_floor(60, height), far) - expected,
+              -20 * std::log10(std::exp(1)) * rayleigh, 0.02);
+
+  Scene small = channel_floor(0.04);
+  small.instances[0].world_from_mesh.position = {bounce.x(), bounce.y(), -8};
+  const double out = 3 / 4.9 * far, rho = out * (far - out) / far;
+  const double share = 0.04 * 0.04 * cosine * wave / (2 * std::numbers::pi * rho);
+  EXPECT_NEAR(added_by_point(given, small, far) - expected, 40 * std::log10(share), 0.02);
+}
+
 // The ghost is 42 degrees up, outside a level fan of 20 degrees. A plate under the surface blocks the ghost, and a
 // plate in front of the point blocks the direct path.
 TEST_P(PointTest, GhostsNeedAClearPathWithinTheAperture) {

@@ -24,7 +24,7 @@ struct WalkScene {
   /// The grid of the walks of one ping; nothing else is in it.
   const EchoGrid& ping(std::uint64_t number) {
     grid.clear();
-    random_walks.add(*plan, world_from_sonar, number, *engine, grid);
+    random_walks.add(*plan, world_from_sonar, number, {}, *engine, grid);
     return grid;
   }
 

@@ -108,6 +108,7 @@ void CpuScene::set(const Scene& scene) {
   }
   whole_ = false;
   origin_ = origin;
+  water_ = WaterPlane::of(scene, origin_);
   boxes_.set(scene, origin_);
   reliefs_.set(scene, origin_);
   reflectivity_.clear();

@@ -13,6 +13,7 @@
 #include "echo/model/faces.h"
 #include "echo/model/ray_tube.h"
 #include "echo/model/reliefs.h"
+#include "echo/model/water_path.h"
 #include "insonify/scene.h"
 
 namespace insonify {
@@ -41,6 +42,9 @@ class CpuScene {
   void occlude(RayPacket& packet) const {
     packet.occlude(scene_, any_moving_ ? Coherence::kScattered : Coherence::kAlike);
   }
+
+  /// The water's surface.
+  [[nodiscard]] const WaterPlane& water() const { return water_; }
 
   /// Boxes around all triangles.
   [[nodiscard]] const BoxCut& boxes() const { return boxes_; }
@@ -117,6 +121,7 @@ class CpuScene {
   Reliefs reliefs_;
   std::vector<float> reflectivity_;
   Vec3 origin_ = Vec3::Zero();
+  WaterPlane water_;
   bool any_moving_ = false, moved_ = false, any_faces_ = false;
   bool whole_ = false;  // Whether set() has succeeded.
 };

@@ -173,6 +173,9 @@ void SecondaryTask::return_mirrored(const RTCRay16& rays, const ReflectedOrigins
       twice.power = powers.twice[lane] * plan_->lattice.pattern_in(origins.column[lane])[origins.row[lane]];
       deposit(*plan_, twice, *grid_);
     }
+    if (by_water_.any()) {
+      return_by_water(rays, origins, lane, echo);
+    }
     const Vec3f arrival_direction = -(axes_.transpose() * returns.back(lane));
     if (powers.once[lane] > 0 && 0.5F * (there + back) < plan_->reach() && plan_->receives(arrival_direction)) {
       const PingPlan::Arrival arrival = plan_->arrival_from(arrival_direction);
@@ -185,6 +188,24 @@ void SecondaryTask::return_mirrored(const RTCRay16& rays, const ReflectedOrigins
       send_back(returns.point(lane), returns.back(lane), back);
     }
   }
+}
+
+// `calibrated`: out by the mirror and back by the water's surface, and the reciprocal path.
+void SecondaryTask::return_by_water(const RTCRay16& rays, const ReflectedOrigins& origins, int lane, const Echo& echo) {
+  const Vec3f mirror(rays.org_x[lane], rays.org_y[lane], rays.org_z[lane]),
+      direction(rays.dir_x[lane], rays.dir_y[lane], rays.dir_z[lane]);
+  by_water_.connect({.mirror = mirror,
+                     .point = mirror + rays.tfar[lane] * direction,
+                     .normal = shading_.normal(lane),
+                     .direction = direction,
+                     .surface = shading_.surface[lane],
+                     .texture = shading_.texture[lane],
+                     .reflected = origins.share[lane] * origins.reflectance[lane],
+                     .range = origins.range[lane],
+                     .above = origins.above.at(lane),
+                     .aside = origins.aside.at(lane),
+                     .selected = origins.selected[lane]},
+                    origins.column[lane], origins.row[lane], echo);
 }
 
 // Traces the return legs and deposits the echoes of those that are unobstructed.

@@ -21,7 +21,7 @@ constexpr int kUnculled = 2;
 
 }  // namespace
 
-SecondaryTask::SecondaryTask(const CpuScene& scene) : scene_(scene) {
+SecondaryTask::SecondaryTask(const CpuScene& scene) : by_water_(scene), scene_(scene) {
   for (int lane = 0; lane < kPacketSize; ++lane) {
     candidates_.rays.ray.tnear[lane] = reflected_.rays.ray.tnear[lane] = back_.rays.ray.tnear[lane] = kRayClearance;
     candidates_.set_origin(lane, Vec3f::Zero());
@@ -37,6 +37,7 @@ void SecondaryTask::start(const PingPlan& plan, const Vec3f& sonar, const Eigen:
   grid_ = &grid;
   arrivals_ = &arrivals;
   log_ = log;
+  by_water_.start(plan, sonar, axes, grid, arrivals, log != nullptr ? &log->back : nullptr);
 }
 
 void SecondaryTask::reflect(const HitColumn& strip, int stride, int first_column, int columns) {
@@ -206,6 +207,7 @@ void SecondaryTask::finish() {
   if (returning_count_ > 0) {
     finish_returns();
   }
+  by_water_.finish();
 }
 
 }  // namespace insonify

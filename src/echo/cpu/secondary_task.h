@@ -7,6 +7,7 @@
 #include "echo/cpu/cpu_scene.h"
 #include "echo/cpu/ray_packet.h"
 #include "echo/cpu/reflected_rays.h"
+#include "echo/cpu/water_returns.h"
 #include "echo/grid/echo_grid.h"
 #include "echo/model/hit_column.h"
 #include "echo/model/ping_plan.h"
@@ -40,9 +41,12 @@ class SecondaryTask {
   /// Traces the packets that are not full yet, and deposits their echoes.
   void finish();
 
-  void reset_counts() { sent_ = returned_ = 0; }
-  [[nodiscard]] std::uint64_t sent() const { return sent_; }          ///< Reflected rays.
-  [[nodiscard]] std::uint64_t returned() const { return returned_; }  ///< Return legs.
+  void reset_counts() {
+    sent_ = returned_ = 0;
+    by_water_.reset_counts();
+  }
+  [[nodiscard]] std::uint64_t sent() const { return sent_; }                             ///< Reflected rays.
+  [[nodiscard]] std::uint64_t returned() const { return returned_ + by_water_.sent(); }  ///< Return legs.
 
  private:
   void cull_and_trace(const HitColumn& strip);
@@ -53,12 +57,14 @@ class SecondaryTask {
   void return_shaped(const RTCRay16& rays, const ReflectedOrigins& origins, unsigned lanes);
   void return_mirrored(const RTCRay16& rays, const ReflectedOrigins& origins, unsigned lanes);
   void send_back(const Vec3f& point, const Vec3f& direction, float distance);
+  void return_by_water(const RTCRay16& rays, const ReflectedOrigins& origins, int lane, const Echo& echo);
   void finish_returns();
 
   RayPacket candidates_, reflected_, back_;
   CpuScene::Shading shading_;
   ReflectedOrigins candidate_origins_, origins_;
 
+  WaterReturns by_water_;
   const CpuScene& scene_;
   const PingPlan* plan_ = nullptr;
   Vec3f sonar_;

@@ -284,6 +284,53 @@ MirrorIntensities ReferenceColumn::intensities(const Reflection& path) const {
                             plan_.neper_per_metre);
 }
 
+// multipath.md, "Back by the water's surface": out by the mirror and back by the surface, and the reciprocal path.
+void ReferenceColumn::deposit_echoes_by_water(const Reflection& path, EchoGrid& grid, std::vector<Echo>& arrivals) {
+  const WaterPlane& water = scene_.water();
+  const float weight = water_weight(plan_, column_, path.row);
+  if (plan_.max_surfaces < 3 || !water.exists() || water.holds(path.ray.origin.z()) || weight == 0) {
+    return;
+  }
+  const Vec3& sonar = world_from_sonar_.position;
+  const std::optional<WaterPath> back = WaterPath::of(plan_, water, sonar, path.point);
+  if (!back || 0.5 * (double{path.there} + back->length) >= double{plan_.reach()}) {
+    return;
+  }
+  const Vec3f direction = (world_from_sonar_.orientation.inverse() * back->arrival).cast<float>();
+  const RayHit& mirror = first_[path.row];
+  const Scattering& reflecting = plan_.scatter.scattering(mirror.surface());
+  const double incidence = std::abs(mirror.bent.dot(rays_[path.row].direction));
+  const double reflected = double{path.share} * reflecting.reflectance(incidence) * reflecting.mirror_share(incidence) *
+                           std::pow(double{mirror.texture}, 2);
+  const double power =
+      water_intensity(plan_, *back, plan_.scatter.scattering(path.second.surface()), double{path.second.texture},
+                      reflected, path.second.bent, path.ray.direction, double{path.there});
+  if (power == 0 || !plan_.receives(direction)) {
+    return;
+  }
+  counts_.return_legs += 2;
+  const double last = (back->bounce - sonar).norm(), near = double{kRayClearance} / std::max(back->out.z(), 0.02);
+  if (scene_.blocked({path.point, back->out, double{kRayClearance}, back->length - last - near}) ||
+      scene_.blocked({back->bounce, (sonar - back->bounce) / last, near, last - double{kRayClearance}})) {
+    return;
+  }
+  const PingPlan::Arrival arrival = plan_.arrival_from(direction);
+  Echo echo = secondary_echo(plan_, column_, path.row, hits_.selected[path.row],
+                             path.there + static_cast<float>(back->length), path.second.surface());
+  echo.order = 3;
+  echo.weight *= weight;
+  echo.half_length =
+      path_footprint(change_along(path.row), hits_.selected[path.row], change_across(path.row),
+                     {static_cast<float>(path.second.distance), triple(path.ray.direction), triple(path.second.bent),
+                      triple(-back->out), path.there, static_cast<float>(back->length)})
+          .once;
+  echo.power = static_cast<float>(power) * arrival.pattern;
+  deposit(plan_, echo, grid);
+  echo.azimuth = arrival.bearing;
+  echo.elevation = arrival.elevation;
+  arrivals.push_back(echo);
+}
+
 // multipath.md, "Three echoes": the echo by the mirror both ways, and the two reciprocal echoes by the mirror one way.
 // One of these arrives from the mirror; the other from the second surface, so that it may be in another beam.
 void ReferenceColumn::deposit_mirror_echoes(const Reflection& path, EchoGrid& grid, std::vector<Echo>& arrivals) {
@@ -298,6 +345,7 @@ void ReferenceColumn::deposit_mirror_echoes(const Reflection& path, EchoGrid& gr
     twice.power = static_cast<float>(intensity.twice) * plan_.lattice.pattern_in(column_)[path.row];
     deposit(plan_, twice, grid);
   }
+  deposit_echoes_by_water(path, grid, arrivals);
   const Vec3 towards = world_from_sonar_.orientation.inverse() * -path.back.normalized();
   const Vec3f arrival_direction = towards.cast<float>();
   if (intensity.once == 0 || 0.5F * echo.path_length >= plan_.reach() || !plan_.receives(arrival_direction) ||

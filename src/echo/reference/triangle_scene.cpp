@@ -56,6 +56,7 @@ void TriangleScene::place(int index, const Pose& world_from_mesh) {
 void TriangleScene::set(const Scene& scene, const Vec3& origin) {
   scene_ = &scene;
   origin_ = origin;
+  water_ = WaterPlane::of(scene, Vec3::Zero());
   triangles_.clear();
   first_triangle_.clear();
   reflectivity_.clear();

@@ -8,6 +8,7 @@
 #include "echo/model/faces.h"
 #include "echo/model/ray_tube.h"
 #include "echo/model/reliefs.h"
+#include "echo/model/water_path.h"
 #include "insonify/ground_truth.h"
 #include "insonify/scene.h"
 
@@ -42,6 +43,8 @@ class TriangleScene {
   [[nodiscard]] std::uint32_t in_mesh(const RayHit& hit) const {
     return static_cast<std::uint32_t>(hit.triangle - first_triangle_[hit.instance]);
   }
+  /// The water's surface, in world coordinates.
+  [[nodiscard]] const WaterPlane& water() const { return water_; }
   [[nodiscard]] bool has_relief() const { return reliefs_.any(); }
 
   /// Ray-tube spreading by the surface at a hit.
@@ -63,6 +66,7 @@ class TriangleScene {
 
   const Scene* scene_ = nullptr;
   Vec3 origin_ = Vec3::Zero();
+  WaterPlane water_;
   std::vector<Triangle> triangles_;
   std::vector<std::size_t> first_triangle_;              // [instance]
   std::vector<float> reflectivity_;                      // [material]

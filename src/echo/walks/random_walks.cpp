@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/philox.h"
+#include "echo/model/coherent_share.h"
 #include "echo/model/deposit.h"
 #include "echo/model/ray_limits.h"
 
@@ -20,6 +21,9 @@ constexpr float kHalfSpread = 0.5F * kWidestFootprint;
 
 // Cosine between the normals of two hits on one surface that count as the same mirror.
 constexpr float kSameMirror = 0.9F;
+
+// Most of the cosine between the normals of mirrors that count as perpendicular.
+constexpr float kPerpendicular = 0.01F;
 
 // Four uniform numbers of one bounce of a walk; those of the launch are of bounce 0.
 struct Draws {
@@ -82,8 +86,8 @@ void RandomWalks::launch(const PingPlan& plan, const Pose& world_from_sonar) {
 }
 
 // Energy per steradian that goes straight back to the sonar, without what other echoes hold: see the class.
-float RandomWalks::per_steradian(const SurfaceLaw& law, const Hit& hit, const Vec3f& in, const Vec3f& out, int order,
-                                 const Walk& walk) const {
+float RandomWalks::per_steradian(const PingPlan& plan, const SurfaceLaw& law, const Hit& hit, const Vec3f& in,
+                                 const Vec3f& out, int order, const Walk& walk) const {
   const Vec3f normal = hit.normal.cast<float>();
   if (order == 2) {
     return walk.first_mirrored
@@ -92,7 +96,22 @@ float RandomWalks::per_steradian(const SurfaceLaw& law, const Hit& hit, const Ve
   }
   const bool by_one_mirror = order == 3 && walk.first_mirrored && walk.first_surface == label_of(hit) &&
                              walk.first_normal.dot(normal) > kSameMirror;
-  return law.diffuse_into(normal, out) + (by_one_mirror ? 1 - law.coherent : 1.0F) * law.mirrored_into(normal, in, out);
+  const bool in_corner = corners_ && order == 3 && walk.coherent > 0 &&
+                         std::abs(walk.first_normal.dot(normal)) < kPerpendicular &&
+                         std::abs(walk.second_normal.dot(normal)) < kPerpendicular &&
+                         std::abs(walk.first_normal.dot(walk.second_normal)) < kPerpendicular;
+  const auto coherent = [&] {
+    return law.coherent * static_cast<float>(coherent_share(plan, label_of(hit), double{normal.dot(in)}));
+  };
+  float left = by_one_mirror ? 1 - law.coherent : 1.0F;
+  if (in_corner) {
+    left *= 1 - walk.coherent * coherent();
+  }
+  const bool water_first = walk.first_surface == water_, water_last = label_of(hit) == water_;
+  if (order == 3 && walk.first_mirrored && !walk.second_mirrored && water_first != water_last) {
+    left *= 1 - (water_first ? law.coherent * walk.first_coherent : coherent());
+  }
+  return law.diffuse_into(normal, out) + left * law.mirrored_into(normal, in, out);
 }
 
 // Prepares the leg from the end of a walk back to the sonar, and the echo that it brings.
@@ -111,7 +130,7 @@ void RandomWalks::connect(const PingPlan& plan, const Pose& world_from_sonar, co
   }
   const SurfaceLaw law =
       SurfaceLaw::of(plan.scatter.scattering(label_of(hit)), hit.texture, hit.normal.cast<float>().dot(in));
-  const float sent_back = walk.share * per_steradian(law, hit, in, out.cast<float>(), order, walk);
+  const float sent_back = walk.share * per_steradian(plan, law, hit, in, out.cast<float>(), order, walk);
   if (!(sent_back > 0)) {
     return;
   }
@@ -139,6 +158,13 @@ bool RandomWalks::bounce(const PingPlan& plan, const Hit& hit, int order, Walk& 
     walk.first_mirrored = next.mirrored;
     walk.first_surface = label_of(hit);
     walk.first_normal = normal;
+  }
+  if (order <= 2) {
+    const auto share = static_cast<float>(coherent_share(plan, label_of(hit), double{normal.dot(walk.direction)}));
+    walk.coherent *= next.mirrored ? share : 0.0F;
+    walk.second_mirrored = next.mirrored;
+    walk.first_coherent = order == 1 ? share : walk.first_coherent;
+    walk.second_normal = normal;
   }
   walk.share *= next.share;
   walk.direction = next.direction;
@@ -186,9 +212,11 @@ void RandomWalks::deposit_clear_legs(const PingPlan& plan, EchoGrid& grid) {
   }
 }
 
-void RandomWalks::add(const PingPlan& plan, const Pose& world_from_sonar, std::uint64_t number, Engine& engine,
-                      EchoGrid& grid) {
+void RandomWalks::add(const PingPlan& plan, const Pose& world_from_sonar, std::uint64_t number,
+                      const Elsewhere& elsewhere, Engine& engine, EchoGrid& grid) {
   number_ = number;
+  corners_ = elsewhere.corners;
+  water_ = plan.secondary != SecondaryEchoes::kNone && plan.max_surfaces > 2 ? elsewhere.water : kNoSurface;
   legs_.clear();
   echoes_.clear();
   launch(plan, world_from_sonar);

@@ -23,6 +23,8 @@ namespace insonify {
 ///     one surface      primary echoes
 ///     MD, DM, MM       secondary echoes of order 2
 ///     M X M            secondary echoes of order 3, if both M are the same mirror
+///     MMM              CornerEchoes, for the coherent share of three perpendicular mirrors
+///     M D M            secondary echoes of order 3, for the coherent share of the water's surface as one M
 ///     all others       here: DD; three surfaces unless M X M by one mirror; four surfaces and more
 class RandomWalks {
  public:
@@ -36,8 +38,14 @@ class RandomWalks {
 
   /// Adds the echoes of a ping to the cells of a grid of the calibrated model. Its path order is that of the path, or
   /// kPathOrders for longer ones. Allocates nothing once the lists of the grid have grown to their size.
-  /// @param number  Of the ping.
-  void add(const PingPlan& plan, const Pose& world_from_sonar, std::uint64_t number, Engine& engine, EchoGrid& grid);
+  /// @param number   Of the ping.
+  /// @param elsewhere  What is added elsewhere.
+  struct Elsewhere {
+    bool corners = false;             ///< Whether the coherent echoes of three perpendicular mirrors are: CornerEchoes.
+    SurfaceLabel water = kNoSurface;  ///< The water's surface: its coherent share in M D M.
+  };
+  void add(const PingPlan& plan, const Pose& world_from_sonar, std::uint64_t number, const Elsewhere& elsewhere,
+           Engine& engine, EchoGrid& grid);
 
  private:
   // The end of a walk so far.
@@ -51,6 +59,10 @@ class RandomWalks {
     bool first_mirrored = false;      // Whether the first bounce was mirrored.
     SurfaceLabel first_surface = kNoSurface;
     Vec3f first_normal = Vec3f::Zero();
+    Vec3f second_normal = Vec3f::Zero();
+    bool second_mirrored = false;
+    float first_coherent = 1;  // Share of the first bounce that a smooth mirror reflects.
+    float coherent = 1;        // Share of the first two bounces that smooth mirrors reflect, 0 where one was diffuse.
   };
 
   void launch(const PingPlan& plan, const Pose& world_from_sonar);
@@ -59,11 +71,13 @@ class RandomWalks {
   bool bounce(const PingPlan& plan, const Hit& hit, int order, Walk& walk);
   void connect(const PingPlan& plan, const Pose& world_from_sonar, const Hit& hit, const Vec3f& in, int order,
                const Walk& walk);
-  [[nodiscard]] float per_steradian(const SurfaceLaw& law, const Hit& hit, const Vec3f& in, const Vec3f& out, int order,
-                                    const Walk& walk) const;
+  [[nodiscard]] float per_steradian(const PingPlan& plan, const SurfaceLaw& law, const Hit& hit, const Vec3f& in,
+                                    const Vec3f& out, int order, const Walk& walk) const;
 
   Settings settings_;
   std::uint64_t number_ = 0;
+  bool corners_ = false;
+  SurfaceLabel water_ = kNoSurface;
   std::size_t walking_ = 0;  // How many of the walks go on: these come first.
   std::vector<Walk> walks_;
   std::vector<Ray> rays_;  // Next legs of the walks that go on, then legs back to the sonar.

@@ -1,0 +1,119 @@
+// water_returns.cpp -- sets up two rays per connection, by the point where the surface reflects, and deposits the
+// echoes of those that are clear.
+
+#include "echo/cpu/water_returns.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "echo/model/deposit.h"
+#include "echo/model/ray_limits.h"
+
+namespace insonify {
+
+namespace {
+
+Triple triple_of(const Vec3& v) {
+  return {static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z())};
+}
+
+}  // namespace
+
+WaterReturns::WaterReturns(const CpuScene& scene) : scene_(scene) {
+  for (int lane = 0; lane < kPacketSize; ++lane) {
+    to_water_.rays.ray.tnear[lane] = to_sonar_.rays.ray.tnear[lane] = kRayClearance;
+    for (RayPacket* packet : {&to_water_, &to_sonar_}) {
+      packet->set_origin(lane, Vec3f::Zero());
+      packet->set_direction(lane, Vec3f::UnitX());
+    }
+  }
+}
+
+void WaterReturns::start(const PingPlan& plan, const Vec3f& sonar, const Eigen::Matrix3f& axes, EchoGrid& grid,
+                         std::vector<Echo>& arrivals, std::vector<RayPacket>* log) {
+  plan_ = &plan;
+  sonar_ = sonar.cast<double>();
+  axes_ = axes;
+  grid_ = &grid;
+  arrivals_ = &arrivals;
+  log_ = log;
+  any_ = scene_.water().exists() && plan.model == EchoModel::kCalibrated && plan.max_surfaces > 2;
+}
+
+void WaterReturns::connect(const SecondHit& hit, int column, int row, const Echo& echo) {
+  const WaterPlane& water = scene_.water();
+  if (water.holds(double{hit.mirror.z()})) {
+    return;  // It is the first mirror too: MirrorPowers::twice.
+  }
+  const float weight = water_weight(*plan_, column, row);
+  if (weight == 0) {
+    return;
+  }
+  const std::optional<WaterPath> path = WaterPath::of(*plan_, water, sonar_, hit.point.cast<double>());
+  const float across = (hit.point - hit.mirror).norm(), there = hit.range + across;
+  if (!path || !(0.5 * (double{there} + path->length) < double{plan_->reach()})) {
+    return;
+  }
+  const Vec3f arrival_direction = axes_.transpose() * path->arrival.cast<float>();
+  if (!plan_->receives(arrival_direction)) {
+    return;
+  }
+  const Vec3 normal = hit.normal.cast<double>().normalized();
+  const double power = water_intensity(*plan_, *path, plan_->scatter.scattering(hit.surface), double{hit.texture},
+                                       double{hit.reflected}, normal, hit.direction.cast<double>(), double{there});
+  if (!(power > 0)) {
+    return;
+  }
+  const PingPlan::Arrival arrival = plan_->arrival_from(arrival_direction);
+  Echo one = echo;
+  one.order = 3;
+  one.path_length = there + static_cast<float>(path->length);
+  one.half_length = path_footprint(hit.above, hit.selected, hit.aside,
+                                   {across, triple_of(hit.direction.cast<double>()), triple_of(normal),
+                                    triple_of(-path->out), there, static_cast<float>(path->length)})
+                        .once;
+  one.weight *= weight;
+  one.power = static_cast<float>(power) * arrival.pattern;
+  launched_[count_] = one;
+  one.azimuth = arrival.bearing;
+  one.elevation = arrival.elevation;
+  arriving_[count_] = one;
+
+  const Vec3 from_bounce = sonar_ - path->bounce;
+  const double last = from_bounce.norm(), first = path->length - last;
+  to_water_.set_origin(count_, hit.point);
+  to_water_.set_direction(count_, path->out.cast<float>());
+  to_sonar_.set_origin(count_, path->bounce.cast<float>());
+  to_sonar_.set_direction(count_, (from_bounce / last).cast<float>());
+  to_sonar_.rays.ray.tfar[count_] = static_cast<float>(last) - kRayClearance;
+  // Near the surface the ends of a grazing ray are in it for longer.
+  const auto near = static_cast<float>(double{kRayClearance} / std::max(path->out.z(), 0.02));
+  to_water_.rays.ray.tfar[count_] = static_cast<float>(first) - near;
+  to_sonar_.rays.ray.tnear[count_] = near;
+  if (++count_ == kPacketSize) {
+    finish();
+  }
+}
+
+void WaterReturns::finish() {
+  if (count_ == 0) {
+    return;
+  }
+  for (RayPacket* packet : {&to_water_, &to_sonar_}) {
+    packet->set_count(count_);
+    if (log_ != nullptr) {
+      log_->push_back(*packet);
+    }
+    sent_ += static_cast<std::uint64_t>(count_);
+    scene_.occlude(*packet);
+  }
+  for (int lane = 0; lane < count_; ++lane) {
+    if (!to_water_.blocked(lane) && !to_sonar_.blocked(lane)) {
+      deposit(*plan_, launched_[lane], *grid_);
+      arrivals_->push_back(arriving_[lane]);
+    }
+  }
+  count_ = 0;
+}
+
+}  // namespace insonify

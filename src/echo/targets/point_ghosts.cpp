@@ -1,0 +1,177 @@
+// point_ghosts.cpp -- traces the legs between sonar and points, and adds the echoes of all their pairs.
+
+#include "echo/targets/point_ghosts.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/philox.h"
+#include "echo/model/coherent_share.h"
+#include "echo/model/ray_limits.h"
+#include "echo/targets/point_echoes.h"
+
+namespace insonify {
+namespace {
+
+constexpr std::size_t kMostLegs = PointGhosts::kMostFaces + 2;
+
+Ray ray_between(const Vec3& from, const Vec3& to) {
+  const Vec3 there = to - from;
+  const double length = there.norm();
+  const double clearance = double{kRayClearance};
+  return {from, length > 0 ? Vec3(there / length) : Vec3(Vec3::UnitX()), clearance, length - clearance};
+}
+
+}  // namespace
+
+PointGhosts::PointGhosts(std::span<const PointTarget> points, const std::optional<Surface>& surface,
+                         std::shared_ptr<const std::vector<PlaneMirror>> faces)
+    : points_(points), surface_(surface), faces_(std::move(faces)) {
+  const std::size_t most = std::min((faces_ ? faces_->size() : 0) + 2, kMostLegs);
+  legs_.reserve(most * points.size());
+  rays_.reserve(2 * most * points.size());
+  hits_.resize(2 * most * points.size());
+}
+
+// The leg by a mirror, if both ends are on one side of it.
+void PointGhosts::add_leg_by(const Vec3& sonar, std::size_t point, int mirror, const Vec3& normal, double offset) {
+  const Vec3& place = points_[point].position;
+  const double here = normal.dot(sonar) - offset, there = normal.dot(place) - offset;
+  if (!(here * there > 0)) {
+    return;
+  }
+  const Vec3 image = place - 2 * there * normal;
+  const double share = here / (here + there);
+  const Vec3 bounce = sonar + share * (image - sonar);
+  if (mirror >= 0) {
+    const PlaneMirror& face = (*faces_)[static_cast<std::size_t>(mirror)];
+    const auto flush = PlaneMirror::kFlush;
+    if ((bounce.array() < face.low.array() - flush).any() || (bounce.array() > face.high.array() + flush).any()) {
+      return;
+    }
+  }
+  legs_.push_back({mirror, point, rays_.size(), image, (bounce - sonar).norm()});
+  rays_.push_back(ray_between(sonar, bounce));
+  if (mirror >= 0) {  // It must meet the face, which may have holes.
+    rays_.back().max_distance +=
+        2 * double{kRayClearance} + 2 * PlaneMirror::kFlush / std::max(0.01, std::abs(here) / legs_.back().bounce);
+  }
+  rays_.push_back(ray_between(bounce, place));
+}
+
+void PointGhosts::add_legs(const Vec3& sonar, std::size_t point) {
+  const std::size_t first = legs_.size();
+  legs_.push_back({kStraight, point, rays_.size(), points_[point].position, 0});
+  rays_.push_back(ray_between(sonar, points_[point].position));
+  if (surface_ && sonar.z() < surface_->level && points_[point].position.z() < surface_->level) {
+    add_leg_by(sonar, point, kWater, Vec3::UnitZ(), surface_->level);
+  }
+  for (std::size_t i = 0; faces_ && i < faces_->size() && legs_.size() - first < kMostLegs; ++i) {
+    const PlaneMirror& face = (*faces_)[i];
+    add_leg_by(sonar, point, static_cast<int>(i), face.normal, face.offset);
+  }
+}
+
+std::optional<PointGhosts::Way> PointGhosts::way_of(const PingPlan& plan, const Pose& world_from_sonar,
+                                                    const Leg& leg) const {
+  const auto clear = [&](std::size_t ray) { return !std::isfinite(hits_[ray].distance); };
+  const Vec3 there = leg.image - world_from_sonar.position;
+  const Vec3f direction = (world_from_sonar.inverse() * leg.image).normalized().cast<float>();
+  if (!plan.receives(direction)) {
+    return {};
+  }
+  Way way{leg.mirror, plan.arrival_from(direction), there.norm(), 1, 0};
+  if (leg.mirror == kStraight) {
+    if (!clear(leg.ray)) {
+      return {};
+    }
+  } else if (leg.mirror == kWater) {
+    if (!clear(leg.ray) || !clear(leg.ray + 1)) {
+      return {};
+    }
+    way.intensity = plan.scatter.scattering(surface_->label).reflectance(there.z() / way.length);
+    way.turns = 0.5;
+  } else {
+    const PlaneMirror& face = (*faces_)[static_cast<std::size_t>(leg.mirror)];
+    const Hit& hit = hits_[leg.ray];
+    const double cosine = std::abs(face.normal.dot(there)) / way.length;
+    // The face itself, and nothing before it.
+    const bool met = std::isfinite(hit.distance) &&
+                     std::abs(hit.distance - leg.bounce) * cosine < PlaneMirror::kFlush + double{kRayClearance};
+    if (!met || !clear(leg.ray + 1)) {
+      return {};
+    }
+    const SurfaceLabel label = surface_label(hit.instance, hit.material);
+    const double zone = 2 / plan.turns_per_metre * leg.bounce * (way.length - leg.bounce) / way.length;
+    const double small = std::min(1.0, face.area * cosine / zone);
+    way.intensity = coherent_reflectance(plan, label, cosine) * small * small;
+  }
+  way.intensity *= double{way.arrival.pattern} / (way.length * way.length) *
+                   std::exp(-2 * double{plan.neper_per_metre} * way.length);
+  return way;
+}
+
+PointGhosts::Glint PointGhosts::glint(const PingPlan& plan, std::size_t point, const Way& out, const Way& back,
+                                      std::uint64_t number) const {
+  if (!glints_ || (out.mirror != kWater && back.mirror != kWater)) {
+    return {1, 0};
+  }
+  // A number of the pair: 2 with the straight leg, 3 with the water itself, 4 and more with faces.
+  const int other = out.mirror == kWater ? back.mirror : out.mirror;
+  const auto pair = static_cast<std::uint32_t>(other + 4);
+  const PhiloxCounter counter = {static_cast<std::uint32_t>(point), static_cast<std::uint32_t>(number),
+                                 static_cast<std::uint32_t>(number >> 32),
+                                 static_cast<std::uint32_t>(RandomPurpose::kWaves) + (pair << 8)};
+  const PhiloxCounter words = philox(counter, philox_key(plan.seed));
+  return {-std::log(double{uniform_open(words[0])}), double{uniform_open(words[1])}};
+}
+
+// The echoes of all pairs of legs, but for that of the straight one with itself.
+void PointGhosts::add_echoes(const PingPlan& plan, std::span<const Way> ways, std::size_t point, std::uint64_t number,
+                             EchoGrid& grid) const {
+  const double strength = std::pow(10.0, points_[point].target_strength_db / 10);
+  const double own_turns = own_phase(plan, point);
+  for (std::size_t i = 0; i < ways.size(); ++i) {
+    for (std::size_t j = i; j < ways.size(); ++j) {
+      const Way &out = ways[i], &back = ways[j];
+      const int order = 1 + (out.mirror != kStraight ? 1 : 0) + (back.mirror != kStraight ? 1 : 0);
+      if (order == 1 || order > plan.max_surfaces) {
+        continue;
+      }
+      const Glint waves = glint(plan, point, out, back, number);
+      const double range = 0.5 * (out.length + back.length);
+      const double intensity = waves.intensity * strength * out.intensity * back.intensity;
+      const double turns = plan.turns_per_metre * range + own_turns + out.turns + back.turns + waves.turns;
+      add_discrete_echo(plan, out.arrival, order, range, intensity, turns, grid);
+      if (i != j) {
+        add_discrete_echo(plan, back.arrival, order, range, intensity, turns, grid);
+      }
+    }
+  }
+}
+
+void PointGhosts::add(const PingPlan& plan, const Pose& world_from_sonar, std::uint64_t number, bool phases,
+                      Engine& engine, EchoGrid& grid) {
+  glints_ = phases && surface_ && surface_->waves;
+  if (plan.secondary == SecondaryEchoes::kNone || plan.max_surfaces < 2 || points_.empty()) {
+    return;
+  }
+  legs_.clear();
+  rays_.clear();
+  for (std::size_t point = 0; point < points_.size(); ++point) {
+    add_legs(world_from_sonar.position, point);
+  }
+  engine.trace(rays_, std::span(hits_).first(rays_.size()));
+  std::array<Way, kMostLegs> ways;
+  for (std::size_t first = 0, last = 0; first < legs_.size(); first = last) {
+    std::size_t count = 0;
+    for (last = first; last < legs_.size() && legs_[last].point == legs_[first].point; ++last) {
+      if (const std::optional<Way> way = way_of(plan, world_from_sonar, legs_[last])) {
+        ways[count++] = *way;
+      }
+    }
+    add_echoes(plan, std::span(ways).first(count), legs_[first].point, number, grid);
+  }
+}
+
+}  // namespace insonify
