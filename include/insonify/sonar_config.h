@@ -77,6 +77,9 @@ struct SonarConfig {
                                                          ///< it has an elevation pattern [rad], in (0, 170 deg].
   double elevation_center = 0;                           ///< Middle of the elevation aperture [rad].
 
+  /// Range at which the array's beams are focused [m], in (0, 1e6]; absent: at every range.
+  std::optional<double> focus_range = {};
+
   // Range window.
   int bin_count = 500;        ///< Range bins per beam, 1..65536.
   double min_range = 0.2;     ///< Near edge of bin 0 [m], 0..1e5. Nearer echoes are dropped.
@@ -224,6 +227,11 @@ void SonarConfig::visit_fields(Self& self, Visit&& visit) {
   visit(Field{"elevation_center", "rad", from_to(radians_from_degrees(-85), radians_from_degrees(85)),
               "Middle of the elevation aperture."},
         self.elevation_center);
+  visit(Field{"focus_range", "m", above_to(0, 1e6),
+              "Range at which the beams are focused, 1e6 for the far field; at every range when absent (calibrated "
+              "model, with an azimuth_pattern).",
+              ActsIn::kCalibrated},
+        self.focus_range);
   visit(Field{"bin_count", "", from_to(1, 65536), "Range bins per beam."}, self.bin_count);
   visit(Field{"min_range", "m", from_to(0, 1e5), "Near edge of bin 0; nearer echoes are dropped."}, self.min_range);
   visit(Field{"max_range", "m", above_to(0, 1e5), "Far edge of the last bin."}, self.max_range);

@@ -85,7 +85,8 @@ CalibratedReceiver::CalibratedReceiver(const Settings& settings)
     perfect.emplace(receiving_array(receiver, sonar));
     length = array.length(wavelength, beam_width(sonar)) / wavelength;
     bearing_.emplace(array, length, BearingCells::sines(cells.sonar), beam_sines, BearingResponse::kFloorDb,
-                     cells.edge_sines);
+                     BearingResponse::Extras{.cell_edges = cells.edge_sines,
+                                             .zones = focus_zones(sonar, length, wavelength, range_scale)});
   }
   if (receiver.noise) {
     noise_deviation_ = static_cast<float>(std::sqrt(0.5 * noise_intensity(sonar, receiver, pulse)));

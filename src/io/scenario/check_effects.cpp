@@ -84,8 +84,10 @@ constexpr std::array<Condition, 12> kOfReceiver = {
         return has_set_side_lobes(r.receiver.azimuth_pattern) || has_set_side_lobes(r.receiver.elevation_pattern);
       },
       "a pattern is taylor or dolph_chebyshev"}}};
-constexpr std::array<Condition, 7> kOfSonar = {
-    {{"pulse", [](const Received& r) { return r.receiver.pulse == PulseKind::kInstrument; },
+constexpr std::array<Condition, 8> kOfSonar = {
+    {{"focus_range", [](const Received& r) { return r.receiver.azimuth_pattern != BeamPattern::kTopHat; },
+      "receiver.azimuth_pattern is that of an array"},
+     {"pulse", [](const Received& r) { return r.receiver.pulse == PulseKind::kInstrument; },
       "receiver.pulse is instrument"},
      {"pulse_duration", [](const Received& r) { return r.sonar.pulse != PulseKind::kNone; }, "pulse is cw or lfm"},
      {"pulse_bandwidth", [](const Received& r) { return r.sonar.pulse == PulseKind::kLfm; }, "pulse is lfm"},
