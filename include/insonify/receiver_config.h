@@ -14,8 +14,8 @@
 namespace insonify {
 
 /// Beam pattern across one angle: a top hat (gain 1 within the beam's own slice, 0 outside), or that of a line array
-/// with a window.
-enum class BeamPattern { kTopHat, kRectangular, kHann, kHamming, kCosine, kTaylor, kDolphChebyshev };
+/// with a window. kInstrument: the sonar's own, see SonarConfig::elevation_pattern_beside().
+enum class BeamPattern { kTopHat, kRectangular, kHann, kHamming, kCosine, kTaylor, kDolphChebyshev, kInstrument };
 
 /// What a range bin keeps of the samples of a pulse that is shorter than it: the greatest, their mean, or one of them.
 enum class Decimation { kPeak, kMean, kSample };
@@ -33,10 +33,11 @@ struct ReceiverConfig {
 
   /// Pattern across bearings. It applies twice on scanning heads, which transmit and receive with the same array, and
   /// once (on reception) on fans.
-  BeamPattern azimuth_pattern = BeamPattern::kTaylor;
-  BeamPattern elevation_pattern = BeamPattern::kTopHat;  ///< Pattern across elevations, on transmission and reception.
-  double side_lobe_db = -30;                             ///< Side lobes of kTaylor and kDolphChebyshev [dB], -100..-15.
-  BeamShape beam_shape = BeamShape::kWedge;              ///< Which directions have the same bearing.
+  BeamPattern azimuth_pattern = BeamPattern::kTaylor;        ///< Not kInstrument.
+  BeamPattern elevation_pattern = BeamPattern::kInstrument;  ///< Pattern across elevations, on transmission and
+                                                             ///< reception.
+  double side_lobe_db = -30;                 ///< Side lobes of kTaylor and kDolphChebyshev [dB], -100..-15.
+  BeamShape beam_shape = BeamShape::kWedge;  ///< Which directions have the same bearing.
 
   // The array of the azimuth pattern.
   int elements = 0;                        ///< Number of elements, 0..1024; 0: a continuous line.
@@ -114,8 +115,8 @@ struct ReceiverConfig {
     visit(Field{"elevation_pattern",
                 "",
                 {},
-                "Transmit and receive pattern across elevations: top_hat, or the window of an array that is "
-                "elevation_aperture wide at half power, one way (calibrated).",
+                "Transmit and receive pattern across elevations: instrument (the sonar's own), top_hat, or the window "
+                "of an array that is elevation_aperture wide at half power, one way (calibrated).",
                 ActsIn::kCalibrated},
           self.elevation_pattern);
     visit(Field{"side_lobe_db", "dB", from_to(-100, -15), "Side lobes re the main lobe (taylor, dolph_chebyshev).",

@@ -86,6 +86,7 @@ CalibratedReceiver::CalibratedReceiver(const Settings& settings)
     length = array.length(wavelength, beam_width(sonar)) / wavelength;
     bearing_.emplace(array, length, BearingCells::sines(cells.sonar), beam_sines, BearingResponse::kFloorDb,
                      BearingResponse::Extras{.cell_edges = cells.edge_sines,
+                                             .element = FanPattern(sonar.element_width),
                                              .zones = focus_zones(sonar, length, wavelength, range_scale)});
   }
   if (receiver.noise) {

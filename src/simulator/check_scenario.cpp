@@ -105,8 +105,13 @@ void check_beams(const std::string& object, const ReceiverConfig& receiver, std:
     check_fan(object, "beam_shape", "wedge", index, sonar);
   }
   check_array(object, "azimuth_pattern", receiver.azimuth_pattern, [&] { return azimuth_array(receiver, sonar); });
-  check_array(object, "elevation_pattern", receiver.elevation_pattern,
-              [&] { return line_array(receiver.elevation_pattern, receiver.side_lobe_db, sonar.elevation_aperture); });
+  const BeamPattern elevation = sonar.elevation_pattern_beside(receiver);
+  check_array(object, "elevation_pattern", elevation,
+              [&] { return line_array(elevation, receiver.side_lobe_db, sonar.elevation_aperture); });
+  if (sonar.transmit_width || sonar.element_width) {
+    check_fan(fmt::format("sonars[{}]", index), sonar.transmit_width ? "transmit_width_deg" : "element_width_deg",
+              "absent", index, sonar);
+  }
 }
 
 // Gains are applied in single precision, which overflows at 385 dB.

@@ -306,8 +306,10 @@ void ReferenceColumn::deposit_mirror_echoes(const Reflection& path, EchoGrid& gr
   }
   const PingPlan::Arrival arrival = plan_.arrival_from(arrival_direction);
   echo.half_length = path.footprint.once;
-  echo.power = static_cast<float>(intensity.once) * arrival.pattern;
+  const float power = static_cast<float>(intensity.once) * arrival.pattern;
+  echo.power = power * arrival.transmitted / plan_.lattice.transmitted[column_];  // The reciprocal path.
   deposit(plan_, echo, grid);
+  echo.power = power;
   echo.azimuth = arrival.bearing;
   echo.elevation = arrival.elevation;
   arrivals.push_back(echo);

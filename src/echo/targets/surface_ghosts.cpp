@@ -99,13 +99,14 @@ void SurfaceGhosts::add_point(const PingPlan& plan, const Pose& world_from_sonar
                              double{by_surface->pattern};
     const double range = 0.5 * (near + far);
     const double turns = plan.turns_per_metre * range + own_turns + 0.5 + waves.turns;
-    add_discrete_echo(plan, *direct, 2, range, intensity, turns, grid);
-    add_discrete_echo(plan, *by_surface, 2, range, intensity, turns, grid);
+    add_discrete_echo(plan, *direct, 2, range, intensity * double{by_surface->transmitted}, turns, grid);
+    add_discrete_echo(plan, *by_surface, 2, range, intensity * double{direct->transmitted}, turns, grid);
   }
   if (plan.max_surfaces > 2) {
     const Glint waves = glint(plan, point, 3, number);
     const double intensity = waves.intensity * strength * reflectance * reflectance / std::pow(far, 4) *
-                             std::exp(-2 * absorption * far) * std::pow(double{by_surface->pattern}, 2);
+                             std::exp(-2 * absorption * far) * std::pow(double{by_surface->pattern}, 2) *
+                             double{by_surface->transmitted};
     const double turns = plan.turns_per_metre * far + own_turns + 1 + waves.turns;
     add_discrete_echo(plan, *by_surface, 3, far, intensity, turns, grid);
   }

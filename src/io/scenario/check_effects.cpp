@@ -81,11 +81,16 @@ constexpr std::array<Condition, 12> kOfReceiver = {
      {"full_scale_db", [](const Received& r) { return r.receiver.counts; }, "counts is true"},
      {"side_lobe_db",
       [](const Received& r) {
-        return has_set_side_lobes(r.receiver.azimuth_pattern) || has_set_side_lobes(r.receiver.elevation_pattern);
+        return has_set_side_lobes(r.receiver.azimuth_pattern) ||
+               has_set_side_lobes(r.sonar.elevation_pattern_beside(r.receiver));
       },
       "a pattern is taylor or dolph_chebyshev"}}};
-constexpr std::array<Condition, 8> kOfSonar = {
-    {{"focus_range", [](const Received& r) { return r.receiver.azimuth_pattern != BeamPattern::kTopHat; },
+constexpr std::array<Condition, 10> kOfSonar = {
+    {{"elevation_pattern", [](const Received& r) { return r.receiver.elevation_pattern == BeamPattern::kInstrument; },
+      "receiver.elevation_pattern is instrument"},
+     {"element_width_deg", [](const Received& r) { return r.receiver.azimuth_pattern != BeamPattern::kTopHat; },
+      "receiver.azimuth_pattern is that of an array"},
+     {"focus_range", [](const Received& r) { return r.receiver.azimuth_pattern != BeamPattern::kTopHat; },
       "receiver.azimuth_pattern is that of an array"},
      {"pulse", [](const Received& r) { return r.receiver.pulse == PulseKind::kInstrument; },
       "receiver.pulse is instrument"},

@@ -29,10 +29,11 @@ double bearing_width(const SonarConfig& sonar, const ReceiverConfig& receiver) {
 // Integral of |p|^2 cos(elevation) over elevation, one way; the array is baffled.
 double elevation_width(const SonarConfig& sonar, const ReceiverConfig& receiver) {
   const double middle = sonar.elevation_center, half = 0.5 * sonar.elevation_aperture;
-  if (receiver.elevation_pattern == BeamPattern::kTopHat) {
+  const BeamPattern pattern = sonar.elevation_pattern_beside(receiver);
+  if (pattern == BeamPattern::kTopHat) {
     return std::sin(middle + half) - std::sin(middle - half);
   }
-  const ArrayPattern array(line_array(receiver.elevation_pattern, receiver.side_lobe_db, sonar.elevation_aperture));
+  const ArrayPattern array(line_array(pattern, receiver.side_lobe_db, sonar.elevation_aperture));
   const double length = array.length(1, sonar.elevation_aperture);
   // Midpoints, at least 32 in each lobe.
   const auto steps = static_cast<int>(std::ceil(64 * std::max(1.0, length)));
