@@ -147,6 +147,22 @@ void check_receivers(const Scenario& scenario) {
   }
 }
 
+// Spherical spreading has a pole where sonars coincide.
+void check_mutual_interference(const Scenario& scenario) {
+  constexpr double kNearest = 0.01;
+  for (std::size_t i = 0; scenario.mutual_interference && i < scenario.sonars.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      const double distance = (scenario.sonars[i].position - scenario.sonars[j].position).norm();
+      if (distance < kNearest) {
+        throw Error(fmt::format("sonars[{}]", i), "position",
+                    fmt::format(" is {:.3g} m from that of sonars[{}]; with mutual_interference at least {} m",
+                                distance, j, kNearest),
+                    {"mutual_interference"});
+      }
+    }
+  }
+}
+
 void check_engine(const std::string& engine) {
   const std::vector<std::string_view> names = engine_names();
   if (std::ranges::find(names, engine) == names.end()) {
@@ -221,6 +237,9 @@ void Scenario::validate() const {
   if (model == EchoModel::kPaper && !interferers.empty()) {
     throw Error("", "interferers", " need model = calibrated");
   }
+  if (model == EchoModel::kPaper && mutual_interference) {
+    throw Error("", "mutual_interference", " needs model = calibrated");
+  }
   if (model == EchoModel::kPaper && (receiver.field || receiver.counts)) {
     throw Error("receiver", receiver.field ? "field" : "counts", " needs model = calibrated");
   }
@@ -245,6 +264,7 @@ void Scenario::validate() const {
   check_length(*this);
   if (model == EchoModel::kCalibrated) {
     check_receivers(*this);
+    check_mutual_interference(*this);
   }
   trajectory.validate("trajectory");
   if (motion_in_ping) {

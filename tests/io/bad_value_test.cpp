@@ -113,6 +113,9 @@ const BadScenario kCases[] = {
      "world: floor.obj\nsonars: [{name: head, type: msis, beam_count: 1, transmit_width_deg: 60}]\n",
      "scenario.yaml:2:50: sonars[0].transmit_width_deg belongs to a fan; this one's type is msis, whose "
      "azimuth_pattern applies both ways"},
+    {"MutualInterferenceAtOnePlace",
+     "world: floor.obj\nmutual_interference: true\nsonars: [{name: fls}, {name: other}]\n",
+     "scenario.yaml:2:1: sonars[1].position is 0 m from that of sonars[0]; with mutual_interference at least 0.01 m"},
     {"GainTooSteep", "world: floor.obj\nreceiver: {time_varied_gain: 80}\nsonars: [{name: fls}]\n",
      "scenario.yaml:2:12: receiver.time_varied_gain = 80 dB/decade must be from 0 to 60 dB/decade"},
     {"WhiterThanWhite", "world: floor.obj\nmaterials: {sand: {lambert_db: -3}}\nsonars: [{name: fls}]\n",
