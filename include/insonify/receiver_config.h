@@ -29,6 +29,8 @@ struct ReceiverConfig {
   std::optional<double> wind_noise = {};  ///< Wind speed 10 m above the sea [m/s], 0..60; absent: none.
   std::optional<double> rain_noise = {};  ///< Rain [mm/h], 0..300; absent: none.
   std::optional<double> ship_noise = {};  ///< Shipping, from 0 (little) to 1 (heavy); absent: none.
+  bool surface_noise = false;             ///< Whether the noise of wind and rain comes from the surface; else it is
+                                          ///< isotropic, as all other noise.
   bool speckle = true;                    ///< Whether echoes interfere.
 
   /// Pattern across bearings. It applies twice on scanning heads, which transmit and receive with the same array, and
@@ -98,6 +100,14 @@ struct ReceiverConfig {
                 "Distant shipping whose noise is added, from 0, little, to 1, heavy (calibrated); none when absent.",
                 ActsIn::kCalibrated, "paper.additive_deviation"},
           self.ship_noise);
+    visit(Field{"surface_noise",
+                "",
+                {},
+                "Whether the noise of wind and rain comes from the surface, as of dipoles; else it is isotropic "
+                "(calibrated).",
+                ActsIn::kCalibrated,
+                "paper.additive_deviation"},
+          self.surface_noise);
     visit(Field{"speckle",
                 "",
                 {},

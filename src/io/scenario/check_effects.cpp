@@ -63,7 +63,7 @@ struct Condition {
 bool has_set_side_lobes(BeamPattern pattern) {
   return pattern == BeamPattern::kTaylor || pattern == BeamPattern::kDolphChebyshev;
 }
-constexpr std::array<Condition, 12> kOfReceiver = {
+constexpr std::array<Condition, 13> kOfReceiver = {
     {{"pulse_duration",
       [](const Received& r) { return r.receiver.pulse == PulseKind::kCw || r.receiver.pulse == PulseKind::kLfm; },
       "pulse is cw or lfm"},
@@ -77,6 +77,11 @@ constexpr std::array<Condition, 12> kOfReceiver = {
      {"wind_noise", [](const Received& r) { return r.receiver.noise; }, "noise is true"},
      {"rain_noise", [](const Received& r) { return r.receiver.noise; }, "noise is true"},
      {"ship_noise", [](const Received& r) { return r.receiver.noise; }, "noise is true"},
+     {"surface_noise",
+      [](const Received& r) {
+        return r.receiver.noise && (r.receiver.wind_noise || r.receiver.rain_noise.value_or(0) > 0);
+      },
+      "noise is true and there is wind_noise or rain_noise"},
      {"full_scale_share", [](const Received& r) { return r.receiver.counts; }, "counts is true"},
      {"full_scale_db", [](const Received& r) { return r.receiver.counts; }, "counts is true"},
      {"side_lobe_db",
