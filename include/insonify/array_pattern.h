@@ -55,7 +55,8 @@ struct WindowCosine {
 };
 
 /// Beam pattern: the complex amplitude gain g(x) of an array steered to u0 for a plane wave from u, where x = (D /
-/// wavelength) (u - u0) and D is the array's length. For the far field, or an array focused at the range.
+/// wavelength) (u - u0) and D is the array's length. For the far field, or an array focused at the range; see
+/// defocused().
 ///
 /// The array without faults has |g(0)| = 1; with faults g is relative to that. The pattern of N elements has the period
 /// N in x, so elements more than half a wavelength apart give grating lobes within the fan. Windows: Harris, Proc. IEEE
@@ -71,8 +72,16 @@ class ArrayPattern {
   [[nodiscard]] std::complex<double> amplitude(double x) const;
   [[nodiscard]] double intensity(double x) const { return std::norm(amplitude(x)); }  ///< |g(x)|^2.
 
-  /// Without faults a pattern is real; the imaginary part of amplitude() is then 0.
-  [[nodiscard]] bool is_real() const { return imaginary_.empty(); }
+  /// The pattern of the array out of focus: each element's signal has the phase `edge_phase` (2 s)^2, s from -1/2 to
+  /// 1/2 along the array. A point at the range r in the bearing a, received by an array focused at f, has the edge
+  /// phase pi D^2 cos^2(a) / (4 wavelength) (1/r - 1/f) (Goodman, Introduction to Fourier Optics (2005), section 6.4).
+  /// Exact up to kExactReach + 4 |edge_phase| in x; beyond, the side lobes are those in focus.
+  /// @param edge_phase  [rad]; 0: in focus.
+  [[nodiscard]] ArrayPattern defocused(double edge_phase) const;
+  static constexpr double kExactReach = 8;
+
+  /// In focus and without faults a pattern is real; the imaginary part of amplitude() is then 0.
+  [[nodiscard]] bool is_real() const { return imaginary_.empty() && defocused_.empty(); }
 
   /// A side lobe.
   struct Lobe {
@@ -80,7 +89,7 @@ class ArrayPattern {
     double level_db = 0;  ///< Re the main lobe [dB]; -infinity where there is no side lobe.
   };
 
-  // Properties of the array without faults; of g(x)^2 with ArraySettings::two_way.
+  // Properties of the array in focus without faults; of g(x)^2 with ArraySettings::two_way.
   [[nodiscard]] double width() const;            ///< Full width at half power [wavelength / D].
   [[nodiscard]] Lobe highest_side_lobe() const;  ///< Among those at 0 < x <= 40, or within half a period.
   [[nodiscard]] double equivalent_beam()
@@ -97,11 +106,15 @@ class ArrayPattern {
  private:
   [[nodiscard]] double perfect_one_way(double x) const;
   [[nodiscard]] double perfect_intensity(double x) const;
+  [[nodiscard]] std::complex<double> focused_one_way(double x) const;
+  [[nodiscard]] std::complex<double> defocused_one_way(double x) const;
   void draw_faults(const ArraySettings& settings, std::uint64_t seed);
 
-  std::vector<WindowCosine> line_;        // Window of a continuous line; empty for an array of elements.
-  std::vector<double> weights_;           // Weights of the elements without faults, sum 1; empty for a line.
-  std::vector<double> real_, imaginary_;  // Complex weights of the elements with faults; empty without faults.
+  std::vector<WindowCosine> line_;               // Window of a continuous line; empty for an array of elements.
+  std::vector<double> weights_;                  // Weights of the elements without faults, sum 1; empty for a line.
+  std::vector<double> real_, imaginary_;         // Complex weights of the elements with faults; empty without faults.
+  std::vector<std::complex<double>> defocused_;  // Of elements, or of parts of a line, out of focus; empty in focus.
+  double edge_phase_ = 0;
   bool two_way_ = false;
 };
 

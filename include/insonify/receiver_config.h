@@ -14,8 +14,8 @@
 namespace insonify {
 
 /// Beam pattern across one angle: a top hat (gain 1 within the beam's own slice, 0 outside), or that of a line array
-/// with a window.
-enum class BeamPattern { kTopHat, kRectangular, kHann, kHamming, kCosine, kTaylor, kDolphChebyshev };
+/// with a window. kInstrument: the sonar's own, see SonarConfig::elevation_pattern_beside().
+enum class BeamPattern { kTopHat, kRectangular, kHann, kHamming, kCosine, kTaylor, kDolphChebyshev, kInstrument };
 
 /// What a range bin keeps of the samples of a pulse that is shorter than it: the greatest, their mean, or one of them.
 enum class Decimation { kPeak, kMean, kSample };
@@ -29,14 +29,17 @@ struct ReceiverConfig {
   std::optional<double> wind_noise = {};  ///< Wind speed 10 m above the sea [m/s], 0..60; absent: none.
   std::optional<double> rain_noise = {};  ///< Rain [mm/h], 0..300; absent: none.
   std::optional<double> ship_noise = {};  ///< Shipping, from 0 (little) to 1 (heavy); absent: none.
+  bool surface_noise = false;             ///< Whether the noise of wind and rain comes from the surface; else it is
+                                          ///< isotropic, as all other noise.
   bool speckle = true;                    ///< Whether echoes interfere.
 
   /// Pattern across bearings. It applies twice on scanning heads, which transmit and receive with the same array, and
   /// once (on reception) on fans.
-  BeamPattern azimuth_pattern = BeamPattern::kTaylor;
-  BeamPattern elevation_pattern = BeamPattern::kTopHat;  ///< Pattern across elevations, on transmission and reception.
-  double side_lobe_db = -30;                             ///< Side lobes of kTaylor and kDolphChebyshev [dB], -100..-15.
-  BeamShape beam_shape = BeamShape::kWedge;              ///< Which directions have the same bearing.
+  BeamPattern azimuth_pattern = BeamPattern::kTaylor;        ///< Not kInstrument.
+  BeamPattern elevation_pattern = BeamPattern::kInstrument;  ///< Pattern across elevations, on transmission and
+                                                             ///< reception.
+  double side_lobe_db = -30;                 ///< Side lobes of kTaylor and kDolphChebyshev [dB], -100..-15.
+  BeamShape beam_shape = BeamShape::kWedge;  ///< Which directions have the same bearing.
 
   // The array of the azimuth pattern.
   int elements = 0;                        ///< Number of elements, 0..1024; 0: a continuous line.
@@ -97,6 +100,14 @@ struct ReceiverConfig {
                 "Distant shipping whose noise is added, from 0, little, to 1, heavy (calibrated); none when absent.",
                 ActsIn::kCalibrated, "paper.additive_deviation"},
           self.ship_noise);
+    visit(Field{"surface_noise",
+                "",
+                {},
+                "Whether the noise of wind and rain comes from the surface, as of dipoles; else it is isotropic "
+                "(calibrated).",
+                ActsIn::kCalibrated,
+                "paper.additive_deviation"},
+          self.surface_noise);
     visit(Field{"speckle",
                 "",
                 {},
@@ -114,8 +125,8 @@ struct ReceiverConfig {
     visit(Field{"elevation_pattern",
                 "",
                 {},
-                "Transmit and receive pattern across elevations: top_hat, or the window of an array that is "
-                "elevation_aperture wide at half power, one way (calibrated).",
+                "Transmit and receive pattern across elevations: instrument (the sonar's own), top_hat, or the window "
+                "of an array that is elevation_aperture wide at half power, one way (calibrated).",
                 ActsIn::kCalibrated},
           self.elevation_pattern);
     visit(Field{"side_lobe_db", "dB", from_to(-100, -15), "Side lobes re the main lobe (taylor, dolph_chebyshev).",

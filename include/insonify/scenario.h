@@ -93,10 +93,11 @@ struct Scenario {
   std::string engine = "cpu";
   PrimaryEchoes primary = PrimaryEchoes::kAuto;
   SecondaryEchoes secondary = SecondaryEchoes::kSelective;
-  int max_surfaces = kPathOrders;  ///< Most surfaces that a path meets, 1..3.
-  bool rough_mirrors = false;      ///< Whether mirrors reflect by their facets alone, whatever their rms_height.
-  int random_walks = 0;            ///< Random walks of a ping, 0..1e6: reverberation of closed spaces; 0: none.
-  bool motion_in_ping = false;     ///< Whether the sonar moves on while it listens.
+  int max_surfaces = kPathOrders;    ///< Most surfaces that a path meets, 1..3.
+  bool rough_mirrors = false;        ///< Whether mirrors reflect by their facets alone, whatever their rms_height.
+  int random_walks = 0;              ///< Random walks of a ping, 0..1e6: reverberation of closed spaces; 0: none.
+  bool motion_in_ping = false;       ///< Whether the sonar moves on while it listens.
+  bool mutual_interference = false;  ///< Whether each sonar receives the pulses of the others.
   GroundTruth ground_truth = GroundTruth::kLabels;
   std::uint64_t seed = 1;
   int pings = 1;                   ///< >= 1; of each sonar, unless `duration` or `turns` says how many.
@@ -191,6 +192,11 @@ struct Scenario {
         Field{
             "motion_in_ping", "", {}, "Whether the sonar moves on along its trajectory while it listens (calibrated)."},
         self.motion_in_ping);
+    visit(Field{"mutual_interference",
+                "",
+                {},
+                "Whether each sonar receives the pulses of the scenario's others on their direct path (calibrated)."},
+          self.mutual_interference);
     visit(Field{"ground_truth",
                 "",
                 {},

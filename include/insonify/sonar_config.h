@@ -16,6 +16,9 @@ namespace insonify {
 /// Largest elevation that is sampled, up or down [rad]: straight up every azimuth is the same direction.
 inline constexpr double kSteepestElevation = radians_from_degrees(89);
 
+/// Largest width at half power of a transmitter or an element across bearings [rad]; that of a short line tends to 180.
+inline constexpr double kWidestElement = radians_from_degrees(175);
+
 /// How finely the insonified sector is sampled. More samples cost time and do not change expected levels.
 struct Sampling {
   int columns_per_beam = 4;  ///< Azimuths sampled in each beam, 1..256.
@@ -77,6 +80,18 @@ struct SonarConfig {
                                                          ///< it has an elevation pattern [rad], in (0, 170 deg].
   double elevation_center = 0;                           ///< Middle of the elevation aperture [rad].
 
+  // What its transducers send and receive beside the array's beams (docs/concepts/array-and-pulse.md).
+  BeamPattern elevation_pattern = BeamPattern::kTopHat;  ///< Across elevations, both ways, where
+                                                         ///< ReceiverConfig::elevation_pattern is kInstrument; not
+                                                         ///< kInstrument.
+  std::optional<double> transmit_width = {};  ///< Full width across bearings at half power of the transmitter of a fan
+                                              ///< [rad], in (0, 175 deg]; absent: it sends alike in all directions.
+  std::optional<double> element_width = {};   ///< Of one element of a fan's receiver [rad], in (0, 175 deg]; absent: it
+                                              ///< receives alike from all directions.
+
+  /// Range at which the array's beams are focused [m], in (0, 1e6]; absent: at every range.
+  std::optional<double> focus_range = {};
+
   // Range window.
   int bin_count = 500;        ///< Range bins per beam, 1..65536.
   double min_range = 0.2;     ///< Near edge of bin 0 [m], 0..1e5. Nearer echoes are dropped.
@@ -131,6 +146,11 @@ struct SonarConfig {
   /// The pulse that this sonar transmits beside a receiver: the receiver's, or the sonar's own where that is
   /// kInstrument, with the receiver's side lobes of a kTaylor window.
   [[nodiscard]] PulseSettings transmitted(const ReceiverConfig& with) const;
+
+  /// The pattern across elevations beside a receiver: the receiver's, or the sonar's own where that is kInstrument.
+  [[nodiscard]] BeamPattern elevation_pattern_beside(const ReceiverConfig& with) const {
+    return with.elevation_pattern == BeamPattern::kInstrument ? elevation_pattern : with.elevation_pattern;
+  }
 
   /// Azimuth of the centre of beam `beam` [rad]; falls from port (beam 0) to starboard.
   [[nodiscard]] double beam_azimuth(int beam) const;
@@ -224,6 +244,28 @@ void SonarConfig::visit_fields(Self& self, Visit&& visit) {
   visit(Field{"elevation_center", "rad", from_to(radians_from_degrees(-85), radians_from_degrees(85)),
               "Middle of the elevation aperture."},
         self.elevation_center);
+  visit(Field{"elevation_pattern",
+              "",
+              {},
+              "Pattern of the instrument's transmitter and receiver across elevations, where "
+              "receiver.elevation_pattern is instrument: top_hat, or the window of an array (calibrated model).",
+              ActsIn::kCalibrated},
+        self.elevation_pattern);
+  visit(Field{"transmit_width", "rad", above_to(0, kWidestElement),
+              "Width across bearings at half power of the transmitter of a fan; it sends alike in all directions when "
+              "absent (calibrated model).",
+              ActsIn::kCalibrated},
+        self.transmit_width);
+  visit(Field{"element_width", "rad", above_to(0, kWidestElement),
+              "Width across bearings at half power of one element of a fan's receiver; it receives alike from all "
+              "directions when absent (calibrated model).",
+              ActsIn::kCalibrated},
+        self.element_width);
+  visit(Field{"focus_range", "m", above_to(0, 1e6),
+              "Range at which the beams are focused, 1e6 for the far field; at every range when absent (calibrated "
+              "model, with an azimuth_pattern).",
+              ActsIn::kCalibrated},
+        self.focus_range);
   visit(Field{"bin_count", "", from_to(1, 65536), "Range bins per beam."}, self.bin_count);
   visit(Field{"min_range", "m", from_to(0, 1e5), "Near edge of bin 0; nearer echoes are dropped."}, self.min_range);
   visit(Field{"max_range", "m", above_to(0, 1e5), "Far edge of the last bin."}, self.max_range);

@@ -58,13 +58,14 @@ constexpr auto words_of<EchoModel>() {
 }
 template <>
 constexpr auto words_of<BeamPattern>() {
-  return Words<BeamPattern, 7>{{{"top_hat", BeamPattern::kTopHat},
+  return Words<BeamPattern, 8>{{{"top_hat", BeamPattern::kTopHat},
                                 {"rectangular", BeamPattern::kRectangular},
                                 {"hann", BeamPattern::kHann},
                                 {"hamming", BeamPattern::kHamming},
                                 {"cosine", BeamPattern::kCosine},
                                 {"taylor", BeamPattern::kTaylor},
-                                {"dolph_chebyshev", BeamPattern::kDolphChebyshev}}};
+                                {"dolph_chebyshev", BeamPattern::kDolphChebyshev},
+                                {"instrument", BeamPattern::kInstrument}}};
 }
 template <>
 constexpr auto words_of<BeamShape>() {

@@ -116,8 +116,8 @@ void CalibratedReceiver::receive_mean(const EchoGrid& grid, int cell, Row& row) 
 }
 
 // Intensity that a bin keeps, from that of one look, at the index `at` of beams x bins.
-float CalibratedReceiver::kept(float intensity, std::size_t at) const {
-  const float noise = 2 * noise_deviation_ * noise_deviation_;
+float CalibratedReceiver::kept(float intensity, std::size_t at, float noise_deviation) const {
+  const float noise = 2 * noise_deviation * noise_deviation;
   const float mean = (bearing_ ? beam_energy_ : cell_energy_)[at] + noise;
   const float extended = speckle_ ? (bearing_ ? beam_extended_ : cell_extended_)[at] + noise : noise;
   return mean > 0 ? coarse_->kept(intensity, mean, std::min(extended / mean, 1.0F)) : intensity;
@@ -177,6 +177,15 @@ void CalibratedReceiver::receive_leak() {
   }
 }
 
+// Sets the level of each beam's noise: that of the surface depends on where the beam looks.
+void CalibratedReceiver::receive_surface_noise(const Pose& world_from_sonar) {
+  surface_noise_->receive(world_from_sonar.orientation, surface_shares_);
+  for (std::size_t beam = 0; beam < noise_deviation_.size(); ++beam) {
+    const double intensity = double{isotropic_noise_} + surface_noise_level_ * surface_shares_[beam];
+    noise_deviation_[beam] = static_cast<float>(std::sqrt(0.5 * intensity));
+  }
+}
+
 // Fills moved_ with the cells and discrete echoes of `grid` as the moving sonar receives them. EchoGrid::met_before()
 // of each cell is not shifted.
 void CalibratedReceiver::move(const EchoGrid& grid, const PingMotion& motion, Workers& workers) {
@@ -222,6 +231,9 @@ void CalibratedReceiver::receive(const EchoGrid& still, std::span<const Displace
   if (noise_) {
     noise_->draw(ping.number, workers);
   }
+  if (surface_noise_) {
+    receive_surface_noise(world_from_sonar);
+  }
   if (leak_) {
     receive_leak();
   }
@@ -263,17 +275,17 @@ void CalibratedReceiver::detect_tile(const EchoGrid& grid, const TilePlace& plac
   const std::span<const float> channel_gains = channels_ ? channels_->gains() : std::span<const float>();
   for (int b = 0; b < place.beam_count; ++b) {
     const int beam = place.first_beam + b;
+    const float deviation = noise_deviation_[beam];
     const float channel = channel_gains.empty() ? 1.0F : channel_gains[beam];
     const std::size_t start = static_cast<std::size_t>(beam) * bins_ + place.first_bin;
     const float* const in_phase = noise_ ? noise_->in_phase(beam) + place.first_bin : kSilence;
     const float* const quadrature = noise_ ? noise_->quadrature(beam) + place.first_bin : kSilence;
     for (int i = 0; i < place.bin_count; ++i) {
       // Without speckle there is no phase: the field is sqrt(energy), so that noise can be added to it.
-      const float real =
-          (speckle_ ? field[start + i].real() : std::sqrt(energy[start + i])) + noise_deviation_ * in_phase[i];
-      const float imaginary = (speckle_ ? field[start + i].imag() : 0.0F) + noise_deviation_ * quadrature[i];
+      const float real = (speckle_ ? field[start + i].real() : std::sqrt(energy[start + i])) + deviation * in_phase[i];
+      const float imaginary = (speckle_ ? field[start + i].imag() : 0.0F) + deviation * quadrature[i];
       const float look = real * real + imaginary * imaginary;
-      const float received = keeps_looks_ ? kept(look, start + i) : look;
+      const float received = keeps_looks_ ? kept(look, start + i, deviation) : look;
       tile.intensity[b][i] = std::min(channel * received, saturation_) * gain_[place.first_bin + i];
       if (has_field_) {
         const float part = std::sqrt(tile.intensity[b][i] / std::max(look, kTiny));

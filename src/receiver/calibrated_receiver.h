@@ -20,6 +20,7 @@
 #include "receiver/discrete_echoes.h"
 #include "receiver/displaced_instance.h"
 #include "receiver/noise/noise_field.h"
+#include "receiver/noise/surface_noise.h"
 #include "receiver/output_tile.h"
 #include "receiver/pulse/coarse_bins.h"
 #include "receiver/pulse/range_response.h"
@@ -89,7 +90,8 @@ class CalibratedReceiver {
   void sum_energy(const EchoGrid& grid, int cell, std::span<float> energy) const;
   void receive_cell(const EchoGrid& grid, int cell, Row& row);
   void receive_mean(const EchoGrid& grid, int cell, Row& row);
-  [[nodiscard]] float kept(float intensity, std::size_t at) const;
+  void receive_surface_noise(const Pose& world_from_sonar);
+  [[nodiscard]] float kept(float intensity, std::size_t at, float noise_deviation) const;
   void receive_bearings(const EchoGrid& grid, Workers& workers);
   void receive_discrete_echoes(const EchoGrid& grid, const DiscreteEchoes& discrete);
   void couple_channels(Workers& workers);
@@ -101,8 +103,14 @@ class CalibratedReceiver {
   std::vector<float> volume_;      // [bin]: volume reverberation per unit solid angle [1/sr]; empty without any.
   std::vector<float> cell_angle_;  // [cell]: solid angle, weighted by the pattern both ways [sr].
   TruthReceiver truth_;
-  float noise_deviation_ = 0;  // Standard deviation of either part of the noise, re the source's amplitude at 1 m.
-  float saturation_;           // Largest intensity before gain.
+  // Standard deviation of either part of a beam's noise, re the source's amplitude at 1 m; of all, where
+  // `surface_noise_` is not there.
+  std::vector<float> noise_deviation_;
+  float isotropic_noise_ = 0;           // Intensity of the noise that is alike in all beams.
+  double surface_noise_level_ = 0;      // Of the surface's noise, per unit of SurfaceNoise::receive().
+  std::vector<double> surface_shares_;  // [beam].
+  std::optional<SurfaceNoise> surface_noise_;
+  float saturation_;  // Largest intensity before gain.
   bool has_field_;
   std::uint64_t seed_;
   std::optional<ReceptionShift> shift_;

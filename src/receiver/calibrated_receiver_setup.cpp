@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "insonify/acoustics/absorption.h"
 #include "receiver/array/line_array.h"
@@ -85,10 +86,24 @@ CalibratedReceiver::CalibratedReceiver(const Settings& settings)
     perfect.emplace(receiving_array(receiver, sonar));
     length = array.length(wavelength, beam_width(sonar)) / wavelength;
     bearing_.emplace(array, length, BearingCells::sines(cells.sonar), beam_sines, BearingResponse::kFloorDb,
-                     cells.edge_sines);
+                     BearingResponse::Extras{.cell_edges = cells.edge_sines,
+                                             .element = FanPattern(sonar.element_width),
+                                             .zones = focus_zones(sonar, length, wavelength, range_scale)});
   }
   if (receiver.noise) {
-    noise_deviation_ = static_cast<float>(std::sqrt(0.5 * noise_intensity(sonar, receiver, pulse)));
+    ReceiverConfig isotropic = receiver;
+    if (receiver.surface_noise && (receiver.wind_noise || receiver.rain_noise.value_or(0) > 0)) {
+      isotropic.wind_noise.reset();
+      isotropic.rain_noise.reset();
+      surface_noise_.emplace(sonar, receiver, settings.water.depth,
+                             settings.water.absorption_db_per_m_at(sonar.frequency),
+                             receive_bearing_width(sonar, receiver));
+      surface_noise_level_ =
+          noise_intensity(sonar, pulse, weather_spectrum_db(receiver, sonar.frequency), 4 * std::numbers::pi);
+      surface_shares_.resize(static_cast<std::size_t>(beams_));
+    }
+    isotropic_noise_ = static_cast<float>(noise_intensity(sonar, isotropic, pulse));
+    noise_deviation_.assign(static_cast<std::size_t>(beams_), std::sqrt(0.5F * isotropic_noise_));
     noise_.emplace(NoiseField::Settings{.beams = beams_,
                                         .bins = bins_,
                                         .pulse = pulse,
@@ -98,6 +113,7 @@ CalibratedReceiver::CalibratedReceiver(const Settings& settings)
                                         .beam_sines = beam_sines,
                                         .seed = seed_});
   }
+  noise_deviation_.resize(static_cast<std::size_t>(beams_));
   if (ReceiverChannels::differ_in(sonar)) {
     channels_.emplace(sonar);
   }

@@ -18,7 +18,7 @@ void DiscreteEchoes::for_each_cell(const DiscreteEcho& echo, const Add& add) con
   const int reach = range_ != nullptr ? range_->taps() / 2 : 0;
   const int first_bin = std::max(0, echo.bin - reach), last_bin = std::min(bins_, echo.bin + reach + 1);
   for (int beam = first_beam; beam < last_beam; ++beam) {
-    const std::complex<double> gain = bearing_ != nullptr ? bearing_->gain(beam, echo.bearing_sine) : 1.0;
+    const std::complex<double> gain = bearing_ != nullptr ? bearing_->gain(beam, echo.bearing_sine, echo.bin) : 1.0;
     if (std::norm(gain) < floor) {
       continue;
     }

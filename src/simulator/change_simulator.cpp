@@ -16,6 +16,7 @@ void Simulator::State::set(int index, SimulatedSonar sonar, const Scenario& chan
   sonars[index] = std::move(sonar);
   lanes.clear();
   scenario.sonars[index] = changed.sonars[index];
+  set_senders();
   if (sea && sea->fit(changed, scene)) {
     scene_changed = true;
   }

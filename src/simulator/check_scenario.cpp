@@ -105,8 +105,13 @@ void check_beams(const std::string& object, const ReceiverConfig& receiver, std:
     check_fan(object, "beam_shape", "wedge", index, sonar);
   }
   check_array(object, "azimuth_pattern", receiver.azimuth_pattern, [&] { return azimuth_array(receiver, sonar); });
-  check_array(object, "elevation_pattern", receiver.elevation_pattern,
-              [&] { return line_array(receiver.elevation_pattern, receiver.side_lobe_db, sonar.elevation_aperture); });
+  const BeamPattern elevation = sonar.elevation_pattern_beside(receiver);
+  check_array(object, "elevation_pattern", elevation,
+              [&] { return line_array(elevation, receiver.side_lobe_db, sonar.elevation_aperture); });
+  if (sonar.transmit_width || sonar.element_width) {
+    check_fan(fmt::format("sonars[{}]", index), sonar.transmit_width ? "transmit_width_deg" : "element_width_deg",
+              "absent", index, sonar);
+  }
 }
 
 // Gains are applied in single precision, which overflows at 385 dB.
@@ -139,6 +144,22 @@ void check_receivers(const Scenario& scenario) {
                       object));
     }
     check_gain(object, receiver, i, sonar, scenario.water_at(sonar));
+  }
+}
+
+// Spherical spreading has a pole where sonars coincide.
+void check_mutual_interference(const Scenario& scenario) {
+  constexpr double kNearest = 0.01;
+  for (std::size_t i = 0; scenario.mutual_interference && i < scenario.sonars.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      const double distance = (scenario.sonars[i].position - scenario.sonars[j].position).norm();
+      if (distance < kNearest) {
+        throw Error(fmt::format("sonars[{}]", i), "position",
+                    fmt::format(" is {:.3g} m from that of sonars[{}]; with mutual_interference at least {} m",
+                                distance, j, kNearest),
+                    {"mutual_interference"});
+      }
+    }
   }
 }
 
@@ -216,6 +237,9 @@ void Scenario::validate() const {
   if (model == EchoModel::kPaper && !interferers.empty()) {
     throw Error("", "interferers", " need model = calibrated");
   }
+  if (model == EchoModel::kPaper && mutual_interference) {
+    throw Error("", "mutual_interference", " needs model = calibrated");
+  }
   if (model == EchoModel::kPaper && (receiver.field || receiver.counts)) {
     throw Error("receiver", receiver.field ? "field" : "counts", " needs model = calibrated");
   }
@@ -240,6 +264,7 @@ void Scenario::validate() const {
   check_length(*this);
   if (model == EchoModel::kCalibrated) {
     check_receivers(*this);
+    check_mutual_interference(*this);
   }
   trajectory.validate("trajectory");
   if (motion_in_ping) {

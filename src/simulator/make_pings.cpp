@@ -31,6 +31,10 @@ void Simulator::State::make(const PingRequest& request, SimulatedSonar& sonar, c
     parts.ghosts.add(plan, world_from_sonar, request.number, scenario.receiver_of(sonar.config).speckle, parts.engine,
                      grid);
     parts.interference.add(plan, world_from_sonar, request.time, parts.engine, grid);
+    if (!senders.empty()) {
+      add_mutual_interference(senders, sonar, scenario.receiver_of(sonar.config), request, world_from_sonar,
+                              parts.engine, grid);
+    }
     const PingMotion motion = scenario.motion_in_ping
                                   ? sonar.motion_while_listening(request, sonar.vehicle_from_housing * head)
                                   : PingMotion{};

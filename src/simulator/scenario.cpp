@@ -10,7 +10,7 @@ namespace insonify {
 bool Scenario::has_even_rows(const SonarConfig& sonar) const {
   const ReceiverConfig& own = receiver_of(sonar);
   return model == EchoModel::kPaper ||
-         (own.beam_shape == BeamShape::kWedge && own.elevation_pattern == BeamPattern::kTopHat);
+         (own.beam_shape == BeamShape::kWedge && sonar.elevation_pattern_beside(own) == BeamPattern::kTopHat);
 }
 
 Water Scenario::water_at(const SonarConfig& sonar) const {

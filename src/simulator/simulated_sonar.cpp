@@ -28,10 +28,11 @@ ReceiverConfig receiver_of(const Scenario& scenario, const SonarConfig& sonar) {
 }
 
 std::optional<ArraySettings> elevation_array(const ReceiverConfig& receiver, const SonarConfig& sonar) {
-  if (receiver.elevation_pattern == BeamPattern::kTopHat) {
+  const BeamPattern pattern = sonar.elevation_pattern_beside(receiver);
+  if (pattern == BeamPattern::kTopHat) {
     return {};
   }
-  return line_array(receiver.elevation_pattern, receiver.side_lobe_db, sonar.elevation_aperture);
+  return line_array(pattern, receiver.side_lobe_db, sonar.elevation_aperture);
 }
 
 std::vector<float> cell_angles(const PingPlan& plan) {
@@ -79,7 +80,11 @@ SimulatedSonar::SimulatedSonar(const Scenario& scenario, const SonarConfig& sona
   const Water water = scenario.water_at(config);
   const ReceiverConfig beams = receiver_of(scenario, config);
   const bool calibrated = scenario.model == EchoModel::kCalibrated;
-  const SonarConfig steered = calibrated ? steered_by_assumed_speed(config, water.true_sound_speed()) : config;
+  SonarConfig steered = calibrated ? steered_by_assumed_speed(config, water.true_sound_speed()) : config;
+  if (!calibrated) {
+    steered.transmit_width.reset();
+    steered.element_width.reset();
+  }
   const BearingCells cells(steered, beams);
   plan = make_ping_plan({.sonar = cells.sonar,
                          .water = water,

@@ -29,7 +29,15 @@ Simulator::State::State(Scenario the_scenario, Scene the_scene, int threads, std
   for (const SonarConfig& sonar : scenario.sonars) {
     sonars.push_back(simulated(scenario, sonar));
   }
+  set_senders();
   take_in_scene();
+}
+
+void Simulator::State::set_senders() {
+  senders.clear();
+  for (std::size_t i = 0; scenario.mutual_interference && i < sonars.size(); ++i) {
+    senders.emplace_back(sonars[i], scenario.receiver_of(sonars[i].config));
+  }
 }
 
 SimulatedSonar Simulator::State::simulated(const Scenario& in, const SonarConfig& sonar) const {

@@ -16,6 +16,7 @@
 #include "echo/targets/thin_echoes.h"
 #include "insonify/simulator.h"
 #include "simulator/movable_objects.h"
+#include "simulator/mutual_interference.h"
 #include "simulator/sea_plane.h"
 #include "simulator/simulated_sonar.h"
 
@@ -29,6 +30,9 @@ struct Simulator::State {
 
   /// Puts one in the place of a sonar, whose settings `changed` has.
   void set(int index, SimulatedSonar sonar, const Scenario& changed);
+
+  /// Fills `senders` with the sonars as they are.
+  void set_senders();
 
   /// Passes the scene to the engine again if it has changed.
   void take_in_scene();
@@ -83,6 +87,7 @@ struct Simulator::State {
   PointGhosts ghosts;
   std::vector<Pose> poses;  ///< [instance] World from mesh, at the last ping or place().
   std::vector<SimulatedSonar> sonars;
+  std::vector<SendingSonar> senders;  ///< All sonars, where they receive each other's pulses; else empty.
 
   /// One of `sonars`.  @throws Error for an index that is none.
   [[nodiscard]] SimulatedSonar& sonar(int index);

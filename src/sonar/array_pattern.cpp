@@ -164,15 +164,56 @@ double ArrayPattern::perfect_intensity(double x) const {
   return two_way_ ? one_way * one_way * one_way * one_way : one_way * one_way;
 }
 
-std::complex<double> ArrayPattern::amplitude(double x) const {
-  std::complex<double> one_way = 0;
-  if (is_real()) {
-    one_way = perfect_one_way(x);
-  } else {
-    one_way = sum_elements(static_cast<int>(real_.size()), x,
-                           [this](int n) { return std::complex<double>(real_[n], imaginary_[n]); });
+std::complex<double> ArrayPattern::focused_one_way(double x) const {
+  if (imaginary_.empty()) {
+    return perfect_one_way(x);
   }
+  return sum_elements(static_cast<int>(real_.size()), x,
+                      [this](int n) { return std::complex<double>(real_[n], imaginary_[n]); });
+}
+
+// Far side lobes are the waves from both ends of the array, which have the phase of the edge.
+std::complex<double> ArrayPattern::defocused_one_way(double x) const {
+  const auto count = static_cast<int>(defocused_.size());
+  const bool is_line = weights_.empty();
+  const double within = is_line ? x : x - count * std::round(x / count);  // The pattern of elements repeats.
+  if (std::abs(within) > kExactReach + 4 * std::abs(edge_phase_)) {
+    return focused_one_way(x) * std::polar(1.0, edge_phase_);
+  }
+  const std::complex<double> sum = sum_elements(count, x, [this](int n) { return defocused_[n]; });
+  const double part = pi * x / count;  // Each part of a line is a short line.
+  return is_line && part != 0 ? sum * (std::sin(part) / part) : sum;
+}
+
+std::complex<double> ArrayPattern::amplitude(double x) const {
+  const std::complex<double> one_way = defocused_.empty() ? focused_one_way(x) : defocused_one_way(x);
   return two_way_ ? one_way * one_way : one_way;
+}
+
+ArrayPattern ArrayPattern::defocused(double edge_phase) const {
+  ArrayPattern pattern = *this;
+  pattern.defocused_.clear();
+  pattern.edge_phase_ = edge_phase;
+  if (edge_phase == 0) {
+    return pattern;
+  }
+  constexpr double kLeastParts = 64, kPartsPerRadian = 16;
+  const int count = weights_.empty()
+                        ? static_cast<int>(std::ceil(std::max(kLeastParts, kPartsPerRadian * std::abs(edge_phase))))
+                        : static_cast<int>(weights_.size());
+  for (int n = 0; n < count; ++n) {
+    const double place = (0.5 * (count - 1) - n) / count;  // s.
+    std::complex<double> weight = 0;
+    if (weights_.empty()) {
+      for (const WindowCosine& part : line_) {
+        weight += part.share * std::cos(2 * pi * part.turns * place) / count;
+      }
+    } else {
+      weight = imaginary_.empty() ? weights_[n] : std::complex<double>(real_[n], imaginary_[n]);
+    }
+    pattern.defocused_.push_back(weight * std::polar(1.0, 4 * edge_phase * place * place));
+  }
+  return pattern;
 }
 
 double ArrayPattern::width() const {

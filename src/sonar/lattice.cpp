@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "sonar/column_arc.h"
+#include "sonar/fan_pattern.h"
 
 namespace insonify {
 namespace {
@@ -26,6 +27,7 @@ float to_float(double value) {
 
 void make_columns(const SonarConfig& sonar, Lattice& lattice) {
   const std::vector<double> edges = sonar.beam_edges();
+  const FanPattern transmitter(sonar.transmit_width);
   const int per_beam = lattice.columns_per_beam;
   for (int column = 0; column < lattice.columns; ++column) {
     const int beam = column / per_beam;
@@ -36,8 +38,11 @@ void make_columns(const SonarConfig& sonar, Lattice& lattice) {
     lattice.cos_azimuth.push_back(to_float(std::cos(azimuth)));
     lattice.sin_azimuth.push_back(to_float(std::sin(azimuth)));
     lattice.column_width.push_back(to_float(width));
-    lattice.column_measure.push_back(
-        to_float(lattice.shape == BeamShape::kWedge ? width : std::sin(azimuth + half) - std::sin(azimuth - half)));
+    const double measure =
+        lattice.shape == BeamShape::kWedge ? width : std::sin(azimuth + half) - std::sin(azimuth - half);
+    const double sent = transmitter.intensity(std::sin(azimuth));
+    lattice.transmitted.push_back(to_float(sent));
+    lattice.column_measure.push_back(to_float(sent * measure));
   }
 }
 

@@ -39,7 +39,8 @@ struct Lattice {
   std::vector<float> cos_azimuth, sin_azimuth;
   std::vector<float> column_width;     ///< Width of the column in bearing [rad].
   std::vector<float> column_measure;   ///< Width to which solid angle is proportional: in a [rad] for wedges, in sin a
-                                       ///< for cones.
+                                       ///< for cones; times transmitted.
+  std::vector<float> transmitted;      ///< Intensity gain of the transmitter at the column's bearing.
   std::vector<std::uint32_t> row_set;  ///< Index of the column's set of rows: columns of one stagger phase share a set.
 
   // [set][row], at [set * rows + row].

@@ -42,6 +42,10 @@ void ReceiverConfig::validate(std::string_view object) const {
                     pulse_bandwidth, object, pulse_duration, pulse_duration * pulse_bandwidth),
         {member_name(object, "pulse_duration"), member_name(object, "pulse")});
   }
+  if (azimuth_pattern == BeamPattern::kInstrument) {
+    throw Error(object, "azimuth_pattern",
+                " = instrument must be top_hat or a window: a sonar's azimuth_resolution_deg is its own");
+  }
   check_gain_table(object, *this);
   if (field && !speckle) {
     throw Error(object, "field", fmt::format(" needs {}.speckle: without it echoes have no phase", object),

@@ -152,6 +152,16 @@ void check_head(std::string_view object, const SonarConfig& sonar) {
   }
 }
 
+void check_transducers(std::string_view object, const SonarConfig& sonar) {
+  if (sonar.elevation_pattern == BeamPattern::kInstrument) {
+    fail(object, "elevation_pattern", " = instrument must be top_hat or a window: it is the instrument's");
+  }
+  if (sonar.type == SonarType::kMechanicallyScanned && (sonar.transmit_width || sonar.element_width)) {
+    fail(object, sonar.transmit_width ? "transmit_width_deg" : "element_width_deg",
+         " belongs to a fan; this one's type is msis, whose azimuth_pattern applies both ways", {"type"});
+  }
+}
+
 void check_pulse(std::string_view object, const SonarConfig& sonar) {
   if (sonar.pulse == PulseKind::kInstrument) {
     fail(object, "pulse", " = instrument must be none, cw or lfm: it is the instrument's");
@@ -249,6 +259,7 @@ void SonarConfig::validate(std::string_view object) const {
   check_elevations(object, *this);
   check_head(object, *this);
   check_pulse(object, *this);
+  check_transducers(object, *this);
 }
 
 }  // namespace insonify

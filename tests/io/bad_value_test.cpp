@@ -98,11 +98,24 @@ const BadScenario kCases[] = {
      "auto or rays takes any"},
     {"UnknownElevationPattern", "world: floor.obj\nreceiver: {elevation_pattern: sinc}\nsonars: [{name: fls}]\n",
      "scenario.yaml:2:12: receiver.elevation_pattern = \"sinc\" must be top_hat, rectangular, hann, hamming, cosine, "
-     "taylor or dolph_chebyshev"},
+     "taylor, dolph_chebyshev or instrument"},
     {"UnknownPattern", "world: floor.obj\nreceiver: {azimuth_pattern: sinc}\nsonars: [{name: fls}]\n",
      "scenario.yaml:2:12: receiver.azimuth_pattern = \"sinc\" must be top_hat, rectangular, hann, hamming, cosine, "
-     "taylor "
-     "or dolph_chebyshev"},
+     "taylor, dolph_chebyshev or instrument"},
+    {"AzimuthPatternOfTheInstrument",
+     "world: floor.obj\nreceiver: {azimuth_pattern: instrument}\nsonars: [{name: fls}]\n",
+     "scenario.yaml:2:12: receiver.azimuth_pattern = instrument must be top_hat or a window: a sonar's "
+     "azimuth_resolution_deg is its own"},
+    {"InstrumentsPatternOfTheInstrument", "world: floor.obj\nsonars: [{name: fls, elevation_pattern: instrument}]\n",
+     "scenario.yaml:2:22: sonars[0].elevation_pattern = instrument must be top_hat or a window: it is the "
+     "instrument's"},
+    {"TransmitterOfAHead",
+     "world: floor.obj\nsonars: [{name: head, type: msis, beam_count: 1, transmit_width_deg: 60}]\n",
+     "scenario.yaml:2:50: sonars[0].transmit_width_deg belongs to a fan; this one's type is msis, whose "
+     "azimuth_pattern applies both ways"},
+    {"MutualInterferenceAtOnePlace",
+     "world: floor.obj\nmutual_interference: true\nsonars: [{name: fls}, {name: other}]\n",
+     "scenario.yaml:2:1: sonars[1].position is 0 m from that of sonars[0]; with mutual_interference at least 0.01 m"},
     {"GainTooSteep", "world: floor.obj\nreceiver: {time_varied_gain: 80}\nsonars: [{name: fls}]\n",
      "scenario.yaml:2:12: receiver.time_varied_gain = 80 dB/decade must be from 0 to 60 dB/decade"},
     {"WhiterThanWhite", "world: floor.obj\nmaterials: {sand: {lambert_db: -3}}\nsonars: [{name: fls}]\n",

@@ -71,7 +71,8 @@ TEST(PresetTest, EveryPresetGivesWhatItsInstrumentNeeds) {
         fields.push_back(fact.field);
       }
       for (const char* needed : {"type", "frequency", "beam_count", "azimuth_aperture_deg", "elevation_aperture_deg",
-                                 "azimuth_resolution_deg", "min_range", "max_range", "bin_limit", "bit_depths"}) {
+                                 "azimuth_resolution_deg", "min_range", "max_range", "bin_limit", "bit_depths",
+                                 "source_level_db", "bandwidth", "mapping", "elevation_pattern"}) {
         EXPECT_THAT(fields, Contains(needed)) << name << " " << mode;
       }
     }
@@ -144,6 +145,25 @@ INSTANTIATE_TEST_SUITE_P(All, SheetTest, testing::ValuesIn(kSheets), [](const au
   std::ranges::replace(name, '-', '_');
   return name;
 });
+
+// Half power at the edges of the fan; elements half a wavelength wide: sinc^2(0.5 u) is a half at u = 0.8859. Lenses
+// send and receive each beam alone.
+TEST(PresetTest, FansHaveTransmittersAndElements) {
+  for (const std::string& name : preset_names()) {
+    for (const std::string& mode : load_preset(name).modes) {
+      SCOPED_TRACE(name + " " + mode);
+      const SonarConfig sonar = load_preset(name, mode).sonar;
+      EXPECT_EQ(sonar.elevation_pattern, BeamPattern::kRectangular);
+      const bool fan = sonar.type == SonarType::kForwardLooking && sonar.steering == Steering::kElectronic;
+      ASSERT_EQ(sonar.transmit_width.has_value(), fan);
+      ASSERT_EQ(sonar.element_width.has_value(), fan);
+      if (fan) {
+        EXPECT_NEAR(*sonar.transmit_width, sonar.azimuth_aperture, kSheetTolerance);
+        EXPECT_NEAR(std::sin(0.5 * *sonar.element_width), 0.8859, 0.0003);
+      }
+    }
+  }
+}
 
 TEST(PresetTest, TheGemini720isLooksDown) {
   EXPECT_NEAR(degrees_from_radians(load_preset("tritech-gemini-720is").sonar.elevation_center), -10, kSheetTolerance);

@@ -180,8 +180,10 @@ void SecondaryTask::return_mirrored(const RTCRay16& rays, const ReflectedOrigins
     if (powers.once[lane] > 0 && 0.5F * (there + back) < plan_->reach() && plan_->receives(arrival_direction)) {
       const PingPlan::Arrival arrival = plan_->arrival_from(arrival_direction);
       echo.half_length = returns.once[lane];
-      echo.power = powers.once[lane] * arrival.pattern;
+      const float power = powers.once[lane] * arrival.pattern;
+      echo.power = power * arrival.transmitted / plan_->lattice.transmitted[origins.column[lane]];  // Reciprocal path.
       returning_[returning_count_] = echo;
+      echo.power = power;
       echo.azimuth = arrival.bearing;
       echo.elevation = arrival.elevation;
       arriving_[returning_count_] = echo;

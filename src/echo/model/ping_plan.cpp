@@ -20,6 +20,7 @@ std::optional<ElevationPattern> elevation_pattern_of(const PingPlanSettings& set
 PingPlan::PingPlan(const PingPlanSettings& settings)
     : sonar(settings.sonar),
       elevation_pattern(elevation_pattern_of(settings)),
+      transmitter(settings.sonar.transmit_width),
       lattice(settings.sonar, settings.stagger_phase, settings.beam_shape,
               elevation_pattern ? &*elevation_pattern : nullptr),
       model(settings.model),

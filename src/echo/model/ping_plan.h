@@ -18,6 +18,7 @@
 #include "insonify/sonar_config.h"
 #include "insonify/water.h"
 #include "sonar/elevation_pattern.h"
+#include "sonar/fan_pattern.h"
 #include "sonar/lattice.h"
 
 namespace insonify {
@@ -51,6 +52,7 @@ class PingPlan {
 
   SonarConfig sonar;
   std::optional<ElevationPattern> elevation_pattern;  ///< Absent: a top hat over the aperture.
+  FanPattern transmitter;                             ///< Of a fan, across bearings.
   Lattice lattice;
   EchoModel model;
   PaperShape shape;      ///< `paper`
@@ -95,6 +97,7 @@ class PingPlan {
   struct Arrival {
     float bearing, elevation;  ///< [rad]
     float pattern;             ///< |p|^2 of the elevation pattern, one way; 1 without one.
+    float transmitted;         ///< Intensity gain of the transmitter across bearings; 1 without a transmit_width.
   };
   /// @param direction  Unit vector in the sonar frame.
   [[nodiscard]] Arrival arrival_from(const Vec3f& direction) const;
@@ -133,7 +136,10 @@ inline PingPlan::Arrival PingPlan::arrival_from(const Vec3f& direction) const {
   const float elevation = std::atan2(direction.z(), std::hypot(direction.x(), direction.y()));
   const float pattern =
       elevation_pattern ? static_cast<float>(elevation_pattern->intensity(static_cast<double>(elevation))) : 1.0F;
-  return {bearing_of(direction), elevation, pattern};
+  const float bearing = bearing_of(direction);
+  const float transmitted =
+      transmitter.is_flat() ? 1.0F : static_cast<float>(transmitter.intensity(std::sin(double{bearing})));
+  return {bearing, elevation, pattern, transmitted};
 }
 
 inline int PingPlan::bin_of(float range) const {

@@ -324,8 +324,10 @@ void ReferenceColumn::deposit_echoes_by_water(const Reflection& path, EchoGrid& 
                      {static_cast<float>(path.second.distance), triple(path.ray.direction), triple(path.second.bent),
                       triple(-back->out), path.there, static_cast<float>(back->length)})
           .once;
-  echo.power = static_cast<float>(power) * arrival.pattern;
+  const float received = static_cast<float>(power) * arrival.pattern;
+  echo.power = received * arrival.transmitted / plan_.lattice.transmitted[column_];  // The reciprocal path.
   deposit(plan_, echo, grid);
+  echo.power = received;
   echo.azimuth = arrival.bearing;
   echo.elevation = arrival.elevation;
   arrivals.push_back(echo);
@@ -354,8 +356,10 @@ void ReferenceColumn::deposit_mirror_echoes(const Reflection& path, EchoGrid& gr
   }
   const PingPlan::Arrival arrival = plan_.arrival_from(arrival_direction);
   echo.half_length = path.footprint.once;
-  echo.power = static_cast<float>(intensity.once) * arrival.pattern;
+  const float power = static_cast<float>(intensity.once) * arrival.pattern;
+  echo.power = power * arrival.transmitted / plan_.lattice.transmitted[column_];  // The reciprocal path.
   deposit(plan_, echo, grid);
+  echo.power = power;
   echo.azimuth = arrival.bearing;
   echo.elevation = arrival.elevation;
   arrivals.push_back(echo);

@@ -21,9 +21,8 @@ std::vector<Vec3> places_of(std::span<const Interferer> interferers) {
 }
 
 // Phase in one bin. It is independent from bin to bin, because the pulse is not coherent with this sonar.
-float phase_of(const PingPlan& plan, std::size_t interferer, std::int64_t pulse, int bin) {
-  const PhiloxCounter counter = {static_cast<std::uint32_t>(interferer), static_cast<std::uint32_t>(pulse),
-                                 static_cast<std::uint32_t>(bin),
+float phase_of(const PingPlan& plan, std::uint32_t source, std::int64_t pulse, int bin) {
+  const PhiloxCounter counter = {source, static_cast<std::uint32_t>(pulse), static_cast<std::uint32_t>(bin),
                                  static_cast<std::uint32_t>(RandomPurpose::kInterference)};
   return uniform_open(philox(counter, philox_key(plan.seed))[0]);
 }
@@ -40,7 +39,25 @@ int bin_after(const PingPlan& plan, double time, double sound_speed) {
   return static_cast<int>(std::floor(std::clamp(position, -1.0, static_cast<double>(plan.sonar.bin_count))));
 }
 
+double sound_speed_of(const PingPlan& plan) {
+  return 2 * plan.sonar.frequency / plan.turns_per_metre;
+}
+
 }  // namespace
+
+void add_pulse(const PingPlan& plan, const ArrivingPulse& pulse, EchoGrid& grid) {
+  const double sound_speed = sound_speed_of(plan);
+  const int first = std::max(0, bin_after(plan, pulse.begins, sound_speed));
+  const int last = std::min(bin_after(plan, pulse.begins + pulse.duration, sound_speed), plan.sonar.bin_count - 1);
+  for (int bin = first; bin <= last; ++bin) {
+    grid.discrete_echoes().push_back({.beam = pulse.beam,
+                                      .bin = bin,
+                                      .order = kNoEcho,
+                                      .bearing_sine = pulse.bearing_sine,
+                                      .intensity = pulse.intensity,
+                                      .turns = phase_of(plan, pulse.source, pulse.number, bin)});
+  }
+}
 
 Interference::Interference(std::span<const Interferer> interferers)
     : interferers_(interferers), lines_(places_of(interferers)) {}
@@ -59,7 +76,7 @@ void Interference::add(const PingPlan& plan, const Pose& world_from_sonar, doubl
 void Interference::add_pulses(const PingPlan& plan, std::size_t index, const LinesOfSight::Sight& sight, double time,
                               EchoGrid& grid) {
   const Interferer& other = interferers_[index];
-  const double sound_speed = 2 * plan.sonar.frequency / plan.turns_per_metre;
+  const double sound_speed = sound_speed_of(plan);
   const double listening = 2 * double{plan.true_max_range} / sound_speed;
   const double first_arrival = other.first_pulse + sight.range / sound_speed - time;  // After transmission.
   const auto intensity = static_cast<float>(intensity_of(plan, other, sight));
@@ -69,16 +86,15 @@ void Interference::add_pulses(const PingPlan& plan, std::size_t index, const Lin
     if (begins >= listening) {
       return;
     }
-    const int first = std::max(0, bin_after(plan, begins, sound_speed));
-    const int last = std::min(bin_after(plan, begins + other.duration, sound_speed), plan.sonar.bin_count - 1);
-    for (int bin = first; bin <= last; ++bin) {
-      grid.discrete_echoes().push_back({.beam = sight.beam,
-                                        .bin = bin,
-                                        .order = kNoEcho,
-                                        .bearing_sine = std::sin(sight.arrival.bearing),
-                                        .intensity = intensity,
-                                        .turns = phase_of(plan, index, pulse, bin)});
-    }
+    add_pulse(plan,
+              {.beam = sight.beam,
+               .bearing_sine = std::sin(sight.arrival.bearing),
+               .intensity = intensity,
+               .begins = begins,
+               .duration = other.duration,
+               .source = static_cast<std::uint32_t>(index),
+               .number = pulse},
+              grid);
   }
 }
 

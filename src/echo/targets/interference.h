@@ -2,12 +2,27 @@
 
 #pragma once
 
+#include <cstdint>
 #include <span>
 
 #include "echo/targets/lines_of_sight.h"
 #include "insonify/interferer.h"
 
 namespace insonify {
+
+/// A pulse that arrives from elsewhere, as one sonar receives it.
+struct ArrivingPulse {
+  int beam;            ///< Cell of the grid.
+  float bearing_sine;  ///< Of its arrival.
+  float intensity;
+  double begins;         ///< After transmission of the sonar that receives it [s]; may be negative.
+  double duration;       ///< [s]
+  std::uint32_t source;  ///< Number of its source, and of ...
+  std::int64_t number;   ///< ... the pulse: start of its random phases, which differ from bin to bin.
+};
+
+/// Adds a pulse to a grid's discrete echoes, in the bins of its time.
+void add_pulse(const PingPlan& plan, const ArrivingPulse& pulse, EchoGrid& grid);
 
 /// Adds the pulses of other sonars to a grid of the calibrated model as discrete echoes, in the bins of their times of
 /// arrival. Their level is the other's source level relative to this sonar's, less the one-way transmission loss 20

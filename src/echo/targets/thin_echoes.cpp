@@ -187,7 +187,8 @@ Echo ThinEchoes::echo_of(const PingPlan& plan, const Step& step) const {
   const float range = distance + depth / strength, square = range * range;
   const float spread = fast_exp(-4 * plan.neper_per_metre * range) / (square * square);
   const float weight = kWeight * facing / (square * static_cast<float>(step.count));
-  const float intensity = strength * spread * arrival.pattern * arrival.pattern / static_cast<float>(step.count);
+  const float intensity =
+      strength * spread * arrival.pattern * arrival.pattern * arrival.transmitted / static_cast<float>(step.count);
   return {.azimuth = arrival.bearing,
           .elevation = arrival.elevation,
           .path_length = 2 * range,

@@ -63,7 +63,7 @@ struct Condition {
 bool has_set_side_lobes(BeamPattern pattern) {
   return pattern == BeamPattern::kTaylor || pattern == BeamPattern::kDolphChebyshev;
 }
-constexpr std::array<Condition, 12> kOfReceiver = {
+constexpr std::array<Condition, 13> kOfReceiver = {
     {{"pulse_duration",
       [](const Received& r) { return r.receiver.pulse == PulseKind::kCw || r.receiver.pulse == PulseKind::kLfm; },
       "pulse is cw or lfm"},
@@ -77,15 +77,27 @@ constexpr std::array<Condition, 12> kOfReceiver = {
      {"wind_noise", [](const Received& r) { return r.receiver.noise; }, "noise is true"},
      {"rain_noise", [](const Received& r) { return r.receiver.noise; }, "noise is true"},
      {"ship_noise", [](const Received& r) { return r.receiver.noise; }, "noise is true"},
+     {"surface_noise",
+      [](const Received& r) {
+        return r.receiver.noise && (r.receiver.wind_noise || r.receiver.rain_noise.value_or(0) > 0);
+      },
+      "noise is true and there is wind_noise or rain_noise"},
      {"full_scale_share", [](const Received& r) { return r.receiver.counts; }, "counts is true"},
      {"full_scale_db", [](const Received& r) { return r.receiver.counts; }, "counts is true"},
      {"side_lobe_db",
       [](const Received& r) {
-        return has_set_side_lobes(r.receiver.azimuth_pattern) || has_set_side_lobes(r.receiver.elevation_pattern);
+        return has_set_side_lobes(r.receiver.azimuth_pattern) ||
+               has_set_side_lobes(r.sonar.elevation_pattern_beside(r.receiver));
       },
       "a pattern is taylor or dolph_chebyshev"}}};
-constexpr std::array<Condition, 7> kOfSonar = {
-    {{"pulse", [](const Received& r) { return r.receiver.pulse == PulseKind::kInstrument; },
+constexpr std::array<Condition, 10> kOfSonar = {
+    {{"elevation_pattern", [](const Received& r) { return r.receiver.elevation_pattern == BeamPattern::kInstrument; },
+      "receiver.elevation_pattern is instrument"},
+     {"element_width_deg", [](const Received& r) { return r.receiver.azimuth_pattern != BeamPattern::kTopHat; },
+      "receiver.azimuth_pattern is that of an array"},
+     {"focus_range", [](const Received& r) { return r.receiver.azimuth_pattern != BeamPattern::kTopHat; },
+      "receiver.azimuth_pattern is that of an array"},
+     {"pulse", [](const Received& r) { return r.receiver.pulse == PulseKind::kInstrument; },
       "receiver.pulse is instrument"},
      {"pulse_duration", [](const Received& r) { return r.sonar.pulse != PulseKind::kNone; }, "pulse is cw or lfm"},
      {"pulse_bandwidth", [](const Received& r) { return r.sonar.pulse == PulseKind::kLfm; }, "pulse is lfm"},

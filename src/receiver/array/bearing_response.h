@@ -3,12 +3,15 @@
 #pragma once
 
 #include <complex>
+#include <limits>
 #include <span>
 #include <vector>
 
 #include "echo/grid/echo_grid.h"
 #include "insonify/array_pattern.h"
+#include "insonify/sonar_config.h"
 #include "receiver/array/gain_matrix.h"
+#include "sonar/fan_pattern.h"
 
 namespace insonify {
 
@@ -23,33 +26,46 @@ namespace insonify {
 ///
 /// Cells must be no wider than wavelength / D, or the correlation of speckle between neighbouring beams is wrong; half
 /// a beam spacing is fine enough. Where the edges of cells are given, those wider than kWideCell are received with the
-/// mean of |g|^2 over the cell, since their middle may be at a zero of the pattern. A bearing is given by its sine, so
-/// all bearings must be within 90 degrees of the axis.
+/// mean of |g|^2 over the cell, since their middle may be at a zero of the pattern. An array out of focus has other
+/// gains in other zones of bins. A bearing is given by its sine, so all bearings must be within 90 degrees of the axis.
 class BearingResponse {
  public:
   static constexpr double kFloorDb = -60;
   static constexpr double kWideCell = 0.5;  ///< [wavelength / D]; side lobes are one wide.
+
+  /// Bins before `end` and after those of the zone before, in which an array out of focus has one pattern.
+  struct Zone {
+    int end;
+    double edge_phase;  ///< Of the unsteered beam: ArrayPattern::defocused().
+  };
+
+  /// What an array has besides its pattern.
+  struct Extras {
+    std::span<const double> cell_edges = {};  ///< u of the cells' edges, one more than cells; empty: every cell has the
+                                              ///< gain of its centre.
+    FanPattern element{std::nullopt};         ///< One element's gain, which multiplies that of the array.
+    std::vector<Zone> zones = {};             ///< Empty: the array is focused at every range.
+  };
 
   /// @param length      D / wavelength, > 0.
   /// @param cell_sines  u of each cell's centre, in the order of the cells.
   /// @param beam_sines  u0 of each beam, in the order of the beams.
   /// @param floor_db    Energy gain re the main lobe [dB]: the cells beyond the outermost one that reaches it are left
   ///                    out of a beam's sum.
-  /// @param cell_edges  u of the cells' edges, one more than cells; empty: every cell has the gain of its centre.
   BearingResponse(const ArrayPattern& pattern, double length, std::span<const double> cell_sines,
-                  std::span<const double> beam_sines, double floor_db = kFloorDb,
-                  std::span<const double> cell_edges = {});
+                  std::span<const double> beam_sines, double floor_db, const Extras& extras);
+  BearingResponse(const ArrayPattern& pattern, double length, std::span<const double> cell_sines,
+                  std::span<const double> beam_sines, double floor_db = kFloorDb)
+      : BearingResponse(pattern, length, cell_sines, beam_sines, floor_db, Extras()) {}
 
-  [[nodiscard]] int beam_count() const { return energy_.beam_count(); }
-  [[nodiscard]] int cell_count() const { return energy_.cell_count(); }
+  [[nodiscard]] int beam_count() const { return gains_.front().energy.beam_count(); }
+  [[nodiscard]] int cell_count() const { return gains_.front().energy.cell_count(); }
 
-  /// Amplitude gain g for an echo from u in beam number `beam`.
-  [[nodiscard]] std::complex<double> gain(int beam, double u) const {
-    return pattern_.amplitude(length_ * (u - beam_sines_[beam]));
-  }
+  /// Amplitude gain g for an echo from u in beam number `beam` and a bin.
+  [[nodiscard]] std::complex<double> gain(int beam, double u, int bin = 0) const;
 
   /// Fraction of the beam x cell products that the sums include, 0..1. The computing time is proportional to it.
-  [[nodiscard]] double filled() const { return energy_.filled(); }
+  [[nodiscard]] double filled() const { return gains_.front().energy.filled(); }
 
   /// Beam energies: the matrix product beams = |g|^2 cells, for the bins of one task. Allocates nothing.
   /// @param cells      Cell energies, [cell][bin].
@@ -66,13 +82,36 @@ class BearingResponse {
                      BinRange bins, BinRange filled) const;
 
  private:
-  [[nodiscard]] double mean_intensity(int beam, double from, double to) const;
+  // The gains of the bins before `end`.
+  struct Gains {
+    int end = std::numeric_limits<int>::max();
+    double edge_phase = 0;
+    std::vector<ArrayPattern> patterns = {};    // [beam], out of focus; empty in focus.
+    GainMatrix energy = {};                     // |g|^2.
+    GainMatrix in_phase = {}, quadrature = {};  // Real and imaginary part of g; quadrature is empty where g is real.
+  };
+  // The array as one beam has it in a zone.
+  [[nodiscard]] const ArrayPattern& pattern_in(const Gains& zone, int beam) const {
+    return zone.patterns.empty() ? pattern_ : zone.patterns[beam];
+  }
+  [[nodiscard]] std::complex<double> gain_of(const ArrayPattern& pattern, int beam, double u) const;
+  [[nodiscard]] double mean_intensity(const ArrayPattern& pattern, int beam, double from, double to) const;
+  void fill(Gains& zone, std::span<const double> cell_sines, double floor, std::span<const double> cell_edges) const;
+  template <typename Receive>
+  void for_each_zone(BinRange bins, const Receive& receive) const;
 
   ArrayPattern pattern_;
   double length_;
+  FanPattern element_;
   std::vector<double> beam_sines_;
-  GainMatrix energy_;                 // |g|^2.
-  GainMatrix in_phase_, quadrature_;  // Real and imaginary part of g; quadrature_ is empty where g is real.
+  std::vector<Gains> gains_;  // By range: one, or one for each zone.
 };
+
+/// Zones of bins in which an array's edge phase is almost the same. Empty where the sonar has no focus_range.
+/// @param length      D / wavelength.
+/// @param wavelength  [m].
+/// @param range_scale True range / shown range.
+[[nodiscard]] std::vector<BearingResponse::Zone> focus_zones(const SonarConfig& sonar, double length, double wavelength,
+                                                             double range_scale);
 
 }  // namespace insonify

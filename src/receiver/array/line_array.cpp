@@ -23,7 +23,8 @@ ArrayWindow window_of(BeamPattern pattern) {
       return ArrayWindow::kTaylor;
     case BeamPattern::kDolphChebyshev:
       return ArrayWindow::kDolphChebyshev;
-    case BeamPattern::kTopHat:  // Callers exclude it: a top hat is not made by an array.
+    case BeamPattern::kTopHat:      // Callers exclude it: a top hat is not made by an array.
+    case BeamPattern::kInstrument:  // Callers have chosen the instrument's own.
     case BeamPattern::kRectangular:
       break;
   }

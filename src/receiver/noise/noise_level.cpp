@@ -12,6 +12,10 @@
 namespace insonify {
 namespace {
 
+double linear(double level_db) {
+  return std::pow(10.0, level_db / 10);
+}
+
 // Integral of |g|^2 over bearing, one way: scanning heads transmit with the array too, but noise is only received. The
 // integral over x = (D / wavelength) u is that over all x of a continuous line. The pattern of N elements repeats after
 // N; where more than one period lies in front of the array, |u| < 1, grating lobes receive noise as well.
@@ -29,10 +33,11 @@ double bearing_width(const SonarConfig& sonar, const ReceiverConfig& receiver) {
 // Integral of |p|^2 cos(elevation) over elevation, one way; the array is baffled.
 double elevation_width(const SonarConfig& sonar, const ReceiverConfig& receiver) {
   const double middle = sonar.elevation_center, half = 0.5 * sonar.elevation_aperture;
-  if (receiver.elevation_pattern == BeamPattern::kTopHat) {
+  const BeamPattern pattern = sonar.elevation_pattern_beside(receiver);
+  if (pattern == BeamPattern::kTopHat) {
     return std::sin(middle + half) - std::sin(middle - half);
   }
-  const ArrayPattern array(line_array(receiver.elevation_pattern, receiver.side_lobe_db, sonar.elevation_aperture));
+  const ArrayPattern array(line_array(pattern, receiver.side_lobe_db, sonar.elevation_aperture));
   const double length = array.length(1, sonar.elevation_aperture);
   // Midpoints, at least 32 in each lobe.
   const auto steps = static_cast<int>(std::ceil(64 * std::max(1.0, length)));
@@ -49,34 +54,46 @@ double elevation_width(const SonarConfig& sonar, const ReceiverConfig& receiver)
 
 }  // namespace
 
+double receive_bearing_width(const SonarConfig& sonar, const ReceiverConfig& receiver) {
+  return bearing_width(sonar, receiver);
+}
+
 double receive_solid_angle(const SonarConfig& sonar, const ReceiverConfig& receiver) {
   return bearing_width(sonar, receiver) * elevation_width(sonar, receiver);
 }
 
-double noise_spectrum_db(const ReceiverConfig& receiver, double frequency) {
+double weather_spectrum_db(const ReceiverConfig& receiver, double frequency) {
   double spectrum = 0;
-  const auto add = [&](double level_db) { spectrum += std::pow(10.0, level_db / 10); };
-  add(thermal_noise_level_db(frequency));
-  if (receiver.ambient_noise_db) {
-    add(*receiver.ambient_noise_db);
-  }
   if (receiver.wind_noise) {
-    add(wind_noise_level_db(frequency, *receiver.wind_noise));
+    spectrum += linear(wind_noise_level_db(frequency, *receiver.wind_noise));
   }
   if (receiver.rain_noise.value_or(0) > 0) {
-    add(rain_noise_level_db(frequency, *receiver.rain_noise));
-  }
-  if (receiver.ship_noise) {
-    add(ship_noise_level_db(frequency, *receiver.ship_noise));
+    spectrum += linear(rain_noise_level_db(frequency, *receiver.rain_noise));
   }
   return 10 * std::log10(spectrum);
 }
 
-double noise_intensity(const SonarConfig& sonar, const ReceiverConfig& receiver, const Pulse& pulse) {
-  const double directivity = 10 * std::log10(4 * std::numbers::pi / receive_solid_angle(sonar, receiver));
+double noise_spectrum_db(const ReceiverConfig& receiver, double frequency) {
+  double spectrum = linear(thermal_noise_level_db(frequency)) + linear(weather_spectrum_db(receiver, frequency));
+  if (receiver.ambient_noise_db) {
+    spectrum += linear(*receiver.ambient_noise_db);
+  }
+  if (receiver.ship_noise) {
+    spectrum += linear(ship_noise_level_db(frequency, *receiver.ship_noise));
+  }
+  return 10 * std::log10(spectrum);
+}
+
+double noise_intensity(const SonarConfig& sonar, const Pulse& pulse, double spectrum_db, double solid_angle) {
+  const double directivity = 10 * std::log10(4 * std::numbers::pi / solid_angle);
   const double bandwidth = pulse.noise_bandwidth() > 0 ? pulse.noise_bandwidth() : sonar.bandwidth;
-  const double level = noise_level_db(noise_spectrum_db(receiver, sonar.frequency), bandwidth, directivity);
-  return std::pow(10.0, (level - sonar.source_level_db) / 10);
+  const double level = noise_level_db(spectrum_db, bandwidth, directivity);
+  return linear(level - sonar.source_level_db);
+}
+
+double noise_intensity(const SonarConfig& sonar, const ReceiverConfig& receiver, const Pulse& pulse) {
+  return noise_intensity(sonar, pulse, noise_spectrum_db(receiver, sonar.frequency),
+                         receive_solid_angle(sonar, receiver));
 }
 
 }  // namespace insonify

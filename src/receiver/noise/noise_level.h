@@ -21,10 +21,21 @@ namespace insonify {
 /// @param frequency  [Hz].
 [[nodiscard]] double noise_spectrum_db(const ReceiverConfig& receiver, double frequency);
 
+/// Spectral level of the wind and rain that it names: the sum of their powers; -infinity without any
+/// [dB re 1 uPa^2/Hz].
+[[nodiscard]] double weather_spectrum_db(const ReceiverConfig& receiver, double frequency);
+
 /// Mean intensity of the noise in a beam, re the source's at 1 m: noise_spectrum_db() in the receiver's
 /// bandwidth, less the directivity index (Urick 1983, ch. 2). The bandwidth is that of the pulse's filter, so that a
 /// matched filter has a signal to noise ratio of 2 E / N0, whatever the pulse (Turin, IRE Trans. IT-6, 311 (1960));
 /// without a pulse it is the sonar's `bandwidth`.
 [[nodiscard]] double noise_intensity(const SonarConfig& sonar, const ReceiverConfig& receiver, const Pulse& pulse);
+
+/// The same of noise of a spectral level that is received with a solid angle [sr].
+[[nodiscard]] double noise_intensity(const SonarConfig& sonar, const Pulse& pulse, double spectrum_db,
+                                     double solid_angle);
+
+/// Integral of |g|^2 over the sine of the bearing, of any beam.
+[[nodiscard]] double receive_bearing_width(const SonarConfig& sonar, const ReceiverConfig& receiver);
 
 }  // namespace insonify

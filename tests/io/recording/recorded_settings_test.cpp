@@ -51,6 +51,9 @@ Scenario everything() {
   sonar.assumed_sound_speed = 1500;
   sonar.ping_period = 1;
   sonar.leak_db = -20;
+  sonar.transmit_width = 2;
+  sonar.element_width = 2;
+  sonar.focus_range = 5;
   sonar.group_gains_db = {0, 1};
   sonar.missing_beams = {1};
   sonar.crosstalk_db = -40;

@@ -1,0 +1,154 @@
+// mutual_interference.cpp -- levels and times of the pulses that sonars on one vehicle receive from each other.
+
+#include "simulator/mutual_interference.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "echo/model/ray_limits.h"
+#include "echo/targets/interference.h"
+#include "receiver/array/line_array.h"
+#include "simulator/simulated_sonar.h"
+
+namespace insonify {
+namespace {
+
+constexpr std::uint32_t kFirstSource = 1U << 31U;  // Sources below are the scenario's interferers.
+
+// Bandwidth of what a sonar sends [Hz]: of a chirp its own, of a tone 1 / duration.
+double bandwidth_of(const SonarConfig& sonar, const PulseSettings& pulse) {
+  switch (pulse.kind) {
+    case PulseKind::kLfm:
+      return pulse.bandwidth;
+    case PulseKind::kCw:
+      return 1 / pulse.duration;
+    case PulseKind::kNone:
+    case PulseKind::kInstrument:  // Replaced by the sonar's own.
+      break;
+  }
+  return sonar.bandwidth;
+}
+
+bool is_top_hat_hit(const SonarConfig& sonar, double elevation) {
+  return std::abs(elevation - sonar.elevation_center) <= 0.5 * sonar.elevation_aperture;
+}
+
+// What a sonar receives from a direction.
+struct Received {
+  int beam;  // -1: nothing.
+  PingPlan::Arrival arrival;
+};
+
+// @param has_array  Whether beams have side lobes across bearings.
+Received received_from(const PingPlan& plan, const Vec3f& direction, bool has_array) {
+  const PingPlan::Arrival arrival = plan.arrival_from(direction);
+  const int beam = plan.beam_of(arrival.bearing);
+  if (!plan.elevation_pattern && !is_top_hat_hit(plan.sonar, double{arrival.elevation})) {
+    return {-1, arrival};
+  }
+  if (beam >= 0 || !has_array || !(direction.x() > 0)) {
+    return {beam, arrival};
+  }
+  return {arrival.bearing > 0 ? 0 : plan.sonar.beam_count - 1, arrival};
+}
+
+bool is_clear(const Vec3& from, const Vec3& to, Engine& engine) {
+  const Vec3 there = to - from;
+  const double range = there.norm(), clearance = double{kRayClearance};
+  const Ray ray{from, there / range, 0, range - clearance};
+  Hit hit;
+  engine.trace({&ray, 1}, {&hit, 1});
+  return !std::isfinite(hit.distance);
+}
+
+}  // namespace
+
+SendingSonar::SendingSonar(const SimulatedSonar& sonar, const ReceiverConfig& receiver)
+    : sonar_(sonar.config),
+      vehicle_from_housing_(sonar.vehicle_from_housing),
+      elevation_(sonar.plan->elevation_pattern),
+      transmitter_(sonar.config.transmit_width) {
+  const PulseSettings pulse = sonar_.transmitted(receiver);
+  duration_ = pulse.kind == PulseKind::kNone ? 2 * sonar_.bin_length() / *sonar_.assumed_sound_speed : pulse.duration;
+  bandwidth_ = bandwidth_of(sonar_, pulse);
+  const std::vector<double> edges = sonar_.beam_edges();
+  port_edge_ = edges.front();
+  starboard_edge_ = edges.back();
+  if (sonar_.type == SonarType::kMechanicallyScanned && receiver.azimuth_pattern != BeamPattern::kTopHat) {
+    head_.emplace(receiving_array(receiver, sonar_));
+    head_length_ = head_->length(1, beam_width(sonar_));
+  }
+}
+
+double SendingSonar::share_within(const SendingSonar& other) const {
+  const double low = std::max(sonar_.frequency - 0.5 * bandwidth_, other.sonar_.frequency - 0.5 * other.bandwidth_);
+  const double high = std::min(sonar_.frequency + 0.5 * bandwidth_, other.sonar_.frequency + 0.5 * other.bandwidth_);
+  return std::max(0.0, high - low) / bandwidth_;
+}
+
+double SendingSonar::gain(std::uint64_t ping, const Vec3& direction) const {
+  const Pose vehicle_from_head = vehicle_from_housing_ * housing_from_head(sonar_.head_angle(ping));
+  const Vec3 local = vehicle_from_head.orientation.inverse() * direction;
+  const double elevation = std::atan2(local.z(), std::hypot(local.x(), local.y()));
+  if (!elevation_ && !is_top_hat_hit(sonar_, elevation)) {
+    return 0;
+  }
+  const double across = elevation_ ? elevation_->intensity(elevation) : 1;
+  const double azimuth = std::atan2(local.y(), local.x());
+  const bool is_behind = !(local.x() > 0);
+  if (head_) {
+    const double off = std::sin(azimuth) - std::sin(sonar_.beam_azimuth(0));
+    return is_behind ? 0 : across * head_->intensity(head_length_ * off);
+  }
+  if (!transmitter_.is_flat()) {
+    return is_behind ? 0 : across * transmitter_.intensity(std::sin(azimuth));
+  }
+  return azimuth <= port_edge_ && azimuth >= starboard_edge_ ? across : 0;
+}
+
+void add_mutual_interference(std::span<const SendingSonar> senders, const SimulatedSonar& hearing,
+                             const ReceiverConfig& receiver, const PingRequest& request, const Pose& world_from_sonar,
+                             Engine& engine, EchoGrid& grid) {
+  const PingPlan& plan = *hearing.plan;
+  const double sound_speed = 2 * plan.sonar.frequency / plan.turns_per_metre;
+  const double listening = 2 * double{plan.true_max_range} / sound_speed;
+  const bool has_array = receiver.azimuth_pattern != BeamPattern::kTopHat;
+  const auto own = std::ranges::find(senders, hearing.config.name, &SendingSonar::name);
+  for (const SendingSonar& sender : senders) {
+    const double share = &sender == &*own ? 0 : sender.share_within(*own);
+    if (!(share > 0)) {
+      continue;
+    }
+    const Vec3 place = request.world_from_vehicle * sender.place(), there = place - world_from_sonar.position;
+    const double range = there.norm();
+    const Received received =
+        received_from(plan, (world_from_sonar.orientation.inverse() * there / range).cast<float>(), has_array);
+    if (received.beam < 0 || !is_clear(world_from_sonar.position, place, engine)) {
+      continue;
+    }
+    const Vec3 towards = request.world_from_vehicle.orientation.inverse() * -there / range;
+    const double arriving = std::pow(10.0, (sender.source_level_db() - plan.sonar.source_level_db) / 10) * share *
+                            double{received.arrival.pattern} / (range * range) *
+                            std::exp(-2 * double{plan.neper_per_metre} * range);
+    const double delay = range / sound_speed - request.time;  // Of a pulse sent at time 0.
+    const double earliest = std::ceil(-(delay + sender.duration()) / sender.period());
+    for (auto ping = static_cast<std::uint64_t>(std::max(0.0, earliest));; ++ping) {
+      const double begins = delay + static_cast<double>(ping) * sender.period();
+      if (begins >= listening) {
+        break;
+      }
+      const double intensity = arriving * sender.gain(ping, towards);
+      add_pulse(plan,
+                {.beam = received.beam,
+                 .bearing_sine = std::sin(received.arrival.bearing),
+                 .intensity = static_cast<float>(intensity),
+                 .begins = begins,
+                 .duration = sender.duration(),
+                 .source = kFirstSource + static_cast<std::uint32_t>(&sender - senders.data()),
+                 .number = static_cast<std::int64_t>(ping)},
+                grid);
+    }
+  }
+}
+
+}  // namespace insonify

@@ -1,0 +1,59 @@
+// mutual_interference.h -- pulses that the sonars of one scenario receive from each other.
+
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "echo/engine.h"
+#include "insonify/array_pattern.h"
+#include "insonify/ping_request.h"
+#include "sonar/elevation_pattern.h"
+#include "sonar/fan_pattern.h"
+
+namespace insonify {
+
+struct SimulatedSonar;
+
+/// A sonar as the others receive it: its pings, and what it sends in each direction.
+class SendingSonar {
+ public:
+  /// @param receiver  That of the sonar.
+  SendingSonar(const SimulatedSonar& sonar, const ReceiverConfig& receiver);
+
+  [[nodiscard]] const std::string& name() const { return sonar_.name; }
+  [[nodiscard]] const Vec3& place() const { return vehicle_from_housing_.position; }  ///< On the vehicle [m].
+  [[nodiscard]] double source_level_db() const { return sonar_.source_level_db; }
+  [[nodiscard]] double period() const { return *sonar_.ping_period; }  ///< Of pings, the first of which is at time 0.
+  [[nodiscard]] double duration() const { return duration_; }          ///< Of a pulse [s].
+
+  /// Share of its pulse's energy that lies in the band of another sonar's pulse, 0..1: both are taken to be even from
+  /// frequency - bandwidth / 2 to frequency + bandwidth / 2.
+  [[nodiscard]] double share_within(const SendingSonar& other) const;
+
+  /// Intensity gain towards a direction in a ping: across elevations and bearings; nothing is sent to the back.
+  /// @param direction  Unit vector in the frame of the vehicle.
+  [[nodiscard]] double gain(std::uint64_t ping, const Vec3& direction) const;
+
+ private:
+  SonarConfig sonar_;
+  Pose vehicle_from_housing_;
+  double duration_ = 0, bandwidth_ = 0;
+  double port_edge_ = 0, starboard_edge_ = 0;  // Azimuths of the fan's edges [rad].
+  std::optional<ElevationPattern> elevation_;
+  FanPattern transmitter_;
+  std::optional<ArrayPattern> head_;  // Of a scanning head, one way.
+  double head_length_ = 0;            // [wavelengths]
+};
+
+/// Adds the pulses of all other sonars that arrive while one listens to its discrete echoes, if no surface is in the
+/// way. Sonars are where they are at transmission; in beams beside its fan it receives them through the side lobes.
+/// @param senders  All sonars of the scenario.
+void add_mutual_interference(std::span<const SendingSonar> senders, const SimulatedSonar& hearing,
+                             const ReceiverConfig& receiver, const PingRequest& request, const Pose& world_from_sonar,
+                             Engine& engine, EchoGrid& grid);
+
+}  // namespace insonify
