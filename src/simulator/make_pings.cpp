@@ -25,6 +25,7 @@ void Simulator::State::make(const PingRequest& request, SimulatedSonar& sonar, c
     }
     grid.discrete_echoes().clear();
     parts.points.add(plan, world_from_sonar, parts.engine, grid);
+    parts.glints.add(plan, world_from_sonar, poses, parts.engine, grid);
     if (ghosts) {
       ghosts->add(plan, world_from_sonar, request.number, scenario.receiver_of(sonar.config).speckle, parts.engine,
                   grid);
@@ -77,9 +78,9 @@ void Simulator::State::make_together(int index, std::span<const PingRequest> req
       }
       return;
     }
-    own.push_back(std::unique_ptr<Lane>(new Lane{std::move(sharing), PointEchoes(scenario.points),
-                                                 Interference(scenario.interferers), ThinEchoes(thin_parts),
-                                                 simulated(scenario, scenario.sonars[index])}));
+    own.push_back(std::unique_ptr<Lane>(
+        new Lane{std::move(sharing), PointEchoes(scenario.points), Interference(scenario.interferers),
+                 ThinEchoes(thin_parts), FaceGlints(glinting_faces), simulated(scenario, scenario.sonars[index])}));
   }
   for (const auto& lane : own) {
     lane->own_engine->stop_when(stop_asked);

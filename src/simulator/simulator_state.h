@@ -9,6 +9,7 @@
 
 #include "base/parallel.h"
 #include "echo/engine.h"
+#include "echo/targets/face_glints.h"
 #include "echo/targets/interference.h"
 #include "echo/targets/point_echoes.h"
 #include "echo/targets/surface_ghosts.h"
@@ -32,8 +33,9 @@ struct Simulator::State {
   /// Passes the scene to the engine again if it has changed.
   void take_in_scene();
 
-  /// Finds the parts that are too thin for the lattice, and has the engine leave them out.
-  void find_thin();
+  /// Finds what echoes on the object rather than by samples, thin parts and the glints of plane faces, and has the
+  /// engine leave it out.
+  void find_object_echoes();
 
   /// Turns the echoes of one request into a ping.
   struct Parts {
@@ -42,9 +44,10 @@ struct Simulator::State {
     PointEchoes& points;
     Interference& interference;
     ThinEchoes& thin;
+    FaceGlints& glints;
   };
   void make(const PingRequest& request, SimulatedSonar& sonar, const Parts& parts, Ping& ping);
-  [[nodiscard]] Parts parts() { return {*engine, workers, points, interference, thin}; }
+  [[nodiscard]] Parts parts() { return {*engine, workers, points, interference, thin, glints}; }
 
   /// How many of the requests after the first can be made by several threads at once, each ping by one: nothing may
   /// move in the scene but the sonar, and all must be valid. A multiple of the number of threads, and never the last,
@@ -69,6 +72,8 @@ struct Simulator::State {
   Interference interference;
   std::shared_ptr<const ThinParts> thin_parts;  ///< Null in the paper model.
   ThinEchoes thin;
+  std::shared_ptr<const GlintingFaces> glinting_faces;  ///< Null in the paper model.
+  FaceGlints glints;
   std::vector<Pose> poses;  ///< [instance] World from mesh, at the last ping or place().
   std::vector<SimulatedSonar> sonars;
 
@@ -83,10 +88,13 @@ struct Simulator::State {
     PointEchoes own_points;
     Interference own_interference;
     ThinEchoes own_thin;
+    FaceGlints own_glints;
     SimulatedSonar sonar;
     Workers one_worker{1};
 
-    [[nodiscard]] Parts parts() { return {*own_engine, one_worker, own_points, own_interference, own_thin}; }
+    [[nodiscard]] Parts parts() {
+      return {*own_engine, one_worker, own_points, own_interference, own_thin, own_glints};
+    }
   };
   /// [sonar][thread], made by the first batch of a sonar; to be dropped when its settings or materials change.
   std::vector<std::vector<std::unique_ptr<Lane>>> lanes;

@@ -1,4 +1,4 @@
-// find_thin_triangles.cpp -- measures the thickness of bodies by rays through them.
+// find_left_out.cpp -- measures the thickness of bodies by rays through them.
 
 #include <algorithm>
 #include <array>
@@ -90,7 +90,7 @@ std::vector<Wall> walls_of(const Instance& instance) {
 
 }  // namespace
 
-std::vector<ThinTriangle> find_thin_triangles(const Scene& scene, int index, Engine& engine) {
+std::vector<ThinTriangle> find_left_out(const Scene& scene, int index, Engine& engine) {
   const Instance& instance = scene.instances[index];
   const std::vector<Wall> walls = walls_of(instance);
   std::vector<ThinTriangle> thin;
@@ -145,14 +145,14 @@ std::vector<ThinTriangle> find_thin_triangles(const Scene& scene, int index, Eng
 
 ThinParts find_thin_parts(const Scene& scene, Engine& engine) {
   ThinParts parts;
-  ThinTriangles triangles;
+  LeftOut triangles;
   triangles.thickness.resize(scene.instances.size());
   for (std::size_t i = 0; i < scene.instances.size(); ++i) {
     const Instance& instance = scene.instances[i];
     if (!instance.present || instance.endless) {
       continue;
     }
-    std::vector<ThinTriangle> thin = find_thin_triangles(scene, static_cast<int>(i), engine);
+    std::vector<ThinTriangle> thin = find_left_out(scene, static_cast<int>(i), engine);
     // Thickness in steps of a fourth of an octave, so that pieces and triangles change to the lattice together.
     for (ThinTriangle& triangle : thin) {
       triangle.thickness = 1e-3F * std::exp2(0.25F * std::ceil(4 * std::log2(triangle.thickness / 1e-3F)));
@@ -160,7 +160,7 @@ ThinParts find_thin_parts(const Scene& scene, Engine& engine) {
     if (thin.empty()) {
       continue;
     }
-    if (!cut_thin_triangles(instance, static_cast<int>(i), thin, parts)) {
+    if (!cut_left_out(instance, static_cast<int>(i), thin, parts)) {
       parts.left_out.push_back(instance.name);
       continue;
     }
@@ -170,7 +170,7 @@ ThinParts find_thin_parts(const Scene& scene, Engine& engine) {
     }
   }
   if (!parts.pieces.empty()) {
-    parts.triangles = std::make_shared<const ThinTriangles>(std::move(triangles));
+    parts.triangles = std::make_shared<const LeftOut>(std::move(triangles));
   }
   return parts;
 }

@@ -1,0 +1,18 @@
+// coherent_share.h -- share of the intensity that a rough mirror reflects as a smooth one.
+
+#pragma once
+
+#include <cmath>
+
+#include "echo/model/ping_plan.h"
+
+namespace insonify {
+
+/// e^-g with the Rayleigh parameter g = 4 k^2 h^2 cos^2: Brekhovskikh and Lysanov, Fundamentals of Ocean Acoustics, ch.
+/// 9. With rough_mirrors it is 0.
+/// @param cosine  Of the angle of incidence, of either sign.
+inline double coherent_share(const PingPlan& plan, SurfaceLabel surface, double cosine) {
+  return plan.rough_mirrors ? 0 : std::exp(-plan.scatter.scattering(surface).roughness * cosine * cosine);
+}
+
+}  // namespace insonify
