@@ -61,7 +61,9 @@ void visit_material_fields(Self& self, Visit&& visit) {
         self.rms_slope);
   visit(Field{"rms_height", "m", from_to(0, 100),
               "Root mean square height of the roughness made of these facets: the share exp(-4 k^2 h^2 cos^2) of the "
-              "reflected sound is a mirror's, the facets spread the rest (calibrated model).",
+              "reflected sound is a mirror's, the facets spread the rest (calibrated model); 0: not known, plane faces "
+              "glint by "
+              "facets alone.",
               ActsIn::kCalibrated, "reflectivity"},
         self.rms_height);
   visit(Field{"clutter_shape", "", from_to(0.1, 1000),
@@ -94,7 +96,7 @@ struct Material {
   std::optional<double> thickness = {};      ///< Thickness of a plate with water on both sides [m], in (0, 1000];
                                              ///< absent: solid.
   double rms_slope = 0.1;                    ///< Root mean square slope of small facets, along each axis, 0.005..1.
-  double rms_height = 0;                     ///< Root mean square height of that roughness [m], 0..100.
+  double rms_height = 0;                     ///< Root mean square height of that roughness [m], 0..100; 0: not known.
   std::optional<double> clutter_shape = {};  ///< Shape nu of K-distributed clutter, 0.1..1000: smaller is patchier;
                                              ///< absent: none.
   double clutter_length = 1;                 ///< Length over which it is correlated [m], in (0, 1000].

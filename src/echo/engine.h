@@ -11,7 +11,7 @@
 #include "echo/grid/echo_grid.h"
 #include "echo/model/hit.h"
 #include "echo/model/ping_plan.h"
-#include "echo/model/thin_triangles.h"
+#include "echo/model/left_out.h"
 #include "insonify/engine.h"
 #include "insonify/scene.h"
 
@@ -45,9 +45,9 @@ class Engine {
   virtual void set_scene(const Scene& scene) = 0;
   void set_scene(const Scene&& scene) = delete;  ///< It would not outlive the call.
 
-  /// Sets the parts that are too thin for the lattice: insonify() leaves out their primary echoes from then on, until
-  /// the next set_scene(). Engines that share the scene share this too. Null: none.
-  virtual void leave_out(std::shared_ptr<const ThinTriangles> thin) = 0;
+  /// Sets what of the primary echoes insonify() leaves out from then on, until the next set_scene(). Engines that share
+  /// the scene share this too. Null: nothing.
+  virtual void leave_out(std::shared_ptr<const LeftOut> left_out) = 0;
 
   /// Moves an instance whose `moving` is set. Static instances are not rebuilt.
   virtual void move_instance(int instance, const Pose& world_from_mesh) = 0;

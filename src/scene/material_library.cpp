@@ -88,7 +88,7 @@ std::vector<Material> make_library() {
       solid(material("brass", 8600, 4700, -30, 0.05, 2e-6, kHandbook), 2110),
       solid(material("lead", 11340, 2160, -28, 0.08, 2e-5, kHandbook), 700),
       // Stone and the like.
-      solid(material("glass", 2500, 5660, -35, 0.02, 0, kSelfridge), 3420),
+      solid(material("glass", 2500, 5660, -35, 0.02, 1e-7, kSelfridge), 3420),
       solid(material("concrete", 2400, 3700, -18, 0.15, 3e-4, kTypical), 2250),
       solid(material("granite", 2650, 5500, -12, 0.3, 5e-3, kTypical), 3200),
       solid(material("basalt", 2700, 5250, -12, 0.3, 5e-3, kJensen), 2500, 0.0018),
@@ -97,7 +97,7 @@ std::vector<Material> make_library() {
       solid(material("moraine", 2100, 1950, -12, 0.4, 2e-2, kJensen), 600, 0.0073),
       // Plastics and rubbers.
       solid(material("pvc", 1380, 2380, -32, 0.04, 2e-6, kSelfridge), 1060),
-      solid(material("acrylic", 1190, 2750, -35, 0.03, 0, kSelfridge), 1400),
+      solid(material("acrylic", 1190, 2750, -35, 0.03, 1e-7, kSelfridge), 1400),
       solid(material("hdpe", 960, 2430, -32, 0.05, 5e-6, kSelfridge), 950),
       solid(material("ldpe", 920, 1950, -32, 0.05, 5e-6, kSelfridge), 540),
       solid(material("abs", 1050, 2250, -32, 0.05, 2e-6, kSelfridge), 930),

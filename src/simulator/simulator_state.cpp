@@ -55,13 +55,13 @@ void Simulator::State::take_in_scene() {
     if (sea) {
       sea->reset();
     }
-    find_thin();
+    find_object_echoes();
     find_mirrors();
     scene_changed = false;
   }
 }
 
-void Simulator::State::find_thin() {
+void Simulator::State::find_object_echoes() {
   if (scenario.model != EchoModel::kCalibrated) {
     return;
   }
@@ -73,7 +73,12 @@ void Simulator::State::find_thin() {
   } else {
     found = find_thin_parts(scene, *engine);
   }
-  engine->leave_out(found.triangles);
+  LeftOut left_out = found.triangles ? *found.triangles : LeftOut{};
+  GlintingFaces faces = find_glinting_faces(scene, left_out);
+  const bool any = found.triangles || faces.any();
+  engine->leave_out(any ? std::make_shared<const LeftOut>(std::move(left_out)) : nullptr);
+  glinting_faces = std::make_shared<const GlintingFaces>(std::move(faces));
+  glints = FaceGlints(glinting_faces);
   thin_parts = std::make_shared<const ThinParts>(std::move(found));
   thin = ThinEchoes(thin_parts);
   lanes.clear();

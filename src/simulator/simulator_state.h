@@ -10,6 +10,7 @@
 #include "base/parallel.h"
 #include "echo/engine.h"
 #include "echo/targets/corner_echoes.h"
+#include "echo/targets/face_glints.h"
 #include "echo/targets/interference.h"
 #include "echo/targets/point_echoes.h"
 #include "echo/targets/point_ghosts.h"
@@ -37,8 +38,9 @@ struct Simulator::State {
   /// Passes the scene to the engine again if it has changed.
   void take_in_scene();
 
-  /// Finds the parts that are too thin for the lattice, and has the engine leave them out.
-  void find_thin();
+  /// Finds what echoes on the object rather than by samples, thin parts and the glints of plane faces, and has the
+  /// engine leave it out.
+  void find_object_echoes();
 
   /// Finds plane mirrors and the corners that they form.
   void find_mirrors();
@@ -53,11 +55,12 @@ struct Simulator::State {
     PointEchoes& points;
     Interference& interference;
     ThinEchoes& thin;
+    FaceGlints& glints;
     CornerEchoes& corners;
     PointGhosts& ghosts;
   };
   void make(const PingRequest& request, SimulatedSonar& sonar, const Parts& parts, Ping& ping);
-  [[nodiscard]] Parts parts() { return {*engine, workers, points, interference, thin, corner_echoes, ghosts}; }
+  [[nodiscard]] Parts parts() { return {*engine, workers, points, interference, thin, glints, corner_echoes, ghosts}; }
 
   /// How many of the requests after the first can be made by several threads at once, each ping by one: nothing may
   /// move in the scene but the sonar, and all must be valid. A multiple of the number of threads, and never the last,
@@ -81,6 +84,8 @@ struct Simulator::State {
   Interference interference;
   std::shared_ptr<const ThinParts> thin_parts;  ///< Null in the paper model.
   ThinEchoes thin;
+  std::shared_ptr<const GlintingFaces> glinting_faces;  ///< Null in the paper model.
+  FaceGlints glints;
   std::shared_ptr<const std::vector<PlaneMirror>> mirrors;  ///< Of what does not move. Null in the paper model.
   std::shared_ptr<const std::vector<Corner>> corners;       ///< Null in the paper model.
   CornerEchoes corner_echoes;
@@ -100,13 +105,14 @@ struct Simulator::State {
     PointEchoes own_points;
     Interference own_interference;
     ThinEchoes own_thin;
+    FaceGlints own_glints;
     CornerEchoes own_corners;
     PointGhosts own_ghosts;
     SimulatedSonar sonar;
     Workers one_worker{1};
 
     [[nodiscard]] Parts parts() {
-      return {*own_engine, one_worker, own_points, own_interference, own_thin, own_corners, own_ghosts};
+      return {*own_engine, one_worker, own_points, own_interference, own_thin, own_glints, own_corners, own_ghosts};
     }
   };
   /// [sonar][thread], made by the first batch of a sonar; to be dropped when its settings or materials change.

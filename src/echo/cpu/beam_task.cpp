@@ -26,9 +26,9 @@ void set_relief(const HitColumn& hits, int row, const ReliefPoint& relief) {
 
 }  // namespace
 
-void BeamTask::prepare(const PingPlan& plan, SecondarySampling sampling, const ThinTriangles* thin) {
+void BeamTask::prepare(const PingPlan& plan, SecondarySampling sampling, const LeftOut* left_out) {
   plan_ = &plan;
-  thin_ = thin;
+  left_out_ = left_out;
   sampling_ = sampling;
   primary_count_ = 0;
   secondary_.reset_counts();
@@ -213,7 +213,7 @@ void BeamTask::run(const Pose& world_from_sonar, int first_beam, int last_beam, 
     }
     for (int column = first_column; column < first_column + columns; ++column) {
       const HitColumn& hits = hits_[column - first_column];
-      evaluate_column(*plan_, sampling_, first_column_ + column, axes_[column], thin_, hits, segments_);
+      evaluate_column(*plan_, sampling_, first_column_ + column, axes_[column], left_out_, hits, segments_);
       deposit_column(*plan_, first_column_ + column, hits, segments_, sums_, grid);
     }
     if (sampling_ != SecondarySampling::kNone) {

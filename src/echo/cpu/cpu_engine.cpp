@@ -39,7 +39,7 @@ void CpuEngine::set_scene(const Scene& scene) {
   world_->scene.set(scene);
   world_->raster_source = &scene;
   world_->raster_scene = {};
-  world_->thin = nullptr;
+  world_->left_out = nullptr;
   world_->triangle_count = scene.triangle_count();
   world_->poses.clear();
   for (const Instance& instance : scene.instances) {
@@ -85,7 +85,7 @@ SecondarySampling CpuEngine::choose_sampling(const PingPlan& plan, const Pose& w
 template <typename Work>
 void CpuEngine::for_each_task(const PingPlan& plan, SecondarySampling sampling, Work&& work) {
   for (const auto& scratch : scratch_) {
-    scratch->prepare(plan, sampling, world_->thin.get());
+    scratch->prepare(plan, sampling, world_->left_out.get());
   }
   workers_.for_each(task_count(), [&](int task, int worker) {
     const DenormalsOff denormals_off;

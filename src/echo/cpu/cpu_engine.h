@@ -23,7 +23,7 @@ class CpuEngine final : public Engine {
   static const EngineKind kKind;
   [[nodiscard]] const EngineKind& kind() const override { return kKind; }
   void set_scene(const Scene& scene) override;
-  void leave_out(std::shared_ptr<const ThinTriangles> thin) override { world_->thin = std::move(thin); }
+  void leave_out(std::shared_ptr<const LeftOut> left_out) override { world_->left_out = std::move(left_out); }
   void move_instance(int instance, const Pose& world_from_mesh) override;
   void insonify(const PingPlan& plan, const Pose& world_from_sonar, EchoGrid& grid) override;
   [[nodiscard]] std::unique_ptr<Engine> share_scene() override;
@@ -47,7 +47,7 @@ class CpuEngine final : public Engine {
     std::size_t triangle_count = 0;
     std::vector<Pose> poses;  // [instance] World from mesh.
     RasterScene raster_scene;
-    std::shared_ptr<const ThinTriangles> thin;
+    std::shared_ptr<const LeftOut> left_out;
   };
 
   CpuEngine(int threads, std::shared_ptr<World> world);

@@ -73,8 +73,10 @@ void WaterReturns::connect(const SecondHit& hit, int column, int row, const Echo
                                     triple_of(-path->out), there, static_cast<float>(path->length)})
                         .once;
   one.weight *= weight;
-  one.power = static_cast<float>(power) * arrival.pattern;
+  const float received = static_cast<float>(power) * arrival.pattern;
+  one.power = received * arrival.transmitted / plan_->lattice.transmitted[column];  // The reciprocal path.
   launched_[count_] = one;
+  one.power = received;
   one.azimuth = arrival.bearing;
   one.elevation = arrival.elevation;
   arriving_[count_] = one;

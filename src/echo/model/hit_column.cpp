@@ -7,7 +7,7 @@
 #include "base/vector_math.h"
 #include "echo/grid/surface_run.h"
 #include "echo/model/select_hits.h"
-#include "echo/model/thin_triangles.h"
+#include "echo/model/left_out.h"
 
 namespace insonify {
 namespace {
@@ -284,11 +284,11 @@ void finish_column(const PingPlan& plan, SecondarySampling sampling, int column,
 }
 
 void evaluate_column(const PingPlan& plan, SecondarySampling sampling, int column, const ColumnAxes& axes,
-                     const ThinTriangles* thin, const HitColumn& hits, FootprintSegments& segments) {
+                     const LeftOut* left_out, const HitColumn& hits, FootprintSegments& segments) {
   measure_column(plan, column, axes, hits, segments);
   fill_powers(plan, hits);
-  if (thin != nullptr) {
-    mute_thin(*thin, plan, hits);
+  if (left_out != nullptr) {
+    leave_out(*left_out, plan, hits);
   }
   finish_column(plan, sampling, column, hits, segments);
 }

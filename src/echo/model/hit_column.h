@@ -98,12 +98,12 @@ void aim_column(const Lattice& lattice, int column, const ColumnAxes& axes, cons
 /// Makes the normals of a column's hits unit length.
 void make_normals_unit(const PingPlan& plan, const HitColumn& hits);
 
-struct ThinTriangles;
+struct LeftOut;
 
 /// Computes everything that follows from the hits of column `column` of the lattice: measure_column(), fill_powers(),
-/// mute_thin() unless `thin` is null, and finish_column(), one after another. Normals are unit length.
+/// leave_out() unless `left_out` is null, and finish_column(), one after another. Normals are unit length.
 void evaluate_column(const PingPlan& plan, SecondarySampling sampling, int column, const ColumnAxes& axes,
-                     const ThinTriangles* thin, const HitColumn& hits, FootprintSegments& segments);
+                     const LeftOut* left_out, const HitColumn& hits, FootprintSegments& segments);
 
 /// Geometry of the column: finds which neighbours lie on one unbroken surface, and tilts the normals by the relief.
 /// Fills in `facing`, `escapes` and the per-sample values of the segments, which are those of the surface without its

@@ -37,10 +37,10 @@ Vec3 ColumnFrame::direction(const Lattice& lattice, int column, int row) const {
   return (along * double{lattice.cosines(column)[row]} + up * double{lattice.sines(column)[row]} + beside).normalized();
 }
 
-ReferenceColumn::ReferenceColumn(const TriangleScene& scene, const ThinTriangles* thin, const PingPlan& plan,
+ReferenceColumn::ReferenceColumn(const TriangleScene& scene, const LeftOut* left_out, const PingPlan& plan,
                                  SecondarySampling sampling, int column, const Pose& world_from_sonar)
     : scene_(scene),
-      thin_(thin),
+      left_out_(left_out),
       plan_(plan),
       sampling_(sampling),
       column_(column),
@@ -142,8 +142,8 @@ void ReferenceColumn::deposit_primary_echoes(EchoGrid& grid) {
       {frame_.along.cast<float>(), frame_.across.cast<float>(), frame_.up.cast<float>(), frame_.beside.cast<float>()},
       hits_, segments_);
   compute_powers();
-  if (thin_ != nullptr) {
-    mute_thin(*thin_, plan_, hits_);
+  if (left_out_ != nullptr) {
+    leave_out(*left_out_, plan_, hits_);
   }
   finish_column(plan_, sampling_, column_, hits_, segments_);
   deposit_column(plan_, column_, hits_, segments_, sums, grid);

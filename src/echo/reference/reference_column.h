@@ -11,7 +11,7 @@
 #include "echo/model/echo_laws.h"
 #include "echo/model/path_footprint.h"
 #include "echo/model/secondary_sampling.h"
-#include "echo/model/thin_triangles.h"
+#include "echo/model/left_out.h"
 #include "echo/reference/triangle_scene.h"
 #include "insonify/engine.h"
 
@@ -30,8 +30,8 @@ struct ColumnFrame {
 /// Traces the rays of one column, and in a second step reflects them and deposits the echoes.
 class ReferenceColumn {
  public:
-  /// @param thin  Parts whose primary echoes are left out; null: none.
-  ReferenceColumn(const TriangleScene& scene, const ThinTriangles* thin, const PingPlan& plan,
+  /// @param left_out  What of primary echoes is left out; null: nothing.
+  ReferenceColumn(const TriangleScene& scene, const LeftOut* left_out, const PingPlan& plan,
                   SecondarySampling sampling, int column, const Pose& world_from_sonar);
 
   /// Traces the primary rays. The normals of the hits are unit length.
@@ -74,7 +74,7 @@ class ReferenceColumn {
   void deposit_mirror_echoes(const Reflection& path, EchoGrid& grid, std::vector<Echo>& arrivals);
 
   const TriangleScene& scene_;
-  const ThinTriangles* thin_;
+  const LeftOut* left_out_;
   const PingPlan& plan_;
   SecondarySampling sampling_;
   int column_, rows_;

@@ -24,7 +24,7 @@ void ReferenceEngine::set_scene(const Scene& scene) {
   origin_ = scene.middle();
   scene_.set(scene, origin_);
   boxes_.set(scene, origin_);
-  thin_ = nullptr;
+  left_out_ = nullptr;
 }
 
 void ReferenceEngine::move_instance(int instance, const Pose& world_from_mesh) {
@@ -63,7 +63,7 @@ void ReferenceEngine::insonify(const PingPlan& plan, const Pose& world_from_sona
       columns.reserve(NormalTurns::kColumns);
       std::vector<HitColumn> hits;
       for (int column = first; column < std::min(first + NormalTurns::kColumns, last_beam * per_beam); ++column) {
-        columns.emplace_back(scene_, thin_.get(), plan, sampling, column, world_from_sonar)
+        columns.emplace_back(scene_, left_out_.get(), plan, sampling, column, world_from_sonar)
             .trace_primary_rays(workers_);
         hits.push_back(columns.back().hits());
       }

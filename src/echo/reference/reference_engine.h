@@ -20,7 +20,7 @@ class ReferenceEngine final : public Engine {
   static const EngineKind kKind;
   [[nodiscard]] const EngineKind& kind() const override { return kKind; }
   void set_scene(const Scene& scene) override;
-  void leave_out(std::shared_ptr<const ThinTriangles> thin) override { thin_ = std::move(thin); }
+  void leave_out(std::shared_ptr<const LeftOut> left_out) override { left_out_ = std::move(left_out); }
   void move_instance(int instance, const Pose& world_from_mesh) override;
   void insonify(const PingPlan& plan, const Pose& world_from_sonar, EchoGrid& grid) override;
   void trace(std::span<const Ray> rays, std::span<Hit> hits) override;
@@ -33,7 +33,7 @@ class ReferenceEngine final : public Engine {
 
   Workers workers_;
   TriangleScene scene_;
-  std::shared_ptr<const ThinTriangles> thin_;
+  std::shared_ptr<const LeftOut> left_out_;
   Vec3 origin_ = Vec3::Zero();  // World position that reliefs and boxes are relative to.
   BoxCut boxes_;                // Only for SamplingProbes, so that all engines select the same hits.
   SamplingProbes probes_;

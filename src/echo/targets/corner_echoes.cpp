@@ -76,10 +76,10 @@ void CornerEchoes::add(const PingPlan& plan, const Pose& world_from_sonar, std::
     const View& view = views_[i];
     // Carrier cycles per metre of range: two wavelengths of path.
     const double wavelength = 2 / plan.turns_per_metre;
-    const double intensity =
-        view.corner->reflected(view.sight, view.range, wavelength) * reflectance_of(plan, *view.corner, view.sight) *
-        std::exp(-4 * double{plan.neper_per_metre} * view.range) * std::pow(double{view.arrival.pattern}, 2) *
-        double{view.arrival.transmitted};
+    const double intensity = view.corner->reflected(view.sight, view.range, wavelength) *
+                             reflectance_of(plan, *view.corner, view.sight) *
+                             std::exp(-4 * double{plan.neper_per_metre} * view.range) *
+                             std::pow(double{view.arrival.pattern}, 2) * double{view.arrival.transmitted};
     const double turns = plan.turns_per_metre * view.range + (has_water(*view.corner) ? 0.5 : 0.0);
     add_discrete_echo(plan, view.arrival, 3, view.range, intensity, turns, grid);
   }

@@ -1,4 +1,4 @@
-// cut_thin_triangles.cpp -- cuts the surface of thin parts into slabs across their axes, and sorts it by its normals.
+// cut_left_out.cpp -- cuts the surface of thin parts into slabs across their axes, and sorts it by its normals.
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
@@ -248,7 +248,7 @@ class PieceMaker {
 
 }  // namespace
 
-bool cut_thin_triangles(const Instance& instance, int index, const std::vector<ThinTriangle>& thin, ThinParts& parts) {
+bool cut_left_out(const Instance& instance, int index, const std::vector<ThinTriangle>& thin, ThinParts& parts) {
   Cells cells;
   constexpr std::size_t kCellsPerPiece = 16;
   for (const ThinTriangle& triangle : thin) {

@@ -1,4 +1,4 @@
-// find_thin_triangles.cpp -- measures the thickness of bodies by rays through them.
+// find_left_out.cpp -- measures the thickness of bodies by rays through them.
 
 #include <algorithm>
 #include <array>
@@ -13,7 +13,7 @@ namespace {
 constexpr float kThinnest = 1e-4F;  // Distance from a wall within which rays hit nothing [m].
 constexpr int kAcross = 8;          // Directions in which the extent is measured: the least is at most 2 % too great.
 constexpr int kOthers = 3;          // Most surfaces of other objects within a body that rays pass.
-constexpr double kWidest = 1.5;           // Least altitude of a triangle, over kThickest, that is no side of a rod.
+constexpr double kWidest = 1.5;     // Least altitude of a triangle, over kThickest, that is no side of a rod.
 constexpr std::size_t kTogether = 4096;  // Triangles measured together.
 
 // A triangle in world coordinates.
@@ -78,8 +78,8 @@ std::vector<Wall> walls_of(const Instance& instance) {
       corners[k] = instance.world_from_mesh * mesh.vertices[mesh.triangles[t][k]].cast<double>().eval();
     }
     const Vec3 normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
-    const double edge =
-        std::max({(corners[1] - corners[0]).norm(), (corners[2] - corners[1]).norm(), (corners[0] - corners[2]).norm()});
+    const double edge = std::max(
+        {(corners[1] - corners[0]).norm(), (corners[2] - corners[1]).norm(), (corners[0] - corners[2]).norm()});
     const double length = normal.norm();
     if (length > 0 && length < kWidest * double{ThinParts::kThickest} * edge) {
       walls.push_back({t, (corners[0] + corners[1] + corners[2]) / 3, normal / length});
@@ -90,7 +90,7 @@ std::vector<Wall> walls_of(const Instance& instance) {
 
 }  // namespace
 
-std::vector<ThinTriangle> find_thin_triangles(const Scene& scene, int index, Engine& engine) {
+std::vector<ThinTriangle> find_left_out(const Scene& scene, int index, Engine& engine) {
   const Instance& instance = scene.instances[index];
   const std::vector<Wall> walls = walls_of(instance);
   std::vector<ThinTriangle> thin;
@@ -145,14 +145,14 @@ std::vector<ThinTriangle> find_thin_triangles(const Scene& scene, int index, Eng
 
 ThinParts find_thin_parts(const Scene& scene, Engine& engine) {
   ThinParts parts;
-  ThinTriangles triangles;
+  LeftOut triangles;
   triangles.thickness.resize(scene.instances.size());
   for (std::size_t i = 0; i < scene.instances.size(); ++i) {
     const Instance& instance = scene.instances[i];
     if (!instance.present || instance.endless) {
       continue;
     }
-    std::vector<ThinTriangle> thin = find_thin_triangles(scene, static_cast<int>(i), engine);
+    std::vector<ThinTriangle> thin = find_left_out(scene, static_cast<int>(i), engine);
     // Thickness in steps of a fourth of an octave, so that pieces and triangles change to the lattice together.
     for (ThinTriangle& triangle : thin) {
       triangle.thickness = 1e-3F * std::exp2(0.25F * std::ceil(4 * std::log2(triangle.thickness / 1e-3F)));
@@ -160,7 +160,7 @@ ThinParts find_thin_parts(const Scene& scene, Engine& engine) {
     if (thin.empty()) {
       continue;
     }
-    if (!cut_thin_triangles(instance, static_cast<int>(i), thin, parts)) {
+    if (!cut_left_out(instance, static_cast<int>(i), thin, parts)) {
       parts.left_out.push_back(instance.name);
       continue;
     }
@@ -170,7 +170,7 @@ ThinParts find_thin_parts(const Scene& scene, Engine& engine) {
     }
   }
   if (!parts.pieces.empty()) {
-    parts.triangles = std::make_shared<const ThinTriangles>(std::move(triangles));
+    parts.triangles = std::make_shared<const LeftOut>(std::move(triangles));
   }
   return parts;
 }

@@ -28,13 +28,13 @@ struct ThinParts {
     SurfaceLabel surface;
     Vec3f middle;     ///< Mesh frame [m].
     Vec3f half;       ///< From the middle to one end, along the axis [m]; 0 where it has no axis.
-    float thickness;  ///< As ThinTriangles has it [m].
+    float thickness;  ///< As LeftOut has it [m].
     std::uint32_t first_patch, last_patch;
   };
 
   std::vector<Piece> pieces;  ///< Those of an instance are together.
   std::vector<Patch> patches;
-  std::shared_ptr<const ThinTriangles> triangles;  ///< Null where nothing is thin.
+  std::shared_ptr<const LeftOut> triangles;  ///< Null where nothing is thin.
   std::vector<std::string> left_out;               ///< Names of instances with too many pieces.
 };
 
@@ -51,11 +51,11 @@ struct ThinTriangle {
 /// Measures the thickness of one instance by rays: that at the middle of each triangle along its normal to the opposite
 /// wall, and half-way there the least extent across. The greater of both is the second smallest extent of the body.
 /// Surfaces with relief are left out.
-[[nodiscard]] std::vector<ThinTriangle> find_thin_triangles(const Scene& scene, int instance, Engine& engine);
+[[nodiscard]] std::vector<ThinTriangle> find_left_out(const Scene& scene, int instance, Engine& engine);
 
 /// Cuts the thin triangles of an instance into pieces and adds these.
 /// @return False where there would be more than ThinParts::kMostPieces; then `parts` is as it was.
-[[nodiscard]] bool cut_thin_triangles(const Instance& instance, int index, const std::vector<ThinTriangle>& thin,
+[[nodiscard]] bool cut_left_out(const Instance& instance, int index, const std::vector<ThinTriangle>& thin,
                                       ThinParts& parts);
 
 }  // namespace insonify

@@ -1,0 +1,77 @@
+// find_glinting_faces.cpp -- collects the plane faces of a scene that reflect coherently.
+
+#include <cmath>
+
+#include "echo/model/faces.h"
+#include "echo/targets/face_glints.h"
+
+namespace insonify {
+namespace {
+
+bool reflects_coherently(const Scene& scene, const Instance& instance, std::size_t slot) {
+  const bool has_relief = slot < instance.reliefs.size() && instance.reliefs[slot] != nullptr;
+  return !has_relief && scene.materials[instance.materials[slot]].rms_height > 0;
+}
+
+bool is_thin(const LeftOut& left_out, std::size_t instance, std::uint32_t triangle) {
+  return instance < left_out.thickness.size() && !left_out.thickness[instance].empty() &&
+         std::isfinite(left_out.thickness[instance][triangle]);
+}
+
+void add_face(const Mesh& mesh, const Face& face, SurfaceLabel surface, GlintingFaces::Group& group) {
+  const Vec3f middle = mesh.vertices[face.corner] + face.middle[0] * face.axes[0] + face.middle[1] * face.axes[1];
+  group.middle_x.push_back(middle.x());
+  group.middle_y.push_back(middle.y());
+  group.middle_z.push_back(middle.z());
+  group.first_x.push_back(face.axes[0].x());
+  group.first_y.push_back(face.axes[0].y());
+  group.first_z.push_back(face.axes[0].z());
+  group.second_x.push_back(face.axes[1].x());
+  group.second_y.push_back(face.axes[1].y());
+  group.second_z.push_back(face.axes[1].z());
+  group.first_half.push_back(face.half[0]);
+  group.second_half.push_back(face.half[1]);
+  group.surface.push_back(surface);
+}
+
+}  // namespace
+
+GlintingFaces find_glinting_faces(const Scene& scene, LeftOut& left_out) {
+  GlintingFaces found;
+  left_out.glinting.assign(scene.instances.size(), {});
+  for (std::size_t i = 0; i < scene.instances.size(); ++i) {
+    const Instance& instance = scene.instances[i];
+    const Mesh& mesh = *instance.mesh;
+    bool any = false;
+    for (std::size_t slot = 0; slot < instance.materials.size(); ++slot) {
+      any |= reflects_coherently(scene, instance, slot);
+    }
+    if (!instance.present || instance.endless || !any) {
+      continue;
+    }
+    const std::shared_ptr<const MeshFaces> faces = find_faces(mesh);
+    std::vector<std::uint8_t> taken(faces->faces.size(), 0);
+    std::vector<std::uint8_t> glinting(mesh.triangles.size(), 0);
+    GlintingFaces::Group group{.instance = static_cast<int>(i)};
+    for (std::uint32_t t = 0; t < faces->face_of.size(); ++t) {
+      const std::uint32_t face = faces->face_of[t];
+      const std::size_t slot = mesh.slot_of(t);
+      if (face == MeshFaces::kNone || !reflects_coherently(scene, instance, slot) || is_thin(left_out, i, t)) {
+        continue;
+      }
+      glinting[t] = 1;
+      if (taken[face] == 0) {
+        taken[face] = 1;
+        add_face(mesh, faces->faces[face], surface_label(static_cast<std::uint16_t>(i), instance.materials[slot]),
+                 group);
+      }
+    }
+    if (!group.surface.empty()) {
+      found.groups.push_back(std::move(group));
+      left_out.glinting[i] = std::move(glinting);
+    }
+  }
+  return found;
+}
+
+}  // namespace insonify
