@@ -11,7 +11,7 @@ A fully developed speckle's amplitude is Rayleigh: its coefficient of variation 
 
 Behind something at 1.0 m lies a shadow in the recording. Its depth is the mean intensity of the cells from 1.05 to 1.15 m in
 the darkest eight beams, relative to the median of all groups of eight beams. The simulation has a stone of the same height
-on sand, alone and with the crosstalk between channels that an ARIS has.
+on sand, without and with the crosstalk between channels that the preset has.
 """
 
 import math
@@ -169,8 +169,8 @@ def main():
     print(f"recorded: coefficient of variation {np.std(real) / np.mean(real):.3f}, distance {distance(real, rayleigh(real)):.4f}")
     depths = [shadow_depth(ping.astype(float) ** 4, data["range_m"]) for ping in data["polar"]]
     insonify, folder = sys.argv[1], pathlib.Path(sys.argv[2])
-    alone = simulated_shadow(insonify, folder / "stone")
-    with_crosstalk = simulated_shadow(insonify, folder / "crosstalk", "    crosstalk_db: -45\n")
+    alone = simulated_shadow(insonify, folder / "stone", "    crosstalk_db: -200\n")
+    with_crosstalk = simulated_shadow(insonify, folder / "crosstalk")
     print(f"shadow: recorded {', '.join(f'{depth:.1f}' for depth in depths)} dB; simulated {alone:.1f}, with crosstalk {with_crosstalk:.1f}")
     figures["shadow with crosstalk, off the recorded depth"] = (abs(with_crosstalk - np.mean(depths)), 4)
     figures["shadow alone, above the recorded depth"] = (max(alone - np.mean(depths), 0), 0)
