@@ -100,9 +100,7 @@ float RandomWalks::per_steradian(const PingPlan& plan, const SurfaceLaw& law, co
                          std::abs(walk.first_normal.dot(normal)) < kPerpendicular &&
                          std::abs(walk.second_normal.dot(normal)) < kPerpendicular &&
                          std::abs(walk.first_normal.dot(walk.second_normal)) < kPerpendicular;
-  const auto coherent = [&] {
-    return law.coherent * static_cast<float>(coherent_share(plan, label_of(hit), double{normal.dot(in)}));
-  };
+  const auto coherent = [&] { return static_cast<float>(coherent_share(plan, label_of(hit), double{normal.dot(in)})); };
   float left = by_one_mirror ? 1 - law.coherent : 1.0F;
   if (in_corner) {
     left *= 1 - walk.coherent * coherent();
@@ -160,7 +158,9 @@ bool RandomWalks::bounce(const PingPlan& plan, const Hit& hit, int order, Walk& 
     walk.first_normal = normal;
   }
   if (order <= 2) {
-    const auto share = static_cast<float>(coherent_share(plan, label_of(hit), double{normal.dot(walk.direction)}));
+    // Of what is mirrored: where facets are no mirrors, all of it.
+    const auto of_lobe = static_cast<float>(coherent_share(plan, label_of(hit), double{normal.dot(walk.direction)}));
+    const float share = law.coherent > of_lobe ? of_lobe / law.coherent : 1.0F;
     walk.coherent *= next.mirrored ? share : 0.0F;
     walk.second_mirrored = next.mirrored;
     walk.first_coherent = order == 1 ? share : walk.first_coherent;
