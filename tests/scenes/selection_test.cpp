@@ -66,7 +66,8 @@ class Scan {
   template <typename Visit>
   void for_pings(SecondaryEchoes secondary, int stagger_phase, const Visit& visit) {
     const Scenario& scenario = simulator_.scenario();
-    const SonarConfig& sonar = simulator_.sonar(0);
+    SonarConfig sonar = simulator_.sonar(0);
+    sonar.transmit_width.reset();  // As in the paper model.
     const PingPlanSettings settings{.sonar = sonar,
                                     .water = scenario.water,
                                     .paper = scenario.paper,

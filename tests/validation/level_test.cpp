@@ -194,6 +194,7 @@ TEST_P(LevelTest, MaterialsDifferByTheirReflectionCoefficients) {
     Material material = *find_material(name);
     material.lambert_db = -200;
     material.rms_slope = 0.1;
+    material.rms_height = 0;  // Else plates glint.
     return total_db(ping_of(scenario, plate_at(10, 20, material)));
   };
   EXPECT_NEAR(level("steel") - level("pvc"), 8.2517, 0.1);
