@@ -55,8 +55,9 @@ def main(path: str) -> None:
     scene = insonify.Scene()
     scene.add("floor", [[-30, -30, FLOOR], [30, -30, FLOOR], [30, 30, FLOOR], [-30, 30, FLOOR]], [[0, 1, 2], [0, 2, 3]], "sand")
     scene.add("sphere", *sphere(RADIUS), "steel", insonify.Pose.rpy(tuple(CENTRE)))
-    # No echoes by way of two surfaces: their range is not that of the surface they name.
-    sonar = insonify.SonarConfig.preset("tritech-gemini-720i", max_range=10)
+    # No echoes by way of two surfaces: their range is not that of the surface they name. No side lobes in elevation: the
+    # floor that they hear is at the range of the sphere.
+    sonar = insonify.SonarConfig.preset("tritech-gemini-720i", max_range=10, elevation_pattern="top_hat")
     scenario = insonify.Scenario(sonars=[sonar], secondary="none", ground_truth="full", water=insonify.Water(sound_speed=1500))
     sim = insonify.Simulator(scenario, scene)
 
