@@ -51,6 +51,7 @@ float thin_per_metre(const PingPlan& plan) {
 
 void leave_out(const LeftOut& left_out, const PingPlan& plan, const HitColumn& hits) {
   const float per_metre = thin_per_metre(plan);
+  const bool calibrated = plan.model == EchoModel::kCalibrated;
   SurfaceLabel surface = kNoSurface;
   OfInstance own;
   for (int row = 0; row < std::min(hits.rows, plan.lattice.rows); ++row) {
@@ -63,7 +64,7 @@ void leave_out(const LeftOut& left_out, const PingPlan& plan, const HitColumn& h
     }
     if (own.thickness != nullptr && own.thickness[hits.triangle[row]] < per_metre * hits.range[row]) {
       hits.power[row] = 0;
-    } else if (own.glinting != nullptr && own.glinting[hits.triangle[row]] != 0) {
+    } else if (calibrated && own.glinting != nullptr && own.glinting[hits.triangle[row]] != 0) {
       const float lobe = coherent_lobe(plan, surface, std::abs(hits.facing[row]), hits.range[row]);
       hits.power[row] = std::max(hits.power[row] - lobe, 0.0F);
     }

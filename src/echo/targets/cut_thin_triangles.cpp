@@ -1,4 +1,4 @@
-// cut_left_out.cpp -- cuts the surface of thin parts into slabs across their axes, and sorts it by its normals.
+// cut_thin_triangles.cpp -- cuts the surface of thin parts into slabs across their axes, and sorts it by its normals.
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
@@ -13,7 +13,6 @@
 namespace insonify {
 namespace {
 
-constexpr float kSlab = 3;            // Length of a piece along the coordinate of its axis, in thicknesses.
 constexpr int kWidest = 6;            // Most cells of one thickness from the first of a piece to its last.
 constexpr float kTurnStep = 0.2618F;  // Spacing of the normals that a curved surface is sorted by: 15 degrees [rad].
 constexpr float kFineTurn = 0.13F;    // Most turn of the normal within a facet that is sorted as one [rad].
@@ -95,10 +94,10 @@ struct Cell {
 };
 using Cells = std::map<CellKey, Cell>;
 
-void add_triangle(const Instance& instance, int index, const ThinTriangle& thin, Cells& cells) {
+void add_triangle(const Instance& instance, int index, const ThinTriangle& thin, float slab_length, Cells& cells) {
   const Mesh& mesh = *instance.mesh;
   const auto& vertices = mesh.triangles[thin.triangle];
-  const float slab = kSlab * thin.thickness;
+  const float slab = slab_length * thin.thickness;
   std::vector<Corner> triangle;
   for (const std::uint32_t vertex : vertices) {
     triangle.push_back({mesh.vertices[vertex], mesh.normals[vertex]});
@@ -248,11 +247,12 @@ class PieceMaker {
 
 }  // namespace
 
-bool cut_left_out(const Instance& instance, int index, const std::vector<ThinTriangle>& thin, ThinParts& parts) {
+bool cut_thin_triangles(const Instance& instance, int index, const std::vector<ThinTriangle>& thin, float slab,
+                        ThinParts& parts) {
   Cells cells;
   constexpr std::size_t kCellsPerPiece = 16;
   for (const ThinTriangle& triangle : thin) {
-    add_triangle(instance, index, triangle, cells);
+    add_triangle(instance, index, triangle, slab, cells);
     if (cells.size() > kCellsPerPiece * (ThinParts::kMostPieces - parts.pieces.size())) {
       return false;
     }

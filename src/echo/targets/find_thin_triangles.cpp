@@ -1,4 +1,4 @@
-// find_left_out.cpp -- measures the thickness of bodies by rays through them.
+// find_thin_triangles.cpp -- measures the thickness of bodies by rays through them.
 
 #include <algorithm>
 #include <array>
@@ -14,7 +14,8 @@ constexpr float kThinnest = 1e-4F;  // Distance from a wall within which rays hi
 constexpr int kAcross = 8;          // Directions in which the extent is measured: the least is at most 2 % too great.
 constexpr int kOthers = 3;          // Most surfaces of other objects within a body that rays pass.
 constexpr double kWidest = 1.5;     // Least altitude of a triangle, over kThickest, that is no side of a rod.
-constexpr std::size_t kTogether = 4096;  // Triangles measured together.
+constexpr float kShortest = 3, kLongest = 24;  // Pieces, in thicknesses; the shortest of which there are not too many.
+constexpr std::size_t kTogether = 4096;        // Triangles measured together.
 
 // A triangle in world coordinates.
 struct Wall {
@@ -90,7 +91,7 @@ std::vector<Wall> walls_of(const Instance& instance) {
 
 }  // namespace
 
-std::vector<ThinTriangle> find_left_out(const Scene& scene, int index, Engine& engine) {
+std::vector<ThinTriangle> find_thin_triangles(const Scene& scene, int index, Engine& engine) {
   const Instance& instance = scene.instances[index];
   const std::vector<Wall> walls = walls_of(instance);
   std::vector<ThinTriangle> thin;
@@ -152,7 +153,7 @@ ThinParts find_thin_parts(const Scene& scene, Engine& engine) {
     if (!instance.present || instance.endless) {
       continue;
     }
-    std::vector<ThinTriangle> thin = find_left_out(scene, static_cast<int>(i), engine);
+    std::vector<ThinTriangle> thin = find_thin_triangles(scene, static_cast<int>(i), engine);
     // Thickness in steps of a fourth of an octave, so that pieces and triangles change to the lattice together.
     for (ThinTriangle& triangle : thin) {
       triangle.thickness = 1e-3F * std::exp2(0.25F * std::ceil(4 * std::log2(triangle.thickness / 1e-3F)));
@@ -160,7 +161,11 @@ ThinParts find_thin_parts(const Scene& scene, Engine& engine) {
     if (thin.empty()) {
       continue;
     }
-    if (!cut_left_out(instance, static_cast<int>(i), thin, parts)) {
+    float slab = kShortest;
+    while (slab <= kLongest && !cut_thin_triangles(instance, static_cast<int>(i), thin, slab, parts)) {
+      slab *= 2;
+    }
+    if (slab > kLongest) {
       parts.left_out.push_back(instance.name);
       continue;
     }

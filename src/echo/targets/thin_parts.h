@@ -35,7 +35,7 @@ struct ThinParts {
   std::vector<Piece> pieces;  ///< Those of an instance are together.
   std::vector<Patch> patches;
   std::shared_ptr<const LeftOut> triangles;  ///< Null where nothing is thin.
-  std::vector<std::string> left_out;               ///< Names of instances with too many pieces.
+  std::vector<std::string> left_out;         ///< Names of instances with too many pieces.
 };
 
 /// @param engine  With the scene as it is; its rays measure the thickness.
@@ -51,11 +51,12 @@ struct ThinTriangle {
 /// Measures the thickness of one instance by rays: that at the middle of each triangle along its normal to the opposite
 /// wall, and half-way there the least extent across. The greater of both is the second smallest extent of the body.
 /// Surfaces with relief are left out.
-[[nodiscard]] std::vector<ThinTriangle> find_left_out(const Scene& scene, int instance, Engine& engine);
+[[nodiscard]] std::vector<ThinTriangle> find_thin_triangles(const Scene& scene, int instance, Engine& engine);
 
 /// Cuts the thin triangles of an instance into pieces and adds these.
+/// @param slab  Length of a piece along the coordinate of its axis, in thicknesses.
 /// @return False where there would be more than ThinParts::kMostPieces; then `parts` is as it was.
-[[nodiscard]] bool cut_left_out(const Instance& instance, int index, const std::vector<ThinTriangle>& thin,
-                                      ThinParts& parts);
+[[nodiscard]] bool cut_thin_triangles(const Instance& instance, int index, const std::vector<ThinTriangle>& thin,
+                                      float slab, ThinParts& parts);
 
 }  // namespace insonify
