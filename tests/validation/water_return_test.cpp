@@ -93,7 +93,7 @@ TEST_P(WaterReturnTest, LosesAbsorptionAndVanishesBehindThings) {
   EXPECT_NEAR(near_range(ping_of(absorbing, wall_and_plate())) - calm, -2 * kRange * per_metre, 0.02);
   // Half-way between the plate and the surface, where no other of the paths is.
   const Vec3 in_the_way = kPlate + 0.35 * kByWater;
-  const Scene blocked = scene_of_all({wall(), plate(), sphere_at(in_the_way, 0.2, diffuse(-200))});
+  const Scene blocked = scene_of_all({wall(), plate(), sphere_at(in_the_way, 0.2, diffuse(-200), 0.5)});
   EXPECT_LT(near_range(ping_of(scenario, blocked)), calm - 20);
 }
 
