@@ -81,8 +81,15 @@ TEST(ThinPartsTest, OtherSurfacesInsideDoNotCount) {
   EXPECT_TRUE(parts.triangles->thickness[1].empty());
 }
 
+// 200 m in pieces of 6 mm are too many, in pieces of 12 mm not.
+TEST(ThinPartsTest, WhatHasManyPiecesIsCutIntoLongerOnes) {
+  const ThinParts parts = parts_of(scene_of(make_cylinder(0.001, 200, 0.5)));
+  EXPECT_NEAR(static_cast<double>(parts.pieces.size()), 200 / 0.012, 20);
+  EXPECT_TRUE(parts.left_out.empty());
+}
+
 TEST(ThinPartsTest, WhatHasTooManyPiecesIsLeftOut) {
-  const ThinParts parts = parts_of(scene_of(make_cylinder(0.001, 200, 0.5)));  // 200 m in pieces of 6 mm.
+  const ThinParts parts = parts_of(scene_of(make_cylinder(0.001, 2000, 0.5)));  // 2 km in pieces of 48 mm.
   EXPECT_TRUE(parts.pieces.empty());
   EXPECT_EQ(parts.left_out, std::vector<std::string>{"thing"});
   EXPECT_EQ(parts.triangles, nullptr);
