@@ -89,7 +89,7 @@ TEST(ThinPartsTest, WhatHasManyPiecesIsCutIntoLongerOnes) {
 }
 
 TEST(ThinPartsTest, WhatHasTooManyPiecesIsLeftOut) {
-  const ThinParts parts = parts_of(scene_of(make_cylinder(0.001, 2000, 0.5)));  // 2 km in pieces of 48 mm.
+  const ThinParts parts = parts_of(scene_of(make_cylinder(0.001, 1000, 0.5)));  // 1 km in pieces of 48 mm.
   EXPECT_TRUE(parts.pieces.empty());
   EXPECT_EQ(parts.left_out, std::vector<std::string>{"thing"});
   EXPECT_EQ(parts.triangles, nullptr);
