@@ -23,9 +23,10 @@ ROOMS = {
     "echo": {
         "grid": [],
         "model": ["grid"],
-        "targets": ["grid", "model", "."],
+        "mirror": ["grid", "model"],
+        "targets": ["grid", "model", "mirror", "."],
         "walks": ["grid", "model", "."],
-        "*": ["grid", "model", "."],  # Engines, each a room.
+        "*": ["grid", "model", "mirror", "."],  # Engines, each a room.
     },
     "receiver": {
         "array": ["."],

@@ -113,7 +113,7 @@ class ArrayPattern {
   std::vector<WindowCosine> line_;               // Window of a continuous line; empty for an array of elements.
   std::vector<double> weights_;                  // Weights of the elements without faults, sum 1; empty for a line.
   std::vector<double> real_, imaginary_;         // Complex weights of the elements with faults; empty without faults.
-  std::vector<std::complex<double>> defocused_;  // Of elements, or of parts of a line, out of focus; empty in focus.
+  std::vector<std::complex<double>> defocused_;  // [element or part of a line] Weights out of focus; empty in focus.
   double edge_phase_ = 0;
   bool two_way_ = false;
 };

@@ -86,8 +86,8 @@ struct SonarConfig {
                                                          ///< kInstrument.
   std::optional<double> transmit_width = {};  ///< Full width across bearings at half power of the transmitter of a fan
                                               ///< [rad], in (0, 175 deg]; absent: it sends alike in all directions.
-  std::optional<double> element_width = {};   ///< Of one element of a fan's receiver [rad], in (0, 175 deg]; absent: it
-                                              ///< receives alike from all directions.
+  std::optional<double> element_width = {};   ///< Width of one element of a fan's receiver [rad], in (0, 175 deg];
+                                              ///< absent: it receives alike from all directions.
 
   /// Range at which the array's beams are focused [m], in (0, 1e6]; absent: at every range.
   std::optional<double> focus_range = {};

@@ -10,8 +10,8 @@
 
 #include "echo/grid/echo_grid.h"
 #include "echo/model/hit.h"
-#include "echo/model/ping_plan.h"
 #include "echo/model/left_out.h"
+#include "echo/model/ping_plan.h"
 #include "insonify/engine.h"
 #include "insonify/scene.h"
 

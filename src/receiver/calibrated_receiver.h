@@ -107,7 +107,7 @@ class CalibratedReceiver {
   // `surface_noise_` is not there.
   std::vector<float> noise_deviation_;
   float isotropic_noise_ = 0;           // Intensity of the noise that is alike in all beams.
-  double surface_noise_level_ = 0;      // Of the surface's noise, per unit of SurfaceNoise::receive().
+  double surface_noise_level_ = 0;      // Level of the surface's noise per unit of SurfaceNoise::receive().
   std::vector<double> surface_shares_;  // [beam].
   std::optional<SurfaceNoise> surface_noise_;
   float saturation_;  // Largest intensity before gain.

@@ -38,7 +38,8 @@ class Digitizer {
   Mapping mapping_;
   float max_count_, per_full_scale_;  // N, and 1 / the intensity of full scale.
   std::optional<double> share_;
-  std::vector<std::uint32_t> histogram_;  // Of the upper halves of intensities: exponent and 8 bits of mantissa.
+  std::vector<std::uint32_t>
+      histogram_;       // [upper half of an intensity: exponent and 8 bits of mantissa] Number of bins.
   float exponent_ = 0;  // kGamma: exponent of intensity. kLogarithmic: counts per unit of its logarithm.
 };
 

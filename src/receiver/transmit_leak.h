@@ -21,7 +21,7 @@ namespace insonify {
 /// so that the decay is that of the matched filter's output too.
 struct LeakEnvelope {
   double level;     ///< Linear.
-  double duration;  ///< Of the pulse [s].
+  double duration;  ///< Duration of the pulse [s].
   double decay;     ///< [dB/s], > 0.
 
   [[nodiscard]] double at(double time) const;

@@ -130,7 +130,7 @@ void add_mutual_interference(std::span<const SendingSonar> senders, const Simula
     const double arriving = std::pow(10.0, (sender.source_level_db() - plan.sonar.source_level_db) / 10) * share *
                             double{received.arrival.pattern} / (range * range) *
                             std::exp(-2 * double{plan.neper_per_metre} * range);
-    const double delay = range / sound_speed - request.time;  // Of a pulse sent at time 0.
+    const double delay = range / sound_speed - request.time;  // When a pulse sent at time 0 arrives [s].
     const double earliest = std::ceil(-(delay + sender.duration()) / sender.period());
     for (auto ping = static_cast<std::uint64_t>(std::max(0.0, earliest));; ++ping) {
       const double begins = delay + static_cast<double>(ping) * sender.period();

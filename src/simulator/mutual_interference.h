@@ -27,8 +27,10 @@ class SendingSonar {
   [[nodiscard]] const std::string& name() const { return sonar_.name; }
   [[nodiscard]] const Vec3& place() const { return vehicle_from_housing_.position; }  ///< On the vehicle [m].
   [[nodiscard]] double source_level_db() const { return sonar_.source_level_db; }
-  [[nodiscard]] double period() const { return *sonar_.ping_period; }  ///< Of pings, the first of which is at time 0.
-  [[nodiscard]] double duration() const { return duration_; }          ///< Of a pulse [s].
+  [[nodiscard]] double period() const {
+    return *sonar_.ping_period;
+  }  ///< Time between pings, the first of which is at time 0 [s].
+  [[nodiscard]] double duration() const { return duration_; }  ///< Duration of a pulse [s].
 
   /// Share of its pulse's energy that lies in the band of another sonar's pulse, 0..1: both are taken to be even from
   /// frequency - bandwidth / 2 to frequency + bandwidth / 2.
@@ -45,7 +47,7 @@ class SendingSonar {
   double port_edge_ = 0, starboard_edge_ = 0;  // Azimuths of the fan's edges [rad].
   std::optional<ElevationPattern> elevation_;
   FanPattern transmitter_;
-  std::optional<ArrayPattern> head_;  // Of a scanning head, one way.
+  std::optional<ArrayPattern> head_;  // One-way pattern of a scanning head.
   double head_length_ = 0;            // [wavelengths]
 };
 

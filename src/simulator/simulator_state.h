@@ -86,8 +86,9 @@ struct Simulator::State {
   ThinEchoes thin;
   std::shared_ptr<const GlintingFaces> glinting_faces;  ///< Null in the paper model.
   FaceGlints glints;
-  std::shared_ptr<const std::vector<PlaneMirror>> mirrors;  ///< Of what does not move. Null in the paper model.
-  std::shared_ptr<const std::vector<Corner>> corners;       ///< Null in the paper model.
+  std::shared_ptr<const std::vector<PlaneMirror>>
+      mirrors;                                         ///< Plane mirrors that do not move. Null in the paper model.
+  std::shared_ptr<const std::vector<Corner>> corners;  ///< Null in the paper model.
   CornerEchoes corner_echoes;
   PointGhosts ghosts;
   std::vector<Pose> poses;  ///< [instance] World from mesh, at the last ping or place().

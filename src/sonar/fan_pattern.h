@@ -27,7 +27,7 @@ class FanPattern {
   }
 
  private:
-  static constexpr double kLineWidth = 0.8858929413781328;  // Of sinc^2 at half power.
+  static constexpr double kLineWidth = 0.8858929413781328;  // Width of sinc^2 at half power.
   static constexpr double kLeast = 1e-6;
   double length_;
 };

@@ -8,29 +8,12 @@
 #include <numbers>
 #include <random>
 
+#include "echo/trihedral.h"
+
 namespace insonify {
 namespace {
 
 constexpr double kWavelength = 1500 / 720e3;
-
-// Three triangles or squares with edges of one length along the axes, as one mesh.
-Mesh reflector(double edge, bool square) {
-  const auto a = static_cast<float>(edge);
-  Mesh mesh;
-  for (int k = 0; k < 3; ++k) {
-    const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
-    const Vec3f one = a * Vec3f::Unit((k + 1) % 3), two = a * Vec3f::Unit((k + 2) % 3);
-    for (const Vec3f& vertex : {Vec3f(Vec3f::Zero()), one, two, Vec3f(one + two)}) {
-      mesh.vertices.push_back(vertex);
-      mesh.normals.emplace_back(Vec3f::Unit(k));
-    }
-    mesh.triangles.push_back({first, first + 1, first + 2});
-    if (square) {
-      mesh.triangles.push_back({first + 1, first + 3, first + 2});
-    }
-  }
-  return mesh;
-}
 
 Instance instance_of(Mesh mesh, const Pose& pose = {}) {
   Instance instance;
@@ -72,14 +55,14 @@ TEST(CornerTest, HasTheTargetStrengthOfTheBooksOnItsAxis) {
   for (const double edge : {0.07, 0.32}) {
     const double wavelength = 1500 / 375e3, range = 1e4, fourth = std::pow(edge, 4) / (wavelength * wavelength);
     for (const bool square : {false, true}) {
-      const Corner corner = only_corner(scene_of_parts({instance_of(reflector(edge, square), kPose)}));
+      const Corner corner = only_corner(scene_of_parts({instance_of(trihedral(edge, square), kPose)}));
       EXPECT_TRUE(corner.apex.isApprox(kPose.position, 1e-6));
       const double cross_section = corner.reflected(axis, range, wavelength) * std::pow(range, 4);
       EXPECT_NEAR(10 * std::log10(cross_section / (square ? 3 * fourth : fourth / 3)), 0, 0.02);
     }
   }
   // .1 m at 720 kHz: 10 log10(1e-4 / (3 x 4.3403e-6)) = 8.854 dB.
-  const Corner corner = only_corner(scene_of_parts({instance_of(reflector(0.1, false))}));
+  const Corner corner = only_corner(scene_of_parts({instance_of(trihedral(0.1, false))}));
   EXPECT_NEAR(10 * std::log10(corner.reflected(axis, 1e4, kWavelength) * 1e16), 8.8536, 0.02);
 }
 
@@ -87,7 +70,7 @@ TEST(CornerTest, HasTheTargetStrengthOfTheBooksOnItsAxis) {
 //     A = a^2 (s - 2/s) where n <= l + m, else a^2 4 l m / s.
 TEST(CornerTest, TriangularOutlineFollowsSpencersFormula) {
   const double edge = 0.23;
-  const Corner corner = only_corner(scene_of_parts({instance_of(reflector(edge, false), kPose)}));
+  const Corner corner = only_corner(scene_of_parts({instance_of(trihedral(edge, false), kPose)}));
   for (const Vec3& direction : {Vec3(1, 1, 1), Vec3(1, 2, 2.5), Vec3(3, 1, 2.2), Vec3(1, 1, 4), Vec3(0.3, 1, 2)}) {
     const Vec3 sight = direction.normalized();
     std::array<double, 3> c = {sight.x(), sight.y(), sight.z()};
@@ -154,7 +137,7 @@ TEST(CornerTest, OutlineIsThatOfTheRaysThatComeBack) {
 // Near the corner the echo is that of the image in the apex, 1/(4 r^2), with the ripples of Fresnel diffraction: for a
 // round outline |1 - e^(i A k / (pi r))|^2 times that.
 TEST(CornerTest, NearItIsTheImageInTheApex) {
-  const Corner corner = only_corner(scene_of_parts({instance_of(reflector(2.5, true), kPose)}));
+  const Corner corner = only_corner(scene_of_parts({instance_of(trihedral(2.5, true), kPose)}));
   const Vec3 sight = Vec3(1, 1.3, 1.6).normalized();
   double sum = 0;
   constexpr int kRanges = 60;
@@ -171,7 +154,7 @@ TEST(CornerTest, NearItIsTheImageInTheApex) {
 // outline is a regular hexagon with the corners a sqrt(2)/3 from the apex... of the area a^2/sqrt(3).
 TEST(CornerTest, BetweenNearAndFarItIsKirchhoffsIntegral) {
   const double edge = 0.15;
-  const Corner corner = only_corner(scene_of_parts({instance_of(reflector(edge, false))}));
+  const Corner corner = only_corner(scene_of_parts({instance_of(trihedral(edge, false))}));
   const Vec3 sight = Vec3::Ones().normalized();
   const double side = edge * std::sqrt(2.0) / 3,
                apothem = side * std::sqrt(3.0) / 2;  // 6 side apothem / 2 = a^2/sqrt(3)
@@ -248,13 +231,13 @@ TEST(CornersTest, ThreeCrossingPlatesHaveEight) {
 
 TEST(CornersTest, CurvedAndRuggedSurfacesHaveNone) {
   EXPECT_EQ(corners_of(scene_of_parts({instance_of(make_sphere(1, 0.3))}), {}).size(), 0U);
-  Instance rugged = instance_of(reflector(0.3, true));
+  Instance rugged = instance_of(trihedral(0.3, true));
   rugged.reliefs = {std::make_shared<const Relief>()};
   EXPECT_EQ(corners_of(scene_of_parts({rugged}), {}).size(), 0U);
 }
 
 TEST(CornersTest, OfAMovingObjectGoWithIt) {
-  Instance moving = instance_of(reflector(0.3, true), kPose);
+  Instance moving = instance_of(trihedral(0.3, true), kPose);
   moving.moving = true;
   const std::vector<Corner> corners = corners_of(scene_of_parts({instance_of(make_box({1, 1, 1})), moving}), {});
   const auto own = std::ranges::find(corners, 1, &Corner::instance);

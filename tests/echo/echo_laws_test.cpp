@@ -8,9 +8,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "echo/mirror/mirror_paths.h"
+#include "echo/mirror/secondary_echo.h"
 #include "echo/model/hit_column.h"
-#include "echo/model/mirror_paths.h"
-#include "echo/model/secondary_echo.h"
 #include "insonify/acoustics/backscatter.h"
 
 namespace insonify {

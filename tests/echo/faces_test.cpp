@@ -1,6 +1,6 @@
 // faces_test.cpp -- plane faces of meshes, and diffraction at mirrors of their size.
 
-#include "echo/model/faces.h"
+#include "echo/mirror/faces.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <cmath>
 #include <set>
 
-#include "echo/model/face_return.h"
+#include "echo/mirror/face_return.h"
 
 namespace insonify {
 namespace {

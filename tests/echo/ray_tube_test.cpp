@@ -1,6 +1,6 @@
 // ray_tube_test.cpp -- ray-tube spreading by planes, spheres and cylinders, against the mirror equations.
 
-#include "echo/model/ray_tube.h"
+#include "echo/mirror/ray_tube.h"
 
 #include <gtest/gtest.h>
 

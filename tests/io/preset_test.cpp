@@ -221,8 +221,9 @@ TEST(PresetTest, EveryInstrumentHasAPulseThatEndsBeforeItsShortestRange) {
   }
 }
 
-// Of the Ping360 8000 range / c microseconds, from 5 to 500; of the ARIS 3000 2 us a metre from 5 to 16 (high) and
-// 7 + 1.75 (range - 4) from 8 to 24 (low); of the ARIS 1800 2 (range - 5) from 6 to 25 and 7 + range up to 40.
+// Durations: of the Ping360 8000 range / c microseconds, from 5 to 500; of the ARIS 3000 2 us a metre from 5 to 16
+// (high) and 7 + 1.75 (range - 4) from 8 to 24 (low); of the ARIS 1800 2 (range - 5) from 6 to 25 and 7 + range up
+// to 40.
 TEST(PresetTest, PulsesGrowWithTheRangeAsTheInstrumentsDo) {
   const auto microseconds = [](const char* name, const char* mode, double range) {
     const Preset preset = load_preset(name, mode);

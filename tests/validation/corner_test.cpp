@@ -3,6 +3,7 @@
 
 #include <numbers>
 
+#include "echo/trihedral.h"
 #include "validation/calibrated_scene.h"
 #include "validation/walk_scene.h"
 
@@ -12,23 +13,6 @@ namespace {
 class CornerEchoTest : public testing::TestWithParam<Method> {};
 
 constexpr double kFrequency = 430e3, kSpeed = 1480, kEdge = 0.12, kRange = 8.3;
-
-// Three squares along the axes, as one mesh.
-Mesh square_corner(double edge) {
-  const auto a = static_cast<float>(edge);
-  Mesh mesh;
-  for (int k = 0; k < 3; ++k) {
-    const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
-    const Vec3f one = a * Vec3f::Unit((k + 1) % 3), two = a * Vec3f::Unit((k + 2) % 3);
-    for (const Vec3f& vertex : {Vec3f(Vec3f::Zero()), one, two, Vec3f(one + two)}) {
-      mesh.vertices.push_back(vertex);
-      mesh.normals.emplace_back(Vec3f::Unit(k));
-    }
-    mesh.triangles.push_back({first, first + 1, first + 2});
-    mesh.triangles.push_back({first + 1, first + 3, first + 2});
-  }
-  return mesh;
-}
 
 // At a place, with its axis of symmetry towards the origin.
 Pose facing_sonar(const Vec3& place) {
@@ -94,7 +78,7 @@ double expected_level(double reflection) {
 }
 
 TEST_P(CornerEchoTest, HasItsLevelWhereItIs) {
-  const Scene scene = scene_of(square_corner(kEdge), mirror(0.8), facing_sonar(kPlace));
+  const Scene scene = scene_of(trihedral(kEdge, true), mirror(0.8), facing_sonar(kPlace));
   const Ping ping = ping_of(corner_scenario(GetParam()), scene);
   EXPECT_NEAR(level_at(ping, kRange), expected_level(0.8), 0.1);
   // Without paths over three surfaces there is next to nothing there.
@@ -106,7 +90,7 @@ TEST_P(CornerEchoTest, HasItsLevelWhereItIs) {
 }
 
 TEST_P(CornerEchoTest, GoesThroughArrayPulseAndAbsorption) {
-  const Scene scene = scene_of(square_corner(kEdge), mirror(0.8), facing_sonar(kPlace));
+  const Scene scene = scene_of(trihedral(kEdge, true), mirror(0.8), facing_sonar(kPlace));
   Scenario scenario = corner_scenario(GetParam());
   scenario.primary = PrimaryEchoes::kAuto;  // Rasterised primaries have no elevation pattern.
   scenario.water.absorption = true;
@@ -132,32 +116,32 @@ TEST_P(CornerEchoTest, RoughMirrorsLoseItsCoherentEcho) {
   rough.rms_height = 1e-4;
   Scenario scenario = corner_scenario(GetParam());
   const Pose pose = facing_sonar(kPlace);
-  const double smooth = level_at(ping_of(scenario, scene_of(square_corner(kEdge), mirror(0.8), pose)), kRange);
-  const Scene scene = scene_of(square_corner(kEdge), rough, pose);
+  const double smooth = level_at(ping_of(scenario, scene_of(trihedral(kEdge, true), mirror(0.8), pose)), kRange);
+  const Scene scene = scene_of(trihedral(kEdge, true), rough, pose);
   EXPECT_NEAR(level_at(ping_of(scenario, scene), kRange) - smooth, -0.5789, 0.03);
   scenario.rough_mirrors = true;
   EXPECT_LT(level_at(ping_of(scenario, scene), kRange), smooth - 20);
 }
 
 TEST_P(CornerEchoTest, IsHiddenBehindThingsAndFromOutside) {
-  const Scene open = scene_of(square_corner(kEdge), mirror(0.8), facing_sonar(kPlace));
+  const Scene open = scene_of(trihedral(kEdge, true), mirror(0.8), facing_sonar(kPlace));
   Scene blocked = scene_of_all({open, scene_of(make_sphere(0.05), diffuse(-200), {.position = 0.5 * kPlace})});
   EXPECT_LT(level_at(ping_of(corner_scenario(GetParam()), blocked), kRange), expected_level(0.8) - 20);
   Pose turned = facing_sonar(kPlace);
   turned.orientation = turned.orientation * orientation_from_rpy(std::numbers::pi, 0, 0);
-  const Scene away = scene_of(square_corner(kEdge), mirror(0.8), turned);
+  const Scene away = scene_of(trihedral(kEdge, true), mirror(0.8), turned);
   EXPECT_LT(level_at(ping_of(corner_scenario(GetParam()), away), kRange), expected_level(0.8) - 20);
 }
 
 TEST_P(CornerEchoTest, MovesWithItsObject) {
-  const Scene scene = scene_of(square_corner(kEdge), mirror(0.8), facing_sonar(kPlace));
+  const Scene scene = scene_of(trihedral(kEdge, true), mirror(0.8), facing_sonar(kPlace));
   const std::string name = scene.instances[0].name;
   Simulator simulator(corner_scenario(GetParam()), scene, 2, std::vector<MovableObject>{{name}});
   EXPECT_NEAR(level_at(simulator.ping(0, {}), kRange), expected_level(0.8), 0.1);
   const Vec3 nearer = 0.6 * kPlace;
   const Ping moved = simulator.ping(0, {.moved = {{.name = name, .world_from_object = facing_sonar(nearer)}}});
   EXPECT_LT(level_at(moved, kRange), expected_level(0.8) - 20);
-  const Scene there = scene_of(square_corner(kEdge), mirror(0.8), facing_sonar(nearer));
+  const Scene there = scene_of(trihedral(kEdge, true), mirror(0.8), facing_sonar(nearer));
   EXPECT_NEAR(level_at(moved, 0.6 * kRange), level_at(ping_of(corner_scenario(GetParam()), there), 0.6 * kRange), 1e-3);
 }
 

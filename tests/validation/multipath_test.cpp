@@ -1,8 +1,7 @@
 // multipath_test.cpp -- echoes by way of mirrors: ghosts in the sea surface, corners, reciprocity (T9, T10, T21 of
 // docs/concepts/physics-tests.md). Expected ranges and levels are those of image sources, computed independently.
 
-#include "echo/engine.h"
-#include "validation/calibrated_scene.h"
+#include "validation/secondary_grid.h"
 
 namespace insonify::validation {
 namespace {
@@ -12,19 +11,8 @@ class ElevationMultipathTest : public testing::TestWithParam<Method> {};
 
 EchoGrid echoes_of(const Method& method, const Scene& scene, const SonarConfig& sonar, const Vec3& position,
                    int max_surfaces = 3, const std::optional<ArraySettings>& elevation_array = {}) {
-  const auto engine = make_engine(method.engine, 2);
-  engine->set_scene(scene);
-  EchoGrid grid(sonar.beam_count, sonar.bin_count, kPathOrders);
-  engine->insonify(*make_ping_plan({.sonar = sonar,
-                                    .water = {.absorption = false},
-                                    .model = EchoModel::kCalibrated,
-                                    .materials = scene.materials,
-                                    .elevation_array = elevation_array,
-                                    .primary = method.primary,
-                                    .secondary = SecondaryEchoes::kAll,
-                                    .max_surfaces = max_surfaces}),
-                   {.position = position}, grid);
-  return grid;
+  return secondary_grid(method, scene, sonar, {.position = position},
+                        {.max_surfaces = max_surfaces, .elevation_array = elevation_array});
 }
 
 double total_db(const EchoGrid& grid, int order) {

@@ -1,10 +1,9 @@
 // rough_mirror_test.cpp -- reflection by the randomly tilted facets of a rough mirror.
 
-#include "echo/engine.h"
+#include "echo/mirror/mirror_paths.h"
 #include "echo/model/mirror_facet.h"
-#include "echo/model/mirror_paths.h"
 #include "insonify/error.h"
-#include "validation/calibrated_scene.h"
+#include "validation/secondary_grid.h"
 
 namespace insonify::validation {
 namespace {
@@ -185,18 +184,8 @@ Ghost ghost_in(const Method& method, double rms_slope, bool rough, double height
   sonar.max_range = 20;
   sonar.bin_count = 200;
   sonar.sampling = {8, 400};
-  const auto engine = make_engine(method.engine, 2);
-  engine->set_scene(scene);
-  EchoGrid grid(sonar.beam_count, sonar.bin_count, kPathOrders);
-  engine->insonify(*make_ping_plan({.sonar = sonar,
-                                    .water = {.absorption = false},
-                                    .model = EchoModel::kCalibrated,
-                                    .materials = scene.materials,
-                                    .primary = method.primary,
-                                    .secondary = SecondaryEchoes::kAll,
-                                    .max_surfaces = 3,
-                                    .rough_mirrors = rough}),
-                   {.orientation = orientation_from_rpy(90 * kDegree, 0, 0)}, grid);
+  const Pose on_its_side{.orientation = orientation_from_rpy(90 * kDegree, 0, 0)};
+  const EchoGrid grid = secondary_grid(method, scene, sonar, on_its_side, {.rough_mirrors = rough});
   Ghost ghost;
   double squares = 0;
   for (int beam = 0; beam < sonar.beam_count; ++beam) {

@@ -2,8 +2,7 @@
 
 #include <complex>
 
-#include "echo/engine.h"
-#include "validation/calibrated_scene.h"
+#include "validation/secondary_grid.h"
 
 namespace insonify::validation {
 namespace {
@@ -28,17 +27,7 @@ Levels levels_by(const Method& method, double side) {
   sonar.max_range = 25;
   sonar.bin_count = 200;
   sonar.sampling = {40, 4000};
-  const auto engine = make_engine(method.engine, 2);
-  engine->set_scene(scene);
-  EchoGrid grid(sonar.beam_count, sonar.bin_count, kPathOrders);
-  engine->insonify(*make_ping_plan({.sonar = sonar,
-                                    .water = {.absorption = false},
-                                    .model = EchoModel::kCalibrated,
-                                    .materials = scene.materials,
-                                    .primary = method.primary,
-                                    .secondary = SecondaryEchoes::kAll,
-                                    .max_surfaces = 3}),
-                   {}, grid);
+  const EchoGrid grid = secondary_grid(method, scene, sonar, {});
   Levels levels;
   for (int beam = 0; beam < sonar.beam_count; ++beam) {
     for (int bin = 0; bin < sonar.bin_count; ++bin) {

@@ -2,18 +2,10 @@
 // every single ping, wherever the target lies among the samples, against integrals of the scattering law over the
 // surface. All numbers were derived independently of this code.
 
-#include <functional>
-#include <numbers>
-
-#include "validation/calibrated_scene.h"
+#include "validation/small_targets.h"
 
 namespace insonify::validation {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
-constexpr double kMeanTolerance = 0.5;  // [dB]
-constexpr double kMostSpread = 3;       // Greatest level less least level [dB].
-constexpr int kPlaces = 24;
 
 // Part of a Gemini 720i with its default sample spacing: 0.117 degrees from column to column, 0.1 from row to row.
 SonarConfig small_sonar(double max_range) {
@@ -33,43 +25,8 @@ Vec3 offset_of(int place) {
   return {0, 0.03 * (place - 12), 0.011 * (place * 7 % kPlaces - 12)};
 }
 
-// Mean of the intensities of single pings over all places, and the greatest difference of levels.
-struct Levels {
-  double mean_db, spread_db;
-};
-Levels levels_of(Scenario scenario, const Scene& scene, const std::function<double(const Ping&)>& intensity_of) {
-  Simulator simulator(scenario, scene, 2);
-  double sum = 0, least = 1e300, most = 0;
-  for (int place = 0; place < kPlaces; ++place) {
-    Ping ping;
-    PingRequest request;
-    request.world_from_vehicle.position = offset_of(place);
-    simulator.ping(0, request, ping);
-    const double intensity = intensity_of(ping);
-    sum += intensity;
-    least = std::min(least, intensity);
-    most = std::max(most, intensity);
-  }
-  return {10 * std::log10(sum / kPlaces), 10 * std::log10(most / least)};
-}
-
-double whole(const Ping& ping) {
-  double sum = 0;
-  for (const float value : ping.intensity) {
-    sum += value;
-  }
-  return sum;
-}
-
-// The law of docs/concepts/scattering.md for |R| = 0.9.
-constexpr double kReflection = 0.9;
-double backscatter(double cosine, double slope, double lambert) {
-  if (cosine <= 0) {
-    return 0;
-  }
-  const double square = cosine * cosine, tangent_square = 1 / square - 1;
-  return lambert * square + kReflection * kReflection / (8 * kPi * slope * slope * square * square) *
-                                std::exp(-tangent_square / (2 * slope * slope));
+Levels levels_of(const Scenario& scenario, const Scene& scene, const std::function<double(const Ping&)>& intensity_of) {
+  return validation::levels_of(scenario, scene, 1, offset_of, intensity_of);
 }
 
 Material shiny(double slope, double lambert_db = -200) {

@@ -2,19 +2,10 @@
 // every single ping, wherever they lie among the samples, against closed formulas and integrals over their surface. All
 // numbers were derived independently of this code.
 
-#include <functional>
-#include <numbers>
-
-#include "validation/calibrated_scene.h"
+#include "validation/small_targets.h"
 
 namespace insonify::validation {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
-constexpr double kMeanTolerance = 0.5;  // [dB]
-constexpr double kMostSpread = 3;       // Greatest level less least level [dB].
-constexpr int kPlaces = 24;
-constexpr double kReflection = 0.9;
 
 // A Gemini 720i: 256 beams over 120 degrees, 20 degrees in elevation, 0.117 degrees from column to column and 0.1 from
 // row to row.
@@ -43,45 +34,6 @@ SonarConfig small_sonar(double max_range, int bins = 1000) {
 // Steps of 3 cm across, and of 3 cm along after every fifth.
 Vec3 offset_of(int place) {
   return {0.03 * (place / 5 - 2), 0.03 * (place % 5 - 2), 0.011 * (place * 7 % kPlaces - 12)};
-}
-
-struct Levels {
-  double mean_db, spread_db;
-};
-Levels levels_of(const Scenario& scenario, const Scene& scene, double range,
-                 const std::function<double(const Ping&)>& intensity_of) {
-  Simulator simulator(scenario, scene, 2);
-  double sum = 0, least = 1e300, most = 0;
-  Ping ping;
-  for (int place = 0; place < kPlaces; ++place) {
-    PingRequest request;
-    request.world_from_vehicle.position = offset_of(place);
-    simulator.ping(0, request, ping);
-    // Without the loss that comes of being nearer or farther: r^-4 of a small body, r^-3 of a line.
-    const double intensity = intensity_of(ping) * std::pow((range - offset_of(place).x()) / range, 4);
-    sum += intensity;
-    least = std::min(least, intensity);
-    most = std::max(most, intensity);
-  }
-  return {10 * std::log10(sum / kPlaces), 10 * std::log10(most / least)};
-}
-
-double whole(const Ping& ping) {
-  double sum = 0;
-  for (const float value : ping.intensity) {
-    sum += value;
-  }
-  return sum;
-}
-
-// The law of docs/concepts/scattering.md.
-double backscatter(double cosine, double slope, double lambert) {
-  if (cosine <= 0) {
-    return 0;
-  }
-  const double square = cosine * cosine, tangent_square = 1 / square - 1;
-  return lambert * square + kReflection * kReflection / (8 * kPi * slope * slope * square * square) *
-                                std::exp(-tangent_square / (2 * slope * slope));
 }
 
 // Echo of the side of a rod by quadrature over its surface.
@@ -145,7 +97,7 @@ TEST_P(ThinTargetTest, RopesHaveTheirTargetStrengthInEveryPing) {
     const Scene scene =
         rod_at(rope.diameter / 2, rope.length, {rope.distance, 0, 0}, axis, rope_material(rope.slope, rope.lambert_db));
     const Levels levels =
-        levels_of(calibrated(small_sonar(rope.distance + 3), GetParam()), scene, rope.distance, whole);
+        levels_of(calibrated(small_sonar(rope.distance + 3), GetParam()), scene, rope.distance, offset_of, whole);
     const double expected = 10 * std::log10(rod_intensity(rope.diameter / 2, rope.length, {rope.distance, 0, 0}, axis,
                                                           rope.slope, rope.lambert_db));
     EXPECT_NEAR(levels.mean_db, expected, kMeanTolerance)
@@ -172,7 +124,7 @@ TEST_P(ThinTargetTest, WallsHideThem) {
   const Scenario scenario = calibrated(small_sonar(15), GetParam());
   EXPECT_LT(total_db(ping_of(scenario, scene_of_all({rope(), black_plate(10, 2, 0)}))), rope_db() - 120);
   // The port half of it: the plate's edge is at y = 0.
-  const Levels levels = levels_of(scenario, scene_of_all({rope(), black_plate(11.9, 1, 0.5)}), 12, whole);
+  const Levels levels = levels_of(scenario, scene_of_all({rope(), black_plate(11.9, 1, 0.5)}), 12, offset_of, whole);
   EXPECT_NEAR(levels.mean_db, rope_db() - 10 * std::log10(2), kMeanTolerance);
   EXPECT_LE(levels.spread_db, kMostSpread);
 }
@@ -183,7 +135,8 @@ TEST_P(ThinTargetEffectTest, AreSeenThroughOthers) {
   for (int i = -12; i <= 12; ++i) {
     scenes.push_back(rod_at(0.006, 1, {6, 0.048 * i, 0}, Vec3::UnitZ(), diffuse(-200)));
   }
-  const Levels levels = levels_of(calibrated(small_sonar(15), GetParam()), scene_of_all(std::move(scenes)), 12, whole);
+  const Levels levels =
+      levels_of(calibrated(small_sonar(15), GetParam()), scene_of_all(std::move(scenes)), 12, offset_of, whole);
   EXPECT_NEAR(levels.mean_db, rope_db() + 10 * std::log10(0.75), kMeanTolerance);
   EXPECT_LE(levels.spread_db, kMostSpread);
 }
@@ -209,7 +162,7 @@ TEST_P(ThinTargetEffectTest, AreSteadyWhateverTheBins) {
     Scenario scenario = calibrated(small_sonar(15, bins), GetParam());
     scenario.water.absorption = true;  // 10 degC, 35 PSU, pH 8, 720 kHz: 0.223461 dB/m.
     scenario.sonars[0].frequency = 720e3;
-    const Levels levels = levels_of(scenario, rope(), 12, whole);
+    const Levels levels = levels_of(scenario, rope(), 12, offset_of, whole);
     EXPECT_NEAR(levels.mean_db, rope_db() - 2 * 0.223461 * 12, kMeanTolerance);
     EXPECT_LE(levels.spread_db, kMostSpread) << bins;
   }
@@ -224,9 +177,9 @@ TEST_P(ThinTargetEffectTest, AreSteadyThroughAnArray) {
     scenario.receiver.elevation_pattern = BeamPattern::kTaylor;
     scenario.receiver.beam_shape = shape;
     scenario.primary = PrimaryEchoes::kRays;  // Cones and patterns in elevation have no raster.
-    const Levels sum = levels_of(scenario, rope(Vec3::UnitZ(), 0.6), 12, whole);
+    const Levels sum = levels_of(scenario, rope(Vec3::UnitZ(), 0.6), 12, offset_of, whole);
     EXPECT_LE(sum.spread_db, 1) << "The lobe is 1.2 m high at 12 m, and the places 0.25 m apart.";
-    const Levels line = levels_of(scenario, rope(Vec3::UnitZ(), 0.6), 12, [](const Ping& ping) {
+    const Levels line = levels_of(scenario, rope(Vec3::UnitZ(), 0.6), 12, offset_of, [](const Ping& ping) {
       double most = 0;
       for (int beam = 0; beam < ping.beam_count; ++beam) {
         double of_beam = 0;
@@ -289,7 +242,8 @@ TEST_P(ThinTargetEffectTest, NetsHaveTheEchoOfTheirStrands) {
       expected += rod_intensity(0.003, 0.6, middle, axis, 0.2, -15);
     }
   }
-  const Levels levels = levels_of(calibrated(small_sonar(13), GetParam()), scene_of_all(std::move(scenes)), 10, whole);
+  const Levels levels =
+      levels_of(calibrated(small_sonar(13), GetParam()), scene_of_all(std::move(scenes)), 10, offset_of, whole);
   // Where strands cross, the one behind is hidden: 6 of 50 mm, of half the strands.
   EXPECT_NEAR(levels.mean_db, 10 * std::log10(expected * 0.94), kMeanTolerance);
   EXPECT_LE(levels.spread_db, 1);

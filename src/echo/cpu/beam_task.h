@@ -12,9 +12,9 @@
 #include "echo/cpu/secondary_task.h"
 #include "echo/grid/surface_run.h"
 #include "echo/model/hit_column.h"
+#include "echo/model/left_out.h"
 #include "echo/model/normal_turns.h"
 #include "echo/model/ping_plan.h"
-#include "echo/model/left_out.h"
 
 namespace insonify {
 

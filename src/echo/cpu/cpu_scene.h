@@ -9,11 +9,11 @@
 #include "echo/cpu/embree.h"
 #include "echo/cpu/ray_packet.h"
 #include "echo/grid/echo.h"
+#include "echo/mirror/faces.h"
+#include "echo/mirror/ray_tube.h"
+#include "echo/mirror/water_path.h"
 #include "echo/model/box_cut.h"
-#include "echo/model/faces.h"
-#include "echo/model/ray_tube.h"
 #include "echo/model/reliefs.h"
-#include "echo/model/water_path.h"
 #include "insonify/scene.h"
 
 namespace insonify {
@@ -100,7 +100,7 @@ class CpuScene {
     std::vector<SurfaceLabel> surfaces;  // [material slot]
     std::shared_ptr<const MeshFaces> faces;
     Eigen::Matrix3f rotation = Eigen::Matrix3f::Identity();  // World from mesh.
-    Vec3f offset = Vec3f::Zero();                            // Of a moving part's mesh from the origin.
+    Vec3f offset = Vec3f::Zero();                            // From the origin to a moving part's mesh [m].
     std::vector<Vec3f> own_vertices, own_normals;
     RTCScene own_scene = nullptr;
     RTCGeometry placed = nullptr;  // The Embree instance of a moving part.

@@ -3,11 +3,11 @@
 #pragma once
 
 #include "echo/cpu/ray_packet.h"
-#include "echo/model/face_return.h"
-#include "echo/model/faces.h"
+#include "echo/mirror/face_return.h"
+#include "echo/mirror/faces.h"
+#include "echo/mirror/ray_tube.h"
 #include "echo/model/hit_column.h"
 #include "echo/model/path_footprint.h"
-#include "echo/model/ray_tube.h"
 
 namespace insonify {
 

@@ -5,8 +5,8 @@
 
 #include "base/vector_math.h"
 #include "echo/cpu/secondary_task.h"
+#include "echo/mirror/mirror_paths.h"
 #include "echo/model/deposit.h"
-#include "echo/model/mirror_paths.h"
 #include "echo/model/ray_limits.h"
 
 namespace insonify {

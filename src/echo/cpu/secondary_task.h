@@ -9,9 +9,9 @@
 #include "echo/cpu/reflected_rays.h"
 #include "echo/cpu/water_returns.h"
 #include "echo/grid/echo_grid.h"
+#include "echo/mirror/secondary_echo.h"
 #include "echo/model/hit_column.h"
 #include "echo/model/ping_plan.h"
-#include "echo/model/secondary_echo.h"
 
 namespace insonify {
 

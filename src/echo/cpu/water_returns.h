@@ -7,9 +7,9 @@
 #include "echo/cpu/cpu_scene.h"
 #include "echo/cpu/ray_packet.h"
 #include "echo/grid/echo_grid.h"
+#include "echo/mirror/water_path.h"
 #include "echo/model/path_footprint.h"
 #include "echo/model/ping_plan.h"
-#include "echo/model/water_path.h"
 
 namespace insonify {
 
@@ -30,10 +30,10 @@ class WaterReturns {
   /// A second hit.
   struct SecondHit {
     Vec3f mirror, point;        ///< Where both surfaces were hit.
-    Vec3f normal;               ///< Of the second surface, any length and side.
+    Vec3f normal;               ///< Normal of the second surface, any length and side.
     Vec3f direction;            ///< In which the sound came, unit length.
     SurfaceLabel surface;       ///< The second surface.
-    float texture;              ///< Of it.
+    float texture;              ///< Factor on the amplitude of the second surface.
     float reflected;            ///< share |R|^2 of the mirror.
     float range;                ///< To the mirror [m].
     MirrorChange above, aside;  ///< To the neighbours on the mirror.

@@ -6,8 +6,8 @@
 
 #include "base/vector_math.h"
 #include "echo/grid/surface_run.h"
-#include "echo/model/select_hits.h"
 #include "echo/model/left_out.h"
+#include "echo/model/select_hits.h"
 
 namespace insonify {
 namespace {

@@ -52,7 +52,7 @@ class PingPlan {
 
   SonarConfig sonar;
   std::optional<ElevationPattern> elevation_pattern;  ///< Absent: a top hat over the aperture.
-  FanPattern transmitter;                             ///< Of a fan, across bearings.
+  FanPattern transmitter;                             ///< Gain of a fan's transmitter across bearings.
   Lattice lattice;
   EchoModel model;
   PaperShape shape;      ///< `paper`
@@ -98,6 +98,9 @@ class PingPlan {
     float bearing, elevation;  ///< [rad]
     float pattern;             ///< |p|^2 of the elevation pattern, one way; 1 without one.
     float transmitted;         ///< Intensity gain of the transmitter across bearings; 1 without a transmit_width.
+
+    /// Intensity gain of sound that leaves and arrives in this direction.
+    [[nodiscard]] double both_ways() const { return double{pattern} * double{pattern} * double{transmitted}; }
   };
   /// @param direction  Unit vector in the sonar frame.
   [[nodiscard]] Arrival arrival_from(const Vec3f& direction) const;

@@ -9,9 +9,9 @@
 #include "echo/grid/echo.h"
 #include "echo/model/deposit.h"
 #include "echo/model/echo_laws.h"
+#include "echo/model/left_out.h"
 #include "echo/model/path_footprint.h"
 #include "echo/model/secondary_sampling.h"
-#include "echo/model/left_out.h"
 #include "echo/reference/triangle_scene.h"
 #include "insonify/engine.h"
 
@@ -31,8 +31,8 @@ struct ColumnFrame {
 class ReferenceColumn {
  public:
   /// @param left_out  What of primary echoes is left out; null: nothing.
-  ReferenceColumn(const TriangleScene& scene, const LeftOut* left_out, const PingPlan& plan,
-                  SecondarySampling sampling, int column, const Pose& world_from_sonar);
+  ReferenceColumn(const TriangleScene& scene, const LeftOut* left_out, const PingPlan& plan, SecondarySampling sampling,
+                  int column, const Pose& world_from_sonar);
 
   /// Traces the primary rays. The normals of the hits are unit length.
   void trace_primary_rays(const Workers& workers);

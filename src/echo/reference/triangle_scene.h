@@ -5,10 +5,10 @@
 #include <vector>
 
 #include "echo/grid/echo.h"
-#include "echo/model/faces.h"
-#include "echo/model/ray_tube.h"
+#include "echo/mirror/faces.h"
+#include "echo/mirror/ray_tube.h"
+#include "echo/mirror/water_path.h"
 #include "echo/model/reliefs.h"
-#include "echo/model/water_path.h"
 #include "insonify/ground_truth.h"
 #include "insonify/scene.h"
 

@@ -78,8 +78,7 @@ void CornerEchoes::add(const PingPlan& plan, const Pose& world_from_sonar, std::
     const double wavelength = 2 / plan.turns_per_metre;
     const double intensity = view.corner->reflected(view.sight, view.range, wavelength) *
                              reflectance_of(plan, *view.corner, view.sight) *
-                             std::exp(-4 * double{plan.neper_per_metre} * view.range) *
-                             std::pow(double{view.arrival.pattern}, 2) * double{view.arrival.transmitted};
+                             std::exp(-4 * double{plan.neper_per_metre} * view.range) * view.arrival.both_ways();
     const double turns = plan.turns_per_metre * view.range + (has_water(*view.corner) ? 0.5 : 0.0);
     add_discrete_echo(plan, view.arrival, 3, view.range, intensity, turns, grid);
   }

@@ -38,7 +38,7 @@ double Corner::radius(const Vec3& sight, const Vec3& across) const {
 }
 
 double Corner::reflected(const Vec3& sight, double range, double wavelength) const {
-  constexpr int kTurns = 64;  // Of half a circle: the outline is symmetric.
+  constexpr int kTurns = 64;  // Steps around half a circle: the outline is symmetric.
   const Vec3 one = sight.unitOrthogonal(), two = sight.cross(one);
   const double scale = 2 * std::numbers::pi / (wavelength * range);
   std::complex<double> sum = 0;

@@ -15,7 +15,7 @@ namespace insonify {
 /// perpendicular to axis k and has the shape of its part between the other two.
 struct Corner {
   static constexpr int kSteps = 64;               ///< Directions in each mirror.
-  static constexpr std::size_t kMost = 1024;      ///< Of a frame: the largest are taken.
+  static constexpr std::size_t kMost = 1024;      ///< Most corners of a frame: the largest are taken.
   static constexpr double kPerpendicular = 2e-3;  ///< Most of the cosine between two of its mirrors.
   static constexpr double kLeastEdge = 5e-3;      ///< What is smaller is no corner [m].
   static constexpr double kGap = 2e-3;            ///< Gap between neighbouring triangles that does not count [m].
@@ -24,7 +24,7 @@ struct Corner {
   int instance = -1;  ///< The instance whose mesh frame this is; -1: the world.
   Vec3 apex = Vec3::Zero();
   Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();  ///< Unit vectors a, b and c as columns.
-  std::array<SurfaceLabel, 3> surfaces = {};           ///< Of the mirrors, at the apex.
+  std::array<SurfaceLabel, 3> surfaces = {};           ///< Labels of the mirrors at the apex.
 
   /// [mirror][step] Sum of the coordinates along the mirror's two edges, k + 1 and k + 2 (cyclic), at which it first
   /// ends, in the direction in which edge k + 2 has the share step / kSteps of that sum [m].

@@ -7,8 +7,8 @@
 #include <numbers>
 
 #include "base/vector_math.h"
+#include "echo/mirror/face_return.h"
 #include "echo/model/coherent_share.h"
-#include "echo/model/face_return.h"
 #include "echo/targets/point_echoes.h"
 
 namespace insonify {
@@ -16,7 +16,7 @@ namespace {
 
 // What lies farther than this many Fresnel zones outside a face sees its edges only (u of Fresnel's integrals).
 constexpr double kOutside = 1.5;
-constexpr double kLeastShare = 1e-4;  // Of coherent reflection.
+constexpr double kLeastShare = 1e-4;  // Least coherent share that counts.
 constexpr double kGap = 2e-3;         // Difference between a face and its triangles that does not matter [m].
 constexpr double kInside = 0.99;      // Rays to points on an edge go this much nearer to the middle.
 
@@ -120,8 +120,7 @@ void FaceGlints::find(const PingPlan& plan, const Pose& world_from_sonar, const 
     const double reflectance = plan.scatter.scattering(group.surface[i]).reflectance(std::min(cosine, 1.0));
     glints_.push_back({group.instance, range,
                        reflectance * share * face_glint(foot, half, distance, double{plan.wavelength()}) *
-                           std::exp(-4 * double{plan.neper_per_metre} * range) * std::pow(double{arrival.pattern}, 2) *
-                           double{arrival.transmitted},
+                           std::exp(-4 * double{plan.neper_per_metre} * range) * arrival.both_ways(),
                        arrival});
     const Vec3 towards = world_from_sonar.orientation * direction.cast<double>();
     rays_.push_back({world_from_sonar.position, towards.normalized(), 0, range + kGap});

@@ -16,7 +16,7 @@ namespace insonify {
 /// The plane faces of a scene whose materials have an `rms_height`, and so a coherent reflection; without those with
 /// relief and those that belong to thin parts.
 struct GlintingFaces {
-  static constexpr std::size_t kMostTogether = 1024;  ///< Of the glints of one ping; the first that are found.
+  static constexpr std::size_t kMostTogether = 1024;  ///< Most glints of one ping: the first that are found.
 
   /// Faces of one instance, by their planes, in the frame of its mesh.
   struct Group {

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "echo/model/faces.h"
+#include "echo/mirror/faces.h"
 #include "echo/targets/face_glints.h"
 
 namespace insonify {

@@ -13,7 +13,7 @@ namespace insonify {
 /// A pulse that arrives from elsewhere, as one sonar receives it.
 struct ArrivingPulse {
   int beam;            ///< Cell of the grid.
-  float bearing_sine;  ///< Of its arrival.
+  float bearing_sine;  ///< Sine of the bearing that it arrives from.
   float intensity;
   double begins;         ///< After transmission of the sonar that receives it [s]; may be negative.
   double duration;       ///< [s]

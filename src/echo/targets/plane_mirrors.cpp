@@ -7,11 +7,12 @@
 #include <cstdint>
 #include <unordered_map>
 
+#include "echo/mirror/faces.h"
+
 namespace insonify {
 namespace {
 
 constexpr double kSameDirection = 1e-3;  // Angle between normals of one plane [rad].
-constexpr float kFlat = 0.9999F;         // Least cosine between the normals at a flat triangle's corners and its own.
 
 // A direction that normals are turned towards: no plane of a real scene is parallel to it.
 const Vec3 kTowards(0.2672612419, 0.5345224838, 0.8017837257);
@@ -21,11 +22,6 @@ struct FlatTriangle {
   Vec3 normal;
   double area;
 };
-
-bool is_flat(const Mesh& mesh, std::size_t triangle, const Vec3f& normal) {
-  return std::ranges::all_of(mesh.triangles[triangle],
-                             [&](std::uint32_t vertex) { return std::abs(mesh.normals[vertex].dot(normal)) > kFlat; });
-}
 
 void add_flat_triangles(const Instance& instance, int index, const Pose& frame, std::vector<FlatTriangle>& flat) {
   const Mesh& mesh = *instance.mesh;

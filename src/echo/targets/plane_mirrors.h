@@ -20,8 +20,8 @@ struct WaterMirror {
 /// All flat triangles that lie in one plane, connected or not.
 struct PlaneMirror {
   static constexpr double kFlush = 2e-3;      ///< Distance from the plane within which a triangle lies in it [m].
-  static constexpr double kLeastArea = 4e-4;  ///< Of a mirror that counts [m^2].
-  static constexpr std::size_t kMostMirrors = 2000;  ///< Of a frame: the largest count.
+  static constexpr double kLeastArea = 4e-4;  ///< Least area of a mirror that counts [m^2].
+  static constexpr std::size_t kMostMirrors = 2000;  ///< Most mirrors of a frame: the largest count.
 
   struct Triangle {
     std::array<Vec3, 3> corners;  ///< [m]

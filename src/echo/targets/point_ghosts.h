@@ -54,7 +54,7 @@ class PointGhosts {
     int mirror = kStraight;  // Index into `faces_`, kStraight or kWater.
     std::size_t point = 0;
     std::size_t ray = 0;  // The first of its rays, which must be clear: one, or two by a mirror.
-    Vec3 image;           // Of the point, in the world.
+    Vec3 image;           // Mirror image of the point, in the world [m].
     double bounce = 0;    // Length from the sonar to the mirror [m].
   };
   static constexpr int kStraight = -2, kWater = -1;

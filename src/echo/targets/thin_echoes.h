@@ -19,8 +19,10 @@ class ThinEchoes {
  public:
   explicit ThinEchoes(std::shared_ptr<const ThinParts> parts = {});
 
-  static constexpr std::size_t kMostRays = 4096;    ///< Of a ping: of more steps, only every n-th is tried for sight.
-  static constexpr std::size_t kMostSteps = 32768;  ///< Of a ping: where there would be more, steps are longer.
+  static constexpr std::size_t kMostRays =
+      4096;  ///< Most rays of a ping: of more steps, only every n-th is tried for sight.
+  static constexpr std::size_t kMostSteps =
+      32768;  ///< Most steps of a ping: where there would be more, they are longer.
 
   /// Allocates nothing.
   /// @param world_from_mesh  [instance]

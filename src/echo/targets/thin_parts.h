@@ -13,14 +13,15 @@ namespace insonify {
 /// Ropes, chains, nets and rods of a scene as short pieces. Each has the area of its surface by the direction of the
 /// normal, from which ThinEchoes computes its echo in closed form, wherever it lies among the samples of a fan.
 struct ThinParts {
-  static constexpr float kThickest = 0.1F;            ///< Parts are thinner than this in two directions [m].
-  static constexpr std::size_t kMostPieces = 20'000;  ///< Of a scene; what would be more stays with the lattice.
+  static constexpr float kThickest = 0.1F;  ///< Parts are thinner than this in two directions [m].
+  static constexpr std::size_t kMostPieces =
+      20'000;  ///< Most pieces of a scene; what would be more stays with the lattice.
 
   /// Surface of one piece with about one normal. Frame: that of the mesh.
   struct Patch {
     Vec3f normal;         ///< Unit length.
     Vec3f around, along;  ///< Its turns over the patch, in the sense of TurnProducts; 0 for a flat one.
-    Vec3f offset;         ///< Of the middle of the patch from the axis of the piece [m].
+    Vec3f offset;         ///< From the axis of the piece to the middle of the patch [m].
     float area;           ///< [m^2]
   };
 

@@ -158,7 +158,7 @@ bool RandomWalks::bounce(const PingPlan& plan, const Hit& hit, int order, Walk& 
     walk.first_normal = normal;
   }
   if (order <= 2) {
-    // Of what is mirrored: where facets are no mirrors, all of it.
+    // The coherent share of what is mirrored: where facets are no mirrors, all of it.
     const auto of_lobe = static_cast<float>(coherent_share(plan, label_of(hit), double{normal.dot(walk.direction)}));
     const float share = law.coherent > of_lobe ? of_lobe / law.coherent : 1.0F;
     walk.coherent *= next.mirrored ? share : 0.0F;

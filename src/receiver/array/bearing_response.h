@@ -36,7 +36,7 @@ class BearingResponse {
   /// Bins before `end` and after those of the zone before, in which an array out of focus has one pattern.
   struct Zone {
     int end;
-    double edge_phase;  ///< Of the unsteered beam: ArrayPattern::defocused().
+    double edge_phase;  ///< Phase at the edges of the unsteered array [rad]: ArrayPattern::defocused().
   };
 
   /// What an array has besides its pattern.

@@ -37,7 +37,7 @@ class SurfaceNoise {
     double weight;  // |p|^2 cos(elevation) d(elevation).
   };
   std::vector<Elevation> elevations_;
-  std::vector<double> cosines_, sines_;  // Of the beams' azimuths.
+  std::vector<double> cosines_, sines_;  // [beam] Cosine and sine of the azimuth.
   double lost_;                          // a h.
   double bearing_width_;
 };

@@ -43,7 +43,7 @@ class Clutter {
  private:
   static constexpr int kMostPoints = 16;
   struct Law {
-    GammaQuantiles quantiles;  // Of one lattice: its shape is nu / kLattices.
+    GammaQuantiles quantiles;  // Quantiles for one lattice: its shape is nu / kLattices.
     double length;             // [m]
   };
   class Patches;

@@ -26,7 +26,7 @@ constexpr double kLadder = 1.6;
 constexpr int kLowest = -20, kHighest = 40;
 constexpr int kRungBits = 6;  // 0: the lattice itself; else 1 + n - kLowest.
 
-constexpr float kPlace = 0.5F;  // Of a scatterer in its step.
+constexpr float kPlace = 0.5F;  // Place of a scatterer in its step.
 
 [[gnu::always_inline]] inline std::int32_t rounded_down(float x) {
   const auto whole = static_cast<std::int32_t>(x);
@@ -156,7 +156,7 @@ void ScattererRow::resize(std::size_t count) {
 
 // The lattice of one run's bearing, and how ranges and elevations of a cell lie in it.
 struct ScattererLattice::Axes {
-  double ahead, up;  // Of the transducer [steps].
+  double ahead, up;  // Place of the transducer [steps].
   Projection projection;
   Windows windows;
 };

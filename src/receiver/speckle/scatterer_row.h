@@ -19,7 +19,7 @@ struct ScattererRow {
   struct Run {
     BinRange bins;
     const SpeckleView* view = nullptr;
-    std::array<std::uint32_t, 4> key{};  ///< Of the random numbers.
+    std::array<std::uint32_t, 4> key{};  ///< Key of the random numbers.
     float across_turns = 0;              ///< Phase per cell width that a scatterer is off the cell's middle [turns].
   };
   BinRange bins;
@@ -27,11 +27,11 @@ struct ScattererRow {
 
   // [bin], set in `bins` only.
   std::vector<SurfaceLabel> surface;
-  std::vector<float> elevation;      ///< Of the surface, smoothed along range [rad].
+  std::vector<float> elevation;      ///< Elevation of the surface, smoothed along range [rad].
   std::vector<std::uint32_t> patch;  ///< Names the lattice that the index counts in.
   std::vector<std::uint32_t> index;  ///< Number of a lattice step.
   std::vector<float> begin;          ///< Lower end of the window, from that step's lower end, -0.5 to 0.5 [steps].
-  std::vector<float> length;         ///< Of the window, 1.5 to 2.4 [steps]; negative if ranges fall with the index.
+  std::vector<float> length;  ///< Length of the window, 1.5 to 2.4 [steps]; negative if ranges fall with the index.
 
   // Field that a bin's scatterers give to the bins before and after it, see Speckle.
   std::vector<std::complex<float>> before, after;

@@ -1,6 +1,6 @@
 // ray_tube.cpp -- differentials of a reflected ray.
 
-#include "echo/model/ray_tube.h"
+#include "echo/mirror/ray_tube.h"
 
 #include <cmath>
 

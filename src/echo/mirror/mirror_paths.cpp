@@ -1,6 +1,6 @@
 // mirror_paths.cpp -- intensities of sixteen mirror paths in one vector loop.
 
-#include "echo/model/mirror_paths.h"
+#include "echo/mirror/mirror_paths.h"
 
 #include <cmath>
 
@@ -17,7 +17,7 @@ namespace {
 // What the tables of AngularScattering have for the second surfaces.
 struct AngleLanes {
   float facets[kPathLanes];                             // ScatterTable::Laws::facets
-  float reflectance[kPathLanes], mirrored[kPathLanes];  // Of facets at the half vector.
+  float reflectance[kPathLanes], mirrored[kPathLanes];  // |R|^2 and its mirrored share, of facets at the half vector.
   float diffuse_in[kPathLanes], diffuse_out[kPathLanes], backscatter[kPathLanes];
 };
 

@@ -1,6 +1,6 @@
 // faces.cpp -- groups triangles that lie in one plane and are connected, and measures the groups.
 
-#include "echo/model/faces.h"
+#include "echo/mirror/faces.h"
 
 #include <algorithm>
 #include <cmath>
@@ -65,12 +65,6 @@ Vec3f area_vector(const Mesh& mesh, std::size_t triangle) {
   return 0.5F * (mesh.vertices[corners[1]] - a).cross(mesh.vertices[corners[2]] - a);
 }
 
-bool is_flat(const Mesh& mesh, std::size_t triangle, const Vec3f& normal) {
-  return std::ranges::all_of(mesh.triangles[triangle], [&](std::uint32_t vertex) {
-    return std::abs(mesh.normals[vertex].dot(normal)) > kSameNormal;
-  });
-}
-
 // The rectangle of a group: along its longest outer edge and across, with the group's centroid and area, in the
 // proportions of its extents.
 Face measure(const Mesh& mesh, const std::vector<std::uint32_t>& number, const std::vector<std::uint32_t>& group) {
@@ -123,6 +117,12 @@ Face measure(const Mesh& mesh, const std::vector<std::uint32_t>& number, const s
 }
 
 }  // namespace
+
+bool is_flat(const Mesh& mesh, std::size_t triangle, const Vec3f& normal) {
+  return std::ranges::all_of(mesh.triangles[triangle], [&](std::uint32_t vertex) {
+    return std::abs(mesh.normals[vertex].dot(normal)) > kSameNormal;
+  });
+}
 
 std::shared_ptr<const MeshFaces> find_faces(const Mesh& mesh) {
   auto found = std::make_shared<MeshFaces>();

@@ -16,7 +16,7 @@ namespace insonify {
 struct Face {
   std::uint32_t corner = 0;                                    ///< A vertex of it, from which `middle` is measured.
   std::array<Vec3f, 2> axes = {Vec3f::Zero(), Vec3f::Zero()};  ///< Unit vectors along its sides, in the mesh frame.
-  std::array<float, 2> middle = {};                            ///< Of the rectangle, along each axis [m].
+  std::array<float, 2> middle = {};                            ///< Place of the rectangle's middle along each axis [m].
   std::array<float, 2> half = {};                              ///< Half its lengths [m].
 };
 
@@ -26,6 +26,10 @@ struct MeshFaces {
   std::vector<Face> faces;
   std::vector<std::uint32_t> face_of;  ///< [triangle]; kNone for those of curved surfaces. Empty where all are.
 };
+
+/// Whether a triangle is flat: its normals at the corners agree with its own within 0.8 degrees.
+/// @param normal  Its own, unit length, on either side.
+[[nodiscard]] bool is_flat(const Mesh& mesh, std::size_t triangle, const Vec3f& normal);
 
 /// Finds the faces of a mesh. A triangle whose normals at the corners differ from its own is part of a curved surface,
 /// whose mirrors the ray tubes describe.

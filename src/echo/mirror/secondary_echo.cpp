@@ -1,6 +1,6 @@
 // secondary_echo.cpp -- powers of secondary echoes in the `paper` model, in vector loops.
 
-#include "echo/model/secondary_echo.h"
+#include "echo/mirror/secondary_echo.h"
 
 #include "base/vector_math.h"
 

@@ -1,0 +1,116 @@
+// cpu_scene_shading.cpp -- normals, reliefs, ray tubes and faces at hits on the Embree scene.
+
+#include "base/vector_math.h"
+#include "echo/cpu/cpu_scene.h"
+
+namespace insonify {
+namespace {
+
+// Normals at the corners of the triangles that sixteen rays hit.
+struct alignas(64) Corners {
+  float x[3][kPacketSize], y[3][kPacketSize], z[3][kPacketSize];
+};
+
+INSONIFY_VECTOR_CLONES
+void interpolate(const RTCHit16& __restrict__ hits, const Corners& __restrict__ corners,
+                 CpuScene::Shading& __restrict__ shading) {
+  for (int lane = 0; lane < kPacketSize; ++lane) {
+    const float u = hits.u[lane], v = hits.v[lane], w = 1 - u - v;
+    shading.normal_x[lane] = w * corners.x[0][lane] + u * corners.x[1][lane] + v * corners.x[2][lane];
+    shading.normal_y[lane] = w * corners.y[0][lane] + u * corners.y[1][lane] + v * corners.y[2][lane];
+    shading.normal_z[lane] = w * corners.z[0][lane] + u * corners.z[1][lane] + v * corners.z[2][lane];
+  }
+}
+
+}  // namespace
+
+// Looks up the corners of each hit in turn, then interpolates all normals in one vector loop.
+void CpuScene::shade(const RTCHit16& hits, Shading& shading) const {
+  Corners corners;
+  std::fill_n(shading.texture, kPacketSize, 1.0F);
+  for (int lane = 0; lane < kPacketSize; ++lane) {
+    if (hits.geomID[lane] == RTC_INVALID_GEOMETRY_ID) {
+      shading.surface[lane] = kNoSurface;
+      shading.reflectivity[lane] = 0;
+      for (int corner = 0; corner < 3; ++corner) {
+        corners.x[corner][lane] = corners.y[corner][lane] = corners.z[corner][lane] = 0;
+      }
+      continue;
+    }
+    const bool moves = hits.instID[0][lane] != RTC_INVALID_GEOMETRY_ID;
+    const Part& part = parts_[moves ? hits.instID[0][lane] : hits.geomID[lane]];
+    const unsigned triangle = hits.primID[lane];
+    const SurfaceLabel surface = part.surfaces[part.slots == nullptr ? 0 : part.slots[triangle]];
+    shading.surface[lane] = surface;
+    shading.reflectivity[lane] = reflectivity_[material_of(surface)];
+    for (int corner = 0; corner < 3; ++corner) {
+      const Vec3f& own = part.normals[part.triangles[triangle][corner]];
+      const Vec3f normal = moves ? Vec3f(part.rotation * own) : own;
+      corners.x[corner][lane] = normal.x();
+      corners.y[corner][lane] = normal.y();
+      corners.z[corner][lane] = normal.z();
+    }
+  }
+  interpolate(hits, corners, shading);
+}
+
+RayTube CpuScene::tube(SurfaceLabel surface, std::uint32_t triangle, const Vec3f& direction, const Vec3f& normal,
+                       float range) const {
+  const Part& part = parts_[instance_of(surface)];
+  std::array<Vec3f, 3> corners, normals;
+  for (int k = 0; k < 3; ++k) {
+    const std::uint32_t vertex = part.triangles[triangle][k];
+    corners[k] = part.own_vertices[vertex];
+    normals[k] = part.normals[vertex];
+  }
+  if (part.placed == nullptr) {
+    return ray_tube(corners, normals, direction, normal, range);
+  }
+  const Eigen::Matrix3f turned = part.rotation.transpose();
+  return ray_tube(corners, normals, turned * direction, turned * normal, range);
+}
+
+FaceEdges CpuScene::face_edges(SurfaceLabel surface, std::uint32_t triangle, const Vec3f& point) const {
+  const Part& part = parts_[instance_of(surface)];
+  const std::vector<std::uint32_t>& face_of = part.faces->face_of;
+  if (face_of.empty() || face_of[triangle] == MeshFaces::kNone) {
+    return {};
+  }
+  const Face& face = part.faces->faces[face_of[triangle]];
+  const Eigen::Matrix3f back = part.rotation.transpose();
+  const Vec3f& corner = part.own_vertices[face.corner];
+  const Vec3f from_corner =
+      part.placed == nullptr ? Vec3f(back * (point - corner)) : Vec3f(back * (point - part.offset) - corner);
+  return FaceEdges::of(face, from_corner, part.rotation);
+}
+
+void CpuScene::add_relief(const RTCRayHit16& rays, Shading& shading, ReliefPoint* reliefs) const {
+  const RTCRay16& ray = rays.ray;
+  for (int lane = 0; lane < kPacketSize; ++lane) {
+    reliefs[lane] = {};
+    if (shading.surface[lane] == kNoSurface) {
+      continue;
+    }
+    const Vec3f origin(ray.org_x[lane], ray.org_y[lane], ray.org_z[lane]);
+    const Vec3f direction(ray.dir_x[lane], ray.dir_y[lane], ray.dir_z[lane]);
+    reliefs[lane] = reliefs_.at(instance_of(shading.surface[lane]), rays.hit.primID[lane],
+                                origin + ray.tfar[lane] * direction, shading.normal(lane));
+    shading.texture[lane] = reliefs[lane].reflectivity;
+    shading.reflectivity[lane] *= reliefs[lane].reflectivity;
+  }
+}
+
+void CpuScene::bend_normals(const RTCRayHit16& rays, Shading& shading) const {
+  ReliefPoint reliefs[kPacketSize];
+  add_relief(rays, shading, reliefs);
+  for (int lane = 0; lane < kPacketSize; ++lane) {
+    if (shading.surface[lane] != kNoSurface) {
+      const Vec3f normal = bent_normal(shading.normal(lane), reliefs[lane].gradient);
+      shading.normal_x[lane] = normal.x();
+      shading.normal_y[lane] = normal.y();
+      shading.normal_z[lane] = normal.z();
+    }
+  }
+}
+
+}  // namespace insonify

@@ -1,0 +1,241 @@
+// reference_reflections.cpp -- the secondary echoes of one lattice column: reflected rays, and their ways back.
+
+#include <algorithm>
+#include <cmath>
+
+#include "echo/mirror/face_return.h"
+#include "echo/mirror/secondary_echo.h"
+#include "echo/model/mirror_facet.h"
+#include "echo/model/ray_limits.h"
+#include "echo/reference/reference_column.h"
+
+namespace insonify {
+namespace {
+
+Triple triple(const Vec3& v) {
+  return {static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z())};
+}
+
+MirrorSample mirror_sample(const Ray& ray, const RayHit& hit) {
+  return MirrorSample::of(triple(ray.direction), triple(hit.bent), static_cast<float>(hit.distance));
+}
+
+}  // namespace
+
+// multipath.md, "Footprints": the change to the next row above, or else below, if it hit the same surface.
+MirrorChange ReferenceColumn::change_along(int row) const {
+  for (const int other : {row + 1, row - 1}) {
+    if (other >= 0 && other < rows_ && hits_.surface[other] == hits_.surface[row]) {
+      return mirror_change(mirror_sample(rays_[row], first_[row]), mirror_sample(rays_[other], first_[other]));
+    }
+  }
+  return {};
+}
+
+// The same for the neighbouring column.
+MirrorChange ReferenceColumn::change_across(int row) const {
+  const int other = column_ ^ 1;
+  if (other < plan_.lattice.columns) {
+    const Ray ray = ray_of(other, row);
+    const RayHit hit = scene_.nearest(ray);
+    if (hit.met() && hit.surface() == hits_.surface[row]) {
+      return mirror_change(mirror_sample(rays_[row], first_[row]), mirror_sample(ray, hit));
+    }
+  }
+  return {};
+}
+
+// multipath.md, "Three echoes": traces the reflected ray of a hit. A rough mirror reflects it by one facet or as a
+// smooth one; see "Rough mirrors" there. None if the ray hits nothing.
+std::optional<ReferenceColumn::Reflection> ReferenceColumn::reflect(int row) {
+  Vec3 normal = first_[row].bent;
+  float share = 1;
+  const FacetSlopes slopes =
+      FacetSlopes::of(static_cast<std::uint32_t>(column_), static_cast<std::uint32_t>(row), plan_.stagger);
+  const float slope = plan_.has_facets()
+                          ? facet_slope(1 / std::sqrt(2 * plan_.scatter.steepness(hits_.surface[row])),
+                                        plan_.mirror_roughness(hits_.surface[row]), hits_.facing[row], slopes.pick)
+                          : 0;
+  const Vec3 point = rays_[row].origin + rays_[row].direction * first_[row].distance;
+  FaceEdges edges;
+  if (plan_.model == EchoModel::kCalibrated) {
+    edges = scene_.face_edges(first_[row], point);
+  }
+  const FaceTilt diffraction = FaceTilt::of(edges, static_cast<std::uint32_t>(column_), static_cast<std::uint32_t>(row),
+                                            plan_.stagger, plan_.wavelength(), hits_.facing[row]);
+  if (slope > 0 || edges.finite) {
+    const MirrorFacet facet =
+        mirror_facet(triple(rays_[row].direction), triple(normal), triple(first_[row].gradient.cast<double>()), slope,
+                     slopes, diffraction.tilt);
+    normal = Vec3(facet.normal.x, facet.normal.y, facet.normal.z).normalized();
+    share = facet.share;
+    if (share == 0) {
+      return {};
+    }
+  }
+  const Vec3 direction = rays_[row].direction - 2 * rays_[row].direction.dot(normal) * normal;
+  Reflection path{.row = row, .share = share};
+  path.ray = {point, direction.normalized(), kRayClearance, plan_.reach()};
+  path.second = scene_.nearest(path.ray);
+  ++counts_.secondary;
+  if (!path.second.met()) {
+    return {};
+  }
+  path.point = path.ray.origin + path.ray.direction * path.second.distance;
+  path.back = world_from_sonar_.position - path.point;
+  path.there = static_cast<float>(first_[row].distance + path.second.distance);
+  path.returned = edges.finite ? returned(edges, row, path) : 1;
+  path.path_length = static_cast<float>(first_[row].distance + path.second.distance + path.back.norm());
+  path.footprint =
+      path_footprint(change_along(row), hits_.selected[row], change_across(row),
+                     {static_cast<float>(path.second.distance), triple(path.ray.direction), triple(path.second.bent),
+                      triple(-path.back.normalized()), path.there, static_cast<float>(path.back.norm())});
+  return path;
+}
+
+// multipath.md, "Mirrors of finite size": the share of the sound that comes back by the face.
+float ReferenceColumn::returned(const FaceEdges& edges, int row, const Reflection& path) const {
+  const Triple direction = triple(rays_[row].direction), normal = triple(first_[row].bent),
+               half = triple(path.ray.direction) - direction;
+  const float cosine = std::abs(hits_.facing[row]);
+  const float slope = 1 / std::sqrt(2 * plan_.scatter.steepness(hits_.surface[row]));
+  const auto side = [&](int axis) {
+    const Triple& along = edges.axes[axis];
+    return face_side(edges.low[axis], edges.high[axis], half.dot(along) / std::abs(half.dot(normal)),
+                     direction.dot(along), cosine, slope);
+  };
+  const double near = first_[row].distance, across = path.second.distance;
+  return face_return(side(0), side(1), fast_exp(-plan_.mirror_roughness(hits_.surface[row]) * cosine * cosine),
+                     static_cast<float>(near * across / (near + across)), plan_.wavelength());
+}
+
+// Whether the straight line from the second surface to the sonar is unobstructed.
+bool ReferenceColumn::return_leg_is_clear(const Reflection& path) {
+  ++counts_.return_legs;
+  return !scene_.blocked({path.point, path.back.normalized(), kRayClearance, path.back.norm() - double{kRayClearance}});
+}
+
+// paper-model.md, "Secondary echoes": one echo, in the beam of launch. Its strength is the product of both surfaces'
+// and of the absorption along the whole path.
+void ReferenceColumn::deposit_paper_echo(const Reflection& path, EchoGrid& grid) {
+  if (0.5F * path.path_length >= plan_.reach() || !return_leg_is_clear(path)) {
+    return;
+  }
+  const double rest = double{path.path_length} - 2 * first_[path.row].distance;
+  const double strength =
+      double{hits_.strength[path.row]} *
+      paper_strength(path.second.bent.dot(path.ray.direction), path.second.reflectivity, plan_.neper_per_metre, rest);
+  Echo echo =
+      secondary_echo(plan_, column_, path.row, hits_.selected[path.row], path.path_length, path.second.surface());
+  echo.half_length = path.footprint.once;
+  echo.power = static_cast<float>(plan_.shape.model().shape(strength));
+  deposit(plan_, echo, grid);
+}
+
+// multipath.md, "Three echoes": the intensities dI_1 and dI_2.
+MirrorIntensities ReferenceColumn::intensities(const Reflection& path) const {
+  const RayHit& mirror = first_[path.row];
+  const Vec3 in = -path.ray.direction, out = path.back.normalized();
+  const double across = path.second.distance, there = mirror.distance + across;
+  const RayTube tube = scene_.tube(mirror, rays_[path.row].direction);
+  const double tube_area =
+      std::abs(double{tube.constant} + across * (double{tube.linear} + across * double{tube.quadratic}));
+  return mirror_intensities({.mirror = plan_.scatter.scattering(mirror.surface()),
+                             .second = plan_.scatter.scattering(path.second.surface()),
+                             .incidence = mirror.bent.dot(rays_[path.row].direction),
+                             .mirror_texture = mirror.texture,
+                             .second_texture = path.second.texture,
+                             .share = path.share,
+                             .there = there,
+                             .back = path.back.norm(),
+                             .spread = tube_area / (there * there),
+                             .returned = path.returned,
+                             .in = path.second.bent.dot(in),
+                             .out = path.second.bent.dot(out),
+                             .half = path.second.bent.dot((in + out).normalized()),
+                             .facet = in.dot((in + out).normalized())},
+                            plan_.neper_per_metre);
+}
+
+// multipath.md, "Back by the water's surface": out by the mirror and back by the surface, and the reciprocal path.
+void ReferenceColumn::deposit_echoes_by_water(const Reflection& path, EchoGrid& grid, std::vector<Echo>& arrivals) {
+  const WaterPlane& water = scene_.water();
+  const float weight = water_weight(plan_, column_, path.row);
+  if (plan_.max_surfaces < 3 || !water.exists() || water.holds(path.ray.origin.z()) || weight == 0) {
+    return;
+  }
+  const Vec3& sonar = world_from_sonar_.position;
+  const std::optional<WaterPath> back = WaterPath::of(plan_, water, sonar, path.point);
+  if (!back || 0.5 * (double{path.there} + back->length) >= double{plan_.reach()}) {
+    return;
+  }
+  const Vec3f direction = (world_from_sonar_.orientation.inverse() * back->arrival).cast<float>();
+  const RayHit& mirror = first_[path.row];
+  const Scattering& reflecting = plan_.scatter.scattering(mirror.surface());
+  const double incidence = std::abs(mirror.bent.dot(rays_[path.row].direction));
+  const double reflected = double{path.share} * reflecting.reflectance(incidence) * reflecting.mirror_share(incidence) *
+                           std::pow(double{mirror.texture}, 2);
+  const double power =
+      water_intensity(plan_, *back, plan_.scatter.scattering(path.second.surface()), double{path.second.texture},
+                      reflected, path.second.bent, path.ray.direction, double{path.there});
+  if (power == 0 || !plan_.receives(direction)) {
+    return;
+  }
+  counts_.return_legs += 2;
+  const double last = (back->bounce - sonar).norm(), near = double{kRayClearance} / std::max(back->out.z(), 0.02);
+  if (scene_.blocked({path.point, back->out, double{kRayClearance}, back->length - last - near}) ||
+      scene_.blocked({back->bounce, (sonar - back->bounce) / last, near, last - double{kRayClearance}})) {
+    return;
+  }
+  const PingPlan::Arrival arrival = plan_.arrival_from(direction);
+  Echo echo = secondary_echo(plan_, column_, path.row, hits_.selected[path.row],
+                             path.there + static_cast<float>(back->length), path.second.surface());
+  echo.order = 3;
+  echo.weight *= weight;
+  echo.half_length =
+      path_footprint(change_along(path.row), hits_.selected[path.row], change_across(path.row),
+                     {static_cast<float>(path.second.distance), triple(path.ray.direction), triple(path.second.bent),
+                      triple(-back->out), path.there, static_cast<float>(back->length)})
+          .once;
+  const float received = static_cast<float>(power) * arrival.pattern;
+  echo.power = received * arrival.transmitted / plan_.lattice.transmitted[column_];  // The reciprocal path.
+  deposit(plan_, echo, grid);
+  echo.power = received;
+  echo.azimuth = arrival.bearing;
+  echo.elevation = arrival.elevation;
+  arrivals.push_back(echo);
+}
+
+// multipath.md, "Three echoes": the echo by the mirror both ways, and the two reciprocal echoes by the mirror one way.
+// One of these arrives from the mirror; the other from the second surface, so that it may be in another beam.
+void ReferenceColumn::deposit_mirror_echoes(const Reflection& path, EchoGrid& grid, std::vector<Echo>& arrivals) {
+  const MirrorIntensities intensity = intensities(path);
+  Echo echo =
+      secondary_echo(plan_, column_, path.row, hits_.selected[path.row], path.path_length, path.second.surface());
+  if (plan_.max_surfaces > 2 && path.there < plan_.reach()) {
+    Echo twice = echo;
+    twice.order = 3;
+    twice.path_length = 2 * path.there;
+    twice.half_length = path.footprint.twice;
+    twice.power = static_cast<float>(intensity.twice) * plan_.lattice.pattern_in(column_)[path.row];
+    deposit(plan_, twice, grid);
+  }
+  deposit_echoes_by_water(path, grid, arrivals);
+  const Vec3 towards = world_from_sonar_.orientation.inverse() * -path.back.normalized();
+  const Vec3f arrival_direction = towards.cast<float>();
+  if (intensity.once == 0 || 0.5F * echo.path_length >= plan_.reach() || !plan_.receives(arrival_direction) ||
+      !return_leg_is_clear(path)) {
+    return;
+  }
+  const PingPlan::Arrival arrival = plan_.arrival_from(arrival_direction);
+  echo.half_length = path.footprint.once;
+  const float power = static_cast<float>(intensity.once) * arrival.pattern;
+  echo.power = power * arrival.transmitted / plan_.lattice.transmitted[column_];  // The reciprocal path.
+  deposit(plan_, echo, grid);
+  echo.power = power;
+  echo.azimuth = arrival.bearing;
+  echo.elevation = arrival.elevation;
+  arrivals.push_back(echo);
+}
+
+}  // namespace insonify
