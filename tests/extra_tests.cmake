@@ -104,6 +104,11 @@ foreach(comparison oculus_statistics sidescan_falloff)
   set_tests_properties(${comparison} PROPERTIES SKIP_RETURN_CODE 77)
 endforeach()
 
+# What multipath leaves of the shadows of the shipped scenes.
+add_test(NAME shadow_depth
+  COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/validation/shadow_depth.py $<TARGET_FILE:insonify_cli> --check
+  WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
+
 # What shells and man are told of the command line.
 add_test(NAME shell_texts
   COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/apps/shell_texts_test.py ${PROJECT_BINARY_DIR})
