@@ -24,18 +24,16 @@ void add_common(CLI::App& command, BenchOptions& options) {
 
 // "4x200" as columns per beam and rows; none if it is not of that form or out of their limits.
 std::optional<Sampling> sampling_from(const std::string& text) {
-  Sampling sampling;
+  int columns = 0, rows = 0;
   const char* const end = text.data() + text.size();
-  const auto [cross, no_columns] = std::from_chars(text.data(), end, sampling.columns_per_beam);
+  const auto [cross, no_columns] = std::from_chars(text.data(), end, columns);
   if (no_columns != std::errc() || cross == end || *cross != 'x') {
     return {};
   }
-  const auto [rest, no_rows] = std::from_chars(cross + 1, end, sampling.rows);
+  const auto [rest, no_rows] = std::from_chars(cross + 1, end, rows);
   const bool good = no_rows == std::errc() && rest == end;
-  return good && sampling.columns_per_beam >= 1 && sampling.columns_per_beam <= 256 && sampling.rows >= 2 &&
-                 sampling.rows <= 8192
-             ? std::optional(sampling)
-             : std::nullopt;
+  return good && columns >= 1 && columns <= 256 && rows >= 2 && rows <= 8192 ? std::optional(Sampling{columns, rows})
+                                                                             : std::nullopt;
 }
 
 CLI::Validator a_sampling() {

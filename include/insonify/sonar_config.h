@@ -19,15 +19,24 @@ inline constexpr double kSteepestElevation = radians_from_degrees(89);
 /// Largest width at half power of a transmitter or an element across bearings [rad]; that of a short line tends to 180.
 inline constexpr double kWidestElement = radians_from_degrees(175);
 
-/// How finely the insonified sector is sampled. More samples cost time and do not change expected levels.
+/// How finely the insonified sector is sampled. More samples cost time and do not change expected levels. Where a
+/// number is absent, the calibrated model chooses it by the instrument (SonarConfig::sampling_by_rule()), the paper's
+/// takes kColumns and kRows.
 struct Sampling {
-  int columns_per_beam = 4;  ///< Azimuths sampled in each beam, 1..256.
-  int rows = 200;            ///< Elevations sampled in each column, 2..8192; staggered between columns.
+  static constexpr int kColumns = 4, kRows = 200;
+
+  std::optional<int> columns_per_beam = {};  ///< Azimuths sampled in each beam, 1..256.
+  std::optional<int> rows = {};              ///< Elevations sampled in each column, 2..8192; staggered between columns.
 
   template <typename Self, typename Visit>
   static void visit_fields(Self& self, Visit&& visit) {
-    visit(Field{"columns_per_beam", "", from_to(1, 256), "Azimuths sampled in each beam."}, self.columns_per_beam);
-    visit(Field{"rows", "", from_to(2, 8192), "Elevations sampled in each column, staggered between columns."},
+    visit(Field{"columns_per_beam", "", from_to(1, 256),
+                "Azimuths sampled in each beam; absent: by the width of the beams in the calibrated model, 4 in the "
+                "paper's."},
+          self.columns_per_beam);
+    visit(Field{"rows", "", from_to(2, 8192),
+                "Elevations sampled in each column, staggered between columns; absent: by the number of bins in the "
+                "calibrated model, 200 in the paper's."},
           self.rows);
   }
 };
@@ -175,6 +184,11 @@ struct SonarConfig {
   /// Shortest time between pings: sound must come back from max_range first [s].
   /// @param sound_speed  Sound speed that the sonar assumes [m/s].
   [[nodiscard]] double shortest_ping_period(double sound_speed) const { return 2 * max_range / sound_speed; }
+
+  /// `sampling` as the calibrated model has it: a column at most every quarter of a degree and at least two for each
+  /// beam, up to 64, and a row for every two bins, at least 128 and at most 1024; more where the fan is tall
+  /// (docs/concepts/beams-and-bins.md, "Samples").
+  [[nodiscard]] Sampling sampling_by_rule() const;
 
   /// Checks every field against the limits written beside it, and the rules between fields.
   /// @param object  Name of this sonar in messages.

@@ -25,6 +25,9 @@ Water Scenario::water_at(const SonarConfig& sonar) const {
 SonarConfig Scenario::filled_in(SonarConfig sonar) const {
   sonar.assumed_sound_speed = sonar.assumed_sound_speed.value_or(water_at(sonar).true_sound_speed());
   sonar.ping_period = sonar.ping_period.value_or(sonar.shortest_ping_period(*sonar.assumed_sound_speed));
+  if (model == EchoModel::kCalibrated) {
+    sonar.sampling = sonar.sampling_by_rule();
+  }
   return sonar;
 }
 

@@ -115,9 +115,9 @@ void make_rows_along(const ColumnArc& arc, int phase, double cos_bearing, const 
 Lattice::Lattice(const SonarConfig& sonar, int first_phase, BeamShape beam_shape, const ElevationPattern* pattern)
     : shape(beam_shape),
       even_rows(beam_shape == BeamShape::kWedge && pattern == nullptr),
-      columns(sonar.beam_count * sonar.sampling.columns_per_beam),
-      rows(sonar.sampling.rows),
-      columns_per_beam(sonar.sampling.columns_per_beam) {
+      columns(sonar.beam_count * sonar.sampling.columns_per_beam.value_or(Sampling::kColumns)),
+      rows(sonar.sampling.rows.value_or(Sampling::kRows)),
+      columns_per_beam(sonar.sampling.columns_per_beam.value_or(Sampling::kColumns)) {
   make_columns(sonar, *this);
   const double half = 0.5 * sonar.elevation_aperture;
   const ColumnArc::Sector sector =

@@ -199,6 +199,22 @@ double SonarConfig::beam_azimuth(int beam) const {
   return azimuth_aperture * (0.5 - (beam + 0.5) / beam_count);
 }
 
+Sampling SonarConfig::sampling_by_rule() const {
+  constexpr double kColumn = radians_from_degrees(0.25);
+  constexpr int kLeastColumns = 2, kMostColumns = 64;
+  constexpr int kLeastRows = 128, kMostRows = 1024, kTogether = 16;  // Rows of a packet of rays.
+  constexpr double kTallestRow = 2.0 / 70;  // Tangent from row to row, with which 170 degrees have some 800.
+  const std::vector<double> edges = beam_edges();
+  const double columns = std::ceil((edges.front() - edges.back()) / (beam_count * kColumn) - 1e-9);
+  const double rows = std::max(0.5 * bin_count, 2 * std::tan(0.5 * elevation_aperture) / kTallestRow);
+  const int packets = static_cast<int>(std::ceil(std::min<double>(rows, kMostRows) / kTogether));
+  Sampling chosen = sampling;
+  chosen.columns_per_beam =
+      sampling.columns_per_beam.value_or(std::clamp(static_cast<int>(columns), kLeastColumns, kMostColumns));
+  chosen.rows = sampling.rows.value_or(std::max(kLeastRows, packets * kTogether));
+  return chosen;
+}
+
 std::vector<double> SonarConfig::beam_edges() const {
   std::vector<double> edges(static_cast<std::size_t>(beam_count) + 1);
   if (beam_azimuths.size() < 2) {

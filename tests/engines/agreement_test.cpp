@@ -65,13 +65,13 @@ constexpr double kOtherSurface = 1e-5;
 // Traces the rays of the lattice by Engine::trace, to compare hit by hit.
 std::vector<Ray> lattice_rays(const RandomScene& random) {
   std::vector<Ray> rays;
-  for (int column = 0; column < random.sonar.beam_count * random.sonar.sampling.columns_per_beam; ++column) {
-    for (int row = 0; row < random.sonar.sampling.rows; ++row) {
+  for (int column = 0; column < random.sonar.beam_count * *random.sonar.sampling.columns_per_beam; ++column) {
+    for (int row = 0; row < *random.sonar.sampling.rows; ++row) {
       const double azimuth =
           random.sonar.azimuth_aperture *
-          (0.5 - (column + 0.5) / (random.sonar.beam_count * random.sonar.sampling.columns_per_beam));
+          (0.5 - (column + 0.5) / (random.sonar.beam_count * *random.sonar.sampling.columns_per_beam));
       const double elevation = random.sonar.elevation_center +
-                               random.sonar.elevation_aperture * ((row + 0.5) / random.sonar.sampling.rows - 0.5);
+                               random.sonar.elevation_aperture * ((row + 0.5) / *random.sonar.sampling.rows - 0.5);
       rays.push_back({random.pose.position, random.pose.orientation * point_from_spherical({1, azimuth, elevation}), 0,
                       random.sonar.max_range});
     }

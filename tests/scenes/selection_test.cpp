@@ -34,7 +34,7 @@ class Scan {
           return Simulator(std::move(scenario), std::move(scene), 2);
         }()) {}
 
-  [[nodiscard]] int phases() const { return simulator_.sonar(0).sampling.columns_per_beam; }
+  [[nodiscard]] int phases() const { return *simulator_.sonar(0).sampling.columns_per_beam; }
 
   Tally tally(SecondaryEchoes secondary, int stagger_phase) {
     if (reference_.empty()) {

@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+#include "insonify/scenario.h"
 #include "support/message_of.h"
 #include "support/relative.h"
 
@@ -37,6 +38,41 @@ SonarConfig scanner(double step_deg, double sector_deg = 360, double center_deg 
 // ---------------------------------------------------------------- Beams
 
 // 256 beams over 120 degrees are 0.46875 degrees wide: the outermost centre is half of that inside the edge.
+// By hand from the rule of docs/concepts/beams-and-bins.md, "Samples".
+TEST(SamplingByRuleTest, FollowsBeamsBinsAndAperture) {
+  const auto rule = [](double azimuth_deg, int beams, double elevation_deg, int bins) {
+    SonarConfig sonar;
+    sonar.azimuth_aperture = radians_from_degrees(azimuth_deg);
+    sonar.beam_count = beams;
+    sonar.elevation_aperture = radians_from_degrees(elevation_deg);
+    sonar.bin_count = bins;
+    const Sampling chosen = sonar.sampling_by_rule();
+    return std::pair(*chosen.columns_per_beam, *chosen.rows);
+  };
+  EXPECT_EQ(rule(120, 256, 20, 1000), std::pair(2, 512));  // 500 rows are 31.25 packets.
+  EXPECT_EQ(rule(130, 512, 20, 500), std::pair(2, 256));
+  EXPECT_EQ(rule(60, 120, 20, 600), std::pair(2, 304));  // Exactly two columns.
+  EXPECT_EQ(rule(61, 120, 20, 600), std::pair(3, 304));
+  EXPECT_EQ(rule(3, 1, 35, 100), std::pair(12, 128));
+  EXPECT_EQ(rule(40, 1, 35, 9000), std::pair(64, 1024));
+  EXPECT_EQ(rule(90, 360, 170, 200), std::pair(2, 816));  // 70 tan 85 degrees = 800.1: 51 packets.
+}
+
+TEST(SamplingByRuleTest, LeavesWhatIsSet) {
+  SonarConfig sonar;
+  sonar.bin_count = 700;
+  sonar.sampling.columns_per_beam = 7;
+  EXPECT_EQ(*sonar.sampling_by_rule().columns_per_beam, 7);
+  EXPECT_EQ(*sonar.sampling_by_rule().rows, 352);
+  sonar.sampling = {.rows = 33};
+  EXPECT_EQ(*sonar.sampling_by_rule().columns_per_beam, 2);
+  EXPECT_EQ(*sonar.sampling_by_rule().rows, 33);
+  Scenario scenario;
+  EXPECT_EQ(*scenario.filled_in(sonar).sampling.columns_per_beam, 2);
+  scenario.model = EchoModel::kPaper;
+  EXPECT_FALSE(scenario.filled_in(sonar).sampling.columns_per_beam.has_value());
+}
+
 TEST(SonarBeamsTest, AreEvenlySpacedInAngleFromPortToStarboard) {
   const SonarConfig sonar = fan(256, 120);
   EXPECT_THAT(degrees_from_radians(sonar.beam_azimuth(0)), RelativelyNear(59.765625));

@@ -98,7 +98,9 @@ int bench_primary(const BenchOptions& options) {
       const double rays_ms = rays.milliseconds(), raster_ms = raster.milliseconds();
       const double regret = (chosen.drew() ? raster_ms : rays_ms) / std::min(rays_ms, raster_ms) - 1;
       worst = std::max(worst, regret);
-      const int samples = fan.sonar.beam_count * fan.sonar.sampling.columns_per_beam * fan.sonar.sampling.rows;
+      const Sampling sampling = fan.sonar.sampling;
+      const int samples = fan.sonar.beam_count * sampling.columns_per_beam.value_or(Sampling::kColumns) *
+                          sampling.rows.value_or(Sampling::kRows);
       say("{:<20} {:>9} {:>9} | {:>9.3f} {:>9.3f} | {:>6} {:>5.0f} %\n", fan.name, samples, scene.triangle_count(),
           rays_ms, raster_ms, chosen.drew() ? "raster" : "rays", 100 * regret);
       flush_output();

@@ -121,12 +121,12 @@ std::vector<Candidate> candidates_of(const Case& of, const SamplingBenchOptions&
   const auto add = [&](const Sampling& sampling, std::string_view note) {
     Candidate& candidate = candidates.emplace_back();
     candidate.sampling = sampling;
-    candidate.name = fmt::format("{} x {}{}", sampling.columns_per_beam, sampling.rows, note);
+    candidate.name = fmt::format("{} x {}{}", *sampling.columns_per_beam, *sampling.rows, note);
     Scenario scenario = of.scenario;
     scenario.sonars[0].sampling = sampling;
     candidate.simulator = std::make_unique<Simulator>(scenario, of.scene, options.threads);
   };
-  add(of.scenario.sonars[0].sampling, " own");
+  add(of.scenario.filled_in(of.scenario.sonars[0]).sampling, " own");
   for (const Sampling& sampling : options.samplings) {
     add(sampling, "");
   }
@@ -168,8 +168,8 @@ void report(const Case& of, const std::vector<Candidate>& candidates, std::size_
     print_error(candidate.secondary);
     say("\n");
     rows.push_back({{"scene", of.name},
-                    {"columns_per_beam", candidate.sampling.columns_per_beam},
-                    {"rows", candidate.sampling.rows},
+                    {"columns_per_beam", *candidate.sampling.columns_per_beam},
+                    {"rows", *candidate.sampling.rows},
                     {"ping_ms", time},
                     {"processor_ms", processor},
                     {"rays_secondary", static_cast<double>(candidate.rays.secondary) * per_ping},
@@ -210,7 +210,7 @@ int bench_sampling(const SamplingBenchOptions& options) {
       "upper {:.0f} dB of the picture: rms in dB, cells more than 6 dB too loud in %, sum in dB; then the same for "
       "paths\n"
       "of two surfaces and more alone.\n\n",
-      options.pings, options.threads, options.repetitions, options.converged.columns_per_beam, options.converged.rows,
+      options.pings, options.threads, options.repetitions, *options.converged.columns_per_beam, *options.converged.rows,
       kPictureRange);
   say("{:<24} {:>14} | {:>8} {:>8} {:>9} {:>9} | {:>7} {:>7} {:>7} | {:>7} {:>7} {:>7}\n", "scene", "samples",
       "ping ms", "cpu ms", "reflected", "returned", "rms", "spots", "sum", "2nd rms", "spots", "sum");

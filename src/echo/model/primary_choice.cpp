@@ -32,7 +32,9 @@ PrimaryEchoes primary_echoes(PrimaryEchoes asked, const SonarConfig& sonar, std:
   if (asked != PrimaryEchoes::kAuto) {
     return asked;
   }
-  const double samples = double{1} * sonar.beam_count * sonar.sampling.columns_per_beam * sonar.sampling.rows;
+  const Sampling& sampling = sonar.sampling;
+  const double samples = double{1} * sonar.beam_count * sampling.columns_per_beam.value_or(Sampling::kColumns) *
+                         sampling.rows.value_or(Sampling::kRows);
   const auto triangles = static_cast<double>(triangle_count);
   return drawing_costs(triangles, sonar.azimuth_aperture) <= tracing_costs(triangles, samples) ? PrimaryEchoes::kRaster
                                                                                                : PrimaryEchoes::kRays;

@@ -54,8 +54,9 @@ Texts texts_of(const Field& field, const std::vector<double>& /*member*/) {
 Texts texts_of(const Field& /*field*/, const std::vector<std::string>& /*member*/) {
   return {"list of texts", kNoDefault};
 }
-Texts texts_of(const Field& field, const std::optional<double>& /*member*/) {
-  return {field.limits.text(file_scale_of(field)), kNoDefault};
+template <typename Number>
+Texts texts_of(const Field& field, const std::optional<Number>& /*member*/) {
+  return {(std::is_integral_v<Number> ? "whole, " : "") + field.limits.text(file_scale_of(field)), kNoDefault};
 }
 template <typename Enum>
 requires std::is_enum_v<Enum> Texts texts_of(const Field& /*field*/, const Enum& member) {

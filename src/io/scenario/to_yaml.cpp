@@ -91,7 +91,8 @@ YamlValue written(const Field& field, const std::vector<std::string>& member) {
   }
   return list;
 }
-YamlValue written(const Field& field, const std::optional<double>& member) {
+template <typename Number>
+YamlValue written(const Field& field, const std::optional<Number>& member) {
   return member ? written(field, *member) : YamlValue();
 }
 

@@ -92,7 +92,8 @@ BearingCells::BearingCells(const SonarConfig& fan, const ReceiverConfig& receive
   }
   const bool scanning = fan.type == SonarType::kMechanicallyScanned;
   per_beam = cells_per_beam(fan, scanning ? kPerScannedBeam : kPerBeam);
-  sonar.sampling.columns_per_beam = std::max(1, (fan.sampling.columns_per_beam + per_beam - 1) / per_beam);
+  const int columns = fan.sampling.columns_per_beam.value_or(Sampling::kColumns);
+  sonar.sampling.columns_per_beam = std::max(1, (columns + per_beam - 1) / per_beam);
   if (scanning) {
     set_head(fan, head_reach(fan, receiver));
   } else {

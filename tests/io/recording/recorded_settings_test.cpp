@@ -54,6 +54,7 @@ Scenario everything() {
   sonar.transmit_width = 2;
   sonar.element_width = 2;
   sonar.focus_range = 5;
+  sonar.sampling = {8, 100};
   sonar.group_gains_db = {0, 1};
   sonar.missing_beams = {1};
   sonar.crosstalk_db = -40;
