@@ -83,6 +83,7 @@ PUBLIC = {
     "water.h": "acoustics",
     "material.h": "scene",
     "interferer.h": "scene",
+    "thruster.h": "scene",
     "point_target.h": "scene",
     "mesh.h": "scene",
     "relief.h": "scene",

@@ -51,6 +51,7 @@
 #include "insonify/simulator.h"
 #include "insonify/sonar_config.h"
 #include "insonify/stored_tables.h"
+#include "insonify/thruster.h"
 #include "insonify/version.h"
 #include "insonify/water.h"
 #include "insonify/wire/oculus_messages.h"

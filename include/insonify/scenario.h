@@ -17,6 +17,7 @@
 #include "insonify/scene.h"
 #include "insonify/sea_surface.h"
 #include "insonify/sonar_config.h"
+#include "insonify/thruster.h"
 #include "insonify/water.h"
 
 namespace insonify {
@@ -110,6 +111,7 @@ struct Scenario {
   MaterialRules materials;
   std::vector<PointTarget> points;      ///< Calibrated model only.
   std::vector<Interferer> interferers;  ///< Calibrated model only.
+  std::vector<Thruster> thrusters;      ///< Of the vehicle. Calibrated model only.
   std::optional<SeaSurface> surface;    ///< None where not named.
   std::vector<SonarConfig> sonars;
   Trajectory trajectory;  ///< Trajectory of the vehicle.
@@ -250,6 +252,11 @@ void Scenario::visit_parts(Self& self, Visit&& visit) {
       Part{"interferers", "list of other sonars", "Other sonars that are heard (calibrated model): see `interferers`.",
            "One entry for each other sonar that is heard (calibrated model)."},
       self.interferers);
+  visit(Part{"thrusters", "list of thrusters",
+             "Thrusters of the vehicle, whose noise the sonars receive (calibrated model): see `thrusters`.",
+             "One entry for each running thruster of the vehicle. Sonars receive its noise with `receiver.noise` "
+             "(calibrated model)."},
+        self.thrusters);
   visit(
       Part{"trajectory", "list of waypoints", "How the vehicle moves: see `trajectory`.",
            "One entry for each waypoint, in order of time. Between two, the vehicle moves straight and turns evenly; "

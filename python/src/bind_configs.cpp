@@ -138,6 +138,7 @@ void bind_configs(py::module_& module) {
   add_materials(module);
   ConfigClass<PointTarget>(module, "PointTarget", about("points"));
   ConfigClass<Interferer>(module, "Interferer", about("interferers"));
+  ConfigClass<Thruster>(module, "Thruster", about("thrusters"));
   ConfigClass<SeaSurface>(module, "SeaSurface", about("surface"));
   ConfigClass<Waypoint>(module, "Waypoint", about("trajectory"));
   ConfigClass<Motion>(module, "Motion", about("motions"));

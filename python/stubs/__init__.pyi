@@ -83,6 +83,9 @@ class PointTarget:
 class Interferer:
     # FIELDS
 
+class Thruster:
+    # FIELDS
+
 class SeaSurface:
     # FIELDS
 

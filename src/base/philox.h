@@ -22,7 +22,9 @@ enum class RandomPurpose : std::uint32_t {
   kScatterers = 11,         // receiver/speckle/sparse_scatterers.cpp
   kWaves = 12,              // echo/targets/point_ghosts.cpp: highlights of ghosts by waves
   kWalks = 13,              // echo/walks/random_walks.cpp
-  kTransmitLeak = 14        // receiver/transmit_leak.cpp: level and phase in each beam
+  kTransmitLeak = 14,       // receiver/transmit_leak.cpp: level and phase in each beam
+  kThrusterInPhase = 15,    // receiver/noise/thruster_noise.cpp, real part
+  kThrusterQuadrature = 16  // ... and imaginary part
 };
 
 using PhiloxCounter = std::array<std::uint32_t, 4>;

@@ -115,9 +115,11 @@ void CalibratedReceiver::receive_mean(const EchoGrid& grid, int cell, Row& row) 
   receive_row(row.extended, cell_extended_);
 }
 
-// Intensity that a bin keeps, from that of one look, at the index `at` of beams x bins.
-float CalibratedReceiver::kept(float intensity, std::size_t at, float noise_deviation) const {
-  const float noise = 2 * noise_deviation * noise_deviation;
+// Intensity that a bin keeps, from that of one look.
+float CalibratedReceiver::kept(float intensity, int beam, int bin) const {
+  const std::size_t at = static_cast<std::size_t>(beam) * bins_ + bin;
+  const float noise =
+      2 * noise_deviation_[beam] * noise_deviation_[beam] + (thrusters_ ? thrusters_->intensity(beam, bin) : 0.0F);
   const float mean = (bearing_ ? beam_energy_ : cell_energy_)[at] + noise;
   const float extended = speckle_ ? (bearing_ ? beam_extended_ : cell_extended_)[at] + noise : noise;
   return mean > 0 ? coarse_->kept(intensity, mean, std::min(extended / mean, 1.0F)) : intensity;
@@ -204,7 +206,8 @@ void CalibratedReceiver::move(const EchoGrid& grid, const PingMotion& motion, Wo
 }
 
 void CalibratedReceiver::receive(const EchoGrid& still, std::span<const DisplacedInstance> displaced,
-                                 const Pose& world_from_sonar, const PingMotion& motion, Workers& workers, Ping& ping) {
+                                 const Pose& world_from_sonar, const PingMotion& motion,
+                                 std::span<const std::optional<Vec3>> thrusters, Workers& workers, Ping& ping) {
   if (shift_) {
     move(still, motion, workers);
   }
@@ -233,6 +236,9 @@ void CalibratedReceiver::receive(const EchoGrid& still, std::span<const Displace
   }
   if (surface_noise_) {
     receive_surface_noise(world_from_sonar);
+  }
+  if (thrusters_) {
+    thrusters_->add_to(*noise_, thrusters, ping.number, ping.time, noise_deviation_, workers);
   }
   if (leak_) {
     receive_leak();
@@ -285,7 +291,7 @@ void CalibratedReceiver::detect_tile(const EchoGrid& grid, const TilePlace& plac
       const float real = (speckle_ ? field[start + i].real() : std::sqrt(energy[start + i])) + deviation * in_phase[i];
       const float imaginary = (speckle_ ? field[start + i].imag() : 0.0F) + deviation * quadrature[i];
       const float look = real * real + imaginary * imaginary;
-      const float received = keeps_looks_ ? kept(look, start + i, deviation) : look;
+      const float received = keeps_looks_ ? kept(look, beam, place.first_bin + i) : look;
       tile.intensity[b][i] = std::min(channel * received, saturation_) * gain_[place.first_bin + i];
       if (has_field_) {
         const float part = std::sqrt(tile.intensity[b][i] / std::max(look, kTiny));

@@ -21,6 +21,7 @@
 #include "receiver/displaced_instance.h"
 #include "receiver/noise/noise_field.h"
 #include "receiver/noise/surface_noise.h"
+#include "receiver/noise/thruster_noise.h"
 #include "receiver/output_tile.h"
 #include "receiver/pulse/coarse_bins.h"
 #include "receiver/pulse/range_response.h"
@@ -47,9 +48,8 @@ namespace insonify {
 ///   4. Pulse and array pattern (where bins are longer than the pulse: the energy of one look, see CoarseBins):
 ///   convolution along range with p and along bearing with g; energies with |p|^2, |g|^2.
 ///   5. Discrete echoes (ideal points, interference) are added to each beam and bin with the gain g p.
-///   6. Crosstalk: a share of all beams' echoes is added to each. Thermal noise, a complex Gaussian field drawn anew
-///   for each ping, is added to the field: as array and matched
-///      filter pass it, see NoiseField.
+///   6. Crosstalk: a share of all beams' echoes is added to each. Noise, a complex Gaussian field drawn anew for
+///   each ping, is added to the field as array and matched filter pass it: see NoiseField and ThrusterNoise.
 ///   7. The transmitter's own pulse is added to the field; nearer than `dead_range` it is all that is heard.
 ///   8. Detection: squared magnitude, times the gain of the beam's channel, decimation to bins longer than the pulse,
 ///   clipped at saturation, times near-field ramp and gain; then counts.
@@ -63,7 +63,8 @@ class CalibratedReceiver {
     const Water& water;
     const ReceiverConfig& receiver;
     std::span<const Material> materials;  ///< The scene's materials.
-    bool moves = false;                   ///< Whether the sonar moves between transmission and reception.
+    std::span<const Thruster> thrusters = {};
+    bool moves = false;  ///< Whether the sonar moves between transmission and reception.
     std::uint64_t seed = 1;
   };
   explicit CalibratedReceiver(const Settings& settings);
@@ -72,8 +73,10 @@ class CalibratedReceiver {
   /// @param displaced         Instances that are not where the scene has them: their speckle goes with them.
   /// @param world_from_sonar  Pose of the transducer at transmission.
   /// @param motion            Its motion after transmission; ignored unless Settings::moves.
+  /// @param thrusters         Places of Settings::thrusters in the sonar's frame [m]; none where a surface is in the
+  /// way.
   void receive(const EchoGrid& grid, std::span<const DisplacedInstance> displaced, const Pose& world_from_sonar,
-               const PingMotion& motion, Workers& workers, Ping& ping);
+               const PingMotion& motion, std::span<const std::optional<Vec3>> thrusters, Workers& workers, Ping& ping);
 
  private:
   // Buffers of one worker thread for one cell's row of bins, before the pulse is applied.
@@ -91,7 +94,7 @@ class CalibratedReceiver {
   void receive_cell(const EchoGrid& grid, int cell, Row& row);
   void receive_mean(const EchoGrid& grid, int cell, Row& row);
   void receive_surface_noise(const Pose& world_from_sonar);
-  [[nodiscard]] float kept(float intensity, std::size_t at, float noise_deviation) const;
+  [[nodiscard]] float kept(float intensity, int beam, int bin) const;
   void receive_bearings(const EchoGrid& grid, Workers& workers);
   void receive_discrete_echoes(const EchoGrid& grid, const DiscreteEchoes& discrete);
   void couple_channels(Workers& workers);
@@ -126,6 +129,7 @@ class CalibratedReceiver {
   bool keeps_looks_ = false;          // Whether intensities are transformed by CoarseBins::kept().
   std::optional<BearingResponse> bearing_;
   std::optional<NoiseField> noise_;
+  std::optional<ThrusterNoise> thrusters_;  // With noise_.
   std::optional<ReceiverChannels> channels_;
   std::optional<TransmitLeak> leak_;
 

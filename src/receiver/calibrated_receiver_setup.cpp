@@ -80,10 +80,14 @@ CalibratedReceiver::CalibratedReceiver(const Settings& settings)
   }
   const std::vector<double> beam_sines = BearingCells::sines(sonar);
   std::optional<ArrayPattern> perfect;  // The array without faults, one way, as noise is received.
+  std::optional<ArrayPattern> hearing;  // The array with its faults, one way, as it receives what comes from one place.
   double length = 0;                    // [wavelengths]
   if (receiver.azimuth_pattern != BeamPattern::kTopHat) {
     const ArrayPattern array(azimuth_array(receiver, sonar), seed_);
     perfect.emplace(receiving_array(receiver, sonar));
+    ArraySettings one_way = azimuth_array(receiver, sonar);
+    one_way.two_way = false;
+    hearing.emplace(one_way, seed_);
     length = array.length(wavelength, beam_width(sonar)) / wavelength;
     bearing_.emplace(array, length, BearingCells::sines(cells.sonar), beam_sines, BearingResponse::kFloorDb,
                      BearingResponse::Extras{.cell_edges = cells.edge_sines,
@@ -112,6 +116,20 @@ CalibratedReceiver::CalibratedReceiver(const Settings& settings)
                                         .length = length,
                                         .beam_sines = beam_sines,
                                         .seed = seed_});
+  }
+  if (noise_ && !settings.thrusters.empty()) {
+    const bool has_pulse = transmitted.kind != PulseKind::kNone;
+    thrusters_.emplace(ThrusterNoise::Settings{.thrusters = settings.thrusters,
+                                               .sonar = sonar,
+                                               .receiver = receiver,
+                                               .water = settings.water,
+                                               .pulse = pulse,
+                                               .duration = has_pulse ? transmitted.duration : 0,
+                                               .shown_speed = shown_speed,
+                                               .array = hearing ? &*hearing : nullptr,
+                                               .length = length,
+                                               .wavelength = wavelength,
+                                               .seed = seed_});
   }
   noise_deviation_.resize(static_cast<std::size_t>(beams_));
   if (ReceiverChannels::differ_in(sonar)) {

@@ -163,6 +163,22 @@ void check_mutual_interference(const Scenario& scenario) {
   }
 }
 
+// Spherical spreading has a pole where a thruster is in a sonar.
+void check_thrusters(const Scenario& scenario) {
+  constexpr double kNearest = 0.01;
+  for (std::size_t i = 0; i < scenario.thrusters.size(); ++i) {
+    const std::string object = fmt::format("thrusters[{}]", i);
+    scenario.thrusters[i].validate(object);
+    for (std::size_t j = 0; j < scenario.sonars.size(); ++j) {
+      const double distance = (scenario.thrusters[i].position - scenario.sonars[j].position).norm();
+      if (distance < kNearest) {
+        throw Error(object, "position",
+                    fmt::format(" is {:.3g} m from that of sonars[{}]; must be at least {} m", distance, j, kNearest));
+      }
+    }
+  }
+}
+
 void check_engine(const std::string& engine) {
   const std::vector<std::string_view> names = engine_names();
   if (std::ranges::find(names, engine) == names.end()) {
@@ -237,6 +253,9 @@ void Scenario::validate() const {
   if (model == EchoModel::kPaper && !interferers.empty()) {
     throw Error("", "interferers", " need model = calibrated");
   }
+  if (model == EchoModel::kPaper && !thrusters.empty()) {
+    throw Error("", "thrusters", " need model = calibrated");
+  }
   if (model == EchoModel::kPaper && mutual_interference) {
     throw Error("", "mutual_interference", " needs model = calibrated");
   }
@@ -265,6 +284,7 @@ void Scenario::validate() const {
   if (model == EchoModel::kCalibrated) {
     check_receivers(*this);
     check_mutual_interference(*this);
+    check_thrusters(*this);
   }
   trajectory.validate("trajectory");
   if (motion_in_ping) {

@@ -2,6 +2,7 @@
 
 #include "insonify/error.h"
 #include "receiver/paper_receiver.h"
+#include "simulator/find_thrusters.h"
 #include "simulator/simulator_state.h"
 
 namespace insonify {
@@ -36,10 +37,14 @@ void Simulator::State::make(const PingRequest& request, SimulatedSonar& sonar, c
       add_mutual_interference(senders, sonar, scenario.receiver_of(sonar.config), request, world_from_sonar,
                               parts.engine, grid);
     }
+    if (!scenario.thrusters.empty()) {
+      find_thrusters(scenario.thrusters, sonar.vehicle_from_housing * head, request.world_from_vehicle, parts.engine,
+                     sonar.thrusters);
+    }
     const PingMotion motion = scenario.motion_in_ping
                                   ? sonar.motion_while_listening(request, sonar.vehicle_from_housing * head)
                                   : PingMotion{};
-    sonar.receiver->receive(grid, objects.displaced(), world_from_sonar, motion, parts.workers, ping);
+    sonar.receiver->receive(grid, objects.displaced(), world_from_sonar, motion, sonar.thrusters, parts.workers, ping);
   } else {
     PaperReceiver receiver(
         grid, sonar.config,

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "echo/model/ray_limits.h"
 #include "echo/targets/interference.h"
 #include "receiver/array/line_array.h"
+#include "simulator/clear_path.h"
 #include "simulator/simulated_sonar.h"
 
 namespace insonify {
@@ -50,15 +50,6 @@ Received received_from(const PingPlan& plan, const Vec3f& direction, bool has_ar
     return {beam, arrival};
   }
   return {arrival.bearing > 0 ? 0 : plan.sonar.beam_count - 1, arrival};
-}
-
-bool is_clear(const Vec3& from, const Vec3& to, Engine& engine) {
-  const Vec3 there = to - from;
-  const double range = there.norm(), clearance = double{kRayClearance};
-  const Ray ray{from, there / range, 0, range - clearance};
-  Hit hit;
-  engine.trace({&ray, 1}, {&hit, 1});
-  return !std::isfinite(hit.distance);
 }
 
 }  // namespace

@@ -76,7 +76,9 @@ Pose housing_from_head(double head_angle) {
 }
 
 SimulatedSonar::SimulatedSonar(const Scenario& scenario, const SonarConfig& sonar, std::span<const Material> materials)
-    : config(scenario.filled_in(sonar)), vehicle_from_housing(config.vehicle_from_sonar()) {
+    : config(scenario.filled_in(sonar)),
+      vehicle_from_housing(config.vehicle_from_sonar()),
+      thrusters(scenario.thrusters.size()) {
   const Water water = scenario.water_at(config);
   const ReceiverConfig beams = receiver_of(scenario, config);
   const bool calibrated = scenario.model == EchoModel::kCalibrated;
@@ -111,6 +113,7 @@ SimulatedSonar::SimulatedSonar(const Scenario& scenario, const SonarConfig& sona
                                                   .water = water,
                                                   .receiver = scenario.receiver_of(config),
                                                   .materials = materials,
+                                                  .thrusters = scenario.thrusters,
                                                   .moves = scenario.motion_in_ping,
                                                   .seed = scenario.seed});
   }

@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "echo/model/ping_plan.h"
 #include "echo/walks/random_walks.h"
@@ -41,6 +42,8 @@ struct SimulatedSonar {
   EchoGrid grid;
   std::optional<RandomWalks> walks;            ///< Where the scenario has random_walks.
   std::optional<CalibratedReceiver> receiver;  ///< Empty in the paper model.
+  std::vector<std::optional<Vec3>> thrusters;  ///< [thruster] Places in the frame of the head at the last ping; none
+                                               ///< where a surface was in the way.
 };
 
 /// Pose of the head in its housing, turned about z.

@@ -239,6 +239,11 @@ TEST_F(CliTest, KeysThatAnotherKeepsFromActingAreToldOf) {
       "insonify: warning: --set receiver.pulse_bandwidth=3e5: receiver.pulse_bandwidth has no effect unless pulse is "
       "lfm\ninsonify: warning: --set receiver.ambient_noise_db=30: receiver.ambient_noise_db has no effect unless "
       "noise is true\n");
+  EXPECT_EQ(shell("insonify run fan.yaml -q --no-pictures -o deaf --set 'thrusters=[{position: [1, 0, 0]}]' --set "
+                  "receiver.noise=false")
+                .err,
+            "insonify: warning: --set thrusters=[{position: [1, 0, 0]}]: thrusters has no effect unless receiver.noise "
+            "is true\n");
   // The sonar's own receiver starts from the common one, whose bandwidth acts in it.
   EXPECT_EQ(shell("insonify run fan.yaml -q --no-pictures -o own --set receiver.pulse_bandwidth=3e5 --set "
                   "sonars.ahead.receiver.pulse=lfm")

@@ -124,7 +124,7 @@ constexpr Mistake kMistakes[] = {
      "insonify: --sonar nobody: scan.yaml has no such sonar; it has around"},
     {"UnknownSection", "insonify describe sea", 2,
      "insonify: there is no section sea; there are scenario, water, materials, sonars, sampling, receiver, paper, "
-     "surface, points, interferers, trajectory, motions, view"},
+     "surface, points, interferers, thrusters, trajectory, motions, view"},
 };
 
 INSTANTIATE_TEST_SUITE_P(All, MistakeTest, testing::ValuesIn(kMistakes),

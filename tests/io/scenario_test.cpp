@@ -94,13 +94,14 @@ TEST_F(ScenarioTest, NeedsNoWorldForPointsOrUnderASurface) {
 TEST_F(ScenarioTest, NullTakesPartsAway) {
   const std::string given =
       "world: worlds/floor.obj\nsonars: [{}]\nsurface: {level: 3}\npoints: [{position: [5, 0, 0]}]\n"
-      "interferers: [{position: [9, 0, 0]}]\ntrajectory: [{time: 0}]\nview: {}\n";
+      "interferers: [{position: [9, 0, 0]}]\nthrusters: [{position: [1, 0, 0]}]\ntrajectory: [{time: 0}]\nview: {}\n";
   EXPECT_TRUE(load(given).surface.has_value());
-  const Scenario scenario =
-      load(given, {"surface=null", "points=null", "interferers=null", "trajectory=null", "motions=null", "view=null"});
+  const Scenario scenario = load(given, {"surface=null", "points=null", "interferers=null", "thrusters=null",
+                                         "trajectory=null", "motions=null", "view=null"});
   EXPECT_FALSE(scenario.surface.has_value());
   EXPECT_TRUE(scenario.points.empty());
   EXPECT_TRUE(scenario.interferers.empty());
+  EXPECT_TRUE(scenario.thrusters.empty());
   EXPECT_TRUE(scenario.trajectory.waypoints.empty());
   EXPECT_FALSE(scenario.view.has_value());
 }

@@ -48,6 +48,7 @@ Scenario made_in_code() {
       .ripple_wavelength = 0.3, .ripple_height = 0.02, .ripple_direction = radians_from_degrees(33)};
   scenario.points = {{.position = {5, -1, 0.5}, .target_strength_db = -25}, {}};
   scenario.interferers = {{.position = {30, 4, 1}, .first_pulse = 0.03}};
+  scenario.thrusters = {{.position = {-0.4, 0.2, 0.1}, .slope = -18, .blade_rate = 75, .modulation = 0.6}};
   scenario.surface = SeaSurface{};
   SonarConfig fan;
   fan.name = "null";  // A string that YAML would read as null.

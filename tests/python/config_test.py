@@ -21,7 +21,8 @@ class ConfigTest(unittest.TestCase):
         sections = {"scenario": insonify.Scenario, "sonars": insonify.SonarConfig, "water": insonify.Water,
                     "receiver": insonify.ReceiverConfig, "sampling": insonify.Sampling, "paper": insonify.PaperModel,
                     "materials": insonify.MaterialOverride, "points": insonify.PointTarget,
-                    "interferers": insonify.Interferer, "surface": insonify.SeaSurface,
+                    "interferers": insonify.Interferer, "thrusters": insonify.Thruster,
+                    "surface": insonify.SeaSurface,
                     "trajectory": insonify.Waypoint, "motions": insonify.Motion, "view": insonify.ViewConfig}
         told = subprocess.run([COMMAND_LINE, "describe", "--markdown"], capture_output=True, text=True, check=True).stdout
         section, count = None, 0

@@ -136,6 +136,7 @@ Scenario calibrated_scenario(SonarType type) {
   scenario.ground_truth = GroundTruth::kFull;
   scenario.surface = SeaSurface{.level = 4, .wind_speed = 3};
   scenario.points = {{.position = {4, 0.2, -1}}};
+  scenario.thrusters = {{.position = {0.5, 0.3, -0.1}, .blade_rate = 60, .modulation = 0.5}};
   scenario.water.absorption = true;
   scenario.water.volume_backscatter_db = -70;
   scenario.receiver.azimuth_pattern = BeamPattern::kHann;

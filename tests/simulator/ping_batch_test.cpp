@@ -33,6 +33,8 @@ Scenario full_scenario(const PingCase& on) {
     scenario.motion_in_ping = true;
     scenario.points = {{.position = {6, 1, -0.5}, .target_strength_db = -20}};
     scenario.interferers = {{.position = {20, 4, 0}, .source_level_db = 190, .period = 0.11}};
+    scenario.thrusters = {{.position = {0.6, 0.3, 0}, .blade_rate = 60, .modulation = 0.7},
+                          {.position = {0.2, -0.9, 0}}};
   }
   return scenario;
 }

@@ -107,6 +107,9 @@ constexpr std::array<Condition, 10> kOfSonar = {
      {"bandwidth", [](const Received& r) { return r.receiver.noise && r.pulse.kind == PulseKind::kNone; },
       "noise is true and the pulse is none"}}};
 
+constexpr std::array<Condition, 1> kOfScenario = {
+    {{"thrusters", [](const Received& r) { return r.receiver.noise; }, "receiver.noise is true"}}};
+
 // Adds a line for each key given of `object` that acts in none of those that have it.
 void tell_of(const Places& places, const std::string& object, std::span<const Condition> conditions,
              std::span<const Received> having_it, std::vector<std::string>& lines) {
@@ -161,6 +164,7 @@ std::vector<std::string> keys_idle_beside_others(const Scenario& scenario) {
     all.push_back(with);
   }
   tell_of(scenario.places, "receiver", kOfReceiver, all, lines);
+  tell_of(scenario.places, "", kOfScenario, all, lines);
   return lines;
 }
 

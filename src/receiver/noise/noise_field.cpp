@@ -127,22 +127,26 @@ NoiseField::NoiseField(const Settings& settings)
   row_values_.resize(static_cast<std::size_t>(rows_) * 2 * bins_);
 }
 
-void NoiseField::draw_row(int row, std::uint64_t ping, std::vector<float>& white) {
-  const auto taps = static_cast<int>(taps_.size());
-  const int needed = bins_ + taps - 1, blocks = (needed + kTileBins - 1) / kTileBins;
-  white.resize(static_cast<std::size_t>(blocks) * kTileBins);
-  float* const values = &row_values_[static_cast<std::size_t>(row) * 2 * bins_];
-  for (const RandomPurpose part : {RandomPurpose::kNoiseInPhase, RandomPurpose::kNoiseQuadrature}) {
+void draw_filtered_row(std::span<const float> taps, RandomPurpose in_phase, RandomPurpose quadrature, int row,
+                       std::uint64_t ping, std::uint64_t seed, std::vector<float>& white, std::span<float> values) {
+  const auto tap_count = static_cast<int>(taps.size()), bins = static_cast<int>(values.size()) / 2;
+  const int needed = bins + tap_count - 1, blocks = (needed + kTileBins - 1) / kTileBins;
+  white.resize(std::max(white.size(), static_cast<std::size_t>(blocks) * kTileBins));
+  for (const RandomPurpose part : {in_phase, quadrature}) {
     for (int block = 0; block < blocks; ++block) {
-      draw_normals(part, block, row, ping, seed_, &white[static_cast<std::size_t>(block) * kTileBins]);
+      draw_normals(part, block, row, ping, seed, &white[static_cast<std::size_t>(block) * kTileBins]);
     }
-    filter(taps_.data(), taps, white.data(), bins_, part == RandomPurpose::kNoiseInPhase ? values : values + bins_);
+    filter(taps.data(), tap_count, white.data(), bins, values.data() + (part == in_phase ? 0 : bins));
   }
 }
 
 void NoiseField::draw(std::uint64_t ping, Workers& workers) {
   white_.resize(std::max(white_.size(), static_cast<std::size_t>(workers.count())));
-  workers.for_each(rows_, [&](int row, int worker) { draw_row(row, ping, white_[worker]); });
+  const auto values_of_row = 2 * static_cast<std::size_t>(bins_);
+  workers.for_each(rows_, [&](int row, int worker) {
+    draw_filtered_row(taps_, RandomPurpose::kNoiseInPhase, RandomPurpose::kNoiseQuadrature, row, ping, seed_,
+                      white_[worker], std::span(row_values_).subspan(row * values_of_row, values_of_row));
+  });
   if (gains_) {
     const int values = 2 * bins_;
     workers.for_each((values + kValuesPerTask - 1) / kValuesPerTask, [&](int task, int) {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/parallel.h"
+#include "base/philox.h"
 #include "insonify/array_pattern.h"
 #include "insonify/pulse.h"
 #include "receiver/array/gain_matrix.h"
@@ -44,6 +45,11 @@ class NoiseField {
   /// Sets the noise of the first `bins` bins of all beams to 0, until it is drawn again.
   void silence(int bins);
 
+  /// Values of a beam, to add to: bins of real parts, then of imaginary ones.
+  [[nodiscard]] float* values(int beam) {
+    return &(gains_ ? beam_values_ : row_values_)[static_cast<std::size_t>(beam) * 2 * bins_];
+  }
+
   /// Real and imaginary parts of a beam's bins.
   [[nodiscard]] const float* in_phase(int beam) const { return beam_row(beam); }
   [[nodiscard]] const float* quadrature(int beam) const { return beam_row(beam) + bins_; }
@@ -52,7 +58,6 @@ class NoiseField {
   [[nodiscard]] const float* beam_row(int beam) const {
     return &(gains_ ? beam_values_ : row_values_)[static_cast<std::size_t>(beam) * 2 * bins_];
   }
-  void draw_row(int row, std::uint64_t ping, std::vector<float>& white);
 
   int beams_, bins_, rows_;
   std::uint64_t seed_;
@@ -61,6 +66,13 @@ class NoiseField {
   std::vector<float> row_values_, beam_values_;  // [row][2 x bin] and [beam][2 x bin]: real parts, then imaginary ones.
   std::vector<std::vector<float>> white_;        // [worker].
 };
+
+/// Draws a row of complex noise with the mean square 2, filtered along range. Allocates only where `white` is too
+/// small.
+/// @param in_phase, quadrature  Purposes of the random numbers of the real and imaginary parts.
+/// @param values                2 x bins, written: real parts, then imaginary ones.
+void draw_filtered_row(std::span<const float> taps, RandomPurpose in_phase, RandomPurpose quadrature, int row,
+                       std::uint64_t ping, std::uint64_t seed, std::vector<float>& white, std::span<float> values);
 
 /// Taps of a filter that gives white noise the correlation of the pulse's noise at whole bins; their squares sum to 1.
 [[nodiscard]] std::vector<float> noise_taps(const Pulse& pulse, double bin_length);

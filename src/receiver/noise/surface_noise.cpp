@@ -5,42 +5,14 @@
 #include <cassert>
 #include <cmath>
 #include <numbers>
-#include <optional>
 
 #include "insonify/acoustics/absorption.h"
-#include "insonify/array_pattern.h"
-#include "receiver/array/line_array.h"
+#include "receiver/array/across_elevations.h"
 
 namespace insonify {
 namespace {
 
 constexpr int kSteps = 256;  // Elevations; a line 3 degrees high at half power has a main lobe of ten.
-
-// |p|^2 of a sonar across elevations, one way: an array that is baffled to the back, or a top hat.
-class AcrossElevations {
- public:
-  AcrossElevations(const SonarConfig& sonar, const ReceiverConfig& receiver)
-      : middle_(sonar.elevation_center), half_(0.5 * sonar.elevation_aperture) {
-    const BeamPattern pattern = sonar.elevation_pattern_beside(receiver);
-    if (pattern != BeamPattern::kTopHat) {
-      array_.emplace(line_array(pattern, receiver.side_lobe_db, sonar.elevation_aperture));
-      length_ = array_->length(1, sonar.elevation_aperture);
-    }
-  }
-
-  [[nodiscard]] double low() const { return array_ ? -0.5 * std::numbers::pi : middle_ - half_; }
-  [[nodiscard]] double high() const { return array_ ? 0.5 * std::numbers::pi : middle_ + half_; }
-  [[nodiscard]] double intensity(double elevation) const {
-    const double off = elevation - middle_;
-    return array_ && std::abs(off) < 0.5 * std::numbers::pi ? array_->intensity(length_ * std::sin(off))
-           : array_                                         ? 0
-                                                            : 1;
-  }
-
- private:
-  double middle_, half_, length_ = 0;
-  std::optional<ArrayPattern> array_;
-};
 
 }  // namespace
 

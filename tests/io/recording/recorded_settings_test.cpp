@@ -43,6 +43,7 @@ Scenario everything() {
   scenario.materials.overrides["mast"] = {.density = 1000};
   scenario.points = {{.position = {1, 2, 3}, .target_strength_db = -20}, {.position = {4, 5, 6}}};
   scenario.interferers.emplace_back();
+  scenario.thrusters.emplace_back();
   scenario.surface = SeaSurface{.level = 4};
   SonarConfig sonar;
   sonar.beam_azimuths = {0.1, 0};

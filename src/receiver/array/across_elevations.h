@@ -1,0 +1,30 @@
+// across_elevations.h -- one-way pattern of a sonar across elevations, exact in every direction in front of it.
+
+#pragma once
+
+#include <optional>
+
+#include "insonify/array_pattern.h"
+#include "insonify/receiver_config.h"
+#include "insonify/sonar_config.h"
+
+namespace insonify {
+
+/// |p|^2 of a sonar across elevations, one way: an array that is baffled to the back, or a top hat. ElevationPattern is
+/// the same in a table that ends where it is not worth sampling.
+class AcrossElevations {
+ public:
+  AcrossElevations(const SonarConfig& sonar, const ReceiverConfig& receiver);
+
+  // Elevations beyond which nothing is received [rad].
+  [[nodiscard]] double low() const;
+  [[nodiscard]] double high() const;
+
+  [[nodiscard]] double intensity(double elevation) const;
+
+ private:
+  double middle_, half_, length_ = 0;
+  std::optional<ArrayPattern> array_;
+};
+
+}  // namespace insonify
