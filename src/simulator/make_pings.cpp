@@ -30,6 +30,7 @@ void Simulator::State::make(const PingRequest& request, SimulatedSonar& sonar, c
     parts.corners.add(plan, world_from_sonar, poses, parts.engine, grid);
     parts.points.add(plan, world_from_sonar, parts.engine, grid);
     parts.glints.add(plan, world_from_sonar, poses, parts.engine, grid);
+    parts.edges.add(plan, world_from_sonar, poses, parts.glints.shown(), parts.engine, grid);
     parts.ghosts.add(plan, world_from_sonar, request.number, scenario.receiver_of(sonar.config).speckle, parts.engine,
                      grid);
     parts.interference.add(plan, world_from_sonar, request.time, parts.engine, grid);
@@ -88,10 +89,10 @@ void Simulator::State::make_together(int index, std::span<const PingRequest> req
       }
       return;
     }
-    own.push_back(std::unique_ptr<Lane>(new Lane{std::move(sharing), PointEchoes(scenario.points),
-                                                 Interference(scenario.interferers), ThinEchoes(thin_parts),
-                                                 FaceGlints(glinting_faces), CornerEchoes(corners), ghosts_of_points(),
-                                                 simulated(scenario, scenario.sonars[index])}));
+    own.push_back(std::unique_ptr<Lane>(
+        new Lane{std::move(sharing), PointEchoes(scenario.points), Interference(scenario.interferers),
+                 ThinEchoes(thin_parts), FaceGlints(glinting_faces), EdgeEchoes(straight_edges), CornerEchoes(corners),
+                 ghosts_of_points(), simulated(scenario, scenario.sonars[index])}));
   }
   for (const auto& lane : own) {
     lane->own_engine->stop_when(stop_asked);

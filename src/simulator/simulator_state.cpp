@@ -65,16 +65,17 @@ void Simulator::State::find_object_echoes() {
   if (scenario.model != EchoModel::kCalibrated) {
     return;
   }
-  ThinParts found;
+  std::unique_ptr<Engine> faster;
   if (engine->kind().brute_force) {
-    const std::unique_ptr<Engine> faster = make_engine("cpu", workers.count());
+    faster = make_engine("cpu", workers.count());
     faster->set_scene(scene);
-    found = find_thin_parts(scene, *faster);
-  } else {
-    found = find_thin_parts(scene, *engine);
   }
+  Engine& probe = faster ? *faster : *engine;
+  ThinParts found = find_thin_parts(scene, probe);
   LeftOut left_out = found.triangles ? *found.triangles : LeftOut{};
   GlintingFaces faces = find_glinting_faces(scene, left_out);
+  straight_edges = std::make_shared<const StraightEdges>(find_straight_edges(scene, faces, left_out, probe));
+  edge_echoes = EdgeEchoes(straight_edges);
   const bool any = found.triangles || faces.any();
   engine->leave_out(any ? std::make_shared<const LeftOut>(std::move(left_out)) : nullptr);
   glinting_faces = std::make_shared<const GlintingFaces>(std::move(faces));

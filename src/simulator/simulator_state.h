@@ -10,6 +10,7 @@
 #include "base/parallel.h"
 #include "echo/engine.h"
 #include "echo/targets/corner_echoes.h"
+#include "echo/targets/edge_echoes.h"
 #include "echo/targets/face_glints.h"
 #include "echo/targets/interference.h"
 #include "echo/targets/point_echoes.h"
@@ -38,8 +39,8 @@ struct Simulator::State {
   /// Passes the scene to the engine again if it has changed.
   void take_in_scene();
 
-  /// Finds what echoes on the object rather than by samples, thin parts and the glints of plane faces, and has the
-  /// engine leave it out.
+  /// Finds what echoes on the object rather than by samples, thin parts, the glints of plane faces and edges, and has
+  /// the engine leave it out.
   void find_object_echoes();
 
   /// Finds plane mirrors and the corners that they form.
@@ -56,11 +57,14 @@ struct Simulator::State {
     Interference& interference;
     ThinEchoes& thin;
     FaceGlints& glints;
+    EdgeEchoes& edges;
     CornerEchoes& corners;
     PointGhosts& ghosts;
   };
   void make(const PingRequest& request, SimulatedSonar& sonar, const Parts& parts, Ping& ping);
-  [[nodiscard]] Parts parts() { return {*engine, workers, points, interference, thin, glints, corner_echoes, ghosts}; }
+  [[nodiscard]] Parts parts() {
+    return {*engine, workers, points, interference, thin, glints, edge_echoes, corner_echoes, ghosts};
+  }
 
   /// How many of the requests after the first can be made by several threads at once, each ping by one: nothing may
   /// move in the scene but the sonar, and all must be valid. A multiple of the number of threads, and never the last,
@@ -86,6 +90,8 @@ struct Simulator::State {
   ThinEchoes thin;
   std::shared_ptr<const GlintingFaces> glinting_faces;  ///< Null in the paper model.
   FaceGlints glints;
+  std::shared_ptr<const StraightEdges> straight_edges;  ///< Null in the paper model.
+  EdgeEchoes edge_echoes;
   std::shared_ptr<const std::vector<PlaneMirror>>
       mirrors;                                         ///< Plane mirrors that do not move. Null in the paper model.
   std::shared_ptr<const std::vector<Corner>> corners;  ///< Null in the paper model.
@@ -107,13 +113,15 @@ struct Simulator::State {
     Interference own_interference;
     ThinEchoes own_thin;
     FaceGlints own_glints;
+    EdgeEchoes own_edges;
     CornerEchoes own_corners;
     PointGhosts own_ghosts;
     SimulatedSonar sonar;
     Workers one_worker{1};
 
     [[nodiscard]] Parts parts() {
-      return {*own_engine, one_worker, own_points, own_interference, own_thin, own_glints, own_corners, own_ghosts};
+      return {*own_engine, one_worker, own_points,  own_interference, own_thin,
+              own_glints,  own_edges,  own_corners, own_ghosts};
     }
   };
   /// [sonar][thread], made by the first batch of a sonar; to be dropped when its settings or materials change.

@@ -34,18 +34,6 @@ struct PlaceHash {
   }
 };
 
-// Numbers of vertices; those at one place have the same.
-std::vector<std::uint32_t> welded(const Mesh& mesh) {
-  std::unordered_map<std::array<float, 3>, std::uint32_t, PlaceHash> numbers;
-  std::vector<std::uint32_t> number(mesh.vertices.size());
-  for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
-    const Vec3f& v = mesh.vertices[i];
-    number[i] =
-        numbers.try_emplace({v.x() + 0.0F, v.y() + 0.0F, v.z() + 0.0F}, static_cast<std::uint32_t>(i)).first->second;
-  }
-  return number;
-}
-
 // Union of sets, by path halving.
 struct Groups {
   std::vector<std::uint32_t> parent;
@@ -118,6 +106,17 @@ Face measure(const Mesh& mesh, const std::vector<std::uint32_t>& number, const s
 
 }  // namespace
 
+std::vector<std::uint32_t> welded_vertices(const Mesh& mesh) {
+  std::unordered_map<std::array<float, 3>, std::uint32_t, PlaceHash> numbers;
+  std::vector<std::uint32_t> number(mesh.vertices.size());
+  for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
+    const Vec3f& v = mesh.vertices[i];
+    number[i] =
+        numbers.try_emplace({v.x() + 0.0F, v.y() + 0.0F, v.z() + 0.0F}, static_cast<std::uint32_t>(i)).first->second;
+  }
+  return number;
+}
+
 bool is_flat(const Mesh& mesh, std::size_t triangle, const Vec3f& normal) {
   return std::ranges::all_of(mesh.triangles[triangle], [&](std::uint32_t vertex) {
     return std::abs(mesh.normals[vertex].dot(normal)) > kSameNormal;
@@ -139,7 +138,7 @@ std::shared_ptr<const MeshFaces> find_faces(const Mesh& mesh) {
   if (!any) {
     return found;
   }
-  const std::vector<std::uint32_t> number = welded(mesh);
+  const std::vector<std::uint32_t> number = welded_vertices(mesh);
   Groups groups(count);
   std::map<Edge, std::uint32_t> beside;
   for (std::uint32_t i = 0; i < count; ++i) {

@@ -27,6 +27,9 @@ struct MeshFaces {
   std::vector<std::uint32_t> face_of;  ///< [triangle]; kNone for those of curved surfaces. Empty where all are.
 };
 
+/// [vertex] Numbers of a mesh's vertices; those at one place have the same.
+[[nodiscard]] std::vector<std::uint32_t> welded_vertices(const Mesh& mesh);
+
 /// Whether a triangle is flat: its normals at the corners agree with its own within 0.8 degrees.
 /// @param normal  Its own, unit length, on either side.
 [[nodiscard]] bool is_flat(const Mesh& mesh, std::size_t triangle, const Vec3f& normal);

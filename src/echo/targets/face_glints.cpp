@@ -9,13 +9,12 @@
 #include "base/vector_math.h"
 #include "echo/mirror/face_return.h"
 #include "echo/model/coherent_share.h"
+#include "echo/targets/fresnel_reach.h"
 #include "echo/targets/point_echoes.h"
 
 namespace insonify {
 namespace {
 
-// What lies farther than this many Fresnel zones outside a face sees its edges only (u of Fresnel's integrals).
-constexpr double kOutside = 1.5;
 constexpr double kLeastShare = 1e-4;  // Least coherent share that counts.
 constexpr double kGap = 2e-3;         // Difference between a face and its triangles that does not matter [m].
 constexpr double kInside = 0.99;      // Rays to points on an edge go this much nearer to the middle.
@@ -33,13 +32,6 @@ double fresnel_square(double from, double to) {
   return c * c + s * s;
 }
 
-// Distance outside a side at which its echo has fallen to that of its edges [m].
-[[gnu::always_inline]] inline float reach_outside(float half, float distance, float wavelength) {
-  const float zone = 0.5F * static_cast<float>(kOutside) * std::sqrt(wavelength * distance);
-  const float lobe = 0.25F * wavelength * distance / half;  // First zero of sinc, for a side shorter than a zone.
-  return zone > lobe ? zone : lobe;
-}
-
 INSONIFY_VECTOR_CLONES
 void find_near(int count, float x, float y, float z, float wavelength, const GlintingFaces::Group& group,
                std::uint8_t* __restrict__ near) {
@@ -52,8 +44,8 @@ void find_near(int count, float x, float y, float z, float wavelength, const Gli
     const float dx = x - middle_x[i], dy = y - middle_y[i], dz = z - middle_z[i];
     const float a = std::abs(dx * ax[i] + dy * ay[i] + dz * az[i]), b = std::abs(dx * bx[i] + dy * by[i] + dz * bz[i]);
     const float distance = std::sqrt(dx * dx + dy * dy + dz * dz);
-    const bool is_near = (a < a_half[i] + reach_outside(a_half[i], distance, wavelength)) &
-                         (b < b_half[i] + reach_outside(b_half[i], distance, wavelength));
+    const bool is_near = (a < a_half[i] + fresnel_reach(a_half[i], distance, wavelength)) &
+                         (b < b_half[i] + fresnel_reach(b_half[i], distance, wavelength));
     near[i] = is_near ? 1 : 0;
   }
 }
@@ -81,6 +73,7 @@ FaceGlints::FaceGlints(std::shared_ptr<const GlintingFaces> faces) : faces_(std:
       most = std::max(most, group.surface.size());
     }
     near_.resize(most);
+    shown_.resize(faces_->count());
     glints_.reserve(GlintingFaces::kMostTogether);
     rays_.reserve(GlintingFaces::kMostTogether);
     hits_.resize(GlintingFaces::kMostTogether);
@@ -118,7 +111,7 @@ void FaceGlints::find(const PingPlan& plan, const Pose& world_from_sonar, const 
     }
     const PingPlan::Arrival arrival = plan.arrival_from(direction);
     const double reflectance = plan.scatter.scattering(group.surface[i]).reflectance(std::min(cosine, 1.0));
-    glints_.push_back({group.instance, range,
+    glints_.push_back({group.instance, group.first_number + static_cast<std::size_t>(i), range,
                        reflectance * share * face_glint(foot, half, distance, double{plan.wavelength()}) *
                            std::exp(-4 * double{plan.neper_per_metre} * range) * arrival.both_ways(),
                        arrival});
@@ -129,11 +122,14 @@ void FaceGlints::find(const PingPlan& plan, const Pose& world_from_sonar, const 
 
 void FaceGlints::add(const PingPlan& plan, const Pose& world_from_sonar, std::span<const Pose> world_from_mesh,
                      Engine& engine, EchoGrid& grid) {
-  if (!faces_ || !faces_->any() || plan.rough_mirrors) {
-    return;
+  for (const Glint& glint : glints_) {
+    shown_[glint.number] = 0;
   }
   glints_.clear();
   rays_.clear();
+  if (!faces_ || !faces_->any() || plan.rough_mirrors) {
+    return;
+  }
   for (const GlintingFaces::Group& group : faces_->groups) {
     find(plan, world_from_sonar, world_from_mesh[group.instance], group);
   }
@@ -141,6 +137,7 @@ void FaceGlints::add(const PingPlan& plan, const Pose& world_from_sonar, std::sp
   for (std::size_t i = 0; i < glints_.size(); ++i) {
     const Glint& glint = glints_[i];
     if (hits_[i].instance == glint.instance && hits_[i].distance > glint.range - kGap) {
+      shown_[glint.number] = 1;
       add_discrete_echo(plan, glint.arrival, 1, glint.range, glint.intensity, plan.turns_per_metre * glint.range, grid);
     }
   }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "echo/engine.h"
+#include "echo/mirror/faces.h"
 #include "echo/model/left_out.h"
 #include "echo/model/ping_plan.h"
 
@@ -26,10 +27,16 @@ struct GlintingFaces {
     std::vector<float> second_x, second_y, second_z;  ///< Along the other.
     std::vector<float> first_half, second_half;       ///< Half the sides [m].
     std::vector<SurfaceLabel> surface;
+    std::vector<std::uint32_t> face;  ///< Index into `of_mesh`.
+    std::shared_ptr<const MeshFaces> of_mesh;
+    std::size_t first_number = 0;  ///< Number of the first face of this group among those of all groups.
   };
   std::vector<Group> groups;
 
   [[nodiscard]] bool any() const { return !groups.empty(); }
+  [[nodiscard]] std::size_t count() const {
+    return any() ? groups.back().first_number + groups.back().surface.size() : 0;
+  }
 };
 
 /// Finds them, and marks their triangles in `left_out`.
@@ -58,10 +65,14 @@ class FaceGlints {
   void add(const PingPlan& plan, const Pose& world_from_sonar, std::span<const Pose> world_from_mesh, Engine& engine,
            EchoGrid& grid);
 
+  /// [face, by GlintingFaces::Group::first_number] 1 for those whose glints the last add() has added.
+  [[nodiscard]] std::span<const std::uint8_t> shown() const { return shown_; }
+
  private:
   // A face that is seen head on.
   struct Glint {
     int instance;
+    std::size_t number;  // Of the face.
     double range;
     double intensity;
     PingPlan::Arrival arrival;
@@ -74,6 +85,7 @@ class FaceGlints {
   std::vector<Glint> glints_;
   std::vector<Ray> rays_;  // [glint]
   std::vector<Hit> hits_;
+  std::vector<std::uint8_t> shown_;
   std::vector<std::uint8_t> near_;  // [face of a group] Whether it is seen head on.
 };
 

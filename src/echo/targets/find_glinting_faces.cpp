@@ -18,7 +18,9 @@ bool is_thin(const LeftOut& left_out, std::size_t instance, std::uint32_t triang
          std::isfinite(left_out.thickness[instance][triangle]);
 }
 
-void add_face(const Mesh& mesh, const Face& face, SurfaceLabel surface, GlintingFaces::Group& group) {
+void add_face(const Mesh& mesh, const MeshFaces& faces, std::uint32_t index, SurfaceLabel surface,
+              GlintingFaces::Group& group) {
+  const Face& face = faces.faces[index];
   const Vec3f middle = mesh.vertices[face.corner] + face.middle[0] * face.axes[0] + face.middle[1] * face.axes[1];
   group.middle_x.push_back(middle.x());
   group.middle_y.push_back(middle.y());
@@ -32,6 +34,7 @@ void add_face(const Mesh& mesh, const Face& face, SurfaceLabel surface, Glinting
   group.first_half.push_back(face.half[0]);
   group.second_half.push_back(face.half[1]);
   group.surface.push_back(surface);
+  group.face.push_back(index);
 }
 
 }  // namespace
@@ -52,7 +55,10 @@ GlintingFaces find_glinting_faces(const Scene& scene, LeftOut& left_out) {
     const std::shared_ptr<const MeshFaces> faces = find_faces(mesh);
     std::vector<std::uint8_t> taken(faces->faces.size(), 0);
     std::vector<std::uint8_t> glinting(mesh.triangles.size(), 0);
-    GlintingFaces::Group group{.instance = static_cast<int>(i)};
+    GlintingFaces::Group group;
+    group.instance = static_cast<int>(i);
+    group.of_mesh = faces;
+    group.first_number = found.count();
     for (std::uint32_t t = 0; t < faces->face_of.size(); ++t) {
       const std::uint32_t face = faces->face_of[t];
       const std::size_t slot = mesh.slot_of(t);
@@ -62,8 +68,7 @@ GlintingFaces find_glinting_faces(const Scene& scene, LeftOut& left_out) {
       glinting[t] = 1;
       if (taken[face] == 0) {
         taken[face] = 1;
-        add_face(mesh, faces->faces[face], surface_label(static_cast<std::uint16_t>(i), instance.materials[slot]),
-                 group);
+        add_face(mesh, *faces, face, surface_label(static_cast<std::uint16_t>(i), instance.materials[slot]), group);
       }
     }
     if (!group.surface.empty()) {

@@ -1,0 +1,149 @@
+// edge_echoes.cpp -- finds the edges that are seen broadside, traces a line of sight to each, and computes its echo.
+
+#include "echo/targets/edge_echoes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <numbers>
+
+#include "acoustics/fresnel.h"
+#include "acoustics/wedge.h"
+#include "base/vector_math.h"
+#include "echo/model/coherent_share.h"
+#include "echo/targets/fresnel_reach.h"
+#include "echo/targets/point_echoes.h"
+
+namespace insonify {
+namespace {
+
+constexpr double kLeastPart = 1e-4;  // Least e^-g that counts.
+constexpr double kBefore = 2e-3;     // What lies this much before an edge, or beyond it, does not hide it [m].
+constexpr double kEnds = 0.99;       // Rays to an end go this much nearer to the middle.
+
+// Integral of exp(i pi u^2/2).
+std::complex<double> fresnel_between(double from, double to) {
+  const auto odd = [](double u) { return std::copysign(1.0, u) * fresnel_integral(std::abs(u)); };
+  return odd(to) - odd(from);
+}
+
+INSONIFY_VECTOR_CLONES
+void find_broadside(int count, float x, float y, float z, float wavelength, const StraightEdges::Group& group,
+                    std::uint8_t* __restrict__ near) {
+  const float *const middle_x = group.middle_x.data(), *const middle_y = group.middle_y.data(),
+                     *const middle_z = group.middle_z.data();
+  const float *const ax = group.along_x.data(), *const ay = group.along_y.data(), *const az = group.along_z.data();
+  const float *const nx = group.first_x.data(), *const ny = group.first_y.data(), *const nz = group.first_z.data();
+  const float *const mx = group.second_x.data(), *const my = group.second_y.data(), *const mz = group.second_z.data();
+  const float* const half = group.half.data();
+  for (int i = 0; i < count; ++i) {
+    const float dx = x - middle_x[i], dy = y - middle_y[i], dz = z - middle_z[i];
+    const float along = std::abs(dx * ax[i] + dy * ay[i] + dz * az[i]);
+    const float distance = std::sqrt(dx * dx + dy * dy + dz * dz);
+    const float first = dx * nx[i] + dy * ny[i] + dz * nz[i], second = dx * mx[i] + dy * my[i] + dz * mz[i];
+    const bool is_near =
+        (along < half[i] + fresnel_reach(half[i], distance, wavelength)) & ((first > 0) | (second > 0));
+    near[i] = is_near ? 1 : 0;
+  }
+}
+
+}  // namespace
+
+EdgeEcho edge_integral(double foot, double half, double distance, double wavelength) {
+  // 2 k (range - distance) = pi u^2/2, with the range itself: exact phases at the ends.
+  const auto place = [&](double along) {
+    const double range = std::hypot(distance, along);
+    return along * std::sqrt(8 / (wavelength * (range + distance)));
+  };
+  const std::complex<double> sum = fresnel_between(place(-half - foot), place(half - foot));
+  const double range = std::hypot(distance, std::max(std::abs(foot) - half, 0.0));
+  return {0.5 * std::sqrt(wavelength * distance) * std::abs(sum) / (range * range),
+          std::arg(sum) / (2 * std::numbers::pi) - 2 * (range - distance) / wavelength};
+}
+
+EdgeEchoes::EdgeEchoes(std::shared_ptr<const StraightEdges> edges) : edges_(std::move(edges)) {
+  if (edges_ && edges_->any()) {
+    near_.resize(edges_->most_of_a_group());
+    views_.reserve(kMostTogether);
+    rays_.reserve(kMostTogether);
+    hits_.resize(kMostTogether);
+  }
+}
+
+// Adds the echoes of one instance, before it is known which are hidden.
+void EdgeEchoes::find(const PingPlan& plan, const Pose& world_from_sonar, const Pose& world_from_mesh,
+                      const StraightEdges::Group& group, std::span<const std::uint8_t> shown) {
+  const Vec3 sonar = world_from_mesh.inverse() * world_from_sonar.position;
+  const Pose sonar_from_mesh = world_from_sonar.inverse() * world_from_mesh;
+  const Vec3f at = sonar.cast<float>();
+  const double wavelength = 2 / plan.turns_per_metre;
+  const auto count = static_cast<int>(group.edges.size());
+  find_broadside(count, at.x(), at.y(), at.z(), plan.wavelength(), group, near_.data());
+  for (int i = 0; i < count && views_.size() < kMostTogether; ++i) {
+    if (near_[i] == 0) {
+      continue;
+    }
+    const StraightEdges::Edge& edge = group.edges[i];
+    const Vec3 from = sonar - edge.middle;
+    const double foot = from.dot(edge.along);
+    const Vec3 off = from - foot * edge.along;
+    const double distance = off.norm();
+    const double ahead = edge.sides[0].inwards.dot(off), above = edge.sides[0].normal.dot(off);
+    const double angle = std::atan2(above, ahead) + (above < 0 ? 2 * std::numbers::pi : 0.0);
+    const Vec3 nearest = edge.middle + std::clamp(foot, -kEnds * edge.half, kEnds * edge.half) * edge.along;
+    const double range = std::hypot(distance, std::max(std::abs(foot) - edge.half, 0.0));
+    const Vec3f direction = (sonar_from_mesh * nearest).normalized().cast<float>();
+    if (!(distance > kBefore) || angle > edge.exterior * std::numbers::pi ||
+        plan.bin_of(static_cast<float>(range)) < 0 || !plan.receives(direction)) {
+      continue;
+    }
+    double roughness = 0;
+    std::array<WedgeFace, 2> faces;
+    for (int k = 0; k < 2; ++k) {
+      const StraightEdges::Side& side = edge.sides[k];
+      const Scattering& scattering = plan.scatter.scattering(side.surface);
+      faces[k].angle = k == 0 ? angle : edge.exterior * std::numbers::pi - angle;
+      const double cosine = std::min(std::abs(std::sin(faces[k].angle)) * distance / range, 1.0);
+      faces[k].reflection = shown[side.face] != 0 ? 0 : side.sign * std::sqrt(scattering.reflectance(cosine));
+      roughness += 0.5 * scattering.roughness;
+    }
+    const double share = std::exp(-roughness);
+    if (share < kLeastPart) {
+      continue;
+    }
+    // As near to a mirror's direction as its glint reaches.
+    const double mirror = 0.5 * kFresnelReach * std::sqrt(wavelength / range);
+    const double scattered = wedge_backscatter(edge.exterior, faces, mirror);
+    const EdgeEcho echo = edge_integral(foot, edge.half, distance, wavelength);
+    const double amplitude = scattered * echo.amplitude;
+    const PingPlan::Arrival arrival = plan.arrival_from(direction);
+    views_.push_back(
+        {range,
+         amplitude * amplitude * share * std::exp(-4 * double{plan.neper_per_metre} * range) * arrival.both_ways(),
+         echo.turns + (scattered < 0 ? 0.5 : 0.0), arrival});
+    const Vec3 towards = world_from_sonar.orientation * direction.cast<double>();
+    rays_.push_back({world_from_sonar.position, towards.normalized(), 0, std::max(range - kBefore, 0.0)});
+  }
+}
+
+void EdgeEchoes::add(const PingPlan& plan, const Pose& world_from_sonar, std::span<const Pose> world_from_mesh,
+                     std::span<const std::uint8_t> shown, Engine& engine, EchoGrid& grid) {
+  if (!edges_ || !edges_->any() || plan.rough_mirrors) {
+    return;
+  }
+  views_.clear();
+  rays_.clear();
+  for (const StraightEdges::Group& group : edges_->groups) {
+    find(plan, world_from_sonar, world_from_mesh[group.instance], group, shown);
+  }
+  engine.trace(rays_, std::span(hits_).first(rays_.size()));
+  for (std::size_t i = 0; i < views_.size(); ++i) {
+    if (!std::isfinite(hits_[i].distance)) {
+      const View& view = views_[i];
+      add_discrete_echo(plan, view.arrival, 1, view.range, view.intensity,
+                        plan.turns_per_metre * view.range + view.turns, grid);
+    }
+  }
+}
+
+}  // namespace insonify

@@ -1,0 +1,206 @@
+// find_straight_edges.cpp -- measures the edges between faces, and looks around them.
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+
+#include "echo/targets/edge_parts.h"
+#include "echo/targets/straight_edges.h"
+
+namespace insonify {
+namespace {
+
+// Whether all ends of the parts lie on the edge's line; then its extent is theirs.
+bool extend(const Mesh& mesh, const std::vector<EdgePart>& parts, const std::vector<std::uint32_t>& members,
+            StraightEdges::Edge& edge) {
+  const auto each_end = [&](auto&& visit) {
+    for (const std::uint32_t i : members) {
+      visit(edge_vertex(mesh, parts[i].low));
+      visit(edge_vertex(mesh, parts[i].high));
+    }
+  };
+  Vec3 first = edge.middle, last = edge.middle;
+  each_end([&](const Vec3& end) {
+    first = (end - edge.middle).dot(edge.along) < (first - edge.middle).dot(edge.along) ? end : first;
+    last = (end - edge.middle).dot(edge.along) > (last - edge.middle).dot(edge.along) ? end : last;
+  });
+  edge.half = 0.5 * (last - first).norm();
+  edge.middle = 0.5 * (first + last);
+  edge.along = (last - first).normalized();
+  bool straight = true;
+  each_end([&](const Vec3& end) {
+    straight = straight && (end - edge.middle).cross(edge.along).norm() < StraightEdges::kStraight;
+  });
+  return straight && 2 * edge.half >= StraightEdges::kLeastLength;
+}
+
+// Directions of both faces from the edge, and the angle of the water between them.
+void set_sides(StraightEdges::Edge& edge, const Vec3& first, const Vec3* second) {
+  const auto inwards = [&](const Vec3& corner) -> Vec3 {
+    const Vec3 off = corner - edge.middle;
+    return (off - off.dot(edge.along) * edge.along).normalized();
+  };
+  auto& [one, two] = edge.sides;
+  one.inwards = inwards(first);
+  if (second == nullptr) {
+    two.inwards = one.inwards;
+    one.normal = edge.along.cross(one.inwards).normalized();
+    two.normal = -one.normal;
+    edge.exterior = 2;
+    return;
+  }
+  two.inwards = inwards(*second);
+  const double cosine = std::clamp(one.inwards.dot(two.inwards), -1.0, 1.0);
+  one.normal = (cosine * one.inwards - two.inwards).normalized();
+  two.normal = (cosine * two.inwards - one.inwards).normalized();
+  edge.exterior = 2 - std::acos(cosine) / std::numbers::pi;
+}
+
+// Adds the edges of one instance.
+void add_edges(const Scene& scene, const GlintingFaces::Group& faces, const LeftOut& left_out,
+               std::vector<std::pair<int, StraightEdges::Edge>>& edges) {
+  const Instance& instance = scene.instances[faces.instance];
+  const Mesh& mesh = *instance.mesh;
+  const EdgeParts found(mesh, *faces.of_mesh, left_out.glinting[faces.instance], StraightEdges::kLeastTurn);
+  const std::vector<EdgePart>& parts = found.parts();
+  std::map<std::uint32_t, std::size_t> numbers;
+  for (std::size_t i = 0; i < faces.face.size(); ++i) {
+    numbers[faces.face[i]] = i;
+  }
+  std::map<std::uint32_t, std::vector<std::uint32_t>> chains;
+  const std::vector<std::uint32_t> chain = found.chains();
+  for (std::uint32_t i = 0; i < parts.size(); ++i) {
+    chains[chain[i]].push_back(i);
+  }
+  for (const auto& [root, members] : chains) {
+    const auto length = [&](std::uint32_t i) {
+      return (edge_vertex(mesh, parts[i].high) - edge_vertex(mesh, parts[i].low)).norm();
+    };
+    const EdgePart& longest = parts[*std::ranges::max_element(members, {}, length)];
+    StraightEdges::Edge edge;
+    edge.middle = 0.5 * (edge_vertex(mesh, longest.low) + edge_vertex(mesh, longest.high));
+    edge.along = (edge_vertex(mesh, longest.high) - edge_vertex(mesh, longest.low)).normalized();
+    if (!extend(mesh, parts, members, edge)) {
+      continue;
+    }
+    const Vec3 first = found.opposite(longest, 0);
+    const bool border = longest.is_border();
+    const Vec3 second = border ? first : found.opposite(longest, 1);
+    set_sides(edge, first, border ? nullptr : &second);
+    for (int k = 0; k < 2; ++k) {
+      const std::size_t place = numbers.at(longest.face[border ? 0 : k]);
+      const SurfaceLabel surface = faces.surface[place];
+      const Material& material = scene.materials[material_of(surface)];
+      edge.sides[k].surface = surface;
+      edge.sides[k].face = faces.first_number + place;
+      edge.sides[k].sign = !material.reflection && material.reflection_coefficient(kSeaWaterImpedance) < 0 ? -1.0 : 1.0;
+    }
+    edges.emplace_back(faces.instance, edge);
+  }
+}
+
+// Looks around edges, a polygon of rays across each at several places.
+class Surroundings {
+ public:
+  Surroundings(const Scene& scene, Engine& engine) : scene_(scene), engine_(engine) {}
+
+  // Whether nothing stands in the angle of the water at most of the places.
+  bool is_free(int instance, const StraightEdges::Edge& edge) {
+    const Instance& own = scene_.instances[instance];
+    int free = 0;
+    for (const double place : kPlaces) {
+      set_rays(own.world_from_mesh, edge, edge.middle + place * edge.half * edge.along);
+      hits_.resize(rays_.size());
+      engine_.trace(rays_, hits_);
+      free += std::ranges::none_of(hits_, [&](const Hit& hit) { return counts(instance, hit); }) ? 1 : 0;
+    }
+    return 2 * free > static_cast<int>(std::size(kPlaces));
+  }
+
+ private:
+  static constexpr double kPlaces[] = {-0.79, -0.41, 0.03, 0.37, 0.83};  // Of half the edge.
+  static constexpr double kMargin = 0.15, kStep = 0.55;  // Angles to the faces and between corners [rad].
+
+  void set_rays(const Pose& world_from_mesh, const StraightEdges::Edge& edge, const Vec3& place) {
+    const StraightEdges::Side& side = edge.sides[0];
+    const double whole = edge.exterior * std::numbers::pi - 2 * kMargin;
+    const int count = static_cast<int>(std::ceil(whole / kStep));
+    const auto corner = [&](int i) -> Vec3 {
+      const double angle = kMargin + whole * i / count;
+      return world_from_mesh *
+             Vec3(place + StraightEdges::kFree * (std::cos(angle) * side.inwards + std::sin(angle) * side.normal));
+    };
+    rays_.clear();
+    for (int i = 0; i < count; ++i) {
+      const Vec3 from = corner(i), step = corner(i + 1) - from;
+      rays_.push_back({from, step.normalized(), 0, step.norm()});
+    }
+  }
+
+  // What moves is near other things by chance only.
+  [[nodiscard]] bool counts(int instance, const Hit& hit) const {
+    if (!std::isfinite(hit.distance) || hit.instance == kNoLabel) {
+      return false;
+    }
+    const Instance& other = scene_.instances[hit.instance];
+    return hit.instance == instance || (!other.endless && !other.moving && !scene_.instances[instance].moving);
+  }
+
+  const Scene& scene_;
+  Engine& engine_;
+  std::vector<Ray> rays_;
+  std::vector<Hit> hits_;
+};
+
+void append_edge(StraightEdges::Group& group, const StraightEdges::Edge& edge) {
+  const auto add = [](const Vec3& vector, std::vector<float>& x, std::vector<float>& y, std::vector<float>& z) {
+    x.push_back(static_cast<float>(vector.x()));
+    y.push_back(static_cast<float>(vector.y()));
+    z.push_back(static_cast<float>(vector.z()));
+  };
+  add(edge.middle, group.middle_x, group.middle_y, group.middle_z);
+  add(edge.along, group.along_x, group.along_y, group.along_z);
+  add(edge.sides[0].normal, group.first_x, group.first_y, group.first_z);
+  add(edge.sides[1].normal, group.second_x, group.second_y, group.second_z);
+  group.half.push_back(static_cast<float>(edge.half));
+  group.edges.push_back(edge);
+}
+
+}  // namespace
+
+std::size_t StraightEdges::most_of_a_group() const {
+  std::size_t most = 0;
+  for (const Group& group : groups) {
+    most = std::max(most, group.edges.size());
+  }
+  return most;
+}
+
+StraightEdges find_straight_edges(const Scene& scene, const GlintingFaces& faces, const LeftOut& left_out,
+                                  Engine& engine) {
+  std::vector<std::pair<int, StraightEdges::Edge>> edges;
+  for (const GlintingFaces::Group& group : faces.groups) {
+    add_edges(scene, group, left_out, edges);
+  }
+  const auto half = [](const auto& edge) { return edge.second.half; };
+  if (edges.size() > StraightEdges::kMost) {
+    std::ranges::stable_sort(edges, std::greater<>(), half);
+    edges.resize(StraightEdges::kMost);
+    std::ranges::stable_sort(edges, {}, [](const auto& edge) { return edge.first; });
+  }
+  StraightEdges found;
+  Surroundings surroundings(scene, engine);
+  for (const auto& [instance, edge] : edges) {
+    if (!surroundings.is_free(instance, edge)) {
+      continue;
+    }
+    if (found.groups.empty() || found.groups.back().instance != instance) {
+      found.groups.emplace_back().instance = instance;
+    }
+    append_edge(found.groups.back(), edge);
+  }
+  return found;
+}
+
+}  // namespace insonify

@@ -1,0 +1,250 @@
+// straight_edges_test.cpp -- edges that are found in meshes, and the integral along them against its sum.
+
+#include "echo/targets/straight_edges.h"
+
+#include <gtest/gtest.h>
+
+#include <complex>
+#include <numbers>
+
+#include "echo/targets/edge_echoes.h"
+#include "insonify/mesh.h"
+
+namespace insonify {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+struct Body {
+  Mesh mesh;
+  Pose pose = {};
+  double rms_height = 1e-5;
+  bool moving = false;
+};
+
+Scene scene_of(std::vector<Body> bodies) {
+  Scene scene;
+  for (Body& body : bodies) {
+    Instance instance;
+    instance.name = "body";
+    instance.mesh = std::make_shared<const Mesh>(std::move(body.mesh));
+    instance.world_from_mesh = body.pose;
+    instance.moving = body.moving;
+    instance.materials.assign(instance.mesh->material_names.size(), static_cast<std::uint16_t>(scene.materials.size()));
+    Material material;
+    material.rms_height = body.rms_height;
+    scene.materials.push_back(material);
+    scene.instances.push_back(std::move(instance));
+  }
+  return scene;
+}
+
+StraightEdges edges_of(const Scene& scene) {
+  LeftOut left_out;
+  const GlintingFaces faces = find_glinting_faces(scene, left_out);
+  const std::unique_ptr<Engine> engine = make_engine("cpu", 1);
+  engine->set_scene(scene);
+  return find_straight_edges(scene, faces, left_out, *engine);
+}
+
+std::vector<StraightEdges::Edge> all_edges(const Scene& scene) {
+  std::vector<StraightEdges::Edge> all;
+  for (const StraightEdges::Group& group : edges_of(scene).groups) {
+    all.insert(all.end(), group.edges.begin(), group.edges.end());
+  }
+  return all;
+}
+
+double total_length(const std::vector<StraightEdges::Edge>& edges) {
+  double sum = 0;
+  for (const StraightEdges::Edge& edge : edges) {
+    sum += 2 * edge.half;
+  }
+  return sum;
+}
+
+// Two triangles with a normal of their own.
+void add_rectangle(Mesh& mesh, const Vec3f& a, const Vec3f& b, const Vec3f& c, const Vec3f& d) {
+  const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+  for (const Vec3f& corner : {a, b, c, d}) {
+    mesh.vertices.push_back(corner);
+    mesh.normals.emplace_back((b - a).cross(c - a).normalized());
+  }
+  mesh.triangles.push_back({first, first + 1, first + 2});
+  mesh.triangles.push_back({first, first + 2, first + 3});
+}
+
+Mesh tessellated_box(const Vec3f& size, int steps) {
+  Mesh mesh;
+  const auto at = [&](int axis, int side, int i, int j) {
+    Vec3f place;
+    const auto count = static_cast<float>(steps);
+    place[axis] = static_cast<float>(side) * size[axis];
+    place[(axis + 1) % 3] = static_cast<float>(i) / count * size[(axis + 1) % 3];
+    place[(axis + 2) % 3] = static_cast<float>(j) / count * size[(axis + 2) % 3];
+    return Vec3f(place - 0.5F * size);
+  };
+  for (int axis = 0; axis < 3; ++axis) {
+    for (int i = 0; i < steps; ++i) {
+      for (int j = 0; j < steps; ++j) {
+        add_rectangle(mesh, at(axis, 1, i, j), at(axis, 1, i + 1, j), at(axis, 1, i + 1, j + 1), at(axis, 1, i, j + 1));
+        add_rectangle(mesh, at(axis, 0, i, j), at(axis, 0, i, j + 1), at(axis, 0, i + 1, j + 1), at(axis, 0, i + 1, j));
+      }
+    }
+  }
+  return mesh;
+}
+
+// An L with sides of 0.2 m, 0.05 m thick and 1 m long, closed. The two outer sides are of two pieces each.
+Mesh l_profile() {
+  Mesh mesh;
+  const Vec3f z = Vec3f::UnitZ();
+  constexpr float kThick = 0.05F, kWide = 0.2F;
+  const std::vector<Vec3f> outline = {{0, 0, 0},           {kThick, 0, 0},     {kWide, 0, 0}, {kWide, kThick, 0},
+                                      {kThick, kThick, 0}, {kThick, kWide, 0}, {0, kWide, 0}, {0, kThick, 0}};
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    const Vec3f &a = outline[i], &b = outline[(i + 1) % outline.size()];
+    add_rectangle(mesh, a, b, b + z, a + z);
+  }
+  const auto cap = [&](int a, int b, int c, int d) {
+    add_rectangle(mesh, outline[a] + z, outline[b] + z, outline[c] + z, outline[d] + z);
+    add_rectangle(mesh, outline[d], outline[c], outline[b], outline[a]);
+  };
+  cap(0, 1, 4, 7);
+  cap(1, 2, 3, 4);
+  cap(7, 4, 5, 6);
+  return mesh;
+}
+
+TEST(StraightEdgesTest, BoxHasTwelve) {
+  for (Mesh& mesh : std::vector<Mesh>{make_box({0.7, 0.4, 0.2}), tessellated_box({0.7F, 0.4F, 0.2F}, 1),
+                                      tessellated_box({0.7F, 0.4F, 0.2F}, 7)}) {
+    const auto edges = all_edges(scene_of({{std::move(mesh)}}));
+    ASSERT_EQ(edges.size(), 12U);
+    EXPECT_NEAR(total_length(edges), 4 * (0.7 + 0.4 + 0.2), 1e-5);
+    for (const StraightEdges::Edge& edge : edges) {
+      EXPECT_NEAR(edge.exterior, 1.5, 1e-6);
+      for (const StraightEdges::Side& side : edge.sides) {
+        EXPECT_GT(side.normal.dot(edge.middle), 0);   // Outwards.
+        EXPECT_LT(side.inwards.dot(edge.middle), 0);  // From the edge, into the face.
+        EXPECT_NEAR(side.normal.dot(side.inwards), 0, 1e-6);
+      }
+      EXPECT_NE(edge.sides[0].face, edge.sides[1].face);
+    }
+  }
+}
+
+TEST(StraightEdgesTest, PlateHasFour) {
+  const auto edges = all_edges(scene_of({{make_plane(Vec3::UnitZ(), 0.5, 0.3)}}));
+  ASSERT_EQ(edges.size(), 4U);
+  EXPECT_NEAR(total_length(edges), 1.6, 1e-5);
+  for (const StraightEdges::Edge& edge : edges) {
+    EXPECT_EQ(edge.exterior, 2);
+    EXPECT_NEAR(std::abs(edge.sides[0].normal.z()), 1, 1e-6);
+    EXPECT_LT(edge.sides[0].inwards.dot(edge.middle), 0);
+    EXPECT_EQ(edge.sides[0].face, edge.sides[1].face);
+  }
+}
+
+TEST(StraightEdgesTest, ProfileHasThoseThatStandOut) {
+  // Five along it, and six at each end.
+  const auto edges = all_edges(scene_of({{l_profile()}}));
+  EXPECT_EQ(edges.size(), 17U);
+  EXPECT_NEAR(total_length(edges), 5 + 2 * 0.8, 1e-5);
+  for (const StraightEdges::Edge& edge : edges) {
+    EXPECT_GT((edge.middle.head<2>() - Eigen::Vector2d(0.05, 0.05)).norm(), 0.01);
+  }
+}
+
+// A bent sheet has its bend, on the side with more water, whichever way it is wound, and its six borders.
+TEST(StraightEdgesTest, BentSheetHasItsBend) {
+  for (const bool flip : {false, true}) {
+    Mesh mesh;
+    add_rectangle(mesh, {0, 0, 0}, {0.4F, 0, 0}, {0.4F, 0.3F, 0}, {0, 0.3F, 0});
+    const Vec3f up(0.15F, 0, 0.26F), side(0, 0.3F, 0);
+    flip ? add_rectangle(mesh, {0, 0, 0}, up, up + side, side) : add_rectangle(mesh, {0, 0, 0}, side, side + up, up);
+    const auto edges = all_edges(scene_of({{mesh}}));
+    ASSERT_EQ(edges.size(), 7U);
+    EXPECT_EQ(std::ranges::count_if(edges, [](const auto& edge) { return edge.exterior < 1.9; }), 1);
+    for (const StraightEdges::Edge& edge : edges) {
+      if (edge.exterior < 1.9) {
+        EXPECT_NEAR(edge.exterior, 2 - std::atan2(0.26, 0.15) / kPi, 1e-5);
+        EXPECT_LT(edge.sides[0].normal.z() + edge.sides[1].normal.z(), 0);
+      }
+    }
+  }
+}
+
+TEST(StraightEdgesTest, SmoothBodiesAndThoseWithoutAHeightHaveNone) {
+  EXPECT_FALSE(edges_of(scene_of({{make_sphere(1, 0.1)}})).any());
+  EXPECT_FALSE(edges_of(scene_of({{make_cylinder(0.3, 1, 0.1)}})).any());  // Its rims are no straight ones.
+  EXPECT_FALSE(edges_of(scene_of({{.mesh = make_box({1, 1, 1}), .rms_height = 0}})).any());
+  Mesh rounded = make_box({1, 1, 1});
+  for (std::size_t i = 0; i < rounded.vertices.size(); ++i) {
+    rounded.normals[i] = rounded.vertices[i].normalized();
+  }
+  EXPECT_FALSE(edges_of(scene_of({{rounded}})).any());
+  EXPECT_FALSE(edges_of(scene_of({{make_box({0.02, 0.02, 0.02})}})).any());  // Too short.
+}
+
+TEST(StraightEdgesTest, WhereSomethingTouchesThereIsNone) {
+  const Body floor = {make_plane(Vec3::UnitZ(), 4, 4)};
+  Body box = {make_box({0.4, 0.4, 0.4}), {.position = {0.2, 0.1, 0.2}}};
+  EXPECT_EQ(all_edges(scene_of({floor, box})).size(), 4U + 8U);
+  box.pose.position.z() = 0.23;
+  EXPECT_EQ(all_edges(scene_of({floor, box})).size(), 4U + 12U);
+  // What moves may be elsewhere at the next ping.
+  box.pose.position.z() = 0.2;
+  box.moving = true;
+  EXPECT_EQ(all_edges(scene_of({floor, box})).size(), 4U + 12U);
+  // Two boxes end to end without common corners, turned and far from the origin: their eight edges at the joint are
+  // none.
+  const Pose frame = {.position = {70, -40, 12}, .orientation = orientation_from_rpy(0.3, 0.2, 1)};
+  const Body one = {make_box({0.3, 0.3, 1}), frame};
+  const Body two = {make_box({0.3, 0.3, 0.5}), frame * Pose{.position = {0, 0, 0.75}}};
+  EXPECT_EQ(all_edges(scene_of({one, two})).size(), 2U * 12U - 8U);
+}
+
+// A border along which the next face has other corners is none.
+TEST(StraightEdgesTest, UnequalTrianglesMakeNoBorders) {
+  Mesh mesh;
+  add_rectangle(mesh, {0, 0, 0}, {0.4F, 0, 0}, {0.4F, 0.3F, 0}, {0, 0.3F, 0});
+  add_rectangle(mesh, {0, 0, 0}, {0, 0.12F, 0}, {0, 0.12F, 0.4F}, {0, 0, 0.4F});
+  add_rectangle(mesh, {0, 0.12F, 0}, {0, 0.3F, 0}, {0, 0.3F, 0.4F}, {0, 0.12F, 0.4F});
+  EXPECT_EQ(all_edges(scene_of({{mesh}})).size(), 6U);
+}
+
+// The sum of e^(2ikr)/r^2 over steps of an eighth of a wavelength.
+std::complex<double> summed(double foot, double half, double distance, double wavelength) {
+  const int steps = static_cast<int>(16 * half / wavelength) + 1;
+  std::complex<double> sum = 0;
+  for (int i = 0; i < steps; ++i) {
+    const double range = std::hypot(distance, -half + (i + 0.5) * 2 * half / steps - foot);
+    sum += std::polar(1 / (range * range), 4 * kPi / wavelength * range);
+  }
+  return sum * (2 * half / steps);
+}
+
+TEST(EdgeIntegralTest, IsTheSumAlongTheEdge) {
+  struct Case {
+    double foot, half, distance;
+  };
+  constexpr double kWavelength = 1480.0 / 410e3;
+  for (const Case& c : {Case{0, 0.4, 6}, Case{0.21, 0.4, 6}, Case{0.4, 0.4, 6}, Case{0.47, 0.4, 6}, Case{0, 0.03, 8},
+                        Case{-0.1, 0.03, 8}, Case{-0.35, 1.1, 2.3}}) {
+    const EdgeEcho echo = edge_integral(c.foot, c.half, c.distance, kWavelength);
+    const double nearest = std::hypot(c.distance, std::max(std::abs(c.foot) - c.half, 0.0));
+    const std::complex<double> expected = summed(c.foot, c.half, c.distance, kWavelength);
+    const std::complex<double> actual =
+        std::polar(echo.amplitude, 2 * kPi * echo.turns + 4 * kPi / kWavelength * nearest);
+    EXPECT_LT(std::abs(actual - expected), 0.03 * std::abs(expected)) << c.foot << ", " << c.half;
+  }
+  // Of an endless one sqrt(lambda r/2)/r^2, an eighth of a turn late; of a short one its length over r^2.
+  const EdgeEcho endless = edge_integral(3, 400, 5, kWavelength);
+  EXPECT_NEAR(endless.amplitude, std::sqrt(kWavelength / (2 * 125)), 1e-4 * endless.amplitude + 1e-5);
+  EXPECT_NEAR(endless.turns, 0.125, 2e-3);
+  EXPECT_NEAR(edge_integral(0, 0.01, 60, kWavelength).amplitude, 0.02 / 3600, 1e-8);
+}
+
+}  // namespace
+}  // namespace insonify
