@@ -50,7 +50,10 @@ StraightEdges edges_of(const Scene& scene) {
 std::vector<StraightEdges::Edge> all_edges(const Scene& scene) {
   std::vector<StraightEdges::Edge> all;
   for (const StraightEdges::Group& group : edges_of(scene).groups) {
-    all.insert(all.end(), group.edges.begin(), group.edges.end());
+    for (StraightEdges::Edge edge : group.edges) {
+      edge.middle += group.origin;
+      all.push_back(edge);
+    }
   }
   return all;
 }
@@ -203,6 +206,31 @@ TEST(StraightEdgesTest, WhereSomethingTouchesThereIsNone) {
   const Body one = {make_box({0.3, 0.3, 1}), frame};
   const Body two = {make_box({0.3, 0.3, 0.5}), frame * Pose{.position = {0, 0, 0.75}}};
   EXPECT_EQ(all_edges(scene_of({one, two})).size(), 2U * 12U - 8U);
+}
+
+// What does not move is one group, in a frame near it that is turned as the world; each instance that moves has its
+// own.
+TEST(StraightEdgesTest, GroupsAreInFramesOfTheirOwn) {
+  const Pose pose = {.position = {4000, -3000, 40}, .orientation = orientation_from_rpy(0.3, 0.2, 1)};
+  const StraightEdges edges = edges_of(scene_of({{make_box({0.4, 0.4, 0.4}), pose},
+                                                 {.mesh = make_box({0.5, 0.5, 0.5}), .pose = pose, .moving = true},
+                                                 {make_box({0.6, 0.6, 0.6}), Pose{.position = {0, 0, 2}} * pose}}));
+  ASSERT_EQ(edges.groups.size(), 2U);
+  ASSERT_EQ(edges.groups[0].edges.size(), 24U);
+  EXPECT_EQ(edges.groups[1].instance, 1);
+  for (const StraightEdges::Edge& edge : edges.groups[1].edges) {
+    EXPECT_NEAR(edge.middle.norm(), 0.25 * std::numbers::sqrt2, 1e-6);
+  }
+  const Pose frame = StraightEdges::frame(edges.groups[0], {});
+  EXPECT_NEAR(edges.groups[0].middle_x[0], 0, 1e-9);
+  for (std::size_t i = 0; i < 12; ++i) {
+    const StraightEdges::Edge& edge = edges.groups[0].edges[i];
+    const Vec3 inside = pose.inverse() * (frame * edge.middle);
+    EXPECT_NEAR(inside.norm(), 0.2 * std::numbers::sqrt2, 1e-6);
+    const Vec3 outwards = pose.orientation.inverse() * (edge.sides[0].normal + edge.sides[1].normal);
+    EXPECT_NEAR(outwards.normalized().dot(inside.normalized()), 1, 1e-6);
+    EXPECT_EQ(edges.groups[0].first_y[i], static_cast<float>(edge.sides[0].normal.y()));
+  }
 }
 
 // A border along which the next face has other corners is none.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <functional>
 #include <numbers>
 
 #include "acoustics/fresnel.h"
@@ -70,11 +71,11 @@ EdgeEchoes::EdgeEchoes(std::shared_ptr<const StraightEdges> edges) : edges_(std:
   }
 }
 
-// Adds the echoes of one instance, before it is known which are hidden.
-void EdgeEchoes::find(const PingPlan& plan, const Pose& world_from_sonar, const Pose& world_from_mesh,
+// Adds the echoes of one group, before it is known which are hidden.
+void EdgeEchoes::find(const PingPlan& plan, const Pose& world_from_sonar, const Pose& world_from_group,
                       const StraightEdges::Group& group, std::span<const std::uint8_t> shown) {
-  const Vec3 sonar = world_from_mesh.inverse() * world_from_sonar.position;
-  const Pose sonar_from_mesh = world_from_sonar.inverse() * world_from_mesh;
+  const Vec3 sonar = world_from_group.inverse() * world_from_sonar.position;
+  const Pose sonar_from_group = world_from_sonar.inverse() * world_from_group;
   const Vec3f at = sonar.cast<float>();
   const double wavelength = 2 / plan.turns_per_metre;
   const auto count = static_cast<int>(group.edges.size());
@@ -92,7 +93,7 @@ void EdgeEchoes::find(const PingPlan& plan, const Pose& world_from_sonar, const 
     const double angle = std::atan2(above, ahead) + (above < 0 ? 2 * std::numbers::pi : 0.0);
     const Vec3 nearest = edge.middle + std::clamp(foot, -kEnds * edge.half, kEnds * edge.half) * edge.along;
     const double range = std::hypot(distance, std::max(std::abs(foot) - edge.half, 0.0));
-    const Vec3f direction = (sonar_from_mesh * nearest).normalized().cast<float>();
+    const Vec3f direction = (sonar_from_group * nearest).normalized().cast<float>();
     if (!(distance > kBefore) || angle > edge.exterior * std::numbers::pi ||
         plan.bin_of(static_cast<float>(range)) < 0 || !plan.receives(direction)) {
       continue;
@@ -134,15 +135,24 @@ void EdgeEchoes::add(const PingPlan& plan, const Pose& world_from_sonar, std::sp
   views_.clear();
   rays_.clear();
   for (const StraightEdges::Group& group : edges_->groups) {
-    find(plan, world_from_sonar, world_from_mesh[group.instance], group, shown);
+    find(plan, world_from_sonar, StraightEdges::frame(group, world_from_mesh), group, shown);
   }
   engine.trace(rays_, std::span(hits_).first(rays_.size()));
+  // Of those that nothing hides, the strongest.
+  std::size_t seen = 0;
   for (std::size_t i = 0; i < views_.size(); ++i) {
     if (!std::isfinite(hits_[i].distance)) {
-      const View& view = views_[i];
-      add_discrete_echo(plan, view.arrival, 1, view.range, view.intensity,
-                        plan.turns_per_metre * view.range + view.turns, grid);
+      views_[seen++] = views_[i];
     }
+  }
+  views_.resize(seen);
+  if (seen > kMostEchoes) {
+    std::ranges::nth_element(views_, views_.begin() + kMostEchoes, std::greater<>(), &View::intensity);
+    views_.resize(kMostEchoes);
+  }
+  for (const View& view : views_) {
+    add_discrete_echo(plan, view.arrival, 1, view.range, view.intensity, plan.turns_per_metre * view.range + view.turns,
+                      grid);
   }
 }
 

@@ -31,7 +31,8 @@ struct EdgeEcho {
 /// none.
 class EdgeEchoes {
  public:
-  static constexpr std::size_t kMostTogether = 4096;  ///< Most echoes of one ping: the first that are found.
+  static constexpr std::size_t kMostTogether = 4096;  ///< Most edges of one ping that may be seen: the first found.
+  static constexpr std::size_t kMostEchoes = 1024;    ///< Most echoes of one ping: the strongest.
 
   explicit EdgeEchoes(std::shared_ptr<const StraightEdges> edges = {});
 
@@ -51,7 +52,7 @@ class EdgeEchoes {
     PingPlan::Arrival arrival;
   };
 
-  void find(const PingPlan& plan, const Pose& world_from_sonar, const Pose& world_from_mesh,
+  void find(const PingPlan& plan, const Pose& world_from_sonar, const Pose& world_from_group,
             const StraightEdges::Group& group, std::span<const std::uint8_t> shown);
 
   std::shared_ptr<const StraightEdges> edges_;

@@ -153,6 +153,16 @@ class Surroundings {
   std::vector<Hit> hits_;
 };
 
+StraightEdges::Edge moved(StraightEdges::Edge edge, const Pose& pose) {
+  edge.middle = pose * edge.middle;
+  edge.along = pose.orientation * edge.along;
+  for (StraightEdges::Side& side : edge.sides) {
+    side.inwards = pose.orientation * side.inwards;
+    side.normal = pose.orientation * side.normal;
+  }
+  return edge;
+}
+
 void append_edge(StraightEdges::Group& group, const StraightEdges::Edge& edge) {
   const auto add = [](const Vec3& vector, std::vector<float>& x, std::vector<float>& y, std::vector<float>& z) {
     x.push_back(static_cast<float>(vector.x()));
@@ -191,14 +201,19 @@ StraightEdges find_straight_edges(const Scene& scene, const GlintingFaces& faces
   }
   StraightEdges found;
   Surroundings surroundings(scene, engine);
-  for (const auto& [instance, edge] : edges) {
-    if (!surroundings.is_free(instance, edge)) {
+  for (const auto& [index, edge] : edges) {
+    if (!surroundings.is_free(index, edge)) {
       continue;
     }
-    if (found.groups.empty() || found.groups.back().instance != instance) {
-      found.groups.emplace_back().instance = instance;
+    const Instance& instance = scene.instances[index];
+    const int owner = instance.moving ? index : -1;
+    auto group = std::ranges::find(found.groups, owner, &StraightEdges::Group::instance);
+    if (group == found.groups.end()) {
+      group = found.groups.insert(group, StraightEdges::Group());
+      group->instance = owner;
+      group->origin = instance.world_from_mesh * edge.middle;
     }
-    append_edge(found.groups.back(), edge);
+    append_edge(*group, owner < 0 ? moved(edge, Pose{.position = -group->origin} * instance.world_from_mesh) : edge);
   }
   return found;
 }

@@ -13,33 +13,33 @@ namespace insonify {
 /// The straight edges of a scene at which two of its GlintingFaces meet, or one ends: of those between two faces the
 /// side with more than half of the water around them.
 struct StraightEdges {
-  static constexpr double kLeastLength = 0.03;   ///< Shorter ones are left out [m].
-  static constexpr double kLeastTurn = 0.5;      ///< Least angle between the normals of two faces [rad].
-  static constexpr double kStraight = 2.5e-4;    ///< Distance from a line that does not matter [m].
-  static constexpr double kFree = 1e-3;          ///< Nothing else touches an edge within this distance [m].
-  static constexpr std::size_t kMost = 20'000;   ///< Most edges of a scene: the longest are taken.
-  static constexpr std::size_t kNoFace = ~0ULL;  ///< Number of the second face of a plate's border.
+  static constexpr double kLeastLength = 0.03;  ///< Shorter ones are left out [m].
+  static constexpr double kLeastTurn = 0.5;     ///< Least angle between the normals of two faces [rad].
+  static constexpr double kStraight = 2.5e-4;   ///< Distance from a line that does not matter [m].
+  static constexpr double kFree = 1e-3;         ///< Nothing else touches an edge within this distance [m].
+  static constexpr std::size_t kMost = 20'000;  ///< Most edges of a scene: the longest are taken.
 
   /// One face at an edge.
   struct Side {
     Vec3 inwards = Vec3::UnitX();  ///< Unit vector in the face, from the edge and perpendicular to it.
     Vec3 normal = Vec3::UnitZ();   ///< Its unit normal on the side of the water.
     SurfaceLabel surface = kNoSurface;
-    double sign = 1;             ///< That of its reflection coefficient: -1 where it is softer than water.
-    std::size_t face = kNoFace;  ///< Number among all GlintingFaces.
+    double sign = 1;       ///< That of its reflection coefficient: -1 where it is softer than water.
+    std::size_t face = 0;  ///< Number among all GlintingFaces.
   };
 
   struct Edge {
-    Vec3 middle = Vec3::Zero();      ///< Mesh frame [m].
+    Vec3 middle = Vec3::Zero();      ///< In the frame of its group [m].
     Vec3 along = Vec3::UnitY();      ///< Unit vector.
     double half = 0;                 ///< Half the length [m].
     double exterior = 2;             ///< Angle of the water between the faces, over pi: above 1, at most 2.
     std::array<Side, 2> sides = {};  ///< The two sides of a plate at its border.
   };
 
-  /// Edges of one instance, and what of them a first pass needs, in the frame of the mesh.
+  /// Edges of one instance that moves, in the frame of its mesh, or of all others, and what of them a first pass needs.
   struct Group {
-    int instance = 0;
+    int instance = -1;           ///< -1: of all that does not move.
+    Vec3 origin = Vec3::Zero();  ///< Of the frame of these, in the world [m]; its axes are the world's.
     std::vector<Edge> edges;
     std::vector<float> middle_x, middle_y, middle_z;  ///< [edge], as all of these [m].
     std::vector<float> along_x, along_y, along_z;
@@ -51,6 +51,13 @@ struct StraightEdges {
 
   [[nodiscard]] bool any() const { return !groups.empty(); }
   [[nodiscard]] std::size_t most_of_a_group() const;
+
+  /// Pose of a group's frame.
+  /// @param world_from_mesh  [instance]
+  [[nodiscard]] static Pose frame(const Group& group, std::span<const Pose> world_from_mesh) {
+    return group.instance < 0 ? Pose{.position = group.origin}
+                              : world_from_mesh[static_cast<std::size_t>(group.instance)];
+  }
 };
 
 /// Finds them. Edges in the angle of which something else stands are none: where a box stands on a floor, where parts
