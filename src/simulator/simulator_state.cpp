@@ -74,7 +74,7 @@ void Simulator::State::find_object_echoes() {
   ThinParts found = find_thin_parts(scene, probe);
   LeftOut left_out = found.triangles ? *found.triangles : LeftOut{};
   GlintingFaces faces = find_glinting_faces(scene, left_out);
-  straight_edges = std::make_shared<const StraightEdges>(find_straight_edges(scene, faces, left_out, probe));
+  straight_edges = std::make_shared<const StraightEdges>(find_straight_edges(scene, faces, probe));
   edge_echoes = EdgeEchoes(straight_edges);
   const bool any = found.triangles || faces.any();
   engine->leave_out(any ? std::make_shared<const LeftOut>(std::move(left_out)) : nullptr);

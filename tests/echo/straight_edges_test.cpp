@@ -39,12 +39,11 @@ Scene scene_of(std::vector<Body> bodies) {
   return scene;
 }
 
-StraightEdges edges_of(const Scene& scene) {
-  LeftOut left_out;
+StraightEdges edges_of(const Scene& scene, LeftOut left_out = {}) {
   const GlintingFaces faces = find_glinting_faces(scene, left_out);
   const std::unique_ptr<Engine> engine = make_engine("cpu", 1);
   engine->set_scene(scene);
-  return find_straight_edges(scene, faces, left_out, *engine);
+  return find_straight_edges(scene, faces, *engine);
 }
 
 std::vector<StraightEdges::Edge> all_edges(const Scene& scene) {
@@ -206,6 +205,27 @@ TEST(StraightEdgesTest, WhereSomethingTouchesThereIsNone) {
   const Body one = {make_box({0.3, 0.3, 1}), frame};
   const Body two = {make_box({0.3, 0.3, 0.5}), frame * Pose{.position = {0, 0, 0.75}}};
   EXPECT_EQ(all_edges(scene_of({one, two})).size(), 2U * 12U - 8U);
+}
+
+// Of thin parts square profiles have edges without glints; a rod of six sides has none, which would have if it were
+// thick.
+TEST(StraightEdgesTest, OfThinPartsThoseOfSquareOnesCount) {
+  const Scene tube = scene_of({{make_box({0.05, 0.05, 1})}});
+  const StraightEdges edges = edges_of(tube, {.thickness = {std::vector<float>(12, 0.05F)}, .glinting = {}});
+  ASSERT_EQ(edges.groups.size(), 1U);
+  ASSERT_EQ(edges.groups[0].edges.size(), 12U);
+  EXPECT_EQ(edges.groups[0].edges[0].sides[0].face, StraightEdges::kNoGlint);
+  Mesh rod;
+  const auto corner = [](int k) -> Vec3f {
+    return {0.04F * static_cast<float>(std::cos(k % 6 * kPi / 3)),
+            0.04F * static_cast<float>(std::sin(k % 6 * kPi / 3)), 0};
+  };
+  for (int k = 0; k < 6; ++k) {
+    add_rectangle(rod, corner(k), corner(k + 1), corner(k + 1) + Vec3f::UnitZ(), corner(k) + Vec3f::UnitZ());
+  }
+  const Scene rods = scene_of({{rod}});
+  EXPECT_EQ(edges_of(rods).groups[0].edges.size(), 6U + 12U);  // With its borders at both ends.
+  EXPECT_FALSE(edges_of(rods, {.thickness = {std::vector<float>(12, 0.05F)}, .glinting = {}}).any());
 }
 
 // What does not move is one group, in a frame near it that is turned as the world; each instance that moves has its

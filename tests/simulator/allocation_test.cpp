@@ -85,7 +85,13 @@ int allocations_of_pings(const Scenario& scenario, int threads) {
   maker.add_wall(8);
   maker.add_sphere({5, 0.3, -1}, 0.6, 0.8, 0.2);
   maker.add("rope", make_cylinder(0.006, 1), {.position = {4, -0.2, -0.5}});
-  Simulator simulator(scenario, maker.scene(), threads);
+  maker.add("post", make_box({0.3, 0.3, 2}),
+            {.position = {5, -1.2, 0}, .orientation = orientation_from_rpy(0, 0, radians_from_degrees(30))});
+  Scene scene = maker.scene();
+  for (Material& material : scene.materials) {
+    material.rms_height = 1e-5;  // Glints of faces, and edges.
+  }
+  Simulator simulator(scenario, scene, threads);
   const ScenarioRequests requests(simulator.scenario());
   PingRequest request;
   Ping ping;

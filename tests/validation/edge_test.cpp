@@ -116,6 +116,24 @@ TEST_P(EdgeTest, PlateHasTheSideLobesOfKirchhoffsIntegral) {
   EXPECT_LT(worst, 0.1);
 }
 
+// A square tube of 5 cm, thin at this range as well as near, has its edges as a thick post has; within the lobe of a
+// face's facets it has that alone.
+TEST_P(EdgeTest, ThinTubesHaveEdgesBesideTheirLobes) {
+  for (const double distance : {4.0, 15.0}) {
+    Scenario scenario = scenario_at(distance, GetParam());
+    scenario.sonars[0].bin_count = 101;  // The edges behind are 3.5 cm off, nearly two bins.
+    scenario.sonars[0].sampling = {4, 100};
+    const Ping ping = ping_of(scenario, post_at(distance, 45 * kDegree, polished(0.8), 0.05));
+    EXPECT_NEAR(cell_db(ping, 50, 15), post_level(distance, 45, 0.8), kRipple) << distance;
+    for (const double yaw : {1.0, 5.0}) {
+      const auto level = [&](double rms_height) {
+        return total_db(ping_of(scenario, post_at(distance, yaw * kDegree, polished(0.8, rms_height), 0.05)));
+      };
+      EXPECT_NEAR(level(1e-6), level(0), 0.3) << distance << ", " << yaw;
+    }
+  }
+}
+
 // From above its end the echo of the edge goes on for Fresnel zones only; of a plate turned about both axes there is
 // none.
 TEST_P(EdgeTest, EchoesBroadsideOnly) {

@@ -20,6 +20,7 @@ namespace {
 
 constexpr double kLeastPart = 1e-4;  // Least e^-g that counts.
 constexpr double kBefore = 2e-3;     // What lies this much before an edge, or beyond it, does not hide it [m].
+constexpr double kLobe = 3;          // Slopes of facets that the lobe of a face without a glint has.
 constexpr double kEnds = 0.99;       // Rays to an end go this much nearer to the middle.
 
 // Integral of exp(i pi u^2/2).
@@ -105,7 +106,11 @@ void EdgeEchoes::find(const PingPlan& plan, const Pose& world_from_sonar, const 
       const Scattering& scattering = plan.scatter.scattering(side.surface);
       faces[k].angle = k == 0 ? angle : edge.exterior * std::numbers::pi - angle;
       const double cosine = std::min(std::abs(std::sin(faces[k].angle)) * distance / range, 1.0);
-      faces[k].reflection = shown[side.face] != 0 ? 0 : side.sign * std::sqrt(scattering.reflectance(cosine));
+      const bool mirrors =
+          side.face == StraightEdges::kNoGlint
+              ? std::abs(std::tan(0.5 * std::numbers::pi - faces[k].angle)) < kLobe * scattering.rms_slope
+              : shown[side.face] != 0;
+      faces[k].reflection = mirrors ? 0 : side.sign * std::sqrt(scattering.reflectance(cosine));
       roughness += 0.5 * scattering.roughness;
     }
     const double share = std::exp(-roughness);

@@ -27,17 +27,21 @@ struct GlintingFaces {
     std::vector<float> second_x, second_y, second_z;  ///< Along the other.
     std::vector<float> first_half, second_half;       ///< Half the sides [m].
     std::vector<SurfaceLabel> surface;
-    std::vector<std::uint32_t> face;  ///< Index into `of_mesh`.
-    std::shared_ptr<const MeshFaces> of_mesh;
-    std::size_t first_number = 0;  ///< Number of the first face of this group among those of all groups.
+    std::vector<std::uint32_t> face;  ///< Index into MeshFaces::faces.
+    std::size_t first_number = 0;     ///< Number of the first face of this group among those of all groups.
   };
   std::vector<Group> groups;
+  std::vector<std::shared_ptr<const MeshFaces>> of_mesh;  ///< [instance]; null where nothing reflects coherently.
 
   [[nodiscard]] bool any() const { return !groups.empty(); }
   [[nodiscard]] std::size_t count() const {
     return any() ? groups.back().first_number + groups.back().surface.size() : 0;
   }
 };
+
+/// Whether surfaces of a material slot reflect coherently where they are plane: the material has an `rms_height`, and
+/// there is no relief.
+[[nodiscard]] bool reflects_coherently(const Scene& scene, const Instance& instance, std::size_t slot);
 
 /// Finds them, and marks their triangles in `left_out`.
 [[nodiscard]] GlintingFaces find_glinting_faces(const Scene& scene, LeftOut& left_out);

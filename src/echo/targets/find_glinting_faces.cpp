@@ -8,11 +8,6 @@
 namespace insonify {
 namespace {
 
-bool reflects_coherently(const Scene& scene, const Instance& instance, std::size_t slot) {
-  const bool has_relief = slot < instance.reliefs.size() && instance.reliefs[slot] != nullptr;
-  return !has_relief && scene.materials[instance.materials[slot]].rms_height > 0;
-}
-
 bool is_thin(const LeftOut& left_out, std::size_t instance, std::uint32_t triangle) {
   return instance < left_out.thickness.size() && !left_out.thickness[instance].empty() &&
          std::isfinite(left_out.thickness[instance][triangle]);
@@ -39,8 +34,14 @@ void add_face(const Mesh& mesh, const MeshFaces& faces, std::uint32_t index, Sur
 
 }  // namespace
 
+bool reflects_coherently(const Scene& scene, const Instance& instance, std::size_t slot) {
+  const bool has_relief = slot < instance.reliefs.size() && instance.reliefs[slot] != nullptr;
+  return !has_relief && scene.materials[instance.materials[slot]].rms_height > 0;
+}
+
 GlintingFaces find_glinting_faces(const Scene& scene, LeftOut& left_out) {
   GlintingFaces found;
+  found.of_mesh.resize(scene.instances.size());
   left_out.glinting.assign(scene.instances.size(), {});
   for (std::size_t i = 0; i < scene.instances.size(); ++i) {
     const Instance& instance = scene.instances[i];
@@ -57,7 +58,7 @@ GlintingFaces find_glinting_faces(const Scene& scene, LeftOut& left_out) {
     std::vector<std::uint8_t> glinting(mesh.triangles.size(), 0);
     GlintingFaces::Group group;
     group.instance = static_cast<int>(i);
-    group.of_mesh = faces;
+    found.of_mesh[i] = faces;
     group.first_number = found.count();
     for (std::uint32_t t = 0; t < faces->face_of.size(); ++t) {
       const std::uint32_t face = faces->face_of[t];

@@ -57,17 +57,36 @@ void set_sides(StraightEdges::Edge& edge, const Vec3& first, const Vec3* second)
   edge.exterior = 2 - std::acos(cosine) / std::numbers::pi;
 }
 
-// Adds the edges of one instance.
-void add_edges(const Scene& scene, const GlintingFaces::Group& faces, const LeftOut& left_out,
-               std::vector<std::pair<int, StraightEdges::Edge>>& edges) {
-  const Instance& instance = scene.instances[faces.instance];
-  const Mesh& mesh = *instance.mesh;
-  const EdgeParts found(mesh, *faces.of_mesh, left_out.glinting[faces.instance], StraightEdges::kLeastTurn);
-  const std::vector<EdgePart>& parts = found.parts();
+// Numbers of the GlintingFaces of one instance, by those of its mesh.
+std::map<std::uint32_t, std::size_t> numbers_of(const GlintingFaces& faces, int instance) {
   std::map<std::uint32_t, std::size_t> numbers;
-  for (std::size_t i = 0; i < faces.face.size(); ++i) {
-    numbers[faces.face[i]] = i;
+  for (const GlintingFaces::Group& group : faces.groups) {
+    for (std::size_t i = 0; group.instance == instance && i < group.face.size(); ++i) {
+      numbers[group.face[i]] = group.first_number + i;
+    }
   }
+  return numbers;
+}
+
+// [triangle] Whether it is in a plane face that reflects coherently.
+std::vector<std::uint8_t> coherent_triangles(const Scene& scene, const Instance& instance, const MeshFaces& faces) {
+  std::vector<std::uint8_t> coherent(instance.mesh->triangles.size(), 0);
+  for (std::size_t t = 0; t < faces.face_of.size(); ++t) {
+    coherent[t] =
+        faces.face_of[t] != MeshFaces::kNone && reflects_coherently(scene, instance, instance.mesh->slot_of(t));
+  }
+  return coherent;
+}
+
+// Adds the edges of one instance.
+void add_edges(const Scene& scene, int index, const GlintingFaces& faces,
+               std::vector<std::pair<int, StraightEdges::Edge>>& edges) {
+  const Instance& instance = scene.instances[index];
+  const Mesh& mesh = *instance.mesh;
+  const MeshFaces& of_mesh = *faces.of_mesh[index];
+  const EdgeParts found(mesh, of_mesh, coherent_triangles(scene, instance, of_mesh), StraightEdges::kLeastTurn);
+  const std::vector<EdgePart>& parts = found.parts();
+  const std::map<std::uint32_t, std::size_t> numbers = numbers_of(faces, index);
   std::map<std::uint32_t, std::vector<std::uint32_t>> chains;
   const std::vector<std::uint32_t> chain = found.chains();
   for (std::uint32_t i = 0; i < parts.size(); ++i) {
@@ -88,15 +107,21 @@ void add_edges(const Scene& scene, const GlintingFaces::Group& faces, const Left
     const bool border = longest.is_border();
     const Vec3 second = border ? first : found.opposite(longest, 1);
     set_sides(edge, first, border ? nullptr : &second);
+    bool thin = false;
     for (int k = 0; k < 2; ++k) {
-      const std::size_t place = numbers.at(longest.face[border ? 0 : k]);
-      const SurfaceLabel surface = faces.surface[place];
-      const Material& material = scene.materials[material_of(surface)];
-      edge.sides[k].surface = surface;
-      edge.sides[k].face = faces.first_number + place;
-      edge.sides[k].sign = !material.reflection && material.reflection_coefficient(kSeaWaterImpedance) < 0 ? -1.0 : 1.0;
+      StraightEdges::Side& side = edge.sides[k];
+      const std::uint16_t slot = instance.materials[mesh.slot_of(longest.triangle[border ? 0 : k])];
+      const Material& material = scene.materials[slot];
+      side.surface = surface_label(static_cast<std::uint16_t>(index), slot);
+      side.sign = !material.reflection && material.reflection_coefficient(kSeaWaterImpedance) < 0 ? -1.0 : 1.0;
+      const auto number = numbers.find(longest.face[border ? 0 : k]);
+      thin = thin || number == numbers.end();
+      side.face = number == numbers.end() ? StraightEdges::kNoGlint : number->second;
     }
-    edges.emplace_back(faces.instance, edge);
+    if (thin && (border || edge.exterior < 1 + StraightEdges::kSquareTurn / std::numbers::pi)) {
+      continue;
+    }
+    edges.emplace_back(index, edge);
   }
 }
 
@@ -187,11 +212,12 @@ std::size_t StraightEdges::most_of_a_group() const {
   return most;
 }
 
-StraightEdges find_straight_edges(const Scene& scene, const GlintingFaces& faces, const LeftOut& left_out,
-                                  Engine& engine) {
+StraightEdges find_straight_edges(const Scene& scene, const GlintingFaces& faces, Engine& engine) {
   std::vector<std::pair<int, StraightEdges::Edge>> edges;
-  for (const GlintingFaces::Group& group : faces.groups) {
-    add_edges(scene, group, left_out, edges);
+  for (std::size_t i = 0; i < faces.of_mesh.size(); ++i) {
+    if (faces.of_mesh[i] && !faces.of_mesh[i]->faces.empty()) {
+      add_edges(scene, static_cast<int>(i), faces, edges);
+    }
   }
   const auto half = [](const auto& edge) { return edge.second.half; };
   if (edges.size() > StraightEdges::kMost) {

@@ -10,13 +10,16 @@
 
 namespace insonify {
 
-/// The straight edges of a scene at which two of its GlintingFaces meet, or one ends: of those between two faces the
-/// side with more than half of the water around them.
+/// The straight edges of a scene at which two plane faces that reflect coherently meet, or one ends: of those between
+/// two faces the side with more than half of the water around them. Of thin parts (ropes, rods, narrow profiles) those
+/// of square ones alone: the others may be round bodies of few triangles.
 struct StraightEdges {
   static constexpr double kLeastLength = 0.03;  ///< Shorter ones are left out [m].
   static constexpr double kLeastTurn = 0.5;     ///< Least angle between the normals of two faces [rad].
+  static constexpr double kSquareTurn = 1.3;    ///< Likewise, of thin parts.
   static constexpr double kStraight = 2.5e-4;   ///< Distance from a line that does not matter [m].
   static constexpr double kFree = 1e-3;         ///< Nothing else touches an edge within this distance [m].
+  static constexpr std::size_t kNoGlint = ~0ULL;
   static constexpr std::size_t kMost = 20'000;  ///< Most edges of a scene: the longest are taken.
 
   /// One face at an edge.
@@ -24,8 +27,8 @@ struct StraightEdges {
     Vec3 inwards = Vec3::UnitX();  ///< Unit vector in the face, from the edge and perpendicular to it.
     Vec3 normal = Vec3::UnitZ();   ///< Its unit normal on the side of the water.
     SurfaceLabel surface = kNoSurface;
-    double sign = 1;       ///< That of its reflection coefficient: -1 where it is softer than water.
-    std::size_t face = 0;  ///< Number among all GlintingFaces.
+    double sign = 1;              ///< That of its reflection coefficient: -1 where it is softer than water.
+    std::size_t face = kNoGlint;  ///< Number among all GlintingFaces; kNoGlint for thin parts, whose faces are lobes.
   };
 
   struct Edge {
@@ -63,7 +66,6 @@ struct StraightEdges {
 /// Finds them. Edges in the angle of which something else stands are none: where a box stands on a floor, where parts
 /// of a body touch each other without common vertices.
 /// @param engine  With the scene as it is; its rays look around the edges.
-[[nodiscard]] StraightEdges find_straight_edges(const Scene& scene, const GlintingFaces& faces, const LeftOut& left_out,
-                                                Engine& engine);
+[[nodiscard]] StraightEdges find_straight_edges(const Scene& scene, const GlintingFaces& faces, Engine& engine);
 
 }  // namespace insonify
