@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <map>
 #include <numbers>
 
@@ -10,6 +11,8 @@
 
 namespace insonify {
 namespace {
+
+using PlacedEdge = std::pair<int, StraightEdges::Edge>;  // With its instance.
 
 // Whether all ends of the parts lie on the edge's line; then its extent is theirs.
 bool extend(const Mesh& mesh, const std::vector<EdgePart>& parts, const std::vector<std::uint32_t>& members,
@@ -79,8 +82,7 @@ std::vector<std::uint8_t> coherent_triangles(const Scene& scene, const Instance&
 }
 
 // Adds the edges of one instance.
-void add_edges(const Scene& scene, int index, const GlintingFaces& faces,
-               std::vector<std::pair<int, StraightEdges::Edge>>& edges) {
+void add_edges(const Scene& scene, int index, const GlintingFaces& faces, std::vector<PlacedEdge>& edges) {
   const Instance& instance = scene.instances[index];
   const Mesh& mesh = *instance.mesh;
   const MeshFaces& of_mesh = *faces.of_mesh[index];
@@ -125,29 +127,61 @@ void add_edges(const Scene& scene, int index, const GlintingFaces& faces,
   }
 }
 
-// Looks around edges, a polygon of rays across each at several places.
+// Looks around edges, a polygon of rays across each at two places, and where these differ at a third.
 class Surroundings {
  public:
   Surroundings(const Scene& scene, Engine& engine) : scene_(scene), engine_(engine) {}
 
-  // Whether nothing stands in the angle of the water at most of the places.
-  bool is_free(int instance, const StraightEdges::Edge& edge) {
-    const Instance& own = scene_.instances[instance];
-    int free = 0;
-    for (const double place : kPlaces) {
-      set_rays(own.world_from_mesh, edge, edge.middle + place * edge.half * edge.along);
-      hits_.resize(rays_.size());
-      engine_.trace(rays_, hits_);
-      free += std::ranges::none_of(hits_, [&](const Hit& hit) { return counts(instance, hit); }) ? 1 : 0;
+  // Removes edges in the angle of whose water something stands at two of the places.
+  void keep_free(std::vector<PlacedEdge>& edges) {
+    std::vector<int> open = look(edges, {kPlaces[0], kPlaces[1]});
+    std::vector<PlacedEdge> unsure;
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+      if (open[i] == 1) {
+        unsure.push_back(edges[i]);
+      }
     }
-    return 2 * free > static_cast<int>(std::size(kPlaces));
+    const std::vector<int> third = look(unsure, {kPlaces[2]});
+    std::size_t kept = 0, next = 0;
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+      const int count = open[i] == 1 ? 1 + third[next++] : open[i];
+      if (count == 2) {
+        edges[kept++] = edges[i];
+      }
+    }
+    edges.resize(kept);
   }
 
  private:
-  static constexpr double kPlaces[] = {-0.79, -0.41, 0.03, 0.37, 0.83};  // Of half the edge.
-  static constexpr double kMargin = 0.15, kStep = 0.55;  // Angles to the faces and between corners [rad].
+  static constexpr double kPlaces[] = {-0.59, 0.41, -0.07};  // Of half the edge.
+  static constexpr double kMargin = 0.15, kStep = 2.1;       // Angles to the faces and between corners [rad].
 
-  void set_rays(const Pose& world_from_mesh, const StraightEdges::Edge& edge, const Vec3& place) {
+  // [edge] At how many places nothing is in the way.
+  std::vector<int> look(const std::vector<PlacedEdge>& edges, std::initializer_list<double> places) {
+    rays_.clear();
+    std::vector<std::size_t> ends;
+    for (const auto& [instance, edge] : edges) {
+      for (const double place : places) {
+        add_rays(scene_.instances[instance].world_from_mesh, edge, edge.middle + place * edge.half * edge.along);
+        ends.push_back(rays_.size());
+      }
+    }
+    hits_.resize(rays_.size());
+    engine_.trace(rays_, hits_);
+    std::vector<int> open(edges.size());
+    std::size_t ray = 0;
+    for (std::size_t i = 0; i < ends.size(); ++i) {
+      const std::size_t edge = i / places.size();
+      bool clear = true;
+      for (; ray < ends[i]; ++ray) {
+        clear = clear && !counts(edges[edge].first, hits_[ray]);
+      }
+      open[edge] += clear ? 1 : 0;
+    }
+    return open;
+  }
+
+  void add_rays(const Pose& world_from_mesh, const StraightEdges::Edge& edge, const Vec3& place) {
     const StraightEdges::Side& side = edge.sides[0];
     const double whole = edge.exterior * std::numbers::pi - 2 * kMargin;
     const int count = static_cast<int>(std::ceil(whole / kStep));
@@ -156,7 +190,6 @@ class Surroundings {
       return world_from_mesh *
              Vec3(place + StraightEdges::kFree * (std::cos(angle) * side.inwards + std::sin(angle) * side.normal));
     };
-    rays_.clear();
     for (int i = 0; i < count; ++i) {
       const Vec3 from = corner(i), step = corner(i + 1) - from;
       rays_.push_back({from, step.normalized(), 0, step.norm()});
@@ -213,24 +246,21 @@ std::size_t StraightEdges::most_of_a_group() const {
 }
 
 StraightEdges find_straight_edges(const Scene& scene, const GlintingFaces& faces, Engine& engine) {
-  std::vector<std::pair<int, StraightEdges::Edge>> edges;
+  std::vector<PlacedEdge> edges;
   for (std::size_t i = 0; i < faces.of_mesh.size(); ++i) {
     if (faces.of_mesh[i] && !faces.of_mesh[i]->faces.empty()) {
       add_edges(scene, static_cast<int>(i), faces, edges);
     }
   }
-  const auto half = [](const auto& edge) { return edge.second.half; };
+  const auto half = [](const PlacedEdge& edge) { return edge.second.half; };
   if (edges.size() > StraightEdges::kMost) {
     std::ranges::stable_sort(edges, std::greater<>(), half);
     edges.resize(StraightEdges::kMost);
     std::ranges::stable_sort(edges, {}, [](const auto& edge) { return edge.first; });
   }
   StraightEdges found;
-  Surroundings surroundings(scene, engine);
+  Surroundings(scene, engine).keep_free(edges);
   for (const auto& [index, edge] : edges) {
-    if (!surroundings.is_free(index, edge)) {
-      continue;
-    }
     const Instance& instance = scene.instances[index];
     const int owner = instance.moving ? index : -1;
     auto group = std::ranges::find(found.groups, owner, &StraightEdges::Group::instance);
