@@ -81,6 +81,22 @@ TEST_P(EdgeTest, PostHasTheEchoOfItsEdge) {
   }
 }
 
+// Foam is softer than water: its reflection is negative, and its edge as strong again. By hand: 200 kg/m^3 and 500 m/s
+// in water of 1026 and 1500, Rayleigh's R at 45 degrees (.1949 x .7071 - sqrt(9 - .5)) / (.1949 x .7071 + sqrt(9 - .5))
+// =
+// -.9097; 6.68 dB more than with +.9097.
+TEST_P(EdgeTest, SoftBodiesHaveStrongerEdges) {
+  Material foam;
+  foam.density = 200;
+  foam.sound_speed = 500;
+  foam.lambert_db = -200;
+  foam.rms_slope = 0.05;
+  foam.rms_height = 1e-6;
+  const Ping ping = ping_of(scenario_at(9, GetParam()), post_at(9, 45 * kDegree, foam));
+  EXPECT_NEAR(cell_db(ping, 12, 15), post_level(9, 45, -0.9097), kRipple);
+  EXPECT_NEAR(post_level(9, 45, -0.9097) - post_level(9, 45, 0.9097), 6.676, 0.01);
+}
+
 // A strip turned by t: both of its edges, S = (-+ 1 + 1/sin t)/(4 pi) for R = 1, and their sum with phases, which is
 // Kirchhoff's integral over the strip but for 1/sin - 1/tan of each. All along its side lobes, from where its glint
 // ends; the glint itself is Kirchhoff's.
