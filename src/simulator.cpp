@@ -30,6 +30,10 @@ std::span<const std::string> Simulator::too_many_thin_parts() const {
   return parts ? std::span<const std::string>(parts->left_out) : std::span<const std::string>();
 }
 
+std::size_t Simulator::edges_left_out() const {
+  return state_->straight_edges ? state_->straight_edges->left_out : 0;
+}
+
 const Scene& Simulator::scene() const {
   return state_->scene;
 }

@@ -73,6 +73,9 @@ class Simulator {
   /// them as all else: their echoes vary with their place among the samples. As of the last ping or change.
   [[nodiscard]] std::span<const std::string> too_many_thin_parts() const;
 
+  /// Straight edges that have no echo, since the scene has too many: the shortest. As of the last ping or change.
+  [[nodiscard]] std::size_t edges_left_out() const;
+
   /// Settings of one sonar with everything filled in: assumed sound speed, ping period.
   [[nodiscard]] const SonarConfig& sonar(int sonar) const;
 

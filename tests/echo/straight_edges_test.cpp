@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <complex>
 #include <numbers>
 
@@ -271,6 +272,22 @@ std::complex<double> summed(double foot, double half, double distance, double wa
     sum += std::polar(1 / (range * range), 4 * kPi / wavelength * range);
   }
   return sum * (2 * half / steps);
+}
+
+// Plates of 0.2 m in a row, and ten of 0.1 m whose edges are the shortest.
+TEST(StraightEdgesTest, OfTooManyTheLongestCount) {
+  constexpr auto kPlates = static_cast<int>(StraightEdges::kMost / 4);
+  Mesh mesh;
+  for (int i = 0; i < kPlates + 10; ++i) {
+    const float x = static_cast<float>(i), side = i % 200 == 7 && i < 2000 ? 0.1F : 0.2F;
+    add_rectangle(mesh, {x, 0, 0}, {x + side, 0, 0}, {x + side, side, 0}, {x, side, 0});
+  }
+  mesh.material_names = {""};
+  const StraightEdges found = edges_of(scene_of({{std::move(mesh)}}));
+  EXPECT_EQ(found.left_out, 40);
+  ASSERT_EQ(found.groups.size(), 1);
+  EXPECT_EQ(found.groups[0].edges.size(), StraightEdges::kMost);
+  EXPECT_GT(std::ranges::min(found.groups[0].half), 0.099F);
 }
 
 TEST(EdgeIntegralTest, IsTheSumAlongTheEdge) {

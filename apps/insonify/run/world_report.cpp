@@ -111,6 +111,9 @@ std::vector<std::string> oddities_of(Simulator& simulator, const ScenarioRequest
                     "the samples; objects of their own, or fewer, would not",
                     name));
   }
+  if (const std::size_t count = simulator.edges_left_out(); count > 0) {
+    texts.push_back(fmt::format("the world has too many straight edges: the {} shortest have no echo", count));
+  }
   return texts;
 }
 

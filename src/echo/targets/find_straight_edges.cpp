@@ -253,12 +253,13 @@ StraightEdges find_straight_edges(const Scene& scene, const GlintingFaces& faces
     }
   }
   const auto half = [](const PlacedEdge& edge) { return edge.second.half; };
+  StraightEdges found;
   if (edges.size() > StraightEdges::kMost) {
+    found.left_out = edges.size() - StraightEdges::kMost;
     std::ranges::stable_sort(edges, std::greater<>(), half);
     edges.resize(StraightEdges::kMost);
     std::ranges::stable_sort(edges, {}, [](const auto& edge) { return edge.first; });
   }
-  StraightEdges found;
   Surroundings(scene, engine).keep_free(edges);
   for (const auto& [index, edge] : edges) {
     const Instance& instance = scene.instances[index];
