@@ -92,11 +92,12 @@ TEST_P(SeeThroughTest, AWallBehindAFoilLosesWhatTheFoilTakesTwice) {
     double tilt_deg, transmittance;
   };
   const double solid_angle = kDegree * 2 * std::sin(0.5 * kDegree);
-  for (const Case& c : {Case{kPolyethylene, 0, 0.951068665}, Case{kPolyethylene, 20, 0.946969718},
-                        Case{kPolyethylene, 35, 0.910565243}, Case{kAluminium, 0, 0.421163884},
-                        Case{kAluminium, 20, 0.463210410}, Case{kAluminium, 50, 0.745906344}}) {
-    const Ping ping = ping_of(scenario_of(narrow_sonar(), GetParam()),
-                              scene_of_all({plate_at(10, 30, diffuse(-15)), plate_at(5, 30, c.foil, c.tilt_deg * kDegree)}));
+  for (const Case& c :
+       {Case{kPolyethylene, 0, 0.951068665}, Case{kPolyethylene, 20, 0.946969718}, Case{kPolyethylene, 35, 0.910565243},
+        Case{kAluminium, 0, 0.421163884}, Case{kAluminium, 20, 0.463210410}, Case{kAluminium, 50, 0.745906344}}) {
+    const Ping ping =
+        ping_of(scenario_of(narrow_sonar(), GetParam()),
+                scene_of_all({plate_at(10, 30, diffuse(-15)), plate_at(5, 30, c.foil, c.tilt_deg * kDegree)}));
     EXPECT_NEAR(db(energy_from(ping, narrow_sonar(), 8)), -15 + db(solid_angle / 100) + 2 * db(c.transmittance), 0.03)
         << c.transmittance;
   }
@@ -142,8 +143,9 @@ TEST_P(SeeThroughTest, ANetDimsTheFloorBehindIt) {
   scenario.ground_truth = GroundTruth::kFull;
   const Scene floor = seabed_at(-2, diffuse(-20));
   const Ping bare = ping_of(scenario, floor);
-  const Ping behind = ping_of(
-      scenario, scene_of_all({floor, scene_of(make_plane(-Vec3::UnitX(), 20, 20), net(0.8), {.position = {6, 10, 0}})}));
+  const Ping behind =
+      ping_of(scenario,
+              scene_of_all({floor, scene_of(make_plane(-Vec3::UnitX(), 20, 20), net(0.8), {.position = {6, 10, 0}})}));
   int dimmed = 0, same = 0;
   for (int bin = 0; bin < bare.bin_count; ++bin) {
     for (int beam = 0; beam < bare.beam_count; ++beam) {
@@ -184,15 +186,16 @@ TEST_P(SeeThroughTest, WaterBehindANetIsHiddenInPart) {
   }
 }
 
-// A surface that is open altogether is not there: not in the picture, nor in the ground truth, whatever its relief. Where
-// it ends within the fan or meets the bed, samples of the bed on both sides are not joined: the level within half a
-// sample there is that of either, one of some hundred rows.
+// A surface that is open altogether is not there: not in the picture, nor in the ground truth, whatever its relief.
+// Where it ends within the fan or meets the bed, samples of the bed on both sides are not joined: the level within half
+// a sample there is that of either, one of some hundred rows.
 TEST_P(SeeThroughTest, WhatIsOpenAltogetherIsNotThere) {
   Scenario scenario = scenario_of(wide_sonar(), GetParam());
   scenario.ground_truth = GroundTruth::kFull;
   scenario.water.volume_backscatter_db = -60;
   scenario.points = {{.position = {9, 0.5, -1}, .target_strength_db = -30}};
-  const std::vector<Scene> scenes = {seabed_at(-2, diffuse(-20)), sphere_at({9, -2, -1.5}, 0.5, glinting(0.8, 0.1), 0.3)};
+  const std::vector<Scene> scenes = {seabed_at(-2, diffuse(-20)),
+                                     sphere_at({9, -2, -1.5}, 0.5, glinting(0.8, 0.1), 0.3)};
   const Ping bare = ping_of(scenario, scene_of_all(scenes));
   Material open = *find_material("granite");
   open.open_share = 1;
@@ -234,9 +237,10 @@ TEST_P(SeeThroughTest, OpaqueSurfacesHide) {
     EXPECT_EQ(energy_from(ping, narrow_sonar(), 8), 0);
   }
   const double alone = energy_from(ping_of(scenario_of(narrow_sonar(), GetParam()), wall), narrow_sonar(), 8);
-  EXPECT_EQ(energy_from(ping_of(scenario_of(narrow_sonar(), GetParam()), scene_of_all({wall, plate_at(12, 30, net(0.5))})),
-                        narrow_sonar(), 8),
-            alone);
+  EXPECT_EQ(
+      energy_from(ping_of(scenario_of(narrow_sonar(), GetParam()), scene_of_all({wall, plate_at(12, 30, net(0.5))})),
+                  narrow_sonar(), 8),
+      alone);
 }
 
 // The rest of a net scatters: a panel of solidity 0.3 has 0.3 of the echo of a closed one.
@@ -292,9 +296,8 @@ TEST_P(SeeThroughReceiverTest, ANetIsAFainterWall) {
     const auto ping = [&](double open_share, double lambert_db) {
       Material wall = diffuse(lambert_db);
       wall.clutter_shape = 2;
-      Simulator simulator(scenario,
-                          scene_of_all({plane(-Vec3::UnitX(), {10, 0, 0}, wall), plate_at(6, 60, net(open_share), 0.3)}),
-                          2);
+      Simulator simulator(
+          scenario, scene_of_all({plane(-Vec3::UnitX(), {10, 0, 0}, wall), plate_at(6, 60, net(open_share), 0.3)}), 2);
       return simulator.make_ping(0, 1);
     };
     const Ping behind = ping(0.8, -15), fainter = ping(1, -15 + db(0.64));
@@ -385,6 +388,23 @@ TEST_P(SeeThroughTargetTest, PulsesOfAnotherSonarPassOnce) {
   scenario.interferers = {{.position = {12, 0, 0}, .source_level_db = 190, .period = 0.011, .duration = 1e-4}};
   const double bare = total_db(ping_of(scenario, {}));
   EXPECT_NEAR(total_db(ping_of(scenario, plate_at(6, 30, net(0.8)))) - bare, db(0.8), 0.01);
+}
+
+// The upright edge of a hard plate, seen over it as it is turned by 50 degrees, is a discrete echo. Behind a net it
+// loses 0.64. A plate that is open altogether has no edge.
+TEST_P(SeeThroughTargetTest, EdgesAreSeenThroughANet) {
+  Material polished = glinting(0.9, 0.05);
+  polished.rms_height = 1e-6;
+  const Scenario scenario = scenario_of(level_sonar(), GetParam());
+  const auto edge_db = [&](double open_share, std::vector<Scene> more) {
+    polished.open_share = open_share;
+    more.insert(more.begin(), plate_at(12, 2, polished, 50 * kDegree));
+    return total_db(ping_of(scenario, scene_of_all(std::move(more))));
+  };
+  const double bare = edge_db(0, {});
+  EXPECT_GT(bare, -100);
+  EXPECT_NEAR(edge_db(0, {plate_at(6, 30, net(0.8))}) - bare, db(0.64), 0.01);
+  EXPECT_LT(edge_db(1, {}), bare - 80);
 }
 
 // The ghost of a point by a wall beside it: out by the wall, back straight, and the other way. A net before all of it

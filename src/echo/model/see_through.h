@@ -21,8 +21,8 @@ template <typename Value>
   return passed < Value{kLeastPassed} ? Value{0} : passed;
 }
 
-/// Fills in `passed` of a column, after `facing`, where the plan sees through surfaces. Of the first hits of rays, of which
-/// `passing` is false, it sets `passing` if any of these surfaces lets sound through, and `reached` to 1.
+/// Fills in `passed` of a column, after `facing`, where the plan sees through surfaces. Of the first hits of rays, of
+/// which `passing` is false, it sets `passing` if any of these surfaces lets sound through, and `reached` to 1.
 void find_passing(const PingPlan& plan, HitColumn& hits);
 
 /// Multiplies HitColumn::power by `reached`, where `passing`.

@@ -67,6 +67,7 @@ EdgeEchoes::EdgeEchoes(std::shared_ptr<const StraightEdges> edges) : edges_(std:
     views_.reserve(kMostTogether);
     rays_.reserve(kMostTogether);
     hits_.resize(kMostTogether);
+    sight_rays_ = SightRays(kMostTogether);
   }
 }
 
@@ -97,7 +98,7 @@ void EdgeEchoes::find(const PingPlan& plan, const Pose& world_from_sonar, const 
         plan.bin_of(static_cast<float>(range)) < 0 || !plan.receives(direction)) {
       continue;
     }
-    double roughness = 0;
+    double roughness = 0, passed = 0;
     std::array<WedgeFace, 2> faces;
     for (int k = 0; k < 2; ++k) {
       const StraightEdges::Side& side = edge.sides[k];
@@ -106,6 +107,7 @@ void EdgeEchoes::find(const PingPlan& plan, const Pose& world_from_sonar, const 
       const double cosine = std::min(std::abs(std::sin(faces[k].angle)) * distance / range, 1.0);
       faces[k].reflection = shown[side.face] != 0 ? 0 : side.sign * std::sqrt(scattering.reflectance(cosine));
       roughness += 0.5 * scattering.roughness;
+      passed += 0.5 * std::sqrt(scattering.transmittance(cosine));
     }
     const double share = std::exp(-roughness);
     if (share < kLeastPart) {
@@ -113,7 +115,11 @@ void EdgeEchoes::find(const PingPlan& plan, const Pose& world_from_sonar, const 
     }
     // As near to a mirror's direction as its glint reaches.
     const double mirror = 0.5 * kFresnelReach * std::sqrt(wavelength / range);
-    const double scattered = wedge_backscatter(edge.exterior, faces, mirror);
+    double scattered = wedge_backscatter(edge.exterior, faces, mirror);
+    if (passed > 0) {  // The term without R is that of the shadow, which is 1 - T deep.
+      scattered -=
+          passed * wedge_backscatter(edge.exterior, {WedgeFace{faces[0].angle, 0}, {faces[1].angle, 0}}, mirror);
+    }
     const EdgeEcho echo = edge_integral(foot, edge.half, distance, wavelength);
     const double amplitude = scattered * echo.amplitude;
     const PingPlan::Arrival arrival = plan.arrival_from(direction);
@@ -136,11 +142,12 @@ void EdgeEchoes::add(const PingPlan& plan, const Pose& world_from_sonar, std::sp
   for (const StraightEdges::Group& group : edges_->groups) {
     find(plan, world_from_sonar, world_from_mesh[group.instance], group, shown);
   }
-  engine.trace(rays_, std::span(hits_).first(rays_.size()));
+  sight_rays_.trace(plan, engine, rays_, std::span(hits_).first(rays_.size()));
   for (std::size_t i = 0; i < views_.size(); ++i) {
     if (!std::isfinite(hits_[i].distance)) {
       const View& view = views_[i];
-      add_discrete_echo(plan, view.arrival, 1, view.range, view.intensity,
+      const double passed = sight_rays_.passed(i);
+      add_discrete_echo(plan, view.arrival, 1, view.range, view.intensity * passed * passed,
                         plan.turns_per_metre * view.range + view.turns, grid);
     }
   }

@@ -36,8 +36,8 @@ class SightRays {
  private:
   std::size_t most_;
   bool opaque_ = true;
-  std::vector<double> passed_;      // [ray]
-  std::vector<std::size_t> of_;     // The rays that go on.
+  std::vector<double> passed_;   // [ray]
+  std::vector<std::size_t> of_;  // The rays that go on.
   std::vector<Ray> onward_;
   std::vector<Hit> met_;
 };
