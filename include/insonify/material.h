@@ -54,6 +54,19 @@ void visit_material_fields(Self& self, Visit&& visit) {
               "Thickness of a plate with water on both sides (calibrated model); solid when absent.",
               ActsIn::kCalibrated, "reflectivity"},
         self.thickness);
+  visit(
+      Field{"transmission", "", from_to(0, 1),
+            "Magnitude of the pressure transmission coefficient at all angles (calibrated model); when absent that of "
+            "a plate of this thickness, none of a solid. At most what reflection and diffuse scattering leave.",
+            ActsIn::kCalibrated},
+      self.transmission);
+  visit(
+      Field{
+          "open_share", "", from_to(0, 1),
+          "Share of the area that is open, as in a net or a grating seen as one surface: 1 less its solidity. It lets "
+          "this share of the sound through each way (calibrated model); all else holds for the rest of the area.",
+          ActsIn::kCalibrated},
+      self.open_share);
   visit(Field{"rms_slope", "", from_to(0.005, 1),
               "Root mean square slope of its small facets along each axis, which sets the width of the specular lobe "
               "(calibrated model).",
@@ -95,6 +108,8 @@ struct Material {
   std::optional<double> reflection = {};     ///< |R| at normal incidence, 0..1; absent: see reflection_at().
   std::optional<double> thickness = {};      ///< Thickness of a plate with water on both sides [m], in (0, 1000];
                                              ///< absent: solid.
+  std::optional<double> transmission = {};   ///< |T| at all angles, 0..1; absent: see scattering().
+  double open_share = 0;                     ///< Share of the area that lets all sound through, 0..1.
   double rms_slope = 0.1;                    ///< Root mean square slope of small facets, along each axis, 0.005..1.
   double rms_height = 0;                     ///< Root mean square height of that roughness [m], 0..100; 0: not known.
   std::optional<double> clutter_shape = {};  ///< Shape nu of K-distributed clutter, 0.1..1000: smaller is patchier;
@@ -118,9 +133,15 @@ struct Material {
   /// @param frequency  [Hz], > 0.
   [[nodiscard]] double reflection_at(double frequency) const;
 
+  /// |T| in sea water at normal incidence, for the `calibrated` model, of what is not open: see scattering().
+  /// @param frequency  [Hz], > 0.
+  [[nodiscard]] double transmission_at(double frequency) const;
+
   /// The scattering parameters of the `calibrated` model at a frequency [Hz]. Reflection depends on the angle as that
-  /// of a half-space or plate with these speeds, unless `reflection` is given: then |R| is the same at all angles. With
-  /// a `sea_wind`, echo and reflection are those of acoustics/surface_scattering.h at every angle.
+  /// of a half-space or plate with these speeds, unless `reflection` is given: then |R| is the same at all angles.
+  /// |T|^2 is that of the plate, 0 without a thickness, or `transmission` squared, at most 1 - |R|^2 - pi mu. Of
+  /// `open_share` sound passes unchanged; |R|^2, |T|^2 and mu of the rest are multiplied by 1 - open_share. With a
+  /// `sea_wind`, echo and reflection are those of acoustics/surface_scattering.h at every angle, and nothing passes.
   [[nodiscard]] Scattering scattering(double frequency) const;
 
   template <typename Self, typename Visit>

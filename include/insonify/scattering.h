@@ -61,6 +61,7 @@ struct Scattering {
   /// mirror; the rest is diffuse, and random walks alone follow it.
   bool facets_mirror = true;
   std::shared_ptr<const AngularScattering> by_angle = {};  ///< Null: |R| is the same at all angles, and nothing on top.
+  std::shared_ptr<const AngleTable> passed = {};  ///< |T|^2: share of the energy that passes through; null: opaque.
 
   /// |R|^2 at an angle of incidence.
   /// @param cosine  Of that angle, 0..1.
@@ -68,7 +69,11 @@ struct Scattering {
     return by_angle ? by_angle->reflectance.at(cosine) : reflection * reflection;
   }
 
-  /// Share of it that mirrors reflect, 0..1.
+  /// Share of the incident energy that passes through and goes on in its own direction, 0..1.
+  /// @param cosine  As for reflectance().
+  [[nodiscard]] double transmittance(double cosine) const { return passed ? passed->at(cosine) : 0; }
+
+  /// Share of the reflected energy that mirrors reflect, 0..1.
   [[nodiscard]] double mirror_share(double cosine) const {
     return facets_mirror ? 1 : std::exp(-roughness * cosine * cosine);
   }

@@ -47,6 +47,8 @@ struct MaterialOverride {
   std::optional<double> lambert_db = {};         ///< [dB]
   std::optional<double> reflection = {};         ///< 0..1
   std::optional<double> thickness = {};          ///< [m]
+  std::optional<double> transmission = {};       ///< 0..1
+  std::optional<double> open_share = {};         ///< 0..1
   std::optional<double> rms_slope = {};          ///< 0.005..1
   std::optional<double> rms_height = {};         ///< [m]
   std::optional<double> clutter_shape = {};      ///< 0.1..1000

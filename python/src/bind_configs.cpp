@@ -115,7 +115,11 @@ void add_materials(py::module_& module) {
       .def(
           "reflection_at",
           [](const Held<Material>& self, double frequency) { return self.value.reflection_at(frequency); },
-          py::arg("frequency"), "|R| in sea water at normal incidence, at a frequency [Hz] > 0 (calibrated model).");
+          py::arg("frequency"), "|R| in sea water at normal incidence, at a frequency [Hz] > 0 (calibrated model).")
+      .def(
+          "transmission_at",
+          [](const Held<Material>& self, double frequency) { return self.value.transmission_at(frequency); },
+          py::arg("frequency"), "|T| in sea water at normal incidence, at a frequency [Hz] > 0 (calibrated model).");
   module.def(
       "material_library",
       [] {

@@ -62,14 +62,12 @@ double sine_of(double cosine) {
   return std::sqrt(1 - cosine * cosine);
 }
 
-}  // namespace
+// Coefficients of both parts of a plate's motion.
+struct PlateCoefficients {
+  Complex symmetric, antisymmetric;
+};
 
-Complex half_space_reflection(const ReflectingMedium& medium, double cosine) {
-  const Impedances impedances(medium, sine_of(cosine));
-  return coefficient(impedances.by_compression + impedances.by_shear, cosine);
-}
-
-Complex plate_reflection(const ReflectingMedium& medium, double turns, double cosine) {
+PlateCoefficients plate_coefficients(const ReflectingMedium& medium, double turns, double cosine) {
   assert(turns > 0);
   const Impedances impedances(medium, sine_of(cosine));
   // Tangent of k cos(theta) d/2. Where a wave has died away within the plate, it is i.
@@ -86,7 +84,24 @@ Complex plate_reflection(const ReflectingMedium& medium, double turns, double co
   const Complex by_shear = impedances.by_shear == 0.0 ? 1.0 : tangent(impedances.shear);
   const Complex symmetric = kI * (impedances.by_compression / by_compression + impedances.by_shear / by_shear);
   const Complex antisymmetric = -kI * (impedances.by_compression * by_compression + impedances.by_shear * by_shear);
-  return 0.5 * (coefficient(symmetric, cosine) + coefficient(antisymmetric, cosine));
+  return {coefficient(symmetric, cosine), coefficient(antisymmetric, cosine)};
+}
+
+}  // namespace
+
+Complex half_space_reflection(const ReflectingMedium& medium, double cosine) {
+  const Impedances impedances(medium, sine_of(cosine));
+  return coefficient(impedances.by_compression + impedances.by_shear, cosine);
+}
+
+Complex plate_reflection(const ReflectingMedium& medium, double turns, double cosine) {
+  const PlateCoefficients parts = plate_coefficients(medium, turns, cosine);
+  return 0.5 * (parts.symmetric + parts.antisymmetric);
+}
+
+Complex plate_transmission(const ReflectingMedium& medium, double turns, double cosine) {
+  const PlateCoefficients parts = plate_coefficients(medium, turns, cosine);
+  return 0.5 * (parts.symmetric - parts.antisymmetric);
 }
 
 }  // namespace insonify

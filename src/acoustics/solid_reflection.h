@@ -36,4 +36,10 @@ struct ReflectingMedium {
 /// @param turns  Thickness d over the wavelength in water, > 0.
 [[nodiscard]] std::complex<double> plate_reflection(const ReflectingMedium& medium, double turns, double cosine);
 
+/// Pressure transmission coefficient T of the same plate, for sound that leaves it in its own direction: the symmetric
+/// part of the motion sends the same wave to both sides and the antisymmetric one the opposite wave, so that T is half
+/// the difference of the coefficients of both. Without loss |R|^2 + |T|^2 = 1. Its phase is that at the far face, as if
+/// the plate had no thickness.
+[[nodiscard]] std::complex<double> plate_transmission(const ReflectingMedium& medium, double turns, double cosine);
+
 }  // namespace insonify

@@ -76,6 +76,26 @@ void check_energy(const std::string& key, const Material& material) {
   }
 }
 
+// What passes through is neither scattered nor reflected. Without a reflection that is given, the one of a solid is
+// known, while that of a plate depends on the frequency: Material::scattering() limits what passes a plate.
+void check_transmission(const std::string& key, const Material& material) {
+  if (!material.transmission) {
+    return;
+  }
+  const double diffuse = std::numbers::pi * std::pow(10.0, material.lambert_db / 10);
+  const bool known = material.reflection || !material.thickness;
+  const double reflected = known ? std::pow(material.reflection_at(1), 2) : 0;
+  const double given = diffuse + reflected + std::pow(*material.transmission, 2);
+  if (given > 1.01) {
+    throw Error(
+        key, "transmission",
+        fmt::format(" = {:.6g} must be at most {:.3f}: with lambert_db = {:.6g} dB{} the surface would give {:.2f} "
+                    "times the sound that falls on it",
+                    *material.transmission, std::sqrt(std::max(1 - diffuse - reflected, 0.0)), material.lambert_db,
+                    known ? fmt::format(" and a reflection of {:.3f}", std::sqrt(reflected)) : "", given));
+  }
+}
+
 // A solid resists compression: its shear waves are slower than sqrt(3)/2 of the others.
 void check_shear(const std::string& key, const Material& material) {
   constexpr double kMost = 0.86;
@@ -92,6 +112,7 @@ Material changed(Material base, const std::string& key, const MaterialOverride& 
   // Not inherited: they follow from density, sound speed and thickness, which may be new.
   base.reflectivity.reset();
   base.reflection.reset();
+  base.transmission.reset();
   if (change.sound_speed) {
     base.shear_speed.reset();
   }
@@ -107,6 +128,7 @@ Material changed(Material base, const std::string& key, const MaterialOverride& 
   check_fields("materials." + key, base);
   check_shear("materials." + key, base);
   check_energy("materials." + key, base);
+  check_transmission("materials." + key, base);
   return base;
 }
 

@@ -114,13 +114,14 @@ void add_mutual_interference(std::span<const SendingSonar> senders, const Simula
     const double range = there.norm();
     const Received received =
         received_from(plan, (world_from_sonar.orientation.inverse() * there / range).cast<float>(), has_array);
-    if (received.beam < 0 || !is_clear(world_from_sonar.position, place, engine)) {
+    const double passed = received.beam < 0 ? 0 : passed_between(plan, world_from_sonar.position, place, engine);
+    if (passed == 0) {
       continue;
     }
     const Vec3 towards = request.world_from_vehicle.orientation.inverse() * -there / range;
     const double arriving = std::pow(10.0, (sender.source_level_db() - plan.sonar.source_level_db) / 10) * share *
                             double{received.arrival.pattern} / (range * range) *
-                            std::exp(-2 * double{plan.neper_per_metre} * range);
+                            std::exp(-2 * double{plan.neper_per_metre} * range) * passed;
     const double delay = range / sound_speed - request.time;  // When a pulse sent at time 0 arrives [s].
     const double earliest = std::ceil(-(delay + sender.duration()) / sender.period());
     for (auto ping = static_cast<std::uint64_t>(std::max(0.0, earliest));; ++ping) {

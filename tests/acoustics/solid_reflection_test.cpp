@@ -111,5 +111,42 @@ TEST(PlateReflectionByAngleTest, ThickLossyPlatesAreHalfSpaces) {
   }
 }
 
+// |T| by the same six equations, computed apart from this code: elastic plates, and one of each kind with loss.
+TEST(PlateTransmissionTest, SolvesTheBoundaryConditionsOfBothFaces) {
+  struct Case {
+    ReflectingMedium medium;
+    double thickness, incidence_deg, magnitude;
+  };
+  const ReflectingMedium hdpe = medium(960, 2430, 950), aluminium = medium(2700, 6420, 3040),
+                         acrylic = medium(1190, 2750, 1400), lossy_acrylic = medium(1190, 2750, 1400, 0.01),
+                         lossy_fluid{1.5, 1.4, 0, 0.02};
+  for (const Case& c :
+       {Case{hdpe, 3e-4, 0, 0.975227494}, Case{hdpe, 3e-4, 35, 0.954235423}, Case{hdpe, 3e-4, 60, 0.212159123},
+        Case{aluminium, 3e-4, 0, 0.648971404}, Case{aluminium, 3e-4, 50, 0.863658697},
+        Case{kSteel, 3e-3, 0, 0.088888906}, Case{kSteel, 3e-3, 20, 0.371511497}, Case{kSteel, 3e-3, 60, 0.002281613},
+        Case{kPvc, 3e-3, 20, 0.663472560}, Case{acrylic, 1e-2, 35, 0.656119741}, Case{acrylic, 1e-2, 50, 0.999997117},
+        Case{lossy_acrylic, 5e-3, 25, 0.504585062}, Case{lossy_fluid, 4e-3, 15, 0.657597111}}) {
+    const double turns = c.thickness * 720e3 / kWaterSpeed;
+    EXPECT_NEAR(std::abs(plate_transmission(c.medium, turns, std::cos(c.incidence_deg * kDegree))), c.magnitude, 1e-7)
+        << c.thickness << ", " << c.incidence_deg;
+  }
+}
+
+// Energy: what is not reflected passes, and with loss some of it is missing.
+TEST(PlateTransmissionTest, KeepsTheEnergy) {
+  for (const double thickness : {1e-4, 1e-3, 7e-3, 3e-2}) {
+    for (int degrees = 0; degrees < 90; degrees += 3) {
+      const double turns = thickness * 400e3 / kWaterSpeed, cosine = std::cos(degrees * kDegree);
+      for (const double loss : {0.0, 0.01}) {
+        const ReflectingMedium plate = medium(1380, 2380, 1060, loss);
+        const double sum =
+            std::norm(plate_reflection(plate, turns, cosine)) + std::norm(plate_transmission(plate, turns, cosine));
+        EXPECT_LE(sum, 1 + 1e-9) << thickness << ", " << degrees;
+        EXPECT_TRUE(loss > 0 ? sum < 1 - 1e-5 : sum > 1 - 1e-9) << thickness << ", " << degrees;
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace insonify

@@ -141,6 +141,30 @@ TEST_P(EngineAgreementTest, GivesTheCalibratedEchoesOfTheReference) {
   }
 }
 
+// Bodies and bed behind and within plates and nets; those of every third scene have none, and some are opaque.
+TEST_P(EngineAgreementTest, SeesThroughSurfacesAsTheReferenceDoes) {
+  for (int seed = 0; seed < kScenes; seed += 2) {
+    RandomScene random(seed);
+    for (std::size_t i = 0; i < random.scene.materials.size(); ++i) {
+      Material& material = random.scene.materials[i];
+      material.lambert_db = -15;
+      material.open_share = i % 3 == 0 ? 0.7 : 0;
+      material.thickness = i % 3 == 1 ? std::optional(2e-4) : std::nullopt;
+    }
+    const PingPlanSettings settings{.sonar = random.sonar,
+                                    .model = EchoModel::kCalibrated,
+                                    .materials = random.scene.materials,
+                                    .beam_shape = seed % 4 < 2 ? BeamShape::kWedge : BeamShape::kCone,
+                                    .elevation_array = seed % 8 < 4 ? std::optional<ArraySettings>() : ArraySettings{},
+                                    .secondary = seed % 6 < 4 ? SecondaryEchoes::kNone : SecondaryEchoes::kSelective,
+                                    .seed = static_cast<std::uint64_t>(seed)};
+    const EchoGrid echoes = echoes_of(GetParam(), random.scene, settings, random.pose);
+    const EchoGrid reference = echoes_of("reference", random.scene, settings, random.pose);
+    expect_agreement(reference, echoes, seed);
+    expect_same_labels(reference, echoes, seed);
+  }
+}
+
 TEST_P(EngineAgreementTest, MovesInstancesAsTheReferenceDoes) {
   for (int seed = 0; seed < 20; ++seed) {
     const RandomScene random(seed);

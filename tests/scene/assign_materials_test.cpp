@@ -238,6 +238,30 @@ TEST(AssignMaterialsMessagesTest, RefusesASurfaceThatGivesMoreThanItGets) {
   EXPECT_LT(allowed.materials[0].reflection_at(720e3), 0.1);
 }
 
+// 0.8^2 + 0.5^2 + pi 10^-1 = 0.64 + 0.25 + 0.31416; what is left for |T| is sqrt(1 - 0.56416) = 0.66018. Of a solid
+// acrylic |R| = 0.36020.
+TEST(AssignMaterialsMessagesTest, RefusesASurfaceThatLetsThroughMoreThanItGets) {
+  const Scene scene = scene_with({instance("hull")});
+  EXPECT_EQ(
+      fault(scene, {.overrides = {{"hull", {.lambert_db = -10, .reflection = 0.5, .transmission = 0.8}}}}),
+      "materials.hull.transmission = 0.8 must be at most 0.660: with lambert_db = -10 dB and a reflection of 0.500 "
+      "the surface would give 1.20 times the sound that falls on it");
+  EXPECT_EQ(
+      fault(scene, {.overrides = {{"hull", {.like = "acrylic", .transmission = 0.95}}}}),
+      "materials.hull.transmission = 0.95 must be at most 0.932: with lambert_db = -35 dB and a reflection of 0.360 "
+      "the surface would give 1.03 times the sound that falls on it");
+  EXPECT_EQ(fault(scene, {.overrides = {{"hull", {.transmission = 1.2}}}}),
+            "materials.hull.transmission = 1.2 must be from 0 to 1");
+  EXPECT_EQ(fault(scene, {.overrides = {{"hull", {.open_share = -0.1}}}}),
+            "materials.hull.open_share = -0.1 must be from 0 to 1");
+  Scene allowed = scene;
+  assign_materials(allowed, {.overrides = {{"hull", {.like = "acrylic", .transmission = 0.93}}}});
+  EXPECT_EQ(allowed.materials[0].transmission, 0.93);
+  // With a thickness, the reflection depends on the frequency: what passes is limited there.
+  assign_materials(allowed, {.overrides = {{"hull", {.like = "acrylic", .thickness = 3e-3, .transmission = 0.99}}}});
+  EXPECT_NEAR(allowed.materials[0].transmission_at(720e3), 0.777, 2e-3);
+}
+
 // Shear waves are slower than sqrt(3)/2 of the others in any solid. Another sound speed makes a fluid.
 TEST(AssignMaterialsTest, ShearIsSlowerThanSound) {
   Scene scene = scene_with({instance("hull")});

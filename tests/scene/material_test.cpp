@@ -290,5 +290,51 @@ TEST(MaterialReflectionTest, PlatesLetSoundThrough) {
   EXPECT_NEAR(steel.scattering(700e3).reflection, 0, 1e-9);
 }
 
+// What passes, comes back and is scattered is at most what falls on a surface; of a lossless plate of which mu is small
+// it is all.
+TEST(MaterialTransmissionTest, KeepsTheEnergy) {
+  for (const char* name : {"acrylic", "steel", "hdpe", "glass", "sand", "granite"}) {
+    Material plate = *find_material(name);
+    for (const double open_share : {0.0, 0.4, 1.0}) {
+      plate.open_share = open_share;
+      for (const double thickness : {2e-4, 3e-3, 2e-2}) {
+        plate.thickness = thickness;
+        const Scattering surface = plate.scattering(720e3);
+        for (int degrees = 0; degrees <= 90; ++degrees) {
+          const double cosine = std::cos(degrees * kPi / 180);
+          const double sum = kPi * surface.lambert + surface.reflectance(cosine) + surface.transmittance(cosine);
+          EXPECT_LE(sum, 1 + 1e-9) << name << ", " << thickness << ", " << degrees;
+          EXPECT_GE(surface.transmittance(cosine), open_share - 1e-12);
+          if (plate.loss == 0) {
+            EXPECT_GE(sum, 1 - 2 * kPi * std::pow(10, plate.lambert_db / 10)) << name << ", " << thickness;
+          }
+        }
+      }
+    }
+  }
+}
+
+// 3 mm of acrylic at 720 kHz: |T|^2 = 0.605254332 at normal incidence, 0.130089617 at 35 degrees (six equations).
+// Solids and bottoms let nothing through; a given transmission holds at all angles, as far as the reflection leaves it.
+TEST(MaterialTransmissionTest, IsThatOfAPlateUnlessItIsGiven) {
+  Material acrylic = *find_material("acrylic");
+  EXPECT_EQ(acrylic.scattering(720e3).passed, nullptr);
+  EXPECT_EQ(acrylic.transmission_at(720e3), 0);
+  acrylic.thickness = 3e-3;
+  EXPECT_NEAR(acrylic.scattering(720e3).transmittance(1), 0.605254332, 2e-3);  // Lambert's law takes 0.001.
+  EXPECT_NEAR(acrylic.scattering(720e3).transmittance(std::cos(35 * kPi / 180)), 0.130089617, 2e-3);
+  EXPECT_NEAR(acrylic.transmission_at(720e3), std::sqrt(0.605254332), 2e-3);
+  acrylic.transmission = 0.3;
+  EXPECT_EQ(acrylic.transmission_at(720e3), 0.3);
+  EXPECT_NEAR(acrylic.scattering(720e3).transmittance(1), 0.09, 1e-12);
+  Material net = *find_material("nylon");
+  net.reflection = 0;
+  net.open_share = 0.8;
+  const Scattering surface = net.scattering(720e3);
+  EXPECT_DOUBLE_EQ(surface.transmittance(1), 0.8);
+  EXPECT_DOUBLE_EQ(surface.transmittance(0.1), 0.8);
+  EXPECT_NEAR(surface.lambert, 0.2e-3, 1e-12);
+}
+
 }  // namespace
 }  // namespace insonify

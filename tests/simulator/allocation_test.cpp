@@ -79,7 +79,8 @@ Scenario busy_scenario(int beams) {
 }
 
 // Number of allocations in the last hundred pings.
-int allocations_of_pings(const Scenario& scenario, int threads) {
+// @param open_share  Of a net before all else; 0: there is none.
+int allocations_of_pings(const Scenario& scenario, int threads, double open_share = 0) {
   SceneMaker maker;
   maker.add_floor(-2);
   maker.add_wall(8);
@@ -87,7 +88,11 @@ int allocations_of_pings(const Scenario& scenario, int threads) {
   maker.add("rope", make_cylinder(0.006, 1), {.position = {4, -0.2, -0.5}});
   maker.add("post", make_box({0.3, 0.3, 2}),
             {.position = {5, -1.2, 0}, .orientation = orientation_from_rpy(0, 0, radians_from_degrees(30))});
+  if (open_share > 0) {
+    maker.add("net", make_plane(Vec3::UnitX(), 6, 6), {.position = {2, 0, 0}});
+  }
   Scene scene = maker.scene();
+  scene.materials.back().open_share = open_share;
   for (Material& material : scene.materials) {
     material.rms_height = 1e-5;  // Glints of faces, and edges.
   }
@@ -165,6 +170,13 @@ TEST(AllocationTest, CalibratedPingsAllocateNothing) {
   fan.receiver.speckle = false;
   EXPECT_EQ(allocations_of_pings(fan, 1), 0);
   EXPECT_EQ(allocations_of_pings(calibrated_scenario(SonarType::kMechanicallyScanned), 1), 0);
+}
+
+TEST(AllocationTest, PingsThroughANetAllocateNothing) {
+  if (INSONIFY_COUNTS_ALLOCATIONS == 0) {
+    GTEST_SKIP() << "allocations cannot be counted here";
+  }
+  EXPECT_EQ(allocations_of_pings(calibrated_scenario(SonarType::kForwardLooking), 2, 0.8), 0);
 }
 
 TEST(AllocationTest, CalibratedPingsOfConesAndElevationPatternsAllocateNothing) {

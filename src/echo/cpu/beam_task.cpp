@@ -7,6 +7,8 @@
 #include <cstring>
 
 #include "echo/model/deposit.h"
+#include "echo/model/ray_limits.h"
+#include "echo/model/see_through.h"
 
 namespace insonify {
 namespace {
@@ -121,6 +123,51 @@ bool BeamTask::read_tile(int first_row) {
   return true;
 }
 
+// Fills the strip with what lies behind the surfaces hit, along the same rays. Returns false, and leaves the strip as
+// it is, where no surface lets sound through.
+bool BeamTask::trace_behind(int columns) {
+  bool any = false;
+  for (int i = 0; i < columns; ++i) {
+    any = any || (hits_[i].passing && any_passes_on(*plan_, hits_[i]));
+  }
+  if (!any) {
+    return false;
+  }
+  int rows_met = 0;
+  const int rows = hits_[0].rows;
+  for (int first_row = 0; first_row < rows; first_row += kTile) {
+    rows_met = read_tile_behind(columns, first_row, rows) ? first_row + kTile : rows_met;
+  }
+  for (int lane = 0; lane < kPacketSize; ++lane) {
+    primary_.rays.ray.tnear[lane] = 0;
+  }
+  for (HitColumn& hits : hits_) {
+    hits.rows = std::min(rows_met, rows);
+    hits.passing = true;
+  }
+  return true;
+}
+
+// The same for one tile. Returns whether anything was hit.
+bool BeamTask::read_tile_behind(int columns, int first_row, int rows) {
+  for (int lane = 0; lane < kPacketSize; ++lane) {
+    const HitColumn& hits = hits_[lane / kTile];
+    const int row = first_row + lane % kTile;
+    const bool hit = lane / kTile < columns && row < rows && hits.passing && hits.surface[row] != kNoSurface;
+    const float passed = hit ? hits.passed[row] : 0.0F;
+    hits.reached[row] = passed;
+    primary_.valid[lane] = passed > 0 ? -1 : 0;
+    primary_.rays.ray.tnear[lane] = passed > 0 ? hits.range[row] + kRayClearance : 0.0F;
+    primary_.rays.ray.dir_x[lane] = hits.direction_x[row];
+    primary_.rays.ray.dir_y[lane] = hits.direction_y[row];
+    primary_.rays.ray.dir_z[lane] = hits.direction_z[row];
+    primary_count_ += passed > 0 ? 1 : 0;
+  }
+  primary_.set_reach(plan_->true_max_range);
+  primary_.intersect(scene_.handle());
+  return read_tile(first_row);
+}
+
 void BeamTask::trace_strip(int first_column) {
   aim_strip(first_column);
   int rows_met = 0;
@@ -133,6 +180,7 @@ void BeamTask::trace_strip(int first_column) {
   for (HitColumn& hits : hits_) {
     hits.rows = std::min(rows_met, plan_->lattice.rows);
     hits.has_relief = scene_.reliefs().any();
+    hits.passing = false;
   }
 }
 
@@ -146,6 +194,7 @@ void BeamTask::read_strip(int first_column) {
   for (HitColumn& hits : hits_) {
     hits.rows = rows_met;
     hits.has_relief = scene_.reliefs().any();
+    hits.passing = false;
   }
   if (scene_.reliefs().any()) {
     for (int column = first_column; column < std::min(first_column + kTile, columns_); ++column) {
@@ -166,6 +215,21 @@ void BeamTask::add_relief(const HitColumn& hits) {
     }
     set_relief(hits, row, point);
     hits.reflectivity[row] *= point.reflectivity;
+  }
+}
+
+// Adds the echoes of the strip's hits to the grid.
+void BeamTask::deposit_strip(int first_column, int columns, SecondarySampling sampling, EchoGrid& grid) {
+  for (int i = 0; i < columns; ++i) {
+    make_normals_unit(*plan_, hits_[i]);
+  }
+  if (plan_->model == EchoModel::kCalibrated) {
+    turns_.find(*plan_, first_column_ + first_column, {hits_, static_cast<std::size_t>(columns)});
+  }
+  for (int column = first_column; column < first_column + columns; ++column) {
+    HitColumn& hits = hits_[column - first_column];
+    evaluate_column(*plan_, sampling, first_column_ + column, axes_[column], left_out_, hits, segments_);
+    deposit_column(*plan_, first_column_ + column, hits, segments_, sums_, grid);
   }
 }
 
@@ -205,19 +269,12 @@ void BeamTask::run(const Pose& world_from_sonar, int first_beam, int last_beam, 
       trace_strip(first_column);
     }
     const int columns = std::min(kTile, columns_ - first_column);
-    for (int i = 0; i < columns; ++i) {
-      make_normals_unit(*plan_, hits_[i]);
-    }
-    if (plan_->model == EchoModel::kCalibrated) {
-      turns_.find(*plan_, first_column_ + first_column, {hits_, static_cast<std::size_t>(columns)});
-    }
-    for (int column = first_column; column < first_column + columns; ++column) {
-      const HitColumn& hits = hits_[column - first_column];
-      evaluate_column(*plan_, sampling_, first_column_ + column, axes_[column], left_out_, hits, segments_);
-      deposit_column(*plan_, first_column_ + column, hits, segments_, sums_, grid);
-    }
+    deposit_strip(first_column, columns, sampling_, grid);
     if (sampling_ != SecondarySampling::kNone) {
       secondary_.reflect(hits_[0], strip_.stride(), first_column_ + first_column, columns);
+    }
+    for (int passed = 0; passed < kMostPassed && trace_behind(columns); ++passed) {
+      deposit_strip(first_column, columns, SecondarySampling::kNone, grid);
     }
   }
   secondary_.finish();

@@ -46,6 +46,9 @@ struct BeamTask {
   int load_tile(int first_column, int first_row);
   bool read_tile(int first_row);
   void trace_strip(int first_column);
+  bool trace_behind(int columns);
+  bool read_tile_behind(int columns, int first_row, int rows);
+  void deposit_strip(int first_column, int columns, SecondarySampling sampling, EchoGrid& grid);
   void read_strip(int first_column);
   void add_relief(const HitColumn& hits);
 

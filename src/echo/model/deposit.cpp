@@ -7,6 +7,7 @@
 
 #include "base/vector_math.h"
 #include "echo/grid/surface_label.h"
+#include "echo/model/see_through.h"
 
 namespace insonify {
 namespace {
@@ -135,9 +136,16 @@ FootprintSegment open_segment(const PingPlan& plan, int column, const HitColumn&
     weight = weight_to_next;
     const int joined = std::min(row, behind);
     if (segments.power[joined] + 2 * segments.half_rise[joined] * bins > 0) {
-      power = segments.power[joined];
-      half_rise = segments.half_rise[joined];
+      const float kept = 0.5F * (kept_at(hits, joined) + kept_at(hits, joined + 1));
+      power = segments.power[joined] * kept;
+      half_rise = segments.half_rise[joined] * kept;
     }
+  }
+  if (hits.passing) {  // Only what goes no further has a weight.
+    const float kept = kept_at(hits, row), per_kept = kept > 0 ? 1 / kept : 0.0F;
+    power *= per_kept;
+    half_rise *= per_kept;
+    weight *= kept;
   }
   const float beyond = segments.reach[row] + least_half_length(here);
   const float low = std::min(here, ends_at) - beyond;
@@ -202,14 +210,15 @@ template <GroundTruth kTruth>
   finish<kTruth>(run, sums, surface, beam, grid);
 }
 
-// Solid angle of the samples of a column that hit something nearer than bin 0 [sr].
+// Solid angle of the samples of a column that hit something nearer than bin 0, without what passes through [sr].
 float met_before(const PingPlan& plan, int column, const HitColumn& hits, const FootprintSegments& segments) {
   const float* interval = plan.lattice.intervals(column);
   const int rows = plan.lattice.rows;
   float met = 0;
   for (int row = 0; row < std::min(hits.rows, rows); ++row) {
     if (hits.surface[row] != kNoSurface && segments.position[row] < 0) {
-      met += (row == 0 ? 1.0F : 0.5F) * interval[row] + (row + 1 == rows ? 1.0F : 0.5F) * interval[row + 1];
+      met += kept_at(hits, row) *
+             ((row == 0 ? 1.0F : 0.5F) * interval[row] + (row + 1 == rows ? 1.0F : 0.5F) * interval[row + 1]);
     }
   }
   return met * plan.lattice.column_measure[column];

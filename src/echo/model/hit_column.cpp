@@ -7,6 +7,7 @@
 #include "base/vector_math.h"
 #include "echo/grid/surface_run.h"
 #include "echo/model/left_out.h"
+#include "echo/model/see_through.h"
 #include "echo/model/select_hits.h"
 
 namespace insonify {
@@ -206,6 +207,19 @@ void fill_segments(int rows, float bins, const float* __restrict__ interval, flo
   }
 }
 
+// Weights become the solid angle whose sound goes no further; the energies of the segments stay as they are.
+INSONIFY_VECTOR_CLONES
+void weigh_by_kept(int rows, const float* __restrict__ reached, const float* __restrict__ passed,
+                   float* __restrict__ power, float* __restrict__ half_rise, float* __restrict__ density) {
+  for (int a = 0; a + 1 < rows; ++a) {
+    const float share = 0.5F * (reached[a] - passed[a] + (reached[a + 1] - passed[a + 1])),
+                scale = share > 0 ? 1 / share : 0.0F;
+    power[a] *= scale;
+    half_rise[a] *= scale;
+    density[a] *= share;
+  }
+}
+
 Rows rows_of(const Lattice& lattice, int column) {
   return {lattice.rows, lattice.cosines(column), lattice.sines(column), 0.5F * lattice.column_width[column]};
 }
@@ -280,13 +294,19 @@ void finish_column(const PingPlan& plan, SecondarySampling sampling, int column,
                 lattice.column_measure[column], lattice.elevations(column), segments.position.data(),
                 segments.reach.data(), hits.power, segments.low.data(), segments.high.data(), segments.power.data(),
                 segments.half_rise.data(), segments.density.data(), segments.elevation.data());
+  if (hits.passing) {
+    weigh_by_kept(rows, hits.reached, hits.passed, segments.power.data(), segments.half_rise.data(),
+                  segments.density.data());
+  }
   select_hits(plan, sampling, column, rows, hits, segments.turned.data());
 }
 
 void evaluate_column(const PingPlan& plan, SecondarySampling sampling, int column, const ColumnAxes& axes,
-                     const LeftOut* left_out, const HitColumn& hits, FootprintSegments& segments) {
+                     const LeftOut* left_out, HitColumn& hits, FootprintSegments& segments) {
   measure_column(plan, column, axes, hits, segments);
+  find_passing(plan, hits);
   fill_powers(plan, hits);
+  weaken_behind(plan, hits);
   if (left_out != nullptr) {
     leave_out(*left_out, plan, hits);
   }

@@ -29,6 +29,12 @@ struct HitColumn {
   float *gradient_x, *gradient_y, *gradient_z;  ///< ReliefPoint::gradient, in the frame of the normals.
   float* texture;                               ///< ReliefPoint::reflectivity; `reflectivity` includes it.
 
+  /// Whether sound has passed surfaces on its way to these hits, or passes these: then `reached` and `passed` are set.
+  /// An engine sets it to false for the first hits of its rays; evaluate_column() may set it to true.
+  bool passing;
+  float* reached;  ///< Share of the intensity that the surfaces in front pass, there and back, 0..1.
+  float* passed;   ///< Share of it that these surfaces pass on, there and back: from evaluate_column().
+
   // From evaluate_column().
   float* facing;    ///< Cosine between ray and unit normal, of either sign; 0 where the relief faces away.
   float* strength;  ///< `paper`: |facing| x reflectivity x absorption there and back, 0..1.
@@ -100,10 +106,11 @@ void make_normals_unit(const PingPlan& plan, const HitColumn& hits);
 
 struct LeftOut;
 
-/// Computes everything that follows from the hits of column `column` of the lattice: measure_column(), fill_powers(),
-/// leave_out() unless `left_out` is null, and finish_column(), one after another. Normals are unit length.
+/// Computes everything that follows from the hits of column `column` of the lattice: measure_column(), find_passing()
+/// and weaken_behind() where the plan sees through surfaces, fill_powers(), leave_out() unless `left_out` is null, and
+/// finish_column(), one after another. Normals are unit length.
 void evaluate_column(const PingPlan& plan, SecondarySampling sampling, int column, const ColumnAxes& axes,
-                     const LeftOut* left_out, const HitColumn& hits, FootprintSegments& segments);
+                     const LeftOut* left_out, HitColumn& hits, FootprintSegments& segments);
 
 /// Geometry of the column: finds which neighbours lie on one unbroken surface, and tilts the normals by the relief.
 /// Fills in `facing`, `escapes` and the per-sample values of the segments, which are those of the surface without its

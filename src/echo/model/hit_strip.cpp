@@ -11,7 +11,8 @@ constexpr float* HitColumn::*kFields[] = {
     &HitColumn::facing,      &HitColumn::strength,    &HitColumn::power,       &HitColumn::selected,
     &HitColumn::gradient_x,  &HitColumn::gradient_y,  &HitColumn::gradient_z,  &HitColumn::texture,
     &HitColumn::escapes,     &HitColumn::turn_up_x,   &HitColumn::turn_up_y,   &HitColumn::turn_up_z,
-    &HitColumn::turn_side_x, &HitColumn::turn_side_y, &HitColumn::turn_side_z};
+    &HitColumn::turn_side_x, &HitColumn::turn_side_y, &HitColumn::turn_side_z, &HitColumn::reached,
+    &HitColumn::passed};
 
 }  // namespace
 

@@ -65,6 +65,9 @@ class PingPlan {
   /// In the water [m].
   [[nodiscard]] float wavelength() const { return static_cast<float>(2 / turns_per_metre); }
 
+  /// Whether any surface lets sound through: see see_through.h.
+  [[nodiscard]] bool sees_through() const { return model == EchoModel::kCalibrated && scatter.any_passing(); }
+
   /// Whether facets reflect any rays: see facet_slope().
   [[nodiscard]] bool has_facets() const {
     return model == EchoModel::kCalibrated && (rough_mirrors || scatter.any_rough());

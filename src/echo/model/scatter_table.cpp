@@ -15,15 +15,15 @@ namespace {
 
 // Reads one of the tables of AngularScattering for each sample. A loop of its own: within a longer one, compilers
 // branch and do not vectorise it.
+// @param stride  Values per material.
 INSONIFY_VECTOR_CLONES
-void look_up_rows(int rows, const float* by_angle, std::uint32_t table, std::uint32_t nothing,
+void look_up_rows(int rows, const float* by_angle, std::uint32_t stride, std::uint32_t table, std::uint32_t nothing,
                   const SurfaceLabel* __restrict__ surface, const float* __restrict__ facing,
                   float* __restrict__ values) {
   for (int row = 0; row < rows; ++row) {
     const std::uint32_t own = surface[row] & 0xffffU;  // material_of()
     const std::uint32_t material = own < nothing ? own : nothing;
-    values[row] =
-        ScatterTable::at_angle(by_angle, ScatterTable::kAngleStride * material + table, std::abs(facing[row]));
+    values[row] = ScatterTable::at_angle(by_angle, stride * material + table, std::abs(facing[row]));
   }
 }
 
@@ -153,19 +153,29 @@ ScatterTable::ScatterTable(std::span<const Material> materials, double frequency
     }
     by_angle_.resize(by_angle_.size() + kAngleStride, 0);
   }
+  if (std::ranges::any_of(scattering_, [](const Scattering& scattering) { return scattering.passed != nullptr; })) {
+    for (const Scattering& scattering : scattering_) {
+      append(scattering.passed ? *scattering.passed : AngleTable(), passed_);
+    }
+    passed_.resize(passed_.size() + kAngleNodes, 0);
+  }
+}
+
+void ScatterTable::fill_passed(int rows, const SurfaceLabel* surface, const float* facing, float* passed) const {
+  look_up_rows(rows, passed_.data(), kAngleNodes, 0, nothing_, surface, facing, passed);
 }
 
 void ScatterTable::fill_mirrored(int rows, const SurfaceLabel* surface, const float* facing, float* mirrored) const {
   if (by_angle_.empty()) {
     look_up_constants(rows, mirrored_.data(), nothing_, surface, mirrored);
   } else {
-    look_up_rows(rows, by_angle_.data(), kMirrored, nothing_, surface, facing, mirrored);
+    look_up_rows(rows, by_angle_.data(), kAngleStride, kMirrored, nothing_, surface, facing, mirrored);
   }
 }
 
 void ScatterTable::fill_powers(int rows, float neper_per_metre, const HitColumn& hits) const {
   if (any_on_top_) {
-    look_up_rows(rows, by_angle_.data(), kBackscatter, nothing_, hits.surface, hits.facing, hits.power);
+    look_up_rows(rows, by_angle_.data(), kAngleStride, kBackscatter, nothing_, hits.surface, hits.facing, hits.power);
   }
   if (hits.curved) {
     (any_on_top_ ? scatter_curved_on_top : scatter_curved)(rows, laws(), neper_per_metre, hits, hits.power);

@@ -46,6 +46,13 @@ class ScatterTable {
   /// The same of many samples; 0 where nothing was hit.
   void fill_mirrored(int rows, const SurfaceLabel* surface, const float* facing, float* mirrored) const;
 
+  /// Whether any surface lets sound through.
+  [[nodiscard]] bool any_passing() const { return !passed_.empty(); }
+
+  /// Scattering::transmittance() of the surfaces that `rows` samples hit, in single precision; 0 where nothing was hit.
+  /// Only where any_passing().
+  void fill_passed(int rows, const SurfaceLabel* surface, const float* facing, float* passed) const;
+
   /// 1 / (2 s^2) of a surface.
   [[nodiscard]] float steepness(SurfaceLabel surface) const { return steepness_[material_of(surface)]; }
 
@@ -105,6 +112,7 @@ class ScatterTable {
   bool any_rough_ = false;
   bool any_on_top_ = false;      // Whether any AngularScattering::backscatter is not 0.
   std::vector<float> by_angle_;  // [material][kAngleStride]; empty where no law depends on the angle.
+  std::vector<float> passed_;    // [material][kAngleNodes]; empty where all surfaces are opaque.
 };
 
 /// facet_backscatter() in single precision, for vector loops: lobe / cos^4 x exp(-tan^2 x steepness).

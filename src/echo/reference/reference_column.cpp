@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "echo/model/ray_limits.h"
 
 namespace insonify {
 ColumnFrame::ColumnFrame(const Lattice& lattice, int column, const Pose& world_from_sonar) {
@@ -118,23 +119,47 @@ void ReferenceColumn::compute_powers() {
 }
 
 // How the echoes of the rows are spread over range bins: paper-model.md, "From echoes to bins".
-void ReferenceColumn::deposit_primary_echoes(EchoGrid& grid) {
+void ReferenceColumn::deposit_primary_echoes(SecondarySampling sampling, EchoGrid& grid) {
   SurfaceSums sums;
   sums.prepare(plan_.sonar.bin_count);
   measure_column(
       plan_, column_,
       {frame_.along.cast<float>(), frame_.across.cast<float>(), frame_.up.cast<float>(), frame_.beside.cast<float>()},
       hits_, segments_);
+  find_passing(plan_, hits_);
   compute_powers();
+  weaken_behind(plan_, hits_);
   if (left_out_ != nullptr) {
     leave_out(*left_out_, plan_, hits_);
   }
-  finish_column(plan_, sampling_, column_, hits_, segments_);
+  finish_column(plan_, sampling, column_, hits_, segments_);
   deposit_column(plan_, column_, hits_, segments_, sums, grid);
 }
 
-RayCounts ReferenceColumn::insonify(EchoGrid& grid, std::vector<Echo>& arrivals, const Workers& workers) {
-  deposit_primary_echoes(grid);
+// The same ray once more, from behind its hit.
+void ReferenceColumn::trace_behind(const Workers& workers) {
+  for (int row = 0; row < rows_; ++row) {
+    workers.check_stop();
+    const float passed = hits_.passing && first_[row].met() ? hits_.passed[row] : 0.0F;
+    hits_.reached[row] = passed;
+    if (passed > 0) {
+      rays_[row].min_distance = first_[row].distance + double{kRayClearance};
+      ++counts_.primary;
+    }
+    first_[row] = passed > 0 ? scene_.nearest(rays_[row]) : RayHit{};
+    if (first_[row].met()) {
+      store_hit(row);
+    } else {
+      hits_.surface[row] = kNoSurface;
+      hits_.range[row] = hits_.reflectivity[row] = 0;
+    }
+  }
+  hits_.passing = true;
+  make_normals_unit(plan_, hits_);
+}
+
+void ReferenceColumn::insonify(EchoGrid& grid, std::vector<Echo>& arrivals, const Workers& workers) {
+  deposit_primary_echoes(sampling_, grid);
   for (int row = 0; row < rows_ && sampling_ != SecondarySampling::kNone; ++row) {
     workers.check_stop();
     if (hits_.selected[row] == 0) {
@@ -147,7 +172,6 @@ RayCounts ReferenceColumn::insonify(EchoGrid& grid, std::vector<Echo>& arrivals,
       deposit_paper_echo(*path, grid);
     }
   }
-  return counts_;
 }
 
 }  // namespace insonify

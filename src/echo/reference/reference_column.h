@@ -12,6 +12,7 @@
 #include "echo/model/left_out.h"
 #include "echo/model/path_footprint.h"
 #include "echo/model/secondary_sampling.h"
+#include "echo/model/see_through.h"
 #include "echo/reference/triangle_scene.h"
 #include "insonify/engine.h"
 
@@ -38,10 +39,22 @@ class ReferenceColumn {
   void trace_primary_rays(const Workers& workers);
   [[nodiscard]] HitColumn& hits() { return hits_; }
 
+  /// Whether sound passes on from any hit, after insonify() or deposit_primary_echoes().
+  [[nodiscard]] bool passes_on() const { return hits_.passing && any_passes_on(plan_, hits_); }
+
+  /// Replaces the hits by those behind the surfaces that let sound through.
+  void trace_behind(const Workers& workers);
+
+  /// Adds the primary echoes of the hits to the grid, after NormalTurns::find().
+  /// @param sampling  For the selection of hits that insonify() reflects.
+  void deposit_primary_echoes(SecondarySampling sampling, EchoGrid& grid);
+
+  /// Number of rays traced.
+  [[nodiscard]] const RayCounts& counts() const { return counts_; }
+
   /// Adds the column's echoes to the grid, after NormalTurns::find().
   /// @param arrivals  Takes echoes that may arrive in beams of other columns.
-  /// @return          Number of rays traced.
-  RayCounts insonify(EchoGrid& grid, std::vector<Echo>& arrivals, const Workers& workers);
+  void insonify(EchoGrid& grid, std::vector<Echo>& arrivals, const Workers& workers);
 
  private:
   // A path from the sonar by way of a mirror, the first surface, to a second one.
@@ -62,7 +75,6 @@ class ReferenceColumn {
   void store_hit(int row);
   [[nodiscard]] LobeWidening<double> widening(int row) const;
   void compute_powers();
-  void deposit_primary_echoes(EchoGrid& grid);
   [[nodiscard]] MirrorChange change_along(int row) const;
   [[nodiscard]] MirrorChange change_across(int row) const;
   [[nodiscard]] std::optional<Reflection> reflect(int row);

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "echo/model/normal_turns.h"
+#include "echo/model/see_through.h"
 #include "echo/reference/reference_column.h"
 
 namespace insonify {
@@ -12,6 +13,37 @@ namespace {
 
 // A task has whole groups of columns whose normals are compared.
 constexpr int kBeamsTogether = NormalTurns::kColumns;
+
+// Compares the normals of neighbouring columns.
+void find_turns(const PingPlan& plan, int first, std::span<ReferenceColumn> columns) {
+  if (plan.model != EchoModel::kCalibrated) {
+    return;
+  }
+  std::vector<HitColumn> hits;
+  for (ReferenceColumn& column : columns) {
+    hits.push_back(column.hits());
+  }
+  NormalTurns turns;
+  turns.prepare(plan.lattice.rows);
+  turns.find(plan, first, hits);
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    columns[i].hits().curved = hits[i].curved;
+  }
+}
+
+// Adds the echoes from behind surfaces that let sound through.
+void insonify_behind(const PingPlan& plan, int first, std::span<ReferenceColumn> columns, const Workers& workers,
+                     EchoGrid& grid) {
+  for (int passed = 0; passed < kMostPassed && std::ranges::any_of(columns, &ReferenceColumn::passes_on); ++passed) {
+    for (ReferenceColumn& column : columns) {
+      column.trace_behind(workers);
+    }
+    find_turns(plan, first, columns);
+    for (ReferenceColumn& column : columns) {
+      column.deposit_primary_echoes(SecondarySampling::kNone, grid);
+    }
+  }
+}
 
 }  // namespace
 
@@ -61,21 +93,17 @@ void ReferenceEngine::insonify(const PingPlan& plan, const Pose& world_from_sona
     for (int first = first_beam * per_beam; first < last_beam * per_beam; first += NormalTurns::kColumns) {
       std::vector<ReferenceColumn> columns;
       columns.reserve(NormalTurns::kColumns);
-      std::vector<HitColumn> hits;
       for (int column = first; column < std::min(first + NormalTurns::kColumns, last_beam * per_beam); ++column) {
         columns.emplace_back(scene_, left_out_.get(), plan, sampling, column, world_from_sonar)
             .trace_primary_rays(workers_);
-        hits.push_back(columns.back().hits());
       }
-      if (plan.model == EchoModel::kCalibrated) {
-        NormalTurns turns;
-        turns.prepare(plan.lattice.rows);
-        turns.find(plan, first, hits);
-      }
+      find_turns(plan, first, columns);
       for (std::size_t i = 0; i < columns.size(); ++i) {
-        const int beam = (first + static_cast<int>(i)) / per_beam;
-        columns[i].hits().curved = hits[i].curved;
-        counts[beam] += columns[i].insonify(grid, arrivals[beam], workers_);
+        columns[i].insonify(grid, arrivals[(first + static_cast<int>(i)) / per_beam], workers_);
+      }
+      insonify_behind(plan, first, columns, workers_, grid);
+      for (std::size_t i = 0; i < columns.size(); ++i) {
+        counts[(first + static_cast<int>(i)) / per_beam] += columns[i].counts();
       }
     }
   });

@@ -39,6 +39,7 @@ CornerEchoes::CornerEchoes(std::shared_ptr<const std::vector<Corner>> corners) :
   views_.reserve(most);
   rays_.reserve(most);
   hits_.resize(most);
+  sight_rays_ = SightRays(most);
 }
 
 bool CornerEchoes::act(const PingPlan& plan) const {
@@ -68,7 +69,7 @@ void CornerEchoes::add(const PingPlan& plan, const Pose& world_from_sonar, std::
       rays_.push_back({world_from_sonar.position, -to_sonar / range, 0, range - Corner::kGap});
     }
   }
-  engine.trace(rays_, std::span(hits_).first(rays_.size()));
+  sight_rays_.trace(plan, engine, rays_, std::span(hits_).first(rays_.size()));
   for (std::size_t i = 0; i < views_.size(); ++i) {
     if (std::isfinite(hits_[i].distance)) {
       continue;
@@ -78,7 +79,8 @@ void CornerEchoes::add(const PingPlan& plan, const Pose& world_from_sonar, std::
     const double wavelength = 2 / plan.turns_per_metre;
     const double intensity = view.corner->reflected(view.sight, view.range, wavelength) *
                              reflectance_of(plan, *view.corner, view.sight) *
-                             std::exp(-4 * double{plan.neper_per_metre} * view.range) * view.arrival.both_ways();
+                             std::exp(-4 * double{plan.neper_per_metre} * view.range) * view.arrival.both_ways() *
+                             sight_rays_.passed(i) * sight_rays_.passed(i);
     const double turns = plan.turns_per_metre * view.range + (has_water(*view.corner) ? 0.5 : 0.0);
     add_discrete_echo(plan, view.arrival, 3, view.range, intensity, turns, grid);
   }

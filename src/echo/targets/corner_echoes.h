@@ -8,6 +8,7 @@
 
 #include "echo/engine.h"
 #include "echo/targets/corners.h"
+#include "echo/targets/sight_rays.h"
 
 namespace insonify {
 
@@ -40,6 +41,7 @@ class CornerEchoes {
   std::vector<View> views_;
   std::vector<Ray> rays_;  // [view]
   std::vector<Hit> hits_;
+  SightRays sight_rays_;
 };
 
 }  // namespace insonify

@@ -69,6 +69,7 @@ EdgeEchoes::EdgeEchoes(std::shared_ptr<const StraightEdges> edges) : edges_(std:
     views_.reserve(kMostTogether);
     rays_.reserve(kMostTogether);
     hits_.resize(kMostTogether);
+    sight_rays_ = SightRays(kMostTogether);
   }
 }
 
@@ -99,7 +100,7 @@ void EdgeEchoes::find(const PingPlan& plan, const Pose& world_from_sonar, const 
         plan.bin_of(static_cast<float>(range)) < 0 || !plan.receives(direction)) {
       continue;
     }
-    double roughness = 0;
+    double roughness = 0, passed = 0;
     std::array<WedgeFace, 2> faces;
     for (int k = 0; k < 2; ++k) {
       const StraightEdges::Side& side = edge.sides[k];
@@ -112,6 +113,7 @@ void EdgeEchoes::find(const PingPlan& plan, const Pose& world_from_sonar, const 
               : shown[side.face] != 0;
       faces[k].reflection = mirrors ? 0 : side.sign * std::sqrt(scattering.reflectance(cosine));
       roughness += 0.5 * scattering.roughness;
+      passed += 0.5 * std::sqrt(scattering.transmittance(cosine));
     }
     const double share = std::exp(-roughness);
     if (share < kLeastPart) {
@@ -119,7 +121,11 @@ void EdgeEchoes::find(const PingPlan& plan, const Pose& world_from_sonar, const 
     }
     // As near to a mirror's direction as its glint reaches.
     const double mirror = 0.5 * kFresnelReach * std::sqrt(wavelength / range);
-    const double scattered = wedge_backscatter(edge.exterior, faces, mirror);
+    double scattered = wedge_backscatter(edge.exterior, faces, mirror);
+    if (passed > 0) {  // The term without R is that of the shadow, which is 1 - T deep.
+      scattered -=
+          passed * wedge_backscatter(edge.exterior, {WedgeFace{faces[0].angle, 0}, {faces[1].angle, 0}}, mirror);
+    }
     const EdgeEcho echo = edge_integral(foot, edge.half, distance, wavelength);
     const double amplitude = scattered * echo.amplitude;
     const PingPlan::Arrival arrival = plan.arrival_from(direction);
@@ -142,12 +148,14 @@ void EdgeEchoes::add(const PingPlan& plan, const Pose& world_from_sonar, std::sp
   for (const StraightEdges::Group& group : edges_->groups) {
     find(plan, world_from_sonar, StraightEdges::frame(group, world_from_mesh), group, shown);
   }
-  engine.trace(rays_, std::span(hits_).first(rays_.size()));
+  sight_rays_.trace(plan, engine, rays_, std::span(hits_).first(rays_.size()));
   // Of those that nothing hides, the strongest.
   std::size_t seen = 0;
   for (std::size_t i = 0; i < views_.size(); ++i) {
     if (!std::isfinite(hits_[i].distance)) {
-      views_[seen++] = views_[i];
+      const double passed = sight_rays_.passed(i);
+      views_[seen] = views_[i];
+      views_[seen++].intensity *= passed * passed;
     }
   }
   views_.resize(seen);

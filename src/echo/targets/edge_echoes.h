@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "echo/engine.h"
+#include "echo/targets/sight_rays.h"
 #include "echo/targets/straight_edges.h"
 
 namespace insonify {
@@ -59,6 +60,7 @@ class EdgeEchoes {
   std::vector<View> views_;
   std::vector<Ray> rays_;  // [view]
   std::vector<Hit> hits_;
+  SightRays sight_rays_;
   std::vector<std::uint8_t> near_;  // [edge of a group] Whether it is seen broadside.
 };
 

@@ -77,6 +77,8 @@ FaceGlints::FaceGlints(std::shared_ptr<const GlintingFaces> faces) : faces_(std:
     glints_.reserve(GlintingFaces::kMostTogether);
     rays_.reserve(GlintingFaces::kMostTogether);
     hits_.resize(GlintingFaces::kMostTogether);
+    ends_.reserve(GlintingFaces::kMostTogether);
+    sight_rays_ = SightRays(GlintingFaces::kMostTogether);
   }
 }
 
@@ -117,6 +119,7 @@ void FaceGlints::find(const PingPlan& plan, const Pose& world_from_sonar, const 
                        arrival});
     const Vec3 towards = world_from_sonar.orientation * direction.cast<double>();
     rays_.push_back({world_from_sonar.position, towards.normalized(), 0, range + kGap});
+    ends_.push_back({range - kGap, static_cast<std::uint16_t>(group.instance)});
   }
 }
 
@@ -127,18 +130,21 @@ void FaceGlints::add(const PingPlan& plan, const Pose& world_from_sonar, std::sp
   }
   glints_.clear();
   rays_.clear();
+  ends_.clear();
   if (!faces_ || !faces_->any() || plan.rough_mirrors) {
     return;
   }
   for (const GlintingFaces::Group& group : faces_->groups) {
     find(plan, world_from_sonar, world_from_mesh[group.instance], group);
   }
-  engine.trace(rays_, std::span(hits_).first(rays_.size()));
+  sight_rays_.trace(plan, engine, rays_, std::span(hits_).first(rays_.size()), ends_);
   for (std::size_t i = 0; i < glints_.size(); ++i) {
     const Glint& glint = glints_[i];
     if (hits_[i].instance == glint.instance && hits_[i].distance > glint.range - kGap) {
       shown_[glint.number] = 1;
-      add_discrete_echo(plan, glint.arrival, 1, glint.range, glint.intensity, plan.turns_per_metre * glint.range, grid);
+      const double passed = sight_rays_.passed(i);
+      add_discrete_echo(plan, glint.arrival, 1, glint.range, glint.intensity * passed * passed,
+                        plan.turns_per_metre * glint.range, grid);
     }
   }
 }

@@ -11,6 +11,7 @@
 #include "echo/mirror/faces.h"
 #include "echo/model/left_out.h"
 #include "echo/model/ping_plan.h"
+#include "echo/targets/sight_rays.h"
 
 namespace insonify {
 
@@ -90,6 +91,8 @@ class FaceGlints {
   std::vector<Ray> rays_;  // [glint]
   std::vector<Hit> hits_;
   std::vector<std::uint8_t> shown_;
+  std::vector<SightEnd> ends_;
+  SightRays sight_rays_;
   std::vector<std::uint8_t> near_;  // [face of a group] Whether it is seen head on.
 };
 

@@ -30,7 +30,7 @@ float phase_of(const PingPlan& plan, std::uint32_t source, std::int64_t pulse, i
 // Intensity on arrival, after a one-way transmission loss of 20 log10 r + alpha r.
 double intensity_of(const PingPlan& plan, const Interferer& other, const LinesOfSight::Sight& sight) {
   return std::pow(10.0, (other.source_level_db - plan.sonar.source_level_db) / 10) / (sight.range * sight.range) *
-         std::exp(-2 * double{plan.neper_per_metre} * sight.range) * double{sight.arrival.pattern};
+         std::exp(-2 * double{plan.neper_per_metre} * sight.range) * double{sight.arrival.pattern} * sight.passed;
 }
 
 // The bin that receives at a time after transmission [s]; -1 before the range window, bin_count after it.

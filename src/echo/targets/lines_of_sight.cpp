@@ -9,7 +9,11 @@
 namespace insonify {
 
 LinesOfSight::LinesOfSight(std::vector<Vec3> places)
-    : places_(std::move(places)), rays_(places_.size()), hits_(places_.size()), sights_(places_.size()) {}
+    : places_(std::move(places)),
+      rays_(places_.size()),
+      hits_(places_.size()),
+      sight_rays_(places_.size()),
+      sights_(places_.size()) {}
 
 std::span<const std::optional<LinesOfSight::Sight>> LinesOfSight::look(const PingPlan& plan,
                                                                        const Pose& world_from_sonar, Engine& engine) {
@@ -19,7 +23,7 @@ std::span<const std::optional<LinesOfSight::Sight>> LinesOfSight::look(const Pin
     rays_[i] = {world_from_sonar.position, range > 0 ? Vec3(there / range) : Vec3(Vec3::UnitX()), 0,
                 range - double{kRayClearance}};
   }
-  engine.trace(rays_, hits_);
+  sight_rays_.trace(plan, engine, rays_, hits_);
   const Pose sonar_from_world = world_from_sonar.inverse();
   for (std::size_t i = 0; i < places_.size(); ++i) {
     const Vec3 local = sonar_from_world * places_[i];
@@ -28,7 +32,8 @@ std::span<const std::optional<LinesOfSight::Sight>> LinesOfSight::look(const Pin
     sights_[i].reset();
     if (range > 0 && !std::isfinite(hits_[i].distance) && plan.receives(direction)) {
       const PingPlan::Arrival arrival = plan.arrival_from(direction);
-      sights_[i] = Sight{.range = range, .beam = plan.beam_of(arrival.bearing), .arrival = arrival};
+      sights_[i] = Sight{
+          .range = range, .beam = plan.beam_of(arrival.bearing), .arrival = arrival, .passed = sight_rays_.passed(i)};
     }
   }
   return sights_;

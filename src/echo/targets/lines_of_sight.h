@@ -8,6 +8,7 @@
 
 #include "echo/engine.h"
 #include "echo/model/ping_plan.h"
+#include "echo/targets/sight_rays.h"
 
 namespace insonify {
 
@@ -22,16 +23,18 @@ class LinesOfSight {
     double range;  ///< [m]
     int beam;
     PingPlan::Arrival arrival;
+    double passed;  ///< Share of the intensity that surfaces in the way let through, one way.
   };
 
-  /// One value per place; none if a surface is in the way or the place is outside what the sonar receives. Allocates
-  /// nothing.
+  /// One value per place; none if an opaque surface is in the way or the place is outside what the sonar receives.
+  /// Allocates nothing.
   std::span<const std::optional<Sight>> look(const PingPlan& plan, const Pose& world_from_sonar, Engine& engine);
 
  private:
   std::vector<Vec3> places_;
   std::vector<Ray> rays_;  // From the sonar to each.
   std::vector<Hit> hits_;
+  SightRays sight_rays_;
   std::vector<std::optional<Sight>> sights_;
 };
 

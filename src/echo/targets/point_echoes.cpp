@@ -48,7 +48,8 @@ void PointEchoes::add(const PingPlan& plan, const Pose& world_from_sonar, Engine
     }
     const double range = sights[i]->range;
     const double intensity = std::pow(10.0, points_[i].target_strength_db / 10) / std::pow(range, 4) *
-                             std::exp(-4 * double{plan.neper_per_metre} * range) * sights[i]->arrival.both_ways();
+                             std::exp(-4 * double{plan.neper_per_metre} * range) * sights[i]->arrival.both_ways() *
+                             sights[i]->passed * sights[i]->passed;
     const double turns = plan.turns_per_metre * range + own_phase(plan, i);
     // A point has no extent: it blocks no solid angle behind it, and has no surface that could label a cell.
     add_discrete_echo(plan, sights[i]->arrival, 1, range, intensity, turns, grid);

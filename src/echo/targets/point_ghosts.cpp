@@ -31,6 +31,8 @@ PointGhosts::PointGhosts(std::span<const PointTarget> points, const std::optiona
   legs_.reserve(most * points.size());
   rays_.reserve(2 * most * points.size());
   hits_.resize(2 * most * points.size());
+  ends_.reserve(2 * most * points.size());
+  sight_rays_ = SightRays(2 * most * points.size());
 }
 
 // The leg by a mirror, if both ends are on one side of it.
@@ -52,17 +54,21 @@ void PointGhosts::add_leg_by(const Vec3& sonar, std::size_t point, int mirror, c
   }
   legs_.push_back({mirror, point, rays_.size(), image, (bounce - sonar).norm()});
   rays_.push_back(ray_between(sonar, bounce));
+  ends_.emplace_back();
   if (mirror >= 0) {  // It must meet the face, which may have holes.
-    rays_.back().max_distance +=
-        2 * double{kRayClearance} + 2 * PlaneMirror::kFlush / std::max(0.01, std::abs(here) / legs_.back().bounce);
+    const double cosine = std::max(0.01, std::abs(here) / legs_.back().bounce);
+    rays_.back().max_distance += 2 * double{kRayClearance} + 2 * PlaneMirror::kFlush / cosine;
+    ends_[legs_.back().ray] = {legs_.back().bounce - (PlaneMirror::kFlush + double{kRayClearance}) / cosine};
   }
   rays_.push_back(ray_between(bounce, place));
+  ends_.emplace_back();
 }
 
 void PointGhosts::add_legs(const Vec3& sonar, std::size_t point) {
   const std::size_t first = legs_.size();
   legs_.push_back({kStraight, point, rays_.size(), points_[point].position, 0});
   rays_.push_back(ray_between(sonar, points_[point].position));
+  ends_.emplace_back();
   if (surface_ && sonar.z() < surface_->level && points_[point].position.z() < surface_->level) {
     add_leg_by(sonar, point, kWater, Vec3::UnitZ(), surface_->level);
   }
@@ -106,6 +112,7 @@ std::optional<PointGhosts::Way> PointGhosts::way_of(const PingPlan& plan, const 
     const double small = std::min(1.0, face.area * cosine / zone);
     way.intensity = coherent_reflectance(plan, label, cosine) * small * small;
   }
+  way.intensity *= sight_rays_.passed(leg.ray) * (leg.mirror == kStraight ? 1 : sight_rays_.passed(leg.ray + 1));
   way.intensity *= double{way.arrival.pattern} / (way.length * way.length) *
                    std::exp(-2 * double{plan.neper_per_metre} * way.length);
   return way;
@@ -159,10 +166,11 @@ void PointGhosts::add(const PingPlan& plan, const Pose& world_from_sonar, std::u
   }
   legs_.clear();
   rays_.clear();
+  ends_.clear();
   for (std::size_t point = 0; point < points_.size(); ++point) {
     add_legs(world_from_sonar.position, point);
   }
-  engine.trace(rays_, std::span(hits_).first(rays_.size()));
+  sight_rays_.trace(plan, engine, rays_, std::span(hits_).first(rays_.size()), ends_);
   std::array<Way, kMostLegs> ways;
   for (std::size_t first = 0, last = 0; first < legs_.size(); first = last) {
     std::size_t count = 0;

@@ -12,6 +12,7 @@
 #include "echo/grid/echo.h"
 #include "echo/model/ping_plan.h"
 #include "echo/targets/plane_mirrors.h"
+#include "echo/targets/sight_rays.h"
 #include "insonify/point_target.h"
 
 namespace insonify {
@@ -85,6 +86,8 @@ class PointGhosts {
   std::vector<Leg> legs_;
   std::vector<Ray> rays_;
   std::vector<Hit> hits_;
+  std::vector<SightEnd> ends_;
+  SightRays sight_rays_;
 };
 
 }  // namespace insonify

@@ -139,7 +139,7 @@ bool ThinEchoes::add_steps(const PingPlan& plan, const Group& group, const Pose&
 }
 
 // Traces a ray for every n-th step, to a place in front of the piece, beside its axis.
-void ThinEchoes::look(const Pose& world_from_sonar, Engine& engine) {
+void ThinEchoes::look(const PingPlan& plan, const Pose& world_from_sonar, Engine& engine) {
   stride_ = (steps_.size() + kMostRays - 1) / kMostRays;
   rays_.clear();
   own_.clear();
@@ -153,14 +153,14 @@ void ThinEchoes::look(const Pose& world_from_sonar, Engine& engine) {
     const double distance = there.norm();
     rays_.push_back({world_from_sonar.position, world_from_sonar.orientation * (there / distance), 0,
                      std::max(distance - double{kRayClearance}, 0.0)});
-    own_.push_back({instance_of(piece.surface), distance - double{kOwnDepth * piece.thickness}});
+    own_.push_back({distance - double{kOwnDepth * piece.thickness}, instance_of(piece.surface)});
   }
-  engine.trace(rays_, std::span(hits_).first(rays_.size()));
+  sight_rays_.trace(plan, engine, rays_, std::span(hits_).first(rays_.size()), own_);
 }
 
 bool ThinEchoes::visible(std::size_t step) const {
   const Hit& hit = hits_[step / stride_];
-  const Own& own = own_[step / stride_];
+  const SightEnd& own = own_[step / stride_];
   return !std::isfinite(hit.distance) || (hit.instance == own.instance && hit.distance > own.from);
 }
 
@@ -213,12 +213,14 @@ void ThinEchoes::add(const PingPlan& plan, const Pose& world_from_sonar, std::sp
   if (steps_.empty()) {
     return;
   }
-  look(world_from_sonar, engine);
+  look(plan, world_from_sonar, engine);
   constexpr std::size_t kTogether = 256;
   workers.for_each(static_cast<int>((steps_.size() + kTogether - 1) / kTogether), [&](int task, int) {
     const std::size_t first = static_cast<std::size_t>(task) * kTogether;
     for (std::size_t i = first; i < std::min(first + kTogether, steps_.size()); ++i) {
       echoes_[i] = visible(i) ? echo_of(plan, steps_[i]) : Echo{};
+      const auto passed = static_cast<float>(sight_rays_.passed(i / stride_));
+      echoes_[i].power *= passed * passed;
     }
   });
   for (std::size_t i = 0; i < steps_.size(); ++i) {

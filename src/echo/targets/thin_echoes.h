@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/parallel.h"
+#include "echo/targets/sight_rays.h"
 #include "echo/targets/thin_parts.h"
 
 namespace insonify {
@@ -48,16 +49,10 @@ class ThinEchoes {
     float half_range;     // Half the range interval that the step covers [m].
   };
 
-  // What a ray may hit without being blocked.
-  struct Own {
-    std::uint16_t instance;
-    double from;  // [m]
-  };
-
   bool find_steps(const PingPlan& plan, const Pose& world_from_sonar, std::span<const Pose> world_from_mesh,
                   float longer);
   bool add_steps(const PingPlan& plan, const Group& group, const Pose& sonar_from_mesh, float longer);
-  void look(const Pose& world_from_sonar, Engine& engine);
+  void look(const PingPlan& plan, const Pose& world_from_sonar, Engine& engine);
   [[nodiscard]] bool visible(std::size_t step) const;
   [[nodiscard]] Echo echo_of(const PingPlan& plan, const Step& step) const;
 
@@ -68,7 +63,8 @@ class ThinEchoes {
   std::size_t stride_ = 1;    // Steps per ray.
   std::vector<Ray> rays_;
   std::vector<Hit> hits_;
-  std::vector<Own> own_;
+  std::vector<SightEnd> own_;  // What a ray may hit without being blocked.
+  SightRays sight_rays_{kMostRays};
 };
 
 }  // namespace insonify

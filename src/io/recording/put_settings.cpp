@@ -160,6 +160,7 @@ void put_materials(const H5Writer& writer, const Scene& scene, double frequency)
   for (Material& material : materials) {
     material.reflectivity = material.effective_reflectivity();
     material.reflection = material.reflection_at(frequency);
+    material.transmission = material.transmission_at(frequency);
   }
   put_columns(writer, "settings/materials", materials, std::numeric_limits<double>::infinity());
 }

@@ -39,7 +39,7 @@ Scenario everything() {
   scenario.receiver.rain_noise = 2;
   scenario.receiver.ship_noise = 0.5;
   scenario.receiver.dead_elements = {2};
-  scenario.materials.overrides["hull"] = {.like = "steel", .thickness = 0.012};
+  scenario.materials.overrides["hull"] = {.like = "steel", .thickness = 0.012, .open_share = 0.25};
   scenario.materials.overrides["mast"] = {.density = 1000};
   scenario.points = {{.position = {1, 2, 3}, .target_strength_db = -20}, {.position = {4, 5, 6}}};
   scenario.interferers.emplace_back();
@@ -70,7 +70,7 @@ Scene scene() {
   Scene scene;
   scene.instances.emplace_back().name = "hull";
   scene.instances.back().mesh = std::make_shared<const Mesh>();
-  scene.materials = {{.name = "hull", .thickness = 0.012}, {.name = "sand"}};
+  scene.materials = {{.name = "hull", .thickness = 0.012, .open_share = 0.25}, {.name = "sand"}};
   return scene;
 }
 
@@ -130,6 +130,12 @@ TEST(RecordedSettingsTest, HaveTheRulesForMaterialsAndWhatTheyCameTo) {
   EXPECT_THAT(file.values<double>("settings/material_rules/density"), ElementsAre(testing::IsNan(), 1000));
   EXPECT_THAT(file.values<double>("settings/materials/thickness"),
               ElementsAre(0.012, std::numeric_limits<double>::infinity()));
+  EXPECT_THAT(file.values<double>("settings/material_rules/open_share"), ElementsAre(0.25, testing::IsNan()));
+  EXPECT_THAT(file.values<double>("settings/materials/open_share"), ElementsAre(0.25, 0));
+  // At 720 kHz m = 4.8733, q = (m - 1/m)^2 sin^2 18.096 = 10.22, |R|^2 = q/(4 + q) = 0.7187; Lambert's law at -20 dB
+  // takes 0.0314 and leaves 0.2499. A solid lets nothing through.
+  EXPECT_THAT(file.values<double>("settings/materials/transmission"),
+              ElementsAre(testing::DoubleNear(std::sqrt(0.2499), 1e-3), 0));
 }
 
 TEST(RecordedSettingsTest, HaveTheDepthThatTheSonarHasUnderTheSurface) {
