@@ -79,7 +79,7 @@ Scenario busy_scenario(int beams) {
 }
 
 // Number of allocations in the last hundred pings.
-// @param open_share  Of a net before all else; 0: there is none.
+// @param open_share  Of a net before the port half of the fan; 0: there is none.
 int allocations_of_pings(const Scenario& scenario, int threads, double open_share = 0) {
   SceneMaker maker;
   maker.add_floor(-2);
@@ -89,7 +89,7 @@ int allocations_of_pings(const Scenario& scenario, int threads, double open_shar
   maker.add("post", make_box({0.3, 0.3, 2}),
             {.position = {5, -1.2, 0}, .orientation = orientation_from_rpy(0, 0, radians_from_degrees(30))});
   if (open_share > 0) {
-    maker.add("net", make_plane(Vec3::UnitX(), 6, 6), {.position = {2, 0, 0}});
+    maker.add("net", make_plane(Vec3::UnitX(), 6, 6), {.position = {2, 3.2, 0}});
   }
   Scene scene = maker.scene();
   scene.materials.back().open_share = open_share;
