@@ -20,7 +20,7 @@ struct StraightEdges {
   static constexpr double kStraight = 2.5e-4;   ///< Distance from a line that does not matter [m].
   static constexpr double kFree = 1e-3;         ///< Nothing else touches an edge within this distance [m].
   static constexpr std::size_t kNoGlint = ~0ULL;
-  static constexpr std::size_t kMost = 8192;  ///< Most edges of a scene: the longest are taken.
+  static constexpr std::size_t kMost = 5000;  ///< Most edges of a scene: the longest are taken.
 
   /// One face at an edge.
   struct Side {
