@@ -68,7 +68,7 @@ class ArrayPattern {
   /// @throws Error as ArraySettings::validate().
   explicit ArrayPattern(const ArraySettings& settings = {}, std::uint64_t seed = 1);
 
-  /// g(x); g(x)^2 with ArraySettings::two_way.
+  /// g(x); g(x)^2 with ArraySettings::two_way. Its phase grows with the distance from the source.
   [[nodiscard]] std::complex<double> amplitude(double x) const;
   [[nodiscard]] double intensity(double x) const { return std::norm(amplitude(x)); }  ///< |g(x)|^2.
 

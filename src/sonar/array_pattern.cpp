@@ -19,18 +19,18 @@ namespace {
 
 using std::numbers::pi;
 
-// Sum over n of w_n e^(i 2 pi x ((N - 1)/2 - n) / N) by Horner's rule. Element 0 is at the port end, where u is
-// positive.
+// Sum over n of w_n e^(-i 2 pi x ((N - 1)/2 - n) / N) by Horner's rule. Element 0 is at the port end, where u is
+// positive: nearer to a source there, whose phase grows with range.
 template <typename Weight>
 std::complex<double> sum_elements(int count, double x, const Weight& weight) {
   const double turn = 2 * pi * x / count;
-  const std::complex<double> z = std::polar(1.0, -turn);
+  const std::complex<double> z = std::polar(1.0, turn);
   std::complex<double> sum = 0;
   for (int n = count - 1; n >= 0; --n) {
     sum = {sum.real() * z.real() - sum.imag() * z.imag(), sum.real() * z.imag() + sum.imag() * z.real()};
     sum += weight(n);
   }
-  return sum * std::polar(1.0, turn * (count - 1) / 2);
+  return sum * std::polar(1.0, -turn * (count - 1) / 2);
 }
 
 PhiloxCounter words_of_element(int element, std::uint64_t seed) {

@@ -217,6 +217,29 @@ TEST(EchoLawsTest, VectorLoopHasTheMirrorIntensities) {
   }
 }
 
+// Facets of 0.3 are no mirrors: what goes on is |R|^2 e^-g, g = 4 k^2 h^2 cos^2. With |R| = 0.9, h = 0.08 mm and
+// k = 2 pi 720e3 / 1500 = 3015.93 per m, g = 0.232853 cos^2: .8100 x .792270 = .641739 ahead, .8100 x .892170 = .722658
+// at cos = 0.7. Facets of 0.05 reflect it all.
+TEST(EchoLawsTest, MirrorsSendOnTheirCoherentShare) {
+  std::vector<Material> materials(2);
+  materials[0].reflection = materials[1].reflection = 0.9;
+  materials[0].rms_height = materials[1].rms_height = 8e-5;
+  materials[0].rms_slope = 0.3;
+  materials[1].rms_slope = 0.05;
+  const ScatterTable table(materials, kFrequency);
+  const SurfaceLabel surfaces[] = {surface_label(0, 0), surface_label(3, 0), surface_label(0, 1), kNoSurface};
+  const float facing[] = {1, -0.7F, 0.7F, 0.5F};
+  const double expected[] = {0.641739, 0.722658, 0.81, 0};
+  float mirrored[4];
+  table.fill_mirrored(4, surfaces, facing, mirrored);
+  for (int i = 0; i < 4; ++i) {
+    EXPECT_NEAR(mirrored[i], expected[i], 2e-5) << i;
+    if (surfaces[i] != kNoSurface) {
+      EXPECT_NEAR(table.mirrored(surfaces[i], facing[i]), expected[i], 2e-5) << i;
+    }
+  }
+}
+
 // The sigmoids that a scenario may ask for, steep ones included.
 std::vector<PaperModel> all_sigmoids() {
   std::vector<PaperModel> models = {{.sigmoid = Sigmoid::kAuthors}, {.sigmoid = Sigmoid::kNone}};

@@ -224,14 +224,14 @@ TEST(ArrayPatternTest, TwoWayIsTheSquare) {
   }
 }
 
-// A dead element removes its contribution from the pattern: with equal weights 1/N, e^(i 2 pi x ((N - 1) / 2 - n) / N)
-// / N.
+// A dead element removes its contribution from the pattern: with equal weights 1/N, e^(-i 2 pi x ((N - 1) / 2 - n) / N)
+// / N. Phases grow with range, and an element to port is nearer to what is to port.
 TEST(ArrayPatternTest, DeadElementIsSubtractedFromThePattern) {
   const ArrayPattern perfect({.elements = 16}), holed({.elements = 16, .dead_elements = {2}});
   EXPECT_FALSE(holed.is_real());
   EXPECT_NEAR(holed.amplitude(0).real(), 15.0 / 16, 1e-14);
   for (const double x : {0.5, 1.43, 5.0, -3.3}) {
-    const std::complex<double> lost = std::polar(1.0 / 16, 2 * pi * x * (7.5 - 2) / 16);
+    const std::complex<double> lost = std::polar(1.0 / 16, -2 * pi * x * (7.5 - 2) / 16);
     EXPECT_NEAR(std::abs(holed.amplitude(x) - (perfect.amplitude(x) - lost)), 0, 1e-14);
   }
 }

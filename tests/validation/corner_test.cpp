@@ -1,6 +1,7 @@
 // corner_test.cpp -- echoes of corners of three mirrors, crossed with the array, pulse, absorption, roughness, motion,
 // wind and random walks (docs/concepts/multipath.md, "Corners of three mirrors").
 
+#include <complex>
 #include <numbers>
 
 #include "echo/trihedral.h"
@@ -178,6 +179,33 @@ TEST_P(CornerEchoTest, BasinHasOneWithItsFloorAndOneWithTheWaterSurface) {
 
 INSTANTIATE_TEST_SUITE_P(Methods, CornerEchoTest, testing::Values(kRays, kRaster, kReference),
                          [](const auto& test) { return test.param.name; });
+
+// The water's surface inverts the phase, R = -1; a rigid plane in its place, R > 0, does not: fields at the apex, 6.164
+// m away, are half a turn apart.
+TEST(CornerPhaseTest, WaterInvertsIt) {
+  const auto wall = [](const Vec3& normal, const Vec3& position) {
+    return scene_of(make_plane(normal, 14, 14), mirror(0.9), {.position = position});
+  };
+  const std::vector<Scene> walls = {wall(-Vec3::UnitX(), {5, -2, 0}), wall(-Vec3::UnitY(), {0, 3, 0})};
+  Scenario scenario = corner_scenario(kRays);
+  scenario.sonars[0].azimuth_aperture = 100 * kDegree;
+  scenario.sonars[0].elevation_aperture = 60 * kDegree;
+  scenario.receiver.speckle = scenario.receiver.field = true;
+  const auto at_apex = [&](const Scene& scene) {
+    const Ping ping = ping_of(scenario, scene);
+    const auto bin = static_cast<int>(std::sqrt(38.0) / 0.02);
+    std::complex<double> strongest = 0;
+    for (int beam = 0; beam < ping.beam_count; ++beam) {
+      const std::complex<double> field = ping.field[ping.index(bin, beam)];
+      strongest = std::abs(field) > std::abs(strongest) ? field : strongest;
+    }
+    return strongest;
+  };
+  const std::complex<double> rigid = at_apex(scene_of_all({walls[0], walls[1], wall(-Vec3::UnitZ(), {0, 0, 2})}));
+  scenario.surface = SeaSurface{.level = 2};
+  const std::complex<double> water = at_apex(scene_of_all(walls));
+  EXPECT_NEAR(std::abs(std::arg(water / rigid)), std::numbers::pi, 0.2);
+}
 
 // What walks would add of three perpendicular smooth mirrors is left to the corner's echo; of rough ones they keep the
 // share 1 - e^(-4 k^2 h^2).

@@ -96,9 +96,9 @@ TEST_P(FanPatternTest, FloorsHaveBothGainsInEveryBeam) {
   }
 }
 
-// A Lambert sphere at (10, -5) beside a mirror at y = 6, whose image is at (10, 17). Of the two echoes by the mirror
-// one way, that which arrives from the sphere, at -26.57 degrees, was sent towards the image, at 59.53 degrees, and the
-// other the other way round; the echo by the mirror both ways is sent towards the image.
+// A Lambert sphere or a point at (10, -5) beside a mirror at y = 6, whose image is at (10, 17). Of the two echoes by
+// the mirror one way, that which arrives from the sphere, at -26.57 degrees, was sent towards the image, at 59.53
+// degrees, and the other the other way round; the echo by the mirror both ways is sent towards the image.
 TEST_P(FanPatternTest, GhostsAreSentInOneDirectionAndArriveFromAnother) {
   SonarConfig sonar = fan();
   sonar.element_width = {};
@@ -109,30 +109,39 @@ TEST_P(FanPatternTest, GhostsAreSentInOneDirectionAndArriveFromAnother) {
   scenario.secondary = SecondaryEchoes::kAll;
   Material mirror = glinting(1, 0.01);
   mirror.rms_height = 0;
-  const Scene scene = scene_of_all({sphere_at({10, -5, 0}, 0.5, diffuse(-10), 0.3),
-                                    scene_of(make_plane(-Vec3::UnitY(), 40, 40), mirror, {{0, 6, 0}})});
-  const Ping with = ping_of(scenario, scene);
-  scenario.sonars[0].transmit_width = {};
-  const Ping without = ping_of(scenario, scene);
-  const double target = std::atan2(-5, 10), image = std::atan2(17, 10);
-  const double direct = std::hypot(10, 5), mirrored = std::hypot(10, 17);
-  const auto ratio_db = [&](double azimuth, double range) {
-    double sums[2] = {};
-    for (int bin = 0; bin < sonar.bin_count; ++bin) {
-      for (int beam = 0; beam < sonar.beam_count; ++beam) {
-        const bool near =
-            std::abs(sonar.bin_range(bin) - range) < 1 && std::abs(sonar.beam_azimuth(beam) - azimuth) < 5 * kDegree;
-        sums[0] += near ? double{with.intensity[with.index(bin, beam)]} : 0;
-        sums[1] += near ? double{without.intensity[without.index(bin, beam)]} : 0;
-      }
+  const Scene wall = scene_of(make_plane(-Vec3::UnitY(), 40, 40), mirror, {{0, 6, 0}});
+  const Scene both = scene_of_all({sphere_at({10, -5, 0}, 0.5, diffuse(-10), 0.3), wall});
+  for (const bool is_point : {false, true}) {
+    SCOPED_TRACE(is_point);
+    scenario.points.clear();
+    if (is_point) {
+      scenario.points = {{.position = {10, -5, 0}}};
     }
-    EXPECT_GT(sums[1], 0) << azimuth << " " << range;
-    return db(sums[0] / sums[1]);
-  };
-  EXPECT_NEAR(ratio_db(target, direct), db(gain(kTransmit, target)), 0.1);
-  EXPECT_NEAR(ratio_db(target, 0.5 * (direct + mirrored)), db(gain(kTransmit, image)), 0.2);
-  EXPECT_NEAR(ratio_db(image, 0.5 * (direct + mirrored)), db(gain(kTransmit, target)), 0.2);
-  EXPECT_NEAR(ratio_db(image, mirrored), db(gain(kTransmit, image)), 0.2);
+    const Scene& scene = is_point ? wall : both;
+    scenario.sonars[0].transmit_width = sonar.transmit_width;
+    const Ping with = ping_of(scenario, scene);
+    scenario.sonars[0].transmit_width = {};
+    const Ping without = ping_of(scenario, scene);
+    const double target = std::atan2(-5, 10), image = std::atan2(17, 10);
+    const double direct = std::hypot(10, 5), mirrored = std::hypot(10, 17);
+    const auto ratio_db = [&](double azimuth, double range) {
+      double sums[2] = {};
+      for (int bin = 0; bin < sonar.bin_count; ++bin) {
+        for (int beam = 0; beam < sonar.beam_count; ++beam) {
+          const bool near =
+              std::abs(sonar.bin_range(bin) - range) < 1 && std::abs(sonar.beam_azimuth(beam) - azimuth) < 5 * kDegree;
+          sums[0] += near ? double{with.intensity[with.index(bin, beam)]} : 0;
+          sums[1] += near ? double{without.intensity[without.index(bin, beam)]} : 0;
+        }
+      }
+      EXPECT_GT(sums[1], 0) << azimuth << " " << range;
+      return db(sums[0] / sums[1]);
+    };
+    EXPECT_NEAR(ratio_db(target, direct), db(gain(kTransmit, target)), 0.1);
+    EXPECT_NEAR(ratio_db(target, 0.5 * (direct + mirrored)), db(gain(kTransmit, image)), 0.2);
+    EXPECT_NEAR(ratio_db(image, 0.5 * (direct + mirrored)), db(gain(kTransmit, target)), 0.2);
+    EXPECT_NEAR(ratio_db(image, mirrored), db(gain(kTransmit, image)), 0.2);
+  }
 }
 
 // Thermal noise is that of the elements, whatever they receive from where: the edge has as much as the middle. Means of

@@ -107,6 +107,48 @@ TEST(FocusTest, IsLosslessAtItsRangeAndDynamicEverywhere) {
   }
 }
 
+// Width of a pattern of N equal elements at half power, in wavelengths over N times their spacing, by bisection.
+double width_of_elements(int elements) {
+  double low = 0, high = 1;
+  for (int i = 0; i < 60; ++i) {
+    const double middle = 0.5 * (low + high),
+                 gain = std::sin(kPi * middle) / (elements * std::sin(kPi * middle / elements));
+    (gain * gain > 0.5 ? low : high) = middle;
+  }
+  return 2 * low;
+}
+
+// An array without the 50 elements of 120 at its port end is centred 2.2 cm to starboard: out of focus it sees what is
+// near too far to port, by 0.4 degrees at 3 m. An array with the sign of its defocus wrong sees it to starboard.
+TEST(FocusTest, FaultyArraysSeeNearPointsFromWhereTheyAre) {
+  constexpr int kElements = 120, kDead = 50;
+  const double length = width_of_elements(kElements) * kWavelength / (2 * std::sin(0.5 * kDegree));
+  for (const double focus : {1e6, 5.0}) {
+    Scenario scenario = focused(fan(focus));
+    scenario.receiver.elements = kElements;
+    for (int i = 0; i < kDead; ++i) {
+      scenario.receiver.dead_elements.push_back(i);
+    }
+    constexpr int kBeam = 32;
+    const double steered = scenario.sonars[0].beam_azimuth(kBeam);
+    const Vec3 focused_at = point_from_spherical({std::min(focus, 1e4), steered, 0});
+    for (const double off : {-1.2, -0.6, 0.0, 0.6, 1.2}) {
+      const std::vector<double> losses = losses_db(scenario, steered + off * kDegree, kBeam);
+      for (std::size_t i = 1; i < std::size(kRanges); ++i) {
+        const Vec3 place = point_from_spherical({kRanges[i], steered + off * kDegree, 0});
+        std::complex<double> sum = 0;
+        for (int element = kDead; element < kElements; ++element) {
+          const Vec3 at(0, length * (0.5 - (element + 0.5) / kElements), 0);
+          const double there = (place - at).norm() - place.norm(), delay = (focused_at - at).norm() - focused_at.norm();
+          sum += std::polar(1.0 / kElements, -2 * kPi / kWavelength * (there - delay));
+        }
+        const double wanted = db(std::norm(sum));
+        EXPECT_NEAR(losses[i], wanted, 0.15 - 0.05 * wanted) << focus << " " << kRanges[i] << " " << off;
+      }
+    }
+  }
+}
+
 // A floor has the same level in all beams, in focus or not: the beam that is wider is as much lower. Its energy is that
 // of the weights (Parseval). Through speckle: 16 seeds x 50 beams x 40 bins, of which some 12 000 are independent.
 TEST(FocusTest, FloorsKeepTheirLevel) {

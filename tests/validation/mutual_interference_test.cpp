@@ -112,6 +112,14 @@ TEST(MutualInterferenceTest, OnlyTheSharedBandIsHeard) {
   EXPECT_NEAR(db(std::ranges::max(ping_of(scenario, {}).intensity)), level + db(0.3), 0.01);
   scenario.sonars[1].frequency = 766e3;
   EXPECT_EQ(std::ranges::max(ping_of(scenario, {}).intensity), 0);
+  // From below, 660 to 710 kHz: 10 kHz. A band within the other is heard whole, one about it by the share of 40 kHz.
+  scenario.sonars[1].frequency = 685e3;
+  EXPECT_NEAR(db(std::ranges::max(ping_of(scenario, {}).intensity)), level + db(0.2), 0.01);
+  scenario.sonars[1].frequency = 717e3;
+  scenario.sonars[1].pulse_bandwidth = 30e3;
+  EXPECT_NEAR(db(std::ranges::max(ping_of(scenario, {}).intensity)), level, 0.01);
+  scenario.sonars[1].pulse_bandwidth = 64e3;
+  EXPECT_NEAR(db(std::ranges::max(ping_of(scenario, {}).intensity)), level + db(0.625), 0.01);
 }
 
 // A head hears with its beam at its angle, and sends there.

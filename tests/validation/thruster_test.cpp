@@ -88,18 +88,27 @@ std::vector<double> means_of(const std::vector<Ping>& pings) {
   return means;
 }
 
-// The beams' gains towards a direction without a window, and the thermal noise beside the thruster's.
-void expect_levels(const Scenario& scenario, double source_db, double bandwidth, double azimuth, double samples,
-                   double factor = 1) {
+// Means of all beams, with their gains towards the thruster, and the thermal noise beside it.
+// @param gain  Of a beam whose middle has the sine, |g|^2.
+void expect_gains(const Scenario& scenario, double source_db, double bandwidth,
+                  const std::function<double(double)>& gain, double samples, double factor = 1,
+                  double amplitude_error = 0) {
   const std::vector<double> means = means_of(pings_of(scenario));
-  const double solid_angle = 2 * std::sin(12 * kDegree) / kLength;
+  const double solid_angle = 2 * std::sin(0.5 * scenario.sonars[0].elevation_aperture) / kLength;
   const double thermal = linear(thermal_noise_level_db(430e3) + db(bandwidth) - db(4 * kPi / solid_angle) - 207);
   for (int beam = 0; beam < 50; ++beam) {
-    const double sine = std::sin(fan().beam_azimuth(beam));
-    const double gain = std::pow(sinc(kLength * (std::sin(azimuth) - sine)), 2);
-    EXPECT_NEAR(db(means[beam]), db(factor * (thermal + gain * linear(source_db))), 4 * 4.343 / std::sqrt(samples))
-        << beam;
+    const double heard = gain(std::sin(fan().beam_azimuth(beam))) * linear(source_db);
+    const double slack = 8.686 * amplitude_error * std::sqrt(linear(source_db) / heard);
+    EXPECT_NEAR(db(means[beam]), db(factor * (thermal + heard)), 4 * 4.343 / std::sqrt(samples) + slack) << beam;
   }
+}
+
+// The same for a line without a window that receives from an azimuth.
+void expect_levels(const Scenario& scenario, double source_db, double bandwidth, double azimuth, double samples,
+                   double factor = 1) {
+  expect_gains(
+      scenario, source_db, bandwidth,
+      [&](double sine) { return std::pow(sinc(kLength * (std::sin(azimuth) - sine)), 2); }, samples, factor);
 }
 
 TEST(ThrusterTest, HasTheLevelOfTheSonarEquationInEveryBeam) {
@@ -229,6 +238,39 @@ TEST(ThrusterTest, IsModulatedByTheBlades) {
   }
 }
 
+// 70 elements, of which five are dead: side lobes are theirs. An element of 50 degrees is a line of 0.88589 / (2 sin 25
+// deg) = 1.04809 wavelengths. What the transmitter sends makes no difference.
+TEST(ThrusterTest, IsHeardThroughTheFaultsOfTheArray) {
+  constexpr int kElements = 70;
+  Scenario scenario = with(thruster(-18.3 * kDegree, 0));
+  scenario.receiver.elements = kElements;
+  scenario.receiver.dead_elements = {3, 4, 30, 41, 66};
+  scenario.sonars[0].element_width = 50 * kDegree;
+  scenario.sonars[0].transmit_width = 40 * kDegree;
+  const double source = std::sin(-18.3 * kDegree);
+  const auto gain = [&](double sine) {
+    std::complex<double> sum = 0;
+    for (int i = 0; i < kElements; ++i) {
+      const bool is_dead = i == 3 || i == 4 || i == 30 || i == 41 || i == 66;
+      const double place = 0.5 - (i + 0.5) / kElements;  // From starboard to port.
+      sum += is_dead ? 0 : std::polar(1.0 / kElements, 2 * kPi * kLength * (source - sine) * place);
+    }
+    return std::norm(sum) * std::pow(sinc(1.04809 * source), 2);
+  };
+  // The length of so many elements differs by 1e-4 from that of a line, which moves nulls.
+  expect_gains(scenario, level_db(18e3), 18e3, gain, kPings * kBins, 1, 4e-4);
+}
+
+// On cones around the array the bearing's sine is that of the azimuth times the cosine of the elevation: of 35 degrees
+// at an elevation of -25, that of 31.3.
+TEST(ThrusterTest, HasItsBearingOnACone) {
+  Scenario scenario = with(thruster(35 * kDegree, -25 * kDegree));
+  scenario.sonars[0].elevation_aperture = 60 * kDegree;
+  scenario.receiver.beam_shape = BeamShape::kCone;
+  expect_levels(scenario, level_db(18e3), 18e3, std::asin(std::sin(35 * kDegree) * std::cos(25 * kDegree)),
+                kPings * kBins);
+}
+
 // One way across elevations, 15 degrees above the axis of a line of 0.88589 / (2 sin 12 deg) = 2.1305 wavelengths that
 // looks 3 degrees up: sinc^2(2.1305 sin 12 deg) is half.
 TEST(ThrusterTest, PassesThePatternAcrossElevationsOnce) {
@@ -345,6 +387,39 @@ TEST(ThrusterTest, IsOutOfFocusWhereTheArrayIsFocusedElsewhere) {
     EXPECT_NEAR(db(means[beam]), level_db(18e3) + db(std::norm(sum)), 0.15 + 4 * 4.343 / std::sqrt(kPings * kBins))
         << beam;
   }
+}
+
+// Without the 25 elements of 70 at its port end the array is centred to starboard, and sees what is near too far to
+// port: sums over the others at their distances.
+TEST(ThrusterTest, IsSeenFromWhereTheElementsAre) {
+  constexpr int kElements = 70, kDead = 25, kBeam = 24;
+  Scenario scenario = with(thruster(0.75 * kDegree, 0));
+  scenario.sonars[0].focus_range = 6;
+  scenario.receiver.elements = kElements;
+  for (int i = 0; i < kDead; ++i) {
+    scenario.receiver.dead_elements.push_back(i);
+  }
+  const std::vector<double> means = means_of(pings_of(scenario));
+  const double wavelength = 1500 / 430e3;
+  const Vec3 place = thruster(0.75 * kDegree, 0).position;
+  for (const int beam : {kBeam - 2, kBeam - 1, kBeam, kBeam + 1, kBeam + 2}) {
+    const Vec3 focus = point_from_spherical({6, fan().beam_azimuth(beam), 0});
+    std::complex<double> sum = 0;
+    for (int i = kDead; i < kElements; ++i) {
+      const Vec3 element(0, kLength * wavelength * (0.5 - (i + 0.5) / kElements), 0);
+      const double there = (place - element).norm() - place.norm(), delay = (focus - element).norm() - focus.norm();
+      sum += std::polar(1.0 / kElements, 2 * kPi / wavelength * (delay - there));
+    }
+    const double wanted = db(std::norm(sum));
+    EXPECT_NEAR(db(means[beam]), level_db(18e3) + wanted, 0.3 - 0.03 * wanted) << beam;
+  }
+}
+
+// The noise of two is independent: their powers add, 3.01 dB above one.
+TEST(ThrusterTest, PowersOfTwoAdd) {
+  Scenario scenario = with(thruster());
+  scenario.thrusters.push_back(thruster());
+  expect_levels(scenario, level_db(18e3) + 3.0103, 18e3, 11.3 * kDegree, kPings * kBins);
 }
 
 }  // namespace

@@ -115,6 +115,33 @@ TEST_P(WaterReturnTest, LosesItsCoherenceToWind) {
   EXPECT_LT(std::abs(of_plate(8)), 0.02 * calm);
 }
 
+// What arrives from the wall, at atan(7/6), was sent towards the surface, at atan(1/6), and the other way round: each
+// has the transmitter's gain where it was sent, sinc^2(l sin) of a line of l = 0.88589 / (2 sin 40 deg) = 0.68910.
+TEST_P(WaterReturnTest, IsSentInOneDirectionAndArrivesFromAnother) {
+  const auto near = [](const Ping& ping, const SonarConfig& sonar, double azimuth) {
+    const auto bin = static_cast<int>((kRange - 5) / 0.02);
+    double sum = 0;
+    for (int i = bin - 10; i <= bin + 10; ++i) {
+      for (int beam = 0; beam < ping.beam_count; ++beam) {
+        const bool here = std::abs(sonar.beam_azimuth(beam) - azimuth) < 3 * kDegree;
+        sum += here ? ping.intensity[ping.index(i, beam)] : 0;
+      }
+    }
+    return 10 * std::log10(sum);
+  };
+  Scenario scenario = by_water(GetParam());
+  const Ping alike = ping_of(scenario, wall_and_plate());
+  scenario.sonars[0].transmit_width = 80 * kDegree;
+  const Ping weighted = ping_of(scenario, wall_and_plate());
+  const double wall = std::atan2(7, 6), water = std::atan2(1, 6);
+  for (const auto& [arrival, sent] : {std::pair(wall, water), std::pair(water, wall)}) {
+    const double x = 3.14159265358979 * 0.68910 * std::sin(sent);
+    EXPECT_NEAR(near(weighted, scenario.sonars[0], arrival) - near(alike, scenario.sonars[0], arrival),
+                20 * std::log10(std::sin(x) / x), 0.1)
+        << arrival;
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Methods, WaterReturnTest, testing::Values(kRays, kRaster, kReference),
                          [](const auto& test) { return test.param.name; });
 
