@@ -86,7 +86,7 @@ TEST_F(CliStopTest, CtrlCEndsAPingThatTakesLong) {
     process.send(SIGINT);
     const Outcome outcome = process.end();
     EXPECT_EQ(outcome.status, 1);
-    EXPECT_EQ(outcome.err, "insonify: interrupted before the first ping\n");
+    EXPECT_TRUE(outcome.err.ends_with("insonify: interrupted before the first ping\n")) << outcome.err;
     EXPECT_TRUE(std::filesystem::is_empty(out));
     // Takes 0.4 s at most on an idle machine.
     EXPECT_LT(std::chrono::steady_clock::now() - asked, std::chrono::seconds(10));

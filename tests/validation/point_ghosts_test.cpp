@@ -120,6 +120,7 @@ Scene channel_floor(double size = 60, double rms_height = 0) {
 Scenario channel_scenario(const Method& method) {
   SonarConfig sonar = fan();
   sonar.position = kChannel.sonar;
+  sonar.sampling = {4, 200};
   sonar.elevation_aperture = 110 * kDegree;
   sonar.azimuth_aperture = 60 * kDegree;
   sonar.beam_count = 8;
