@@ -6,11 +6,56 @@
 #include <cmath>
 #include <functional>
 
+#include "base/vector_math.h"
+
 namespace insonify {
 namespace {
 
 constexpr int kBinsPerTask = 64;
 constexpr float kTiny = 1e-37F;  // Avoids division by zero.
+
+// energy += volume x unblocked
+INSONIFY_VECTOR_CLONES
+void add_volume(int count, const float* __restrict__ volume, float unblocked, float* __restrict__ energy) {
+  for (int i = 0; i < count; ++i) {
+    energy[i] += volume[i] * unblocked;
+  }
+}
+
+// look = |field + deviation x noise|^2
+// @param field  [bin][real, imaginary]
+INSONIFY_VECTOR_CLONES
+void detect_field(int count, const float* __restrict__ field, float deviation, const float* __restrict__ in_phase,
+                  const float* __restrict__ quadrature, float* __restrict__ real, float* __restrict__ imaginary,
+                  float* __restrict__ look) {
+  for (int i = 0; i < count; ++i) {
+    real[i] = field[2 * i] + deviation * in_phase[i];
+    imaginary[i] = field[2 * i + 1] + deviation * quadrature[i];
+    look[i] = real[i] * real[i] + imaginary[i] * imaginary[i];
+  }
+}
+
+// The same without speckle. There is no phase: the field is sqrt(energy), so that noise can be added to it.
+INSONIFY_VECTOR_CLONES
+void detect_energy(int count, const float* __restrict__ energy, float deviation, const float* __restrict__ in_phase,
+                   const float* __restrict__ quadrature, float* __restrict__ real, float* __restrict__ imaginary,
+                   float* __restrict__ look) {
+  for (int i = 0; i < count; ++i) {
+    real[i] = std::sqrt(energy[i]) + deviation * in_phase[i];
+    imaginary[i] = deviation * quadrature[i];
+    look[i] = real[i] * real[i] + imaginary[i] * imaginary[i];
+  }
+}
+
+// intensity = min(channel x look, saturation) x gain
+INSONIFY_VECTOR_CLONES
+void amplify(int count, const float* __restrict__ look, float channel, float saturation,
+             const float* __restrict__ gain, float* __restrict__ intensity) {
+  for (int i = 0; i < count; ++i) {
+    const float received = channel * look[i];
+    intensity[i] = (saturation < received ? saturation : received) * gain[i];
+  }
+}
 
 // Sets the bins of `row` outside `bins` to 0.
 template <typename Value>
@@ -45,12 +90,15 @@ void CalibratedReceiver::sum_energy(const EchoGrid& grid, int cell, std::span<fl
     }
   }
   if (!volume_.empty()) {
+    const BinRange hits = bins.empty() ? BinRange{} : bins;  // Nothing is hit outside.
     const std::span<const float> hit = grid.weight(1, cell);
     float unblocked = cell_angle_[cell];
-    for (std::size_t i = 0; i < energy.size(); ++i) {
+    add_volume(hits.first, volume_.data(), unblocked, energy.data());
+    for (int i = hits.first; i < hits.last; ++i) {
       energy[i] += volume_[i] * std::max(0.0F, unblocked - 0.5F * hit[i]);  // Hits are half-way through, on average.
       unblocked -= hit[i];
     }
+    add_volume(bins_ - hits.last, volume_.data() + hits.last, std::max(0.0F, unblocked), energy.data() + hits.last);
   }
 }
 
@@ -286,17 +334,19 @@ void CalibratedReceiver::detect_tile(const EchoGrid& grid, const TilePlace& plac
     const std::size_t start = static_cast<std::size_t>(beam) * bins_ + place.first_bin;
     const float* const in_phase = noise_ ? noise_->in_phase(beam) + place.first_bin : kSilence;
     const float* const quadrature = noise_ ? noise_->quadrature(beam) + place.first_bin : kSilence;
-    for (int i = 0; i < place.bin_count; ++i) {
-      // Without speckle there is no phase: the field is sqrt(energy), so that noise can be added to it.
-      const float real = (speckle_ ? field[start + i].real() : std::sqrt(energy[start + i])) + deviation * in_phase[i];
-      const float imaginary = (speckle_ ? field[start + i].imag() : 0.0F) + deviation * quadrature[i];
-      const float look = real * real + imaginary * imaginary;
-      const float received = keeps_looks_ ? kept(look, beam, place.first_bin + i) : look;
-      tile.intensity[b][i] = std::min(channel * received, saturation_) * gain_[place.first_bin + i];
-      if (has_field_) {
-        const float part = std::sqrt(tile.intensity[b][i] / std::max(look, kTiny));
-        ping.field[ping.index(place.first_bin + i, beam)] = {part * real, part * imaginary};
-      }
+    float real[kTileBins], imaginary[kTileBins], look[kTileBins];
+    speckle_ ? detect_field(place.bin_count, reinterpret_cast<const float*>(&field[start]), deviation, in_phase,
+                            quadrature, real, imaginary, look)
+             : detect_energy(place.bin_count, &energy[start], deviation, in_phase, quadrature, real, imaginary, look);
+    float received[kTileBins];
+    std::copy_n(look, kTileBins, received);
+    for (int i = 0; keeps_looks_ && i < place.bin_count; ++i) {
+      received[i] = kept(look[i], beam, place.first_bin + i);
+    }
+    amplify(place.bin_count, received, channel, saturation_, &gain_[place.first_bin], tile.intensity[b]);
+    for (int i = 0; has_field_ && i < place.bin_count; ++i) {
+      const float part = std::sqrt(tile.intensity[b][i] / std::max(look[i], kTiny));
+      ping.field[ping.index(place.first_bin + i, beam)] = {part * real[i], part * imaginary[i]};
     }
     if (labelled) {
       // Labels come from the cells in the beam's own slice of azimuth, not from those in its side lobes.

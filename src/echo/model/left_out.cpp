@@ -5,35 +5,61 @@
 #include <algorithm>
 #include <cmath>
 
-#include "echo/model/coherent_share.h"
+#include "base/vector_math.h"
 #include "echo/model/echo_laws.h"
 
 namespace insonify {
 namespace {
 
-// What one instance leaves out; null where it has nothing of the kind.
-struct OfInstance {
-  const float* thickness = nullptr;
-  const std::uint8_t* glinting = nullptr;
-};
-
+// The values of one instance; null where it has none.
 template <typename Value>
 const Value* of(const std::vector<std::vector<Value>>& values, std::uint16_t instance) {
   return instance < values.size() && !values[instance].empty() ? values[instance].data() : nullptr;
 }
 
-// The coherent share of the lobe of facets in the echo of a hit, as ScatterTable::fill_powers() computes it.
-float coherent_lobe(const PingPlan& plan, SurfaceLabel surface, float cosine, float range) {
-  constexpr float kNothingLeft = 16;
-  const ScatterTable::Laws laws = plan.scatter.laws();
-  const std::uint32_t material = laws.index_of(surface);
-  const float held = std::max(cosine, kLeastCosine);
-  if ((1 / (held * held) - 1) * laws.steepness[material] > kNothingLeft) {
-    return 0;
+// Takes the coherent share of the lobe of facets off the echoes of samples on one material, where glinting[i] is 1. The
+// lobe is that of ScatterTable::fill_powers().
+struct GlintLobe {
+  float lobe, steepness;   // See ScatterTable::Laws.
+  float coherent;          // 1, or 0 with rough mirrors.
+  float roughness;         // Scattering::roughness
+  float neper_per_metre;
+};
+INSONIFY_VECTOR_CLONES
+void take_off_lobe(int count, const GlintLobe& of_material, const float* __restrict__ glinting,
+                   const float* __restrict__ facing, const float* __restrict__ range, float* __restrict__ power) {
+  constexpr float kNothingLeft = 16;  // e^-16
+  const GlintLobe own = of_material;
+  for (int i = 0; i < count; ++i) {
+    const float cosine = std::abs(facing[i]);
+    const float held = cosine < kLeastCosine ? kLeastCosine : cosine;
+    const float left = (1 / (held * held) - 1) * own.steepness > kNothingLeft ? 0.0F : glinting[i];
+    const float share = own.coherent * fast_exp(-own.roughness * cosine * cosine);
+    const float spread = fast_exp(-4 * own.neper_per_metre * range[i]) / (range[i] * range[i]);
+    const float rest = power[i] - left * share * facet_lobe(own.lobe, own.steepness, held) / held * spread;
+    power[i] = left > 0 ? (rest < 0 ? 0.0F : rest) : power[i];
   }
-  const float spread = fast_exp(-4 * plan.neper_per_metre * range) / (range * range);
-  return static_cast<float>(coherent_share(plan, surface, double{cosine})) *
-         facet_lobe(laws.lobe[material], laws.steepness[material], held) / held * spread;
+}
+
+// The same for the samples of rows [first, last), which are on one surface.
+void take_off_lobes(const PingPlan& plan, const std::uint8_t* glinting, int first, int last, const HitColumn& hits) {
+  constexpr int kBlock = 64;
+  const ScatterTable::Laws laws = plan.scatter.laws();
+  const SurfaceLabel surface = hits.surface[first];
+  const std::uint32_t material = laws.index_of(surface);
+  const GlintLobe own{.lobe = laws.lobe[material],
+                      .steepness = laws.steepness[material],
+                      .coherent = plan.rough_mirrors ? 0.0F : 1.0F,
+                      .roughness = static_cast<float>(plan.scatter.scattering(surface).roughness),
+                      .neper_per_metre = plan.neper_per_metre};
+  for (int row = first; row < last; row += kBlock) {
+    const int count = std::min(kBlock, last - row);
+    float glints[kBlock];
+    for (int i = 0; i < count; ++i) {
+      glints[i] = glinting[hits.triangle[row + i]] != 0 ? 1.0F : 0.0F;
+    }
+    take_off_lobe(count, own, glints, &hits.facing[row], &hits.range[row], &hits.power[row]);
+  }
 }
 
 }  // namespace
@@ -51,22 +77,24 @@ float thin_per_metre(const PingPlan& plan) {
 
 void leave_out(const LeftOut& left_out, const PingPlan& plan, const HitColumn& hits) {
   const float per_metre = thin_per_metre(plan);
-  const bool calibrated = plan.model == EchoModel::kCalibrated;
-  SurfaceLabel surface = kNoSurface;
-  OfInstance own;
-  for (int row = 0; row < std::min(hits.rows, plan.lattice.rows); ++row) {
-    if (hits.surface[row] != surface) {
-      surface = hits.surface[row];
-      own = {};
-      if (surface != kNoSurface) {
-        own = {of(left_out.thickness, instance_of(surface)), of(left_out.glinting, instance_of(surface))};
-      }
+  const int rows = std::min(hits.rows, plan.lattice.rows);
+  for (int first = 0, last = 0; first < rows; first = last) {
+    const SurfaceLabel surface = hits.surface[first];
+    while (last < rows && hits.surface[last] == surface) {
+      ++last;
     }
-    if (own.thickness != nullptr && own.thickness[hits.triangle[row]] < per_metre * hits.range[row]) {
-      hits.power[row] = 0;
-    } else if (calibrated && own.glinting != nullptr && own.glinting[hits.triangle[row]] != 0) {
-      const float lobe = coherent_lobe(plan, surface, std::abs(hits.facing[row]), hits.range[row]);
-      hits.power[row] = std::max(hits.power[row] - lobe, 0.0F);
+    if (surface == kNoSurface) {
+      continue;
+    }
+    const std::uint8_t* const glinting = of(left_out.glinting, instance_of(surface));
+    if (glinting != nullptr && plan.model == EchoModel::kCalibrated) {
+      take_off_lobes(plan, glinting, first, last, hits);
+    }
+    const float* const thickness = of(left_out.thickness, instance_of(surface));
+    for (int row = first; thickness != nullptr && row < last; ++row) {
+      if (thickness[hits.triangle[row]] < per_metre * hits.range[row]) {
+        hits.power[row] = 0;
+      }
     }
   }
 }

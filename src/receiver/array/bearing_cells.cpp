@@ -14,20 +14,24 @@
 namespace insonify {
 namespace {
 
-constexpr int kPerBeam = 2;
 constexpr int kPerScannedBeam = 8;
 constexpr int kMostCells = 32768;
 constexpr int kNeighbourBeams = 2;                     // Least beam widths covered on either side of a head's beam.
 constexpr double kWidest = radians_from_degrees(178);  // Bearings are sines: all must be less than 90 deg off the axis.
 
-// Cells per beam: `least`, or as many as make them no wider than half a beam in u, so that no echo lies between the
-// cells that the pattern receives. Sampled so densely, the sum of |g|^2 over cells is its integral.
-int cells_per_beam(const SonarConfig& fan, int least) {
+// The widest slice of azimuth of a beam, as a difference of sines.
+double widest_slice(const SonarConfig& fan) {
   const std::vector<double> edges = fan.beam_edges();
   double slice = 0;
   for (int beam = 0; beam < fan.beam_count; ++beam) {
     slice = std::max(slice, std::abs(std::sin(edges[beam]) - std::sin(edges[beam + 1])));
   }
+  return slice;
+}
+
+// Cells per beam: `least`, or as many as make them no wider than half a beam in u, so that no echo lies between the
+// cells that the pattern receives. Sampled so densely, the sum of |g|^2 over cells is its integral.
+int cells_per_beam(const SonarConfig& fan, double slice, int least) {
   constexpr double kSlack = 1e-6;  // A slice of a whole number of half beams gets no more cells by rounding.
   const double wanted = std::max<double>(least, std::ceil(slice / std::sin(0.5 * beam_width(fan)) - kSlack));
   if (wanted > least && wanted * fan.beam_count > kMostCells) {
@@ -91,7 +95,9 @@ BearingCells::BearingCells(const SonarConfig& fan, const ReceiverConfig& receive
     return;
   }
   const bool scanning = fan.type == SonarType::kMechanicallyScanned;
-  per_beam = cells_per_beam(fan, scanning ? kPerScannedBeam : kPerBeam);
+  const double slice = widest_slice(fan);
+  const bool dense = slice <= kWidestSingle * std::sin(beam_width(fan));
+  per_beam = cells_per_beam(fan, slice, scanning ? kPerScannedBeam : dense ? 1 : 2);
   const int columns = fan.sampling.columns_per_beam.value_or(Sampling::kColumns);
   sonar.sampling.columns_per_beam = std::max(1, (columns + per_beam - 1) / per_beam);
   if (scanning) {

@@ -14,7 +14,8 @@ namespace insonify {
 /// With a top-hat beam pattern each cell is a beam. An array pattern needs a finer grid, because a beam receives echoes
 /// from between and outside the beam directions: two cells per beam for a fan, and guard cells on either side of it.
 /// They reach so far that the outermost beam loses less than kGuardLoss of its energy. Where beams are narrower than
-/// their spacing, there are more cells per beam: none is wider than half a beam.
+/// their spacing, there are more cells per beam: none is wider than half a beam. Where they overlap so much that their
+/// spacing is at most kWidestSingle of their width, each has one cell.
 ///
 /// The single beam of a scanning head is divided into eight cells. The grid extends by two beam widths on either side,
 /// and further to where the two-way pattern of the perfect array stays below kHeadFloorDb: in cells as narrow up to
@@ -24,6 +25,10 @@ struct BearingCells {
   /// end at kGuardEnd even where more is lost.
   static constexpr double kGuardLoss = 0.02;
   static constexpr double kGuardEnd = radians_from_degrees(89);  ///< [rad]; patterns are functions of the sine.
+
+  /// A cell of this part of a beam's width loses at most .25 dB of an echo at its edge (sinc^2 at .13 wavelength / D),
+  /// two cells per beam of the Gemini 720i .16 dB.
+  static constexpr double kWidestSingle = 0.3;
 
   static constexpr double kHeadFloorDb = -60;  ///< Re the main lobe, as BearingResponse::kFloorDb [dB].
   static constexpr int kNarrowNeighbours = 4;  ///< Beyond, side lobes of a uniform line are below -45 dB.

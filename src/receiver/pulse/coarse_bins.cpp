@@ -11,6 +11,19 @@ namespace insonify {
 namespace {
 
 constexpr float kTimesNeighbours = 2;  // Energy of a bin, over that of its neighbours, beyond which it is compact.
+constexpr int kBlock = 128;            // Bins computed together.
+
+// Energy of one look in bins [0, count).
+// @param energy  From the bin before the first to that after the last.
+INSONIFY_VECTOR_CLONES
+void take_look(int count, float share, const float* __restrict__ energy, float* __restrict__ look) {
+  for (int i = 0; i < count; ++i) {
+    const float before = energy[i], here = energy[i + 1], after = energy[i + 2];
+    const float most = kTimesNeighbours * (before < after ? after : before);
+    const float extended = most < here ? most : here;
+    look[i] = (here - extended) + share * extended;
+  }
+}
 
 }  // namespace
 
@@ -32,12 +45,14 @@ void CoarseBins::receive(std::span<float> energy) const {
     }
     return;
   }
-  float before = 0;
-  for (std::size_t i = 0; i < energy.size(); ++i) {
-    const float here = energy[i], after = i + 1 < energy.size() ? energy[i + 1] : 0;
-    const float extended = std::min(here, kTimesNeighbours * std::max(before, after));
-    energy[i] = (here - extended) + share_ * extended;
-    before = here;
+  float block[kBlock + 3] = {};
+  const auto size = static_cast<int>(energy.size());
+  for (int start = 0; start < size; start += kBlock) {
+    const int count = std::min(kBlock, size - start), with_next = std::min(count + 1, size - start);
+    std::copy_n(&energy[start], with_next, block + 1);
+    block[with_next + 1] = 0;  // Beyond the end.
+    take_look(count, share_, block, &energy[start]);
+    block[0] = block[kBlock];
   }
 }
 

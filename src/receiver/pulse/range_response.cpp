@@ -14,14 +14,31 @@ namespace {
 constexpr int kBlock = 64;  // Output bins computed together.
 constexpr int kTaps = 64;   // Taps applied together.
 
+constexpr int kLanes = 16;  // Floats of a vector register of AVX-512; others take several.
+
 // sums[v] += sum over taps of gains[tap] x values[v + tap], for kBlock bins of kWidth floats each (1: real, 2:
-// complex).
+// complex). Sums stay in registers over all taps: the innermost loop is one vector instruction, and must not be
+// unrolled before it is.
 template <int kWidth>
 [[gnu::always_inline]] inline void add_taps(const float* __restrict__ gains, int taps, const float* __restrict__ values,
                                             float* __restrict__ sums) {
-  for (int tap = 0; tap < taps; ++tap) {
-    for (int v = 0; v < kBlock * kWidth; ++v) {
-      sums[v] += gains[tap] * values[tap * kWidth + v];
+  constexpr int kRegisters = 4, kTogether = kRegisters * kLanes;
+  for (int start = 0; start < kBlock * kWidth; start += kTogether) {
+    float own[kRegisters][kLanes] = {};
+    for (int tap = 0; tap < taps; ++tap) {
+      const float* const at = values + start + tap * kWidth;
+#pragma GCC unroll 4
+      for (int i = 0; i < kRegisters; ++i) {
+#pragma GCC unroll 1
+        for (int v = 0; v < kLanes; ++v) {
+          own[i][v] += gains[tap] * at[i * kLanes + v];
+        }
+      }
+    }
+    for (int i = 0; i < kRegisters; ++i) {
+      for (int v = 0; v < kLanes; ++v) {
+        sums[start + i * kLanes + v] += own[i][v];
+      }
     }
   }
 }
@@ -44,7 +61,10 @@ void gather(std::span<const Value> cells, int cells_per_bin, int phase, int firs
   const int begin = std::clamp(-first, 0, count);
   const int end = std::clamp(bins - first, begin, count);
   std::fill(values, values + begin, Value{});
-  for (int i = begin; i < end; ++i) {
+  if (cells_per_bin == 1) {
+    std::copy(cells.begin() + first + begin, cells.begin() + first + end, values + begin);
+  }
+  for (int i = begin; cells_per_bin > 1 && i < end; ++i) {
     values[i] = cells[static_cast<std::size_t>(first + i) * cells_per_bin + phase];
   }
   std::fill(values + end, values + count, Value{});

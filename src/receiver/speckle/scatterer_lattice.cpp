@@ -97,6 +97,16 @@ void project_edges(BinRange bins, Projection p, const float* __restrict__ elevat
   }
 }
 
+// The same where all elevations are 0.
+INSONIFY_VECTOR_CLONES
+void project_level_edges(BinRange bins, Projection p, float* __restrict__ ahead, float* __restrict__ up) {
+  for (int edge = bins.first; edge <= bins.last; ++edge) {
+    const float range = p.first_range + (static_cast<float>(edge) - 0.5F) * p.bin_length;
+    ahead[edge] = range * p.ahead_level;
+    up[edge] = range * p.up_level;
+  }
+}
+
 // Whole and fractional part of a coordinate in steps, and the place of its layer.
 struct Origin {
   std::uint32_t whole;
@@ -265,12 +275,17 @@ void ScattererLattice::rescale(const Axes& axes, int bin, ScattererRow& row) con
 }
 
 // Finds the windows of bins that one continuous surface fills.
-void ScattererLattice::locate_surface(const Axes& axes, BinRange bins, ScattererRow& row) const {
-  if (smoothed_bins_ > 0 && bins.last - bins.first > 2) {
-    smooth(bins, smoothed_bins_, row.sums.data(), row.elevation.data());
-    smooth(bins, smoothed_bins_, row.sums.data(), row.elevation.data());
+// @param level  Whether all its elevations are 0.
+void ScattererLattice::locate_surface(const Axes& axes, BinRange bins, bool level, ScattererRow& row) const {
+  if (level) {
+    project_level_edges(bins, axes.projection, row.ahead.data(), row.up.data());
+  } else {
+    if (smoothed_bins_ > 0 && bins.last - bins.first > 2) {
+      smooth(bins, smoothed_bins_, row.sums.data(), row.elevation.data());
+      smooth(bins, smoothed_bins_, row.sums.data(), row.elevation.data());
+    }
+    project_edges(bins, axes.projection, row.elevation.data(), row.ahead.data(), row.up.data());
   }
-  project_edges(bins, axes.projection, row.elevation.data(), row.ahead.data(), row.up.data());
   if (find_windows(bins, axes.windows, row.ahead.data(), row.up.data(), row.patch.data(), row.index.data(),
                    row.begin.data(), row.length.data())) {
     for (int bin = bins.first; bin < bins.last; ++bin) {
@@ -280,22 +295,27 @@ void ScattererLattice::locate_surface(const Axes& axes, BinRange bins, Scatterer
 }
 
 // The bin after the last one of the surface that begins at `first`: before a jump of the elevation, or `last`.
-int ScattererLattice::surface_end(int first, int last, const ScattererRow& row) const {
+// @param filled  All elevations outside are 0.
+int ScattererLattice::surface_end(int first, int last, BinRange filled, const ScattererRow& row) const {
+  if (first >= filled.last) {
+    return last;
+  }
   const auto jump = static_cast<float>(kJumpBins * bin_length_), angle = static_cast<float>(kJumpAngle);
   const auto nearest = static_cast<float>(first_range_), length = static_cast<float>(bin_length_);
-  int bin = first + 1;
-  while (bin < last && std::abs(row.elevation[bin] - row.elevation[bin - 1]) - angle <=
+  const int end = std::min(last, filled.last + 1);
+  int bin = std::max(first + 1, std::min(filled.first, last));
+  while (bin < end && std::abs(row.elevation[bin] - row.elevation[bin - 1]) - angle <=
                            jump / (nearest + static_cast<float>(bin) * length)) {
     ++bin;
   }
-  return bin;
+  return bin > filled.last ? last : bin;
 }
 
 void ScattererLattice::locate(const SpeckleViews& views, int cell, BinRange bins, const EchoGrid& grid,
                               ScattererRow& row) const {
   row.resize(bins_);
   row.bins = bins;
-  const BinRange filled = grid.filled(cell) & bins;
+  const BinRange common = grid.filled(cell) & bins, filled = common.empty() ? BinRange{} : common;
   const EchoGrid::LabelRows labels = grid.label_rows(cell);
   std::fill(row.surface.begin() + bins.first, row.surface.begin() + bins.last, kNoSurface);
   std::fill(row.elevation.begin() + bins.first, row.elevation.begin() + bins.last, 0.0F);
@@ -308,8 +328,8 @@ void ScattererLattice::locate(const SpeckleViews& views, int cell, BinRange bins
     const Axes axes = axes_of(cell, run);
     BinRange surface{run.bins.first, run.bins.first};
     while (surface.first < run.bins.last) {
-      surface.last = surface_end(surface.first, run.bins.last, row);
-      locate_surface(axes, surface, row);
+      surface.last = surface_end(surface.first, run.bins.last, filled, row);
+      locate_surface(axes, surface, (surface & filled).empty(), row);
       surface.first = surface.last;
     }
   }

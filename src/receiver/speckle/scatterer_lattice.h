@@ -47,8 +47,8 @@ class ScattererLattice {
   struct Axes;
   void divide(const SpeckleViews& views, ScattererRow& row) const;
   [[nodiscard]] Axes axes_of(int cell, ScattererRow::Run& run) const;
-  [[nodiscard]] int surface_end(int first, int last, const ScattererRow& row) const;
-  void locate_surface(const Axes& axes, BinRange bins, ScattererRow& row) const;
+  [[nodiscard]] int surface_end(int first, int last, BinRange filled, const ScattererRow& row) const;
+  void locate_surface(const Axes& axes, BinRange bins, bool level, ScattererRow& row) const;
   void rescale(const Axes& axes, int bin, ScattererRow& row) const;
 
   int bins_;

@@ -17,7 +17,7 @@ struct RunPhases {
   std::array<std::uint32_t, 4> key;
   std::uint32_t first_turns, turns_per_bin;  // See Speckle.
   float turns_per_window, across_turns;
-  float spread_share, spread_turns;
+  float spread_share, turns_per_chance, spread_half;  // Spread over -half to half.
   float bins_per_window, shared;
 };
 
@@ -30,6 +30,8 @@ struct RunRows {
 
 // Pulses of so many bins have their scatterers shared between bins.
 constexpr double kLongPulse = 1.5;
+
+constexpr int kBlock = 64;  // Bins drawn together.
 
 // Fields of a bin's scatterers: of the bin itself, and shared with the bins before and after.
 struct BinField {
@@ -56,7 +58,7 @@ template <bool kSpread, bool kShared>
                 place_across(words) * run.across_turns;
   if constexpr (kSpread) {
     const float chance = spread_number(words);
-    turns += chance < run.spread_share ? (chance / run.spread_share - 0.5F) * run.spread_turns : 0.0F;
+    turns += chance < run.spread_share ? chance * run.turns_per_chance - run.spread_half : 0.0F;
   }
   const float rest = turns - static_cast<float>(static_cast<std::int32_t>(turns));
   const SineCosine phase = fast_sine_cosine(rest < 0 ? rest + 1 : rest);
@@ -78,8 +80,13 @@ template <bool kSpread, bool kShared>
   }
 }
 
-// A window of 2.4 steps at most has the middles of three.
-template <bool kSpread, bool kShared>
+// 1 / count for 1 to 3; a division of sixteen numbers takes as long as sixteen multiplications.
+[[gnu::always_inline]] inline float share_of_count(float count) {
+  return count < 1.5F ? 1.0F : count < 2.5F ? 0.5F : 1.0F / 3;
+}
+
+// A window of 2.4 steps at most has the middles of three, of 2 steps at most those of two.
+template <int kMost, bool kSpread, bool kShared>
 [[gnu::always_inline]] inline void draw_bins(BinRange bins, const RunPhases& of_run,
                                              const std::uint32_t* __restrict__ patch,
                                              const std::uint32_t* __restrict__ index, const float* __restrict__ begin,
@@ -99,8 +106,10 @@ template <bool kSpread, bool kShared>
     BinField sum;
     add_scatterer<kSpread, kShared>(0, window, run, sum);
     add_scatterer<kSpread, kShared>(1, window, run, sum);
-    add_scatterer<kSpread, kShared>(2, window, run, sum);
-    const float intensity = kShared ? run.shared * std::abs(per_step) : 1 / sum.count;
+    if constexpr (kMost > 2) {
+      add_scatterer<kSpread, kShared>(2, window, run, sum);
+    }
+    const float intensity = kShared ? run.shared * std::abs(per_step) : share_of_count(sum.count);
     const float scale = std::sqrt(energy[bin] * intensity);
     const std::ptrdiff_t at = std::ptrdiff_t{2} * bin;
     field[at] = scale * sum.real;
@@ -114,22 +123,50 @@ template <bool kSpread, bool kShared>
   }
 }
 
+template <int kMost, bool kSpread, bool kShared>
+[[gnu::always_inline]] inline void draw_rows(BinRange bins, const RunPhases& run, const RunRows& rows) {
+  draw_bins<kMost, kSpread, kShared>(bins, run, rows.patch, rows.index, rows.begin, rows.length, rows.energy,
+                                     rows.field, rows.before, rows.after);
+}
+
 INSONIFY_VECTOR_CLONES
 void draw_apart(BinRange bins, const RunPhases& run, const RunRows& rows) {
-  draw_bins<false, false>(bins, run, rows.patch, rows.index, rows.begin, rows.length, rows.energy, rows.field,
-                          rows.before, rows.after);
+  draw_rows<3, false, false>(bins, run, rows);
 }
 
 INSONIFY_VECTOR_CLONES
 void draw_spread(BinRange bins, const RunPhases& run, const RunRows& rows) {
-  draw_bins<true, false>(bins, run, rows.patch, rows.index, rows.begin, rows.length, rows.energy, rows.field,
-                         rows.before, rows.after);
+  draw_rows<3, true, false>(bins, run, rows);
 }
 
 INSONIFY_VECTOR_CLONES
 void draw_shared(BinRange bins, const RunPhases& run, const RunRows& rows) {
-  draw_bins<false, true>(bins, run, rows.patch, rows.index, rows.begin, rows.length, rows.energy, rows.field,
-                         rows.before, rows.after);
+  draw_rows<3, false, true>(bins, run, rows);
+}
+
+INSONIFY_VECTOR_CLONES
+void draw_two_apart(BinRange bins, const RunPhases& run, const RunRows& rows) {
+  draw_rows<2, false, false>(bins, run, rows);
+}
+
+INSONIFY_VECTOR_CLONES
+void draw_two_spread(BinRange bins, const RunPhases& run, const RunRows& rows) {
+  draw_rows<2, true, false>(bins, run, rows);
+}
+
+INSONIFY_VECTOR_CLONES
+void draw_two_shared(BinRange bins, const RunPhases& run, const RunRows& rows) {
+  draw_rows<2, false, true>(bins, run, rows);
+}
+
+// Whether no window of the bins is longer than two steps.
+INSONIFY_VECTOR_CLONES
+bool has_two(BinRange bins, const float* __restrict__ length) {
+  std::uint32_t longer = 0;
+  for (int bin = bins.first; bin < bins.last; ++bin) {
+    longer |= std::abs(length[bin]) > 2 ? 1U : 0U;
+  }
+  return longer == 0;
 }
 
 INSONIFY_VECTOR_CLONES
@@ -185,18 +222,22 @@ void Speckle::draw(ScattererRow& row, std::span<const float> energy, std::span<s
                      .before = floats(row.before),
                      .after = floats(row.after)};
   const auto draw = shared_ > 0 ? draw_shared : spread_share_ > 0 ? draw_spread : draw_apart;
+  const auto draw_two = shared_ > 0 ? draw_two_shared : spread_share_ > 0 ? draw_two_spread : draw_two_apart;
   for (const ScattererRow::Run& run : row.runs) {
-    draw(run.bins,
-         {.key = run.key,
-          .first_turns = first_turns_,
-          .turns_per_bin = turns_per_bin_,
-          .turns_per_window = turns_per_window_,
-          .across_turns = run.across_turns,
-          .spread_share = spread_share_,
-          .spread_turns = spread_turns_,
-          .bins_per_window = bins_per_window_,
-          .shared = shared_},
-         rows);
+    const RunPhases phases{.key = run.key,
+                           .first_turns = first_turns_,
+                           .turns_per_bin = turns_per_bin_,
+                           .turns_per_window = turns_per_window_,
+                           .across_turns = run.across_turns,
+                           .spread_share = spread_share_,
+                           .turns_per_chance = spread_share_ > 0 ? spread_turns_ / spread_share_ : 0.0F,
+                           .spread_half = 0.5F * spread_turns_,
+                           .bins_per_window = bins_per_window_,
+                           .shared = shared_};
+    for (BinRange block{run.bins.first, 0}; block.first < run.bins.last; block.first = block.last) {
+      block.last = std::min(block.first + kBlock, run.bins.last);
+      (has_two(block, rows.length) ? draw_two : draw)(block, phases, rows);
+    }
   }
 }
 
