@@ -96,6 +96,9 @@ class PingPlan {
   /// @param direction  Unit vector in the sonar frame.
   [[nodiscard]] bool receives(const Vec3f& direction) const;
 
+  /// Whether a sphere lies above or below the fan. Never if a part of it is received. Frame of the sonar [m].
+  [[nodiscard]] bool receives_nothing_of(const Vec3f& middle, float radius) const;
+
   /// How sound from a direction arrives.
   struct Arrival {
     float bearing, elevation;  ///< [rad]
@@ -136,6 +139,12 @@ inline bool PingPlan::receives(const Vec3f& direction) const {
   const bool behind = lattice.shape == BeamShape::kCone && direction.x() < 0;
   return direction.z() >= tan_low_ * level && direction.z() <= tan_high_ * level && !behind &&
          beam_of(bearing_of(direction)) >= 0;
+}
+
+inline bool PingPlan::receives_nothing_of(const Vec3f& middle, float radius) const {
+  const float level = std::sqrt(middle.x() * middle.x() + middle.y() * middle.y());
+  return middle.z() - tan_high_ * level > radius * std::sqrt(1 + tan_high_ * tan_high_) ||
+         tan_low_ * level - middle.z() > radius * std::sqrt(1 + tan_low_ * tan_low_);
 }
 
 inline PingPlan::Arrival PingPlan::arrival_from(const Vec3f& direction) const {

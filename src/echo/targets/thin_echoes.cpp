@@ -45,6 +45,14 @@ float strength_of(const ThinParts::Patch& patch, const Vec3f& direction, float c
   return patch.area * (laws.lambert[material] * cosine * cosine + glint + on_top);
 }
 
+// Spreads 16 bits to every second bit.
+std::uint32_t interleaved(std::uint32_t bits) {
+  bits = (bits | bits << 8) & 0x00FF00FFU;
+  bits = (bits | bits << 4) & 0x0F0F0F0FU;
+  bits = (bits | bits << 2) & 0x33333333U;
+  return (bits | bits << 1) & 0x55555555U;
+}
+
 // Whether a sphere lies beside the fan, which is symmetric about x. Beyond a right angle on either side: never.
 bool beside(const PingPlan& plan, const Vec3f& middle, float radius) {
   const float edge = plan.lattice.azimuth.front() + plan.lattice.column_width.front();
@@ -75,76 +83,119 @@ ThinEchoes::ThinEchoes(std::shared_ptr<const ThinParts> parts) : parts_(std::mov
     }
     groups_.push_back(group);
   }
+  mesh_from_sonar_.resize(groups_.size());
+  seen_.reserve(pieces.size());
   steps_.reserve(kMostSteps);
   echoes_.resize(kMostSteps);
+  order_.reserve(kMostRays);
+  ray_of_.resize(kMostRays);
   rays_.reserve(kMostRays);
   own_.reserve(kMostRays);
   hits_.resize(kMostRays);
 }
 
-// Finds the steps within the fan and the range window that are too thin for the lattice. False where they are too many.
-// @param longer  Factor on their greatest length.
-bool ThinEchoes::find_steps(const PingPlan& plan, const Pose& world_from_sonar, std::span<const Pose> world_from_mesh,
-                            float longer) {
-  steps_.clear();
+// Finds the pieces within the fan and the range window that are too thin for the lattice.
+void ThinEchoes::find_seen(const PingPlan& plan, const Pose& world_from_sonar, std::span<const Pose> world_from_mesh) {
+  seen_.clear();
   const Pose sonar_from_world = world_from_sonar.inverse();
-  for (const Group& group : groups_) {
+  for (std::uint32_t i = 0; i < groups_.size(); ++i) {
+    const Group& group = groups_[i];
     const Pose sonar_from_mesh = sonar_from_world * world_from_mesh[group.instance];
     const Vec3f middle = (sonar_from_mesh * group.middle.cast<double>().eval()).cast<float>();
     const float range = middle.norm();
     if (range - group.radius < plan.true_max_range && range + group.radius > plan.first_bin_at &&
-        !beside(plan, middle, group.radius) && !add_steps(plan, group, sonar_from_mesh, longer)) {
-      return false;
+        !beside(plan, middle, group.radius)) {
+      add_seen(plan, i, sonar_from_mesh);
     }
   }
-  return true;
 }
 
-bool ThinEchoes::add_steps(const PingPlan& plan, const Group& group, const Pose& sonar_from_mesh, float longer) {
+void ThinEchoes::add_seen(const PingPlan& plan, std::uint32_t group, const Pose& sonar_from_mesh) {
   const float per_metre = thin_per_metre(plan);
   const float column = plan.lattice.column_width[plan.lattice.columns / 2];
-  const Eigen::Matrix3f turn = sonar_from_mesh.orientation.toRotationMatrix().cast<float>();
-  for (std::size_t i = group.first; i < group.last; ++i) {
+  const Eigen::Matrix3d turn_exactly = sonar_from_mesh.orientation.toRotationMatrix();
+  const Eigen::Matrix3f turn = turn_exactly.cast<float>();
+  mesh_from_sonar_[group] = turn.transpose();
+  for (std::size_t i = groups_[group].first; i < groups_[group].last; ++i) {
     const ThinParts::Piece& piece = parts_->pieces[i];
     const Vec3f half = turn * piece.half;
-    const Vec3f middle = (sonar_from_mesh * piece.middle.cast<double>().eval()).cast<float>();
+    const Vec3f middle = (turn_exactly * piece.middle.cast<double>() + sonar_from_mesh.position).cast<float>();
     const float range = middle.norm(), length = half.norm();
     if (range > plan.true_max_range + length || range + length < plan.first_bin_at || !(range > length) ||
-        !(piece.thickness < per_metre * (range + length)) || beside(plan, middle, length)) {
+        !(piece.thickness < per_metre * (range + length)) || plan.receives_nothing_of(middle, length) ||
+        beside(plan, middle, length)) {
       continue;
     }
     const float radial = std::abs(half.dot(middle)) / range;
     const float across = std::sqrt(std::max(length * length - radial * radial, 0.0F)) / range;
     const float slope = 1 / std::sqrt(2 * plan.scatter.steepness(piece.surface));
     const float bins = 2 * radial * plan.bins_per_metre, parts = 2 * across / std::min(column, 0.5F * slope);
-    const float wished = std::ceil(std::max(bins, parts) / longer);
-    constexpr float kMostOfPiece = 256;
-    const auto count = static_cast<std::uint32_t>(std::clamp(wished, 1.0F, kMostOfPiece));
-    const Vec3f axis = length > 0 ? Vec3f(half / length) : Vec3f(Vec3f::Zero());
-    for (std::uint32_t k = 0; k < count; ++k) {
-      const Vec3f place = middle + ((2 * static_cast<float>(k) + 1) / static_cast<float>(count) - 1) * half;
-      const float distance = place.norm();
-      const Vec3f direction = place / distance;
-      if (!(piece.thickness < per_metre * distance) || !plan.receives(direction)) {
-        continue;
-      }
-      if (steps_.size() == kMostSteps) {
-        return false;
-      }
-      steps_.push_back({static_cast<std::uint32_t>(i), count, place, turn.transpose() * direction, axis,
-                        std::abs(half.dot(direction)) / static_cast<float>(count)});
-    }
+    seen_.push_back({static_cast<std::uint32_t>(i), group, 0, 0, middle, half, std::max(bins, parts)});
   }
-  return true;
 }
 
-// Traces a ray for every n-th step, to a place in front of the piece, beside its axis.
+// Divides the pieces into steps. False where they are too many.
+// @param longer  Factor on their greatest length.
+bool ThinEchoes::divide(float longer) {
+  constexpr float kMostOfPiece = 256;
+  std::uint32_t steps = 0;
+  for (Seen& seen : seen_) {
+    seen.first = steps;
+    seen.count = static_cast<std::uint32_t>(std::clamp(std::ceil(seen.wished / longer), 1.0F, kMostOfPiece));
+    steps += seen.count;
+  }
+  return steps <= kMostSteps;
+}
+
+void ThinEchoes::step_along(const PingPlan& plan, const Seen& seen) {
+  const ThinParts::Piece& piece = parts_->pieces[seen.piece];
+  const float per_metre = thin_per_metre(plan), length = seen.half.norm(), count = static_cast<float>(seen.count);
+  const Vec3f axis = length > 0 ? Vec3f(seen.half / length) : Vec3f(Vec3f::Zero());
+  for (std::uint32_t k = 0; k < seen.count; ++k) {
+    const Vec3f place = seen.middle + ((2 * static_cast<float>(k) + 1) / count - 1) * seen.half;
+    const float distance = place.norm();
+    const Vec3f direction = place / distance;
+    const bool received = piece.thickness < per_metre * distance && plan.receives(direction);
+    steps_[seen.first + k] = {seen.piece, received ? seen.count : 0, place, mesh_from_sonar_[seen.group] * direction,
+                              axis,       std::abs(seen.half.dot(direction)) / count};
+  }
+}
+
+// Finds the steps that the sonar receives.
+void ThinEchoes::find_steps(const PingPlan& plan, Workers& workers) {
+  for (float longer = 1; !divide(longer); longer *= 2) {
+    static_assert(ThinParts::kMostPieces < kMostSteps);  // At most as many steps as pieces in the end.
+  }
+  steps_.resize(seen_.empty() ? 0 : seen_.back().first + seen_.back().count);
+  constexpr std::size_t kTogether = 128;
+  workers.for_each(static_cast<int>((seen_.size() + kTogether - 1) / kTogether), [&](int task, int) {
+    const std::size_t first = static_cast<std::size_t>(task) * kTogether;
+    for (std::size_t i = first; i < std::min(first + kTogether, seen_.size()); ++i) {
+      step_along(plan, seen_[i]);
+    }
+  });
+  std::erase_if(steps_, [](const Step& step) { return step.count == 0; });
+}
+
+// Traces a ray for every n-th step, to a place in front of the piece, beside its axis. Neighbouring rays are traced
+// together: they are ordered along a curve that fills the fan (Morton order).
 void ThinEchoes::look(const PingPlan& plan, const Pose& world_from_sonar, Engine& engine) {
   stride_ = (steps_.size() + kMostRays - 1) / kMostRays;
+  order_.clear();
+  for (std::size_t i = 0; i < steps_.size(); i += stride_) {
+    const Vec3f direction = steps_[i].place.normalized();
+    constexpr float kUnits = 65535;  // From -1 to 1.
+    const auto across = static_cast<std::uint32_t>((0.5F + 0.5F * direction.y()) * kUnits);
+    const auto up = static_cast<std::uint32_t>((0.5F + 0.5F * direction.z()) * kUnits);
+    order_.push_back(static_cast<std::uint64_t>(interleaved(across) | interleaved(up) << 1) << 32 | i / stride_);
+  }
+  std::ranges::sort(order_);
   rays_.clear();
   own_.clear();
-  for (std::size_t i = 0; i < steps_.size(); i += stride_) {
-    const Step& step = steps_[i];
+  for (const std::uint64_t place : order_) {
+    const auto number = static_cast<std::uint32_t>(place);
+    ray_of_[number] = static_cast<std::uint32_t>(rays_.size());
+    const Step& step = steps_[number * stride_];
     const ThinParts::Piece& piece = parts_->pieces[step.piece];
     const Vec3f direction = step.place.normalized();
     const Vec3f beside_axis = -direction + direction.dot(step.axis) * step.axis;
@@ -158,9 +209,9 @@ void ThinEchoes::look(const PingPlan& plan, const Pose& world_from_sonar, Engine
   sight_rays_.trace(plan, engine, rays_, std::span(hits_).first(rays_.size()), own_);
 }
 
-bool ThinEchoes::visible(std::size_t step) const {
-  const Hit& hit = hits_[step / stride_];
-  const SightEnd& own = own_[step / stride_];
+bool ThinEchoes::visible(std::size_t ray) const {
+  const Hit& hit = hits_[ray];
+  const SightEnd& own = own_[ray];
   return !std::isfinite(hit.distance) || (hit.instance == own.instance && hit.distance > own.from);
 }
 
@@ -203,13 +254,8 @@ void ThinEchoes::add(const PingPlan& plan, const Pose& world_from_sonar, std::sp
   if (groups_.empty()) {
     return;
   }
-  for (float longer = 1; !find_steps(plan, world_from_sonar, world_from_mesh, longer); longer *= 2) {
-    constexpr float kLongest = 512;  // Every piece is one step then, of which there are fewer.
-    static_assert(ThinParts::kMostPieces < kMostSteps);
-    if (longer > kLongest) {
-      break;
-    }
-  }
+  find_seen(plan, world_from_sonar, world_from_mesh);
+  find_steps(plan, workers);
   if (steps_.empty()) {
     return;
   }
@@ -218,8 +264,9 @@ void ThinEchoes::add(const PingPlan& plan, const Pose& world_from_sonar, std::sp
   workers.for_each(static_cast<int>((steps_.size() + kTogether - 1) / kTogether), [&](int task, int) {
     const std::size_t first = static_cast<std::size_t>(task) * kTogether;
     for (std::size_t i = first; i < std::min(first + kTogether, steps_.size()); ++i) {
-      echoes_[i] = visible(i) ? echo_of(plan, steps_[i]) : Echo{};
-      const auto passed = static_cast<float>(sight_rays_.passed(i / stride_));
+      const std::size_t ray = ray_of_[i / stride_];
+      echoes_[i] = visible(ray) ? echo_of(plan, steps_[i]) : Echo{};
+      const auto passed = static_cast<float>(sight_rays_.passed(ray));
       echoes_[i].power *= passed * passed;
     }
   });
