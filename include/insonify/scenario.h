@@ -123,8 +123,9 @@ struct Scenario {
     return sonar.receiver ? *sonar.receiver : receiver;
   }
 
-  /// Whether a sonar's beams are wedges, into which triangles can be rasterised; see primary_echoes().
-  [[nodiscard]] bool has_wedges(const SonarConfig& sonar) const;
+  /// Whether a sonar's columns are wedges whose rows are even, which is what triangles can be drawn into; see
+  /// primary_echoes().
+  [[nodiscard]] bool has_even_rows(const SonarConfig& sonar) const;
 
   /// The water around one of its sonars: `water`, and where there is a `surface`, at the depth below it that the sonar
   /// has at the start of the trajectory. All that depends on the speed or the absorption of sound takes it from here.

@@ -136,9 +136,12 @@ void check_receivers(const Scenario& scenario) {
     const ReceiverConfig& receiver = scenario.receiver_of(sonar);
     const std::string object = sonar.receiver ? fmt::format("sonars[{}].receiver", i) : "receiver";
     check_beams(object, receiver, i, sonar);
-    if (scenario.primary == PrimaryEchoes::kRaster && !scenario.has_wedges(sonar)) {
-      throw Error("", "primary",
-                  fmt::format(" = raster needs {}.beam_shape = wedge; auto or rays takes any", object));
+    if (scenario.primary == PrimaryEchoes::kRaster && !scenario.has_even_rows(sonar)) {
+      throw Error(
+          "", "primary",
+          fmt::format(" = raster needs {0}.beam_shape = wedge and {0}.elevation_pattern = top_hat; auto or rays "
+                      "takes any",
+                      object));
     }
     check_gain(object, receiver, i, sonar, scenario.water_at(sonar));
   }

@@ -51,7 +51,6 @@ struct RowSet {
   std::vector<double> ts;
   double cos_bearing;  // sin(elevation) = cos_bearing sin t; 1 for a wedge.
   const ElevationPattern* pattern;
-  double middle = 0;  // m, for wedges.
 };
 
 // Appends a set of rows to the lattice's tables.
@@ -77,13 +76,6 @@ void add_row_set(const RowSet& set, const auto& sent_below, const auto& received
     const float above_row = row + 1 == rows ? sent[row + 1] : 0.5F * sent[row + 1];
     lattice.share.push_back(below_row + above_row);
   }
-  if (lattice.shape == BeamShape::kWedge) {
-    std::vector<float> slopes;
-    for (int row = 0; row < rows; ++row) {
-      slopes.push_back(to_float(std::tan(ts[row + 1] - set.middle)));
-    }
-    lattice.row_slopes.emplace_back(std::move(slopes));
-  }
 }
 
 // Adds one set of rows per stagger phase, evenly spaced in slope.
@@ -92,10 +84,12 @@ void make_even_rows(double middle, double half, Lattice& lattice) {
   const double first = std::tan(-half);
   const double step = (std::tan(half) - first) / lattice.rows;
   const auto sine = [](double t) { return std::sin(t); };
+  lattice.cos_middle = to_float(std::cos(middle));
+  lattice.sin_middle = to_float(std::sin(middle));
   lattice.slope_step = to_float(step);
   for (int phase = 0; phase < phases; ++phase) {
     lattice.first_slopes.push_back(to_float(first + step * (phase + 0.5) / phases));
-    RowSet set{{middle - half}, 1, nullptr, middle};
+    RowSet set{{middle - half}, 1, nullptr};
     for (int row = 0; row < lattice.rows; ++row) {
       set.ts.push_back(middle + std::atan(first + step * (row + (phase + 0.5) / phases)));
     }
@@ -107,7 +101,7 @@ void make_even_rows(double middle, double half, Lattice& lattice) {
 // Adds a set of rows with the row density of an arc.
 void make_rows_along(const ColumnArc& arc, int phase, double cos_bearing, const ElevationPattern* pattern,
                      Lattice& lattice) {
-  RowSet set{{arc.low()}, cos_bearing, pattern, 0.5 * (arc.low() + arc.high())};
+  RowSet set{{arc.low()}, cos_bearing, pattern};
   for (int row = 0; row < lattice.rows; ++row) {
     set.ts.push_back(arc.at_share((row + (phase + 0.5) / lattice.columns_per_beam) / lattice.rows));
   }
@@ -143,9 +137,6 @@ Lattice::Lattice(const SonarConfig& sonar, int first_phase, BeamShape beam_shape
     }
     return;
   }
-  const double middle = 0.5 * (sector.low + sector.high);
-  cos_middle = to_float(std::cos(middle));
-  sin_middle = to_float(std::sin(middle));
   if (even_rows) {
     make_even_rows(sonar.elevation_center, half, *this);
   } else {

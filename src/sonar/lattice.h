@@ -8,7 +8,6 @@
 #include "insonify/array_pattern.h"
 #include "insonify/sonar_config.h"
 #include "sonar/elevation_pattern.h"
-#include "sonar/row_slopes.h"
 
 namespace insonify {
 
@@ -62,13 +61,9 @@ struct Lattice {
   /// One-way gain |p|^2 in the direction of the row; 1 without a pattern. [set][row].
   std::vector<float> row_pattern;
 
-  // For wedges. Slopes are tan(elevation - m).
-  float cos_middle = 1, sin_middle = 0;  ///< Cosine and sine of m, the middle of the elevations that are sampled.
-  std::vector<RowSlopes> row_slopes;     ///< [set].
-  [[nodiscard]] const RowSlopes& slopes_in(int column) const { return row_slopes[row_set[column]]; }
-
-  // With even_rows.
-  float slope_step = 0;                                                                        ///< Between rows.
+  // With even_rows. Slopes are tan(elevation - m).
+  float cos_middle = 1, sin_middle = 0;  ///< Cosine and sine of m, the middle of the elevation aperture.
+  float slope_step = 0;                  ///< Difference of slope between rows.
   [[nodiscard]] float first_slope(int column) const { return first_slopes[row_set[column]]; }  ///< Slope of row 0.
   std::vector<float> first_slopes;                                                             // [set].
 

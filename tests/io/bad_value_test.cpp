@@ -91,10 +91,11 @@ const BadScenario kCases[] = {
      "sonars: [{name: fls, azimuth_resolution_deg: 0.05}]\n",
      "scenario.yaml:2:12: receiver.azimuth_pattern = dolph_chebyshev takes more than 1024 elements for a beam of "
      "0.05 deg"},
-    {"RasterOfCones",
-     "world: floor.obj\nmodel: calibrated\nprimary: raster\nreceiver: {beam_shape: cone}\n"
+    {"RasterOfAnArray",
+     "world: floor.obj\nmodel: calibrated\nprimary: raster\nreceiver: {elevation_pattern: hann}\n"
      "sonars: [{name: fls}]\n",
-     "scenario.yaml:3:1: primary = raster needs receiver.beam_shape = wedge; auto or rays takes any"},
+     "scenario.yaml:3:1: primary = raster needs receiver.beam_shape = wedge and receiver.elevation_pattern = top_hat; "
+     "auto or rays takes any"},
     {"UnknownElevationPattern", "world: floor.obj\nreceiver: {elevation_pattern: sinc}\nsonars: [{name: fls}]\n",
      "scenario.yaml:2:12: receiver.elevation_pattern = \"sinc\" must be top_hat, rectangular, hann, hamming, cosine, "
      "taylor, dolph_chebyshev or instrument"},

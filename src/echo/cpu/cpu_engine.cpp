@@ -56,12 +56,12 @@ void CpuEngine::move_instance(int instance, const Pose& world_from_mesh) {
 }
 
 const FanView* CpuEngine::look(const PingPlan& plan, const Pose& world_from_sonar) {
-  const bool wedges = plan.lattice.shape == BeamShape::kWedge;
-  if (primary_echoes(plan.primary, plan.sonar, world_->triangle_count, kKind.draws_primaries, wedges) ==
+  const bool even_rows = plan.lattice.even_rows;
+  if (primary_echoes(plan.primary, plan.sonar, world_->triangle_count, kKind.draws_primaries, even_rows) ==
       PrimaryEchoes::kRays) {
     return nullptr;
   }
-  assert(wedges);
+  assert(even_rows);
   if (world_->raster_source != nullptr) {
     world_->raster_scene.set(*world_->raster_source);
     for (std::size_t i = 0; i < world_->poses.size(); ++i) {

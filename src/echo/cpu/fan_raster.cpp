@@ -17,9 +17,6 @@ constexpr int kTogether = FanRaster::kTogether;
 // corner: more than the rounding error of single precision.
 constexpr float kOverlap = 3e-5F;
 
-// The same as a share of 1 + |slope|, for rows that are not even.
-constexpr float kOverlapInSlope = 3e-7F;
-
 // Conversion between slope and rows.
 struct RowScale {
   float slope_step, rows_per_slope, last_row;
@@ -39,8 +36,8 @@ struct RowScale {
 // Interval of rows that a triangle covers in each of sixteen columns, and its nearness there.
 struct Reach {
   int first_row[kTogether], last_row[kTogether];
-  float nearness[kTogether];  // At row 0; with rows that are not even: at slope 0.
-  float per_row[kTogether];   // Change of nearness per row; or per slope.
+  float nearness[kTogether];  // At row 0.
+  float per_row[kTogether];   // Change of nearness per row.
 };
 
 // @tparam tilted  Whether the middle elevation is not 0: an edge then takes a division.
@@ -70,59 +67,6 @@ template <bool tilted>
     const float across = tilted ? up * scale.cos_middle - level * scale.sin_middle : up;
     reach.nearness[i] = along + across * first;
     reach.per_row[i] = across * scale.slope_step;
-  }
-}
-
-// The same where rows are not even.
-template <bool tilted>
-[[gnu::always_inline]] inline void find_uneven_reach(const Facets& facets, int lane, const float* __restrict__ cos_az,
-                                                     const float* __restrict__ sin_az, const RowSlopes* const* rows,
-                                                     RowScale scale, Reach& __restrict__ reach) {
-  constexpr float kFar = 1e30F;
-  float lows[kTogether], highs[kTogether];
-#pragma GCC unroll 1
-#pragma GCC ivdep
-  for (int i = 0; i < kTogether; ++i) {
-    const float x = cos_az[i], y = sin_az[i];
-    float low = -kFar, high = kFar;
-    for (int k = 0; k < 3; ++k) {
-      const float edge = facets.edge_x[k][lane] * x + facets.edge_y[k][lane] * y + facets.edge_0[k][lane];
-      const float at = tilted ? slope_of(edge, scale) : edge;
-      const bool upper = facets.upper[k][lane] > 0;
-      low = !upper & (at > low) ? at : low;
-      high = upper & (at < high) ? at : high;
-    }
-    lows[i] = low - kOverlapInSlope * (1 + std::abs(low));
-    highs[i] = high + kOverlapInSlope * (1 + std::abs(high));
-    const float level = facets.plane_x[lane] * x + facets.plane_y[lane] * y, up = facets.plane_z[lane];
-    reach.nearness[i] = tilted ? level * scale.cos_middle + up * scale.sin_middle : level;
-    reach.per_row[i] = tilted ? up * scale.cos_middle - level * scale.sin_middle : up;
-  }
-  for (int i = 0; i < kTogether; ++i) {
-    const RowSlopes& own = *rows[i];
-    int first = own.row_after[own.cell_of(lows[i])], last = own.row_after[own.cell_of(highs[i]) + 1] - 1;
-    while (first <= last && own.slope[first] < lows[i]) {
-      ++first;
-    }
-    while (last >= first && own.slope[last] > highs[i]) {
-      --last;
-    }
-    reach.first_row[i] = first;
-    reach.last_row[i] = last;
-  }
-}
-
-// Depth test of sixteen rows with the given slopes, or fewer up to last.
-[[gnu::always_inline]] inline void draw_uneven_rows(std::uint32_t triangle, float at_slope_0, float per_slope,
-                                                    const float* __restrict__ slope, int last,
-                                                    float* __restrict__ nearness, std::uint32_t* __restrict__ nearest) {
-#pragma GCC unroll 1
-#pragma GCC ivdep
-  for (int i = 0; i < kTogether; ++i) {
-    const float near = at_slope_0 + per_slope * slope[i];
-    const bool nearer = (near > nearness[i]) & (i <= last);
-    nearness[i] = nearer ? near : nearness[i];
-    nearest[i] = nearer ? triangle : nearest[i];
   }
 }
 
@@ -161,14 +105,7 @@ void FanRaster::Columns::set(const Lattice& lattice, int first, int last) {
       values->resize(padded + kTogether);
     }
   }
-  rows.assign(std::max(rows.size(), padded + kTogether), &lattice.slopes_in(first));
   for (int i = 0; i < count; ++i) {
-    rows[i] = &lattice.slopes_in(first + i);
-    if (!lattice.even_rows) {
-      cos_azimuth[i] = lattice.cos_azimuth[first + i];
-      sin_azimuth[i] = lattice.sin_azimuth[first + i];
-      continue;
-    }
     cos_azimuth[i] = lattice.cos_azimuth[first + i];
     sin_azimuth[i] = lattice.sin_azimuth[first + i];
     first_slope[i] = lattice.first_slope(first + i);
@@ -234,11 +171,7 @@ void FanRaster::draw_cluster(const TriangleCluster& cluster, int first_column, i
       for (int begin = std::max(first - first_column_, first_column); begin < end; begin += kTogether) {
         const float *cos_az = &columns_.cos_azimuth[begin], *sin_az = &columns_.sin_azimuth[begin],
                     *first_slope = &columns_.first_slope[begin];
-        if (!lattice.even_rows) {
-          const RowSlopes* const* const rows = &columns_.rows[begin];
-          tilted ? find_uneven_reach<true>(facets, lane, cos_az, sin_az, rows, scale, reach)
-                 : find_uneven_reach<false>(facets, lane, cos_az, sin_az, rows, scale, reach);
-        } else if (tilted) {
+        if (tilted) {
           find_reach<true>(facets, lane, cos_az, sin_az, first_slope, scale, reach);
         } else {
           find_reach<false>(facets, lane, cos_az, sin_az, first_slope, scale, reach);
@@ -246,11 +179,6 @@ void FanRaster::draw_cluster(const TriangleCluster& cluster, int first_column, i
         for (int i = 0; i < std::min(kTogether, end - begin); ++i) {
           const std::size_t column = static_cast<std::size_t>(begin + i) * stride_;
           for (int row = reach.first_row[i]; row <= reach.last_row[i]; row += kTogether) {
-            if (!lattice.even_rows) {
-              draw_uneven_rows(triangle, reach.nearness[i], reach.per_row[i], &columns_.rows[begin + i]->slope[row],
-                               reach.last_row[i] - row, &nearness_[column + row], &nearest_[column + row]);
-              continue;
-            }
             draw_rows(triangle, reach.nearness[i], reach.per_row[i], row, reach.last_row[i], &nearness_[column + row],
                       &nearest_[column + row]);
           }

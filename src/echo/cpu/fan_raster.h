@@ -12,7 +12,7 @@
 namespace insonify {
 
 /// Finds the nearest triangle for every column and row of neighbouring columns of a lattice, at exactly the point where
-/// a ray would hit it. A triangle's depth is linear in the slope of rows (see Lattice); its edges
+/// a ray would hit it. Rows are equally spaced in slope (see Lattice), in which a triangle's depth is linear; its edges
 /// are linear in tan(elevation) at any azimuth, so that triangles need no clipping, even behind or around the sonar. An
 /// edge that two triangles share is computed from the same end for both, so that no sample falls between them.
 class FanRaster {
@@ -48,7 +48,6 @@ class FanRaster {
   struct Columns {
     int count = 0;
     std::vector<float> cos_azimuth, sin_azimuth, first_slope;
-    std::vector<const RowSlopes*> rows;
     void set(const Lattice& lattice, int first, int last);
   };
 

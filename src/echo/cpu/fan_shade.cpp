@@ -18,37 +18,6 @@ void measure_ranges(int rows, std::uint32_t nothing, const std::uint32_t* __rest
   }
 }
 
-// Slopes of rows.
-struct EvenSlopes {
-  float first, step;
-  [[nodiscard, gnu::always_inline]] float at(int row) const { return first + step * static_cast<float>(row); }
-};
-struct ListedSlopes {
-  const float* slope;
-  [[nodiscard, gnu::always_inline]] float at(int row) const { return slope[row]; }
-};
-
-// normal = normal_0 + slope normal_1 in rows [first, end), and surplus ones up to a multiple of sixteen.
-template <typename Slopes>
-[[gnu::always_inline]] inline void write_normals(Slopes slopes, int first, int end, const Vec3f& normal_0,
-                                                 const Vec3f& normal_1, const HitColumn& hits) {
-  float* __restrict__ normal_x = hits.normal_x;
-  float* __restrict__ normal_y = hits.normal_y;
-  float* __restrict__ normal_z = hits.normal_z;
-  const float x0 = normal_0.x(), y0 = normal_0.y(), z0 = normal_0.z();
-  const float x1 = normal_1.x(), y1 = normal_1.y(), z1 = normal_1.z();
-  for (int row = first; row < end; row += FanRaster::kTogether) {
-#pragma GCC unroll 1
-#pragma GCC ivdep
-    for (int i = 0; i < FanRaster::kTogether; ++i) {
-      const float slope = slopes.at(row + i);
-      normal_x[row + i] = x0 + x1 * slope;
-      normal_y[row + i] = y0 + y1 * slope;
-      normal_z[row + i] = z0 + z1 * slope;
-    }
-  }
-}
-
 }  // namespace
 
 INSONIFY_VECTOR_CLONES
@@ -59,10 +28,12 @@ int FanRaster::read(int column, const HitColumn& hits) {
   const int rows = lattice.rows;
   measure_ranges(rows, kNothing, nearest, &nearness_[start], lattice, column, hits.range);
   const float cos_az = lattice.cos_azimuth[column], sin_az = lattice.sin_azimuth[column];
-  const EvenSlopes even_slopes{lattice.even_rows ? lattice.first_slope(column) : 0.0F, lattice.slope_step};
-  const ListedSlopes listed_slopes{lattice.slopes_in(column).slope.data()};
+  const float first_slope = lattice.first_slope(column), slope_step = lattice.slope_step;
   SurfaceLabel* __restrict__ surface = hits.surface;
   std::uint32_t* __restrict__ in_mesh = hits.triangle;
+  float* __restrict__ normal_x = hits.normal_x;
+  float* __restrict__ normal_y = hits.normal_y;
+  float* __restrict__ normal_z = hits.normal_z;
   float* __restrict__ reflectivity = hits.reflectivity;
   int rows_met = 0;
   for (int row = 0; row < rows;) {
@@ -78,17 +49,18 @@ int FanRaster::read(int column, const HitColumn& hits) {
     const Vec3f level = shading.edges[0] * cos_az + shading.edges[1] * sin_az, up = shading.edges[2];
     const Vec3f normal_0 = lattice.cos_middle * level + lattice.sin_middle * up;
     const Vec3f normal_1 = lattice.cos_middle * up - lattice.sin_middle * level;
-    if (lattice.even_rows) {
-      write_normals(even_slopes, row, end, normal_0, normal_1, hits);
-    } else {
-      write_normals(listed_slopes, row, end, normal_0, normal_1, hits);
-    }
+    const float x0 = normal_0.x(), y0 = normal_0.y(), z0 = normal_0.z();
+    const float x1 = normal_1.x(), y1 = normal_1.y(), z1 = normal_1.z();
     for (; row < end; row += kTogether) {
 #pragma GCC unroll 1
 #pragma GCC ivdep
       for (int i = 0; i < kTogether; ++i) {
+        const float slope = first_slope + slope_step * static_cast<float>(row + i);
         surface[row + i] = shading.surface;
         in_mesh[row + i] = shading.in_mesh;
+        normal_x[row + i] = x0 + x1 * slope;
+        normal_y[row + i] = y0 + y1 * slope;
+        normal_z[row + i] = z0 + z1 * slope;
         reflectivity[row + i] = shading.reflectivity;
       }
     }

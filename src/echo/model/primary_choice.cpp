@@ -25,8 +25,8 @@ double tracing_costs(double triangles, double samples) {
 }  // namespace
 
 PrimaryEchoes primary_echoes(PrimaryEchoes asked, const SonarConfig& sonar, std::size_t triangle_count, bool can_draw,
-                             bool wedges) {
-  if (!can_draw || (asked == PrimaryEchoes::kAuto && !wedges)) {
+                             bool even_rows) {
+  if (!can_draw || (asked == PrimaryEchoes::kAuto && !even_rows)) {
     return PrimaryEchoes::kRays;
   }
   if (asked != PrimaryEchoes::kAuto) {

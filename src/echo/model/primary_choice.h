@@ -11,9 +11,11 @@ namespace insonify {
 
 /// Returns kRays or kRaster. For kAuto a cost model of triangles, samples and the azimuth aperture picks the faster
 /// method (bench/README.md); the choice does not depend on the machine.
-/// @param can_draw  Whether the engine can rasterise, see EngineKind; if not, kRays.
-/// @param wedges    Whether beams are wedges: only these can be rasterised, and kAuto traces all others.
+/// @param can_draw   Whether the engine can rasterise, see EngineKind; if not, kRays.
+/// @param even_rows  Whether columns are wedges with rows at equal steps of tan(elevation), see Lattice: only these can
+/// be
+///                   rasterised, and kAuto traces all others.
 [[nodiscard]] PrimaryEchoes primary_echoes(PrimaryEchoes asked, const SonarConfig& sonar, std::size_t triangle_count,
-                                           bool can_draw, bool wedges = true);
+                                           bool can_draw, bool even_rows = true);
 
 }  // namespace insonify

@@ -105,7 +105,7 @@ void put_run(const H5Writer& writer, const Scenario& scenario, const Scene& scen
   writer.attribute(root, "engine", scenario.engine);
   const PrimaryEchoes primary =
       primary_echoes(scenario.primary, sonar, scene.triangle_count(), engine_kind(scenario.engine).draws_primaries,
-                     scenario.has_wedges(sonar));
+                     scenario.has_even_rows(sonar));
   writer.attribute(root, "primary", primary == PrimaryEchoes::kRays ? "rays" : "raster");
   writer.attribute(root, "seed", scenario.seed);
   writer.attribute(root, "scenario", scenario.text.empty() ? to_yaml(scenario) : scenario.text);
