@@ -8,7 +8,7 @@
 #include <limits>
 
 #include "base/denormals.h"
-#include "echo/model/deposit.h"
+#include "echo/model/deposit_together.h"
 #include "echo/model/primary_choice.h"
 
 namespace insonify {
@@ -104,11 +104,11 @@ void CpuEngine::insonify(const PingPlan& plan, const Pose& world_from_sonar, Ech
   for_each_task(plan, sampling, [&](BeamTask& scratch, int first_beam, int last_beam, int task) {
     scratch.run(world_from_sonar, first_beam, last_beam, view, grid, arrivals_[task]);
   });
-  for (int task = 0; task < task_count(); ++task) {
-    for (const Echo& echo : arrivals_[task]) {
-      deposit(plan, echo, grid);
+  deposit_together(plan, workers_, grid, [&](const auto& add) {
+    for (int task = 0; task < task_count(); ++task) {
+      std::ranges::for_each(arrivals_[task], add);
     }
-  }
+  });
   for (const auto& scratch : scratch_) {
     counts_ += scratch->counts();
   }

@@ -114,6 +114,9 @@ class PingPlan {
   /// Beam that contains a bearing [rad]; -1 outside the fan.
   [[nodiscard]] int beam_of(float bearing) const;
 
+  /// Bearing of the port edge of a beam; of the beam after the last one: the starboard edge of the fan [rad].
+  [[nodiscard]] float beam_edge(int beam) const { return beam_edges_[beam]; }
+
   /// Bin that contains a true range [m]; -1 outside the window.
   [[nodiscard]] int bin_of(float range) const;
 

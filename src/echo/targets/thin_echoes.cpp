@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "base/vector_math.h"
-#include "echo/model/deposit.h"
+#include "echo/model/deposit_together.h"
 #include "echo/model/echo_laws.h"
 #include "echo/model/ray_limits.h"
 
@@ -270,11 +270,13 @@ void ThinEchoes::add(const PingPlan& plan, const Pose& world_from_sonar, std::sp
       echoes_[i].power *= passed * passed;
     }
   });
-  for (std::size_t i = 0; i < steps_.size(); ++i) {
-    if (echoes_[i].weight > 0) {
-      deposit(plan, echoes_[i], grid);
+  deposit_together(plan, workers, grid, [&](const auto& add) {
+    for (std::size_t i = 0; i < steps_.size(); ++i) {
+      if (echoes_[i].weight > 0) {
+        add(echoes_[i]);
+      }
     }
-  }
+  });
 }
 
 }  // namespace insonify
