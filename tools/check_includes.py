@@ -34,6 +34,9 @@ ROOMS = {
         "speckle": ["pulse", "."],
         "noise": ["array", "."],
     },
+    "simulator": {
+        "view": [],
+    },
     "io": {
         "file": [],
         "message": [],

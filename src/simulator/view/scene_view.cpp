@@ -7,7 +7,7 @@
 
 #include "image/canvas.h"
 #include "insonify/error.h"
-#include "simulator/renderer.h"
+#include "simulator/view/renderer.h"
 
 namespace insonify {
 namespace {

@@ -4,11 +4,11 @@
 
 #include <cmath>
 
-#include "simulator/camera.h"
-#include "simulator/housing.h"
-#include "simulator/insonified_sector.h"
-#include "simulator/underwater_light.h"
-#include "simulator/value_noise.h"
+#include "simulator/view/camera.h"
+#include "simulator/view/housing.h"
+#include "simulator/view/insonified_sector.h"
+#include "simulator/view/underwater_light.h"
+#include "simulator/view/value_noise.h"
 
 namespace insonify {
 namespace {

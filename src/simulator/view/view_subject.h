@@ -7,7 +7,7 @@
 
 #include "echo/engine.h"
 #include "insonify/scene.h"
-#include "simulator/insonified_sector.h"
+#include "simulator/view/insonified_sector.h"
 
 namespace insonify {
 

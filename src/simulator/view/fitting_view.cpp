@@ -6,9 +6,9 @@
 #include <numeric>
 
 #include "insonify/scene_view.h"
-#include "simulator/camera.h"
-#include "simulator/insonified_sector.h"
-#include "simulator/view_subject.h"
+#include "simulator/view/camera.h"
+#include "simulator/view/insonified_sector.h"
+#include "simulator/view/view_subject.h"
 
 namespace insonify {
 namespace {

@@ -1,6 +1,6 @@
 // underwater_light.cpp -- colours chosen by eye for clear water in daylight and materials that can be told apart in it.
 
-#include "simulator/underwater_light.h"
+#include "simulator/view/underwater_light.h"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 // insonified_sector.cpp -- limits, edges and containment test of the insonified sector.
 
-#include "simulator/insonified_sector.h"
+#include "simulator/view/insonified_sector.h"
 
 #include <algorithm>
 #include <cmath>

@@ -7,7 +7,7 @@
 #include "echo/engine.h"
 #include "insonify/error.h"
 #include "insonify/mesh.h"
-#include "simulator/camera.h"
+#include "simulator/view/camera.h"
 #include "support/message_of.h"
 
 namespace insonify {
