@@ -10,7 +10,7 @@
 #include <set>
 
 #include "insonify/live_loop.h"
-#include "serve/net_server.h"
+#include "serve/net/net_server.h"
 #include "serve/ping_source.h"
 #include "serve/viewer_frames.h"
 #include "serve/viewer_texts.h"

@@ -11,7 +11,7 @@
 #include "insonify/printable.h"
 #include "serve/foxglove_feed.h"
 #include "serve/hub.h"
-#include "serve/own_addresses.h"
+#include "serve/net/own_addresses.h"
 #include "serve/page_files.h"
 #include "serve/viewer_client.h"
 

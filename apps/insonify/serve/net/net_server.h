@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-#include "serve/access.h"
+#include "serve/net/access.h"
 
 namespace insonify {
 

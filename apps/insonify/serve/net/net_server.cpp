@@ -1,6 +1,6 @@
 // net_server.cpp -- accepts connections, and ends them all at a signal.
 
-#include "serve/net_server.h"
+#include "serve/net/net_server.h"
 
 #include <fmt/format.h>
 
@@ -13,7 +13,7 @@
 #include "console/outcome.h"
 #include "insonify/error.h"
 #include "insonify/printable.h"
-#include "serve/net_session.h"
+#include "serve/net/net_session.h"
 
 namespace insonify {
 

@@ -1,6 +1,6 @@
 // access.cpp -- checks tokens, hosts and origins.
 
-#include "serve/access.h"
+#include "serve/net/access.h"
 
 #include <arpa/inet.h>
 #include <fmt/format.h>

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "serve/net_server.h"
+#include "serve/net/net_server.h"
 
 namespace insonify {
 

@@ -1,6 +1,6 @@
 // http_answers.cpp -- files of the page, and refusals.
 
-#include "serve/http_answers.h"
+#include "serve/net/http_answers.h"
 
 namespace insonify {
 

@@ -1,6 +1,6 @@
 // out_queue.cpp -- bounds what waits for a client that reads slowly.
 
-#include "serve/out_queue.h"
+#include "serve/net/out_queue.h"
 
 #include <algorithm>
 

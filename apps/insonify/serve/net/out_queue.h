@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <deque>
 
-#include "serve/net_server.h"
+#include "serve/net/net_server.h"
 
 namespace insonify {
 

@@ -1,6 +1,6 @@
 // own_addresses.cpp -- lists the addresses of the network interfaces.
 
-#include "serve/own_addresses.h"
+#include "serve/net/own_addresses.h"
 
 #include <arpa/inet.h>
 #include <ifaddrs.h>

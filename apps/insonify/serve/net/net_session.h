@@ -6,7 +6,7 @@
 #include <memory>
 #include <vector>
 
-#include "serve/net_server.h"
+#include "serve/net/net_server.h"
 
 namespace insonify {
 

@@ -1,6 +1,6 @@
 // net_session.cpp -- the only file that includes Boost.Beast's WebSockets, which take half a minute to compile.
 
-#include "serve/net_session.h"
+#include "serve/net/net_session.h"
 
 #include <fmt/format.h>
 
@@ -12,8 +12,8 @@
 #include <boost/beast/websocket.hpp>
 #include <chrono>
 
-#include "serve/http_answers.h"
-#include "serve/out_queue.h"
+#include "serve/net/http_answers.h"
+#include "serve/net/out_queue.h"
 
 namespace insonify {
 namespace {
