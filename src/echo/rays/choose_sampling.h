@@ -6,10 +6,10 @@
 #include <span>
 #include <vector>
 
-#include "echo/model/box_cut.h"
 #include "echo/model/hit.h"
 #include "echo/model/ping_plan.h"
 #include "echo/model/secondary_sampling.h"
+#include "echo/rays/box_cut.h"
 
 namespace insonify {
 

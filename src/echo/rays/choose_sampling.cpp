@@ -1,6 +1,6 @@
 // choose_sampling.cpp -- counts the probes whose reflected ray may hit something.
 
-#include "echo/model/choose_sampling.h"
+#include "echo/rays/choose_sampling.h"
 
 #include <algorithm>
 #include <bit>
@@ -8,7 +8,7 @@
 
 #include "echo/model/hit_column.h"
 #include "echo/model/ray_limits.h"
-#include "echo/model/reflected_reach.h"
+#include "echo/rays/reflected_reach.h"
 
 namespace insonify {
 namespace {

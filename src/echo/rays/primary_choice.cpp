@@ -1,6 +1,6 @@
 // primary_choice.cpp -- cost model of rasterising and ray tracing, fitted to `insonify bench primary`.
 
-#include "echo/model/primary_choice.h"
+#include "echo/rays/primary_choice.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "echo/model/ray_lanes.h"
+#include "echo/rays/ray_lanes.h"
 #include "insonify/scene.h"
 
 namespace insonify {

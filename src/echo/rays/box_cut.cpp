@@ -1,6 +1,6 @@
 // box_cut.cpp -- splits the box of greatest volume, by the surface area heuristic, until there are kMostBoxes.
 
-#include "echo/model/box_cut.h"
+#include "echo/rays/box_cut.h"
 
 #include <algorithm>
 #include <cmath>
