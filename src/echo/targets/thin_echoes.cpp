@@ -1,4 +1,4 @@
-// thin_echoes.cpp -- steps along the pieces, a ray to each, and the echo of its surface.
+// thin_echoes.cpp -- divides pieces into steps, traces a ray to each, and integrates the scattering law over it.
 
 #include "echo/targets/thin_echoes.h"
 
@@ -13,15 +13,15 @@
 namespace insonify {
 namespace {
 
-// The solid angle in which the samples of the lattice hit a thin part is in the grid already. Echoes need a weight, for
-// only what has one labels a cell: this share of their own.
+// Weight of an echo, as a share of its solid angle. The solid angle itself is in the grid already, from the samples of
+// the lattice that hit the part; but an echo without weight would not label its cell.
 constexpr float kWeight = 1e-3F;
 
-// Along the way to a piece, in thicknesses: where the ray ends in front of its axis, and how far in front of it the
-// same object does not count as in the way.
+// In thicknesses: distance of the ray's end in front of the axis, and distance in front of it from which hits on the
+// same instance do not block.
 constexpr float kInFront = 1, kOwnDepth = 3;
 
-// Area times backscattering coefficient of a patch: both laws, the lobe widened by the turns of the normal.
+// Area times backscattering coefficient of a patch: Lambert's law and the facets' lobe, widened by curvature.
 // @param cosine  n . d, negative.
 float strength_of(const ThinParts::Patch& patch, const Vec3f& direction, float cosine, const ScatterTable::Laws& laws,
                   std::uint32_t material) {
@@ -45,7 +45,7 @@ float strength_of(const ThinParts::Patch& patch, const Vec3f& direction, float c
   return patch.area * (laws.lambert[material] * cosine * cosine + glint + on_top);
 }
 
-// Whether a sphere lies beside the fan, which is symmetric about x. Beyond a right angle on either side: never.
+// Whether a sphere is outside the fan in azimuth. The fan is symmetric about x; false for fans wider than 180 degrees.
 bool beside(const PingPlan& plan, const Vec3f& middle, float radius) {
   const float edge = plan.lattice.azimuth.front() + plan.lattice.column_width.front();
   const float across = std::abs(middle.y());
@@ -82,8 +82,8 @@ ThinEchoes::ThinEchoes(std::shared_ptr<const ThinParts> parts) : parts_(std::mov
   hits_.resize(kMostRays);
 }
 
-// Finds the steps within the fan and the range window that are too thin for the lattice. False where they are too many.
-// @param longer  Factor on their greatest length.
+// Finds the steps within the fan and the range window that are too thin for the lattice. False if there are too many.
+// @param longer  Factor on the largest length of a step.
 bool ThinEchoes::find_steps(const PingPlan& plan, const Pose& world_from_sonar, std::span<const Pose> world_from_mesh,
                             float longer) {
   steps_.clear();
@@ -138,8 +138,8 @@ bool ThinEchoes::add_steps(const PingPlan& plan, const Group& group, const Pose&
   return true;
 }
 
-// Traces a ray for every n-th step, to a place in front of the piece, beside its axis.
-void ThinEchoes::look(const PingPlan& plan, const Pose& world_from_sonar, Engine& engine) {
+// Traces a ray for every stride_-th step, to a point in front of the piece.
+void ThinEchoes::trace_rays(const PingPlan& plan, const Pose& world_from_sonar, Engine& engine) {
   stride_ = (steps_.size() + kMostRays - 1) / kMostRays;
   rays_.clear();
   own_.clear();
@@ -204,7 +204,7 @@ void ThinEchoes::add(const PingPlan& plan, const Pose& world_from_sonar, std::sp
     return;
   }
   for (float longer = 1; !find_steps(plan, world_from_sonar, world_from_mesh, longer); longer *= 2) {
-    constexpr float kLongest = 512;  // Every piece is one step then, of which there are fewer.
+    constexpr float kLongest = 512;  // Every piece is then one step.
     static_assert(ThinParts::kMostPieces < kMostSteps);
     if (longer > kLongest) {
       break;
@@ -213,7 +213,7 @@ void ThinEchoes::add(const PingPlan& plan, const Pose& world_from_sonar, std::sp
   if (steps_.empty()) {
     return;
   }
-  look(plan, world_from_sonar, engine);
+  trace_rays(plan, world_from_sonar, engine);
   constexpr std::size_t kTogether = 256;
   workers.for_each(static_cast<int>((steps_.size() + kTogether - 1) / kTogether), [&](int task, int) {
     const std::size_t first = static_cast<std::size_t>(task) * kTogether;
