@@ -1,4 +1,4 @@
-// surface_law.h -- what a surface does with the sound that a random walk brings to it.
+// surface_law.h -- scattering law of a surface for random walks: densities, and sampling of directions.
 
 #pragma once
 
@@ -7,44 +7,43 @@
 
 namespace insonify {
 
-/// Least rms slope of the facets that reflect random walks. The lobe of a smoother mirror is so narrow that few
-/// connections to the sonar meet it, with very high levels: it is widened, at equal energy.
+/// Smallest rms slope of facets for random walks. A smoother surface has such a narrow lobe that connections to the
+/// sonar rarely hit it, with very high levels (high variance). Its lobe is widened at equal energy.
 inline constexpr double kLeastWalkSlope = 0.1;
 
-/// The laws of acoustics/backscatter.h as shares of the energy that falls on a surface, which may be smaller than 1
-/// together: the rest is absorbed. Normals are on the side that the sound comes from.
+/// The laws of acoustics/backscatter.h as shares of the incident energy. The rest of it is absorbed. Normals point to
+/// the side of incidence.
 ///
-///     diffuse:   pi mu, into `out` with the density cos(out) / pi
-///     mirrored:  |R|^2, by facets of Gaussian slopes: into `out` with the density facet_scatter() facet_masking() /
-///                cos(in), as mirror_facet() draws them. What a facet reflects into the surface leaves it again: as if
-///                the surface without facets reflected it
+///     diffuse:   pi mu, with the density cos(out) / pi
+///     mirrored:  |R|^2, by facets of Gaussian slopes, with the density facet_scatter() facet_masking() / cos(in),
+///     which
+///                mirror_facet() samples. Directions into the surface are mirrored at its mean plane
 ///
-/// A surface whose material would send out more than falls on it sends out exactly that: both shares are reduced by
-/// the same factor.
+/// If the shares of a material add up to more than 1, both are scaled so that they add up to 1.
 struct SurfaceLaw {
-  float diffuse = 0;                                  ///< Share that is scattered diffusely, 0..1.
-  float mirrored = 0;                                 ///< Share that is reflected by facets, 0..1.
-  float coherent = 1;                                 ///< Share of it that other echoes follow, as from a mirror, 0..1.
+  float diffuse = 0;   ///< Share scattered diffusely, 0..1.
+  float mirrored = 0;  ///< Share reflected by facets, 0..1.
+  float coherent = 1;  ///< Share of `mirrored` that secondary echoes treat as a mirror's, 0..1.
   float slope = static_cast<float>(kLeastWalkSlope);  ///< Rms slope of the facets along each axis.
 
   /// @param texture  Factor on the amplitude, ReliefPoint::reflectivity.
-  /// @param cosine   Of the angle of incidence on the surface, of either sign, at which it reflects.
+  /// @param cosine   Cosine of the angle of incidence on the surface, of either sign.
   [[nodiscard]] static SurfaceLaw of(const Scattering& scattering, float texture, float cosine = 1);
 
-  /// Energy per steradian in a direction, relative to that which falls on the surface [1/sr].
-  /// @param in   Direction in which the incident sound travels; a unit vector, as all of these.
-  /// @param out  Direction in which it leaves.
+  /// Energy per steradian scattered into a direction, relative to the incident energy [1/sr]. All vectors have unit
+  /// length.
+  /// @param in   Direction of travel of the incident sound.
+  /// @param out  Direction of travel of the scattered sound.
   [[nodiscard]] float diffuse_into(const Vec3f& normal, const Vec3f& out) const;
   [[nodiscard]] float mirrored_into(const Vec3f& normal, const Vec3f& in, const Vec3f& out) const;
 
-  /// A direction drawn at random in which the sound goes on.
+  /// A random direction of the scattered sound.
   struct Next {
     Vec3f direction;
-    float share = 0;  ///< Factor on the energy that the walk carries, so that its mean over all draws is right; 0: none
-                      ///< goes on.
-    bool mirrored = false;  ///< By what other echoes follow as a mirror.
+    float share = 0;        ///< Factor on the walk's energy that makes its expected value right; 0: the walk ends.
+    bool mirrored = false;  ///< Whether it belongs to the share `coherent`.
   };
-  /// Draws diffuse or mirrored sound in proportion to their shares, and its direction after the densities above.
+  /// Chooses diffuse or mirrored in proportion to their shares, and samples a direction from its density above.
   /// @param choice, radius, turn  Uniform in (0, 1).
   [[nodiscard]] Next draw(const Vec3f& normal, const Vec3f& in, float choice, float radius, float turn) const;
 };
