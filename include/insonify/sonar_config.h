@@ -70,14 +70,14 @@ struct SonarConfig {
                                                          ///< it has an elevation pattern [rad], in (0, 170 deg].
   double elevation_center = 0;                           ///< Middle of the elevation aperture [rad].
 
-  // What its transducers send and receive beside the array's beams (docs/concepts/array-and-pulse.md).
-  BeamPattern elevation_pattern = BeamPattern::kTopHat;  ///< Across elevations, both ways, where
-                                                         ///< ReceiverConfig::elevation_pattern is kInstrument; not
+  // Directivity of its transducers, besides the array's beams (docs/concepts/array-and-pulse.md).
+  BeamPattern elevation_pattern = BeamPattern::kTopHat;  ///< Across elevations, both ways, if
+                                                         ///< ReceiverConfig::elevation_pattern is kInstrument. Not
                                                          ///< kInstrument.
-  std::optional<double> transmit_width = {};  ///< Full width across bearings at half power of the transmitter of a fan
-                                              ///< [rad], in (0, 175 deg]; absent: it sends alike in all directions.
-  std::optional<double> element_width = {};   ///< Width of one element of a fan's receiver [rad], in (0, 175 deg];
-                                              ///< absent: it receives alike from all directions.
+  std::optional<double> transmit_width = {};  ///< Full azimuth width at half power of the transmitter of a fan
+                                              ///< [rad], in (0, 175 deg]; absent: omnidirectional in azimuth.
+  std::optional<double> element_width = {};   ///< Full azimuth width at half power of one element of a fan's
+                                              ///< receiver [rad], in (0, 175 deg]; absent: omnidirectional in azimuth.
 
   /// Range at which the array's beams are focused [m], in (0, 1e6]; absent: at every range.
   std::optional<double> focus_range = {};
@@ -89,16 +89,16 @@ struct SonarConfig {
   double blanking_range = 0;  ///< Near field: the gain rises from 0 at min_range to 1 here [m], 0..1e5.
   double gain = 1.0;          ///< Multiplies the displayed intensity before it is clipped to 1, in (0, 1e9].
 
-  // The transmitter in the receiver's ears (docs/concepts/transmit-leak.md).
+  // Transmit leak (docs/concepts/transmit-leak.md).
   std::optional<double> leak_db = {};  ///< Level of the outgoing pulse in the receiver [dB re the source's at 1 m],
-                                       ///< -300..100; absent: none is heard.
+                                       ///< -300..100; absent: no leak.
   double ring_down = 530e3;            ///< Decay of the transducer's ringing after the pulse [dB/s], 1e3..1e9.
   double leak_spread_db = 0;           ///< Standard deviation of the leak's level between beams [dB], 0..20.
-  double dead_range = 0;  ///< The overloaded receiver hears no echo and no noise nearer than this [m], 0..1e5.
+  double dead_range = 0;               ///< No echo and no noise is received nearer than this [m], 0..1e5.
 
   // Channels of the receiver (docs/concepts/channels.md).
-  std::vector<double> group_gains_db = {};  ///< Gains of as many equal groups of neighbouring beams, from port [dB],
-                                            ///< -300..60; at most one per beam.
+  std::vector<double> group_gains_db = {};  ///< Gains of equal groups of neighbouring beams, one value per group, from
+                                            ///< port [dB], -300..60; at most one per beam.
   std::vector<double> missing_beams = {};   ///< Indices of beams that deliver nothing, from 0 at port.
   std::optional<double> crosstalk_db = {};  ///< Share of all beams' echoes that each beam receives besides its own
                                             ///< [dB], -200..0; absent: none.
@@ -111,7 +111,7 @@ struct SonarConfig {
 
   // Time.
   std::optional<double> assumed_sound_speed;  ///< Converts time to range [m/s], 1300..1700; absent: the true one.
-  Steering steering = Steering::kElectronic;  ///< Whether bearings follow assumed_sound_speed as well; fans only.
+  Steering steering = Steering::kElectronic;  ///< kElectronic: bearings depend on assumed_sound_speed too. Fans only.
   std::optional<double> ping_period;          ///< Time between pings [s], 2 max_range / c (when absent) to 1e6.
 
   // Scanning head (MSIS only).
@@ -133,11 +133,11 @@ struct SonarConfig {
   [[nodiscard]] double bin_length() const { return (max_range - min_range) / bin_count; }           ///< [m]
   [[nodiscard]] double bin_range(int bin) const { return min_range + (bin + 0.5) * bin_length(); }  ///< Centre [m].
 
-  /// The pulse that this sonar transmits beside a receiver: the receiver's, or the sonar's own where that is
-  /// kInstrument, with the receiver's side lobes of a kTaylor window.
+  /// The pulse that this sonar transmits with a receiver: the receiver's pulse, or the sonar's own if that is
+  /// kInstrument. Side lobes of a kTaylor window are the receiver's.
   [[nodiscard]] PulseSettings transmitted(const ReceiverConfig& with) const;
 
-  /// The pattern across elevations beside a receiver: the receiver's, or the sonar's own where that is kInstrument.
+  /// The elevation pattern with a receiver: the receiver's, or the sonar's own if that is kInstrument.
   [[nodiscard]] BeamPattern elevation_pattern_beside(const ReceiverConfig& with) const {
     return with.elevation_pattern == BeamPattern::kInstrument ? elevation_pattern : with.elevation_pattern;
   }
@@ -166,8 +166,8 @@ struct SonarConfig {
   /// @param sound_speed  Sound speed that the sonar assumes [m/s].
   [[nodiscard]] double shortest_ping_period(double sound_speed) const { return 2 * max_range / sound_speed; }
 
-  /// `sampling` as the calibrated model has it: a column at most every quarter of a degree and at least two for each
-  /// beam, up to 64, and a row for every two bins, at least 128 and at most 1024; more where the fan is tall
+  /// `sampling`, with absent numbers filled in by the rule of the calibrated model: columns at most a quarter of a
+  /// degree apart, 2 to 64 per beam; one row per two bins, 128 to 1024, more for tall fans
   /// (docs/concepts/beams-and-bins.md, "Samples").
   [[nodiscard]] Sampling sampling_by_rule() const;
 

@@ -8,9 +8,9 @@
 
 namespace insonify {
 
-/// How finely the insonified sector is sampled. More samples cost time and do not change expected levels. Where a
-/// number is absent, the calibrated model chooses it by the instrument (SonarConfig::sampling_by_rule()), the paper's
-/// takes kColumns and kRows.
+/// Sampling density of the insonified sector. More samples take more time and do not change expected levels. If a
+/// number is absent, the calibrated model derives it from the instrument (SonarConfig::sampling_by_rule()), and the
+/// paper model uses kColumns and kRows.
 struct Sampling {
   static constexpr int kColumns = 4, kRows = 200;
 

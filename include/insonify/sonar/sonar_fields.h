@@ -85,11 +85,10 @@ void SonarConfig::visit_fields(Self& self, Visit&& visit) {
       Field{"gain", "", above_to(0, 1e9), "Multiplies the intensity before it is clipped to 1 (paper model).",
             ActsIn::kPaper, "receiver.gain_ranges and receiver.gains_db for levels, receiver.full_scale_db for counts"},
       self.gain);
-  visit(
-      Field{"leak_db", "dB", from_to(-300, 100),
-            "Level of the outgoing pulse in the receiver, re the source's at 1 m (calibrated); not heard when absent.",
-            ActsIn::kCalibrated},
-      self.leak_db);
+  visit(Field{"leak_db", "dB", from_to(-300, 100),
+              "Level of the outgoing pulse in the receiver, re the source's at 1 m (calibrated); no leak when absent.",
+              ActsIn::kCalibrated},
+        self.leak_db);
   visit(Field{"ring_down", "dB/s", from_to(1e3, 1e9), "Decay of the transducer's ringing after the pulse (leak_db).",
               ActsIn::kCalibrated},
         self.ring_down);
@@ -98,7 +97,7 @@ void SonarConfig::visit_fields(Self& self, Visit&& visit) {
             "Standard deviation of the leak's level between beams, drawn by the seed (leak_db).", ActsIn::kCalibrated},
       self.leak_spread_db);
   visit(Field{"dead_range", "m", from_to(0, 1e5),
-              "The receiver, overloaded by the transmission, hears no echo and no noise nearer than this "
+              "The receiver, overloaded by the transmission, receives no echo and no noise nearer than this "
               "(calibrated).",
               ActsIn::kCalibrated, "blanking_range"},
         self.dead_range);

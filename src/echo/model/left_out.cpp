@@ -1,4 +1,5 @@
-// left_out.cpp -- mutes the hits on thin parts, and takes the coherent share off the lobes of plane faces.
+// left_out.cpp -- clears the echoes of hits on thin parts, and removes the coherent share from the lobes of plane
+// faces.
 
 #include "echo/model/left_out.h"
 
@@ -11,7 +12,7 @@
 namespace insonify {
 namespace {
 
-// What one instance leaves out; null where it has nothing of the kind.
+// LeftOut of one instance: pointers to its triangles' values, null if it has none.
 struct OfInstance {
   const float* thickness = nullptr;
   const std::uint8_t* glinting = nullptr;
@@ -22,7 +23,7 @@ const Value* of(const std::vector<std::vector<Value>>& values, std::uint16_t ins
   return instance < values.size() && !values[instance].empty() ? values[instance].data() : nullptr;
 }
 
-// The coherent share of the lobe of facets in the echo of a hit, as ScatterTable::fill_powers() computes it.
+// Coherent part of the facets' lobe in the echo of a hit, as ScatterTable::fill_powers() computes it.
 float coherent_lobe(const PingPlan& plan, SurfaceLabel surface, float cosine, float range) {
   constexpr float kNothingLeft = 16;
   const ScatterTable::Laws laws = plan.scatter.laws();
