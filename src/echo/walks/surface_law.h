@@ -11,23 +11,24 @@ namespace insonify {
 /// sonar rarely hit it, with very high levels (high variance). Its lobe is widened at equal energy.
 inline constexpr double kLeastWalkSlope = 0.1;
 
-/// The laws of acoustics/backscatter.h as shares of the incident energy. The rest of it is absorbed. Normals point to
-/// the side of incidence.
+/// The laws of acoustics/backscatter.h as shares of the energy that falls on a surface, which may be smaller than 1
+/// together: the rest is absorbed. Normals are on the side that the sound comes from.
 ///
-///     diffuse:   pi mu, with the density cos(out) / pi
-///     mirrored:  |R|^2, by facets of Gaussian slopes, with the density facet_scatter() facet_masking() / cos(in),
-///     which
-///                mirror_facet() samples. Directions into the surface are mirrored at its mean plane
+///     diffuse:   pi mu, into `out` with the density cos(out) / pi
+///     mirrored:  |R|^2, by facets of Gaussian slopes: into `out` with the density facet_scatter() facet_masking() /
+///                cos(in), as mirror_facet() draws them. What a facet reflects into the surface leaves it again: as if
+///                the surface without facets reflected it
 ///
-/// If the shares of a material add up to more than 1, both are scaled so that they add up to 1.
+/// A surface whose material would send out more than falls on it sends out exactly that: both shares are reduced by
+/// the same factor.
 struct SurfaceLaw {
-  float diffuse = 0;   ///< Share scattered diffusely, 0..1.
-  float mirrored = 0;  ///< Share reflected by facets, 0..1.
-  float coherent = 1;  ///< Share of `mirrored` that secondary echoes treat as a mirror's, 0..1.
+  float diffuse = 0;                                  ///< Share that is scattered diffusely, 0..1.
+  float mirrored = 0;                                 ///< Share that is reflected by facets, 0..1.
+  float coherent = 1;                                 ///< Share of it that other echoes follow, as from a mirror, 0..1.
   float slope = static_cast<float>(kLeastWalkSlope);  ///< Rms slope of the facets along each axis.
 
   /// @param texture  Factor on the amplitude, ReliefPoint::reflectivity.
-  /// @param cosine   Cosine of the angle of incidence on the surface, of either sign.
+  /// @param cosine   Of the angle of incidence on the surface, of either sign, at which it reflects.
   [[nodiscard]] static SurfaceLaw of(const Scattering& scattering, float texture, float cosine = 1);
 
   /// Energy per steradian scattered into a direction, relative to the incident energy [1/sr]. All vectors have unit
