@@ -31,10 +31,9 @@ struct SurfaceLaw {
   /// @param cosine   Of the angle of incidence on the surface, of either sign, at which it reflects.
   [[nodiscard]] static SurfaceLaw of(const Scattering& scattering, float texture, float cosine = 1);
 
-  /// Energy per steradian scattered into a direction, relative to the incident energy [1/sr]. All vectors have unit
-  /// length.
-  /// @param in   Direction of travel of the incident sound.
-  /// @param out  Direction of travel of the scattered sound.
+  /// Energy per steradian in a direction, relative to that which falls on the surface [1/sr].
+  /// @param in   Direction in which the incident sound travels; a unit vector, as all of these.
+  /// @param out  Direction in which it leaves.
   [[nodiscard]] float diffuse_into(const Vec3f& normal, const Vec3f& out) const;
   [[nodiscard]] float mirrored_into(const Vec3f& normal, const Vec3f& in, const Vec3f& out) const;
 
