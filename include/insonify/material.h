@@ -63,8 +63,8 @@ void visit_material_fields(Self& self, Visit&& visit) {
   visit(
       Field{
           "open_share", "", from_to(0, 1),
-          "Share of the area that is open, as in a net or a grating seen as one surface: 1 less its solidity. It lets "
-          "this share of the sound through each way (calibrated model); all else holds for the rest of the area.",
+          "Share of the area that is open, as in a net or a grating modelled as one surface: 1 minus its solidity. The "
+          "open part transmits all sound (calibrated model); all other properties are those of the rest of the area.",
           ActsIn::kCalibrated},
       self.open_share);
   visit(Field{"rms_slope", "", from_to(0.005, 1),
@@ -73,10 +73,8 @@ void visit_material_fields(Self& self, Visit&& visit) {
               ActsIn::kCalibrated, "reflectivity"},
         self.rms_slope);
   visit(Field{"rms_height", "m", from_to(0, 100),
-              "Root mean square height of the roughness made of these facets: the share exp(-4 k^2 h^2 cos^2) of the "
-              "reflected sound is a mirror's, the facets spread the rest (calibrated model); 0: not known, plane faces "
-              "glint by "
-              "facets alone.",
+              "Root mean square height of this roughness: the share exp(-4 k^2 h^2 cos^2) is reflected coherently, the "
+              "facets spread the rest (calibrated model); 0: unknown, plane faces have no coherent echo.",
               ActsIn::kCalibrated, "reflectivity"},
         self.rms_height);
   visit(Field{"clutter_shape", "", from_to(0.1, 1000),
@@ -85,8 +83,8 @@ void visit_material_fields(Self& self, Visit&& visit) {
               ActsIn::kCalibrated},
         self.clutter_shape);
   visit(Field{"clutter_length", "m", above_to(0, 1000),
-              "Length over which the clutter of a surface is correlated; resolution cells that are larger see less of "
-              "it (calibrated model, with speckle).",
+              "Correlation length of the clutter of a surface; larger resolution cells average it (calibrated model, "
+              "with speckle).",
               ActsIn::kCalibrated},
         self.clutter_length);
   visit(Field{"scatterer_density", "1/m^2", above_to(0, 1e9),

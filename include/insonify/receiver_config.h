@@ -102,8 +102,8 @@ struct ReceiverConfig {
     visit(Field{"surface_noise",
                 "",
                 {},
-                "Whether the noise of wind and rain comes from the surface, as of dipoles; else it is isotropic "
-                "(calibrated).",
+                "Whether the noise of wind and rain arrives from the surface, from vertical dipoles; else it is "
+                "isotropic (calibrated).",
                 ActsIn::kCalibrated,
                 "paper.additive_deviation"},
           self.surface_noise);
@@ -211,7 +211,7 @@ struct ReceiverConfig {
         Field{"full_scale_db", "dB", from_to(-400, 400), "Recorded level of the greatest count.", ActsIn::kCalibrated},
         self.full_scale_db);
     visit(Field{"full_scale_share", "", above_to(0, 1),
-                "Automatic gain: share of each ping's bins that reach the greatest count, instead of full_scale_db.",
+                "Automatic gain: share of each ping's bins that have the largest count, instead of full_scale_db.",
                 ActsIn::kCalibrated},
           self.full_scale_share);
   }

@@ -180,12 +180,13 @@ struct Scenario {
                 "Surfaces that a path may meet: 2 adds echoes by way of a mirror, 3 those by a mirror both ways "
                 "(calibrated)."},
           self.max_surfaces);
-    visit(Field{"rough_mirrors",
-                "",
-                {},
-                "Whether mirrors reflect all sound by facets drawn from their rms_slope; else the share that their "
-                "rms_height says (calibrated)."},
-          self.rough_mirrors);
+    visit(
+        Field{"rough_mirrors",
+              "",
+              {},
+              "Whether mirrors reflect all sound by facets of their rms_slope; else they reflect coherently the share "
+              "that follows from their rms_height (calibrated)."},
+        self.rough_mirrors);
     visit(Field{"random_walks", "", from_to(0, 1e6),
                 "Walks of a ping over many surfaces, for the reverberation of closed spaces: 1000 to 5000 in a tank, 0 "
                 "for none (calibrated)."},

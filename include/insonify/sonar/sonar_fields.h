@@ -61,13 +61,13 @@ void SonarConfig::visit_fields(Self& self, Visit&& visit) {
               ActsIn::kCalibrated},
         self.elevation_pattern);
   visit(Field{"transmit_width", "rad", above_to(0, kWidestElement),
-              "Width across bearings at half power of the transmitter of a fan; it sends alike in all directions when "
-              "absent (calibrated model).",
+              "Azimuth width at half power of the transmitter of a fan; omnidirectional in azimuth when absent "
+              "(calibrated model).",
               ActsIn::kCalibrated},
         self.transmit_width);
   visit(Field{"element_width", "rad", above_to(0, kWidestElement),
-              "Width across bearings at half power of one element of a fan's receiver; it receives alike from all "
-              "directions when absent (calibrated model).",
+              "Azimuth width at half power of one element of a fan's receiver; omnidirectional in azimuth when absent "
+              "(calibrated model).",
               ActsIn::kCalibrated},
         self.element_width);
   visit(Field{"focus_range", "m", above_to(0, 1e6),
@@ -102,7 +102,8 @@ void SonarConfig::visit_fields(Self& self, Visit&& visit) {
               ActsIn::kCalibrated, "blanking_range"},
         self.dead_range);
   visit(Field{"group_gains_db", "dB", from_to(-300, 60),
-              "Gains of as many equal groups of neighbouring beams, from port (calibrated).", ActsIn::kCalibrated},
+              "Gains of equal groups of neighbouring beams, one value per group, from port (calibrated).",
+              ActsIn::kCalibrated},
         self.group_gains_db);
   visit(Field{"missing_beams", "", from_to(0, 4095), "Beams that deliver nothing, from 0 at port (calibrated).",
               ActsIn::kCalibrated},
