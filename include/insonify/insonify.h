@@ -1,4 +1,4 @@
-// insonify.h -- all of the library's headers at once, for programs that do not care which they need.
+// insonify.h -- includes all headers of the library.
 
 #pragma once
 

@@ -1,4 +1,4 @@
-// simulator.h -- from a scenario, and from poses, to pings.
+// simulator.h -- makes the pings of a scenario's sonars, along its trajectories or from given poses.
 
 #pragma once
 

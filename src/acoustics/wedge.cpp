@@ -1,4 +1,4 @@
-// wedge.cpp -- Keller's coefficient of backscatter, a term for each face.
+// wedge.cpp -- Keller's backscatter coefficient of a wedge, one term per face.
 
 #include "acoustics/wedge.h"
 

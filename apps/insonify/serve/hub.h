@@ -1,4 +1,4 @@
-// hub.h -- what all clients share: the source of pings, the last of them, and messages that are encoded once.
+// hub.h -- shared by all clients: the source of pings, the last pings, and messages encoded once.
 
 #pragma once
 

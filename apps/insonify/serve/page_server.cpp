@@ -1,4 +1,4 @@
-// page_server.cpp -- checks who may connect, and ends what listens after what it listens to.
+// page_server.cpp -- checks who may connect, and shuts down in the right order.
 
 #include "serve/page_server.h"
 

@@ -1,4 +1,4 @@
-// box_cut.h -- some 64 boxes that enclose the scene: rays that miss all of them need not be traced.
+// box_cut.h -- about 64 boxes that enclose the scene: rays that miss them all need not be traced.
 
 #pragma once
 

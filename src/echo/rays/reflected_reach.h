@@ -1,4 +1,4 @@
-// reflected_reach.h -- length to which a reflected ray has to be traced.
+// reflected_reach.h -- maximum length to which a reflected ray is traced.
 
 #pragma once
 

@@ -1,4 +1,4 @@
-// net_server.h -- HTTP and WebSocket on one port, without a word of what is sent.
+// net_server.h -- HTTP and WebSocket on one port, for any content.
 
 #pragma once
 
