@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::uint32_t kFirstSource = 1U << 31U;  // Sources below are the scenario's interferers.
 
-// Bandwidth of a sonar's pulse [Hz]: that of the chirp, or 1 / duration of a tone.
+// Bandwidth of what a sonar sends [Hz]: of a chirp its own, of a tone 1 / duration.
 double bandwidth_of(const SonarConfig& sonar, const PulseSettings& pulse) {
   switch (pulse.kind) {
     case PulseKind::kLfm:
@@ -33,13 +33,13 @@ bool is_top_hat_hit(const SonarConfig& sonar, double elevation) {
   return std::abs(elevation - sonar.elevation_center) <= 0.5 * sonar.elevation_aperture;
 }
 
-// Reception from one direction.
+// What a sonar receives from a direction.
 struct Received {
   int beam;  // -1: nothing.
   PingPlan::Arrival arrival;
 };
 
-// @param has_array  Whether beams have side lobes in bearing.
+// @param has_array  Whether beams have side lobes across bearings.
 Received received_from(const PingPlan& plan, const Vec3f& direction, bool has_array) {
   const PingPlan::Arrival arrival = plan.arrival_from(direction);
   const int beam = plan.beam_of(arrival.bearing);
@@ -122,7 +122,7 @@ void add_mutual_interference(std::span<const SendingSonar> senders, const Simula
     const double arriving = std::pow(10.0, (sender.source_level_db() - plan.sonar.source_level_db) / 10) * share *
                             double{received.arrival.pattern} / (range * range) *
                             std::exp(-2 * double{plan.neper_per_metre} * range) * passed;
-    const double delay = range / sound_speed - request.time;  // Arrival of a pulse transmitted at time 0 [s].
+    const double delay = range / sound_speed - request.time;  // When a pulse sent at time 0 arrives [s].
     const double earliest = std::ceil(-(delay + sender.duration()) / sender.period());
     for (auto ping = static_cast<std::uint64_t>(std::max(0.0, earliest));; ++ping) {
       const double begins = delay + static_cast<double>(ping) * sender.period();

@@ -27,7 +27,7 @@ float phase_of(const PingPlan& plan, std::uint32_t source, std::int64_t pulse, i
   return uniform_open(philox(counter, philox_key(plan.seed))[0]);
 }
 
-// Intensity at the receiver, after a one-way transmission loss of 20 log10 r + alpha r.
+// Intensity on arrival, after a one-way transmission loss of 20 log10 r + alpha r.
 double intensity_of(const PingPlan& plan, const Interferer& other, const LinesOfSight::Sight& sight) {
   return std::pow(10.0, (other.source_level_db - plan.sonar.source_level_db) / 10) / (sight.range * sight.range) *
          std::exp(-2 * double{plan.neper_per_metre} * sight.range) * double{sight.arrival.pattern} * sight.passed;
@@ -64,7 +64,7 @@ Interference::Interference(std::span<const Interferer> interferers)
 
 void Interference::add(const PingPlan& plan, const Pose& world_from_sonar, double time, Engine& engine,
                        EchoGrid& grid) {
-  const auto sights = lines_.trace(plan, world_from_sonar, engine);
+  const auto sights = lines_.look(plan, world_from_sonar, engine);
   for (std::size_t i = 0; i < interferers_.size(); ++i) {
     if (sights[i]) {
       add_pulses(plan, i, *sights[i], time, grid);

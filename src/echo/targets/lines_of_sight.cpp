@@ -15,8 +15,8 @@ LinesOfSight::LinesOfSight(std::vector<Vec3> places)
       sight_rays_(places_.size()),
       sights_(places_.size()) {}
 
-std::span<const std::optional<LinesOfSight::Sight>> LinesOfSight::trace(const PingPlan& plan,
-                                                                        const Pose& world_from_sonar, Engine& engine) {
+std::span<const std::optional<LinesOfSight::Sight>> LinesOfSight::look(const PingPlan& plan,
+                                                                       const Pose& world_from_sonar, Engine& engine) {
   for (std::size_t i = 0; i < places_.size(); ++i) {
     const Vec3 there = places_[i] - world_from_sonar.position;
     const double range = there.norm();

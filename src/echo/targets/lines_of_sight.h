@@ -1,4 +1,4 @@
-// lines_of_sight.h -- which places are visible from the sonar: unobstructed straight paths within its beams.
+// lines_of_sight.h -- which places the sonar receives sound from on a straight, unobstructed path.
 
 #pragma once
 
@@ -12,26 +12,27 @@
 
 namespace insonify {
 
-/// Straight paths between the sonar and fixed places.
+/// Straight paths between the sonar and given places.
 class LinesOfSight {
  public:
   /// @param places  World positions [m].
   explicit LinesOfSight(std::vector<Vec3> places);
 
-  /// Arrival of sound from a place.
+  /// How sound from a place arrives.
   struct Sight {
     double range;  ///< [m]
     int beam;
     PingPlan::Arrival arrival;
-    double passed;  ///< Product of the transmittances of the surfaces on the path, one way.
+    double passed;  ///< Share of the intensity that surfaces in the way let through, one way.
   };
 
-  /// [place] None if an opaque surface blocks the path or the place is outside the sonar's beams. Does not allocate.
-  std::span<const std::optional<Sight>> trace(const PingPlan& plan, const Pose& world_from_sonar, Engine& engine);
+  /// One value per place; none if an opaque surface is in the way or the place is outside what the sonar receives.
+  /// Allocates nothing.
+  std::span<const std::optional<Sight>> look(const PingPlan& plan, const Pose& world_from_sonar, Engine& engine);
 
  private:
   std::vector<Vec3> places_;
-  std::vector<Ray> rays_;  // [place]
+  std::vector<Ray> rays_;  // From the sonar to each.
   std::vector<Hit> hits_;
   SightRays sight_rays_;
   std::vector<std::optional<Sight>> sights_;

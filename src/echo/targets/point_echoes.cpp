@@ -41,7 +41,7 @@ void add_discrete_echo(const PingPlan& plan, const PingPlan::Arrival& arrival, i
 PointEchoes::PointEchoes(std::span<const PointTarget> points) : points_(points), lines_(places_of(points)) {}
 
 void PointEchoes::add(const PingPlan& plan, const Pose& world_from_sonar, Engine& engine, EchoGrid& grid) {
-  const auto sights = lines_.trace(plan, world_from_sonar, engine);
+  const auto sights = lines_.look(plan, world_from_sonar, engine);
   for (std::size_t i = 0; i < points_.size(); ++i) {
     if (!sights[i]) {
       continue;
