@@ -149,7 +149,7 @@ void PointGhosts::add_echoes(const PingPlan& plan, std::span<const Way> ways, st
       const double range = 0.5 * (out.length + back.length);
       const double intensity = waves.intensity * strength * out.intensity * back.intensity;
       const double turns = plan.turns_per_metre * range + own_turns + out.turns + back.turns + waves.turns;
-      // Received over one leg, transmitted over the other.
+      // Received by one leg, sent by the other.
       add_discrete_echo(plan, out.arrival, order, range, intensity * double{back.arrival.transmitted}, turns, grid);
       if (i != j) {
         add_discrete_echo(plan, back.arrival, order, range, intensity * double{out.arrival.transmitted}, turns, grid);
