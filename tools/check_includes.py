@@ -23,16 +23,20 @@ ROOMS = {
     "echo": {
         "grid": [],
         "model": ["grid"],
+        "rays": ["grid", "model"],
         "mirror": ["grid", "model"],
         "targets": ["grid", "model", "mirror", "."],
         "walks": ["grid", "model", "."],
-        "*": ["grid", "model", "mirror", "."],  # Engines, each a room.
+        "*": ["grid", "model", "rays", "mirror", "."],  # Engines, each a room.
     },
     "receiver": {
         "array": ["."],
         "pulse": ["."],
         "speckle": ["pulse", "."],
         "noise": ["array", "."],
+    },
+    "simulator": {
+        "view": [],
     },
     "io": {
         "file": [],

@@ -72,7 +72,7 @@ class ArrayPattern {
   [[nodiscard]] std::complex<double> amplitude(double x) const;
   [[nodiscard]] double intensity(double x) const { return std::norm(amplitude(x)); }  ///< |g(x)|^2.
 
-  /// The pattern of the array out of focus: each element's signal has the phase `edge_phase` (2 s)^2, s from -1/2 to
+  /// The pattern of the defocused array: each element's signal has the phase `edge_phase` (2 s)^2, s from -1/2 to
   /// 1/2 along the array. A point at the range r in the bearing a, received by an array focused at f, has the edge
   /// phase pi D^2 cos^2(a) / (4 wavelength) (1/r - 1/f) (Goodman, Introduction to Fourier Optics (2005), section 6.4).
   /// Exact up to kExactReach + 4 |edge_phase| in x; beyond, the side lobes are those in focus.

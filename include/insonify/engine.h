@@ -32,7 +32,7 @@ enum class EchoModel {
 
 /// Rays that one ping sent.
 struct RayCounts {
-  std::uint64_t primary = 0;    ///< Those that go on behind surfaces which let sound through count again.
+  std::uint64_t primary = 0;    ///< Rays continued behind surfaces that transmit sound count again.
   std::uint64_t secondary = 0;  ///< Reflected, and the few probes by which kSelective chooses.
   std::uint64_t return_legs = 0;
 

@@ -1,4 +1,4 @@
-// files.h -- from files to values and back: scenes, scenarios, presets, recordings and pictures.
+// files.h -- reads and writes files: scenes, scenarios, presets, recordings and pictures.
 
 #pragma once
 

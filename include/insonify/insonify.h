@@ -1,4 +1,4 @@
-// insonify.h -- all of the library's headers at once, for programs that do not care which they need.
+// insonify.h -- includes all headers of the library.
 
 #pragma once
 
@@ -49,6 +49,8 @@
 #include "insonify/sea_surface.h"
 #include "insonify/similarity.h"
 #include "insonify/simulator.h"
+#include "insonify/sonar/sampling.h"
+#include "insonify/sonar/sonar_fields.h"
 #include "insonify/sonar_config.h"
 #include "insonify/stored_tables.h"
 #include "insonify/thruster.h"

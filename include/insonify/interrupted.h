@@ -1,4 +1,4 @@
-// interrupted.h -- what a long computation throws when it is told to end early.
+// interrupted.h -- exception of a long computation that is ended early.
 
 #pragma once
 

@@ -1,4 +1,4 @@
-// live_loop.h -- makes a scenario's pings while somebody watches: pause, steering, changed settings, recording.
+// live_loop.h -- makes a scenario's pings interactively: pause, steering, changed settings, recording.
 
 #pragma once
 

@@ -63,8 +63,8 @@ void visit_material_fields(Self& self, Visit&& visit) {
   visit(
       Field{
           "open_share", "", from_to(0, 1),
-          "Share of the area that is open, as in a net or a grating seen as one surface: 1 less its solidity. It lets "
-          "this share of the sound through each way (calibrated model); all else holds for the rest of the area.",
+          "Share of the area that is open, as in a net or a grating modelled as one surface: 1 minus its solidity. The "
+          "open part transmits all sound (calibrated model); all other properties are those of the rest of the area.",
           ActsIn::kCalibrated},
       self.open_share);
   visit(Field{"rms_slope", "", from_to(0.005, 1),
@@ -73,10 +73,8 @@ void visit_material_fields(Self& self, Visit&& visit) {
               ActsIn::kCalibrated, "reflectivity"},
         self.rms_slope);
   visit(Field{"rms_height", "m", from_to(0, 100),
-              "Root mean square height of the roughness made of these facets: the share exp(-4 k^2 h^2 cos^2) of the "
-              "reflected sound is a mirror's, the facets spread the rest (calibrated model); 0: not known, plane faces "
-              "glint by "
-              "facets alone.",
+              "Root mean square height of this roughness: the share exp(-4 k^2 h^2 cos^2) is reflected coherently, the "
+              "facets spread the rest (calibrated model); 0: unknown, plane faces have no coherent echo.",
               ActsIn::kCalibrated, "reflectivity"},
         self.rms_height);
   visit(Field{"clutter_shape", "", from_to(0.1, 1000),
@@ -85,8 +83,8 @@ void visit_material_fields(Self& self, Visit&& visit) {
               ActsIn::kCalibrated},
         self.clutter_shape);
   visit(Field{"clutter_length", "m", above_to(0, 1000),
-              "Length over which the clutter of a surface is correlated; resolution cells that are larger see less of "
-              "it (calibrated model, with speckle).",
+              "Correlation length of the clutter of a surface; larger resolution cells average it (calibrated model, "
+              "with speckle).",
               ActsIn::kCalibrated},
         self.clutter_length);
   visit(Field{"scatterer_density", "1/m^2", above_to(0, 1e9),
@@ -109,12 +107,12 @@ struct Material {
   std::optional<double> thickness = {};      ///< Thickness of a plate with water on both sides [m], in (0, 1000];
                                              ///< absent: solid.
   std::optional<double> transmission = {};   ///< |T| at all angles, 0..1; absent: see scattering().
-  double open_share = 0;                     ///< Share of the area that lets all sound through, 0..1.
+  double open_share = 0;                     ///< Share of the area that is open and transmits all sound, 0..1.
   double rms_slope = 0.1;                    ///< Root mean square slope of small facets, along each axis, 0.005..1.
   double rms_height = 0;                     ///< Root mean square height of that roughness [m], 0..100; 0: not known.
   std::optional<double> clutter_shape = {};  ///< Shape nu of K-distributed clutter, 0.1..1000: smaller is patchier;
                                              ///< absent: none.
-  double clutter_length = 1;                 ///< Length over which it is correlated [m], in (0, 1000].
+  double clutter_length = 1;                 ///< Correlation length of the clutter [m], in (0, 1000].
   std::optional<double> scatterer_density = {};  ///< Equal scatterers per area [1/m^2], in (0, 1e9]; absent: unlimited.
   std::optional<double> sea_wind = {};        ///< Wind speed over it [m/s], in (0, 30], where this is the sea surface.
   std::string source = {};                    ///< Where the numbers come from.
@@ -133,15 +131,16 @@ struct Material {
   /// @param frequency  [Hz], > 0.
   [[nodiscard]] double reflection_at(double frequency) const;
 
-  /// |T| in sea water at normal incidence, for the `calibrated` model, of what is not open: see scattering().
+  /// |T| of the closed part in sea water at normal incidence, for the `calibrated` model: see scattering().
   /// @param frequency  [Hz], > 0.
   [[nodiscard]] double transmission_at(double frequency) const;
 
   /// The scattering parameters of the `calibrated` model at a frequency [Hz]. Reflection depends on the angle as that
   /// of a half-space or plate with these speeds, unless `reflection` is given: then |R| is the same at all angles.
-  /// |T|^2 is that of the plate, 0 without a thickness, or `transmission` squared, at most 1 - |R|^2 - pi mu. Of
-  /// `open_share` sound passes unchanged; |R|^2, |T|^2 and mu of the rest are multiplied by 1 - open_share. With a
-  /// `sea_wind`, echo and reflection are those of acoustics/surface_scattering.h at every angle, and nothing passes.
+  /// |T|^2 is that of the plate, 0 without a thickness, or `transmission` squared, at most 1 - |R|^2 - pi mu. The open
+  /// part of the area transmits all sound; |R|^2, |T|^2 and mu of the rest are multiplied by 1 - open_share. With a
+  /// `sea_wind`, backscatter and reflection are those of acoustics/surface_scattering.h at every angle, without
+  /// transmission.
   [[nodiscard]] Scattering scattering(double frequency) const;
 
   template <typename Self, typename Visit>

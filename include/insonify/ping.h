@@ -1,4 +1,4 @@
-// ping.h -- all that is heard of one transmission, as a receiver delivers it.
+// ping.h -- one ping: the received intensities of one transmission, and their ground truth.
 
 #pragma once
 

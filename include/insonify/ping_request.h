@@ -1,4 +1,4 @@
-// ping_request.h -- what one ping is made from: when it is, where the vehicle is then, and what else has moved.
+// ping_request.h -- what one ping is made from: time, pose of the vehicle, poses of moved objects.
 
 #pragma once
 

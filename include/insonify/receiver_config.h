@@ -25,12 +25,12 @@ struct ReceiverConfig {
   bool noise = true;  ///< Whether noise is drawn: that of the paper model, or thermal noise in the calibrated model.
   std::optional<double> ambient_noise_db = {};  ///< Noise besides thermal noise [dB re 1 uPa^2/Hz], -100..200; or none.
 
-  // The sea's noise by its causes, added to ambient_noise_db (docs/concepts/reverberation-and-noise.md).
+  // Ambient noise by wind, rain and ships, added to ambient_noise_db (docs/concepts/reverberation-and-noise.md).
   std::optional<double> wind_noise = {};  ///< Wind speed 10 m above the sea [m/s], 0..60; absent: none.
   std::optional<double> rain_noise = {};  ///< Rain [mm/h], 0..300; absent: none.
   std::optional<double> ship_noise = {};  ///< Shipping, from 0 (little) to 1 (heavy); absent: none.
-  bool surface_noise = false;             ///< Whether the noise of wind and rain comes from the surface; else it is
-                                          ///< isotropic, as all other noise.
+  bool surface_noise = false;             ///< Whether the noise of wind and rain arrives from the surface; else it
+                                          ///< is isotropic, like all other noise.
   bool speckle = true;                    ///< Whether echoes interfere.
 
   /// Pattern across bearings. It applies twice on scanning heads, which transmit and receive with the same array, and
@@ -71,8 +71,7 @@ struct ReceiverConfig {
   bool counts = false;                       ///< Whether pings also hold counts, see SonarConfig::bits.
   std::optional<double> full_scale_db = {};  ///< Recorded level of the greatest count [dB], -400..400.
 
-  /// Automatic gain instead of full_scale_db: share of each ping's bins whose level is at least that of the greatest
-  /// count, (0, 1].
+  /// Automatic gain instead of full_scale_db: share of each ping's bins that have the largest count, (0, 1].
   std::optional<double> full_scale_share = {};
 
   /// Gain at a range > 0 [m], from time_varied_gain or from the table [dB]; 0 without either.
@@ -103,8 +102,8 @@ struct ReceiverConfig {
     visit(Field{"surface_noise",
                 "",
                 {},
-                "Whether the noise of wind and rain comes from the surface, as of dipoles; else it is isotropic "
-                "(calibrated).",
+                "Whether the noise of wind and rain arrives from the surface, from vertical dipoles; else it is "
+                "isotropic (calibrated).",
                 ActsIn::kCalibrated,
                 "paper.additive_deviation"},
           self.surface_noise);
@@ -212,7 +211,7 @@ struct ReceiverConfig {
         Field{"full_scale_db", "dB", from_to(-400, 400), "Recorded level of the greatest count.", ActsIn::kCalibrated},
         self.full_scale_db);
     visit(Field{"full_scale_share", "", above_to(0, 1),
-                "Automatic gain: share of each ping's bins that reach the greatest count, instead of full_scale_db.",
+                "Automatic gain: share of each ping's bins that have the largest count, instead of full_scale_db.",
                 ActsIn::kCalibrated},
           self.full_scale_share);
   }

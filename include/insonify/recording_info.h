@@ -1,4 +1,4 @@
-// recording_info.h -- what a recording holds, without reading its pings.
+// recording_info.h -- summary of a recording, without reading its pings.
 
 #pragma once
 

@@ -57,11 +57,11 @@ struct Scattering {
   double reflection = 0;  ///< |R| at normal incidence, of the facet lobe and of reflected rays.
   double rms_slope = 0;   ///< Root mean square slope of the facets that make the lobe, along each axis.
   double roughness = 0;   ///< 4 k^2 h^2 of the rms height h: a mirror reflects exp(-roughness cos^2) coherently.
-  /// Whether facets are mirrors too. Where not, only the coherent share of the reflected sound goes on as from a
-  /// mirror; the rest is diffuse, and random walks alone follow it.
+  /// Whether facets act as mirrors. If not, only the coherent share of the reflected sound is reflected as by a mirror;
+  /// the rest counts as diffuse, and only random walks follow it.
   bool facets_mirror = true;
   std::shared_ptr<const AngularScattering> by_angle = {};  ///< Null: |R| is the same at all angles, and nothing on top.
-  std::shared_ptr<const AngleTable> passed = {};  ///< |T|^2: share of the energy that passes through; null: opaque.
+  std::shared_ptr<const AngleTable> passed = {};           ///< |T|^2, share of the transmitted energy; null: opaque.
 
   /// |R|^2 at an angle of incidence.
   /// @param cosine  Of that angle, 0..1.
@@ -69,11 +69,11 @@ struct Scattering {
     return by_angle ? by_angle->reflectance.at(cosine) : reflection * reflection;
   }
 
-  /// Share of the incident energy that passes through and goes on in its own direction, 0..1.
+  /// Share of the incident energy that is transmitted in its original direction, 0..1.
   /// @param cosine  As for reflectance().
   [[nodiscard]] double transmittance(double cosine) const { return passed ? passed->at(cosine) : 0; }
 
-  /// Share of the reflected energy that mirrors reflect, 0..1.
+  /// Share of the reflected energy that is reflected as by a mirror, 0..1.
   [[nodiscard]] double mirror_share(double cosine) const {
     return facets_mirror ? 1 : std::exp(-roughness * cosine * cosine);
   }

@@ -95,9 +95,9 @@ struct Scenario {
   PrimaryEchoes primary = PrimaryEchoes::kAuto;
   SecondaryEchoes secondary = SecondaryEchoes::kSelective;
   int max_surfaces = kPathOrders;    ///< Most surfaces that a path meets, 1..3.
-  bool rough_mirrors = false;        ///< Whether mirrors reflect by their facets alone, whatever their rms_height.
-  int random_walks = 0;              ///< Random walks of a ping, 0..1e6: reverberation of closed spaces; 0: none.
-  bool motion_in_ping = false;       ///< Whether the sonar moves on while it listens.
+  bool rough_mirrors = false;        ///< Whether mirrors reflect by facets only, for any rms_height.
+  int random_walks = 0;              ///< Random walks per ping, 0..1e6: reverberation of closed spaces; 0: none.
+  bool motion_in_ping = false;       ///< Whether the sonar moves between transmission and reception.
   bool mutual_interference = false;  ///< Whether each sonar receives the pulses of the others.
   GroundTruth ground_truth = GroundTruth::kLabels;
   std::uint64_t seed = 1;
@@ -111,7 +111,7 @@ struct Scenario {
   MaterialRules materials;
   std::vector<PointTarget> points;      ///< Calibrated model only.
   std::vector<Interferer> interferers;  ///< Calibrated model only.
-  std::vector<Thruster> thrusters;      ///< Of the vehicle. Calibrated model only.
+  std::vector<Thruster> thrusters;      ///< Thrusters of the vehicle. Calibrated model only.
   std::optional<SeaSurface> surface;    ///< None where not named.
   std::vector<SonarConfig> sonars;
   Trajectory trajectory;  ///< Trajectory of the vehicle.
@@ -180,12 +180,13 @@ struct Scenario {
                 "Surfaces that a path may meet: 2 adds echoes by way of a mirror, 3 those by a mirror both ways "
                 "(calibrated)."},
           self.max_surfaces);
-    visit(Field{"rough_mirrors",
-                "",
-                {},
-                "Whether mirrors reflect all sound by facets drawn from their rms_slope; else the share that their "
-                "rms_height says (calibrated)."},
-          self.rough_mirrors);
+    visit(
+        Field{"rough_mirrors",
+              "",
+              {},
+              "Whether mirrors reflect all sound by facets of their rms_slope; else they reflect coherently the share "
+              "that follows from their rms_height (calibrated)."},
+        self.rough_mirrors);
     visit(Field{"random_walks", "", from_to(0, 1e6),
                 "Walks of a ping over many surfaces, for the reverberation of closed spaces: 1000 to 5000 in a tank, 0 "
                 "for none (calibrated)."},
@@ -248,10 +249,10 @@ void Scenario::visit_parts(Self& self, Visit&& visit) {
   visit(Part{"points", "list of point targets", "Ideal point targets (calibrated model): see `points`.",
              "One entry for each ideal point target (calibrated model)."},
         self.points);
-  visit(
-      Part{"interferers", "list of other sonars", "Other sonars that are heard (calibrated model): see `interferers`.",
-           "One entry for each other sonar that is heard (calibrated model)."},
-      self.interferers);
+  visit(Part{"interferers", "list of other sonars",
+             "Other sonars whose pulses are received (calibrated model): see `interferers`.",
+             "One entry for each other sonar whose pulses are received (calibrated model)."},
+        self.interferers);
   visit(Part{"thrusters", "list of thrusters",
              "Thrusters of the vehicle, whose noise the sonars receive (calibrated model): see `thrusters`.",
              "One entry for each running thruster of the vehicle. Sonars receive its noise with `receiver.noise` "

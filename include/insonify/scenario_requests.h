@@ -1,4 +1,4 @@
-// scenario_requests.h -- the pings that a scenario asks for: its trajectory, motions and head steps as requests.
+// scenario_requests.h -- ping requests from a scenario: its trajectory, motions and head steps.
 
 #pragma once
 

@@ -1,4 +1,4 @@
-// simulator.h -- from a scenario, and from poses, to pings.
+// simulator.h -- makes the pings of a scenario's sonars, along its trajectories or from given poses.
 
 #pragma once
 
@@ -69,7 +69,7 @@ class Simulator {
   /// With the sea's surface as an instance of its own, and all that was added or removed.
   [[nodiscard]] const Scene& scene() const;
 
-  /// Names of the objects with more thin parts (ropes, nets) than can be sampled on the object. The lattice samples
+  /// Names of the objects with too many thin parts (ropes, nets) to be sampled on the object. The lattice samples
   /// them as all else: their echoes vary with their place among the samples. As of the last ping or change.
   [[nodiscard]] std::span<const std::string> too_many_thin_parts() const;
 

@@ -3,13 +3,16 @@
 #pragma once
 
 #include <cstdint>
+#include <numbers>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "insonify/field.h"
 #include "insonify/geometry.h"
 #include "insonify/receiver_config.h"
+#include "insonify/sonar/sampling.h"
 
 namespace insonify {
 
@@ -18,28 +21,6 @@ inline constexpr double kSteepestElevation = radians_from_degrees(89);
 
 /// Largest width at half power of a transmitter or an element across bearings [rad]; that of a short line tends to 180.
 inline constexpr double kWidestElement = radians_from_degrees(175);
-
-/// How finely the insonified sector is sampled. More samples cost time and do not change expected levels. Where a
-/// number is absent, the calibrated model chooses it by the instrument (SonarConfig::sampling_by_rule()), the paper's
-/// takes kColumns and kRows.
-struct Sampling {
-  static constexpr int kColumns = 4, kRows = 200;
-
-  std::optional<int> columns_per_beam = {};  ///< Azimuths sampled in each beam, 1..256.
-  std::optional<int> rows = {};              ///< Elevations sampled in each column, 2..8192; staggered between columns.
-
-  template <typename Self, typename Visit>
-  static void visit_fields(Self& self, Visit&& visit) {
-    visit(Field{"columns_per_beam", "", from_to(1, 256),
-                "Azimuths sampled in each beam; absent: by the width of the beams in the calibrated model, 4 in the "
-                "paper's."},
-          self.columns_per_beam);
-    visit(Field{"rows", "", from_to(2, 8192),
-                "Elevations sampled in each column, staggered between columns; absent: by the number of bins in the "
-                "calibrated model, 200 in the paper's."},
-          self.rows);
-  }
-};
 
 /// Forward-looking: each ping insonifies the whole fan. Mechanically scanned: one beam, turned by a step after each
 /// ping.
@@ -89,14 +70,14 @@ struct SonarConfig {
                                                          ///< it has an elevation pattern [rad], in (0, 170 deg].
   double elevation_center = 0;                           ///< Middle of the elevation aperture [rad].
 
-  // What its transducers send and receive beside the array's beams (docs/concepts/array-and-pulse.md).
-  BeamPattern elevation_pattern = BeamPattern::kTopHat;  ///< Across elevations, both ways, where
-                                                         ///< ReceiverConfig::elevation_pattern is kInstrument; not
+  // Directivity of its transducers, besides the array's beams (docs/concepts/array-and-pulse.md).
+  BeamPattern elevation_pattern = BeamPattern::kTopHat;  ///< Across elevations, both ways, if
+                                                         ///< ReceiverConfig::elevation_pattern is kInstrument. Not
                                                          ///< kInstrument.
-  std::optional<double> transmit_width = {};  ///< Full width across bearings at half power of the transmitter of a fan
-                                              ///< [rad], in (0, 175 deg]; absent: it sends alike in all directions.
-  std::optional<double> element_width = {};   ///< Width of one element of a fan's receiver [rad], in (0, 175 deg];
-                                              ///< absent: it receives alike from all directions.
+  std::optional<double> transmit_width = {};  ///< Full azimuth width at half power of the transmitter of a fan
+                                              ///< [rad], in (0, 175 deg]; absent: omnidirectional in azimuth.
+  std::optional<double> element_width = {};   ///< Full azimuth width at half power of one element of a fan's
+                                              ///< receiver [rad], in (0, 175 deg]; absent: omnidirectional in azimuth.
 
   /// Range at which the array's beams are focused [m], in (0, 1e6]; absent: at every range.
   std::optional<double> focus_range = {};
@@ -108,16 +89,16 @@ struct SonarConfig {
   double blanking_range = 0;  ///< Near field: the gain rises from 0 at min_range to 1 here [m], 0..1e5.
   double gain = 1.0;          ///< Multiplies the displayed intensity before it is clipped to 1, in (0, 1e9].
 
-  // The transmitter in the receiver's ears (docs/concepts/transmit-leak.md).
+  // Transmit leak (docs/concepts/transmit-leak.md).
   std::optional<double> leak_db = {};  ///< Level of the outgoing pulse in the receiver [dB re the source's at 1 m],
-                                       ///< -300..100; absent: none is heard.
+                                       ///< -300..100; absent: no leak.
   double ring_down = 530e3;            ///< Decay of the transducer's ringing after the pulse [dB/s], 1e3..1e9.
   double leak_spread_db = 0;           ///< Standard deviation of the leak's level between beams [dB], 0..20.
-  double dead_range = 0;  ///< The overloaded receiver hears no echo and no noise nearer than this [m], 0..1e5.
+  double dead_range = 0;               ///< No echo and no noise is received nearer than this [m], 0..1e5.
 
   // Channels of the receiver (docs/concepts/channels.md).
-  std::vector<double> group_gains_db = {};  ///< Gains of as many equal groups of neighbouring beams, from port [dB],
-                                            ///< -300..60; at most one per beam.
+  std::vector<double> group_gains_db = {};  ///< Gains of equal groups of neighbouring beams, one value per group, from
+                                            ///< port [dB], -300..60; at most one per beam.
   std::vector<double> missing_beams = {};   ///< Indices of beams that deliver nothing, from 0 at port.
   std::optional<double> crosstalk_db = {};  ///< Share of all beams' echoes that each beam receives besides its own
                                             ///< [dB], -200..0; absent: none.
@@ -130,7 +111,7 @@ struct SonarConfig {
 
   // Time.
   std::optional<double> assumed_sound_speed;  ///< Converts time to range [m/s], 1300..1700; absent: the true one.
-  Steering steering = Steering::kElectronic;  ///< Whether bearings follow assumed_sound_speed as well; fans only.
+  Steering steering = Steering::kElectronic;  ///< kElectronic: bearings depend on assumed_sound_speed too. Fans only.
   std::optional<double> ping_period;          ///< Time between pings [s], 2 max_range / c (when absent) to 1e6.
 
   // Scanning head (MSIS only).
@@ -152,11 +133,11 @@ struct SonarConfig {
   [[nodiscard]] double bin_length() const { return (max_range - min_range) / bin_count; }           ///< [m]
   [[nodiscard]] double bin_range(int bin) const { return min_range + (bin + 0.5) * bin_length(); }  ///< Centre [m].
 
-  /// The pulse that this sonar transmits beside a receiver: the receiver's, or the sonar's own where that is
-  /// kInstrument, with the receiver's side lobes of a kTaylor window.
+  /// The pulse that this sonar transmits with a receiver: the receiver's pulse, or the sonar's own if that is
+  /// kInstrument. Side lobes of a kTaylor window are the receiver's.
   [[nodiscard]] PulseSettings transmitted(const ReceiverConfig& with) const;
 
-  /// The pattern across elevations beside a receiver: the receiver's, or the sonar's own where that is kInstrument.
+  /// The elevation pattern with a receiver: the receiver's, or the sonar's own if that is kInstrument.
   [[nodiscard]] BeamPattern elevation_pattern_beside(const ReceiverConfig& with) const {
     return with.elevation_pattern == BeamPattern::kInstrument ? elevation_pattern : with.elevation_pattern;
   }
@@ -185,8 +166,8 @@ struct SonarConfig {
   /// @param sound_speed  Sound speed that the sonar assumes [m/s].
   [[nodiscard]] double shortest_ping_period(double sound_speed) const { return 2 * max_range / sound_speed; }
 
-  /// `sampling` as the calibrated model has it: a column at most every quarter of a degree and at least two for each
-  /// beam, up to 64, and a row for every two bins, at least 128 and at most 1024; more where the fan is tall
+  /// `sampling`, with absent numbers filled in by the rule of the calibrated model: columns at most a quarter of a
+  /// degree apart, 2 to 64 per beam; one row per two bins, 128 to 1024, more for tall fans
   /// (docs/concepts/beams-and-bins.md, "Samples").
   [[nodiscard]] Sampling sampling_by_rule() const;
 
@@ -195,7 +176,7 @@ struct SonarConfig {
   /// @throws Error on the first field out of limits; the message carries its name, value and limit.
   void validate(std::string_view object = "sonar") const;
 
-  /// Calls visit(Field, member) on every field, in order; enums and names included.
+  /// Calls visit(Field, member) on every field, in order; enums and names included. Defined in sonar/sonar_fields.h.
   template <typename Self, typename Visit>
   static void visit_fields(Self& self, Visit&& visit);
 
@@ -211,149 +192,6 @@ struct SonarConfig {
   }
 };
 
-// ---------------------------------------------------------------------------------------------------------------------
-
-template <typename Self, typename Visit>
-void SonarConfig::visit_fields(Self& self, Visit&& visit) {
-  constexpr double kPi = std::numbers::pi;
-  visit(Field{"name", "", {}, "Used in messages and file names."}, self.name);
-  visit(Field{"model", "", {}, "Make and model, for titles."}, self.model);
-  visit(Field{"type", "", {}, "fls (the whole fan at once) or msis (one beam, turned by a step each ping)."},
-        self.type);
-  visit(Field{"frequency", "Hz", above_to(0, 1e8), "Carrier frequency."}, self.frequency);
-  visit(Field{"source_level_db", "dB", from_to(100, 260), "Source level re 1 uPa at 1 m, on the acoustic axis.",
-              ActsIn::kCalibrated, "gain"},
-        self.source_level_db);
-  visit(Field{"bandwidth", "Hz", above_to(0, 1e8),
-              "Bandwidth of the receiver, for noise, where the pulse is none (calibrated model).", ActsIn::kCalibrated,
-              "paper.additive_deviation"},
-        self.bandwidth);
-  visit(Field{"pulse",
-              "",
-              {},
-              "What the instrument transmits: none (as long as a bin), cw (a tone) or lfm (a chirp), where "
-              "receiver.pulse is instrument (calibrated model).",
-              ActsIn::kCalibrated},
-        self.pulse);
-  visit(Field{"pulse_duration", "s", above_to(0, 1), "Duration of that tone or chirp.", ActsIn::kCalibrated},
-        self.pulse_duration);
-  visit(Field{"pulse_bandwidth", "Hz", above_to(0, 1e7), "Bandwidth of that chirp.", ActsIn::kCalibrated},
-        self.pulse_bandwidth);
-  visit(Field{"pulse_window", "", {}, "Weights over its band, for lower side lobes in range.", ActsIn::kCalibrated},
-        self.pulse_window);
-  visit(Field{"beam_count", "", from_to(1, 4096), "Beams across the azimuth aperture."}, self.beam_count);
-  visit(Field{"azimuth_aperture", "rad", above_to(0, 2 * kPi), "Full width of the fan."}, self.azimuth_aperture);
-  visit(Field{"beam_azimuths", "rad", from_to(-kPi, kPi),
-              "Explicit beam centres, falling from port to starboard: beam_count and azimuth_aperture follow from "
-              "them. Evenly spaced in angle when absent."},
-        self.beam_azimuths);
-  visit(Field{"azimuth_resolution", "rad", above_to(0, 0.5 * kPi),
-              "Width at half power of the unsteered beam, one way; the beam spacing when absent (calibrated model, "
-              "with an azimuth_pattern).",
-              ActsIn::kCalibrated},
-        self.azimuth_resolution);
-  visit(Field{"elevation_aperture", "rad", above_to(0, radians_from_degrees(170)),
-              "Full height of every beam; at half power, one way, with an elevation_pattern."},
-        self.elevation_aperture);
-  visit(Field{"elevation_center", "rad", from_to(radians_from_degrees(-85), radians_from_degrees(85)),
-              "Middle of the elevation aperture."},
-        self.elevation_center);
-  visit(Field{"elevation_pattern",
-              "",
-              {},
-              "Pattern of the instrument's transmitter and receiver across elevations, where "
-              "receiver.elevation_pattern is instrument: top_hat, or the window of an array (calibrated model).",
-              ActsIn::kCalibrated},
-        self.elevation_pattern);
-  visit(Field{"transmit_width", "rad", above_to(0, kWidestElement),
-              "Width across bearings at half power of the transmitter of a fan; it sends alike in all directions when "
-              "absent (calibrated model).",
-              ActsIn::kCalibrated},
-        self.transmit_width);
-  visit(Field{"element_width", "rad", above_to(0, kWidestElement),
-              "Width across bearings at half power of one element of a fan's receiver; it receives alike from all "
-              "directions when absent (calibrated model).",
-              ActsIn::kCalibrated},
-        self.element_width);
-  visit(Field{"focus_range", "m", above_to(0, 1e6),
-              "Range at which the beams are focused, 1e6 for the far field; at every range when absent (calibrated "
-              "model, with an azimuth_pattern).",
-              ActsIn::kCalibrated},
-        self.focus_range);
-  visit(Field{"bin_count", "", from_to(1, 65536), "Range bins per beam."}, self.bin_count);
-  visit(Field{"min_range", "m", from_to(0, 1e5), "Near edge of bin 0; nearer echoes are dropped."}, self.min_range);
-  visit(Field{"max_range", "m", above_to(0, 1e5), "Far edge of the last bin."}, self.max_range);
-  visit(Field{"blanking_range", "m", from_to(0, 1e5),
-              "Near field: the gain of amplitudes rises linearly from 0 at min_range to 1 here."},
-        self.blanking_range);
-  visit(
-      Field{"gain", "", above_to(0, 1e9), "Multiplies the intensity before it is clipped to 1 (paper model).",
-            ActsIn::kPaper, "receiver.gain_ranges and receiver.gains_db for levels, receiver.full_scale_db for counts"},
-      self.gain);
-  visit(
-      Field{"leak_db", "dB", from_to(-300, 100),
-            "Level of the outgoing pulse in the receiver, re the source's at 1 m (calibrated); not heard when absent.",
-            ActsIn::kCalibrated},
-      self.leak_db);
-  visit(Field{"ring_down", "dB/s", from_to(1e3, 1e9), "Decay of the transducer's ringing after the pulse (leak_db).",
-              ActsIn::kCalibrated},
-        self.ring_down);
-  visit(
-      Field{"leak_spread_db", "dB", from_to(0, 20),
-            "Standard deviation of the leak's level between beams, drawn by the seed (leak_db).", ActsIn::kCalibrated},
-      self.leak_spread_db);
-  visit(Field{"dead_range", "m", from_to(0, 1e5),
-              "The receiver, overloaded by the transmission, hears no echo and no noise nearer than this "
-              "(calibrated).",
-              ActsIn::kCalibrated, "blanking_range"},
-        self.dead_range);
-  visit(Field{"group_gains_db", "dB", from_to(-300, 60),
-              "Gains of as many equal groups of neighbouring beams, from port (calibrated).", ActsIn::kCalibrated},
-        self.group_gains_db);
-  visit(Field{"missing_beams", "", from_to(0, 4095), "Beams that deliver nothing, from 0 at port (calibrated).",
-              ActsIn::kCalibrated},
-        self.missing_beams);
-  visit(Field{"crosstalk_db", "dB", from_to(-200, 0),
-              "Share of the sum of all beams' echoes at a range that each beam receives besides its own (calibrated); "
-              "none when absent.",
-              ActsIn::kCalibrated},
-        self.crosstalk_db);
-  visit(Field{"bits", "", from_to(1, 16), "Bits of a count (receiver.counts).", ActsIn::kCalibrated}, self.bits);
-  visit(Field{"mapping",
-              "",
-              {},
-              "gamma (counts follow a power of amplitude) or logarithmic (decibels).",
-              ActsIn::kCalibrated},
-        self.mapping);
-  visit(Field{"mapping_range_db", "dB", above_to(0, 300), "Level range from count 0 to full scale (logarithmic).",
-              ActsIn::kCalibrated},
-        self.mapping_range_db);
-  visit(
-      Field{"mapping_exponent", "", above_to(0, 4), "Exponent of amplitude; 1 is linear (gamma).", ActsIn::kCalibrated},
-      self.mapping_exponent);
-  visit(Field{"assumed_sound_speed", "m/s", from_to(1300, 1700),
-              "Sound speed with which the sonar converts time to range; the true one when absent."},
-        self.assumed_sound_speed);
-  visit(Field{"steering",
-              "",
-              {},
-              "electronic (bearings of a fan are computed with the assumed sound speed as well) or lens (calibrated).",
-              ActsIn::kCalibrated},
-        self.steering);
-  visit(Field{"ping_period", "s", above_to(0, 1e6), "Time between pings; 2 max_range / c when absent, and never less."},
-        self.ping_period);
-  visit(Field{"step", "rad", from_to(-kPi, kPi), "Turn of a scanning head between pings, positive to port."},
-        self.step);
-  visit(Field{"sector_center", "rad", from_to(-kPi, kPi), "Middle of the scanned sector."}, self.sector_center);
-  visit(Field{"sector_width", "rad", above_to(0, 2 * kPi),
-              "Scanned sector; at 360 the head keeps turning, at less it sweeps to and fro."},
-        self.sector_width);
-  visit(Field{"mounting", "", {}, "horizontal (a plan view) or vertical (a slice) scanning head."}, self.mounting);
-  visit(
-      Field{"position", "m", coordinate(), "On the vehicle, or in the world where there is no trajectory: [x, y, z]."},
-      self.position);
-  visit(Field{"orientation", "rad", turn(), "[roll, pitch, yaw] as in SDF: positive pitch looks down."},
-        self.orientation);
-}
-
 }  // namespace insonify
+
+#include "insonify/sonar/sonar_fields.h"  // SonarConfig::visit_fields

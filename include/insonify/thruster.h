@@ -1,4 +1,4 @@
-// thruster.h -- a thruster of one's own vehicle, whose noise the sonars receive.
+// thruster.h -- a thruster of the vehicle, whose noise the sonars receive.
 
 #pragma once
 
@@ -10,23 +10,22 @@
 
 namespace insonify {
 
-/// Broadband noise of a running propeller at a place on the vehicle. Each sonar receives it in all bins, at the bearing
-/// of the thruster: a spoke in the picture (calibrated model).
+/// Broadband noise of a running propeller on the vehicle. Each sonar receives it in all bins at the bearing of the
+/// thruster: a spoke in the picture. Calibrated model only.
 ///
-/// The noise is Gaussian, and its spectrum falls by `slope`: by 20 dB a decade where it is that of cavitation (Ross,
-/// Mechanics of Underwater Noise (1976), ch. 8). Its intensity rises and falls with the blades,
-/// 1 + modulation cos(2 pi blade_rate t + blade_phase) times the mean (Lourens and du Preez, IEEE J. Oceanic Eng.
-/// 23(4), 448 (1998)).
+/// The noise is Gaussian, and its spectrum level changes by `slope`: by -20 dB per decade for cavitation (Ross,
+/// Mechanics of Underwater Noise (1976), ch. 8). The passing blades modulate its intensity by the factor 1 + modulation
+/// cos(2 pi blade_rate t + blade_phase) (Lourens and du Preez, IEEE J. Oceanic Eng. 23(4), 448 (1998)).
 struct Thruster {
-  Vec3 position = Vec3::Zero();  ///< On the vehicle [m], within 1e7; at least 1 cm from every sonar.
+  Vec3 position = Vec3::Zero();  ///< Position on the vehicle [m], within 1e7; at least 1 cm from every sonar.
   double level_db = 110;         ///< Source spectrum level at `frequency` [dB re 1 uPa^2/Hz at 1 m], -100..260.
-  double frequency = 10e3;       ///< [Hz], in (0, 1e8].
+  double frequency = 10e3;       ///< Frequency of level_db [Hz], in (0, 1e8].
   double slope = -20;            ///< Change of that level towards higher frequencies [dB/decade], -100..100.
-  double blade_rate = 0;         ///< Blades that pass in a second [Hz], 0..1e4; 0: not modulated.
+  double blade_rate = 0;         ///< Blades passing per second [Hz], 0..1e4; 0: no modulation.
   double modulation = 0;         ///< Depth of the intensity's modulation, 0..1.
   double blade_phase = 0;        ///< Phase of the modulation at time 0 [rad], within 1e6 deg.
 
-  /// Level of its spectrum at a frequency [Hz]: dB re 1 uPa^2/Hz at 1 m.
+  /// Spectrum level at a frequency [dB re 1 uPa^2/Hz at 1 m].
   [[nodiscard]] double spectrum_db(double at) const;
 
   /// @param object  Its name in messages.

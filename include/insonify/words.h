@@ -1,4 +1,4 @@
-// words.h -- how files and Python spell the values that are words.
+// words.h -- spelling of enumerators in files and in Python.
 
 #pragma once
 

@@ -17,7 +17,7 @@ constexpr Complex kI{0, 1};
 // One kind of wave in the medium, driven from the water at an angle of incidence.
 struct Wave {
   Complex speed;   // Relative to that of the water.
-  Complex cosine;  // Of its angle to the normal; decays into the medium.
+  Complex cosine;  // Cosine of its angle to the normal; of the branch that decays into the medium.
 
   Wave(double speed_ratio, double loss, double sine) : speed(speed_ratio / Complex{1, loss}) {
     const Complex own_sine = speed * sine;
@@ -52,7 +52,7 @@ struct Impedances {
   }
 };
 
-// Of an impedance in units of the water's, or of its inverse where that is finite.
+// Reflection coefficient of an impedance in units of the water's, or of its inverse if that is finite.
 Complex coefficient(Complex impedance, double cosine) {
   return (impedance * cosine - 1.0) / (impedance * cosine + 1.0);
 }
@@ -70,7 +70,7 @@ struct PlateCoefficients {
 PlateCoefficients plate_coefficients(const ReflectingMedium& medium, double turns, double cosine) {
   assert(turns > 0);
   const Impedances impedances(medium, sine_of(cosine));
-  // Tangent of k cos(theta) d/2. Where a wave has died away within the plate, it is i.
+  // Tangent of k cos(theta) d/2; it tends to i for a wave that decays within the plate.
   const auto tangent = [turns](const Wave& wave) {
     constexpr double kDead = 20;
     const Complex phase = std::numbers::pi * turns * wave.cosine / wave.speed;

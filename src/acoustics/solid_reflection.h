@@ -22,10 +22,10 @@ struct ReflectingMedium {
 ///
 /// Brekhovskikh, Waves in Layered Media (1980), section 4.2 (eqs 4.25 ff.). Without shear it is Rayleigh's coefficient,
 /// which bottom_reflection() gives. The time dependence is exp(-i omega t).
-/// @param cosine  Of the angle of incidence theta, in (0, 1].
+/// @param cosine  Cosine of the angle of incidence theta, in (0, 1].
 [[nodiscard]] std::complex<double> half_space_reflection(const ReflectingMedium& medium, double cosine);
 
-/// The same of a plate with the same water on both sides. Its motion is the sum of a symmetric part and an
+/// The same for a plate with the same water on both sides. Its motion is the sum of a symmetric part and an
 /// antisymmetric one, with the impedances
 ///
 ///     Z_s =  i (Z_l cos^2(2 theta_t) cot p + Z_t sin^2(2 theta_t) cot q)
@@ -33,13 +33,12 @@ struct ReflectingMedium {
 ///
 /// and R is the mean of the coefficients of both: Brekhovskikh, section 4.3; the poles are Lamb's waves. A thin plate
 /// follows the mass law, |1 - R|^-2 = 1 + (omega rho d cos theta / 2 rho_w c_w)^2.
-/// @param turns  Thickness d over the wavelength in water, > 0.
+/// @param turns  Thickness d divided by the wavelength in water, > 0.
 [[nodiscard]] std::complex<double> plate_reflection(const ReflectingMedium& medium, double turns, double cosine);
 
-/// Pressure transmission coefficient T of the same plate, for sound that leaves it in its own direction: the symmetric
-/// part of the motion sends the same wave to both sides and the antisymmetric one the opposite wave, so that T is half
-/// the difference of the coefficients of both. Without loss |R|^2 + |T|^2 = 1. Its phase is that at the far face, as if
-/// the plate had no thickness.
+/// Pressure transmission coefficient T of the same plate. The symmetric part of the motion radiates equal waves to both
+/// sides and the antisymmetric part opposite ones, so that T is half the difference of their coefficients. Without loss
+/// |R|^2 + |T|^2 = 1. Its phase is that at the far face, relative to a plate without thickness.
 [[nodiscard]] std::complex<double> plate_transmission(const ReflectingMedium& medium, double turns, double cosine);
 
 }  // namespace insonify

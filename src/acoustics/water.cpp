@@ -1,4 +1,4 @@
-// water.cpp -- what a body of water does to sound, from what is in it.
+// water.cpp -- sound speed and absorption of a body of water, from its properties.
 
 #include "insonify/water.h"
 

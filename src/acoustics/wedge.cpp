@@ -1,4 +1,4 @@
-// wedge.cpp -- Keller's coefficient of backscatter, a term for each face.
+// wedge.cpp -- Keller's backscatter coefficient of a wedge, one term per face.
 
 #include "acoustics/wedge.h"
 
@@ -18,7 +18,8 @@ double cotangent(double angle) {
 double wedge_backscatter(double exterior, const std::array<WedgeFace, 2>& faces, double mirror) {
   double sum = 2 * cotangent(0.5 * std::numbers::pi / exterior);
   for (const WedgeFace& face : faces) {
-    const double off = 0.5 * std::numbers::pi - face.angle;  // < 0 where the edge is that nearest to the source.
+    const double off =
+        0.5 * std::numbers::pi - face.angle;  // < 0 if the edge is the end of the face nearest to the source.
     const double held = off < 0 ? std::min(off, -mirror) : std::max(off, mirror);
     sum += face.reflection * cotangent(held / exterior);
   }

@@ -1,4 +1,4 @@
-// denormals.h -- numbers too small for full precision count as zero while this lives: they take many times as long.
+// denormals.h -- flushes denormal numbers to zero within a scope: they make arithmetic many times slower.
 
 #pragma once
 

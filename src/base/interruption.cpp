@@ -1,4 +1,4 @@
-// interruption.cpp -- the flag that each thread looks at.
+// interruption.cpp -- the interruption flag of each thread.
 
 #include "base/interruption.h"
 

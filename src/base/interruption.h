@@ -1,4 +1,4 @@
-// interruption.h -- lets another thread end set-up work of this one that takes long.
+// interruption.h -- lets another thread end long set-up work of this one.
 
 #pragma once
 

@@ -45,8 +45,8 @@ class Engine {
   virtual void set_scene(const Scene& scene) = 0;
   void set_scene(const Scene&& scene) = delete;  ///< It would not outlive the call.
 
-  /// Sets what of the primary echoes insonify() leaves out from then on, until the next set_scene(). Engines that share
-  /// the scene share this too. Null: nothing.
+  /// Sets the primary echoes that insonify() leaves out, until the next set_scene(). Engines that share the scene share
+  /// this setting too. Null: none.
   virtual void leave_out(std::shared_ptr<const LeftOut> left_out) = 0;
 
   /// Moves an instance whose `moving` is set. Static instances are not rebuilt.

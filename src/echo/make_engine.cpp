@@ -1,4 +1,4 @@
-// make_engine.cpp -- the list of engines, and defaults of the interface.
+// make_engine.cpp -- the list of engines, and the defaults of their interface.
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -1,4 +1,4 @@
-// flown_path.cpp -- integrates velocities, and rounds poses to what YAML repeats.
+// flown_path.cpp -- integrates velocities, and rounds poses to the precision that YAML preserves.
 
 #include "live/flown_path.h"
 

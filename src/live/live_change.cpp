@@ -1,4 +1,4 @@
-// live_change.cpp -- works out what requests come to, and builds simulators for them.
+// live_change.cpp -- applies requests to a scenario, and builds simulators for the result.
 
 #include "live/live_change.h"
 

@@ -1,4 +1,4 @@
-// live_drive.cpp -- poses and time that other programs tell.
+// live_drive.cpp -- poses and times set by another program.
 
 #include <fmt/format.h>
 

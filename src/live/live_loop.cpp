@@ -1,4 +1,4 @@
-// live_loop.cpp -- public functions of LiveLoop: each leaves a wish for its threads.
+// live_loop.cpp -- public functions of LiveLoop: each passes a request to its threads.
 
 #include "insonify/live_loop.h"
 

@@ -1,4 +1,4 @@
-// live_state.h -- what the threads of a LiveLoop share.
+// live_state.h -- data shared by the threads of a LiveLoop.
 
 #pragma once
 

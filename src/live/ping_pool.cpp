@@ -1,4 +1,4 @@
-// ping_pool.cpp -- the last who holds a ping puts it back on the shelf.
+// ping_pool.cpp -- returns a ping to the pool when its last reference is released.
 
 #include "live/ping_pool.h"
 

@@ -1,4 +1,4 @@
-// ping_pool.h -- pings whose memory is used again once nobody holds them.
+// ping_pool.h -- pool of pings, which reuses the memory of released ones.
 
 #pragma once
 

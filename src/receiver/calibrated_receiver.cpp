@@ -147,7 +147,7 @@ void CalibratedReceiver::receive_cell(const EchoGrid& grid, int cell, Row& row) 
   }
 }
 
-// Replaces a row's energy by that of one look, and computes what its intensity is distributed about, after the pulse.
+// Replaces a row's energy by that of one look, and computes the mean intensity after the pulse.
 void CalibratedReceiver::receive_mean(const EchoGrid& grid, int cell, Row& row) {
   const auto bins = static_cast<std::size_t>(bins_);
   const BinRange received = received_bins(grid, cell);
@@ -163,7 +163,7 @@ void CalibratedReceiver::receive_mean(const EchoGrid& grid, int cell, Row& row) 
   receive_row(row.extended, cell_extended_);
 }
 
-// Intensity that a bin keeps, from that of one look.
+// Transforms the intensity of one look to that of a decimated bin.
 float CalibratedReceiver::kept(float intensity, int beam, int bin) const {
   const std::size_t at = static_cast<std::size_t>(beam) * bins_ + bin;
   const float noise =
@@ -211,7 +211,7 @@ void CalibratedReceiver::couple_channels(Workers& workers) {
   }
 }
 
-// Adds the transmit leak to echoes, and takes away echoes and noise where it makes the receiver deaf.
+// Adds the transmit leak to echoes, and clears echoes and noise at ranges below dead_range.
 void CalibratedReceiver::receive_leak() {
   if (speckle_) {
     leak_->receive_field(bearing_ ? beam_field_ : cell_field_);
@@ -227,7 +227,7 @@ void CalibratedReceiver::receive_leak() {
   }
 }
 
-// Sets the level of each beam's noise: that of the surface depends on where the beam looks.
+// Sets each beam's noise level; the surface's noise depends on the beam's direction.
 void CalibratedReceiver::receive_surface_noise(const Pose& world_from_sonar) {
   surface_noise_->receive(world_from_sonar.orientation, surface_shares_);
   for (std::size_t beam = 0; beam < noise_deviation_.size(); ++beam) {

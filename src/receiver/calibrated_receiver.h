@@ -40,7 +40,7 @@ namespace insonify {
 /// The receiver chain of the calibrated model. Intensities are relative to the source's at 1 m, so that 10 log10 of one
 /// is EL - SL. For each ping:
 ///
-///   1. Motion: where the sonar moves, echoes are shifted to the cells in which they are received.
+///   1. Motion: if the sonar moves, echoes are shifted to the cells in which they are received.
 ///   2. Sum: the energies of all path orders are summed in each cell (beam or part of one, by range bin), and the
 ///      water's volume reverberation is added from directions in which no surface was hit at a shorter range.
 ///   3. Speckle: each cell's energy becomes a complex Gaussian field of that mean intensity, fixed in the world.
@@ -48,9 +48,9 @@ namespace insonify {
 ///   4. Pulse and array pattern (where bins are longer than the pulse: the energy of one look, see CoarseBins):
 ///   convolution along range with p and along bearing with g; energies with |p|^2, |g|^2.
 ///   5. Discrete echoes (ideal points, interference) are added to each beam and bin with the gain g p.
-///   6. Crosstalk: a share of all beams' echoes is added to each. Noise, a complex Gaussian field drawn anew for
-///   each ping, is added to the field as array and matched filter pass it: see NoiseField and ThrusterNoise.
-///   7. The transmitter's own pulse is added to the field; nearer than `dead_range` it is all that is heard.
+///   6. Crosstalk: a share of all beams' echoes is added to each. Noise is added: a complex Gaussian field, independent
+///   from ping to ping, with the correlation that array and matched filter give it (NoiseField, ThrusterNoise).
+///   7. The transmit leak is added to the field; below `dead_range` nothing else is received.
 ///   8. Detection: squared magnitude, times the gain of the beam's channel, decimation to bins longer than the pulse,
 ///   clipped at saturation, times near-field ramp and gain; then counts.
 class CalibratedReceiver {
@@ -64,17 +64,16 @@ class CalibratedReceiver {
     const ReceiverConfig& receiver;
     std::span<const Material> materials;  ///< The scene's materials.
     std::span<const Thruster> thrusters = {};
-    bool moves = false;  ///< Whether the sonar moves between transmission and reception.
+    bool moves = false;  ///< Whether motion between transmission and reception is simulated.
     std::uint64_t seed = 1;
   };
   explicit CalibratedReceiver(const Settings& settings);
 
   /// Writes the tables of `ping`, whose number must be set; allocates only when they need more memory than before.
-  /// @param displaced         Instances that are not where the scene has them: their speckle goes with them.
+  /// @param displaced         Instances that have moved from their pose in the scene; their speckle moves with them.
   /// @param world_from_sonar  Pose of the transducer at transmission.
   /// @param motion            Its motion after transmission; ignored unless Settings::moves.
-  /// @param thrusters         Places of Settings::thrusters in the sonar's frame [m]; none where a surface is in the
-  /// way.
+  /// @param thrusters         [thruster] Position in the sonar frame [m]; none if the straight path is blocked.
   void receive(const EchoGrid& grid, std::span<const DisplacedInstance> displaced, const Pose& world_from_sonar,
                const PingMotion& motion, std::span<const std::optional<Vec3>> thrusters, Workers& workers, Ping& ping);
 
@@ -106,11 +105,11 @@ class CalibratedReceiver {
   std::vector<float> volume_;      // [bin]: volume reverberation per unit solid angle [1/sr]; empty without any.
   std::vector<float> cell_angle_;  // [cell]: solid angle, weighted by the pattern both ways [sr].
   TruthReceiver truth_;
-  // Standard deviation of either part of a beam's noise, re the source's amplitude at 1 m; of all, where
-  // `surface_noise_` is not there.
+  // [beam] Standard deviation of real and imaginary part of the noise, re the source's amplitude at 1 m. The same for
+  // all beams without `surface_noise_`.
   std::vector<float> noise_deviation_;
-  float isotropic_noise_ = 0;           // Intensity of the noise that is alike in all beams.
-  double surface_noise_level_ = 0;      // Level of the surface's noise per unit of SurfaceNoise::receive().
+  float isotropic_noise_ = 0;           // Intensity of the isotropic noise, equal in all beams.
+  double surface_noise_level_ = 0;      // Intensity of the surface's noise per unit of SurfaceNoise::receive().
   std::vector<double> surface_shares_;  // [beam].
   std::optional<SurfaceNoise> surface_noise_;
   float saturation_;  // Largest intensity before gain.
@@ -134,8 +133,8 @@ class CalibratedReceiver {
   std::optional<TransmitLeak> leak_;
 
   std::vector<Row> rows_;  // [worker].
-  // [cell][bin] and [beam][bin]. With speckle the fields are used, without it the energies; the others are empty. With
-  // keeps_looks_ and speckle the energies are used too, and in `extended` the part of them that is in every look.
+  // [cell][bin] and [beam][bin]. Fields are used with speckle, energies without; unused ones are empty. With speckle
+  // and keeps_looks_ the energies are used too, and `extended` holds their part that is in every look.
   std::vector<float> cell_energy_, beam_energy_, cell_extended_, beam_extended_;
   std::vector<std::complex<float>> cell_field_, beam_field_;
 };

@@ -1,4 +1,5 @@
-// calibrated_receiver_setup.cpp -- computes the tables and parts of a CalibratedReceiver that no ping changes.
+// calibrated_receiver_setup.cpp -- computes the tables and parts of a CalibratedReceiver that are the same for all
+// pings.
 
 #include <algorithm>
 #include <cassert>
@@ -79,8 +80,8 @@ CalibratedReceiver::CalibratedReceiver(const Settings& settings)
     keeps_looks_ = coarse_->has_looks() && (receiver.speckle || receiver.noise);
   }
   const std::vector<double> beam_sines = BearingCells::sines(sonar);
-  std::optional<ArrayPattern> perfect;  // The array without faults, one way, as noise is received.
-  std::optional<ArrayPattern> hearing;  // The array with its faults, one way, as it receives what comes from one place.
+  std::optional<ArrayPattern> perfect;  // Array without faults, one way: receives isotropic noise.
+  std::optional<ArrayPattern> hearing;  // Array with its faults, one way: receives sound from one direction.
   double length = 0;                    // [wavelengths]
   if (receiver.azimuth_pattern != BeamPattern::kTopHat) {
     const ArrayPattern array(azimuth_array(receiver, sonar), seed_);

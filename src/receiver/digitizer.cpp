@@ -52,12 +52,12 @@ Digitizer::Digitizer(const SonarConfig& sonar, double full_scale_db, std::option
                                                      : double{max_count_} * decibels_per_unit / sonar.mapping_range_db);
 }
 
-// Floats that are not negative are in the order of their bits, of which a histogram counts the upper 16.
+// Non-negative floats sort like their bit patterns, so a histogram over the upper 16 bits gives the quantile.
 void Digitizer::adapt(std::span<const float> intensities) {
   if (!share_) {
     return;
   }
-  constexpr int kLowerBits = 15;  // Without the sign, 31 bits are left.
+  constexpr int kLowerBits = 15;  // 31 bits without the sign, 16 of which index the histogram.
   std::ranges::fill(histogram_, 0U);
   for (const float intensity : intensities) {
     ++histogram_[std::bit_cast<std::uint32_t>(intensity) >> kLowerBits];

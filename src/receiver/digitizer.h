@@ -21,12 +21,12 @@ namespace insonify {
 class Digitizer {
  public:
   /// @param full_scale_db     Recorded level that gives the count N [dB re the source's at 1 m, after gain].
-  /// @param full_scale_share  Automatic gain: share of a ping's intensities that are to have the count N, (0, 1];
-  ///                          the level is then set by adapt().
+  /// @param full_scale_share  Automatic gain: adapt() sets the level so that this share of a ping's intensities has the
+  ///                          count N, (0, 1].
   Digitizer(const SonarConfig& sonar, double full_scale_db, std::optional<double> full_scale_share = {});
 
-  /// With a full_scale_share, sets full scale to the level that this share of a ping's intensities reach, to 0.02 dB
-  /// (0.4 %). Allocates nothing.
+  /// With a full_scale_share, sets full scale to the level that this share of a ping's intensities reaches, within 0.02
+  /// dB (0.4 %). Does not allocate.
   void adapt(std::span<const float> intensities);
 
   /// @param counts  One per intensity; written.

@@ -19,8 +19,8 @@ class DiscreteEchoes {
   static constexpr double kFloorDb = BearingResponse::kFloorDb;
 
   /// @param bearing, range  Array pattern and pulse; null for none. Must outlive this object.
-  /// @param share           Share of the intensity of echoes that bins keep, see CoarseBins::discrete(); other sonars'
-  ///                        pulses are kept as they are.
+  /// @param share           Factor on the intensity of echoes: CoarseBins::discrete(). Does not apply to other sonars'
+  ///                        pulses.
   DiscreteEchoes(const BearingResponse* bearing, const RangeResponse* range, int beams, int bins, float share = 1)
       : bearing_(bearing), range_(range), beams_(beams), bins_(bins), share_(share) {}
 

@@ -1,4 +1,4 @@
-// displaced_instance.h -- an instance of the scene that is not where the scene has it.
+// displaced_instance.h -- an instance that has moved from its pose in the scene.
 
 #pragma once
 
@@ -10,7 +10,7 @@ namespace insonify {
 
 struct DisplacedInstance {
   std::uint16_t instance = 0;  ///< Index into Scene::instances.
-  Pose home_from_here = {};    ///< Maps the world of this ping so that the instance comes to its place in the scene.
+  Pose home_from_here = {};  ///< Maps world positions of this ping to those with the instance at its pose in the scene.
 };
 
 }  // namespace insonify

@@ -12,13 +12,13 @@
 namespace insonify {
 namespace {
 
-constexpr double kLeastIntensity = 1e-30;  // Below it the table ends.
+constexpr double kLeastIntensity = 1e-30;  // The table ends where the leak falls below this.
 
 double decay_per_second(const LeakEnvelope& leak) {
   return leak.decay * std::log(10.0) / 10;
 }
 
-// Level and phase of the leak in a beam.
+// Amplitude factor and phase of the leak in one beam.
 std::complex<float> leak_factor(int beam, double spread_db, std::uint64_t seed) {
   const PhiloxCounter words =
       philox({static_cast<std::uint32_t>(beam), 0, 0, static_cast<std::uint32_t>(RandomPurpose::kTransmitLeak)},
@@ -30,8 +30,8 @@ std::complex<float> leak_factor(int beam, double spread_db, std::uint64_t seed) 
                     static_cast<float>(turn * double{uniform_open(words[2])}));
 }
 
-// Intensity of a bin: at its middle, or what a bin keeps that is longer than the pulse. Without a pulse, bins hold the
-// mean of their length.
+// Intensity of the leak in a bin, by its decimation: at the middle, the maximum (at the near edge, as the leak decays),
+// or the mean. Without a pulse, always the mean.
 double leak_in_bin(const LeakEnvelope& leak, const SonarConfig& sonar, bool has_pulse, Decimation decimation,
                    double sound_speed, int bin) {
   const double middle = 2 * sonar.bin_range(bin) / sound_speed, half = sonar.bin_length() / sound_speed;

@@ -1,4 +1,4 @@
-// transmit_leak.h -- the transmitter's own sound in the receiver: the outgoing pulse, its ring-down, and the deaf time.
+// transmit_leak.h -- transmit leak: the outgoing pulse in the receiver, its ring-down, and the dead range after it.
 
 #pragma once
 
@@ -13,12 +13,12 @@
 
 namespace insonify {
 
-/// Intensity of the leak at a time after the start of transmission, re the source's at 1 m: `level` while the pulse is
-/// sent; then the transducer rings, and its energy decays exponentially.
+/// Intensity of the leak over time since the start of transmission, re the source's at 1 m: `level` during the pulse,
+/// then an exponential decay while the transducer rings.
 ///
 /// A resonator of frequency f and quality factor Q loses 20 pi f log10(e) / Q = 27.29 f / Q decibels a second (Kinsler,
-/// Frey, Coppens and Sanders, Fundamentals of Acoustics (2000), section 1.10). A filter passes an exponential as it is,
-/// so that the decay is that of the matched filter's output too.
+/// Frey, Coppens and Sanders, Fundamentals of Acoustics (2000), section 1.10). A linear filter preserves an
+/// exponential decay, so this is also the decay of the matched filter's output.
 struct LeakEnvelope {
   double level;     ///< Linear.
   double duration;  ///< Duration of the pulse [s].
@@ -29,34 +29,36 @@ struct LeakEnvelope {
   [[nodiscard]] double mean(double from, double to) const;
 };
 
-/// Adds the leak to beams of received echoes, from which it first takes what a deaf receiver does not hear.
+/// Clears the dead bins of the received beams, and adds the leak to them.
 ///
-/// The leak is the same in every ping: transmitter, transducer and housing do not change, and it is synchronous with
-/// the transmission. What fluctuates in it are the echoes and the noise that it interferes with. Between beams its
-/// level differs by a normal deviate of SonarConfig::leak_spread_db, and its phase is any: drawn once, by the seed.
+/// The leak is the same in every ping: it is synchronous with the transmission, and transmitter, transducer and housing
+/// do not change. Only the echoes and noise that interfere with it fluctuate. From beam to beam its level varies by a
+/// normal deviate of SonarConfig::leak_spread_db, and its phase is uniformly random; both are drawn once, from the
+/// seed.
 class TransmitLeak {
  public:
-  /// @param sound_speed  With which the sonar converts time to range [m/s].
+  /// @param sound_speed  Sound speed with which the sonar converts time to range [m/s].
   TransmitLeak(const SonarConfig& sonar, const ReceiverConfig& receiver, double sound_speed, std::uint64_t seed);
 
-  /// Whether a sonar has a leak or a time in which it is deaf.
+  /// Whether a sonar has a transmit leak or a dead range.
   [[nodiscard]] static bool is_in(const SonarConfig& sonar) { return sonar.leak_db || sonar.dead_range > 0; }
 
   /// Number of bins, from the first, in which no echo and no noise is received.
   [[nodiscard]] int dead_bins() const { return dead_bins_; }
 
-  /// @param beams  [beam][bin]. Allocates nothing.
+  /// Clears the dead bins and adds the leak. Does not allocate.
+  /// @param beams  [beam][bin]
   void receive_energy(std::span<float> beams) const;
   void receive_field(std::span<std::complex<float>> beams) const;
-  /// Clears the dead bins, and adds nothing.
+  /// Clears the dead bins only.
   void clear_dead(std::span<float> beams) const;
 
-  /// Takes labels and direct echoes from the dead bins of a ping: nothing was received from there.
+  /// Clears labels and direct echoes of a ping in the dead bins.
   void clear_truth(Ping& ping) const;
 
  private:
   int bins_, dead_bins_ = 0;
-  std::vector<float> intensity_;            // [bin], as far as there is any.
+  std::vector<float> intensity_;            // [bin], up to the last bin with a leak.
   std::vector<std::complex<float>> beams_;  // Amplitude factor of each beam.
 };
 

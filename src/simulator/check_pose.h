@@ -1,4 +1,4 @@
-// check_pose.h -- refuses poses that are none.
+// check_pose.h -- rejects invalid poses.
 
 #pragma once
 

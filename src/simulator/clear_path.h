@@ -1,4 +1,4 @@
-// clear_path.h -- whether anything is on the straight path between two places.
+// clear_path.h -- transmission along the straight path between two positions.
 
 #pragma once
 
@@ -11,8 +11,7 @@
 
 namespace insonify {
 
-/// Share of the intensity that passes from one place in the world to another, one way: 0 where an opaque surface is in
-/// the way (see_through.h).
+/// One-way transmission from one world position to another: 0 if an opaque surface blocks the path (see_through.h).
 inline double passed_between(const PingPlan& plan, const Vec3& from, const Vec3& to, Engine& engine) {
   const Vec3 there = to - from;
   const double range = there.norm();
@@ -39,7 +38,7 @@ inline double passed_between(const PingPlan& plan, const Vec3& from, const Vec3&
   return 0;
 }
 
-/// Whether no surface, transparent or not, lies between two places in the world, which differ.
+/// Whether no surface, transparent or not, lies between two different world positions.
 inline bool is_clear(const Vec3& from, const Vec3& to, Engine& engine) {
   const Vec3 there = to - from;
   const double range = there.norm();

@@ -1,4 +1,4 @@
-// find_thrusters.h -- where a sonar's head has the thrusters of the vehicle, and which of them it hears.
+// find_thrusters.h -- positions of the vehicle's thrusters in the frame of a sonar's head, and whether they are hidden.
 
 #pragma once
 
@@ -10,8 +10,8 @@
 
 namespace insonify {
 
-/// Writes the place of each thruster in the frame of the head [m], or none where a surface is in the way. Allocates
-/// nothing.
+/// Writes the position of each thruster in the frame of the head [m], or none if the path is blocked. Does not
+/// allocate.
 void find_thrusters(std::span<const Thruster> thrusters, const Pose& vehicle_from_head, const Pose& world_from_vehicle,
                     Engine& engine, std::span<std::optional<Vec3>> places);
 

@@ -1,4 +1,4 @@
-// make_pings.cpp -- makes one ping, calling the modules in the order of the data, or many on all threads at once.
+// make_pings.cpp -- makes one ping, stage by stage, or many pings on all threads.
 
 #include "insonify/error.h"
 #include "receiver/paper_receiver.h"

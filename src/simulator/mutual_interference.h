@@ -18,25 +18,25 @@ namespace insonify {
 
 struct SimulatedSonar;
 
-/// A sonar as the others receive it: its pings, and what it sends in each direction.
+/// A sonar as a source of pulses: its schedule, and its directivity.
 class SendingSonar {
  public:
-  /// @param receiver  That of the sonar.
+  /// @param receiver  Receiver of the sonar.
   SendingSonar(const SimulatedSonar& sonar, const ReceiverConfig& receiver);
 
   [[nodiscard]] const std::string& name() const { return sonar_.name; }
-  [[nodiscard]] const Vec3& place() const { return vehicle_from_housing_.position; }  ///< On the vehicle [m].
+  [[nodiscard]] const Vec3& place() const { return vehicle_from_housing_.position; }  ///< Position on the vehicle [m].
   [[nodiscard]] double source_level_db() const { return sonar_.source_level_db; }
   [[nodiscard]] double period() const {
     return *sonar_.ping_period;
   }  ///< Time between pings, the first of which is at time 0 [s].
   [[nodiscard]] double duration() const { return duration_; }  ///< Duration of a pulse [s].
 
-  /// Share of its pulse's energy that lies in the band of another sonar's pulse, 0..1: both are taken to be even from
+  /// Share of its pulse's energy in the band of another sonar's pulse, 0..1. Both spectra are taken as flat from
   /// frequency - bandwidth / 2 to frequency + bandwidth / 2.
   [[nodiscard]] double share_within(const SendingSonar& other) const;
 
-  /// Intensity gain towards a direction in a ping: across elevations and bearings; nothing is sent to the back.
+  /// Transmit gain (intensity) in a direction during a ping; 0 behind the sonar.
   /// @param direction  Unit vector in the frame of the vehicle.
   [[nodiscard]] double gain(std::uint64_t ping, const Vec3& direction) const;
 
@@ -51,9 +51,10 @@ class SendingSonar {
   double head_length_ = 0;            // [wavelengths]
 };
 
-/// Adds the pulses of all other sonars that arrive while one listens to its discrete echoes, if no surface is in the
-/// way. Sonars are where they are at transmission; in beams beside its fan it receives them through the side lobes.
+/// Adds the pulses of all other sonars that arrive during the ping of one sonar to its discrete echoes, if the path is
+/// unobstructed. Positions are those at transmission. Pulses from outside the fan are received through side lobes.
 /// @param senders  All sonars of the scenario.
+/// @param hearing  The sonar that receives.
 void add_mutual_interference(std::span<const SendingSonar> senders, const SimulatedSonar& hearing,
                              const ReceiverConfig& receiver, const PingRequest& request, const Pose& world_from_sonar,
                              Engine& engine, EchoGrid& grid);

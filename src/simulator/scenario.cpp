@@ -1,4 +1,4 @@
-// scenario.cpp -- what follows from a scenario: each sonar's water and defaults, and how many pings it makes.
+// scenario.cpp -- derived values of a scenario: each sonar's water and defaults, number of pings.
 
 #include "insonify/scenario.h"
 

@@ -1,4 +1,4 @@
-// sonar_index.h -- refuses indices of sonars that are none.
+// sonar_index.h -- rejects invalid indices of sonars.
 
 #pragma once
 

@@ -1,4 +1,4 @@
-// fan_pattern.h -- what a fan's transmitter, or one element of its receiver, sends or receives across bearings.
+// fan_pattern.h -- azimuth pattern of a fan's transmitter, or of one element of its receiver.
 
 #pragma once
 

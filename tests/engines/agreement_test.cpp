@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 
-#include "echo/model/primary_choice.h"
+#include "echo/rays/primary_choice.h"
 #include "engines/random_scene.h"
 
 namespace insonify {

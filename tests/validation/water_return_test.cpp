@@ -1,5 +1,5 @@
 // water_return_test.cpp -- echoes out by a mirror and back by the water's surface, against image sources
-// (docs/concepts/multipath.md, "Back by the water's surface").
+// (docs/concepts/multipath.md, "Return over the water's surface").
 
 #include "validation/calibrated_scene.h"
 #include "validation/walk_scene.h"

@@ -1,4 +1,4 @@
-// tracks.h -- what a run keeps of each sonar: its recording, its pictures and what is told at the end.
+// tracks.h -- state of each sonar in a run: recording, pictures, and final messages.
 
 #pragma once
 

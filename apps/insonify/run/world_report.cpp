@@ -105,11 +105,10 @@ std::vector<std::string> oddities_of(Simulator& simulator, const ScenarioRequest
     texts.insert(texts.end(), inside.begin(), inside.end());
   }
   for (const std::string& name : simulator.too_many_thin_parts()) {
-    texts.push_back(
-        fmt::format("{} has more ropes, rods or meshes than can be sampled on the object itself: its echo varies with "
-                    "its place among "
-                    "the samples; objects of their own, or fewer, would not",
-                    name));
+    texts.push_back(fmt::format(
+        "{} has too many thin parts (ropes, rods, nets) to be sampled on the object: their echoes vary with "
+        "their position among the samples of the fan; divide it into several objects, or leave some out",
+        name));
   }
   if (const std::size_t count = simulator.edges_left_out(); count > 0) {
     texts.push_back(fmt::format("the world has too many straight edges: the {} shortest have no echo", count));

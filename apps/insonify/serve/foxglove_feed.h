@@ -2,10 +2,14 @@
 
 #pragma once
 
-#include <map>
+#include <memory>
 #include <set>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include "serve/foxglove_encoder.h"
+#include "serve/foxglove_texts.h"
 #include "serve/hub.h"
 
 namespace insonify {
@@ -34,22 +38,13 @@ class FoxgloveFeed : public HubMember {
  private:
   friend class FoxgloveClient;
 
-  // A channel as advertised: of one sonar, or where topics are shared, of them all.
-  struct Channel {
-    std::uint32_t id = 0;
-    MessageChannel is;
-    std::map<int, std::size_t> sources;  // Index into SonarMessages::channels(), by sonar.
-  };
-
   void deliver(const EncodedMessage& message);
-  [[nodiscard]] bool is_wanted(const Channel& channel) const;
-  [[nodiscard]] std::string info_text() const;
-  [[nodiscard]] std::string advertise_text() const;
+  [[nodiscard]] bool is_wanted(const FoxgloveChannel& channel) const;
   void want_last(std::uint32_t id);
 
   Hub& hub_;
   std::set<FoxgloveClient*> clients_;
-  std::vector<Channel> channels_;
+  std::vector<FoxgloveChannel> channels_;
   std::vector<std::string> names_;  // Names of the sonars when channels were made.
   std::uint32_t next_id_ = 1;
   double time_offset_ = 0, last_time_ = 0;  // [s]

@@ -1,4 +1,4 @@
-// hub.h -- what all clients share: the source of pings, the last of them, and messages that are encoded once.
+// hub.h -- shared by all clients: the source of pings, the last pings, and messages encoded once.
 
 #pragma once
 
@@ -10,7 +10,7 @@
 #include <set>
 
 #include "insonify/live_loop.h"
-#include "serve/net_server.h"
+#include "serve/net/net_server.h"
 #include "serve/ping_source.h"
 #include "serve/viewer_frames.h"
 #include "serve/viewer_texts.h"

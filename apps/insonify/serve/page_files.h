@@ -7,7 +7,7 @@
 #include <optional>
 #include <string_view>
 
-#include "serve/net_server.h"
+#include "serve/net/net_server.h"
 
 namespace insonify {
 

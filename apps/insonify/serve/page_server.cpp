@@ -1,4 +1,4 @@
-// page_server.cpp -- checks who may connect, and ends what listens after what it listens to.
+// page_server.cpp -- checks who may connect, and shuts down in the right order.
 
 #include "serve/page_server.h"
 
@@ -11,7 +11,7 @@
 #include "insonify/printable.h"
 #include "serve/foxglove_feed.h"
 #include "serve/hub.h"
-#include "serve/own_addresses.h"
+#include "serve/net/own_addresses.h"
 #include "serve/page_files.h"
 #include "serve/viewer_client.h"
 

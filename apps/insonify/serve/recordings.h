@@ -1,4 +1,4 @@
-// recordings.h -- what `insonify serve` says of recordings: which files one may not replace, and what it has kept.
+// recordings.h -- names of recordings of `insonify serve`, and messages about finished ones.
 
 #pragma once
 

@@ -1,4 +1,4 @@
-// backscatter.h -- how much of the sound that falls on a rough surface comes back from it.
+// backscatter.h -- backscatter of rough surfaces: Lambert's law and Kirchhoff's facets.
 
 #pragma once
 

@@ -9,7 +9,7 @@
 
 #include "base/denormals.h"
 #include "echo/model/deposit_together.h"
-#include "echo/model/primary_choice.h"
+#include "echo/rays/primary_choice.h"
 
 namespace insonify {
 namespace {

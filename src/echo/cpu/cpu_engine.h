@@ -9,7 +9,7 @@
 #include "echo/cpu/beam_task.h"
 #include "echo/cpu/cpu_scene.h"
 #include "echo/engine.h"
-#include "echo/model/choose_sampling.h"
+#include "echo/rays/choose_sampling.h"
 
 namespace insonify {
 

@@ -12,8 +12,8 @@
 #include "echo/mirror/faces.h"
 #include "echo/mirror/ray_tube.h"
 #include "echo/mirror/water_path.h"
-#include "echo/model/box_cut.h"
 #include "echo/model/reliefs.h"
+#include "echo/rays/box_cut.h"
 #include "insonify/scene.h"
 
 namespace insonify {

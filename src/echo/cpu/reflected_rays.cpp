@@ -4,7 +4,7 @@
 
 #include "base/vector_math.h"
 #include "echo/model/mirror_facet.h"
-#include "echo/model/reflected_reach.h"
+#include "echo/rays/reflected_reach.h"
 
 namespace insonify {
 namespace {

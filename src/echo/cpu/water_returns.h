@@ -13,8 +13,8 @@
 
 namespace insonify {
 
-/// Connects second hits to the sonar by the water's surface: docs/concepts/multipath.md, "Out by one mirror, back by
-/// the water's surface".
+/// Connects second hits to the sonar over the water's surface: docs/concepts/multipath.md, "Return over the water's
+/// surface".
 class WaterReturns {
  public:
   explicit WaterReturns(const CpuScene& scene);

@@ -1,4 +1,4 @@
-// face_return.h -- share of the sound that returns to the sonar by way of a mirror of finite size.
+// face_return.h -- intensity reflected back by a plane face of finite size, relative to an infinite mirror.
 
 #pragma once
 
@@ -26,7 +26,7 @@ struct FresnelPair {
 }
 
 [[gnu::always_inline]] inline FresnelPair FresnelPair::of(float x) {
-  constexpr float kFar = 1000;  // Beyond, both are 1/2 within 3e-4.
+  constexpr float kFar = 1000;  // Beyond this, both are 1/2 within 3e-4.
   const float a = std::abs(x) < kFar ? std::abs(x) : kFar;
   const float f = (1 + 0.926F * a) / (2 + a * (1.792F + a * 3.104F));
   const float g = 1 / (2 + a * (4.142F + a * (3.492F + a * 6.670F)));
@@ -36,21 +36,21 @@ struct FresnelPair {
   return {x < 0 ? -c : c, x < 0 ? -s : s};
 }
 
-/// A face of a mesh along one of its axes, as the reflection of one ray at it sees it.
+/// Extent of a plane face along one of its axes, relative to the point where a ray is reflected.
 struct FaceSide {
-  float low, high;  ///< Edges, from the reflection [m].
-  float bend;       ///< 1 - (axis . incident)^2: Fresnel zones are as long as at normal incidence over its root.
-  float shift;      ///< Distance to the middle of the glint of the second point, over rho.
-  float spread;     ///< Rms length of that glint of facets, over rho; 0 for a smooth mirror.
+  float low, high;  ///< Edges, from that point [m].
+  float bend;       ///< 1 - (axis . incident)^2; Fresnel zones are longer than at normal incidence by its inverse root.
+  float shift;      ///< Coordinate of the specular point for the path back, divided by rho.
+  float spread;     ///< Rms length of the rough face's glint around it, divided by rho; 0 for a smooth mirror.
 };
 
-/// Intensities that return by way of a face along one axis, relative to an infinite mirror.
+/// One axis' factors on the intensity reflected back by a face, relative to an infinite mirror.
 struct SideReturns {
-  float coherent;  ///< By the smooth mirror: |C + i S|^2/2 between the edges, which is 2 (C^2 + S^2) in the middle.
-  float spread;    ///< By facets: the share of the glint that lies between the edges.
+  float coherent;  ///< Coherent: |C + i S|^2/2 between the edges, which is 2 (C^2 + S^2) for the middle of the face.
+  float spread;    ///< By facets: share of the glint between the edges.
 };
 
-/// @param rho         r1 r2/(r1 + r2) of the distances to both sides of the mirror [m].
+/// @param rho         r1 r2/(r1 + r2), with the distances r1, r2 from the mirror to sonar and second point [m].
 /// @param wavelength  [m]
 [[gnu::always_inline]] inline SideReturns side_returns(const FaceSide& side, float rho, float wavelength) {
   constexpr float kLeastBend = 1e-4F, kNarrowest = 1e-6F;
@@ -64,20 +64,20 @@ struct SideReturns {
   return {0.5F * (c * c + s * s), 0.5F * (fast_erf(high * scale) - fast_erf(low * scale))};
 }
 
-/// Intensity that returns from the second point by way of the face, relative to an infinite mirror of the same
-/// reflectance. The energy that reaches the point is that of the ray, whichever way it was spread.
-/// @param coherent  Share of the coherent reflection, e^-g.
+/// Intensity that returns from the second point over the face, relative to an infinite mirror of the same reflectance.
+/// For the way out no factor is needed: the energy that reaches the second point is that of the ray.
+/// @param coherent  Coherent share of the reflection, e^-g.
 [[gnu::always_inline]] inline float face_return(const FaceSide& first, const FaceSide& second, float coherent,
                                                 float rho, float wavelength) {
   const SideReturns a = side_returns(first, rho, wavelength), b = side_returns(second, rho, wavelength);
   return coherent * a.coherent * b.coherent + (1 - coherent) * a.spread * b.spread;
 }
 
-/// The side of a face that one ray is reflected by.
-/// @param along     axis . facet normal over normal . facet normal: slope of the facet that reflected the ray.
+/// FaceSide for the reflection of one ray.
+/// @param along     (axis . facet normal) / (face normal . facet normal): slope of the facet that reflected the ray.
 /// @param incident  axis . incident direction.
-/// @param cosine    Of the angle of incidence on the face.
-/// @param slope     Rms slope of the roughness; 0 where all is coherent.
+/// @param cosine    Cosine of the angle of incidence on the face.
+/// @param slope     Rms slope of the roughness; 0 for coherent reflection only.
 [[gnu::always_inline]] inline FaceSide face_side(float low, float high, float along, float incident, float cosine,
                                                  float slope) {
   constexpr float kLeastBend = 1e-4F;

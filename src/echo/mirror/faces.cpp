@@ -1,4 +1,4 @@
-// faces.cpp -- groups triangles that lie in one plane and are connected, and measures the groups.
+// faces.cpp -- groups connected coplanar triangles by union-find, and fits a rectangle to each group.
 
 #include "echo/mirror/faces.h"
 
@@ -14,10 +14,10 @@
 namespace insonify {
 namespace {
 
-// Cosines between normals that count as equal (0.8 degrees).
+// Normals with a greater cosine between them count as equal (0.8 degrees).
 constexpr float kSameNormal = 0.9999F;
 
-// An edge by the numbers of its corners, the lower first.
+// An edge: welded numbers of its vertices, the lower first.
 using Edge = std::pair<std::uint32_t, std::uint32_t>;
 
 Edge edge_of(std::uint32_t a, std::uint32_t b) {
@@ -34,7 +34,7 @@ struct PlaceHash {
   }
 };
 
-// Union of sets, by path halving.
+// Union-find with path halving.
 struct Groups {
   std::vector<std::uint32_t> parent;
 
@@ -53,8 +53,8 @@ Vec3f area_vector(const Mesh& mesh, std::size_t triangle) {
   return 0.5F * (mesh.vertices[corners[1]] - a).cross(mesh.vertices[corners[2]] - a);
 }
 
-// The rectangle of a group: along its longest outer edge and across, with the group's centroid and area, in the
-// proportions of its extents.
+// Rectangle of a group of triangles: aligned with its longest outer edge, with its centroid and area, and with the
+// ratio of its extents.
 Face measure(const Mesh& mesh, const std::vector<std::uint32_t>& number, const std::vector<std::uint32_t>& group) {
   Face face{.corner = mesh.triangles[group.front()][0]};
   std::map<Edge, int> uses;
@@ -169,7 +169,7 @@ std::shared_ptr<const MeshFaces> find_faces(const Mesh& mesh) {
 
 FaceTilt FaceTilt::of(const FaceEdges& face, std::uint32_t column, std::uint32_t row, std::uint32_t seed,
                       float wavelength, float incidence) {
-  constexpr std::uint32_t kOwnSeed = 0x9e3779b9U;  // Other numbers than those of the roughness.
+  constexpr std::uint32_t kOwnSeed = 0x9e3779b9U;  // Independent of the random numbers of roughness.
   constexpr float kLeastCosine = 0.05F;
   if (!face.finite) {
     return {};

@@ -1,4 +1,4 @@
-// faces.h -- the plane faces of a mesh and their extents, for diffraction at mirrors of finite size.
+// faces.h -- the plane faces of a mesh as rectangles, for diffraction at mirrors of finite size.
 
 #pragma once
 
@@ -12,37 +12,37 @@
 
 namespace insonify {
 
-/// A plane face: connected triangles in one plane, as a rectangle of the same area about the same centroid.
+/// A plane face: connected coplanar triangles, approximated by a rectangle of equal area and centroid.
 struct Face {
-  std::uint32_t corner = 0;                                    ///< A vertex of it, from which `middle` is measured.
+  std::uint32_t corner = 0;  ///< Index of one of its vertices, the origin of `middle`.
   std::array<Vec3f, 2> axes = {Vec3f::Zero(), Vec3f::Zero()};  ///< Unit vectors along its sides, in the mesh frame.
-  std::array<float, 2> middle = {};                            ///< Place of the rectangle's middle along each axis [m].
-  std::array<float, 2> half = {};                              ///< Half its lengths [m].
+  std::array<float, 2> middle = {};  ///< Coordinates of the rectangle's middle along the axes [m].
+  std::array<float, 2> half = {};    ///< Half lengths [m].
 };
 
 /// The faces of a mesh.
 struct MeshFaces {
   static constexpr std::uint32_t kNone = 0xffffffff;
   std::vector<Face> faces;
-  std::vector<std::uint32_t> face_of;  ///< [triangle]; kNone for those of curved surfaces. Empty where all are.
+  std::vector<std::uint32_t>
+      face_of;  ///< [triangle] Index of its face; kNone on curved surfaces. Empty if the whole mesh is curved.
 };
 
-/// [vertex] Numbers of a mesh's vertices; those at one place have the same.
+/// [vertex] Number of each vertex of a mesh; vertices at the same position have the same number.
 [[nodiscard]] std::vector<std::uint32_t> welded_vertices(const Mesh& mesh);
 
-/// Whether a triangle is flat: its normals at the corners agree with its own within 0.8 degrees.
-/// @param normal  Its own, unit length, on either side.
+/// Whether a triangle is flat: its vertex normals agree with its geometric normal within 0.8 degrees.
+/// @param normal  Geometric unit normal, of either sign.
 [[nodiscard]] bool is_flat(const Mesh& mesh, std::size_t triangle, const Vec3f& normal);
 
-/// Finds the faces of a mesh. A triangle whose normals at the corners differ from its own is part of a curved surface,
-/// whose mirrors the ray tubes describe.
+/// Finds the faces of a mesh. Triangles that are not flat belong to curved surfaces, which ray_tube() handles instead.
 [[nodiscard]] std::shared_ptr<const MeshFaces> find_faces(const Mesh& mesh);
 
-/// A face as a hit on it sees it.
+/// Axes and edges of a face, relative to a hit on it.
 struct FaceEdges {
-  std::array<Triple, 2> axes = {};  ///< In the frame of the rays.
+  std::array<Triple, 2> axes = {};  ///< In the rays' frame.
   std::array<float, 2> low = {-kFarEdge, -kFarEdge},
-                       high = {kFarEdge, kFarEdge};  ///< Edges along the axes, from the hit [m].
+                       high = {kFarEdge, kFarEdge};  ///< Edges along the axes, relative to the hit [m].
   bool finite = false;                               ///< Whether there is a face.
 
   static constexpr float kFarEdge = 1e6F;
@@ -52,16 +52,16 @@ struct FaceEdges {
   [[nodiscard]] static FaceEdges of(const Face& face, const Vec3f& from_corner, const Eigen::Matrix3f& turn);
 };
 
-/// Rms slopes along both axes of the facets that stand for diffraction at a face's edges: those of a Gaussian beam
-/// whose peak is that of the far field's sinc^2, of the width lambda/(sqrt(2 pi) a cos) for a side a.
-/// @param cosine  Of the angle of incidence, > 0.
+/// Rms slope along one axis of the random facets that model diffraction at a face's edges. They spread sound into a
+/// Gaussian beam with the peak of the far field's sinc^2: width lambda/(sqrt(2 pi) a cos) for a side of length a.
+/// @param cosine  Cosine of the angle of incidence, > 0.
 [[gnu::always_inline]] inline float diffraction_slope(float low, float high, float wavelength, float cosine) {
   constexpr float kSteepest = 0.3F, kRootTwoPi = 2.50662827F;
   const float slope = wavelength / (2 * kRootTwoPi * cosine * (high - low));
   return slope < kSteepest ? slope : kSteepest;
 }
 
-/// The tilt of the facet that stands for diffraction of one ray at the edges of a face.
+/// Tilt of the random facet that models diffraction of one ray at the edges of a face.
 struct FaceTilt {
   Triple tilt = {0, 0, 0};
 

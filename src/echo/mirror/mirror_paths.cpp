@@ -14,14 +14,14 @@ namespace {
   return cosine < kLeastCosine ? kLeastCosine : cosine;
 }
 
-// What the tables of AngularScattering have for the second surfaces.
+// Values of the AngularScattering tables at the second surfaces.
 struct AngleLanes {
   float facets[kPathLanes];                             // ScatterTable::Laws::facets
   float reflectance[kPathLanes], mirrored[kPathLanes];  // |R|^2 and its mirrored share, of facets at the half vector.
   float diffuse_in[kPathLanes], diffuse_out[kPathLanes], backscatter[kPathLanes];
 };
 
-// A loop of its own: within that of fill_lanes(), compilers branch and do not vectorise it.
+// In a separate loop, since compilers do not vectorise it inside fill_lanes().
 INSONIFY_VECTOR_CLONES
 void look_up_lanes(const ScatterTable::Laws laws, const MirrorPaths& __restrict__ paths,
                    AngleLanes& __restrict__ angles) {
@@ -46,8 +46,7 @@ template <bool by_angle>
   for (int lane = 0; lane < kPathLanes; ++lane) {
     const std::uint32_t material = laws.index_of(paths.surface[lane]);
     const float steepness = laws.steepness[material], lobe_back = laws.lobe[material];
-    // 1 where the mirror is the smoother one, 0.5 where both are equal, else 0. Not a choice of three, which would be a
-    // branch.
+    // 1 where the mirror is smoother than the second surface, 0.5 where both are equal, else 0. Without a branch.
     const float smoother = 0.5F * (static_cast<float>(paths.steepness[lane] > steepness) +
                                    static_cast<float>(paths.steepness[lane] >= steepness));
     float mu = laws.lambert[material], lobe = smoother * lobe_back, back_on_top = 0;

@@ -1,4 +1,4 @@
-// mirror_paths.h -- echoes by way of a mirror in the `calibrated` model, sixteen paths at a time.
+// mirror_paths.h -- echoes over a mirror in the calibrated model, sixteen paths at a time.
 
 #pragma once
 
@@ -11,12 +11,12 @@ inline constexpr int kPathLanes = 16;
 
 /// MirrorPath of sixteen paths, in single precision.
 struct alignas(64) MirrorPaths {
-  float reflectance[kPathLanes];  ///< |R|^2 of the mirror at its angle, times the square of its texture.
-  float share[kPathLanes];        ///< See MirrorPath, as for the others.
+  float reflectance[kPathLanes];  ///< |R|^2 of the mirror at the angle of incidence, times its texture squared.
+  float share[kPathLanes];        ///< As in MirrorPath.
   float steepness[kPathLanes];    ///< 1 / (2 s^2) of the mirror.
   float there[kPathLanes];        ///< [m]
   float spread[kPathLanes];       ///< Relative to a plane mirror.
-  float returned[kPathLanes];     ///< See MirrorPath.
+  float returned[kPathLanes];     ///< As in MirrorPath.
   float back[kPathLanes];         ///< [m]
   float in[kPathLanes];           ///< Cosines at the second surface.
   float out[kPathLanes];

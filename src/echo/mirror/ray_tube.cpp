@@ -7,7 +7,7 @@
 namespace insonify {
 namespace {
 
-// Change of the hit and of the reflected direction from a ray to a neighbouring ray, per radian between them.
+// Derivatives of the hit and of the reflected direction with respect to the ray's direction [1/rad].
 struct Neighbour {
   Vec3f place, turn;
 };
@@ -26,7 +26,7 @@ RayTube ray_tube(const std::array<Vec3f, 3>& corners, const std::array<Vec3f, 3>
   const float cosine = direction.dot(about);
   const auto neighbour = [&](const Vec3f& aside) {
     const Vec3f place = range * (aside - direction * (aside.dot(flat) / facing));
-    // Coordinates of `place` along both edges, from areas.
+    // Barycentric coordinates of `place`, from ratios of areas.
     const float along1 = place.cross(edge2).dot(flat) / doubled, along2 = edge1.cross(place).dot(flat) / doubled;
     Vec3f bend = along1 * change1 + along2 * change2;
     bend -= about * about.dot(bend);

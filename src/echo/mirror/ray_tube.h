@@ -16,10 +16,9 @@ struct RayTube {
   [[nodiscard]] static RayTube of_plane(float range) { return {range * range, 2 * range, 1}; }
 };
 
-/// The ray tube of a mirror that is given by a triangle and the normals at its corners, which are interpolated
-/// linearly: Igehy, "Tracing ray differentials", SIGGRAPH 1999. For a sphere of radius a, hit at an angle t from its
-/// normal at the range r, the area is r^2 (1 + across (1/r + 2/(a cos t))) (1 + across (1/r + 2 cos t/a)). Equal
-/// normals make a plane.
+/// Ray tube of a mirror given by a triangle with vertex normals, which are interpolated linearly: Igehy, "Tracing ray
+/// differentials", SIGGRAPH 1999. For a sphere of radius a, hit at an angle t from its normal at the range r, the area
+/// is r^2 (1 + across (1/r + 2/(a cos t))) (1 + across (1/r + 2 cos t/a)). Equal normals make a plane.
 /// @param normals    Unit length, on either side.
 /// @param direction  Direction of the incident sound, unit length.
 /// @param normal     Unit normal at the hit with relief, on either side.

@@ -1,4 +1,4 @@
-// secondary_echo.h -- secondary echoes: their place in the grid, and their powers in the `paper` model.
+// secondary_echo.h -- secondary echoes: bearing and range in the EchoGrid, and powers in the paper model.
 
 #pragma once
 
@@ -8,7 +8,7 @@
 
 namespace insonify {
 
-/// A secondary echo without its power, in the beam of the launched ray, where the reciprocal path arrives too.
+/// A secondary echo without its power, at the bearing of the launched ray, from which the reciprocal path arrives.
 /// @param column, row  Sample of the lattice whose hit reflected the ray.
 /// @param selected     Number of hits that the reflected ray stands for.
 /// @param path_length  Length out, across and back [m].

@@ -1,4 +1,4 @@
-// water_path.h -- the way back from a second surface to the sonar by the water's surface.
+// water_path.h -- path from a second surface over the water's surface to the sonar.
 
 #pragma once
 
@@ -15,10 +15,10 @@
 
 namespace insonify {
 
-/// The water's surface in an engine's coordinates.
+/// Level and material of the water's surface, in an engine's coordinates.
 struct WaterPlane {
   double level = 0;                 ///< z [m].
-  SurfaceLabel label = kNoSurface;  ///< kNoSurface where there is none.
+  SurfaceLabel label = kNoSurface;  ///< kNoSurface if the scene has none.
 
   /// @param origin  World position that the engine's coordinates are relative to.
   [[nodiscard]] static WaterPlane of(const Scene& scene, const Vec3& origin) {
@@ -33,20 +33,20 @@ struct WaterPlane {
   }
   [[nodiscard]] bool exists() const { return label != kNoSurface; }
 
-  /// Whether a hit at a height z is one on the surface.
+  /// Whether a hit at height z is on the water's surface.
   [[nodiscard]] bool holds(double z) const { return std::abs(z - level) < kLeastDepth; }
-  static constexpr double kLeastDepth = 1e-2;  ///< [m]
+  static constexpr double kLeastDepth = 1e-2;  ///< Points above this depth count as on the surface [m].
 };
 
-/// Sound from a point to the sonar by the water's surface, as by a plane mirror: it goes straight to the sonar's image.
+/// Path from a point to the sonar over the water's surface as a plane mirror, by the sonar's image.
 struct WaterPath {
-  Vec3 bounce;    ///< Where the surface reflects it.
-  Vec3 out;       ///< Unit vector from the point to there.
-  Vec3 arrival;   ///< Unit vector from the sonar to there.
+  Vec3 bounce;    ///< Point of reflection.
+  Vec3 out;       ///< Unit vector from the point to `bounce`.
+  Vec3 arrival;   ///< Unit vector from the sonar to `bounce`.
   double length;  ///< From the point to the sonar [m].
-  double share;   ///< |R|^2 e^-g: what the surface reflects as a smooth mirror.
+  double share;   ///< Coherent reflectance |R|^2 e^-g of the surface.
 
-  /// None if the point or the sonar is not below the surface, or if waves leave next to nothing.
+  /// None if the point or the sonar is not below the surface, or if waves make `share` negligible.
   [[nodiscard]] static std::optional<WaterPath> of(const PingPlan& plan, const WaterPlane& water, const Vec3& sonar,
                                                    const Vec3& point) {
     constexpr double kLeastShare = 1e-6;
@@ -65,13 +65,13 @@ struct WaterPath {
   }
 };
 
-/// Intensity of each of the two reciprocal echoes out by a mirror and back by the water's surface from what a second
-/// surface scatters as no mirror does, relative to the source's at 1 m and per steradian of launched sound: as `once`
-/// of mirror_intensities(), with the path by the surface for the straight one.
-/// @param reflected  share |R|^2 of the mirror, with its texture.
-/// @param normal     Unit normal of the second surface, on either side.
+/// Intensity of each of the two reciprocal echoes of the path sonar - mirror - second surface - water's surface -
+/// sonar, where the second surface scatters diffusely. Relative to the source's at 1 m, per steradian of launched
+/// sound: like `once` of mirror_intensities(), with the path over the water's surface instead of the straight one back.
+/// @param reflected  Mirrored share |R|^2 of the first mirror, with its texture.
+/// @param normal     Unit normal of the second surface, of either sign.
 /// @param direction  Unit vector from the mirror to the second surface.
-/// @param there      Length from the sonar by the mirror to the second surface [m].
+/// @param there      Length from the sonar over the mirror to the second surface [m].
 [[nodiscard]] inline double water_intensity(const PingPlan& plan, const WaterPath& path, const Scattering& second,
                                             double texture, double reflected, const Vec3& normal, const Vec3& direction,
                                             double there) {
@@ -85,7 +85,7 @@ struct WaterPath {
     mu += second.by_angle->diffuse.at(cos_in) * second.by_angle->diffuse.at(cos_out);
   }
   double scattered = mu * cos_out;
-  if (!second.facets_mirror) {  // What of wide lobes goes on as from no mirror.
+  if (!second.facets_mirror) {  // Wide lobes of facets, except their mirrored share, count as diffuse.
     const Vec3 half = (path.out - direction).normalized();
     const double facet = path.out.dot(half), tilt = std::acos(std::min(std::abs(normal.dot(half)), 1.0));
     scattered += (1 - second.mirror_share(facet)) *
@@ -95,9 +95,9 @@ struct WaterPath {
          std::exp(-2 * double{plan.neper_per_metre} * (there + path.length));
 }
 
-/// With `secondary: selective`, one in four second hits is connected to the water's surface, and stands for four. By a
-/// hash of the sample, so that engines and threads agree.
-/// @return Number of hits that it stands for; 0 if it is left out.
+/// Weight of a second hit's paths over the water's surface. With `secondary: selective`, one in four hits is selected,
+/// by a hash of the sample, so that all engines and threads select the same.
+/// @return Number of hits that it represents; 0 if it is not selected.
 [[nodiscard]] inline float water_weight(const PingPlan& plan, int column, int row) {
   constexpr std::uint32_t kOneIn = 4;
   if (plan.secondary != SecondaryEchoes::kSelective) {

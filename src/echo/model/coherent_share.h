@@ -1,4 +1,4 @@
-// coherent_share.h -- what rough mirrors reflect as smooth ones.
+// coherent_share.h -- coherent share of the reflection by rough surfaces.
 
 #pragma once
 
@@ -10,13 +10,13 @@ namespace insonify {
 
 /// e^-g with the Rayleigh parameter g = 4 k^2 h^2 cos^2: Brekhovskikh and Lysanov, Fundamentals of Ocean Acoustics, ch.
 /// 9. With rough_mirrors it is 0.
-/// @param cosine  Of the angle of incidence, of either sign.
+/// @param cosine  Cosine of the angle of incidence, of either sign.
 inline double coherent_share(const PingPlan& plan, SurfaceLabel surface, double cosine) {
   return plan.rough_mirrors ? 0 : std::exp(-plan.scatter.scattering(surface).roughness * cosine * cosine);
 }
 
-/// |R|^2 e^-g of any surface.
-/// @param cosine  Of the angle of incidence, 0..1.
+/// Coherent reflectance |R|^2 e^-g.
+/// @param cosine  Cosine of the angle of incidence, 0..1.
 inline double coherent_reflectance(const PingPlan& plan, SurfaceLabel surface, double cosine) {
   return plan.scatter.scattering(surface).reflectance(cosine) * coherent_share(plan, surface, cosine);
 }

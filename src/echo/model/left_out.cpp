@@ -1,4 +1,5 @@
-// left_out.cpp -- mutes the hits on thin parts, and takes the coherent share off the lobes of plane faces.
+// left_out.cpp -- clears the echoes of hits on thin parts, and removes the coherent share from the lobes of plane
+// faces.
 
 #include "echo/model/left_out.h"
 

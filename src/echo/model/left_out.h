@@ -1,4 +1,4 @@
-// left_out.h -- which primary echoes are computed on the object instead of by the samples of the lattice.
+// left_out.h -- removes from the lattice's primary echoes those that ThinEchoes and FaceGlints compute instead.
 
 #pragma once
 
@@ -10,24 +10,24 @@
 
 namespace insonify {
 
-/// Triangles whose primary echo, or a part of it, the samples of the lattice leave out.
+/// Triangles whose primary echo, or part of it, is removed from the samples of the lattice.
 struct LeftOut {
-  /// [instance][triangle of its mesh] Thickness of the parts that are thin in two directions, as ropes, chains and nets
-  /// are: the second smallest extent of the body at a triangle [m]; infinite where the body is not thin. Empty for an
-  /// instance without any. Where it is less than thin_per_metre() times the range, the primary echo is that of
-  /// ThinEchoes (echo/targets).
+  /// [instance][triangle of its mesh] Thickness of parts that are thin in two directions (ropes, chains, nets): the
+  /// second smallest extent of the body at the triangle [m]; infinite if the body is not thin. Empty for an instance
+  /// without thin parts. If it is less than thin_per_metre() times the range, ThinEchoes (echo/targets) computes the
+  /// primary echo.
   std::vector<std::vector<float>> thickness;
 
-  /// [instance][triangle] 1 for the plane faces whose coherent echo is that of FaceGlints (echo/targets): their lobe
-  /// loses the coherent share. Empty for an instance without any.
+  /// [instance][triangle] 1 for plane faces whose coherent echo FaceGlints (echo/targets) computes: the coherent share
+  /// is removed from their lobe. Empty for an instance without any.
   std::vector<std::vector<std::uint8_t>> glinting;
 };
 
-/// Thickness, per metre of range, below which a part is too thin for the lattice: four samples. Curved bodies of four
-/// samples and more have steady echoes (docs/concepts/scattering.md, "Curved surfaces").
+/// Thickness per metre of range below which a part is too thin for the lattice: four samples. The echo of thicker
+/// curved bodies does not depend on their position among the samples (docs/concepts/scattering.md, "Curved surfaces").
 [[nodiscard]] float thin_per_metre(const PingPlan& plan);
 
-/// Takes off HitColumn::power what is left out.
+/// Subtracts the removed echoes from HitColumn::power.
 void leave_out(const LeftOut& left_out, const PingPlan& plan, const HitColumn& hits);
 
 }  // namespace insonify

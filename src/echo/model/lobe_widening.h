@@ -1,4 +1,4 @@
-// lobe_widening.h -- what the curvature of a surface within the footprint of a sample does to the lobe of its facets.
+// lobe_widening.h -- widening of the facets' lobe by the curvature of a surface within a sample's footprint.
 
 #pragma once
 

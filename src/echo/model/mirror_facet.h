@@ -1,4 +1,4 @@
-// mirror_facet.h -- draws the facet about which a rough mirror reflects a ray.
+// mirror_facet.h -- samples the facet by which a rough mirror reflects a ray.
 
 #pragma once
 

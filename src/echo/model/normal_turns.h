@@ -1,4 +1,4 @@
-// normal_turns.h -- how far the normal of a surface turns from sample to sample of neighbouring columns.
+// normal_turns.h -- change of the surface normal between neighbouring samples and columns.
 
 #pragma once
 

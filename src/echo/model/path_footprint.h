@@ -1,4 +1,4 @@
-// path_footprint.h -- range interval that an echo by a mirror is spread over: the variation of its path length.
+// path_footprint.h -- range interval over which an echo over a mirror is spread.
 
 #pragma once
 

@@ -1,4 +1,4 @@
-// ping_plan.h -- everything about one sonar that does not change from ping to ping, as the engines need it.
+// ping_plan.h -- constants of one sonar for the engines, the same for all pings.
 
 #pragma once
 

@@ -1,4 +1,4 @@
-// ray_limits.h -- distance that rays keep from the surfaces at their ends.
+// ray_limits.h -- clearance of rays from the surfaces at their ends.
 
 #pragma once
 

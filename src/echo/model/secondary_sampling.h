@@ -1,4 +1,4 @@
-// secondary_sampling.h -- from which hits of a ping reflected rays are traced.
+// secondary_sampling.h -- choice of the hits from which reflected rays are traced.
 
 #pragma once
 

@@ -1,4 +1,4 @@
-// see_through.cpp -- shares of the intensity that surfaces pass on, for the samples of a column.
+// see_through.cpp -- two-way transmission through the hits of a column.
 
 #include "echo/model/see_through.h"
 
@@ -9,7 +9,7 @@
 namespace insonify {
 namespace {
 
-// Replaces |T|^2 by what is passed on.
+// Replaces |T|^2 by passed_on().
 INSONIFY_VECTOR_CLONES
 void pass_on(int rows, const float* __restrict__ reached, float* __restrict__ transmittance_to_passed) {
   for (int row = 0; row < rows; ++row) {

@@ -6,8 +6,8 @@
 
 #include "base/parallel.h"
 #include "echo/engine.h"
-#include "echo/model/box_cut.h"
-#include "echo/model/choose_sampling.h"
+#include "echo/rays/box_cut.h"
+#include "echo/rays/choose_sampling.h"
 #include "echo/reference/triangle_scene.h"
 
 namespace insonify {

@@ -93,7 +93,7 @@ std::optional<ReferenceColumn::Reflection> ReferenceColumn::reflect(int row) {
   return path;
 }
 
-// multipath.md, "Mirrors of finite size": the share of the sound that comes back by the face.
+// multipath.md, "Mirrors of finite size": factor on the intensity that returns over the face.
 float ReferenceColumn::returned(const FaceEdges& edges, int row, const Reflection& path) const {
   const Triple direction = triple(rays_[row].direction), normal = triple(first_[row].bent),
                half = triple(path.ray.direction) - direction;
@@ -109,7 +109,7 @@ float ReferenceColumn::returned(const FaceEdges& edges, int row, const Reflectio
                      static_cast<float>(near * across / (near + across)), plan_.wavelength());
 }
 
-// Whether the straight line from the second surface to the sonar is unobstructed.
+// Whether the straight path from the second surface to the sonar is unobstructed.
 bool ReferenceColumn::return_leg_is_clear(const Reflection& path) {
   ++counts_.return_legs;
   return !scene_.blocked({path.point, path.back.normalized(), kRayClearance, path.back.norm() - double{kRayClearance}});
@@ -157,7 +157,8 @@ MirrorIntensities ReferenceColumn::intensities(const Reflection& path) const {
                             plan_.neper_per_metre);
 }
 
-// multipath.md, "Back by the water's surface": out by the mirror and back by the surface, and the reciprocal path.
+// multipath.md, "Return over the water's surface": out over the mirror and back over the surface, and the reciprocal
+// path.
 void ReferenceColumn::deposit_echoes_by_water(const Reflection& path, EchoGrid& grid, std::vector<Echo>& arrivals) {
   const WaterPlane& water = scene_.water();
   const float weight = water_weight(plan_, column_, path.row);
@@ -206,8 +207,8 @@ void ReferenceColumn::deposit_echoes_by_water(const Reflection& path, EchoGrid& 
   arrivals.push_back(echo);
 }
 
-// multipath.md, "Three echoes": the echo by the mirror both ways, and the two reciprocal echoes by the mirror one way.
-// One of these arrives from the mirror; the other from the second surface, so that it may be in another beam.
+// multipath.md, "Three echoes": the echo over the mirror both ways, and the two reciprocal echoes over the mirror one
+// way. One of these arrives from the mirror; the other from the second surface, so that it may be in another beam.
 void ReferenceColumn::deposit_mirror_echoes(const Reflection& path, EchoGrid& grid, std::vector<Echo>& arrivals) {
   const MirrorIntensities intensity = intensities(path);
   Echo echo =

@@ -10,10 +10,10 @@
 namespace insonify {
 namespace {
 
-// Least component of the line of sight along an axis: nearer to a mirror, the opposite ones are seen edge on.
+// Least component of the unit line of sight along each axis. Below it, a mirror is at grazing incidence.
 constexpr double kLeastSine = 0.01;
 
-// Share of the intensity that all three mirrors reflect as smooth ones.
+// Product of the coherent reflectances of the three mirrors.
 double reflectance_of(const PingPlan& plan, const Corner& corner, const Vec3& sight) {
   double share = 1;
   for (int k = 0; k < 3; ++k) {
@@ -22,7 +22,7 @@ double reflectance_of(const PingPlan& plan, const Corner& corner, const Vec3& si
   return share;
 }
 
-// Number of the water's surfaces among the mirrors of a corner, each of which inverts the phase, is 0 or 1.
+// Whether one of the mirrors is the water's surface, which inverts the phase.
 bool has_water(const Corner& corner) {
   for (const auto& extents : corner.extents) {
     if (extents[0] >= Corner::kEndless) {

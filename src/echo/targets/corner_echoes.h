@@ -12,10 +12,10 @@
 
 namespace insonify {
 
-/// Adds the echoes of corners of three mirrors to a grid of the calibrated model as discrete echoes at their apexes, of
-/// path order 3: Corner::reflected() times |R|^2 e^-g of each mirror at its angle, with the Rayleigh parameter g of its
-/// roughness, absorption, and the elevation pattern both ways. A corner whose apex is hidden gives no echo, nor does
-/// one that is seen from outside its octant.
+/// Adds the echoes of corners of three mirrors to the EchoGrid as discrete echoes at their apexes, of path order 3.
+/// Calibrated model only. The intensity is Corner::reflected() times |R|^2 e^-g of each mirror at its angle of
+/// incidence (g: Rayleigh parameter of its roughness), times absorption and the two-way elevation pattern. A corner
+/// gives no echo if its apex is hidden or the sonar is outside its octant.
 class CornerEchoes {
  public:
   explicit CornerEchoes(std::shared_ptr<const std::vector<Corner>> corners = {});
@@ -23,13 +23,13 @@ class CornerEchoes {
   /// Whether there are corners, and `secondary` and `max_surfaces` of the plan allow paths over three surfaces.
   [[nodiscard]] bool act(const PingPlan& plan) const;
 
-  /// Adds echoes if they act(). Allocates nothing else.
+  /// Adds the echoes if act() is true. Does not allocate.
   /// @param world_from_mesh  [instance]
   void add(const PingPlan& plan, const Pose& world_from_sonar, std::span<const Pose> world_from_mesh, Engine& engine,
            EchoGrid& grid);
 
  private:
-  // A corner that the sonar may see.
+  // A corner whose octant holds the sonar; its line of sight may be blocked.
   struct View {
     const Corner* corner;
     Vec3 sight;  // Unit vector from the apex to the sonar, along the corner's axes.

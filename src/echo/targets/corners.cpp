@@ -1,4 +1,4 @@
-// corners.cpp -- outline of a corner along a line of sight, and Kirchhoff's integral over it.
+// corners.cpp -- effective aperture of a corner along a line of sight, and Kirchhoff's integral over it.
 
 #include "echo/targets/corners.h"
 
@@ -10,7 +10,7 @@
 namespace insonify {
 namespace {
 
-// Mean of e^(i phase) over an interval in which the phase goes evenly from one value to another.
+// Mean of e^(i phase) over an interval in which the phase changes linearly.
 std::complex<double> mean_wave(double from, double to) {
   const double half = 0.5 * (to - from);
   constexpr double kSmall = 1e-4;
@@ -22,7 +22,7 @@ std::complex<double> mean_wave(double from, double to) {
 double Corner::radius(const Vec3& sight, const Vec3& across) const {
   double least = double{kEndless};
   for (int k = 0; k < 3; ++k) {
-    // Where a line parallel to the line of sight, at the distance 1, crosses the plane of mirror k.
+    // Point at which a line parallel to `sight`, offset by `across`, crosses the plane of mirror k.
     const Vec3 crossing = across - across[k] / sight[k] * sight;
     const double one = std::abs(crossing[(k + 1) % 3]), two = std::abs(crossing[(k + 2) % 3]), sum = one + two;
     if (!(sum > 0)) {
@@ -38,7 +38,7 @@ double Corner::radius(const Vec3& sight, const Vec3& across) const {
 }
 
 double Corner::reflected(const Vec3& sight, double range, double wavelength) const {
-  constexpr int kTurns = 64;  // Steps around half a circle: the outline is symmetric.
+  constexpr int kTurns = 64;  // Steps over half a circle: the aperture is symmetric.
   const Vec3 one = sight.unitOrthogonal(), two = sight.cross(one);
   const double scale = 2 * std::numbers::pi / (wavelength * range);
   std::complex<double> sum = 0;

@@ -1,4 +1,4 @@
-// cut_thin_triangles.cpp -- cuts the surface of thin parts into slabs across their axes, and sorts it by its normals.
+// cut_thin_triangles.cpp -- cuts thin parts into short pieces along their axes, and bins each piece's area by normal.
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
@@ -13,10 +13,10 @@
 namespace insonify {
 namespace {
 
-constexpr int kWidest = 6;            // Most cells of one thickness from the first of a piece to its last.
-constexpr float kTurnStep = 0.2618F;  // Spacing of the normals that a curved surface is sorted by: 15 degrees [rad].
-constexpr float kFineTurn = 0.13F;    // Most turn of the normal within a facet that is sorted as one [rad].
-constexpr float kFlat = 1e-3F;        // Differences of unit normals that are due to rounding.
+constexpr int kWidest = 6;            // Largest extent of a piece across its axis, from its first cell [cells].
+constexpr float kTurnStep = 0.2618F;  // Spacing of the normals of curved surfaces' bins: 15 degrees [rad].
+constexpr float kFineTurn = 0.13F;    // Largest change of the normal within a facet [rad].
+constexpr float kFlat = 1e-3F;        // Differences of unit normals below this are rounding.
 
 struct Corner {
   Vec3f place, normal;
@@ -25,15 +25,15 @@ Corner between(const Corner& a, const Corner& b, float share) {
   return {a.place + share * (b.place - a.place), a.normal + share * (b.normal - a.normal)};
 }
 
-// A small part of the surface, with about one normal.
+// A small part of the surface with nearly constant normal.
 struct Facet {
   Vec3f middle, normal;
   float area;
-  Eigen::Matrix3f spread;  // Covariance of its places [m^2].
+  Eigen::Matrix3f spread;  // Covariance of its points [m^2].
   bool curved;
 };
 
-// Part of a convex polygon on one side of a plane across a coordinate.
+// Part of a convex polygon on one side of the plane x[along] = at; `side` is +1 for above, -1 for below.
 std::vector<Corner> clipped(const std::vector<Corner>& polygon, int along, float at, float side) {
   std::vector<Corner> rest;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -49,7 +49,7 @@ std::vector<Corner> clipped(const std::vector<Corner>& polygon, int along, float
   return rest;
 }
 
-// Divides a triangle until the normal hardly turns within it.
+// Bisects a triangle until its normal changes by at most kFineTurn, and calls add(Facet) for each part.
 template <typename Add>
 void divide(const std::array<Corner, 3>& corners, bool curved, int depth, const Add& add) {
   constexpr int kDeepest = 12;
@@ -73,17 +73,18 @@ void divide(const std::array<Corner, 3>& corners, bool curved, int depth, const 
   if (area > 0 && normal.squaredNorm() > 0) {
     const Vec3f middle = (corners[0].place + corners[1].place + corners[2].place) / 3;
     Eigen::Matrix3f spread = Eigen::Matrix3f::Zero();
-    for (const Corner& corner : corners) {  // A triangle's is a twelfth of the sum over its corners.
+    for (const Corner& corner : corners) {  // A triangle's covariance is this sum over its corners.
       spread += (corner.place - middle) * (corner.place - middle).transpose() / 12;
     }
     add(Facet{middle, normal.normalized(), area, spread, curved});
   }
 }
 
-// A cell of the surface: one thickness wide in two coordinates, a slab long in that of the axis.
+// Key of a cell: a box of the mesh frame, one thickness wide across the axis and one slab long along it.
 struct CellKey {
   SurfaceLabel surface;
-  int along, thickness;  // In fourths of octaves above 1 mm.
+  int along;      // Coordinate of the axis: 0, 1 or 2.
+  int thickness;  // In quarter octaves above 1 mm.
   std::array<int, 3> cell;
   auto operator<=>(const CellKey&) const = default;
 };
@@ -127,7 +128,7 @@ void add_triangle(const Instance& instance, int index, const ThinTriangle& thin,
   }
 }
 
-// Collects the facets of a cell and of all that touch it in its slab.
+// Flood fill: moves the facets of a cell, and of all cells connected with it in the same slab, to `facets`.
 void take(const CellKey& seed, const CellKey& key, Cells& cells, std::vector<Facet>& facets) {
   const auto found = cells.find(key);
   if (found == cells.end() || found->second.taken) {
@@ -149,13 +150,14 @@ void take(const CellKey& seed, const CellKey& key, Cells& cells, std::vector<Fac
   }
 }
 
-// Sums over the facets that are sorted together.
+// Sums over the facets of one bin of normals, weighted by area.
 struct Sorted {
-  float area = 0, along = 0, along_square = 0;  // Angle of the normals above the plane across the axis.
+  float area = 0;
+  float along = 0, along_square = 0;  // Angle between normal and cross section [rad], and its square.
   Vec3f normal = Vec3f::Zero(), place = Vec3f::Zero();
 };
 
-// Middle and axis of a piece, and its patches.
+// Computes middle, axis and patches of a piece from its facets.
 class PieceMaker {
  public:
   explicit PieceMaker(const std::vector<Facet>& facets) {
@@ -171,7 +173,7 @@ class PieceMaker {
     }
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3f> solver(covariance);
     axis_ = solver.eigenvectors().col(2).normalized();
-    // A straight piece of the length l has a variance of l^2 / 12 along its axis.
+    // A straight piece of length l has a variance of l^2 / 12 along its axis.
     constexpr float kLong = 2;
     const Vec3f variance = solver.eigenvalues();
     half_ = variance[2] > kLong * variance[1] ? Vec3f(std::sqrt(3 * variance[2]) * axis_) : Vec3f(Vec3f::Zero());
@@ -200,7 +202,8 @@ class PieceMaker {
         const Vec3f out = std::cos(angle) * one_ + std::sin(angle) * two_;
         patch.normal = std::cos(rise) * out + std::sin(rise) * axis_;
         patch.around = kTurnStep * std::cos(rise) * (std::cos(angle) * two_ - std::sin(angle) * one_);
-        // Twice the variance is that of the tents that the surface is sorted by around the axis.
+        // Along the axis a bin is uniform: its variance w^2/12 is half the w^2/6 of the triangular bins around the
+        // axis.
         const float variance = std::max(sum.along_square / sum.area - rise * rise, 0.0F);
         const float turn = variance < kFlat * kFlat ? 0.0F : std::sqrt(2 * variance / kFootprintVariance);
         patch.along = turn * (std::cos(rise) * axis_ - std::sin(rise) * out);
@@ -220,8 +223,8 @@ class PieceMaker {
     sum.place += area * facet.middle;
   }
 
-  // A flat facet is put with those of the same normal. A curved one is shared between the two nearest of the evenly
-  // spaced normals around the axis, so that a round section is even all around.
+  // Flat facets are binned by their normal. The area of a curved one is shared between the two nearest of the evenly
+  // spaced normals around the axis (linear interpolation), so that a round rod's echo does not depend on its roll.
   void sort(const Facet& facet) {
     constexpr float kFlatTurn = 0.01F;
     if (!facet.curved) {

@@ -1,4 +1,4 @@
-// edge_echoes.cpp -- finds the edges that are seen broadside, traces a line of sight to each, and computes its echo.
+// edge_echoes.cpp -- finds the edges at broadside, traces a line of sight to each, and computes its echo.
 
 #include "echo/targets/edge_echoes.h"
 
@@ -19,9 +19,9 @@ namespace insonify {
 namespace {
 
 constexpr double kLeastPart = 1e-4;  // Least e^-g that counts.
-constexpr double kBefore = 2e-3;     // What lies this much before an edge, or beyond it, does not hide it [m].
-constexpr double kLobe = 3;          // Slopes of facets that the lobe of a face without a glint has.
-constexpr double kEnds = 0.99;       // Rays to an end go this much nearer to the middle.
+constexpr double kBefore = 2e-3;     // Hits nearer to an edge than this do not hide it [m].
+constexpr double kLobe = 3;          // Half-width of the lobe of a face without a glint [rms slopes of its facets].
+constexpr double kEnds = 0.99;       // Rays to an end of an edge aim at this share of its half length.
 
 // Integral of exp(i pi u^2/2).
 std::complex<double> fresnel_between(double from, double to) {
@@ -52,7 +52,8 @@ void find_broadside(int count, float x, float y, float z, float wavelength, cons
 }  // namespace
 
 EdgeEcho edge_integral(double foot, double half, double distance, double wavelength) {
-  // 2 k (range - distance) = pi u^2/2, with the range itself: exact phases at the ends.
+  // Argument u of Fresnel's integrals: 2 k (range - distance) = pi u^2/2, without expanding the range, so that the
+  // phases at the ends are exact.
   const auto place = [&](double along) {
     const double range = std::hypot(distance, along);
     return along * std::sqrt(8 / (wavelength * (range + distance)));
@@ -73,7 +74,7 @@ EdgeEchoes::EdgeEchoes(std::shared_ptr<const StraightEdges> edges) : edges_(std:
   }
 }
 
-// Adds the echoes of one group, before it is known which are hidden.
+// Adds views and rays of the edges of one group that are at broadside.
 void EdgeEchoes::find(const PingPlan& plan, const Pose& world_from_sonar, const Pose& world_from_group,
                       const StraightEdges::Group& group, std::span<const std::uint8_t> shown) {
   const Vec3 sonar = world_from_group.inverse() * world_from_sonar.position;
@@ -119,10 +120,10 @@ void EdgeEchoes::find(const PingPlan& plan, const Pose& world_from_sonar, const 
     if (share < kLeastPart) {
       continue;
     }
-    // As near to a mirror's direction as its glint reaches.
+    // Angle from the specular direction within which the face's glint replaces its term.
     const double mirror = 0.5 * kFresnelReach * std::sqrt(wavelength / range);
     double scattered = wedge_backscatter(edge.exterior, faces, mirror);
-    if (passed > 0) {  // The term without R is that of the shadow, which is 1 - T deep.
+    if (passed > 0) {  // The term without R is the shadow's, which transmission fills by T.
       scattered -=
           passed * wedge_backscatter(edge.exterior, {WedgeFace{faces[0].angle, 0}, {faces[1].angle, 0}}, mirror);
     }
@@ -149,7 +150,7 @@ void EdgeEchoes::add(const PingPlan& plan, const Pose& world_from_sonar, std::sp
     find(plan, world_from_sonar, StraightEdges::frame(group, world_from_mesh), group, shown);
   }
   sight_rays_.trace(plan, engine, rays_, std::span(hits_).first(rays_.size()));
-  // Of those that nothing hides, the strongest.
+  // Removes hidden edges, and all but the strongest kMostEchoes.
   std::size_t seen = 0;
   for (std::size_t i = 0; i < views_.size(); ++i) {
     if (!std::isfinite(hits_[i].distance)) {

@@ -1,4 +1,4 @@
-// edge_echoes.h -- echoes of straight edges that are seen broadside.
+// edge_echoes.h -- diffraction echoes of straight edges at broadside.
 
 #pragma once
 
@@ -13,39 +13,40 @@
 
 namespace insonify {
 
-/// The echo of an edge: its amplitude and its phase beyond that of the way there and back.
+/// Amplitude and phase of an edge's echo. The phase excludes that of the two-way path to the nearest point.
 struct EdgeEcho {
-  double amplitude;  ///< Pressure relative to that of the source at 1 m, of either sign, over WedgeFace's S.
+  double amplitude;  ///< Pressure re the source's at 1 m, divided by S of wedge_backscatter(); of either sign.
   double turns;      ///< [full turns]
 };
 
-/// Integral of e^(2ikr)/r^2 along an edge, less the phase of the way to its nearest point, in Fresnel's approximation.
-/// @param foot        Foot of the perpendicular from the sonar, from the edge's middle [m].
+/// Integral of e^(2ikr)/r^2 along an edge in Fresnel's approximation, without the phase of the path to its nearest
+/// point.
+/// @param foot        Coordinate along the edge of the foot of the perpendicular from the sonar, from the middle [m].
 /// @param half        Half the edge's length [m].
 /// @param distance    From the sonar to the edge's line [m], > 0.
 /// @param wavelength  [m]
 [[nodiscard]] EdgeEcho edge_integral(double foot, double half, double distance, double wavelength);
 
-/// Adds the echoes of StraightEdges that are seen broadside to a grid of the calibrated model as discrete echoes:
-/// wedge_backscatter() times edge_integral(), with |R| of each face at its angle, e^-g of their roughness, absorption,
-/// and the elevation pattern both ways (docs/concepts/scattering.md, "Edges"). Edges whose nearest point is hidden give
-/// none.
+/// Adds the echoes of StraightEdges at broadside to the EchoGrid as discrete echoes: wedge_backscatter() times
+/// edge_integral(), with |R| of each face at its angle of incidence, e^-g of their roughness, absorption, and the
+/// two-way elevation pattern (docs/concepts/scattering.md, "Edges"). Calibrated model only. An edge whose nearest point
+/// is hidden gives no echo.
 class EdgeEchoes {
  public:
-  static constexpr std::size_t kMostTogether = 4096;  ///< Most edges of one ping that may be seen: the first found.
-  static constexpr std::size_t kMostEchoes = 1024;    ///< Most echoes of one ping: the strongest.
+  static constexpr std::size_t kMostTogether = 4096;  ///< Most edges per ping at broadside; later ones are dropped.
+  static constexpr std::size_t kMostEchoes = 1024;    ///< Most echoes per ping; the strongest are used.
 
   explicit EdgeEchoes(std::shared_ptr<const StraightEdges> edges = {});
 
-  /// Allocates nothing.
+  /// Does not allocate.
   /// @param world_from_mesh  [instance]
-  /// @param shown            [face] FaceGlints::shown() of this ping: their glints contain what their edges add to
-  /// them.
+  /// @param shown            [face] FaceGlints::shown() of this ping. The glint of a shown face includes diffraction at
+  ///                         its edges, so their terms are left out here.
   void add(const PingPlan& plan, const Pose& world_from_sonar, std::span<const Pose> world_from_mesh,
            std::span<const std::uint8_t> shown, Engine& engine, EchoGrid& grid);
 
  private:
-  // An edge that is seen broadside, unless something hides it.
+  // An edge at broadside; its line of sight may be blocked.
   struct View {
     double range;
     double intensity;
@@ -61,7 +62,7 @@ class EdgeEchoes {
   std::vector<Ray> rays_;  // [view]
   std::vector<Hit> hits_;
   SightRays sight_rays_;
-  std::vector<std::uint8_t> near_;  // [edge of a group] Whether it is seen broadside.
+  std::vector<std::uint8_t> near_;  // [edge of a group] 1 at broadside.
 };
 
 }  // namespace insonify

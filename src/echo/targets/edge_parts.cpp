@@ -1,4 +1,4 @@
-// edge_parts.cpp -- sorts the sides of all triangles, so that those at one place are together, and chains them.
+// edge_parts.cpp -- sorts triangle sides by their vertices to find shared ones, and joins collinear ones by union-find.
 
 #include "echo/targets/edge_parts.h"
 
@@ -12,10 +12,10 @@
 namespace insonify {
 namespace {
 
-// A side of a triangle, by the numbers of its ends; the lower first.
+// A side of a triangle, by the welded numbers of its ends; the lower first.
 struct TriangleSide {
   std::uint32_t low, high, triangle;
-  bool forwards;  // Whether the triangle is wound from the lower to the higher.
+  bool forwards;  // Whether the triangle's winding runs from `low` to `high`.
 };
 
 std::vector<TriangleSide> sorted_sides(const Mesh& mesh, const std::vector<std::uint32_t>& number) {
@@ -93,7 +93,7 @@ Vec3 EdgeParts::direction(const EdgePart& part) const {
   return (edge_vertex(mesh_, part.high) - edge_vertex(mesh_, part.low)).normalized();
 }
 
-// By the corners that lie off the side: windings may differ.
+// Uses the vertices off the edge rather than normals, since windings may differ.
 bool EdgeParts::turns(const EdgePart& part, double least_turn) const {
   constexpr double kFolded = 0.999;
   const Vec3 along = direction(part);

@@ -1,4 +1,4 @@
-// edge_parts.h -- the sides of triangles at which the faces of a mesh meet or end.
+// edge_parts.h -- triangle sides along which two plane faces of a mesh meet, or one ends.
 
 #pragma once
 
@@ -11,13 +11,13 @@
 
 namespace insonify {
 
-/// A side of triangles between two faces of a mesh, or at the border of one.
+/// A triangle side shared by two faces of a mesh, or at the border of one.
 struct EdgePart {
   static constexpr std::uint32_t kNoTriangle = std::numeric_limits<std::uint32_t>::max();
 
-  std::uint32_t low, high;                ///< Its ends: welded_vertices(), the lower first.
-  std::array<std::uint32_t, 2> triangle;  ///< The second: kNoTriangle at a border.
-  std::array<std::uint32_t, 2> face;      ///< Of MeshFaces, the lower first; the second: MeshFaces::kNone at a border.
+  std::uint32_t low, high;                ///< Ends, as numbers of welded_vertices(); the lower first.
+  std::array<std::uint32_t, 2> triangle;  ///< Triangles on both sides; the second is kNoTriangle at a border.
+  std::array<std::uint32_t, 2> face;      ///< Their MeshFaces, the lower first; the second is kNone at a border.
 
   [[nodiscard]] bool is_border() const { return triangle[1] == kNoTriangle; }
 };
@@ -27,20 +27,20 @@ struct EdgePart {
   return mesh.vertices[vertex].cast<double>();
 }
 
-/// Collects the parts of edges between some faces of a mesh. Where the mesh is closed and wound outwards, those of
-/// inside corners are left out; of other meshes it is not known on which side the water is.
+/// Collects the parts of edges between given faces of a mesh. Inside corners are left out if the mesh is closed and
+/// wound outwards; for other meshes it is unknown which side the water is on.
 class EdgeParts {
  public:
-  /// @param taken       [triangle] Whether a triangle's face counts.
+  /// @param taken       [triangle] 1 if the triangle's face is used.
   /// @param least_turn  Least angle between the normals of two faces [rad].
   EdgeParts(const Mesh& mesh, const MeshFaces& faces, const std::vector<std::uint8_t>& taken, double least_turn);
 
   [[nodiscard]] const std::vector<EdgePart>& parts() const { return parts_; }
 
-  /// [part] Equal numbers for those that follow each other in one direction between the same faces.
+  /// [part] Number of its chain: collinear, adjoining parts between the same two faces have the same number.
   [[nodiscard]] std::vector<std::uint32_t> chains() const;
 
-  /// The corner of a part's first or second triangle that lies off the edge [m].
+  /// Vertex of the part's first or second triangle that is not on the edge [m].
   [[nodiscard]] Vec3 opposite(const EdgePart& part, int side) const;
 
  private:

@@ -1,4 +1,4 @@
-// face_glints.cpp -- finds the faces that are seen head on, traces a line of sight to each, and computes its echo.
+// face_glints.cpp -- finds the faces at normal incidence, traces a line of sight to each, and computes its echo.
 
 #include "echo/targets/face_glints.h"
 
@@ -16,14 +16,14 @@ namespace insonify {
 namespace {
 
 constexpr double kLeastShare = 1e-4;  // Least coherent share that counts.
-constexpr double kGap = 2e-3;         // Difference between a face and its triangles that does not matter [m].
-constexpr double kInside = 0.99;      // Rays to points on an edge go this much nearer to the middle.
+constexpr double kGap = 2e-3;         // Largest distance of a hit on the face from its plane [m].
+constexpr double kInside = 0.99;      // Rays to an edge of a face aim at this share of its half length.
 
 // |integral of exp(i pi u^2 / 2) du|^2
 double fresnel_square(double from, double to) {
   constexpr double kNarrow = 0.2;
   const double width = to - from, phase = 0.5 * std::numbers::pi * width * 0.5 * (from + to);
-  if (width < kNarrow) {  // The curvature of the phase within it is negligible.
+  if (width < kNarrow) {  // The phase is nearly linear over the interval.
     const double sinc = std::abs(phase) < 1e-6 ? 1 : std::sin(phase) / phase;
     return width * width * sinc * sinc;
   }
@@ -58,7 +58,7 @@ double face_glint(const Eigen::Vector2d& foot, const Eigen::Vector2d& half, doub
   double sides = 1;
   for (int axis = 0; axis < 2; ++axis) {
     const double along = (nearest[axis] - foot[axis]) / range, bend = 1 - along * along;
-    const double middle = nearest[axis] - along * range / bend;  // Where the phase would be stationary.
+    const double middle = nearest[axis] - along * range / bend;  // Point of stationary phase.
     const double scale = 2 * std::sqrt(bend / (wavelength * range));
     sides *= fresnel_square((-half[axis] - middle) * scale, (half[axis] - middle) * scale) / bend;
   }
@@ -82,7 +82,7 @@ FaceGlints::FaceGlints(std::shared_ptr<const GlintingFaces> faces) : faces_(std:
   }
 }
 
-// Adds the glints of one instance, before it is known which are hidden.
+// Adds glints and rays of the faces of one instance that are at normal incidence.
 void FaceGlints::find(const PingPlan& plan, const Pose& world_from_sonar, const Pose& world_from_mesh,
                       const GlintingFaces::Group& group) {
   const Vec3 sonar = world_from_mesh.inverse() * world_from_sonar.position;

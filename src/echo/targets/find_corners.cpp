@@ -1,4 +1,4 @@
-// find_corners.cpp -- tries all triples of perpendicular mirrors that touch, and measures the octants about their
+// find_corners.cpp -- tests all triples of perpendicular mirrors that touch, and measures the octants around their
 // common point.
 
 #include <algorithm>
@@ -11,9 +11,10 @@
 namespace insonify {
 namespace {
 
-constexpr double kMargin = 1e-5;  // Added to each side of a triangle, so that rays between two meet one [m].
+constexpr double kMargin = 1e-5;  // Enlarges triangles on each side, so that rays along a shared side hit one [m].
 
-// Three perpendicular planes: a point and axes along their common edges. Mirror k is perpendicular to axis k.
+// Three perpendicular mirrors: their common point, and axes along their common edges. Mirror k is perpendicular to axis
+// k.
 struct Crossing {
   Vec3 apex;
   Eigen::Matrix3d axes;
@@ -33,7 +34,8 @@ bool may_reach(const PlaneMirror& mirror, const Vec3& point) {
          (point.array() < mirror.high.array() + Corner::kGap).all();
 }
 
-// Length of a ray from the apex within a triangle, in coordinates along two axes: where it enters and leaves.
+// Parameters at which a ray from the apex enters and leaves a triangle; first > second if it misses. All in coordinates
+// along the mirror's two axes.
 std::pair<double, double> within(const std::array<Eigen::Vector2d, 3>& corners, const Eigen::Vector2d& ray) {
   const Eigen::Vector2d a = corners[1] - corners[0], b = corners[2] - corners[0];
   const double turn = a.x() * b.y() - a.y() * b.x() > 0 ? 1 : -1;
@@ -53,7 +55,7 @@ std::pair<double, double> within(const std::array<Eigen::Vector2d, 3>& corners, 
   return {from, to};
 }
 
-// Extents of one quarter of a mirror, as Corner has them.
+// One quarter of a mirror around the apex, with extents as in Corner::extents.
 class Quarter {
  public:
   // @param one, two  Unit vectors along the edges that bound it.
@@ -80,7 +82,7 @@ class Quarter {
       flat_.push_back({flat(0), flat(1), flat(2)});
     }
     for (int step = 0; step <= Corner::kSteps; ++step) {
-      // Not quite along the edges, where triangles of the neighbouring quarters end.
+      // Slightly off the edges, along which triangles of the neighbouring quarters end.
       constexpr double kOff = 1e-3;
       const double share = std::clamp(static_cast<double>(step) / Corner::kSteps, kOff, 1 - kOff);
       extents_[step] = static_cast<float>(extent_along({1 - share, share}));
@@ -89,11 +91,11 @@ class Quarter {
 
   [[nodiscard]] bool exists() const { return exists_; }
   [[nodiscard]] SurfaceLabel surface() const { return surface_; }
-  [[nodiscard]] const Vec3& normal() const { return normal_; }  // To the side that it is wound to; 0 for water.
+  [[nodiscard]] const Vec3& normal() const { return normal_; }  // By the winding at the apex; 0 for water.
   [[nodiscard]] const std::array<float, Corner::kSteps + 1>& extents() const { return extents_; }
 
  private:
-  // Where the mirror first ends along a ray from the apex whose coordinates add up to 1 per unit.
+  // Where the mirror first ends along a ray from the apex. The ray's components add up to 1.
   double extent_along(const Eigen::Vector2d& ray) {
     parts_.clear();
     for (const auto& triangle : flat_) {
@@ -120,7 +122,7 @@ class Quarter {
   std::vector<std::pair<double, double>> parts_;
 };
 
-// The octants about a crossing whose three mirrors are there.
+// Adds those of the eight octants around a crossing in which all three mirrors exist.
 void add_octants(const Crossing& crossing, int instance, std::vector<Corner>& corners) {
   std::array<std::vector<Quarter>, 3> quarters;  // [mirror][signs of the two axes]
   for (int k = 0; k < 3; ++k) {
@@ -153,7 +155,7 @@ void add_octants(const Crossing& crossing, int instance, std::vector<Corner>& co
   }
 }
 
-// The largest outline that a corner may show, by its mean extents [m^2].
+// Size by which corners are ranked: square of the smallest mirror's mean extent [m^2].
 double size_of(const Corner& corner) {
   double size = double{Corner::kEndless} * double{Corner::kEndless};
   for (const auto& extents : corner.extents) {
@@ -168,7 +170,8 @@ double size_of(const Corner& corner) {
 
 void add_corners(const std::vector<PlaneMirror>& mirrors, int instance, std::vector<Corner>& all) {
   std::vector<Corner> corners;
-  std::vector<std::vector<std::size_t>> beside(mirrors.size());  // Perpendicular and touching, of higher index.
+  std::vector<std::vector<std::size_t>> beside(
+      mirrors.size());  // [mirror] Mirrors of higher index, perpendicular to it and touching.
   for (std::size_t i = 0; i < mirrors.size(); ++i) {
     for (std::size_t j = i + 1; j < mirrors.size(); ++j) {
       if (perpendicular(mirrors[i], mirrors[j]) && touch(mirrors[i], mirrors[j])) {

@@ -1,4 +1,4 @@
-// find_straight_edges.cpp -- measures the edges between faces, and looks around them.
+// find_straight_edges.cpp -- measures the edges between faces, and rejects those that something else touches.
 
 #include <algorithm>
 #include <cmath>
@@ -12,9 +12,9 @@
 namespace insonify {
 namespace {
 
-using PlacedEdge = std::pair<int, StraightEdges::Edge>;  // With its instance.
+using PlacedEdge = std::pair<int, StraightEdges::Edge>;  // Instance and edge.
 
-// Whether all ends of the parts lie on the edge's line; then its extent is theirs.
+// Extends the edge over all parts of its chain. False if one of their ends is off the edge's line.
 bool extend(const Mesh& mesh, const std::vector<EdgePart>& parts, const std::vector<std::uint32_t>& members,
             StraightEdges::Edge& edge) {
   const auto each_end = [&](auto&& visit) {
@@ -38,7 +38,7 @@ bool extend(const Mesh& mesh, const std::vector<EdgePart>& parts, const std::vec
   return straight && 2 * edge.half >= StraightEdges::kLeastLength;
 }
 
-// Directions of both faces from the edge, and the angle of the water between them.
+// Sets the directions of both faces from the edge, and the exterior angle between them.
 void set_sides(StraightEdges::Edge& edge, const Vec3& first, const Vec3* second) {
   const auto inwards = [&](const Vec3& corner) -> Vec3 {
     const Vec3 off = corner - edge.middle;
@@ -60,7 +60,7 @@ void set_sides(StraightEdges::Edge& edge, const Vec3& first, const Vec3* second)
   edge.exterior = 2 - std::acos(cosine) / std::numbers::pi;
 }
 
-// Numbers of the GlintingFaces of one instance, by those of its mesh.
+// Index among all GlintingFaces by index in MeshFaces, for one instance.
 std::map<std::uint32_t, std::size_t> numbers_of(const GlintingFaces& faces, int instance) {
   std::map<std::uint32_t, std::size_t> numbers;
   for (const GlintingFaces::Group& group : faces.groups) {
@@ -71,7 +71,7 @@ std::map<std::uint32_t, std::size_t> numbers_of(const GlintingFaces& faces, int 
   return numbers;
 }
 
-// [triangle] Whether it is in a plane face that reflects coherently.
+// [triangle] 1 if it belongs to a plane face that reflects coherently.
 std::vector<std::uint8_t> coherent_triangles(const Scene& scene, const Instance& instance, const MeshFaces& faces) {
   std::vector<std::uint8_t> coherent(instance.mesh->triangles.size(), 0);
   for (std::size_t t = 0; t < faces.face_of.size(); ++t) {
@@ -127,37 +127,38 @@ void add_edges(const Scene& scene, int index, const GlintingFaces& faces, std::v
   }
 }
 
-// Looks around edges, a polygon of rays across each at two places, and where these differ at a third.
+// Tests with rays whether something touches an edge: an open polygon of rays around it, through the water, at two
+// places, and at a third where these differ.
 class Surroundings {
  public:
   Surroundings(const Scene& scene, Engine& engine) : scene_(scene), engine_(engine) {}
 
-  // Removes edges in the angle of whose water something stands at two of the places.
-  void keep_free(std::vector<PlacedEdge>& edges) {
-    std::vector<int> open = look(edges, {kPlaces[0], kPlaces[1]});
+  // Removes edges where the rays of two places are blocked.
+  void remove_touched(std::vector<PlacedEdge>& edges) {
+    std::vector<int> open = count_free(edges, {kPlaces[0], kPlaces[1]});
     std::vector<PlacedEdge> unsure;
     for (std::size_t i = 0; i < edges.size(); ++i) {
       if (open[i] == 1) {
         unsure.push_back(edges[i]);
       }
     }
-    const std::vector<int> third = look(unsure, {kPlaces[2]});
-    std::size_t kept = 0, next = 0;
+    const std::vector<int> third = count_free(unsure, {kPlaces[2]});
+    std::size_t free = 0, next = 0;
     for (std::size_t i = 0; i < edges.size(); ++i) {
       const int count = open[i] == 1 ? 1 + third[next++] : open[i];
       if (count == 2) {
-        edges[kept++] = edges[i];
+        edges[free++] = edges[i];
       }
     }
-    edges.resize(kept);
+    edges.resize(free);
   }
 
  private:
-  static constexpr double kPlaces[] = {-0.59, 0.41, -0.07};  // Of half the edge.
-  static constexpr double kMargin = 0.15, kStep = 2.1;       // Angles to the faces and between corners [rad].
+  static constexpr double kPlaces[] = {-0.59, 0.41, -0.07};  // Places along the edge [half lengths].
+  static constexpr double kMargin = 0.15, kStep = 2.1;       // Angle to the faces, largest step of the polygon [rad].
 
-  // [edge] At how many places nothing is in the way.
-  std::vector<int> look(const std::vector<PlacedEdge>& edges, std::initializer_list<double> places) {
+  // [edge] Number of places at which no ray is blocked.
+  std::vector<int> count_free(const std::vector<PlacedEdge>& edges, std::initializer_list<double> places) {
     rays_.clear();
     std::vector<std::size_t> ends;
     for (const auto& [instance, edge] : edges) {
@@ -196,7 +197,7 @@ class Surroundings {
     }
   }
 
-  // What moves is near other things by chance only.
+  // Whether a hit blocks: any on the same instance, and on another if both are static.
   [[nodiscard]] bool counts(int instance, const Hit& hit) const {
     if (!std::isfinite(hit.distance) || hit.instance == kNoLabel) {
       return false;
@@ -260,7 +261,7 @@ StraightEdges find_straight_edges(const Scene& scene, const GlintingFaces& faces
     edges.resize(StraightEdges::kMost);
     std::ranges::stable_sort(edges, {}, [](const auto& edge) { return edge.first; });
   }
-  Surroundings(scene, engine).keep_free(edges);
+  Surroundings(scene, engine).remove_touched(edges);
   for (const auto& [index, edge] : edges) {
     const Instance& instance = scene.instances[index];
     const int owner = instance.moving ? index : -1;

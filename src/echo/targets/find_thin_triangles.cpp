@@ -10,20 +10,22 @@
 namespace insonify {
 namespace {
 
-constexpr float kThinnest = 1e-4F;  // Distance from a wall within which rays hit nothing [m].
-constexpr int kAcross = 8;          // Directions in which the extent is measured: the least is at most 2 % too great.
-constexpr int kOthers = 3;          // Most surfaces of other objects within a body that rays pass.
-constexpr double kWidest = 1.5;     // Least altitude of a triangle, over kThickest, that is no side of a rod.
-constexpr float kShortest = 3, kLongest = 24;  // Pieces, in thicknesses; the shortest of which there are not too many.
-constexpr std::size_t kTogether = 4096;        // Triangles measured together.
+constexpr float kThinnest = 1e-4F;  // Rays start this far from a surface [m].
+constexpr int kAcross =
+    8;  // Directions across the normal in which the extent is measured; the least is at most 2 % too large.
+constexpr int kOthers = 3;       // Most surfaces of other instances that a ray passes.
+constexpr double kWidest = 1.5;  // Triangles of greater altitude than this, in kThickest, are not sides of thin parts.
+constexpr float kShortest = 3,
+                kLongest = 24;           // Length of pieces [thicknesses]: doubled until they are at most kMostPieces.
+constexpr std::size_t kTogether = 4096;  // Triangles measured together.
 
 // A triangle in world coordinates.
 struct Wall {
   std::uint32_t triangle;
-  Vec3 middle, normal;  // The normal points outwards, to the side to which the triangle is wound.
+  Vec3 middle, normal;  // The normal points outwards, by the winding.
 };
 
-// Distances along rays to the next wall of an instance; infinite where there is none.
+// Traces rays to the first surface of one instance, through those of others.
 class Probe {
  public:
   Probe(int instance, Engine& engine) : instance_(instance), engine_(engine) {}
@@ -65,7 +67,7 @@ Ray probe_ray(const Vec3& from, const Vec3& direction) {
   return {from, direction, double{kThinnest}, double{ThinParts::kThickest}};
 }
 
-// Those of triangles that are narrow enough to be the side of a thin part.
+// Triangles that are narrow enough to be sides of a thin part.
 std::vector<Wall> walls_of(const Instance& instance) {
   const Mesh& mesh = *instance.mesh;
   std::vector<Wall> walls;
@@ -97,7 +99,7 @@ std::vector<ThinTriangle> find_thin_triangles(const Scene& scene, int index, Eng
   std::vector<ThinTriangle> thin;
   Probe through(index, engine), across(index, engine);
   std::vector<Ray> rays, cross_rays;
-  std::vector<std::pair<const Wall*, double>> near;  // Walls whose opposite wall is near, and how near.
+  std::vector<std::pair<const Wall*, double>> near;  // Walls with an opposite wall within kThickest, and its distance.
   for (std::size_t first = 0; first < walls.size(); first += kTogether) {
     const std::span<const Wall> some(&walls[first], std::min(kTogether, walls.size() - first));
     rays.clear();
@@ -154,7 +156,8 @@ ThinParts find_thin_parts(const Scene& scene, Engine& engine) {
       continue;
     }
     std::vector<ThinTriangle> thin = find_thin_triangles(scene, static_cast<int>(i), engine);
-    // Thickness in steps of a fourth of an octave, so that pieces and triangles change to the lattice together.
+    // Thickness is rounded up to quarter octaves, so that a piece and its triangles pass to the lattice at the same
+    // range.
     for (ThinTriangle& triangle : thin) {
       triangle.thickness = 1e-3F * std::exp2(0.25F * std::ceil(4 * std::log2(triangle.thickness / 1e-3F)));
     }

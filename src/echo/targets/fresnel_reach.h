@@ -1,4 +1,4 @@
-// fresnel_reach.h -- how far beyond the ends of a line or a face it still echoes as a whole.
+// fresnel_reach.h -- how far beyond the end of a line or face the sonar may be and still receive its specular echo.
 
 #pragma once
 
@@ -6,10 +6,10 @@
 
 namespace insonify {
 
-/// What lies farther than this many Fresnel zones outside a face sees its edges only (u of Fresnel's integrals).
+/// Beyond this argument u of Fresnel's integrals outside a face, its echo is that of its edges alone.
 inline constexpr double kFresnelReach = 1.5;
 
-/// Distance beyond an end at which the echo of the whole has fallen to that of its ends [m].
+/// Distance beyond an end at which the specular echo has fallen to the level of the ends' echoes [m].
 /// @param half  Half the length [m].
 [[gnu::always_inline]] inline float fresnel_reach(float half, float distance, float wavelength) {
   const float zone = 0.5F * static_cast<float>(kFresnelReach) * std::sqrt(wavelength * distance);

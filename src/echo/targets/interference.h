@@ -10,24 +10,23 @@
 
 namespace insonify {
 
-/// A pulse that arrives from elsewhere, as one sonar receives it.
+/// A pulse from another source, as one sonar receives it.
 struct ArrivingPulse {
-  int beam;            ///< Cell of the grid.
-  float bearing_sine;  ///< Sine of the bearing that it arrives from.
+  int beam;            ///< Beam of the EchoGrid.
+  float bearing_sine;  ///< Sine of the bearing of arrival.
   float intensity;
-  double begins;         ///< After transmission of the sonar that receives it [s]; may be negative.
+  double begins;         ///< Arrival of its start after the receiving sonar's transmission [s]; may be negative.
   double duration;       ///< [s]
-  std::uint32_t source;  ///< Number of its source, and of ...
-  std::int64_t number;   ///< ... the pulse: start of its random phases, which differ from bin to bin.
+  std::uint32_t source;  ///< Index of its source. With `number`, selects its random phases, one per bin.
+  std::int64_t number;   ///< Index of the pulse.
 };
 
-/// Adds a pulse to a grid's discrete echoes, in the bins of its time.
+/// Adds a pulse to the EchoGrid's discrete echoes, in all bins that it overlaps.
 void add_pulse(const PingPlan& plan, const ArrivingPulse& pulse, EchoGrid& grid);
 
-/// Adds the pulses of other sonars to a grid of the calibrated model as discrete echoes, in the bins of their times of
-/// arrival. Their level is the other's source level relative to this sonar's, less the one-way transmission loss 20
-/// log10 r
-/// + alpha r, times the elevation pattern of reception.
+/// Adds the pulses of other sonars to the EchoGrid as discrete echoes, in the bins of their times of arrival.
+/// Calibrated model only. Their level is the other's source level relative to this sonar's, minus the one-way
+/// transmission loss 20 log10 r + alpha r, times the receiver's elevation pattern.
 class Interference {
  public:
   explicit Interference(std::span<const Interferer> interferers);

@@ -12,9 +12,9 @@
 namespace insonify {
 namespace {
 
-constexpr double kSameDirection = 1e-3;  // Angle between normals of one plane [rad].
+constexpr double kSameDirection = 1e-3;  // Largest angle between normals of one mirror's triangles [rad].
 
-// A direction that normals are turned towards: no plane of a real scene is parallel to it.
+// Normals are flipped to this side. No plane of a real scene contains this direction.
 const Vec3 kTowards(0.2672612419, 0.5345224838, 0.8017837257);
 
 struct FlatTriangle {
@@ -49,10 +49,10 @@ void add_flat_triangles(const Instance& instance, int index, const Pose& frame, 
   }
 }
 
-// The cells of a hash table, by normal and offset, that planes close to a given one may lie in.
+// Hash table of planes by normal and offset, which finds planes within the tolerances.
 class PlaneTable {
  public:
-  // The mirror in whose plane a triangle lies; -1 if there is none yet.
+  // Index of the mirror in whose plane a triangle lies; -1 if there is none yet.
   [[nodiscard]] int find(const FlatTriangle& one, const std::vector<PlaneMirror>& mirrors) const {
     const std::array<double, 4> place = place_of(one.normal, one.normal.dot(one.triangle.corners[0]));
     for (int choice = 0; choice < 16; ++choice) {
@@ -84,7 +84,7 @@ class PlaneTable {
   }
 
  private:
-  // Cells are this many tolerances wide.
+  // Width of a cell in tolerances, and its inverse.
   static constexpr double kWide = 8, kNear = 1 / kWide;
 
   static std::array<double, 4> place_of(const Vec3& normal, double offset) {
@@ -137,7 +137,7 @@ std::vector<PlaneMirror> find_plane_mirrors(const Scene& scene, int instance) {
       add_flat_triangles(each, index, instance < 0 ? each.world_from_mesh : Pose{}, flat);
     }
   }
-  // The normal of a plane is that of its largest triangle, which is known best.
+  // A plane takes the normal of its largest triangle, which is the most accurate.
   std::ranges::stable_sort(flat, std::greater<>(), &FlatTriangle::area);
   std::vector<PlaneMirror> mirrors;
   PlaneTable table;

@@ -51,7 +51,7 @@ void PointEchoes::add(const PingPlan& plan, const Pose& world_from_sonar, Engine
                              std::exp(-4 * double{plan.neper_per_metre} * range) * sights[i]->arrival.both_ways() *
                              sights[i]->passed * sights[i]->passed;
     const double turns = plan.turns_per_metre * range + own_phase(plan, i);
-    // A point has no extent: it blocks no solid angle behind it, and has no surface that could label a cell.
+    // A point has no extent: it casts no shadow and labels no cell.
     add_discrete_echo(plan, sights[i]->arrival, 1, range, intensity, turns, grid);
   }
 }

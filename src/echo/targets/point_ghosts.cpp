@@ -35,7 +35,7 @@ PointGhosts::PointGhosts(std::span<const PointTarget> points, const std::optiona
   sight_rays_ = SightRays(2 * most * points.size());
 }
 
-// The leg by a mirror, if both ends are on one side of it.
+// Adds the leg over a mirror, if both ends are on the same side of it.
 void PointGhosts::add_leg_by(const Vec3& sonar, std::size_t point, int mirror, const Vec3& normal, double offset) {
   const Vec3& place = points_[point].position;
   const double here = normal.dot(sonar) - offset, there = normal.dot(place) - offset;
@@ -55,7 +55,7 @@ void PointGhosts::add_leg_by(const Vec3& sonar, std::size_t point, int mirror, c
   legs_.push_back({mirror, point, rays_.size(), image, (bounce - sonar).norm()});
   rays_.push_back(ray_between(sonar, bounce));
   ends_.emplace_back();
-  if (mirror >= 0) {  // It must meet the face, which may have holes.
+  if (mirror >= 0) {  // The first ray must hit the face, which may have holes.
     const double cosine = std::max(0.01, std::abs(here) / legs_.back().bounce);
     rays_.back().max_distance += 2 * double{kRayClearance} + 2 * PlaneMirror::kFlush / cosine;
     ends_[legs_.back().ray] = {legs_.back().bounce - (PlaneMirror::kFlush + double{kRayClearance}) / cosine};
@@ -101,7 +101,7 @@ std::optional<PointGhosts::Way> PointGhosts::way_of(const PingPlan& plan, const 
     const PlaneMirror& face = (*faces_)[static_cast<std::size_t>(leg.mirror)];
     const Hit& hit = hits_[leg.ray];
     const double cosine = std::abs(face.normal.dot(there)) / way.length;
-    // The face itself, and nothing before it.
+    // The ray must hit the face itself, with nothing in front of it.
     const bool met = std::isfinite(hit.distance) &&
                      std::abs(hit.distance - leg.bounce) * cosine < PlaneMirror::kFlush + double{kRayClearance};
     if (!met || !clear(leg.ray + 1)) {
@@ -123,7 +123,7 @@ PointGhosts::Glint PointGhosts::glint(const PingPlan& plan, std::size_t point, c
   if (!glints_ || (out.mirror != kWater && back.mirror != kWater)) {
     return {1, 0};
   }
-  // A number of the pair: 2 with the straight leg, 3 with the water itself, 4 and more with faces.
+  // Number of the pair, for random numbers: 2 with the direct leg, 3 with the water itself, 4 and more with faces.
   const int other = out.mirror == kWater ? back.mirror : out.mirror;
   const auto pair = static_cast<std::uint32_t>(other + 4);
   const PhiloxCounter counter = {static_cast<std::uint32_t>(point), static_cast<std::uint32_t>(number),
@@ -133,7 +133,7 @@ PointGhosts::Glint PointGhosts::glint(const PingPlan& plan, std::size_t point, c
   return {-std::log(double{uniform_open(words[0])}), double{uniform_open(words[1])}};
 }
 
-// The echoes of all pairs of legs, but for that of the straight one with itself.
+// Adds the echoes of all pairs of legs, except that of the direct leg with itself.
 void PointGhosts::add_echoes(const PingPlan& plan, std::span<const Way> ways, std::size_t point, std::uint64_t number,
                              EchoGrid& grid) const {
   const double strength = std::pow(10.0, points_[point].target_strength_db / 10);

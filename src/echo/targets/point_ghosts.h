@@ -1,4 +1,4 @@
-// point_ghosts.h -- echoes of points by way of plane mirrors: the water's surface and flat faces of the scene.
+// point_ghosts.h -- multipath echoes of points by plane mirrors: the water's surface and plane faces of the scene.
 
 #pragma once
 
@@ -17,50 +17,50 @@
 
 namespace insonify {
 
-/// Adds the echoes of points by way of plane mirrors to a grid of the calibrated model as discrete echoes: image
-/// method, Brekhovskikh and Lysanov, Fundamentals of Ocean Acoustics, ch. 5. Between the sonar and a point there are
-/// the straight leg and one by each mirror. With their lengths r and the point's target strength TS (linear), a path
-/// out by leg i and back by leg j has the intensity
+/// Adds the multipath echoes of points by plane mirrors to the EchoGrid as discrete echoes, by the image method
+/// (Brekhovskikh and Lysanov, Fundamentals of Ocean Acoustics, ch. 5). Calibrated model only. Between the sonar and a
+/// point there are the direct leg and one leg over each mirror. With leg lengths r and the point's target strength TS
+/// (linear), a path out by leg i and back by leg j has the intensity
 ///
 ///     TS g_i g_j,   g = W / r^2,   at range (r_i + r_j) / 2
 ///
-/// times absorption and elevation pattern; where i and j differ it comes with its reciprocal, of equal phase. W is 1 of
-/// the straight leg and |R|^2 of the water's surface. Of a flat face it is the share |R|^2 e^-g that is coherent,
-/// reduced to (A cos / (lambda r1 r2 / (r1 + r2)))^2 where the face is smaller than its Fresnel zone. Each reflection
-/// by the surface changes the phase by half a turn. Waves break each echo up into many glints, whose sum has a random
-/// phase and an exponentially distributed intensity, drawn anew for each ping.
+/// times absorption and elevation pattern. Where i and j differ, the reciprocal path has the same phase and is added
+/// too. W is 1 for the direct leg, |R|^2 for the water's surface, and for a plane face the coherent reflectance |R|^2
+/// e^-g, times (A cos / (lambda r1 r2 / (r1 + r2)))^2 where its area A is smaller than the Fresnel zone. Each
+/// reflection at the water's surface shifts the phase by half a turn. Waves break an echo up into many glints: their
+/// sum has a random phase and an exponentially distributed intensity, independent from ping to ping.
 class PointGhosts {
  public:
   struct Surface {
     double level;        ///< World z [m].
     SurfaceLabel label;  ///< Its material in the plan.
-    bool waves;          ///< Whether there are any.
+    bool waves;          ///< Whether the surface has waves.
   };
-  static constexpr std::size_t kMostFaces = 16;  ///< By which a point has ghosts: the largest that count.
+  static constexpr std::size_t kMostFaces = 16;  ///< Most faces over which a point has legs; the largest are taken.
 
-  /// @param faces  Of what does not move; null for none.
+  /// @param faces  Mirrors of the static instances; null for none.
   PointGhosts() = default;
   PointGhosts(std::span<const PointTarget> points, const std::optional<Surface>& surface,
               std::shared_ptr<const std::vector<PlaneMirror>> faces);
 
-  /// Adds the echoes that `secondary` and `max_surfaces` of the plan allow. Allocates nothing else.
-  /// @param number  Of the ping.
-  /// @param phases  Whether phases count (ReceiverConfig::speckle): then waves make phase and intensity random.
+  /// Adds the echoes that `secondary` and `max_surfaces` of the plan allow. Does not allocate.
+  /// @param number  Number of the ping.
+  /// @param phases  Whether echoes have phases (ReceiverConfig::speckle). If so, waves make phase and intensity random.
   void add(const PingPlan& plan, const Pose& world_from_sonar, std::uint64_t number, bool phases, Engine& engine,
            EchoGrid& grid);
 
  private:
-  // A way between the sonar and a point.
+  // A path between the sonar and a point, direct or over one mirror.
   struct Leg {
     int mirror = kStraight;  // Index into `faces_`, kStraight or kWater.
     std::size_t point = 0;
-    std::size_t ray = 0;  // The first of its rays, which must be clear: one, or two by a mirror.
+    std::size_t ray = 0;  // Index of its first ray: one ray, or two over a mirror. They must be unobstructed.
     Vec3 image;           // Mirror image of the point, in the world [m].
     double bounce = 0;    // Length from the sonar to the mirror [m].
   };
   static constexpr int kStraight = -2, kWater = -1;
 
-  // What a leg does to sound.
+  // An unobstructed leg with its effect on sound.
   struct Way {
     int mirror;
     PingPlan::Arrival arrival;
@@ -72,7 +72,7 @@ class PointGhosts {
   [[nodiscard]] std::optional<Way> way_of(const PingPlan& plan, const Pose& world_from_sonar, const Leg& leg) const;
   void add_echoes(const PingPlan& plan, std::span<const Way> ways, std::size_t point, std::uint64_t number,
                   EchoGrid& grid) const;
-  // Effect of waves on an echo: a factor on its intensity and an addition to its phase.
+  // Effect of waves on an echo: a factor on its intensity and an offset of its phase.
   struct Glint {
     double intensity, turns;
   };
@@ -82,7 +82,7 @@ class PointGhosts {
   std::span<const PointTarget> points_;
   std::optional<Surface> surface_;
   std::shared_ptr<const std::vector<PlaneMirror>> faces_;
-  bool glints_ = false;  // Whether phase and intensity are random.
+  bool glints_ = false;  // Whether waves randomise phase and intensity.
   std::vector<Leg> legs_;
   std::vector<Ray> rays_;
   std::vector<Hit> hits_;

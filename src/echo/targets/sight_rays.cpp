@@ -1,4 +1,4 @@
-// sight_rays.cpp -- traces lines of sight on behind the surfaces that let sound through, all rays together.
+// sight_rays.cpp -- continues lines of sight behind surfaces that transmit sound, all rays together.
 
 #include "echo/targets/sight_rays.h"
 
@@ -29,13 +29,13 @@ void SightRays::trace(const PingPlan& plan, Engine& engine, std::span<const Ray>
   if (met_.size() < most_) {
     passed_.reserve(most_);
     of_.reserve(most_);
-    onward_.reserve(most_);
+    continued_.reserve(most_);
     met_.resize(most_);
   }
   passed_.assign(rays.size(), 1);
   for (int surfaces = 0; surfaces < kMostPassed; ++surfaces) {
     of_.clear();
-    onward_.clear();
+    continued_.clear();
     for (std::size_t i = 0; i < rays.size(); ++i) {
       const Hit& hit = hits[i];
       if (!std::isfinite(hit.distance) || (!ends.empty() && ends_here(ends[i], hit))) {
@@ -47,15 +47,15 @@ void SightRays::trace(const PingPlan& plan, Engine& engine, std::span<const Ray>
       if (passed_on(passed_[i] * passed_[i], transmittance) > 0) {
         passed_[i] *= transmittance;
         of_.push_back(i);
-        onward_.push_back(rays[i]);
-        onward_.back().min_distance = hit.distance + double{kRayClearance};
+        continued_.push_back(rays[i]);
+        continued_.back().min_distance = hit.distance + double{kRayClearance};
       }
     }
     if (of_.empty()) {
       return;
     }
     const std::span<Hit> met = std::span(met_).first(of_.size());
-    engine.trace(onward_, met);
+    engine.trace(continued_, met);
     for (std::size_t k = 0; k < of_.size(); ++k) {
       hits[of_[k]] = met[k];
     }

@@ -1,4 +1,4 @@
-// thin_echoes.cpp -- steps along the pieces, a ray to each, and the echo of its surface.
+// thin_echoes.cpp -- divides pieces into steps, traces a ray to each, and integrates the scattering law over it.
 
 #include "echo/targets/thin_echoes.h"
 
@@ -13,15 +13,15 @@
 namespace insonify {
 namespace {
 
-// The solid angle in which the samples of the lattice hit a thin part is in the grid already. Echoes need a weight, for
-// only what has one labels a cell: this share of their own.
+// Weight of an echo, as a share of its solid angle. The solid angle itself is in the grid already, from the samples of
+// the lattice that hit the part; but an echo without weight would not label its cell.
 constexpr float kWeight = 1e-3F;
 
-// Along the way to a piece, in thicknesses: where the ray ends in front of its axis, and how far in front of it the
-// same object does not count as in the way.
+// In thicknesses: distance of the ray's end in front of the axis, and distance in front of it from which hits on the
+// same instance do not block.
 constexpr float kInFront = 1, kOwnDepth = 3;
 
-// Area times backscattering coefficient of a patch: both laws, the lobe widened by the turns of the normal.
+// Area times backscattering coefficient of a patch: Lambert's law and the facets' lobe, widened by curvature.
 // @param cosine  n . d, negative.
 float strength_of(const ThinParts::Patch& patch, const Vec3f& direction, float cosine, const ScatterTable::Laws& laws,
                   std::uint32_t material) {
@@ -53,7 +53,7 @@ std::uint32_t interleaved(std::uint32_t bits) {
   return (bits | bits << 1) & 0x55555555U;
 }
 
-// Whether a sphere lies beside the fan, which is symmetric about x. Beyond a right angle on either side: never.
+// Whether a sphere is outside the fan in azimuth. The fan is symmetric about x; false for fans wider than 180 degrees.
 bool beside(const PingPlan& plan, const Vec3f& middle, float radius) {
   const float edge = plan.lattice.azimuth.front() + plan.lattice.column_width.front();
   const float across = std::abs(middle.y());
@@ -134,8 +134,8 @@ void ThinEchoes::add_seen(const PingPlan& plan, std::uint32_t group, const Pose&
   }
 }
 
-// Divides the pieces into steps. False where they are too many.
-// @param longer  Factor on their greatest length.
+// Divides the pieces into steps. False if there are too many.
+// @param longer  Factor on the largest length of a step.
 bool ThinEchoes::divide(float longer) {
   constexpr float kMostOfPiece = 256;
   std::uint32_t steps = 0;
@@ -179,7 +179,7 @@ void ThinEchoes::find_steps(const PingPlan& plan, Workers& workers) {
 
 // Traces a ray for every n-th step, to a place in front of the piece, beside its axis. Neighbouring rays are traced
 // together: they are ordered along a curve that fills the fan (Morton order).
-void ThinEchoes::look(const PingPlan& plan, const Pose& world_from_sonar, Engine& engine) {
+void ThinEchoes::trace_rays(const PingPlan& plan, const Pose& world_from_sonar, Engine& engine) {
   stride_ = (steps_.size() + kMostRays - 1) / kMostRays;
   order_.clear();
   for (std::size_t i = 0; i < steps_.size(); i += stride_) {
@@ -259,7 +259,7 @@ void ThinEchoes::add(const PingPlan& plan, const Pose& world_from_sonar, std::sp
   if (steps_.empty()) {
     return;
   }
-  look(plan, world_from_sonar, engine);
+  trace_rays(plan, world_from_sonar, engine);
   constexpr std::size_t kTogether = 256;
   workers.for_each(static_cast<int>((steps_.size() + kTogether - 1) / kTogether), [&](int task, int) {
     const std::size_t first = static_cast<std::size_t>(task) * kTogether;

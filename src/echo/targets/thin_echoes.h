@@ -12,26 +12,25 @@
 
 namespace insonify {
 
-/// Adds the primary echoes of thin parts to a grid of the calibrated model, where Engine::leave_out() has left them
-/// out. Each piece is divided along its axis into steps of at most one column of the lattice, half the slope of its
-/// facets and a bin. The echo of a step is the integral of the scattering law over the surface that faces the sonar
-/// (docs/concepts/scattering.md, "Thin things"). It is not added where something else blocks the way to the sonar.
+/// Adds the primary echoes of thin parts, which Engine::leave_out() removes from the lattice's echoes, to the EchoGrid.
+/// Calibrated model only. Each piece is divided along its axis into steps no longer than one column of the lattice,
+/// half the slope of its facets, and one bin. The echo of a step is the integral of the scattering law over the surface
+/// that faces the sonar (docs/concepts/scattering.md, "Thin things"). A step that is hidden gives no echo.
 class ThinEchoes {
  public:
   explicit ThinEchoes(std::shared_ptr<const ThinParts> parts = {});
 
   static constexpr std::size_t kMostRays =
-      4096;  ///< Most rays of a ping: of more steps, only every n-th is tried for sight.
-  static constexpr std::size_t kMostSteps =
-      32768;  ///< Most steps of a ping: where there would be more, they are longer.
+      4096;  ///< Most rays per ping; with more steps, each ray tests several neighbouring ones.
+  static constexpr std::size_t kMostSteps = 32768;  ///< Most steps per ping; beyond that, steps are made longer.
 
-  /// Allocates nothing.
+  /// Does not allocate.
   /// @param world_from_mesh  [instance]
   void add(const PingPlan& plan, const Pose& world_from_sonar, std::span<const Pose> world_from_mesh, Engine& engine,
            Workers& workers, EchoGrid& grid);
 
  private:
-  // The pieces of one instance, and a sphere around them in the frame of its mesh.
+  // The pieces of one instance, and their bounding sphere in the frame of its mesh.
   struct Group {
     int instance;
     std::size_t first, last;
@@ -39,7 +38,7 @@ class ThinEchoes {
     float radius;
   };
 
-  // A piece that the sonar may receive. Frame of the sonar.
+  // A piece that the sonar may receive, in the sonar frame.
   struct Seen {
     std::uint32_t piece, group;
     std::uint32_t first, count;  // Steps.
@@ -47,13 +46,13 @@ class ThinEchoes {
     float wished;                // Number of steps, if they are not to be longer.
   };
 
-  // One step along a piece. Frame of the sonar, but for `in_mesh`.
+  // One step along a piece, in the sonar frame except for `in_mesh`.
   struct Step {
     std::uint32_t piece;
-    std::uint32_t count;  // Steps of the piece; 0 for a step that the sonar does not receive.
+    std::uint32_t count;  // Number of steps of the piece; 0 for a step that the sonar does not receive.
     Vec3f place;          // On the axis of the piece [m].
     Vec3f in_mesh;        // Unit direction from the sonar, in the frame of the mesh.
-    Vec3f axis;           // Unit length, or 0.
+    Vec3f axis;           // Unit vector; 0 for a piece without axis.
     float half_range;     // Half the range interval that the step covers [m].
   };
 
@@ -62,7 +61,7 @@ class ThinEchoes {
   [[nodiscard]] bool divide(float longer);
   void find_steps(const PingPlan& plan, Workers& workers);
   void step_along(const PingPlan& plan, const Seen& seen);
-  void look(const PingPlan& plan, const Pose& world_from_sonar, Engine& engine);
+  void trace_rays(const PingPlan& plan, const Pose& world_from_sonar, Engine& engine);
   [[nodiscard]] bool visible(std::size_t ray) const;
   [[nodiscard]] Echo echo_of(const PingPlan& plan, const Step& step) const;
 
@@ -77,7 +76,7 @@ class ThinEchoes {
   std::vector<std::uint32_t> ray_of_;   // [number] Index of its ray.
   std::vector<Ray> rays_;
   std::vector<Hit> hits_;
-  std::vector<SightEnd> own_;  // What a ray may hit without being blocked.
+  std::vector<SightEnd> own_;  // [ray] The piece itself, which does not block its ray.
   SightRays sight_rays_{kMostRays};
 };
 

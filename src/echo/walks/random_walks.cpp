@@ -1,4 +1,4 @@
-// random_walks.cpp -- walks all walks of a ping together, bounce by bounce, so that engines get many rays at once.
+// random_walks.cpp -- advances all walks of a ping together, bounce by bounce, to trace many rays per call.
 
 #include "echo/walks/random_walks.h"
 
@@ -13,19 +13,19 @@
 namespace insonify {
 namespace {
 
-// Share of energy from which on Russian roulette ends walks: the rest of them carry as much as they have then.
+// Remaining share of energy below which Russian roulette ends walks. Survivors continue with this share.
 constexpr float kLeastShare = 1e-5F;
 
-// Half of the range interval that an echo is spread over, relative to its range: the widest of a secondary echo.
+// Half of the range interval that an echo is spread over, relative to its range: as for the widest secondary echo.
 constexpr float kHalfSpread = 0.5F * kWidestFootprint;
 
-// Cosine between the normals of two hits on one surface that count as the same mirror.
+// Two hits on one surface count as the same mirror if the cosine between their normals is larger than this.
 constexpr float kSameMirror = 0.9F;
 
-// Most of the cosine between the normals of mirrors that count as perpendicular.
+// Mirrors count as perpendicular if the cosine between their normals is smaller than this.
 constexpr float kPerpendicular = 0.01F;
 
-// Four uniform numbers of one bounce of a walk; those of the launch are of bounce 0.
+// Four uniform random numbers for one bounce of a walk; bounce 0 is its launch.
 struct Draws {
   float a, b, c, d;
 
@@ -61,8 +61,8 @@ RandomWalks::RandomWalks(const Settings& settings)
   echoes_.reserve(walks_.size());
 }
 
-// Launches the walks evenly over the columns, in rows drawn at random. Each sample of the lattice stands for its share
-// of the sound transmitted, pattern included.
+// Launches the walks evenly over the columns, in random rows. A walk's weight is its share of the transmitted sound,
+// with the beam pattern.
 void RandomWalks::launch(const PingPlan& plan, const Pose& world_from_sonar) {
   const Lattice& lattice = plan.lattice;
   const int columns = settings_.beam_count * lattice.columns_per_beam;
@@ -85,7 +85,7 @@ void RandomWalks::launch(const PingPlan& plan, const Pose& world_from_sonar) {
   walking_ = walks_.size();
 }
 
-// Energy per steradian that goes straight back to the sonar, without what other echoes hold: see the class.
+// Energy per steradian scattered towards the sonar, without the paths that other echoes include (see the class).
 float RandomWalks::per_steradian(const PingPlan& plan, const SurfaceLaw& law, const Hit& hit, const Vec3f& in,
                                  const Vec3f& out, int order, const Walk& walk) const {
   const Vec3f normal = hit.normal.cast<float>();
@@ -112,7 +112,7 @@ float RandomWalks::per_steradian(const PingPlan& plan, const SurfaceLaw& law, co
   return law.diffuse_into(normal, out) + left * law.mirrored_into(normal, in, out);
 }
 
-// Prepares the leg from the end of a walk back to the sonar, and the echo that it brings.
+// Adds the leg from the last bounce of a walk to the sonar, and its echo, to legs_ and echoes_.
 void RandomWalks::connect(const PingPlan& plan, const Pose& world_from_sonar, const Hit& hit, const Vec3f& in,
                           int order, const Walk& walk) {
   const Vec3 back = world_from_sonar.position - walk.point;
@@ -145,7 +145,7 @@ void RandomWalks::connect(const PingPlan& plan, const Pose& world_from_sonar, co
                      .surface = label_of(hit)});
 }
 
-// Draws the direction in which a walk goes on; false where it ends.
+// Draws the next direction of a walk; false if the walk ends.
 bool RandomWalks::bounce(const PingPlan& plan, const Hit& hit, int order, Walk& walk) {
   const Draws draws(settings_.seed, number_, walk.index, order);
   const Vec3f normal = hit.normal.cast<float>();
@@ -158,7 +158,7 @@ bool RandomWalks::bounce(const PingPlan& plan, const Hit& hit, int order, Walk& 
     walk.first_normal = normal;
   }
   if (order <= 2) {
-    // The coherent share of what is mirrored: where facets are no mirrors, all of it.
+    // Coherent share of the mirrored sound; 1 if facets do not act as mirrors.
     const auto of_lobe = static_cast<float>(coherent_share(plan, label_of(hit), double{normal.dot(walk.direction)}));
     const float share = law.coherent > of_lobe ? of_lobe / law.coherent : 1.0F;
     walk.coherent *= next.mirrored ? share : 0.0F;
@@ -177,8 +177,8 @@ bool RandomWalks::bounce(const PingPlan& plan, const Hit& hit, int order, Walk& 
   return true;
 }
 
-// Takes the walks to the surfaces that their rays have hit and on from there. Those that leave the scene, or could not
-// come back in time, end.
+// Moves each walk to its hit, and draws its next leg. Walks end if they leave the scene or can no longer return within
+// the range window.
 void RandomWalks::bounce_all(const PingPlan& plan, const Pose& world_from_sonar, int order) {
   legs_.clear();
   echoes_.clear();

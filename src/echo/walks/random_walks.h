@@ -11,58 +11,61 @@
 
 namespace insonify {
 
-/// Echoes of the paths over two and more surfaces that primary and secondary echoes leave out.
+/// Adds the echoes of the paths over two and more surfaces that primary and secondary echoes do not cover.
 ///
-/// A walk leaves the sonar in a direction of the lattice. Where it meets a surface, a direction is drawn in which it
-/// goes on (SurfaceLaw), and from the second surface on the sound that goes straight back to the sonar is added to the
-/// grid if nothing is in its way. The expected value of the grid is the integral over all paths:
+/// A walk starts at the sonar in a direction of the lattice. At each surface the next direction is drawn by SurfaceLaw.
+/// From the second surface on, each surface is also connected to the sonar, and the echo of this leg is added to the
+/// grid if nothing blocks it. The expected value of the grid is the integral over all paths:
 /// docs/concepts/multipath.md, "Random walks". Walks depend on seed and ping number, not on threads or engine.
 ///
-/// A bounce is diffuse or mirrored, so that a path is one word of D and M, and each word is in exactly one place:
+/// A bounce is diffuse (D) or mirrored (M), so that a path is a word of these letters. Each word is counted exactly
+/// once:
 ///
 ///     one surface      primary echoes
 ///     MD, DM, MM       secondary echoes of order 2
-///     M X M            secondary echoes of order 3, if both M are the same mirror
+///     M X M            secondary echoes of order 3, if both M are the same mirror; X is D or M
 ///     MMM              CornerEchoes, for the coherent share of three perpendicular mirrors
 ///     M D M            secondary echoes of order 3, for the coherent share of the water's surface as one M
 ///     all others       here: DD; three surfaces unless M X M by one mirror; four surfaces and more
 class RandomWalks {
  public:
   struct Settings {
-    int count = 0;       ///< Walks of a ping, > 0.
-    int first_beam = 0;  ///< Beams of the plan that the sonar transmits into; on a scanning head with an array
-    int beam_count = 0;  ///< pattern these are fewer than those of the plan.
+    int count = 0;       ///< Walks per ping, > 0.
+    int first_beam = 0;  ///< First of the plan's beams that the sonar transmits into.
+    int beam_count = 0;  ///< Number of these; less than the plan's for a scanning head with an array pattern.
     std::uint64_t seed = 1;
   };
   explicit RandomWalks(const Settings& settings);
 
-  /// Adds the echoes of a ping to the cells of a grid of the calibrated model. Its path order is that of the path, or
-  /// kPathOrders for longer ones. Allocates nothing once the lists of the grid have grown to their size.
-  /// @param number   Of the ping.
-  /// @param elsewhere  What is added elsewhere.
+  /// Paths that other echoes include, which walks must leave out.
   struct Elsewhere {
-    bool corners = false;             ///< Whether the coherent echoes of three perpendicular mirrors are: CornerEchoes.
-    SurfaceLabel water = kNoSurface;  ///< The water's surface: its coherent share in M D M.
+    bool corners = false;             ///< Whether CornerEchoes adds coherent echoes of three perpendicular mirrors.
+    SurfaceLabel water = kNoSurface;  ///< The water's surface, if secondary echoes include its coherent share of M D M.
   };
+
+  /// Adds the echoes of one ping to the cells of the EchoGrid. Calibrated model only. The order of an echo is the
+  /// number of surfaces, at most kPathOrders. Allocates only while the grid's lists grow.
+  /// @param number     Number of the ping.
+  /// @param elsewhere  Paths to leave out.
   void add(const PingPlan& plan, const Pose& world_from_sonar, std::uint64_t number, const Elsewhere& elsewhere,
            Engine& engine, EchoGrid& grid);
 
  private:
-  // The end of a walk so far.
+  // State of a walk after its last bounce.
   struct Walk {
     Vec3 point = Vec3::Zero();        // World frame [m].
-    Vec3f direction = Vec3f::Zero();  // In which its next leg goes.
+    Vec3f direction = Vec3f::Zero();  // Direction of its next leg, unit length.
     float length = 0;                 // Length of the path so far [m].
-    float weight = 0;                 // Solid angle of launched sound that it stands for [sr].
-    float share = 1;                  // Energy that is left of it, relative to that launched.
-    std::uint32_t index = 0;          // Its random numbers.
+    float weight = 0;                 // Solid angle of launched sound that it represents [sr].
+    float share = 1;                  // Remaining energy, relative to that launched.
+    std::uint32_t index = 0;          // Selects its random numbers.
     bool first_mirrored = false;      // Whether the first bounce was mirrored.
     SurfaceLabel first_surface = kNoSurface;
     Vec3f first_normal = Vec3f::Zero();
     Vec3f second_normal = Vec3f::Zero();
     bool second_mirrored = false;
-    float first_coherent = 1;  // Share of the first bounce that a smooth mirror reflects.
-    float coherent = 1;        // Share of the first two bounces that smooth mirrors reflect, 0 where one was diffuse.
+    float first_coherent = 1;  // Coherent share of the first bounce.
+    float coherent = 1;        // Coherent share of the first two bounces; 0 if one was diffuse.
   };
 
   void launch(const PingPlan& plan, const Pose& world_from_sonar);
@@ -78,12 +81,12 @@ class RandomWalks {
   std::uint64_t number_ = 0;
   bool corners_ = false;
   SurfaceLabel water_ = kNoSurface;
-  std::size_t walking_ = 0;  // How many of the walks go on: these come first.
+  std::size_t walking_ = 0;  // Number of active walks, which come first in walks_.
   std::vector<Walk> walks_;
-  std::vector<Ray> rays_;  // Next legs of the walks that go on, then legs back to the sonar.
+  std::vector<Ray> rays_;  // Next legs of the active walks, then legs_.
   std::vector<Hit> hits_;
-  std::vector<Ray> legs_;     // Legs back to the sonar of this bounce,
-  std::vector<Echo> echoes_;  // and the echoes that they bring if they are clear.
+  std::vector<Ray> legs_;     // Legs back to the sonar from this bounce.
+  std::vector<Echo> echoes_;  // [leg] Its echo, if nothing blocks the leg.
 };
 
 }  // namespace insonify

@@ -1,4 +1,4 @@
-// surface_law.cpp -- densities of scattered sound, and directions drawn from them.
+// surface_law.cpp -- densities of scattered sound, and sampling of directions from them.
 
 #include "echo/walks/surface_law.h"
 
@@ -13,7 +13,7 @@ namespace {
 
 constexpr float kPi = std::numbers::pi_v<float>;
 
-// Two unit vectors across the normal: Duff et al., "Building an orthonormal basis, revisited", JCGT 6 (2017).
+// Orthonormal basis with the normal: Duff et al., "Building an orthonormal basis, revisited", JCGT 6 (2017).
 struct Tangents {
   Vec3f along, across;
 
@@ -24,7 +24,8 @@ struct Tangents {
   }
 };
 
-// Density cos / pi about the normal: a point of the unit disc, lifted to the hemisphere (Malley's method).
+// Samples the density cos / pi about the normal: a point of the unit disc projected onto the hemisphere (Malley's
+// method).
 Vec3f lambert_direction(const Vec3f& n, float radius, float turn) {
   const Tangents tangents(n);
   const float sine = std::sqrt(radius), angle = 2 * kPi * turn;
@@ -33,12 +34,12 @@ Vec3f lambert_direction(const Vec3f& n, float radius, float turn) {
       .normalized();
 }
 
-// A direction and its image in the surface.
+// Mirrors a direction at the surface.
 Vec3f folded(const Vec3f& normal, const Vec3f& direction) {
   return direction - 2 * direction.dot(normal) * normal;
 }
 
-// Density of the directions into which facets reflect, before those into the surface are folded back [1/sr].
+// Density of directions reflected by facets [1/sr], before those into the surface are mirrored at it.
 float facet_density(const SurfaceLaw& law, const Vec3f& normal, const Vec3f& in, const Vec3f& out) {
   const Vec3f half = (out - in).normalized();
   const float upright = half.dot(normal);

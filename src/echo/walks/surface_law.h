@@ -1,4 +1,4 @@
-// surface_law.h -- what a surface does with the sound that a random walk brings to it.
+// surface_law.h -- scattering law of a surface for random walks: densities, and sampling of directions.
 
 #pragma once
 
@@ -7,8 +7,8 @@
 
 namespace insonify {
 
-/// Least rms slope of the facets that reflect random walks. The lobe of a smoother mirror is so narrow that few
-/// connections to the sonar meet it, with very high levels: it is widened, at equal energy.
+/// Smallest rms slope of facets for random walks. A smoother surface has such a narrow lobe that connections to the
+/// sonar rarely hit it, with very high levels (high variance). Its lobe is widened at equal energy.
 inline constexpr double kLeastWalkSlope = 0.1;
 
 /// The laws of acoustics/backscatter.h as shares of the energy that falls on a surface, which may be smaller than 1
@@ -37,14 +37,13 @@ struct SurfaceLaw {
   [[nodiscard]] float diffuse_into(const Vec3f& normal, const Vec3f& out) const;
   [[nodiscard]] float mirrored_into(const Vec3f& normal, const Vec3f& in, const Vec3f& out) const;
 
-  /// A direction drawn at random in which the sound goes on.
+  /// A random direction of the scattered sound.
   struct Next {
     Vec3f direction;
-    float share = 0;  ///< Factor on the energy that the walk carries, so that its mean over all draws is right; 0: none
-                      ///< goes on.
-    bool mirrored = false;  ///< By what other echoes follow as a mirror.
+    float share = 0;        ///< Factor on the walk's energy that makes its expected value right; 0: the walk ends.
+    bool mirrored = false;  ///< Whether it belongs to the share `coherent`.
   };
-  /// Draws diffuse or mirrored sound in proportion to their shares, and its direction after the densities above.
+  /// Chooses diffuse or mirrored in proportion to their shares, and samples a direction from its density above.
   /// @param choice, radius, turn  Uniform in (0, 1).
   [[nodiscard]] Next draw(const Vec3f& normal, const Vec3f& in, float choice, float radius, float turn) const;
 };

@@ -1,4 +1,4 @@
-// recorded_source.h -- what messages and pictures tell of a sonar, from its recording.
+// recorded_source.h -- properties of a sonar that messages and pictures need, from its recording.
 
 #pragma once
 

@@ -1,4 +1,4 @@
-// mcap_writer_file.cpp -- what of an McapWriter goes to its file: metadata, chunks and the summary.
+// mcap_writer_file.cpp -- writes the parts of an McapWriter's file: metadata, chunks and summary.
 
 #include <fmt/format.h>
 #include <unistd.h>

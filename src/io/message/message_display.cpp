@@ -1,4 +1,4 @@
-// message_display.cpp -- from options, receiver and model to one mapping for all pings.
+// message_display.cpp -- derives the mapping of all pings from options, receiver and model.
 
 #include "io/message/message_display.h"
 

@@ -1,4 +1,4 @@
-// message_source.cpp -- what messages tell of a sonar, and names for its topics.
+// message_source.cpp -- properties of a sonar that its messages need, and names of its topics.
 
 #include <fmt/format.h>
 

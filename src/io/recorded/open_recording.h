@@ -1,4 +1,4 @@
-// open_recording.h -- opens a recording by what the first bytes of its file say that it is: HDF5 or MCAP.
+// open_recording.h -- opens a recording by its format, HDF5 or MCAP, which its first bytes tell.
 
 #pragma once
 

@@ -1,4 +1,4 @@
-// recorded_pings.cpp -- passes each question on to the reader of the file's format.
+// recorded_pings.cpp -- forwards each call to the reader of the file's format.
 
 #include "insonify/recorded_pings.h"
 

@@ -1,4 +1,4 @@
-// growing_image.cpp -- has HDF5 make all of a file but its rows, in memory.
+// growing_image.cpp -- lets HDF5 create the whole file except its rows, in memory.
 
 #include "io/recording/growing_image.h"
 

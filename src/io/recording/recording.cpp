@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "echo/engine.h"
-#include "echo/model/primary_choice.h"
+#include "echo/rays/primary_choice.h"
 #include "insonify/files.h"
 #include "insonify/printable.h"
 #include "insonify/version.h"

@@ -1,4 +1,4 @@
-// check_effects.h -- refuses keys that a file gives and that have no effect in its model of the echo.
+// check_effects.h -- rejects keys in a file that have no effect in its model of the echo.
 
 #pragma once
 

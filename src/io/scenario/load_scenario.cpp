@@ -1,4 +1,4 @@
-// load_scenario.cpp -- a scenario from its YAML file and the settings of the command line.
+// load_scenario.cpp -- reads a scenario from its YAML file and the settings of the command line.
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-// preset_folder.h -- where preset files are looked for.
+// preset_folder.h -- folders of preset files, and look-up of a preset in them.
 
 #pragma once
 

@@ -1,4 +1,4 @@
-// world_sonars.cpp -- what readers of worlds with sonars in them share.
+// world_sonars.cpp -- shared code of the readers of worlds that contain sonars.
 
 #include "io/scenario/world_sonars.h"
 

@@ -1,4 +1,4 @@
-// world_sonars.h -- what readers of worlds with sonars in them share.
+// world_sonars.h -- shared code of the readers of worlds that contain sonars.
 
 #pragma once
 

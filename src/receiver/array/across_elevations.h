@@ -1,4 +1,4 @@
-// across_elevations.h -- one-way pattern of a sonar across elevations, exact in every direction in front of it.
+// across_elevations.h -- one-way elevation pattern of a sonar, evaluated exactly in all directions in front of it.
 
 #pragma once
 
@@ -11,7 +11,7 @@
 namespace insonify {
 
 /// |p|^2 of a sonar across elevations, one way: an array that is baffled to the back, or a top hat. ElevationPattern is
-/// the same in a table that ends where it is not worth sampling.
+/// a table of the same pattern, cut off where levels are negligible.
 class AcrossElevations {
  public:
   AcrossElevations(const SonarConfig& sonar, const ReceiverConfig& receiver);

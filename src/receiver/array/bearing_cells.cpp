@@ -1,4 +1,4 @@
-// bearing_cells.cpp -- divides the beams of a sonar into bearing cells, and adds those that its outermost beams hear.
+// bearing_cells.cpp -- divides the beams of a sonar into bearing cells, and adds guard cells outside the fan.
 
 #include "receiver/array/bearing_cells.h"
 

@@ -67,7 +67,7 @@ void BearingResponse::fill(Gains& zone, std::span<const double> cell_sines, doub
   for (int beam = 0; beam < beams; ++beam) {
     check_interruption();  // Thousands of beams take seconds.
     if (zone.edge_phase != 0) {
-      const double sine = beam_sines_[beam];  // A steered array is shorter, seen from the echo.
+      const double sine = beam_sines_[beam];  // The projected length of a steered array is shorter.
       zone.patterns.push_back(pattern_.defocused(zone.edge_phase * (1 - sine * sine)));
     }
     const ArrayPattern& pattern = pattern_in(zone, beam);

@@ -33,13 +33,13 @@ class BearingResponse {
   static constexpr double kFloorDb = -60;
   static constexpr double kWideCell = 0.5;  ///< [wavelength / D]; side lobes are one wide.
 
-  /// Bins before `end` and after those of the zone before, in which an array out of focus has one pattern.
+  /// Range of bins, up to `end`, in which a defocused array has one pattern.
   struct Zone {
     int end;
     double edge_phase;  ///< Phase at the edges of the unsteered array [rad]: ArrayPattern::defocused().
   };
 
-  /// What an array has besides its pattern.
+  /// Optional properties of the array.
   struct Extras {
     std::span<const double> cell_edges = {};  ///< u of the cells' edges, one more than cells; empty: every cell has the
                                               ///< gain of its centre.
@@ -90,7 +90,7 @@ class BearingResponse {
     GainMatrix energy = {};                     // |g|^2.
     GainMatrix in_phase = {}, quadrature = {};  // Real and imaginary part of g; quadrature is empty where g is real.
   };
-  // The array as one beam has it in a zone.
+  // The array's pattern for one beam in a zone.
   [[nodiscard]] const ArrayPattern& pattern_in(const Gains& zone, int beam) const {
     return zone.patterns.empty() ? pattern_ : zone.patterns[beam];
   }
@@ -104,7 +104,7 @@ class BearingResponse {
   double length_;
   FanPattern element_;
   std::vector<double> beam_sines_;
-  std::vector<Gains> gains_;  // By range: one, or one for each zone.
+  std::vector<Gains> gains_;  // [zone]; one if the array is focused at every range.
 };
 
 /// Zones of bins in which an array's edge phase is almost the same. Empty where the sonar has no focus_range.

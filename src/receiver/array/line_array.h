@@ -19,10 +19,10 @@ namespace insonify {
 /// @throws Error as line_array().
 [[nodiscard]] ArraySettings azimuth_array(const ReceiverConfig& receiver, const SonarConfig& sonar);
 
-/// The array with all of its elements as they should be.
+/// The same array without element faults.
 [[nodiscard]] ArraySettings without_faults(ArraySettings array);
 
-/// The array of azimuth_array() as noise meets it: one way, without the faults of its elements.
+/// The array of azimuth_array() for the reception of noise: one way, without element faults.
 [[nodiscard]] ArraySettings receiving_array(const ReceiverConfig& receiver, const SonarConfig& sonar);
 
 /// Width of the beams of an azimuth pattern at half power [rad]: the sonar's azimuth_resolution, or the beam spacing

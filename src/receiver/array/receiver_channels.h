@@ -18,22 +18,22 @@ class ReceiverChannels {
  public:
   explicit ReceiverChannels(const SonarConfig& sonar);
 
-  /// Whether a sonar's channels differ or are coupled.
+  /// Whether a sonar has different channel gains, missing beams or crosstalk.
   [[nodiscard]] static bool differ_in(const SonarConfig& sonar) {
     return !sonar.group_gains_db.empty() || !sonar.missing_beams.empty() || sonar.crosstalk_db;
   }
 
-  /// Intensity gain of each beam, 0 for those that are missing; empty where all are 1.
+  /// [beam] Intensity gain, 0 for missing beams; empty if all are 1.
   [[nodiscard]] std::span<const float> gains() const { return gains_; }
 
-  /// Adds to each beam the crosstalk of all: c times the sum of the beams' fields at the same range, with
+  /// Adds to each beam the crosstalk from all beams: c times the sum of the beams' fields at the same range, with
   /// c = 10^(crosstalk_db / 20). The energy E of a beam becomes (1 + 2 c) E + c^2 times the sum of all beams' energies:
-  /// the mean where the beams' fields are independent. Allocates nothing.
+  /// the expected value for independent fields. Does not allocate.
   /// @param beams  [beam][bin].
   void couple_energy(std::span<float> beams, Workers& workers) const;
   void couple_field(std::span<std::complex<float>> beams, Workers& workers) const;
 
-  /// Takes the labels of missing beams from a ping, and weights its direct echoes by the beams' gains.
+  /// Clears the labels of missing beams in a ping, and multiplies its direct echoes by the beams' gains.
   void receive_truth(Ping& ping) const;
 
  private:

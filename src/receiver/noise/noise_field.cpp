@@ -18,8 +18,8 @@ constexpr int kMostFitted = 32;       // Tones longer than so many bins are filt
 constexpr double kReach = 16;         // Orthogonal beams on either side that a beam is formed from.
 constexpr int kValuesPerTask = 128;
 
-// Bohman's window: 1 at 0 with slope 0, 0 at 1 and beyond; its transform is nowhere negative, so that what it is
-// multiplied with stays a correlation.
+// Bohman's window: 1 at 0 with slope 0, 0 at 1 and beyond. Its transform is non-negative, so that a correlation
+// multiplied by it remains positive semidefinite.
 double bohman(double x) {
   return x >= 1 ? 0 : (1 - x) * std::cos(std::numbers::pi * x) + std::sin(std::numbers::pi * x) / std::numbers::pi;
 }
@@ -28,7 +28,7 @@ double bohman(double x) {
 std::vector<double> correlation_of(const Pulse& pulse, double bin_length) {
   const double wanted = std::ceil(kTapsPerPulse * pulse.equivalent_length() / bin_length);
   const int taps = std::clamp(static_cast<int>(std::min<double>(wanted, kMostTaps)), kLeastTaps, kMostTaps);
-  constexpr double kRounding = 1e-6;  // A pulse of a whole number of bins has as many taps, whatever their rounding.
+  constexpr double kRounding = 1e-6;  // Keeps rounding from adding a tap to a pulse of a whole number of bins.
   const int reach = std::max(1, static_cast<int>(std::ceil(std::min(pulse.reach() / bin_length, 1e6) - kRounding)));
   const int end = std::min(reach, taps);
   const bool has_side_lobes = std::isfinite(pulse.side_lobe_db());  // Cut short, they leave no correlation.
@@ -43,7 +43,7 @@ std::vector<double> correlation_of(const Pulse& pulse, double bin_length) {
 // Spectral factorisation by Bauer's method: the rows of the Cholesky factor of the Toeplitz matrix of a correlation
 // tend to the taps of the minimum-phase filter that gives white noise this correlation.
 std::vector<double> filter_of(const std::vector<double>& correlation) {
-  constexpr double kRidge = 1e-3;  // Keeps correlations positive definite that touch zero in their spectrum.
+  constexpr double kRidge = 1e-3;  // Added to the diagonal: a spectrum with zeros is only semidefinite.
   const auto order = static_cast<int>(correlation.size()) - 1;
   const int size = order + 1, steps = 64 * size;
   std::vector<double> factor(static_cast<std::size_t>(size) * size, 0.0);  // [row modulo size][row - column].

@@ -1,5 +1,4 @@
-// noise_field.h -- draws the noise of a ping as array and matched filter pass it: correlated along range and between
-// beams.
+// noise_field.h -- noise of a ping after array and matched filter: correlated along range and between beams.
 
 #pragma once
 
@@ -16,7 +15,7 @@
 
 namespace insonify {
 
-/// Complex Gaussian noise of beams x bins with the mean square 2 (1 in each part), drawn anew for each ping.
+/// Complex Gaussian noise, beams x bins, of mean square 2 (1 in each part), independent from ping to ping.
 ///
 /// Along range it has the correlation of the matched filter's output, Pulse::noise_correlation(). Between beams it has
 /// that of isotropic noise in the array's beams: for a line of length D the transform of its squared weights at
@@ -39,13 +38,13 @@ class NoiseField {
   };
   explicit NoiseField(const Settings& settings);
 
-  /// Draws the noise of a ping. Allocates nothing but once for each worker.
+  /// Draws the noise of a ping. Allocates once per worker.
   void draw(std::uint64_t ping, Workers& workers);
 
   /// Sets the noise of the first `bins` bins of all beams to 0, until it is drawn again.
   void silence(int bins);
 
-  /// Values of a beam, to add to: bins of real parts, then of imaginary ones.
+  /// Values of a beam for modification: real parts of all bins, then imaginary parts.
   [[nodiscard]] float* values(int beam) {
     return &(gains_ ? beam_values_ : row_values_)[static_cast<std::size_t>(beam) * 2 * bins_];
   }

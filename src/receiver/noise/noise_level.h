@@ -16,13 +16,12 @@ namespace insonify {
 /// Optimum Array Processing (2002), section 2.6).
 [[nodiscard]] double receive_solid_angle(const SonarConfig& sonar, const ReceiverConfig& receiver);
 
-/// Spectral level of thermal noise, of the receiver's `ambient_noise_db`, and of the wind, rain and ships that it
-/// names: the sum of their powers [dB re 1 uPa^2/Hz].
+/// Spectral level of thermal noise, the receiver's `ambient_noise_db`, and its wind, rain and ship noise, summed in
+/// power [dB re 1 uPa^2/Hz].
 /// @param frequency  [Hz].
 [[nodiscard]] double noise_spectrum_db(const ReceiverConfig& receiver, double frequency);
 
-/// Spectral level of the wind and rain that it names: the sum of their powers; -infinity without any
-/// [dB re 1 uPa^2/Hz].
+/// Spectral level of the receiver's wind and rain noise, summed in power; -infinity without any [dB re 1 uPa^2/Hz].
 [[nodiscard]] double weather_spectrum_db(const ReceiverConfig& receiver, double frequency);
 
 /// Mean intensity of the noise in a beam, re the source's at 1 m: noise_spectrum_db() in the receiver's
@@ -31,11 +30,11 @@ namespace insonify {
 /// without a pulse it is the sonar's `bandwidth`.
 [[nodiscard]] double noise_intensity(const SonarConfig& sonar, const ReceiverConfig& receiver, const Pulse& pulse);
 
-/// The same of noise of a spectral level that is received with a solid angle [sr].
+/// The same for noise of a given spectral level, received from a given solid angle [sr].
 [[nodiscard]] double noise_intensity(const SonarConfig& sonar, const Pulse& pulse, double spectrum_db,
                                      double solid_angle);
 
-/// Integral of |g|^2 over the sine of the bearing, of any beam.
+/// Integral of |g|^2 over the sine of the bearing; the same for all beams.
 [[nodiscard]] double receive_bearing_width(const SonarConfig& sonar, const ReceiverConfig& receiver);
 
 }  // namespace insonify

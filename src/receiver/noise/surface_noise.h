@@ -1,4 +1,4 @@
-// surface_noise.h -- noise that comes from the sea's surface, as each beam of a sonar receives it.
+// surface_noise.h -- directional noise of the sea's surface in each beam of a sonar.
 
 #pragma once
 
@@ -21,14 +21,15 @@ namespace insonify {
 /// integral is N.
 class SurfaceNoise {
  public:
-  /// @param depth                 Below the surface [m].
+  /// @param depth                 Depth of the sonar below the surface [m].
   /// @param absorption_db_per_m   One way.
-  /// @param bearing_width         Integral of |g|^2 over the sine of the bearing, of any beam.
+  /// @param bearing_width         receive_bearing_width().
   SurfaceNoise(const SonarConfig& sonar, const ReceiverConfig& receiver, double depth, double absorption_db_per_m,
                double bearing_width);
 
   /// Integral of N(t) |g p|^2 over all directions, with N = 1, for each beam of a sonar.
-  /// @param shares  [beam], written. Allocates nothing.
+  /// Does not allocate.
+  /// @param shares  [beam], written.
   void receive(const Eigen::Quaterniond& world_from_sonar, std::span<double> shares) const;
 
  private:

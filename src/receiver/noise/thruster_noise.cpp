@@ -20,14 +20,14 @@ double sinc(double x) {
   return std::abs(x) < 1e-9 ? 1 : std::sin(kPi * x) / (kPi * x);
 }
 
-// Mean intensity of a thruster's noise at a distance, re the source's at 1 m, where the receive pattern is 1.
+// Mean intensity of a thruster's noise at a distance, re the sonar's source at 1 m, for a receive pattern of 1.
 double mean_intensity(const ThrusterNoise::Settings& settings, const Thruster& thruster, double range) {
   const double loss = 20 * std::log10(range) + settings.water.absorption_db_per_m_at(settings.sonar.frequency) * range;
   return noise_intensity(settings.sonar, settings.pulse, thruster.spectrum_db(settings.sonar.frequency) - loss,
                          4 * kPi);
 }
 
-// The array of each beam as it receives what is at a distance: out of focus, see focus_zones().
+// [beam] Pattern of the array defocused for a distance, see focus_zones().
 std::vector<ArrayPattern> out_of_focus(const ThrusterNoise::Settings& settings, std::span<const double> sines,
                                        double range) {
   std::vector<ArrayPattern> patterns;
@@ -99,7 +99,7 @@ void ThrusterNoise::aim(Source& source, const Vec3& place) const {
   source.place = place;
 }
 
-// Draws the noise of a source where the gain is 1, and its mean intensity in each bin.
+// Draws the noise of a source for a gain of 1, and computes its mean intensity in each bin.
 void ThrusterNoise::draw(Source& source, int index, std::uint64_t ping, double time, std::vector<float>& white) const {
   draw_filtered_row(taps_, RandomPurpose::kThrusterInPhase, RandomPurpose::kThrusterQuadrature, index, ping, seed_,
                     white, source.values);

@@ -1,4 +1,4 @@
-// thruster_noise.h -- noise of the vehicle's thrusters as the beams of a sonar receive it.
+// thruster_noise.h -- noise of the vehicle's thrusters in the beams of a sonar.
 
 #pragma once
 
@@ -20,34 +20,34 @@
 
 namespace insonify {
 
-/// Noise of sources at fixed places beside a sonar: rows of Gaussian noise, one for each, which all beams receive in
-/// every bin with the gain of the array towards the source. The mean intensity of one in a beam, re the source's at
-/// 1 m, is
+/// Noise of sources near a sonar: one row of Gaussian noise per source, which each beam receives with the array's gain
+/// towards the source. Its mean intensity in a beam, re the sonar's source at 1 m, is
 ///
 ///     10 log10 I = spectrum level + 10 log10 B - 20 log10 r - alpha r + 10 log10(|g|^2 |p|^2) - SL,
 ///
 /// with the bandwidth B as in noise_intensity(). Along range the noise has the correlation of the matched filter, as
-/// NoiseField; between beams it is coherent. Its intensity is modulated by the blades that pass, at the time at which a
-/// bin is received less that of the way; a matched filter averages that over the pulse: by sinc(blade_rate T).
+/// NoiseField; between beams it is coherent. Passing blades modulate its intensity, at the bin's time of reception
+/// minus the travel time. The matched filter averages this over the pulse, which reduces the depth by sinc(blade_rate
+/// T).
 class ThrusterNoise {
  public:
   struct Settings {
     std::span<const Thruster> thrusters;
-    const SonarConfig& sonar;  ///< Beams as they are steered.
+    const SonarConfig& sonar;  ///< With the beams' true bearings.
     const ReceiverConfig& receiver;
     const Water& water;
     const Pulse& pulse;
-    double duration = 0;                  ///< Of the pulse, 0 without one [s].
+    double duration = 0;                  ///< Duration of the pulse, 0 without one [s].
     double shown_speed = 0;               ///< Sound speed that the sonar assumes [m/s].
-    const ArrayPattern* array = nullptr;  ///< That receives, one way; null: top-hat beams.
-    double length = 0;                    ///< Of the array [wavelengths].
+    const ArrayPattern* array = nullptr;  ///< Receiving array, one way; null: top-hat beams.
+    double length = 0;                    ///< Length of the array [wavelengths].
     double wavelength = 0;                ///< [m]
     std::uint64_t seed = 1;
   };
   explicit ThrusterNoise(const Settings& settings);
 
   /// Draws the noise of a ping and adds it to `noise`, in units of the standard deviation of each beam's own.
-  /// @param places      [thruster] Places in the sonar's frame [m]; none where a surface is in the way.
+  /// @param places      [thruster] Position in the sonar frame [m]; none if the straight path is blocked.
   /// @param time        Time of transmission [s].
   /// @param deviations  [beam]
   void add_to(NoiseField& noise, std::span<const std::optional<Vec3>> places, std::uint64_t ping, double time,
@@ -60,11 +60,11 @@ class ThrusterNoise {
   struct Source {
     Thruster thruster;
     double range = 0;                         // [m]
-    double mean = 0;                          // Intensity where the gain is 1.
-    double depth = 0;                         // Of the modulation, after the filter.
-    std::vector<ArrayPattern> patterns = {};  // [beam], out of focus; empty in focus.
+    double mean = 0;                          // Intensity for a gain of 1.
+    double depth = 0;                         // Depth of the modulation after the matched filter.
+    std::vector<ArrayPattern> patterns = {};  // [beam] Defocused patterns; empty in focus.
 
-    std::optional<Vec3> place = {};                 // For which the gains were computed.
+    std::optional<Vec3> place = {};                 // Position for which `gains` were computed.
     std::vector<std::complex<float>> gains = {};    // [beam]
     std::vector<float> values = {}, envelope = {};  // [2 x bin] and [bin].
   };

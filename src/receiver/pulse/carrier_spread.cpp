@@ -11,9 +11,9 @@
 namespace insonify {
 namespace {
 
-constexpr double kLobes = 30;  // Equivalent lengths of the pulse, on either side, that are summed.
+constexpr double kLobes = 30;  // Sums extend over this many equivalent lengths of the pulse on either side.
 
-// Mean of cos(2 pi turns r) over |p(r)|^2, sampled every `step` from the middle.
+// Mean of cos(2 pi turns r) weighted by |p(r)|^2, sampled every `step`.
 double mean_cosine(const Pulse& pulse, double turns_per_metre, double step) {
   const double reach = std::min(pulse.reach(), kLobes * pulse.equivalent_length());
   double sum = 0.5, energy = 0.5;
@@ -40,7 +40,7 @@ double carrier_correlation(const Pulse& pulse, double turns_per_metre) {
 }
 
 CarrierSpread carrier_spread(const Pulse& pulse, double bin_length, double window) {
-  // Frequencies in c / (2 window), up to where the pulse's correlation ends.
+  // Grid of the fit: frequencies in units of c / (2 window) up to the pulse's decorrelation, shares, lengths.
   constexpr int kFrequencies = 24, kShares = 15, kLengths = 8;
   std::vector<double> at, expected, sum_of_bins;
   for (int i = 1; i <= kFrequencies; ++i) {

@@ -10,8 +10,8 @@
 namespace insonify {
 namespace {
 
-constexpr float kTimesNeighbours = 2;  // Energy of a bin, over that of its neighbours, beyond which it is compact.
-constexpr int kBlock = 128;            // Bins computed together.
+constexpr float kTimesNeighbours = 2;  // Energy above this multiple of its neighbours' is compact.
+constexpr int kBlock = 128;  // Bins computed together.
 
 // Energy of one look in bins [0, count).
 // @param energy  From the bin before the first to that after the last.
@@ -69,7 +69,7 @@ void CoarseBins::receive(std::span<float> energy, std::span<float> extended) con
 // Greatest of n exponentially distributed numbers: P(y) = (1 - e^-y)^n, so that y = -ln(1 - (1 - e^-x)^(1/n)) has it
 // where x is exponentially distributed. The mean of n has a gamma distribution of shape n.
 float CoarseBins::kept(float intensity, float mean, float extended) const {
-  constexpr float kFar = 12;  // Beyond, e^-x is lost in rounding: y = x + ln n.
+  constexpr float kFar = 12;  // Beyond this, e^-x is lost to rounding: y = x + ln n.
   constexpr float kNear = 1e-3F;
   const float x = intensity / mean;
   if (!(x > 0) || !has_looks()) {

@@ -1,4 +1,4 @@
-// clutter.cpp -- finds the cubes of the texture that each cell lies in, and averages their numbers.
+// clutter.cpp -- finds the texture cubes that each cell lies in, and averages their random numbers.
 
 #include "receiver/speckle/clutter.h"
 
@@ -10,8 +10,8 @@
 
 namespace insonify {
 
-// The cubes of one material along one line of sight. Neighbouring bins mostly lie in the same cubes, whose numbers are
-// kept.
+// The cubes of one material along one line of sight. Numbers are cached, since neighbouring bins mostly lie in the same
+// cubes.
 class Clutter::Patches {
  public:
   // @param bearing  Of the line of sight in the sonar frame [rad].
@@ -58,10 +58,10 @@ class Clutter::Patches {
   static constexpr double kFirstTurn = 0.16, kTurn = 0.3926990816987241;  // The lattices are 22.5 degrees apart [rad].
 
   struct Line {
-    std::int64_t cube[3];  // Cube that the sonar is in,
-    float start[3];        // and its place in that cube, 0..1.
-    Vec3f level, up;       // Steps per metre, in cubes.
-    std::int32_t last[3];  // Cube of `number`, relative to that of the sonar.
+    std::int64_t cube[3];  // Cube that the sonar is in.
+    float start[3];        // Position of the sonar in that cube, 0..1.
+    Vec3f level, up;       // Cubes per metre ahead and up.
+    std::int32_t last[3];  // Cube whose number is cached in `number`, relative to the sonar's.
     bool known = false;
     float number = 0;
   };

@@ -16,12 +16,12 @@
 
 namespace insonify {
 
-/// Texture of materials with a `clutter_shape` nu: the mean energy of the echo is multiplied by a number that varies
-/// over the surface, gamma-distributed with mean 1 and variance 1 / nu. With speckle, which multiplies it by an
-/// exponentially distributed one, intensities are K-distributed (Jakeman and Pusey, IEEE Trans. AP-24, 806 (1976)).
+/// Texture of materials with a `clutter_shape` nu: multiplies the mean energy of the echo by a gamma-distributed number
+/// that varies over the surface, with mean 1 and variance 1 / nu. With speckle, whose intensities are exponentially
+/// distributed, the product is K-distributed (Jakeman and Pusey, IEEE Trans. AP-24, 806 (1976)).
 ///
-/// The texture is fixed in the world, or on the object where that moves: the mean of four lattices of cubes with edges
-/// of `clutter_length`, turned against each other about the vertical, each with a gamma-distributed number per cube. A
+/// The texture is fixed in the world, or on a moving object. It is the mean of four lattices of cubes with edges of
+/// `clutter_length`, rotated about the vertical, with a gamma-distributed number per cube. A
 /// resolution cell much smaller than the cubes has the shape nu; one of area A much larger has the mean of A /
 /// length^2 cubes, and the shape nu A / length^2 (Abraham and Lyons, IEEE J. Ocean. Eng. 27, 800 (2002)).
 class Clutter {
@@ -52,7 +52,7 @@ class Clutter {
   void add_texture(const ScattererRow::Run& run, BinRange bins, std::size_t law, int cell, ScattererRow& row,
                    std::span<float> energy) const;
 
-  float first_range_, bin_length_, window_;  // True range of bin 0's middle, bin length, and length it hears [m].
+  float first_range_, bin_length_, window_;  // True range of bin 0's middle, lengths of bin and window [m].
   std::vector<double> azimuth_;              // [cell]: azimuth of the centre [rad].
   std::vector<double> width_;                // [cell]: width in azimuth [rad].
   std::vector<int> table_;                   // [material]: index into laws_, -1 for a material without texture.

@@ -1,4 +1,4 @@
-// scatterer_hash.h -- the random numbers of one scatterer, hashed from its place in the lattice.
+// scatterer_hash.h -- random numbers of a scatterer, hashed from its index in the lattice.
 
 #pragma once
 
@@ -16,7 +16,7 @@ namespace insonify {
   return x ^ x >> 16;
 }
 
-/// Two random words. Their 23 upper bits serve uniform_open(), their 9 lower ones the places.
+/// Two random words. uniform_open() uses their 23 upper bits, the functions below their 9 lower bits.
 struct ScattererWords {
   std::uint32_t amplitude, phase;
 };
@@ -32,17 +32,17 @@ struct ScattererWords {
   return {mixed(place ^ key[2]), mixed(place + key[3])};
 }
 
-/// Place along the lattice step, off its middle, -0.5 to 0.5.
+/// Position along the lattice step, from its middle, -0.5 to 0.5 steps.
 [[gnu::always_inline]] inline float place_in_step(const ScattererWords& words) {
   return (static_cast<float>(words.amplitude & 511U) + 0.5F) * (1.0F / 512) - 0.5F;
 }
 
-/// Place across the cell, -0.5 to 0.5 cell widths.
+/// Position across the cell, from its middle, -0.5 to 0.5 cell widths.
 [[gnu::always_inline]] inline float place_across(const ScattererWords& words) {
   return (static_cast<float>(words.phase & 511U) + 0.5F) * (1.0F / 512) - 0.5F;
 }
 
-/// A further number, 0 to 1.
+/// Third random number, 0 to 1.
 [[gnu::always_inline]] inline float spread_number(const ScattererWords& words) {
   return uniform_open(mixed(words.amplitude ^ words.phase * 0x9E3779B9U));
 }

@@ -1,4 +1,4 @@
-// scatterer_lattice.cpp -- crosses the surface in each bin with the lattice of its bearing.
+// scatterer_lattice.cpp -- computes the interval of lattice steps (window) that the surface in each bin covers.
 
 #include "receiver/speckle/scatterer_lattice.h"
 
@@ -13,28 +13,32 @@ namespace insonify {
 namespace {
 
 constexpr int kMiddleBearing = 1 << 16;  // Index of bearing 0, so that all indices are positive.
-constexpr double kOffCentre = 0.0137;    // Cells at round bearings are then not half-way between two indices.
-constexpr double kSmoothing = 0.12;      // Half-width of the mean over elevations [m].
-constexpr int kMostSmoothing = 64;       // [bins]
-constexpr double kJumpBins = 4;          // Neighbouring bins belong to one surface where it rises less than this
-constexpr double kJumpAngle = 1e-3;      // many bins plus this angle.
-constexpr float kLeastSum = 1e-30F;      // Avoids division by zero.
+constexpr double kOffCentre =
+    0.0137;  // Offset that keeps cells at round bearings from the rounding limit between two indices.
+constexpr double kSmoothing = 0.12;  // Half-width of the mean over elevations [m].
+constexpr int kMostSmoothing = 64;   // [bins]
+// Neighbouring bins belong to one surface if it rises by less than kJumpBins bins plus kJumpAngle [rad].
+constexpr double kJumpBins = 4;
+constexpr double kJumpAngle = 1e-3;
+constexpr float kLeastSum = 1e-30F;  // Avoids division by zero.
 
-// Windows are kept to this many steps by other lattices, of steps kLadder^n as long, n >= kLowest.
+// Windows have kShortest to kShortest kLadder steps. Where the lattice would give fewer or more, one with steps
+// kLadder^n as long is used, kLowest <= n <= kHighest.
 constexpr float kShortest = 1.5F;
 constexpr double kLadder = 1.6;
 constexpr int kLowest = -20, kHighest = 40;
 constexpr int kRungBits = 6;  // 0: the lattice itself; else 1 + n - kLowest.
 
-constexpr float kPlace = 0.5F;  // Place of a scatterer in its step.
+constexpr float kPlace =
+    0.5F;  // Nominal position of a scatterer in its step, which decides whether a window contains it.
 
 [[gnu::always_inline]] inline std::int32_t rounded_down(float x) {
   const auto whole = static_cast<std::int32_t>(x);
   return whole - (static_cast<float>(whole) > x ? 1 : 0);
 }
 
-// A fraction 0..1 for each number, evenly spread over neighbouring numbers; at round coordinates no strip or layer
-// ends.
+// Low-discrepancy fraction 0..1 for an integer (golden ratio sequence), with an offset that keeps borders of strips and
+// layers away from round coordinates.
 double spread_out(int number) {
   constexpr std::uint32_t kGolden = 2654435769U, kFirst = 0x5EB85000U;
   return static_cast<double>(static_cast<std::uint32_t>(number) * kGolden + kFirst) / 4294967296.0;
@@ -107,12 +111,12 @@ void project_level_edges(BinRange bins, Projection p, float* __restrict__ ahead,
   }
 }
 
-// Whole and fractional part of a coordinate in steps, and the place of its layer.
+// A coordinate as whole and fractional part, in steps and in layers.
 struct Origin {
   std::uint32_t whole;
   float rest;
-  float in_layers;     // Fractional part of the coordinate in layers, ...
-  std::int32_t layer;  // ... and the whole one.
+  float in_layers;     // Fractional part of the coordinate in layers.
+  std::int32_t layer;  // Whole part.
 };
 
 struct Windows {
@@ -121,7 +125,7 @@ struct Windows {
   float layers_per_step;
 };
 
-// Finds the window of each bin of one surface. Returns whether any has to change the lattice, see kShortest.
+// Finds the window of each bin of one surface. Returns whether any needs another lattice, see kShortest.
 INSONIFY_VECTOR_CLONES
 bool find_windows(BinRange bins, const Windows& windows, const float* __restrict__ ahead, const float* __restrict__ up,
                   std::uint32_t* __restrict__ patch, std::uint32_t* __restrict__ index, float* __restrict__ begin,
@@ -132,7 +136,7 @@ bool find_windows(BinRange bins, const Windows& windows, const float* __restrict
     const float along = ahead[bin + 1] - ahead[bin], rise = up[bin + 1] - up[bin];
     const float middle_ahead = 0.5F * (ahead[bin + 1] + ahead[bin]), middle_up = 0.5F * (up[bin + 1] + up[bin]);
     const bool rises = std::abs(rise) > std::abs(along);
-    // One branch for all that depends on it, so that the loop becomes vector code.
+    // A single branch, so that the loop vectorises.
     float extent = w.share * along, middle = w.ahead.rest + middle_ahead;
     float off = w.up.in_layers + middle_up * w.layers_per_step;
     std::int32_t layer = w.up.layer;
@@ -164,9 +168,9 @@ void ScattererRow::resize(std::size_t count) {
   sums.resize(count + 1), ahead.resize(count + 1), up.resize(count + 1);
 }
 
-// The lattice of one run's bearing, and how ranges and elevations of a cell lie in it.
+// The lattice of one run's bearing, and the projection from range and elevation to its coordinates.
 struct ScattererLattice::Axes {
-  double ahead, up;  // Place of the transducer [steps].
+  double ahead, up;  // Position of the transducer [steps].
   Projection projection;
   Windows windows;
 };
@@ -190,7 +194,7 @@ ScattererLattice::ScattererLattice(const SonarConfig& cells, double range_scale,
   cell_width_ = narrowest;
 }
 
-// Divides the row into runs of one frame.
+// Divides the row into runs of bins whose scatterers are fixed in one frame.
 void ScattererLattice::divide(const SpeckleViews& views, ScattererRow& row) const {
   row.runs.clear();
   if (views.objects.empty()) {
@@ -248,7 +252,8 @@ ScattererLattice::Axes ScattererLattice::axes_of(int cell, ScattererRow::Run& ru
   return axes;
 }
 
-// Takes a lattice of longer or shorter steps for one bin, so that its window has kShortest to kShortest x kLadder.
+// Switches one bin to a lattice of longer or shorter steps, so that its window has kShortest to kShortest kLadder
+// steps.
 void ScattererLattice::rescale(const Axes& axes, int bin, ScattererRow& row) const {
   const double steps = std::abs(double{row.length[bin]});
   if (steps >= double{kShortest} && steps < double{kShortest} * kLadder) {
@@ -274,7 +279,7 @@ void ScattererLattice::rescale(const Axes& axes, int bin, ScattererRow& row) con
   row.length[bin] = static_cast<float>(row.length[bin] < 0 ? -length : length);
 }
 
-// Finds the windows of bins that one continuous surface fills.
+// Finds the windows of consecutive bins on one continuous surface.
 // @param level  Whether all its elevations are 0.
 void ScattererLattice::locate_surface(const Axes& axes, BinRange bins, bool level, ScattererRow& row) const {
   if (level) {

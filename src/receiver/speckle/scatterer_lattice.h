@@ -1,4 +1,4 @@
-// scatterer_lattice.h -- where the bins of a ping meet the scatterers that are fixed on surfaces.
+// scatterer_lattice.h -- finds the scatterers, fixed on surfaces, that each range bin contains.
 
 #pragma once
 
@@ -12,30 +12,30 @@
 
 namespace insonify {
 
-/// Scatterers have a number along the surface: in the vertical plane of a bearing, the world (or the moving object) is
-/// divided into steps of kStepsPerWindow to a bin, along the level or the vertical axis, whichever the surface follows
-/// more closely. The window of a bin reaches from where its near edge meets the surface to where its far edge does, so
-/// that windows of neighbouring bins share no part of the lattice and a sonar that moves ahead, turns or rises meets
-/// the same scatterers again, at their new ranges.
+/// Scatterers are numbered along the surface. In the vertical plane of a bearing, the world (or the moving object) is
+/// divided into steps, kStepsPerWindow per bin, along the horizontal or the vertical axis, whichever is closer to the
+/// surface. The window of a bin is the interval of steps between the points where its near and far edge intersect the
+/// surface. So windows of neighbouring bins do not overlap, and a sonar that moves ahead, turns or rises receives the
+/// same scatterers again, at their new ranges.
 ///
-/// Bearings are counted in cells from a fixed direction, not in metres across: sideways, the speckle of an array
-/// decorrelates within half its length (docs/concepts/speckle.md), much less than a cell's width except very near the
-/// sonar. Each bearing draws its scatterers anew every kStripWidth sideways, at places of its own. Surfaces that lie
-/// kLayer or more apart across the lattice have scatterers of their own.
+/// Bearings are indexed in cells from a fixed direction, not in metres across: for sideways motion the speckle of an
+/// array decorrelates within half its length (docs/concepts/speckle.md), much less than a cell's width except very near
+/// the sonar. Each bearing has independent scatterers in strips kStripWidth wide sideways, whose borders differ from
+/// bearing to bearing. Surfaces at least kLayer apart across the lattice have independent scatterers.
 class ScattererLattice {
  public:
-  static constexpr double kStepsPerWindow = 2;  ///< Where the surface lies along the ray.
+  static constexpr double kStepsPerWindow = 2;  ///< For a surface along the ray.
   static constexpr double kStripWidth = 2;      ///< [m]
   static constexpr double kLayer = 1;           ///< [m]
 
   /// @param cells        The grids' cells, see BearingCells::sonar.
   /// @param range_scale  True range / reported range.
   /// @param wavelength   [m]
-  /// @param window       True length of the range window that a bin hears [m].
+  /// @param window       True length of a bin's window [m].
   ScattererLattice(const SonarConfig& cells, double range_scale, double wavelength, double window, std::uint64_t seed);
 
-  /// Finds the scatterers of the given bins of a cell: those of an object's echoes on the object, all others in the
-  /// world. `views` must outlive the row's use.
+  /// Finds the windows of the given bins of a cell: on the object for echoes of an object, else in the world. `views`
+  /// must outlive the use of `row`.
   void locate(const SpeckleViews& views, int cell, BinRange bins, const EchoGrid& grid, ScattererRow& row) const;
 
   [[nodiscard]] double first_range() const { return first_range_; }

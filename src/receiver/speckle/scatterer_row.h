@@ -1,4 +1,4 @@
-// scatterer_row.h -- the scatterers of one bearing cell's row of range bins.
+// scatterer_row.h -- windows of the scatterer lattice for one bearing cell's row of range bins.
 
 #pragma once
 
@@ -12,15 +12,15 @@
 
 namespace insonify {
 
-/// What ScattererLattice finds, and Speckle draws. The surface crosses a lattice fixed in its frame, one-dimensional in
-/// each bearing; a bin hears a window of it, `length` lattice steps long.
+/// Set by ScattererLattice, read by Speckle. In each bearing the lattice is one-dimensional and fixed in the surface's
+/// frame; a bin has a window of it, `length` steps long.
 struct ScattererRow {
-  /// Neighbouring bins whose scatterers are fixed in one frame.
+  /// Consecutive bins whose scatterers are fixed in the same frame.
   struct Run {
     BinRange bins;
     const SpeckleView* view = nullptr;
     std::array<std::uint32_t, 4> key{};  ///< Key of the random numbers.
-    float across_turns = 0;              ///< Phase per cell width that a scatterer is off the cell's middle [turns].
+    float across_turns = 0;  ///< Phase per cell width of a scatterer's distance from the cell's middle [turns].
   };
   BinRange bins;
   std::vector<Run> runs;  ///< Cover `bins`, in order.
@@ -28,12 +28,12 @@ struct ScattererRow {
   // [bin], set in `bins` only.
   std::vector<SurfaceLabel> surface;
   std::vector<float> elevation;      ///< Elevation of the surface, smoothed along range [rad].
-  std::vector<std::uint32_t> patch;  ///< Names the lattice that the index counts in.
-  std::vector<std::uint32_t> index;  ///< Number of a lattice step.
-  std::vector<float> begin;          ///< Lower end of the window, from that step's lower end, -0.5 to 0.5 [steps].
+  std::vector<std::uint32_t> patch;  ///< Identifies the lattice that `index` refers to.
+  std::vector<std::uint32_t> index;  ///< First lattice step of the window.
+  std::vector<float> begin;          ///< Lower end of the window relative to that step's, -0.5 to 0.5 [steps].
   std::vector<float> length;  ///< Length of the window, 1.5 to 2.4 [steps]; negative if ranges fall with the index.
 
-  // Field that a bin's scatterers give to the bins before and after it, see Speckle.
+  // [bin] Field that the bin's scatterers contribute to the bins before and after it, see Speckle.
   std::vector<std::complex<float>> before, after;
 
   // Buffers.

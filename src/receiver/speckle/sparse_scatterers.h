@@ -16,16 +16,16 @@ namespace insonify {
 
 /// Speckle of materials with a `scatterer_density`. In a cell with N scatterers on average, their number is
 /// Poisson-distributed, and each has the amplitude sqrt(energy / N) and a random phase. The mean intensity is unchanged
-/// and <I^2> = (2 + 1/N) <I>^2: many cells are empty, and a few stand out (Jakeman and Pusey, IEEE Trans. AP-24, 806
-/// (1976)). They are fixed in the steps of the lattice that Speckle uses: each has a Poisson-distributed number of
-/// them, anywhere in it, and a bin sums those in its window. Cells with N >= kMany keep Gaussian speckle.
+/// and <I^2> = (2 + 1/N) <I>^2: many cells are empty, and some are much stronger (Jakeman and Pusey, IEEE Trans. AP-24,
+/// 806 (1976)). Scatterers are fixed in the lattice that Speckle uses: each step has a Poisson-distributed number of
+/// them at random positions, and a bin sums those in its window. Cells with N >= kMany have Gaussian speckle.
 ///
-/// N is the density times the area of surface in the window that a bin hears. At range r, with a cell w wide and dr
-/// long, and a surface that takes the solid angle W of it, the area is sqrt((w dr)^2 + (r^2 W)^2): w dr is right at
-/// grazing incidence, r^2 W at normal incidence. Where the surface fills only part of the cell, N is too large.
+/// N is the density times the area of the surface in a bin's window. At range r, for a cell of width w and length dr,
+/// in which the surface has the solid angle W, the area is sqrt((w dr)^2 + (r^2 W)^2): w dr is exact at grazing
+/// incidence, r^2 W at normal incidence. If the surface fills only part of the cell, N is too large.
 class SparseScatterers {
  public:
-  static constexpr double kMany = 32;  ///< N from which speckle is Gaussian: <I^2> would be 1.5 % larger.
+  static constexpr double kMany = 32;  ///< From this N on, speckle is Gaussian; <I^2> would be 1.5 % larger.
 
   /// @param cells    The grids' cells, see BearingCells::sonar.
   /// @param lattice  Used in the constructor only.
@@ -45,7 +45,7 @@ class SparseScatterers {
   [[nodiscard]] double area(const EchoGrid& grid, int cell, int bin) const;
 
   bool any_ = false;
-  double first_range_, bin_length_, window_;  // True range of bin 0's middle, bin length, and length that it hears [m].
+  double first_range_, bin_length_, window_;  // True range of bin 0's middle, lengths of bin and window [m].
   std::vector<double> width_;                 // [cell]: width in azimuth [rad].
   std::vector<double> density_;  // [material]: scatterers per area [1/m^2]; infinite without scatterer_density.
 };

@@ -12,7 +12,7 @@
 namespace insonify {
 namespace {
 
-// What the bins of one run have in common.
+// Constants of all bins of one run.
 struct RunPhases {
   std::array<std::uint32_t, 4> key;
   std::uint32_t first_turns, turns_per_bin;  // See Speckle.
@@ -28,21 +28,22 @@ struct RunRows {
   float *field, *before, *after;
 };
 
-// Pulses of so many bins have their scatterers shared between bins.
+// Pulses longer than this many bins share scatterers between bins.
 constexpr double kLongPulse = 1.5;
 
 constexpr int kBlock = 64;  // Bins drawn together.
 
-// Fields of a bin's scatterers: of the bin itself, and shared with the bins before and after.
+// Sums over a bin's scatterers: for the bin itself, and for the bins before and after.
 struct BinField {
   float real = 0, imaginary = 0, real_before = 0, imaginary_before = 0, real_after = 0, imaginary_after = 0;
   float count = 0;
 };
 
-// What the scatterers of a bin have in common.
+// Constants of all scatterers of a bin.
 struct BinWindow {
   std::uint32_t index, name;
-  float begin, per_step, near_end;  // The window begins at the step `begin`, its near edge is at 0 or `near_end` = 1.
+  float begin, per_step,
+      near_end;  // Lower end of the window [steps]; windows per step; 1 if ranges fall with the index.
   float near_turns;
 };
 
@@ -50,7 +51,7 @@ template <bool kSpread, bool kShared>
 [[gnu::always_inline]] inline void add_scatterer(std::uint32_t i, const BinWindow& bin, const RunPhases& run,
                                                  BinField& sum) {
   const ScattererWords words = scatterer_words(bin.index + i, bin.name, run.key);
-  // From the window's near edge, 0 to 1 inside it.
+  // Position from the window's near edge, 0 to 1 inside the window.
   const float middle = bin.near_end + (static_cast<float>(i) + 0.5F - bin.begin) * bin.per_step;
   const float place = middle + place_in_step(words) * bin.per_step;
   const float inside = (middle < 0 ? 0.0F : 1.0F) * (middle < 1 ? 1.0F : 0.0F);
@@ -85,7 +86,7 @@ template <bool kSpread, bool kShared>
   return count < 1.5F ? 1.0F : count < 2.5F ? 0.5F : 1.0F / 3;
 }
 
-// A window of 2.4 steps at most has the middles of three, of 2 steps at most those of two.
+// A window of at most 2.4 steps contains the middles of at most three, of at most 2 steps those of two.
 template <int kMost, bool kSpread, bool kShared>
 [[gnu::always_inline]] inline void draw_bins(BinRange bins, const RunPhases& of_run,
                                              const std::uint32_t* __restrict__ patch,
@@ -176,8 +177,8 @@ void add_floats(int count, const float* __restrict__ from, float* __restrict__ t
   }
 }
 
-// Intensity that shared scatterers must have more, so that the mean of the pulse's sum is that of whole ones: the sum
-// of p^2 over bins, by the integral of the square of p interpolated between bins.
+// Factor on the intensity of shared scatterers that preserves the mean after the pulse: the sum of p^2 over bins,
+// divided by the integral of the square of p interpolated linearly between bins.
 double shared_intensity(const RangeResponse& range) {
   double sum = 0, integral = 0;
   const int reach = range.taps() / 2 + 1;
@@ -254,7 +255,7 @@ void Speckle::add(std::complex<float> echo, float place, int bin, ScattererRow& 
   row.after[bin] += later * shared;
 }
 
-// At the row's ends, what is outside belongs to the bin itself.
+// At the ends of the row, the shares outside it are added to the bin itself.
 void Speckle::share(const ScattererRow& row, std::span<std::complex<float>> field) const {
   if (shared_ == 0 || row.bins.empty()) {
     return;

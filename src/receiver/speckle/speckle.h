@@ -14,34 +14,34 @@
 namespace insonify {
 
 /// Turns cell energies into a circular complex Gaussian field with those mean intensities (Goodman, Speckle Phenomena
-/// in Optics (2007), ch. 3). Each step of the lattice that surfaces are divided into (ScattererLattice) has one
-/// scatterer with a complex normal amplitude, anywhere in it. A bin sums those whose steps have their middle in its
-/// window, one to three, with the phases of their paths out and back.
+/// in Optics (2007), ch. 3). Each step of the ScattererLattice has one scatterer, at a random position and with a
+/// complex normal amplitude. A bin sums those of one to three steps, whose middles are in its window, with the phases
+/// of their two-way paths.
 ///
-/// With a pulse that is longer than bins, a scatterer between the middles of two bins is given to both, in proportion
-/// to its nearness, so that the sum over bins weighted by the pulse changes smoothly as it moves; amplitudes are such
-/// that the mean of that sum is unchanged. Without one, a bin's field does not depend on its neighbours'.
+/// With a pulse longer than a bin, a scatterer is shared between the two bins whose middles enclose it (linear
+/// interpolation), so that the convolution with the pulse changes smoothly as it moves; amplitudes are scaled to keep
+/// the mean intensity. Without such a pulse, the fields of bins are independent.
 ///
-/// All random numbers are a hash of the scatterer's place in the world, so that a static scene gives the same speckle
-/// in every ping, and any motion of the sonar or of an object changes it as the paths change: docs/concepts/speckle.md.
+/// All random numbers are hashed from the scatterer's position in the world: a static scene has the same speckle in
+/// every ping, and motion of the sonar or of an object changes it as the paths change (docs/concepts/speckle.md).
 class Speckle {
  public:
   /// @param lattice  Used in the constructor only.
   /// @param range    The pulse, null for none.
   Speckle(const ScattererLattice& lattice, const RangeResponse* range, CarrierSpread spread);
 
-  /// field[bin] = sqrt(energy[bin]) x the sum of the bin's scatterers, in row.bins, and row.before, row.after with it.
+  /// Sets field[bin] = sqrt(energy[bin]) x the sum of the bin's scatterers for row.bins, and row.before and row.after.
   void draw(ScattererRow& row, std::span<const float> energy, std::span<std::complex<float>> field) const;
 
-  /// Adds row.before and row.after to the bins that they belong to; to be called last.
+  /// Adds row.before and row.after to the neighbouring bins. To be called last.
   void share(const ScattererRow& row, std::span<std::complex<float>> field) const;
 
   /// Adds one scatterer to a bin.
-  /// @param place  In the bin's window, 0 at its near edge to 1.
+  /// @param place  Position in the bin's window, 0 at its near edge, 1 at its far edge.
   void add(std::complex<float> echo, float place, int bin, ScattererRow& row,
            std::span<std::complex<float>> field) const;
 
-  /// Phase at the beginning of a bin's window, and over its length [turns].
+  /// Phase at the near edge of a bin's window, and over its length [turns].
   [[nodiscard]] float turns_before(int bin) const;
   [[nodiscard]] float turns_across() const { return turns_per_window_; }
 
@@ -49,7 +49,7 @@ class Speckle {
   std::uint32_t first_turns_, turns_per_bin_;  // [2^-32 turns]
   float turns_per_window_;
   float bins_per_window_;
-  float shared_;                       // Intensity of scatterers that are shared between bins; 0 where they are not.
+  float shared_;                       // Factor on the intensity of shared scatterers; 0 if scatterers are not shared.
   float spread_share_, spread_turns_;  // See CarrierSpread.
 };
 

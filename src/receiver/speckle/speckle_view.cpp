@@ -1,4 +1,4 @@
-// speckle_view.cpp -- chooses the axes that bearings are counted from.
+// speckle_view.cpp -- chooses the axes in which bearings are measured.
 
 #include "receiver/speckle/speckle_view.h"
 

@@ -1,4 +1,4 @@
-// speckle_view.h -- a transducer in the frame that scatterers are fixed in: the world, or an object that has moved.
+// speckle_view.h -- pose of a transducer in the frame of the scatterers: the world, or a moved object.
 
 #pragma once
 
@@ -12,19 +12,19 @@
 
 namespace insonify {
 
-/// A transducer's pose in a frame, with the axes in which bearings are counted there.
+/// A transducer's pose in a frame, with the axes in which bearings are measured.
 struct SpeckleView {
   Vec3 position = Vec3::Zero();                                    ///< [m]
   Eigen::Matrix3d frame_from_sonar = Eigen::Matrix3d::Identity();  ///< Rotation.
-  /// Columns: bearing 0, bearing 90 degrees and their normal, all axes of the frame. Bearing 0 is x, or z where x is
-  /// nearly normal to the plane of the fan.
+  /// Columns: directions of bearing 0 and 90 degrees, and their normal; all are axes of the frame. Bearing 0 is x, or z
+  /// if x is nearly normal to the plane of the fan.
   Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
-  double bearing_offset = 0;  ///< Added to a bearing in the sonar frame, gives the bearing in the frame [rad].
+  double bearing_offset = 0;  ///< Bearing in the frame minus bearing in the sonar frame [rad].
 
   explicit SpeckleView(const Pose& frame_from_sonar = {});
 };
 
-/// A transducer seen from the world and from the objects that have left their places in the scene.
+/// Poses of a transducer relative to the world and to each displaced object.
 struct SpeckleViews {
   SpeckleView world;
   struct OfObject {
@@ -33,10 +33,10 @@ struct SpeckleViews {
   };
   std::vector<OfObject> objects;
 
-  /// Sets the views of one ping. Allocates only for more displaced objects than ever before.
+  /// Sets the views of one ping. Allocates only if there are more displaced objects than ever before.
   void set(const Pose& world_from_sonar, std::span<const DisplacedInstance> displaced);
 
-  /// The frame of a surface's scatterers; that of kNoSurface is the world.
+  /// The view in the frame of a surface's scatterers; in the world for kNoSurface.
   [[nodiscard]] const SpeckleView& of(SurfaceLabel surface) const;
 };
 

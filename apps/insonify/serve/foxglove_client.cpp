@@ -1,0 +1,135 @@
+// foxglove_client.cpp -- carries out a client's requests to subscribe, and sends it messages.
+
+#include "serve/foxglove_client.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <nlohmann/json.hpp>
+
+#include "insonify/error.h"
+#include "insonify/printable.h"
+
+namespace insonify {
+namespace {
+
+// Opcode, subscription and time that stand before a message.
+std::string data_head(std::uint32_t subscription, std::uint64_t time_ns) {
+  constexpr char kMessageData = 1;
+  std::array<char, 13> head{kMessageData};
+  std::memcpy(head.data() + 1, &subscription, sizeof(subscription));
+  std::memcpy(head.data() + 5, &time_ns, sizeof(time_ns));
+  return {head.data(), head.size()};
+}
+
+std::uint32_t id_of(const nlohmann::json& value, const char* what) {
+  if (!value.is_number_unsigned() || value.get<std::uint64_t>() > 0xffffffffU) {
+    throw Error(fmt::format("{} must be a whole number", what));
+  }
+  return value.get<std::uint32_t>();
+}
+
+const nlohmann::json& list_of(const nlohmann::json& message, const char* key) {
+  const auto found = message.find(key);
+  if (found == message.end() || !found->is_array()) {
+    throw Error(fmt::format("{} must be a list", key));
+  }
+  return *found;
+}
+
+}  // namespace
+
+FoxgloveClient::FoxgloveClient(Connection& connection, FoxgloveFeed& feed) : connection_(connection), feed_(feed) {
+  feed_.clients_.insert(this);
+  feed_.hub_.client_came();
+  send_text(server_info_text());
+  if (!feed_.channels_.empty()) {
+    send_text(advertise_text(feed_.channels_));
+  }
+}
+
+FoxgloveClient::~FoxgloveClient() {
+  feed_.clients_.erase(this);
+  feed_.hub_.client_left();
+}
+
+void FoxgloveClient::on_binary(std::string_view /*bytes*/) {
+  send_status(FoxgloveStatus::kWarning, "nothing can be published here");
+}
+
+void FoxgloveClient::on_text(std::string_view text) {
+  const nlohmann::json message = nlohmann::json::parse(text, nullptr, false);
+  if (message.is_discarded() || !message.is_object() || !message.contains("op") || !message["op"].is_string()) {
+    throw Error("the message is no JSON object with an op");
+  }
+  const std::string op = message["op"].get<std::string>();
+  if (op == "subscribe") {
+    for (const nlohmann::json& one : list_of(message, "subscriptions")) {
+      subscribe(one);
+    }
+  } else if (op == "unsubscribe") {
+    for (const nlohmann::json& one : list_of(message, "subscriptionIds")) {
+      subscriptions_.erase(id_of(one, "subscriptionIds"));
+    }
+  } else {
+    send_status(FoxgloveStatus::kWarning, fmt::format("{} is not done here", printable(op)));
+  }
+}
+
+void FoxgloveClient::send_text(std::string text) {
+  connection_.send({.bytes = std::make_shared<const std::string>(std::move(text))});
+}
+
+void FoxgloveClient::send_status(FoxgloveStatus level, const std::string& text) {
+  send_text(status_text(level, text));
+}
+
+void FoxgloveClient::send(std::uint32_t channel, bool once, const EncodedMessage& message) {
+  for (auto& [id, subscription] : subscriptions_) {
+    if (subscription.channel != channel || (once && !subscription.sent.empty()) ||
+        (message.again && subscription.sent.contains(message.sonar))) {
+      continue;
+    }
+    subscription.sent.insert(message.sonar);
+    // Sonars share topics: each has a stream of its own, so that none drops the messages of another.
+    constexpr std::uint32_t kSonars = 1U << 16U;
+    connection_.send({.bytes = message.bytes,
+                      .head = data_head(id, message.time_ns),
+                      .binary = true,
+                      .droppable = !once,
+                      .stream = channel * kSonars + static_cast<std::uint32_t>(message.sonar)});
+  }
+}
+
+bool FoxgloveClient::wants(std::uint32_t channel, bool once) const {
+  return std::ranges::any_of(subscriptions_, [&](const auto& one) {
+    return one.second.channel == channel && !(once && !one.second.sent.empty());
+  });
+}
+
+void FoxgloveClient::forget_sent() {
+  for (auto& [id, subscription] : subscriptions_) {
+    subscription.sent.clear();
+  }
+}
+
+void FoxgloveClient::subscribe(const nlohmann::json& wanted) {
+  if (!wanted.is_object() || !wanted.contains("id") || !wanted.contains("channelId")) {
+    throw Error("a subscription must have an id and a channelId");
+  }
+  constexpr std::size_t kMost = 1000;
+  const std::uint32_t id = id_of(wanted["id"], "id"), channel = id_of(wanted["channelId"], "channelId");
+  const auto is_it = [&](const auto& known) { return known.id == channel; };
+  if (std::ranges::none_of(feed_.channels_, is_it)) {
+    send_status(FoxgloveStatus::kWarning, fmt::format("there is no channel {}", channel));
+  } else if (subscriptions_.contains(id) || subscriptions_.size() >= kMost) {
+    send_status(FoxgloveStatus::kWarning, fmt::format("subscription {} is there already, or there are too many", id));
+  } else {
+    subscriptions_[id] = {.channel = channel, .sent = {}};
+    feed_.want_last(channel);
+  }
+}
+
+}  // namespace insonify

@@ -1,0 +1,80 @@
+// insonified_sector.cpp -- limits, edges and containment test of the insonified sector.
+
+#include "simulator/view/insonified_sector.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace insonify {
+namespace {
+
+constexpr double kTwoPi = 2 * std::numbers::pi;
+constexpr double kPieceAngle = radians_from_degrees(1);
+constexpr int kPiecesAlong = 64;  // Segments of a straight edge; each is drawn or hidden as a whole.
+
+}  // namespace
+
+InsonifiedSector::InsonifiedSector(const SonarConfig& sonar, const Pose& world_from_sonar)
+    : world_from_sonar_(world_from_sonar),
+      sonar_from_world_(world_from_sonar.inverse()),
+      low_elevation_(sonar.elevation_center - sonar.elevation_aperture / 2),
+      high_elevation_(sonar.elevation_center + sonar.elevation_aperture / 2),
+      min_range_(sonar.min_range),
+      max_range_(sonar.max_range) {
+  const std::vector<double> edges = sonar.beam_edges();
+  low_azimuth_ = edges.back();
+  high_azimuth_ = edges.front();
+  if (sonar.type == SonarType::kMechanicallyScanned) {
+    low_azimuth_ += sonar.sector_center - sonar.sector_width / 2;
+    high_azimuth_ += sonar.sector_center + sonar.sector_width / 2;
+  }
+  full_circle_ = high_azimuth_ - low_azimuth_ > kTwoPi - 1e-6;
+  if (full_circle_) {
+    high_azimuth_ = low_azimuth_ + kTwoPi;
+  }
+}
+
+Vec3 InsonifiedSector::point_at(double range, double across, double along) const {
+  return world_from_sonar_ * point_from_spherical({range, low_azimuth_ + across * (high_azimuth_ - low_azimuth_),
+                                                   low_elevation_ + along * (high_elevation_ - low_elevation_)});
+}
+
+double InsonifiedSector::inside_by(const Vec3& point) const {
+  const Spherical place = spherical_from_point(sonar_from_world_ * point);
+  if (place.range < min_range_ || place.range > max_range_) {
+    return -1;
+  }
+  const double in_elevation = std::min(place.elevation - low_elevation_, high_elevation_ - place.elevation);
+  if (full_circle_) {
+    return in_elevation;
+  }
+  const double middle = (low_azimuth_ + high_azimuth_) / 2;
+  const double off = std::abs(std::remainder(place.azimuth - middle, kTwoPi));
+  return std::min(in_elevation, (high_azimuth_ - low_azimuth_) / 2 - off);
+}
+
+std::vector<std::pair<Vec3, Vec3>> InsonifiedSector::edges() const {
+  std::vector<std::pair<Vec3, Vec3>> pieces;
+  // Calls place(share) along a line and joins the points.
+  const auto add_line = [&](int count, const auto& place) {
+    for (int i = 0; i < count; ++i) {
+      pieces.emplace_back(place(i * 1.0 / count), place((i + 1.0) / count));
+    }
+  };
+  const int around = std::max(8, static_cast<int>(std::ceil((high_azimuth_ - low_azimuth_) / kPieceAngle)));
+  for (const double along : {0.0, 1.0}) {
+    add_line(around, [&](double share) { return point_at(max_range_, share, along); });
+    if (!full_circle_) {
+      add_line(kPiecesAlong, [&](double share) { return point_at(share * max_range_, 0, along); });
+      add_line(kPiecesAlong, [&](double share) { return point_at(share * max_range_, 1, along); });
+    }
+  }
+  if (!full_circle_) {
+    for (const double across : {0.0, 1.0}) {
+      add_line(16, [&](double share) { return point_at(max_range_, across, share); });
+    }
+  }
+  return pieces;
+}
+
+}  // namespace insonify
