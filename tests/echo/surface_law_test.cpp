@@ -80,9 +80,9 @@ double energy_of_facets(const Reflectance& reflectance, double slope, const Vec3
     for (int l = 0; l < kSteps; ++l) {
       const double p = (k + 0.5) / kSteps * 12 - 6, q = (l + 0.5) / kSteps * 12 - 6;  // [slope]
       const Vec3 m = Vec3(-slope * p, -slope * q, 1).normalized();
-      sum += i.dot(m) > 0 ? reflectance(i.dot(m)) * std::exp(-0.5 * (p * p + q * q)) / (2 * kPi) * i.dot(m) /
-                                (i.z() * m.z())
-                          : 0;
+      sum += i.dot(m) > 0
+                 ? reflectance(i.dot(m)) * std::exp(-0.5 * (p * p + q * q)) / (2 * kPi) * i.dot(m) / (i.z() * m.z())
+                 : 0;
     }
   }
   return seen * sum * std::pow(12.0 / kSteps, 2);
@@ -110,30 +110,36 @@ Scattering bed(double slope, double lambert = 0) {
   return {.lambert = lambert, .reflection = std::sqrt(0.1), .rms_slope = slope, .by_angle = by_angle};
 }
 
-// At 10 degrees of grazing the mean plane reflects all and many facets of the slope 0.35 a tenth; at 40 degrees the mean
-// plane reflects a tenth and some facets all. Tolerance: as above, and the table's step at the critical angle.
+// At 10 degrees of grazing the mean plane reflects all and many facets of the slope 0.35 a tenth; at 40 degrees the
+// mean plane reflects a tenth and some facets all. Tolerance: as above, and the table's step at the critical angle.
 TEST(SurfaceLawTest, FacetsReflectAtTheirOwnAngleOfIncidence) {
   const Scattering sand = bed(0.35);
   for (const double grazing : {0.17453, 0.69813}) {
     const Vec3f in = coming_in(std::sin(grazing));
     const SurfaceLaw law = SurfaceLaw::of(sand, 1, in.z());
     const double expected = energy_of_facets([](double cosine) { return cosine < 0.5 ? 1 : 0.1; }, 0.35, in);
-    EXPECT_NEAR(integral([&](const Vec3f& out) { return law.mirrored_into(kUp, in, out); }), expected, 0.006) << grazing;
+    EXPECT_NEAR(integral([&](const Vec3f& out) { return law.mirrored_into(kUp, in, out); }), expected, 0.006)
+        << grazing;
   }
-  EXPECT_NEAR(energy_of_facets([](double cosine) { return cosine < 0.5 ? 1 : 0.1; }, 0.35, coming_in(0.17365)), 0.80, 0.15);
+  // By the angle on the mean plane it would be 1 and 0.1: so the test can fail.
+  const auto expected_at = [](double grazing) {
+    return energy_of_facets([](double cosine) { return cosine < 0.5 ? 1 : 0.1; }, 0.35, coming_in(std::sin(grazing)));
+  };
+  EXPECT_LT(expected_at(0.17453), 0.7);
+  EXPECT_GT(expected_at(0.69813), 0.2);
 }
 
 // What a surface sends on to where sound came from is what it would send the other way: f(in, out) cos(in), without the
 // masking of the incident sound, which is of one direction alone.
 TEST(SurfaceLawTest, FacetsReflectTheSameBothWays) {
-  const Scattering sand = bed(0.3, 0.02);
-  const Vec3f here = direction_of(0.3, 0.2), there = direction_of(0.85, 0.4);
+  const Scattering sand = bed(0.1, 0.02);
+  const Vec3f here = direction_of(0.3, 0.2), there = direction_of(0.55, 0.4 + kPi);  // On both sides of 30 degrees.
   const auto sent = [&](const Vec3f& from, const Vec3f& to) {
     const SurfaceLaw law = SurfaceLaw::of(sand, 1, from.z());
     return law.mirrored_into(kUp, -from, to) * from.z() / facet_masking(from.z(), law.slope);
   };
   EXPECT_NEAR(sent(here, there), sent(there, here), 1e-4 * sent(here, there));
-  EXPECT_GT(sent(here, there), 0.001);
+  EXPECT_GT(sent(here, there), 0.01);
 }
 
 // s_b(in, out) / cos(in) of the calibrated model, at normal incidence, where nothing is masked: |R|^2/(8 pi s^2 cos^4

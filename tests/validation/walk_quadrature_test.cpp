@@ -155,8 +155,8 @@ TEST_P(WalkMirrorTest, MirroredSoundIsCountedWhereSecondaryEchoesLeaveItOut) {
   first.rms_height = second.rms_height = GetParam().rms_height;
   if (GetParam().by_angle) {
     first.reflection = second.reflection = {};
-    first.density = 1900, first.sound_speed = 1750, first.loss = 0.02;
-    second.density = 2100, second.sound_speed = 2000, second.loss = 0.02;
+    first.density = 1900, first.sound_speed = 2600, first.loss = 0.02;
+    second.density = 1800, second.sound_speed = 2400, second.loss = 0.02;
   }
   const std::vector<Plate> plates = {{Vec3::UnitZ(), {2.6, 0.2, -1.2}, 1.6, first},
                                      {-Vec3::UnitX(), {4.2, 0, 0.3}, 1.8, second}};

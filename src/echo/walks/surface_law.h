@@ -25,7 +25,8 @@ inline constexpr double kLeastWalkSlope = 0.1;
 struct SurfaceLaw {
   float diffuse = 0;   ///< Share that is scattered diffusely, 0..1.
   float mirrored = 0;  ///< Share that facets reflect, 0..1; with a `reflectance` about its largest, for draws.
-  const AngleTable* reflectance = nullptr;  ///< |R|^2 of facets by angle, times `scale`; null: `mirrored` at all angles.
+  const AngleTable* reflectance =
+      nullptr;  ///< |R|^2 of facets by angle, times `scale`; null: `mirrored` at all angles.
   float scale = 1;
   float coherent = 1;                                 ///< Share of it that other echoes follow, as from a mirror, 0..1.
   float slope = static_cast<float>(kLeastWalkSlope);  ///< Rms slope of the facets along each axis.
