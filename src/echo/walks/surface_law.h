@@ -3,7 +3,6 @@
 #pragma once
 
 #include "insonify/geometry.h"
-#include "insonify/material.h"
 #include "insonify/scattering.h"
 
 namespace insonify {
