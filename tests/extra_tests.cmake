@@ -109,6 +109,8 @@ add_test(NAME shadow_depth
   COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/validation/shadow_depth.py $<TARGET_FILE:insonify_cli> --check
   WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
 
+add_test(NAME shadow_depth_measures COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/validation/shadow_depth_test.py)
+
 # What shells and man are told of the command line.
 add_test(NAME shell_texts
   COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/apps/shell_texts_test.py ${PROJECT_BINARY_DIR})

@@ -223,7 +223,7 @@ TEST(PresetTest, EveryInstrumentHasAPulseThatEndsBeforeItsShortestRange) {
 
 // Durations: of the Ping360 8000 range / c microseconds, from 5 to 500; of the ARIS 3000 2 us a metre from 5 to 16
 // (high) and 7 + 1.75 (range - 4) from 8 to 24 (low); of the ARIS 1800 2 (range - 5) from 6 to 25 and 7 + range up
-// to 40.
+// to 40; of the Gemini 720i 4 cycles below 10 m, 18 at 30 m, 32 at 50 m, 80 at 75 m and 128 from 100 m on.
 TEST(PresetTest, PulsesGrowWithTheRangeAsTheInstrumentsDo) {
   const auto microseconds = [](const char* name, const char* mode, double range) {
     const Preset preset = load_preset(name, mode);
@@ -242,6 +242,8 @@ TEST(PresetTest, PulsesGrowWithTheRangeAsTheInstrumentsDo) {
   EXPECT_THAT(over("soundmetrics-aris-explorer-3000", "low", {4, 8, 12, 15}), ElementsAre(8, 14, 21, 24));
   EXPECT_THAT(over("soundmetrics-aris-explorer-1800", "high", {7, 10, 15}), ElementsAre(6, 10, 20));
   EXPECT_THAT(over("soundmetrics-aris-explorer-1800", "low", {6, 20, 35}), ElementsAre(13, 27, 40));
+  EXPECT_THAT(over("tritech-gemini-720i", "", {5, 30, 50, 75, 120}), ElementsAre(6, 25, 44, 111, 178));
+  EXPECT_THAT(over("tritech-gemini-720im", "", {5, 30, 50}), ElementsAre(6, 25, 44));
 }
 
 TEST(PresetTest, AScenariosOwnPulseDurationStays) {

@@ -141,13 +141,23 @@ double not_masked(double cosine, double slope) {
 // Two plates with lobes: paths of three surfaces go from one to the other and back to the first, which is one mirror.
 // So order 3 lacks mirrored-anything-mirrored, which secondary echoes have. Of the lobes of rough plates secondary
 // echoes have the coherent share alone, exp(-4 k^2 h^2 cos^2).
-class WalkMirrorTest : public testing::TestWithParam<double> {};
+// Facets reflect at their own angle of incidence, where |R| depends on it as that of sand and gravel does.
+struct Lobes {
+  double rms_height;
+  bool by_angle = false;
+};
+class WalkMirrorTest : public testing::TestWithParam<Lobes> {};
 
 TEST_P(WalkMirrorTest, MirroredSoundIsCountedWhereSecondaryEchoesLeaveItOut) {
   Material first = glinting(0.7, 0.45), second = glinting(0.72, 0.5);
   first.lambert_db = -10;
   second.lambert_db = -9;
-  first.rms_height = second.rms_height = GetParam();
+  first.rms_height = second.rms_height = GetParam().rms_height;
+  if (GetParam().by_angle) {
+    first.reflection = second.reflection = {};
+    first.density = 1900, first.sound_speed = 2600, first.loss = 0.02;
+    second.density = 1800, second.sound_speed = 2400, second.loss = 0.02;
+  }
   const std::vector<Plate> plates = {{Vec3::UnitZ(), {2.6, 0.2, -1.2}, 1.6, first},
                                      {-Vec3::UnitX(), {4.2, 0, 0.3}, 1.8, second}};
   const Vec3 sonar(0.1, -0.2, 0.4);
@@ -156,21 +166,24 @@ TEST_P(WalkMirrorTest, MirroredSoundIsCountedWhereSecondaryEchoesLeaveItOut) {
 
   constexpr int kAlong = 10, kEach = kAlong * kAlong;
   const std::vector<Patch> patches = patches_of(plates, kAlong);
+  const std::array<Scattering, 2> laws = {first.scattering(400e3), second.scattering(400e3)};
   const auto lobe = [&](const Patch& at, const Vec3& from, const Vec3& to) {
     const Material& material = plates[at.plate].material;
     const Vec3 in = (from - at.place).normalized(), out = (to - at.place).normalized();
     const double cosine = at.normal.dot(in);
     // And what facets reflect into the surface, from where it comes out again: the image of `out` in the surface.
     const Vec3 into = out - 2 * out.dot(at.normal) * at.normal;
-    return (facet_scatter(*material.reflection, material.rms_slope, half_vector_tilt(at.normal, in, out)) +
-            facet_scatter(*material.reflection, material.rms_slope, half_vector_tilt(at.normal, in, into))) *
-           not_masked(cosine, material.rms_slope) / cosine;
+    const auto by_facet = [&](const Vec3& leaving) {
+      const double reflectance = laws[at.plate].reflectance(in.dot((in + leaving).normalized()));
+      return facet_scatter(std::sqrt(reflectance), material.rms_slope, half_vector_tilt(at.normal, in, leaving));
+    };
+    return (by_facet(out) + by_facet(into)) * not_masked(cosine, material.rms_slope) / cosine;
   };
   const auto lambert = [&](const Patch& at, const Vec3& to) {
     return std::pow(10, plates[at.plate].material.lambert_db / 10) * at.normal.dot((to - at.place).normalized());
   };
   const auto coherent = [&](const Patch& at, const Vec3& from) {
-    const double phase = 2 * kPi * 400e3 / 1500 * GetParam() * at.normal.dot((from - at.place).normalized());
+    const double phase = 2 * kPi * 400e3 / 1500 * GetParam().rms_height * at.normal.dot((from - at.place).normalized());
     return std::exp(-4 * phase * phase);
   };
   const auto arriving = [&](const Patch& at, const Vec3& from) {  // Share of a steradian that a patch fills.
@@ -237,7 +250,8 @@ TEST_P(WalkMirrorTest, MirroredSoundIsCountedWhereSecondaryEchoesLeaveItOut) {
   expect_mean(more, expected_more, 0.02);
 }
 
-INSTANTIATE_TEST_SUITE_P(Heights, WalkMirrorTest, testing::Values(0, 1.7e-4, 4e-4));
+INSTANTIATE_TEST_SUITE_P(Lobes, WalkMirrorTest,
+                         testing::Values(Lobes{0}, Lobes{1.7e-4}, Lobes{4e-4}, Lobes{4e-4, true}));
 
 }  // namespace
 }  // namespace insonify::validation

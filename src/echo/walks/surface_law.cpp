@@ -49,20 +49,37 @@ float facet_density(const SurfaceLaw& law, const Vec3f& normal, const Vec3f& in,
   const float held = std::max(-in.dot(normal), kLeastFacing);
   const float secant_square = 1 / (upright * upright), variance = law.slope * law.slope;
   const float facets = secant_square * secant_square * std::exp((1 - secant_square) / (2 * variance));
-  return law.mirrored / (8 * kPi * variance) * facets * facet_masking(held, law.slope) / held;
+  return law.reflected_by_facet(-half.dot(in)) / (8 * kPi * variance) * facets * facet_masking(held, law.slope) / held;
 }
 
 }  // namespace
 
 SurfaceLaw SurfaceLaw::of(const Scattering& scattering, float texture, float cosine) {
+  const double incidence = std::min(std::abs(double{cosine}), 1.0);
+  const double slope = std::max(scattering.rms_slope, kLeastWalkSlope);
   const double intensity = double{texture} * double{texture};
   const double diffuse = intensity * std::numbers::pi * scattering.lambert;
-  const double mirrored = intensity * scattering.reflectance(std::min(std::abs(double{cosine}), 1.0));
+  const double mirrored = intensity * scattering.reflectance(incidence);
   const double most = std::max(1.0, diffuse + mirrored);
-  return {.diffuse = static_cast<float>(diffuse / most),
-          .mirrored = static_cast<float>(mirrored / most),
-          .coherent = static_cast<float>(scattering.mirror_share(std::min(std::abs(double{cosine}), 1.0))),
-          .slope = static_cast<float>(std::max(scattering.rms_slope, kLeastWalkSlope))};
+  SurfaceLaw law{.diffuse = static_cast<float>(diffuse / most),
+                 .mirrored = static_cast<float>(mirrored / most),
+                 .coherent = static_cast<float>(scattering.mirror_share(incidence)),
+                 .slope = static_cast<float>(slope)};
+  if (scattering.by_angle) {
+    law.reflectance = &scattering.by_angle->reflectance;
+    law.scale = static_cast<float>(intensity / most);
+    // The largest of what most facets reflect: those tilted by up to twice the slope, to either side.
+    const double reach = 1 / std::sqrt(1 + 4 * slope * slope);
+    const double towards = reach * incidence, aside = 2 * slope * reach * std::sqrt(1 - incidence * incidence);
+    for (const double tilted : {towards + aside, towards - aside}) {
+      law.mirrored = std::max(law.mirrored, law.reflected_by_facet(static_cast<float>(std::clamp(tilted, 0.0, 1.0))));
+    }
+  }
+  return law;
+}
+
+float SurfaceLaw::reflected_by_facet(float cosine) const {
+  return reflectance ? std::min(scale * static_cast<float>(reflectance->at(double{cosine})), 1 - diffuse) : mirrored;
 }
 
 float SurfaceLaw::diffuse_into(const Vec3f& normal, const Vec3f& out) const {
@@ -89,8 +106,9 @@ SurfaceLaw::Next SurfaceLaw::draw(const Vec3f& normal, const Vec3f& in, float ch
   const Vec3f facet = upright * tilted;
   const float met = -in.dot(facet), held = std::max(-in.dot(normal), kLeastFacing);
   const Vec3f out = (in + 2 * met * facet).normalized();
+  const float reflected = met > 0 && mirrored > 0 ? reflected_by_facet(std::min(met, 1.0F)) / mirrored : 0.0F;
   return {.direction = out.dot(normal) > 0 ? out : folded(normal, out),
-          .share = met > 0 ? both * met / (held * upright) * facet_masking(held, slope) : 0.0F,
+          .share = both * reflected * met / (held * upright) * facet_masking(held, slope),
           .mirrored = choice * both < diffuse + coherent * mirrored};
 }
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "insonify/geometry.h"
-#include "insonify/material.h"
+#include "insonify/scattering.h"
 
 namespace insonify {
 
@@ -16,20 +16,28 @@ inline constexpr double kLeastWalkSlope = 0.1;
 ///
 ///     diffuse:   pi mu, into `out` with the density cos(out) / pi
 ///     mirrored:  |R|^2, by facets of Gaussian slopes: into `out` with the density facet_scatter() facet_masking() /
-///                cos(in), as mirror_facet() draws them. What a facet reflects into the surface leaves it again: as if
-///                the surface without facets reflected it
+///                cos(in), as mirror_facet() draws them. |R| is that at the angle of incidence on the facet. What a
+///                facet reflects into the surface leaves it again: as if the surface without facets reflected it
 ///
 /// A surface whose material would send out more than falls on it sends out exactly that: both shares are reduced by
 /// the same factor.
 struct SurfaceLaw {
-  float diffuse = 0;                                  ///< Share that is scattered diffusely, 0..1.
-  float mirrored = 0;                                 ///< Share that is reflected by facets, 0..1.
+  float diffuse = 0;   ///< Share that is scattered diffusely, 0..1.
+  float mirrored = 0;  ///< Share that facets reflect, 0..1; with a `reflectance` about its largest, for draws.
+  const AngleTable* reflectance =
+      nullptr;  ///< |R|^2 of facets by angle, times `scale`; null: `mirrored` at all angles.
+  float scale = 1;
   float coherent = 1;                                 ///< Share of it that other echoes follow, as from a mirror, 0..1.
   float slope = static_cast<float>(kLeastWalkSlope);  ///< Rms slope of the facets along each axis.
 
+  /// @param scattering  Must outlive the law.
   /// @param texture  Factor on the amplitude, ReliefPoint::reflectivity.
-  /// @param cosine   Of the angle of incidence on the surface, of either sign, at which it reflects.
+  /// @param cosine   Of the angle of incidence on the surface, of either sign.
   [[nodiscard]] static SurfaceLaw of(const Scattering& scattering, float texture, float cosine = 1);
+
+  /// Share of the energy that falls on a facet that the facet reflects, 0..1.
+  /// @param cosine  Of the angle of incidence on the facet, 0..1.
+  [[nodiscard]] float reflected_by_facet(float cosine) const;
 
   /// Energy per steradian in a direction, relative to that which falls on the surface [1/sr].
   /// @param in   Direction in which the incident sound travels; a unit vector, as all of these.
