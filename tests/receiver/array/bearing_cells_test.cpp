@@ -64,6 +64,21 @@ TEST(BearingCellsTest, GuardCellsReachWhereTheOutermostBeamHears) {
   EXPECT_EQ(hann.sonar.beam_count, 2 * (64 + 6));
 }
 
+// Beams 0.9375 degrees apart: a cell of 0.3 beam widths at most needs a width of 3.125 degrees. The edges of the middle
+// beams' slices are 2 sin(0.46875 deg) apart, sin(3.125 deg) = 0.0545158 allows 0.0163547.
+TEST(BearingCellsTest, FansThatOverlapMuchHaveOneCellABeam) {
+  EXPECT_EQ(BearingCells(fan(3.12), with(BeamPattern::kTaylor)).per_beam, 2);
+  const BearingCells cells(fan(3.13), with(BeamPattern::kTaylor));
+  EXPECT_EQ(cells.per_beam, 1);
+  EXPECT_EQ(cells.sonar.sampling.columns_per_beam, Sampling::kColumns);  // As many rays as with two cells.
+  EXPECT_NEAR(cells.sonar.beam_azimuth(cells.first + 5), fan(3.13).beam_azimuth(5), 1e-12);
+  SonarConfig head = fan(30);
+  head.type = SonarType::kMechanicallyScanned;
+  head.beam_count = 1;
+  head.azimuth_aperture = 2 * kDegree;
+  EXPECT_EQ(BearingCells(head, with(BeamPattern::kTaylor)).per_beam, 8);
+}
+
 TEST(BearingCellsTest, OutermostBeamsLoseLessThanTwoPercent) {
   for (const double resolution : {0.7, 1.9, 4.1}) {
     const SonarConfig sonar = fan(resolution);
