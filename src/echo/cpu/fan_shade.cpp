@@ -18,22 +18,6 @@ void measure_ranges(int rows, std::uint32_t nothing, const std::uint32_t* __rest
   }
 }
 
-// First index from `begin` on whose value differs from values[begin]; at most `end`.
-[[gnu::always_inline]] inline int end_of_run(const std::uint32_t* values, int begin, int end) {
-  const std::uint32_t value = values[begin];
-  int at = begin + 1;
-  const auto differs = [&](int i) __attribute__((always_inline)) {
-    return values[i] ^ value;
-  };
-  while (at + 4 <= end && (differs(at) | differs(at + 1) | differs(at + 2) | differs(at + 3)) == 0) {
-    at += 4;
-  }
-  while (at < end && differs(at) == 0) {
-    ++at;
-  }
-  return at;
-}
-
 }  // namespace
 
 INSONIFY_VECTOR_CLONES
@@ -55,7 +39,10 @@ int FanRaster::read(int column, const HitColumn& hits) {
   for (int row = 0; row < rows;) {
     // Consecutive rows with the same triangle. Sixteen are written at a time; surplus ones are overwritten later.
     const std::uint32_t triangle = nearest[row];
-    const int end = end_of_run(nearest, row, rows);
+    int end = row + 1;
+    while (end < rows && nearest[end] == triangle) {
+      ++end;
+    }
     const Shading& shading = triangle == kNothing ? no_shading_ : known_shading(triangle);
     rows_met = triangle == kNothing ? rows_met : end;
     // The normal in the direction of slope s in this column is normal_0 + s normal_1: see shading_of().

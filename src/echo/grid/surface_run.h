@@ -3,7 +3,6 @@
 #pragma once
 
 #include <algorithm>
-#include <cstring>
 #include <vector>
 
 #include "echo/grid/lanes.h"
@@ -26,16 +25,8 @@ struct FootprintSegment {
   float elevation;  ///< Elevation of the echo [rad].
 };
 
-/// Segments as arrays, one element per segment.
-struct FootprintArrays {
-  const float *low, *high, *power, *half_rise, *density, *elevation;
-};
-
 /// Sums over one run, per bin: four short arrays that stay in the first-level cache. All zero between runs.
 struct SurfaceSums {
-  /// Number of neighbouring bins whose sums are held in registers at a time.
-  static constexpr int kTogether = 16;
-
   std::vector<float> energy, weight;
   std::vector<float> moment;  ///< Sum of energy x elevation [rad].
   std::vector<float> square;  ///< Sum of energy x (elevation - datum)^2 [rad^2]; with GroundTruth::kFull only. The
@@ -44,7 +35,7 @@ struct SurfaceSums {
   /// Prepares for a number of bins. Allocates only if it needs more memory than ever before.
   void prepare(int bins) {
     for (auto* sums : {&energy, &weight, &moment, &square}) {
-      sums->resize(std::max(sums->size(), static_cast<std::size_t>(bins) + kTogether), 0.0F);
+      sums->resize(std::max(sums->size(), static_cast<std::size_t>(bins) + std::size_t{2} * kLanes), 0.0F);
     }
   }
 };
@@ -86,67 +77,7 @@ class SurfaceRun {
     last_ = std::max(last_, bin);
   }
 
-  /// Adds the segments [first, last). Sums stay in registers as long as segments fall on the same sixteen bins: one
-  /// that is read from memory soon after a neighbouring one was stored waits for the store to end.
-  [[gnu::always_inline]] void add(const FootprintArrays& segments, int first, int last) {
-    using Window = float __attribute__((vector_size(sizeof(float) * SurfaceSums::kTogether)));
-    constexpr int kTogether = SurfaceSums::kTogether;
-    constexpr Window kSteps = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
-    const Window zero = {};
-    int start = static_cast<int>(segments.low[first]), least = start, most = 0;
-    Window energy, weight, moment, square = {}, low_edge = static_cast<float>(start) + kSteps;
-    const auto read = [&]() __attribute__((always_inline)) {
-      std::memcpy(&energy, energy_ + start, sizeof energy);
-      std::memcpy(&weight, weight_ + start, sizeof weight);
-      std::memcpy(&moment, moment_ + start, sizeof moment);
-      if constexpr (kSquares) {
-        std::memcpy(&square, square_ + start, sizeof square);
-      }
-    };
-    const auto write = [&]() __attribute__((always_inline)) {
-      std::memcpy(energy_ + start, &energy, sizeof energy);
-      std::memcpy(weight_ + start, &weight, sizeof weight);
-      std::memcpy(moment_ + start, &moment, sizeof moment);
-      if constexpr (kSquares) {
-        std::memcpy(square_ + start, &square, sizeof square);
-      }
-    };
-    read();
-    for (int i = first; i < last; ++i) {
-      const float low = segments.low[i], high = segments.high[i];
-      int bin = static_cast<int>(low);
-      least = std::min(least, bin);
-      do {
-        if (bin < start || bin >= start + kTogether) {
-          write();
-          // Where positions decrease, the window ends with the segment.
-          start = bin < start ? std::max(0, std::min(bin, static_cast<int>(high) + 1 - kTogether)) : bin;
-          low_edge = static_cast<float>(start) + kSteps;
-          read();
-        }
-        const Window high_edge = low_edge + 1;
-        const Window from = low_edge > low ? low_edge : low + zero;
-        const Window to = high_edge < high ? high_edge : high + zero;
-        const Window length = to - from;
-        const Window share = (length > 0 ? length : zero) * segments.density[i];
-        const Window more = share * (segments.power[i] + (from + to) * segments.half_rise[i]);
-        energy += more;
-        weight += share;
-        moment += more * segments.elevation[i];
-        if constexpr (kSquares) {
-          const float beyond = segments.elevation[i] - datum_;
-          square += more * (beyond * beyond);
-        }
-        bin = start + kTogether;
-      } while (static_cast<float>(bin) < high);
-      most = std::max(most, static_cast<int>(high));
-    }
-    write();
-    first_ = std::min(first_, least);
-    last_ = std::max(last_, most + 1);
-  }
-
-  /// Bins added to since restart(): [first, last), empty if first >= last. `last` may be rounded up.
+  /// Bins added to since restart(): [first, last), empty if first >= last. `last` is rounded up to whole vectors.
   [[nodiscard]] int first() const { return first_; }
   [[nodiscard]] int last() const { return last_; }
   void restart() {

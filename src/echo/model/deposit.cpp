@@ -181,18 +181,15 @@ template <GroundTruth kTruth>
     }
   };
 
-  const FootprintArrays between{segments.low.data(),       segments.high.data(),    segments.power.data(),
-                                segments.half_rise.data(), segments.density.data(), segments.elevation.data()};
+  const float *low = segments.low.data(), *high = segments.high.data(), *power = segments.power.data(),
+              *half_rise = segments.half_rise.data(), *density = segments.density.data(),
+              *middle = segments.elevation.data();
   const std::uint8_t* joined = segments.joined.data();
   SurfaceLabel surface = hits.surface[0];
   add_alone(0, 1, {edges.cos_low, edges.sin_low}, interval[0] * measure);
   for (int row = 0; row < last_row; ++row) {
     if (joined[row] != 0) {
-      const int first = row;
-      while (row + 1 < last_row && joined[row + 1] != 0) {
-        ++row;
-      }
-      run.add(between, first, row + 1);
+      run.add({low[row], high[row], power[row], half_rise[row], density[row], middle[row]});
       continue;
     }
     const int next = row + 1;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "base/vector_math.h"
 #include "echo/grid/lanes.h"
 #include "echo/grid/surface_label.h"
 #include "echo/model/deposit.h"
@@ -22,16 +21,23 @@ template <typename Value>
   return larger(smaller(edge + 1, spread.high + zero) - larger(edge, spread.low + zero), zero) * spread.density;
 }
 
+[[gnu::always_inline]] inline bool any(SurfaceLabel lane) {
+  return lane != 0;
+}
+[[gnu::always_inline]] inline bool any(Labels lanes) {
+  return (lanes[0] | lanes[1] | lanes[2] | lanes[3]) != 0;
+}
+
 // Adds the echo to cell `i`, or to kLanes cells from `i` on. Where another surface is the strongest so far, only energy
-// and weight are added; returns all bits set for such a cell, else 0.
+// and weight are added; returns whether there is such a cell.
 template <typename Label, typename Value>
-[[gnu::always_inline]] inline Label add(const Echo& echo, Value weight, bool labelled, const EchoGrid::Cells& cells,
-                                        int i) {
+[[gnu::always_inline]] inline bool add(const Echo& echo, Value weight, bool labelled, const EchoGrid::Cells& cells,
+                                       int i) {
   const Value energy = weight * echo.power;
   add_to(cells.energy + i, energy);
   add_to(cells.weight + i, weight);
   if (!labelled) {
-    return Label{};
+    return false;
   }
   const StrongestSurface<Label, Value> before{load<Label>(cells.surface + i), load<Value>(cells.surface_energy + i),
                                               load<Value>(cells.elevation_moment + i)};
@@ -39,12 +45,11 @@ template <typename Label, typename Value>
   store(cells.surface + i, after.cell.surface);
   store(cells.surface_energy + i, after.cell.energy);
   store(cells.elevation_moment + i, after.cell.moment);
-  return after.elsewhere;
+  return any(after.elsewhere);
 }
 
 }  // namespace
 
-INSONIFY_VECTOR_CLONES
 void deposit(const PingPlan& plan, const Echo& echo, EchoGrid& grid) {
   const int beam = plan.beam_of(echo.azimuth);
   const float middle = (0.5F * echo.path_length - plan.first_bin_at) * plan.bins_per_metre;
@@ -73,19 +78,18 @@ void deposit(const PingPlan& plan, const Echo& echo, EchoGrid& grid) {
   }
 
   // Four cells at a time, if the beam has as many left; the weight in cells from `last` on is zero.
-  const bool labelled = grid.labelled();
-  Labels elsewhere = {};
+  bool elsewhere = false;
   int i = 0;
   for (; i < count && first + i + kLanes <= plan.sonar.bin_count; i += kLanes) {
-    elsewhere |= add<Labels>(echo, weight_in(static_cast<float>(i) + Floats{0, 1, 2, 3}, spread), labelled, cells, i);
+    elsewhere |=
+        add<Labels>(echo, weight_in(static_cast<float>(i) + Floats{0, 1, 2, 3}, spread), grid.labelled(), cells, i);
   }
   for (; i < count; ++i) {
-    elsewhere[0] |= add<SurfaceLabel>(echo, weight_of(i), labelled, cells, i);
+    elsewhere |= add<SurfaceLabel>(echo, weight_of(i), grid.labelled(), cells, i);
   }
 
   // Labels of the cells where another surface is the strongest so far.
-  const bool any = (elsewhere[0] | elsewhere[1] | elsewhere[2] | elsewhere[3]) != 0;
-  for (i = 0; i < count && any; ++i) {
+  for (i = 0; i < count && elsewhere; ++i) {
     const float energy = weight_of(i) * echo.power;
     if (weight_of(i) > 0 && cells.surface[i] != echo.surface) {
       grid.add_further(beam, first + i, {echo.surface, energy, energy * echo.elevation, square_of(energy)});
