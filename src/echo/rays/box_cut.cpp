@@ -12,8 +12,11 @@
 namespace insonify {
 namespace {
 
-// Most boxes of static objects. Each costs a dozen instructions for sixteen rays.
+// Most boxes of static objects. Each costs two dozen instructions for sixteen rays.
 constexpr std::size_t kMostBoxes = 64;
+
+// Most groups of these boxes: the boxes there are after as many splits.
+constexpr std::size_t kMostGroups = 8;
 
 // Most pieces that are sorted into boxes. In larger scenes a piece consists of several consecutive triangles.
 constexpr std::size_t kMostPieces = 1 << 12;
@@ -51,6 +54,7 @@ struct Node {
   Box box = {};
   float area = std::numeric_limits<float>::infinity();  // Sum over both parts; infinite if there is no split.
   int axis = 0, split = 0;
+  std::size_t group = 0;
 };
 
 constexpr int kBins = 16;
@@ -132,7 +136,7 @@ Node make_node(const std::vector<Box>& pieces, std::size_t first, std::size_t la
   return node;
 }
 
-// Splits the node of greatest volume again and again; reorders the pieces.
+// Splits the node of greatest volume again and again; reorders the pieces. Returns the nodes group by group.
 std::vector<Node> cut(std::vector<Box>& pieces) {
   std::vector<Node> nodes = {make_node(pieces, 0, pieces.size())};
   while (nodes.size() < kMostBoxes) {
@@ -148,25 +152,71 @@ std::vector<Node> cut(std::vector<Box>& pieces) {
                                        [&](const Box& piece) { return bin_of(piece)[node.axis] < node.split; });
     const auto split_at = static_cast<std::size_t>(middle - pieces.begin());
     best = make_node(pieces, node.first, split_at);
+    best.group = node.group;
     nodes.push_back(make_node(pieces, split_at, node.last));
+    nodes.back().group = nodes.size() <= kMostGroups ? nodes.size() - 1 : node.group;
   }
+  std::ranges::stable_sort(nodes, {}, &Node::group);
   return nodes;
+}
+
+// Sixteen rays, with the inverse of their directions.
+struct Lanes {
+  float origin_x[kRayLanes], origin_y[kRayLanes], origin_z[kRayLanes];
+  float inverse_x[kRayLanes], inverse_y[kRayLanes], inverse_z[kRayLanes];
+  float near[kRayLanes], far[kRayLanes];
+};
+
+// Sets met[lane] to 1 where the ray passes through a box between its ends. Rounding is monotonic, so that a ray that
+// meets a box meets every box around it.
+[[gnu::always_inline]] inline void mark_met(const BoxCut::Boxes& boxes, std::size_t box,
+                                            const Lanes& __restrict__ lanes, float* __restrict__ met) {
+  const float low_x = boxes.low[0][box], low_y = boxes.low[1][box], low_z = boxes.low[2][box];
+  const float high_x = boxes.high[0][box], high_y = boxes.high[1][box], high_z = boxes.high[2][box];
+#pragma GCC unroll 1
+#pragma GCC ivdep
+  for (int lane = 0; lane < kRayLanes; ++lane) {
+    const float ax = (low_x - lanes.origin_x[lane]) * lanes.inverse_x[lane],
+                bx = (high_x - lanes.origin_x[lane]) * lanes.inverse_x[lane];
+    const float ay = (low_y - lanes.origin_y[lane]) * lanes.inverse_y[lane],
+                by = (high_y - lanes.origin_y[lane]) * lanes.inverse_y[lane];
+    const float az = (low_z - lanes.origin_z[lane]) * lanes.inverse_z[lane],
+                bz = (high_z - lanes.origin_z[lane]) * lanes.inverse_z[lane];
+    const float near_x = ax < bx ? ax : bx, near_y = ay < by ? ay : by, near_z = az < bz ? az : bz;
+    const float far_x = ax < bx ? bx : ax, far_y = ay < by ? by : ay, far_z = az < bz ? bz : az;
+    const float near_xy = near_x > near_y ? near_x : near_y, near = near_xy > near_z ? near_xy : near_z;
+    const float far_xy = far_x < far_y ? far_x : far_y, far = far_xy < far_z ? far_xy : far_z;
+    const bool meets = (near <= far) & (near <= lanes.far[lane]) & (far >= lanes.near[lane]);
+    met[lane] = meets ? 1.0F : met[lane];
+  }
 }
 
 }  // namespace
 
-void BoxCut::resize(std::size_t boxes) {
+void BoxCut::Boxes::resize(std::size_t count) {
   for (int axis = 0; axis < 3; ++axis) {
-    low_[axis].resize(boxes);
-    high_[axis].resize(boxes);
+    low[axis].resize(count);
+    high[axis].resize(count);
   }
 }
 
 void BoxCut::put(std::size_t box, const Vec3f& low, const Vec3f& high) {
   for (int axis = 0; axis < 3; ++axis) {
     const float margin = kMargin + 1e-6F * std::max(std::abs(low[axis]), std::abs(high[axis]));
-    low_[axis][box] = low[axis] - margin;
-    high_[axis][box] = high[axis] + margin;
+    boxes_.low[axis][box] = low[axis] - margin;
+    boxes_.high[axis][box] = high[axis] + margin;
+  }
+}
+
+// Box around boxes [first, last).
+void BoxCut::add_group(std::size_t first, std::size_t last) {
+  const std::size_t group = group_end_.size();
+  group_end_.push_back(last);
+  for (int axis = 0; axis < 3; ++axis) {
+    const std::vector<float>&low = boxes_.low[axis], &high = boxes_.high[axis];
+    const auto from = static_cast<std::ptrdiff_t>(first), to = static_cast<std::ptrdiff_t>(last);
+    groups_.low[axis][group] = *std::min_element(low.begin() + from, low.begin() + to);
+    groups_.high[axis][group] = *std::max_element(high.begin() + from, high.begin() + to);
   }
 }
 
@@ -194,9 +244,15 @@ void BoxCut::set(const Scene& scene, const Vec3& origin) {
     }
   }
   const std::vector<Node> nodes = pieces.empty() ? std::vector<Node>() : cut(pieces);
-  resize(nodes.size() + moving_.size());
-  for (std::size_t i = 0; i < nodes.size(); ++i) {
+  boxes_.resize(nodes.size() + moving_.size());
+  groups_.resize(nodes.empty() ? 0 : nodes.back().group + 1);
+  group_end_.clear();
+  for (std::size_t first = 0, i = 0; i < nodes.size(); ++i) {
     put(i, nodes[i].box.low.head<3>(), nodes[i].box.high.head<3>());
+    if (i + 1 == nodes.size() || nodes[i + 1].group != nodes[i].group) {
+      add_group(first, i + 1);
+      first = i + 1;
+    }
   }
   for (std::size_t i = 0; i < moving_.size(); ++i) {
     moving_[i].box = nodes.size() + i;
@@ -219,47 +275,39 @@ void BoxCut::move(int instance, const Pose& scene_from_mesh) {
 }
 
 INSONIFY_VECTOR_CLONES
-unsigned BoxCut::may_meet(const RayLanes& lanes) const {
-  const float* __restrict__ origin_x = lanes.origin_x;
-  const float* __restrict__ origin_y = lanes.origin_y;
-  const float* __restrict__ origin_z = lanes.origin_z;
-  const float* __restrict__ direction_x = lanes.direction_x;
-  const float* __restrict__ direction_y = lanes.direction_y;
-  const float* __restrict__ direction_z = lanes.direction_z;
-  const float* __restrict__ near_end = lanes.near;
-  const float* __restrict__ far_end = lanes.far;
-  float inverse_x[kRayLanes], inverse_y[kRayLanes], inverse_z[kRayLanes], met[kRayLanes];
+unsigned BoxCut::may_meet(const RayLanes& rays) const {
+  Lanes lanes;
+  float met[kRayLanes];
   for (int lane = 0; lane < kRayLanes; ++lane) {
     // Replaces zero components, since 0 x infinity is not a number.
     constexpr float kTiny = 1e-20F;
-    const float x = direction_x[lane], y = direction_y[lane], z = direction_z[lane];
-    inverse_x[lane] = 1 / (std::abs(x) < kTiny ? kTiny : x);
-    inverse_y[lane] = 1 / (std::abs(y) < kTiny ? kTiny : y);
-    inverse_z[lane] = 1 / (std::abs(z) < kTiny ? kTiny : z);
+    const float x = rays.direction_x[lane], y = rays.direction_y[lane], z = rays.direction_z[lane];
+    lanes.inverse_x[lane] = 1 / (std::abs(x) < kTiny ? kTiny : x);
+    lanes.inverse_y[lane] = 1 / (std::abs(y) < kTiny ? kTiny : y);
+    lanes.inverse_z[lane] = 1 / (std::abs(z) < kTiny ? kTiny : z);
+    lanes.origin_x[lane] = rays.origin_x[lane];
+    lanes.origin_y[lane] = rays.origin_y[lane];
+    lanes.origin_z[lane] = rays.origin_z[lane];
+    lanes.near[lane] = rays.near[lane];
+    lanes.far[lane] = rays.far[lane];
     met[lane] = 0;
   }
   constexpr unsigned kAll = (1U << kRayLanes) - 1;
-  constexpr std::size_t kBetweenLooks = 8;
-  const std::size_t boxes = size();
-  for (std::size_t box = 0; box < boxes; ++box) {
-    if (box % kBetweenLooks == 0 && positive_of_sixteen(met) == kAll) {
-      return kAll;
+  unsigned all_met = 0;
+  std::size_t box = 0;
+  for (std::size_t group = 0; group < group_end_.size() && all_met != kAll; ++group) {
+    float met_group[kRayLanes] = {};
+    mark_met(groups_, group, lanes, met_group);
+    if ((positive_of_sixteen(met_group) & ~all_met) != 0) {
+      for (; box < group_end_[group]; ++box) {
+        mark_met(boxes_, box, lanes, met);
+      }
+      all_met = positive_of_sixteen(met);
     }
-    const float low_x = low_[0][box], low_y = low_[1][box], low_z = low_[2][box];
-    const float high_x = high_[0][box], high_y = high_[1][box], high_z = high_[2][box];
-#pragma GCC unroll 1
-#pragma GCC ivdep
-    for (int lane = 0; lane < kRayLanes; ++lane) {
-      const float ax = (low_x - origin_x[lane]) * inverse_x[lane], bx = (high_x - origin_x[lane]) * inverse_x[lane];
-      const float ay = (low_y - origin_y[lane]) * inverse_y[lane], by = (high_y - origin_y[lane]) * inverse_y[lane];
-      const float az = (low_z - origin_z[lane]) * inverse_z[lane], bz = (high_z - origin_z[lane]) * inverse_z[lane];
-      const float near_x = ax < bx ? ax : bx, near_y = ay < by ? ay : by, near_z = az < bz ? az : bz;
-      const float far_x = ax < bx ? bx : ax, far_y = ay < by ? by : ay, far_z = az < bz ? bz : az;
-      const float near_xy = near_x > near_y ? near_x : near_y, near = near_xy > near_z ? near_xy : near_z;
-      const float far_xy = far_x < far_y ? far_x : far_y, far = far_xy < far_z ? far_xy : far_z;
-      const bool meets = (near <= far) & (near <= far_end[lane]) & (far >= near_end[lane]);
-      met[lane] = meets ? 1.0F : met[lane];
-    }
+    box = group_end_[group];
+  }
+  for (box = boxes_.size() - moving_.size(); box < boxes_.size(); ++box) {
+    mark_met(boxes_, box, lanes, met);
   }
   return positive_of_sixteen(met);
 }

@@ -23,14 +23,21 @@ class BoxCut {
   /// unused lanes are arbitrary.
   [[nodiscard]] unsigned may_meet(const RayLanes& rays) const;
 
-  /// Number of boxes.
-  [[nodiscard]] std::size_t size() const { return low_[0].size(); }
+  /// Corners of axis-parallel boxes.
+  struct Boxes {
+    std::vector<float> low[3], high[3];  ///< [axis][box]
+
+    [[nodiscard]] std::size_t size() const { return low[0].size(); }
+    void resize(std::size_t count);
+  };
 
  private:
   void put(std::size_t box, const Vec3f& low, const Vec3f& high);
-  void resize(std::size_t boxes);
+  void add_group(std::size_t first, std::size_t last);
 
-  std::vector<float> low_[3], high_[3];  // [axis][box]
+  Boxes boxes_;   // Those of static objects, group by group, then those of moving ones.
+  Boxes groups_;  // The box around each group: rays that miss it are not tested against the group's boxes.
+  std::vector<std::size_t> group_end_;  // Index of the first box after each group.
   struct Moving {
     int instance;
     std::size_t box;
