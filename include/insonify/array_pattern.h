@@ -83,6 +83,8 @@ class ArrayPattern {
   /// In focus and without faults a pattern is real; the imaginary part of amplitude() is then 0.
   [[nodiscard]] bool is_real() const { return imaginary_.empty() && defocused_.empty(); }
 
+  [[nodiscard]] bool is_two_way() const { return two_way_; }  ///< ArraySettings::two_way.
+
   /// A side lobe.
   struct Lobe {
     double x = 0;         ///< Distance from the main lobe in u [wavelength / D].

@@ -13,7 +13,7 @@ namespace insonify {
 
 /// Adds each discrete echo (an ideal point or an interfering pulse) to all beams, with the array's gain g at the echo's
 /// own bearing, and to the bins around its own, with the pulse's amplitude p. Without an array it is added to its own
-/// beam only, without a pulse to its own bin only.
+/// beam only, without a pulse to its own bin only. Another sonar's pulse has the array's gain one way, and no p.
 class DiscreteEchoes {
  public:
   static constexpr double kFloorDb = BearingResponse::kFloorDb;

@@ -33,10 +33,11 @@ void Simulator::State::make(const PingRequest& request, SimulatedSonar& sonar, c
     parts.edges.add(plan, world_from_sonar, poses, parts.glints.shown(), parts.engine, grid);
     parts.ghosts.add(plan, world_from_sonar, request.number, scenario.receiver_of(sonar.config).speckle, parts.engine,
                      grid);
-    parts.interference.add(plan, world_from_sonar, request.time, parts.engine, grid);
+    const ReceiverConfig receiver = scenario.receiver_of(sonar.config);
+    parts.interference.add(plan, world_from_sonar, request.time, receiver.azimuth_pattern != BeamPattern::kTopHat,
+                           parts.engine, grid);
     if (!senders.empty()) {
-      add_mutual_interference(senders, sonar, scenario.receiver_of(sonar.config), request, world_from_sonar,
-                              parts.engine, grid);
+      add_mutual_interference(senders, sonar, receiver, request, world_from_sonar, parts.engine, grid);
     }
     if (!scenario.thrusters.empty()) {
       find_thrusters(scenario.thrusters, sonar.vehicle_from_housing * head, request.world_from_vehicle, parts.engine,

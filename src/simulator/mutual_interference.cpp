@@ -33,25 +33,6 @@ bool is_top_hat_hit(const SonarConfig& sonar, double elevation) {
   return std::abs(elevation - sonar.elevation_center) <= 0.5 * sonar.elevation_aperture;
 }
 
-// What a sonar receives from a direction.
-struct Received {
-  int beam;  // -1: nothing.
-  PingPlan::Arrival arrival;
-};
-
-// @param has_array  Whether beams have side lobes across bearings.
-Received received_from(const PingPlan& plan, const Vec3f& direction, bool has_array) {
-  const PingPlan::Arrival arrival = plan.arrival_from(direction);
-  const int beam = plan.beam_of(arrival.bearing);
-  if (!plan.elevation_pattern && !is_top_hat_hit(plan.sonar, double{arrival.elevation})) {
-    return {-1, arrival};
-  }
-  if (beam >= 0 || !has_array || !(direction.x() > 0)) {
-    return {beam, arrival};
-  }
-  return {arrival.bearing > 0 ? 0 : plan.sonar.beam_count - 1, arrival};
-}
-
 }  // namespace
 
 SendingSonar::SendingSonar(const SimulatedSonar& sonar, const ReceiverConfig& receiver)
@@ -112,15 +93,16 @@ void add_mutual_interference(std::span<const SendingSonar> senders, const Simula
     }
     const Vec3 place = request.world_from_vehicle * sender.place(), there = place - world_from_sonar.position;
     const double range = there.norm();
-    const Received received =
-        received_from(plan, (world_from_sonar.orientation.inverse() * there / range).cast<float>(), has_array);
-    const double passed = received.beam < 0 ? 0 : passed_between(plan, world_from_sonar.position, place, engine);
+    const Vec3f direction = (world_from_sonar.orientation.inverse() * there / range).cast<float>();
+    const std::optional<int> beam = beam_hearing(plan, direction, has_array);
+    const double passed = beam ? passed_between(plan, world_from_sonar.position, place, engine) : 0;
     if (passed == 0) {
       continue;
     }
+    const PingPlan::Arrival arrival = plan.arrival_from(direction);
     const Vec3 towards = request.world_from_vehicle.orientation.inverse() * -there / range;
     const double arriving = std::pow(10.0, (sender.source_level_db() - plan.sonar.source_level_db) / 10) * share *
-                            double{received.arrival.pattern} / (range * range) *
+                            double{arrival.pattern} / (range * range) *
                             std::exp(-2 * double{plan.neper_per_metre} * range) * passed;
     const double delay = range / sound_speed - request.time;  // When a pulse sent at time 0 arrives [s].
     const double earliest = std::ceil(-(delay + sender.duration()) / sender.period());
@@ -131,8 +113,8 @@ void add_mutual_interference(std::span<const SendingSonar> senders, const Simula
       }
       const double intensity = arriving * sender.gain(ping, towards);
       add_pulse(plan,
-                {.beam = received.beam,
-                 .bearing_sine = std::sin(received.arrival.bearing),
+                {.beam = *beam,
+                 .bearing_sine = std::sin(arrival.bearing),
                  .intensity = static_cast<float>(intensity),
                  .begins = begins,
                  .duration = sender.duration(),

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "base/name_hash.h"
@@ -33,6 +34,20 @@ std::optional<ArraySettings> elevation_array(const ReceiverConfig& receiver, con
     return {};
   }
   return line_array(pattern, receiver.side_lobe_db, sonar.elevation_aperture);
+}
+
+// One-way gains of a scanning head's array in its cells, as BearingResponse has them both ways.
+std::vector<float> head_gains(const ReceiverConfig& receiver, const SonarConfig& sonar, const BearingCells& cells) {
+  std::vector<float> gains;
+  if (sonar.type != SonarType::kMechanicallyScanned || receiver.azimuth_pattern == BeamPattern::kTopHat) {
+    return gains;
+  }
+  const ArrayPattern array(receiving_array(receiver, sonar));
+  const double length = array.length(1, beam_width(sonar)), middle = std::sin(sonar.beam_azimuth(0));
+  for (const double sine : BearingCells::sines(cells.sonar)) {
+    gains.push_back(static_cast<float>(array.intensity(length * (sine - middle))));
+  }
+  return gains;
 }
 
 std::vector<float> cell_angles(const PingPlan& plan) {
@@ -95,6 +110,7 @@ SimulatedSonar::SimulatedSonar(const Scenario& scenario, const SonarConfig& sona
                          .materials = materials,
                          .beam_shape = beams.beam_shape,
                          .elevation_array = elevation_array(beams, config),
+                         .head_gains = calibrated ? head_gains(beams, steered, cells) : std::vector<float>{},
                          .primary = scenario.primary,
                          .secondary = scenario.secondary,
                          .max_surfaces = scenario.max_surfaces,

@@ -40,7 +40,8 @@ struct Lattice {
   std::vector<float> column_width;     ///< Width of the column in bearing [rad].
   std::vector<float> column_measure;   ///< Width to which solid angle is proportional: in a [rad] for wedges, in sin a
                                        ///< for cones; times transmitted.
-  std::vector<float> transmitted;      ///< Intensity gain of the transmitter at the column's bearing.
+  std::vector<float> transmitted;      ///< Intensity gain of the transmitter at the column's bearing; of a scanning
+                                       ///< head that of its array one way, without effect on column_measure.
   std::vector<std::uint32_t> row_set;  ///< Index of the column's set of rows: columns of one stagger phase share a set.
 
   // [set][row], at [set * rows + row].

@@ -181,9 +181,9 @@ void SecondaryTask::return_mirrored(const RTCRay16& rays, const ReflectedOrigins
       const PingPlan::Arrival arrival = plan_->arrival_from(arrival_direction);
       echo.half_length = returns.once[lane];
       const float power = powers.once[lane] * arrival.pattern;
-      echo.power = power * arrival.transmitted / plan_->lattice.transmitted[origins.column[lane]];  // Reciprocal path.
+      echo.power = power * plan_->sent_beside(origins.column[lane], arrival);  // The reciprocal path.
       returning_[returning_count_] = echo;
-      echo.power = power;
+      echo.power = power * plan_->received_beside(origins.column[lane], arrival);
       echo.azimuth = arrival.bearing;
       echo.elevation = arrival.elevation;
       arriving_[returning_count_] = echo;

@@ -74,9 +74,9 @@ void WaterReturns::connect(const SecondHit& hit, int column, int row, const Echo
                         .once;
   one.weight *= weight;
   const float received = static_cast<float>(power) * arrival.pattern;
-  one.power = received * arrival.transmitted / plan_->lattice.transmitted[column];  // The reciprocal path.
+  one.power = received * plan_->sent_beside(column, arrival);  // The reciprocal path.
   launched_[count_] = one;
-  one.power = received;
+  one.power = received * plan_->received_beside(column, arrival);
   one.azimuth = arrival.bearing;
   one.elevation = arrival.elevation;
   arriving_[count_] = one;

@@ -119,6 +119,26 @@ void average_beyond(int rows, const float* ax, const float* ay, const float* az,
   average<true>(rows, ax, ay, az, a_joined, bx, by, bz, b_joined, x, y, z);
 }
 
+// The turn across of samples that have no neighbour on their surface on either side: that of a sphere, on which the
+// normal n turns as much across as along a column, n x u for equal spacing.
+// @param width       Of a column [rad].
+// @param elevations  Of the rows [rad].
+INSONIFY_VECTOR_CLONES
+void turn_as_along(int rows, float width, const float* __restrict__ elevations, const float* __restrict__ cosines,
+                   const float* __restrict__ a_joined, const float* __restrict__ b_joined, const float* __restrict__ nx,
+                   const float* __restrict__ ny, const float* __restrict__ nz, const float* __restrict__ ux,
+                   const float* __restrict__ uy, const float* __restrict__ uz, float* __restrict__ x,
+                   float* __restrict__ y, float* __restrict__ z) {
+  for (int i = 0; i < rows; ++i) {
+    const int next = i + 1 < rows ? i + 1 : i - 1;
+    const float height = std::abs(elevations[next] - elevations[i]);
+    const float alone = (1 - a_joined[i]) * (1 - b_joined[i]) * width * cosines[i] / (height + kTiniest);
+    x[i] += alone * (ny[i] * uz[i] - nz[i] * uy[i]);
+    y[i] += alone * (nz[i] * ux[i] - nx[i] * uz[i]);
+    z[i] += alone * (nx[i] * uy[i] - ny[i] * ux[i]);
+  }
+}
+
 // How many rows higher the samples of the next column lie: the stagger.
 float stagger_between(const Lattice& lattice, int column) {
   const float *here = lattice.elevations(column), *next = lattice.elevations(column + 1);
@@ -181,6 +201,11 @@ void NormalTurns::find(const PingPlan& plan, int first, std::span<HitColumn> str
     const HitColumn& hits = strip[i];
     const auto mean = at_edge ? average_beyond : average_between;
     mean(rows, a.x, a.y, a.z, a.joined, b.x, b.y, b.z, b.joined, hits.turn_side_x, hits.turn_side_y, hits.turn_side_z);
+    const int column = first + i;
+    turn_as_along(rows, plan.lattice.column_width[column], plan.lattice.elevations(column),
+                  plan.lattice.cosines(column), a.joined, at_edge ? a.joined : b.joined, hits.normal_x, hits.normal_y,
+                  hits.normal_z, hits.turn_up_x, hits.turn_up_y, hits.turn_up_z, hits.turn_side_x, hits.turn_side_y,
+                  hits.turn_side_z);
   }
 }
 

@@ -23,7 +23,8 @@ class NormalTurns {
   /// Sets HitColumn::curved and the turns: the mean change of the normal to the neighbours on either side. A change is
   /// 0 between neighbours that are not on one smooth surface: of different labels, of normals more than 53 degrees
   /// apart, or the second more than 30 degrees off the tangent plane of the first. The mean is 0 where the surface is
-  /// flat on one side, as at the crease between two faces.
+  /// flat on one side, as at the crease between two faces. Samples without a neighbour across, as on a body that is
+  /// narrower than two columns or reaches into the strip by one, turn across as much as along: as on a sphere.
   /// @param first  Index of the first column in the lattice, a multiple of kColumns.
   /// @param strip  At most kColumns columns, evaluated up to the same row, with unit normals.
   void find(const PingPlan& plan, int first, std::span<HitColumn> strip);

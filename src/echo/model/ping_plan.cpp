@@ -8,6 +8,9 @@
 namespace insonify {
 namespace {
 
+// Least gain of a head that counts, one way: in a null, gains of cells and of echoes in them are not alike.
+constexpr float kLeastHeadGain = 1e-3F;
+
 std::optional<ElevationPattern> elevation_pattern_of(const PingPlanSettings& settings) {
   if (!settings.elevation_array) {
     return {};
@@ -50,6 +53,24 @@ PingPlan::PingPlan(const PingPlanSettings& settings)
   tan_high_ =
       static_cast<float>(std::tan(elevation_pattern ? elevation_pattern->high() : sonar.elevation_center + half));
   beams_per_radian_ = static_cast<float>(sonar.beam_count) / (beam_edges_.front() - beam_edges_.back());
+  for (int column = 0; column < lattice.columns && !settings.head_gains.empty(); ++column) {
+    const float gain = settings.head_gains[static_cast<std::size_t>(column / lattice.columns_per_beam)];
+    lattice.transmitted[column] = std::max(gain, kLeastHeadGain);
+  }
+}
+
+// What a head sends to a bearing is that of its cell's first column.
+float PingPlan::sent_to(const Arrival& arrival) const {
+  return is_head() ? lattice.transmitted[std::max(0, beam_of(arrival.bearing)) * lattice.columns_per_beam]
+                   : arrival.transmitted;
+}
+
+float PingPlan::sent_beside(int column, const Arrival& arrival) const {
+  return sent_to(arrival) / lattice.transmitted[column];
+}
+
+double PingPlan::sent_gain(const Arrival& leaves, const Arrival& arrives) const {
+  return double{sent_to(leaves)} / (is_head() ? double{sent_to(arrives)} : 1.0);
 }
 
 std::shared_ptr<const PingPlan> make_ping_plan(const PingPlanSettings& settings) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <vector>
 
 #include "echo/model/mirror_facet.h"
 #include "echo/model/paper_shape.h"
@@ -36,6 +37,8 @@ struct PingPlanSettings {
   /// One-way pattern in elevation of transmitter and receiver; its half-power width is the elevation aperture. Absent:
   /// a top hat.
   std::optional<ArraySettings> elevation_array = {};
+  /// Intensity gain of a scanning head's array, one way, at the centre of each cell; empty for other sonars.
+  std::vector<float> head_gains = {};
 
   PrimaryEchoes primary = PrimaryEchoes::kAuto;
   SecondaryEchoes secondary = SecondaryEchoes::kSelective;
@@ -111,6 +114,19 @@ class PingPlan {
   /// @param direction  Unit vector in the sonar frame.
   [[nodiscard]] Arrival arrival_from(const Vec3f& direction) const;
 
+  /// Gain of what is sent where an arrival comes from, re that of what is sent to a column: a path by a mirror leaves
+  /// towards the one and arrives from the other.
+  [[nodiscard]] float sent_beside(int column, const Arrival& arrival) const;
+
+  /// Factor on an echo that leaves towards one direction and arrives from another, besides its gain of reception. A
+  /// scanning head receives all with the gain of its array both ways, as if it had left where it arrives from.
+  [[nodiscard]] double sent_gain(const Arrival& leaves, const Arrival& arrives) const;
+
+  /// The same of an echo that leaves towards a column, re the gain of that.
+  [[nodiscard]] float received_beside(int column, const Arrival& arrives) const {
+    return is_head() ? 1 / sent_beside(column, arrives) : 1;
+  }
+
   /// Beam that contains a bearing [rad]; -1 outside the fan.
   [[nodiscard]] int beam_of(float bearing) const;
 
@@ -121,6 +137,9 @@ class PingPlan {
   [[nodiscard]] int bin_of(float range) const;
 
  private:
+  [[nodiscard]] bool is_head() const { return sonar.type == SonarType::kMechanicallyScanned; }
+  [[nodiscard]] float sent_to(const Arrival& arrival) const;
+
   // Azimuth [rad]; on a cone the angle from the array's broadside.
   [[nodiscard]] float bearing_of(const Vec3f& direction) const;
 

@@ -199,9 +199,9 @@ void ReferenceColumn::deposit_echoes_by_water(const Reflection& path, EchoGrid& 
                       triple(-back->out), path.there, static_cast<float>(back->length)})
           .once;
   const float received = static_cast<float>(power) * arrival.pattern;
-  echo.power = received * arrival.transmitted / plan_.lattice.transmitted[column_];  // The reciprocal path.
+  echo.power = received * plan_.sent_beside(column_, arrival);  // The reciprocal path.
   deposit(plan_, echo, grid);
-  echo.power = received;
+  echo.power = received * plan_.received_beside(column_, arrival);
   echo.azimuth = arrival.bearing;
   echo.elevation = arrival.elevation;
   arrivals.push_back(echo);
@@ -231,9 +231,9 @@ void ReferenceColumn::deposit_mirror_echoes(const Reflection& path, EchoGrid& gr
   const PingPlan::Arrival arrival = plan_.arrival_from(arrival_direction);
   echo.half_length = path.footprint.once;
   const float power = static_cast<float>(intensity.once) * arrival.pattern;
-  echo.power = power * arrival.transmitted / plan_.lattice.transmitted[column_];  // The reciprocal path.
+  echo.power = power * plan_.sent_beside(column_, arrival);  // The reciprocal path.
   deposit(plan_, echo, grid);
-  echo.power = power;
+  echo.power = power * plan_.received_beside(column_, arrival);
   echo.azimuth = arrival.bearing;
   echo.elevation = arrival.elevation;
   arrivals.push_back(echo);

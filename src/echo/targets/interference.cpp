@@ -62,9 +62,9 @@ void add_pulse(const PingPlan& plan, const ArrivingPulse& pulse, EchoGrid& grid)
 Interference::Interference(std::span<const Interferer> interferers)
     : interferers_(interferers), lines_(places_of(interferers)) {}
 
-void Interference::add(const PingPlan& plan, const Pose& world_from_sonar, double time, Engine& engine,
+void Interference::add(const PingPlan& plan, const Pose& world_from_sonar, double time, bool has_array, Engine& engine,
                        EchoGrid& grid) {
-  const auto sights = lines_.look(plan, world_from_sonar, engine);
+  const auto sights = lines_.listen(plan, world_from_sonar, has_array, engine);
   for (std::size_t i = 0; i < interferers_.size(); ++i) {
     if (sights[i]) {
       add_pulses(plan, i, *sights[i], time, grid);

@@ -32,8 +32,10 @@ class Interference {
   explicit Interference(std::span<const Interferer> interferers);
 
   /// Adds to the grid's discrete echoes.
-  /// @param time  Time of this sonar's transmission [s].
-  void add(const PingPlan& plan, const Pose& world_from_sonar, double time, Engine& engine, EchoGrid& grid);
+  /// @param time       Time of this sonar's transmission [s].
+  /// @param has_array  Whether its beams have side lobes across bearings, through which it hears beside its fan.
+  void add(const PingPlan& plan, const Pose& world_from_sonar, double time, bool has_array, Engine& engine,
+           EchoGrid& grid);
 
  private:
   void add_pulses(const PingPlan& plan, std::size_t index, const LinesOfSight::Sight& sight, double time,

@@ -12,6 +12,12 @@
 
 namespace insonify {
 
+/// The beam that another source is received in: the one it is in or, by the side lobes of an array, the outermost one
+/// on its side; none from behind and from outside a top hat across elevations.
+/// @param direction  Unit vector towards the source, in the sonar frame.
+/// @param has_array  Whether beams have side lobes across bearings.
+[[nodiscard]] std::optional<int> beam_hearing(const PingPlan& plan, const Vec3f& direction, bool has_array);
+
 /// Straight paths between the sonar and given places.
 class LinesOfSight {
  public:
@@ -30,7 +36,15 @@ class LinesOfSight {
   /// Allocates nothing.
   std::span<const std::optional<Sight>> look(const PingPlan& plan, const Pose& world_from_sonar, Engine& engine);
 
+  /// The same of other sources, which are heard beside the fan too: see beam_hearing().
+  std::span<const std::optional<Sight>> listen(const PingPlan& plan, const Pose& world_from_sonar, bool has_array,
+                                               Engine& engine);
+
  private:
+  template <typename BeamOf>
+  std::span<const std::optional<Sight>> see(const PingPlan& plan, const Pose& world_from_sonar, Engine& engine,
+                                            const BeamOf& beam_of);
+
   std::vector<Vec3> places_;
   std::vector<Ray> rays_;  // From the sonar to each.
   std::vector<Hit> hits_;

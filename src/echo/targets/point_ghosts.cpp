@@ -150,9 +150,11 @@ void PointGhosts::add_echoes(const PingPlan& plan, std::span<const Way> ways, st
       const double intensity = waves.intensity * strength * out.intensity * back.intensity;
       const double turns = plan.turns_per_metre * range + own_turns + out.turns + back.turns + waves.turns;
       // Received by one leg, sent by the other.
-      add_discrete_echo(plan, out.arrival, order, range, intensity * double{back.arrival.transmitted}, turns, grid);
+      add_discrete_echo(plan, out.arrival, order, range, intensity * plan.sent_gain(back.arrival, out.arrival), turns,
+                        grid);
       if (i != j) {
-        add_discrete_echo(plan, back.arrival, order, range, intensity * double{out.arrival.transmitted}, turns, grid);
+        add_discrete_echo(plan, back.arrival, order, range, intensity * plan.sent_gain(out.arrival, back.arrival),
+                          turns, grid);
       }
     }
   }

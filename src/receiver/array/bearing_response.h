@@ -64,6 +64,11 @@ class BearingResponse {
   /// Amplitude gain g for an echo from u in beam number `beam` and a bin.
   [[nodiscard]] std::complex<double> gain(int beam, double u, int bin = 0) const;
 
+  /// The same of sound that another source sent: received by the array, whether or not the array sends too.
+  [[nodiscard]] std::complex<double> one_way_gain(int beam, double u, int bin) const {
+    return pattern_.is_two_way() ? std::sqrt(gain(beam, u, bin)) : gain(beam, u, bin);
+  }
+
   /// Fraction of the beam x cell products that the sums include, 0..1. The computing time is proportional to it.
   [[nodiscard]] double filled() const { return gains_.front().energy.filled(); }
 

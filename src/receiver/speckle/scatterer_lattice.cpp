@@ -225,7 +225,9 @@ ScattererLattice::Axes ScattererLattice::axes_of(int cell, ScattererRow::Run& ru
                     static_cast<std::uint32_t>(static_cast<std::int64_t>(strip)), 0,
                     static_cast<std::uint32_t>(RandomPurpose::kSpeckle)},
                    philox_key(seed_));
-  run.across_turns = static_cast<float>(-turns_per_metre_ * cell_width_ * sideways);
+  // From the strip's middle, so that phases change little with the carrier, wherever the sonar is in the world.
+  const double middle = (strip + 0.5 - spread_out(7 * number)) * kStripWidth;
+  run.across_turns = static_cast<float>(-turns_per_metre_ * cell_width_ * (sideways - middle));
 
   const Vec3 level = view.frame_from_sonar * Vec3(std::cos(azimuth_[cell]), std::sin(azimuth_[cell]), 0) / step_;
   const Vec3 normal = view.frame_from_sonar.col(2) / step_;

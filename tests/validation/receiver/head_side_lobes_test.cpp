@@ -48,6 +48,64 @@ double both_ways(double azimuth) {
   return std::abs(x) < 1e-9 ? 1 : std::pow(std::sin(x) / x, 4);
 }
 
+// A path by a mirror leaves towards one bearing and arrives from another: of sinc^2, once of each. A wall at y = 1 m
+// shows a point at y = 0.3 m, 12 m ahead, 6.63 degrees beside itself.
+TEST_P(HeadSideLobesTest, GhostsAreSentAndReceivedAtTheirOwnBearings) {
+  Material mirror = glinting(1, 0.01);
+  mirror.rms_height = 1e-7;
+  const double there = std::atan2(0.3, 12.0), image = std::atan2(1.7, 12.0);
+  const double straight = std::hypot(0.3, 12.0), around = std::hypot(1.7, 12.0);
+  const auto once = [](double azimuth) { return std::sqrt(both_ways(azimuth)); };
+  for (const double turned : {0.0, there, image}) {
+    SonarConfig sonar = head();
+    sonar.min_range = 11.8;
+    sonar.max_range = 12.4;
+    sonar.orientation = {0, 0, turned};
+    Scenario scenario = with_line(GetParam());
+    sonar.name = scenario.sonars[0].name;
+    scenario.sonars = {sonar};
+    scenario.secondary = SecondaryEchoes::kAll;
+    scenario.max_surfaces = 2;
+    scenario.points = {{.position = {12, 0.3, 0}, .target_strength_db = 20}};
+    const std::vector<double> ping = by_range(ping_of(scenario, plane(-Vec3::UnitY(), {0, 1, 0}, mirror)));
+    const auto bin = static_cast<std::size_t>((0.5 * (straight + around) - 11.8) / 0.006);
+    const double level =
+        20 + 10 * std::log10(2 * once(there - turned) * once(image - turned)) - 20 * std::log10(straight * around);
+    EXPECT_NEAR(10 * std::log10(ping[bin]), level, 0.5) << turned;
+  }
+}
+
+// The same of a surface: a small plate that faces the head, seen by a wall beside it. Its echo by the wall is the same
+// out and back, and as much weaker as the head sends less towards the wall.
+TEST_P(HeadSideLobesTest, SurfacesGhostsAreSentAndReceivedAtTheirOwnBearings) {
+  Material mirror = glinting(1, 0.01);
+  mirror.rms_height = 1e-7;
+  const Scene scene =
+      scene_of_all({plane(-Vec3::UnitY(), {0, 0.5, 0}, mirror),
+                    scene_of(make_plane(-Vec3::UnitX(), 0.1, 0.1), diffuse(-10), {.position = {10, 0, 0}})});
+  const double image = std::atan2(1.0, 10.0), around = std::hypot(1.0, 10.0);
+  const auto received = [&](double turned) {
+    SonarConfig sonar = head();
+    sonar.min_range = 10.005;
+    sonar.max_range = 10.045;  // Half-way between 10 m and 10.0499 m is 10.0249 m.
+    sonar.orientation = {0, 0, turned};
+    Scenario scenario = with_line(GetParam());
+    sonar.name = scenario.sonars[0].name;
+    sonar.sampling = {64, 400};
+    scenario.sonars = {sonar};
+    scenario.secondary = SecondaryEchoes::kAll;
+    scenario.max_surfaces = 2;
+    return total_db(ping_of(scenario, scene));
+  };
+  const auto once = [](double azimuth) { return std::sqrt(both_ways(azimuth)); };
+  for (const double turned : {0.0, 0.2 * image, 0.8 * image, image}) {
+    // mu A cos(in) cos(out) / (10^2 around^2), of both paths.
+    const double level = -10 + 10 * std::log10(2 * 0.01 * 10 / around / (100 * around * around)) +
+                         10 * std::log10(once(turned) * once(image - turned));
+    EXPECT_NEAR(received(turned), level, 1) << turned;
+  }
+}
+
 TEST_P(HeadSideLobesTest, PointsAreHeardDownToSixtyDecibels) {
   for (const auto& [x, level] : {std::pair(kSecond, kSecondDb), std::pair(kSixth, kSixthDb)}) {
     for (const double side : {1, -1}) {

@@ -71,5 +71,65 @@ TEST(InterferenceTest, IsBlockedByWallsAndIsNoEcho) {
   EXPECT_EQ(std::ranges::max(ping.path_order), 0);
 }
 
+// The pulse is as long as it was sent, whatever this sonar's own matched filter: all bins of it have its level, in the
+// beam that points at it, and those before and after it nothing.
+TEST(InterferenceTest, HasItsLevelBesideAnyPulse) {
+  Scenario scenario = beside_another();
+  scenario.interferers[0].duration = 2e-3;
+  scenario.receiver.azimuth_pattern = BeamPattern::kTaylor;
+  for (const PulseKind kind : {PulseKind::kNone, PulseKind::kCw, PulseKind::kLfm}) {
+    for (const bool speckle : {false, true}) {
+      scenario.receiver.pulse = kind;  // A tone of six bins, a chirp of two and a half.
+      scenario.receiver.pulse_duration = 400e-6;
+      scenario.receiver.pulse_bandwidth = 25e3;
+      scenario.receiver.speckle = speckle;
+      const Ping ping = ping_of(scenario, {});
+      for (const int bin : {451, 460, 478}) {
+        EXPECT_NEAR(cell_db(ping, bin, 39), 190 - 200 - 20 * std::log10(30), 0.01) << bin;
+      }
+      EXPECT_EQ(by_range(ping)[448], 0);
+      EXPECT_EQ(by_range(ping)[483], 0);
+    }
+  }
+}
+
+// A head receives it one way: sinc^2 of x = (D / wavelength) sin(azimuth), -3.01 dB at half its width.
+TEST(InterferenceTest, ScanningHeadsReceiveItOneWay) {
+  Scenario scenario = beside_another();
+  SonarConfig& head = scenario.sonars[0];
+  head.type = SonarType::kMechanicallyScanned;
+  head.beam_count = 1;
+  head.azimuth_aperture = 3 * kDegree;
+  head.max_range = 26;  // One bin of the pulse.
+  head.bin_count = 50;
+  scenario.receiver.azimuth_pattern = BeamPattern::kRectangular;
+  const double lines = 0.8858929413781328 / (2 * std::sin(1.5 * kDegree)), pi = std::acos(-1.0);
+  for (const double azimuth : {1.5, 4.1, 9.0, 25.0}) {
+    scenario.interferers[0].position = 30 * Vec3(std::cos(azimuth * kDegree), std::sin(azimuth * kDegree), 0);
+    const double x = pi * lines * std::sin(azimuth * kDegree);
+    EXPECT_NEAR(total_db(ping_of(scenario, {})), -10 - 20 * std::log10(30) + 20 * std::log10(std::abs(std::sin(x) / x)),
+                0.02)
+        << azimuth;
+  }
+}
+
+// The outermost beam hears beside the fan by its side lobes, 20 degrees beside it sinc^2 of (D / wavelength) (sin(80) -
+// sin(59.5)) = 50.76 (0.98481 - 0.86163) = 6.2525. Without an array it hears nothing, nor from behind.
+TEST(InterferenceTest, IsHeardBesideTheFan) {
+  Scenario scenario = beside_another();
+  scenario.sonars[0].azimuth_resolution = 1 * kDegree;
+  scenario.receiver.azimuth_pattern = BeamPattern::kRectangular;
+  const double pi = std::acos(-1.0), lines = 0.8858929413781328 / (2 * std::sin(0.5 * kDegree));
+  const double x = pi * lines * (std::sin(80 * kDegree) - std::sin(59.5 * kDegree));
+  scenario.interferers[0].position = 30 * Vec3(std::cos(80 * kDegree), std::sin(80 * kDegree), 0);
+  const double lobe = 20 * std::log10(std::abs(std::sin(x) / x));
+  EXPECT_NEAR(cell_db(ping_of(scenario, {}), 450, 0), -10 - 20 * std::log10(30) + lobe, 0.02);
+  scenario.interferers[0].position.x() *= -1;
+  EXPECT_EQ(total_db(ping_of(scenario, {})), -std::numeric_limits<double>::infinity());
+  scenario.interferers[0].position.x() *= -1;
+  scenario.receiver.azimuth_pattern = BeamPattern::kTopHat;
+  EXPECT_EQ(total_db(ping_of(scenario, {})), -std::numeric_limits<double>::infinity());
+}
+
 }  // namespace
 }  // namespace insonify::validation
