@@ -254,6 +254,24 @@ TEST_F(CliTest, KeysThatAnotherKeepsFromActingAreToldOf) {
       "");
 }
 
+TEST_F(CliTest, KeysOfArraysCountsAndSpeckleThatDoNotActAreToldOf) {
+  const auto told = [](const std::string& settings) {
+    return shell("insonify run fan.yaml -q --no-pictures --force -o out --set receiver.noise=false " + settings).err;
+  };
+  EXPECT_EQ(told("--set receiver.azimuth_pattern=top_hat --set receiver.elements=64"),
+            "insonify: warning: --set receiver.elements=64: receiver.elements has no effect unless azimuth_pattern is "
+            "that of an array\n");
+  EXPECT_EQ(told("--set sonars.ahead.bits=12"),
+            "insonify: warning: --set sonars.ahead.bits=12: sonars[0].bits has no effect unless receiver.counts is "
+            "true\n");
+  EXPECT_EQ(told("--set sonars.ahead.mapping_exponent=0.5 --set receiver='{counts: true, full_scale_db: -40}'"),
+            "insonify: warning: --set sonars.ahead.mapping_exponent=0.5: sonars[0].mapping_exponent has no effect "
+            "unless receiver.counts is true and mapping is gamma\n");
+  EXPECT_EQ(told("--set receiver.speckle=false --set materials.sand.clutter_shape=2"),
+            "insonify: warning: --set materials.sand.clutter_shape=2: materials.sand.clutter_shape has no effect "
+            "unless receiver.speckle is true\n");
+}
+
 TEST_F(CliTest, KeysOfAnInstrumentsPulseThatDoNotActAreToldOf) {
   const auto told = [](const std::string& settings) {
     return shell("insonify run fan.yaml -q --no-pictures --force -o out " + settings).err;

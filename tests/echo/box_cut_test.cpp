@@ -1,6 +1,6 @@
 // box_cut_test.cpp -- which rays may meet a scene: all that hit something, and few others.
 
-#include "echo/model/box_cut.h"
+#include "echo/rays/box_cut.h"
 
 #include <gtest/gtest.h>
 

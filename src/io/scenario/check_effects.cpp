@@ -63,8 +63,15 @@ struct Condition {
 bool has_set_side_lobes(BeamPattern pattern) {
   return pattern == BeamPattern::kTaylor || pattern == BeamPattern::kDolphChebyshev;
 }
-constexpr std::array<Condition, 13> kOfReceiver = {
-    {{"pulse_duration",
+bool has_array(const Received& with) {
+  return with.receiver.azimuth_pattern != BeamPattern::kTopHat;
+}
+constexpr const char* kNeedsArray = "azimuth_pattern is that of an array";
+constexpr std::array<Condition, 16> kOfReceiver = {
+    {{"elements", has_array, kNeedsArray},
+     {"element_error_db", has_array, kNeedsArray},
+     {"element_error_deg", has_array, kNeedsArray},
+     {"pulse_duration",
       [](const Received& r) { return r.receiver.pulse == PulseKind::kCw || r.receiver.pulse == PulseKind::kLfm; },
       "pulse is cw or lfm"},
      {"pulse_bandwidth", [](const Received& r) { return r.receiver.pulse == PulseKind::kLfm; }, "pulse is lfm"},
@@ -90,8 +97,16 @@ constexpr std::array<Condition, 13> kOfReceiver = {
                has_set_side_lobes(r.sonar.elevation_pattern_beside(r.receiver));
       },
       "a pattern is taylor or dolph_chebyshev"}}};
-constexpr std::array<Condition, 10> kOfSonar = {
-    {{"elevation_pattern", [](const Received& r) { return r.receiver.elevation_pattern == BeamPattern::kInstrument; },
+constexpr std::array<Condition, 15> kOfSonar = {
+    {{"bits", [](const Received& r) { return r.receiver.counts; }, "receiver.counts is true"},
+     {"mapping", [](const Received& r) { return r.receiver.counts; }, "receiver.counts is true"},
+     {"mapping_range_db",
+      [](const Received& r) { return r.receiver.counts && r.sonar.mapping == Mapping::kLogarithmic; },
+      "receiver.counts is true and mapping is logarithmic"},
+     {"mapping_exponent", [](const Received& r) { return r.receiver.counts && r.sonar.mapping == Mapping::kGamma; },
+      "receiver.counts is true and mapping is gamma"},
+     {"crosstalk_db", [](const Received& r) { return r.sonar.beam_count > 1; }, "there are several beams"},
+     {"elevation_pattern", [](const Received& r) { return r.receiver.elevation_pattern == BeamPattern::kInstrument; },
       "receiver.elevation_pattern is instrument"},
      {"element_width_deg", [](const Received& r) { return r.receiver.azimuth_pattern != BeamPattern::kTopHat; },
       "receiver.azimuth_pattern is that of an array"},
@@ -106,6 +121,10 @@ constexpr std::array<Condition, 10> kOfSonar = {
      {"leak_spread_db", [](const Received& r) { return r.sonar.leak_db.has_value(); }, "leak_db is given"},
      {"bandwidth", [](const Received& r) { return r.receiver.noise && r.pulse.kind == PulseKind::kNone; },
       "noise is true and the pulse is none"}}};
+
+constexpr std::array<Condition, 2> kOfMaterial = {
+    {{"clutter_shape", [](const Received& r) { return r.receiver.speckle; }, "receiver.speckle is true"},
+     {"scatterer_density", [](const Received& r) { return r.receiver.speckle; }, "receiver.speckle is true"}}};
 
 constexpr std::array<Condition, 1> kOfScenario = {
     {{"thrusters", [](const Received& r) { return r.receiver.noise; }, "receiver.noise is true"}}};
@@ -165,6 +184,8 @@ std::vector<std::string> keys_idle_beside_others(const Scenario& scenario) {
   }
   tell_of(scenario.places, "receiver", kOfReceiver, all, lines);
   tell_of(scenario.places, "", kOfScenario, all, lines);
+  visit_entries("materials", scenario.materials.overrides,
+                [&](const std::string& name, const auto&) { tell_of(scenario.places, name, kOfMaterial, all, lines); });
   return lines;
 }
 
