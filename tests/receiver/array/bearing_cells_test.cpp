@@ -49,8 +49,8 @@ TEST(BearingCellsTest, TopHatBeamsAreCells) {
 
 // 2 % of sinc^2 lie beyond x = 2.526 on one side. A beam of 2.5 degrees has D / wavelength = 0.88589 / (2 sin 1.25 deg)
 // = 20.305, so that beam 0 at 29.531 degrees needs cells up to asin(0.49290 + 2.526 / 20.305) = 38.12 degrees: 17.3
-// cells of 0.46875 degrees beyond the edge at 30. For a Hann window it is x = 1.162 and 1.44059 / (2 sin 1.6 deg) =
-// 25.798: 32.54 degrees, 5.4 cells.
+// cells of 0.46875 degrees beyond the edge at 30. For a Hann window it is x = 1.162 and 1.44059 / (2 sin 1.5 deg) =
+// 27.517: 32.37 degrees, 5.1 cells. A beam of 3.2 degrees has 25.798: 32.54 degrees, 2.7 cells of 0.9375.
 TEST(BearingCellsTest, GuardCellsReachWhereTheOutermostBeamHears) {
   const BearingCells uniform(fan(2.5), with(BeamPattern::kRectangular));
   EXPECT_EQ(uniform.first, 18);
@@ -59,9 +59,12 @@ TEST(BearingCellsTest, GuardCellsReachWhereTheOutermostBeamHears) {
   for (int half = 0; half < 128; ++half) {  // Those within the fan are halves of its beams, as ever.
     EXPECT_NEAR(uniform.sonar.beam_azimuth(18 + half), 60 * kDegree * (0.5 - (half + 0.5) / 128), 1e-12);
   }
-  const BearingCells hann(fan(3.2), with(BeamPattern::kHann));
+  const BearingCells hann(fan(3), with(BeamPattern::kHann));
   EXPECT_EQ(hann.first, 6);
   EXPECT_EQ(hann.sonar.beam_count, 2 * (64 + 6));
+  const BearingCells dense(fan(3.2), with(BeamPattern::kHann));
+  EXPECT_EQ(dense.first, 3);
+  EXPECT_EQ(dense.sonar.beam_count, 64 + 6);
 }
 
 // Beams 0.9375 degrees apart: a cell of 0.3 beam widths at most needs a width of 3.125 degrees. The edges of the middle
@@ -93,7 +96,7 @@ TEST(BearingCellsTest, OutermostBeamsLoseLessThanTwoPercent) {
 }
 
 TEST(BearingCellsTest, GuardCellsEndNinetyDegreesOff) {
-  SonarConfig sonar = fan(20);
+  SonarConfig sonar = fan(8);
   sonar.azimuth_aperture = 160 * kDegree;  // Cells of 1.25 degrees: 7 of them up to 88.75 degrees.
   const BearingCells cells(sonar, with(BeamPattern::kRectangular));
   EXPECT_EQ(cells.first, 7);
