@@ -267,6 +267,9 @@ TEST_F(CliTest, KeysOfArraysCountsAndSpeckleThatDoNotActAreToldOf) {
   EXPECT_EQ(told("--set sonars.ahead.mapping_exponent=0.5 --set receiver='{counts: true, full_scale_db: -40}'"),
             "insonify: warning: --set sonars.ahead.mapping_exponent=0.5: sonars[0].mapping_exponent has no effect "
             "unless receiver.counts is true and mapping is gamma\n");
+  EXPECT_EQ(told("--set mutual_interference=true"),
+            "insonify: warning: --set mutual_interference=true: mutual_interference has no effect unless there are "
+            "several sonars\n");
   EXPECT_EQ(told("--set receiver.speckle=false --set materials.sand.clutter_shape=2"),
             "insonify: warning: --set materials.sand.clutter_shape=2: materials.sand.clutter_shape has no effect "
             "unless receiver.speckle is true\n");

@@ -27,6 +27,29 @@ std::pair<int, int> peak(const Ping& ping) {
   return {static_cast<int>(strongest % ping.beam_count), static_cast<int>(strongest / ping.beam_count)};
 }
 
+// Spreading has a pole at the sonar: what lies within a centimetre of it is left out.
+TEST(PointTest, PointsAtTheSonarAreLeftOut) {
+  Scenario scenario = calibrated(SonarConfig{}, kRays);
+  scenario.sonars[0].min_range = 0;
+  for (const double range : {0.0, 1e-30, 1e-6, 0.0099}) {
+    scenario.points = {{.position = {range, 0, 0}, .target_strength_db = 0}};
+    scenario.interferers = {{.position = {range, 0, 0}, .source_level_db = 200, .duration = 1e-3}};
+    EXPECT_EQ(total_db(ping_of(scenario, {})), -std::numeric_limits<double>::infinity()) << range;
+  }
+  scenario.secondary = SecondaryEchoes::kSelective;
+  scenario.surface.emplace();
+  scenario.surface->level = 3;
+  for (const double range : {0.0, 1e-30, 0.0099}) {
+    scenario.points[0].position.x() = range;
+    const Ping ping = ping_of(scenario, {});
+    EXPECT_TRUE(std::ranges::all_of(ping.intensity, [](float value) { return std::isfinite(value); })) << range;
+  }
+  scenario.secondary = SecondaryEchoes::kNone;
+  scenario.surface.reset();
+  scenario.points[0].position.x() = 0.0101;
+  EXPECT_NEAR(total_db(ping_of(scenario, {})), -40 * std::log10(0.0101), 0.01);
+}
+
 // T8.
 TEST_P(PointTest, ShowsWhereItIsAtItsLevel) {
   for (const double azimuth : {-50.0, -30.0, 0.1, 25.3, 50.0}) {

@@ -48,7 +48,7 @@ std::span<const std::optional<LinesOfSight::Sight>> LinesOfSight::see(const Ping
     const double range = local.norm();
     const Vec3f direction = (local / range).cast<float>();
     sights_[i].reset();
-    if (!(range > 0) || std::isfinite(hits_[i].distance)) {
+    if (!(range >= kNearest) || std::isfinite(hits_[i].distance)) {
       continue;
     }
     if (const std::optional<int> beam = beam_of(direction)) {

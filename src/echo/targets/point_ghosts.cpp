@@ -8,6 +8,7 @@
 #include "base/philox.h"
 #include "echo/model/coherent_share.h"
 #include "echo/model/ray_limits.h"
+#include "echo/targets/lines_of_sight.h"
 #include "echo/targets/point_echoes.h"
 
 namespace insonify {
@@ -83,7 +84,7 @@ std::optional<PointGhosts::Way> PointGhosts::way_of(const PingPlan& plan, const 
   const auto clear = [&](std::size_t ray) { return !std::isfinite(hits_[ray].distance); };
   const Vec3 there = leg.image - world_from_sonar.position;
   const Vec3f direction = (world_from_sonar.inverse() * leg.image).normalized().cast<float>();
-  if (!plan.receives(direction)) {
+  if (!plan.receives(direction) || !(there.norm() >= LinesOfSight::kNearest)) {
     return {};
   }
   Way way{leg.mirror, plan.arrival_from(direction), there.norm(), 1, 0};

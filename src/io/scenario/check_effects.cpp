@@ -184,6 +184,10 @@ std::vector<std::string> keys_idle_beside_others(const Scenario& scenario) {
   }
   tell_of(scenario.places, "receiver", kOfReceiver, all, lines);
   tell_of(scenario.places, "", kOfScenario, all, lines);
+  if (const auto given = scenario.places.find("mutual_interference");
+      given != scenario.places.end() && scenario.mutual_interference && scenario.sonars.size() < 2) {
+    lines.push_back(given->second.text() + "mutual_interference has no effect unless there are several sonars");
+  }
   visit_entries("materials", scenario.materials.overrides,
                 [&](const std::string& name, const auto&) { tell_of(scenario.places, name, kOfMaterial, all, lines); });
   return lines;
