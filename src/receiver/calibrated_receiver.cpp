@@ -49,8 +49,8 @@ void detect_energy(int count, const float* __restrict__ energy, float deviation,
 
 // intensity = min(channel x look, saturation) x gain
 INSONIFY_VECTOR_CLONES
-void amplify(int count, const float* __restrict__ look, float channel, float saturation,
-             const float* __restrict__ gain, float* __restrict__ intensity) {
+void amplify(int count, const float* __restrict__ look, float channel, float saturation, const float* __restrict__ gain,
+             float* __restrict__ intensity) {
   for (int i = 0; i < count; ++i) {
     const float received = channel * look[i];
     intensity[i] = (saturation < received ? saturation : received) * gain[i];

@@ -21,9 +21,9 @@ const Value* of(const std::vector<std::vector<Value>>& values, std::uint16_t ins
 // Takes the coherent share of the lobe of facets off the echoes of samples on one material, where glinting[i] is 1. The
 // lobe is that of ScatterTable::fill_powers().
 struct GlintLobe {
-  float lobe, steepness;   // See ScatterTable::Laws.
-  float coherent;          // 1, or 0 with rough mirrors.
-  float roughness;         // Scattering::roughness
+  float lobe, steepness;  // See ScatterTable::Laws.
+  float coherent;         // 1, or 0 with rough mirrors.
+  float roughness;        // Scattering::roughness
   float neper_per_metre;
 };
 INSONIFY_VECTOR_CLONES

@@ -21,7 +21,8 @@ namespace insonify {
 /// Straight paths between the sonar and given places.
 class LinesOfSight {
  public:
-  static constexpr double kNearest = 0.01;  ///< Places nearer to the sonar are left out: spreading has a pole there [m].
+  static constexpr double kNearest =
+      0.01;  ///< Places nearer to the sonar are left out: spreading has a pole there [m].
 
   /// @param places  World positions [m].
   explicit LinesOfSight(std::vector<Vec3> places);

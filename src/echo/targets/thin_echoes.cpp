@@ -156,7 +156,8 @@ void ThinEchoes::step_along(const PingPlan& plan, const Seen& seen) {
     const float distance = place.norm();
     const Vec3f direction = place / distance;
     const bool received = piece.thickness < per_metre * distance && plan.receives(direction);
-    steps_[seen.first + k] = {seen.piece, received ? seen.count : 0, place, mesh_from_sonar_[seen.group] * direction,
+    steps_[seen.first + k] = {seen.piece, received ? seen.count : 0,
+                              place,      mesh_from_sonar_[seen.group] * direction,
                               axis,       std::abs(seen.half.dot(direction)) / count};
   }
 }

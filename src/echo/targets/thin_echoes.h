@@ -70,10 +70,10 @@ class ThinEchoes {
   std::vector<Eigen::Matrix3f> mesh_from_sonar_;  // [group]: rotation.
   std::vector<Seen> seen_;
   std::vector<Step> steps_;
-  std::vector<Echo> echoes_;  // [step]
-  std::size_t stride_ = 1;    // Steps per ray.
-  std::vector<std::uint64_t> order_;    // Of the rays, by direction: place on a curve x 2^32 + number.
-  std::vector<std::uint32_t> ray_of_;   // [number] Index of its ray.
+  std::vector<Echo> echoes_;           // [step]
+  std::size_t stride_ = 1;             // Steps per ray.
+  std::vector<std::uint64_t> order_;   // Of the rays, by direction: place on a curve x 2^32 + number.
+  std::vector<std::uint32_t> ray_of_;  // [number] Index of its ray.
   std::vector<Ray> rays_;
   std::vector<Hit> hits_;
   std::vector<SightEnd> own_;  // [ray] The piece itself, which does not block its ray.

@@ -11,7 +11,7 @@ namespace insonify {
 namespace {
 
 constexpr float kTimesNeighbours = 2;  // Energy above this multiple of its neighbours' is compact.
-constexpr int kBlock = 128;  // Bins computed together.
+constexpr int kBlock = 128;            // Bins computed together.
 
 // Energy of one look in bins [0, count).
 // @param energy  From the bin before the first to that after the last.

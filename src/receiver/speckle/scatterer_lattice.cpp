@@ -312,7 +312,7 @@ int ScattererLattice::surface_end(int first, int last, BinRange filled, const Sc
   const int end = std::min(last, filled.last + 1);
   int bin = std::max(first + 1, std::min(filled.first, last));
   while (bin < end && std::abs(row.elevation[bin] - row.elevation[bin - 1]) - angle <=
-                           jump / (nearest + static_cast<float>(bin) * length)) {
+                          jump / (nearest + static_cast<float>(bin) * length)) {
     ++bin;
   }
   return bin > filled.last ? last : bin;
