@@ -157,7 +157,8 @@ TEST_F(CliStopTest, CtrlCWhileTheSceneIsDrawnEndsAtOnce) {
   process.send(SIGINT);
   const Outcome outcome = process.end();
   EXPECT_EQ(outcome.status, 1);
-  EXPECT_EQ(outcome.err, "insonify: interrupted before the first ping\n");
+  // A slow start may have warned before of the edges that are too many.
+  EXPECT_TRUE(outcome.err.ends_with("insonify: interrupted before the first ping\n")) << outcome.err;
   EXPECT_TRUE(std::filesystem::is_empty("out"));
 }
 
