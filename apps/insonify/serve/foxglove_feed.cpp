@@ -117,7 +117,7 @@ void FoxgloveFeed::want_last(std::uint32_t id) {
 
 void FoxgloveFeed::deliver(const EncodedMessage& message) {
   if (message.world.get() != &hub_.world()) {
-    return;  // Of a scenario that has been replaced since.
+    return;  // The ping belongs to a scenario that has been replaced since.
   }
   for (const FoxgloveChannel& channel : channels_) {
     const auto source = channel.sources.find(message.sonar);

@@ -72,7 +72,7 @@ class ThinEchoes {
   std::vector<Step> steps_;
   std::vector<Echo> echoes_;           // [step]
   std::size_t stride_ = 1;             // Steps per ray.
-  std::vector<std::uint64_t> order_;   // Of the rays, by direction: place on a curve x 2^32 + number.
+  std::vector<std::uint64_t> order_;   // [ray] Morton code of its direction x 2^32 + its number.
   std::vector<std::uint32_t> ray_of_;  // [number] Index of its ray.
   std::vector<Ray> rays_;
   std::vector<Hit> hits_;

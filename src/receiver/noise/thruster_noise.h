@@ -74,13 +74,13 @@ class ThrusterNoise {
 
   int beams_, bins_;
   BeamShape shape_;
-  std::vector<double> edges_, sines_;  // Of the beams: azimuths of the edges [rad], sines of the middles.
+  std::vector<double> edges_, sines_;  // [beam + 1] Azimuths of the edges [rad]; [beam] sines of the middles.
   std::vector<float> taps_;
   std::optional<ArrayPattern> array_;
   double length_;
   FanPattern element_;
   AcrossElevations elevations_;
-  double first_time_, time_per_bin_;  // Of reception, after transmission [s].
+  double first_time_, time_per_bin_;  // Reception of bin 0, after transmission, and bin length [s].
   double true_speed_;
   std::uint64_t seed_;
   std::vector<Source> sources_;
