@@ -1,22 +1,16 @@
-// box_cut.cpp -- splits the box of greatest volume, by the surface area heuristic, until there are kMostBoxes.
+// box_cut.cpp -- boxes around the static parts and the moving objects of a scene, and the rays that may meet them.
 
 #include "echo/rays/box_cut.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "base/lane_bits.h"
 #include "base/vector_math.h"
+#include "echo/rays/cut_boxes.h"
 
 namespace insonify {
 namespace {
-
-// Most boxes of static objects. Each costs two dozen instructions for sixteen rays.
-constexpr std::size_t kMostBoxes = 64;
-
-// Most groups of these boxes: the boxes there are after as many splits.
-constexpr std::size_t kMostGroups = 8;
 
 // Most pieces that are sorted into boxes. In larger scenes a piece consists of several consecutive triangles.
 constexpr std::size_t kMostPieces = 1 << 12;
@@ -25,60 +19,7 @@ constexpr std::size_t kMostPieces = 1 << 12;
 // box.
 constexpr float kMargin = 1e-4F;
 
-// Four coordinates, because that is a vector register; the fourth is not used.
-using Corner = Eigen::Array4f;
-
-struct Box {
-  Corner low = Corner::Constant(1e30F), high = Corner::Constant(-1e30F);
-
-  void add(const Vec3f& point) {
-    const Corner corner(point.x(), point.y(), point.z(), 0);
-    low = low.min(corner);
-    high = high.max(corner);
-  }
-  void add(const Box& other) {
-    low = low.min(other.low);
-    high = high.max(other.high);
-  }
-  [[nodiscard]] bool empty() const { return low.x() > high.x(); }
-  [[nodiscard]] float area() const {
-    const Corner size = high - low;
-    return size.x() * size.y() + size.y() * size.z() + size.z() * size.x();
-  }
-  [[nodiscard]] float volume() const { return (high - low).head<3>().prod(); }
-};
-
-// The pieces [first, last) and their best split: those whose centre lies below bin `split` along `axis`, and the rest.
-struct Node {
-  std::size_t first, last;
-  Box box = {};
-  float area = std::numeric_limits<float>::infinity();  // Sum over both parts; infinite if there is no split.
-  int axis = 0, split = 0;
-  std::size_t group = 0;
-};
-
-constexpr int kBins = 16;
-
-// Bin of a piece's centre along each axis: the node's box is divided into kBins slices. 0 along an axis where it is
-// flat.
-using BinOfAxes = Eigen::Array4i;
-class Binning {
- public:
-  explicit Binning(const Box& all) : low_(all.low) {
-    const Corner size = all.high - all.low;
-    per_length_ = (size > 0).select(kBins / size.max(1e-30F), Corner::Zero());
-  }
-
-  [[nodiscard]] BinOfAxes operator()(const Box& piece) const {
-    const Corner place = (0.5F * (piece.low + piece.high) - low_) * per_length_;
-    return place.min(kBins - 0.5F).cast<int>();
-  }
-
- private:
-  Corner low_, per_length_;
-};
-
-std::vector<Box> pieces_of(const Instance& instance, const Vec3& origin, std::size_t together) {
+std::vector<PieceBox> pieces_of(const Instance& instance, const Vec3& origin, std::size_t together) {
   const Mesh& mesh = *instance.mesh;
   const Eigen::Matrix3d rotation = instance.world_from_mesh.orientation.toRotationMatrix();
   const Vec3 offset = instance.world_from_mesh.position - origin;
@@ -87,7 +28,7 @@ std::vector<Box> pieces_of(const Instance& instance, const Vec3& origin, std::si
   for (const Vec3f& vertex : mesh.vertices) {
     vertices.push_back((rotation * vertex.cast<double>() + offset).cast<float>());
   }
-  std::vector<Box> pieces;
+  std::vector<PieceBox> pieces;
   pieces.reserve(mesh.triangles.size() / together + 1);
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     if (t % together == 0) {
@@ -98,66 +39,6 @@ std::vector<Box> pieces_of(const Instance& instance, const Vec3& origin, std::si
     }
   }
   return pieces;
-}
-
-// Finds the split with the least sum of areas: surface area heuristic, Goldsmith and Salmon (1987).
-Node make_node(const std::vector<Box>& pieces, std::size_t first, std::size_t last) {
-  Node node{first, last};
-  for (std::size_t i = first; i < last; ++i) {
-    node.box.add(pieces[i]);
-  }
-  Box bins_of_axis[3][kBins];
-  const Binning bin_of(node.box);
-  for (std::size_t i = first; i < last; ++i) {
-    const BinOfAxes bin = bin_of(pieces[i]);
-    for (int axis = 0; axis < 3; ++axis) {
-      bins_of_axis[axis][bin[axis]].add(pieces[i]);
-    }
-  }
-  for (int axis = 0; axis < 3; ++axis) {
-    const Box* bins = bins_of_axis[axis];
-    Box above[kBins];  // Box of this bin and all after it.
-    above[kBins - 1] = bins[kBins - 1];
-    for (int bin = kBins - 2; bin > 0; --bin) {
-      above[bin] = bins[bin];
-      above[bin].add(above[bin + 1]);
-    }
-    Box below;
-    for (int split = 1; split < kBins; ++split) {
-      below.add(bins[split - 1]);
-      const float area = below.area() + above[split].area();
-      if (!below.empty() && !above[split].empty() && area < node.area) {
-        node.area = area;
-        node.axis = axis;
-        node.split = split;
-      }
-    }
-  }
-  return node;
-}
-
-// Splits the node of greatest volume again and again; reorders the pieces. Returns the nodes group by group.
-std::vector<Node> cut(std::vector<Box>& pieces) {
-  std::vector<Node> nodes = {make_node(pieces, 0, pieces.size())};
-  while (nodes.size() < kMostBoxes) {
-    const auto enclosed = [](const Node& node) { return std::isfinite(node.area) ? node.box.volume() : -1; };
-    Node& best = *std::ranges::max_element(nodes, {}, enclosed);
-    if (enclosed(best) < 0) {
-      break;
-    }
-    const Node node = best;
-    const auto at = [&](std::size_t i) { return pieces.begin() + static_cast<std::ptrdiff_t>(i); };
-    const Binning bin_of(node.box);
-    const auto middle = std::partition(at(node.first), at(node.last),
-                                       [&](const Box& piece) { return bin_of(piece)[node.axis] < node.split; });
-    const auto split_at = static_cast<std::size_t>(middle - pieces.begin());
-    best = make_node(pieces, node.first, split_at);
-    best.group = node.group;
-    nodes.push_back(make_node(pieces, split_at, node.last));
-    nodes.back().group = nodes.size() <= kMostGroups ? nodes.size() - 1 : node.group;
-  }
-  std::ranges::stable_sort(nodes, {}, &Node::group);
-  return nodes;
 }
 
 // Sixteen rays, with the inverse of their directions.
@@ -221,7 +102,7 @@ void BoxCut::add_group(std::size_t first, std::size_t last) {
 }
 
 void BoxCut::set(const Scene& scene, const Vec3& origin) {
-  std::vector<Box> pieces;
+  std::vector<PieceBox> pieces;
   moving_.clear();
   const std::size_t together = scene.triangle_count() / kMostPieces + 1;
   for (std::size_t i = 0; i < scene.instances.size(); ++i) {
@@ -232,30 +113,30 @@ void BoxCut::set(const Scene& scene, const Vec3& origin) {
     if (instance.moving) {
       Moving& moving = moving_.emplace_back();
       moving.instance = static_cast<int>(i);
-      Box box;
+      PieceBox box;
       for (const Vec3f& vertex : instance.mesh->vertices) {
         box.add(vertex);
       }
       moving.low = box.low.head<3>();
       moving.high = box.high.head<3>();
     } else {
-      const std::vector<Box> more = pieces_of(instance, origin, together);
+      const std::vector<PieceBox> more = pieces_of(instance, origin, together);
       pieces.insert(pieces.end(), more.begin(), more.end());
     }
   }
-  const std::vector<Node> nodes = pieces.empty() ? std::vector<Node>() : cut(pieces);
-  boxes_.resize(nodes.size() + moving_.size());
-  groups_.resize(nodes.empty() ? 0 : nodes.back().group + 1);
+  const std::vector<GroupedBox> boxes = cut_boxes(pieces);
+  boxes_.resize(boxes.size() + moving_.size());
+  groups_.resize(boxes.empty() ? 0 : boxes.back().group + 1);
   group_end_.clear();
-  for (std::size_t first = 0, i = 0; i < nodes.size(); ++i) {
-    put(i, nodes[i].box.low.head<3>(), nodes[i].box.high.head<3>());
-    if (i + 1 == nodes.size() || nodes[i + 1].group != nodes[i].group) {
+  for (std::size_t first = 0, i = 0; i < boxes.size(); ++i) {
+    put(i, boxes[i].box.low.head<3>(), boxes[i].box.high.head<3>());
+    if (i + 1 == boxes.size() || boxes[i + 1].group != boxes[i].group) {
       add_group(first, i + 1);
       first = i + 1;
     }
   }
   for (std::size_t i = 0; i < moving_.size(); ++i) {
-    moving_[i].box = nodes.size() + i;
+    moving_[i].box = boxes.size() + i;
     Pose pose = scene.instances[moving_[i].instance].world_from_mesh;
     pose.position -= origin;
     move(moving_[i].instance, pose);
@@ -264,7 +145,7 @@ void BoxCut::set(const Scene& scene, const Vec3& origin) {
 
 void BoxCut::move(int instance, const Pose& scene_from_mesh) {
   const auto moving = std::ranges::find(moving_, instance, &Moving::instance);
-  Box box;
+  PieceBox box;
   for (int corner = 0; corner < 8; ++corner) {
     const Vec3f place((corner & 1) != 0 ? moving->high.x() : moving->low.x(),
                       (corner & 2) != 0 ? moving->high.y() : moving->low.y(),

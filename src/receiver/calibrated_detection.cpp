@@ -1,0 +1,98 @@
+// calibrated_detection.cpp -- detects the beams of a CalibratedReceiver: noise, squared magnitude, decimation, gain.
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/vector_math.h"
+#include "receiver/calibrated_receiver.h"
+
+namespace insonify {
+namespace {
+
+constexpr float kTiny = 1e-37F;  // Avoids division by zero.
+
+// look = |field + deviation x noise|^2
+// @param field  [bin][real, imaginary]
+INSONIFY_VECTOR_CLONES
+void detect_field(int count, const float* __restrict__ field, float deviation, const float* __restrict__ in_phase,
+                  const float* __restrict__ quadrature, float* __restrict__ real, float* __restrict__ imaginary,
+                  float* __restrict__ look) {
+  for (int i = 0; i < count; ++i) {
+    real[i] = field[2 * i] + deviation * in_phase[i];
+    imaginary[i] = field[2 * i + 1] + deviation * quadrature[i];
+    look[i] = real[i] * real[i] + imaginary[i] * imaginary[i];
+  }
+}
+
+// The same without speckle. There is no phase: the field is sqrt(energy), so that noise can be added to it.
+INSONIFY_VECTOR_CLONES
+void detect_energy(int count, const float* __restrict__ energy, float deviation, const float* __restrict__ in_phase,
+                   const float* __restrict__ quadrature, float* __restrict__ real, float* __restrict__ imaginary,
+                   float* __restrict__ look) {
+  for (int i = 0; i < count; ++i) {
+    real[i] = std::sqrt(energy[i]) + deviation * in_phase[i];
+    imaginary[i] = deviation * quadrature[i];
+    look[i] = real[i] * real[i] + imaginary[i] * imaginary[i];
+  }
+}
+
+// intensity = min(channel x look, saturation) x gain
+INSONIFY_VECTOR_CLONES
+void amplify(int count, const float* __restrict__ look, float channel, float saturation, const float* __restrict__ gain,
+             float* __restrict__ intensity) {
+  for (int i = 0; i < count; ++i) {
+    const float received = channel * look[i];
+    intensity[i] = (saturation < received ? saturation : received) * gain[i];
+  }
+}
+
+}  // namespace
+
+// Transforms the intensity of one look to that of a decimated bin.
+float CalibratedReceiver::kept(float intensity, int beam, int bin) const {
+  const std::size_t at = static_cast<std::size_t>(beam) * bins_ + bin;
+  const float noise =
+      2 * noise_deviation_[beam] * noise_deviation_[beam] + (thrusters_ ? thrusters_->intensity(beam, bin) : 0.0F);
+  const float mean = (bearing_ ? beam_energy_ : cell_energy_)[at] + noise;
+  const float extended = speckle_ ? (bearing_ ? beam_extended_ : cell_extended_)[at] + noise : noise;
+  return mean > 0 ? coarse_->kept(intensity, mean, std::min(extended / mean, 1.0F)) : intensity;
+}
+
+// Adds noise to a tile of beams and bins, detects it and writes intensity, complex field and labels into the ping.
+void CalibratedReceiver::detect_tile(const EchoGrid& grid, const TilePlace& place, Ping& ping) const {
+  const bool labelled = grid.ground_truth() == GroundTruth::kLabels;
+  OutputTile tile = {};
+  constexpr float kSilence[kTileBins] = {};
+  const std::vector<float>& energy = bearing_ ? beam_energy_ : cell_energy_;
+  const std::vector<std::complex<float>>& field = bearing_ ? beam_field_ : cell_field_;
+  const std::span<const float> channel_gains = channels_ ? channels_->gains() : std::span<const float>();
+  for (int b = 0; b < place.beam_count; ++b) {
+    const int beam = place.first_beam + b;
+    const float deviation = noise_deviation_[beam];
+    const float channel = channel_gains.empty() ? 1.0F : channel_gains[beam];
+    const std::size_t start = static_cast<std::size_t>(beam) * bins_ + place.first_bin;
+    const float* const in_phase = noise_ ? noise_->in_phase(beam) + place.first_bin : kSilence;
+    const float* const quadrature = noise_ ? noise_->quadrature(beam) + place.first_bin : kSilence;
+    float real[kTileBins], imaginary[kTileBins], look[kTileBins];
+    speckle_ ? detect_field(place.bin_count, reinterpret_cast<const float*>(&field[start]), deviation, in_phase,
+                            quadrature, real, imaginary, look)
+             : detect_energy(place.bin_count, &energy[start], deviation, in_phase, quadrature, real, imaginary, look);
+    float received[kTileBins];
+    std::copy_n(look, kTileBins, received);
+    for (int i = 0; keeps_looks_ && i < place.bin_count; ++i) {
+      received[i] = kept(look[i], beam, place.first_bin + i);
+    }
+    amplify(place.bin_count, received, channel, saturation_, &gain_[place.first_bin], tile.intensity[b]);
+    for (int i = 0; has_field_ && i < place.bin_count; ++i) {
+      const float part = std::sqrt(tile.intensity[b][i] / std::max(look[i], kTiny));
+      ping.field[ping.index(place.first_bin + i, beam)] = {part * real[i], part * imaginary[i]};
+    }
+    if (labelled) {
+      // Labels come from the cells in the beam's own slice of azimuth, not from those in its side lobes.
+      take_labels(grid, first_cell_ + beam * cells_per_beam_, cells_per_beam_, place, b, tile);
+    }
+  }
+  write_tile(tile, place, labelled, ping);
+}
+
+}  // namespace insonify
