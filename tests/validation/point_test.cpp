@@ -155,6 +155,14 @@ TEST(VolumeReverberationTest, FallsWithTheSquareOfRange) {
   EXPECT_GT(cell_db(walled, bin + 1, 10), -160);
   EXPECT_LT(cell_db(walled, bin + 1, 10), cell_db(ping, bin + 1, 10) - 1);
 
+  // Up to the wall all is as without it, and behind it nothing is left but the rounding of solid angles.
+  for (int b = 0; b < bin - 1; ++b) {
+    EXPECT_EQ(walled.intensity[walled.index(b, 7)], ping.intensity[ping.index(b, 7)]) << b;
+  }
+  for (int b = bin + 8; b < ping.bin_count; ++b) {
+    EXPECT_LT(walled.intensity[walled.index(b, 7)], 1e-6F * ping.intensity[ping.index(b, 7)]) << b;
+  }
+
   // A point target does not shadow the water behind it.
   scenario.points = {{.position = {5.02, 0.05, 0}, .target_strength_db = -150}};
   const Ping pointed = ping_of(scenario, {});

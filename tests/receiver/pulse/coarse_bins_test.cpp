@@ -31,6 +31,25 @@ TEST(CoarseBinsTest, AQuarterOfExtendedEchoesAndAllOfCompactOnesIsKept) {
   }
 }
 
+// Rows of any length, longer than what is computed together: each bin by the definition, with its neighbours before
+// any of them is replaced.
+TEST(CoarseBinsTest, EachBinIsComparedWithBothItsNeighbours) {
+  const CoarseBins bins = bins_that_keep(Decimation::kSample);
+  for (const std::size_t size : {1U, 2U, 127U, 128U, 129U, 300U}) {
+    std::vector<float> energy;
+    for (std::size_t i = 0; i < size; ++i) {
+      energy.push_back(1 + static_cast<float>(i * i * 37 % 101));  // From bin to bin much more or less than twice.
+    }
+    const std::vector<float> before = energy;
+    bins.receive(energy);
+    for (std::size_t i = 0; i < size; ++i) {
+      const double left = i > 0 ? before[i - 1] : 0, right = i + 1 < size ? before[i + 1] : 0;
+      const double extended = std::min(double{before[i]}, 2 * std::max(left, right));
+      EXPECT_NEAR(energy[i], before[i] - extended + 0.25 * extended, 1e-4) << size << ", " << i;
+    }
+  }
+}
+
 // The greatest of 1 + 3 s looks, s the share that every look has. P(I < y) = (1 - e^-y)^n must be the 1 - e^-x of the x
 // that y is made of.
 TEST(CoarseBinsTest, OnlyTheShareThatIsInEveryLookCountsAsManyLooks) {

@@ -43,6 +43,24 @@ ScattererRow row_of(const std::function<double(double range)>& elevation, const 
   return row;
 }
 
+// The row of a grid in which only `bins` are filled, all at one elevation.
+ScattererRow row_within(BinRange bins, double elevation, const Pose& pose) {
+  EchoGrid grid(1, kBins, 1, GroundTruth::kLabels, true);
+  const EchoGrid::Cells filled = grid.to_fill(1, 0, bins);
+  for (int bin = 0; bin < bins.last - bins.first; ++bin) {
+    filled.surface[bin] = surface_label(0, 0);
+    filled.surface_energy[bin] = 2;
+    filled.elevation_moment[bin] = static_cast<float>(2 * elevation);
+  }
+  const SonarConfig cells = one_cell();
+  const ScattererLattice lattice(cells, 1, 0.002, cells.bin_length(), 1);
+  static SpeckleViews views;
+  views.set(pose, {});
+  ScattererRow row;
+  lattice.locate(views, 0, {0, kBins}, grid, row);
+  return row;
+}
+
 // The scatterers of a bin: patch and index.
 using Scatterer = std::pair<std::uint32_t, std::uint32_t>;
 std::vector<Scatterer> scatterers_of(const ScattererRow& row, int bin) {
@@ -68,6 +86,34 @@ double slope(double range) {  // Rises by 40 degrees from 5 m ahead.
 }
 double ceiling(double range) {  // Falls towards the sonar: the level distance grows faster than the range.
   return std::asin(6.2 / range);
+}
+
+const Pose kSteep{Vec3(1.3, -2.1, 4.7), Eigen::Quaterniond(Eigen::AngleAxisd(1.1, Vec3::UnitY()))};  // 63 degrees.
+
+// The water's scatterers lie at elevation 0: those of bins that nothing fills are the same as of a surface there.
+TEST(ScattererLatticeTest, UnfilledBinsAreThoseOfALevelSurface) {
+  for (const Pose& pose : {Pose{}, kSteep}) {
+    const ScattererRow water = row_within({120, 121}, -0.2, pose);
+    const ScattererRow level = row_of([](double) { return 0.0; }, pose);
+    for (int bin = 0; bin < kBins; ++bin) {
+      if (std::abs(bin - 120) > 1) {
+        EXPECT_EQ(water.patch[bin], level.patch[bin]) << bin;
+        EXPECT_EQ(water.index[bin], level.index[bin]) << bin;
+        EXPECT_EQ(water.begin[bin], level.begin[bin]) << bin;
+        EXPECT_EQ(water.length[bin], level.length[bin]) << bin;
+      }
+    }
+  }
+}
+
+// Elevations are smoothed along a surface, not beyond its first and last bin into the water.
+TEST(ScattererLatticeTest, SurfacesKeepTheirElevationToTheirEnds) {
+  for (const BinRange bins : {BinRange{60, 200}, BinRange{0, 90}, BinRange{310, kBins}}) {
+    const ScattererRow row = row_within(bins, -0.3, kSteep);
+    for (int bin = 0; bin < kBins; ++bin) {
+      EXPECT_NEAR(row.elevation[bin], bins.has(bin) ? -0.3 : 0, 1e-6) << bins.first << ", " << bin;
+    }
+  }
 }
 
 TEST(ScattererLatticeTest, EachBinHasOneToThreeScatterersOfItsOwn) {
