@@ -120,6 +120,10 @@ TEST(ThermalNoiseTest, HasItsLevelAndItsStatistics) {
   EXPECT_NEAR(10 * std::log10(mean), -147.04027, 10 * std::log10(1 + 4 / std::sqrt(n)));
   EXPECT_NEAR(std::sqrt(squares / n / (mean * mean) - 1), 1, 0.02);
 
+  Scenario speckled = scenario;  // There is nothing that could have speckle.
+  speckled.receiver.speckle = true;
+  EXPECT_EQ(ping_of(speckled, {}).intensity, ping.intensity);
+
   scenario.receiver.ambient_noise_db = 55;
   const double thermal = std::pow(10.0, -147.04027 / 10), more = std::pow(10.0, (55 + 43.97940 - 33.14573 - 200) / 10);
   double loud = 0;
@@ -156,7 +160,7 @@ TEST(VolumeReverberationTest, FallsWithTheSquareOfRange) {
   EXPECT_LT(cell_db(walled, bin + 1, 10), cell_db(ping, bin + 1, 10) - 1);
 
   // Up to the wall all is as without it, and behind it nothing is left but the rounding of solid angles.
-  for (int b = 0; b < bin - 1; ++b) {
+  for (int b = 0; b <= bin; ++b) {
     EXPECT_EQ(walled.intensity[walled.index(b, 7)], ping.intensity[ping.index(b, 7)]) << b;
   }
   for (int b = bin + 8; b < ping.bin_count; ++b) {
