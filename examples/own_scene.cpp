@@ -49,7 +49,7 @@ void simulate(const std::filesystem::path& folder) {
       ping, simulator.sonar(0), insonify::kShownGainPerDecade);  // The far as bright as the near.
   insonify::Display display;
   display.scale = insonify::Scale::kDecibel;
-  display.full_scale = insonify::fitting_full_scale(shown.intensity);
+  display.full_scale = insonify::fitting_full_scale(insonify::intensities_to_fit(shown, simulator.sonar(0)));
   insonify::write_png(folder / "bow.png", insonify::draw_fan(shown, simulator.sonar(0), display));
   std::printf("%s and %s\n", (folder / "bow.h5").c_str(), (folder / "bow.png").c_str());
 }

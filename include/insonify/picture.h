@@ -96,6 +96,10 @@ inline constexpr double kShownGainPerDecade = 30;
 /// most 25 dB below the strongest; rounded up to a multiple of 5 dB. 1 if all intensities are zero.
 [[nodiscard]] double fitting_full_scale(std::vector<float> intensities);
 
+/// The intensities of a ping that its full scale is to fit: those of bins beyond the sonar's dead_range. Nearer there
+/// is nothing but the transmit leak, far stronger than all echoes. All bins where none is beyond it.
+[[nodiscard]] std::vector<float> intensities_to_fit(const Ping& ping, const SonarConfig& sonar);
+
 // Azimuths are labelled as bearings: "30° P" to port, "30° S" to starboard; for a vertical mounting as slopes, "30° up"
 // and "30° down". Drawing throws Error for a display out of limits and for a ping that has not the sonar's beams and
 // bins. NaN is drawn as intensity 0.
@@ -119,7 +123,7 @@ class ScanView {
   explicit ScanView(const SonarConfig& sonar);
   /// @throws Error for a ping of another shape than the sonar's, or without a head angle.
   void add(const Ping& ping);
-  /// insonify::fitting_full_scale() of all pings together.
+  /// insonify::fitting_full_scale() of the intensities_to_fit() of all pings together.
   [[nodiscard]] double fitting_full_scale() const;
   /// The pings around the head, with a line at the present head angle.
   [[nodiscard]] Picture draw(const Display& display = {}) const;

@@ -54,7 +54,7 @@ Picture drawn(const PythonPing& ping, const Looks& looks,
     display.full_scale = std::pow(10, levels[1] / 10);
     display.floor_db = levels[0] - levels[1];
   } else if (facts.model == EchoModel::kCalibrated) {
-    display.full_scale = fitting_full_scale(shown.intensity);
+    display.full_scale = fitting_full_scale(intensities_to_fit(shown, facts.sonar));
   }
   return draw(shown, facts.sonar, display);
 }
@@ -65,7 +65,8 @@ py::tuple usually_shown(const PythonPing& ping) {
   const SonarFacts& facts = *ping.facts;
   const Display display = usual_display(facts.model, facts.receiver);
   const Ping shown = raised_by_range(ping, facts.sonar, display.raised_per_decade);
-  const double full_scale = facts.model == EchoModel::kPaper ? 1 : fitting_full_scale(shown.intensity);
+  const double full_scale =
+      facts.model == EchoModel::kPaper ? 1 : fitting_full_scale(intensities_to_fit(shown, facts.sonar));
   py::array_t<float> intensity({shown.bin_count, shown.beam_count});
   std::copy(shown.intensity.begin(), shown.intensity.end(), intensity.mutable_data());
   return py::make_tuple(intensity, display.raised_per_decade, full_scale, display.floor_db);

@@ -26,6 +26,15 @@ Display usual_display(EchoModel model, const ReceiverConfig& receiver) {
   return display;
 }
 
+std::vector<float> intensities_to_fit(const Ping& ping, const SonarConfig& sonar) {
+  int first = 0;
+  while (first < ping.bin_count && sonar.bin_range(first) < sonar.dead_range) {
+    ++first;
+  }
+  const std::size_t begin = first < ping.bin_count ? ping.index(first, 0) : 0;
+  return {ping.intensity.begin() + static_cast<std::ptrdiff_t>(begin), ping.intensity.end()};
+}
+
 double fitting_full_scale(std::vector<float> intensities) {
   std::erase_if(intensities, [](float value) { return !(value > 0); });
   if (intensities.empty()) {

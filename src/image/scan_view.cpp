@@ -76,8 +76,13 @@ void ScanView::add(const Ping& ping) {
 
 double ScanView::fitting_full_scale() const {
   std::vector<float> intensities;
+  Ping ping;
+  ping.beam_count = 1;
+  ping.bin_count = sonar_.bin_count;
   for (const std::vector<float>& profile : profiles_) {
-    intensities.insert(intensities.end(), profile.begin(), profile.end());
+    ping.intensity = profile;
+    const std::vector<float> more = intensities_to_fit(ping, sonar_);
+    intensities.insert(intensities.end(), more.begin(), more.end());
   }
   return insonify::fitting_full_scale(std::move(intensities));
 }

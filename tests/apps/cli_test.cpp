@@ -75,60 +75,6 @@ TEST_F(CliTest, RunLastsAsLongAsItsSettingsSay) {
             "insonify: both.yaml:3:1: duration says when pings end, as pings = 1 does; leave one out\n");
 }
 
-// Each is reported in one line before the first ping.
-TEST_F(CliTest, RunTellsWhatIsOddAboutTheWorldAndTheTrajectory) {
-  folder.write("inside.sdf",
-               "<sdf version='1.9'><model name='crate'><link name='l'><visual name='sides'><geometry><box><size>2 2 "
-               "2</size></box></geometry></visual></link></model></sdf>");
-  EXPECT_THAT(shell("insonify run fan.yaml --no-pictures -o a --set world=inside.sdf").err,
-              HasSubstr("warning: ahead begins inside of crate::l::sides, whose surface it hears from within\n"));
-  EXPECT_EQ(shell("insonify run fan.yaml --no-pictures -o b --set position=[0,0,1]").err, "");
-  const std::string into = "--set 'trajectory=[{time: 0, position: [-9,0,0]}, {time: 30, position: [-6,0,0]}]'";
-  // The sonar never reaches a crate that moves away as fast; it passes the side of one that lies at -7 to -5 after 20
-  // s.
-  EXPECT_THAT(shell("insonify run fan.yaml --no-pictures -o f --pings 31 --set ping_period=1 --set world=inside.sdf "
-                    "--set 'motions=[{object: crate, trajectory: [{time: 0, position: [0,0,0]}, {time: 30, position: "
-                    "[3,0,0]}]}]' --set max_range=20 --set orientation_deg=[0,0,0] " +
-                    into)
-                  .err,
-              "");
-  EXPECT_THAT(
-      shell("insonify run fan.yaml --no-pictures -o g --pings 31 --set ping_period=1 --set world=inside.sdf "
-            "--set 'motions=[{object: crate, trajectory: [{time: 0, position: [0,0,0]}, {time: 0.5, position: "
-            "[-6,0,0]}]}]' --set max_range=20 --set orientation_deg=[0,0,0] " +
-            into)
-          .err,
-      HasSubstr("warning: ahead is at ping 21 inside of crate::l::sides, whose surface it hears from within\n"));
-  folder.write("millimetres.obj",
-               "v -20000 -20000 -2000\nv 20000 -20000 -2000\nv 20000 20000 -2000\nv -20000 20000 -2000\nf 1 2 3 4\n");
-  EXPECT_THAT(shell("insonify run fan.yaml --no-pictures -o c --set world=millimetres.obj").err,
-              HasSubstr("warning: the world is 4e+04 m across, 3.33e+03 times the range of ahead; if its files are in "
-                        "millimetres, scale them by 0.001\n"));
-  // A plane without a size is 10 km wide, and stands for a ground without an end.
-  folder.write("ground.sdf",
-               "<sdf version='1.9'><model name='m'><static>true</static><link name='l'><visual name='ground'><pose>0 0 "
-               "-2 0 0 0</pose><geometry><plane/></geometry></visual><visual name='pile'><pose>6 0 -1 0 0 0</pose>"
-               "<geometry><box><size>1 1 2</size></box></geometry></visual></link></model></sdf>");
-  EXPECT_EQ(shell("insonify run fan.yaml --no-pictures -o h --set world=ground.sdf").err, "");
-  const std::string moving = "--set 'trajectory=[{time: 0, position: [0,0,0]}, {time: 9, position: [1,0,0]}]'";
-  EXPECT_THAT(
-      shell("insonify run fan.yaml --no-pictures -o d --set ping_period=0.5 " + moving).out,
-      HasSubstr(
-          "note: the last ping of ahead is at 1 s, the trajectory ends at 9 s; --duration 9 would ping until then\n"));
-  EXPECT_THAT(
-      shell("insonify run fan.yaml --no-pictures -o e --pings 4 --set ping_period=8 " + moving).out,
-      HasSubstr("note: the last ping of ahead is at 24 s, the trajectory ends at 9 s: nothing moves after that\n"));
-}
-
-TEST_F(CliTest, RunTellsWhereATrajectoryBeginsAfterItsPings) {
-  EXPECT_THAT(
-      shell("insonify run fan.yaml --no-pictures -o a --set ping_period=0.5 --set 'trajectory=[{time: 1669110000, "
-            "position: [0,0,0]}, {time: 1669110009, position: [1,0,0]}]'")
-          .out,
-      HasSubstr("note: the last ping of ahead is at 1 s, the trajectory begins at 1669110000 s: nothing moves before "
-                "that; for a file, `start: 1669110000` makes that time 0\n"));
-}
-
 TEST_F(CliTest, RunTellsOfRecordingsThatAKilledRunLeft) {
   folder.write("out/ahead.h5.0123abcd.new", "unfinished");
   folder.write("out/another.h5.0123abcd.new", "somebody else's");
@@ -136,24 +82,6 @@ TEST_F(CliTest, RunTellsOfRecordingsThatAKilledRunLeft) {
       shell("insonify run fan.yaml --no-pictures -o out").err,
       "insonify: warning: out/ahead.h5.0123abcd.new is an unfinished recording, of a run that was killed or still goes "
       "on\n");
-}
-
-TEST_F(CliTest, AModelFromTheCommandLineLeavesKeysOfTheFileWithoutEffectAndSaysSo) {
-  folder.write("paper.yaml", "world: floor.obj\nmodel: paper\npings: 1\nsonars: [{name: a, gain: 3, max_range: 12}]\n");
-  EXPECT_THAT(shell("insonify run paper.yaml --no-pictures -o out --set model=calibrated").err,
-              HasSubstr("warning: a key of the file has no effect with model = calibrated: sonars[0].gain\n"));
-  EXPECT_THAT(shell("insonify run paper.yaml --no-pictures -o out --force --set model=calibrated --set gain=2").err,
-              HasSubstr("sonars[0].gain has no effect with model = calibrated"));
-}
-
-TEST_F(CliTest, RunWarnsOfValuesThatAPresetsInstrumentCannotHave) {
-  const Outcome outcome = shell("insonify run scan.yaml --no-pictures -o a --set frequency=720 --set max_range=15000");
-  EXPECT_THAT(outcome.err,
-              ContainsRegex("warning: --set frequency=720: sonars\\[0\\].frequency = 720 Hz, and a Tritech Micron "
-                            "DST transmits at [0-9.e+]+ Hz\n"));
-  EXPECT_THAT(outcome.err,
-              ContainsRegex("warning: --set max_range=15000: sonars\\[0\\].max_range = 15000 m, and a Tritech Micron "
-                            "DST reaches [0-9]+ m\n"));
 }
 
 TEST_F(CliTest, RunWritesBesideTheUserWhenNoFolderIsNamed) {
@@ -231,104 +159,11 @@ TEST_F(CliTest, ARunThatFailsBeforeTheFirstPingLeavesNothing) {
   EXPECT_THAT(files("out"), ElementsAre());
 }
 
-TEST_F(CliTest, KeysThatAnotherKeepsFromActingAreToldOf) {
-  EXPECT_EQ(
-      shell("insonify run fan.yaml -q --no-pictures -o out --set receiver.pulse_bandwidth=3e5 --set "
-            "receiver.ambient_noise_db=30 --set receiver.noise=false")
-          .err,
-      "insonify: warning: --set receiver.pulse_bandwidth=3e5: receiver.pulse_bandwidth has no effect unless pulse is "
-      "lfm\ninsonify: warning: --set receiver.ambient_noise_db=30: receiver.ambient_noise_db has no effect unless "
-      "noise is true\n");
-  EXPECT_EQ(shell("insonify run fan.yaml -q --no-pictures -o deaf --set 'thrusters=[{position: [1, 0, 0]}]' --set "
-                  "receiver.noise=false")
-                .err,
-            "insonify: warning: --set thrusters=[{position: [1, 0, 0]}]: thrusters has no effect unless receiver.noise "
-            "is true\n");
-  // The sonar's own receiver starts from the common one, whose bandwidth acts in it.
-  EXPECT_EQ(shell("insonify run fan.yaml -q --no-pictures -o own --set receiver.pulse_bandwidth=3e5 --set "
-                  "sonars.ahead.receiver.pulse=lfm")
-                .err,
-            "");
-  EXPECT_EQ(
-      shell("insonify run fan.yaml -q --no-pictures -o lfm --set receiver='{pulse: lfm, pulse_bandwidth: 3e5}'").err,
-      "");
-}
-
-TEST_F(CliTest, KeysOfArraysCountsAndSpeckleThatDoNotActAreToldOf) {
-  const auto told = [](const std::string& settings) {
-    return shell("insonify run fan.yaml -q --no-pictures --force -o out --set receiver.noise=false " + settings).err;
-  };
-  EXPECT_EQ(told("--set receiver.azimuth_pattern=top_hat --set receiver.elements=64"),
-            "insonify: warning: --set receiver.elements=64: receiver.elements has no effect unless azimuth_pattern is "
-            "that of an array\n");
-  EXPECT_EQ(told("--set sonars.ahead.bits=12"),
-            "insonify: warning: --set sonars.ahead.bits=12: sonars[0].bits has no effect unless receiver.counts is "
-            "true\n");
-  EXPECT_EQ(told("--set sonars.ahead.mapping_exponent=0.5 --set receiver='{counts: true, full_scale_db: -40}'"),
-            "insonify: warning: --set sonars.ahead.mapping_exponent=0.5: sonars[0].mapping_exponent has no effect "
-            "unless receiver.counts is true and mapping is gamma\n");
-  EXPECT_EQ(told("--set mutual_interference=true"),
-            "insonify: warning: --set mutual_interference=true: mutual_interference has no effect unless there are "
-            "several sonars\n");
-  EXPECT_EQ(told("--set receiver.speckle=false --set materials.sand.clutter_shape=2"),
-            "insonify: warning: --set materials.sand.clutter_shape=2: materials.sand.clutter_shape has no effect "
-            "unless receiver.speckle is true\n");
-}
-
-TEST_F(CliTest, KeysOfAnInstrumentsPulseThatDoNotActAreToldOf) {
-  const auto told = [](const std::string& settings) {
-    return shell("insonify run fan.yaml -q --no-pictures --force -o out " + settings).err;
-  };
-  EXPECT_EQ(told("--set sonars.ahead.pulse_duration=1e-4"),
-            "insonify: warning: --set sonars.ahead.pulse_duration=1e-4: sonars[0].pulse_duration has no effect unless "
-            "pulse is cw or lfm\n");
-  EXPECT_EQ(told("--set sonars.ahead.pulse=cw --set receiver.pulse=none"),
-            "insonify: warning: --set sonars.ahead.pulse=cw: sonars[0].pulse has no effect unless receiver.pulse is "
-            "instrument\n");
-  EXPECT_EQ(
-      told("--set sonars.ahead.pulse=cw --set sonars.ahead.bandwidth=3e4"),
-      "insonify: warning: --set sonars.ahead.bandwidth=3e4: sonars[0].bandwidth has no effect unless noise is true "
-      "and the pulse is none\n");
-  EXPECT_EQ(told("--set sonars.ahead.pulse=cw --set sonars.ahead.pulse_duration=1e-4 --set receiver.decimation=mean"),
-            "");
-  EXPECT_EQ(
-      told("--set sonars.ahead.pulse=instrument"),
-      "insonify: --set sonars.ahead.pulse=instrument: sonars[0].pulse = instrument must be none, cw or lfm: it is "
-      "the instrument's\n");
-  EXPECT_EQ(told("--set sonars.ahead.pulse=lfm --set sonars.ahead.pulse_bandwidth=1e4"),
-            "insonify: --set sonars.ahead.pulse_bandwidth=1e4: sonars[0].pulse_bandwidth = 1e+04 Hz times "
-            "sonars[0].pulse_duration = 5e-05 s is 0.5, must be at least 10 for a chirp\n");
-}
-
 TEST_F(CliTest, ALinkIsAnEarlierRecordingToo) {
   std::filesystem::create_directory("out");
   std::filesystem::create_symlink("/not/mounted/ahead.h5", "out/ahead.h5");
   EXPECT_EQ(shell("insonify run fan.yaml -q -o out").status, 2);
   EXPECT_TRUE(std::filesystem::is_symlink("out/ahead.h5"));
-}
-
-TEST_F(CliTest, SilenceIsToldWithWhereTheWorldIs) {
-  const Outcome outcome = shell("insonify run fan.yaml -o out -q --no-pictures --set orientation_deg=[0,-90,0]");
-  EXPECT_EQ(outcome.status, 0);
-  EXPECT_EQ(outcome.err,
-            "insonify: warning: nothing was heard in any ping of ahead: the world reaches from (-20, -20, -2) to (20, "
-            "20, -2) m, the sonar was at (0, 0, 0) m at first, looking along (0, 0, 1), and hears from 0.2 to 12 m\n");
-}
-
-TEST_F(CliTest, EchoesOfPointsAreNoSilence) {
-  const Outcome outcome = shell(
-      "insonify run fan.yaml -o out -q --no-pictures --set orientation_deg=[0,-90,0] --set 'points=[{position: [0, 0, "
-      "5]}]'");
-  EXPECT_EQ(outcome.status, 0);
-  EXPECT_EQ(outcome.err, "");
-}
-
-TEST_F(CliTest, PicturesThatAreNearlyBlackAreToldWithTheKeyToChange) {
-  const Outcome outcome = shell("insonify run fan.yaml -o out --no-view --set model=paper --set gain=0.001");
-  EXPECT_THAT(outcome.out,
-              ContainsRegex("\nhint: the loudest echo of ahead is 0\\.[0-9]+ % of full scale, nearly black: "
-                            "--scale db shows it, or raise its gain: --set sonars.ahead.gain=[0-9.]+\n"));
-  EXPECT_THAT(shell("insonify run fan.yaml -o out --no-view --set model=paper").out, Not(HasSubstr("hint")));
 }
 
 TEST_F(CliTest, ASettingTakesTheViewAway) {

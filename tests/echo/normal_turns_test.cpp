@@ -91,6 +91,24 @@ TEST(NormalTurnsTest, AreTheCurvatureOfABall) {
   }
 }
 
+// Only column 13, at 0.3125 degrees, meets the ball: across it turns as along, 0.009890 x 0.125 / 0.1. Lobes are widened
+// by squares of the turns, so that the sign does not count.
+TEST(NormalTurnsTest, OfAColumnAloneAreThoseOfABall) {
+  for (const BeamShape shape : {BeamShape::kWedge, BeamShape::kCone}) {
+    const auto plan = plan_of(shape);
+    const Vec3 centre(20, 0, 0);
+    const FourColumns columns(*plan, 12, [&](const Vec3& d) {
+      const double along = d.dot(centre), range = along - std::sqrt(along * along - 400 + 9);
+      return Met{range, (range * d - centre) / 3, d.y() > 0.00436 && d.y() < 0.00654 ? 0 : kNoSurface};
+    });
+    for (const int row : {20, 25, 30}) {
+      EXPECT_NEAR(std::abs(columns.side(1, row).y()), 0.012363, 3e-4) << row;
+      EXPECT_NEAR(columns.side(1, row).z(), 0, 3e-4) << row;
+      EXPECT_NEAR(columns.side(1, row).x(), 0, 1e-3) << row;
+    }
+  }
+}
+
 // A plane, a crease of 40 degrees between two faces along the row 25, and a box edge along a column.
 TEST(NormalTurnsTest, AreNothingOnFlatFaces) {
   const auto plan = plan_of();

@@ -49,6 +49,28 @@ TEST(LevelsTest, FullScaleIsAboveAllButAThousandth) {
   EXPECT_EQ(fitting_full_scale(std::vector<float>(9, 0.0F)), 1);
 }
 
+// The transmit leak, 90 dB above all echoes in a tenth of the bins, does not count: bins of 0.2 m from 0, dead up to 2
+// m.
+TEST(LevelsTest, FullScaleIsThatOfEchoesBeyondTheDeadRange) {
+  SonarConfig sonar;
+  sonar.type = SonarType::kMechanicallyScanned;
+  sonar.beam_count = 1;
+  sonar.bin_count = 100;
+  sonar.min_range = 0;
+  sonar.max_range = 20;
+  sonar.dead_range = 2;
+  Ping ping = ping_of(100, 1, 2e-6F);
+  std::fill_n(ping.intensity.begin(), 10, 2e3F);
+  EXPECT_EQ(intensities_to_fit(ping, sonar), std::vector<float>(90, 2e-6F));
+  ScanView view(sonar);
+  view.add(ping);
+  EXPECT_NEAR(10 * std::log10(view.fitting_full_scale()), -55, 1e-9);
+  sonar.dead_range = 0;
+  EXPECT_EQ(intensities_to_fit(ping, sonar), ping.intensity);
+  sonar.dead_range = 25;  // Nothing else is received.
+  EXPECT_EQ(intensities_to_fit(ping, sonar), ping.intensity);
+}
+
 // Full scale is that of all pings of a scan, not of its first.
 TEST(LevelsTest, ScaleOfAScanFitsAllOfItsPings) {
   SonarConfig sonar;

@@ -60,7 +60,7 @@ void PingPictures::add(const Ping& ping) {
   }
   const Ping raised = raised_by_range(ping, sonar_, display_.raised_per_decade);
   if (!scaled_ && !fixed_ && scan_ == nullptr) {
-    display_.full_scale = fitting_full_scale(raised.intensity);
+    display_.full_scale = fitting_full_scale(intensities_to_fit(raised, sonar_));
     scaled_ = true;
   }
   add_shown(raised);

@@ -37,12 +37,13 @@ bool ShownScale::add(const LivePing& live) {
   }
   const SonarConfig& sonar = live.world->sonars[static_cast<std::size_t>(live.sonar)];
   const Ping raised = raised_by_range(live.ping, sonar, shown_gain(*live.world, live.sonar));
-  intensities_.insert(intensities_.end(), raised.intensity.begin(), raised.intensity.end());
+  const std::vector<float> to_fit = intensities_to_fit(raised, sonar);
+  intensities_.insert(intensities_.end(), to_fit.begin(), to_fit.end());
   ++pings_;
   complete_ = pings_ >= pings_of_turn(sonar) || intensities_.size() > kMostKept;
   // The whole is fitted at the 1st, 2nd, 4th, 8th ... ping, at the end, and where an echo is far louder than all
   // before.
-  const double alone = fitting_full_scale(raised.intensity);
+  const double alone = fitting_full_scale(to_fit);
   if (!complete_ && !std::has_single_bit(pings_) && alone <= full_scale_) {
     return false;
   }

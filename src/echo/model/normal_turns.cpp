@@ -120,7 +120,7 @@ void average_beyond(int rows, const float* ax, const float* ay, const float* az,
 }
 
 // The turn across of samples that have no neighbour on their surface on either side: that of a sphere, on which the
-// normal n turns as much across as along a column, n x u for equal spacing.
+// normal n turns as much across as along a column, n x u for equal spacing; lobes do not depend on its sign.
 // @param width       Of a column [rad].
 // @param elevations  Of the rows [rad].
 INSONIFY_VECTOR_CLONES

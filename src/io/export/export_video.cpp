@@ -57,7 +57,7 @@ class Drawing {
       return;
     }
     if (!scans()) {
-      display_.full_scale = fitting_full_scale(shown(pings.ping(0)).intensity);
+      display_.full_scale = fitting_full_scale(intensities_to_fit(shown(pings.ping(0)), sonar_));
       return;
     }
     ScanView all(sonar_);
