@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/parallel.h"
 #include "echo/grid/echo_grid.h"
 #include "echo/model/hit.h"
 #include "echo/model/left_out.h"
@@ -36,6 +37,8 @@ struct EngineKind {
 /// `reference` engine. An object is used by one thread at a time.
 class Engine {
  public:
+  /// @param threads  As in Workers.
+  explicit Engine(int threads) : workers_(threads) {}
   virtual ~Engine() = default;
 
   [[nodiscard]] virtual const EngineKind& kind() const = 0;
@@ -70,9 +73,12 @@ class Engine {
   /// since a call may be as expensive as a transfer to another device.
   virtual void trace(std::span<const Ray> rays, std::span<Hit> hits) = 0;
 
-  /// While `*asked` is true, insonify() and trace() throw Interrupted, also when they are running already; the next
-  /// insonify() starts afresh. Null: never.
-  virtual void stop_when(const std::atomic<bool>* asked) = 0;
+  /// While `*asked` is true, insonify(), trace() and all that runs on workers() throw Interrupted, also when they are
+  /// running already; the next insonify() starts afresh. Null: never.
+  void stop_when(const std::atomic<bool>* asked) { workers_.stop_when(asked); }
+
+  /// Its threads. The other steps of a ping run on them too: threads of another Workers would join 0.2 ms late.
+  [[nodiscard]] Workers& workers() { return workers_; }
 
   /// Numbers of rays that the last ping took.
   [[nodiscard]] virtual RayCounts ray_counts() const = 0;
@@ -84,6 +90,9 @@ class Engine {
   /// @return One value per repetition [s]; none if the engine uses no such library.
   [[nodiscard]] virtual std::vector<double> time_traversal(const PingPlan& plan, const Pose& world_from_sonar,
                                                            int repetitions);
+
+ protected:
+  Workers workers_;
 };
 
 /// Makes an engine by name.

@@ -20,7 +20,7 @@ void Simulator::State::make(const PingRequest& request, SimulatedSonar& sonar, c
   const PingPlan& plan = *sonar.plan;
   if (scenario.model == EchoModel::kCalibrated) {
     parts.engine.insonify(plan, world_from_sonar, grid);
-    parts.thin.add(plan, world_from_sonar, poses, parts.engine, parts.workers, grid);
+    parts.thin.add(plan, world_from_sonar, poses, parts.engine, grid);
     if (sonar.walks) {
       sonar.walks->add(plan, world_from_sonar, request.number,
                        {.corners = parts.corners.act(plan), .water = sea ? sea->label() : kNoSurface}, parts.engine,
@@ -46,18 +46,19 @@ void Simulator::State::make(const PingRequest& request, SimulatedSonar& sonar, c
     const PingMotion motion = scenario.motion_in_ping
                                   ? sonar.motion_while_listening(request, sonar.vehicle_from_housing * head)
                                   : PingMotion{};
-    sonar.receiver->receive(grid, objects.displaced(), world_from_sonar, motion, sonar.thrusters, parts.workers, ping);
+    sonar.receiver->receive(grid, objects.displaced(), world_from_sonar, motion, sonar.thrusters,
+                            parts.engine.workers(), ping);
   } else {
     PaperReceiver receiver(
         grid, sonar.config,
         {.model = scenario.paper, .noise = scenario.receiver_of(sonar.config).noise, .seed = scenario.seed}, ping);
     parts.engine.insonify(plan, world_from_sonar, grid);
-    receiver.receive(parts.workers);
+    receiver.receive(parts.engine.workers());
   }
 }
 
 std::size_t Simulator::State::count_together(int index, std::span<const PingRequest> requests) const {
-  const std::size_t threads = workers.count();
+  const std::size_t threads = engine->workers().count();
   // Where there are few, a thread that waits for the last of them would cost more than is gained.
   constexpr std::size_t kFewest = 2;
   if (threads < 2 || requests.size() <= kFewest * threads || sea) {  // The sea's plane goes with the sonar.
@@ -80,6 +81,7 @@ void Simulator::State::make_together(int index, std::span<const PingRequest> req
   if (requests.empty()) {
     return;
   }
+  Workers& workers = engine->workers();
   lanes.resize(sonars.size());
   std::vector<std::unique_ptr<Lane>>& own = lanes[index];
   while (own.size() < static_cast<std::size_t>(workers.count())) {

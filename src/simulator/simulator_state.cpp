@@ -13,7 +13,6 @@ Simulator::State::State(Scenario the_scenario, Scene the_scene, int threads, std
     : scenario(std::move(the_scenario)),
       scene(std::move(the_scene)),
       engine(make_engine(scenario.engine, threads)),
-      workers(threads),
       points(scenario.points),
       interference(scenario.interferers) {
   try {
@@ -67,7 +66,7 @@ void Simulator::State::find_object_echoes() {
   }
   std::unique_ptr<Engine> faster;
   if (engine->kind().brute_force) {
-    faster = make_engine("cpu", workers.count());
+    faster = make_engine("cpu", engine->workers().count());
     faster->set_scene(scene);
   }
   Engine& probe = faster ? *faster : *engine;

@@ -7,7 +7,6 @@
 #include <span>
 #include <vector>
 
-#include "base/parallel.h"
 #include "echo/engine.h"
 #include "echo/targets/corner_echoes.h"
 #include "echo/targets/edge_echoes.h"
@@ -52,7 +51,6 @@ struct Simulator::State {
   /// Turns the echoes of one request into a ping.
   struct Parts {
     Engine& engine;
-    Workers& workers;
     PointEchoes& points;
     Interference& interference;
     ThinEchoes& thin;
@@ -63,7 +61,7 @@ struct Simulator::State {
   };
   void make(const PingRequest& request, SimulatedSonar& sonar, const Parts& parts, Ping& ping);
   [[nodiscard]] Parts parts() {
-    return {*engine, workers, points, interference, thin, glints, edge_echoes, corner_echoes, ghosts};
+    return {*engine, points, interference, thin, glints, edge_echoes, corner_echoes, ghosts};
   }
 
   /// How many of the requests after the first can be made by several threads at once, each ping by one: nothing may
@@ -81,7 +79,6 @@ struct Simulator::State {
   Scenario scenario;
   Scene scene;
   std::unique_ptr<Engine> engine;
-  Workers workers;  ///< For the steps after the engine.
   MovableObjects objects;
   std::optional<SeaPlane> sea;
   PointEchoes points;
@@ -117,11 +114,9 @@ struct Simulator::State {
     CornerEchoes own_corners;
     PointGhosts own_ghosts;
     SimulatedSonar sonar;
-    Workers one_worker{1};
 
     [[nodiscard]] Parts parts() {
-      return {*own_engine, one_worker, own_points,  own_interference, own_thin,
-              own_glints,  own_edges,  own_corners, own_ghosts};
+      return {*own_engine, own_points, own_interference, own_thin, own_glints, own_edges, own_corners, own_ghosts};
     }
   };
   /// [sonar][thread], made by the first batch of a sonar; to be dropped when its settings or materials change.

@@ -91,8 +91,8 @@ TEST(NormalTurnsTest, AreTheCurvatureOfABall) {
   }
 }
 
-// Only column 13, at 0.3125 degrees, meets the ball: across it turns as along, 0.009890 x 0.125 / 0.1. Lobes are widened
-// by squares of the turns, so that the sign does not count.
+// Only column 13, at 0.3125 degrees, meets the ball: across it turns as along, 0.009890 x 0.125 / 0.1. Lobes are
+// widened by squares of the turns, so that the sign does not count.
 TEST(NormalTurnsTest, OfAColumnAloneAreThoseOfABall) {
   for (const BeamShape shape : {BeamShape::kWedge, BeamShape::kCone}) {
     const auto plan = plan_of(shape);

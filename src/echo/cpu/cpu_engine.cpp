@@ -25,7 +25,7 @@ const EngineKind CpuEngine::kKind = {
 
 CpuEngine::CpuEngine(int threads) : CpuEngine(threads, std::make_shared<World>()) {}
 
-CpuEngine::CpuEngine(int threads, std::shared_ptr<World> world) : workers_(threads), world_(std::move(world)) {
+CpuEngine::CpuEngine(int threads, std::shared_ptr<World> world) : Engine(threads), world_(std::move(world)) {
   for (int worker = 0; worker < workers_.count(); ++worker) {
     scratch_.push_back(std::make_unique<BeamTask>(world_->scene, world_->raster_scene, workers_));
   }

@@ -5,7 +5,6 @@
 #include <memory>
 #include <vector>
 
-#include "base/parallel.h"
 #include "echo/cpu/beam_task.h"
 #include "echo/cpu/cpu_scene.h"
 #include "echo/engine.h"
@@ -28,7 +27,6 @@ class CpuEngine final : public Engine {
   void insonify(const PingPlan& plan, const Pose& world_from_sonar, EchoGrid& grid) override;
   [[nodiscard]] std::unique_ptr<Engine> share_scene() override;
   void trace(std::span<const Ray> rays, std::span<Hit> hits) override;
-  void stop_when(const std::atomic<bool>* asked) override { workers_.stop_when(asked); }
   [[nodiscard]] RayCounts ray_counts() const override { return counts_; }
 
   [[nodiscard]] EngineMemory memory() const override {
@@ -62,7 +60,6 @@ class CpuEngine final : public Engine {
   void for_each_task(const PingPlan& plan, SecondarySampling sampling, Work&& work);
   [[nodiscard]] int task_count() const { return static_cast<int>(first_beams_.size()) - 1; }
 
-  Workers workers_;
   std::shared_ptr<World> world_;
   FanView view_;
   std::vector<std::unique_ptr<BeamTask>> scratch_;  // [worker]

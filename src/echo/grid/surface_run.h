@@ -56,10 +56,11 @@ class SurfaceRun {
 
   /// @param segment  0 <= low, and high at most the number of bins that the sums were prepared for.
   [[gnu::always_inline]] void add(const FootprintSegment& segment) {
+    lowest_ = std::min(lowest_, segment.low);
+    highest_ = std::max(highest_, segment.high);
     int bin = static_cast<int>(segment.low);
-    first_ = std::min(first_, bin);
+    Floats low_edge = static_cast<float>(bin) + Floats{0, 1, 2, 3};
     do {
-      const Floats low_edge = static_cast<float>(bin) + Floats{0, 1, 2, 3};
       const Floats high_edge = low_edge + 1;
       const Floats from = larger(low_edge, segment.low + Floats{});
       const Floats to = smaller(high_edge, segment.high + Floats{});
@@ -73,23 +74,26 @@ class SurfaceRun {
         add_to(square_ + bin, energy * (beyond * beyond));
       }
       bin += kLanes;
-    } while (static_cast<float>(bin) < segment.high);
-    last_ = std::max(last_, bin);
+      low_edge += kLanes;
+    } while (low_edge[0] < segment.high);
   }
 
-  /// Bins added to since restart(): [first, last), empty if first >= last. `last` is rounded up to whole vectors.
-  [[nodiscard]] int first() const { return first_; }
-  [[nodiscard]] int last() const { return last_; }
+  /// Bins added to since restart(): [first, last), empty if first >= last.
+  [[nodiscard]] int first() const { return static_cast<int>(lowest_); }
+  [[nodiscard]] int last() const {
+    const int whole = static_cast<int>(highest_);
+    return whole + (static_cast<float>(whole) < highest_ ? 1 : 0);
+  }
   void restart() {
-    first_ = kNone;
-    last_ = 0;
+    lowest_ = kNone;
+    highest_ = 0;
   }
 
  private:
-  static constexpr int kNone = 1 << 30;
+  static constexpr float kNone = 1 << 30;
   float datum_;
   float* __restrict__ energy_, * __restrict__ weight_, * __restrict__ moment_, * __restrict__ square_;
-  int first_ = kNone, last_ = 0;
+  float lowest_ = kNone, highest_ = 0;  // As positions.
 };
 
 }  // namespace insonify

@@ -4,7 +4,6 @@
 
 #include <memory>
 
-#include "base/parallel.h"
 #include "echo/engine.h"
 #include "echo/rays/box_cut.h"
 #include "echo/rays/choose_sampling.h"
@@ -15,7 +14,7 @@ namespace insonify {
 /// Slow and simple: no ray-tracing library, scattering laws from echo/model/echo_laws.h.
 class ReferenceEngine final : public Engine {
  public:
-  explicit ReferenceEngine(int threads) : workers_(threads) {}
+  explicit ReferenceEngine(int threads) : Engine(threads) {}
 
   static const EngineKind kKind;
   [[nodiscard]] const EngineKind& kind() const override { return kKind; }
@@ -24,14 +23,12 @@ class ReferenceEngine final : public Engine {
   void move_instance(int instance, const Pose& world_from_mesh) override;
   void insonify(const PingPlan& plan, const Pose& world_from_sonar, EchoGrid& grid) override;
   void trace(std::span<const Ray> rays, std::span<Hit> hits) override;
-  void stop_when(const std::atomic<bool>* asked) override { workers_.stop_when(asked); }
   [[nodiscard]] RayCounts ray_counts() const override { return counts_; }
   [[nodiscard]] EngineMemory memory() const override { return {scene_.bytes(), 0}; }
 
  private:
   SecondarySampling choose_sampling(const PingPlan& plan, const Pose& world_from_sonar);
 
-  Workers workers_;
   TriangleScene scene_;
   std::shared_ptr<const LeftOut> left_out_;
   Vec3 origin_ = Vec3::Zero();  // World position that reliefs and boxes are relative to.

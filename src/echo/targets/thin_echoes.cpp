@@ -251,10 +251,11 @@ Echo ThinEchoes::echo_of(const PingPlan& plan, const Step& step) const {
 }
 
 void ThinEchoes::add(const PingPlan& plan, const Pose& world_from_sonar, std::span<const Pose> world_from_mesh,
-                     Engine& engine, Workers& workers, EchoGrid& grid) {
+                     Engine& engine, EchoGrid& grid) {
   if (groups_.empty()) {
     return;
   }
+  Workers& workers = engine.workers();
   find_seen(plan, world_from_sonar, world_from_mesh);
   find_steps(plan, workers);
   if (steps_.empty()) {

@@ -27,7 +27,7 @@ class ThinEchoes {
   /// Does not allocate.
   /// @param world_from_mesh  [instance]
   void add(const PingPlan& plan, const Pose& world_from_sonar, std::span<const Pose> world_from_mesh, Engine& engine,
-           Workers& workers, EchoGrid& grid);
+           EchoGrid& grid);
 
  private:
   // The pieces of one instance, and their bounding sphere in the frame of its mesh.
