@@ -1,4 +1,4 @@
-// clutter.cpp -- finds the texture cubes that each cell lies in, and averages their random numbers.
+// clutter.cpp -- interpolates the random numbers of lattices at each cell.
 
 #include "receiver/speckle/clutter.h"
 
@@ -7,78 +7,109 @@
 
 #include "base/vector_math.h"
 #include "echo/grid/echo.h"
+#include "echo/grid/lanes.h"
+#include "receiver/speckle/scatterer_hash.h"
+#include "receiver/speckle/smooth_shares.h"
 
 namespace insonify {
 
-// The cubes of one material along one line of sight. Numbers are cached, since neighbouring bins mostly lie in the same
-// cubes.
+namespace {
+
+// Normal numbers of the eight corners of a cube, which is named by its lowest corner.
+INSONIFY_VECTOR_CLONES
+void draw_corners(const std::array<std::uint32_t, 3>& lowest, const std::array<std::uint32_t, 4>& key,
+                  float* __restrict__ normals) {
+  for (std::uint32_t i = 0; i < 8; ++i) {
+    const std::uint32_t x = lowest[0] + (i & 1U), y = lowest[1] + ((i >> 1U) & 1U), z = lowest[2] + (i >> 2U);
+    const std::uint32_t row = mixed(mixed(z + key[0]) + y);
+    const std::uint32_t word = mixed(row + x), other = mixed((word ^ key[1]) + key[2]);
+    normals[i] = std::sqrt(-2 * fast_log(uniform_open(word))) * fast_sine_cosine(uniform_open(other)).cosine;
+  }
+}
+
+}  // namespace
+
+// The texture of one material along one line of sight. One lane of a vector is one lattice, the last is empty. Numbers
+// of corners are cached, since neighbouring bins mostly lie in the same cubes.
 class Clutter::Patches {
  public:
   // @param bearing  Of the line of sight in the sonar frame [rad].
-  Patches(const Law& law, PhiloxKey key, const SpeckleView& view, double bearing) : law_(law), key_(key) {
+  Patches(const TextureLaw& law, const PhiloxCounter& key, const SpeckleView& view, double bearing)
+      : law_(law), key_(key) {
     const Vec3 level = view.frame_from_sonar * Vec3(std::cos(bearing), std::sin(bearing), 0);
-    for (int i = 0; i < kLattices; ++i) {
-      const double c = std::cos(kFirstTurn + i * kTurn), s = std::sin(kFirstTurn + i * kTurn);
+    for (int lattice = 0; lattice < TextureLaw::kLattices; ++lattice) {
+      const double c = std::cos(kFirstTurn + lattice * kTurn), s = std::sin(kFirstTurn + lattice * kTurn);
       Eigen::Matrix3d lattice_from_frame;
       lattice_from_frame << c, s, 0, -s, c, 0, 0, 0, 1;
-      lattice_from_frame /= law.length;
-      Line& line = lines_[i];
-      const Vec3 start = lattice_from_frame * view.position + (i + 1) * Vec3(0.3819660, 0.2763932, 0.1458980);
+      lattice_from_frame /= law.edge;
+      const Vec3 start = lattice_from_frame * view.position + (lattice + 1) * Vec3(0.3819660, 0.2763932, 0.1458980);
+      const Vec3 ahead = lattice_from_frame * level, up = lattice_from_frame * view.frame_from_sonar.col(2);
       for (int axis = 0; axis < 3; ++axis) {
         const double whole = std::floor(start[axis]);
-        line.cube[axis] = static_cast<std::int64_t>(whole);
-        line.start[axis] = static_cast<float>(start[axis] - whole);
+        cube_[axis][lattice] = static_cast<std::int64_t>(whole);
+        start_[axis][lattice] = static_cast<float>(start[axis] - whole);
+        ahead_[axis][lattice] = static_cast<float>(ahead[axis]);
+        up_[axis][lattice] = static_cast<float>(up[axis]);
       }
-      line.level = (lattice_from_frame * level).cast<float>();
-      line.up = (lattice_from_frame * view.frame_from_sonar.col(2)).cast<float>();
     }
   }
 
-  // Mean of the lattices' numbers at a point `ahead` and `above` the sonar, in the plane of the line of sight [m].
+  // The texture at a point `ahead` and `above` the sonar, in the plane of the line of sight [m].
   [[nodiscard]] float at(float ahead, float above) {
-    float sum = 0;
-    for (int i = 0; i < kLattices; ++i) {
-      Line& line = lines_[i];
-      std::int32_t here[3];
-      for (int axis = 0; axis < 3; ++axis) {
-        here[axis] =
-            static_cast<std::int32_t>(std::floor(line.start[axis] + ahead * line.level[axis] + above * line.up[axis]));
-      }
-      if (!line.known || !std::equal(here, here + 3, line.last)) {
-        std::copy(here, here + 3, line.last);
-        line.known = true;
-        line.number = draw(line, i);
-      }
-      sum += line.number;
+    Floats low[3], high[3];
+    Cubes here[3];
+    for (int axis = 0; axis < 3; ++axis) {
+      const Floats place = start_[axis] + ahead * ahead_[axis] + above * up_[axis];
+      here[axis] = __builtin_convertvector(place, Cubes);
+      here[axis] += place < __builtin_convertvector(here[axis], Floats);  // Down, where it was rounded up.
+      smooth_shares(place - __builtin_convertvector(here[axis], Floats), low[axis], high[axis]);
     }
-    return sum / kLattices;
+    if (const Cubes left = (here[0] ^ last_[0]) | (here[1] ^ last_[1]) | (here[2] ^ last_[2]);
+        (left[0] | left[1] | left[2]) != 0) {
+      std::copy(here, here + 3, last_);
+      draw(left);
+    }
+    const auto between = [&](int z) {
+      const Floats* const n = &corners_[4 * z];
+      return (n[0] * low[0] + n[1] * high[0]) * low[1] + (n[2] * low[0] + n[3] * high[0]) * high[1];
+    };
+    const Floats field = between(0) * low[2] + between(1) * high[2];
+    return law_.at((field[0] + field[1] + field[2]) * kPerLattice);
   }
 
  private:
-  static constexpr double kFirstTurn = 0.16, kTurn = 0.3926990816987241;  // The lattices are 22.5 degrees apart [rad].
+  static constexpr double kFirstTurn = 0.16, kTurn = 0.5235987755982988;  // The lattices are 30 degrees apart [rad].
+  static constexpr float kPerLattice = 0.57735027F;                       // 1 / sqrt(kLattices)
+  static_assert(TextureLaw::kLattices == 3 && kLanes == 4);
+  using Cubes = std::int32_t __attribute__((vector_size(4 * kLanes)));
 
-  struct Line {
-    std::int64_t cube[3];  // Cube that the sonar is in.
-    float start[3];        // Position of the sonar in that cube, 0..1.
-    Vec3f level, up;       // Cubes per metre ahead and up.
-    std::int32_t last[3];  // Cube whose number is cached in `number`, relative to the sonar's.
-    bool known = false;
-    float number = 0;
-  };
-
-  [[nodiscard]] float draw(const Line& line, int lattice) const {
-    PhiloxCounter counter;
-    for (int axis = 0; axis < 3; ++axis) {
-      counter[axis] = static_cast<std::uint32_t>(line.cube[axis] + line.last[axis]);
+  // Draws the corners of the lattices whose cube is not the one before.
+  void draw(Cubes changed) {
+    for (int lattice = 0; lattice < TextureLaw::kLattices; ++lattice) {
+      if (changed[lattice] != 0) {
+        std::array<std::uint32_t, 3> lowest;
+        for (int axis = 0; axis < 3; ++axis) {
+          lowest[axis] = static_cast<std::uint32_t>(cube_[axis][lattice] + last_[axis][lattice]);
+        }
+        const std::array<std::uint32_t, 4> key = {mixed(key_[0] + static_cast<std::uint32_t>(lattice)), key_[1],
+                                                  key_[2]};
+        float numbers[8];
+        draw_corners(lowest, key, numbers);
+        for (int corner = 0; corner < 8; ++corner) {
+          corners_[corner][lattice] = numbers[corner];
+        }
+      }
     }
-    counter[3] = static_cast<std::uint32_t>(RandomPurpose::kClutter) + (static_cast<std::uint32_t>(lattice) << 8);
-    const float share = uniform_open(philox(counter, key_)[0]);
-    return law_.quantiles.at(fast_log(share) - fast_log(1 - share));
   }
 
-  const Law& law_;
-  PhiloxKey key_;
-  Line lines_[kLattices];
+  const TextureLaw& law_;
+  const PhiloxCounter& key_;
+  std::int64_t cube_[3][kLanes] = {};           // [axis][lattice]: cube that the sonar is in.
+  Floats start_[3] = {};                        // Position of the sonar in that cube, 0..1.
+  Floats ahead_[3] = {}, up_[3] = {};           // Cubes per metre ahead and up.
+  Cubes last_[3] = {{kNever, kNever, kNever}};  // Cube whose corners are cached, relative to the sonar's.
+  Floats corners_[8] = {};                      // Their normal numbers: x first, then y and z.
+  static constexpr std::int32_t kNever = 1 << 30;
 };
 
 Clutter::Clutter(std::span<const Material> materials, const SonarConfig& cells, const ScattererLattice& lattice,
@@ -86,7 +117,7 @@ Clutter::Clutter(std::span<const Material> materials, const SonarConfig& cells, 
     : first_range_(static_cast<float>(lattice.first_range())),
       bin_length_(static_cast<float>(lattice.bin_length())),
       window_(static_cast<float>(lattice.window())),
-      key_(philox_key(seed)) {
+      key_(philox({static_cast<std::uint32_t>(RandomPurpose::kClutter)}, philox_key(seed))) {
   const std::vector<double> edges = cells.beam_edges();
   for (int cell = 0; cell < cells.beam_count; ++cell) {
     azimuth_.push_back(cells.beam_azimuth(cell));
@@ -95,7 +126,7 @@ Clutter::Clutter(std::span<const Material> materials, const SonarConfig& cells, 
   for (const Material& material : materials) {
     table_.push_back(material.clutter_shape ? static_cast<int>(laws_.size()) : -1);
     if (material.clutter_shape) {
-      laws_.push_back({GammaQuantiles(*material.clutter_shape / kLattices), material.clutter_length});
+      laws_.emplace_back(*material.clutter_shape, material.clutter_length);
     }
   }
 }

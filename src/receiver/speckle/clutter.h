@@ -6,13 +6,13 @@
 #include <span>
 #include <vector>
 
-#include "base/gamma_quantiles.h"
 #include "base/philox.h"
 #include "echo/grid/echo_grid.h"
 #include "insonify/material.h"
 #include "insonify/sonar_config.h"
 #include "receiver/speckle/scatterer_lattice.h"
 #include "receiver/speckle/scatterer_row.h"
+#include "receiver/speckle/texture_law.h"
 
 namespace insonify {
 
@@ -20,14 +20,11 @@ namespace insonify {
 /// that varies over the surface, with mean 1 and variance 1 / nu. With speckle, whose intensities are exponentially
 /// distributed, the product is K-distributed (Jakeman and Pusey, IEEE Trans. AP-24, 806 (1976)).
 ///
-/// The texture is fixed in the world, or on a moving object. It is the mean of four lattices of cubes with edges of
-/// `clutter_length`, rotated about the vertical, with a gamma-distributed number per cube. A
-/// resolution cell much smaller than the cubes has the shape nu; one of area A much larger has the mean of A /
-/// length^2 cubes, and the shape nu A / length^2 (Abraham and Lyons, IEEE J. Ocean. Eng. 27, 800 (2002)).
+/// The texture is fixed in the world, or on a moving object. It changes smoothly over about a `clutter_length`, see
+/// TextureLaw. A resolution cell much smaller than that has the shape nu; one of area A much larger has the shape
+/// nu A / length^2 (Abraham and Lyons, IEEE J. Ocean. Eng. 27, 800 (2002)).
 class Clutter {
  public:
-  static constexpr int kLattices = 4;
-
   /// @param cells    The grids' cells, see BearingCells::sonar.
   /// @param lattice  Used in the constructor only.
   Clutter(std::span<const Material> materials, const SonarConfig& cells, const ScattererLattice& lattice,
@@ -37,15 +34,11 @@ class Clutter {
   [[nodiscard]] bool any() const { return !laws_.empty(); }
 
   /// Multiplies the energies of one row of bins, `energy` [bin], by the texture. Cells that are wider or longer than
-  /// half a cube take the mean of several points, at most kMostPoints each way.
+  /// half a length take the mean of several points, at most kMostPoints each way.
   void texture(ScattererRow& row, int cell, std::span<float> energy) const;
 
  private:
   static constexpr int kMostPoints = 16;
-  struct Law {
-    GammaQuantiles quantiles;  // Quantiles for one lattice: its shape is nu / kLattices.
-    double length;             // [m]
-  };
   class Patches;
 
   [[nodiscard]] bool has_law(const ScattererRow& row, int bin, std::size_t law) const;
@@ -56,8 +49,8 @@ class Clutter {
   std::vector<double> azimuth_;              // [cell]: azimuth of the centre [rad].
   std::vector<double> width_;                // [cell]: width in azimuth [rad].
   std::vector<int> table_;                   // [material]: index into laws_, -1 for a material without texture.
-  std::vector<Law> laws_;
-  PhiloxKey key_;
+  std::vector<TextureLaw> laws_;
+  PhiloxCounter key_;
 };
 
 }  // namespace insonify

@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "validation/calibrated_scene.h"
+#include "validation/receiver/texture_correlation.h"
 
 namespace insonify::validation {
 namespace {
@@ -50,9 +51,9 @@ class ClutterStatisticsTest : public testing::Test {
 
   // Variance of the texture's mean over the resolution cell at a range, for shape 1 of the texture itself: the mean of
   // its correlation over pairs of points, which are weighted by the squares of pattern (sinc) and pulse (a triangle of
-  // base c tau, on the bed stretched by r / x). A lattice of squares has the correlation (1 - |a| / L)(1 - |b| / L)
-  // along its axes, here averaged over directions.
-  static double variance(double length, double range, double wavelength, double sound_speed) {
+  // base c tau, on the bed stretched by r / x).
+  static double variance(const TextureCorrelation& correlation, double length, double range, double wavelength,
+                         double sound_speed) {
     const double array = 0.8858929413781328 * wavelength / (2 * std::sin(0.5 * kDegree));
     const double stretch = range / std::sqrt(range * range - kHeight * kHeight);
     constexpr int kAcross = 240, kAlong = 24;
@@ -68,24 +69,14 @@ class ClutterStatisticsTest : public testing::Test {
     }
     const std::vector<double> sideways = autocorrelation(across), ahead = autocorrelation(along);
     double sum = 0;
-    constexpr int kDirections = 9;
-    for (int direction = 0; direction < kDirections; ++direction) {
-      const double turn = direction * 22.5 / kDirections * kDegree, c = std::cos(turn), s = std::sin(turn);
-      for (int quarter = 0; quarter < 4; ++quarter) {
-        const double t = quarter * 22.5 * kDegree, ct = std::cos(t), st = std::sin(t);
-        for (std::size_t i = 0; i < sideways.size(); ++i) {
-          const double y = (static_cast<double>(i) - (kAcross - 1)) * wide;
-          for (std::size_t j = 0; j < ahead.size(); ++j) {
-            const double x = (static_cast<double>(j) - (kAlong - 1)) * deep;
-            const double a = (c * ct - s * st) * x + (s * ct + c * st) * y;
-            const double b = -(s * ct + c * st) * x + (c * ct - s * st) * y;
-            sum += sideways[i] * ahead[j] * std::max(0.0, 1 - std::abs(a) / length) *
-                   std::max(0.0, 1 - std::abs(b) / length);
-          }
-        }
+    for (std::size_t i = 0; i < sideways.size(); ++i) {
+      const double y = (static_cast<double>(i) - (kAcross - 1)) * wide;
+      for (std::size_t j = 0; j < ahead.size(); ++j) {
+        const double x = (static_cast<double>(j) - (kAlong - 1)) * deep;
+        sum += sideways[i] * ahead[j] * correlation.at(std::hypot(x, y) / length);
       }
     }
-    return sum / (4 * kDirections);
+    return sum;
   }
 
   struct Contrast {
@@ -140,7 +131,9 @@ class ClutterStatisticsTest : public testing::Test {
   static double theory(double shape, double length, double range) {
     const Scenario scenario = scenario_at(range);
     const double sound_speed = scenario.water.true_sound_speed();
-    return 1 + 2 * variance(length, range + 1, sound_speed / scenario.sonars[0].frequency, sound_speed) / shape;
+    const TextureCorrelation correlation(shape);
+    return 1 + 2 * variance(correlation, length, range + 1, sound_speed / scenario.sonars[0].frequency, sound_speed) /
+                   shape;
   }
 
   static Contrast expect_contrast(double shape, double length, double range, int places) {
