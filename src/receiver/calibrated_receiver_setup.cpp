@@ -141,7 +141,7 @@ CalibratedReceiver::CalibratedReceiver(const Settings& settings)
   }
   if (settings.moves) {
     const double bias = pulse.doppler_bias(doppler_shift(1, sonar.frequency, true_speed));
-    shift_.emplace(cells.sonar, range_scale, true_speed, bias);
+    shift_.emplace(cells.sonar, range_scale, true_speed, bias, bearing_.has_value());
   }
   if (receiver.speckle) {
     const double window = std::min(sonar.bin_length(), pulse.equivalent_length());  // One look.

@@ -21,13 +21,15 @@ PingMotion motion_between(const Pose& first, const Pose& last, double time) {
   return {.velocity = back * ((last.position - first.position) / time), .turn_rate = angle * turn.axis().z() / time};
 }
 
-ReceptionShift::ReceptionShift(const SonarConfig& cells, double range_scale, double sound_speed, double bias)
+ReceptionShift::ReceptionShift(const SonarConfig& cells, double range_scale, double sound_speed, double bias,
+                               bool has_array)
     : cells_config_(cells),
       cells_(cells.beam_count),
       bins_(cells.bin_count),
       range_scale_(range_scale),
       sound_speed_(sound_speed),
       bias_(bias),
+      has_array_(has_array),
       edges_(cells.beam_edges()) {}
 
 // Speed of approach v . d towards an azimuth, at the middle of the elevation aperture [m/s].
@@ -90,7 +92,8 @@ DiscreteEcho ReceptionShift::moved(DiscreteEcho echo) const {
   const double position = (received / range_scale_ - cells_config_.min_range) / cells_config_.bin_length();
   const double bearing = azimuth - (is_ours ? parallax(azimuth) : 0) - motion_.turn_rate * 2 * received / sound_speed_;
   echo.bearing_sine = static_cast<float>(std::sin(bearing));
-  const bool within = position >= 0 && position < bins_ && bearing <= edges_.front() && bearing > edges_.back();
+  const bool inside = bearing <= edges_.front() && bearing > edges_.back();
+  const bool within = position >= 0 && position < bins_ && (has_array_ || inside);
   echo.bin = within ? static_cast<int>(position) : -1;
   while (within && echo.beam > 0 && bearing > edges_[echo.beam]) {
     --echo.beam;

@@ -31,7 +31,8 @@ class ReceptionShift {
   /// @param range_scale  True range / reported range.
   /// @param sound_speed  True sound speed c [m/s].
   /// @param bias         b [s].
-  ReceptionShift(const SonarConfig& cells, double range_scale, double sound_speed, double bias);
+  /// @param has_array    Whether beams hear beside the fan by their side lobes.
+  ReceptionShift(const SonarConfig& cells, double range_scale, double sound_speed, double bias, bool has_array);
 
   /// Computes sources() for one ping. Allocates at the first only.
   void prepare(const PingMotion& motion, Workers& workers);
@@ -41,7 +42,7 @@ class ReceptionShift {
     return {&source_[static_cast<std::size_t>(cell) * bins_], static_cast<std::size_t>(bins_)};
   }
 
-  /// A discrete echo as it is received; outside the fan or the range window its bin is -1.
+  /// A discrete echo as it is received. Outside the range window its bin is -1, without an array also outside the fan.
   [[nodiscard]] DiscreteEcho moved(DiscreteEcho echo) const;
 
  private:
@@ -52,6 +53,7 @@ class ReceptionShift {
   SonarConfig cells_config_;
   int cells_, bins_;
   double range_scale_, sound_speed_, bias_;
+  bool has_array_;
   std::vector<double> edges_;  // Azimuths of the cells' edges, falling [rad].
   PingMotion motion_;
   std::vector<std::int32_t> source_;  // [cell][bin], see sources().

@@ -124,6 +124,9 @@ TEST(InterferenceTest, IsHeardBesideTheFan) {
   scenario.interferers[0].position = 30 * Vec3(std::cos(80 * kDegree), std::sin(80 * kDegree), 0);
   const double lobe = 20 * std::log10(std::abs(std::sin(x) / x));
   EXPECT_NEAR(cell_db(ping_of(scenario, {}), 450, 0), -10 - 20 * std::log10(30) + lobe, 0.02);
+  scenario.motion_in_ping = true;  // The sonar stands still, so that it makes no difference.
+  EXPECT_NEAR(cell_db(ping_of(scenario, {}), 450, 0), -10 - 20 * std::log10(30) + lobe, 0.02);
+  scenario.motion_in_ping = false;
   scenario.interferers[0].position.x() *= -1;
   EXPECT_EQ(total_db(ping_of(scenario, {})), -std::numeric_limits<double>::infinity());
   scenario.interferers[0].position.x() *= -1;
