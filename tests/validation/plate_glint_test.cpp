@@ -108,6 +108,31 @@ TEST_P(PlateGlintTest, IsHiddenByWhatIsBefore) {
   EXPECT_NEAR(total_db(ping_of(scenario_at(20, GetParam()), both)), -60.73 + 6.02, 1);
 }
 
+// Half a wall at 7 m is hidden by a screen whose straight edge, 0.1 m before it, is seen u sqrt(lambda r) / 2 beside
+// the foot of the perpendicular. What is left is |(1/2 + C(u)) + i (1/2 + S(u))|^2 / 2 of the mirror, with C and S from
+// tables: at u = 0 a quarter, for u = 1 more than without the screen. So for edges along both sides of the wall, and
+// for a turned one.
+TEST_P(PlateGlintTest, IsPartlyHidden) {
+  constexpr double kWall = 7, kScreen = 6.9, kUnit = 0.0603807;  // sqrt(1500 / 720e3 * 7) / 2
+  const Scene wall = plate_at(kWall, 30, polished(1e-6));
+  const Scenario scenario = scenario_at(kWall, GetParam());
+  const double clear = total_db(ping_of(scenario, wall));
+  const auto screened = [&](double u, double roll) {
+    Scene screen = plate_at(kScreen, 4, diffuse(-90));
+    Pose& pose = screen.instances[0].world_from_mesh;
+    const Eigen::Quaterniond turn(Eigen::AngleAxisd(roll, Vec3::UnitX()));
+    pose.position = turn * Vec3(kScreen, u * kUnit * kScreen / kWall + 2, 0);
+    pose.orientation = turn * pose.orientation;
+    return total_db(ping_of(scenario, scene_of_all({wall, screen}))) - clear;
+  };
+  for (const double roll : {0.0, 90 * kDegree, 212 * kDegree}) {
+    EXPECT_NEAR(screened(-1, roll), -13.86, 1.4) << roll;
+    EXPECT_NEAR(screened(0, roll), -6.02, 0.5) << roll;
+    EXPECT_NEAR(screened(0.4, roll), -2.64, 0.9) << roll;
+    EXPECT_NEAR(screened(1, roll), 1.00, 0.5) << roll;
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Methods, PlateGlintTest, testing::Values(kRays, kRaster, kReference),
                          [](const auto& test) { return std::string(test.param.name); });
 

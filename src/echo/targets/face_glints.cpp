@@ -15,9 +15,17 @@
 namespace insonify {
 namespace {
 
-constexpr double kLeastShare = 1e-4;  // Least coherent share that counts.
+constexpr double kLeastShare = 1e-4;  // Least coherent or visible share that counts.
 constexpr double kGap = 2e-3;         // Largest distance of a hit on the face from its plane [m].
 constexpr double kInside = 0.99;      // Rays to an edge of a face aim at this share of its half length.
+
+// Places around the nearest point where rays look whether a face is hidden, in Fresnel's argument. What is hidden
+// beyond them changes a glint by less than 0.8 dB.
+const Eigen::Vector2d kAround[] = {{2, 0},       {0, 2},        {-2, 0},        {0, -2},
+                                   {1.41, 1.41}, {-1.41, 1.41}, {-1.41, -1.41}, {1.41, -1.41}};
+
+// As many probes may differ from the others: a ray exactly along an edge between triangles may pass between them.
+constexpr std::size_t kStray = 1;
 
 // |integral of exp(i pi u^2 / 2) du|^2
 double fresnel_square(double from, double to) {
@@ -57,10 +65,8 @@ double face_glint(const Eigen::Vector2d& foot, const Eigen::Vector2d& half, doub
   const double range = std::hypot(distance, (nearest - foot).norm());
   double sides = 1;
   for (int axis = 0; axis < 2; ++axis) {
-    const double along = (nearest[axis] - foot[axis]) / range, bend = 1 - along * along;
-    const double middle = nearest[axis] - along * range / bend;  // Point of stationary phase.
-    const double scale = 2 * std::sqrt(bend / (wavelength * range));
-    sides *= fresnel_square((-half[axis] - middle) * scale, (half[axis] - middle) * scale) / bend;
+    const GlintSide side = GlintSide::of(foot[axis], half[axis], nearest[axis], range, wavelength);
+    sides *= fresnel_square(side.low, side.high) / side.bend;
   }
   const double cosine = distance / range;
   return sides * cosine * cosine / (16 * range * range);
@@ -74,11 +80,15 @@ FaceGlints::FaceGlints(std::shared_ptr<const GlintingFaces> faces) : faces_(std:
     }
     near_.resize(most);
     shown_.resize(faces_->count());
+    static_assert(std::size(kAround) + 1 == kProbes);
+    constexpr std::size_t kMostRays =
+        std::max(kProbes * GlintingFaces::kMostTogether, kMostPartly * GlintWindow::kCount);
     glints_.reserve(GlintingFaces::kMostTogether);
-    rays_.reserve(GlintingFaces::kMostTogether);
-    hits_.resize(GlintingFaces::kMostTogether);
-    ends_.reserve(GlintingFaces::kMostTogether);
-    sight_rays_ = SightRays(GlintingFaces::kMostTogether);
+    partly_.reserve(kMostPartly);
+    rays_.reserve(kMostRays);
+    hits_.resize(kMostRays);
+    ends_.reserve(kMostRays);
+    sight_rays_ = SightRays(kMostRays);
   }
 }
 
@@ -113,13 +123,71 @@ void FaceGlints::find(const PingPlan& plan, const Pose& world_from_sonar, const 
     }
     const PingPlan::Arrival arrival = plan.arrival_from(direction);
     const double reflectance = plan.scatter.scattering(group.surface[i]).reflectance(std::min(cosine, 1.0));
-    glints_.push_back({group.instance, group.first_number + static_cast<std::size_t>(i), range,
-                       reflectance * share * face_glint(foot, half, distance, double{plan.wavelength()}) *
+    const double wavelength = double{plan.wavelength()};
+    const Eigen::Vector2d end = foot.cwiseMax(-half).cwiseMin(half);
+    glints_.push_back({group.instance,
+                       group.first_number + static_cast<std::size_t>(i),
+                       range,
+                       reflectance * share * face_glint(foot, half, distance, wavelength) *
                            std::exp(-4 * double{plan.neper_per_metre} * range) * arrival.both_ways(),
-                       arrival});
-    const Vec3 towards = world_from_sonar.orientation * direction.cast<double>();
-    rays_.push_back({world_from_sonar.position, towards.normalized(), 0, range + kGap});
-    ends_.push_back({range - kGap, static_cast<std::uint16_t>(group.instance)});
+                       arrival,
+                       {{GlintSide::of(foot[0], half[0], end[0], range, wavelength),
+                         GlintSide::of(foot[1], half[1], end[1], range, wavelength)}},
+                       world_from_mesh * middle,
+                       world_from_mesh.orientation * first,
+                       world_from_mesh.orientation * second});
+    aim(world_from_sonar.position, glints_.back(), nearest);
+    for (const Eigen::Vector2d& probe : kAround) {
+      const Eigen::Vector2d scale(glints_.back().window.sides[0].scale, glints_.back().window.sides[1].scale);
+      const Eigen::Vector2d beside = nearest + probe.cwiseQuotient(scale);
+      aim(world_from_sonar.position, glints_.back(), beside.cwiseMax(-kInside * half).cwiseMin(kInside * half));
+    }
+  }
+}
+
+// Adds a ray to a place on a face.
+void FaceGlints::aim(const Vec3& sonar, const Glint& glint, const Eigen::Vector2d& place) {
+  const Vec3 there = glint.middle + place[0] * glint.first + place[1] * glint.second - sonar;
+  const double range = there.norm();
+  rays_.push_back({sonar, there / range, 0, range + kGap});
+  ends_.push_back({range - kGap, static_cast<std::uint16_t>(glint.instance)});
+}
+
+void FaceGlints::trace(const PingPlan& plan, Engine& engine) {
+  sight_rays_.trace(plan, engine, rays_, std::span(hits_).first(rays_.size()), ends_);
+}
+
+bool FaceGlints::hidden(std::size_t ray) const {
+  return hits_[ray].distance < ends_[ray].from;
+}
+
+// Adds a glint of which the given share of the intensity is left.
+void FaceGlints::show(const PingPlan& plan, const Glint& glint, double share, EchoGrid& grid) {
+  shown_[glint.number] = 1;
+  add_discrete_echo(plan, glint.arrival, 1, glint.range, glint.intensity * share, plan.turns_per_metre * glint.range,
+                    grid);
+}
+
+// Adds the glints of faces that are partly hidden.
+void FaceGlints::add_partly(const PingPlan& plan, const Vec3& sonar, Engine& engine, EchoGrid& grid) {
+  rays_.clear();
+  ends_.clear();
+  for (const std::size_t i : partly_) {
+    for (int cell = 0; cell < GlintWindow::kCount; ++cell) {
+      aim(sonar, glints_[i], glints_[i].window.middle(cell));
+    }
+  }
+  trace(plan, engine);
+  std::size_t ray = 0;
+  for (const std::size_t i : partly_) {
+    std::array<double, GlintWindow::kCount> passed;
+    for (double& one : passed) {
+      one = hidden(ray) ? 0 : sight_rays_.passed(ray);
+      ++ray;
+    }
+    if (const double share = glints_[i].window.visible(passed); share > kLeastShare) {
+      show(plan, glints_[i], share, grid);
+    }
   }
 }
 
@@ -137,15 +205,24 @@ void FaceGlints::add(const PingPlan& plan, const Pose& world_from_sonar, std::sp
   for (const GlintingFaces::Group& group : faces_->groups) {
     find(plan, world_from_sonar, world_from_mesh[group.instance], group);
   }
-  sight_rays_.trace(plan, engine, rays_, std::span(hits_).first(rays_.size()), ends_);
+  trace(plan, engine);
+  partly_.clear();
   for (std::size_t i = 0; i < glints_.size(); ++i) {
-    const Glint& glint = glints_[i];
-    if (hits_[i].instance == glint.instance && hits_[i].distance > glint.range - kGap) {
-      shown_[glint.number] = 1;
-      const double passed = sight_rays_.passed(i);
-      add_discrete_echo(plan, glint.arrival, 1, glint.range, glint.intensity * passed * passed,
-                        plan.turns_per_metre * glint.range, grid);
+    const std::size_t probe = kProbes * i;
+    std::size_t hidden_probes = 0;
+    for (std::size_t k = 0; k < kProbes; ++k) {
+      hidden_probes += hidden(probe + k) ? 1 : 0;
     }
+    const bool partly = hidden_probes > kStray && hidden_probes + kStray < kProbes;
+    if (partly && partly_.size() < kMostPartly) {
+      partly_.push_back(i);
+    } else if (2 * hidden_probes < kProbes && (hidden(probe) || hits_[probe].instance == glints_[i].instance)) {
+      const double passed = sight_rays_.passed(probe);
+      show(plan, glints_[i], passed * passed, grid);
+    }
+  }
+  if (!partly_.empty()) {
+    add_partly(plan, world_from_sonar.position, engine, grid);
   }
 }
 

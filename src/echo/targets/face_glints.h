@@ -11,6 +11,7 @@
 #include "echo/mirror/faces.h"
 #include "echo/model/left_out.h"
 #include "echo/model/ping_plan.h"
+#include "echo/targets/glint_window.h"
 #include "echo/targets/sight_rays.h"
 
 namespace insonify {
@@ -56,8 +57,9 @@ struct GlintingFaces {
                                 double wavelength);
 
 /// Adds the coherent echoes of faces at normal incidence to the EchoGrid as discrete echoes: face_glint() times |R|^2
-/// e^-g, absorption, and the two-way elevation pattern. Calibrated model only. A face whose nearest point is hidden
-/// gives no echo.
+/// e^-g, absorption, and the two-way elevation pattern. Calibrated model only. Nine rays look whether a face is hidden:
+/// at its nearest point and around it. Where more than one differs, the rays of a GlintWindow say what is left of the
+/// glint.
 class FaceGlints {
  public:
   explicit FaceGlints(std::shared_ptr<const GlintingFaces> faces = {});
@@ -71,21 +73,32 @@ class FaceGlints {
   [[nodiscard]] std::span<const std::uint8_t> shown() const { return shown_; }
 
  private:
-  // A face at normal incidence; its line of sight may be blocked.
+  static constexpr std::size_t kProbes = 9;
+  static constexpr std::size_t kMostPartly = 32;  // Later faces that are partly hidden are all there or not at all.
+
+  // A face at normal incidence; something may be before it.
   struct Glint {
     int instance;
     std::size_t number;  // Index of the face among all groups.
     double range;
     double intensity;
     PingPlan::Arrival arrival;
+    GlintWindow window;
+    Vec3 middle, first, second;  // Of the face and along its sides, in the world.
   };
 
   void find(const PingPlan& plan, const Pose& world_from_sonar, const Pose& world_from_mesh,
             const GlintingFaces::Group& group);
+  void aim(const Vec3& sonar, const Glint& glint, const Eigen::Vector2d& place);
+  void trace(const PingPlan& plan, Engine& engine);
+  [[nodiscard]] bool hidden(std::size_t ray) const;
+  void show(const PingPlan& plan, const Glint& glint, double share, EchoGrid& grid);
+  void add_partly(const PingPlan& plan, const Vec3& sonar, Engine& engine, EchoGrid& grid);
 
   std::shared_ptr<const GlintingFaces> faces_;
   std::vector<Glint> glints_;
-  std::vector<Ray> rays_;  // [glint]
+  std::vector<std::size_t> partly_;  // Indices of the glints of faces that are partly hidden.
+  std::vector<Ray> rays_;            // [glint][probe], then [partly hidden][cell]
   std::vector<Hit> hits_;
   std::vector<std::uint8_t> shown_;
   std::vector<SightEnd> ends_;
