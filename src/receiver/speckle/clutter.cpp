@@ -69,7 +69,7 @@ class Clutter::Patches {
       std::copy(here, here + 3, last_);
       draw(left);
     }
-    const auto between = [&](int z) {
+    const auto between = [&](std::size_t z) {
       const Floats* const n = &corners_[4 * z];
       return (n[0] * low[0] + n[1] * high[0]) * low[1] + (n[2] * low[0] + n[3] * high[0]) * high[1];
     };

@@ -27,8 +27,9 @@ class TextureCorrelation {
  public:
   explicit TextureCorrelation(const TextureLaw& texture) {
     std::array<double, kOrders + 1> coefficients = {};
-    constexpr double kStep = 1.0 / 64;
-    for (double x = double{-kGreatest}; x <= double{kGreatest}; x += kStep) {
+    constexpr int kPerUnit = 64, kEnd = static_cast<int>(kGreatest * kPerUnit);
+    for (int i = -kEnd; i <= kEnd; ++i) {
+      const double x = static_cast<double>(i) / kPerUnit;
       const double weighted = double{texture.at(static_cast<float>(x))} * std::exp(-0.5 * x * x);
       double before = 0, polynomial = 1;  // Hermite polynomials over the square root of k!.
       for (int k = 0; k <= kOrders; ++k) {
