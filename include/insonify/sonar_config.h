@@ -99,7 +99,7 @@ struct SonarConfig {
   // Channels of the receiver (docs/concepts/channels.md).
   std::vector<double> group_gains_db = {};  ///< Gains of equal groups of neighbouring beams, one value per group, from
                                             ///< port [dB], -300..60; at most one per beam.
-  std::vector<double> missing_beams = {};   ///< Indices of beams that deliver nothing, from 0 at port.
+  std::vector<int> missing_beams = {};      ///< Indices of beams that deliver nothing, from 0 at port.
   std::optional<double> crosstalk_db = {};  ///< Share of all beams' echoes that each beam receives besides its own
                                             ///< [dB], -200..0; absent: none.
 

@@ -46,6 +46,7 @@ inline py::object to_python(const std::filesystem::path& value, double /*scale*/
 }
 py::object to_python(const Vec3& value, double scale);
 py::object to_python(const std::vector<double>& value, double scale);
+py::object to_python(const std::vector<int>& value, double scale);
 py::object to_python(const std::vector<std::string>& value, double scale);
 
 template <typename Enum>
@@ -67,6 +68,7 @@ void from_python(py::handle value, const std::string& name, double scale, std::s
 void from_python(py::handle value, const std::string& name, double scale, std::filesystem::path& member);
 void from_python(py::handle value, const std::string& name, double scale, Vec3& member);
 void from_python(py::handle value, const std::string& name, double scale, std::vector<double>& member);
+void from_python(py::handle value, const std::string& name, double scale, std::vector<int>& member);
 void from_python(py::handle value, const std::string& name, double scale, std::vector<std::string>& member);
 
 /// A path from text or anything with __fspath__.

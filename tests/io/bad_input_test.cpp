@@ -84,7 +84,7 @@ const BadScenario kCases[] = {
      "scenario.yaml:3:3: receiver.counts needs receiver.full_scale_db, the recorded level that fills them"},
     {"DeadElementBeyondTheArray",
      "world: floor.obj\nreceiver: {elements: 64, dead_elements: [3, 64]}\nsonars: [{name: fls}]\n",
-     "scenario.yaml:2:26: receiver.dead_elements[1] = 64 must be a whole number less than receiver.elements = 64"},
+     "scenario.yaml:2:26: receiver.dead_elements[1] = 64 must be less than receiver.elements = 64"},
     {"HeadKeyOfAFan", "world: floor.obj\nsonars:\n  - type: fls\n    step_deg: 0.9\n",
      "scenario.yaml:4:5: sonars[0].step_deg belongs to a scanning sonar; this one's type is fls"},
 
