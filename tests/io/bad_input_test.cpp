@@ -114,6 +114,10 @@ const BadScenario kCases[] = {
      "scenario.yaml:2:10: sonars[0] = \"tritech-gemini-720i\" must be a map of keys such as preset and max_range"},
 
     // Settings on the command line.
+    {"SettingOfAnElement",
+     "world: floor.obj\nsonars:\n  - {name: fls, beam_count: 16}\n",
+     "--set sonars.fls.missing_beams=[3, 16]: sonars[0].missing_beams[1] = 16 must be less than beam_count = 16",
+     {"sonars.fls.missing_beams=[3, 16]"}},
     {"SettingWithoutValue", kGoodScenario, "--set pings: must be key=value, such as pings=3", {"pings"}},
     {"SettingWithoutKey", kGoodScenario, "--set =3: must be key=value, such as pings=3", {"=3"}},
     {"SettingOfNothing",
