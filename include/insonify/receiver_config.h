@@ -49,7 +49,7 @@ struct ReceiverConfig {
 
   PulseKind pulse = PulseKind::kInstrument;  ///< kInstrument: the sonar's own. kNone: as long as a bin.
   double pulse_duration = 50e-6;             ///< Duration, kCw and kLfm [s], in (0, 1].
-  double pulse_bandwidth = 200e3;            ///< Bandwidth, kLfm [Hz], in (0, 1e7]; times pulse_duration at least 10.
+  double pulse_bandwidth = 200e3;  ///< Bandwidth, kLfm [Hz], in (0, 1e7], < 2 carrier; times pulse_duration >= 10.
 
   PulseWindow pulse_window = PulseWindow::kRectangular;  ///< Weights of the band, kLfm.
   double pulse_side_lobe_db = -40;              ///< Side lobes in range of pulse_window kTaylor [dB], -100..-15.

@@ -172,6 +172,12 @@ void check_pulse(std::string_view object, const SonarConfig& sonar) {
                      kLeastCompression),
          {"pulse_duration", "pulse"});
   }
+  if (sonar.pulse == PulseKind::kLfm && sonar.pulse_bandwidth >= 2 * sonar.frequency) {
+    fail(object, "pulse_bandwidth",
+         fmt::format(" = {:.10g} Hz must be less than {:.10g} Hz, twice {}.frequency", sonar.pulse_bandwidth,
+                     2 * sonar.frequency, object),
+         {"frequency", "pulse"});
+  }
 }
 
 }  // namespace
