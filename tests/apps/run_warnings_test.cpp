@@ -231,6 +231,20 @@ TEST_F(CliTest, SilenceIsToldWithWhereTheWorldIs) {
             "20, -2) m, the sonar was at (0, 0, 0) m at first, looking along (0, 0, 1), and hears from 0.2 to 12 m\n");
 }
 
+TEST_F(CliTest, SilenceOfMissingBeamsAndDeadBinsIsToldWithTheirKeys) {
+  const auto told = [](const std::string& settings) {
+    const std::string text = shell("insonify run fan.yaml --force -o out -q --no-pictures " + settings).err;
+    return text.substr(std::min(text.find("and hears"), text.size()));
+  };
+  EXPECT_EQ(told("--set dead_range=12"), "and hears from 12 to 12 m; dead_range = 12 m leaves it no bin\n");
+  EXPECT_EQ(told("--set dead_range=9 --set azimuth_aperture_deg=20 --set elevation_aperture_deg=4"),
+            "and hears from 9 to 12 m (dead_range)\n");
+  EXPECT_EQ(told("--set missing_beams=[0,1,2,3,4,5,6,7,8,9,10,11,12,13,14,15,15]"),
+            "and hears from 0.2 to 12 m; all of its 16 beams are missing (missing_beams)\n");
+  EXPECT_EQ(told("--set missing_beams=[3,7] --set orientation_deg=[0,-90,0]"),
+            "and hears from 0.2 to 12 m; 2 of its 16 beams are missing (missing_beams)\n");
+}
+
 TEST_F(CliTest, EchoesOfPointsAreNoSilence) {
   const Outcome outcome = shell(
       "insonify run fan.yaml -o out -q --no-pictures --set orientation_deg=[0,-90,0] --set 'points=[{position: [0, 0, "
