@@ -215,6 +215,15 @@ void refuse_word(py::handle value, const std::string& name, const std::vector<st
   refuse(value, name, fmt::format("{}", fmt::join(words, ", ")));
 }
 
+std::pair<double, double> levels_from(py::handle value) {
+  constexpr double kMost = 400;
+  const std::vector<double> levels = numbers_from(value, "levels", "two numbers");
+  if (levels.size() != 2 || !(-kMost <= levels[0] && levels[0] < levels[1] && levels[1] <= kMost)) {
+    throw Error("", "levels", " must be two rising numbers [dB] from -400 to 400, such as (-90, -40)");
+  }
+  return {levels[0], levels[1]};
+}
+
 Pose pose_from(py::handle value, const std::string& name) {
   if (py::isinstance<Pose>(value)) {
     return value.cast<Pose>();

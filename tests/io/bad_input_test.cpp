@@ -81,7 +81,12 @@ const BadScenario kCases[] = {
     {"InterfererWithoutAPeriod", "world: floor.obj\ninterferers:\n  - period: 0\nsonars: [{name: fls}]\n",
      "scenario.yaml:3:5: interferers[0].period = 0 s must be from 0.001 to 1000000 s"},
     {"Counts", "world: floor.obj\nreceiver:\n  counts: true\nsonars: [{name: fls}]\n",
-     "scenario.yaml:3:3: receiver.counts needs receiver.full_scale_db, the recorded level that fills them"},
+     "scenario.yaml:3:3: receiver.counts needs receiver.full_scale_db, the recorded level of the greatest count, or "
+     "receiver.full_scale_share, the share of bins that have it"},
+    {"TwoFullScales",
+     "world: floor.obj\nreceiver: {full_scale_db: -40}\nsonars:\n  - receiver: {full_scale_share: 0.01}\n",
+     "scenario.yaml:4:16: sonars[0].receiver.full_scale_share = 0.01 cannot go with sonars[0].receiver.full_scale_db = "
+     "-40 dB; a sonar's receiver starts from the scenario's: write none for one of them"},
     {"DeadElementBeyondTheArray",
      "world: floor.obj\nreceiver: {elements: 64, dead_elements: [3, 64]}\nsonars: [{name: fls}]\n",
      "scenario.yaml:2:26: receiver.dead_elements[1] = 64 must be less than receiver.elements = 64"},
