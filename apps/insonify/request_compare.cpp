@@ -23,6 +23,7 @@ void add_compare(CLI::App& app, Request& request) {
   command
       ->add_option("--full-scale", options.full_scale,
                    "Intensity that counts as 1 [the loudest of both where the calibrated model made them, else 1]")
+      ->check(number_within({.least = 0, .most = 1e30, .least_allowed = false}))
       ->type_name("X");
   command
       ->add_option("--scale", options.scale,
@@ -30,6 +31,7 @@ void add_compare(CLI::App& app, Request& request) {
       ->check(one_of({"linear", "db"}))
       ->type_name("NAME");
   command->add_option("--floor-db", options.floor_db, "Level that counts as 0 on a decibel scale [-50]")
+      ->check(number_within({.least = -300, .most = 0, .most_allowed = false}))
       ->type_name("DB");
   command->add_flag("--counts", options.counts,
                     "Compare the counts of recordings, as the instrument delivers them: linear, up to the greatest");

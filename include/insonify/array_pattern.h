@@ -24,10 +24,10 @@ struct ArraySettings {
   int elements = 0;           ///< Number of elements, evenly spaced, 0..1024; 0: a continuous line.
 
   // Faults of the elements, one way. Random ones are drawn once per instrument, not per ping.
-  double element_error_db = 0;             ///< Standard deviation of the elements' amplitudes [dB], 0..20.
-  double element_error = 0;                ///< Standard deviation of their phases [rad], 0..180 deg.
-  std::vector<double> dead_elements = {};  ///< Indices of elements that receive nothing, from 0 at the port end.
-  double dead_share = 0;                   ///< Share of all elements that are dead besides, drawn at random, 0..0.9.
+  double element_error_db = 0;          ///< Standard deviation of the elements' amplitudes [dB], 0..20.
+  double element_error = 0;             ///< Standard deviation of their phases [rad], 0..180 deg.
+  std::vector<int> dead_elements = {};  ///< Indices of elements that receive nothing, from 0 at the port end.
+  double dead_share = 0;                ///< Share of all elements that are dead besides, drawn at random, 0..0.9.
 
   /// The same array sends and receives: the pattern is squared. True for scanning heads and side-scan sonars; a
   /// forward-looking sonar sends with another, wide array.

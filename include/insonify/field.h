@@ -130,12 +130,11 @@ void check_member(std::string_view object, const Field& field, const T& member) 
     if (member.has_value()) {
       check_member(object, field, *member);
     }
-  } else if constexpr (requires {
-                         { *member.begin() } -> std::same_as<const double&>;
-                       }) {
+  } else if constexpr (requires { requires std::is_arithmetic_v<std::remove_cvref_t<decltype(*member.begin())>>; } &&
+                       !std::is_convertible_v<const T&, std::string_view>) {
     int index = 0;
-    for (const double value : member) {
-      check_field(object, field, value, index++);
+    for (const auto value : member) {
+      check_field(object, field, static_cast<double>(value), index++);
     }
   }
 }

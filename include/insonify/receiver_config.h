@@ -42,14 +42,14 @@ struct ReceiverConfig {
   BeamShape beam_shape = BeamShape::kWedge;  ///< Which directions have the same bearing.
 
   // The array of the azimuth pattern.
-  int elements = 0;                        ///< Number of elements, 0..1024; 0: a continuous line.
-  double element_error_db = 0;             ///< Standard deviation of the elements' amplitudes [dB], 0..20.
-  double element_error = 0;                ///< Standard deviation of their phases [rad], 0..180 deg.
-  std::vector<double> dead_elements = {};  ///< Indices of elements that receive nothing, from 0 at the port end.
+  int elements = 0;                     ///< Number of elements, 0..1024; 0: a continuous line.
+  double element_error_db = 0;          ///< Standard deviation of the elements' amplitudes [dB], 0..20.
+  double element_error = 0;             ///< Standard deviation of their phases [rad], 0..180 deg.
+  std::vector<int> dead_elements = {};  ///< Indices of elements that receive nothing, from 0 at the port end.
 
   PulseKind pulse = PulseKind::kInstrument;  ///< kInstrument: the sonar's own. kNone: as long as a bin.
   double pulse_duration = 50e-6;             ///< Duration, kCw and kLfm [s], in (0, 1].
-  double pulse_bandwidth = 200e3;            ///< Bandwidth, kLfm [Hz], in (0, 1e7]; times pulse_duration at least 10.
+  double pulse_bandwidth = 200e3;  ///< Bandwidth, kLfm [Hz], in (0, 1e7], < 2 carrier; times pulse_duration >= 10.
 
   PulseWindow pulse_window = PulseWindow::kRectangular;  ///< Weights of the band, kLfm.
   double pulse_side_lobe_db = -40;              ///< Side lobes in range of pulse_window kTaylor [dB], -100..-15.

@@ -56,7 +56,7 @@ struct SonarConfig {
   // What the instrument transmits; ReceiverConfig::pulse may replace it.
   PulseKind pulse = PulseKind::kNone;  ///< kNone: as long as a bin. Not kInstrument.
   double pulse_duration = 50e-6;       ///< Duration, kCw and kLfm [s], in (0, 1].
-  double pulse_bandwidth = 200e3;      ///< Bandwidth, kLfm [Hz], in (0, 1e7]; times pulse_duration at least 10.
+  double pulse_bandwidth = 200e3;  ///< Bandwidth, kLfm [Hz], in (0, 1e7], < 2 frequency; times pulse_duration >= 10.
   PulseWindow pulse_window = PulseWindow::kRectangular;  ///< Weights of the band, kLfm.
 
   // Fan of beams.
@@ -79,7 +79,8 @@ struct SonarConfig {
   std::optional<double> element_width = {};   ///< Full azimuth width at half power of one element of a fan's
                                               ///< receiver [rad], in (0, 175 deg]; absent: omnidirectional in azimuth.
 
-  /// Range at which the array's beams are focused [m], in (0, 1e6]; absent: at every range.
+  /// Range at which the array's beams are focused [m], at most 1e6 and at least the array's length; absent: at every
+  /// range.
   std::optional<double> focus_range = {};
 
   // Range window.
@@ -99,7 +100,7 @@ struct SonarConfig {
   // Channels of the receiver (docs/concepts/channels.md).
   std::vector<double> group_gains_db = {};  ///< Gains of equal groups of neighbouring beams, one value per group, from
                                             ///< port [dB], -300..60; at most one per beam.
-  std::vector<double> missing_beams = {};   ///< Indices of beams that deliver nothing, from 0 at port.
+  std::vector<int> missing_beams = {};      ///< Indices of beams that deliver nothing, from 0 at port.
   std::optional<double> crosstalk_db = {};  ///< Share of all beams' echoes that each beam receives besides its own
                                             ///< [dB], -200..0; absent: none.
 

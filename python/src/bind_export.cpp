@@ -38,13 +38,9 @@ void take_levels(py::handle value, ExportOptions& options) {
   if (value.is_none()) {
     return;
   }
-  std::vector<double> levels;
-  from_python(value, "levels", 1, levels);
-  if (levels.size() != 2 || !(levels[0] < levels[1])) {
-    throw Error("", "levels", " must be two rising numbers [dB], such as (-90, -40)");
-  }
-  options.messages.low_db = options.video.low_db = levels[0];
-  options.messages.high_db = options.video.high_db = levels[1];
+  const auto [low, high] = levels_from(value);
+  options.messages.low_db = options.video.low_db = low;
+  options.messages.high_db = options.video.high_db = high;
 }
 
 // Text, or a datetime with its time zone.

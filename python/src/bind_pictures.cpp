@@ -44,15 +44,11 @@ Picture drawn(const PythonPing& ping, const Looks& looks,
   const Ping shown = facts.model == EchoModel::kPaper ? static_cast<const Ping&>(ping)
                                                       : raised_by_range(ping, facts.sonar, display.raised_per_decade);
   if (!looks.levels.is_none()) {
-    std::vector<double> levels;
-    from_python(looks.levels, "levels", 1, levels);
-    if (levels.size() != 2 || !(levels[0] < levels[1])) {
-      throw Error("", "levels", " must be two rising numbers [dB], such as (-90, -40)");
-    }
+    const auto [low, high] = levels_from(looks.levels);
     display.scale = Scale::kDecibel;
     display.of_one = facts.model == EchoModel::kPaper;
-    display.full_scale = std::pow(10, levels[1] / 10);
-    display.floor_db = levels[0] - levels[1];
+    display.full_scale = std::pow(10, high / 10);
+    display.floor_db = low - high;
   } else if (facts.model == EchoModel::kCalibrated) {
     display.full_scale = fitting_full_scale(intensities_to_fit(shown, facts.sonar));
   }

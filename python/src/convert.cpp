@@ -73,6 +73,19 @@ std::vector<double> numbers_from(py::handle value, const std::string& name, cons
   return numbers;
 }
 
+template <typename Value>
+std::vector<Value> list_from(py::handle value, const std::string& name, const std::string& expected) {
+  if (py::isinstance<py::str>(value) || PySequence_Check(value.ptr()) == 0) {
+    refuse(value, name, expected);
+  }
+  std::vector<Value> values;
+  for (const py::handle item : py::reinterpret_borrow<py::sequence>(value)) {
+    const std::string item_name = fmt::format("{}[{}]", name, values.size());
+    from_python(item, item_name, 1, values.emplace_back());
+  }
+  return values;
+}
+
 Pose pose_from_matrix(const Eigen::Matrix4d& matrix, const std::string& name) {
   const Eigen::Matrix3d turn = matrix.topLeftCorner<3, 3>();
   constexpr double kSlack = 1e-3;
@@ -120,6 +133,14 @@ py::object to_python(const std::vector<double>& value, double scale) {
   py::tuple numbers(value.size());
   for (std::size_t i = 0; i < value.size(); ++i) {
     numbers[i] = py::float_(value[i] * scale);
+  }
+  return numbers;
+}
+
+py::object to_python(const std::vector<int>& value, double /*scale*/) {
+  py::tuple numbers(value.size());
+  for (std::size_t i = 0; i < value.size(); ++i) {
+    numbers[i] = py::int_(value[i]);
   }
   return numbers;
 }
@@ -182,19 +203,25 @@ void from_python(py::handle value, const std::string& name, double scale, std::v
   member = std::move(numbers);
 }
 
+void from_python(py::handle value, const std::string& name, double /*scale*/, std::vector<int>& member) {
+  member = list_from<int>(value, name, "a list of whole numbers");
+}
+
 void from_python(py::handle value, const std::string& name, double /*scale*/, std::vector<std::string>& member) {
-  if (py::isinstance<py::str>(value) || PySequence_Check(value.ptr()) == 0) {
-    refuse(value, name, "a list of texts");
-  }
-  std::vector<std::string> texts;
-  for (const py::handle item : py::reinterpret_borrow<py::sequence>(value)) {
-    from_python(item, fmt::format("{}[{}]", name, texts.size()), 1, texts.emplace_back());
-  }
-  member = std::move(texts);
+  member = list_from<std::string>(value, name, "a list of texts");
 }
 
 void refuse_word(py::handle value, const std::string& name, const std::vector<std::string>& words) {
   refuse(value, name, fmt::format("{}", fmt::join(words, ", ")));
+}
+
+std::pair<double, double> levels_from(py::handle value) {
+  constexpr double kMost = 400;
+  const std::vector<double> levels = numbers_from(value, "levels", "two numbers");
+  if (levels.size() != 2 || !(-kMost <= levels[0] && levels[0] < levels[1] && levels[1] <= kMost)) {
+    throw Error("", "levels", " must be two rising numbers [dB] from -400 to 400, such as (-90, -40)");
+  }
+  return {levels[0], levels[1]};
 }
 
 Pose pose_from(py::handle value, const std::string& name) {

@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "insonify/error.h"
@@ -46,6 +47,7 @@ inline py::object to_python(const std::filesystem::path& value, double /*scale*/
 }
 py::object to_python(const Vec3& value, double scale);
 py::object to_python(const std::vector<double>& value, double scale);
+py::object to_python(const std::vector<int>& value, double scale);
 py::object to_python(const std::vector<std::string>& value, double scale);
 
 template <typename Enum>
@@ -67,6 +69,7 @@ void from_python(py::handle value, const std::string& name, double scale, std::s
 void from_python(py::handle value, const std::string& name, double scale, std::filesystem::path& member);
 void from_python(py::handle value, const std::string& name, double scale, Vec3& member);
 void from_python(py::handle value, const std::string& name, double scale, std::vector<double>& member);
+void from_python(py::handle value, const std::string& name, double scale, std::vector<int>& member);
 void from_python(py::handle value, const std::string& name, double scale, std::vector<std::string>& member);
 
 /// A path from text or anything with __fspath__.
@@ -103,6 +106,10 @@ void from_python(py::handle value, const std::string& name, double scale, std::o
   from_python(value, name, scale, found);
   member = found;
 }
+
+/// Two levels (low, high) [dB], as `levels` of pictures.
+/// @throws Error unless they rise and are within 400 dB, as those of `--levels`.
+[[nodiscard]] std::pair<double, double> levels_from(py::handle value);
 
 /// A pose from a 4 x 4 matrix, a pair (position, quaternion w x y z), these seven numbers in a row, or a Pose.
 /// @throws Error about `name`: for another shape, for what is not finite, for a matrix that does not only turn and

@@ -42,6 +42,8 @@ PythonType field_type() {
     return {"tuple[float, float, float]", "Sequence[float]"};
   } else if constexpr (std::is_same_v<Member, std::vector<double>>) {
     return {"tuple[float, ...]", "Sequence[float]"};
+  } else if constexpr (std::is_same_v<Member, std::vector<int>>) {
+    return {"tuple[int, ...]", "Sequence[int]"};
   } else if constexpr (std::is_same_v<Member, std::vector<std::string>>) {
     return {"tuple[str, ...]", "Sequence[str]"};
   } else if constexpr (std::is_enum_v<Member>) {

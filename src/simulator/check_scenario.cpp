@@ -4,23 +4,16 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 
 #include "insonify/error.h"
 #include "insonify/scenario.h"
-#include "receiver/array/line_array.h"
 #include "receiver/array/steering.h"
+#include "simulator/check_receivers.h"
 #include "simulator/check_speeds.h"
+#include "simulator/rounded_up.h"
 
 namespace insonify {
 namespace {
-
-// Rounds up to three digits, so that the limit in a message is itself allowed.
-double rounded_up(double value) {
-  const double digit = std::pow(10, std::floor(std::log10(value)) - 2);
-  return std::ceil(value / digit) * digit;
-}
 
 // The depth of a sonar's water is that at which it starts, below the surface.
 void check_water(const Scenario& scenario) {
@@ -67,83 +60,6 @@ void check_sonars(const Scenario& scenario) {
     if (scenario.model == EchoModel::kCalibrated) {
       static_cast<void>(steered_by_assumed_speed(sonars[i], water.true_sound_speed(), object));
     }
-  }
-}
-
-// Checks that an array of this pattern and width exists.
-template <typename MakeArray>
-void check_array(const std::string& object, std::string_view key, BeamPattern pattern, const MakeArray& make_array) {
-  if (pattern == BeamPattern::kTopHat) {
-    return;
-  }
-  ArraySettings array;
-  try {
-    array = make_array();
-  } catch (const Error& error) {
-    throw Error(object, key, fmt::format(" = {}", error.what()));
-  }
-  array.validate(object);
-}
-
-// Arrays measure the sine of the bearing, which is ambiguous beyond 90 degrees.
-void check_fan(const std::string& object, std::string_view key, std::string_view only, std::size_t index,
-               const SonarConfig& sonar) {
-  if (sonar.azimuth_aperture > std::numbers::pi) {
-    throw Error(object, key,
-                fmt::format(" must be {} for fans of more than 180 deg; sonars[{}] has {:.4g}", only, index,
-                            degrees_from_radians(sonar.azimuth_aperture)),
-                {fmt::format("sonars[{}].azimuth_aperture_deg", index)});
-  }
-}
-
-void check_beams(const std::string& object, const ReceiverConfig& receiver, std::size_t index,
-                 const SonarConfig& sonar) {
-  if (receiver.azimuth_pattern != BeamPattern::kTopHat) {
-    check_fan(object, "azimuth_pattern", "top_hat", index, sonar);
-  }
-  if (receiver.beam_shape == BeamShape::kCone) {
-    check_fan(object, "beam_shape", "wedge", index, sonar);
-  }
-  check_array(object, "azimuth_pattern", receiver.azimuth_pattern, [&] { return azimuth_array(receiver, sonar); });
-  const BeamPattern elevation = sonar.elevation_pattern_beside(receiver);
-  check_array(object, "elevation_pattern", elevation,
-              [&] { return line_array(elevation, receiver.side_lobe_db, sonar.elevation_aperture); });
-  if (sonar.transmit_width || sonar.element_width) {
-    check_fan(fmt::format("sonars[{}]", index), sonar.transmit_width ? "transmit_width_deg" : "element_width_deg",
-              "absent", index, sonar);
-  }
-}
-
-// Gains are applied in single precision, which overflows at 385 dB.
-void check_gain(const std::string& object, const ReceiverConfig& receiver, std::size_t index, const SonarConfig& sonar,
-                const Water& water) {
-  constexpr double kMost = 300;
-  const double range = sonar.bin_range(sonar.bin_count - 1);
-  const double gain = receiver.gain_db(range, water.absorption_db_per_m_at(sonar.frequency));
-  if (gain > kMost) {
-    throw Error(
-        object, receiver.time_varied_gain ? "time_varied_gain" : "gains_db",
-        fmt::format(" comes to {:.4g} dB at {:.4g} m, the far end of sonars[{}]; must be at most {} dB: nothing "
-                    "is left to raise there",
-                    gain, range, index, kMost));
-  }
-}
-
-// Checks each sonar with its receiver, in the calibrated model.
-void check_receivers(const Scenario& scenario) {
-  for (std::size_t i = 0; i < scenario.sonars.size(); ++i) {
-    const SonarConfig& sonar = scenario.sonars[i];
-    const ReceiverConfig& receiver = scenario.receiver_of(sonar);
-    const std::string object = sonar.receiver ? fmt::format("sonars[{}].receiver", i) : "receiver";
-    check_beams(object, receiver, i, sonar);
-    if (scenario.primary == PrimaryEchoes::kRaster && !scenario.has_even_rows(sonar)) {
-      throw Error(
-          "", "primary",
-          fmt::format(" = raster needs {0}.beam_shape = wedge and {0}.elevation_pattern = top_hat; auto or rays "
-                      "takes any",
-                      object));
-    }
-    check_gain(object, receiver, i, sonar, scenario.water_at(sonar));
   }
 }
 

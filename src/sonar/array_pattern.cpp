@@ -45,8 +45,8 @@ int drawn_dead(const ArraySettings& settings) {
 // Which elements are dead: the listed ones, and among the others the drawn_dead() with the smallest random words.
 std::vector<bool> find_dead(const ArraySettings& settings, std::uint64_t seed) {
   std::vector<bool> dead(settings.elements, false);
-  for (const double element : settings.dead_elements) {
-    dead[static_cast<int>(element)] = true;
+  for (const int element : settings.dead_elements) {
+    dead[element] = true;
   }
   std::vector<std::pair<std::uint32_t, int>> living;
   for (int n = 0; n < settings.elements; ++n) {
@@ -86,13 +86,12 @@ void check_line(std::string_view object, const ArraySettings& settings) {
 }
 
 void check_dead(std::string_view object, const ArraySettings& settings) {
-  std::set<double> listed;
+  std::set<int> listed;
   for (std::size_t i = 0; i < settings.dead_elements.size(); ++i) {
-    const double element = settings.dead_elements[i];
-    if (element != std::floor(element) || element >= settings.elements) {
+    const int element = settings.dead_elements[i];
+    if (element >= settings.elements) {
       throw Error(object, fmt::format("dead_elements[{}]", i),
-                  fmt::format(" = {:.10g} must be a whole number less than {}.elements = {}", element, object,
-                              settings.elements));
+                  fmt::format(" = {} must be less than {}.elements = {}", element, object, settings.elements));
     }
     listed.insert(element);
   }

@@ -52,11 +52,18 @@ void ReceiverConfig::validate(std::string_view object) const {
                 {member_name(object, "speckle")});
   }
   if (full_scale_db && full_scale_share) {
-    throw Error(object, "full_scale_share", fmt::format(" must be none where {}.full_scale_db is given", object),
+    const bool of_sonar = object != "receiver";
+    throw Error(object, "full_scale_share",
+                fmt::format(" = {:.6g} cannot go with {}.full_scale_db = {:.6g} dB; {}none for one of them",
+                            *full_scale_share, object, *full_scale_db,
+                            of_sonar ? "a sonar's receiver starts from the scenario's: write " : "write "),
                 {member_name(object, "full_scale_db")});
   }
   if (counts && !full_scale_db && !full_scale_share) {
-    throw Error(object, "counts", fmt::format(" needs {}.full_scale_db, the recorded level that fills them", object));
+    throw Error(object, "counts",
+                fmt::format(" needs {0}.full_scale_db, the recorded level of the greatest count, or "
+                            "{0}.full_scale_share, the share of bins that have it",
+                            object));
   }
 }
 

@@ -111,11 +111,10 @@ void check_channels(std::string_view object, const SonarConfig& sonar) {
          {"beam_count"});
   }
   for (std::size_t i = 0; i < sonar.missing_beams.size(); ++i) {
-    const double beam = sonar.missing_beams[i];
-    if (beam != std::floor(beam) || beam >= sonar.beam_count) {
+    const int beam = sonar.missing_beams[i];
+    if (beam >= sonar.beam_count) {
       fail(object, fmt::format("missing_beams[{}]", i),
-           fmt::format(" = {:.10g} must be a whole number less than beam_count = {}", beam, sonar.beam_count),
-           {"beam_count"});
+           fmt::format(" = {} must be less than beam_count = {}", beam, sonar.beam_count), {"beam_count"});
     }
   }
 }
@@ -172,6 +171,12 @@ void check_pulse(std::string_view object, const SonarConfig& sonar) {
                      sonar.pulse_bandwidth, object, sonar.pulse_duration, sonar.pulse_duration * sonar.pulse_bandwidth,
                      kLeastCompression),
          {"pulse_duration", "pulse"});
+  }
+  if (sonar.pulse == PulseKind::kLfm && sonar.pulse_bandwidth >= 2 * sonar.frequency) {
+    fail(object, "pulse_bandwidth",
+         fmt::format(" = {:.10g} Hz must be less than {:.10g} Hz, twice {}.frequency", sonar.pulse_bandwidth,
+                     2 * sonar.frequency, object),
+         {"frequency", "pulse"});
   }
 }
 

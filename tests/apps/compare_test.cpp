@@ -308,7 +308,8 @@ constexpr Refusal kRefusals[] = {
     {"NoSonarChosen", "two two", "two: there are recordings of ahead, down; choose one with --sonar"},
     {"NoSuchSonar", "two two --sonar up", "two: there is no recording of up, only of ahead, down"},
     {"EmptyFolder", "no two", "no: there is no recording (.h5, .mcap) in this folder"},
-    {"NoFullScale", "a.h5 a.h5 --full-scale 0", "display.full_scale = 0 must be greater than 0"},
+    {"EndlessFullScale", "a.h5 a.h5 --full-scale inf",
+     "--full-scale: inf must be a number, greater than 0, at most 1e+30 (insonify compare --help)"},
 };
 
 INSTANTIATE_TEST_SUITE_P(All, CompareRefusalTest, testing::ValuesIn(kRefusals),

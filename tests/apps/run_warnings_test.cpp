@@ -125,6 +125,79 @@ TEST_F(CliTest, KeysOfArraysCountsAndSpeckleThatDoNotActAreToldOf) {
             "unless receiver.speckle is true\n");
 }
 
+TEST_F(CliTest, KeysOfPartsThatDoNotActAreToldOf) {
+  const auto told = [](const std::string& settings, const char* file = "fan.yaml") {
+    return shell(fmt::format("insonify run {} -q --no-pictures --force -o out {}", file, settings)).err;
+  };
+  EXPECT_EQ(told("--set receiver.speckle=true --set materials.sand.clutter_length=2"),
+            "insonify: warning: --set materials.sand.clutter_length=2: materials.sand.clutter_length has no effect "
+            "unless clutter_shape is given\n");
+  EXPECT_EQ(told("--set receiver.speckle=true --set materials.sand='{clutter_length: 2, clutter_shape: 1}'"), "");
+  // Without a library material of its name it starts from the default one.
+  EXPECT_EQ(told("--set receiver.speckle=true --set default_material=weed --set materials='{weed: {like: sand, "
+                 "clutter_shape: 1}, floor: {clutter_length: 2}}'"),
+            "");
+  EXPECT_EQ(told("--set receiver.noise=true --set 'thrusters=[{position: [1, 0, 0], blade_phase_deg: 30}]'"),
+            "insonify: warning: --set thrusters=[{position: [1, 0, 0], blade_phase_deg: 30}]: "
+            "thrusters[0].blade_phase_deg has no effect unless blade_rate is given\n");
+  EXPECT_EQ(told("--set steering=lens", "scan.yaml"),
+            "insonify: warning: --set steering=lens: sonars[0].steering has no effect unless type is fls and its fan "
+            "at most 180 deg wide\n");
+  EXPECT_EQ(told("--set steering=lens"), "");
+}
+
+TEST_F(CliTest, MotionInPingOfASonarAtRestIsToldOf) {
+  const auto told = [](const std::string& settings) {
+    return shell("insonify run fan.yaml -q --no-pictures --force -o out --set motion_in_ping=true " + settings).err;
+  };
+  const char* const kLine =
+      "insonify: warning: --set motion_in_ping=true: motion_in_ping has no effect unless there is a trajectory along "
+      "which the sonars move\n";
+  EXPECT_EQ(told(""), kLine);
+  EXPECT_EQ(told("--set 'trajectory=[{time: 0, position: [1, 0, 0]}, {time: 9, position: [1, 0, 0]}]'"), kLine);
+  EXPECT_EQ(told("--set 'trajectory=[{time: 0}, {time: 9, orientation_deg: [0, 0, 5]}]'"), "");
+}
+
+TEST_F(CliTest, DepthBesideASurfaceAndSourcesAboveItAreToldOf) {
+  const auto told = [](const std::string& settings) {
+    return shell("insonify run fan.yaml -q --no-pictures --force -o out --set surface.level=5 " + settings).err;
+  };
+  EXPECT_EQ(told("--set water.depth=5"),
+            "insonify: warning: --set water.depth=5: water.depth has no effect beside surface: each sonar's depth is "
+            "that below surface.level\n");
+  EXPECT_EQ(told("--set 'points=[{position: [4, 0, 4]}, {position: [4, 0, 6]}, {position: [4, 0, 7]}]'"),
+            "insonify: warning: --set points=[{position: [4, 0, 4]}, {position: [4, 0, 6]}, {position: [4, 0, 7]}]: "
+            "points[1].position[2] = 6 m is above surface.level = 5 m, so that it is not heard, nor 1 other\n");
+  EXPECT_EQ(told("--set 'interferers=[{position: [4, 0, 6]}]'"),
+            "insonify: warning: --set interferers=[{position: [4, 0, 6]}]: interferers[0].position[2] = 6 m is above "
+            "surface.level = 5 m, so that it is not heard\n");
+}
+
+TEST_F(CliTest, APulseThatOutlastsItsPingIsToldOf) {
+  const auto told = [](const std::string& settings) {
+    return shell("insonify run fan.yaml -q --no-pictures --force -o out --set water.sound_speed=1500 " + settings).err;
+  };
+  // 24 m there and back take 16 ms.
+  EXPECT_EQ(told("--set sonars.ahead.pulse=cw --set sonars.ahead.pulse_duration=0.02"),
+            "insonify: warning: --set sonars.ahead.pulse_duration=0.02: sonars[0].pulse_duration = 0.02 s is longer "
+            "than the 0.016 s in which sonars[0] receives echoes up to max_range = 12 m\n");
+  EXPECT_EQ(told("--set receiver='{pulse: cw, pulse_duration: 0.02}'"),
+            "insonify: warning: --set receiver={pulse: cw, pulse_duration: 0.02}: receiver.pulse_duration = 0.02 s is "
+            "longer than the 0.016 s in which sonars[0] receives echoes up to max_range = 12 m\n");
+  EXPECT_EQ(told("--set sonars.ahead.pulse=cw --set sonars.ahead.pulse_duration=0.016"), "");
+}
+
+// A bin as long as the range is longer than any world in it.
+TEST_F(CliTest, AWorldIsSmallByTheRangeAndNotByLongBins) {
+  EXPECT_EQ(shell("insonify run fan.yaml -q --no-pictures -o one --set bin_count=1 --set max_range=20").err, "");
+  folder.write("kilometres.obj",
+               "v -0.02 -0.02 -0.002\nv 0.02 -0.02 -0.002\nv 0.02 0.02 -0.002\nv -0.02 0.02 -0.002\nf 1 2 3 4\n");
+  EXPECT_THAT(
+      shell("insonify run fan.yaml -q --no-pictures -o small --set world=kilometres.obj").err,
+      HasSubstr("warning: the world is 0.04 m across, 0.14 bins of ahead; if its files are in kilometres, scale "
+                "them by 1000\n"));
+}
+
 TEST_F(CliTest, KeysOfAnInstrumentsPulseThatDoNotActAreToldOf) {
   const auto told = [](const std::string& settings) {
     return shell("insonify run fan.yaml -q --no-pictures --force -o out " + settings).err;
@@ -156,6 +229,20 @@ TEST_F(CliTest, SilenceIsToldWithWhereTheWorldIs) {
   EXPECT_EQ(outcome.err,
             "insonify: warning: nothing was heard in any ping of ahead: the world reaches from (-20, -20, -2) to (20, "
             "20, -2) m, the sonar was at (0, 0, 0) m at first, looking along (0, 0, 1), and hears from 0.2 to 12 m\n");
+}
+
+TEST_F(CliTest, SilenceOfMissingBeamsAndDeadBinsIsToldWithTheirKeys) {
+  const auto told = [](const std::string& settings) {
+    const std::string text = shell("insonify run fan.yaml --force -o out -q --no-pictures " + settings).err;
+    return text.substr(std::min(text.find("and hears"), text.size()));
+  };
+  EXPECT_EQ(told("--set dead_range=12"), "and hears from 12 to 12 m; dead_range = 12 m leaves it no bin\n");
+  EXPECT_EQ(told("--set dead_range=9 --set azimuth_aperture_deg=20 --set elevation_aperture_deg=4"),
+            "and hears from 9 to 12 m (dead_range)\n");
+  EXPECT_EQ(told("--set missing_beams=[0,1,2,3,4,5,6,7,8,9,10,11,12,13,14,15,15]"),
+            "and hears from 0.2 to 12 m; all of its 16 beams are missing (missing_beams)\n");
+  EXPECT_EQ(told("--set missing_beams=[3,7] --set orientation_deg=[0,-90,0]"),
+            "and hears from 0.2 to 12 m; 2 of its 16 beams are missing (missing_beams)\n");
 }
 
 TEST_F(CliTest, EchoesOfPointsAreNoSilence) {

@@ -44,6 +44,12 @@ TEST(ErrorTest, TakesThePlaceOfItsSettingElseOfARelatedOneElseOfWhatHoldsIt) {
   places["sonars[0].max_range"] = {"own"};
   EXPECT_EQ(kRange.located(places).place().file, "own");
   EXPECT_EQ(Error("sonars[0]", "position[2]", "").located({{"sonars[0].position", {"list"}}}).place().file, "list");
+  // The list that holds the value tells more than what the value is compared with.
+  EXPECT_EQ(Error("sonars[0]", "missing_beams[1]", "", {"sonars[0].beam_count"})
+                .located({{"sonars[0].missing_beams", {"list"}}, {"sonars[0].beam_count", {"related"}}})
+                .place()
+                .file,
+            "list");
 }
 
 TEST(ErrorTest, HasNoPlaceWhereItBelongsToNoSetting) {

@@ -81,10 +81,15 @@ const BadScenario kCases[] = {
     {"InterfererWithoutAPeriod", "world: floor.obj\ninterferers:\n  - period: 0\nsonars: [{name: fls}]\n",
      "scenario.yaml:3:5: interferers[0].period = 0 s must be from 0.001 to 1000000 s"},
     {"Counts", "world: floor.obj\nreceiver:\n  counts: true\nsonars: [{name: fls}]\n",
-     "scenario.yaml:3:3: receiver.counts needs receiver.full_scale_db, the recorded level that fills them"},
+     "scenario.yaml:3:3: receiver.counts needs receiver.full_scale_db, the recorded level of the greatest count, or "
+     "receiver.full_scale_share, the share of bins that have it"},
+    {"TwoFullScales",
+     "world: floor.obj\nreceiver: {full_scale_db: -40}\nsonars:\n  - receiver: {full_scale_share: 0.01}\n",
+     "scenario.yaml:4:16: sonars[0].receiver.full_scale_share = 0.01 cannot go with sonars[0].receiver.full_scale_db = "
+     "-40 dB; a sonar's receiver starts from the scenario's: write none for one of them"},
     {"DeadElementBeyondTheArray",
      "world: floor.obj\nreceiver: {elements: 64, dead_elements: [3, 64]}\nsonars: [{name: fls}]\n",
-     "scenario.yaml:2:26: receiver.dead_elements[1] = 64 must be a whole number less than receiver.elements = 64"},
+     "scenario.yaml:2:26: receiver.dead_elements[1] = 64 must be less than receiver.elements = 64"},
     {"HeadKeyOfAFan", "world: floor.obj\nsonars:\n  - type: fls\n    step_deg: 0.9\n",
      "scenario.yaml:4:5: sonars[0].step_deg belongs to a scanning sonar; this one's type is fls"},
 
@@ -114,6 +119,10 @@ const BadScenario kCases[] = {
      "scenario.yaml:2:10: sonars[0] = \"tritech-gemini-720i\" must be a map of keys such as preset and max_range"},
 
     // Settings on the command line.
+    {"SettingOfAnElement",
+     "world: floor.obj\nsonars:\n  - {name: fls, beam_count: 16}\n",
+     "--set sonars.fls.missing_beams=[3, 16]: sonars[0].missing_beams[1] = 16 must be less than beam_count = 16",
+     {"sonars.fls.missing_beams=[3, 16]"}},
     {"SettingWithoutValue", kGoodScenario, "--set pings: must be key=value, such as pings=3", {"pings"}},
     {"SettingWithoutKey", kGoodScenario, "--set =3: must be key=value, such as pings=3", {"=3"}},
     {"SettingOfNothing",

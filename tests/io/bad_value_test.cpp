@@ -218,6 +218,22 @@ const BadScenario kCases[] = {
      "scenario.yaml:3:16: sonars[0].receiver.elements = 1 must be 0 (a continuous line) or at least 2"},
 
     // Rules between values.
+    {"ChirpWiderThanItsCarrier",
+     "world: floor.obj\nsonars:\n  - {frequency: 50e3, pulse: lfm, pulse_bandwidth: 100e3, pulse_duration: 1e-3}\n",
+     "scenario.yaml:3:35: sonars[0].pulse_bandwidth = 100000 Hz must be less than 100000 Hz, twice "
+     "sonars[0].frequency"},
+    {"ReceivedChirpWiderThanTheCarrier",
+     "world: floor.obj\nreceiver: {pulse: lfm, pulse_duration: 1e-3}\nsonars: [{frequency: 90e3}]\n",
+     "scenario.yaml:2:12: receiver.pulse_bandwidth = 200000 Hz must be less than 180000 Hz, twice the frequency of "
+     "sonars[0]"},
+    // A continuous line has beams of 0.886 wavelengths over its length: 0.886 x 2 mm / (2 sin 0.5 deg) = 0.1015 m.
+    {"FocusWithinTheArray",
+     "world: floor.obj\nwater: {sound_speed: 1500}\nreceiver: {azimuth_pattern: rectangular}\nsonars:\n  - {frequency: "
+     "750e3, azimuth_resolution_deg: 1, focus_range: 0.1}\n",
+     "scenario.yaml:5:51: sonars[0].focus_range = 0.1 m must be at least 0.102 m, the length of the array that makes "
+     "beams of 1 deg"},
+    {"HalfABeamMissing", "world: floor.obj\nsonars:\n  - missing_beams: [3, 2.5]\n",
+     "scenario.yaml:3:24: sonars[0].missing_beams[1] = 2.5 must be a whole number, from 0 to 4095"},
     {"RangesCross", "world: floor.obj\nsonars:\n  - max_range: 2\n    min_range: 5\n",
      "scenario.yaml:3:5: sonars[0].max_range = 2 m must be greater than min_range = 5 m"},
     {"BlankingBeyondRange", "world: floor.obj\nsonars:\n  - max_range: 2\n    blanking_range: 5\n",

@@ -58,6 +58,22 @@ class ConfigTest(unittest.TestCase):
         with self.assertRaisesRegex(TypeError, "SonarConfig has no field 'max_rnage'"):
             insonify.SonarConfig(max_rnage=3)
 
+    def test_indices_are_whole_numbers(self):
+        sonar = insonify.SonarConfig(missing_beams=[3, np.int64(7)])
+        self.assertEqual(repr(sonar.missing_beams), "(3, 7)")
+        for value, told in (([3, 2.5], r"^missing_beams\[1\] = 2.5 must be a whole number$"),
+                            ([True], r"^missing_beams\[0\] = True must be a whole number$"),
+                            ([4096], r"^missing_beams\[0\] = 4096 must be from 0 to 4095$"),
+                            ([-1], r"^missing_beams\[0\] = -1 must be from 0 to 4095$"),
+                            (3, "^missing_beams = 3 must be a list of whole numbers$")):
+            with self.assertRaisesRegex(insonify.Error, told):
+                sonar.missing_beams = value
+        self.assertEqual(sonar.missing_beams, (3, 7))
+        sonar.beam_count = 5
+        with self.assertRaisesRegex(insonify.Error, r"missing_beams\[1\] = 7 must be less than beam_count = 5$"):
+            sonar.validate()
+        self.assertEqual(repr(insonify.ReceiverConfig(dead_elements=[2]).dead_elements), "(2,)")
+
     def test_parts_are_objects_of_their_own(self):
         scenario = insonify.Scenario.from_text(TEXT)
         sonar = scenario.sonars[0]

@@ -128,6 +128,8 @@ class LayersTest(unittest.TestCase):
                 insonify.export(self.path, file, replaec=True)
             with self.assertRaisesRegex(insonify.Error, "levels must be two rising numbers"):
                 insonify.export(self.path, file, levels=(3, 2))
+            with self.assertRaisesRegex(insonify.Error, r"levels must be two rising numbers \[dB\] from -400 to 400"):
+                insonify.export(self.path, file, levels=(-90, float("inf")))
             with self.assertRaisesRegex(insonify.Error, "r.txt"):
                 insonify.export(self.path, pathlib.Path(folder, "r.txt"))
 

@@ -322,9 +322,7 @@ TEST(ArraySettingsTest, InvalidSettingsAreRefused) {
   EXPECT_THAT(ArraySettings{.element_error_db = 1},
               is_refused("fls.array has faults of elements, which needs fls.array.elements of at least 2"));
   EXPECT_THAT((ArraySettings{.elements = 8, .dead_elements = {1, 8}}),
-              is_refused("fls.array.dead_elements[1] = 8 must be a whole number less than fls.array.elements = 8"));
-  EXPECT_THAT((ArraySettings{.elements = 8, .dead_elements = {1.5}}),
-              is_refused("fls.array.dead_elements[0] = 1.5 must be a whole number less than fls.array.elements = 8"));
+              is_refused("fls.array.dead_elements[1] = 8 must be less than fls.array.elements = 8"));
   EXPECT_THAT((ArraySettings{.elements = 2, .dead_elements = {0}, .dead_share = 0.5}),
               is_refused("fls.array.dead_elements and fls.array.dead_share leave none of 2 elements"));
   EXPECT_THAT([] { ArrayPattern pattern({.elements = 1}); }, ThrowsMessage<Error>(HasSubstr("array.elements = 1")));

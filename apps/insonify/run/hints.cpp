@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "insonify/scenario_requests.h"
 
@@ -16,6 +17,24 @@ std::string point_text(const Vec3& point) {
   // Adding zero turns -0 into 0.
   const auto rounded = [](double value) { return std::round(value * 100) / 100 + 0; };
   return fmt::format("({:.7g}, {:.7g}, {:.7g})", rounded(point.x()), rounded(point.y()), rounded(point.z()));
+}
+
+// The settings of a sonar that silence bins or beams: " (dead_range)", "; 3 of its 16 beams are missing
+// (missing_beams)"; "" if there are none.
+std::string silenced_text(const SonarConfig& sonar) {
+  std::string text;
+  if (sonar.dead_range > sonar.bin_range(sonar.bin_count - 1)) {
+    text = fmt::format("; dead_range = {:.4g} m leaves it no bin", sonar.dead_range);
+  } else if (sonar.dead_range > sonar.min_range) {
+    text = " (dead_range)";
+  }
+  const std::set<int> missing(sonar.missing_beams.begin(), sonar.missing_beams.end());
+  if (!missing.empty()) {
+    text +=
+        fmt::format("; {} of its {} beams are missing (missing_beams)",
+                    std::ssize(missing) == sonar.beam_count ? "all" : fmt::to_string(missing.size()), sonar.beam_count);
+  }
+  return text;
 }
 
 }  // namespace
@@ -42,10 +61,9 @@ std::string silence_text(const Simulator& simulator, int sonar) {
                                                                          point_text(world.low), point_text(world.high));
   return fmt::format(
       "nothing was heard in any ping of {}: {}, the sonar was at {} m at first, looking along {}, and hears from "
-      "{:.4g} "
-      "to {:.4g} m",
+      "{:.4g} to {:.4g} m{}",
       config.name, where, point_text(world_from_head.position), point_text(world_from_head.orientation * Vec3::UnitX()),
-      config.min_range, config.max_range);
+      std::max(config.min_range, config.dead_range), config.max_range, silenced_text(config));
 }
 
 std::string dimness_text(const Loudness& loudness, const SonarConfig& sonar) {

@@ -23,7 +23,8 @@ class Loudness {
 /// Whether the scenario has echoes without a surface, which have no label: points, the water, or other sonars.
 [[nodiscard]] bool hears_more_than_surfaces(const Scenario& scenario);
 
-/// "nothing was heard in any ping of fls: ...", with the extent of the world and the sonar's pose.
+/// "nothing was heard in any ping of fls: ...", with the extent of the world, the sonar's pose, and its
+/// settings that silence bins or beams.
 [[nodiscard]] std::string silence_text(const Simulator& simulator, int sonar);
 
 /// "the loudest echo of fls is 1.2 % of full scale: ...", with the key that changes it.

@@ -36,6 +36,7 @@ Box3 extent_of(const Scene& scene) {
 // Worlds are a few ranges wide, surveyed seabeds a few hundred: beyond that, a unit is probably wrong by a thousand.
 std::string size_oddity(const Box3& world, const SonarConfig& sonar) {
   constexpr double kTooManyRanges = 400, kTooFewBins = 3;
+  constexpr double kTooFewRanges = 0.02;  // 20 ranges of a world in kilometres. Bins can be long.
   const double across = (world.high - world.low).maxCoeff();
   if (across > kTooManyRanges * sonar.max_range) {
     return fmt::format(
@@ -43,12 +44,26 @@ std::string size_oddity(const Box3& world, const SonarConfig& sonar) {
         "them by 0.001",
         across, across / sonar.max_range, sonar.name);
   }
-  if (across < kTooFewBins * sonar.bin_length()) {
+  if (across < std::min(kTooFewBins * sonar.bin_length(), kTooFewRanges * sonar.max_range)) {
     return fmt::format(
         "the world is {:.3g} m across, {:.2g} bins of {}; if its files are in kilometres, scale them by 1000", across,
         across / sonar.bin_length(), sonar.name);
   }
   return "";
+}
+
+// Without a trajectory the vehicle stands still, and so do its sonars while they listen.
+std::string motion_oddity(const Scenario& scenario) {
+  const std::vector<Waypoint>& waypoints = scenario.trajectory.waypoints;
+  const bool moves = std::ranges::any_of(waypoints, [&](const Waypoint& one) {
+    return one.position != waypoints.front().position || one.orientation != waypoints.front().orientation;
+  });
+  if (!scenario.motion_in_ping || moves) {
+    return "";
+  }
+  const auto given = scenario.places.find("motion_in_ping");
+  return fmt::format("{}motion_in_ping has no effect unless there is a trajectory along which the sonars move",
+                     given != scenario.places.end() ? given->second.text() : "");
 }
 
 std::string length_text(const std::string& whose, const Trajectory& trajectory, const SonarConfig& sonar,
@@ -93,6 +108,9 @@ std::string size_text(const Scene& scene) {
 
 std::vector<std::string> oddities_of(Simulator& simulator, const ScenarioRequests& requests) {
   std::vector<std::string> texts;
+  if (const std::string text = motion_oddity(simulator.scenario()); !text.empty()) {
+    texts.push_back(text);
+  }
   const Box3 world = extent_of(simulator.scene());
   for (int i = 0; i < requests.sonar_count() && !is_empty(world); ++i) {
     if (const std::string text = size_oddity(world, simulator.sonar(i)); !text.empty()) {

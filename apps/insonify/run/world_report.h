@@ -14,7 +14,7 @@ namespace insonify {
 [[nodiscard]] std::string size_text(const Scene& scene);
 
 /// Likely mistakes, one line each: a sonar inside an object, a world a thousand times as large as a sonar's range or as
-/// small as its bins.
+/// small as its bins, motion_in_ping of a sonar that does not move.
 [[nodiscard]] std::vector<std::string> oddities_of(Simulator& simulator, const ScenarioRequests& requests);
 
 /// Sonars whose pings end long before or after a trajectory does, one line each.

@@ -32,7 +32,8 @@ void SonarConfig::visit_fields(Self& self, Visit&& visit) {
         self.pulse);
   visit(Field{"pulse_duration", "s", above_to(0, 1), "Duration of that tone or chirp.", ActsIn::kCalibrated},
         self.pulse_duration);
-  visit(Field{"pulse_bandwidth", "Hz", above_to(0, 1e7), "Bandwidth of that chirp.", ActsIn::kCalibrated},
+  visit(Field{"pulse_bandwidth", "Hz", above_to(0, 1e7), "Bandwidth of that chirp, less than twice the frequency.",
+              ActsIn::kCalibrated},
         self.pulse_bandwidth);
   visit(Field{"pulse_window", "", {}, "Weights over its band, for lower side lobes in range.", ActsIn::kCalibrated},
         self.pulse_window);
@@ -71,8 +72,8 @@ void SonarConfig::visit_fields(Self& self, Visit&& visit) {
               ActsIn::kCalibrated},
         self.element_width);
   visit(Field{"focus_range", "m", above_to(0, 1e6),
-              "Range at which the beams are focused, 1e6 for the far field; at every range when absent (calibrated "
-              "model, with an azimuth_pattern).",
+              "Range at which the beams are focused, at least the array's length, 1e6 for the far field; at every "
+              "range when absent (calibrated model, with an azimuth_pattern).",
               ActsIn::kCalibrated},
         self.focus_range);
   visit(Field{"bin_count", "", from_to(1, 65536), "Range bins per beam."}, self.bin_count);

@@ -19,7 +19,7 @@ template <typename Member>
 nlohmann::json json_of_member(const Member& member) {
   if constexpr (std::is_enum_v<Member>) {
     return std::string(word_of(member));
-  } else if constexpr (std::is_same_v<Member, Vec3>) {
+  } else if constexpr (std::is_same_v<Member, Vec3> || std::is_same_v<Member, std::vector<int>>) {
     return std::vector<double>(member.begin(), member.end());
   } else if constexpr (std::is_same_v<Member, std::filesystem::path>) {
     return member.string();
@@ -38,7 +38,8 @@ nlohmann::json json_of(const Config& config) {
       if (member.has_value()) {
         object[name] = json_of_member(*member);
       }
-    } else if constexpr (std::is_same_v<std::remove_cvref_t<decltype(member)>, std::vector<double>>) {
+    } else if constexpr (std::is_same_v<std::remove_cvref_t<decltype(member)>, std::vector<double>> ||
+                         std::is_same_v<std::remove_cvref_t<decltype(member)>, std::vector<int>>) {
       if (!member.empty()) {
         object[name] = json_of_member(member);
       }

@@ -41,6 +41,8 @@ void put_member(const H5Writer& writer, const std::string& name, const Field& fi
     if (member.size() > 0) {
       writer.put(name, std::span<const double>(member.data(), static_cast<std::size_t>(member.size())), note_of(field));
     }
+  } else if constexpr (std::is_same_v<Member, std::vector<int>>) {
+    put_member(writer, name, field, std::vector<double>(member.begin(), member.end()));
   } else if constexpr (std::is_same_v<Member, std::vector<std::string>>) {
     if (!member.empty()) {
       writer.put(name, member, {"", field.help});

@@ -2,7 +2,9 @@
 
 #pragma once
 
+#include <cmath>
 #include <filesystem>
+#include <limits>
 #include <optional>
 #include <string>
 #include <type_traits>
@@ -60,6 +62,16 @@ void read_member(const H5Settings& settings, const std::string& name, Member& me
   } else if constexpr (requires { member.has_value(); }) {
     if (settings.has(name)) {
       read_member(settings, name, member.emplace());
+    }
+  } else if constexpr (std::is_same_v<Member, std::vector<int>>) {
+    if (const auto numbers = settings.numbers(name)) {
+      member.clear();
+      for (const double number : *numbers) {
+        if (!(std::abs(number) <= std::numeric_limits<int>::max()) || number != std::floor(number)) {
+          settings.fail(name, "must hold whole numbers");
+        }
+        member.push_back(static_cast<int>(number));
+      }
     }
   } else if constexpr (requires { member.push_back(0.0); }) {
     member = settings.numbers(name).value_or(member);

@@ -51,6 +51,9 @@ Texts texts_of(const Field& field, const Vec3& member) {
 Texts texts_of(const Field& field, const std::vector<double>& /*member*/) {
   return {"list of numbers " + field.limits.text(file_scale_of(field)), kNoDefault};
 }
+Texts texts_of(const Field& field, const std::vector<int>& /*member*/) {
+  return {"list of whole numbers " + field.limits.text(), kNoDefault};
+}
 Texts texts_of(const Field& /*field*/, const std::vector<std::string>& /*member*/) {
   return {"list of texts", kNoDefault};
 }

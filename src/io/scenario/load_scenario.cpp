@@ -13,6 +13,7 @@
 #include "io/file/input_file.h"
 #include "io/file/xml_file.h"
 #include "io/scenario/check_effects.h"
+#include "io/scenario/odd_settings.h"
 #include "io/scenario/read_material.h"
 #include "io/scenario/read_sonar.h"
 #include "io/scenario/read_trajectory.h"
@@ -175,7 +176,7 @@ Scenario read_scenario(const std::string& text, const std::filesystem::path& pat
     remove_idle_stonefish_gains(tree);
   }
   Scenario scenario = ScenarioReader(tree, path, log).read();
-  for (const std::string& line : keys_idle_beside_others(scenario)) {
+  for (const std::string& line : odd_settings(scenario)) {
     log_line(log, Severity::kWarning, line);
   }
   const auto model = scenario.places.find("model");

@@ -74,11 +74,12 @@ requires std::is_enum_v<Enum> YamlValue written(const Field& /*field*/, const En
   return scalar(std::string(word_of(member)));
 }
 template <typename List>
-requires std::is_same_v<List, Vec3> || std::is_same_v<List, std::vector<double>> YamlValue written(const Field& field,
-                                                                                                   const List& member) {
+requires std::is_same_v<List, Vec3> || std::is_same_v<List, std::vector<double>> ||
+    std::is_same_v<List, std::vector<int>>
+        YamlValue written(const Field& field, const List& member) {
   YamlValue list;
   list.kind = Kind::kList;
-  for (const double value : member) {
+  for (const auto value : member) {
     list.items.push_back(written(field, value));
   }
   return list;

@@ -77,6 +77,17 @@ double stored_number(const YamlValue& value, std::string_view object, const Fiel
   return stored;
 }
 
+int stored_whole_number(const YamlValue& value, std::string_view object, const Field& field, int index = -1) {
+  const std::optional<double> written = number_in(value);
+  if (written && std::isfinite(*written) && *written == std::floor(*written)) {
+    with_place(value.place, [&] { check_field(object, field, *written, index); });
+    if (std::abs(*written) <= std::numeric_limits<int>::max()) {
+      return static_cast<int>(*written);
+    }
+  }
+  refuse(value, name_of(object, field, index), number_wanted(field, "a whole number"));
+}
+
 std::string listed(std::span<const std::string> words) {
   std::string text = words.front();
   for (std::size_t i = 1; i < words.size(); ++i) {
@@ -132,15 +143,7 @@ void read_member(const YamlValue& value, std::string_view object, const Field& f
 }
 
 void read_member(const YamlValue& value, std::string_view object, const Field& field, int& member) {
-  const std::optional<double> written = number_in(value);
-  if (written && std::isfinite(*written) && *written == std::floor(*written)) {
-    with_place(value.place, [&] { check_field(object, field, *written); });
-    if (std::abs(*written) <= std::numeric_limits<int>::max()) {
-      member = static_cast<int>(*written);
-      return;
-    }
-  }
-  refuse(value, name_of(object, field), number_wanted(field, "a whole number"));
+  member = stored_whole_number(value, object, field);
 }
 
 void read_member(const YamlValue& value, std::string_view object, const Field& field, std::uint64_t& member) {
@@ -188,6 +191,14 @@ void read_member(const YamlValue& value, std::string_view object, const Field& f
   member.clear();
   for (const YamlValue& item : value.items) {
     member.push_back(stored_number(item, object, field, static_cast<int>(member.size())));
+  }
+}
+
+void read_member(const YamlValue& value, std::string_view object, const Field& field, std::vector<int>& member) {
+  require_list(value, name_of(object, field), "a list of whole numbers");
+  member.clear();
+  for (const YamlValue& item : value.items) {
+    member.push_back(stored_whole_number(item, object, field, static_cast<int>(member.size())));
   }
 }
 

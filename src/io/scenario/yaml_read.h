@@ -84,6 +84,7 @@ void read_member(const YamlValue& value, std::string_view object, const Field& f
 void read_member(const YamlValue& value, std::string_view object, const Field& field, std::filesystem::path& member);
 void read_member(const YamlValue& value, std::string_view object, const Field& field, Vec3& member);
 void read_member(const YamlValue& value, std::string_view object, const Field& field, std::vector<double>& member);
+void read_member(const YamlValue& value, std::string_view object, const Field& field, std::vector<int>& member);
 void read_member(const YamlValue& value, std::string_view object, const Field& field, std::vector<std::string>& member);
 
 /// `none` and null reset the member.

@@ -22,7 +22,7 @@ ReceiverChannels::ReceiverChannels(const SonarConfig& sonar) : beams_(sonar.beam
   for (std::size_t beam = 0; groups > 0 && beam < beams; ++beam) {
     gains_[beam] = static_cast<float>(std::pow(10.0, sonar.group_gains_db[beam * groups / beams] / 10));
   }
-  for (const double beam : sonar.missing_beams) {
+  for (const int beam : sonar.missing_beams) {
     gains_[static_cast<std::size_t>(beam)] = 0;
   }
   crosstalk_ = sonar.crosstalk_db ? static_cast<float>(std::pow(10.0, *sonar.crosstalk_db / 20)) : 0;

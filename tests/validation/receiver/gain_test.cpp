@@ -174,10 +174,11 @@ TEST(ReceiverConfigTest, RefusesSettingsThatExcludeEachOther) {
   EXPECT_EQ(message([](ReceiverConfig& r) { r.field = true, r.speckle = false; }),
             "receiver.field needs receiver.speckle: without it echoes have no phase");
   EXPECT_EQ(message([](ReceiverConfig& r) { r.counts = true; }),
-            "receiver.counts needs receiver.full_scale_db, the recorded level that fills them");
+            "receiver.counts needs receiver.full_scale_db, the recorded level of the greatest count, or "
+            "receiver.full_scale_share, the share of bins that have it");
   EXPECT_EQ(message([](ReceiverConfig& r) { r.counts = true, r.full_scale_share = 0.1; }), "");
   EXPECT_EQ(message([](ReceiverConfig& r) { r.full_scale_db = 0, r.full_scale_share = 0.1; }),
-            "receiver.full_scale_share must be none where receiver.full_scale_db is given");
+            "receiver.full_scale_share = 0.1 cannot go with receiver.full_scale_db = 0 dB; write none for one of them");
   EXPECT_EQ(message([](ReceiverConfig& r) { r.saturation_db = 200; }),
             "receiver.saturation_db = 200 dB must be from -400 to 100 dB");
 }
