@@ -53,4 +53,9 @@ Complex fresnel_integral(double x) {
   return x < kSeriesEnd ? power_series(x) : from_error_function(x);
 }
 
+Complex fresnel_between(double from, double to) {
+  const auto odd = [](double x) { return std::copysign(1.0, x) * fresnel_integral(std::abs(x)); };
+  return odd(to) - odd(from);
+}
+
 }  // namespace insonify

@@ -10,4 +10,7 @@ namespace insonify {
 /// Mathematical Functions (1964), 7.3.1 and 7.3.2. For x >= 0; the relative error is below 1e-14.
 [[nodiscard]] std::complex<double> fresnel_integral(double x);
 
+/// The integral of exp(i pi t^2/2) between two places of either sign.
+[[nodiscard]] std::complex<double> fresnel_between(double from, double to);
+
 }  // namespace insonify

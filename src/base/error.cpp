@@ -54,7 +54,8 @@ Error Error::located(const Places& places) const {
     return *this;
   }
   std::vector<std::string> names = {name};
-  if (const std::size_t index = field().find('['); index != std::string::npos) {  // Of an element: that of its list.
+  if (const std::size_t index = field().find('[');
+      index != std::string::npos) {  // The place of an element is that of its list.
     names.push_back(member_name(object(), field().substr(0, index)));
   }
   names.insert(names.end(), related().begin(), related().end());

@@ -133,6 +133,25 @@ TEST_P(PlateGlintTest, IsPartlyHidden) {
   }
 }
 
+// The same quarter through array, pulse, bins coarser and finer than it, and while the sonar moves.
+TEST_P(PlateGlintTest, IsPartlyHiddenForEveryReceiver) {
+  const Scene wall = plate_at(7, 30, polished(1e-6));
+  Scene screen = plate_at(6.9, 4, diffuse(-90));
+  screen.instances[0].world_from_mesh.position.y() = 2;
+  for (const int bins : {40, 400}) {
+    Scenario scenario = scenario_at(7, GetParam());
+    scenario.sonars[0].bin_count = bins;
+    scenario.receiver.azimuth_pattern = BeamPattern::kHann;
+    scenario.receiver.pulse = PulseKind::kLfm;
+    scenario.receiver.pulse_duration = 50e-6;
+    scenario.motion_in_ping = true;
+    scenario.trajectory.waypoints = {{.time = 0}, {.time = 1, .position = {0.5, 0, 0}}};
+    EXPECT_NEAR(total_db(ping_of(scenario, scene_of_all({wall, screen}))) - total_db(ping_of(scenario, wall)), -6.02,
+                0.5)
+        << bins;
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Methods, PlateGlintTest, testing::Values(kRays, kRaster, kReference),
                          [](const auto& test) { return std::string(test.param.name); });
 

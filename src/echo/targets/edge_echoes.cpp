@@ -23,12 +23,6 @@ constexpr double kBefore = 2e-3;     // Hits nearer to an edge than this do not 
 constexpr double kLobe = 3;          // Half-width of the lobe of a face without a glint [rms slopes of its facets].
 constexpr double kEnds = 0.99;       // Rays to an end of an edge aim at this share of its half length.
 
-// Integral of exp(i pi u^2/2).
-std::complex<double> fresnel_between(double from, double to) {
-  const auto odd = [](double u) { return std::copysign(1.0, u) * fresnel_integral(std::abs(u)); };
-  return odd(to) - odd(from);
-}
-
 INSONIFY_VECTOR_CLONES
 void find_broadside(int count, float x, float y, float z, float wavelength, const StraightEdges::Group& group,
                     std::uint8_t* __restrict__ near) {

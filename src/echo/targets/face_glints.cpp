@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+#include <complex>
 
+#include "acoustics/fresnel.h"
 #include "base/vector_math.h"
-#include "echo/mirror/face_return.h"
 #include "echo/model/coherent_share.h"
 #include "echo/targets/fresnel_reach.h"
 #include "echo/targets/point_echoes.h"
@@ -26,19 +26,6 @@ const Eigen::Vector2d kAround[] = {{2, 0},       {0, 2},        {-2, 0},        
 
 // As many probes may differ from the others: a ray exactly along an edge between triangles may pass between them.
 constexpr std::size_t kStray = 1;
-
-// |integral of exp(i pi u^2 / 2) du|^2
-double fresnel_square(double from, double to) {
-  constexpr double kNarrow = 0.2;
-  const double width = to - from, phase = 0.5 * std::numbers::pi * width * 0.5 * (from + to);
-  if (width < kNarrow) {  // The phase is nearly linear over the interval.
-    const double sinc = std::abs(phase) < 1e-6 ? 1 : std::sin(phase) / phase;
-    return width * width * sinc * sinc;
-  }
-  const FresnelPair low = FresnelPair::of(static_cast<float>(from)), high = FresnelPair::of(static_cast<float>(to));
-  const double c = double{high.c} - double{low.c}, s = double{high.s} - double{low.s};
-  return c * c + s * s;
-}
 
 INSONIFY_VECTOR_CLONES
 void find_near(int count, float x, float y, float z, float wavelength, const GlintingFaces::Group& group,
@@ -66,7 +53,7 @@ double face_glint(const Eigen::Vector2d& foot, const Eigen::Vector2d& half, doub
   double sides = 1;
   for (int axis = 0; axis < 2; ++axis) {
     const GlintSide side = GlintSide::of(foot[axis], half[axis], nearest[axis], range, wavelength);
-    sides *= fresnel_square(side.low, side.high) / side.bend;
+    sides *= std::norm(fresnel_between(side.low, side.high)) / side.bend;
   }
   const double cosine = distance / range;
   return sides * cosine * cosine / (16 * range * range);

@@ -84,7 +84,8 @@ class FaceGlints {
     double intensity;
     PingPlan::Arrival arrival;
     GlintWindow window;
-    Vec3 middle, first, second;  // Of the face and along its sides, in the world.
+    Vec3 middle;         // Middle of the face in the world [m].
+    Vec3 first, second;  // Unit vectors along its sides, in the world.
   };
 
   void find(const PingPlan& plan, const Pose& world_from_sonar, const Pose& world_from_mesh,

@@ -4,9 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <complex>
 
-#include "echo/mirror/face_return.h"
+#include "acoustics/fresnel.h"
 
 namespace insonify {
 namespace {
@@ -24,18 +23,6 @@ Interval window_of(const GlintSide& side) {
           std::min(side.high, std::max(kWindow, side.low + kWindow))};
 }
 
-std::complex<double> integral(double from, double to) {
-  constexpr double kNarrow = 0.2;
-  if (to - from < kNarrow) {  // The phase is nearly linear over the interval.
-    constexpr double kHalfPi = 1.5707963267948966;
-    const double middle = 0.5 * (from + to), phase = kHalfPi * middle * (to - from);
-    const double sinc = std::abs(phase) < 1e-6 ? 1 : std::sin(phase) / phase;
-    return std::polar((to - from) * sinc, kHalfPi * middle * middle);
-  }
-  const FresnelPair low = FresnelPair::of(static_cast<float>(from)), high = FresnelPair::of(static_cast<float>(to));
-  return {double{high.c} - double{low.c}, double{high.s} - double{low.s}};
-}
-
 Amplitudes amplitudes_of(const GlintSide& side) {
   const Interval window = window_of(side);
   Amplitudes amplitudes;
@@ -45,7 +32,7 @@ Amplitudes amplitudes_of(const GlintSide& side) {
              : k == GlintWindow::kCells ? side.high
                                         : window.from + (window.to - window.from) * k / GlintWindow::kCells;
     };
-    amplitudes[i] = integral(edge(i), edge(i + 1));
+    amplitudes[i] = fresnel_between(edge(i), edge(i + 1));
   }
   return amplitudes;
 }

@@ -14,7 +14,8 @@
 namespace insonify {
 namespace {
 
-constexpr float kStepsPerUnit = 32, kGreatest = 5.5F;  // Of the table, in standard deviations.
+constexpr float kStepsPerUnit = 32;  // Table entries per standard deviation of the field.
+constexpr float kGreatest = 5.5F;    // Greatest value of the field in the table [standard deviations].
 
 // log(u / (1 - u)) of the probability u of a normal number.
 double logit_of(double normal) {
@@ -97,7 +98,7 @@ float TextureLaw::at(float normal) const {
 double unit_edge(const TextureLaw& texture) {
   const TextureCorrelation correlation(texture);
   constexpr int kPlaces = 12, kHalf = 20;
-  constexpr double kStep = 0.125;  // Of the separations; numbers are shared up to 2 edges.
+  constexpr double kStep = 0.125;  // Between two separations along an axis [edges]; numbers are shared up to 2 edges.
   double integral = 0;
   for (int place = 0; place < kPlaces; ++place) {
     for (int i = -kHalf; i <= kHalf; ++i) {

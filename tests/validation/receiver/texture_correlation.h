@@ -45,7 +45,8 @@ class TextureCorrelation {
  private:
   static constexpr int kSteps = 64, kDistances = 96;
   static constexpr double kDistance = 2.9 / kDistances;  // In edges; beyond 2 sqrt(2) no number is shared.
-  static constexpr double kMost = 6, kFine = 0.01;       // Of the table of textures.
+  static constexpr double kMost = 6;     // Greatest value of the field in the table of textures [standard deviations].
+  static constexpr double kFine = 0.01;  // Step of that table [standard deviations].
 
   void tabulate_texture() {
     const boost::math::gamma_distribution<double> gamma(shape_, 1 / shape_);
