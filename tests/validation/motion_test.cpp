@@ -63,18 +63,20 @@ TEST_F(MotionInPingTest, TurningShiftsTheBearing) {
 }
 
 // A point at 29.4 degrees that the fan, which ends at 30, leaves behind by turning 2.4 degrees to starboard: the
-// outermost beam still hears it by its side lobes, as sinc^2 of (D / wavelength) (sin(31.8) - sin(beam)).
+// outermost beam still hears it by its side lobes, as sinc^2 of (D / wavelength) (sin(31.8) - sin(beam)). Without an
+// array, no beam does.
 TEST_F(MotionInPingTest, PointsThatLeaveTheFanAreHeardBesideIt) {
-  const auto at_bearing = [](double degrees, double turn_rate) {
+  const auto at_bearing = [](double degrees, double turn_rate, BeamPattern pattern = BeamPattern::kRectangular) {
     Scenario scenario = scenario_of({0, 0, 0}, turn_rate);
     scenario.sonars[0].azimuth_resolution = 1 * kDegree;
-    scenario.receiver.azimuth_pattern = BeamPattern::kRectangular;
+    scenario.receiver.azimuth_pattern = pattern;
     scenario.points[0].position = kRange * Vec3(std::cos(degrees * kDegree), std::sin(degrees * kDegree), 0);
     return cell_db(ping_of(scenario, {}), 400, 0);
   };
   const double beam = 30 - 30.0 / 512, pi = std::acos(-1.0), lines = 0.8858929413781328 / (2 * std::sin(0.5 * kDegree));
   const double x = pi * lines * (std::sin(31.8 * kDegree) - std::sin(beam * kDegree));
   EXPECT_NEAR(at_bearing(29.4, -45 * kDegree), at_bearing(beam, 0) + 20 * std::log10(std::abs(std::sin(x) / x)), 0.1);
+  EXPECT_EQ(at_bearing(29.4, -45 * kDegree, BeamPattern::kTopHat), -std::numeric_limits<double>::infinity());
 }
 
 // A sonar that moves across has passed by u t, t = 2 r / c, when the echo arrives: it appears behind by 2 u / c, at

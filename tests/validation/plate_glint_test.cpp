@@ -133,6 +133,18 @@ TEST_P(PlateGlintTest, IsPartlyHidden) {
   }
 }
 
+// A wall that ends at u = 2 beside the foot of the perpendicular, hidden below u = 0.5: |F(0.5, 2)|^2 / |F(-inf, 2)|^2,
+// with C + i S = .4923 + .0647 i at 0.5 and .4883 + .3434 i at 2. Hidden on the wrong side it would be -9.5 dB.
+TEST_P(PlateGlintTest, IsPartlyHiddenBesideItsEdge) {
+  constexpr double kUnit = 0.0603807;
+  Scene wall = plate_at(7, 30, polished(1e-6)), screen = plate_at(6.9, 4, diffuse(-90));
+  wall.instances[0].world_from_mesh.position.y() = 2 * kUnit - 15;
+  screen.instances[0].world_from_mesh.position.y() = 0.5 * kUnit * 6.9 / 7 - 2;
+  const Scenario scenario = scenario_at(7, GetParam());
+  EXPECT_NEAR(total_db(ping_of(scenario, scene_of_all({wall, screen}))) - total_db(ping_of(scenario, wall)), -13.37,
+              1.4);
+}
+
 // The same quarter through array, pulse, bins coarser and finer than it, and while the sonar moves.
 TEST_P(PlateGlintTest, IsPartlyHiddenForEveryReceiver) {
   const Scene wall = plate_at(7, 30, polished(1e-6));

@@ -17,7 +17,9 @@ namespace {
 
 constexpr double kLeastShare = 1e-4;  // Least coherent or visible share that counts.
 constexpr double kGap = 2e-3;         // Largest distance of a hit on the face from its plane [m].
-constexpr double kInside = 0.99;      // Rays to an edge of a face aim at this share of its half length.
+// Rays to an end of a side aim inside the face by a share of its half length, or by this much of Fresnel's argument if
+// that is less.
+constexpr double kInside = 0.01, kInsideZone = 0.1;
 
 // Places around the nearest point where rays look whether a face is hidden, in Fresnel's argument. What is hidden
 // beyond them changes a glint by less than 0.8 dB.
@@ -97,7 +99,13 @@ void FaceGlints::find(const PingPlan& plan, const Pose& world_from_sonar, const 
     const Vec3 from = sonar - middle;
     const Eigen::Vector2d foot(from.dot(first), from.dot(second)), half(group.first_half[i], group.second_half[i]);
     const double distance = std::abs(from.dot(first.cross(second)));
-    const Eigen::Vector2d nearest = foot.cwiseMax(-kInside * half).cwiseMin(kInside * half);
+    const Eigen::Vector2d end = foot.cwiseMax(-half).cwiseMin(half);
+    const double to_end = std::hypot(distance, (end - foot).norm()), wavelength = double{plan.wavelength()};
+    const GlintWindow window{{GlintSide::of(foot[0], half[0], end[0], to_end, wavelength),
+                              GlintSide::of(foot[1], half[1], end[1], to_end, wavelength)}};
+    const Eigen::Vector2d scale(window.sides[0].scale, window.sides[1].scale);
+    const Eigen::Vector2d inside = half - (kInside * half).cwiseMin(kInsideZone * scale.cwiseInverse());
+    const Eigen::Vector2d nearest = foot.cwiseMax(-inside).cwiseMin(inside);
     const Vec3 place = middle + nearest[0] * first + nearest[1] * second;
     const double range = (sonar - place).norm();
     const Vec3f direction = (sonar_from_mesh * place).normalized().cast<float>();
@@ -110,24 +118,15 @@ void FaceGlints::find(const PingPlan& plan, const Pose& world_from_sonar, const 
     }
     const PingPlan::Arrival arrival = plan.arrival_from(direction);
     const double reflectance = plan.scatter.scattering(group.surface[i]).reflectance(std::min(cosine, 1.0));
-    const double wavelength = double{plan.wavelength()};
-    const Eigen::Vector2d end = foot.cwiseMax(-half).cwiseMin(half);
-    glints_.push_back({group.instance,
-                       group.first_number + static_cast<std::size_t>(i),
-                       range,
+    glints_.push_back({group.instance, group.first_number + static_cast<std::size_t>(i), range,
                        reflectance * share * face_glint(foot, half, distance, wavelength) *
                            std::exp(-4 * double{plan.neper_per_metre} * range) * arrival.both_ways(),
-                       arrival,
-                       {{GlintSide::of(foot[0], half[0], end[0], range, wavelength),
-                         GlintSide::of(foot[1], half[1], end[1], range, wavelength)}},
-                       world_from_mesh * middle,
-                       world_from_mesh.orientation * first,
+                       arrival, window, world_from_mesh * middle, world_from_mesh.orientation * first,
                        world_from_mesh.orientation * second});
     aim(world_from_sonar.position, glints_.back(), nearest);
     for (const Eigen::Vector2d& probe : kAround) {
-      const Eigen::Vector2d scale(glints_.back().window.sides[0].scale, glints_.back().window.sides[1].scale);
       const Eigen::Vector2d beside = nearest + probe.cwiseQuotient(scale);
-      aim(world_from_sonar.position, glints_.back(), beside.cwiseMax(-kInside * half).cwiseMin(kInside * half));
+      aim(world_from_sonar.position, glints_.back(), beside.cwiseMax(-inside).cwiseMin(inside));
     }
   }
 }
