@@ -11,7 +11,7 @@
 
 #include "support/relative.h"
 
-namespace insonify {
+namespace insonify::absorption_test {
 namespace {
 
 // Rounding only: the expected values are exact, the code does about ten operations.
@@ -166,4 +166,4 @@ TEST(AbsorptionUnitsTest, LossOnTheWayFollowsFromNepersPerMetre) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::absorption_test

@@ -12,7 +12,7 @@
 #include "support/message_of.h"
 #include "support/relative.h"
 
-namespace insonify {
+namespace insonify::backscatter_test {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -143,4 +143,4 @@ TEST(BackscatterTest, RefusesArgumentsOutOfLimits) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::backscatter_test

@@ -12,7 +12,7 @@
 #include "support/message_of.h"
 #include "support/relative.h"
 
-namespace insonify {
+namespace insonify::bottom_scattering_test {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -174,4 +174,4 @@ TEST(BottomBackscatterLawTest, RefusesArgumentsOutOfLimits) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::bottom_scattering_test

@@ -10,7 +10,7 @@
 
 #include "support/relative.h"
 
-namespace insonify {
+namespace insonify::power_law_relief_test {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -88,4 +88,4 @@ TEST(PowerLawReliefTest, DoesNotDependOnTheUnitOfLength) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::power_law_relief_test

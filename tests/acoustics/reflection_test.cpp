@@ -12,7 +12,7 @@
 #include "support/message_of.h"
 #include "support/relative.h"
 
-namespace insonify {
+namespace insonify::reflection_test {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -156,4 +156,4 @@ TEST(ReflectionTest, RefusesArgumentsOutOfLimits) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::reflection_test

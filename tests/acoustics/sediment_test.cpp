@@ -17,7 +17,7 @@
 #include "support/message_of.h"
 #include "support/relative.h"
 
-namespace insonify {
+namespace insonify::sediment_test {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -213,4 +213,4 @@ TEST(GrainSizeTest, IsRefusedOutsideTheReportsRange) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::sediment_test

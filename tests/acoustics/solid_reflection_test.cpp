@@ -9,7 +9,7 @@
 
 #include "insonify/acoustics/reflection.h"
 
-namespace insonify {
+namespace insonify::solid_reflection_test {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
@@ -149,4 +149,4 @@ TEST(PlateTransmissionTest, KeepsTheEnergy) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::solid_reflection_test

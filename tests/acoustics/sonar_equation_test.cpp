@@ -16,7 +16,7 @@
 #include "support/message_of.h"
 #include "support/relative.h"
 
-namespace insonify {
+namespace insonify::sonar_equation_test {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -240,4 +240,4 @@ TEST(AmbientNoiseTest, FallsWithFrequency) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::sonar_equation_test

@@ -10,7 +10,7 @@
 #include "support/message_of.h"
 #include "support/relative.h"
 
-namespace insonify {
+namespace insonify::sound_speed_test {
 namespace {
 
 // Computed from the published equations in double precision, independently of this code.
@@ -167,4 +167,4 @@ TEST(BentPathMessagesTest, NamesTheArgumentOutOfItsLimits) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::sound_speed_test

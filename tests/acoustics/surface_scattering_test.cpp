@@ -12,7 +12,7 @@
 #include "support/message_of.h"
 #include "support/relative.h"
 
-namespace insonify {
+namespace insonify::surface_scattering_test {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -166,4 +166,4 @@ TEST(SurfaceScatteringTest, RefusesArgumentsOutOfLimits) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::surface_scattering_test

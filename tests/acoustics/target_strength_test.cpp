@@ -14,7 +14,7 @@
 #include "support/message_of.h"
 #include "support/relative.h"
 
-namespace insonify {
+namespace insonify::target_strength_test {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -187,4 +187,4 @@ TEST(TargetStrengthTest, RefusesArgumentsOutOfLimits) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::target_strength_test

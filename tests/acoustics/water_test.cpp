@@ -10,7 +10,7 @@
 #include "insonify/acoustics/sound_speed.h"
 #include "support/message_of.h"
 
-namespace insonify {
+namespace insonify::water_test {
 namespace {
 
 TEST(WaterTest, SoundSpeedFollowsFromTemperatureSalinityAndDepth) {
@@ -47,4 +47,4 @@ TEST(WaterTest, NamesTheFieldOutOfItsLimits) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::water_test

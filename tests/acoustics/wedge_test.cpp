@@ -8,7 +8,7 @@
 #include <complex>
 #include <numbers>
 
-namespace insonify {
+namespace insonify::wedge_test {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -102,4 +102,4 @@ TEST(WedgeTest, TermsBelongToTheirFaces) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::wedge_test

@@ -2,7 +2,7 @@
 
 #include "apps/cli.h"
 
-namespace insonify {
+namespace insonify::about_test {
 namespace {
 
 using testing::ContainsRegex;
@@ -49,4 +49,4 @@ TEST_F(CliTest, TheReferencePageIsUpToDate) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::about_test

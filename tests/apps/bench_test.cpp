@@ -4,7 +4,7 @@
 
 #include "apps/cli.h"
 
-namespace insonify {
+namespace insonify::bench_test {
 namespace {
 
 using nlohmann::json;
@@ -121,4 +121,4 @@ TEST_F(BenchTest, RowsThatCannotBeWrittenAreAnError) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::bench_test

@@ -8,7 +8,7 @@
 #include "apps/cli.h"
 #include "io/h5_read.h"
 
-namespace insonify {
+namespace insonify::cli_stop_test {
 namespace {
 
 using testing::ElementsAre;
@@ -238,4 +238,4 @@ TEST_F(CliStopTest, ARunThatIsKilledAtAnyMomentLeavesARecordingThatOpens) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::cli_stop_test

@@ -2,7 +2,7 @@
 
 #include "apps/cli.h"
 
-namespace insonify {
+namespace insonify::cli_streams_test {
 namespace {
 
 using testing::ElementsAre;
@@ -116,4 +116,4 @@ TEST_F(CliStreamsTest, AScenarioMayComeThroughAPipe) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::cli_streams_test

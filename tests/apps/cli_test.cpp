@@ -4,7 +4,7 @@
 
 #include "io/h5_read.h"
 
-namespace insonify {
+namespace insonify::cli_test {
 namespace {
 
 using testing::ContainsRegex;
@@ -233,4 +233,4 @@ TEST_F(CliTest, ADumbTerminalGetsPlainLines) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::cli_test

@@ -7,7 +7,7 @@
 #include "similarity/reference_pictures.h"
 #include "support/picture_files.h"
 
-namespace insonify {
+namespace insonify::compare_test {
 namespace {
 
 using nlohmann::json;
@@ -338,4 +338,4 @@ sonars: [{beam_count: 180, azimuth_aperture_deg: 60, bin_count: 180, max_range: 
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::compare_test

@@ -2,7 +2,7 @@
 
 #include "apps/cli.h"
 
-namespace insonify {
+namespace insonify::draw_test {
 namespace {
 
 using testing::ContainsRegex;
@@ -88,4 +88,4 @@ TEST_F(CliTest, TheViewOfAScanIsThatOfItsSector) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::draw_test

@@ -2,7 +2,7 @@
 
 #include "apps/cli.h"
 
-namespace insonify {
+namespace insonify::mistake_test {
 namespace {
 
 using testing::Not;
@@ -131,4 +131,4 @@ INSTANTIATE_TEST_SUITE_P(All, MistakeTest, testing::ValuesIn(kMistakes),
                          [](const auto& mistake) { return std::string(mistake.param.name); });
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::mistake_test

@@ -7,7 +7,7 @@
 
 #include "apps/cli.h"
 
-namespace insonify {
+namespace insonify::recordings_cli_test {
 namespace {
 
 using nlohmann::json;
@@ -325,4 +325,4 @@ TEST_F(RecordingsCliTest, CompressHasNoEffectOnMcapAlone) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::recordings_cli_test

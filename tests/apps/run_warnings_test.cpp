@@ -2,7 +2,7 @@
 
 #include "apps/cli.h"
 
-namespace insonify {
+namespace insonify::run_warnings_test {
 namespace {
 
 using testing::ContainsRegex;
@@ -262,4 +262,4 @@ TEST_F(CliTest, PicturesThatAreNearlyBlackAreToldWithTheKeyToChange) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::run_warnings_test

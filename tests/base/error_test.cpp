@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace insonify {
+namespace insonify::error_test {
 namespace {
 
 const Error kRange("sonars[0]", "max_range", " = 2 m must be greater than min_range = 5 m", {"sonars[0].min_range"});
@@ -57,4 +57,4 @@ TEST(ErrorTest, HasNoPlaceWhereItBelongsToNoSetting) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::error_test

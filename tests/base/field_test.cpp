@@ -13,7 +13,7 @@
 #include "insonify/geometry.h"
 #include "support/message_of.h"
 
-namespace insonify {
+namespace insonify::field_test {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -131,4 +131,4 @@ TEST(CheckFieldsTest, StopsAtTheFirstFault) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::field_test

@@ -7,7 +7,7 @@
 #include "insonify/geometry.h"
 #include "support/relative.h"
 
-namespace insonify {
+namespace insonify::frames_test {
 namespace {
 
 constexpr double kRounding = 1e-15;
@@ -105,4 +105,4 @@ TEST(PoseTest, InverseUndoesIt) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::frames_test

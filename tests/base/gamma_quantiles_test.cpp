@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace insonify {
+namespace insonify::gamma_quantiles_test {
 namespace {
 
 // The gamma distribution of shape 1 is the exponential distribution.
@@ -34,4 +34,4 @@ TEST(GammaQuantilesTest, MeanIsOneAndVarianceOneOverShape) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::gamma_quantiles_test

@@ -6,7 +6,7 @@
 
 #include <vector>
 
-namespace insonify {
+namespace insonify::nearest_name_test {
 namespace {
 
 const std::vector<std::string> kKeys = {"max_range", "min_range", "beam_count", "bin_count", "step_deg"};
@@ -58,4 +58,4 @@ TEST(NearestNameTest, SuggestsNothingWithoutCandidates) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::nearest_name_test

@@ -11,7 +11,7 @@
 
 #include "insonify/interrupted.h"
 
-namespace insonify {
+namespace insonify::parallel_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -102,4 +102,4 @@ TEST(WorkersTest, EndEarlyWhenAskedTo) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::parallel_test

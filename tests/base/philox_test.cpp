@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace insonify {
+namespace insonify::philox_test {
 namespace {
 
 // Known answers published with the authors' Random123 library, kat_vectors, philox4x32 with 10 rounds.
@@ -28,4 +28,4 @@ TEST(PhiloxTest, UniformNeverReachesItsEnds) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::philox_test

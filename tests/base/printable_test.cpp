@@ -9,7 +9,7 @@
 #include "base/log_line.h"
 #include "insonify/error.h"
 
-namespace insonify {
+namespace insonify::printable_test {
 namespace {
 
 TEST(PrintableTest, LeavesOrdinaryTextAsItIs) {
@@ -77,4 +77,4 @@ TEST(PrintableTest, ErrorsAndTheLogAreAlwaysPrintable) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::printable_test

@@ -8,7 +8,7 @@
 
 #include "insonify/insonify.h"
 
-namespace insonify {
+namespace insonify::public_headers_test {
 namespace {
 
 TEST(PublicHeadersTest, AreAllInInsonifyH) {
@@ -29,4 +29,4 @@ TEST(PublicHeadersTest, AreAllInInsonifyH) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::public_headers_test

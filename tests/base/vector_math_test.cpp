@@ -6,7 +6,7 @@
 
 #include <numbers>
 
-namespace insonify {
+namespace insonify::vector_math_test {
 namespace {
 
 TEST(VectorMathTest, ExponentialKeepsSixDigits) {
@@ -49,4 +49,4 @@ TEST(VectorMathTest, NumbersAreHeldInTheUnitInterval) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::vector_math_test

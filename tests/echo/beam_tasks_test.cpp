@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-namespace insonify {
+namespace insonify::beam_tasks_test {
 namespace {
 
 std::vector<int> cuts(int beams, int workers) {
@@ -47,4 +47,4 @@ TEST(BeamTasksTest, TasksCoverTheFan) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::beam_tasks_test

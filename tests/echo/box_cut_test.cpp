@@ -6,7 +6,7 @@
 
 #include <array>
 
-namespace insonify {
+namespace insonify::box_cut_test {
 namespace {
 
 constexpr int kBoxes = 12;
@@ -69,4 +69,4 @@ TEST(BoxCutTest, NothingMayBeMetInAnEmptyScene) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::box_cut_test

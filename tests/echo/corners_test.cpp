@@ -10,7 +10,7 @@
 
 #include "echo/trihedral.h"
 
-namespace insonify {
+namespace insonify::corners_test {
 namespace {
 
 constexpr double kWavelength = 1500 / 720e3;
@@ -246,4 +246,4 @@ TEST(CornersTest, OfAMovingObjectGoWithIt) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::corners_test

@@ -6,7 +6,7 @@
 
 #include "echo/model/deposit.h"
 
-namespace insonify {
+namespace insonify::deposit_echo_test {
 namespace {
 
 constexpr float kEnergyError = 1e-6F;
@@ -93,4 +93,4 @@ TEST(DepositEchoTest, TheStrongestSurfaceLabelsEachCell) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::deposit_echo_test

@@ -13,7 +13,7 @@
 #include "echo/grid/echo.h"
 #include "echo/grid/surface_label.h"
 
-namespace insonify {
+namespace insonify::echo_grid_test {
 namespace {
 
 constexpr int kBeams = 4, kBins = 30;
@@ -177,4 +177,4 @@ TEST(EchoGridTest, RangesOfBinsMeetAndJoin) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::echo_grid_test

@@ -13,7 +13,7 @@
 #include "echo/model/hit_column.h"
 #include "insonify/acoustics/backscatter.h"
 
-namespace insonify {
+namespace insonify::echo_laws_test {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -290,4 +290,4 @@ TEST(EchoLawsTest, VectorLoopsHaveThePaperStrengths) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::echo_laws_test

@@ -9,7 +9,7 @@
 
 #include "insonify/mesh.h"
 
-namespace insonify {
+namespace insonify::face_glints_test {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -115,4 +115,4 @@ TEST(GlintingFacesTest, ThinPartsAreNone) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::face_glints_test

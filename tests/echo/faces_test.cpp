@@ -10,7 +10,7 @@
 
 #include "echo/mirror/face_return.h"
 
-namespace insonify {
+namespace insonify::faces_test {
 namespace {
 
 constexpr float kWide = 1e6F;
@@ -122,4 +122,4 @@ TEST(FaceTiltTest, HasTheWidthOfTheFarField) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::faces_test

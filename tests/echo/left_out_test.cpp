@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace insonify {
+namespace insonify::left_out_test {
 namespace {
 
 // One column of hits on one instance, triangle 0 and 1 in turn.
@@ -99,4 +99,4 @@ TEST(LeftOutTest, ThinTrianglesHaveNoEchoOfTheLattice) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::left_out_test

@@ -11,7 +11,7 @@
 #include "echo/model/echo_laws.h"
 #include "insonify/acoustics/backscatter.h"
 
-namespace insonify {
+namespace insonify::normal_turns_test {
 namespace {
 
 // The hits of four columns on a surface given by its range and normal in each direction of the sonar frame.
@@ -191,4 +191,4 @@ TEST(LobeWideningTest, HasTheCovarianceOfSlopesInAFootprint) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::normal_turns_test

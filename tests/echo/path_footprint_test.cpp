@@ -10,7 +10,7 @@
 
 #include "insonify/geometry.h"
 
-namespace insonify {
+namespace insonify::path_footprint_test {
 namespace {
 
 Triple triple(const Vec3& v) {
@@ -170,4 +170,4 @@ TEST(PathFootprintTest, IsBoundedAtGrazingIncidence) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::path_footprint_test

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace insonify {
+namespace insonify::ping_plan_test {
 namespace {
 
 constexpr double kDegree = radians_from_degrees(1);
@@ -50,4 +50,4 @@ TEST(PingPlanTest, BeamsMeetAtTheirEdges) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::ping_plan_test

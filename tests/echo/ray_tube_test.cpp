@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace insonify {
+namespace insonify::ray_tube_test {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
@@ -77,4 +77,4 @@ TEST(RayTubeTest, GrazingIncidenceCountsAsAPlane) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::ray_tube_test

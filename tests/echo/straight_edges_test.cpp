@@ -11,7 +11,7 @@
 #include "echo/targets/edge_echoes.h"
 #include "insonify/mesh.h"
 
-namespace insonify {
+namespace insonify::straight_edges_test {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -312,4 +312,4 @@ TEST(EdgeIntegralTest, IsTheSumAlongTheEdge) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::straight_edges_test

@@ -12,7 +12,7 @@
 #include "base/philox.h"
 #include "echo/model/mirror_facet.h"
 
-namespace insonify {
+namespace insonify::surface_law_test {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -193,4 +193,4 @@ TEST(SurfaceLawTest, DrawsFollowTheDensitiesOfFacetsThatReflectByAngle) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::surface_law_test

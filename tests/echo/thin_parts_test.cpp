@@ -6,7 +6,7 @@
 
 #include <numbers>
 
-namespace insonify {
+namespace insonify::thin_parts_test {
 namespace {
 
 Scene scene_of(Mesh mesh, const Pose& world_from_mesh = {}) {
@@ -96,4 +96,4 @@ TEST(ThinPartsTest, WhatHasTooManyPiecesIsLeftOut) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::thin_parts_test

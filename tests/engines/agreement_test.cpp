@@ -7,7 +7,7 @@
 #include "echo/rays/primary_choice.h"
 #include "engines/random_scene.h"
 
-namespace insonify {
+namespace insonify::agreement_test {
 namespace {
 
 using namespace testing_scenes;
@@ -292,4 +292,4 @@ TEST(RasterAgreementTest, TheEngineUsesTheChosenMethod) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::agreement_test

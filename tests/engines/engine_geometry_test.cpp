@@ -4,7 +4,7 @@
 #include "engines/test_scenes.h"
 #include "support/shadow_sonar.h"
 
-namespace insonify {
+namespace insonify::engine_geometry_test {
 namespace {
 
 using namespace testing_scenes;
@@ -285,4 +285,4 @@ INSTANTIATE_TEST_SUITE_P(Engines, EngineGeometryTest, testing::ValuesIn(engines_
 INSTANTIATE_TEST_SUITE_P(Engines, ReturnLegTest, testing::ValuesIn(paper_engines()), kName);
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::engine_geometry_test

@@ -5,7 +5,7 @@
 #include "engines/random_scene.h"
 #include "insonify/error.h"
 
-namespace insonify {
+namespace insonify::engine_kind_test {
 namespace {
 
 using namespace testing_scenes;
@@ -83,4 +83,4 @@ TEST(EngineKindTest, ManyPingsInOneCallAreThoseMadeOneByOne) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::engine_kind_test

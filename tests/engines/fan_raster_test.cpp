@@ -6,7 +6,7 @@
 #include "echo/model/hit_column.h"
 #include "engines/random_scene.h"
 
-namespace insonify {
+namespace insonify::fan_raster_test {
 namespace {
 
 using namespace testing_scenes;
@@ -212,4 +212,4 @@ TEST(FanRasterTest, HitsWhatRaysHit) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::fan_raster_test

@@ -5,7 +5,7 @@
 #include "engines/test_scenes.h"
 #include "insonify/acoustics/absorption.h"
 
-namespace insonify {
+namespace insonify::paper_model_test {
 namespace {
 
 using namespace testing_scenes;
@@ -111,4 +111,4 @@ TEST_P(PaperStrengthTest, SecondaryEchoesMultiplyBothSurfacesAndTheWholePath) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::paper_model_test

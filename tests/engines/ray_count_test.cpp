@@ -3,7 +3,7 @@
 
 #include "engines/test_scenes.h"
 
-namespace insonify {
+namespace insonify::ray_count_test {
 namespace {
 
 using namespace testing_scenes;
@@ -87,4 +87,4 @@ INSTANTIATE_TEST_SUITE_P(Primaries, RayCountTest, testing::ValuesIn(kFound),
                          [](const auto& test) { return test.param.name; });
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::ray_count_test

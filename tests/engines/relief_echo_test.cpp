@@ -6,7 +6,7 @@
 
 #include "engines/random_scene.h"
 
-namespace insonify {
+namespace insonify::relief_echo_test {
 namespace {
 
 using namespace testing_scenes;
@@ -278,4 +278,4 @@ TEST_P(ReliefEchoTest, NothingIsReflectedIntoTheSurface) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::relief_echo_test

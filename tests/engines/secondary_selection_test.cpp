@@ -5,7 +5,7 @@
 
 #include "engines/random_scene.h"
 
-namespace insonify {
+namespace insonify::secondary_selection_test {
 namespace {
 
 using namespace testing_scenes;
@@ -192,4 +192,4 @@ TEST(SecondarySelectionTest, FollowsHitsByTheEnergyThatTheyReflect) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::secondary_selection_test

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace insonify {
+namespace insonify::canvas_test {
 namespace {
 
 constexpr Ink kWhite{{255, 255, 255}, 1};
@@ -79,4 +79,4 @@ TEST(CanvasTest, MarksMayLeaveThePicture) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::canvas_test

@@ -8,7 +8,7 @@
 #include "insonify/error.h"
 #include "insonify/picture.h"
 
-namespace insonify {
+namespace insonify::colour_map_test {
 namespace {
 
 constexpr ColourMap kMaps[] = {ColourMap::kInferno, ColourMap::kCopper, ColourMap::kGrey, ColourMap::kBlue};
@@ -86,4 +86,4 @@ TEST(ColourMapTest, AreFoundByName) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::colour_map_test

@@ -7,7 +7,7 @@
 #include "insonify/channels.h"
 #include "support/message_of.h"
 
-namespace insonify {
+namespace insonify::draw_channels_test {
 namespace {
 
 constexpr float kNothing = std::numeric_limits<float>::quiet_NaN();
@@ -71,4 +71,4 @@ TEST(DrawChannelsTest, RefusesChannelsWithoutValues) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::draw_channels_test

@@ -13,7 +13,7 @@
 #include "insonify/picture.h"
 #include "support/message_of.h"
 
-namespace insonify {
+namespace insonify::draw_fan_test {
 namespace {
 
 SonarConfig small_sonar() {
@@ -263,4 +263,4 @@ TEST(DrawFanTest, RefusesDisplaysOutOfLimits) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::draw_fan_test

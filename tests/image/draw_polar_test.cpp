@@ -9,7 +9,7 @@
 #include "insonify/picture.h"
 #include "support/message_of.h"
 
-namespace insonify {
+namespace insonify::draw_polar_test {
 namespace {
 
 // 320 x 240 pixels bare: 16 beams are 20 pixels wide each, 24 bins 10 pixels high.
@@ -103,4 +103,4 @@ TEST(DrawPolarTest, RefusesAPingOfAnotherSonar) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::draw_polar_test

@@ -6,7 +6,7 @@
 
 #include "image/beam_axis.h"
 
-namespace insonify {
+namespace insonify::fan_geometry_test {
 namespace {
 
 // The worked example: 120 degrees, 50 m, 500 pixels high, 256 beams x 500 bins. W = 2 H sin(F/2) = 866, s = R/H = 0.1
@@ -152,4 +152,4 @@ TEST(BeamAxisTest, FallsFromBeamToBeamWhateverTheTable) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::fan_geometry_test

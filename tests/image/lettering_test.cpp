@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-namespace insonify {
+namespace insonify::lettering_test {
 namespace {
 
 struct Bounds {
@@ -102,4 +102,4 @@ TEST(LetteringTest, LettersThatTheFontLacksAreShownByTheirNumbers) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::lettering_test

@@ -6,7 +6,7 @@
 
 #include "insonify/picture.h"
 
-namespace insonify {
+namespace insonify::levels_test {
 namespace {
 
 Ping ping_of(int bins, int beams, float intensity) {
@@ -85,4 +85,4 @@ TEST(LevelsTest, ScaleOfAScanFitsAllOfItsPings) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::levels_test

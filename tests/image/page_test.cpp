@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace insonify {
+namespace insonify::page_test {
 namespace {
 
 void expect_ticks(const Display& display, const std::vector<std::pair<double, std::string>>& expected) {
@@ -40,4 +40,4 @@ TEST(PageTest, BarOfCalibratedLevelsIsReTheSource) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::page_test

@@ -12,7 +12,7 @@
 #include "image/scales.h"
 #include "insonify/picture.h"
 
-namespace insonify {
+namespace insonify::picture_layout_test {
 namespace {
 
 constexpr int kHeights[] = {240, 321, 480, 720, 1100, 2000};
@@ -238,4 +238,4 @@ TEST(PictureLayoutTest, ScansFitToo) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::picture_layout_test

@@ -5,7 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace insonify {
+namespace insonify::scales_test {
 namespace {
 
 TEST(ScalesTest, NiceStepsAreRoundNumbers) {
@@ -90,4 +90,4 @@ TEST(ScalesTest, RadialsAreEveryOneToThirtyDegrees) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::scales_test

@@ -11,7 +11,7 @@
 #include "insonify/picture.h"
 #include "support/message_of.h"
 
-namespace insonify {
+namespace insonify::scan_view_test {
 namespace {
 
 constexpr double kFullCircle = 2 * std::numbers::pi;
@@ -228,4 +228,4 @@ TEST(ScanViewTest, RefusesPingsOfAnotherSonar) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::scan_view_test

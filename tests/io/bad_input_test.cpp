@@ -2,7 +2,7 @@
 
 #include "io/bad_scenario.h"
 
-namespace insonify {
+namespace insonify::bad_input_test {
 namespace {
 
 class BadInputTest : public BadScenarioTest {};
@@ -216,4 +216,4 @@ TEST_F(WrongFileTest, WorldInsteadOfAScenario) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::bad_input_test

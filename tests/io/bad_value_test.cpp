@@ -2,7 +2,7 @@
 
 #include "io/bad_scenario.h"
 
-namespace insonify {
+namespace insonify::bad_value_test {
 namespace {
 
 class BadValueTest : public BadScenarioTest {};
@@ -281,4 +281,4 @@ INSTANTIATE_TEST_SUITE_P(Scenario, BadValueTest, testing::ValuesIn(kCases),
                          [](const auto& bad) { return std::string(bad.param.name); });
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::bad_value_test

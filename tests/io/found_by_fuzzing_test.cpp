@@ -9,7 +9,7 @@
 #include "insonify/files.h"
 #include "support/working_folder.h"
 
-namespace insonify {
+namespace insonify::found_by_fuzzing_test {
 namespace {
 
 std::string bytes_of(const std::filesystem::path& path) {
@@ -52,4 +52,4 @@ TEST(FoundByFuzzingTest, IsTakenOrRefused) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::found_by_fuzzing_test

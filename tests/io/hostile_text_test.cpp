@@ -11,7 +11,7 @@
 #include "support/message_of.h"
 #include "support/working_folder.h"
 
-namespace insonify {
+namespace insonify::hostile_text_test {
 namespace {
 
 struct HostileCase {
@@ -154,4 +154,4 @@ INSTANTIATE_TEST_SUITE_P(All, HostileTextTest, testing::ValuesIn(kCases),
                          [](const auto& one) { return one.param.name; });
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::hostile_text_test

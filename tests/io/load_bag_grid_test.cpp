@@ -10,7 +10,7 @@
 #include "support/message_of.h"
 #include "support/test_files.h"
 
-namespace insonify {
+namespace insonify::load_bag_grid_test {
 namespace {
 
 using testing::ElementsAre;
@@ -68,7 +68,7 @@ std::filesystem::path write_bag(const ScratchFolder& folder, const Bag& bag = {}
 
 TEST(BagGridTest, TurnsTheNorthernRowFirst) {
   const ScratchFolder folder;
-  const Loaded loaded = load(write_bag(folder));
+  const LoadedGrid loaded = load_grid(write_bag(folder));
   EXPECT_THAT(loaded.notes, IsEmpty());
   EXPECT_EQ(loaded.grid.columns, 3);
   EXPECT_EQ(loaded.grid.rows, 2);
@@ -112,7 +112,7 @@ TEST(BagGridTest, DegreesAreToldByReferenceSystemUnitOrCorners) {
 TEST(BagGridTest, WarnsWhereResolutionAndCornersDisagree) {
   const ScratchFolder folder;
   EXPECT_THAT(
-      load(write_bag(folder, {.column = "20"})).notes,
+      load_grid(write_bag(folder, {.column = "20"})).notes,
       ElementsAre("warning: seabed.bag: its metadata gives a column resolution of 20, but corner points 2 apart; "
                   "the first is used"));
 }
@@ -120,7 +120,7 @@ TEST(BagGridTest, WarnsWhereResolutionAndCornersDisagree) {
 TEST(BagGridTest, WarnsThatRefinementsAreLeftOut) {
   const ScratchFolder folder;
   EXPECT_THAT(
-      load(write_bag(folder, {.varies = true})).notes,
+      load_grid(write_bag(folder, {.varies = true})).notes,
       ElementsAre("warning: seabed.bag: a grid of variable resolution; only its base grid of 3 x 2 points every "
                   "2 m is read"));
 }
@@ -147,7 +147,7 @@ TEST(BagGridErrorTest, TellsThePathAndTheReason) {
 // Two metres between points in UTM, depths from 50.99 to 52.96 m.
 TEST(RealHeightGridTest, Bag) {
   INSONIFY_REAL_DATA(path, "bathymetry_bag/JD211_public_Release_1-4_UTM.bag");
-  const Loaded loaded = load(path);
+  const LoadedGrid loaded = load_grid(path);
   EXPECT_THAT(loaded.notes, IsEmpty());
   EXPECT_EQ(loaded.grid.columns, 1707);
   EXPECT_EQ(loaded.grid.rows, 1478);
@@ -165,7 +165,7 @@ TEST(RealHeightGridTest, Bag) {
 
 TEST(RealHeightGridTest, BagOfVariableResolution) {
   INSONIFY_REAL_DATA(path, "bathymetry_bag/Sample_VR_BAG-gzip.bag");
-  const Loaded loaded = load(path);
+  const LoadedGrid loaded = load_grid(path);
   EXPECT_EQ(loaded.grid.columns, 4);
   EXPECT_EQ(loaded.grid.spacing_x, 50.1675);
   EXPECT_EQ(extent_of(loaded.grid).count, 6U);
@@ -175,4 +175,4 @@ TEST(RealHeightGridTest, BagOfVariableResolution) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::load_bag_grid_test

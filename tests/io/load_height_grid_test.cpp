@@ -10,7 +10,7 @@
 #include "support/message_of.h"
 #include "support/test_files.h"
 
-namespace insonify {
+namespace insonify::load_height_grid_test {
 namespace {
 
 using testing::ElementsAre;
@@ -116,8 +116,8 @@ TEST(PngGridErrorTest, TellsThePathAndTheReason) {
 
 TEST(AscGridTest, RunsFromTheNorthWestCorner) {
   const ScratchFolder folder;
-  const Loaded loaded =
-      load(folder.write("a.asc",
+  const LoadedGrid loaded =
+      load_grid(folder.write("a.asc",
                         "ncols 3\nnrows 2\nxllcorner 500000\nyllcorner 6000000\ncellsize 20\nNODATA_value -9999\n"
                         "-1 -2 -3.5\n-4 -9999 +6e0\n"));
   const HeightGrid& grid = loaded.grid;
@@ -160,7 +160,7 @@ TEST(AscGridTest, NoDataMayBeAnyNumberOrNan) {
 // sin2) times cos = 1/2, and that times (1 - e2) / (1 - e2 sin2)). Published, e.g. by NGA: 111 412 m and 55 800 m.
 TEST(AscGridTest, DegreesBecomeMetres) {
   const ScratchFolder folder;
-  const Loaded loaded = load(folder.write("a.asc",
+  const LoadedGrid loaded = load_grid(folder.write("a.asc",
                                           "ncols 4\nnrows 2\nxllcorner 10\nyllcorner 59.99\ncellsize 0.01\n"
                                           "1 2 3 4 5 6 7 8\n"));
   EXPECT_NEAR(loaded.grid.spacing_x, 558.00, 0.01);
@@ -263,7 +263,7 @@ TEST(LoadHeightGridErrorTest, TellsTheCommandThatConvertsATiff) {
 // Three seconds of arc at 29.5 degrees north.
 TEST(RealHeightGridTest, Asc) {
   INSONIFY_REAL_DATA(path, "bathymetry_asc/small_crm.asc");
-  const Loaded loaded = load(path);
+  const LoadedGrid loaded = load_grid(path);
   EXPECT_EQ(loaded.grid.columns, 241);
   EXPECT_EQ(loaded.grid.rows, 241);
   EXPECT_NEAR(loaded.grid.spacing_x, 80.8, 0.1);
@@ -276,4 +276,4 @@ TEST(RealHeightGridTest, Asc) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::load_height_grid_test

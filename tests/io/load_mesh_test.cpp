@@ -9,7 +9,7 @@
 #include "scene/mesh_checks.h"
 #include "support/message_of.h"
 
-namespace insonify {
+namespace insonify::load_mesh_test {
 namespace {
 
 using testing::ElementsAre;
@@ -255,4 +255,4 @@ TEST(RealMeshTest, KeepsTheNamesOfItsMaterials) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::load_mesh_test

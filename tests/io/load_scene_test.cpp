@@ -2,7 +2,7 @@
 
 #include "io/sdf_files.h"
 
-namespace insonify {
+namespace insonify::load_scene_test {
 namespace {
 
 using LoadSceneTest = SdfTest;
@@ -62,4 +62,4 @@ TEST_F(LoadSceneTest, RefusesOtherEndings) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::load_scene_test

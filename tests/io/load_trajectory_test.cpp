@@ -6,7 +6,7 @@
 #include "support/message_of.h"
 #include "support/working_folder.h"
 
-namespace insonify {
+namespace insonify::load_trajectory_test {
 namespace {
 
 class LoadTrajectoryTest : public testing::Test {
@@ -83,4 +83,4 @@ TEST_F(LoadTrajectoryTest, SaysWhatIsWrongWithAHeader) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::load_trajectory_test

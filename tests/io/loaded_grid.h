@@ -12,13 +12,13 @@
 namespace insonify {
 
 /// A grid and the messages logged about its file.
-struct Loaded {
+struct LoadedGrid {
   HeightGrid grid;
   std::vector<std::string> notes;
 };
 
-inline Loaded load(const std::filesystem::path& path) {
-  Loaded loaded;
+inline LoadedGrid load_grid(const std::filesystem::path& path) {
+  LoadedGrid loaded;
   loaded.grid = load_height_grid(path, [&](Severity severity, const std::string& note) {
     loaded.notes.push_back((severity == Severity::kWarning ? "warning: " : "info: ") + note);
   });

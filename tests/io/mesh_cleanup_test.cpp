@@ -10,7 +10,7 @@
 #include "io/mesh_texts.h"
 #include "scene/mesh_checks.h"
 
-namespace insonify {
+namespace insonify::mesh_cleanup_test {
 namespace {
 
 using testing::ElementsAre;
@@ -139,4 +139,4 @@ TEST(MeshCleanupTest, BigMeshesKeepTo26BytesATriangle) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::mesh_cleanup_test

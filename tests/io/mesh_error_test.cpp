@@ -7,7 +7,7 @@
 #include "io/mesh_texts.h"
 #include "support/message_of.h"
 
-namespace insonify {
+namespace insonify::mesh_error_test {
 namespace {
 
 struct BadFile {
@@ -246,4 +246,4 @@ TEST(LoadMeshErrorTest, TellsWhatIsNoFile) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::mesh_error_test

@@ -41,7 +41,7 @@ std::size_t largest = std::numeric_limits<std::size_t>::max();
   std::free(memory);
 }
 
-namespace insonify {
+namespace insonify::mesh_memory_test {
 namespace {
 
 // Limits up to a million bytes fail in assimp, which needs 12 for each of 100 000 vertices, or in the steps before and
@@ -66,4 +66,4 @@ TEST(MeshMemoryTest, TellsTheFileThatIsTooBig) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::mesh_memory_test

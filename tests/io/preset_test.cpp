@@ -11,7 +11,7 @@
 #include "support/message_of.h"
 #include "support/working_folder.h"
 
-namespace insonify {
+namespace insonify::preset_test {
 namespace {
 
 using testing::AnyOf;
@@ -384,4 +384,4 @@ TEST(PresetNameTest, AnEntryThatIsNoFolderIsNamed) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::preset_test

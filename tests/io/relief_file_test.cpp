@@ -10,7 +10,7 @@
 #include "support/test_files.h"
 #include "support/working_folder.h"
 
-namespace insonify {
+namespace insonify::relief_file_test {
 namespace {
 
 using testing::ElementsAre;
@@ -247,4 +247,4 @@ TEST(ScenarioReliefTest, MistakesAreToldWithTheirPlace) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::relief_file_test

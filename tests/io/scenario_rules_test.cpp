@@ -6,7 +6,7 @@
 #include "insonify/files.h"
 #include "support/message_of.h"
 
-namespace insonify {
+namespace insonify::scenario_rules_test {
 namespace {
 
 TEST(ScenarioRulesTest, MessagesHaveNoPlaceWithoutAFile) {
@@ -50,4 +50,4 @@ TEST(ScenarioRulesTest, TheSonarsOwnSoundSpeedRulesItsPeriod) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::scenario_rules_test

@@ -6,7 +6,7 @@
 #include "io/scenario_file.h"
 #include "support/message_of.h"
 
-namespace insonify {
+namespace insonify::scenario_test {
 namespace {
 
 using testing::ElementsAre;
@@ -343,4 +343,4 @@ TEST_F(ScenarioTest, FitsBinsAndPeriodOfAPresetToTheRange) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::scenario_test

@@ -6,7 +6,7 @@
 #include "io/scenario_file.h"
 #include "support/message_of.h"
 
-namespace insonify {
+namespace insonify::settings_test {
 namespace {
 
 using testing::HasSubstr;
@@ -100,4 +100,4 @@ TEST_F(SettingsTest, FileErrorsOfADefaultNameTheSonar) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::settings_test

@@ -7,7 +7,7 @@
 #include "support/same_settings.h"
 #include "support/working_folder.h"
 
-namespace insonify {
+namespace insonify::to_yaml_test {
 namespace {
 
 class ToYamlTest : public testing::Test {
@@ -148,4 +148,4 @@ TEST_F(ToYamlTest, AnAngleInRadiansComesBackToItsLastBit) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::to_yaml_test

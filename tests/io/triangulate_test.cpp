@@ -6,7 +6,7 @@
 
 #include <random>
 
-namespace insonify {
+namespace insonify::triangulate_test {
 namespace {
 
 using Triangles = std::vector<std::array<std::uint32_t, 3>>;
@@ -117,4 +117,4 @@ TEST(TriangulateTest, GetsThroughWhatIsNoPolygon) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::triangulate_test

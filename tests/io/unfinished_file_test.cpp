@@ -9,7 +9,7 @@
 #include "support/message_of.h"
 #include "support/working_folder.h"
 
-namespace insonify {
+namespace insonify::unfinished_file_test {
 namespace {
 
 std::size_t files_here() {
@@ -67,4 +67,4 @@ TEST(UnfinishedFileTest, SaysWhyThereCanBeNone) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::unfinished_file_test

@@ -9,7 +9,7 @@
 #include "support/message_of.h"
 #include "support/working_folder.h"
 
-namespace insonify {
+namespace insonify::write_png_test {
 namespace {
 
 Picture gradient(int width, int height) {
@@ -85,4 +85,4 @@ TEST(WritePngTest, RefusesPicturesThatAreNotWhole) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::write_png_test

@@ -7,7 +7,7 @@
 
 #include "support/message_of.h"
 
-namespace insonify {
+namespace insonify::xml_file_test {
 namespace {
 
 std::string fault_of(const std::string& text) {
@@ -80,4 +80,4 @@ TEST(XmlFileTest, RefusesDeepNesting) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::xml_file_test

@@ -13,7 +13,7 @@
 #include "support/same_pings.h"
 #include "support/working_folder.h"
 
-namespace insonify {
+namespace insonify::live_drive_test {
 namespace {
 
 using testing::HasSubstr;
@@ -169,4 +169,4 @@ TEST_F(LiveDriveTest, WhatDoesNotFitIsRefused) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::live_drive_test

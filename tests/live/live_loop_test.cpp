@@ -8,7 +8,7 @@
 #include "live/live_loop_fixture.h"
 #include "support/message_of.h"
 
-namespace insonify {
+namespace insonify::live_loop_test {
 namespace {
 
 using testing::ElementsAre;
@@ -191,4 +191,4 @@ TEST_F(LiveLoopTest, RefusesWhatIsOutOfLimits) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::live_loop_test

@@ -9,7 +9,7 @@
 #include "support/same_pings.h"
 #include "support/working_folder.h"
 
-namespace insonify {
+namespace insonify::live_objects_test {
 namespace {
 
 using testing::Contains;
@@ -211,4 +211,4 @@ TEST_F(LiveObjectsTest, NamesThatDoNotFitAreRefusedWhole) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::live_objects_test

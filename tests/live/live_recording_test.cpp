@@ -8,7 +8,7 @@
 #include "io/h5_read.h"
 #include "live/live_loop_fixture.h"
 
-namespace insonify {
+namespace insonify::live_recording_test {
 namespace {
 
 using testing::ElementsAre;
@@ -235,4 +235,4 @@ TEST_F(LiveRecordingTest, EndingClosesTheRecordingWhole) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::live_recording_test

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <vector>
 
-namespace insonify {
+namespace insonify::digitizer_test {
 namespace {
 
 std::uint16_t count_at(const SonarConfig& sonar, double full_scale_db, double level_db) {
@@ -62,4 +62,4 @@ TEST(DigitizerTest, ZeroIntensityIsCountZero) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::digitizer_test

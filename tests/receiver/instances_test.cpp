@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace insonify {
+namespace insonify::instances_test {
 namespace {
 
 SurfaceEcho echo_of(std::uint16_t instance, std::uint16_t material, float energy) {
@@ -49,4 +49,4 @@ TEST(InstancesTest, SurfacesOfOneInstanceAddUpAndTheStrongestGivesItsMaterial) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::instances_test

@@ -8,7 +8,7 @@
 
 #include "echo/grid/echo.h"
 
-namespace insonify {
+namespace insonify::output_tile_test {
 namespace {
 
 constexpr int kBins = 150;                 // More than two tiles.
@@ -66,4 +66,4 @@ TEST(OutputTileTest, EmptyRowsGiveNoLabel) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::output_tile_test

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace insonify {
+namespace insonify::paper_receiver_test {
 namespace {
 
 // A grid with these sums of energy and weight in every cell, for path orders 1 and 2.
@@ -136,4 +136,4 @@ TEST(PaperReceiverTest, EmptyCellsHaveNoLabelAndNoElevation) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::paper_receiver_test

@@ -9,7 +9,7 @@
 #include "console/outcome.h"
 #include "support/message_of.h"
 
-namespace insonify {
+namespace insonify::bridge_program_test {
 namespace {
 
 using testing::Contains;
@@ -81,4 +81,4 @@ TEST(BridgeProgramTest, WrongValuesAreToldAsThoseOfTheCommandLine) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::bridge_program_test

@@ -11,7 +11,7 @@
 #include "support/message_of.h"
 #include "support/working_folder.h"
 
-namespace insonify {
+namespace insonify::bridge_test {
 namespace {
 
 using testing::AllOf;
@@ -248,4 +248,4 @@ TEST_F(BridgeTest, WrongInputIsToldAsSuch) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::bridge_test

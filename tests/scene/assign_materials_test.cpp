@@ -6,7 +6,7 @@
 #include "insonify/scene.h"
 #include "support/message_of.h"
 
-namespace insonify {
+namespace insonify::assign_materials_test {
 namespace {
 
 using testing::ElementsAre;
@@ -272,4 +272,4 @@ TEST(AssignMaterialsTest, ShearIsSlowerThanSound) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::assign_materials_test

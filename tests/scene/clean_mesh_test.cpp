@@ -6,7 +6,7 @@
 #include "scene/mesh_checks.h"
 #include "support/message_of.h"
 
-namespace insonify {
+namespace insonify::clean_mesh_test {
 namespace {
 
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
@@ -271,4 +271,4 @@ TEST(CleanMeshTest, ATriangleLargerThanTheWorldIsNotDroppedAsOneWithoutArea) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::clean_mesh_test

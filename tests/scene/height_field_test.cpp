@@ -5,7 +5,7 @@
 #include "scene/mesh_checks.h"
 #include "support/message_of.h"
 
-namespace insonify {
+namespace insonify::height_field_test {
 namespace {
 
 constexpr float kHole = std::numeric_limits<float>::quiet_NaN();
@@ -115,4 +115,4 @@ TEST(HeightFieldErrorTest, SaysWhatIsWrongWithTheGrid) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::height_field_test

@@ -15,7 +15,7 @@
 #include "support/message_of.h"
 #include "support/relative.h"
 
-namespace insonify {
+namespace insonify::material_test {
 namespace {
 
 constexpr double kPi = 3.14159265358979323846;
@@ -337,4 +337,4 @@ TEST(MaterialTransmissionTest, IsThatOfAPlateUnlessItIsGiven) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::material_test

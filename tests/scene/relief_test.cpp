@@ -11,7 +11,7 @@
 #include "scene/relief_at.h"
 #include "support/message_of.h"
 
-namespace insonify {
+namespace insonify::relief_test {
 namespace {
 
 using Vec2f = Eigen::Vector2f;
@@ -298,4 +298,4 @@ TEST(MakeReliefTest, TilesHaveNoSeamAndComeFromTheirSeed) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::relief_test

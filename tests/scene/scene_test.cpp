@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace insonify {
+namespace insonify::scene_test {
 namespace {
 
 constexpr double kFloatRounding = 1e-6;  // Vertices are floats; the coordinates here are below 10 m.
@@ -92,4 +92,4 @@ TEST(FindInstanceTest, FindsNoPartsOfWords) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::scene_test

@@ -5,7 +5,7 @@
 #include "scene/mesh_checks.h"
 #include "support/message_of.h"
 
-namespace insonify {
+namespace insonify::shapes_test {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -231,4 +231,4 @@ TEST(ShapesErrorTest, NamesTheSizeThatIsWrong) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::shapes_test

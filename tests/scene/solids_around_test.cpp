@@ -5,7 +5,7 @@
 #include "insonify/mesh.h"
 #include "insonify/scene.h"
 
-namespace insonify {
+namespace insonify::solids_around_test {
 namespace {
 
 using testing::ElementsAre;
@@ -61,4 +61,4 @@ TEST(SolidsAroundTest, AreNotRemovedOrEndlessObjects) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::solids_around_test

@@ -8,7 +8,7 @@
 #include "scenes/mesh_probe.h"
 #include "scenes/obj_mesh.h"
 
-namespace insonify {
+namespace insonify::car_and_tree_meshes_test {
 namespace {
 
 using testing_scenes::kRounding;
@@ -81,4 +81,4 @@ TEST(TreeBedMeshTest, IsNearlyLevelWithAHeapRoundTheWell) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::car_and_tree_meshes_test

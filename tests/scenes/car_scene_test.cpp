@@ -9,7 +9,7 @@
 
 #include "scenes/scene_scan.h"
 
-namespace insonify {
+namespace insonify::car_scene_test {
 namespace {
 
 using testing_scenes::SceneScan;
@@ -128,4 +128,4 @@ TEST(CarSceneTest, OneSeesTheSeatsThroughTheDoorWays) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::car_scene_test

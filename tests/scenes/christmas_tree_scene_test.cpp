@@ -10,7 +10,7 @@
 
 #include "scenes/scene_scan.h"
 
-namespace insonify {
+namespace insonify::christmas_tree_scene_test {
 namespace {
 
 using testing_scenes::SceneScan;
@@ -119,4 +119,4 @@ TEST(ChristmasTreeSceneTest, StrongestEchoesAreTheTrees) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::christmas_tree_scene_test

@@ -8,7 +8,7 @@
 #include "scenes/mesh_probe.h"
 #include "scenes/obj_mesh.h"
 
-namespace insonify {
+namespace insonify::cooler_and_ssiv_meshes_test {
 namespace {
 
 using testing_scenes::generated_meshes;
@@ -144,4 +144,4 @@ TEST(SsivBedTest, SwellRipplesAreAThirdOfAMetreLong) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::cooler_and_ssiv_meshes_test

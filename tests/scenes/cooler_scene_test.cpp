@@ -10,7 +10,7 @@
 #include "scenes/mesh_probe.h"
 #include "scenes/scene_ping.h"
 
-namespace insonify {
+namespace insonify::cooler_scene_test {
 namespace {
 
 using testing_scenes::Probe;
@@ -186,4 +186,4 @@ TEST(CoolerSceneTest, SteelStandsOutFromTheBed) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::cooler_scene_test

@@ -10,7 +10,7 @@
 #include "scenes/mesh_probe.h"
 #include "scenes/obj_mesh.h"
 
-namespace insonify {
+namespace insonify::ferry_and_tank_meshes_test {
 namespace {
 
 using testing_scenes::generated_meshes;
@@ -154,4 +154,4 @@ TEST(SeabedMeshTest, ItsNormalMapLiesWhereItIs) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::ferry_and_tank_meshes_test

@@ -25,7 +25,7 @@
 #include "scenes/mesh_probe.h"
 #include "scenes/obj_mesh.h"
 
-namespace insonify {
+namespace insonify::generated_meshes_test {
 namespace {
 
 using testing_scenes::bytes_of;
@@ -176,4 +176,4 @@ TEST(GeneratedMeshesTest, MaterialsAreNamed) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::generated_meshes_test

@@ -13,7 +13,7 @@
 #include "insonify/scenario_requests.h"
 #include "insonify/simulator.h"
 
-namespace insonify {
+namespace insonify::selection_test {
 namespace {
 
 // Secondary echoes of a scene's first sonar, summed over some of its pings, beside those of `all` in the first stagger
@@ -129,4 +129,4 @@ INSTANTIATE_TEST_SUITE_P(Scenes, SceneSelectionTest,
                          [](const auto& test) { return test.param; });
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::selection_test

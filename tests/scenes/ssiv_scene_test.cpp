@@ -9,7 +9,7 @@
 #include "scenes/mesh_probe.h"
 #include "scenes/scene_ping.h"
 
-namespace insonify {
+namespace insonify::ssiv_scene_test {
 namespace {
 
 using testing_scenes::Probe;
@@ -163,4 +163,4 @@ TEST(SsivSceneTest, LoudestEchoComesFromTheMockup) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::ssiv_scene_test

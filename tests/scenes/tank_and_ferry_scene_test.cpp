@@ -8,7 +8,7 @@
 #include "scenes/scene_ping.h"
 #include "scenes/scene_scan.h"
 
-namespace insonify {
+namespace insonify::tank_and_ferry_scene_test {
 namespace {
 
 using testing_scenes::ScenePing;
@@ -111,4 +111,4 @@ TEST(FerrySceneTest, RipplesShowAboutOnceAMetre) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::tank_and_ferry_scene_test

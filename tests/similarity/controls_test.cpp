@@ -7,7 +7,7 @@
 
 #include "similarity/reference_pictures.h"
 
-namespace insonify {
+namespace insonify::controls_test {
 namespace {
 
 // Sums of a few thousand numbers of order one.
@@ -78,4 +78,4 @@ TEST(ControlsTest, AChangeOfGainAloneBeatsThemAll) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::controls_test

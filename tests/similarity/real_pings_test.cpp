@@ -8,7 +8,7 @@
 #include "insonify/similarity.h"
 #include "support/test_files.h"
 
-namespace insonify {
+namespace insonify::real_pings_test {
 namespace {
 
 // Three pings of a Blueprint Oculus, one after the other: 256 beams x 703 bins of 8 bits, each message 182016 bytes of
@@ -60,4 +60,4 @@ TEST(RealPingsTest, PingsInARowAreFarMoreAlikeThanControls) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::real_pings_test

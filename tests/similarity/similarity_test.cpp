@@ -8,7 +8,7 @@
 #include "similarity/reference_pictures.h"
 #include "support/message_of.h"
 
-namespace insonify {
+namespace insonify::similarity_test {
 namespace {
 
 // The same formula in double precision, summed in another order.
@@ -230,4 +230,4 @@ TEST(RefusalTest, NamesThePictureTheNumbersAndTheReason) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::similarity_test

@@ -59,7 +59,7 @@ int posix_memalign(void** memory, std::size_t alignment, std::size_t size) {
 
 #endif
 
-namespace insonify {
+namespace insonify::allocation_test {
 namespace {
 
 using testing_scenes::quiet_scenario;
@@ -202,4 +202,4 @@ TEST(AllocationTest, WhatIsAllocatedIsCounted) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::allocation_test

@@ -3,7 +3,7 @@
 #include "insonify/simulator.h"
 #include "simulator/small_world.h"
 
-namespace insonify {
+namespace insonify::change_simulator_test {
 namespace {
 
 using namespace testing_scenes;
@@ -230,4 +230,4 @@ TEST(WrongSonarTest, IsRefused) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::change_simulator_test

@@ -4,7 +4,7 @@
 #include "echo/trihedral.h"
 #include "simulator/small_world.h"
 
-namespace insonify {
+namespace insonify::mirror_pings_test {
 namespace {
 
 using namespace testing_scenes;
@@ -179,4 +179,4 @@ TEST_P(MirrorPingsTest, HoldEveryKindOfEcho) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::mirror_pings_test

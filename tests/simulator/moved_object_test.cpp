@@ -3,7 +3,7 @@
 #include "insonify/simulator.h"
 #include "simulator/small_world.h"
 
-namespace insonify {
+namespace insonify::moved_object_test {
 namespace {
 
 using namespace testing_scenes;
@@ -209,4 +209,4 @@ TEST_F(ImmovableTest, IsTheSameObjectASecondTime) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::moved_object_test

@@ -4,7 +4,7 @@
 
 #include "insonify/simulator.h"
 
-namespace insonify {
+namespace insonify::own_receiver_test {
 namespace {
 
 Scene scene() {
@@ -81,4 +81,4 @@ TEST(OwnReceiverTest, TwoSonarsHearWithTheirOwnReceivers) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::own_receiver_test

@@ -5,7 +5,7 @@
 #include "insonify/simulator.h"
 #include "simulator/small_world.h"
 
-namespace insonify {
+namespace insonify::ping_batch_test {
 namespace {
 
 using namespace testing_scenes;
@@ -111,4 +111,4 @@ TEST_P(PingBatchTest, CanBeStopped) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::ping_batch_test

@@ -5,7 +5,7 @@
 #include "insonify/error.h"
 #include "insonify/scenario_requests.h"
 
-namespace insonify {
+namespace insonify::ping_count_test {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
@@ -61,7 +61,7 @@ TEST(PingCountTest, OtherSonarsPingAsLongAsTheSlowestHeadTurns) {
   EXPECT_EQ(requests.ping_count(2), 6U);
 }
 
-std::string message_of(const Scenario& scenario) {
+std::string complaint_about(const Scenario& scenario) {
   try {
     scenario.validate();
   } catch (const Error& error) {
@@ -75,18 +75,18 @@ TEST(PingCountTest, OnlyOneSettingSaysWhenPingsEnd) {
   scenario.world = "world.sdf";
   scenario.sonars = {head(2, 90, 0.1)};
   scenario.duration = 2;
-  EXPECT_EQ(message_of(scenario), "");
+  EXPECT_EQ(complaint_about(scenario), "");
   scenario.turns = 2;
-  EXPECT_EQ(message_of(scenario), "duration and turns both say when pings end; leave one out");
+  EXPECT_EQ(complaint_about(scenario), "duration and turns both say when pings end; leave one out");
   scenario.duration.reset();
   scenario.pings = 7;
-  EXPECT_EQ(message_of(scenario), "turns says when pings end, as pings = 7 does; leave one out");
+  EXPECT_EQ(complaint_about(scenario), "turns says when pings end, as pings = 7 does; leave one out");
   scenario.pings = 1;
-  EXPECT_EQ(message_of(scenario), "");
+  EXPECT_EQ(complaint_about(scenario), "");
   scenario.sonars = {fan(1)};
-  EXPECT_EQ(message_of(scenario),
+  EXPECT_EQ(complaint_about(scenario),
             "turns needs a scanning sonar (type: msis), and there is none; duration or pings takes any");
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::ping_count_test

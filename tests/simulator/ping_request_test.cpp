@@ -7,7 +7,7 @@
 #include "insonify/simulator.h"
 #include "simulator/small_world.h"
 
-namespace insonify {
+namespace insonify::ping_request_test {
 namespace {
 
 using namespace testing_scenes;
@@ -203,4 +203,4 @@ TEST_F(WrongRequestTest, LeavesTheSimulatorAsItWas) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::ping_request_test

@@ -44,7 +44,7 @@ struct Sonar {
 }  // namespace samples
 }  // namespace base
 
-namespace insonify {
+namespace insonify::rock_test {
 namespace {
 
 using Sample = base::samples::Sonar;
@@ -159,4 +159,4 @@ TEST(RockTest, APingOfAnotherSonarIsRefused) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::rock_test

@@ -3,7 +3,7 @@
 #include "insonify/simulator.h"
 #include "simulator/small_world.h"
 
-namespace insonify {
+namespace insonify::sea_plane_test {
 namespace {
 
 using namespace testing_scenes;
@@ -138,4 +138,4 @@ TEST(SeaPlaneErrorTest, CannotBeMovedOrRemoved) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::sea_plane_test

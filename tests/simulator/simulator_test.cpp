@@ -10,7 +10,7 @@
 #include "insonify/error.h"
 #include "insonify/scenario_requests.h"
 
-namespace insonify {
+namespace insonify::simulator_test {
 namespace {
 
 using namespace testing_scenes;
@@ -258,4 +258,4 @@ TEST(SimulatorMotionTest, NamesTheObjectsThereAreWhenOneIsMissing) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::simulator_test

@@ -9,7 +9,7 @@
 #include "io/h5_read.h"
 #include "support/test_files.h"
 
-namespace insonify {
+namespace insonify::sonar_water_test {
 namespace {
 
 using namespace testing_scenes;
@@ -98,4 +98,4 @@ TEST(SonarWaterTest, RefusesDepthsWhereNoFormulaHolds) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::sonar_water_test

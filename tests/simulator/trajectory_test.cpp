@@ -8,7 +8,7 @@
 #include "insonify/scenario.h"
 #include "support/message_of.h"
 
-namespace insonify {
+namespace insonify::trajectory_test {
 namespace {
 
 constexpr double kPoseTolerance = 1e-12;
@@ -63,4 +63,4 @@ TEST(TrajectoryTest, RefusesANotANumber) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::trajectory_test

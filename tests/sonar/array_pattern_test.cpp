@@ -13,7 +13,7 @@
 #include "insonify/geometry.h"
 #include "support/relative.h"
 
-namespace insonify {
+namespace insonify::array_pattern_test {
 namespace {
 
 using std::numbers::pi;
@@ -329,4 +329,4 @@ TEST(ArraySettingsTest, InvalidSettingsAreRefused) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::array_pattern_test

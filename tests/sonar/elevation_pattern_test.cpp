@@ -6,7 +6,7 @@
 
 #include "receiver/array/line_array.h"
 
-namespace insonify {
+namespace insonify::elevation_pattern_test {
 namespace {
 
 constexpr double kDegree = radians_from_degrees(1);
@@ -93,4 +93,4 @@ TEST(ElevationPatternTest, EnvelopeFallsFromTheAxisOutwardsAndLiesAboveThePatter
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::elevation_pattern_test

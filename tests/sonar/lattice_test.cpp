@@ -9,7 +9,7 @@
 
 #include "receiver/array/line_array.h"
 
-namespace insonify {
+namespace insonify::lattice_test {
 namespace {
 
 constexpr double kDegree = radians_from_degrees(1);
@@ -170,4 +170,4 @@ TEST(LatticeTest, MirroredColumnsHaveTheSameRows) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::lattice_test

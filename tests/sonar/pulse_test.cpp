@@ -12,7 +12,7 @@
 #include "insonify/error.h"
 #include "support/relative.h"
 
-namespace insonify {
+namespace insonify::pulse_test {
 namespace {
 
 constexpr double kSoundSpeed = 1500, kBinLength = 0.04;
@@ -183,4 +183,4 @@ TEST(PulseSettingsTest, InvalidSettingsAreRefused) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::pulse_test

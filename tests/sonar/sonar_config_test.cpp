@@ -10,7 +10,7 @@
 #include "support/message_of.h"
 #include "support/relative.h"
 
-namespace insonify {
+namespace insonify::sonar_config_test {
 namespace {
 
 constexpr double kRounding = 1e-14;  // [rad], [m]: a few operations on numbers below 100.
@@ -371,4 +371,4 @@ TEST(SonarValidateTest, AFanIgnoresTheSettingsOfAHead) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::sonar_config_test

@@ -8,7 +8,7 @@
 #include "validation/calibrated_scene.h"
 #include "validation/walk_scene.h"
 
-namespace insonify::validation {
+namespace insonify::validation::corner_test {
 namespace {
 
 class CornerEchoTest : public testing::TestWithParam<Method> {};
@@ -239,4 +239,4 @@ TEST(CornerWalkTest, WalksLeaveTheCoherentShareToTheCorner) {
 }
 
 }  // namespace
-}  // namespace insonify::validation
+}  // namespace insonify::validation::corner_test

@@ -5,7 +5,7 @@
 #include "support/same_pings.h"
 #include "validation/calibrated_scene.h"
 
-namespace insonify::validation {
+namespace insonify::validation::determinism_test {
 namespace {
 
 class DeterminismTest : public testing::TestWithParam<Method> {};
@@ -123,4 +123,4 @@ constexpr auto kName = [](const auto& test) { return test.param.name; };
 INSTANTIATE_TEST_SUITE_P(Methods, DeterminismTest, testing::Values(kReference, kRays, kRaster), kName);
 
 }  // namespace
-}  // namespace insonify::validation
+}  // namespace insonify::validation::determinism_test

@@ -6,7 +6,7 @@
 
 #include "validation/calibrated_scene.h"
 
-namespace insonify::validation {
+namespace insonify::validation::edge_test {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -288,4 +288,4 @@ INSTANTIATE_TEST_SUITE_P(Methods, EdgeTest, testing::Values(kRays, kRaster, kRef
                          [](const auto& test) { return std::string(test.param.name); });
 
 }  // namespace
-}  // namespace insonify::validation
+}  // namespace insonify::validation::edge_test

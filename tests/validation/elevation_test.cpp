@@ -5,7 +5,7 @@
 
 #include "validation/calibrated_scene.h"
 
-namespace insonify::validation {
+namespace insonify::validation::elevation_test {
 namespace {
 
 class ElevationLevelTest : public testing::TestWithParam<Method> {};
@@ -329,4 +329,4 @@ INSTANTIATE_TEST_SUITE_P(Methods, ElevationLevelTest, testing::Values(kReference
 INSTANTIATE_TEST_SUITE_P(Methods, ConeTest, testing::Values(kReference, kRays), kName);
 
 }  // namespace
-}  // namespace insonify::validation
+}  // namespace insonify::validation::elevation_test

@@ -9,7 +9,7 @@
 #include "support/shadow_sonar.h"
 #include "validation/calibrated_scene.h"
 
-namespace insonify::validation {
+namespace insonify::validation::ground_truth_test {
 namespace {
 
 class GroundTruthTest : public testing::TestWithParam<Method> {};
@@ -329,4 +329,4 @@ constexpr auto kName = [](const auto& test) { return test.param.name; };
 INSTANTIATE_TEST_SUITE_P(Methods, GroundTruthTest, testing::Values(kReference, kRays, kRaster), kName);
 
 }  // namespace
-}  // namespace insonify::validation
+}  // namespace insonify::validation::ground_truth_test

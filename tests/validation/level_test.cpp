@@ -6,7 +6,7 @@
 
 #include "validation/calibrated_scene.h"
 
-namespace insonify::validation {
+namespace insonify::validation::level_test {
 namespace {
 
 class LevelTest : public testing::TestWithParam<Method> {};
@@ -243,4 +243,4 @@ INSTANTIATE_TEST_SUITE_P(Methods, LevelTest, testing::Values(kReference, kRays, 
 INSTANTIATE_TEST_SUITE_P(Methods, SphereLevelTest, testing::Values(kRays, kRaster), kName);
 
 }  // namespace
-}  // namespace insonify::validation
+}  // namespace insonify::validation::level_test

@@ -6,7 +6,7 @@
 #include "support/same_pings.h"
 #include "validation/calibrated_scene.h"
 
-namespace insonify::validation {
+namespace insonify::validation::motion_test {
 namespace {
 
 constexpr double kRange = 40, kSoundSpeed = 1500;
@@ -191,4 +191,4 @@ TEST(PingMotionTest, IsTheVelocityBetweenTwoPoses) {
 }
 
 }  // namespace
-}  // namespace insonify::validation
+}  // namespace insonify::validation::motion_test

@@ -3,7 +3,7 @@
 
 #include "validation/secondary_grid.h"
 
-namespace insonify::validation {
+namespace insonify::validation::multipath_test {
 namespace {
 
 class MultipathTest : public testing::TestWithParam<Method> {};
@@ -271,4 +271,4 @@ INSTANTIATE_TEST_SUITE_P(Methods, MultipathTest, testing::Values(kRays, kRaster)
 INSTANTIATE_TEST_SUITE_P(Methods, ElevationMultipathTest, testing::Values(kReference, kRays), kName);
 
 }  // namespace
-}  // namespace insonify::validation
+}  // namespace insonify::validation::multipath_test

@@ -3,7 +3,7 @@
 
 #include "validation/calibrated_scene.h"
 
-namespace insonify::validation {
+namespace insonify::validation::mutual_interference_test {
 namespace {
 
 constexpr double kSoundSpeed = 1500;
@@ -181,4 +181,4 @@ TEST(MutualInterferenceTest, NeedsSonarsApart) {
 }
 
 }  // namespace
-}  // namespace insonify::validation
+}  // namespace insonify::validation::mutual_interference_test

@@ -3,7 +3,7 @@
 
 #include "validation/calibrated_scene.h"
 
-namespace insonify::validation {
+namespace insonify::validation::plate_glint_test {
 namespace {
 
 constexpr double kSpeed = 1500;
@@ -168,4 +168,4 @@ INSTANTIATE_TEST_SUITE_P(Methods, PlateGlintTest, testing::Values(kRays, kRaster
                          [](const auto& test) { return std::string(test.param.name); });
 
 }  // namespace
-}  // namespace insonify::validation
+}  // namespace insonify::validation::plate_glint_test

@@ -6,7 +6,7 @@
 
 #include "validation/calibrated_scene.h"
 
-namespace insonify::validation {
+namespace insonify::validation::point_ghosts_test {
 namespace {
 
 class PointGhostTest : public testing::TestWithParam<Method> {};
@@ -284,4 +284,4 @@ INSTANTIATE_TEST_SUITE_P(Methods, PointGhostTest, testing::Values(kReference, kR
                          [](const auto& test) { return std::string(test.param.name); });
 
 }  // namespace
-}  // namespace insonify::validation
+}  // namespace insonify::validation::point_ghosts_test

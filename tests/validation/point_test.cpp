@@ -3,7 +3,7 @@
 
 #include "validation/calibrated_scene.h"
 
-namespace insonify::validation {
+namespace insonify::validation::point_test {
 namespace {
 
 class PointTest : public testing::TestWithParam<Method> {};
@@ -183,4 +183,4 @@ TEST(VolumeReverberationTest, FallsWithTheSquareOfRange) {
 }
 
 }  // namespace
-}  // namespace insonify::validation
+}  // namespace insonify::validation::point_test

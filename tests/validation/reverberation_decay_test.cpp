@@ -7,7 +7,7 @@
 
 #include "validation/walk_scene.h"
 
-namespace insonify::validation {
+namespace insonify::validation::reverberation_decay_test {
 namespace {
 
 constexpr double kDecibelsPerRate = 20 / 2.302585092994046;
@@ -226,4 +226,4 @@ TEST(ReverberationDecayTest, IsAlikeOnTheReferenceEngine) {
 }
 
 }  // namespace
-}  // namespace insonify::validation
+}  // namespace insonify::validation::reverberation_decay_test

@@ -7,7 +7,7 @@
 #include "support/same_pings.h"
 #include "validation/calibrated_scene.h"
 
-namespace insonify::validation {
+namespace insonify::validation::reverberation_test {
 namespace {
 
 // A tank of 2.4 x 1.6 x 1.1 m; the sonar looks at the wall 1.9 m ahead.
@@ -161,4 +161,4 @@ TEST(ReverberationScenarioTest, WalksNeedTheEchoesThatTheyAddTo) {
 }
 
 }  // namespace
-}  // namespace insonify::validation
+}  // namespace insonify::validation::reverberation_test

@@ -5,7 +5,7 @@
 #include "insonify/error.h"
 #include "validation/secondary_grid.h"
 
-namespace insonify::validation {
+namespace insonify::validation::rough_mirror_test {
 namespace {
 
 // The two slopes of a facet are independent standard normal numbers, in every block of the lattice.
@@ -317,4 +317,4 @@ INSTANTIATE_TEST_SUITE_P(Methods, RoughMirrorTest, testing::Values(kRays, kRaste
                          [](const auto& test) { return std::string(test.param.name); });
 
 }  // namespace
-}  // namespace insonify::validation
+}  // namespace insonify::validation::rough_mirror_test

@@ -3,7 +3,7 @@
 
 #include "validation/calibrated_scene.h"
 
-namespace insonify::validation {
+namespace insonify::validation::scan_test {
 namespace {
 
 class ScanTest : public testing::TestWithParam<Method> {};
@@ -90,4 +90,4 @@ constexpr auto kName = [](const auto& test) { return test.param.name; };
 INSTANTIATE_TEST_SUITE_P(Methods, ScanTest, testing::Values(kReference, kRays), kName);
 
 }  // namespace
-}  // namespace insonify::validation
+}  // namespace insonify::validation::scan_test

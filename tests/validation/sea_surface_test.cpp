@@ -7,7 +7,7 @@
 #include "insonify/acoustics/surface_scattering.h"
 #include "validation/calibrated_scene.h"
 
-namespace insonify::validation {
+namespace insonify::validation::sea_surface_test {
 namespace {
 
 // Loss of one reflection [dB] above 100 kHz: 1.26e-3 / sin(grazing) U^1.57 100^0.85, 100^0.85 = 50.1187.
@@ -181,4 +181,4 @@ constexpr auto kName = [](const auto& test) { return test.param.name; };
 INSTANTIATE_TEST_SUITE_P(Methods, SeaSurfaceEchoTest, testing::Values(kReference, kRays), kName);
 
 }  // namespace
-}  // namespace insonify::validation
+}  // namespace insonify::validation::sea_surface_test

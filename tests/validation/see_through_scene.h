@@ -4,10 +4,10 @@
 
 #include "support/same_pings.h"
 #include "validation/calibrated_scene.h"
+#include "validation/pi.h"
 
 namespace insonify::validation {
 
-inline constexpr double kPi = 3.14159265358979323846;
 
 // Gives no echo of its own.
 inline Material net(double open_share) {

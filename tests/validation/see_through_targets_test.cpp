@@ -2,7 +2,7 @@
 
 #include "validation/see_through_scene.h"
 
-namespace insonify::validation {
+namespace insonify::validation::see_through_targets_test {
 namespace {
 
 // Discrete echoes: a point, a rope thinner than the samples, a smooth plate seen head on, and the pulses of another
@@ -111,4 +111,4 @@ TEST_P(SeeThroughTargetTest, GhostsOfPointsAreSeenThroughANet) {
 }
 
 }  // namespace
-}  // namespace insonify::validation
+}  // namespace insonify::validation::see_through_targets_test

@@ -4,7 +4,7 @@
 
 #include "validation/see_through_scene.h"
 
-namespace insonify::validation {
+namespace insonify::validation::see_through_test {
 namespace {
 
 class SeeThroughTest : public testing::TestWithParam<Method> {};
@@ -276,4 +276,4 @@ TEST(SeeThroughThreadsTest, DoNotMatter) {
 }
 
 }  // namespace
-}  // namespace insonify::validation
+}  // namespace insonify::validation::see_through_test

@@ -4,7 +4,7 @@
 
 #include "validation/secondary_grid.h"
 
-namespace insonify::validation {
+namespace insonify::validation::small_mirror_test {
 namespace {
 
 constexpr double kNear = 10, kAcross = 5, kTarget = 0.05, kWavelength = 1500 / 720e3;
@@ -103,4 +103,4 @@ INSTANTIATE_TEST_SUITE_P(Methods, SmallMirrorTest, testing::Values(kRays, kRaste
                          [](const auto& test) { return std::string(test.param.name); });
 
 }  // namespace
-}  // namespace insonify::validation
+}  // namespace insonify::validation::small_mirror_test

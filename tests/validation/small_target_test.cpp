@@ -6,7 +6,7 @@
 
 #include "validation/small_targets.h"
 
-namespace insonify::validation {
+namespace insonify::validation::small_target_test {
 namespace {
 
 // Part of a Gemini 720i with its default sample spacing: 0.117 degrees from column to column, 0.1 from row to row.
@@ -193,4 +193,4 @@ INSTANTIATE_TEST_SUITE_P(Methods, SmallTargetTest, testing::Values(kReference, k
 INSTANTIATE_TEST_SUITE_P(Methods, SmallTargetEffectTest, testing::Values(kRays), kName);
 
 }  // namespace
-}  // namespace insonify::validation
+}  // namespace insonify::validation::small_target_test

@@ -3,13 +3,12 @@
 #pragma once
 
 #include <functional>
-#include <numbers>
 
 #include "validation/calibrated_scene.h"
+#include "validation/pi.h"
 
 namespace insonify::validation {
 
-inline constexpr double kPi = std::numbers::pi;
 inline constexpr double kMeanTolerance = 0.5;  ///< [dB]
 inline constexpr double kMostSpread = 3;       ///< Greatest level less least level [dB].
 inline constexpr int kPlaces = 24;

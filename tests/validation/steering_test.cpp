@@ -3,7 +3,7 @@
 #include "insonify/error.h"
 #include "validation/calibrated_scene.h"
 
-namespace insonify::validation {
+namespace insonify::validation::steering_test {
 namespace {
 
 constexpr double kPi = 3.14159265358979323846;
@@ -151,4 +151,4 @@ TEST(SteeringTest, RefusesBeamsThatCannotBeSteered) {
 }
 
 }  // namespace
-}  // namespace insonify::validation
+}  // namespace insonify::validation::steering_test

@@ -4,7 +4,7 @@
 
 #include "validation/small_targets.h"
 
-namespace insonify::validation {
+namespace insonify::validation::thin_target_test {
 namespace {
 
 // A Gemini 720i: 256 beams over 120 degrees, 20 degrees in elevation, 0.117 degrees from column to column and 0.1 from
@@ -262,4 +262,4 @@ INSTANTIATE_TEST_SUITE_P(Methods, ThinTargetTest, testing::Values(kReference, kR
 INSTANTIATE_TEST_SUITE_P(Methods, ThinTargetEffectTest, testing::Values(kRays, kRaster), kName);
 
 }  // namespace
-}  // namespace insonify::validation
+}  // namespace insonify::validation::thin_target_test

@@ -2,7 +2,7 @@
 
 #include "validation/thruster_scene.h"
 
-namespace insonify::validation {
+namespace insonify::validation::thruster_array_test {
 namespace {
 
 // 70 elements, of which five are dead: side lobes are theirs. An element of 50 degrees is a line of 0.88589 / (2 sin 25
@@ -130,4 +130,4 @@ TEST(ThrusterArrayTest, IsSeenFromWhereTheElementsAre) {
 }
 
 }  // namespace
-}  // namespace insonify::validation
+}  // namespace insonify::validation::thruster_array_test

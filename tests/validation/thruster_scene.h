@@ -7,10 +7,10 @@
 
 #include "insonify/acoustics/sonar_equation.h"
 #include "validation/calibrated_scene.h"
+#include "validation/pi.h"
 
 namespace insonify::validation {
 
-inline constexpr double kPi = std::numbers::pi;
 inline constexpr int kPings = 4, kBins = 4000;
 
 inline double db(double value) {

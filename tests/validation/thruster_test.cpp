@@ -3,7 +3,7 @@
 
 #include "validation/thruster_scene.h"
 
-namespace insonify::validation {
+namespace insonify::validation::thruster_test {
 namespace {
 
 TEST(ThrusterTest, HasTheLevelOfTheSonarEquationInEveryBeam) {
@@ -194,4 +194,4 @@ TEST(ThrusterTest, PowersOfTwoAdd) {
 }
 
 }  // namespace
-}  // namespace insonify::validation
+}  // namespace insonify::validation::thruster_test

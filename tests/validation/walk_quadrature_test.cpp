@@ -9,7 +9,7 @@
 #include "insonify/acoustics/backscatter.h"
 #include "validation/walk_scene.h"
 
-namespace insonify::validation {
+namespace insonify::validation::walk_quadrature_test {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -254,4 +254,4 @@ INSTANTIATE_TEST_SUITE_P(Lobes, WalkMirrorTest,
                          testing::Values(Lobes{0}, Lobes{1.7e-4}, Lobes{4e-4}, Lobes{4e-4, true}));
 
 }  // namespace
-}  // namespace insonify::validation
+}  // namespace insonify::validation::walk_quadrature_test

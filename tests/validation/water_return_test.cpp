@@ -4,7 +4,7 @@
 #include "validation/calibrated_scene.h"
 #include "validation/walk_scene.h"
 
-namespace insonify::validation {
+namespace insonify::validation::water_return_test {
 namespace {
 
 // A wall at y = 4 reflects onto a small plate, which scatters by Lambert's law. Surface at z = 0.
@@ -204,4 +204,4 @@ TEST(WalkWaterTest, WalksLeaveOutTheWaysBackByTheWater) {
 }
 
 }  // namespace
-}  // namespace insonify::validation
+}  // namespace insonify::validation::water_return_test

@@ -11,7 +11,7 @@
 
 #include "insonify/error.h"
 
-namespace insonify {
+namespace insonify::oculus_messages_test {
 namespace {
 
 using testing::ElementsAre;
@@ -279,4 +279,4 @@ TEST(OculusMessagesTest, RandomlyChangedMessagesAreWithinLimitsOrRefused) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::oculus_messages_test

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace insonify {
+namespace insonify::oculus_sonar_test {
 namespace {
 
 using testing::DoubleNear;
@@ -213,4 +213,4 @@ TEST_F(OculusImageTest, InThePapersModelIntensityIsAmplitude) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::oculus_sonar_test

@@ -6,7 +6,7 @@
 
 #include <random>
 
-namespace insonify {
+namespace insonify::ping360_test {
 namespace {
 
 using testing::ElementsAre;
@@ -184,4 +184,4 @@ TEST(Ping360Test, RandomPayloadsLeaveSettingsWithinLimits) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::ping360_test

@@ -6,7 +6,7 @@
 
 #include <random>
 
-namespace insonify {
+namespace insonify::ping_protocol_test {
 namespace {
 
 using testing::ElementsAre;
@@ -120,4 +120,4 @@ TEST(PingProtocolTest, MutatedFramesAreNeverReadAsWhole) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::ping_protocol_test

@@ -17,7 +17,7 @@
 #include "support/message_of.h"
 #include "support/working_folder.h"
 
-namespace insonify {
+namespace insonify::damaged_recording_test {
 namespace {
 
 using testing::AnyOf;
@@ -234,4 +234,4 @@ TEST_F(DamagedRecordingTest, RandomDamageIsAMessageOrNothing) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::damaged_recording_test

@@ -10,7 +10,7 @@
 #include "io/growing_rows.h"
 #include "support/message_of.h"
 
-namespace insonify {
+namespace insonify::growing_file_full_test {
 namespace {
 
 TEST(FullDiskTest, SaysWhenAFileMayNotGrowAndKeepsWhatWasWritten) {
@@ -94,4 +94,4 @@ TEST(FullDiskTest, SaysWhenThereIsNoSpaceForAnEmptyFile) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::growing_file_full_test

@@ -12,7 +12,7 @@
 #include "io/growing_rows.h"
 #include "support/message_of.h"
 
-namespace insonify {
+namespace insonify::growing_file_killed_test {
 namespace {
 
 // Progress of a writer process, in memory shared with it.
@@ -152,4 +152,4 @@ TEST_P(KilledTest, FileIsWholeWhileItIsBeingClosed) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::growing_file_killed_test

@@ -8,7 +8,7 @@
 #include "io/growing_rows.h"
 #include "support/message_of.h"
 
-namespace insonify {
+namespace insonify::growing_file_test {
 namespace {
 
 TEST(GrowingFileTest, HoldsEveryRowThatWasAdded) {
@@ -207,4 +207,4 @@ TEST(GrowingFileTest, SaysWhyAFileCannotBeMade) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::growing_file_test

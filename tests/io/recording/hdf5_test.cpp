@@ -9,7 +9,7 @@
 #include "support/message_of.h"
 #include "support/test_files.h"
 
-namespace insonify {
+namespace insonify::hdf5_test {
 namespace {
 
 std::filesystem::path scratch(const std::string& name) {
@@ -61,4 +61,4 @@ TEST(Hdf5Test, ClosesWhatItOwnsOnce) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::hdf5_test

@@ -8,7 +8,7 @@
 #include "support/message_of.h"
 #include "support/working_folder.h"
 
-namespace insonify {
+namespace insonify::hdf5_type_test {
 namespace {
 
 H5Handle own(hid_t type) {
@@ -145,4 +145,4 @@ TEST(CheckObjectTest, PassesDatasetsOfAllTypesAndTheirAttributes) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::hdf5_type_test

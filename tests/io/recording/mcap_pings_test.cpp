@@ -15,7 +15,7 @@
 #include "support/message_of.h"
 #include "support/working_folder.h"
 
-namespace insonify {
+namespace insonify::mcap_pings_test {
 namespace {
 
 class McapPingsTest : public testing::Test {
@@ -140,4 +140,4 @@ TEST_F(McapPingsTest, BrokenRecordingsAreRefusedWithTheirName) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::mcap_pings_test

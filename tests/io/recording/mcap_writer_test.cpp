@@ -15,7 +15,7 @@
 #include "support/message_of.h"
 #include "support/working_folder.h"
 
-namespace insonify {
+namespace insonify::mcap_writer_test {
 namespace {
 
 using testing::ElementsAre;
@@ -289,4 +289,4 @@ TEST_F(McapWriterTest, ReadersRefuseWhatIsBroken) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::mcap_writer_test

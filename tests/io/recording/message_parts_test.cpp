@@ -7,7 +7,7 @@
 #include "io/message/definitions.h"
 #include "io/message/ros_name.h"
 
-namespace insonify {
+namespace insonify::message_parts_test {
 namespace {
 
 using testing::ElementsAre;
@@ -65,4 +65,4 @@ TEST(RosNameTest, KeepsNamesApart) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::message_parts_test

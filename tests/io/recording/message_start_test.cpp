@@ -6,7 +6,7 @@
 #include "io/cdr_read.h"
 #include "support/message_of.h"
 
-namespace insonify {
+namespace insonify::message_start_test {
 namespace {
 
 constexpr std::uint64_t kSecond = 1'000'000'000;
@@ -99,4 +99,4 @@ TEST(MessageStartTest, TimesEndWhereThoseOfRosDo) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::message_start_test

@@ -11,7 +11,7 @@
 #include "io/message/message_display.h"
 #include "support/message_of.h"
 
-namespace insonify {
+namespace insonify::messages_test {
 namespace {
 
 using testing::DoubleNear;
@@ -366,4 +366,4 @@ TEST(SonarMessagesTest, RefusesOptionsOutOfLimits) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::messages_test

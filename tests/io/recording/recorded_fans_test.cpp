@@ -8,7 +8,7 @@
 #include "support/message_of.h"
 #include "support/working_folder.h"
 
-namespace insonify {
+namespace insonify::recorded_fans_test {
 namespace {
 
 constexpr double kPeriod = 0.15;  // [s]
@@ -117,4 +117,4 @@ TEST(RecordedFansTest, AFileIsSmallerAndNotLargerThanItsForecast) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::recorded_fans_test

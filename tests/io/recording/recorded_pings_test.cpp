@@ -10,7 +10,7 @@
 #include "support/picture_files.h"
 #include "support/working_folder.h"
 
-namespace insonify {
+namespace insonify::recorded_pings_test {
 namespace {
 
 using testing::ElementsAre;
@@ -189,4 +189,4 @@ TEST(GreyPictureTest, ColourAndTransparencyAreRefused) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::recorded_pings_test

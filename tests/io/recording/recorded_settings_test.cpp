@@ -10,7 +10,7 @@
 #include "io/h5_read.h"
 #include "support/test_files.h"
 
-namespace insonify {
+namespace insonify::recorded_settings_test {
 namespace {
 
 using testing::ElementsAre;
@@ -159,4 +159,4 @@ TEST(RecordedSettingsTest, HaveTheYamlOfAScenarioMadeInCode) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::recorded_settings_test

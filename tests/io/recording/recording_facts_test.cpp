@@ -11,7 +11,7 @@
 #include "io/h5_read.h"
 #include "io/recording/made_recording.h"
 
-namespace insonify {
+namespace insonify::recording_facts_test {
 namespace {
 
 using testing::ElementsAre;
@@ -112,4 +112,4 @@ TEST(RecordingFactsTest, HoldsEverySetting) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::recording_facts_test

@@ -7,7 +7,7 @@
 #include "support/test_files.h"
 #include "validation/calibrated_scene.h"
 
-namespace insonify::validation {
+namespace insonify::validation::recording_room_test {
 namespace {
 
 // A scanning head has most datasets: head angle, full ground truth, counts and field beside those of all sonars.
@@ -40,4 +40,4 @@ TEST(RecordingRoomTest, AllDatasetsFit) {
 }
 
 }  // namespace
-}  // namespace insonify::validation
+}  // namespace insonify::validation::recording_room_test

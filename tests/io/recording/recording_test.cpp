@@ -36,7 +36,7 @@ std::size_t allocation_count = 0;
   std::free(memory);
 }
 
-namespace insonify {
+namespace insonify::recording_test {
 namespace {
 
 using testing::ElementsAre;
@@ -232,4 +232,4 @@ TEST(RecordingTest, KeepsItsPingsWhenMoved) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::recording_test

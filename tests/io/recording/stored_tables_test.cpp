@@ -12,7 +12,7 @@
 #include "support/message_of.h"
 #include "support/working_folder.h"
 
-namespace insonify {
+namespace insonify::stored_tables_test {
 namespace {
 
 using testing::ElementsAre;
@@ -109,4 +109,4 @@ TEST(StoredTablesTest, BlocksThatAreNotThereAreRefused) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::stored_tables_test

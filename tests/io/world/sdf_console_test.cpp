@@ -7,7 +7,7 @@
 #include <iostream>
 #include <thread>
 
-namespace insonify {
+namespace insonify::sdf_console_test {
 namespace {
 
 TEST(SdfConsoleTest, KeepsWhatItsOwnThreadWrites) {
@@ -42,4 +42,4 @@ TEST(SdfConsoleTest, NestsInItself) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::sdf_console_test

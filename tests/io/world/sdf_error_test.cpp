@@ -2,7 +2,7 @@
 
 #include "io/sdf_files.h"
 
-namespace insonify {
+namespace insonify::sdf_error_test {
 namespace {
 
 using SdfErrorTest = SdfTest;
@@ -198,4 +198,4 @@ TEST_F(SdfErrorTest, RefusesTwoPartsOfOneName) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::sdf_error_test

@@ -2,7 +2,7 @@
 
 #include "io/sdf_files.h"
 
-namespace insonify {
+namespace insonify::sdf_material_test {
 namespace {
 
 constexpr const char* kBox = "<box><size>1 2 3</size></box>";
@@ -83,4 +83,4 @@ TEST_F(SdfMaterialTest, RefusesWhatItDoesNotKnow) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::sdf_material_test

@@ -2,7 +2,7 @@
 
 #include "io/sdf_files.h"
 
-namespace insonify {
+namespace insonify::sdf_real_models_test {
 namespace {
 
 // Extents are the coordinates in the files times the matrix of their node, to four digits.
@@ -55,4 +55,4 @@ TEST_F(SdfRealGridsTest, AreHeightmaps) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::sdf_real_models_test

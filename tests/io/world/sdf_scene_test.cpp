@@ -2,7 +2,7 @@
 
 #include "io/sdf_files.h"
 
-namespace insonify {
+namespace insonify::sdf_scene_test {
 namespace {
 
 using SdfSceneTest = SdfTest;
@@ -297,4 +297,4 @@ TEST_F(SdfSceneTest, LeavesNoCopiesBehind) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::sdf_scene_test

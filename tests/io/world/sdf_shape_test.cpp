@@ -4,7 +4,7 @@
 
 #include "io/sdf_files.h"
 
-namespace insonify {
+namespace insonify::sdf_shape_test {
 namespace {
 
 // Round shapes have facets of at most 0.05 rad: their extent is too small by at most 1 - cos(0.025) = 0.0003.
@@ -232,4 +232,4 @@ TEST_F(SdfShapeTest, RefusesMeshesAndHeightmapsThatCannotBe) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::sdf_shape_test

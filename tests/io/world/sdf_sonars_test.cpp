@@ -6,7 +6,7 @@
 #include "insonify/world_parts.h"
 #include "support/working_folder.h"
 
-namespace insonify {
+namespace insonify::sdf_sonars_test {
 namespace {
 
 using testing::ElementsAre;
@@ -126,4 +126,4 @@ TEST_F(SdfSonarsTest, OtherElementsOfOursAreStillErrors) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::sdf_sonars_test

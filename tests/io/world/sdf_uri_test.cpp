@@ -4,7 +4,7 @@
 
 #include "io/sdf_files.h"
 
-namespace insonify {
+namespace insonify::sdf_uri_test {
 namespace {
 
 class SdfUriTest : public SdfTest {
@@ -71,4 +71,4 @@ TEST_F(SdfUriTest, SaysWhyNothingWasFound) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::sdf_uri_test

@@ -2,7 +2,7 @@
 
 #include "io/sdf_files.h"
 
-namespace insonify {
+namespace insonify::sdf_worlds_test {
 namespace {
 
 class SdfWorldsTest : public SdfTest {
@@ -228,4 +228,4 @@ TEST_F(SdfWorldsTest, ManyAbsentFuelModelsAreAllInTheCommands) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::sdf_worlds_test

@@ -5,7 +5,7 @@
 
 #include "io/stonefish_files.h"
 
-namespace insonify {
+namespace insonify::stonefish_error_test {
 namespace {
 
 using testing::HasSubstr;
@@ -151,4 +151,4 @@ TEST_F(StonefishErrorTest, ElementsAreNotNestedForEver) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::stonefish_error_test

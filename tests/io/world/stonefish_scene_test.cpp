@@ -3,7 +3,7 @@
 #include "insonify/picture.h"
 #include "io/stonefish_files.h"
 
-namespace insonify {
+namespace insonify::stonefish_scene_test {
 namespace {
 
 using testing::Contains;
@@ -292,4 +292,4 @@ TEST_F(StonefishTest, WhatIsMissingIsLeftOut) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::stonefish_scene_test

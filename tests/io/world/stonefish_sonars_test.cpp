@@ -6,7 +6,7 @@
 #include "insonify/simulator.h"
 #include "io/stonefish_files.h"
 
-namespace insonify {
+namespace insonify::stonefish_sonars_test {
 namespace {
 
 using testing::Contains;
@@ -266,4 +266,4 @@ TEST_F(StonefishSonarsTest, TellsWhatIsWrongWithASensor) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::stonefish_sonars_test

@@ -6,7 +6,7 @@
 
 #include "support/working_folder.h"
 
-namespace insonify {
+namespace insonify::world_parts_test {
 namespace {
 
 using testing::ElementsAre;
@@ -113,4 +113,4 @@ TEST_F(WorldPartsTest, EqualNamesAreAnError) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::world_parts_test

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace insonify {
+namespace insonify::bearing_cells_test {
 namespace {
 
 constexpr double kDegree = radians_from_degrees(1);
@@ -195,4 +195,4 @@ TEST(BearingCellsTest, BeamOfAHeadMayPointAside) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::bearing_cells_test

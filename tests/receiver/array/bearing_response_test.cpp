@@ -12,7 +12,7 @@
 
 #include "insonify/geometry.h"
 
-namespace insonify {
+namespace insonify::bearing_response_test {
 namespace {
 
 // A fan of 120 degrees in 256 beams, 0.46875 degrees apart, and an array with a beam of 1 degree at 720 kHz.
@@ -279,4 +279,4 @@ TEST(BearingResponseTest, FloorLeavesOutNegligibleCells) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::bearing_response_test

@@ -7,7 +7,7 @@
 #include "insonify/error.h"
 #include "support/message_of.h"
 
-namespace insonify {
+namespace insonify::line_array_test {
 namespace {
 
 constexpr double kDegree = radians_from_degrees(1);
@@ -39,4 +39,4 @@ TEST(LineArrayTest, IsRefusedWhereItTakesTooManyElements) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::line_array_test

@@ -10,7 +10,7 @@
 
 #include "insonify/array_pattern.h"
 
-namespace insonify {
+namespace insonify::noise_level_test {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -132,4 +132,4 @@ TEST(NoiseSpectrumTest, SumsThePowersOfItsCauses) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::noise_level_test

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <vector>
 
-namespace insonify {
+namespace insonify::coarse_bins_test {
 namespace {
 
 // A tone of 80 us is 40 mm long after its filter (c tau / 3): bins of 160 mm hold four looks.
@@ -75,4 +75,4 @@ TEST(CoarseBinsTest, AMeanLeavesAloneWhatIsInOneLook) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::coarse_bins_test

@@ -10,7 +10,7 @@
 #include <random>
 #include <vector>
 
-namespace insonify {
+namespace insonify::range_response_test {
 namespace {
 
 constexpr double kSoundSpeed = 1500;
@@ -209,4 +209,4 @@ TEST(RangeResponseTest, FloorEndsThePulse) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::range_response_test

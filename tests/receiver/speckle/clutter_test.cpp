@@ -10,7 +10,7 @@
 
 #include "echo/grid/echo.h"
 
-namespace insonify {
+namespace insonify::clutter_test {
 namespace {
 
 // A row of bins on a level bed 3 m below a sonar, straight ahead.
@@ -135,4 +135,4 @@ TEST_F(ClutterTest, IsFixedOnTheBed) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::clutter_test

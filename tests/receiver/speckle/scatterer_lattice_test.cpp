@@ -10,7 +10,7 @@
 #include <numbers>
 #include <set>
 
-namespace insonify {
+namespace insonify::scatterer_lattice_test {
 namespace {
 
 constexpr int kBins = 400;
@@ -173,4 +173,4 @@ TEST(ScattererLatticeTest, ScatterersStayInTheWorld) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::scatterer_lattice_test

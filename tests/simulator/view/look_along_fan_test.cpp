@@ -4,7 +4,7 @@
 #include "insonify/scene_view.h"
 #include "support/message_of.h"
 
-namespace insonify {
+namespace insonify::look_along_fan_test {
 namespace {
 
 using namespace testing_scenes;
@@ -78,4 +78,4 @@ TEST(LookAlongFanTest, RefusesNoColumns) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::look_along_fan_test

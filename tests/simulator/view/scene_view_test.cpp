@@ -10,7 +10,7 @@
 #include "simulator/view/camera.h"
 #include "support/message_of.h"
 
-namespace insonify {
+namespace insonify::scene_view_test {
 namespace {
 
 // A scene, an engine that has loaded it, and a sonar 3 m above the scene's floor looking along x.
@@ -312,4 +312,4 @@ TEST(SceneViewTest, MarksWhatIsSeen) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::scene_view_test

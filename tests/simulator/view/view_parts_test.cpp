@@ -10,7 +10,7 @@
 #include "simulator/view/underwater_light.h"
 #include "simulator/view/value_noise.h"
 
-namespace insonify {
+namespace insonify::view_parts_test {
 namespace {
 
 constexpr double kExact = 1e-9;
@@ -126,4 +126,4 @@ TEST(ValueNoiseTest, IsSmoothAndBounded) {
 }
 
 }  // namespace
-}  // namespace insonify
+}  // namespace insonify::view_parts_test

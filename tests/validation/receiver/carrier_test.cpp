@@ -4,7 +4,7 @@
 
 #include "validation/calibrated_scene.h"
 
-namespace insonify::validation {
+namespace insonify::validation::carrier_test {
 namespace {
 
 constexpr double kPi = 3.14159265358979323846;
@@ -106,4 +106,4 @@ TEST(CarrierTest, SparseScatterersChangeWithTheCarrierToo) {
 }
 
 }  // namespace
-}  // namespace insonify::validation
+}  // namespace insonify::validation::carrier_test

@@ -3,7 +3,7 @@
 #include "insonify/error.h"
 #include "validation/calibrated_scene.h"
 
-namespace insonify::validation {
+namespace insonify::validation::channels_test {
 namespace {
 
 constexpr double kPi = 3.14159265358979323846;
@@ -185,4 +185,4 @@ TEST(ChannelsTest, RefusesBeamsThatAreNotThere) {
 }
 
 }  // namespace
-}  // namespace insonify::validation
+}  // namespace insonify::validation::channels_test

@@ -6,7 +6,7 @@
 #include "validation/calibrated_scene.h"
 #include "validation/receiver/texture_correlation.h"
 
-namespace insonify::validation {
+namespace insonify::validation::clutter_statistics_test {
 namespace {
 
 constexpr double kHeight = 2.5;  // Of the sonar above the bed [m].
@@ -170,4 +170,4 @@ TEST_F(ClutterStatisticsTest, CellsLargerThanPatchesHaveALargerShape) {
 }
 
 }  // namespace
-}  // namespace insonify::validation
+}  // namespace insonify::validation::clutter_statistics_test

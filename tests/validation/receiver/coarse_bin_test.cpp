@@ -5,7 +5,7 @@
 
 #include "validation/calibrated_scene.h"
 
-namespace insonify::validation {
+namespace insonify::validation::coarse_bin_test {
 namespace {
 
 constexpr double kSpeed = 1500, kCell = 0.0125;  // A chirp of 60 kHz resolves 12.5 mm.
@@ -190,4 +190,4 @@ TEST(CoarseBinTest, NoiseIsDecimatedToo) {
 }
 
 }  // namespace
-}  // namespace insonify::validation
+}  // namespace insonify::validation::coarse_bin_test

@@ -2,7 +2,7 @@
 
 #include "validation/calibrated_scene.h"
 
-namespace insonify::validation {
+namespace insonify::validation::fan_edge_test {
 namespace {
 
 class FanEdgeTest : public testing::TestWithParam<Method> {};
@@ -177,4 +177,4 @@ TEST(FanEdgeReferenceTest, OutermostBeamsHearTheFloorAsTheOthersDo) {
 }
 
 }  // namespace
-}  // namespace insonify::validation
+}  // namespace insonify::validation::fan_edge_test

@@ -5,7 +5,7 @@
 
 #include "validation/calibrated_scene.h"
 
-namespace insonify::validation {
+namespace insonify::validation::fan_pattern_test {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -204,4 +204,4 @@ constexpr auto kName = [](const auto& test) { return test.param.name; };
 INSTANTIATE_TEST_SUITE_P(Methods, FanPatternTest, testing::Values(kRays, kReference), kName);
 
 }  // namespace
-}  // namespace insonify::validation
+}  // namespace insonify::validation::fan_pattern_test

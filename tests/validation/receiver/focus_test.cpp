@@ -5,7 +5,7 @@
 
 #include "validation/calibrated_scene.h"
 
-namespace insonify::validation {
+namespace insonify::validation::focus_test {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -194,4 +194,4 @@ TEST(FocusTest, HeadsLoseBothWays) {
 }
 
 }  // namespace
-}  // namespace insonify::validation
+}  // namespace insonify::validation::focus_test

@@ -3,7 +3,7 @@
 #include "insonify/error.h"
 #include "validation/calibrated_scene.h"
 
-namespace insonify::validation {
+namespace insonify::validation::gain_test {
 namespace {
 
 Scenario point_at(double range) {
@@ -184,4 +184,4 @@ TEST(ReceiverConfigTest, RefusesSettingsThatExcludeEachOther) {
 }
 
 }  // namespace
-}  // namespace insonify::validation
+}  // namespace insonify::validation::gain_test

@@ -2,7 +2,7 @@
 
 #include "validation/calibrated_scene.h"
 
-namespace insonify::validation {
+namespace insonify::validation::head_side_lobes_test {
 namespace {
 
 class HeadSideLobesTest : public testing::TestWithParam<Method> {};
@@ -168,4 +168,4 @@ constexpr auto kName = [](const auto& test) { return test.param.name; };
 INSTANTIATE_TEST_SUITE_P(Methods, HeadSideLobesTest, testing::Values(kRays, kRaster), kName);
 
 }  // namespace
-}  // namespace insonify::validation
+}  // namespace insonify::validation::head_side_lobes_test

@@ -2,7 +2,7 @@
 
 #include "validation/calibrated_scene.h"
 
-namespace insonify::validation {
+namespace insonify::validation::interference_test {
 namespace {
 
 constexpr double kSoundSpeed = 1500;
@@ -135,4 +135,4 @@ TEST(InterferenceTest, IsHeardBesideTheFan) {
 }
 
 }  // namespace
-}  // namespace insonify::validation
+}  // namespace insonify::validation::interference_test

@@ -5,7 +5,7 @@
 
 #include "validation/calibrated_scene.h"
 
-namespace insonify::validation {
+namespace insonify::validation::noise_test {
 namespace {
 
 // A fan of 90 degrees with beams of 1.2 x 16 degrees, and nothing to echo.
@@ -223,4 +223,4 @@ TEST(NoiseTest, RisesWithTheWind) {
 }
 
 }  // namespace
-}  // namespace insonify::validation
+}  // namespace insonify::validation::noise_test

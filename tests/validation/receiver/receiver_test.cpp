@@ -2,7 +2,7 @@
 
 #include "validation/calibrated_scene.h"
 
-namespace insonify::validation {
+namespace insonify::validation::receiver_test {
 namespace {
 
 constexpr double kPi = 3.14159265358979323846;
@@ -215,4 +215,4 @@ TEST(PulsePingTest, TheInstrumentsPulseActsUnlessTheReceiverNamesAnother) {
 }
 
 }  // namespace
-}  // namespace insonify::validation
+}  // namespace insonify::validation::receiver_test

@@ -7,7 +7,7 @@
 
 #include "validation/calibrated_scene.h"
 
-namespace insonify::validation {
+namespace insonify::validation::speckle_motion_test {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -351,4 +351,4 @@ TEST_F(SpeckleMotionTest, WhatDoesNotMoveKeepsItsSpeckle) {
 }
 
 }  // namespace
-}  // namespace insonify::validation
+}  // namespace insonify::validation::speckle_motion_test

@@ -6,7 +6,7 @@
 
 #include "validation/calibrated_scene.h"
 
-namespace insonify::validation {
+namespace insonify::validation::speckle_test {
 namespace {
 
 // Speckle of a diffuse seabed: intensity divided by the intensity without speckle.
@@ -245,4 +245,4 @@ TEST_F(SpeckleTest, TwoPointsInOneCellInterfere) {
 }
 
 }  // namespace
-}  // namespace insonify::validation
+}  // namespace insonify::validation::speckle_test

@@ -4,7 +4,7 @@
 #include "insonify/acoustics/sonar_equation.h"
 #include "validation/calibrated_scene.h"
 
-namespace insonify::validation {
+namespace insonify::validation::surface_noise_test {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -135,4 +135,4 @@ TEST(SurfaceNoiseTest, HeadsHearItWhereTheyLook) {
 }
 
 }  // namespace
-}  // namespace insonify::validation
+}  // namespace insonify::validation::surface_noise_test

@@ -3,7 +3,7 @@
 
 #include "validation/calibrated_scene.h"
 
-namespace insonify::validation {
+namespace insonify::validation::transmit_leak_test {
 namespace {
 
 constexpr double kSpeed = 1500;
@@ -269,4 +269,4 @@ TEST(TransmitLeakTest, BelongsToItsSonarWhereverThatMoves) {
 }
 
 }  // namespace
-}  // namespace insonify::validation
+}  // namespace insonify::validation::transmit_leak_test
