@@ -151,6 +151,9 @@ void project(const Mirrors& __restrict__ mirrors, const EdgeLanes& __restrict__ 
       faces.spread[axis][lane] = side.spread;
     }
     faces.coherent[lane] = fast_exp(-origins.roughness[lane] * cosine * cosine);
+    origins.smooth_x[lane] = mirrors.reflected_x[lane];
+    origins.smooth_y[lane] = mirrors.reflected_y[lane];
+    origins.smooth_z[lane] = mirrors.reflected_z[lane];
   }
 }
 

@@ -36,6 +36,7 @@ struct ReflectedOrigins {
   float strength[kPacketSize];                                                 ///< `paper`: HitColumn::strength.
   float reflectance[kPacketSize], share[kPacketSize], steepness[kPacketSize];  ///< `calibrated`: see MirrorPaths.
   float roughness[kPacketSize], incidence[kPacketSize];                        ///< Arguments of facet_slope().
+  float smooth_x[kPacketSize], smooth_y[kPacketSize], smooth_z[kPacketSize];   ///< As smooth mirrors reflect the rays.
   FaceLanes faces;                                                             ///< `calibrated`
   RayTube tube[kPacketSize];   ///< `calibrated` with more than two surfaces.
   MirrorChanges above, aside;  ///< Changes to the neighbours in the column and in the next column.
@@ -67,7 +68,7 @@ void turn_to_facets(const HitColumn& strip, const int* place, int count, float m
 void set_edges(const FaceEdges& face, int lane, float wavelength, float incidence, std::uint32_t seed, EdgeLanes& edges,
                ReflectedOrigins& origins);
 
-/// Fills in FaceLanes for the rays as they are reflected now.
+/// Fills in FaceLanes and ReflectedOrigins::smooth_x for the rays as they are reflected now.
 void project_faces(const Mirrors& mirrors, const EdgeLanes& edges, const RTCRay16& rays, ReflectedOrigins& origins);
 
 }  // namespace insonify

@@ -5,6 +5,7 @@
 
 #include "base/vector_math.h"
 #include "echo/cpu/secondary_task.h"
+#include "echo/mirror/facet_return.h"
 #include "echo/mirror/mirror_paths.h"
 #include "echo/model/deposit.h"
 #include "echo/model/ray_limits.h"
@@ -111,9 +112,33 @@ void fill_paths(const RTCRay16& __restrict__ rays, const CpuScene::Shading& __re
     const float returned = face_return(origins.faces.side(0, lane), origins.faces.side(1, lane),
                                        origins.faces.coherent[lane], rho, wavelength);
     paths.returned[lane] = origins.faces.finite[lane] > 0 ? returned : 1.0F;
+    paths.glint[lane] = paths.in[lane];
+    paths.variance[lane] = 0;
+    paths.coherent[lane] = 1;
     paths.back[lane] = returns.distance[lane];
     paths.texture[lane] = met.texture[lane];
     paths.surface[lane] = met.surface[lane];
+  }
+}
+
+// The same where mirrors have facets.
+INSONIFY_VECTOR_CLONES
+void fill_facet_returns(const RTCRay16& __restrict__ rays, const CpuScene::Shading& __restrict__ met,
+                        const ReflectedOrigins& __restrict__ origins, MirrorPaths& __restrict__ paths) {
+  for (int lane = 0; lane < kPacketSize; ++lane) {
+    const float out = origins.range[lane], across = rays.tfar[lane];
+    const float held =
+        held_on_face(origins.faces.side(0, lane), origins.faces.side(1, lane), out * across / (out + across));
+    const RoughMirror mirror{
+        1 / std::sqrt(2 * origins.steepness[lane]),  origins.faces.coherent[lane], origins.incidence[lane], out, across,
+        origins.faces.finite[lane] > 0 ? held : 1.0F};
+    const Triple normal{met.normal_x[lane], met.normal_y[lane], met.normal_z[lane]};
+    const FacetReturn back = facet_return(mirror, {rays.dir_x[lane], rays.dir_y[lane], rays.dir_z[lane]},
+                                          {origins.smooth_x[lane], origins.smooth_y[lane], origins.smooth_z[lane]},
+                                          1 / std::sqrt(normal.dot(normal) + kTiny) * normal);
+    paths.glint[lane] = back.half;
+    paths.variance[lane] = back.variance;
+    paths.coherent[lane] = back.coherent;
   }
 }
 
@@ -156,6 +181,9 @@ void SecondaryTask::return_mirrored(const RTCRay16& rays, const ReflectedOrigins
   measure_returns(rays, origins, sonar_, returns);
   measure_footprints(rays, shading_, origins, returns);
   fill_paths(rays, shading_, origins, returns, plan_->wavelength(), paths);
+  if (plan_->has_facets() && plan_->max_surfaces > 2) {
+    fill_facet_returns(rays, shading_, origins, paths);
+  }
   fill_mirror_powers(plan_->scatter, plan_->neper_per_metre, paths, powers);
   for (; lanes != 0; lanes &= lanes - 1) {
     const int lane = std::countr_zero(lanes);

@@ -116,7 +116,7 @@ void SecondaryTask::cull_and_trace(const HitColumn& strip) {
   compare_beside(strip, aside_, count, candidate_origins_.range, mirrors, candidate_origins_.aside);
   if (plan_->model == EchoModel::kCalibrated && plan_->max_surfaces > 2) {
     compute_ray_tubes(strip, lanes);
-    if (scene_.any_faces()) {
+    if (plan_->has_facets() || scene_.any_faces()) {
       project_faces(mirrors, edges, candidates_.rays.ray, candidate_origins_);
     }
   }
@@ -141,6 +141,10 @@ void SecondaryTask::cull_and_trace(const HitColumn& strip) {
     origins_.reflectance[to] = candidate_origins_.reflectance[lane];
     origins_.share[to] = candidate_origins_.share[lane];
     origins_.steepness[to] = candidate_origins_.steepness[lane];
+    origins_.incidence[to] = candidate_origins_.incidence[lane];
+    origins_.smooth_x[to] = candidate_origins_.smooth_x[lane];
+    origins_.smooth_y[to] = candidate_origins_.smooth_y[lane];
+    origins_.smooth_z[to] = candidate_origins_.smooth_z[lane];
     origins_.tube[to] = candidate_origins_.tube[lane];
     origins_.faces.copy(to, candidate_origins_.faces, lane);
     origins_.selected[to] = candidate_origins_.selected[lane];

@@ -63,7 +63,11 @@ template <bool by_angle>
       back_on_top = angles->backscatter[lane];
     }
     const float glint_across = facet_lobe(lobe, steepness, half) / in;
-    const float glint_along = facet_lobe(lobe_back, steepness, in) / in;
+    const float glint = held(std::abs(paths.glint[lane]));
+    const float narrowed = 1 / (1 + 2 * paths.variance[lane] * steepness), coherent = paths.coherent[lane];
+    const float glint_along = (coherent * facet_lobe(lobe_back, steepness, glint) +
+                               (1 - coherent) * facet_lobe(narrowed * lobe_back, narrowed * steepness, glint)) /
+                              in;
     const float once =
         once_reflected * (mu * out + glint_across) / (back * back) * fast_exp(-2 * neper_per_metre * (there + back));
     const float scattered_back = laws.lambert[material] * in + glint_along + back_on_top;

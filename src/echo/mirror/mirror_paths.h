@@ -22,6 +22,9 @@ struct alignas(64) MirrorPaths {
   float out[kPathLanes];
   float half[kPathLanes];
   float facet[kPathLanes];
+  float glint[kPathLanes];           ///< FacetReturn::half; `in` without facets.
+  float variance[kPathLanes];        ///< FacetReturn
+  float coherent[kPathLanes];        ///< The same.
   float texture[kPathLanes];         ///< Texture of the second surface.
   SurfaceLabel surface[kPathLanes];  ///< The second surface; kNoSurface where nothing was hit.
 };

@@ -20,12 +20,17 @@ double incidence_of(double cosine) {
   return std::acos(std::min(std::abs(cosine), 1.0));
 }
 
-// Backscattering cross section s_b: both laws, and what comes on top.
-double backscatter(const Scattering& surface, double cosine) {
-  const double incidence = incidence_of(cosine);
-  const double on_top = surface.by_angle ? surface.by_angle->backscatter.at(cosine) * cosine : 0;
-  return lambert_backscatter(surface.lambert, incidence) +
-         facet_backscatter(surface.reflection, surface.rms_slope, incidence) + on_top;
+// Backscattering cross section s_b of the second surface towards the mirror: both laws, and what comes on top.
+double backscatter_to_mirror(const MirrorPath& path, double in) {
+  const Scattering& second = path.second;
+  const double incidence = incidence_of(in);
+  const double glint = incidence_of(std::max(std::abs(path.glint.value_or(in)), double{kLeastCosine}));
+  const double on_top = second.by_angle ? second.by_angle->backscatter.at(in) * in : 0;
+  return lambert_backscatter(second.lambert, incidence) +
+         path.coherent * facet_backscatter(second.reflection, second.rms_slope, glint) +
+         (1 - path.coherent) *
+             facet_backscatter(second.reflection, std::sqrt(square(second.rms_slope) + path.variance), glint) +
+         on_top;
 }
 
 // Diffuse cross section between two directions.
@@ -85,7 +90,7 @@ MirrorIntensities mirror_intensities(const MirrorPath& path, double neper_per_me
     intensities.once =
         reflected * scattered / (in * square(path.back)) * std::exp(-2 * neper_per_metre * (path.there + path.back));
   }
-  intensities.twice = reflected * reflectance * path.returned * backscatter(second, in) /
+  intensities.twice = reflected * reflectance * path.returned * backscatter_to_mirror(path, in) /
                       (in * square(path.there) * spread) * std::exp(-4 * neper_per_metre * path.there);
   return intensities;
 }

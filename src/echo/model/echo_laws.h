@@ -6,6 +6,8 @@
 
 #pragma once
 
+#include <optional>
+
 #include "echo/model/lobe_widening.h"
 #include "insonify/material.h"
 
@@ -38,19 +40,22 @@ inline constexpr float kLeastSpread = 0.01F;
 
 /// A path from the sonar to a mirror, the first surface, and on to a second surface.
 struct MirrorPath {
-  Scattering mirror, second;  ///< Scattering parameters of both surfaces.
-  double incidence = 1;       ///< Cosine of incidence on the mirror, of either sign.
-  double mirror_texture = 1;  ///< ReliefPoint::reflectivity of the mirror.
-  double second_texture = 1;  ///< The same of the second surface.
-  double share = 1;           ///< MirrorFacet::share of the facet that reflects the sound; 1 for a smooth mirror.
-  double there = 0;           ///< Length from the sonar to the mirror and on to the second surface [m].
-  double back = 0;            ///< Length from the second surface straight to the sonar [m].
-  double spread = 1;          ///< Area of the ray tube at the second surface, relative to that by a plane mirror.
-  double returned = 1;        ///< face_return(): intensity that the mirror returns, relative to one without edges.
-  double in = 1;              ///< Cosine between the second surface's normal and the direction the sound comes from.
-  double out = 1;             ///< Cosine between that normal and the direction to the sonar.
-  double half = 1;            ///< Cosine between that normal and the half vector of both directions.
-  double facet = 1;           ///< Cosine between the half vector and either direction: incidence on the facets.
+  Scattering mirror, second;    ///< Scattering parameters of both surfaces.
+  double incidence = 1;         ///< Cosine of incidence on the mirror, of either sign.
+  double mirror_texture = 1;    ///< ReliefPoint::reflectivity of the mirror.
+  double second_texture = 1;    ///< The same of the second surface.
+  double share = 1;             ///< MirrorFacet::share of the facet that reflects the sound; 1 for a smooth mirror.
+  double there = 0;             ///< Length from the sonar to the mirror and on to the second surface [m].
+  double back = 0;              ///< Length from the second surface straight to the sonar [m].
+  double spread = 1;            ///< Area of the ray tube at the second surface, relative to that by a plane mirror.
+  double returned = 1;          ///< face_return(): intensity that the mirror returns, relative to one without edges.
+  double in = 1;                ///< Cosine between the second surface's normal and the direction the sound comes from.
+  double out = 1;               ///< Cosine between that normal and the direction to the sonar.
+  double half = 1;              ///< Cosine between that normal and the half vector of both directions.
+  std::optional<double> glint;  ///< FacetReturn::half of the way back over the mirror; `in` without facets.
+  double variance = 0;          ///< FacetReturn::variance
+  double coherent = 1;          ///< FacetReturn::coherent
+  double facet = 1;             ///< Cosine between the half vector and either direction: incidence on the facets.
 };
 
 /// Intensities relative to the source's at 1 m, per steradian of launched sound.
@@ -66,6 +71,7 @@ struct MirrorIntensities {
 ///     once  = share |R|^2 s_b(in, out) / (in back^2)          e^(-2 gamma (there + back))
 ///     twice = share |R|^4 s_b(in, in)  / (in there^2 spread)  e^(-4 gamma there) returned
 ///
+/// The lobe of s_b(in, in) is that at `glint`, for the share 1 - coherent with `variance` added to that of the slopes.
 /// R of the mirror is that at `incidence`. The lobe of s_b(in, out) is that at the half vector, with R at `facet`. `in`
 /// is held at kLeastCosine and `spread` at kLeastSpread.
 ///

@@ -69,6 +69,7 @@ class ReferenceColumn {
     float there = 0;            // Length out and across [m].
     float path_length = 0;      // Length out, across and straight back [m].
     PathFootprint footprint = {};
+    std::optional<FacetReturn> facets = {};  // Of mirrors that may have some.
   };
 
   [[nodiscard]] Ray ray_of(int column, int row) const;
@@ -78,7 +79,7 @@ class ReferenceColumn {
   [[nodiscard]] MirrorChange change_along(int row) const;
   [[nodiscard]] MirrorChange change_across(int row) const;
   [[nodiscard]] std::optional<Reflection> reflect(int row);
-  [[nodiscard]] float returned(const FaceEdges& edges, int row, const Reflection& path) const;
+  void return_over(const FaceEdges& edges, int row, Reflection& path) const;
   [[nodiscard]] bool return_leg_is_clear(const Reflection& path);
   void deposit_paper_echo(const Reflection& path, EchoGrid& grid);
   [[nodiscard]] MirrorIntensities intensities(const Reflection& path) const;

@@ -84,7 +84,7 @@ std::optional<ReferenceColumn::Reflection> ReferenceColumn::reflect(int row) {
   path.point = path.ray.origin + path.ray.direction * path.second.distance;
   path.back = world_from_sonar_.position - path.point;
   path.there = static_cast<float>(first_[row].distance + path.second.distance);
-  path.returned = edges.finite ? returned(edges, row, path) : 1;
+  return_over(edges, row, path);
   path.path_length = static_cast<float>(first_[row].distance + path.second.distance + path.back.norm());
   path.footprint =
       path_footprint(change_along(row), hits_.selected[row], change_across(row),
@@ -93,8 +93,8 @@ std::optional<ReferenceColumn::Reflection> ReferenceColumn::reflect(int row) {
   return path;
 }
 
-// multipath.md, "Mirrors of finite size": factor on the intensity that returns over the face.
-float ReferenceColumn::returned(const FaceEdges& edges, int row, const Reflection& path) const {
+// multipath.md, "Mirrors of finite size" and "Rough mirrors": how the sound returns over the mirror.
+void ReferenceColumn::return_over(const FaceEdges& edges, int row, Reflection& path) const {
   const Triple direction = triple(rays_[row].direction), normal = triple(first_[row].bent),
                half = triple(path.ray.direction) - direction;
   const float cosine = std::abs(hits_.facing[row]);
@@ -104,9 +104,21 @@ float ReferenceColumn::returned(const FaceEdges& edges, int row, const Reflectio
     return face_side(edges.low[axis], edges.high[axis], half.dot(along) / std::abs(half.dot(normal)),
                      direction.dot(along), cosine, slope);
   };
+  const FaceSide first = side(0), second = side(1);
   const double near = first_[row].distance, across = path.second.distance;
-  return face_return(side(0), side(1), fast_exp(-plan_.mirror_roughness(hits_.surface[row]) * cosine * cosine),
-                     static_cast<float>(near * across / (near + across)), plan_.wavelength());
+  const auto rho = static_cast<float>(near * across / (near + across));
+  const float coherent = fast_exp(-plan_.mirror_roughness(hits_.surface[row]) * cosine * cosine);
+  path.returned = edges.finite ? face_return(first, second, coherent, rho, plan_.wavelength()) : 1;
+  if (plan_.has_facets()) {
+    const RoughMirror mirror{slope,
+                             coherent,
+                             cosine,
+                             static_cast<float>(near),
+                             static_cast<float>(across),
+                             edges.finite ? held_on_face(first, second, rho) : 1};
+    path.facets = facet_return(mirror, triple(path.ray.direction), direction - 2 * direction.dot(normal) * normal,
+                               triple(path.second.bent));
+  }
 }
 
 // Whether the straight path from the second surface to the sonar is unobstructed.
@@ -153,6 +165,9 @@ MirrorIntensities ReferenceColumn::intensities(const Reflection& path) const {
                              .in = path.second.bent.dot(in),
                              .out = path.second.bent.dot(out),
                              .half = path.second.bent.dot((in + out).normalized()),
+                             .glint = path.facets ? std::optional<double>(path.facets->half) : std::nullopt,
+                             .variance = path.facets ? path.facets->variance : 0,
+                             .coherent = path.facets ? path.facets->coherent : 1,
                              .facet = in.dot((in + out).normalized())},
                             plan_.neper_per_metre);
 }
