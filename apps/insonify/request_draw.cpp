@@ -19,6 +19,7 @@ void add_draw_options(CLI::App& command, DrawOptions& options) {
       ->take_all();
   command.add_flag("-f,--force", options.force, "Replace pictures of this sonar that are there");
   add_picture_options(command, options.pictures, "Pictures");
+  add_counts_option(command, options.pictures, "Pictures");
 }
 
 void add_draw(CLI::App& app, Request& request) {

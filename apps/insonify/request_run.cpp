@@ -81,6 +81,7 @@ void add_run(CLI::App& app, Request& request) {
                  "Also draw what the fan is made of: distance and intensity by direction, at the first ping")
       ->group(pictures);
   add_picture_options(*command, options.pictures, pictures);
+  add_counts_option(*command, options.pictures, pictures);
 
   command->footer(
       "Writes, for each sonar NAME:\n"

@@ -39,6 +39,7 @@ struct Display {
   bool of_source = false;  ///< Intensities are relative to the source's at 1 m (calibrated model), and so are the
                            ///< levels on the colour bar.
   bool of_one = false;     ///< Decibels on the colour bar are re an intensity of 1, not re full_scale.
+  bool of_counts = false;  ///< Intensities are counts, see counts_as_intensities(); for the colour bar.
   int height = 720;        ///< Height of the whole picture [pixels], 240..8192; the width follows from the fan's shape.
   bool annotations = true;  ///< Title, rings, radials, axes and colour bar.
 
@@ -56,6 +57,7 @@ struct Display {
     visit(Field{"of_source", "", {}, "Intensities, and levels on the colour bar, are relative to the source's at 1 m."},
           self.of_source);
     visit(Field{"of_one", "", {}, "Decibels on the colour bar are re an intensity of 1."}, self.of_one);
+    visit(Field{"of_counts", "", {}, "Intensities are the counts of an instrument."}, self.of_counts);
     visit(Field{"height", "pixels", from_to(240, 8192), "Height of the whole picture."}, self.height);
     visit(Field{"annotations", "", {}, "Draw title, rings, radials, axes and colour bar."}, self.annotations);
   }
@@ -91,6 +93,13 @@ inline constexpr double kShownGainPerDecade = 30;
 /// The ping with its intensities times r^(X/10), r in metres.
 /// @param decibels_per_decade  X.
 [[nodiscard]] Ping raised_by_range(Ping ping, const SonarConfig& sonar, double decibels_per_decade);
+
+/// The display of counts, as the instrument delivers them: linear, from 0 to the greatest, 2^bits - 1.
+[[nodiscard]] Display counts_display(const SonarConfig& sonar);
+
+/// The ping with its counts as its intensities, for a counts_display().
+/// @throws Error if it has none, see ReceiverConfig::counts.
+[[nodiscard]] Ping counts_as_intensities(Ping ping);
 
 /// Full scale that fits a ping: the intensity that the strongest thousandth of all non-zero intensities exceeds, but at
 /// most 25 dB below the strongest; rounded up to a multiple of 5 dB. 1 if all intensities are zero.

@@ -25,8 +25,29 @@ struct Looks {
   py::object levels;
   std::string colour_map, scale = {};
   int height = 720;
-  bool annotations = true;
+  bool annotations = true, counts = false;
 };
+
+// The counts of a ping, as `insonify run --counts` draws them.
+Picture drawn_counts(const py::object& given, const Looks& looks,
+                     Picture (*draw)(const Ping&, const SonarConfig&, const Display&)) {
+  if (!looks.levels.is_none() || !looks.scale.empty()) {
+    throw Error(
+        "", "counts",
+        fmt::format(" are drawn as they are, linear, without {}", looks.levels.is_none() ? "a scale" : "levels"));
+  }
+  const PythonPing& ping = ping_from(given);
+  Display display = counts_display(ping.facts->sonar);
+  display.colour_map = colour_map_from_name(looks.colour_map);
+  display.height = looks.height;
+  display.annotations = looks.annotations;
+  Ping counted = ping;
+  if (const py::object counts = given.attr("counts"); !counts.is_none()) {  // A recorded ping reads them now.
+    const auto array = py::array_t<std::uint16_t, py::array::c_style>::ensure(counts);
+    counted.counts.assign(array.data(), array.data() + array.size());
+  }
+  return draw(counts_as_intensities(std::move(counted)), ping.facts->sonar, display);
+}
 
 // The ping and the display with which `insonify run` draws it.
 Picture drawn(const PythonPing& ping, const Looks& looks,
@@ -76,24 +97,26 @@ void add_drawing(py::module_& module, const char* name,
       "on the colour bar, None for what "
       "fits this ping; for a film give the same to all. colour_map, or color_map: inferno (which None stands "
       "for), copper, grey or blue. scale: linear or db; None: db "
-      "in the calibrated model, in which intensities are raised by 30 dB per decade of range.";
+      "in the calibrated model, in which intensities are raised by 30 dB per decade of range. counts: draw the counts "
+      "instead, from 0 to the greatest, where the ping has any (receiver.counts).";
   module.def(
       name,
       [name, draw](const py::object& ping, const py::object& levels, const py::object& colour_map,
                    const py::object& scale, const py::object& height, const py::object& annotations,
-                   const py::object& color_map, const py::kwargs& others) {
-        refuse_others(name, others, "ping, levels, colour_map (or color_map), scale, height and annotations");
+                   const py::object& color_map, const py::object& counts, const py::kwargs& others) {
+        refuse_others(name, others, "ping, levels, colour_map (or color_map), scale, height, annotations and counts");
         Looks looks{.levels = levels, .colour_map = colour_map_name(colour_map, color_map)};
         if (!scale.is_none()) {
           from_python(scale, "scale", 1, looks.scale);
         }
         from_python(height, "height", 1, looks.height);
         from_python(annotations, "annotations", 1, looks.annotations);
-        return array_of(drawn(ping_from(ping), looks, draw));
+        from_python(counts, "counts", 1, looks.counts);
+        return array_of(looks.counts ? drawn_counts(ping, looks, draw) : drawn(ping_from(ping), looks, draw));
       },
       py::arg("ping"), py::arg("levels") = py::none(), py::arg("colour_map") = py::none(),
       py::arg("scale") = py::none(), py::arg("height") = 720, py::arg("annotations") = true, py::kw_only(),
-      py::arg("color_map") = py::none(), help.c_str());
+      py::arg("color_map") = py::none(), py::arg("counts") = false, help.c_str());
 }
 
 }  // namespace

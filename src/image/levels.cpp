@@ -1,7 +1,10 @@
-// levels.cpp -- gain over range and full scale for displaying intensities that cover many decades.
+// levels.cpp -- what is displayed: counts, or intensities that cover many decades, with gain over range and full scale.
+
+#include <fmt/format.h>
 
 #include <algorithm>
 
+#include "insonify/error.h"
 #include "insonify/picture.h"
 
 namespace insonify {
@@ -24,6 +27,21 @@ Display usual_display(EchoModel model, const ReceiverConfig& receiver) {
     display.raised_per_decade = raised ? 0 : kShownGainPerDecade;
   }
   return display;
+}
+
+Display counts_display(const SonarConfig& sonar) {
+  Display display;
+  display.of_counts = true;
+  display.full_scale = (1 << sonar.bits) - 1;
+  return display;
+}
+
+Ping counts_as_intensities(Ping ping) {
+  if (ping.counts.size() != ping.intensity.size()) {
+    throw Error(fmt::format("ping {} has no counts; receiver.counts: true adds them (calibrated)", ping.number));
+  }
+  std::ranges::copy(ping.counts, ping.intensity.begin());
+  return ping;
 }
 
 std::vector<float> intensities_to_fit(const Ping& ping, const SonarConfig& sonar) {

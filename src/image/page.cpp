@@ -93,7 +93,8 @@ std::vector<Page::Tick> Page::bar_ticks(int most_parts) const {
 
 std::string Page::bar_caption() const {
   if (display_.scale == Scale::kLinear) {
-    return fmt::format("echo intensity (0 to {})", number_text(display_.full_scale));
+    return fmt::format("{} (0 to {})", display_.of_counts ? "count" : "echo intensity",
+                       number_text(display_.full_scale));
   }
   const std::string_view reference = display_.of_source ? "source at 1 m" : display_.of_one ? "1" : "full scale";
   return display_.raised_per_decade > 0

@@ -7,6 +7,7 @@ namespace {
 
 using testing::ContainsRegex;
 using testing::ElementsAre;
+using testing::HasSubstr;
 
 TEST_F(CliTest, PicturesDrawnFromARecordingAreThoseOfTheRun) {
   const std::string paper = "--set model=paper --scale db --floor-db -30";
@@ -44,6 +45,28 @@ TEST_F(CliTest, PicturesThatAreAllBlackAreToldOf) {
                                      "and --levels begins at 10 dB\n"));
   EXPECT_EQ(shell("insonify draw run/ahead.h5 -o drawn --color-map grey --levels 10:20").err, run.err);
   EXPECT_EQ(shell("insonify draw run/ahead.h5 -o again --levels -190:20").err, "");
+}
+
+// Counts of 4 bits, so that pictures of them have at most sixteen colours beside those of texts and lines.
+TEST_F(CliTest, CountsAreDrawnByRunAndFromTheRecording) {
+  const std::string counted = " --set model=calibrated --set receiver.counts=true --set receiver.full_scale_share=0.01 "
+                              "--set 'sonars[0].bits=4'";
+  for (const char* sonar : {"fan.yaml", "scan.yaml"}) {
+    const Outcome outcome = shell(fmt::format(
+        "rm -rf run drawn; insonify run {} -o run -q --no-view --pictures 3 --counts {} && insonify draw run/*.h5 "
+        "-o drawn --pictures 3 --counts && insonify draw run/*.h5 -o levels --force --pictures 3 && mv run/*.h5 . && "
+        "diff -r run drawn && ! diff -rq run levels >/dev/null",
+        sonar, counted));
+    EXPECT_EQ(outcome.status, 0) << sonar << outcome.err << outcome.out;
+  }
+  const std::string refusal = "--counts: the pings of ahead have no counts; receiver.counts: true adds them, in the "
+                              "calibrated model";
+  const Outcome run = shell("insonify run fan.yaml -o without -q --counts");
+  EXPECT_EQ(run.status, 2);
+  EXPECT_THAT(run.err, HasSubstr(refusal));
+  ASSERT_EQ(shell("insonify run fan.yaml -o without -q --no-pictures").status, 0);
+  EXPECT_THAT(shell("insonify draw without/ahead.h5 --counts").err, HasSubstr(refusal));
+  EXPECT_EQ(shell("insonify draw without/ahead.h5 --counts --levels -90:-40").status, 2);
 }
 
 TEST_F(CliTest, DrawFailsWhereItCannotWrite) {

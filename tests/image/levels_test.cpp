@@ -1,10 +1,11 @@
-// levels_test.cpp -- gain over range and full scale of displayed intensities.
+// levels_test.cpp -- displayed counts; gain over range and full scale of displayed intensities.
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "insonify/picture.h"
+#include "support/message_of.h"
 
 namespace insonify::levels_test {
 namespace {
@@ -82,6 +83,26 @@ TEST(LevelsTest, ScaleOfAScanFitsAllOfItsPings) {
   EXPECT_NEAR(10 * std::log10(view.fitting_full_scale()), -55, 1e-9);
   view.add(ping_of(100, 1, 0.5F));
   EXPECT_NEAR(10 * std::log10(view.fitting_full_scale()), 0, 1e-9);
+}
+
+TEST(LevelsTest, CountsAreShownFromNoneToTheGreatest) {
+  SonarConfig sonar;
+  sonar.bits = 10;
+  Ping ping = ping_of(1, 3, 0.5F);
+  ping.counts = {0, 341, 1023};
+  const Ping shown = counts_as_intensities(ping);
+  const Display display = counts_display(sonar);
+  EXPECT_NO_THROW(display.validate());
+  EXPECT_EQ(shown_level(display, shown.intensity[0]), 0);
+  EXPECT_DOUBLE_EQ(shown_level(display, shown.intensity[1]), 1 / 3.0);
+  EXPECT_EQ(shown_level(display, shown.intensity[2]), 1);
+}
+
+TEST(LevelsTest, PingsWithoutCountsCannotBeShownAsSuch) {
+  Ping ping = ping_of(1, 3, 0.5F);
+  ping.number = 7;
+  EXPECT_EQ(message_of([&] { static_cast<void>(counts_as_intensities(ping)); }),
+            "ping 7 has no counts; receiver.counts: true adds them (calibrated)");
 }
 
 }  // namespace

@@ -99,7 +99,8 @@ class ArgumentsTest(unittest.TestCase):
             "ping() has no argument 'foo'; it takes sonar, pose, time, number, twist, moved and head_angle")
         self.assertEqual(
             self.message(lambda: insonify.fan(ping, cmap="grey"), TypeError),
-            "draw_fan() has no argument 'cmap'; it takes ping, levels, colour_map (or color_map), scale, height and annotations")
+            "draw_fan() has no argument 'cmap'; it takes ping, levels, colour_map (or color_map), scale, height, annotations "
+            "and counts")
 
     def test_formulas_name_the_argument(self):
         kinds = " must be a number or an array of numbers"

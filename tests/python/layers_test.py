@@ -41,6 +41,18 @@ class LayersTest(unittest.TestCase):
     def tearDownClass(cls):
         cls.folder.cleanup()
 
+    def test_counts_are_drawn_in_place_of_intensities(self):
+        for draw in insonify.draw_fan, insonify.draw_polar:
+            made, read = draw(self.pings[1], counts=True), draw(self.recording[1], counts=True)
+            np.testing.assert_array_equal(made, read)
+            self.assertFalse(np.array_equal(made, draw(self.pings[1])))
+            greys = draw(self.recording[1], counts=True, annotations=False, colour_map="grey")
+            self.assertGreater(greys.max(), greys.min())
+        with self.assertRaisesRegex(insonify.Error, "counts are drawn as they are, linear, without levels"):
+            insonify.draw_fan(self.pings[1], (-80, -40), counts=True)
+        with self.assertRaisesRegex(insonify.Error, "counts are drawn as they are, linear, without a scale"):
+            insonify.draw_fan(self.pings[1], scale="db", counts=True)
+
     def test_every_layer_is_there_as_h5py_reads_it(self):
         rec = self.recording
         self.assertEqual(rec.layers, ["intensity", "field", "counts", "instance", "material", "elevation",

@@ -50,7 +50,7 @@ Recorded open_recording(const DrawOptions& options) {
   return checked_input([&] {
     RecordedPings pings(file, options.sonar);
     const SonarConfig sonar = pings.sonar_config();
-    const PictureStyle style = picture_style(options.pictures, model_of(pings, file), pings.receiver_config());
+    const PictureStyle style = picture_style(options.pictures, model_of(pings, file), pings.receiver_config(), sonar);
     const PictureChoice choice = choice_of(options, pings);
     if (pings.ping_count() == 0) {
       throw InputError(fmt::format("{}: there is no ping in it", file.string()));
@@ -64,13 +64,22 @@ Recorded open_recording(const DrawOptions& options) {
   });
 }
 
+Ping ping_of(const Recorded& recorded, std::uint64_t number) {
+  Ping ping = recorded.pings.ping(number);
+  if (recorded.style.display.of_counts) {
+    const std::vector<double> counts = recorded.pings.counts(number);
+    ping.counts.assign(counts.begin(), counts.end());
+  }
+  return ping;
+}
+
 // The first ping of a fan sets the scale for all; a picture of a scan shows all pings so far.
 void draw_pings(const Recorded& recorded, PingPictures& pictures) {
   const std::uint64_t count = recorded.pings.ping_count();
   const bool scans = recorded.sonar.type == SonarType::kMechanicallyScanned;
   for (std::uint64_t number = 0; number < count; ++number) {
     if (scans || number == 0 || recorded.choice.takes(number, count)) {
-      pictures.add(recorded.pings.ping(number));
+      pictures.add(ping_of(recorded, number));
     }
   }
   if (scans) {

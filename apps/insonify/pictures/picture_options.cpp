@@ -40,6 +40,16 @@ void add_picture_options(CLI::App& command, PictureOptions& options, const std::
       ->group(group);
 }
 
+void add_counts_option(CLI::App& command, PictureOptions& options, const std::string& group) {
+  command
+      .add_flag("--counts", options.counts,
+                "Draw the counts that the instrument delivers (receiver.counts), from 0 to the greatest")
+      ->excludes("--scale")
+      ->excludes("--floor-db")
+      ->excludes("--levels")
+      ->group(group);
+}
+
 PictureStyle picture_style(const PictureOptions& options, EchoModel model, const ReceiverConfig& receiver) {
   PictureStyle style{.model = model, .display = usual_display(model, receiver)};
   Display& display = style.display;
@@ -57,6 +67,25 @@ PictureStyle picture_style(const PictureOptions& options, EchoModel model, const
     display.floor_db = levels->first - levels->second;
   }
   display.validate();
+  return style;
+}
+
+PictureStyle picture_style(const PictureOptions& options, EchoModel model, const ReceiverConfig& receiver,
+                           const SonarConfig& sonar) {
+  PictureStyle style = picture_style(options, model, receiver);
+  if (options.counts) {
+    if (model == EchoModel::kPaper || !receiver.counts) {
+      throw InputError(
+          fmt::format("--counts: the pings of {} have no counts; receiver.counts: true adds them, in the "
+                      "calibrated model",
+                      sonar.name));
+    }
+    const Display intensities = style.display;
+    style.fixed_levels = true;
+    style.display = counts_display(sonar);
+    style.display.colour_map = intensities.colour_map;
+    style.display.height = intensities.height;
+  }
   return style;
 }
 

@@ -58,12 +58,17 @@ void PingPictures::add(const Ping& ping) {
     add_shown(ping);
     return;
   }
-  const Ping raised = raised_by_range(ping, sonar_, display_.raised_per_decade);
+  const Ping raised = shown(ping);
   if (!scaled_ && !fixed_ && scan_ == nullptr) {
     display_.full_scale = fitting_full_scale(intensities_to_fit(raised, sonar_));
     scaled_ = true;
   }
   add_shown(raised);
+}
+
+// The ping with what is drawn as its intensities, in the calibrated model.
+Ping PingPictures::shown(const Ping& ping) const {
+  return display_.of_counts ? counts_as_intensities(ping) : raised_by_range(ping, sonar_, display_.raised_per_decade);
 }
 
 // One ping of a scan is not representative of the others: each picture is scaled to fit all that it shows.
@@ -98,9 +103,9 @@ void PingPictures::finish(const Ping& last) {
     write("scan", scan_->draw(display_));
     write("polar", scan_->draw_polar(display_));
   } else if (!last_drawn_) {
-    const Ping shown = model_ == EchoModel::kPaper ? last : raised_by_range(last, sonar_, display_.raised_per_decade);
-    note_brightest(shown);
-    draw_fan_of(shown);
+    const Ping drawn = model_ == EchoModel::kPaper ? last : shown(last);
+    note_brightest(drawn);
+    draw_fan_of(drawn);
   }
 }
 
@@ -111,9 +116,12 @@ void PingPictures::note_brightest(const Ping& ping) {
 }
 
 std::string PingPictures::darkness_text() const {
-  const double darkest = display_.full_scale * std::pow(10, display_.floor_db / 10);
+  const double darkest = display_.of_counts ? 0 : display_.full_scale * std::pow(10, display_.floor_db / 10);
   if (!fixed_ || files_.empty() || brightest_ > darkest) {
     return "";
+  }
+  if (display_.of_counts) {
+    return fmt::format("the pictures of {} are black: all counts are 0", sonar_.name);
   }
   return fmt::format("the pictures of {} are black: {}, and --levels begins at {:.4g} dB", sonar_.name,
                      brightest_ > 0 ? fmt::format("their brightest point has {:.4g} dB", 10 * std::log10(brightest_))

@@ -30,8 +30,8 @@ struct PictureChoice {
 /// NAME_scan_0000.png, the scan up to a ping, and at the end NAME_scan.png and the waterfall NAME_polar.png.
 class PingPictures {
  public:
-  /// In the calibrated model the display may apply gain by range. Unless the style fixes full scale, it is fitted to
-  /// the first ping of a fan, for all of its pictures, or to all pings so far of a scan.
+  /// In the calibrated model the display may apply gain by range, or be that of counts. Unless the style fixes full
+  /// scale, it is fitted to the first ping of a fan, for all of its pictures, or to all pings so far of a scan.
   /// @param folder  Where pictures are written; must outlive this.
   PingPictures(PictureFolder& folder, const SonarConfig& sonar, const PictureStyle& style, PictureChoice choice,
                std::uint64_t total);
@@ -48,6 +48,7 @@ class PingPictures {
   [[nodiscard]] std::string darkness_text() const;
 
  private:
+  [[nodiscard]] Ping shown(const Ping& ping) const;
   void add_shown(const Ping& ping);
   void note_brightest(const Ping& ping);
   void fit_scan();

@@ -57,6 +57,9 @@ Simulator prepare(const RunOptions& options, const std::filesystem::path& folder
     tell_of_reading(options);
     Scenario scenario = load_scenario(options.scenario, options.settings, log_to_user(options.quiet));
     style = picture_style(options.pictures, scenario.model, scenario.receiver);
+    for (const SonarConfig& sonar : scenario.sonars) {
+      static_cast<void>(picture_style(options.pictures, scenario.model, scenario.receiver_of(sonar), sonar));
+    }
     if (!options.force) {
       refuse_earlier_run(folder, scenario, options.record.endings());
     }

@@ -14,7 +14,7 @@ std::vector<Track> start_tracks(const Simulator& simulator, const ScenarioReques
   for (std::size_t i = 0; i < scenario.sonars.size(); ++i) {
     const SonarConfig& sonar = simulator.sonar(static_cast<int>(i));
     const std::uint64_t pings = requests.ping_count(static_cast<int>(i));
-    const PictureStyle style = picture_style(options, scenario.model, scenario.receiver_of(sonar));
+    const PictureStyle style = picture_style(options, scenario.model, scenario.receiver_of(sonar), sonar);
     tracks.push_back({SonarRecordings(folder, simulator, static_cast<int>(i), recording),
                       PingPictures(pictures, sonar, style, choice, pings)});
   }
