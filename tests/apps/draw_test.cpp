@@ -49,8 +49,9 @@ TEST_F(CliTest, PicturesThatAreAllBlackAreToldOf) {
 
 // Counts of 4 bits, so that pictures of them have at most sixteen colours beside those of texts and lines.
 TEST_F(CliTest, CountsAreDrawnByRunAndFromTheRecording) {
-  const std::string counted = " --set model=calibrated --set receiver.counts=true --set receiver.full_scale_share=0.01 "
-                              "--set 'sonars[0].bits=4'";
+  const std::string counted =
+      " --set model=calibrated --set receiver.counts=true --set receiver.full_scale_share=0.01 "
+      "--set 'sonars[0].bits=4'";
   for (const char* sonar : {"fan.yaml", "scan.yaml"}) {
     const Outcome outcome = shell(fmt::format(
         "rm -rf run drawn; insonify run {} -o run -q --no-view --pictures 3 --counts {} && insonify draw run/*.h5 "
@@ -59,8 +60,9 @@ TEST_F(CliTest, CountsAreDrawnByRunAndFromTheRecording) {
         sonar, counted));
     EXPECT_EQ(outcome.status, 0) << sonar << outcome.err << outcome.out;
   }
-  const std::string refusal = "--counts: the pings of ahead have no counts; receiver.counts: true adds them, in the "
-                              "calibrated model";
+  const std::string refusal =
+      "--counts: the pings of ahead have no counts; receiver.counts: true adds them, in the "
+      "calibrated model";
   const Outcome run = shell("insonify run fan.yaml -o without -q --counts");
   EXPECT_EQ(run.status, 2);
   EXPECT_THAT(run.err, HasSubstr(refusal));

@@ -335,7 +335,7 @@ TEST_P(RoughMirrorTest, SpreadsWhatReturnsOverItTwiceAsIndependentSlopesDo) {
 // The same with the share of each pair of orders: n out and m back, Poisson with the mean g = 4 k^2 h^2, have the
 // variances n s^2/g and m s^2/g.
 TEST_P(RoughMirrorTest, IsSharpBothWaysWhereItIsCoherent) {
-  constexpr double kSlope = 0.08, kLobe = 0.02, kUp = 9, kAcross = 10, kFrequency = 720e3;
+  constexpr double kSlope = 0.04, kLobe = 0.02, kUp = 9, kAcross = 10, kFrequency = 720e3;
   for (const double height : {0.05e-3, 0.1e-3, 0.2e-3}) {
     const double g = std::pow(2 * 2 * kDegree * 180 * kFrequency / 1500 * height, 2);
     const double near_share = kUp / (kUp + kAcross), far_share = 1 - near_share;

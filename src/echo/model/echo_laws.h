@@ -40,22 +40,22 @@ inline constexpr float kLeastSpread = 0.01F;
 
 /// A path from the sonar to a mirror, the first surface, and on to a second surface.
 struct MirrorPath {
-  Scattering mirror, second;    ///< Scattering parameters of both surfaces.
-  double incidence = 1;         ///< Cosine of incidence on the mirror, of either sign.
-  double mirror_texture = 1;    ///< ReliefPoint::reflectivity of the mirror.
-  double second_texture = 1;    ///< The same of the second surface.
-  double share = 1;             ///< MirrorFacet::share of the facet that reflects the sound; 1 for a smooth mirror.
-  double there = 0;             ///< Length from the sonar to the mirror and on to the second surface [m].
-  double back = 0;              ///< Length from the second surface straight to the sonar [m].
-  double spread = 1;            ///< Area of the ray tube at the second surface, relative to that by a plane mirror.
-  double returned = 1;          ///< face_return(): intensity that the mirror returns, relative to one without edges.
-  double in = 1;                ///< Cosine between the second surface's normal and the direction the sound comes from.
-  double out = 1;               ///< Cosine between that normal and the direction to the sonar.
-  double half = 1;              ///< Cosine between that normal and the half vector of both directions.
-  std::optional<double> glint;  ///< FacetReturn::half of the way back over the mirror; `in` without facets.
-  double variance = 0;          ///< FacetReturn::variance
-  double coherent = 1;          ///< FacetReturn::coherent
-  double facet = 1;             ///< Cosine between the half vector and either direction: incidence on the facets.
+  Scattering mirror, second;  ///< Scattering parameters of both surfaces.
+  double incidence = 1;       ///< Cosine of incidence on the mirror, of either sign.
+  double mirror_texture = 1;  ///< ReliefPoint::reflectivity of the mirror.
+  double second_texture = 1;  ///< The same of the second surface.
+  double share = 1;           ///< MirrorFacet::share of the facet that reflects the sound; 1 for a smooth mirror.
+  double there = 0;           ///< Length from the sonar to the mirror and on to the second surface [m].
+  double back = 0;            ///< Length from the second surface straight to the sonar [m].
+  double spread = 1;          ///< Area of the ray tube at the second surface, relative to that by a plane mirror.
+  double returned = 1;        ///< face_return(): intensity that the mirror returns, relative to one without edges.
+  double in = 1;              ///< Cosine between the second surface's normal and the direction the sound comes from.
+  double out = 1;             ///< Cosine between that normal and the direction to the sonar.
+  double half = 1;            ///< Cosine between that normal and the half vector of both directions.
+  std::optional<double> glint = {};  ///< FacetReturn::half of the way back over the mirror; `in` without facets.
+  double variance = 0;               ///< FacetReturn::variance
+  double coherent = 1;               ///< FacetReturn::coherent
+  double facet = 1;                  ///< Cosine between the half vector and either direction: incidence on the facets.
 };
 
 /// Intensities relative to the source's at 1 m, per steradian of launched sound.

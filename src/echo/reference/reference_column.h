@@ -7,6 +7,7 @@
 
 #include "base/parallel.h"
 #include "echo/grid/echo.h"
+#include "echo/mirror/facet_return.h"
 #include "echo/model/deposit.h"
 #include "echo/model/echo_laws.h"
 #include "echo/model/left_out.h"

@@ -84,7 +84,9 @@ std::optional<ReferenceColumn::Reflection> ReferenceColumn::reflect(int row) {
   path.point = path.ray.origin + path.ray.direction * path.second.distance;
   path.back = world_from_sonar_.position - path.point;
   path.there = static_cast<float>(first_[row].distance + path.second.distance);
-  return_over(edges, row, path);
+  if (plan_.model == EchoModel::kCalibrated) {
+    return_over(edges, row, path);
+  }
   path.path_length = static_cast<float>(first_[row].distance + path.second.distance + path.back.norm());
   path.footprint =
       path_footprint(change_along(row), hits_.selected[row], change_across(row),
