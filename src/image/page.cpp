@@ -85,16 +85,18 @@ std::vector<Page::Tick> Page::bar_ticks(int most_parts) const {
   const double low = linear ? 0 : brightest + display_.floor_db;
   const double high = linear ? display_.full_scale : brightest;
   std::vector<Tick> ticks;
-  for (const double value : multiples_within(low, high, nice_step(high - low, most_parts))) {
-    ticks.push_back({(value - low) / (high - low), number_text(value)});
+  const double step = nice_step(high - low, most_parts);
+  for (const double value : multiples_within(low, high, display_.of_counts ? std::max(step, 1.0) : step)) {
+    ticks.push_back({(value - low) / (high - low),
+                     display_.of_counts ? fmt::format("{:.0f}", std::abs(value)) : number_text(value)});
   }
   return ticks;
 }
 
 std::string Page::bar_caption() const {
   if (display_.scale == Scale::kLinear) {
-    return fmt::format("{} (0 to {})", display_.of_counts ? "count" : "echo intensity",
-                       number_text(display_.full_scale));
+    return display_.of_counts ? fmt::format("count (0 to {:.0f})", display_.full_scale)
+                              : fmt::format("echo intensity (0 to {})", number_text(display_.full_scale));
   }
   const std::string_view reference = display_.of_source ? "source at 1 m" : display_.of_one ? "1" : "full scale";
   return display_.raised_per_decade > 0

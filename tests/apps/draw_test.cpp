@@ -71,6 +71,21 @@ TEST_F(CliTest, CountsAreDrawnByRunAndFromTheRecording) {
   EXPECT_EQ(shell("insonify draw without/ahead.h5 --counts --levels -90:-40").status, 2);
 }
 
+TEST_F(CliTest, CountsThatAreAllAlikeOrNotRecordedAreToldOf) {
+  const std::string run =
+      "insonify run fan.yaml -q --no-view --counts --set model=calibrated --set receiver.counts=true ";
+  EXPECT_THAT(shell(run + "--set receiver.full_scale_db=-200 -o white").err,
+              HasSubstr("warning: the pictures of ahead are white: all counts are 255; full scale is too low\n"));
+  EXPECT_THAT(shell(run + "--set receiver.full_scale_db=100 -o black").err,
+              HasSubstr("warning: the pictures of ahead are black: all counts are 0\n"));
+  ASSERT_EQ(shell(run + "--set receiver.full_scale_db=-60 -o levels --record mcap").status, 0);
+  const Outcome drawn = shell("insonify draw levels/ahead.mcap -o drawn --counts");
+  EXPECT_EQ(drawn.status, 2);
+  EXPECT_EQ(drawn.err,
+            "insonify: levels/ahead.mcap: --counts: there are none in it; MCAP recordings hold levels only, HDF5 ones "
+            "both\n");
+}
+
 TEST_F(CliTest, DrawFailsWhereItCannotWrite) {
   ASSERT_EQ(shell("insonify run fan.yaml -o run -q --no-pictures").status, 0);
   const Outcome outcome = shell("ulimit -f 4; insonify draw run/ahead.h5 -o drawn");

@@ -12,6 +12,8 @@
 #include "echo/mirror/secondary_echo.h"
 #include "echo/model/hit_column.h"
 #include "insonify/acoustics/backscatter.h"
+#include "insonify/acoustics/surface_scattering.h"
+#include "insonify/sea_surface.h"
 
 namespace insonify::echo_laws_test {
 namespace {
@@ -113,6 +115,56 @@ TEST(EchoLawsTest, LobeTowardsARoughMirrorIsWidened) {
                         .variance = 0.03,
                         .coherent = 0.25};
   EXPECT_NEAR(mirror_intensities(path, 0).twice, 0.81 * 1.03989 * (0.25 * 1.48203 + 0.75 * 0.777095) / 100, 1e-7);
+}
+
+// The sea's table takes off what its lobe has too much: never more than the lobe, wherever that is looked up and
+// however wide it is, in both forms.
+TEST(EchoLawsTest, TheSeaNeverScattersLessThanNothingTowardsAMirror) {
+  for (const double wind_speed : {1.0, 3.0, 8.0, 15.0}) {
+    std::vector<Material> materials = {sea_surface_material({.level = 0, .wind_speed = wind_speed}, kFrequency),
+                                       Material()};
+    materials[1].rms_slope = 0.05;
+    const ScatterTable table(materials, kFrequency);
+    const Scattering sea = materials[0].scattering(kFrequency);
+    ASSERT_TRUE(sea.by_angle);
+    for (const float in : {0.9999F, 0.98F, 0.9F, 0.6F, 0.2F, 0.05F}) {
+      MirrorPaths paths = {};
+      std::vector<MirrorPath> expected;
+      for (int lane = 0; lane < kPathLanes; ++lane) {
+        const float glint = 1 - static_cast<float>(lane) / (2 * kPathLanes), variance = lane % 3 == 0 ? 0.0F : 0.05F;
+        paths.reflectance[lane] = paths.share[lane] = paths.texture[lane] = paths.returned[lane] = paths.spread[lane] =
+            1;
+        paths.there[lane] = paths.back[lane] = 10;
+        paths.in[lane] = paths.out[lane] = paths.half[lane] = paths.facet[lane] = in;
+        paths.glint[lane] = lane == 0 ? in : glint;
+        paths.variance[lane] = variance;
+        paths.coherent[lane] = lane % 2 == 0 ? 0.3F : 0.0F;
+        paths.steepness[lane] = table.steepness(surface_label(0, 1));
+        paths.surface[lane] = surface_label(0, 0);
+        expected.push_back({.mirror = {.lambert = 0, .reflection = 1, .rms_slope = 0.05},
+                            .second = sea,
+                            .there = 10,
+                            .back = 10,
+                            .in = in,
+                            .out = in,
+                            .half = in,
+                            .glint = paths.glint[lane],
+                            .variance = variance,
+                            .coherent = paths.coherent[lane],
+                            .facet = in});
+      }
+      MirrorPowers powers;
+      fill_mirror_powers(table, 0, paths, powers);
+      for (int lane = 0; lane < kPathLanes; ++lane) {
+        const double twice = mirror_intensities(expected[lane], 0).twice;
+        EXPECT_GE(twice, 0) << wind_speed << ' ' << in << ' ' << lane;
+        EXPECT_NEAR(powers.twice[lane], twice, 1e-4 * twice + 1e-12) << wind_speed << ' ' << in << ' ' << lane;
+      }
+      // Along the way out, and not widened, it is the sea's own backscatter.
+      const double own = sea_surface_backscatter(std::asin(in), kFrequency, wind_speed);
+      EXPECT_NEAR(mirror_intensities(expected[0], 0).twice * in * 100 / own, 1, 0.05) << wind_speed << ' ' << in;
+    }
+  }
 }
 
 TEST(EchoLawsTest, VectorLoopHasThePrimaryIntensities) {

@@ -9,6 +9,7 @@
 #include "console/console.h"
 #include "console/outcome.h"
 #include "insonify/recorded_pings.h"
+#include "insonify/recording_info.h"
 #include "pictures/earlier_run.h"
 #include "pictures/output_folder.h"
 #include "pictures/pictures.h"
@@ -52,6 +53,13 @@ Recorded open_recording(const DrawOptions& options) {
     const SonarConfig sonar = pings.sonar_config();
     const PictureStyle style = picture_style(options.pictures, model_of(pings, file), pings.receiver_config(), sonar);
     const PictureChoice choice = choice_of(options, pings);
+    if (style.display.of_counts && pings.greatest_count() == 0) {
+      throw InputError(fmt::format(
+          "{}: --counts: there are none in it; MCAP recordings hold levels only, HDF5 ones both", file.string()));
+    }
+    if (const std::string text = unfinished_text(file, recording_info(file)); !text.empty()) {
+      complain("warning: " + text);
+    }
     if (pings.ping_count() == 0) {
       throw InputError(fmt::format("{}: there is no ping in it", file.string()));
     }

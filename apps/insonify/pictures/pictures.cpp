@@ -112,10 +112,15 @@ void PingPictures::finish(const Ping& last) {
 void PingPictures::note_brightest(const Ping& ping) {
   for (const float intensity : ping.intensity) {
     brightest_ = std::max(brightest_, static_cast<double>(intensity));
+    darkest_ = std::min(darkest_, static_cast<double>(intensity));
   }
 }
 
 std::string PingPictures::darkness_text() const {
+  if (display_.of_counts && !files_.empty() && darkest_ == display_.full_scale) {
+    return fmt::format("the pictures of {} are white: all counts are {:.0f}; full scale is too low", sonar_.name,
+                       darkest_);
+  }
   const double darkest = display_.of_counts ? 0 : display_.full_scale * std::pow(10, display_.floor_db / 10);
   if (!fixed_ || files_.empty() || brightest_ > darkest) {
     return "";

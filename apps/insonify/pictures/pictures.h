@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
@@ -44,7 +45,7 @@ class PingPictures {
   /// Files written so far, in order.
   [[nodiscard]] const std::vector<std::filesystem::path>& files() const { return files_; }
 
-  /// Says so where fixed levels leave every picture black; else "".
+  /// Says so where fixed levels leave every picture black, or counts are all the greatest; else "".
   [[nodiscard]] std::string darkness_text() const;
 
  private:
@@ -64,7 +65,8 @@ class PingPictures {
   std::uint64_t total_ = 0;
   std::unique_ptr<ScanView> scan_;  // Only for a scanning sonar.
   bool last_drawn_ = true;
-  double brightest_ = 0;  // Largest intensity drawn.
+  double brightest_ = 0;                                      // Largest intensity drawn.
+  double darkest_ = std::numeric_limits<double>::infinity();  // The least.
   std::vector<std::filesystem::path> files_;
 };
 

@@ -10,6 +10,8 @@
 namespace insonify {
 namespace {
 
+constexpr float kTiny = 1e-20F;  // Added to a divisor that may be zero.
+
 [[gnu::always_inline]] inline float held(float cosine) {
   return cosine < kLeastCosine ? kLeastCosine : cosine;
 }
@@ -70,7 +72,14 @@ template <bool by_angle>
                               in;
     const float once =
         once_reflected * (mu * out + glint_across) / (back * back) * fast_exp(-2 * neper_per_metre * (there + back));
-    const float scattered_back = laws.lambert[material] * in + glint_along + back_on_top;
+    float lobe_and_more = glint_along + back_on_top;
+    if constexpr (by_angle) {
+      // The sea reflects less than its facets' lobe: by this factor, also where the lobe is widened.
+      const float whole = facet_lobe(lobe_back, steepness, in) / in + kTiny;
+      const float less = glint_along * (1 + back_on_top / whole);
+      lobe_and_more = back_on_top < 0 ? (less > 0 ? less : 0.0F) : lobe_and_more;
+    }
+    const float scattered_back = laws.lambert[material] * in + lobe_and_more;
     const float twice = once_reflected * paths.reflectance[lane] * paths.returned[lane] * scattered_back /
                         (there * there * spread) * fast_exp(-4 * neper_per_metre * there);
     const bool same_side = paths.in[lane] * paths.out[lane] > 0;

@@ -26,11 +26,15 @@ double backscatter_to_mirror(const MirrorPath& path, double in) {
   const double incidence = incidence_of(in);
   const double glint = incidence_of(std::max(std::abs(path.glint.value_or(in)), double{kLeastCosine}));
   const double on_top = second.by_angle ? second.by_angle->backscatter.at(in) * in : 0;
-  return lambert_backscatter(second.lambert, incidence) +
-         path.coherent * facet_backscatter(second.reflection, second.rms_slope, glint) +
-         (1 - path.coherent) *
-             facet_backscatter(second.reflection, std::sqrt(square(second.rms_slope) + path.variance), glint) +
-         on_top;
+  const double lobe =
+      path.coherent * facet_backscatter(second.reflection, second.rms_slope, glint) +
+      (1 - path.coherent) *
+          facet_backscatter(second.reflection, std::sqrt(square(second.rms_slope) + path.variance), glint);
+  double added = on_top;
+  if (on_top < 0) {  // The sea reflects less than its facets' lobe: by this factor, also where the lobe is widened.
+    added = lobe * on_top / facet_backscatter(second.reflection, second.rms_slope, incidence);
+  }
+  return lambert_backscatter(second.lambert, incidence) + std::max(lobe + added, 0.0);
 }
 
 // Diffuse cross section between two directions.

@@ -95,28 +95,40 @@ struct Cell {
 };
 using Cells = std::map<CellKey, Cell>;
 
+// The slabs along its axis that a triangle reaches into, numbered from the mesh's origin.
+struct Slabs {
+  float length;  // Of one [m].
+  int first, last;
+
+  static Slabs of(const Mesh& mesh, const ThinTriangle& thin, float slab_length) {
+    const auto& vertices = mesh.triangles[thin.triangle];
+    const float length = slab_length * thin.thickness;
+    float low = mesh.vertices[vertices[0]][thin.along], high = low;
+    for (const std::uint32_t vertex : vertices) {
+      low = std::min(low, mesh.vertices[vertex][thin.along]);
+      high = std::max(high, mesh.vertices[vertex][thin.along]);
+    }
+    return {length, static_cast<int>(std::floor(low / length)), static_cast<int>(std::floor(high / length))};
+  }
+  [[nodiscard]] int count() const { return last - first + 1; }
+};
+
 void add_triangle(const Instance& instance, int index, const ThinTriangle& thin, float slab_length, Cells& cells) {
   const Mesh& mesh = *instance.mesh;
-  const auto& vertices = mesh.triangles[thin.triangle];
-  const float slab = slab_length * thin.thickness;
+  const Slabs slabs = Slabs::of(mesh, thin, slab_length);
   std::vector<Corner> triangle;
-  for (const std::uint32_t vertex : vertices) {
+  float turn = 0;
+  for (const std::uint32_t vertex : mesh.triangles[thin.triangle]) {
     triangle.push_back({mesh.vertices[vertex], mesh.normals[vertex]});
-  }
-  float turn = 0, low = triangle[0].place[thin.along], high = low;
-  for (const Corner& corner : triangle) {
-    turn = std::max(turn, (corner.normal - triangle[0].normal).norm());
-    low = std::min(low, corner.place[thin.along]);
-    high = std::max(high, corner.place[thin.along]);
+    turn = std::max(turn, (triangle.back().normal - triangle.front().normal).norm());
   }
   CellKey key{surface_label(static_cast<std::uint16_t>(index), instance.materials[mesh.slot_of(thin.triangle)]),
               thin.along,
               static_cast<int>(std::lround(4 * std::log2(thin.thickness / 1e-3F))),
               {}};
-  const auto first = static_cast<int>(std::floor(low / slab)), last = static_cast<int>(std::floor(high / slab));
-  for (int i = first; i <= last; ++i) {
-    const std::vector<Corner> above = clipped(triangle, thin.along, slab * static_cast<float>(i), 1);
-    const std::vector<Corner> polygon = clipped(above, thin.along, slab * static_cast<float>(i + 1), -1);
+  for (int i = slabs.first; i <= slabs.last; ++i) {
+    const std::vector<Corner> above = clipped(triangle, thin.along, slabs.length * static_cast<float>(i), 1);
+    const std::vector<Corner> polygon = clipped(above, thin.along, slabs.length * static_cast<float>(i + 1), -1);
     for (std::size_t k = 2; k < polygon.size(); ++k) {
       divide({polygon[0], polygon[k - 1], polygon[k]}, turn > kFlat, 0, [&](const Facet& facet) {
         for (int d = 0; d < 3; ++d) {
@@ -252,6 +264,13 @@ class PieceMaker {
 
 bool cut_thin_triangles(const Instance& instance, int index, const std::vector<ThinTriangle>& thin, float slab,
                         ThinParts& parts) {
+  // Each slab gives at least one piece. That there are too many is thus found before a long cable is cut.
+  for (const ThinTriangle& triangle : thin) {
+    if (Slabs::of(*instance.mesh, triangle, slab).count() >
+        static_cast<int>(ThinParts::kMostPieces - parts.pieces.size())) {
+      return false;
+    }
+  }
   Cells cells;
   constexpr std::size_t kCellsPerPiece = 16;
   for (const ThinTriangle& triangle : thin) {
