@@ -42,12 +42,27 @@ std::string explained(const CLI::App& app, const CLI::ParseError& error, const s
     if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr) {
       return fmt::format("not understood: {} (insonify {} --help)", fmt::join(app.remaining(true), " "), named);
     }
-    return fmt::format("{} (insonify {} --help)", error.what(), named);
+    std::string text = error.what();
+    if (const std::size_t at = text.find(" was given a disallowed flag override"); at != std::string::npos) {
+      text = fmt::format("{}{} takes no value", at == 1 ? "-" : "--", text.substr(0, at));
+    }
+    return fmt::format("{} (insonify {} --help)", text, named);
   }
   const std::string unknown = first.empty()
                                   ? "name a command"
                                   : fmt::format("there is no {} {}", first[0] == '-' ? "option" : "command", first);
   return fmt::format("{}; the commands are {} (insonify --help)", unknown, fmt::join(commands, ", "));
+}
+
+// A flag takes no value: --force=5 is a mistake, which CLI11 would take for --force.
+void refuse_values_of_flags(CLI::App& app) {
+  for (CLI::Option* option :
+       app.get_options([](const CLI::Option* each) { return each->get_items_expected_max() == 0; })) {
+    option->disable_flag_override();
+  }
+  for (CLI::App* command : app.get_subcommands({})) {
+    refuse_values_of_flags(*command);
+  }
 }
 
 int run_program(int argc, char** argv) {
@@ -82,6 +97,7 @@ int run_program(int argc, char** argv) {
   add_version(app, request);
   add_completion(app, request);
   add_manual(app, request);
+  refuse_values_of_flags(app);
   try {
     app.parse(argc, argv);
   } catch (const CLI::CallForHelp&) {

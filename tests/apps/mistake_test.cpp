@@ -50,6 +50,7 @@ constexpr Mistake kMistakes[] = {
      "compare, bench, version, "
      "completion, manual (insonify "
      "--help)"},
+    {"ValueOfAFlag", "insonify run fan.yaml --force=5", 2, "insonify: --force takes no value (insonify run --help)"},
     {"NoScenario", "insonify run", 2, "insonify: SCENARIO is required (insonify run --help)"},
     {"TwoScenarios", "insonify run fan.yaml scan.yaml", 2, "insonify: not understood: scan.yaml (insonify run --help)"},
     {"MissingScenario", "insonify run nowhere.yaml", 2, "insonify: nowhere.yaml: no such file"},

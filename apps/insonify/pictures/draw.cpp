@@ -57,11 +57,11 @@ Recorded open_recording(const DrawOptions& options) {
       throw InputError(fmt::format(
           "{}: --counts: there are none in it; MCAP recordings hold levels only, HDF5 ones both", file.string()));
     }
-    if (const std::string text = unfinished_text(file, recording_info(file)); !text.empty()) {
-      complain("warning: " + text);
-    }
     if (pings.ping_count() == 0) {
       throw InputError(fmt::format("{}: there is no ping in it", file.string()));
+    }
+    if (const std::string text = unfinished_text(file, recording_info(file)); !text.empty()) {
+      complain("warning: " + text);
     }
     const std::filesystem::path beside = file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
     const std::filesystem::path folder = output_folder(options.folder.empty() ? beside : options.folder, file);
