@@ -86,7 +86,7 @@ struct CellKey {
   int along;      // Coordinate of the axis: 0, 1 or 2.
   int thickness;  // In quarter octaves above 1 mm.
   std::array<int, 3> cell;
-  auto operator<=>(const CellKey&) const = default;
+  auto operator<=>(const CellKey&) const = default;  // NOLINT(modernize-use-nullptr): it means the 0 of an ordering.
 };
 
 struct Cell {
@@ -187,7 +187,7 @@ class PieceMaker {
     axis_ = solver.eigenvectors().col(2).normalized();
     // A straight piece of length l has a variance of l^2 / 12 along its axis.
     constexpr float kLong = 2;
-    const Vec3f variance = solver.eigenvalues();
+    const Vec3f& variance = solver.eigenvalues();
     half_ = variance[2] > kLong * variance[1] ? Vec3f(std::sqrt(3 * variance[2]) * axis_) : Vec3f(Vec3f::Zero());
     one_ = axis_.unitOrthogonal();
     two_ = axis_.cross(one_);
