@@ -118,8 +118,8 @@ TEST(AscGridTest, RunsFromTheNorthWestCorner) {
   const ScratchFolder folder;
   const LoadedGrid loaded =
       load_grid(folder.write("a.asc",
-                        "ncols 3\nnrows 2\nxllcorner 500000\nyllcorner 6000000\ncellsize 20\nNODATA_value -9999\n"
-                        "-1 -2 -3.5\n-4 -9999 +6e0\n"));
+                             "ncols 3\nnrows 2\nxllcorner 500000\nyllcorner 6000000\ncellsize 20\nNODATA_value -9999\n"
+                             "-1 -2 -3.5\n-4 -9999 +6e0\n"));
   const HeightGrid& grid = loaded.grid;
   EXPECT_THAT(loaded.notes, IsEmpty());
   EXPECT_EQ(grid.columns, 3);
@@ -161,8 +161,8 @@ TEST(AscGridTest, NoDataMayBeAnyNumberOrNan) {
 TEST(AscGridTest, DegreesBecomeMetres) {
   const ScratchFolder folder;
   const LoadedGrid loaded = load_grid(folder.write("a.asc",
-                                          "ncols 4\nnrows 2\nxllcorner 10\nyllcorner 59.99\ncellsize 0.01\n"
-                                          "1 2 3 4 5 6 7 8\n"));
+                                                   "ncols 4\nnrows 2\nxllcorner 10\nyllcorner 59.99\ncellsize 0.01\n"
+                                                   "1 2 3 4 5 6 7 8\n"));
   EXPECT_NEAR(loaded.grid.spacing_x, 558.00, 0.01);
   EXPECT_NEAR(loaded.grid.spacing_y, 1114.12, 0.01);
   EXPECT_NEAR(loaded.grid.origin.x(), 10.02, 1e-9);

@@ -8,7 +8,6 @@
 
 namespace insonify::validation {
 
-
 // Gives no echo of its own.
 inline Material net(double open_share) {
   Material material = diffuse(-200);
