@@ -4,6 +4,7 @@
 
 #include "support/same_pings.h"
 #include "validation/calibrated_scene.h"
+#include "validation/decibels.h"
 #include "validation/pi.h"
 
 namespace insonify::validation {
@@ -66,10 +67,6 @@ inline double energy_from(const Ping& ping, const SonarConfig& sonar, double ran
     sum += sonar.bin_range(bin) > range ? sums[bin] : 0;
   }
   return sum;
-}
-
-inline double db(double value) {
-  return 10 * std::log10(value);
 }
 
 inline Scenario scenario_of(const SonarConfig& sonar, const Method& method) {

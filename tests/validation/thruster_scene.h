@@ -7,19 +7,12 @@
 
 #include "insonify/acoustics/sonar_equation.h"
 #include "validation/calibrated_scene.h"
+#include "validation/decibels.h"
 #include "validation/pi.h"
 
 namespace insonify::validation {
 
 inline constexpr int kPings = 4, kBins = 4000;
-
-inline double db(double value) {
-  return 10 * std::log10(value);
-}
-
-inline double linear(double level_db) {
-  return std::pow(10, level_db / 10);
-}
 
 inline double sinc(double x) {
   return std::abs(x) < 1e-9 ? 1 : std::sin(kPi * x) / (kPi * x);

@@ -36,7 +36,7 @@ struct ReflectedOrigins {
   float strength[kPacketSize];                                                 ///< `paper`: HitColumn::strength.
   float reflectance[kPacketSize], share[kPacketSize], steepness[kPacketSize];  ///< `calibrated`: see MirrorPaths.
   float roughness[kPacketSize], incidence[kPacketSize];                        ///< Arguments of facet_slope().
-  float smooth_x[kPacketSize], smooth_y[kPacketSize], smooth_z[kPacketSize];   ///< As smooth mirrors reflect the rays.
+  float smooth_x[kPacketSize], smooth_y[kPacketSize], smooth_z[kPacketSize];   ///< Directions of smooth mirrors' rays.
   FaceLanes faces;                                                             ///< `calibrated`
   RayTube tube[kPacketSize];   ///< `calibrated` with more than two surfaces.
   MirrorChanges above, aside;  ///< Changes to the neighbours in the column and in the next column.

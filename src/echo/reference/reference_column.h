@@ -70,7 +70,7 @@ class ReferenceColumn {
     float there = 0;            // Length out and across [m].
     float path_length = 0;      // Length out, across and straight back [m].
     PathFootprint footprint = {};
-    std::optional<FacetReturn> facets = {};  // Of mirrors that may have some.
+    std::optional<FacetReturn> facets = {};  // How the mirror's facets return sound; empty where no mirror has any.
   };
 
   [[nodiscard]] Ray ray_of(int column, int row) const;

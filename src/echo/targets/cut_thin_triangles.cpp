@@ -97,7 +97,7 @@ using Cells = std::map<CellKey, Cell>;
 
 // The slabs along its axis that a triangle reaches into, numbered from the mesh's origin.
 struct Slabs {
-  float length;  // Of one [m].
+  float length;  // Extent of one slab along the axis [m].
   int first, last;
 
   static Slabs of(const Mesh& mesh, const ThinTriangle& thin, float slab_length) {
