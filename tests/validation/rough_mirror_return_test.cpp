@@ -89,6 +89,45 @@ TEST_P(RoughMirrorReturnTest, IsSharpBothWaysWhereItIsCoherent) {
   }
 }
 
+// Small rough faces, some of them in part of a beam only: their few rays are traced together with those of others, and
+// the glint by which the sound returns is larger than the face. Each beam has what the reference engine has.
+TEST_P(RoughMirrorReturnTest, OverSmallFacesIsThatOfTheReference) {
+  Material mirror = glinting(1, 0.08);
+  mirror.rms_height = 1e-4;
+  Scene scene = scene_of(make_plane(-Vec3::UnitZ(), 0.6, 0.4), mirror, {.position = {0.3, 0.5, 3}});
+  for (const auto& [size, material, place] :
+       {std::tuple{0.1, 0, Vec3(0, -0.2, 2.5)}, std::tuple{30.0, 1, Vec3(0, 0, -1)}}) {
+    const Scene more = scene_of(make_plane((material == 0 ? -1.0 : 1.0) * Vec3::UnitZ(), size, size), glinting(1, 0.06),
+                                {.position = place});
+    scene.instances.push_back(more.instances.front());
+    scene.instances.back().materials.assign(scene.instances.back().materials.size(), material);
+    if (material == 1) {
+      scene.materials.push_back(more.materials.front());
+    }
+  }
+  SonarConfig sonar;
+  sonar.beam_count = 30;
+  sonar.azimuth_aperture = sonar.elevation_aperture = 50 * kDegree;
+  sonar.max_range = 12;
+  sonar.bin_count = 60;
+  sonar.sampling = {4, 150};
+  const Pose upwards{.orientation = orientation_from_rpy(0, -90 * kDegree, 0)};
+  const EchoGrid grid = secondary_grid(GetParam(), scene, sonar, upwards),
+                 expected = secondary_grid(kReference, scene, sonar, upwards);
+  int heard = 0;
+  for (int beam = 0; beam < sonar.beam_count; ++beam) {
+    const auto here = grid.energy(3, beam), there = expected.energy(3, beam);
+    double sum = 0, difference = 0;
+    for (std::size_t bin = 0; bin < there.size(); ++bin) {
+      sum += there[bin];
+      difference += std::abs(here[bin] - there[bin]);
+    }
+    heard += sum > 0 ? 1 : 0;
+    EXPECT_LE(difference, 5e-3 * sum) << beam;
+  }
+  EXPECT_GT(heard, 5);
+}
+
 // A plate of bare steel that leans back below the waves: sound goes from it to the surface and back over it. What the
 // sea scatters less than its facets' lobe was taken off a lobe of another width, which left less than nothing.
 TEST(RoughMirrorReturnScenarioTest, PlatesUnderAWindySeaHaveFiniteEchoes) {
