@@ -102,7 +102,7 @@ inline std::uint64_t whole_rows(const std::filesystem::path& path, Kind kind = K
   return count;
 }
 
-inline std::filesystem::path scratch(const std::string& name) {
+inline std::filesystem::path place_for(const std::string& name) {
   const std::filesystem::path folder = process_folder() / ("growing_file_test_" + name);
   std::filesystem::remove_all(folder);
   std::filesystem::create_directories(folder);

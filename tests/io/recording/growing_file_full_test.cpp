@@ -15,7 +15,7 @@ namespace {
 
 TEST(FullDiskTest, SaysWhenAFileMayNotGrowAndKeepsWhatWasWritten) {
   for (const Kind kind : kKinds) {
-    const auto path = scratch("limit");
+    const auto path = place_for("limit");
     GrowingFile file = make_file(path, kind);
     const auto empty = std::filesystem::file_size(path);
     rlimit before{};
@@ -44,7 +44,7 @@ TEST(FullDiskTest, SaysWhenAFileMayNotGrowAndKeepsWhatWasWritten) {
 }
 
 TEST(FullDiskTest, SaysWhenTheDiskIsFullAndKeepsWhatWasWritten) {
-  const auto folder = scratch("disk").parent_path();
+  const auto folder = place_for("disk").parent_path();
   if (unshare(CLONE_NEWNS) != 0 || mount(nullptr, "/", nullptr, MS_REC | MS_PRIVATE, nullptr) != 0 ||
       mount("none", folder.c_str(), "tmpfs", 0, "size=1m") != 0) {
     GTEST_SKIP() << "a small disk can only be made by root";
@@ -67,7 +67,7 @@ TEST(FullDiskTest, SaysWhenTheDiskIsFullAndKeepsWhatWasWritten) {
 }
 
 TEST(FullDiskTest, SaysWhenThereIsNoSpaceForAnEmptyFile) {
-  const auto folder = scratch("small_disk").parent_path();
+  const auto folder = place_for("small_disk").parent_path();
   for (const char* size : {"size=4k", "size=8k", "size=20k", "size=40k"}) {
     if (unshare(CLONE_NEWNS) != 0 || mount(nullptr, "/", nullptr, MS_REC | MS_PRIVATE, nullptr) != 0 ||
         mount("none", folder.c_str(), "tmpfs", 0, size) != 0) {

@@ -61,7 +61,7 @@ TEST_P(KilledTest, FileIsWholeWheneverItsWriterIsKilled) {
   std::mt19937 random(20240607);
   int killed_while_recording = 0;
   for (int kill_number = 0; kill_number < kKills; ++kill_number) {
-    const auto path = scratch(folder);
+    const auto path = place_for(folder);
     progress_->started = progress_->added = 0;
     const std::uint64_t rows_before =
         random() % 8 == 0 ? 0 : random() % 200;  // Some writers die while the file is being created.
@@ -96,7 +96,7 @@ TEST_P(KilledTest, EarlierFileStaysWheneverTheWriterOfTheNextIsKilled) {
   const std::string folder = GetParam() == Kind::kPlain ? "killed_over" : "killed_over_compressed";
   std::mt19937 random(8);
   for (int kill_number = 0; kill_number < 30; ++kill_number) {
-    const auto path = scratch(folder);
+    const auto path = place_for(folder);
     record(path, 3, GetParam());
     progress_->started = progress_->added = 0;
     write_and_kill(*progress_, random() % 50, static_cast<useconds_t>(random() % 2000), [&] {
@@ -121,7 +121,7 @@ TEST_P(KilledTest, EarlierFileStaysWheneverTheWriterOfTheNextIsKilled) {
 // or takes a free path and is readable there while it grows.
 TEST_P(KilledTest, FileIsWholeWhileItIsBeingClosed) {
   constexpr int kKills = 40;
-  const auto path = scratch(GetParam() == Kind::kPlain ? "closing" : "closing_compressed");
+  const auto path = place_for(GetParam() == Kind::kPlain ? "closing" : "closing_compressed");
   record(path, 66, GetParam());
   std::mt19937 random(7);
   for (int kill_number = 0; kill_number < kKills; ++kill_number) {

@@ -13,7 +13,7 @@ namespace {
 
 TEST(GrowingFileTest, HoldsEveryRowThatWasAdded) {
   for (const Kind kind : kKinds) {
-    const auto path = scratch("rows");
+    const auto path = place_for("rows");
     GrowingFile file = make_file(path, kind);
     EXPECT_EQ(whole_rows(path, kind), 0U);
     for (std::uint64_t number = 0; number < 150; ++number) {  // A node of the index holds 64.
@@ -29,7 +29,7 @@ TEST(GrowingFileTest, HoldsEveryRowThatWasAdded) {
 // Two levels of the index hold 64 x 64 = 4096 rows, each a chunk of its own.
 TEST(GrowingFileTest, HoldsThousandsOfRows) {
   constexpr std::uint32_t kRows = 4096 + 130, kLength = 150;
-  const auto path = scratch("thousands");
+  const auto path = place_for("thousands");
   {
     GrowingFile file(path, {{"words", H5T_STD_U32LE, {kLength}, true}}, [](hid_t) {});
     std::vector<std::uint32_t> words(kLength);
@@ -49,7 +49,7 @@ TEST(GrowingFileTest, HoldsThousandsOfRows) {
 
 // Incompressible rows are stored as they are.
 TEST(GrowingFileTest, HoldsNoiseUncompressed) {
-  const auto path = scratch("noise");
+  const auto path = place_for("noise");
   std::mt19937 random(1);
   std::vector<std::uint32_t> noise(1000);
   std::ranges::generate(noise, random);
@@ -66,7 +66,7 @@ TEST(GrowingFileTest, HoldsNoiseUncompressed) {
 TEST(GrowingFileTest, CanBeExtendedByHdf5Afterwards) {
   for (const Kind kind : kKinds) {
     for (const std::uint64_t rows : {0, 2, 64, 100}) {
-      const auto path = scratch("extended");
+      const auto path = place_for("extended");
       record(path, rows, kind);
       {
         const H5Handle file = h5_own(H5Fopen(path.c_str(), H5F_ACC_RDWR, H5P_DEFAULT), H5Fclose, path, "open");
@@ -84,7 +84,7 @@ TEST(GrowingFileTest, CanBeExtendedByHdf5Afterwards) {
 // A copy visits every node of the index, as h5repack does.
 TEST(GrowingFileTest, CanBeCopiedByHdf5) {
   for (const Kind kind : kKinds) {
-    const auto path = scratch("copied"), copy = path.parent_path() / "copy.h5";
+    const auto path = place_for("copied"), copy = path.parent_path() / "copy.h5";
     record(path, 200, kind);
     {
       const H5Handle from = h5_open_to_read(path);
@@ -101,7 +101,7 @@ TEST(GrowingFileTest, CanBeCopiedByHdf5) {
 // Beside the rows there are about 70 kB made by HDF5, an index of a hundred bytes per chunk, the index node being
 // filled, and the unused rest of the last 4096-byte block of times.
 TEST(GrowingFileTest, IsAsLargeAsTheRowsItHolds) {
-  const auto path = scratch("size");
+  const auto path = place_for("size");
   GrowingFile file = make_file(path);
   const auto empty = std::filesystem::file_size(path);
   EXPECT_LT(empty, 200'000U);
@@ -119,7 +119,7 @@ TEST(GrowingFileTest, IsAsLargeAsTheRowsItHolds) {
 
 // The reader opened the file before the rows were added that it then finds in its dataset.
 TEST(GrowingFileTest, CanBeReadByOneThatOpenedItARowAgo) {
-  const auto path = scratch("live");
+  const auto path = place_for("live");
   GrowingFile file = make_file(path);
   for (std::uint64_t number = 0; number < 100; ++number) {
     const H5Reader reader(path);
@@ -137,7 +137,7 @@ std::vector<std::string> files_beside(const std::filesystem::path& path) {
 }
 
 TEST(GrowingFileTest, TakesThePlaceOfAnOlderFileOnceItIsClosed) {
-  const auto path = scratch("replaced");
+  const auto path = place_for("replaced");
   record(path, 3);
   GrowingFile file = make_file(path, Kind::kPlain, true);
   for (std::uint64_t number = 0; number < 7; ++number) {
@@ -153,7 +153,7 @@ TEST(GrowingFileTest, TakesThePlaceOfAnOlderFileOnceItIsClosed) {
 }
 
 TEST(GrowingFileTest, TakesNoOldersPlaceUnlessItMay) {
-  const auto path = scratch("older");
+  const auto path = place_for("older");
   record(path, 3);
   EXPECT_EQ(message_of([&] { make_file(path); }), path.string() + ": cannot create: it is there already");
   EXPECT_EQ(whole_rows(path), 3U);
@@ -161,7 +161,7 @@ TEST(GrowingFileTest, TakesNoOldersPlaceUnlessItMay) {
 }
 
 TEST(GrowingFileTest, StaysBesideTheOlderFileIfItIsNotClosed) {
-  const auto path = scratch("beside");
+  const auto path = place_for("beside");
   record(path, 3);
   (void)make_file(path, Kind::kPlain, true);
   EXPECT_EQ(files_beside(path), std::vector<std::string>{"fls.h5"}) << "without a row it is of no use";
@@ -176,7 +176,7 @@ TEST(GrowingFileTest, StaysBesideTheOlderFileIfItIsNotClosed) {
 }
 
 TEST(GrowingFileTest, IsTheOnlyOneToReplaceAFile) {
-  const auto path = scratch("only");
+  const auto path = place_for("only");
   record(path, 3);
   const GrowingFile first = make_file(path, Kind::kPlain, true);
   EXPECT_EQ(message_of([&] { make_file(path, Kind::kPlain, true); }),
@@ -184,7 +184,7 @@ TEST(GrowingFileTest, IsTheOnlyOneToReplaceAFile) {
 }
 
 TEST(GrowingFileTest, LeavesTheOlderFileWhereANewOneCannotBeMade) {
-  const auto path = scratch("kept");
+  const auto path = place_for("kept");
   record(path, 3);
   const auto fail = [](hid_t) { throw Error("described badly"); };
   EXPECT_EQ(message_of([&] {
@@ -198,7 +198,7 @@ TEST(GrowingFileTest, LeavesTheOlderFileWhereANewOneCannotBeMade) {
 TEST(GrowingFileTest, SaysWhyAFileCannotBeMade) {
   EXPECT_EQ(message_of([] { make_file("/nowhere/fls.h5"); }),
             "/nowhere/fls.h5: cannot create: No such file or directory");
-  const auto path = scratch("folder");
+  const auto path = place_for("folder");
   std::filesystem::create_directory(path);
   EXPECT_EQ(message_of([&] { make_file(path); }),
             path.string() + ": cannot create: it is there and is no regular file");
