@@ -161,10 +161,11 @@ class Starting(unittest.TestCase):
     def test_a_full_disk_ends_the_recording_with_a_word_to_all_and_status_one(self):
         for ending in ("h5", "mcap"):
             with self.subTest(ending):
-                server = self.served("--record", f"dive.{ending}", "--set", "beam_count=256", "--set", "bin_count=500",
+                server = self.served("--record", f"dive.{ending}", "--set", "beam_count=256", "--set", "bin_count=500", "--paused",
                                      largest_file=2_000_000)
                 page = Socket(server.port)
                 page.open()
+                page.say(op="pause", on=False)
                 note = page.text("note", 30)["text"]
                 self.assertRegex(note, "^the recording ends here: dive.*: File too large; .*stay.* readable$")
                 reason = "the recording ended early" + note.removeprefix("the recording ends here")
