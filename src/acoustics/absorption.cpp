@@ -5,18 +5,16 @@
 #include <cassert>
 #include <cmath>
 
+#include "acoustics/constants.h"
+#include "base/square.h"
+
 namespace insonify {
 namespace {
 
 // Inside this file frequencies are in kHz and losses in dB/km: the units the formulas were published in, so that each
 // constant can be checked against its paper. Depths are in km in Ainslie and McColm's, in m in Francois and Garrison's.
 
-constexpr double kHertzPerKilohertz = 1e3;
 constexpr double kMetresPerKilometre = 1e3;
-
-double square(double x) {
-  return x * x;
-}
 
 // Loss to one dissolved salt. Far below its relaxation frequency it grows as the square of the frequency; far above,
 // the salt no longer follows the wave and the loss levels off.

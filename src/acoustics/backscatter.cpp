@@ -6,13 +6,10 @@
 #include <numbers>
 
 #include "acoustics/argument.h"
+#include "base/square.h"
 
 namespace insonify {
 namespace {
-
-double square(double x) {
-  return x * x;
-}
 
 // Cosine of incidence, and exactly 0 from 90 degrees on: the cosine of the double nearest to pi/2 is not 0.
 double visible_cosine(double incidence) {

@@ -9,7 +9,9 @@
 #include <string_view>
 
 #include "acoustics/argument.h"
+#include "acoustics/constants.h"
 #include "acoustics/power_law_relief.h"
+#include "base/square.h"
 #include "insonify/geometry.h"
 
 namespace insonify {
@@ -18,12 +20,7 @@ namespace {
 // Inside this file lengths are in cm, as in the report's roughness spectrum: W(K) = w2 K^-gamma, K in 1/cm, W in cm^4.
 // Angles are grazing angles.
 
-constexpr double kPi = std::numbers::pi;
 constexpr double kCentimetresPerMetre = 100;
-
-double square(double x) {
-  return x * x;
-}
 
 // A bottom at one acoustic wavelength, with the quantities that do not depend on the angle.
 struct Bottom {

@@ -3,12 +3,11 @@
 #include "acoustics/power_law_relief.h"
 
 #include <cmath>
-#include <numbers>
+
+#include "acoustics/constants.h"
 
 namespace insonify {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 double structure_of(double strength, double alpha) {
   return 2 * kPi * strength * std::tgamma(2 - alpha) * std::pow(2, -2 * alpha) /

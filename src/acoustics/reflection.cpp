@@ -8,16 +8,9 @@
 #include <string_view>
 
 #include "acoustics/argument.h"
+#include "base/square.h"
 
 namespace insonify {
-namespace {
-
-double square(double x) {
-  return x * x;
-}
-
-}  // namespace
-
 double reflection_coefficient(double water_impedance, double impedance) {
   assert(water_impedance > 0 && impedance > 0);
   return (impedance - water_impedance) / (impedance + water_impedance);

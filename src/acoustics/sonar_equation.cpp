@@ -7,22 +7,16 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <string_view>
 
 #include "acoustics/argument.h"
+#include "acoustics/constants.h"
+#include "base/square.h"
 #include "insonify/acoustics/absorption.h"
 #include "insonify/error.h"
 
 namespace insonify {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
-constexpr double kHertzPerKilohertz = 1e3;
-
-double square(double x) {
-  return x * x;
-}
 
 void check_bin(std::string_view function, double start, double end) {
   check_argument(function, "bin_start", "m", greater_than(0), start);

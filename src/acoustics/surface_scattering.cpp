@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "acoustics/argument.h"
+#include "acoustics/constants.h"
 #include "insonify/acoustics/backscatter.h"
 #include "insonify/geometry.h"
 
@@ -17,8 +18,6 @@ namespace {
 // Inside this file frequencies are in kHz, as in TR 9407; the names f and u stand for frequency and wind speed, q for
 // the grazing angle [rad].
 
-constexpr double kPi = std::numbers::pi;
-constexpr double kHertzPerKilohertz = 1e3;
 constexpr double kHighest = 100;  // Highest frequency of the report's fit [kHz].
 constexpr double kMetresPerSecondPerKnot = 1852.0 / 3600;
 

@@ -8,13 +8,10 @@
 
 #include "acoustics/argument.h"
 #include "acoustics/fresnel.h"
+#include "base/square.h"
 
 namespace insonify {
 namespace {
-
-double square(double x) {
-  return x * x;
-}
 
 void check_length(std::string_view function, std::string_view name, double value) {
   check_argument(function, name, "m", greater_than(0), value);

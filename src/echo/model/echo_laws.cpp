@@ -5,14 +5,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/square.h"
 #include "insonify/acoustics/backscatter.h"
 
 namespace insonify {
 namespace {
-
-double square(double x) {
-  return x * x;
-}
 
 // Angle of a direction on either side of a surface from its normal, 0..pi/2. Cosines from single precision may
 // exceed 1.

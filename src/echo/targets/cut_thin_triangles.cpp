@@ -18,10 +18,10 @@ constexpr float kTurnStep = 0.2618F;  // Spacing of the normals of curved surfac
 constexpr float kFineTurn = 0.13F;    // Largest change of the normal within a facet [rad].
 constexpr float kFlat = 1e-3F;        // Differences of unit normals below this are rounding.
 
-struct Corner {
+struct Vertex {
   Vec3f place, normal;
 };
-Corner between(const Corner& a, const Corner& b, float share) {
+Vertex between(const Vertex& a, const Vertex& b, float share) {
   return {a.place + share * (b.place - a.place), a.normal + share * (b.normal - a.normal)};
 }
 
@@ -34,10 +34,10 @@ struct Facet {
 };
 
 // Part of a convex polygon on one side of the plane x[along] = at; `side` is +1 for above, -1 for below.
-std::vector<Corner> clipped(const std::vector<Corner>& polygon, int along, float at, float side) {
-  std::vector<Corner> rest;
+std::vector<Vertex> clipped(const std::vector<Vertex>& polygon, int along, float at, float side) {
+  std::vector<Vertex> rest;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Corner &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
+    const Vertex &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
     const float to_a = side * (a.place[along] - at), to_b = side * (b.place[along] - at);
     if (to_a >= 0) {
       rest.push_back(a);
@@ -51,7 +51,7 @@ std::vector<Corner> clipped(const std::vector<Corner>& polygon, int along, float
 
 // Bisects a triangle until its normal changes by at most kFineTurn, and calls add(Facet) for each part.
 template <typename Add>
-void divide(const std::array<Corner, 3>& corners, bool curved, int depth, const Add& add) {
+void divide(const std::array<Vertex, 3>& corners, bool curved, int depth, const Add& add) {
   constexpr int kDeepest = 12;
   int edge = 0;
   float most = 0;
@@ -61,8 +61,8 @@ void divide(const std::array<Corner, 3>& corners, bool curved, int depth, const 
     most = std::max(most, turn);
   }
   if (most > kFineTurn && depth < kDeepest) {
-    const Corner &a = corners[edge], &b = corners[(edge + 1) % 3], &c = corners[(edge + 2) % 3];
-    const Corner half = between(a, b, 0.5F);
+    const Vertex &a = corners[edge], &b = corners[(edge + 1) % 3], &c = corners[(edge + 2) % 3];
+    const Vertex half = between(a, b, 0.5F);
     divide({a, half, c}, curved, depth + 1, add);
     divide({half, b, c}, curved, depth + 1, add);
     return;
@@ -73,7 +73,7 @@ void divide(const std::array<Corner, 3>& corners, bool curved, int depth, const 
   if (area > 0 && normal.squaredNorm() > 0) {
     const Vec3f middle = (corners[0].place + corners[1].place + corners[2].place) / 3;
     Eigen::Matrix3f spread = Eigen::Matrix3f::Zero();
-    for (const Corner& corner : corners) {  // A triangle's covariance is this sum over its corners.
+    for (const Vertex& corner : corners) {  // A triangle's covariance is this sum over its corners.
       spread += (corner.place - middle) * (corner.place - middle).transpose() / 12;
     }
     add(Facet{middle, normal.normalized(), area, spread, curved});
@@ -116,7 +116,7 @@ struct Slabs {
 void add_triangle(const Instance& instance, int index, const ThinTriangle& thin, float slab_length, Cells& cells) {
   const Mesh& mesh = *instance.mesh;
   const Slabs slabs = Slabs::of(mesh, thin, slab_length);
-  std::vector<Corner> triangle;
+  std::vector<Vertex> triangle;
   float turn = 0;
   for (const std::uint32_t vertex : mesh.triangles[thin.triangle]) {
     triangle.push_back({mesh.vertices[vertex], mesh.normals[vertex]});
@@ -127,8 +127,8 @@ void add_triangle(const Instance& instance, int index, const ThinTriangle& thin,
               static_cast<int>(std::lround(4 * std::log2(thin.thickness / 1e-3F))),
               {}};
   for (int i = slabs.first; i <= slabs.last; ++i) {
-    const std::vector<Corner> above = clipped(triangle, thin.along, slabs.length * static_cast<float>(i), 1);
-    const std::vector<Corner> polygon = clipped(above, thin.along, slabs.length * static_cast<float>(i + 1), -1);
+    const std::vector<Vertex> above = clipped(triangle, thin.along, slabs.length * static_cast<float>(i), 1);
+    const std::vector<Vertex> polygon = clipped(above, thin.along, slabs.length * static_cast<float>(i + 1), -1);
     for (std::size_t k = 2; k < polygon.size(); ++k) {
       divide({polygon[0], polygon[k - 1], polygon[k]}, turn > kFlat, 0, [&](const Facet& facet) {
         for (int d = 0; d < 3; ++d) {

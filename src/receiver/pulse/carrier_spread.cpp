@@ -8,6 +8,8 @@
 #include <numbers>
 #include <vector>
 
+#include "base/square.h"
+
 namespace insonify {
 namespace {
 
@@ -26,10 +28,6 @@ double mean_cosine(const Pulse& pulse, double turns_per_metre, double step) {
 
 double sinc(double x) {
   return x == 0 ? 1 : std::sin(std::numbers::pi * x) / (std::numbers::pi * x);
-}
-
-double square(double x) {
-  return x * x;
 }
 
 }  // namespace

@@ -11,19 +11,19 @@
 namespace insonify {
 namespace {
 
-constexpr int kBlock = 64;  // Output bins computed together.
+constexpr int kOutputBlock = 64;  // Output bins computed together.
 constexpr int kTaps = 64;   // Taps applied together.
 
 constexpr int kLanes = 16;  // Floats of a vector register of AVX-512; others take several.
 
-// sums[v] += sum over taps of gains[tap] x values[v + tap], for kBlock bins of kWidth floats each (1: real, 2:
+// sums[v] += sum over taps of gains[tap] x values[v + tap], for kOutputBlock bins of kWidth floats each (1: real, 2:
 // complex). Sums stay in registers over all taps: the innermost loop is one vector instruction, and must not be
 // unrolled before it is.
 template <int kWidth>
 [[gnu::always_inline]] inline void add_taps(const float* __restrict__ gains, int taps, const float* __restrict__ values,
                                             float* __restrict__ sums) {
   constexpr int kRegisters = 4, kTogether = kRegisters * kLanes;
-  for (int start = 0; start < kBlock * kWidth; start += kTogether) {
+  for (int start = 0; start < kOutputBlock * kWidth; start += kTogether) {
     float own[kRegisters][kLanes] = {};
     for (int tap = 0; tap < taps; ++tap) {
       const float* const at = values + start + tap * kWidth;
@@ -78,19 +78,19 @@ template <typename Value, typename AddTaps>
 void convolve(std::span<const Value> cells, std::span<Value> bins, int cells_per_bin, int first, int count,
               const std::vector<float>& gains, const AddTaps& add) {
   assert(cells.size() == bins.size() * cells_per_bin);
-  alignas(64) Value values[kBlock + kTaps];
-  alignas(64) Value sums[kBlock];
-  for (int start = 0; start < static_cast<int>(bins.size()); start += kBlock) {
-    std::fill_n(sums, kBlock, Value{});
+  alignas(64) Value values[kOutputBlock + kTaps];
+  alignas(64) Value sums[kOutputBlock];
+  for (int start = 0; start < static_cast<int>(bins.size()); start += kOutputBlock) {
+    std::fill_n(sums, kOutputBlock, Value{});
     for (int phase = 0; phase < cells_per_bin; ++phase) {
       for (int tap = 0; tap < count; tap += kTaps) {
         const int taps = std::min(kTaps, count - tap);
-        gather(cells, cells_per_bin, phase, start + first + tap, kBlock + taps - 1, values);
+        gather(cells, cells_per_bin, phase, start + first + tap, kOutputBlock + taps - 1, values);
         add(&gains[static_cast<std::size_t>(phase) * count + tap], taps, reinterpret_cast<const float*>(values),
             reinterpret_cast<float*>(sums));
       }
     }
-    std::copy_n(sums, std::min(kBlock, static_cast<int>(bins.size()) - start), &bins[start]);
+    std::copy_n(sums, std::min(kOutputBlock, static_cast<int>(bins.size()) - start), &bins[start]);
   }
 }
 

@@ -1,0 +1,9 @@
+#pragma once
+
+namespace insonify {
+
+inline double square(double x) {
+  return x * x;
+}
+
+}  // namespace insonify
