@@ -1,6 +1,7 @@
 # Read by ctest as it starts, once for each test program: insonify_add_entries(PROGRAM TIMEOUT) makes one entry for each test
 # case; with INSONIFY_ENTRIES=suites in the environment, as `./dev test` runs all of them, one for each suite. A process takes
 # 0.1 s to start, as much as most cases.
+cmake_policy(VERSION 3.24)
 function(insonify_add_entries program timeout)
   if(NOT EXISTS ${program})
     add_test(${program}_NOT_BUILT ${program})

@@ -23,8 +23,12 @@ def _pyplot() -> Any:
     return matplotlib.pyplot
 
 
-def _shown(ping: Ping) -> tuple[Any, tuple[float, float], str]:
+def _shown(ping: Ping, counts: bool) -> tuple[Any, tuple[float, float], str]:
     """Values to draw, the colour range that fits them and the text of the colour bar: those of insonify.fan()."""
+    if counts:
+        if ping.counts is None:
+            raise Error(f"ping {ping.number} has no counts; receiver.counts: true adds them (calibrated)")
+        return ping.counts, (0.0, 2.0**ping.sonar.bits - 1), f"counts of {ping.sonar.bits} bits"
     intensity, raised, full_scale, floor_db = _usually_shown(ping)
     if ping.model == "paper":
         return intensity, (0.0, 1.0), "echo intensity, 0 to 1"
@@ -44,7 +48,7 @@ def _widen(ax: Any, across: npt.NDArray[np.float64], along: npt.NDArray[np.float
 
 
 def plot(ping: Ping, kind: str = "fan", levels: tuple[float, float] | None = None, ax: Any = None,
-         colour_map: str | None = None, *, color_map: str | None = None) -> Any:
+         colour_map: str | None = None, *, color_map: str | None = None, counts: bool = False) -> Any:
     """Draws a ping with matplotlib. Returns the axes.
 
     kind: "fan", seen from above in metres, acoustic axis up and port to the left; or "polar", azimuth [deg] across, port
@@ -53,8 +57,10 @@ def plot(ping: Ping, kind: str = "fan", levels: tuple[float, float] | None = Non
         of insonify.fan(), which fit this ping. For a film give the same to all.
     ax: axes to draw in; None for those of a new figure.
     colour_map, or color_map: a name that matplotlib knows; None for inferno.
+    counts: draw the counts that the instrument delivers (receiver.counts), from 0 to the greatest; levels are counts then.
 
-    Raises Error for another kind or levels that do not rise, ImportError where there is no matplotlib.
+    Raises Error for another kind, levels that do not rise and counts that are not there, ImportError where there is no
+    matplotlib.
     """
     pyplot = _pyplot()
     if kind not in ("fan", "polar"):
@@ -68,7 +74,7 @@ def plot(ping: Ping, kind: str = "fan", levels: tuple[float, float] | None = Non
     sonar = ping.sonar
     range_edges = np.linspace(sonar.min_range, sonar.max_range, sonar.bin_count + 1)
     azimuth_edges = sonar.azimuth_edges() + ping.head_angle
-    values, fitting, label = _shown(ping)
+    values, fitting, label = _shown(ping, counts)
     low, high = fitting if levels is None else levels
     if ax is None:
         ax = pyplot.subplots(layout="constrained")[1]

@@ -121,14 +121,15 @@ void bind_ping(py::module_& module) {
       [](const py::object& self, const py::args& args, const py::kwargs& options) {
         return py::module_::import("insonify._plot").attr("plot")(self, *args, **options);
       },
-      "plot(kind='fan', levels=None, ax=None, colour_map=None, *, color_map=None)\n\nDraws the ping with matplotlib. "
-      "Returns the "
-      "axes.\n\nkind: \"fan\", in metres, or \"polar\", azimuth [deg] and range [m]. levels: colour range (low, high) "
-      "in "
-      "dB as on the colour bar; None for what fits this ping, as in insonify.fan(). ax: axes to draw in; None for a "
-      "new "
-      "figure. colour_map, or color_map: a name that matplotlib knows; None for inferno.\n\nRaises ImportError where "
-      "there is no matplotlib.");
+      "plot(kind='fan', levels=None, ax=None, colour_map=None, *, color_map=None, counts=False)\n\n"
+      "Draws the ping with matplotlib. Returns the axes.\n\n"
+      "kind: \"fan\", in metres, or \"polar\", azimuth [deg] and range [m]. levels: colour range (low, high) in dB as "
+      "on "
+      "the colour bar; None for what fits this ping, as in insonify.fan(). ax: axes to draw in; None for a new figure. "
+      "colour_map, or color_map: a name that matplotlib knows; None for inferno. counts: draw the counts instead, from "
+      "0 "
+      "to the greatest, where the ping has any (receiver.counts).\n\n"
+      "Raises Error where there are none, ImportError where there is no matplotlib.");
   ping.def(py::pickle(&pickled_ping, &unpickled_ping));
   ping.def("__repr__", [](const PythonPing& self) {
     return fmt::format("<Ping {} at {:.6g} s, {} x {}>", self.number, self.time, counted(self.bin_count, "bin"),

@@ -71,6 +71,22 @@ TEST_F(CliTest, CountsAreDrawnByRunAndFromTheRecording) {
   EXPECT_EQ(shell("insonify draw without/ahead.h5 --counts --levels -90:-40").status, 2);
 }
 
+TEST_F(CliTest, SonarsWithoutCountsBesideOthersShowTheirLevels) {
+  const std::string sonars =
+      " --set model=calibrated --set 'sonars=[{name: counted, beam_count: 16, bin_count: 50, receiver: {counts: "
+      "true}}, "
+      "{name: side, beam_count: 16, bin_count: 50}]' --set receiver.full_scale_db=-60 --pictures 1 --no-view";
+  const Outcome both = shell("insonify run fan.yaml -o both -q --counts" + sonars);
+  EXPECT_EQ(both.status, 0);
+  EXPECT_THAT(both.err, HasSubstr("warning: --counts: side has none (receiver.counts); its pictures show levels\n"));
+  ASSERT_EQ(shell("insonify run fan.yaml -o levels -q" + sonars).status, 0);
+  EXPECT_EQ(shell("cmp both/side_000.png levels/side_000.png").status, 0);
+  EXPECT_EQ(shell("insonify draw both/counted.h5 -o drawn --counts --pictures 1 && cmp both/counted_000.png "
+                  "drawn/counted_000.png")
+                .status,
+            0);
+}
+
 TEST_F(CliTest, CountsThatAreAllAlikeOrNotRecordedAreToldOf) {
   const std::string run =
       "insonify run fan.yaml -q --no-view --counts --set model=calibrated --set receiver.counts=true ";

@@ -107,6 +107,22 @@ class PlotTest(unittest.TestCase):
         with self.assertRaisesRegex(insonify.Error, r"^levels = \(-30, -90\) must be two rising numbers"):
             ping.plot(levels=(-30, -90))
 
+    def test_counts_are_drawn_as_they_are(self):
+        sim, without = make_ping(bits=6)
+        scenario = sim.scenario
+        scenario.receiver.counts = True
+        scenario.receiver.full_scale_db = -60
+        ping = insonify.Simulator(scenario, sim.scene).ping()
+        axes = ping.plot(counts=True)
+        mesh = axes.collections[0]
+        self.assertEqual(mesh.get_clim(), (0, 63))
+        np.testing.assert_array_equal(mesh.get_array().reshape(100, 40), ping.counts)
+        self.assertEqual(mesh.get_array().max(), 63)
+        self.assertEqual(axes.figure.axes[1].get_ylabel(), "counts of 6 bits")
+        self.assertEqual(ping.plot(counts=True, levels=(0, 20)).collections[0].get_clim(), (0, 20))
+        with self.assertRaisesRegex(insonify.Error, "^ping 0 has no counts; receiver.counts: true adds them"):
+            without.plot(counts=True)
+
     def test_a_recorded_ping_and_a_scanned_one_are_drawn(self):
         sim, ping = make_ping()
         with tempfile.TemporaryDirectory() as folder:

@@ -58,7 +58,9 @@ Simulator prepare(const RunOptions& options, const std::filesystem::path& folder
     Scenario scenario = load_scenario(options.scenario, options.settings, log_to_user(options.quiet));
     style = picture_style(options.pictures, scenario.model, scenario.receiver);
     for (const SonarConfig& sonar : scenario.sonars) {
-      static_cast<void>(picture_style(options.pictures, scenario.model, scenario.receiver_of(sonar), sonar));
+      if (!track_style(options.pictures, scenario, sonar).display.of_counts && options.pictures.counts) {
+        complain(fmt::format("warning: --counts: {} has none (receiver.counts); its pictures show levels", sonar.name));
+      }
     }
     if (!options.force) {
       refuse_earlier_run(folder, scenario, options.record.endings());

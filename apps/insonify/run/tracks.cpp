@@ -6,6 +6,13 @@
 
 namespace insonify {
 
+PictureStyle track_style(const PictureOptions& options, const Scenario& scenario, const SonarConfig& sonar) {
+  const auto counts = [&](const SonarConfig& each) { return scenario.receiver_of(each).counts; };
+  PictureOptions own = options;
+  own.counts = options.counts && (counts(sonar) || std::ranges::none_of(scenario.sonars, counts));
+  return picture_style(own, scenario.model, scenario.receiver_of(sonar), sonar);
+}
+
 std::vector<Track> start_tracks(const Simulator& simulator, const ScenarioRequests& requests,
                                 const std::filesystem::path& folder, const PictureOptions& options,
                                 const PictureChoice& choice, PictureFolder& pictures, const RecordOptions& recording) {
@@ -14,7 +21,7 @@ std::vector<Track> start_tracks(const Simulator& simulator, const ScenarioReques
   for (std::size_t i = 0; i < scenario.sonars.size(); ++i) {
     const SonarConfig& sonar = simulator.sonar(static_cast<int>(i));
     const std::uint64_t pings = requests.ping_count(static_cast<int>(i));
-    const PictureStyle style = picture_style(options, scenario.model, scenario.receiver_of(sonar), sonar);
+    const PictureStyle style = track_style(options, scenario, sonar);
     tracks.push_back({SonarRecordings(folder, simulator, static_cast<int>(i), recording),
                       PingPictures(pictures, sonar, style, choice, pings)});
   }

@@ -25,6 +25,12 @@ struct Track {
   std::string heard = {};  ///< Text about the first ping: see heard_text().
 };
 
+/// Style of one sonar's pictures. With options.counts, a sonar that has no counts beside others that have some shows
+/// its levels.
+/// @throws InputError for contradictory options, and for counts where no sonar has any.
+[[nodiscard]] PictureStyle track_style(const PictureOptions& options, const Scenario& scenario,
+                                       const SonarConfig& sonar);
+
 /// Starts the recording and the pictures of each sonar.
 [[nodiscard]] std::vector<Track> start_tracks(const Simulator& simulator, const ScenarioRequests& requests,
                                               const std::filesystem::path& folder, const PictureOptions& options,
