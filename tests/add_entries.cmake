@@ -1,6 +1,6 @@
-# Read by ctest as it starts, once for each test program: insonify_add_entries(PROGRAM TIMEOUT) makes one entry for each test
-# case; with INSONIFY_ENTRIES=suites in the environment, as `./dev test` runs all of them, one for each suite. A process takes
-# 0.1 s to start, as much as most cases.
+# Read by ctest as it starts, once for each test program: insonify_add_entries(PROGRAM TIMEOUT [EMULATOR...]) makes one entry for
+# each test case, run by the emulator if there is one. With INSONIFY_ENTRIES=suites in the environment, as `./dev test` has it
+# where it runs all of them, each suite is one entry: a process takes 0.1 s to start, as much as most cases.
 cmake_policy(VERSION 3.24)
 function(insonify_add_entries program timeout)
   if(NOT EXISTS ${program})
@@ -9,7 +9,7 @@ function(insonify_add_entries program timeout)
   endif()
   set(list ${program}_cases.txt)
   if(NOT EXISTS ${list} OR ${program} IS_NEWER_THAN ${list})
-    execute_process(COMMAND ${program} --gtest_list_tests OUTPUT_FILE ${list}.new COMMAND_ERROR_IS_FATAL ANY)
+    execute_process(COMMAND ${ARGN} ${program} --gtest_list_tests OUTPUT_FILE ${list}.new COMMAND_ERROR_IS_FATAL ANY)
     file(RENAME ${list}.new ${list})
   endif()
   # Suites at the margin, their cases indented; what a parameter is follows as a comment.
@@ -31,7 +31,7 @@ function(insonify_add_entries program timeout)
     set(names ${cases})
   endif()
   foreach(name filter IN ZIP_LISTS names filters)
-    add_test(${name} ${program} --gtest_filter=${filter})
+    add_test(${name} ${ARGN} ${program} --gtest_filter=${filter})
     set_tests_properties(${name} PROPERTIES TIMEOUT ${timeout} SKIP_RETURN_CODE 77)
   endforeach()
 endfunction()
