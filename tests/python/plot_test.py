@@ -109,7 +109,7 @@ class PlotTest(unittest.TestCase):
 
     def test_counts_are_drawn_as_they_are(self):
         sim, without = make_ping(bits=6)
-        scenario = sim.scenario
+        scenario = sim.scenario.copy()
         scenario.receiver.counts = True
         scenario.receiver.full_scale_db = -60
         ping = insonify.Simulator(scenario, sim.scene).ping()
