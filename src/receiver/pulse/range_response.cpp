@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <cstddef>
 
 #include "base/vector_math.h"
 
@@ -12,7 +13,7 @@ namespace insonify {
 namespace {
 
 constexpr int kOutputBlock = 64;  // Output bins computed together.
-constexpr int kTaps = 64;   // Taps applied together.
+constexpr int kTaps = 64;         // Taps applied together.
 
 constexpr int kLanes = 16;  // Floats of a vector register of AVX-512; others take several.
 
@@ -26,7 +27,7 @@ template <int kWidth>
   for (int start = 0; start < kOutputBlock * kWidth; start += kTogether) {
     float own[kRegisters][kLanes] = {};
     for (int tap = 0; tap < taps; ++tap) {
-      const float* const at = values + start + tap * kWidth;
+      const float* const at = values + start + static_cast<std::ptrdiff_t>(tap) * kWidth;
 #pragma GCC unroll 4
       for (int i = 0; i < kRegisters; ++i) {
 #pragma GCC unroll 1
