@@ -1,3 +1,5 @@
+// main.cpp -- the main function of all test programs.
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -7,7 +7,9 @@
 namespace insonify {
 
 PictureStyle track_style(const PictureOptions& options, const Scenario& scenario, const SonarConfig& sonar) {
-  const auto counts = [&](const SonarConfig& each) { return scenario.receiver_of(each).counts; };
+  const auto counts = [&](const SonarConfig& each) {
+    return scenario.model == EchoModel::kCalibrated && scenario.receiver_of(each).counts;
+  };
   PictureOptions own = options;
   own.counts = options.counts && (counts(sonar) || std::ranges::none_of(scenario.sonars, counts));
   return picture_style(own, scenario.model, scenario.receiver_of(sonar), sonar);
